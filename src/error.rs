@@ -1,0 +1,63 @@
+//! What can be wrong with a request: what was asked, why it cannot be, and what is allowed.
+
+use core::fmt;
+
+/// An input that was refused.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Error {
+    /// A number outside its allowed range.
+    Parameter {
+        /// The name of the quantity, with its symbol and unit where it has them.
+        name: &'static str,
+        /// What was asked for.
+        value: f64,
+        /// What is allowed.
+        allowed: &'static str,
+    },
+    /// A duration that is no whole number of steps.
+    PartialStep {
+        /// The duration asked for (s).
+        duration: f64,
+        /// The step asked for (s).
+        step: f64,
+    },
+    /// More steps than an f64 can count one by one.
+    TooManySteps {
+        /// The number of steps asked for; an f64, as it may exceed every integer type.
+        steps: f64,
+    },
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::Parameter { name, value, allowed } => {
+                write!(f, "{name} = {value:?} is refused: it must be {allowed}")
+            }
+            Self::PartialStep { duration, step } => write!(
+                f,
+                "a duration of {duration:?} s is {:?} steps of {step:?} s: it must be a whole number of steps",
+                duration / step
+            ),
+            Self::TooManySteps { steps } => write!(
+                f,
+                "{steps:?} steps are too many: at most 2^53 = {MAX_STEPS} can be counted exactly"
+            ),
+        }
+    }
+}
+
+impl core::error::Error for Error {}
+
+/// 2⁵³: up to here every integer is an f64, so that the time of each step is computed without a rounded count.
+pub const MAX_STEPS: u64 = 1 << 53;
+
+/// Passes a number that is finite and greater than zero.
+pub(crate) fn positive(name: &'static str, value: f64) -> Result<f64, Error> {
+    if value.is_finite() && value > 0.0 {
+        Ok(value)
+    } else {
+        Err(Error::Parameter { name, value, allowed: "finite and greater than zero" })
+    }
+}

@@ -1,0 +1,36 @@
+//! The only time loop.
+
+use crate::grid::Grid;
+use crate::method::Method;
+use crate::observe::Observer;
+use crate::system::System;
+
+// ANCHOR: integrate
+/// Takes `system` from `start` along `grid` with `method`, lets `observer` see each sample, returns the last state.
+///
+/// The loop owns what the method remembers from step to step, so that a force left over from another trajectory
+/// cannot get in; and it computes time from the count of steps.
+#[inline]
+pub fn integrate<S, M, O>(
+    system: &S,
+    method: &M,
+    start: S::State,
+    grid: &Grid,
+    observer: &mut O,
+) -> S::State
+where
+    S: System,
+    M: Method<S>,
+    O: Observer<S::State> + ?Sized,
+{
+    let h = grid.step();
+    let mut z = start;
+    let mut memo = method.start(system, grid.time(0), z);
+    observer.observe(0, grid.time(0), z);
+    for n in 0..grid.steps() {
+        z = method.step(system, grid.time(n), h, z, &mut memo);
+        observer.observe(n + 1, grid.time(n + 1), z);
+    }
+    z
+}
+// ANCHOR_END: integrate

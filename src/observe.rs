@@ -1,0 +1,95 @@
+//! Observers: what is watched along a trajectory. What is not asked for costs nothing.
+
+use core::num::NonZeroU64;
+
+/// Something that looks at every sample of a trajectory, the start included.
+///
+/// Observers are generic parameters of [`integrate`](crate::integrate()): `()` watches nothing and leaves the bare
+/// loop, a closure `|n, t, z| …` watches what it likes, a tuple lets several watch at once.
+pub trait Observer<Z> {
+    /// Sees the state `z` after `n` steps, at time `t` (s).
+    fn observe(&mut self, n: u64, t: f64, z: Z);
+}
+
+impl<Z> Observer<Z> for () {
+    #[inline]
+    fn observe(&mut self, _n: u64, _t: f64, _z: Z) {}
+}
+
+impl<Z, F: FnMut(u64, f64, Z)> Observer<Z> for F {
+    #[inline]
+    fn observe(&mut self, n: u64, t: f64, z: Z) {
+        self(n, t, z);
+    }
+}
+
+macro_rules! tuple_observer {
+    ($($name:ident)+) => {
+        impl<Z: Copy, $($name: Observer<Z>),+> Observer<Z> for ($($name,)+) {
+            #[inline]
+            fn observe(&mut self, n: u64, t: f64, z: Z) {
+                #[allow(non_snake_case)]
+                let ($($name,)+) = self;
+                $($name.observe(n, t, z);)+
+            }
+        }
+    };
+}
+tuple_observer!(A B);
+tuple_observer!(A B C);
+tuple_observer!(A B C D);
+
+/// Passes on every k-th sample, the start included.
+#[derive(Clone, Debug)]
+pub struct Every<O> {
+    every: NonZeroU64,
+    /// Samples to skip until the next one passed on.
+    skip: u64,
+    observer: O,
+}
+
+impl<O> Every<O> {
+    /// Lets `observer` see the samples 0, k, 2k, … where k is `every`.
+    pub const fn new(every: NonZeroU64, observer: O) -> Self {
+        Self { every, skip: 0, observer }
+    }
+
+    /// The observer within, with what it has seen.
+    pub fn into_inner(self) -> O {
+        self.observer
+    }
+}
+
+impl<Z, O: Observer<Z>> Observer<Z> for Every<O> {
+    #[inline]
+    fn observe(&mut self, n: u64, t: f64, z: Z) {
+        if self.skip == 0 {
+            self.observer.observe(n, t, z);
+            self.skip = self.every.get();
+        }
+        self.skip -= 1;
+    }
+}
+
+/// Writes the states, one after the other, into storage that the caller has sized.
+#[derive(Debug)]
+pub struct Record<'a, Z> {
+    storage: core::slice::IterMut<'a, Z>,
+}
+
+impl<'a, Z> Record<'a, Z> {
+    /// Records into `storage`: [`Grid::samples`](crate::Grid::samples) slots hold a whole trajectory. Samples beyond
+    /// its end are not kept.
+    pub fn into_slice(storage: &'a mut [Z]) -> Self {
+        Self { storage: storage.iter_mut() }
+    }
+}
+
+impl<Z> Observer<Z> for Record<'_, Z> {
+    #[inline]
+    fn observe(&mut self, _n: u64, _t: f64, z: Z) {
+        if let Some(slot) = self.storage.next() {
+            *slot = z;
+        }
+    }
+}

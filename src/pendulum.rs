@@ -1,0 +1,189 @@
+//! The problem: a point mass on a rigid massless rod; and its foil, the linear oscillator.
+
+use crate::error::{Error, positive};
+use crate::phase::Phase;
+use crate::sine::{cos, sin};
+use crate::system::{Hamiltonian, Separable, System};
+
+/// The simple pendulum, θ̈ + (g/L) sin θ = 0 (paper, Eq. 1).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pendulum {
+    gravity: f64,
+    length: f64,
+    mass: f64,
+    /// g/L, formed once: the only way the parameters enter the motion.
+    stiffness: f64,
+}
+
+impl Pendulum {
+    /// The paper's pendulum (its Table 3): g = 9.81 m/s², L = 1 m, m = 1 kg.
+    pub const PAPER: Self = Self { gravity: 9.81, length: 1.0, mass: 1.0, stiffness: 9.81 };
+
+    /// A pendulum under `gravity` (m/s²), of `length` (m) and `mass` (kg).
+    ///
+    /// # Errors
+    /// [`Error::Parameter`] for a parameter that is not finite and positive, or so large or small that g/L, m g L or
+    /// m L² leaves the range of normal numbers.
+    pub fn new(gravity: f64, length: f64, mass: f64) -> Result<Self, Error> {
+        let gravity = positive("gravity g (m/s²)", gravity)?;
+        let length = positive("length L (m)", length)?;
+        let mass = positive("mass m (kg)", mass)?;
+        let stiffness = normal("g/L (1/s²)", gravity / length)?;
+        normal("m g L (J)", mass * gravity * length)?;
+        normal("m L² (kg m²)", mass * length * length)?;
+        Ok(Self { gravity, length, mass, stiffness })
+    }
+
+    /// Gravitational acceleration g (m/s²).
+    pub const fn gravity(&self) -> f64 {
+        self.gravity
+    }
+
+    /// Length L of the rod (m).
+    pub const fn length(&self) -> f64 {
+        self.length
+    }
+
+    /// Mass m of the bob (kg).
+    pub const fn mass(&self) -> f64 {
+        self.mass
+    }
+
+    /// g/L (1/s²): the square of the small-angle angular frequency.
+    pub const fn stiffness(&self) -> f64 {
+        self.stiffness
+    }
+
+    /// Small-angle angular frequency √(g/L) (rad/s).
+    pub fn small_angle_frequency(&self) -> f64 {
+        libm::sqrt(self.stiffness)
+    }
+
+    /// Small-angle period T₀ = 2π √(L/g) (s), the paper's Eq. 4.
+    pub fn small_angle_period(&self) -> f64 {
+        2.0 * core::f64::consts::PI / self.small_angle_frequency()
+    }
+
+    /// The Hamiltonian ½ m L² ω² − m g L cos θ (J), the paper's Eq. 3: zero at the height of the pivot.
+    ///
+    /// For differences of energy use [`Hamiltonian::energy`], which does not lose small ones.
+    pub fn hamiltonian(&self, z: Phase) -> f64 {
+        self.kinetic(z) - self.depth() * cos(z.theta)
+    }
+
+    /// Depth m g L of the potential well (J), from the height of the pivot down to the bottom.
+    pub fn depth(&self) -> f64 {
+        self.mass * self.gravity * self.length
+    }
+
+    fn kinetic(&self, z: Phase) -> f64 {
+        0.5 * self.mass * self.length * self.length * z.omega * z.omega
+    }
+}
+
+impl System for Pendulum {
+    type State = Phase;
+
+    #[inline]
+    fn rate(&self, t: f64, z: Phase) -> Phase {
+        Phase { theta: z.omega, omega: self.force(t, z) }
+    }
+}
+
+// ANCHOR: force
+impl Separable for Pendulum {
+    type Force = f64;
+
+    #[inline]
+    fn force(&self, _t: f64, z: Phase) -> f64 {
+        -self.stiffness * sin(z.theta)
+    }
+
+    #[inline]
+    fn kick(&self, z: Phase, alpha: f64, h: f64) -> Phase {
+        Phase { omega: z.omega + alpha * h, ..z }
+    }
+
+    #[inline]
+    fn drift(&self, z: Phase, h: f64) -> Phase {
+        Phase { theta: z.theta + z.omega * h, ..z }
+    }
+}
+// ANCHOR_END: force
+
+// ANCHOR: energy
+impl Hamiltonian for Pendulum {
+    /// ½ m L² ω² + 2 m g L sin²(θ/2) (J): the paper's Eq. 3 plus m g L, without the cancellation in 1 − cos θ.
+    fn energy(&self, z: Phase) -> f64 {
+        let s = sin(0.5 * z.theta);
+        self.kinetic(z) + 2.0 * self.depth() * s * s
+    }
+}
+// ANCHOR_END: energy
+
+/// The linear oscillator θ̈ + (g/L) θ = 0: the pendulum as a small angle sees it (paper, Section 3.3).
+///
+/// Its motion is known in elementary functions, and so is every method's error on it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LinearOscillator(Pendulum);
+
+impl LinearOscillator {
+    /// The linearisation of `pendulum` about its lower rest.
+    pub const fn of(pendulum: Pendulum) -> Self {
+        Self(pendulum)
+    }
+
+    /// The state at time `t` (s) after `start`: the paper's Eq. 4, for any initial velocity.
+    pub fn exact(&self, start: Phase, t: f64) -> Phase {
+        let frequency = self.0.small_angle_frequency();
+        let (s, c) = (sin(frequency * t), cos(frequency * t));
+        Phase {
+            theta: start.theta * c + start.omega / frequency * s,
+            omega: start.omega * c - start.theta * frequency * s,
+        }
+    }
+}
+
+impl System for LinearOscillator {
+    type State = Phase;
+
+    #[inline]
+    fn rate(&self, t: f64, z: Phase) -> Phase {
+        Phase { theta: z.omega, omega: self.force(t, z) }
+    }
+}
+
+impl Separable for LinearOscillator {
+    type Force = f64;
+
+    #[inline]
+    fn force(&self, _t: f64, z: Phase) -> f64 {
+        -self.0.stiffness * z.theta
+    }
+
+    #[inline]
+    fn kick(&self, z: Phase, alpha: f64, h: f64) -> Phase {
+        self.0.kick(z, alpha, h)
+    }
+
+    #[inline]
+    fn drift(&self, z: Phase, h: f64) -> Phase {
+        self.0.drift(z, h)
+    }
+}
+
+impl Hamiltonian for LinearOscillator {
+    /// ½ m L² ω² + ½ m g L θ² (J).
+    fn energy(&self, z: Phase) -> f64 {
+        self.0.kinetic(z) + 0.5 * self.0.depth() * z.theta * z.theta
+    }
+}
+
+/// Passes a product of parameters that neither overflowed nor lost digits to underflow.
+fn normal(name: &'static str, value: f64) -> Result<f64, Error> {
+    if value.is_normal() {
+        Ok(value)
+    } else {
+        Err(Error::Parameter { name, value, allowed: "between 2.3e-308 and 1.8e308" })
+    }
+}

@@ -1,0 +1,46 @@
+//! The point in phase space.
+
+use core::ops::{Add, Mul};
+
+/// What a system's state must be able to do: be added and be scaled.
+///
+/// That is all a Runge–Kutta method asks of it. Components keep their names in the type that implements this trait.
+pub trait Vector: Copy + Add<Output = Self> + Mul<f64, Output = Self> {}
+
+/// A point (θ, ω) in the phase space of the pendulum, or a rate of change of one.
+///
+/// As a state, `theta` is in rad and `omega` in rad/s; as a rate, both are per second.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Phase {
+    /// Angle from the downward vertical, unwrapped: it counts turns.
+    pub theta: f64,
+    /// Angular velocity, dθ/dt.
+    pub omega: f64,
+}
+
+impl Phase {
+    /// The pendulum held still at the angle `theta` (rad).
+    pub const fn at_rest(theta: f64) -> Self {
+        Self { theta, omega: 0.0 }
+    }
+}
+
+impl Add for Phase {
+    type Output = Self;
+
+    #[inline]
+    fn add(self, other: Self) -> Self {
+        Self { theta: self.theta + other.theta, omega: self.omega + other.omega }
+    }
+}
+
+impl Mul<f64> for Phase {
+    type Output = Self;
+
+    #[inline]
+    fn mul(self, factor: f64) -> Self {
+        Self { theta: self.theta * factor, omega: self.omega * factor }
+    }
+}
+
+impl Vector for Phase {}
