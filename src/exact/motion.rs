@@ -1,0 +1,433 @@
+//! θ(t) and ω(t) in closed form: libration, rotation, and the separatrix between them.
+//!
+//! With ω₀ = √(g/L), S = sin(θ/2), C = cos(θ/2) and w = ω/(2ω₀), the energy above the bottom is 2 m g L k²,
+//!
+//! k² = S² + w²,  k'² = 1 − k² = C² − w²,
+//!
+//! and its distance to the top, k'², tells the kinds of motion apart:
+//!
+//! | kind | | sin(θ/2) | cos(θ/2) | ω |
+//! |---|---|---|---|---|
+//! | libration | k'² > 0 | k sn u | dn u | 2ω₀ k cn u |
+//! | separatrix | k'² = 0 | tanh u | sech u | 2ω₀ sech u |
+//! | rotation, of modulus 1/k | k'² < 0 | sn ku | cn ku | 2ω₀ k dn ku |
+//!
+//! where u = u₀ + ω₀ t. Sources: DLMF 22.19(i); Lawden, *Elliptic Functions and Applications* (1989), Sect. 5.1.
+//!
+//! A motion forward in time and one backward, to the right and to the left, mirror each other: everything here moves
+//! in the direction of growing θ, and [`Motion`] remembers whether it looks in the mirror.
+
+use super::elliptic::{Jacobi, Values, carlson_rf};
+use super::finite;
+use crate::double_double::{DoubleDouble, reduced_sine_cosine};
+use crate::error::Error;
+use crate::pendulum::Pendulum;
+use crate::phase::Phase;
+
+/// What the pendulum does for all time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// It hangs at rest.
+    Rest,
+    /// It swings to and fro.
+    Libration,
+    /// It has just the energy of the top, and approaches it forever.
+    Separatrix,
+    /// It goes over the top, again and again.
+    Rotation,
+}
+
+/// The exact motion from one start: prepared once, then evaluated at any time.
+///
+/// Maps t (s) to θ (rad, unwrapped: it counts turns) and ω (rad/s). Angle and velocity (against 2ω₀ k, the largest one)
+/// are right to 1e-14 at every time up to 10⁵ s and beyond, near the separatrix and on either side of it too; many turns
+/// round to their own last digit. Also called the solution in Jacobian elliptic functions. Formulas: DLMF 22.19(i).
+///
+/// The pendulum balanced at the top is missing, as no f64 is π: a start at rest at π as an f64 is a libration from
+/// 1.2e-16 rad beside the top, and takes the paper's pendulum 12 s to fall. A start whose energy is nearer to the
+/// separatrix than 2⁻¹⁰⁰ of itself cannot be told from it.
+#[derive(Clone, Copy, Debug)]
+pub struct Motion {
+    course: Course,
+    /// What the solution is multiplied with: −1 in the mirror, and a power of two for a tiny swing.
+    mirror: f64,
+    shrink: f64,
+    /// Whole turns at the start, in the mirror.
+    turns: f64,
+    /// The modulus k, in units of `shrink`.
+    modulus: f64,
+}
+
+/// The motion in the direction of growing θ.
+#[derive(Clone, Copy, Debug)]
+enum Course {
+    Rest,
+    Libration(Elliptic),
+    Separatrix(Hyperbolic),
+    Rotation(Elliptic),
+}
+
+/// Libration and rotation; which, is for [`Course`] to say.
+#[derive(Clone, Copy, Debug)]
+struct Elliptic {
+    jacobi: Jacobi,
+    /// The phase u/K: at the start, and its growth (1/s).
+    quarters: DoubleDouble,
+    rate: DoubleDouble,
+    /// The modulus k of the libration.
+    modulus: f64,
+    /// The largest angular velocity, 2ω₀ k (rad/s).
+    speed: f64,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Hyperbolic {
+    /// u at the start.
+    start: f64,
+    /// ω₀ (rad/s).
+    frequency: f64,
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Limits
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// Beyond this angle (rad) neighbouring f64s are 1/8 rad apart, and an angle means little.
+const LARGEST_ANGLE: f64 = 1e15;
+
+/// 2⁵⁰⁰ = 3.3e150: beyond this ω/ω₀ the squares leave the range of f64.
+const FASTEST: f64 = (1_u128 << 125) as f64
+    * (1_u128 << 125) as f64
+    * (1_u128 << 125) as f64
+    * (1_u128 << 125) as f64;
+
+/// 2⁻¹⁰⁰: in a swing this small, θ and sin θ have the same digits even in double-double.
+const LINEAR: f64 = 1.0 / (1_u128 << 100) as f64;
+
+/// 2⁵²: beyond this many quarter periods even their count would be rounded.
+const LARGEST_PHASE: f64 = (1_u64 << 52) as f64;
+
+const ANGLE: &str = "angle θ (rad)";
+const VELOCITY: &str = "angular velocity ω (rad/s)";
+
+impl Motion {
+    /// The motion of `pendulum` that begins at `start`: θ in rad, ω in rad/s.
+    ///
+    /// Takes microseconds: everything that the phase at late times depends on is computed in double-double.
+    ///
+    /// # Errors
+    /// [`Error::Parameter`] for a start that is not finite, for |θ| > 1e15, for |ω| > 3e150 ω₀, and for a start at
+    /// θ = 0 with an ω ≠ 0 so small that its swing is no f64.
+    pub fn new(pendulum: &Pendulum, start: Phase) -> Result<Self, Error> {
+        let theta = checked_angle(start.theta)?;
+        let omega = finite(VELOCITY, start.omega)?;
+        let time = TimeUnit::of(pendulum);
+        if libm::fabs(omega * time.unit) > FASTEST {
+            return Err(refused(VELOCITY, omega, "at most 3e150 √(g/L) in size"));
+        }
+        let backward = omega < 0.0 || (omega == 0.0 && theta < 0.0);
+        let mirror = if backward { -1.0 } else { 1.0 };
+        let (theta, omega) = (mirror * theta, mirror * omega);
+
+        // A swing so small that it is linear is solved larger, and the solution shrunk, lest its square underflow.
+        let size = f64::max(libm::fabs(theta), omega * time.unit);
+        if size == 0.0 {
+            return match omega {
+                0.0 => Ok(Self::at_rest()),
+                _ => Err(refused(VELOCITY, start.omega, "zero, or at least 5e-324 √(g/L) in size")),
+            };
+        }
+        let grow = match size < LINEAR {
+            true => libm::ldexp(LINEAR, -libm::ilogb(size)),
+            false => 1.0,
+        };
+        let (theta, omega) = (theta * grow, omega * grow * time.unit);
+
+        let HalfAngle { sine, cosine, turns } = HalfAngle::of(theta);
+        let w = DoubleDouble::of(0.5 * omega) / time.frequency;
+        let k = (sine.squared() + w.squared()).sqrt();
+        // C² − w² = (4 C² g/L − ω²) / (4 g/L), which is zero exactly where it should be.
+        let to_the_top = DoubleDouble::of(4.0 * time.stiffness) * cosine.squared()
+            - DoubleDouble::product(omega, omega);
+        let gap = to_the_top / DoubleDouble::of(4.0 * time.stiffness);
+
+        let course = if gap.rounded() > 0.0 {
+            let (s, c) = (sine / k, w / k);
+            let jacobi = Jacobi::new(gap.sqrt());
+            // At rest it is a quarter period from the bottom, without rounding. Else u₀ = F(φ, k) with s = sin φ and
+            // c = cos φ (DLMF 19.25.5).
+            let quarters = if omega == 0.0 {
+                DoubleDouble::of(libm::copysign(1.0, sine.rounded()))
+            } else {
+                s * carlson_rf(c.squared(), cosine.squared(), DoubleDouble::ONE)
+                    / jacobi.quarter_period()
+            };
+            Course::Libration(Elliptic::new(jacobi, quarters, time.frequency, k, &time))
+        } else if gap.rounded() < 0.0 {
+            let c = w / k;
+            let jacobi = Jacobi::new((-gap).sqrt() / k);
+            // The same with the roles of S and s, of C and c exchanged: k u₀ = F(θ/2, 1/k).
+            let quarters = sine * carlson_rf(cosine.squared(), c.squared(), DoubleDouble::ONE)
+                / jacobi.quarter_period();
+            Course::Rotation(Elliptic::new(jacobi, quarters, k * time.frequency, k, &time))
+        } else {
+            Course::Separatrix(Hyperbolic::through(sine, cosine, &time))
+        };
+        Ok(Self { course, mirror, shrink: 1.0 / grow, turns, modulus: k.rounded() })
+    }
+
+    /// The motion of `pendulum` on the separatrix, through `theta` (rad) at t = 0, towards growing θ.
+    ///
+    /// Its angular velocity there is 2ω₀ |cos(θ/2)|, seldom an f64, so that [`Motion::new`] seldom meets it. The motion
+    /// in the other direction is this one from −θ, with the signs of the answers changed.
+    ///
+    /// # Errors
+    /// [`Error::Parameter`] for an angle that is not finite, or beyond 1e15.
+    pub fn on_separatrix(pendulum: &Pendulum, theta: f64) -> Result<Self, Error> {
+        let HalfAngle { sine, cosine, turns } = HalfAngle::of(checked_angle(theta)?);
+        let time = TimeUnit::of(pendulum);
+        Ok(Self {
+            course: Course::Separatrix(Hyperbolic::through(sine, cosine, &time)),
+            mirror: 1.0,
+            shrink: 1.0,
+            turns,
+            modulus: 1.0,
+        })
+    }
+
+    const fn at_rest() -> Self {
+        Self { course: Course::Rest, mirror: 1.0, shrink: 1.0, turns: 0.0, modulus: 0.0 }
+    }
+
+    /// What the pendulum does for all time.
+    pub const fn kind(&self) -> Kind {
+        match self.course {
+            Course::Rest => Kind::Rest,
+            Course::Libration(_) => Kind::Libration,
+            Course::Separatrix(_) => Kind::Separatrix,
+            Course::Rotation(_) => Kind::Rotation,
+        }
+    }
+
+    /// The modulus k = √(sin²(θ/2) + ω²/(2ω₀)²), from 0 at rest past 1 on the separatrix; its square is the energy above
+    /// the bottom, against that of the top.
+    pub fn modulus(&self) -> f64 {
+        self.modulus * self.shrink
+    }
+
+    /// The time (s) of a full oscillation, 4K/ω₀, or of one turn, 2K/(k ω₀); none at rest or on the separatrix.
+    pub fn period(&self) -> Option<f64> {
+        let quarters = match self.course {
+            Course::Libration(_) => 4.0,
+            Course::Rotation(_) => 2.0,
+            Course::Rest | Course::Separatrix(_) => return None,
+        };
+        self.elliptic().map(|elliptic| (DoubleDouble::of(quarters) / elliptic.rate).rounded())
+    }
+
+    /// The largest |t| (s) that [`Motion::at`] has an answer for: 2⁵² quarter periods.
+    pub fn horizon(&self) -> f64 {
+        self.elliptic().map_or(f64::MAX, |elliptic| (LARGEST_PHASE - 2.0) / elliptic.rate.rounded())
+    }
+
+    fn elliptic(&self) -> Option<&Elliptic> {
+        match &self.course {
+            Course::Libration(elliptic) | Course::Rotation(elliptic) => Some(elliptic),
+            Course::Rest | Course::Separatrix(_) => None,
+        }
+    }
+
+    /// The state at time `t` (s), before the start if `t` is negative: θ in rad, unwrapped, and ω in rad/s.
+    ///
+    /// A time beyond the [horizon](Motion::horizon), or not finite, has no state: both components are NaN.
+    pub fn at(&self, t: f64) -> Phase {
+        if !t.is_finite() {
+            return Phase { theta: f64::NAN, omega: f64::NAN };
+        }
+        let (half_turns, Phase { theta, omega }) = match &self.course {
+            Course::Rest => (0.0, Phase::at_rest(0.0)),
+            Course::Libration(elliptic) => (0.0, elliptic.libration(t)),
+            Course::Separatrix(hyperbolic) => (0.0, hyperbolic.at(t)),
+            Course::Rotation(elliptic) => elliptic.rotation(t),
+        };
+        Phase {
+            theta: self.mirror * unwrapped(half_turns + 2.0 * self.turns, theta * self.shrink),
+            omega: self.mirror * omega * self.shrink,
+        }
+    }
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// The three solutions
+// ---------------------------------------------------------------------------------------------------------------------
+
+// ANCHOR: at
+impl Elliptic {
+    fn new(
+        jacobi: Jacobi,
+        quarters: DoubleDouble,
+        rate: DoubleDouble,
+        k: DoubleDouble,
+        time: &TimeUnit,
+    ) -> Self {
+        Self {
+            jacobi,
+            quarters,
+            rate: (rate / jacobi.quarter_period()).scaled(1.0 / time.unit),
+            modulus: k.rounded(),
+            speed: 2.0 * (k * time.frequency).rounded() / time.unit,
+        }
+    }
+
+    /// The phase u/K at time t (s) as a whole number of quarter periods and at most half a one.
+    ///
+    /// The product with t is where a rounded period would do harm: it is a double-double, so that 10⁵ periods cost no
+    /// digit of the f64 that is left over.
+    #[inline]
+    fn phase(&self, t: f64) -> (f64, f64) {
+        let phase = self.quarters + self.rate * DoubleDouble::of(t);
+        if libm::fabs(phase.rounded()) <= LARGEST_PHASE {
+            let whole = libm::rint(phase.rounded());
+            let rest = (phase.rounded() - whole) + phase.remainder();
+            // Where the f64 itself is a whole number, half of one may be in what it left over.
+            let carry = libm::rint(rest);
+            (whole + carry, rest - carry)
+        } else {
+            (f64::NAN, f64::NAN)
+        }
+    }
+
+    /// tan(θ/2) = k sn u / dn u and ω = 2ω₀ k cn u.
+    ///
+    /// After an odd number of quarter periods sn, cn, dn become cn/dn, −k' sn/dn, k'/dn (DLMF 22.4.3): beside a turning
+    /// point they are formed from what is small there. After two, sn and cn change sign.
+    #[inline]
+    fn libration(&self, t: f64) -> Phase {
+        let (whole, rest) = self.phase(t);
+        let half = libm::floor(0.5 * whole);
+        let sign = if is_even(half) { 1.0 } else { -1.0 };
+        let complementary_modulus = self.jacobi.complementary_modulus();
+        let Values { sn, cn, dn, .. } = self.jacobi.at(rest);
+        let (rise, run, velocity) = if is_even(whole) {
+            (sn, dn, cn)
+        } else {
+            (cn, complementary_modulus, -complementary_modulus * sn / dn)
+        };
+        Phase {
+            theta: sign * 2.0 * libm::atan2(self.modulus * rise, run),
+            omega: sign * self.speed * velocity,
+        }
+    }
+
+    /// θ/2 = am(k u, 1/k) and ω = 2ω₀ k dn(k u, 1/k): the number of half turns, and the state beyond them.
+    ///
+    /// A quarter period is half a turn. After an odd number of them sc and dn become −1/(k' sc) and k'/dn, so that the
+    /// angle beyond the half turns has the tangent k' sc; k' is that of the modulus 1/k.
+    #[inline]
+    fn rotation(&self, t: f64) -> (f64, Phase) {
+        let (whole, rest) = self.phase(t);
+        let complementary_modulus = self.jacobi.complementary_modulus();
+        let Values { sc, dn, .. } = self.jacobi.at(rest);
+        let (tangent, velocity) = if is_even(whole) {
+            (sc, dn)
+        } else {
+            (complementary_modulus * sc, complementary_modulus / dn)
+        };
+        let beyond = Phase { theta: 2.0 * libm::atan(tangent), omega: self.speed * velocity };
+        (whole, beyond)
+    }
+}
+
+impl Hyperbolic {
+    /// Through the angle with S = `sine` and C = `cosine` at t = 0: sinh u₀ = S/C.
+    fn through(sine: DoubleDouble, cosine: DoubleDouble, time: &TimeUnit) -> Self {
+        Self {
+            start: libm::asinh((sine / cosine).rounded()),
+            frequency: time.frequency.rounded() / time.unit,
+        }
+    }
+
+    /// θ = 2 gd u = 2 atan sinh u and ω = 2ω₀ sech u (DLMF 4.23.39–40).
+    #[inline]
+    fn at(&self, t: f64) -> Phase {
+        let u = self.start + self.frequency * t;
+        // sech u without e^|u|, which overflows; where sinh u does, its arctangent is π/2 all the same.
+        let decay = libm::exp(-libm::fabs(u));
+        Phase {
+            theta: 2.0 * libm::atan(libm::sinh(u)),
+            omega: 2.0 * self.frequency * (2.0 * decay / (1.0 + decay * decay)),
+        }
+    }
+}
+// ANCHOR_END: at
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Units, angles, refusals
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// A unit of time in which g/L is of order 1, so that no square under- or overflows: a power of two, which rounds
+/// nothing.
+struct TimeUnit {
+    /// The unit (s).
+    unit: f64,
+    /// g/L in this unit: from 1/2 to 2.
+    stiffness: f64,
+    /// ω₀ in this unit.
+    frequency: DoubleDouble,
+}
+
+impl TimeUnit {
+    fn of(pendulum: &Pendulum) -> Self {
+        let (_, exponent) = libm::frexp(pendulum.stiffness());
+        let unit = libm::ldexp(1.0, -exponent.div_euclid(2));
+        let stiffness = pendulum.stiffness() * unit * unit;
+        Self { unit, stiffness, frequency: DoubleDouble::of(stiffness).sqrt() }
+    }
+}
+
+/// Half the angle, less the half turns that make up whole turns of the angle: its cosine is not negative.
+struct HalfAngle {
+    sine: DoubleDouble,
+    cosine: DoubleDouble,
+    turns: f64,
+}
+
+impl HalfAngle {
+    fn of(theta: f64) -> Self {
+        let (sine, cosine, quadrant) = reduced_sine_cosine(0.5 * theta);
+        // θ/2 = quadrant · π/2 + y. Beside an odd quadrant the nearer multiple of π is up or down, as y is: the half
+        // angle that is left is y + π/2 or y − π/2.
+        if is_even(quadrant) {
+            Self { sine, cosine, turns: 0.5 * quadrant }
+        } else if sine.rounded() <= 0.0 {
+            Self { sine: cosine, cosine: -sine, turns: 0.5 * (quadrant - 1.0) }
+        } else {
+            Self { sine: -cosine, cosine: sine, turns: 0.5 * (quadrant + 1.0) }
+        }
+    }
+}
+
+/// `half_turns` π + `angle`, rounded as if once: π and its multiple are double-doubles.
+#[inline]
+fn unwrapped(half_turns: f64, angle: f64) -> f64 {
+    let turned = DoubleDouble::HALF_PI.scaled(2.0) * DoubleDouble::of(half_turns);
+    turned.rounded() + (turned.remainder() + angle)
+}
+
+/// Whether an integer is even.
+#[inline]
+fn is_even(integer: f64) -> bool {
+    libm::rint(0.5 * integer) == 0.5 * integer
+}
+
+fn checked_angle(theta: f64) -> Result<f64, Error> {
+    if libm::fabs(finite(ANGLE, theta)?) <= LARGEST_ANGLE {
+        Ok(theta)
+    } else {
+        Err(refused(ANGLE, theta, "at most 1e15 in size"))
+    }
+}
+
+fn refused(name: &'static str, value: f64, allowed: &'static str) -> Error {
+    Error::Parameter { name, value, allowed }
+}
