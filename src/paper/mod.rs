@@ -1,0 +1,187 @@
+//! The paper's claims, each with what was stated, what is measured, and a verdict.
+//!
+//! [`cells`] holds what the paper prints, [`measure`] says how each of these numbers is measured, and a [`Ledger`]
+//! joins them. Tables, tests and the book read the ledger, so that no number stands in two places.
+
+pub mod cells;
+pub mod measure;
+
+use core::fmt;
+
+use crate::report::number::{Format, half_unit};
+use crate::study::Study;
+
+/// What became of a claim.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Verdict {
+    /// Every printed digit is met.
+    Reproduced,
+    /// Met, once a definition is supplied that the paper leaves open.
+    ReproducedWithDefinition,
+    /// Met, but only because of how the number was rounded.
+    DependsOnRounding,
+    /// Not a property of the method: another machine, interpreter or sine gives another number.
+    DependsOnPlatform,
+    /// Not met.
+    Wrong,
+    /// Nothing to compute.
+    NotCheckable,
+    /// Not in the paper: measured here to stand beside what is.
+    NotStated,
+}
+
+impl Verdict {
+    /// Whether a claim with this verdict has to hold (`true`), has to fail (`false`), or is not measured.
+    pub const fn demands(self) -> Option<bool> {
+        match self {
+            Self::Reproduced | Self::ReproducedWithDefinition | Self::DependsOnRounding => {
+                Some(true)
+            }
+            Self::Wrong => Some(false),
+            Self::DependsOnPlatform | Self::NotCheckable | Self::NotStated => None,
+        }
+    }
+}
+
+impl fmt::Display for Verdict {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(match self {
+            Self::Reproduced => "reproduced",
+            Self::ReproducedWithDefinition => "reproduced with a definition",
+            Self::DependsOnRounding => "depends on rounding",
+            Self::DependsOnPlatform => "depends on the platform",
+            Self::Wrong => "wrong",
+            Self::NotCheckable => "not checkable",
+            Self::NotStated => "not stated",
+        })
+    }
+}
+
+/// What was measured.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Measured {
+    /// A number, and the digits of it that can be defended.
+    Number(f64, Format),
+    /// A property in words.
+    Text(String),
+    /// Nothing: there is nothing to compute, or it is no property of the method.
+    Nothing,
+}
+
+/// How close is close enough.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Tolerance {
+    /// Half a unit in the last digit that the paper prints; words have to be the same words.
+    PrintedDigits,
+    /// A relative distance from a value that rounding moves more than the paper's last digit.
+    Around {
+        /// The value that truncation alone would give.
+        value: f64,
+        /// How far rounding moves it, relatively.
+        relative: f64,
+    },
+}
+
+/// A claim of the paper, measured.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Claim {
+    /// Table, row and column, such as `T4.rk4.0.01`.
+    pub id: String,
+    /// Number of the table.
+    pub table: u32,
+    /// What the number is, in our words.
+    pub gist: String,
+    /// What the paper prints, with its digits; `None` for what it leaves out.
+    pub stated: Option<&'static str>,
+    /// What is measured.
+    pub measured: Measured,
+    /// How close it has to come.
+    pub tolerance: Tolerance,
+    /// The verdict on record, which a test holds against the measurement.
+    pub verdict: Verdict,
+    /// One sentence on the verdict; empty where there is nothing to add.
+    pub because: &'static str,
+}
+
+impl Claim {
+    /// Whether the measurement agrees with what is stated; `None` where one of them is missing.
+    pub fn holds(&self) -> Option<bool> {
+        let stated = self.stated?;
+        match (&self.measured, self.tolerance) {
+            (Measured::Nothing, _) => None,
+            (Measured::Text(text), _) => Some(text == stated),
+            (Measured::Number(measured, _), Tolerance::PrintedDigits) => {
+                let (value, half) = (stated.parse::<f64>().ok()?, half_unit(stated)?);
+                // A half unit is itself a rounded f64; its last bit must not decide.
+                Some((measured - value).abs() <= half * (1.0 + 4.0 * f64::EPSILON))
+            }
+            (Measured::Number(measured, _), Tolerance::Around { value, relative }) => {
+                Some((measured - value).abs() <= relative * value.abs())
+            }
+        }
+    }
+
+    /// The verdict that the measurement supports: the one on record where they agree.
+    pub fn judged(&self) -> Verdict {
+        match (self.holds(), self.verdict.demands()) {
+            (Some(holds), Some(demanded)) if holds != demanded => {
+                if holds {
+                    Verdict::Reproduced
+                } else {
+                    Verdict::Wrong
+                }
+            }
+            // What depends on the platform still has to be of the size that the method explains.
+            (Some(false), None) => Verdict::Wrong,
+            _ => self.verdict,
+        }
+    }
+
+    /// What the paper prints, typeset; a dash where it prints nothing.
+    pub fn stated_text(&self) -> String {
+        match self.stated {
+            None => "—".to_string(),
+            Some(stated) => match (Format::of(stated), stated.parse::<f64>()) {
+                (Some(format), Ok(value)) => format.print(value),
+                _ => stated.to_string(),
+            },
+        }
+    }
+
+    /// What is measured, with the digits that can be defended; a dash where nothing is.
+    pub fn measured_text(&self) -> String {
+        match &self.measured {
+            Measured::Number(value, format) => format.print(*value),
+            Measured::Text(text) => text.clone(),
+            Measured::Nothing => "—".to_string(),
+        }
+    }
+}
+
+/// Every claim, measured by one run of the study.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Ledger {
+    claims: Vec<Claim>,
+}
+
+impl Ledger {
+    /// Measures every claim.
+    pub fn of(study: &Study) -> Self {
+        Self { claims: measure::claims(study) }
+    }
+
+    /// All claims, table by table.
+    pub fn claims(&self) -> &[Claim] {
+        &self.claims
+    }
+
+    /// The claim with this id.
+    pub fn get(&self, id: &str) -> Option<&Claim> {
+        self.claims.iter().find(|claim| claim.id == id)
+    }
+
+    /// The claims of one table.
+    pub fn table(&self, number: u32) -> impl Iterator<Item = &Claim> {
+        self.claims.iter().filter(move |claim| claim.table == number)
+    }
+}

@@ -1,0 +1,75 @@
+//! The paper's experiments, each as a function that returns typed rows.
+//!
+//! The parameters are the paper's own (its Sections 5.1 and 5.2). Nothing here formats or judges: rows become tables
+//! and figures in [`report`](crate::report), and meet what the paper states in [`paper`](crate::paper).
+
+pub mod convergence;
+pub mod large_angle;
+pub mod long_run;
+pub mod phase_portrait;
+pub mod properties;
+pub mod small_angle;
+pub mod work;
+
+use crate::method::{AnyMethod, METHODS};
+use crate::{Grid, Phase};
+
+/// The five steps of the paper's ladder (s), its Section 5.2.
+pub const STEPS: [f64; 5] = [0.1, 0.05, 0.01, 0.005, 0.001];
+
+/// A method of the study.
+pub type MethodRef = &'static dyn AnyMethod;
+
+/// Everything the paper measured, measured again.
+#[derive(Clone, Debug)]
+pub struct Study {
+    /// Table 2.
+    pub properties: Vec<properties::Row>,
+    /// Table 4 and Figure 2.
+    pub convergence: Vec<convergence::Row>,
+    /// Table 5 and Figure 3.
+    pub long_run: Vec<long_run::Row>,
+    /// Table 6.
+    pub small_angle: Vec<small_angle::Row>,
+    /// Table 7.
+    pub large_angle: large_angle::Periods,
+    /// Table 8.
+    pub work: Vec<work::Row>,
+}
+
+impl Study {
+    /// Runs all experiments; `progress` hears the name of each as it begins.
+    pub fn run(mut progress: impl FnMut(&'static str)) -> Self {
+        progress("convergence");
+        let convergence = convergence::run();
+        progress("a thousand seconds");
+        let long_run = long_run::run();
+        progress("properties of the methods");
+        let properties = properties::run(&long_run);
+        progress("small angle");
+        let small_angle = small_angle::run();
+        progress("large angle");
+        let large_angle = large_angle::run();
+        progress("work against error");
+        let work = work::run(&small_angle);
+        Self { properties, convergence, long_run, small_angle, large_angle, work }
+    }
+
+    /// The number of experiments that [`Study::run`] announces.
+    pub const EXPERIMENTS: u64 = 6;
+}
+
+/// One row for each method, in the order of the paper's tables.
+fn each_method<R>(row: impl FnMut(MethodRef) -> R) -> Vec<R> {
+    METHODS.iter().copied().map(row).collect()
+}
+
+/// A grid on the paper's parameters, which are known to fit.
+fn grid(duration: f64, step: f64) -> Grid {
+    Grid::over(duration, step).expect("the paper's durations are whole numbers of steps")
+}
+
+/// A release from rest.
+const fn released(theta: f64) -> Phase {
+    Phase::at_rest(theta)
+}
