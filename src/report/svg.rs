@@ -1,0 +1,376 @@
+//! Series to SVG: the charts of the book, in one visual language, with the same bytes everywhere.
+//!
+//! A [`Figure`] is one [`Chart`] or several, stacked. Its lines and markers carry classes whose
+//! colours follow the book's theme, or the reader's preference where the SVG stands alone.
+//!
+//! ```
+//! use pendula::report::svg::{Axis, Chart, Figure, Style};
+//!
+//! let errors = [(0.1, 1.1e-1), (0.01, 1.1e-3), (0.001, 1.1e-5)];
+//! let chart = Chart::new(Axis::log("Δt (s)"), Axis::log("energy error (J)"))
+//!     .series("Störmer–Verlet", Style::numbered(2), errors)
+//!     .slope(2.0, (0.01, 3e-4), 0.001, "slope 2");
+//! let svg = Figure::new("Energy error against step", "On a log–log plot the errors fall by …")
+//!     .panel(chart)
+//!     .to_svg("convergence");
+//! assert!(svg.starts_with("<svg") && !svg.contains("\n\n"));
+//! ```
+
+mod axis;
+mod path;
+mod plot;
+mod style;
+mod text;
+
+pub use axis::Axis;
+pub use style::Style;
+
+use axis::Scale;
+use path::{Num, Point};
+use plot::Plot;
+use text::{draw_text, escape, line, width};
+
+const WIDTH: f64 = 600.0;
+/// Height of a line of text.
+const ROW: f64 = 25.0;
+
+/// A picture: one chart, or several below each other with one legend.
+#[derive(Clone, Debug)]
+pub struct Figure {
+    title: String,
+    description: String,
+    panels: Vec<Chart>,
+}
+
+impl Figure {
+    /// An empty figure. Title and description are for those who do not see it: the description
+    /// says in words what the picture shows.
+    pub fn new(title: impl Into<String>, description: impl Into<String>) -> Self {
+        Self { title: title.into(), description: description.into(), panels: Vec::new() }
+    }
+
+    /// With one more chart below the others. Charts with the same x axis share its label.
+    pub fn panel(mut self, chart: Chart) -> Self {
+        self.panels.push(chart);
+        self
+    }
+
+    /// The `<svg>` element, one element a line, without a blank line.
+    ///
+    /// Its id is `fig-{id}`, with all but ASCII letters and digits replaced by hyphens; each figure
+    /// of a page needs its own.
+    pub fn to_svg(&self, id: &str) -> String {
+        let plain = |c: char| if c.is_ascii_alphanumeric() { c } else { '-' };
+        let id = format!("fig-{}", id.chars().map(plain).collect::<String>());
+        let styles: Vec<Style> =
+            self.panels.iter().flat_map(|chart| &chart.series).map(|series| series.style).collect();
+        let mut body = String::new();
+        let mut top = self.draw_legend(&mut body);
+        let scales: Vec<_> = self.panels.iter().map(Chart::scales).collect();
+        let charts = self.panels.iter().zip(&scales);
+        let labels = charts.clone().flat_map(|(chart, (_, y))| y.ticks(chart.y_ticks()));
+        let widths = labels.filter_map(|tick| tick.label).map(|label| width(&label));
+        let left = widths.fold(24.0, f64::max) + 14.0;
+        for (i, (chart, (x, y))) in charts.enumerate() {
+            let shared = self.panels.get(i + 1).is_some_and(|next| next.x == chart.x);
+            let clip = format!("{id}-clip-{i}");
+            top = Plot::new(chart, x, y, left, top).draw(&mut body, &clip, !shared);
+        }
+        format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" id=\"{id}\" class=\"pendula\" width=\"100%\" \
+             viewBox=\"0 0 {WIDTH} {}\" role=\"img\" aria-labelledby=\"{id}-title {id}-desc\">\n\
+             <title id=\"{id}-title\">{}</title>\n<desc id=\"{id}-desc\">{}</desc>\n{}{body}</svg>\n",
+            Num(top.ceil()),
+            escape(&self.title),
+            escape(&self.description),
+            style::style_sheet(&id, &styles),
+        )
+    }
+
+    /// Draws the legend in even columns and returns where it ends.
+    fn draw_legend(&self, out: &mut String) -> f64 {
+        const SWATCH: f64 = 46.0;
+        let mut entries: Vec<&Series> = Vec::new();
+        for series in self.panels.iter().flat_map(|chart| &chart.series) {
+            let known = entries.iter().any(|e| e.label == series.label && e.style == series.style);
+            if !(series.label.is_empty() || series.style.is_guide() || known) {
+                entries.push(series);
+            }
+        }
+        let widest = entries.iter().map(|e| width(&e.label)).fold(0.0, f64::max) + SWATCH + 18.0;
+        let columns = ((WIDTH / widest).floor() as usize).clamp(1, 4);
+        let rows = entries.len().div_ceil(columns);
+        for (i, Series { label, style, .. }) in entries.into_iter().enumerate() {
+            // Down the columns, so that the order of the list is kept within each.
+            let (x, y) = ((i / rows) as f64 * widest, (i % rows) as f64 * ROW + 13.0);
+            if style.has_line() {
+                let d = format!("M{},{}h36", Num(x + 1.0), Num(y));
+                line(out, format!(r#"<path {} d="{d}"/>"#, style.line_attributes()));
+            }
+            if style.has_marker() {
+                line(out, style.markers([(x + 19.0, y)]));
+            }
+            draw_text(out, "", (x + SWATCH, y + 6.0), "start", label);
+        }
+        if rows == 0 { 0.0 } else { rows as f64 * ROW + 6.0 }
+    }
+}
+
+/// Axes with series and marks.
+#[derive(Clone, Debug)]
+pub struct Chart {
+    x: Axis,
+    y: Axis,
+    height: Option<f64>,
+    series: Vec<Series>,
+    marks: Vec<Mark>,
+}
+
+#[derive(Clone, Debug)]
+struct Series {
+    label: String,
+    style: Style,
+    points: Vec<Point>,
+}
+
+#[derive(Clone, Debug)]
+enum Mark {
+    /// A line (`from` = `to`) or a band, of constant x or of constant y.
+    Vertical {
+        from: f64,
+        to: f64,
+        label: String,
+    },
+    Horizontal {
+        from: f64,
+        to: f64,
+        label: String,
+    },
+    Note {
+        at: (f64, f64),
+        text: String,
+    },
+}
+
+impl Chart {
+    /// An empty chart, 300 units high (600 are its width).
+    pub const fn new(x: Axis, y: Axis) -> Self {
+        Self { x, y, height: Some(300.0), series: Vec::new(), marks: Vec::new() }
+    }
+
+    /// The plot is this many units high.
+    pub fn height(self, units: f64) -> Self {
+        Self { height: Some(units), ..self }
+    }
+
+    /// One unit is as long on the y axis as on the x axis: a circle is round.
+    pub fn equal_scales(self) -> Self {
+        Self { height: None, ..self }
+    }
+
+    /// With a series. Those of the same label and style share an entry of the legend; those with
+    /// an empty label have none.
+    ///
+    /// Points that are not finite (or beyond 1e300), or not positive on a logarithmic axis, leave
+    /// a gap.
+    /// On a line of more than 40 points only a few are marked, and it may have any number.
+    pub fn series(
+        mut self,
+        label: impl Into<String>,
+        style: Style,
+        points: impl IntoIterator<Item = (f64, f64)>,
+    ) -> Self {
+        let points = points.into_iter().collect();
+        self.series.push(Series { label: label.into(), style, points });
+        self
+    }
+
+    /// With a guide y ∝ xᵖ with p = `order` from the point `from` to x = `to`: on two logarithmic
+    /// axes a straight line of that slope.
+    pub fn slope(self, order: f64, from: (f64, f64), to: f64, label: impl Into<String>) -> Self {
+        let end = (to, from.1 * libm::pow(to / from.0, order));
+        self.series(label, Style::GUIDE, [from, end])
+    }
+
+    /// With a dashed line at `x`, labelled above the plot.
+    pub fn vertical(self, x: f64, label: impl Into<String>) -> Self {
+        self.vertical_band(x, x, label)
+    }
+
+    /// With a dashed line at `y`, labelled where there is most room.
+    pub fn horizontal(self, y: f64, label: impl Into<String>) -> Self {
+        self.horizontal_band(y, y, label)
+    }
+
+    /// With the ground shaded from x = `from` to x = `to`, labelled above the plot.
+    pub fn vertical_band(mut self, from: f64, to: f64, label: impl Into<String>) -> Self {
+        self.marks.push(Mark::Vertical { from, to, label: label.into() });
+        self
+    }
+
+    /// With the ground shaded from y = `from` to y = `to`, labelled where there is most room.
+    pub fn horizontal_band(mut self, from: f64, to: f64, label: impl Into<String>) -> Self {
+        self.marks.push(Mark::Horizontal { from, to, label: label.into() });
+        self
+    }
+
+    /// With a word beside the point (`x`, `y`), on the side where there is most room.
+    pub fn note(mut self, x: f64, y: f64, text: impl Into<String>) -> Self {
+        self.marks.push(Mark::Note { at: (x, y), text: text.into() });
+        self
+    }
+
+    /// The scales, from the data and the single lines, but not from guides and bands. Curves fill
+    /// the x axis; the y axis ends at round numbers.
+    fn scales(&self) -> (Scale<'_>, Scale<'_>) {
+        let series = || self.series.iter().filter(|series| !series.style.is_guide());
+        let points = || series().flat_map(|series| &series.points);
+        let x_lines = self.marks.iter().filter_map(|mark| match mark {
+            Mark::Vertical { from, to, .. } if from == to => Some(*from),
+            _ => None,
+        });
+        let y_lines = self.marks.iter().filter_map(|mark| match mark {
+            Mark::Horizontal { from, to, .. } if from == to => Some(*from),
+            _ => None,
+        });
+        let xs = points().map(|p| p.0);
+        let x = self.x.scale(xs.chain(x_lines), None);
+        let ys = points().filter(|p| x.contains(p.0)).map(|p| p.1);
+        let y = self.y.scale(ys.chain(y_lines), Some(self.y_ticks()));
+        (x, y)
+    }
+
+    fn y_ticks(&self) -> usize {
+        (self.height.unwrap_or(300.0) / 45.0).clamp(2.0, 6.0) as usize
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn circle() -> Vec<(f64, f64)> {
+        (0..=1000).map(|i| libm::sincos(f64::from(i) * 0.00628)).collect()
+    }
+
+    fn sample() -> Figure {
+        let chart = Chart::new(Axis::linear("t (s)"), Axis::log("error <J>"))
+            .series(
+                "a & b",
+                Style::numbered(0),
+                [(0.0, 1.0), (1.0, 0.0), (2.0, 1e-3), (f64::NAN, 1.0)],
+            )
+            .series("", Style::REFERENCE, [(0.0, 1e-2), (f64::INFINITY, 1.0), (2.0, 1e-2)])
+            .vertical(1.0, "T")
+            .horizontal(0.1, "floor")
+            .horizontal_band(1e-9, 2e-3, "rounding")
+            .vertical_band(0.5, 1.5, "")
+            .slope(2.0, (0.5, 1e-2), 2.0, "slope 2")
+            .note(2.0, 1e-3, "here");
+        Figure::new("Title\n\nof <two>", "says \"so\"").panel(chart)
+    }
+
+    /// Catches: a blank line, which ends the HTML block in Markdown; two elements on a line;
+    /// unescaped text; a figure that changes from run to run.
+    #[test]
+    fn is_one_markdown_block_of_well_formed_lines() {
+        let svg = sample().to_svg("a b");
+        assert!(svg.lines().all(|line| !line.trim().is_empty()));
+        assert!(svg.contains("<title id=\"fig-a-b-title\">Title  of &lt;two&gt;</title>\n"));
+        assert!(svg.contains(">a &amp; b</text>") && svg.contains("error &lt;J&gt;"));
+        assert!(svg.contains("role=\"img\" aria-labelledby=\"fig-a-b-title fig-a-b-desc\""));
+        assert_eq!(svg, sample().to_svg("a b"));
+    }
+
+    /// Catches: NaN, infinity or a logarithm of zero in a coordinate; a line drawn across the gap
+    /// such a point leaves.
+    #[test]
+    fn points_without_a_place_leave_a_gap() {
+        let svg = sample().to_svg("gap");
+        assert!(!svg.contains("NaN") && !svg.contains("inf"));
+        let strokes: Vec<usize> = svg
+            .lines()
+            .filter(|line| line.contains("class=\"line") && line.contains("clip-path"))
+            .map(|line| line.matches('M').count())
+            .collect();
+        assert_eq!(strokes, [2, 2]);
+        let dots = svg.lines().rfind(|line| line.contains("class=\"dot")).unwrap();
+        assert_eq!(dots.matches('M').count(), 2);
+    }
+
+    /// Catches: a second decimal or `-0` in any coordinate.
+    #[test]
+    fn coordinates_are_short() {
+        let figure = sample().panel(Chart::new(Axis::linear("x"), Axis::linear("y")).series(
+            "c",
+            Style::numbered(1),
+            circle(),
+        ));
+        for line in figure.to_svg("x").lines().filter(|line| line.contains(" d=\"")) {
+            let (_, d) = line.split_once(" d=\"").unwrap();
+            let (d, _) = d.split_once('"').unwrap();
+            for number in d.split(|c: char| !(c.is_ascii_digit() || c == '.' || c == '-')) {
+                assert!(
+                    number.split_once('.').is_none_or(|(_, tenth)| tenth.len() == 1),
+                    "{number}"
+                );
+                assert!(number != "-0" && number != "-0.0", "{line}");
+            }
+        }
+    }
+
+    /// Catches: a marker outside the plot, over the axis labels; a line without a clip path.
+    #[test]
+    fn what_is_outside_the_range_is_not_drawn() {
+        let chart =
+            Chart::new(Axis::linear("x").range(0.0, 1.0), Axis::linear("y").range(0.0, 1.0))
+                .series("", Style::numbered(0), [(0.5, 0.5), (0.6, 7.0), (1e300, -1e300)]);
+        let svg = Figure::new("t", "d").panel(chart).to_svg("x");
+        let dots: Vec<&str> = svg.lines().filter(|line| line.contains("class=\"dot")).collect();
+        assert_eq!((dots.len(), dots[0].matches('M').count()), (1, 1));
+        assert!(
+            svg.contains("clip-path=\"url(#fig-x-clip-0)\"") && svg.contains("id=\"fig-x-clip-0\"")
+        );
+    }
+
+    /// Catches: equal scales that squash a circle.
+    #[test]
+    fn a_circle_is_round() {
+        let axis = |label| Axis::linear(label).range(-1.5, 1.5);
+        let chart = Chart::new(axis("x"), axis("y")).equal_scales();
+        let svg =
+            Figure::new("t", "d").panel(chart.series("", Style::REFERENCE, circle())).to_svg("x");
+        let rect = svg.lines().find(|line| line.contains("<rect")).unwrap();
+        let value = |name: &str| rect.split(&format!(" {name}=\"")).nth(1)?.split('"').next();
+        assert!(value("width").is_some());
+        assert_eq!(value("width"), value("height"));
+    }
+
+    /// Catches: a label that hides a curve though there is free room beside it.
+    #[test]
+    fn labels_avoid_the_data() {
+        let flat = |y: f64| (0..=10).map(move |i| (f64::from(i), y));
+        let chart =
+            Chart::new(Axis::linear("x").range(0.0, 10.0), Axis::linear("y").range(0.0, 10.0))
+                .series("", Style::REFERENCE, flat(5.3))
+                .horizontal(5.0, "limit");
+        let svg = Figure::new("t", "d").panel(chart).to_svg("x");
+        let y = |tag: &str, cut: &str| -> f64 {
+            let line = svg.lines().find(|line| line.contains(tag)).unwrap();
+            line.split(cut).nth(1).unwrap().split(['"', 'L']).next().unwrap().parse().unwrap()
+        };
+        assert!(
+            y("halo\" x", " y=\"") > y("class=\"mark\"", ","),
+            "below, away from the curve above"
+        );
+    }
+
+    /// Catches: an empty figure or chart that panics.
+    #[test]
+    fn nothing_is_drawn_without_a_panic() {
+        let svg = Figure::new("", "").to_svg("");
+        assert!(svg.ends_with("</svg>\n"));
+        let empty = Chart::new(Axis::log(""), Axis::linear("")).series("", Style::numbered(9), []);
+        assert!(Figure::new("", "").panel(empty).to_svg("").contains("class=\"axis\""));
+    }
+}

@@ -1,0 +1,291 @@
+//! Axes: linear and logarithmic scales, their ranges and their ticks.
+
+use super::text::minus;
+
+/// An axis: what it shows, linear or logarithmic, from where to where.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Axis {
+    pub(super) label: String,
+    log: bool,
+    range: Option<(f64, f64)>,
+    ticks: Option<Vec<Tick>>,
+}
+
+impl Axis {
+    /// A linear axis, whose label should name the unit: `"t (s)"`.
+    ///
+    /// Labels everywhere may hold `^{superscripts}` and `_{subscripts}`.
+    pub fn linear(label: impl Into<String>) -> Self {
+        Self { label: label.into(), log: false, range: None, ticks: None }
+    }
+
+    /// A logarithmic axis. Values that are not positive have no place on it and leave a gap.
+    pub fn log(label: impl Into<String>) -> Self {
+        Self { log: true, ..Self::linear(label) }
+    }
+
+    /// From `low` to `high` instead of what the data need.
+    ///
+    /// A range no axis can have (`low ≥ high`, not finite, not positive on a logarithmic axis) is
+    /// ignored.
+    pub fn range(self, low: f64, high: f64) -> Self {
+        let possible = low < high && self.can_show(low) && self.can_show(high);
+        Self { range: possible.then_some((low, high)), ..self }
+    }
+
+    /// These ticks with these labels, such as `[(-PI, "−π"), (0.0, "0"), (PI, "π")]`, instead of
+    /// round numbers.
+    pub fn ticks<S: Into<String>>(self, ticks: impl IntoIterator<Item = (f64, S)>) -> Self {
+        let tick = |(value, label): (f64, S)| Tick { value, label: Some(label.into()) };
+        Self { ticks: Some(ticks.into_iter().map(tick).collect()), ..self }
+    }
+
+    pub(super) fn can_show(&self, value: f64) -> bool {
+        self.place(value).is_some()
+    }
+
+    /// The value where distances are even: its logarithm on a logarithmic axis.
+    fn place(&self, value: f64) -> Option<f64> {
+        match self.log {
+            _ if !value.is_finite() || value.abs() > 1e300 => None,
+            true if value <= 0.0 => None,
+            true => Some(libm::log10(value)),
+            false => Some(value),
+        }
+    }
+
+    /// The scale for these data; with a `count`, a linear one ends at ticks of about that many.
+    pub(super) fn scale(&self, data: impl Iterator<Item = f64>, count: Option<usize>) -> Scale<'_> {
+        let ends = match self.range {
+            Some((low, high)) => self.place(low).zip(self.place(high)),
+            None => None,
+        };
+        let (low, high) = ends.unwrap_or_else(|| {
+            let (low, high) = data
+                .filter_map(|value| self.place(value))
+                .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
+            self.widen(low, high, count)
+        });
+        Scale { axis: self, low, high }
+    }
+
+    /// A range around the data that ends a little outside them (logarithmic), or at a tick.
+    fn widen(&self, low: f64, high: f64, count: Option<usize>) -> (f64, f64) {
+        if low > high {
+            return (0.0, 1.0);
+        }
+        let least = if self.log { 0.3 } else { 1e-9 * low.abs().max(high.abs()) };
+        let (low, high) = match high - low {
+            span if span > least => (low, high),
+            _ if low == 0.0 && high == 0.0 => (-1.0, 1.0),
+            _ => (low - least.max(0.1 * low.abs()), high + least.max(0.1 * high.abs())),
+        };
+        match count {
+            _ if self.log => (low - 0.05 * (high - low), high + 0.05 * (high - low)),
+            None => (low, high),
+            // Twice, since the wider range may ask for wider steps.
+            Some(count) => (0..2).fold((low, high), |(low, high), _| {
+                let step = Step::new(high - low, count);
+                let size = step.value(1.0);
+                (step.value((low / size).floor()), step.value((high / size).ceil()))
+            }),
+        }
+    }
+}
+
+/// A tick; the minor ones have no label.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Tick {
+    pub value: f64,
+    pub label: Option<String>,
+}
+
+/// An axis with its range, in the space where distances are even.
+pub(super) struct Scale<'a> {
+    axis: &'a Axis,
+    low: f64,
+    high: f64,
+}
+
+impl Scale<'_> {
+    /// Where the value stands: 0 at the low end, 1 at the high end.
+    pub fn fraction(&self, value: f64) -> Option<f64> {
+        Some((self.axis.place(value)? - self.low) / (self.high - self.low))
+    }
+
+    pub fn contains(&self, value: f64) -> bool {
+        self.fraction(value).is_some_and(|f| (-1e-9..=1.0 + 1e-9).contains(&f))
+    }
+
+    pub const fn span(&self) -> f64 {
+        self.high - self.low
+    }
+
+    /// At most about `count` labelled ticks.
+    pub fn ticks(&self, count: usize) -> Vec<Tick> {
+        let mut ticks = match &self.axis.ticks {
+            Some(ticks) => ticks.clone(),
+            None if self.axis.log => log_ticks(self.low, self.high, count),
+            None => linear_ticks(self.low, self.high, count),
+        };
+        ticks.retain(|tick| self.contains(tick.value));
+        ticks
+    }
+}
+
+/// A round step, 1, 2 or 5 times a power of ten.
+struct Step {
+    mantissa: f64,
+    exponent: i32,
+}
+
+impl Step {
+    /// The smallest that fits about `count` times into `span`, at most a third more often.
+    fn new(span: f64, count: usize) -> Self {
+        let least = 0.75 * span / count.max(1) as f64;
+        let exponent = libm::log10(least).floor() as i32;
+        let power = libm::pow(10.0, f64::from(exponent));
+        match [1.0, 2.0, 5.0].into_iter().find(|mantissa| mantissa * power >= least) {
+            Some(mantissa) => Self { mantissa, exponent },
+            None => Self { mantissa: 1.0, exponent: exponent + 1 },
+        }
+    }
+
+    /// `k` steps; a division where the step is below one, so that 3 × 0.1 is 0.3.
+    fn value(&self, k: f64) -> f64 {
+        let power = libm::pow(10.0, f64::from(self.exponent.abs()));
+        let k = k * self.mantissa;
+        if self.exponent < 0 { k / power } else { k * power }
+    }
+}
+
+fn linear_ticks(low: f64, high: f64, count: usize) -> Vec<Tick> {
+    let step = Step::new(high - low, count);
+    let (first, last) =
+        ((low / step.value(1.0) - 1e-9).ceil(), (high / step.value(1.0) + 1e-9).floor());
+    let largest = step.value(first.abs().max(last.abs()));
+    // 1e5 and more, or all below 1e-3: one power of ten for all labels.
+    let power = match largest {
+        v if (1e-3..1e5).contains(&v) => 0,
+        v => libm::log10(v * (1.0 + 1e-9)).floor() as i32,
+    };
+    let decimals = (power - step.exponent).clamp(0, 17) as usize;
+    let scale = libm::pow(10.0, f64::from(power.abs()));
+    let label = |value: f64| {
+        let mantissa = if power < 0 { value * scale } else { value / scale };
+        match power {
+            _ if value == 0.0 => "0".into(),
+            0 => minus(&format!("{mantissa:.decimals$}")).into_owned(),
+            _ => minus(&format!("{mantissa:.decimals$}×10^{{{power}}}")).into_owned(),
+        }
+    };
+    let tick = |i: i32| {
+        let value = step.value(first + f64::from(i));
+        Tick { value, label: Some(label(value)) }
+    };
+    (0..=(last - first).min(99.0) as i32).map(tick).collect()
+}
+
+/// Every decade or every few, with minor ticks between; below two decades 1, 2, 5 are labelled.
+fn log_ticks(low: f64, high: f64, count: usize) -> Vec<Tick> {
+    let power = |k: i32| libm::pow(10.0, f64::from(k));
+    let (first, last) = (low.floor() as i32, high.ceil() as i32);
+    if high - low < 0.7 {
+        return linear_ticks(libm::pow(10.0, low), libm::pow(10.0, high), count.min(4));
+    }
+    let whole = (high.floor() - low.ceil()) as i32 + 1;
+    let stride = [1, 2, 3, 4, 5].into_iter().find(|stride| whole <= stride * count as i32);
+    let stride = stride.unwrap_or(whole / count.max(1) as i32 + 1);
+    let mut ticks = Vec::new();
+    for k in first..=last {
+        for digit in 1..=9 {
+            let label = match digit {
+                1 if k % stride == 0 => Some(format!("10^{{{}}}", minus(&k.to_string()))),
+                2 | 5 if whole < 2 => Some(format!("{digit}×10^{{{}}}", minus(&k.to_string()))),
+                _ => None,
+            };
+            if label.is_some() || digit == 1 || whole <= 7 {
+                ticks.push(Tick { value: f64::from(digit) * power(k), label });
+            }
+        }
+    }
+    ticks
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn labels(axis: &Axis, data: &[f64], count: usize) -> Vec<String> {
+        let ticks = axis.scale(data.iter().copied(), Some(count)).ticks(count);
+        ticks.into_iter().filter_map(|tick| tick.label).collect()
+    }
+
+    /// Catches: 0.30000000000000004, a hyphen for a minus sign, steps other than 1, 2, 5.
+    #[test]
+    fn linear_ticks_are_round() {
+        let axis = Axis::linear("x");
+        assert_eq!(
+            labels(&axis, &[0.03, 0.37], 5),
+            ["0.0", "0.1", "0.2", "0.3", "0.4"].map(|l| if l == "0.0" { "0" } else { l })
+        );
+        assert_eq!(
+            labels(&axis, &[-5.3, 475.7], 6),
+            ["−100", "0", "100", "200", "300", "400", "500"]
+        );
+        assert_eq!(labels(&axis, &[0.0, 1000.0], 6), ["0", "200", "400", "600", "800", "1000"]);
+    }
+
+    /// Catches: labels such as 0.00001 or 2000000 that are wider than the plot's margin.
+    #[test]
+    fn very_small_and_very_large_numbers_share_a_power_of_ten() {
+        let axis = Axis::linear("x");
+        assert_eq!(
+            labels(&axis, &[0.0, 2e-5], 4),
+            ["0", "0.5×10^{−5}", "1.0×10^{−5}", "1.5×10^{−5}", "2.0×10^{−5}"]
+        );
+        assert_eq!(labels(&axis, &[0.0, 2e6], 2), ["0", "1×10^{6}", "2×10^{6}"]);
+    }
+
+    /// Catches: powers of ten with a hyphen, or one label for each of fourteen decades.
+    #[test]
+    fn log_ticks_are_decades() {
+        let axis = Axis::log("x");
+        assert_eq!(labels(&axis, &[1e-3, 0.1], 6), ["10^{−3}", "10^{−2}", "10^{−1}"]);
+        assert_eq!(
+            labels(&axis, &[3e-12, 201.0], 6),
+            ["10^{−12}", "10^{−9}", "10^{−6}", "10^{−3}", "10^{0}"]
+        );
+        assert_eq!(labels(&axis, &[2.5, 80.0], 6), ["5×10^{0}", "10^{1}", "2×10^{1}", "5×10^{1}"]);
+        assert!(labels(&axis, &[3.1, 3.9], 6).len() >= 2);
+    }
+
+    /// Catches: an endless loop, a division by zero or an empty axis for constant, missing,
+    /// huge or nearly constant data.
+    #[test]
+    fn every_range_has_ticks() {
+        for data in [
+            &[][..],
+            &[0.0],
+            &[-5.3],
+            &[5.0, 5.0 + 1e-15],
+            &[f64::NAN, f64::INFINITY],
+            &[-1e300, 1e300],
+            &[-f64::MAX, f64::MAX],
+            &[1e-300],
+        ] {
+            for axis in [Axis::linear("x"), Axis::log("x")] {
+                let count = labels(&axis, data, 5).len();
+                assert!((2..=8).contains(&count), "{data:?}: {count}");
+            }
+        }
+    }
+
+    /// Catches: an impossible range that turns every coordinate into NaN.
+    #[test]
+    fn impossible_ranges_are_ignored() {
+        assert_eq!(Axis::log("x").range(0.0, 1.0), Axis::log("x"));
+        assert_eq!(Axis::linear("x").range(2.0, 2.0), Axis::linear("x"));
+        assert_eq!(Axis::linear("x").range(f64::NAN, 2.0), Axis::linear("x"));
+    }
+}

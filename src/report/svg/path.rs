@@ -1,0 +1,200 @@
+//! Long series to short paths: what no pixel shows is dropped, what a pixel shows is kept.
+
+use std::fmt::{self, Display, Write};
+
+/// A point on the drawing, in units of the view box; y points down.
+pub(super) type Point = (f64, f64);
+
+/// A coordinate, printed with at most one decimal and never as `-0`.
+pub(super) struct Num(pub f64);
+
+impl Display for Num {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        Tenths(tenths(self.0)).fmt(f)
+    }
+}
+
+struct Tenths(i64);
+
+impl Display for Tenths {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let sign = if self.0 < 0 { "-" } else { "" };
+        match (self.0.abs() / 10, self.0.abs() % 10) {
+            (whole, 0) => write!(f, "{sign}{whole}"),
+            (whole, tenth) => write!(f, "{sign}{whole}.{tenth}"),
+        }
+    }
+}
+
+fn tenths(value: f64) -> i64 {
+    (value * 10.0).round() as i64
+}
+
+/// Width of a column, in units: about one pixel on a phone.
+const COLUMN: f64 = 2.0;
+/// More turns within a column than this cannot be seen one by one.
+const MANY_TURNS: usize = 3;
+/// How far a simplified line may stray from the true one, in units.
+const STRAY: f64 = 0.1;
+
+/// The simplified stroke, for a plot that reaches from `left` to `right`.
+pub(super) fn thin(stroke: &[Point], left: f64, right: f64) -> Vec<Point> {
+    simplify(&extremes(stroke, left, right))
+}
+
+/// Where the stroke goes up and down several times within a column, keeps the lowest and the
+/// highest point of that column. What lies beside the plot counts as one column.
+fn extremes(stroke: &[Point], left: f64, right: f64) -> Vec<Point> {
+    let column = |p: &Point| (p.0.clamp(left - COLUMN, right + COLUMN) / COLUMN).floor() as i64;
+    let mut kept = Vec::new();
+    for run in stroke.chunk_by(|a, b| column(a) == column(b)) {
+        let turns = |w: &&[Point]| (w[1].1 - w[0].1) * (w[2].1 - w[1].1) < 0.0;
+        let ends = [run[0], run[run.len() - 1]];
+        if ends.iter().all(|p| !(left..=right).contains(&p.0)) {
+            kept.extend(ends); // the line enters the plot where it should
+            continue;
+        }
+        if run.windows(3).filter(turns).count() <= MANY_TURNS {
+            kept.extend_from_slice(run);
+            continue;
+        }
+        let order = |&a: &usize, &b: &usize| run[a].1.total_cmp(&run[b].1);
+        let mut keep: Vec<usize> = (0..run.len()).min_by(order).into_iter().collect();
+        keep.extend((0..run.len()).max_by(order));
+        keep.sort_unstable();
+        keep.dedup();
+        // At the middle of the column: strokes that are even leave no stripes between them.
+        let middle = (column(&run[0]) as f64 + 0.5) * COLUMN;
+        kept.extend(keep.into_iter().map(|i| (middle, run[i].1)));
+    }
+    kept
+}
+
+/// Drops points closer than [`STRAY`] to the line that remains (Ramer, Douglas and Peucker).
+fn simplify(points: &[Point]) -> Vec<Point> {
+    let mut keep = vec![false; points.len()];
+    let mut spans = Vec::new();
+    if let Some(last) = points.len().checked_sub(1) {
+        (keep[0], keep[last]) = (true, true);
+        spans.push((0, last));
+    }
+    while let Some((a, b)) = spans.pop() {
+        let (mut worst, mut at) = (STRAY * STRAY, None);
+        for i in a + 1..b {
+            let distance = squared_distance(points[i], points[a], points[b]);
+            if distance > worst {
+                (worst, at) = (distance, Some(i));
+            }
+        }
+        if let Some(i) = at {
+            keep[i] = true;
+            spans.extend([(a, i), (i, b)]);
+        }
+    }
+    points.iter().zip(keep).filter_map(|(&p, keep)| keep.then_some(p)).collect()
+}
+
+/// Square of the distance from `p` to the segment from `a` to `b`.
+fn squared_distance(p: Point, a: Point, b: Point) -> f64 {
+    let (ux, uy, vx, vy) = (b.0 - a.0, b.1 - a.1, p.0 - a.0, p.1 - a.1);
+    let length = ux * ux + uy * uy;
+    let along = if length > 0.0 { ((ux * vx + uy * vy) / length).clamp(0.0, 1.0) } else { 0.0 };
+    let (dx, dy) = (vx - along * ux, vy - along * uy);
+    dx * dx + dy * dy
+}
+
+/// The attribute `d` for the strokes: relative moves, so that a local change stays a local diff.
+/// A stroke of a single point becomes a dot.
+pub(super) fn polyline<'a>(strokes: impl IntoIterator<Item = &'a Vec<Point>>) -> String {
+    let mut d = String::new();
+    for stroke in strokes {
+        let mut grid = stroke.iter().map(|p| (tenths(p.0), tenths(p.1)));
+        let Some(mut at) = grid.next() else { continue };
+        let _ = write!(d, "M{},{}", Tenths(at.0), Tenths(at.1));
+        let mut separator = 'l';
+        for to in grid {
+            if to != at {
+                let _ = write!(d, "{separator}{},{}", Tenths(to.0 - at.0), Tenths(to.1 - at.1));
+                (at, separator) = (to, ' ');
+            }
+        }
+        if separator == 'l' {
+            d.push_str("h0");
+        }
+    }
+    d
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Catches: `-0.0`, a second decimal, a lost sign below one.
+    #[test]
+    fn coordinates_have_one_decimal_at_most() {
+        let shown = [-0.04, 0.0, -0.25, 12.0, 12.34, -7.96].map(|v| Num(v).to_string());
+        assert_eq!(shown, ["0", "0", "-0.3", "12", "12.3", "-8"]);
+    }
+
+    /// Catches: decimation by every k-th point, which loses a spike; a path as long as its series.
+    #[test]
+    fn a_long_series_keeps_its_extremes() {
+        let wave = |i: usize| {
+            (i as f64 * 0.005, 200.0 - 100.0 * f64::from((i * 7919 % 2001) as u32) / 2000.0)
+        };
+        let mut stroke: Vec<Point> = (0..100_000).map(wave).collect();
+        stroke[54_321].1 = 3.0;
+        let thinned = thin(&stroke, 0.0, 500.0);
+        for column in 0..250 {
+            let inside = |p: &&Point| (p.0 / COLUMN).floor() == f64::from(column);
+            let range = |points: &[Point]| {
+                let ys = points.iter().filter(inside).map(|p| p.1);
+                (ys.clone().fold(f64::MAX, f64::min), ys.fold(f64::MIN, f64::max))
+            };
+            assert_eq!(range(&stroke), range(&thinned), "column {column}");
+        }
+        assert!(polyline([&thinned]).len() < 7_000);
+    }
+
+    /// Catches: a closed orbit that loses its turning points, or becomes a polygon.
+    #[test]
+    fn a_closed_orbit_stays_round() {
+        let turn = |i: i32| libm::sincos(f64::from(i) * core::f64::consts::TAU / 10_000.0);
+        let circle: Vec<Point> =
+            (0..=10_000).map(turn).map(|(s, c)| (250.0 + 150.0 * s, 150.0 + 150.0 * c)).collect();
+        let thinned = thin(&circle, 0.0, 500.0);
+        assert!((50..200).contains(&thinned.len()), "{}", thinned.len());
+        for pair in thinned.windows(2) {
+            let middle =
+                ((pair[0].0 + pair[1].0) / 2.0 - 250.0, (pair[0].1 + pair[1].1) / 2.0 - 150.0);
+            let radius = (middle.0 * middle.0 + middle.1 * middle.1).sqrt();
+            assert!((150.0 - radius).abs() <= 2.0 * STRAY, "{middle:?}");
+        }
+    }
+
+    /// Catches: simplification that cuts off a line which runs back over itself.
+    #[test]
+    fn a_reversal_is_kept() {
+        let there_and_back = [(0.0, 0.0), (50.0, 0.0), (100.0, 0.0), (50.0, 0.0), (10.0, 0.0)];
+        let thinned = thin(&there_and_back, 0.0, 200.0);
+        assert_eq!(thinned, [(0.0, 0.0), (100.0, 0.0), (10.0, 0.0)]);
+    }
+
+    /// Catches: points beside the plot that lengthen the path, or whose loss bends the line
+    /// that enters the plot.
+    #[test]
+    fn what_lies_beside_the_plot_is_one_column() {
+        let stroke: Vec<Point> =
+            (-90_000..=1_000).map(|i| (f64::from(i) / 10.0, 5.0 + f64::from(i % 2))).collect();
+        let thinned = thin(&stroke, 0.0, 10.0);
+        assert!(thinned.len() < 40, "{}", thinned.len());
+        assert!(thinned.contains(&(-2.1, 4.0)) || thinned.contains(&(-0.1, 4.0)), "{thinned:?}");
+    }
+
+    /// Catches: a single point between two gaps that vanishes; duplicates that print `0,0`.
+    #[test]
+    fn a_lone_point_is_a_dot() {
+        assert_eq!(polyline([&vec![(1.0, 2.0)]]), "M1,2h0");
+        assert_eq!(polyline([&vec![(1.0, 2.0), (1.01, 2.0), (3.0, 1.5)]]), "M1,2l2,-0.5");
+    }
+}

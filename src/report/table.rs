@@ -1,0 +1,79 @@
+//! Tables as Markdown and as aligned text.
+
+/// A table: a header and rows of the same width. The first column names the row; the others hold values, flush right,
+/// but for a last one that may hold remarks.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Table {
+    header: Vec<String>,
+    rows: Vec<Vec<String>>,
+    remarks: bool,
+}
+
+impl Table {
+    /// An empty table under these headings.
+    pub fn new<H: Into<String>>(header: impl IntoIterator<Item = H>) -> Self {
+        let header = header.into_iter().map(Into::into).collect();
+        Self { header, rows: Vec::new(), remarks: false }
+    }
+
+    /// The same with remarks in the last column: flush left, and not padded.
+    pub fn with_remarks(self) -> Self {
+        Self { remarks: true, ..self }
+    }
+
+    /// Adds a row, filled up with empty cells to the width of the header.
+    pub fn push<C: Into<String>>(&mut self, row: impl IntoIterator<Item = C>) {
+        let mut row: Vec<String> = row.into_iter().map(Into::into).collect();
+        debug_assert!(row.len() <= self.header.len(), "a row is no wider than its header");
+        row.resize(self.header.len(), String::new());
+        self.rows.push(row);
+    }
+
+    /// A Markdown table. Columns are padded, so that it reads as a table in a diff too.
+    pub fn to_markdown(&self) -> String {
+        let rule = (0..self.header.len()).map(|column| {
+            let dashes = "-".repeat(self.width(column).max(2));
+            if self.is_value(column) { format!("{}:", &dashes[1..]) } else { dashes }
+        });
+        let rule: Vec<String> = rule.collect();
+        let line = |cells: &[String]| format!("| {} |\n", self.aligned(cells).join(" | "));
+        let rows = self.rows.iter().map(|row| line(row));
+        [line(&self.header), line(&rule)].into_iter().chain(rows).collect()
+    }
+
+    /// Plain text with aligned columns, for the terminal.
+    pub fn to_text(&self) -> String {
+        let line = |cells: &[String]| format!("{}\n", self.aligned(cells).join("  ").trim_end());
+        let widths = (0..self.header.len()).map(|column| self.width(column) + 2);
+        let rule = "─".repeat(widths.sum::<usize>() - 2) + "\n";
+        let rows = self.rows.iter().map(|row| line(row));
+        [line(&self.header), rule].into_iter().chain(rows).collect()
+    }
+
+    fn is_value(&self, column: usize) -> bool {
+        column > 0 && !self.is_remark(column)
+    }
+
+    fn is_remark(&self, column: usize) -> bool {
+        self.remarks && column + 1 == self.header.len()
+    }
+
+    /// The width of a column in characters; of remarks, that of their heading.
+    fn width(&self, column: usize) -> usize {
+        let rows = if self.is_remark(column) { &[][..] } else { &self.rows[..] };
+        let cells = rows.iter().chain([&self.header]).map(|row| row[column].chars().count());
+        cells.max().unwrap_or(0)
+    }
+
+    fn aligned(&self, cells: &[String]) -> Vec<String> {
+        let pad = |(column, cell): (usize, &String)| {
+            let width = self.width(column);
+            if self.is_value(column) {
+                format!("{cell:>width$}")
+            } else {
+                format!("{cell:<width$}")
+            }
+        };
+        cells.iter().enumerate().map(pad).collect()
+    }
+}

@@ -1,0 +1,129 @@
+//! The paper's tables, stated and measured, as the ledger has them.
+
+use super::number::Format::Fixed;
+use super::table::Table;
+use crate::order::slopes;
+use crate::paper::measure::row_ids;
+use crate::paper::{Claim, Ledger};
+use crate::study::{STEPS, Study};
+
+/// The numbers of the tables that the paper prints and the study measures.
+pub const TABLES: [u32; 6] = [2, 4, 5, 6, 7, 8];
+
+/// Table `number`, or `None` if it is not among [`TABLES`].
+pub fn table(ledger: &Ledger, number: u32) -> Option<Table> {
+    Some(match number {
+        2 => by_method(
+            ledger,
+            2,
+            &[
+                ("order", "Order"),
+                ("sympl", "Symplectic"),
+                ("evals", "Evaluations a step"),
+                ("behav", "Energy over 1000 s"),
+            ],
+        ),
+        4 | 6 => {
+            let columns: Vec<(String, String)> =
+                STEPS.iter().map(|step| (step.to_string(), format!("Δt = {step} s"))).collect();
+            let columns: Vec<(&str, &str)> =
+                columns.iter().map(|(id, title)| (id.as_str(), title.as_str())).collect();
+            by_method(ledger, number, &columns)
+        }
+        5 => by_method(
+            ledger,
+            5,
+            &[
+                ("dH", "ΔH (J)"),
+                ("pct", "ΔH in % of H(0)"),
+                ("H0", "H(0) (J)"),
+                ("Hend", "H(1000 s) (J)"),
+            ],
+        ),
+        7 => by_quantity(ledger, 7),
+        8 => by_method(
+            ledger,
+            8,
+            &[("evals", "Evaluations"), ("rms", "RMS error (rad)"), ("dH", "ΔH (J)")],
+        ),
+        _ => return None,
+    })
+}
+
+/// Below this, rounding moves the second digit of an energy error (J), and with it the second decimal of a slope: one
+/// cell of Table 4, RK4's at the finest step, 3.2e-12 ± 10 %.
+const ENERGY_FLOOR: f64 = 1e-11;
+
+/// The slopes of Table 4: of the energy error, between each two neighbouring steps.
+pub fn energy_slopes(study: &Study) -> Table {
+    let columns = STEPS.windows(2).map(|h| format!("{} → {} s", h[0], h[1]));
+    let mut table = Table::new(["Method".to_string()].into_iter().chain(columns));
+    for row in &study.convergence {
+        let slopes = slopes(&STEPS, &row.drift, ENERGY_FLOOR);
+        let cells = slopes.map(|slope| slope.map_or("…".to_string(), |p| Fixed(2).print(p)));
+        table.push([row.method.properties().title.to_string()].into_iter().chain(cells));
+    }
+    table
+}
+
+/// The slopes of the largest error of the state on each method's ladder, from the coarsest rung to the finest above
+/// the rounding floor.
+pub fn state_slopes(study: &Study) -> Table {
+    let mut table = Table::new(["Method", "order", "first step (s)", "slopes", "", "", ""]);
+    for row in &study.properties {
+        let entry = row.method.properties();
+        let lead =
+            [entry.title.to_string(), entry.order.to_string(), Fixed(6).print(row.ladder.steps[0])];
+        let slopes = row.ladder.slopes().map(|slope| Fixed(2).print(slope));
+        table.push(lead.into_iter().chain(slopes));
+    }
+    table
+}
+
+/// Every claim of the ledger: what is stated, what is measured, the verdict and why.
+pub fn ledger(ledger: &Ledger) -> Table {
+    let mut table = Table::new(["Claim", "stated", "measured", "verdict"]).with_remarks();
+    for claim in ledger.claims() {
+        let name = format!("`{}` {}", claim.id, claim.gist).replace('|', "\\|");
+        let verdict = match claim.because {
+            "" => claim.verdict.to_string(),
+            because => format!("{}. {because}", claim.verdict),
+        };
+        table.push([name, claim.stated_text(), claim.measured_text(), verdict]);
+    }
+    table
+}
+
+/// Two rows for each method, stated above measured; a method or column that the paper leaves out has dashes above.
+fn by_method(ledger: &Ledger, number: u32, columns: &[(&str, &str)]) -> Table {
+    let titles = columns.iter().map(|(_, title)| title.to_string());
+    let mut table = Table::new(["Method".to_string(), String::new()].into_iter().chain(titles));
+    for (row, title) in row_ids() {
+        let cells: Vec<Option<&Claim>> = columns
+            .iter()
+            .map(|(column, _)| ledger.get(&format!("T{number}.{row}.{column}")))
+            .collect();
+        let line = |name: &str, what: &str, text: fn(&Claim) -> String| {
+            let cells = cells.iter().map(|cell| cell.map_or_else(String::new, text));
+            [name.to_string(), what.to_string()].into_iter().chain(cells).collect::<Vec<_>>()
+        };
+        table.push(line(title, "stated", Claim::stated_text));
+        table.push(line("", "measured", marked));
+    }
+    table
+}
+
+/// A row for each quantity.
+fn by_quantity(ledger: &Ledger, number: u32) -> Table {
+    let mut table = Table::new(["Quantity", "stated", "measured"]);
+    for claim in ledger.table(number) {
+        table.push([claim.gist.clone(), claim.stated_text(), marked(claim)]);
+    }
+    table
+}
+
+/// The measured value; a ≠ before it where it contradicts what is stated.
+fn marked(claim: &Claim) -> String {
+    let text = claim.measured_text();
+    if claim.holds() == Some(false) { format!("≠ {text}") } else { text }
+}
