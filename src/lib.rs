@@ -1,4 +1,39 @@
-//! Numerical integrators on the simple pendulum, and the means to know that they are right.
+//! Numerical integrators on the simple pendulum, θ̈ + (g/L) sin θ = 0, and the means to know that they are right.
+//!
+//! A *scene* is a system, a start, a method, a grid of times, and what is watched along the way. It pays for nothing
+//! else.
+//!
+//! ```
+//! use pendula::methods::stormer_verlet::StormerVerlet;
+//! use pendula::metrics::EnergyDrift;
+//! use pendula::{Grid, Pendulum, Phase, integrate};
+//!
+//! let pendulum = Pendulum::PAPER;
+//! let mut drift = EnergyDrift::of(&pendulum);
+//! let end = integrate(
+//!     &pendulum,
+//!     &StormerVerlet,
+//!     Phase::at_rest(1.0),
+//!     &Grid::over(10.0, 0.01)?,
+//!     &mut drift,
+//! );
+//! assert!(end.theta.abs() < 1.0 && drift.largest() < 1.1e-3);
+//! # Ok::<(), pendula::Error>(())
+//! ```
+//!
+//! # The modules, in reading order
+//!
+//! * [`phase`], [`system`], [`pendulum`]: what is integrated.
+//! * [`sine`]: the functions it needs, with the same bits on every machine.
+//! * [`exact`]: the truth, in closed form.
+//! * [`method`](mod@method), [`methods`]: what integrates, and the one list of it.
+//! * [`grid`], [`integrate`](mod@integrate), [`observe`]: the time loop and what is watched along it.
+//! * [`metrics`], [`order`]: what is measured.
+//! * `study`, `paper`, `report`: the paper's experiments, its claims, and both as tables and figures. They need std
+//!   and the feature `study`, which is on by default; without it the library is `no_std`.
+//!
+//! Every result comes from additions, multiplications, divisions and square roots in a fixed order, so that debug and
+//! release, and one machine and another, give the same bits.
 #![cfg_attr(not(feature = "study"), no_std)]
 #![warn(clippy::disallowed_methods)]
 
@@ -32,3 +67,27 @@ pub use observe::Observer;
 pub use pendulum::{LinearOscillator, Pendulum};
 pub use phase::{Phase, Vector};
 pub use system::{Counting, Hamiltonian, Separable, System};
+
+/// The listings of the README and of the book, run as tests.
+#[cfg(doctest)]
+mod listings {
+    macro_rules! listings {
+        ($($name:ident: $file:literal,)+) => {
+            $(#[doc = include_str!($file)] mod $name {})+
+        };
+    }
+    listings! {
+        readme: "../README.md",
+        pendulum: "../book/src/pendulum.md",
+        exact: "../book/src/exact.md",
+        forward_euler: "../book/src/forward-euler.md",
+        symplectic_euler: "../book/src/symplectic-euler.md",
+        stormer_verlet: "../book/src/stormer-verlet.md",
+        rk4: "../book/src/rk4.md",
+        order: "../book/src/order.md",
+        long_run: "../book/src/long-run.md",
+        small_angle: "../book/src/small-angle.md",
+        large_angle: "../book/src/large-angle.md",
+        work: "../book/src/work.md",
+    }
+}

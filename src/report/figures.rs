@@ -56,7 +56,8 @@ fn figure_2(study: &Study) -> Figure {
 /// Energy over a thousand seconds: as the paper draws it, and as the largest error so far.
 fn figure_3(study: &Study) -> Figure {
     let time = || Axis::linear("t (s)").range(0.0, long_run::DURATION);
-    let mut energy = Chart::new(time(), Axis::linear("H − H_{0} (J)")).height(180.0);
+    let mut energy =
+        Chart::new(time(), Axis::linear("H − H_{0} (J)").range(-20.0, 500.0)).height(180.0);
     let mut growth = Chart::new(time(), Axis::log("largest |H − H_{0}| so far (J)"));
     for row in &study.long_run {
         let style = style(row.method).line_only();
@@ -106,20 +107,35 @@ fn small_angle_frequency() -> f64 {
     Pendulum::PAPER.small_angle_frequency()
 }
 
-/// Three orbits of RK4 in phase space.
+/// Three orbits of RK4 in phase space, inside the separatrix.
 fn figure_5(_: &Study) -> Figure {
     let rk4 = named("rk4");
-    let mut chart = Chart::new(Axis::linear("θ (rad)"), Axis::linear("ω (rad/s)")).height(360.0);
-    for (index, theta_0) in phase_portrait::THETA_0.into_iter().enumerate() {
-        let orbit = phase_portrait::orbit(rk4, theta_0).into_iter().map(|z| (z.theta, z.omega));
-        let style = Style::numbered(index + 4).line_only();
-        chart = chart.series(format!("θ_{{0}} = {theta_0} rad"), style, orbit);
+    let top = 2.0 * small_angle_frequency();
+    let separatrix = (-160..=160).map(|k| f64::from(k) / 50.0).map(|theta| (theta, theta * 0.5));
+    let separatrix = separatrix.map(|(theta, half)| (theta, top * crate::sine::cos(half)));
+    let above: Vec<(f64, f64)> = separatrix.collect();
+    let below = above.iter().map(|&(theta, omega)| (theta, -omega));
+    let mut chart = Chart::new(
+        Axis::linear("θ (rad)").range(-3.2, 3.2),
+        Axis::linear("ω (rad/s)").range(-7.0, 7.0),
+    )
+    .height(360.0)
+    .series("separatrix", Style::REFERENCE, above.clone())
+    .series("separatrix", Style::REFERENCE, below);
+    // Each label stands where its own orbit has room beside it.
+    for (theta_0, label_at) in phase_portrait::THETA_0.into_iter().zip([0.5, 1.5, -2.5]) {
+        let points = phase_portrait::orbit(rk4, theta_0).into_iter().map(|z| (z.theta, z.omega));
+        chart = chart.series(title(rk4), style(rk4).line_only().solid(), points).note(
+            label_at,
+            0.0,
+            format!("{theta_0} rad"),
+        );
     }
     Figure::new(
         "Three orbits in phase space",
         "Three closed curves around the origin, one inside the other, for releases from 0.5, 1.5 and \
-         2.5 radians. The smallest is nearly an ellipse; the largest is pointed at its left and \
-         right ends, where the pendulum lingers.",
+         2.5 radians, all inside the eye of the separatrix. The smallest is nearly an ellipse; the \
+         largest is pointed at its left and right ends, where the pendulum lingers.",
     )
     .panel(chart)
 }
@@ -128,9 +144,12 @@ fn figure_5(_: &Study) -> Figure {
 fn figure_6(study: &Study) -> Figure {
     let rk4 = named("rk4");
     let period = study.large_angle.exact;
-    let chart = Chart::new(Axis::linear("t (s)").range(0.0, 15.0), Axis::linear("θ (rad)"))
-        .vertical(period, "T, exact")
-        .series(title(rk4), style(rk4).line_only().solid(), large_angle::waveform());
+    let chart = Chart::new(
+        Axis::linear("t (s)").range(0.0, 15.0),
+        Axis::linear("θ (rad)").range(-3.3, 3.3),
+    )
+    .vertical(period, "T, exact")
+    .series(title(rk4), style(rk4).line_only().solid(), large_angle::waveform());
     Figure::new(
         "The waveform at 3 radians",
         "The angle against time for fifteen seconds: broad, flat crests and troughs joined by steep \
