@@ -6,7 +6,8 @@ use crate::observe::Observer;
 use crate::system::System;
 
 // ANCHOR: integrate
-/// Takes `system` from `start` along `grid` with `method`, lets `observer` see each sample, returns the last state.
+/// Takes `system` from `start` along `grid` with `method`, lets `observer` see each sample, returns the last state: the
+/// one at the end of the grid, or the one with which the observer was satisfied.
 ///
 /// The loop owns what the method remembers from step to step, so that a force left over from another trajectory
 /// cannot get in; and it computes time from the count of steps.
@@ -28,6 +29,9 @@ where
     let mut memo = method.start(system, grid.time(0), z);
     observer.observe(0, grid.time(0), z);
     for n in 0..grid.steps() {
+        if observer.is_satisfied() {
+            break;
+        }
         z = method.step(system, grid.time(n), h, z, &mut memo);
         observer.observe(n + 1, grid.time(n + 1), z);
     }

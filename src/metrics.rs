@@ -105,12 +105,16 @@ impl PeakPeriod {
 impl Observer<Phase> for PeakPeriod {
     fn observe(&mut self, _n: u64, t: f64, z: Phase) {
         if let Some((before, theta)) = self.last {
-            if self.peak.is_none() && self.rising && z.theta <= theta {
+            if self.rising && self.peak.is_none() && z.theta <= theta {
                 self.peak = Some(before);
             }
             self.rising = z.theta > theta;
         }
         self.last = Some((t, z.theta));
+    }
+
+    fn is_satisfied(&self) -> bool {
+        self.peak.is_some()
     }
 }
 

@@ -9,6 +9,12 @@ use core::num::NonZeroU64;
 pub trait Observer<Z> {
     /// Sees the state `z` after `n` steps, at time `t` (s).
     fn observe(&mut self, n: u64, t: f64, z: Z);
+
+    /// Whether it has seen all it wants. The time loop ends as soon as this is true; most observers never are.
+    #[inline]
+    fn is_satisfied(&self) -> bool {
+        false
+    }
 }
 
 impl<Z> Observer<Z> for () {
@@ -31,6 +37,13 @@ macro_rules! tuple_observer {
                 #[allow(non_snake_case)]
                 let ($($name,)+) = self;
                 $($name.observe(n, t, z);)+
+            }
+
+            #[inline]
+            fn is_satisfied(&self) -> bool {
+                #[allow(non_snake_case)]
+                let ($($name,)+) = self;
+                true $(&& $name.is_satisfied())+
             }
         }
     };
@@ -68,6 +81,11 @@ impl<Z, O: Observer<Z>> Observer<Z> for Every<O> {
             self.skip = self.every.get();
         }
         self.skip -= 1;
+    }
+
+    #[inline]
+    fn is_satisfied(&self) -> bool {
+        self.observer.is_satisfied()
     }
 }
 

@@ -34,6 +34,21 @@ impl Pendulum {
         Ok(Self { gravity, length, mass, stiffness })
     }
 
+    /// A start of this pendulum at `theta` (rad) with `omega` (rad/s), checked.
+    ///
+    /// # Errors
+    /// [`Error::Parameter`] for a component that is not finite, for |θ| > [`LARGEST_ANGLE`], and for an ω whose
+    /// kinetic energy overflows.
+    pub fn start(&self, theta: f64, omega: f64) -> Result<Phase, Error> {
+        let start = Phase { theta: angle(theta)?, omega };
+        if self.kinetic(start).is_finite() {
+            Ok(start)
+        } else {
+            let name = "angular velocity ω (rad/s)";
+            Err(Error::Parameter { name, value: omega, allowed: "finite, and so its energy" })
+        }
+    }
+
     /// Gravitational acceleration g (m/s²).
     pub const fn gravity(&self) -> f64 {
         self.gravity
@@ -176,6 +191,20 @@ impl Hamiltonian for LinearOscillator {
     /// ½ m L² ω² + ½ m g L θ² (J).
     fn energy(&self, z: Phase) -> f64 {
         self.0.kinetic(z) + 0.5 * self.0.depth() * z.theta * z.theta
+    }
+}
+
+/// Beyond this angle (rad) neighbouring f64s are 1/8 rad apart, and an angle means little.
+pub const LARGEST_ANGLE: f64 = 1e15;
+
+/// Passes an angle that means something.
+pub(crate) fn angle(theta: f64) -> Result<f64, Error> {
+    // A NaN is not within the bounds either.
+    if libm::fabs(theta) <= LARGEST_ANGLE {
+        Ok(theta)
+    } else {
+        let name = "angle θ (rad)";
+        Err(Error::Parameter { name, value: theta, allowed: "finite, and at most 1e15 in size" })
     }
 }
 

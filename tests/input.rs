@@ -31,6 +31,21 @@ fn parameters_out_of_range_together_are_refused(
     assert!(matches!(pendulum, Err(Error::Parameter { .. })), "{pendulum:?}");
 }
 
+/// Catches: a start that is NaN or infinite, an angle whose last digit is larger than a turn, and a velocity whose
+/// energy overflows.
+#[test]
+fn a_start_out_of_range_is_refused() {
+    let pendulum = Pendulum::PAPER;
+    for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1e200, -1e200] {
+        assert!(matches!(pendulum.start(bad, 0.0), Err(Error::Parameter { .. })), "θ = {bad}");
+        assert!(matches!(pendulum.start(0.0, bad), Err(Error::Parameter { .. })), "ω = {bad}");
+    }
+    for good in [0.0, -0.0, 5e-324, 1.0, -1e15] {
+        let start = pendulum.start(good, good).expect("in range");
+        assert_eq!((start.theta, start.omega), (good, good));
+    }
+}
+
 /// Catches: a message that does not say what was asked for and what is allowed, or does not fit one line.
 #[test]
 fn a_refusal_says_what_is_allowed() {

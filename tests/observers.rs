@@ -4,7 +4,7 @@ use std::num::NonZeroU64;
 
 use pendula::methods::stormer_verlet::StormerVerlet;
 use pendula::observe::{Every, Record};
-use pendula::{Grid, Pendulum, Phase, integrate};
+use pendula::{Grid, Observer, Pendulum, Phase, integrate};
 
 const START: Phase = Phase { theta: 1.0, omega: -0.25 };
 
@@ -46,6 +46,30 @@ fn every_kth_sample_includes_the_start() {
         integrate(&Pendulum::PAPER, &StormerVerlet, START, &grid(), &mut watch);
         assert_eq!(seen, (0..=last).step_by(every as usize).collect::<Vec<_>>());
     }
+}
+
+/// Catches: a loop that goes on when nobody looks any more, ends a step late, or ends at once for `()`.
+#[test]
+fn a_satisfied_observer_ends_the_loop() {
+    struct Until(u64, u64);
+    impl Observer<Phase> for Until {
+        fn observe(&mut self, n: u64, _t: f64, _z: Phase) {
+            self.1 = n;
+        }
+        fn is_satisfied(&self) -> bool {
+            self.1 >= self.0
+        }
+    }
+    let mut watch = Until(40, 0);
+    let early = integrate(&Pendulum::PAPER, &StormerVerlet, START, &grid(), &mut watch);
+    let forty = Grid::new(0.01, 40).unwrap();
+    assert_eq!(early, integrate(&Pendulum::PAPER, &StormerVerlet, START, &forty, &mut ()));
+    assert_eq!(watch.1, 40);
+
+    // Two observers are satisfied when both are.
+    let mut watch = (Until(40, 0), Until(60, 0));
+    integrate(&Pendulum::PAPER, &StormerVerlet, START, &grid(), &mut watch);
+    assert_eq!((watch.0.1, watch.1.1), (60, 60));
 }
 
 /// Catches: a recorder that shifts samples by one, or writes past its storage.

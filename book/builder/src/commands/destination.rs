@@ -1,0 +1,122 @@
+//! Where output goes: standard output, or a file that appears only when it is whole.
+
+use std::fs;
+use std::io::{self, BufWriter, Write};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use anyhow::Context;
+use tempfile::NamedTempFile;
+
+use crate::failure::Failure;
+
+/// A writer, and what it takes to finish.
+pub enum Destination<'a> {
+    /// The caller's writer.
+    Caller(&'a mut dyn Write),
+    /// A device or a pipe, which cannot be replaced by another file.
+    Direct(BufWriter<fs::File>),
+    /// A file beside the target, renamed onto it at the end. Dropped before, it is removed.
+    Beside(BufWriter<NamedTempFile>, PathBuf),
+}
+
+impl<'a> Destination<'a> {
+    /// The file `path` if there is one, `out` if not.
+    ///
+    /// # Errors
+    /// [`Failure::Refused`] if the file cannot be written.
+    pub fn open(path: Option<&Path>, out: &'a mut dyn Write) -> Result<Self, Failure> {
+        let Some(path) = path else { return Ok(Self::Caller(out)) };
+        let refused = |error: io::Error| {
+            Failure::refused(format!("--output {}: cannot be written: {error}", path.display()))
+        };
+        // What a link points to is what is meant.
+        let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
+        match fs::metadata(&path) {
+            Ok(found) if found.is_dir() => {
+                Err(refused(io::Error::from(io::ErrorKind::IsADirectory)))
+            }
+            Ok(found) if !found.is_file() => {
+                let file = fs::OpenOptions::new().write(true).open(&path).map_err(refused)?;
+                Ok(Self::Direct(BufWriter::new(file)))
+            }
+            _ => {
+                let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
+                let beside = readable_by_others(&mut tempfile::Builder::new())
+                    .prefix(".pendula-")
+                    .tempfile_in(folder.unwrap_or(Path::new(".")))
+                    .map_err(refused)?;
+                Ok(Self::Beside(BufWriter::new(beside), path))
+            }
+        }
+    }
+
+    /// A flag that is raised when the user interrupts, so that a file half written can be removed. Only a file needs
+    /// it; otherwise an interrupt ends the program as usual.
+    ///
+    /// # Errors
+    /// If the system lets nobody listen to interrupts.
+    pub fn interrupted(&self) -> Result<Arc<AtomicBool>, Failure> {
+        let flag = Arc::new(AtomicBool::new(false));
+        if matches!(self, Self::Beside(..)) {
+            let raised = Arc::clone(&flag);
+            ctrlc::set_handler(move || raised.store(true, Ordering::Relaxed))
+                .context("interrupts cannot be listened to")?;
+        }
+        Ok(flag)
+    }
+
+    /// Writes out what is buffered, and puts a file in its place.
+    ///
+    /// # Errors
+    /// If that fails; then the target is as it was before.
+    pub fn finish(self) -> Result<(), Failure> {
+        match self {
+            Self::Caller(out) => out.flush()?,
+            Self::Direct(mut out) => out.flush()?,
+            Self::Beside(out, path) => {
+                let file = out.into_inner().map_err(io::IntoInnerError::into_error)?;
+                file.as_file().sync_all()?;
+                file.persist(&path)
+                    .map_err(|error| error.error)
+                    .with_context(|| format!("{} cannot be replaced", path.display()))?;
+            }
+        }
+        Ok(())
+    }
+}
+
+impl Write for Destination<'_> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        match self {
+            Self::Caller(out) => out.write(bytes),
+            Self::Direct(out) => out.write(bytes),
+            Self::Beside(out, _) => out.write(bytes),
+        }
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        match self {
+            Self::Caller(out) => out.flush(),
+            Self::Direct(out) => out.flush(),
+            Self::Beside(out, _) => out.flush(),
+        }
+    }
+}
+
+/// Temporary files are private by default; a result is an ordinary file, as the user's umask has it.
+#[cfg(unix)]
+fn readable_by_others<'b>(
+    builder: &'b mut tempfile::Builder<'static, 'static>,
+) -> &'b mut tempfile::Builder<'static, 'static> {
+    use std::os::unix::fs::PermissionsExt;
+    builder.permissions(fs::Permissions::from_mode(0o666))
+}
+
+#[cfg(not(unix))]
+fn readable_by_others<'b>(
+    builder: &'b mut tempfile::Builder<'static, 'static>,
+) -> &'b mut tempfile::Builder<'static, 'static> {
+    builder
+}

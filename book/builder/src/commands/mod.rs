@@ -1,0 +1,36 @@
+//! One file a command: its arguments, and what it does with them.
+//!
+//! A command writes to the writer it is given, returns a [`Failure`] for anything that goes wrong,
+//! and prints nothing else, so that a closed pipe and bad input are dealt with once, in `main`.
+
+use std::io::Write;
+
+use crate::cli::Command;
+use crate::failure::Failure;
+
+pub mod book;
+pub mod claims;
+mod destination;
+pub mod exact;
+pub mod period;
+pub mod preprocess;
+mod rows;
+mod scene;
+pub mod simulate;
+pub mod tables;
+
+/// Runs a command; its output goes to `out`.
+///
+/// # Errors
+/// Whatever the command refuses or fails at.
+pub fn run(command: Command, out: &mut dyn Write) -> Result<(), Failure> {
+    match command {
+        Command::Book(arguments) => book::run(&arguments, out),
+        Command::Tables(arguments) => tables::run(&arguments, out),
+        Command::Claims(arguments) => claims::run(&arguments, out),
+        Command::Simulate(arguments) => simulate::run(&arguments, out),
+        Command::Exact(arguments) => exact::run(&arguments, out),
+        Command::Period(arguments) => period::run(&arguments, out),
+        Command::Preprocess(arguments) => preprocess::run(&arguments, out),
+    }
+}

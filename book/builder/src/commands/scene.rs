@@ -1,0 +1,46 @@
+//! The arguments that name a pendulum and its start, shared by the commands that move one.
+
+use clap::Args;
+use pendula::{Error, Pendulum, Phase};
+
+/// The pendulum.
+#[derive(Args, Debug)]
+pub struct PendulumArguments {
+    /// Gravitational acceleration g (m/s²)
+    #[arg(long, default_value_t = Pendulum::PAPER.gravity(), allow_negative_numbers = true)]
+    gravity: f64,
+    /// Length L of the rod (m)
+    #[arg(long, default_value_t = Pendulum::PAPER.length(), allow_negative_numbers = true)]
+    length: f64,
+}
+
+impl PendulumArguments {
+    /// The pendulum of `mass` (kg).
+    ///
+    /// # Errors
+    /// As [`Pendulum::new`].
+    pub fn pendulum(&self, mass: f64) -> Result<Pendulum, Error> {
+        Pendulum::new(self.gravity, self.length, mass)
+    }
+}
+
+/// The start.
+#[derive(Args, Debug)]
+pub struct StartArguments {
+    /// Angle at the start (rad)
+    #[arg(long, value_name = "RAD", allow_negative_numbers = true)]
+    theta0: f64,
+    /// Angular velocity at the start (rad/s)
+    #[arg(long, value_name = "RAD/S", default_value_t = 0.0, allow_negative_numbers = true)]
+    omega0: f64,
+}
+
+impl StartArguments {
+    /// The start, checked for `pendulum`.
+    ///
+    /// # Errors
+    /// As [`Pendulum::start`].
+    pub fn start(&self, pendulum: &Pendulum) -> Result<Phase, Error> {
+        pendulum.start(self.theta0, self.omega0)
+    }
+}

@@ -1,0 +1,110 @@
+//! `pendula tables`: the paper's tables, stated and measured.
+
+use std::io::Write;
+
+use anyhow::Context;
+use clap::{Args, ValueEnum};
+use pendula::paper::{Claim, Ledger, Measured};
+use pendula::report::tables::{TABLES, table};
+use pendula::study::Study;
+use serde_json::{Value, json};
+
+use crate::failure::Failure;
+
+/// Arguments of `pendula tables`.
+#[derive(Args, Debug)]
+pub struct Arguments {
+    /// Only this table
+    #[arg(long, value_name = "N")]
+    table: Option<u32>,
+    /// How the cells are printed
+    #[arg(long, value_enum, default_value_t)]
+    format: Format,
+}
+
+/// How the cells are printed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum Format {
+    /// Tables to read
+    #[default]
+    Text,
+    /// An array with an object for each cell
+    Json,
+    /// A line for each cell
+    Csv,
+}
+
+/// Runs the study and writes its tables.
+///
+/// # Errors
+/// [`Failure::Refused`] for a table that is not one of the paper's.
+pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
+    let numbers = match arguments.table {
+        None => TABLES.to_vec(),
+        Some(number) if TABLES.contains(&number) => vec![number],
+        Some(number) => {
+            let known = TABLES.map(|n| n.to_string()).join(", ");
+            return Err(Failure::refused(format!("--table {number}: the tables are {known}")));
+        }
+    };
+    let ledger = Ledger::of(&Study::run(|_| {}));
+    let cells = || numbers.iter().flat_map(|&number| ledger.table(number));
+    match arguments.format {
+        Format::Text => {
+            for (index, &number) in numbers.iter().enumerate() {
+                let gap = if index == 0 { "" } else { "\n" };
+                let text = table(&ledger, number).map(|table| table.to_text()).unwrap_or_default();
+                write!(out, "{gap}Table {number}\n{text}")?;
+            }
+        }
+        Format::Json => {
+            let cells: Vec<Value> = cells().map(cell).collect();
+            serde_json::to_writer_pretty(&mut *out, &cells)
+                .context("the cells cannot be written")?;
+            writeln!(out)?;
+        }
+        Format::Csv => {
+            writeln!(out, "id,stated,measured,verdict")?;
+            for claim in cells() {
+                let [stated, measured] =
+                    [stated(claim), measured(claim)].map(|value| plain(&value));
+                writeln!(out, "{},{stated},{measured},{}", claim.id, claim.judged())?;
+            }
+        }
+    }
+    Ok(())
+}
+
+/// A cell: numbers as numbers, with all their digits.
+pub fn cell(claim: &Claim) -> Value {
+    json!({
+        "id": claim.id,
+        "stated": stated(claim),
+        "measured": measured(claim),
+        "verdict": claim.judged().to_string(),
+    })
+}
+
+fn stated(claim: &Claim) -> Value {
+    match claim.stated {
+        Some(text) => text.parse::<f64>().map_or_else(|_| text.into(), Value::from),
+        None => Value::Null,
+    }
+}
+
+fn measured(claim: &Claim) -> Value {
+    match &claim.measured {
+        Measured::Number(value, _) => (*value).into(),
+        Measured::Text(text) => text.as_str().into(),
+        Measured::Nothing => Value::Null,
+    }
+}
+
+/// A value as a field of CSV. No text in the ledger has a comma or a quotation mark.
+fn plain(value: &Value) -> String {
+    match value {
+        Value::Null => String::new(),
+        Value::String(text) => text.clone(),
+        other => other.to_string(),
+    }
+}

@@ -1,0 +1,90 @@
+//! How a command ends when it does not succeed: one line on standard error and an exit status.
+
+use std::fmt::Display;
+use std::io;
+use std::process::ExitCode;
+
+/// Why a command ended early.
+#[derive(Debug)]
+pub enum Failure {
+    /// The request cannot be met: what was asked, and what is allowed. Exit status 2.
+    Refused(String),
+    /// The request was sound; carrying it out failed. Exit status 1.
+    Failed(anyhow::Error),
+    /// The answer is "no", which is not an error: nothing is printed. Exit status 1.
+    No,
+    /// Help or version was asked for and has been printed. Exit status 0.
+    Answered,
+}
+
+impl Failure {
+    /// A refusal, from anything that says what was asked and what is allowed.
+    pub fn refused(reason: impl Display) -> Self {
+        Self::Refused(reason.to_string())
+    }
+
+    /// The one line for standard error, or nothing where silence is right.
+    pub fn line(&self) -> Option<String> {
+        match self {
+            Self::Refused(reason) => Some(format!("pendula: {}", one_line(reason))),
+            Self::Failed(error) if is_broken_pipe(error) => None,
+            Self::Failed(error) => Some(format!("pendula: {}", one_line(&format!("{error:#}")))),
+            Self::No | Self::Answered => None,
+        }
+    }
+
+    /// The exit status.
+    pub fn exit_code(&self) -> ExitCode {
+        match self {
+            Self::Refused(_) => ExitCode::from(2),
+            // `pendula … | head` took what it wanted.
+            Self::Failed(error) if is_broken_pipe(error) => ExitCode::SUCCESS,
+            Self::Failed(_) | Self::No => ExitCode::FAILURE,
+            Self::Answered => ExitCode::SUCCESS,
+        }
+    }
+}
+
+impl From<anyhow::Error> for Failure {
+    fn from(error: anyhow::Error) -> Self {
+        Self::Failed(error)
+    }
+}
+
+impl From<io::Error> for Failure {
+    fn from(error: io::Error) -> Self {
+        Self::Failed(error.into())
+    }
+}
+
+fn is_broken_pipe(error: &anyhow::Error) -> bool {
+    error.chain().any(|cause| {
+        cause.downcast_ref::<io::Error>().is_some_and(|e| e.kind() == io::ErrorKind::BrokenPipe)
+            || cause
+                .downcast_ref::<serde_json::Error>()
+                .is_some_and(|e| e.io_error_kind() == Some(io::ErrorKind::BrokenPipe))
+    })
+}
+
+fn one_line(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Catches: an error of several lines printed as it came.
+    #[test]
+    fn a_failure_is_one_line() {
+        let failure = Failure::refused("no such method\n  allowed:\n  rk4");
+        assert_eq!(failure.line().unwrap(), "pendula: no such method allowed: rk4");
+    }
+
+    /// Catches: `pendula … | head` ending with a complaint about a broken pipe.
+    #[test]
+    fn a_closed_pipe_is_no_complaint() {
+        let pipe = anyhow::Error::from(io::Error::from(io::ErrorKind::BrokenPipe));
+        assert_eq!(Failure::from(pipe.context("writing the table")).line(), None);
+    }
+}

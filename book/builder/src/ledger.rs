@@ -1,0 +1,78 @@
+//! The seam between the book and the paper's ledger of claims.
+//!
+//! The directives `{{stated ID}}`, `{{measured ID}}` and `{{verdict ID}}` ask a [`Ledger`] and
+//! nothing else, so that a test can bring its own and the library can change its types. [`paper`]
+//! is the one adapter to the library.
+
+use pendula::paper::Measured;
+use pendula::study::Study;
+
+use crate::progress::Progress;
+
+/// What the ledger says of one claim. A value is text as it is to be read, such as `2.01e-4`,
+/// `5.158 s` or `4`; how it is typeset is decided by the book.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Entry {
+    /// The value as the paper prints it.
+    pub stated: Option<String>,
+    /// The value as the library measures it, in digits that hold on every machine.
+    pub measured: Option<String>,
+    /// What comparing the two came to.
+    pub verdict: Option<String>,
+}
+
+/// Where values come from.
+pub trait Ledger {
+    /// The entry of a claim, such as `T4.rk4.0.01`; `None` if there is no such claim.
+    fn entry(&self, id: &str) -> Option<Entry>;
+}
+
+impl<F: Fn(&str) -> Option<Entry>> Ledger for F {
+    fn entry(&self, id: &str) -> Option<Entry> {
+        self(id)
+    }
+}
+
+/// The library's ledger of the paper's claims: the one adapter.
+pub struct Paper(pendula::paper::Ledger);
+
+impl Paper {
+    /// Runs the study and measures every claim; `progress` shows which experiment is at work.
+    pub fn measure(progress: &Progress) -> Self {
+        progress.stage("", Study::EXPERIMENTS as usize);
+        let study = Study::run(|experiment| progress.next(experiment));
+        Self(pendula::paper::Ledger::of(&study))
+    }
+}
+
+impl Ledger for Paper {
+    fn entry(&self, id: &str) -> Option<Entry> {
+        let claim = self.0.get(id)?;
+        let measured = match claim.measured {
+            Measured::Nothing => None,
+            _ => Some(claim.measured_text()),
+        };
+        Some(Entry {
+            stated: claim.stated.map(|_| claim.stated_text()),
+            measured,
+            verdict: Some(claim.judged().to_string()),
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Catches: an adapter that mixes up what is stated and what is measured, or fills gaps with a
+    /// dash.
+    #[test]
+    fn the_papers_claims_come_through() {
+        let paper = Paper::measure(&Progress::hidden());
+        let entry = paper.entry("T4.fe.0.1").expect("a claim of Table 4");
+        assert_eq!(entry.stated.as_deref(), Some("2.01 × 10²"));
+        assert!(entry.measured.is_some_and(|text| text.starts_with("2.0118")));
+        assert_eq!(entry.verdict.as_deref(), Some("reproduced"));
+        assert_eq!(paper.entry("T4.no.such"), None);
+    }
+}

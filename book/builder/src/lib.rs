@@ -1,0 +1,15 @@
+//! What the binary `pendula` does, as a library, so that its integration tests can call it.
+//!
+//! In reading order: the command line ([`cli`], [`commands`]), the book on disk ([`locate`]),
+//! building it ([`build`]), and what turns a chapter's source into what mdBook renders
+//! ([`preprocess`], with the paper's values from [`ledger`]).
+
+pub mod build;
+pub mod cli;
+pub mod commands;
+pub mod failure;
+pub mod ledger;
+pub mod locate;
+pub mod preprocess;
+pub mod progress;
+mod warnings;

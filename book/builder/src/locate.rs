@@ -1,0 +1,59 @@
+//! Where the book is.
+
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, Result};
+
+/// The folder that holds `book.toml`: `book/` in `start` or in the nearest folder above it that has
+/// one, or else the one this binary was compiled beside.
+///
+/// # Errors
+/// When there is neither.
+pub fn book(start: &Path) -> Result<PathBuf> {
+    // The manifest is book/builder/Cargo.toml; its parent folder is the book.
+    let beside_the_source = Path::new(env!("CARGO_MANIFEST_DIR")).parent();
+    start
+        .ancestors()
+        .map(|folder| folder.join("book"))
+        .chain(beside_the_source.map(Path::to_path_buf))
+        .find(|folder| is_ours(folder))
+        .with_context(|| {
+            format!("no book/book.toml with [preprocessor.pendula] in {} or above", start.display())
+        })
+}
+
+/// Other projects have a book/book.toml too.
+fn is_ours(folder: &Path) -> bool {
+    std::fs::read_to_string(folder.join("book.toml"))
+        .is_ok_and(|toml| toml.contains("[preprocessor.pendula]"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::fs;
+
+    fn folder_with_book(toml: &str) -> tempfile::TempDir {
+        let folder = tempfile::tempdir().unwrap();
+        fs::create_dir_all(folder.path().join("book")).unwrap();
+        fs::create_dir_all(folder.path().join("src/methods")).unwrap();
+        fs::write(folder.path().join("book/book.toml"), toml).unwrap();
+        folder
+    }
+
+    /// Catches: a book found only from the top folder.
+    #[test]
+    fn the_book_is_found_from_below() {
+        let folder = folder_with_book("[preprocessor.pendula]\n");
+        let found = book(&folder.path().join("src/methods")).unwrap();
+        assert_eq!(found, folder.path().join("book"));
+    }
+
+    /// Catches: building whatever book the current directory happens to hold.
+    #[test]
+    fn another_projects_book_is_passed_over() {
+        let folder = folder_with_book("[book]\ntitle = \"other\"\n");
+        let found = book(folder.path()).unwrap();
+        assert!(found.join("builder").is_dir(), "{}", found.display());
+    }
+}

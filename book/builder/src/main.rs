@@ -1,0 +1,27 @@
+//! The binary `pendula`: see `pendula --help`.
+
+use std::io::{self, Write};
+use std::process::ExitCode;
+
+use pendula_book::cli;
+use pendula_book::commands;
+use pendula_book::failure::Failure;
+
+fn main() -> ExitCode {
+    let mut out = io::BufWriter::new(io::stdout().lock());
+    let outcome = cli::parse(std::env::args_os())
+        .and_then(|command| commands::run(command, &mut out))
+        .and_then(|()| out.flush().map_err(Failure::from));
+    match outcome {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            // Whatever is still in the buffer would meet the same closed pipe, loudly.
+            let _ = out.into_parts();
+            if let Some(line) = failure.line() {
+                // Not eprintln!, which panics when standard error is closed.
+                let _ = writeln!(io::stderr(), "{line}");
+            }
+            failure.exit_code()
+        }
+    }
+}

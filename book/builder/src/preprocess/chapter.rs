@@ -1,0 +1,234 @@
+//! One chapter: its directives and its formulas.
+//!
+//! | directive | becomes |
+//! |---|---|
+//! | `{{measured ID}}` | the value as the library measures it |
+//! | `{{stated ID}}` | the value as the paper prints it |
+//! | `{{verdict ID}}` | what comparing the two came to |
+//! | `{{test file::function}}` | a link to that test's source in the book |
+//!
+//! The first two also work inside formulas. Code spans and code blocks stay as they are.
+
+use std::ops::Range;
+
+use anyhow::{Context, Result, anyhow, bail};
+
+use super::markdown::{Kind, passages, splice};
+use super::maths::Maths;
+use super::sources::Tests;
+use super::{inert, values};
+use crate::ledger::Ledger;
+
+/// What a chapter may refer to.
+pub struct Setter<'a> {
+    ledger: &'a dyn Ledger,
+    tests: &'a Tests,
+    maths: Maths,
+}
+
+/// Text between `{{` and `}}`, where it stands, and how it reads.
+struct Directive<'t> {
+    range: Range<usize>,
+    name: &'t str,
+    argument: &'t str,
+}
+
+impl<'a> Setter<'a> {
+    /// A setter for chapters that refer to these values and tests.
+    pub fn new(ledger: &'a dyn Ledger, tests: &'a Tests) -> Self {
+        Self { ledger, tests, maths: Maths::default() }
+    }
+
+    /// The chapter's text with directives and formulas replaced; `to_root` leads from its page to
+    /// the book's first folder.
+    ///
+    /// # Errors
+    /// For an unknown directive, claim or test, and for a formula that cannot be set; the error
+    /// quotes it.
+    pub fn set(&self, text: &str, to_root: &str) -> Result<String> {
+        let mut edits = Vec::new();
+        let mut done = 0;
+        for passage in passages(text) {
+            self.set_prose(text, done..passage.range.start, to_root, &mut edits)?;
+            done = passage.range.end;
+            match passage.kind {
+                Kind::Code => {}
+                Kind::Formula { tex, display } => {
+                    edits.push((passage.range, self.maths.set(&self.set_tex(&tex)?, display)?));
+                }
+                Kind::Exponent => {
+                    let html = values::html(&text[passage.range.clone()]);
+                    edits.push((passage.range, html));
+                }
+                Kind::StrayDollar => {
+                    let line = text[..done].lines().last().unwrap_or_default();
+                    bail!("{line}: this dollar sign begins no formula; the sign itself is \\$");
+                }
+            }
+        }
+        self.set_prose(text, done..text.len(), to_root, &mut edits)?;
+        Ok(splice(text, edits))
+    }
+
+    fn set_prose(
+        &self,
+        text: &str,
+        range: Range<usize>,
+        to_root: &str,
+        edits: &mut Vec<(Range<usize>, String)>,
+    ) -> Result<()> {
+        // A nested footnote or the like may begin before the last passage ended.
+        let Some(prose) = text.get(range.clone()) else { return Ok(()) };
+        for directive in directives(prose) {
+            let Directive { range: at, name, argument } = directive?;
+            let html = match name {
+                "measured" | "stated" | "verdict" => {
+                    let value = self.value(name, argument)?;
+                    format!("<span class=\"{name}\">{}</span>", values::html(&value))
+                }
+                "test" => self.link(argument, to_root)?,
+                _ => bail!(
+                    "{}: no such directive; there are measured, stated, verdict and test",
+                    &prose[at]
+                ),
+            };
+            edits.push((range.start + at.start..range.start + at.end, html));
+        }
+        Ok(())
+    }
+
+    /// In TeX `{{a}}` is a group in a group, so that only known names are directives.
+    fn set_tex(&self, tex: &str) -> Result<String> {
+        let mut edits = Vec::new();
+        for directive in directives(tex).filter_map(Result::ok) {
+            if let "measured" | "stated" = directive.name {
+                let value = self.value(directive.name, directive.argument)?;
+                edits.push((directive.range, values::tex(&value)));
+            }
+        }
+        Ok(splice(tex, edits))
+    }
+
+    fn value(&self, name: &str, id: &str) -> Result<String> {
+        let entry = self
+            .ledger
+            .entry(id)
+            .with_context(|| format!("{{{{{name} {id}}}}}: the ledger has no claim {id}"))?;
+        let value = match name {
+            "measured" => entry.measured,
+            "stated" => entry.stated,
+            _ => entry.verdict,
+        };
+        value.with_context(|| {
+            format!("{{{{{name} {id}}}}}: the ledger has no {name} value for {id}")
+        })
+    }
+
+    fn link(&self, cited: &str, to_root: &str) -> Result<String> {
+        let (file, test) =
+            self.tests.find(cited).map_err(|reason| anyhow!("{{{{test {cited}}}}}: {reason}"))?;
+        let text = inert::text(&format!("{}::{test}", file.replace('/', "::")));
+        // HTML, not Markdown, so that it also works in a figure's caption.
+        Ok(format!("<a href=\"{to_root}tests/{file}.html#{test}\"><code>{text}</code></a>"))
+    }
+}
+
+/// The directives of a text; one that is not closed is an error.
+fn directives(text: &str) -> impl Iterator<Item = Result<Directive<'_>>> {
+    let mut from = 0;
+    std::iter::from_fn(move || {
+        let start = from + text[from..].find("{{")?;
+        let Some(length) = text[start..].find("}}") else {
+            from = text.len();
+            let quoted: String = text[start..].chars().take(40).collect();
+            return Some(Err(anyhow!("{quoted}: a directive without its closing braces")));
+        };
+        from = start + length + 2;
+        let inside = text[start + 2..start + length].trim();
+        let (name, argument) = inside.split_once(char::is_whitespace).unwrap_or((inside, ""));
+        Some(Ok(Directive { range: start..from, name, argument: argument.trim() }))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::ledger::Entry;
+
+    fn ledger(id: &str) -> Option<Entry> {
+        let value = |text: &str| Some(text.to_string());
+        match id {
+            "T4.rk4.0.01" => Some(Entry {
+                stated: value("2.01e-4"),
+                measured: value("3e-4"),
+                verdict: value("wrong"),
+            }),
+            "T9.only" => Some(Entry { verdict: value("not checkable"), ..Entry::default() }),
+            _ => None,
+        }
+    }
+
+    fn set(text: &str) -> Result<String> {
+        let tests = Tests::from_sources([("order", "#[test]\nfn every_slope() {}\n")]).unwrap();
+        Setter::new(&ledger, &tests).set(text, "../")
+    }
+
+    /// Catches: the stated value where the measured one is asked for, and the other way round.
+    #[test]
+    fn each_directive_gives_its_own_value() {
+        let set =
+            set("{{stated T4.rk4.0.01}}, {{ measured T4.rk4.0.01 }}, {{verdict T4.rk4.0.01}}");
+        assert_eq!(
+            set.unwrap(),
+            "<span class=\"stated\">2&#46;01 × 10<sup>−4</sup></span>, \
+             <span class=\"measured\">3 × 10<sup>−4</sup></span>, \
+             <span class=\"verdict\">wrong</span>"
+        );
+    }
+
+    /// Catches: a page that explains the directives and shows values instead.
+    #[test]
+    fn code_stays_as_it_is() {
+        for text in ["`{{stated nothing}}`", "```text\n{{test nothing}} $x$\n```\n"] {
+            assert_eq!(set(text).unwrap(), text);
+        }
+    }
+
+    /// Catches: a misspelt id or name that leaves an empty place, or the raw directive, in the
+    /// book.
+    #[test]
+    fn what_is_unknown_stops_the_build_and_is_quoted() {
+        for (text, quoted) in [
+            ("{{stated T4.rk5}}", "T4.rk5"),
+            ("{{measured T9.only}}", "no measured value"),
+            ("{{mesured T4.rk4.0.01}}", "mesured"),
+            ("{{test order::no_such}}", "order::no_such"),
+            ("{{test ordre::every_slope}}", "ordre::every_slope"),
+            ("{{stated T4.rk4.0.01", "closing"),
+            ("as $\\frac{1$", "as $"),
+            ("$\\sqrt{1}$ or $\\fraq{1}$", "\\fraq{1}"),
+            ("$x = {{stated T4.rk5}}$", "T4.rk5"),
+        ] {
+            let error = format!("{:#}", set(text).unwrap_err());
+            assert!(error.contains(quoted), "{text}: {error}");
+        }
+    }
+
+    /// Catches: a link that ignores how deep the page lies.
+    #[test]
+    fn a_test_is_linked_from_where_the_page_is() {
+        assert_eq!(
+            set("{{test order::every_slope}}").unwrap(),
+            "<a href=\"../tests/order.html#every_slope\">\
+             <code>order&#58;&#58;every&#95;slope</code></a>"
+        );
+    }
+
+    /// Catches: a value in a formula that comes out as HTML source; a TeX group taken for a
+    /// directive.
+    #[test]
+    fn values_work_inside_formulas() {
+        let html = set("$E = {{stated T4.rk4.0.01}}$ and $x^{{a}}$").unwrap();
+        assert!(html.contains("2&#46;01") && !html.contains("stated"), "{html}");
+    }
+}

@@ -1,0 +1,183 @@
+//! Every include leads somewhere.
+//!
+//! mdBook ends with status 0 when an included file is missing, and shows nothing at all when an
+//! anchor is. So the chapters are read from disk once more, as they were before mdBook's `links`
+//! step, and their includes followed by the same rules.
+
+use std::fs;
+use std::path::Path;
+use std::sync::LazyLock;
+
+use anyhow::{Context, Result, bail, ensure};
+use mdbook_preprocessor::book::Book;
+use regex::Regex;
+
+use super::{chapters, name};
+
+/// As deep as mdBook follows includes within includes.
+const DEPTH: usize = 10;
+
+/// Checks the includes of every chapter that has a file in the folder `source`.
+///
+/// # Errors
+/// For the first include whose file or anchor does not exist, or whose text is empty; the error
+/// names chapter, file and anchor.
+pub fn check(source: &Path, book: &Book) -> Result<()> {
+    for chapter in chapters(book) {
+        let Some(path) = &chapter.source_path else { continue };
+        let file = source.join(path);
+        fs::read_to_string(&file)
+            .with_context(|| format!("{} cannot be read", file.display()))
+            .and_then(|text| follow(&text, file.parent().unwrap_or(source), DEPTH))
+            .with_context(|| format!("chapter {}", name(chapter)))?;
+    }
+    Ok(())
+}
+
+/// Follows the includes of a text whose relative paths start from `folder`.
+fn follow(text: &str, folder: &Path, depth: usize) -> Result<()> {
+    // The first alternative is mdBook's escape: everything up to the last braces of the line.
+    static LINK: LazyLock<Regex> = LazyLock::new(|| {
+        Regex::new(r"\\\{\{#.*\}\}|\{\{\s*#(?<kind>[a-zA-Z0-9_]+)\s+(?<rest>[^}]+)\}\}")
+            .expect("the pattern is a constant")
+    });
+    for link in LINK.captures_iter(text) {
+        let (Some(kind), Some(rest)) = (link.name("kind"), link.name("rest")) else { continue };
+        let argument = rest.as_str().split_whitespace().next().unwrap_or_default();
+        match kind.as_str() {
+            "title" => {}
+            "include" | "rustdoc_include" | "playground" => {
+                let (path, part) = match argument.split_once(':') {
+                    Some((path, part)) if kind.as_str() != "playground" => (path, part),
+                    _ => (argument, ""),
+                };
+                ensure!(depth > 0, "{}: includes include each other", &link[0]);
+                included(folder, path, part)
+                    .and_then(|text| {
+                        let from = folder.join(path);
+                        follow(&text, from.parent().unwrap_or(folder), depth - 1)
+                    })
+                    .with_context(|| link[0].to_string())?;
+            }
+            other => bail!("{}: mdBook has no {other}; it has include", &link[0]),
+        }
+    }
+    Ok(())
+}
+
+/// The text that mdBook will include; never empty.
+fn included(folder: &Path, path: &str, part: &str) -> Result<String> {
+    let file = folder.join(path);
+    let text = fs::read_to_string(&file).with_context(|| format!("there is no file {path}"))?;
+    let included = match part.split(':').next().unwrap_or_default() {
+        "" => lines(&text, part)?,
+        start if start.parse::<usize>().is_ok() => lines(&text, part)?,
+        anchor => anchored(&text, anchor)
+            .with_context(|| format!("{path} has no line with ANCHOR: {anchor}"))?,
+    };
+    ensure!(!included.trim().is_empty(), "{path} has nothing between these lines or anchors");
+    Ok(included)
+}
+
+/// Lines `a`, `a:`, `:b` or `a:b`, counted from 1 and inclusive.
+fn lines(text: &str, part: &str) -> Result<String> {
+    let mut bounds = part.split(':');
+    let mut bound = || -> Result<Option<Option<usize>>> {
+        Ok(match bounds.next() {
+            None => None,
+            Some("") => Some(None),
+            Some(number) => Some(Some(
+                number.parse().with_context(|| format!("{number} is no number of a line"))?,
+            )),
+        })
+    };
+    let (first, last) = match (bound()?.flatten(), bound()?) {
+        (first, Some(last)) => (first.unwrap_or(1), last.unwrap_or(usize::MAX)),
+        (Some(only), None) => (only, only),
+        (None, None) => (1, usize::MAX),
+    };
+    let skipped = first.saturating_sub(1);
+    let taken = last.saturating_sub(skipped);
+    Ok(text.lines().skip(skipped).take(taken).collect::<Vec<_>>().join("\n"))
+}
+
+/// What stands between `ANCHOR: name` and `ANCHOR_END: name`, or the end of the file; no anchor
+/// line is part of it.
+fn anchored(text: &str, name: &str) -> Option<String> {
+    static ANCHOR: LazyLock<Regex> = LazyLock::new(|| {
+        Regex::new(r"ANCHOR(?<end>_END)?:\s*(?<name>[\w-]+)").expect("the pattern is a constant")
+    });
+    let mut kept: Option<Vec<&str>> = None;
+    for line in text.lines() {
+        match (ANCHOR.captures(line), &mut kept) {
+            (Some(found), None) if found.name("end").is_none() && &found["name"] == name => {
+                kept = Some(Vec::new());
+            }
+            (Some(found), Some(_)) if found.name("end").is_some() && &found["name"] == name => {
+                break;
+            }
+            (None, Some(kept)) => kept.push(line),
+            _ => {}
+        }
+    }
+    kept.map(|lines| lines.join("\n"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn followed(text: &str) -> Result<()> {
+        let folder = tempfile::tempdir().unwrap();
+        let write = |name: &str, text: &str| fs::write(folder.path().join(name), text).unwrap();
+        write("step.rs", "use a;\n// ANCHOR: step\nlet a = 1;\n// ANCHOR_END: step\nend\n");
+        write("empty.rs", "// ANCHOR: step\n\n// ANCHOR_END: step\n");
+        write("nested.md", "{{#include step.rs:nothing}}\n");
+        write("round.md", "{{#include round.md}}\n");
+        follow(text, folder.path(), DEPTH)
+    }
+
+    /// Catches: a check so strict that it refuses what mdBook accepts.
+    #[test]
+    fn what_mdbook_includes_is_accepted() {
+        for text in [
+            "{{#include step.rs}}",
+            "{{#include step.rs:step}}",
+            "{{ #include step.rs:2:3 }}",
+            "{{#include step.rs::3}}",
+            "{{#include step.rs:5}}",
+            "{{#rustdoc_include step.rs:step}}",
+            "{{#title A title}}",
+            "\\{{#include no/such/file.rs}}",
+            "no include",
+        ] {
+            followed(text).unwrap_or_else(|error| panic!("{text}: {error:#}"));
+        }
+    }
+
+    /// Catches: a book with a listing missing, built with status 0.
+    #[test]
+    fn what_mdbook_leaves_out_in_silence_is_an_error() {
+        for (text, named) in [
+            ("{{#include steps.rs}}", "steps.rs"),
+            ("{{#include step.rs:stop}}", "ANCHOR: stop"),
+            ("{{#include empty.rs:step}}", "nothing between"),
+            ("{{#include step.rs:90:99}}", "nothing between"),
+            ("{{#include nested.md}}", "ANCHOR: nothing"),
+            ("{{#include round.md}}", "include each other"),
+            ("{{#inlcude step.rs}}", "inlcude"),
+        ] {
+            let error = format!("{:#}", followed(text).unwrap_err());
+            assert!(error.contains(named), "{text}: {error}");
+        }
+    }
+
+    /// Catches: an anchor's lines that reach too far, or that show another anchor.
+    #[test]
+    fn an_anchor_ends_where_it_ends() {
+        let text = "ANCHOR: a\n1\nANCHOR: b\n2\nANCHOR_END: b\n3\nANCHOR_END: a\n4\n";
+        assert_eq!(anchored(text, "a").unwrap(), "1\n2\n3");
+        assert_eq!(anchored(text, "b").unwrap(), "2");
+        assert_eq!(anchored(text, "c"), None);
+    }
+}

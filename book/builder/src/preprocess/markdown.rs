@@ -1,0 +1,172 @@
+//! Where in a Markdown text the code and the formulas are.
+
+use std::ops::Range;
+use std::sync::LazyLock;
+
+use pulldown_cmark::{Event, Options, Parser, Tag};
+use regex::Regex;
+
+/// A stretch of a text that is not prose.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Passage {
+    /// Its bytes, delimiters included.
+    pub range: Range<usize>,
+    /// What it is.
+    pub kind: Kind,
+}
+
+/// What a [`Passage`] is.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// A code span or a code block: it stays as it is.
+    Code,
+    /// `$tex$` or `$$tex$$`.
+    Formula {
+        /// What stands between the delimiters.
+        tex: String,
+        /// Set on its own line?
+        display: bool,
+    },
+    /// The exponent of a power of ten such as 10⁻⁴, in small print that few fonts have in full.
+    Exponent,
+    /// A `$` that is part of no formula and not escaped: almost always a formula that Markdown
+    /// could not make out, because a brace is missing, a space follows the `$`, or HTML is around
+    /// it.
+    StrayDollar,
+}
+
+/// The code and the formulas of a Markdown text, in order, without overlap.
+pub fn passages(text: &str) -> Vec<Passage> {
+    let mut passages: Vec<Passage> = Vec::new();
+    let mut code = 0..0;
+    for (event, range) in Parser::new_ext(text, options()).into_offset_iter() {
+        let kind = match event {
+            Event::Code(_) => Kind::Code,
+            Event::Start(Tag::CodeBlock(_)) => {
+                code = range.clone();
+                Kind::Code
+            }
+            Event::Text(_) | Event::Html(_) | Event::InlineHtml(_) if range.start >= code.end => {
+                let stray = stray_dollar(text, range.clone());
+                passages.extend(stray.map(|range| Passage { range, kind: Kind::StrayDollar }));
+                // Not in HTML: a drawing's text knows no <sup>.
+                if let Event::Text(_) = event {
+                    passages.extend(powers_of_ten(text, range));
+                }
+                continue;
+            }
+            Event::InlineMath(tex) => Kind::Formula { tex: tex.into_string(), display: false },
+            Event::DisplayMath(tex) => Kind::Formula { tex: tex.into_string(), display: true },
+            _ => continue,
+        };
+        passages.push(Passage { range, kind });
+    }
+    // Footnote definitions and the like may come out of order.
+    passages.sort_by_key(|passage| passage.range.start);
+    passages
+}
+
+fn powers_of_ten(text: &str, range: Range<usize>) -> impl Iterator<Item = Passage> {
+    static POWER: LazyLock<Regex> =
+        LazyLock::new(|| Regex::new("10(⁻?[⁰¹²³⁴-⁹]+)").expect("the pattern is a constant"));
+    let start = range.start;
+    POWER.captures_iter(&text[range]).filter_map(|found| found.get(1)).map(move |exponent| {
+        Passage { range: start + exponent.start()..start + exponent.end(), kind: Kind::Exponent }
+    })
+}
+
+fn stray_dollar(text: &str, range: Range<usize>) -> Option<Range<usize>> {
+    let at = range.start + text[range].find('$')?;
+    (!text[..at].ends_with('\\')).then_some(at..at + 1)
+}
+
+/// mdBook's own extensions, so that both read a chapter alike, and formulas.
+fn options() -> Options {
+    Options::ENABLE_TABLES
+        | Options::ENABLE_FOOTNOTES
+        | Options::ENABLE_STRIKETHROUGH
+        | Options::ENABLE_TASKLISTS
+        | Options::ENABLE_HEADING_ATTRIBUTES
+        | Options::ENABLE_SMART_PUNCTUATION
+        | Options::ENABLE_DEFINITION_LIST
+        | Options::ENABLE_GFM
+        | Options::ENABLE_MATH
+}
+
+/// `text` with each range replaced. The ranges are in order and do not overlap.
+pub fn splice(text: &str, edits: impl IntoIterator<Item = (Range<usize>, String)>) -> String {
+    let mut spliced = String::with_capacity(text.len());
+    let mut done = 0;
+    for (range, replacement) in edits {
+        spliced.push_str(&text[done..range.start]);
+        spliced.push_str(&replacement);
+        done = range.end;
+    }
+    spliced.push_str(&text[done..]);
+    spliced
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn found(text: &str) -> Vec<(&str, Kind)> {
+        passages(text).into_iter().map(|p| (&text[p.range], p.kind)).collect()
+    }
+
+    fn formula(tex: &str, display: bool) -> Kind {
+        Kind::Formula { tex: tex.to_string(), display }
+    }
+
+    /// Catches: a search for dollar signs that does not know code.
+    #[test]
+    fn dollars_in_code_are_no_formulas() {
+        let text = "`$a$` and $b$\n\n```sh\necho $HOME $PWD\n```\n";
+        assert_eq!(
+            found(text),
+            [
+                ("`$a$`", Kind::Code),
+                ("$b$", formula("b", false)),
+                ("```sh\necho $HOME $PWD\n```", Kind::Code),
+            ]
+        );
+    }
+
+    /// Catches: a formula with a slip in it that reaches the page as dollars and backslashes.
+    #[test]
+    fn a_dollar_is_a_formula_or_escaped() {
+        let stray = |text: &str| found(text).iter().any(|(_, kind)| *kind == Kind::StrayDollar);
+        for text in ["an $\\frac{1$ open", "$ x$", "<figcaption>\n$x$\n</figcaption>\n"] {
+            assert!(stray(text), "{text}");
+        }
+        for text in ["it costs \\$5", "    $indented code\n", "`$`", "$x$", "<p>\n\n$x$\n\n</p>"] {
+            assert!(!stray(text), "{text}");
+        }
+    }
+
+    /// Catches: small print left in a table's cells, and markup put into a drawing or into code.
+    #[test]
+    fn powers_of_ten_are_found_in_prose_only() {
+        let text = "| a |\n|---|\n| 2 × 10⁻¹² |\n\n`10³` m²\n\n<figure><svg>10³</svg></figure>\n";
+        let exponents: Vec<_> =
+            found(text).into_iter().filter(|(_, kind)| *kind == Kind::Exponent).collect();
+        assert_eq!(exponents, [("⁻¹²", Kind::Exponent)]);
+    }
+
+    /// Catches: the quotation marks of a block quote taken for part of the formula.
+    #[test]
+    fn a_formula_over_several_lines_of_a_quote_is_whole() {
+        let text = "> $$\n> a\n> $$\n";
+        let passages = passages(text);
+        assert_eq!(&text[passages[0].range.clone()], "$$\n> a\n> $$");
+        let Kind::Formula { tex, display: true } = &passages[0].kind else { panic!() };
+        assert_eq!(tex.trim(), "a");
+    }
+
+    /// Catches: an edit that shifts the ones after it.
+    #[test]
+    fn splicing_keeps_what_is_between() {
+        let edits = [(0..1, "one".to_string()), (4..5, String::new())];
+        assert_eq!(splice("1 + 2 = 3", edits), "one + = 3".replace("+ =", "+  ="));
+    }
+}

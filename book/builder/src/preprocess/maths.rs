@@ -1,0 +1,108 @@
+//! Formulas, set by KaTeX in Rust: HTML to be seen, MathML to be heard. No script runs in the
+//! reader's browser.
+
+use anyhow::{Result, anyhow};
+use katex::{KatexContext, OutputFormat, Settings, StrictMode, StrictSetting, render_to_string};
+
+use super::inert;
+
+/// A typesetter; making one takes longer than a formula, so one serves the whole book.
+#[derive(Default)]
+pub struct Maths(KatexContext);
+
+impl Maths {
+    /// The HTML of a formula, safe to stand in Markdown.
+    ///
+    /// # Errors
+    /// When KaTeX cannot read the formula, or LaTeX would not: the error quotes it.
+    pub fn set(&self, tex: &str, display: bool) -> Result<String> {
+        let settings = Settings::builder()
+            .display_mode(display)
+            .output(OutputFormat::HtmlAndMathml)
+            .throw_on_error(true)
+            .strict(StrictSetting::Mode(StrictMode::Error))
+            .build();
+        let html = render_to_string(&self.0, tex, &settings)
+            .map_err(|error| anyhow!("formula {}: {error}", tex.trim()))?;
+        Ok(inert::html(&without_annotations(&html)))
+    }
+}
+
+/// KaTeX repeats the TeX source in an annotation that nobody sees but the search index.
+fn without_annotations(html: &str) -> String {
+    const OPEN: &str = "<annotation ";
+    const CLOSE: &str = "</annotation>";
+    let mut kept = String::with_capacity(html.len());
+    let mut rest = html;
+    while let Some(start) = rest.find(OPEN) {
+        kept.push_str(&rest[..start]);
+        rest = &rest[start..];
+        rest = rest.find(CLOSE).map_or("", |end| &rest[end + CLOSE.len()..]);
+    }
+    kept.push_str(rest);
+    kept
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const PENDULUM: &str = r"\ddot\theta + \frac{g}{L}\sin\theta = 0";
+
+    /// Catches: output in which Markdown finds emphasis, cells, code or quotes.
+    #[test]
+    fn nothing_outside_tags_is_active() {
+        let html = Maths::default().set(r"a_1 * b' = |x| - \{y\}_{~2}", false).unwrap();
+        let mut inside = false;
+        for c in html.chars() {
+            match c {
+                '<' => inside = true,
+                '>' => inside = false,
+                _ => assert!(inside || !"*_|'`[]~\\{}-".contains(c), "{c} in {html}"),
+            }
+        }
+    }
+
+    /// Catches: the TeX source in the page, and so in the search index.
+    #[test]
+    fn no_tex_source_is_left() {
+        let html = Maths::default().set(PENDULUM, true).unwrap();
+        assert!(!html.contains("annotation") && !html.contains("ddot"), "{html}");
+    }
+
+    /// Catches: only one of the two outputs, for the eye or for a screen reader.
+    #[test]
+    fn there_is_html_and_mathml() {
+        let html = Maths::default().set(PENDULUM, false).unwrap();
+        assert!(html.contains("katex-html") && html.contains("<math"), "{html}");
+    }
+
+    /// Catches: a formula that comes out red instead of stopping the build.
+    #[test]
+    fn what_is_not_tex_is_an_error_that_quotes_it() {
+        for wrong in [r"\frac{1}{", r"\thetaa", r"a & b", r"\begin{matrix}a"] {
+            let error = Maths::default().set(wrong, false).unwrap_err().to_string();
+            assert!(error.contains(wrong), "{error}");
+        }
+    }
+
+    /// Catches: a formula of the book's that the typesetter does not know.
+    #[test]
+    fn the_books_kind_of_formula_is_set() {
+        for tex in [
+            PENDULUM,
+            r"K(k) = \int_0^{\pi/2} \frac{\mathrm{d}\varphi}{\sqrt{1 - k^2\sin^2\varphi}}",
+            r"\begin{pmatrix} 1 & h \\ -h\,\omega_0^2 & 1 \end{pmatrix}",
+            r"\begin{aligned} \omega_{n+1} &= \omega_n - h\,\tfrac{g}{L}\sin\theta_n \\
+              \theta_{n+1} &= \theta_n + h\,\omega_{n+1} \end{aligned}",
+            r"\max_{0\le n\le N}\lvert H_n - H_0\rvert",
+            r"\sum_{i=1}^{s} b_i k_i,\qquad \mathcal{O}(h^{p+1})",
+            r"H = \tfrac12 m L^2 \dot\theta^2 - m g L \cos\theta",
+            r"\operatorname{sn}(u \mid m) = \begin{cases} a & x > 0 \\ b & x \le 0 \end{cases}",
+            r"\begin{array}{c|cc} 0 & & \\ \hline \tfrac12 & \tfrac12 & \end{array}",
+            r"\boxed{\det J = 1} \text{ is } \mathbf{J}^{\!\top} \Omega \mathbf{J} = \Omega",
+        ] {
+            Maths::default().set(tex, true).unwrap();
+        }
+    }
+}

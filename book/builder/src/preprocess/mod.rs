@@ -1,0 +1,101 @@
+//! From a chapter's source to what mdBook renders.
+//!
+//! mdBook's own `links` step has put the included text in place by then. In order: every include is
+//! checked against the disk ([`includes`]), the pages of the tests are added ([`sources`]), and in
+//! each chapter directives and formulas are replaced ([`chapter`]): values by [`values`], formulas
+//! by [`maths`].
+//!
+//! Nothing here is repaired in silence: what cannot be resolved stops the build and names its
+//! chapter.
+
+use anyhow::{Context, Result};
+use mdbook_preprocessor::book::{Book, BookItem, Chapter};
+use mdbook_preprocessor::{Preprocessor, PreprocessorContext};
+
+use crate::ledger::Ledger;
+use crate::progress::Progress;
+
+pub mod chapter;
+pub mod includes;
+pub mod inert;
+pub mod markdown;
+pub mod maths;
+pub mod sources;
+pub mod values;
+
+/// Formulas and values become HTML, so that no other renderer can use them.
+pub fn supports(renderer: &str) -> bool {
+    renderer == "html"
+}
+
+/// The preprocessor, in-process and behind the command `pendula preprocess` alike.
+pub struct Pendula {
+    ledger: Box<dyn Ledger>,
+    progress: Progress,
+}
+
+impl Pendula {
+    /// A preprocessor that takes its values from `ledger`.
+    pub fn new(ledger: impl Ledger + 'static, progress: Progress) -> Self {
+        Self { ledger: Box::new(ledger), progress }
+    }
+}
+
+impl Preprocessor for Pendula {
+    /// The name of its table in `book.toml`.
+    fn name(&self) -> &str {
+        "pendula"
+    }
+
+    fn supports_renderer(&self, renderer: &str) -> Result<bool> {
+        Ok(supports(renderer))
+    }
+
+    fn run(&self, context: &PreprocessorContext, mut book: Book) -> Result<Book> {
+        includes::check(&context.root.join(&context.config.book.src), &book)?;
+
+        // tests/ stands beside book/.
+        let tests = sources::Tests::read(&context.root.join("..").join("tests"))?;
+        for page in sources::pages(&tests) {
+            book.push_item(page);
+        }
+
+        self.progress.stage("setting the chapters", book.chapters().count());
+        let setter = chapter::Setter::new(self.ledger.as_ref(), &tests);
+        // for_each_mut has no way to stop: the first error is kept.
+        let mut outcome = Ok(());
+        book.for_each_chapter_mut(|chapter| {
+            if outcome.is_ok() {
+                outcome = set(&setter, chapter);
+                self.progress.advance();
+            }
+        });
+        outcome?;
+        self.progress.stage("writing the pages", 1);
+        Ok(book)
+    }
+}
+
+fn set(setter: &chapter::Setter<'_>, chapter: &mut Chapter) -> Result<()> {
+    let depth = chapter.path.as_ref().map_or(0, |path| path.components().count().saturating_sub(1));
+    chapter.content = setter
+        .set(&chapter.content, &"../".repeat(depth))
+        .with_context(|| format!("chapter {}", name(chapter)))?;
+    Ok(())
+}
+
+/// How errors call a chapter: its file, or its title if it has none.
+fn name(chapter: &Chapter) -> String {
+    match &chapter.path {
+        Some(path) => path.display().to_string(),
+        None => chapter.name.clone(),
+    }
+}
+
+/// All chapters, also nested ones, that are not drafts.
+fn chapters(book: &Book) -> impl Iterator<Item = &Chapter> {
+    book.iter().filter_map(|item| match item {
+        BookItem::Chapter(chapter) if !chapter.is_draft_chapter() => Some(chapter),
+        _ => None,
+    })
+}

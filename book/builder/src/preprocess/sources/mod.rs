@@ -1,0 +1,190 @@
+//! The tests' sources as pages of the book, so that a chapter's links to them work offline and
+//! cannot rot.
+//!
+//! [`scan`] finds the tests in a file, [`page`] makes its page, and [`Tests`] is what links are
+//! looked up in.
+
+use std::fs;
+use std::path::Path;
+
+use anyhow::{Context, Result, bail, ensure};
+use mdbook_preprocessor::book::{BookItem, Chapter};
+
+pub mod page;
+pub mod scan;
+
+/// The integration tests: every Rust file under `tests/`.
+#[derive(Debug, Default)]
+pub struct Tests {
+    /// In alphabetical order.
+    files: Vec<TestFile>,
+}
+
+/// One file under `tests/`.
+#[derive(Debug)]
+pub struct TestFile {
+    /// Its path without `tests/` and `.rs`: `order`, `support/scenes`.
+    pub name: String,
+    /// Its text.
+    pub source: String,
+    /// Its tests, from top to bottom.
+    pub tests: Vec<scan::Test>,
+}
+
+impl Tests {
+    /// Reads the folder `tests/`; a folder that does not exist has no tests.
+    ///
+    /// # Errors
+    /// When a file cannot be read, or is not Rust, or has two tests of one name.
+    pub fn read(folder: &Path) -> Result<Self> {
+        let mut sources = Vec::new();
+        if folder.is_dir() {
+            collect(folder, "", &mut sources)
+                .with_context(|| format!("{} cannot be read", folder.display()))?;
+        }
+        sources.sort();
+        Self::from_sources(sources)
+    }
+
+    /// The tests of files given as name and text.
+    ///
+    /// # Errors
+    /// When one is not Rust, or has two tests of one name.
+    pub fn from_sources<N, S>(sources: impl IntoIterator<Item = (N, S)>) -> Result<Self>
+    where
+        N: Into<String>,
+        S: Into<String>,
+    {
+        let mut files = Vec::new();
+        for (name, source) in sources {
+            let (name, source) = (name.into(), source.into());
+            let tests =
+                scan::tests(&source).with_context(|| format!("tests/{name}.rs is not Rust"))?;
+            for (at, test) in tests.iter().enumerate() {
+                // The name is the id that links lead to.
+                ensure!(
+                    tests[..at].iter().all(|earlier| earlier.name != test.name),
+                    "tests/{name}.rs has two tests called {}: a link could mean either",
+                    test.name
+                );
+            }
+            files.push(TestFile { name, source, tests });
+        }
+        Ok(Self { files })
+    }
+
+    /// The files, in alphabetical order.
+    pub fn files(&self) -> &[TestFile] {
+        &self.files
+    }
+
+    /// File and function of a test cited as `file::function`; a file in a folder is `folder::file`
+    /// or `folder/file`.
+    ///
+    /// # Errors
+    /// When there is none: says what there is.
+    pub fn find(&self, cited: &str) -> Result<(&str, &str)> {
+        let Some((file, function)) = cited.rsplit_once("::") else {
+            bail!("a test is cited as file::function");
+        };
+        let file = file.replace("::", "/");
+        let Some(file) = self.files.iter().find(|known| known.name == file) else {
+            let names: Vec<_> = self.files.iter().map(|file| file.name.as_str()).collect();
+            bail!("there is no tests/{file}.rs; there are: {}", names.join(", "));
+        };
+        let Some(test) = file.tests.iter().find(|known| known.name == function) else {
+            let names: Vec<_> = file.tests.iter().map(|test| test.name.as_str()).collect();
+            bail!("tests/{}.rs has no test {function}; it has: {}", file.name, names.join(", "));
+        };
+        Ok((&file.name, &test.name))
+    }
+}
+
+fn collect(folder: &Path, prefix: &str, sources: &mut Vec<(String, String)>) -> Result<()> {
+    for entry in fs::read_dir(folder)? {
+        let path = entry?.path();
+        let Some(stem) = path.file_stem().and_then(|stem| stem.to_str()) else { continue };
+        let name = format!("{prefix}{stem}");
+        if path.is_dir() {
+            collect(&path, &format!("{name}/"), sources)?;
+        } else if path.extension().is_some_and(|extension| extension == "rs") {
+            let source = fs::read_to_string(&path)
+                .with_context(|| format!("{} cannot be read", path.display()))?;
+            sources.push((name, source));
+        }
+    }
+    Ok(())
+}
+
+/// The book's last part: an overview and a page for each file. Nothing, if there are no tests.
+pub fn pages(tests: &Tests) -> Vec<BookItem> {
+    if tests.files.is_empty() {
+        return Vec::new();
+    }
+    let chapter = |title: &str, content: String, path: String| {
+        let mut chapter = Chapter::new(title, content, path, Vec::new());
+        // There is no such file in the book's sources.
+        chapter.source_path = None;
+        BookItem::Chapter(chapter)
+    };
+    let overview = chapter("All tests", page::overview(tests), "tests/all.md".to_string());
+    let mut items = vec![BookItem::PartTitle("The tests".to_string()), overview];
+    items.extend(tests.files.iter().map(|file| {
+        chapter(
+            &format!("tests/{}.rs", file.name),
+            page::of(file),
+            format!("tests/{}.md", file.name),
+        )
+    }));
+    items
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Catches: a page for a file that is no Rust, a nested file lost, an order that depends on the
+    /// disk.
+    #[test]
+    fn every_rust_file_has_a_page() {
+        let folder = tempfile::tempdir().unwrap();
+        fs::create_dir_all(folder.path().join("support/data")).unwrap();
+        for file in ["order.rs", "area.rs", "support/scenes.rs", "support/data/period.csv"] {
+            fs::write(folder.path().join(file), "//! Header.\n").unwrap();
+        }
+        let tests = Tests::read(folder.path()).unwrap();
+        let names: Vec<_> = tests.files().iter().map(|file| file.name.as_str()).collect();
+        assert_eq!(names, ["area", "order", "support/scenes"]);
+    }
+
+    /// Catches: a crate without tests/ that cannot build its book.
+    #[test]
+    fn no_tests_are_no_error() {
+        let folder = tempfile::tempdir().unwrap();
+        let tests = Tests::read(&folder.path().join("tests")).unwrap();
+        assert!(pages(&tests).is_empty());
+    }
+
+    /// Catches: a citation resolved by its function alone, and a function that is no test.
+    #[test]
+    fn a_citation_names_file_and_function() {
+        let tests = Tests::from_sources([
+            ("order", "#[test]\nfn slopes() {}\nfn helper() {}\n"),
+            ("support/scenes", "#[test]\nfn start() {}\n"),
+        ])
+        .unwrap();
+        assert_eq!(tests.find("order::slopes").unwrap(), ("order", "slopes"));
+        assert_eq!(tests.find("support::scenes::start").unwrap(), ("support/scenes", "start"));
+        for wrong in ["slopes", "area::slopes", "order::start", "order::helper"] {
+            assert!(tests.find(wrong).is_err(), "{wrong}");
+        }
+    }
+
+    /// Catches: two tests under one id, of which links reach only the first.
+    #[test]
+    fn two_tests_of_one_name_are_refused() {
+        let source = "#[test] fn a() {}\nmod m { #[test] fn a() {} }";
+        let error = Tests::from_sources([("order", source)]).unwrap_err().to_string();
+        assert!(error.contains("two tests called a"), "{error}");
+    }
+}

@@ -1,0 +1,184 @@
+//! The page of one file of tests, as Markdown.
+
+use std::fmt::Write;
+
+use super::{TestFile, Tests};
+
+/// The overview: every file, what its first line says, and its tests.
+pub fn overview(tests: &Tests) -> String {
+    let mut page = String::from(
+        "# All tests\n\nThe sources of the tests, as they were when this book was built. \
+         `cargo test` runs them.\n",
+    );
+    for file in tests.files() {
+        let _ = write!(page, "\n## [`tests/{0}.rs`]({0}.md)\n\n", file.name);
+        let (prose, _) = header(&file.source);
+        let first_paragraph: Vec<_> = prose.lines().take_while(|line| !line.is_empty()).collect();
+        if let [first, ..] = first_paragraph[..]
+            && !first.starts_with('#')
+        {
+            let _ = writeln!(page, "{}\n", first_paragraph.join("\n"));
+        }
+        for test in &file.tests {
+            let _ = writeln!(
+                page,
+                "* [`{test}`]({file}.md#{test})",
+                test = test.name,
+                file = file.name
+            );
+        }
+    }
+    page
+}
+
+/// The page of a file: its header as prose, then its source, cut so that each test has a heading
+/// whose id is the test's name.
+pub fn of(file: &TestFile) -> String {
+    let mut page = format!("# `tests/{}.rs`\n\n", file.name);
+    let (prose, header_lines) = header(&file.source);
+    page.push_str(&prose);
+    page.push('\n');
+
+    let lines: Vec<&str> = file.source.lines().collect();
+    let mut done = header_lines;
+    for test in &file.tests {
+        push_code(&mut page, &lines[done..test.lines.start]);
+        let _ = write!(page, "\n## `{0}` {{#{0}}}\n", test.name);
+        push_code(&mut page, &lines[test.lines.clone()]);
+        done = test.lines.end;
+    }
+    push_code(&mut page, &lines[done..]);
+    page
+}
+
+/// The file's `//!` comment as Markdown, and how many lines it takes.
+fn header(source: &str) -> (String, usize) {
+    let mut prose = String::new();
+    let mut taken = 0;
+    let mut in_code = false;
+    for line in source.lines() {
+        let Some(text) = line.strip_prefix("//!") else { break };
+        let text = text.strip_prefix(' ').unwrap_or(text);
+        if text.trim_start().starts_with("```") {
+            in_code = !in_code;
+        } else if text.starts_with('#') && !in_code {
+            // The page has its own first heading.
+            prose.push('#');
+        }
+        prose.push_str(text);
+        prose.push('\n');
+        taken += 1;
+    }
+    (prose, taken)
+}
+
+/// The lines as a code block, unless they are blank or only close what a test stood in.
+fn push_code(page: &mut String, lines: &[&str]) {
+    let is_blank = |line: &&str| line.trim().is_empty();
+    let Some(first) = lines.iter().position(|line| !is_blank(line)) else { return };
+    let last = lines.iter().rposition(|line| !is_blank(line)).unwrap_or(first);
+    let lines = &lines[first..=last];
+    if lines.iter().all(|line| line.chars().all(|c| c.is_whitespace() || "})];,".contains(c))) {
+        return;
+    }
+    let fence = "`".repeat(longest_run_of_backticks(lines).max(2) + 1);
+    let _ = write!(page, "\n{fence}rust\n");
+    for line in lines {
+        page.push_str(&shown(line));
+        page.push('\n');
+    }
+    let _ = writeln!(page, "{fence}");
+}
+
+fn longest_run_of_backticks(lines: &[&str]) -> usize {
+    let runs = lines.iter().flat_map(|line| line.split(|c| c != '`'));
+    runs.map(str::len).max().unwrap_or(0)
+}
+
+/// mdBook hides a line of Rust that begins with `# `, as rustdoc does; in a file of tests such a
+/// line is part of a string. A doubled `#` shows as one.
+fn shown(line: &str) -> String {
+    let text = line.trim_start();
+    let indent = &line[..line.len() - text.len()];
+    if text == "#" || text.starts_with("# ") || text.starts_with("##") {
+        format!("{indent}#{text}")
+    } else {
+        line.to_string()
+    }
+}
+
+#[cfg(test)]
+mod unit {
+    use super::*;
+
+    const SOURCE: &str = r#"//! Order.
+//!
+//! # Why
+//! Because.
+
+use a::b;
+
+/// Catches: a.
+#[test]
+fn slopes() {}
+
+proptest! {
+    #[test]
+    fn area(x in 0..1) {
+    }
+}
+
+/* ```` */ const T: &str = "
+# hidden?
+";
+"#;
+
+    fn page() -> String {
+        let tests = Tests::from_sources([("order", SOURCE)]).unwrap();
+        of(&tests.files()[0])
+    }
+
+    /// Catches: a page without the ids that chapters link to.
+    #[test]
+    fn each_test_has_a_heading_with_its_name_as_id() {
+        let page = page();
+        for name in ["slopes", "area"] {
+            assert!(page.contains(&format!("\n## `{name}` {{#{name}}}\n")), "{page}");
+        }
+    }
+
+    /// Catches: source lost in the cutting, documentation shown away from its test.
+    #[test]
+    fn the_source_is_shown_from_top_to_bottom() {
+        let page = page();
+        let mut from = 0;
+        for piece in [
+            "# `tests/order.rs`\n\nOrder.\n\n## Why\nBecause.\n",
+            "use a::b;",
+            "{#slopes}",
+            "/// Catches: a.\n#[test]\nfn slopes() {}\n```",
+            "proptest! {",
+            "{#area}",
+            "    fn area(x in 0..1) {\n    }\n",
+            "const T",
+        ] {
+            from += page[from..].find(piece).unwrap_or_else(|| panic!("{piece} in {page}"));
+        }
+    }
+
+    /// Catches: code that ends its own block early, and lines of code that mdBook hides.
+    #[test]
+    fn code_cannot_escape_or_hide() {
+        let page = page();
+        assert!(page.contains("`````rust\n") && page.contains("\n## hidden?\n"), "{page}");
+    }
+
+    /// Catches: an overview that misses a test.
+    #[test]
+    fn the_overview_lists_every_test() {
+        let tests = Tests::from_sources([("order", SOURCE)]).unwrap();
+        let overview = super::overview(&tests);
+        assert!(overview.contains("* [`slopes`](order.md#slopes)\n* [`area`](order.md#area)\n"));
+        assert!(overview.contains("Order.\n"), "{overview}");
+    }
+}

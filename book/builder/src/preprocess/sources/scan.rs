@@ -1,0 +1,195 @@
+//! Finding the tests in a Rust file.
+//!
+//! The file is read as tokens, not as a syntax tree: a test inside `proptest! { … }` or another
+//! macro, which a parser passes over, looks like any other.
+
+use std::ops::Range;
+use std::str::FromStr;
+
+use anyhow::{Result, anyhow};
+use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
+
+/// A test function.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Test {
+    /// The function's name.
+    pub name: String,
+    /// Its lines, counted from 0, with its attributes, its documentation and the comments right
+    /// above.
+    pub lines: Range<usize>,
+}
+
+/// Attributes that make a function a test, by the last segment of their path.
+const TEST_ATTRIBUTES: [&str; 3] = ["test", "rstest", "apply"];
+/// An rstest_reuse template is marked `#[rstest]`, but runs only where it is applied.
+const TEMPLATE_ATTRIBUTE: &str = "template";
+
+/// The tests of a source file, from top to bottom.
+///
+/// # Errors
+/// When the text does not consist of Rust's tokens.
+pub fn tests(source: &str) -> Result<Vec<Test>> {
+    let tokens = TokenStream::from_str(source)
+        .map_err(|error| anyhow!("{error} in line {}", error.span().start().line))?;
+    let mut tests = Vec::new();
+    walk(tokens, &mut tests);
+    let lines: Vec<&str> = source.lines().collect();
+    for test in &mut tests {
+        while test.lines.start > 0 && is_comment(lines[test.lines.start - 1]) {
+            test.lines.start -= 1;
+        }
+    }
+    Ok(tests)
+}
+
+fn is_comment(line: &str) -> bool {
+    let line = line.trim_start();
+    line.starts_with("//") && !line.starts_with("//!")
+}
+
+/// What has been read of an item before its keyword.
+#[derive(Default)]
+struct Attributes {
+    /// The line the first one begins on.
+    start: Option<usize>,
+    names: Vec<String>,
+}
+
+impl Attributes {
+    fn make_a_test(&self) -> bool {
+        let any = |wanted: &[&str]| self.names.iter().any(|name| wanted.contains(&name.as_str()));
+        any(&TEST_ATTRIBUTES) && !any(&[TEMPLATE_ATTRIBUTE])
+    }
+}
+
+fn walk(tokens: TokenStream, tests: &mut Vec<Test>) {
+    let mut tokens = tokens.into_iter().peekable();
+    let mut attributes = Attributes::default();
+    while let Some(token) = tokens.next() {
+        match token {
+            TokenTree::Punct(hash) if hash.as_char() == '#' => {
+                if let Some(TokenTree::Group(group)) = tokens.peek()
+                    && group.delimiter() == Delimiter::Bracket
+                {
+                    attributes.start.get_or_insert(hash.span().start().line - 1);
+                    attributes.names.extend(attribute_name(group));
+                    tokens.next();
+                }
+            }
+            TokenTree::Ident(keyword) if keyword == "fn" => {
+                let name = tokens.next();
+                // Arguments are groups too; the body is the first in braces.
+                let body = tokens.by_ref().find_map(|token| match token {
+                    TokenTree::Group(group) if group.delimiter() == Delimiter::Brace => Some(group),
+                    _ => None,
+                });
+                if let (Some(TokenTree::Ident(name)), Some(body), true) =
+                    (name, body, attributes.make_a_test())
+                {
+                    let start = attributes.start.unwrap_or(keyword.span().start().line - 1);
+                    let lines = start..body.span_close().end().line;
+                    tests.push(Test { name: name.to_string(), lines });
+                }
+                attributes = Attributes::default();
+            }
+            // Visibility and qualifiers stand between attributes and keyword.
+            TokenTree::Ident(word)
+                if ["pub", "async", "const", "unsafe", "extern"].iter().any(|q| word == q) => {}
+            TokenTree::Group(group) if group.delimiter() == Delimiter::Parenthesis => {}
+            TokenTree::Group(group) => {
+                walk(group.stream(), tests);
+                attributes = Attributes::default();
+            }
+            _ => attributes = Attributes::default(),
+        }
+    }
+}
+
+/// `test` for `#[test]`, `apply` for `#[rstest_reuse::apply(every_method)]`.
+fn attribute_name(attribute: &Group) -> Option<String> {
+    let mut name = None;
+    for token in attribute.stream() {
+        match token {
+            TokenTree::Ident(segment) => name = Some(segment.to_string()),
+            TokenTree::Punct(colon) if colon.as_char() == ':' => {}
+            _ => break,
+        }
+    }
+    name
+}
+
+#[cfg(test)]
+mod unit {
+    use super::*;
+
+    const SOURCE: &str = r#"//! Header.
+
+use rstest_reuse::{apply, template};
+
+#[template]
+#[rstest]
+#[case::rk4(Rk4)]
+fn every_method(#[case] method: Method) {}
+
+/// Catches: one thing.
+#[test]
+fn plain() {
+    let text = "fn not_a_test() {";
+}
+
+// Why: a plain comment.
+#[apply(every_method)]
+#[ignore]
+pub(crate) fn applied<const N: usize>(#[case] method: Method) -> [u8; 3] {
+    [0; { 3 }]
+}
+
+fn helper() {}
+
+mod inner {
+    #[rstest::rstest]
+    #[case(1)]
+    async fn parametrised(#[case] n: i32) {}
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(32))]
+
+    /// Catches: another thing.
+    #[test]
+    fn property(theta in -3.0..3.0f64, omega in 0.0..1.0f64) {
+        prop_assert!(theta < 3.0);
+    }
+
+    fn not_run(x in 0..3) {}
+}
+"#;
+
+    /// Catches: a scan that misses a kind of test, or takes a helper, a template or a string for
+    /// one.
+    #[test]
+    fn every_kind_of_test_is_found_and_nothing_else() {
+        let names: Vec<_> = tests(SOURCE).unwrap().into_iter().map(|test| test.name).collect();
+        assert_eq!(names, ["plain", "applied", "parametrised", "property"]);
+    }
+
+    /// Catches: a cut that parts a test from its documentation, its comments, its attributes or its
+    /// last brace.
+    #[test]
+    fn a_test_is_cut_out_whole() {
+        let lines: Vec<&str> = SOURCE.lines().collect();
+        let cut: Vec<_> =
+            tests(SOURCE).unwrap().into_iter().map(|test| &lines[test.lines]).collect();
+        let ends = |at: usize| (cut[at][0].trim(), *cut[at].last().unwrap());
+        assert_eq!(ends(0), ("/// Catches: one thing.", "}"));
+        assert_eq!(ends(1), ("// Why: a plain comment.", "}"));
+        assert_eq!(ends(2), ("#[rstest::rstest]", "    async fn parametrised(#[case] n: i32) {}"));
+        assert_eq!(ends(3), ("/// Catches: another thing.", "    }"));
+    }
+
+    /// Catches: a file that is broken shown as a file without tests.
+    #[test]
+    fn what_is_not_rust_is_an_error() {
+        assert!(tests("fn a( {}").is_err());
+    }
+}

@@ -1,0 +1,195 @@
+//! How the ledger's values are typeset: `2.01e-4` as 2.01 × 10⁻⁴.
+
+use std::sync::LazyLock;
+
+use regex::{Captures, Regex};
+
+use super::inert;
+
+/// What a value is made of.
+#[derive(Debug, PartialEq)]
+enum Piece<'a> {
+    /// Text, as it is.
+    Text(&'a str),
+    /// A minus sign: the hyphen of `-5.3`, not that of `3-4`.
+    Minus,
+    /// `2.01e-4`.
+    Scientific { mantissa: &'a str, exponent: i32 },
+    /// `^2`.
+    Power(i32),
+}
+
+/// A value for prose.
+pub fn html(value: &str) -> String {
+    let value = &plain(value);
+    let set = |piece: &Piece<'_>| match *piece {
+        Piece::Text(text) => inert::text(text),
+        Piece::Minus => "−".to_string(),
+        Piece::Scientific { mantissa, exponent: 0 } => inert::text(mantissa),
+        Piece::Scientific { mantissa, exponent } => {
+            format!("{} × 10<sup>{}</sup>", inert::text(mantissa), signed(exponent))
+        }
+        Piece::Power(exponent) => format!("<sup>{}</sup>", signed(exponent)),
+    };
+    pieces(value).iter().map(set).collect()
+}
+
+/// A value inside a formula.
+pub fn tex(value: &str) -> String {
+    let value = &plain(value);
+    let set = |piece: &Piece<'_>| match *piece {
+        Piece::Text(text) if text.chars().all(|c| c.is_ascii_digit() || c == '.') => {
+            text.to_string()
+        }
+        Piece::Text(text) => format!(r"\text{{{}}}", escaped(text)),
+        Piece::Minus => "-".to_string(),
+        Piece::Scientific { mantissa, exponent: 0 } => mantissa.to_string(),
+        Piece::Scientific { mantissa, exponent } => format!(r"{mantissa} \times 10^{{{exponent}}}"),
+        Piece::Power(exponent) => format!("^{{{exponent}}}"),
+    };
+    pieces(value).iter().map(set).collect()
+}
+
+/// As a programmer would type it: the library prints `2.01 × 10⁻⁴` and `−5.3`.
+fn plain(value: &str) -> String {
+    static TYPESET: LazyLock<Regex> = LazyLock::new(|| {
+        Regex::new(r"(?:(?<times>\s*×\s*10)|10)?(?<power>⁻?[⁰¹²³⁴-⁹]+)|−")
+            .expect("the pattern is a constant")
+    });
+    let typed = TYPESET.replace_all(value, |found: &Captures<'_>| match found.name("power") {
+        None => "-".to_string(),
+        Some(power) => {
+            let digits: String = power.as_str().chars().map(ascii).collect();
+            let before = match (found.name("times"), found[0].starts_with("10")) {
+                (Some(_), _) => "e",
+                (None, true) => "10^",
+                (None, false) => "^",
+            };
+            format!("{before}{digits}")
+        }
+    });
+    typed.into_owned()
+}
+
+/// `-` for `⁻`, `4` for `⁴`.
+fn ascii(superscript: char) -> char {
+    const DIGITS: &str = "⁰¹²³⁴⁵⁶⁷⁸⁹";
+    match DIGITS.chars().position(|digit| digit == superscript) {
+        Some(digit) => char::from(b"0123456789"[digit]),
+        None => '-',
+    }
+}
+
+fn pieces(value: &str) -> Vec<Piece<'_>> {
+    static NOTABLE: LazyLock<Regex> = LazyLock::new(|| {
+        Regex::new(r"(?<mantissa>\d+(?:\.\d+)?)[eE](?<exponent>[+-]?\d+)|\^(?<power>[+-]?\d+)|-")
+            .expect("the pattern is a constant")
+    });
+    let mut pieces = Vec::new();
+    let mut done = 0;
+    for found in NOTABLE.captures_iter(value) {
+        let whole = found.get(0).expect("group 0 is the match");
+        let number = |name| found.name(name).and_then(|digits| digits.as_str().parse().ok());
+        let piece = if let (Some(mantissa), Some(exponent)) =
+            (found.name("mantissa"), number("exponent"))
+        {
+            Piece::Scientific { mantissa: mantissa.as_str(), exponent }
+        } else if let Some(exponent) = number("power") {
+            Piece::Power(exponent)
+        } else if is_sign(value, whole.start()) {
+            Piece::Minus
+        } else {
+            continue;
+        };
+        if done < whole.start() {
+            pieces.push(Piece::Text(&value[done..whole.start()]));
+        }
+        pieces.push(piece);
+        done = whole.end();
+    }
+    if done < value.len() {
+        pieces.push(Piece::Text(&value[done..]));
+    }
+    pieces
+}
+
+/// Is the hyphen at `at` the sign of a number?
+fn is_sign(value: &str, at: usize) -> bool {
+    let before = value[..at].chars().next_back();
+    let after = value[at + 1..].chars().next();
+    !before.is_some_and(|c| c.is_alphanumeric() || c == '.')
+        && after.is_some_and(|c| c.is_ascii_digit())
+}
+
+fn signed(exponent: i32) -> String {
+    exponent.to_string().replace('-', "−")
+}
+
+fn escaped(text: &str) -> String {
+    let mut escaped = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '\\' => escaped.push_str(r"\textbackslash{}"),
+            '^' => escaped.push_str(r"\textasciicircum{}"),
+            '~' => escaped.push_str(r"\textasciitilde{}"),
+            '#' | '$' | '%' | '&' | '_' | '{' | '}' => escaped.extend(['\\', c]),
+            _ => escaped.push(c),
+        }
+    }
+    escaped
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What a browser shows: character references resolved.
+    fn shown(value: &str) -> String {
+        let html = html(value);
+        let mut parts = html.split("&#");
+        let mut shown = parts.next().unwrap().to_string();
+        for part in parts {
+            let (code, rest) = part.split_once(';').unwrap();
+            shown.push(char::from_u32(code.parse().unwrap()).unwrap());
+            shown.push_str(rest);
+        }
+        shown
+    }
+
+    /// Catches: a mantissa of another precision, a lost sign, a padded exponent such as 10⁺⁰².
+    #[test]
+    fn powers_of_ten_are_set_as_such() {
+        assert_eq!(shown("2.01e-4"), "2.01 × 10<sup>−4</sup>");
+        assert_eq!(shown("2.010e+02"), "2.010 × 10<sup>2</sup>");
+        assert_eq!(shown("-1e-10"), "−1 × 10<sup>−10</sup>");
+        assert_eq!(shown("<1e-6 J"), "<1 × 10<sup>−6</sup> J");
+        assert_eq!(shown("2.36e0"), "2.36");
+    }
+
+    /// Catches: what the library prints set otherwise than the same number in a program's notation.
+    #[test]
+    fn what_is_typeset_already_is_set_the_same() {
+        assert_eq!(html("2.01 × 10⁻⁴"), html("2.01e-4"));
+        assert_eq!(html("−5.300 × 10¹²"), html("-5.300e12"));
+        assert_eq!(html("10³ m/s²"), html("10^3 m/s^2"));
+        assert_eq!(tex("−2.01 × 10²"), r"-2.01 \times 10^{2}");
+    }
+
+    /// Catches: text that is no number torn apart; a range read as a difference.
+    #[test]
+    fn other_values_stay_as_they_are() {
+        for value in ["5.158 s", "1,1,2,4", "3-4", "0.02% / 9090%", "Yes", "rounding-dependent"] {
+            assert_eq!(shown(value), value);
+        }
+        assert_eq!(shown("-5.292"), "−5.292");
+        assert_eq!(shown("9.81 m/s^2"), "9.81 m/s<sup>2</sup>");
+    }
+
+    /// Catches: HTML inside a formula.
+    #[test]
+    fn in_a_formula_a_value_is_tex() {
+        assert_eq!(tex("2.01e-4"), r"2.01 \times 10^{-4}");
+        assert_eq!(tex("-5.3"), "-5.3");
+        assert_eq!(tex("0.1%"), r"\text{0.1\%}");
+    }
+}

@@ -1,0 +1,168 @@
+//! Reading built pages: what each offers (ids), what it asks for (links), and what must not be on
+//! it.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::{Component, Path, PathBuf};
+
+use tl::{HTMLTag, Node, Parser, ParserOptions};
+
+/// The pages and other files of a built book.
+pub struct Site {
+    /// Pages by path, relative to the book's folder.
+    pub pages: BTreeMap<PathBuf, Page>,
+    /// Every file, relative to the book's folder.
+    pub files: BTreeSet<PathBuf>,
+}
+
+/// One HTML page.
+#[derive(Debug, Default)]
+pub struct Page {
+    /// Its ids, each as often as it stands there.
+    pub ids: Vec<String>,
+    /// Its `href`s and `src`s with the name of the tag: what it leads to or loads.
+    pub references: Vec<(String, String)>,
+    /// Its classes.
+    pub classes: BTreeSet<String>,
+    /// The text of each code block.
+    pub code_blocks: Vec<String>,
+    /// The text outside code and scripts.
+    pub prose: String,
+}
+
+impl Site {
+    /// Reads a built book.
+    pub fn read(folder: &Path) -> Self {
+        let mut files = BTreeSet::new();
+        list(folder, Path::new(""), &mut files);
+        let pages = files
+            .iter()
+            .filter(|file| file.extension().is_some_and(|extension| extension == "html"))
+            .map(|file| {
+                (file.clone(), Page::parse(&fs::read_to_string(folder.join(file)).unwrap()))
+            })
+            .collect();
+        Self { pages, files }
+    }
+
+    /// Why a reference from `page` leads nowhere, if it does.
+    pub fn broken(&self, page: &Path, reference: &str) -> Option<&'static str> {
+        if is_remote(reference) || ["data:", "mailto:"].iter().any(|s| reference.starts_with(s)) {
+            return None;
+        }
+        let (path, id) = match reference.split_once('#') {
+            Some((path, id)) => (path, Some(unescaped(id))),
+            None => (reference, None),
+        };
+        let path = path.split('?').next().unwrap_or_default();
+        let target = match path {
+            "" => page.to_path_buf(),
+            path => joined(page, &unescaped(path)),
+        };
+        // A folder stands for its first page.
+        if !self.files.contains(&target) && !self.files.contains(&target.join("index.html")) {
+            return Some("no such file");
+        }
+        match id {
+            // An empty fragment is the top of the page.
+            Some(id) if !id.is_empty() && !self.pages.get(&target)?.ids.contains(&id) => {
+                Some("no such id")
+            }
+            _ => None,
+        }
+    }
+}
+
+impl Page {
+    /// Reads one page.
+    pub fn parse(html: &str) -> Self {
+        let dom = tl::parse(html, ParserOptions::default()).unwrap();
+        let mut page = Self::default();
+        for handle in dom.children() {
+            page.visit(handle.get(dom.parser()).unwrap(), dom.parser(), false);
+        }
+        page
+    }
+
+    fn visit(&mut self, node: &Node<'_>, parser: &Parser<'_>, in_code: bool) {
+        match node {
+            Node::Raw(text) if !in_code => self.prose.push_str(&text.as_utf8_str()),
+            Node::Tag(tag) => {
+                let name = tag.name().as_utf8_str();
+                self.note_attributes(&name, tag);
+                if name == "script" || name == "style" {
+                    return;
+                }
+                if name == "pre" {
+                    self.code_blocks.push(tag.inner_text(parser).into_owned());
+                }
+                let in_code = in_code || name == "code" || name == "pre";
+                for child in tag.children().top().iter() {
+                    self.visit(child.get(parser).unwrap(), parser, in_code);
+                }
+            }
+            _ => {}
+        }
+    }
+
+    fn note_attributes(&mut self, name: &str, tag: &HTMLTag<'_>) {
+        let attributes = tag.attributes();
+        let value = |key: &str| Some(attributes.get(key)??.as_utf8_str().into_owned());
+        self.ids.extend(value("id"));
+        let references = ["href", "src"].into_iter().filter_map(value);
+        self.references.extend(references.map(|reference| (name.to_string(), reference)));
+        let classes = value("class").unwrap_or_default();
+        self.classes.extend(classes.split_whitespace().map(str::to_string));
+    }
+}
+
+/// Would following this leave the reader's machine?
+pub fn is_remote(reference: &str) -> bool {
+    !reference.starts_with("data:") && (reference.starts_with("//") || reference.contains("://"))
+}
+
+fn list(folder: &Path, below: &Path, files: &mut BTreeSet<PathBuf>) {
+    for entry in fs::read_dir(folder.join(below)).unwrap() {
+        let entry = entry.unwrap();
+        let path = below.join(entry.file_name());
+        if entry.file_type().unwrap().is_dir() {
+            list(folder, &path, files);
+        } else {
+            files.insert(path);
+        }
+    }
+}
+
+/// `path` as it is meant on `page`, without `.` and `..`.
+fn joined(page: &Path, path: &str) -> PathBuf {
+    let mut target = PathBuf::new();
+    for component in page.parent().unwrap_or(Path::new("")).join(path).components() {
+        match component {
+            Component::ParentDir => drop(target.pop()),
+            Component::CurDir => {}
+            other => target.push(other),
+        }
+    }
+    target
+}
+
+/// `%C3%B6` as ö.
+fn unescaped(text: &str) -> String {
+    let mut bytes = Vec::new();
+    let mut rest = text.as_bytes();
+    while let [first, after @ ..] = rest {
+        let code = after.get(..2).and_then(|hex| std::str::from_utf8(hex).ok());
+        let code = code.and_then(|hex| u8::from_str_radix(hex, 16).ok());
+        match (first, code) {
+            (b'%', Some(byte)) => {
+                bytes.push(byte);
+                rest = &after[2..];
+            }
+            _ => {
+                bytes.push(*first);
+                rest = after;
+            }
+        }
+    }
+    String::from_utf8(bytes).unwrap()
+}
