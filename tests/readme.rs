@@ -30,8 +30,7 @@ fn the_headline_table_is_table_5() {
 #[test]
 fn the_picture_is_figure_2() {
     let path = format!("{}/book/src/assets/energy-error.svg", env!("CARGO_MANIFEST_DIR"));
-    let (name, draw) = FIGURES[0];
-    let svg = draw(&Study::run(|_| {})).to_svg(name);
+    let svg = FIGURES[0].svg(&Study::run(|_| {}));
     if std::env::var("INSTA_UPDATE").is_ok_and(|update| update == "always") {
         fs::write(&path, &svg).expect("the assets folder exists");
     }

@@ -46,9 +46,8 @@ fn the_ledger() {
 /// Catches: a curve that moves by more than a tenth of a pixel, and a label or description that says something else.
 #[rstest]
 fn the_figures(#[values(0, 1, 2, 3, 4, 5, 6)] index: usize) {
-    let (name, draw) = FIGURES[index];
-    let svg = draw(&STUDY).to_svg(name);
-    assert_reviewed(name, "figure", &format!("<figure>\n{svg}</figure>\n"));
+    let figure = &FIGURES[index];
+    assert_reviewed(figure.name, "figure", &figure.html(&STUDY));
 }
 
 /// Catches: a figure added to the list and to no test.

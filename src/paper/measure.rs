@@ -3,7 +3,7 @@
 use super::cells::{CELLS, Cell};
 use super::{Claim, Measured, Tolerance, Verdict};
 use crate::method::METHODS;
-use crate::report::number::Format::{self, Fixed, Scientific};
+use crate::report::number::Format::{self, Fixed, Scientific, Significant};
 use crate::study::{MethodRef, STEPS, Study, work};
 
 /// The paper's own abbreviation of a method in the ids of its cells; a later method goes by its name.
@@ -112,15 +112,15 @@ fn table_5(study: &Study, claims: &mut Vec<Claim>) {
         };
         let percent = row.percent_of_initial();
         claims.extend([
-            cell("dH", "largest energy error (J)", row.drift, Scientific(6)),
-            cell("pct", "the same in per cent of |H(0)|", percent, Scientific(5)),
+            cell("dH", "largest energy error (J)", row.drift, Significant(6)),
+            cell("pct", "the same in per cent of |H(0)|", percent, Significant(5)),
             cell("H0", "H at the start (J)", row.initial, Fixed(6)),
             cell("Hend", "H after 1000 s (J)", row.last, Fixed(6)),
             cell(
                 "well",
                 "largest energy error in per cent of the energy above the bottom",
                 row.percent_above_bottom(),
-                Scientific(5),
+                Significant(5),
             ),
         ]);
     }
@@ -149,7 +149,7 @@ fn table_7(study: &Study, claims: &mut Vec<Claim>) {
     claims.extend([
         cell("Texact", "exact period 4√(L/g) K(k) (s)", periods.exact, Fixed(12)),
         cell("Tnum", "RK4's period, highest sample on the grid (s)", periods.by_peak, Fixed(12)),
-        cell("relerr", "its relative error (%)", periods.percent(periods.by_peak), Scientific(6)),
+        cell("relerr", "its relative error (%)", periods.percent(periods.by_peak), Significant(6)),
         cell(
             "Thermite",
             "RK4's period, cubic Hermite crossings (s)",

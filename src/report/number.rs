@@ -7,6 +7,8 @@ pub enum Format {
     Scientific(usize),
     /// This many digits after the point: −5.300.
     Fixed(usize),
+    /// This many significant digits, with a power of ten only where the plain number would be hard to read.
+    Significant(usize),
 }
 
 impl Format {
@@ -34,6 +36,17 @@ impl Format {
                 }
             }
             Self::Fixed(decimals) => minus(&format!("{value:.decimals$}")),
+            Self::Significant(digits) => {
+                // The exponent after rounding: 9.9996 to four digits is 10.00.
+                let rounded = format!("{value:.*e}", digits - 1);
+                let exponent = rounded.split_once('e').and_then(|(_, e)| e.parse::<i32>().ok());
+                match exponent {
+                    Some(exponent @ -4..=5) if exponent < digits as i32 => {
+                        Self::Fixed((digits as i32 - 1 - exponent) as usize).print(value)
+                    }
+                    _ => Self::Scientific(digits).print(value),
+                }
+            }
         }
     }
 }
