@@ -21,7 +21,7 @@ use super::elliptic::{Jacobi, Values, carlson_rf};
 use super::finite;
 use crate::double_double::{DoubleDouble, reduced_sine_cosine};
 use crate::error::Error;
-use crate::pendulum::Pendulum;
+use crate::pendulum::{Pendulum, angle};
 use crate::phase::Phase;
 
 /// What the pendulum does for all time.
@@ -39,23 +39,26 @@ pub enum Kind {
 
 /// The exact motion from one start: prepared once, then evaluated at any time.
 ///
-/// Maps t (s) to θ (rad, unwrapped: it counts turns) and ω (rad/s). Angle and velocity (against 2ω₀ k, the largest one)
-/// are right to 1e-14 at every time up to 10⁵ s and beyond, near the separatrix and on either side of it too; many turns
-/// round to their own last digit. Also called the solution in Jacobian elliptic functions. Formulas: DLMF 22.19(i).
+/// Maps t (s) to θ (rad, unwrapped: it counts turns) and ω (rad/s). Both are right to 2e-15, of a radian or the amplitude
+/// and of the largest velocity 2ω₀ k: after 10⁵ s as at the start, and however near the separatrix; many turns round to
+/// their own last digit. Also called the solution in Jacobian elliptic functions. Formulas: DLMF 22.19(i).
 ///
 /// The pendulum balanced at the top is missing, as no f64 is π: a start at rest at π as an f64 is a libration from
-/// 1.2e-16 rad beside the top, and takes the paper's pendulum 12 s to fall. A start whose energy is nearer to the
-/// separatrix than 2⁻¹⁰⁰ of itself cannot be told from it.
+/// 1.2e-16 rad beside the top, and takes the paper's pendulum 12 s to fall. The side of the separatrix that a start is
+/// on is decided to 2⁻¹⁰⁰ of the energy at the top.
 #[derive(Clone, Copy, Debug)]
 pub struct Motion {
     course: Course,
-    /// What the solution is multiplied with: −1 in the mirror, and a power of two for a tiny swing.
+    /// −1 in the mirror, or 1.
     mirror: f64,
+    /// The power of two that a tiny swing is to be multiplied with, or 1.
     shrink: f64,
     /// Whole turns at the start, in the mirror.
     turns: f64,
-    /// The modulus k, in units of `shrink`.
+    /// The modulus k, before it shrinks.
     modulus: f64,
+    /// The largest |t| (s).
+    horizon: f64,
 }
 
 /// The motion in the direction of growing θ.
@@ -92,22 +95,15 @@ struct Hyperbolic {
 // Limits
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// Beyond this angle (rad) neighbouring f64s are 1/8 rad apart, and an angle means little.
-const LARGEST_ANGLE: f64 = 1e15;
-
-/// 2⁵⁰⁰ = 3.3e150: beyond this ω/ω₀ the squares leave the range of f64.
-const FASTEST: f64 = (1_u128 << 125) as f64
-    * (1_u128 << 125) as f64
-    * (1_u128 << 125) as f64
-    * (1_u128 << 125) as f64;
+/// 2⁵⁰⁰: beyond this ω/ω₀ the squares leave the range of f64.
+const FASTEST: f64 = 3.273_390_607_896_142e150;
 
 /// 2⁻¹⁰⁰: in a swing this small, θ and sin θ have the same digits even in double-double.
 const LINEAR: f64 = 1.0 / (1_u128 << 100) as f64;
 
-/// 2⁵²: beyond this many quarter periods even their count would be rounded.
+/// 2⁵²: beyond this many quarter periods their count, with that of the turns at the start, would be rounded.
 const LARGEST_PHASE: f64 = (1_u64 << 52) as f64;
 
-const ANGLE: &str = "angle θ (rad)";
 const VELOCITY: &str = "angular velocity ω (rad/s)";
 
 impl Motion {
@@ -119,7 +115,7 @@ impl Motion {
     /// [`Error::Parameter`] for a start that is not finite, for |θ| > 1e15, for |ω| > 3e150 ω₀, and for a start at
     /// θ = 0 with an ω ≠ 0 so small that its swing is no f64.
     pub fn new(pendulum: &Pendulum, start: Phase) -> Result<Self, Error> {
-        let theta = checked_angle(start.theta)?;
+        let theta = angle(start.theta)?;
         let omega = finite(VELOCITY, start.omega)?;
         let time = TimeUnit::of(pendulum);
         if libm::fabs(omega * time.unit) > FASTEST {
@@ -133,14 +129,11 @@ impl Motion {
         let size = f64::max(libm::fabs(theta), omega * time.unit);
         if size == 0.0 {
             return match omega {
-                0.0 => Ok(Self::at_rest()),
+                0.0 => Ok(Self::along(Course::Rest)),
                 _ => Err(refused(VELOCITY, start.omega, "zero, or at least 5e-324 √(g/L) in size")),
             };
         }
-        let grow = match size < LINEAR {
-            true => libm::ldexp(LINEAR, -libm::ilogb(size)),
-            false => 1.0,
-        };
+        let grow = if size < LINEAR { libm::ldexp(LINEAR, -libm::ilogb(size)) } else { 1.0 };
         let (theta, omega) = (theta * grow, omega * grow * time.unit);
 
         let HalfAngle { sine, cosine, turns } = HalfAngle::of(theta);
@@ -173,7 +166,7 @@ impl Motion {
         } else {
             Course::Separatrix(Hyperbolic::through(sine, cosine, &time))
         };
-        Ok(Self { course, mirror, shrink: 1.0 / grow, turns, modulus: k.rounded() })
+        Ok(Self { mirror, shrink: 1.0 / grow, turns, modulus: k.rounded(), ..Self::along(course) })
     }
 
     /// The motion of `pendulum` on the separatrix, through `theta` (rad) at t = 0, towards growing θ.
@@ -184,19 +177,21 @@ impl Motion {
     /// # Errors
     /// [`Error::Parameter`] for an angle that is not finite, or beyond 1e15.
     pub fn on_separatrix(pendulum: &Pendulum, theta: f64) -> Result<Self, Error> {
-        let HalfAngle { sine, cosine, turns } = HalfAngle::of(checked_angle(theta)?);
+        let HalfAngle { sine, cosine, turns } = HalfAngle::of(angle(theta)?);
         let time = TimeUnit::of(pendulum);
-        Ok(Self {
-            course: Course::Separatrix(Hyperbolic::through(sine, cosine, &time)),
-            mirror: 1.0,
-            shrink: 1.0,
-            turns,
-            modulus: 1.0,
-        })
+        let course = Course::Separatrix(Hyperbolic::through(sine, cosine, &time));
+        Ok(Self { turns, modulus: 1.0, ..Self::along(course) })
     }
 
-    const fn at_rest() -> Self {
-        Self { course: Course::Rest, mirror: 1.0, shrink: 1.0, turns: 0.0, modulus: 0.0 }
+    /// The motion along `course`, for the rest of the fields to be filled in.
+    fn along(course: Course) -> Self {
+        let horizon = match &course {
+            Course::Rest | Course::Separatrix(_) => f64::MAX,
+            Course::Libration(elliptic) | Course::Rotation(elliptic) => {
+                LARGEST_PHASE / elliptic.rate.rounded()
+            }
+        };
+        Self { course, mirror: 1.0, shrink: 1.0, turns: 0.0, modulus: 0.0, horizon }
     }
 
     /// What the pendulum does for all time.
@@ -217,31 +212,27 @@ impl Motion {
 
     /// The time (s) of a full oscillation, 4K/ω₀, or of one turn, 2K/(k ω₀); none at rest or on the separatrix.
     pub fn period(&self) -> Option<f64> {
-        let quarters = match self.course {
-            Course::Libration(_) => 4.0,
-            Course::Rotation(_) => 2.0,
+        let (quarters, elliptic) = match &self.course {
+            Course::Libration(elliptic) => (4.0, elliptic),
+            Course::Rotation(elliptic) => (2.0, elliptic),
             Course::Rest | Course::Separatrix(_) => return None,
         };
-        self.elliptic().map(|elliptic| (DoubleDouble::of(quarters) / elliptic.rate).rounded())
+        Some((DoubleDouble::of(quarters) / elliptic.rate).rounded())
     }
 
-    /// The largest |t| (s) that [`Motion::at`] has an answer for: 2⁵² quarter periods.
-    pub fn horizon(&self) -> f64 {
-        self.elliptic().map_or(f64::MAX, |elliptic| (LARGEST_PHASE - 2.0) / elliptic.rate.rounded())
-    }
-
-    fn elliptic(&self) -> Option<&Elliptic> {
-        match &self.course {
-            Course::Libration(elliptic) | Course::Rotation(elliptic) => Some(elliptic),
-            Course::Rest | Course::Separatrix(_) => None,
-        }
+    /// The largest |t| (s) that [`Motion::at`] has an answer for: 2⁵² quarter periods, about 10¹⁵ periods.
+    ///
+    /// At rest and on the separatrix it is the largest f64.
+    pub const fn horizon(&self) -> f64 {
+        self.horizon
     }
 
     /// The state at time `t` (s), before the start if `t` is negative: θ in rad, unwrapped, and ω in rad/s.
     ///
     /// A time beyond the [horizon](Motion::horizon), or not finite, has no state: both components are NaN.
     pub fn at(&self, t: f64) -> Phase {
-        if !t.is_finite() {
+        // A NaN is not within the horizon either.
+        if !(-self.horizon..=self.horizon).contains(&t) {
             return Phase { theta: f64::NAN, omega: f64::NAN };
         }
         let (half_turns, Phase { theta, omega }) = match &self.course {
@@ -261,7 +252,6 @@ impl Motion {
 // The three solutions
 // ---------------------------------------------------------------------------------------------------------------------
 
-// ANCHOR: at
 impl Elliptic {
     fn new(
         jacobi: Jacobi,
@@ -286,21 +276,18 @@ impl Elliptic {
     #[inline]
     fn phase(&self, t: f64) -> (f64, f64) {
         let phase = self.quarters + self.rate * DoubleDouble::of(t);
-        if libm::fabs(phase.rounded()) <= LARGEST_PHASE {
-            let whole = libm::rint(phase.rounded());
-            let rest = (phase.rounded() - whole) + phase.remainder();
-            // Where the f64 itself is a whole number, half of one may be in what it left over.
-            let carry = libm::rint(rest);
-            (whole + carry, rest - carry)
-        } else {
-            (f64::NAN, f64::NAN)
-        }
+        let whole = libm::rint(phase.rounded());
+        let rest = (phase.rounded() - whole) + phase.remainder();
+        // Where the f64 itself is a whole number, half of one may be in what it left over.
+        let carry = libm::rint(rest);
+        (whole + carry, rest - carry)
     }
 
     /// tan(θ/2) = k sn u / dn u and ω = 2ω₀ k cn u.
     ///
     /// After an odd number of quarter periods sn, cn, dn become cn/dn, −k' sn/dn, k'/dn (DLMF 22.4.3): beside a turning
     /// point they are formed from what is small there. After two, sn and cn change sign.
+    // ANCHOR: libration
     #[inline]
     fn libration(&self, t: f64) -> Phase {
         let (whole, rest) = self.phase(t);
@@ -318,6 +305,7 @@ impl Elliptic {
             omega: sign * self.speed * velocity,
         }
     }
+    // ANCHOR_END: libration
 
     /// θ/2 = am(k u, 1/k) and ω = 2ω₀ k dn(k u, 1/k): the number of half turns, and the state beyond them.
     ///
@@ -359,7 +347,6 @@ impl Hyperbolic {
         }
     }
 }
-// ANCHOR_END: at
 
 // ---------------------------------------------------------------------------------------------------------------------
 // Units, angles, refusals
@@ -418,14 +405,6 @@ fn unwrapped(half_turns: f64, angle: f64) -> f64 {
 #[inline]
 fn is_even(integer: f64) -> bool {
     libm::rint(0.5 * integer) == 0.5 * integer
-}
-
-fn checked_angle(theta: f64) -> Result<f64, Error> {
-    if libm::fabs(finite(ANGLE, theta)?) <= LARGEST_ANGLE {
-        Ok(theta)
-    } else {
-        Err(refused(ANGLE, theta, "at most 1e15 in size"))
-    }
 }
 
 fn refused(name: &'static str, value: f64, allowed: &'static str) -> Error {

@@ -11,6 +11,21 @@ use tempfile::NamedTempFile;
 
 use crate::failure::Failure;
 
+/// A flag that is raised when the user interrupts, so that a file half written can be removed. Without a file an
+/// interrupt ends the program as usual.
+///
+/// # Errors
+/// If the system lets nobody listen to interrupts.
+pub fn interrupts(file: bool) -> Result<Arc<AtomicBool>, Failure> {
+    let flag = Arc::new(AtomicBool::new(false));
+    if file {
+        let raised = Arc::clone(&flag);
+        ctrlc::set_handler(move || raised.store(true, Ordering::Relaxed))
+            .context("interrupts cannot be listened to")?;
+    }
+    Ok(flag)
+}
+
 /// A writer, and what it takes to finish.
 pub enum Destination<'a> {
     /// The caller's writer.
@@ -50,21 +65,6 @@ impl<'a> Destination<'a> {
                 Ok(Self::Beside(BufWriter::new(beside), path))
             }
         }
-    }
-
-    /// A flag that is raised when the user interrupts, so that a file half written can be removed. Only a file needs
-    /// it; otherwise an interrupt ends the program as usual.
-    ///
-    /// # Errors
-    /// If the system lets nobody listen to interrupts.
-    pub fn interrupted(&self) -> Result<Arc<AtomicBool>, Failure> {
-        let flag = Arc::new(AtomicBool::new(false));
-        if matches!(self, Self::Beside(..)) {
-            let raised = Arc::clone(&flag);
-            ctrlc::set_handler(move || raised.store(true, Ordering::Relaxed))
-                .context("interrupts cannot be listened to")?;
-        }
-        Ok(flag)
     }
 
     /// Writes out what is buffered, and puts a file in its place.

@@ -38,7 +38,9 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
     let pendulum = arguments.pendulum.pendulum(Pendulum::PAPER.mass()).map_err(Failure::refused)?;
     let start = arguments.start.start(&pendulum).map_err(Failure::refused)?;
     let motion = Motion::new(&pendulum, start).map_err(Failure::refused)?;
-    if let Some(t) = arguments.t.iter().find(|t| !(-motion.horizon()..=motion.horizon()).contains(*t)) {
+    if let Some(t) =
+        arguments.t.iter().find(|t| !(-motion.horizon()..=motion.horizon()).contains(*t))
+    {
         let horizon = motion.horizon();
         return Err(Failure::refused(format!(
             "t = {t} s is refused: it must be a number of at most {horizon:e} s in size"

@@ -9,7 +9,7 @@ use clap::{Args, builder::PossibleValuesParser};
 use pendula::observe::Every;
 use pendula::{Grid, METHODS, Observer, Pendulum, Phase, method_named};
 
-use super::destination::Destination;
+use super::destination::{Destination, interrupts};
 use super::rows::{Format, Rows};
 use super::scene::{PendulumArguments, StartArguments};
 use crate::failure::Failure;
@@ -75,8 +75,9 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
     let method = method_named(&arguments.method)
         .ok_or_else(|| Failure::refused(format!("there is no method {}", arguments.method)))?;
 
+    // Listen before there is a file to remove.
+    let interrupted = interrupts(arguments.output.is_some())?;
     let destination = Destination::open(arguments.output.as_deref(), out)?;
-    let interrupted = destination.interrupted()?;
     let columns = ["t", "theta", "omega", "energy"];
     let rows = Rows::begin(destination, arguments.format, columns)?;
     let printer = Printer { pendulum, rows, interrupted: &interrupted, ended: None };

@@ -147,7 +147,8 @@ mod tests {
     /// Catches: small print left in a table's cells, and markup put into a drawing or into code.
     #[test]
     fn powers_of_ten_are_found_in_prose_only() {
-        let text = "| a |\n|---|\n| 2 × 10⁻¹² |\n\n`10³` m²\n\n<figure><svg>10³</svg></figure>\n";
+        let text = "| a |\n|---|\n| 2 × 10⁻¹² |\n\n`10³` m²\n\n\
+                    <figure><svg>10³</svg></figure>\n";
         let exponents: Vec<_> =
             found(text).into_iter().filter(|(_, kind)| *kind == Kind::Exponent).collect();
         assert_eq!(exponents, [("⁻¹²", Kind::Exponent)]);

@@ -1,0 +1,245 @@
+//! The commands as a user sees them: what they print, and what they leave behind when something is wrong.
+
+use std::fs;
+use std::io::Read;
+use std::path::Path;
+use std::process::{Command, Output, Stdio};
+
+use pendula::methods::stormer_verlet::StormerVerlet;
+use pendula::{Grid, Motion, Pendulum, Phase, integrate};
+use serde_json::Value;
+
+fn pendula(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_pendula")).args(arguments).output().expect("it starts")
+}
+
+fn printed(arguments: &[&str]) -> String {
+    let output = pendula(arguments);
+    assert!(output.status.success(), "{arguments:?}: {output:?}");
+    String::from_utf8(output.stdout).expect("UTF-8")
+}
+
+fn json(arguments: &[&str]) -> Value {
+    serde_json::from_str(&printed(arguments)).expect("JSON")
+}
+
+/// One line on standard error, nothing on standard output, exit status 2.
+fn assert_refused(arguments: &[&str], because: &str) {
+    let output = pendula(arguments);
+    let message = String::from_utf8(output.stderr).expect("UTF-8");
+    assert_eq!(output.status.code(), Some(2), "{arguments:?}: {message}");
+    assert_eq!(message.lines().count(), 1, "{message}");
+    assert!(message.contains(because), "{message}");
+    assert!(output.stdout.is_empty());
+}
+
+fn numbers(csv: &str) -> Vec<Vec<f64>> {
+    let rows = csv.lines().skip(1);
+    rows.map(|row| row.split(',').map(|field| field.parse().expect("a number")).collect()).collect()
+}
+
+const RUN: [&str; 7] = ["simulate", "--method", "stormer-verlet", "--theta0", "1", "--dt", "0.01"];
+
+fn run_with<'a>(more: &[&'a str]) -> Vec<&'a str> {
+    RUN.iter().copied().chain(more.iter().copied()).collect()
+}
+
+/// Catches: numbers that read back to their neighbours, another energy than Eq. 3, accumulated time, a lost last row.
+#[test]
+fn simulate_prints_what_the_library_computes() {
+    let text = printed(&run_with(&["--duration", "10", "--omega0", "-0.5"]));
+    assert!(text.starts_with("t,theta,omega,energy\n"));
+    let mut expected = Vec::new();
+    let pendulum = Pendulum::PAPER;
+    let start = Phase { theta: 1.0, omega: -0.5 };
+    let grid = Grid::over(10.0, 0.01).unwrap();
+    integrate(&pendulum, &StormerVerlet, start, &grid, &mut |_, t, z: Phase| {
+        expected.push(vec![t, z.theta, z.omega, pendulum.hamiltonian(z)]);
+    });
+    assert_eq!(numbers(&text), expected);
+}
+
+/// Catches: a --every that counts from the wrong sample, and JSON that differs from the CSV.
+#[test]
+fn every_and_json_select_and_format_the_same_rows() {
+    let all = numbers(&printed(&run_with(&["--steps", "100"])));
+    let some = numbers(&printed(&run_with(&["--steps", "100", "--every", "30"])));
+    assert_eq!(some, [0, 30, 60, 90].map(|n: usize| all[n].clone()));
+    let objects = json(&run_with(&["--steps", "100", "--every", "30", "--format", "json"]));
+    for (object, row) in objects.as_array().unwrap().iter().zip(&some) {
+        for (name, value) in ["t", "theta", "omega", "energy"].iter().zip(row) {
+            assert_eq!(object[name].as_f64(), Some(*value));
+        }
+    }
+}
+
+/// Catches: g, L, m read into each other's places.
+#[test]
+fn simulate_takes_the_pendulum_it_is_given() {
+    let text =
+        printed(&run_with(&["--steps", "1", "--gravity", "3", "--length", "2", "--mass", "5"]));
+    let energy = Pendulum::new(3.0, 2.0, 5.0).unwrap().hamiltonian(Phase::at_rest(1.0));
+    assert_eq!(numbers(&text)[0][3], energy);
+}
+
+/// Catches: bad input that gets through, a panic, a message of several lines, another exit status.
+#[test]
+fn bad_input_is_refused_in_one_line() {
+    assert_refused(&["simulate", "--method", "rk5"], "forward-euler");
+    assert_refused(&run_with(&[]), "--duration");
+    assert_refused(&run_with(&["--steps", "1", "--duration", "1"]), "cannot be used with");
+    assert_refused(&run_with(&["--steps", "-1"]), "-1");
+    assert_refused(&run_with(&["--steps", "1", "--every", "0"]), "--every");
+    assert_refused(&run_with(&["--steps", "1", "--mass", "nan"]), "finite and greater than zero");
+    assert_refused(&run_with(&["--steps", "1", "--gravity", "-9.81"]), "greater than zero");
+    assert_refused(&run_with(&["--duration", "0.015"]), "whole number of steps");
+    assert_refused(&run_with(&["--steps", "9007199254740993"]), "2^53");
+    assert_refused(&run_with(&["--steps", "1", "--omega0", "inf"]), "angular velocity");
+    assert_refused(&["exact", "--theta0", "1", "--t", "1,two"], "two");
+    assert_refused(&["exact", "--theta0", "1", "--t", "inf"], "refused");
+    assert_refused(&["period", "--theta0", "nan"], "finite");
+    assert_refused(&["tables", "--table", "3"], "2, 4, 5, 6, 7, 8");
+    assert_refused(&["tables", "--format", "xml"], "json");
+}
+
+/// Catches: infinity or NaN printed as if it were a result.
+#[test]
+fn a_trajectory_that_leaves_the_range_of_numbers_is_an_error() {
+    let output = pendula(&[
+        "simulate",
+        "--method",
+        "forward-euler",
+        "--theta0",
+        "1",
+        "--dt",
+        "1e200",
+        "--steps",
+        "9",
+    ]);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(String::from_utf8_lossy(&output.stderr).contains("smaller step"));
+}
+
+fn files(folder: &Path) -> Vec<String> {
+    let entries = fs::read_dir(folder).unwrap();
+    entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect()
+}
+
+/// Catches: a file that differs from standard output, a temporary file left beside it, an old file not replaced.
+#[test]
+fn output_appears_whole_in_its_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("run.csv");
+    fs::write(&path, "old").unwrap();
+    let arguments = ["--steps", "50", "--output", path.to_str().unwrap()];
+    assert_eq!(printed(&run_with(&arguments)), "");
+    assert_eq!(fs::read_to_string(&path).unwrap(), printed(&run_with(&["--steps", "50"])));
+    assert_eq!(files(folder.path()), ["run.csv"]);
+}
+
+/// Catches: a file half written, or the old one destroyed, by a request that is refused or fails.
+#[test]
+fn a_request_that_fails_leaves_files_alone() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("run.csv");
+    fs::write(&path, "old").unwrap();
+    let path = path.to_str().unwrap();
+    assert_refused(&run_with(&["--duration", "0.015", "--output", path]), "whole number");
+    let run = ["simulate", "--method", "rk4", "--theta0", "1", "--dt", "1e200", "--steps", "9"];
+    let run: Vec<&str> = run.iter().copied().chain(["--output", path]).collect();
+    assert_eq!(pendula(&run).status.code(), Some(1));
+    assert_refused(&run_with(&["--steps", "1", "--output", "/no/such/folder/x.csv"]), "--output");
+    assert_refused(
+        &run_with(&["--steps", "1", "--output", folder.path().to_str().unwrap()]),
+        "--output",
+    );
+    assert_eq!(files(folder.path()), ["run.csv"]);
+    assert_eq!(fs::read_to_string(path).unwrap(), "old");
+}
+
+/// Catches: an interrupt that leaves a temporary file behind. The run would take hours.
+#[cfg(unix)]
+#[test]
+fn an_interrupt_leaves_nothing_behind() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("run.csv");
+    let arguments =
+        ["--steps", "1000000000000", "--every", "1000000", "--output", path.to_str().unwrap()];
+    let mut run = Command::new(env!("CARGO_BIN_EXE_pendula"))
+        .args(run_with(&arguments))
+        .stderr(Stdio::null())
+        .spawn()
+        .unwrap();
+    // The temporary file shows that the run has begun and listens.
+    while files(folder.path()).is_empty() {
+        assert!(run.try_wait().unwrap().is_none(), "it ended by itself");
+        std::thread::yield_now();
+    }
+    let kill = Command::new("kill").args(["-INT", &run.id().to_string()]).status().unwrap();
+    assert!(kill.success());
+    assert!(!run.wait().unwrap().success());
+    assert!(files(folder.path()).is_empty());
+}
+
+/// Catches: `pendula simulate … | head` that complains about the closed pipe, or computes on for hours.
+#[test]
+fn a_closed_pipe_ends_it_quietly() {
+    let mut run = Command::new(env!("CARGO_BIN_EXE_pendula"))
+        .args(run_with(&["--steps", "1000000000000"]))
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let mut head = [0; 100];
+    run.stdout.take().unwrap().read_exact(&mut head).unwrap();
+    let output = run.wait_with_output().unwrap();
+    assert!(output.status.success() && output.stderr.is_empty(), "{output:?}");
+}
+
+/// Catches: times in another order, θ wrapped, arguments that do not reach the closed form.
+#[test]
+fn exact_prints_the_closed_form() {
+    let text = printed(&["exact", "--theta0", "-0.5", "--omega0", "7", "--t", "0,-3,1e3,0.1"]);
+    let motion = Motion::new(&Pendulum::PAPER, Phase { theta: -0.5, omega: 7.0 }).unwrap();
+    let row = |t| vec![t, motion.at(t).theta, motion.at(t).omega];
+    assert_eq!(numbers(&text), [0.0, -3.0, 1e3, 0.1].map(row));
+}
+
+/// Catches: a quantity missing or under another name.
+#[test]
+fn period_prints_what_it_is_made_of() {
+    let text = printed(&["period", "--theta0", "3", "--length", "1"]);
+    let names: Vec<&str> = text.lines().map(|line| line.split(' ').next().unwrap()).collect();
+    assert_eq!(names, ["T", "T0", "T/T0", "K", "modulus"]);
+    let period = text.lines().next().unwrap().split_whitespace().nth(1).unwrap();
+    assert_eq!(period.parse(), Ok(pendula::exact::period(&Pendulum::PAPER, 3.0).unwrap()));
+}
+
+/// Catches: a cell without its id, value or verdict, and formats that disagree.
+#[test]
+fn tables_have_every_cell_in_every_format() {
+    let cells = json(&["tables", "--format", "json"]);
+    let cells = cells.as_array().unwrap();
+    let csv = printed(&["tables", "--format", "csv"]);
+    assert_eq!(csv.lines().next(), Some("id,stated,measured,verdict"));
+    assert_eq!(csv.lines().count(), cells.len() + 1);
+    for (cell, line) in cells.iter().zip(csv.lines().skip(1)) {
+        let fields: Vec<&str> = line.split(',').collect();
+        assert_eq!(fields.len(), 4, "{line}");
+        assert_eq!(cell["id"], fields[0]);
+        assert_eq!(cell["verdict"], fields[3]);
+    }
+    let cell = cells.iter().find(|cell| cell["id"] == "T4.rk4.0.01").unwrap();
+    assert_eq!(cell["stated"], 2.34e-7);
+    let text = printed(&["tables", "--table", "4"]);
+    assert!(text.starts_with("Table 4\n") && text.contains("2.33759 × 10⁻⁷"), "{text}");
+}
+
+/// Catches: a verdict that does not hold but ends with status 0.
+#[test]
+fn every_claim_is_upheld() {
+    let claims = json(&["claims", "--format", "json"]);
+    for claim in claims.as_array().unwrap() {
+        assert_eq!(claim["verdict"], claim["recorded"], "{claim}");
+    }
+}
