@@ -26,7 +26,7 @@
 //! * [`phase`], [`system`], [`pendulum`]: what is integrated.
 //! * [`sine`]: the functions it needs, with the same bits on every machine.
 //! * [`exact`]: the truth, in closed form.
-//! * [`method`](mod@method), [`methods`]: what integrates, and the one list of it.
+//! * [`method`](mod@method), [`methods`](mod@methods): what integrates, and the one list of it.
 //! * [`grid`], [`integrate`](mod@integrate), [`observe`]: the time loop and what is watched along it.
 //! * [`metrics`], [`order`]: what is measured.
 //! * `study`, `paper`, `report`: the paper's experiments, its claims, and both as tables and figures. They need std

@@ -4,11 +4,13 @@
 //! and figures in [`report`](crate::report), and meet what the paper states in [`paper`](crate::paper).
 
 pub mod convergence;
+pub mod findings;
 pub mod large_angle;
 pub mod long_run;
 pub mod phase_portrait;
 pub mod properties;
 pub mod small_angle;
+pub mod variants;
 pub mod work;
 
 use crate::method::{AnyMethod, METHODS};
