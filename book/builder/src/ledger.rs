@@ -1,7 +1,7 @@
 //! The seam between the book and the paper's ledger of claims.
 //!
 //! The directives `{{stated ID}}`, `{{measured ID}}` and `{{verdict ID}}` ask a [`Ledger`] and
-//! nothing else, so that a test can bring its own and the library can change its types. [`paper`]
+//! nothing else, so that a test can bring its own and the library can change its types. [`Paper`]
 //! is the one adapter to the library.
 
 use pendula::paper::Measured;
