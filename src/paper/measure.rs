@@ -47,10 +47,21 @@ fn text(id: String, gist: String, measured: impl ToString) -> Claim {
 /// Joins what is measured with what the paper prints in the cell of that id.
 fn claim(id: String, gist: String, measured: Measured) -> Claim {
     let printed = CELLS.iter().find(|cell| cell.id == id);
-    let table = id[1..].split('.').next().and_then(|n| n.parse().ok()).unwrap_or(0);
+    let (place, definition) = match id.split('.').next() {
+        Some("T2") => {
+            ("Table 2", "measured, not declared: slope, det J, count, energy over 1000 s")
+        }
+        Some("T4") => ("Table 4", "max |Hₙ − H₀| over all samples of 50 s from rest at π/3"),
+        Some("T5") => ("Table 5", "over all samples of 1000 s from rest at 1 rad, Δt = 0.01 s"),
+        Some("T6") => ("Table 6", "mean over all N + 1 samples of 10 s from rest at 0.05 rad"),
+        Some("T7") => ("Table 7", "from rest at 3 rad, Δt = 0.001 s, over 30 s"),
+        Some("T8") => ("Table 8", "over 10 s from rest at 0.05 rad, Δt = 0.01 s"),
+        _ => ("", ""),
+    };
     Claim {
-        table,
+        place,
         gist,
+        definition,
         stated: printed.map(|cell| cell.stated),
         measured,
         tolerance: Tolerance::PrintedDigits,

@@ -1,10 +1,11 @@
 //! The paper's claims, each with what was stated, what is measured, and a verdict.
 //!
-//! [`cells`] holds what the paper prints, [`measure`] says how each of these numbers is measured, and a [`Ledger`]
-//! joins them. Tables, tests and the book read the ledger, so that no number stands in two places.
+//! [`cells`] holds what the paper prints in its tables, [`measure`] says how each of these numbers is measured; `prose` has
+//! both for its sentences. A [`Ledger`] joins them. Tables, tests and the book read the ledger, so that no number stands in two places.
 
 pub mod cells;
 pub mod measure;
+mod prose;
 
 use core::fmt;
 
@@ -80,6 +81,8 @@ pub enum Tolerance {
         /// How far rounding moves it, relatively.
         relative: f64,
     },
+    /// A comparison in code has decided whether the claim holds.
+    Decided(bool),
 }
 
 /// A claim of the paper, measured.
@@ -87,10 +90,12 @@ pub enum Tolerance {
 pub struct Claim {
     /// Table, row and column, such as `T4.rk4.0.01`.
     pub id: String,
-    /// Number of the table.
-    pub table: u32,
-    /// What the number is, in our words.
+    /// Where in the paper it stands.
+    pub place: &'static str,
+    /// What is claimed, in our words.
     pub gist: String,
+    /// What exactly is measured, where the paper leaves it open.
+    pub definition: &'static str,
     /// What the paper prints, with its digits; `None` for what it leaves out.
     pub stated: Option<&'static str>,
     /// What is measured.
@@ -109,6 +114,7 @@ impl Claim {
         let stated = self.stated?;
         match (&self.measured, self.tolerance) {
             (Measured::Nothing, _) => None,
+            (_, Tolerance::Decided(holds)) => Some(holds),
             (Measured::Text(text), _) => Some(text == stated),
             (Measured::Number(measured, _), Tolerance::PrintedDigits) => {
                 let (value, half) = (stated.parse::<f64>().ok()?, half_unit(stated)?);
@@ -167,10 +173,12 @@ pub struct Ledger {
 impl Ledger {
     /// Measures every claim.
     pub fn of(study: &Study) -> Self {
-        Self { claims: measure::claims(study) }
+        let mut claims = measure::claims(study);
+        claims.extend(prose::claims(study));
+        Self { claims }
     }
 
-    /// All claims, table by table.
+    /// All claims: table by table, then sentence by sentence.
     pub fn claims(&self) -> &[Claim] {
         &self.claims
     }
@@ -182,6 +190,7 @@ impl Ledger {
 
     /// The claims of one table.
     pub fn table(&self, number: u32) -> impl Iterator<Item = &Claim> {
-        self.claims.iter().filter(move |claim| claim.table == number)
+        let prefix = format!("T{number}.");
+        self.claims.iter().filter(move |claim| claim.id.starts_with(&prefix))
     }
 }

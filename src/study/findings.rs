@@ -92,7 +92,7 @@ pub fn closure(method: &dyn AnyMethod, theta_0: f64) -> (f64, f64, f64) {
 }
 
 /// The waveform from rest at `theta_0` (rad): the fraction of time beyond nine tenths of the amplitude, and the third
-/// harmonic over the first.
+/// harmonic over the first, in size.
 pub fn waveform(theta_0: f64) -> (f64, f64) {
     const SAMPLES: u32 = 4096;
     let motion = Motion::new(&PENDULUM, released(theta_0)).expect("a finite start");
@@ -106,7 +106,7 @@ pub fn waveform(theta_0: f64) -> (f64, f64) {
         first += theta * crate::sine::cos(phase);
         third += theta * crate::sine::cos(3.0 * phase);
     }
-    (f64::from(beyond) / f64::from(SAMPLES), third / first)
+    (f64::from(beyond) / f64::from(SAMPLES), (third / first).abs())
 }
 
 /// The largest speed (rad/s) of symplectic Euler within `steps` steps of the size at which its standard map has the
