@@ -7,7 +7,7 @@ use super::Verdict::{
     self, DependsOnPlatform, DependsOnRounding, NotCheckable, Reproduced, ReproducedWithDefinition,
     Wrong,
 };
-use super::measure::row_id;
+use super::measure::{in_paper, row_id};
 use super::{Claim, Measured, Tolerance};
 use crate::methods::{
     forward_euler::ForwardEuler, rk4::Rk4, stormer_verlet::StormerVerlet,
@@ -583,7 +583,8 @@ const PROSE: &[Prose] = &[
         measure: |study| {
             let rk4 = row!(study.convergence, "rk4");
             let least = |column: usize| {
-                study.convergence.iter().all(|row| row.drift[column] >= rk4.drift[column])
+                let rows = study.convergence.iter().filter(|row| in_paper(row.method));
+                rows.into_iter().all(|row| row.drift[column] >= rk4.drift[column])
             };
             says("RK4".to_string(), (0..STEPS.len()).all(least))
         },
@@ -730,10 +731,10 @@ const PROSE: &[Prose] = &[
         verdict: ReproducedWithDefinition,
         because: "The last three win by cancelling the formula's error; against the exact solution RK4 is ahead at every step.",
         measure: |study| {
-            let rows = &study.small_angle;
+            let rows = || study.small_angle.iter().filter(|row| in_paper(row.method));
             let best = |column: usize, pick: fn(&small_angle::Errors) -> f64| {
                 let error = |row: &small_angle::Row| pick(&row.errors[column]);
-                let best = rows.iter().min_by(|a, b| error(a).total_cmp(&error(b)));
+                let best = rows().min_by(|a, b| error(a).total_cmp(&error(b)));
                 best.map_or("", |row| row.method.properties().title)
             };
             let winners: Vec<&str> = (0..5).map(|column| best(column, |e| e.formula)).collect();

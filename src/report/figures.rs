@@ -1,6 +1,7 @@
 //! The paper's figures, drawn from the study, and those it lacks.
 
 use super::svg::{Axis, Chart, Figure, Style};
+use crate::paper::measure::in_paper;
 use crate::study::{
     MethodRef, STEPS, Study, convergence, large_angle, long_run, phase_portrait, small_angle,
 };
@@ -79,6 +80,11 @@ fn style(method: MethodRef) -> Style {
     Style::numbered(index.unwrap_or(0))
 }
 
+/// The rows of the methods that the paper compares: its figures stay its own, however long the list of methods grows.
+fn of_the_paper<R>(rows: &[R], method: fn(&R) -> MethodRef) -> impl Iterator<Item = &R> {
+    rows.iter().filter(move |row| in_paper(method(row)))
+}
+
 fn title(method: MethodRef) -> &'static str {
     method.properties().title
 }
@@ -93,7 +99,7 @@ fn figure_2(study: &Study) -> Figure {
         .slope(1.0, (0.1, 3.0), 0.001, "slope 1")
         .slope(2.0, (0.1, 3e-2), 0.001, "slope 2")
         .slope(5.0, (0.1, 6e-3), 0.0015, "slope 5");
-    for convergence::Row { method, drift } in &study.convergence {
+    for convergence::Row { method, drift } in of_the_paper(&study.convergence, |row| row.method) {
         chart = chart.series(title(*method), style(*method), STEPS.into_iter().zip(*drift));
     }
     Figure::new(
@@ -111,7 +117,7 @@ fn figure_3(study: &Study) -> Figure {
     let mut energy =
         Chart::new(time(), Axis::linear("H − H_{0} (J)").range(-20.0, 500.0)).height(180.0);
     let mut growth = Chart::new(time(), Axis::log("largest |H − H_{0}| so far (J)"));
-    for row in &study.long_run {
+    for row in of_the_paper(&study.long_run, |row| row.method) {
         let style = style(row.method).line_only();
         if title(row.method) != "RK4" {
             energy = energy.series(title(row.method), style, long_run::energy(row.method, 50));
@@ -217,7 +223,7 @@ fn figure_7(study: &Study) -> Figure {
     let axis = |against| Axis::log(format!("RMS error against {against} (rad)"));
     let mut formula = Chart::new(work(), axis("formula")).height(240.0);
     let mut truth = Chart::new(work(), axis("truth"));
-    for row in &study.work {
+    for row in of_the_paper(&study.work, |row| row.method) {
         let line = |pick: fn(&small_angle::Errors) -> f64| {
             row.points.iter().map(|(n, errors)| (*n as f64, pick(errors))).collect::<Vec<_>>()
         };
