@@ -29,8 +29,9 @@
 //! * [`method`](mod@method), [`methods`](mod@methods): what integrates, and the one list of it.
 //! * [`grid`], [`integrate`](mod@integrate), [`observe`]: the time loop and what is watched along it.
 //! * [`metrics`], [`order`]: what is measured.
-//! * `study`, `paper`, `report`: the paper's experiments, its claims, and both as tables and figures. They need std
-//!   and the feature `study`, which is on by default; without it the library is `no_std`.
+//! * `study`, `theory`, `paper`, `report`: the paper's experiments, what they must yield, the paper's claims, and all of
+//!   it as tables and figures. They need std and the feature `study`, which is on by default; without it the library
+//!   is `no_std`.
 //!
 //! Every result comes from additions, multiplications, divisions and square roots in a fixed order, so that debug and
 //! release, and one machine and another, give the same bits.
@@ -57,6 +58,8 @@ pub mod sine;
 #[cfg(feature = "study")]
 pub mod study;
 pub mod system;
+#[cfg(feature = "study")]
+pub mod theory;
 
 pub use error::Error;
 pub use exact::{Kind, Motion};

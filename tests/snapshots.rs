@@ -37,10 +37,17 @@ fn the_slopes() {
     assert_reviewed("orders", "table", &tables::state_slopes(&STUDY).to_markdown());
 }
 
+/// Catches: a prediction that moves within its tolerance, and a tolerance that is widened.
+#[test]
+fn the_predictions() {
+    assert_reviewed("predictions", "table", &tables::predictions(&LEDGER).to_markdown());
+}
+
 /// Catches: a verdict or a reason changed in passing.
 #[test]
 fn the_ledger() {
-    assert_reviewed("ledger", "table", &tables::ledger(&LEDGER).to_markdown());
+    assert_reviewed("ledger_cells", "table", &tables::cells(&LEDGER).to_markdown());
+    assert_reviewed("ledger_sentences", "table", &tables::sentences(&LEDGER).to_markdown());
 }
 
 /// Catches: a curve that moves by more than a tenth of a pixel, and a label or description that says something else.

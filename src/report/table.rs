@@ -1,24 +1,25 @@
 //! Tables as Markdown and as aligned text.
 
 /// A table: a header and rows of the same width. The first column names the row; the others hold values, flush right,
-/// but for a last one that may hold remarks.
+/// but for the last ones, which may hold remarks.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Table {
     header: Vec<String>,
     rows: Vec<Vec<String>>,
-    remarks: bool,
+    /// How many of the last columns hold remarks.
+    remarks: usize,
 }
 
 impl Table {
     /// An empty table under these headings.
     pub fn new<H: Into<String>>(header: impl IntoIterator<Item = H>) -> Self {
         let header = header.into_iter().map(Into::into).collect();
-        Self { header, rows: Vec::new(), remarks: false }
+        Self { header, rows: Vec::new(), remarks: 0 }
     }
 
-    /// The same with remarks in the last column: flush left, and not padded.
-    pub fn with_remarks(self) -> Self {
-        Self { remarks: true, ..self }
+    /// The same with remarks in the last `columns`: flush left, and not padded.
+    pub fn with_remarks(self, columns: usize) -> Self {
+        Self { remarks: columns, ..self }
     }
 
     /// Adds a row, filled up with empty cells to the width of the header.
@@ -55,7 +56,7 @@ impl Table {
     }
 
     fn is_remark(&self, column: usize) -> bool {
-        self.remarks && column + 1 == self.header.len()
+        column + self.remarks >= self.header.len()
     }
 
     /// The width of a column in characters; of remarks, that of their heading.

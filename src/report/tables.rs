@@ -1,11 +1,12 @@
 //! The paper's tables, stated and measured, as the ledger has them.
 
-use super::number::Format::Fixed;
+use super::number::Format::{Fixed, Scientific};
 use super::table::Table;
 use crate::order::slopes;
 use crate::paper::measure::row_ids;
 use crate::paper::{Claim, Ledger};
 use crate::study::{STEPS, Study};
+use crate::theory;
 
 /// The numbers of the tables that the paper prints and the study measures.
 pub const TABLES: [u32; 6] = [2, 4, 5, 6, 7, 8];
@@ -80,18 +81,62 @@ pub fn state_slopes(study: &Study) -> Table {
     table
 }
 
-/// Every claim of the ledger: what is stated, what is measured, the verdict and why.
-pub fn ledger(ledger: &Ledger) -> Table {
-    let mut table = Table::new(["Claim", "stated", "measured", "verdict"]).with_remarks();
-    for claim in ledger.claims() {
-        let name = format!("`{}` {}", claim.id, claim.gist).replace('|', "\\|");
-        let verdict = match claim.because {
-            "" => claim.verdict.to_string(),
-            because => format!("{}. {because}", claim.verdict),
-        };
-        table.push([name, claim.stated_text(), claim.measured_text(), verdict]);
+/// What theory predicts for the cells of the tables, beside what the paper states and what is measured.
+pub fn predictions(ledger: &Ledger) -> Table {
+    let header = ["Cell", "stated", "predicted", "measured", "to within", "law"];
+    let mut table = Table::new(header).with_remarks(1);
+    for prediction in theory::predictions() {
+        let Some(claim) = ledger.get(&prediction.id) else { continue };
+        table.push([
+            format!("`{}`", prediction.id),
+            claim.stated_text(),
+            Scientific(6).print(prediction.value),
+            claim.measured_text(),
+            Scientific(1).print(prediction.tolerance),
+            prediction.law.to_string(),
+        ]);
     }
     table
+}
+
+/// The claims that are cells of tables, and what the chapters quote beside them.
+pub fn cells(ledger: &Ledger) -> Table {
+    let mut table = Table::new(["Claim", "stated", "measured", "verdict"]).with_remarks(1);
+    for claim in ledger.claims().iter().filter(|claim| !is_sentence(claim)) {
+        table.push([name(claim), claim.stated_text(), claim.measured_text(), judgement(claim)]);
+    }
+    table
+}
+
+/// The claims that are sentences.
+pub fn sentences(ledger: &Ledger) -> Table {
+    let header = ["Claim", "where", "stated", "measured", "verdict"];
+    let mut table = Table::new(header).with_remarks(4);
+    for claim in ledger.claims().iter().filter(|claim| is_sentence(claim)) {
+        let measured = match claim.definition {
+            "" => claim.measured_text(),
+            definition => format!("{} ({definition})", claim.measured_text()),
+        };
+        let row =
+            [name(claim), claim.place.to_string(), claim.stated_text(), measured, judgement(claim)];
+        table.push(row.map(|cell| cell.replace('|', "\\|")));
+    }
+    table
+}
+
+fn is_sentence(claim: &Claim) -> bool {
+    claim.stated.is_some() && !TABLES.iter().any(|n| claim.id.starts_with(&format!("T{n}.")))
+}
+
+fn name(claim: &Claim) -> String {
+    format!("`{}` {}", claim.id, claim.gist)
+}
+
+fn judgement(claim: &Claim) -> String {
+    match claim.because {
+        "" => claim.verdict.to_string(),
+        because => format!("**{}**. {because}", claim.verdict),
+    }
 }
 
 /// Two rows for each method, stated above measured; a method or column that the paper leaves out has dashes above.

@@ -37,7 +37,10 @@ pub enum Format {
 pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
     let ledger = Ledger::of(&Study::run(|_| {}));
     match arguments.format {
-        Format::Text => out.write_all(tables::ledger(&ledger).to_text().as_bytes())?,
+        Format::Text => {
+            let [cells, sentences] = [tables::cells(&ledger), tables::sentences(&ledger)];
+            write!(out, "{}\n{}", cells.to_text(), sentences.to_text())?;
+        }
         Format::Json => {
             let stated = |claim: &&Claim| claim.verdict != Verdict::NotStated;
             let claims: Vec<Value> = ledger.claims().iter().filter(stated).map(object).collect();
@@ -55,6 +58,8 @@ fn object(claim: &Claim) -> Value {
     let mut object = cell(claim);
     object["gist"] = json!(claim.gist);
     object["recorded"] = json!(claim.verdict.to_string());
+    object["place"] = json!(claim.place);
+    object["definition"] = json!(claim.definition);
     object["because"] = json!(claim.because);
     object
 }
