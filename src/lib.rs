@@ -26,8 +26,9 @@
 //! * [`phase`], [`system`], [`pendulum`]: what is integrated.
 //! * [`sine`]: the functions it needs, with the same bits on every machine.
 //! * [`exact`]: the truth, in closed form.
-//! * [`method`](mod@method), [`methods`](mod@methods): what integrates, and the one list of it.
+//! * [`method`](mod@method), [`methods`](mod@methods): what integrates.
 //! * [`grid`], [`integrate`](mod@integrate), [`observe`]: the time loop and what is watched along it.
+//! * [`catalogue`]: the one list of methods.
 //! * [`metrics`], [`order`]: what is measured.
 //! * `study`, `theory`, `paper`, `report`: the paper's experiments, what they must yield, the paper's claims, and all of
 //!   it as tables and figures. They need std and the feature `study`, which is on by default; without it the library
@@ -38,6 +39,7 @@
 #![cfg_attr(not(feature = "study"), no_std)]
 #![warn(clippy::disallowed_methods)]
 
+pub mod catalogue;
 mod double_double;
 pub mod error;
 pub mod exact;
@@ -61,11 +63,12 @@ pub mod system;
 #[cfg(feature = "study")]
 pub mod theory;
 
+pub use catalogue::{AnyMethod, METHODS, method_named};
 pub use error::Error;
 pub use exact::{Kind, Motion};
 pub use grid::Grid;
 pub use integrate::integrate;
-pub use method::{AnyMethod, Described, METHODS, Method, Properties, method_named};
+pub use method::{Described, Method, Properties};
 pub use observe::Observer;
 pub use pendulum::{LinearOscillator, Pendulum};
 pub use phase::{Phase, Vector};

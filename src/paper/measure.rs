@@ -2,7 +2,7 @@
 
 use super::cells::{CELLS, Cell};
 use super::{Claim, Measured, Tolerance, Verdict};
-use crate::method::METHODS;
+use crate::catalogue::METHODS;
 use crate::report::number::Format::{self, Fixed, Scientific, Significant};
 use crate::study::{MethodRef, STEPS, Study, work};
 

@@ -1,7 +1,7 @@
 //! The period at a large angle, read off in two ways: the paper's Table 7 and Figure 6.
 
 use super::{grid, released};
-use crate::method::AnyMethod;
+use crate::catalogue::AnyMethod;
 use crate::methods::rk4::Rk4;
 use crate::metrics::{CrossingPeriod, PeakPeriod};
 use crate::{Pendulum, Phase, exact};

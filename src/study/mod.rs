@@ -13,7 +13,7 @@ pub mod small_angle;
 pub mod variants;
 pub mod work;
 
-use crate::method::{AnyMethod, METHODS};
+use crate::catalogue::{AnyMethod, METHODS};
 use crate::{Grid, Phase};
 
 /// The five steps of the paper's ladder (s), its Section 5.2.

@@ -3,8 +3,8 @@
 use core::fmt;
 
 use super::{MethodRef, long_run, released};
+use crate::catalogue::AnyMethod;
 use crate::exact::Motion;
-use crate::method::AnyMethod;
 use crate::order::slopes;
 use crate::{Grid, Pendulum, Phase};
 
