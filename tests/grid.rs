@@ -27,6 +27,19 @@ fn part_of_a_step_is_refused(#[case] duration: f64, #[case] step: f64) {
     assert_eq!(Grid::over(duration, step), Err(Error::PartialStep { duration, step }));
 }
 
+/// Three roundings of ε/2 each, doubled: 3 ε beside a whole number is still that number, 4 ε is not.
+///
+/// Catches: a tolerance that is a bit tighter or looser than the one derived.
+#[test]
+fn whole_means_to_within_three_units_of_rounding() {
+    let beside = |units: f64| Grid::over(1.0 + units * f64::EPSILON, 1.0);
+    assert_eq!(beside(3.0).map(|grid| grid.steps()), Ok(1));
+    assert_eq!(
+        beside(4.0),
+        Err(Error::PartialStep { duration: 1.0 + 4.0 * f64::EPSILON, step: 1.0 })
+    );
+}
+
 /// Catches: a grid that loops for ever or steps by NaN.
 #[rstest]
 fn a_step_or_duration_out_of_range_is_refused(
@@ -42,7 +55,10 @@ fn a_step_or_duration_out_of_range_is_refused(
 fn too_many_steps_are_refused() {
     assert!(Grid::new(1.0, MAX_STEPS).is_ok());
     assert!(matches!(Grid::new(1.0, MAX_STEPS + 1), Err(Error::TooManySteps { .. })));
-    assert!(matches!(Grid::over(1e10, 1e-10), Err(Error::TooManySteps { .. })));
+    assert_eq!(Grid::over(1e10, 1e-10), Err(Error::TooManySteps { steps: 1e20 }));
+    let most = MAX_STEPS as f64;
+    assert_eq!(Grid::over(most, 1.0).map(|grid| grid.steps()), Ok(MAX_STEPS));
+    assert_eq!(Grid::over(most + 2.0, 1.0), Err(Error::TooManySteps { steps: most + 2.0 }));
     assert!(matches!(Grid::over(f64::MAX, f64::MIN_POSITIVE), Err(Error::TooManySteps { .. })));
     assert!(matches!(Grid::new(f64::MAX, 2), Err(Error::Parameter { .. })));
 }

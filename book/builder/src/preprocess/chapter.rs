@@ -7,12 +7,14 @@
 //! | `{{verdict ID}}` | what comparing the two came to |
 //! | `{{test file::function}}` | a link to that test's source in the book |
 //!
-//! The first two also work inside formulas. Code spans and code blocks stay as they are.
+//! The first two also work inside formulas. Code spans and code blocks stay as they are, but for the
+//! margin of code included from within an item.
 
 use std::ops::Range;
 
 use anyhow::{Context, Result, anyhow, bail};
 
+use super::listing::flush_left;
 use super::markdown::{Kind, passages, splice};
 use super::maths::Maths;
 use super::sources::Tests;
@@ -52,7 +54,11 @@ impl<'a> Setter<'a> {
             self.set_prose(text, done..passage.range.start, to_root, &mut edits)?;
             done = passage.range.end;
             match passage.kind {
-                Kind::Code => {}
+                Kind::Code => {
+                    if let Some(block) = flush_left(&text[passage.range.clone()]) {
+                        edits.push((passage.range, block));
+                    }
+                }
                 Kind::Formula { tex, display } => {
                     edits.push((passage.range, self.maths.set(&self.set_tex(&tex)?, display)?));
                 }

@@ -18,6 +18,7 @@ use crate::progress::Progress;
 pub mod chapter;
 pub mod includes;
 pub mod inert;
+pub mod listing;
 pub mod markdown;
 pub mod maths;
 pub mod sources;

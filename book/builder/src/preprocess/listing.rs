@@ -1,0 +1,37 @@
+//! Listings: code included from within an `impl` stands as far to the left as code that is not.
+
+/// A fenced block with the common indentation of its lines removed; `None` where there is nothing to remove.
+pub fn flush_left(block: &str) -> Option<String> {
+    let mut lines: Vec<&str> = block.lines().collect();
+    let fenced = lines.len() > 2 && lines[0].starts_with("```");
+    let body = if fenced { 1..lines.len() - 1 } else { return None };
+    let indent = |line: &&str| line.len() - line.trim_start().len();
+    let code = lines[body.clone()].iter().filter(|line| !line.trim().is_empty());
+    let common = code.map(indent).min().filter(|&common| common > 0)?;
+    for line in &mut lines[body] {
+        *line = line.get(common..).unwrap_or_default();
+    }
+    let end = if block.ends_with('\n') { "\n" } else { "" };
+    Some(lines.join("\n") + end)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Catches: a method cut out of its `impl` that keeps its margin, and relative indentation that is lost.
+    #[test]
+    fn the_common_margin_goes_and_no_more() {
+        let block = "```rust,ignore\n    fn f() {\n        1\n\n    }\n```\n";
+        let expected = "```rust,ignore\nfn f() {\n    1\n\n}\n```\n";
+        assert_eq!(flush_left(block).as_deref(), Some(expected));
+    }
+
+    /// Catches: blocks that are flush already, or no fenced blocks at all, rewritten.
+    #[test]
+    fn what_is_flush_stays() {
+        assert_eq!(flush_left("```rust\nfn f() {}\n```\n"), None);
+        assert_eq!(flush_left("`code`"), None);
+        assert_eq!(flush_left("```\n```\n"), None);
+    }
+}
