@@ -10,7 +10,7 @@ pub fn slopes<'a>(
     errors: &'a [f64],
     floor: f64,
 ) -> impl Iterator<Item = Option<f64>> + 'a {
-    let above = move |error: f64| error > floor && error > 0.0 && error.is_finite();
+    let above = move |error: f64| error > floor.max(0.0) && error.is_finite();
     steps.windows(2).zip(errors.windows(2)).map(move |(h, e)| {
         (above(e[0]) && above(e[1])).then(|| libm::log(e[1] / e[0]) / libm::log(h[1] / h[0]))
     })

@@ -33,4 +33,5 @@ fn entries_are_complete_and_distinct() {
         assert!(entry.order > 0 && entry.force_evaluations > 0 && !entry.reference.is_empty());
     }
     assert!(method_named("no-such-method").is_none());
+    assert_eq!(format!("{:?}", METHODS[0]), METHODS[0].properties().name);
 }

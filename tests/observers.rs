@@ -66,6 +66,11 @@ fn a_satisfied_observer_ends_the_loop() {
     assert_eq!(early, integrate(&Pendulum::PAPER, &StormerVerlet, START, &forty, &mut ()));
     assert_eq!(watch.1, 40);
 
+    // Every tenth sample is enough for it to see that it has enough.
+    let mut watch = Every::new(NonZeroU64::new(10).unwrap(), Until(35, 0));
+    integrate(&Pendulum::PAPER, &StormerVerlet, START, &grid(), &mut watch);
+    assert_eq!(watch.into_inner().1, 40);
+
     // Two observers are satisfied when both are.
     let mut watch = (Until(40, 0), Until(60, 0));
     integrate(&Pendulum::PAPER, &StormerVerlet, START, &grid(), &mut watch);
