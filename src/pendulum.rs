@@ -13,11 +13,15 @@ pub struct Pendulum {
     mass: f64,
     /// g/L, formed once: the only way the parameters enter the motion.
     stiffness: f64,
+    /// m L² and m g L, formed once: the scales of its energy.
+    inertia: f64,
+    depth: f64,
 }
 
 impl Pendulum {
     /// The paper's pendulum (its Table 3): g = 9.81 m/s², L = 1 m, m = 1 kg.
-    pub const PAPER: Self = Self { gravity: 9.81, length: 1.0, mass: 1.0, stiffness: 9.81 };
+    pub const PAPER: Self =
+        Self { gravity: 9.81, length: 1.0, mass: 1.0, stiffness: 9.81, inertia: 1.0, depth: 9.81 };
 
     /// A pendulum under `gravity` (m/s²), of `length` (m) and `mass` (kg).
     ///
@@ -29,9 +33,9 @@ impl Pendulum {
         let length = positive("length L (m)", length)?;
         let mass = positive("mass m (kg)", mass)?;
         let stiffness = normal("g/L (1/s²)", gravity / length)?;
-        normal("m g L (J)", mass * gravity * length)?;
-        normal("m L² (kg m²)", mass * length * length)?;
-        Ok(Self { gravity, length, mass, stiffness })
+        let depth = normal("m g L (J)", product([mass, gravity, length]))?;
+        let inertia = normal("m L² (kg m²)", product([mass, length, length]))?;
+        Ok(Self { gravity, length, mass, stiffness, inertia, depth })
     }
 
     /// A start of this pendulum at `theta` (rad) with `omega` (rad/s), checked.
@@ -87,12 +91,12 @@ impl Pendulum {
     }
 
     /// Depth m g L of the potential well (J), from the height of the pivot down to the bottom.
-    pub fn depth(&self) -> f64 {
-        self.mass * self.gravity * self.length
+    pub const fn depth(&self) -> f64 {
+        self.depth
     }
 
     fn kinetic(&self, z: Phase) -> f64 {
-        0.5 * self.mass * self.length * self.length * z.omega * z.omega
+        0.5 * self.inertia * z.omega * z.omega
     }
 }
 
@@ -206,6 +210,13 @@ pub(crate) fn angle(theta: f64) -> Result<f64, Error> {
         let name = "angle θ (rad)";
         Err(Error::Parameter { name, value: theta, allowed: "finite, and at most 1e15 in size" })
     }
+}
+
+/// The product of three positive numbers, rounded as if no part of it could overflow or underflow.
+fn product(factors: [f64; 3]) -> f64 {
+    let parts = factors.map(libm::frexp);
+    let mantissa = parts.iter().fold(1.0, |product, (mantissa, _)| product * mantissa);
+    libm::ldexp(mantissa, parts.iter().map(|(_, exponent)| exponent).sum())
 }
 
 /// Passes a product of parameters that neither overflowed nor lost digits to underflow.
