@@ -3,7 +3,7 @@
 use super::cells::{CELLS, Cell};
 use super::{Claim, Measured, Tolerance, Verdict};
 use crate::catalogue::METHODS;
-use crate::report::number::Format::{self, Fixed, Scientific, Significant};
+use crate::paper::number::Format::{self, Fixed, Scientific, Significant};
 use crate::study::{MethodRef, STEPS, Study, work};
 
 /// The paper's own abbreviation of a method in the ids of its cells; a later method goes by its name.

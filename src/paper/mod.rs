@@ -5,11 +5,12 @@
 
 pub mod cells;
 pub mod measure;
+pub mod number;
 mod prose;
 
 use core::fmt;
 
-use crate::report::number::{Format, half_unit};
+use crate::paper::number::{Format, half_unit};
 use crate::study::Study;
 
 /// What became of a claim.

@@ -14,7 +14,7 @@ use crate::methods::{
     symplectic_euler::SymplecticEuler,
 };
 use crate::order::slopes;
-use crate::report::number::Format::{self, Fixed, Scientific, Significant};
+use crate::paper::number::Format::{self, Fixed, Scientific, Significant};
 use crate::study::properties::{AREA_TOLERANCE, EnergyBehaviour};
 use crate::study::variants::{DriftKick, PositionVerlet};
 use crate::study::{

@@ -1,7 +1,6 @@
-//! From rows to what is read: numbers, tables, figures.
+//! From rows to what is read: tables and figures.
 
 pub mod figures;
-pub mod number;
 pub mod svg;
 pub mod table;
 pub mod tables;

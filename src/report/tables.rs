@@ -1,9 +1,9 @@
 //! The paper's tables, stated and measured, as the ledger has them.
 
-use super::number::Format::{Fixed, Scientific};
 use super::table::Table;
 use crate::order::slopes;
 use crate::paper::measure::row_ids;
+use crate::paper::number::Format::{Fixed, Scientific};
 use crate::paper::{Claim, Ledger};
 use crate::study::{STEPS, Study};
 use crate::theory;

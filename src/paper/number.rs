@@ -1,4 +1,4 @@
-//! Numbers as text: fixed significant digits, true minus signs, powers of ten.
+//! Numbers as the paper prints them and as we do: fixed significant digits, true minus signs, powers of ten.
 
 /// How a number is printed: only as many digits as can be defended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
