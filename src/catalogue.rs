@@ -49,7 +49,7 @@ where
     }
 }
 
-impl fmt::Debug for dyn AnyMethod {
+impl fmt::Debug for dyn AnyMethod + '_ {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.properties().name)
     }

@@ -96,7 +96,7 @@ impl Pendulum {
     }
 
     fn kinetic(&self, z: Phase) -> f64 {
-        0.5 * self.inertia * z.omega * z.omega
+        0.5 * (self.inertia * z.omega * z.omega)
     }
 }
 

@@ -1,0 +1,141 @@
+//! What the paper says in its sentences: each claim with how it is measured and what became of it.
+//!
+//! The ids follow the paper: `A` abstract, `P` a section's number, `T1` and `T3` its tables of parameters, `F` a figure, `X` what it leaves
+//! open and its numbers decide. One file for each part of the paper.
+
+mod background;
+mod discussion;
+mod results;
+
+use super::Verdict::{
+    self, DependsOnPlatform, DependsOnRounding, NotCheckable, Reproduced, ReproducedWithDefinition,
+    Wrong,
+};
+use super::measure::{in_paper, row_id};
+use super::{Claim, Measured, Tolerance};
+use crate::methods::{
+    forward_euler::ForwardEuler, rk4::Rk4, stormer_verlet::StormerVerlet,
+    symplectic_euler::SymplecticEuler,
+};
+use crate::order::slopes;
+use crate::paper::number::Format::{self, Fixed, Scientific, Significant};
+use crate::study::properties::{AREA_TOLERANCE, EnergyBehaviour};
+use crate::study::variants::{DriftKick, PositionVerlet};
+use crate::study::{
+    STEPS, Study, convergence, findings, long_run, phase_portrait, small_angle, work,
+};
+use crate::{AnyMethod, Grid, Hamiltonian, LinearOscillator, Pendulum, exact};
+
+/// A sentence of the paper.
+struct Prose {
+    id: &'static str,
+    place: &'static str,
+    gist: &'static str,
+    stated: &'static str,
+    definition: &'static str,
+    verdict: Verdict,
+    because: &'static str,
+    measure: fn(&Study) -> Finding,
+}
+
+/// What is measured, and how it compares with what is stated.
+type Finding = (Measured, Tolerance);
+
+/// A number that has to meet the printed digits.
+const fn number(value: f64, format: Format) -> Finding {
+    (Measured::Number(value, format), Tolerance::PrintedDigits)
+}
+
+/// A number that decides by a comparison.
+const fn shows(value: f64, format: Format, holds: bool) -> Finding {
+    (Measured::Number(value, format), Tolerance::Decided(holds))
+}
+
+/// Words that decide by a comparison.
+const fn says(text: String, holds: bool) -> Finding {
+    (Measured::Text(text), Tolerance::Decided(holds))
+}
+
+const fn nothing(_: &Study) -> Finding {
+    (Measured::Nothing, Tolerance::PrintedDigits)
+}
+
+/// The row of the method `id` in a table of rows.
+macro_rules! row {
+    ($rows:expr, $id:literal) => {
+        $rows.iter().find(|row| row_id(row.method) == $id).expect("one of the paper's methods")
+    };
+}
+use row;
+
+/// All claims in prose, measured.
+pub(super) fn claims(study: &Study) -> impl Iterator<Item = Claim> {
+    let all = [background::CLAIMS, results::CLAIMS, discussion::CLAIMS];
+    all.into_iter().flatten().map(|prose| {
+        let (measured, tolerance) = (prose.measure)(study);
+        Claim {
+            id: prose.id.to_string(),
+            place: prose.place,
+            gist: prose.gist.to_string(),
+            definition: prose.definition,
+            stated: Some(prose.stated),
+            measured,
+            tolerance,
+            verdict: prose.verdict,
+            because: prose.because,
+        }
+    })
+}
+
+fn order_range(study: &Study, id: &str) -> (f64, f64) {
+    let row = study.convergence.iter().find(|row| row_id(row.method) == id);
+    let drift = row.map_or([f64::NAN; 5], |row| row.drift);
+    let slopes = slopes(&STEPS, &drift, 1e-11).flatten();
+    slopes.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), p| (low.min(p), high.max(p)))
+}
+
+fn orders_confirmed(study: &Study) -> Finding {
+    let within = |id, order: f64| {
+        let (low, high) = order_range(study, id);
+        (low - order).abs() < 0.15 && (high - order).abs() < 0.15
+    };
+    let (rk4, fe) = (order_range(study, "rk4"), order_range(study, "fe"));
+    says(
+        std::format!(
+            "slopes of the energy error: RK4 up to {:.2}, forward Euler {:.2} to {:.2}",
+            rk4.1,
+            fe.0,
+            fe.1
+        ),
+        within("fe", 1.0) && within("se", 1.0) && within("vv", 2.0) && within("rk4", 4.0),
+    )
+}
+
+fn monotonic(study: &Study) -> Finding {
+    let falls = row!(study.long_run, "fe").falls;
+    says(std::format!("{falls} of 100 000 steps lower the energy"), falls == 0)
+}
+
+/// Whether an orbit of Störmer–Verlet from the chaotic layer crosses u = ω Δt = 2π, which it can only where no
+/// invariant curve is left between 0 and 2π.
+fn escapes(k: f64) -> bool {
+    findings::chaotic_speed(&StormerVerlet, k, 200_000) > 2.0 * core::f64::consts::PI
+}
+
+fn bounded(_: &Study) -> Finding {
+    let drift = |steps| findings::energy_drift(&StormerVerlet, 1.0, 0.01, steps);
+    let (small, large) = (drift(1_000_000) <= 1.001 * drift(100_000), escapes(1.5));
+    says(
+        std::format!(
+            "at 0.01 s {}; at K = 0.9 {}; at K = 1.5 {}",
+            if small { "bounded over 10⁶ steps" } else { "growing" },
+            if escapes(0.9) { "unbounded" } else { "bounded" },
+            if large { "unbounded" } else { "bounded" },
+        ),
+        small,
+    )
+}
+
+fn largest_formula_error(theta_0: f64, step: f64) -> f64 {
+    findings::normalised_formula_error(&Rk4, theta_0, step).0
+}
