@@ -1,6 +1,6 @@
 //! The complete elliptic integral K against published values, against quadrature, and where neither reaches.
 
-use std::f64::consts::FRAC_PI_2;
+use std::f64::consts::{FRAC_PI_2, PI};
 
 use approx::assert_relative_eq;
 use pendula::exact::complete_elliptic_k;
@@ -85,4 +85,73 @@ fn outside_its_range_k_is_infinite_or_not_a_number() {
     for outside in [-0.1, 1.1, f64::INFINITY, f64::NAN] {
         assert!(complete_elliptic_k(outside).is_nan(), "{outside}");
     }
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// The trapezoid rule, and forms that cancel
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// K by the trapezoid rule with `n` intervals on 0 … π/2.
+fn trapezoid(k: f64, n: u32) -> f64 {
+    let value = |j: u32| {
+        let s = (FRAC_PI_2 * f64::from(j) / f64::from(n)).sin();
+        1.0 / ((1.0 - k * s) * (1.0 + k * s)).sqrt()
+    };
+    let inner: f64 = (1..n).map(value).sum();
+    (0.5 * (value(0) + value(n)) + inner) * FRAC_PI_2 / f64::from(n)
+}
+
+/// The integrand has period π, so the rule, with N = 2n points a period, errs only by its harmonics N, 2N, …: it converges as
+/// exp(−2N acosh(1/k)), where acosh(1/k) is how far off the real axis, above π/2, the integrand is singular (Trefethen &
+/// Weideman, *SIAM Review* 56 (2014) 385–458). A singularity of the kind 1/√ lends the N-th harmonic a factor 1/√N as well.
+///
+/// From N to 2N the logarithm of the error must fall by 2N acosh(1/k) + ½ ln 2. The next term of a harmonic is of relative
+/// order 1/(16 N acosh(1/k)), which two of them may add to.
+///
+/// Catches: a rule with an end point missing or counted twice, which converges as 1/n; a modulus taken for a parameter.
+#[rstest]
+fn the_trapezoid_rule_converges_geometrically(
+    #[values(0.5, 0.9, 0.99, 0.997_494_986_604_054_5)] k: f64,
+) {
+    let (exact, width) = (complete_elliptic_k(complement(k)), (1.0 / k).acosh());
+    let error = |n: u32| (trapezoid(k, n) - exact).abs();
+    let coarsest = (1.0 / width).ceil() as u32;
+    for n in [coarsest, 2 * coarsest] {
+        let (coarse, fine) = (error(n), error(2 * n));
+        assert!(fine > 1e-12, "{fine:e} is made of rounding");
+        let exponent = 4.0 * f64::from(n) * width;
+        let (fall, law) = ((coarse / fine).ln(), exponent + 0.5 * 2.0_f64.ln());
+        assert!((fall - law).abs() < 0.25 / exponent, "{fall}, not {law}, from n = {n}");
+    }
+}
+
+/// Near the top 1/acosh(1/k) = 1/k' intervals are needed for each e-fold: with k' = 5e-7 a thousand are as good as none.
+///
+/// Catches: the belief that a rule which converges geometrically converges for every k.
+#[test]
+fn the_trapezoid_rule_breaks_at_the_top() {
+    let theta_0 = PI - 1e-6;
+    let (k, exact) = ((0.5 * theta_0).sin(), complete_elliptic_k((0.5 * theta_0).cos()));
+    let wrong = |n| (trapezoid(k, n) / exact - 1.0).abs();
+    assert!(wrong(1000) > 1.0 && wrong(2000) > 1.0);
+    assert!(trapezoid((0.5 * (PI - 1e-8)).sin(), 1000).is_infinite());
+}
+
+/// With k = sin(θ₀/2) rounded by ε/4, 1 − k² is k'² = 2.5e-13 ± 5.6e-17, or 2.2e-4 of it, which K ≈ ln(4/k') = 15.9 feels
+/// by a half of that over 15.9: 7e-6 at the worst. At π − 1e-8 k rounds to 1, and K to infinity.
+///
+/// Catches: the textbook's √(1 − k²) in the library, and a test too far from the top to notice.
+#[rstest]
+#[case::one_minus_the_square(|k: f64| (1.0 - k * k).sqrt())]
+#[case::the_product(|k: f64| ((1.0 - k) * (1.0 + k)).sqrt())]
+fn forms_that_cancel_fail_at_the_top(#[case] complement: fn(f64) -> f64) {
+    let error = |theta_0: f64| {
+        let of_modulus = complete_elliptic_k(complement((0.5 * theta_0).sin()));
+        (of_modulus / complete_elliptic_k((0.5 * theta_0).cos()) - 1.0).abs()
+    };
+    let lost = error(PI - 1e-6);
+    assert!(lost > 1e-6 && lost < 7e-6, "{lost:e}");
+    assert_eq!(error(PI - 1e-8), f64::INFINITY);
+    // Elsewhere they are as good as any.
+    assert!(error(2.0) < 1e-15);
 }

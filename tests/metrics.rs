@@ -1,45 +1,27 @@
 //! Metrics, on motions whose error is known.
 
-use approx::assert_relative_eq;
-use pendula::metrics::{AngleError, CrossingPeriod, EnergyDrift, PeakPeriod};
-use pendula::{Hamiltonian, LinearOscillator, Observer, Pendulum, Phase};
-use rstest::rstest;
+mod properties;
 
-/// A cosine of period 2 s, sampled each `h` (s), shown to an observer for 9 s.
-fn show_cosine(h: f64, observer: &mut impl Observer<Phase>) {
-    use std::f64::consts::PI;
-    for n in 0..=(9.0 / h) as u64 {
-        let t = n as f64 * h;
-        let z = Phase { theta: (PI * t).cos(), omega: -PI * (PI * t).sin() };
-        observer.observe(n, t, z);
-    }
-}
+use approx::assert_relative_eq;
+use pendula::exact::period;
+use pendula::methods::rk4::Rk4;
+use pendula::metrics::{AngleError, CrossingPeriod, EnergyDrift, Henon, Linear, PeakPeriod};
+use pendula::theory;
+use pendula::{Grid, Hamiltonian, LinearOscillator, Motion, Observer, Pendulum, Phase, integrate};
+use properties::metrics as check;
+use rstest::rstest;
 
 /// Catches: a mean over N where N + 1 samples were seen, a sum not squared, a largest error that forgets the sign.
 #[test]
 fn angle_error_is_the_mean_over_all_samples() {
-    let mut error = AngleError::against(|t| 2.0 * t);
-    for (n, theta) in [0.0, 3.0, 0.0].into_iter().enumerate() {
-        error.observe(n as u64, n as f64, Phase::at_rest(theta));
-    }
-    // Errors 0, 1 and −4 at the three samples.
-    assert_relative_eq!(error.root_mean_square(), (17.0_f64 / 3.0).sqrt(), max_relative = 1e-15);
-    assert_eq!(error.largest(), 4.0);
+    check::check_root_mean_square(check::root_mean_square).unwrap();
+    check::check_largest(check::largest).unwrap();
 }
 
 /// Catches: an energy error against zero, against the last sample, or without its sign removed.
 #[test]
 fn energy_drift_is_the_largest_deviation_from_the_start() {
-    let mut drift = EnergyDrift::of(&Pendulum::PAPER);
-    for (n, theta) in [1.0, 0.5, 1.2, 1.0].into_iter().enumerate() {
-        drift.observe(n as u64, 0.0, Phase::at_rest(theta));
-    }
-    // m g L (cos 0.5 − cos 1): falling to 0.5 loses more than rising to 1.2 gains.
-    assert_relative_eq!(
-        drift.largest(),
-        9.81 * (0.5_f64.cos() - 1.0_f64.cos()),
-        max_relative = 1e-15
-    );
+    check::check_energy_drift(check::energy_drift).unwrap();
 }
 
 /// Catches: a NaN that is compared away, so that a method which blew up looks perfect.
@@ -71,33 +53,23 @@ fn energy_has_the_dimensions_of_its_parameters() {
 /// Catches: 1 − cos θ for the potential. At θ = 1e-8 it is zero or 1.1e-16, while θ²/2 is 5e-17.
 #[test]
 fn a_small_energy_keeps_its_digits() {
-    let energy = Pendulum::PAPER.energy(Phase::at_rest(1e-8));
-    assert_relative_eq!(energy, 0.5 * 9.81 * 1e-16, max_relative = 1e-15);
+    check::check_energy(check::energy).unwrap();
 }
 
 /// The highest sample lies within half a step of the peak.
 ///
 /// Catches: a period off by one sample, and the start of the run taken for its first peak.
-#[rstest]
-fn a_peak_is_right_to_half_a_step(#[values(0.1, 0.03, 0.007)] h: f64) {
-    let mut period = PeakPeriod::default();
-    show_cosine(h, &mut period);
-    let error = period.period().unwrap() - 2.0;
-    // One ulp of the time for the multiple of h.
-    assert!(error.abs() <= 0.5 * h + 4.0 * f64::EPSILON, "off by {error} with h = {h}");
+#[test]
+fn a_peak_is_right_to_half_a_step() {
+    check::check_peak(check::peak_period).unwrap();
 }
 
-/// The cubic through a crossing of cos πt is off by at most h⁴ max|θ⁽⁴⁾|/384 = h⁴π⁴/384, with a slope of π there.
-/// Errors at two crossings may add up; they share four periods.
+/// The cubic through a crossing of cos πt is right to h⁴, and its bound is known.
 ///
 /// Catches: linear interpolation (off by 1e-5 at h = 0.03), an upward crossing counted, half a period for a whole.
-#[rstest]
-fn a_crossing_is_right_to_the_fourth_power(#[values(0.1, 0.03, 0.007)] h: f64) {
-    let mut period = CrossingPeriod::default();
-    show_cosine(h, &mut period);
-    let bound = 2.0 * h.powi(4) * std::f64::consts::PI.powi(3) / 384.0 / 3.0 + 1e-14;
-    let error = period.period().unwrap() - 2.0;
-    assert!(error.abs() <= bound, "off by {error}, bound {bound}");
+#[test]
+fn a_crossing_is_right_to_the_fourth_power() {
+    check::check_crossing(check::crossing_period).unwrap();
 }
 
 /// Catches: a period reported from a single crossing, or none.
@@ -110,4 +82,179 @@ fn no_period_without_a_whole_one() {
         crossing.observe(n.into(), n.into(), z);
     }
     assert_eq!((peak.period(), crossing.period()), (None, None));
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// The period, five ways
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// A release at 3 rad, where a swing is far from a cosine.
+const THETA_0: f64 = 3.0;
+
+/// L ≠ 1 and ω₀ ≠ 1.
+fn pendulum() -> Pendulum {
+    Pendulum::new(9.81, 2.5, 0.7).unwrap()
+}
+
+/// Errors (s) of the five readings.
+#[derive(Debug)]
+struct Readings {
+    sample: f64,
+    parabola: f64,
+    linear: f64,
+    hermite: f64,
+    henon: f64,
+}
+
+impl Readings {
+    /// Of a trajectory that `show` shows.
+    fn of(pendulum: &Pendulum, show: impl FnOnce(&mut dyn Observer<Phase>)) -> Self {
+        let mut peaks = (PeakPeriod::default(), PeakPeriod::by_parabola());
+        let mut crossings = (
+            CrossingPeriod::by(Linear),
+            CrossingPeriod::default(),
+            CrossingPeriod::by(Henon(pendulum)),
+        );
+        show(&mut |n, t, z| {
+            peaks.observe(n, t, z);
+            crossings.observe(n, t, z);
+        });
+        let exact = period(pendulum, THETA_0).unwrap();
+        let error = |period: Option<f64>| period.expect("it was long enough") - exact;
+        Self {
+            sample: error(peaks.0.period()),
+            parabola: error(peaks.1.period()),
+            linear: error(crossings.0.period()),
+            hermite: error(crossings.1.period()),
+            henon: error(crossings.2.period()),
+        }
+    }
+
+    /// Of RK4 on 8 s.
+    fn of_rk4(pendulum: &Pendulum, h: f64) -> Self {
+        let grid = Grid::over(8.0, h).unwrap();
+        Self::of(pendulum, |observer| {
+            integrate(pendulum, &Rk4, Phase::at_rest(THETA_0), &grid, observer);
+        })
+    }
+
+    /// Of the exact motion, for a period and a half in steps of T/(n + ¼).
+    ///
+    /// Whatever the n, if it is a multiple of four, the samples lie alike: the one nearest to the peak a quarter of a step
+    /// before it; those before the two crossings 1/16 and 5/16 of a step before them. So the errors are pure powers.
+    fn of_the_exact_motion(pendulum: &Pendulum, n: u32) -> (f64, Self) {
+        let motion = Motion::new(pendulum, Phase::at_rest(THETA_0)).unwrap();
+        let h = motion.period().unwrap() / (f64::from(n) + 0.25);
+        let readings = Self::of(pendulum, |observer| {
+            for j in 0..=u64::from(n + n / 2) {
+                let t = j as f64 * h;
+                observer.observe(j, t, motion.at(t));
+            }
+        });
+        (h, readings)
+    }
+}
+
+/// Where samples lie between two crossings: v = 1/16 and 5/16 of a step after the last sample, weighed by `law`.
+fn between_crossings(law: impl Fn(f64) -> f64) -> f64 {
+    law(5.0 / 16.0) - law(1.0 / 16.0)
+}
+
+/// Each reading of the exact motion errs by its own law, order and constant. With G = g/L, s = sin θ₀ and c = cos θ₀:
+///
+/// * the highest sample, u steps after the peak: u h;
+/// * the parabola: about the peak θ = θ₀ − (G s/2) τ² + (G² s c/24) τ⁴, which moves its vertex by h³ (G c/12) (u − 4u³);
+/// * the straight line, with the crossing v steps after a sample: about it θ = b (τ − G τ³/6), whose chord crosses late by
+///   h³ (G/6) v(1−v)(1−2v);
+/// * the cubic: the next term is b G² (1 + 4k²)/120 τ⁵, and twice its factor times h⁵ v²(1−v)²(1−2v) is missed.
+///
+/// The next term is of relative order h² ω² at the bottom, 4k² G h², with a coefficient below 1.
+///
+/// Catches: the vertex of the wrong three samples, the chord of the wrong two, a correction of the wrong sign, a line posing
+/// as a cubic, a cubic with one of its velocities wrong.
+#[rstest]
+fn each_reading_errs_by_its_own_law(#[values(1000, 2000, 4000)] n: u32) {
+    /// Times up to 10 s are rounded by 1e-15, twice; the exact period, 8 s, by as much.
+    const ROUNDING: f64 = 1e-14;
+    let pendulum = pendulum();
+    let (g, (s, c)) = (pendulum.stiffness(), THETA_0.sin_cos());
+    let k2 = 0.5 * (1.0 - c);
+    let near = |error: f64, law: f64, h: f64, rounding: f64| {
+        let tolerance = 4.0 * k2 * g * h * h * law.abs() + rounding;
+        assert!((error - law).abs() < tolerance, "{error:e}, not {law:e} ± {tolerance:e}");
+    };
+
+    let (h, readings) = Readings::of_the_exact_motion(&pendulum, n);
+    let u = -0.25;
+    assert!((readings.sample - u * h).abs() < ROUNDING, "{readings:?}");
+    let law = h.powi(3) * g * c / 12.0 * (u - 4.0 * u * u * u);
+    // The peak is found from differences of θ of h² G s/2, rounded by 4e-16 each.
+    near(readings.parabola, law, h, 4.0 * 4.4e-16 / (g * s * h));
+    let law = h.powi(3) * g / 6.0 * between_crossings(|v| v * (1.0 - v) * (1.0 - 2.0 * v));
+    near(readings.linear, law, h, ROUNDING);
+
+    // With as many steps as this nothing would be left of the cubic's error.
+    let (h, readings) = Readings::of_the_exact_motion(&pendulum, n / 10);
+    let weight = between_crossings(|v| (v * (1.0 - v)).powi(2) * (1.0 - 2.0 * v));
+    let law = h.powi(5) * g * g * (1.0 + 4.0 * k2) / 60.0 * weight;
+    near(readings.hermite, law, h, ROUNDING);
+}
+
+/// Hénon's step is one of RK4, and misses by h⁵. The next term is 4k²Gh² of it, below 0.03, which bends a slope by less.
+///
+/// Catches: a step with ω for 1/ω, one that begins or ends at the wrong sample.
+#[test]
+fn henons_step_errs_by_the_fifth_power() {
+    let pendulum = pendulum();
+    let ladder = [200, 400, 800].map(|n| Readings::of_the_exact_motion(&pendulum, n));
+    for pair in ladder.windows(2) {
+        let ((coarse, first), (fine, second)) = (&pair[0], &pair[1]);
+        let slope = (first.henon / second.henon).ln() / (coarse / fine).ln();
+        assert!((slope - 5.0).abs() < 0.05, "slope {slope}");
+    }
+}
+
+/// RK4's own period, as the finer readings see it, is off by two terms: h⁴τ₄T, and what it loses of energy, at the rate
+/// h⁵⟨e₆⟩ + h⁷⟨e₈⟩ until the middle of the swing between the crossings, 3T/4, times dT/dE. At h = 0.00174 s they cancel.
+///
+/// They leave out the square of the loss, and x² of each: 6e-4 at h = 0.008.
+///
+/// Catches: a reading whose own error hides the method's, as the other three do.
+#[rstest]
+fn what_is_left_is_the_method(#[values(0.008, 0.004, 0.002, 0.001)] h: f64) {
+    /// 8000 steps each round the energy, 20 J, by 2e-16 of it or so; with dT/dE = 6.5 s/J at random √8000 · 4e-15 · 6.5 = 2e-12.
+    /// What is seen is a fifth of that.
+    const ROUNDING: f64 = 5e-13;
+    let pendulum = Pendulum::PAPER;
+    let readings = Readings::of_rk4(&pendulum, h);
+    let exact = period(&pendulum, THETA_0).unwrap();
+    let by_order_four = exact * theory::rk4::period_shift(&pendulum, THETA_0) * h.powi(4);
+    let slower = |delta: f64| period(&pendulum, THETA_0 + delta).unwrap();
+    let slope = (slower(1e-5) - slower(-1e-5)) / 2e-5 / (pendulum.depth() * THETA_0.sin());
+    let lost = theory::rk4::secular_rate(&pendulum, THETA_0, h) * 0.75 * exact;
+    let law = by_order_four + slope * lost;
+    let tolerance = 6e-4 * (by_order_four + (slope * lost).abs()) + ROUNDING;
+    for error in [readings.hermite, readings.henon] {
+        assert!((error - law).abs() < tolerance, "{error:e}, not {law:e} ± {tolerance:e}");
+    }
+}
+
+/// The five numbers of one run, θ₀ = 3 rad, h = 0.001 s: they differ by seven powers of ten, though the run is one.
+///
+/// Catches: a reading that is no longer the one described, on the very run of Table 7.
+#[test]
+fn how_the_period_is_read_matters_more_than_the_method() {
+    let readings = Readings::of_rk4(&Pendulum::PAPER, 0.001);
+    // Half of the last digit given, and for the last two the rounding of the run, 5e-13.
+    for (error, expected, tolerance) in [
+        (readings.sample, -6.675e-5, 5e-9),
+        (readings.parabola, 5.5e-11, 5e-13),
+        (readings.linear, -5.1e-11, 5e-13),
+        (readings.hermite, 1.67e-12, 5e-13),
+        (readings.henon, 1.67e-12, 5e-13),
+    ] {
+        assert!((error - expected).abs() < tolerance, "{error:e}, not {expected:e}: {readings:?}");
+    }
+    // The two agree with one another far better than with the truth.
+    assert!((readings.hermite - readings.henon).abs() < 1e-14, "{readings:?}");
 }

@@ -1,0 +1,47 @@
+//! Driven: a force that depends on time alone, where the pendulum's cannot tell when it is evaluated.
+
+use pendula::{Grid, Method, Phase, Separable, System, integrate};
+
+use super::{Verdict, near};
+
+/// A free particle under the force t³/6 (rad/s²).
+#[derive(Clone, Copy, Debug)]
+pub struct Pushed;
+
+impl System for Pushed {
+    type State = Phase;
+
+    fn rate(&self, t: f64, z: Phase) -> Phase {
+        Phase { theta: z.omega, omega: self.force(t, z) }
+    }
+}
+
+impl Separable for Pushed {
+    type Force = f64;
+
+    fn force(&self, t: f64, _z: Phase) -> f64 {
+        t * t * t / 6.0
+    }
+
+    fn kick(&self, z: Phase, alpha: f64, h: f64) -> Phase {
+        Phase { omega: z.omega + alpha * h, ..z }
+    }
+
+    fn drift(&self, z: Phase, h: f64) -> Phase {
+        Phase { theta: z.theta + z.omega * h, ..z }
+    }
+}
+
+/// ω = t⁴/24, from rest. A method of order p on n steps of h = 1/n misses its end by hᵖ or so; here by no more than ½hᵖ, and
+/// RK4, which integrates cubics exactly, by rounding.
+pub fn check<M: Method<Pushed> + pendula::Described>(method: &M) -> Verdict {
+    let order = method.properties().order as i32;
+    for steps in [8, 16, 32] {
+        let h = 1.0 / steps as f64;
+        let grid = Grid::new(h, steps).expect("a positive step");
+        let end = integrate(&Pushed, method, Phase::default(), &grid, &mut ());
+        near(format_args!("ω with h = {h}"), end.omega, 1.0 / 24.0, 0.5 * h.powi(order))?;
+        near(format_args!("θ with h = {h}"), end.theta, 1.0 / 120.0, 0.5 * h.powi(order))?;
+    }
+    Ok(())
+}

@@ -1,0 +1,116 @@
+//! Right methods, spoilt from outside: what is done to a step, and what is done to the loop.
+
+use std::f64::consts::{PI, TAU};
+
+use pendula::{AnyMethod, Described, Grid, Method, Observer, Pendulum, Phase, Properties, System};
+
+macro_rules! spoilt_step {
+    ($(#[$doc:meta])* $name:ident, |$h:ident| $step:expr, |$z:ident| $after:expr) => {
+        $(#[$doc])*
+        pub struct $name<M>(pub M);
+
+        impl<M: Described> Described for $name<M> {
+            fn properties(&self) -> Properties {
+                self.0.properties()
+            }
+        }
+
+        impl<S: System<State = Phase>, M: Method<S>> Method<S> for $name<M> {
+            type Memo = M::Memo;
+
+            fn start(&self, system: &S, t: f64, z: Phase) -> M::Memo {
+                self.0.start(system, t, z)
+            }
+
+            fn step(&self, system: &S, t: f64, $h: f64, z: Phase, memo: &mut M::Memo) -> Phase {
+                let $z = self.0.step(system, t, $step, z, memo);
+                $after
+            }
+        }
+    };
+}
+
+spoilt_step! {
+    /// Half the step is passed on, as when h/2 is prepared for the kicks and used for the rest as well.
+    HalfTheStep, |h| 0.5 * h, |z| z
+}
+
+spoilt_step! {
+    /// A billionth of the velocity is lost in each step.
+    ABillionthLost, |h| h, |z| Phase { omega: z.omega * (1.0 - 1e-9), ..z }
+}
+
+spoilt_step! {
+    /// A trillionth of the velocity is lost in each step.
+    ATrillionthLost, |h| h, |z| Phase { omega: z.omega * (1.0 - 1e-12), ..z }
+}
+
+spoilt_step! {
+    /// The state is kept in single precision.
+    SinglePrecision, |h| h, |z| {
+        Phase { theta: f64::from(z.theta as f32), omega: f64::from(z.omega as f32) }
+    }
+}
+
+spoilt_step! {
+    /// The angle is wrapped to −π … π.
+    AngleWrapped, |h| h, |z| Phase { theta: (z.theta + PI).rem_euclid(TAU) - PI, ..z }
+}
+
+/// One step is left out: N points are taken for N steps.
+pub struct OneStepShort<M>(pub M);
+
+impl<M: AnyMethod> Described for OneStepShort<M> {
+    fn properties(&self) -> Properties {
+        self.0.properties()
+    }
+}
+
+impl<M: AnyMethod> AnyMethod for OneStepShort<M> {
+    fn run(
+        &self,
+        pendulum: &Pendulum,
+        start: Phase,
+        grid: &Grid,
+        observer: &mut dyn Observer<Phase>,
+    ) -> Phase {
+        let short = Grid::new(grid.step(), grid.steps().saturating_sub(1)).expect("a shorter grid");
+        self.0.run(pendulum, start, &short, observer)
+    }
+
+    fn count_evaluations(&self, pendulum: &Pendulum, start: Phase, grid: &Grid) -> u64 {
+        self.0.count_evaluations(pendulum, start, grid)
+    }
+}
+
+/// Time is added up, `while t < end { t += h }`: after ten steps of 0.1 it is 0.9999999999999999, and one more is taken.
+pub struct TimeAccumulated<M>(pub M);
+
+impl<M: AnyMethod> Described for TimeAccumulated<M> {
+    fn properties(&self) -> Properties {
+        self.0.properties()
+    }
+}
+
+impl<M: AnyMethod> AnyMethod for TimeAccumulated<M> {
+    fn run(
+        &self,
+        pendulum: &Pendulum,
+        start: Phase,
+        grid: &Grid,
+        observer: &mut dyn Observer<Phase>,
+    ) -> Phase {
+        let (end, mut times) = (grid.time(grid.steps()), vec![0.0]);
+        while times[times.len() - 1] < end {
+            times.push(times[times.len() - 1] + grid.step());
+        }
+        let steps = times.len() as u64 - 1;
+        let longer = Grid::new(grid.step(), steps).expect("a grid");
+        let mut watch = |n: u64, _, z: Phase| observer.observe(n, times[n as usize], z);
+        self.0.run(pendulum, start, &longer, &mut watch)
+    }
+
+    fn count_evaluations(&self, pendulum: &Pendulum, start: Phase, grid: &Grid) -> u64 {
+        self.0.count_evaluations(pendulum, start, grid)
+    }
+}
