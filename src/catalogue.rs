@@ -79,7 +79,7 @@ macro_rules! collect {
 }
 methods!(collect);
 
-/// The method of that [name](Properties::name).
+/// The method of that [name](crate::method::Properties::name).
 pub fn method_named(name: &str) -> Option<&'static dyn AnyMethod> {
     METHODS.iter().copied().find(|method| method.properties().name == name)
 }

@@ -136,15 +136,15 @@ use zoo::{euler, metrics, problem, verlet, wrapped};
 )]
 #[case::g_times_l(
     problem::Accelerated(|p, theta| -p.gravity() * p.length() * sin(theta)), StormerVerlet,
-    &[ERROR_CONSTANT, LINEAR, CONJUGACY, SYMMETRY],
+    &[ORDER, ERROR_CONSTANT, LINEAR, CONJUGACY, SYMMETRY],
 )]
 #[case::l_forgotten(
     problem::Accelerated(|p, theta| -p.gravity() * sin(theta)), StormerVerlet,
-    &[ERROR_CONSTANT, LINEAR, CONJUGACY, SYMMETRY],
+    &[ORDER, ERROR_CONSTANT, LINEAR, CONJUGACY, SYMMETRY],
 )]
 #[case::mass_in_the_motion(
     problem::Accelerated(|p, theta| -p.stiffness() * p.mass() * sin(theta)), StormerVerlet,
-    &[ERROR_CONSTANT, LINEAR, CONJUGACY, SYMMETRY],
+    &[ORDER, ERROR_CONSTANT, LINEAR, CONJUGACY, SYMMETRY],
 )]
 #[case::degrees_for_radians(
     problem::Accelerated(|p, theta| -p.stiffness() * sin(theta.to_radians())), StormerVerlet,
