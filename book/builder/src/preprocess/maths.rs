@@ -1,7 +1,7 @@
 //! Formulas, set by KaTeX in Rust: HTML to be seen, MathML to be heard. No script runs in the
 //! reader's browser.
 
-use anyhow::{Result, anyhow};
+use anyhow::{Result, anyhow, ensure};
 use katex::{KatexContext, OutputFormat, Settings, StrictMode, StrictSetting, render_to_string};
 
 use super::inert;
@@ -24,8 +24,14 @@ impl Maths {
             .build();
         let html = render_to_string(&self.0, tex, &settings)
             .map_err(|error| anyhow!("formula {}: {error}", tex.trim()))?;
+        ensure!(!has_bare_root(tex), "formula {}: write \\sqrt{{…}} with braces", tex.trim());
         Ok(inert::html(&without_annotations(&html)))
     }
+}
+
+/// Whether there is a root of a bare symbol, `\sqrt2`: katex-rs sets its sign on top of it.
+fn has_bare_root(tex: &str) -> bool {
+    tex.split(r"\sqrt").skip(1).any(|argument| !argument.trim_start().starts_with(['{', '[']))
 }
 
 /// KaTeX repeats the TeX source in an annotation that nobody sees but the search index.
@@ -61,6 +67,15 @@ mod tests {
                 _ => assert!(inside || !"*_|'`[]~\\{}-".contains(c), "{c} in {html}"),
             }
         }
+    }
+
+    /// Catches: a root sign that covers what it stands before.
+    #[test]
+    fn roots_need_their_braces() {
+        let maths = Maths::default();
+        assert!(maths.set(r"2\sqrt2", false).unwrap_err().to_string().contains("braces"));
+        let html = maths.set(r"2\sqrt{2} + \sqrt[3]{x}", false).unwrap();
+        assert!(html.contains("padding-left") || html.contains("padding&#45;left"), "{html}");
     }
 
     /// Catches: the TeX source in the page, and so in the search index.
