@@ -235,6 +235,19 @@ fn tables_have_every_cell_in_every_format() {
     assert!(text.starts_with("Table 4\n") && text.contains("2.33759 × 10⁻⁷"), "{text}");
 }
 
+/// Catches: claims lost on the way to the terminal, Markdown in it, a count that does not add up.
+#[test]
+fn claims_are_counted_by_verdict() {
+    let text = printed(&["claims"]);
+    assert!(!text.contains("**") && !text.contains('`'), "{text}");
+    let summary = text.lines().last().unwrap();
+    let (total, counts) = summary.split_once(" claims: ").expect("a summary");
+    let number = |words: &str| words.split(' ').next().unwrap().parse::<u32>().unwrap();
+    assert_eq!(number(total), counts.split(", ").map(number).sum::<u32>());
+    let claims = json(&["claims", "--format", "json"]);
+    assert_eq!(claims.as_array().unwrap().len(), number(total) as usize);
+}
+
 /// Catches: a verdict that does not hold but ends with status 0.
 #[test]
 fn every_claim_is_upheld() {

@@ -1,11 +1,10 @@
 //! `pendula claims`: the whole ledger, and whether what is measured still supports it.
 
-use std::io::Write;
+use std::io::{self, Write};
 
 use anyhow::Context;
 use clap::{Args, ValueEnum};
 use pendula::paper::{Claim, Ledger, Verdict};
-use pendula::report::tables;
 use pendula::study::Study;
 use serde_json::{Value, json};
 
@@ -37,13 +36,9 @@ pub enum Format {
 pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
     let ledger = Ledger::of(&Study::run(|_| {}));
     match arguments.format {
-        Format::Text => {
-            let [cells, sentences] = [tables::cells(&ledger), tables::sentences(&ledger)];
-            write!(out, "{}\n{}", cells.to_text(), sentences.to_text())?;
-        }
+        Format::Text => write_text(&ledger, out)?,
         Format::Json => {
-            let stated = |claim: &&Claim| claim.verdict != Verdict::NotStated;
-            let claims: Vec<Value> = ledger.claims().iter().filter(stated).map(object).collect();
+            let claims: Vec<Value> = stated(&ledger).map(object).collect();
             serde_json::to_writer_pretty(&mut *out, &claims)
                 .context("the claims cannot be written")?;
             writeln!(out)?;
@@ -52,6 +47,30 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
     out.flush()?;
     let upheld = ledger.claims().iter().all(|claim| claim.judged() == claim.verdict);
     if upheld { Ok(()) } else { Err(Failure::No) }
+}
+
+/// What the paper claims; the ledger also has what the paper leaves out.
+fn stated(ledger: &Ledger) -> impl Iterator<Item = &Claim> {
+    ledger.claims().iter().filter(|claim| claim.verdict != Verdict::NotStated)
+}
+
+/// Two lines a claim, and at the end how many came to which verdict.
+fn write_text(ledger: &Ledger, out: &mut dyn Write) -> io::Result<()> {
+    let mut counts: Vec<(Verdict, u32)> = Vec::new();
+    for claim in stated(ledger) {
+        let (stated, measured) = (claim.stated_text(), claim.measured_text());
+        let because = if claim.because.is_empty() { "" } else { ". " };
+        writeln!(out, "{:<16} {} ({})", claim.id, claim.gist, claim.place)?;
+        write!(out, "{:<16} stated {stated}, measured {measured}: ", "")?;
+        writeln!(out, "{}{because}{}", claim.judged(), claim.because)?;
+        match counts.iter_mut().find(|(verdict, _)| *verdict == claim.judged()) {
+            Some((_, count)) => *count += 1,
+            None => counts.push((claim.judged(), 1)),
+        }
+    }
+    let counts: Vec<String> =
+        counts.iter().map(|(verdict, count)| format!("{count} {verdict}")).collect();
+    writeln!(out, "\n{} claims: {}", stated(ledger).count(), counts.join(", "))
 }
 
 fn object(claim: &Claim) -> Value {
