@@ -124,7 +124,7 @@ pub(super) const CLAIMS: &[Prose] = &[
         stated: "monotonic",
         definition: "steps of the 1000 s run that lower the energy",
         verdict: Wrong,
-        because: "Above the horizontal a step takes energy away; the first to do so is at 27.6 s.",
+        because: "Above the horizontal a step takes energy away.",
         measure: monotonic,
     },
     Prose {
