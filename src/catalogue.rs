@@ -8,6 +8,8 @@ use crate::method::{Described, Method};
 use crate::observe::Observer;
 use crate::pendulum::Pendulum;
 use crate::phase::Phase;
+use crate::stepped::Stepped;
+use crate::swing::swing;
 use crate::system::Counting;
 
 /// A method whose type is forgotten, so that a list can hold it: what tables, book and command line run over.
@@ -15,7 +17,7 @@ use crate::system::Counting;
 /// Every [`Described`] method of the pendulum is one. The step within is compiled for its method; only the observer is
 /// called through a pointer.
 pub trait AnyMethod: Described + Sync {
-    /// [`integrate()`], for the pendulum.
+    /// [`swing()`].
     fn run(
         &self,
         pendulum: &Pendulum,
@@ -30,7 +32,7 @@ pub trait AnyMethod: Described + Sync {
 
 impl<M> AnyMethod for M
 where
-    M: Described + Method<Pendulum> + Method<Counting<Pendulum>> + Sync,
+    M: Described + Method<Pendulum> + Method<Stepped> + Method<Counting<Pendulum>> + Sync,
 {
     fn run(
         &self,
@@ -39,7 +41,7 @@ where
         grid: &Grid,
         observer: &mut dyn Observer<Phase>,
     ) -> Phase {
-        integrate(pendulum, self, start, grid, observer)
+        swing(pendulum, self, start, grid, observer)
     }
 
     fn count_evaluations(&self, pendulum: &Pendulum, start: Phase, grid: &Grid) -> u64 {

@@ -61,6 +61,11 @@ impl Grid {
         self.step
     }
 
+    /// The same grid with its step as the unit of time.
+    pub const fn in_steps(&self) -> Self {
+        Self { step: 1.0, steps: self.steps }
+    }
+
     /// The number N of steps.
     pub const fn steps(&self) -> u64 {
         self.steps

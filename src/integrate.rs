@@ -26,7 +26,7 @@ where
 {
     let h = grid.step();
     let mut z = start;
-    let mut memo = method.start(system, grid.time(0), z);
+    let mut memo = method.start(system, grid.time(0), h, z);
     observer.observe(0, grid.time(0), z);
     for n in 0..grid.steps() {
         if observer.is_satisfied() {

@@ -57,8 +57,10 @@ pub mod phase;
 #[cfg(feature = "study")]
 pub mod report;
 pub mod sine;
+pub mod stepped;
 #[cfg(feature = "study")]
 pub mod study;
+pub mod swing;
 pub mod system;
 #[cfg(feature = "study")]
 pub mod theory;
@@ -71,8 +73,9 @@ pub use integrate::integrate;
 pub use method::{Described, Method, Properties};
 pub use observe::Observer;
 pub use pendulum::{LinearOscillator, Pendulum};
-pub use phase::{Phase, Vector};
-pub use system::{Counting, Hamiltonian, Separable, System};
+pub use phase::{Phase, Point, Vector};
+pub use swing::swing;
+pub use system::{Counting, Hamiltonian, Rate, Separable, System};
 
 /// The listings of the README and of the book, run as tests.
 #[cfg(doctest)]

@@ -8,13 +8,15 @@ use crate::system::System;
 /// Runge–Kutta methods implement it for every [`System`], splitting methods for every
 /// [`Separable`](crate::Separable) one.
 pub trait Method<S: System> {
-    /// What one step hands to the next: `()`, or the last force. It belongs to the time loop, not to the method.
-    type Memo;
+    /// What one step hands to the next: `()`, or what need not be computed again. It belongs to the time loop, not to
+    /// the method.
+    type Memo: Copy;
 
-    /// Prepares the memo for a trajectory that begins at `z` at time `t` (s).
-    fn start(&self, system: &S, t: f64, z: S::State) -> Self::Memo;
+    /// Prepares the memo for a trajectory of steps `h` (s) that begins at `z` at time `t` (s).
+    fn start(&self, system: &S, t: f64, h: f64, z: S::State) -> Self::Memo;
 
-    /// The state one step `h` (s) after `z` at time `t` (s).
+    /// The state one step `h` (s) after `z` at time `t` (s). `memo` is the one that `start` or the last step left for
+    /// this very `z`: a method may find all it needs there.
     fn step(&self, system: &S, t: f64, h: f64, z: S::State, memo: &mut Self::Memo) -> S::State;
 }
 // ANCHOR_END: method

@@ -2,10 +2,23 @@
 
 use core::ops::{Add, Mul};
 
-/// What a system's state must be able to do: be added and be scaled.
+/// A rate of change, or a small displacement: it can be added and scaled.
 ///
 /// That is all a Runge–Kutta method asks of it. Components keep their names in the type that implements this trait.
 pub trait Vector: Copy + Add<Output = Self> + Mul<f64, Output = Self> {}
+
+/// A state: a displacement can be added to it.
+///
+/// Where states themselves form a vector space they are their own displacements. An angle kept as turns and a rest is
+/// a point and no vector: half of it means nothing.
+pub trait Point: Copy + Add<Self::Displacement, Output = Self> {
+    /// What is between two states.
+    type Displacement: Vector;
+}
+
+impl<V: Vector> Point for V {
+    type Displacement = V;
+}
 
 /// A point (θ, ω) in the phase space of the pendulum, or a rate of change of one.
 ///

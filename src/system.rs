@@ -2,16 +2,19 @@
 
 use core::cell::Cell;
 
-use crate::phase::Vector;
+use crate::phase::Point;
 
 /// A system of ordinary differential equations, ż = f(t, z).
 pub trait System {
     /// The point z in phase space.
-    type State: Vector;
+    type State: Point;
 
     /// The rate of change f(t, z) at time `t` (s).
-    fn rate(&self, t: f64, z: Self::State) -> Self::State;
+    fn rate(&self, t: f64, z: Self::State) -> Rate<Self>;
 }
+
+/// The rate of change of a system's state.
+pub type Rate<S> = <<S as System>::State as Point>::Displacement;
 
 /// A system that falls into two halves, each solved exactly: the force kicks the velocity, the velocity drifts the
 /// position. Symplectic splitting methods need no more and no less.
@@ -66,7 +69,7 @@ impl<S> Counting<S> {
 impl<S: System> System for Counting<S> {
     type State = S::State;
 
-    fn rate(&self, t: f64, z: Self::State) -> Self::State {
+    fn rate(&self, t: f64, z: Self::State) -> Rate<Self> {
         self.count();
         self.system.rate(t, z)
     }

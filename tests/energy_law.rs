@@ -42,7 +42,7 @@ struct PositionForm;
 impl<S: Separable> Method<S> for PositionForm {
     type Memo = ();
 
-    fn start(&self, _system: &S, _t: f64, _z: S::State) {}
+    fn start(&self, _system: &S, _t: f64, _h: f64, _z: S::State) {}
 
     fn step(&self, system: &S, t: f64, h: f64, z: S::State, _memo: &mut ()) -> S::State {
         let z = system.drift(z, 0.5 * h);

@@ -60,7 +60,8 @@ fn stormer_verlet_hands_on_the_right_force() {
     let two = Grid::new(H, 2).unwrap();
     let z = integrate(&pendulum(), &StormerVerlet, Z, &two, &mut ());
     let twice = step(&pendulum(), &StormerVerlet, step(&pendulum(), &StormerVerlet, Z));
-    assert_eq!(z, twice);
+    // In one run two half kicks are one kick: the same numbers but for a rounding.
+    assert_same(z, twice.theta, twice.omega);
 }
 
 /// Paper, Algorithm 1. Catches: any of its coefficients changed, stages out of order.

@@ -30,7 +30,7 @@ impl Described for ForwardEuler {
 impl<S: System> Method<S> for ForwardEuler {
     type Memo = ();
 
-    fn start(&self, _system: &S, _t: f64, _z: S::State) {}
+    fn start(&self, _system: &S, _t: f64, _h: f64, _z: S::State) {}
 
     #[inline]
     fn step(&self, system: &S, t: f64, h: f64, z: S::State, _memo: &mut ()) -> S::State {

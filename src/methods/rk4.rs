@@ -30,7 +30,7 @@ impl Described for Rk4 {
 impl<S: System> Method<S> for Rk4 {
     type Memo = ();
 
-    fn start(&self, _system: &S, _t: f64, _z: S::State) {}
+    fn start(&self, _system: &S, _t: f64, _h: f64, _z: S::State) {}
 
     #[inline]
     fn step(&self, system: &S, t: f64, h: f64, z: S::State, _memo: &mut ()) -> S::State {

@@ -20,7 +20,7 @@ impl Described for DriftKick {
 impl<S: Separable> Method<S> for DriftKick {
     type Memo = ();
 
-    fn start(&self, _system: &S, _t: f64, _z: S::State) {}
+    fn start(&self, _system: &S, _t: f64, _h: f64, _z: S::State) {}
 
     #[inline]
     fn step(&self, system: &S, t: f64, h: f64, z: S::State, _memo: &mut ()) -> S::State {
@@ -45,7 +45,7 @@ impl Described for PositionVerlet {
 impl<S: Separable> Method<S> for PositionVerlet {
     type Memo = ();
 
-    fn start(&self, _system: &S, _t: f64, _z: S::State) {}
+    fn start(&self, _system: &S, _t: f64, _h: f64, _z: S::State) {}
 
     #[inline]
     fn step(&self, system: &S, t: f64, h: f64, z: S::State, _memo: &mut ()) -> S::State {

@@ -1,7 +1,9 @@
 //! Impostors of RK4: its tableau with an entry changed.
 
 use pendula::methods::rk4::Rk4;
-use pendula::{Described, Method, Phase, Properties, System};
+use pendula::{Described, Method, Phase, Properties};
+
+use super::{Plain, runs_in_seconds};
 
 /// Four stages, each built on the one before, the third on the first as well.
 #[derive(Clone, Copy)]
@@ -38,10 +40,10 @@ impl Described for Tableau {
     }
 }
 
-impl<S: System<State = Phase>> Method<S> for Tableau {
+impl<S: Plain> Method<S> for Tableau {
     type Memo = ();
 
-    fn start(&self, _system: &S, _t: f64, _z: Phase) {}
+    fn start(&self, _system: &S, _t: f64, _h: f64, _z: Phase) {}
 
     fn step(&self, system: &S, t: f64, h: f64, z: Phase, _memo: &mut ()) -> Phase {
         let Self { a21, a31, a32, a43, b, c } = *self;
@@ -52,3 +54,5 @@ impl<S: System<State = Phase>> Method<S> for Tableau {
         z + (k1 * b[0] + k2 * b[1] + k3 * b[2] + k4 * b[3]) * h
     }
 }
+
+runs_in_seconds!(Tableau);

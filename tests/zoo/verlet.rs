@@ -3,7 +3,7 @@
 use pendula::methods::stormer_verlet::StormerVerlet;
 use pendula::{Described, Method, Phase, Properties, Separable};
 
-use super::impostor;
+use super::{Plain, impostor, runs_in_seconds};
 
 impostor! {
     /// Position for velocity Verlet: half a drift, a kick, half a drift. It evaluates once a step, but not before the
@@ -65,10 +65,10 @@ impl Described for Kicks {
     }
 }
 
-impl<S: Separable<State = Phase, Force = f64>> Method<S> for Kicks {
+impl<S: Plain + Separable<Force = f64>> Method<S> for Kicks {
     type Memo = f64;
 
-    fn start(&self, system: &S, t: f64, z: Phase) -> f64 {
+    fn start(&self, system: &S, t: f64, _h: f64, z: Phase) -> f64 {
         system.force(t, z)
     }
 
@@ -80,3 +80,5 @@ impl<S: Separable<State = Phase, Force = f64>> Method<S> for Kicks {
         system.kick(z, if self.stale_kick { old } else { new }, self.second * h)
     }
 }
+
+runs_in_seconds!(Kicks);

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use pendula::{AnyMethod, Described, Grid, Method, Observer, Pendulum, Phase, Properties, System};
+use pendula::{AnyMethod, Described, Grid, Method, Observer, Pendulum, Phase, Properties};
 
 macro_rules! spoilt_step {
     ($(#[$doc:meta])* $name:ident, |$h:ident| $step:expr, |$z:ident| $after:expr) => {
@@ -15,18 +15,23 @@ macro_rules! spoilt_step {
             }
         }
 
-        impl<S: System<State = Phase>, M: Method<S>> Method<S> for $name<M> {
+        impl<S: super::Plain, M: Method<S>> Method<S> for $name<M> {
             type Memo = M::Memo;
 
-            fn start(&self, system: &S, t: f64, z: Phase) -> M::Memo {
-                self.0.start(system, t, z)
+            fn start(&self, system: &S, t: f64, $h: f64, z: Phase) -> M::Memo {
+                self.0.start(system, t, $step, z)
             }
 
             fn step(&self, system: &S, t: f64, $h: f64, z: Phase, memo: &mut M::Memo) -> Phase {
                 let $z = self.0.step(system, t, $step, z, memo);
-                $after
+                let z = $after;
+                // What the method remembers is the right state's.
+                *memo = self.0.start(system, t + $h, $step, z);
+                z
             }
         }
+
+        super::runs_in_seconds!($name<M>, M.0);
     };
 }
 

@@ -1,0 +1,44 @@
+//! The sine of the time loop: reduced by half turns, so that one odd polynomial does for every angle and only the sign
+//! depends on how many half turns there were.
+
+use core::f64::consts::{FRAC_1_PI, FRAC_PI_2};
+
+use super::ROUNDER;
+
+/// π in two parts of 33 bits and one of 53: a count below 2²⁰ times either of the first is exact.
+pub const PI_PARTS: [f64; 3] = [3.1415926534682512, 1.2154201012607932e-10, 4.044532497591901e-21];
+
+/// The number of half turns nearest to the angle `x` (rad), and what is left, in [−π/2, π/2] but for rounding.
+///
+/// What is left is exact to a rounding of its own size while the count is below 2²⁰, and to a rounding of `x` up to
+/// 2⁵⁰; x itself is known no better.
+#[inline]
+pub fn reduce(x: f64) -> (f64, f64) {
+    // Branch-free, this would be thirty cycles between a state and the next; the branch is nearly always taken, and
+    // taken or not the bits are the same.
+    if x.abs() <= FRAC_PI_2 {
+        return (0.0, x);
+    }
+    let n = (x * FRAC_1_PI + ROUNDER) - ROUNDER;
+    (n, ((x - n * PI_PARTS[0]) - n * PI_PARTS[1]) - n * PI_PARTS[2])
+}
+
+/// P(z) of sin r = r + r³ P(r²), for |r| ≤ π/2 and z = r². Relative error of the sum 2.9e-19.
+#[inline]
+pub fn series(z: f64) -> f64 {
+    const P: [f64; 8] = [
+        -0.16666666666666666,
+        0.008333333333333208,
+        -0.00019841269841213368,
+        2.7557319211744386e-6,
+        -2.5052106921613982e-8,
+        1.6058941903313687e-10,
+        -7.643043459447549e-13,
+        2.7216779243133396e-15,
+    ];
+    // Estrin's scheme: the shortest chain of operations that wait for one another.
+    let zz = z * z;
+    let low = (P[0] + P[1] * z) + (P[2] + P[3] * z) * zz;
+    let high = (P[4] + P[5] * z) + (P[6] + P[7] * z) * zz;
+    low + high * (zz * zz)
+}

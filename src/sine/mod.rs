@@ -1,0 +1,128 @@
+//! Sine and cosine with the same bits on every machine.
+//!
+//! `f64::sin` is the platform's, so two machines differ in the last bit, and a trajectory of a million steps differs
+//! in more. These are additions and multiplications in a fixed order, with no fused ones: without the hardware for it
+//! a fused one is a call of a hundred cycles, and with two definitions there would be two sets of bits.
+//!
+//! Cody and Waite's scheme: subtract the nearest multiple of π/2, given in parts so short that its products are exact,
+//! and put what is left into a polynomial. Muller, *Elementary Functions* (3rd ed.), Sects. 11.2 and 3.2; the
+//! polynomials come from `coefficients.sollya`, beside this file.
+
+pub(crate) mod half_turn;
+
+use core::f64::consts::{FRAC_2_PI, FRAC_PI_4};
+
+/// Up to this size (rad), 2²⁰ quarter turns, the reduction is our own.
+const LARGEST: f64 = 1_647_099.0;
+
+/// sin `x`, `x` in rad.
+///
+/// Within 0.8 ulp up to 2²⁰ quarter turns; beyond, the crate `libm`'s, within 1 ulp. ±0 gives ±0; NaN and ±∞ give NaN.
+#[inline]
+pub fn sin(x: f64) -> f64 {
+    // Below 2⁻²⁷ the cube is less than half an ulp; and −0 keeps its sign.
+    if x.abs() < 7.450580596923828e-9 {
+        return x;
+    }
+    if x.abs() <= LARGEST {
+        let (quarters, r) = reduce(x);
+        turned(quarters, r)
+    } else {
+        libm::sin(x)
+    }
+}
+
+/// cos `x`, `x` in rad.
+///
+/// Within 0.8 ulp up to 2²⁰ quarter turns; beyond, the crate `libm`'s, within 1 ulp. NaN and ±∞ give NaN.
+#[inline]
+pub fn cos(x: f64) -> f64 {
+    if x.abs() <= LARGEST {
+        let (quarters, r) = reduce(x);
+        turned(quarters.wrapping_add(1), r)
+    } else {
+        libm::cos(x)
+    }
+}
+
+/// What is left of an angle after whole quarter turns: `head` in [−π/4, π/4], and `tail` by which it is off.
+#[derive(Clone, Copy)]
+struct Rest {
+    head: f64,
+    tail: f64,
+}
+
+/// 1.5 · 2⁵²: a number below 2⁵¹ in size, added to it, is rounded to an integer, which then stands in the lowest bits.
+pub(crate) const ROUNDER: f64 = 6_755_399_441_055_744.0;
+
+/// The nearest number of quarter turns, of which the last two bits count, and what is left.
+#[inline]
+fn reduce(x: f64) -> (u64, Rest) {
+    /// π/2 in three parts of 33 bits and one of 53.
+    const PARTS: [f64; 4] =
+        [1.5707963267341256, 6.077100506303966e-11, 2.0222662487111665e-21, 8.4784276603689e-32];
+    if x.abs() <= FRAC_PI_4 {
+        return (0, Rest { head: x, tail: 0.0 });
+    }
+    let rounded = x * FRAC_2_PI + ROUNDER;
+    let n = rounded - ROUNDER;
+    // Every product but the last is exact: 33 bits times at most 20. So is the first difference, of neighbours.
+    let (head, first) = difference(x - n * PARTS[0], n * PARTS[1]);
+    let (head, second) = difference(head, n * PARTS[2]);
+    (rounded.to_bits(), Rest { head, tail: first + (second - n * PARTS[3]) })
+}
+
+/// a − b, rounded, and by how much it is off (Knuth's two-sum).
+#[inline]
+fn difference(a: f64, b: f64) -> (f64, f64) {
+    let d = a - b;
+    let v = d - a;
+    (d, (a - (d - v)) - (b + v))
+}
+
+/// The sine of `r` and so many quarter turns.
+#[inline]
+fn turned(quarters: u64, r: Rest) -> f64 {
+    let value = if quarters & 1 == 0 { sine(r) } else { cosine(r) };
+    // The second bit of the count is the sign.
+    f64::from_bits(value.to_bits() ^ (quarters & 2) << 62)
+}
+
+/// sin r for |r| ≤ π/4: relative error of the polynomial 3.8e-18.
+#[inline]
+fn sine(Rest { head, tail }: Rest) -> f64 {
+    const S: [f64; 6] = [
+        -0.1666666666666663,
+        0.008333333333321924,
+        -0.0001984126982946497,
+        2.7557313585030056e-6,
+        -2.5050742814224338e-8,
+        1.589597502982743e-10,
+    ];
+    let z = head * head;
+    let cube = z * head;
+    let zz = z * z;
+    let q = (S[1] + z * S[2]) + zz * ((S[3] + z * S[4]) + zz * S[5]);
+    // What is added to the head is small: its own rounding hardly counts.
+    head + (cube * S[0] + (z * (cube * q - 0.5 * tail) + tail))
+}
+
+/// cos r for |r| ≤ π/4: relative error of the polynomial 5.7e-20.
+#[inline]
+fn cosine(Rest { head, tail }: Rest) -> f64 {
+    const C: [f64; 6] = [
+        0.041666666666666595,
+        -0.0013888888888873348,
+        2.4801587289008097e-5,
+        -2.7557314219059267e-7,
+        2.0875705689505815e-9,
+        -1.1358764866516342e-11,
+    ];
+    let z = head * head;
+    let zz = z * z;
+    let q = (C[0] + z * C[1]) + zz * ((C[2] + z * C[3]) + zz * (C[4] + z * C[5]));
+    let half = 0.5 * z;
+    let w = 1.0 - half;
+    // 1 − z/2 is rounded in w; by how much is known exactly.
+    w + (((1.0 - w) - half) + (zz * q - head * tail))
+}

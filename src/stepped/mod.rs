@@ -1,0 +1,155 @@
+//! The pendulum with its step as the unit of time: the same motion in half the time.
+//!
+//! With u = hω (rad a step) and K = h² g/L the pendulum is θ̈ + K sin θ = 0 and every step is of length 1, so that no
+//! method multiplies by h any more; symplectic Euler, u ← u − K sin θ, θ ← θ + u, is then Chirikov's standard map as
+//! it stands. Three things make it quick, all of them here and none in the methods, whose own code takes the steps:
+//! the unit of time, the angle kept as half turns and a rest, so that a sine needs no reduction, and
+//! [deferred sums](deferred::Deferred).
+
+mod deferred;
+
+use core::ops::{Add, Mul};
+
+use crate::pendulum::Pendulum;
+use crate::phase::{Phase, Point, Vector};
+use crate::sine::ROUNDER;
+use crate::sine::half_turn::{PI_PARTS, reduce, series};
+use crate::system::{Rate, Separable, System};
+use deferred::Deferred;
+
+/// The pendulum whose time is counted in steps.
+#[derive(Clone, Copy, Debug)]
+pub struct Stepped {
+    /// −K = −h² g/L.
+    kick: f64,
+    /// The step h (s).
+    step: f64,
+}
+
+/// The state: the angle as a rest in [−π/2, π/2] and a number of half turns, and the velocity in rad a step.
+#[derive(Clone, Copy, Debug)]
+pub struct Turned {
+    /// What is left of the angle (rad).
+    rest: f64,
+    /// 1.5 · 2⁵² + n for n half turns: the lowest bit is that of n, and says whether the sine changes its sign.
+    turns: f64,
+    velocity: Deferred,
+}
+
+/// A displacement of the state, or its rate of change.
+#[derive(Clone, Copy, Debug)]
+pub struct Turning {
+    angle: Deferred,
+    velocity: Deferred,
+}
+
+impl Stepped {
+    /// `pendulum` with its time in steps of `step` (s), for a run of `steps` that begins with the angle and angular
+    /// velocity of `start`; `None` where the change of units could overflow or underflow, or half turns could become
+    /// too many to be counted.
+    pub fn new(pendulum: &Pendulum, step: f64, steps: u64, start: Phase) -> Option<Self> {
+        // K and h stay far from the ends of the range of f64, and with them what is made of them: squares of 1e-200
+        // can be lost, 1e-100 leaves room.
+        let moderate = |x: f64| (1e-100..1e100).contains(&x);
+        let kick = pendulum.stiffness() * step * step;
+        // No method adds more than K to the velocity in one step. The rounder counts 2⁵¹ half turns; the angle at the
+        // start is reduced exactly below 2²⁰, and kept to half a rounding.
+        let fastest = (start.omega * step).abs() + steps as f64 * kick;
+        let farthest = start.theta.abs() + steps as f64 * fastest;
+        let fits = moderate(kick)
+            && moderate(step)
+            && (start.omega == 0.0 || moderate(start.omega.abs()))
+            && start.theta.abs() < 1e6
+            && farthest < 1e15;
+        fits.then_some(Self { kick: -kick, step })
+    }
+
+    /// The state that `z` is.
+    pub fn enter(&self, z: Phase) -> Turned {
+        let (n, rest) = reduce(z.theta);
+        Turned { rest, turns: ROUNDER + n, velocity: (z.omega * self.step).into() }
+    }
+
+    /// Angle (rad) and angular velocity (rad/s) of the state `z`.
+    #[inline]
+    pub fn leave(&self, z: Turned) -> Phase {
+        let n = z.turns - ROUNDER;
+        let theta = n * PI_PARTS[0] + (n * PI_PARTS[1] + (n * PI_PARTS[2] + z.rest));
+        Phase { theta, omega: z.velocity.value() / self.step }
+    }
+}
+
+impl Turned {
+    /// Moves the angle and reduces it again.
+    #[inline]
+    fn turn(self, by: Deferred) -> Self {
+        let (n, rest) = reduce((self.rest + by.sum) + by.factor * by.series);
+        Self { rest, turns: self.turns + n, ..self }
+    }
+}
+
+impl Add<Turning> for Turned {
+    type Output = Self;
+
+    #[inline]
+    fn add(self, displacement: Turning) -> Self {
+        let velocity = self.velocity + displacement.velocity;
+        Self { velocity, ..self.turn(displacement.angle) }
+    }
+}
+
+impl Point for Turned {
+    type Displacement = Turning;
+}
+
+impl Add for Turning {
+    type Output = Self;
+
+    #[inline]
+    fn add(self, late: Self) -> Self {
+        Self { angle: self.angle + late.angle, velocity: self.velocity + late.velocity }
+    }
+}
+
+impl Mul<f64> for Turning {
+    type Output = Self;
+
+    #[inline]
+    fn mul(self, factor: f64) -> Self {
+        Self { angle: self.angle * factor, velocity: self.velocity * factor }
+    }
+}
+
+impl Vector for Turning {}
+
+impl System for Stepped {
+    type State = Turned;
+
+    #[inline]
+    fn rate(&self, t: f64, z: Turned) -> Rate<Self> {
+        Turning { angle: z.velocity, velocity: self.force(t, z) }
+    }
+}
+
+impl Separable for Stepped {
+    type Force = Deferred;
+
+    /// −K sin θ = ∓K (r + r³ P(r²)), where r is the rest of θ.
+    #[inline]
+    fn force(&self, _t: f64, z: Turned) -> Deferred {
+        let sign = z.turns.to_bits() << 63;
+        let sum = f64::from_bits(self.kick.to_bits() ^ sign) * z.rest;
+        let square = z.rest * z.rest;
+        Deferred { sum, factor: sum * square, series: series(square) }
+    }
+
+    #[inline]
+    fn kick(&self, z: Turned, force: Deferred, h: f64) -> Turned {
+        Turned { velocity: z.velocity + force * h, ..z }
+    }
+
+    #[inline]
+    fn drift(&self, z: Turned, h: f64) -> Turned {
+        z.turn(z.velocity * h)
+    }
+}
