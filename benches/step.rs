@@ -90,5 +90,9 @@ macro_rules! every_method {
 }
 pendula::methods!(every_method);
 
-criterion_group!(benches, step, watch);
+criterion_group! {
+    name = benches;
+    config = Criterion::default().without_plots();
+    targets = step, watch
+}
 criterion_main!(benches);

@@ -17,6 +17,8 @@ pub trait Method<S: System> {
 
     /// The state one step `h` (s) after `z` at time `t` (s). `memo` is the one that `start` or the last step left for
     /// this very `z`: a method may find all it needs there.
+    ///
+    /// Implementations are `#[inline(always)]`: in the time loop `h` and the system are known, and a call would hide it.
     fn step(&self, system: &S, t: f64, h: f64, z: S::State, memo: &mut Self::Memo) -> S::State;
 }
 // ANCHOR_END: method

@@ -2,7 +2,7 @@
 
 use crate::error::{Error, positive};
 use crate::phase::Phase;
-use crate::sine::{cos, sin};
+use crate::sine::{cos, half_turn, sin};
 use crate::system::{Hamiltonian, Separable, System};
 
 /// The simple pendulum, θ̈ + (g/L) sin θ = 0 (paper, Eq. 1).
@@ -115,7 +115,7 @@ impl Separable for Pendulum {
 
     #[inline]
     fn force(&self, _t: f64, z: Phase) -> f64 {
-        -self.stiffness * sin(z.theta)
+        -self.stiffness * half_turn::sin(z.theta)
     }
 
     #[inline]

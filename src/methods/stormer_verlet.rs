@@ -36,7 +36,7 @@ impl<S: Separable> Method<S> for StormerVerlet {
         system.kick(z, system.force(t, z), 0.5 * h)
     }
 
-    #[inline]
+    #[inline(always)]
     fn step(&self, system: &S, t: f64, h: f64, _z: S::State, ahead: &mut S::State) -> S::State {
         let z = system.drift(*ahead, h);
         let force = system.force(t + h, z);

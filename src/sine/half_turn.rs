@@ -23,6 +23,21 @@ pub fn reduce(x: f64) -> (f64, f64) {
     (n, ((x - n * PI_PARTS[0]) - n * PI_PARTS[1]) - n * PI_PARTS[2])
 }
 
+/// sin `x`, `x` in rad: within 2.5 ulp up to 2²⁰ half turns, but next to a multiple of π; beyond, [`super::sin`].
+///
+/// It takes two thirds of the time of [`super::sin`], and its last bit is as good as any in a sum of a million kicks.
+#[inline]
+pub fn sin(x: f64) -> f64 {
+    // 2²⁰ π.
+    if !(x.abs() <= 3_294_198.0) {
+        return super::sin(x);
+    }
+    let (n, r) = reduce(x);
+    let square = r * r;
+    let value = r + (r * square) * series(square);
+    f64::from_bits(value.to_bits() ^ (n + ROUNDER).to_bits() << 63)
+}
+
 /// P(z) of sin r = r + r³ P(r²), for |r| ≤ π/2 and z = r². Relative error of the sum 2.9e-19.
 #[inline]
 pub fn series(z: f64) -> f64 {

@@ -22,7 +22,7 @@ impl<S: Separable> Method<S> for DriftKick {
 
     fn start(&self, _system: &S, _t: f64, _h: f64, _z: S::State) {}
 
-    #[inline]
+    #[inline(always)]
     fn step(&self, system: &S, t: f64, h: f64, z: S::State, _memo: &mut ()) -> S::State {
         let z = system.drift(z, h);
         system.kick(z, system.force(t + h, z), h)
