@@ -36,11 +36,13 @@
 //!
 //! Every result comes from additions, multiplications, divisions and square roots in a fixed order, so that debug and
 //! release, and one machine and another, give the same bits.
-#![cfg_attr(not(feature = "study"), no_std)]
+#![cfg_attr(not(any(feature = "study", feature = "ensemble")), no_std)]
 #![warn(clippy::disallowed_methods)]
 
 pub mod catalogue;
 mod double_double;
+#[cfg(feature = "ensemble")]
+pub mod ensemble;
 pub mod error;
 pub mod exact;
 pub mod grid;

@@ -39,6 +39,14 @@ pub trait Hamiltonian: System {
     /// The zero lies at the bottom of the well so that a small motion has a small energy, and its error is not lost in
     /// the rounding of a large constant.
     fn energy(&self, z: Self::State) -> f64;
+
+    /// The energy of each of `states` (J), into `energies` as far as there are slots. A system that can do many at once
+    /// quicker than one by one, with the same bits, may.
+    fn energies(&self, states: &[Self::State], energies: &mut [f64]) {
+        for (z, energy) in states.iter().zip(energies) {
+            *energy = self.energy(*z);
+        }
+    }
 }
 
 /// A system that counts how often its force is evaluated.

@@ -5,6 +5,7 @@ use std::sync::LazyLock;
 use pendula::paper::Ledger;
 use pendula::report::{figures::FIGURES, tables};
 use pendula::study::Study;
+use pendula::{Described, Grid, Pendulum, Phase, integrate, swing};
 use rstest::rstest;
 
 static STUDY: LazyLock<Study> = LazyLock::new(|| Study::run(|_| {}));
@@ -61,4 +62,50 @@ fn the_figures(#[values(0, 1, 2, 3, 4, 5, 6)] index: usize) {
 #[test]
 fn every_figure_is_reviewed() {
     assert_eq!(FIGURES.len(), 7, "the_figures needs the index of the new one");
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// The same bits everywhere
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// FNV-1a of every state's bits over a million steps: a quarter of a million swinging, nearly over the top, turning, and from
+/// many turns, with L ≠ 1 and a step that is no power of two.
+fn hash(run: impl Fn(&Pendulum, Phase, &Grid, &mut dyn FnMut(u64, f64, Phase))) -> u64 {
+    let pendulum = Pendulum::new(9.81, 1.3, 0.7).unwrap();
+    let grid = Grid::new(0.01, 250_000).unwrap();
+    let mut hash = 0xcbf2_9ce4_8422_2325_u64;
+    for (theta, omega) in [(1.0, 0.0), (3.1, 0.2), (-0.3, 12.0), (1000.5, -1.0)] {
+        run(&pendulum, Phase { theta, omega }, &grid, &mut |_, _, z: Phase| {
+            for bits in [z.theta.to_bits(), z.omega.to_bits()] {
+                hash = (hash ^ bits).wrapping_mul(0x0100_0000_01b3);
+            }
+        });
+    }
+    hash
+}
+
+macro_rules! hashes {
+    ($($module:ident::$method:ident,)+) => {{
+        let mut table = String::from("| Method | in steps | in seconds |\n| --- | --- | --- |\n");
+        $({
+            use pendula::methods::$module::$method;
+            let in_steps = hash(|pendulum, start, grid, mut watch| {
+                swing(pendulum, &$method, start, grid, &mut watch);
+            });
+            let in_seconds = hash(|pendulum, start, grid, mut watch| {
+                integrate(pendulum, &$method, start, grid, &mut watch);
+            });
+            let title = $method.properties().title;
+            table += &format!("| {title} | `{in_steps:016x}` | `{in_seconds:016x}` |\n");
+        })+
+        table
+    }};
+}
+
+/// Debug and release, one machine and another give the same bits: `.ci/run` runs this in both, and for another processor.
+///
+/// Catches: the platform's sine, a fused multiply-add, a constant folded to another bit, a sum in another order.
+#[test]
+fn the_bits_of_a_million_steps() {
+    assert_reviewed("bits", "table", &pendula::methods!(hashes));
 }

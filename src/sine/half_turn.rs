@@ -12,30 +12,48 @@ pub const PI_PARTS: [f64; 3] = [3.1415926534682512, 1.2154201012607932e-10, 4.04
 ///
 /// What is left is exact to a rounding of its own size while the count is below 2²⁰, and to a rounding of `x` up to
 /// 2⁵⁰; x itself is known no better.
-#[inline]
-pub fn reduce(x: f64) -> (f64, f64) {
-    // Branch-free, this would be thirty cycles between a state and the next; the branch is nearly always taken, and
-    // taken or not the bits are the same.
-    if x.abs() <= FRAC_PI_2 {
+///
+/// `BRANCH` is whether to return at once where nothing is to be subtracted. A trajectory alone would wait twenty cycles
+/// of each step for the subtractions; lanes have other lanes to go on with, and no branches. The bits are the same.
+#[inline(always)]
+pub fn reduce<const BRANCH: bool>(x: f64) -> (f64, f64) {
+    if BRANCH && x.abs() <= FRAC_PI_2 {
         return (0.0, x);
     }
     let n = (x * FRAC_1_PI + ROUNDER) - ROUNDER;
     (n, ((x - n * PI_PARTS[0]) - n * PI_PARTS[1]) - n * PI_PARTS[2])
 }
 
-/// sin `x`, `x` in rad: within 2.5 ulp up to 2²⁰ half turns, but next to a multiple of π; beyond, [`super::sin`].
+/// Up to this size (rad), 2²⁰ half turns, the reduction is exact.
+pub const LARGEST: f64 = 3_294_198.0;
+
+/// sin `x`, `x` in rad: within 2.5 ulp up to [`LARGEST`], but next to a multiple of π; beyond, [`super::sin`].
 ///
 /// It takes two thirds of the time of [`super::sin`], and its last bit is as good as any in a sum of a million kicks.
 #[inline]
 pub fn sin(x: f64) -> f64 {
-    // 2²⁰ π.
-    if !(x.abs() <= 3_294_198.0) {
-        return super::sin(x);
-    }
-    let (n, r) = reduce(x);
+    if x.abs() <= LARGEST { sin_within::<true>(x) } else { beyond(x) }
+}
+
+/// Out of the way, so that the rest can stand in a loop without a call.
+#[cold]
+#[inline(never)]
+fn beyond(x: f64) -> f64 {
+    super::sin(x)
+}
+
+/// [`sin`] within [`LARGEST`].
+#[inline(always)]
+pub fn sin_within<const BRANCH: bool>(x: f64) -> f64 {
+    let (n, r) = reduce::<BRANCH>(x);
+    f64::from_bits(of_rest(r).to_bits() ^ (n + ROUNDER).to_bits() << 63)
+}
+
+/// sin `r` for |r| ≤ π/2, where there is nothing to reduce.
+#[inline(always)]
+pub fn of_rest(r: f64) -> f64 {
     let square = r * r;
-    let value = r + (r * square) * series(square);
-    f64::from_bits(value.to_bits() ^ (n + ROUNDER).to_bits() << 63)
+    r + (r * square) * series(square)
 }
 
 /// P(z) of sin r = r + r³ P(r²), for |r| ≤ π/2 and z = r². Relative error of the sum 2.9e-19.

@@ -56,7 +56,7 @@ struct Rest {
 pub(crate) const ROUNDER: f64 = 6_755_399_441_055_744.0;
 
 /// The nearest number of quarter turns, of which the last two bits count, and what is left.
-#[inline]
+#[inline(always)]
 fn reduce(x: f64) -> (u64, Rest) {
     /// π/2 in three parts of 33 bits and one of 53.
     const PARTS: [f64; 4] =
@@ -73,7 +73,7 @@ fn reduce(x: f64) -> (u64, Rest) {
 }
 
 /// a − b, rounded, and by how much it is off (Knuth's two-sum).
-#[inline]
+#[inline(always)]
 fn difference(a: f64, b: f64) -> (f64, f64) {
     let d = a - b;
     let v = d - a;
@@ -81,7 +81,7 @@ fn difference(a: f64, b: f64) -> (f64, f64) {
 }
 
 /// The sine of `r` and so many quarter turns.
-#[inline]
+#[inline(always)]
 fn turned(quarters: u64, r: Rest) -> f64 {
     let value = if quarters & 1 == 0 { sine(r) } else { cosine(r) };
     // The second bit of the count is the sign.
@@ -89,7 +89,7 @@ fn turned(quarters: u64, r: Rest) -> f64 {
 }
 
 /// sin r for |r| ≤ π/4: relative error of the polynomial 3.8e-18.
-#[inline]
+#[inline(always)]
 fn sine(Rest { head, tail }: Rest) -> f64 {
     const S: [f64; 6] = [
         -0.1666666666666663,
@@ -108,7 +108,7 @@ fn sine(Rest { head, tail }: Rest) -> f64 {
 }
 
 /// cos r for |r| ≤ π/4: relative error of the polynomial 5.7e-20.
-#[inline]
+#[inline(always)]
 fn cosine(Rest { head, tail }: Rest) -> f64 {
     const C: [f64; 6] = [
         0.041666666666666595,

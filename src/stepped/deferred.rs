@@ -12,8 +12,11 @@ use crate::phase::Vector;
 /// for. The methods' steps stay as they are written.
 #[derive(Clone, Copy, Debug)]
 pub struct Deferred {
+    /// What is known early.
     pub sum: f64,
+    /// What the late part is multiplied by.
     pub factor: f64,
+    /// What comes late.
     pub series: f64,
 }
 

@@ -15,25 +15,28 @@ use crate::phase::{Phase, Point, Vector};
 use crate::sine::ROUNDER;
 use crate::sine::half_turn::{PI_PARTS, reduce, series};
 use crate::system::{Rate, Separable, System};
-use deferred::Deferred;
+pub use deferred::Deferred;
 
 /// The pendulum whose time is counted in steps.
+///
+/// `ALONE` says how its angles are reduced: with a branch, for a trajectory alone, or without, for lanes. The bits are
+/// the same.
 #[derive(Clone, Copy, Debug)]
-pub struct Stepped {
+pub struct Stepped<const ALONE: bool = true> {
     /// −K = −h² g/L.
-    kick: f64,
+    pub(crate) kick: f64,
     /// The step h (s).
-    step: f64,
+    pub(crate) step: f64,
 }
 
 /// The state: the angle as a rest in [−π/2, π/2] and a number of half turns, and the velocity in rad a step.
 #[derive(Clone, Copy, Debug)]
-pub struct Turned {
+pub struct Turned<const ALONE: bool = true> {
     /// What is left of the angle (rad).
-    rest: f64,
+    pub(crate) rest: f64,
     /// 1.5 · 2⁵² + n for n half turns: the lowest bit is that of n, and says whether the sine changes its sign.
-    turns: f64,
-    velocity: Deferred,
+    pub(crate) turns: f64,
+    pub(crate) velocity: Deferred,
 }
 
 /// A displacement of the state, or its rate of change.
@@ -43,7 +46,7 @@ pub struct Turning {
     velocity: Deferred,
 }
 
-impl Stepped {
+impl<const ALONE: bool> Stepped<ALONE> {
     /// `pendulum` with its time in steps of `step` (s), for a run of `steps` that begins with the angle and angular
     /// velocity of `start`; `None` where the change of units could overflow or underflow, or half turns could become
     /// too many to be counted.
@@ -65,30 +68,30 @@ impl Stepped {
     }
 
     /// The state that `z` is.
-    pub fn enter(&self, z: Phase) -> Turned {
-        let (n, rest) = reduce(z.theta);
+    pub fn enter(&self, z: Phase) -> Turned<ALONE> {
+        let (n, rest) = reduce::<ALONE>(z.theta);
         Turned { rest, turns: ROUNDER + n, velocity: (z.omega * self.step).into() }
     }
 
     /// Angle (rad) and angular velocity (rad/s) of the state `z`.
     #[inline]
-    pub fn leave(&self, z: Turned) -> Phase {
+    pub fn leave(&self, z: Turned<ALONE>) -> Phase {
         let n = z.turns - ROUNDER;
         let theta = n * PI_PARTS[0] + (n * PI_PARTS[1] + (n * PI_PARTS[2] + z.rest));
         Phase { theta, omega: z.velocity.value() / self.step }
     }
 }
 
-impl Turned {
+impl<const ALONE: bool> Turned<ALONE> {
     /// Moves the angle and reduces it again.
     #[inline]
     fn turn(self, by: Deferred) -> Self {
-        let (n, rest) = reduce((self.rest + by.sum) + by.factor * by.series);
+        let (n, rest) = reduce::<ALONE>((self.rest + by.sum) + by.factor * by.series);
         Self { rest, turns: self.turns + n, ..self }
     }
 }
 
-impl Add<Turning> for Turned {
+impl<const ALONE: bool> Add<Turning> for Turned<ALONE> {
     type Output = Self;
 
     #[inline]
@@ -98,7 +101,7 @@ impl Add<Turning> for Turned {
     }
 }
 
-impl Point for Turned {
+impl<const ALONE: bool> Point for Turned<ALONE> {
     type Displacement = Turning;
 }
 
@@ -122,21 +125,21 @@ impl Mul<f64> for Turning {
 
 impl Vector for Turning {}
 
-impl System for Stepped {
-    type State = Turned;
+impl<const ALONE: bool> System for Stepped<ALONE> {
+    type State = Turned<ALONE>;
 
     #[inline]
-    fn rate(&self, t: f64, z: Turned) -> Rate<Self> {
+    fn rate(&self, t: f64, z: Turned<ALONE>) -> Rate<Self> {
         Turning { angle: z.velocity, velocity: self.force(t, z) }
     }
 }
 
-impl Separable for Stepped {
+impl<const ALONE: bool> Separable for Stepped<ALONE> {
     type Force = Deferred;
 
     /// −K sin θ = ∓K (r + r³ P(r²)), where r is the rest of θ.
     #[inline]
-    fn force(&self, _t: f64, z: Turned) -> Deferred {
+    fn force(&self, _t: f64, z: Turned<ALONE>) -> Deferred {
         let sign = z.turns.to_bits() << 63;
         let sum = f64::from_bits(self.kick.to_bits() ^ sign) * z.rest;
         let square = z.rest * z.rest;
@@ -144,12 +147,12 @@ impl Separable for Stepped {
     }
 
     #[inline]
-    fn kick(&self, z: Turned, force: Deferred, h: f64) -> Turned {
+    fn kick(&self, z: Turned<ALONE>, force: Deferred, h: f64) -> Turned<ALONE> {
         Turned { velocity: z.velocity + force * h, ..z }
     }
 
     #[inline]
-    fn drift(&self, z: Turned, h: f64) -> Turned {
+    fn drift(&self, z: Turned<ALONE>, h: f64) -> Turned<ALONE> {
         z.turn(z.velocity * h)
     }
 }
