@@ -146,6 +146,7 @@ fn steps_in_lanes<M: Method<Stepped, Memo: Lane>>(block: &mut Block, method: &M,
 #[inline(always)]
 fn step_in_lanes<M: Method<Stepped, Memo: Lane>>(block: &mut Block, method: &M, keep: bool) {
     let Block { kicks, step, state, memo } = block;
+    #[expect(clippy::needless_range_loop, reason = "every column is indexed by the lane")]
     for lane in 0..LANES {
         let stepped = Stepped { kick: kicks[lane], step: *step };
         let mut remembered = M::Memo::load(memo, lane);

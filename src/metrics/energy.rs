@@ -37,6 +37,7 @@ impl<'a, S: Hamiltonian> EnergyDrift<'a, S> {
 
 impl<S: Hamiltonian> Observer<S::State> for EnergyDrift<'_, S> {
     #[inline]
+    #[expect(clippy::unnecessary_lazy_evaluations, reason = "the row would be filled each time")]
     fn observe(&mut self, n: u64, _t: f64, z: S::State) {
         if n == 0 {
             self.initial = self.system.energy(z);
