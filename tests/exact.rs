@@ -513,6 +513,39 @@ proptest! {
     }
 }
 
+/// Near the horizon the phase in quarter periods is an f64 whose last place is a half or a whole, and all of the motion is in
+/// what that leaves over. From mpmath, 80 digits: the release from 1 rad. The rate of the phase is known to 2⁻¹⁰⁴ of itself, so
+/// the phase to 2⁻⁵² × π/2 × √9.81 × 2 at the most.
+///
+/// Catches: a whole number of quarter periods carried twice, or the wrong way.
+#[rstest]
+#[case(1879331179301274.0, -0.8158890537714706, 1.6862109693977085)]
+#[case(2008179616693827.8, -0.8022912096853608, 1.7425185374503611)]
+#[case(2066061913573249.2, -0.8509092403710324, -1.5279824661491765)]
+#[case(2225659432656420.8, -0.9999937484022129, -0.010159308602593555)]
+#[case(2006132944214766.2, -0.16336895464727558, -2.9593964591007262)]
+#[case(2203847552472841.2, -0.971313006441824, 0.6849715112422733)]
+#[case(1235663414503259.0, 0.9453359576316266, 0.9413825021456528)]
+#[case(1708871420491457.8, 0.9595809859811066, 0.81145826545723)]
+fn the_phase_is_kept_up_to_the_horizon(#[case] t: f64, #[case] theta: f64, #[case] omega: f64) {
+    let motion = motion(&Pendulum::PAPER, Phase::at_rest(1.0));
+    assert!(t < motion.horizon());
+    let tolerance = Phase { theta: 1e-14, omega: 1e-14 * 9.81 };
+    assert_close(motion.at(t), Phase { theta, omega }, tolerance, &t);
+}
+
+/// k = sin(θ₀/2), below 1, and below the square root of the smallest f64 as well; and above 1 where ω²/(2ω₀)² is.
+///
+/// Catches: a modulus of the enlarged swing in which a tiny one is solved.
+#[test]
+fn the_modulus_is_that_of_the_motion() {
+    let modulus = |theta, omega| motion(&Pendulum::PAPER, Phase { theta, omega }).modulus();
+    assert_relative_eq!(modulus(1.0, 0.0), 0.5_f64.sin(), max_relative = 4.0 * f64::EPSILON);
+    assert_relative_eq!(modulus(1e-200, 0.0), 0.5e-200, max_relative = 4.0 * f64::EPSILON);
+    let omega = 4.0 * 9.81_f64.sqrt();
+    assert_relative_eq!(modulus(0.0, omega), 2.0, max_relative = 4.0 * f64::EPSILON);
+}
+
 /// Catches: an f64::sin or a fused multiply-add that found its way in: the bits are pinned, for every machine.
 #[test]
 fn the_bits_are_the_same_everywhere() {

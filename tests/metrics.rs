@@ -4,6 +4,7 @@ mod properties;
 
 use approx::assert_relative_eq;
 use pendula::exact::period;
+use pendula::methods::forward_euler::ForwardEuler;
 use pendula::methods::rk4::Rk4;
 use pendula::metrics::{AngleError, CrossingPeriod, EnergyDrift, Henon, Linear, PeakPeriod};
 use pendula::theory;
@@ -58,6 +59,29 @@ fn a_small_energy_keeps_its_digits() {
 
 /// The highest sample lies within half a step of the peak.
 ///
+/// Forward Euler takes its first step from rest without moving: θ₀, θ₀, and then less. That is no top.
+///
+/// Catches: a plateau at the start that is taken for the end of the first period; a run that goes on when the peak has been seen.
+#[test]
+fn a_start_from_rest_is_no_peak() {
+    let mut peak = PeakPeriod::default();
+    let (h, grid) = (0.01, Grid::over(10.0, 0.01).unwrap());
+    let mut last = 0;
+    let mut watch = (peak, |n, _, _| last = n);
+    let pendulum = Pendulum::PAPER;
+    integrate(&pendulum, &ForwardEuler, Phase::at_rest(1.0), &grid, &mut watch);
+    peak = watch.0;
+    let period = peak.period().expect("five periods");
+    // 2.144 s, and forward Euler swings wider and slower.
+    assert!(period > 2.1 && period < 2.4, "{period} s");
+    assert_eq!(last, grid.steps(), "a closure is never satisfied");
+
+    let mut peak = PeakPeriod::default();
+    let end = integrate(&pendulum, &ForwardEuler, Phase::at_rest(1.0), &grid, &mut peak);
+    let seen = Grid::new(h, (period / h).round() as u64 + 1).unwrap();
+    assert_eq!(end, integrate(&pendulum, &ForwardEuler, Phase::at_rest(1.0), &seen, &mut ()));
+}
+
 /// Catches: a period off by one sample, and the start of the run taken for its first peak.
 #[test]
 fn a_peak_is_right_to_half_a_step() {

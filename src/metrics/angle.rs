@@ -39,9 +39,8 @@ impl<F: Fn(f64) -> f64> Observer<Phase> for AngleError<F> {
         let error = (z.theta - (self.reference)(t)).abs();
         self.squares += error * error;
         self.samples += 1;
-        if error > self.largest || error.is_nan() {
-            self.largest = error;
-        }
+        // A NaN, once seen, is kept and not compared away.
+        self.largest = libm::fmaximum(self.largest, error);
     }
 }
 // ANCHOR_END: angle_error

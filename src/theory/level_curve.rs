@@ -60,3 +60,19 @@ fn maximum(f: impl Fn(f64) -> f64) -> f64 {
     }
     f(0.5 * (low + high))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Of six maxima the highest is found, and to the root of the rounding: there a maximum is flat.
+    ///
+    /// Catches: a grid that misses it, a bracket that is not around it.
+    #[test]
+    fn the_highest_of_many_maxima_is_found() {
+        for shift in [0.1, 1.3, 2.9, 4.4, 6.1] {
+            let f = |phi: f64| cos(6.0 * (phi - shift)) + 0.1 * cos(phi - shift);
+            assert!((maximum(f) - 1.1).abs() < 1e-13, "{} at {shift}", maximum(f));
+        }
+    }
+}
