@@ -2,9 +2,12 @@
 
 use core::fmt;
 
+#[cfg(feature = "ensemble")]
+use crate::ensemble::{Ensemble, InLanes};
 use crate::grid::Grid;
 use crate::integrate::integrate;
 use crate::method::{Described, Method};
+use crate::metrics::EnergyDrift;
 use crate::observe::Observer;
 use crate::pendulum::Pendulum;
 use crate::phase::Phase;
@@ -28,11 +31,53 @@ pub trait AnyMethod: Described + Sync {
 
     /// Force evaluations counted, not declared, over the whole of `grid`.
     fn count_evaluations(&self, pendulum: &Pendulum, start: Phase, grid: &Grid) -> u64;
+
+    /// The last state alone. Nobody watches, so that no step pays for it.
+    fn end(&self, pendulum: &Pendulum, start: Phase, grid: &Grid) -> Phase {
+        self.run(pendulum, start, grid, &mut ())
+    }
+
+    /// The largest energy error and the last state from each of `starts`, into `drifts` and `ends`: a slot of both for
+    /// each start. With the feature `ensemble` the steps are taken in lanes, with the same bits.
+    ///
+    /// # Panics
+    /// If there are not as many slots as starts.
+    fn drift_each(
+        &self,
+        pendulum: &Pendulum,
+        starts: &[Phase],
+        grid: &Grid,
+        drifts: &mut [EnergyDrift<'_, Pendulum>],
+        ends: &mut [Phase],
+    ) {
+        assert_slots(starts, drifts, ends);
+        for ((start, drift), end) in starts.iter().zip(drifts).zip(ends) {
+            *end = self.run(pendulum, *start, grid, drift);
+        }
+    }
 }
+
+fn assert_slots<D>(starts: &[Phase], drifts: &[D], ends: &[Phase]) {
+    assert!(starts.len() == drifts.len() && starts.len() == ends.len(), "two slots for each start");
+}
+
+/// What a list of methods needs beside the steps of one trajectory: steps in lanes, where there are any.
+#[cfg(feature = "ensemble")]
+use InLanes as Laned;
+
+#[cfg(not(feature = "ensemble"))]
+mod laned {
+    /// Nothing.
+    pub trait Laned {}
+
+    impl<M> Laned for M {}
+}
+#[cfg(not(feature = "ensemble"))]
+use laned::Laned;
 
 impl<M> AnyMethod for M
 where
-    M: Described + Method<Pendulum> + Method<Stepped> + Method<Counting<Pendulum>> + Sync,
+    M: Described + Method<Pendulum> + Method<Stepped> + Method<Counting<Pendulum>> + Laned + Sync,
 {
     fn run(
         &self,
@@ -48,6 +93,42 @@ where
         let counting = Counting::new(*pendulum);
         integrate(&counting, self, start, grid, &mut ());
         counting.evaluations()
+    }
+
+    fn end(&self, pendulum: &Pendulum, start: Phase, grid: &Grid) -> Phase {
+        swing(pendulum, self, start, grid, &mut ())
+    }
+
+    #[cfg(feature = "ensemble")]
+    fn drift_each(
+        &self,
+        pendulum: &Pendulum,
+        starts: &[Phase],
+        grid: &Grid,
+        drifts: &mut [EnergyDrift<'_, Pendulum>],
+        ends: &mut [Phase],
+    ) {
+        assert_slots(starts, drifts, ends);
+        let slots = drifts.iter_mut().zip(ends);
+        let mut watches: Vec<_> = slots.map(|(drift, end)| DriftAndEnd { drift, end }).collect();
+        let ensemble = Ensemble::of(pendulum, starts, *grid);
+        ensemble.watch(core::num::NonZeroU64::MIN, self, &mut watches);
+    }
+}
+
+/// Watches the energy, and keeps the state seen last.
+#[cfg(feature = "ensemble")]
+struct DriftAndEnd<'a, 'p> {
+    drift: &'a mut EnergyDrift<'p, Pendulum>,
+    end: &'a mut Phase,
+}
+
+#[cfg(feature = "ensemble")]
+impl Observer<Phase> for DriftAndEnd<'_, '_> {
+    #[inline]
+    fn observe(&mut self, n: u64, t: f64, z: Phase) {
+        self.drift.observe(n, t, z);
+        *self.end = z;
     }
 }
 

@@ -7,9 +7,11 @@
 //! start is the f64s of the start. π as an f64 is not π, and 9.81 as an f64 is not 9.81.
 
 mod elliptic;
+mod fourier;
 mod motion;
 
 pub use elliptic::complete_elliptic_k;
+pub use fourier::Series;
 pub use motion::{Kind, Motion};
 
 use crate::error::Error;

@@ -88,6 +88,16 @@ fn turned(quarters: u64, r: Rest) -> f64 {
     f64::from_bits(value.to_bits() ^ (quarters & 2) << 62)
 }
 
+/// Sine and cosine of so many quarter turns, of which the last two bits count, and |r| ≤ π/4 (rad).
+#[inline(always)]
+pub(crate) fn quarter_turns_and(quarters: u64, r: f64) -> (f64, f64) {
+    let rest = Rest { head: r, tail: 0.0 };
+    let (s, c) = (sine(rest), cosine(rest));
+    let (s, c) = if quarters & 1 == 0 { (s, c) } else { (c, s) };
+    let signed = |x: f64, bit: u64| f64::from_bits(x.to_bits() ^ (bit & 2) << 62);
+    (signed(s, quarters), signed(c, quarters.wrapping_add(1)))
+}
+
 /// sin r for |r| ≤ π/4: relative error of the polynomial 3.8e-18.
 #[inline(always)]
 fn sine(Rest { head, tail }: Rest) -> f64 {
