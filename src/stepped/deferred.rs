@@ -20,6 +20,7 @@ pub struct Deferred {
     pub series: f64,
 }
 
+// ANCHOR: deferred
 impl Deferred {
     /// The value, rounded.
     #[inline]
@@ -27,6 +28,8 @@ impl Deferred {
         self.sum + self.factor * self.series
     }
 }
+
+// ANCHOR_END: deferred
 
 impl From<f64> for Deferred {
     /// A number that is known. What is still to be added is −0, which changes no number.
@@ -36,6 +39,7 @@ impl From<f64> for Deferred {
     }
 }
 
+// ANCHOR: deferred
 impl Add for Deferred {
     type Output = Self;
 
@@ -54,5 +58,7 @@ impl Mul<f64> for Deferred {
         Self { sum: self.sum * factor, factor: self.factor * factor, ..self }
     }
 }
+
+// ANCHOR_END: deferred
 
 impl Vector for Deferred {}
