@@ -6,11 +6,11 @@
 //! ```
 //! use pendula::methods::stormer_verlet::StormerVerlet;
 //! use pendula::metrics::EnergyDrift;
-//! use pendula::{Grid, Pendulum, Phase, integrate};
+//! use pendula::{Grid, Pendulum, Phase, swing};
 //!
 //! let pendulum = Pendulum::PAPER;
 //! let mut drift = EnergyDrift::of(&pendulum);
-//! let end = integrate(
+//! let end = swing(
 //!     &pendulum,
 //!     &StormerVerlet,
 //!     Phase::at_rest(1.0),
@@ -28,11 +28,14 @@
 //! * [`exact`]: the truth, in closed form.
 //! * [`method`](mod@method), [`methods`](mod@methods): what integrates.
 //! * [`grid`], [`integrate`](mod@integrate), [`observe`]: the time loop and what is watched along it.
+//! * [`stepped`], [`swing`](mod@swing), `ensemble`: the same loop at full speed, for one pendulum and for many.
 //! * [`catalogue`]: the one list of methods.
 //! * [`metrics`], [`order`]: what is measured.
 //! * `study`, `theory`, `paper`, `report`: the paper's experiments, what they must yield, the paper's claims, and all of
 //!   it as tables and figures. They need std and the feature `study`, which is on by default; without it the library
 //!   is `no_std`.
+//!
+//! Any system goes through [`integrate()`], and the pendulum in half the time through [`swing()`].
 //!
 //! Every result comes from additions, multiplications, divisions and square roots in a fixed order, so that debug and
 //! release, and one machine and another, give the same bits.

@@ -26,6 +26,13 @@ impl<'a, S: Hamiltonian> EnergyDrift<'a, S> {
         Self { system, initial: f64::NAN, largest: 0.0, waiting: None, count: 0 }
     }
 
+    /// Does the states that wait. Out of the way: a loop that contains all this keeps its own numbers in memory.
+    #[inline(never)]
+    fn let_in(&mut self) {
+        self.largest = self.largest();
+        self.count = 0;
+    }
+
     /// Largest deviation from the initial energy so far (J).
     pub fn largest(&self) -> f64 {
         let mut energies = [0.0; WAITING];
@@ -45,8 +52,7 @@ impl<S: Hamiltonian> Observer<S::State> for EnergyDrift<'_, S> {
         self.waiting.get_or_insert_with(|| [z; WAITING])[self.count] = z;
         self.count += 1;
         if self.count == WAITING {
-            self.largest = self.largest();
-            self.count = 0;
+            self.let_in();
         }
     }
 }

@@ -5,7 +5,9 @@ use std::ffi::OsString;
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
 
-use crate::commands::{book, claims, exact, period, preprocess, simulate, tables};
+use crate::commands::{
+    book, claims, ensemble, exact, period, preprocess, simulate, tables, work_precision,
+};
 use crate::failure::Failure;
 
 /// Numerical integrators on the pendulum: build the book, print its tables, simulate.
@@ -28,10 +30,14 @@ pub enum Command {
     Claims(claims::Arguments),
     /// Integrate and print rows t, theta, omega, energy
     Simulate(simulate::Arguments),
+    /// Integrate from many starts, or with many steps, and print where each ends
+    Ensemble(ensemble::Arguments),
     /// Print the exact state at given times
     Exact(exact::Arguments),
     /// Print the exact period of a release from rest
     Period(period::Arguments),
+    /// Measure run time against error on this machine, for the table, the figure and the book
+    WorkPrecision(work_precision::Arguments),
     /// Speak mdBook's preprocessor protocol on standard input and output
     Preprocess(preprocess::Arguments),
 }

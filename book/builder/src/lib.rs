@@ -2,7 +2,8 @@
 //!
 //! In reading order: the command line ([`cli`], [`commands`]), the book on disk ([`locate`]),
 //! building it ([`build`]), and what turns a chapter's source into what mdBook renders
-//! ([`preprocess`], with the paper's values from [`ledger`]).
+//! ([`preprocess`], with the paper's values from [`ledger`]). What depends on the reader's machine,
+//! and so on no snapshot, is [`work_precision`].
 
 pub mod build;
 pub mod cli;
@@ -13,3 +14,4 @@ pub mod locate;
 pub mod preprocess;
 pub mod progress;
 mod warnings;
+pub mod work_precision;

@@ -6,7 +6,7 @@ use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
 use pendula::methods::stormer_verlet::StormerVerlet;
-use pendula::{Grid, Motion, Pendulum, Phase, integrate};
+use pendula::{Grid, Hamiltonian, METHODS, Motion, Pendulum, Phase, swing};
 use serde_json::Value;
 
 fn pendula(arguments: &[&str]) -> Output {
@@ -53,7 +53,7 @@ fn simulate_prints_what_the_library_computes() {
     let pendulum = Pendulum::PAPER;
     let start = Phase { theta: 1.0, omega: -0.5 };
     let grid = Grid::over(10.0, 0.01).unwrap();
-    integrate(&pendulum, &StormerVerlet, start, &grid, &mut |_, t, z: Phase| {
+    swing(&pendulum, &StormerVerlet, start, &grid, &mut |_, t, z: Phase| {
         expected.push(vec![t, z.theta, z.omega, pendulum.hamiltonian(z)]);
     });
     assert_eq!(numbers(&text), expected);
@@ -95,11 +95,104 @@ fn bad_input_is_refused_in_one_line() {
     assert_refused(&run_with(&["--duration", "0.015"]), "whole number of steps");
     assert_refused(&run_with(&["--steps", "9007199254740993"]), "2^53");
     assert_refused(&run_with(&["--steps", "1", "--omega0", "inf"]), "angular velocity");
+    for (theta0, dt, duration, because) in [
+        ("1", "0.01", "10", "exactly one"),
+        ("0:1:5", "0.1:0.01:5", "10", "exactly one"),
+        ("0:1:1", "0.01", "10", "2 or more"),
+        ("0:1", "0.01", "10", "FROM:TO:COUNT"),
+        ("0:nan:5", "0.01", "10", "FROM:TO:COUNT"),
+        ("0:1e16:5", "0.01", "10", "at most 1e15"),
+        ("0:1:5", "0.015", "0.1", "whole number of steps"),
+        ("1", "-0.1:0.1:5", "10", "greater than zero"),
+        ("1", "0.1:20:5", "10", "at most the duration"),
+        ("1", "0.1:1e-300:5", "10", "2^53"),
+    ] {
+        assert_refused(&ensemble(theta0, dt, duration), because);
+    }
+    assert_refused(&["work-precision", "--seconds", "-1"], "greater than zero");
+    assert_refused(&["work-precision", "--output", "/no/such/folder"], "--output");
     assert_refused(&["exact", "--theta0", "1", "--t", "1,two"], "two");
     assert_refused(&["exact", "--theta0", "1", "--t", "inf"], "refused");
     assert_refused(&["period", "--theta0", "nan"], "finite");
     assert_refused(&["tables", "--table", "3"], "2, 4, 5, 6, 7, 8");
     assert_refused(&["tables", "--format", "xml"], "json");
+}
+
+fn ensemble<'a>(theta0: &'a str, dt: &'a str, duration: &'a str) -> [&'a str; 9] {
+    ["ensemble", "--method", "rk4", "--theta0", theta0, "--dt", dt, "--duration", duration]
+}
+
+/// The row of the ensemble that one run of `simulate` comes to.
+fn row_of_one_run(theta0: f64, dt: f64) -> Vec<f64> {
+    let [theta, step] = [theta0, dt].map(|x| x.to_string());
+    let arguments = ["--method", "rk4", "--theta0", &theta, "--dt", &step, "--duration", "10"];
+    let rows = numbers(&printed(&[&["simulate"], &arguments[..]].concat()));
+    let energy = |row: &Vec<f64>| Pendulum::PAPER.energy(Phase { theta: row[1], omega: row[2] });
+    let largest = rows.iter().map(|row| (energy(row) - energy(&rows[0])).abs()).fold(0.0, f64::max);
+    let last = rows.last().unwrap();
+    vec![theta0, dt, last[1], last[2], largest]
+}
+
+/// Catches: lanes that mix up their starts, an end one step early, an energy error that leaves samples out.
+#[test]
+fn a_sweep_over_starts_is_a_run_from_each() {
+    let rows = numbers(&printed(&ensemble("-1:3:5", "0.01", "10")));
+    assert_eq!(rows, [-1.0, 0.0, 1.0, 2.0, 3.0].map(|theta0| row_of_one_run(theta0, 0.01)));
+}
+
+/// Catches: a step in the rows that is not the one that was taken, rows in the order in which runs end.
+#[test]
+fn a_sweep_over_steps_is_a_run_with_each() {
+    let rows = numbers(&printed(&ensemble("1", "0.1:0.001:5", "10")));
+    let steps: Vec<f64> = rows.iter().map(|row| row[1]).collect();
+    assert_eq!(steps, [100, 316, 1000, 3162, 10000].map(|n| 10.0 / f64::from(n)));
+    assert_eq!(rows, steps.iter().map(|dt| row_of_one_run(1.0, *dt)).collect::<Vec<_>>());
+}
+
+/// Catches: a sweep of several batches that loses or repeats one, a file that is not what is printed, or is
+/// left by a sweep that fails.
+#[test]
+fn a_large_sweep_is_whole_in_its_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("sweep.csv");
+    let sweep = ensemble("0:1:10001", "0.1", "0.2");
+    let to_file = ["--output", path.to_str().unwrap()];
+    assert_eq!(printed(&[&sweep[..], &to_file].concat()), "");
+    let text = fs::read_to_string(&path).unwrap();
+    assert_eq!(text, printed(&sweep));
+    let starts: Vec<f64> = numbers(&text).iter().map(|row| row[0]).collect();
+    assert_eq!(starts, (0..=10_000).map(|i| f64::from(i) / 1e4).collect::<Vec<_>>());
+
+    let failing = ["ensemble", "--method", "forward-euler", "--theta0", "0:1:5", "--dt", "1e200"];
+    let failing = [&failing[..], &["--duration", "1e201"], &to_file].concat();
+    assert_eq!(pendula(&failing).status.code(), Some(1));
+    assert_eq!(files(folder.path()), ["sweep.csv"]);
+    assert_eq!(fs::read_to_string(&path).unwrap(), text);
+}
+
+/// Catches: a method or a scene left out, formats that disagree, files that are not there.
+#[test]
+fn work_against_precision_is_printed_and_drawn() {
+    let folder = tempfile::tempdir().unwrap();
+    let run = ["work-precision", "--seconds", "0.2", "--output", folder.path().to_str().unwrap()];
+    let rows = json(&[&run[..], &["--format", "json"]].concat());
+    let csv = fs::read_to_string(folder.path().join("work-precision.csv")).unwrap();
+    let rows = rows.as_array().unwrap();
+    assert_eq!(csv.lines().count(), rows.len() + 1);
+    for (line, row) in csv.lines().skip(1).zip(rows) {
+        let fields: Vec<&str> = line.split(',').collect();
+        assert_eq!(row["method"], fields[2]);
+        assert_eq!(row["error"].as_f64(), fields[5].parse().ok());
+        assert!(row["seconds"].as_f64().unwrap() > 0.0);
+    }
+    for theta0 in [1.0, 3.0] {
+        assert!(rows.iter().any(|row| row["theta0"] == theta0 && row["method"] == "rk4"), "{csv}");
+    }
+    let svg = fs::read_to_string(folder.path().join("work-precision.svg")).unwrap();
+    assert!(METHODS.iter().all(|method| svg.contains(method.properties().title)));
+    let mut left = files(folder.path());
+    left.sort();
+    assert_eq!(left, ["work-precision.csv", "work-precision.svg"]);
 }
 
 /// Catches: infinity or NaN printed as if it were a result.

@@ -3,8 +3,11 @@
 use std::fs;
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::RecvTimeoutError;
+use std::sync::{Arc, mpsc};
+use std::time::Duration;
+use std::{panic, thread};
 
 use anyhow::Context;
 use tempfile::NamedTempFile;
@@ -24,6 +27,34 @@ pub fn interrupts(file: bool) -> Result<Arc<AtomicBool>, Failure> {
             .context("interrupts cannot be listened to")?;
     }
     Ok(flag)
+}
+
+/// What `work` returns; a failure as soon as the flag of [`interrupts`] is raised, and then the rest of the work is lost
+/// with the program.
+///
+/// # Errors
+/// If the user interrupts.
+pub fn unless_interrupted<T: Send + 'static>(
+    interrupted: &AtomicBool,
+    work: impl FnOnce() -> T + Send + 'static,
+) -> Result<T, Failure> {
+    const LISTEN: Duration = Duration::from_millis(20);
+    let (sender, receiver) = mpsc::channel();
+    // If nobody waits for it any more, nobody wants it.
+    let worker = thread::spawn(move || drop(sender.send(work())));
+    loop {
+        match receiver.recv_timeout(LISTEN) {
+            Ok(result) => return Ok(result),
+            Err(RecvTimeoutError::Timeout) if interrupted.load(Ordering::Relaxed) => {
+                return Err(io::Error::from(io::ErrorKind::Interrupted).into());
+            }
+            Err(RecvTimeoutError::Timeout) => {}
+            Err(RecvTimeoutError::Disconnected) => match worker.join() {
+                Err(panic) => panic::resume_unwind(panic),
+                Ok(()) => unreachable!("a worker that ends has sent its result"),
+            },
+        }
+    }
 }
 
 /// A writer, and what it takes to finish.

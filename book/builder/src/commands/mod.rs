@@ -11,13 +11,16 @@ use crate::failure::Failure;
 pub mod book;
 pub mod claims;
 mod destination;
+pub mod ensemble;
 pub mod exact;
 pub mod period;
 pub mod preprocess;
 mod rows;
 mod scene;
 pub mod simulate;
+mod sweep;
 pub mod tables;
+pub mod work_precision;
 
 /// Runs a command; its output goes to `out`.
 ///
@@ -29,8 +32,10 @@ pub fn run(command: Command, out: &mut dyn Write) -> Result<(), Failure> {
         Command::Tables(arguments) => tables::run(&arguments, out),
         Command::Claims(arguments) => claims::run(&arguments, out),
         Command::Simulate(arguments) => simulate::run(&arguments, out),
+        Command::Ensemble(arguments) => ensemble::run(&arguments, out),
         Command::Exact(arguments) => exact::run(&arguments, out),
         Command::Period(arguments) => period::run(&arguments, out),
+        Command::WorkPrecision(arguments) => work_precision::run(&arguments, out),
         Command::Preprocess(arguments) => preprocess::run(&arguments, out),
     }
 }

@@ -1,7 +1,12 @@
 //! The arguments that name a pendulum and its start, shared by the commands that move one.
 
-use clap::Args;
-use pendula::{Error, Pendulum, Phase};
+use clap::{Args, builder::PossibleValuesParser};
+use pendula::{Error, METHODS, Pendulum, Phase};
+
+/// The names that `--method` takes.
+pub fn methods() -> PossibleValuesParser {
+    METHODS.iter().map(|method| method.properties().name).collect::<Vec<_>>().into()
+}
 
 /// The pendulum.
 #[derive(Args, Debug)]

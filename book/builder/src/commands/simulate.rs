@@ -5,13 +5,13 @@ use std::num::NonZeroU64;
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use clap::{Args, builder::PossibleValuesParser};
+use clap::Args;
 use pendula::observe::Every;
-use pendula::{Grid, METHODS, Observer, Pendulum, Phase, method_named};
+use pendula::{Grid, Observer, Pendulum, Phase, method_named};
 
 use super::destination::{Destination, interrupts};
 use super::rows::{Format, Rows};
-use super::scene::{PendulumArguments, StartArguments};
+use super::scene::{PendulumArguments, StartArguments, methods};
 use crate::failure::Failure;
 
 /// Arguments of `pendula simulate`.
@@ -53,10 +53,6 @@ struct Length {
     /// Number of steps
     #[arg(long, value_name = "N")]
     steps: Option<u64>,
-}
-
-fn methods() -> PossibleValuesParser {
-    METHODS.iter().map(|method| method.properties().name).collect::<Vec<_>>().into()
 }
 
 /// Writes the rows t, theta, omega, energy: in s, rad, rad/s and J, the energy as in the paper's Eq. 3.

@@ -6,6 +6,7 @@
 //! | `{{stated ID}}` | the value as the paper prints it |
 //! | `{{verdict ID}}` | what comparing the two came to |
 //! | `{{test file::function}}` | a link to that test's source in the book |
+//! | `{{work-precision}}` | the figure that `pendula work-precision` made, or a line on how to make it |
 //!
 //! The first two also work inside formulas. Code spans and code blocks stay as they are, but for the
 //! margin of code included from within an item.
@@ -25,6 +26,8 @@ use crate::ledger::Ledger;
 pub struct Setter<'a> {
     ledger: &'a dyn Ledger,
     tests: &'a Tests,
+    /// What stands for `{{work-precision}}`.
+    work_precision: String,
     maths: Maths,
 }
 
@@ -36,9 +39,9 @@ struct Directive<'t> {
 }
 
 impl<'a> Setter<'a> {
-    /// A setter for chapters that refer to these values and tests.
-    pub fn new(ledger: &'a dyn Ledger, tests: &'a Tests) -> Self {
-        Self { ledger, tests, maths: Maths::default() }
+    /// A setter for chapters that refer to these values and tests, and to this figure.
+    pub fn new(ledger: &'a dyn Ledger, tests: &'a Tests, work_precision: String) -> Self {
+        Self { ledger, tests, work_precision, maths: Maths::default() }
     }
 
     /// The chapter's text with directives and formulas replaced; `to_root` leads from its page to
@@ -93,8 +96,10 @@ impl<'a> Setter<'a> {
                     format!("<span class=\"{name}\">{}</span>", values::html(&value))
                 }
                 "test" => self.link(argument, to_root)?,
+                "work-precision" => self.work_precision.clone(),
                 _ => bail!(
-                    "{}: no such directive; there are measured, stated, verdict and test",
+                    "{}: no such directive; there are measured, stated, verdict, test and \
+                     work-precision",
                     &prose[at]
                 ),
             };
@@ -176,7 +181,7 @@ mod tests {
 
     fn set(text: &str) -> Result<String> {
         let tests = Tests::from_sources([("order", "#[test]\nfn every_slope() {}\n")]).unwrap();
-        Setter::new(&ledger, &tests).set(text, "../")
+        Setter::new(&ledger, &tests, "<figure>".to_string()).set(text, "../")
     }
 
     /// Catches: the stated value where the measured one is asked for, and the other way round.
@@ -190,6 +195,12 @@ mod tests {
              <span class=\"measured\">3 × 10<sup>−4</sup></span>, \
              <span class=\"verdict\">wrong</span>"
         );
+    }
+
+    /// Catches: a figure left out of its place.
+    #[test]
+    fn what_was_measured_stands_in_its_place() {
+        assert_eq!(set("a\n\n{{work-precision}}\n\nb\n").unwrap(), "a\n\n<figure>\n\nb\n");
     }
 
     /// Catches: a page that explains the directives and shows values instead.

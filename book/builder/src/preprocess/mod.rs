@@ -14,6 +14,7 @@ use mdbook_preprocessor::{Preprocessor, PreprocessorContext};
 
 use crate::ledger::Ledger;
 use crate::progress::Progress;
+use crate::work_precision::figure;
 
 pub mod chapter;
 pub mod includes;
@@ -62,7 +63,8 @@ impl Preprocessor for Pendula {
         }
 
         self.progress.stage("setting the chapters", book.chapters().count());
-        let setter = chapter::Setter::new(self.ledger.as_ref(), &tests);
+        let setter =
+            chapter::Setter::new(self.ledger.as_ref(), &tests, figure::in_the_book(&context.root));
         // for_each_mut has no way to stop: the first error is kept.
         let mut outcome = Ok(());
         book.for_each_chapter_mut(|chapter| {

@@ -1,0 +1,52 @@
+//! What the timings that need no criterion share: which instructions there are, and the median of a few runs.
+
+use std::hint::black_box;
+use std::time::Instant;
+
+/// The vector instructions of this processor, and those that the program was compiled for.
+pub fn instructions() -> String {
+    format!("processor: {}; compiled for: {}", of_the_processor(), of_the_program())
+}
+
+#[cfg(target_arch = "x86_64")]
+fn of_the_processor() -> String {
+    let known = [
+        ("SSE2", is_x86_feature_detected!("sse2")),
+        ("AVX", is_x86_feature_detected!("avx")),
+        ("AVX2", is_x86_feature_detected!("avx2")),
+        ("FMA", is_x86_feature_detected!("fma")),
+        ("AVX-512F", is_x86_feature_detected!("avx512f")),
+    ];
+    let found: Vec<_> = known.into_iter().filter_map(|(name, has)| has.then_some(name)).collect();
+    format!("x86-64 with {}", found.join(", "))
+}
+
+#[cfg(not(target_arch = "x86_64"))]
+fn of_the_processor() -> String {
+    std::env::consts::ARCH.into()
+}
+
+fn of_the_program() -> &'static str {
+    if cfg!(target_feature = "avx512f") {
+        "AVX-512F"
+    } else if cfg!(target_feature = "avx2") {
+        "AVX2"
+    } else if cfg!(target_feature = "sse2") {
+        "SSE2"
+    } else {
+        std::env::consts::ARCH
+    }
+}
+
+/// How long `work` takes (s).
+pub fn seconds<T>(work: impl FnOnce() -> T) -> f64 {
+    let start = Instant::now();
+    black_box(work());
+    start.elapsed().as_secs_f64()
+}
+
+/// The one in the middle of an odd number of them.
+pub fn median(mut values: Vec<f64>) -> f64 {
+    values.sort_by(f64::total_cmp);
+    values[values.len() / 2]
+}

@@ -1,0 +1,91 @@
+//! What a step costs in an ensemble: ten thousand pendulums one after the other, and in lanes of vector instructions.
+//!
+//! Only ratios within a group mean anything. Instructions that the processor lacks give way to the baseline, and show its
+//! time.
+
+mod common;
+
+use std::hint::black_box;
+use std::time::Duration;
+
+use common::NAIVE;
+use criterion::{Criterion, Throughput, criterion_group, criterion_main};
+use pendula::ensemble::{Ensemble, InLanes, Instructions};
+use pendula::{Described, Grid, Pendulum, Phase, methods, swing};
+
+const PENDULUMS: u32 = 10_000;
+const STEPS: u64 = 300;
+const STEP: f64 = 0.01;
+
+/// Starts all over θ from −3 to 3 rad and ω from −5 to 5 rad/s, neighbours far apart, so that no branch can be foretold:
+/// the multiples of 1/φ and of √2 fill the unit interval evenly.
+fn starts() -> Vec<Phase> {
+    let spread = |j: u32, irrational: f64| 2.0 * (f64::from(j) * irrational).fract() - 1.0;
+    (0..PENDULUMS)
+        .map(|j| Phase {
+            theta: 3.0 * spread(j, 0.618_033_988_749_894_8),
+            omega: 5.0 * spread(j, std::f64::consts::SQRT_2),
+        })
+        .collect()
+}
+
+fn ensemble_of<M: Described + InLanes>(criterion: &mut Criterion, method: M) {
+    let name = method.properties().name;
+    let (pendulum, starts) = (Pendulum::PAPER, starts());
+    let grid = Grid::new(STEP, STEPS).expect("a positive step");
+    let mut ends = vec![Phase::default(); starts.len()];
+
+    let mut group = criterion.benchmark_group(format!("ensemble, {name}"));
+    group.throughput(Throughput::Elements(u64::from(PENDULUMS) * STEPS));
+    if let Some((_, naive)) = NAIVE.iter().find(|(of, _)| *of == name) {
+        group.bench_function("naive, one by one", |bencher| {
+            bencher.iter(|| {
+                for (start, end) in black_box(&starts).iter().zip(&mut ends) {
+                    *end = naive(*start, black_box(STEPS), black_box(STEP));
+                }
+                black_box(&mut ends);
+            });
+        });
+    }
+    group.bench_function("swing, one by one", |bencher| {
+        bencher.iter(|| {
+            for (start, end) in black_box(&starts).iter().zip(&mut ends) {
+                *end = swing(&pendulum, &method, *start, black_box(&grid), &mut ());
+            }
+            black_box(&mut ends);
+        });
+    });
+    for instructions in
+        [Instructions::Baseline, Instructions::Avx2, Instructions::Avx512, Instructions::Best]
+    {
+        let ensemble = Ensemble::of(&pendulum, &starts, grid).with(instructions);
+        group.bench_function(format!("lanes, {instructions:?}"), |bencher| {
+            bencher.iter(|| {
+                black_box(&ensemble).ends(&method, &mut ends);
+                black_box(&mut ends);
+            });
+        });
+    }
+    group.finish();
+}
+
+macro_rules! every_method {
+    ($($module:ident::$method:ident,)+) => {
+        fn ensemble(criterion: &mut Criterion) {
+            $(ensemble_of(criterion, methods::$module::$method);)+
+        }
+    };
+}
+pendula::methods!(every_method);
+
+criterion_group! {
+    name = benches;
+    // One iteration is three million steps: ten samples are plenty.
+    config = Criterion::default()
+        .without_plots()
+        .sample_size(10)
+        .warm_up_time(Duration::from_millis(300))
+        .measurement_time(Duration::from_millis(1500));
+    targets = ensemble
+}
+criterion_main!(benches);

@@ -1,0 +1,171 @@
+//! What each scene costs, and what is skipped in it, beside the naive loop: `cargo bench --bench scenes`.
+//!
+//! Prints the table of the book's chapter on work against error. Every number is a median of one run, and only the ratios
+//! in it mean anything: the machine has other things to do.
+
+mod common;
+#[path = "common/machine.rs"]
+mod machine;
+
+use std::hint::black_box;
+use std::num::NonZeroU64;
+
+use common::NAIVE;
+use pendula::ensemble::Ensemble;
+use pendula::methods::rk4::Rk4;
+use pendula::methods::stormer_verlet::StormerVerlet;
+use pendula::methods::symplectic_euler::SymplecticEuler;
+use pendula::metrics::EnergyDrift;
+use pendula::observe::{Every, Record};
+use pendula::{Grid, LinearOscillator, Motion, Pendulum, Phase, integrate, swing};
+
+const STEPS: u64 = 10_000;
+const STEP: f64 = 0.01;
+
+/// The median of many runs of `scene`, in ns for each of `count` things done.
+fn median(count: usize, mut scene: impl FnMut() -> f64) -> f64 {
+    let times = (0..25).map(|_| machine::seconds(&mut scene)).collect();
+    machine::median(times) * 1e9 / count as f64
+}
+
+fn naive(name: &str, start: Phase) -> f64 {
+    let (_, run) = NAIVE.iter().find(|(of, _)| *of == name).expect("a naive loop");
+    median(STEPS as usize, || run(black_box(start), black_box(STEPS), black_box(STEP)).theta)
+}
+
+struct Table(Vec<[String; 4]>);
+
+impl Table {
+    fn row(&mut self, scene: &str, skipped: &str, nanoseconds: f64, naive: f64) {
+        let ratio = format!("{:.2}", naive / nanoseconds);
+        self.0.push([scene.into(), skipped.into(), format!("{nanoseconds:.1}"), ratio]);
+    }
+
+    fn print(&self) {
+        println!("| Scene | what is skipped | ns | times as fast |\n|---|---|--:|--:|");
+        for row in &self.0 {
+            println!("| {} |", row.join(" | "));
+        }
+    }
+}
+
+fn main() {
+    let pendulum = Pendulum::PAPER;
+    let grid = Grid::new(STEP, STEPS).expect("a positive step");
+    let [one, three] = [1.0, 3.0].map(Phase::at_rest);
+    let steps = STEPS as usize;
+    let mut table = Table(vec![]);
+
+    let verlet = naive("stormer-verlet", one);
+    table.row("the naive loop, Störmer–Verlet, from 1 rad", "nothing", verlet, verlet);
+    let time = median(steps, || {
+        integrate(&pendulum, &StormerVerlet, black_box(one), black_box(&grid), &mut ()).theta
+    });
+    table.row("`integrate`, the end only", "one half kick of two", time, verlet);
+    let time = median(steps, || {
+        swing(&pendulum, &StormerVerlet, black_box(one), black_box(&grid), &mut ()).theta
+    });
+    let skipped = "and every factor h, the reduction of θ, the wait for the last product";
+    table.row("`swing`, the end only", skipped, time, verlet);
+    let mut every_100th = |_: u64, _: f64, z: Phase| {
+        black_box(z);
+    };
+    let hundred = NonZeroU64::new(100).expect("not zero");
+    let time = median(steps, || {
+        let mut watch = Every::new(hundred, &mut every_100th);
+        swing(&pendulum, &StormerVerlet, black_box(one), black_box(&grid), &mut watch).theta
+    });
+    table.row("… every 100th state", "the half kick and ω for the others", time, verlet);
+    let mut states = vec![Phase::default(); grid.samples() as usize];
+    let time = median(steps, || {
+        let mut record = Record::into_slice(&mut states);
+        swing(&pendulum, &StormerVerlet, black_box(one), black_box(&grid), &mut record).theta
+    });
+    table.row("… every state kept", "", time, verlet);
+    let mut angles = vec![0.0; grid.samples() as usize];
+    let time = median(steps, || {
+        let mut slots = angles.iter_mut();
+        let mut watch = |_: u64, _: f64, z: Phase| {
+            if let Some(slot) = slots.next() {
+                *slot = z.theta;
+            }
+        };
+        swing(&pendulum, &StormerVerlet, black_box(one), black_box(&grid), &mut watch).theta
+    });
+    table.row("… every θ kept", "the half kick and ω", time, verlet);
+    let time = median(steps, || {
+        let mut drift = EnergyDrift::of(&pendulum);
+        swing(&pendulum, &StormerVerlet, black_box(one), black_box(&grid), &mut drift);
+        drift.largest()
+    });
+    table.row("… the largest energy error", "a cosine: 2 sin² θ/2, in blocks", time, verlet);
+    let linear = LinearOscillator::of(pendulum);
+    let time = median(steps, || {
+        integrate(&linear, &StormerVerlet, black_box(one), black_box(&grid), &mut ()).theta
+    });
+    table.row("the linear oscillator", "the sine", time, verlet);
+
+    let naive_from_three = naive("stormer-verlet", three);
+    let time = median(steps, || {
+        swing(&pendulum, &StormerVerlet, black_box(three), black_box(&grid), &mut ()).theta
+    });
+    table.row("`swing` from 3 rad", "", time, naive_from_three);
+    for (start, from) in [(one, "1 rad"), (three, "3 rad")] {
+        let time = median(steps, || {
+            swing(&pendulum, &SymplecticEuler, black_box(start), black_box(&grid), &mut ()).theta
+        });
+        let scene = format!("symplectic Euler, from {from}");
+        table.row(&scene, "", time, naive("symplectic-euler", start));
+        let time = median(steps, || {
+            swing(&pendulum, &Rk4, black_box(start), black_box(&grid), &mut ()).theta
+        });
+        table.row(&format!("RK4, from {from}"), "", time, naive("rk4", start));
+    }
+
+    let starts: Vec<Phase> =
+        (1..=3328).map(|i| Phase::at_rest(3.0 / 3328.0 * f64::from(i))).collect();
+    let mut ends = vec![Phase::default(); starts.len()];
+    let short = Grid::new(STEP, 300).expect("a positive step");
+    let count = starts.len() * 300;
+    let ensemble = Ensemble::of(&pendulum, &starts, short);
+    let mut one_by_one = |name: &str| {
+        let (_, run) = NAIVE.iter().find(|(of, _)| *of == name).expect("a naive loop");
+        median(count, || starts.iter().map(|start| run(*start, 300, black_box(STEP)).theta).sum())
+    };
+    let naives = ["symplectic-euler", "stormer-verlet", "rk4"].map(&mut one_by_one);
+    let times = [
+        median(count, || {
+            ensemble.ends(&SymplecticEuler, black_box(&mut ends));
+            ends[0].theta
+        }),
+        median(count, || {
+            ensemble.ends(&StormerVerlet, black_box(&mut ends));
+            ends[0].theta
+        }),
+        median(count, || {
+            ensemble.ends(&Rk4, black_box(&mut ends));
+            ends[0].theta
+        }),
+    ];
+    let titles = ["symplectic Euler", "Störmer–Verlet", "RK4"];
+    for ((title, time), naive) in titles.into_iter().zip(times).zip(naives) {
+        table.row(&format!("an ensemble, {title}"), "the branch in the reduction", time, naive);
+    }
+
+    let exact = Motion::new(&pendulum, one).expect("in range");
+    let times: Vec<f64> = (0..steps).map(|n| 0.037 * n as f64).collect();
+    let time = median(steps, || times.iter().map(|t| exact.at(*t).theta).sum());
+    table.row("the exact state at any time", "all steps", time, verlet);
+    let series = exact.series().expect("a short series");
+    let time = median(steps, || times.iter().map(|t| series.at(*t).theta).sum());
+    table.row("… by its series", "and the elliptic functions", time, verlet);
+    let mut states = vec![Phase::default(); times.len()];
+    let time = median(steps, || {
+        series.at_each(&times, black_box(&mut states));
+        states[0].theta
+    });
+    table.row("… at many times", "", time, verlet);
+
+    println!("Medians of one run, {}; ns a step, or a state.\n", machine::instructions());
+    table.print();
+}

@@ -1,0 +1,159 @@
+//! Run time against error: what a digit costs with each method.
+//!
+//! The error is max(|Δθ|, |Δω|/ω₀) at the end, against the closed form. A run of T seconds takes T · 2ᵏ steps, so that the
+//! step is a power of two and the end is where the exact state is asked for: a rounded step alone costs 3e-13 at
+//! 1000 s.
+//!
+//! # Which steps count
+//! A lucky step, at which the error just crosses zero, must not count, and the next finer one tells: as a method of order p
+//! errs 2ᵖ times less with twice the steps, N steps of it should err 2ᵖ error(2N). They count if they err no less than a
+//! third of that,
+//!
+//! 3 error(N) ≥ 2ᵖ error(2N),
+//!
+//! and by at most a radian. Where N roundings of ε may hide the order, error(N) ≤ Nε, they also count if
+//! 3 error(N) ≥ error(2N), and are the last: more steps would only add roundings.
+//!
+//! `cargo bench --bench work_precision` takes the median of nine runs; without `--bench` it is one run, to see that it
+//! works.
+
+#[path = "common/machine.rs"]
+mod machine;
+#[path = "common/mod.rs"]
+mod naive;
+
+use std::hint::black_box;
+
+use machine::{instructions, median, seconds};
+use naive::NAIVE;
+use pendula::stepped::Stepped;
+use pendula::{Described, Grid, Method, Motion, Pendulum, Phase, methods, swing};
+
+/// From where (rad) and for how long (s).
+const SCENES: [(f64, u32); 3] = [(1.0, 100), (3.0, 30), (1.0, 1000)];
+
+/// What the summary asks for.
+const GOALS: [f64; 3] = [1e-2, 1e-6, 1e-12];
+
+/// How much better a step may be than the next finer one makes it out to be.
+const WITHIN: f64 = 3.0;
+
+/// A way to the end: the state there after so many steps of that length (s).
+struct Contender<'a> {
+    name: String,
+    order: u32,
+    run: &'a dyn Fn(u64, f64) -> Phase,
+}
+
+/// A line of the table.
+struct Row {
+    steps: u64,
+    error: f64,
+    microseconds: f64,
+}
+
+struct Scene {
+    motion: Motion,
+    duration: u32,
+    runs: usize,
+}
+
+impl Scene {
+    fn error(&self, contender: &Contender<'_>, steps: u64, step: f64) -> f64 {
+        let end = (contender.run)(steps, step);
+        let exact = self.motion.at(steps as f64 * step);
+        let frequency = Pendulum::PAPER.small_angle_frequency();
+        f64::max((end.theta - exact.theta).abs(), (end.omega - exact.omega).abs() / frequency)
+    }
+
+    /// The steps that count, from the coarsest to the first that is as right as the finest goal.
+    fn rows(&self, contender: &Contender<'_>) -> Vec<Row> {
+        let gain = f64::from(2_u32.pow(contender.order));
+        let mut rows = Vec::new();
+        let mut next = None;
+        for k in 2.. {
+            let (steps, step) = (u64::from(self.duration) << k, 0.5_f64.powi(k));
+            // Low orders get nowhere with more steps; the fourth needs four million.
+            if steps > 1 << (18 + contender.order.min(4)) {
+                break;
+            }
+            let error = next.unwrap_or_else(|| self.error(contender, steps, step));
+            let finer = self.error(contender, 2 * steps, 0.5 * step);
+            next = Some(finer);
+            let orderly = WITHIN * error >= gain * finer;
+            let rounded = error <= steps as f64 * f64::EPSILON && WITHIN * error >= finer;
+            if error <= 1.0 && (orderly || rounded) {
+                let times = (0..self.runs).map(|_| seconds(|| (contender.run)(steps, step)));
+                rows.push(Row { steps, error, microseconds: 1e6 * median(times.collect()) });
+                if !orderly || error <= GOALS[GOALS.len() - 1] {
+                    break;
+                }
+            }
+        }
+        rows
+    }
+}
+
+/// The loop that anyone would write first, if there is one, and the library's.
+fn compare<M>(scene: &Scene, method: M, start: Phase) -> Vec<(String, Vec<Row>)>
+where
+    M: Described + Method<Pendulum> + Method<Stepped>,
+{
+    let properties = method.properties();
+    let (name, order) = (properties.name, properties.order);
+    let library = |steps, step| {
+        let grid = Grid::new(black_box(step), black_box(steps)).expect("a positive step");
+        swing(&Pendulum::PAPER, &method, black_box(start), &grid, &mut ())
+    };
+    let mut contenders = vec![Contender { name: name.into(), order, run: &library }];
+    let naive = NAIVE.iter().find(|(of, _)| *of == name).map(|(_, naive)| {
+        move |steps, step| naive(black_box(start), black_box(steps), black_box(step))
+    });
+    if let Some(run) = &naive {
+        contenders.push(Contender { name: format!("{name}, naive"), order, run });
+    }
+    contenders.into_iter().map(|of| (of.name.clone(), scene.rows(&of))).collect()
+}
+
+macro_rules! every_method {
+    ($($module:ident::$method:ident,)+) => {
+        fn compare_all(scene: &Scene, start: Phase) -> Vec<(String, Vec<Row>)> {
+            let mut all = Vec::new();
+            $(all.extend(compare(scene, methods::$module::$method, start));)+
+            all
+        }
+    };
+}
+pendula::methods!(every_method);
+
+fn main() {
+    let runs = if std::env::args().any(|argument| argument == "--bench") { 9 } else { 1 };
+    println!("{}", instructions());
+    println!("time: median of {runs}, final state only\n");
+    println!("{:<20} | {:<24} | {:>8} | {:>8} | {:>10}", "scene", "method", "N", "error", "µs");
+    let mut summary = Vec::new();
+    for (theta_0, duration) in SCENES {
+        let start = Phase::at_rest(theta_0);
+        let motion = Motion::new(&Pendulum::PAPER, start).expect("a pendulum's motion");
+        let title = format!("{theta_0} rad to {duration} s");
+        for (name, rows) in compare_all(&Scene { motion, duration, runs }, start) {
+            for Row { steps, error, microseconds } in &rows {
+                println!(
+                    "{title:<20} | {name:<24} | {steps:>8} | {error:>8.1e} | {microseconds:>10.1}"
+                );
+            }
+            summary.push((title.clone(), name, rows));
+        }
+    }
+
+    println!("\nµs to an error of");
+    let goals = GOALS.map(|goal| format!("{goal:>10.0e}")).join(" | ");
+    println!("{:<20} | {:<24} | {goals}", "scene", "method");
+    for (title, name, rows) in summary {
+        let reached = GOALS.map(|goal| match rows.iter().find(|row| row.error <= goal) {
+            Some(row) => format!("{:>10.1}", row.microseconds),
+            None => format!("{:>10}", "–"),
+        });
+        println!("{title:<20} | {name:<24} | {}", reached.join(" | "));
+    }
+}

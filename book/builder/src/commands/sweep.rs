@@ -1,0 +1,101 @@
+//! A number, or a range of numbers, on the command line: `0.1` or `0.1:3:30`.
+
+use std::str::FromStr;
+
+/// One number, or COUNT of them FROM … TO, both ends included.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Sweep {
+    /// A number.
+    One(f64),
+    /// FROM:TO:COUNT.
+    Range(Range),
+}
+
+/// COUNT numbers FROM … TO.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Range {
+    /// The first.
+    pub from: f64,
+    /// The last.
+    pub to: f64,
+    /// How many, at least 2.
+    pub count: u64,
+}
+
+impl Range {
+    /// The numbers at even distances; the ends are exact.
+    pub fn linear(self) -> impl Iterator<Item = f64> {
+        // Multiplied before it is divided: of 0:1:11 the fourth is 0.3 and not its neighbour.
+        self.between(move |i, last| self.from + (self.to - self.from) * i / last)
+    }
+
+    /// The numbers in even ratios; the ends are exact. Both ends are greater than zero.
+    pub fn geometric(self) -> impl Iterator<Item = f64> {
+        // libm's power, not the platform's: the same numbers on every machine.
+        self.between(move |i, last| self.from * libm::pow(self.to / self.from, i / last))
+    }
+
+    fn between(self, inner: impl Fn(f64, f64) -> f64) -> impl Iterator<Item = f64> {
+        let last = self.count - 1;
+        (0..=last).map(move |i| match i {
+            0 => self.from,
+            _ if i == last => self.to,
+            _ => inner(i as f64, last as f64),
+        })
+    }
+}
+
+impl FromStr for Sweep {
+    type Err = &'static str;
+
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        const ALLOWED: &str =
+            "it must be a number, or a range FROM:TO:COUNT with a COUNT of 2 or more";
+        let number = |text: &str| text.parse::<f64>().ok().filter(|x| x.is_finite());
+        let parts: Vec<&str> = text.split(':').collect();
+        let sweep = match parts[..] {
+            [one] => number(one).map(Self::One),
+            [from, to, count] => {
+                let count = count.parse().ok().filter(|count| *count >= 2);
+                let ends = number(from).zip(number(to)).zip(count);
+                ends.map(|((from, to), count)| Self::Range(Range { from, to, count }))
+            }
+            _ => None,
+        };
+        sweep.ok_or(ALLOWED)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn range(text: &str) -> Range {
+        match text.parse() {
+            Ok(Sweep::Range(range)) => range,
+            other => panic!("{text}: {other:?}"),
+        }
+    }
+
+    /// Catches: a range that stops one short, ends that are rounded, a tenth that is not the f64 nearest to it.
+    #[test]
+    fn ranges_have_their_ends_and_their_count() {
+        let tenths: Vec<f64> = range("0:1:11").linear().collect();
+        assert_eq!(tenths, [0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0]);
+        let decades: Vec<f64> = range("0.1:0.001:3").geometric().collect();
+        assert_eq!((decades.len(), decades[0], decades[2]), (3, 0.1, 0.001));
+        assert!((decades[1] / 0.01 - 1.0).abs() < 1e-15, "{decades:?}");
+        assert_eq!(range("-1:1:2").linear().collect::<Vec<_>>(), [-1.0, 1.0]);
+    }
+
+    /// Catches: half a range taken for a number, a range of one, NaN.
+    #[test]
+    fn what_is_no_range_is_refused() {
+        for text in
+            ["", "a", "1:2", "1:2:1", "1:2:0", "1:2:-3", "1:2:3:4", "1:nan:3", "inf", "1:2:2.5"]
+        {
+            assert!(text.parse::<Sweep>().is_err(), "{text}");
+        }
+        assert_eq!("-0.5".parse(), Ok(Sweep::One(-0.5)));
+    }
+}

@@ -1,0 +1,156 @@
+//! `pendula work-precision`: run time against error, on this machine.
+
+use std::env;
+use std::fs;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+use anyhow::Context;
+use clap::Args;
+use pendula::report::table::Table;
+use serde_json::{Value, json};
+
+use super::destination::Destination;
+use super::tables::Format;
+use crate::failure::Failure;
+use crate::locate;
+use crate::progress::Progress;
+use crate::work_precision::figure::{self, CSV, SVG};
+use crate::work_precision::{Curve, Measured, Point, SCENES, measure};
+
+/// Arguments of `pendula work-precision`.
+#[derive(Args, Debug)]
+pub struct Arguments {
+    /// How the table is printed
+    #[arg(long, value_enum, default_value_t)]
+    format: Format,
+    /// Measure for at most about this long (s): the longer, the smaller the smallest errors
+    #[arg(long, value_name = "S", default_value_t = 15.0, allow_negative_numbers = true)]
+    seconds: f64,
+    /// Write work-precision.svg and work-precision.csv to this folder instead of the one where the book looks for them
+    #[arg(long, value_name = "FOLDER")]
+    output: Option<PathBuf>,
+}
+
+/// Measures, writes the figure and the numbers to their files, and prints the table: for each scene and method the
+/// steps that count, with their error (rad) and run time (s).
+///
+/// # Errors
+/// [`Failure::Refused`] for a time that is not positive and for a folder that cannot be written to.
+pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
+    let seconds = arguments.seconds;
+    if !(seconds > 0.0 && seconds <= 3600.0) {
+        return Err(Failure::refused(format!(
+            "--seconds {seconds:?}: it must be greater than zero and at most 3600"
+        )));
+    }
+    let folder = folder(arguments.output.as_deref())?;
+    let measured = measure(seconds, &Progress::on_terminal());
+    let mut csv = Vec::new();
+    write_csv(&measured, &mut csv)?;
+    let (svg, csv_file) = (folder.join(SVG), folder.join(CSV));
+    write_file(&svg, figure::svg(&measured).as_bytes())?;
+    write_file(&csv_file, &csv)?;
+    match arguments.format {
+        Format::Text => {
+            write_text(&measured, out)?;
+            writeln!(out, "\n{}\n{}", svg.display(), csv_file.display())?;
+        }
+        Format::Csv => out.write_all(&csv)?,
+        Format::Json => {
+            let rows: Vec<Value> =
+                rows(&measured).map(|(curve, p)| object(&measured, curve, p)).collect();
+            serde_json::to_writer_pretty(&mut *out, &rows).context("the rows cannot be written")?;
+            writeln!(out)?;
+        }
+    }
+    Ok(())
+}
+
+/// The folder for the files: known to take them before anything is measured.
+fn folder(asked: Option<&Path>) -> Result<PathBuf, Failure> {
+    let folder = match asked {
+        Some(folder) => folder.to_path_buf(),
+        None => {
+            let here = env::current_dir().context("the current directory cannot be read")?;
+            let folder = figure::folder(&locate::book(&here)?);
+            fs::create_dir_all(&folder)?;
+            folder.canonicalize()?
+        }
+    };
+    tempfile::tempfile_in(&folder).map_err(|error| {
+        let folder = folder.display();
+        Failure::refused(format!(
+            "--output {folder}: it must be a folder that can be written to: {error}"
+        ))
+    })?;
+    Ok(folder)
+}
+
+fn write_file(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    let mut nowhere = io::sink();
+    let mut destination = Destination::open(Some(path), &mut nowhere)?;
+    destination.write_all(bytes)?;
+    destination.finish()
+}
+
+fn rows(measured: &Measured) -> impl Iterator<Item = (&Curve, &Point)> {
+    measured.curves.iter().flat_map(|curve| curve.points.iter().map(move |point| (curve, point)))
+}
+
+fn write_csv(measured: &Measured, out: &mut dyn Write) -> io::Result<()> {
+    writeln!(out, "theta0,duration,method,dt,steps,error,seconds,instructions")?;
+    for (curve, Point { dt, steps, error, seconds }) in rows(measured) {
+        let (scene, name) = (curve.scene, curve.method.properties().name);
+        write!(out, "{:?},{},{name},{dt:?},{steps},", scene.theta0, scene.duration)?;
+        writeln!(out, "{error:?},{seconds:?},{}", measured.instructions)?;
+    }
+    Ok(())
+}
+
+fn object(measured: &Measured, curve: &Curve, point: &Point) -> Value {
+    json!({
+        "theta0": curve.scene.theta0,
+        "duration": curve.scene.duration,
+        "method": curve.method.properties().name,
+        "dt": point.dt,
+        "steps": point.steps,
+        "error": point.error,
+        "seconds": point.seconds,
+        "instructions": measured.instructions,
+    })
+}
+
+fn write_text(measured: &Measured, out: &mut dyn Write) -> io::Result<()> {
+    writeln!(out, "Run time against error on {}; only steps whose error", measured.instructions)?;
+    writeln!(
+        out,
+        "falls as the order of the method says, and a dash where there was time for none"
+    )?;
+    for scene in SCENES {
+        let mut table = Table::new(["Method", "steps", "Δt (s)", "error (rad)", "time (s)"]);
+        for curve in measured.curves.iter().filter(|curve| curve.scene == scene) {
+            let title = curve.method.properties().title;
+            if curve.points.is_empty() {
+                table.push([title, "—", "—", "—", "—"]);
+            }
+            for (index, Point { dt, steps, error, seconds }) in curve.points.iter().enumerate() {
+                table.push([
+                    if index == 0 { title.to_string() } else { String::new() },
+                    steps.to_string(),
+                    format!("{dt:.2e}"),
+                    format!("{error:.1e}"),
+                    format!("{seconds:.2e}"),
+                ]);
+            }
+        }
+        write!(
+            out,
+            "\nFrom {} rad, after {} s\n{}",
+            scene.theta0,
+            scene.duration,
+            table.to_text()
+        )?;
+    }
+    Ok(())
+}

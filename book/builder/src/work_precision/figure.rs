@@ -1,0 +1,143 @@
+//! The figure of work against precision, and its place in the book.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use pendula::METHODS;
+use pendula::report::svg::{Axis, Chart, Figure, Style};
+
+use super::{Measured, Point, SCENES, Scene};
+
+/// The figure's file.
+pub const SVG: &str = "work-precision.svg";
+/// The numbers' file.
+pub const CSV: &str = "work-precision.csv";
+
+/// Where the files are kept for the book in the folder `root`: beside the built one.
+pub fn folder(root: &Path) -> PathBuf {
+    root.join("../target")
+}
+
+/// The figure with its caption, if it has been measured; otherwise how to get it.
+///
+/// It is HTML or Markdown for a paragraph of its own.
+pub fn in_the_book(root: &Path) -> String {
+    match fs::read_to_string(folder(root).join(SVG)) {
+        // Without a blank line, which would end the HTML in the middle.
+        Ok(svg) if svg.starts_with("<svg") && !svg.contains("\n\n") => format!(
+            "<figure>\n{svg}<figcaption>Run time against error as <code>pendula work&#45;precision</code> found them on \
+             this machine. Lower left is better.</figcaption>\n</figure>\n"
+        ),
+        _ => "*(Not measured on this machine yet: run the command, then build the book again.)*"
+            .to_string(),
+    }
+}
+
+/// The figure: a chart for each scene, over the same axis of time.
+pub fn svg(measured: &Measured) -> String {
+    let times = || measured.curves.iter().flat_map(|curve| &curve.points).map(|p| p.seconds);
+    // Room for the markers at both ends.
+    let shortest = times().fold(f64::INFINITY, f64::min) / 1.5;
+    let longest = times().fold(0.0, f64::max) * 1.5;
+    let label = format!("run time (s), {}", measured.instructions);
+    let figure = Figure::new(
+        "Run time against error",
+        format!(
+            "A chart for each of three scenes, both axes logarithmic: the error at the end over the time a run took, \
+             a line of markers for each method, on {}. The higher a method's order, the more steeply its line \
+             falls.",
+            measured.instructions
+        ),
+    );
+    let charts = SCENES
+        .iter()
+        .map(|scene| chart(measured, scene, Axis::log(label.as_str()).range(shortest, longest)));
+    charts.fold(figure, Figure::panel).to_svg("work-precision")
+}
+
+fn chart(measured: &Measured, scene: &Scene, time: Axis) -> Chart {
+    let Scene { theta0, duration } = scene;
+    let error = Axis::log(format!("error (rad) after {duration} s from {theta0} rad"));
+    let mut chart = Chart::new(time, error).height(240.0);
+    for (index, method) in METHODS.iter().enumerate() {
+        let title = method.properties().title;
+        let curves = measured.curves.iter().filter(|curve| curve.scene == *scene);
+        let points = curves
+            .filter(|curve| curve.method.properties().title == title)
+            .flat_map(|curve| with_gaps(&curve.points));
+        chart = chart.series(title, Style::numbered(index), points);
+    }
+    chart
+}
+
+/// Times and errors, with a gap where steps between two that count do not.
+fn with_gaps(points: &[Point]) -> Vec<(f64, f64)> {
+    let mut line = Vec::new();
+    for (i, point) in points.iter().enumerate() {
+        if i > 0 && point.steps != 2 * points[i - 1].steps {
+            line.push((f64::NAN, f64::NAN));
+        }
+        line.push((point.seconds, point.error));
+    }
+    line
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::Curve;
+    use super::*;
+
+    fn measured() -> Measured {
+        let point = |k: i32| Point {
+            dt: 0.25 * 0.5_f64.powi(k),
+            steps: 400 << k,
+            error: 0.25_f64.powi(k),
+            seconds: 1e-6 * 2.0_f64.powi(k),
+        };
+        let points: Vec<Point> = (1..5).map(point).collect();
+        let curve = |scene| METHODS.iter().map(move |method| (scene, *method));
+        let curves = SCENES.into_iter().flat_map(curve);
+        let curves = curves.map(|(scene, method)| Curve { scene, method, points: points.clone() });
+        Measured { instructions: "an abacus", curves: curves.collect() }
+    }
+
+    /// Catches: a scene or a method left out, a machine not named, a figure that the book cannot take in.
+    #[test]
+    fn the_figure_shows_every_method_on_every_scene() {
+        let svg = svg(&measured());
+        let axes = svg.lines().filter(|line| line.contains("class=\"axis\"")).count();
+        assert_eq!(axes, SCENES.len());
+        for method in METHODS {
+            assert!(svg.contains(method.properties().title));
+        }
+        assert!(svg.contains("run time (s), an abacus") && !svg.contains("\n\n"));
+    }
+
+    /// Catches: a line drawn through steps that do not count.
+    #[test]
+    fn a_line_ends_where_steps_do_not_count() {
+        let mut points = measured().curves[0].points.clone();
+        points.remove(1);
+        let line = with_gaps(&points);
+        assert_eq!(line.len(), points.len() + 1);
+        assert!(line[1].0.is_nan());
+    }
+
+    /// Catches: a book that wants a measurement to be built, that ignores one, or that is broken by another file of
+    /// that name.
+    #[test]
+    fn the_book_shows_what_is_there() {
+        let folder = tempfile::tempdir().unwrap();
+        let root = folder.path().join("book");
+        fs::create_dir_all(&root).unwrap();
+        fs::create_dir_all(super::folder(&root)).unwrap();
+        assert!(in_the_book(&root).contains("Not measured"));
+        let file = super::folder(&root).join(SVG);
+        fs::write(&file, "<svg>\n\n</svg>\n").unwrap();
+        assert!(in_the_book(&root).contains("Not measured"));
+        fs::write(&file, svg(&measured())).unwrap();
+        let html = in_the_book(&root);
+        assert!(html.starts_with("<figure>\n<svg") && html.ends_with("</figure>\n"));
+        assert!(!html.contains("\n\n") && !html.contains("{{"));
+    }
+}
