@@ -2,7 +2,6 @@
 
 use crate::exact::{Motion, period};
 use crate::metrics::{AngleError, EnergyDrift};
-use crate::observe::Observer;
 use crate::order::slopes;
 use crate::study::{MethodRef, grid, released};
 use crate::system::Hamiltonian;
@@ -26,22 +25,16 @@ pub fn last_energy(method: &dyn AnyMethod, theta_0: f64, step: f64, steps: u64) 
 
 /// Time (s) of the first step that lowers the energy, from rest at `theta_0` (rad); none in `duration` (s).
 pub fn first_fall(method: &dyn AnyMethod, theta_0: f64, step: f64, duration: f64) -> Option<f64> {
-    struct FirstFall(f64, Option<f64>);
-    impl Observer<Phase> for FirstFall {
-        fn observe(&mut self, _n: u64, t: f64, z: Phase) {
-            let energy = PENDULUM.energy(z);
-            if energy < self.0 {
-                self.1.get_or_insert(t);
-            }
-            self.0 = energy;
+    let (mut before, mut fall) = (f64::NEG_INFINITY, None);
+    let mut watch = |_, t, z| {
+        let energy = PENDULUM.energy(z);
+        if energy < before {
+            fall.get_or_insert(t);
         }
-        fn is_satisfied(&self) -> bool {
-            self.1.is_some()
-        }
-    }
-    let mut watch = FirstFall(f64::NEG_INFINITY, None);
+        before = energy;
+    };
     method.run(&PENDULUM, released(theta_0), &grid(duration, step), &mut watch);
-    watch.1
+    fall
 }
 
 /// Largest and root-mean-square angle error against the small-angle formula, divided by θ₀, from rest at `theta_0`
