@@ -5,13 +5,8 @@
 //! 1000 s.
 //!
 //! # Which steps count
-//! A lucky step, at which the error just crosses zero, must not count, and the next finer one tells: as a method of order p
-//! errs 2ᵖ times less with twice the steps, N steps of it should err 2ᵖ error(2N). They count if they err no less than a
-//! third of that,
-//!
-//! 3 error(N) ≥ 2ᵖ error(2N),
-//!
-//! and by at most a radian. Where N roundings of ε may hide the order, error(N) ≤ Nε, they also count if
+//! A lucky step, at which the error just crosses zero, must not count, and the next finer one tells ([`is_credible`]); nor
+//! does an error of more than a radian. Where N roundings of ε may hide the order, error(N) ≤ Nε, they also count if
 //! 3 error(N) ≥ error(2N), and are the last: more steps would only add roundings.
 //!
 //! `cargo bench --bench work_precision` takes the median of nine runs; without `--bench` it is one run, to see that it
@@ -26,6 +21,7 @@ use std::hint::black_box;
 
 use machine::{instructions, median, seconds};
 use naive::NAIVE;
+use pendula::order::is_credible;
 use pendula::stepped::Stepped;
 use pendula::{Described, Grid, Method, Motion, Pendulum, Phase, methods, swing};
 
@@ -34,9 +30,6 @@ const SCENES: [(f64, u32); 3] = [(1.0, 100), (3.0, 30), (1.0, 1000)];
 
 /// What the summary asks for.
 const GOALS: [f64; 3] = [1e-2, 1e-6, 1e-12];
-
-/// How much better a step may be than the next finer one makes it out to be.
-const WITHIN: f64 = 3.0;
 
 /// A way to the end: the state there after so many steps of that length (s).
 struct Contender<'a> {
@@ -68,7 +61,6 @@ impl Scene {
 
     /// The steps that count, from the coarsest to the first that is as right as the finest goal.
     fn rows(&self, contender: &Contender<'_>) -> Vec<Row> {
-        let gain = f64::from(2_u32.pow(contender.order));
         let mut rows = Vec::new();
         let mut next = None;
         for k in 2.. {
@@ -80,12 +72,12 @@ impl Scene {
             let error = next.unwrap_or_else(|| self.error(contender, steps, step));
             let finer = self.error(contender, 2 * steps, 0.5 * step);
             next = Some(finer);
-            let orderly = WITHIN * error >= gain * finer;
-            let rounded = error <= steps as f64 * f64::EPSILON && WITHIN * error >= finer;
-            if error <= 1.0 && (orderly || rounded) {
+            let credible = is_credible(contender.order, error, finer);
+            let rounded = error <= steps as f64 * f64::EPSILON && 3.0 * error >= finer;
+            if error <= 1.0 && (credible || rounded) {
                 let times = (0..self.runs).map(|_| seconds(|| (contender.run)(steps, step)));
                 rows.push(Row { steps, error, microseconds: 1e6 * median(times.collect()) });
-                if !orderly || error <= GOALS[GOALS.len() - 1] {
+                if !credible || error <= GOALS[GOALS.len() - 1] {
                     break;
                 }
             }

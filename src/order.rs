@@ -15,3 +15,12 @@ pub fn slopes<'a>(
         (above(e[0]) && above(e[1])).then(|| libm::log(e[1] / e[0]) / libm::log(h[1] / h[0]))
     })
 }
+
+/// Whether the `error` of a method of this `order` is its own and no luck, going by that of half the step, `finer`.
+///
+/// An error may cross zero at some step, and there a poor method looks splendid. But with half the step it should be
+/// 2ᵖ times smaller: where that makes it out to be more than three times what it is, the step was lucky, or rounding has
+/// been reached.
+pub fn is_credible(order: u32, error: f64, finer: f64) -> bool {
+    3.0 * error >= libm::exp2(f64::from(order)) * finer
+}

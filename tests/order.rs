@@ -5,6 +5,7 @@ mod properties;
 
 use common::each_method;
 use pendula::AnyMethod;
+use pendula::order::is_credible;
 use rstest_reuse::apply;
 
 /// Catches: any coefficient off by so much that it lowers the order, an entry that claims too much or too little, and
@@ -12,4 +13,14 @@ use rstest_reuse::apply;
 #[apply(each_method)]
 fn every_slope_is_the_order<M: AnyMethod>(#[case] method: M) {
     properties::order::check(&method).unwrap();
+}
+
+/// Catches: a step whose error happens to cross zero taken for a good one; a good one refused whose error falls faster than it must.
+#[test]
+fn a_lucky_step_is_not_credible() {
+    assert!(is_credible(2, 4e-4, 1e-4));
+    assert!(is_credible(2, 1e-3, 1e-6), "the finer one is lucky");
+    assert!(!is_credible(2, 1e-6, 2.5e-5));
+    assert!(is_credible(4, 5.4e-13, 1e-13) && !is_credible(4, 5.3e-13, 1e-13));
+    assert!(!is_credible(1, f64::NAN, 1.0) && !is_credible(1, 1.0, f64::NAN));
 }
