@@ -20,17 +20,6 @@ pub struct Deferred {
     pub series: f64,
 }
 
-// ANCHOR: deferred
-impl Deferred {
-    /// The value, rounded.
-    #[inline]
-    pub fn value(self) -> f64 {
-        self.sum + self.factor * self.series
-    }
-}
-
-// ANCHOR_END: deferred
-
 impl From<f64> for Deferred {
     /// A number that is known. What is still to be added is −0, which changes no number.
     #[inline]
@@ -40,6 +29,14 @@ impl From<f64> for Deferred {
 }
 
 // ANCHOR: deferred
+impl Deferred {
+    /// The value, rounded.
+    #[inline]
+    pub fn value(self) -> f64 {
+        self.sum + self.factor * self.series
+    }
+}
+
 impl Add for Deferred {
     type Output = Self;
 
