@@ -6,7 +6,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use common::each_method;
 use pendula::methods::rk4::Rk4;
-use pendula::stepped::Stepped;
+use pendula::stepped::{Deferred, Stepped};
 use pendula::{Grid, Method, Observer, Pendulum, Phase, integrate, swing};
 use proptest::prelude::*;
 use rstest::rstest;
@@ -121,5 +121,13 @@ proptest! {
         let size = theta.abs() + h * omega.abs() + h * h * stiffness + 1.0;
         prop_assert!((quick.theta - plain.theta).abs() <= 24.0 * f64::EPSILON * size);
         prop_assert!((quick.omega - plain.omega).abs() <= 24.0 * f64::EPSILON * size / h);
+    }
+}
+
+/// Catches: a zero to be added that is +0, which makes +0 of −0.
+#[test]
+fn a_number_that_is_known_keeps_its_sign() {
+    for x in [-0.0, 0.0, 1.5, f64::NEG_INFINITY] {
+        assert_eq!(Deferred::from(x).value().to_bits(), x.to_bits());
     }
 }
