@@ -7,7 +7,7 @@ use std::num::NonZeroU64;
 use common::each_method;
 use pendula::ensemble::{Ensemble, InLanes, Instructions};
 use pendula::observe::Record;
-use pendula::{Grid, Pendulum, Phase, integrate, swing};
+use pendula::{Grid, Observer, Pendulum, Phase, integrate, swing};
 use rstest_reuse::apply;
 
 /// A hundred pendulums, each with its own g and L, in blocks of lanes of which the last is not full.
@@ -86,6 +86,41 @@ fn a_start_that_needs_care_gets_it<M: InLanes>(#[case] method: M) {
         assert!((end.theta - alone.theta).abs() <= 100.0 * f64::EPSILON * alone.theta.abs());
         let scale = if start.omega == 1e-150 { 1e-150 } else { 10.0 };
         assert!((end.omega - alone.omega).abs() <= 100.0 * f64::EPSILON * scale);
+    }
+}
+
+/// Sees until it has seen so many.
+struct Some3(Vec<Phase>);
+
+impl Observer<Phase> for Some3 {
+    fn observe(&mut self, _n: u64, _t: f64, z: Phase) {
+        self.0.push(z);
+    }
+
+    fn is_satisfied(&self) -> bool {
+        self.0.len() == 3
+    }
+}
+
+/// In lanes, and where a neighbour needs care.
+///
+/// Catches: an observer that is shown more than it wants, or nothing; one that ends the run of the others.
+#[apply(each_method)]
+fn a_satisfied_observer_is_left_alone<M: InLanes>(
+    #[case] method: M,
+    #[values(1.0, 1e9)] neighbour: f64,
+) {
+    let starts = [Phase::at_rest(0.5), Phase { theta: neighbour, omega: 1.0 }];
+    let grid = Grid::new(0.01, 10).unwrap();
+    let mut watches = [Some3(vec![]), Some3(vec![])];
+    let every = NonZeroU64::new(2).unwrap();
+    Ensemble::of(&Pendulum::PAPER, &starts, grid).watch(every, &method, &mut watches);
+    for (start, Some3(seen)) in starts.iter().zip(watches) {
+        let mut alone = vec![];
+        let mut watch = pendula::observe::Every::new(every, |_, _, z| alone.push(z));
+        swing(&Pendulum::PAPER, &method, *start, &grid, &mut watch);
+        // Beside a start that needs care time is in seconds for that one only.
+        assert_eq!(bits(&seen), bits(&alone[..3]));
     }
 }
 

@@ -116,15 +116,14 @@ impl<'a> Ensemble<'a> {
     /// Does `work` for each block of slots, given the number of its first start.
     fn for_blocks<T: Send>(&self, slots: &mut [T], work: impl Fn(usize, &mut [T]) + Sync) {
         assert_eq!(slots.len(), self.starts.len(), "one slot for each start");
+        let one = |(b, slots): (usize, &mut [T])| work(b * LANES, slots);
         #[cfg(feature = "parallel")]
         {
             use rayon::prelude::*;
-            slots.par_chunks_mut(LANES).enumerate().for_each(|(b, slots)| work(b * LANES, slots));
+            slots.par_chunks_mut(LANES).enumerate().for_each(one);
         }
         #[cfg(not(feature = "parallel"))]
-        for (b, slots) in slots.chunks_mut(LANES).enumerate() {
-            work(b * LANES, slots);
-        }
+        slots.chunks_mut(LANES).enumerate().for_each(one);
     }
 
     /// The starts from the `first` on in lanes, unless one of them needs its angle or its units treated with more care.
