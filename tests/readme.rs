@@ -4,7 +4,7 @@ use std::fs;
 
 use pendula::paper::Ledger;
 use pendula::paper::measure::row_ids;
-use pendula::report::figures::FIGURES;
+use pendula::report::figures::figures;
 use pendula::study::Study;
 
 fn read(path: &str) -> String {
@@ -33,7 +33,8 @@ fn the_headline_table_is_table_5() {
 #[test]
 fn the_picture_is_figure_2() {
     let path = format!("{}/book/src/assets/energy-error.svg", env!("CARGO_MANIFEST_DIR"));
-    let svg = FIGURES[0].svg(&Study::run(|_| {}));
+    let figure = figures().find(|figure| figure.name == "figure_2").expect("the paper's Figure 2");
+    let svg = figure.svg(&Study::run(|_| {}));
     if std::env::var("INSTA_UPDATE").is_ok_and(|update| update == "always") {
         fs::write(&path, &svg).expect("the assets folder exists");
     }

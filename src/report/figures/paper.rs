@@ -1,37 +1,11 @@
-//! The paper's figures, drawn from the study, and those it lacks.
+//! The paper's figures.
 
-use super::svg::{Axis, Chart, Figure, Style};
-use crate::paper::measure::in_paper;
-use crate::study::{
-    MethodRef, STEPS, Study, convergence, large_angle, long_run, phase_portrait, small_angle,
-};
-use crate::{METHODS, Pendulum, method_named};
+use super::{Drawing, named, of_the_paper, style, title};
+use crate::Pendulum;
+use crate::report::svg::{Axis, Chart, Figure, Style};
+use crate::study::{STEPS, Study, convergence, large_angle, long_run, phase_portrait, small_angle};
 
-/// A figure of the book.
-#[derive(Clone, Copy, Debug)]
-pub struct Drawing {
-    /// Its name: those of the paper have its number, others say what they show.
-    pub name: &'static str,
-    /// What to see in it.
-    pub caption: &'static str,
-    draw: fn(&Study) -> Figure,
-}
-
-impl Drawing {
-    /// The figure as an `<svg>` element.
-    pub fn svg(&self, study: &Study) -> String {
-        (self.draw)(study).to_svg(self.name)
-    }
-
-    /// The figure with its caption, as a `<figure>` element without a blank line.
-    pub fn html(&self, study: &Study) -> String {
-        let (svg, caption) = (self.svg(study), self.caption);
-        format!("<figure>\n{svg}<figcaption>{caption}</figcaption>\n</figure>\n")
-    }
-}
-
-/// The figures, in the order of the chapters.
-pub const FIGURES: [Drawing; 7] = [
+pub(super) const FIGURES: &[Drawing] = &[
     Drawing {
         name: "figure_2",
         caption: "The paper's Figure 2, measured. RK4's energy error falls with slope 5, not 4; \
@@ -72,26 +46,6 @@ pub const FIGURES: [Drawing; 7] = [
         draw: cancellation,
     },
 ];
-
-/// The style of a method, the same in every figure.
-fn style(method: MethodRef) -> Style {
-    let name = method.properties().name;
-    let index = METHODS.iter().position(|other| other.properties().name == name);
-    Style::numbered(index.unwrap_or(0))
-}
-
-/// The rows of the methods that the paper compares: its figures stay its own, however long the list of methods grows.
-fn of_the_paper<R>(rows: &[R], method: fn(&R) -> MethodRef) -> impl Iterator<Item = &R> {
-    rows.iter().filter(move |row| in_paper(method(row)))
-}
-
-fn title(method: MethodRef) -> &'static str {
-    method.properties().title
-}
-
-fn named(name: &str) -> MethodRef {
-    method_named(name).expect("one of the library's methods")
-}
 
 /// Energy error against step on doubly logarithmic axes.
 fn figure_2(study: &Study) -> Figure {
