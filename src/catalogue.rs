@@ -150,6 +150,17 @@ macro_rules! methods {
             symplectic_euler::SymplecticEuler,
             rk4::Rk4,
             stormer_verlet::StormerVerlet,
+            explicit_midpoint::ExplicitMidpoint,
+            heun::Heun,
+            position_verlet::PositionVerlet,
+            ruth_3::Ruth3,
+            forest_ruth::ForestRuth,
+            suzuki_4::Suzuki4,
+            blanes_moan_4::BlanesMoan4,
+            yoshida_6::Yoshida6,
+            blanes_moan_6::BlanesMoan6,
+            yoshida_8::Yoshida8,
+            kahan_li_8::KahanLi8,
         }
     };
 }

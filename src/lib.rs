@@ -62,6 +62,7 @@ pub mod phase;
 #[cfg(feature = "study")]
 pub mod report;
 pub mod sine;
+pub mod splitting;
 pub mod stepped;
 #[cfg(feature = "study")]
 pub mod study;

@@ -105,7 +105,10 @@ fn the_fall_is_late_by_the_methods_order<M: AnyMethod>(#[case] method: M) {
                 let declared = f64::from(method.properties().order);
                 assert!((order - declared).abs() < TOLERANCE, "{order} beside {beside:e}");
             } else {
-                assert!(method.properties().order >= 4 && coarse < floor, "{coarse:e}");
+                // Then at twice the step there is at most 2ᵖ times as much.
+                let order = method.properties().order as i32;
+                let bound = 10.0 * floor * 2.0_f64.powi(order);
+                assert!(order >= 3 && coarse < bound, "{coarse:e}");
             }
         }
     }
@@ -210,12 +213,16 @@ impl Observer<Phase> for Fall {
 
 /// From π as an f64 the exact pendulum falls in 12.36 s. With its angle in one f64 no method can move: each step adds
 /// hα = h (g/L) 1.2246e-16 to ω, and θ = π stays until |ω|h exceeds half an ulp of π, 2.22e-16. That is at the step
-/// 2.2204e-16/(h² g/L · 1.2246e-16), whoever steps; forward Euler, which looks at the old ω, a step later. From there it falls
+/// 2.2204e-16/(h² g/L · 1.2246e-16), whoever moves the angle in one piece, as the paper's four do; forward Euler, which looks at the old ω, a step later. From there it falls
 /// like the exact one from ω = ω₀ q, q = 2.22e-16/(hω₀): √(L/g) ln(8/q) more, as a start at δ = q would.
 ///
 /// Catches: an angle accumulated in another way than the documented one; sin π taken for zero; a Motion that follows the
 /// rounded methods and not the start as given.
-#[apply(each_method)]
+#[rstest]
+#[case::forward_euler(ForwardEuler)]
+#[case::symplectic_euler(SymplecticEuler)]
+#[case::rk4(Rk4)]
+#[case::stormer_verlet(StormerVerlet)]
 fn from_pi_rounding_holds_the_pendulum_up<M: Method<Pendulum>>(#[case] method: M) {
     let pendulum = Pendulum::PAPER;
     let pull = pendulum.stiffness() * 1.224_646_799_147_353_2e-16;
@@ -302,9 +309,10 @@ fn the_exact_rotation_has_its_mean_rate() {
 fn every_method_rotates_by_its_order<M: AnyMethod>(#[case] method: M) {
     /// At Ωh = 0.05, or 0.4 for RK4, the next term bends a slope by as much: measured 0.02 and 0.07.
     const TOLERANCE: f64 = 0.1;
-    let order = method.properties().order;
-    // RK4 at 0.05 would measure the rounding of 1e4 rad, 2e-12 a step.
-    let coarse = if order >= 4 { 4e-4 } else { 5e-5 };
+    /// Where the step is halved until the slope is the order, its error is above this: 1e4 rad rounded by 2e-12 in each of
+    /// N steps, at random.
+    const ROUNDING: f64 = 4.0 * 1.8e-12;
+    let order = f64::from(method.properties().order);
     for pendulum in pendulums() {
         let motion = Motion::new(&pendulum, FAST).unwrap();
         let error = |h: f64| {
@@ -312,31 +320,41 @@ fn every_method_rotates_by_its_order<M: AnyMethod>(#[case] method: M) {
             let z = method.run(&pendulum, FAST, &grid, &mut ());
             (z.theta - motion.at(10.0).theta).abs()
         };
-        let (e0, e1) = (error(coarse), error(0.5 * coarse));
-        let slope = (e0 / e1).log2();
-        assert!(e0 < 1e-3 && (slope - f64::from(order)).abs() < TOLERANCE, "{slope}: {e0:e}");
+        let steps = [0, 1, 2, 3, 4, 5, 6, 7].map(|k| 10.0 / f64::from(3000 << k));
+        let errors = steps.map(error);
+        let slopes: Vec<f64> = (steps.windows(2).zip(errors.windows(2)))
+            .filter(|(h, e)| e[0] < 1e-3 && e[1] > ROUNDING * (10.0 / h[1]).sqrt())
+            .map(|(_, e)| (e[0] / e[1]).log2())
+            .collect();
+        // Beyond order 4 a single octave lies between steps of 3.3 rad, with their next terms, and
+        // rounding: that tells an even order from the next.
+        let tolerance = if order > 4.0 { 0.8 } else { TOLERANCE };
+        let is_order = |slope: &f64| (slope - order).abs() < tolerance;
+        assert!(slopes.iter().any(is_order), "{slopes:?} from {errors:?}");
     }
 }
 
 /// In steps of 10 and of 100 rad no method follows the motion any more, and none breaks down: a step changes ω by h g/L at most.
-/// The symplectic ones stay within the width of a resonance of the standard map, |Δω| ≤ 4√(g/L), as K = h² g/L ≤ 0.098 is far
+/// The symplectic ones of one kick a step stay within the width of a resonance of the standard map, |Δω| ≤ 4√(g/L), as K = h² g/L ≤ 0.098 is far
 /// below the last torus.
 ///
 /// Catches: NaN from a large argument of the sine; energy that grows where a symplectic method cannot gain any.
 #[apply(each_method)]
 fn in_coarse_steps_fast_rotation_stays_finite<M: AnyMethod>(#[case] method: M) {
+    // Yoshida's of order 8 add up to 17 steps.
+    let kicks = if method.properties().force_evaluations > 1 { 17.0 } else { 1.0 };
     for pendulum in pendulums() {
         for h in [0.01, 0.1] {
             let mut farthest = 0.0_f64;
             let mut watch = |n: u64, t: f64, z: Phase| {
                 let change = (z.omega - FAST.omega).abs();
-                // Sums of n rounded kicks: n ε of 10³.
-                let bound = t * pendulum.stiffness() + n as f64 * 1e3 * f64::EPSILON;
+                // Sums of n rounded kicks: n ε of 10³. The kicks of a composition go to and fro.
+                let bound = kicks * t * pendulum.stiffness() + n as f64 * 1e3 * f64::EPSILON;
                 assert!(z.theta.is_finite() && change <= bound, "{z:?} after {t} s");
                 farthest = farthest.max(change);
             };
             method.run(&pendulum, FAST, &Grid::over(100.0, h).unwrap(), &mut watch);
-            if method.properties().symplectic {
+            if method.properties().symplectic && kicks == 1.0 {
                 assert!(farthest < 4.0 * pendulum.small_angle_frequency(), "{farthest} rad/s");
             }
         }

@@ -39,6 +39,12 @@ fn the_slopes() {
     assert_reviewed("orders", "table", &tables::state_slopes(&STUDY).to_markdown());
 }
 
+/// Catches: a property of a method that moves, be the method the paper's or not.
+#[test]
+fn the_methods() {
+    assert_reviewed("methods", "table", &tables::methods(&STUDY).to_markdown());
+}
+
 /// Catches: a prediction that moves within its tolerance, and a tolerance that is widened.
 #[test]
 fn the_predictions() {

@@ -4,9 +4,9 @@ use super::cells::{CELLS, Cell};
 use super::{Claim, Measured, Tolerance, Verdict};
 use crate::catalogue::METHODS;
 use crate::paper::number::Format::{self, Fixed, Scientific, Significant};
-use crate::study::{MethodRef, STEPS, Study, work};
+use crate::study::{MethodRef, STEPS, Study, in_paper, work};
 
-/// The paper's own abbreviation of a method in the ids of its cells; a later method goes by its name.
+/// The paper's own abbreviation of a method in the ids of its cells; one that it does not know goes by its name.
 pub fn row_id(method: MethodRef) -> &'static str {
     match method.properties().name {
         "forward-euler" => "fe",
@@ -16,14 +16,10 @@ pub fn row_id(method: MethodRef) -> &'static str {
     }
 }
 
-/// Whether the paper knows the method: its claims and figures are about these four, its tables have further rows here.
-pub fn in_paper(method: MethodRef) -> bool {
-    ["fe", "se", "rk4", "vv"].contains(&row_id(method))
-}
-
-/// The rows of the tables as (id, title), in order.
+/// The rows of the paper's tables as (id, title), in order.
 pub fn row_ids() -> Vec<(&'static str, &'static str)> {
-    METHODS.iter().map(|method| (row_id(*method), method.properties().title)).collect()
+    let rows = METHODS.iter().copied().filter(|method| in_paper(*method));
+    rows.map(|method| (row_id(method), method.properties().title)).collect()
 }
 
 /// All claims, measured, in the order of the tables.
@@ -77,7 +73,7 @@ fn claim(id: String, gist: String, measured: Measured) -> Claim {
 }
 
 fn table_2(study: &Study, claims: &mut Vec<Claim>) {
-    for row in &study.properties {
+    for row in study.properties.iter().filter(|row| in_paper(row.method)) {
         let (id, title) = (row_id(row.method), row.method.properties().title);
         let yes_or_no = if row.symplectic() { "Yes" } else { "No" };
         claims.extend([
@@ -121,7 +117,7 @@ fn digits(id: &str, step: f64) -> usize {
 }
 
 fn table_5(study: &Study, claims: &mut Vec<Claim>) {
-    for row in &study.long_run {
+    for row in study.long_run.iter().filter(|row| in_paper(row.method)) {
         let (id, title) = (row_id(row.method), row.method.properties().title);
         let cell = |column: &str, what: &str, value, format| {
             number(format!("T5.{id}.{column}"), format!("{what} of {title}"), value, format)

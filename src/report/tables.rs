@@ -5,6 +5,7 @@ use crate::order::slopes;
 use crate::paper::measure::row_ids;
 use crate::paper::number::Format::{Fixed, Scientific};
 use crate::paper::{Claim, Ledger};
+use crate::study::properties::ROUNDING;
 use crate::study::{STEPS, Study};
 use crate::theory;
 
@@ -79,6 +80,31 @@ pub fn state_slopes(study: &Study) -> Table {
         table.push(lead.into_iter().chain(slopes));
     }
     table
+}
+
+/// Every method of the library: what was measured of it, and not what it declares.
+pub fn methods(study: &Study) -> Table {
+    let header =
+        ["Method", "order", "symplectic", "evaluations a step", "ΔH over 1000 s (J)", "energy"];
+    let mut table = Table::new(header);
+    for row in &study.properties {
+        let drift =
+            study.long_run.iter().find(|run| run.method.properties() == row.method.properties());
+        table.push([
+            row.method.properties().title.to_string(),
+            Fixed(0).print(row.order()),
+            (if row.symplectic() { "yes" } else { "no" }).to_string(),
+            Fixed(0).print(row.evaluations),
+            drift.map_or(String::new(), |run| below_rounding(run.drift)),
+            row.energy.to_string(),
+        ]);
+    }
+    table
+}
+
+/// A long run's energy error (J) to two digits, or that it is made of rounding.
+fn below_rounding(drift: f64) -> String {
+    if drift < ROUNDING { "rounding".to_string() } else { Scientific(2).print(drift) }
 }
 
 /// What theory predicts for the cells of the tables, beside what the paper states and what is measured.

@@ -46,6 +46,9 @@ pub struct Turning {
     velocity: Deferred,
 }
 
+/// No method's kicks, or drifts, of one step add up to more steps than this, counted forward and backward.
+pub(crate) const LONGEST: f64 = 32.0;
+
 impl<const ALONE: bool> Stepped<ALONE> {
     /// `pendulum` with its time in steps of `step` (s), for a run of `steps` that begins with the angle and angular
     /// velocity of `start`; `None` where the change of units could overflow or underflow, or half turns could become
@@ -55,10 +58,11 @@ impl<const ALONE: bool> Stepped<ALONE> {
         // can be lost, 1e-100 leaves room.
         let moderate = |x: f64| (1e-100..1e100).contains(&x);
         let kick = pendulum.stiffness() * step * step;
-        // No method adds more than K to the velocity in one step. The rounder counts 2⁵¹ half turns; the angle at the
-        // start is reduced exactly below 2²⁰, and kept to half a rounding.
-        let fastest = (start.omega * step).abs() + steps as f64 * kick;
-        let farthest = start.theta.abs() + steps as f64 * fastest;
+        // The rounder counts 2⁵¹ half turns; the angle at the start is reduced exactly below 2²⁰, and kept to half a
+        // rounding.
+        let longest = steps as f64 * LONGEST;
+        let fastest = (start.omega * step).abs() + longest * kick;
+        let farthest = start.theta.abs() + longest * fastest;
         let fits = moderate(kick)
             && moderate(step)
             && (start.omega == 0.0 || moderate(start.omega.abs()))

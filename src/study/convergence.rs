@@ -2,7 +2,7 @@
 
 use core::f64::consts::FRAC_PI_3;
 
-use super::{MethodRef, STEPS, each_method, grid, released};
+use super::{MethodRef, STEPS, each_of_the_paper, grid, released};
 use crate::Pendulum;
 use crate::metrics::EnergyDrift;
 
@@ -22,7 +22,7 @@ pub struct Row {
 
 /// Runs each method at each step.
 pub fn run() -> Vec<Row> {
-    each_method(|method| Row { method, drift: STEPS.map(|step| drift(method, step)) })
+    each_of_the_paper(|method| Row { method, drift: STEPS.map(|step| drift(method, step)) })
 }
 
 fn drift(method: MethodRef, step: f64) -> f64 {

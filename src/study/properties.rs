@@ -76,35 +76,47 @@ pub fn run(long_run: &[long_run::Row]) -> Vec<Row> {
 /// The run on which order is measured (s): from 1 rad, and no whole number of periods, where symmetry would flatter.
 pub const DURATION: f64 = 2.7;
 
-/// Errors of the state on a ladder of halved steps.
+/// Errors of the state on a ladder of steps.
 #[derive(Clone, Copy, Debug)]
 pub struct Ladder {
-    /// Steps (s), each half the one before.
+    /// Steps (s), each shorter than the one before by the same factor, to a whole number of steps: a half up to order 4,
+    /// and beyond such that the error falls sixteenfold from rung to rung, so that there is room for five.
     pub steps: [f64; 5],
     /// Largest max(|Δθ|, |Δω|/ω₀) over the run against the closed form (rad), at each step.
     pub errors: [f64; 5],
+    /// Errors below this are made of rounding as much as of truncation (rad): each of N steps is rounded by 2e-16 in θ
+    /// and in ω, which adds up to 2N · 2e-16 at the worst. Twice that bends a slope by less than a half.
+    pub rounding_floor: f64,
 }
 
 impl Ladder {
-    /// Errors below this are made of rounding as much as of truncation (rad): up to 16 384 steps, each rounded by
-    /// 2e-16 in θ and in ω, add up to 4e-12 at the worst. Three times that bends a slope by less than a half.
-    pub const ROUNDING_FLOOR: f64 = 1.2e-11;
-
-    /// Climbs the ladder with `method`. The higher the order it claims, the coarser the first rung, so that all five
-    /// lie between where the leading term dominates and where rounding does.
+    /// Climbs the ladder with `method`, from the coarsest step with which its own error shows that the leading term
+    /// dominates: the next is smaller by a power of the step, and so, at order p, by about the p-th root of the error.
     pub fn climb(method: &dyn AnyMethod) -> Self {
-        let coarsest = 2048_u64 >> method.properties().order.min(8);
-        let rungs = [0, 1, 2, 3, 4].map(|k| coarsest << k);
+        let order = f64::from(method.properties().order.max(1));
+        let asymptotic = libm::pow(0.03, order).max(1e-8);
+        let factor = libm::exp2((4.0 / order).min(1.0));
+        let rungs_from = |first: f64| [0, 1, 2, 3, 4].map(|k| rung(first, factor, k));
+        let firsts = (0..).map(|k| rung(8.0, factor, k));
+        let first =
+            firsts.take_while(|n| *n < 65_536).find(|n| largest_error(method, *n) < asymptotic);
+        let rungs = rungs_from(first.unwrap_or(65_536) as f64);
         Self {
             steps: rungs.map(|n| DURATION / n as f64),
             errors: rungs.map(|n| largest_error(method, n)),
+            rounding_floor: 4.0 * 2.2e-16 * rungs[4] as f64,
         }
     }
 
     /// The slope of each pair of neighbours above the rounding floor.
     pub fn slopes(&self) -> impl Iterator<Item = f64> {
-        slopes(&self.steps, &self.errors, Self::ROUNDING_FLOOR).flatten()
+        slopes(&self.steps, &self.errors, self.rounding_floor).flatten()
     }
+}
+
+/// The number of steps on the `k`-th rung above `first`.
+fn rung(first: f64, factor: f64, k: u32) -> u64 {
+    libm::round(first * libm::pow(factor, f64::from(k))) as u64
 }
 
 /// Largest error of the state, max(|Δθ|, |Δω|/ω₀) (rad), over a run of `steps` steps.
@@ -160,9 +172,13 @@ fn evaluations(method: MethodRef) -> f64 {
     (count(1001) - count(1)) as f64 / 1000.0
 }
 
+/// What rounding makes of the energy in the 10⁵ steps of the long run (J): each rounds some 5 J by 1e-16 of it or a few, at
+/// random, which adds up to 3e-13, and to ten times that if luck is bad.
+pub const ROUNDING: f64 = 3e-12;
+
 fn energy_behaviour(run: &long_run::Row) -> EnergyBehaviour {
     let energy = run.initial + Pendulum::PAPER.depth();
-    if run.drift <= 1.01 * run.early_drift {
+    if run.drift <= 1.01 * run.early_drift + ROUNDING {
         EnergyBehaviour::BoundedOscillation
     } else if run.drift < 0.01 * energy {
         EnergyBehaviour::SlowSecularDrift

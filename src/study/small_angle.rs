@@ -1,6 +1,6 @@
 //! Angle error against the small-angle formula: the paper's Table 6, and forward Euler's run of its Figure 4.
 
-use super::{MethodRef, STEPS, each_method, grid, released};
+use super::{MethodRef, STEPS, each_of_the_paper, grid, released};
 use crate::exact::Motion;
 use crate::metrics::{AngleError, EnergyDrift};
 use crate::system::Hamiltonian;
@@ -33,7 +33,10 @@ pub struct Errors {
 
 /// Runs each method at each step.
 pub fn run() -> Vec<Row> {
-    each_method(|method| Row { method, errors: STEPS.map(|h| errors(method, &grid(DURATION, h))) })
+    each_of_the_paper(|method| Row {
+        method,
+        errors: STEPS.map(|h| errors(method, &grid(DURATION, h))),
+    })
 }
 
 /// Runs a method over `grid` and compares it with both.

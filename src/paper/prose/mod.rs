@@ -11,7 +11,7 @@ use super::Verdict::{
     self, DependsOnPlatform, DependsOnRounding, NotCheckable, Reproduced, ReproducedWithDefinition,
     Wrong,
 };
-use super::measure::{in_paper, row_id};
+use super::measure::row_id;
 use super::{Claim, Measured, Tolerance};
 use crate::methods::{
     forward_euler::ForwardEuler, rk4::Rk4, stormer_verlet::StormerVerlet,

@@ -3,8 +3,7 @@
 mod paper;
 
 use super::svg::{Figure, Style};
-use crate::paper::measure::in_paper;
-use crate::study::{MethodRef, Study};
+use crate::study::{MethodRef, Study, in_paper};
 use crate::{METHODS, method_named};
 
 /// A figure of the book.

@@ -53,7 +53,7 @@ fn figure_2(study: &Study) -> Figure {
         .slope(1.0, (0.1, 3.0), 0.001, "slope 1")
         .slope(2.0, (0.1, 3e-2), 0.001, "slope 2")
         .slope(5.0, (0.1, 6e-3), 0.0015, "slope 5");
-    for convergence::Row { method, drift } in of_the_paper(&study.convergence, |row| row.method) {
+    for convergence::Row { method, drift } in &study.convergence {
         chart = chart.series(title(*method), style(*method), STEPS.into_iter().zip(*drift));
     }
     Figure::new(
@@ -177,7 +177,7 @@ fn figure_7(study: &Study) -> Figure {
     let axis = |against| Axis::log(format!("RMS error against {against} (rad)"));
     let mut formula = Chart::new(work(), axis("formula")).height(240.0);
     let mut truth = Chart::new(work(), axis("truth"));
-    for row in of_the_paper(&study.work, |row| row.method) {
+    for row in &study.work {
         let line = |pick: fn(&small_angle::Errors) -> f64| {
             row.points.iter().map(|(n, errors)| (*n as f64, pick(errors))).collect::<Vec<_>>()
         };
