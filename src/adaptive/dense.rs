@@ -20,13 +20,19 @@ pub fn hermite<D: Vector>(step: D, start_slope: D, end_slope: D) -> [D; 3] {
 /// Equations I*, Sect. II.6). In general it is of a lower order than the step: 4 for 5, 7 for 8.
 #[derive(Clone, Copy, Debug)]
 pub struct Dense<Z, C> {
-    pub(super) t: f64,
-    pub(super) h: f64,
-    pub(super) z: Z,
-    pub(super) coefficients: C,
+    t: f64,
+    h: f64,
+    z: Z,
+    coefficients: C,
 }
 
 impl<Z: Point, C: AsRef<[Z::Displacement]>> Dense<Z, C> {
+    /// The dense output of a step `h` (s) from `z` at time `t` (s), with the coefficients that
+    /// [`Embedded::dense`](super::Embedded::dense) gives.
+    pub const fn new(t: f64, h: f64, z: Z, coefficients: C) -> Self {
+        Self { t, h, z, coefficients }
+    }
+
     /// The state at time `t` (s). Outside the step it is a guess.
     pub fn at(&self, t: f64) -> Z {
         self.after((t - self.t) / self.h)

@@ -1,7 +1,7 @@
 //! Events: when a function of the state crosses zero.
 
-use super::walk::{DenseOf, Walk};
 use super::Embedded;
+use super::walk::{DenseOf, Walk};
 use crate::error::Error;
 use crate::phase::Components;
 use crate::system::System;

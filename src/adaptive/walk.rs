@@ -177,7 +177,7 @@ where
         let Step { t, h, z, end_slope, .. } = *step;
         let coefficients =
             self.adaptive.method.dense(&self.system, t, h, z, &step.stages, end_slope);
-        Dense { t, h, z, coefficients }
+        Dense::new(t, h, z, coefficients)
     }
 
     /// An iterator over the times from here on when the function `g` of time (s) and state changes its sign in the
