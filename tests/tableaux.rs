@@ -129,6 +129,7 @@ fn decimal(written: &str) -> Printed {
 type Weights = BTreeMap<usize, Printed>;
 
 /// A method as its tables have it.
+#[derive(Clone)]
 struct Table {
     names: Vec<&'static str>,
     stages: Vec<Weights>,
@@ -262,14 +263,14 @@ fn allowed(table: &Table, tree: &Tree, row: &Weights, of_stages: &[(DoubleDouble
     tree.vertices as f64 * (table.coarseness() + 50.0 * UNIT) * size + of_weights
 }
 
-/// The order of `row`, which is to be right for tⁿ at t = s: the vertices of the smallest tree that fails, less one.
-/// One that fails by less than 1e-9 has a wrong digit, and no wrong order.
-fn order(
+/// The order of `row`, which is to be right for tⁿ at t = s: the vertices of the smallest tree that fails, less one; and by how
+/// much that tree does.
+fn order_and_failure(
     table: &Table,
     row: &Weights,
     s: DoubleDouble,
     right: impl Fn(&Tree, DoubleDouble) -> DoubleDouble,
-) -> usize {
+) -> (usize, f64) {
     let trees = trees(9);
     let elementary = table.elementary(&trees);
     for (tree, of_stages) in trees.iter().zip(&elementary) {
@@ -277,11 +278,22 @@ fn order(
         let power = (0..tree.vertices).fold(DoubleDouble::ONE, |product, _| product * s);
         let failure = (sum - right(tree, power)).rounded().abs();
         if failure > allowed(table, tree, row, of_stages) {
-            assert!(failure > 1e-9, "{failure:e} is too small for a wrong order: a wrong digit");
-            return tree.vertices - 1;
+            return (tree.vertices - 1, failure);
         }
     }
-    9
+    (9, 0.0)
+}
+
+/// The order of `row`, when no digit of it is wrong: one that fails by less than 1e-9 has a wrong digit, and no wrong order.
+fn order(
+    table: &Table,
+    row: &Weights,
+    s: DoubleDouble,
+    right: impl Fn(&Tree, DoubleDouble) -> DoubleDouble,
+) -> usize {
+    let (order, failure) = order_and_failure(table, row, s, right);
+    assert!(failure > 1e-9, "{failure:e} is too small for a wrong order: a wrong digit");
+    order
 }
 
 fn solution(tree: &Tree, power: DoubleDouble) -> DoubleDouble {
@@ -334,6 +346,43 @@ fn dense_output_has_its_order_at_every_time(
     for ninth in 1..9 {
         let s = DoubleDouble::of(f64::from(ninth)) / DoubleDouble::of(9.0);
         assert_eq!(order(&table, &table.dense(s, end, more), s, solution), expected, "{ninth}/9");
+    }
+}
+
+/// Each number in turn is made wrong in its 20th digit, four beyond those of an f64, and a condition fails: a test of the
+/// tests above. (DOP853's are printed to 28 and more; but some count for little, and many cancel.)
+///
+/// Catches: tolerances so wide that a digit could hide in them; a number that no condition asks for.
+#[rstest]
+#[case::dormand_prince(Table::dormand_prince(), "k7", &["fourth"], 4)]
+#[case::dop853(Table::dop853(), "k13", &["fourth", "dense fifth", "sixth", "seventh"], 7)]
+fn every_digit_counts(
+    #[case] table: Table,
+    #[case] end: &str,
+    #[case] more: &[&'static str],
+    #[case] expected: usize,
+) {
+    let s = DoubleDouble::of(0.375);
+    let spoiled = DoubleDouble::ONE + DoubleDouble::of(1e-20);
+    for stage in 1..table.stages.len() {
+        for &other in table.stages[stage].keys() {
+            let mut table = table.clone();
+            let a = table.stages[stage].get_mut(&other).unwrap();
+            a.value = a.value * spoiled;
+            let dense = table.dense(s, end, more);
+            let (order, _) = order_and_failure(&table, &dense, s, solution);
+            assert!(order < expected, "{}, {}", table.names[stage], table.names[other]);
+        }
+    }
+    for name in more {
+        for stage in table.sums[name].keys() {
+            let mut table = table.clone();
+            let b = table.sums.get_mut(name).unwrap().get_mut(stage).unwrap();
+            b.value = b.value * spoiled;
+            let dense = table.dense(s, end, more);
+            let (order, _) = order_and_failure(&table, &dense, s, solution);
+            assert!(order < expected, "{name}, {}", table.names[*stage]);
+        }
     }
 }
 
