@@ -27,6 +27,20 @@ pub enum Error {
         /// The number of steps asked for; an f64, as it may exceed every integer type.
         steps: f64,
     },
+    /// No step, however small, meets the tolerance: the motion is singular there, or its rate is not a number.
+    StepTooSmall {
+        /// The time that was reached (s).
+        t: f64,
+        /// The step that f64 can hardly tell from none at that time (s).
+        step: f64,
+    },
+    /// More attempts at a step than were allowed.
+    OutOfSteps {
+        /// The time that was reached (s).
+        t: f64,
+        /// The number allowed.
+        limit: u64,
+    },
 }
 
 impl fmt::Display for Error {
@@ -43,6 +57,16 @@ impl fmt::Display for Error {
             Self::TooManySteps { steps } => write!(
                 f,
                 "{steps:?} steps are too many: at most 2^53 = {MAX_STEPS} can be counted exactly"
+            ),
+            Self::StepTooSmall { t, step } => write!(
+                f,
+                "at {t:?} s a step of {step:?} s is still too long for the tolerance: it must be one of a motion \
+                 without a singularity, and long enough to be added to the time"
+            ),
+            Self::OutOfSteps { t, limit } => write!(
+                f,
+                "{limit} steps have led no further than to {t:?} s: allow more of them, a larger tolerance or a \
+                 shorter run"
             ),
         }
     }

@@ -29,6 +29,7 @@
 //! * [`method`](mod@method), [`methods`](mod@methods): what integrates.
 //! * [`grid`], [`integrate`](mod@integrate), [`observe`]: the time loop and what is watched along it.
 //! * [`stepped`], [`swing`](mod@swing), `ensemble`: the same loop at full speed, for one pendulum and for many.
+//! * [`tableau`], [`adaptive`]: Runge–Kutta methods as tables; steps whose size follows the motion.
 //! * [`catalogue`]: the one list of methods.
 //! * [`metrics`], [`order`]: what is measured.
 //! * `study`, `theory`, `paper`, `report`: the paper's experiments, what they must yield, the paper's claims, and all of
@@ -42,6 +43,7 @@
 #![cfg_attr(not(any(feature = "study", feature = "ensemble")), no_std)]
 #![warn(clippy::disallowed_methods)]
 
+pub mod adaptive;
 pub mod catalogue;
 mod double_double;
 #[cfg(feature = "ensemble")]
@@ -68,6 +70,7 @@ pub mod stepped;
 pub mod study;
 pub mod swing;
 pub mod system;
+pub mod tableau;
 #[cfg(feature = "study")]
 pub mod theory;
 
@@ -79,7 +82,7 @@ pub use integrate::integrate;
 pub use method::{Described, Method, Properties};
 pub use observe::Observer;
 pub use pendulum::{LinearOscillator, Pendulum};
-pub use phase::{Phase, Point, Vector};
+pub use phase::{Components, Phase, Point, Vector};
 pub use swing::swing;
 pub use system::{Counting, Hamiltonian, Rate, Separable, System};
 

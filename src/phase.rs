@@ -20,6 +20,18 @@ impl<V: Vector> Point for V {
     type Displacement = V;
 }
 
+/// A state whose components are numbers, so that an error in each can be held against what is allowed there.
+pub trait Components: Point {
+    /// Hands to `each`, one component after the other, what it is in this state, in the state `other`, and in the
+    /// `displacement`.
+    fn compare(
+        self,
+        other: Self,
+        displacement: Self::Displacement,
+        each: impl FnMut(f64, f64, f64),
+    );
+}
+
 /// A point (θ, ω) in the phase space of the pendulum, or a rate of change of one.
 ///
 /// As a state, `theta` is in rad and `omega` in rad/s; as a rate, both are per second.
@@ -57,3 +69,11 @@ impl Mul<f64> for Phase {
 }
 
 impl Vector for Phase {}
+
+impl Components for Phase {
+    #[inline]
+    fn compare(self, other: Self, displacement: Self, mut each: impl FnMut(f64, f64, f64)) {
+        each(self.theta, other.theta, displacement.theta);
+        each(self.omega, other.omega, displacement.omega);
+    }
+}

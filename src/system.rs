@@ -13,6 +13,15 @@ pub trait System {
     fn rate(&self, t: f64, z: Self::State) -> Rate<Self>;
 }
 
+impl<S: System> System for &S {
+    type State = S::State;
+
+    #[inline]
+    fn rate(&self, t: f64, z: Self::State) -> Rate<Self> {
+        (**self).rate(t, z)
+    }
+}
+
 /// The rate of change of a system's state.
 pub type Rate<S> = <<S as System>::State as Point>::Displacement;
 

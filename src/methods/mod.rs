@@ -2,6 +2,8 @@
 
 pub mod blanes_moan_4;
 pub mod blanes_moan_6;
+pub mod dop853;
+pub mod dormand_prince;
 pub mod explicit_midpoint;
 pub mod forest_ruth;
 pub mod forward_euler;

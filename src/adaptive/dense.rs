@@ -1,0 +1,57 @@
+//! Dense output: a state at every time within a step.
+
+use crate::phase::{Point, Vector};
+
+/// The first three coefficients of dense output, which make it meet both ends of a step: Hermite's cubic of the whole
+/// displacement `step` with the slopes at both ends, times h.
+pub fn hermite<D: Vector>(step: D, start_slope: D, end_slope: D) -> [D; 3] {
+    let second = start_slope + step * -1.0;
+    let third = step + end_slope * -1.0 + second * -1.0;
+    [step, second, third]
+}
+
+/// A polynomial that follows the motion through a step: a state at every time, for no evaluation of the force.
+///
+/// With s the part of the step that is over and c₁, c₂, … the `C`, it is
+///
+/// z + s (c₁ + (1 − s)(c₂ + s (c₃ + (1 − s)(c₄ + …)))),
+///
+/// so that at s = 1 it ends on the very digits of the step (Hairer, Nørsett, Wanner, *Solving Ordinary Differential
+/// Equations I*, Sect. II.6). In general it is of a lower order than the step: 4 for 5, 7 for 8.
+#[derive(Clone, Copy, Debug)]
+pub struct Dense<Z, C> {
+    t: f64,
+    h: f64,
+    z: Z,
+    coefficients: C,
+}
+
+impl<Z: Point, C: AsRef<[Z::Displacement]>> Dense<Z, C> {
+    /// The dense output of a step `h` (s) from `z` at time `t` (s), with the coefficients that
+    /// [`Embedded::dense`](super::Embedded::dense) gives.
+    pub const fn new(t: f64, h: f64, z: Z, coefficients: C) -> Self {
+        Self { t, h, z, coefficients }
+    }
+
+    /// The state at time `t` (s). Outside the step it is a guess.
+    pub fn at(&self, t: f64) -> Z {
+        self.after((t - self.t) / self.h)
+    }
+
+    /// The time (s) when the part `s` of the step is over.
+    pub const fn time(&self, s: f64) -> f64 {
+        self.t + s * self.h
+    }
+
+    // ANCHOR: after
+    /// The state when the part `s` of the step is over.
+    pub fn after(&self, s: f64) -> Z {
+        let Some((last, others)) = self.coefficients.as_ref().split_last() else { return self.z };
+        let mut sum = *last;
+        for (i, c) in others.iter().enumerate().rev() {
+            sum = *c + sum * if i % 2 == 0 { 1.0 - s } else { s };
+        }
+        self.z + sum * s
+    }
+    // ANCHOR_END: after
+}

@@ -1,0 +1,134 @@
+//! Events: when a function of the state crosses zero.
+
+use super::Embedded;
+use super::walk::{DenseOf, Walk};
+use crate::error::Error;
+use crate::phase::Components;
+use crate::system::System;
+
+/// Which changes of sign are meant.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Direction {
+    /// From below zero to zero or above, as time goes in the walk.
+    Rising,
+    /// From above zero to zero or below.
+    Falling,
+    /// Both.
+    Either,
+}
+
+impl Direction {
+    /// Whether the zero that is `before`, or none, has been crossed in this direction. A function that begins on zero
+    /// does not cross it there.
+    fn crossed(self, before: f64, after: f64) -> bool {
+        let rising = before < 0.0 && after >= 0.0;
+        let falling = before > 0.0 && after <= 0.0;
+        match self {
+            Self::Rising => rising,
+            Self::Falling => falling,
+            Self::Either => rising || falling,
+        }
+    }
+}
+
+/// When a function crossed zero, and where the system was.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Crossing<Z> {
+    /// The time t (s).
+    pub t: f64,
+    /// The state.
+    pub z: Z,
+}
+
+/// Points at which a step is looked at: two zeros closer together than an eighth of a step can hide each other.
+const LOOKS: u32 = 8;
+
+/// An iterator over the crossings of a walk: see [`Walk::crossings`].
+pub struct Crossings<'w, 'a, S: System, M: Embedded, G> {
+    walk: &'w mut Walk<'a, S, M>,
+    direction: Direction,
+    g: G,
+    /// The step being looked at, and how many times it has been.
+    step: Option<(DenseOf<S, M>, u32)>,
+    /// The function where it was looked at last.
+    value: f64,
+}
+
+impl<'w, 'a, S, M, G> Crossings<'w, 'a, S, M, G>
+where
+    S: System<State: Components>,
+    M: Embedded,
+    G: FnMut(f64, S::State) -> f64,
+{
+    pub(super) fn new(walk: &'w mut Walk<'a, S, M>, direction: Direction, mut g: G) -> Self {
+        let value = g(walk.time(), walk.state());
+        Self { walk, direction, g, step: None, value }
+    }
+
+    /// The next crossing within the step that is being looked at.
+    fn within_step(&mut self) -> Option<Crossing<S::State>> {
+        while let Some((dense, looks)) = self.step {
+            if looks == LOOKS {
+                self.step = None;
+                break;
+            }
+            let part = |looks| f64::from(looks) / f64::from(LOOKS);
+            let (low, high) = (part(looks), part(looks + 1));
+            let before = self.value;
+            self.value = (self.g)(dense.time(high), dense.after(high));
+            self.step = Some((dense, looks + 1));
+            if self.direction.crossed(before, self.value) {
+                return Some(self.bisect(dense, before, low, high));
+            }
+        }
+        None
+    }
+
+    // ANCHOR: bisect
+    /// The crossing between the parts `low` and `high` of a step, where the function at `low` is `before`: halved until
+    /// no f64 lies between. Halving is slow and cannot fail; the force is not asked.
+    fn bisect(
+        &mut self,
+        dense: DenseOf<S, M>,
+        before: f64,
+        mut low: f64,
+        mut high: f64,
+    ) -> Crossing<S::State> {
+        // 2⁻⁶⁴ of an eighth of a step is less than an ulp of any time in it but zero.
+        for _ in 0..64 {
+            let middle = 0.5 * (low + high);
+            if middle <= low || middle >= high {
+                break;
+            }
+            let value = (self.g)(dense.time(middle), dense.after(middle));
+            if Direction::Either.crossed(before, value) {
+                high = middle;
+            } else {
+                low = middle;
+            }
+        }
+        Crossing { t: dense.time(high), z: dense.after(high) }
+    }
+    // ANCHOR_END: bisect
+}
+
+impl<S, M, G> Iterator for Crossings<'_, '_, S, M, G>
+where
+    S: System<State: Components>,
+    M: Embedded,
+    G: FnMut(f64, S::State) -> f64,
+{
+    type Item = Result<Crossing<S::State>, Error>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        loop {
+            if let Some(crossing) = self.within_step() {
+                return Some(Ok(crossing));
+            }
+            match self.walk.next()? {
+                Ok(step) => self.step = Some((self.walk.dense(&step), 0)),
+                Err(error) => return Some(Err(error)),
+            }
+        }
+    }
+}

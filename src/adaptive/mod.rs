@@ -1,0 +1,160 @@
+//! Steps whose size follows the motion.
+//!
+//! [`Adaptive`] is an embedded Runge–Kutta method with a [`Tolerance`]. It [integrates](Adaptive::integrate()) past an
+//! observer, or [walks](Adaptive::walk) step by step; of each step it gives [dense output](Dense), which is a state at
+//! every time within, and on that it finds [crossings](Walk::crossings): the period, or the passage over the top.
+//!
+//! ```
+//! use pendula::adaptive::{Adaptive, Direction, Tolerance};
+//! use pendula::methods::dop853::Dop853;
+//! use pendula::{Pendulum, Phase, exact};
+//!
+//! let (pendulum, start) = (Pendulum::PAPER, Phase::at_rest(3.0));
+//! let adaptive = Adaptive::new(Dop853, Tolerance::of(1e-12)?);
+//! let mut walk = adaptive.walk(&pendulum, start, 0.0, 10.0)?;
+//! let mut falling = walk.crossings(Direction::Falling, |_, z| z.theta);
+//! let (first, second) = (falling.next().unwrap()?, falling.next().unwrap()?);
+//! let period = second.t - first.t;
+//! assert!((period - exact::period(&pendulum, 3.0)?).abs() < 1e-10);
+//! # Ok::<(), pendula::Error>(())
+//! ```
+//!
+//! None of this is symplectic, and over long runs its energy drifts. A step chosen by what lies behind cannot be taken
+//! back. One that is chosen the same from both sides can: [`symmetric`].
+
+mod control;
+mod dense;
+mod events;
+pub mod symmetric;
+mod tolerance;
+mod walk;
+
+pub use dense::{Dense, hermite};
+pub use events::{Crossing, Crossings, Direction};
+pub use tolerance::{SMALLEST_RELATIVE, Tolerance};
+pub use walk::{Counts, Step, Walk};
+
+use crate::error::Error;
+use crate::observe::Observer;
+use crate::phase::{Components, Vector};
+use crate::system::{Rate, System};
+
+// ANCHOR: embedded
+/// A Runge–Kutta method that estimates its own error and fills in its own steps.
+pub trait Embedded: Copy {
+    /// The order k of the estimate, O(hᵏ): by it the control chooses the next step.
+    const ESTIMATE_ORDER: u32;
+
+    /// The stages of a step.
+    type Stages<D: Vector>: Copy;
+
+    /// The coefficients of dense output: as many as its degree.
+    type Dense<D: Vector>: Copy + AsRef<[D]>;
+
+    /// Tries a step `h` (s) from `z` at time `t` (s), where the slope is `slope`: the state that it leads to, and its
+    /// stages.
+    fn attempt<S: System>(
+        &self,
+        system: &S,
+        t: f64,
+        h: f64,
+        z: S::State,
+        slope: Rate<S>,
+    ) -> (S::State, Self::Stages<Rate<S>>);
+
+    /// The error of the step with these `stages`, in tolerances. `size` measures a displacement per h in tolerances.
+    fn error<D: Vector>(&self, stages: &Self::Stages<D>, size: impl Fn(D) -> f64) -> f64;
+
+    /// The slope at the state `z` at time `t` (s) to which the step with these `stages` has led.
+    fn end_slope<S: System>(
+        &self,
+        system: &S,
+        t: f64,
+        z: S::State,
+        stages: &Self::Stages<Rate<S>>,
+    ) -> Rate<S>;
+
+    /// What [`Dense`] is made of, for a step `h` (s) from `z` at time `t` (s) with these `stages`.
+    fn dense<S: System>(
+        &self,
+        system: &S,
+        t: f64,
+        h: f64,
+        z: S::State,
+        stages: &Self::Stages<Rate<S>>,
+        end_slope: Rate<S>,
+    ) -> Self::Dense<Rate<S>>;
+}
+// ANCHOR_END: embedded
+
+/// A method whose steps are chosen so that each is off by no more than a tolerance.
+#[derive(Clone, Copy, Debug)]
+pub struct Adaptive<M> {
+    method: M,
+    tolerance: Tolerance,
+    limit: u64,
+}
+
+/// A million: what takes more is not meant for a tolerance in f64, or not for an explicit method.
+pub const STEP_LIMIT: u64 = 1_000_000;
+
+impl<M: Embedded> Adaptive<M> {
+    /// `method` with its error held to `tolerance`, in at most [`STEP_LIMIT`] attempts.
+    pub const fn new(method: M, tolerance: Tolerance) -> Self {
+        Self { method, tolerance, limit: STEP_LIMIT }
+    }
+
+    /// The same in at most `attempts` at a step, those refused included.
+    pub const fn within(self, attempts: u64) -> Self {
+        Self { limit: attempts, ..self }
+    }
+
+    /// Sets out to take `system` from `start` at time `from` (s) to time `until` (s), which may be the earlier one.
+    ///
+    /// # Errors
+    /// [`Error::Parameter`] for a time that is not finite, and for two whose difference is not.
+    pub fn walk<'a, S>(
+        &self,
+        system: &'a S,
+        start: S::State,
+        from: f64,
+        until: f64,
+    ) -> Result<Walk<'a, S, M>, Error>
+    where
+        S: System<State: Components>,
+    {
+        Walk::new(*self, system, start, from, until)
+    }
+
+    // ANCHOR: integrate
+    /// Takes `system` from `start` at time `from` (s) to time `until` (s), lets `observer` see the start and the end of
+    /// each step, returns the last state, and what it cost: the state at `until`, or the one with which the observer was
+    /// satisfied.
+    ///
+    /// # Errors
+    /// As [`Adaptive::walk`]; [`Error::StepTooSmall`] where no step meets the tolerance, or the system has no finite rate;
+    /// [`Error::OutOfSteps`] after as many attempts as are allowed.
+    pub fn integrate<S, O>(
+        &self,
+        system: &S,
+        start: S::State,
+        from: f64,
+        until: f64,
+        observer: &mut O,
+    ) -> Result<(S::State, Counts), Error>
+    where
+        S: System<State: Components>,
+        O: Observer<S::State> + ?Sized,
+    {
+        let mut walk = self.walk(system, start, from, until)?;
+        observer.observe(0, from, start);
+        while !observer.is_satisfied()
+            && let Some(step) = walk.next()
+        {
+            let step = step?;
+            observer.observe(walk.counts().accepted, step.end_time(), step.end());
+        }
+        Ok((walk.state(), walk.counts()))
+    }
+    // ANCHOR_END: integrate
+}

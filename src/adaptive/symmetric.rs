@@ -1,0 +1,105 @@
+//! Störmer–Verlet with steps that vary and can still be taken back.
+//!
+//! A step chosen by what lies behind it is chosen otherwise on the way back: the method is not reversible any more, and
+//! its energy drifts. Hairer and Söderlind (*SIAM J. Sci. Comput.* 26 (2005) 1838–1851) let the density of the steps be
+//! a variable with a rate of its own. It leaps over the state as the state leaps over it, and the whole is symmetric.
+
+use crate::error::{Error, positive};
+use crate::system::Separable;
+
+/// Störmer–Verlet with a step h = ε/ρ, where the density ρ of the steps follows the motion.
+///
+/// ρ₊ = ρ + (ε/2) G(z), a step of Störmer–Verlet of h = ε/ρ₊, ρ = ρ₊ + (ε/2) G(z): order 2 in ε, symmetric, one force
+/// evaluation a step and one before the first; with G = 0 it is Störmer–Verlet with the step ε. Also called the step
+/// density or the integrating controller. Hairer, Söderlind (2005); Hairer, Lubich, Wanner, *Geometric Numerical
+/// Integration*, Sect. VIII.3.
+///
+/// It is an iterator over the samples after the start, and has no end of its own but an error, after which there are no more.
+#[derive(Clone, Copy, Debug)]
+pub struct SymmetricSteps<'a, S: Separable, G> {
+    system: &'a S,
+    density_rate: G,
+    /// ε (s).
+    epsilon: f64,
+    sample: Sample<S::State>,
+    /// The force at the sample.
+    force: S::Force,
+    failed: bool,
+}
+
+/// Where the system is, and when.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sample<Z> {
+    /// Time t (s).
+    pub t: f64,
+    /// The state.
+    pub z: Z,
+    /// The density ρ of the steps: 1 at the start, 2 where they are half as long.
+    pub density: f64,
+}
+
+impl<'a, S: Separable, G: Fn(S::State) -> f64> SymmetricSteps<'a, S, G> {
+    /// Sets `system` out from `start` at time 0, with steps of about `epsilon` (s) there and elsewhere as `density_rate`,
+    /// G (1/s), has it.
+    ///
+    /// For steps in proportion to a function σ of the state, G = −(dσ/dt)/σ: the rate at which ln σ falls. It is to change
+    /// its sign with the velocities, as it does wherever σ does not change with theirs.
+    ///
+    /// # Errors
+    /// [`Error::Parameter`] for an `epsilon` that is not finite and positive.
+    pub fn new(
+        system: &'a S,
+        start: S::State,
+        epsilon: f64,
+        density_rate: G,
+    ) -> Result<Self, Error> {
+        let epsilon = positive("first step ε (s)", epsilon)?;
+        let sample = Sample { t: 0.0, z: start, density: 1.0 };
+        let force = system.force(0.0, start);
+        Ok(Self { system, density_rate, epsilon, sample, force, failed: false })
+    }
+
+    /// Where it has come to.
+    pub const fn sample(&self) -> Sample<S::State> {
+        self.sample
+    }
+
+    /// The same steps back in time, to the start and beyond.
+    pub fn turned_back(self) -> Self {
+        Self { epsilon: -self.epsilon, failed: false, ..self }
+    }
+
+    // ANCHOR: step
+    fn step(&mut self) -> Result<Sample<S::State>, Error> {
+        let Self { system, epsilon, force, sample: Sample { t, z, density }, .. } = *self;
+        let between = density + 0.5 * epsilon * (self.density_rate)(z);
+        if between.is_nan() || between <= 0.0 {
+            return Err(Error::Parameter {
+                name: "density ρ of the steps",
+                value: between,
+                allowed: "positive: the first step ε must be smaller",
+            });
+        }
+        let h = epsilon / between;
+        let z = system.drift(system.kick(z, force, 0.5 * h), h);
+        let force = system.force(t + h, z);
+        let z = system.kick(z, force, 0.5 * h);
+        let density = between + 0.5 * epsilon * (self.density_rate)(z);
+        (self.sample, self.force) = (Sample { t: t + h, z, density }, force);
+        Ok(self.sample)
+    }
+    // ANCHOR_END: step
+}
+
+impl<S: Separable, G: Fn(S::State) -> f64> Iterator for SymmetricSteps<'_, S, G> {
+    type Item = Result<Sample<S::State>, Error>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        if self.failed {
+            return None;
+        }
+        let step = self.step();
+        self.failed = step.is_err();
+        Some(step)
+    }
+}
