@@ -22,20 +22,21 @@ pub(super) const FIGURES: &[Drawing] = &[
     },
     Drawing {
         name: "stencil_symplectic_euler",
-        caption: "One step of symplectic Euler from the same point. The kick leaves the angle alone, the drift the \
-                  velocity.",
+        caption: "One step of symplectic Euler, from the same point as forward Euler's. The kick leaves the angle \
+                  alone, the drift the velocity.",
         draw: stencil_symplectic_euler,
     },
     Drawing {
         name: "stencil_stormer_verlet",
-        caption: "One step of Störmer–Verlet from the same point. With half of the kick at either end it lands far \
-                  closer to the truth.",
+        caption: "One step of Störmer–Verlet, from the same point as symplectic Euler's. With half of the kick at \
+                  either end it lands far closer to the truth.",
         draw: stencil_stormer_verlet,
     },
     Drawing {
         name: "stencil_rk4",
-        caption: "One step of RK4 from the same point, longer, as its error could not be seen otherwise. Each slope is \
-                  an arrow a quarter of a step long, where it is looked at; the dotted lines lead there.",
+        caption: "One step of RK4, from the same point as forward Euler's, and longer, as its error could not be seen \
+                  otherwise. Each slope is an arrow a quarter of a step long, where it is looked at; the dotted lines \
+                  lead there.",
         draw: stencil_rk4,
     },
     Drawing {
@@ -47,8 +48,8 @@ pub(super) const FIGURES: &[Drawing] = &[
     },
     Drawing {
         name: "level_curves",
-        caption: "Large steps of the two symplectic methods. Their points leave the true orbit at once, and never \
-                  leave the level curve of their own energy.",
+        caption: "Large steps of the two symplectic methods. Their points leave the true orbit at once, and stay on \
+                  the level curve of their own energy.",
         draw: level_curves,
     },
 ];
@@ -79,11 +80,11 @@ fn truth(start: Phase, duration: f64) -> impl Iterator<Item = (f64, f64)> {
 // One step taken apart
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// On the way up to the bottom: neither the velocity nor the force is zero, or as large as it gets.
+/// On the way down to the bottom: neither the velocity nor the force is zero, or as large as it gets.
 const START: Phase = Phase { theta: -1.2, omega: 1.0 };
 /// A sixth of a period (s), in which one sees where each part of the step goes.
 const STEP: f64 = 0.35;
-/// RK4 is good at that step: the end could not be told from the truth (s).
+/// RK4's (s): with the step of the others its end could hardly be told from the truth.
 const RK4_STEP: f64 = 0.55;
 
 /// The true orbit with the ends of the step, to draw its parts on.
@@ -136,8 +137,9 @@ fn stencil_forward_euler(_: &Study) -> Figure {
     }
     Figure::new(
         "One step of forward Euler",
-        "The upper half of a swing's orbit in phase space, an arch. From a point on its left flank a straight arrow, tangent \
-         to the arch, ends far above it, where the true motion over the same time stays on the arch.",
+        "The upper half of a swing's orbit in phase space, an arch. From a point on its left flank a straight \
+         arrow, tangent to the arch, ends far above it, where the true motion over the same time stays on the \
+         arch.",
     )
     .panel(chart)
 }
@@ -148,8 +150,9 @@ fn stencil_symplectic_euler(_: &Study) -> Figure {
     let chart = over_the_orbit(method, STEP, stencil.end);
     Figure::new(
         "One step of symplectic Euler",
-        "The same arch. From the same point a vertical arrow, the kick, leads far above the arch; from its tip a horizontal \
-         arrow, the drift, leads to the right.",
+        "The upper half of a swing's orbit in phase space, an arch. From a point on its left flank a vertical \
+         arrow, the kick, leads far above the arch; from its tip a horizontal arrow, the drift, leads to the \
+         right.",
     )
     .panel(with_parts(chart, method, &stencil.parts))
 }
@@ -160,8 +163,9 @@ fn stencil_stormer_verlet(_: &Study) -> Figure {
     let chart = over_the_orbit(method, STEP, stencil.end);
     Figure::new(
         "One step of Störmer–Verlet",
-        "The same arch. From the same point a vertical arrow, half a kick; from its tip a horizontal one, the drift; from there \
-         a vertical one, the other half kick, which ends close to the arch and to where the true motion is.",
+        "The upper half of a swing's orbit in phase space, an arch. From a point on its left flank a vertical \
+         arrow, half a kick; from its tip a horizontal one, the drift; from there a vertical one, the other \
+         half kick, which ends close to the arch and to where the true motion is.",
     )
     .panel(with_parts(chart, method, &stencil.parts))
 }
@@ -181,9 +185,10 @@ fn stencil_rk4(_: &Study) -> Figure {
     }
     Figure::new(
         "One step of RK4",
-        "The same arch. Four arrows, each at the end of a dotted line from the start: the first at the start itself, along the \
-         arch; the second outside the arch, half a step along the first; the third just inside it, half a step along the \
-         second; the fourth further on, a whole step along the third, and turned downwards. The end of the step lies just \
+        "The upper half of a swing's orbit in phase space, an arch. Four arrows: the first at a point on its \
+         left flank, along the arch; the others at the ends of dotted lines from there, the second outside \
+         the arch, half a step along the first; the third just inside it, half a step along the second; the \
+         fourth further on, a whole step along the third, and turned downwards. The end of the step lies just \
          inside the arch, close to where the true motion is.",
     )
     .panel(chart)
@@ -218,11 +223,11 @@ fn area_carried(_: &Study) -> Figure {
         .collect();
     let mut figure = Figure::new(
         "The area that a method carries",
-        "Four charts of phase space, one a method. In each a square to the right of the middle is carried clockwise around it, \
-         and drawn three more times, above the outline of what the true motion makes of it. With forward Euler it moves outwards \
-         and has twice its area in the end, drawn out to a long crescent. With RK4 it moves inwards and shrinks to two thirds. \
-         With symplectic Euler it lags or leads and is slanted, with Störmer–Verlet it hardly differs from the truth; both keep \
-         its area.",
+        "Four charts of phase space, one a method. In each a square to the right of the middle is carried \
+         clockwise around it, and drawn three more times, together with the outline of what the true motion \
+         makes of it. With forward Euler it moves outwards and has twice its area in the end, drawn out to a \
+         long crescent. With RK4 it moves inwards and shrinks to two thirds. With symplectic Euler it lags or \
+         leads and is slanted, with Störmer–Verlet it hardly differs from the truth; both keep its area.",
     )
     .columns(2);
     for method in METHODS.iter().copied().filter(|method| in_paper(*method)) {
@@ -256,9 +261,10 @@ fn level_curves(_: &Study) -> Figure {
     let orbit = level_curves::orbit();
     let figure = Figure::new(
         "The curve that a symplectic method follows",
-        "Two charts of phase space, each with the true orbit, an oval, and a dashed curve on which all points of the method lie. \
-         For symplectic Euler the dashed curve is a slanted oval, outside the true one at the upper right and lower left and \
-         inside it at the upper left and lower right. For Störmer–Verlet it is an upright oval, lower than the true one and as wide.",
+        "Two charts of phase space, each with the true orbit, an oval, and a dashed curve on which all points \
+         of the method lie. For symplectic Euler the dashed curve is a slanted oval, outside the true one at \
+         the upper right and lower left and inside it at the upper left and lower right. For Störmer–Verlet \
+         it is an upright oval, lower than the true one and as wide.",
     );
     level_curves::run().into_iter().fold(figure, |figure, row| {
         let level_curves::Row { method, step, curve, points } = row;

@@ -225,7 +225,7 @@ mod tests {
     /// preprocessors would read.
     #[test]
     fn every_rule_is_confined_to_its_figure() {
-        let css = style_sheet("fig-a", &[Style::numbered(0), Style::REFERENCE]);
+        let css = style_sheet("fig-a", &[Style::numbered(0), Style::REFERENCE.filled()]);
         for rule in css.lines().filter(|line| line.ends_with('}') && line.len() > 1) {
             let (selectors, _) = rule.split_once('{').unwrap();
             assert!(selectors.split(',').all(|s| s.starts_with("#fig-a ")), "{rule}");
