@@ -161,6 +161,13 @@ macro_rules! methods {
             blanes_moan_6::BlanesMoan6,
             yoshida_8::Yoshida8,
             kahan_li_8::KahanLi8,
+            dormand_prince::DormandPrince,
+            dop853::Dop853,
+            implicit_midpoint::ImplicitMidpoint,
+            gauss_4::Gauss4,
+            gauss_6::Gauss6,
+            gauss_16::Gauss16,
+            taylor_24::Taylor24,
         }
     };
 }

@@ -51,6 +51,7 @@ pub mod ensemble;
 pub mod error;
 pub mod exact;
 pub mod grid;
+pub mod implicit;
 pub mod integrate;
 pub mod method;
 pub mod methods;
@@ -71,6 +72,7 @@ pub mod study;
 pub mod swing;
 pub mod system;
 pub mod tableau;
+pub mod taylor;
 #[cfg(feature = "study")]
 pub mod theory;
 

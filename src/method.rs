@@ -38,7 +38,10 @@ pub struct Properties {
     pub symplectic: bool,
     /// Whether a step with −h undoes a step with h.
     pub symmetric: bool,
-    /// Force evaluations a step.
+    /// Whether a step solves equations by iteration. It then takes as many evaluations as the iteration needs sweeps, and
+    /// where the step is too long for it to converge, no component of the state is a number.
+    pub implicit: bool,
+    /// Force evaluations a step; of an implicit method, a sweep of its iteration.
     pub force_evaluations: u64,
     /// Force evaluations once, before the first step.
     pub start_evaluations: u64,

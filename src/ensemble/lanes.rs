@@ -4,7 +4,7 @@ use multiversion::multiversion;
 
 use crate::method::Method;
 use crate::phase::Phase;
-use crate::stepped::{self, Deferred};
+use crate::stepped::{self, Deferred, Turning};
 
 /// The pendulum, and its state, without a branch.
 pub type Stepped = stepped::Stepped<false>;
@@ -14,8 +14,8 @@ type Turned = stepped::Turned<false>;
 /// is between two steps to stay in the first cache.
 pub const LANES: usize = 32;
 
-/// Up to five numbers for each lane, one array for each.
-pub type Columns = [[f64; LANES]; 5];
+/// Up to six numbers for each lane, one array for each.
+pub type Columns = [[f64; LANES]; 6];
 
 /// What can be laid out in columns: the state, and what a method remembers.
 pub trait Lane: Copy {
@@ -44,7 +44,7 @@ impl Lane for Turned {
 
     #[inline(always)]
     fn load(columns: &Columns, lane: usize) -> Self {
-        let [rest, turns, sum, factor, series] = columns.each_ref().map(|column| column[lane]);
+        let [rest, turns, sum, factor, series, _] = columns.each_ref().map(|column| column[lane]);
         Self { rest, turns, velocity: Deferred { sum, factor, series } }
     }
 
@@ -52,6 +52,27 @@ impl Lane for Turned {
     fn store(self, columns: &mut Columns, lane: usize) {
         let Deferred { sum, factor, series } = self.velocity;
         for (column, x) in columns.iter_mut().zip([self.rest, self.turns, sum, factor, series]) {
+            column[lane] = x;
+        }
+    }
+}
+
+impl Lane for Turning {
+    const SUFFICES: bool = false;
+
+    #[inline(always)]
+    fn load(columns: &Columns, lane: usize) -> Self {
+        let [s, f, r, sum, factor, series] = columns.each_ref().map(|column| column[lane]);
+        let angle = Deferred { sum: s, factor: f, series: r };
+        Self { angle, velocity: Deferred { sum, factor, series } }
+    }
+
+    #[inline(always)]
+    fn store(self, columns: &mut Columns, lane: usize) {
+        let Self { angle, velocity } = self;
+        let numbers =
+            [angle.sum, angle.factor, angle.series, velocity.sum, velocity.factor, velocity.series];
+        for (column, x) in columns.iter_mut().zip(numbers) {
             column[lane] = x;
         }
     }
@@ -86,7 +107,7 @@ impl Block {
         method: &M,
         starts: impl Iterator<Item = (Stepped, Phase)>,
     ) -> Self {
-        let zero = [[0.0; LANES]; 5];
+        let zero = [[0.0; LANES]; 6];
         let mut block = Self { kicks: [0.0; LANES], step: 1.0, state: zero, memo: zero };
         for (lane, (stepped, start)) in starts.enumerate() {
             (block.kicks[lane], block.step) = (stepped.kick, stepped.step);

@@ -21,6 +21,7 @@ impl Described for BlanesMoan4 {
             order: 4,
             symplectic: true,
             symmetric: true,
+            implicit: false,
             force_evaluations: 6,
             start_evaluations: 1,
             reference: "S. Blanes, P. C. Moan, J. Comput. Appl. Math. 142 (2002) 313, Table 2",

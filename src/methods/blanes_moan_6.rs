@@ -22,6 +22,7 @@ impl Described for BlanesMoan6 {
             order: 6,
             symplectic: true,
             symmetric: true,
+            implicit: false,
             force_evaluations: 11,
             start_evaluations: 1,
             reference: "S. Blanes, P. C. Moan, J. Comput. Appl. Math. 142 (2002) 313, Table 3",

@@ -28,6 +28,7 @@ impl Described for Dop853 {
             order: 8,
             symplectic: false,
             symmetric: false,
+            implicit: false,
             force_evaluations: 12,
             start_evaluations: 0,
             reference: "Hairer, Nørsett, Wanner (1993), Sects. II.5 and II.10",

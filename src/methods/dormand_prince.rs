@@ -24,6 +24,7 @@ impl Described for DormandPrince {
             order: 5,
             symplectic: false,
             symmetric: false,
+            implicit: false,
             force_evaluations: 6,
             start_evaluations: 1,
             reference: "Hairer, Nørsett, Wanner (1993), Table II.5.2",

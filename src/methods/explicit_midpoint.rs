@@ -20,6 +20,7 @@ impl Described for ExplicitMidpoint {
             order: 2,
             symplectic: false,
             symmetric: false,
+            implicit: false,
             force_evaluations: 2,
             start_evaluations: 0,
             reference: "C. Runge, Math. Ann. 46 (1895) 167; Hairer, Nørsett, Wanner (1993), Sect. II.1",

@@ -21,6 +21,7 @@ impl Described for ForestRuth {
             order: 4,
             symplectic: true,
             symmetric: true,
+            implicit: false,
             force_evaluations: 3,
             start_evaluations: 1,
             reference: "E. Forest, R. D. Ruth, Physica D 43 (1990) 105",

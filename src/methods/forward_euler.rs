@@ -19,6 +19,7 @@ impl Described for ForwardEuler {
             order: 1,
             symplectic: false,
             symmetric: false,
+            implicit: false,
             force_evaluations: 1,
             start_evaluations: 0,
             reference: "Hairer, Lubich, Wanner (2006), Sect. I.1.2",

@@ -20,6 +20,7 @@ impl Described for Heun {
             order: 2,
             symplectic: false,
             symmetric: false,
+            implicit: false,
             force_evaluations: 2,
             start_evaluations: 0,
             reference: "K. Heun, Z. Math. Phys. 45 (1900) 23; Hairer, Nørsett, Wanner (1993), Sect. II.1",

@@ -21,6 +21,7 @@ impl Described for KahanLi8 {
             order: 8,
             symplectic: true,
             symmetric: true,
+            implicit: false,
             force_evaluations: 17,
             start_evaluations: 1,
             reference: "W. Kahan, R.-C. Li, Math. Comp. 66 (1997) 1089; Hairer, Lubich, Wanner (2006), Eq. V.3.13",

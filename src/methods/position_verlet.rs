@@ -20,6 +20,7 @@ impl Described for PositionVerlet {
             order: 2,
             symplectic: true,
             symmetric: true,
+            implicit: false,
             force_evaluations: 1,
             start_evaluations: 0,
             reference: "Hairer, Lubich, Wanner (2006), Sect. I.1.4",

@@ -19,6 +19,7 @@ impl Described for Rk4 {
             order: 4,
             symplectic: false,
             symmetric: false,
+            implicit: false,
             force_evaluations: 4,
             start_evaluations: 0,
             reference: "Hairer, Lubich, Wanner (2006), Sect. II.1.1",

@@ -19,6 +19,7 @@ impl Described for Ruth3 {
             order: 3,
             symplectic: true,
             symmetric: false,
+            implicit: false,
             force_evaluations: 3,
             start_evaluations: 1,
             reference: "R. D. Ruth, IEEE Trans. Nucl. Sci. 30 (1983) 2669",

@@ -21,6 +21,7 @@ impl Described for Suzuki4 {
             order: 4,
             symplectic: true,
             symmetric: true,
+            implicit: false,
             force_evaluations: 5,
             start_evaluations: 1,
             reference: "M. Suzuki, Phys. Lett. A 146 (1990) 319",

@@ -19,6 +19,7 @@ impl Described for SymplecticEuler {
             order: 1,
             symplectic: true,
             symmetric: false,
+            implicit: false,
             force_evaluations: 1,
             start_evaluations: 0,
             reference: "Hairer, Lubich, Wanner (2006), Sect. I.1.2",

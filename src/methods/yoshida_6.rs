@@ -20,6 +20,7 @@ impl Described for Yoshida6 {
             order: 6,
             symplectic: true,
             symmetric: true,
+            implicit: false,
             force_evaluations: 7,
             start_evaluations: 1,
             reference: "H. Yoshida, Phys. Lett. A 150 (1990) 262, Table 1, A",

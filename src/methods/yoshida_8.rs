@@ -21,6 +21,7 @@ impl Described for Yoshida8 {
             order: 8,
             symplectic: true,
             symmetric: true,
+            implicit: false,
             force_evaluations: 15,
             start_evaluations: 1,
             reference: "H. Yoshida, Phys. Lett. A 150 (1990) 262, Table 2, D",

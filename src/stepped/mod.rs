@@ -11,9 +11,9 @@ mod deferred;
 use core::ops::{Add, Mul};
 
 use crate::pendulum::Pendulum;
-use crate::phase::{Phase, Point, Vector};
-use crate::sine::ROUNDER;
+use crate::phase::{Components, Phase, Point, Vector};
 use crate::sine::half_turn::{PI_PARTS, reduce, series};
+use crate::sine::{self, ROUNDER};
 use crate::system::{Rate, Separable, System};
 pub use deferred::Deferred;
 
@@ -42,8 +42,8 @@ pub struct Turned<const ALONE: bool = true> {
 /// A displacement of the state, or its rate of change.
 #[derive(Clone, Copy, Debug)]
 pub struct Turning {
-    angle: Deferred,
-    velocity: Deferred,
+    pub(crate) angle: Deferred,
+    pub(crate) velocity: Deferred,
 }
 
 /// No method's kicks, or drifts, of one step add up to more steps than this, counted forward and backward.
@@ -87,6 +87,14 @@ impl<const ALONE: bool> Stepped<ALONE> {
 }
 
 impl<const ALONE: bool> Turned<ALONE> {
+    /// Sine and cosine of the angle. An odd number of half turns changes the sign of both.
+    #[inline]
+    pub(crate) fn sin_cos(self) -> (f64, f64) {
+        let sign = self.turns.to_bits() << 63;
+        let signed = |x: f64| f64::from_bits(x.to_bits() ^ sign);
+        (signed(sine::sin(self.rest)), signed(sine::cos(self.rest)))
+    }
+
     /// Moves the angle and reduces it again.
     #[inline]
     fn turn(self, by: Deferred) -> Self {
@@ -107,6 +115,14 @@ impl<const ALONE: bool> Add<Turning> for Turned<ALONE> {
 
 impl<const ALONE: bool> Point for Turned<ALONE> {
     type Displacement = Turning;
+}
+
+impl<const ALONE: bool> Components for Turned<ALONE> {
+    #[inline]
+    fn compare(self, other: Self, displacement: Turning, mut each: impl FnMut(f64, f64, f64)) {
+        each(self.rest, other.rest, displacement.angle.value());
+        each(self.velocity.value(), other.velocity.value(), displacement.velocity.value());
+    }
 }
 
 impl Add for Turning {

@@ -6,11 +6,10 @@ use crate::methods::{
     forward_euler::ForwardEuler, rk4::Rk4, stormer_verlet::StormerVerlet,
     symplectic_euler::SymplecticEuler,
 };
-use crate::paper::measure::in_paper;
 use crate::report::svg::{Axis, Chart, Figure, Style};
 use crate::study::area::{Square, area, carried};
 use crate::study::stencil::{Kind, Part, Stencil, stencil};
-use crate::study::{MethodRef, Study, level_curves};
+use crate::study::{MethodRef, Study, in_paper, level_curves};
 use crate::{Grid, METHODS, Pendulum, Phase};
 
 pub(super) const FIGURES: &[Drawing] = &[
