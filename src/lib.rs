@@ -92,6 +92,7 @@ mod listings {
     }
     listings! {
         readme: "../README.md",
+        introduction: "../book/src/introduction.md",
         pendulum: "../book/src/pendulum.md",
         exact: "../book/src/exact.md",
         forward_euler: "../book/src/forward-euler.md",
