@@ -1,6 +1,6 @@
 //! One visual language for every figure: colour, marker and dash of a series.
 
-use super::path::Num;
+use super::path::{self, Num, Point};
 use std::fmt::Write;
 
 /// `(name, on light, on dark)`: Okabe and Ito's colours, darkened or lightened until each has a
@@ -41,15 +41,18 @@ pub struct Style {
     line: Option<usize>,
     marker: Option<usize>,
     guide: bool,
+    dots: bool,
 }
 
 impl Style {
     /// The exact solution, or what the others are held against: a plain line in the text's colour.
-    pub const REFERENCE: Self = Self { colour: None, line: Some(0), marker: None, guide: false };
+    pub const REFERENCE: Self =
+        Self { colour: None, line: Some(0), marker: None, guide: false, dots: false };
 
     /// A helping line, thin and dotted: labelled where it is, not in the legend; the automatic
     /// range of an axis takes no notice of it.
-    pub const GUIDE: Self = Self { colour: None, line: Some(4), marker: None, guide: true };
+    pub const GUIDE: Self =
+        Self { colour: None, line: Some(4), marker: None, guide: true, dots: false };
 
     /// The style of the method that stands at `index` in the list of methods: line and marker.
     ///
@@ -60,7 +63,16 @@ impl Style {
             line: Some(index % (DASHES.len() - 1)),
             marker: Some(index % MARKERS.len()),
             guide: false,
+            dots: false,
         }
+    }
+
+    /// The style of the `index`-th of some series that are no methods, and so have no colour: they are told apart by marker
+    /// and dash.
+    ///
+    /// The first 8 differ in their marker.
+    pub const fn colourless(index: usize) -> Self {
+        Self { colour: None, ..Self::numbered(index) }
     }
 
     /// The same without markers.
@@ -71,6 +83,12 @@ impl Style {
     /// The same without the line.
     pub const fn markers_only(self) -> Self {
         Self { line: None, ..self }
+    }
+
+    /// The same with a dot for each point, as wide as a line: for thousands of points that are not joined. Dots that a
+    /// pixel cannot tell apart are one.
+    pub const fn dots(self) -> Self {
+        Self { line: None, marker: None, dots: true, ..self }
     }
 
     /// The same with an unbroken line: for strokes that turn to and fro too quickly for dashes.
@@ -89,6 +107,10 @@ impl Style {
 
     pub(super) const fn has_marker(self) -> bool {
         self.marker.is_some()
+    }
+
+    pub(super) const fn is_dots(self) -> bool {
+        self.dots
     }
 
     pub(super) const fn is_guide(self) -> bool {
@@ -112,6 +134,11 @@ impl Style {
             let _ = write!(d, "M{},{}{shape}", Num(x), Num(y));
         }
         format!(r#"<path {} d="{d}"/>"#, self.class("dot"))
+    }
+
+    /// One path with a dot at each of the points.
+    pub(super) fn dotted(self, points: Vec<Point>) -> String {
+        format!(r#"<path {} d="{}"/>"#, self.class("line"), path::dots(points))
     }
 
     fn class(self, kind: &str) -> String {
