@@ -20,9 +20,9 @@ pub(super) const FIGURES: &[Drawing] = &[
     },
     Drawing {
         name: "cancellation",
-        caption: "Störmer–Verlet's own error falls with the step; the small-angle formula's does not \
-                  know of any. What the paper measures is their difference, and where the two lines \
-                  cross it all but vanishes.",
+        caption: "Störmer–Verlet's own error falls with the step; that of the small-angle formula stays. What \
+                  the paper measures is their difference, and where the two lines cross it all but \
+                  vanishes.",
         draw: cancellation,
     },
     Drawing {
