@@ -102,7 +102,9 @@ mod listings {
         order: "../book/src/order.md",
         long_run: "../book/src/long-run.md",
         small_angle: "../book/src/small-angle.md",
+        phase_space: "../book/src/phase-space.md",
         large_angle: "../book/src/large-angle.md",
         work: "../book/src/work.md",
+        limits: "../book/src/limits.md",
     }
 }
