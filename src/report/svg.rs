@@ -115,20 +115,24 @@ impl Figure {
     /// Draws the legend in even columns and returns where it ends.
     fn draw_legend(&self, out: &mut String) -> f64 {
         const SWATCH: f64 = 46.0;
-        let mut entries: Vec<&Series> = Vec::new();
-        for series in self.panels.iter().flat_map(|chart| &chart.series) {
-            let known = entries.iter().any(|e| e.label == series.label && e.style == series.style);
-            if !(series.label.is_empty() || series.style.is_guide() || known) {
-                entries.push(series);
+        let mut entries: Vec<(&str, Vec<Style>)> = Vec::new();
+        for Series { label, style, .. } in self.panels.iter().flat_map(|chart| &chart.series) {
+            if label.is_empty() || style.is_guide() {
+                continue;
+            }
+            match entries.iter_mut().find(|(known, _)| known == label) {
+                Some((_, styles)) if styles.contains(style) => {}
+                Some((_, styles)) => styles.push(*style),
+                None => entries.push((label, vec![*style])),
             }
         }
-        let widest = entries.iter().map(|e| width(&e.label)).fold(0.0, f64::max) + SWATCH + 18.0;
+        let widest = entries.iter().map(|e| width(e.0)).fold(0.0, f64::max) + SWATCH + 18.0;
         let columns = ((WIDTH / widest).floor() as usize).clamp(1, 4);
         let rows = entries.len().div_ceil(columns);
-        for (i, Series { label, style, .. }) in entries.into_iter().enumerate() {
+        for (i, (label, styles)) in entries.into_iter().enumerate() {
             // Down the columns, so that the order of the list is kept within each.
             let (x, y) = ((i / rows) as f64 * widest, (i % rows) as f64 * ROW + 13.0);
-            if style.has_line() {
+            for style in styles.iter().filter(|style| style.has_line()) {
                 let mut ends = [(x + 1.0, y), (x + 37.0, y)];
                 let head = style.is_arrow().then(|| path::head(&mut ends, 0.0)).flatten();
                 let d = match style.is_filled() {
@@ -140,7 +144,11 @@ impl Figure {
                     line(out, style.head(head, ""));
                 }
             }
-            if style.has_marker() {
+            for style in styles.iter().filter(|style| style.is_dots()) {
+                let sprinkle = [(4.0, -2.0), (10.0, 4.0), (19.0, 0.0), (27.0, -4.0), (33.0, 3.0)];
+                line(out, style.dotted(sprinkle.map(|(dx, dy)| (x + dx, y + dy)).to_vec()));
+            }
+            for style in styles.iter().filter(|style| style.has_marker()) {
                 line(out, style.markers([(x + 19.0, y)]));
             }
             draw_text(out, "", (x + SWATCH, y + 6.0), "start", label);
@@ -208,8 +216,8 @@ impl Chart {
         Self { height: None, ..self }
     }
 
-    /// With a series. Those of the same label and style share an entry of the legend; those with
-    /// an empty label have none.
+    /// With a series. Those of the same label share an entry of the legend, such as a line of
+    /// theory and the markers on it; those with an empty label have none.
     ///
     /// Points that are not finite (or beyond 1e300), or not positive on a logarithmic axis, leave
     /// a gap.
@@ -471,6 +479,24 @@ mod tests {
             y("halo\" x", " y=\"") > y("class=\"mark\"", ","),
             "below, away from the curve above"
         );
+    }
+
+    /// Catches: an entry for the line and another for its markers; dots that are thinned as the markers of a line
+    /// are, or drawn outside the plot.
+    #[test]
+    fn a_legend_has_one_entry_a_label() {
+        let style = Style::numbered(1);
+        let points = |n: u32| (0..n).map(|i| (f64::from(i), f64::from(i % 7)));
+        let axis = |label| Axis::linear(label).range(0.0, 99.0);
+        let chart = Chart::new(axis("x"), Axis::linear("y"))
+            .series("law", style.line_only(), points(9))
+            .series("law", style.markers_only(), points(9))
+            .series("cloud", Style::REFERENCE.dots(), points(200));
+        let svg = Figure::new("t", "d").panel(chart).to_svg("x");
+        assert_eq!(svg.matches(">law</text>").count(), 1);
+        let dots: Vec<usize> =
+            svg.lines().map(|line| line.matches("h0").count()).filter(|n| *n > 0).collect();
+        assert_eq!(dots, [5, 100]);
     }
 
     /// Catches: an empty figure or chart that panics.

@@ -4,6 +4,7 @@
 //! and figures in [`report`](crate::report), and meet what the paper states in [`paper`](crate::paper).
 
 pub mod area;
+pub mod choice;
 pub mod convergence;
 pub mod findings;
 pub mod large_angle;
@@ -11,7 +12,10 @@ pub mod level_curves;
 pub mod long_run;
 pub mod phase_portrait;
 pub mod properties;
+pub mod readings;
+pub mod rounding_walk;
 pub mod small_angle;
+pub mod standard_map;
 pub mod stencil;
 pub mod variants;
 pub mod work;

@@ -1,5 +1,7 @@
 //! The figures of the book, drawn from the study: the paper's, and those it lacks.
 
+mod decision;
+mod evidence;
 mod geometry;
 mod paper;
 
@@ -32,7 +34,7 @@ impl Drawing {
 
 /// The figures, file by file.
 pub fn figures() -> impl Iterator<Item = &'static Drawing> {
-    [paper::FIGURES, geometry::FIGURES].into_iter().flatten()
+    [paper::FIGURES, geometry::FIGURES, evidence::FIGURES, decision::FIGURES].into_iter().flatten()
 }
 
 /// The style of a method, the same in every figure.

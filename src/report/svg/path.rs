@@ -149,6 +149,22 @@ pub(super) fn head(stroke: &mut [Point], short: f64) -> Option<[Point; 3]> {
     Some([tip, back(long, wide), back(long, -wide)])
 }
 
+/// The attribute `d` for dots, one in each square unit at most, column by column: relative moves between neighbours are
+/// short.
+pub(super) fn dots(mut points: Vec<Point>) -> String {
+    let cell = |p: &Point| (p.0.floor() as i64, p.1.floor() as i64);
+    points.sort_by_key(cell);
+    points.dedup_by_key(|p| cell(p));
+    let mut d = String::new();
+    let mut at = (0, 0);
+    for (x, y) in points {
+        let to = (tenths(x), tenths(y));
+        let _ = write!(d, "m{},{}h0", Tenths(to.0 - at.0), Tenths(to.1 - at.1));
+        at = to;
+    }
+    d
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -227,6 +243,14 @@ mod tests {
         assert_eq!(head(&mut [(1.0, 1.0), (1.0, 1.0)], 0.0), None);
         assert_eq!(head(&mut [(1.0, 1.0), (9.0, 1.0)], 8.0), None);
         assert_eq!(head(&mut [(1.0, 1.0)], 0.0), None);
+    }
+
+    /// Catches: a dot that is placed from the one before but not the one drawn; one lost with its neighbours, or two where a
+    /// pixel shows one.
+    #[test]
+    fn dots_are_placed_one_from_the_other() {
+        let points = vec![(12.04, 3.0), (1.26, 2.0), (12.9, 3.2), (1.26, 1.0)];
+        assert_eq!(dots(points), "m1.3,1h0m0,1h0m10.7,1h0");
     }
 
     /// Catches: a single point between two gaps that vanishes; duplicates that print `0,0`.

@@ -95,6 +95,11 @@ impl<'a> Plot<'a> {
             }
             strokes.extend(drawn);
         }
+        for series in chart.series.iter().filter(|s| s.style.is_dots()) {
+            let dots = self.inside(series);
+            line(out, series.style.dotted(dots.clone()));
+            strokes.extend(dots.into_iter().map(|point| vec![point]));
+        }
         for (style, marked) in dotted {
             if !marked.is_empty() {
                 line(out, style.markers(marked.iter().copied()));
@@ -139,12 +144,16 @@ impl<'a> Plot<'a> {
         strokes.map(stroke).map(|s: Vec<_>| path::thin(&s, self.left, self.right)).collect()
     }
 
+    /// The points of the series that are in the plot.
+    fn inside(&self, series: &Series) -> Vec<Point> {
+        let inside = |p: &&(f64, f64)| self.x.contains(p.0) && self.y.contains(p.1);
+        series.points.iter().filter(inside).filter_map(|&point| self.pixel(point)).collect()
+    }
+
     /// Where the markers of the chart's `i`-th series go: all its points in the plot, or of many
     /// on a line a few, not the same ones as of the series before.
     fn marked(&self, series: &Series, i: usize) -> Vec<Point> {
-        let inside = |p: &&(f64, f64)| self.x.contains(p.0) && self.y.contains(p.1);
-        let points = series.points.iter().filter(inside);
-        let points: Vec<Point> = points.filter_map(|&point| self.pixel(point)).collect();
+        let points = self.inside(series);
         if points.len() <= MANY || !series.style.has_line() {
             return points;
         }

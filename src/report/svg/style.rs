@@ -1,6 +1,6 @@
 //! One visual language for every figure: colour, marker and dash of a series.
 
-use super::path::Num;
+use super::path::{self, Num, Point};
 use std::fmt::Write;
 
 /// `(name, on light, on dark)`: Okabe and Ito's colours, darkened or lightened until each has a
@@ -43,6 +43,7 @@ pub struct Style {
     guide: bool,
     arrow: bool,
     filled: bool,
+    dots: bool,
 }
 
 impl Style {
@@ -54,6 +55,7 @@ impl Style {
         guide: false,
         arrow: false,
         filled: false,
+        dots: false,
     };
 
     /// A point of the exact solution: a circle in the text's colour.
@@ -75,6 +77,14 @@ impl Style {
         }
     }
 
+    /// The style of the `index`-th of some series that are no methods, and so have no colour: they are told apart by marker
+    /// and dash.
+    ///
+    /// The first 8 differ in their marker.
+    pub const fn colourless(index: usize) -> Self {
+        Self { colour: None, ..Self::numbered(index) }
+    }
+
     /// The same without markers.
     pub const fn line_only(self) -> Self {
         Self { marker: None, ..self }
@@ -83,6 +93,12 @@ impl Style {
     /// The same without the line.
     pub const fn markers_only(self) -> Self {
         Self { line: None, ..self }
+    }
+
+    /// The same with a dot for each point, as wide as a line: for thousands of points that are not joined. Dots that a
+    /// pixel cannot tell apart are one.
+    pub const fn dots(self) -> Self {
+        Self { line: None, marker: None, dots: true, ..self }
     }
 
     /// The same with an unbroken line: for strokes that turn to and fro too quickly for dashes.
@@ -121,6 +137,10 @@ impl Style {
         self.marker.is_some()
     }
 
+    pub(super) const fn is_dots(self) -> bool {
+        self.dots
+    }
+
     pub(super) const fn is_guide(self) -> bool {
         self.guide
     }
@@ -155,6 +175,11 @@ impl Style {
             let _ = write!(d, "{command}{},{}", Num(x), Num(y));
         }
         format!(r#"<path {}{attributes} d="{d}z"/>"#, self.class("dot"))
+    }
+
+    /// One path with a dot at each of the points.
+    pub(super) fn dotted(self, points: Vec<Point>) -> String {
+        format!(r#"<path {} d="{}"/>"#, self.class("line"), path::dots(points))
     }
 
     fn class(self, kind: &str) -> String {

@@ -69,6 +69,7 @@ impl<'a> Setter<'a> {
                     let html = values::html(&text[passage.range.clone()]);
                     edits.push((passage.range, html));
                 }
+                Kind::Gap => edits.push((passage.range, "&nbsp;".to_string())),
                 Kind::StrayDollar => {
                     let line = text[..done].lines().last().unwrap_or_default();
                     bail!("{line}: this dollar sign begins no formula; the sign itself is \\$");
@@ -139,6 +140,8 @@ impl<'a> Setter<'a> {
         let (file, test) =
             self.tests.find(cited).map_err(|reason| anyhow!("{{{{test {cited}}}}}: {reason}"))?;
         let text = inert::text(&format!("{}::{test}", file.replace('/', "::")));
+        // Long names break after an underscore, where they break at all.
+        let text = text.replace("&#95;", "&#95;<wbr>");
         // HTML, not Markdown, so that it also works in a figure's caption.
         Ok(format!("<a href=\"{to_root}tests/{file}.html#{test}\"><code>{text}</code></a>"))
     }
@@ -237,7 +240,7 @@ mod tests {
         assert_eq!(
             set("{{test order::every_slope}}").unwrap(),
             "<a href=\"../tests/order.html#every_slope\">\
-             <code>order&#58;&#58;every&#95;slope</code></a>"
+             <code>order&#58;&#58;every&#95;<wbr>slope</code></a>"
         );
     }
 

@@ -29,6 +29,9 @@ pub enum Kind {
     },
     /// The exponent of a power of ten such as 10⁻⁴, in small print that few fonts have in full.
     Exponent,
+    /// The space between a number and its unit, or between the thousands of a number: a line must
+    /// not end there.
+    Gap,
     /// A `$` that is part of no formula and not escaped: almost always a formula that Markdown
     /// could not make out, because a brace is missing, a space follows the `$`, or HTML is around
     /// it.
@@ -51,10 +54,12 @@ pub fn passages(text: &str) -> Vec<Passage> {
                 passages.extend(stray.map(|range| Passage { range, kind: Kind::StrayDollar }));
                 // Not in HTML: a drawing's text knows no <sup>.
                 if let Event::Text(_) = event {
-                    passages.extend(powers_of_ten(text, range));
+                    passages.extend(powers_of_ten(text, range.clone()));
+                    passages.extend(gaps(text, range));
                 }
                 continue;
             }
+            Event::SoftBreak if is_gap(text, &range) => Kind::Gap,
             Event::InlineMath(tex) => Kind::Formula { tex: tex.into_string(), display: false },
             Event::DisplayMath(tex) => Kind::Formula { tex: tex.into_string(), display: true },
             _ => continue,
@@ -73,6 +78,27 @@ fn powers_of_ten(text: &str, range: Range<usize>) -> impl Iterator<Item = Passag
     POWER.captures_iter(&text[range]).filter_map(|found| found.get(1)).map(move |exponent| {
         Passage { range: start + exponent.start()..start + exponent.end(), kind: Kind::Exponent }
     })
+}
+
+fn gaps(text: &str, range: Range<usize>) -> impl Iterator<Item = Passage> {
+    let start = range.start;
+    let spaces = text[range].match_indices(' ').map(move |(at, _)| start + at..start + at + 1);
+    spaces.filter(|space| is_gap(text, space)).map(|range| Passage { range, kind: Kind::Gap })
+}
+
+/// Does this white space stand between a number (typed, a directive's or a formula's) and a unit,
+/// or between two groups of digits?
+fn is_gap(text: &str, space: &Range<usize>) -> bool {
+    static UNIT: LazyLock<Regex> = LazyLock::new(|| {
+        Regex::new(r"^(?:rad/s²?|rad|m/s²?|[µmn]?s|J|kg|m|%)(?:$|[^\w/*])")
+            .expect("the pattern is a constant")
+    });
+    static THOUSANDS: LazyLock<Regex> =
+        LazyLock::new(|| Regex::new(r"^\d{3}(?:$|[^\w])").expect("the pattern is a constant"));
+    let (before, after) = (&text[..space.start], &text[space.end..]);
+    let digit = before.ends_with(|c: char| c.is_ascii_digit());
+    let number = digit || before.ends_with("}}") || before.ends_with('$');
+    number && UNIT.is_match(after) || digit && THOUSANDS.is_match(after)
 }
 
 fn stray_dollar(text: &str, range: Range<usize>) -> Option<Range<usize>> {
@@ -152,6 +178,30 @@ mod tests {
         let exponents: Vec<_> =
             found(text).into_iter().filter(|(_, kind)| *kind == Kind::Exponent).collect();
         assert_eq!(exponents, [("⁻¹²", Kind::Exponent)]);
+    }
+
+    /// Catches: a line that ends between 1000 and s; words after a number taken for units, years for
+    /// thousands.
+    #[test]
+    fn numbers_hold_on_to_their_units() {
+        let gaps = |text: &str| {
+            let gaps = passages(text).into_iter().filter(|passage| passage.kind == Kind::Gap);
+            splice(text, gaps.map(|gap| (gap.range, "~".to_string())))
+        };
+        for (text, held) in [
+            ("over 1000 s, from 1 rad.", "over 1000~s, from 1~rad."),
+            ("of 100 000 steps at 9.81 m/s²", "of 100~000 steps at 9.81~m/s²"),
+            ("{{measured T5.rk4}} J and $h$ s", "{{measured T5.rk4}}~J and $h$~s"),
+            ("a step of 0.01\ns is small", "a step of 0.01~s is small"),
+            ("| a |\n|---|\n| 12 ns |", "| a |\n|---|\n| 12~ns |"),
+        ] {
+            assert_eq!(gaps(text), held);
+        }
+        for text in
+            ["1 step", "4 methods", "in 1967 1000", "`1 s`", "s 1", "> 1\n> s", "<b>1</b> s"]
+        {
+            assert_eq!(gaps(text), text);
+        }
     }
 
     /// Catches: the quotation marks of a block quote taken for part of the formula.
