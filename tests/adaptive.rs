@@ -161,6 +161,41 @@ fn steps_lengthen_with_the_root_of_the_tolerance() {
     assert!((ratio / 16_f64.powf(0.2) - 1.0).abs() < 0.02, "{ratio}");
 }
 
+/// The first step by hand, as Hairer, Nørsett and Wanner have it (Sect. II.4). In units of what is allowed, 2e-6 of y = 1:
+///
+/// * ẏ = −4 y: y is 5e5, ẏ is 2e6, and so 0.01 · 5e5/2e6 s is tried; ẏ changes by 0.01 · 2e6 in it, or 8e6 a second; the
+///   step is (0.01/8e6)^(1/k).
+/// * ẏ = 1 from 0 says nothing about the time in which y changes: 1e-6 of the duration is tried, and the step is 100 of that.
+/// * ẏ = 0 says nothing at all: 1e-6 of the duration.
+///
+/// Catches: any of its numbers, or its units, in another place; one that looks at the end of time before the start.
+#[rstest]
+#[case::dormand_prince(DormandPrince, 0.2)]
+#[case::dop853(Dop853, 0.125)]
+fn the_first_step_follows_the_state<M: Embedded>(#[case] method: M, #[case] root: f64) {
+    let adaptive = Adaptive::new(method, tolerance(1e-6));
+    let first = |law: &dyn Fn(f64, f64) -> f64, y: f64, until: f64| {
+        let law = Law(law);
+        let mut walk = adaptive.walk(&law, Number(y), 0.0, until).unwrap();
+        let size = walk.next().unwrap().unwrap().size();
+        assert_eq!(walk.counts().rejected, 0);
+        size
+    };
+    for way in [1.0, -1.0] {
+        for (size, expected) in [
+            (first(&|_, y| -4.0 * way * y, 1.0, 10.0 * way), (0.01_f64 / 8e6).powf(root)),
+            (first(&|_, _| 1.0, 0.0, 10.0 * way), 1e-3),
+            (first(&|_, _| 0.0, 0.0, 10.0 * way), 1e-5),
+            (first(&|_, _| 0.0, 1.0, 10.0 * way), 1e-5),
+            // No longer than all there is.
+            (first(&|_, y| -4.0 * way * y, 1.0, 1e-3 * way), 1e-3),
+        ] {
+            // A few roundings, and a power from another library.
+            assert!((size * way / expected - 1.0).abs() < 1e-9, "{size}, not {expected}");
+        }
+    }
+}
+
 // ---------------------------------------------------------------------------------------------------------------------
 // Fixed steps and dense output
 // ---------------------------------------------------------------------------------------------------------------------

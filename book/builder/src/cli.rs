@@ -6,7 +6,7 @@ use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
 
 use crate::commands::{
-    book, claims, ensemble, exact, period, preprocess, simulate, tables, work_precision,
+    adaptive, book, claims, ensemble, exact, period, preprocess, simulate, tables, work_precision,
 };
 use crate::failure::Failure;
 
@@ -30,6 +30,8 @@ pub enum Command {
     Claims(claims::Arguments),
     /// Integrate and print rows t, theta, omega, energy
     Simulate(simulate::Arguments),
+    /// Integrate in steps whose size follows the motion and print rows t, theta, omega, energy
+    Adaptive(adaptive::Arguments),
     /// Integrate from many starts, or with many steps, and print where each ends
     Ensemble(ensemble::Arguments),
     /// Print the exact state at given times

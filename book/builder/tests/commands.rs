@@ -5,6 +5,8 @@ use std::io::Read;
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
+use pendula::adaptive::{Adaptive, Tolerance};
+use pendula::methods::dop853::Dop853;
 use pendula::methods::stormer_verlet::StormerVerlet;
 use pendula::{Grid, Hamiltonian, METHODS, Motion, Pendulum, Phase, swing};
 use serde_json::Value;
@@ -82,6 +84,43 @@ fn simulate_takes_the_pendulum_it_is_given() {
     assert_eq!(numbers(&text)[0][3], energy);
 }
 
+fn adaptive<'a>(theta0: &'a str, duration: &'a str, tolerance: &'a str) -> [&'a str; 9] {
+    [
+        "adaptive",
+        "--method",
+        "dop853",
+        "--theta0",
+        theta0,
+        "--duration",
+        duration,
+        "--tolerance",
+        tolerance,
+    ]
+}
+
+/// Catches: the start or the last step left out, a tolerance or a direction of time that does not arrive, one method for the
+/// other.
+#[test]
+fn adaptive_prints_what_the_library_computes() {
+    let pendulum = Pendulum::new(9.81, 2.5, 1.0).unwrap();
+    for duration in [10.0, -10.0] {
+        let mut expected = Vec::new();
+        let control = Adaptive::new(Dop853, Tolerance::of(1e-8).unwrap());
+        let mut watch = |_, t, z: Phase| {
+            expected.push(vec![t, z.theta, z.omega, pendulum.hamiltonian(z)]);
+        };
+        control.integrate(&pendulum, Phase::at_rest(3.0), 0.0, duration, &mut watch).unwrap();
+        let duration = duration.to_string();
+        let arguments = adaptive("3", &duration, "1e-8").into_iter().chain(["--length", "2.5"]);
+        let text = printed(&arguments.clone().collect::<Vec<_>>());
+        assert!(text.starts_with("t,theta,omega,energy\n"));
+        assert_eq!(numbers(&text), expected);
+        let other: Vec<_> =
+            arguments.map(|a| if a == "dop853" { "dormand-prince" } else { a }).collect();
+        assert!(numbers(&printed(&other)).len() > expected.len());
+    }
+}
+
 /// Catches: bad input that gets through, a panic, a message of several lines, another exit status.
 #[test]
 fn bad_input_is_refused_in_one_line() {
@@ -109,6 +148,11 @@ fn bad_input_is_refused_in_one_line() {
     ] {
         assert_refused(&ensemble(theta0, dt, duration), because);
     }
+    assert_refused(&adaptive("1", "10", "0"), "greater than zero");
+    assert_refused(&adaptive("1", "10", "1e-16"), "2.22e-15");
+    assert_refused(&adaptive("1", "inf", "1e-6"), "finite");
+    assert_refused(&adaptive("nan", "10", "1e-6"), "angle");
+    assert_refused(&["adaptive", "--method", "rk4"], "dormand-prince, dop853");
     assert_refused(&["work-precision", "--seconds", "-1"], "greater than zero");
     assert_refused(&["work-precision", "--output", "/no/such/folder"], "--output");
     assert_refused(&["exact", "--theta0", "1", "--t", "1,two"], "two");

@@ -8,6 +8,7 @@ use std::io::Write;
 use crate::cli::Command;
 use crate::failure::Failure;
 
+pub mod adaptive;
 pub mod book;
 pub mod claims;
 mod destination;
@@ -32,6 +33,7 @@ pub fn run(command: Command, out: &mut dyn Write) -> Result<(), Failure> {
         Command::Tables(arguments) => tables::run(&arguments, out),
         Command::Claims(arguments) => claims::run(&arguments, out),
         Command::Simulate(arguments) => simulate::run(&arguments, out),
+        Command::Adaptive(arguments) => adaptive::run(&arguments, out),
         Command::Ensemble(arguments) => ensemble::run(&arguments, out),
         Command::Exact(arguments) => exact::run(&arguments, out),
         Command::Period(arguments) => period::run(&arguments, out),
