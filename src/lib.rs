@@ -23,7 +23,7 @@
 //!
 //! # The modules, in reading order
 //!
-//! * [`phase`], [`system`], [`pendulum`]: what is integrated.
+//! * [`phase`], [`system`], [`pendulum`], [`systems`]: what is integrated.
 //! * [`sine`]: the functions it needs, with the same bits on every machine.
 //! * [`exact`]: the truth, in closed form.
 //! * [`method`](mod@method), [`methods`](mod@methods): what integrates.
@@ -31,6 +31,7 @@
 //! * [`stepped`], [`swing`](mod@swing), `ensemble`: the same loop at full speed, for one pendulum and for many.
 //! * [`catalogue`]: the one list of methods.
 //! * [`metrics`], [`order`]: what is measured.
+//! * [`dynamics`]: what a motion does in the long run: periodic orbits, their multipliers, Lyapunov exponents.
 //! * `study`, `theory`, `paper`, `report`: the paper's experiments, what they must yield, the paper's claims, and all of
 //!   it as tables and figures. They need std and the feature `study`, which is on by default; without it the library
 //!   is `no_std`.
@@ -44,6 +45,7 @@
 
 pub mod catalogue;
 mod double_double;
+pub mod dynamics;
 #[cfg(feature = "ensemble")]
 pub mod ensemble;
 pub mod error;
@@ -67,6 +69,7 @@ pub mod stepped;
 pub mod study;
 pub mod swing;
 pub mod system;
+pub mod systems;
 #[cfg(feature = "study")]
 pub mod theory;
 
@@ -81,6 +84,7 @@ pub use pendulum::{LinearOscillator, Pendulum};
 pub use phase::{Phase, Point, Vector};
 pub use swing::swing;
 pub use system::{Counting, Hamiltonian, Rate, Separable, System};
+pub use systems::{Damped, DoublePendulum, Driven, Kepler, Shaken};
 
 /// The listings of the README and of the book, run as tests.
 #[cfg(doctest)]
