@@ -124,14 +124,31 @@ where
     (base, Monodromy { of_theta, of_omega })
 }
 
+// ANCHOR: doubling
 /// The parameter between `low` and `high` at which an orbit doubles its period: where one of its multipliers is −1.
 ///
-/// `orbit` gives the orbit for a parameter; it is asked for `low` first, then for `high`, then in between, and may begin
-/// each search where the last one ended. `None` where it finds none, or where there is no −1 between.
+/// `orbit` gives the orbit for a parameter near one that it is given. It is led from the orbit at `low` to each next one in
+/// so many even `paces`, small enough that Newton does not stray to another orbit; then the pace within which a
+/// multiplier passes −1 is narrowed. `None` where an orbit is lost, or where no multiplier passes −1.
 pub fn period_doubling(
-    mut orbit: impl FnMut(f64) -> Option<PeriodicOrbit>,
-    low: f64,
-    high: f64,
+    mut orbit: impl FnMut(f64, Phase) -> Option<PeriodicOrbit>,
+    near: Phase,
+    (low, high): (f64, f64),
+    paces: u32,
 ) -> Option<f64> {
-    root(|parameter| Some(orbit(parameter)?.monodromy.characteristic(-1.0)), low, high)
+    let mut last = near;
+    let mut distance = |parameter| {
+        let orbit = orbit(parameter, last)?;
+        last = orbit.point;
+        Some(orbit.monodromy.characteristic(-1.0))
+    };
+    let at = |pace: u32| low + (high - low) * (f64::from(pace) / f64::from(paces));
+    let began = distance(low)?;
+    for pace in 1..=paces {
+        if distance(at(pace))? * began <= 0.0 {
+            return root(distance, at(pace - 1), at(pace));
+        }
+    }
+    None
 }
+// ANCHOR_END: doubling

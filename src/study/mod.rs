@@ -3,6 +3,7 @@
 //! The parameters are the paper's own (its Sections 5.1 and 5.2). Nothing here formats or judges: rows become tables
 //! and figures in [`report`](crate::report), and meet what the paper states in [`paper`](crate::paper).
 
+pub mod beyond;
 pub mod convergence;
 pub mod findings;
 pub mod large_angle;

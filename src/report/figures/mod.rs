@@ -1,5 +1,6 @@
 //! The figures of the book, drawn from the study: the paper's, and those it lacks.
 
+mod beyond;
 mod paper;
 
 use super::svg::{Figure, Style};
@@ -32,7 +33,7 @@ impl Drawing {
 
 /// The figures, file by file.
 pub fn figures() -> impl Iterator<Item = &'static Drawing> {
-    [paper::FIGURES].into_iter().flatten()
+    [paper::FIGURES, beyond::FIGURES].into_iter().flatten()
 }
 
 /// The style of a method, the same in every figure.

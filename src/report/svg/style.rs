@@ -41,15 +41,18 @@ pub struct Style {
     line: Option<usize>,
     marker: Option<usize>,
     guide: bool,
+    specks: bool,
 }
 
 impl Style {
     /// The exact solution, or what the others are held against: a plain line in the text's colour.
-    pub const REFERENCE: Self = Self { colour: None, line: Some(0), marker: None, guide: false };
+    pub const REFERENCE: Self =
+        Self { colour: None, line: Some(0), marker: None, guide: false, specks: false };
 
     /// A helping line, thin and dotted: labelled where it is, not in the legend; the automatic
     /// range of an axis takes no notice of it.
-    pub const GUIDE: Self = Self { colour: None, line: Some(4), marker: None, guide: true };
+    pub const GUIDE: Self =
+        Self { colour: None, line: Some(4), marker: None, guide: true, specks: false };
 
     /// The style of the method that stands at `index` in the list of methods: line and marker.
     ///
@@ -60,7 +63,13 @@ impl Style {
             line: Some(index % (DASHES.len() - 1)),
             marker: Some(index % MARKERS.len()),
             guide: false,
+            specks: false,
         }
+    }
+
+    /// The same with a speck at each point and nothing else: for thousands of points.
+    pub const fn as_specks(self) -> Self {
+        Self { line: None, marker: Some(0), specks: true, ..self }
     }
 
     /// The same without markers.
@@ -106,12 +115,16 @@ impl Style {
 
     /// One path with a marker at each of the points.
     pub(super) fn markers(self, points: impl IntoIterator<Item = (f64, f64)>) -> String {
-        let shape = MARKERS[self.marker.unwrap_or(0)];
+        // A stroke of no length with round ends.
+        let (shape, class) = match self.specks {
+            true => ("h0", "speck"),
+            false => (MARKERS[self.marker.unwrap_or(0)], "dot"),
+        };
         let mut d = String::new();
         for (x, y) in points {
             let _ = write!(d, "M{},{}{shape}", Num(x), Num(y));
         }
-        format!(r#"<path {} d="{d}"/>"#, self.class("dot"))
+        format!(r#"<path {} d="{d}"/>"#, self.class(class))
     }
 
     fn class(self, kind: &str) -> String {
@@ -149,12 +162,13 @@ pub(super) fn style_sheet(id: &str, used: &[Style]) -> String {
         (" .band", "fill:currentColor;stroke:none;opacity:.1"),
         (" .dot", "fill:currentColor;stroke-width:1"),
     ];
+    let specks = used.iter().any(|style| style.specks).then_some((" .speck", "stroke-width:1.4"));
     let mut css = format!(
         "#{id} {{font:{}px var(--pendula-font,system-ui,sans-serif)}}\n\
          #{id} path {{fill:none;stroke:currentColor;stroke-linejoin:round;stroke-linecap:round}}\n",
         super::text::FONT
     );
-    for (selector, rules) in shapes {
+    for (selector, rules) in shapes.into_iter().chain(specks) {
         css += &format!("#{id}{selector} {{{rules}}}\n");
     }
     format!("<style>\n{css}{light}@media (prefers-color-scheme:dark) {{\n{dark}}}\n</style>\n")
