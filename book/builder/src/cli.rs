@@ -6,7 +6,8 @@ use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
 
 use crate::commands::{
-    book, claims, ensemble, exact, period, preprocess, simulate, tables, work_precision,
+    book, claims, double_pendulum, ensemble, exact, period, preprocess, simulate, tables,
+    work_precision,
 };
 use crate::failure::Failure;
 
@@ -30,6 +31,8 @@ pub enum Command {
     Claims(claims::Arguments),
     /// Integrate and print rows t, theta, omega, energy
     Simulate(simulate::Arguments),
+    /// Integrate the double pendulum with RK4 and print rows with the places of its bobs
+    DoublePendulum(double_pendulum::Arguments),
     /// Integrate from many starts, or with many steps, and print where each ends
     Ensemble(ensemble::Arguments),
     /// Print the exact state at given times

@@ -11,6 +11,7 @@ use crate::failure::Failure;
 pub mod book;
 pub mod claims;
 mod destination;
+pub mod double_pendulum;
 pub mod ensemble;
 pub mod exact;
 pub mod period;
@@ -20,6 +21,7 @@ mod scene;
 pub mod simulate;
 mod sweep;
 pub mod tables;
+mod trajectory;
 pub mod work_precision;
 
 /// Runs a command; its output goes to `out`.
@@ -32,6 +34,7 @@ pub fn run(command: Command, out: &mut dyn Write) -> Result<(), Failure> {
         Command::Tables(arguments) => tables::run(&arguments, out),
         Command::Claims(arguments) => claims::run(&arguments, out),
         Command::Simulate(arguments) => simulate::run(&arguments, out),
+        Command::DoublePendulum(arguments) => double_pendulum::run(&arguments, out),
         Command::Ensemble(arguments) => ensemble::run(&arguments, out),
         Command::Exact(arguments) => exact::run(&arguments, out),
         Command::Period(arguments) => period::run(&arguments, out),
