@@ -17,7 +17,7 @@ fn pendulum() -> Pendulum {
     Pendulum::new(9.81, 0.8, 1.7).unwrap()
 }
 
-/// The series of DLMF 28.6.1 and 28.6.2 to their fifth terms.
+/// The series of DLMF 28.6(i), to as many terms as it gives.
 ///
 /// Catches: a matrix with a wrong corner, rows too few, an eigenvalue other than the smallest.
 #[rstest]

@@ -1,7 +1,7 @@
 //! The zero of a function between two points.
 
 /// The zero of `f` between `low` and `high`, where its signs differ, by the secant held inside the bracket (the Illinois
-/// rule: Dahlquist, Björck, *Numerical Methods* (1974), Sect. 6.4), to the last bits of f64.
+/// rule: Dahlquist, Björck, *Numerical Methods* (1974), Ch. 6), to the last bits of f64.
 ///
 /// `f` is asked at `low` first, then at `high`, then between. `None` if it has no value at one of these, or one that is no
 /// number, or the same sign at both ends.

@@ -81,7 +81,7 @@ fn wrapped(z: Phase) -> Phase {
     Phase { theta: z.theta - 2.0 * PI * libm::floor((z.theta + PI) / (2.0 * PI)), ..z }
 }
 
-/// A drive at which Taylor's pendulum is chaotic (his Fig. 12.11).
+/// A drive at which Taylor's pendulum is chaotic (his Sect. 12.5).
 pub const CHAOTIC: f64 = 1.105;
 
 /// The largest Lyapunov exponent (1/s) of Taylor's pendulum at [`CHAOTIC`] drive, over 2000 periods after the first 100.

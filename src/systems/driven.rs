@@ -15,7 +15,7 @@ use crate::system::{Separable, System};
 /// γ is the torque's amplitude in units of the weight's largest torque, m g L. As γ grows the motion repeats after one
 /// period of the drive, then after two, four, …, and then never. Area in phase space shrinks by exp(−2β · 2π/Ω) a period.
 ///
-/// J. R. Taylor, *Classical Mechanics* (2005), ch. 12, Eq. 12.11.
+/// J. R. Taylor, *Classical Mechanics* (2005), ch. 12.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Driven {
     damped: Damped,
@@ -47,7 +47,7 @@ impl Driven {
         Self::taylor_damped(strength, 0.25)
     }
 
-    /// [`Driven::taylor`] with a damping β of `share` ω₀. His strange attractor (Fig. 12.29) has γ = 1.5 and a share of
+    /// [`Driven::taylor`] with a damping β of `share` ω₀. His strange attractor (Sect. 12.8) has γ = 1.5 and a share of
     /// an eighth.
     ///
     /// # Errors

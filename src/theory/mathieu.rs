@@ -6,7 +6,7 @@
 /// Rows of the matrix. The k-th coefficient falls as qᵏ/(4ᵏ k!²): for q ≤ 1 the tenth is below 1e-18.
 const ROWS: usize = 16;
 
-/// a₀(q), of the even solution of period π: −q²/2 + 7q⁴/128 − … (DLMF 28.6.1). Below it y grows without bound.
+/// a₀(q), of the even solution of period π: −q²/2 + 7q⁴/128 − … (DLMF 28.6(i)). Below it y grows without bound.
 pub fn a0(q: f64) -> f64 {
     let diagonal = |k: usize| (4 * k * k) as f64;
     // The constant term of the series counts double, which √2 makes symmetric.
@@ -14,7 +14,7 @@ pub fn a0(q: f64) -> f64 {
     smallest_eigenvalue(diagonal, squares)
 }
 
-/// b₁(q), of the odd solution of period 2π: 1 − q − q²/8 + … (DLMF 28.6.2). Above it, for q > 0, y grows without bound.
+/// b₁(q), of the odd solution of period 2π: 1 − q − q²/8 + … (DLMF 28.6(i)). Above it, for q > 0, y grows without bound.
 pub fn b1(q: f64) -> f64 {
     let diagonal = |k: usize| if k == 0 { 1.0 - q } else { ((2 * k + 1) * (2 * k + 1)) as f64 };
     smallest_eigenvalue(diagonal, |_| q * q)

@@ -16,9 +16,9 @@ pub(super) const FIGURES: &[Drawing] = &[
     },
     Drawing {
         name: "separation",
-        caption: "Two double pendulums whose starts differ by 10⁻⁹ rad. Released high, they part by \
-                  a factor in every second, until they have nothing in common; released low, they \
-                  stay together.",
+        caption: "Two double pendulums whose starts differ by 10⁻⁹ rad. Released high, the \
+                  distance grows exponentially until they have nothing in common; released low, \
+                  they stay together.",
         draw: separation,
     },
 ];
