@@ -85,3 +85,30 @@ pub(crate) fn positive(name: &'static str, value: f64) -> Result<f64, Error> {
         Err(Error::Parameter { name, value, allowed: "finite and greater than zero" })
     }
 }
+
+/// Passes a number that is finite.
+pub(crate) fn finite(name: &'static str, value: f64) -> Result<f64, Error> {
+    if value.is_finite() {
+        Ok(value)
+    } else {
+        Err(Error::Parameter { name, value, allowed: "finite" })
+    }
+}
+
+/// Passes a number that is zero or greater, and finite when doubled.
+pub(crate) fn not_negative(name: &'static str, value: f64) -> Result<f64, Error> {
+    if value >= 0.0 && (2.0 * value).is_finite() {
+        Ok(value)
+    } else {
+        Err(Error::Parameter { name, value, allowed: "between 0 and 8.9e307" })
+    }
+}
+
+/// Passes a product of parameters that neither overflowed nor lost digits to underflow.
+pub(crate) fn normal(name: &'static str, value: f64) -> Result<f64, Error> {
+    if value.is_normal() {
+        Ok(value)
+    } else {
+        Err(Error::Parameter { name, value, allowed: "between 2.3e-308 and 1.8e308" })
+    }
+}

@@ -23,7 +23,7 @@
 //!
 //! # The modules, in reading order
 //!
-//! * [`phase`], [`system`], [`pendulum`]: what is integrated.
+//! * [`phase`], [`system`], [`pendulum`], [`systems`]: what is integrated.
 //! * [`sine`]: the functions it needs, with the same bits on every machine.
 //! * [`exact`]: the truth, in closed form.
 //! * [`method`](mod@method), [`methods`](mod@methods): what integrates.
@@ -32,6 +32,7 @@
 //! * [`tableau`], [`adaptive`]: Runge–Kutta methods as tables; steps whose size follows the motion.
 //! * [`catalogue`]: the one list of methods.
 //! * [`metrics`], [`order`]: what is measured.
+//! * [`dynamics`]: what a motion does in the long run: periodic orbits, their multipliers, Lyapunov exponents.
 //! * `study`, `theory`, `paper`, `report`: the paper's experiments, what they must yield, the paper's claims, and all of
 //!   it as tables and figures. They need std and the feature `study`, which is on by default; without it the library
 //!   is `no_std`.
@@ -46,6 +47,7 @@
 pub mod adaptive;
 pub mod catalogue;
 mod double_double;
+pub mod dynamics;
 #[cfg(feature = "ensemble")]
 pub mod ensemble;
 pub mod error;
@@ -71,6 +73,7 @@ pub mod stepped;
 pub mod study;
 pub mod swing;
 pub mod system;
+pub mod systems;
 pub mod tableau;
 pub mod taylor;
 #[cfg(feature = "study")]
@@ -87,6 +90,7 @@ pub use pendulum::{LinearOscillator, Pendulum};
 pub use phase::{Components, Phase, Point, Vector};
 pub use swing::swing;
 pub use system::{Counting, Hamiltonian, Rate, Separable, System};
+pub use systems::{Damped, DoublePendulum, Driven, Kepler, Shaken};
 
 /// The listings of the README and of the book, run as tests.
 #[cfg(doctest)]

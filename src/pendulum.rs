@@ -2,7 +2,7 @@
 
 use core::f64::consts::PI;
 
-use crate::error::{Error, positive};
+use crate::error::{Error, normal, positive};
 use crate::phase::Phase;
 use crate::sine::{cos, half_turn, sin};
 use crate::system::{Hamiltonian, Separable, System};
@@ -247,13 +247,4 @@ fn product(factors: [f64; 3]) -> f64 {
     let parts = factors.map(libm::frexp);
     let mantissa = parts.iter().fold(1.0, |product, (mantissa, _)| product * mantissa);
     libm::ldexp(mantissa, parts.iter().map(|(_, exponent)| exponent).sum())
-}
-
-/// Passes a product of parameters that neither overflowed nor lost digits to underflow.
-fn normal(name: &'static str, value: f64) -> Result<f64, Error> {
-    if value.is_normal() {
-        Ok(value)
-    } else {
-        Err(Error::Parameter { name, value, allowed: "between 2.3e-308 and 1.8e308" })
-    }
 }

@@ -51,6 +51,12 @@ fn the_predictions() {
     assert_reviewed("predictions", "table", &tables::predictions(&LEDGER).to_markdown());
 }
 
+/// Catches: a digit that moves within the tolerance of its own test.
+#[test]
+fn the_systems_beyond() {
+    assert_reviewed("beyond", "table", &tables::beyond().to_markdown());
+}
+
 /// Catches: a verdict or a reason changed in passing.
 #[test]
 fn the_ledger() {

@@ -3,10 +3,10 @@
 use super::table::Table;
 use crate::order::slopes;
 use crate::paper::measure::row_ids;
-use crate::paper::number::Format::{Fixed, Scientific};
+use crate::paper::number::Format::{self, Fixed, Scientific};
 use crate::paper::{Claim, Ledger};
 use crate::study::properties::ROUNDING;
-use crate::study::{STEPS, Study};
+use crate::study::{STEPS, Study, beyond};
 use crate::theory;
 
 /// The numbers of the tables that the paper prints and the study measures.
@@ -152,6 +152,21 @@ pub fn sentences(ledger: &Ledger) -> Table {
 
 fn is_sentence(claim: &Claim) -> bool {
     claim.stated.is_some() && !TABLES.iter().any(|n| claim.id.starts_with(&format!("T{n}.")))
+}
+
+/// The systems beyond the simple pendulum: what is known of them, and what the library finds.
+pub fn beyond() -> Table {
+    let mut table = Table::new(["Quantity", "known", "found", "Source"]).with_remarks(1);
+    for row in beyond::rows() {
+        let text = |(value, format): (f64, Format)| format.print(value);
+        let known = row.known.map_or_else(String::new, text);
+        let mut found = row.format.print(row.found);
+        if let Some(error) = row.error.map(text) {
+            found += &format!(" ± {error}");
+        }
+        table.push([row.quantity, &known, &found, row.source]);
+    }
+    table
 }
 
 fn name(claim: &Claim) -> String {

@@ -4,6 +4,7 @@
 //! and figures in [`report`](crate::report), and meet what the paper states in [`paper`](crate::paper).
 
 pub mod area;
+pub mod beyond;
 pub mod choice;
 pub mod convergence;
 pub mod findings;

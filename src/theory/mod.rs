@@ -7,6 +7,7 @@
 //! * [`symplectic_euler`], [`stormer_verlet`]: the energy that the method conserves instead of the pendulum's;
 //! * [`rk4`]: the energy that a step loses; [`forward_euler`]: the equation that it follows, and the regimes on its way;
 //! * [`period`]: how much longer or shorter the swing becomes; [`small_angle`]: the angle in the small swing of Table 6.
+//! * [`kepler`]: how Störmer–Verlet turns a planet's ellipse; [`mathieu`]: where a shaken pendulum stands on its head.
 //!
 //! [`predictions()`] applies them to the cells of the tables. Nothing here ever takes a step of a [`Method`], so that a
 //! wrong method cannot predict its own wrong results; the exact solution, quadrature along it, and a solver for the
@@ -28,6 +29,8 @@ mod point;
 mod predictions;
 
 pub mod forward_euler;
+pub mod kepler;
+pub mod mathieu;
 pub mod period;
 pub mod rk4;
 pub mod small_angle;

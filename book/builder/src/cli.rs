@@ -6,7 +6,8 @@ use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
 
 use crate::commands::{
-    adaptive, book, claims, ensemble, exact, period, preprocess, simulate, tables, work_precision,
+    adaptive, book, claims, double_pendulum, ensemble, exact, period, preprocess, simulate, tables,
+    work_precision,
 };
 use crate::failure::Failure;
 
@@ -32,6 +33,8 @@ pub enum Command {
     Simulate(simulate::Arguments),
     /// Integrate in steps whose size follows the motion and print rows t, theta, omega, energy
     Adaptive(adaptive::Arguments),
+    /// Integrate the double pendulum with RK4 and print rows with the places of its bobs
+    DoublePendulum(double_pendulum::Arguments),
     /// Integrate from many starts, or with many steps, and print where each ends
     Ensemble(ensemble::Arguments),
     /// Print the exact state at given times

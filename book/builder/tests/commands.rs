@@ -7,8 +7,12 @@ use std::process::{Command, Output, Stdio};
 
 use pendula::adaptive::{Adaptive, Tolerance};
 use pendula::methods::dop853::Dop853;
+use pendula::methods::rk4::Rk4;
 use pendula::methods::stormer_verlet::StormerVerlet;
-use pendula::{Grid, Hamiltonian, METHODS, Motion, Pendulum, Phase, swing};
+use pendula::systems::Joint;
+use pendula::{
+    DoublePendulum, Grid, Hamiltonian, METHODS, Motion, Pendulum, Phase, integrate, swing,
+};
 use serde_json::Value;
 
 fn pendula(arguments: &[&str]) -> Output {
@@ -121,6 +125,38 @@ fn adaptive_prints_what_the_library_computes() {
     }
 }
 
+const DOUBLE: [&str; 9] =
+    ["double-pendulum", "--theta1", "2", "--theta2", "-0.5", "--dt", "0.01", "--omega2", "1.5"];
+
+fn double_with<'a>(more: &[&'a str]) -> Vec<&'a str> {
+    DOUBLE.iter().copied().chain(more.iter().copied()).collect()
+}
+
+/// Catches: upper and lower exchanged, momenta printed for velocities, a y that points down, rows that an animation cannot
+/// read.
+#[test]
+fn the_double_pendulum_is_printed_ready_to_be_drawn() {
+    let shape = ["--length1", "1.3", "--length2", "0.6", "--mass1", "0.7", "--mass2", "1.9"];
+    let text = printed(&[&double_with(&["--steps", "200", "--gravity", "3"])[..], &shape].concat());
+    assert!(text.starts_with("t,theta1,theta2,omega1,omega2,x1,y1,x2,y2,energy\n"));
+    let rows = numbers(&text);
+    assert_eq!(rows.len(), 201);
+    let upper = Joint { length: 1.3, mass: 0.7 };
+    let double = DoublePendulum::new(3.0, upper, Joint { length: 0.6, mass: 1.9 }).unwrap();
+    let start = double.start([2.0, -0.5], [0.0, 1.5]).unwrap();
+    let end = integrate(&double, &Rk4, start, &Grid::new(0.01, 200).unwrap(), &mut ());
+    let last = &rows[200];
+    assert_eq!(last[..3], [2.0, end.theta1, end.theta2]);
+    assert_eq!(last[3..5], double.velocities(end));
+    assert_eq!(last[9], double.energy(end));
+    // By hand, at the start: to a few roundings.
+    let places = [1.3 * 2_f64.sin(), -1.3 * 2_f64.cos()];
+    let lower = [places[0] - 0.6 * 0.5_f64.sin(), places[1] - 0.6 * 0.5_f64.cos()];
+    for (place, by_hand) in rows[0][5..9].iter().zip(places.into_iter().chain(lower)) {
+        assert!((place - by_hand).abs() < 1e-15, "{place} {by_hand}");
+    }
+}
+
 /// Catches: bad input that gets through, a panic, a message of several lines, another exit status.
 #[test]
 fn bad_input_is_refused_in_one_line() {
@@ -134,6 +170,10 @@ fn bad_input_is_refused_in_one_line() {
     assert_refused(&run_with(&["--duration", "0.015"]), "whole number of steps");
     assert_refused(&run_with(&["--steps", "9007199254740993"]), "2^53");
     assert_refused(&run_with(&["--steps", "1", "--omega0", "inf"]), "angular velocity");
+    assert_refused(&double_with(&[]), "--duration");
+    assert_refused(&double_with(&["--steps", "1", "--mass2", "0"]), "mass m₂ (kg) = 0.0");
+    assert_refused(&double_with(&["--steps", "1", "--omega1", "nan"]), "ω₁");
+    assert_refused(&double_with(&["--duration", "0.015"]), "whole number of steps");
     for (theta0, dt, duration, because) in [
         ("1", "0.01", "10", "exactly one"),
         ("0:1:5", "0.1:0.01:5", "10", "exactly one"),

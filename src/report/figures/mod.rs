@@ -1,5 +1,6 @@
 //! The figures of the book, drawn from the study: the paper's, and those it lacks.
 
+mod beyond;
 mod decision;
 mod evidence;
 mod geometry;
@@ -34,7 +35,9 @@ impl Drawing {
 
 /// The figures, file by file.
 pub fn figures() -> impl Iterator<Item = &'static Drawing> {
-    [paper::FIGURES, geometry::FIGURES, evidence::FIGURES, decision::FIGURES].into_iter().flatten()
+    [paper::FIGURES, geometry::FIGURES, evidence::FIGURES, decision::FIGURES, beyond::FIGURES]
+        .into_iter()
+        .flatten()
 }
 
 /// The style of a method, the same in every figure.

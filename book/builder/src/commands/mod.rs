@@ -12,6 +12,7 @@ pub mod adaptive;
 pub mod book;
 pub mod claims;
 mod destination;
+pub mod double_pendulum;
 pub mod ensemble;
 pub mod exact;
 pub mod period;
@@ -21,6 +22,7 @@ mod scene;
 pub mod simulate;
 mod sweep;
 pub mod tables;
+mod trajectory;
 pub mod work_precision;
 
 /// Runs a command; its output goes to `out`.
@@ -34,6 +36,7 @@ pub fn run(command: Command, out: &mut dyn Write) -> Result<(), Failure> {
         Command::Claims(arguments) => claims::run(&arguments, out),
         Command::Simulate(arguments) => simulate::run(&arguments, out),
         Command::Adaptive(arguments) => adaptive::run(&arguments, out),
+        Command::DoublePendulum(arguments) => double_pendulum::run(&arguments, out),
         Command::Ensemble(arguments) => ensemble::run(&arguments, out),
         Command::Exact(arguments) => exact::run(&arguments, out),
         Command::Period(arguments) => period::run(&arguments, out),

@@ -1,0 +1,66 @@
+//! A periodically driven system, seen once a period.
+
+use super::variation::{Bundle, Linearised, Variational};
+use crate::error::{Error, positive};
+use crate::grid::Grid;
+use crate::integrate::integrate;
+use crate::method::Method;
+use crate::phase::Phase;
+use crate::system::System;
+
+/// The stroboscopic map, Poincaré's for a driven system: the state at the beginning of a period of the drive to the state
+/// at its end.
+///
+/// Each period begins at time zero. The drive is then in the same phase to the last bit, however many periods have passed.
+#[derive(Clone, Copy, Debug)]
+pub struct Stroboscope<'a, S, M> {
+    system: &'a S,
+    method: &'a M,
+    grid: Grid,
+}
+
+impl<'a, S, M> Stroboscope<'a, S, M> {
+    /// `system` seen every `period` (s), which `method` crosses in so many `steps`.
+    ///
+    /// # Errors
+    /// [`Error::Parameter`] for a period that is not finite and positive, and [`Error::TooManySteps`]; zero steps are
+    /// refused as a period of no steps.
+    pub fn new(system: &'a S, method: &'a M, period: f64, steps: u64) -> Result<Self, Error> {
+        let period = positive("period (s)", period)?;
+        if steps == 0 {
+            let allowed = "at least 1";
+            return Err(Error::Parameter { name: "steps a period", value: 0.0, allowed });
+        }
+        Ok(Self { system, method, grid: Grid::new(period / steps as f64, steps)? })
+    }
+
+    /// The system.
+    pub const fn system(&self) -> &'a S {
+        self.system
+    }
+
+    /// The period (s).
+    pub const fn period(&self) -> f64 {
+        self.grid.time(self.grid.steps())
+    }
+
+    // ANCHOR: map
+    /// The state one period after `z`.
+    pub fn map(&self, z: S::State) -> S::State
+    where
+        S: System,
+        M: Method<S>,
+    {
+        integrate(self.system, self.method, z, &self.grid, &mut ())
+    }
+    // ANCHOR_END: map
+
+    /// A state and its neighbours one period after `z`.
+    pub fn map_bundle<const N: usize>(&self, z: Bundle<Phase, Phase, N>) -> Bundle<Phase, Phase, N>
+    where
+        S: Linearised<State = Phase>,
+        M: Method<Variational<'a, S, N>>,
+    {
+        integrate(&Variational(self.system), self.method, z, &self.grid, &mut ())
+    }
+}

@@ -1,0 +1,75 @@
+//! The neighbours of a trajectory.
+
+use core::array::from_fn;
+use core::ops::{Add, Mul};
+
+use crate::phase::{Point, Vector};
+use crate::system::{Rate, System};
+
+/// A system that knows how its rate of change differs from one state to the next.
+pub trait Linearised: System {
+    /// The derivative of [`System::rate`] at time `t` (s) and the state `z` along the displacement `v`: the right-hand
+    /// side of the variational equation v̇ = Df(t, z) v.
+    fn tangent(&self, t: f64, z: Self::State, v: Rate<Self>) -> Rate<Self>;
+
+    /// The size of a displacement, in a norm that makes its components comparable.
+    fn size(&self, v: Rate<Self>) -> f64;
+}
+
+/// A system together with N of its neighbours, infinitely near: a system too, which any method for systems moves.
+///
+/// What a one-step method does to a neighbour is then the derivative of what it does to the trajectory, so that a
+/// determinant or an exponent of the method's own map comes out, not only of the motion's.
+#[derive(Clone, Copy, Debug)]
+pub struct Variational<'a, S, const N: usize>(pub &'a S);
+
+/// A state and N displacements from it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bundle<Z, V, const N: usize> {
+    /// The state, or its rate of change.
+    pub base: Z,
+    /// The displacements, or theirs.
+    pub tangents: [V; N],
+}
+
+impl<Z: Add<V, Output = Z> + Copy, V: Vector, const N: usize> Add<Bundle<V, V, N>>
+    for Bundle<Z, V, N>
+{
+    type Output = Self;
+
+    #[inline]
+    fn add(self, other: Bundle<V, V, N>) -> Self {
+        Self {
+            base: self.base + other.base,
+            tangents: from_fn(|i| self.tangents[i] + other.tangents[i]),
+        }
+    }
+}
+
+impl<V: Vector, const N: usize> Mul<f64> for Bundle<V, V, N> {
+    type Output = Self;
+
+    #[inline]
+    fn mul(self, factor: f64) -> Self {
+        Self { base: self.base * factor, tangents: self.tangents.map(|v| v * factor) }
+    }
+}
+
+impl<V: Vector, const N: usize> Vector for Bundle<V, V, N> {}
+
+// ANCHOR: variational
+impl<S: Linearised, const N: usize> System for Variational<'_, S, N>
+where
+    Bundle<S::State, Rate<S>, N>: Point<Displacement = Bundle<Rate<S>, Rate<S>, N>>,
+{
+    type State = Bundle<S::State, Rate<S>, N>;
+
+    #[inline]
+    fn rate(&self, t: f64, z: Self::State) -> Bundle<Rate<S>, Rate<S>, N> {
+        Bundle {
+            base: self.0.rate(t, z.base),
+            tangents: z.tangents.map(|v| self.0.tangent(t, z.base, v)),
+        }
+    }
+}
+// ANCHOR_END: variational

@@ -1,0 +1,153 @@
+//! The damped pendulum.
+
+use crate::dynamics::Linearised;
+use crate::error::{Error, not_negative};
+use crate::pendulum::Pendulum;
+use crate::phase::Phase;
+use crate::sine::{cos, half_turn, sin};
+use crate::system::{Hamiltonian, Separable, System};
+
+/// The pendulum with friction in proportion to its velocity, θ̈ + 2β θ̇ + ω₀² sin θ = 0 with ω₀² = g/L.
+///
+/// Small swings decay as exp(−βt). Energy is lost at the rate 2β m L² ω², and area in phase space shrinks as exp(−2βt),
+/// whatever the motion.
+///
+/// It is [`Separable`] in this sense: with θ held, ω̇ = −2βω + α is solved exactly by the kick. Splitting methods then
+/// shrink area by exactly what the motion does, and are called conformally symplectic (Bhatt, Floyd, Moore, *J. Sci.
+/// Comput.* 66 (2016) 1234–1259). Methods of Nyström's kind, which rely on a kick that does not ask for the velocity, may
+/// have a lower order here.
+///
+/// Landau, Lifshitz, *Mechanics*, § 25, where β is called λ.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Damped {
+    pendulum: Pendulum,
+    damping: f64,
+}
+
+impl Damped {
+    /// `pendulum` with the `damping` β (1/s); zero leaves it as it is.
+    ///
+    /// # Errors
+    /// [`Error::Parameter`] for a β that is not finite, or negative, or so large that 2β overflows.
+    pub fn new(pendulum: Pendulum, damping: f64) -> Result<Self, Error> {
+        let damping = not_negative("damping β (1/s)", damping)?;
+        Ok(Self { pendulum, damping })
+    }
+
+    /// The pendulum without its damping.
+    pub const fn pendulum(&self) -> &Pendulum {
+        &self.pendulum
+    }
+
+    /// Damping β (1/s): the rate at which small swings decay.
+    pub const fn damping(&self) -> f64 {
+        self.damping
+    }
+
+    /// Energy above the rest at the bottom (J): the pendulum's. It falls.
+    pub fn energy(&self, z: Phase) -> f64 {
+        self.pendulum.energy(z)
+    }
+
+    // ANCHOR: power
+    /// The rate of change of the energy, dE/dt = −2β m L² ω² (W): what friction takes.
+    pub fn power(&self, z: Phase) -> f64 {
+        let inertia = self.pendulum.mass() * self.pendulum.length() * self.pendulum.length();
+        -2.0 * self.damping * inertia * (z.omega * z.omega)
+    }
+    // ANCHOR_END: power
+
+    /// The state at time `t` ≥ 0 (s) after `start` in the limit of small swings, θ̈ + 2β θ̇ + ω₀² θ = 0: in closed form,
+    /// whether the damping is weak (β < ω₀), critical or strong.
+    pub fn small_swing(&self, start: Phase, t: f64) -> Phase {
+        let (beta, square) = (self.damping, self.pendulum.stiffness());
+        let Phase { theta, omega } = start;
+        // The two solutions that begin as (1, 0) and (0, 1) in z and ż of z̈ = (β² − ω₀²) z, times exp(−βt).
+        let below = square - beta * beta;
+        let (even, odd) = if below > 0.0 {
+            let frequency = libm::sqrt(below);
+            let decay = libm::exp(-beta * t);
+            (decay * cos(frequency * t), decay * sin(frequency * t) / frequency)
+        } else if below < 0.0 {
+            let split = libm::sqrt(-below);
+            // exp(−βt) times cosh and sinh, without the overflow of the one or the cancellation in the other.
+            let decay = libm::exp(-square / (beta + split) * t);
+            let lost = -libm::expm1(-2.0 * split * t);
+            (decay * (1.0 - 0.5 * lost), decay * lost / (2.0 * split))
+        } else {
+            let decay = libm::exp(-beta * t);
+            (decay, decay * t)
+        };
+        Phase {
+            theta: theta * even + (omega + beta * theta) * odd,
+            omega: omega * even - (beta * omega + square * theta) * odd,
+        }
+    }
+
+    /// [`Separable::kick`] with an acceleration other than the pendulum's own.
+    #[inline]
+    pub(super) fn kick_by(&self, z: Phase, alpha: f64, h: f64) -> Phase {
+        Phase { omega: slowed(z.omega, alpha, 2.0 * self.damping, h), ..z }
+    }
+
+    /// The derivative of [`System::rate`] along `v`; a drive does not change it.
+    #[inline]
+    pub(super) fn tangent_at(&self, z: Phase, v: Phase) -> Phase {
+        let restoring = self.pendulum.stiffness() * cos(z.theta) * v.theta;
+        Phase { theta: v.omega, omega: -restoring - 2.0 * self.damping * v.omega }
+    }
+}
+
+// ANCHOR: slowed
+/// The velocity `omega` after the time `h` of ω̇ = `alpha` − `friction` · ω, solved exactly.
+#[inline]
+fn slowed(omega: f64, alpha: f64, friction: f64, h: f64) -> f64 {
+    let x = friction * h;
+    // exp(−x) − 1, and its quotient with −x, which is 1 where there is no friction.
+    let lost = libm::expm1(-x);
+    let acting = if x == 0.0 { 1.0 } else { lost / -x };
+    omega + (omega * lost + alpha * h * acting)
+}
+// ANCHOR_END: slowed
+
+impl System for Damped {
+    type State = Phase;
+
+    // ANCHOR: rate
+    #[inline]
+    fn rate(&self, t: f64, z: Phase) -> Phase {
+        Phase { theta: z.omega, omega: self.force(t, z) - 2.0 * self.damping * z.omega }
+    }
+    // ANCHOR_END: rate
+}
+
+impl Separable for Damped {
+    type Force = f64;
+
+    /// −ω₀² sin θ (rad/s²), without the friction: that belongs to the kick.
+    #[inline]
+    fn force(&self, _t: f64, z: Phase) -> f64 {
+        -self.pendulum.stiffness() * half_turn::sin(z.theta)
+    }
+
+    #[inline]
+    fn kick(&self, z: Phase, alpha: f64, h: f64) -> Phase {
+        self.kick_by(z, alpha, h)
+    }
+
+    #[inline]
+    fn drift(&self, z: Phase, h: f64) -> Phase {
+        self.pendulum.drift(z, h)
+    }
+}
+
+impl Linearised for Damped {
+    #[inline]
+    fn tangent(&self, _t: f64, z: Phase, v: Phase) -> Phase {
+        self.tangent_at(z, v)
+    }
+
+    fn size(&self, v: Phase) -> f64 {
+        crate::dynamics::size(v, self.pendulum.small_angle_frequency())
+    }
+}

@@ -1,0 +1,243 @@
+//! The double pendulum.
+
+use core::ops::{Add, Mul};
+
+use crate::error::{Error, finite, positive};
+use crate::pendulum::angle;
+use crate::phase::Vector;
+use crate::sine::{cos, sin};
+use crate::system::{Hamiltonian, System};
+
+/// A pendulum hung from the bob of another: rods L₁ and L₂, bobs m₁ and m₂, angles θ₁ and θ₂ both from the downward
+/// vertical.
+///
+/// In the angles and their momenta, with Δ = θ₁ − θ₂, the Hamiltonian is
+///
+/// H = \[m₂L₂² p₁² + (m₁ + m₂)L₁² p₂² − 2m₂L₁L₂ p₁p₂ cos Δ\] / \[2m₂L₁²L₂² (m₁ + m₂ sin² Δ)\]
+///   + 2(m₁ + m₂)gL₁ sin²(θ₁/2) + 2m₂gL₂ sin²(θ₂/2).
+///
+/// Positions and momenta are mixed in its first term: it is no [`Separable`](crate::Separable) system, and splitting
+/// methods do not apply. Small swings are two normal modes, for equal rods and bobs of ω² = (2 ∓ √2) g/L; large ones are
+/// chaotic.
+///
+/// Landau, Lifshitz, *Mechanics*, § 5, Problem 1, and § 23.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DoublePendulum {
+    gravity: f64,
+    upper: Joint,
+    lower: Joint,
+}
+
+/// A rod and the bob at its end.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Joint {
+    /// Length L of the rod (m).
+    pub length: f64,
+    /// Mass m of the bob (kg).
+    pub mass: f64,
+}
+
+/// A point in the phase space of the double pendulum, or a rate of change of one.
+///
+/// As a state, angles are in rad and momenta in kg m²/s; as a rate, all are per second.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct DoublePhase {
+    /// Angle of the upper rod from the downward vertical, unwrapped.
+    pub theta1: f64,
+    /// Angle of the lower rod from the downward vertical, unwrapped.
+    pub theta2: f64,
+    /// The momentum conjugate to θ₁.
+    pub p1: f64,
+    /// The momentum conjugate to θ₂.
+    pub p2: f64,
+}
+
+impl Add for DoublePhase {
+    type Output = Self;
+
+    #[inline]
+    fn add(self, other: Self) -> Self {
+        Self {
+            theta1: self.theta1 + other.theta1,
+            theta2: self.theta2 + other.theta2,
+            p1: self.p1 + other.p1,
+            p2: self.p2 + other.p2,
+        }
+    }
+}
+
+impl Mul<f64> for DoublePhase {
+    type Output = Self;
+
+    #[inline]
+    fn mul(self, factor: f64) -> Self {
+        Self {
+            theta1: self.theta1 * factor,
+            theta2: self.theta2 * factor,
+            p1: self.p1 * factor,
+            p2: self.p2 * factor,
+        }
+    }
+}
+
+impl Vector for DoublePhase {}
+
+impl DoublePendulum {
+    /// Under `gravity` g (m/s²), the joint `upper` and the joint `lower`.
+    ///
+    /// # Errors
+    /// [`Error::Parameter`] for a parameter that is not finite and positive, or not between 1e-30 and 1e30: products of
+    /// eight of them stay in the range of f64.
+    pub fn new(gravity: f64, upper: Joint, lower: Joint) -> Result<Self, Error> {
+        Ok(Self {
+            gravity: moderate("gravity g (m/s²)", gravity)?,
+            upper: Joint {
+                length: moderate("length L₁ (m)", upper.length)?,
+                mass: moderate("mass m₁ (kg)", upper.mass)?,
+            },
+            lower: Joint {
+                length: moderate("length L₂ (m)", lower.length)?,
+                mass: moderate("mass m₂ (kg)", lower.mass)?,
+            },
+        })
+    }
+
+    /// Two of the same `joint`, under `gravity` g (m/s²).
+    ///
+    /// # Errors
+    /// As [`DoublePendulum::new`].
+    pub fn of_equals(gravity: f64, joint: Joint) -> Result<Self, Error> {
+        Self::new(gravity, joint, joint)
+    }
+
+    /// Gravitational acceleration g (m/s²).
+    pub const fn gravity(&self) -> f64 {
+        self.gravity
+    }
+
+    /// The joint that hangs from the pivot.
+    pub const fn upper(&self) -> Joint {
+        self.upper
+    }
+
+    /// The joint that hangs from the upper bob.
+    pub const fn lower(&self) -> Joint {
+        self.lower
+    }
+
+    /// The state with the angles `theta` (rad) and angular velocities `omega` (rad/s), upper before lower:
+    /// p₁ = (m₁ + m₂)L₁² ω₁ + m₂L₁L₂ ω₂ cos Δ, p₂ = m₂L₂² ω₂ + m₂L₁L₂ ω₁ cos Δ.
+    ///
+    /// # Errors
+    /// [`Error::Parameter`] for a component that is not finite, an angle beyond
+    /// [`LARGEST_ANGLE`](crate::pendulum::LARGEST_ANGLE), and for velocities whose energy overflows.
+    pub fn start(&self, theta: [f64; 2], omega: [f64; 2]) -> Result<DoublePhase, Error> {
+        let Self { upper, lower, .. } = *self;
+        let [theta1, theta2] = [angle(theta[0])?, angle(theta[1])?];
+        let [omega1, omega2] = [
+            finite("angular velocity ω₁ (rad/s)", omega[0])?,
+            finite("angular velocity ω₂ (rad/s)", omega[1])?,
+        ];
+        let coupling = lower.mass * upper.length * lower.length * cos(theta1 - theta2);
+        let z = DoublePhase {
+            theta1,
+            theta2,
+            p1: (upper.mass + lower.mass) * upper.length * upper.length * omega1
+                + coupling * omega2,
+            p2: lower.mass * lower.length * lower.length * omega2 + coupling * omega1,
+        };
+        finite("energy of that start (J)", self.energy(z))?;
+        Ok(z)
+    }
+
+    // ANCHOR: velocities
+    /// The angular velocities (ω₁, ω₂) = (∂H/∂p₁, ∂H/∂p₂) (rad/s) in the state `z`.
+    #[inline]
+    pub fn velocities(&self, z: DoublePhase) -> [f64; 2] {
+        let (Joint { length: l1, mass: m1 }, Joint { length: l2, mass: m2 }) =
+            (self.upper, self.lower);
+        let (s, c) = (sin(z.theta1 - z.theta2), cos(z.theta1 - z.theta2));
+        let effective = m1 + m2 * s * s;
+        let omega1 = (l2 * z.p1 - l1 * c * z.p2) / (l1 * l1 * l2 * effective);
+        let omega2 = ((m1 + m2) * l1 * z.p2 - m2 * l2 * c * z.p1) / (m2 * l1 * l2 * l2 * effective);
+        [omega1, omega2]
+    }
+    // ANCHOR_END: velocities
+
+    /// The bobs' positions (x, y) (m), upper before lower, with the pivot for origin and y upwards.
+    pub fn bobs(&self, z: DoublePhase) -> [(f64, f64); 2] {
+        let (l1, l2) = (self.upper.length, self.lower.length);
+        let (x1, y1) = (l1 * sin(z.theta1), -l1 * cos(z.theta1));
+        [(x1, y1), (x1 + l2 * sin(z.theta2), y1 - l2 * cos(z.theta2))]
+    }
+
+    // ANCHOR: modes
+    /// The angular frequencies of the two normal modes of small swings (rad/s), the slow one first: the roots of
+    /// m₁L₁L₂ ω⁴ − (m₁ + m₂)(L₁ + L₂)g ω² + (m₁ + m₂)g² = 0.
+    pub fn normal_modes(&self) -> [f64; 2] {
+        let (l1, l2) = (self.upper.length, self.lower.length);
+        let both = self.upper.mass + self.lower.mass;
+        let (upper, lower) = (self.upper.mass / both, self.lower.mass / both);
+        let sum = l1 + l2;
+        // The discriminant (L₁ + L₂)² − 4 L₁L₂ m₁/(m₁ + m₂), without the cancellation where it is small.
+        let root = libm::sqrt((l1 - l2) * (l1 - l2) + 4.0 * lower * l1 * l2);
+        // The slow root as a quotient, for the same reason.
+        let slow = 2.0 * self.gravity / (sum + root);
+        let fast = self.gravity * (sum + root) / (2.0 * upper * l1 * l2);
+        [libm::sqrt(slow), libm::sqrt(fast)]
+    }
+    // ANCHOR_END: modes
+
+    /// The ratio θ₂/θ₁ in each of the [`normal_modes`](Self::normal_modes): positive in the slow one, where the bobs
+    /// swing together, negative in the fast one. For equals it is ±√2.
+    pub fn mode_shapes(&self) -> [f64; 2] {
+        // From the lower bob's equation, L₁ θ̈₁ + L₂ θ̈₂ + g θ₂ = 0.
+        self.normal_modes().map(|omega| {
+            let square = omega * omega;
+            square * self.upper.length / (self.gravity - square * self.lower.length)
+        })
+    }
+}
+
+/// Passes a parameter from which products of many are formed.
+fn moderate(name: &'static str, value: f64) -> Result<f64, Error> {
+    let value = positive(name, value)?;
+    if (1e-30..=1e30).contains(&value) {
+        Ok(value)
+    } else {
+        Err(Error::Parameter { name, value, allowed: "between 1e-30 and 1e30" })
+    }
+}
+
+impl System for DoublePendulum {
+    type State = DoublePhase;
+
+    // ANCHOR: rate
+    #[inline]
+    fn rate(&self, _t: f64, z: DoublePhase) -> DoublePhase {
+        let (Joint { length: l1, mass: m1 }, Joint { length: l2, mass: m2 }) =
+            (self.upper, self.lower);
+        let [omega1, omega2] = self.velocities(z);
+        // ∂T/∂Δ: what one rod's momentum gains from the other's.
+        let exchange = m2 * l1 * l2 * omega1 * omega2 * sin(z.theta1 - z.theta2);
+        DoublePhase {
+            theta1: omega1,
+            theta2: omega2,
+            p1: -exchange - (m1 + m2) * self.gravity * l1 * sin(z.theta1),
+            p2: exchange - m2 * self.gravity * l2 * sin(z.theta2),
+        }
+    }
+    // ANCHOR_END: rate
+}
+
+impl Hamiltonian for DoublePendulum {
+    /// The Hamiltonian above (J): zero where both hang at rest. Its first term is ½ (p₁ω₁ + p₂ω₂).
+    fn energy(&self, z: DoublePhase) -> f64 {
+        let [omega1, omega2] = self.velocities(z);
+        let (s1, s2) = (sin(0.5 * z.theta1), sin(0.5 * z.theta2));
+        let both = self.upper.mass + self.lower.mass;
+        0.5 * (z.p1 * omega1 + z.p2 * omega2)
+            + 2.0 * self.gravity * (both * self.upper.length * s1 * s1)
+            + 2.0 * self.gravity * (self.lower.mass * self.lower.length * s2 * s2)
+    }
+}

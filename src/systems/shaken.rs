@@ -1,0 +1,127 @@
+//! The pendulum on a shaken pivot.
+
+use core::f64::consts::PI;
+
+use crate::dynamics::Linearised;
+use crate::error::{Error, finite, not_negative, positive};
+use crate::pendulum::Pendulum;
+use crate::phase::Phase;
+use crate::sine::{cos, half_turn};
+use crate::system::{Separable, System};
+
+/// Kapitza's pendulum: its pivot moves up and down as a cos Ωt, so that the weight feels g − aΩ² cos Ωt,
+/// θ̈ + (g − aΩ² cos Ωt)/L · sin θ = 0.
+///
+/// Shaken fast and hard enough it stands on its head: for Ω ≫ √(g/L) where a²Ω² > 2gL. Exactly, small swings about the
+/// upright obey [Mathieu's equation](Mathieu), and the upright is stable between two of its characteristic curves.
+///
+/// Landau, Lifshitz, *Mechanics*, § 30, Problem 1.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Shaken {
+    pendulum: Pendulum,
+    amplitude: f64,
+    frequency: f64,
+    /// aΩ²/L, formed once (1/s²).
+    shaking: f64,
+}
+
+/// The parameters of Mathieu's equation, d²φ/dτ² + (a − 2q cos 2τ) φ = 0 (DLMF 28.2.1).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mathieu {
+    /// The constant part of the stiffness: negative where the rest is unstable without shaking.
+    pub a: f64,
+    /// Half the amplitude of its oscillating part.
+    pub q: f64,
+}
+
+impl Shaken {
+    /// `pendulum` with its pivot shaken by the `amplitude` a (m) at the angular `frequency` Ω (rad/s).
+    ///
+    /// # Errors
+    /// [`Error::Parameter`] for an a that is not finite or negative, an Ω that is not finite and positive, and where
+    /// aΩ²/L overflows.
+    pub fn new(pendulum: Pendulum, amplitude: f64, frequency: f64) -> Result<Self, Error> {
+        let amplitude = not_negative("pivot amplitude a (m)", amplitude)?;
+        let frequency = positive("pivot frequency Ω (rad/s)", frequency)?;
+        let shaking = amplitude * frequency * frequency / pendulum.length();
+        let shaking = finite("shaking a Ω²/L (1/s²)", shaking)?;
+        Ok(Self { pendulum, amplitude, frequency, shaking })
+    }
+
+    /// The pendulum on a pivot at rest.
+    pub const fn pendulum(&self) -> &Pendulum {
+        &self.pendulum
+    }
+
+    /// Amplitude a of the pivot (m).
+    pub const fn amplitude(&self) -> f64 {
+        self.amplitude
+    }
+
+    /// Angular frequency Ω of the pivot (rad/s).
+    pub const fn frequency(&self) -> f64 {
+        self.frequency
+    }
+
+    /// Period 2π/Ω of the pivot (s).
+    pub fn period(&self) -> f64 {
+        2.0 * PI / self.frequency
+    }
+
+    /// Small swings φ about the upright as Mathieu's equation in τ = Ωt/2: a = −4g/(LΩ²), and q = −2a/L with the
+    /// amplitude a of the pivot; its sign says only where in the period the time begins, so that 2a/L is given.
+    pub fn mathieu(&self) -> Mathieu {
+        let square = self.frequency * self.frequency;
+        Mathieu {
+            a: -4.0 * self.pendulum.stiffness() / square,
+            q: 2.0 * self.amplitude / self.pendulum.length(),
+        }
+    }
+
+    /// (g − aΩ² cos Ωt)/L (1/s²).
+    #[inline]
+    fn stiffness(&self, t: f64) -> f64 {
+        self.pendulum.stiffness() - self.shaking * cos(self.frequency * t)
+    }
+}
+
+impl System for Shaken {
+    type State = Phase;
+
+    #[inline]
+    fn rate(&self, t: f64, z: Phase) -> Phase {
+        Phase { theta: z.omega, omega: self.force(t, z) }
+    }
+}
+
+// ANCHOR: force
+impl Separable for Shaken {
+    type Force = f64;
+
+    #[inline]
+    fn force(&self, t: f64, z: Phase) -> f64 {
+        -self.stiffness(t) * half_turn::sin(z.theta)
+    }
+
+    #[inline]
+    fn kick(&self, z: Phase, alpha: f64, h: f64) -> Phase {
+        self.pendulum.kick(z, alpha, h)
+    }
+
+    #[inline]
+    fn drift(&self, z: Phase, h: f64) -> Phase {
+        self.pendulum.drift(z, h)
+    }
+}
+// ANCHOR_END: force
+
+impl Linearised for Shaken {
+    #[inline]
+    fn tangent(&self, t: f64, z: Phase, v: Phase) -> Phase {
+        Phase { theta: v.omega, omega: -self.stiffness(t) * cos(z.theta) * v.theta }
+    }
+
+    fn size(&self, v: Phase) -> f64 {
+        crate::dynamics::size(v, self.pendulum.small_angle_frequency())
+    }
+}
