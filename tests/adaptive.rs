@@ -196,6 +196,21 @@ fn the_first_step_follows_the_state<M: Embedded>(#[case] method: M, #[case] root
     }
 }
 
+/// Where nothing changes there is no error, and each step is ten times as long as the last.
+///
+/// Catches: a step that leaps from calm into what comes after it.
+#[apply(each_pair)]
+fn no_step_grows_more_than_tenfold<M: Embedded>(#[case] method: M) {
+    let calm = Law(|_, _| 0.0);
+    let walk = Adaptive::new(method, tolerance(1e-6)).walk(&calm, Number(0.0), 0.0, 10.0).unwrap();
+    let sizes: Vec<f64> = walk.map(|step| step.unwrap().size()).collect();
+    // All but the last, which ends at the end.
+    for pair in sizes[..sizes.len() - 1].windows(2) {
+        assert!((pair[1] / pair[0] - 10.0).abs() < 1e-12, "{sizes:?}");
+    }
+    assert_eq!(sizes.len(), 7);
+}
+
 // ---------------------------------------------------------------------------------------------------------------------
 // Fixed steps and dense output
 // ---------------------------------------------------------------------------------------------------------------------
@@ -437,6 +452,53 @@ fn the_last_step_ends_at_the_end<M: Embedded>(
     let mut walk = adaptive.walk(&pendulum, START, 3.0, 3.0).unwrap();
     assert!(walk.next().is_none() && walk.next().is_none());
     assert_eq!((walk.time(), walk.state()), (3.0, START));
+}
+
+/// Of 1000 ends, one in a hundred would leave less than a hundredth of a step for the last; of it 0.8 is asked for, as the last
+/// would not be just as long as the one before.
+///
+/// Catches: a sliver of a step at the end.
+#[apply(each_pair)]
+fn no_sliver_is_left_for_the_last_step<M: Embedded>(#[case] method: M) {
+    for n in 0..1000 {
+        let until = 1.0 + f64::from(n) / 1000.0;
+        let steps = walk(&Pendulum::PAPER, method, 1e-9, until);
+        let sizes: Vec<f64> = steps.map(|step| step.unwrap().size()).collect();
+        let &[.., before, last] = &sizes[..] else { panic!("{sizes:?}") };
+        assert!(last > 0.008 * before, "{last:e} after {before:e} to {until}");
+    }
+}
+
+/// Catches: a force asked for beyond the end, where it may not be defined; a refusal of the shortest step there is.
+#[apply(each_pair)]
+fn nothing_is_asked_beyond_the_end<M: Embedded>(#[case] method: M) {
+    let latest = std::cell::Cell::new(0.0_f64);
+    let law = Law(|t: f64, y: f64| {
+        latest.set(latest.get().max(t));
+        -4.0 * y
+    });
+    let adaptive = Adaptive::new(method, tolerance(1e-6));
+    adaptive.integrate(&law, Number(1.0), 0.0, 1e-3, &mut ()).unwrap();
+    assert_eq!(latest.get(), 1e-3);
+    let (_, counts) =
+        adaptive.integrate(&law, Number(1.0), 1e6, 1e6_f64.next_up(), &mut ()).unwrap();
+    assert_eq!((counts.accepted, latest.get()), (1, 1e6_f64.next_up()));
+}
+
+/// A walk of one step, at whose end a clock strikes.
+///
+/// Catches: a zero that is met exactly, and not crossed, taken for none.
+#[apply(each_pair)]
+fn a_zero_on_the_last_instant_is_a_crossing<M: Embedded>(#[case] method: M) {
+    let law = Law(|_, y| -4.0 * y);
+    let adaptive = Adaptive::new(method, tolerance(1e-6));
+    let end = 1.0 / 1024.0;
+    for (direction, sign) in [(Direction::Rising, 1.0), (Direction::Falling, -1.0)] {
+        let mut walk = adaptive.walk(&law, Number(1.0), 0.0, end).unwrap();
+        let crossings = walk.crossings(direction, |t, _| sign * (t - end));
+        let times: Vec<f64> = crossings.map(|crossing| crossing.unwrap().t).collect();
+        assert_eq!(times, [end]);
+    }
 }
 
 /// Catches: a loop that goes on when nobody looks any more.
