@@ -1,7 +1,7 @@
 //! Taylor series of the motion, by recurrence.
 
 use crate::method::Method;
-use crate::pendulum::Pendulum;
+use crate::pendulum::{LinearOscillator, Pendulum};
 use crate::phase::Phase;
 use crate::sine::{cos, sin};
 use crate::stepped::{Deferred, Stepped, Turned, Turning};
@@ -89,6 +89,20 @@ impl<const ALONE: bool> Analytic for Stepped<ALONE> {
     fn mean_rate<const P: usize>(&self, h: f64, z: Turned<ALONE>) -> Turning {
         let (angle, velocity) = growth::<P>(-self.kick, h, z.velocity.value(), z.sin_cos());
         Turning { angle: Deferred::from(angle), velocity: Deferred::from(velocity) }
+    }
+}
+
+impl Analytic for LinearOscillator {
+    /// θ' = ω and ω' = −(g/L) θ: each power follows from the one before.
+    fn mean_rate<const P: usize>(&self, h: f64, z: Phase) -> Phase {
+        let mut power = z;
+        let rates = core::array::from_fn::<Phase, P, _>(|k| {
+            let rate = self.rate(0.0, power) * (1.0 / (k + 1) as f64);
+            power = rate * h;
+            rate
+        });
+        // The smallest first, as above.
+        rates.iter().rev().fold(Phase::default(), |sum, rate| sum + *rate)
     }
 }
 
