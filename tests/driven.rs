@@ -103,8 +103,7 @@ fn neighbours_move_as_the_variational_equation_says() {
     }
 }
 
-/// Liouville's formula: the determinant is exp(−2β · 2π/Ω) on every path, periodic or not. Störmer–Verlet's map has it to
-/// rounding at any step, RK4's to O(h⁴).
+/// Liouville's formula: the determinant is exp(−2β · 2π/Ω) on every path, periodic or not. RK4's map has it to O(h⁴).
 ///
 /// Catches: damping missing from rate or tangent, a period that is not the drive's, a drive that leaks into the tangent.
 #[test]

@@ -99,7 +99,7 @@ fn it_stands_on_its_head_between_the_boundaries_only() {
     assert!(farthest(&shaken(0.0)) > 3.0, "falls over without shaking");
 }
 
-/// Undamped it keeps area: Störmer–Verlet's map exactly, RK4's to its order; and at rest the pivot leaves the pendulum.
+/// Undamped it keeps area, RK4's map to its order; and at rest the pivot leaves the pendulum.
 ///
 /// Catches: a friction that crept in; shaking that does not vanish with its amplitude.
 #[test]
