@@ -2,8 +2,9 @@
 
 mod properties;
 
+use pendula::methods::position_verlet::PositionVerlet;
 use pendula::methods::{stormer_verlet::StormerVerlet, symplectic_euler::SymplecticEuler};
-use pendula::study::variants::{DriftKick, PositionVerlet};
+use pendula::study::variants::DriftKick;
 use properties::conjugacy::check_pair;
 
 /// Catches: any error in one of the two that is not in the other; the position form, drift before kick, a stale force, a

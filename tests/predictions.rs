@@ -14,7 +14,7 @@ use pendula::theory::small_angle::{
     LinearRecurrence, cancelling_step, errors, floor, own_error_of_stormer_verlet,
 };
 use pendula::theory::{Prediction, largest_energy_error, predictions};
-use pendula::{Grid, LinearOscillator, METHODS, Motion, Pendulum, Phase, integrate};
+use pendula::{Grid, LinearOscillator, Motion, Pendulum, Phase, integrate};
 use rstest::rstest;
 
 static LEDGER: LazyLock<Ledger> = LazyLock::new(|| Ledger::of(&Study::run(|_| {})));

@@ -1,16 +1,13 @@
 //! The drawings of a step: they show the method itself, part by part, to the last bit.
 
-mod common;
-
-use common::each_method;
+use pendula::methods::position_verlet::PositionVerlet;
 use pendula::methods::{
     forward_euler::ForwardEuler, rk4::Rk4, stormer_verlet::StormerVerlet,
     symplectic_euler::SymplecticEuler,
 };
 use pendula::study::stencil::{Kind, Noting, Part, stencil};
-use pendula::study::variants::PositionVerlet;
 use pendula::{AnyMethod, Grid, Method, Pendulum, Phase, System, integrate};
-use rstest_reuse::apply;
+use rstest::rstest;
 
 const STEP: f64 = 0.35;
 
@@ -30,7 +27,11 @@ fn parts<M: for<'a> Method<Noting<'a>>>(method: &M, start: Phase) -> Vec<Part> {
 
 /// Catches: a drawing whose end is not the method's step, with the bits of the time loop; arrows that do not begin where the
 /// one before ends; a kick for the next step drawn into this one.
-#[apply(each_method)]
+#[rstest]
+#[case::forward_euler(ForwardEuler)]
+#[case::symplectic_euler(SymplecticEuler)]
+#[case::rk4(Rk4)]
+#[case::stormer_verlet(StormerVerlet)]
 fn the_parts_lead_to_the_methods_own_end<M>(#[case] method: M)
 where
     M: AnyMethod + Method<Pendulum> + for<'a> Method<Noting<'a>>,

@@ -1,7 +1,6 @@
-//! Methods that the paper might have meant but did not use: its numbers tell them apart.
+//! A method that the paper might have meant but did not use: its numbers tell the two apart.
 
 use crate::method::{Described, Method, Properties};
-use crate::methods::stormer_verlet::StormerVerlet;
 use crate::methods::symplectic_euler::SymplecticEuler;
 use crate::system::Separable;
 
@@ -26,31 +25,5 @@ impl<S: Separable> Method<S> for DriftKick {
     fn step(&self, system: &S, t: f64, h: f64, z: S::State, _memo: &mut ()) -> S::State {
         let z = system.drift(z, h);
         system.kick(z, system.force(t + h, z), h)
-    }
-}
-
-/// Störmer–Verlet in position form: half a drift, a kick, half a drift.
-///
-/// Order 2, symplectic, symmetric, one force evaluation a step. Hairer, Lubich, Wanner (2006), Sect. I.1.4.
-#[derive(Clone, Copy, Debug)]
-pub struct PositionVerlet;
-
-impl Described for PositionVerlet {
-    fn properties(&self) -> Properties {
-        let name = "position-verlet";
-        Properties { name, start_evaluations: 0, ..StormerVerlet.properties() }
-    }
-}
-
-impl<S: Separable> Method<S> for PositionVerlet {
-    type Memo = ();
-
-    fn start(&self, _system: &S, _t: f64, _h: f64, _z: S::State) {}
-
-    #[inline]
-    fn step(&self, system: &S, t: f64, h: f64, z: S::State, _memo: &mut ()) -> S::State {
-        let z = system.drift(z, 0.5 * h);
-        let z = system.kick(z, system.force(t + 0.5 * h, z), h);
-        system.drift(z, 0.5 * h)
     }
 }

@@ -4,7 +4,7 @@ use core::ops::{Add, Mul};
 
 use crate::error::{Error, finite, positive};
 use crate::pendulum::angle;
-use crate::phase::Vector;
+use crate::phase::{Components, Vector};
 use crate::sine::{cos, sin};
 use crate::system::{Hamiltonian, System};
 
@@ -81,6 +81,16 @@ impl Mul<f64> for DoublePhase {
 }
 
 impl Vector for DoublePhase {}
+
+impl Components for DoublePhase {
+    #[inline]
+    fn compare(self, other: Self, displacement: Self, mut each: impl FnMut(f64, f64, f64)) {
+        each(self.theta1, other.theta1, displacement.theta1);
+        each(self.theta2, other.theta2, displacement.theta2);
+        each(self.p1, other.p1, displacement.p1);
+        each(self.p2, other.p2, displacement.p2);
+    }
+}
 
 impl DoublePendulum {
     /// Under `gravity` g (m/s²), the joint `upper` and the joint `lower`.

@@ -4,7 +4,7 @@ use core::f64::consts::PI;
 use core::ops::{Add, Mul};
 
 use crate::error::{Error, normal, positive};
-use crate::phase::Vector;
+use crate::phase::{Components, Vector};
 use crate::sine::{cos, sin};
 use crate::system::{Hamiltonian, Separable, System};
 
@@ -68,6 +68,16 @@ impl Mul<f64> for PlanePhase {
 }
 
 impl Vector for PlanePhase {}
+
+impl Components for PlanePhase {
+    #[inline]
+    fn compare(self, other: Self, displacement: Self, mut each: impl FnMut(f64, f64, f64)) {
+        each(self.x, other.x, displacement.x);
+        each(self.y, other.y, displacement.y);
+        each(self.vx, other.vx, displacement.vx);
+        each(self.vy, other.vy, displacement.vy);
+    }
+}
 
 impl Kepler {
     /// A centre of the `attraction` μ = G M (m³/s²).

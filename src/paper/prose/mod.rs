@@ -13,6 +13,7 @@ use super::Verdict::{
 };
 use super::measure::row_id;
 use super::{Claim, Measured, Tolerance};
+use crate::methods::position_verlet::PositionVerlet;
 use crate::methods::{
     forward_euler::ForwardEuler, rk4::Rk4, stormer_verlet::StormerVerlet,
     symplectic_euler::SymplecticEuler,
@@ -20,7 +21,7 @@ use crate::methods::{
 use crate::order::slopes;
 use crate::paper::number::Format::{self, Fixed, Scientific, Significant};
 use crate::study::properties::{AREA_TOLERANCE, EnergyBehaviour};
-use crate::study::variants::{DriftKick, PositionVerlet};
+use crate::study::variants::DriftKick;
 use crate::study::{
     STEPS, Study, convergence, findings, long_run, phase_portrait, small_angle, work,
 };
