@@ -53,7 +53,6 @@ pub mod ensemble;
 pub mod error;
 pub mod exact;
 pub mod grid;
-pub mod implicit;
 pub mod integrate;
 pub mod method;
 pub mod methods;
@@ -75,7 +74,6 @@ pub mod swing;
 pub mod system;
 pub mod systems;
 pub mod tableau;
-pub mod taylor;
 #[cfg(feature = "study")]
 pub mod theory;
 

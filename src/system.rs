@@ -78,14 +78,8 @@ impl<S> Counting<S> {
         self.evaluations.get()
     }
 
-    /// Counts `evaluations` more.
-    pub(crate) fn count(&self, evaluations: u64) {
-        self.evaluations.set(self.evaluations.get() + evaluations);
-    }
-
-    /// The system, to be asked without being counted.
-    pub(crate) const fn system(&self) -> &S {
-        &self.system
+    fn count(&self) {
+        self.evaluations.set(self.evaluations.get() + 1);
     }
 }
 
@@ -93,7 +87,7 @@ impl<S: System> System for Counting<S> {
     type State = S::State;
 
     fn rate(&self, t: f64, z: Self::State) -> Rate<Self> {
-        self.count(1);
+        self.count();
         self.system.rate(t, z)
     }
 }
@@ -102,7 +96,7 @@ impl<S: Separable> Separable for Counting<S> {
     type Force = S::Force;
 
     fn force(&self, t: f64, z: Self::State) -> Self::Force {
-        self.count(1);
+        self.count();
         self.system.force(t, z)
     }
 

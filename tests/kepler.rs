@@ -3,7 +3,7 @@
 mod common;
 
 use approx::assert_abs_diff_eq;
-use common::each_general_method;
+use common::each_method;
 use pendula::methods::rk4::Rk4;
 use pendula::methods::stormer_verlet::StormerVerlet;
 use pendula::methods::symplectic_euler::SymplecticEuler;
@@ -92,7 +92,7 @@ const SLOPE_TOLERANCE: f64 = 0.05;
 /// by rungs on which the error falls by 16, or by 2 to the power of the order if that is less; its two finest slopes count.
 ///
 /// Catches: a coefficient that happens to be right for a force in one dimension, or for one that is nearly linear.
-#[apply(each_general_method)]
+#[apply(each_method)]
 fn each_method_has_its_order<M: Method<Kepler> + Described>(#[case] method: M) {
     let properties = method.properties();
     let order = f64::from(properties.order);

@@ -45,6 +45,13 @@ const PHASES: usize = 128;
 /// An error (rad) beyond which the coefficients are taken from a shorter run, since the law is one of small errors.
 const LARGE: f64 = 0.03;
 
+/// Steps a period from which the error follows the law; of coarser steps the map knows no more than it has seen.
+///
+/// Each period meets the same phases again, and what a step does to the action beyond all powers of h, e^{−c/h}, adds up
+/// where it should cancel: with ten steps a period Blanes and Moan's method of order 6 is a hundred times worse after 5000
+/// periods than its first 256 say.
+pub const COARSE: u64 = 24;
+
 /// How many times more than what rounding may have to do with it a measured error must be to count.
 const CLEAR: f64 = 10.0;
 
@@ -149,6 +156,8 @@ struct Rung {
     periods: u64,
     /// e₀, e₁, e₂ (rad) at each phase.
     growth: Vec<[f64; 3]>,
+    /// Where the steps are coarse: the largest error (rad) in the first, the first two … periods, as measured.
+    seen: Vec<f64>,
 }
 
 /// Measures every method of the library.
@@ -184,6 +193,15 @@ impl Rung {
                 errors.push(z.theta - truth[((n - 1) % steps) as usize].theta);
             }
         });
+        let largest = |largest: &mut f64, period: &[f64]| {
+            *largest = period.iter().fold(*largest, |largest, e| libm::fmax(largest, e.abs()));
+            Some(*largest)
+        };
+        let seen = if steps < COARSE {
+            errors.chunks(truth.len()).scan(0.0, largest).collect()
+        } else {
+            Vec::new()
+        };
         let period = |n: u64| &errors[(n * steps) as usize..][..truth.len()];
         let small = |n: u64| period(n).iter().all(|error| error.abs() < LARGE);
         while half > 1 && !small(2 * half) {
@@ -198,11 +216,15 @@ impl Rung {
         };
         let growth = period(0).iter().zip(period(half)).zip(period(2 * half)).map(fit);
         let growth = growth.step_by((truth.len() / PHASES).max(1)).collect();
-        Self { steps, periods: 2 * half, growth }
+        let periods = if seen.is_empty() { 2 * half } else { seen.len() as u64 };
+        Self { steps, periods, growth, seen }
     }
 
     /// The largest error (rad) at any phase of any of so many periods.
     fn error(&self, periods: u64) -> f64 {
+        if let Some(largest) = self.seen.get(periods as usize - 1) {
+            return *largest;
+        }
         let last = periods as f64 - 1.0;
         let largest = |[e0, e1, e2]: &[f64; 3]| {
             let at = |n: f64| (e0 + n * (e1 + n * e2)).abs();
@@ -223,7 +245,7 @@ impl Rung {
         let (by, drift) = (libm::pow(factor, -order), libm::pow(factor, -drift));
         let growth = self.growth.iter().map(|[e0, e1, e2]| [e0 * by, e1 * by, e2 * drift]);
         let steps = (self.steps as f64 * factor) as u64;
-        Self { steps, periods: self.periods, growth: growth.collect() }
+        Self { steps, periods: self.periods, growth: growth.collect(), seen: Vec::new() }
     }
 }
 
@@ -238,8 +260,9 @@ impl Profile {
             let carried = if rung.drift() > 0.0 { 4.0 * beyond * beyond } else { beyond };
             rung.error(periods) > CLEAR * carried * rounding
         };
-        let mut rungs: Vec<Rung> =
-            self.rungs.iter().take_while(|rung| clear(rung)).cloned().collect();
+        let coarse = |rung: &&Rung| rung.steps < COARSE && rung.periods < periods;
+        let rungs = self.rungs.iter().skip_while(coarse);
+        let mut rungs: Vec<Rung> = rungs.take_while(|rung| clear(rung)).cloned().collect();
         let order = f64::from(self.method.properties().order);
         if let [.., coarse, _, last] = &rungs[..] {
             let octaves = libm::log2(last.steps as f64 / coarse.steps as f64);

@@ -5,8 +5,8 @@ use std::io::Read;
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
+use pendula::adaptive::dop853::Dop853;
 use pendula::adaptive::{Adaptive, Tolerance};
-use pendula::methods::dop853::Dop853;
 use pendula::methods::rk4::Rk4;
 use pendula::methods::stormer_verlet::StormerVerlet;
 use pendula::systems::Joint;
