@@ -1,5 +1,6 @@
 //! Order of convergence: the slopes along a ladder of steps, with the rounding floor masked.
 
+// ANCHOR: slopes
 /// The slope log(e₁/e₀) / log(h₁/h₀) of each pair of neighbours on a ladder of steps.
 ///
 /// `steps` (s) and `errors` run together, in either direction. A pair in which an error has reached `floor`, the
@@ -15,6 +16,7 @@ pub fn slopes<'a>(
         (above(e[0]) && above(e[1])).then(|| libm::log(e[1] / e[0]) / libm::log(h[1] / h[0]))
     })
 }
+// ANCHOR_END: slopes
 
 /// Whether the `error` of a method of this `order` is its own and no luck, going by that of half the step, `finer`.
 ///

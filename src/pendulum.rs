@@ -98,6 +98,7 @@ impl Pendulum {
         self.depth
     }
 
+    // ANCHOR: energy
     #[inline]
     fn energy_with(&self, sine_of_half: f64, z: Phase) -> f64 {
         self.kinetic(z) + 2.0 * self.depth() * sine_of_half * sine_of_half
@@ -107,6 +108,7 @@ impl Pendulum {
     fn kinetic(&self, z: Phase) -> f64 {
         0.5 * (self.inertia * z.omega * z.omega)
     }
+    // ANCHOR_END: energy
 }
 
 impl System for Pendulum {
@@ -139,7 +141,6 @@ impl Separable for Pendulum {
 }
 // ANCHOR_END: force
 
-// ANCHOR: energy
 impl Hamiltonian for Pendulum {
     /// ½ m L² ω² + 2 m g L sin²(θ/2) (J): the paper's Eq. 3 plus m g L, without the cancellation in 1 − cos θ.
     #[inline]
@@ -168,7 +169,6 @@ fn energies_with(
         *energy = pendulum.energy_with(sine(0.5 * z.theta), *z);
     }
 }
-// ANCHOR_END: energy
 
 /// The linear oscillator θ̈ + (g/L) θ = 0: the pendulum as a small angle sees it (paper, Section 3.3).
 ///

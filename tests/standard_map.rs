@@ -15,6 +15,7 @@ use std::f64::consts::PI;
 use approx::assert_relative_eq;
 use pendula::methods::stormer_verlet::StormerVerlet;
 use pendula::methods::symplectic_euler::SymplecticEuler;
+use pendula::study::standard_map::{PARAMETERS, golden, orbits, step};
 use pendula::{Grid, Method, Observer, Pendulum, Phase, Separable, integrate};
 use rstest::rstest;
 
@@ -247,4 +248,41 @@ fn far_above_the_diffusion_is_that_of_random_kicks() {
     let rate = mean / f64::from(steps);
     // Scatter √(2/1024) = 4.4 %; terms in J₁², J₃² are (2 · 0.277² + 2 · 0.115²) = 18 % against J₂'s 49 %.
     assert_relative_eq!(rate, 0.5 * k * k * (1.0 + 2.0 * 0.2429), max_relative = 0.35);
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// The portraits
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// In the book's portraits nothing escapes below the last torus; above it at least the six orbits of the chaotic layer do.
+///
+/// Catches: a step at which the map has another K; an escape counted where the picture was folded, or never.
+#[test]
+fn orbits_escape_in_the_last_portrait_only() {
+    let escaped = PARAMETERS.map(|k| orbits(k).iter().filter(|orbit| orbit.escapes).count());
+    assert!(escaped[0] == 0 && escaped[1] == 0 && escaped[2] >= 6, "{escaped:?}");
+    for orbit in PARAMETERS.into_iter().flat_map(orbits) {
+        let inside = |(theta, u): &(f64, f64)| theta.abs() <= PI && u.abs() <= PI;
+        assert!(orbit.points.len() > 200 && orbit.points.iter().all(inside));
+    }
+    assert!((step(CRITICAL) - 0.314_71).abs() < 5e-6);
+}
+
+/// On the last curve u is a function of θ, and the map and its inverse, θ' = θ + u − K sin θ and θ − u, keep the order of the
+/// points on it: so the slope of u lies between −(1 + K) and 1. The golden mean's first 233 points are 2π/233 · √5 apart at most
+/// where they lie evenly, 0.06; the bent curve stretches that by less than 3. An orbit off the curve jumps by more than either.
+///
+/// Catches: a bisection that ends in an island or in the sea; a golden mean of another sign; a curve drawn where there is none.
+#[rstest]
+#[case(0.5, true)]
+#[case(0.97, true)]
+#[case(1.2, false)]
+fn the_last_curve_is_a_curve_while_it_lasts(#[case] k: f64, #[case] stays: bool) {
+    let golden = golden(k);
+    let pairs = golden.points.windows(2).map(|pair| (pair[1].0 - pair[0].0, pair[1].1 - pair[0].1));
+    let is_curve = pairs.clone().all(|(gap, rise)| rise < gap && rise > -(1.0 + k) * gap);
+    let widest = pairs.map(|(gap, _)| gap).fold(0.0, f64::max);
+    assert_eq!(golden.escapes, !stays);
+    assert_eq!(is_curve, stays);
+    assert!(!stays || widest < 0.18, "a gap of {widest}");
 }

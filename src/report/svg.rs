@@ -1,6 +1,6 @@
 //! Series to SVG: the charts of the book, in one visual language, with the same bytes everywhere.
 //!
-//! A [`Figure`] is one [`Chart`] or several, stacked. Its lines and markers carry classes whose
+//! A [`Figure`] is one [`Chart`] or several, stacked or side by side. Its lines and markers carry classes whose
 //! colours follow the book's theme, or the reader's preference where the SVG stands alone.
 //!
 //! ```
@@ -31,28 +31,38 @@ use plot::Plot;
 use text::{draw_text, escape, line, width};
 
 const WIDTH: f64 = 600.0;
+/// Room to the right of a plot, for half a tick label.
+const RIGHT: f64 = 20.0;
 /// Height of a line of text.
 const ROW: f64 = 25.0;
 
-/// A picture: one chart, or several below each other with one legend.
+/// A picture: one chart, or several below or beside each other with one legend.
 #[derive(Clone, Debug)]
 pub struct Figure {
     title: String,
     description: String,
     panels: Vec<Chart>,
+    columns: usize,
 }
 
 impl Figure {
     /// An empty figure. Title and description are for those who do not see it: the description
     /// says in words what the picture shows.
     pub fn new(title: impl Into<String>, description: impl Into<String>) -> Self {
-        Self { title: title.into(), description: description.into(), panels: Vec::new() }
+        let (title, description) = (title.into(), description.into());
+        Self { title, description, panels: Vec::new(), columns: 1 }
     }
 
     /// With one more chart below the others. Charts with the same x axis share its label.
     pub fn panel(mut self, chart: Chart) -> Self {
         self.panels.push(chart);
         self
+    }
+
+    /// The charts stand in rows of `count`, filled from the left. A chart whose left neighbour has the
+    /// same y axis does not repeat what is written on it.
+    pub fn columns(self, count: usize) -> Self {
+        Self { columns: count.max(1), ..self }
     }
 
     /// The `<svg>` element, one element a line, without a blank line.
@@ -70,11 +80,26 @@ impl Figure {
         let charts = self.panels.iter().zip(&scales);
         let labels = charts.clone().flat_map(|(chart, (_, y))| y.ticks(chart.y_ticks()));
         let widths = labels.filter_map(|tick| tick.label).map(|label| width(&label));
-        let left = widths.fold(24.0, f64::max) + 14.0;
-        for (i, (chart, (x, y))) in charts.enumerate() {
-            let shared = self.panels.get(i + 1).is_some_and(|next| next.x == chart.x);
-            let clip = format!("{id}-clip-{i}");
-            top = Plot::new(chart, x, y, left, top).draw(&mut body, &clip, !shared);
+        let margin = widths.fold(24.0, f64::max) + 14.0;
+        let rows = self.panels.chunks(self.columns).zip(scales.chunks(self.columns));
+        for (row, (charts, scales)) in rows.enumerate() {
+            let repeats = |i: usize| i > 0 && charts[i - 1].y == charts[i].y;
+            let margins = (0..self.columns.min(charts.len()))
+                .map(|i| if repeats(i) { 0.0 } else { margin })
+                .collect::<Vec<_>>();
+            let free = WIDTH - margins.iter().sum::<f64>() - RIGHT * self.columns as f64;
+            let (mut edge, mut bottom) = (0.0, top);
+            for (i, (chart, (x, y))) in charts.iter().zip(scales).enumerate() {
+                let index = row * self.columns + i;
+                let below = self.panels.get(index + self.columns);
+                let written = [below.is_none_or(|next| next.x != chart.x), !repeats(i)];
+                let left = edge + margins[i];
+                let right = left + free / self.columns as f64;
+                let plot = Plot::new(chart, [x, y], written, [edge, left, right], top);
+                bottom = plot.draw(&mut body, &format!("{id}-clip-{index}")).max(bottom);
+                edge = right + RIGHT;
+            }
+            top = bottom;
         }
         format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" id=\"{id}\" class=\"pendula\" width=\"100%\" \
@@ -90,24 +115,40 @@ impl Figure {
     /// Draws the legend in even columns and returns where it ends.
     fn draw_legend(&self, out: &mut String) -> f64 {
         const SWATCH: f64 = 46.0;
-        let mut entries: Vec<&Series> = Vec::new();
-        for series in self.panels.iter().flat_map(|chart| &chart.series) {
-            let known = entries.iter().any(|e| e.label == series.label && e.style == series.style);
-            if !(series.label.is_empty() || series.style.is_guide() || known) {
-                entries.push(series);
+        let mut entries: Vec<(&str, Vec<Style>)> = Vec::new();
+        for Series { label, style, .. } in self.panels.iter().flat_map(|chart| &chart.series) {
+            if label.is_empty() || style.is_guide() {
+                continue;
+            }
+            match entries.iter_mut().find(|(known, _)| known == label) {
+                Some((_, styles)) if styles.contains(style) => {}
+                Some((_, styles)) => styles.push(*style),
+                None => entries.push((label, vec![*style])),
             }
         }
-        let widest = entries.iter().map(|e| width(&e.label)).fold(0.0, f64::max) + SWATCH + 18.0;
+        let widest = entries.iter().map(|e| width(e.0)).fold(0.0, f64::max) + SWATCH + 18.0;
         let columns = ((WIDTH / widest).floor() as usize).clamp(1, 4);
         let rows = entries.len().div_ceil(columns);
-        for (i, Series { label, style, .. }) in entries.into_iter().enumerate() {
+        for (i, (label, styles)) in entries.into_iter().enumerate() {
             // Down the columns, so that the order of the list is kept within each.
             let (x, y) = ((i / rows) as f64 * widest, (i % rows) as f64 * ROW + 13.0);
-            if style.has_line() {
-                let d = format!("M{},{}h36", Num(x + 1.0), Num(y));
+            for style in styles.iter().filter(|style| style.has_line()) {
+                let mut ends = [(x + 1.0, y), (x + 37.0, y)];
+                let head = style.is_arrow().then(|| path::head(&mut ends, 0.0)).flatten();
+                let d = match style.is_filled() {
+                    true => format!("M{},{}h36v14h-36z", Num(x + 1.0), Num(y - 7.0)),
+                    false => format!("M{},{}h{}", Num(x + 1.0), Num(y), Num(ends[1].0 - ends[0].0)),
+                };
                 line(out, format!(r#"<path {} d="{d}"/>"#, style.line_attributes()));
+                if let Some(head) = head {
+                    line(out, style.head(head, ""));
+                }
             }
-            if style.has_marker() {
+            for style in styles.iter().filter(|style| style.is_dots()) {
+                let sprinkle = [(4.0, -2.0), (10.0, 4.0), (19.0, 0.0), (27.0, -4.0), (33.0, 3.0)];
+                line(out, style.dotted(sprinkle.map(|(dx, dy)| (x + dx, y + dy)).to_vec()));
+            }
+            for style in styles.iter().filter(|style| style.has_marker()) {
                 line(out, style.markers([(x + 19.0, y)]));
             }
             draw_text(out, "", (x + SWATCH, y + 6.0), "start", label);
@@ -121,6 +162,7 @@ impl Figure {
 pub struct Chart {
     x: Axis,
     y: Axis,
+    heading: String,
     height: Option<f64>,
     series: Vec<Series>,
     marks: Vec<Mark>,
@@ -155,7 +197,13 @@ enum Mark {
 impl Chart {
     /// An empty chart, 300 units high (600 are its width).
     pub const fn new(x: Axis, y: Axis) -> Self {
-        Self { x, y, height: Some(300.0), series: Vec::new(), marks: Vec::new() }
+        let heading = String::new();
+        Self { x, y, heading, height: Some(300.0), series: Vec::new(), marks: Vec::new() }
+    }
+
+    /// With a line of text above all else, to tell the chart from its neighbours.
+    pub fn heading(self, text: impl Into<String>) -> Self {
+        Self { heading: text.into(), ..self }
     }
 
     /// The plot is this many units high.
@@ -168,8 +216,8 @@ impl Chart {
         Self { height: None, ..self }
     }
 
-    /// With a series. Those of the same label and style share an entry of the legend; those with
-    /// an empty label have none.
+    /// With a series. Those of the same label share an entry of the legend, such as a line of
+    /// theory and the markers on it; those with an empty label have none.
     ///
     /// Points that are not finite (or beyond 1e300), or not positive on a logarithmic axis, leave
     /// a gap.
@@ -346,6 +394,74 @@ mod tests {
         assert_eq!(value("width"), value("height"));
     }
 
+    /// The `x`, `y`, `width` and `height` of each chart's plot.
+    fn plots(svg: &str) -> Vec<[f64; 4]> {
+        let rects = svg.lines().filter_map(|line| line.split_once("<rect ")).map(|(_, rect)| {
+            let mut values = rect.split('"').skip(1).step_by(2).map(str::parse);
+            core::array::from_fn(|_| values.next().unwrap().unwrap())
+        });
+        rects.collect()
+    }
+
+    /// Catches: plots side by side of unlike size, or that overlap; rows out of line; the numbers of an axis written twice
+    /// though the neighbour has them, or left out though it has others; a heading lost.
+    #[test]
+    fn charts_stand_in_rows_and_columns() {
+        let chart = |y: &str, heading: &str| {
+            Chart::new(Axis::linear("x"), Axis::linear(y).range(0.0, 3.0).ticks([(1.0, "one")]))
+                .heading(heading)
+        };
+        let of = |third: &str| {
+            let charts = [chart("y", "A"), chart("y", "B"), chart("y", ""), chart(third, "D")];
+            charts.into_iter().fold(Figure::new("t", "d").columns(2), Figure::panel).to_svg("x")
+        };
+        for (svg, written) in [(of("y"), 2), (of("z"), 3)] {
+            let [a, b, c, d] = plots(&svg)[..] else { panic!("four plots: {svg}") };
+            assert!(a[2..] == b[2..] && c[2..] == d[2..] && a[0] == c[0], "{:?}", [a, b, c, d]);
+            assert!(
+                a[1] == b[1] && a[0] + a[2] < b[0] && c[0] + c[2] < d[0] && d[0] + d[2] < 600.0
+            );
+            assert!(a[1] + a[3] < c[1] && a[1] + a[3] < d[1]);
+            let count = |text: &str| svg.matches(&format!(">{text}</text>")).count();
+            assert_eq!(count("y") + count("z"), written);
+            assert_eq!(count("one"), written);
+            assert_eq!((count("x"), count("A"), count("B"), count("D")), (2, 1, 1, 1));
+        }
+    }
+
+    /// Catches: an arrow's head under the marker at its end, or away from it where there is none.
+    #[test]
+    fn an_arrow_stops_short_of_a_marker() {
+        let chart =
+            Chart::new(Axis::linear("x").range(0.0, 1.0), Axis::linear("y").range(0.0, 1.0));
+        let chart = chart.series("", Style::numbered(0).arrow(), [(0.0, 0.5), (1.0, 0.5)]);
+        let tip = |chart: Chart| -> f64 {
+            let svg = Figure::new("t", "d").panel(chart).to_svg("x");
+            let head = svg.lines().find(|line| line.contains("class=\"dot")).unwrap();
+            head.split(" d=\"M").nth(1).unwrap().split(',').next().unwrap().parse().unwrap()
+        };
+        assert_eq!(tip(chart.clone()), WIDTH - RIGHT);
+        let marked = chart.series("", Style::TRUE_POINT, [(1.0, 0.5)]);
+        assert_eq!(tip(marked), WIDTH - RIGHT - 7.0);
+    }
+
+    /// Catches: a shape that is left open, or whose ground is not shaded; a rule that every other figure has to carry.
+    #[test]
+    fn a_filled_shape_is_closed() {
+        let triangle = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0)];
+        let of = |style| {
+            let chart = Chart::new(Axis::linear("x"), Axis::linear("y"));
+            Figure::new("t", "d").panel(chart.series("a", style, triangle)).to_svg("x")
+        };
+        let svg = of(Style::REFERENCE.filled());
+        let shapes: Vec<_> = svg.lines().filter(|line| line.contains("\"line fill\"")).collect();
+        assert!(
+            shapes.len() == 2 && shapes.iter().all(|shape| shape.contains("z\"")),
+            "{shapes:?}"
+        );
+        assert!(svg.contains(".fill {") && !of(Style::REFERENCE).contains("fill {"));
+    }
+
     /// Catches: a label that hides a curve though there is free room beside it.
     #[test]
     fn labels_avoid_the_data() {
@@ -363,6 +479,24 @@ mod tests {
             y("halo\" x", " y=\"") > y("class=\"mark\"", ","),
             "below, away from the curve above"
         );
+    }
+
+    /// Catches: an entry for the line and another for its markers; dots that are thinned as the markers of a line
+    /// are, or drawn outside the plot.
+    #[test]
+    fn a_legend_has_one_entry_a_label() {
+        let style = Style::numbered(1);
+        let points = |n: u32| (0..n).map(|i| (f64::from(i), f64::from(i % 7)));
+        let axis = |label| Axis::linear(label).range(0.0, 99.0);
+        let chart = Chart::new(axis("x"), Axis::linear("y"))
+            .series("law", style.line_only(), points(9))
+            .series("law", style.markers_only(), points(9))
+            .series("cloud", Style::REFERENCE.dots(), points(200));
+        let svg = Figure::new("t", "d").panel(chart).to_svg("x");
+        assert_eq!(svg.matches(">law</text>").count(), 1);
+        let dots: Vec<usize> =
+            svg.lines().map(|line| line.matches("h0").count()).filter(|n| *n > 0).collect();
+        assert_eq!(dots, [5, 100]);
     }
 
     /// Catches: an empty figure or chart that panics.

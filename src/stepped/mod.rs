@@ -134,6 +134,7 @@ impl<const ALONE: bool> System for Stepped<ALONE> {
     }
 }
 
+// ANCHOR: separable
 impl<const ALONE: bool> Separable for Stepped<ALONE> {
     type Force = Deferred;
 
@@ -156,3 +157,4 @@ impl<const ALONE: bool> Separable for Stepped<ALONE> {
         z.turn(z.velocity * h)
     }
 }
+// ANCHOR_END: separable

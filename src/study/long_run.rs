@@ -44,6 +44,7 @@ impl Row {
     }
 }
 
+// ANCHOR: run
 /// Runs each method.
 pub fn run() -> Vec<Row> {
     each_method(|method| {
@@ -70,6 +71,7 @@ pub fn run() -> Vec<Row> {
         }
     })
 }
+// ANCHOR_END: run
 
 /// H(t) − H(0) (J) at every `every`-th step, for Figure 3.
 pub fn energy(method: MethodRef, every: u64) -> Vec<(f64, f64)> {

@@ -3,13 +3,20 @@
 //! The parameters are the paper's own (its Sections 5.1 and 5.2). Nothing here formats or judges: rows become tables
 //! and figures in [`report`](crate::report), and meet what the paper states in [`paper`](crate::paper).
 
+pub mod area;
+pub mod choice;
 pub mod convergence;
 pub mod findings;
 pub mod large_angle;
+pub mod level_curves;
 pub mod long_run;
 pub mod phase_portrait;
 pub mod properties;
+pub mod readings;
+pub mod rounding_walk;
 pub mod small_angle;
+pub mod standard_map;
+pub mod stencil;
 pub mod variants;
 pub mod work;
 

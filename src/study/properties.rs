@@ -137,6 +137,7 @@ const DELTA: f64 = 1e-4;
 /// order 1, and by truncation, δ²/6 times a third derivative of order h² g/L ≈ 0.1 times a slope of order 1: 2e-10.
 pub const AREA_TOLERANCE: f64 = 5e-10;
 
+// ANCHOR: area_defect
 /// det J − 1 of one step of `h` (s) at `z`, by central differences: by how much the step inflates area in phase space.
 pub fn area_defect(method: &dyn AnyMethod, pendulum: &Pendulum, z: Phase, h: f64) -> f64 {
     let one_step = Grid::new(h, 1).expect("a positive step");
@@ -149,6 +150,7 @@ pub fn area_defect(method: &dyn AnyMethod, pendulum: &Pendulum, z: Phase, h: f64
     let (j12, j22) = along(image(z.theta, z.omega + DELTA), image(z.theta, z.omega - DELTA));
     j11 * j22 - j12 * j21 - 1.0
 }
+// ANCHOR_END: area_defect
 
 /// Evaluations a step: the difference between a run of 1001 steps and one of a single step, so that what a method
 /// does once before it begins does not count.

@@ -1,22 +1,43 @@
-//! How far the pendulum's energy strays along a level curve of the energy that a symplectic method conserves.
+//! The level curve of the energy that a symplectic method conserves, and how far the pendulum's energy strays along it.
+//!
+//! The curve H̃ = H̃₀ through the release from rest at some angle is sought in coordinates in which H is one of the two:
+//! with H = 2κ²,
+//!
+//! sin(θ/2) = κ sin φ,  q = 2κ cos φ.
+//!
+//! At each φ the energy is the fixed point of H = H̃₀ − (H̃ − H), found in a dozen rounds as the correction is small. A curve
+//! that leaves the well has no such points, and the answer is NaN.
 
 use super::Point;
 use crate::sine::{cos, sin};
 
-/// Largest |H − H₀| in units of m g L along the curve H̃ = H̃₀ through the release from rest at `theta_0` (rad).
-///
-/// `correction` is H̃ − H. The curve is sought in coordinates in which H is one of the two: with H = 2κ²,
-///
-/// sin(θ/2) = κ sin φ,  q = 2κ cos φ.
-///
-/// At each φ the energy is the fixed point of H = H̃₀ − (H̃ − H), found in a dozen rounds as the correction is small. A curve
-/// that leaves the well has no such points, and the answer is NaN.
+/// Largest |H − H₀| in units of m g L along the curve through the release from rest at `theta_0` (rad); `correction` is H̃ − H.
 pub(super) fn largest_energy_error(theta_0: f64, correction: impl Fn(Point) -> f64) -> f64 {
+    let deviation = deviation(theta_0, correction);
+    maximum(|phi| libm::fabs(deviation(phi)))
+}
+
+/// The curve through the release from rest at `theta_0` (rad), as `count` points at even phases and the first once more.
+pub(super) fn points(
+    theta_0: f64,
+    correction: impl Fn(Point) -> f64,
+    count: u32,
+) -> impl Iterator<Item = Point> {
+    let energy = Point::new(theta_0, 0.0).energy();
+    let deviation = deviation(theta_0, correction);
+    (0..=count).map(move |n| {
+        let phi = 2.0 * core::f64::consts::PI * (f64::from(n % count) / f64::from(count));
+        swinging(energy + deviation(phi), phi)
+    })
+}
+
+/// H − H₀ on the curve, as a function of the phase (rad).
+fn deviation(theta_0: f64, correction: impl Fn(Point) -> f64) -> impl Fn(f64) -> f64 {
     /// Enough for corrections whose slope is below ½.
     const ROUNDS: usize = 60;
     let start = Point::new(theta_0, 0.0);
     let (energy, offset) = (start.energy(), correction(start));
-    let deviation = |phi: f64| {
+    move |phi: f64| {
         let mut deviation = 0.0;
         for _ in 0..ROUNDS {
             let next = offset - correction(swinging(energy + deviation, phi));
@@ -25,9 +46,8 @@ pub(super) fn largest_energy_error(theta_0: f64, correction: impl Fn(Point) -> f
             }
             deviation = next;
         }
-        libm::fabs(deviation)
-    };
-    maximum(deviation)
+        deviation
+    }
 }
 
 /// The point at the phase `phi` (rad) of the exact orbit with that energy.

@@ -36,7 +36,7 @@ pub mod symplectic_euler;
 
 pub use orbit::average;
 pub use point::Point;
-pub use predictions::{Prediction, predictions};
+pub use predictions::{Prediction, largest_energy_error, predictions};
 
 use crate::Pendulum;
 

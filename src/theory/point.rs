@@ -27,6 +27,11 @@ impl Point {
         Self::new(z.theta, z.omega / pendulum.small_angle_frequency())
     }
 
+    /// The point in the phase space of `pendulum`.
+    pub fn phase(&self, pendulum: &Pendulum) -> Phase {
+        Phase { theta: self.theta, omega: self.q * pendulum.small_angle_frequency() }
+    }
+
     /// Energy above the bottom in units of m g L, q²/2 + 1 − cos θ, without the cancellation in 1 − cos θ.
     pub fn energy(&self) -> f64 {
         let s = sin(0.5 * self.theta);

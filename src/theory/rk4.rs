@@ -109,3 +109,20 @@ pub fn period_shift(pendulum: &Pendulum, theta_0: f64) -> f64 {
     let stiffness = pendulum.stiffness();
     stiffness * stiffness * (-delta_theta / q / quarter)
 }
+
+/// The two terms of what RK4 adds to the period (s), from rest at `theta_0` (rad) in steps of `h` (s), as seen between the
+/// first two downward crossings of zero: h⁴τ₄T, and dT/dE times the energy lost until the middle between them, 3T/4. They
+/// are of opposite sign, and at some step they cancel.
+///
+/// Left out are the square of the loss, and x² of each term.
+pub fn period_error_terms(pendulum: &Pendulum, theta_0: f64, h: f64) -> [f64; 2] {
+    /// A central difference: its error is δ² of the slope, or ε/δ.
+    const DELTA: f64 = 1e-5;
+    let period = |theta| crate::exact::period(pendulum, theta).unwrap_or(f64::NAN);
+    let exact = period(theta_0);
+    let slope = (period(theta_0 + DELTA) - period(theta_0 - DELTA)) / (2.0 * DELTA);
+    let per_energy = slope / (pendulum.depth() * crate::sine::sin(theta_0));
+    let h2 = h * h;
+    let lost = secular_rate(pendulum, theta_0, h) * 0.75 * exact;
+    [exact * period_shift(pendulum, theta_0) * h2 * h2, per_energy * lost]
+}

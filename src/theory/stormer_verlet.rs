@@ -11,8 +11,8 @@
 //! Hairer, Lubich, Wanner, Sect. VI.3 (conjugacy), IX.2 (symmetric methods), Example IX.3.4.
 
 use super::{Point, level_curve, scaled, symplectic_euler};
-use crate::Pendulum;
 use crate::sine::{cos, sin};
+use crate::{Pendulum, Phase};
 
 /// H̃ − H of the velocity form (kick–drift–kick) at `z`, to order x⁷, in units of m g L:
 /// x²(q²c/12 − s²/24) + x⁴(q⁴c/720 + q²(3c² − 1)/120 − c s²/240) + ….
@@ -35,6 +35,19 @@ pub fn correction_of_position_form(z: Point, x: f64) -> f64 {
 pub fn largest_energy_error(pendulum: &Pendulum, theta_0: f64, h: f64) -> f64 {
     let x = scaled(pendulum, h);
     pendulum.depth() * level_curve::largest_energy_error(theta_0, |z| correction(z, x))
+}
+
+/// The level curve of H̃ of the velocity form, to order h⁷, through a release from rest at `theta_0` (rad) with the step `h` (s): `count`
+/// points in phase space and the first once more. NaN where the curve leaves the well.
+pub fn level_curve(
+    pendulum: &Pendulum,
+    theta_0: f64,
+    h: f64,
+    count: u32,
+) -> impl Iterator<Item = Phase> {
+    let x = scaled(pendulum, h);
+    let points = level_curve::points(theta_0, move |z| correction(z, x), count);
+    points.map(|z| z.phase(pendulum))
 }
 
 // ANCHOR: closed_form

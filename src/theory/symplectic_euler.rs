@@ -13,8 +13,8 @@
 
 use super::level_curve;
 use super::{Point, polynomial, scaled};
-use crate::Pendulum;
 use crate::sine::cos;
+use crate::{Pendulum, Phase};
 
 // ANCHOR: modified_hamiltonian
 /// The terms of the conserved energy H̃ = H + x H₁ + x² H₂ + … at `z`, from H₁ to H₇, in units of m g L.
@@ -46,6 +46,19 @@ pub fn correction(z: Point, x: f64) -> f64 {
 pub fn largest_energy_error(pendulum: &Pendulum, theta_0: f64, h: f64) -> f64 {
     let x = scaled(pendulum, h);
     pendulum.depth() * level_curve::largest_energy_error(theta_0, |z| correction(z, x))
+}
+
+/// The level curve of H̃, to order h⁷, through a release from rest at `theta_0` (rad) with the step `h` (s): `count`
+/// points in phase space and the first once more. NaN where the curve leaves the well.
+pub fn level_curve(
+    pendulum: &Pendulum,
+    theta_0: f64,
+    h: f64,
+    count: u32,
+) -> impl Iterator<Item = Phase> {
+    let x = scaled(pendulum, h);
+    let points = level_curve::points(theta_0, move |z| correction(z, x), count);
+    points.map(|z| z.phase(pendulum))
 }
 
 /// The same in two terms, A₁h + A₂h² (J), as the pair [A₁ (J/s), A₂ (J/s²)].

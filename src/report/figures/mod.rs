@@ -1,5 +1,8 @@
 //! The figures of the book, drawn from the study: the paper's, and those it lacks.
 
+mod decision;
+mod evidence;
+mod geometry;
 mod paper;
 
 use super::svg::{Figure, Style};
@@ -32,7 +35,7 @@ impl Drawing {
 
 /// The figures, file by file.
 pub fn figures() -> impl Iterator<Item = &'static Drawing> {
-    [paper::FIGURES].into_iter().flatten()
+    [paper::FIGURES, geometry::FIGURES, evidence::FIGURES, decision::FIGURES].into_iter().flatten()
 }
 
 /// The style of a method, the same in every figure.

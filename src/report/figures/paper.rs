@@ -39,12 +39,6 @@ pub(super) const FIGURES: &[Drawing] = &[
                   formula; below, against the truth, there is none.",
         draw: figure_7,
     },
-    Drawing {
-        name: "cancellation",
-        caption: "Störmer–Verlet against the small-angle formula and against the truth. Where the \
-                  two errors cancel, the formula seems met.",
-        draw: cancellation,
-    },
 ];
 
 /// Energy error against step on doubly logarithmic axes.
@@ -194,25 +188,4 @@ fn figure_7(study: &Study) -> Figure {
     )
     .panel(formula)
     .panel(truth)
-}
-
-/// Störmer–Verlet's two errors at a small angle: where they cancel, the paper's table has its winners.
-fn cancellation(_: &Study) -> Figure {
-    let verlet = named("stormer-verlet");
-    let ladder = small_angle::ladder(verlet);
-    let line = |pick: fn(&small_angle::Errors) -> f64| {
-        ladder.iter().map(|(step, errors)| (*step, pick(errors))).collect::<Vec<_>>()
-    };
-    let zero = small_angle::THETA_0 * libm::sqrt(1.5) / small_angle_frequency();
-    let chart = Chart::new(Axis::log("Δt (s)"), Axis::log("RMS angle error (rad)"))
-        .vertical(zero, "θ_{0}√(3/2)/ω_{0}")
-        .series("against the formula", style(verlet).line_only().solid(), line(|e| e.formula))
-        .series("against the exact solution", Style::REFERENCE.dashed(), line(|e| e.truth));
-    Figure::new(
-        "Two errors that cancel",
-        "The error of Störmer–Verlet against step, both axes logarithmic. Against the exact solution \
-         it is a straight line of slope 2. Against the small-angle formula it dips to almost nothing \
-         near a step of 0.02 seconds and then rises to a level at smaller steps.",
-    )
-    .panel(chart)
 }

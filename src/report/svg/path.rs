@@ -125,6 +125,46 @@ pub(super) fn polyline<'a>(strokes: impl IntoIterator<Item = &'a Vec<Point>>) ->
     d
 }
 
+/// Length and half the width of an arrow's head.
+const HEAD: (f64, f64) = (14.0, 5.0);
+
+/// The corners of the head with which the stroke ends as an arrow, its tip first and `short` of where the stroke ended. The
+/// stroke is cut off within it, so that its round end does not blunt the tip. `None` where the stroke goes nowhere.
+pub(super) fn head(stroke: &mut [Point], short: f64) -> Option<[Point; 3]> {
+    let [.., from, end] = stroke else {
+        return None;
+    };
+    let (dx, dy) = (end.0 - from.0, end.1 - from.1);
+    let length = libm::sqrt(dx * dx + dy * dy) - short;
+    if length < STRAY {
+        return None;
+    }
+    let (ux, uy) = (dx / (length + short), dy / (length + short));
+    let tip = (end.0 - short * ux, end.1 - short * uy);
+    // A short arrow has a short head, and is not all head.
+    let size = (0.6 * length / HEAD.0).min(1.0);
+    let (long, wide) = (size * HEAD.0, size * HEAD.1);
+    let back = |by: f64, aside: f64| (tip.0 - by * ux - aside * uy, tip.1 - by * uy + aside * ux);
+    *end = back(0.7 * long, 0.0);
+    Some([tip, back(long, wide), back(long, -wide)])
+}
+
+/// The attribute `d` for dots, one in each square unit at most, column by column: relative moves between neighbours are
+/// short.
+pub(super) fn dots(mut points: Vec<Point>) -> String {
+    let cell = |p: &Point| (p.0.floor() as i64, p.1.floor() as i64);
+    points.sort_by_key(cell);
+    points.dedup_by_key(|p| cell(p));
+    let mut d = String::new();
+    let mut at = (0, 0);
+    for (x, y) in points {
+        let to = (tenths(x), tenths(y));
+        let _ = write!(d, "m{},{}h0", Tenths(to.0 - at.0), Tenths(to.1 - at.1));
+        at = to;
+    }
+    d
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -189,6 +229,28 @@ mod tests {
         let thinned = thin(&stroke, 0.0, 10.0);
         assert!(thinned.len() < 40, "{}", thinned.len());
         assert!(thinned.contains(&(-2.1, 4.0)) || thinned.contains(&(-0.1, 4.0)), "{thinned:?}");
+    }
+
+    /// Catches: a head that points elsewhere, a line that shows beyond the tip, a head longer than its arrow, a division by a
+    /// length of zero.
+    #[test]
+    fn an_arrow_ends_in_its_tip() {
+        let mut stroke = vec![(0.0, 0.0), (10.0, 0.0), (10.0, 100.0)];
+        assert_eq!(head(&mut stroke, 8.0), Some([(10.0, 92.0), (5.0, 78.0), (15.0, 78.0)]));
+        assert!(stroke[2].0 == 10.0 && (78.0..92.0).contains(&stroke[2].1), "{stroke:?}");
+        let [tip, a, b] = head(&mut [(0.0, 0.0), (-5.0, 0.0)], 0.0).unwrap();
+        assert!(tip == (-5.0, 0.0) && a.0 == b.0 && (-3.0..=-1.0).contains(&a.0), "{a:?}");
+        assert_eq!(head(&mut [(1.0, 1.0), (1.0, 1.0)], 0.0), None);
+        assert_eq!(head(&mut [(1.0, 1.0), (9.0, 1.0)], 8.0), None);
+        assert_eq!(head(&mut [(1.0, 1.0)], 0.0), None);
+    }
+
+    /// Catches: a dot that is placed from the one before but not the one drawn; one lost with its neighbours, or two where a
+    /// pixel shows one.
+    #[test]
+    fn dots_are_placed_one_from_the_other() {
+        let points = vec![(12.04, 3.0), (1.26, 2.0), (12.9, 3.2), (1.26, 1.0)];
+        assert_eq!(dots(points), "m1.3,1h0m0,1h0m10.7,1h0");
     }
 
     /// Catches: a single point between two gaps that vanishes; duplicates that print `0,0`.

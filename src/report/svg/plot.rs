@@ -2,14 +2,16 @@
 
 use super::path::{self, Num, Point};
 use super::text::{draw_text, line, width};
-use super::{Chart, Mark, ROW, Scale, Series, WIDTH};
+use super::{Chart, Mark, RIGHT, ROW, Scale, Series};
 use std::fmt::Write;
 
-/// Room to the right of a plot, for half a tick label.
-const RIGHT: f64 = 20.0;
 /// Above this many points a line has only [`FEW`] of them marked.
 const MANY: usize = 40;
 const FEW: usize = 7;
+/// An arrow that ends at a marker stops this far from its middle.
+const MARKER: f64 = 7.0;
+/// Between a heading and the chart above.
+const GAP: f64 = 10.0;
 /// Coordinates beyond this are of no use to a browser.
 const FAR: f64 = 1e6;
 
@@ -18,6 +20,10 @@ pub(super) struct Plot<'a> {
     chart: &'a Chart,
     x: &'a Scale<'a>,
     y: &'a Scale<'a>,
+    /// Whether the label of the x axis is written, and the numbers and label of the y axis.
+    written: [bool; 2],
+    /// Where the room for them begins.
+    edge: f64,
     left: f64,
     right: f64,
     top: f64,
@@ -31,19 +37,28 @@ type Heading<'a> = (f64, &'a str);
 type Place = (Point, &'static str);
 
 impl<'a> Plot<'a> {
-    pub fn new(chart: &'a Chart, x: &'a Scale, y: &'a Scale, left: f64, top: f64) -> Self {
-        let right = WIDTH - RIGHT;
+    pub fn new(
+        chart: &'a Chart,
+        [x, y]: [&'a Scale<'a>; 2],
+        written: [bool; 2],
+        [edge, left, right]: [f64; 3],
+        top: f64,
+    ) -> Self {
         let height = chart.height.unwrap_or((right - left) * y.span() / x.span());
-        Self { chart, x, y, left, right, top, bottom: top + height }
+        Self { chart, x, y, written, edge, left, right, top, bottom: top + height }
     }
 
     /// Draws the chart and returns where it ends.
-    pub fn draw(mut self, out: &mut String, clip: &str, with_x_label: bool) -> f64 {
-        let headings = self.headings();
-        let offset = headings.len() as f64 * ROW + 12.0;
+    pub fn draw(mut self, out: &mut String, clip: &str) -> f64 {
+        let mut headings = self.headings();
+        if !self.chart.heading.is_empty() {
+            headings.push(vec![(self.left, &self.chart.heading)]);
+        }
+        let gap = if self.chart.heading.is_empty() { 0.0 } else { GAP };
+        let offset = headings.len() as f64 * ROW + 12.0 + gap;
         (self.top, self.bottom) = (self.top + offset, self.bottom + offset);
         for (row, headings) in headings.iter().enumerate() {
-            for (x, label) in headings {
+            for (x, label) in headings.iter().filter(|(_, label)| !label.is_empty()) {
                 draw_text(out, "", (*x, self.top - 17.0 - row as f64 * ROW), "start", label);
             }
         }
@@ -54,24 +69,48 @@ impl<'a> Plot<'a> {
         line(out, format!(r#"<clipPath id="{clip}">{rect}</clipPath>"#));
         let mut strokes = self.draw_marks(out);
         self.draw_axes(out);
+        let dotted = chart.series.iter().enumerate().filter(|(_, s)| s.style.has_marker());
+        let dotted: Vec<_> = dotted.map(|(i, s)| (s.style, self.marked(s, i))).collect();
+        let under_marker = |end: &Point| {
+            let near = |p: &Point| (p.0 - end.0).abs() < 0.1 && (p.1 - end.1).abs() < 0.1;
+            dotted.iter().any(|(_, marked)| marked.iter().any(near))
+        };
         for Series { points, style, .. } in chart.series.iter().filter(|s| s.style.has_line()) {
-            let drawn = self.strokes(points);
-            let (attributes, d) = (style.line_attributes(), path::polyline(&drawn));
-            line(out, format!(r#"<path {attributes} clip-path="url(#{clip})" d="{d}"/>"#));
+            let mut drawn = self.strokes(points);
+            let last = drawn.last_mut().filter(|_| style.is_arrow());
+            let head = last.and_then(|stroke| {
+                let short = if stroke.last().is_some_and(under_marker) { MARKER } else { 0.0 };
+                path::head(stroke, short)
+            });
+            let clipped = format!(r#" clip-path="url(#{clip})""#);
+            let attributes = style.line_attributes();
+            let d = match style.is_filled() {
+                true => drawn.iter().map(|stroke| path::polyline([stroke]) + "z").collect(),
+                false => path::polyline(&drawn),
+            };
+            line(out, format!(r#"<path {attributes}{clipped} d="{d}"/>"#));
+            if let Some(corners) = head {
+                line(out, style.head(corners, &clipped));
+                strokes.push(corners.to_vec());
+            }
             strokes.extend(drawn);
         }
-        for (i, series) in chart.series.iter().enumerate().filter(|(_, s)| s.style.has_marker()) {
-            let marked = self.marked(series, i);
+        for series in chart.series.iter().filter(|s| s.style.is_dots()) {
+            let dots = self.inside(series);
+            line(out, series.style.dotted(dots.clone()));
+            strokes.extend(dots.into_iter().map(|point| vec![point]));
+        }
+        for (style, marked) in dotted {
             if !marked.is_empty() {
-                line(out, series.style.markers(marked.iter().copied()));
+                line(out, style.markers(marked.iter().copied()));
             }
             strokes.extend(marked.into_iter().map(|point| vec![point]));
         }
         Labels { plot: &self, strokes, taken: Vec::new() }.draw(out);
-        if with_x_label {
+        if self.written[0] {
             draw_text(out, "", ((left + right) / 2.0, bottom + 44.0), "middle", &chart.x.label);
         }
-        bottom + if with_x_label { 56.0 } else { 28.0 }
+        bottom + if self.written[0] { 56.0 } else { 28.0 }
     }
 
     fn x_pixel(&self, value: f64) -> Option<f64> {
@@ -105,12 +144,16 @@ impl<'a> Plot<'a> {
         strokes.map(stroke).map(|s: Vec<_>| path::thin(&s, self.left, self.right)).collect()
     }
 
+    /// The points of the series that are in the plot.
+    fn inside(&self, series: &Series) -> Vec<Point> {
+        let inside = |p: &&(f64, f64)| self.x.contains(p.0) && self.y.contains(p.1);
+        series.points.iter().filter(inside).filter_map(|&point| self.pixel(point)).collect()
+    }
+
     /// Where the markers of the chart's `i`-th series go: all its points in the plot, or of many
     /// on a line a few, not the same ones as of the series before.
     fn marked(&self, series: &Series, i: usize) -> Vec<Point> {
-        let inside = |p: &&(f64, f64)| self.x.contains(p.0) && self.y.contains(p.1);
-        let points = series.points.iter().filter(inside);
-        let points: Vec<Point> = points.filter_map(|&point| self.pixel(point)).collect();
+        let points = self.inside(series);
         if points.len() <= MANY || !series.style.has_line() {
             return points;
         }
@@ -125,11 +168,12 @@ impl<'a> Plot<'a> {
             Mark::Vertical { from, to, label } if !label.is_empty() => {
                 let (a, b) = self.x_extent(*from, *to)?;
                 let half = width(label) / 2.0;
-                Some((((a + b) / 2.0 - half).min(WIDTH - 2.0 * half).max(0.0), label.as_str()))
+                let last = self.right + RIGHT - 2.0 * half;
+                Some((((a + b) / 2.0 - half).min(last).max(self.edge), label.as_str()))
             }
             _ => None,
         };
-        let y_label = (0.0, self.chart.y.label.as_str());
+        let y_label = (self.edge, if self.written[1] { self.chart.y.label.as_str() } else { "" });
         let mut rows: Vec<Vec<Heading>> = vec![];
         for heading in self.chart.marks.iter().filter_map(heading).chain([y_label]) {
             let before = |a: &Heading, b: &Heading| a.0 + width(a.1) + 10.0 < b.0;
@@ -190,7 +234,7 @@ impl<'a> Plot<'a> {
             let _ = write!(axis, "M{},{}v{length}", Num(x), Num(bottom));
             if let Some(label) = tick.label {
                 let _ = write!(grid, "M{},{}V{}", Num(x), Num(top), Num(bottom));
-                let x = x.min(WIDTH - width(&label) / 2.0);
+                let x = x.min(right + RIGHT - width(&label) / 2.0);
                 draw_text(&mut labels, "", (x, bottom + 22.0), "middle", &label);
             }
         }
@@ -202,7 +246,9 @@ impl<'a> Plot<'a> {
             let _ = write!(axis, "M{},{}h{length}", Num(left), Num(y));
             if let Some(label) = tick.label {
                 let _ = write!(grid, "M{},{}H{}", Num(left), Num(y), Num(right));
-                draw_text(&mut labels, "", (left - 9.0, y + 6.0), "end", &label);
+                if self.written[1] {
+                    draw_text(&mut labels, "", (left - 9.0, y + 6.0), "end", &label);
+                }
             }
         }
         line(out, format!(r#"<path class="grid" d="{grid}"/>"#));

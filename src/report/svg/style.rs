@@ -1,6 +1,6 @@
 //! One visual language for every figure: colour, marker and dash of a series.
 
-use super::path::Num;
+use super::path::{self, Num, Point};
 use std::fmt::Write;
 
 /// `(name, on light, on dark)`: Okabe and Ito's colours, darkened or lightened until each has a
@@ -41,15 +41,29 @@ pub struct Style {
     line: Option<usize>,
     marker: Option<usize>,
     guide: bool,
+    arrow: bool,
+    filled: bool,
+    dots: bool,
 }
 
 impl Style {
     /// The exact solution, or what the others are held against: a plain line in the text's colour.
-    pub const REFERENCE: Self = Self { colour: None, line: Some(0), marker: None, guide: false };
+    pub const REFERENCE: Self = Self {
+        colour: None,
+        line: Some(0),
+        marker: None,
+        guide: false,
+        arrow: false,
+        filled: false,
+        dots: false,
+    };
+
+    /// A point of the exact solution: a circle in the text's colour.
+    pub const TRUE_POINT: Self = Self { line: None, marker: Some(0), ..Self::REFERENCE };
 
     /// A helping line, thin and dotted: labelled where it is, not in the legend; the automatic
     /// range of an axis takes no notice of it.
-    pub const GUIDE: Self = Self { colour: None, line: Some(4), marker: None, guide: true };
+    pub const GUIDE: Self = Self { line: Some(4), guide: true, ..Self::REFERENCE };
 
     /// The style of the method that stands at `index` in the list of methods: line and marker.
     ///
@@ -59,8 +73,16 @@ impl Style {
             colour: Some(index % PALETTE.len()),
             line: Some(index % (DASHES.len() - 1)),
             marker: Some(index % MARKERS.len()),
-            guide: false,
+            ..Self::REFERENCE
         }
+    }
+
+    /// The style of the `index`-th of some series that are no methods, and so have no colour: they are told apart by marker
+    /// and dash.
+    ///
+    /// The first 8 differ in their marker.
+    pub const fn colourless(index: usize) -> Self {
+        Self { colour: None, ..Self::numbered(index) }
     }
 
     /// The same without markers.
@@ -73,6 +95,12 @@ impl Style {
         Self { line: None, ..self }
     }
 
+    /// The same with a dot for each point, as wide as a line: for thousands of points that are not joined. Dots that a
+    /// pixel cannot tell apart are one.
+    pub const fn dots(self) -> Self {
+        Self { line: None, marker: None, dots: true, ..self }
+    }
+
     /// The same with an unbroken line: for strokes that turn to and fro too quickly for dashes.
     pub const fn solid(self) -> Self {
         Self { line: Some(0), ..self }
@@ -83,6 +111,24 @@ impl Style {
         Self { line: Some(3), ..self }
     }
 
+    /// The same as an arrow: an unbroken line with a head where it ends, and no markers.
+    pub const fn arrow(self) -> Self {
+        Self { arrow: true, ..self.line_only().solid() }
+    }
+
+    /// The same with the line closed and the ground within it shaded, and no markers.
+    pub const fn filled(self) -> Self {
+        Self { filled: true, ..self.line_only() }
+    }
+
+    pub(super) const fn is_arrow(self) -> bool {
+        self.arrow
+    }
+
+    pub(super) const fn is_filled(self) -> bool {
+        self.filled
+    }
+
     pub(super) const fn has_line(self) -> bool {
         self.line.is_some()
     }
@@ -91,13 +137,21 @@ impl Style {
         self.marker.is_some()
     }
 
+    pub(super) const fn is_dots(self) -> bool {
+        self.dots
+    }
+
     pub(super) const fn is_guide(self) -> bool {
         self.guide
     }
 
     /// The attributes of the line.
     pub(super) fn line_attributes(self) -> String {
-        let class = self.class(if self.guide { "guide" } else { "line" });
+        let class = self.class(match self {
+            Self { guide: true, .. } => "guide",
+            Self { filled: true, .. } => "line fill",
+            _ => "line",
+        });
         match DASHES[self.line.unwrap_or(0)] {
             "" => class,
             dash => format!(r#"{class} stroke-dasharray="{dash}""#),
@@ -112,6 +166,20 @@ impl Style {
             let _ = write!(d, "M{},{}{shape}", Num(x), Num(y));
         }
         format!(r#"<path {} d="{d}"/>"#, self.class("dot"))
+    }
+
+    /// The head of an arrow with these corners, with `attributes` of its own.
+    pub(super) fn head(self, [tip, a, b]: [(f64, f64); 3], attributes: &str) -> String {
+        let mut d = String::new();
+        for (command, (x, y)) in [("M", tip), ("L", a), ("L", b)] {
+            let _ = write!(d, "{command}{},{}", Num(x), Num(y));
+        }
+        format!(r#"<path {}{attributes} d="{d}z"/>"#, self.class("dot"))
+    }
+
+    /// One path with a dot at each of the points.
+    pub(super) fn dotted(self, points: Vec<Point>) -> String {
+        format!(r#"<path {} d="{}"/>"#, self.class("line"), path::dots(points))
     }
 
     fn class(self, kind: &str) -> String {
@@ -157,6 +225,9 @@ pub(super) fn style_sheet(id: &str, used: &[Style]) -> String {
     for (selector, rules) in shapes {
         css += &format!("#{id}{selector} {{{rules}}}\n");
     }
+    if used.iter().any(|style| style.filled) {
+        css += &format!("#{id} .fill {{fill:currentColor;fill-opacity:.2}}\n");
+    }
     format!("<style>\n{css}{light}@media (prefers-color-scheme:dark) {{\n{dark}}}\n</style>\n")
 }
 
@@ -179,7 +250,7 @@ mod tests {
     /// preprocessors would read.
     #[test]
     fn every_rule_is_confined_to_its_figure() {
-        let css = style_sheet("fig-a", &[Style::numbered(0), Style::REFERENCE]);
+        let css = style_sheet("fig-a", &[Style::numbered(0), Style::REFERENCE.filled()]);
         for rule in css.lines().filter(|line| line.ends_with('}') && line.len() > 1) {
             let (selectors, _) = rule.split_once('{').unwrap();
             assert!(selectors.split(',').all(|s| s.starts_with("#fig-a ")), "{rule}");

@@ -1,0 +1,358 @@
+//! Choosing an integrator: for a run so long and an error so small, which method needs the fewest force evaluations, and at
+//! which step?
+//!
+//! Each method is measured on a ladder of steps that divide the period, so that every period has its samples at the same
+//! phases. At each phase the error of the angle is then a slow function of the number n of periods, and theory says which: the
+//! method follows, to all powers of h, an equation of its own, whose solutions are near those of the pendulum in action and
+//! angle. What a step adds to the action on the mean makes it drift as n; an action that is off changes the frequency, and the
+//! angle by the sum of that. So the error is
+//!
+//! e(n) = e₀ + e₁n + e₂n²,
+//!
+//! with e₂ = 0 for methods that are symplectic, or symmetric on a reversible motion as this one: their action does not drift
+//! (Hairer, Lubich, Wanner, *Geometric Numerical Integration* (2006), Theorems X.3.1 and XI.3.1). The coefficients are taken
+//! from the first period, the last and the one half-way of a run of up to [`LONGEST`]; beyond, the error is extrapolated by
+//! this law, and at steps too small to be measured clear of rounding e₀ and e₁ by the method's order, and e₂ by its order or one
+//! more, as measured.
+//!
+//! The pendulum is released at 1 rad but watched from an eighth of a period on. From rest, at a point of symmetry, a
+//! method that is not symmetric looks better than it is: symplectic Euler would be of order two there.
+
+use super::{MethodRef, released};
+use crate::catalogue::METHODS;
+use crate::exact::{Motion, period};
+use crate::{Grid, Pendulum, Phase};
+
+/// Amplitude of the swing (rad).
+pub const THETA_0: f64 = 1.0;
+
+/// The longest run that is measured (periods); it is shorter where the step is small or the error large.
+pub const LONGEST: u64 = 256;
+
+/// The most steps in a run that is measured.
+const STEPS: u64 = 1 << 17;
+
+/// Steps a period on the ladder: two rungs to an octave, from 4 to 16 384.
+const RUNGS: core::ops::RangeInclusive<u32> = 0..=24;
+
+/// Rungs below the last that was measured, where the error is extrapolated: as far as thirty octaves.
+const EXTRAPOLATED: u32 = 60;
+
+/// Of the phases of a period at least so many are looked at. Its highest is missed by a quarter of their distance on the mean,
+/// π/256, and an error of three humps, as these are, by ½(3π/256)², less than 0.001 of itself.
+const PHASES: usize = 128;
+
+/// An error (rad) beyond which the coefficients are taken from a shorter run, since the law is one of small errors.
+const LARGE: f64 = 0.03;
+
+/// How many times more than what rounding may have to do with it a measured error must be to count.
+const CLEAR: f64 = 10.0;
+
+/// Lengths of runs (periods), three to a decade.
+pub const PERIODS: [u64; 16] =
+    [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10_000, 20_000, 50_000, 100_000];
+
+/// Largest errors of the angle (rad) allowed over the run, two to a decade: from 1e-1 down to 1e-10.
+pub fn allowed() -> [f64; 19] {
+    core::array::from_fn(|i| libm::exp10(-1.0 - 0.5 * i as f64))
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// The swing
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// The swing that every method is measured on.
+#[derive(Clone, Copy, Debug)]
+pub struct Scene {
+    /// The start, an eighth of a period after the release.
+    pub start: Phase,
+    /// The period T (s).
+    pub period: f64,
+    /// The largest angular velocity (rad/s).
+    fastest: f64,
+    /// d ln T / d ln E, with the energy E above the bottom: how much an energy that is off spoils the period.
+    sensitivity: f64,
+}
+
+impl Scene {
+    /// The paper's pendulum at the amplitude [`THETA_0`].
+    pub fn new() -> Self {
+        /// For a central difference: δ² is all it errs by.
+        const DELTA: f64 = 1e-4;
+        let pendulum = Pendulum::PAPER;
+        let motion = Motion::new(&pendulum, released(THETA_0)).expect("a finite start");
+        let at = |theta| period(&pendulum, theta).expect("a finite angle");
+        let versine = |theta: f64| {
+            let s = crate::sine::sin(0.5 * theta);
+            s * s
+        };
+        let (low, high) = (THETA_0 - DELTA, THETA_0 + DELTA);
+        let period = at(THETA_0);
+        Self {
+            start: motion.at(0.125 * period),
+            period,
+            fastest: motion.at(0.25 * period).omega.abs(),
+            sensitivity: libm::log(at(high) / at(low)) / libm::log(versine(high) / versine(low)),
+        }
+    }
+
+    /// The grid of `periods` periods in `steps` steps each.
+    pub fn grid(&self, steps: u64, periods: u64) -> Grid {
+        Grid::new(self.period / steps as f64, steps * periods).expect("a positive step")
+    }
+
+    /// What rounding may add to the angle (rad) in `periods` periods of `steps` steps: twice the standard deviation of two
+    /// random walks.
+    ///
+    /// At each rounding of θ and ω, of which there are as many as force evaluations, the energy moves by 0.6 ε of itself at
+    /// most (tests/long_time.rs), and so does the angle. After n roundings the energy is off by 0.6 ε√n; the period
+    /// by d ln T/d ln E of that, and the time by the sum over all periods, 1/√3 of what it would be had the last
+    /// one's error held from the start (Brouwer, *Astronomical Journal* 46 (1937) 149).
+    ///
+    /// A method that errs by less than a rounding in a period, in steps that divide the period, rounds alike in each, and its
+    /// walk goes straight. A step a little off walks as it should; and where the map looks, the methods err by more.
+    pub fn rounding(&self, method: MethodRef, steps: u64, periods: u64) -> f64 {
+        const ROUNDING: f64 = 0.6 * f64::EPSILON;
+        let evaluations = method.properties().force_evaluations as f64;
+        let walk = ROUNDING * libm::sqrt(evaluations * steps as f64 * periods as f64);
+        let late = self.sensitivity * self.period * periods as f64 / libm::sqrt(3.0);
+        let angle = self.fastest * late;
+        2.0 * walk * libm::sqrt(THETA_0 * THETA_0 + angle * angle)
+    }
+}
+
+impl Default for Scene {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// What a method's error does
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// What a method's angle error does on each rung of the ladder.
+#[derive(Clone, Debug)]
+pub struct Profile {
+    /// The method.
+    pub method: MethodRef,
+    scene: Scene,
+    rungs: Vec<Rung>,
+}
+
+/// The growth of the error at one step.
+#[derive(Clone, Debug)]
+struct Rung {
+    /// Steps a period.
+    steps: u64,
+    /// The number of periods from which it was taken.
+    periods: u64,
+    /// e₀, e₁, e₂ (rad) at each phase.
+    growth: Vec<[f64; 3]>,
+}
+
+/// Measures every method of the library.
+pub fn profiles(scene: &Scene) -> Vec<Profile> {
+    let motion = Motion::new(&Pendulum::PAPER, scene.start).expect("a finite start");
+    let mut profiles: Vec<Profile> = METHODS
+        .iter()
+        .map(|method| Profile { method: *method, scene: *scene, rungs: Vec::new() })
+        .collect();
+    for rung in RUNGS {
+        let steps = libm::round(4.0 * libm::exp2(0.5 * f64::from(rung))) as u64;
+        let grid = scene.grid(steps, 1);
+        let times: Vec<f64> = (1..=steps).map(|n| grid.time(n)).collect();
+        let mut truth = vec![Phase::default(); times.len()];
+        motion.at_each(&times, &mut truth);
+        for profile in &mut profiles {
+            profile.rungs.push(Rung::measure(profile.method, scene, &truth));
+        }
+    }
+    profiles
+}
+
+impl Rung {
+    /// Runs the method with a step for each state of `truth`, which is the exact motion over a period.
+    fn measure(method: MethodRef, scene: &Scene, truth: &[Phase]) -> Self {
+        let steps = truth.len() as u64;
+        // An even number of periods between the first and the last, so that one is half-way.
+        let mut half = (STEPS / steps).min(LONGEST) / 2;
+        let grid = scene.grid(steps, 2 * half + 1);
+        let mut errors = Vec::with_capacity(grid.steps() as usize);
+        method.run(&Pendulum::PAPER, scene.start, &grid, &mut |n: u64, _, z: Phase| {
+            if n > 0 {
+                errors.push(z.theta - truth[((n - 1) % steps) as usize].theta);
+            }
+        });
+        let period = |n: u64| &errors[(n * steps) as usize..][..truth.len()];
+        let small = |n: u64| period(n).iter().all(|error| error.abs() < LARGE);
+        while half > 1 && !small(2 * half) {
+            half /= 2;
+        }
+        let properties = method.properties();
+        let drifts = !(properties.symplectic || properties.symmetric);
+        let q = half as f64;
+        let fit = |((first, middle), last): ((&f64, &f64), &f64)| {
+            let bend = if drifts { (first - 2.0 * middle + last) / (2.0 * q * q) } else { 0.0 };
+            [*first, (last - first) / (2.0 * q) - 2.0 * q * bend, bend]
+        };
+        let growth = period(0).iter().zip(period(half)).zip(period(2 * half)).map(fit);
+        let growth = growth.step_by((truth.len() / PHASES).max(1)).collect();
+        Self { steps, periods: 2 * half, growth }
+    }
+
+    /// The largest error (rad) at any phase of any of so many periods.
+    fn error(&self, periods: u64) -> f64 {
+        let last = periods as f64 - 1.0;
+        let largest = |[e0, e1, e2]: &[f64; 3]| {
+            let at = |n: f64| (e0 + n * (e1 + n * e2)).abs();
+            let vertex = -0.5 * e1 / e2;
+            let between = if vertex > 0.0 && vertex < last { at(vertex) } else { 0.0 };
+            at(0.0).max(at(last)).max(between)
+        };
+        self.growth.iter().map(largest).fold(0.0, libm::fmaximum)
+    }
+
+    /// The largest of the coefficients e₂ (rad): zero for a method whose action does not drift.
+    fn drift(&self) -> f64 {
+        self.growth.iter().map(|e| e[2].abs()).fold(0.0, libm::fmaximum)
+    }
+
+    /// This rung as it must be where the step is smaller by `factor`, if e₂ goes as h to the power `drift`.
+    fn refined(&self, factor: f64, order: f64, drift: f64) -> Self {
+        let (by, drift) = (libm::pow(factor, -order), libm::pow(factor, -drift));
+        let growth = self.growth.iter().map(|[e0, e1, e2]| [e0 * by, e1 * by, e2 * drift]);
+        let steps = (self.steps as f64 * factor) as u64;
+        Self { steps, periods: self.periods, growth: growth.collect() }
+    }
+}
+
+impl Profile {
+    /// The error over a run of so many periods, as a function of the step.
+    pub fn over(&self, periods: u64) -> Curve {
+        let clear = |rung: &Rung| {
+            // Rounding at the end of the measured run is carried on as what it is taken for; a second difference of three
+            // errors is four times as uncertain as a first one.
+            let rounding = self.scene.rounding(self.method, rung.steps, rung.periods);
+            let beyond = (periods as f64 / rung.periods as f64).max(1.0);
+            let carried = if rung.drift() > 0.0 { 4.0 * beyond * beyond } else { beyond };
+            rung.error(periods) > CLEAR * carried * rounding
+        };
+        let mut rungs: Vec<Rung> =
+            self.rungs.iter().take_while(|rung| clear(rung)).cloned().collect();
+        let order = f64::from(self.method.properties().order);
+        if let [.., coarse, _, last] = &rungs[..] {
+            let octaves = libm::log2(last.steps as f64 / coarse.steps as f64);
+            let power = libm::round(libm::log2(coarse.drift() / last.drift()) / octaves);
+            let power = if power > order { order + 1.0 } else { order };
+            let finer = |k| last.refined(libm::exp2(0.5 * f64::from(k)), order, power);
+            let finer: Vec<Rung> = (1..=EXTRAPOLATED).map(finer).collect();
+            rungs.extend(finer);
+        }
+        let points = rungs.iter().map(|rung| (rung.steps as f64, rung.error(periods)));
+        let points = points.map(|(steps, error)| (libm::log(steps), libm::log(error))).collect();
+        Curve { method: self.method, scene: self.scene, periods, points }
+    }
+}
+
+/// A method's error over a run of a certain length, as a function of the number of steps a period.
+#[derive(Clone, Debug)]
+pub struct Curve {
+    method: MethodRef,
+    scene: Scene,
+    periods: u64,
+    /// Logarithms of the steps a period, and of the error (rad).
+    points: Vec<(f64, f64)>,
+}
+
+/// What a method needs to keep its error within what is allowed.
+#[derive(Clone, Copy, Debug)]
+pub struct Advice {
+    /// The method.
+    pub method: MethodRef,
+    /// Steps a period.
+    pub steps: u64,
+    /// Force evaluations over the whole run.
+    pub evaluations: u64,
+}
+
+impl Curve {
+    /// The fewest steps a period, and no luck, with which the error stays below `allowed` (rad), rounding included; `None`
+    /// where rounding alone may exceed it.
+    pub fn advice(&self, allowed: f64) -> Option<Advice> {
+        /// More steps add rounding, and may so ask for more steps: a few rounds settle it, or nothing does.
+        const ROUNDS: usize = 100;
+        let mut steps = 1;
+        for _ in 0..ROUNDS {
+            let left = allowed - self.scene.rounding(self.method, steps, self.periods);
+            let needed = libm::ceil(self.steps_for(left)?);
+            if needed * self.periods as f64 > crate::error::MAX_STEPS as f64 {
+                return None;
+            }
+            if needed as u64 <= steps {
+                let properties = self.method.properties();
+                let evaluations = properties.start_evaluations
+                    + properties.force_evaluations * steps * self.periods;
+                return Some(Advice { method: self.method, steps, evaluations });
+            }
+            steps = needed as u64;
+        }
+        None
+    }
+
+    /// The error of the method itself (rad) with so many steps a period; NaN beyond the ladder.
+    pub fn error(&self, steps: u64) -> f64 {
+        let steps = libm::log(steps as f64);
+        let pair = self.points.windows(2).find(|pair| (pair[0].0..=pair[1].0).contains(&steps));
+        pair.map_or(f64::NAN, |pair| {
+            let ((m, e), (finer, less)) = (pair[0], pair[1]);
+            libm::exp(e + (less - e) * (steps - m) / (finer - m))
+        })
+    }
+
+    /// The number of steps a period, a fraction perhaps, at which the error is `wanted` (rad).
+    fn steps_for(&self, wanted: f64) -> Option<f64> {
+        if wanted.is_nan() || wanted <= 0.0 {
+            return None;
+        }
+        let wanted = libm::log(wanted);
+        self.points.last().filter(|(_, least)| *least <= wanted)?;
+        // From the finest rung upwards: a coarse step whose error is small by chance is not met.
+        let above = self.points.windows(2).rfind(|pair| pair[0].1 > wanted);
+        Some(libm::exp(above.map_or(self.points[0].0, |pair| {
+            let ((m, e), (finer, less)) = (pair[0], pair[1]);
+            m + (finer - m) * (e - wanted) / (e - less)
+        })))
+    }
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// The map
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// A cell of the map.
+#[derive(Clone, Debug)]
+pub struct Cell {
+    /// Length of the run (periods).
+    pub periods: u64,
+    /// Largest error of the angle allowed over the run (rad).
+    pub allowed: f64,
+    /// What each method needs that can do it, the one with the fewest force evaluations first.
+    pub ranking: Vec<Advice>,
+}
+
+/// The whole map, for all methods of the library.
+pub fn map() -> Vec<Cell> {
+    let profiles = profiles(&Scene::new());
+    let mut map = Vec::new();
+    for periods in PERIODS {
+        let curves: Vec<Curve> = profiles.iter().map(|profile| profile.over(periods)).collect();
+        for allowed in allowed() {
+            let advice = curves.iter().filter_map(|curve| curve.advice(allowed));
+            let mut ranking: Vec<Advice> = advice.collect();
+            ranking.sort_by_key(|advice| advice.evaluations);
+            map.push(Cell { periods, allowed, ranking });
+        }
+    }
+    map
+}
