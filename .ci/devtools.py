@@ -25,17 +25,20 @@ class Failure(Exception):
 
 
 class Chromium:
-    """One browser with one tab."""
+    """One browser with one tab.
 
-    def __init__(self, patience=60.0):
-        self.patience = patience
+    `patience`: how many seconds what must come may take; `grace`: the same of what may not come at all.
+    """
+
+    def __init__(self, patience=60.0, grace=15.0):
+        self.patience, self.grace = patience, grace
         self.profile = tempfile.mkdtemp(prefix="pendula-browser-")
         program = next(filter(None, map(shutil.which, NAMES)), None)
         if program is None:
             raise Failure("there is no Chromium here: apt-get install chromium")
         inbox, self.to = os.pipe()
         self.out, outbox = os.pipe()
-        # The browser reads from descriptor 3 and writes to 4. Through spares, since the pipes may be 3 and 4 themselves.
+        # The browser reads from descriptor 3 and writes to 4: through spares, as the pipes may be 3 and 4 themselves.
         plumbing = f'exec 8<&{inbox} 9>&{outbox} && exec 3<&8 4>&9 8<&- 9>&- && exec "$@"'
         command = ["bash", "-c", plumbing, "bash", program, *FLAGS, f"--user-data-dir={self.profile}", "about:blank"]
         self.process = subprocess.Popen(command, pass_fds=(inbox, outbox), stderr=subprocess.DEVNULL)
@@ -123,10 +126,10 @@ class Chromium:
         complaints, self.complaints = list(dict.fromkeys(self.complaints)), []
         return complaints
 
-    def open(self, path, fragment=""):
+    def open(self, path):
         """Opens a file and waits until it has loaded."""
         before = self.loaded
-        answer = self.call("Page.navigate", url=Path(path).resolve().as_uri() + fragment)
+        answer = self.call("Page.navigate", url=Path(path).resolve().as_uri())
         if "errorText" in answer:
             raise Failure(f"{path}: {answer['errorText']}")
         if not self.wait_for_load(before):
@@ -148,17 +151,17 @@ class Chromium:
             raise Failure(details.get("exception", {}).get("description") or details["text"])
         return answer["result"].get("value")
 
-    def wait_until(self, script, patience=3.0):
+    def wait_until(self, script):
         """Whether an expression in the page becomes true in time."""
-        deadline = time.monotonic() + patience
+        deadline = time.monotonic() + self.grace
         while not (held := self.run(script)) and time.monotonic() < deadline:
             time.sleep(0.02)
         return bool(held)
 
-    def press(self, key, shift=False):
+    def press(self, key):
         """Presses and releases a key, as the keyboard would."""
         text, code = KEYS.get(key, (key, ord(key[0].upper())))
-        event = {"key": key, "code": key, "windowsVirtualKeyCode": code, "modifiers": 8 if shift else 0}
+        event = {"key": key, "code": key, "windowsVirtualKeyCode": code}
         self.call("Input.dispatchKeyEvent", type="keyDown", **event, **({"text": text} if text else {}))
         self.call("Input.dispatchKeyEvent", type="keyUp", **event)
 

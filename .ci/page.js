@@ -1,6 +1,6 @@
 // What is wrong with the page on the screen, as a list of findings. Run inside the page by .ci/browser, which says
 // what each finding protects against. `paper`: nothing scrolls there, so nothing may be wider than the sheet.
-async ({paper, scripts, letter, index, contrast}) => {
+async ({paper, letter, index, contrast}) => {
     await document.fonts.ready;
     const findings = [];
     const find = (kind, what) => findings.push(`${kind}: ${what}`);
@@ -102,27 +102,24 @@ async ({paper, scripts, letter, index, contrast}) => {
         const linear = c => ((c /= 255) <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4);
         return 0.2126 * linear(r) + 0.7152 * linear(g) + 0.0722 * linear(b);
     };
-    if (contrast) {
-        const faint = new Map();
-        const pieces = document.createTreeWalker(main, NodeFilter.SHOW_TEXT);
-        while (pieces.nextNode()) {
-            const element = pieces.currentNode.parentElement;
-            if (!pieces.currentNode.data.trim() || element.closest('.katex-mathml, script, style, template, button')) continue;
-            if (!shown(element)) continue;
-            const style = getComputedStyle(element);
-            const inside = element.closest('svg');
-            if (element.closest('title, desc')) continue;
-            const paperColour = ground(inside ?? element);
-            const ink = over(cached(inside ? style.fill : style.color), paperColour);
-            const [a, b] = [luminance(ink), luminance(paperColour)];
-            const ratio = (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
-            const where = inside ? 'svg' : element.closest('code, a, figcaption, th, td, p, li')?.localName;
-            const kind = `${where} ${[...element.classList].join('.')}`;
-            if (ratio < contrast && !(faint.get(kind)?.ratio < ratio)) faint.set(kind, {ratio, element});
-        }
-        for (const [kind, {ratio, element}] of faint) {
-            find('faint', `${ratio.toFixed(2)} : 1, ${kind}, ${brief(element.textContent)}`);
-        }
+    const faint = new Map();
+    const pieces = document.createTreeWalker(main, NodeFilter.SHOW_TEXT);
+    while (pieces.nextNode()) {
+        const element = pieces.currentNode.parentElement;
+        if (!pieces.currentNode.data.trim() || !shown(element)) continue;
+        if (element.closest('.katex-mathml, script, style, template, button, title, desc')) continue;
+        const style = getComputedStyle(element);
+        const inside = element.closest('svg');
+        const paperColour = ground(inside ?? element);
+        const ink = over(cached(inside ? style.fill : style.color), paperColour);
+        const [a, b] = [luminance(ink), luminance(paperColour)];
+        const ratio = (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
+        const where = inside ? 'svg' : element.closest('code, a, figcaption, th, td, p, li')?.localName;
+        const kind = `${where} ${[...element.classList].join('.')}`;
+        if (ratio < contrast && !(faint.get(kind)?.ratio < ratio)) faint.set(kind, {ratio, element});
+    }
+    for (const [kind, {ratio, element}] of faint) {
+        find('faint', `${ratio.toFixed(2)} : 1, ${kind}, ${brief(element.textContent)}`);
     }
 
     // The title and the last words, by which the print page knows the chapter.

@@ -194,8 +194,8 @@ mod tests {
             set("{{stated T4.rk4.0.01}}, {{ measured T4.rk4.0.01 }}, {{verdict T4.rk4.0.01}}");
         assert_eq!(
             set.unwrap(),
-            "<span class=\"stated\">2&#46;01 × 10<sup>−4</sup></span>, \
-             <span class=\"measured\">3 × 10<sup>−4</sup></span>, \
+            "<span class=\"stated\">2&#46;01\u{a0}×\u{a0}10<sup>−4</sup></span>, \
+             <span class=\"measured\">3\u{a0}×\u{a0}10<sup>−4</sup></span>, \
              <span class=\"verdict\">wrong</span>"
         );
     }

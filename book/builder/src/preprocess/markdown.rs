@@ -86,6 +86,12 @@ fn gaps(text: &str, range: Range<usize>) -> impl Iterator<Item = Passage> {
     spaces.filter(|space| is_gap(text, space)).map(|range| Passage { range, kind: Kind::Gap })
 }
 
+/// `text` with each space that must not end a line made one that cannot.
+pub fn held(text: &str) -> String {
+    let gaps = gaps(text, 0..text.len()).map(|gap| (gap.range, "\u{a0}".to_string()));
+    splice(text, gaps)
+}
+
 /// Does this white space stand between a number (typed, a directive's or a formula's) and a unit,
 /// or between two groups of digits?
 fn is_gap(text: &str, space: &Range<usize>) -> bool {
@@ -97,7 +103,8 @@ fn is_gap(text: &str, space: &Range<usize>) -> bool {
         LazyLock::new(|| Regex::new(r"^\d{3}(?:$|[^\w])").expect("the pattern is a constant"));
     let (before, after) = (&text[..space.start], &text[space.end..]);
     let digit = before.ends_with(|c: char| c.is_ascii_digit());
-    let number = digit || before.ends_with("}}") || before.ends_with('$');
+    let number =
+        before.ends_with(char::is_numeric) || before.ends_with("}}") || before.ends_with('$');
     number && UNIT.is_match(after) || digit && THOUSANDS.is_match(after)
 }
 
@@ -192,6 +199,7 @@ mod tests {
             ("over 1000 s, from 1 rad.", "over 1000~s, from 1~rad."),
             ("of 100 000 steps at 9.81 m/s²", "of 100~000 steps at 9.81~m/s²"),
             ("{{measured T5.rk4}} J and $h$ s", "{{measured T5.rk4}}~J and $h$~s"),
+            ("about 2 × 10⁻⁴ rad", "about 2 × 10⁻⁴~rad"),
             ("a step of 0.01\ns is small", "a step of 0.01~s is small"),
             ("| a |\n|---|\n| 12 ns |", "| a |\n|---|\n| 12~ns |"),
         ] {

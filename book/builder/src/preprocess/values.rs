@@ -4,7 +4,7 @@ use std::sync::LazyLock;
 
 use regex::{Captures, Regex};
 
-use super::inert;
+use super::{inert, markdown};
 
 /// What a value is made of.
 #[derive(Debug, PartialEq)]
@@ -19,15 +19,15 @@ enum Piece<'a> {
     Power(i32),
 }
 
-/// A value for prose.
+/// A value for prose: a line may end between its words, but not within a number or before its unit.
 pub fn html(value: &str) -> String {
-    let value = &plain(value);
+    let value = &markdown::held(&plain(value));
     let set = |piece: &Piece<'_>| match *piece {
         Piece::Text(text) => inert::text(text),
         Piece::Minus => "−".to_string(),
         Piece::Scientific { mantissa, exponent: 0 } => inert::text(mantissa),
         Piece::Scientific { mantissa, exponent } => {
-            format!("{} × 10<sup>{}</sup>", inert::text(mantissa), signed(exponent))
+            format!("{}\u{a0}×\u{a0}10<sup>{}</sup>", inert::text(mantissa), signed(exponent))
         }
         Piece::Power(exponent) => format!("<sup>{}</sup>", signed(exponent)),
     };
@@ -143,9 +143,9 @@ fn escaped(text: &str) -> String {
 mod tests {
     use super::*;
 
-    /// What a browser shows: character references resolved.
+    /// What a browser shows: character references resolved, and each space a space.
     fn shown(value: &str) -> String {
-        let html = html(value);
+        let html = html(value).replace('\u{a0}', " ");
         let mut parts = html.split("&#");
         let mut shown = parts.next().unwrap().to_string();
         for part in parts {
@@ -173,6 +173,14 @@ mod tests {
         assert_eq!(html("−5.300 × 10¹²"), html("-5.300e12"));
         assert_eq!(html("10³ m/s²"), html("10^3 m/s^2"));
         assert_eq!(tex("−2.01 × 10²"), r"-2.01 \times 10^{2}");
+    }
+
+    /// Catches: 2.01 at the end of a line and its power of ten on the next; a sentence that cannot
+    /// be broken, and so runs out of the page.
+    #[test]
+    fn a_line_ends_between_words_only() {
+        assert_eq!(html("2e-4 J"), "2\u{a0}×\u{a0}10<sup>−4</sup>\u{a0}J");
+        assert_eq!(html("7 of 100 000 steps in 2 s"), "7 of 100\u{a0}000 steps in 2\u{a0}s");
     }
 
     /// Catches: text that is no number torn apart; a range read as a difference.
