@@ -208,8 +208,9 @@ fn by_quantity(ledger: &Ledger, number: u32) -> Table {
     table
 }
 
-/// The measured value; a ≠ before it where it contradicts what is stated.
+/// The measured value; a ≠ before it where it contradicts what is stated. Where it does not there is room for one, so that a
+/// cell that begins to contradict moves its own row and not the width of the table.
 fn marked(claim: &Claim) -> String {
-    let text = claim.measured_text();
-    if claim.holds() == Some(false) { format!("≠ {text}") } else { text }
+    let mark = if claim.holds() == Some(false) { '≠' } else { ' ' };
+    format!("{mark} {}", claim.measured_text())
 }

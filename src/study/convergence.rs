@@ -4,6 +4,7 @@ use core::f64::consts::FRAC_PI_3;
 
 use super::{MethodRef, STEPS, each_of_the_paper, grid, released};
 use crate::Pendulum;
+use crate::catalogue::AnyMethod;
 use crate::metrics::EnergyDrift;
 
 /// Released at π/3 (rad) …
@@ -25,7 +26,8 @@ pub fn run() -> Vec<Row> {
     each_of_the_paper(|method| Row { method, drift: STEPS.map(|step| drift(method, step)) })
 }
 
-fn drift(method: MethodRef, step: f64) -> f64 {
+/// The largest energy error (J) of `method` in steps of `step` (s).
+pub fn drift(method: &dyn AnyMethod, step: f64) -> f64 {
     let mut drift = EnergyDrift::of(&Pendulum::PAPER);
     method.run(&Pendulum::PAPER, released(THETA_0), &grid(DURATION, step), &mut drift);
     drift.largest()

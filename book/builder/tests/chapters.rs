@@ -1,0 +1,65 @@
+//! The chapters as they are written: no result is typed into them.
+
+use std::fs;
+use std::path::Path;
+
+use regex::Regex;
+
+/// The chapter without what may hold numbers: code, formulas, directives, comments and addresses.
+fn prose(chapter: &str) -> String {
+    let allowed = Regex::new(
+        r"(?smx) ^```.*?^```\s*$ | `[^`\n]*` | \$\$.*?\$\$ | \$[^$]*\$ | \{\{.*?\}\} | <!--.*?--> | \]\([^)]*\) | doi:\S+ ",
+    )
+    .unwrap();
+    allowed.replace_all(chapter, " ").into_owned()
+}
+
+/// Numbers with an exponent, however it is written, and shares in per cent: what a measurement looks like.
+fn typed_results(chapter: &str) -> Vec<String> {
+    let result = Regex::new(
+        r"(?x) [0-9][.0-9]*[eE][-−+]?[0-9]+ | 10[⁰¹²³⁴⁵⁶⁷⁸⁹⁻]+ | 10\^ | [0-9]\s*% | [0-9]\s*per\s+cent ",
+    );
+    let prose = prose(chapter);
+    let found = result.unwrap().find_iter(&prose).map(|found| found.as_str().to_string()).collect();
+    found
+}
+
+/// Catches: a measured number that is typed, and that nothing would correct when it moves.
+#[test]
+fn no_result_is_typed() {
+    let chapters = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap().join("src");
+    let mut read = 0;
+    let mut findings = Vec::new();
+    for entry in fs::read_dir(chapters).unwrap() {
+        let path = entry.unwrap().path();
+        if path.extension().is_some_and(|extension| extension == "md") {
+            read += 1;
+            let chapter = fs::read_to_string(&path).unwrap();
+            let name = path.file_name().unwrap().to_string_lossy().into_owned();
+            findings.extend(
+                typed_results(&chapter).into_iter().map(|found| format!("{name}: {found}")),
+            );
+        }
+    }
+    assert!(read >= 20, "only {read} chapters");
+    assert!(findings.is_empty(), "\n{}", findings.join("\n"));
+}
+
+/// Catches: a pattern that finds nothing, or one that calls a formula, a listing or a directive a typed result.
+#[test]
+fn typed_results_are_recognised() {
+    for typed in [
+        "is 3.2e-12 J",
+        "is 4 × 10⁻⁶ J",
+        "0.001 % of it",
+        "off by 5%",
+        "12 per cent",
+        "1E6",
+        "10^-3",
+    ] {
+        assert_eq!(typed_results(typed).len(), 1, "{typed}");
+    }
+    let allowed = "about $10^{-8}$ rad and\n$$ 1e-3 \\% $$\n`1e-3`, {{measured T5.fe.pct}} %, 60 s, chapter 10\n\
+                   ```rust\nassert!(x < 1e-12);\n```\n<!-- 5 % --> [a](10%.md) doi:10.1e5/7 in 1995\n";
+    assert_eq!(typed_results(allowed), Vec::<String>::new());
+}
