@@ -191,17 +191,18 @@ impl Style {
 }
 
 /// The figure's own style sheet: its colours are the book's if the book defines them, and follow
-/// the reader's preference where the figure stands alone. All of it is confined to `#id`.
+/// the reader's preference where the figure stands alone. All of it is confined to the
+/// class `id`, and not the id: where a page shows a figure twice, mdBook gives the second another id.
 pub(super) fn style_sheet(id: &str, used: &[Style]) -> String {
     let mut colours: Vec<_> = used.iter().filter_map(|style| style.colour).collect();
     colours.sort_unstable();
     colours.dedup();
     let theme = |pick: fn((&'static str, &'static str, &'static str)) -> &'static str| {
         let var = |c: (&'static str, _, _)| format!("var(--pendula-{},{})", c.0, pick(c));
-        let mut css = format!("#{id} {{color:{}}}\n", var(INK));
-        css += &format!("#{id} .dot,#{id} .halo {{stroke:{}}}\n", var(PAPER));
+        let mut css = format!(".{id} {{color:{}}}\n", var(INK));
+        css += &format!(".{id} .dot,.{id} .halo {{stroke:{}}}\n", var(PAPER));
         for &i in &colours {
-            css += &format!("#{id} .{} {{color:{}}}\n", PALETTE[i].0, var(PALETTE[i]));
+            css += &format!(".{id} .{} {{color:{}}}\n", PALETTE[i].0, var(PALETTE[i]));
         }
         css
     };
@@ -218,15 +219,15 @@ pub(super) fn style_sheet(id: &str, used: &[Style]) -> String {
         (" .dot", "fill:currentColor;stroke-width:1"),
     ];
     let mut css = format!(
-        "#{id} {{font:{}px var(--pendula-font,system-ui,sans-serif)}}\n\
-         #{id} path {{fill:none;stroke:currentColor;stroke-linejoin:round;stroke-linecap:round}}\n",
+        ".{id} {{font:{}px var(--pendula-font,system-ui,sans-serif)}}\n\
+         .{id} path {{fill:none;stroke:currentColor;stroke-linejoin:round;stroke-linecap:round}}\n",
         super::text::FONT
     );
     for (selector, rules) in shapes {
-        css += &format!("#{id}{selector} {{{rules}}}\n");
+        css += &format!(".{id}{selector} {{{rules}}}\n");
     }
     if used.iter().any(|style| style.filled) {
-        css += &format!("#{id} .fill {{fill:currentColor;fill-opacity:.2}}\n");
+        css += &format!(".{id} .fill {{fill:currentColor;fill-opacity:.2}}\n");
     }
     format!("<style>\n{css}{light}@media (prefers-color-scheme:dark) {{\n{dark}}}\n</style>\n")
 }
@@ -253,7 +254,7 @@ mod tests {
         let css = style_sheet("fig-a", &[Style::numbered(0), Style::REFERENCE.filled()]);
         for rule in css.lines().filter(|line| line.ends_with('}') && line.len() > 1) {
             let (selectors, _) = rule.split_once('{').unwrap();
-            assert!(selectors.split(',').all(|s| s.starts_with("#fig-a ")), "{rule}");
+            assert!(selectors.split(',').all(|s| s.starts_with(".fig-a ")), "{rule}");
         }
         assert!(css.contains("vermilion") && !css.contains("blue") && !css.contains("{{"));
     }
