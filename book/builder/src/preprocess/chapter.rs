@@ -22,6 +22,9 @@ use super::sources::Tests;
 use super::{inert, values};
 use crate::ledger::Ledger;
 
+/// The longest formula, as it is written, that is kept in one piece with the mark after it.
+const HELD: usize = 24;
+
 /// What a chapter may refer to.
 pub struct Setter<'a> {
     ledger: &'a dyn Ledger,
@@ -63,7 +66,18 @@ impl<'a> Setter<'a> {
                     }
                 }
                 Kind::Formula { tex, display } => {
-                    edits.push((passage.range, self.maths.set(&self.set_tex(&tex)?, display)?));
+                    let html = self.maths.set(&self.set_tex(&tex)?, display)?;
+                    edits.push(match text[passage.range.end..].chars().next() {
+                        // A browser may end a line after any formula, even before a comma. A long one may have to be broken.
+                        Some(mark @ (',' | '.' | ';' | ':' | '!' | '?' | ')'))
+                            if !display && tex.len() <= HELD =>
+                        {
+                            let both = passage.range.start..passage.range.end + 1;
+                            let mark = inert::html(&mark.to_string());
+                            (both, format!("<span class=\"held\">{html}{mark}</span>"))
+                        }
+                        _ => (passage.range, html),
+                    });
                 }
                 Kind::Exponent => {
                     let html = values::html(&text[passage.range.clone()]);
@@ -197,6 +211,18 @@ mod tests {
             "<span class=\"stated\">2&#46;01\u{a0}×\u{a0}10<sup>−4</sup></span>, \
              <span class=\"measured\">3\u{a0}×\u{a0}10<sup>−4</sup></span>, \
              <span class=\"verdict\">wrong</span>"
+        );
+    }
+
+    /// Catches: a comma alone at the beginning of a line; a word held back with the formula before it.
+    #[test]
+    fn a_formula_keeps_its_punctuation() {
+        let held = |text: &str| set(text).unwrap().matches("<span class=\"held\">").count();
+        assert_eq!(held("by $h$, or ($x$) and $y$."), 3);
+        assert_eq!(held("by $h$ or\n\n$$x$$, say"), 0);
+        assert!(
+            set("by $h$, or").unwrap().ends_with("&#44;</span> or")
+                || set("by $h$, or").unwrap().ends_with(",</span> or")
         );
     }
 
