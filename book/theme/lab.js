@@ -30,8 +30,8 @@ const PRESETS = {
         scale: 'log', until: 3600, shows: 'energy',
     },
     'last-torus': {
-        title: 'The last torus', methods: ['symplectic-euler', 'stormer-verlet'], theta0: 0.01, omega0: 6.27,
-        dt: 0.314455, speed: 1000, shows: 'energy',
+        title: 'The last torus', methods: ['symplectic-euler', 'stormer-verlet'], theta0: 3, dt: 0.314455,
+        speed: 1000, shows: 'energy',
     },
     'hidden-order': {
         // From here the period is 2.14 s, a whole number of steps.
@@ -557,12 +557,15 @@ class Drawing {
         const left = 66, right = width - 12, top = 24, bottom = height - 34;
         sheet.clear();
         const span = lab.scene.until || round(Math.max(lab.time, 10 * lab.scene.dt, 5));
-        const largest = Math.max(...lab.pendulums.map(pendulum => seriesOf(pendulum).largest), 0);
+        const sizes = lab.pendulums.map(pendulum => seriesOf(pendulum).largest);
+        const largest = Math.max(...sizes, 0);
         const x = t => left + t / span * (right - left);
         let y, ticks;
         if (logarithmic) {
             const high = Math.ceil(Math.log10(largest > 0 ? largest : 1) + 0.05);
-            const low = Math.max(high - 12, Math.min(high - 4, -14));
+            // Room for the smallest error to grow into.
+            const smallest = Math.min(...sizes.filter(size => size > 0), largest || 1);
+            const low = Math.min(Math.floor(Math.log10(smallest)) - 2, high - 4);
             const every = Math.ceil((high - low) / 6);
             y = value => bottom - (Math.log10(Math.abs(value)) - low) / (high - low) * (bottom - top);
             ticks = Array.from({length: high - low + 1}, (_, i) => low + i).filter(i => (i - high) % every === 0)
@@ -663,7 +666,12 @@ class Lab {
         }
         this.begin();
         place.classList.add('on');
-        new ResizeObserver(() => this.drawing.layout()).observe(this.live);
+        let wide = 0;
+        new ResizeObserver(([{contentRect: {width}}]) => {
+            // The table grows and shrinks; that is no reason to begin the trails anew.
+            if (width !== wide) this.drawing.layout();
+            wide = width;
+        }).observe(this.live);
         new MutationObserver(() => this.drawing.layout())
             .observe(document.documentElement, {attributes: true, attributeFilter: ['class']});
         document.fonts.ready.then(() => this.drawing.layout());
@@ -850,8 +858,6 @@ class Lab {
             const omega0 = Math.round(100 * clamp(f.omega(y), this.drawing.reach)) / 100;
             this.change({theta0, omega0}, true);
         });
-        // The arrows are the sliders' here, and turn no page.
-        this.live.addEventListener('keydown', event => event.stopPropagation());
     }
 
     // ------------------------------------------------------------------------------------------------ the page
@@ -1006,9 +1012,9 @@ class Lab {
             ['Force evaluations', p => count(p.read(EVALUATIONS))],
             ['Time a step (ns)', p => p.spent > 5 ? brief(1e6 * p.spent / p.read(STEPS), 2) : '–'],
             ['Energy error now (J)', p => damped() ? '–' : brief(p.read(ERROR))],
-            ['largest (J)', p => damped() ? '–' : brief(p.read(LARGEST))],
+            [this.whole ? 'largest (J)' : 'Largest energy error (J)', p => damped() ? '–' : brief(p.read(LARGEST))],
             ['Angle error now (rad)', p => damped() ? '–' : brief(p.lapse)],
-            ['largest (rad)', p => damped() ? '–' : brief(p.angle.largest)],
+            [this.whole ? 'largest (rad)' : 'Largest angle error (rad)', p => damped() ? '–' : brief(p.angle.largest)],
         ];
         return this.whole ? all : [0, 1, 5, 7].map(i => all[i]);
     }
