@@ -141,7 +141,7 @@ impl Observer<Phase> for Beside<'_> {
             (quantity::ERROR, error),
             (quantity::ENERGY, self.pendulum.hamiltonian(z)),
         ];
-        if n % 64 == 0 {
+        if n.is_multiple_of(64) {
             expected.extend([(quantity::STEPS, n as f64), (quantity::LARGEST, self.largest)]);
         }
         for (quantity, expected) in expected {
@@ -149,8 +149,8 @@ impl Observer<Phase> for Beside<'_> {
             assert_bits(seen, expected, || format!("{}, {quantity} after {n} steps", self.name));
             *self.compared += 1;
         }
-        // A tenth of the time of the test would go into the closed form, and it does not depend on the method.
-        if let Some(motion) = self.motion.filter(|_| n % 64 == 0) {
+        // The closed form takes as long as ten steps, and does not depend on the method.
+        if let Some(motion) = self.motion.filter(|_| n.is_multiple_of(64)) {
             let exact = motion.at(t);
             for (name, expected) in [("exact_theta", exact.theta), ("exact_omega", exact.omega)] {
                 let seen = self.lab.call(name, (0_u32, t));

@@ -13,6 +13,7 @@ const PLACES: usize = 8;
 
 /// An `Option` whose nothing is all zeros, which take no room in the file.
 #[repr(C, u8)]
+#[expect(clippy::large_enum_variant, reason = "a box would have to be allocated")]
 enum Stand {
     Empty = 0,
     Taken(Place),
