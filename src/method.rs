@@ -12,6 +12,10 @@ pub trait Method<S: System> {
     /// the method.
     type Memo: Copy;
 
+    /// What the kicks of one step add up to, or its drifts if that is more, in steps: those backwards count like those
+    /// forwards.
+    const REACH: f64 = 1.0;
+
     /// Prepares the memo for a trajectory of steps `h` (s) that begins at `z` at time `t` (s).
     fn start(&self, system: &S, t: f64, h: f64, z: S::State) -> Self::Memo;
 
