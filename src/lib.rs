@@ -114,5 +114,7 @@ mod listings {
         large_angle: "../book/src/large-angle.md",
         work: "../book/src/work.md",
         limits: "../book/src/limits.md",
+        beyond: "../book/src/beyond.md",
+        choosing: "../book/src/choosing.md",
     }
 }

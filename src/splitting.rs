@@ -103,6 +103,7 @@ mod tests {
     /// of the word of d letters whose bits are w.
     type Series = Vec<Vec<DoubleDouble>>;
 
+    // ANCHOR: words
     /// The product of exp(bᵢ B) and exp(aᵢ A), to words of `degree` letters.
     fn words<M: Splitting>(degree: usize) -> Series {
         let zero = |d: usize| vec![DoubleDouble::ZERO; 1 << d];
@@ -133,6 +134,7 @@ mod tests {
         append(1, M::KICKS[M::KICKS.len() - 1]);
         series
     }
+    // ANCHOR_END: words
 
     /// What the words of `degree` letters are off by from those of exp(A + B), 1/degree! each.
     fn defects<M: Splitting>(degree: usize) -> Vec<DoubleDouble> {

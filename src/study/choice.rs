@@ -364,6 +364,7 @@ pub struct Cell {
     pub ranking: Vec<Advice>,
 }
 
+// ANCHOR: map
 /// The whole map, for all methods of the library.
 pub fn map() -> Vec<Cell> {
     let profiles = profiles(&Scene::new());
@@ -379,3 +380,4 @@ pub fn map() -> Vec<Cell> {
     }
     map
 }
+// ANCHOR_END: map
