@@ -5,7 +5,9 @@ mod properties;
 
 use common::each_method;
 use pendula::{AnyMethod, Grid, LinearOscillator, Method, integrate};
-use properties::linear::{check, check_denials, check_matrix, determinant, known, matrix_of, trace};
+use properties::linear::{
+    check, check_denials, check_matrix, determinant, known, matrix_of, trace,
+};
 use rstest::rstest;
 use rstest_reuse::apply;
 

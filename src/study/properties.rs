@@ -182,7 +182,8 @@ fn largest_error(method: &dyn AnyMethod, steps: u64) -> f64 {
         let angle = (z.theta - truth.theta).abs();
         let velocity = (z.omega - truth.omega).abs() / pendulum.small_angle_frequency();
         let error = angle.max(velocity);
-        largest = if z.theta.is_finite() && z.omega.is_finite() { largest.max(error) } else { f64::NAN };
+        largest =
+            if z.theta.is_finite() && z.omega.is_finite() { largest.max(error) } else { f64::NAN };
     });
     largest
 }

@@ -26,6 +26,7 @@ pub fn check(method: &dyn AnyMethod) -> Verdict {
     }
     // The smallest defect among the paper's methods is RK4's, x⁶/72 = 5e-7 at the bottom of the long pendulum. The higher the
     // order, the longer the step with which it shows: 0.4 s, of x = 1.25, do for order 24.
-    let seen = |h: f64| beyond("symplectic after all: det J − 1", largest(h), 100.0 * area_tolerance(h));
+    let seen =
+        |h: f64| beyond("symplectic after all: det J − 1", largest(h), 100.0 * area_tolerance(h));
     seen(AREA_STEP).or_else(|_| seen(2.0 * AREA_STEP)).or_else(|_| seen(4.0 * AREA_STEP))
 }

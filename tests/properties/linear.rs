@@ -125,9 +125,8 @@ pub fn check_matrix(method: &dyn AnyMethod, x: f64, matrix: Matrix) -> Verdict {
 pub fn check(method: &dyn AnyMethod) -> Verdict {
     let pendulum = pendulum();
     let frequency = pendulum.small_angle_frequency();
-    let power = |x: f64, steps| {
-        matrix_of(frequency, |z| run(method, &pendulum, z, x / frequency, steps))
-    };
+    let power =
+        |x: f64, steps| matrix_of(frequency, |z| run(method, &pendulum, z, x / frequency, steps));
     for x in [0.3, 0.7] {
         let one = power(x, 1);
         check_matrix(method, x, one)?;
