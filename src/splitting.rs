@@ -238,5 +238,10 @@ mod tests {
         for all in [Yoshida8::KICKS, Yoshida8::DRIFTS, KahanLi8::KICKS, ForestRuth::DRIFTS] {
             assert!(length(all) < crate::stepped::LONGEST);
         }
+        let step = crate::methods::dop853::STEP;
+        for row in step.stages.iter().chain(step.sums) {
+            let row: Vec<f64> = row.terms.iter().map(|(_, a)| a.value).collect();
+            assert!(length(&row) < crate::stepped::LONGEST);
+        }
     }
 }
