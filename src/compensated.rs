@@ -10,8 +10,8 @@ use crate::taylor::Analytic;
 /// A decorator: the same system, with a state that carries what rounding took away, so that every method that runs on it
 /// has compensated sums.
 ///
-/// A step adds a small displacement to a large state, and rounds the sum to the last digit of the large one. Here the
-/// rounding is kept, and goes into the next sum (W. Kahan, *Comm. ACM* 8 (1965) 40; O. Møller, *BIT* 5 (1965) 37–50; Hairer,
+/// A step adds a small displacement to a large state, and rounds the sum to the last digit of the large one. Here what is
+/// rounded away is kept beside the sum, until it is enough to count (W. Kahan, *Comm. ACM* 8 (1965) 40; O. Møller, *BIT* 5 (1965) 37–50; Hairer,
 /// Lubich, Wanner, *Geometric Numerical Integration*, Sect. VIII.5). What is left is the rounding of the displacements
 /// themselves, which is smaller by about x = ω₀h. A method needs no other code: Runge–Kutta methods add to the state,
 /// and splitting methods kick it and let it drift.
@@ -52,10 +52,7 @@ impl Add<Phase> for Carried {
         let due = displacement + self.lost;
         let (theta, theta_lost) = two_sum(self.phase.theta, due.theta);
         let (omega, omega_lost) = two_sum(self.phase.omega, due.omega);
-        Self {
-            phase: Phase { theta, omega },
-            lost: Phase { theta: theta_lost, omega: omega_lost },
-        }
+        Self { phase: Phase { theta, omega }, lost: Phase { theta: theta_lost, omega: omega_lost } }
     }
 }
 // ANCHOR_END: add
@@ -100,7 +97,8 @@ impl<S: Separable<State = Phase> + Hamiltonian> Separable for Compensated<S> {
     #[inline]
     fn drift(&self, z: Carried, h: f64) -> Carried {
         let moved = |omega| self.system.drift(Phase { theta: 0.0, omega }, h).theta;
-        z + Phase { theta: moved(z.phase.omega) + moved(z.lost.omega), omega: 0.0 }
+        let along = |theta| Phase { theta, omega: 0.0 };
+        z + along(moved(z.phase.omega)) + along(moved(z.lost.omega))
     }
 }
 

@@ -136,9 +136,9 @@ mod tests {
                 DoubleDouble::ONE / ((DoubleDouble::ONE - y * y) * slope.squared())
             });
             let lagrange = |j: usize, t: DoubleDouble| {
-                (0..S).filter(|m| *m != j).fold(DoubleDouble::ONE, |product, m| {
-                    product * ((t - c[m]) / (c[j] - c[m]))
-                })
+                (0..S)
+                    .filter(|m| *m != j)
+                    .fold(DoubleDouble::ONE, |product, m| product * ((t - c[m]) / (c[j] - c[m])))
             };
             let a = array::from_fn(|i| {
                 array::from_fn(|j| c[i] * sum((0..S).map(|k| b[k] * lagrange(j, c[i] * c[k]))))

@@ -94,8 +94,8 @@ pub use pendulum::{LinearOscillator, Pendulum};
 pub use phase::{Components, Phase, Point, Vector};
 pub use swing::swing;
 pub use system::{Counting, Hamiltonian, Rate, Separable, System};
-pub use taylor::{Analytic, Taylor};
 pub use systems::{Damped, DoublePendulum, Driven, Kepler, Shaken};
+pub use taylor::{Analytic, Taylor};
 
 /// The listings of the README and of the book, run as tests.
 #[cfg(doctest)]
