@@ -45,7 +45,7 @@ pub struct Properties {
     /// Whether a step solves equations by iteration. It then takes as many evaluations as the iteration needs sweeps, and
     /// where the step is too long for it to converge, no component of the state is a number.
     pub implicit: bool,
-    /// Force evaluations a step; of an implicit method, a sweep of its iteration.
+    /// Force evaluations a step; of an implicit method, a sweep of its iteration, which one evaluation more begins.
     pub force_evaluations: u64,
     /// Force evaluations once, before the first step.
     pub start_evaluations: u64,

@@ -248,6 +248,22 @@ mod tests {
         assert!(largest(&defects) > 10.0 * tolerance::<Yoshida6>(7));
     }
 
+    /// Catches: a row of a tableau that leads further than its method says.
+    #[test]
+    fn no_stage_is_out_of_reach() {
+        use crate::methods::{dop853, dormand_prince};
+        let longest = |table: crate::tableau::Tableau| {
+            let rows = table.stages.iter().chain(table.sums);
+            let row = |terms: &[(&str, crate::tableau::Coefficient)]| {
+                terms.iter().map(|(_, a)| a.value.abs()).sum::<f64>()
+            };
+            rows.map(|line| row(line.terms)).fold(0.0, f64::max)
+        };
+        assert!(longest(dop853::STEP) < <dop853::Dop853 as Method<crate::Pendulum>>::REACH);
+        let reach = <dormand_prince::DormandPrince as Method<crate::Pendulum>>::REACH;
+        assert!(longest(dormand_prince::TABLEAU) < reach);
+    }
+
     /// By hand: 2w + (2w − 1) for Forest and Ruth's drifts, with w = 1.351; and its kicks are shorter.
     ///
     /// Catches: a backward step counted against the forward ones, so that a run might lose count of its half turns.

@@ -14,8 +14,8 @@ use crate::grid::Grid;
 use crate::method::Method;
 use crate::pendulum::Pendulum;
 use crate::phase::{Components, Phase, Point, Vector};
-use crate::sine::ROUNDER;
 use crate::sine::half_turn::{PI_PARTS, reduce, series};
+use crate::sine::{self, ROUNDER};
 use crate::system::{Rate, Separable, System};
 pub use deferred::Deferred;
 
@@ -87,6 +87,14 @@ impl<const ALONE: bool> Stepped<ALONE> {
 }
 
 impl<const ALONE: bool> Turned<ALONE> {
+    /// Sine and cosine of the angle. An odd number of half turns changes the sign of both.
+    #[inline]
+    pub(crate) fn sin_cos(self) -> (f64, f64) {
+        let sign = self.turns.to_bits() << 63;
+        let signed = |x: f64| f64::from_bits(x.to_bits() ^ sign);
+        (signed(sine::sin(self.rest)), signed(sine::cos(self.rest)))
+    }
+
     /// Moves the angle and reduces it again.
     #[inline]
     fn turn(self, by: Deferred) -> Self {
