@@ -186,7 +186,7 @@ fn print<T: Clone + Send + 'static>(
         }
         let compute = compute.clone();
         for run in unless_interrupted(&interrupted, move || compute(&batch))? {
-            rows.row(run.finite()?)?;
+            rows.row(run.finite(method)?)?;
         }
     }
 }
