@@ -138,14 +138,11 @@ impl fmt::Debug for dyn AnyMethod + '_ {
     }
 }
 
-/// Hands the list of methods to the macro `$then`, as `module::Method` pairs: the paper's four in the order of its tables,
-/// then the others.
-///
-/// This is the list. [`METHODS`] is made from it, and so is every test that runs over all methods with their types
-/// known.
+/// Hands the methods that suit every system, or every separable one, to the macro `$then`, as `module::Method` pairs:
+/// the paper's four in the order of its tables, then the others. What else is given follows them.
 #[macro_export]
-macro_rules! methods {
-    ($then:ident) => {
+macro_rules! general_methods {
+    ($then:ident $(, $($more:tt)+)?) => {
         $then! {
             forward_euler::ForwardEuler,
             symplectic_euler::SymplecticEuler,
@@ -162,7 +159,26 @@ macro_rules! methods {
             blanes_moan_6::BlanesMoan6,
             yoshida_8::Yoshida8,
             kahan_li_8::KahanLi8,
+            dormand_prince::DormandPrince,
+            dop853::Dop853,
+            implicit_midpoint::ImplicitMidpoint,
+            gauss_4::Gauss4,
+            gauss_6::Gauss6,
+            gauss_16::Gauss16,
+            $($($more)+)?
         }
+    };
+}
+
+/// Hands the list of methods to the macro `$then`: the [general ones](general_methods), and those that ask more of a
+/// system.
+///
+/// This is the list. [`METHODS`] is made from it, and so is every test that runs over all methods with their types
+/// known.
+#[macro_export]
+macro_rules! methods {
+    ($then:ident) => {
+        $crate::general_methods! { $then, taylor_24::Taylor24, }
     };
 }
 

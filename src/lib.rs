@@ -29,7 +29,9 @@
 //! * [`method`](mod@method), [`methods`](mod@methods): what integrates.
 //! * [`grid`], [`integrate`](mod@integrate), [`observe`]: the time loop and what is watched along it.
 //! * [`stepped`], [`swing`](mod@swing), `ensemble`: the same loop at full speed, for one pendulum and for many.
-//! * [`tableau`], [`adaptive`]: Runge–Kutta methods as tables; steps whose size follows the motion.
+//! * [`tableau`], [`implicit`], [`taylor`], [`adaptive`]: Runge–Kutta methods as tables, explicit and implicit; power series
+//!   of the motion; steps whose size follows the motion.
+//! * [`compensated`]: any of it with sums that keep what rounding takes away.
 //! * [`catalogue`]: the one list of methods.
 //! * [`metrics`], [`order`]: what is measured.
 //! * [`dynamics`]: what a motion does in the long run: periodic orbits, their multipliers, Lyapunov exponents.
@@ -46,6 +48,7 @@
 
 pub mod adaptive;
 pub mod catalogue;
+pub mod compensated;
 mod double_double;
 pub mod dynamics;
 #[cfg(feature = "ensemble")]
@@ -53,6 +56,7 @@ pub mod ensemble;
 pub mod error;
 pub mod exact;
 pub mod grid;
+pub mod implicit;
 pub mod integrate;
 pub mod method;
 pub mod methods;
@@ -74,10 +78,12 @@ pub mod swing;
 pub mod system;
 pub mod systems;
 pub mod tableau;
+pub mod taylor;
 #[cfg(feature = "study")]
 pub mod theory;
 
 pub use catalogue::{AnyMethod, METHODS, method_named};
+pub use compensated::{Carried, Compensated};
 pub use error::Error;
 pub use exact::{Kind, Motion};
 pub use grid::Grid;
@@ -89,6 +95,7 @@ pub use phase::{Components, Phase, Point, Vector};
 pub use swing::swing;
 pub use system::{Counting, Hamiltonian, Rate, Separable, System};
 pub use systems::{Damped, DoublePendulum, Driven, Kepler, Shaken};
+pub use taylor::{Analytic, Taylor};
 
 /// The listings of the README and of the book, run as tests.
 #[cfg(doctest)]
@@ -103,6 +110,8 @@ mod listings {
         introduction: "../book/src/introduction.md",
         pendulum: "../book/src/pendulum.md",
         exact: "../book/src/exact.md",
+        beyond: "../book/src/beyond.md",
+        choosing: "../book/src/choosing.md",
         forward_euler: "../book/src/forward-euler.md",
         symplectic_euler: "../book/src/symplectic-euler.md",
         stormer_verlet: "../book/src/stormer-verlet.md",

@@ -12,6 +12,10 @@ pub trait Method<S: System> {
     /// the method.
     type Memo: Copy;
 
+    /// What the kicks of one step add up to, or its drifts if that is more, in steps: those backwards count like those
+    /// forwards.
+    const REACH: f64 = 1.0;
+
     /// Prepares the memo for a trajectory of steps `h` (s) that begins at `z` at time `t` (s).
     fn start(&self, system: &S, t: f64, h: f64, z: S::State) -> Self::Memo;
 
@@ -41,7 +45,7 @@ pub struct Properties {
     /// Whether a step solves equations by iteration. It then takes as many evaluations as the iteration needs sweeps, and
     /// where the step is too long for it to converge, no component of the state is a number.
     pub implicit: bool,
-    /// Force evaluations a step; of an implicit method, a sweep of its iteration.
+    /// Force evaluations a step; of an implicit method, a sweep of its iteration, which one evaluation more begins.
     pub force_evaluations: u64,
     /// Force evaluations once, before the first step.
     pub start_evaluations: u64,

@@ -19,6 +19,8 @@ impl<M: Splitting, S: Separable> Method<S> for M {
     /// The state one kick ahead.
     type Memo = S::State;
 
+    const REACH: f64 = longer(length(M::KICKS), length(M::DRIFTS));
+
     fn start(&self, system: &S, t: f64, h: f64, z: S::State) -> S::State {
         system.kick(z, system.force(t, z), M::KICKS[0] * h)
     }
@@ -39,6 +41,20 @@ impl<M: Splitting, S: Separable> Method<S> for M {
     }
 }
 // ANCHOR_END: step
+
+/// Σ |x|.
+const fn length(all: &[f64]) -> f64 {
+    let (mut sum, mut i) = (0.0, 0);
+    while i < all.len() {
+        sum += all[i].abs();
+        i += 1;
+    }
+    sum
+}
+
+const fn longer(a: f64, b: f64) -> f64 {
+    if a > b { a } else { b }
+}
 
 /// The kicks of a composition of Störmer–Verlet steps: between two drifts two half kicks are one, and the outermost are
 /// halves. The drifts are the substeps themselves.
@@ -87,6 +103,7 @@ mod tests {
     /// of the word of d letters whose bits are w.
     type Series = Vec<Vec<DoubleDouble>>;
 
+    // ANCHOR: words
     /// The product of exp(bᵢ B) and exp(aᵢ A), to words of `degree` letters.
     fn words<M: Splitting>(degree: usize) -> Series {
         let zero = |d: usize| vec![DoubleDouble::ZERO; 1 << d];
@@ -117,6 +134,7 @@ mod tests {
         append(1, M::KICKS[M::KICKS.len() - 1]);
         series
     }
+    // ANCHOR_END: words
 
     /// What the words of `degree` letters are off by from those of exp(A + B), 1/degree! each.
     fn defects<M: Splitting>(degree: usize) -> Vec<DoubleDouble> {
@@ -164,8 +182,7 @@ mod tests {
     /// Each coefficient is an f64, off by 2⁻⁵³ of itself, or printed in 15 digits; a word of d letters has at most d of them, each sum
     /// of products of size Lᵈ/d!, where L is the sum of all kicks or of all drifts.
     fn tolerance<M: Splitting>(degree: usize) -> f64 {
-        let length = |all: &[f64]| all.iter().map(|x| x.abs()).sum::<f64>();
-        let longest = length(M::KICKS).max(length(M::DRIFTS));
+        let longest = longer(length(M::KICKS), length(M::DRIFTS));
         let size = (1..=degree).fold(1.0, |size, k| size * longest / k as f64);
         2.0 * degree as f64 * 2.2e-16 * size
     }
@@ -231,12 +248,29 @@ mod tests {
         assert!(largest(&defects) > 10.0 * tolerance::<Yoshida6>(7));
     }
 
-    /// Catches: kicks and drifts so long that [`Stepped`](crate::stepped::Stepped) could lose count of its half turns.
+    /// Catches: a row of a tableau that leads further than its method says.
     #[test]
-    fn no_table_is_longer_than_a_run_may_be() {
-        let length = |all: &[f64]| all.iter().map(|x| x.abs()).sum::<f64>();
-        for all in [Yoshida8::KICKS, Yoshida8::DRIFTS, KahanLi8::KICKS, ForestRuth::DRIFTS] {
-            assert!(length(all) < crate::stepped::LONGEST);
-        }
+    fn no_stage_is_out_of_reach() {
+        use crate::methods::{dop853, dormand_prince};
+        let longest = |table: crate::tableau::Tableau| {
+            let rows = table.stages.iter().chain(table.sums);
+            let row = |terms: &[(&str, crate::tableau::Coefficient)]| {
+                terms.iter().map(|(_, a)| a.value.abs()).sum::<f64>()
+            };
+            rows.map(|line| row(line.terms)).fold(0.0, f64::max)
+        };
+        assert!(longest(dop853::STEP) < <dop853::Dop853 as Method<crate::Pendulum>>::REACH);
+        let reach = <dormand_prince::DormandPrince as Method<crate::Pendulum>>::REACH;
+        assert!(longest(dormand_prince::TABLEAU) < reach);
+    }
+
+    /// By hand: 2w + (2w − 1) for Forest and Ruth's drifts, with w = 1.351; and its kicks are shorter.
+    ///
+    /// Catches: a backward step counted against the forward ones, so that a run might lose count of its half turns.
+    #[test]
+    fn steps_backward_count_too() {
+        let reach = <ForestRuth as Method<crate::Pendulum>>::REACH;
+        assert!((reach - 4.404_828_8).abs() < 1e-6, "{reach}");
+        assert!(length(ForestRuth::KICKS) < reach);
     }
 }

@@ -24,7 +24,7 @@ where
     M: Method<Stepped> + Method<Pendulum>,
     O: Observer<Phase> + ?Sized,
 {
-    let Some(stepped) = Stepped::new(pendulum, grid.step(), grid.steps(), start) else {
+    let Some(stepped) = Stepped::of::<M>(pendulum, grid, start) else {
         return integrate(pendulum, method, start, grid, observer);
     };
     // The start is seen as it was given.

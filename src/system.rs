@@ -78,8 +78,14 @@ impl<S> Counting<S> {
         self.evaluations.get()
     }
 
-    fn count(&self) {
-        self.evaluations.set(self.evaluations.get() + 1);
+    /// Counts `evaluations` more.
+    pub(crate) fn count(&self, evaluations: u64) {
+        self.evaluations.set(self.evaluations.get() + evaluations);
+    }
+
+    /// The system, to be asked without being counted.
+    pub(crate) const fn system(&self) -> &S {
+        &self.system
     }
 }
 
@@ -87,7 +93,7 @@ impl<S: System> System for Counting<S> {
     type State = S::State;
 
     fn rate(&self, t: f64, z: Self::State) -> Rate<Self> {
-        self.count();
+        self.count(1);
         self.system.rate(t, z)
     }
 }
@@ -96,7 +102,7 @@ impl<S: Separable> Separable for Counting<S> {
     type Force = S::Force;
 
     fn force(&self, t: f64, z: Self::State) -> Self::Force {
-        self.count();
+        self.count(1);
         self.system.force(t, z)
     }
 

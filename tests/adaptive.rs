@@ -4,11 +4,11 @@
 use std::f64::consts::PI;
 use std::ops::{Add, Mul};
 
-use pendula::adaptive::dop853::Dop853;
-use pendula::adaptive::dormand_prince::DormandPrince;
 use pendula::adaptive::{
     Adaptive, Counts, Dense, Direction, Embedded, SMALLEST_RELATIVE, Tolerance, Walk,
 };
+use pendula::methods::dop853::Dop853;
+use pendula::methods::dormand_prince::DormandPrince;
 use pendula::{
     Components, Counting, Error, Grid, Method, Motion, Observer, Pendulum, Phase, System, Vector,
     exact, integrate,

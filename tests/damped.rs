@@ -3,7 +3,7 @@
 mod common;
 
 use approx::assert_abs_diff_eq;
-use common::each_method;
+use common::each_general_method;
 use pendula::methods::rk4::Rk4;
 use pendula::methods::stormer_verlet::StormerVerlet;
 use pendula::metrics::polygon_area;
@@ -108,7 +108,7 @@ fn what_the_energy_loses_friction_takes() {
 /// Without damping it is the pendulum, to the bit.
 ///
 /// Catches: a kick that rounds differently where there is nothing to damp.
-#[apply(each_method)]
+#[apply(each_general_method)]
 fn without_damping_it_is_the_pendulum<M>(#[case] method: M)
 where
     M: Method<Damped> + Method<Pendulum>,

@@ -3,7 +3,7 @@
 mod common;
 mod properties;
 
-use common::each_method;
+use common::each_general_method;
 use pendula::dynamics::floquet::monodromy;
 use pendula::dynamics::lyapunov::Watch;
 use pendula::dynamics::{Stroboscope, largest_exponent, periodic_orbit, root};
@@ -21,7 +21,7 @@ use rstest_reuse::apply;
 
 /// Catches: stages at the wrong times, a kick with the force of the other end of the step: the pendulum, which knows no time,
 /// sees neither.
-#[apply(each_method)]
+#[apply(each_general_method)]
 fn a_push_that_grows_is_followed_to_the_order<M: Described + Method<Pushed>>(#[case] method: M) {
     check(&method).unwrap();
 }

@@ -5,7 +5,9 @@ mod properties;
 
 use common::each_method;
 use pendula::{AnyMethod, Grid, LinearOscillator, Method, integrate};
-use properties::linear::{check, check_matrix, determinant, known, matrix_of, trace};
+use properties::linear::{
+    check, check_denials, check_matrix, determinant, known, matrix_of, trace,
+};
 use rstest::rstest;
 use rstest_reuse::apply;
 
@@ -24,9 +26,12 @@ where
 {
     let pendulum = properties::pendulum();
     let (system, frequency) = (LinearOscillator::of(pendulum), pendulum.small_angle_frequency());
-    let grid = Grid::new(x / frequency, 1).unwrap();
-    let matrix = matrix_of(frequency, |z| integrate(&system, &method, z, &grid, &mut ()));
-    check_matrix(&method, x, matrix).unwrap();
+    let matrix = |x: f64| {
+        let grid = Grid::new(x / frequency, 1).unwrap();
+        matrix_of(frequency, |z| integrate(&system, &method, z, &grid, &mut ()))
+    };
+    check_matrix(&method, x, matrix(x)).unwrap();
+    check_denials(&method, matrix).unwrap();
 }
 
 /// At x = 1 the determinants 1 + x², 1, 1 − x⁶/72 + x⁸/576 and 1, and the traces 2, 2 − x², 2 − x² + x⁴/12 and 2 − x².

@@ -5,7 +5,7 @@ mod common;
 use std::f64::consts::FRAC_PI_2;
 
 use common::each_method;
-use pendula::methods::rk4::Rk4;
+use pendula::methods::{rk4::Rk4, stormer_verlet::StormerVerlet, yoshida_8::Yoshida8};
 use pendula::stepped::{Deferred, Stepped};
 use pendula::{Grid, Method, Observer, Pendulum, Phase, integrate, swing};
 use proptest::prelude::*;
@@ -80,9 +80,21 @@ fn where_units_cannot_be_changed_time_is_in_seconds(
     #[case] omega: f64,
 ) {
     let (grid, start) = (Grid::new(h, 100).unwrap(), Phase { theta, omega });
-    assert!(Stepped::<true>::new(&pendulum(), h, 100, start).is_none());
+    assert!(Stepped::<true>::of::<Rk4>(&pendulum(), &grid, start).is_none());
     let quick = swing(&pendulum(), &Rk4, start, &grid, &mut ());
     assert_eq!(quick, integrate(&pendulum(), &Rk4, start, &grid, &mut ()));
+}
+
+/// Ten million steps of K = 0.1 can turn a pendulum 10¹³ rad, which is counted; kicks that add up to 17 steps 290 times as far,
+/// which is not.
+///
+/// Catches: kicks to and fro that are forgotten in the bound; a bound so wide that a long run of Verlet is not quick.
+#[test]
+fn how_far_a_run_may_lead_depends_on_the_method() {
+    let grid = Grid::new(0.2, 10_000_000).unwrap();
+    let start = Phase::at_rest(1.0);
+    assert!(Stepped::<true>::of::<StormerVerlet>(&pendulum(), &grid, start).is_some());
+    assert!(Stepped::<true>::of::<Yoshida8>(&pendulum(), &grid, start).is_none());
 }
 
 /// Catches: a run that goes on when nobody looks any more.

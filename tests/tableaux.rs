@@ -16,9 +16,9 @@ use std::collections::BTreeMap;
 use std::ops::{Add, Mul};
 
 use double_double::DoubleDouble;
-use pendula::adaptive::dop853::{self, Dop853};
-use pendula::adaptive::dormand_prince::{self, DormandPrince};
 use pendula::adaptive::{Dense, Embedded};
+use pendula::methods::dop853::{self, Dop853};
+use pendula::methods::dormand_prince::{self, DormandPrince};
 use pendula::tableau::{Coefficient, Row};
 use pendula::{Method, System, Vector};
 use rstest::rstest;

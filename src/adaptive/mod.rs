@@ -6,7 +6,7 @@
 //!
 //! ```
 //! use pendula::adaptive::{Adaptive, Direction, Tolerance};
-//! use pendula::adaptive::dop853::Dop853;
+//! use pendula::methods::dop853::Dop853;
 //! use pendula::{Pendulum, Phase, exact};
 //!
 //! let (pendulum, start) = (Pendulum::PAPER, Phase::at_rest(3.0));
@@ -24,8 +24,6 @@
 
 mod control;
 mod dense;
-pub mod dop853;
-pub mod dormand_prince;
 mod events;
 pub mod symmetric;
 mod tolerance;

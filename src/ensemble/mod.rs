@@ -131,8 +131,7 @@ impl<'a> Ensemble<'a> {
         let mut starts = [None; LANES];
         for (i, slot) in (first..first + count).zip(&mut starts) {
             let start = self.starts[i];
-            let (step, steps) = (self.grid.step(), self.grid.steps());
-            *slot = Some((Stepped::new(self.pendulum(i), step, steps, start)?, start));
+            *slot = Some((Stepped::of::<M>(self.pendulum(i), &self.grid, start)?, start));
         }
         Some(Block::new(method, starts.into_iter().flatten()))
     }

@@ -92,7 +92,7 @@ pub fn methods(study: &Study) -> Table {
             study.long_run.iter().find(|run| run.method.properties() == row.method.properties());
         table.push([
             row.method.properties().title.to_string(),
-            Fixed(0).print(row.order()),
+            observed_order(row),
             (if row.symplectic() { "yes" } else { "no" }).to_string(),
             Fixed(0).print(row.evaluations),
             drift.map_or(String::new(), |run| below_rounding(run.drift)),
@@ -100,6 +100,16 @@ pub fn methods(study: &Study) -> Table {
         ]);
     }
     table
+}
+
+/// The slope at the fine end of the ladder, and how uncertain it is where that shows.
+fn observed_order(row: &crate::study::properties::Row) -> String {
+    match row.ladder.slopes_and_windows().last() {
+        Some((slope, window)) if window > 0.5 => {
+            format!("{} ± {}", Fixed(0).print(slope), Fixed(0).print(window))
+        }
+        _ => Fixed(0).print(row.order()),
+    }
 }
 
 /// A long run's energy error (J) to two digits, or that it is made of rounding.

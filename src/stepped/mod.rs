@@ -10,10 +10,12 @@ mod deferred;
 
 use core::ops::{Add, Mul};
 
+use crate::grid::Grid;
+use crate::method::Method;
 use crate::pendulum::Pendulum;
 use crate::phase::{Components, Phase, Point, Vector};
-use crate::sine::ROUNDER;
 use crate::sine::half_turn::{PI_PARTS, reduce, series};
+use crate::sine::{self, ROUNDER};
 use crate::system::{Rate, Separable, System};
 pub use deferred::Deferred;
 
@@ -46,23 +48,21 @@ pub struct Turning {
     pub(crate) velocity: Deferred,
 }
 
-/// No method's kicks, or drifts, of one step add up to more steps than this, counted forward and backward.
-pub(crate) const LONGEST: f64 = 32.0;
-
 impl<const ALONE: bool> Stepped<ALONE> {
-    /// `pendulum` with its time in steps of `step` (s), for a run of `steps` that begins with the angle and angular
-    /// velocity of `start`; `None` where the change of units could overflow or underflow, or half turns could become
-    /// too many to be counted.
-    pub fn new(pendulum: &Pendulum, step: f64, steps: u64, start: Phase) -> Option<Self> {
+    /// `pendulum` with its time in steps, for a run of the method `M` along `grid` that begins with the angle and angular
+    /// velocity of `start`; `None` where the change of units could overflow or underflow, or half turns could become too
+    /// many to be counted.
+    pub fn of<M: Method<Self>>(pendulum: &Pendulum, grid: &Grid, start: Phase) -> Option<Self> {
+        let step = grid.step();
         // K and h stay far from the ends of the range of f64, and with them what is made of them: squares of 1e-200
         // can be lost, 1e-100 leaves room.
         let moderate = |x: f64| (1e-100..1e100).contains(&x);
         let kick = pendulum.stiffness() * step * step;
         // The rounder counts 2⁵¹ half turns; the angle at the start is reduced exactly below 2²⁰, and kept to half a
         // rounding.
-        let longest = steps as f64 * LONGEST;
-        let fastest = (start.omega * step).abs() + longest * kick;
-        let farthest = start.theta.abs() + longest * fastest;
+        let reach = grid.steps() as f64 * M::REACH;
+        let fastest = (start.omega * step).abs() + reach * kick;
+        let farthest = start.theta.abs() + reach * fastest;
         let fits = moderate(kick)
             && moderate(step)
             && (start.omega == 0.0 || moderate(start.omega.abs()))
@@ -87,6 +87,14 @@ impl<const ALONE: bool> Stepped<ALONE> {
 }
 
 impl<const ALONE: bool> Turned<ALONE> {
+    /// Sine and cosine of the angle. An odd number of half turns changes the sign of both.
+    #[inline]
+    pub(crate) fn sin_cos(self) -> (f64, f64) {
+        let sign = self.turns.to_bits() << 63;
+        let signed = |x: f64| f64::from_bits(x.to_bits() ^ sign);
+        (signed(sine::sin(self.rest)), signed(sine::cos(self.rest)))
+    }
+
     /// Moves the angle and reduces it again.
     #[inline]
     fn turn(self, by: Deferred) -> Self {

@@ -173,7 +173,7 @@ pub fn profiles(scene: &Scene) -> Vec<Profile> {
         let times: Vec<f64> = (1..=steps).map(|n| grid.time(n)).collect();
         let mut truth = vec![Phase::default(); times.len()];
         motion.at_each(&times, &mut truth);
-        for profile in &mut profiles {
+        for profile in profiles.iter_mut().filter(|profile| !profile.is_exhausted()) {
             profile.rungs.push(Rung::measure(profile.method, scene, &truth));
         }
     }
@@ -194,7 +194,7 @@ impl Rung {
             }
         });
         let largest = |largest: &mut f64, period: &[f64]| {
-            *largest = period.iter().fold(*largest, |largest, e| libm::fmax(largest, e.abs()));
+            *largest = period.iter().fold(*largest, |largest, e| libm::fmaximum(largest, e.abs()));
             Some(*largest)
         };
         let seen = if steps < COARSE {
@@ -250,6 +250,13 @@ impl Rung {
 }
 
 impl Profile {
+    /// Whether the last rung drowned in rounding, and finer ones would tell nothing.
+    fn is_exhausted(&self) -> bool {
+        self.rungs.last().is_some_and(|rung| {
+            rung.error(rung.periods) < self.scene.rounding(self.method, rung.steps, rung.periods)
+        })
+    }
+
     /// The error over a run of so many periods, as a function of the step.
     pub fn over(&self, periods: u64) -> Curve {
         let clear = |rung: &Rung| {
@@ -260,8 +267,11 @@ impl Profile {
             let carried = if rung.drift() > 0.0 { 4.0 * beyond * beyond } else { beyond };
             rung.error(periods) > CLEAR * carried * rounding
         };
-        let coarse = |rung: &&Rung| rung.steps < COARSE && rung.periods < periods;
-        let rungs = self.rungs.iter().skip_while(coarse);
+        // In long steps an implicit method may find no solution, and its errors are no numbers.
+        let useless = |rung: &&Rung| {
+            rung.steps < COARSE && (rung.periods < periods || !rung.error(periods).is_finite())
+        };
+        let rungs = self.rungs.iter().skip_while(useless);
         let mut rungs: Vec<Rung> = rungs.take_while(|rung| clear(rung)).cloned().collect();
         let order = f64::from(self.method.properties().order);
         if let [.., coarse, _, last] = &rungs[..] {
@@ -313,14 +323,28 @@ impl Curve {
                 return None;
             }
             if needed as u64 <= steps {
-                let properties = self.method.properties();
-                let evaluations = properties.start_evaluations
-                    + properties.force_evaluations * steps * self.periods;
+                let evaluations = self.evaluations(steps);
                 return Some(Advice { method: self.method, steps, evaluations });
             }
             steps = needed as u64;
         }
         None
+    }
+
+    /// Force evaluations over the whole run. An implicit method iterates, more often in longer steps: it is counted over a
+    /// period, or the first steps of one, and carried on.
+    fn evaluations(&self, steps: u64) -> u64 {
+        /// Sweeps vary along the swing, and with them the count by a per cent or two, if not by a whole period.
+        const COUNTED: u64 = 1024;
+        let properties = self.method.properties();
+        if properties.implicit {
+            let some = Grid::new(self.scene.period / steps as f64, steps.min(COUNTED))
+                .expect("a positive step");
+            let counted = self.method.count_evaluations(&Pendulum::PAPER, self.scene.start, &some);
+            (counted as f64 / some.steps() as f64 * (steps * self.periods) as f64) as u64
+        } else {
+            properties.start_evaluations + properties.force_evaluations * steps * self.periods
+        }
     }
 
     /// The error of the method itself (rad) with so many steps a period; NaN beyond the ladder.
@@ -344,6 +368,10 @@ impl Curve {
         let above = self.points.windows(2).rfind(|pair| pair[0].1 > wanted);
         Some(libm::exp(above.map_or(self.points[0].0, |pair| {
             let ((m, e), (finer, less)) = (pair[0], pair[1]);
+            // Between coarse rungs nothing is known: an order of 24 may turn into one of 30 there.
+            if m < libm::log(COARSE as f64) {
+                return finer;
+            }
             m + (finer - m) * (e - wanted) / (e - less)
         })))
     }
@@ -364,6 +392,7 @@ pub struct Cell {
     pub ranking: Vec<Advice>,
 }
 
+// ANCHOR: map
 /// The whole map, for all methods of the library.
 pub fn map() -> Vec<Cell> {
     let profiles = profiles(&Scene::new());
@@ -379,3 +408,4 @@ pub fn map() -> Vec<Cell> {
     }
     map
 }
+// ANCHOR_END: map

@@ -1,6 +1,6 @@
 //! Area in phase space: the determinant of the Jacobian of one step.
 
-use pendula::study::properties::{AREA_TOLERANCE, area_defect};
+use pendula::study::properties::{AREA_STEP, AREA_TOLERANCE, area_defect, area_tolerance};
 use pendula::{AnyMethod, Pendulum, Phase};
 
 use super::{Verdict, beyond, near};
@@ -16,17 +16,17 @@ pub fn cases() -> impl Iterator<Item = (Pendulum, Phase)> {
 }
 
 pub fn check(method: &dyn AnyMethod) -> Verdict {
-    let mut largest = 0.0_f64;
-    for (pendulum, z) in cases() {
-        let defect = area_defect(method, &pendulum, z, 0.1).abs();
-        if method.properties().symplectic {
-            near("det J − 1", defect, 0.0, AREA_TOLERANCE)?;
-        }
-        largest = largest.max(defect);
-    }
+    let largest = |h: f64| {
+        let defects = cases().map(|(pendulum, z)| area_defect(method, &pendulum, z, h).abs());
+        // Not `max`, which drops a NaN.
+        defects.fold(0.0, |largest, defect| if defect <= largest { largest } else { defect })
+    };
     if method.properties().symplectic {
-        return Ok(());
+        return near("det J − 1", largest(AREA_STEP), 0.0, AREA_TOLERANCE);
     }
-    // The smallest defect among the paper's methods is RK4's, x⁶/72 = 5e-7 at the bottom of the long pendulum.
-    beyond("symplectic after all: det J − 1", largest, 100.0 * AREA_TOLERANCE)
+    // The smallest defect among the paper's methods is RK4's, x⁶/72 = 5e-7 at the bottom of the long pendulum. The higher the
+    // order, the longer the step with which it shows: 0.4 s, of x = 1.25, do for order 24.
+    let seen =
+        |h: f64| beyond("symplectic after all: det J − 1", largest(h), 100.0 * area_tolerance(h));
+    seen(AREA_STEP).or_else(|_| seen(2.0 * AREA_STEP)).or_else(|_| seen(4.0 * AREA_STEP))
 }

@@ -19,9 +19,8 @@ fn typed_results(chapter: &str) -> Vec<String> {
     let result = Regex::new(
         r"(?x) [0-9][.0-9]*[eE][-−+]?[0-9]+ | 10[⁰¹²³⁴⁵⁶⁷⁸⁹⁻]+ | 10\^ | [0-9]\s*% | [0-9]\s*per\s+cent ",
     );
-    let prose = prose(chapter);
-    let found = result.unwrap().find_iter(&prose).map(|found| found.as_str().to_string()).collect();
-    found
+    let result = result.expect("the pattern is a constant");
+    result.find_iter(&prose(chapter)).map(|found| found.as_str().to_string()).collect()
 }
 
 /// Catches: a measured number that is typed, and that nothing would correct when it moves.

@@ -5,8 +5,8 @@ use std::io::Read;
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
-use pendula::adaptive::dop853::Dop853;
 use pendula::adaptive::{Adaptive, Tolerance};
+use pendula::methods::dop853::Dop853;
 use pendula::methods::rk4::Rk4;
 use pendula::methods::stormer_verlet::StormerVerlet;
 use pendula::systems::Joint;
@@ -332,6 +332,28 @@ fn a_request_that_fails_leaves_files_alone() {
     );
     assert_eq!(files(folder.path()), ["run.csv"]);
     assert_eq!(fs::read_to_string(path).unwrap(), "old");
+}
+
+/// Catches: NaN printed by a method that finds no solution; a step too long for it called an overflow, or a failure that no other
+/// step would mend; a file left behind.
+#[test]
+fn a_step_whose_equations_are_not_solved_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("run.csv");
+    for method in ["implicit-midpoint", "gauss-4", "gauss-6", "gauss-16"] {
+        let simulate =
+            ["simulate", "--method", method, "--theta0", "1", "--dt", "5", "--duration", "20"];
+        let ensemble =
+            ["ensemble", "--method", method, "--theta0", "1:2:3", "--dt", "5", "--duration", "20"];
+        for run in [&simulate[..], &ensemble[..]] {
+            let run = [run, &["--output", path.to_str().unwrap()]].concat();
+            let refused = format!("a step of 5.0 s is refused: the iteration of {method}");
+            assert_refused(&run, &refused);
+            assert!(files(folder.path()).is_empty());
+        }
+    }
+    let short = ["--method", "gauss-4", "--theta0", "1", "--dt", "0.1", "--steps", "5"];
+    assert!(!printed(&[&["simulate"], &short[..]].concat()).contains("NaN"));
 }
 
 /// Catches: an interrupt that leaves a temporary file behind. The run would take hours.

@@ -8,7 +8,7 @@ use crate::study::{Study, choice};
 pub(super) const FIGURES: &[Drawing] = &[Drawing {
     name: "decision",
     caption: "Which method keeps the angle within an error allowed, over a run of a given length, with the \
-              fewest force evaluations: its mark stands there. At the crosses the rounding of an f64 alone \
+              fewest force evaluations: its mark stands there. Where there are only dots the rounding of an f64 alone \
               may be larger than what is allowed.",
     draw: decision,
 }];
@@ -31,15 +31,15 @@ fn decision(_: &Study) -> Figure {
         }
     }
     let lost = map.iter().filter(|cell| cell.ranking.is_empty()).map(at);
-    chart = chart.series("lost in rounding", Style::colourless(5).markers_only(), lost);
+    chart = chart.series("lost in rounding", Style::REFERENCE.dots(), lost);
     Figure::new(
         "Which method needs the fewest force evaluations",
         "A map of marks on logarithmic axes: the length of the run, from one period to a hundred thousand, \
          across, and the largest angle error allowed, from a tenth to a ten-thousand-millionth of a \
          radian, upwards. Each mark is that of the cheapest method. Methods of low order hold the \
-         upper left corner, where runs are short and errors large; RK4 or a method of higher order \
-         holds the rest. In the lower right corner, small errors over long runs, there are only crosses: \
-         rounding does not let any method be so exact.",
+         upper edge, where errors are large; Blanes and Moan's of order 6 holds most of the rest, and \
+         Taylor series the smallest errors of middling runs. In the lower right corner, small errors over \
+         long runs, there are only dots: rounding does not let any method be so exact.",
     )
     .panel(chart)
 }

@@ -6,9 +6,9 @@ use std::sync::atomic::Ordering;
 
 use clap::{Args, ValueEnum};
 use pendula::Pendulum;
-use pendula::adaptive::dop853::Dop853;
-use pendula::adaptive::dormand_prince::DormandPrince;
 use pendula::adaptive::{Adaptive, Embedded, Tolerance};
+use pendula::methods::dop853::Dop853;
+use pendula::methods::dormand_prince::DormandPrince;
 
 use super::destination::{Destination, interrupts};
 use super::rows::{Format, Rows};

@@ -7,7 +7,7 @@ use pendula::methods::rk4::Rk4;
 use pendula::systems::{DoublePhase, Joint};
 use pendula::{DoublePendulum, Hamiltonian, Pendulum, integrate};
 
-use super::trajectory::TrajectoryArguments;
+use super::trajectory::{TrajectoryArguments, overflow};
 use crate::failure::Failure;
 
 /// Arguments of `pendula double-pendulum`.
@@ -66,6 +66,7 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
             let [(x1, y1), (x2, y2)] = double.bobs(z);
             [t, z.theta1, z.theta2, omega1, omega2, x1, y1, x2, y2, double.energy(z)]
         },
+        overflow,
         |observer| {
             integrate(&double, &Rk4, start, &grid, observer);
         },

@@ -10,7 +10,7 @@ use rayon::prelude::*;
 
 use super::destination::{Destination, interrupts, unless_interrupted};
 use super::rows::{Format, Rows};
-use super::scene::{PendulumArguments, methods};
+use super::scene::{PendulumArguments, methods, not_solved};
 use super::sweep::{Range, Sweep};
 use crate::failure::Failure;
 
@@ -69,8 +69,9 @@ struct Run {
 /// rad/s), and the largest energy error over the run (J).
 ///
 /// # Errors
-/// [`Failure::Refused`] for what the library refuses, and unless exactly one of angle and step is a range; a failure if
-/// the output cannot be written, if the user interrupts, or if a trajectory leaves the range of f64.
+/// [`Failure::Refused`] for what the library refuses, for a step too long for the method to solve its equations, and
+/// unless exactly one of angle and step is a range; a failure if the output cannot be written, if the user interrupts,
+/// or if a trajectory leaves the range of f64.
 pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
     let pendulum = arguments.pendulum.pendulum(arguments.mass).map_err(Failure::refused)?;
     let method = method_named(&arguments.method)
@@ -84,12 +85,12 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
                 scene.start(end)?;
             }
             let sweep = theta0.linear();
-            print(arguments, out, sweep, move |angles| scene.with_each(angles, &grid))
+            print(arguments, method, out, sweep, move |angles| scene.with_each(angles, &grid))
         }
         (Sweep::One(theta0), Sweep::Range(dt)) => {
             let start = scene.start(theta0)?;
             let sweep = grids(arguments.duration, dt)?;
-            print(arguments, out, sweep, move |grids| scene.along_each(start, grids))
+            print(arguments, method, out, sweep, move |grids| scene.along_each(start, grids))
         }
         _ => Err(Failure::refused(
             "exactly one of --theta0 and --dt must be a range FROM:TO:COUNT; one run is `pendula simulate`",
@@ -168,6 +169,7 @@ fn whole(quotient: f64) -> u64 {
 /// Computes and prints a row for each of `sweep`, a batch at a time, however many there are.
 fn print<T: Clone + Send + 'static>(
     arguments: &Arguments,
+    method: &dyn AnyMethod,
     out: &mut dyn Write,
     mut sweep: impl Iterator<Item = T>,
     compute: impl Fn(&[T]) -> Vec<Run> + Clone + Send + 'static,
@@ -184,22 +186,24 @@ fn print<T: Clone + Send + 'static>(
         }
         let compute = compute.clone();
         for run in unless_interrupted(&interrupted, move || compute(&batch))? {
-            rows.row(run.finite()?)?;
+            rows.row(run.finite(method)?)?;
         }
     }
 }
 
 impl Run {
     /// The row, if all of it is numbers.
-    fn finite(&self) -> Result<[f64; 5], Failure> {
+    fn finite(&self, method: &dyn AnyMethod) -> Result<[f64; 5], Failure> {
         let Self { theta0, dt, end, energy_error } = *self;
         let row = [theta0, dt, end.theta, end.omega, energy_error];
         if row.iter().all(|x| x.is_finite()) {
             return Ok(row);
         }
-        Err(Failure::Failed(anyhow::anyhow!(
-            "from {theta0:?} rad with Δt = {dt:?} s the trajectory leaves the range of numbers: take a smaller step"
-        )))
+        Err(not_solved(method, dt).unwrap_or_else(|| {
+            Failure::Failed(anyhow::anyhow!(
+                "from {theta0:?} rad with Δt = {dt:?} s the trajectory leaves the range of numbers: take a smaller step"
+            ))
+        }))
     }
 }
 

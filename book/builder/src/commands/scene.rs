@@ -1,11 +1,26 @@
 //! The arguments that name a pendulum and its start, shared by the commands that move one.
 
 use clap::{Args, builder::PossibleValuesParser};
-use pendula::{Error, METHODS, Pendulum, Phase};
+use pendula::{AnyMethod, Error, METHODS, Pendulum, Phase};
+
+use crate::failure::Failure;
 
 /// The names that `--method` takes.
 pub fn methods() -> PossibleValuesParser {
     METHODS.iter().map(|method| method.properties().name).collect::<Vec<_>>().into()
+}
+
+/// The refusal of a step of `dt` (s) that has led `method` to no number, if the method is one that solves equations: it
+/// does not overflow, it does not find a solution.
+pub fn not_solved(method: &dyn AnyMethod, dt: f64) -> Option<Failure> {
+    let entry = method.properties();
+    entry.implicit.then(|| {
+        Failure::refused(format!(
+            "a step of {dt:?} s is refused: the iteration of {} does not converge on this motion; it must be shorter, \
+             a fraction of the time that the pendulum takes for a radian",
+            entry.name
+        ))
+    })
 }
 
 /// The pendulum.

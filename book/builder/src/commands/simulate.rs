@@ -5,8 +5,8 @@ use std::io::Write;
 use clap::Args;
 use pendula::{Pendulum, Phase, method_named};
 
-use super::scene::{PendulumArguments, StartArguments, methods};
-use super::trajectory::TrajectoryArguments;
+use super::scene::{PendulumArguments, StartArguments, methods, not_solved};
+use super::trajectory::{TrajectoryArguments, overflow};
 use crate::failure::Failure;
 
 /// Arguments of `pendula simulate`.
@@ -29,8 +29,8 @@ pub struct Arguments {
 /// Writes the rows t, theta, omega, energy: in s, rad, rad/s and J, the energy as in the paper's Eq. 3.
 ///
 /// # Errors
-/// [`Failure::Refused`] for what the library refuses; a failure if the output cannot be written, if the user
-/// interrupts, or if the trajectory leaves the range of f64.
+/// [`Failure::Refused`] for what the library refuses, and for a step too long for the method to solve its equations; a
+/// failure if the output cannot be written, if the user interrupts, or if the trajectory leaves the range of f64.
 pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
     let pendulum = arguments.pendulum.pendulum(arguments.mass).map_err(Failure::refused)?;
     let start = arguments.start.start(&pendulum).map_err(Failure::refused)?;
@@ -41,6 +41,7 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
         out,
         ["t", "theta", "omega", "energy"],
         |t, z: Phase| [t, z.theta, z.omega, pendulum.hamiltonian(z)],
+        |steps| not_solved(method, grid.step()).unwrap_or_else(|| overflow(steps)),
         |observer| {
             method.run(&pendulum, start, &grid, observer);
         },

@@ -58,22 +58,24 @@ impl TrajectoryArguments {
     }
 
     /// Prints what `run` shows to the observer it is given, each state at its time as the `row` under the `columns`.
+    /// Where a number of a row is none, what `lost` makes of the number of steps taken is the failure.
     ///
     /// # Errors
     /// [`Failure::Refused`] if the output cannot be opened; a failure if it cannot be written, if the user interrupts, or
-    /// if the trajectory leaves the range of f64.
+    /// if the trajectory is lost.
     pub fn print<Z, const N: usize>(
         &self,
         out: &mut dyn Write,
         columns: [&'static str; N],
         row: impl Fn(f64, Z) -> [f64; N],
+        lost: impl Fn(u64) -> Failure,
         run: impl FnOnce(&mut dyn Observer<Z>),
     ) -> Result<(), Failure> {
         // Listen before there is a file to remove.
         let interrupted = interrupts(self.output.is_some())?;
         let destination = Destination::open(self.output.as_deref(), out)?;
         let rows = Rows::begin(destination, self.format, columns)?;
-        let printer = Printer { row, rows, interrupted: &interrupted, ended: None };
+        let printer = Printer { row, lost, rows, interrupted: &interrupted, ended: None };
         let mut watch = Every::new(self.every, printer);
         run(&mut watch);
         let Printer { rows, ended, .. } = watch.into_inner();
@@ -84,24 +86,35 @@ impl TrajectoryArguments {
     }
 }
 
+/// What is to be said of a trajectory that overflows.
+pub fn overflow(steps: u64) -> Failure {
+    Failure::Failed(anyhow::anyhow!(
+        "after {steps} steps the trajectory has left the range of numbers: take a smaller step"
+    ))
+}
+
 /// Prints what it observes until something comes between.
-struct Printer<'a, F, W, const N: usize> {
+struct Printer<'a, F, L, W, const N: usize> {
     row: F,
+    lost: L,
     rows: Rows<W, N>,
     interrupted: &'a AtomicBool,
     /// Why it stopped before the end.
     ended: Option<Failure>,
 }
 
-impl<Z, F: Fn(f64, Z) -> [f64; N], W: Write, const N: usize> Observer<Z> for Printer<'_, F, W, N> {
+impl<Z, F, L, W, const N: usize> Observer<Z> for Printer<'_, F, L, W, N>
+where
+    F: Fn(f64, Z) -> [f64; N],
+    L: Fn(u64) -> Failure,
+    W: Write,
+{
     fn observe(&mut self, n: u64, t: f64, z: Z) {
         let row = (self.row)(t, z);
         self.ended = if self.interrupted.load(Ordering::Relaxed) {
             Some(Failure::Failed(io::Error::from(io::ErrorKind::Interrupted).into()))
         } else if !row.iter().all(|value| value.is_finite()) {
-            Some(Failure::Failed(anyhow::anyhow!(
-                "after {n} steps the trajectory has left the range of numbers: take a smaller step"
-            )))
+            Some((self.lost)(n))
         } else {
             self.rows.row(row).err().map(Failure::from)
         };

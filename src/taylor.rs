@@ -1,0 +1,115 @@
+//! Taylor series of the motion, by recurrence.
+
+use crate::method::Method;
+use crate::pendulum::{LinearOscillator, Pendulum};
+use crate::phase::Phase;
+use crate::sine::{cos, sin};
+use crate::stepped::{Deferred, Stepped, Turned, Turning};
+use crate::system::{Counting, Rate, System};
+
+/// A system whose motion can be expanded in powers of time, by recurrence, to any order.
+pub trait Analytic: System {
+    /// The mean rate of change over a step `h` (s) from `z`, by the Taylor series of the motion up to hᴾ.
+    fn mean_rate<const P: usize>(&self, h: f64, z: Self::State) -> Rate<Self>;
+}
+
+/// The Taylor series of the motion to the power `P` of the step.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Taylor<const P: usize>;
+
+// ANCHOR: step
+impl<S: Analytic, const P: usize> Method<S> for Taylor<P> {
+    type Memo = ();
+
+    fn start(&self, _system: &S, _t: f64, _h: f64, _z: S::State) {}
+
+    #[inline(always)]
+    fn step(&self, system: &S, _t: f64, h: f64, z: S::State, _memo: &mut ()) -> S::State {
+        z + system.mean_rate::<P>(h, z) * h
+    }
+}
+// ANCHOR_END: step
+
+/// What θ and ω grow by in a step, over the step, where θ' = ω and ω' = −`stiffness` sin θ, from ω, sin θ and cos θ at its
+/// start.
+///
+/// The coefficients are those of powers of t/h. With θ = Σ θⱼ and likewise s = sin θ and c = cos θ, from s' = cθ' and
+/// c' = −sθ':
+///
+/// k sₖ = Σⱼ j θⱼ cₖ₋ⱼ, k cₖ = −Σⱼ j θⱼ sₖ₋ⱼ, with j from 1 to k.
+///
+/// K. Makino, M. Berz, *Int. J. Pure Appl. Math.* 6 (2003) 239; À. Jorba, M. Zou, *Experiment. Math.* 14 (2005) 99,
+/// Proposition 2.1.
+// ANCHOR: series
+#[inline]
+fn growth<const P: usize>(
+    stiffness: f64,
+    h: f64,
+    omega: f64,
+    (sin, cos): (f64, f64),
+) -> (f64, f64) {
+    // jθⱼ, which is all that the sums ask for; s and c.
+    let (mut turning, mut s, mut c) = ([0.0; P], [0.0; P], [0.0; P]);
+    let (mut theta, mut velocity) = ([0.0; P], [0.0; P]);
+    (s[0], c[0]) = (sin, cos);
+    let mut omega_k = omega;
+    for k in 0..P {
+        let next = (k + 1) as f64;
+        turning[k] = h * omega_k;
+        theta[k] = omega_k / next;
+        velocity[k] = -stiffness * s[k] / next;
+        omega_k = h * velocity[k];
+        if k + 1 < P {
+            let (mut sum_s, mut sum_c) = (0.0, 0.0);
+            for j in 0..=k {
+                sum_s += turning[j] * c[k - j];
+                sum_c += turning[j] * s[k - j];
+            }
+            s[k + 1] = sum_s / next;
+            c[k + 1] = -sum_c / next;
+        }
+    }
+    // The smallest first, so that they do not drown one by one.
+    let sum = |terms: [f64; P]| terms.iter().rev().fold(0.0, |sum, term| sum + term);
+    (sum(theta), sum(velocity))
+}
+// ANCHOR_END: series
+
+impl Analytic for Pendulum {
+    #[inline]
+    fn mean_rate<const P: usize>(&self, h: f64, z: Phase) -> Phase {
+        let (theta, omega) =
+            growth::<P>(self.stiffness(), h, z.omega, (sin(z.theta), cos(z.theta)));
+        Phase { theta, omega }
+    }
+}
+
+impl<const ALONE: bool> Analytic for Stepped<ALONE> {
+    #[inline]
+    fn mean_rate<const P: usize>(&self, h: f64, z: Turned<ALONE>) -> Turning {
+        let (angle, velocity) = growth::<P>(-self.kick, h, z.velocity.value(), z.sin_cos());
+        Turning { angle: Deferred::from(angle), velocity: Deferred::from(velocity) }
+    }
+}
+
+impl Analytic for LinearOscillator {
+    /// θ' = ω and ω' = −(g/L) θ: each power follows from the one before.
+    fn mean_rate<const P: usize>(&self, h: f64, z: Phase) -> Phase {
+        let mut power = z;
+        let rates = core::array::from_fn::<Phase, P, _>(|k| {
+            let rate = self.rate(0.0, power) * (1.0 / (k + 1) as f64);
+            power = rate * h;
+            rate
+        });
+        // The smallest first, as above.
+        rates.iter().rev().fold(Phase::default(), |sum, rate| sum + *rate)
+    }
+}
+
+impl<S: Analytic> Analytic for Counting<S> {
+    /// Each power of the series costs as much as its sums are long; it counts as one evaluation.
+    fn mean_rate<const P: usize>(&self, h: f64, z: S::State) -> Rate<S> {
+        self.count(P as u64);
+        self.system().mean_rate::<P>(h, z)
+    }
+}
