@@ -101,6 +101,18 @@ def numbers(chromium, book):
         chromium.wait_until(f"{LAB}.lab?.taken > 300 || {LAB}.lab === undefined")
         stop(chromium)
         findings += compared(chromium, "after a run")
+    # What cannot be said: an implicit step that is too long to be solved, and a method that does not suit damping.
+    chromium.run("location.hash = '#m=gauss-4,rk4&dt=1.5&theta0=2&speed=10'")
+    chromium.wait_until(f"{LAB}.lab.taken > 5")
+    stop(chromium)
+    if "too long" not in chromium.run(f"{LAB}.querySelector('tbody').textContent"):
+        findings.append("lab: says nothing of a step that was not solved")
+    findings += compared(chromium, "beside a lost one")
+    chromium.run("location.hash = '#m=taylor-24,rk4&beta=0.1'")
+    chromium.wait_until(f"{LAB}.lab.scene.beta > 0")
+    stop(chromium)
+    if chromium.run(f"[...{LAB}.querySelectorAll('tbody th')].map(th => th.textContent).join()") != "RK4":
+        findings.append("lab: a method that does not suit damping is not left out")
     return findings + [f"lab: {complaint}" for complaint in chromium.take_complaints()]
 
 

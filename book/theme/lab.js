@@ -258,6 +258,9 @@ class Pendulum {
 
     note(exact, offset) {
         const steps = this.read(STEPS), theta = this.read(THETA);
+        // An implicit method whose equations have not been solved has no numbers any more.
+        this.lost = Number.isNaN(theta);
+        if (this.lost) return;
         this.energy.add(steps, offset + this.read(LOWEST), offset + this.read(HIGHEST));
         this.library.look(this.place);
         if (!Number.isNaN(exact)) {
@@ -436,7 +439,8 @@ class Drawing {
         const {phase, lab} = this;
         if (!phase.width) return;
         const top = 2 * Math.sqrt(lab.scene.g / lab.scene.L);
-        const seen = Math.max(...lab.pendulums.map(p => Math.abs(p.read(OMEGA))), Math.abs(lab.scene.omega0), 0);
+        const speeds = lab.pendulums.map(p => Math.abs(p.read(OMEGA))).filter(Number.isFinite);
+        const seen = Math.max(...speeds, Math.abs(lab.scene.omega0), 0);
         if (this.reach === 0 || seen > this.reach) this.reach = round(Math.max(1.25 * top, 1.25 * seen));
         const sheet = Object.assign(this.trails, {width: phase.canvas.width, height: phase.canvas.height});
         const ink = sheet.getContext('2d');
@@ -698,10 +702,14 @@ class Lab {
         const {scene, library} = this;
         for (let place = 0; place < library.places(); place++) library.set(place, 0, 0, 0, 0, 0, 0, 0);
         const chosen = scene.methods.map(name => this.known.find(method => method.name === name)).filter(Boolean);
-        const chosenPendulums = chosen.map((method, place) => new Pendulum(library, place, method));
-        this.refused = !chosenPendulums.every(({method, place}) => library.set(place, method.number, scene.g, scene.L,
-            scene.beta, scene.theta0, scene.omega0, scene.dt));
-        this.pendulums = this.refused ? [] : chosenPendulums;
+        this.pendulums = [];
+        const refused = [];
+        for (const method of chosen) {
+            const stands = library.set(this.pendulums.length, method.number, scene.g, scene.L, scene.beta, scene.theta0,
+                scene.omega0, scene.dt);
+            if (stands) this.pendulums.push(new Pendulum(library, this.pendulums.length, method));
+            else refused.push(method.title);
+        }
         this.taken = this.time = 0;
         this.clock = 0;
         const limits = this.pendulums.map(pendulum => pendulum.read(LIMIT));
@@ -710,7 +718,10 @@ class Lab {
         this.sight();
         this.show();
         if (this.live.isConnected) this.drawing.layout();
-        if (this.refused) this.say('The library refuses this scene.');
+        if (refused.length) {
+            const why = scene.beta > 0 ? 'does not suit a damped pendulum' : 'is refused this scene';
+            this.say(`${refused.join(', ')} ${why}.`);
+        }
     }
 
     // Notes what there is to see at the present step.
@@ -1027,7 +1038,7 @@ class Lab {
         this.pendulums.forEach((pendulum, i) => {
             const row = this.rows.rows[i] ?? this.rows.appendChild(element('tr', {}, element('th', {scope: 'row'}),
                 ...columns.map(() => element('td'))));
-            row.cells[0].textContent = pendulum.method.title;
+            row.cells[0].textContent = pendulum.method.title + (pendulum.lost ? ': step too long' : '');
             columns.forEach(([, value], k) => {
                 row.cells[k + 1].textContent = value(pendulum);
             });
@@ -1057,7 +1068,7 @@ class Lab {
                 `--steps ${steps} --every ${Math.max(steps, 1)}`;
             const numbers = element('p', {class: 'numbers'}, `${pendulum.method.title}: `, ...value('t', TIME),
                 ...value('theta', THETA), ...value('omega', OMEGA), ...value('energy', ENERGY));
-            return scene.beta > 0 ? [numbers] : [numbers, element('pre', {}, element('code', {}, command))];
+            return scene.beta > 0 || pendulum.lost ? [numbers] : [numbers, element('pre', {}, element('code', {}, command))];
         }));
     }
 

@@ -3,9 +3,11 @@
 
 use std::fs;
 use std::path::Path;
+use std::sync::LazyLock;
 
 use pendula::{
-    AnyMethod, Damped, Grid, Hamiltonian, METHODS, Motion, Observer, Pendulum, Phase, integrate,
+    AnyMethod, Damped, Grid, Hamiltonian, METHODS, Motion, Observer, Pendulum, Phase, Properties,
+    integrate,
 };
 use wasmi::{Engine, Instance, Linker, Module, Store, TypedFunc, WasmParams, WasmResults};
 
@@ -106,11 +108,11 @@ impl Lab {
 
 const STALE: &str = "book/src/assets/lab.wasm.js is stale: run book/lab/build";
 
-/// Compares with the bits; a NaN has many.
+/// Compares the bits; but a NaN, of an implicit step that is not solved, has many.
 #[track_caller]
 fn assert_bits(lab: f64, library: f64, what: impl FnOnce() -> String) {
     assert!(
-        lab.to_bits() == library.to_bits(),
+        lab.to_bits() == library.to_bits() || (lab.is_nan() && library.is_nan()),
         "{}: {lab:e}, and in the library {library:e}\n{STALE}",
         what()
     );
@@ -198,12 +200,21 @@ fn compare(
     (g, length, damping, theta, omega, step): (f64, f64, f64, f64, f64, f64),
     compared: &mut u64,
 ) {
-    /// So that all methods and pendulums together make more than a million values of five a step.
-    const STEPS: u64 = 1_750;
+    // An interpreter takes its time, and most of the million values cost a force evaluation or two.
+    let steps = match method.properties() {
+        Properties { implicit: true, .. } => 25,
+        Properties { force_evaluations: 0..=4, .. } => 2_800,
+        _ => 100,
+    };
     let pendulum = Pendulum::new(g, length, 1.0).unwrap();
     let start = pendulum.start(theta, omega).unwrap();
-    let grid = Grid::new(step, STEPS).unwrap();
-    assert!(lab.set(0, (index, g, length, damping, theta, omega, step)), "{STALE}");
+    let grid = Grid::new(step, steps).unwrap();
+    let is_general = GENERAL.contains(&method.properties().name);
+    let stands = lab.set(0, (index, g, length, damping, theta, omega, step));
+    assert_eq!(stands, damping == 0.0 || is_general, "{STALE}");
+    if !stands {
+        return;
+    }
     let motion = (damping == 0.0).then(|| Motion::new(&pendulum, start).unwrap());
     let initial = pendulum.energy(start);
     let name = method.properties().name;
@@ -217,7 +228,7 @@ fn compare(
     assert_bits(lab.read(0, quantity::THETA), end.theta, || format!("{name}, at the end"));
     assert_bits(lab.read(0, quantity::INITIAL), initial, || "the energy at the start".to_string());
     let limit = lab.read(0, quantity::LIMIT);
-    assert!(limit >= 32_768.0, "{name}: only {limit} steps");
+    assert!(limit >= 8_192.0, "{name}: only {limit} steps");
     let evaluations = lab.read(0, quantity::EVALUATIONS);
     if damping == 0.0 {
         // What a method with iterations asks for depends on its rounding, which is another in steps than in seconds.
@@ -234,6 +245,12 @@ fn compare(
 
 macro_rules! damped_run {
     ($($module:ident::$method:ident,)+) => {
+        /// The methods that suit every system, a damped one too.
+        static GENERAL: LazyLock<Vec<&str>> = LazyLock::new(|| {
+            use pendula::{Described, methods};
+            vec![$(methods::$module::$method.properties().name,)+]
+        });
+
         fn damped_run(
             name: &str,
             system: &Damped,
@@ -252,7 +269,7 @@ macro_rules! damped_run {
         }
     };
 }
-pendula::methods!(damped_run);
+pendula::general_methods!(damped_run);
 
 /// Catches: a list of methods that is not the library's, or in another order; a title cut in the middle of a letter.
 #[test]

@@ -10,6 +10,7 @@
 pub mod bench;
 #[cfg(target_arch = "wasm32")]
 mod exports;
+pub mod shared;
 pub mod walk;
 
 #[cfg(target_arch = "wasm32")]
