@@ -202,9 +202,9 @@ fn compare(
 ) {
     // An interpreter takes its time, and most of the million values cost a force evaluation or two.
     let steps = match method.properties() {
-        Properties { implicit: true, .. } => 25,
+        Properties { implicit: true, .. } => 50,
         Properties { force_evaluations: 0..=4, .. } => 2_800,
-        _ => 100,
+        _ => 200,
     };
     let pendulum = Pendulum::new(g, length, 1.0).unwrap();
     let start = pendulum.start(theta, omega).unwrap();
