@@ -638,7 +638,7 @@ class Drawing {
     describe() {
         const {lab} = this, names = lab.pendulums.map(pendulum => pendulum.method.title).join(', ');
         const label = (sheet, words) => sheet.canvas.setAttribute('aria-label', words);
-        label(this.stage, `Pendulums side by side: ${names}. A dashed ring is the exact motion. Drag a bob to set the angle θ₀.`);
+        label(this.stage, `Pendulums side by side: ${names}. A ring on a dashed rod is the exact motion. Drag a bob to set the angle θ₀.`);
         label(this.phase, `Phase portrait of ${names}, over the exact orbit and the separatrix. Drag to set θ₀ and ω₀.`);
         label(this.energy, `Energy error over time of ${names}; its numbers are in the table.`);
         label(this.angle, `Angle error against the closed form, of ${names}; its numbers are in the table.`);
