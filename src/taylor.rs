@@ -87,7 +87,7 @@ impl Analytic for Pendulum {
 impl<const ALONE: bool> Analytic for Stepped<ALONE> {
     #[inline]
     fn mean_rate<const P: usize>(&self, h: f64, z: Turned<ALONE>) -> Turning {
-        let (angle, velocity) = growth::<P>(-self.kick, h, z.velocity.value(), z.sin_cos());
+        let (angle, velocity) = growth::<P>(-self.kick, h, z.velocity.value(), z.sine_and_cosine());
         Turning { angle: Deferred::from(angle), velocity: Deferred::from(velocity) }
     }
 }

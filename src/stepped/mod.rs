@@ -89,7 +89,7 @@ impl<const ALONE: bool> Stepped<ALONE> {
 impl<const ALONE: bool> Turned<ALONE> {
     /// Sine and cosine of the angle. An odd number of half turns changes the sign of both.
     #[inline]
-    pub(crate) fn sin_cos(self) -> (f64, f64) {
+    pub(crate) fn sine_and_cosine(self) -> (f64, f64) {
         let sign = self.turns.to_bits() << 63;
         let signed = |x: f64| f64::from_bits(x.to_bits() ^ sign);
         (signed(sine::sin(self.rest)), signed(sine::cos(self.rest)))
