@@ -124,13 +124,12 @@ def hands(chromium, book):
         return ["lab: does not come"]
     chromium.run(f"{LAB}.scrollIntoView({{block: 'start', behavior: 'instant'}})")
     box = f"(() => {{ const r = {LAB}.querySelector('SHEET canvas').getBoundingClientRect(); return [r.x, r.y, r.width, r.height] }})()"
-    # Four pendulums in a row, their names below: the first pivot is in the middle of the first cell.
     x, y, width, height = chromium.run(box.replace("SHEET", ".stage"))
-    cell = height - 20
-    pivot = (x + (width - 4 * cell) / 2 + cell / 2, y + cell / 2)
-    # Let go at 1.5 rad, the rod is 0.32 of the cell: the bob is nearly at the right.
-    bob = (pivot[0] + 0.32 * cell * math.sin(1.5), pivot[1] + 0.32 * cell * math.cos(1.5))
-    to = (pivot[0] - 60, pivot[1] + 45)
+    pivot = chromium.run(f"(p => [p.x, p.y, p.rod])({LAB}.lab.drawing.pivot(0))")
+    px, py, rod = x + pivot[0], y + pivot[1], pivot[2]
+    # Let go at 1.5 rad, the bob is nearly at the right.
+    bob = (px + rod * math.sin(1.5), py + rod * math.cos(1.5))
+    to = (px - 60, py + 45)
     chromium.drag(bob, to)
     theta0, meant = value(chromium, "theta0"), math.atan2(-60, 45)
     # A thousandth is what the page rounds to; a pixel of 75 may be lost to the mouse.

@@ -278,7 +278,7 @@ mod tests {
     #[test]
     #[cfg(not(miri))]
     fn the_lab_draws_methods_as_the_figures_do() {
-        let script = concat!(env!("CARGO_MANIFEST_DIR"), "/book/theme/lab.js");
+        let script = concat!(env!("CARGO_MANIFEST_DIR"), "/book/theme/lab/drawing.js");
         let Ok(script) = std::fs::read_to_string(script) else {
             return;
         }; // not in the packaged crate
