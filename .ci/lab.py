@@ -150,6 +150,12 @@ def hands(chromium, book):
     if not (abs(theta0 - math.pi / 2) < 0.05 and abs(omega0 - 2.5) < 0.1):
         findings.append(f"lab: dragged in phase space to (1.57, 2.5), and the start is ({theta0}, {omega0})")
     stop(chromium)
+    # Near the upper edge, which is at 10 rad/s: the axis may not give way under the hand.
+    chromium.drag(middle, (middle[0], middle[1] - 0.45 * inner[3]))
+    stop(chromium)
+    omega0 = value(chromium, "omega0")
+    if not abs(omega0 - 9) < 0.2:
+        findings.append(f"lab: the axis runs away from the hand: {omega0} rad/s, not 9")
 
     for key in SLIDERS:
         before = value(chromium, key)
@@ -197,6 +203,8 @@ def address(chromium, book):
         if again != scene:
             findings.append(f"lab: the address {scene} became {again}")
             break
+    if value(chromium, "until") != 7:
+        findings.append("lab: does not say where the run stops")
     press(chromium, "step", 5)
     before = digits(chromium)
     chromium.open(book.folder / "order.html")
@@ -222,6 +230,9 @@ def address(chromium, book):
             findings.append(f"lab: the lesson {lesson} does not begin")
         if chromium.run("location.hash") != lesson:
             findings.append(f"lab: the lesson {lesson} has no address")
+        marked = chromium.run(f"[...{LAB}.querySelectorAll('.lessons [aria-current]')].map(a => a.hash).join()")
+        if marked != lesson:
+            findings.append(f"lab: the lesson {lesson} is not marked, but {marked!r}")
         if not chromium.run(f"!!document.getElementById('{lesson[1:]}')?.closest('h3')"):
             findings.append(f"lab: nothing is said of the lesson {lesson}")
         stop(chromium)
@@ -245,6 +256,9 @@ def motion(chromium, book):
         findings.append(f"lab: only {len(costs)} frames in two seconds")
     elif costs[len(costs) // 2] > FRAME:
         findings.append(f"lab: a frame of five methods takes {costs[len(costs) // 2]:.1f} ms")
+    prices = chromium.run(f"[...{LAB}.querySelectorAll('tbody td:last-child')].map(td => parseFloat(td.textContent))")
+    if len(prices) != 5 or not all(price and price > 0 for price in prices):
+        findings.append(f"lab: does not say how long a step takes: {prices}")
     chromium.call("Emulation.setEmulatedMedia", features=[{"name": "prefers-reduced-motion", "value": "reduce"}])
     if not opened(chromium, book):
         return findings + ["lab: does not come"]

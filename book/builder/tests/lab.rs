@@ -234,7 +234,7 @@ fn compare(
         // What a method with iterations asks for depends on its rounding, which is another in steps than in seconds.
         if !method.properties().implicit {
             let counted = method.count_evaluations(&pendulum, start, &grid);
-            assert_eq!(evaluations, counted as f64, "{name}");
+            assert_eq!(evaluations, counted as f64, "{name}\n{STALE}");
         }
         let period = motion.unwrap().period().unwrap();
         assert_bits(lab.read(0, quantity::PERIOD), period, || "the period".to_string());

@@ -401,11 +401,13 @@ class Drawing {
     // What is drawn, in words.
     describe() {
         const {lab} = this, names = lab.pendulums.map(pendulum => pendulum.method.title).join(', ');
-        const label = (sheet, words) => sheet.canvas.setAttribute('aria-label', words);
-        label(this.stage, `Pendulums side by side: ${names}. A ring on a dashed rod is the exact motion. Drag a bob to set the angle θ₀.`);
-        label(this.phase, `Phase portrait of ${names}, over the exact orbit and the separatrix. Drag to set θ₀ and ω₀.`);
-        label(this.energy, `${lab.scene.beta > 0 ? 'Energy' : 'Energy error'} over time of ${names}; its numbers are in the table.`);
-        label(this.angle, `Angle error against the closed form, of ${names}; its numbers are in the table.`);
+        const energy = lab.scene.beta > 0 ? 'Energy' : 'Energy error';
+        for (const [sheet, words] of [
+            [this.stage, `Pendulums side by side: ${names}. A ring on a dashed rod is the exact one. Drag a bob to set θ₀.`],
+            [this.phase, `Phase portrait of ${names}, over exact orbit and separatrix. Drag to set θ₀ and ω₀.`],
+            [this.energy, `${energy} over time of ${names}; its numbers are in the table.`],
+            [this.angle, `Angle error against the closed form, of ${names}; its numbers are in the table.`],
+        ]) sheet.canvas.setAttribute('aria-label', words);
     }
 }
 

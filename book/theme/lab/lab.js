@@ -4,13 +4,14 @@
 (theLab => {
 'use strict';
 
-const {Drawing, Page, Pendulum, PRESETS, QUANTITY, address, addressed, compiled, methodsOf, place, presetScene, takeHands} = theLab;
+const {Drawing, Page, Pendulum, PRESETS, QUANTITY, address, addressed, presetScene, takeHands} = theLab;
+const {compiled, methodsOf, place} = theLab;
 const {INITIAL, LIMIT} = QUANTITY;
 
 // The closed form and the phase portrait see this many samples a frame at most.
 const SAMPLES = 64;
 // What the steps of a frame may take of the sixtieth of a second, in ms.
-const BUDGET = 9;
+const BUDGET = 7;
 
 const calm = matchMedia('(prefers-reduced-motion: reduce)');
 

@@ -2,7 +2,8 @@
 (theLab => {
 'use strict';
 
-const {PAPERS, PRESETS, QUANTITY, ROOT, SLIDERS, SPEEDS, address, count, look, measured, presetScene, rough, seconds, timed} = theLab;
+const {PAPERS, PRESETS, QUANTITY, ROOT, SLIDERS, SPEEDS, address, look, presetScene, timed} = theLab;
+const {count, measured, rough, seconds} = theLab;
 const {THETA, OMEGA, TIME, STEPS, EVALUATIONS, ENERGY, ERROR, LARGEST, INITIAL} = QUANTITY;
 
 function element(name, attributes = {}, ...children) {
@@ -68,10 +69,11 @@ class Page {
     }
 
     until() {
-        this.end = element('input', {type: 'number', class: 'until', min: 0, step: 'any', placeholder: 'never', onchange: () => {
-            const given = this.end.valueAsNumber;
-            this.lab.change({until: given > 0 ? given : 0});
-        }});
+        this.end = element('input', {type: 'number', class: 'until', min: 0, step: 'any', placeholder: 'never',
+            'aria-label': 'Stop at (s), or empty for never', onchange: () => {
+                const given = this.end.valueAsNumber;
+                this.lab.change({until: given > 0 ? given : 0});
+            }});
         return element('label', {}, 'Stop at', this.end, 's');
     }
 
@@ -102,7 +104,8 @@ class Page {
             range.setAttribute('aria-valuetext', `${now} ${unit}`);
             typed.value = now;
         };
-        return element('div', {class: 'slider'}, element('label', {}, element('span', {}, `${label} (${unit})`), range), typed);
+        const name = element('span', {}, `${label} (${unit})`);
+        return element('div', {class: 'slider'}, element('label', {}, name, range), typed);
     }
 
     choice() {
@@ -201,12 +204,13 @@ class Page {
     show() {
         const {lab} = this, {scene, pendulums, running} = lab;
         if (running) {
-            // One at a time, so that no frame is late, and each a few times, as browsers compile better what has run a while.
+            // One at a time, so that no frame is late, and each a few times: what has run a while is compiled better.
             const next = [...pendulums].sort((a, b) => a.times.length - b.times.length)[0];
             if (next.times.length < 5) next.times.push(timed(lab.stopwatch, next.method, scene));
         }
+        const steps = `${count(lab.taken)} ${lab.taken === 1 ? 'step' : 'steps'}`;
         this.run.textContent = running ? 'Pause' : 'Run';
-        this.time.textContent = `t = ${seconds(lab.time, scene.dt)} s, ${count(lab.taken)} ${lab.taken === 1 ? 'step' : 'steps'}`;
+        this.time.textContent = `t = ${seconds(lab.time, scene.dt)} s, ${steps}`;
         const columns = this.columns();
         pendulums.forEach((pendulum, i) => {
             const [head, ...cells] = this.rows.rows[i].cells;
