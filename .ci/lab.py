@@ -151,7 +151,7 @@ def hands(chromium, book):
         findings.append(f"lab: dragged in phase space to (1.57, 2.5), and the start is ({theta0}, {omega0})")
     stop(chromium)
     # Near the upper edge, which is at 10 rad/s: the axis may not give way under the hand.
-    chromium.drag(middle, (middle[0], middle[1] - 0.45 * inner[3]))
+    chromium.drag((middle[0], middle[1] - 0.44 * inner[3]), (middle[0], middle[1] - 0.45 * inner[3]))
     stop(chromium)
     omega0 = value(chromium, "omega0")
     if not abs(omega0 - 9) < 0.2:
