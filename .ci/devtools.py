@@ -165,6 +165,16 @@ class Chromium:
         self.call("Input.dispatchKeyEvent", type="keyDown", **event, **({"text": text} if text else {}))
         self.call("Input.dispatchKeyEvent", type="keyUp", **event)
 
+    def drag(self, start, end):
+        """Presses the mouse at one point, moves it to another in a few steps, and lets go."""
+        mouse = lambda kind, x, y, **more: self.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, **more)
+        mouse("mouseMoved", *start)
+        mouse("mousePressed", *start, button="left", clickCount=1)
+        for part in [0.25, 0.5, 0.75, 1]:
+            x, y = (a + part * (b - a) for a, b in zip(start, end))
+            mouse("mouseMoved", x, y, button="left", buttons=1)
+        mouse("mouseReleased", *end, button="left", clickCount=1)
+
     def screen(self, width, height=900, media=""):
         """Sets the size of the window, and what it is for: '' is the screen, 'print' paper."""
         self.call("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=False)
@@ -177,6 +187,13 @@ class Chromium:
     def picture(self, path):
         """Saves the whole page as PNG."""
         data = self.call("Page.captureScreenshot", captureBeyondViewport=True)["data"]
+        Path(path).write_bytes(base64.b64decode(data))
+
+    def clip(self, path, first, last):
+        """Saves the page from the top of one element to the bottom of another as PNG."""
+        box = self.run(f"""(() => {{ const [a, b] = [{first}, {last}].map(e => e.getBoundingClientRect());
+            return {{x: a.x, y: a.y + scrollY, width: a.width, height: b.bottom - a.y, scale: 1}} }})()""")
+        data = self.call("Page.captureScreenshot", captureBeyondViewport=True, clip=box)["data"]
         Path(path).write_bytes(base64.b64decode(data))
 
     def paper(self, path):

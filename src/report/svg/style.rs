@@ -273,4 +273,24 @@ mod tests {
             }
         }
     }
+
+    /// Catches: a lab in which a method has another marker, colour or dash than in the figures beside it.
+    #[test]
+    #[cfg(not(miri))]
+    fn the_lab_draws_methods_as_the_figures_do() {
+        let script = concat!(env!("CARGO_MANIFEST_DIR"), "/book/theme/lab/drawing.js");
+        let Ok(script) = std::fs::read_to_string(script) else {
+            return;
+        }; // not in the packaged crate
+        let list = |words: Vec<String>| words.join(", ");
+        let colours = list(PALETTE.map(|(name, ..)| format!("'{name}'")).to_vec());
+        assert!(script.contains(&format!("COLOURS = [{colours}];")), "{colours}");
+        let markers = MARKERS.map(|marker| format!("\n    '{marker}',")).concat();
+        assert!(script.contains(&format!("MARKERS = [{markers}\n];")), "{markers}");
+        // The last is the guides'.
+        let dashes = DASHES.split_last().unwrap().1;
+        let dashes =
+            list(dashes.iter().map(|dash| format!("[{}]", dash.replace(' ', ", "))).collect());
+        assert!(script.contains(&format!("DASHES = [{dashes}];")), "{dashes}");
+    }
 }

@@ -1,0 +1,98 @@
+//! A place for a pendulum, and what is watched there.
+
+use pendula::{Hamiltonian, Motion, Phase};
+
+use crate::walk::{Scene, Walk};
+
+/// One pendulum, what it did since it was last looked at, and what it should do.
+pub struct Place {
+    scene: Scene,
+    walk: Walk,
+    /// The exact motion, where there is no damping and so one in closed form.
+    motion: Option<Motion>,
+    /// Energy above the bottom at the start (J).
+    initial: f64,
+    /// Energy above the bottom (J), the present one, and its extremes since the last look.
+    energy: f64,
+    lowest: f64,
+    highest: f64,
+    /// max |Hₙ − H₀| over all steps (J).
+    largest: f64,
+}
+
+impl Place {
+    /// The scene at its start; `None` for one that the library refuses.
+    pub fn new(scene: Scene) -> Option<Self> {
+        let walk = Walk::new(&scene)?;
+        let motion = match scene.damping {
+            0.0 => Some(Motion::new(&scene.pendulum, scene.start).ok()?),
+            _ => None,
+        };
+        let energy = scene.pendulum.energy(scene.start);
+        Some(Self {
+            scene,
+            walk,
+            motion,
+            initial: energy,
+            energy,
+            lowest: energy,
+            highest: energy,
+            largest: 0.0,
+        })
+    }
+
+    /// Takes up to `count` steps, watches the energy at each, and says how many there were left to take.
+    pub fn advance(&mut self, count: u32) -> u32 {
+        for n in 0..count {
+            if !self.walk.step() {
+                return n;
+            }
+            self.energy = self.scene.pendulum.energy(self.walk.phase());
+            self.lowest = self.lowest.min(self.energy);
+            self.highest = self.highest.max(self.energy);
+            self.largest = self.largest.max((self.energy - self.initial).abs());
+        }
+        count
+    }
+
+    /// Forgets the extremes of the energy but for the present one.
+    pub fn look(&mut self) {
+        (self.lowest, self.highest) = (self.energy, self.energy);
+    }
+
+    /// What there is to know, by the numbers that the page has for it; NaN for a number that stands for nothing.
+    pub fn read(&mut self, quantity: u32) -> f64 {
+        let Phase { theta, omega } = self.walk.phase();
+        match quantity {
+            0 => theta,
+            1 => omega,
+            2 => self.walk.time(),
+            3 => self.walk.taken() as f64,
+            4 => self.walk.evaluations() as f64,
+            // As `pendula simulate` prints it: zero at the height of the pivot.
+            5 => self.scene.pendulum.hamiltonian(self.walk.phase()),
+            6 => self.energy - self.initial,
+            7 => self.lowest - self.initial,
+            8 => self.highest - self.initial,
+            9 => self.largest,
+            10 => self.walk.limit() as f64,
+            11 => self.motion.and_then(|motion| motion.period()).unwrap_or(f64::NAN),
+            12 => self.initial,
+            _ => f64::NAN,
+        }
+    }
+
+    /// The exact state at the time `t` (s); NaN where there is none in closed form.
+    pub fn exact(&self, t: f64) -> Phase {
+        state(self.motion, t)
+    }
+
+    /// The state at `t` (s) on the separatrix of this pendulum, which is at the bottom at t = 0.
+    pub fn separatrix(&self, t: f64) -> Phase {
+        state(Motion::on_separatrix(&self.scene.pendulum, 0.0).ok(), t)
+    }
+}
+
+fn state(motion: Option<Motion>, t: f64) -> Phase {
+    motion.map_or(Phase { theta: f64::NAN, omega: f64::NAN }, |motion| motion.at(t))
+}

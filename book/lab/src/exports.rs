@@ -1,0 +1,144 @@
+//! What the page calls. A place, a method or a quantity that does not exist is answered by zero or NaN.
+#![expect(unsafe_code, reason = "an export's name is a promise to the linker")]
+
+use core::cell::RefCell;
+
+use pendula::{Pendulum, Phase};
+
+use crate::bench::Place;
+use crate::walk::{METHODS, Scene, names};
+
+/// As many pendulums as a page shows at once.
+const PLACES: usize = 8;
+
+/// An `Option` whose nothing is all zeros, which take no room in the file.
+#[repr(C, u8)]
+#[expect(clippy::large_enum_variant, reason = "a box would have to be allocated")]
+enum Stand {
+    Empty = 0,
+    Taken(Place),
+}
+
+struct Places(RefCell<[Stand; PLACES]>);
+
+// SAFETY: this is compiled for WebAssembly without threads.
+unsafe impl Sync for Places {}
+
+static BENCH: Places = Places(RefCell::new([const { Stand::Empty }; PLACES]));
+
+/// What `ask` says of the pendulum at `place`, or `otherwise` where none stands.
+fn at<T>(place: u32, otherwise: T, ask: impl FnOnce(&mut Place) -> T) -> T {
+    match BENCH.0.try_borrow_mut() {
+        Ok(mut places) => match places.get_mut(place as usize) {
+            Some(Stand::Taken(place)) => ask(place),
+            _ => otherwise,
+        },
+        Err(_) => otherwise,
+    }
+}
+
+/// The number of places.
+#[unsafe(no_mangle)]
+extern "C" fn places() -> u32 {
+    PLACES as u32
+}
+
+/// The number of methods.
+#[unsafe(no_mangle)]
+extern "C" fn methods() -> u32 {
+    METHODS as u32
+}
+
+/// The name (0) or the title (1) of a method.
+fn text(method: u32, which: u32) -> &'static str {
+    let known = names(method as usize);
+    known.as_ref().and_then(|known| known.get(which as usize)).copied().unwrap_or("")
+}
+
+/// Where a text begins in memory: the name (0) or the title (1) of a method.
+#[unsafe(no_mangle)]
+extern "C" fn text_at(method: u32, which: u32) -> *const u8 {
+    text(method, which).as_ptr()
+}
+
+/// How many bytes of UTF-8 it has.
+#[unsafe(no_mangle)]
+extern "C" fn text_length(method: u32, which: u32) -> u32 {
+    text(method, which).len() as u32
+}
+
+/// Sets a pendulum of 1 kg at its start, in place of what stood there; 0 and an empty place where the library refuses.
+#[unsafe(no_mangle)]
+extern "C" fn set(
+    place: u32,
+    method: u32,
+    gravity: f64,
+    length: f64,
+    damping: f64,
+    theta: f64,
+    omega: f64,
+    step: f64,
+) -> u32 {
+    let start = Phase { theta, omega };
+    let scene = Pendulum::new(gravity, length, 1.0).ok().map(|pendulum| Scene {
+        method: method as usize,
+        pendulum,
+        damping,
+        start,
+        step,
+    });
+    let Ok(mut places) = BENCH.0.try_borrow_mut() else { return 0 };
+    let Some(place) = places.get_mut(place as usize) else { return 0 };
+    match scene.and_then(Place::new) {
+        Some(new) => {
+            *place = Stand::Taken(new);
+            1
+        }
+        None => {
+            *place = Stand::Empty;
+            0
+        }
+    }
+}
+
+/// [`Place::advance`].
+#[unsafe(no_mangle)]
+extern "C" fn advance(place: u32, steps: u32) -> u32 {
+    at(place, 0, |place| place.advance(steps))
+}
+
+/// [`Place::look`].
+#[unsafe(no_mangle)]
+extern "C" fn look(place: u32) {
+    at(place, (), Place::look);
+}
+
+/// [`Place::read`].
+#[unsafe(no_mangle)]
+extern "C" fn read(place: u32, quantity: u32) -> f64 {
+    at(place, f64::NAN, |place| place.read(quantity))
+}
+
+/// θ (rad) of [`Place::exact`].
+#[unsafe(no_mangle)]
+extern "C" fn exact_theta(place: u32, t: f64) -> f64 {
+    at(place, f64::NAN, |place| place.exact(t).theta)
+}
+
+/// ω (rad/s) of [`Place::exact`].
+#[unsafe(no_mangle)]
+extern "C" fn exact_omega(place: u32, t: f64) -> f64 {
+    at(place, f64::NAN, |place| place.exact(t).omega)
+}
+
+/// θ (rad) of [`Place::separatrix`].
+#[unsafe(no_mangle)]
+extern "C" fn separatrix_theta(place: u32, t: f64) -> f64 {
+    at(place, f64::NAN, |place| place.separatrix(t).theta)
+}
+
+/// ω (rad/s) of [`Place::separatrix`].
+#[unsafe(no_mangle)]
+extern "C" fn separatrix_omega(place: u32, t: f64) -> f64 {
+    at(place, f64::NAN, |place| place.separatrix(t).omega)
+}

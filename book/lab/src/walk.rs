@@ -1,0 +1,168 @@
+//! A method on its way: the state, what the method remembers, and the count of what it took.
+
+use pendula::methods;
+use pendula::stepped::Stepped;
+use pendula::{Damped, Described, Grid, Method, Pendulum, Phase};
+
+use crate::shared::{Shared, State};
+
+/// What is asked for: a pendulum, its start, a method and a step.
+#[derive(Clone, Copy, Debug)]
+pub struct Scene {
+    /// Index of the method in [`METHODS`](pendula::METHODS).
+    pub method: usize,
+    /// The pendulum.
+    pub pendulum: Pendulum,
+    /// Damping β (1/s); zero for none.
+    pub damping: f64,
+    /// The start.
+    pub start: Phase,
+    /// The step Δt (s).
+    pub step: f64,
+}
+
+macro_rules! all {
+    ($($module:ident::$method:ident,)+) => {
+        /// Which method it is, and what its last step left for the next.
+        enum Memo {
+            $($method(<methods::$module::$method as Method<Shared>>::Memo),)+
+        }
+
+        impl Memo {
+            /// [`Method::start`] of the method at `index` in the library's list.
+            fn start(index: usize, system: &Shared, h: f64, z: State) -> Option<Self> {
+                let mut number = 0..;
+                $(if number.next() == Some(index) {
+                    return Some(Self::$method(methods::$module::$method.start(system, 0.0, h, z)));
+                })+
+                None
+            }
+
+            /// [`Method::step`].
+            fn step(&mut self, system: &Shared, t: f64, h: f64, z: State) -> State {
+                match self {
+                    $(Self::$method(memo) => {
+                        methods::$module::$method.step(system, t, h, z, memo)
+                    })+
+                }
+            }
+        }
+
+        /// Number of methods.
+        pub const METHODS: usize = [$(stringify!($method)),+].len();
+
+        /// Name and title of the method at `index` in the library's list. Asked for one by one, so that the rest of what is
+        /// known of them stays out of the page.
+        pub fn names(index: usize) -> Option<[&'static str; 2]> {
+            let mut number = 0..;
+            $(if number.next() == Some(index) {
+                let properties = methods::$module::$method.properties();
+                return Some([properties.name, properties.title]);
+            })+
+            None
+        }
+
+        $(const _: () = assert!(
+            <methods::$module::$method as Method<Stepped>>::REACH <= FARTHEST,
+            "`longest` has to ask for a method that reaches as far",
+        );)+
+    };
+}
+pendula::methods!(all);
+
+macro_rules! general {
+    ($($module:ident::$method:ident,)+) => {
+        /// Number of methods that suit every system; they are the first in the list.
+        const GENERAL: usize = [$(stringify!($method)),+].len();
+    };
+}
+pendula::general_methods!(general);
+
+/// No method reaches farther than this one.
+type Farthest = methods::dop853::Dop853;
+const FARTHEST: f64 = <Farthest as Method<Stepped>>::REACH;
+
+/// As many steps as an hour of a tenth of a millisecond each: more than anybody waits for.
+const MOST_STEPS: u64 = 36_000_000;
+
+/// A method on its way through a [`Scene`].
+pub struct Walk {
+    system: Shared,
+    /// In seconds, and in the system's unit of time.
+    grid: Grid,
+    inner: Grid,
+    z: State,
+    memo: Memo,
+    taken: u64,
+    phase: Phase,
+}
+
+impl Walk {
+    /// The beginning of the walk; `None` for a scene that the library refuses, or a method that does not suit damping.
+    pub fn new(scene: &Scene) -> Option<Self> {
+        let start = scene.pendulum.start(scene.start.theta, scene.start.omega).ok()?;
+        let ((system, z), grid, inner) = if scene.damping == 0.0 {
+            let (stepped, grid) = longest(scene, start)?;
+            (Shared::swing(stepped, start), grid, grid.in_steps())
+        } else if scene.method < GENERAL {
+            let damped = Damped::new(scene.pendulum, scene.damping).ok()?;
+            let grid = Grid::new(scene.step, MOST_STEPS).ok()?;
+            (Shared::damped(damped, start), grid, grid)
+        } else {
+            return None;
+        };
+        let memo = Memo::start(scene.method, &system, inner.step(), z)?;
+        Some(Self { system, grid, inner, z, memo, taken: 0, phase: start })
+    }
+
+    /// Takes a step, and says whether there was one left: one turn of the loop in `pendula::integrate`.
+    pub fn step(&mut self) -> bool {
+        if self.taken == self.grid.steps() {
+            return false;
+        }
+        let (t, h) = (self.inner.time(self.taken), self.inner.step());
+        self.z = self.memo.step(&self.system, t, h, self.z);
+        self.phase = self.system.phase(self.z);
+        self.taken += 1;
+        true
+    }
+
+    /// The state: at first the start as it was given.
+    pub const fn phase(&self) -> Phase {
+        self.phase
+    }
+
+    /// The number of steps taken.
+    pub const fn taken(&self) -> u64 {
+        self.taken
+    }
+
+    /// The number of steps there are in all.
+    pub const fn limit(&self) -> u64 {
+        self.grid.steps()
+    }
+
+    /// The time (s).
+    pub const fn time(&self) -> f64 {
+        self.grid.time(self.taken)
+    }
+
+    /// Force evaluations so far, counted.
+    pub fn evaluations(&self) -> u64 {
+        self.system.evaluations()
+    }
+}
+
+/// A grid, the longer the better, on which `pendula::swing` counts time in steps with any method, and the pendulum that
+/// does: on every shorter one it does the same, bit for bit.
+fn longest(scene: &Scene, start: Phase) -> Option<(Stepped, Grid)> {
+    let mut steps = MOST_STEPS;
+    while steps > 0 {
+        let grid = Grid::new(scene.step, steps).ok()?;
+        if let Some(stepped) = Stepped::of::<Farthest>(&scene.pendulum, &grid, start) {
+            return Some((stepped, grid));
+        }
+        steps /= 2;
+    }
+    None
+}
