@@ -6,8 +6,8 @@
 //!
 //! # Which steps count
 //! A lucky step, at which the error just crosses zero, must not count, and the next finer one tells ([`is_credible`]); nor
-//! does an error of more than a radian. Where N roundings of ε may hide the order, error(N) ≤ Nε, they also count if
-//! 3 error(N) ≥ error(2N), and are the last: more steps would only add roundings.
+//! does an error of more than a radian. Where an error may be [rounding](EndError::rounding), and is not halved by the next
+//! step, it is the last: more steps would only add roundings.
 //!
 //! `cargo bench --bench work_precision` takes the median of nine runs; without `--bench` it is one run, to see that it
 //! works.
@@ -21,9 +21,10 @@ use std::hint::black_box;
 
 use machine::{instructions, median, seconds};
 use naive::NAIVE;
+use pendula::metrics::EndError;
 use pendula::order::is_credible;
 use pendula::stepped::Stepped;
-use pendula::{Described, Grid, Method, Motion, Pendulum, Phase, methods, swing};
+use pendula::{Described, Grid, Method, Pendulum, Phase, methods, swing};
 
 /// From where (rad) and for how long (s).
 const SCENES: [(f64, u32); 3] = [(1.0, 100), (3.0, 30), (1.0, 1000)];
@@ -46,17 +47,14 @@ struct Row {
 }
 
 struct Scene {
-    motion: Motion,
+    error: EndError,
     duration: u32,
     runs: usize,
 }
 
 impl Scene {
     fn error(&self, contender: &Contender<'_>, steps: u64, step: f64) -> f64 {
-        let end = (contender.run)(steps, step);
-        let exact = self.motion.at(steps as f64 * step);
-        let frequency = Pendulum::PAPER.small_angle_frequency();
-        f64::max((end.theta - exact.theta).abs(), (end.omega - exact.omega).abs() / frequency)
+        self.error.of((contender.run)(steps, step))
     }
 
     /// The steps that count, from the coarsest to the first that is as right as the finest goal.
@@ -72,12 +70,12 @@ impl Scene {
             let error = next.unwrap_or_else(|| self.error(contender, steps, step));
             let finer = self.error(contender, 2 * steps, 0.5 * step);
             next = Some(finer);
-            let credible = is_credible(contender.order, error, finer);
-            let rounded = error <= steps as f64 * f64::EPSILON && 3.0 * error >= finer;
-            if error <= 1.0 && (credible || rounded) {
+            let rounding = self.error.rounding(2 * steps);
+            if error <= 1.0 && is_credible(contender.order, error, finer, rounding) {
                 let times = (0..self.runs).map(|_| seconds(|| (contender.run)(steps, step)));
                 rows.push(Row { steps, error, microseconds: 1e6 * median(times.collect()) });
-                if !credible || error <= GOALS[GOALS.len() - 1] {
+                let is_on_the_floor = error <= self.error.rounding(steps) && 2.0 * finer >= error;
+                if error <= GOALS[GOALS.len() - 1] || is_on_the_floor {
                     break;
                 }
             }
@@ -126,9 +124,10 @@ fn main() {
     let mut summary = Vec::new();
     for (theta_0, duration) in SCENES {
         let start = Phase::at_rest(theta_0);
-        let motion = Motion::new(&Pendulum::PAPER, start).expect("a pendulum's motion");
+        let error = EndError::new(&Pendulum::PAPER, start, f64::from(duration))
+            .expect("a pendulum's motion");
         let title = format!("{theta_0} rad to {duration} s");
-        for (name, rows) in compare_all(&Scene { motion, duration, runs }, start) {
+        for (name, rows) in compare_all(&Scene { error, duration, runs }, start) {
             for Row { steps, error, microseconds } in &rows {
                 println!(
                     "{title:<20} | {name:<24} | {steps:>8} | {error:>8.1e} | {microseconds:>10.1}"

@@ -18,11 +18,14 @@ pub fn slopes<'a>(
 }
 // ANCHOR_END: slopes
 
-/// Whether the `error` of a method of this `order` is its own and no luck, going by that of half the step, `finer`.
+/// Whether the `error` of a method of this `order` is its own and no luck, going by that of half the step, `finer`, of which
+/// so much may be `rounding`.
 ///
 /// An error may cross zero at some step, and there a poor method looks splendid. But with half the step it should be
 /// 2ᵖ times smaller: where that makes it out to be more than three times what it is, the step was lucky, or rounding has
-/// been reached.
-pub fn is_credible(order: u32, error: f64, finer: f64) -> bool {
-    3.0 * error >= libm::exp2(f64::from(order)) * finer
+/// been reached. A high order may reach it in a single halving. So where the finer error may be rounding, it need only be
+/// no more than three times what `error` is.
+pub fn is_credible(order: u32, error: f64, finer: f64, rounding: f64) -> bool {
+    let falls = 3.0 * error >= libm::exp2(f64::from(order)) * finer;
+    falls || finer <= rounding && 3.0 * error >= finer
 }

@@ -48,32 +48,58 @@ fn growth<const P: usize>(
     omega: f64,
     (sin, cos): (f64, f64),
 ) -> (f64, f64) {
-    // jθⱼ, which is all that the sums ask for; s and c.
-    let (mut turning, mut s, mut c) = ([0.0; P], [0.0; P], [0.0; P]);
+    let inverse = const { inverses::<P>() };
+    // jθⱼ, which is all that the sums ask for; c and −s, side by side, since both are multiplied by the same.
+    let (mut turning, mut waves) = ([0.0; P], [[0.0; 2]; P]);
     let (mut theta, mut velocity) = ([0.0; P], [0.0; P]);
-    (s[0], c[0]) = (sin, cos);
-    let mut omega_k = omega;
+    // Every product goes to its sum as soon as both factors are known, so that a sum waits for its last two alone.
+    let mut sums = [[0.0; 2]; P];
+    let (mut omega_k, mut wave) = (omega, [cos, -sin]);
     for k in 0..P {
-        let next = (k + 1) as f64;
-        turning[k] = h * omega_k;
-        theta[k] = omega_k / next;
-        velocity[k] = -stiffness * s[k] / next;
+        let turned = h * omega_k;
+        theta[k] = omega_k * inverse[k];
+        velocity[k] = stiffness * inverse[k] * wave[1];
         omega_k = h * velocity[k];
-        if k + 1 < P {
-            let (mut sum_s, mut sum_c) = (0.0, 0.0);
-            for j in 0..=k {
-                sum_s += turning[j] * c[k - j];
-                sum_c += turning[j] * s[k - j];
+        let earlier = waves.iter().zip(&turning[..k]);
+        for (sum, (wave_j, turned_j)) in sums[k..].iter_mut().zip(earlier) {
+            for i in 0..2 {
+                sum[i] += turned * wave_j[i] + turned_j * wave[i];
             }
-            s[k + 1] = sum_s / next;
-            c[k + 1] = -sum_c / next;
         }
+        if 2 * k < P {
+            for i in 0..2 {
+                sums[2 * k][i] += turned * wave[i];
+            }
+        }
+        (turning[k], waves[k]) = (turned, wave);
+        let [s, c] = sums[k];
+        wave = [c * inverse[k], -s * inverse[k]];
     }
-    // The smallest first, so that they do not drown one by one.
-    let sum = |terms: [f64; P]| terms.iter().rev().fold(0.0, |sum, term| sum + term);
-    (sum(theta), sum(velocity))
+    (smallest_first(&theta), smallest_first(&velocity))
 }
 // ANCHOR_END: series
+
+/// 1, 1/2, 1/3 …: a division would be waited for three times as long as a product.
+const fn inverses<const P: usize>() -> [f64; P] {
+    let mut all = [1.0; P];
+    let mut k = 1;
+    while k < P {
+        all[k] = 1.0 / (k + 1) as f64;
+        k += 1;
+    }
+    all
+}
+
+/// The sum of the terms of a series, the smallest first, so that they do not drown one by one: in four sums at once, which
+/// do not wait for one another.
+#[inline]
+fn smallest_first<const P: usize>(terms: &[f64; P]) -> f64 {
+    let mut sums = [0.0; 4];
+    for (k, term) in terms.iter().enumerate().rev() {
+        sums[k % 4] += term;
+    }
+    sums.iter().rev().fold(0.0, |sum, part| sum + part)
+}
 
 impl Analytic for Pendulum {
     #[inline]

@@ -9,7 +9,9 @@ mod properties;
 mod zoo;
 
 use pendula::methods::{
+    dop853::Dop853, forest_ruth::ForestRuth, forward_euler::ForwardEuler, gauss_4::Gauss4,
     rk4::Rk4, stormer_verlet::StormerVerlet, symplectic_euler::SymplecticEuler,
+    taylor_24::Taylor24, yoshida_6::Yoshida6,
 };
 use pendula::sine::sin;
 use pendula::{AnyMethod, Pendulum, Phase};
@@ -17,6 +19,7 @@ use properties::metrics as check;
 use properties::metrics::{OfErrors, OfSamples};
 use properties::*;
 use rstest::rstest;
+use zoo::high_order::{self, EntryOff, TermDropped};
 use zoo::runge_kutta::Tableau;
 use zoo::verlet::Kicks;
 use zoo::{euler, metrics, problem, verlet, wrapped};
@@ -167,6 +170,40 @@ use zoo::{euler, metrics, problem, verlet, wrapped};
     problem::Accelerated(|p, theta| 1e-12 - p.stiffness() * sin(theta)), StormerVerlet,
     &[LINEAR, CONJUGACY, SYMMETRY],
 )]
+// (It is no palindrome, but so nearly one that its way back misses the start by less than 1e-12.)
+#[case::triple_jump_too_long_by_1e_6(
+    high_order::TripleJumpTooLong, ForestRuth,
+    &[ORDER, ERROR_CONSTANT, LINEAR, REVERSAL],
+)]
+#[case::triple_jump_off_by_1e_6(
+    high_order::TripleJumpOff, ForestRuth,
+    &[ORDER, ERROR_CONSTANT],
+)]
+#[case::yoshida_6_with_a_sign_lost(
+    high_order::SignLost, Yoshida6,
+    &[ORDER, ERROR_CONSTANT, LINEAR],
+)]
+#[case::yoshida_6_in_six_digits(high_order::SixDigits, Yoshida6, &[ORDER, ERROR_CONSTANT])]
+#[case::gauss_4_swept_once(
+    high_order::SweptOnce, Gauss4,
+    &[ORDER, ERROR_CONSTANT, LINEAR, AREA, REVERSAL, WORK],
+)]
+#[case::dop853_with_a_stage_off_by_1e_6(
+    EntryOff { row: "k7", term: "k5", by: 1e-6 }, Dop853,
+    &[ORDER, ERROR_CONSTANT],
+)]
+#[case::dop853_with_a_weight_off_by_1e_9(
+    EntryOff { row: "step", term: "k9", by: 1e-9 }, Dop853,
+    &[ORDER, ERROR_CONSTANT],
+)]
+#[case::taylor_24_with_a_term_dropped_early(
+    TermDropped { power: 5, factor: 2 }, Taylor24,
+    &[ORDER, ERROR_CONSTANT],
+)]
+#[case::taylor_24_with_a_term_dropped_late(
+    TermDropped { power: 20, factor: 7 }, Taylor24,
+    &[ORDER, ERROR_CONSTANT],
+)]
 fn impostors_are_caught<I: AnyMethod, M: AnyMethod>(
     #[case] impostor: I,
     #[case] truth: M,
@@ -270,6 +307,20 @@ fn wrong_orders_are_caught(#[case] impostor: fn(&dyn AnyMethod) -> f64) {
     near("symplectic Euler's order, so measured", impostor(&SymplecticEuler), 2.0, 0.05).unwrap();
 }
 
+/// The series of which a term is dropped has, without that, every property: it is the dropped term that is caught.
+///
+/// Catches: an impostor that is wrong for another reason than it says.
+#[test]
+fn a_series_without_a_term_dropped_is_right() {
+    for property in PROPERTIES {
+        (property.check)(&TermDropped::NONE).expect(property.name);
+    }
+    let table = EntryOff { row: "step", term: "k9", by: 0.0 };
+    for property in PROPERTIES {
+        (property.check)(&table).expect(property.name);
+    }
+}
+
 /// The pendulum knows no time, so that none of the properties above can see at what times RK4 evaluates its stages. A
 /// driven system can.
 ///
@@ -283,5 +334,19 @@ fn wrong_stage_times_are_caught(#[case] impostor: Tableau) {
     driven::check(&impostor).expect_err("stages at the wrong times pass");
     for property in PROPERTIES {
         (property.check)(&impostor).expect("the pendulum cannot see them");
+    }
+}
+
+/// Forward Euler with the force of the end of the step is of order 1 on a driven system, too: only the very sum that it
+/// makes tells it from the right one.
+///
+/// Catches: a check of when Euler's methods ask for the force that has stopped to discriminate.
+#[test]
+fn a_force_asked_for_late_is_caught() {
+    driven::check_euler(&ForwardEuler).unwrap();
+    driven::check_euler(&euler::Late).expect_err("the force of the end of the step passes");
+    driven::check(&euler::Late).expect("the order cannot see it");
+    for property in PROPERTIES {
+        (property.check)(&euler::Late).expect("the pendulum cannot see it");
     }
 }

@@ -7,14 +7,14 @@ use common::each_general_method;
 use pendula::dynamics::floquet::monodromy;
 use pendula::dynamics::lyapunov::Watch;
 use pendula::dynamics::{Stroboscope, largest_exponent, periodic_orbit, root};
-use pendula::methods::rk4::Rk4;
+use pendula::methods::{forward_euler::ForwardEuler, rk4::Rk4, symplectic_euler::SymplecticEuler};
 use pendula::study::beyond::{
     CHAOTIC, COARSE, Doubling, attractor, doubling, doublings, poincare, seen,
 };
 use pendula::{
     Damped, Described, Driven, Grid, Method, Pendulum, Phase, Separable, System, integrate,
 };
-use properties::driven::{Pushed, check};
+use properties::driven::{Pushed, check, check_euler};
 use properties::near;
 use rstest::rstest;
 use rstest_reuse::apply;
@@ -24,6 +24,13 @@ use rstest_reuse::apply;
 #[apply(each_general_method)]
 fn a_push_that_grows_is_followed_to_the_order<M: Described + Method<Pushed>>(#[case] method: M) {
     check(&method).unwrap();
+}
+
+/// Catches: the force at the end of the step, or half-way: an error in proportion to h, as Euler's methods have anyway.
+#[test]
+fn eulers_methods_ask_for_the_force_at_the_beginning_of_a_step() {
+    check_euler(&ForwardEuler).unwrap();
+    check_euler(&SymplecticEuler).unwrap();
 }
 
 // ---------------------------------------------------------------------------------------------------------------------

@@ -18,9 +18,17 @@ fn every_slope_is_the_order<M: AnyMethod>(#[case] method: M) {
 /// Catches: a step whose error happens to cross zero taken for a good one; a good one refused whose error falls faster than it must.
 #[test]
 fn a_lucky_step_is_not_credible() {
-    assert!(is_credible(2, 4e-4, 1e-4));
-    assert!(is_credible(2, 1e-3, 1e-6), "the finer one is lucky");
-    assert!(!is_credible(2, 1e-6, 2.5e-5));
-    assert!(is_credible(4, 5.4e-13, 1e-13) && !is_credible(4, 5.3e-13, 1e-13));
-    assert!(!is_credible(1, f64::NAN, 1.0) && !is_credible(1, 1.0, f64::NAN));
+    assert!(is_credible(2, 4e-4, 1e-4, 0.0));
+    assert!(is_credible(2, 1e-3, 1e-6, 0.0), "the finer one is lucky");
+    assert!(!is_credible(2, 1e-6, 2.5e-5, 0.0));
+    assert!(is_credible(4, 5.4e-13, 1e-13, 0.0) && !is_credible(4, 5.3e-13, 1e-13, 0.0));
+    assert!(!is_credible(1, f64::NAN, 1.0, 2.0) && !is_credible(1, 1.0, f64::NAN, 2.0));
+}
+
+/// Catches: an order of 24 that can never be believed, since its errors fall to rounding at once; rounding that lets a lucky
+/// crossing pass.
+#[test]
+fn what_falls_to_rounding_is_credible() {
+    assert!(is_credible(24, 1e-8, 1e-13, 2e-13) && !is_credible(24, 1e-8, 3e-13, 2e-13));
+    assert!(is_credible(24, 4e-14, 1e-13, 1e-13) && !is_credible(24, 3e-14, 1e-13, 1e-13));
 }

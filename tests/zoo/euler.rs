@@ -1,9 +1,9 @@
-//! Impostors of symplectic Euler.
+//! Impostors of symplectic Euler, and one of forward Euler.
 
-use pendula::Phase;
-use pendula::methods::symplectic_euler::SymplecticEuler;
+use pendula::methods::{forward_euler::ForwardEuler, symplectic_euler::SymplecticEuler};
+use pendula::{Described, Method, Phase, Properties};
 
-use super::impostor;
+use super::{Plain, impostor, runs_in_seconds};
 
 impostor! {
     /// Forward Euler: kick and drift from the same old state.
@@ -25,3 +25,24 @@ impostor! {
         Phase { theta: z.theta + 0.5 * h * (z.omega + kicked.omega), ..kicked }
     }
 }
+
+/// Forward Euler that asks for the rate of the old state at the new time.
+pub struct Late;
+
+impl Described for Late {
+    fn properties(&self) -> Properties {
+        ForwardEuler.properties()
+    }
+}
+
+impl<S: Plain> Method<S> for Late {
+    type Memo = ();
+
+    fn start(&self, _system: &S, _t: f64, _h: f64, _z: Phase) {}
+
+    fn step(&self, system: &S, t: f64, h: f64, z: Phase, _memo: &mut ()) -> Phase {
+        z + system.rate(t + h, z) * h
+    }
+}
+
+runs_in_seconds!(Late);

@@ -4,6 +4,7 @@
 //! its work.
 
 pub mod euler;
+pub mod high_order;
 pub mod metrics;
 pub mod problem;
 pub mod runge_kutta;

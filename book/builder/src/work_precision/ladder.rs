@@ -5,35 +5,73 @@ use pendula::order::is_credible;
 /// A larger error (rad) is no approximation: the pendulum may be anywhere.
 const LARGEST: f64 = 1.0;
 
-/// For each rung whether it counts: whether its error is small enough to be one, and the next one, with half the step,
-/// finds it credible. The last has no next one and does not count.
-pub fn counts(errors: &[f64], order: u32) -> Vec<bool> {
-    let pairs = errors.windows(2);
-    let credible = pairs.map(|pair| pair[0] <= LARGEST && is_credible(order, pair[0], pair[1]));
-    credible.chain((!errors.is_empty()).then_some(false)).collect()
+/// What is known of a rung.
+#[derive(Clone, Copy, Debug)]
+pub struct Rung {
+    /// The error (rad).
+    pub error: f64,
+    /// How much of it may be rounding (rad).
+    pub rounding: f64,
+    /// The time it took (s).
+    pub seconds: f64,
 }
 
-/// Whether no finer rung will count: some have, the last three that have a next one have not, and the error of the last,
-/// of so many `steps`, is no larger than their roundings may be.
+/// For each rung whether it counts: whether its error is small enough to be one, and the next one, with half the step,
+/// finds it credible. The last has no next one and does not count; nor do those after the first that is on the floor.
+pub fn counts(rungs: &[Rung], order: u32) -> Vec<bool> {
+    let mut ended = false;
+    let pairs = rungs.windows(2).map(|pair| {
+        let [rung, finer] = [pair[0], pair[1]];
+        let credible = is_credible(order, rung.error, finer.error, finer.rounding);
+        let counts = !ended && rung.error <= LARGEST && credible;
+        ended |= counts && is_floor(rung, finer);
+        counts
+    });
+    let mut counts: Vec<bool> = pairs.collect();
+    counts.extend((!rungs.is_empty()).then_some(false));
+    counts
+}
+
+/// Whether an error may be rounding, and half the step is no way out of it.
+fn is_floor(rung: Rung, finer: Rung) -> bool {
+    rung.error <= rung.rounding && 2.0 * finer.error >= rung.error
+}
+
+/// Whether no finer rung will count: one on the floor does, or three there do not, by bad luck.
+pub fn is_done(rungs: &[Rung], order: u32) -> bool {
+    let pairs = rungs.windows(2).zip(counts(rungs, order));
+    let on_the_floor: Vec<bool> =
+        pairs.filter(|(pair, _)| is_floor(pair[0], pair[1])).map(|(_, counts)| counts).collect();
+    on_the_floor.len() >= 3 || on_the_floor.contains(&true)
+}
+
+/// How many times as long as another a method may take for an error before it is left.
+const BEHIND: f64 = 30.0;
+
+/// Whether the next rung would be far behind: with half the step and twice the time a method of this `order` should come to
+/// an error 2ᵖ times smaller, and of `front`, the rungs of all methods, one has an error as small in so much less time.
 ///
-/// A lucky crossing costs two rungs, and where two parts of an error are of opposite sign, and of different order, more.
-pub fn is_done(counts: &[bool], error: f64, steps: u64) -> bool {
-    let settled = match counts {
-        [before @ .., a, b, c, _last] => before.contains(&true) && ![a, b, c].contains(&&true),
-        _ => false,
-    };
-    settled && error <= steps as f64 * f64::EPSILON
+/// Of an error that is none yet nothing can be said.
+pub fn is_far_behind(rung: Rung, order: u32, front: &[Rung]) -> bool {
+    let (error, seconds) = (rung.error / f64::from(order).exp2(), 2.0 * rung.seconds);
+    rung.error <= LARGEST
+        && front.iter().any(|other| other.error <= error && BEHIND * other.seconds < seconds)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
+    /// Rungs of a second each, in which rounding may come to 2e-13.
+    fn rungs(errors: &[f64]) -> Vec<Rung> {
+        errors.iter().map(|error| Rung { error: *error, rounding: 2e-13, seconds: 1.0 }).collect()
+    }
+
     /// Catches: a step whose error happens to cross zero taken for a good one.
     #[test]
     fn a_lucky_crossing_does_not_count() {
         let errors = [1.6e-2, 4e-3, 1e-6, 2.5e-4, 6.25e-5, 1.6e-5];
-        assert_eq!(counts(&errors, 2), [true, true, false, true, true, false]);
+        assert_eq!(counts(&rungs(&errors), 2), [true, true, false, true, true, false]);
     }
 
     /// Catches: rungs on the floor of rounding, or beyond the reach of the order, counted as the method's; a
@@ -41,19 +79,40 @@ mod tests {
     #[test]
     fn neither_rounding_nor_chaos_counts() {
         let errors = [3.0, 0.5, 3.1e-2, 2e-3, 1.2e-4, 1e-13, 2e-13, 9e-14];
-        assert_eq!(counts(&errors, 4), [false, true, true, true, true, false, false, false]);
-        assert_eq!(counts(&[f64::NAN, 1e-3, 2e-3], 1), [false; 3]);
-        assert_eq!(counts(&[1e-3], 1), [false]);
+        let expected = [false, true, true, true, true, true, false, false];
+        assert_eq!(counts(&rungs(&errors), 4), expected);
+        assert_eq!(counts(&rungs(&[f64::NAN, 1e-3, 2e-3]), 1), [false; 3]);
+        assert_eq!(counts(&rungs(&[1e-3]), 1), [false]);
         assert!(counts(&[], 1).is_empty());
+    }
+
+    /// Catches: a method whose order takes it to the floor in one step, and that has no rung for it.
+    #[test]
+    fn a_high_order_has_its_rungs() {
+        assert_eq!(counts(&rungs(&[2e-4, 3e-9, 1e-13, 9e-14]), 24), [false, true, true, false]);
     }
 
     /// Catches: a ladder left at a lucky crossing, or before its first rung that counts; one climbed for ever.
     #[test]
     fn a_ladder_ends_on_the_floor() {
-        let floor = |counts: &[bool]| is_done(counts, 1e-13, 1000);
-        assert!(!floor(&[false; 9]));
-        assert!(!floor(&[true, false, false, false]));
-        assert!(floor(&[true, false, false, false, false]));
-        assert!(!is_done(&[true, false, false, false, false], 1e-12, 1000));
+        assert!(!is_done(&rungs(&[]), 4) && !is_done(&rungs(&[1e-13]), 4));
+        assert!(!is_done(&rungs(&[1e-3, 6e-5, 1e-13]), 4));
+        assert!(!is_done(&rungs(&[1e-3, 6e-5, 1e-13, 2e-7]), 4));
+        assert!(is_done(&rungs(&[1e-3, 6e-5, 1e-13, 2e-13]), 4));
+        let unlucky = rungs(&[1e-3, 1e-14, 4e-14, 1.5e-13, 6e-13]);
+        assert!(!is_done(&unlucky[..4], 4) && is_done(&unlucky, 4));
+    }
+
+    /// Catches: a method left for its first rungs, which say nothing of an order of 24; one that is not left, or left for
+    /// what it does itself.
+    #[test]
+    fn a_method_that_is_far_behind_is_left() {
+        let front = rungs(&[1e-2, 1e-6]);
+        let slow = |error, seconds| Rung { error, seconds, ..front[0] };
+        assert!(is_far_behind(slow(1e-2, 15.1), 1, &front));
+        assert!(!is_far_behind(slow(1e-2, 14.9), 1, &front));
+        assert!(!is_far_behind(slow(1e-2, 1e3), 24, &front), "the next may be anywhere");
+        assert!(!is_far_behind(slow(2.0, 1e3), 1, &front) && !is_far_behind(front[0], 1, &front));
+        assert!(!is_far_behind(slow(f64::NAN, 1e3), 1, &front));
     }
 }

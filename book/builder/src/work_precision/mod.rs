@@ -7,10 +7,12 @@
 use std::hint::black_box;
 use std::time::Instant;
 
+use pendula::metrics::EndError;
 use pendula::study::MethodRef;
-use pendula::{Grid, METHODS, Motion, Pendulum, Phase};
+use pendula::{Grid, METHODS, Pendulum, Phase};
 
 use crate::progress::Progress;
+use ladder::Rung;
 
 pub mod figure;
 pub mod ladder;
@@ -22,6 +24,13 @@ pub struct Scene {
     pub theta0: f64,
     /// Duration (s), a whole number of seconds.
     pub duration: u32,
+}
+
+impl Scene {
+    /// The number of steps, of which there are `rate` a second.
+    fn steps(self, rate: u64) -> u64 {
+        u64::from(self.duration) * rate
+    }
 }
 
 /// A wide swing, one that lingers near the top, and a long run.
@@ -65,16 +74,20 @@ pub struct Measured {
 }
 
 /// Measures for at most about `seconds`.
+///
+/// On each scene the methods climb their ladders together, a rung at a time. A method stays where it is at rounding, where
+/// the next rung takes more than its share of the time that is left, and where it is [far behind](ladder::is_far_behind)
+/// another: so the time goes to those that are in front.
 pub fn measure(seconds: f64, progress: &Progress) -> Measured {
     let count = SCENES.len() * METHODS.len();
-    let share = seconds / count as f64;
     progress.stage("", count);
-    let pairs = SCENES.into_iter().flat_map(|scene| METHODS.iter().map(move |m| (scene, *m)));
-    let curves = pairs.map(|(scene, method)| {
-        progress.next(method.properties().title);
-        Curve { scene, method, points: points(scene, method, share) }
-    });
-    let curves = curves.collect();
+    let mut curves = Vec::new();
+    for scene in SCENES {
+        for climber in climb(scene, seconds / SCENES.len() as f64) {
+            progress.next(climber.method.properties().title);
+            curves.push(climber.timed(scene));
+        }
+    }
     progress.finish();
     Measured { instructions: instructions(), curves }
 }
@@ -83,63 +96,101 @@ pub fn measure(seconds: f64, progress: &Progress) -> Measured {
 /// the clock has no part in the error.
 const COARSEST: u64 = 4;
 
+/// Runs of which the shortest is taken while climbing: a machine that does something else meanwhile must not decide.
+const TRIES: usize = 3;
+
 /// Runs of which the median is taken.
 const RUNS: usize = 5;
+
+/// What a ladder costs, in times of its last rung. With every rung the time doubles: all take twice as long as the last,
+/// and those before it as long, of which those that count are timed again.
+const LADDER: f64 = (2 * TRIES + RUNS) as f64;
 
 /// A shorter run is repeated until it has taken this long (s): a thousand ticks of the clock.
 const SHORTEST: f64 = 1e-4;
 
-/// Climbs the ladder as far as `share` (s) allows, then times the rungs that count.
-fn points(scene: Scene, method: MethodRef, share: f64) -> Vec<Point> {
-    let order = method.properties().order;
-    let mut rungs: Vec<Point> = Vec::new();
-    // With every rung the time doubles: all rungs take twice as long as the last. The last is not timed again, so
-    // that timing takes RUNS times as long as it.
-    let affordable = share / (RUNS + 2) as f64;
-    loop {
-        let rung = climbed(scene, method, COARSEST << rungs.len());
-        rungs.push(rung);
-        let errors: Vec<f64> = rungs.iter().map(|rung| rung.error).collect();
-        let counts = ladder::counts(&errors, order);
-        if 2.0 * rung.seconds > affordable || ladder::is_done(&counts, rung.error, rung.steps) {
-            let counted =
-                rungs.iter().zip(counts).filter_map(|(rung, counts)| counts.then_some(rung));
-            return counted.map(|rung| timed(scene, method, *rung)).collect();
+/// A method on its ladder.
+struct Climber {
+    method: MethodRef,
+    order: u32,
+    rungs: Vec<Rung>,
+    has_ended: bool,
+}
+
+/// Lets all methods climb, in as many `seconds` or so.
+fn climb(scene: Scene, seconds: f64) -> Vec<Climber> {
+    let mut climbers: Vec<Climber> = METHODS
+        .iter()
+        .map(|method| {
+            let order = method.properties().order;
+            Climber { method: *method, order, rungs: Vec::new(), has_ended: false }
+        })
+        .collect();
+    let mut rate = COARSEST;
+    while climbers.iter().any(|climber| !climber.has_ended) {
+        for climber in climbers.iter_mut().filter(|climber| !climber.has_ended) {
+            climber.rungs.push(climbed(scene, climber.method, rate));
         }
+        let front: Vec<Rung> =
+            climbers.iter().flat_map(|climber| &climber.rungs).copied().collect();
+        let (ended, climbing): (Vec<_>, Vec<_>) = climbers.iter().partition(|c| c.has_ended);
+        let spent: f64 = ended.iter().map(|climber| LADDER * climber.last().seconds).sum();
+        let affordable = (seconds - spent) / climbing.len() as f64 / LADDER;
+        for climber in climbers.iter_mut().filter(|climber| !climber.has_ended) {
+            let last = climber.last();
+            climber.has_ended = 2.0 * last.seconds > affordable
+                || ladder::is_done(&climber.rungs, climber.order)
+                || ladder::is_far_behind(last, climber.order, &front);
+        }
+        rate *= 2;
+    }
+    climbers
+}
+
+impl Climber {
+    fn last(&self) -> Rung {
+        self.rungs[self.rungs.len() - 1]
+    }
+
+    /// The rungs that count, timed in earnest.
+    fn timed(&self, scene: Scene) -> Curve {
+        let rates = (0..).map(|doubled| COARSEST << doubled);
+        let counted = self.rungs.iter().zip(rates).zip(ladder::counts(&self.rungs, self.order));
+        let points = counted
+            .filter(|(_, counts)| *counts)
+            .map(|((rung, rate), _)| timed(scene, self.method, *rung, rate));
+        Curve { scene, method: self.method, points: points.collect() }
     }
 }
 
-/// The rung with so many steps a second: its error, and the time of a first run.
-fn climbed(scene: Scene, method: MethodRef, rate: u64) -> Point {
+/// The rung with so many steps a second: its error, and the shortest time of a few runs.
+fn climbed(scene: Scene, method: MethodRef, rate: u64) -> Rung {
     let Scene { theta0, duration } = scene;
-    let steps = u64::from(duration) * rate;
-    let dt = 1.0 / rate as f64;
-    let (end, seconds) = run(scene, method, dt, steps);
-    let pendulum = Pendulum::PAPER;
-    let motion =
-        Motion::new(&pendulum, Phase::at_rest(theta0)).expect("a release that has a motion");
-    let truth = motion.at(f64::from(duration));
-    let omega = (end.omega - truth.omega) / pendulum.small_angle_frequency();
-    Point { dt, steps, error: (end.theta - truth.theta).abs().max(omega.abs()), seconds }
+    let [(end, seconds), others @ ..] = [(); TRIES].map(|()| run(scene, method, rate));
+    let seconds = others.iter().fold(seconds, |shortest, (_, again)| shortest.min(*again));
+    let error = EndError::new(&Pendulum::PAPER, Phase::at_rest(theta0), f64::from(duration))
+        .expect("a release that has a motion");
+    Rung { error: error.of(end), rounding: error.rounding(scene.steps(rate)), seconds }
 }
 
 /// The same with its time measured in earnest.
-fn timed(scene: Scene, method: MethodRef, rung: Point) -> Point {
+fn timed(scene: Scene, method: MethodRef, rung: Rung, rate: u64) -> Point {
     let repeats = (SHORTEST / rung.seconds).clamp(1.0, 1e3).ceil();
     let mut times = [(); RUNS].map(|()| {
         let clock = Instant::now();
         for _ in 0..repeats as u32 {
-            run(scene, method, rung.dt, rung.steps);
+            run(scene, method, rate);
         }
         clock.elapsed().as_secs_f64() / repeats
     });
     times.sort_by(f64::total_cmp);
-    Point { seconds: times[RUNS / 2], ..rung }
+    let (dt, steps) = (1.0 / rate as f64, scene.steps(rate));
+    Point { dt, steps, error: rung.error, seconds: times[RUNS / 2] }
 }
 
 /// The last state of a run, and how long it took (s). Nobody watches: that is the cost of the method alone.
-fn run(scene: Scene, method: MethodRef, dt: f64, steps: u64) -> (Phase, f64) {
-    let grid = Grid::new(dt, steps).expect("a ladder of possible grids");
+fn run(scene: Scene, method: MethodRef, rate: u64) -> (Phase, f64) {
+    let grid = Grid::new(1.0 / rate as f64, scene.steps(rate)).expect("a ladder of possible grids");
     let start = Phase::at_rest(scene.theta0);
     let clock = Instant::now();
     let end = method.end(&Pendulum::PAPER, black_box(start), black_box(&grid));
@@ -173,7 +224,7 @@ mod tests {
         for scene in SCENES {
             for doubled in 0..20 {
                 let rate = COARSEST << doubled;
-                let grid = Grid::new(1.0 / rate as f64, u64::from(scene.duration) * rate).unwrap();
+                let grid = Grid::new(1.0 / rate as f64, scene.steps(rate)).unwrap();
                 assert_eq!(grid.time(grid.steps()), f64::from(scene.duration));
             }
         }

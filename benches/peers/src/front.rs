@@ -1,0 +1,276 @@
+//! The front of run time against error: the shortest time in which each program comes to an error, on three scenes.
+//!
+//! The error is max(|Δθ|, |Δω|/ω₀) at the end, against the closed form. Every program has a ladder of settings, from coarse to
+//! fine. Where the steps are of one size, those are all the steps that are exact and lead exactly to the end, d/2ᵏ s where
+//! d divides the duration: a rounded step alone costs 3e-13 at 1000 s. Where there is a tolerance, there are four to a decade.
+//!
+//! The first rung within the goal counts, unless it is luck: the next finer must be within the goal, too, and its error no
+//! more than three times as large; or, as where both are rounding, the one after that within the goal as well. Programs
+//! that need more than [`PATIENCE`] for a run on the way are out, but for the naive loop. Where its roundings keep that from
+//! the goal, it stands with as many steps as its order would ask for, and with the error that it has then. Those left take
+//! turns, round by round, each with its own rung; of its times the shortest counts, and of its ratios to the naive loop in
+//! the same round the median.
+
+use std::hint::black_box;
+
+use pendula::methods::{blanes_moan_6::BlanesMoan6, taylor_24::Taylor24};
+use pendula::metrics::EndError;
+use pendula::stepped::Stepped;
+use pendula::{
+    Carried, Compensated, Described, Grid, Method, Pendulum, Phase, Taylor, integrate, methods,
+    swing,
+};
+
+use crate::crates::{CONTROLLED, STEPPED};
+use crate::machine::{instructions, median, seconds};
+use crate::naive::NAIVE;
+
+/// From where (rad) and for how long (s).
+const SCENES: [(f64, u32); 3] = [(1.0, 100), (3.0, 30), (1.0, 1000)];
+
+/// The errors asked for.
+const GOALS: [f64; 6] = [1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12];
+
+/// Rounds, in each of which every contender has its turn.
+const ROUNDS: usize = 11;
+
+/// The longest run (s) on the way to a smaller error; and the naive loop's.
+const PATIENCE: f64 = 0.1;
+const PATIENCE_WITH_NAIVE: f64 = 1.0;
+
+/// How many times the shortest time a program may take to be timed in rounds.
+const BEHIND: f64 = 40.0;
+
+/// Of the library's methods so many are shown, the quickest.
+const SHOWN: usize = 3;
+
+/// From the longest step (s) on, 2^-FINEST of a divisor of the duration is the shortest.
+const LONGEST: f64 = 0.5;
+const FINEST: u32 = 16;
+
+/// Steps of a size: their number, and their length (s).
+#[derive(Clone, Copy)]
+struct Steps {
+    count: u64,
+    length: f64,
+}
+
+/// All steps that are exact and lead exactly to the `end` (s), the longest first.
+fn exact_steps(end: u32) -> Vec<Steps> {
+    let odd = (1..=end).step_by(2).filter(|d| end.is_multiple_of(*d));
+    let mut all: Vec<Steps> = odd
+        .flat_map(|d| {
+            (1..=FINEST).map(move |k| Steps {
+                count: u64::from(end / d) << k,
+                length: f64::from(d) * 0.5_f64.powi(k as i32),
+            })
+        })
+        .filter(|steps| steps.length <= LONGEST)
+        .collect();
+    all.sort_by_key(|steps| steps.count);
+    all
+}
+
+/// One who takes part.
+struct Contender {
+    name: String,
+    kind: Kind,
+    /// From coarse to fine; and how many steps that is, where they are of one size.
+    counts: Vec<u64>,
+    settings: Vec<Box<dyn Fn() -> Phase>>,
+    /// What each of them comes to, as far as they have been tried: an error (rad) and a time (s).
+    tried: Vec<(f64, f64)>,
+}
+
+#[derive(Clone, Copy, PartialEq)]
+enum Kind {
+    Naive,
+    Library,
+    Crate,
+}
+
+impl Contender {
+    fn of_steps(
+        name: impl Into<String>,
+        kind: Kind,
+        steps: &[Steps],
+        run: impl Fn(u64, f64) -> Phase + Copy + 'static,
+    ) -> Self {
+        let setting = |steps: &Steps| {
+            let Steps { count, length } = *steps;
+            Box::new(move || run(black_box(count), black_box(length))) as Box<dyn Fn() -> Phase>
+        };
+        let settings = steps.iter().map(setting).collect();
+        let counts = steps.iter().map(|steps| steps.count).collect();
+        Self { name: name.into(), kind, counts, settings, tried: Vec::new() }
+    }
+
+    fn climb(&mut self, error: &EndError) {
+        let patience = if self.kind == Kind::Naive { PATIENCE_WITH_NAIVE } else { PATIENCE };
+        for run in &self.settings {
+            let mut end = Phase::default();
+            let time = seconds(|| end = run());
+            self.tried.push((error.of(end), time));
+            let is_there = self.setting_for(GOALS[GOALS.len() - 1]).is_some();
+            if is_there || time > patience {
+                break;
+            }
+        }
+    }
+
+    /// The coarsest setting that is within the goal, and not by luck.
+    fn setting_for(&self, goal: f64) -> Option<usize> {
+        let is_within = |i: usize| self.tried.get(i).is_some_and(|(error, _)| *error <= goal);
+        let is_credible = |i: usize| self.tried[i + 1].0 <= 3.0 * self.tried[i].0;
+        (0..self.tried.len())
+            .find(|&i| is_within(i) && is_within(i + 1) && (is_credible(i) || is_within(i + 2)))
+    }
+
+    /// For RK4, whose roundings keep it from the goal: as many steps as its order would ask for.
+    fn setting_by_order(&self, goal: f64) -> Option<usize> {
+        let reached = GOALS.iter().rev().find_map(|reached| self.setting_for(*reached))?;
+        let more = (self.tried[reached].0 / goal).powf(0.25);
+        let needed = self.counts[reached] as f64 * more;
+        (0..self.tried.len()).find(|&i| self.counts[i] as f64 >= needed)
+    }
+}
+
+/// A method of the library, from `theta_0`.
+fn of_library<M>(method: M, theta_0: f64, steps: &[Steps]) -> Contender
+where
+    M: Described + Method<Pendulum> + Method<Stepped> + Copy + 'static,
+{
+    let name = method.properties().name;
+    Contender::of_steps(name, Kind::Library, steps, move |count, length| {
+        let grid = Grid::new(length, count).expect("a positive step");
+        swing(&Pendulum::PAPER, &method, black_box(Phase::at_rest(theta_0)), &grid, &mut ())
+    })
+}
+
+/// A method of the library with compensated sums, from `theta_0`.
+fn compensated<M>(name: &str, method: M, theta_0: f64, steps: &[Steps]) -> Contender
+where
+    M: Method<Compensated<Pendulum>> + Copy + 'static,
+{
+    let name = format!("{name}, compensated");
+    Contender::of_steps(name, Kind::Library, steps, move |count, length| {
+        let grid = Grid::new(length, count).expect("a positive step");
+        let start = Carried::from(black_box(Phase::at_rest(theta_0)));
+        integrate(&Compensated::new(Pendulum::PAPER), &method, start, &grid, &mut ()).phase
+    })
+}
+
+macro_rules! every_method {
+    ($($module:ident::$method:ident,)+) => {
+        fn library(theta_0: f64, steps: &[Steps]) -> Vec<Contender> {
+            vec![$(of_library(methods::$module::$method, theta_0, steps),)+]
+        }
+    };
+}
+pendula::methods!(every_method);
+
+/// Everyone, the naive RK4 first.
+fn contenders(theta_0: f64, end: u32) -> Vec<Contender> {
+    let steps = exact_steps(end);
+    let start = Phase::at_rest(theta_0);
+    let (_, rk4) = *NAIVE.iter().find(|(name, _)| *name == "rk4").expect("a naive RK4");
+    let naive = move |count, length| rk4(black_box(start), count, length);
+    let mut all = vec![Contender::of_steps("rk4, naive", Kind::Naive, &steps, naive)];
+    all.extend(library(theta_0, &steps));
+    all.push(compensated("blanes-moan-6", BlanesMoan6, theta_0, &steps));
+    all.push(compensated("taylor-24", Taylor24, theta_0, &steps));
+    all.push(compensated("Taylor<30>", Taylor::<30>, theta_0, &steps));
+    for (method, name, run) in STEPPED {
+        let run = move |count, length| run(black_box(start), count, length);
+        let name = format!("{name} {method}");
+        all.push(Contender::of_steps(name, Kind::Crate, &steps, run));
+    }
+    let tolerances = (4..=60).map(|quarters| 10.0_f64.powf(-0.25 * f64::from(quarters)));
+    let tolerances: Vec<f64> = tolerances.collect();
+    for (name, run) in CONTROLLED {
+        let setting = |tolerance: &f64| {
+            let (end, tolerance) = (f64::from(end), *tolerance);
+            Box::new(move || run(black_box(start), end, black_box(tolerance)))
+                as Box<dyn Fn() -> Phase>
+        };
+        let settings = tolerances.iter().map(setting).collect();
+        let (name, counts, tried) = (name.into(), Vec::new(), Vec::new());
+        all.push(Contender { name, kind: Kind::Crate, counts, settings, tried });
+    }
+    all
+}
+
+/// A line of the table.
+struct Row<'a> {
+    contender: &'a Contender,
+    setting: usize,
+    times: Vec<f64>,
+}
+
+impl Row<'_> {
+    fn shortest(&self) -> f64 {
+        self.times.iter().copied().fold(f64::INFINITY, f64::min)
+    }
+}
+
+/// Those who come to the goal in a time that can be compared, timed; the naive loop first.
+fn race(contenders: &[Contender], goal: f64) -> Vec<Row<'_>> {
+    let setting = |contender: &Contender| match contender.kind {
+        Kind::Naive => contender.setting_for(goal).or_else(|| contender.setting_by_order(goal)),
+        _ => contender.setting_for(goal),
+    };
+    let all: Vec<(&Contender, usize)> =
+        contenders.iter().filter_map(|c| setting(c).map(|i| (c, i))).collect();
+    let shortest = all.iter().map(|(c, i)| c.tried[*i].1).fold(f64::INFINITY, f64::min);
+    let mut rows: Vec<Row<'_>> = all
+        .into_iter()
+        .filter(|(c, i)| c.kind == Kind::Naive || c.tried[*i].1 < BEHIND * shortest)
+        .map(|(contender, setting)| Row { contender, setting, times: Vec::new() })
+        .collect();
+    for _ in 0..ROUNDS {
+        for row in &mut rows {
+            row.times.push(seconds(&row.contender.settings[row.setting]));
+        }
+    }
+    rows
+}
+
+/// Prints the front.
+pub fn compare() {
+    println!("{}", instructions());
+    println!("the shortest of {ROUNDS} times, final state only; the median ratio to naive RK4\n");
+    println!(
+        "{:<15} | {:>6} | {:<37} | {:>8} | {:>9} | {:>10}",
+        "scene", "goal", "program", "error", "µs", "naive / it"
+    );
+    for (theta_0, end) in SCENES {
+        let error = EndError::new(&Pendulum::PAPER, Phase::at_rest(theta_0), f64::from(end))
+            .expect("a release that has a motion");
+        let mut contenders = contenders(theta_0, end);
+        for contender in &mut contenders {
+            contender.climb(&error);
+        }
+        for goal in GOALS {
+            let rows = race(&contenders, goal);
+            let naive = rows[0].times.clone();
+            let mut shown: Vec<&Row<'_>> = rows.iter().collect();
+            shown.sort_by(|a, b| a.shortest().total_cmp(&b.shortest()));
+            let mut of_library = 0;
+            shown.retain(|row| {
+                of_library += usize::from(row.contender.kind == Kind::Library);
+                row.contender.kind != Kind::Library || of_library <= SHOWN
+            });
+            for row in shown {
+                let ratios = naive.iter().zip(&row.times).map(|(naive, own)| naive / own);
+                println!(
+                    "{:<15} | {goal:>6.0e} | {:<37} | {:>8.1e} | {:>9.1} | {:>9.2}×",
+                    format!("{theta_0} rad, {end} s"),
+                    row.contender.name,
+                    row.contender.tried[row.setting].0,
+                    1e6 * row.shortest(),
+                    median(ratios.collect()),
+                );
+            }
+        }
+    }
+}
