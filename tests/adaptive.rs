@@ -165,6 +165,7 @@ fn steps_lengthen_with_the_root_of_the_tolerance() {
 ///
 /// * ẏ = −4 y: y is 5e5, ẏ is 2e6, and so 0.01 · 5e5/2e6 s is tried; ẏ changes by 0.01 · 2e6 in it, or 8e6 a second; the
 ///   step is (0.01/8e6)^(1/k).
+/// * ẏ = −4 y³ + 9 t: the same step is tried, and ẏ changes in it as much as the cube and the time make it.
 /// * ẏ = 1 from 0 says nothing about the time in which y changes: 1e-6 of the duration is tried, and the step is 100 of that.
 /// * ẏ = 0 says nothing at all: 1e-6 of the duration.
 ///
@@ -182,8 +183,11 @@ fn the_first_step_follows_the_state<M: Embedded>(#[case] method: M, #[case] root
         size
     };
     for way in [1.0, -1.0] {
+        let bent = |t, y: f64| -4.0 * way * y.powi(3) + 9.0 * t;
+        let bend = (4.0 - 4.0 * 0.99_f64.powi(3) + 9.0 * 0.0025) / 2e-6 / 0.0025;
         for (size, expected) in [
             (first(&|_, y| -4.0 * way * y, 1.0, 10.0 * way), (0.01_f64 / 8e6).powf(root)),
+            (first(&bent, 1.0, 10.0 * way), (0.01 / bend).powf(root)),
             (first(&|_, _| 1.0, 0.0, 10.0 * way), 1e-3),
             (first(&|_, _| 0.0, 0.0, 10.0 * way), 1e-5),
             (first(&|_, _| 0.0, 1.0, 10.0 * way), 1e-5),
@@ -194,6 +198,32 @@ fn the_first_step_follows_the_state<M: Embedded>(#[case] method: M, #[case] root
             assert!((size * way / expected - 1.0).abs() < 1e-9, "{size}, not {expected}");
         }
     }
+}
+
+/// The same rule in two components, each in its own tolerances: at the bottom, fast, where the velocity changes most.
+///
+/// Catches: a sum over the components where their mean is meant, a component left out.
+#[rstest]
+#[case::dormand_prince(DormandPrince, 0.2)]
+#[case::dop853(Dop853, 0.125)]
+fn the_first_step_weighs_every_component<M: Embedded>(#[case] method: M, #[case] root: f64) {
+    let (pendulum, start) = (Pendulum::PAPER, Phase { theta: 0.1, omega: 4.0 });
+    let size = |x: Phase| {
+        let theta = x.theta / (1e-6 + 1e-6 * start.theta);
+        let omega = x.omega / (1e-6 + 1e-6 * start.omega);
+        (0.5 * (theta * theta + omega * omega)).sqrt()
+    };
+    let slope = pendulum.rate(0.0, start);
+    let tried = 0.01 * (size(start) / size(slope));
+    let bend = size(minus(pendulum.rate(0.0, start + slope * tried), slope)) / tried;
+    assert!(bend > 2.0 * size(slope), "the step tried has to matter");
+    let adaptive = Adaptive::new(method, tolerance(1e-6));
+    let mut walk = adaptive.walk(&pendulum, start, 0.0, 10.0).unwrap();
+    let first = walk.next().unwrap().unwrap().size();
+    assert_eq!(walk.counts().rejected, 0);
+    // A few roundings of a difference that loses three digits, and a power from another library.
+    let expected = (0.01 / bend).powf(root);
+    assert!((first / expected - 1.0).abs() < 1e-9, "{first}, not {expected}");
 }
 
 /// Where nothing changes there is no error, and each step is ten times as long as the last.

@@ -3,7 +3,12 @@
 use std::collections::BTreeSet;
 use std::path::Path;
 
-use pendula::{METHODS, method_named};
+use pendula::methods::rk4::Rk4;
+use pendula::metrics::EnergyDrift;
+use pendula::{
+    AnyMethod, Described, Grid, METHODS, Observer, Pendulum, Phase, Properties, method_named, swing,
+};
+use rstest::rstest;
 
 /// Catches: a method whose file exists but which no test, table or page would ever run.
 #[test]
@@ -34,4 +39,72 @@ fn entries_are_complete_and_distinct() {
     }
     assert!(method_named("no-such-method").is_none());
     assert_eq!(format!("{:?}", METHODS[0]), METHODS[0].properties().name);
+}
+
+/// A method that leaves to the list what the list can do.
+struct Plain;
+
+impl Described for Plain {
+    fn properties(&self) -> Properties {
+        Rk4.properties()
+    }
+}
+
+impl AnyMethod for Plain {
+    fn run(
+        &self,
+        pendulum: &Pendulum,
+        start: Phase,
+        grid: &Grid,
+        observer: &mut dyn Observer<Phase>,
+    ) -> Phase {
+        swing(pendulum, &Rk4, start, grid, observer)
+    }
+
+    fn count_evaluations(&self, _: &Pendulum, _: Phase, grid: &Grid) -> u64 {
+        4 * grid.steps()
+    }
+
+    fn end(&self, pendulum: &Pendulum, start: Phase, grid: &Grid) -> Phase {
+        self.run(pendulum, start, grid, &mut ())
+    }
+}
+
+const STARTS: [Phase; 3] = [
+    Phase { theta: 1.0, omega: 0.0 },
+    Phase { theta: -2.5, omega: 0.5 },
+    Phase { theta: 0.2, omega: 7.0 },
+];
+
+/// Whoever is asked, one trajectory or many: the same bits.
+///
+/// Catches: a run that nobody watches and that goes elsewhere; starts mixed up, or ends and errors left as they were.
+#[test]
+fn the_list_runs_what_it_lists() {
+    let (pendulum, grid) = (Pendulum::new(9.81, 1.3, 0.7).unwrap(), Grid::new(0.02, 40).unwrap());
+    for method in METHODS.iter().copied().chain([&Plain as &dyn AnyMethod]) {
+        let mut drifts = [(); 3].map(|()| EnergyDrift::of(&pendulum));
+        let mut ends = [Phase::default(); 3];
+        method.drift_each(&pendulum, &STARTS, &grid, &mut drifts, &mut ends);
+        for ((start, drift), end) in STARTS.into_iter().zip(&drifts).zip(ends) {
+            let mut alone = EnergyDrift::of(&pendulum);
+            assert_eq!(end, method.run(&pendulum, start, &grid, &mut alone), "{method:?}");
+            assert_eq!(drift.largest(), alone.largest(), "{method:?}");
+            assert!(alone.largest() > 0.0 || method.properties().order > 20, "{method:?}");
+            assert_eq!(end, method.end(&pendulum, start, &grid), "{method:?}");
+        }
+    }
+}
+
+/// Catches: starts without a slot, left out in silence.
+#[rstest]
+#[should_panic(expected = "two slots for each start")]
+fn each_start_needs_its_slots(
+    #[values(2, 3, 4)] drifts: usize,
+    #[values(2, 4)] ends: usize,
+    #[values(METHODS[0], &Plain)] method: &dyn AnyMethod,
+) {
+    let (pendulum, grid) = (Pendulum::PAPER, Grid::new(0.02, 4).unwrap());
+    let mut drifts: Vec<_> = (0..drifts).map(|_| EnergyDrift::of(&pendulum)).collect();
+    method.drift_each(&pendulum, &STARTS, &grid, &mut drifts, &mut vec![Phase::default(); ends]);
 }

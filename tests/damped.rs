@@ -83,6 +83,21 @@ fn the_closed_form_is_smooth_across_critical(
     assert_abs_diff_eq!(strong.theta, (-1.25_f64).exp(), epsilon = 1e-6);
 }
 
+/// g/L = 4 and β = 2: critical to the last bit, which √2.5 never is.
+///
+/// Catches: a frequency of zero divided by, a decay without its sign or its time.
+#[test]
+fn where_damping_is_critical_there_is_a_formula_too() {
+    let critical = Damped::new(Pendulum::new(8.0, 2.0, 3.0).unwrap(), 2.0).unwrap();
+    for t in [0.0, 0.25, 1.5] {
+        let end = critical.small_swing(Phase { theta: 1.0, omega: 0.5 }, t);
+        // θ = (θ₀ + s t) exp(−βt) with s = ω₀ + βθ₀, and its derivative; a few roundings of numbers below 3.
+        let (s, decay) = (2.5, (-2.0 * t).exp());
+        assert_abs_diff_eq!(end.theta, (1.0 + s * t) * decay, epsilon = 3e-15);
+        assert_abs_diff_eq!(end.omega, (s - 2.0 * (1.0 + s * t)) * decay, epsilon = 3e-15);
+    }
+}
+
 /// E(t) − E(0) = ∫ −2β m L² ω² dt along a wide swing, the integral by Simpson's rule over the samples.
 ///
 /// Catches: m or L² left out of the power, β for 2β in it, an energy that is not the pendulum's.

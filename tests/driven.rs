@@ -7,7 +7,10 @@ use common::each_general_method;
 use pendula::dynamics::floquet::monodromy;
 use pendula::dynamics::lyapunov::Watch;
 use pendula::dynamics::{Stroboscope, largest_exponent, periodic_orbit, root};
-use pendula::methods::{forward_euler::ForwardEuler, rk4::Rk4, symplectic_euler::SymplecticEuler};
+use pendula::methods::{
+    forward_euler::ForwardEuler, rk4::Rk4, stormer_verlet::StormerVerlet,
+    symplectic_euler::SymplecticEuler,
+};
 use pendula::study::beyond::{
     CHAOTIC, COARSE, Doubling, attractor, doubling, doublings, poincare, seen,
 };
@@ -268,11 +271,77 @@ fn roots_are_found_to_the_last_bits() {
     near("flat", root(|x| Some((x - 0.3).powi(9)), -1.0, 5.0).unwrap(), 0.3, 1e-3).unwrap();
     near("a step", root(|x| Some(if x < 0.7 { -1.0 } else { 1e9 }), 0.0, 1.0).unwrap(), 0.7, 4e-16)
         .unwrap();
+    // So low on one side that the secant falls on the end itself, which is no zero.
+    for way in [1.0, -1.0] {
+        let low = |x: f64| Some(if way * x < 0.3 { -1.0 } else { 1e-300 });
+        near("a low step", root(low, 0.0, way).unwrap(), 0.3 * way, 4e-16).unwrap();
+        near("and back", root(low, way, 0.0).unwrap(), 0.3 * way, 4e-16).unwrap();
+    }
     assert_eq!(root(|x| Some(x - 1.0), 1.0, 2.0), Some(1.0));
     assert_eq!(root(|x| Some(x - 2.0), 1.0, 2.0), Some(2.0));
     assert_eq!(root(|x| Some(x * x + 1.0), -1.0, 2.0), None);
     assert_eq!(root(|_| Some(f64::NAN), 0.0, 1.0), None);
     assert_eq!(root(|x| (x < 0.5).then_some(-1.0), 0.0, 1.0), None);
+}
+
+/// Catches: a search that goes on when nothing is left to find.
+#[test]
+fn a_root_takes_few_evaluations() {
+    let mut asked = 0;
+    let square = |x| {
+        asked += 1;
+        Some(x * x - 2.0)
+    };
+    assert!(root(square, 0.0, 2.0).is_some());
+    // The secant's order is 1.6: eight or nine to sixteen digits, the two ends, one that confirms, and Illinois' delays.
+    assert!((8..16).contains(&asked), "{asked}");
+}
+
+/// Two blocks differ from their mean by half of their difference, and that is its standard error.
+///
+/// Catches: an error bar that is off by the root of a block more or less.
+#[test]
+fn the_error_bar_of_two_blocks_is_half_their_difference() {
+    let driven = Driven::taylor(CHAOTIC).unwrap();
+    let (strobe, start) = (seen(&driven, COARSE), attractor(&driven));
+    let over = |blocks| largest_exponent(&strobe, start, Watch { settling: 5, blocks, periods: 3 });
+    let (one, two) = (over(1).value, over(2));
+    // The second block is what the mean of both has beyond the first.
+    near("standard error", two.error, (two.value - one).abs(), 1e-14).unwrap();
+    assert!(two.error > 1e-3 && over(1).error.is_nan());
+}
+
+/// Störmer–Verlet beside RK4, whose error is nothing here. Its own shifts the phase by (hω₀)²/24 of ω₀t: 3e-7, of a swing
+/// of 1 rad and 1.6 rad/s. With a margin of 10.
+///
+/// Catches: a kick or a drift that forgets the state, or the friction.
+#[test]
+fn kicks_and_drifts_are_the_same_motion() {
+    let (driven, grid) = (driven(0.8), Grid::new(0.001, 2000).unwrap());
+    let start = Phase { theta: 1.0, omega: 0.4 };
+    let verlet = integrate(&driven, &StormerVerlet, start, &grid, &mut ());
+    let rk4 = integrate(&driven, &Rk4, start, &grid, &mut ());
+    let off = verlet + rk4 * -1.0;
+    assert!(off.theta.abs() < 3e-6 && off.omega.abs() < 5e-6, "{off:?}");
+}
+
+/// Catches: a number that is told and is not the one in use; area that shrinks by another factor.
+#[test]
+fn a_drive_is_what_it_was_made_of() {
+    let driven = driven(0.7);
+    assert_eq!((driven.strength(), driven.frequency(), driven.damped().damping()), (0.7, 1.1, 0.4));
+    let period = 2.0 * std::f64::consts::PI / 1.1;
+    near("period", driven.period(), period, 1e-15 * period).unwrap();
+    near("contraction", driven.contraction(), (-0.8 * period).exp(), 1e-16).unwrap();
+}
+
+/// Catches: a period that is not the grid's.
+#[test]
+fn a_stroboscope_has_the_period_of_the_drive() {
+    let driven = driven(0.8);
+    // A step is the period over their number, rounded, and so many of them are summed in one product.
+    near("period", seen(&driven, COARSE).period(), driven.period(), 1e-15 * driven.period())
+        .unwrap();
 }
 
 /// Catches: NaN let in, a drive without a period, a refusal that does not say why.

@@ -219,6 +219,15 @@ fn rate_is_force_and_velocity() {
     assert!(centre.energy(far).abs() < 1e-299, "zero far away");
 }
 
+/// Catches: a number that is told and is not the one in use.
+#[test]
+fn an_orbit_is_what_it_was_made_of() {
+    let centre = Kepler::new(2.5).unwrap();
+    let ellipse = Ellipse::new(&centre, 1.75, 0.375).unwrap();
+    assert_eq!(centre.attraction(), 2.5);
+    assert_eq!((ellipse.semi_major(), ellipse.eccentricity()), (1.75, 0.375));
+}
+
 /// Catches: a hyperbola taken for an ellipse, NaN let in, a refusal that does not say why.
 #[test]
 fn impossible_orbits_are_refused() {

@@ -135,6 +135,14 @@ fn the_weight_is_gravity_and_the_pivots_acceleration(#[values(0.0, 0.013)] t: f6
     assert_abs_diff_eq!(q, 0.25, epsilon = 1e-16);
 }
 
+/// Catches: a number that is told and is not the one in use.
+#[test]
+fn a_pivot_is_what_it_was_made_of() {
+    let shaken = Shaken::new(pendulum(), 0.03, 70.0).unwrap();
+    assert_eq!((shaken.amplitude(), shaken.frequency()), (0.03, 70.0));
+    assert_eq!(shaken.pendulum(), &pendulum());
+}
+
 /// Catches: NaN let in, a refusal that does not say why.
 #[test]
 fn impossible_shaking_is_refused() {

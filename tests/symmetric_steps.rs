@@ -6,7 +6,8 @@ use std::ops::{Add, Mul};
 use pendula::adaptive::symmetric::SymmetricSteps;
 use pendula::methods::stormer_verlet::StormerVerlet;
 use pendula::{
-    Counting, Error, Grid, Hamiltonian, Pendulum, Phase, Separable, System, Vector, integrate,
+    Counting, Error, Grid, Hamiltonian, Pendulum, Phase, Separable, Shaken, System, Vector,
+    integrate,
 };
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -373,4 +374,31 @@ fn what_has_no_step_is_refused() {
         );
         assert!(steps.next().is_none(), "it has ended");
     }
+}
+
+/// A pivot that shakes: two steps are Störmer–Verlet's, each with the force of its own two ends. A few roundings of numbers up
+/// to 10.
+///
+/// Catches: the force at another time than that of the step's end.
+#[test]
+fn the_force_is_asked_for_at_the_end_of_a_step() {
+    let shaken = Shaken::new(pendulum(), 0.3, 7.0).unwrap();
+    let start = Phase { theta: 1.0, omega: 0.4 };
+    let mut steps = SymmetricSteps::new(&shaken, start, 0.05, |_| 0.0).unwrap();
+    let sample = steps.nth(1).unwrap().unwrap();
+    let grid = Grid::new(0.05, 2).unwrap();
+    let end = integrate(&shaken, &StormerVerlet, start, &grid, &mut ());
+    let off = sample.z + end * -1.0;
+    assert!(off.theta.abs() < 1e-14 && off.omega.abs() < 1e-14, "{off:?}");
+}
+
+/// Catches: a walk that stays where it failed, though it is sent back to where it came from.
+#[test]
+fn there_is_a_way_back_from_where_none_leads_on() {
+    // ρ falls from 1 by half of ε G, which is 0.3, twice a step; the third step would begin below zero.
+    let mut steps = SymmetricSteps::new(&SUN, perihelion(), 0.002, |_| -300.0).unwrap();
+    assert!(steps.by_ref().take(2).all(|step| step.is_ok()));
+    assert!(steps.next().unwrap().is_err() && steps.next().is_none());
+    let mut back = steps.turned_back();
+    assert!(back.next().is_some_and(|step| step.is_ok()));
 }

@@ -24,9 +24,6 @@ pub fn root(mut f: impl FnMut(f64) -> Option<f64>, low: f64, high: f64) -> Optio
         let secant = b - at_b * ((b - a) / (at_b - at_a));
         let inside = secant > a.min(b) && secant < a.max(b);
         let next = if inside { secant } else { 0.5 * (a + b) };
-        if next == a || next == b {
-            break;
-        }
         let value = f(next)?;
         if value.is_nan() {
             return None;

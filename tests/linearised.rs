@@ -1,0 +1,41 @@
+//! The linearised motion of each system, beside what two neighbours do.
+
+use pendula::dynamics::Linearised;
+use pendula::systems::{Damped, Driven, Shaken};
+use pendula::{Pendulum, Phase};
+
+/// g/L = 2.5, ω₀ = 1.58 rad/s.
+fn pendulum() -> Pendulum {
+    Pendulum::new(5.0, 2.0, 3.0).unwrap()
+}
+
+/// The tangent along `v` beside the difference of the rates on both sides, which is off by ε²/6 of a third derivative of the
+/// restoring force, some 10 |v|³, and by a rounding of that force over ε: 1e-11 and 1e-11.
+fn check(system: &impl Linearised<State = Phase>) {
+    const EPSILON: f64 = 1e-5;
+    for z in [Phase { theta: 0.7, omega: -1.3 }, Phase { theta: 2.6, omega: 0.4 }] {
+        for v in [Phase { theta: 0.3, omega: -0.8 }, Phase { theta: -1.4, omega: 0.2 }] {
+            for t in [0.0, 0.37] {
+                let tangent = system.tangent(t, z, v);
+                let ahead = system.rate(t, z + v * EPSILON);
+                let behind = system.rate(t, z + v * -EPSILON);
+                let off = tangent + (ahead + behind * -1.0) * (-0.5 / EPSILON);
+                // With a margin of 10.
+                assert!(off.theta.abs() < 1e-9 && off.omega.abs() < 1e-9, "{z:?}, {v:?}: {off:?}");
+            }
+        }
+    }
+    // √(θ² + ω²/ω₀²), where ω²/ω₀² is 4.
+    let size = system.size(Phase { theta: 1.5, omega: 10.0_f64.sqrt() });
+    assert!((size - 2.5).abs() < 1e-15, "{size}");
+}
+
+/// Catches: a term that is missing, a derivative at the wrong place or time, a direction without its length; a size in
+/// other units.
+#[test]
+fn the_tangent_is_the_derivative_of_the_rate() {
+    let damped = Damped::new(pendulum(), 0.4).unwrap();
+    check(&damped);
+    check(&Driven::new(damped, 0.9, 1.1).unwrap());
+    check(&Shaken::new(pendulum(), 0.3, 2.2).unwrap());
+}
