@@ -33,7 +33,9 @@ pub trait AnyMethod: Described + Sync {
     fn count_evaluations(&self, pendulum: &Pendulum, start: Phase, grid: &Grid) -> u64;
 
     /// The last state alone. Nobody watches, so that no step pays for it.
-    fn end(&self, pendulum: &Pendulum, start: Phase, grid: &Grid) -> Phase;
+    fn end(&self, pendulum: &Pendulum, start: Phase, grid: &Grid) -> Phase {
+        self.run(pendulum, start, grid, &mut ())
+    }
 
     /// The largest energy error and the last state from each of `starts`, into `drifts` and `ends`: a slot of both for
     /// each start. With the feature `ensemble` the steps are taken in lanes, with the same bits.

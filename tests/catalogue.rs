@@ -64,10 +64,6 @@ impl AnyMethod for Plain {
     fn count_evaluations(&self, _: &Pendulum, _: Phase, grid: &Grid) -> u64 {
         4 * grid.steps()
     }
-
-    fn end(&self, pendulum: &Pendulum, start: Phase, grid: &Grid) -> Phase {
-        self.run(pendulum, start, grid, &mut ())
-    }
 }
 
 const STARTS: [Phase; 3] = [
