@@ -5,7 +5,9 @@ mod common;
 use std::f64::consts::FRAC_PI_2;
 
 use common::each_method;
-use pendula::methods::{rk4::Rk4, stormer_verlet::StormerVerlet, yoshida_8::Yoshida8};
+use pendula::methods::{
+    rk4::Rk4, stormer_verlet::StormerVerlet, symplectic_euler::SymplecticEuler, yoshida_8::Yoshida8,
+};
 use pendula::stepped::{Deferred, Stepped};
 use pendula::{Grid, Method, Observer, Pendulum, Phase, integrate, swing};
 use proptest::prelude::*;
@@ -142,4 +144,24 @@ fn a_number_that_is_known_keeps_its_sign() {
     for x in [-0.0, 0.0, 1.5, f64::NEG_INFINITY] {
         assert_eq!(Deferred::from(x).value().to_bits(), x.to_bits());
     }
+}
+
+/// Symplectic Euler, whose step kicks once: after N steps from θ = 0 at ω it has gone no farther than N (ωh + N K).
+///
+/// Catches: a bound that forgets a factor, or that lets in what it names as the first too far.
+#[test]
+fn time_is_counted_in_steps_up_to_the_bounds_only() {
+    let fits = |stiffness: f64, step: f64, steps, theta, omega| {
+        let pendulum = Pendulum::new(stiffness, 1.0, 1.0).unwrap();
+        let grid = Grid::new(step, steps).unwrap();
+        let start = Phase { theta, omega };
+        Stepped::<true>::of::<SymplecticEuler>(&pendulum, &grid, start).is_some()
+    };
+    // K = 1e6 and N = 1e4: N² K = 1e14, and ten times as many steps go a hundred times as far.
+    assert!(fits(1e6, 1.0, 10_000, 0.0, 0.0) && !fits(1e6, 1.0, 100_000, 0.0, 0.0));
+    // ωh = 1e14 with h = 100, next to which K is nothing: N ωh.
+    assert!(fits(1e-90, 100.0, 9, 0.0, 1e12) && !fits(1e-90, 100.0, 100, 0.0, 1e12));
+    // 10¹⁵ itself is too far, and 10⁶ rad at the start.
+    assert!(fits(1e-90, 1.0, 1, 0.0, 1e15_f64.next_down()) && !fits(1e-90, 1.0, 1, 0.0, 1e15));
+    assert!(fits(1.0, 1.0, 1, -1e6_f64.next_down(), 0.0) && !fits(1.0, 1.0, 1, -1e6, 0.0));
 }
