@@ -78,3 +78,35 @@ impl Table {
         cells.iter().enumerate().map(pad).collect()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn table() -> Table {
+        let mut table = Table::new(["Method", "h", "why"]).with_remarks(1);
+        table.push(["RK4", "0.001", "it is quick and needs no memory"]);
+        table.push(["Störmer–Verlet", "1"]);
+        table
+    }
+
+    /// Catches: columns that do not stand under one another, a rule of another width, blanks at the end of a line.
+    #[test]
+    fn text_stands_in_columns() {
+        let expected = "Method              h  why\n\
+                        ──────────────────────────\n\
+                        RK4             0.001  it is quick and needs no memory\n\
+                        Störmer–Verlet      1\n";
+        assert_eq!(table().to_text(), expected);
+    }
+
+    /// Catches: values that are not flush right, remarks that are padded.
+    #[test]
+    fn markdown_reads_as_a_table_too() {
+        let expected = "| Method         |     h | why |\n\
+                        | -------------- | ----: | --- |\n\
+                        | RK4            | 0.001 | it is quick and needs no memory |\n\
+                        | Störmer–Verlet |     1 |     |\n";
+        assert_eq!(table().to_markdown(), expected);
+    }
+}
