@@ -163,7 +163,7 @@ pub struct Chart {
     x: Axis,
     y: Axis,
     heading: String,
-    height: Option<f64>,
+    height: f64,
     series: Vec<Series>,
     marks: Vec<Mark>,
 }
@@ -198,7 +198,7 @@ impl Chart {
     /// An empty chart, 300 units high (600 are its width).
     pub const fn new(x: Axis, y: Axis) -> Self {
         let heading = String::new();
-        Self { x, y, heading, height: Some(300.0), series: Vec::new(), marks: Vec::new() }
+        Self { x, y, heading, height: 300.0, series: Vec::new(), marks: Vec::new() }
     }
 
     /// With a line of text above all else, to tell the chart from its neighbours.
@@ -208,12 +208,7 @@ impl Chart {
 
     /// The plot is this many units high.
     pub fn height(self, units: f64) -> Self {
-        Self { height: Some(units), ..self }
-    }
-
-    /// One unit is as long on the y axis as on the x axis: a circle is round.
-    pub fn equal_scales(self) -> Self {
-        Self { height: None, ..self }
+        Self { height: units, ..self }
     }
 
     /// With a series. Those of the same label share an entry of the legend, such as a line of
@@ -289,7 +284,7 @@ impl Chart {
     }
 
     fn y_ticks(&self) -> usize {
-        (self.height.unwrap_or(300.0) / 45.0).clamp(2.0, 6.0) as usize
+        (self.height / 45.0).clamp(2.0, 6.0) as usize
     }
 }
 
@@ -381,17 +376,30 @@ mod tests {
         );
     }
 
-    /// Catches: equal scales that squash a circle.
+    /// Catches: an axis that ends before a line across it, or that reaches for a band; ticks that crowd a low plot.
     #[test]
-    fn a_circle_is_round() {
-        let axis = |label| Axis::linear(label).range(-1.5, 1.5);
-        let chart = Chart::new(axis("x"), axis("y")).equal_scales();
-        let svg =
-            Figure::new("t", "d").panel(chart.series("", Style::REFERENCE, circle())).to_svg("x");
-        let rect = svg.lines().find(|line| line.contains("<rect")).unwrap();
-        let value = |name: &str| rect.split(&format!(" {name}=\"")).nth(1)?.split('"').next();
-        assert!(value("width").is_some());
-        assert_eq!(value("width"), value("height"));
+    fn lines_stretch_an_axis_and_bands_do_not() {
+        let axis = Axis::linear;
+        let plain = || {
+            Chart::new(axis("x"), axis("y")).series("", Style::REFERENCE, [(0.0, 0.0), (2.0, 4.0)])
+        };
+        let ends = |chart: Chart| {
+            let (x, y) = chart.scales();
+            let reaches = |scale: &Scale, far: f64| [-far, far].map(|value| scale.contains(value));
+            [reaches(&x, 3.0), reaches(&y, 30.0)]
+        };
+        let none = [[false; 2]; 2];
+        assert_eq!(ends(plain()), none);
+        assert_eq!(ends(plain().vertical(3.0, "")), [[false, true], [false; 2]]);
+        assert_eq!(ends(plain().horizontal(-30.0, "")), [[false; 2], [true, false]]);
+        assert_eq!(
+            ends(plain().vertical_band(-3.0, 3.0, "").horizontal_band(-30.0, 30.0, "")),
+            none
+        );
+        assert_eq!(
+            [50.0, 100.0, 200.0, 300.0, 900.0].map(|high| plain().height(high).y_ticks()),
+            [2, 2, 4, 6, 6]
+        );
     }
 
     /// The `x`, `y`, `width` and `height` of each chart's plot.

@@ -121,13 +121,10 @@ fn figure_5(_: &Study) -> Figure {
     let separatrix = separatrix.map(|(theta, half)| (theta, top * crate::sine::cos(half)));
     let above: Vec<(f64, f64)> = separatrix.collect();
     let below = above.iter().map(|&(theta, omega)| (theta, -omega));
-    let mut chart = Chart::new(
-        Axis::linear("θ (rad)").range(-3.2, 3.2),
-        Axis::linear("ω (rad/s)").range(-7.0, 7.0),
-    )
-    .height(360.0)
-    .series("separatrix", Style::REFERENCE, above.clone())
-    .series("separatrix", Style::REFERENCE, below);
+    let mut chart = Chart::new(Axis::linear("θ (rad)"), Axis::linear("ω (rad/s)").range(-7.0, 7.0))
+        .height(360.0)
+        .series("separatrix", Style::REFERENCE, above.clone())
+        .series("separatrix", Style::REFERENCE, below);
     // Each label stands where its own orbit has room beside it.
     for (theta_0, label_at) in phase_portrait::THETA_0.into_iter().zip([0.5, 1.5, -2.5]) {
         let points = phase_portrait::orbit(rk4, theta_0).into_iter().map(|z| (z.theta, z.omega));

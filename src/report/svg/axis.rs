@@ -117,10 +117,6 @@ impl Scale<'_> {
         self.fraction(value).is_some_and(|f| (-1e-9..=1.0 + 1e-9).contains(&f))
     }
 
-    pub const fn span(&self) -> f64 {
-        self.high - self.low
-    }
-
     /// At most about `count` labelled ticks.
     pub fn ticks(&self, count: usize) -> Vec<Tick> {
         let mut ticks = match &self.axis.ticks {
@@ -287,5 +283,44 @@ mod tests {
         assert_eq!(Axis::log("x").range(0.0, 1.0), Axis::log("x"));
         assert_eq!(Axis::linear("x").range(2.0, 2.0), Axis::linear("x"));
         assert_eq!(Axis::linear("x").range(f64::NAN, 2.0), Axis::linear("x"));
+        // 1e300 is the largest that is shown.
+        assert_ne!(Axis::linear("x").range(0.0, 1e300), Axis::linear("x"));
+        assert_eq!(Axis::linear("x").range(0.0, 1e300_f64.next_up()), Axis::linear("x"));
+    }
+    /// Catches: a single value on the edge of its axis, or on an axis without length; no value at all.
+    #[test]
+    fn a_single_value_has_an_axis_about_it() {
+        let ends = |axis: Axis, data: &[f64]| {
+            let scale = axis.scale(data.iter().copied(), None);
+            (scale.low, scale.high)
+        };
+        let linear = || Axis::linear("x");
+        assert_eq!(ends(linear(), &[]), (0.0, 1.0));
+        assert_eq!(ends(linear(), &[0.0]), (-1.0, 1.0));
+        assert_eq!(ends(linear(), &[5.0]), (4.5, 5.5));
+        assert_eq!(ends(linear(), &[-5.0, -5.0]), (-5.5, -4.5));
+        assert_eq!(ends(linear(), &[0.0, 5.0]), (0.0, 5.0));
+        // A one alone has a decade on either side. Else less than a third of a decade is widened by as much, or a tenth of the exponent, on both sides; then by a
+        // twentieth of what it is.
+        let near = |(a, b): (f64, f64), (c, d): (f64, f64)| (a - c).abs() + (b - d).abs() < 1e-12;
+        assert!(near(ends(Axis::log("x"), &[1.0]), (-1.1, 1.1)));
+        assert!(near(ends(Axis::log("x"), &[1e2]), (1.67, 2.33)));
+        assert!(near(ends(Axis::log("x"), &[1e10]), (8.9, 11.1)));
+        let high = 0.1;
+        let (low, high) = (-0.3 - 0.05 * (0.6 + high), 0.3 + high + 0.05 * (0.6 + high));
+        assert!(near(ends(Axis::log("x"), &[1.0, libm::pow(10.0, 0.1)]), (low, high)));
+    }
+
+    /// Catches: fewer than two labels where the axis is short, or as many as decades where it is very long.
+    #[test]
+    fn short_and_long_logarithmic_axes_have_labels_too() {
+        let labels = |low, high, count| -> Vec<String> {
+            log_ticks(low, high, count).into_iter().filter_map(|tick| tick.label).collect()
+        };
+        assert_eq!(labels(0.3, 0.6, 4), ["2.0", "2.5", "3.0", "3.5"]);
+        // 0.7 decades are the first that are not short: 1, 2 and 5 of each decade about them.
+        assert_eq!(labels(0.0, 0.7, 5)[..3], ["10^{0}", "2×10^{0}", "5×10^{0}"]);
+        // 25 decades for three labels: every ninth.
+        assert_eq!(labels(-12.0, 12.0, 3), ["10^{−9}", "10^{0}", "10^{9}"]);
     }
 }

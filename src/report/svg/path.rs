@@ -259,4 +259,31 @@ mod tests {
         assert_eq!(polyline([&vec![(1.0, 2.0)]]), "M1,2h0");
         assert_eq!(polyline([&vec![(1.0, 2.0), (1.01, 2.0), (3.0, 1.5)]]), "M1,2l2,-0.5");
     }
+    /// Catches: columns beside the plot, each with its two points, where one column would do; on either side.
+    #[test]
+    fn beside_the_plot_only_the_ends_are_kept() {
+        for x in [600.0, -1000.0] {
+            let stroke: Vec<Point> =
+                (0..400).map(|i| (x + f64::from(i), f64::from(i % 2))).collect();
+            assert_eq!(extremes(&stroke, 0.0, 500.0), [stroke[0], stroke[399]]);
+        }
+    }
+
+    /// Catches: a step of a staircase taken for a turn, after which the line would lose its corners.
+    #[test]
+    fn a_staircase_does_not_turn() {
+        let stair = |i: u32| (0.1 * f64::from(i), f64::from(i / 2));
+        for up in [1.0, -1.0] {
+            let stroke: Vec<Point> = (0..16).map(stair).map(|p| (p.0, up * p.1)).collect();
+            assert_eq!(extremes(&stroke, 0.0, 500.0), stroke);
+        }
+    }
+
+    /// Catches: an arrow without a head though it goes somewhere.
+    #[test]
+    fn the_shortest_arrow_has_a_head() {
+        assert!(head(&mut [(0.0, 0.0), (STRAY, 0.0)], 0.0).is_some());
+        assert!(head(&mut [(0.0, 0.0), (0.9 * STRAY, 0.0)], 0.0).is_none());
+        assert!(head(&mut [(0.0, 0.0), (8.0, 0.0)], 8.0).is_none());
+    }
 }
