@@ -249,3 +249,38 @@ fn findings(study: &Study, claims: &mut Vec<Claim>) {
         ),
     ]);
 }
+
+#[cfg(test)]
+mod tests {
+    use super::number;
+    use crate::paper::number::Format::Fixed;
+    use rstest::rstest;
+
+    /// The condition that each table is measured under is what its reader needs most: here by a word that no other table has.
+    ///
+    /// Catches: a table whose cells go without a place or a definition, or under those of another.
+    #[rstest]
+    #[case("T2.vv.order", "Table 2", "slope")]
+    #[case("T4.rk4.0.01", "Table 4", "π/3")]
+    #[case("T5.fe.dH", "Table 5", "from rest at 1 rad")]
+    #[case("T6.se.0.05", "Table 6", "all N + 1 samples")]
+    #[case("T7.Texact", "Table 7", "3 rad")]
+    #[case("T8.fe.rms", "Table 8", "0.05 rad, Δt = 0.01 s")]
+    fn a_cell_says_where_it_stands_and_how_it_is_measured(
+        #[case] id: &str,
+        #[case] place: &str,
+        #[case] condition: &str,
+    ) {
+        let cell = number(id.to_string(), String::new(), 1.0, Fixed(0));
+        assert_eq!(cell.place, place);
+        assert!(cell.definition.contains(condition), "{}", cell.definition);
+        assert!(cell.stated.is_some(), "{id} is printed");
+    }
+
+    /// Catches: a number of our own that is passed off as one of the paper's.
+    #[test]
+    fn what_is_not_printed_stands_nowhere() {
+        let finding = number("X.fe.falls".to_string(), String::new(), 1.0, Fixed(0));
+        assert_eq!((finding.place, finding.definition, finding.stated), ("", "", None));
+    }
+}

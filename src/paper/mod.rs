@@ -10,7 +10,7 @@ mod prose;
 
 use core::fmt;
 
-use crate::paper::number::{Format, half_unit};
+use crate::paper::number::{Format, rounds_to};
 use crate::study::Study;
 
 /// What became of a claim.
@@ -118,9 +118,7 @@ impl Claim {
             (_, Tolerance::Decided(holds)) => Some(holds),
             (Measured::Text(text), _) => Some(text == stated),
             (Measured::Number(measured, _), Tolerance::PrintedDigits) => {
-                let (value, half) = (stated.parse::<f64>().ok()?, half_unit(stated)?);
-                // A half unit is itself a rounded f64; its last bit must not decide.
-                Some((measured - value).abs() <= half * (1.0 + 4.0 * f64::EPSILON))
+                rounds_to(*measured, stated)
             }
             (Measured::Number(measured, _), Tolerance::Around { value, relative }) => {
                 Some((measured - value).abs() <= relative * value.abs())
@@ -193,5 +191,97 @@ impl Ledger {
     pub fn table(&self, number: u32) -> impl Iterator<Item = &Claim> {
         let prefix = format!("T{number}.");
         self.claims.iter().filter(move |claim| claim.id.starts_with(&prefix))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Tolerance::{Around, Decided, PrintedDigits};
+    use super::{Claim, Format, Measured, Tolerance, Verdict};
+    use rstest::rstest;
+
+    fn claim(stated: &'static str, measured: Measured, tolerance: Tolerance) -> Claim {
+        Claim {
+            id: "T0".to_string(),
+            place: "Table 0",
+            gist: String::new(),
+            definition: "",
+            stated: Some(stated),
+            measured,
+            tolerance,
+            verdict: Verdict::Reproduced,
+            because: "",
+        }
+    }
+
+    fn number(value: f64) -> Measured {
+        Measured::Number(value, Format::Fixed(1))
+    }
+
+    fn text(words: &str) -> Measured {
+        Measured::Text(words.to_string())
+    }
+
+    /// The bounds are binary fractions, so that a number can lie on them, and its neighbour beyond. A relative distance
+    /// goes by the value that rounding surrounds, not by what is printed.
+    ///
+    /// Catches: a tolerance wider, narrower or one-sided, and one kind of tolerance taken for another.
+    #[rstest]
+    #[case::on_the_bound("3", number(3.5), PrintedDigits, Some(true))]
+    #[case::past_it("3", number(3.5_f64.next_up()), PrintedDigits, Some(false))]
+    #[case::no_number("three", number(3.0), PrintedDigits, None)]
+    #[case::on_top("9", number(2.5), Around { value: 2.0, relative: 0.25 }, Some(true))]
+    #[case::over_it("9", number(2.5_f64.next_up()), Around { value: 2.0, relative: 0.25 }, Some(false))]
+    #[case::at_the_bottom("9", number(1.5), Around { value: 2.0, relative: 0.25 }, Some(true))]
+    #[case::under_it("9", number(1.5_f64.next_down()), Around { value: 2.0, relative: 0.25 }, Some(false))]
+    #[case::negative("9", number(-2.5), Around { value: -2.0, relative: 0.25 }, Some(true))]
+    #[case::the_wrong_sign("9", number(2.0), Around { value: -2.0, relative: 0.25 }, Some(false))]
+    #[case::the_same_words("Yes", text("Yes"), PrintedDigits, Some(true))]
+    #[case::other_words("Yes", text("No"), PrintedDigits, Some(false))]
+    #[case::decided_for_a_number("3", number(9.0), Decided(true), Some(true))]
+    #[case::decided_against_one("3", number(3.0), Decided(false), Some(false))]
+    #[case::decided_for_words("Yes", text("No"), Decided(true), Some(true))]
+    #[case::decided_on_nothing("3", Measured::Nothing, Decided(true), None)]
+    #[case::nothing("3", Measured::Nothing, PrintedDigits, None)]
+    fn a_claim_holds_within_its_tolerance(
+        #[case] stated: &'static str,
+        #[case] measured: Measured,
+        #[case] tolerance: Tolerance,
+        #[case] holds: Option<bool>,
+    ) {
+        let mut claim = claim(stated, measured, tolerance);
+        assert_eq!(claim.holds(), holds);
+        claim.stated = None;
+        assert_eq!(claim.holds(), None, "nothing is stated");
+    }
+
+    /// What each verdict becomes where the measurement holds, where it fails, and where there is none.
+    ///
+    /// Catches: a verdict that demands too much, too little or the opposite, and one that outlives its measurement.
+    #[rstest]
+    #[case(Verdict::Reproduced, Some(true), Verdict::Reproduced, Verdict::Wrong)]
+    #[case(
+        Verdict::ReproducedWithDefinition,
+        Some(true),
+        Verdict::ReproducedWithDefinition,
+        Verdict::Wrong
+    )]
+    #[case(Verdict::DependsOnRounding, Some(true), Verdict::DependsOnRounding, Verdict::Wrong)]
+    #[case(Verdict::Wrong, Some(false), Verdict::Reproduced, Verdict::Wrong)]
+    #[case(Verdict::DependsOnPlatform, None, Verdict::DependsOnPlatform, Verdict::Wrong)]
+    #[case(Verdict::NotCheckable, None, Verdict::NotCheckable, Verdict::Wrong)]
+    #[case(Verdict::NotStated, None, Verdict::NotStated, Verdict::Wrong)]
+    fn a_verdict_is_judged_by_what_it_demands(
+        #[case] verdict: Verdict,
+        #[case] demands: Option<bool>,
+        #[case] where_it_holds: Verdict,
+        #[case] where_it_fails: Verdict,
+    ) {
+        assert_eq!(verdict.demands(), demands);
+        let judged =
+            |measured, tolerance| Claim { verdict, ..claim("3", measured, tolerance) }.judged();
+        assert_eq!(judged(number(3.0), Decided(true)), where_it_holds);
+        assert_eq!(judged(number(3.0), Decided(false)), where_it_fails);
+        assert_eq!(judged(Measured::Nothing, PrintedDigits), verdict);
     }
 }

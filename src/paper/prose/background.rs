@@ -228,7 +228,7 @@ pub(super) const CLAIMS: &[Prose] = &[
             let period = exact::period(&Pendulum::PAPER, 2.0).unwrap_or(f64::NAN);
             let motion = crate::Motion::new(&Pendulum::PAPER, start);
             let back = motion.map_or(f64::NAN, |motion| motion.at(period).theta);
-            says("closes the orbit".to_string(), (back - 2.0).abs() < 1e-14)
+            says("closes the orbit".to_string(), is_near(back, 2.0, 1e-14))
         },
     },
     Prose {
@@ -243,7 +243,7 @@ pub(super) const CLAIMS: &[Prose] = &[
             let linear = LinearOscillator::of(Pendulum::PAPER);
             let start = crate::Phase::at_rest(0.05);
             let kept = linear.energy(linear.exact(start, 7.3)) / linear.energy(start);
-            says("conserves its energy".to_string(), (kept - 1.0).abs() < 1e-14)
+            says("conserves its energy".to_string(), is_near(kept, 1.0, 1e-14))
         },
     },
     Prose {
@@ -256,7 +256,7 @@ pub(super) const CLAIMS: &[Prose] = &[
         because: "A single step is of order 5; the global error is of order 4.",
         measure: |_| {
             let slope = findings::one_step_slope(&Rk4);
-            shows(slope, Fixed(1), (slope - 4.0).abs() < 0.5)
+            shows(slope, Fixed(1), is_near(slope, 4.0, 0.5))
         },
     },
     Prose {
@@ -331,7 +331,10 @@ pub(super) const CLAIMS: &[Prose] = &[
             let quarter = crate::Phase::at_rest(core::f64::consts::FRAC_PI_2);
             let initial = Pendulum::PAPER.hamiltonian(quarter).abs();
             let table = row!(study.long_run, "fe").percent_of_initial();
-            says("zero to rounding".to_string(), initial < 1e-14 && (table - 9090.0).abs() < 0.5)
+            says(
+                "zero to rounding".to_string(),
+                is_near(initial, 0.0, 1e-14) && prints_as("T5.fe.pct", table),
+            )
         },
     },
     Prose {
@@ -346,8 +349,8 @@ pub(super) const CLAIMS: &[Prose] = &[
             let over_all = row!(study.small_angle, "fe").errors[0].formula;
             // 100 steps: the mean over N instead of N + 1 samples.
             let over_steps = over_all * libm::sqrt(101.0 / 100.0);
-            let meets = |value: f64| (value - 0.919).abs() <= 0.0005;
-            says("N + 1".to_string(), meets(over_all) && !meets(over_steps))
+            let met = [over_all, over_steps].map(|error| prints_as("T6.fe.0.1", error));
+            says("N + 1".to_string(), met == [true, false])
         },
     },
     Prose {

@@ -11,7 +11,9 @@ use super::Verdict::{
     self, DependsOnPlatform, DependsOnRounding, NotCheckable, Reproduced, ReproducedWithDefinition,
     Wrong,
 };
+use super::cells::CELLS;
 use super::measure::row_id;
+use super::number::rounds_to;
 use super::{Claim, Measured, Tolerance};
 use crate::methods::position_verlet::PositionVerlet;
 use crate::methods::{
@@ -88,6 +90,27 @@ pub(super) fn claims(study: &Study) -> impl Iterator<Item = Claim> {
     })
 }
 
+/// Whether a value is no further from another than this.
+fn is_near(value: f64, other: f64, distance: f64) -> bool {
+    (value - other).abs() <= distance
+}
+
+/// Whether a value rounds to what the paper prints in the cell of this id.
+fn prints_as(cell: &str, value: f64) -> bool {
+    let cell = CELLS.iter().find(|printed| printed.id == cell).expect("a cell of the paper");
+    rounds_to(value, cell.stated) == Some(true)
+}
+
+/// Whether slopes from `low` to `high` confirm this order, each to ± 0.15.
+fn confirms((low, high): (f64, f64), order: f64) -> bool {
+    [low, high].into_iter().all(|slope| is_near(slope, order, 0.15))
+}
+
+/// Whether an oscillation has grown no larger, to a thousandth: a longer run samples it nearer to its top.
+fn has_not_grown(later: f64, earlier: f64) -> bool {
+    later <= 1.001 * earlier
+}
+
 fn order_range(study: &Study, id: &str) -> (f64, f64) {
     let row = study.convergence.iter().find(|row| row_id(row.method) == id);
     let drift = row.map_or([f64::NAN; 5], |row| row.drift);
@@ -96,10 +119,7 @@ fn order_range(study: &Study, id: &str) -> (f64, f64) {
 }
 
 fn orders_confirmed(study: &Study) -> Finding {
-    let within = |id, order: f64| {
-        let (low, high) = order_range(study, id);
-        (low - order).abs() < 0.15 && (high - order).abs() < 0.15
-    };
+    let theory = [("fe", 1.0), ("se", 1.0), ("vv", 2.0), ("rk4", 4.0)];
     let (rk4, fe) = (order_range(study, "rk4"), order_range(study, "fe"));
     says(
         std::format!(
@@ -108,7 +128,7 @@ fn orders_confirmed(study: &Study) -> Finding {
             fe.0,
             fe.1
         ),
-        within("fe", 1.0) && within("se", 1.0) && within("vv", 2.0) && within("rk4", 4.0),
+        theory.into_iter().all(|(id, order)| confirms(order_range(study, id), order)),
     )
 }
 
@@ -123,12 +143,12 @@ fn monotonic(study: &Study) -> Finding {
 /// Whether an orbit of Störmer–Verlet from the chaotic layer crosses u = ω Δt = 2π, which it can only where no
 /// invariant curve is left between 0 and 2π.
 fn escapes(k: f64) -> bool {
-    findings::chaotic_speed(&StormerVerlet, k, 200_000) > 2.0 * core::f64::consts::PI
+    findings::chaotic_speed(&StormerVerlet, k, 200_000) > core::f64::consts::TAU
 }
 
 fn bounded(_: &Study) -> Finding {
     let drift = |steps| findings::energy_drift(&StormerVerlet, 1.0, 0.01, steps);
-    let (small, large) = (drift(1_000_000) <= 1.001 * drift(100_000), escapes(1.5));
+    let (small, large) = (has_not_grown(drift(1_000_000), drift(100_000)), escapes(1.5));
     says(
         std::format!(
             "at 0.01 s {}; at K = 0.9 {}; at K = 1.5 {}",
@@ -142,4 +162,44 @@ fn bounded(_: &Study) -> Finding {
 
 fn largest_formula_error(theta_0: f64, step: f64) -> f64 {
     findings::normalised_formula_error(&Rk4, theta_0, step).0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{confirms, has_not_grown, is_near, prints_as};
+    use rstest::rstest;
+
+    /// The distances are binary fractions, so that a number can lie on the bound.
+    ///
+    /// Catches: a distance with one side only, one by ratio, and a bound that is missed or passed.
+    #[rstest]
+    #[case(2.5, true)]
+    #[case(1.5, true)]
+    #[case(2.0, true)]
+    #[case(2.5_f64.next_up(), false)]
+    #[case(1.5_f64.next_down(), false)]
+    #[case(f64::NAN, false)]
+    fn what_is_near_is_so_on_either_side(#[case] value: f64, #[case] near: bool) {
+        assert_eq!(is_near(value, 2.0, 0.5), near);
+    }
+
+    /// Catches: an order confirmed by one of its slopes, or by none.
+    #[rstest]
+    #[case((1.86, 2.14), true)]
+    #[case((1.84, 2.0), false)]
+    #[case((2.0, 2.16), false)]
+    #[case((-2.0, 2.0), false)]
+    #[case::no_slopes((f64::INFINITY, f64::NEG_INFINITY), false)]
+    fn an_order_is_confirmed_by_every_slope(#[case] range: (f64, f64), #[case] confirmed: bool) {
+        assert_eq!(confirms(range, 2.0), confirmed);
+    }
+
+    /// Catches: a slow growth that is called none, and another cell's digits.
+    #[test]
+    fn a_growth_shows_and_a_cell_is_met_in_its_own_digits() {
+        assert!(has_not_grown(3.0, 3.0) && has_not_grown(3.002, 3.0) && has_not_grown(2.0, 3.0));
+        assert!(!has_not_grown(3.004, 3.0), "by more than a thousandth");
+        assert!(prints_as("T6.fe.0.1", 0.9194) && !prints_as("T6.fe.0.1", 0.9196));
+        assert!(!prints_as("T6.se.0.1", 0.9194), "another cell");
+    }
 }

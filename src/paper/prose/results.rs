@@ -27,7 +27,7 @@ pub(super) const CLAIMS: &[Prose] = &[
         measure: |study| {
             let (low, high) = order_range(study, "fe");
             let text = std::format!("slopes from {low:.2} to {high:.2}");
-            says(text, (low - 1.0).abs() < 0.15 && (high - 1.0).abs() < 0.15)
+            says(text, confirms((low, high), 1.0))
         },
     },
     Prose {
@@ -197,7 +197,7 @@ pub(super) const CLAIMS: &[Prose] = &[
                 row.map_or(f64::NAN, |row| row.errors[2].formula / row.errors[4].formula)
             };
             let (rk4, vv) = (ratio("rk4"), ratio("vv"));
-            says(std::format!("{rk4:.3} and {vv:.3}"), (rk4 - 1.0).abs() < 0.01 && vv < 1.0)
+            says(std::format!("{rk4:.3} and {vv:.3}"), is_near(rk4, 1.0, 0.01) && vv < 1.0)
         },
     },
     Prose {
