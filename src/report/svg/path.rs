@@ -220,6 +220,16 @@ mod tests {
         assert_eq!(thinned, [(0.0, 0.0), (100.0, 0.0), (10.0, 0.0)]);
     }
 
+    /// Catches: of two points equally far from the line, the later kept: a path that changes where nothing moved; a point
+    /// kept that is no farther than may be.
+    #[test]
+    fn the_first_of_the_farthest_is_kept() {
+        // Once one of the two is kept, the other is at half that height.
+        let low = |y: f64| [(0.0, 0.0), (10.0, y), (20.0, y), (30.0, 0.0)];
+        assert_eq!(simplify(&low(1.5 * STRAY)), [(0.0, 0.0), (10.0, 1.5 * STRAY), (30.0, 0.0)]);
+        assert_eq!(simplify(&low(STRAY)), [(0.0, 0.0), (30.0, 0.0)]);
+    }
+
     /// Catches: points beside the plot that lengthen the path, or whose loss bends the line
     /// that enters the plot.
     #[test]

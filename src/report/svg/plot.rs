@@ -71,8 +71,7 @@ impl<'a> Plot<'a> {
         let dotted = chart.series.iter().enumerate().filter(|(_, s)| s.style.has_marker());
         let dotted: Vec<_> = dotted.map(|(i, s)| (s.style, self.marked(s, i))).collect();
         let under_marker = |end: &Point| {
-            let near = |p: &Point| (p.0 - end.0).abs() < 0.1 && (p.1 - end.1).abs() < 0.1;
-            dotted.iter().any(|(_, marked)| marked.iter().any(near))
+            dotted.iter().any(|(_, marked)| marked.iter().any(|&p| same_place(p, *end)))
         };
         for Series { points, style, .. } in chart.series.iter().filter(|s| s.style.has_line()) {
             let mut drawn = self.strokes(points);
@@ -255,6 +254,12 @@ impl<'a> Plot<'a> {
     }
 }
 
+/// Whether the points are nearer than what the drawing can tell apart.
+fn same_place(a: Point, b: Point) -> bool {
+    (a.0 - b.0).abs() < 0.1 && (a.1 - b.1).abs() < 0.1
+}
+
+/// The part of the span from `a` to `b` that is between `low` and `high`; rounding may put it a little beside them.
 fn visible(a: f64, b: f64, low: f64, high: f64) -> Option<(f64, f64)> {
     let (a, b) = (a.min(b), a.max(b));
     (b > low - 0.01 && a < high + 0.01).then_some((a.clamp(low, high), b.clamp(low, high)))
@@ -369,7 +374,21 @@ fn few(count: usize, series: usize) -> impl Iterator<Item = usize> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::Axis;
     use super::*;
+
+    /// Powers of two, so that every pixel of a whole number is exact: x is at 64 + x, y at 256 − y.
+    const PLACE: [f64; 3] = [0.0, 64.0, 576.0];
+
+    fn chart(y_label: &str) -> Chart {
+        Chart::new(Axis::linear("").range(0.0, 512.0), Axis::linear(y_label).range(0.0, 256.0))
+            .height(256.0)
+    }
+
+    fn with_plot<T>(chart: &Chart, place: [f64; 3], ask: impl FnOnce(&Plot) -> T) -> T {
+        let (x, y) = chart.scales();
+        ask(&Plot::new(chart, [&x, &y], [true; 2], place, 0.0))
+    }
 
     /// Catches: a marker beside the curve's end, two series marked at the same points, points bunched.
     #[test]
@@ -379,5 +398,167 @@ mod tests {
         assert_eq!(marked(0), [10, 50, 90, 130, 170, 210, 250]);
         assert_eq!(marked(3), [40, 80, 120, 160, 200, 240, 280]);
         assert_eq!(marked(5), [20, 60, 100, 140, 180, 220, 260]);
+    }
+
+    /// Catches: an arrow cut short of a marker that is only beside it, or not of one on its end.
+    #[test]
+    fn a_place_is_a_tenth_wide() {
+        for (aside, same) in [(0.0, true), (0.09, true), (-0.09, true), (0.1, false), (-0.1, false)]
+        {
+            assert_eq!(same_place((aside, 0.0), (0.0, 0.0)), same, "{aside} to the right");
+            assert_eq!(same_place((0.0, 0.0), (0.0, aside)), same, "{aside} down");
+        }
+    }
+
+    /// Catches: a line on the very edge lost to rounding; one beside the plot drawn on its edge; a band that leaves the plot.
+    #[test]
+    fn only_what_is_inside_is_visible() {
+        let of = |a, b| visible(a, b, 100.0, 200.0);
+        assert_eq!(of(170.0, 130.0), Some((130.0, 170.0)));
+        assert_eq!(of(0.0, 300.0), Some((100.0, 200.0)));
+        assert_eq!(of(99.995, 99.995), Some((100.0, 100.0)));
+        assert_eq!(of(200.005, 200.005), Some((200.0, 200.0)));
+        let beyond = [(0.0, 50.0), (250.0, 300.0), (0.0, 100.0 - 0.01), (200.0 + 0.01, 300.0)];
+        assert_eq!(beyond.map(|(a, b)| of(a, b)), [None; 4]);
+    }
+
+    /// Catches: the label of a line on the right that leaves the drawing; a row for a line without a label.
+    #[test]
+    fn a_heading_stays_on_the_drawing() {
+        let label = "a limit of stability";
+        let chart =
+            chart("").vertical(256.0, label).vertical(512.0, label).vertical_band(0.0, 9.0, "");
+        let w = width(label);
+        let expected = [(320.0 - w / 2.0, label), (576.0 + RIGHT - w, label), (0.0, "")];
+        with_plot(&chart, PLACE, |plot| assert_eq!(plot.headings().concat(), expected));
+    }
+
+    /// Catches: headings that run into each other, or that take a row each though there is room.
+    #[test]
+    fn headings_of_a_row_are_ten_apart() {
+        let label = "a limit of stability";
+        // Begins from 14 to 16 from the left, where 10 less and 10 more is exact.
+        let at = 15.0 - PLACE[1] + (width(label) / 2.0).round();
+        let begin = PLACE[1] + at - width(label) / 2.0;
+        let rows = |y_label: &str, edge: f64| {
+            let chart = chart(y_label).vertical(at, label);
+            let rows = with_plot(&chart, [edge, PLACE[1], PLACE[2]], |plot| plot.headings().len());
+            assert!(begin > edge && at > 0.0, "the heading has its own place");
+            rows
+        };
+        let least = begin - 10.0 - width("energy");
+        assert_eq!([rows("energy", least - 0.1), rows("energy", least + 0.1)], [1, 2]);
+        assert_eq!([rows("", begin - 10.1), rows("", begin - 10.0)], [1, 2]);
+    }
+
+    /// Catches: labels of ticks that touch, or that are left out though there is room.
+    #[test]
+    fn ticks_have_room_between_them() {
+        // Between two labels there are 20 units, and half of a label may stand out on either side.
+        let drawn = |labels: &[&'static str], left: f64, room: f64| {
+            let ticks = labels.iter().zip([0.0, 512.0]).map(|(label, x)| (x, *label));
+            let x = Axis::linear("").range(0.0, 512.0).ticks(ticks);
+            let chart = Chart { x, ..chart("") };
+            let mut out = String::new();
+            with_plot(&chart, [0.0, left, left + room], |plot| plot.draw_axes(&mut out));
+            labels.iter().filter(|label| out.contains(&format!(">{label}</text>"))).count()
+        };
+        let (one, two) = (["a wide label"], ["a wide label", "and another"]);
+        let room = width(two[0]) + 20.0 + width(two[1]);
+        assert_eq!([drawn(&two, 64.0, room - 0.1), drawn(&two, 64.0, room + 0.1)], [0, 2]);
+        assert_eq!(
+            [drawn(&one, 0.0, width(one[0])), drawn(&one, 0.0, 1.0 + width(one[0]))],
+            [0, 1]
+        );
+    }
+
+    /// Catches: a label that crosses the edge of a low band, or that is not in the middle of a high one; a second one on
+    /// the first.
+    #[test]
+    fn a_band_is_labelled_inside_if_it_is_high_enough() {
+        let labels = |chart: Chart| {
+            let mut out = String::new();
+            with_plot(&chart, PLACE, |plot| {
+                Labels { plot, strokes: Vec::new(), taken: Vec::new() }.draw(&mut out);
+            });
+            out
+        };
+        let text = |x: f64, y: f64, anchor: &str, label: &str| {
+            let mut out = String::new();
+            draw_text(&mut out, "halo", (x, y), anchor, label);
+            out
+        };
+        // From 116 to 156 on the drawing, 40 high; from 116 to 141, a row and no higher.
+        let (left, right) = (70.0, 570.0);
+        let high = || chart("").horizontal_band(100.0, 140.0, "a");
+        assert_eq!(labels(high()), text(right, 142.0, "end", "a"));
+        assert_eq!(
+            labels(high().horizontal_band(100.0, 140.0, "b")),
+            text(right, 142.0, "end", "a") + &text(left, 142.0, "start", "b")
+        );
+        let low = chart("").horizontal_band(140.0 - ROW, 140.0, "a");
+        assert_eq!(labels(low), text(right, 108.0, "end", "a"));
+    }
+
+    /// Catches: a label drawn on another, or kept away from one that it only touches.
+    #[test]
+    fn a_label_on_another_is_a_thousand_strokes() {
+        let crowding = |taken: &[[f64; 4]]| {
+            with_plot(&chart(""), PLACE, |plot| {
+                let labels = Labels { plot, strokes: Vec::new(), taken: taken.to_vec() };
+                labels.crowding([200.0, 100.0, 300.0, 120.0])
+            })
+        };
+        let touching = [
+            [100.0, 90.0, 200.0, 130.0],
+            [300.0, 90.0, 400.0, 130.0],
+            [190.0, 80.0, 310.0, 100.0],
+            [190.0, 120.0, 310.0, 140.0],
+        ];
+        let over = [[190.0, 90.0, 210.0, 110.0], [290.0, 110.0, 310.0, 130.0]];
+        assert_eq!(crowding(&touching), 0);
+        assert_eq!(
+            [crowding(&over[..1]), crowding(&over[1..]), crowding(&over)],
+            [1000, 1000, 2000]
+        );
+    }
+
+    /// Catches: a label that leaves the plot by a little, or that may not come up to its edge.
+    #[test]
+    fn a_label_in_the_plot_may_touch_its_edge() {
+        let crowding = |outwards: [f64; 4]| {
+            with_plot(&chart(""), PLACE, |plot| {
+                let Plot { left, top, right, bottom, .. } = *plot;
+                let [l, t, r, b] = outwards;
+                let labels = Labels { plot, strokes: Vec::new(), taken: Vec::new() };
+                labels.crowding([left - l, top - t, right + r, bottom + b])
+            })
+        };
+        assert_eq!(crowding([0.0; 4]), 0);
+        for side in 0..4 {
+            let mut outwards = [0.0; 4];
+            outwards[side] = 0.5;
+            assert_eq!(crowding(outwards), 100_000, "side {side}");
+        }
+    }
+
+    /// Catches: a stroke weighed by how far it goes beside the plot, or not weighed up to its edge.
+    #[test]
+    fn strokes_weigh_by_what_is_in_the_plot() {
+        // Each goes from 9 within the edge to far beyond, of which 9 count, and 120 along it: 31 samples, the sixteenth
+        // on the edge; and one for where it begins.
+        let strokes = [
+            [(73.0, 60.0), (-5e3, 180.0)],
+            [(567.0, 60.0), (5e3, 180.0)],
+            [(200.0, 9.0), (320.0, -5e3)],
+            [(200.0, 247.0), (320.0, 5e3)],
+        ];
+        for stroke in strokes {
+            let crowding = with_plot(&chart(""), PLACE, |plot| {
+                let strokes = vec![stroke.to_vec()];
+                Labels { plot, strokes, taken: Vec::new() }.crowding([64.0, 0.0, 576.0, 256.0])
+            });
+            assert_eq!(crowding, 17, "{stroke:?}");
+        }
     }
 }
