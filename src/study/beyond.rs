@@ -192,17 +192,15 @@ pub fn separation(
 pub fn precession(centre: &Kepler, ellipse: &Ellipse, steps: u64) -> f64 {
     let grid = Grid::new(ellipse.period() / steps as f64, 21 * steps).expect("a positive step");
     let mut apocentres = Vec::new();
-    // r · v, and the direction of the pericentre, at the sample before.
-    let mut last = (0.0, 0.0);
+    // r · v at the sample before.
+    let mut before = 0.0;
     integrate(centre, &StormerVerlet, ellipse.at(0.0), &grid, &mut |_, _, z: PlanePhase| {
-        let towards = centre.eccentricity(z);
-        let (receding, direction) = (z.x * z.vx + z.y * z.vy, libm::atan2(towards.y, towards.x));
-        let (before, direction_before) = last;
+        let receding = z.x * z.vx + z.y * z.vy;
         if before > 0.0 && receding <= 0.0 {
-            let share = before / (before - receding);
-            apocentres.push(direction_before + share * (direction - direction_before));
+            let towards = centre.eccentricity(z);
+            apocentres.push(libm::atan2(towards.y, towards.x));
         }
-        last = (receding, direction);
+        before = receding;
     });
     (apocentres[20] - apocentres[0]) / 20.0
 }
