@@ -124,7 +124,7 @@ impl Scene {
         let walk = ROUNDING * libm::sqrt(evaluations * steps as f64 * periods as f64);
         let late = self.sensitivity * self.period * periods as f64 / libm::sqrt(3.0);
         let angle = self.fastest * late;
-        2.0 * walk * libm::sqrt(THETA_0 * THETA_0 + angle * angle)
+        2.0 * walk * libm::hypot(THETA_0, angle)
     }
 }
 
@@ -359,9 +359,7 @@ impl Curve {
 
     /// The number of steps a period, a fraction perhaps, at which the error is `wanted` (rad).
     fn steps_for(&self, wanted: f64) -> Option<f64> {
-        if wanted.is_nan() || wanted <= 0.0 {
-            return None;
-        }
+        // Of what is not positive the logarithm is no number, or below all others.
         let wanted = libm::log(wanted);
         self.points.last().filter(|(_, least)| *least <= wanted)?;
         // From the finest rung upwards: a coarse step whose error is small by chance is not met.
@@ -409,3 +407,130 @@ pub fn map() -> Vec<Cell> {
     map
 }
 // ANCHOR_END: map
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::catalogue::method_named;
+
+    fn named(name: &str) -> MethodRef {
+        method_named(name).expect("a method of the library")
+    }
+
+    fn rung(steps: u64, growth: [f64; 3]) -> Rung {
+        Rung { steps, periods: 8, growth: vec![[0.0; 3], growth], seen: Vec::new() }
+    }
+
+    /// e₀ + e₁n + e₂n² at both ends of the run, and at its vertex where that lies between.
+    ///
+    /// Catches: a vertex elsewhere, one beside the run that counts, a sign that hides an error.
+    #[test]
+    fn the_largest_error_is_at_an_end_or_at_the_vertex() {
+        let hump = rung(64, [0.0, 4.0, -1.0]);
+        assert_eq!(
+            [1, 2, 3, 4, 5, 7].map(|periods| hump.error(periods)),
+            [0.0, 3.0, 4.0, 4.0, 4.0, 12.0]
+        );
+        let apart = rung(64, [-3.0, 4.0, 2.0]);
+        assert_eq!([1, 2, 3].map(|periods| apart.error(periods)), [3.0, 3.0, 13.0]);
+        let seen = Rung { seen: vec![0.5, 0.75], ..hump };
+        assert_eq!([1, 2, 3].map(|periods| seen.error(periods)), [0.5, 0.75, 4.0]);
+    }
+
+    /// RK4 with a drift that falls with the fourth power of the step, and with the fifth; four octaves apart and two.
+    ///
+    /// Catches: a power that is not the ladder's own, or not rounded to the order or the next.
+    #[test]
+    fn a_drift_goes_on_with_its_own_power() {
+        for power in [4, 5] {
+            for octave in [2_u64, 4] {
+                let drift = |k: u32| 1e-4 / (octave.pow(k * power) as f64);
+                let rungs =
+                    (0..3).map(|k| rung(32 * octave.pow(k), [0.0, 0.0, drift(k)])).collect();
+                let profile = Profile { method: named("rk4"), scene: Scene::new(), rungs };
+                let curve = profile.over(11);
+                let last = 32 * octave.pow(2);
+                // e₂ · 10², and sixteen times as many steps.
+                let expected = 100.0 * drift(2) / (16_u64.pow(power) as f64);
+                let error = curve.error(16 * last);
+                // Powers and logarithms of numbers up to 50.
+                assert!((error / expected - 1.0).abs() < 1e-12, "{power}, {octave}: {error:e}");
+            }
+        }
+    }
+
+    /// RK4's curve through these steps a period and errors (rad).
+    fn curve(name: &str, periods: u64, points: &[(f64, f64)]) -> Curve {
+        let points = points.iter().map(|(n, e)| (libm::log(*n), libm::log(*e))).collect();
+        Curve { method: named(name), scene: Scene::new(), periods, points }
+    }
+
+    /// Catches: an error read beside its chord, or beyond the curve; steps for an error that the curve does not reach.
+    #[test]
+    fn between_two_rungs_the_curve_is_a_chord() {
+        let curve = curve("rk4", 3, &[(32.0, 1e-2), (64.0, 1e-4), (128.0, 1e-5)]);
+        // Half-way between the rungs on logarithmic axes, but for rounding to whole steps.
+        for (steps, expected) in [(32, 1e-2), (64, 1e-4), (128, 1e-5)] {
+            assert!((curve.error(steps) / expected - 1.0).abs() < 1e-13);
+        }
+        let at = |n: f64, (m, e): (f64, f64), power: f64| e * (n / m).powf(-power);
+        assert!((curve.error(45) / at(45.0, (32.0, 1e-2), 100_f64.log2()) - 1.0).abs() < 1e-13);
+        assert!((curve.error(90) / at(90.0, (64.0, 1e-4), 10_f64.log2()) - 1.0).abs() < 1e-13);
+        assert!(curve.error(31).is_nan() && curve.error(129).is_nan());
+        for n in [45, 90] {
+            let steps = curve.steps_for(curve.error(n)).unwrap();
+            assert!((steps / n as f64 - 1.0).abs() < 1e-13, "{steps}");
+        }
+        for none in [f64::NAN, -1.0, 0.0, 9e-6] {
+            assert_eq!(curve.steps_for(none), None);
+        }
+    }
+
+    /// Catches: a chord where the rungs are too coarse for one, also at the first that is not.
+    #[test]
+    fn coarse_rungs_are_taken_as_they_are() {
+        let coarse = COARSE as f64;
+        let curve = curve("rk4", 3, &[(12.0, 1.0), (coarse, 1e-2), (2.0 * coarse, 1e-4)]);
+        assert!((curve.steps_for(0.5).unwrap() / coarse - 1.0).abs() < 1e-13);
+        let between = curve.steps_for(1e-3).unwrap();
+        assert!(between > 1.2 * coarse && between < 1.6 * coarse, "{between}");
+    }
+
+    /// Catches: a run of more steps than can be counted, a limit that is off.
+    #[test]
+    fn a_run_too_long_to_be_counted_is_not_advised() {
+        let advice =
+            |periods| curve("rk4", periods, &[(1024.0, 1e99), (2048.0, 1e98)]).advice(1e100);
+        let most = crate::error::MAX_STEPS / 1024;
+        assert_eq!(advice(most).map(|advice| advice.steps), Some(1024));
+        assert!(advice(most + 1).is_none());
+    }
+
+    /// Catches: evaluations counted once, or by the period; a count of sweeps in other steps than the run's.
+    #[test]
+    fn the_force_is_counted_over_the_whole_run() {
+        let of = |name, steps| curve(name, 3, &[(32.0, 1.0), (64.0, 0.1)]).evaluations(steps);
+        assert_eq!((of("rk4", 50), of("stormer-verlet", 50)), (600, 151));
+        let (gauss, scene) = (named("gauss-4"), Scene::new());
+        for steps in [50, 3000] {
+            let counted =
+                gauss.count_evaluations(&Pendulum::PAPER, scene.start, &scene.grid(steps, 3));
+            let carried = of("gauss-4", steps) as f64;
+            // "A per cent or two" from a third of a period.
+            assert!((carried / counted as f64 - 1.0).abs() < 0.03, "{carried} and {counted}");
+        }
+    }
+
+    /// Catches: the angle without its amplitude, or its lag.
+    #[test]
+    fn rounding_is_the_walks_of_angle_and_time() {
+        let (scene, method) = (Scene::new(), named("rk4"));
+        // 4 · 25 · 100 roundings: 2 · 0.6 ε · 100 of 1 rad, and of the lag.
+        let lag = scene.fastest * scene.sensitivity * scene.period * 100.0 / 3.0_f64.sqrt();
+        let expected = 120.0 * f64::EPSILON * (THETA_0.powi(2) + lag * lag).sqrt();
+        assert!((scene.rounding(method, 25, 100) / expected - 1.0).abs() < 1e-14);
+        let brief = scene.rounding(method, 25, 1) / (12.0 * f64::EPSILON);
+        let lag = 0.01 * lag;
+        assert!((brief - (THETA_0.powi(2) + lag * lag).sqrt()).abs() < 1e-13, "{brief}");
+    }
+}
