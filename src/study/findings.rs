@@ -114,3 +114,19 @@ pub fn chaotic_speed(method: &dyn AnyMethod, k: f64, steps: u64) -> f64 {
     });
     fastest
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::methods::forward_euler::ForwardEuler;
+    use crate::methods::rk4::Rk4;
+
+    /// Catches: a loss with the wrong sign, or one that is no difference.
+    #[test]
+    fn what_an_orbit_loses_is_a_difference() {
+        let (_, _, lost) = closure(&Rk4, 2.0);
+        assert!(lost > 0.0 && lost < 1e-6, "RK4 loses little: {lost:e}");
+        let (theta, omega, gained) = closure(&ForwardEuler, 2.0);
+        assert!(gained < -1.0 && theta > 0.0 && omega > 0.0, "forward Euler gains: {gained}");
+    }
+}
