@@ -285,5 +285,6 @@ mod tests {
         let reach = <ForestRuth as Method<crate::Pendulum>>::REACH;
         assert!((reach - 4.404_828_8).abs() < 1e-6, "{reach}");
         assert!(length(ForestRuth::KICKS) < reach);
+        assert_eq!([longer(2.0, 1.0), longer(1.0, 2.0)], [2.0, 2.0]);
     }
 }
