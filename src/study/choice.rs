@@ -473,9 +473,9 @@ mod tests {
         for (steps, expected) in [(32, 1e-2), (64, 1e-4), (128, 1e-5)] {
             assert!((curve.error(steps) / expected - 1.0).abs() < 1e-13);
         }
-        let at = |n: f64, (m, e): (f64, f64), power: f64| e * (n / m).powf(-power);
-        assert!((curve.error(45) / at(45.0, (32.0, 1e-2), 100_f64.log2()) - 1.0).abs() < 1e-13);
-        assert!((curve.error(90) / at(90.0, (64.0, 1e-4), 10_f64.log2()) - 1.0).abs() < 1e-13);
+        let at = |n: f64, (m, e): (f64, f64), power: f64| e * libm::pow(n / m, -power);
+        assert!((curve.error(45) / at(45.0, (32.0, 1e-2), libm::log2(100.0)) - 1.0).abs() < 1e-13);
+        assert!((curve.error(90) / at(90.0, (64.0, 1e-4), libm::log2(10.0)) - 1.0).abs() < 1e-13);
         assert!(curve.error(31).is_nan() && curve.error(129).is_nan());
         for n in [45, 90] {
             let steps = curve.steps_for(curve.error(n)).unwrap();
@@ -527,10 +527,10 @@ mod tests {
         let (scene, method) = (Scene::new(), named("rk4"));
         // 4 · 25 · 100 roundings: 2 · 0.6 ε · 100 of 1 rad, and of the lag.
         let lag = scene.fastest * scene.sensitivity * scene.period * 100.0 / 3.0_f64.sqrt();
-        let expected = 120.0 * f64::EPSILON * (THETA_0.powi(2) + lag * lag).sqrt();
+        let expected = 120.0 * f64::EPSILON * libm::hypot(THETA_0, lag);
         assert!((scene.rounding(method, 25, 100) / expected - 1.0).abs() < 1e-14);
         let brief = scene.rounding(method, 25, 1) / (12.0 * f64::EPSILON);
         let lag = 0.01 * lag;
-        assert!((brief - (THETA_0.powi(2) + lag * lag).sqrt()).abs() < 1e-13, "{brief}");
+        assert!((brief - libm::hypot(THETA_0, lag)).abs() < 1e-13, "{brief}");
     }
 }
