@@ -11,10 +11,10 @@ use crate::taylor::Analytic;
 /// has compensated sums.
 ///
 /// A step adds a small displacement to a large state, and rounds the sum to the last digit of the large one. Here what is
-/// rounded away is kept beside the sum, until it is enough to count (W. Kahan, *Comm. ACM* 8 (1965) 40; O. Møller, *BIT* 5 (1965) 37–50; Hairer,
-/// Lubich, Wanner, *Geometric Numerical Integration*, Sect. VIII.5). What is left is the rounding of the displacements
-/// themselves, which is smaller by about x = ω₀h. A method needs no other code: Runge–Kutta methods add to the state,
-/// and splitting methods kick it and let it drift.
+/// rounded away is kept beside the sum, until it is enough to count (W. Kahan, *Comm. ACM* 8 (1965) 40; O. Møller, *BIT* 5
+/// (1965) 37–50; Hairer, Lubich, Wanner, *Geometric Numerical Integration*, Sect. VIII.5). What is left is the rounding of
+/// the displacements themselves, which is smaller by about x = ω₀h. A method needs no other code: Runge–Kutta methods add
+/// to the state, and splitting methods kick it and let it drift.
 #[derive(Clone, Copy, Debug)]
 pub struct Compensated<S> {
     system: S,
