@@ -437,6 +437,54 @@ mod tests {
         assert_eq!([1, 2, 3].map(|periods| seen.error(periods)), [0.5, 0.75, 4.0]);
     }
 
+    /// The steps of those of two rungs that RK4's curve over so many periods is made of.
+    fn kept(rungs: [Rung; 2], periods: u64) -> Vec<u64> {
+        let profile = Profile { method: named("rk4"), scene: Scene::new(), rungs: rungs.to_vec() };
+        let points = profile.over(periods).points;
+        points.iter().map(|(steps, _)| libm::round(libm::exp(*steps)) as u64).collect()
+    }
+
+    /// Eight periods of 64 steps, whose error is ten times what rounding adds, and that many times more as it is carried
+    /// beyond the run that was measured: in proportion to its length, and where the action drifts, four times its square.
+    ///
+    /// Catches: an error made of rounding that counts, a clear one that does not, a run cut short taken for one gone beyond.
+    #[test]
+    fn an_error_counts_where_it_is_clear_of_rounding() {
+        let rounding = Scene::new().rounding(named("rk4"), 64, 8);
+        let at = |bound: f64, periods, growth: [f64; 3]| {
+            let coarser = rung(32, [1.0, 0.0, 0.0]);
+            let [e0, e1, e2] = growth.map(|e| e * bound);
+            kept([coarser, rung(64, [e0, e1, e2])], periods)
+        };
+        for (periods, carried) in [(1, 1.0), (8, 1.0), (24, 3.0)] {
+            let bound = CLEAR * carried * rounding;
+            assert_eq!(at(bound, periods, [1.0, 0.0, 0.0]), [32], "{periods}");
+            assert_eq!(at(bound.next_up(), periods, [1.0, 0.0, 0.0]), [32, 64], "{periods}");
+            let drifting = [1.0, 0.0, 1e-20];
+            assert_eq!(at(4.0 * carried * bound * (1.0 - 1e-9), periods, drifting), [32]);
+            assert_eq!(at(4.0 * carried * bound * (1.0 + 1e-9), periods, drifting), [32, 64]);
+        }
+    }
+
+    /// Catches: a law taken for granted where steps are too coarse for it, a rung lost that was seen all along, the run of
+    /// an implicit method that found no solution, and one in short steps passed over as if it were coarse.
+    #[test]
+    fn of_coarse_steps_the_curve_knows_what_was_seen() {
+        let coarse = |steps, last| Rung {
+            seen: vec![0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, last],
+            ..rung(steps, [0.5, 0.0, 0.0])
+        };
+        let fine = || rung(64, [0.25, 0.0, 0.0]);
+        assert_eq!(kept([coarse(COARSE - 1, 0.5), fine()], 8), [COARSE - 1, 64]);
+        assert_eq!(kept([coarse(COARSE - 1, 0.5), fine()], 9), [64]);
+        assert_eq!(kept([rung(COARSE, [0.5, 0.0, 0.0]), fine()], 9), [COARSE, 64]);
+        for lost in [f64::NAN, f64::INFINITY] {
+            assert_eq!(kept([coarse(COARSE - 1, lost), fine()], 7), [COARSE - 1, 64]);
+            assert_eq!(kept([coarse(COARSE - 1, lost), fine()], 8), [64]);
+        }
+        assert_eq!(kept([rung(COARSE, [f64::NAN, 0.0, 0.0]), fine()], 8), []);
+    }
+
     /// RK4 with a drift that falls with the fourth power of the step, and with the fifth; four octaves apart and two.
     ///
     /// Catches: a power that is not the ladder's own, or not rounded to the order or the next.
