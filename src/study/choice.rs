@@ -185,7 +185,7 @@ impl Rung {
     fn measure(method: MethodRef, scene: &Scene, truth: &[Phase]) -> Self {
         let steps = truth.len() as u64;
         // An even number of periods between the first and the last, so that one is half-way.
-        let mut half = (STEPS / steps).min(LONGEST) / 2;
+        let half = (STEPS / steps).min(LONGEST) / 2;
         let grid = scene.grid(steps, 2 * half + 1);
         let mut errors = Vec::with_capacity(grid.steps() as usize);
         method.run(&Pendulum::PAPER, scene.start, &grid, &mut |n: u64, _, z: Phase| {
@@ -193,31 +193,37 @@ impl Rung {
                 errors.push(z.theta - truth[((n - 1) % steps) as usize].theta);
             }
         });
+        let properties = method.properties();
+        Self::fit(&errors, truth.len(), !(properties.symplectic || properties.symmetric))
+    }
+
+    /// The law that the errors (rad) of an odd number of periods follow, each of so many `steps`; with e₂ if the action
+    /// `drifts`.
+    fn fit(errors: &[f64], steps: usize, drifts: bool) -> Self {
         let largest = |largest: &mut f64, period: &[f64]| {
             *largest = period.iter().fold(*largest, |largest, e| libm::fmaximum(largest, e.abs()));
             Some(*largest)
         };
-        let seen = if steps < COARSE {
-            errors.chunks(truth.len()).scan(0.0, largest).collect()
+        let seen = if (steps as u64) < COARSE {
+            errors.chunks(steps).scan(0.0, largest).collect()
         } else {
             Vec::new()
         };
-        let period = |n: u64| &errors[(n * steps) as usize..][..truth.len()];
-        let small = |n: u64| period(n).iter().all(|error| error.abs() < LARGE);
+        let period = |n: usize| &errors[n * steps..][..steps];
+        let small = |n: usize| period(n).iter().all(|error| error.abs() < LARGE);
+        let mut half = errors.len() / steps / 2;
         while half > 1 && !small(2 * half) {
             half /= 2;
         }
-        let properties = method.properties();
-        let drifts = !(properties.symplectic || properties.symmetric);
         let q = half as f64;
-        let fit = |((first, middle), last): ((&f64, &f64), &f64)| {
+        let coefficients = |((first, middle), last): ((&f64, &f64), &f64)| {
             let bend = if drifts { (first - 2.0 * middle + last) / (2.0 * q * q) } else { 0.0 };
             [*first, (last - first) / (2.0 * q) - 2.0 * q * bend, bend]
         };
-        let growth = period(0).iter().zip(period(half)).zip(period(2 * half)).map(fit);
-        let growth = growth.step_by((truth.len() / PHASES).max(1)).collect();
-        let periods = if seen.is_empty() { 2 * half } else { seen.len() as u64 };
-        Self { steps, periods, growth, seen }
+        let growth = period(0).iter().zip(period(half)).zip(period(2 * half)).map(coefficients);
+        let growth = growth.step_by((steps / PHASES).max(1)).collect();
+        let periods = if seen.is_empty() { 2 * half } else { seen.len() };
+        Self { steps: steps as u64, periods: periods as u64, growth, seen }
     }
 
     /// The largest error (rad) at any phase of any of so many periods.
@@ -435,6 +441,72 @@ mod tests {
         assert_eq!([1, 2, 3].map(|periods| apart.error(periods)), [3.0, 3.0, 13.0]);
         let seen = Rung { seen: vec![0.5, 0.75], ..hump };
         assert_eq!([1, 2, 3].map(|periods| seen.error(periods)), [0.5, 0.75, 4.0]);
+    }
+
+    /// The errors of 2q + 1 periods, q being `half`, that follow the law with these coefficients at the first phase, and
+    /// with half of them at the others.
+    fn lawful(steps: usize, half: usize, [e0, e1, e2]: [f64; 3]) -> Vec<f64> {
+        let period = |n: usize| {
+            let error = e0 + n as f64 * (e1 + n as f64 * e2);
+            core::iter::repeat_n(error, 1).chain(core::iter::repeat_n(0.5 * error, steps - 1))
+        };
+        (0..=2 * half).flat_map(period).collect()
+    }
+
+    /// The numbers are binary fractions, and nothing is rounded.
+    ///
+    /// Catches: a coefficient off by a factor; one of a drift where there is none; phases mixed up, or left out where they
+    /// are few.
+    #[test]
+    fn the_law_is_found_in_errors_that_follow_it() {
+        let law = [1.0 / 1024.0, -3.0 / 4096.0, 1.0 / 16_384.0];
+        for steps in [COARSE as usize, 100, 512] {
+            let rung = Rung::fit(&lawful(steps, 8, law), steps, true);
+            assert_eq!((rung.steps, rung.periods), (steps as u64, 16));
+            assert_eq!(rung.growth[0], law);
+            assert!(rung.growth[1..].iter().all(|e| *e == law.map(|e| 0.5 * e)));
+            assert_eq!(rung.growth.len(), steps.min(PHASES));
+            assert!(rung.seen.is_empty());
+        }
+        let straight = Rung::fit(&lawful(32, 8, [law[0], law[1], 0.0]), 32, false);
+        assert_eq!(straight.growth[0], [law[0], law[1], 0.0]);
+        // Without e₂ what bends is taken for its chord from the first period to the last.
+        let chord = Rung::fit(&lawful(32, 8, law), 32, false);
+        assert_eq!(chord.growth[0], [law[0], law[1] + 16.0 * law[2], 0.0]);
+    }
+
+    /// Catches: a law taken from errors too large for it; a run cut too short, or to nothing.
+    #[test]
+    fn where_the_error_is_large_a_shorter_run_is_taken() {
+        let periods = |e1: f64| Rung::fit(&lawful(32, 8, [0.0, e1, 0.0]), 32, false).periods;
+        assert_eq!(periods(LARGE.next_down() / 16.0), 16);
+        assert_eq!(periods(LARGE / 16.0), 8);
+        assert_eq!(periods(LARGE / 4.0), 2);
+        assert_eq!([LARGE, f64::NAN].map(periods), [2, 2]);
+    }
+
+    /// Catches: the last error taken for the largest, and steps just fine enough taken for coarse ones.
+    #[test]
+    fn in_coarse_steps_the_largest_error_so_far_is_kept() {
+        let rung = Rung::fit(&[1.0, -2.0, 0.0, 1.0, -3.0, 3.5], 2, false);
+        assert_eq!((rung.steps, rung.periods), (2, 3));
+        assert_eq!(rung.seen, [2.0, 2.0, 3.5]);
+        let steps = COARSE as usize;
+        assert!(Rung::fit(&lawful(steps, 1, [0.0; 3]), steps, false).seen.is_empty());
+        assert_eq!(Rung::fit(&lawful(steps - 1, 1, [0.0; 3]), steps - 1, false).seen, [0.0; 3]);
+    }
+
+    /// Catches: a method whose action keeps still, by either property, fitted with a drift; one that loses action without.
+    #[test]
+    fn only_a_method_without_symmetry_drifts() {
+        let scene = Scene::new();
+        let motion = Motion::new(&Pendulum::PAPER, scene.start).unwrap();
+        let grid = scene.grid(32, 1);
+        let truth: Vec<Phase> = (1..=32).map(|n| motion.at(grid.time(n))).collect();
+        let drift = |name| Rung::measure(named(name), &scene, &truth).drift();
+        assert!(drift("rk4") > 0.0);
+        // Symplectic and not symmetric, and both.
+        assert_eq!(["symplectic-euler", "stormer-verlet"].map(drift), [0.0, 0.0]);
     }
 
     /// The steps of those of two rungs that RK4's curve over so many periods is made of.
