@@ -432,15 +432,26 @@ mod tests {
     /// Catches: a vertex elsewhere, one beside the run that counts, a sign that hides an error.
     #[test]
     fn the_largest_error_is_at_an_end_or_at_the_vertex() {
-        let hump = rung(64, [0.0, 4.0, -1.0]);
+        let hump = rung(64, [0.0, 8.0, -2.0]);
         assert_eq!(
             [1, 2, 3, 4, 5, 7].map(|periods| hump.error(periods)),
-            [0.0, 3.0, 4.0, 4.0, 4.0, 12.0]
+            [0.0, 6.0, 8.0, 8.0, 8.0, 24.0]
         );
         let apart = rung(64, [-3.0, 4.0, 2.0]);
         assert_eq!([1, 2, 3].map(|periods| apart.error(periods)), [3.0, 3.0, 13.0]);
         let seen = Rung { seen: vec![0.5, 0.75], ..hump };
-        assert_eq!([1, 2, 3].map(|periods| seen.error(periods)), [0.5, 0.75, 4.0]);
+        assert_eq!([1, 2, 3].map(|periods| seen.error(periods)), [0.5, 0.75, 8.0]);
+    }
+
+    /// Catches: another first or last error, and steps between them that are not half decades.
+    #[test]
+    fn the_errors_allowed_go_down_by_half_decades() {
+        let logarithms = allowed().map(libm::log10);
+        for (i, logarithm) in logarithms.iter().enumerate() {
+            // A power and a logarithm, each good to an ulp, of numbers up to ten.
+            assert!((logarithm + 1.0 + 0.5 * i as f64).abs() < 1e-14, "{i}: {logarithm}");
+        }
+        assert_eq!(libm::round(logarithms[18]), -10.0);
     }
 
     /// The errors of 2q + 1 periods, q being `half`, that follow the law with these coefficients at the first phase, and
