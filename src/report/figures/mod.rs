@@ -28,7 +28,8 @@ impl Drawing {
 
     /// The figure with its caption, as a `<figure>` element without a blank line.
     pub fn html(&self, study: &Study) -> String {
-        let (svg, caption) = (self.svg(study), self.caption);
+        // Markdown's processor, which sets apostrophes elsewhere, leaves HTML alone.
+        let (svg, caption) = (self.svg(study), self.caption.replace('\'', "’"));
         format!("<figure>\n{svg}<figcaption>{caption}</figcaption>\n</figure>\n")
     }
 }

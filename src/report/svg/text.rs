@@ -7,7 +7,7 @@ use std::borrow::Cow;
 pub(super) const FONT: f64 = 17.0;
 const SMALL: f64 = 0.72;
 
-/// Text that is safe between tags and in attributes, on one line.
+/// Text that is safe between tags and in attributes, on one line, with the apostrophe that a printer would set.
 pub(super) fn escape(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
@@ -16,6 +16,7 @@ pub(super) fn escape(text: &str) -> String {
             '<' => out.push_str("&lt;"),
             '>' => out.push_str("&gt;"),
             '"' => out.push_str("&quot;"),
+            '\'' => out.push('’'),
             c if c.is_control() => out.push(' '),
             c => out.push(c),
         }
@@ -107,7 +108,7 @@ mod tests {
     /// Catches: a title with `<`, `&` or a line break that ends the SVG or the Markdown block.
     #[test]
     fn escapes_what_xml_and_markdown_would_read() {
-        assert_eq!(escape("a<b & \"c\">\n\nd"), "a&lt;b &amp; &quot;c&quot;&gt;  d");
+        assert_eq!(escape("a<b & \"c's\">\n\nd"), "a&lt;b &amp; &quot;c’s&quot;&gt;  d");
     }
 
     /// Catches: a baseline that stays raised after a superscript; unescaped text in a superscript.
