@@ -22,7 +22,7 @@ use std::hint::black_box;
 use machine::{instructions, median, seconds};
 use naive::NAIVE;
 use pendula::metrics::EndError;
-use pendula::order::is_credible;
+use pendula::order::{is_credible, is_floor};
 use pendula::stepped::Stepped;
 use pendula::{Described, Grid, Method, Pendulum, Phase, methods, swing};
 
@@ -74,8 +74,8 @@ impl Scene {
             if error <= 1.0 && is_credible(contender.order, error, finer, rounding) {
                 let times = (0..self.runs).map(|_| seconds(|| (contender.run)(steps, step)));
                 rows.push(Row { steps, error, microseconds: 1e6 * median(times.collect()) });
-                let is_on_the_floor = error <= self.error.rounding(steps) && 2.0 * finer >= error;
-                if error <= GOALS[GOALS.len() - 1] || is_on_the_floor {
+                let rounding = self.error.rounding(steps);
+                if error <= GOALS[GOALS.len() - 1] || is_floor(error, rounding, finer) {
                     break;
                 }
             }

@@ -27,8 +27,8 @@ impl<const S: usize> ImplicitTableau<S> {
     /// The state one step `h` (s) after `z` at time `t` (s).
     ///
     /// The slopes are found by fixed-point iteration from the one at the start of the step, until a sweep changes them
-    /// by no more than rounding, and by no less than the sweep before (Hairer, Lubich, Wanner, *Geometric Numerical
-    /// Integration*, Sect. VIII.6.1). Where the step is so long that the iteration does not converge, no component of
+    /// by no more than rounding, and by no less than the sweep before or not at all (Hairer, Lubich, Wanner, *Geometric
+    /// Numerical Integration*, Sect. VIII.6). Where the step is so long that the iteration does not converge, no component of
     /// the state returned is a number.
     // ANCHOR: step
     #[inline(always)]

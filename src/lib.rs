@@ -39,7 +39,7 @@
 //!   it as tables and figures. They need std and the feature `study`, which is on by default; without it the library
 //!   is `no_std`.
 //!
-//! Any system goes through [`integrate()`], and the pendulum in half the time through [`swing()`].
+//! Any system goes through [`integrate()`], and the pendulum in two thirds of the time through [`swing()`].
 //!
 //! Every result comes from additions, multiplications, divisions and square roots in a fixed order, so that debug and
 //! release, and one machine and another, give the same bits.

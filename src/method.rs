@@ -12,8 +12,9 @@ pub trait Method<S: System> {
     /// the method.
     type Memo: Copy;
 
-    /// What the kicks of one step add up to, or its drifts if that is more, in steps: those backwards count like those
-    /// forwards.
+    /// How far one step may kick or drift, or one of its stages, in steps: the sum of the sizes of its coefficients, those
+    /// backwards counted like those forwards. It bounds how far a run can turn. A series has no such bound; 1 holds where
+    /// it converges.
     const REACH: f64 = 1.0;
 
     /// Prepares the memo for a trajectory of steps `h` (s) that begins at `z` at time `t` (s).

@@ -29,3 +29,9 @@ pub fn is_credible(order: u32, error: f64, finer: f64, rounding: f64) -> bool {
     let falls = 3.0 * error >= libm::exp2(f64::from(order)) * finer;
     falls || finer <= rounding && 3.0 * error >= finer
 }
+
+/// Whether an `error`, of which so much may be `rounding`, is on the floor: with half the step, where it is `finer`, it
+/// does not fall by half, as that of any method would.
+pub fn is_floor(error: f64, rounding: f64, finer: f64) -> bool {
+    error <= rounding && 2.0 * finer >= error
+}

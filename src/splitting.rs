@@ -58,7 +58,7 @@ const fn longer(a: f64, b: f64) -> f64 {
 
 /// The kicks of a composition of Störmer–Verlet steps: between two drifts two half kicks are one, and the outermost are
 /// halves. The drifts are the substeps themselves.
-pub(crate) const fn kicks<const N: usize, const KICKS: usize>(substeps: [f64; N]) -> [f64; KICKS] {
+pub const fn kicks<const N: usize, const KICKS: usize>(substeps: [f64; N]) -> [f64; KICKS] {
     assert!(KICKS == N + 1);
     let mut kicks = [0.0; KICKS];
     let mut i = 0;
@@ -210,7 +210,7 @@ mod tests {
     /// The order conditions of every table, all of them, in double-double: a step agrees with the exact flow in every word of up
     /// to p kicks and drifts, and not in some word of p + 1.
     ///
-    /// Catches: any digit of any coefficient that is wrong, however small the error it makes; a table that is not held to
+    /// Catches: a coefficient that is wrong in its fourteenth decimal, or before; a table that is not held to
     /// them, since among the library's methods none but these splits and has an order beyond 2.
     #[test]
     fn every_table_meets_its_order_conditions() {
@@ -259,22 +259,6 @@ mod tests {
         assert!(largest(&defects::<BlanesMoan6>(5)) > 1e3 * tolerance::<BlanesMoan6>(5));
         let defects = modulo_the_square(defects::<Yoshida6>(7), 7);
         assert!(largest(&defects) > 10.0 * tolerance::<Yoshida6>(7));
-    }
-
-    /// Catches: a row of a tableau that leads further than its method says.
-    #[test]
-    fn no_stage_is_out_of_reach() {
-        use crate::methods::{dop853, dormand_prince};
-        let longest = |table: crate::tableau::Tableau| {
-            let rows = table.stages.iter().chain(table.sums);
-            let row = |terms: &[(&str, crate::tableau::Coefficient)]| {
-                terms.iter().map(|(_, a)| a.value.abs()).sum::<f64>()
-            };
-            rows.map(|line| row(line.terms)).fold(0.0, f64::max)
-        };
-        assert!(longest(dop853::STEP) < <dop853::Dop853 as Method<crate::Pendulum>>::REACH);
-        let reach = <dormand_prince::DormandPrince as Method<crate::Pendulum>>::REACH;
-        assert!(longest(dormand_prince::TABLEAU) < reach);
     }
 
     /// By hand: 2w + (2w − 1) for Forest and Ruth's drifts, with w = 1.351; and its kicks are shorter.

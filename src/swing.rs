@@ -8,7 +8,7 @@ use crate::pendulum::Pendulum;
 use crate::phase::Phase;
 use crate::stepped::{Stepped, Turned};
 
-/// [`integrate`] for the pendulum in half the time: with the step as the unit of time.
+/// [`integrate`] for the pendulum in two thirds of the time: with the step as the unit of time.
 ///
 /// The same method takes the same steps; only the rounding is another. What `observer` sees is angle (rad) and angular
 /// velocity (rad/s) as ever, and a scene that does not look does not convert.

@@ -34,6 +34,32 @@ pub struct Tableau {
     pub sums: &'static [Row],
 }
 
+impl Tableau {
+    /// The largest sum of the sizes of a row's coefficients: how far a stage or a sum leads, in steps.
+    pub(crate) const fn reach(&self) -> f64 {
+        let (stages, sums) = (Row::longest(self.stages), Row::longest(self.sums));
+        if stages > sums { stages } else { sums }
+    }
+}
+
+impl Row {
+    const fn longest(rows: &[Self]) -> f64 {
+        let (mut longest, mut i) = (0.0, 0);
+        while i < rows.len() {
+            let (mut sum, mut j) = (0.0, 0);
+            while j < rows[i].terms.len() {
+                sum += rows[i].terms[j].1.value.abs();
+                j += 1;
+            }
+            if sum > longest {
+                longest = sum;
+            }
+            i += 1;
+        }
+        longest
+    }
+}
+
 // ANCHOR: tableau
 /// Makes of a table `struct $Stages`, whose function `of` takes the stages and which has a method for each sum, and the
 /// table as data, `$TABLEAU`.
@@ -113,3 +139,26 @@ macro_rules! coefficient {
 }
 
 pub(crate) use {coefficient, row, tableau};
+
+#[cfg(test)]
+mod tests {
+    use super::{Row, Tableau};
+
+    /// Catches: coefficients that cancel; a row, or the sums, passed over.
+    #[test]
+    fn a_table_reaches_as_far_as_its_longest_row() {
+        const STAGES: &[Row] = &[
+            row!(k2, None, k1: 1.0,),
+            row!(k3, None, k1: -4.0, k2: 3.5,),
+            row!(k4, None, k1: 1.0, k2: 1.0, k3: -1.0,),
+        ];
+        const SUMS: &[Row] = &[row!(step, None, k1: 0.5, k4: 0.25,)];
+        let reach = |stages, sums| Tableau { known: &["k1"], stages, sums }.reach();
+        assert_eq!(reach(STAGES, SUMS), 7.5);
+        assert_eq!(reach(SUMS, STAGES), 7.5);
+        assert_eq!(reach(&[], SUMS), 0.75);
+        // Its fifth stage: 19372/6561 + 25360/2187 + 64448/6561 + 212/729.
+        let dormand_prince = crate::methods::dormand_prince::TABLEAU.reach();
+        assert!((dormand_prince - 161_808.0 / 6561.0).abs() < 1e-14, "{dormand_prince}");
+    }
+}

@@ -9,11 +9,15 @@ use crate::system::{Counting, Rate, System};
 
 /// A system whose motion can be expanded in powers of time, by recurrence, to any order.
 pub trait Analytic: System {
-    /// The mean rate of change over a step `h` (s) from `z`, by the Taylor series of the motion up to hᴾ.
+    /// The mean rate of change over a step `h` (s) from `z`, in units of the state over s, by the Taylor series of the motion
+    /// up to hᴾ.
     fn mean_rate<const P: usize>(&self, h: f64, z: Self::State) -> Rate<Self>;
 }
 
 /// The Taylor series of the motion to the power `P` of the step.
+///
+/// Order P, not symplectic, not symmetric, one sine and one cosine a step; for systems that are [`Analytic`]. À. Jorba,
+/// M. Zou, *Experiment. Math.* 14 (2005) 99–117.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Taylor<const P: usize>;
 
@@ -38,8 +42,7 @@ impl<S: Analytic, const P: usize> Method<S> for Taylor<P> {
 ///
 /// k sₖ = Σⱼ j θⱼ cₖ₋ⱼ, k cₖ = −Σⱼ j θⱼ sₖ₋ⱼ, with j from 1 to k.
 ///
-/// K. Makino, M. Berz, *Int. J. Pure Appl. Math.* 6 (2003) 239; À. Jorba, M. Zou, *Experiment. Math.* 14 (2005) 99,
-/// Proposition 2.1.
+/// Jorba and Zou, Proposition 2.1.
 // ANCHOR: series
 #[inline]
 fn growth<const P: usize>(

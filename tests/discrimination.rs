@@ -170,7 +170,7 @@ use zoo::{euler, metrics, problem, verlet, wrapped};
     problem::Accelerated(|p, theta| 1e-12 - p.stiffness() * sin(theta)), StormerVerlet,
     &[LINEAR, CONJUGACY, SYMMETRY],
 )]
-// (It is no palindrome, but so nearly one that its way back misses the start by less than 1e-12.)
+// (It is no palindrome, but so nearly one that REVERSAL sees it by a factor of three.)
 #[case::triple_jump_too_long_by_1e_6(
     high_order::TripleJumpTooLong, ForestRuth,
     &[ORDER, ERROR_CONSTANT, LINEAR, REVERSAL],
@@ -307,11 +307,12 @@ fn wrong_orders_are_caught(#[case] impostor: fn(&dyn AnyMethod) -> f64) {
     near("symplectic Euler's order, so measured", impostor(&SymplecticEuler), 2.0, 0.05).unwrap();
 }
 
-/// The series of which a term is dropped has, without that, every property: it is the dropped term that is caught.
+/// The series of which a term is dropped, and the table of which an entry is off, have without that every property: it is the
+/// dropped term that is caught, and the entry.
 ///
 /// Catches: an impostor that is wrong for another reason than it says.
 #[test]
-fn a_series_without_a_term_dropped_is_right() {
+fn impostors_with_nothing_wrong_are_right() {
     for property in PROPERTIES {
         (property.check)(&TermDropped::NONE).expect(property.name);
     }

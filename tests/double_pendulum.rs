@@ -4,6 +4,9 @@ use approx::assert_abs_diff_eq;
 use pendula::adaptive::{Adaptive, Tolerance};
 use pendula::methods::dop853::Dop853;
 use pendula::methods::forward_euler::ForwardEuler;
+use pendula::methods::gauss_4::Gauss4;
+use pendula::methods::gauss_6::Gauss6;
+use pendula::methods::implicit_midpoint::ImplicitMidpoint;
 use pendula::methods::rk4::Rk4;
 use pendula::metrics::EnergyDrift;
 use pendula::study::beyond::{equals, separation, swing_frequency};
@@ -233,6 +236,30 @@ where
         let slope = (pair[0] / pair[1]).log2();
         assert!((slope - f64::from(order)).abs() < 0.05, "{slope} of {errors:?}");
     }
+}
+
+/// Over a tenfold time a symplectic method's energy is off by no more, RK4's by ten times as much. The release is low, so that
+/// the motion is two swings side by side, whose states have all been near after 100 s, to a hundredth of the error.
+///
+/// Catches: an implicit method whose iteration stops too soon, or that takes a momentum for a velocity.
+#[test]
+fn only_a_symplectic_method_keeps_the_energy() {
+    fn growth<M: Method<DoublePendulum>>(method: &M) -> f64 {
+        let double = unequal();
+        let start = double.start([0.2, 0.1], [0.0; 2]).unwrap();
+        let [short, long] = [5_000, 50_000].map(|steps| {
+            let mut drift = EnergyDrift::of(&double);
+            let grid = Grid::new(0.02, steps).unwrap();
+            integrate(&double, method, start, &grid, &mut drift);
+            drift.largest()
+        });
+        long / short
+    }
+    for kept in [growth(&ImplicitMidpoint), growth(&Gauss4), growth(&Gauss6)] {
+        assert!(kept < 1.01, "{kept}");
+    }
+    let lost = growth(&Rk4);
+    assert!(lost > 9.0, "{lost}");
 }
 
 /// The slope of log distance against time between 1e-8 and 1e-3 rad (1/s), by least squares, and how well a line fits: the

@@ -227,7 +227,7 @@ fn nan_and_infinity_are_not_healed<M: AnyMethod>(#[case] method: M) {
 }
 
 /// How many steps the kicks of one step add up to, or its drifts, or a row of its tableau, counted forward and backward: one, but
-/// for compositions and DOP853, whose ninth row has 97. What a step changes is bounded by it, however long it is; that of a
+/// for compositions and DOP853, whose ninth row has 96. What a step changes is bounded by it, however long it is; that of a
 /// Taylor series is not, and grows with the 24th power of the step.
 fn reach(method: &dyn AnyMethod) -> f64 {
     let entry = method.properties();

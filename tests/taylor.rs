@@ -37,8 +37,8 @@ fn largest_error<M: Method<Pendulum>>(method: &M, start: Phase, steps: u64) -> f
     largest
 }
 
-/// The series to the power P is a method of order P. Its steps are halved until rounding, 2e-16 of 10 rad a step and a
-/// hundred times that, would show in the error; the two finest slopes count. The second term of the error is smaller than
+/// The series to the power P is a method of order P. Its steps are halved until rounding, 2e-16 of 10 rad a step and ten
+/// times that, would show in the error; the two finest slopes count. The second term of the error is smaller than
 /// the first by h times a rate of change of the motion: ω₀ where it swings, ω where it turns; at most twice that here.
 ///
 /// Catches: a power too few or too many, a factor j or k in the recurrence that is off by one, a sign.
@@ -55,7 +55,7 @@ fn the_slope_is_the_power(#[values(0, 1, 2)] start: usize) {
     fn check<const P: usize>(start: Phase) {
         let ladder: Vec<(u64, f64)> = (3..15)
             .map(|k| (1 << k, largest_error(&Taylor::<P>, start, 1 << k)))
-            .take_while(|(steps, error)| *error > 2e-13 * *steps as f64 / 10.0)
+            .take_while(|(steps, error)| *error > 2e-14 * *steps as f64)
             .collect();
         let (last, rungs) = (ladder.len() - 1, &ladder);
         assert!(last >= 3, "{ladder:?}");

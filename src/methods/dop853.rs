@@ -40,8 +40,7 @@ impl Described for Dop853 {
 impl<S: System> Method<S> for Dop853 {
     type Memo = ();
 
-    /// The largest sum of sizes in a row of the table: that of the ninth stage is 97.
-    const REACH: f64 = 100.0;
+    const REACH: f64 = STEP.reach();
 
     fn start(&self, _system: &S, _t: f64, _h: f64, _z: S::State) {}
 

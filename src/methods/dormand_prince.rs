@@ -37,8 +37,7 @@ impl<S: System> Method<S> for DormandPrince {
     /// The slope where the step begins: the last one ended there.
     type Memo = Rate<S>;
 
-    /// The largest sum of sizes in a row of the table: that of the fifth stage is 24.6.
-    const REACH: f64 = 25.0;
+    const REACH: f64 = TABLEAU.reach();
 
     fn start(&self, system: &S, t: f64, _h: f64, z: S::State) -> Rate<S> {
         system.rate(t, z)

@@ -8,7 +8,7 @@ use crate::system::System;
 /// The Gauss method of eight stages: collocation at the zeros of a Legendre polynomial.
 ///
 /// Order 16, symplectic for every Hamiltonian system, separable or not, symmetric; evaluates the force at each stage
-/// and sweep. Hairer, Lubich, Wanner, *Geometric Numerical Integration*, Sects. II.1.3 and VIII.6. Also called
+/// and sweep, and once to begin. Hairer, Lubich, Wanner, *Geometric Numerical Integration*, Sects. II.1.3 and VIII.6. Also called
 /// Gauss–Legendre or Kuntzmann–Butcher.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Gauss16;

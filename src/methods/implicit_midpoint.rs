@@ -8,7 +8,7 @@ use crate::system::System;
 /// The implicit midpoint rule: the slope in the middle between the start and the end of the step, for the whole step.
 ///
 /// Order 2, symplectic for every Hamiltonian system, separable or not, symmetric; evaluates the force at each stage and
-/// sweep. Hairer, Lubich, Wanner, *Geometric Numerical Integration*, Sects. II.1.3 and VIII.6.
+/// sweep, and once to begin. Hairer, Lubich, Wanner, *Geometric Numerical Integration*, Sects. II.1.3 and VIII.6.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct ImplicitMidpoint;
 

@@ -1,4 +1,4 @@
-//! The pendulum with its step as the unit of time: the same motion in half the time.
+//! The pendulum with its step as the unit of time: the same motion in less time.
 //!
 //! With u = hω (rad a step) and K = h² g/L the pendulum is θ̈ + K sin θ = 0 and every step is of length 1, so that no
 //! method multiplies by h any more; symplectic Euler, u ← u − K sin θ, θ ← θ + u, is then Chirikov's standard map as

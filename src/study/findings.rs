@@ -102,7 +102,7 @@ pub fn waveform(theta_0: f64) -> (f64, f64) {
     (f64::from(beyond) / f64::from(SAMPLES), (third / first).abs())
 }
 
-/// The largest speed (rad/s) of symplectic Euler within `steps` steps of the size at which its standard map has the
+/// The largest speed ωh (rad a step) of `method` within `steps` steps of the size at which the standard map has the
 /// parameter K = (g/L) h²: from a state beside the unstable equilibrium, in the chaotic layer.
 pub fn chaotic_speed(method: &dyn AnyMethod, k: f64, steps: u64) -> f64 {
     let step = libm::sqrt(k / PENDULUM.stiffness());

@@ -15,11 +15,8 @@ pub struct Row {
     pub method: MethodRef,
     /// Errors of the state on a ladder of steps.
     pub ladder: Ladder,
-    /// det J − 1 of one step of `area_step` at θ = 1 rad, ω = 0.5 rad/s: how much the area grows.
+    /// det J − 1 of one step at θ = 1 rad, ω = 0.5 rad/s: how much the area grows.
     pub area_defect: f64,
-    /// The step (s) of which the area is measured: 0.1 s, and beyond order 4, where so short a step changes area by no
-    /// more than the measurement can see whatever the method, 0.4 s.
-    pub area_step: f64,
     /// Force evaluations a step, counted.
     pub evaluations: f64,
     /// What the energy does over the 1000 s of Table 5.
@@ -34,7 +31,7 @@ impl Row {
 
     /// Whether one step preserves area, to the accuracy of the finite difference that measures it.
     pub fn symplectic(&self) -> bool {
-        self.area_defect.abs() < area_tolerance(self.area_step)
+        self.area_defect.abs() < area_tolerance(area_step(self.method))
     }
 }
 
@@ -66,17 +63,17 @@ impl fmt::Display for EnergyBehaviour {
 pub fn run(long_run: &[long_run::Row]) -> Vec<Row> {
     long_run
         .iter()
-        .map(|run| {
-            let is_fine = run.method.properties().order > 4;
-            let area_step = if is_fine { 4.0 * AREA_STEP } else { AREA_STEP };
-            Row {
-                method: run.method,
-                ladder: Ladder::climb(run.method),
-                area_defect: area_defect(run.method, &Pendulum::PAPER, AREA_STATE, area_step),
-                area_step,
-                evaluations: evaluations(run.method),
-                energy: energy_behaviour(run),
-            }
+        .map(|run| Row {
+            method: run.method,
+            ladder: Ladder::climb(run.method),
+            area_defect: area_defect(
+                run.method,
+                &Pendulum::PAPER,
+                AREA_STATE,
+                area_step(run.method),
+            ),
+            evaluations: evaluations(run.method),
+            energy: energy_behaviour(run),
         })
         .collect()
 }
@@ -93,9 +90,6 @@ pub struct Ladder {
     pub steps: [f64; 5],
     /// Largest max(|Δθ|, |Δω|/ω₀) over the run against the closed form (rad), at each step.
     pub errors: [f64; 5],
-    /// Errors below this are made of rounding as much as of truncation (rad), at each step: each of N steps is rounded by
-    /// 2e-16 in θ and in ω, which adds up to 2N · 2e-16 at the worst. Twice that bends a slope by less than a half.
-    pub rounding_floors: [f64; 5],
     /// How far the slope between a rung and the next may be from the order, if the method has its order.
     ///
     /// Up to order 4, and of a symmetric method up to order 8, 0.05: the second term of the error is at most 1/30 of the
@@ -138,7 +132,6 @@ impl Ladder {
         Self {
             steps,
             errors: rungs.map(|n| largest_error(method, n)),
-            rounding_floors: rungs.map(|n| 4.0 * 2.2e-16 * n as f64),
             windows: [0, 1, 2, 3].map(window),
         }
     }
@@ -151,7 +144,9 @@ impl Ladder {
     /// The same, each with how far it may be from the order.
     pub fn slopes_and_windows(&self) -> impl Iterator<Item = (f64, f64)> {
         let pairs = (0..4).zip(slopes(&self.steps, &self.errors, 0.0));
-        let above = |k: usize| self.errors[k] > self.rounding_floors[k];
+        // Errors below this (rad) are made of rounding as much as of truncation: each of N steps is rounded by 2e-16 in θ
+        // and in ω, which adds up to 2N · 2e-16 at the worst. Twice that bends a slope by less than a half.
+        let above = |k: usize| self.errors[k] > 4.0 * 2.2e-16 * (DURATION / self.steps[k]);
         pairs.filter_map(move |(k, slope)| {
             slope.filter(|_| above(k) && above(k + 1)).map(|slope| (slope, self.windows[k]))
         })
@@ -181,9 +176,7 @@ fn largest_error(method: &dyn AnyMethod, steps: u64) -> f64 {
         let truth = motion.at(t);
         let angle = (z.theta - truth.theta).abs();
         let velocity = (z.omega - truth.omega).abs() / pendulum.small_angle_frequency();
-        let error = angle.max(velocity);
-        largest =
-            if z.theta.is_finite() && z.omega.is_finite() { largest.max(error) } else { f64::NAN };
+        largest = [angle, velocity].into_iter().fold(largest, libm::fmaximum);
     });
     largest
 }
@@ -193,6 +186,12 @@ const AREA_STATE: Phase = Phase { theta: 1.0, omega: 0.5 };
 /// … and with which step (s).
 pub const AREA_STEP: f64 = 0.1;
 
+/// The step (s) of which the area is measured: [`AREA_STEP`], and four times that beyond order 4, where so short a step
+/// changes area by no more than the measurement can see, whatever the method.
+fn area_step(method: MethodRef) -> f64 {
+    if method.properties().order > 4 { 4.0 * AREA_STEP } else { AREA_STEP }
+}
+
 /// Half the width of the central difference that measures det J.
 const DELTA: f64 = 1e-4;
 
@@ -200,9 +199,11 @@ const DELTA: f64 = 1e-4;
 /// order 1, and by truncation, δ²/6 times a third derivative of order h² g/L ≈ 0.1 times a slope of order 1: 2e-10.
 pub const AREA_TOLERANCE: f64 = 5e-10;
 
-/// The same for a step of `h` (s) instead of [`AREA_STEP`]: the third derivative goes with h².
+/// The same for a step of `h` (s), of [`AREA_STEP`] or more: the third derivative goes with h², and rounding stays.
 pub const fn area_tolerance(h: f64) -> f64 {
-    AREA_TOLERANCE * (h / AREA_STEP) * (h / AREA_STEP)
+    let ratio = h / AREA_STEP;
+    assert!(ratio >= 1.0, "rounding would be more than this");
+    AREA_TOLERANCE * ratio * ratio
 }
 
 // ANCHOR: area_defect

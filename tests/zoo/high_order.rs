@@ -5,22 +5,10 @@ use pendula::methods::{
     yoshida_6::Yoshida6,
 };
 use pendula::sine::{cos, sin};
-use pendula::splitting::Splitting;
+use pendula::splitting::{Splitting, kicks};
 use pendula::{AnyMethod, Described, Grid, Method, Observer, Pendulum, Phase, Properties};
 
 use super::{Plain, runs_in_seconds};
-
-/// The kicks of a composition of Störmer–Verlet steps: each gives half of itself to either side.
-const fn kicks<const N: usize, const KICKS: usize>(substeps: [f64; N]) -> [f64; KICKS] {
-    let mut kicks = [0.0; KICKS];
-    let mut i = 0;
-    while i < N {
-        kicks[i] += 0.5 * substeps[i];
-        kicks[i + 1] += 0.5 * substeps[i];
-        i += 1;
-    }
-    kicks
-}
 
 macro_rules! composition {
     ($(#[$doc:meta])* $name:ident poses as $truth:ident, $n:literal substeps, $substeps:expr) => {
@@ -57,7 +45,7 @@ composition! {
 }
 
 composition! {
-    /// Yoshida's six and a middle, of which the second has lost its sign; the middle is what is left.
+    /// Yoshida's six and a middle, of which the second has the wrong sign; the middle is what is left.
     SignLost poses as Yoshida6, 7 substeps, {
         let [a, b, c] = [Yoshida6::DRIFTS[0], -Yoshida6::DRIFTS[1], Yoshida6::DRIFTS[2]];
         [a, b, c, 1.0 - 2.0 * (a + b + c), c, b, a]

@@ -259,14 +259,20 @@ mod tests {
         assert!(css.contains("vermilion") && !css.contains("blue") && !css.contains("{{"));
     }
 
+    /// A file of the book, which the packaged crate comes without.
+    #[cfg(not(miri))]
+    fn of_the_book(file: &str) -> Option<String> {
+        let book = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("book");
+        book.is_dir().then(|| std::fs::read_to_string(book.join(file)).expect("a file of the book"))
+    }
+
     /// Catches: a stylesheet of the book whose colours differ from those of a figure by itself.
     #[test]
     #[cfg(not(miri))]
     fn the_book_has_the_same_colours() {
-        let css = concat!(env!("CARGO_MANIFEST_DIR"), "/book/theme/figures.css");
-        let Ok(css) = std::fs::read_to_string(css) else {
+        let Some(css) = of_the_book("theme/figures.css") else {
             return;
-        }; // not in the packaged crate
+        };
         for (name, light, dark) in PALETTE {
             for colour in [light, dark] {
                 assert!(css.contains(&format!("--pendula-{name}: {colour};")), "{name} {colour}");
@@ -278,10 +284,9 @@ mod tests {
     #[test]
     #[cfg(not(miri))]
     fn the_lab_draws_methods_as_the_figures_do() {
-        let script = concat!(env!("CARGO_MANIFEST_DIR"), "/book/theme/lab/drawing.js");
-        let Ok(script) = std::fs::read_to_string(script) else {
+        let Some(script) = of_the_book("theme/lab/drawing.js") else {
             return;
-        }; // not in the packaged crate
+        };
         let list = |words: Vec<String>| words.join(", ");
         let colours = list(PALETTE.map(|(name, ..)| format!("'{name}'")).to_vec());
         assert!(script.contains(&format!("COLOURS = [{colours}];")), "{colours}");

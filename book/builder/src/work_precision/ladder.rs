@@ -1,6 +1,6 @@
 //! Which rungs of a ladder of halved steps say something about the method.
 
-use pendula::order::is_credible;
+use pendula::order::{is_credible, is_floor};
 
 /// A larger error (rad) is no approximation: the pendulum may be anywhere.
 const LARGEST: f64 = 1.0;
@@ -24,7 +24,7 @@ pub fn counts(rungs: &[Rung], order: u32) -> Vec<bool> {
         let [rung, finer] = [pair[0], pair[1]];
         let credible = is_credible(order, rung.error, finer.error, finer.rounding);
         let counts = !ended && rung.error <= LARGEST && credible;
-        ended |= counts && is_floor(rung, finer);
+        ended |= counts && is_floor(rung.error, rung.rounding, finer.error);
         counts
     });
     let mut counts: Vec<bool> = pairs.collect();
@@ -32,16 +32,13 @@ pub fn counts(rungs: &[Rung], order: u32) -> Vec<bool> {
     counts
 }
 
-/// Whether an error may be rounding, and half the step is no way out of it.
-fn is_floor(rung: Rung, finer: Rung) -> bool {
-    rung.error <= rung.rounding && 2.0 * finer.error >= rung.error
-}
-
 /// Whether no finer rung will count: one on the floor does, or three there do not, by bad luck.
 pub fn is_done(rungs: &[Rung], order: u32) -> bool {
     let pairs = rungs.windows(2).zip(counts(rungs, order));
-    let on_the_floor: Vec<bool> =
-        pairs.filter(|(pair, _)| is_floor(pair[0], pair[1])).map(|(_, counts)| counts).collect();
+    let on_the_floor: Vec<bool> = pairs
+        .filter(|(pair, _)| is_floor(pair[0].error, pair[0].rounding, pair[1].error))
+        .map(|(_, counts)| counts)
+        .collect();
     on_the_floor.len() >= 3 || on_the_floor.contains(&true)
 }
 
@@ -74,8 +71,8 @@ mod tests {
         assert_eq!(counts(&rungs(&errors), 2), [true, true, false, true, true, false]);
     }
 
-    /// Catches: rungs on the floor of rounding, or beyond the reach of the order, counted as the method's; a
-    /// last rung trusted without a finer one.
+    /// Catches: rungs counted as the method's after the first that is on the floor of rounding, or before its order
+    /// holds; a last rung trusted without a finer one.
     #[test]
     fn neither_rounding_nor_chaos_counts() {
         let errors = [3.0, 0.5, 3.1e-2, 2e-3, 1.2e-4, 1e-13, 2e-13, 9e-14];
