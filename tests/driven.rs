@@ -306,7 +306,7 @@ fn the_error_bar_of_two_blocks_is_half_their_difference() {
     let (strobe, start) = (seen(&driven, COARSE), attractor(&driven));
     let over = |blocks| largest_exponent(&strobe, start, Watch { settling: 5, blocks, periods: 3 });
     let (one, two) = (over(1).value, over(2));
-    // The second block is what the mean of both has beyond the first.
+    // The second block is what the mean of both has beyond the first. All three are of order 1, and rounded a few times.
     near("standard error", two.error, (two.value - one).abs(), 1e-14).unwrap();
     assert!(two.error > 1e-3 && over(1).error.is_nan());
 }
@@ -331,6 +331,7 @@ fn a_drive_is_what_it_was_made_of() {
     let driven = driven(0.7);
     assert_eq!((driven.strength(), driven.frequency(), driven.damped().damping()), (0.7, 1.1, 0.4));
     let period = 2.0 * std::f64::consts::PI / 1.1;
+    // A quotient is rounded; and e^−4.57 = 0.0104, whose exponent is rounded by 4e-16, to 5e-18.
     near("period", driven.period(), period, 1e-15 * period).unwrap();
     near("contraction", driven.contraction(), (-0.8 * period).exp(), 1e-16).unwrap();
 }

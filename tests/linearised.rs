@@ -25,7 +25,7 @@ fn check(system: &impl Linearised<State = Phase>) {
             }
         }
     }
-    // √(θ² + ω²/ω₀²), where ω²/ω₀² is 4.
+    // √(θ² + ω²/ω₀²), where ω²/ω₀² is 4 but for the last digit.
     let size = system.size(Phase { theta: 1.5, omega: 10.0_f64.sqrt() });
     assert!((size - 2.5).abs() < 1e-15, "{size}");
 }

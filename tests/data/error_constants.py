@@ -62,15 +62,20 @@ def run(table, z, steps):
     return theta, q
 
 
-with open("error_constants.csv", "w") as out:
-    out.write("method,theta0,q0,theta,q\n")
-    for start in STARTS:
-        z = tuple(mpf(c) for c in start)
-        exact = odefun(lambda _, y: [y[1], -sin(y[0])], 0, z, tol=mpf(10) ** -40)(END)
-        for name, (order, further, table) in METHODS.items():
-            error = lambda n: [(a - b) * (n / END) ** order for a, b in zip(run(table, z, n), exact)]
-            rungs = [error(n) for n in (100, 200, 400)]
-            once = [[(2**further * b - a) / (2**further - 1) for a, b in zip(e, f)] for e, f in zip(rungs, rungs[1:])]
-            power = 2 * further
-            twice = [(2**power * b - a) / (2**power - 1) for a, b in zip(*once)]
-            out.write(f"{name},{start[0]},{start[1]},{mp.nstr(twice[0], 10)},{mp.nstr(twice[1], 10)}\n")
+def main():
+    with open("error_constants.csv", "w") as out:
+        out.write("method,theta0,q0,theta,q\n")
+        for start in STARTS:
+            z = tuple(mpf(c) for c in start)
+            exact = odefun(lambda _, y: [y[1], -sin(y[0])], 0, z, tol=mpf(10) ** -40)(END)
+            for name, (order, further, table) in METHODS.items():
+                error = lambda n: [(a - b) * (n / END) ** order for a, b in zip(run(table, z, n), exact)]
+                rungs = [error(n) for n in (100, 200, 400)]
+                once = [[(2**further * b - a) / (2**further - 1) for a, b in zip(e, f)] for e, f in zip(rungs, rungs[1:])]
+                power = 2 * further
+                twice = [(2**power * b - a) / (2**power - 1) for a, b in zip(*once)]
+                out.write(f"{name},{start[0]},{start[1]},{mp.nstr(twice[0], 10)},{mp.nstr(twice[1], 10)}\n")
+
+
+if __name__ == "__main__":
+    main()

@@ -300,8 +300,8 @@ mod tests {
         assert_eq!(ends(linear(), &[5.0]), (4.5, 5.5));
         assert_eq!(ends(linear(), &[-5.0, -5.0]), (-5.5, -4.5));
         assert_eq!(ends(linear(), &[0.0, 5.0]), (0.0, 5.0));
-        // A one alone has a decade on either side. Else less than a third of a decade is widened by as much, or a tenth of the exponent, on both sides; then by a
-        // twentieth of what it is.
+        // A one alone has a decade on either side. Else less than a third of a decade is widened by as much, or a tenth of
+        // the exponent, on both sides; then by a twentieth of what it is. Sums of numbers up to 11, rounded a few times.
         let near = |(a, b): (f64, f64), (c, d): (f64, f64)| (a - c).abs() + (b - d).abs() < 1e-12;
         assert!(near(ends(Axis::log("x"), &[1.0]), (-1.1, 1.1)));
         assert!(near(ends(Axis::log("x"), &[1e2]), (1.67, 2.33)));

@@ -112,7 +112,6 @@ const SHORTEST: f64 = 1e-4;
 /// A method on its ladder.
 struct Climber {
     method: MethodRef,
-    order: u32,
     rungs: Vec<Rung>,
     has_ended: bool,
 }
@@ -121,10 +120,7 @@ struct Climber {
 fn climb(scene: Scene, seconds: f64) -> Vec<Climber> {
     let mut climbers: Vec<Climber> = METHODS
         .iter()
-        .map(|method| {
-            let order = method.properties().order;
-            Climber { method: *method, order, rungs: Vec::new(), has_ended: false }
-        })
+        .map(|method| Climber { method: *method, rungs: Vec::new(), has_ended: false })
         .collect();
     let mut rate = COARSEST;
     while climbers.iter().any(|climber| !climber.has_ended) {
@@ -139,8 +135,8 @@ fn climb(scene: Scene, seconds: f64) -> Vec<Climber> {
         for climber in climbers.iter_mut().filter(|climber| !climber.has_ended) {
             let last = climber.last();
             climber.has_ended = 2.0 * last.seconds > affordable
-                || ladder::is_done(&climber.rungs, climber.order)
-                || ladder::is_far_behind(last, climber.order, &front);
+                || ladder::is_done(&climber.rungs, climber.order())
+                || ladder::is_far_behind(last, climber.order(), &front);
         }
         rate *= 2;
     }
@@ -148,6 +144,10 @@ fn climb(scene: Scene, seconds: f64) -> Vec<Climber> {
 }
 
 impl Climber {
+    fn order(&self) -> u32 {
+        self.method.properties().order
+    }
+
     fn last(&self) -> Rung {
         self.rungs[self.rungs.len() - 1]
     }
@@ -155,7 +155,7 @@ impl Climber {
     /// The rungs that count, timed in earnest.
     fn timed(&self, scene: Scene) -> Curve {
         let rates = (0..).map(|doubled| COARSEST << doubled);
-        let counted = self.rungs.iter().zip(rates).zip(ladder::counts(&self.rungs, self.order));
+        let counted = self.rungs.iter().zip(rates).zip(ladder::counts(&self.rungs, self.order()));
         let points = counted
             .filter(|(_, counts)| *counts)
             .map(|((rung, rate), _)| timed(scene, self.method, *rung, rate));
