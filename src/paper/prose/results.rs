@@ -190,7 +190,7 @@ pub(super) const CLAIMS: &[Prose] = &[
         stated: "converge",
         definition: "RK4's and Störmer–Verlet's error at 0.01 s over that at 0.001 s",
         verdict: ReproducedWithDefinition,
-        because: "RK4 from above. Störmer–Verlet passes below it: at 0.01955 s its error and the formula's cancel.",
+        because: "RK4 from above, but for the start's share in the mean. Störmer–Verlet passes below it: at 0.01955 s its error and the formula's cancel.",
         measure: |study| {
             let ratio = |id| {
                 let row = study.small_angle.iter().find(|row| row_id(row.method) == id);
