@@ -37,23 +37,20 @@ pub struct Tableau {
 impl Tableau {
     /// The largest sum of the sizes of a row's coefficients: how far a stage or a sum leads, in steps.
     pub(crate) const fn reach(&self) -> f64 {
-        let (stages, sums) = (Row::longest(self.stages), Row::longest(self.sums));
-        if stages > sums { stages } else { sums }
+        Row::longest(self.stages).max(Row::longest(self.sums))
     }
 }
 
 impl Row {
     const fn longest(rows: &[Self]) -> f64 {
-        let (mut longest, mut i) = (0.0, 0);
+        let (mut longest, mut i) = (0.0_f64, 0);
         while i < rows.len() {
             let (mut sum, mut j) = (0.0, 0);
             while j < rows[i].terms.len() {
                 sum += rows[i].terms[j].1.value.abs();
                 j += 1;
             }
-            if sum > longest {
-                longest = sum;
-            }
+            longest = f64::max(longest, sum);
             i += 1;
         }
         longest

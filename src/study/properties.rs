@@ -199,10 +199,13 @@ const DELTA: f64 = 1e-4;
 /// order 1, and by truncation, δ²/6 times a third derivative of order h² g/L ≈ 0.1 times a slope of order 1: 2e-10.
 pub const AREA_TOLERANCE: f64 = 5e-10;
 
-/// The same for a step of `h` (s), of [`AREA_STEP`] or more: the third derivative goes with h², and rounding stays.
+/// The same for a step of `h` (s): the third derivative goes with h², and rounding stays.
+///
+/// # Panics
+/// For a step shorter than [`AREA_STEP`], where rounding would be more than this.
 pub const fn area_tolerance(h: f64) -> f64 {
     let ratio = h / AREA_STEP;
-    assert!(ratio >= 1.0, "rounding would be more than this");
+    assert!(ratio >= 1.0, "rounding is more than this");
     AREA_TOLERANCE * ratio * ratio
 }
 
