@@ -214,8 +214,8 @@ fn hermite_root(y0: f64, d0: f64, y1: f64, d1: f64) -> f64 {
     let (c2, c3) = (3.0 * rise - 2.0 * d0 - d1, d0 + d1 - 2.0 * rise);
     let (mut low, mut high) = (0.0, 1.0);
     let mut s = y0 / (y0 - y1);
-    // Newton, held inside the bracket by bisection. It is quadratic from a good start and at worst halves the
-    // bracket; 60 halvings exhaust an f64.
+    // Newton, held inside the bracket by bisection. It is quadratic from a good start and at worst
+    // halves the bracket; 60 halvings exhaust an f64.
     for _ in 0..60 {
         let value = y0 + s * (d0 + s * (c2 + s * c3));
         if value > 0.0 {
