@@ -5,7 +5,7 @@ mod properties;
 
 use common::each_method;
 use pendula::AnyMethod;
-use pendula::order::is_credible;
+use pendula::order::{is_credible, is_floor};
 use rstest_reuse::apply;
 
 /// Catches: any coefficient off by so much that it lowers the order, an entry that claims too much or too little, and
@@ -31,4 +31,15 @@ fn a_lucky_step_is_not_credible() {
 fn what_falls_to_rounding_is_credible() {
     assert!(is_credible(24, 1e-8, 1e-13, 2e-13) && !is_credible(24, 1e-8, 3e-13, 2e-13));
     assert!(is_credible(24, 4e-14, 1e-13, 1e-13) && !is_credible(24, 3e-14, 1e-13, 1e-13));
+}
+
+/// The bounds are powers of two, so that a number can lie on them, and its neighbour beyond.
+///
+/// Catches: a bound to one side of where it should be, or one of the two conditions for both.
+#[test]
+fn an_error_on_the_floor_may_be_rounding_and_does_not_fall() {
+    assert!(is_floor(1.0, 1.0, 0.5) && is_floor(0.25, 1.0, 4.0));
+    assert!(!is_floor(1.0_f64.next_up(), 1.0, 1.0), "more than rounding");
+    assert!(!is_floor(1.0, 1.0, 0.5_f64.next_down()), "it falls");
+    assert!(!is_floor(f64::NAN, 1.0, 1.0) && !is_floor(1.0, 1.0, f64::NAN));
 }
