@@ -5,7 +5,7 @@ use std::hint::black_box;
 use std::time::Duration;
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use pendula::methods::rk4::Rk4;
+use pendula::methods::Rk4;
 use pendula::{Grid, Motion, Pendulum, Phase, swing};
 
 const TIMES: u32 = 1000;

@@ -10,7 +10,7 @@ use std::time::Duration;
 
 use common::NAIVE;
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use pendula::ensemble::{Ensemble, InLanes, Instructions};
+use pendula::fast::{Ensemble, InLanes, Instructions};
 use pendula::{Described, Grid, Pendulum, Phase, methods, swing};
 
 const PENDULUMS: u32 = 10_000;
@@ -72,7 +72,7 @@ fn ensemble_of<M: Described + InLanes>(criterion: &mut Criterion, method: M) {
 macro_rules! every_method {
     ($($module:ident::$method:ident,)+) => {
         fn ensemble(criterion: &mut Criterion) {
-            $(ensemble_of(criterion, methods::$module::$method);)+
+            $(ensemble_of(criterion, methods::$method);)+
         }
     };
 }

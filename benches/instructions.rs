@@ -18,7 +18,7 @@ macro_rules! every_method {
         fn swing_named(name: &str, grid: &Grid) -> Option<Phase> {
             use pendula::Described;
             $(
-                let method = methods::$module::$method;
+                let method = methods::$method;
                 if method.properties().name == name {
                     return Some(swing(&Pendulum::PAPER, &method, black_box(START), grid, &mut ()));
                 }

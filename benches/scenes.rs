@@ -11,12 +11,10 @@ use std::hint::black_box;
 use std::num::NonZeroU64;
 
 use common::NAIVE;
-use pendula::ensemble::Ensemble;
-use pendula::methods::rk4::Rk4;
-use pendula::methods::stormer_verlet::StormerVerlet;
-use pendula::methods::symplectic_euler::SymplecticEuler;
+use pendula::fast::Ensemble;
+use pendula::integrate::{Every, Record};
+use pendula::methods::{Rk4, StormerVerlet, SymplecticEuler};
 use pendula::metrics::EnergyDrift;
-use pendula::observe::{Every, Record};
 use pendula::{Grid, LinearOscillator, Motion, Pendulum, Phase, integrate, swing};
 
 const STEPS: u64 = 10_000;

@@ -8,7 +8,7 @@
 
 use std::io::{self, BufWriter, Write};
 
-use pendula::sine::{cos, sin};
+use pendula::arithmetic::sine::{cos, sin};
 use pendula::{Pendulum, Phase, Separable};
 
 /// Names, and the sizes between which the points lie (rad); the last is what our own reduction is for.

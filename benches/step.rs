@@ -10,9 +10,9 @@ use std::hint::black_box;
 use common::NAIVE;
 use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, Criterion, Throughput, criterion_group, criterion_main};
+use pendula::fast::Stepped;
+use pendula::integrate::Record;
 use pendula::metrics::EnergyDrift;
-use pendula::observe::Record;
-use pendula::stepped::Stepped;
 use pendula::{Described, Grid, Method, Pendulum, Phase, integrate, methods, swing};
 
 const STEPS: u64 = 10_000;
@@ -75,7 +75,7 @@ macro_rules! every_method {
                 let start = Phase::at_rest(theta_0);
                 let mut group = criterion.benchmark_group(format!("step from {theta_0} rad"));
                 group.throughput(Throughput::Elements(STEPS));
-                $(final_state(&mut group, methods::$module::$method, start);)+
+                $(final_state(&mut group, methods::$method, start);)+
                 group.finish();
             }
         }
@@ -83,7 +83,7 @@ macro_rules! every_method {
         fn watch(criterion: &mut Criterion) {
             let mut group = criterion.benchmark_group("watching from 1 rad");
             group.throughput(Throughput::Elements(STEPS));
-            $(watched(&mut group, methods::$module::$method, Phase::at_rest(1.0));)+
+            $(watched(&mut group, methods::$method, Phase::at_rest(1.0));)+
             group.finish();
         }
     };

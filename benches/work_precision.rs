@@ -21,9 +21,9 @@ use std::hint::black_box;
 
 use machine::{instructions, median, seconds};
 use naive::NAIVE;
+use pendula::fast::Stepped;
 use pendula::metrics::EndError;
-use pendula::order::{is_credible, is_floor};
-use pendula::stepped::Stepped;
+use pendula::metrics::order::{is_credible, is_floor};
 use pendula::{Described, Grid, Method, Pendulum, Phase, methods, swing};
 
 /// From where (rad) and for how long (s).
@@ -109,7 +109,7 @@ macro_rules! every_method {
     ($($module:ident::$method:ident,)+) => {
         fn compare_all(scene: &Scene, start: Phase) -> Vec<(String, Vec<Row>)> {
             let mut all = Vec::new();
-            $(all.extend(compare(scene, methods::$module::$method, start));)+
+            $(all.extend(compare(scene, methods::$method, start));)+
             all
         }
     };

@@ -4,7 +4,7 @@
 //! else.
 //!
 //! ```
-//! use pendula::methods::stormer_verlet::StormerVerlet;
+//! use pendula::methods::StormerVerlet;
 //! use pendula::metrics::EnergyDrift;
 //! use pendula::{Grid, Pendulum, Phase, swing};
 //!
@@ -43,85 +43,39 @@
 //!
 //! Every result comes from additions, multiplications, divisions and square roots in a fixed order, so that debug and
 //! release, and one machine and another, give the same bits.
-#![cfg_attr(not(any(feature = "study", feature = "ensemble")), no_std)]
+#![cfg_attr(not(any(feature = "verify", feature = "ensemble")), no_std)]
 #![warn(clippy::disallowed_methods)]
 
 pub mod adaptive;
-pub mod catalogue;
-pub mod compensated;
-mod double_double;
+pub mod arithmetic;
 pub mod dynamics;
-#[cfg(feature = "ensemble")]
-pub mod ensemble;
 pub mod error;
 pub mod exact;
-pub mod grid;
-pub mod implicit;
+pub mod fast;
 pub mod integrate;
-pub mod method;
 pub mod methods;
 pub mod metrics;
-pub mod observe;
-pub mod order;
-#[cfg(feature = "study")]
-pub mod paper;
-pub mod pendulum;
-pub mod phase;
-#[cfg(feature = "study")]
-pub mod report;
-pub mod sine;
-pub mod splitting;
-pub mod stepped;
-#[cfg(feature = "study")]
-pub mod study;
-pub mod swing;
-pub mod system;
 pub mod systems;
-pub mod tableau;
-pub mod taylor;
-#[cfg(feature = "study")]
-pub mod theory;
+#[cfg(feature = "verify")]
+pub mod verify;
 
-pub use catalogue::{AnyMethod, METHODS, method_named};
-pub use compensated::{Carried, Compensated};
 pub use error::Error;
 pub use exact::{Kind, Motion};
-pub use grid::Grid;
-pub use integrate::integrate;
-pub use method::{Described, Method, Properties};
-pub use observe::Observer;
-pub use pendulum::{LinearOscillator, Pendulum};
-pub use phase::{Components, Phase, Point, Vector};
-pub use swing::swing;
-pub use system::{Counting, Hamiltonian, Rate, Separable, System};
-pub use systems::{Damped, DoublePendulum, Driven, Kepler, Shaken};
-pub use taylor::{Analytic, Taylor};
+#[cfg(feature = "ensemble")]
+pub use fast::Ensemble;
+pub use fast::swing;
+pub use integrate::{Grid, Method, Observer, integrate};
+pub use methods::{
+    AnyMethod, Described, ForwardEuler, METHODS, Properties, Rk4, StormerVerlet, SymplecticEuler,
+    Taylor, method_named,
+};
+pub use systems::{
+    Analytic, Carried, Compensated, Components, Counting, Damped, DoublePendulum, Driven,
+    Hamiltonian, Kepler, LinearOscillator, Pendulum, Phase, Point, Rate, Separable, Shaken, System,
+    Vector,
+};
 
-/// The listings of the README and of the book, run as tests.
+/// The README's listings, run as tests.
 #[cfg(doctest)]
-mod listings {
-    macro_rules! listings {
-        ($($name:ident: $file:literal,)+) => {
-            $(#[doc = include_str!($file)] mod $name {})+
-        };
-    }
-    listings! {
-        readme: "../README.md",
-        introduction: "../book/src/introduction.md",
-        pendulum: "../book/src/pendulum.md",
-        exact: "../book/src/exact.md",
-        beyond: "../book/src/beyond.md",
-        choosing: "../book/src/choosing.md",
-        forward_euler: "../book/src/forward-euler.md",
-        symplectic_euler: "../book/src/symplectic-euler.md",
-        stormer_verlet: "../book/src/stormer-verlet.md",
-        rk4: "../book/src/rk4.md",
-        order: "../book/src/order.md",
-        long_run: "../book/src/long-run.md",
-        small_angle: "../book/src/small-angle.md",
-        phase_space: "../book/src/phase-space.md",
-        large_angle: "../book/src/large-angle.md",
-        work: "../book/src/work.md",
-        limits: "../book/src/limits.md",
-    }
-}
+#[doc = include_str!("../README.md")]
+mod readme {}

@@ -1,14 +1,6 @@
 //! Dense output: a state at every time within a step.
 
-use crate::phase::{Point, Vector};
-
-/// The first three coefficients of dense output, which make it meet both ends of a step: Hermite's cubic of the whole
-/// displacement `step` with the slopes at both ends, times h.
-pub fn hermite<D: Vector>(step: D, start_slope: D, end_slope: D) -> [D; 3] {
-    let second = start_slope + step * -1.0;
-    let third = step + end_slope * -1.0 + second * -1.0;
-    [step, second, third]
-}
+use crate::systems::Point;
 
 /// A polynomial that follows the motion through a step: a state at every time, for no evaluation of the force.
 ///
@@ -28,7 +20,7 @@ pub struct Dense<Z, C> {
 
 impl<Z: Point, C: AsRef<[Z::Displacement]>> Dense<Z, C> {
     /// The dense output of a step `h` (s) from `z` at time `t` (s), with the coefficients that
-    /// [`Embedded::dense`](super::Embedded::dense) gives.
+    /// [`Embedded::dense`](crate::methods::runge_kutta::Embedded::dense) gives.
     pub const fn new(t: f64, h: f64, z: Z, coefficients: C) -> Self {
         Self { t, h, z, coefficients }
     }

@@ -1,10 +1,9 @@
 //! Events: when a function of the state crosses zero.
 
-use super::Embedded;
 use super::walk::{DenseOf, Walk};
 use crate::error::Error;
-use crate::phase::Components;
-use crate::system::System;
+use crate::methods::runge_kutta::Embedded;
+use crate::systems::{Components, System};
 
 /// Which changes of sign are meant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

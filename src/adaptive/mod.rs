@@ -6,7 +6,7 @@
 //!
 //! ```
 //! use pendula::adaptive::{Adaptive, Direction, Tolerance};
-//! use pendula::methods::dop853::Dop853;
+//! use pendula::methods::Dop853;
 //! use pendula::{Pendulum, Phase, exact};
 //!
 //! let (pendulum, start) = (Pendulum::PAPER, Phase::at_rest(3.0));
@@ -29,63 +29,15 @@ pub mod symmetric;
 mod tolerance;
 mod walk;
 
-pub use dense::{Dense, hermite};
+pub use dense::Dense;
 pub use events::{Crossing, Crossings, Direction};
 pub use tolerance::{SMALLEST_RELATIVE, Tolerance};
 pub use walk::{Counts, Step, Walk};
 
 use crate::error::Error;
-use crate::observe::Observer;
-use crate::phase::{Components, Vector};
-use crate::system::{Rate, System};
-
-// ANCHOR: embedded
-/// A Runge–Kutta method that estimates its own error and fills in its own steps.
-pub trait Embedded: Copy {
-    /// The order k of the estimate, O(hᵏ): by it the control chooses the next step.
-    const ESTIMATE_ORDER: u32;
-
-    /// The stages of a step.
-    type Stages<D: Vector>: Copy;
-
-    /// The coefficients of dense output: as many as its degree.
-    type Dense<D: Vector>: Copy + AsRef<[D]>;
-
-    /// Tries a step `h` (s) from `z` at time `t` (s), where the slope is `slope`: the state that it leads to, and its
-    /// stages.
-    fn attempt<S: System>(
-        &self,
-        system: &S,
-        t: f64,
-        h: f64,
-        z: S::State,
-        slope: Rate<S>,
-    ) -> (S::State, Self::Stages<Rate<S>>);
-
-    /// The error of the step with these `stages`, in tolerances. `size` measures a displacement per h in tolerances.
-    fn error<D: Vector>(&self, stages: &Self::Stages<D>, size: impl Fn(D) -> f64) -> f64;
-
-    /// The slope at the state `z` at time `t` (s) to which the step with these `stages` has led.
-    fn end_slope<S: System>(
-        &self,
-        system: &S,
-        t: f64,
-        z: S::State,
-        stages: &Self::Stages<Rate<S>>,
-    ) -> Rate<S>;
-
-    /// What [`Dense`] is made of, for a step `h` (s) from `z` at time `t` (s) with these `stages`.
-    fn dense<S: System>(
-        &self,
-        system: &S,
-        t: f64,
-        h: f64,
-        z: S::State,
-        stages: &Self::Stages<Rate<S>>,
-        end_slope: Rate<S>,
-    ) -> Self::Dense<Rate<S>>;
-}
-// ANCHOR_END: embedded
+use crate::integrate::Observer;
+use crate::methods::runge_kutta::Embedded;
+use crate::systems::{Components, System};
 
 /// A method whose steps are chosen so that each is off by no more than a tolerance.
 #[derive(Clone, Copy, Debug)]

@@ -5,7 +5,7 @@
 //! a variable with a rate of its own. It leaps over the state as the state leaps over it, and the whole is symmetric.
 
 use crate::error::{Error, positive};
-use crate::system::Separable;
+use crate::systems::Separable;
 
 /// Störmer–Verlet with a step h = ε/ρ, where the density ρ of the steps follows the motion.
 ///

@@ -1,7 +1,7 @@
 //! What a step may be off by.
 
 use crate::error::{Error, positive};
-use crate::phase::Components;
+use crate::systems::Components;
 
 /// The error allowed in one step: each component x of the state may be off by absolute + relative · |x|.
 ///

@@ -2,10 +2,10 @@
 
 use super::control::Controller;
 use super::events::{Crossings, Direction};
-use super::{Adaptive, Dense, Embedded};
+use super::{Adaptive, Dense};
 use crate::error::Error;
-use crate::phase::Components;
-use crate::system::{Counting, Rate, System};
+use crate::methods::runge_kutta::Embedded;
+use crate::systems::{Components, Counting, Rate, System};
 
 /// What a walk has cost so far.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -3,8 +3,8 @@
 use super::root::root;
 use super::stroboscope::Stroboscope;
 use super::variation::{Bundle, Linearised, Variational};
-use crate::method::Method;
-use crate::phase::Phase;
+use crate::integrate::Method;
+use crate::systems::Phase;
 
 /// What becomes of small displacements from an orbit over its period: the linear map with these two columns.
 ///

@@ -2,8 +2,8 @@
 
 use super::stroboscope::Stroboscope;
 use super::variation::{Bundle, Linearised, Variational};
-use crate::method::Method;
-use crate::phase::Phase;
+use crate::integrate::Method;
+use crate::systems::Phase;
 
 /// A Lyapunov exponent (1/s): the mean rate at which the logarithm of a small distance grows.
 #[derive(Clone, Copy, Debug, PartialEq)]

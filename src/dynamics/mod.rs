@@ -21,7 +21,7 @@ pub use root::root;
 pub use stroboscope::Stroboscope;
 pub use variation::{Bundle, Linearised, Variational};
 
-use crate::phase::Phase;
+use crate::systems::Phase;
 
 /// √(θ² + ω²/ω₀²) (rad), with ω₀ = `frequency` (rad/s).
 pub(crate) fn size(v: Phase, frequency: f64) -> f64 {

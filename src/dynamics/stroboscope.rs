@@ -2,11 +2,8 @@
 
 use super::variation::{Bundle, Linearised, Variational};
 use crate::error::{Error, positive};
-use crate::grid::Grid;
-use crate::integrate::integrate;
-use crate::method::Method;
-use crate::phase::Phase;
-use crate::system::System;
+use crate::integrate::{Grid, Method, integrate};
+use crate::systems::{Phase, System};
 
 /// The stroboscopic map, Poincaré's for a driven system: the state at the beginning of a period of the drive to the state
 /// at its end.

@@ -3,8 +3,7 @@
 use core::array::from_fn;
 use core::ops::{Add, Mul};
 
-use crate::phase::{Point, Vector};
-use crate::system::{Rate, System};
+use crate::systems::{Point, Rate, System, Vector};
 
 /// A system that knows how its rate of change differs from one state to the next.
 pub trait Linearised: System {

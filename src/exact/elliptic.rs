@@ -4,8 +4,8 @@
 //! k' is all that is left to tell one swing from another. Sources are sections of the NIST Digital Library of
 //! Mathematical Functions, <https://dlmf.nist.gov>.
 
-use crate::double_double::DoubleDouble;
-use crate::sine::{cos, sin};
+use crate::arithmetic::double_double::DoubleDouble;
+use crate::arithmetic::sine::{cos, sin};
 
 // ANCHOR: complete_elliptic_k
 /// The complete elliptic integral of the first kind K = ∫₀^{π/2} dφ / √(1 − k² sin² φ), from k' = √(1 − k²).

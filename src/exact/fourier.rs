@@ -14,9 +14,9 @@
 use core::f64::consts::{FRAC_PI_2, PI};
 
 use super::motion::unwrapped;
-use crate::double_double::DoubleDouble;
-use crate::phase::Phase;
-use crate::sine::{ROUNDER, quarter_turns_and};
+use crate::arithmetic::double_double::DoubleDouble;
+use crate::arithmetic::sine::{ROUNDER, quarter_turns_and};
+use crate::systems::Phase;
 
 /// Times that are done together.
 const LANES: usize = 32;

@@ -14,9 +14,9 @@ pub use elliptic::complete_elliptic_k;
 pub use fourier::Series;
 pub use motion::{Kind, Motion};
 
+use crate::arithmetic::sine::{cos, sin};
 use crate::error::Error;
-use crate::pendulum::Pendulum;
-use crate::sine::{cos, sin};
+use crate::systems::Pendulum;
 
 // ANCHOR: period
 /// The period T = 4 √(L/g) K (s) of the swing after a release from rest at `theta0` (rad): the paper's Eq. 5.

@@ -20,10 +20,9 @@
 use super::elliptic::{Jacobi, Values, carlson_rf};
 use super::finite;
 use super::fourier::Series;
-use crate::double_double::{DoubleDouble, reduced_sine_cosine};
+use crate::arithmetic::double_double::{DoubleDouble, reduced_sine_cosine};
 use crate::error::Error;
-use crate::pendulum::{Pendulum, angle};
-use crate::phase::Phase;
+use crate::systems::{Pendulum, Phase, angle};
 
 /// What the pendulum does for all time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,24 +1,18 @@
-//! The methods, one file each.
+//! The methods, by family.
 
-pub mod blanes_moan_4;
-pub mod blanes_moan_6;
-pub mod dop853;
-pub mod dormand_prince;
-pub mod explicit_midpoint;
-pub mod forest_ruth;
-pub mod forward_euler;
-pub mod gauss_16;
-pub mod gauss_4;
-pub mod gauss_6;
-pub mod heun;
-pub mod implicit_midpoint;
-pub mod kahan_li_8;
-pub mod position_verlet;
-pub mod rk4;
-pub mod ruth_3;
-pub mod stormer_verlet;
-pub mod suzuki_4;
-pub mod symplectic_euler;
-pub mod taylor_24;
-pub mod yoshida_6;
-pub mod yoshida_8;
+pub mod gauss;
+mod info;
+pub mod registry;
+pub mod runge_kutta;
+pub mod splitting;
+pub mod taylor;
+
+pub use gauss::{Gauss4, Gauss6, Gauss16, ImplicitMidpoint};
+pub use info::{Described, Properties};
+pub use registry::{AnyMethod, METHODS, method_named};
+pub use runge_kutta::{Dop853, DormandPrince, ExplicitMidpoint, ForwardEuler, Heun, Rk4};
+pub use splitting::{
+    BlanesMoan4, BlanesMoan6, ForestRuth, KahanLi8, PositionVerlet, Ruth3, StormerVerlet, Suzuki4,
+    SymplecticEuler, Yoshida6, Yoshida8,
+};
+pub use taylor::{Taylor, Taylor24};

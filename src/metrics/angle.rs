@@ -1,7 +1,7 @@
 //! The angle error.
 
-use crate::observe::Observer;
-use crate::phase::Phase;
+use crate::integrate::Observer;
+use crate::systems::Phase;
 
 // ANCHOR: angle_error
 /// Error of the angle against a reference θ(t): root mean square and largest, over all N + 1 samples (rad).

@@ -1,6 +1,6 @@
 //! Area in phase space.
 
-use crate::phase::Phase;
+use crate::systems::Phase;
 
 // ANCHOR: area
 /// The signed area of a polygon in phase space (rad²/s), positive where its corners go round counterclockwise with θ to the

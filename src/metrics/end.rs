@@ -2,8 +2,7 @@
 
 use crate::error::Error;
 use crate::exact::Motion;
-use crate::pendulum::Pendulum;
-use crate::phase::Phase;
+use crate::systems::{Pendulum, Phase};
 
 /// How far runs end from where the motion is, and how much of that may be rounding.
 #[derive(Clone, Copy, Debug)]

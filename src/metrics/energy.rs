@@ -1,7 +1,7 @@
 //! The energy error.
 
-use crate::observe::Observer;
-use crate::system::{Hamiltonian, System};
+use crate::integrate::Observer;
+use crate::systems::{Hamiltonian, System};
 
 /// States that wait for their energies, 1 KB of them: in a row of their own these are vector instructions, and out of the
 /// way of the next step.

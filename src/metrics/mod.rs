@@ -5,6 +5,7 @@ mod angle;
 mod area;
 mod end;
 mod energy;
+pub mod order;
 mod period;
 
 pub use angle::AngleError;

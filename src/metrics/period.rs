@@ -13,11 +13,9 @@
 
 use core::ops::{Add, Mul};
 
-use crate::method::Method;
-use crate::methods::rk4::Rk4;
-use crate::observe::Observer;
-use crate::phase::{Phase, Vector};
-use crate::system::System;
+use crate::integrate::{Method, Observer};
+use crate::methods::Rk4;
+use crate::systems::{Phase, System, Vector};
 
 // ---------------------------------------------------------------------------------------------------------------------
 // Peaks

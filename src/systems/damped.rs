@@ -1,11 +1,9 @@
 //! The damped pendulum.
 
+use crate::arithmetic::sine::{cos, half_turn, sin};
 use crate::dynamics::Linearised;
 use crate::error::{Error, not_negative};
-use crate::pendulum::Pendulum;
-use crate::phase::Phase;
-use crate::sine::{cos, half_turn, sin};
-use crate::system::{Hamiltonian, Separable, System};
+use crate::systems::{Hamiltonian, Pendulum, Phase, Separable, System};
 
 /// The pendulum with friction in proportion to its velocity, θ̈ + 2β θ̇ + ω₀² sin θ = 0 with ω₀² = g/L.
 ///

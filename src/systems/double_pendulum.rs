@@ -2,11 +2,9 @@
 
 use core::ops::{Add, Mul};
 
+use crate::arithmetic::sine::{cos, sin};
 use crate::error::{Error, finite, positive};
-use crate::pendulum::angle;
-use crate::phase::{Components, Vector};
-use crate::sine::{cos, sin};
-use crate::system::{Hamiltonian, System};
+use crate::systems::{Components, Hamiltonian, System, Vector, angle};
 
 /// A pendulum hung from the bob of another: rods L₁ and L₂, bobs m₁ and m₂, angles θ₁ and θ₂ both from the downward
 /// vertical.
@@ -140,7 +138,7 @@ impl DoublePendulum {
     ///
     /// # Errors
     /// [`Error::Parameter`] for a component that is not finite, an angle beyond
-    /// [`LARGEST_ANGLE`](crate::pendulum::LARGEST_ANGLE), and for velocities whose energy overflows.
+    /// [`LARGEST_ANGLE`](crate::systems::LARGEST_ANGLE), and for velocities whose energy overflows.
     pub fn start(&self, theta: [f64; 2], omega: [f64; 2]) -> Result<DoublePhase, Error> {
         let Self { upper, lower, .. } = *self;
         let [theta1, theta2] = [angle(theta[0])?, angle(theta[1])?];

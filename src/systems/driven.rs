@@ -3,12 +3,10 @@
 use core::f64::consts::PI;
 
 use super::Damped;
+use crate::arithmetic::sine::cos;
 use crate::dynamics::Linearised;
 use crate::error::{Error, finite, positive};
-use crate::pendulum::Pendulum;
-use crate::phase::Phase;
-use crate::sine::cos;
-use crate::system::{Separable, System};
+use crate::systems::{Pendulum, Phase, Separable, System};
 
 /// The damped pendulum under a periodic torque, θ̈ + 2β θ̇ + ω₀² sin θ = γ ω₀² cos Ωt.
 ///

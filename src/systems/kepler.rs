@@ -3,10 +3,9 @@
 use core::f64::consts::PI;
 use core::ops::{Add, Mul};
 
+use crate::arithmetic::sine::{cos, sin};
 use crate::error::{Error, normal, positive};
-use crate::phase::{Components, Vector};
-use crate::sine::{cos, sin};
-use crate::system::{Hamiltonian, Separable, System};
+use crate::systems::{Components, Hamiltonian, Separable, System, Vector};
 
 /// Kepler's problem in its plane, r̈ = −μ r/r³, with the centre at rest in the origin.
 ///

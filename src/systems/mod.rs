@@ -13,14 +13,28 @@
 //! | [`DoublePendulum`] | Hamilton's, in θ₁, θ₂, p₁, p₂ | no | energy |
 //! | [`Kepler`] | r̈ = −μ r/r³ | yes | energy, angular momentum, pericentre |
 
+mod analytic;
+mod compensated;
 mod damped;
 mod double_pendulum;
 mod driven;
 mod kepler;
+mod linear_oscillator;
+mod pendulum;
 mod shaken;
+mod state;
+mod system;
 
+pub use analytic::Analytic;
+pub(crate) use analytic::growth;
+pub use compensated::{Carried, Compensated};
 pub use damped::Damped;
 pub use double_pendulum::{DoublePendulum, DoublePhase, Joint};
 pub use driven::Driven;
 pub use kepler::{Ellipse, Kepler, Planar, PlanePhase};
+pub use linear_oscillator::LinearOscillator;
+pub(crate) use pendulum::angle;
+pub use pendulum::{LARGEST_ANGLE, Pendulum};
 pub use shaken::{Mathieu, Shaken};
+pub use state::{Components, Phase, Point, Vector};
+pub use system::{Counting, Hamiltonian, Rate, Separable, System};

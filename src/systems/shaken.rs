@@ -2,12 +2,10 @@
 
 use core::f64::consts::PI;
 
+use crate::arithmetic::sine::{cos, half_turn};
 use crate::dynamics::Linearised;
 use crate::error::{Error, finite, not_negative, positive};
-use crate::pendulum::Pendulum;
-use crate::phase::Phase;
-use crate::sine::{cos, half_turn};
-use crate::system::{Separable, System};
+use crate::systems::{Pendulum, Phase, Separable, System};
 
 /// Kapitza's pendulum: its pivot moves up and down as a cos Ωt, so that the weight feels g − aΩ² cos Ωt,
 /// θ̈ + (g − aΩ² cos Ωt)/L · sin θ = 0.

@@ -13,9 +13,9 @@
 
 use std::hint::black_box;
 
-use pendula::methods::{blanes_moan_6::BlanesMoan6, taylor_24::Taylor24};
+use pendula::fast::Stepped;
+use pendula::methods::{BlanesMoan6, Taylor24};
 use pendula::metrics::EndError;
-use pendula::stepped::Stepped;
 use pendula::{
     Carried, Compensated, Described, Grid, Method, Pendulum, Phase, Taylor, integrate, methods,
     swing,
@@ -163,7 +163,7 @@ where
 macro_rules! every_method {
     ($($module:ident::$method:ident,)+) => {
         fn library(theta_0: f64, steps: &[Steps]) -> Vec<Contender> {
-            vec![$(of_library(methods::$module::$method, theta_0, steps),)+]
+            vec![$(of_library(methods::$method, theta_0, steps),)+]
         }
     };
 }

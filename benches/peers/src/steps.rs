@@ -27,7 +27,7 @@ macro_rules! every_method {
         /// The library's loop for the method of that name.
         fn library<'a>(name: &str, grid: &'a Grid) -> Option<Contender<'a>> {
             $(
-                let method = methods::$module::$method;
+                let method = methods::$method;
                 if method.properties().name == name {
                     let run = move |start| {
                         swing(&Pendulum::PAPER, &method, start, black_box(grid), &mut ())

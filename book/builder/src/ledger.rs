@@ -4,8 +4,8 @@
 //! nothing else, so that a test can bring its own and the library can change its types. [`Paper`]
 //! is the one adapter to the library.
 
-use pendula::paper::Measured;
-use pendula::study::Study;
+use pendula_study::claims::Measured;
+use pendula_study::experiments::Study;
 
 use crate::progress::Progress;
 
@@ -34,14 +34,14 @@ impl<F: Fn(&str) -> Option<Entry>> Ledger for F {
 }
 
 /// The library's ledger of the paper's claims: the one adapter.
-pub struct Paper(pendula::paper::Ledger);
+pub struct Paper(pendula_study::claims::Ledger);
 
 impl Paper {
     /// Runs the study and measures every claim; `progress` shows which experiment is at work.
     pub fn measure(progress: &Progress) -> Self {
         progress.stage("", Study::EXPERIMENTS as usize);
         let study = Study::run(|experiment| progress.next(experiment));
-        Self(pendula::paper::Ledger::of(&study))
+        Self(pendula_study::claims::Ledger::of(&study))
     }
 }
 

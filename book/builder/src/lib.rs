@@ -13,5 +13,6 @@ pub mod ledger;
 pub mod locate;
 pub mod preprocess;
 pub mod progress;
+pub mod sweep;
 mod warnings;
 pub mod work_precision;

@@ -30,8 +30,9 @@ fn is_ours(folder: &Path) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use std::fs;
+
+    use super::*;
 
     fn folder_with_book(toml: &str) -> tempfile::TempDir {
         let folder = tempfile::tempdir().unwrap();

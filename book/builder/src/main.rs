@@ -3,9 +3,8 @@
 use std::io::{self, Write};
 use std::process::ExitCode;
 
-use pendula_book::cli;
-use pendula_book::commands;
 use pendula_book::failure::Failure;
+use pendula_book::{cli, commands};
 
 fn main() -> ExitCode {
     let mut out = io::BufWriter::new(io::stdout().lock());

@@ -4,8 +4,8 @@
 
 use core::ops::{Add, Mul};
 
-use pendula::phase::{Components, Point, Vector};
-use pendula::stepped::{Stepped, Turned, Turning};
+use pendula::fast::{Stepped, Turned, Turning};
+use pendula::systems::{Components, Point, Vector};
 use pendula::{Analytic, Counting, Damped, Phase, Rate, Separable, System};
 
 /// One of two, each with its own system, state, displacement or force. What belongs to different systems never meets.

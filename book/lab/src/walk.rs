@@ -1,8 +1,7 @@
 //! A method on its way: the state, what the method remembers, and the count of what it took.
 
-use pendula::methods;
-use pendula::stepped::Stepped;
-use pendula::{Damped, Described, Grid, Method, Pendulum, Phase};
+use pendula::fast::Stepped;
+use pendula::{Damped, Described, Grid, Method, Pendulum, Phase, methods};
 
 use crate::shared::{Shared, State};
 
@@ -25,7 +24,7 @@ macro_rules! all {
     ($($module:ident::$method:ident,)+) => {
         /// Which method it is, and what its last step left for the next.
         enum Memo {
-            $($method(<methods::$module::$method as Method<Shared>>::Memo),)+
+            $($method(<methods::$method as Method<Shared>>::Memo),)+
         }
 
         impl Memo {
@@ -33,7 +32,7 @@ macro_rules! all {
             fn start(index: usize, system: &Shared, h: f64, z: State) -> Option<Self> {
                 let mut number = 0..;
                 $(if number.next() == Some(index) {
-                    return Some(Self::$method(methods::$module::$method.start(system, 0.0, h, z)));
+                    return Some(Self::$method(methods::$method.start(system, 0.0, h, z)));
                 })+
                 None
             }
@@ -42,7 +41,7 @@ macro_rules! all {
             fn step(&mut self, system: &Shared, t: f64, h: f64, z: State) -> State {
                 match self {
                     $(Self::$method(memo) => {
-                        methods::$module::$method.step(system, t, h, z, memo)
+                        methods::$method.step(system, t, h, z, memo)
                     })+
                 }
             }
@@ -56,14 +55,14 @@ macro_rules! all {
         pub fn names(index: usize) -> Option<[&'static str; 2]> {
             let mut number = 0..;
             $(if number.next() == Some(index) {
-                let properties = methods::$module::$method.properties();
+                let properties = methods::$method.properties();
                 return Some([properties.name, properties.title]);
             })+
             None
         }
 
         $(const _: () = assert!(
-            <methods::$module::$method as Method<Stepped>>::REACH <= FARTHEST,
+            <methods::$method as Method<Stepped>>::REACH <= FARTHEST,
             "`longest` has to ask for a method that reaches as far",
         );)+
     };
@@ -79,7 +78,7 @@ macro_rules! general {
 pendula::general_methods!(general);
 
 /// No method reaches farther than this one.
-type Farthest = methods::dop853::Dop853;
+type Farthest = methods::Dop853;
 const FARTHEST: f64 = <Farthest as Method<Stepped>>::REACH;
 
 /// As many steps as an hour of a tenth of a millisecond each: more than anybody waits for.

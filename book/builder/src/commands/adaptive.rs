@@ -6,13 +6,13 @@ use std::sync::atomic::Ordering;
 
 use clap::{Args, ValueEnum};
 use pendula::Pendulum;
-use pendula::adaptive::{Adaptive, Embedded, Tolerance};
-use pendula::methods::dop853::Dop853;
-use pendula::methods::dormand_prince::DormandPrince;
+use pendula::adaptive::{Adaptive, Tolerance};
+use pendula::methods::runge_kutta::Embedded;
+use pendula::methods::{Dop853, DormandPrince};
 
 use super::destination::{Destination, interrupts};
+use super::pendulum_arguments::{PendulumArguments, StartArguments};
 use super::rows::{Format, Rows};
-use super::scene::{PendulumArguments, StartArguments};
 use crate::failure::Failure;
 
 /// Arguments of `pendula adaptive`.

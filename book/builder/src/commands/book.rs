@@ -6,11 +6,10 @@ use std::io::Write;
 use anyhow::Context;
 use clap::Args;
 
-use crate::build;
 use crate::failure::Failure;
 use crate::ledger::Paper;
-use crate::locate;
 use crate::progress::Progress;
+use crate::{build, locate};
 
 /// Arguments of `pendula book`.
 #[derive(Args, Debug, Default)]

@@ -4,8 +4,8 @@ use std::io::{self, Write};
 
 use anyhow::Context;
 use clap::{Args, ValueEnum};
-use pendula::paper::{Claim, Ledger, Verdict};
-use pendula::study::Study;
+use pendula_study::claims::{Claim, Ledger, Verdict};
+use pendula_study::experiments::Study;
 use serde_json::{Value, json};
 
 use super::tables::cell;

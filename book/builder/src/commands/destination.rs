@@ -1,13 +1,12 @@
 //! Where output goes: standard output, or a file that appears only when it is whole.
 
-use std::fs;
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::RecvTimeoutError;
 use std::sync::{Arc, mpsc};
 use std::time::Duration;
-use std::{panic, thread};
+use std::{fs, panic, thread};
 
 use anyhow::Context;
 use tempfile::NamedTempFile;

@@ -3,7 +3,7 @@
 use std::io::Write;
 
 use clap::Args;
-use pendula::methods::rk4::Rk4;
+use pendula::methods::Rk4;
 use pendula::systems::{DoublePhase, Joint};
 use pendula::{DoublePendulum, Hamiltonian, Pendulum, integrate};
 

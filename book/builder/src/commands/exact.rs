@@ -5,8 +5,8 @@ use std::io::Write;
 use clap::Args;
 use pendula::{Motion, Pendulum};
 
+use super::pendulum_arguments::{PendulumArguments, StartArguments};
 use super::rows::{Format, Rows};
-use super::scene::{PendulumArguments, StartArguments};
 use crate::failure::Failure;
 
 /// Arguments of `pendula exact`.

@@ -6,7 +6,7 @@ use clap::Args;
 use pendula::Pendulum;
 use pendula::exact::Swing;
 
-use super::scene::PendulumArguments;
+use super::pendulum_arguments::PendulumArguments;
 use crate::failure::Failure;
 
 /// Arguments of `pendula period`.

@@ -5,7 +5,7 @@ use std::io::Write;
 use clap::Args;
 use pendula::{Pendulum, Phase, method_named};
 
-use super::scene::{PendulumArguments, StartArguments, methods, not_solved};
+use super::pendulum_arguments::{PendulumArguments, StartArguments, methods, not_solved};
 use super::trajectory::{TrajectoryArguments, overflow};
 use crate::failure::Failure;
 
@@ -41,7 +41,7 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
         out,
         ["t", "theta", "omega", "energy"],
         |t, z: Phase| [t, z.theta, z.omega, pendulum.hamiltonian(z)],
-        |steps| not_solved(method, grid.step()).unwrap_or_else(|| overflow(steps)),
+        |steps| not_solved(method.properties(), grid.step()).unwrap_or_else(|| overflow(steps)),
         |observer| {
             method.run(&pendulum, start, &grid, observer);
         },

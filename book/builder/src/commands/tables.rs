@@ -4,9 +4,9 @@ use std::io::Write;
 
 use anyhow::Context;
 use clap::{Args, ValueEnum};
-use pendula::paper::{Claim, Ledger, Measured};
-use pendula::report::tables::{TABLES, table};
-use pendula::study::Study;
+use pendula_study::claims::{Claim, Ledger, Measured};
+use pendula_study::experiments::Study;
+use pendula_study::report::tables::{TABLES, table};
 use serde_json::{Value, json};
 
 use crate::failure::Failure;

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::Args;
-use pendula::observe::Every;
+use pendula::integrate::Every;
 use pendula::{Grid, Observer};
 
 use super::destination::{Destination, interrupts};

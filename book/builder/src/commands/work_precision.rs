@@ -1,13 +1,12 @@
 //! `pendula work-precision`: run time against error, on this machine.
 
-use std::env;
-use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+use std::{env, fs};
 
 use anyhow::Context;
 use clap::Args;
-use pendula::report::table::Table;
+use pendula_study::report::table::Table;
 use serde_json::{Value, json};
 
 use super::destination::Destination;

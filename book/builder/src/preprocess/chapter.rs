@@ -153,7 +153,9 @@ impl<'a> Setter<'a> {
     fn link(&self, cited: &str, to_root: &str) -> Result<String> {
         let (file, test) =
             self.tests.find(cited).map_err(|reason| anyhow!("{{{{test {cited}}}}}: {reason}"))?;
-        let text = inert::text(&format!("{}::{test}", file.replace('/', "::")));
+        // As `cargo test` prints it, and takes it for a filter: without the program's own name.
+        let path = file.split_once('/').map_or(file, |(_, path)| path);
+        let text = inert::text(&format!("{}::{test}", path.replace('/', "::")));
         // Long names break after an underscore, where they break at all.
         let text = text.replace("&#95;", "&#95;<wbr>");
         // HTML, not Markdown, so that it also works in a figure's caption.

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use pendula::METHODS;
-use pendula::report::svg::{Axis, Chart, Figure, Style};
+use pendula_study::charts::{Axis, Chart, Figure, Style};
 
 use super::{Measured, Point, SCENES, Scene};
 

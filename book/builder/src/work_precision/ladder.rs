@@ -1,6 +1,6 @@
 //! Which rungs of a ladder of halved steps say something about the method.
 
-use pendula::order::{is_credible, is_floor};
+use pendula::metrics::order::{is_credible, is_floor};
 
 /// A larger error (rad) is no approximation: the pendulum may be anywhere.
 const LARGEST: f64 = 1.0;

@@ -7,12 +7,12 @@
 use std::hint::black_box;
 use std::time::Instant;
 
+use ladder::Rung;
 use pendula::metrics::EndError;
-use pendula::study::MethodRef;
 use pendula::{Grid, METHODS, Pendulum, Phase};
+use pendula_study::experiments::MethodRef;
 
 use crate::progress::Progress;
-use ladder::Rung;
 
 pub mod figure;
 pub mod ladder;

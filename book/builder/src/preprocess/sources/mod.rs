@@ -23,7 +23,7 @@ pub struct Tests {
 /// One file under `tests/`.
 #[derive(Debug)]
 pub struct TestFile {
-    /// Its path without `tests/` and `.rs`: `order`, `support/scenes`.
+    /// Its path without `tests/` and `.rs`: `methods/order`.
     pub name: String,
     /// Its text.
     pub source: String,
@@ -78,8 +78,8 @@ impl Tests {
         &self.files
     }
 
-    /// File and function of a test cited as `file::function`; a file in a folder is `folder::file`
-    /// or `folder/file`.
+    /// File and function of a test cited as `file::function`, as `cargo test` prints it; the name of its program may stand
+    /// before that, as `program::file::function` or `program/file::function`.
     ///
     /// # Errors
     /// When there is none: says what there is.
@@ -88,9 +88,21 @@ impl Tests {
             bail!("a test is cited as file::function");
         };
         let file = file.replace("::", "/");
-        let Some(file) = self.files.iter().find(|known| known.name == file) else {
-            let names: Vec<_> = self.files.iter().map(|file| file.name.as_str()).collect();
-            bail!("there is no tests/{file}.rs; there are: {}", names.join(", "));
+        let cited = |known: &&TestFile| known.name == file || known.path_in_folder() == file;
+        let found: Vec<&TestFile> = self.files.iter().filter(cited).collect();
+        let file = match found[..] {
+            [file] => file,
+            [] => {
+                let names: Vec<_> = self.files.iter().map(|file| file.name.as_str()).collect();
+                bail!("there is no {file}.rs in tests/; there are: {}", names.join(", "))
+            }
+            [one, other, ..] => {
+                bail!(
+                    "{file} may be tests/{}.rs or tests/{}.rs: name the folder",
+                    one.name,
+                    other.name
+                )
+            }
         };
         let Some(test) = file.tests.iter().find(|known| known.name == function) else {
             let names: Vec<_> = file.tests.iter().map(|test| test.name.as_str()).collect();
@@ -116,27 +128,61 @@ fn collect(folder: &Path, prefix: &str, sources: &mut Vec<(String, String)>) -> 
     Ok(())
 }
 
-/// The book's last part: an overview and a page for each file. Nothing, if there are no tests.
+/// The book's last part: an overview, a page for each program of tests, and below it one for each of its files. Nothing, if
+/// there are no tests.
 pub fn pages(tests: &Tests) -> Vec<BookItem> {
     if tests.files.is_empty() {
         return Vec::new();
     }
-    let chapter = |title: &str, content: String, path: String| {
-        let mut chapter = Chapter::new(title, content, path, Vec::new());
+    let chapter = |title: &str, content: String, path: String, parents: Vec<String>| {
+        let mut chapter = Chapter::new(title, content, path, parents);
         // There is no such file in the book's sources.
         chapter.source_path = None;
-        BookItem::Chapter(chapter)
+        chapter
     };
-    let overview = chapter("All tests", page::overview(tests), "tests/all.md".to_string());
-    let mut items = vec![BookItem::PartTitle("The tests".to_string()), overview];
-    items.extend(tests.files.iter().map(|file| {
-        chapter(
-            &format!("tests/{}.rs", file.name),
-            page::of(file),
-            format!("tests/{}.md", file.name),
-        )
-    }));
+    let overview = page::overview(tests);
+    let overview = chapter("All tests", overview, "tests/all.md".to_string(), Vec::new());
+    let mut items = vec![BookItem::PartTitle("The tests".to_string()), BookItem::Chapter(overview)];
+    for group in tests.files.chunk_by(|one, other| one.folder() == other.folder()) {
+        let folder = group[0].folder();
+        let title = format!("tests/{folder}");
+        let (roots, files): (Vec<_>, Vec<_>) = group.iter().partition(|file| file.is_root());
+        let below = |parents: &[String]| {
+            let page = |file: &&TestFile| {
+                let path = format!("tests/{}.md", file.name);
+                let title = format!("{}.rs", file.path_in_folder());
+                BookItem::Chapter(chapter(&title, page::of(file), path, parents.to_vec()))
+            };
+            files.iter().map(page).collect::<Vec<_>>()
+        };
+        match roots[..] {
+            [root, ..] => {
+                let path = format!("tests/{}.md", root.name);
+                let mut parent = chapter(&title, page::of(root), path, Vec::new());
+                parent.sub_items = below(&[title]);
+                items.push(BookItem::Chapter(parent));
+            }
+            [] => items.extend(below(&[])),
+        }
+    }
     items
+}
+
+impl TestFile {
+    /// The folder below `tests/` that it stands in, which is the name of its program; empty for a file beside them.
+    fn folder(&self) -> &str {
+        self.name.split_once('/').map_or("", |(folder, _)| folder)
+    }
+
+    /// Its path below that folder, without `.rs`.
+    fn path_in_folder(&self) -> &str {
+        self.name.split_once('/').map_or(&self.name, |(_, path)| path)
+    }
+
+    /// Whether it is the one that lists its program's files.
+    fn is_root(&self) -> bool {
+        self.path_in_folder() == "main"
+    }
 }
 
 #[cfg(test)]
@@ -171,11 +217,21 @@ mod tests {
         let tests = Tests::from_sources([
             ("order", "#[test]\nfn slopes() {}\nfn helper() {}\n"),
             ("support/scenes", "#[test]\nfn start() {}\n"),
+            ("a/twice", "#[test]\nfn start() {}\n"),
+            ("b/twice", "#[test]\nfn start() {}\n"),
         ])
         .unwrap();
         assert_eq!(tests.find("order::slopes").unwrap(), ("order", "slopes"));
         assert_eq!(tests.find("support::scenes::start").unwrap(), ("support/scenes", "start"));
-        for wrong in ["slopes", "area::slopes", "order::start", "order::helper"] {
+        assert_eq!(tests.find("scenes::start").unwrap(), ("support/scenes", "start"));
+        for wrong in [
+            "slopes",
+            "area::slopes",
+            "order::start",
+            "order::helper",
+            "cenes::start",
+            "twice::start",
+        ] {
             assert!(tests.find(wrong).is_err(), "{wrong}");
         }
     }

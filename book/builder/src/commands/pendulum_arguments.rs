@@ -1,0 +1,66 @@
+//! The arguments that name a pendulum and its start, shared by the commands that move one.
+
+use clap::Args;
+use clap::builder::PossibleValuesParser;
+use pendula::{Error, METHODS, Pendulum, Phase, Properties};
+
+use crate::failure::Failure;
+
+/// The names that `--method` takes.
+pub fn methods() -> PossibleValuesParser {
+    METHODS.iter().map(|method| method.properties().name).collect::<Vec<_>>().into()
+}
+
+/// The refusal of a step of `dt` (s) that has led `method` to no number, if the method is one that solves equations: it
+/// does not overflow, it does not find a solution.
+pub fn not_solved(method: Properties, dt: f64) -> Option<Failure> {
+    method.implicit.then(|| {
+        Failure::refused(format!(
+            "a step of {dt:?} s is refused: the iteration of {} does not converge on this motion; it must be shorter, \
+             a fraction of the time that the pendulum takes for a radian",
+            method.name
+        ))
+    })
+}
+
+/// The pendulum.
+#[derive(Args, Debug)]
+pub struct PendulumArguments {
+    /// Gravitational acceleration g (m/s²)
+    #[arg(long, default_value_t = Pendulum::PAPER.gravity(), allow_negative_numbers = true)]
+    gravity: f64,
+    /// Length L of the rod (m)
+    #[arg(long, default_value_t = Pendulum::PAPER.length(), allow_negative_numbers = true)]
+    length: f64,
+}
+
+impl PendulumArguments {
+    /// The pendulum of `mass` (kg).
+    ///
+    /// # Errors
+    /// As [`Pendulum::new`].
+    pub fn pendulum(&self, mass: f64) -> Result<Pendulum, Error> {
+        Pendulum::new(self.gravity, self.length, mass)
+    }
+}
+
+/// The start.
+#[derive(Args, Debug)]
+pub struct StartArguments {
+    /// Angle at the start (rad)
+    #[arg(long, value_name = "RAD", allow_negative_numbers = true)]
+    theta0: f64,
+    /// Angular velocity at the start (rad/s)
+    #[arg(long, value_name = "RAD/S", default_value_t = 0.0, allow_negative_numbers = true)]
+    omega0: f64,
+}
+
+impl StartArguments {
+    /// The start, checked for `pendulum`.
+    ///
+    /// # Errors
+    /// As [`Pendulum::start`].
+    pub fn start(&self, pendulum: &Pendulum) -> Result<Phase, Error> {
+        pendulum.start(self.theta0, self.omega0)
+    }
+}

@@ -1,0 +1,175 @@
+//! Sweeps: many runs of one method, from many angles or with many steps.
+
+pub mod range;
+
+use std::num::NonZeroU64;
+
+use pendula::metrics::EnergyDrift;
+use pendula::{
+    AnyMethod, Ensemble, Error, Grid, Observer, Pendulum, Phase, Properties, method_named, methods,
+};
+use range::Range;
+use rayon::prelude::*;
+
+use crate::failure::Failure;
+
+/// What all runs of a sweep have in common.
+#[derive(Clone, Copy)]
+pub struct Runner {
+    method: &'static dyn AnyMethod,
+    pendulum: Pendulum,
+    omega0: f64,
+}
+
+/// One run: its start and its steps, where it ends, and the largest energy error on the way (J).
+pub struct Run {
+    /// Angle at the start (rad).
+    pub theta0: f64,
+    /// The step (s).
+    pub dt: f64,
+    /// The last state.
+    pub end: Phase,
+    /// Largest energy error (J).
+    pub energy_error: f64,
+}
+
+impl Runner {
+    /// Runs of the method of that name on `pendulum`, begun with `omega0` (rad/s).
+    ///
+    /// # Errors
+    /// For a name that no method has.
+    pub fn new(name: &str, pendulum: Pendulum, omega0: f64) -> Result<Self, Failure> {
+        let method = method_named(name)
+            .ok_or_else(|| Failure::refused(format!("there is no method {name}")))?;
+        Ok(Self { method, pendulum, omega0 })
+    }
+
+    /// What is known of the method.
+    pub fn properties(&self) -> Properties {
+        self.method.properties()
+    }
+
+    /// The start at an angle (rad), checked.
+    ///
+    /// # Errors
+    /// As [`Pendulum::start`].
+    pub fn start(&self, theta0: f64) -> Result<Phase, Failure> {
+        self.pendulum.start(theta0, self.omega0).map_err(Failure::refused)
+    }
+
+    /// The same steps from each of the angles, in lanes.
+    pub fn from_each(&self, angles: &[f64], grid: &Grid) -> Vec<Run> {
+        let starts: Vec<Phase> =
+            angles.iter().map(|&theta| Phase { theta, omega: self.omega0 }).collect();
+        let mut watches =
+            vec![
+                DriftAndEnd { drift: EnergyDrift::of(&self.pendulum), end: Phase::default() };
+                starts.len()
+            ];
+        let ensemble = Ensemble::of(&self.pendulum, &starts, *grid);
+        watch_in_lanes(self.properties().name, &ensemble, &mut watches);
+        let ends = angles.iter().zip(watches);
+        ends.map(|(&theta0, DriftAndEnd { drift, end })| Run {
+            theta0,
+            dt: grid.step(),
+            end,
+            energy_error: drift.largest(),
+        })
+        .collect()
+    }
+
+    /// The same start along each of the grids. They differ in their number of steps, which lanes cannot.
+    pub fn along_each(&self, start: Phase, grids: &[Grid]) -> Vec<Run> {
+        let along = |grid: &Grid| {
+            let mut drift = EnergyDrift::of(&self.pendulum);
+            let end = self.method.run(&self.pendulum, start, grid, &mut drift);
+            Run { theta0: start.theta, dt: grid.step(), end, energy_error: drift.largest() }
+        };
+        grids.par_iter().with_max_len(1).map(along).collect()
+    }
+}
+
+/// Watches the energy, and keeps the last state seen.
+#[derive(Clone)]
+struct DriftAndEnd<'p> {
+    drift: EnergyDrift<'p, Pendulum>,
+    end: Phase,
+}
+
+impl Observer<Phase> for DriftAndEnd<'_> {
+    #[inline]
+    fn observe(&mut self, n: u64, t: f64, z: Phase) {
+        self.drift.observe(n, t, z);
+        self.end = z;
+    }
+}
+
+/// [`Ensemble::watch`] of every step with the method of that name, one of the library's.
+fn watch_in_lanes(name: &str, ensemble: &Ensemble<'_>, watches: &mut [DriftAndEnd<'_>]) {
+    use pendula::{Described, methods};
+    macro_rules! by_name {
+        ($($module:ident::$method:ident,)+) => {
+            $(if name == methods::$method.properties().name {
+                return ensemble.watch(NonZeroU64::MIN, &methods::$method, watches);
+            })+
+        };
+    }
+    methods!(by_name);
+}
+
+/// The grids over `duration` (s) with steps near those asked for, no two in succession the same.
+///
+/// # Errors
+/// For an end of the range that does not fit the duration, or that the library refuses.
+pub fn grids(duration: f64, dt: Range) -> Result<impl Iterator<Item = Grid>, Failure> {
+    // Where FROM and TO themselves fit, they are taken at their word, as by `simulate`: 0.3/3 is not 0.1.
+    let ends = [end(duration, dt.from)?, end(duration, dt.to)?];
+    let mut last = 0;
+    Ok(dt.geometric().filter_map(move |step| {
+        let steps = whole(duration / step);
+        let repeated = std::mem::replace(&mut last, steps) == steps;
+        let end = ends.into_iter().find(|end| end.steps() == steps);
+        // Between two steps that are allowed every step is.
+        let grid = end.or_else(|| Grid::new(duration / steps as f64, steps).ok());
+        grid.filter(|_| !repeated)
+    }))
+}
+
+/// The grid for an end of the range: with `step` (s) itself if it fits, or else with the nearest that does.
+fn end(duration: f64, step: f64) -> Result<Grid, Failure> {
+    if step > duration {
+        return Err(Failure::refused(format!(
+            "a step of {step:?} s is refused: it must be at most the duration, {duration:?} s"
+        )));
+    }
+    let steps = whole(duration / step);
+    let grid = match Grid::over(duration, step) {
+        Err(Error::PartialStep { .. }) => Grid::new(duration / steps as f64, steps),
+        grid => grid,
+    };
+    grid.map_err(Failure::refused)
+}
+
+/// The nearest whole number of steps, at least one.
+fn whole(quotient: f64) -> u64 {
+    quotient.round().max(1.0) as u64
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Catches: a step that does not fit the duration, one replaced although it fits, a run made twice.
+    #[test]
+    fn steps_fit_the_duration() {
+        let range = Range { from: 0.1, to: 0.4, count: 3 };
+        let near: Vec<f64> = grids(1.0, range).unwrap().map(|grid| grid.step()).collect();
+        assert_eq!(near, [0.1, 0.2, 1.0 / 3.0]);
+        // 0.3/3 is not 0.1, but 0.1 is what was asked for.
+        for (from, to, expected) in [(0.1, 0.3, [0.1, 0.15, 0.3]), (0.3, 0.1, [0.3, 0.15, 0.1])] {
+            let range = Range { from, to, count: 9 };
+            let near: Vec<f64> = grids(0.3, range).unwrap().map(|grid| grid.step()).collect();
+            assert_eq!(near, expected);
+        }
+    }
+}

@@ -1,0 +1,227 @@
+//! The book as a reader gets it: built in-process into an empty folder, and its HTML read.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::LazyLock;
+
+use crate::pages::{Page, Site, is_remote};
+use pendula_book::build;
+use pendula_book::ledger::Paper;
+use pendula_book::progress::Progress;
+
+/// Built once for all tests of this file; `Err` is why the build stopped.
+static BOOK: LazyLock<Result<(tempfile::TempDir, Site), String>> = LazyLock::new(|| {
+    let folder = tempfile::tempdir().unwrap();
+    let paper = Paper::measure(&Progress::hidden());
+    build::book(&root(), Some(folder.path()), paper, Progress::hidden())
+        .map_err(|error| format!("{error:#}"))?;
+    let site = Site::read(folder.path());
+    Ok((folder, site))
+});
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap().to_path_buf()
+}
+
+fn site() -> &'static Site {
+    match &*BOOK {
+        Ok((_, site)) => site,
+        Err(error) => panic!("the book cannot be built: {error}"),
+    }
+}
+
+/// Fails with every finding at once, so that a writer can mend them in one go.
+#[track_caller]
+fn assert_none(findings: impl IntoIterator<Item = String>) {
+    let findings: Vec<_> = findings.into_iter().collect();
+    assert!(findings.is_empty(), "\n{}", findings.join("\n"));
+}
+
+/// What `find` finds on each page, with the page's name before it.
+fn on_each_page(find: impl Fn(&Path, &Page) -> Vec<String>) -> Vec<String> {
+    let pages = site().pages.iter();
+    pages
+        .flat_map(|(path, page)| {
+            let findings = find(path, page).into_iter();
+            findings.map(move |finding| format!("{}: {finding}", path.display()))
+        })
+        .collect()
+}
+
+/// Catches: a renamed chapter, heading or test that something still links to; a missing figure,
+/// style sheet or font.
+#[test]
+fn every_internal_link_resolves() {
+    assert_none(on_each_page(|path, page| {
+        let broken =
+            |reference: &String| Some((site().broken(path, reference)?, reference.clone()));
+        let findings = page.references.iter().filter_map(|(_, reference)| broken(reference));
+        findings.map(|(why, reference)| format!("{reference}: {why}")).collect()
+    }));
+}
+
+/// Catches: a font or image named in a style sheet that is not in the book, or is fetched from
+/// elsewhere.
+#[test]
+fn every_file_named_in_a_style_sheet_is_in_the_book() {
+    let site = site();
+    let folder = BOOK.as_ref().unwrap().0.path();
+    let sheets = site.files.iter().filter(|file| file.extension().is_some_and(|e| e == "css"));
+    assert_none(sheets.flat_map(|sheet| {
+        let css = fs::read_to_string(folder.join(sheet)).unwrap();
+        let named: Vec<_> = css
+            .split("url(")
+            .skip(1)
+            .filter_map(|rest| Some(rest.split_once(')')?.0.trim_matches(['"', '\''])))
+            .filter(|url| is_remote(url) || site.broken(sheet, url).is_some())
+            .map(|url| format!("{}: {url}", sheet.display()))
+            .collect();
+        named
+    }));
+}
+
+/// Catches: a script, font, image or style sheet that a reader's browser would fetch over the
+/// network.
+#[test]
+fn nothing_is_loaded_from_elsewhere() {
+    assert_none(on_each_page(|_, page| {
+        // A link a reader may click on is no load.
+        let loads = page.references.iter().filter(|(tag, _)| tag != "a");
+        loads.filter(|(_, url)| is_remote(url)).map(|(tag, url)| format!("<{tag}> {url}")).collect()
+    }));
+}
+
+/// Catches: a directive or a formula that reached the page as its source.
+#[test]
+fn no_source_is_left_in_the_prose() {
+    assert_none(on_each_page(|_, page| {
+        let left = |sign: &str| {
+            let at = page.prose.find(sign)?;
+            Some(page.prose[at..].chars().take(60).collect::<String>())
+        };
+        ["{{", "}}", "$$", "\\frac", "\\theta", "\\omega"].into_iter().filter_map(left).collect()
+    }));
+}
+
+/// Catches: an include that brought nothing.
+#[test]
+fn no_code_block_is_empty() {
+    assert_none(on_each_page(|_, page| {
+        let empty = page.code_blocks.iter().filter(|code| code.trim().is_empty());
+        empty.map(|_| "an empty code block".to_string()).collect()
+    }));
+}
+
+/// Catches: a formula that KaTeX could not set and printed in red.
+#[test]
+fn no_formula_is_in_error() {
+    assert_none(on_each_page(|_, page| {
+        page.classes.iter().filter(|class| *class == "katex-error").cloned().collect()
+    }));
+}
+
+/// Catches: a test's id that a heading has too, so that links lead to the wrong one.
+#[test]
+fn no_id_stands_twice_on_a_page() {
+    assert_none(on_each_page(|_, page| {
+        let mut seen = BTreeSet::new();
+        page.ids.iter().filter(|id| !seen.insert(*id)).cloned().collect()
+    }));
+}
+
+/// Catches: a chapter forgotten in SUMMARY.md, or one that mdBook dropped from it.
+#[test]
+fn every_chapter_is_in_the_book() {
+    let chapters = fs::read_dir(root().join("src")).unwrap().filter_map(|entry| {
+        let path = entry.unwrap().path();
+        let is_chapter = path.extension().is_some_and(|extension| extension == "md");
+        (is_chapter && !path.ends_with("SUMMARY.md")).then(|| path.file_stem().unwrap().to_owned())
+    });
+    assert_none(
+        chapters
+            .map(|stem| Path::new(&stem).with_extension("html"))
+            .filter(|page| !site().pages.contains_key(page))
+            .map(|page| page.display().to_string()),
+    );
+}
+
+/// The Rust files below `folder`, as paths from there.
+fn rust_files(folder: &Path) -> Vec<PathBuf> {
+    let entries = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+    let files = entries.flat_map(|path| match path.is_dir() {
+        true => rust_files(&path).into_iter().map(|below| path.join(below)).collect(),
+        false => vec![path],
+    });
+    let rust = files.filter(|file| file.extension().is_some_and(|extension| extension == "rs"));
+    rust.map(|file| file.strip_prefix(folder).unwrap().to_path_buf()).collect()
+}
+
+/// Catches: a file of tests that no page shows.
+#[test]
+fn every_file_of_tests_has_its_page() {
+    let files = rust_files(&root().join("../tests"));
+    assert!(files.len() > 50, "{files:?}");
+    let pages = files.iter().map(|file| Path::new("tests").join(file).with_extension("html"));
+    assert_none(
+        pages
+            .filter(|page| !site().pages.contains_key(page))
+            .map(|page| page.display().to_string()),
+    );
+}
+
+/// Catches: a file of tests that no program compiles, so that its tests never run; a folder of tests that Cargo does not
+/// know.
+#[test]
+fn every_file_of_tests_is_listed_in_its_program() {
+    let top = root().join("..");
+    let read = |path: PathBuf| fs::read_to_string(&path).unwrap_or_default();
+    let manifests = read(top.join("Cargo.toml")) + &read(root().join("study/Cargo.toml"));
+    let unlisted = |file: &PathBuf| {
+        let (folder, stem) = (file.parent()?, file.file_stem()?.to_str()?);
+        let listed_in = |list: PathBuf, line: &str| read(list).lines().any(|l| l == line);
+        let module = |folder: &Path, name: &str| {
+            let line = format!("mod {name};");
+            ["main.rs", "mod.rs"].into_iter().any(|list| {
+                let list = top.join("tests").join(folder).join(list);
+                listed_in(list.clone(), &line) || listed_in(list, &format!("pub {line}"))
+            })
+        };
+        let listed = match stem {
+            "main" => manifests.contains(&format!("tests/{}", file.display())),
+            "mod" => module(folder.parent()?, folder.file_name()?.to_str()?),
+            // What several programs share is named by its path.
+            _ if folder == Path::new("common") => true,
+            _ => module(folder, stem),
+        };
+        (!listed).then(|| file.display().to_string())
+    };
+    assert_none(rust_files(&top.join("tests")).iter().filter_map(unlisted));
+}
+
+/// Catches: checks that see nothing, because the reader of pages misses links, ids, code or text.
+#[test]
+fn the_checks_see_what_is_wrong() {
+    let page = Page::parse(
+        "<!DOCTYPE html><head><script src=\"https://x.example/a.js\">let a = '{{';</script></head>\
+         <h2 id=\"a\"><a href=\"#b\">A</a></h2><p id=\"a\">{{stated}} <code>{{fine}}</code></p>\
+         <pre><code class=\"language-rust\">\n</code></pre><b class=\"katex katex-error\">x</b>",
+    );
+    assert_eq!(page.ids, ["a", "a"]);
+    assert!(page.prose.contains("{{stated}}") && !page.prose.contains("fine"));
+    assert!(!page.prose.contains("let a"));
+    assert_eq!(page.code_blocks, ["\n"]);
+    assert!(page.classes.contains("katex-error"));
+    assert!(is_remote(&page.references[0].1));
+
+    let mut site = Site { pages: Default::default(), files: Default::default() };
+    for name in ["one.html", "tests/two.html"] {
+        site.files.insert(name.into());
+        site.pages.insert(name.into(), Page { ids: vec!["störmer".into()], ..Page::default() });
+    }
+    let from = Path::new("tests/two.html");
+    assert_eq!(site.broken(from, "../one.html#st%C3%B6rmer"), None);
+    assert_eq!(site.broken(from, "#störmer"), None);
+    assert_eq!(site.broken(from, "one.html"), Some("no such file"));
+    assert_eq!(site.broken(from, "../one.html#verlet"), Some("no such id"));
+}

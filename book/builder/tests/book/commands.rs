@@ -1,0 +1,455 @@
+//! The commands as a user sees them: what they print, and what they leave behind when something is wrong.
+
+use std::fs;
+use std::io::Read;
+use std::path::Path;
+use std::process::{Command, Output, Stdio};
+
+use pendula::adaptive::{Adaptive, Tolerance};
+use pendula::methods::{Dop853, Rk4, StormerVerlet};
+use pendula::systems::Joint;
+use pendula::{
+    DoublePendulum, Grid, Hamiltonian, METHODS, Motion, Pendulum, Phase, integrate, swing,
+};
+use serde_json::Value;
+
+fn pendula(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_pendula")).args(arguments).output().expect("it starts")
+}
+
+fn printed(arguments: &[&str]) -> String {
+    let output = pendula(arguments);
+    assert!(output.status.success(), "{arguments:?}: {output:?}");
+    String::from_utf8(output.stdout).expect("UTF-8")
+}
+
+fn json(arguments: &[&str]) -> Value {
+    serde_json::from_str(&printed(arguments)).expect("JSON")
+}
+
+/// One line on standard error, nothing on standard output, exit status 2.
+fn assert_refused(arguments: &[&str], because: &str) {
+    let output = pendula(arguments);
+    let message = String::from_utf8(output.stderr).expect("UTF-8");
+    assert_eq!(output.status.code(), Some(2), "{arguments:?}: {message}");
+    assert_eq!(message.lines().count(), 1, "{message}");
+    assert!(message.contains(because), "{message}");
+    assert!(output.stdout.is_empty());
+}
+
+fn numbers(csv: &str) -> Vec<Vec<f64>> {
+    let rows = csv.lines().skip(1);
+    rows.map(|row| row.split(',').map(|field| field.parse().expect("a number")).collect()).collect()
+}
+
+const RUN: [&str; 7] = ["simulate", "--method", "stormer-verlet", "--theta0", "1", "--dt", "0.01"];
+
+fn run_with<'a>(more: &[&'a str]) -> Vec<&'a str> {
+    RUN.iter().copied().chain(more.iter().copied()).collect()
+}
+
+/// Catches: numbers that read back to their neighbours, another energy than Eq. 3, accumulated time, a lost last row.
+#[test]
+fn simulate_prints_what_the_library_computes() {
+    let text = printed(&run_with(&["--duration", "10", "--omega0", "-0.5"]));
+    assert!(text.starts_with("t,theta,omega,energy\n"));
+    let mut expected = Vec::new();
+    let pendulum = Pendulum::PAPER;
+    let start = Phase { theta: 1.0, omega: -0.5 };
+    let grid = Grid::over(10.0, 0.01).unwrap();
+    swing(&pendulum, &StormerVerlet, start, &grid, &mut |_, t, z: Phase| {
+        expected.push(vec![t, z.theta, z.omega, pendulum.hamiltonian(z)]);
+    });
+    assert_eq!(numbers(&text), expected);
+}
+
+/// Catches: a --every that counts from the wrong sample, and JSON that differs from the CSV.
+#[test]
+fn every_and_json_select_and_format_the_same_rows() {
+    let all = numbers(&printed(&run_with(&["--steps", "100"])));
+    let some = numbers(&printed(&run_with(&["--steps", "100", "--every", "30"])));
+    assert_eq!(some, [0, 30, 60, 90].map(|n: usize| all[n].clone()));
+    let objects = json(&run_with(&["--steps", "100", "--every", "30", "--format", "json"]));
+    for (object, row) in objects.as_array().unwrap().iter().zip(&some) {
+        for (name, value) in ["t", "theta", "omega", "energy"].iter().zip(row) {
+            assert_eq!(object[name].as_f64(), Some(*value));
+        }
+    }
+}
+
+/// Catches: g, L, m read into each other's places.
+#[test]
+fn simulate_takes_the_pendulum_it_is_given() {
+    let text =
+        printed(&run_with(&["--steps", "1", "--gravity", "3", "--length", "2", "--mass", "5"]));
+    let energy = Pendulum::new(3.0, 2.0, 5.0).unwrap().hamiltonian(Phase::at_rest(1.0));
+    assert_eq!(numbers(&text)[0][3], energy);
+}
+
+fn adaptive<'a>(theta0: &'a str, duration: &'a str, tolerance: &'a str) -> [&'a str; 9] {
+    [
+        "adaptive",
+        "--method",
+        "dop853",
+        "--theta0",
+        theta0,
+        "--duration",
+        duration,
+        "--tolerance",
+        tolerance,
+    ]
+}
+
+/// Catches: the start or the last step left out, a tolerance or a direction of time that does not arrive, one method for the
+/// other.
+#[test]
+fn adaptive_prints_what_the_library_computes() {
+    let pendulum = Pendulum::new(9.81, 2.5, 1.0).unwrap();
+    for duration in [10.0, -10.0] {
+        let mut expected = Vec::new();
+        let control = Adaptive::new(Dop853, Tolerance::of(1e-8).unwrap());
+        let mut watch = |_, t, z: Phase| {
+            expected.push(vec![t, z.theta, z.omega, pendulum.hamiltonian(z)]);
+        };
+        control.integrate(&pendulum, Phase::at_rest(3.0), 0.0, duration, &mut watch).unwrap();
+        let duration = duration.to_string();
+        let arguments = adaptive("3", &duration, "1e-8").into_iter().chain(["--length", "2.5"]);
+        let text = printed(&arguments.clone().collect::<Vec<_>>());
+        assert!(text.starts_with("t,theta,omega,energy\n"));
+        assert_eq!(numbers(&text), expected);
+        let other: Vec<_> =
+            arguments.map(|a| if a == "dop853" { "dormand-prince" } else { a }).collect();
+        assert!(numbers(&printed(&other)).len() > expected.len());
+    }
+}
+
+const DOUBLE: [&str; 9] =
+    ["double-pendulum", "--theta1", "2", "--theta2", "-0.5", "--dt", "0.01", "--omega2", "1.5"];
+
+fn double_with<'a>(more: &[&'a str]) -> Vec<&'a str> {
+    DOUBLE.iter().copied().chain(more.iter().copied()).collect()
+}
+
+/// Catches: upper and lower exchanged, momenta printed for velocities, a y that points down, rows that an animation cannot
+/// read.
+#[test]
+fn the_double_pendulum_is_printed_ready_to_be_drawn() {
+    let shape = ["--length1", "1.3", "--length2", "0.6", "--mass1", "0.7", "--mass2", "1.9"];
+    let text = printed(&[&double_with(&["--steps", "200", "--gravity", "3"])[..], &shape].concat());
+    assert!(text.starts_with("t,theta1,theta2,omega1,omega2,x1,y1,x2,y2,energy\n"));
+    let rows = numbers(&text);
+    assert_eq!(rows.len(), 201);
+    let upper = Joint { length: 1.3, mass: 0.7 };
+    let double = DoublePendulum::new(3.0, upper, Joint { length: 0.6, mass: 1.9 }).unwrap();
+    let start = double.start([2.0, -0.5], [0.0, 1.5]).unwrap();
+    let end = integrate(&double, &Rk4, start, &Grid::new(0.01, 200).unwrap(), &mut ());
+    let last = &rows[200];
+    assert_eq!(last[..3], [2.0, end.theta1, end.theta2]);
+    assert_eq!(last[3..5], double.velocities(end));
+    assert_eq!(last[9], double.energy(end));
+    // By hand, at the start: to a few roundings.
+    let places = [1.3 * 2_f64.sin(), -1.3 * 2_f64.cos()];
+    let lower = [places[0] - 0.6 * 0.5_f64.sin(), places[1] - 0.6 * 0.5_f64.cos()];
+    for (place, by_hand) in rows[0][5..9].iter().zip(places.into_iter().chain(lower)) {
+        assert!((place - by_hand).abs() < 1e-15, "{place} {by_hand}");
+    }
+}
+
+/// Catches: bad input that gets through, a panic, a message of several lines, another exit status.
+#[test]
+fn bad_input_is_refused_in_one_line() {
+    assert_refused(&["simulate", "--method", "rk5"], "forward-euler");
+    assert_refused(&run_with(&[]), "--duration");
+    assert_refused(&run_with(&["--steps", "1", "--duration", "1"]), "cannot be used with");
+    assert_refused(&run_with(&["--steps", "-1"]), "-1");
+    assert_refused(&run_with(&["--steps", "1", "--every", "0"]), "--every");
+    assert_refused(&run_with(&["--steps", "1", "--mass", "nan"]), "finite and greater than zero");
+    assert_refused(&run_with(&["--steps", "1", "--gravity", "-9.81"]), "greater than zero");
+    assert_refused(&run_with(&["--duration", "0.015"]), "whole number of steps");
+    assert_refused(&run_with(&["--steps", "9007199254740993"]), "2^53");
+    assert_refused(&run_with(&["--steps", "1", "--omega0", "inf"]), "angular velocity");
+    assert_refused(&double_with(&[]), "--duration");
+    assert_refused(&double_with(&["--steps", "1", "--mass2", "0"]), "mass m₂ (kg) = 0.0");
+    assert_refused(&double_with(&["--steps", "1", "--omega1", "nan"]), "ω₁");
+    assert_refused(&double_with(&["--duration", "0.015"]), "whole number of steps");
+    for (theta0, dt, duration, because) in [
+        ("1", "0.01", "10", "exactly one"),
+        ("0:1:5", "0.1:0.01:5", "10", "exactly one"),
+        ("0:1:1", "0.01", "10", "2 or more"),
+        ("0:1", "0.01", "10", "FROM:TO:COUNT"),
+        ("0:nan:5", "0.01", "10", "FROM:TO:COUNT"),
+        ("0:1e16:5", "0.01", "10", "at most 1e15"),
+        ("0:1:5", "0.015", "0.1", "whole number of steps"),
+        ("1", "-0.1:0.1:5", "10", "greater than zero"),
+        ("1", "0.1:20:5", "10", "at most the duration"),
+        ("1", "0.1:1e-300:5", "10", "2^53"),
+    ] {
+        assert_refused(&ensemble(theta0, dt, duration), because);
+    }
+    assert_refused(&adaptive("1", "10", "0"), "greater than zero");
+    assert_refused(&adaptive("1", "10", "1e-16"), "2.22e-15");
+    assert_refused(&adaptive("1", "inf", "1e-6"), "finite");
+    assert_refused(&adaptive("nan", "10", "1e-6"), "angle");
+    assert_refused(&["adaptive", "--method", "rk4"], "dormand-prince, dop853");
+    assert_refused(&["work-precision", "--seconds", "-1"], "greater than zero");
+    assert_refused(&["work-precision", "--output", "/no/such/folder"], "--output");
+    assert_refused(&["exact", "--theta0", "1", "--t", "1,two"], "two");
+    assert_refused(&["exact", "--theta0", "1", "--t", "inf"], "refused");
+    assert_refused(&["period", "--theta0", "nan"], "finite");
+    assert_refused(&["tables", "--table", "3"], "2, 4, 5, 6, 7, 8");
+    assert_refused(&["tables", "--format", "xml"], "json");
+}
+
+fn ensemble<'a>(theta0: &'a str, dt: &'a str, duration: &'a str) -> [&'a str; 9] {
+    ["ensemble", "--method", "rk4", "--theta0", theta0, "--dt", dt, "--duration", duration]
+}
+
+/// The row of the ensemble that one run of `simulate` comes to.
+fn row_of_one_run(theta0: f64, dt: f64) -> Vec<f64> {
+    let [theta, step] = [theta0, dt].map(|x| x.to_string());
+    let arguments = ["--method", "rk4", "--theta0", &theta, "--dt", &step, "--duration", "10"];
+    let rows = numbers(&printed(&[&["simulate"], &arguments[..]].concat()));
+    let energy = |row: &Vec<f64>| Pendulum::PAPER.energy(Phase { theta: row[1], omega: row[2] });
+    let largest = rows.iter().map(|row| (energy(row) - energy(&rows[0])).abs()).fold(0.0, f64::max);
+    let last = rows.last().unwrap();
+    vec![theta0, dt, last[1], last[2], largest]
+}
+
+/// Catches: lanes that mix up their starts, an end one step early, an energy error that leaves samples out.
+#[test]
+fn a_sweep_over_starts_is_a_run_from_each() {
+    let rows = numbers(&printed(&ensemble("-1:3:5", "0.01", "10")));
+    assert_eq!(rows, [-1.0, 0.0, 1.0, 2.0, 3.0].map(|theta0| row_of_one_run(theta0, 0.01)));
+}
+
+/// Catches: a step in the rows that is not the one that was taken, rows in the order in which runs end.
+#[test]
+fn a_sweep_over_steps_is_a_run_with_each() {
+    let rows = numbers(&printed(&ensemble("1", "0.1:0.001:5", "10")));
+    let steps: Vec<f64> = rows.iter().map(|row| row[1]).collect();
+    assert_eq!(steps, [100, 316, 1000, 3162, 10000].map(|n| 10.0 / f64::from(n)));
+    assert_eq!(rows, steps.iter().map(|dt| row_of_one_run(1.0, *dt)).collect::<Vec<_>>());
+}
+
+/// Catches: a sweep of several batches that loses or repeats one, a file that is not what is printed, or is
+/// left by a sweep that fails.
+#[test]
+fn a_large_sweep_is_whole_in_its_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("sweep.csv");
+    let sweep = ensemble("0:1:10001", "0.1", "0.2");
+    let to_file = ["--output", path.to_str().unwrap()];
+    assert_eq!(printed(&[&sweep[..], &to_file].concat()), "");
+    let text = fs::read_to_string(&path).unwrap();
+    assert_eq!(text, printed(&sweep));
+    let starts: Vec<f64> = numbers(&text).iter().map(|row| row[0]).collect();
+    assert_eq!(starts, (0..=10_000).map(|i| f64::from(i) / 1e4).collect::<Vec<_>>());
+
+    let failing = ["ensemble", "--method", "forward-euler", "--theta0", "0:1:5", "--dt", "1e200"];
+    let failing = [&failing[..], &["--duration", "1e201"], &to_file].concat();
+    assert_eq!(pendula(&failing).status.code(), Some(1));
+    assert_eq!(files(folder.path()), ["sweep.csv"]);
+    assert_eq!(fs::read_to_string(&path).unwrap(), text);
+}
+
+/// Catches: a method or a scene left out, formats that disagree, files that are not there.
+#[test]
+fn work_against_precision_is_printed_and_drawn() {
+    let folder = tempfile::tempdir().unwrap();
+    let run = ["work-precision", "--seconds", "0.2", "--output", folder.path().to_str().unwrap()];
+    let rows = json(&[&run[..], &["--format", "json"]].concat());
+    let csv = fs::read_to_string(folder.path().join("work-precision.csv")).unwrap();
+    let rows = rows.as_array().unwrap();
+    assert_eq!(csv.lines().count(), rows.len() + 1);
+    for (line, row) in csv.lines().skip(1).zip(rows) {
+        let fields: Vec<&str> = line.split(',').collect();
+        assert_eq!(row["method"], fields[2]);
+        assert_eq!(row["error"].as_f64(), fields[5].parse().ok());
+        assert!(row["seconds"].as_f64().unwrap() > 0.0);
+    }
+    for theta0 in [1.0, 3.0] {
+        assert!(rows.iter().any(|row| row["theta0"] == theta0 && row["method"] == "rk4"), "{csv}");
+    }
+    let svg = fs::read_to_string(folder.path().join("work-precision.svg")).unwrap();
+    assert!(METHODS.iter().all(|method| svg.contains(method.properties().title)));
+    let mut left = files(folder.path());
+    left.sort();
+    assert_eq!(left, ["work-precision.csv", "work-precision.svg"]);
+}
+
+/// Catches: infinity or NaN printed as if it were a result.
+#[test]
+fn a_trajectory_that_leaves_the_range_of_numbers_is_an_error() {
+    let output = pendula(&[
+        "simulate",
+        "--method",
+        "forward-euler",
+        "--theta0",
+        "1",
+        "--dt",
+        "1e200",
+        "--steps",
+        "9",
+    ]);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(String::from_utf8_lossy(&output.stderr).contains("smaller step"));
+}
+
+fn files(folder: &Path) -> Vec<String> {
+    let entries = fs::read_dir(folder).unwrap();
+    entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect()
+}
+
+/// Catches: a file that differs from standard output, a temporary file left beside it, an old file not replaced.
+#[test]
+fn output_appears_whole_in_its_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("run.csv");
+    fs::write(&path, "old").unwrap();
+    let arguments = ["--steps", "50", "--output", path.to_str().unwrap()];
+    assert_eq!(printed(&run_with(&arguments)), "");
+    assert_eq!(fs::read_to_string(&path).unwrap(), printed(&run_with(&["--steps", "50"])));
+    assert_eq!(files(folder.path()), ["run.csv"]);
+}
+
+/// Catches: a file half written, or the old one destroyed, by a request that is refused or fails.
+#[test]
+fn a_request_that_fails_leaves_files_alone() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("run.csv");
+    fs::write(&path, "old").unwrap();
+    let path = path.to_str().unwrap();
+    assert_refused(&run_with(&["--duration", "0.015", "--output", path]), "whole number");
+    let run = ["simulate", "--method", "rk4", "--theta0", "1", "--dt", "1e200", "--steps", "9"];
+    let run: Vec<&str> = run.iter().copied().chain(["--output", path]).collect();
+    assert_eq!(pendula(&run).status.code(), Some(1));
+    assert_refused(&run_with(&["--steps", "1", "--output", "/no/such/folder/x.csv"]), "--output");
+    assert_refused(
+        &run_with(&["--steps", "1", "--output", folder.path().to_str().unwrap()]),
+        "--output",
+    );
+    assert_eq!(files(folder.path()), ["run.csv"]);
+    assert_eq!(fs::read_to_string(path).unwrap(), "old");
+}
+
+/// Catches: NaN printed by a method that finds no solution; a step too long for it called an overflow, or a failure that no other
+/// step would mend; a file left behind.
+#[test]
+fn a_step_whose_equations_are_not_solved_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("run.csv");
+    for method in ["implicit-midpoint", "gauss-4", "gauss-6", "gauss-16"] {
+        let simulate =
+            ["simulate", "--method", method, "--theta0", "1", "--dt", "5", "--duration", "20"];
+        let ensemble =
+            ["ensemble", "--method", method, "--theta0", "1:2:3", "--dt", "5", "--duration", "20"];
+        for run in [&simulate[..], &ensemble[..]] {
+            let run = [run, &["--output", path.to_str().unwrap()]].concat();
+            let refused = format!("a step of 5.0 s is refused: the iteration of {method}");
+            assert_refused(&run, &refused);
+            assert!(files(folder.path()).is_empty());
+        }
+    }
+    let short = ["--method", "gauss-4", "--theta0", "1", "--dt", "0.1", "--steps", "5"];
+    assert!(!printed(&[&["simulate"], &short[..]].concat()).contains("NaN"));
+}
+
+/// Catches: an interrupt that leaves a temporary file behind. The run would take hours.
+#[cfg(unix)]
+#[test]
+fn an_interrupt_leaves_nothing_behind() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("run.csv");
+    let arguments =
+        ["--steps", "1000000000000", "--every", "1000000", "--output", path.to_str().unwrap()];
+    let mut run = Command::new(env!("CARGO_BIN_EXE_pendula"))
+        .args(run_with(&arguments))
+        .stderr(Stdio::null())
+        .spawn()
+        .unwrap();
+    // The temporary file shows that the run has begun and listens.
+    while files(folder.path()).is_empty() {
+        assert!(run.try_wait().unwrap().is_none(), "it ended by itself");
+        std::thread::yield_now();
+    }
+    let kill = Command::new("kill").args(["-INT", &run.id().to_string()]).status().unwrap();
+    assert!(kill.success());
+    assert!(!run.wait().unwrap().success());
+    assert!(files(folder.path()).is_empty());
+}
+
+/// Catches: `pendula simulate … | head` that complains about the closed pipe, or computes on for hours.
+#[test]
+fn a_closed_pipe_ends_it_quietly() {
+    let mut run = Command::new(env!("CARGO_BIN_EXE_pendula"))
+        .args(run_with(&["--steps", "1000000000000"]))
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let mut head = [0; 100];
+    run.stdout.take().unwrap().read_exact(&mut head).unwrap();
+    let output = run.wait_with_output().unwrap();
+    assert!(output.status.success() && output.stderr.is_empty(), "{output:?}");
+}
+
+/// Catches: times in another order, θ wrapped, arguments that do not reach the closed form.
+#[test]
+fn exact_prints_the_closed_form() {
+    let text = printed(&["exact", "--theta0", "-0.5", "--omega0", "7", "--t", "0,-3,1e3,0.1"]);
+    let motion = Motion::new(&Pendulum::PAPER, Phase { theta: -0.5, omega: 7.0 }).unwrap();
+    let row = |t| vec![t, motion.at(t).theta, motion.at(t).omega];
+    assert_eq!(numbers(&text), [0.0, -3.0, 1e3, 0.1].map(row));
+}
+
+/// Catches: a quantity missing or under another name.
+#[test]
+fn period_prints_what_it_is_made_of() {
+    let text = printed(&["period", "--theta0", "3", "--length", "1"]);
+    let names: Vec<&str> = text.lines().map(|line| line.split(' ').next().unwrap()).collect();
+    assert_eq!(names, ["T", "T0", "T/T0", "K", "modulus"]);
+    let period = text.lines().next().unwrap().split_whitespace().nth(1).unwrap();
+    assert_eq!(period.parse(), Ok(pendula::exact::period(&Pendulum::PAPER, 3.0).unwrap()));
+}
+
+/// Catches: a cell without its id, value or verdict, and formats that disagree.
+#[test]
+fn tables_have_every_cell_in_every_format() {
+    let cells = json(&["tables", "--format", "json"]);
+    let cells = cells.as_array().unwrap();
+    let csv = printed(&["tables", "--format", "csv"]);
+    assert_eq!(csv.lines().next(), Some("id,stated,measured,verdict"));
+    assert_eq!(csv.lines().count(), cells.len() + 1);
+    for (cell, line) in cells.iter().zip(csv.lines().skip(1)) {
+        let fields: Vec<&str> = line.split(',').collect();
+        assert_eq!(fields.len(), 4, "{line}");
+        assert_eq!(cell["id"], fields[0]);
+        assert_eq!(cell["verdict"], fields[3]);
+    }
+    let cell = cells.iter().find(|cell| cell["id"] == "T4.rk4.0.01").unwrap();
+    assert_eq!(cell["stated"], 2.34e-7);
+    let text = printed(&["tables", "--table", "4"]);
+    assert!(text.starts_with("Table 4\n") && text.contains("2.33759 × 10⁻⁷"), "{text}");
+}
+
+/// Catches: claims lost on the way to the terminal, Markdown in it, a count that does not add up.
+#[test]
+fn claims_are_counted_by_verdict() {
+    let text = printed(&["claims"]);
+    assert!(!text.contains("**") && !text.contains('`'), "{text}");
+    let summary = text.lines().last().unwrap();
+    let (total, counts) = summary.split_once(" claims: ").expect("a summary");
+    let number = |words: &str| words.split(' ').next().unwrap().parse::<u32>().unwrap();
+    assert_eq!(number(total), counts.split(", ").map(number).sum::<u32>());
+    let claims = json(&["claims", "--format", "json"]);
+    assert_eq!(claims.as_array().unwrap().len(), number(total) as usize);
+}
+
+/// Catches: a verdict that does not hold but ends with status 0.
+#[test]
+fn every_claim_is_upheld() {
+    let claims = json(&["claims", "--format", "json"]);
+    for claim in claims.as_array().unwrap() {
+        assert_eq!(claim["verdict"], claim["recorded"], "{claim}");
+    }
+}

@@ -1,0 +1,365 @@
+//! The lab in the book runs the library: the compiled file that its page loads, in an interpreter, against the library as
+//! it is.
+
+use std::fs;
+use std::path::Path;
+use std::sync::LazyLock;
+
+use pendula::{
+    AnyMethod, Damped, Grid, Hamiltonian, METHODS, Motion, Observer, Pendulum, Phase, Properties,
+    integrate,
+};
+use wasmi::{Engine, Instance, Linker, Module, Store, TypedFunc, WasmParams, WasmResults};
+
+/// What a page may have to load for it: 40 KB.
+const LARGEST_FILE: usize = 40 * 1024;
+
+/// The bytes of the file.
+fn wasm() -> Vec<u8> {
+    let book = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap();
+    let script = fs::read_to_string(book.join("src/assets/lab.wasm.js")).unwrap();
+    let (_, rest) = script.split_once("globalThis.pendulaLab = \"").expect("the script's one line");
+    decoded(rest.split_once("\";").expect("its end").0)
+}
+
+/// Base64, RFC 4648, Section 4.
+fn decoded(text: &str) -> Vec<u8> {
+    const LETTERS: &[u8] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    let mut bytes = Vec::new();
+    let (mut bits, mut count) = (0_u32, 0);
+    for letter in text.trim_end_matches('=').bytes() {
+        let six = LETTERS.iter().position(|known| *known == letter).expect("a letter of base64");
+        bits = (bits << 6) | six as u32;
+        count += 6;
+        if count >= 8 {
+            count -= 8;
+            bytes.push((bits >> count) as u8);
+        }
+    }
+    bytes
+}
+
+/// What the page can ask, numbered as in `book/lab/src/bench.rs`.
+mod quantity {
+    pub const THETA: u32 = 0;
+    pub const OMEGA: u32 = 1;
+    pub const TIME: u32 = 2;
+    pub const STEPS: u32 = 3;
+    pub const EVALUATIONS: u32 = 4;
+    pub const ENERGY: u32 = 5;
+    pub const ERROR: u32 = 6;
+    pub const LOWEST: u32 = 7;
+    pub const HIGHEST: u32 = 8;
+    pub const LARGEST: u32 = 9;
+    pub const LIMIT: u32 = 10;
+    pub const PERIOD: u32 = 11;
+    pub const INITIAL: u32 = 12;
+}
+
+/// The lab, as a page has it.
+struct Lab {
+    store: Store<()>,
+    instance: Instance,
+    read: TypedFunc<(u32, u32), f64>,
+    advance: TypedFunc<(u32, u32), u32>,
+}
+
+/// A scene: method, g, L, β, θ₀, ω₀, Δt.
+type Scene = (u32, f64, f64, f64, f64, f64, f64);
+
+impl Lab {
+    fn new() -> Self {
+        let engine = Engine::default();
+        let module = Module::new(&engine, wasm()).unwrap();
+        assert_eq!(module.imports().count(), 0, "it would ask something of the page");
+        let mut store = Store::new(&engine, ());
+        let instance = Linker::new(&engine).instantiate_and_start(&mut store, &module).unwrap();
+        let read = instance.get_typed_func(&store, "read").unwrap();
+        let advance = instance.get_typed_func(&store, "advance").unwrap();
+        Self { store, instance, read, advance }
+    }
+
+    fn call<P: WasmParams, R: WasmResults>(&mut self, name: &str, parameters: P) -> R {
+        let function = self.instance.get_typed_func(&self.store, name).unwrap();
+        function.call(&mut self.store, parameters).unwrap()
+    }
+
+    fn set(&mut self, place: u32, scene: Scene) -> bool {
+        let (method, g, length, damping, theta, omega, step) = scene;
+        1 == self.call::<_, u32>("set", (place, method, g, length, damping, theta, omega, step))
+    }
+
+    fn advance(&mut self, place: u32, steps: u32) -> u32 {
+        self.advance.call(&mut self.store, (place, steps)).unwrap()
+    }
+
+    fn read(&mut self, place: u32, quantity: u32) -> f64 {
+        self.read.call(&mut self.store, (place, quantity)).unwrap()
+    }
+
+    fn text(&mut self, method: u32, which: u32) -> String {
+        let at: u32 = self.call("text_at", (method, which));
+        let length: u32 = self.call("text_length", (method, which));
+        let memory = self.instance.get_memory(&self.store, "memory").unwrap();
+        let bytes = &memory.data(&self.store)[at as usize..][..length as usize];
+        String::from_utf8(bytes.to_vec()).unwrap()
+    }
+}
+
+const STALE: &str = "book/src/assets/lab.wasm.js is stale: run book/lab/build";
+
+/// Compares the bits; but a NaN, of an implicit step that is not solved, has many.
+#[track_caller]
+fn assert_bits(lab: f64, library: f64, what: impl FnOnce() -> String) {
+    assert!(
+        lab.to_bits() == library.to_bits() || (lab.is_nan() && library.is_nan()),
+        "{}: {lab:e}, and in the library {library:e}\n{STALE}",
+        what()
+    );
+}
+
+/// Holds each sample of a trajectory of the library against the lab's pendulum, which is moved along.
+struct Beside<'a> {
+    lab: &'a mut Lab,
+    pendulum: Pendulum,
+    motion: Option<Motion>,
+    name: &'static str,
+    initial: f64,
+    largest: f64,
+    compared: &'a mut u64,
+}
+
+impl Observer<Phase> for Beside<'_> {
+    fn observe(&mut self, n: u64, t: f64, z: Phase) {
+        if n > 0 {
+            assert_eq!(self.lab.advance(0, 1), 1);
+        }
+        let error = self.pendulum.energy(z) - self.initial;
+        self.largest = self.largest.max(error.abs());
+        let mut expected = vec![
+            (quantity::THETA, z.theta),
+            (quantity::OMEGA, z.omega),
+            (quantity::TIME, t),
+            (quantity::ERROR, error),
+            (quantity::ENERGY, self.pendulum.hamiltonian(z)),
+        ];
+        if n.is_multiple_of(64) {
+            expected.extend([(quantity::STEPS, n as f64), (quantity::LARGEST, self.largest)]);
+        }
+        for (quantity, expected) in expected {
+            let seen = self.lab.read(0, quantity);
+            assert_bits(seen, expected, || format!("{}, {quantity} after {n} steps", self.name));
+            *self.compared += 1;
+        }
+        // The closed form takes as long as ten steps, and does not depend on the method.
+        if let Some(motion) = self.motion.filter(|_| n.is_multiple_of(64)) {
+            let exact = motion.at(t);
+            for (name, expected) in [("exact_theta", exact.theta), ("exact_omega", exact.omega)] {
+                let seen = self.lab.call(name, (0_u32, t));
+                assert_bits(seen, expected, || format!("{name} at {t} s"));
+                *self.compared += 1;
+            }
+        }
+    }
+}
+
+/// The pendulums of the page's sliders, their corners and beyond: g, L, β, θ₀, ω₀, Δt.
+const PENDULUMS: [(f64, f64, f64, f64, f64, f64); 8] = [
+    (9.81, 1.0, 0.0, 1.0, 0.0, 0.01),
+    (9.81, 1.0, 0.0, 3.0, 0.0, 0.05),
+    (1.62, 2.5, 0.0, -0.3, 4.5, 0.001),
+    (24.8, 0.1, 0.0, 0.0, -40.0, 0.0025),
+    // The last torus, and beyond each limit of stability.
+    (9.81, 1.0, 0.0, 0.1, 3.0, 0.31471),
+    (9.81, 1.0, 0.0, 0.5, 0.0, 1.5),
+    (9.81, 1.0, 0.3, 2.5, 1.0, 0.02),
+    (3.71, 0.7, 2.0, -3.1, 9.0, 0.2),
+];
+
+/// Every method of the library, on each of those pendulums, step by step, in angle, velocity, time, energy and its error; the
+/// closed form; and the counts.
+///
+/// Catches: a file compiled before the library changed; a compiler that contracts, reorders or rounds otherwise; a step that
+/// is not the one of `swing` or `integrate`; a memo lost between two calls.
+#[test]
+fn the_committed_file_has_the_bits_of_the_library() {
+    let mut lab = Lab::new();
+    let mut compared = 0;
+    for (index, method) in METHODS.iter().enumerate() {
+        for scene in PENDULUMS {
+            compare(&mut lab, index as u32, *method, scene, &mut compared);
+        }
+    }
+    assert!(compared >= 1_000_000, "only {compared} values");
+}
+
+fn compare(
+    lab: &mut Lab,
+    index: u32,
+    method: &dyn AnyMethod,
+    (g, length, damping, theta, omega, step): (f64, f64, f64, f64, f64, f64),
+    compared: &mut u64,
+) {
+    // An interpreter takes its time, and most of the million values cost a force evaluation or two.
+    let steps = match method.properties() {
+        Properties { implicit: true, .. } => 50,
+        Properties { force_evaluations: 0..=4, .. } => 2_800,
+        _ => 200,
+    };
+    let pendulum = Pendulum::new(g, length, 1.0).unwrap();
+    let start = pendulum.start(theta, omega).unwrap();
+    let grid = Grid::new(step, steps).unwrap();
+    let is_general = GENERAL.contains(&method.properties().name);
+    let stands = lab.set(0, (index, g, length, damping, theta, omega, step));
+    assert_eq!(stands, damping == 0.0 || is_general, "{STALE}");
+    if !stands {
+        return;
+    }
+    let motion = (damping == 0.0).then(|| Motion::new(&pendulum, start).unwrap());
+    let initial = pendulum.energy(start);
+    let name = method.properties().name;
+    let mut beside = Beside { lab, pendulum, motion, name, initial, largest: 0.0, compared };
+    let end = if damping == 0.0 {
+        method.run(&pendulum, start, &grid, &mut beside)
+    } else {
+        let damped = Damped::new(pendulum, damping).unwrap();
+        damped_run(name, &damped, start, &grid, &mut beside)
+    };
+    assert_bits(lab.read(0, quantity::THETA), end.theta, || format!("{name}, at the end"));
+    assert_bits(lab.read(0, quantity::INITIAL), initial, || "the energy at the start".to_string());
+    let limit = lab.read(0, quantity::LIMIT);
+    assert!(limit >= 8_192.0, "{name}: only {limit} steps");
+    let evaluations = lab.read(0, quantity::EVALUATIONS);
+    if damping == 0.0 {
+        // What a method with iterations asks for depends on its rounding, which is another in steps than in seconds.
+        if !method.properties().implicit {
+            let counted = method.count_evaluations(&pendulum, start, &grid);
+            assert_eq!(evaluations, counted as f64, "{name}\n{STALE}");
+        }
+        let period = motion.unwrap().period().unwrap();
+        assert_bits(lab.read(0, quantity::PERIOD), period, || "the period".to_string());
+    } else {
+        assert!(lab.read(0, quantity::PERIOD).is_nan(), "a period in spite of damping");
+    }
+}
+
+macro_rules! damped_run {
+    ($($module:ident::$method:ident,)+) => {
+        /// The methods that suit every system, a damped one too.
+        static GENERAL: LazyLock<Vec<&str>> = LazyLock::new(|| {
+            use pendula::{Described, methods};
+            vec![$(methods::$method.properties().name,)+]
+        });
+
+        fn damped_run(
+            name: &str,
+            system: &Damped,
+            start: Phase,
+            grid: &Grid,
+            observer: &mut impl Observer<Phase>,
+        ) -> Phase {
+            use pendula::{Described, methods};
+            $(
+                let method = methods::$method;
+                if method.properties().name == name {
+                    return integrate(system, &method, start, grid, observer);
+                }
+            )+
+            panic!("no method {name}")
+        }
+    };
+}
+pendula::general_methods!(damped_run);
+
+/// Catches: a list of methods that is not the library's, or in another order; a title cut in the middle of a letter.
+#[test]
+fn the_page_offers_the_methods_of_the_library() {
+    let mut lab = Lab::new();
+    let count: u32 = lab.call("methods", ());
+    let names: Vec<_> = (0..count).map(|i| [lab.text(i, 0), lab.text(i, 1)]).collect();
+    let properties = METHODS.iter().map(|method| method.properties());
+    let known: Vec<_> = properties.map(|p| [p.name.to_string(), p.title.to_string()]).collect();
+    assert_eq!(names, known, "{STALE}");
+    assert_eq!(lab.text(count, 0) + &lab.text(0, 2), "");
+}
+
+/// Catches: steps that depend on how many are taken at once; extremes that miss a step or remember what was looked at.
+#[test]
+fn many_steps_at_once_are_the_same_steps() {
+    let mut lab = Lab::new();
+    let scene = (2, 9.81, 1.0, 0.0, 1.0, 0.0, 0.05);
+    assert!(lab.set(0, scene) && lab.set(7, scene));
+    for _ in 0..50 {
+        assert_eq!(lab.advance(0, 20), 20);
+        let (mut lowest, mut highest) = (f64::INFINITY, f64::NEG_INFINITY);
+        // What was seen last belongs to the next span too, so that the spans touch.
+        for _ in 0..=20 {
+            let error = lab.read(7, quantity::ERROR);
+            (lowest, highest) = (lowest.min(error), highest.max(error));
+            if lab.read(7, quantity::STEPS) < lab.read(0, quantity::STEPS) {
+                lab.advance(7, 1);
+            }
+        }
+        for one in [quantity::THETA, quantity::OMEGA, quantity::LARGEST, quantity::EVALUATIONS] {
+            assert_eq!(lab.read(0, one), lab.read(7, one));
+        }
+        assert_eq!(lab.read(0, quantity::LOWEST), lowest);
+        assert_eq!(lab.read(0, quantity::HIGHEST), highest);
+        lab.call::<_, ()>("look", 0_u32);
+    }
+}
+
+/// Catches: a number from the page that lets in a NaN or stops the machine, a place that keeps what was refused in it, steps
+/// beyond the last.
+#[test]
+fn what_the_library_refuses_leaves_an_empty_place() {
+    let mut lab = Lab::new();
+    let places: u32 = lab.call("places", ());
+    let fine = (0, 9.81, 1.0, 0.0, 1.0, 0.0, 0.01);
+    assert!(places >= 5 && lab.set(places - 1, fine) && !lab.set(places, fine));
+    let (nan, infinity) = (f64::NAN, f64::INFINITY);
+    for refused in [
+        (METHODS.len() as u32, 9.81, 1.0, 0.0, 1.0, 0.0, 0.01),
+        (0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.01),
+        (0, 9.81, -1.0, 0.0, 1.0, 0.0, 0.01),
+        (0, 9.81, 1.0, -0.1, 1.0, 0.0, 0.01),
+        (0, 9.81, 1.0, nan, 1.0, 0.0, 0.01),
+        (0, 9.81, 1.0, 0.0, nan, 0.0, 0.01),
+        (0, 9.81, 1.0, 0.0, 1.0, infinity, 0.01),
+        (0, 9.81, 1.0, 0.0, 1.0, 0.0, 0.0),
+    ] {
+        assert!(lab.set(0, fine) && !lab.set(0, refused), "{refused:?}");
+        assert_eq!(lab.advance(0, 1), 0);
+        assert!(lab.read(0, quantity::THETA).is_nan());
+    }
+    assert!(lab.read(places, quantity::THETA).is_nan());
+    // So many steps a run has, and no more: with kicks this large its half turns soon are too many to be counted.
+    assert!(lab.set(0, (0, 1e7, 1.0, 0.0, 1.0, 0.0, 1.0)));
+    let limit = lab.read(0, quantity::LIMIT) as u32;
+    assert!((1..1000).contains(&limit), "{limit}");
+    assert_eq!(lab.advance(0, u32::MAX), limit);
+    assert_eq!(lab.advance(0, 1), 0);
+}
+
+/// On the separatrix ω = 2ω₀ cos(θ/2), to a few roundings of the largest ω; and it goes from −π to π.
+///
+/// Catches: another curve.
+#[test]
+fn the_separatrix_is_the_pendulums() {
+    let mut lab = Lab::new();
+    assert!(lab.set(0, (0, 4.0, 0.25, 0.0, 1.0, 0.0, 0.01)));
+    for i in -40_i32..=40 {
+        let t = f64::from(i) * 0.1;
+        let theta: f64 = lab.call("separatrix_theta", (0_u32, t));
+        let omega: f64 = lab.call("separatrix_omega", (0_u32, t));
+        assert!((omega - 8.0 * (0.5 * theta).cos()).abs() < 8.0 * 1e-15, "{t}: {theta} {omega}");
+        assert!(i.abs() < 40 || (theta.abs() - std::f64::consts::PI).abs() < 1e-6);
+    }
+}
+
+/// Catches: a page that grows heavy.
+#[test]
+fn the_file_is_small() {
+    let size = wasm().len();
+    assert!(size <= LARGEST_FILE, "{size} bytes");
+}

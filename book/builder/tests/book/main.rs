@@ -1,0 +1,8 @@
+//! The book as it is built, its lab, and the binary `pendula` as its users call it.
+
+mod built_book;
+mod chapters;
+mod command_line;
+mod commands;
+mod lab;
+mod pages;

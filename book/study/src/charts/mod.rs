@@ -1,0 +1,517 @@
+//! Series to SVG: the charts of the book, in one visual language, with the same bytes everywhere.
+//!
+//! A [`Figure`] is one [`Chart`] or several, stacked or side by side. Its lines and markers carry classes whose
+//! colours follow the book's theme, or the reader's preference where the SVG stands alone.
+//!
+//! ```
+//! use pendula_study::charts::{Axis, Chart, Figure, Style};
+//!
+//! let errors = [(0.1, 1.1e-1), (0.01, 1.1e-3), (0.001, 1.1e-5)];
+//! let chart = Chart::new(Axis::log("Δt (s)"), Axis::log("energy error (J)"))
+//!     .series("Störmer–Verlet", Style::numbered(2), errors)
+//!     .slope(2.0, (0.01, 3e-4), 0.001, "slope 2");
+//! let svg = Figure::new("Energy error against step", "On a log–log plot the errors fall by …")
+//!     .panel(chart)
+//!     .to_svg("convergence");
+//! assert!(svg.starts_with("<svg") && !svg.contains("\n\n"));
+//! ```
+
+mod axis;
+mod path;
+mod plot;
+mod style;
+mod text;
+
+pub use axis::Axis;
+use axis::Scale;
+use path::{Num, Point};
+use plot::Plot;
+pub use style::Style;
+use text::{draw_text, escape, line, width};
+
+const WIDTH: f64 = 600.0;
+/// Room to the right of a plot, for half a tick label.
+const RIGHT: f64 = 20.0;
+/// Height of a line of text.
+const ROW: f64 = 25.0;
+
+/// A picture: one chart, or several below or beside each other with one legend.
+#[derive(Clone, Debug)]
+pub struct Figure {
+    title: String,
+    description: String,
+    panels: Vec<Chart>,
+    columns: usize,
+}
+
+impl Figure {
+    /// An empty figure. Title and description are for those who do not see it: the description
+    /// says in words what the picture shows.
+    pub fn new(title: impl Into<String>, description: impl Into<String>) -> Self {
+        let (title, description) = (title.into(), description.into());
+        Self { title, description, panels: Vec::new(), columns: 1 }
+    }
+
+    /// With one more chart below the others. Charts with the same x axis share its label.
+    pub fn panel(mut self, chart: Chart) -> Self {
+        self.panels.push(chart);
+        self
+    }
+
+    /// The charts stand in rows of `count`, filled from the left. A chart whose left neighbour has the
+    /// same y axis does not repeat what is written on it.
+    pub fn columns(self, count: usize) -> Self {
+        Self { columns: count.max(1), ..self }
+    }
+
+    /// The `<svg>` element, one element a line, without a blank line.
+    ///
+    /// Its id is `fig-{id}`, with all but ASCII letters and digits replaced by hyphens; each figure
+    /// of a page needs its own.
+    pub fn to_svg(&self, id: &str) -> String {
+        let plain = |c: char| if c.is_ascii_alphanumeric() { c } else { '-' };
+        let id = format!("fig-{}", id.chars().map(plain).collect::<String>());
+        let styles: Vec<Style> =
+            self.panels.iter().flat_map(|chart| &chart.series).map(|series| series.style).collect();
+        let mut body = String::new();
+        let mut top = self.draw_legend(&mut body);
+        let scales: Vec<_> = self.panels.iter().map(Chart::scales).collect();
+        let charts = self.panels.iter().zip(&scales);
+        let labels = charts.clone().flat_map(|(chart, (_, y))| y.ticks(chart.y_ticks()));
+        let widths = labels.filter_map(|tick| tick.label).map(|label| width(&label));
+        let margin = widths.fold(24.0, f64::max) + 14.0;
+        let rows = self.panels.chunks(self.columns).zip(scales.chunks(self.columns));
+        for (row, (charts, scales)) in rows.enumerate() {
+            let repeats = |i: usize| i > 0 && charts[i - 1].y == charts[i].y;
+            let margins = (0..self.columns.min(charts.len()))
+                .map(|i| if repeats(i) { 0.0 } else { margin })
+                .collect::<Vec<_>>();
+            let free = WIDTH - margins.iter().sum::<f64>() - RIGHT * self.columns as f64;
+            let (mut edge, mut bottom) = (0.0, top);
+            for (i, (chart, (x, y))) in charts.iter().zip(scales).enumerate() {
+                let index = row * self.columns + i;
+                let below = self.panels.get(index + self.columns);
+                let written = [below.is_none_or(|next| next.x != chart.x), !repeats(i)];
+                let left = edge + margins[i];
+                let right = left + free / self.columns as f64;
+                let plot = Plot::new(chart, [x, y], written, [edge, left, right], top);
+                bottom = plot.draw(&mut body, &format!("{id}-clip-{index}")).max(bottom);
+                edge = right + RIGHT;
+            }
+            top = bottom;
+        }
+        format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" id=\"{id}\" class=\"pendula {id}\" width=\"100%\" \
+             viewBox=\"0 0 {WIDTH} {}\" role=\"img\" aria-labelledby=\"{id}-title {id}-desc\">\n\
+             <title id=\"{id}-title\">{}</title>\n<desc id=\"{id}-desc\">{}</desc>\n{}{body}</svg>\n",
+            Num(top.ceil()),
+            escape(&self.title),
+            escape(&self.description),
+            style::style_sheet(&id, &styles),
+        )
+    }
+
+    /// Draws the legend in even columns and returns where it ends.
+    fn draw_legend(&self, out: &mut String) -> f64 {
+        const SWATCH: f64 = 46.0;
+        let mut entries: Vec<(&str, Vec<Style>)> = Vec::new();
+        for Series { label, style, .. } in self.panels.iter().flat_map(|chart| &chart.series) {
+            if label.is_empty() || style.is_guide() {
+                continue;
+            }
+            match entries.iter_mut().find(|(known, _)| known == label) {
+                Some((_, styles)) if styles.contains(style) => {}
+                Some((_, styles)) => styles.push(*style),
+                None => entries.push((label, vec![*style])),
+            }
+        }
+        let widest = entries.iter().map(|e| width(e.0)).fold(0.0, f64::max) + SWATCH + 18.0;
+        let columns = ((WIDTH / widest).floor() as usize).clamp(1, 4);
+        let rows = entries.len().div_ceil(columns);
+        for (i, (label, styles)) in entries.into_iter().enumerate() {
+            // Down the columns, so that the order of the list is kept within each.
+            let (x, y) = ((i / rows) as f64 * widest, (i % rows) as f64 * ROW + 13.0);
+            for style in styles.iter().filter(|style| style.has_line()) {
+                let mut ends = [(x + 1.0, y), (x + 37.0, y)];
+                let head = style.is_arrow().then(|| path::head(&mut ends, 0.0)).flatten();
+                let d = match style.is_filled() {
+                    true => format!("M{},{}h36v14h-36z", Num(x + 1.0), Num(y - 7.0)),
+                    false => format!("M{},{}h{}", Num(x + 1.0), Num(y), Num(ends[1].0 - ends[0].0)),
+                };
+                line(out, format!(r#"<path {} d="{d}"/>"#, style.line_attributes()));
+                if let Some(head) = head {
+                    line(out, style.head(head, ""));
+                }
+            }
+            for style in styles.iter().filter(|style| style.is_dots()) {
+                let sprinkle = [(4.0, -2.0), (10.0, 4.0), (19.0, 0.0), (27.0, -4.0), (33.0, 3.0)];
+                line(out, style.dotted(sprinkle.map(|(dx, dy)| (x + dx, y + dy)).to_vec()));
+            }
+            for style in styles.iter().filter(|style| style.has_marker()) {
+                line(out, style.markers([(x + 19.0, y)]));
+            }
+            draw_text(out, "", (x + SWATCH, y + 6.0), "start", label);
+        }
+        if rows == 0 { 0.0 } else { rows as f64 * ROW + 6.0 }
+    }
+}
+
+/// Axes with series and marks.
+#[derive(Clone, Debug)]
+pub struct Chart {
+    x: Axis,
+    y: Axis,
+    heading: String,
+    height: f64,
+    series: Vec<Series>,
+    marks: Vec<Mark>,
+}
+
+#[derive(Clone, Debug)]
+struct Series {
+    label: String,
+    style: Style,
+    points: Vec<Point>,
+}
+
+#[derive(Clone, Debug)]
+enum Mark {
+    /// A line (`from` = `to`) or a band, of constant x or of constant y.
+    Vertical {
+        from: f64,
+        to: f64,
+        label: String,
+    },
+    Horizontal {
+        from: f64,
+        to: f64,
+        label: String,
+    },
+    Note {
+        at: (f64, f64),
+        text: String,
+    },
+}
+
+impl Chart {
+    /// An empty chart, 300 units high (600 are its width).
+    pub const fn new(x: Axis, y: Axis) -> Self {
+        let heading = String::new();
+        Self { x, y, heading, height: 300.0, series: Vec::new(), marks: Vec::new() }
+    }
+
+    /// With a line of text above all else, to tell the chart from its neighbours.
+    pub fn heading(self, text: impl Into<String>) -> Self {
+        Self { heading: text.into(), ..self }
+    }
+
+    /// The plot is this many units high.
+    pub fn height(self, units: f64) -> Self {
+        Self { height: units, ..self }
+    }
+
+    /// With a series. Those of the same label share an entry of the legend, such as a line of
+    /// theory and the markers on it; those with an empty label have none.
+    ///
+    /// Points that are not finite (or beyond 1e300), or not positive on a logarithmic axis, leave
+    /// a gap.
+    /// On a line of more than 40 points only a few are marked, and it may have any number.
+    pub fn series(
+        mut self,
+        label: impl Into<String>,
+        style: Style,
+        points: impl IntoIterator<Item = (f64, f64)>,
+    ) -> Self {
+        let points = points.into_iter().collect();
+        self.series.push(Series { label: label.into(), style, points });
+        self
+    }
+
+    /// With a guide y ∝ xᵖ with p = `order` from the point `from` to x = `to`: on two logarithmic
+    /// axes a straight line of that slope.
+    pub fn slope(self, order: f64, from: (f64, f64), to: f64, label: impl Into<String>) -> Self {
+        let end = (to, from.1 * libm::pow(to / from.0, order));
+        self.series(label, Style::GUIDE, [from, end])
+    }
+
+    /// With a dashed line at `x`, labelled above the plot.
+    pub fn vertical(self, x: f64, label: impl Into<String>) -> Self {
+        self.vertical_band(x, x, label)
+    }
+
+    /// With a dashed line at `y`, labelled where there is most room.
+    pub fn horizontal(self, y: f64, label: impl Into<String>) -> Self {
+        self.horizontal_band(y, y, label)
+    }
+
+    /// With the ground shaded from x = `from` to x = `to`, labelled above the plot.
+    pub fn vertical_band(mut self, from: f64, to: f64, label: impl Into<String>) -> Self {
+        self.marks.push(Mark::Vertical { from, to, label: label.into() });
+        self
+    }
+
+    /// With the ground shaded from y = `from` to y = `to`, labelled where there is most room.
+    pub fn horizontal_band(mut self, from: f64, to: f64, label: impl Into<String>) -> Self {
+        self.marks.push(Mark::Horizontal { from, to, label: label.into() });
+        self
+    }
+
+    /// With a word beside the point (`x`, `y`), on the side where there is most room.
+    pub fn note(mut self, x: f64, y: f64, text: impl Into<String>) -> Self {
+        self.marks.push(Mark::Note { at: (x, y), text: text.into() });
+        self
+    }
+
+    /// The scales, from the data and the single lines, but not from guides and bands. Curves fill
+    /// the x axis; the y axis ends at round numbers.
+    fn scales(&self) -> (Scale<'_>, Scale<'_>) {
+        let series = || self.series.iter().filter(|series| !series.style.is_guide());
+        let points = || series().flat_map(|series| &series.points);
+        let x_lines = self.marks.iter().filter_map(|mark| match mark {
+            Mark::Vertical { from, to, .. } if from == to => Some(*from),
+            _ => None,
+        });
+        let y_lines = self.marks.iter().filter_map(|mark| match mark {
+            Mark::Horizontal { from, to, .. } if from == to => Some(*from),
+            _ => None,
+        });
+        let xs = points().map(|p| p.0);
+        let x = self.x.scale(xs.chain(x_lines), None);
+        let ys = points().filter(|p| x.contains(p.0)).map(|p| p.1);
+        let y = self.y.scale(ys.chain(y_lines), Some(self.y_ticks()));
+        (x, y)
+    }
+
+    fn y_ticks(&self) -> usize {
+        (self.height / 45.0).clamp(2.0, 6.0) as usize
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn circle() -> Vec<(f64, f64)> {
+        (0..=1000).map(|i| libm::sincos(f64::from(i) * 0.00628)).collect()
+    }
+
+    fn sample() -> Figure {
+        let chart = Chart::new(Axis::linear("t (s)"), Axis::log("error <J>"))
+            .series(
+                "a & b",
+                Style::numbered(0),
+                [(0.0, 1.0), (1.0, 0.0), (2.0, 1e-3), (f64::NAN, 1.0)],
+            )
+            .series("", Style::REFERENCE, [(0.0, 1e-2), (f64::INFINITY, 1.0), (2.0, 1e-2)])
+            .vertical(1.0, "T")
+            .horizontal(0.1, "floor")
+            .horizontal_band(1e-9, 2e-3, "rounding")
+            .vertical_band(0.5, 1.5, "")
+            .slope(2.0, (0.5, 1e-2), 2.0, "slope 2")
+            .note(2.0, 1e-3, "here");
+        Figure::new("Title\n\nof <two>", "says \"so\"").panel(chart)
+    }
+
+    /// Catches: a blank line, which ends the HTML block in Markdown; two elements on a line;
+    /// unescaped text; a figure that changes from run to run.
+    #[test]
+    fn is_one_markdown_block_of_well_formed_lines() {
+        let svg = sample().to_svg("a b");
+        assert!(svg.lines().all(|line| !line.trim().is_empty()));
+        assert!(svg.contains("<title id=\"fig-a-b-title\">Title  of &lt;two&gt;</title>\n"));
+        assert!(svg.contains(">a &amp; b</text>") && svg.contains("error &lt;J&gt;"));
+        assert!(svg.contains("role=\"img\" aria-labelledby=\"fig-a-b-title fig-a-b-desc\""));
+        assert_eq!(svg, sample().to_svg("a b"));
+    }
+
+    /// Catches: NaN, infinity or a logarithm of zero in a coordinate; a line drawn across the gap
+    /// such a point leaves.
+    #[test]
+    fn points_without_a_place_leave_a_gap() {
+        let svg = sample().to_svg("gap");
+        assert!(!svg.contains("NaN") && !svg.contains("inf"));
+        let strokes: Vec<usize> = svg
+            .lines()
+            .filter(|line| line.contains("class=\"line") && line.contains("clip-path"))
+            .map(|line| line.matches('M').count())
+            .collect();
+        assert_eq!(strokes, [2, 2]);
+        let dots = svg.lines().rfind(|line| line.contains("class=\"dot")).unwrap();
+        assert_eq!(dots.matches('M').count(), 2);
+    }
+
+    /// Catches: a second decimal or `-0` in any coordinate.
+    #[test]
+    fn coordinates_are_short() {
+        let figure = sample().panel(Chart::new(Axis::linear("x"), Axis::linear("y")).series(
+            "c",
+            Style::numbered(1),
+            circle(),
+        ));
+        for line in figure.to_svg("x").lines().filter(|line| line.contains(" d=\"")) {
+            let (_, d) = line.split_once(" d=\"").unwrap();
+            let (d, _) = d.split_once('"').unwrap();
+            for number in d.split(|c: char| !(c.is_ascii_digit() || c == '.' || c == '-')) {
+                assert!(
+                    number.split_once('.').is_none_or(|(_, tenth)| tenth.len() == 1),
+                    "{number}"
+                );
+                assert!(number != "-0" && number != "-0.0", "{line}");
+            }
+        }
+    }
+
+    /// Catches: a marker outside the plot, over the axis labels; a line without a clip path.
+    #[test]
+    fn what_is_outside_the_range_is_not_drawn() {
+        let chart =
+            Chart::new(Axis::linear("x").range(0.0, 1.0), Axis::linear("y").range(0.0, 1.0))
+                .series("", Style::numbered(0), [(0.5, 0.5), (0.6, 7.0), (1e300, -1e300)]);
+        let svg = Figure::new("t", "d").panel(chart).to_svg("x");
+        let dots: Vec<&str> = svg.lines().filter(|line| line.contains("class=\"dot")).collect();
+        assert_eq!((dots.len(), dots[0].matches('M').count()), (1, 1));
+        assert!(
+            svg.contains("clip-path=\"url(#fig-x-clip-0)\"") && svg.contains("id=\"fig-x-clip-0\"")
+        );
+    }
+
+    /// Catches: an axis that ends before a line across it, or that reaches for a band; ticks that crowd a low plot.
+    #[test]
+    fn lines_stretch_an_axis_and_bands_do_not() {
+        let axis = Axis::linear;
+        let plain = || {
+            Chart::new(axis("x"), axis("y")).series("", Style::REFERENCE, [(0.0, 0.0), (2.0, 4.0)])
+        };
+        let ends = |chart: Chart| {
+            let (x, y) = chart.scales();
+            let reaches = |scale: &Scale, far: f64| [-far, far].map(|value| scale.contains(value));
+            [reaches(&x, 3.0), reaches(&y, 30.0)]
+        };
+        let none = [[false; 2]; 2];
+        assert_eq!(ends(plain()), none);
+        assert_eq!(ends(plain().vertical(3.0, "")), [[false, true], [false; 2]]);
+        assert_eq!(ends(plain().horizontal(-30.0, "")), [[false; 2], [true, false]]);
+        assert_eq!(
+            ends(plain().vertical_band(-3.0, 3.0, "").horizontal_band(-30.0, 30.0, "")),
+            none
+        );
+        assert_eq!(
+            [50.0, 100.0, 200.0, 300.0, 900.0].map(|high| plain().height(high).y_ticks()),
+            [2, 2, 4, 6, 6]
+        );
+    }
+
+    /// The `x`, `y`, `width` and `height` of each chart's plot.
+    fn plots(svg: &str) -> Vec<[f64; 4]> {
+        let rects = svg.lines().filter_map(|line| line.split_once("<rect ")).map(|(_, rect)| {
+            let mut values = rect.split('"').skip(1).step_by(2).map(str::parse);
+            core::array::from_fn(|_| values.next().unwrap().unwrap())
+        });
+        rects.collect()
+    }
+
+    /// Catches: plots side by side of unlike size, or that overlap; rows out of line; the numbers of an axis written twice
+    /// though the neighbour has them, or left out though it has others; a heading lost.
+    #[test]
+    fn charts_stand_in_rows_and_columns() {
+        let chart = |y: &str, heading: &str| {
+            Chart::new(Axis::linear("x"), Axis::linear(y).range(0.0, 3.0).ticks([(1.0, "one")]))
+                .heading(heading)
+        };
+        let of = |third: &str| {
+            let charts = [chart("y", "A"), chart("y", "B"), chart("y", ""), chart(third, "D")];
+            charts.into_iter().fold(Figure::new("t", "d").columns(2), Figure::panel).to_svg("x")
+        };
+        for (svg, written) in [(of("y"), 2), (of("z"), 3)] {
+            let [a, b, c, d] = plots(&svg)[..] else { panic!("four plots: {svg}") };
+            assert!(a[2..] == b[2..] && c[2..] == d[2..] && a[0] == c[0], "{:?}", [a, b, c, d]);
+            assert!(
+                a[1] == b[1] && a[0] + a[2] < b[0] && c[0] + c[2] < d[0] && d[0] + d[2] < 600.0
+            );
+            assert!(a[1] + a[3] < c[1] && a[1] + a[3] < d[1]);
+            let count = |text: &str| svg.matches(&format!(">{text}</text>")).count();
+            assert_eq!(count("y") + count("z"), written);
+            assert_eq!(count("one"), written);
+            assert_eq!((count("x"), count("A"), count("B"), count("D")), (2, 1, 1, 1));
+        }
+    }
+
+    /// Catches: an arrow's head under the marker at its end, or away from it where there is none.
+    #[test]
+    fn an_arrow_stops_short_of_a_marker() {
+        let chart =
+            Chart::new(Axis::linear("x").range(0.0, 1.0), Axis::linear("y").range(0.0, 1.0));
+        let chart = chart.series("", Style::numbered(0).arrow(), [(0.0, 0.5), (1.0, 0.5)]);
+        let tip = |chart: Chart| -> f64 {
+            let svg = Figure::new("t", "d").panel(chart).to_svg("x");
+            let head = svg.lines().find(|line| line.contains("class=\"dot")).unwrap();
+            head.split(" d=\"M").nth(1).unwrap().split(',').next().unwrap().parse().unwrap()
+        };
+        assert_eq!(tip(chart.clone()), WIDTH - RIGHT);
+        let marked = chart.series("", Style::TRUE_POINT, [(1.0, 0.5)]);
+        assert_eq!(tip(marked), WIDTH - RIGHT - 7.0);
+    }
+
+    /// Catches: a shape that is left open, or whose ground is not shaded; a rule that every other figure has to carry.
+    #[test]
+    fn a_filled_shape_is_closed() {
+        let triangle = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0)];
+        let of = |style| {
+            let chart = Chart::new(Axis::linear("x"), Axis::linear("y"));
+            Figure::new("t", "d").panel(chart.series("a", style, triangle)).to_svg("x")
+        };
+        let svg = of(Style::REFERENCE.filled());
+        let shapes: Vec<_> = svg.lines().filter(|line| line.contains("\"line fill\"")).collect();
+        assert!(
+            shapes.len() == 2 && shapes.iter().all(|shape| shape.contains("z\"")),
+            "{shapes:?}"
+        );
+        assert!(svg.contains(".fill {") && !of(Style::REFERENCE).contains("fill {"));
+    }
+
+    /// Catches: a label that hides a curve though there is free room beside it.
+    #[test]
+    fn labels_avoid_the_data() {
+        let flat = |y: f64| (0..=10).map(move |i| (f64::from(i), y));
+        let chart =
+            Chart::new(Axis::linear("x").range(0.0, 10.0), Axis::linear("y").range(0.0, 10.0))
+                .series("", Style::REFERENCE, flat(5.3))
+                .horizontal(5.0, "limit");
+        let svg = Figure::new("t", "d").panel(chart).to_svg("x");
+        let y = |tag: &str, cut: &str| -> f64 {
+            let line = svg.lines().find(|line| line.contains(tag)).unwrap();
+            line.split(cut).nth(1).unwrap().split(['"', 'L']).next().unwrap().parse().unwrap()
+        };
+        assert!(
+            y("halo\" x", " y=\"") > y("class=\"mark\"", ","),
+            "below, away from the curve above"
+        );
+    }
+
+    /// Catches: an entry for the line and another for its markers; dots that are thinned as the markers of a line
+    /// are, or drawn outside the plot.
+    #[test]
+    fn a_legend_has_one_entry_a_label() {
+        let style = Style::numbered(1);
+        let points = |n: u32| (0..n).map(|i| (f64::from(i), f64::from(i % 7)));
+        let axis = |label| Axis::linear(label).range(0.0, 99.0);
+        let chart = Chart::new(axis("x"), Axis::linear("y"))
+            .series("law", style.line_only(), points(9))
+            .series("law", style.markers_only(), points(9))
+            .series("cloud", Style::REFERENCE.dots(), points(200));
+        let svg = Figure::new("t", "d").panel(chart).to_svg("x");
+        assert_eq!(svg.matches(">law</text>").count(), 1);
+        let dots: Vec<usize> =
+            svg.lines().map(|line| line.matches("h0").count()).filter(|n| *n > 0).collect();
+        assert_eq!(dots, [5, 100]);
+    }
+
+    /// Catches: an empty figure or chart that panics.
+    #[test]
+    fn nothing_is_drawn_without_a_panic() {
+        let svg = Figure::new("", "").to_svg("");
+        assert!(svg.ends_with("</svg>\n"));
+        let empty = Chart::new(Axis::log(""), Axis::linear("")).series("", Style::numbered(9), []);
+        assert!(Figure::new("", "").panel(empty).to_svg("").contains("class=\"axis\""));
+    }
+}

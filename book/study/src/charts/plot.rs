@@ -1,0 +1,565 @@
+//! One chart on the drawing: headings, axes, curves, marks and labels.
+
+use std::fmt::Write;
+
+use super::path::{self, Num, Point};
+use super::text::{draw_text, line, width};
+use super::{Chart, Mark, RIGHT, ROW, Scale, Series};
+
+/// Above this many points a line has only [`FEW`] of them marked.
+const MANY: usize = 40;
+const FEW: usize = 7;
+/// An arrow that ends at a marker stops this far from its middle.
+const MARKER: f64 = 7.0;
+/// Between a heading and the chart above.
+const GAP: f64 = 10.0;
+/// Coordinates beyond this are of no use to a browser.
+const FAR: f64 = 1e6;
+
+/// A chart's place on the drawing.
+pub(super) struct Plot<'a> {
+    chart: &'a Chart,
+    x: &'a Scale<'a>,
+    y: &'a Scale<'a>,
+    /// Whether the label of the x axis is written, and the numbers and label of the y axis.
+    written: [bool; 2],
+    /// Where the room for them begins.
+    edge: f64,
+    left: f64,
+    right: f64,
+    top: f64,
+    bottom: f64,
+}
+
+/// What stands above the plot: where it begins, and the text.
+type Heading<'a> = (f64, &'a str);
+
+/// A place for a label: its anchor point, and which part of the text is there.
+type Place = (Point, &'static str);
+
+impl<'a> Plot<'a> {
+    pub fn new(
+        chart: &'a Chart,
+        [x, y]: [&'a Scale<'a>; 2],
+        written: [bool; 2],
+        [edge, left, right]: [f64; 3],
+        top: f64,
+    ) -> Self {
+        Self { chart, x, y, written, edge, left, right, top, bottom: top + chart.height }
+    }
+
+    /// Draws the chart and returns where it ends.
+    pub fn draw(mut self, out: &mut String, clip: &str) -> f64 {
+        let mut headings = self.headings();
+        if !self.chart.heading.is_empty() {
+            headings.push(vec![(self.left, &self.chart.heading)]);
+        }
+        let gap = if self.chart.heading.is_empty() { 0.0 } else { GAP };
+        let offset = headings.len() as f64 * ROW + 12.0 + gap;
+        (self.top, self.bottom) = (self.top + offset, self.bottom + offset);
+        for (row, headings) in headings.iter().enumerate() {
+            for (x, label) in headings.iter().filter(|(_, label)| !label.is_empty()) {
+                draw_text(out, "", (*x, self.top - 17.0 - row as f64 * ROW), "start", label);
+            }
+        }
+        let Self { chart, left, right, top, bottom, .. } = self;
+        let (x, y) = (Num(left - 2.0), Num(top - 2.0));
+        let (w, h) = (Num(right - left + 4.0), Num(bottom - top + 4.0));
+        let rect = format!(r#"<rect x="{x}" y="{y}" width="{w}" height="{h}"/>"#);
+        line(out, format!(r#"<clipPath id="{clip}">{rect}</clipPath>"#));
+        let mut strokes = self.draw_marks(out);
+        self.draw_axes(out);
+        let dotted = chart.series.iter().enumerate().filter(|(_, s)| s.style.has_marker());
+        let dotted: Vec<_> = dotted.map(|(i, s)| (s.style, self.marked(s, i))).collect();
+        let under_marker = |end: &Point| {
+            dotted.iter().any(|(_, marked)| marked.iter().any(|&p| same_place(p, *end)))
+        };
+        for Series { points, style, .. } in chart.series.iter().filter(|s| s.style.has_line()) {
+            let mut drawn = self.strokes(points);
+            let last = drawn.last_mut().filter(|_| style.is_arrow());
+            let head = last.and_then(|stroke| {
+                let short = if stroke.last().is_some_and(under_marker) { MARKER } else { 0.0 };
+                path::head(stroke, short)
+            });
+            let clipped = format!(r#" clip-path="url(#{clip})""#);
+            let attributes = style.line_attributes();
+            let d = match style.is_filled() {
+                true => drawn.iter().map(|stroke| path::polyline([stroke]) + "z").collect(),
+                false => path::polyline(&drawn),
+            };
+            line(out, format!(r#"<path {attributes}{clipped} d="{d}"/>"#));
+            if let Some(corners) = head {
+                line(out, style.head(corners, &clipped));
+                strokes.push(corners.to_vec());
+            }
+            strokes.extend(drawn);
+        }
+        for series in chart.series.iter().filter(|s| s.style.is_dots()) {
+            let dots = self.inside(series);
+            line(out, series.style.dotted(dots.clone()));
+            strokes.extend(dots.into_iter().map(|point| vec![point]));
+        }
+        for (style, marked) in dotted {
+            if !marked.is_empty() {
+                line(out, style.markers(marked.iter().copied()));
+            }
+            strokes.extend(marked.into_iter().map(|point| vec![point]));
+        }
+        Labels { plot: &self, strokes, taken: Vec::new() }.draw(out);
+        if self.written[0] {
+            draw_text(out, "", ((left + right) / 2.0, bottom + 44.0), "middle", &chart.x.label);
+        }
+        bottom + if self.written[0] { 56.0 } else { 28.0 }
+    }
+
+    fn x_pixel(&self, value: f64) -> Option<f64> {
+        let fraction = self.x.fraction(value)?;
+        Some((self.left + fraction * (self.right - self.left)).clamp(-FAR, FAR))
+    }
+
+    fn y_pixel(&self, value: f64) -> Option<f64> {
+        let fraction = self.y.fraction(value)?;
+        Some((self.bottom - fraction * (self.bottom - self.top)).clamp(-FAR, FAR))
+    }
+
+    fn pixel(&self, (x, y): (f64, f64)) -> Option<Point> {
+        self.x_pixel(x).zip(self.y_pixel(y))
+    }
+
+    /// The visible part of a line or band, unless all of it is outside.
+    fn x_extent(&self, from: f64, to: f64) -> Option<(f64, f64)> {
+        visible(self.x_pixel(from)?, self.x_pixel(to)?, self.left, self.right)
+    }
+
+    fn y_extent(&self, from: f64, to: f64) -> Option<(f64, f64)> {
+        visible(self.y_pixel(from)?, self.y_pixel(to)?, self.top, self.bottom)
+    }
+
+    /// The series as simplified strokes, cut where a point has no place.
+    fn strokes(&self, points: &[(f64, f64)]) -> Vec<Vec<Point>> {
+        let pixels: Vec<Option<Point>> = points.iter().map(|&point| self.pixel(point)).collect();
+        let strokes = pixels.split(Option::is_none).filter(|stroke| !stroke.is_empty());
+        let stroke = |stroke: &[Option<Point>]| stroke.iter().copied().flatten().collect();
+        strokes.map(stroke).map(|s: Vec<_>| path::thin(&s, self.left, self.right)).collect()
+    }
+
+    /// The points of the series that are in the plot.
+    fn inside(&self, series: &Series) -> Vec<Point> {
+        let inside = |p: &&(f64, f64)| self.x.contains(p.0) && self.y.contains(p.1);
+        series.points.iter().filter(inside).filter_map(|&point| self.pixel(point)).collect()
+    }
+
+    /// Where the markers of the chart's `i`-th series go: all its points in the plot, or of many
+    /// on a line a few, not the same ones as of the series before.
+    fn marked(&self, series: &Series, i: usize) -> Vec<Point> {
+        let points = self.inside(series);
+        if points.len() <= MANY || !series.style.has_line() {
+            return points;
+        }
+        few(points.len(), i).map(|k| points[k]).collect()
+    }
+
+    /// The labels of vertical lines and bands and of the y axis, in as few rows as they fit into,
+    /// from the row next to the plot upwards.
+    fn headings(&self) -> Vec<Vec<Heading<'a>>> {
+        let heading = |mark: &'a Mark| match mark {
+            Mark::Vertical { from, to, label } if !label.is_empty() => {
+                let (a, b) = self.x_extent(*from, *to)?;
+                let half = width(label) / 2.0;
+                let last = self.right + RIGHT - 2.0 * half;
+                Some((((a + b) / 2.0 - half).min(last).max(self.edge), label.as_str()))
+            }
+            _ => None,
+        };
+        let y_label = (self.edge, if self.written[1] { self.chart.y.label.as_str() } else { "" });
+        let mut rows: Vec<Vec<Heading>> = vec![];
+        for heading in self.chart.marks.iter().filter_map(heading).chain([y_label]) {
+            let before = |a: &Heading, b: &Heading| a.0 + width(a.1) + 10.0 < b.0;
+            let clear = |other: &Heading| before(&heading, other) || before(other, &heading);
+            match rows.iter_mut().find(|row| row.iter().all(clear)) {
+                Some(row) => row.push(heading),
+                None => rows.push(vec![heading]),
+            }
+        }
+        rows
+    }
+
+    /// Draws lines and bands, and returns the lines as strokes, for labels to avoid.
+    fn draw_marks(&self, out: &mut String) -> Vec<Vec<Point>> {
+        let mut strokes = Vec::new();
+        for mark in &self.chart.marks {
+            let (is_line, corners) = match mark {
+                Mark::Vertical { from, to, .. } => {
+                    let extent = self.x_extent(*from, *to);
+                    (from == to, extent.map(|(a, b)| ((a, self.top), (b, self.bottom))))
+                }
+                Mark::Horizontal { from, to, .. } => {
+                    let extent = self.y_extent(*from, *to);
+                    (from == to, extent.map(|(a, b)| ((self.left, a), (self.right, b))))
+                }
+                Mark::Note { .. } => continue,
+            };
+            let Some((a, b)) = corners else { continue };
+            let (x0, y0, x1, y1) = (Num(a.0), Num(a.1), Num(b.0), Num(b.1));
+            if is_line {
+                line(out, format!(r#"<path class="mark" d="M{x0},{y0}L{x1},{y1}"/>"#));
+                strokes.push(vec![a, b]);
+            } else {
+                line(out, format!(r#"<path class="band" d="M{x0},{y0}H{x1}V{y1}H{x0}z"/>"#));
+            }
+        }
+        strokes
+    }
+
+    fn draw_axes(&self, out: &mut String) {
+        let Self { left, right, top, bottom, .. } = *self;
+        // As many ticks as their labels have room for.
+        let room = |count: usize| {
+            let ticks = self.x.ticks(count);
+            let labels = ticks.iter().filter_map(|tick| tick.label.as_deref());
+            let needed: f64 = labels.map(|label| width(label) + 20.0).sum();
+            (needed < right - left + 20.0).then_some(ticks)
+        };
+        let x_ticks = (1..=6).rev().find_map(room).unwrap_or_default();
+        let mut grid = String::new();
+        let mut axis = format!("M{},{}V{}H{}", Num(left), Num(top), Num(bottom), Num(right));
+        let mut labels = String::new();
+        for tick in x_ticks {
+            let Some(x) = self.x_pixel(tick.value) else {
+                continue;
+            };
+            let length = if tick.label.is_some() { 6 } else { 3 };
+            let _ = write!(axis, "M{},{}v{length}", Num(x), Num(bottom));
+            if let Some(label) = tick.label {
+                let _ = write!(grid, "M{},{}V{}", Num(x), Num(top), Num(bottom));
+                let x = x.min(right + RIGHT - width(&label) / 2.0);
+                draw_text(&mut labels, "", (x, bottom + 22.0), "middle", &label);
+            }
+        }
+        for tick in self.y.ticks(self.chart.y_ticks()) {
+            let Some(y) = self.y_pixel(tick.value) else {
+                continue;
+            };
+            let length = if tick.label.is_some() { -6 } else { -3 };
+            let _ = write!(axis, "M{},{}h{length}", Num(left), Num(y));
+            if let Some(label) = tick.label {
+                let _ = write!(grid, "M{},{}H{}", Num(left), Num(y), Num(right));
+                if self.written[1] {
+                    draw_text(&mut labels, "", (left - 9.0, y + 6.0), "end", &label);
+                }
+            }
+        }
+        line(out, format!(r#"<path class="grid" d="{grid}"/>"#));
+        line(out, format!(r#"<path class="axis" d="{axis}"/>"#));
+        out.push_str(&labels);
+    }
+}
+
+/// Whether the points are nearer than what the drawing can tell apart.
+fn same_place(a: Point, b: Point) -> bool {
+    (a.0 - b.0).abs() < 0.1 && (a.1 - b.1).abs() < 0.1
+}
+
+/// The part of the span from `a` to `b` that is between `low` and `high`; rounding may put it a little beside them.
+fn visible(a: f64, b: f64, low: f64, high: f64) -> Option<(f64, f64)> {
+    let (a, b) = (a.min(b), a.max(b));
+    (b > low - 0.01 && a < high + 0.01).then_some((a.clamp(low, high), b.clamp(low, high)))
+}
+
+/// The labels inside the plot, each where it hides least.
+struct Labels<'a> {
+    plot: &'a Plot<'a>,
+    /// What is drawn there.
+    strokes: Vec<Vec<Point>>,
+    /// The labels already placed: left, top, right, bottom.
+    taken: Vec<[f64; 4]>,
+}
+
+impl Labels<'_> {
+    /// Draws the labels of guides, horizontal lines and bands, and the notes.
+    fn draw(&mut self, out: &mut String) {
+        let plot = self.plot;
+        for series in plot.chart.series.iter().filter(|series| series.style.is_guide()) {
+            let ends = plot.strokes(&series.points).concat();
+            let Some((a, b)) = ends.first().zip(ends.last()) else {
+                continue;
+            };
+            let middle = ((a.0 + b.0) / 2.0, (a.1 + b.1) / 2.0);
+            self.place(out, &series.label, &[*b, *a, middle].map(beside).concat());
+        }
+        for mark in &plot.chart.marks {
+            match mark {
+                Mark::Note { at, text } => {
+                    let places = plot.pixel(*at).map(beside).unwrap_or_default();
+                    self.place(out, text, &places);
+                }
+                Mark::Horizontal { from, to, label } => {
+                    let Some((a, b)) = plot.y_extent(*from, *to) else {
+                        continue;
+                    };
+                    // Inside a band that is high enough, else above or below.
+                    let inside = (b - a > ROW).then_some((a + b) / 2.0 + 6.0);
+                    let rows = inside.map_or(vec![a - 8.0, b + 20.0], |y| vec![y]);
+                    let ends = [(plot.right - 6.0, "end"), (plot.left + 6.0, "start")];
+                    let row = |y: f64| ends.map(|(x, anchor)| ((x, y), anchor));
+                    self.place(out, label, &rows.into_iter().flat_map(row).collect::<Vec<_>>());
+                }
+                Mark::Vertical { .. } => {}
+            }
+        }
+    }
+
+    /// Draws the label at the best of the places; the first of equals.
+    fn place(&mut self, out: &mut String, label: &str, places: &[Place]) {
+        let extent = |&((x, y), anchor): &Place| {
+            let w = width(label);
+            let before = match anchor {
+                "start" => 0.0,
+                "middle" => w / 2.0,
+                _ => w,
+            };
+            [x - before, y - 15.0, x - before + w, y + 5.0]
+        };
+        let best = places.iter().min_by_key(|place| self.crowding(extent(place)));
+        if let Some(best) = best.filter(|_| !label.is_empty()) {
+            self.taken.push(extent(best));
+            draw_text(out, "halo", best.0, best.1, label);
+        }
+    }
+
+    /// How much of what is drawn lies under the box; far more if it hides a label, and most if it
+    /// leaves the plot.
+    fn crowding(&self, [left, top, right, bottom]: [f64; 4]) -> usize {
+        let Plot { left: l, right: r, top: t, bottom: b, .. } = *self.plot;
+        let near = |p: Point| (p.0.clamp(l - 9.0, r + 9.0), p.1.clamp(t - 9.0, b + 9.0));
+        let under = |(x, y): Point| (left..=right).contains(&x) && (top..=bottom).contains(&y);
+        let segment = |a: Point, b: Point| {
+            let (dx, dy) = (b.0 - a.0, b.1 - a.1);
+            let samples = (dx.abs().max(dy.abs()) / 4.0).ceil().max(1.0);
+            let at = move |i: u32| {
+                let share = f64::from(i) / samples;
+                (a.0 + share * dx, a.1 + share * dy)
+            };
+            (0..=samples as u32).filter(|&i| under(at(i))).count()
+        };
+        let stroke = |stroke: &Vec<Point>| -> usize {
+            let first = stroke.first().filter(|&&p| under(p)).map_or(0, |_| 1);
+            first + stroke.windows(2).map(|w| segment(near(w[0]), near(w[1]))).sum::<usize>()
+        };
+        let over = |o: &&[f64; 4]| left < o[2] && o[0] < right && top < o[3] && o[1] < bottom;
+        let outside = left < l || right > r || top < t || bottom > b;
+        self.strokes.iter().map(stroke).sum::<usize>()
+            + 1_000 * self.taken.iter().filter(over).count()
+            + if outside { 100_000 } else { 0 }
+    }
+}
+
+/// The places around a point.
+fn beside((x, y): Point) -> Vec<Place> {
+    vec![
+        ((x + 10.0, y + 6.0), "start"),
+        ((x - 10.0, y + 6.0), "end"),
+        ((x, y - 11.0), "middle"),
+        ((x, y + 23.0), "middle"),
+        ((x + 7.0, y - 8.0), "start"),
+        ((x - 7.0, y - 8.0), "end"),
+        ((x + 7.0, y + 20.0), "start"),
+        ((x - 7.0, y + 20.0), "end"),
+    ]
+}
+
+/// A few of `count` points, evenly, and of four series in a row not the same ones.
+fn few(count: usize, series: usize) -> impl Iterator<Item = usize> {
+    (0..FEW).map(move |k| (count - 1) * (4 * k + 1 + series % 4) / (4 * FEW))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::Axis;
+    use super::*;
+
+    /// Powers of two, so that every pixel of a whole number is exact: x is at 64 + x, y at 256 − y.
+    const PLACE: [f64; 3] = [0.0, 64.0, 576.0];
+
+    fn chart(y_label: &str) -> Chart {
+        Chart::new(Axis::linear("").range(0.0, 512.0), Axis::linear(y_label).range(0.0, 256.0))
+            .height(256.0)
+    }
+
+    fn with_plot<T>(chart: &Chart, place: [f64; 3], ask: impl FnOnce(&Plot) -> T) -> T {
+        let (x, y) = chart.scales();
+        ask(&Plot::new(chart, [&x, &y], [true; 2], place, 0.0))
+    }
+
+    /// Catches: a marker beside the curve's end, two series marked at the same points, points bunched.
+    #[test]
+    fn a_few_of_many_are_spread() {
+        // 28 shares for seven markers of four series.
+        let marked = |series| few(281, series).collect::<Vec<_>>();
+        assert_eq!(marked(0), [10, 50, 90, 130, 170, 210, 250]);
+        assert_eq!(marked(3), [40, 80, 120, 160, 200, 240, 280]);
+        assert_eq!(marked(5), [20, 60, 100, 140, 180, 220, 260]);
+    }
+
+    /// Catches: an arrow cut short of a marker that is only beside it, or not of one on its end.
+    #[test]
+    fn a_place_is_a_tenth_wide() {
+        for (aside, same) in [(0.0, true), (0.09, true), (-0.09, true), (0.1, false), (-0.1, false)]
+        {
+            assert_eq!(same_place((aside, 0.0), (0.0, 0.0)), same, "{aside} to the right");
+            assert_eq!(same_place((0.0, 0.0), (0.0, aside)), same, "{aside} down");
+        }
+    }
+
+    /// Catches: a line on the very edge lost to rounding; one beside the plot drawn on its edge; a band that leaves the plot.
+    #[test]
+    fn only_what_is_inside_is_visible() {
+        let of = |a, b| visible(a, b, 100.0, 200.0);
+        assert_eq!(of(170.0, 130.0), Some((130.0, 170.0)));
+        assert_eq!(of(0.0, 300.0), Some((100.0, 200.0)));
+        assert_eq!(of(99.995, 99.995), Some((100.0, 100.0)));
+        assert_eq!(of(200.005, 200.005), Some((200.0, 200.0)));
+        let beyond = [(0.0, 50.0), (250.0, 300.0), (0.0, 100.0 - 0.01), (200.0 + 0.01, 300.0)];
+        assert_eq!(beyond.map(|(a, b)| of(a, b)), [None; 4]);
+    }
+
+    /// Catches: the label of a line on the right that leaves the drawing; a row for a line without a label.
+    #[test]
+    fn a_heading_stays_on_the_drawing() {
+        let label = "a limit of stability";
+        let chart =
+            chart("").vertical(256.0, label).vertical(512.0, label).vertical_band(0.0, 9.0, "");
+        let w = width(label);
+        let expected = [(320.0 - w / 2.0, label), (576.0 + RIGHT - w, label), (0.0, "")];
+        with_plot(&chart, PLACE, |plot| assert_eq!(plot.headings().concat(), expected));
+    }
+
+    /// Catches: headings that run into each other, or that take a row each though there is room.
+    #[test]
+    fn headings_of_a_row_are_ten_apart() {
+        let label = "a limit of stability";
+        // Begins from 14 to 16 from the left, where 10 less and 10 more is exact.
+        let at = 15.0 - PLACE[1] + (width(label) / 2.0).round();
+        let begin = PLACE[1] + at - width(label) / 2.0;
+        let rows = |y_label: &str, edge: f64| {
+            let chart = chart(y_label).vertical(at, label);
+            let rows = with_plot(&chart, [edge, PLACE[1], PLACE[2]], |plot| plot.headings().len());
+            assert!(begin > edge && at > 0.0, "the heading has its own place");
+            rows
+        };
+        let least = begin - 10.0 - width("energy");
+        assert_eq!([rows("energy", least - 0.1), rows("energy", least + 0.1)], [1, 2]);
+        assert_eq!([rows("", begin - 10.1), rows("", begin - 10.0)], [1, 2]);
+    }
+
+    /// Catches: labels of ticks that touch, or that are left out though there is room.
+    #[test]
+    fn ticks_have_room_between_them() {
+        // Between two labels there are 20 units, and half of a label may stand out on either side.
+        let drawn = |labels: &[&'static str], left: f64, room: f64| {
+            let ticks = labels.iter().zip([0.0, 512.0]).map(|(label, x)| (x, *label));
+            let x = Axis::linear("").range(0.0, 512.0).ticks(ticks);
+            let chart = Chart { x, ..chart("") };
+            let mut out = String::new();
+            with_plot(&chart, [0.0, left, left + room], |plot| plot.draw_axes(&mut out));
+            labels.iter().filter(|label| out.contains(&format!(">{label}</text>"))).count()
+        };
+        let (one, two) = (["a wide label"], ["a wide label", "and another"]);
+        let room = width(two[0]) + 20.0 + width(two[1]);
+        assert_eq!([drawn(&two, 64.0, room - 0.1), drawn(&two, 64.0, room + 0.1)], [0, 2]);
+        assert_eq!(
+            [drawn(&one, 0.0, width(one[0])), drawn(&one, 0.0, 1.0 + width(one[0]))],
+            [0, 1]
+        );
+    }
+
+    /// Catches: a label that crosses the edge of a low band, or that is not in the middle of a high one; a second one on
+    /// the first.
+    #[test]
+    fn a_band_is_labelled_inside_if_it_is_high_enough() {
+        let labels = |chart: Chart| {
+            let mut out = String::new();
+            with_plot(&chart, PLACE, |plot| {
+                Labels { plot, strokes: Vec::new(), taken: Vec::new() }.draw(&mut out);
+            });
+            out
+        };
+        let text = |x: f64, y: f64, anchor: &str, label: &str| {
+            let mut out = String::new();
+            draw_text(&mut out, "halo", (x, y), anchor, label);
+            out
+        };
+        // From 116 to 156 on the drawing, 40 high; from 116 to 141, a row and no higher.
+        let (left, right) = (70.0, 570.0);
+        let high = || chart("").horizontal_band(100.0, 140.0, "a");
+        assert_eq!(labels(high()), text(right, 142.0, "end", "a"));
+        assert_eq!(
+            labels(high().horizontal_band(100.0, 140.0, "b")),
+            text(right, 142.0, "end", "a") + &text(left, 142.0, "start", "b")
+        );
+        let low = chart("").horizontal_band(140.0 - ROW, 140.0, "a");
+        assert_eq!(labels(low), text(right, 108.0, "end", "a"));
+    }
+
+    /// Catches: a label drawn on another, or kept away from one that it only touches.
+    #[test]
+    fn a_label_on_another_is_a_thousand_strokes() {
+        let crowding = |taken: &[[f64; 4]]| {
+            with_plot(&chart(""), PLACE, |plot| {
+                let labels = Labels { plot, strokes: Vec::new(), taken: taken.to_vec() };
+                labels.crowding([200.0, 100.0, 300.0, 120.0])
+            })
+        };
+        let touching = [
+            [100.0, 90.0, 200.0, 130.0],
+            [300.0, 90.0, 400.0, 130.0],
+            [190.0, 80.0, 310.0, 100.0],
+            [190.0, 120.0, 310.0, 140.0],
+        ];
+        let over = [[190.0, 90.0, 210.0, 110.0], [290.0, 110.0, 310.0, 130.0]];
+        assert_eq!(crowding(&touching), 0);
+        assert_eq!(
+            [crowding(&over[..1]), crowding(&over[1..]), crowding(&over)],
+            [1000, 1000, 2000]
+        );
+    }
+
+    /// Catches: a label that leaves the plot by a little, or that may not come up to its edge.
+    #[test]
+    fn a_label_in_the_plot_may_touch_its_edge() {
+        let crowding = |outwards: [f64; 4]| {
+            with_plot(&chart(""), PLACE, |plot| {
+                let Plot { left, top, right, bottom, .. } = *plot;
+                let [l, t, r, b] = outwards;
+                let labels = Labels { plot, strokes: Vec::new(), taken: Vec::new() };
+                labels.crowding([left - l, top - t, right + r, bottom + b])
+            })
+        };
+        assert_eq!(crowding([0.0; 4]), 0);
+        for side in 0..4 {
+            let mut outwards = [0.0; 4];
+            outwards[side] = 0.5;
+            assert_eq!(crowding(outwards), 100_000, "side {side}");
+        }
+    }
+
+    /// Catches: a stroke weighed by how far it goes beside the plot, or not weighed up to its edge.
+    #[test]
+    fn strokes_weigh_by_what_is_in_the_plot() {
+        // Each goes from 9 within the edge to far beyond, of which 9 count, and 120 along it: 31 samples, the sixteenth
+        // on the edge; and one for where it begins.
+        let strokes = [
+            [(73.0, 60.0), (-5e3, 180.0)],
+            [(567.0, 60.0), (5e3, 180.0)],
+            [(200.0, 9.0), (320.0, -5e3)],
+            [(200.0, 247.0), (320.0, 5e3)],
+        ];
+        for stroke in strokes {
+            let crowding = with_plot(&chart(""), PLACE, |plot| {
+                let strokes = vec![stroke.to_vec()];
+                Labels { plot, strokes, taken: Vec::new() }.crowding([64.0, 0.0, 576.0, 256.0])
+            });
+            assert_eq!(crowding, 17, "{stroke:?}");
+        }
+    }
+}

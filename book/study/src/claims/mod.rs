@@ -1,0 +1,290 @@
+//! The paper's claims, each with what was stated, what is measured, and a verdict.
+//!
+//! [`cells`] holds what the paper prints in its tables, [`measure`] says how each of these numbers is measured; `prose` has
+//! both for its sentences. A [`Ledger`] joins them. Tables, tests and the book read the ledger, so that no number stands in two places.
+
+pub mod cells;
+pub mod measure;
+mod predictions;
+mod prose;
+
+use core::fmt;
+
+pub use predictions::{Prediction, largest_energy_error, predictions};
+
+use crate::digits::{Format, rounds_to};
+use crate::experiments::Study;
+
+/// What became of a claim.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Verdict {
+    /// Every printed digit is met.
+    Reproduced,
+    /// Met, once a definition is supplied that the paper leaves open.
+    ReproducedWithDefinition,
+    /// Met, but only because of how the number was rounded.
+    DependsOnRounding,
+    /// Not a property of the method: another machine, interpreter or sine gives another number.
+    DependsOnPlatform,
+    /// Not met.
+    Wrong,
+    /// Nothing to compute.
+    NotCheckable,
+    /// Not in the paper: measured here to stand beside what is.
+    NotStated,
+}
+
+impl Verdict {
+    /// Whether a claim with this verdict has to hold (`true`), has to fail (`false`), or is not measured.
+    pub const fn demands(self) -> Option<bool> {
+        match self {
+            Self::Reproduced | Self::ReproducedWithDefinition | Self::DependsOnRounding => {
+                Some(true)
+            }
+            Self::Wrong => Some(false),
+            Self::DependsOnPlatform | Self::NotCheckable | Self::NotStated => None,
+        }
+    }
+}
+
+impl fmt::Display for Verdict {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(match self {
+            Self::Reproduced => "reproduced",
+            Self::ReproducedWithDefinition => "reproduced with a definition",
+            Self::DependsOnRounding => "depends on rounding",
+            Self::DependsOnPlatform => "depends on the platform",
+            Self::Wrong => "wrong",
+            Self::NotCheckable => "not checkable",
+            Self::NotStated => "not stated",
+        })
+    }
+}
+
+/// What was measured.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Measured {
+    /// A number, and the digits of it that can be defended.
+    Number(f64, Format),
+    /// A property in words.
+    Text(String),
+    /// Nothing: there is nothing to compute, or it is no property of the method.
+    Nothing,
+}
+
+/// How close is close enough.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Tolerance {
+    /// Half a unit in the last digit that the paper prints; words have to be the same words.
+    PrintedDigits,
+    /// A relative distance from a value that rounding moves more than the paper's last digit.
+    Around {
+        /// The value that truncation alone would give.
+        value: f64,
+        /// How far rounding moves it, relatively.
+        relative: f64,
+    },
+    /// A comparison in code has decided whether the claim holds.
+    Decided(bool),
+}
+
+/// A claim of the paper, measured.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Claim {
+    /// Table, row and column, such as `T4.rk4.0.01`.
+    pub id: String,
+    /// Where in the paper it stands.
+    pub place: &'static str,
+    /// What is claimed, in our words.
+    pub gist: String,
+    /// What exactly is measured, where the paper leaves it open.
+    pub definition: &'static str,
+    /// What the paper prints, with its digits; `None` for what it leaves out.
+    pub stated: Option<&'static str>,
+    /// What is measured.
+    pub measured: Measured,
+    /// How close it has to come.
+    pub tolerance: Tolerance,
+    /// The verdict on record, which a test holds against the measurement.
+    pub verdict: Verdict,
+    /// One sentence on the verdict; empty where there is nothing to add.
+    pub because: &'static str,
+}
+
+impl Claim {
+    /// Whether the measurement agrees with what is stated; `None` where one of them is missing.
+    pub fn holds(&self) -> Option<bool> {
+        let stated = self.stated?;
+        match (&self.measured, self.tolerance) {
+            (Measured::Nothing, _) => None,
+            (_, Tolerance::Decided(holds)) => Some(holds),
+            (Measured::Text(text), _) => Some(text == stated),
+            (Measured::Number(measured, _), Tolerance::PrintedDigits) => {
+                rounds_to(*measured, stated)
+            }
+            (Measured::Number(measured, _), Tolerance::Around { value, relative }) => {
+                Some((measured - value).abs() <= relative * value.abs())
+            }
+        }
+    }
+
+    /// The verdict that the measurement supports: the one on record where they agree.
+    pub fn judged(&self) -> Verdict {
+        match (self.holds(), self.verdict.demands()) {
+            (Some(holds), Some(demanded)) if holds != demanded => {
+                if holds {
+                    Verdict::Reproduced
+                } else {
+                    Verdict::Wrong
+                }
+            }
+            // What depends on the platform still has to be of the size that the method explains.
+            (Some(false), None) => Verdict::Wrong,
+            _ => self.verdict,
+        }
+    }
+
+    /// What the paper prints, typeset; a dash where it prints nothing.
+    pub fn stated_text(&self) -> String {
+        match self.stated {
+            None => "—".to_string(),
+            Some(stated) => match (Format::of(stated), stated.parse::<f64>()) {
+                (Some(format), Ok(value)) => format.print(value),
+                _ => stated.to_string(),
+            },
+        }
+    }
+
+    /// What is measured, with the digits that can be defended; a dash where nothing is.
+    pub fn measured_text(&self) -> String {
+        match &self.measured {
+            Measured::Number(value, format) => format.print(*value),
+            Measured::Text(text) => text.clone(),
+            Measured::Nothing => "—".to_string(),
+        }
+    }
+}
+
+/// Every claim, measured by one run of the study.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Ledger {
+    claims: Vec<Claim>,
+}
+
+impl Ledger {
+    /// Measures every claim.
+    pub fn of(study: &Study) -> Self {
+        let mut claims = measure::claims(study);
+        claims.extend(prose::claims(study));
+        Self { claims }
+    }
+
+    /// All claims: table by table, then sentence by sentence.
+    pub fn claims(&self) -> &[Claim] {
+        &self.claims
+    }
+
+    /// The claim with this id.
+    pub fn get(&self, id: &str) -> Option<&Claim> {
+        self.claims.iter().find(|claim| claim.id == id)
+    }
+
+    /// The claims of one table.
+    pub fn table(&self, number: u32) -> impl Iterator<Item = &Claim> {
+        let prefix = format!("T{number}.");
+        self.claims.iter().filter(move |claim| claim.id.starts_with(&prefix))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use rstest::rstest;
+
+    use super::Tolerance::{Around, Decided, PrintedDigits};
+    use super::{Claim, Format, Measured, Tolerance, Verdict};
+
+    fn claim(stated: &'static str, measured: Measured, tolerance: Tolerance) -> Claim {
+        Claim {
+            id: "T0".to_string(),
+            place: "Table 0",
+            gist: String::new(),
+            definition: "",
+            stated: Some(stated),
+            measured,
+            tolerance,
+            verdict: Verdict::Reproduced,
+            because: "",
+        }
+    }
+
+    fn number(value: f64) -> Measured {
+        Measured::Number(value, Format::Fixed(1))
+    }
+
+    fn text(words: &str) -> Measured {
+        Measured::Text(words.to_string())
+    }
+
+    /// The bounds are binary fractions, so that a number can lie on them, and its neighbour beyond. A relative distance
+    /// goes by the value that rounding surrounds, not by what is printed.
+    ///
+    /// Catches: a tolerance wider, narrower or one-sided, and one kind of tolerance taken for another.
+    #[rstest]
+    #[case::on_the_bound("3", number(3.5), PrintedDigits, Some(true))]
+    #[case::past_it("3", number(3.5_f64.next_up()), PrintedDigits, Some(false))]
+    #[case::no_number("three", number(3.0), PrintedDigits, None)]
+    #[case::on_top("9", number(2.5), Around { value: 2.0, relative: 0.25 }, Some(true))]
+    #[case::over_it("9", number(2.5_f64.next_up()), Around { value: 2.0, relative: 0.25 }, Some(false))]
+    #[case::at_the_bottom("9", number(1.5), Around { value: 2.0, relative: 0.25 }, Some(true))]
+    #[case::under_it("9", number(1.5_f64.next_down()), Around { value: 2.0, relative: 0.25 }, Some(false))]
+    #[case::negative("9", number(-2.5), Around { value: -2.0, relative: 0.25 }, Some(true))]
+    #[case::the_wrong_sign("9", number(2.0), Around { value: -2.0, relative: 0.25 }, Some(false))]
+    #[case::the_same_words("Yes", text("Yes"), PrintedDigits, Some(true))]
+    #[case::other_words("Yes", text("No"), PrintedDigits, Some(false))]
+    #[case::decided_for_a_number("3", number(9.0), Decided(true), Some(true))]
+    #[case::decided_against_one("3", number(3.0), Decided(false), Some(false))]
+    #[case::decided_for_words("Yes", text("No"), Decided(true), Some(true))]
+    #[case::decided_on_nothing("3", Measured::Nothing, Decided(true), None)]
+    #[case::nothing("3", Measured::Nothing, PrintedDigits, None)]
+    fn a_claim_holds_within_its_tolerance(
+        #[case] stated: &'static str,
+        #[case] measured: Measured,
+        #[case] tolerance: Tolerance,
+        #[case] holds: Option<bool>,
+    ) {
+        let mut claim = claim(stated, measured, tolerance);
+        assert_eq!(claim.holds(), holds);
+        claim.stated = None;
+        assert_eq!(claim.holds(), None, "nothing is stated");
+    }
+
+    /// What each verdict becomes where the measurement holds, where it fails, and where there is none.
+    ///
+    /// Catches: a verdict that demands too much, too little or the opposite, and one that outlives its measurement.
+    #[rstest]
+    #[case(Verdict::Reproduced, Some(true), Verdict::Reproduced, Verdict::Wrong)]
+    #[case(
+        Verdict::ReproducedWithDefinition,
+        Some(true),
+        Verdict::ReproducedWithDefinition,
+        Verdict::Wrong
+    )]
+    #[case(Verdict::DependsOnRounding, Some(true), Verdict::DependsOnRounding, Verdict::Wrong)]
+    #[case(Verdict::Wrong, Some(false), Verdict::Reproduced, Verdict::Wrong)]
+    #[case(Verdict::DependsOnPlatform, None, Verdict::DependsOnPlatform, Verdict::Wrong)]
+    #[case(Verdict::NotCheckable, None, Verdict::NotCheckable, Verdict::Wrong)]
+    #[case(Verdict::NotStated, None, Verdict::NotStated, Verdict::Wrong)]
+    fn a_verdict_is_judged_by_what_it_demands(
+        #[case] verdict: Verdict,
+        #[case] demands: Option<bool>,
+        #[case] where_it_holds: Verdict,
+        #[case] where_it_fails: Verdict,
+    ) {
+        assert_eq!(verdict.demands(), demands);
+        let judged =
+            |measured, tolerance| Claim { verdict, ..claim("3", measured, tolerance) }.judged();
+        assert_eq!(judged(number(3.0), Decided(true)), where_it_holds);
+        assert_eq!(judged(number(3.0), Decided(false)), where_it_fails);
+        assert_eq!(judged(Measured::Nothing, PrintedDigits), verdict);
+    }
+}

@@ -1,0 +1,366 @@
+//! Abstract to experimental set-up: Sections 1 to 5 and the tables of parameters.
+
+use super::*;
+
+pub(super) const CLAIMS: &[Prose] = &[
+    Prose {
+        id: "T1.g",
+        place: "Table 1",
+        gist: "g (m/s²)",
+        stated: "9.81",
+        definition: "the constant that meets every cell of the tables",
+        verdict: Reproduced,
+        because: "Table 3 has the same.",
+        measure: |_| number(Pendulum::PAPER.gravity(), Fixed(2)),
+    },
+    Prose {
+        id: "T1.units_H",
+        place: "Eq. 3, Table 1",
+        gist: "H as a function of θ and ω is the Hamiltonian",
+        stated: "Hamiltonian",
+        definition: "the momentum conjugate to θ is m L² ω",
+        verdict: ReproducedWithDefinition,
+        because: "(θ, ω) are canonical coordinates only where m L² = 1, as in the paper; elsewhere areas scale by m L².",
+        measure: |_| {
+            let pendulum = Pendulum::PAPER;
+            let inertia = pendulum.mass() * pendulum.length() * pendulum.length();
+            says(std::format!("m L² = {inertia} kg m²"), inertia == 1.0)
+        },
+    },
+    Prose {
+        id: "T3.g",
+        place: "Table 3",
+        gist: "gravitational acceleration (m/s²)",
+        stated: "9.81",
+        definition: "input",
+        verdict: Reproduced,
+        because: "",
+        measure: |_| number(Pendulum::PAPER.gravity(), Fixed(2)),
+    },
+    Prose {
+        id: "T3.L",
+        place: "Table 3",
+        gist: "length (m)",
+        stated: "1.0",
+        definition: "input",
+        verdict: Reproduced,
+        because: "",
+        measure: |_| number(Pendulum::PAPER.length(), Fixed(1)),
+    },
+    Prose {
+        id: "T3.m",
+        place: "Table 3",
+        gist: "mass (kg)",
+        stated: "1.0",
+        definition: "input",
+        verdict: Reproduced,
+        because: "",
+        measure: |_| number(Pendulum::PAPER.mass(), Fixed(1)),
+    },
+    Prose {
+        id: "T3.omega0",
+        place: "Table 3",
+        gist: "initial angular velocity (rad/s)",
+        stated: "0.0",
+        definition: "input; elsewhere the same symbol means √(g/L)",
+        verdict: Reproduced,
+        because: "",
+        measure: |_| number(pendula::Phase::at_rest(1.0).omega, Fixed(1)),
+    },
+    Prose {
+        id: "A.dts",
+        place: "Abstract, Section 5.2",
+        gist: "number of steps in the ladder",
+        stated: "5",
+        definition: "0.1, 0.05, 0.01, 0.005, 0.001 s",
+        verdict: Reproduced,
+        because: "",
+        measure: |_| number(STEPS.len() as f64, Fixed(0)),
+    },
+    Prose {
+        id: "A.tspan",
+        place: "Abstract",
+        gist: "duration of the long run (s)",
+        stated: "1000",
+        definition: "100 000 steps of 0.01 s",
+        verdict: Reproduced,
+        because: "",
+        measure: |_| {
+            let grid = Grid::over(long_run::DURATION, long_run::STEP);
+            number(grid.map_or(f64::NAN, |grid| grid.time(grid.steps())), Fixed(0))
+        },
+    },
+    Prose {
+        id: "A.bounded",
+        place: "Abstract, Section 8",
+        gist: "symplectic energy errors stay bounded however long the run",
+        stated: "bounded",
+        definition: "largest energy error over 10⁶ against 10⁵ steps; speed reached from the chaotic layer",
+        verdict: ReproducedWithDefinition,
+        because: "True of small steps. The method is the standard map: beyond K = g Δt²/L = 0.9716, that is 0.3147 s, energy diffuses without bound.",
+        measure: bounded,
+    },
+    Prose {
+        id: "A.verlet_pct",
+        place: "Abstract, Section 8",
+        gist: "energy error of Störmer–Verlet over 1000 s, in per cent of |H(0)|",
+        stated: "0.02",
+        definition: "Table 5",
+        verdict: Reproduced,
+        because: "",
+        measure: |study| number(row!(study.long_run, "vv").percent_of_initial(), Significant(5)),
+    },
+    Prose {
+        id: "A.rk4_order",
+        place: "Abstract",
+        gist: "RK4 converges with order",
+        stated: "4",
+        definition: "slope of the largest error of the state against the exact solution",
+        verdict: ReproducedWithDefinition,
+        because: "The state has order 4, a single step order 5, and so has the energy error that the paper shows.",
+        measure: |study| number(row!(study.characteristics, "rk4").order(), Fixed(2)),
+    },
+    Prose {
+        id: "A.optimal",
+        place: "Abstract, Section 8",
+        gist: "Störmer–Verlet is the best choice for long runs",
+        stated: "the best",
+        definition: "largest energy error over the paper's own 1000 s: Störmer–Verlet's over RK4's",
+        verdict: Wrong,
+        because: "In the paper's own long run RK4's error is that many times smaller; its loss reaches Störmer–Verlet's amplitude only after 240 times as long.",
+        measure: |study| {
+            let ratio = row!(study.long_run, "vv").drift / row!(study.long_run, "rk4").drift;
+            shows(ratio, Fixed(0), ratio < 1.0)
+        },
+    },
+    Prose {
+        id: "A.period",
+        place: "Abstract, Sections 1 and 8",
+        gist: "relative error of the period at 3 rad (%)",
+        stated: "0.001",
+        definition: "time of the highest sample on the grid, against the elliptic integral",
+        verdict: ReproducedWithDefinition,
+        because: "It is the spacing of the grid; see T7.relerr.",
+        measure: |study| {
+            let periods = &study.large_angle;
+            number(periods.percent(periods.by_peak), Significant(6))
+        },
+    },
+    Prose {
+        id: "A.dt2",
+        place: "Abstract",
+        gist: "power of Δt in Störmer–Verlet's energy error",
+        stated: "2",
+        definition: "slope of Table 4 at its finest steps",
+        verdict: Reproduced,
+        because: "The error is Δt² (g/L)² (5 + cos θ₀)(1 − cos θ₀)/24, from the modified Hamiltonian.",
+        measure: |study| number(order_range(study, "vv").0, Fixed(3)),
+    },
+    Prose {
+        id: "P1.lines200",
+        place: "Section 1",
+        gist: "the implementation has fewer than 200 lines",
+        stated: "< 200",
+        definition: "",
+        verdict: NotCheckable,
+        because: "The code is not supplied, and Section 8 speaks of 300.",
+        measure: nothing,
+    },
+    Prose {
+        id: "P1.orders",
+        place: "Section 1",
+        gist: "the orders 1, 1, 2, 4 are confirmed",
+        stated: "1, 1, 2, 4",
+        definition: "slopes of the energy error between neighbouring steps of Table 4, each to ± 0.15",
+        verdict: Wrong,
+        because: "The energy error of RK4 has order 5, and forward Euler is not yet in the range where it has one.",
+        measure: orders_confirmed,
+    },
+    Prose {
+        id: "P1.three_orders",
+        place: "Section 1",
+        gist: "symplectic methods conserve energy better by three orders of magnitude",
+        stated: "10³",
+        definition: "forward Euler's energy error over symplectic Euler's in Table 5",
+        verdict: ReproducedWithDefinition,
+        because: "It is nearly four for symplectic Euler and nearly six for Störmer–Verlet.",
+        measure: |study| {
+            let ratio = row!(study.long_run, "fe").drift / row!(study.long_run, "se").drift;
+            shows(ratio, Scientific(3), ratio > 1e3)
+        },
+    },
+    Prose {
+        id: "P1.no_elementary",
+        place: "Section 1",
+        gist: "the pendulum has no solution in elementary functions",
+        stated: "none",
+        definition: "third harmonic of the exact motion over the first at 3 rad: a sinusoid has none",
+        verdict: Reproduced,
+        because: "The solution is Jacobi's sn, whose nome is not elementary.",
+        measure: |_| {
+            let third = findings::waveform(3.0).1;
+            shows(third, Fixed(4), third > 0.1)
+        },
+    },
+    Prose {
+        id: "P2.alltime",
+        place: "Section 2",
+        gist: "energy errors of order Δtᵖ for all time",
+        stated: "all time",
+        definition: "whether Störmer–Verlet leaves the chaotic layer at K = g Δt²/L = 1.5",
+        verdict: Wrong,
+        because: "The theorem gives times exponential in 1/Δt, for Δt small enough. At K = 1.5 there is no bound.",
+        measure: |_| {
+            let text = if escapes(1.5) { "no bound at K = 1.5" } else { "bounded at K = 1.5" };
+            says(text.to_string(), !escapes(1.5))
+        },
+    },
+    Prose {
+        id: "P3.eq5",
+        place: "Section 3.4",
+        gist: "T = 4 √(L/g) K(sin(θ₀/2))",
+        stated: "Eq. 5",
+        definition: "against the return time of the closed form; the argument of K is the modulus k, not m = k²",
+        verdict: Reproduced,
+        because: "",
+        measure: |_| {
+            let start = pendula::Phase::at_rest(2.0);
+            let period = exact::period(&Pendulum::PAPER, 2.0).unwrap_or(f64::NAN);
+            let motion = pendula::Motion::new(&Pendulum::PAPER, start);
+            let back = motion.map_or(f64::NAN, |motion| motion.at(period).theta);
+            says("closes the orbit".to_string(), is_near(back, 2.0, 1e-14))
+        },
+    },
+    Prose {
+        id: "P3.eq4",
+        place: "Section 3.3",
+        gist: "θ₀ cos ω₀t solves the linear oscillator",
+        stated: "Eq. 4",
+        definition: "released from rest",
+        verdict: Reproduced,
+        because: "It holds for a release from rest only.",
+        measure: |_| {
+            let linear = LinearOscillator::of(Pendulum::PAPER);
+            let start = pendula::Phase::at_rest(0.05);
+            let kept = linear.energy(linear.exact(start, 7.3)) / linear.energy(start);
+            says("conserves its energy".to_string(), is_near(kept, 1.0, 1e-14))
+        },
+    },
+    Prose {
+        id: "P4.rk4_lte",
+        place: "Section 4.4",
+        gist: "order of RK4's local truncation error",
+        stated: "4",
+        definition: "slope of the error of a single step",
+        verdict: Wrong,
+        because: "A single step is of order 5; the global error is of order 4.",
+        measure: |_| {
+            let slope = findings::one_step_slope(&Rk4);
+            shows(slope, Fixed(1), is_near(slope, 4.0, 0.5))
+        },
+    },
+    Prose {
+        id: "P4.rk4_evals",
+        place: "Section 4.4",
+        gist: "force evaluations of RK4 a step",
+        stated: "4",
+        definition: "counted",
+        verdict: Reproduced,
+        because: "",
+        measure: |study| number(row!(study.characteristics, "rk4").evaluations, Fixed(0)),
+    },
+    Prose {
+        id: "P4.vv_evals",
+        place: "Sections 4.5 and 8",
+        gist: "force evaluations of Störmer–Verlet a step",
+        stated: "2",
+        definition: "counted",
+        verdict: Wrong,
+        because: "The force at the end of a step is that at the start of the next.",
+        measure: |study| number(row!(study.characteristics, "vv").evaluations, Fixed(0)),
+    },
+    Prose {
+        id: "P4.vv_twoform",
+        place: "Sections 4.5 and 8",
+        gist: "Störmer–Verlet preserves the symplectic form",
+        stated: "exactly",
+        definition: "det J − 1 of one step, within the error of the difference quotient",
+        verdict: Reproduced,
+        because: "",
+        measure: |study| {
+            let defect = row!(study.characteristics, "vv").area_defect.abs();
+            says("det J = 1".to_string(), defect < AREA_TOLERANCE)
+        },
+    },
+    Prose {
+        id: "P4.fe_nonsymp",
+        place: "Section 4.2",
+        gist: "forward Euler is not symplectic",
+        stated: "not symplectic",
+        definition: "det J − 1 of one step of 0.1 s at 1 rad",
+        verdict: Reproduced,
+        because: "The defect is Δt² (g/L) cos θ: area grows below the horizontal and shrinks above.",
+        measure: |study| {
+            let defect = row!(study.characteristics, "fe").area_defect;
+            shows(defect, Fixed(5), defect.abs() > AREA_TOLERANCE)
+        },
+    },
+    Prose {
+        id: "P4.se_symp",
+        place: "Section 4.3",
+        gist: "the new velocity makes symplectic Euler symplectic, and its energy error bounded",
+        stated: "bounded",
+        definition: "det J, and the energy over 1000 s",
+        verdict: Reproduced,
+        because: "",
+        measure: |study| {
+            let row = row!(study.characteristics, "se");
+            let bounded = row.energy == EnergyBehaviour::BoundedOscillation;
+            says("det J = 1; bounded oscillation".to_string(), row.symplectic() && bounded)
+        },
+    },
+    Prose {
+        id: "P5.metric_pct",
+        place: "Section 5.3",
+        gist: "energy errors in per cent of |H(0)|",
+        stated: "a measure of quality",
+        definition: "|H(0)| at a release from π/2 (J), where the percentage is infinite",
+        verdict: ReproducedWithDefinition,
+        because: "It depends on where the potential is said to be zero.",
+        measure: |study| {
+            let quarter = pendula::Phase::at_rest(core::f64::consts::FRAC_PI_2);
+            let initial = Pendulum::PAPER.hamiltonian(quarter).abs();
+            let table = row!(study.long_run, "fe").percent_of_initial();
+            says(
+                "zero to rounding".to_string(),
+                is_near(initial, 0.0, 1e-14) && prints_as("T5.fe.pct", table),
+            )
+        },
+    },
+    Prose {
+        id: "P5.metric_rms",
+        place: "Section 5.3",
+        gist: "the mean of the RMS error runs over N samples",
+        stated: "N",
+        definition: "samples that meet Table 6 at 0.1 s",
+        verdict: ReproducedWithDefinition,
+        because: "Seven cells of Table 6 are met with N + 1 samples only.",
+        measure: |study| {
+            let over_all = row!(study.small_angle, "fe").errors[0].formula;
+            // 100 steps: the mean over N instead of N + 1 samples.
+            let over_steps = over_all * libm::sqrt(101.0 / 100.0);
+            let met = [over_all, over_steps].map(|error| prints_as("T6.fe.0.1", error));
+            says("N + 1".to_string(), met == [true, false])
+        },
+    },
+    Prose {
+        id: "P5.core",
+        place: "Section 5.4",
+        gist: "one core, Python with NumPy and SciPy",
+        stated: "environment",
+        definition: "",
+        verdict: NotCheckable,
+        because: "Neither machine nor versions are recorded.",
+        measure: nothing,
+    },
+];

@@ -1,0 +1,204 @@
+//! What the paper says in its sentences: each claim with how it is measured and what became of it.
+//!
+//! The ids follow the paper: `A` abstract, `P` a section's number, `T1` and `T3` its tables of parameters, `F` a figure, `X` what it leaves
+//! open and its numbers decide. One file for each part of the paper.
+
+mod background;
+mod discussion;
+mod results;
+
+use pendula::methods::{ForwardEuler, PositionVerlet, Rk4, StormerVerlet, SymplecticEuler};
+use pendula::metrics::order::slopes;
+use pendula::verify::area::AREA_TOLERANCE;
+use pendula::{AnyMethod, Grid, Hamiltonian, LinearOscillator, Pendulum, exact};
+
+use super::Verdict::{
+    self, DependsOnPlatform, DependsOnRounding, NotCheckable, Reproduced, ReproducedWithDefinition,
+    Wrong,
+};
+use super::cells::CELLS;
+use super::measure::row_id;
+use super::{Claim, Measured, Tolerance};
+use crate::digits::Format::{self, Fixed, Scientific, Significant};
+use crate::digits::rounds_to;
+use crate::experiments::characteristics::EnergyBehaviour;
+use crate::experiments::variants::DriftKick;
+use crate::experiments::{
+    STEPS, Study, convergence, findings, long_run, phase_portrait, small_angle, work,
+};
+
+/// A sentence of the paper.
+struct Prose {
+    id: &'static str,
+    place: &'static str,
+    gist: &'static str,
+    stated: &'static str,
+    definition: &'static str,
+    verdict: Verdict,
+    because: &'static str,
+    measure: fn(&Study) -> Finding,
+}
+
+/// What is measured, and how it compares with what is stated.
+type Finding = (Measured, Tolerance);
+
+/// A number that has to meet the printed digits.
+const fn number(value: f64, format: Format) -> Finding {
+    (Measured::Number(value, format), Tolerance::PrintedDigits)
+}
+
+/// A number that decides by a comparison.
+const fn shows(value: f64, format: Format, holds: bool) -> Finding {
+    (Measured::Number(value, format), Tolerance::Decided(holds))
+}
+
+/// Words that decide by a comparison.
+const fn says(text: String, holds: bool) -> Finding {
+    (Measured::Text(text), Tolerance::Decided(holds))
+}
+
+const fn nothing(_: &Study) -> Finding {
+    (Measured::Nothing, Tolerance::PrintedDigits)
+}
+
+/// The row of the method `id` in a table of rows.
+macro_rules! row {
+    ($rows:expr, $id:literal) => {
+        $rows.iter().find(|row| row_id(row.method) == $id).expect("one of the paper's methods")
+    };
+}
+use row;
+
+/// All claims in prose, measured.
+pub(super) fn claims(study: &Study) -> impl Iterator<Item = Claim> {
+    let all = [background::CLAIMS, results::CLAIMS, discussion::CLAIMS];
+    all.into_iter().flatten().map(|prose| {
+        let (measured, tolerance) = (prose.measure)(study);
+        Claim {
+            id: prose.id.to_string(),
+            place: prose.place,
+            gist: prose.gist.to_string(),
+            definition: prose.definition,
+            stated: Some(prose.stated),
+            measured,
+            tolerance,
+            verdict: prose.verdict,
+            because: prose.because,
+        }
+    })
+}
+
+/// Whether a value is no further from another than this.
+fn is_near(value: f64, other: f64, distance: f64) -> bool {
+    (value - other).abs() <= distance
+}
+
+/// Whether a value rounds to what the paper prints in the cell of this id.
+fn prints_as(cell: &str, value: f64) -> bool {
+    let cell = CELLS.iter().find(|printed| printed.id == cell).expect("a cell of the paper");
+    rounds_to(value, cell.stated) == Some(true)
+}
+
+/// Whether slopes from `low` to `high` confirm this order, each to ± 0.15.
+fn confirms((low, high): (f64, f64), order: f64) -> bool {
+    [low, high].into_iter().all(|slope| is_near(slope, order, 0.15))
+}
+
+/// Whether an oscillation has grown no larger, to a thousandth: a longer run samples it nearer to its top.
+fn has_not_grown(later: f64, earlier: f64) -> bool {
+    later <= 1.001 * earlier
+}
+
+fn order_range(study: &Study, id: &str) -> (f64, f64) {
+    let row = study.convergence.iter().find(|row| row_id(row.method) == id);
+    let drift = row.map_or([f64::NAN; 5], |row| row.drift);
+    let slopes = slopes(&STEPS, &drift, 1e-11).flatten();
+    slopes.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), p| (low.min(p), high.max(p)))
+}
+
+fn orders_confirmed(study: &Study) -> Finding {
+    let theory = [("fe", 1.0), ("se", 1.0), ("vv", 2.0), ("rk4", 4.0)];
+    let (rk4, fe) = (order_range(study, "rk4"), order_range(study, "fe"));
+    says(
+        std::format!(
+            "slopes of the energy error: RK4 up to {:.2}, forward Euler {:.2} to {:.2}",
+            rk4.1,
+            fe.0,
+            fe.1
+        ),
+        theory.into_iter().all(|(id, order)| confirms(order_range(study, id), order)),
+    )
+}
+
+fn monotonic(study: &Study) -> Finding {
+    let falls = row!(study.long_run, "fe").falls;
+    let first =
+        findings::first_fall(&ForwardEuler, long_run::THETA_0, long_run::STEP, long_run::DURATION);
+    let since = first.map_or_else(String::new, |t| std::format!(", the first at {t:.2} s"));
+    says(std::format!("{falls} of 100 000 steps lower the energy{since}"), falls == 0)
+}
+
+/// Whether an orbit of Störmer–Verlet from the chaotic layer crosses u = ω Δt = 2π, which it can only where no
+/// invariant curve is left between 0 and 2π.
+fn escapes(k: f64) -> bool {
+    findings::chaotic_speed(&StormerVerlet, k, 200_000) > core::f64::consts::TAU
+}
+
+fn bounded(_: &Study) -> Finding {
+    let drift = |steps| findings::energy_drift(&StormerVerlet, 1.0, 0.01, steps);
+    let (small, large) = (has_not_grown(drift(1_000_000), drift(100_000)), escapes(1.5));
+    says(
+        std::format!(
+            "at 0.01 s {}; at K = 0.9 {}; at K = 1.5 {}",
+            if small { "bounded over 10⁶ steps" } else { "growing" },
+            if escapes(0.9) { "unbounded" } else { "bounded" },
+            if large { "unbounded" } else { "bounded" },
+        ),
+        small,
+    )
+}
+
+fn largest_formula_error(theta_0: f64, step: f64) -> f64 {
+    findings::normalised_formula_error(&Rk4, theta_0, step).0
+}
+
+#[cfg(test)]
+mod tests {
+    use rstest::rstest;
+
+    use super::{confirms, has_not_grown, is_near, prints_as};
+
+    /// The distances are binary fractions, so that a number can lie on the bound.
+    ///
+    /// Catches: a distance with one side only, one by ratio, and a bound that is missed or passed.
+    #[rstest]
+    #[case(2.5, true)]
+    #[case(1.5, true)]
+    #[case(2.0, true)]
+    #[case(2.5_f64.next_up(), false)]
+    #[case(1.5_f64.next_down(), false)]
+    #[case(f64::NAN, false)]
+    fn what_is_near_is_so_on_either_side(#[case] value: f64, #[case] near: bool) {
+        assert_eq!(is_near(value, 2.0, 0.5), near);
+    }
+
+    /// Catches: an order confirmed by one of its slopes, or by none.
+    #[rstest]
+    #[case((1.86, 2.14), true)]
+    #[case((1.84, 2.0), false)]
+    #[case((2.0, 2.16), false)]
+    #[case((-2.0, 2.0), false)]
+    #[case::no_slopes((f64::INFINITY, f64::NEG_INFINITY), false)]
+    fn an_order_is_confirmed_by_every_slope(#[case] range: (f64, f64), #[case] confirmed: bool) {
+        assert_eq!(confirms(range, 2.0), confirmed);
+    }
+
+    /// Catches: a slow growth that is called none, and another cell's digits.
+    #[test]
+    fn a_growth_shows_and_a_cell_is_met_in_its_own_digits() {
+        assert!(has_not_grown(3.0, 3.0) && has_not_grown(3.002, 3.0) && has_not_grown(2.0, 3.0));
+        assert!(!has_not_grown(3.004, 3.0), "by more than a thousandth");
+        assert!(prints_as("T6.fe.0.1", 0.9194) && !prints_as("T6.fe.0.1", 0.9196));
+        assert!(!prints_as("T6.se.0.1", 0.9194), "another cell");
+    }
+}

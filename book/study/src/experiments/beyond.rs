@@ -1,0 +1,304 @@
+//! Beyond the paper: what is found of the damped and driven, shaken and doubled pendulum, and of a planet.
+//!
+//! These are experiments of our own. [`Study::run`](super::Study::run) does not include them; each is a function that takes
+//! a fraction of a second.
+
+use core::f64::consts::{PI, SQRT_2};
+
+use pendula::dynamics::floquet::{PeriodicOrbit, monodromy};
+use pendula::dynamics::lyapunov::Watch;
+use pendula::dynamics::{
+    Exponent, Stroboscope, largest_exponent, period_doubling, periodic_orbit, root,
+};
+use pendula::methods::{Rk4, StormerVerlet};
+use pendula::metrics::CrossingPeriod;
+use pendula::systems::{
+    DoublePendulum, DoublePhase, Driven, Ellipse, Joint, Kepler, Mathieu, PlanePhase, Shaken,
+};
+use pendula::{Grid, Observer, Pendulum, Phase, integrate};
+
+use crate::digits::Format;
+use crate::theory::kepler::verlet_precession;
+use crate::theory::mathieu;
+
+// ---------------------------------------------------------------------------------------------------------------------
+// The driven pendulum
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// Steps a period where an orbit is sought. RK4's error there is O(h⁴), and with twice as many steps the drives of
+/// [`doublings`] move by 3e-11.
+pub const FINE: u64 = 1000;
+/// Steps a period where only the statistics of a chaotic motion count.
+pub const COARSE: u64 = 100;
+
+/// A drive at which an orbit of Taylor's pendulum doubles its period.
+#[derive(Clone, Copy, Debug)]
+pub struct Doubling {
+    /// The drive strength γ.
+    pub strength: f64,
+    /// The orbit, of which one multiplier is −1.
+    pub orbit: PeriodicOrbit,
+}
+
+/// The first two period doublings of [Taylor's pendulum](Driven::taylor), from period 1 to 2 and from 2 to 4.
+pub fn doublings() -> [Doubling; 2] {
+    // A period 1 orbit attracts at the lower end of the first bracket, a period 2 orbit at that of the second.
+    [(1, (1.06, 1.07)), (2, (1.077, 1.080))].map(|(periods, bracket)| {
+        doubling(periods, bracket, FINE).expect("a doubling in each bracket")
+    })
+}
+
+/// The drive in `bracket` at which the orbit of so many `periods` doubles its period, found with so many `steps` a period.
+pub fn doubling(periods: u32, bracket: (f64, f64), steps: u64) -> Option<Doubling> {
+    let near = attractor(&Driven::taylor(bracket.0).ok()?);
+    let orbit = |strength, near| {
+        let driven = Driven::taylor(strength).ok()?;
+        periodic_orbit(&seen(&driven, steps), near, periods)
+    };
+    let mut last = near;
+    let followed = |strength, near| {
+        let orbit = orbit(strength, near)?;
+        last = orbit.point;
+        Some(orbit)
+    };
+    let strength = period_doubling(followed, near, bracket, 10)?;
+    Some(Doubling { strength, orbit: orbit(strength, last)? })
+}
+
+/// `driven` seen once a period, each of so many steps of RK4.
+pub fn seen(driven: &Driven, steps: u64) -> Stroboscope<'_, Driven, Rk4> {
+    Stroboscope::new(driven, &Rk4, driven.period(), steps).expect("a period and its steps")
+}
+
+/// Where the pendulum, hung at rest, has got to after 200 periods, with its angle in [−π, π).
+pub fn attractor(driven: &Driven) -> Phase {
+    let strobe = seen(driven, COARSE);
+    wrapped((0..200).fold(Phase::default(), |z, _| strobe.map(z)))
+}
+
+/// The same state with its angle in [−π, π).
+fn wrapped(z: Phase) -> Phase {
+    Phase { theta: z.theta - 2.0 * PI * libm::floor((z.theta + PI) / (2.0 * PI)), ..z }
+}
+
+/// A drive at which Taylor's pendulum is chaotic (his Sect. 12.5).
+pub const CHAOTIC: f64 = 1.105;
+
+/// The largest Lyapunov exponent (1/s) of Taylor's pendulum at [`CHAOTIC`] drive, over 2000 periods after the first 100.
+pub fn lyapunov() -> Exponent {
+    let driven = Driven::taylor(CHAOTIC).expect("a drive");
+    let watch = Watch { settling: 100, blocks: 40, periods: 50 };
+    largest_exponent(&seen(&driven, COARSE), Phase::default(), watch)
+}
+
+/// The Poincaré section of Taylor's strange attractor, γ = 1.5 and β = ω₀/8: so many states, one a period, after the first
+/// 100; angles in [−π, π).
+pub fn poincare(points: usize) -> Vec<Phase> {
+    let driven = Driven::taylor_damped(1.5, 0.125).expect("a drive");
+    let strobe = seen(&driven, COARSE);
+    let states = core::iter::successors(Some(Phase::default()), |z| Some(wrapped(strobe.map(*z))));
+    states.skip(100).take(points).collect()
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// The shaken pendulum
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// Of the two boundaries of the stable upright, which.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Boundary {
+    /// Shaken less, it falls over: a multiplier is 1, the trace 2.
+    Falling,
+    /// Shaken more, it rocks ever wider, to and fro in two periods: a multiplier is −1, the trace −2.
+    Rocking,
+}
+
+/// The amplitude of the pivot (m) at which the upright `pendulum` loses its stability, shaken at the angular `frequency`
+/// Ω (rad/s), with so many `steps` of RK4 a period; `None` below some Ω, where no shaking holds it.
+///
+/// It is sought between a fifth of Kapitza's √(2gL)/Ω and 0.4 L, and from there to 0.6 L.
+pub fn upright(pendulum: &Pendulum, frequency: f64, boundary: Boundary, steps: u64) -> Option<f64> {
+    let kapitza = libm::sqrt(2.0 * pendulum.gravity() * pendulum.length()) / frequency;
+    let middle = 0.4 * pendulum.length();
+    let (multiplier, low, high) = match boundary {
+        Boundary::Falling => (1.0, 0.2 * kapitza, middle),
+        Boundary::Rocking => (-1.0, middle, 1.5 * middle),
+    };
+    let distance = |amplitude| {
+        let shaken = Shaken::new(*pendulum, amplitude, frequency).ok()?;
+        let strobe = Stroboscope::new(&shaken, &Rk4, shaken.period(), steps).ok()?;
+        let (_, monodromy) = monodromy(&strobe, Phase::at_rest(PI), 1);
+        Some(monodromy.characteristic(multiplier))
+    };
+    root(distance, low, high)
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// The double pendulum
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// The angular frequency (rad/s) of a swing of `double` from rest at θ₁ = `theta1` and θ₂ = θ₁ times the `shape`, over
+/// 20 s in steps of 1 ms of RK4: the mean of the crossings of θ₁ = 0.
+pub fn swing_frequency(double: &DoublePendulum, theta1: f64, shape: f64) -> Option<f64> {
+    let start = double.start([theta1, theta1 * shape], [0.0; 2]).ok()?;
+    let grid = Grid::new(0.001, 20_000).ok()?;
+    let mut period = CrossingPeriod::default();
+    integrate(double, &Rk4, start, &grid, &mut |n, t, z: DoublePhase| {
+        let [omega, _] = double.velocities(z);
+        period.observe(n, t, Phase { theta: z.theta1, omega });
+    });
+    Some(2.0 * PI / period.period()?)
+}
+
+/// Two equal joints of 1 m and 1 kg under the paper's gravity.
+pub fn equals() -> DoublePendulum {
+    let joint = Joint { length: 1.0, mass: 1.0 };
+    DoublePendulum::of_equals(Pendulum::PAPER.gravity(), joint).expect("parameters in range")
+}
+
+/// The distance √(Δθ₁² + Δθ₂²) (rad) against time (s) of two starts from rest, one at the angles `theta` (rad) and one with
+/// its upper angle larger by `nudge` (rad): every tenth of `steps` steps of `step` (s) of RK4.
+pub fn separation(
+    double: &DoublePendulum,
+    theta: [f64; 2],
+    nudge: f64,
+    (step, steps): (f64, u64),
+) -> Vec<(f64, f64)> {
+    let grid = Grid::new(step, steps).expect("a positive step");
+    let path = |theta1| {
+        let start = double.start([theta1, theta[1]], [0.0; 2]).expect("finite angles");
+        let mut path = Vec::new();
+        integrate(double, &Rk4, start, &grid, &mut |n, t, z: DoublePhase| {
+            if n % 10 == 0 {
+                path.push((t, z));
+            }
+        });
+        path
+    };
+    let (one, other) = (path(theta[0]), path(theta[0] + nudge));
+    let apart = |((t, a), (_, b)): ((f64, DoublePhase), (f64, DoublePhase))| {
+        let (upper, lower) = (a.theta1 - b.theta1, a.theta2 - b.theta2);
+        (t, libm::sqrt(upper * upper + lower * lower))
+    };
+    one.into_iter().zip(other).map(apart).collect()
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// The planet
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// By how much Störmer–Verlet turns the pericentre of `ellipse` about `centre` in a revolution of `steps` steps (rad): the
+/// mean over 20 revolutions, from apocentre to apocentre, where the direction is steadiest.
+pub fn precession(centre: &Kepler, ellipse: &Ellipse, steps: u64) -> f64 {
+    let grid = Grid::new(ellipse.period() / steps as f64, 21 * steps).expect("a positive step");
+    let mut apocentres = Vec::new();
+    // r · v at the sample before.
+    let mut before = 0.0;
+    integrate(centre, &StormerVerlet, ellipse.at(0.0), &grid, &mut |_, _, z: PlanePhase| {
+        let receding = z.x * z.vx + z.y * z.vy;
+        if before > 0.0 && receding <= 0.0 {
+            let towards = centre.eccentricity(z);
+            apocentres.push(libm::atan2(towards.y, towards.x));
+        }
+        before = receding;
+    });
+    (apocentres[20] - apocentres[0]) / 20.0
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// All of it
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// A quantity that is found, and what is known of it.
+#[derive(Clone, Copy, Debug)]
+pub struct Row {
+    /// The quantity, with its unit.
+    pub quantity: &'static str,
+    /// What theory or literature says, and in how many digits.
+    pub known: Option<(f64, Format)>,
+    /// What the library finds.
+    pub found: f64,
+    /// Its standard error, where it is a mean.
+    pub error: Option<(f64, Format)>,
+    /// As many digits as can be defended.
+    pub format: Format,
+    /// Who says what is known.
+    pub source: &'static str,
+}
+
+/// The quantities of this file, one row each.
+pub fn rows() -> Vec<Row> {
+    let [first, second] = doublings();
+    let contraction = Driven::taylor(first.strength).expect("a drive").contraction();
+    let exponent = lyapunov();
+    let pendulum = Pendulum::PAPER;
+    let frequency = 100.0;
+    let amplitude = |boundary| upright(&pendulum, frequency, boundary, FINE);
+    let falling = amplitude(Boundary::Falling).expect("fast shaking holds it");
+    let double = equals();
+    let square = |frequency: f64| frequency * frequency * pendulum.length() / pendulum.gravity();
+    let [slow, fast] = double.mode_shapes().map(|shape| {
+        square(swing_frequency(&double, 1e-5, shape).expect("a swing crosses the bottom"))
+    });
+    let centre = Kepler::new(1.0).expect("an attraction");
+    let ellipse = Ellipse::new(&centre, 1.0, 0.5).expect("an ellipse");
+    let turned = precession(&centre, &ellipse, FINE);
+    let law = verlet_precession(&ellipse, ellipse.period() / FINE as f64);
+    let kapitza = |amplitude: f64| {
+        let speed = amplitude * frequency;
+        speed * speed / (2.0 * pendulum.gravity() * pendulum.length())
+    };
+    let mathieu = |amplitude| {
+        let Mathieu { a, q } = Shaken::new(pendulum, amplitude, frequency).ok()?.mathieu();
+        Some(a - mathieu::a0(q))
+    };
+    let boundary = root(mathieu, 0.5 * falling, 2.0 * falling).expect("Mathieu's boundary");
+    let row = |quantity, format, known: f64, found, source| Row {
+        quantity,
+        known: Some((known, format)),
+        found,
+        error: None,
+        format,
+        source,
+    };
+    let taylor = |quantity, known, found: Doubling| Row {
+        known: Some((known, Format::Fixed(4))),
+        ..row(quantity, Format::Fixed(9), known, found.strength, "Taylor (2005), Table 12.1")
+    };
+    vec![
+        taylor("Driven: first period doubling, γ₁", 1.0663, first),
+        taylor("Driven: second period doubling, γ₂", 1.0793, second),
+        row(
+            "Driven: determinant of the monodromy matrix at γ₁",
+            Format::Fixed(8),
+            contraction,
+            first.orbit.monodromy.determinant(),
+            "exp(−2β · 2π/Ω), Liouville",
+        ),
+        Row {
+            quantity: "Driven: largest Lyapunov exponent at γ = 1.105 (1/s)",
+            known: None,
+            found: exponent.value,
+            error: Some((exponent.error, Format::Fixed(2))),
+            // With another rounding of one sine it would be another motion, whose mean is this only within the error bar.
+            format: Format::Fixed(2),
+            source: "positive: chaos",
+        },
+        row(
+            "Shaken at 100 rad/s: (aΩ)²/(2gL) where the upright falls",
+            Format::Fixed(8),
+            kapitza(boundary),
+            kapitza(falling),
+            "a₀(2a/L) = −4g/(LΩ²), Mathieu; 1 for Ω → ∞, Kapitza",
+        ),
+        row("Double: slow mode, ω² L/g", Format::Fixed(6), 2.0 - SQRT_2, slow, "2 − √2"),
+        row("Double: fast mode, ω² L/g", Format::Fixed(6), 2.0 + SQRT_2, fast, "2 + √2"),
+        row(
+            "Kepler, e = 0.5: Störmer–Verlet's precession a revolution of 1000 steps (rad)",
+            Format::Scientific(3),
+            law,
+            turned,
+            "−(π/8)(nh)² (4 + e²)/(1 − e²)³",
+        ),
+    ]
+}

@@ -1,0 +1,117 @@
+//! The properties of each method, measured and not declared: the paper's Table 2.
+
+use core::fmt;
+
+use pendula::exact::Motion;
+use pendula::methods::registry::AnyMethod;
+use pendula::metrics::order::slopes;
+use pendula::verify::Ladder;
+use pendula::verify::area::{AREA_STEP, area_defect, area_tolerance};
+use pendula::{Grid, Pendulum, Phase};
+
+use super::{MethodRef, long_run, released};
+
+/// A row of Table 2.
+#[derive(Clone, Copy, Debug)]
+pub struct Row {
+    /// The method.
+    pub method: MethodRef,
+    /// Errors of the state on a ladder of steps.
+    pub ladder: Ladder,
+    /// det J − 1 of one step at θ = 1 rad, ω = 0.5 rad/s: how much the area grows.
+    pub area_defect: f64,
+    /// Force evaluations a step, counted.
+    pub evaluations: f64,
+    /// What the energy does over the 1000 s of Table 5.
+    pub energy: EnergyBehaviour,
+}
+
+impl Row {
+    /// The slope between the two finest rungs above the rounding floor.
+    pub fn order(&self) -> f64 {
+        self.ladder.slopes().last().unwrap_or(f64::NAN)
+    }
+
+    /// Whether one step preserves area, to the accuracy of the finite difference that measures it.
+    pub fn symplectic(&self) -> bool {
+        self.area_defect.abs() < area_tolerance(area_step(self.method))
+    }
+}
+
+/// What a method's energy error does over a long run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum EnergyBehaviour {
+    /// It reaches its bound in the first tenth of the run and never leaves it.
+    BoundedOscillation,
+    /// It grows, and is still a small part of the energy at the end.
+    SlowSecularDrift,
+    /// It grows to more than the energy itself, at every step.
+    MonotonicDrift,
+    /// It grows to more than the energy itself, but many a step takes energy away.
+    DriftWithFalls,
+}
+
+impl fmt::Display for EnergyBehaviour {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::BoundedOscillation => "Bounded oscillation",
+            Self::SlowSecularDrift => "Slow secular drift",
+            Self::MonotonicDrift => "Monotonic drift",
+            Self::DriftWithFalls => "Drift with falls",
+        })
+    }
+}
+
+/// Measures each method; what its energy does is read off the long run.
+pub fn run(long_run: &[long_run::Row]) -> Vec<Row> {
+    long_run
+        .iter()
+        .map(|run| Row {
+            method: run.method,
+            ladder: Ladder::climb(run.method),
+            area_defect: area_defect(
+                run.method,
+                &Pendulum::PAPER,
+                AREA_STATE,
+                area_step(run.method),
+            ),
+            evaluations: evaluations(run.method),
+            energy: energy_behaviour(run),
+        })
+        .collect()
+}
+
+/// Where Table 2 measures the area.
+const AREA_STATE: Phase = Phase { theta: 1.0, omega: 0.5 };
+/// The step (s) of which the area is measured: [`AREA_STEP`], and four times that beyond order 4, where so short a step
+/// changes area by no more than the measurement can see, whatever the method.
+fn area_step(method: MethodRef) -> f64 {
+    if method.properties().order > 4 { 4.0 * AREA_STEP } else { AREA_STEP }
+}
+
+/// Evaluations a step: the difference between a run of 1001 steps and one of a single step, so that what a method
+/// does once before it begins does not count.
+fn evaluations(method: MethodRef) -> f64 {
+    let count = |steps| {
+        let grid = Grid::new(0.01, steps).expect("a positive step");
+        method.count_evaluations(&Pendulum::PAPER, released(1.0), &grid)
+    };
+    (count(1001) - count(1)) as f64 / 1000.0
+}
+
+/// What rounding makes of the energy in the 10⁵ steps of the long run (J): each rounds some 5 J by 1e-16 of it or a few, at
+/// random, which adds up to 3e-13, and to ten times that if luck is bad.
+pub const ROUNDING: f64 = 3e-12;
+
+fn energy_behaviour(run: &long_run::Row) -> EnergyBehaviour {
+    let energy = run.initial + Pendulum::PAPER.depth();
+    if run.drift <= 1.01 * run.early_drift + ROUNDING {
+        EnergyBehaviour::BoundedOscillation
+    } else if run.drift < 0.01 * energy {
+        EnergyBehaviour::SlowSecularDrift
+    } else if run.falls == 0 {
+        EnergyBehaviour::MonotonicDrift
+    } else {
+        EnergyBehaviour::DriftWithFalls
+    }
+}

@@ -1,0 +1,123 @@
+//! One step taken apart: what a method asks of the pendulum on its way, written down as it asks.
+//!
+//! Nothing here knows any method. The pendulum that it is given notes each rate, kick and drift, so that a drawing of the step
+//! is a drawing of the method's own code.
+
+use core::cell::RefCell;
+use core::ops::Add;
+
+use pendula::integrate::Method;
+use pendula::systems::{Point, Rate, Separable, System};
+use pendula::{Pendulum, Phase};
+
+/// One step, with its parts.
+#[derive(Clone, Debug)]
+pub struct Stencil {
+    /// Where the step ends.
+    pub end: Phase,
+    /// The points at which the method asked for the rate of change, each with the answer, in order.
+    pub slopes: Vec<(Phase, Phase)>,
+    /// The kicks and drifts that lead from the start to the end, in order. What was done for the step after is left out.
+    pub parts: Vec<Part>,
+}
+
+/// A kick or a drift of a step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Part {
+    /// Which of the two.
+    pub kind: Kind,
+    /// How long it lasts (s).
+    pub duration: f64,
+    /// From here …
+    pub from: Phase,
+    /// … to here.
+    pub to: Phase,
+}
+
+/// What moves a pendulum in parts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// The force changes the velocity.
+    Kick,
+    /// The velocity changes the angle.
+    Drift,
+}
+
+/// Takes one step of `h` (s) from `start` with `method`, and notes its parts.
+pub fn stencil<M>(method: &M, pendulum: &Pendulum, start: Phase, h: f64) -> Stencil
+where
+    M: for<'a> Method<Noting<'a>>,
+{
+    let noting = Noting { pendulum, slopes: RefCell::default(), parts: RefCell::default() };
+    let start = Noted { z: start, by: None };
+    let mut memo = method.start(&noting, 0.0, h, start);
+    let end = method.step(&noting, 0.0, h, start, &mut memo);
+    let noted = noting.parts.into_inner();
+    // Back from the end, from each part to the one before it.
+    let parts = core::iter::successors(end.by, |&by| noted[by].1).map(|by| noted[by].0);
+    let mut parts: Vec<Part> = parts.collect();
+    parts.reverse();
+    Stencil { end: end.z, slopes: noting.slopes.into_inner(), parts }
+}
+
+/// A pendulum that notes what is asked of it.
+#[derive(Debug)]
+pub struct Noting<'a> {
+    pendulum: &'a Pendulum,
+    slopes: RefCell<Vec<(Phase, Phase)>>,
+    /// Each part, and which one led to where it begins.
+    parts: RefCell<Vec<(Part, Option<usize>)>>,
+}
+
+/// A state that knows which part of the step led to it.
+#[derive(Clone, Copy, Debug)]
+pub struct Noted {
+    z: Phase,
+    by: Option<usize>,
+}
+
+impl Add<Phase> for Noted {
+    type Output = Self;
+
+    fn add(self, displacement: Phase) -> Self {
+        Self { z: self.z + displacement, ..self }
+    }
+}
+
+impl Point for Noted {
+    type Displacement = Phase;
+}
+
+impl Noting<'_> {
+    fn note(&self, kind: Kind, duration: f64, from: Noted, to: Phase) -> Noted {
+        let mut parts = self.parts.borrow_mut();
+        parts.push((Part { kind, duration, from: from.z, to }, from.by));
+        Noted { z: to, by: Some(parts.len() - 1) }
+    }
+}
+
+impl System for Noting<'_> {
+    type State = Noted;
+
+    fn rate(&self, t: f64, at: Noted) -> Rate<Self> {
+        let rate = self.pendulum.rate(t, at.z);
+        self.slopes.borrow_mut().push((at.z, rate));
+        rate
+    }
+}
+
+impl Separable for Noting<'_> {
+    type Force = f64;
+
+    fn force(&self, t: f64, at: Noted) -> f64 {
+        self.pendulum.force(t, at.z)
+    }
+
+    fn kick(&self, at: Noted, force: f64, h: f64) -> Noted {
+        self.note(Kind::Kick, h, at, self.pendulum.kick(at.z, force, h))
+    }
+
+    fn drift(&self, at: Noted, h: f64) -> Noted {
+        self.note(Kind::Drift, h, at, self.pendulum.drift(at.z, h))
+    }
+}

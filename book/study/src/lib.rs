@@ -1,0 +1,47 @@
+//! The study: the paper's experiments run again, what theory says that they must yield, the paper's claims judged, and all
+//! of it as tables and figures.
+//!
+//! Each module uses those above it alone:
+//!
+//! * [`digits`]: how numbers are printed.
+//! * [`theory`]: what follows from the equations, without a step of any method.
+//! * [`experiments`]: what the methods do, as typed rows.
+//! * [`claims`]: what the paper states, held against the rows; theory's predictions of its cells.
+//! * [`charts`]: series to SVG.
+//! * [`report`]: rows and claims as tables and figures.
+#![warn(clippy::disallowed_methods)]
+
+pub mod charts;
+pub mod claims;
+pub mod digits;
+pub mod experiments;
+pub mod report;
+pub mod theory;
+
+/// The listings of the book's chapters, run as tests.
+#[cfg(doctest)]
+mod listings {
+    macro_rules! listings {
+        ($($name:ident: $file:literal,)+) => {
+            $(#[doc = include_str!($file)] mod $name {})+
+        };
+    }
+    listings! {
+        introduction: "../../src/introduction.md",
+        pendulum: "../../src/pendulum.md",
+        exact: "../../src/exact.md",
+        beyond: "../../src/beyond.md",
+        choosing: "../../src/choosing.md",
+        forward_euler: "../../src/forward-euler.md",
+        symplectic_euler: "../../src/symplectic-euler.md",
+        stormer_verlet: "../../src/stormer-verlet.md",
+        rk4: "../../src/rk4.md",
+        order: "../../src/order.md",
+        long_run: "../../src/long-run.md",
+        small_angle: "../../src/small-angle.md",
+        phase_space: "../../src/phase-space.md",
+        large_angle: "../../src/large-angle.md",
+        work: "../../src/work.md",
+        limits: "../../src/limits.md",
+    }
+}

@@ -1,0 +1,244 @@
+//! Figures of evidence: that theory predicts the measurements, and where reading, chaos and rounding take over.
+
+use core::f64::consts::PI;
+
+use pendula::Pendulum;
+
+use super::{Drawing, named, of_the_paper, style, title};
+use crate::charts::{Axis, Chart, Figure, Style};
+use crate::experiments::{
+    STEPS, Study, convergence, large_angle, readings, rounding_walk, small_angle, standard_map,
+};
+use crate::theory;
+
+pub(super) const FIGURES: &[Drawing] = &[
+    Drawing {
+        name: "energy_predicted",
+        caption: "The energy errors of Figure 2: the markers are measured, the lines are worked out from \
+                  theory without a step of any method. Every line goes through its markers, forward \
+                  Euler's bend included.",
+        draw: energy_predicted,
+    },
+    Drawing {
+        name: "cancellation",
+        caption: "Störmer–Verlet's own error falls with the step; that of the small-angle formula stays. What \
+                  the paper measures is their difference, and where the two lines cross it all but \
+                  vanishes.",
+        draw: cancellation,
+    },
+    Drawing {
+        name: "five_periods",
+        caption: "One trajectory, five periods. Above, two of the readings are good enough to show RK4's own \
+                  error, which changes its sign near 2 ms. Below, off the exact motion, each reading \
+                  shows its own, down to rounding; a line that ends has reached zero.",
+        draw: five_periods,
+    },
+    Drawing {
+        name: "standard_map",
+        caption: "Symplectic Euler at three large steps. A curve that crosses the picture bars the way up. \
+                  The last to break, drawn here with its mirror image, still holds at K = 0.97; at 1.2 it is gone, \
+                  and the orbits that began beside the upper equilibrium are everywhere.",
+        draw: standard_map,
+    },
+    Drawing {
+        name: "rounding_walk",
+        caption: "What is left of Störmer–Verlet's conserved energy is rounding. Above, eight runs wander \
+                  to either side; below, they wander twice as far in four times the steps. A biased \
+                  rounding would follow the steeper guide.",
+        draw: rounding_walk,
+    },
+];
+
+/// Energy error against step, as measured and as predicted.
+fn energy_predicted(study: &Study) -> Figure {
+    let (theta_0, duration) = (convergence::THETA_0, convergence::DURATION);
+    // Forward Euler's law is a differential equation, solved step by step: fewer of the small steps.
+    let coarse = (0..8).map(|k| 500.0 * libm::exp10(f64::from(k) / 8.0));
+    let fine = (0..=3).map(|k| 5000.0 * libm::exp10(f64::from(k) / 3.0));
+    let ladder: Vec<f64> = coarse.chain(fine).map(libm::round).collect();
+    let mut chart = Chart::new(Axis::log("Δt (s)"), Axis::log("largest energy error ΔH (J)"));
+    for convergence::Row { method, drift } in &study.convergence {
+        let (name, style) = (method.properties().name, style(*method));
+        let law = ladder.iter().filter_map(|&steps| {
+            let h = duration / steps;
+            Some((h, crate::claims::largest_energy_error(name, theta_0, h, steps as u64)?))
+        });
+        chart = chart.series(title(*method), style.line_only(), law).series(
+            title(*method),
+            style.markers_only(),
+            STEPS.into_iter().zip(*drift),
+        );
+    }
+    Figure::new(
+        "Energy error against step, predicted and measured",
+        "Lines and markers on doubly logarithmic axes. Each of the four methods of the paper has a \
+         line, predicted, and five markers, measured, which lie on the line from a tenth to a \
+         thousandth of a second. Forward Euler's line bends twice; the others are nearly straight.",
+    )
+    .panel(chart)
+}
+
+/// Störmer–Verlet's error and the formula's: where they cancel, the paper's table has its winners.
+fn cancellation(study: &Study) -> Figure {
+    let (pendulum, verlet) = (Pendulum::PAPER, named("stormer-verlet"));
+    let (theta_0, duration) = (small_angle::THETA_0, small_angle::DURATION);
+    let own = |h| theory::small_angle::own_error_of_stormer_verlet(&pendulum, theta_0, h, duration);
+    let floor = theory::small_angle::floor(&pendulum, theta_0, duration);
+    let ends = [STEPS[0], STEPS[STEPS.len() - 1]];
+    let ladder = small_angle::ladder(verlet);
+    let truth = of_the_paper(&study.small_angle, |row| row.method)
+        .filter(|row| title(row.method) == title(verlet))
+        .flat_map(|row| STEPS.into_iter().zip(row.errors.map(|errors| errors.truth)));
+    let chart = Chart::new(Axis::log("Δt (s)"), Axis::log("RMS angle error (rad)"))
+        .vertical(theory::small_angle::cancelling_step(&pendulum, theta_0), "θ_{0}√(3/2)/ω_{0}")
+        .series("the method's own, by theory", Style::REFERENCE.dashed(), ends.map(|h| (h, own(h))))
+        .series("the formula's own, by theory", Style::REFERENCE, ends.map(|h| (h, floor)))
+        .series(
+            "measured against the formula",
+            style(verlet).line_only().solid(),
+            ladder.iter().map(|(h, errors)| (*h, errors.formula)),
+        )
+        .series("measured against the truth", style(verlet).markers_only(), truth);
+    Figure::new(
+        "Two errors that cancel",
+        "The error of Störmer–Verlet against step, both axes logarithmic. Two straight lines are theory: \
+         the method's own error, of slope 2, and the formula's, level at a ten-thousandth of a \
+         radian. They cross near a step of 0.02 seconds. The error measured against the formula \
+         follows the first above the crossing and the second below it; at the crossing it dips to \
+         almost nothing. Markers, the error measured against the exact solution, lie on the line of \
+         slope 2 throughout.",
+    )
+    .panel(chart)
+}
+
+/// The error of the period by the five ways of reading it, off RK4's samples and off the exact motion's.
+fn five_periods(_: &Study) -> Figure {
+    let axes = |samples| {
+        let error = Axis::log(format!("error of the period (s), {samples}")).range(1e-16, 1.0);
+        Chart::new(Axis::log("h (s)").range(8e-5, 0.14), error)
+    };
+    let draw = |chart: Chart, ladder: &[readings::Errors]| {
+        readings::READINGS.into_iter().enumerate().fold(chart, |chart, (i, reading)| {
+            let line = ladder.iter().map(|errors| (errors.step, errors.by[i]));
+            chart.series(reading, Style::colourless(i), line)
+        })
+    };
+    // What RK4 makes of the period is known: a term in h⁴, and one in h⁵ from the energy lost on the way.
+    let own = (0..=60).map(|k| 2e-4 * libm::exp10(f64::from(k) / 30.0));
+    let own = own.map(|h| {
+        let terms = theory::rk4::period_error_terms(&Pendulum::PAPER, large_angle::THETA_0, h);
+        (h, terms.iter().sum::<f64>().abs())
+    });
+    let rk4 = axes("of RK4").series("RK4's own, by theory", style(named("rk4")).line_only(), own);
+    let exact = axes("of the exact motion")
+        .slope(1.0, (0.1, 0.2), 1e-4, "slope 1")
+        .slope(3.0, (0.1, 1e-2), 2e-4, "slope 3")
+        .slope(5.0, (0.1, 1e-6), 4e-3, "slope 5");
+    Figure::new(
+        "Five readings of one period",
+        "Two charts of the error of the period against the step, on logarithmic axes, with a line for \
+         each of five readings. In both, the highest sample falls with slope 1, and parabola and \
+         straight line with slope 3 at small steps. Above, where RK4 made the samples, Hermite's cubic \
+         and Hénon's step lie on the one line that theory predicts for RK4, with a dip near two \
+         thousandths of a second; below, off the exact motion, each falls with slope 5 until rounding \
+         holds it up.",
+    )
+    .panel(draw(rk4, &readings::of_rk4()))
+    .panel(draw(exact, &readings::of_the_exact_motion()))
+}
+
+/// Phase portraits of symplectic Euler as the standard map.
+fn standard_map(_: &Study) -> Figure {
+    let method = named("symplectic-euler");
+    let turn = |label: String| {
+        Axis::linear(label).range(-PI, PI).ticks([(-PI, "−π"), (0.0, "0"), (PI, "π")])
+    };
+    let portrait = |k: f64| {
+        let mut chart = Chart::new(
+            turn("θ (rad)".into()),
+            turn(format!("u = hω (rad a step), K = {k}, h = {:.3} s", standard_map::step(k))),
+        );
+        let golden = standard_map::golden(k);
+        if !golden.escapes {
+            let mirrored = golden.points.iter().map(|(theta, u)| (-theta, -u));
+            let label = "the last curve to break";
+            chart = chart.series(label, Style::REFERENCE, mirrored);
+            chart = chart.series(label, Style::REFERENCE, golden.points.clone());
+        }
+        for (label, style, escaped) in [
+            ("orbits that stay", style(method).dots(), false),
+            ("orbits that escape", Style::REFERENCE.dots(), true),
+        ] {
+            let orbits = standard_map::orbits(k).into_iter();
+            let points = orbits.filter(|orbit| orbit.escapes == escaped);
+            chart = chart.series(label, style, points.flat_map(|orbit| orbit.points));
+        }
+        chart
+    };
+    let figure = Figure::new(
+        "Symplectic Euler as the standard map",
+        "Three phase portraits of dots, angle across and turn a step upwards. At K = 0.5 the dots \
+         lie on closed curves around the middle and on curves that cross the picture from left to \
+         right, above and below. At K = 0.97 there are chains of islands, and a cloud of dots around \
+         the middle, held in by one last curve above and its mirror image below. At K = 1.2 there is \
+         no such curve: dots of orbits that have escaped fill all but some islands evenly.",
+    );
+    standard_map::PARAMETERS.into_iter().fold(figure, |figure, k| figure.panel(portrait(k)))
+}
+
+/// The walk of the modified energy by rounding: the walks themselves, and how far they move in n steps.
+fn rounding_walk(_: &Study) -> Figure {
+    /// A step rounds θ and ω each by ε/√48 to ε/√12 of itself, once or twice, and the energy answers by as much again: 0.3 to
+    /// 0.6 ε (tests/long_time.rs).
+    const SIZE: f64 = 0.5;
+    /// One of so many samples is drawn: they wander, and do not tremble.
+    const DRAWN: usize = 50;
+    let verlet = named("stormer-verlet");
+    let pendulum = Pendulum::PAPER;
+    let x = pendulum.small_angle_frequency() * rounding_walk::STEP;
+    // What the correction leaves out, of order x⁸, is 1e-18 of the energy.
+    let walks = rounding_walk::walks(|z| {
+        let z = theory::Point::of(&pendulum, z);
+        z.energy() + theory::stormer_verlet::correction(z, x)
+    });
+    let steps = rounding_walk::STEPS as f64;
+    let walk_of = |n: f64| SIZE * f64::EPSILON * libm::sqrt(n);
+    let mut wander = Chart::new(
+        Axis::linear("steps").range(0.0, steps),
+        Axis::linear("relative error of the modified energy"),
+    )
+    .height(240.0);
+    for sign in [1.0, -1.0] {
+        let parabola = (0..=100).map(|k| 0.01 * steps * f64::from(k));
+        wander = wander.series(
+            "±ε√n / 2",
+            Style::REFERENCE.dashed(),
+            parabola.map(|n| (n, sign * walk_of(n))),
+        );
+    }
+    for walk in &walks {
+        let line = walk
+            .iter()
+            .enumerate()
+            .step_by(DRAWN)
+            .map(|(i, error)| ((i as u64 * rounding_walk::SAMPLED) as f64, *error));
+        wander = wander.series(title(verlet), style(verlet).line_only().solid(), line);
+    }
+    let growth = rounding_walk::growth(&walks);
+    let growth = growth.into_iter().map(|(n, movement)| (n as f64, movement));
+    let first = rounding_walk::SAMPLED as f64;
+    let moved = Chart::new(Axis::log("steps n"), Axis::log("movement in n steps, RMS"))
+        .height(240.0)
+        .series("±ε√n / 2", Style::REFERENCE.dashed(), [first, steps].map(|n| (n, walk_of(n))))
+        .series(title(verlet), style(verlet).markers_only(), growth)
+        .slope(1.0, (first, walk_of(first)), 3e5, "∝ n");
+    Figure::new(
+        "Rounding walks at random",
+        "Above, the relative error of Störmer–Verlet's modified energy over ten million steps: eight \
+         jagged lines wander from zero to either side, about as far as a parabola lying on its side. \
+         Below, on logarithmic axes, how far they move in n steps: markers on a line of slope one \
+         half, far below a guide of slope one.",
+    )
+    .panel(wander)
+    .panel(moved)
+}

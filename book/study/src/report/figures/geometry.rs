@@ -1,0 +1,279 @@
+//! What a method does in phase space: its step taken apart, the area that it carries, the curve that it follows.
+
+use pendula::exact::Motion;
+use pendula::methods::{ForwardEuler, Rk4, StormerVerlet, SymplecticEuler};
+use pendula::{Grid, METHODS, Pendulum, Phase};
+
+use super::{Drawing, named, style, title};
+use crate::charts::{Axis, Chart, Figure, Style};
+use crate::experiments::area::{Square, area, carried};
+use crate::experiments::stencil::{Kind, Part, Stencil, stencil};
+use crate::experiments::{MethodRef, Study, in_paper, level_curves};
+
+pub(super) const FIGURES: &[Drawing] = &[
+    Drawing {
+        name: "stencil_forward_euler",
+        caption: "One step of forward Euler in phase space. The arrow is tangent to the orbit, and so it leaves it to \
+                  the outside.",
+        draw: stencil_forward_euler,
+    },
+    Drawing {
+        name: "stencil_symplectic_euler",
+        caption: "One step of symplectic Euler, from the same point as forward Euler's. The kick leaves the angle \
+                  alone, the drift the velocity.",
+        draw: stencil_symplectic_euler,
+    },
+    Drawing {
+        name: "stencil_stormer_verlet",
+        caption: "One step of Störmer–Verlet, from the same point as symplectic Euler's. With half of the kick at \
+                  either end it lands far closer to the truth.",
+        draw: stencil_stormer_verlet,
+    },
+    Drawing {
+        name: "stencil_rk4",
+        caption: "One step of RK4, from the same point as forward Euler's, and longer, as its error could not be seen \
+                  otherwise. Each slope is an arrow a quarter of a step long, where it is looked at; the dotted lines \
+                  lead there.",
+        draw: stencil_rk4,
+    },
+    Drawing {
+        name: "area",
+        caption: "A square of initial conditions carried round the bottom by each method. RK4 takes steps four times as \
+                  long, as each costs it four force evaluations. None keeps the shape, and not even the truth does; the \
+                  two symplectic methods keep the area, and so does the truth.",
+        draw: area_carried,
+    },
+    Drawing {
+        name: "level_curves",
+        caption: "Large steps of the two symplectic methods. Their points leave the true orbit at once, and stay on \
+                  the level curve of their own energy.",
+        draw: level_curves,
+    },
+];
+
+const PENDULUM: Pendulum = Pendulum::PAPER;
+
+fn point(z: Phase) -> (f64, f64) {
+    (z.theta, z.omega)
+}
+
+fn true_motion(start: Phase) -> Motion {
+    Motion::new(&PENDULUM, start).expect("a finite start")
+}
+
+fn period_of(start: Phase) -> f64 {
+    true_motion(start).period().expect("it does not stop at the top")
+}
+
+/// The true motion from `start` for the time `duration` (s), in enough points for a smooth curve.
+fn truth(start: Phase, duration: f64) -> impl Iterator<Item = (f64, f64)> {
+    const POINTS: u32 = 400;
+    let motion = true_motion(start);
+    let time = move |n: u32| duration * (f64::from(n) / f64::from(POINTS));
+    (0..=POINTS).map(move |n| point(motion.at(time(n))))
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// One step taken apart
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// On the way down to the bottom: neither the velocity nor the force is zero, or as large as it gets.
+const START: Phase = Phase { theta: -1.2, omega: 1.0 };
+/// A sixth of a period (s), in which one sees where each part of the step goes.
+const STEP: f64 = 0.35;
+/// RK4's (s): with the step of the others its end could hardly be told from the truth.
+const RK4_STEP: f64 = 0.55;
+
+/// The true orbit with the ends of the step, to draw its parts on.
+fn over_the_orbit(method: MethodRef, step: f64, end: Phase) -> Chart {
+    Chart::new(Axis::linear("θ (rad)").range(-1.6, 1.6), Axis::linear("ω (rad/s)").range(0.0, 5.0))
+        .height(320.0)
+        .series("true orbit", Style::REFERENCE, truth(START, period_of(START)))
+        .series(
+            format!("true motion after {step} s"),
+            Style::TRUE_POINT,
+            [point(true_motion(START).at(step))],
+        )
+        .series(title(method), style(method).markers_only(), [point(START), point(end)])
+}
+
+/// With an arrow and its name beside it.
+fn with_arrow(
+    chart: Chart,
+    method: MethodRef,
+    from: Phase,
+    to: Phase,
+    name: impl Into<String>,
+) -> Chart {
+    let (theta, omega) = (0.5 * (from.theta + to.theta), 0.5 * (from.omega + to.omega));
+    chart.series("", style(method).arrow(), [from, to].map(point)).note(theta, omega, name)
+}
+
+/// With the kicks and drifts of a step of [`STEP`], as arrows.
+fn with_parts(chart: Chart, method: MethodRef, parts: &[Part]) -> Chart {
+    parts.iter().fold(chart, |chart, part| {
+        let kind = match part.kind {
+            Kind::Kick => "kick",
+            Kind::Drift => "drift",
+        };
+        let name = match part.duration / STEP {
+            1.0 => kind.to_string(),
+            0.5 => format!("½ {kind}"),
+            share => format!("{share:.2} {kind}"),
+        };
+        with_arrow(chart, method, part.from, part.to, name)
+    })
+}
+
+fn stencil_forward_euler(_: &Study) -> Figure {
+    let method = named("forward-euler");
+    let Stencil { end, slopes, .. } = stencil(&ForwardEuler, &PENDULUM, START, STEP);
+    let mut chart = over_the_orbit(method, STEP, end);
+    for (z, rate) in slopes {
+        chart = with_arrow(chart, method, z, z + rate * STEP, "tangent");
+    }
+    Figure::new(
+        "One step of forward Euler",
+        "The upper half of a swing's orbit in phase space, an arch. From a point on its left flank a straight \
+         arrow, tangent to the arch, ends far above it, where the true motion over the same time stays on the \
+         arch.",
+    )
+    .panel(chart)
+}
+
+fn stencil_symplectic_euler(_: &Study) -> Figure {
+    let method = named("symplectic-euler");
+    let stencil = stencil(&SymplecticEuler, &PENDULUM, START, STEP);
+    let chart = over_the_orbit(method, STEP, stencil.end);
+    Figure::new(
+        "One step of symplectic Euler",
+        "The upper half of a swing's orbit in phase space, an arch. From a point on its left flank a vertical \
+         arrow, the kick, leads far above the arch; from its tip a horizontal arrow, the drift, leads to the \
+         right.",
+    )
+    .panel(with_parts(chart, method, &stencil.parts))
+}
+
+fn stencil_stormer_verlet(_: &Study) -> Figure {
+    let method = named("stormer-verlet");
+    let stencil = stencil(&StormerVerlet, &PENDULUM, START, STEP);
+    let chart = over_the_orbit(method, STEP, stencil.end);
+    Figure::new(
+        "One step of Störmer–Verlet",
+        "The upper half of a swing's orbit in phase space, an arch. From a point on its left flank a vertical \
+         arrow, half a kick; from its tip a horizontal one, the drift; from there a vertical one, the other \
+         half kick, which ends close to the arch and to where the true motion is.",
+    )
+    .panel(with_parts(chart, method, &stencil.parts))
+}
+
+fn stencil_rk4(_: &Study) -> Figure {
+    /// How long the arrows are, as a share of the step.
+    const SHARE: f64 = 0.25;
+    let method = named("rk4");
+    let Stencil { end, slopes, .. } = stencil(&Rk4, &PENDULUM, START, RK4_STEP);
+    let mut chart = over_the_orbit(method, RK4_STEP, end);
+    for (z, _) in slopes.iter().skip(1) {
+        chart = chart.series("", Style::GUIDE, [START, *z].map(point));
+    }
+    for (i, (z, rate)) in slopes.into_iter().enumerate() {
+        let tip = z + rate * (SHARE * RK4_STEP);
+        chart = with_arrow(chart, method, z, tip, format!("k_{{{}}}", i + 1));
+    }
+    Figure::new(
+        "One step of RK4",
+        "The upper half of a swing's orbit in phase space, an arch. Four arrows: the first at a point on its \
+         left flank, along the arch; the others at the ends of dotted lines from there, the second outside \
+         the arch, half a step along the first; the third just inside it, half a step along the second; the \
+         fourth further on, a whole step along the third, and turned downwards. The end of the step lies just \
+         inside the arch, close to where the true motion is.",
+    )
+    .panel(chart)
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// The area that a method carries
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// Released at rest, and all those around it.
+const SQUARE: Square = Square { centre: Phase { theta: 1.0, omega: 0.0 }, side: 0.5 };
+/// Points along each of its sides. With twice as many the areas are the same in all printed digits, and two more.
+const SIDE: u32 = 500;
+/// It is drawn again each time RK4 has taken a step (s), about a quarter of a period long …
+const SPAN: f64 = 0.56;
+/// … and so often.
+const SPANS: u64 = 3;
+/// Force evaluations in that time, the same for each method.
+const EVALUATIONS: u64 = 4;
+
+fn area_carried(_: &Study) -> Figure {
+    let outline = SQUARE.outline(&PENDULUM, SIDE);
+    let span = |n: u64| n as f64 * SPAN;
+    let truth: Vec<Vec<_>> = (1..=SPANS)
+        .map(|n| {
+            outline
+                .iter()
+                .chain(&outline[..1])
+                .map(|z| point(true_motion(*z).at(span(n))))
+                .collect()
+        })
+        .collect();
+    let mut figure = Figure::new(
+        "The area that a method carries",
+        "Four charts of phase space, one a method. In each a square to the right of the middle is carried \
+         clockwise around it, and drawn three more times, together with the outline of what the true motion \
+         makes of it. With forward Euler it moves outwards and has twice its area in the end, drawn out to a \
+         long crescent. With RK4 it moves inwards and shrinks to two thirds. With symplectic Euler it lags or \
+         leads and is slanted, with Störmer–Verlet it hardly differs from the truth; both keep its area.",
+    )
+    .columns(2);
+    for method in METHODS.iter().copied().filter(|method| in_paper(*method)) {
+        let steps = EVALUATIONS / method.properties().force_evaluations;
+        let grid = Grid::new(SPAN / steps as f64, SPANS * steps).expect("a positive step");
+        let images = carried(method, &PENDULUM, &outline, &grid);
+        let ratio = area(&images[grid.steps() as usize]) / area(&images[0]);
+        // One radian is about as long as ω₀ rad/s, so that a square is one.
+        let mut chart = Chart::new(
+            Axis::linear("θ (rad)").range(-2.8, 1.5),
+            Axis::linear("ω (rad/s)").range(-6.0, 7.0),
+        )
+        .height(260.0)
+        .heading(format!("{}: area × {ratio:.2}", title(method)))
+        .series("start", Style::REFERENCE.filled(), images[0].iter().copied().map(point));
+        for (image, truth) in images.iter().step_by(steps as usize).skip(1).zip(&truth) {
+            chart = chart
+                .series("", style(method).filled().solid(), image.iter().copied().map(point))
+                .series("true motion", Style::REFERENCE, truth.iter().copied());
+        }
+        figure = figure.panel(chart);
+    }
+    figure
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// The curve that a method follows
+// ---------------------------------------------------------------------------------------------------------------------
+
+fn level_curves(_: &Study) -> Figure {
+    let orbit = level_curves::orbit();
+    let figure = Figure::new(
+        "The curve that a symplectic method follows",
+        "Two charts of phase space, each with the true orbit, an oval, and a dashed curve on which all points \
+         of the method lie. For symplectic Euler the dashed curve is a slanted oval, outside the true one at \
+         the upper right and lower left and inside it at the upper left and lower right. For Störmer–Verlet \
+         it is an upright oval, lower than the true one and as wide.",
+    );
+    level_curves::run().into_iter().fold(figure, |figure, row| {
+        let level_curves::Row { method, step, curve, points } = row;
+        let chart = Chart::new(
+            Axis::linear("θ (rad)").range(-1.25, 1.25),
+            Axis::linear("ω (rad/s)").range(-3.5, 3.5),
+        )
+        .height(330.0)
+        .heading(format!("{}, h = {step} s", title(method)))
+        .series("true orbit", Style::REFERENCE, orbit.iter().copied().map(point))
+        .series("level curve of H̃", Style::REFERENCE.dashed(), curve.into_iter().map(point))
+        .series(title(method), style(method).markers_only(), points.into_iter().map(point));
+        figure.panel(chart)
+    })
+}

@@ -1,0 +1,63 @@
+//! The figures of the book, drawn from the study: the paper's, and those it lacks.
+
+mod beyond;
+mod decision;
+mod evidence;
+mod geometry;
+mod paper;
+
+use pendula::{METHODS, method_named};
+
+use crate::charts::{Figure, Style};
+use crate::experiments::{MethodRef, Study, in_paper};
+
+/// A figure of the book.
+#[derive(Clone, Copy, Debug)]
+pub struct Drawing {
+    /// Its name: those of the paper have its number, others say what they show.
+    pub name: &'static str,
+    /// What to see in it.
+    pub caption: &'static str,
+    draw: fn(&Study) -> Figure,
+}
+
+impl Drawing {
+    /// The figure as an `<svg>` element.
+    pub fn svg(&self, study: &Study) -> String {
+        (self.draw)(study).to_svg(self.name)
+    }
+
+    /// The figure with its caption, as a `<figure>` element without a blank line.
+    pub fn html(&self, study: &Study) -> String {
+        // Markdown's processor, which sets apostrophes elsewhere, leaves HTML alone.
+        let (svg, caption) = (self.svg(study), self.caption.replace('\'', "’"));
+        format!("<figure>\n{svg}<figcaption>{caption}</figcaption>\n</figure>\n")
+    }
+}
+
+/// The figures, file by file.
+pub fn figures() -> impl Iterator<Item = &'static Drawing> {
+    [paper::FIGURES, geometry::FIGURES, evidence::FIGURES, decision::FIGURES, beyond::FIGURES]
+        .into_iter()
+        .flatten()
+}
+
+/// The style of a method, the same in every figure.
+fn style(method: MethodRef) -> Style {
+    let name = method.properties().name;
+    let index = METHODS.iter().position(|other| other.properties().name == name);
+    Style::numbered(index.unwrap_or(0))
+}
+
+/// The rows of the methods that the paper compares: its figures stay its own, however long the list of methods grows.
+fn of_the_paper<R>(rows: &[R], method: fn(&R) -> MethodRef) -> impl Iterator<Item = &R> {
+    rows.iter().filter(move |row| in_paper(method(row)))
+}
+
+fn title(method: MethodRef) -> &'static str {
+    method.properties().title
+}
+
+fn named(name: &str) -> MethodRef {
+    method_named(name).expect("one of the library's methods")
+}

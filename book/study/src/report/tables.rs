@@ -1,0 +1,226 @@
+//! The paper's tables, stated and measured, as the ledger has them.
+
+use pendula::metrics::order::slopes;
+
+use super::table::Table;
+use crate::claims::measure::row_ids;
+use crate::claims::{Claim, Ledger};
+use crate::digits::Format::{self, Fixed, Scientific};
+use crate::experiments::characteristics::ROUNDING;
+use crate::experiments::{STEPS, Study, beyond};
+
+/// The numbers of the tables that the paper prints and the study measures.
+pub const TABLES: [u32; 6] = [2, 4, 5, 6, 7, 8];
+
+/// Table `number`, or `None` if it is not among [`TABLES`].
+pub fn table(ledger: &Ledger, number: u32) -> Option<Table> {
+    Some(match number {
+        2 => by_method(
+            ledger,
+            2,
+            &[
+                ("order", "Order"),
+                ("sympl", "Symplectic"),
+                ("evals", "Evaluations a step"),
+                ("behav", "Energy over 1000 s"),
+            ],
+        ),
+        4 | 6 => {
+            let columns: Vec<(String, String)> =
+                STEPS.iter().map(|step| (step.to_string(), format!("Δt = {step} s"))).collect();
+            let columns: Vec<(&str, &str)> =
+                columns.iter().map(|(id, title)| (id.as_str(), title.as_str())).collect();
+            by_method(ledger, number, &columns)
+        }
+        5 => by_method(
+            ledger,
+            5,
+            &[
+                ("dH", "ΔH (J)"),
+                ("pct", "ΔH in % of H(0)"),
+                ("H0", "H(0) (J)"),
+                ("Hend", "H(1000 s) (J)"),
+            ],
+        ),
+        7 => by_quantity(ledger, 7),
+        8 => by_method(
+            ledger,
+            8,
+            &[("evals", "Evaluations"), ("rms", "RMS error (rad)"), ("dH", "ΔH (J)")],
+        ),
+        _ => return None,
+    })
+}
+
+/// Below this, rounding moves the second digit of an energy error (J), and with it the second decimal of a slope: one
+/// cell of Table 4, RK4's at the finest step, 3.2e-12 ± 10 %.
+const ENERGY_FLOOR: f64 = 1e-11;
+
+/// The slopes of Table 4: of the energy error, between each two neighbouring steps.
+pub fn energy_slopes(study: &Study) -> Table {
+    let columns = STEPS.windows(2).map(|h| format!("{} → {} s", h[0], h[1]));
+    let mut table = Table::new(["Method".to_string()].into_iter().chain(columns));
+    for row in &study.convergence {
+        let slopes = slopes(&STEPS, &row.drift, ENERGY_FLOOR);
+        let cells = slopes.map(|slope| slope.map_or("…".to_string(), |p| Fixed(2).print(p)));
+        table.push([row.method.properties().title.to_string()].into_iter().chain(cells));
+    }
+    table
+}
+
+/// The slopes of the largest error of the state on each method's ladder, from the coarsest rung to the finest above
+/// the rounding floor.
+pub fn state_slopes(study: &Study) -> Table {
+    let mut table = Table::new(["Method", "order", "first step (s)", "slopes", "", "", ""]);
+    for row in &study.characteristics {
+        let entry = row.method.properties();
+        let lead =
+            [entry.title.to_string(), entry.order.to_string(), Fixed(6).print(row.ladder.steps[0])];
+        let slopes = row.ladder.slopes().map(|slope| Fixed(2).print(slope));
+        table.push(lead.into_iter().chain(slopes));
+    }
+    table
+}
+
+/// Every method of the library: what was measured of it, and not what it declares.
+pub fn methods(study: &Study) -> Table {
+    let header =
+        ["Method", "order", "symplectic", "evaluations a step", "ΔH over 1000 s (J)", "energy"];
+    let mut table = Table::new(header);
+    for row in &study.characteristics {
+        let drift =
+            study.long_run.iter().find(|run| run.method.properties() == row.method.properties());
+        table.push([
+            row.method.properties().title.to_string(),
+            observed_order(row),
+            (if row.symplectic() { "yes" } else { "no" }).to_string(),
+            Fixed(0).print(row.evaluations),
+            drift.map_or(String::new(), |run| below_rounding(run.drift)),
+            row.energy.to_string(),
+        ]);
+    }
+    table
+}
+
+/// The slope at the fine end of the ladder, and how uncertain it is where that shows.
+fn observed_order(row: &crate::experiments::characteristics::Row) -> String {
+    match row.ladder.slopes_and_windows().last() {
+        Some((slope, window)) if window > 0.5 => {
+            format!("{} ± {}", Fixed(0).print(slope), Fixed(0).print(window))
+        }
+        _ => Fixed(0).print(row.order()),
+    }
+}
+
+/// A long run's energy error (J) to two digits, or that it is made of rounding.
+fn below_rounding(drift: f64) -> String {
+    if drift < ROUNDING { "rounding".to_string() } else { Scientific(2).print(drift) }
+}
+
+/// What theory predicts for the cells of the tables, beside what the paper states and what is measured.
+pub fn predictions(ledger: &Ledger) -> Table {
+    let header = ["Cell", "stated", "predicted", "measured", "to within", "law"];
+    let mut table = Table::new(header).with_remarks(1);
+    for prediction in crate::claims::predictions() {
+        let Some(claim) = ledger.get(&prediction.id) else { continue };
+        table.push([
+            format!("`{}`", prediction.id),
+            claim.stated_text(),
+            Scientific(6).print(prediction.value),
+            claim.measured_text(),
+            Scientific(1).print(prediction.tolerance),
+            prediction.law.to_string(),
+        ]);
+    }
+    table
+}
+
+/// The claims that are cells of tables, and what the chapters quote beside them.
+pub fn cells(ledger: &Ledger) -> Table {
+    let mut table = Table::new(["Claim", "stated", "measured", "verdict"]).with_remarks(1);
+    for claim in ledger.claims().iter().filter(|claim| !is_sentence(claim)) {
+        table.push([name(claim), claim.stated_text(), claim.measured_text(), judgement(claim)]);
+    }
+    table
+}
+
+/// The claims that are sentences.
+pub fn sentences(ledger: &Ledger) -> Table {
+    let header = ["Claim", "where", "stated", "measured", "verdict"];
+    let mut table = Table::new(header).with_remarks(4);
+    for claim in ledger.claims().iter().filter(|claim| is_sentence(claim)) {
+        let measured = match claim.definition {
+            "" => claim.measured_text(),
+            definition => format!("{} ({definition})", claim.measured_text()),
+        };
+        let row =
+            [name(claim), claim.place.to_string(), claim.stated_text(), measured, judgement(claim)];
+        table.push(row.map(|cell| cell.replace('|', "\\|")));
+    }
+    table
+}
+
+fn is_sentence(claim: &Claim) -> bool {
+    claim.stated.is_some() && !TABLES.iter().any(|n| claim.id.starts_with(&format!("T{n}.")))
+}
+
+/// The systems beyond the simple pendulum: what is known of them, and what the library finds.
+pub fn beyond() -> Table {
+    let mut table = Table::new(["Quantity", "known", "found", "Source"]).with_remarks(1);
+    for row in beyond::rows() {
+        let text = |(value, format): (f64, Format)| format.print(value);
+        let known = row.known.map_or_else(String::new, text);
+        let mut found = row.format.print(row.found);
+        if let Some(error) = row.error.map(text) {
+            found += &format!(" ± {error}");
+        }
+        table.push([row.quantity, &known, &found, row.source]);
+    }
+    table
+}
+
+fn name(claim: &Claim) -> String {
+    format!("`{}` {}", claim.id, claim.gist)
+}
+
+fn judgement(claim: &Claim) -> String {
+    match claim.because {
+        "" => claim.verdict.to_string(),
+        because => format!("**{}**. {because}", claim.verdict),
+    }
+}
+
+/// Two rows for each method, stated above measured; a method or column that the paper leaves out has dashes above.
+fn by_method(ledger: &Ledger, number: u32, columns: &[(&str, &str)]) -> Table {
+    let titles = columns.iter().map(|(_, title)| title.to_string());
+    let mut table = Table::new(["Method".to_string(), String::new()].into_iter().chain(titles));
+    for (row, title) in row_ids() {
+        let cells: Vec<Option<&Claim>> = columns
+            .iter()
+            .map(|(column, _)| ledger.get(&format!("T{number}.{row}.{column}")))
+            .collect();
+        let line = |name: &str, what: &str, text: fn(&Claim) -> String| {
+            let cells = cells.iter().map(|cell| cell.map_or_else(String::new, text));
+            [name.to_string(), what.to_string()].into_iter().chain(cells).collect::<Vec<_>>()
+        };
+        table.push(line(title, "stated", Claim::stated_text));
+        table.push(line("", "measured", marked));
+    }
+    table
+}
+
+/// A row for each quantity.
+fn by_quantity(ledger: &Ledger, number: u32) -> Table {
+    let mut table = Table::new(["Quantity", "stated", "measured"]);
+    for claim in ledger.table(number) {
+        table.push([claim.gist.clone(), claim.stated_text(), marked(claim)]);
+    }
+    table
+}
+
+/// The measured value; a ≠ before it where it contradicts what is stated. Where it does not there is room for one, so that a
+/// cell that begins to contradict moves its own row and not the width of the table.
+fn marked(claim: &Claim) -> String {
+    let mark = if claim.holds() == Some(false) { '≠' } else { ' ' };
+    format!("{mark} {}", claim.measured_text())
+}

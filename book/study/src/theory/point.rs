@@ -1,0 +1,40 @@
+//! The point in phase space, without dimensions.
+
+use pendula::arithmetic::sine::{cos, sin};
+use pendula::{Pendulum, Phase};
+
+/// A point in phase space without dimensions, with the sine and cosine that all the formulas are written in.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Point {
+    /// θ (rad).
+    pub theta: f64,
+    /// q = ω/ω₀.
+    pub q: f64,
+    /// s = sin θ.
+    pub s: f64,
+    /// c = cos θ.
+    pub c: f64,
+}
+
+impl Point {
+    /// At the angle `theta` (rad), with q = ω/ω₀.
+    pub fn new(theta: f64, q: f64) -> Self {
+        Self { theta, q, s: sin(theta), c: cos(theta) }
+    }
+
+    /// The point `z` of the phase space of `pendulum`.
+    pub fn of(pendulum: &Pendulum, z: Phase) -> Self {
+        Self::new(z.theta, z.omega / pendulum.small_angle_frequency())
+    }
+
+    /// The point in the phase space of `pendulum`.
+    pub fn phase(&self, pendulum: &Pendulum) -> Phase {
+        Phase { theta: self.theta, omega: self.q * pendulum.small_angle_frequency() }
+    }
+
+    /// Energy above the bottom in units of m g L, q²/2 + 1 − cos θ, without the cancellation in 1 − cos θ.
+    pub fn energy(&self) -> f64 {
+        let s = sin(0.5 * self.theta);
+        0.5 * self.q * self.q + 2.0 * s * s
+    }
+}

@@ -1,0 +1,146 @@
+//! Many pendulums at once: the same steps, a lane of the processor's registers for each.
+//!
+//! A loop over lanes inlines the very step that a single trajectory takes, and the compiler makes vector instructions
+//! of it. So a lane gets the same bits as a trajectory alone, whichever instructions the processor turns out to have.
+
+use core::num::NonZeroU64;
+
+use super::lanes::{Block, Instructions, LANES, Lane, Stepped};
+use crate::fast::swing;
+use crate::integrate::{Every, Grid, Method, Observer};
+use crate::systems::{Pendulum, Phase};
+
+/// Pendulums with their starts, and the times at which they are seen: one pendulum for all starts, or one for each.
+#[derive(Clone, Copy, Debug)]
+pub struct Ensemble<'a> {
+    pendulums: &'a [Pendulum],
+    starts: &'a [Phase],
+    grid: Grid,
+    instructions: Instructions,
+}
+
+impl<'a> Ensemble<'a> {
+    /// One `pendulum`, begun at each of `starts`, along `grid`.
+    pub const fn of(pendulum: &'a Pendulum, starts: &'a [Phase], grid: Grid) -> Self {
+        let pendulums = core::slice::from_ref(pendulum);
+        Self { pendulums, starts, grid, instructions: Instructions::Best }
+    }
+
+    /// Each of `pendulums` from its own start, along `grid`.
+    ///
+    /// # Panics
+    /// If there are not as many starts as pendulums.
+    pub const fn of_each(pendulums: &'a [Pendulum], starts: &'a [Phase], grid: Grid) -> Self {
+        assert!(pendulums.len() == starts.len(), "one start for each pendulum");
+        Self { pendulums, starts, grid, instructions: Instructions::Best }
+    }
+
+    /// The same with these `instructions` and no better ones: to show that the bits are the same.
+    #[must_use]
+    pub const fn with(self, instructions: Instructions) -> Self {
+        Self { instructions, ..self }
+    }
+
+    /// The state of each pendulum at the end of the grid, into `ends`: a slot for each start.
+    ///
+    /// # Panics
+    /// If there are not as many slots as starts.
+    pub fn ends<M: InLanes>(&self, method: &M, ends: &mut [Phase]) {
+        let grid = &self.grid;
+        self.for_blocks(ends, |first, ends| match self.block(method, first, ends.len()) {
+            Some(mut block) => {
+                block.advance(method, grid.steps(), self.instructions);
+                for (lane, end) in ends.iter_mut().enumerate() {
+                    *end = block.state(lane);
+                }
+            }
+            None => {
+                for (i, end) in (first..).zip(ends) {
+                    *end = swing(self.pendulum(i), method, self.starts[i], grid, &mut ());
+                }
+            }
+        });
+    }
+
+    /// Lets an observer for each start see its k-th states, the start included: into storage of the caller's with
+    /// [`Record`](crate::integrate::Record), or as the largest energy error with [`EnergyDrift`](crate::metrics::EnergyDrift).
+    ///
+    /// # Panics
+    /// If there are not as many observers as starts.
+    pub fn watch<M: InLanes, O>(&self, every: NonZeroU64, method: &M, observers: &mut [O])
+    where
+        O: Observer<Phase> + Send,
+    {
+        let grid = &self.grid;
+        self.for_blocks(observers, |first, observers| {
+            match self.block(method, first, observers.len()) {
+                Some(mut block) => {
+                    for (i, observer) in (first..).zip(&mut *observers) {
+                        observer.observe(0, 0.0, self.starts[i]);
+                    }
+                    for n in (0..=grid.steps()).step_by(every.get() as usize).skip(1) {
+                        block.advance(method, every.get(), self.instructions);
+                        let mut all_satisfied = true;
+                        for (lane, observer) in observers.iter_mut().enumerate() {
+                            if !observer.is_satisfied() {
+                                all_satisfied = false;
+                                observer.observe(n, grid.time(n), block.state(lane));
+                            }
+                        }
+                        if all_satisfied {
+                            break;
+                        }
+                    }
+                }
+                None => {
+                    for (i, observer) in (first..).zip(observers) {
+                        let mut watch = Every::new(every, |n, t, z| {
+                            if !observer.is_satisfied() {
+                                observer.observe(n, t, z);
+                            }
+                        });
+                        swing(self.pendulum(i), method, self.starts[i], grid, &mut watch);
+                    }
+                }
+            }
+        });
+    }
+
+    /// Does `work` for each block of slots, given the number of its first start.
+    fn for_blocks<T: Send>(&self, slots: &mut [T], work: impl Fn(usize, &mut [T]) + Sync) {
+        assert_eq!(slots.len(), self.starts.len(), "one slot for each start");
+        let one = |(b, slots): (usize, &mut [T])| work(b * LANES, slots);
+        #[cfg(feature = "parallel")]
+        {
+            use rayon::prelude::*;
+            slots.par_chunks_mut(LANES).enumerate().for_each(one);
+        }
+        #[cfg(not(feature = "parallel"))]
+        slots.chunks_mut(LANES).enumerate().for_each(one);
+    }
+
+    /// The starts from the `first` on in lanes, unless one of them needs its angle or its units treated with more care.
+    fn block<M: InLanes>(&self, method: &M, first: usize, count: usize) -> Option<Block> {
+        let mut starts = [None; LANES];
+        for (i, slot) in (first..first + count).zip(&mut starts) {
+            let start = self.starts[i];
+            *slot = Some((Stepped::of::<M>(self.pendulum(i), &self.grid, start)?, start));
+        }
+        Some(Block::new(method, starts.into_iter().flatten()))
+    }
+
+    fn pendulum(&self, i: usize) -> &Pendulum {
+        if let [one] = self.pendulums { one } else { &self.pendulums[i] }
+    }
+}
+
+/// A method of the pendulum whose steps can be taken in lanes: every one whose memo can be laid out in columns.
+pub trait InLanes:
+    Method<Pendulum> + Method<super::Stepped> + Method<Stepped, Memo: Lane> + Sync
+{
+}
+
+impl<M> InLanes for M where
+    M: Method<Pendulum> + Method<super::Stepped> + Method<Stepped, Memo: Lane> + Sync
+{
+}

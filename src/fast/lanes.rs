@@ -1,0 +1,182 @@
+//! A block of lanes, and the loop over its steps.
+
+use multiversion::multiversion;
+
+use super::{Deferred, Turning};
+use crate::integrate::Method;
+use crate::systems::Phase;
+
+/// The pendulum, and its state, without a branch.
+pub type Stepped = super::Stepped<false>;
+type Turned = super::Turned<false>;
+
+/// Pendulums in a block: enough for the sines of some to hide the wait for those of others, and few enough for all that
+/// is between two steps to stay in the first cache.
+pub const LANES: usize = 32;
+
+/// Up to six numbers for each lane, one array for each.
+pub type Columns = [[f64; LANES]; 6];
+
+/// What can be laid out in columns: the state, and what a method remembers.
+pub trait Lane: Copy {
+    /// Whether a method that remembers this needs no more for its next step, not even the last state.
+    const SUFFICES: bool;
+
+    /// Reads it from its lane.
+    fn load(columns: &Columns, lane: usize) -> Self;
+
+    /// Writes it to its lane.
+    fn store(self, columns: &mut Columns, lane: usize);
+}
+
+impl Lane for () {
+    const SUFFICES: bool = false;
+
+    #[inline(always)]
+    fn load(_columns: &Columns, _lane: usize) {}
+
+    #[inline(always)]
+    fn store(self, _columns: &mut Columns, _lane: usize) {}
+}
+
+impl Lane for Turned {
+    const SUFFICES: bool = true;
+
+    #[inline(always)]
+    fn load(columns: &Columns, lane: usize) -> Self {
+        let [rest, turns, sum, factor, series, _] = columns.each_ref().map(|column| column[lane]);
+        Self { rest, turns, velocity: Deferred { sum, factor, series } }
+    }
+
+    #[inline(always)]
+    fn store(self, columns: &mut Columns, lane: usize) {
+        let Deferred { sum, factor, series } = self.velocity;
+        for (column, x) in columns.iter_mut().zip([self.rest, self.turns, sum, factor, series]) {
+            column[lane] = x;
+        }
+    }
+}
+
+impl Lane for Turning {
+    const SUFFICES: bool = false;
+
+    #[inline(always)]
+    fn load(columns: &Columns, lane: usize) -> Self {
+        let [s, f, r, sum, factor, series] = columns.each_ref().map(|column| column[lane]);
+        let angle = Deferred { sum: s, factor: f, series: r };
+        Self { angle, velocity: Deferred { sum, factor, series } }
+    }
+
+    #[inline(always)]
+    fn store(self, columns: &mut Columns, lane: usize) {
+        let Self { angle, velocity } = self;
+        let numbers =
+            [angle.sum, angle.factor, angle.series, velocity.sum, velocity.factor, velocity.series];
+        for (column, x) in columns.iter_mut().zip(numbers) {
+            column[lane] = x;
+        }
+    }
+}
+
+/// Which vector instructions the steps are compiled to. The bits are the same; the time is not.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Instructions {
+    /// The best that the processor has.
+    Best,
+    /// What the program was compiled for: SSE2 on a plain x86-64.
+    Baseline,
+    /// AVX2 if the processor has it, and otherwise the baseline.
+    Avx2,
+    /// AVX-512 if the processor has it, and otherwise the baseline.
+    Avx512,
+}
+
+/// The states of a block of pendulums, and what their method remembers of them. On the boundaries of the cache's lines, as
+/// a register filled from two of them takes twice as long.
+#[repr(align(64))]
+pub struct Block {
+    kicks: [f64; LANES],
+    step: f64,
+    state: Columns,
+    memo: Columns,
+}
+
+impl Block {
+    /// A block that begins at `starts`, at most [`LANES`] of them.
+    pub fn new<M: Method<Stepped, Memo: Lane>>(
+        method: &M,
+        starts: impl Iterator<Item = (Stepped, Phase)>,
+    ) -> Self {
+        let zero = [[0.0; LANES]; 6];
+        let mut block = Self { kicks: [0.0; LANES], step: 1.0, state: zero, memo: zero };
+        for (lane, (stepped, start)) in starts.enumerate() {
+            (block.kicks[lane], block.step) = (stepped.kick, stepped.step);
+            let z = stepped.enter(start);
+            z.store(&mut block.state, lane);
+            method.start(&stepped, 0.0, 1.0, z).store(&mut block.memo, lane);
+        }
+        block
+    }
+
+    /// Takes `steps` steps in every lane.
+    pub fn advance<M>(&mut self, method: &M, steps: u64, instructions: Instructions)
+    where
+        M: Method<Stepped, Memo: Lane>,
+    {
+        match instructions {
+            Instructions::Best => best(self, method, steps),
+            Instructions::Baseline => baseline(self, method, steps),
+            Instructions::Avx2 => avx2(self, method, steps),
+            Instructions::Avx512 => avx512(self, method, steps),
+        }
+    }
+
+    /// The state of a lane (rad, rad/s).
+    #[inline]
+    pub fn state(&self, lane: usize) -> Phase {
+        let stepped = Stepped { kick: self.kicks[lane], step: self.step };
+        stepped.leave(Turned::load(&self.state, lane))
+    }
+}
+
+macro_rules! advance {
+    ($($name:ident for [$($target:literal),*],)+) => {$(
+        #[multiversion(targets($($target),*))]
+        fn $name<M: Method<Stepped, Memo: Lane>>(block: &mut Block, method: &M, steps: u64) {
+            steps_in_lanes(block, method, steps);
+        }
+    )+};
+}
+advance! {
+    best for ["x86_64+avx512f+avx512dq+avx512vl", "x86_64+avx2", "x86_64+avx"],
+    baseline for [],
+    avx2 for ["x86_64+avx2"],
+    avx512 for ["x86_64+avx512f+avx512dq+avx512vl"],
+}
+
+#[inline(always)]
+fn steps_in_lanes<M: Method<Stepped, Memo: Lane>>(block: &mut Block, method: &M, steps: u64) {
+    let Some(but_last) = steps.checked_sub(1) else { return };
+    for _ in 0..but_last {
+        step_in_lanes(block, method, !M::Memo::SUFFICES);
+    }
+    step_in_lanes(block, method, true);
+}
+
+/// One step in every lane; the states are kept if they are wanted.
+#[inline(always)]
+fn step_in_lanes<M: Method<Stepped, Memo: Lane>>(block: &mut Block, method: &M, keep: bool) {
+    let Block { kicks, step, state, memo } = block;
+    #[expect(clippy::needless_range_loop, reason = "every column is indexed by the lane")]
+    for lane in 0..LANES {
+        let stepped = Stepped { kick: kicks[lane], step: *step };
+        let mut remembered = M::Memo::load(memo, lane);
+        // A step of length 1; the pendulum does not ask for the time.
+        let z = Turned::load(state, lane);
+        let z = method.step(&stepped, 0.0, 1.0, z, &mut remembered);
+        if keep {
+            z.store(state, lane);
+        }
+        remembered.store(memo, lane);
+    }
+}

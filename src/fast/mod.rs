@@ -1,0 +1,65 @@
+//! The pendulum at full speed: the same methods in a quicker unit of time, one trajectory or many at once.
+
+mod deferred;
+#[cfg(feature = "ensemble")]
+mod ensemble;
+#[cfg(feature = "ensemble")]
+mod lanes;
+mod scaled;
+
+pub use deferred::Deferred;
+#[cfg(feature = "ensemble")]
+pub use ensemble::{Ensemble, InLanes};
+#[cfg(feature = "ensemble")]
+pub use lanes::{Instructions, LANES, Lane};
+pub use scaled::{Stepped, Turned, Turning};
+
+use crate::integrate::{Grid, Method, Observer, integrate};
+use crate::systems::{Pendulum, Phase};
+
+/// [`integrate`] for the pendulum in two thirds of the time: with the step as the unit of time.
+///
+/// The same method takes the same steps; only the rounding is another. What `observer` sees is angle (rad) and angular
+/// velocity (rad/s) as ever, and a scene that does not look does not convert.
+#[inline]
+pub fn swing<M, O>(
+    pendulum: &Pendulum,
+    method: &M,
+    start: Phase,
+    grid: &Grid,
+    observer: &mut O,
+) -> Phase
+where
+    M: Method<Stepped> + Method<Pendulum>,
+    O: Observer<Phase> + ?Sized,
+{
+    let Some(stepped) = Stepped::of::<M>(pendulum, grid, start) else {
+        return integrate(pendulum, method, start, grid, observer);
+    };
+    // The start is seen as it was given.
+    observer.observe(0, 0.0, start);
+    let mut watch = InSeconds { stepped, grid, observer };
+    let end = integrate(&stepped, method, stepped.enter(start), &grid.in_steps(), &mut watch);
+    stepped.leave(end)
+}
+
+/// Shows an observer, in seconds, what happens in steps.
+struct InSeconds<'a, O: ?Sized> {
+    stepped: Stepped,
+    grid: &'a Grid,
+    observer: &'a mut O,
+}
+
+impl<O: Observer<Phase> + ?Sized> Observer<Turned> for InSeconds<'_, O> {
+    #[inline]
+    fn observe(&mut self, n: u64, _t: f64, z: Turned) {
+        if n > 0 {
+            self.observer.observe(n, self.grid.time(n), self.stepped.leave(z));
+        }
+    }
+
+    #[inline]
+    fn is_satisfied(&self) -> bool {
+        self.observer.is_satisfied()
+    }
+}

@@ -1,0 +1,185 @@
+//! The pendulum with its step as the unit of time: the same motion in less time.
+//!
+//! With u = hω (rad a step) and K = h² g/L the pendulum is θ̈ + K sin θ = 0 and every step is of length 1, so that no
+//! method multiplies by h any more; symplectic Euler, u ← u − K sin θ, θ ← θ + u, is then Chirikov's standard map as
+//! it stands. Three things make it quick, all of them here and none in the methods, whose own code takes the steps:
+//! the unit of time, the angle kept as half turns and a rest, so that a sine needs no reduction, and
+//! [deferred sums](Deferred).
+
+use core::ops::{Add, Mul};
+
+use super::deferred::Deferred;
+use crate::arithmetic::sine::half_turn::{PI_PARTS, reduce, series};
+use crate::arithmetic::sine::{self, ROUNDER};
+use crate::integrate::{Grid, Method};
+use crate::systems::{
+    Analytic, Components, Pendulum, Phase, Point, Rate, Separable, System, Vector, growth,
+};
+
+/// The pendulum whose time is counted in steps.
+///
+/// `ALONE` says how its angles are reduced: with a branch, for a trajectory alone, or without, for lanes. The bits are
+/// the same.
+#[derive(Clone, Copy, Debug)]
+pub struct Stepped<const ALONE: bool = true> {
+    /// −K = −h² g/L.
+    pub(crate) kick: f64,
+    /// The step h (s).
+    pub(crate) step: f64,
+}
+
+/// The state: the angle as a rest in [−π/2, π/2] and a number of half turns, and the velocity in rad a step.
+#[derive(Clone, Copy, Debug)]
+pub struct Turned<const ALONE: bool = true> {
+    /// What is left of the angle (rad).
+    pub(crate) rest: f64,
+    /// 1.5 · 2⁵² + n for n half turns: the lowest bit is that of n, and says whether the sine changes its sign.
+    pub(crate) turns: f64,
+    pub(crate) velocity: Deferred,
+}
+
+/// A displacement of the state, or its rate of change.
+#[derive(Clone, Copy, Debug)]
+pub struct Turning {
+    pub(crate) angle: Deferred,
+    pub(crate) velocity: Deferred,
+}
+
+impl<const ALONE: bool> Stepped<ALONE> {
+    /// `pendulum` with its time in steps, for a run of the method `M` along `grid` that begins with the angle and angular
+    /// velocity of `start`; `None` where the change of units could overflow or underflow, or half turns could become too
+    /// many to be counted.
+    pub fn of<M: Method<Self>>(pendulum: &Pendulum, grid: &Grid, start: Phase) -> Option<Self> {
+        let step = grid.step();
+        // K and h stay far from the ends of the range of f64, and with them what is made of them: squares of 1e-200
+        // can be lost, 1e-100 leaves room.
+        let moderate = |x: f64| (1e-100..1e100).contains(&x);
+        let kick = pendulum.stiffness() * step * step;
+        // The rounder counts 2⁵¹ half turns; the angle at the start is reduced exactly below 2²⁰, and kept to half a
+        // rounding.
+        let reach = grid.steps() as f64 * M::REACH;
+        let fastest = (start.omega * step).abs() + reach * kick;
+        let farthest = start.theta.abs() + reach * fastest;
+        let fits = moderate(kick)
+            && moderate(step)
+            && (start.omega == 0.0 || moderate(start.omega.abs()))
+            && start.theta.abs() < 1e6
+            && farthest < 1e15;
+        fits.then_some(Self { kick: -kick, step })
+    }
+
+    /// The state that `z` is.
+    pub fn enter(&self, z: Phase) -> Turned<ALONE> {
+        let (n, rest) = reduce::<ALONE>(z.theta);
+        Turned { rest, turns: ROUNDER + n, velocity: (z.omega * self.step).into() }
+    }
+
+    /// Angle (rad) and angular velocity (rad/s) of the state `z`.
+    #[inline]
+    pub fn leave(&self, z: Turned<ALONE>) -> Phase {
+        let n = z.turns - ROUNDER;
+        let theta = n * PI_PARTS[0] + (n * PI_PARTS[1] + (n * PI_PARTS[2] + z.rest));
+        Phase { theta, omega: z.velocity.value() / self.step }
+    }
+}
+
+impl<const ALONE: bool> Turned<ALONE> {
+    /// Sine and cosine of the angle. An odd number of half turns changes the sign of both.
+    #[inline]
+    pub(crate) fn sine_and_cosine(self) -> (f64, f64) {
+        let sign = self.turns.to_bits() << 63;
+        let signed = |x: f64| f64::from_bits(x.to_bits() ^ sign);
+        (signed(sine::sin(self.rest)), signed(sine::cos(self.rest)))
+    }
+
+    /// Moves the angle and reduces it again.
+    #[inline]
+    fn turn(self, by: Deferred) -> Self {
+        let (n, rest) = reduce::<ALONE>((self.rest + by.sum) + by.factor * by.series);
+        Self { rest, turns: self.turns + n, ..self }
+    }
+}
+
+impl<const ALONE: bool> Add<Turning> for Turned<ALONE> {
+    type Output = Self;
+
+    #[inline]
+    fn add(self, displacement: Turning) -> Self {
+        let velocity = self.velocity + displacement.velocity;
+        Self { velocity, ..self.turn(displacement.angle) }
+    }
+}
+
+impl<const ALONE: bool> Point for Turned<ALONE> {
+    type Displacement = Turning;
+}
+
+impl<const ALONE: bool> Components for Turned<ALONE> {
+    #[inline]
+    fn compare(self, other: Self, displacement: Turning, mut each: impl FnMut(f64, f64, f64)) {
+        each(self.rest, other.rest, displacement.angle.value());
+        each(self.velocity.value(), other.velocity.value(), displacement.velocity.value());
+    }
+}
+
+impl Add for Turning {
+    type Output = Self;
+
+    #[inline]
+    fn add(self, late: Self) -> Self {
+        Self { angle: self.angle + late.angle, velocity: self.velocity + late.velocity }
+    }
+}
+
+impl Mul<f64> for Turning {
+    type Output = Self;
+
+    #[inline]
+    fn mul(self, factor: f64) -> Self {
+        Self { angle: self.angle * factor, velocity: self.velocity * factor }
+    }
+}
+
+impl Vector for Turning {}
+
+impl<const ALONE: bool> System for Stepped<ALONE> {
+    type State = Turned<ALONE>;
+
+    #[inline]
+    fn rate(&self, t: f64, z: Turned<ALONE>) -> Rate<Self> {
+        Turning { angle: z.velocity, velocity: self.force(t, z) }
+    }
+}
+
+// ANCHOR: separable
+impl<const ALONE: bool> Separable for Stepped<ALONE> {
+    type Force = Deferred;
+
+    /// −K sin θ = ∓K (r + r³ P(r²)), where r is the rest of θ.
+    #[inline]
+    fn force(&self, _t: f64, z: Turned<ALONE>) -> Deferred {
+        let sign = z.turns.to_bits() << 63;
+        let sum = f64::from_bits(self.kick.to_bits() ^ sign) * z.rest;
+        let square = z.rest * z.rest;
+        Deferred { sum, factor: sum * square, series: series(square) }
+    }
+
+    #[inline]
+    fn kick(&self, z: Turned<ALONE>, force: Deferred, h: f64) -> Turned<ALONE> {
+        Turned { velocity: z.velocity + force * h, ..z }
+    }
+
+    #[inline]
+    fn drift(&self, z: Turned<ALONE>, h: f64) -> Turned<ALONE> {
+        z.turn(z.velocity * h)
+    }
+}
+// ANCHOR_END: separable
+
+impl<const ALONE: bool> Analytic for Stepped<ALONE> {
+    #[inline]
+    fn mean_rate<const P: usize>(&self, h: f64, z: Turned<ALONE>) -> Turning {
+        let (angle, velocity) = growth::<P>(-self.kick, h, z.velocity.value(), z.sine_and_cosine());
+        Turning { angle: Deferred::from(angle), velocity: Deferred::from(velocity) }
+    }
+}

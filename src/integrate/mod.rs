@@ -1,0 +1,45 @@
+//! The time loop: a system, a method, a start, a grid of times, and an observer of what happens.
+
+mod grid;
+mod method;
+mod observe;
+
+pub use grid::Grid;
+pub use method::Method;
+pub use observe::{Every, Observer, Record};
+
+use crate::systems::System;
+
+// ANCHOR: integrate
+/// Takes `system` from `start` along `grid` with `method`, lets `observer` see each sample, returns the last state: the
+/// one at the end of the grid, or the one with which the observer was satisfied.
+///
+/// The loop owns what the method remembers from step to step, so that a force left over from another trajectory
+/// cannot get in; and it computes time from the count of steps.
+#[inline]
+pub fn integrate<S, M, O>(
+    system: &S,
+    method: &M,
+    start: S::State,
+    grid: &Grid,
+    observer: &mut O,
+) -> S::State
+where
+    S: System,
+    M: Method<S>,
+    O: Observer<S::State> + ?Sized,
+{
+    let h = grid.step();
+    let mut z = start;
+    let mut memo = method.start(system, grid.time(0), h, z);
+    observer.observe(0, grid.time(0), z);
+    for n in 0..grid.steps() {
+        if observer.is_satisfied() {
+            break;
+        }
+        z = method.step(system, grid.time(n), h, z, &mut memo);
+        observer.observe(n + 1, grid.time(n + 1), z);
+    }
+    z
+}
+// ANCHOR_END: integrate

@@ -1,0 +1,51 @@
+//! The Gauss method of two stages.
+
+use crate::integrate::Method;
+use crate::methods::gauss::ImplicitTableau;
+use crate::methods::{Described, Properties};
+use crate::systems::{Components, System};
+
+/// The Gauss method of two stages: collocation at the zeros of a Legendre polynomial.
+///
+/// Order 4, symplectic for every Hamiltonian system, separable or not, symmetric; evaluates the force at each stage and
+/// sweep, and once to begin. Hairer, Lubich, Wanner, *Geometric Numerical Integration*, Sects. II.1.3 and VIII.6. Also called
+/// Gauss–Legendre or Kuntzmann–Butcher.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Gauss4;
+
+impl Described for Gauss4 {
+    fn properties(&self) -> Properties {
+        Properties {
+            name: "gauss-4",
+            title: "Gauss 4",
+            aliases: &["Hammer–Hollingsworth", "Kuntzmann–Butcher 4"],
+            order: 4,
+            symplectic: true,
+            symmetric: true,
+            implicit: true,
+            force_evaluations: 2,
+            start_evaluations: 0,
+            reference: "Hairer, Lubich, Wanner (2006), Sect. II.1.3",
+        }
+    }
+}
+
+impl Gauss4 {
+    /// The coefficients, computed with 60 digits from the zeros of the Legendre polynomial of degree 2.
+    pub const TABLEAU: ImplicitTableau<2> = ImplicitTableau {
+        a: [[0.25, -0.038_675_134_594_812_88], [0.538_675_134_594_812_9, 0.25]],
+        b: [0.5, 0.5],
+        c: [0.211_324_865_405_187_1, 0.788_675_134_594_812_9],
+    };
+}
+
+impl<S: System<State: Components>> Method<S> for Gauss4 {
+    type Memo = ();
+
+    fn start(&self, _system: &S, _t: f64, _h: f64, _z: S::State) {}
+
+    #[inline(always)]
+    fn step(&self, system: &S, t: f64, h: f64, z: S::State, _memo: &mut ()) -> S::State {
+        Self::TABLEAU.step(system, t, h, z)
+    }
+}

@@ -1,0 +1,55 @@
+//! The Gauss method of three stages.
+
+use crate::integrate::Method;
+use crate::methods::gauss::ImplicitTableau;
+use crate::methods::{Described, Properties};
+use crate::systems::{Components, System};
+
+/// The Gauss method of three stages: collocation at the zeros of a Legendre polynomial.
+///
+/// Order 6, symplectic for every Hamiltonian system, separable or not, symmetric; evaluates the force at each stage and
+/// sweep, and once to begin. Hairer, Lubich, Wanner, *Geometric Numerical Integration*, Sects. II.1.3 and VIII.6. Also called
+/// Gauss–Legendre or Kuntzmann–Butcher.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Gauss6;
+
+impl Described for Gauss6 {
+    fn properties(&self) -> Properties {
+        Properties {
+            name: "gauss-6",
+            title: "Gauss 6",
+            aliases: &["Kuntzmann–Butcher 6"],
+            order: 6,
+            symplectic: true,
+            symmetric: true,
+            implicit: true,
+            force_evaluations: 3,
+            start_evaluations: 0,
+            reference: "Hairer, Lubich, Wanner (2006), Sect. II.1.3",
+        }
+    }
+}
+
+impl Gauss6 {
+    /// The coefficients, computed with 60 digits from the zeros of the Legendre polynomial of degree 3.
+    pub const TABLEAU: ImplicitTableau<3> = ImplicitTableau {
+        a: [
+            [0.138_888_888_888_888_9, -0.035_976_667_524_938_9, 0.009_789_444_015_308_325],
+            [0.300_263_194_980_864_57, 0.222_222_222_222_222_2, -0.022_485_417_203_086_815],
+            [0.267_988_333_762_469_44, 0.480_421_111_969_383_36, 0.138_888_888_888_888_9],
+        ],
+        b: [0.277_777_777_777_777_8, 0.444_444_444_444_444_4, 0.277_777_777_777_777_8],
+        c: [0.112_701_665_379_258_31, 0.5, 0.887_298_334_620_741_7],
+    };
+}
+
+impl<S: System<State: Components>> Method<S> for Gauss6 {
+    type Memo = ();
+
+    fn start(&self, _system: &S, _t: f64, _h: f64, _z: S::State) {}
+
+    #[inline(always)]
+    fn step(&self, system: &S, t: f64, h: f64, z: S::State, _memo: &mut ()) -> S::State {
+        Self::TABLEAU.step(system, t, h, z)
+    }
+}

@@ -1,0 +1,46 @@
+//! The implicit midpoint rule.
+
+use crate::integrate::Method;
+use crate::methods::gauss::ImplicitTableau;
+use crate::methods::{Described, Properties};
+use crate::systems::{Components, System};
+
+/// The implicit midpoint rule: the slope in the middle between the start and the end of the step, for the whole step.
+///
+/// Order 2, symplectic for every Hamiltonian system, separable or not, symmetric; evaluates the force at each stage and
+/// sweep, and once to begin. Hairer, Lubich, Wanner, *Geometric Numerical Integration*, Sects. II.1.3 and VIII.6.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct ImplicitMidpoint;
+
+impl Described for ImplicitMidpoint {
+    fn properties(&self) -> Properties {
+        Properties {
+            name: "implicit-midpoint",
+            title: "Implicit midpoint",
+            aliases: &["Gauss 2"],
+            order: 2,
+            symplectic: true,
+            symmetric: true,
+            implicit: true,
+            force_evaluations: 1,
+            start_evaluations: 0,
+            reference: "Hairer, Lubich, Wanner (2006), Sect. II.1.3",
+        }
+    }
+}
+
+impl ImplicitMidpoint {
+    /// The coefficients, computed with 60 digits from the zeros of the Legendre polynomial of degree 1.
+    pub const TABLEAU: ImplicitTableau<1> = ImplicitTableau { a: [[0.5]], b: [1.0], c: [0.5] };
+}
+
+impl<S: System<State: Components>> Method<S> for ImplicitMidpoint {
+    type Memo = ();
+
+    fn start(&self, _system: &S, _t: f64, _h: f64, _z: S::State) {}
+
+    #[inline(always)]
+    fn step(&self, system: &S, t: f64, h: f64, z: S::State, _memo: &mut ()) -> S::State {
+        Self::TABLEAU.step(system, t, h, z)
+    }
+}

@@ -1,0 +1,169 @@
+//! Dormand and Prince's method of order 5.
+
+use super::embedded::{Embedded, hermite};
+use crate::integrate::Method;
+use crate::methods::runge_kutta::tableau::tableau;
+use crate::methods::{Described, Properties};
+use crate::systems::{Rate, System, Vector};
+
+/// Dormand–Prince 5(4): six slopes for a step of order 5, and a seventh, the first of the next step, to estimate its
+/// error.
+///
+/// Order 5, not symplectic, not symmetric, six force evaluations a step and one before the first; dense output of order
+/// 4 takes none. Also called DOPRI5, RK45, RKDP or ode45. Dormand, Prince, *J. Comput. Appl. Math.* 6 (1980) 19–26;
+/// Hairer, Nørsett, Wanner, *Solving Ordinary Differential Equations I* (1993), Table II.5.2 and Sect. II.6.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct DormandPrince;
+
+impl Described for DormandPrince {
+    fn properties(&self) -> Properties {
+        Properties {
+            name: "dormand-prince",
+            title: "Dormand–Prince",
+            aliases: &["DOPRI5", "RK45", "ode45"],
+            order: 5,
+            symplectic: false,
+            symmetric: false,
+            implicit: false,
+            force_evaluations: 6,
+            start_evaluations: 1,
+            reference: "Hairer, Nørsett, Wanner (1993), Table II.5.2",
+        }
+    }
+}
+
+// ANCHOR: step
+impl<S: System> Method<S> for DormandPrince {
+    /// The slope where the step begins: the last one ended there.
+    type Memo = Rate<S>;
+
+    const REACH: f64 = TABLEAU.reach();
+
+    fn start(&self, system: &S, t: f64, _h: f64, z: S::State) -> Rate<S> {
+        system.rate(t, z)
+    }
+
+    #[inline(always)]
+    fn step(&self, system: &S, t: f64, h: f64, z: S::State, slope: &mut Rate<S>) -> S::State {
+        let stages = Stages::of(system, t, h, z, [*slope]);
+        *slope = stages.k7;
+        z + stages.step() * h
+    }
+}
+// ANCHOR_END: step
+
+impl Embedded for DormandPrince {
+    /// The method within has order 4, and its step an error of h⁵.
+    const ESTIMATE_ORDER: u32 = 5;
+
+    type Stages<D: Vector> = Stages<D>;
+    type Dense<D: Vector> = [D; 4];
+
+    #[inline(always)]
+    fn attempt<S: System>(
+        &self,
+        system: &S,
+        t: f64,
+        h: f64,
+        z: S::State,
+        slope: Rate<S>,
+    ) -> (S::State, Stages<Rate<S>>) {
+        let stages = Stages::of(system, t, h, z, [slope]);
+        (z + stages.step() * h, stages)
+    }
+
+    #[inline]
+    fn error<D: Vector>(&self, stages: &Stages<D>, size: impl Fn(D) -> f64) -> f64 {
+        size(stages.error())
+    }
+
+    fn end_slope<S: System>(
+        &self,
+        _system: &S,
+        _t: f64,
+        _z: S::State,
+        stages: &Stages<Rate<S>>,
+    ) -> Rate<S> {
+        stages.k7
+    }
+
+    fn dense<S: System>(
+        &self,
+        _system: &S,
+        _t: f64,
+        h: f64,
+        _z: S::State,
+        stages: &Stages<Rate<S>>,
+        end_slope: Rate<S>,
+    ) -> [Rate<S>; 4] {
+        let [first, second, third] = hermite(stages.step() * h, stages.k1 * h, end_slope * h);
+        [first, second, third, stages.fourth() * h]
+    }
+}
+
+tableau! {
+    /// The stages, the weights of the step, of its error estimate and of the dense output.
+    Stages, TABLEAU, from [k1];
+    stages {
+        k2 at 1.0 / 5.0 => {
+            k1: 1.0 / 5.0,
+        }
+        k3 at 3.0 / 10.0 => {
+            k1: 3.0 / 40.0,
+            k2: 9.0 / 40.0,
+        }
+        k4 at 4.0 / 5.0 => {
+            k1: 44.0 / 45.0,
+            k2: -56.0 / 15.0,
+            k3: 32.0 / 9.0,
+        }
+        k5 at 8.0 / 9.0 => {
+            k1: 19_372.0 / 6561.0,
+            k2: -25_360.0 / 2187.0,
+            k3: 64_448.0 / 6561.0,
+            k4: -212.0 / 729.0,
+        }
+        k6 at 1.0 => {
+            k1: 9017.0 / 3168.0,
+            k2: -355.0 / 33.0,
+            k3: 46_732.0 / 5247.0,
+            k4: 49.0 / 176.0,
+            k5: -5103.0 / 18_656.0,
+        }
+        k7 at 1.0 => {
+            k1: 35.0 / 384.0,
+            k3: 500.0 / 1113.0,
+            k4: 125.0 / 192.0,
+            k5: -2187.0 / 6784.0,
+            k6: 11.0 / 84.0,
+        }
+    }
+    sums {
+        /// The step of order 5, over h.
+        step => {
+            k1: 35.0 / 384.0,
+            k3: 500.0 / 1113.0,
+            k4: 125.0 / 192.0,
+            k5: -2187.0 / 6784.0,
+            k6: 11.0 / 84.0,
+        }
+        /// How far the step of the method of order 4 within is off, over h.
+        error => {
+            k1: 71.0 / 57_600.0,
+            k3: -71.0 / 16_695.0,
+            k4: 71.0 / 1920.0,
+            k5: -17_253.0 / 339_200.0,
+            k6: 22.0 / 525.0,
+            k7: -1.0 / 40.0,
+        }
+        /// The fourth coefficient of the dense output, over h.
+        fourth => {
+            k1: -12_715_105_075.0 / 11_282_082_432.0,
+            k3: 87_487_479_700.0 / 32_700_410_799.0,
+            k4: -10_690_763_975.0 / 1_880_347_072.0,
+            k5: 701_980_252_875.0 / 199_316_789_632.0,
+            k6: -1_453_857_185.0 / 822_651_844.0,
+            k7: 69_997_945.0 / 29_380_423.0,
+        }
+    }
+}

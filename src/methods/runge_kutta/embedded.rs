@@ -1,0 +1,59 @@
+//! Runge–Kutta methods that estimate their own error.
+
+use crate::systems::{Rate, System, Vector};
+
+// ANCHOR: embedded
+/// A Runge–Kutta method that estimates its own error and fills in its own steps.
+pub trait Embedded: Copy {
+    /// The order k of the estimate, O(hᵏ): by it the control chooses the next step.
+    const ESTIMATE_ORDER: u32;
+
+    /// The stages of a step.
+    type Stages<D: Vector>: Copy;
+
+    /// The coefficients of dense output: as many as its degree.
+    type Dense<D: Vector>: Copy + AsRef<[D]>;
+
+    /// Tries a step `h` (s) from `z` at time `t` (s), where the slope is `slope`: the state that it leads to, and its
+    /// stages.
+    fn attempt<S: System>(
+        &self,
+        system: &S,
+        t: f64,
+        h: f64,
+        z: S::State,
+        slope: Rate<S>,
+    ) -> (S::State, Self::Stages<Rate<S>>);
+
+    /// The error of the step with these `stages`, in tolerances. `size` measures a displacement per h in tolerances.
+    fn error<D: Vector>(&self, stages: &Self::Stages<D>, size: impl Fn(D) -> f64) -> f64;
+
+    /// The slope at the state `z` at time `t` (s) to which the step with these `stages` has led.
+    fn end_slope<S: System>(
+        &self,
+        system: &S,
+        t: f64,
+        z: S::State,
+        stages: &Self::Stages<Rate<S>>,
+    ) -> Rate<S>;
+
+    /// What [`Dense`](crate::adaptive::Dense) is made of, for a step `h` (s) from `z` at time `t` (s) with these `stages`.
+    fn dense<S: System>(
+        &self,
+        system: &S,
+        t: f64,
+        h: f64,
+        z: S::State,
+        stages: &Self::Stages<Rate<S>>,
+        end_slope: Rate<S>,
+    ) -> Self::Dense<Rate<S>>;
+}
+// ANCHOR_END: embedded
+
+/// The first three coefficients of dense output, which make it meet both ends of a step: Hermite's cubic of the whole
+/// displacement `step` with the slopes at both ends, times h.
+pub fn hermite<D: Vector>(step: D, start_slope: D, end_slope: D) -> [D; 3] {
+    let second = start_slope + step * -1.0;
+    let third = step + end_slope * -1.0 + second * -1.0;
+    [step, second, third]
+}

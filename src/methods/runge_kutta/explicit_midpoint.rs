@@ -1,0 +1,44 @@
+//! The explicit midpoint rule.
+
+use crate::integrate::Method;
+use crate::methods::{Described, Properties};
+use crate::systems::System;
+
+/// The explicit midpoint rule: the slope half a step ahead, for the whole step.
+///
+/// Order 2, not symplectic, not symmetric, two force evaluations a step. Also called Runge's method or modified Euler.
+/// C. Runge, *Mathematische Annalen* 46 (1895), 167–178, doi:10.1007/BF01446807; Hairer, Nørsett, Wanner, *Solving
+/// Ordinary Differential Equations I*, Sect. II.1.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct ExplicitMidpoint;
+
+impl Described for ExplicitMidpoint {
+    fn properties(&self) -> Properties {
+        Properties {
+            name: "explicit-midpoint",
+            title: "Explicit midpoint",
+            aliases: &["Runge's method", "modified Euler"],
+            order: 2,
+            symplectic: false,
+            symmetric: false,
+            implicit: false,
+            force_evaluations: 2,
+            start_evaluations: 0,
+            reference: "C. Runge, Math. Ann. 46 (1895) 167; Hairer, Nørsett, Wanner (1993), Sect. II.1",
+        }
+    }
+}
+
+// ANCHOR: step
+impl<S: System> Method<S> for ExplicitMidpoint {
+    type Memo = ();
+
+    fn start(&self, _system: &S, _t: f64, _h: f64, _z: S::State) {}
+
+    #[inline(always)]
+    fn step(&self, system: &S, t: f64, h: f64, z: S::State, _memo: &mut ()) -> S::State {
+        let half = z + system.rate(t, z) * (h / 2.0);
+        z + system.rate(t + h / 2.0, half) * h
+    }
+}
+// ANCHOR_END: step

@@ -1,0 +1,42 @@
+//! Forward Euler.
+
+use crate::integrate::Method;
+use crate::methods::{Described, Properties};
+use crate::systems::System;
+
+/// Forward Euler: both components move along the tangent at the start of the step.
+///
+/// Order 1, not symplectic, not symmetric, one force evaluation a step. Also called explicit Euler. Paper, Eqs. 6–7;
+/// Hairer, Lubich, Wanner, *Geometric Numerical Integration*, Sect. I.1.2.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct ForwardEuler;
+
+impl Described for ForwardEuler {
+    fn properties(&self) -> Properties {
+        Properties {
+            name: "forward-euler",
+            title: "Forward Euler",
+            aliases: &["explicit Euler", "Euler's method"],
+            order: 1,
+            symplectic: false,
+            symmetric: false,
+            implicit: false,
+            force_evaluations: 1,
+            start_evaluations: 0,
+            reference: "Hairer, Lubich, Wanner (2006), Sect. I.1.2",
+        }
+    }
+}
+
+// ANCHOR: step
+impl<S: System> Method<S> for ForwardEuler {
+    type Memo = ();
+
+    fn start(&self, _system: &S, _t: f64, _h: f64, _z: S::State) {}
+
+    #[inline(always)]
+    fn step(&self, system: &S, t: f64, h: f64, z: S::State, _memo: &mut ()) -> S::State {
+        z + system.rate(t, z) * h
+    }
+}
+// ANCHOR_END: step

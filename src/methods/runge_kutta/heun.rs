@@ -1,0 +1,45 @@
+//! Heun's method.
+
+use crate::integrate::Method;
+use crate::methods::{Described, Properties};
+use crate::systems::System;
+
+/// Heun's method of order 2: the mean of the slopes at both ends of an Euler step.
+///
+/// Order 2, not symplectic, not symmetric, two force evaluations a step. Also called the explicit trapezoidal rule or
+/// improved Euler. K. Heun, *Zeitschrift für Mathematik und Physik* 45 (1900), 23–38; Hairer, Nørsett, Wanner, *Solving
+/// Ordinary Differential Equations I*, Sect. II.1.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Heun;
+
+impl Described for Heun {
+    fn properties(&self) -> Properties {
+        Properties {
+            name: "heun",
+            title: "Heun",
+            aliases: &["explicit trapezoidal rule", "improved Euler"],
+            order: 2,
+            symplectic: false,
+            symmetric: false,
+            implicit: false,
+            force_evaluations: 2,
+            start_evaluations: 0,
+            reference: "K. Heun, Z. Math. Phys. 45 (1900) 23; Hairer, Nørsett, Wanner (1993), Sect. II.1",
+        }
+    }
+}
+
+// ANCHOR: step
+impl<S: System> Method<S> for Heun {
+    type Memo = ();
+
+    fn start(&self, _system: &S, _t: f64, _h: f64, _z: S::State) {}
+
+    #[inline(always)]
+    fn step(&self, system: &S, t: f64, h: f64, z: S::State, _memo: &mut ()) -> S::State {
+        let k1 = system.rate(t, z);
+        let k2 = system.rate(t + h, z + k1 * h);
+        z + (k1 + k2) * (h / 2.0)
+    }
+}
+// ANCHOR_END: step

@@ -1,0 +1,21 @@
+//! Explicit Runge–Kutta methods, of which forward Euler is the one of a single stage.
+//!
+//! The longer ones are a [`tableau`], from which a macro makes the code of their stages; two of them are
+//! [`Embedded`]: they estimate their own error.
+
+pub mod dop853;
+pub mod dormand_prince;
+mod embedded;
+mod explicit_midpoint;
+mod forward_euler;
+mod heun;
+mod rk4;
+pub mod tableau;
+
+pub use dop853::Dop853;
+pub use dormand_prince::DormandPrince;
+pub use embedded::{Embedded, hermite};
+pub use explicit_midpoint::ExplicitMidpoint;
+pub use forward_euler::ForwardEuler;
+pub use heun::Heun;
+pub use rk4::Rk4;

@@ -1,0 +1,163 @@
+//! Explicit Runge–Kutta methods as tables of coefficients.
+//!
+//! A [`Tableau`] is data. The macro `tableau!` makes of one table both that data, with the digits as its source has
+//! them, and straight code that takes the stages: no loop, no index, no product with zero.
+
+/// A number of a tableau.
+#[derive(Clone, Copy, Debug)]
+pub struct Coefficient {
+    /// The nearest f64, which the step uses.
+    pub value: f64,
+    /// As the source has it, a fraction or all its digits: for tests of what the f64 has lost.
+    pub written: &'static str,
+}
+
+/// A stage, k = f(t + c h, z + h Σ aⱼ kⱼ), or a weighted sum of stages.
+#[derive(Clone, Copy, Debug)]
+pub struct Row {
+    /// The name of the stage or of the sum.
+    pub name: &'static str,
+    /// When a stage is taken, c, in steps; a sum has none.
+    pub node: Option<Coefficient>,
+    /// The stages that take part, by name, with their coefficients. Those not named have zero.
+    pub terms: &'static [(&'static str, Coefficient)],
+}
+
+/// The coefficients of an explicit Runge–Kutta method, or of stages added to one.
+#[derive(Clone, Copy, Debug)]
+pub struct Tableau {
+    /// The stages that are known before: k₁ = f(t, z), or those of another tableau.
+    pub known: &'static [&'static str],
+    /// The stages, in the order in which they are taken.
+    pub stages: &'static [Row],
+    /// The sums that are made of them: the step itself, error estimates, dense output.
+    pub sums: &'static [Row],
+}
+
+impl Tableau {
+    /// The largest sum of the sizes of a row's coefficients: how far a stage or a sum leads, in steps.
+    pub(crate) const fn reach(&self) -> f64 {
+        Row::longest(self.stages).max(Row::longest(self.sums))
+    }
+}
+
+impl Row {
+    const fn longest(rows: &[Self]) -> f64 {
+        let (mut longest, mut i) = (0.0_f64, 0);
+        while i < rows.len() {
+            let (mut sum, mut j) = (0.0, 0);
+            while j < rows[i].terms.len() {
+                sum += rows[i].terms[j].1.value.abs();
+                j += 1;
+            }
+            longest = f64::max(longest, sum);
+            i += 1;
+        }
+        longest
+    }
+}
+
+// ANCHOR: tableau
+/// Makes of a table `struct $Stages`, whose function `of` takes the stages and which has a method for each sum, and the
+/// table as data, `$TABLEAU`.
+macro_rules! tableau {
+    (
+        $(#[$doc:meta])*
+        $Stages:ident, $TABLEAU:ident, from [$($known:ident),+];
+        stages {$(
+            $k:ident at $c:expr => { $k_first:ident: $a_first:expr, $($k_other:ident: $a:expr,)* }
+        )*}
+        sums {$(
+            $(#[$sum_doc:meta])*
+            $sum:ident => { $b_of:ident: $b_first:expr, $($b_other:ident: $b:expr,)* }
+        )+}
+    ) => {
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug)]
+        pub struct $Stages<D> {
+            $(#[doc = "A stage known before."] pub $known: D,)+
+            $(#[doc = "A stage."] pub $k: D,)*
+        }
+
+        impl<D: $crate::Vector> $Stages<D> {
+            /// Takes the stages of a step `h` (s) from `z` at time `t` (s). The known ones are given.
+            #[inline(always)]
+            #[allow(unused_variables, reason = "where no stage is added, nothing is evaluated")]
+            pub fn of<S>(system: &S, t: f64, h: f64, z: S::State, known: [D; [$(stringify!($known)),+].len()]) -> Self
+            where
+                S: $crate::System<State: $crate::Point<Displacement = D>>,
+            {
+                let [$($known),+] = known;
+                $(
+                    let slope = $k_first * const { $a_first } $(+ $k_other * const { $a })*;
+                    let $k = system.rate(t + const { $c } * h, z + slope * h);
+                )*
+                Self { $($known,)+ $($k,)* }
+            }
+
+            $(
+                $(#[$sum_doc])*
+                #[inline(always)]
+                pub fn $sum(&self) -> D {
+                    self.$b_of * const { $b_first } $(+ self.$b_other * const { $b })*
+                }
+            )+
+        }
+
+        $(#[$doc])*
+        pub const $TABLEAU: $crate::methods::runge_kutta::tableau::Tableau = $crate::methods::runge_kutta::tableau::Tableau {
+            known: &[$(stringify!($known)),+],
+            stages: &[$(
+                $crate::methods::runge_kutta::tableau::row!($k, Some($crate::methods::runge_kutta::tableau::coefficient!($c)),
+                    $k_first: $a_first, $($k_other: $a,)*),
+            )*],
+            sums: &[$(
+                $crate::methods::runge_kutta::tableau::row!($sum, None, $b_of: $b_first, $($b_other: $b,)*),
+            )+],
+        };
+    };
+}
+// ANCHOR_END: tableau
+
+macro_rules! row {
+    ($name:ident, $node:expr, $($k:ident: $a:expr,)+) => {
+        $crate::methods::runge_kutta::tableau::Row {
+            name: stringify!($name),
+            node: $node,
+            terms: &[$((stringify!($k), $crate::methods::runge_kutta::tableau::coefficient!($a))),+],
+        }
+    };
+}
+
+macro_rules! coefficient {
+    ($a:expr) => {
+        $crate::methods::runge_kutta::tableau::Coefficient { value: $a, written: stringify!($a) }
+    };
+}
+
+pub(crate) use coefficient;
+pub(crate) use row;
+pub(crate) use tableau;
+
+#[cfg(test)]
+mod tests {
+    use super::{Row, Tableau};
+
+    /// Catches: coefficients that cancel; a row, or the sums, passed over.
+    #[test]
+    fn a_table_reaches_as_far_as_its_longest_row() {
+        const STAGES: &[Row] = &[
+            row!(k2, None, k1: 1.0,),
+            row!(k3, None, k1: -4.0, k2: 3.5,),
+            row!(k4, None, k1: 1.0, k2: 1.0, k3: -1.0,),
+        ];
+        const SUMS: &[Row] = &[row!(step, None, k1: 0.5, k4: 0.25,)];
+        let reach = |stages, sums| Tableau { known: &["k1"], stages, sums }.reach();
+        assert_eq!(reach(STAGES, SUMS), 7.5);
+        assert_eq!(reach(SUMS, STAGES), 7.5);
+        assert_eq!(reach(&[], SUMS), 0.75);
+        // Its fifth stage: 19372/6561 + 25360/2187 + 64448/6561 + 212/729.
+        let dormand_prince = crate::methods::runge_kutta::dormand_prince::TABLEAU.reach();
+        assert!((dormand_prince - 161_808.0 / 6561.0).abs() < 1e-14, "{dormand_prince}");
+    }
+}

@@ -1,0 +1,30 @@
+//! Splitting methods: the force kicks the velocity, the velocity drifts the position, by turns.
+//!
+//! The first three are written out; the others are tables of kicks and drifts, a [`Splitting`] each.
+
+mod blanes_moan_4;
+mod blanes_moan_6;
+mod forest_ruth;
+mod kahan_li_8;
+mod position_verlet;
+mod ruth_3;
+mod stormer_verlet;
+mod suzuki_4;
+mod symplectic_euler;
+mod table;
+mod yoshida_6;
+mod yoshida_8;
+
+pub use blanes_moan_4::BlanesMoan4;
+pub use blanes_moan_6::BlanesMoan6;
+pub use forest_ruth::ForestRuth;
+pub use kahan_li_8::KahanLi8;
+pub use position_verlet::PositionVerlet;
+pub use ruth_3::Ruth3;
+pub use stormer_verlet::StormerVerlet;
+pub use suzuki_4::Suzuki4;
+pub use symplectic_euler::SymplecticEuler;
+pub(crate) use table::palindrome;
+pub use table::{Splitting, kicks, length};
+pub use yoshida_6::Yoshida6;
+pub use yoshida_8::Yoshida8;

@@ -1,0 +1,83 @@
+//! Splitting methods of higher order, as tables of kicks and drifts.
+
+use crate::integrate::Method;
+use crate::systems::Separable;
+
+/// A splitting method as data: kicks and drifts by turns, a kick first and a kick last.
+///
+/// Where the first kick of a step takes the force, the last kick of the step before has just evaluated it, and the two
+/// become one kick. So a step costs as many evaluations as it has drifts.
+pub trait Splitting {
+    /// The kicks, in units of the step: one more than there are drifts. Where the method ends with a drift, the last is 0.
+    const KICKS: &'static [f64];
+    /// The drifts, in units of the step.
+    const DRIFTS: &'static [f64];
+}
+
+// ANCHOR: step
+impl<M: Splitting, S: Separable> Method<S> for M {
+    /// The state one kick ahead.
+    type Memo = S::State;
+
+    const REACH: f64 = length(M::KICKS).max(length(M::DRIFTS));
+
+    fn start(&self, system: &S, t: f64, h: f64, z: S::State) -> S::State {
+        system.kick(z, system.force(t, z), M::KICKS[0] * h)
+    }
+
+    #[inline(always)]
+    fn step(&self, system: &S, t: f64, h: f64, _z: S::State, ahead: &mut S::State) -> S::State {
+        let last = M::DRIFTS.len() - 1;
+        let (mut z, mut elapsed) = (*ahead, 0.0);
+        for i in 0..last {
+            z = system.drift(z, M::DRIFTS[i] * h);
+            elapsed += M::DRIFTS[i];
+            z = system.kick(z, system.force(t + elapsed * h, z), M::KICKS[i + 1] * h);
+        }
+        z = system.drift(z, M::DRIFTS[last] * h);
+        let force = system.force(t + h, z);
+        *ahead = system.kick(z, force, (M::KICKS[last + 1] + M::KICKS[0]) * h);
+        system.kick(z, force, M::KICKS[last + 1] * h)
+    }
+}
+// ANCHOR_END: step
+
+/// How far the numbers lead, those backwards counted like those forwards: Σ |x|.
+pub const fn length(all: &[f64]) -> f64 {
+    let (mut sum, mut i) = (0.0, 0);
+    while i < all.len() {
+        sum += all[i].abs();
+        i += 1;
+    }
+    sum
+}
+
+/// The kicks of a composition of Störmer–Verlet steps: between two drifts two half kicks are one, and the outermost are
+/// halves. The drifts are the substeps themselves.
+pub const fn kicks<const N: usize, const KICKS: usize>(substeps: [f64; N]) -> [f64; KICKS] {
+    assert!(KICKS == N + 1);
+    let mut kicks = [0.0; KICKS];
+    let mut i = 0;
+    while i < N {
+        kicks[i] += 0.5 * substeps[i];
+        kicks[i + 1] += 0.5 * substeps[i];
+        i += 1;
+    }
+    kicks
+}
+
+/// A palindrome from its first half and its middle.
+pub(crate) const fn palindrome<const HALF: usize, const N: usize>(
+    half: [f64; HALF],
+    middle: f64,
+) -> [f64; N] {
+    assert!(N == 2 * HALF + 1);
+    let mut all = [middle; N];
+    let mut i = 0;
+    while i < HALF {
+        all[i] = half[i];
+        all[N - 1 - i] = half[i];
+        i += 1;
+    }
+    all
+}

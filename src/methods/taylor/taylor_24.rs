@@ -1,0 +1,45 @@
+//! Taylor series of order 24.
+
+use super::Taylor;
+use crate::integrate::Method;
+use crate::methods::{Described, Properties};
+use crate::systems::Analytic;
+
+/// The Taylor series of the motion itself, to the 24th power of the step: for long steps and all digits.
+///
+/// Order 24, neither symplectic nor symmetric but for what rounding hides. A step evaluates one sine and one cosine; the
+/// powers come by recurrence, and each is counted as one evaluation. Its reach is that of the series, two radians of the
+/// motion or so: in longer steps the state grows with their 24th power, and may overflow. Also called the method of Taylor series, or
+/// automatic differentiation. Hairer, Nørsett, Wanner, *Solving Ordinary Differential Equations I*, Sect. I.8; À. Jorba,
+/// M. Zou, *Experimental Mathematics* 14 (2005), 99–117, doi:10.1080/10586458.2005.10128904. Any other order is
+/// [`Taylor<P>`](Taylor).
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Taylor24;
+
+impl Described for Taylor24 {
+    fn properties(&self) -> Properties {
+        Properties {
+            name: "taylor-24",
+            title: "Taylor 24",
+            aliases: &["power series", "automatic differentiation"],
+            order: 24,
+            symplectic: false,
+            symmetric: false,
+            implicit: false,
+            force_evaluations: 24,
+            start_evaluations: 0,
+            reference: "Hairer, Nørsett, Wanner (1993), Sect. I.8",
+        }
+    }
+}
+
+impl<S: Analytic> Method<S> for Taylor24 {
+    type Memo = ();
+
+    fn start(&self, _system: &S, _t: f64, _h: f64, _z: S::State) {}
+
+    #[inline(always)]
+    fn step(&self, system: &S, t: f64, h: f64, z: S::State, memo: &mut ()) -> S::State {
+        Taylor::<24>.step(system, t, h, z, memo)
+    }
+}

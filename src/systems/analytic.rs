@@ -1,0 +1,112 @@
+//! Systems whose motion can be expanded in powers of time, by recurrence.
+
+use super::{Counting, LinearOscillator, Pendulum, Phase, Rate, System};
+use crate::arithmetic::sine::{cos, sin};
+
+/// A system whose motion can be expanded in powers of time, by recurrence, to any order.
+pub trait Analytic: System {
+    /// The mean rate of change over a step `h` (s) from `z`, in units of the state over s, by the Taylor series of the motion
+    /// up to hᴾ.
+    fn mean_rate<const P: usize>(&self, h: f64, z: Self::State) -> Rate<Self>;
+}
+
+/// What θ and ω grow by in a step, over the step, where θ' = ω and ω' = −`stiffness` sin θ, from ω, sin θ and cos θ at its
+/// start.
+///
+/// The coefficients are those of powers of t/h. With θ = Σ θⱼ and likewise s = sin θ and c = cos θ, from s' = cθ' and
+/// c' = −sθ':
+///
+/// k sₖ = Σⱼ j θⱼ cₖ₋ⱼ, k cₖ = −Σⱼ j θⱼ sₖ₋ⱼ, with j from 1 to k.
+///
+/// Jorba and Zou, Proposition 2.1.
+// ANCHOR: series
+#[inline]
+pub(crate) fn growth<const P: usize>(
+    stiffness: f64,
+    h: f64,
+    omega: f64,
+    (sin, cos): (f64, f64),
+) -> (f64, f64) {
+    let inverse = const { inverses::<P>() };
+    // jθⱼ, which is all that the sums ask for; c and −s, side by side, since both are multiplied by the same.
+    let (mut turning, mut waves) = ([0.0; P], [[0.0; 2]; P]);
+    let (mut theta, mut velocity) = ([0.0; P], [0.0; P]);
+    // Every product goes to its sum as soon as both factors are known, so that a sum waits for its last two alone.
+    let mut sums = [[0.0; 2]; P];
+    let (mut omega_k, mut wave) = (omega, [cos, -sin]);
+    for k in 0..P {
+        let turned = h * omega_k;
+        theta[k] = omega_k * inverse[k];
+        velocity[k] = stiffness * inverse[k] * wave[1];
+        omega_k = h * velocity[k];
+        let earlier = waves.iter().zip(&turning[..k]);
+        for (sum, (wave_j, turned_j)) in sums[k..].iter_mut().zip(earlier) {
+            for i in 0..2 {
+                sum[i] += turned * wave_j[i] + turned_j * wave[i];
+            }
+        }
+        if 2 * k < P {
+            for i in 0..2 {
+                sums[2 * k][i] += turned * wave[i];
+            }
+        }
+        (turning[k], waves[k]) = (turned, wave);
+        let [s, c] = sums[k];
+        wave = [c * inverse[k], -s * inverse[k]];
+    }
+    (smallest_first(&theta), smallest_first(&velocity))
+}
+// ANCHOR_END: series
+
+/// 1, 1/2, 1/3 …: a division would be waited for three times as long as a product.
+const fn inverses<const P: usize>() -> [f64; P] {
+    let mut all = [1.0; P];
+    let mut k = 1;
+    while k < P {
+        all[k] = 1.0 / (k + 1) as f64;
+        k += 1;
+    }
+    all
+}
+
+/// The sum of the terms of a series, the smallest first, so that they do not drown one by one: in four sums at once, which
+/// do not wait for one another.
+#[inline]
+fn smallest_first<const P: usize>(terms: &[f64; P]) -> f64 {
+    let mut sums = [0.0; 4];
+    for (k, term) in terms.iter().enumerate().rev() {
+        sums[k % 4] += term;
+    }
+    sums.iter().rev().fold(0.0, |sum, part| sum + part)
+}
+
+impl Analytic for Pendulum {
+    #[inline]
+    fn mean_rate<const P: usize>(&self, h: f64, z: Phase) -> Phase {
+        let (theta, omega) =
+            growth::<P>(self.stiffness(), h, z.omega, (sin(z.theta), cos(z.theta)));
+        Phase { theta, omega }
+    }
+}
+
+impl Analytic for LinearOscillator {
+    /// θ' = ω and ω' = −(g/L) θ: each power follows from the one before.
+    fn mean_rate<const P: usize>(&self, h: f64, z: Phase) -> Phase {
+        let mut power = z;
+        let rates = core::array::from_fn::<Phase, P, _>(|k| {
+            let rate = self.rate(0.0, power) * (1.0 / (k + 1) as f64);
+            power = rate * h;
+            rate
+        });
+        // The smallest first, as above.
+        rates.iter().rev().fold(Phase::default(), |sum, rate| sum + *rate)
+    }
+}
+
+impl<S: Analytic> Analytic for Counting<S> {
+    /// Each power of the series costs as much as its sums are long; it counts as one evaluation.
+    fn mean_rate<const P: usize>(&self, h: f64, z: S::State) -> Rate<S> {
+        self.count(P as u64);
+        self.system().mean_rate::<P>(h, z)
+    }
+}

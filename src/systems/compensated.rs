@@ -1,0 +1,114 @@
+//! Sums that keep what rounding takes away.
+
+use core::ops::Add;
+
+use crate::arithmetic::double_double::two_sum;
+use crate::systems::{Analytic, Components, Hamiltonian, Phase, Point, Rate, Separable, System};
+
+/// A decorator: the same system, with a state that carries what rounding took away, so that every method that runs on it
+/// has compensated sums.
+///
+/// A step adds a small displacement to a large state, and rounds the sum to the last digit of the large one. Here what is
+/// rounded away is kept beside the sum, until it is enough to count (W. Kahan, *Comm. ACM* 8 (1965) 40; O. Møller, *BIT* 5
+/// (1965) 37–50; Hairer, Lubich, Wanner, *Geometric Numerical Integration*, Sect. VIII.5). What is left is the rounding of
+/// the displacements themselves, which is smaller by about x = ω₀h. A method needs no other code: Runge–Kutta methods add
+/// to the state, and splitting methods kick it and let it drift.
+#[derive(Clone, Copy, Debug)]
+pub struct Compensated<S> {
+    system: S,
+}
+
+/// A state θ and ω with what is still to be added to them: together good to twice the digits.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Carried {
+    /// The state, rounded.
+    pub phase: Phase,
+    /// What the rounding took away: half a unit in the last place of the state at most.
+    pub lost: Phase,
+}
+
+impl<S> Compensated<S> {
+    /// Wraps `system`.
+    pub const fn new(system: S) -> Self {
+        Self { system }
+    }
+}
+
+impl From<Phase> for Carried {
+    /// A state from which nothing is lost yet.
+    fn from(phase: Phase) -> Self {
+        Self { phase, lost: Phase { theta: 0.0, omega: 0.0 } }
+    }
+}
+
+// ANCHOR: add
+impl Add<Phase> for Carried {
+    type Output = Self;
+
+    #[inline]
+    fn add(self, displacement: Phase) -> Self {
+        let due = displacement + self.lost;
+        let (theta, theta_lost) = two_sum(self.phase.theta, due.theta);
+        let (omega, omega_lost) = two_sum(self.phase.omega, due.omega);
+        Self { phase: Phase { theta, omega }, lost: Phase { theta: theta_lost, omega: omega_lost } }
+    }
+}
+// ANCHOR_END: add
+
+impl Point for Carried {
+    type Displacement = Phase;
+}
+
+impl Components for Carried {
+    #[inline]
+    fn compare(self, other: Self, displacement: Phase, each: impl FnMut(f64, f64, f64)) {
+        self.phase.compare(other.phase, displacement, each);
+    }
+}
+
+impl<S: System<State = Phase>> System for Compensated<S> {
+    type State = Carried;
+
+    #[inline]
+    fn rate(&self, t: f64, z: Carried) -> Rate<Self> {
+        self.system.rate(t, z.phase)
+    }
+}
+
+/// Of a Hamiltonian system, whose kick adds the same whatever the velocity, and whose drift whatever the position: so what
+/// they add can be asked for by itself, before it is rounded into a sum.
+impl<S: Separable<State = Phase> + Hamiltonian> Separable for Compensated<S> {
+    type Force = S::Force;
+
+    #[inline]
+    fn force(&self, t: f64, z: Carried) -> S::Force {
+        self.system.force(t, z.phase)
+    }
+
+    #[inline]
+    fn kick(&self, z: Carried, force: S::Force, h: f64) -> Carried {
+        let resting = Phase { omega: 0.0, ..z.phase };
+        z + Phase { theta: 0.0, omega: self.system.kick(resting, force, h).omega }
+    }
+
+    /// What the velocity has lost moves the position too.
+    #[inline]
+    fn drift(&self, z: Carried, h: f64) -> Carried {
+        let moved = |omega| self.system.drift(Phase { theta: 0.0, omega }, h).theta;
+        let along = |theta| Phase { theta, omega: 0.0 };
+        z + along(moved(z.phase.omega)) + along(moved(z.lost.omega))
+    }
+}
+
+impl<S: Hamiltonian<State = Phase>> Hamiltonian for Compensated<S> {
+    fn energy(&self, z: Carried) -> f64 {
+        self.system.energy(z.phase)
+    }
+}
+
+impl<S: Analytic<State = Phase>> Analytic for Compensated<S> {
+    #[inline]
+    fn mean_rate<const P: usize>(&self, h: f64, z: Carried) -> Phase {
+        self.system.mean_rate::<P>(h, z.phase)
+    }
+}

@@ -1,0 +1,116 @@
+//! What a system must offer a method, and a decorator that counts how often it is asked.
+
+use core::cell::Cell;
+
+use crate::systems::Point;
+
+/// A system of ordinary differential equations, ż = f(t, z).
+pub trait System {
+    /// The point z in phase space.
+    type State: Point;
+
+    /// The rate of change f(t, z) at time `t` (s).
+    fn rate(&self, t: f64, z: Self::State) -> Rate<Self>;
+}
+
+impl<S: System> System for &S {
+    type State = S::State;
+
+    #[inline]
+    fn rate(&self, t: f64, z: Self::State) -> Rate<Self> {
+        (**self).rate(t, z)
+    }
+}
+
+/// The rate of change of a system's state.
+pub type Rate<S> = <<S as System>::State as Point>::Displacement;
+
+/// A system that falls into two halves, each solved exactly: the force kicks the velocity, the velocity drifts the
+/// position. Symplectic splitting methods need no more and no less.
+pub trait Separable: System {
+    /// What [`force`](Separable::force) returns; for the pendulum the angular acceleration (rad/s²).
+    type Force: Copy;
+
+    /// The force at time `t` (s). It may use the positions in `z` but not the velocities.
+    fn force(&self, t: f64, z: Self::State) -> Self::Force;
+
+    /// Adds `force` acting for the time `h` (s) to the velocities; the positions stay.
+    fn kick(&self, z: Self::State, force: Self::Force, h: f64) -> Self::State;
+
+    /// Lets the positions coast for the time `h` (s); the velocities stay.
+    fn drift(&self, z: Self::State, h: f64) -> Self::State;
+}
+
+/// A system with a conserved energy.
+pub trait Hamiltonian: System {
+    /// Energy above the stable equilibrium (J).
+    ///
+    /// The zero lies at the bottom of the well so that a small motion has a small energy, and its error is not lost in
+    /// the rounding of a large constant.
+    fn energy(&self, z: Self::State) -> f64;
+
+    /// The energy of each of `states` (J), into `energies` as far as there are slots. A system that can do many at once
+    /// quicker than one by one, with the same bits, may.
+    fn energies(&self, states: &[Self::State], energies: &mut [f64]) {
+        for (z, energy) in states.iter().zip(energies) {
+            *energy = self.energy(*z);
+        }
+    }
+}
+
+/// A system that counts how often its force is evaluated.
+///
+/// A call of [`System::rate`] counts as one evaluation too: it contains one.
+#[derive(Debug)]
+pub struct Counting<S> {
+    system: S,
+    evaluations: Cell<u64>,
+}
+
+impl<S> Counting<S> {
+    /// Wraps `system`, with the count at zero.
+    pub const fn new(system: S) -> Self {
+        Self { system, evaluations: Cell::new(0) }
+    }
+
+    /// Force evaluations since construction.
+    pub fn evaluations(&self) -> u64 {
+        self.evaluations.get()
+    }
+
+    /// Counts `evaluations` more.
+    pub(crate) fn count(&self, evaluations: u64) {
+        self.evaluations.set(self.evaluations.get() + evaluations);
+    }
+
+    /// The system, to be asked without being counted.
+    pub(crate) const fn system(&self) -> &S {
+        &self.system
+    }
+}
+
+impl<S: System> System for Counting<S> {
+    type State = S::State;
+
+    fn rate(&self, t: f64, z: Self::State) -> Rate<Self> {
+        self.count(1);
+        self.system.rate(t, z)
+    }
+}
+
+impl<S: Separable> Separable for Counting<S> {
+    type Force = S::Force;
+
+    fn force(&self, t: f64, z: Self::State) -> Self::Force {
+        self.count(1);
+        self.system.force(t, z)
+    }
+
+    fn kick(&self, z: Self::State, force: Self::Force, h: f64) -> Self::State {
+        self.system.kick(z, force, h)
+    }
+
+    fn drift(&self, z: Self::State, h: f64) -> Self::State {
+        self.system.drift(z, h)
+    }
+}

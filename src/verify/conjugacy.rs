@@ -1,0 +1,37 @@
+//! Conjugacy: n steps of Störmer–Verlet are half a kick back, n steps of symplectic Euler, and half a kick.
+//!
+//! (K½ D K½)ⁿ = K½ (D K)ⁿ K½⁻¹. Hairer, Lubich, Wanner, *Geometric Numerical Integration* (2006), Sect. VI.3.
+
+use super::{Verdict, near, pendulum, run};
+use crate::methods::{StormerVerlet, SymplecticEuler};
+use crate::{AnyMethod, Phase, Separable};
+
+const STEP: f64 = 0.05;
+
+/// 1000 steps differ by 1e-16 or so each. On an orbit the difference in phase grows linearly on top: √n · n · ε = 7e-12 at
+/// the worst, if every rounding changes the energy.
+const ROUNDING: f64 = 7e-12;
+
+pub fn check_pair(verlet: &dyn AnyMethod, euler: &dyn AnyMethod) -> Verdict {
+    let pendulum = pendulum();
+    let half_kick = |z: Phase, h: f64| pendulum.kick(z, pendulum.force(0.0, z), 0.5 * h);
+    for start in [Phase::at_rest(1.0), Phase { theta: -2.0, omega: 3.0 }] {
+        for steps in [1, 2, 1000] {
+            let z = run(verlet, &pendulum, start, STEP, steps);
+            let way = run(euler, &pendulum, half_kick(start, -STEP), STEP, steps);
+            let other = half_kick(way, STEP);
+            near(format_args!("θ after {steps} steps"), z.theta, other.theta, ROUNDING)?;
+            near(format_args!("ω after {steps} steps"), z.omega, other.omega, ROUNDING)?;
+        }
+    }
+    Ok(())
+}
+
+/// Of either of the two methods, with the library's other one. It does not concern the rest.
+pub fn check(method: &dyn AnyMethod) -> Verdict {
+    match method.properties().name {
+        "stormer-verlet" => check_pair(method, &SymplecticEuler),
+        "symplectic-euler" => check_pair(&StormerVerlet, method),
+        _ => Ok(()),
+    }
+}

@@ -1,0 +1,206 @@
+//! The error constant: the error at a given time over hᵖ, as h → 0, against theory.
+//!
+//! One step misses the exact flow by xᵖ⁺¹ d(z) + …, with x = ω₀h and the state in θ and q = ω/ω₀. What the steps miss is
+//! carried along by the flow and adds up: at the end the error over xᵖ is δ, where δ' = J(z) δ + d(z) along the exact
+//! motion (Hairer, Nørsett, Wanner, *Solving Ordinary Differential Equations I* (1993), Sect. II.3 and II.8).
+
+use super::{Verdict, beyond, near, pendulum, run};
+use crate::arithmetic::sine::{cos, sin};
+use crate::{AnyMethod, Motion, Pendulum, Phase};
+
+/// θ and q, or their rates.
+type Pair = [f64; 2];
+
+/// The leading local error d, by the method's name: step less exact flow, as Taylor series in x. With s = sin θ and
+/// c = cos θ the exact flow is
+///
+/// θ + xq − x²s/2 − x³cq/6 + …, q − xs − x²cq/2 + x³(cs + sq²)/6 + ….
+pub fn leading_local_error(name: &str, [theta, q]: Pair) -> Option<Pair> {
+    let (s, c) = (sin(theta), cos(theta));
+    Some(match name {
+        // θ + xq, q − xs.
+        "forward-euler" => [s / 2.0, c * q / 2.0],
+        // θ + xq − x²s, q − xs.
+        "symplectic-euler" => [-s / 2.0, c * q / 2.0],
+        // θ + xq − x²s/2, q − (x/2)(s + sin of that) = … + x³(cs + sq²)/4: ¼ − ⅙ is left.
+        "stormer-verlet" => [c * q / 6.0, (c * s + s * q * q) / 12.0],
+        "rk4" => rk4(s, c, q),
+        _ => return None,
+    })
+}
+
+/// RK4's, with s = sin θ and c = cos θ: what is left at x⁵, expanded in exact rational arithmetic.
+pub fn rk4(s: f64, c: f64, q: f64) -> [f64; 2] {
+    let (q2, c2) = (q * q, c * c);
+    [
+        q * (3.0 - 9.0 * c2 - q2 * c) / 720.0,
+        s * (18.0 + 6.0 * c2 - 36.0 * q2 * c - q2 * q2) / 2880.0,
+    ]
+}
+
+/// Extrapolates to h = 0 what was measured at h, h/2 and h/4, as a quadratic in h.
+fn extrapolated(at: [f64; 3]) -> f64 {
+    let (first, second) = (2.0 * at[1] - at[0], 2.0 * at[2] - at[1]);
+    (4.0 * second - first) / 3.0
+}
+
+/// d as measured: the error of single steps at x, x/2 and x/4, extrapolated.
+pub fn measured_local_error(method: &dyn AnyMethod, pendulum: &Pendulum, z: Pair) -> Pair {
+    let frequency = pendulum.small_angle_frequency();
+    let start = Phase { theta: z[0], omega: z[1] * frequency };
+    let motion = Motion::new(pendulum, start).expect("a start in range");
+    let order = method.properties().order;
+    let coarsest = if order > 4 { 0.4 } else { 0.2 };
+    let errors = [coarsest, coarsest / 2.0, coarsest / 4.0].map(|x: f64| {
+        let h = x / frequency;
+        let (end, truth) = (run(method, pendulum, start, h, 1), motion.at(h));
+        let scale = libm::pow(x, f64::from(order + 1));
+        [(end.theta - truth.theta) / scale, (end.omega - truth.omega) / frequency / scale]
+    });
+    [0, 1].map(|i| extrapolated(errors.map(|error| error[i])))
+}
+
+/// δ after the dimensionless time `end`: classical Runge–Kutta on (z, δ), written out here.
+fn transported(z: Pair, end: f64, local: &dyn Fn(Pair) -> Pair) -> Pair {
+    /// Steps of 0.01: an error of 1e-10.
+    const STEPS: u32 = 400;
+    let rate = |[theta, q, delta_theta, delta_q]: [f64; 4]| {
+        let [d_theta, d_q] = local([theta, q]);
+        [q, -sin(theta), delta_q + d_theta, -cos(theta) * delta_theta + d_q]
+    };
+    let along = |z: [f64; 4], k: [f64; 4], h: f64| core::array::from_fn(|i| z[i] + h * k[i]);
+    let h = end / f64::from(STEPS);
+    let mut z = [z[0], z[1], 0.0, 0.0];
+    for _ in 0..STEPS {
+        let k1 = rate(z);
+        let k2 = rate(along(z, k1, h / 2.0));
+        let k3 = rate(along(z, k2, h / 2.0));
+        let k4 = rate(along(z, k3, h));
+        z = core::array::from_fn(|i| z[i] + h / 6.0 * (k1[i] + 2.0 * k2[i] + 2.0 * k3[i] + k4[i]));
+    }
+    [z[2], z[3]]
+}
+
+/// The dimensionless time at which the error is measured: no whole number of quarter periods.
+const END: f64 = 4.0;
+
+/// The law of the methods that are tables, from runs in arithmetic of 50 digits: `data/README.md` beside this file.
+const ON_FILE: &str = include_str!("data/error_constants.csv");
+
+/// The error over xᵖ at [`END`] from `z`, if it is on file for the method `name`.
+fn of_file(name: &str, z: Pair) -> Option<Pair> {
+    ON_FILE.lines().skip(1).find_map(|line| {
+        let (method, numbers) = line.split_once(',')?;
+        let numbers: Vec<f64> = numbers.split(',').map(|x| x.parse().expect("a number")).collect();
+        (method == name && numbers[..2] == z).then(|| [numbers[2], numbers[3]])
+    })
+}
+
+/// The error at [`END`] in steps of x = END/`steps`.
+fn error_at_end(method: &dyn AnyMethod, pendulum: &Pendulum, z: Pair, steps: u64) -> Pair {
+    let frequency = pendulum.small_angle_frequency();
+    let start = Phase { theta: z[0], omega: z[1] * frequency };
+    let truth = Motion::new(pendulum, start).expect("a start in range").at(END / frequency);
+    let x = END / steps as f64;
+    let end = run(method, pendulum, start, x / frequency, steps);
+    [end.theta - truth.theta, (end.omega - truth.omega) / frequency]
+}
+
+/// The same over xᵖ.
+fn scaled_error(method: &dyn AnyMethod, pendulum: &Pendulum, z: Pair, steps: u64) -> Pair {
+    let scale = libm::pow(END / steps as f64, f64::from(method.properties().order));
+    error_at_end(method, pendulum, z, steps).map(|error| error / scale)
+}
+
+/// The error over xᵖ, extrapolated from 100, 200 and 400 steps.
+fn extrapolated_constant(method: &dyn AnyMethod, pendulum: &Pendulum, z: Pair) -> Pair {
+    let errors = [100, 200, 400].map(|steps| scaled_error(method, pendulum, z, steps));
+    [0, 1].map(|i| extrapolated(errors.map(|error| error[i])))
+}
+
+/// What extrapolation leaves out is x³/8 of the leading term, with x = 4/100 at the coarsest: 8e-6, with a coefficient
+/// that grows like END³/3! = 11. RK4's error at the finest, 2e-10, is rounded by 1e-14 at worst.
+const TOLERANCE: f64 = 2e-4;
+
+/// For a method whose d is not on file d is measured; x³/8 is then 1e-3, with a coefficient up to 5.
+const TOLERANCE_IF_MEASURED: f64 = 4e-2;
+
+/// The error over xᵖ of a symmetric method with the finest step whose error rounding, 1e-14, leaves three digits, with its
+/// tolerance relative to it: the next term is as the square of the longest substep, which is below 2x, and twice that.
+fn finest_constant(method: &dyn AnyMethod, pendulum: &Pendulum, z: Pair) -> (Pair, f64) {
+    const ROUNDED: f64 = 1e-11;
+    let order = method.properties().order;
+    let steps = [1600_u64, 800, 400, 200, 100, 80, 64, 50, 40, 32, 25, 20, 16];
+    let measured = steps.map(|steps| (steps, scaled_error(method, pendulum, z, steps)));
+    let x = |steps| END / steps as f64;
+    let rounded = |steps: u64, e: &Pair| {
+        libm::hypot(e[0], e[1]) * libm::pow(x(steps), f64::from(order)) < ROUNDED
+    };
+    let finest = measured.iter().find(|(steps, error)| !rounded(*steps, error));
+    let (steps, error) = finest.unwrap_or(&measured[steps.len() - 1]);
+    (*error, 2.0 * libm::pow(2.0 * x(*steps), 2.0) + 1e-3)
+}
+
+/// The errors at [`END`] in few, long steps, from runs in arithmetic of 60 digits: `data/README.md` beside this file.
+const IN_LONG_STEPS: &str = include_str!("data/long_steps.csv");
+
+/// What rounding may add to an error in each step: some forty roundings of ε. A step rounds the state, of up to 3, and its
+/// slopes, whose weights add up to 15 at the most, in DOP853; by the end that has grown with the phase, tenfold at most, and
+/// there are few steps.
+const ROUNDED_A_STEP: f64 = 1e-14;
+
+/// The error itself and not its limit, for methods so accurate that rounding leaves no room for a limit: in the numbers of
+/// steps on file for the method from `z`, if there are any.
+fn check_in_long_steps(method: &dyn AnyMethod, pendulum: &Pendulum, z: Pair) -> Option<Verdict> {
+    let name = method.properties().name;
+    let on_file = |line: &str| {
+        let (method, numbers) = line.split_once(',')?;
+        let numbers: Vec<f64> = numbers.split(',').map(|x| x.parse().expect("a number")).collect();
+        let found = method == name && numbers[..2] == z;
+        found.then(|| (numbers[2] as u64, [numbers[3], numbers[4]]))
+    };
+    let laws: Vec<(u64, Pair)> = IN_LONG_STEPS.lines().skip(1).filter_map(on_file).collect();
+    let compare = |&(steps, law): &(u64, Pair)| {
+        let (error, tolerance) =
+            (error_at_end(method, pendulum, z, steps), ROUNDED_A_STEP * steps as f64);
+        near(format_args!("error of θ in {steps} steps from {z:?}"), error[0], law[0], tolerance)?;
+        near(format_args!("error of q in {steps} steps from {z:?}"), error[1], law[1], tolerance)
+    };
+    let (steps, coarsest) = *laws.first()?;
+    // Or nothing could be seen of it.
+    let seen = beyond(
+        "the largest error on file",
+        libm::hypot(coarsest[0], coarsest[1]),
+        1e4 * ROUNDED_A_STEP * steps as f64,
+    );
+    Some(seen.and_then(|()| laws.iter().try_for_each(compare)))
+}
+
+pub fn check(method: &dyn AnyMethod) -> Verdict {
+    let properties = method.properties();
+    let name = properties.name;
+    let pendulum = pendulum();
+    for z in [[1.0, 0.0], [-2.0, 0.5], [0.5, 2.5]] {
+        if let Some(verdict) = check_in_long_steps(method, &pendulum, z) {
+            verdict?;
+            continue;
+        }
+        let of_file = of_file(name, z);
+        let (measured, relative) = if of_file.is_some() && properties.symmetric {
+            finest_constant(method, &pendulum, z)
+        } else {
+            let is_law = of_file.is_some() || leading_local_error(name, z).is_some();
+            let relative = if is_law { TOLERANCE } else { TOLERANCE_IF_MEASURED };
+            (extrapolated_constant(method, &pendulum, z), relative)
+        };
+        let local = |z| {
+            leading_local_error(name, z)
+                .unwrap_or_else(|| measured_local_error(method, &pendulum, z))
+        };
+        let law = of_file.unwrap_or_else(|| transported(z, END, &local));
+        let tolerance = relative * libm::hypot(law[0], law[1]);
+        near(format_args!("error of θ over xᵖ from {z:?}"), measured[0], law[0], tolerance)?;
+        near(format_args!("error of q over xᵖ from {z:?}"), measured[1], law[1], tolerance)?;
+    }
+    Ok(())
+}

@@ -1,0 +1,117 @@
+//! Properties: what a method must do, each as a check that can be held against any method, right or wrong.
+//!
+//! A check reads the method's own entry and measures whether it is true. The property's test applies it to every method
+//! of the library, and `tests/verify/discrimination.rs` to a zoo of impostors: the very same code.
+
+pub mod area;
+pub mod clock;
+pub mod conjugacy;
+pub mod driven;
+pub mod error_constant;
+mod ladder;
+pub mod linear;
+pub mod order;
+pub mod reversal;
+pub mod symmetry;
+pub mod work;
+
+pub use area::area_defect;
+pub use ladder::Ladder;
+
+use crate::{AnyMethod, Grid, Pendulum, Phase};
+
+/// Why a check says no.
+pub type Verdict = Result<(), String>;
+
+/// A property of methods, with the check that decides it.
+#[derive(Clone, Copy)]
+pub struct Property {
+    pub name: &'static str,
+    pub check: fn(&dyn AnyMethod) -> Verdict,
+}
+
+macro_rules! properties {
+    ($($(#[$doc:meta])* $name:ident: $module:ident,)+) => {
+        $($(#[$doc])* pub const $name: Property =
+            Property { name: stringify!($module), check: $module::check };)+
+        /// All of them.
+        pub const PROPERTIES: &[Property] = &[$($name,)+];
+    };
+}
+properties! {
+    /// The slope of the error is the order.
+    ORDER: order,
+    /// The error over hᵖ is the constant of theory.
+    ERROR_CONSTANT: error_constant,
+    /// The matrix of a step at the bottom is the known one.
+    LINEAR: linear,
+    /// Area in phase space is preserved, or is not.
+    AREA: area,
+    /// Forward, flip and forward again leads back, or does not.
+    REVERSAL: reversal,
+    /// Störmer–Verlet is symplectic Euler between two half kicks.
+    CONJUGACY: conjugacy,
+    /// Mirrored, scaled and turned the motion is the same.
+    SYMMETRY: symmetry,
+    /// The force is evaluated as often as the entry says.
+    WORK: work,
+    /// N steps are seen as N + 1 samples, at the times of the grid.
+    CLOCK: clock,
+}
+
+/// g/L = 2.5, L ≠ 1, m ≠ 1: no dimension can hide.
+pub fn pendulum() -> Pendulum {
+    Pendulum::new(5.0, 2.0, 3.0).expect("a pendulum")
+}
+
+/// The state after `steps` steps of `step` (s).
+pub fn run(
+    method: &dyn AnyMethod,
+    pendulum: &Pendulum,
+    start: Phase,
+    step: f64,
+    steps: u64,
+) -> Phase {
+    method.run(pendulum, start, &grid(step, steps), &mut ())
+}
+
+/// All samples of `steps` steps of `step` (s).
+pub fn samples(
+    method: &dyn AnyMethod,
+    pendulum: &Pendulum,
+    start: Phase,
+    step: f64,
+    steps: u64,
+) -> Vec<Phase> {
+    let mut seen = Vec::new();
+    method.run(pendulum, start, &grid(step, steps), &mut |_, _, z: Phase| seen.push(z));
+    seen
+}
+
+pub fn grid(step: f64, steps: u64) -> Grid {
+    Grid::new(step, steps).expect("a positive step")
+}
+
+/// The same point, moving the other way.
+pub fn flipped(z: Phase) -> Phase {
+    Phase { omega: -z.omega, ..z }
+}
+
+/// Says no unless `value` is within `tolerance` of `expected`. A NaN is not.
+pub fn near(what: impl core::fmt::Display, value: f64, expected: f64, tolerance: f64) -> Verdict {
+    if (value - expected).abs() <= tolerance {
+        Ok(())
+    } else {
+        Err(format!("{what} is {value:e}, not {expected:e} ± {tolerance:e}"))
+    }
+}
+
+/// Says no unless `value` is larger than `bound`. A NaN is not.
+pub fn beyond(what: impl core::fmt::Display, value: f64, bound: f64) -> Verdict {
+    if value > bound { Ok(()) } else { Err(format!("{what} is {value:e}, not above {bound:e}")) }
+}
+
+/// Says no unless both are equal.
+pub fn same<T: PartialEq + core::fmt::Debug>(what: &str, value: T, expected: T) -> Verdict {
+    if value == expected { Ok(()) } else { Err(format!("{what}: {value:?} is not {expected:?}")) }
+}

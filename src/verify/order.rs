@@ -1,0 +1,15 @@
+//! Order: the slope of the error against the step, between every two rungs of a ladder.
+
+use super::{Ladder, Verdict, near};
+use crate::AnyMethod;
+
+pub fn check(method: &dyn AnyMethod) -> Verdict {
+    let order = method.properties().order;
+    let slopes: Vec<(f64, f64)> = Ladder::climb(method).slopes_and_windows().collect();
+    // Beyond order 8 the error falls from the first rung to rounding in one, or two.
+    if slopes.len() < if order > 8 { 1 } else { 3 } {
+        return Err(format!("too few rungs above the rounding floor: {slopes:?}"));
+    }
+    let order = f64::from(order);
+    slopes.into_iter().try_for_each(|(slope, window)| near("a slope", slope, order, window))
+}

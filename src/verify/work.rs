@@ -1,0 +1,22 @@
+//! Work: force evaluations, counted.
+
+use super::{Verdict, grid, near, same};
+use crate::{AnyMethod, Pendulum, Phase};
+
+pub fn check(method: &dyn AnyMethod) -> Verdict {
+    const STEPS: u64 = 1234;
+    let entry = method.properties();
+    let count =
+        |steps| method.count_evaluations(&Pendulum::PAPER, Phase::at_rest(1.0), &grid(0.01, steps));
+    same("before the first step", count(0), entry.start_evaluations)?;
+    let counted = count(STEPS) - entry.start_evaluations;
+    if !entry.implicit {
+        return same("in 1234 steps", counted, STEPS * entry.force_evaluations);
+    }
+    // One to begin each step, and whole sweeps. With x = ω₀h = 0.03 every two of them shorten the distance to the solution
+    // by x²/4 or more, to a rounding in nine; a sweep or three go by until no improvement shows.
+    let sweeps = counted - STEPS;
+    same("beside whole sweeps", sweeps % entry.force_evaluations, 0)?;
+    let mean = sweeps as f64 / (STEPS * entry.force_evaluations) as f64;
+    near("sweeps a step", mean, 8.0, 4.0)
+}

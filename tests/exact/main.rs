@@ -1,0 +1,6 @@
+//! The exact solution and the sine, against reference values of 50 digits and more.
+
+mod elliptic;
+mod motion;
+mod series;
+mod sine;

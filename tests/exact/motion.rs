@@ -1,0 +1,567 @@
+//! The exact solution against references of 25 digits and more, and against what any solution must satisfy.
+
+use approx::assert_relative_eq;
+use pendula::exact::{Swing, complete_elliptic_k, period};
+use pendula::{Error, Hamiltonian, Kind, Motion, Pendulum, Phase};
+use proptest::prelude::*;
+use proptest::test_runner::RngSeed;
+use rstest::rstest;
+
+const PERIODS: &str = include_str!("../data/period.csv");
+const TRAJECTORIES: &str = include_str!("../data/trajectory.csv");
+const MOTIONS: &str = include_str!("../data/motion.csv");
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Tolerances
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// The rounding of one evaluation, in units of the motion's size: about ten operations in a row, each within ε/2, and
+/// arctangent, sine and cosine within ε each. Not more at 10⁵ s than at 0.
+const EVALUATION: f64 = 2e-15;
+
+/// T = 4 K/ω₀ in f64: K, ω₀ and the quotient are rounded by ε/2 each, and k' by ε, of which K feels at most half, as
+/// dK/K = −(E/K − k'²)/k² · dk'/k' falls from ½ at k' = 1 to 1/K beside the top. In all 2 ε.
+const PERIOD_TOLERANCE: f64 = 5e-16;
+
+/// A period from a double-double rounds once, ε/2, and so does the reference when it is read.
+const NEAREST: f64 = f64::EPSILON;
+
+/// No reference trajectory comes so near the top that half an ulp in the start is worse than this after 50 s (rad): a
+/// tolerance computed from sensitivity must not become a licence.
+const WELL_CONDITIONED: f64 = 3e-13;
+
+/// Half a unit in the last place: how far an f64 may be from the number it stands for.
+fn half_ulp(x: f64) -> f64 {
+    0.5 * (x.abs().next_up() - x.abs())
+}
+
+/// How far an angle and an angular velocity may be off by rounding.
+///
+/// An angle is measured against the amplitude or one radian, a velocity against the largest one, 2ω₀ k. Many turns round
+/// to their own last digit: once here, and once when the reference is read. So does a subnormal k.
+fn evaluation(pendulum: &Pendulum, motion: &Motion, theta: f64) -> Phase {
+    let k = motion.modulus() + f64::from_bits(1);
+    Phase {
+        theta: EVALUATION * k.min(1.0) + 2.0 * half_ulp(theta),
+        omega: 2.0 * pendulum.small_angle_frequency() * EVALUATION * k + f64::from_bits(1),
+    }
+}
+
+#[track_caller]
+fn assert_close(found: Phase, expected: Phase, tolerance: Phase, what: &dyn std::fmt::Display) {
+    let (theta, omega) =
+        ((found.theta - expected.theta).abs(), (found.omega - expected.omega).abs());
+    assert!(
+        theta <= tolerance.theta && omega <= tolerance.omega,
+        "{what}: {found:?}, not {expected:?}: off by {theta:e} rad, {omega:e} rad/s; allowed {tolerance:?}"
+    );
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// References
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// One row of a table of references.
+#[derive(Clone, Copy)]
+struct Row<'a> {
+    header: &'a str,
+    line: &'a str,
+}
+
+impl<'a> Row<'a> {
+    /// The rows after the comments and the line of names.
+    fn all(table: &'a str) -> impl Iterator<Item = Self> {
+        let mut lines = table.lines().filter(|line| !line.starts_with('#'));
+        let header = lines.next().expect("a line of names");
+        lines.map(move |line| Self { header, line })
+    }
+
+    fn text(&self, name: &str) -> &'a str {
+        let column = self.header.split(',').position(|field| field == name);
+        self.line.split(',').nth(column.expect(name)).expect(name)
+    }
+
+    /// The nearest f64.
+    fn number(&self, name: &str) -> f64 {
+        self.text(name).parse().expect(name)
+    }
+
+    /// The phase in the columns of these names.
+    fn phase(&self, theta: &str, omega: &str) -> Phase {
+        Phase { theta: self.number(theta), omega: self.number(omega) }
+    }
+}
+
+fn motion(pendulum: &Pendulum, start: Phase) -> Motion {
+    Motion::new(pendulum, start).expect("a legal start")
+}
+
+/// A pendulum that swings at ω₀ = 2 rad/s exactly, with L ≠ 1.
+fn two_radians_a_second() -> Pendulum {
+    Pendulum::new(2.0, 0.5, 3.0).expect("a legal pendulum")
+}
+
+/// Catches: a form with 1 − k², which at π − 1e-8 is infinite; K of k for K of k²; T₀ for T.
+///
+/// The reference takes θ₀ and g as the f64s that are given, so that even beside the top nothing is lost: that
+/// π − 1e-8 as an f64 is another angle, with a period 9e-9 s longer, is no error of the period.
+#[test]
+fn periods_are_the_references() {
+    let pendulum = Pendulum::PAPER;
+    for row in Row::all(PERIODS) {
+        let theta0 = row.number("theta0");
+        let expected = row.number("T_f64_inputs");
+        let swing = Swing::released_at(&pendulum, theta0).expect("a legal angle");
+        assert_eq!(period(&pendulum, theta0), Ok(swing.period()));
+        assert_relative_eq!(swing.period(), expected, max_relative = PERIOD_TOLERANCE);
+        let exact = motion(&pendulum, Phase::at_rest(theta0)).period().expect("it swings");
+        assert_relative_eq!(exact, expected, max_relative = NEAREST);
+    }
+}
+
+/// Catches: k and k' exchanged, or a ratio upside down.
+///
+/// These columns take θ₀ and g as written, not as rounded: half an ulp of θ₀ is added to what K may be off by.
+#[test]
+fn the_numbers_of_a_swing_are_the_references() {
+    for row in Row::all(PERIODS) {
+        let theta0 = row.number("theta0");
+        let swing = Swing::released_at(&Pendulum::PAPER, theta0).expect("a legal angle");
+        let rounding = 0.5 * half_ulp(theta0);
+        let (k, complement) = (row.number("k"), row.number("kc"));
+        let of_k = f64::EPSILON * k + rounding * complement;
+        let of_complement = f64::EPSILON * complement + rounding * k;
+        assert!((swing.modulus() - k).abs() <= of_k, "{}", row.line);
+        assert!(
+            (swing.complementary_modulus() - complement).abs() <= of_complement,
+            "{}",
+            row.line
+        );
+        let relative = PERIOD_TOLERANCE + of_complement / complement;
+        assert_relative_eq!(swing.elliptic_k(), row.number("K"), max_relative = relative);
+        assert_relative_eq!(swing.ratio(), row.number("T_over_T0"), max_relative = relative);
+        assert_relative_eq!(swing.period(), row.number("T"), max_relative = relative);
+    }
+}
+
+/// Catches: √(g/L) upside down, a full turn for a half, m in the period.
+#[test]
+fn the_period_scales_with_the_root_of_length_over_gravity() {
+    let slow = two_radians_a_second();
+    let expected = 4.0 * complete_elliptic_k((0.5_f64).cos()) / 2.0;
+    assert_eq!(period(&slow, 1.0), Ok(expected));
+    assert_eq!(period(&slow, 0.0), Ok(std::f64::consts::PI));
+    assert!(matches!(period(&slow, f64::NAN), Err(Error::Parameter { .. })));
+}
+
+/// Catches: a wrong reflection or a wrong quarter, a period in f64 (off by 1e-12 at 10⁵ s), a modulus near 1 from
+/// 1 − k², turns lost, an amplitude that underflows, and an overflow.
+#[test]
+fn motions_are_the_references() {
+    for row in Row::all(MOTIONS) {
+        let length = row.number("length");
+        // A mass that keeps the energy in range; it does not enter the motion.
+        let pendulum = Pendulum::new(row.number("gravity"), length, 1.0 / length).expect("legal");
+        let motion = motion(&pendulum, row.phase("theta0", "omega0"));
+        let expected = row.phase("theta", "omega");
+        let tolerance = evaluation(&pendulum, &motion, expected.theta);
+        assert_close(motion.at(row.number("t")), expected, tolerance, &row.line);
+    }
+}
+
+/// Catches: a gravity, start or time that enters wrongly, with references made by someone else.
+///
+/// They take 9.81, 0.05 and 6.3 as written. The f64s are up to half an ulp off, and what that does to the answer is
+/// computed: by moving each input one ulp either way, and halving.
+#[test]
+fn trajectories_are_the_references() {
+    for row in Row::all(TRAJECTORIES) {
+        let on_separatrix = row.text("scene") == "separatrix";
+        let exact = |gravity: f64, start: Phase| {
+            let pendulum = Pendulum::new(gravity, 1.0, 1.0).expect("legal");
+            let motion = match on_separatrix {
+                // ω₀ follows from g: the f64 that the table shows is beside the separatrix.
+                true => Motion::on_separatrix(&pendulum, start.theta).expect("legal"),
+                false => motion(&pendulum, start),
+            };
+            (motion.at(row.number("t")), evaluation(&pendulum, &motion, row.number("theta")))
+        };
+        let (gravity, start) = (9.81_f64, row.phase("theta0", "omega0"));
+        let (found, mut tolerance) = exact(gravity, start);
+        let moved = |theta: f64, omega: f64| Phase { theta, omega };
+        for (either, or) in [
+            ((gravity.next_down(), start), (gravity.next_up(), start)),
+            (
+                (gravity, moved(start.theta.next_down(), start.omega)),
+                (gravity, moved(start.theta.next_up(), start.omega)),
+            ),
+            (
+                (gravity, moved(start.theta, start.omega.next_down())),
+                (gravity, moved(start.theta, start.omega.next_up())),
+            ),
+        ] {
+            let ((one, _), (other, _)) = (exact(either.0, either.1), exact(or.0, or.1));
+            // From one ulp below to one ulp above is four times half an ulp.
+            tolerance.theta += (one.theta - other.theta).abs() / 4.0;
+            tolerance.omega += (one.omega - other.omega).abs() / 4.0;
+        }
+        let expected = row.phase("theta", "omega");
+        let (theta, omega) = (found.theta - expected.theta, found.omega - expected.omega);
+        println!("{} after {} s:", row.text("scene"), row.text("t"));
+        println!("    {theta:9.1e} rad   of {:.1e} allowed", tolerance.theta);
+        println!("    {omega:9.1e} rad/s of {:.1e} allowed", tolerance.omega);
+        assert!(tolerance.theta <= WELL_CONDITIONED, "{}", row.line);
+        assert_close(found, expected, tolerance, &row.line);
+    }
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Special starts
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// Catches: a kind decided by 1 − k², which is blind to the last digits; a full oscillation reported for one turn.
+#[rstest]
+#[case::rest(0.0, 0.0, Kind::Rest)]
+#[case::swing(1.0, 0.0, Kind::Libration)]
+#[case::top(std::f64::consts::PI, 0.0, Kind::Libration)]
+#[case::just_inside(0.0, 4.0_f64.next_down(), Kind::Libration)]
+#[case::separatrix(0.0, 4.0, Kind::Separatrix)]
+#[case::separatrix_backward(0.0, -4.0, Kind::Separatrix)]
+#[case::just_outside(0.0, 4.0_f64.next_up(), Kind::Rotation)]
+#[case::top_kicked(std::f64::consts::PI, 1e-15, Kind::Rotation)]
+#[case::tiniest(5e-324, 0.0, Kind::Libration)]
+fn kinds_are_told_apart(#[case] theta: f64, #[case] omega: f64, #[case] kind: Kind) {
+    let motion = motion(&two_radians_a_second(), Phase { theta, omega });
+    assert_eq!(motion.kind(), kind);
+    assert_eq!(motion.period().is_some(), matches!(kind, Kind::Libration | Kind::Rotation));
+}
+
+/// Catches: an amplitude divided by itself where it is zero.
+#[test]
+fn at_rest_it_stays() {
+    let motion = motion(&Pendulum::PAPER, Phase::at_rest(0.0));
+    for t in [0.0, 1.0, -1e300] {
+        assert_eq!(motion.at(t), Phase::at_rest(0.0));
+    }
+}
+
+/// Catches: a quarter period from an incomplete integral, whose last digit sets the pendulum going before t = 0.
+#[rstest]
+fn a_release_from_rest_is_at_rest(
+    #[values(1e-300, 1e-9, 0.5, -2.0, 3.13, 4.0, -700.0)] theta0: f64,
+) {
+    let start = motion(&Pendulum::PAPER, Phase::at_rest(theta0)).at(0.0);
+    assert_eq!(start.omega, 0.0);
+    assert!((start.theta - theta0).abs() <= 2.0 * half_ulp(theta0), "{start:?}");
+}
+
+/// Catches: a start at π as an f64 taken for the balance at the top, or its 1.2e-16 rad for rounding.
+///
+/// The quarter period is K/ω₀, where K = ln(4/k') and k' is cos(π/2 as an f64), 6.123233995736766e-17.
+#[test]
+fn from_pi_it_takes_twelve_seconds_to_fall() {
+    let pendulum = Pendulum::PAPER;
+    let motion = motion(&pendulum, Phase::at_rest(std::f64::consts::PI));
+    let fall = motion.period().expect("it swings") / 4.0;
+    let expected = (4.0 / 6.123_233_995_736_766e-17_f64).ln() / pendulum.small_angle_frequency();
+    assert_relative_eq!(fall, expected, max_relative = 4.0 * f64::EPSILON);
+    assert!((12.0..12.5).contains(&fall), "{fall}");
+    // The bottom, within what the rounding of the time (16 here) and of the evaluation is at full speed.
+    let speed = 2.0 * pendulum.small_angle_frequency();
+    assert!(motion.at(fall).theta.abs() <= EVALUATION + half_ulp(16.0) * speed);
+}
+
+/// Catches: an overflow of cosh, an ω that dies as 0 instead of exponentially, and one that turns back.
+#[rstest]
+fn on_the_separatrix_the_top_is_approached_forever(#[values(-3.0, 0.0, 2.0, 20.0)] theta0: f64) {
+    let pendulum = two_radians_a_second();
+    let motion = Motion::on_separatrix(&pendulum, theta0).expect("a legal angle");
+    let turns = (theta0 / std::f64::consts::TAU).round();
+    let mut last = motion.at(-1.0);
+    for n in -3..1500 {
+        let z = motion.at(0.25 * f64::from(n));
+        assert!(z.theta >= last.theta, "{n}: {z:?} after {last:?}");
+        last = z;
+        // ω = 2ω₀ cos(θ/2) loses its digits at the top as the angle does: there the exponential is looked at.
+        let u = 2.0 * 0.25 * f64::from(n)
+            + (0.5 * (theta0 - std::f64::consts::TAU * turns)).tan().asinh();
+        if (18.0..745.0).contains(&u) {
+            // 4ω₀ e⁻ᵘ: what u is rounded by, e⁻ᵘ is off by, relatively; past 708 it is subnormal, and 8 of it too.
+            let relative = 4.0 * f64::EPSILON * (1.0 + u);
+            let expected = 8.0 * (-u).exp();
+            assert_relative_eq!(
+                z.omega,
+                expected,
+                max_relative = relative,
+                epsilon = f64::from_bits(16)
+            );
+        } else {
+            let expected = 4.0 * (0.5 * z.theta).cos().abs();
+            assert!(
+                (z.omega - expected).abs() <= 2.0 * EVALUATION * 4.0 + half_ulp(theta0) * 4.0,
+                "{n}: {z:?} {expected}"
+            );
+        }
+    }
+    assert_eq!(motion.at(1e300).omega, 0.0);
+    assert_eq!(motion.at(f64::MAX).theta, std::f64::consts::PI * (2.0 * turns + 1.0));
+}
+
+/// Catches: a NaN let in, a panic, or a wrong answer where there is no right one.
+#[rstest]
+#[case(f64::NAN, 0.0)]
+#[case(f64::INFINITY, 0.0)]
+#[case(0.0, f64::NEG_INFINITY)]
+#[case::turns_beyond_counting(1.1e15, 0.0)]
+#[case::square_overflows(0.0, 1e151)]
+#[case::swing_underflows(0.0, 5e-324)]
+fn what_cannot_be_right_is_refused(#[case] theta: f64, #[case] omega: f64) {
+    let pendulum = two_radians_a_second();
+    let refusal = Motion::new(&pendulum, Phase { theta, omega });
+    assert!(matches!(refusal, Err(Error::Parameter { .. })), "{refusal:?}");
+}
+
+/// Catches: an overflow or underflow that the extremes of what is legal bring out, and a horizon that lies.
+#[rstest]
+fn legal_extremes_have_finite_answers(
+    #[values(1e-300, 1e-9, 1.0, 1e300)] stiffness: f64,
+    #[values(0.0, 5e-324, 1e-300, 1e-30, 3.0, 1e15)] theta: f64,
+    #[values(0.0, 1e-320, 1e-160, 1.0, 1e150)] omega: f64,
+) {
+    let pendulum = Pendulum::new(stiffness, 1.0, 1.0).expect("a legal pendulum");
+    let frequency = pendulum.small_angle_frequency();
+    let start = Phase { theta, omega };
+    let Ok(motion) = Motion::new(&pendulum, start) else {
+        let ratio = omega / frequency;
+        assert!(
+            ratio > 3e150 || (theta == 0.0 && omega > 0.0 && ratio == 0.0),
+            "{start:?} refused"
+        );
+        return;
+    };
+    let tolerance = evaluation(&pendulum, &motion, theta);
+    assert_close(motion.at(0.0), start, tolerance, &format_args!("{start:?} at 0"));
+    let horizon = motion.horizon();
+    for t in [5e-324, -1e-300, 1e-9 / frequency, 1.0 / frequency, horizon, -horizon] {
+        let z = motion.at(t);
+        assert!(
+            t.abs() > horizon || (z.theta.is_finite() && z.omega.is_finite()),
+            "{start:?} at {t}: {z:?}"
+        );
+    }
+    for t in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1.01 * horizon] {
+        let z = motion.at(t);
+        assert!(
+            horizon == f64::MAX && t.is_finite() || z.theta.is_nan() && z.omega.is_nan(),
+            "{start:?} at {t}: {z:?}"
+        );
+    }
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// What every solution must satisfy
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// The same starts on every machine and in every run.
+fn always_the_same() -> ProptestConfig {
+    ProptestConfig {
+        cases: 512,
+        rng_seed: RngSeed::Fixed(1673), // Huygens, Horologium Oscillatorium
+        failure_persistence: None,
+        ..ProptestConfig::default()
+    }
+}
+
+fn any_pendulum() -> impl Strategy<Value = Pendulum> {
+    (0.5..30.0, 0.2..5.0, 0.1..10.0).prop_map(|(g, l, m)| Pendulum::new(g, l, m).expect("legal"))
+}
+
+/// Starts of every kind, within two turns: librations and rotations about equally often.
+fn any_start() -> impl Strategy<Value = Phase> {
+    (-12.0..12.0, -15.0..15.0).prop_map(|(theta, omega)| Phase { theta, omega })
+}
+
+proptest! {
+    #![proptest_config(always_the_same())]
+
+    /// Catches: a phase at the start in the wrong quarter, a turn lost.
+    #[test]
+    fn it_begins_at_the_start(pendulum in any_pendulum(), start in any_start()) {
+        let motion = motion(&pendulum, start);
+        assert_close(motion.at(0.0), start, evaluation(&pendulum, &motion, start.theta), &"at 0");
+    }
+
+    /// Catches: a period of the wrong quarter count, a rotation that comes back without a turn more, a horizon that is
+    /// not 2⁵² quarters of an oscillation or half turns.
+    #[test]
+    fn the_period_closes_the_orbit(pendulum in any_pendulum(), start in any_start(), t in -5.0..5.0_f64) {
+        let motion = motion(&pendulum, start);
+        let period = motion.period().expect("random starts are not on the separatrix");
+        let (turns, quarters) = match motion.kind() {
+            Kind::Rotation => (start.omega.signum(), 2.0),
+            _ => (0.0, 4.0),
+        };
+        let horizon = 2.0_f64.powi(52) * period / quarters;
+        assert_relative_eq!(motion.horizon(), horizon, max_relative = 2.0 * f64::EPSILON);
+        let (now, later) = (motion.at(t), motion.at(t + period));
+        let expected = Phase { theta: now.theta + turns * std::f64::consts::TAU, ..now };
+        // The period and the sum t + T are rounded; meanwhile the pendulum moves on.
+        let rounding = half_ulp(period) + half_ulp(t + period);
+        let evaluation = evaluation(&pendulum, &motion, now.theta.abs().max(later.theta.abs()));
+        let speed = 2.0 * motion.modulus() * pendulum.small_angle_frequency();
+        let tolerance = Phase {
+            theta: 2.0 * evaluation.theta + half_ulp(expected.theta) + rounding * speed,
+            omega: 2.0 * evaluation.omega + rounding * pendulum.stiffness(),
+        };
+        assert_close(later, expected, tolerance, &period);
+    }
+
+    /// Catches: an amplitude or a speed that is off, anywhere along the motion.
+    #[test]
+    fn energy_is_constant(pendulum in any_pendulum(), start in any_start(), t in -20.0..20.0_f64) {
+        let motion = motion(&pendulum, start);
+        let z = motion.at(t);
+        let off = evaluation(&pendulum, &motion, z.theta.abs().max(start.theta.abs()));
+        // dH = m g L sin θ dθ + m L² ω dω, and |sin θ| ≤ 2k; as much again for the two energies' own rounding.
+        let k = motion.modulus();
+        let inertia = pendulum.mass() * pendulum.length() * pendulum.length();
+        let largest = 2.0 * k * pendulum.small_angle_frequency();
+        let tolerance = 2.0 * (pendulum.depth() * (2.0 * k).min(1.0) * off.theta + inertia * largest * off.omega);
+        let difference = pendulum.energy(z) - pendulum.energy(start);
+        prop_assert!(difference.abs() <= tolerance, "{difference:e} J, allowed {tolerance:e} J");
+    }
+
+    /// Catches: sn, cn, dn of another function than the pendulum's: they satisfy θ' = ω and ω' = −(g/L) sin θ.
+    #[test]
+    fn it_solves_the_equation(pendulum in any_pendulum(), start in any_start(), t in -5.0..5.0_f64) {
+        let motion = motion(&pendulum, start);
+        // In units of τ, the time of a radian at most, each derivative is of order 1 and the fifth below 60: the
+        // five-point difference truncates h⁴/30 of it. Values off by e make it off by 3e/2 h.
+        let tau = 1.0 / (2.0 * pendulum.small_angle_frequency() * motion.modulus().max(0.5));
+        let h = 1e-3 * tau;
+        let difference = |part: fn(Phase) -> f64| {
+            let at = |steps: f64| part(motion.at(t + steps * h));
+            (8.0 * (at(1.0) - at(-1.0)) - (at(2.0) - at(-2.0))) / (12.0 * h)
+        };
+        let z = motion.at(t);
+        let off = evaluation(&pendulum, &motion, z.theta.abs() + 1.0);
+        // The times are rounded too, by half an ulp of t, at a speed of at most 1/τ and an acceleration of at most g/L.
+        let times = half_ulp(t.abs() + 3.0 * h);
+        let truncation = 60.0 * 1e-12 / 30.0;
+        let theta_tolerance = truncation / tau + 1.5 * (off.theta + times / tau) / h;
+        let omega_tolerance = truncation / (tau * tau) + 1.5 * (off.omega + times * pendulum.stiffness()) / h;
+        let theta_rate = difference(|z| z.theta) - z.omega;
+        let omega_rate = difference(|z| z.omega) + pendulum.stiffness() * z.theta.sin();
+        prop_assert!(theta_rate.abs() <= theta_tolerance, "{theta_rate:e}, allowed {theta_tolerance:e}");
+        prop_assert!(omega_rate.abs() <= omega_tolerance, "{omega_rate:e}, allowed {omega_tolerance:e}");
+    }
+
+    /// Catches: a forward motion and a backward one that are not of one orbit.
+    #[test]
+    fn time_reversal_retraces_the_orbit(pendulum in any_pendulum(), start in any_start(), t in -1e3..1e3_f64) {
+        let there = motion(&pendulum, start);
+        let back = motion(&pendulum, Phase { omega: -start.omega, ..start });
+        let (z, reversed) = (there.at(-t), back.at(t));
+        let expected = Phase { omega: -reversed.omega, ..reversed };
+        let off = evaluation(&pendulum, &there, z.theta);
+        assert_close(z, expected, Phase { theta: 2.0 * off.theta, omega: 2.0 * off.omega }, &t);
+    }
+
+    /// Catches: a preferred direction: the mirror image has the same bits.
+    #[test]
+    fn left_and_right_mirror_each_other(pendulum in any_pendulum(), start in any_start(), t in -1e3..1e3_f64) {
+        for start in [start, Phase::at_rest(start.theta)] {
+            let mirrored = motion(&pendulum, start * -1.0).at(t) * -1.0;
+            prop_assert_eq!(motion(&pendulum, start).at(t), mirrored);
+        }
+    }
+
+    /// Catches: g, L or ω₀ where it has no business: only ω₀ t and ω/ω₀ matter. Powers of two round nothing, so that the
+    /// bits agree.
+    #[test]
+    fn time_scales_with_the_root_of_length_over_gravity(
+        pendulum in any_pendulum(), start in any_start(), t in -1e3..1e3_f64, power in -60..60,
+    ) {
+        let scale = 2.0_f64.powi(power);
+        let faster = Pendulum::new(pendulum.gravity() * scale, pendulum.length() / scale, 1.0).expect("legal");
+        let z = motion(&pendulum, start).at(t);
+        let scaled = motion(&faster, Phase { omega: start.omega * scale, ..start }).at(t / scale);
+        prop_assert_eq!(z, Phase { omega: scaled.omega / scale, ..scaled });
+    }
+
+    /// Catches: an evaluation whose cost in digits grows with the time: 10⁵ periods later it is where it was.
+    #[test]
+    fn after_many_periods_it_is_where_it_was(start in any_start(), exponent in 0..17) {
+        // The period is rounded by half an ulp, `count` times.
+        let pendulum = two_radians_a_second();
+        let motion = motion(&pendulum, start);
+        let period = motion.period().expect("random starts are not on the separatrix");
+        let count = 2.0_f64.powi(exponent);
+        let z = motion.at(count * period);
+        let turns = match motion.kind() {
+            Kind::Rotation => start.omega.signum() * count,
+            _ => 0.0,
+        };
+        let off = evaluation(&pendulum, &motion, z.theta);
+        let rounding = count * half_ulp(period);
+        let tolerance = Phase {
+            theta: off.theta + half_ulp(start.theta) + half_ulp(z.theta) + rounding * 4.0 * motion.modulus(),
+            omega: off.omega + rounding * pendulum.stiffness(),
+        };
+        let expected = Phase { theta: start.theta + turns * std::f64::consts::TAU, ..start };
+        assert_close(z, expected, tolerance, &count);
+    }
+}
+
+/// Near the horizon the phase in quarter periods is an f64 whose last place is a half or a whole, and all of the motion is in
+/// what that leaves over. From mpmath, 80 digits: the release from 1 rad. The rate of the phase is known to 2⁻¹⁰⁴ of itself, so
+/// the phase to 2⁻⁵² × π/2 × √9.81 × 2 at the most.
+///
+/// Catches: a quarter period of what is left over that is not carried to the whole ones.
+#[rstest]
+#[case(1879331179301274.0, -0.8158890537714706, 1.6862109693977085)]
+#[case(2008179616693827.8, -0.8022912096853608, 1.7425185374503611)]
+#[case(2066061913573249.2, -0.8509092403710324, -1.5279824661491765)]
+#[case(2225659432656420.8, -0.9999937484022129, -0.010159308602593555)]
+#[case(2006132944214766.2, -0.16336895464727558, -2.9593964591007262)]
+#[case(2203847552472841.2, -0.971313006441824, 0.6849715112422733)]
+#[case(1235663414503259.0, 0.9453359576316266, 0.9413825021456528)]
+#[case(1708871420491457.8, 0.9595809859811066, 0.81145826545723)]
+#[case(1793557971926229.2, -0.8511015032563142, 1.5270540059334516)]
+#[case(2068179045651396.5, 0.9124121082333505, -1.1847200765610846)]
+#[case(1354624188886351.2, -0.8838020817812487, -1.357420090790461)]
+#[case(1206151016542377.0, -0.926414974858239, 1.0886140238045867)]
+fn the_phase_is_kept_up_to_the_horizon(#[case] t: f64, #[case] theta: f64, #[case] omega: f64) {
+    let motion = motion(&Pendulum::PAPER, Phase::at_rest(1.0));
+    assert!(t < motion.horizon());
+    let tolerance = Phase { theta: 1e-14, omega: 1e-14 * 9.81 };
+    assert_close(motion.at(t), Phase { theta, omega }, tolerance, &t);
+}
+
+/// k = sin(θ₀/2), below 1, and below the square root of the smallest f64 as well; and above 1 where ω²/(2ω₀)² is.
+///
+/// Catches: a modulus of the enlarged swing in which a tiny one is solved.
+#[test]
+fn the_modulus_is_that_of_the_motion() {
+    let modulus = |theta, omega| motion(&Pendulum::PAPER, Phase { theta, omega }).modulus();
+    assert_relative_eq!(modulus(1.0, 0.0), 0.5_f64.sin(), max_relative = 4.0 * f64::EPSILON);
+    assert_relative_eq!(modulus(1e-200, 0.0), 0.5e-200, max_relative = 4.0 * f64::EPSILON);
+    let omega = 4.0 * 9.81_f64.sqrt();
+    assert_relative_eq!(modulus(0.0, omega), 2.0, max_relative = 4.0 * f64::EPSILON);
+}
+
+/// Catches: an f64::sin or a fused multiply-add that found its way in: the bits are pinned, for every machine.
+#[test]
+fn the_bits_are_the_same_everywhere() {
+    let mut hash = 0xcbf2_9ce4_8422_2325_u64; // FNV-1a
+    for (theta, omega) in [(1.0, 0.0), (3.1, 0.2), (-20.0, 0.5), (0.0, 6.3), (1.0, -50.0)] {
+        let motion = motion(&Pendulum::PAPER, Phase { theta, omega });
+        for n in -100..1000 {
+            let z = motion.at(0.37 * f64::from(n));
+            for bits in [z.theta.to_bits(), z.omega.to_bits()] {
+                hash = (hash ^ bits).wrapping_mul(0x0100_0000_01b3);
+            }
+        }
+    }
+    assert_eq!(hash, 0x9637_3bad_d882_ba17, "{hash:#x}");
+}

@@ -1,0 +1,18 @@
+//! What every method must do, and what is known of one.
+
+#[path = "../common/each_method.rs"]
+mod common;
+
+mod area;
+mod error_constant;
+mod linear_oscillator;
+mod linearised;
+mod order;
+mod order_conditions;
+mod pendulum_symmetries;
+mod registry;
+mod step;
+mod step_matrix;
+mod taylor;
+mod time_reversal;
+mod work;

@@ -1,0 +1,150 @@
+//! The tables of Gauss's methods against the conditions of their order, in twice the digits of f64.
+
+use std::array;
+
+use pendula::arithmetic::double_double::DoubleDouble;
+use pendula::methods::gauss::ImplicitTableau;
+use pendula::methods::{Gauss4, Gauss6, Gauss16, ImplicitMidpoint};
+
+/// The coefficients of Gauss's method with twice the digits.
+struct Gauss<const S: usize> {
+    a: [[DoubleDouble; S]; S],
+    b: [DoubleDouble; S],
+    c: [DoubleDouble; S],
+}
+
+fn of(n: usize) -> DoubleDouble {
+    DoubleDouble::of(n as f64)
+}
+
+fn sum(terms: impl Iterator<Item = DoubleDouble>) -> DoubleDouble {
+    terms.fold(DoubleDouble::ZERO, |sum, term| sum + term)
+}
+
+fn power(x: DoubleDouble, n: usize) -> DoubleDouble {
+    (0..n).fold(DoubleDouble::ONE, |product, _| product * x)
+}
+
+/// Legendre's polynomial of `degree` at `y` and its slope there, by the recurrence of three terms.
+fn legendre(degree: usize, y: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
+    let (mut before, mut value) = (DoubleDouble::ONE, y);
+    for n in 2..=degree {
+        let next = (of(2 * n - 1) * y * value - of(n - 1) * before) / of(n);
+        (before, value) = (value, next);
+    }
+    let slope = of(degree) * (before - y * value) / (DoubleDouble::ONE - y * y);
+    (value, slope)
+}
+
+impl<const S: usize> Gauss<S> {
+    /// By Newton's method from the nodes of `table`, and from there on knowing no table: the weights are
+    /// 1/((1 − y²) P'(y)²), and aᵢⱼ = ∫₀^cᵢ ℓⱼ, which the weights themselves integrate exactly.
+    fn near(table: &ImplicitTableau<S>) -> Self {
+        let y = table.c.map(|c| {
+            let start = DoubleDouble::of(2.0 * c - 1.0);
+            (0..3).fold(start, |y, _| {
+                let (value, slope) = legendre(S, y);
+                y - value / slope
+            })
+        });
+        let c = y.map(|y| (y + DoubleDouble::ONE).scaled(0.5));
+        let b = y.map(|y| {
+            let (_, slope) = legendre(S, y);
+            DoubleDouble::ONE / ((DoubleDouble::ONE - y * y) * slope.squared())
+        });
+        let lagrange = |j: usize, t: DoubleDouble| {
+            (0..S)
+                .filter(|m| *m != j)
+                .fold(DoubleDouble::ONE, |product, m| product * ((t - c[m]) / (c[j] - c[m])))
+        };
+        let a = array::from_fn(|i| {
+            array::from_fn(|j| c[i] * sum((0..S).map(|k| b[k] * lagrange(j, c[i] * c[k]))))
+        });
+        Self { a, b, c }
+    }
+
+    /// What is wrong with the simplifying assumptions, at most: B(2s), Σ bᵢ cᵢ^q⁻¹ = 1/q; C(s), Σⱼ aᵢⱼ cⱼ^q⁻¹ = cᵢ^q/q;
+    /// D(s), Σᵢ bᵢ cᵢ^q⁻¹ aᵢⱼ = bⱼ(1 − cⱼ^q)/q. Together they are order 2s (Butcher 1964; Hairer, Nørsett, Wanner,
+    /// *Solving Ordinary Differential Equations I*, Theorem II.7.4 and Sect. II.7).
+    fn worst_defect(&self) -> f64 {
+        let Self { a, b, c } = self;
+        let mut worst = 0.0_f64;
+        let mut meets = |left: DoubleDouble, right: DoubleDouble| {
+            worst = worst.max((left - right).rounded().abs());
+        };
+        for q in 1..=2 * S {
+            meets(sum((0..S).map(|i| b[i] * power(c[i], q - 1))), DoubleDouble::ONE / of(q));
+        }
+        for q in 1..=S {
+            for i in 0..S {
+                let left = sum((0..S).map(|j| a[i][j] * power(c[j], q - 1)));
+                meets(left, power(c[i], q) / of(q));
+                let left = sum((0..S).map(|k| b[k] * power(c[k], q - 1) * a[k][i]));
+                meets(left, b[i] * (DoubleDouble::ONE - power(c[i], q)) / of(q));
+            }
+        }
+        worst
+    }
+}
+
+/// Holds a table against the coefficients with twice the digits, which hold themselves against the assumptions.
+fn check<const S: usize>(table: &ImplicitTableau<S>) {
+    let gauss = Gauss::near(table);
+    // A thousand roundings of 2⁻¹⁰⁴ = 5e-32, of numbers that nowhere exceed 1 by much.
+    assert!(gauss.worst_defect() < 5e-29, "{S} stages: {:e}", gauss.worst_defect());
+    assert!(table.c.is_sorted_by(|x, y| x < y) && table.c[0] > 0.0 && table.c[S - 1] < 1.0);
+    let nearest = |x: f64, exact: DoubleDouble, what: &str| {
+        assert_eq!(x.to_bits(), exact.rounded().to_bits(), "{what} of {S} stages: {x:e}");
+    };
+    for i in 0..S {
+        nearest(table.c[i], gauss.c[i], "a node");
+        nearest(table.b[i], gauss.b[i], "a weight");
+        for j in 0..S {
+            nearest(table.a[i][j], gauss.a[i][j], "a coefficient");
+        }
+    }
+}
+
+/// Catches: a wrong digit anywhere in a table, the last one too.
+#[test]
+fn every_coefficient_is_the_nearest_number() {
+    check(&ImplicitMidpoint::TABLEAU);
+    check(&Gauss4::TABLEAU);
+    check(&Gauss6::TABLEAU);
+    check(&Gauss16::TABLEAU);
+}
+
+/// Catches: assumptions that anything would meet, and digits that nobody looks at.
+#[test]
+fn a_last_digit_off_is_seen() {
+    let mut gauss = Gauss::near(&Gauss6::TABLEAU);
+    gauss.a[2][0] = gauss.a[2][0] + DoubleDouble::of(1e-24);
+    assert!(gauss.worst_defect() > 1e-26);
+    let mut table = Gauss16::TABLEAU;
+    table.a[7][3] = table.a[7][3].next_up();
+    assert!(std::panic::catch_unwind(|| check(&table)).is_err());
+}
+
+/// Symplectic: bᵢaᵢⱼ + bⱼaⱼᵢ = bᵢbⱼ; symmetric: the table turned by half a turn is bⱼ − aᵢⱼ (Hairer, Lubich, Wanner,
+/// Theorems VI.4.3 and V.2.3). Each number is off by half a unit of its last place, 5.6e-17 at the most, and so is
+/// each product.
+///
+/// Catches: rows in another order than weights or nodes.
+#[test]
+fn the_tables_are_symplectic_and_symmetric() {
+    fn check<const S: usize>(table: &ImplicitTableau<S>) {
+        let ImplicitTableau { a, b, .. } = table;
+        for i in 0..S {
+            for j in 0..S {
+                let defect = b[i] * a[i][j] + b[j] * a[j][i] - b[i] * b[j];
+                assert!(defect.abs() < 3.0 * 5.6e-17, "{defect:e} at {i}, {j} of {S}");
+                let turned = a[S - 1 - i][S - 1 - j] + a[i][j] - b[j];
+                assert!(turned.abs() < 3.0 * 5.6e-17, "{turned:e} at {i}, {j} of {S}");
+            }
+        }
+    }
+    check(&ImplicitMidpoint::TABLEAU);
+    check(&Gauss4::TABLEAU);
+    check(&Gauss6::TABLEAU);
+    check(&Gauss16::TABLEAU);
+}

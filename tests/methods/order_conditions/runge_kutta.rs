@@ -1,0 +1,516 @@
+//! The tables of Dormand and Prince's methods against their order conditions, one for each rooted tree: in twice the digits
+//! of f64 from the numbers as they are written, and in f64 through the code that takes the steps.
+//!
+//! A tree τ with the subtrees τ₁ … τₘ is the equation ẏ_τ = y_τ₁ … y_τₘ. From zero its solution is tⁿ/γ(τ), for n
+//! vertices, and a Runge–Kutta method is of order p if it is right to the last digit for every tree of up to p vertices
+//! (Hairer, Nørsett, Wanner, *Solving Ordinary Differential Equations I*, Theorem II.2.13).
+
+use std::collections::BTreeMap;
+use std::ops::{Add, Mul};
+
+use pendula::adaptive::Dense;
+use pendula::arithmetic::double_double::DoubleDouble;
+use pendula::methods::runge_kutta::Embedded;
+use pendula::methods::runge_kutta::dop853::{self, Dop853};
+use pendula::methods::runge_kutta::dormand_prince::{self, DormandPrince};
+use pendula::methods::runge_kutta::tableau::{Coefficient, Row};
+use pendula::{Method, System, Vector};
+use rstest::rstest;
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Trees
+// ---------------------------------------------------------------------------------------------------------------------
+
+struct Tree {
+    vertices: usize,
+    /// The numbers of the subtrees.
+    subtrees: Vec<usize>,
+    /// γ.
+    density: f64,
+}
+
+/// All rooted trees of up to `most` vertices, the smaller ones first.
+fn trees(most: usize) -> Vec<Tree> {
+    let mut trees = vec![Tree { vertices: 1, subtrees: vec![], density: 1.0 }];
+    for vertices in 2..=most {
+        let smaller = trees.len();
+        let mut forests = vec![];
+        grow(&trees[..smaller], vertices - 1, smaller, &mut vec![], &mut forests);
+        for subtrees in forests {
+            let density =
+                subtrees.iter().fold(vertices as f64, |product, &tau| product * trees[tau].density);
+            trees.push(Tree { vertices, subtrees, density });
+        }
+    }
+    trees
+}
+
+/// Every multiset of `trees` before number `before` that has so many `vertices`, after those in `chosen`.
+fn grow(
+    trees: &[Tree],
+    vertices: usize,
+    before: usize,
+    chosen: &mut Vec<usize>,
+    found: &mut Vec<Vec<usize>>,
+) {
+    if vertices == 0 {
+        found.push(chosen.clone());
+        return;
+    }
+    for tau in (0..before).filter(|&tau| trees[tau].vertices <= vertices) {
+        chosen.push(tau);
+        grow(trees, vertices - trees[tau].vertices, tau + 1, chosen, found);
+        chosen.pop();
+    }
+}
+
+/// OEIS A000081. Catches: a tree forgotten or grown twice, and a condition with it.
+#[test]
+fn no_tree_is_forgotten() {
+    let trees = trees(9);
+    let count = |n| trees.iter().filter(|tree| tree.vertices == n).count();
+    assert_eq!((1..=9).map(count).collect::<Vec<_>>(), [1, 1, 2, 4, 9, 20, 48, 115, 286]);
+    let sum: f64 = trees.iter().filter(|t| t.vertices == 4).map(|t| 1.0 / t.density).sum();
+    // 1/4 + 1/8 + 1/12 + 1/24.
+    assert!((sum - 0.5).abs() < 1e-15);
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// The tables, with all their digits
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// A number of a table, and by how much the digits that are not printed may change it.
+#[derive(Clone, Copy)]
+struct Printed {
+    value: DoubleDouble,
+    half_digit: f64,
+}
+
+/// Fewer digits than this are all there are: 0.0371 is 371/10000. Those that go on are printed to 28 or more.
+const ALL_DIGITS: usize = 20;
+
+/// Reads a fraction, or a decimal number.
+fn read(coefficient: &Coefficient) -> Printed {
+    let parts: Vec<Printed> = coefficient.written.split('/').map(decimal).collect();
+    match parts[..] {
+        [number] => number,
+        [numerator, denominator] => {
+            assert_eq!((numerator.half_digit, denominator.half_digit), (0.0, 0.0));
+            Printed { value: numerator.value / denominator.value, half_digit: 0.0 }
+        }
+        _ => panic!("{} is no number", coefficient.written),
+    }
+}
+
+fn decimal(written: &str) -> Printed {
+    let ten = DoubleDouble::of(10.0);
+    let written = written.replace(['_', ' '], "");
+    let (mantissa, exponent) = written.split_once('e').unwrap_or((&written, "0"));
+    let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
+    let power = exponent.parse::<i32>().unwrap() - fraction.len() as i32;
+    let digits = [whole.trim_start_matches('-'), fraction].concat();
+    let integer = digits.bytes().fold(DoubleDouble::ZERO, |sum, digit| {
+        sum * ten + DoubleDouble::of(f64::from(digit - b'0'))
+    });
+    let scale = (0..power.abs()).fold(DoubleDouble::ONE, |product, _| product * ten);
+    let size = if power < 0 { integer / scale } else { integer * scale };
+    let value = if whole.starts_with('-') { -size } else { size };
+    let exact = digits.len() < ALL_DIGITS;
+    Printed { value, half_digit: if exact { 0.0 } else { 0.5 / scale.rounded() } }
+}
+
+/// A sum over stages, by their number.
+type Weights = BTreeMap<usize, Printed>;
+
+/// A method as its tables have it.
+#[derive(Clone)]
+struct Table {
+    names: Vec<&'static str>,
+    stages: Vec<Weights>,
+    nodes: Vec<Printed>,
+    sums: BTreeMap<&'static str, Weights>,
+}
+
+impl Table {
+    fn new() -> Self {
+        let zero = Printed { value: DoubleDouble::ZERO, half_digit: 0.0 };
+        let (names, stages, nodes) = (vec!["k1"], vec![Weights::new()], vec![zero]);
+        Self { names, stages, nodes, sums: BTreeMap::new() }
+    }
+
+    fn weights(&self, row: &Row) -> Weights {
+        let number = |name| self.names.iter().position(|known| known == name).expect("a stage");
+        row.terms.iter().map(|(name, coefficient)| (number(name), read(coefficient))).collect()
+    }
+
+    fn with(mut self, stages: &[Row], sums: &[Row]) -> Self {
+        for row in stages {
+            let weights = self.weights(row);
+            self.stages.push(weights);
+            self.nodes.push(read(&row.node.expect("a stage has a time")));
+            self.names.push(row.name);
+        }
+        for row in sums {
+            let weights = self.weights(row);
+            self.sums.insert(row.name, weights);
+        }
+        self
+    }
+
+    fn dormand_prince() -> Self {
+        let table = &dormand_prince::TABLEAU;
+        Self::new().with(table.stages, table.sums)
+    }
+
+    fn dop853() -> Self {
+        let (step, dense) = (&dop853::STEP, &dop853::DENSE);
+        let one = Coefficient { value: 1.0, written: "1.0" };
+        let end = Row { name: "k13", node: Some(one), terms: step.sums[0].terms };
+        assert_eq!((step.known, step.sums[0].name), (&["k1"][..], "step"));
+        let more: Vec<Row> = dense
+            .sums
+            .iter()
+            .map(|row| match row.name {
+                // The error estimate has this name too.
+                "fifth" => Row { name: "dense fifth", ..*row },
+                _ => *row,
+            })
+            .collect();
+        Self::new().with(step.stages, step.sums).with(&[end], &[]).with(dense.stages, &more)
+    }
+
+    /// For each stage and tree the elementary weight, and what it would be if nothing cancelled.
+    fn elementary(&self, trees: &[Tree]) -> Vec<Vec<(DoubleDouble, f64)>> {
+        let mut table: Vec<Vec<(DoubleDouble, f64)>> = vec![];
+        for tree in trees {
+            let weight = |stage: &Weights| {
+                tree.subtrees.iter().fold((DoubleDouble::ONE, 1.0), |(product, size), &tau| {
+                    let (sum, bound) = total(stage, &table[tau]);
+                    (product * sum, size * bound)
+                })
+            };
+            let row = self.stages.iter().map(weight).collect();
+            table.push(row);
+        }
+        table
+    }
+
+    /// How coarsely its numbers are printed, relatively.
+    fn coarseness(&self) -> f64 {
+        let rows = self.stages.iter().chain(self.sums.values());
+        rows.flat_map(|row| row.values())
+            .map(|a| a.half_digit / a.value.rounded().abs())
+            .fold(0.0, f64::max)
+    }
+
+    /// The weights of the dense output when the part `s` of the step is over, from the three coefficients that make it
+    /// meet both ends and those `more`.
+    fn dense(&self, s: DoubleDouble, end: &str, more: &[&str]) -> Weights {
+        let unit = |name: &str| {
+            let number = self.names.iter().position(|known| *known == name).unwrap();
+            Weights::from([(number, Printed { value: DoubleDouble::ONE, half_digit: 0.0 })])
+        };
+        let minus = -DoubleDouble::ONE;
+        let first = self.sums["step"].clone();
+        let second = plus(&unit("k1"), &first, minus);
+        let third = plus(&plus(&first, &unit(end), minus), &second, minus);
+        let mut coefficients = vec![first, second, third];
+        coefficients.extend(more.iter().map(|name| self.sums[name].clone()));
+        let mut sum = Weights::new();
+        for (i, coefficient) in coefficients.iter().enumerate().rev() {
+            let factor = if i % 2 == 0 { DoubleDouble::ONE - s } else { s };
+            sum = plus(coefficient, &sum, factor);
+        }
+        plus(&Weights::new(), &sum, s)
+    }
+}
+
+/// x + factor · y.
+fn plus(x: &Weights, y: &Weights, factor: DoubleDouble) -> Weights {
+    let mut sum = x.clone();
+    for (&stage, b) in y {
+        let zero = Printed { value: DoubleDouble::ZERO, half_digit: 0.0 };
+        let term = sum.entry(stage).or_insert(zero);
+        term.value = term.value + b.value * factor;
+        term.half_digit += b.half_digit * factor.rounded().abs();
+    }
+    sum
+}
+
+/// Σ bᵢ φᵢ, and Σ |bᵢ| |φᵢ|.
+fn total(row: &Weights, of_stages: &[(DoubleDouble, f64)]) -> (DoubleDouble, f64) {
+    row.iter().fold((DoubleDouble::ZERO, 0.0), |(sum, size), (&stage, b)| {
+        let (weight, bound) = of_stages[stage];
+        (sum + b.value * weight, size + b.value.rounded().abs() * bound)
+    })
+}
+
+/// 2⁻¹⁰⁴, to which an operation on double-doubles is right.
+const UNIT: f64 = 4.93e-32;
+
+/// By how much the condition of a tree may fail: each of its vertices brings one printed number, and a sum over up to 16
+/// stages of a few operations each. The weights themselves may be sums whose numbers have cancelled, but not what is not
+/// printed of them.
+fn allowed(table: &Table, tree: &Tree, row: &Weights, of_stages: &[(DoubleDouble, f64)]) -> f64 {
+    let (_, size) = total(row, of_stages);
+    let of_weights: f64 = row.iter().map(|(&stage, b)| b.half_digit * of_stages[stage].1).sum();
+    tree.vertices as f64 * (table.coarseness() + 50.0 * UNIT) * size + of_weights
+}
+
+/// The order of `row`, which is to be right for tⁿ at t = s: the vertices of the smallest tree that fails, less one; and by how
+/// much that tree does.
+fn order_and_failure(
+    table: &Table,
+    row: &Weights,
+    s: DoubleDouble,
+    right: impl Fn(&Tree, DoubleDouble) -> DoubleDouble,
+) -> (usize, f64) {
+    let trees = trees(9);
+    let elementary = table.elementary(&trees);
+    for (tree, of_stages) in trees.iter().zip(&elementary) {
+        let (sum, _) = total(row, of_stages);
+        let power = (0..tree.vertices).fold(DoubleDouble::ONE, |product, _| product * s);
+        let failure = (sum - right(tree, power)).rounded().abs();
+        if failure > allowed(table, tree, row, of_stages) {
+            return (tree.vertices - 1, failure);
+        }
+    }
+    (9, 0.0)
+}
+
+/// The order of `row`, when no digit of it is wrong: one that fails by less than 1e-9 has a wrong digit, and no wrong order.
+fn order(
+    table: &Table,
+    row: &Weights,
+    s: DoubleDouble,
+    right: impl Fn(&Tree, DoubleDouble) -> DoubleDouble,
+) -> usize {
+    let (order, failure) = order_and_failure(table, row, s, right);
+    assert!(failure > 1e-9, "{failure:e} is too small for a wrong order: a wrong digit");
+    order
+}
+
+fn solution(tree: &Tree, power: DoubleDouble) -> DoubleDouble {
+    power / DoubleDouble::of(tree.density)
+}
+
+/// Catches: any digit wrong of the 28 and more that are printed, in a stage or in the weights; an order claimed too high.
+#[rstest]
+#[case::dormand_prince(Table::dormand_prince(), 5)]
+#[case::dop853(Table::dop853(), 8)]
+fn the_step_has_its_order_for_every_tree(#[case] table: Table, #[case] expected: usize) {
+    assert_eq!(order(&table, &table.sums["step"], DoubleDouble::ONE, solution), expected);
+}
+
+/// What a sum estimates is zero for all trees up to the order of the method within.
+///
+/// Catches: a wrong digit in an estimate; one that is of a higher order, and sees no error, or of a lower, and sees one
+/// everywhere.
+#[rstest]
+#[case::dormand_prince(Table::dormand_prince(), "error", 4)]
+#[case::dop853(Table::dop853(), "fifth", 5)]
+fn the_estimate_has_the_order_of_the_method_within(
+    #[case] table: Table,
+    #[case] name: &str,
+    #[case] expected: usize,
+) {
+    let nothing = |_: &Tree, _| DoubleDouble::ZERO;
+    assert_eq!(order(&table, &table.sums[name], DoubleDouble::ONE, nothing), expected);
+}
+
+/// Catches: a wrong digit in the weights of order 3.
+#[test]
+fn the_third_order_within_has_it() {
+    let table = Table::dop853();
+    assert_eq!(order(&table, &table.sums["third"], DoubleDouble::ONE, solution), 3);
+}
+
+/// At more times than a polynomial of its degree has coefficients, it is right for every tree.
+///
+/// Catches: a wrong digit in the stages and weights of dense output, in any of its coefficients; an order claimed too high.
+#[rstest]
+#[case::dormand_prince(Table::dormand_prince(), "k7", &["fourth"], 4)]
+#[case::dop853(Table::dop853(), "k13", &["fourth", "dense fifth", "sixth", "seventh"], 7)]
+fn dense_output_has_its_order_at_every_time(
+    #[case] table: Table,
+    #[case] end: &str,
+    #[case] more: &[&str],
+    #[case] expected: usize,
+) {
+    for ninth in 1..9 {
+        let s = DoubleDouble::of(f64::from(ninth)) / DoubleDouble::of(9.0);
+        assert_eq!(order(&table, &table.dense(s, end, more), s, solution), expected, "{ninth}/9");
+    }
+}
+
+/// Each number in turn is made wrong in its 20th digit, four beyond those of an f64, and a condition fails: a test of the
+/// tests above. (DOP853's are printed to 28 and more; but some count for little, and many cancel.)
+///
+/// Catches: tolerances so wide that a digit could hide in them; a number that no condition asks for.
+#[rstest]
+#[case::dormand_prince(Table::dormand_prince(), "k7", &["fourth"], 4)]
+#[case::dop853(Table::dop853(), "k13", &["fourth", "dense fifth", "sixth", "seventh"], 7)]
+fn every_digit_counts(
+    #[case] table: Table,
+    #[case] end: &str,
+    #[case] more: &[&'static str],
+    #[case] expected: usize,
+) {
+    let s = DoubleDouble::of(0.375);
+    let spoiled = DoubleDouble::ONE + DoubleDouble::of(1e-20);
+    for stage in 1..table.stages.len() {
+        for &other in table.stages[stage].keys() {
+            let mut table = table.clone();
+            let a = table.stages[stage].get_mut(&other).unwrap();
+            a.value = a.value * spoiled;
+            let dense = table.dense(s, end, more);
+            let (order, _) = order_and_failure(&table, &dense, s, solution);
+            assert!(order < expected, "{}, {}", table.names[stage], table.names[other]);
+        }
+    }
+    for name in more {
+        for stage in table.sums[name].keys() {
+            let mut table = table.clone();
+            let b = table.sums.get_mut(name).unwrap().get_mut(stage).unwrap();
+            b.value = b.value * spoiled;
+            let dense = table.dense(s, end, more);
+            let (order, _) = order_and_failure(&table, &dense, s, solution);
+            assert!(order < expected, "{name}, {}", table.names[*stage]);
+        }
+    }
+}
+
+/// Catches: a time of a stage that is not the sum of its row, which a system without a clock never asks for.
+#[rstest]
+#[case::dormand_prince(Table::dormand_prince())]
+#[case::dop853(Table::dop853())]
+fn each_stage_is_taken_at_the_sum_of_its_row(#[case] table: Table) {
+    let ones = vec![(DoubleDouble::ONE, 1.0); table.stages.len()];
+    for ((name, row), c) in table.names.iter().zip(&table.stages).zip(&table.nodes) {
+        let (sum, size) = total(row, &ones);
+        let off = (sum - c.value).rounded().abs();
+        assert!(off <= (table.coarseness() + 50.0 * UNIT) * size + c.half_digit, "{name}: {off:e}");
+    }
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// The same through the code
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// The trees of up to 8 vertices.
+const FOREST: usize = 200;
+
+/// A number for each tree.
+#[derive(Clone, Copy)]
+struct Forest([f64; FOREST]);
+
+impl Add for Forest {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self(std::array::from_fn(|i| self.0[i] + other.0[i]))
+    }
+}
+
+impl Mul<f64> for Forest {
+    type Output = Self;
+
+    fn mul(self, factor: f64) -> Self {
+        Self(self.0.map(|x| x * factor))
+    }
+}
+
+impl Vector for Forest {}
+
+/// The equations of all trees at once; that of the bare root by the clock, ẏ = 1, so that a tree with it says the time.
+struct Growth {
+    trees: Vec<Tree>,
+}
+
+impl System for Growth {
+    type State = Forest;
+
+    fn rate(&self, t: f64, y: Forest) -> Forest {
+        Forest(std::array::from_fn(|i| {
+            let product = |product, &tau| product * if tau == 0 { t } else { y.0[tau] };
+            self.trees[i].subtrees.iter().fold(1.0, product)
+        }))
+    }
+}
+
+/// A step of 0.8, so that an h that is missing shows: with 1 it would not.
+const H: f64 = 0.8;
+
+/// Rounding: each of the up to 8 vertices of a tree brings a sum of up to 16 products, an ε each, of the size that `table`
+/// has if nothing cancels; and a step shorter than 1 makes it no larger.
+fn rounding(table: &Table, row: &Weights, trees: &[Tree]) -> Vec<f64> {
+    let elementary = table.elementary(trees);
+    let bound = |(tree, of_stages): (&Tree, &Vec<(DoubleDouble, f64)>)| {
+        16.0 * tree.vertices as f64 * f64::EPSILON * total(row, of_stages).1
+    };
+    trees.iter().zip(&elementary).map(bound).collect()
+}
+
+fn assert_grown(growth: &Growth, y: Forest, t: f64, order: usize, rounding: &[f64]) {
+    for (i, tree) in growth.trees.iter().enumerate().filter(|(_, tree)| tree.vertices <= order) {
+        let right = t.powi(tree.vertices as i32) / tree.density;
+        let off = (y.0[i] - right).abs();
+        assert!(off <= rounding[i], "tree {i} at {t}: {off:e} beyond {:e}", rounding[i]);
+    }
+}
+
+/// Catches: a coefficient that the code takes from another place than the table has it, a time of a stage without its h, a
+/// stage left out; a slope handed on that is not the last.
+#[rstest]
+#[case::dormand_prince(DormandPrince, Table::dormand_prince(), 5, &["fourth"], "k7", 4)]
+#[case::dop853(Dop853, Table::dop853(), 8, &["fourth", "dense fifth", "sixth", "seventh"], "k13", 7)]
+fn the_code_grows_every_tree<M>(
+    #[case] method: M,
+    #[case] table: Table,
+    #[case] order: usize,
+    #[case] more: &[&str],
+    #[case] end: &str,
+    #[case] dense_order: usize,
+) where
+    M: Embedded + Method<Growth>,
+{
+    let growth = Growth { trees: trees(8) };
+    let seed = Forest([0.0; FOREST]);
+    let bounds = rounding(&table, &table.sums["step"], &growth.trees);
+
+    let mut memo = method.start(&growth, 0.0, H, seed);
+    let fixed = method.step(&growth, 0.0, H, seed, &mut memo);
+    assert_grown(&growth, fixed, H, order, &bounds);
+
+    let (grown, stages) = method.attempt(&growth, 0.0, H, seed, growth.rate(0.0, seed));
+    assert_eq!(grown.0, fixed.0);
+    let slope = method.end_slope(&growth, H, grown, &stages);
+    assert_eq!(slope.0, growth.rate(H, grown).0);
+
+    let coefficients = method.dense(&growth, 0.0, H, seed, &stages, slope);
+    let dense = Dense::new(0.0, H, seed, coefficients);
+    assert_eq!(dense.after(0.0).0, seed.0);
+    assert_eq!(dense.after(1.0).0, grown.0);
+    for ninth in 1..9 {
+        let s = f64::from(ninth) / 9.0;
+        let weights = table.dense(DoubleDouble::of(s), end, more);
+        // The coefficients of the dense output cancel too.
+        let bounds = rounding(&table, &absolute(&weights, &table, more), &growth.trees);
+        assert_grown(&growth, dense.after(s), s * H, dense_order, &bounds);
+        assert_grown(&growth, dense.at(s * H), s * H, dense_order, &bounds);
+    }
+}
+
+/// The weights that dense output has at most, if nothing in its coefficients cancels.
+fn absolute(weights: &Weights, table: &Table, more: &[&str]) -> Weights {
+    let mut sum = weights.clone();
+    for row in more.iter().map(|name| &table.sums[name]).chain([&table.sums["step"]]) {
+        for (stage, b) in row {
+            let size = DoubleDouble::of(3.0 * b.value.rounded().abs());
+            let term =
+                sum.entry(*stage).or_insert(Printed { value: DoubleDouble::ZERO, half_digit: 0.0 });
+            term.value = DoubleDouble::of(term.value.rounded().abs()) + size;
+        }
+    }
+    sum
+}

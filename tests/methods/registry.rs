@@ -1,0 +1,95 @@
+//! The list of methods: complete, unambiguous, and true to the files.
+
+use std::collections::BTreeSet;
+use std::path::Path;
+
+use pendula::methods::Rk4;
+use pendula::{
+    AnyMethod, Described, Grid, METHODS, Observer, Pendulum, Phase, Properties, method_named, swing,
+};
+
+/// Catches: a method whose file exists but which no test, table or page would ever run.
+#[test]
+fn every_file_of_methods_is_on_the_list() {
+    /// What stands beside the methods in their folders.
+    const OTHERS: [&str; 4] = ["mod", "table", "tableau", "embedded"];
+    let methods = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/methods");
+    let inside =
+        |folder: &Path| std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+    let families = inside(&methods).filter(|path| path.is_dir());
+    let files: BTreeSet<String> = families
+        .flat_map(|family| inside(&family))
+        .map(|file| file.file_stem().unwrap().to_string_lossy().replace('_', "-"))
+        .filter(|name| !OTHERS.contains(&name.as_str()))
+        .collect();
+    let names: BTreeSet<String> =
+        METHODS.iter().map(|method| method.properties().name.to_string()).collect();
+    assert_eq!(files, names);
+}
+
+/// Catches: two methods of one name, a name that cannot be typed, an entry left half empty.
+#[test]
+fn entries_are_complete_and_distinct() {
+    let mut seen = BTreeSet::new();
+    for method in METHODS {
+        let entry = method.properties();
+        assert!(seen.insert(entry.name), "{} stands twice", entry.name);
+        let typeable = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-';
+        assert!(entry.name.chars().all(typeable), "{}", entry.name);
+        assert_eq!(method_named(entry.name).map(|m| m.properties()), Some(entry));
+        assert!(!entry.title.is_empty() && !entry.aliases.is_empty());
+        assert!(entry.order > 0 && entry.force_evaluations > 0 && !entry.reference.is_empty());
+    }
+    assert!(method_named("no-such-method").is_none());
+    assert_eq!(format!("{:?}", METHODS[0]), METHODS[0].properties().name);
+}
+
+/// A method that leaves to the list what the list can do.
+struct Plain;
+
+impl Described for Plain {
+    fn properties(&self) -> Properties {
+        Rk4.properties()
+    }
+}
+
+impl AnyMethod for Plain {
+    fn run(
+        &self,
+        pendulum: &Pendulum,
+        start: Phase,
+        grid: &Grid,
+        observer: &mut dyn Observer<Phase>,
+    ) -> Phase {
+        swing(pendulum, &Rk4, start, grid, observer)
+    }
+
+    fn count_evaluations(&self, _: &Pendulum, _: Phase, grid: &Grid) -> u64 {
+        4 * grid.steps()
+    }
+}
+
+const STARTS: [Phase; 3] = [
+    Phase { theta: 1.0, omega: 0.0 },
+    Phase { theta: -2.5, omega: 0.5 },
+    Phase { theta: 0.2, omega: 7.0 },
+];
+
+/// Watched or not: the same bits.
+///
+/// Catches: a run that nobody watches and that goes elsewhere.
+#[test]
+fn the_list_runs_what_it_lists() {
+    let (pendulum, grid) = (Pendulum::new(9.81, 1.3, 0.7).unwrap(), Grid::new(0.02, 40).unwrap());
+    for method in METHODS.iter().copied().chain([&Plain as &dyn AnyMethod]) {
+        for start in STARTS {
+            let mut last = start;
+            let mut seen = 0;
+            let end = method.run(&pendulum, start, &grid, &mut |n: u64, _: f64, z: Phase| {
+                (seen, last) = (n, z);
+            });
+            assert_eq!((seen, last), (40, end), "{method:?}");
+            assert_eq!(end, method.end(&pendulum, start, &grid), "{method:?}");
+        }
+    }
+}

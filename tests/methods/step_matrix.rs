@@ -1,0 +1,52 @@
+//! One step on the linear oscillator is a matrix, and of each method it is known.
+
+use pendula::verify::linear::{
+    check, check_denials, check_matrix, determinant, known, matrix_of, trace,
+};
+use pendula::{AnyMethod, Grid, LinearOscillator, Method, integrate};
+use rstest::rstest;
+use rstest_reuse::apply;
+
+use crate::common::each_method;
+
+/// Catches: every wrong coefficient that acts on a straight line, to the last digit: trace, determinant and each entry; a
+/// force that is not what the step before handed on; a symmetry or an area that is claimed in vain.
+#[apply(each_method)]
+fn the_pendulum_at_the_bottom_has_the_known_matrix<M: AnyMethod>(#[case] method: M) {
+    check(&method).unwrap();
+}
+
+/// Catches: a linear oscillator that is not the linearisation of its pendulum; a method written for one system only.
+#[apply(each_method)]
+fn the_linear_oscillator_has_the_same_matrix<M>(#[case] method: M, #[values(0.3, 0.5, 1.1)] x: f64)
+where
+    M: AnyMethod + Method<LinearOscillator>,
+{
+    let pendulum = pendula::verify::pendulum();
+    let (system, frequency) = (LinearOscillator::of(pendulum), pendulum.small_angle_frequency());
+    let matrix = |x: f64| {
+        let grid = Grid::new(x / frequency, 1).unwrap();
+        matrix_of(frequency, |z| integrate(&system, &method, z, &grid, &mut ()))
+    };
+    check_matrix(&method, x, matrix(x)).unwrap();
+    check_denials(&method, matrix).unwrap();
+}
+
+/// At x = 1 the determinants 1 + x², 1, 1 − x⁶/72 + x⁸/576 and 1, and the traces 2, 2 − x², 2 − x² + x⁴/12 and 2 − x².
+/// A few roundings of numbers up to 2.
+///
+/// Catches: a matrix on file that is wrong together with its method.
+#[rstest]
+#[case::forward_euler("forward-euler", 2.0, 2.0)]
+#[case::symplectic_euler("symplectic-euler", 1.0, 1.0)]
+#[case::rk4("rk4", 1.0 - 1.0 / 72.0 + 1.0 / 576.0, 1.0 + 1.0 / 12.0)]
+#[case::stormer_verlet("stormer-verlet", 1.0, 1.0)]
+fn the_matrices_on_file_have_their_invariants(
+    #[case] name: &str,
+    #[case] determinant_at_one: f64,
+    #[case] trace_at_one: f64,
+) {
+    let matrix = known(name, 1.0).expect("it is on file");
+    assert!((determinant(matrix) - determinant_at_one).abs() < 1e-15);
+    assert!((trace(matrix) - trace_at_one).abs() < 1e-15);
+}

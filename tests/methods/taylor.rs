@@ -1,0 +1,165 @@
+//! Taylor series of the motion, at other orders than the one on the list.
+
+use pendula::methods::{ForwardEuler, Rk4};
+use pendula::{
+    Analytic, Counting, Grid, LinearOscillator, Method, Motion, Pendulum, Phase, System, Taylor,
+    integrate, swing,
+};
+use rstest::rstest;
+
+/// L ≠ 1, m ≠ 1, ω₀ ≠ 1.
+fn pendulum() -> Pendulum {
+    Pendulum::new(9.81, 0.8, 1.7).unwrap()
+}
+
+const STARTS: [Phase; 3] = [
+    Phase { theta: 1.0, omega: 0.0 },
+    Phase { theta: -2.0, omega: 1.5 },
+    Phase { theta: 0.5, omega: 9.0 },
+];
+
+/// The run on which errors are measured (s): no whole number of periods.
+const END: f64 = 2.3;
+
+/// How far `method` is off at most up to [`END`] in so many steps: θ and ω/ω₀ in one (rad).
+fn largest_error<M: Method<Pendulum>>(method: &M, start: Phase, steps: u64) -> f64 {
+    let pendulum = pendulum();
+    let frequency = pendulum.small_angle_frequency();
+    let motion = Motion::new(&pendulum, start).unwrap();
+    let grid = Grid::new(END / steps as f64, steps).unwrap();
+    let mut largest = 0.0_f64;
+    integrate(&pendulum, method, start, &grid, &mut |_, t: f64, z: Phase| {
+        let truth = motion.at(t);
+        let error = (z.theta - truth.theta).hypot((z.omega - truth.omega) / frequency);
+        assert!(error.is_finite());
+        largest = largest.max(error);
+    });
+    largest
+}
+
+/// The series to the power P is a method of order P. Its steps are halved until rounding, 2e-16 of 10 rad a step and ten
+/// times that, would show in the error; the two finest slopes count. The second term of the error is smaller than
+/// the first by h times a rate of change of the motion: ω₀ where it swings, ω where it turns; at most twice that here.
+///
+/// Catches: a power too few or too many, a factor j or k in the recurrence that is off by one, a sign.
+#[rstest]
+fn the_slope_is_the_power(#[values(0, 1, 2)] start: usize) {
+    check::<2>(STARTS[start]);
+    check::<3>(STARTS[start]);
+    check::<4>(STARTS[start]);
+    check::<5>(STARTS[start]);
+    check::<6>(STARTS[start]);
+    check::<7>(STARTS[start]);
+    check::<8>(STARTS[start]);
+
+    fn check<const P: usize>(start: Phase) {
+        let ladder: Vec<(u64, f64)> = (3..15)
+            .map(|k| (1 << k, largest_error(&Taylor::<P>, start, 1 << k)))
+            .take_while(|(steps, error)| *error > 2e-14 * *steps as f64)
+            .collect();
+        let (last, rungs) = (ladder.len() - 1, &ladder);
+        assert!(last >= 3, "{ladder:?}");
+        for k in [last - 1, last] {
+            let slope = (rungs[k - 1].1 / rungs[k].1).log2();
+            let rate = pendulum().small_angle_frequency().max(start.omega);
+            let x = rate * END / rungs[k - 1].0 as f64;
+            assert!((slope - P as f64).abs() < 0.01 + 2.0 * x, "{slope} of {ladder:?}");
+        }
+    }
+}
+
+/// What the series to the power P leaves out is its next term, and then the one after that, smaller by h: so what one more
+/// power adds in a single step is what was missing, to O(h).
+///
+/// Catches: a coefficient that is wrong from some power on, whatever the order of the method says.
+#[rstest]
+fn one_power_more_is_what_was_missing(#[values(0, 1, 2)] start: usize) {
+    check::<1, 2>(STARTS[start]);
+    check::<2, 3>(STARTS[start]);
+    check::<5, 6>(STARTS[start]);
+    check::<8, 9>(STARTS[start]);
+    check::<11, 12>(STARTS[start]);
+
+    fn check<const P: usize, const NEXT: usize>(start: Phase) {
+        let pendulum = pendulum();
+        let motion = Motion::new(&pendulum, start).unwrap();
+        let frequency = pendulum.small_angle_frequency();
+        let missing = |h: f64| {
+            let grid = Grid::new(h, 1).unwrap();
+            let truth = motion.at(h);
+            let low = integrate(&pendulum, &Taylor::<P>, start, &grid, &mut ());
+            let high = integrate(&pendulum, &Taylor::<NEXT>, start, &grid, &mut ());
+            let size =
+                |z: Phase, w: Phase| (z.theta - w.theta).hypot((z.omega - w.omega) / frequency);
+            (size(truth, high), size(truth, low))
+        };
+        // So long that xᴾ⁺¹ or so is 1e-7 at the last power too, far above rounding.
+        let h = 0.25 / frequency;
+        let (left, before) = missing(h);
+        // By symmetry every other power of a start at rest adds to one of θ and ω alone, and the ratio is x and not less.
+        assert!(left < 2.0 * h * frequency * before + 1e-15, "{left:e} of {before:e} are left");
+        assert!(before > 0.0);
+    }
+}
+
+/// The first power is forward Euler, which has no more rounding either; to the fourth, and on a straight line, where only the
+/// powers of the matrix count, the series is RK4.
+///
+/// Catches: a step that is not a power series, such as one that takes the angle's last power with the new velocity.
+#[test]
+fn the_low_orders_are_known_methods() {
+    let (pendulum, grid) = (pendulum(), Grid::new(0.02, 100).unwrap());
+    let linear = LinearOscillator::of(pendulum);
+    for start in STARTS {
+        // A hundred steps round 10 rad, or 35 rad/s, by a few ε; the growth of forward Euler is below e².
+        let near = |a: Phase, b: Phase| {
+            assert!((a.theta - b.theta).abs() < 1e-11 && (a.omega - b.omega).abs() < 1e-11);
+        };
+        let first = integrate(&pendulum, &Taylor::<1>, start, &grid, &mut ());
+        near(first, integrate(&pendulum, &ForwardEuler, start, &grid, &mut ()));
+        let fourth = integrate(&linear, &Taylor::<4>, start, &grid, &mut ());
+        near(fourth, integrate(&linear, &Rk4, start, &grid, &mut ()));
+    }
+}
+
+/// With the step as the unit of time the same series takes the same steps, but for rounding; and each power is counted.
+///
+/// Catches: a power of h missing in one of the two; a series counted as one evaluation.
+#[test]
+fn the_step_may_be_the_unit_of_time() {
+    let (pendulum, grid) = (pendulum(), Grid::new(0.1, 50).unwrap());
+    for start in STARTS {
+        let plain = integrate(&pendulum, &Taylor::<12>, start, &grid, &mut ());
+        let quick = swing(&pendulum, &Taylor::<12>, start, &grid, &mut ());
+        // 50 steps of a few roundings of up to 50 rad, each carried on by 50 steps more.
+        assert!((plain.theta - quick.theta).abs() < 1e-11, "{plain:?}, {quick:?}");
+        assert!((plain.omega - quick.omega).abs() < 1e-11, "{plain:?}, {quick:?}");
+    }
+    let counting = Counting::new(pendulum);
+    integrate(&counting, &Taylor::<12>, STARTS[0], &grid, &mut ());
+    assert_eq!(counting.evaluations(), 12 * 50);
+}
+
+/// Any system may have a series: of ż = z it is the exponential's.
+///
+/// Catches: a method that knows of pendulums.
+#[test]
+fn a_series_is_what_its_system_says() {
+    struct Growth;
+    impl System for Growth {
+        type State = Phase;
+        fn rate(&self, _t: f64, z: Phase) -> Phase {
+            z
+        }
+    }
+    impl Analytic for Growth {
+        fn mean_rate<const P: usize>(&self, h: f64, z: Phase) -> Phase {
+            let sum = (0..P).rev().fold(0.0, |sum, k| 1.0 / (k + 1) as f64 * (1.0 + h * sum));
+            z * sum
+        }
+    }
+    let start = Phase { theta: 1.0, omega: -2.0 };
+    let end = integrate(&Growth, &Taylor::<3>, start, &Grid::new(1.0, 1).unwrap(), &mut ());
+    // 1 + 1 + 1/2 + 1/6, to a few roundings.
+    assert!((end.theta - 8.0 / 3.0).abs() < 2e-15 && (end.omega + 16.0 / 3.0).abs() < 4e-15);
+}

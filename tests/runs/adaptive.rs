@@ -1,0 +1,710 @@
+//! Steps whose size follows the motion: what the tolerance promises, dense output, crossings, both directions of time,
+//! refusals.
+
+use std::f64::consts::PI;
+use std::ops::{Add, Mul};
+
+use pendula::adaptive::{Adaptive, Counts, Dense, Direction, SMALLEST_RELATIVE, Tolerance, Walk};
+use pendula::methods::runge_kutta::Embedded;
+use pendula::methods::{Dop853, DormandPrince};
+use pendula::{
+    Components, Counting, Error, Grid, Method, Motion, Observer, Pendulum, Phase, System, Vector,
+    exact, integrate,
+};
+use rstest::rstest;
+use rstest_reuse::{apply, template};
+
+#[template]
+#[rstest]
+#[case::dormand_prince(DormandPrince)]
+#[case::dop853(Dop853)]
+fn each_pair<M: Embedded>(#[case] method: M) {}
+
+/// The paper's, and one with L ≠ 1, m ≠ 1 and another ω₀.
+fn pendulums() -> [Pendulum; 2] {
+    [Pendulum::PAPER, Pendulum::new(9.81, 2.5, 0.7).unwrap()]
+}
+
+const START: Phase = Phase { theta: 2.0, omega: 0.3 };
+
+fn tolerance(tolerance: f64) -> Tolerance {
+    Tolerance::of(tolerance).unwrap()
+}
+
+fn walk<M: Embedded>(
+    pendulum: &Pendulum,
+    method: M,
+    tol: f64,
+    until: f64,
+) -> Walk<'_, Pendulum, M> {
+    Adaptive::new(method, tolerance(tol)).walk(pendulum, START, 0.0, until).unwrap()
+}
+
+fn minus(x: Phase, y: Phase) -> Phase {
+    x + y * -1.0
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Tolerance
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// h goes with the tolerance to the power 1/k, and the error of the run with hᵏ, k being the order of the step and of
+/// its estimate alike: error and tolerance fall together.
+///
+/// How the steps of one run happen to fall changes its error by half a decade, one way or the other; the mean of 16 runs
+/// by an eighth; and the slope over 8 decades by 0.02, twice that at worst.
+const PROPORTIONALITY: f64 = 0.05;
+
+/// Catches: an error measured against nothing, or against the wrong scale; one with or without its h; an estimate of the
+/// wrong order; a step taken although it was refused.
+#[apply(each_pair)]
+fn the_error_falls_with_the_tolerance<M: Embedded>(#[case] method: M) {
+    for pendulum in pendulums() {
+        let mean_of_logarithms = |tol: f64| {
+            let logarithm = |n: u32| {
+                let start = Phase { theta: 0.4 + 0.15 * f64::from(n), omega: 0.3 };
+                let motion = Motion::new(&pendulum, start).unwrap();
+                let mut largest = 0.0_f64;
+                let mut watch = |_, t, z: Phase| {
+                    largest = largest.max((z.theta - motion.at(t).theta).abs());
+                };
+                Adaptive::new(method, tolerance(tol))
+                    .integrate(&pendulum, start, 0.0, 10.0, &mut watch)
+                    .unwrap();
+                largest.log10()
+            };
+            (0..16).map(logarithm).sum::<f64>() / 16.0
+        };
+        let slope = (mean_of_logarithms(1e-4) - mean_of_logarithms(1e-12)) / 8.0;
+        assert!((slope - 1.0).abs() < PROPORTIONALITY, "{slope}");
+    }
+}
+
+/// The method that steps is better than the one that is estimated, by an order: below 1e-7 no step is off by as much as
+/// it may be. But neither is it so much better that the steps are too small: a step of half the size would be off 2⁹
+/// times less.
+///
+/// Catches: an estimate that is too small, by a factor or for one of the components; one that is far too large.
+#[apply(each_pair)]
+fn no_step_is_off_by_more_than_the_tolerance<M: Embedded>(#[case] method: M) {
+    for pendulum in pendulums() {
+        for tol in [1e-7, 1e-9, 1e-11] {
+            let mut largest = 0.0_f64;
+            for step in walk(&pendulum, method, tol, 20.0) {
+                let step = step.unwrap();
+                let right = Motion::new(&pendulum, step.start()).unwrap().at(step.size());
+                let off = minus(step.end(), right);
+                largest = largest.max(tolerance(tol).ratio(step.start(), step.end(), off));
+            }
+            assert!(largest <= 1.0 && largest > 1.0 / 512.0, "{largest} at {tol:e}");
+        }
+    }
+}
+
+/// Catches: the larger tolerance taken for both, one that is not used, a mean that forgets to divide or to take the root.
+#[test]
+fn a_displacement_is_measured_in_tolerances() {
+    let tolerance = Tolerance::new(0.5, 0.25).unwrap();
+    assert_eq!((tolerance.absolute(), tolerance.relative()), (0.5, 0.25));
+    let (from, to) = (Phase { theta: -2.0, omega: 1.0 }, Phase { theta: 1.0, omega: -6.0 });
+    // Allowed: 0.5 + 0.25 · 2 = 1 and 0.5 + 0.25 · 6 = 2.
+    let ratio = tolerance.ratio(from, to, Phase { theta: -3.0, omega: 8.0 });
+    assert_eq!(ratio, ((9.0_f64 + 16.0) / 2.0).sqrt());
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Work
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// Two evaluations choose the first step, of which one is its first slope.
+///
+/// Catches: a slope evaluated again that is known, in the next step or after a refusal; refused steps not counted.
+#[rstest]
+#[case::dormand_prince(DormandPrince, 6, 6, 0)]
+#[case::dop853(Dop853, 12, 11, 3)]
+fn each_evaluation_is_counted_and_none_is_wasted<M: Embedded>(
+    #[case] method: M,
+    #[case] of_accepted: u64,
+    #[case] of_rejected: u64,
+    #[case] of_dense: u64,
+) {
+    for pendulum in pendulums() {
+        let counting = Counting::new(pendulum);
+        let adaptive = Adaptive::new(method, tolerance(1e-6));
+        let mut walk = adaptive.walk(&counting, START, 0.0, 20.0).unwrap();
+        let mut steps = 0;
+        while let Some(step) = walk.next() {
+            walk.dense(&step.unwrap());
+            steps += 1;
+        }
+        let Counts { accepted, rejected, evaluations } = walk.counts();
+        assert!(accepted == steps && rejected > 0, "{accepted} of {steps}, {rejected} refused");
+        let expected = 2 + (of_accepted + of_dense) * accepted + of_rejected * rejected;
+        assert_eq!((evaluations, counting.evaluations()), (expected, expected));
+    }
+}
+
+/// Where nothing is refused, sixteen times the tolerance makes a step 16^(1/k) times longer, to 2 % for the ends and the start.
+///
+/// Catches: an exponent of the control that goes with another order than the estimate's: the steps would go to and fro.
+#[test]
+fn steps_lengthen_with_the_root_of_the_tolerance() {
+    let steps = |tol| {
+        let mut walk = walk(&Pendulum::PAPER, DormandPrince, tol, 20.0);
+        assert!(walk.by_ref().all(|step| step.is_ok()));
+        assert_eq!(walk.counts().rejected, 0);
+        walk.counts().accepted as f64
+    };
+    let ratio = steps(1e-12) / steps(16e-12);
+    assert!((ratio / 16_f64.powf(0.2) - 1.0).abs() < 0.02, "{ratio}");
+}
+
+/// The first step by hand, as Hairer, Nørsett and Wanner have it (Sect. II.4). In units of what is allowed, 2e-6 of y = 1:
+///
+/// * ẏ = −4 y: y is 5e5, ẏ is 2e6, and so 0.01 · 5e5/2e6 s is tried; ẏ changes by 0.01 · 2e6 in it, or 8e6 a second; the
+///   step is (0.01/8e6)^(1/k).
+/// * ẏ = −4 y³ + 9 t: the same step is tried, and ẏ changes in it as much as the cube and the time make it.
+/// * ẏ = 1 from 0 says nothing about the time in which y changes: 1e-6 of the duration is tried, and the step is 100 of that.
+/// * ẏ = 0 says nothing at all: 1e-6 of the duration.
+///
+/// Catches: any of its numbers, or its units, in another place; one that looks at the end of time before the start.
+#[rstest]
+#[case::dormand_prince(DormandPrince, 0.2)]
+#[case::dop853(Dop853, 0.125)]
+fn the_first_step_follows_the_state<M: Embedded>(#[case] method: M, #[case] root: f64) {
+    let adaptive = Adaptive::new(method, tolerance(1e-6));
+    let first = |law: &dyn Fn(f64, f64) -> f64, y: f64, until: f64| {
+        let law = Law(law);
+        let mut walk = adaptive.walk(&law, Number(y), 0.0, until).unwrap();
+        let size = walk.next().unwrap().unwrap().size();
+        assert_eq!(walk.counts().rejected, 0);
+        size
+    };
+    for way in [1.0, -1.0] {
+        let bent = |t, y: f64| -4.0 * way * y.powi(3) + 9.0 * t;
+        let bend = (4.0 - 4.0 * 0.99_f64.powi(3) + 9.0 * 0.0025) / 2e-6 / 0.0025;
+        for (size, expected) in [
+            (first(&|_, y| -4.0 * way * y, 1.0, 10.0 * way), (0.01_f64 / 8e6).powf(root)),
+            (first(&bent, 1.0, 10.0 * way), (0.01 / bend).powf(root)),
+            (first(&|_, _| 1.0, 0.0, 10.0 * way), 1e-3),
+            (first(&|_, _| 0.0, 0.0, 10.0 * way), 1e-5),
+            (first(&|_, _| 0.0, 1.0, 10.0 * way), 1e-5),
+            // No longer than all there is.
+            (first(&|_, y| -4.0 * way * y, 1.0, 1e-3 * way), 1e-3),
+        ] {
+            // A few roundings, and a power from another library.
+            assert!((size * way / expected - 1.0).abs() < 1e-9, "{size}, not {expected}");
+        }
+    }
+}
+
+/// The same rule in two components, each in its own tolerances: at the bottom, fast, where the velocity changes most.
+///
+/// Catches: a sum over the components where their mean is meant, a component left out.
+#[rstest]
+#[case::dormand_prince(DormandPrince, 0.2)]
+#[case::dop853(Dop853, 0.125)]
+fn the_first_step_weighs_every_component<M: Embedded>(#[case] method: M, #[case] root: f64) {
+    let (pendulum, start) = (Pendulum::PAPER, Phase { theta: 0.1, omega: 4.0 });
+    let size = |x: Phase| {
+        let theta = x.theta / (1e-6 + 1e-6 * start.theta);
+        let omega = x.omega / (1e-6 + 1e-6 * start.omega);
+        (0.5 * (theta * theta + omega * omega)).sqrt()
+    };
+    let slope = pendulum.rate(0.0, start);
+    let tried = 0.01 * (size(start) / size(slope));
+    let bend = size(minus(pendulum.rate(0.0, start + slope * tried), slope)) / tried;
+    assert!(bend > 2.0 * size(slope), "the step tried has to matter");
+    let adaptive = Adaptive::new(method, tolerance(1e-6));
+    let mut walk = adaptive.walk(&pendulum, start, 0.0, 10.0).unwrap();
+    let first = walk.next().unwrap().unwrap().size();
+    assert_eq!(walk.counts().rejected, 0);
+    // A few roundings of a difference that loses three digits, some 1e-13; a root makes less of them.
+    let expected = (0.01 / bend).powf(root);
+    assert!((first / expected - 1.0).abs() < 1e-12, "{first}, not {expected}");
+}
+
+/// Where nothing changes there is no error, and each step is ten times as long as the last.
+///
+/// Catches: a step that leaps from calm into what comes after it.
+#[apply(each_pair)]
+fn no_step_grows_more_than_tenfold<M: Embedded>(#[case] method: M) {
+    let calm = Law(|_, _| 0.0);
+    let walk = Adaptive::new(method, tolerance(1e-6)).walk(&calm, Number(0.0), 0.0, 10.0).unwrap();
+    let sizes: Vec<f64> = walk.map(|step| step.unwrap().size()).collect();
+    // All but the last, which ends at the end.
+    for pair in sizes[..sizes.len() - 1].windows(2) {
+        assert!((pair[1] / pair[0] - 10.0).abs() < 1e-12, "{sizes:?}");
+    }
+    assert_eq!(sizes.len(), 7);
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Fixed steps and dense output
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// The slopes between runs over 10 s with more and more steps, each √2 times shorter, of the largest error of the angle.
+fn slopes_of_runs<M: Method<Pendulum>>(pendulum: &Pendulum, method: &M, steps: f64) -> Vec<f64> {
+    let motion = Motion::new(pendulum, START).unwrap();
+    let rungs: Vec<(f64, f64)> = (0..4)
+        .map(|rung| {
+            let steps = (steps * 2_f64.powf(0.5 * f64::from(rung))).round();
+            let mut largest = 0.0_f64;
+            let mut watch =
+                |_, t, z: Phase| largest = largest.max((z.theta - motion.at(t).theta).abs());
+            let grid = Grid::new(10.0 / steps, steps as u64).unwrap();
+            integrate(pendulum, method, START, &grid, &mut watch);
+            (steps, largest)
+        })
+        .collect();
+    rungs.windows(2).map(|w| (w[0].1 / w[1].1).ln() / (w[1].0 / w[0].0).ln()).collect()
+}
+
+/// Dormand and Prince's method of order 5, at 700 to 2000 steps: the next term bends the slope by 0.08 at the first, and by
+/// less thereafter.
+///
+/// DOP853 is made so that what is left of its error at order 8 is small: as far down as f64 sees, what it does is better than
+/// order 8, and its slopes are between 8 and 9.5. That it is of no higher order, its trees tell.
+///
+/// Catches: as methods of fixed steps, a slope handed on from another state; h used twice.
+#[rstest]
+#[case::dormand_prince(DormandPrince, 700.0, 4.95, 5.09)]
+#[case::dop853(Dop853, 63.0, 8.0, 9.5)]
+fn with_fixed_steps_every_slope_is_the_order<M: Method<Pendulum>>(
+    #[case] method: M,
+    #[case] steps: f64,
+    #[case] least: f64,
+    #[case] most: f64,
+) {
+    for pendulum in pendulums() {
+        let slopes = slopes_of_runs(&pendulum, &method, steps);
+        assert!(slopes.iter().all(|slope| (least..most).contains(slope)), "{slopes:?}");
+    }
+}
+
+/// Within one step dense output of order q is off by O(h^(q+1)): the largest of 40 steps from all over a swing, each
+/// looked at in 4 places.
+///
+/// From one rung to the next, √2 shorter, the place of the largest moves a little: ±0.2 in a slope at DOP853's long
+/// steps; over all rungs it is less.
+///
+/// Catches: dense output of a lower order, as Hermite's cubic alone would be (of order 3); a coefficient that only matters
+/// in the middle of a step.
+#[rstest]
+#[case::dormand_prince(DormandPrince, 4, 0.04, 0.05)]
+#[case::dop853(Dop853, 7, 0.11, 0.15)]
+fn dense_output_has_its_order<M: Embedded>(
+    #[case] method: M,
+    #[case] order: u32,
+    #[case] longest: f64,
+    #[case] tolerance: f64,
+) {
+    for pendulum in pendulums() {
+        let motion = Motion::new(&pendulum, START).unwrap();
+        let largest = |h: f64| {
+            let mut largest = 0.0_f64;
+            for n in 0..40 {
+                let z = motion.at(0.17 * f64::from(n));
+                let right = Motion::new(&pendulum, z).unwrap();
+                let dense = one_step(&pendulum, method, z, h);
+                for s in [0.2, 0.4, 0.6, 0.8] {
+                    largest = largest.max((dense.after(s).theta - right.at(s * h).theta).abs());
+                }
+            }
+            largest
+        };
+        let slope = (largest(longest) / largest(longest / 4.0)).log2() / 2.0;
+        assert!((slope - f64::from(order + 1)).abs() < tolerance, "{slope}");
+    }
+}
+
+fn one_step<M: Embedded>(
+    pendulum: &Pendulum,
+    method: M,
+    z: Phase,
+    h: f64,
+) -> Dense<Phase, M::Dense<Phase>> {
+    let (end, stages) = method.attempt(pendulum, 0.0, h, z, pendulum.rate(0.0, z));
+    let slope = method.end_slope(pendulum, h, end, &stages);
+    Dense::new(0.0, h, z, method.dense(pendulum, 0.0, h, z, &stages, slope))
+}
+
+/// Catches: dense output of another step; a time in it that is not the part of the step that is over.
+#[apply(each_pair)]
+fn dense_output_meets_both_ends_of_each_step<M: Embedded>(#[case] method: M) {
+    let pendulum = Pendulum::PAPER;
+    let mut walk = walk(&pendulum, method, 1e-8, 5.0);
+    let mut last = (0.0, START);
+    while let Some(step) = walk.next() {
+        let step = step.unwrap();
+        assert_eq!((step.start_time(), step.start()), last);
+        last = (step.end_time(), step.end());
+        let dense = walk.dense(&step);
+        assert_eq!((dense.at(step.start_time()), dense.after(1.0)), (step.start(), step.end()));
+        assert_eq!(dense.time(0.0), step.start_time());
+        assert!((dense.time(1.0) - step.end_time()).abs() <= f64::EPSILON * step.end_time());
+    }
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Crossings
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// The first fall to the bottom takes a quarter of the period, and four of them are right to what the tolerance allows of
+/// a number of the size of T. That is no law, as errors of steps add up; but a fall from rest is most sensitive where it
+/// is slowest, and there a step is off by least. 4 ε T is the rounding of the four quarters.
+///
+/// Catches: a crossing at an end of the step, or on a straight line through it; dense output of too low an order; the
+/// time of a step's begin forgotten.
+#[apply(each_pair)]
+fn the_period_is_exact_within_the_tolerance<M: Embedded>(
+    #[case] method: M,
+    #[values(0.5, 2.0, 3.0, 3.1)] theta0: f64,
+    #[values(1e-6, 1e-8, 1e-10, 1e-12)] tol: f64,
+) {
+    for pendulum in pendulums() {
+        let period = exact::period(&pendulum, theta0).unwrap();
+        let adaptive = Adaptive::new(method, tolerance(tol));
+        let mut walk = adaptive.walk(&pendulum, Phase::at_rest(theta0), 0.0, period).unwrap();
+        let bottom = walk.crossings(Direction::Falling, |_, z| z.theta).next().unwrap().unwrap();
+        let off = (4.0 * bottom.t - period).abs();
+        assert!(off <= tol * (1.0 + period) + 4.0 * f64::EPSILON * period, "{off:e} s");
+        assert!(bottom.z.theta.abs() <= 1e-15, "{:?}", bottom.z);
+    }
+}
+
+/// Over the top and over again. The pendulum turns at 6 rad/s and more; its angle is off by less than 100 tolerances
+/// after 5 s, as is that of the swing in the tests above.
+///
+/// Catches: crossings missed, or found twice where one step ends and the next begins; a function of time alone, or of the
+/// state alone.
+#[apply(each_pair)]
+fn each_passage_over_the_top_is_found_once<M: Embedded>(#[case] method: M) {
+    for pendulum in pendulums() {
+        let start = Phase { theta: -0.5, omega: 9.0 };
+        let motion = Motion::new(&pendulum, start).unwrap();
+        for tol in [1e-5, 1e-9] {
+            let adaptive = Adaptive::new(method, tolerance(tol));
+            let mut walk = adaptive.walk(&pendulum, start, 0.0, 5.0).unwrap();
+            let tops = walk
+                .crossings(Direction::Either, |_, z| pendula::arithmetic::sine::cos(0.5 * z.theta));
+            let tops: Vec<_> = tops.map(|top| top.unwrap()).collect();
+            let turns = ((motion.at(5.0).theta + PI) / (2.0 * PI)).floor() as usize;
+            assert_eq!(tops.len(), turns);
+            for (n, top) in tops.iter().enumerate() {
+                let angle = PI * (2 * n + 1) as f64;
+                assert!((motion.at(top.t).theta - angle).abs() < 100.0 * tol, "{n} at {}", top.t);
+                assert!((top.z.theta - angle).abs() < 1e-14 * angle, "{n} at {:?}", top.z);
+            }
+        }
+    }
+}
+
+/// A swing falls through the bottom, rises through it, and falls; a clock strikes
+/// twenty times in 3 s, more often than there are steps.
+///
+/// Catches: a direction ignored or turned round; a zero at the start taken for a crossing; several crossings in a step of
+/// which only one is seen.
+#[apply(each_pair)]
+fn a_crossing_has_a_direction<M: Embedded>(#[case] method: M) {
+    let pendulum = Pendulum::PAPER;
+    let start = Phase { theta: 0.0, omega: 2.0 };
+    let period = Motion::new(&pendulum, start).unwrap().period().unwrap();
+    let adaptive = Adaptive::new(method, tolerance(1e-9));
+    let times = |direction, until: f64| {
+        let mut walk = adaptive.walk(&pendulum, start, 0.0, until).unwrap();
+        let crossings = walk.crossings(direction, |_, z| z.theta);
+        crossings.map(|crossing| crossing.unwrap().t / period).collect::<Vec<f64>>()
+    };
+    let near = |times: Vec<f64>, expected: &[f64]| {
+        assert_eq!(times.len(), expected.len(), "{times:?}");
+        // 100 tolerances, as above.
+        assert!(times.iter().zip(expected).all(|(t, e)| (t - e).abs() < 1e-7), "{times:?}");
+    };
+    near(times(Direction::Rising, 2.2 * period), &[1.0, 2.0]);
+    near(times(Direction::Falling, 2.2 * period), &[0.5, 1.5]);
+    near(times(Direction::Either, 2.2 * period), &[0.5, 1.0, 1.5, 2.0]);
+    // Back in time what was rising is falling.
+    near(times(Direction::Rising, -2.2 * period), &[-0.5, -1.5]);
+    near(times(Direction::Falling, -2.2 * period), &[-1.0, -2.0]);
+
+    let mut walk = Adaptive::new(method, tolerance(1e-3)).walk(&pendulum, start, 0.0, 3.0).unwrap();
+    let strikes = walk.crossings(Direction::Either, |t, _| (PI * (t - 0.075) / 0.15).sin());
+    let strikes: Vec<f64> = strikes.map(|strike| strike.unwrap().t).collect();
+    assert_eq!(strikes.len(), 20, "{strikes:?}");
+    // The sine of the test is right to an ulp of its argument, 20 π, and the time to one of 3 s.
+    let late = |(n, t): (usize, &f64)| (t - 0.15 * n as f64 - 0.075).abs();
+    assert!(strikes.iter().enumerate().map(late).all(|late| late < 1e-14));
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Both directions of time, ends, observers
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// Forward, and from there back to the start. The way back is no better and no worse than the way there, which the test of
+/// the tolerance has off by less than 1000 of it.
+///
+/// Catches: a sign of the step lost, in the first, in the last or in the limit of growth; an end that is overshot.
+#[apply(each_pair)]
+fn time_can_run_either_way<M: Embedded>(#[case] method: M) {
+    for pendulum in pendulums() {
+        let motion = Motion::new(&pendulum, START).unwrap();
+        let adaptive = Adaptive::new(method, tolerance(1e-10));
+        let (before, counts) = adaptive.integrate(&pendulum, START, 2.0, -8.0, &mut ()).unwrap();
+        let right = motion.at(-10.0);
+        assert!((before.theta - right.theta).abs() < 1e-7, "{before:?}, not {right:?}");
+        let (back, again) = adaptive.integrate(&pendulum, before, -8.0, 2.0, &mut ()).unwrap();
+        assert!((back.theta - START.theta).abs() < 2e-7, "{back:?}");
+        // The same stretch takes as many steps either way, but for the first few.
+        let (there, back) = (counts.accepted as f64, again.accepted as f64);
+        assert!((there / back - 1.0).abs() < 0.1, "{there} there, {back} back");
+    }
+}
+
+/// Catches: a last step past the end, short of it, or split in two; a walk that goes on, or never starts, at its end.
+#[apply(each_pair)]
+fn the_last_step_ends_at_the_end<M: Embedded>(
+    #[case] method: M,
+    #[values(1e-300, 1e-3, 0.7, 5.0, -5.0)] duration: f64,
+) {
+    let pendulum = Pendulum::PAPER;
+    let mut times = vec![];
+    let mut watch = |n, t, z: Phase| times.push((n, t, z));
+    let adaptive = Adaptive::new(method, tolerance(1e-9));
+    let (end, counts) = adaptive.integrate(&pendulum, START, 0.0, duration, &mut watch).unwrap();
+    assert_eq!(times[0], (0, 0.0, START));
+    assert_eq!(times.last(), Some(&(counts.accepted, duration, end)));
+    assert!(times.iter().enumerate().all(|(n, time)| time.0 == n as u64));
+    assert!(times.windows(2).all(|pair| pair[0].1 != pair[1].1));
+    assert!(times.windows(2).all(|pair| (pair[1].1 - pair[0].1).signum() == duration.signum()));
+
+    let mut walk = adaptive.walk(&pendulum, START, 3.0, 3.0).unwrap();
+    assert!(walk.next().is_none() && walk.next().is_none());
+    assert_eq!((walk.time(), walk.state()), (3.0, START));
+}
+
+/// Of 1000 ends, one in a hundred would leave less than a hundredth of a step for the last; of it 0.8 is asked for, as the last
+/// would not be just as long as the one before.
+///
+/// Catches: a sliver of a step at the end.
+#[apply(each_pair)]
+fn no_sliver_is_left_for_the_last_step<M: Embedded>(#[case] method: M) {
+    for n in 0..1000 {
+        let until = 1.0 + f64::from(n) / 1000.0;
+        let steps = walk(&Pendulum::PAPER, method, 1e-9, until);
+        let sizes: Vec<f64> = steps.map(|step| step.unwrap().size()).collect();
+        let &[.., before, last] = &sizes[..] else { panic!("{sizes:?}") };
+        assert!(last > 0.008 * before, "{last:e} after {before:e} to {until}");
+    }
+}
+
+/// Catches: a force asked for beyond the end, where it may not be defined; a refusal of the shortest step there is.
+#[apply(each_pair)]
+fn nothing_is_asked_beyond_the_end<M: Embedded>(#[case] method: M) {
+    let latest = std::cell::Cell::new(0.0_f64);
+    let law = Law(|t: f64, y: f64| {
+        latest.set(latest.get().max(t));
+        -4.0 * y
+    });
+    let adaptive = Adaptive::new(method, tolerance(1e-6));
+    adaptive.integrate(&law, Number(1.0), 0.0, 1e-3, &mut ()).unwrap();
+    assert_eq!(latest.get(), 1e-3);
+    let (_, counts) =
+        adaptive.integrate(&law, Number(1.0), 1e6, 1e6_f64.next_up(), &mut ()).unwrap();
+    assert_eq!((counts.accepted, latest.get()), (1, 1e6_f64.next_up()));
+}
+
+/// A walk of one step, at whose end a clock strikes.
+///
+/// Catches: a zero that is met exactly, and not crossed, taken for none.
+#[apply(each_pair)]
+fn a_zero_on_the_last_instant_is_a_crossing<M: Embedded>(#[case] method: M) {
+    let law = Law(|_, y| -4.0 * y);
+    let adaptive = Adaptive::new(method, tolerance(1e-6));
+    let end = 1.0 / 1024.0;
+    for (direction, sign) in [(Direction::Rising, 1.0), (Direction::Falling, -1.0)] {
+        let mut walk = adaptive.walk(&law, Number(1.0), 0.0, end).unwrap();
+        let crossings = walk.crossings(direction, |t, _| sign * (t - end));
+        let times: Vec<f64> = crossings.map(|crossing| crossing.unwrap().t).collect();
+        assert_eq!(times, [end]);
+    }
+}
+
+/// Catches: a loop that goes on when nobody looks any more.
+#[apply(each_pair)]
+fn a_satisfied_observer_ends_the_loop<M: Embedded>(#[case] method: M) {
+    struct UntilNinth(u64);
+    impl Observer<Phase> for UntilNinth {
+        fn observe(&mut self, n: u64, _t: f64, _z: Phase) {
+            self.0 = n;
+        }
+        fn is_satisfied(&self) -> bool {
+            self.0 >= 9
+        }
+    }
+    let mut watch = UntilNinth(0);
+    let adaptive = Adaptive::new(method, tolerance(1e-9));
+    let (end, counts) = adaptive.integrate(&Pendulum::PAPER, START, 0.0, 5.0, &mut watch).unwrap();
+    assert_eq!((watch.0, counts.accepted), (9, 9));
+    let ninth = walk(&Pendulum::PAPER, method, 1e-9, 5.0).nth(8).unwrap().unwrap();
+    assert_eq!(end, ninth.end());
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Refusals
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// Catches: a tolerance let in that is NaN, zero, negative, or finer than f64.
+#[test]
+fn a_tolerance_that_cannot_be_met_is_refused() {
+    for bad in [0.0, -1e-6, f64::NAN, f64::INFINITY] {
+        assert!(matches!(Tolerance::new(bad, 1e-6), Err(Error::Parameter { .. })), "{bad}");
+    }
+    for bad in [0.0, -1e-6, f64::NAN, f64::INFINITY, 1.0, SMALLEST_RELATIVE.next_down()] {
+        assert!(matches!(Tolerance::new(1e-6, bad), Err(Error::Parameter { .. })), "{bad}");
+    }
+    assert_eq!(SMALLEST_RELATIVE, 10.0 * f64::EPSILON);
+    assert!(Tolerance::new(5e-324, SMALLEST_RELATIVE).is_ok());
+    assert_eq!(
+        Tolerance::of(1e-16).unwrap_err().to_string(),
+        "relative tolerance = 1e-16 is refused: it must be at least 2.22e-15, ten roundings of an f64, and less than 1"
+    );
+}
+
+/// Catches: a refusal of the finest tolerance that is let in; an error then that is not a few hundred roundings.
+#[apply(each_pair)]
+fn the_finest_tolerance_can_be_met<M: Embedded>(#[case] method: M) {
+    let finest = Tolerance::of(SMALLEST_RELATIVE).unwrap();
+    let adaptive = Adaptive::new(method, finest);
+    let (end, _) = adaptive.integrate(&Pendulum::PAPER, START, 0.0, 2.0, &mut ()).unwrap();
+    let right = Motion::new(&Pendulum::PAPER, START).unwrap().at(2.0);
+    // As everywhere here, less than 1000 tolerances.
+    assert!((end.theta - right.theta).abs() < 1000.0 * SMALLEST_RELATIVE);
+}
+
+/// Catches: a time that is not one let in.
+#[apply(each_pair)]
+fn a_time_that_is_none_is_refused<M: Embedded>(#[case] method: M) {
+    let adaptive = Adaptive::new(method, tolerance(1e-6));
+    for (from, until) in
+        [(f64::NAN, 1.0), (0.0, f64::INFINITY), (f64::NEG_INFINITY, 0.0), (-1e308, 1e308)]
+    {
+        let walk = adaptive.walk(&Pendulum::PAPER, START, from, until);
+        assert!(matches!(walk.err(), Some(Error::Parameter { .. })), "{from} to {until}");
+    }
+}
+
+/// A number as a state.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Number(f64);
+
+impl Add for Number {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self(self.0 + other.0)
+    }
+}
+
+impl Mul<f64> for Number {
+    type Output = Self;
+
+    fn mul(self, factor: f64) -> Self {
+        Self(self.0 * factor)
+    }
+}
+
+impl Vector for Number {}
+
+impl Components for Number {
+    fn compare(self, other: Self, displacement: Self, mut each: impl FnMut(f64, f64, f64)) {
+        each(self.0, other.0, displacement.0);
+    }
+}
+
+/// ẏ = a function of time and y.
+struct Law<F>(F);
+
+impl<F: Fn(f64, f64) -> f64> System for Law<F> {
+    type State = Number;
+
+    fn rate(&self, t: f64, y: Number) -> Number {
+        Number((self.0)(t, y.0))
+    }
+}
+
+/// ẏ = y² from 1 is 1/(1 − t). A walk into its pole takes shorter and shorter steps, and stops where they are lost in the
+/// time, at 10 ε. Every step is off by a tolerance of 1e-9, and so its pole lies within a thousand of them.
+///
+/// Catches: a walk that never ends, or leaps over the pole; an error that hides where it was.
+#[apply(each_pair)]
+fn a_pole_is_not_crossed<M: Embedded>(#[case] method: M) {
+    let pole = Law(|_, y| y * y);
+    let adaptive = Adaptive::new(method, tolerance(1e-9));
+    let mut walk = adaptive.walk(&pole, Number(1.0), 0.0, 2.0).unwrap();
+    let error = walk.find_map(|step| step.err());
+    let Some(Error::StepTooSmall { t, step }) = error else { panic!("{error:?}") };
+    assert!((t - 1.0).abs() < 1e-6 && (t, walk.time()) == (walk.time(), t), "{t}");
+    assert!(step > 0.0 && step <= 10.0 * f64::EPSILON, "{step:e}");
+    assert!(walk.next().is_none(), "it has ended");
+    let message = error.unwrap().to_string();
+    assert!(message.contains("too long for the tolerance") && !message.contains('\n'), "{message}");
+}
+
+/// Catches: a NaN that is accepted, or tried for ever.
+#[apply(each_pair)]
+fn a_rate_that_is_no_number_is_an_error<M: Embedded>(#[case] method: M) {
+    let adaptive = Adaptive::new(method, tolerance(1e-9));
+    for (law, from) in [(f64::NAN, 0.0), (f64::INFINITY, 0.0), (f64::NAN, 1.0)] {
+        let law = Law(move |_, _| law);
+        let end = adaptive.integrate(&law, Number(1.0), from, 2.0, &mut ());
+        let Err(Error::StepTooSmall { t, .. }) = end else { panic!("{end:?}") };
+        assert_eq!(t, from);
+    }
+    // One that turns bad on the way is found there.
+    let law = Law(|t, _| if t < 1.0 { 1.0 } else { f64::NAN });
+    let end = adaptive.integrate(&law, Number(1.0), 0.0, 2.0, &mut ());
+    let Err(Error::StepTooSmall { t, .. }) = end else { panic!("{end:?}") };
+    assert!(t < 1.0 && t > 0.999, "{t}");
+}
+
+/// Catches: a limit that is off by one, counts only what is accepted, or ends in silence.
+#[apply(each_pair)]
+fn a_limit_is_kept<M: Embedded>(#[case] method: M) {
+    let pendulum = Pendulum::PAPER;
+    let adaptive = Adaptive::new(method, tolerance(1e-6));
+    let (_, Counts { accepted, rejected, .. }) =
+        adaptive.integrate(&pendulum, START, 0.0, 20.0, &mut ()).unwrap();
+    let attempts = accepted + rejected;
+    assert!(adaptive.within(attempts).integrate(&pendulum, START, 0.0, 20.0, &mut ()).is_ok());
+    let error =
+        adaptive.within(attempts - 1).integrate(&pendulum, START, 0.0, 20.0, &mut ()).unwrap_err();
+    let Error::OutOfSteps { t, limit } = error else { panic!("{error:?}") };
+    assert!(limit == attempts - 1 && t > 15.0 && t < 20.0, "{error}");
+    assert!(error.to_string().starts_with(&format!("{limit} steps have led no further")));
+}
+
+/// ẏ = −100 y + 100 cos t is calm after its first moment, and then the step is held by stability alone: |R(−100 h)| ≤ 1 up to
+/// h = 0.033 for Dormand and Prince's method of order 5, 0.061 for DOP853. The control keeps the steps near that bound, and
+/// of order 5 it refuses less than one step in 50 that it takes; of order 8, where a step slightly too long is off by much
+/// more, one in 4.
+///
+/// Catches: a control without a memory, whose steps go up and down there; one that lets them grow after a refusal.
+#[rstest]
+#[case::dormand_prince(DormandPrince, 0.033, 50)]
+#[case::dop853(Dop853, 0.061, 4)]
+fn at_the_limit_of_stability_few_steps_are_refused<M: Embedded>(
+    #[case] method: M,
+    #[case] bound: f64,
+    #[case] one_in: u64,
+) {
+    let law = Law(|t: f64, y: f64| -100.0 * y + 100.0 * t.cos());
+    let adaptive = Adaptive::new(method, tolerance(1e-4));
+    let (end, counts) = adaptive.integrate(&law, Number(0.0), 0.0, 20.0, &mut ()).unwrap();
+    // y = (cos t + 0.01 sin t)/1.0001 once the start is forgotten.
+    let right = (20_f64.cos() + 0.01 * 20_f64.sin()) / 1.0001;
+    assert!((end.0 - right).abs() < 1e-3, "{}", end.0);
+    assert!(counts.rejected * one_in < counts.accepted, "{counts:?}");
+    let mean = 20.0 / counts.accepted as f64;
+    assert!(mean < bound && mean > 0.8 * bound, "{mean}");
+}

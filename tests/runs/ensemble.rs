@@ -1,0 +1,134 @@
+//! Many pendulums at once: each lane has the bits of its trajectory alone, whatever the processor's instructions.
+
+use std::num::NonZeroU64;
+
+use pendula::fast::{Ensemble, InLanes, Instructions};
+use pendula::integrate::Record;
+use pendula::{Grid, Observer, Pendulum, Phase, integrate, swing};
+use rstest_reuse::apply;
+
+use crate::common::each_method;
+
+/// A hundred pendulums, each with its own g and L, in blocks of lanes of which the last is not full.
+fn family() -> (Vec<Pendulum>, Vec<Phase>) {
+    let pendulum = |j| Pendulum::new(9.81 + 0.01 * j, 1.0 + 0.005 * j, 1.0).unwrap();
+    let start = |j| Phase { theta: -3.3 + 0.066 * j, omega: 0.1 * j - 4.0 };
+    let numbers = || (0..100).map(f64::from);
+    (numbers().map(pendulum).collect(), numbers().map(start).collect())
+}
+
+/// Catches: a lane that reads another's state or parameters, a branch whose two sides differ in a bit, a memo not kept, a
+/// fused instruction where the processor has one.
+#[apply(each_method)]
+fn lanes_have_the_bits_of_a_trajectory_alone<M: InLanes>(#[case] method: M) {
+    let (pendulums, starts) = family();
+    for steps in [0, 1, 2, 1000] {
+        let grid = Grid::new(0.017, steps).unwrap();
+        let alone: Vec<Phase> = pendulums
+            .iter()
+            .zip(&starts)
+            .map(|(pendulum, start)| swing(pendulum, &method, *start, &grid, &mut ()))
+            .collect();
+        for instructions in
+            [Instructions::Best, Instructions::Baseline, Instructions::Avx2, Instructions::Avx512]
+        {
+            let mut ends = vec![Phase::default(); starts.len()];
+            let ensemble = Ensemble::of_each(&pendulums, &starts, grid).with(instructions);
+            ensemble.ends(&method, &mut ends);
+            assert_eq!(bits(&ends), bits(&alone), "{instructions:?}, {steps} steps");
+        }
+    }
+}
+
+fn bits(states: &[Phase]) -> Vec<[u64; 2]> {
+    states.iter().map(|z| [z.theta.to_bits(), z.omega.to_bits()]).collect()
+}
+
+/// Catches: samples one step late, a sample too few at the end, the start left out.
+#[apply(each_method)]
+fn each_observer_of_an_ensemble_sees_its_own_trajectory<M: InLanes>(
+    #[case] method: M,
+    #[values(1, 7)] every: u64,
+) {
+    let (pendulums, starts) = family();
+    let (grid, every) = (Grid::new(0.017, 100).unwrap(), NonZeroU64::new(every).unwrap());
+    let each = (grid.steps() / every + 1) as usize;
+    let mut samples = vec![Phase::default(); each * starts.len()];
+    let mut records: Vec<Record<Phase>> =
+        samples.chunks_mut(each).map(Record::into_slice).collect();
+    Ensemble::of_each(&pendulums, &starts, grid).watch(every, &method, &mut records);
+    for ((pendulum, start), seen) in pendulums.iter().zip(starts).zip(samples.chunks(each)) {
+        let mut alone = vec![];
+        let mut watch = pendula::integrate::Every::new(every, |_, _, z| alone.push(z));
+        swing(pendulum, &method, start, &grid, &mut watch);
+        assert_eq!(bits(seen), bits(&alone));
+    }
+}
+
+/// One start whose units cannot be changed, 1e-150 rad/s, and 1e9 rad whose half turns are too many: its whole block goes the careful way.
+///
+/// Catches: a careful start that spoils, or is spoilt by, its neighbours.
+#[apply(each_method)]
+fn a_start_that_needs_care_gets_it<M: InLanes>(#[case] method: M) {
+    let pendulum = Pendulum::PAPER;
+    let starts = [
+        Phase::at_rest(1.0),
+        Phase { theta: 0.0, omega: 1e-150 },
+        Phase { theta: 1e9, omega: 1.0 },
+    ];
+    let grid = Grid::new(0.01, 100).unwrap();
+    let mut ends = [Phase::default(); 3];
+    Ensemble::of(&pendulum, &starts, grid).ends(&method, &mut ends);
+    for (start, end) in starts.into_iter().zip(ends) {
+        let alone = integrate(&pendulum, &method, start, &grid, &mut ());
+        // 100 steps, each rounding an ulp of the largest number there is.
+        assert!((end.theta - alone.theta).abs() <= 100.0 * f64::EPSILON * alone.theta.abs());
+        let scale = if start.omega == 1e-150 { 1e-150 } else { 10.0 };
+        assert!((end.omega - alone.omega).abs() <= 100.0 * f64::EPSILON * scale);
+    }
+}
+
+/// Sees until it has seen so many.
+struct Some3(Vec<Phase>);
+
+impl Observer<Phase> for Some3 {
+    fn observe(&mut self, _n: u64, _t: f64, z: Phase) {
+        self.0.push(z);
+    }
+
+    fn is_satisfied(&self) -> bool {
+        self.0.len() == 3
+    }
+}
+
+/// In lanes, and where a neighbour needs care.
+///
+/// Catches: an observer that is shown more than it wants, or nothing; one that ends the run of the others.
+#[apply(each_method)]
+fn a_satisfied_observer_is_left_alone<M: InLanes>(
+    #[case] method: M,
+    #[values(1.0, 1e9)] neighbour: f64,
+) {
+    let starts = [Phase::at_rest(0.5), Phase { theta: neighbour, omega: 1.0 }];
+    let grid = Grid::new(0.01, 10).unwrap();
+    let mut watches = [Some3(vec![]), Some3(vec![])];
+    let every = NonZeroU64::new(2).unwrap();
+    Ensemble::of(&Pendulum::PAPER, &starts, grid).watch(every, &method, &mut watches);
+    for (start, Some3(seen)) in starts.iter().zip(watches) {
+        let mut alone = vec![];
+        let mut watch = pendula::integrate::Every::new(every, |_, _, z| alone.push(z));
+        swing(&Pendulum::PAPER, &method, *start, &grid, &mut watch);
+        // Beside a start that needs care time is in seconds for that one only.
+        assert_eq!(bits(&seen), bits(&alone[..3]));
+    }
+}
+
+/// Catches: out-of-bounds lanes, a slot written for no start.
+#[test]
+#[should_panic(expected = "one slot for each start")]
+fn an_ensemble_wants_a_slot_for_each_start() {
+    let starts = [Phase::at_rest(1.0); 2];
+    let grid = Grid::new(0.01, 1).unwrap();
+    let method = pendula::methods::Rk4;
+    Ensemble::of(&Pendulum::PAPER, &starts, grid).ends(&method, &mut [Phase::default(); 3]);
+}

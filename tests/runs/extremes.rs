@@ -1,0 +1,467 @@
+//! Inputs at the edges of f64 and beyond: an error or a right answer, never a hang, and no NaN out of finite numbers.
+
+use std::f64::consts::PI;
+
+use pendula::exact::{Swing, period};
+use pendula::metrics::EnergyDrift;
+use pendula::{
+    AnyMethod, Error, Grid, Hamiltonian, Kind, LinearOscillator, METHODS, Motion, Pendulum, Phase,
+};
+use proptest::prelude::*;
+use proptest::test_runner::{FileFailurePersistence, RngSeed};
+use rstest_reuse::apply;
+
+use crate::common::each_method;
+
+/// What a constructor must meet: zeros of both signs, the smallest subnormal, the largest, the smallest normal number, ordinary
+/// ones, the largest, infinities and NaN.
+const EDGES: [f64; 15] = [
+    0.0,
+    -0.0,
+    5e-324,
+    -5e-324,
+    2.225_073_858_507_201e-308,
+    f64::MIN_POSITIVE,
+    1e-160,
+    1.0,
+    -1.0,
+    1e160,
+    f64::MAX,
+    f64::MIN,
+    f64::INFINITY,
+    f64::NEG_INFINITY,
+    f64::NAN,
+];
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Constructors
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// All 15³ combinations: what is built is finite and positive in all that is derived of it; what is refused is refused for a
+/// parameter, with a message of one line.
+///
+/// Catches: a derived constant that is zero, infinite or NaN; a panic; a refusal that says nothing.
+#[test]
+fn a_pendulum_is_sound_or_refused() {
+    let mut built = 0;
+    for gravity in EDGES {
+        for length in EDGES {
+            for mass in EDGES {
+                match Pendulum::new(gravity, length, mass) {
+                    Ok(pendulum) => {
+                        built += 1;
+                        for derived in [
+                            pendulum.stiffness(),
+                            pendulum.depth(),
+                            pendulum.small_angle_frequency(),
+                            pendulum.small_angle_period(),
+                            period(&pendulum, 1.0).unwrap(),
+                        ] {
+                            assert!(derived.is_normal() && derived > 0.0, "{pendulum:?}");
+                        }
+                    }
+                    Err(error) => {
+                        assert!(matches!(error, Error::Parameter { .. }), "{error:?}");
+                        let text = error.to_string();
+                        assert!(text.contains("refused") && !text.contains('\n'), "{text}");
+                    }
+                }
+            }
+        }
+    }
+    assert!(built > 20, "only {built} are built");
+}
+
+/// Where m alone is subnormal, or m g or m L on the way to a normal m g L or m L², digits are lost that the result has room
+/// for: the kinetic energy of the first pendulum is zero, the depth of the second right to four digits.
+///
+/// Catches: ½ m L² ω² and m g L multiplied in an order that leaves the range of normal numbers.
+#[test]
+fn no_digit_is_lost_on_the_way_to_an_energy() {
+    let z = Phase { theta: 0.0, omega: 1.0 };
+    if let Ok(pendulum) = Pendulum::new(1e300, 1e10, 5e-324) {
+        // Half of 5e-324 × 1e20, with the digits that 5e-324 has: 4.94e-324.
+        assert!((pendulum.energy(z) / 2.470_328_229_206_233e-304 - 1.0).abs() < 1e-15);
+    }
+    if let Ok(pendulum) = Pendulum::new(1e-20, 1e40, 1e-300) {
+        assert!((pendulum.depth() / 1e-280 - 1.0).abs() < 1e-15, "{:e}", pendulum.depth());
+    }
+    // The other way round it is refused, although every product that is promised to be checked is in range.
+    let refused = Pendulum::new(1e20, 1e-30, 1e300);
+    assert!(refused.is_ok(), "m g L = 1e290, m L² = 1e240, g/L = 1e50: {refused:?}");
+}
+
+/// Catches: a start let in that is not finite, or whose energy is not; a good one refused.
+#[test]
+fn a_start_is_sound_or_refused() {
+    for pendulum in [Pendulum::PAPER, Pendulum::new(1e-150, 1e-10, 1e-100).unwrap()] {
+        for theta in EDGES {
+            for omega in EDGES {
+                match pendulum.start(theta, omega) {
+                    Ok(z) => {
+                        assert!(theta.abs() <= 1e15 && omega.is_finite(), "{z:?}");
+                        assert_eq!(
+                            (z.theta.to_bits(), z.omega.to_bits()),
+                            (theta.to_bits(), omega.to_bits())
+                        );
+                        assert!(pendulum.energy(z).is_finite() && pendulum.energy(z) >= 0.0);
+                        assert!(pendulum.hamiltonian(z).is_finite());
+                    }
+                    Err(error) => assert!(matches!(error, Error::Parameter { .. }), "{error:?}"),
+                }
+            }
+        }
+        assert!(pendulum.start(1e15, 5e-324).is_ok() && pendulum.start(-0.0, -0.0).is_ok());
+    }
+}
+
+/// Catches: a grid of NaN, negative, infinite or no times; a loop that is far longer than asked.
+#[test]
+fn a_grid_is_sound_or_refused() {
+    for step in EDGES {
+        for steps in [0, 1, 3, 1 << 53, (1 << 53) + 1, u64::MAX] {
+            if let Ok(grid) = Grid::new(step, steps) {
+                assert!(step > 0.0 && grid.steps() == steps && grid.step() == step);
+                assert!(grid.time(steps).is_finite());
+            }
+        }
+        for duration in EDGES {
+            if let Ok(grid) = Grid::over(duration, step) {
+                let end = grid.time(grid.steps());
+                // Three roundings, or one quantum of the subnormals.
+                assert!((end / duration - 1.0).abs() < 4.0 * f64::EPSILON, "{end:e} {duration:e}");
+            }
+        }
+    }
+    assert_eq!(Grid::over(5e-324, 5e-324).map(|grid| grid.steps()), Ok(1));
+    assert_eq!(Grid::over(f64::MAX, f64::MAX).map(|grid| grid.steps()), Ok(1));
+}
+
+/// The closed form from every edge at every edge: refused, or finite within its horizon, and NaN only beyond it.
+///
+/// Catches: a kind that no one is sure of, a NaN inside the horizon, an infinity outside.
+#[test]
+fn a_motion_is_sound_or_refused() {
+    let soft = Pendulum::new(1e-150, 1e10, 1.0).unwrap();
+    let stiff = Pendulum::new(1e150, 1e-10, 1.0).unwrap();
+    for pendulum in [Pendulum::PAPER, soft, stiff] {
+        for theta in EDGES.into_iter().chain([PI, 1e-8, 1e15, 1e300]) {
+            for omega in EDGES.into_iter().chain([1e-8, 1e150]) {
+                let Ok(motion) = Motion::new(&pendulum, Phase { theta, omega }) else { continue };
+                assert!(theta.is_finite() && omega.is_finite());
+                for t in EDGES {
+                    let z = motion.at(t);
+                    let inside = t.abs() <= motion.horizon();
+                    let finite = z.theta.is_finite() && z.omega.is_finite();
+                    assert_eq!(finite, inside, "{z:?} at {t:e} from ({theta:e}, {omega:e})");
+                    assert!(inside || (z.theta.is_nan() && z.omega.is_nan()));
+                }
+                assert_eq!(motion.kind() == Kind::Rest, theta == 0.0 && omega == 0.0);
+            }
+        }
+    }
+}
+
+/// Catches: a period that is NaN, or refused where it is known.
+#[test]
+fn a_period_is_sound_or_refused() {
+    for theta in EDGES.into_iter().chain([PI, 1e15, 1e300]) {
+        let swing = Swing::released_at(&Pendulum::PAPER, theta);
+        assert_eq!(swing.is_ok(), theta.is_finite(), "{theta:e}");
+        if let Ok(swing) = swing {
+            // No f64 is closer to an odd multiple of π/2 than 1e-19 or so: K is below 50.
+            assert!(swing.ratio() >= 1.0 && swing.ratio() < 50.0, "{theta:e}: {swing:?}");
+        }
+    }
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Runs
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// From a subnormal angle the pendulum is linear and the energy underflows to zero; nothing else happens.
+///
+/// Catches: a division by the angle or by the energy, a NaN from 0/0.
+#[apply(each_method)]
+fn subnormal_starts_swing<M: AnyMethod>(#[case] method: M) {
+    for theta in [5e-324, -5e-324, 1e-310, f64::MIN_POSITIVE] {
+        let mut drift = EnergyDrift::of(&Pendulum::PAPER);
+        let grid = Grid::new(0.01, 1000).unwrap();
+        let end = method.run(&Pendulum::PAPER, Phase::at_rest(theta), &grid, &mut drift);
+        // A kick smaller than half a quantum of 5e-324 is none; else forward Euler grows by e^(x²n/2) = 1.7 at most.
+        assert!(end.theta.abs() < 10.0 * theta.abs() && end.omega.is_finite(), "{end:?}");
+        assert_eq!(drift.largest(), 0.0);
+    }
+}
+
+/// The zeros of both signs are the same rest, and stay zeros.
+///
+/// Catches: a sign taken by division, a −0 that becomes a turn.
+#[apply(each_method)]
+fn negative_zero_is_rest<M: AnyMethod>(#[case] method: M) {
+    for (theta, omega) in [(0.0, -0.0), (-0.0, 0.0), (-0.0, -0.0)] {
+        let grid = Grid::new(0.1, 100).unwrap();
+        let end = method.run(&Pendulum::PAPER, Phase { theta, omega }, &grid, &mut ());
+        assert_eq!(end, Phase::default());
+    }
+}
+
+/// A NaN or an infinity that slips past the constructors, as the fields of a state are public, is never healed: the energy error
+/// says NaN, and the run ends.
+///
+/// Catches: a `max` that drops NaN, a loop that waits for a comparison to come true.
+#[apply(each_method)]
+fn nan_and_infinity_are_not_healed<M: AnyMethod>(#[case] method: M) {
+    let pendulum = Pendulum::PAPER;
+    for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        for start in [Phase { theta: bad, omega: 0.0 }, Phase { theta: 1.0, omega: bad }] {
+            let mut drift = EnergyDrift::of(&pendulum);
+            let grid = Grid::new(0.01, 100).unwrap();
+            let end = method.run(&pendulum, start, &grid, &mut drift);
+            assert!(!(end.theta.is_finite() && end.omega.is_finite()), "{start:?} → {end:?}");
+            assert!(drift.largest().is_nan(), "{start:?}: {}", drift.largest());
+            assert!(Motion::new(&pendulum, start).is_err());
+        }
+    }
+}
+
+/// How many steps the kicks of one step add up to, or its drifts, or a row of its tableau, counted forward and backward: one, but
+/// for compositions and DOP853, whose ninth row has 96. What a step changes is bounded by it, however long it is; that of a
+/// Taylor series is not, and grows with the 24th power of the step.
+fn reach(method: &dyn AnyMethod) -> f64 {
+    let entry = method.properties();
+    match (entry.order, entry.name) {
+        (_, "taylor-24") => f64::INFINITY,
+        (0..=2, _) | (_, "rk4") => 1.0,
+        _ => 100.0,
+    }
+}
+
+/// What the library promises of a step too long: that of a method that solves equations has no numbers, that of a Taylor series
+/// any numbers or none, and every other is bounded.
+///
+/// Of a state that has been reached in `duration` (s) from `start`, with steps of any length.
+fn is_as_promised(
+    method: &dyn AnyMethod,
+    pendulum: &Pendulum,
+    start: Phase,
+    end: Phase,
+    duration: f64,
+) -> bool {
+    let is_nan = end.theta.is_nan() && end.omega.is_nan();
+    if (method.properties().implicit && is_nan) || reach(method).is_infinite() {
+        return true;
+    }
+    // n roundings of each.
+    let (slack, covered) = (1.0 + 1e-12, reach(method) * duration);
+    // Kicks of at most h g/L, and the drifts with them; from 1e15 rad in steps of its own rounding.
+    let omega = (start.omega.abs() + covered * pendulum.stiffness()) * slack;
+    let rounding = 1e-9 + 10.0 * f64::EPSILON * start.theta.abs();
+    end.omega.abs() <= omega
+        && (end.theta - start.theta).abs() <= covered * omega * slack + rounding
+}
+
+/// The largest angle and steps of a subnormal, a huge and an absurd size.
+///
+/// Catches: a sine that fails at large arguments; h/2 or h/6 that underflows into something else than no step; an iteration that
+/// does not end, or that passes off what it ends with as a solution.
+#[apply(each_method)]
+fn absurd_steps_end<M: AnyMethod>(#[case] method: M) {
+    let pendulum = Pendulum::PAPER;
+    for (theta, h) in [(1e15, 0.01), (1.0, 5e-324), (1.0, 1e-300), (1.0, 1e10), (1.0, 1e70)] {
+        let start = pendulum.start(theta, 1.0).unwrap();
+        let end = method.run(&pendulum, start, &Grid::new(h, 10).unwrap(), &mut ());
+        assert!(is_as_promised(&method, &pendulum, start, end, 10.0 * h), "{end:?}");
+        if h < 1e-200 {
+            assert_eq!(end.theta, theta);
+        }
+        if h > 1.0 && method.properties().implicit {
+            assert!(end.theta.is_nan() && end.omega.is_nan(), "{end:?}");
+        }
+    }
+}
+
+/// The linear oscillator knows its exact motion from every finite state.
+///
+/// Catches: a product that overflows on the way, an angle lost at t = 0.
+#[test]
+fn the_linear_oscillator_is_exact_at_the_edges() {
+    let linear = LinearOscillator::of(Pendulum::PAPER);
+    for x in [5e-324, f64::MIN_POSITIVE, 1e-8, 1.0, 1e300] {
+        let start = Phase { theta: x, omega: -x };
+        assert_eq!(linear.exact(start, 0.0), start);
+        let z = linear.exact(start, 1e6);
+        assert!(z.theta.is_finite() && z.omega.is_finite());
+    }
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Anything in between
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// A scene by its own measures: angle, q = ω/ω₀, and x = ω₀h; the pendulum's parameters over many orders of magnitude.
+#[derive(Clone, Copy, Debug)]
+struct Scene {
+    pendulum: Pendulum,
+    start: Phase,
+    grid: Grid,
+    x: f64,
+}
+
+/// Angles of up to `theta` (rad), |q| of up to `q`, steps of 1e-4 < x < `x`, up to `steps` of them.
+fn scenes(theta: f64, q: f64, x: f64, steps: u64) -> impl Strategy<Value = Scene> {
+    let decades = || (-30.0..30.0_f64).prop_map(power_of_ten);
+    let parameters = (decades(), decades(), decades());
+    let motion = (-theta..theta, -q..q, -4.0..x.log10(), 1..steps);
+    (parameters, motion).prop_map(|((gravity, length, mass), (theta, q, log_x, steps))| {
+        let pendulum = Pendulum::new(gravity, length, mass).unwrap();
+        let frequency = pendulum.small_angle_frequency();
+        let x = power_of_ten(log_x);
+        let start = pendulum.start(theta, q * frequency).unwrap();
+        Scene { pendulum, start, grid: Grid::new(x / frequency, steps).unwrap(), x }
+    })
+}
+
+/// 10ˣ; the scenes need not be the same bits on two machines, as each property holds for all of them.
+fn power_of_ten(x: f64) -> f64 {
+    10.0_f64.powf(x)
+}
+
+/// The same scenes on each run; a failure is kept beside this file, and tried first from then on.
+fn config() -> ProptestConfig {
+    ProptestConfig {
+        cases: 256,
+        rng_seed: RngSeed::Fixed(0x0050_E4D0_1A00),
+        failure_persistence: Some(Box::new(FileFailurePersistence::WithSource("regressions"))),
+        ..ProptestConfig::default()
+    }
+}
+
+/// Runs the scene and returns (end, largest energy error in units of m g L).
+fn run(method: &dyn AnyMethod, scene: &Scene) -> (Phase, f64) {
+    let mut drift = EnergyDrift::of(&scene.pendulum);
+    let end = method.run(&scene.pendulum, scene.start, &scene.grid, &mut drift);
+    (end, drift.largest() / scene.pendulum.depth())
+}
+
+/// To be compared: zeros are alike, and so is what is no number.
+fn bits<const N: usize>(numbers: [f64; N]) -> [u64; N] {
+    numbers.map(|x| if x.is_nan() { f64::NAN.to_bits() } else { (x + 0.0).to_bits() })
+}
+
+proptest! {
+    #![proptest_config(config())]
+
+    /// Whatever the step: n steps change ω by n h g/L at most, and θ by what that velocity covers. So finite in is finite
+    /// out, even far beyond every stability limit, but for what is promised of Taylor series and of implicit methods.
+    ///
+    /// Catches: a NaN or an overflow anywhere in a step; weights of a Runge–Kutta method that do not add up to one.
+    #[test]
+    fn finite_in_finite_out(scene in scenes(1e6, 1e6, 1e3, 300)) {
+        let Scene { pendulum, start, grid, .. } = scene;
+        let duration = grid.time(grid.steps());
+        for method in METHODS {
+            let (end, drift) = run(*method, &scene);
+            let kept = is_as_promised(*method, &pendulum, start, end, duration);
+            prop_assert!(kept, "{:?}: {:?}", method, end);
+            prop_assert!(drift.is_finite() || !end.theta.is_finite() || reach(*method).is_infinite());
+        }
+    }
+
+    /// Within their reach Taylor series and implicit methods are finite too: in steps in which the pendulum swings by a
+    /// radian at the most, and turns by as much.
+    ///
+    /// Catches: an iteration that gives up, or a series that overflows, where the method is of use.
+    #[test]
+    fn within_reach_is_finite_out(scene in scenes(1e6, 1.0, 0.5, 300), turn in 0.0..0.5_f64) {
+        let omega = turn / scene.grid.step();
+        let fast = Scene { start: Phase { omega, ..scene.start }, ..scene };
+        for method in METHODS {
+            for scene in [&scene, &fast] {
+                let (end, drift) = run(*method, scene);
+                prop_assert!(end.theta.is_finite() && end.omega.is_finite(), "{:?}: {:?}", method, end);
+                prop_assert!(drift.is_finite());
+            }
+        }
+    }
+
+    /// The mirror image of a run is the run of the mirror image, to the bit: every operation is odd, and rounding is symmetric.
+    ///
+    /// Catches: a reduction of the angle that is not odd, rounding to one side, a constant added to the force.
+    #[test]
+    fn the_mirror_image_runs_alike(scene in scenes(1e4, 1e4, 10.0, 300)) {
+        let mirrored = Scene {
+            start: Phase { theta: -scene.start.theta, omega: -scene.start.omega },
+            ..scene
+        };
+        for method in METHODS {
+            let (end, drift) = run(*method, &scene);
+            let (image, image_drift) = run(*method, &mirrored);
+            prop_assert_eq!(bits([end.theta, end.omega, drift]), bits([-image.theta, -image.omega, image_drift]));
+        }
+    }
+
+    /// Well inside the stability limit the symplectic methods' energy errors are bounded for as long as the run: by twice the
+    /// largest of their leading terms, x|q s|/2, or x²(q²/12 + s²/24), both at the start and at the extreme. The next terms are
+    /// of relative order x (|q| + 1) ≤ 0.2 · 3.
+    ///
+    /// Catches: a drift in the energy of a symplectic method at any amplitude, in units of any pendulum.
+    #[test]
+    fn symplectic_energy_is_bounded(scene in scenes(PI, 2.0, 0.2, 3000)) {
+        // The largest q on the orbit: q² = q₀² + 2(1 − c₀) at the bottom.
+        let energy = scene.pendulum.energy(scene.start) / scene.pendulum.depth();
+        let q = (2.0 * energy).sqrt();
+        let rounding = 1e-13 * (1.0 + energy);
+        let x = scene.x;
+        for method in METHODS.iter().filter(|method| method.properties().symplectic) {
+            let leading = match method.properties().order {
+                1 => 2.0 * x * q / 2.0,
+                _ => 2.0 * x * x * (q * q / 12.0 + 1.0 / 24.0),
+            };
+            let (_, drift) = run(*method, &scene);
+            prop_assert!(drift <= 2.0 * leading + rounding, "{:?}: {:e} > {:e}", method, drift, leading);
+        }
+    }
+
+    /// A pendulum's units do not matter: with time in other units, powers of four so that every product and root is exact, the
+    /// run is the same to the bit.
+    ///
+    /// Catches: a constant with a dimension: an absolute tolerance, a threshold, g for g/L.
+    #[test]
+    fn units_do_not_matter(scene in scenes(10.0, 10.0, 1.0, 300), power in -20..20_i32) {
+        let scale = 4.0_f64.powi(power);
+        let Scene { pendulum, start, grid, .. } = scene;
+        // g/L times scale², so that ω₀ is times scale and h over it.
+        let faster =
+            Pendulum::new(pendulum.gravity() * scale * scale, pendulum.length(), pendulum.mass()).unwrap();
+        let quick = Phase { theta: start.theta, omega: start.omega * scale };
+        let grid_of_it = Grid::new(grid.step() / scale, grid.steps()).unwrap();
+        for method in METHODS {
+            let z = method.run(&pendulum, start, &grid, &mut ());
+            let image = method.run(&faster, quick, &grid_of_it, &mut ());
+            prop_assert_eq!(bits([z.theta, z.omega * scale]), bits([image.theta, image.omega]));
+        }
+    }
+
+    /// The closed form is finite, keeps its energy, and returns to its start at t = 0, for any pendulum.
+    ///
+    /// Catches: a motion solved with the wrong unit of time, or that loses its digits in some decade.
+    #[test]
+    fn the_exact_motion_keeps_its_energy(scene in scenes(100.0, 100.0, 1.0, 3000)) {
+        let Scene { pendulum, start, grid, .. } = scene;
+        let motion = Motion::new(&pendulum, start).unwrap();
+        let energy = |z| pendulum.energy(z) / pendulum.depth();
+        let speed = (2.0 * energy(start)).sqrt();
+        // 2e-15 of the amplitude, or of a hundred radians, and of the largest velocity, as `Motion` promises: in energy times q.
+        let allowed = 4e-15 * (speed * speed + speed * start.theta.abs().max(1.0)) + 1e-15;
+        for n in [0, grid.steps() / 2, grid.steps()] {
+            let z = motion.at(grid.time(n));
+            let off = (energy(z) - energy(start)).abs();
+            // A time far out moves the angle by its own rounding.
+            let angle = 4.0 * f64::EPSILON * z.theta.abs();
+            prop_assert!(off <= allowed + angle, "{:e} > {:e}", off, allowed + angle);
+        }
+        let back = motion.at(0.0);
+        prop_assert!((back.theta - start.theta).abs() <= 4e-15 * start.theta.abs().max(1.0));
+    }
+}

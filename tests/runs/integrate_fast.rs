@@ -1,0 +1,164 @@
+//! Time in steps against time in seconds: the same method, the same steps, another rounding.
+
+use std::f64::consts::FRAC_PI_2;
+
+use pendula::fast::{Deferred, Stepped};
+use pendula::methods::{Rk4, StormerVerlet, SymplecticEuler, Yoshida8};
+use pendula::{Grid, Method, Observer, Pendulum, Phase, integrate, swing};
+use proptest::prelude::*;
+use rstest::rstest;
+use rstest_reuse::apply;
+
+use crate::common::each_method;
+
+fn pendulum() -> Pendulum {
+    Pendulum::new(5.0, 2.0, 3.0).unwrap()
+}
+
+/// The states of one run.
+fn states(
+    run: impl FnOnce(&mut dyn FnMut(u64, f64, Phase)) -> Phase,
+) -> (Vec<(u64, f64, Phase)>, Phase) {
+    let mut seen = vec![];
+    let end = run(&mut |n, t, z| seen.push((n, t, z)));
+    (seen, end)
+}
+
+/// One step differs by the rounding of a dozen operations on numbers of the size of θ, ω and h g/L; and a regular orbit carries an
+/// error of one step on by a factor of at most the number of steps, so that n steps differ by n² of that at the most.
+///
+/// Catches: a factor h lost in the change of units, half turns counted wrongly, a sign of the sine, a deferred product added twice or
+/// never, samples at other times, a start seen rounded.
+#[apply(each_method)]
+fn in_steps_is_in_seconds<M>(
+    #[case] method: M,
+    #[values(0.01, 0.1, 0.37)] h: f64,
+    #[values((1.0, 0.0), (3.0, 0.1), (-0.3, 9.0), (100.0, -7.0), (0.0, 0.0))] start: (f64, f64),
+) where
+    M: Method<Pendulum> + Method<Stepped>,
+{
+    let (pendulum, start) = (pendulum(), Phase { theta: start.0, omega: start.1 });
+    let grid = Grid::new(h, 50).unwrap();
+    let (quick, end) = states(|mut watch| swing(&pendulum, &method, start, &grid, &mut watch));
+    let (plain, _) = states(|mut watch| integrate(&pendulum, &method, start, &grid, &mut watch));
+    assert_eq!(quick.len(), plain.len());
+    assert_eq!(quick[0], (0, 0.0, start));
+    assert_eq!(quick[50].2, end);
+    for ((n, t, z), (m, s, w)) in quick.into_iter().zip(plain) {
+        assert_eq!((n, t), (m, s));
+        let rounding = 12.0 * f64::EPSILON * ((n * n) as f64 + 1.0);
+        let theta = rounding * (w.theta.abs() + h * w.omega.abs() + 1.0);
+        assert!((z.theta - w.theta).abs() <= theta, "θ after {n} steps: {z:?} {w:?}");
+        let omega = rounding * (w.omega.abs() + 2.5 * h + theta / h);
+        assert!((z.omega - w.omega).abs() <= omega, "ω after {n} steps: {z:?} {w:?}");
+    }
+}
+
+/// Catches: an angle that does not survive its half turns, up to a million rad.
+#[test]
+fn no_step_leaves_the_start_as_it_is() {
+    let none = Grid::new(0.1, 0).unwrap();
+    for theta in [0.0, FRAC_PI_2, -3.15, 100.25, -654_321.9] {
+        let start = Phase { theta, omega: 0.3 };
+        let end = swing(&pendulum(), &Rk4, start, &none, &mut ());
+        // The half turns are added up with two more roundings.
+        assert!((end.theta - theta).abs() <= f64::EPSILON * theta.abs());
+        assert!((end.omega - 0.3).abs() <= f64::EPSILON * 0.3);
+    }
+}
+
+/// Catches: a change of units that overflows or underflows where seconds would do, and half turns beyond counting.
+#[rstest]
+#[case::tiny_step(1e-150, 1.0, 1.0)]
+#[case::tiny_velocity(0.01, 0.0, 1e-200)]
+#[case::fast(1e-3, 1.0, 1e17)]
+#[case::far(0.01, 1e14, 1.0)]
+fn where_units_cannot_be_changed_time_is_in_seconds(
+    #[case] h: f64,
+    #[case] theta: f64,
+    #[case] omega: f64,
+) {
+    let (grid, start) = (Grid::new(h, 100).unwrap(), Phase { theta, omega });
+    assert!(Stepped::<true>::of::<Rk4>(&pendulum(), &grid, start).is_none());
+    let quick = swing(&pendulum(), &Rk4, start, &grid, &mut ());
+    assert_eq!(quick, integrate(&pendulum(), &Rk4, start, &grid, &mut ()));
+}
+
+/// Ten million steps of K = 0.1 can turn a pendulum 10¹³ rad, which is counted; kicks that add up to 17 steps 290 times as far,
+/// which is not.
+///
+/// Catches: kicks to and fro that are forgotten in the bound; a bound so wide that a long run of Verlet is not quick.
+#[test]
+fn how_far_a_run_may_lead_depends_on_the_method() {
+    let grid = Grid::new(0.2, 10_000_000).unwrap();
+    let start = Phase::at_rest(1.0);
+    assert!(Stepped::<true>::of::<StormerVerlet>(&pendulum(), &grid, start).is_some());
+    assert!(Stepped::<true>::of::<Yoshida8>(&pendulum(), &grid, start).is_none());
+}
+
+/// Catches: a run that goes on when nobody looks any more.
+#[test]
+fn a_satisfied_observer_ends_the_swing() {
+    struct Three(u64);
+    impl Observer<Phase> for Three {
+        fn observe(&mut self, n: u64, _t: f64, _z: Phase) {
+            self.0 = n;
+        }
+        fn is_satisfied(&self) -> bool {
+            self.0 == 3
+        }
+    }
+    let (grid, start) = (Grid::new(0.1, 100).unwrap(), Phase::at_rest(1.0));
+    let end = swing(&pendulum(), &Rk4, start, &grid, &mut Three(0));
+    let three = Grid::new(0.1, 3).unwrap();
+    assert_eq!(end, swing(&pendulum(), &Rk4, start, &three, &mut ()));
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { rng_seed: proptest::test_runner::RngSeed::Fixed(20_061), ..ProptestConfig::with_cases(256) })]
+
+    /// Catches: a scene that only the other tests' scenes are not.
+    #[test]
+    fn one_step_in_steps_is_one_in_seconds(
+        theta in -50.0..50.0_f64,
+        omega in -30.0..30.0_f64,
+        h in 1e-4..0.5_f64,
+        stiffness in 0.1..50.0_f64,
+    ) {
+        let pendulum = Pendulum::new(stiffness, 1.0, 1.0).unwrap();
+        let (grid, start) = (Grid::new(h, 1).unwrap(), Phase { theta, omega });
+        let quick = swing(&pendulum, &Rk4, start, &grid, &mut ());
+        let plain = integrate(&pendulum, &Rk4, start, &grid, &mut ());
+        let size = theta.abs() + h * omega.abs() + h * h * stiffness + 1.0;
+        prop_assert!((quick.theta - plain.theta).abs() <= 24.0 * f64::EPSILON * size);
+        prop_assert!((quick.omega - plain.omega).abs() <= 24.0 * f64::EPSILON * size / h);
+    }
+}
+
+/// Catches: a zero to be added that is +0, which makes +0 of −0.
+#[test]
+fn a_number_that_is_known_keeps_its_sign() {
+    for x in [-0.0, 0.0, 1.5, f64::NEG_INFINITY] {
+        assert_eq!(Deferred::from(x).value().to_bits(), x.to_bits());
+    }
+}
+
+/// Symplectic Euler, whose step kicks once: after N steps from θ = 0 at ω it has gone no farther than N (ωh + N K).
+///
+/// Catches: a bound that forgets a factor, or that lets in what it names as the first too far.
+#[test]
+fn time_is_counted_in_steps_up_to_the_bounds_only() {
+    let fits = |stiffness: f64, step: f64, steps, theta, omega| {
+        let pendulum = Pendulum::new(stiffness, 1.0, 1.0).unwrap();
+        let grid = Grid::new(step, steps).unwrap();
+        let start = Phase { theta, omega };
+        Stepped::<true>::of::<SymplecticEuler>(&pendulum, &grid, start).is_some()
+    };
+    // K = 1e6 and N = 1e4: N² K = 1e14, and ten times as many steps go a hundred times as far.
+    assert!(fits(1e6, 1.0, 10_000, 0.0, 0.0) && !fits(1e6, 1.0, 100_000, 0.0, 0.0));
+    // ωh = 1e14 with h = 100, next to which K is nothing: N ωh.
+    assert!(fits(1e-90, 100.0, 9, 0.0, 1e12) && !fits(1e-90, 100.0, 100, 0.0, 1e12));
+    // 10¹⁵ itself is too far, and 10⁶ rad at the start.
+    assert!(fits(1e-90, 1.0, 1, 0.0, 1e15_f64.next_down()) && !fits(1e-90, 1.0, 1, 0.0, 1e15));
+    assert!(fits(1.0, 1.0, 1, -1e6_f64.next_down(), 0.0) && !fits(1.0, 1.0, 1, -1e6, 0.0));
+}

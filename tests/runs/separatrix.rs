@@ -1,0 +1,377 @@
+//! At the edge of swinging and turning: releases beside the top, and fast rotation.
+
+use std::f64::consts::PI;
+
+use approx::assert_relative_eq;
+use pendula::methods::{ForwardEuler, Rk4, StormerVerlet, SymplecticEuler};
+use pendula::{
+    AnyMethod, Grid, Kind, METHODS, Method, Motion, Observer, Pendulum, Phase, integrate,
+};
+use rstest::rstest;
+use rstest_reuse::apply;
+
+use crate::common::{each_general_method, each_method};
+
+/// The paper's, and one with L ≠ 1, m ≠ 1 and another ω₀.
+fn pendulums() -> [Pendulum; 2] {
+    [Pendulum::PAPER, Pendulum::new(9.81, 2.5, 0.7).unwrap()]
+}
+
+/// Waits for the first sample past the top on either side, |θ| > π.
+struct OverTheTop(Option<f64>);
+
+impl Observer<Phase> for OverTheTop {
+    fn observe(&mut self, n: u64, t: f64, z: Phase) {
+        if n > 0 && z.theta.abs() > PI {
+            self.0.get_or_insert(t);
+        }
+    }
+
+    fn is_satisfied(&self) -> bool {
+        self.0.is_some()
+    }
+}
+
+/// When the paper's pendulum goes over the top after a release from `theta` (rad), within `duration` (s).
+fn over_the_top(method: &dyn AnyMethod, theta: f64, step: f64, duration: f64) -> Option<f64> {
+    let mut watch = OverTheTop(None);
+    let grid = Grid::over(duration, step).unwrap();
+    method.run(&Pendulum::PAPER, Phase::at_rest(theta), &grid, &mut watch);
+    watch.0
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// The fall from the top
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// How late (s) the method is where the exact fall from π − `beside` passes the bottom.
+fn delay(method: &dyn AnyMethod, pendulum: &Pendulum, beside: f64, step: f64) -> f64 {
+    let start = Phase::at_rest(PI - beside);
+    let motion = Motion::new(pendulum, start).unwrap();
+    let steps = (0.25 * motion.period().unwrap() / step).round() as u64;
+    let end = method.run(pendulum, start, &Grid::new(step, steps).unwrap(), &mut ());
+    let truth = motion.at(steps as f64 * step);
+    (truth.theta - end.theta) / truth.omega
+}
+
+/// The closed form itself: a release at δ beside the top falls in √(L/g) ln(8/δ), to δ² relatively, as K = ln(4/k') and
+/// k' = δ/2. π as an f64 lies 1.2246e-16 below π.
+///
+/// Catches: a modulus that is rounded to 1, k' from 1 − k², an exact solution that hangs at the top.
+#[rstest]
+#[case(PI - 1e-3, 9.999_999_999_998_899e-4, 1e-6)]
+// The f64s near π are 4.4e-16 apart: this start is 9.999 999 939 225 29e-9 + 1.2e-16 from the top.
+#[case(PI - 1e-8, 9.999_999_939_225_29e-9 + 1.224_646_799_147_353e-16, 1e-14)]
+#[case(PI, 1.224_646_799_147_353e-16, 1e-14)]
+fn the_exact_fall_takes_a_logarithm(
+    #[case] theta: f64,
+    #[case] beside: f64,
+    #[case] tolerance: f64,
+) {
+    for pendulum in pendulums() {
+        let motion = Motion::new(&pendulum, Phase::at_rest(theta)).unwrap();
+        assert_eq!(motion.kind(), Kind::Libration);
+        let fall = 0.25 * motion.period().unwrap();
+        let law = (8.0 / beside).ln() / pendulum.small_angle_frequency();
+        assert_relative_eq!(fall, law, max_relative = tolerance);
+        assert!(motion.at(fall).theta.abs() < 1e-11, "at {fall} s it is not at the bottom");
+    }
+}
+
+/// Rounding of the angle, half an ulp of π or 2.2e-16, moves the start relatively by that over 1e-8, and the fall by
+/// √(L/g) times as much; a few dozen such steps before it has left the place count: 1e-7 s.
+const ROUNDED_START: f64 = 2e-7;
+
+/// Each method's fall comes late, or early, by its order.
+///
+/// Catches: a start nudged off the top; a method whose order is lost where the force is almost zero.
+#[apply(each_method)]
+fn the_fall_is_late_by_the_methods_order<M: AnyMethod>(#[case] method: M) {
+    /// The next term is of relative order h: it bends the slopes of the Euler methods by 0.02 at most, and RK4's by as much.
+    const TOLERANCE: f64 = 0.05;
+    for pendulum in pendulums() {
+        for (beside, floor) in [(1e-3, 1e-12), (1e-8, ROUNDED_START)] {
+            let (coarse, fine) = (
+                delay(&method, &pendulum, beside, 0.005).abs(),
+                delay(&method, &pendulum, beside, 0.0025).abs(),
+            );
+            if fine > 10.0 * floor {
+                let order = (coarse / fine).log2();
+                let declared = f64::from(method.properties().order);
+                assert!((order - declared).abs() < TOLERANCE, "{order} beside {beside:e}");
+            } else {
+                // Then at twice the step there is at most 2ᵖ times as much.
+                let order = method.properties().order as i32;
+                let bound = 10.0 * floor * 2.0_f64.powi(order);
+                assert!(order >= 3 && coarse < bound, "{coarse:e}");
+            }
+        }
+    }
+}
+
+/// Symplectic Euler is Störmer–Verlet half a step on: it is early by h/2, to order h².
+///
+/// Catches: drift before kick, which would be half a step late; forward Euler, which is late by 8 h.
+#[test]
+fn symplectic_euler_falls_half_a_step_early() {
+    for pendulum in pendulums() {
+        for h in [0.01, 0.005] {
+            let early = -delay(&SymplecticEuler, &pendulum, 1e-3, h);
+            // Verlet itself is late by h² ω₀ ln(8/δ)/24, at most 1.17 h² here; ω₀ is below 4.
+            assert!((early - 0.5 * h).abs() < 1.5 * h * h, "{early} for {}", 0.5 * h);
+        }
+    }
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Over the top, or not
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// From 10⁻³ the gap to the top, g L δ²/2 = 5e-6 J, is 10⁹ roundings of the energy. The symplectic methods never cross it,
+/// as their energies are those of the pendulum at rest; RK4 and Dormand–Prince lose energy, and what methods of higher order
+/// gain or lose at this step, x⁹ of it and less, is no part of the gap; forward Euler gains energy and goes over at once, and
+/// the others of order 2 do in the end.
+///
+/// Catches: energy that a symplectic method gains or loses, at the amplitude where it is easiest to see.
+#[test]
+fn from_a_thousandth_only_low_orders_go_over() {
+    for method in METHODS.iter().copied() {
+        let entry = method.properties();
+        for step in [0.01, 0.005] {
+            let over = over_the_top(method, PI - 1e-3, step, 200.0);
+            let stays = entry.symplectic || entry.order >= 4;
+            assert_eq!(over.is_none(), stays, "{method:?}: {over:?}");
+        }
+    }
+    // The exact fall takes 2.87 s, and the rise on the other side as long. It gains so much that it is over in 3.9 s.
+    let over = over_the_top(&ForwardEuler, PI - 1e-3, 0.01, 10.0).unwrap();
+    assert!(over > 2.87 && over < 2.0 * 2.87, "{over} s");
+}
+
+/// 32 releases between 1 and 2 · 10⁻⁸ rad beside the top. The gap there is 1e-16 of the energy, less than its rounding on the way
+/// down and up, 650 steps of 1e-16 at random, a few 1e-15: so rounding decides, about half of them go over, and when they do the
+/// clock tells how far rounding has lifted them: √(L/g) ln(8/δ) to fall, 6.55 to 6.32 s, and √(L/g) ln(4/k') to rise, where
+/// k'² is between 1e-18 (7.1 s) and 3e-14 (5.3 s). Which ones, is a matter of bits that no test here pins: one changed
+/// rounding changes them.
+///
+/// Catches: a bias of the rounding in one direction; a Verlet with any drift of energy above 1e-15, which would send all of them
+/// over, or none.
+#[rstest]
+#[case::symplectic_euler(&SymplecticEuler)]
+#[case::stormer_verlet(&StormerVerlet)]
+fn beside_the_top_rounding_decides(
+    #[case] method: &'static dyn AnyMethod,
+    #[values(0.01, 0.02)] h: f64,
+) {
+    let releases = (0..32).map(|j| PI - 1e-8 * (1.0 + f64::from(j) / 32.0));
+    let times: Vec<f64> =
+        releases.filter_map(|theta| over_the_top(method, theta, h, 20.0)).collect();
+    // A fair coin stays within 16 ± 12 of 32 but for one time in 10⁵.
+    assert!((4..=28).contains(&times.len()), "{} of 32 go over", times.len());
+    for t in times {
+        assert!(t > 6.32 + 5.3 && t < 6.55 + 7.1, "over the top at {t} s");
+    }
+}
+
+/// RK4 loses 1e-7 J on the way, 10⁷ times more than the gap and than rounding: it turns back. Forward Euler gains 0.04 J.
+///
+/// Catches: an RK4 that gains energy, or is so symmetric that rounding decides.
+#[test]
+fn beside_the_top_rk4_always_turns_back() {
+    for j in 0..32 {
+        let theta = PI - 1e-8 * (1.0 + f64::from(j) / 32.0);
+        assert_eq!(over_the_top(&Rk4, theta, 0.01, 60.0), None);
+        // 6.55 s down, and less than 1.5 s up, as k'² is now 0.002 or more.
+        let over = over_the_top(&ForwardEuler, theta, 0.01, 20.0).unwrap();
+        assert!(over > 6.55 && over < 8.1, "{over} s");
+    }
+}
+
+/// When θ first is another number than at the start (in steps), and when it first is not above the bottom (s).
+#[derive(Default)]
+struct Fall {
+    moved: Option<u64>,
+    fallen: Option<f64>,
+}
+
+impl Observer<Phase> for Fall {
+    fn observe(&mut self, n: u64, t: f64, z: Phase) {
+        if z.theta != PI {
+            self.moved.get_or_insert(n);
+        }
+        if z.theta <= 0.0 {
+            self.fallen.get_or_insert(t);
+        }
+    }
+
+    fn is_satisfied(&self) -> bool {
+        self.fallen.is_some()
+    }
+}
+
+/// From π as an f64 the exact pendulum falls in 12.36 s. With its angle in one f64 no method can move: each step adds
+/// hα = h (g/L) 1.2246e-16 to ω, and θ = π stays until |ω|h exceeds half an ulp of π, 2.22e-16. That is at the step
+/// 2.2204e-16/(h² g/L · 1.2246e-16), whoever moves the angle in one piece, as the paper's four do; forward Euler, which looks at the old ω, a step later. From there it falls
+/// like the exact one from ω = ω₀ q, q = 2.22e-16/(hω₀): √(L/g) ln(8/q) more, as a start at δ = q would.
+///
+/// Catches: an angle accumulated in another way than the documented one; sin π taken for zero; a Motion that follows the
+/// rounded methods and not the start as given.
+#[rstest]
+#[case::forward_euler(ForwardEuler)]
+#[case::symplectic_euler(SymplecticEuler)]
+#[case::rk4(Rk4)]
+#[case::stormer_verlet(StormerVerlet)]
+fn from_pi_rounding_holds_the_pendulum_up<M: Method<Pendulum>>(#[case] method: M) {
+    let pendulum = Pendulum::PAPER;
+    let pull = pendulum.stiffness() * 1.224_646_799_147_353_2e-16;
+    for h in [0.01, 0.02] {
+        let mut fall = Fall::default();
+        let grid = Grid::over(40.0, h).unwrap();
+        integrate(&pendulum, &method, Phase::at_rest(PI), &grid, &mut fall);
+        let held = 2.220_446_049_250_313e-16 / (h * h * pull);
+        let moved = fall.moved.expect("it falls in the end") as f64;
+        assert!(moved >= held && moved < held + 3.0, "moves at step {moved}, not {held}");
+        let q = 2.220_446_049_250_313e-16 / (h * pendulum.small_angle_frequency());
+        let law = held * h + (8.0 / q).ln() / pendulum.small_angle_frequency();
+        // Whole ulps of θ, 4.4e-16, beside q = 7e-15: 1/16 at most in its logarithm, 0.02 s; forward Euler is late by its 0.35 s.
+        let fallen = fall.fallen.expect("it falls in the end");
+        assert!((fallen - law).abs() < 0.4, "falls in {fallen} s, not {law} s");
+    }
+}
+
+/// [`swing`] keeps the angle as half turns and a rest, here −1.2246e-16 rad, and the pendulum falls when the exact one does.
+///
+/// Beside the top the rest grows by h²(g/L) of itself in a step of any method, as cosh λt does: the first two steps are exact to
+/// O(h), and the fall is √(L/g) ln(8/δ) long. A method of order p misses the rate λ by the share E_p h^p and so the time by as
+/// much: hλ/2 of it for forward Euler (the other Euler has the rate of Verlet), (hλ)²/24 for Verlet, plus a tenth for the
+/// next terms; and each is seen a step late at the most.
+///
+/// Catches: a rest that is lost when the angle is formed, a reduction of θ with too few digits of π.
+#[apply(each_method)]
+fn from_pi_a_rest_of_the_angle_is_not_held_up<M: AnyMethod>(#[case] method: M) {
+    let pendulum = Pendulum::PAPER;
+    let exact = 0.25 * Motion::new(&pendulum, Phase::at_rest(PI)).unwrap().period().unwrap();
+    assert!((exact - 12.361_754_1).abs() < 1e-7, "{exact} s");
+    for h in [0.01, 0.02] {
+        let mut fall = Fall::default();
+        let grid = Grid::over(40.0, h).unwrap();
+        method.run(&pendulum, Phase::at_rest(PI), &grid, &mut fall);
+        let x = h * pendulum.small_angle_frequency();
+        let share = match method.properties().order {
+            1 => x / 2.0,
+            2 => x * x / 24.0,
+            order => x.powi(order as i32) / 120.0,
+        };
+        let fallen = fall.fallen.expect("it falls in the end");
+        assert!(
+            (fallen - exact).abs() < 1.1 * share * exact + h,
+            "falls in {fallen} s, not {exact} s"
+        );
+    }
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Fast rotation
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// A hundred and sixty turns a second.
+const FAST: Phase = Phase { theta: 0.3, omega: 1e3 };
+
+/// The mean rate is √(Ω² − 2(g/L) cos θ₀) less 3(g/L)²/(4Ω³), 7.2e-8, to terms of g³/Ω⁵. After n periods the angle has grown
+/// by n turns, to the last digit of n turns.
+///
+/// Catches: a rotation unwrapped with a turn too many or too few; a rate that is the one at the start.
+#[test]
+fn the_exact_rotation_has_its_mean_rate() {
+    for pendulum in pendulums() {
+        let motion = Motion::new(&pendulum, FAST).unwrap();
+        assert_eq!(motion.kind(), Kind::Rotation);
+        let period = motion.period().unwrap();
+        let g = pendulum.stiffness();
+        let square = FAST.omega * FAST.omega - 2.0 * g * FAST.theta.cos();
+        let rate = square.sqrt() - 0.75 * g * g / FAST.omega.powi(3);
+        assert_relative_eq!(2.0 * PI / period, rate, max_relative = 1e-13);
+        for turns in [1.0, 10.0, 1e3, 1e6] {
+            let z = motion.at(turns * period);
+            // The rounding of the time, ε/2 of it, and of the angle: each 1.1e-16 of 2π turns.
+            let rounding = 4.0 * f64::EPSILON * 2.0 * PI * turns + 1e-14;
+            assert!((z.theta - FAST.theta - 2.0 * PI * turns).abs() < rounding, "{turns} turns");
+        }
+    }
+}
+
+/// Every method follows it, by its order, and counts the 1592 turns of 10 s right.
+///
+/// Catches: an angle wrapped within the step; an order that holds for a swing only.
+#[apply(each_method)]
+fn every_method_rotates_by_its_order<M: AnyMethod>(#[case] method: M) {
+    /// At Ωh = 0.05, or 0.4 for RK4, the next term bends a slope by as much: measured 0.02 and 0.07.
+    const TOLERANCE: f64 = 0.1;
+    let order = f64::from(method.properties().order);
+    // So fast a rotation adds up the force along a straight line, and what the sum misses is, by Euler and Maclaurin, hᵖ times a
+    // derivative of sin θ at the start, of the order p − 1: cos θ for an even p and sin θ for an odd one. That of
+    // Dormand–Prince is small beside the others even where its sine is not, down to steps of 0.4 rad, which is rounding after a
+    // thousand turns, but not after sixteen.
+    let is_dormand_prince = method.properties().name == "dormand-prince";
+    let (fast, duration) =
+        if is_dormand_prince { (Phase { theta: 1.5, omega: 1e2 }, 1.0) } else { (FAST, 10.0) };
+    // Where the step is halved until the slope is the order, its error is above this: 1e4 rad rounded by 2e-12, or 1e2 by as much
+    // less, in each of N steps, at random.
+    let rounding = |h: f64| 4.0 * 1.8e-16 * fast.omega * duration * (duration / h).sqrt();
+    for pendulum in pendulums() {
+        let motion = Motion::new(&pendulum, fast).unwrap();
+        let error = |h: f64| {
+            let grid = Grid::over(duration, h).unwrap();
+            let z = method.run(&pendulum, fast, &grid, &mut ());
+            (z.theta - motion.at(duration).theta).abs()
+        };
+        let steps = [0, 1, 2, 3, 4, 5, 6, 7].map(|k| 10.0 / 3.0 / fast.omega / f64::from(1 << k));
+        let errors = steps.map(error);
+        let slopes: Vec<f64> = (steps.windows(2).zip(errors.windows(2)))
+            .filter(|(h, e)| e[0] < 1e-3 && e[1] > rounding(h[1]))
+            .map(|(_, e)| (e[0] / e[1]).log2())
+            .collect();
+        // Beyond order 4 a single octave lies between steps of 3.3 rad, with their next terms, and
+        // rounding: that tells an even order from the next.
+        let tolerance = if order > 4.0 { 0.8 } else { TOLERANCE };
+        let is_order = |slope: &f64| (slope - order).abs() < tolerance;
+        if order > 8.0 {
+            // These follow it to rounding in steps of 3.3 rad, half a turn.
+            let all = steps.iter().zip(errors).all(|(h, error)| error < rounding(*h));
+            assert!(all, "{errors:?}");
+        } else {
+            assert!(slopes.iter().any(is_order), "{slopes:?} from {errors:?}");
+        }
+    }
+}
+
+/// In steps of 10 and of 100 rad no method follows the motion any more, and none breaks down: a step changes ω by h g/L at most.
+/// The symplectic ones of one kick a step stay within the width of a resonance of the standard map, |Δω| ≤ 4√(g/L), as
+/// K = h² g/L ≤ 0.098 is far below the last torus.
+///
+/// A Taylor series is not asked: it knows the motion in the place where the step begins and nowhere else, and a step of
+/// 10 rad is beyond its reach.
+///
+/// Catches: NaN from a large argument of the sine; energy that grows where a symplectic method cannot gain any.
+#[apply(each_general_method)]
+fn in_coarse_steps_fast_rotation_stays_finite<M: AnyMethod>(#[case] method: M) {
+    // Yoshida's of order 8 add up to 17 steps.
+    let properties = method.properties();
+    let kicks = if properties.force_evaluations > 1 { 17.0 } else { 1.0 };
+    for pendulum in pendulums() {
+        for h in [0.01, 0.1] {
+            let mut farthest = 0.0_f64;
+            let mut watch = |n: u64, t: f64, z: Phase| {
+                let change = (z.omega - FAST.omega).abs();
+                // Sums of n rounded kicks: n ε of 10³. The kicks of a composition go to and fro.
+                let bound = kicks * t * pendulum.stiffness() + n as f64 * 1e3 * f64::EPSILON;
+                assert!(z.theta.is_finite() && change <= bound, "{z:?} after {t} s");
+                farthest = farthest.max(change);
+            };
+            method.run(&pendulum, FAST, &Grid::over(100.0, h).unwrap(), &mut watch);
+            if properties.symplectic && !properties.implicit && kicks == 1.0 {
+                assert!(farthest < 4.0 * pendulum.small_angle_frequency(), "{farthest} rad/s");
+            }
+        }
+    }
+}

@@ -1,0 +1,404 @@
+//! Steps that vary and can be taken back, beside steps that vary and cannot: on Kepler's ellipse and on a pendulum that almost
+//! reaches the top.
+
+use std::ops::{Add, Mul};
+
+use pendula::adaptive::symmetric::SymmetricSteps;
+use pendula::methods::StormerVerlet;
+use pendula::{
+    Counting, Error, Grid, Hamiltonian, Pendulum, Phase, Separable, Shaken, System, Vector,
+    integrate,
+};
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Kepler
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// A planet about a fixed sun, q̈ = −μ q/|q|³, in a plane.
+struct Kepler {
+    mu: f64,
+}
+
+/// Position q and velocity v; or their rates of change.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Planet {
+    q: [f64; 2],
+    v: [f64; 2],
+}
+
+fn along(x: [f64; 2], y: [f64; 2], h: f64) -> [f64; 2] {
+    [x[0] + h * y[0], x[1] + h * y[1]]
+}
+
+fn dot(x: [f64; 2], y: [f64; 2]) -> f64 {
+    x[0] * y[0] + x[1] * y[1]
+}
+
+impl Add for Planet {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self { q: along(self.q, other.q, 1.0), v: along(self.v, other.v, 1.0) }
+    }
+}
+
+impl Mul<f64> for Planet {
+    type Output = Self;
+
+    fn mul(self, factor: f64) -> Self {
+        Self { q: self.q.map(|x| x * factor), v: self.v.map(|x| x * factor) }
+    }
+}
+
+impl Vector for Planet {}
+
+impl System for Kepler {
+    type State = Planet;
+
+    fn rate(&self, t: f64, z: Planet) -> Planet {
+        Planet { q: z.v, v: self.force(t, z) }
+    }
+}
+
+impl Separable for Kepler {
+    type Force = [f64; 2];
+
+    fn force(&self, _t: f64, z: Planet) -> [f64; 2] {
+        let r = dot(z.q, z.q).sqrt();
+        z.q.map(|x| -self.mu * x / (r * r * r))
+    }
+
+    fn kick(&self, z: Planet, force: [f64; 2], h: f64) -> Planet {
+        Planet { v: along(z.v, force, h), ..z }
+    }
+
+    fn drift(&self, z: Planet, h: f64) -> Planet {
+        Planet { q: along(z.q, z.v, h), ..z }
+    }
+}
+
+impl Hamiltonian for Kepler {
+    fn energy(&self, z: Planet) -> f64 {
+        0.5 * dot(z.v, z.v) - self.mu / dot(z.q, z.q).sqrt()
+    }
+}
+
+const ECCENTRICITY: f64 = 0.8;
+
+/// μ ≠ 1, so that it shows if it is forgotten.
+const SUN: Kepler = Kepler { mu: 2.5 };
+
+/// Nearest to the sun, on an ellipse whose larger half axis is 1.
+fn perihelion() -> Planet {
+    let v = (SUN.mu * (1.0 + ECCENTRICITY) / (1.0 - ECCENTRICITY)).sqrt();
+    Planet { q: [1.0 - ECCENTRICITY, 0.0], v: [0.0, v] }
+}
+
+/// The period 2π/√μ (s).
+fn year() -> f64 {
+    2.0 * std::f64::consts::PI / SUN.mu.sqrt()
+}
+
+/// For steps in proportion to r^(3/2), the time of free fall from there: d/dt ln σ = (3/2) q·v/r².
+fn of_free_fall(z: Planet) -> f64 {
+    -1.5 * dot(z.q, z.v) / dot(z.q, z.q)
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// A pendulum that almost reaches the top
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// ω₀ ≠ 1, L ≠ 1, m ≠ 1.
+fn pendulum() -> Pendulum {
+    Pendulum::new(9.81, 2.5, 0.7).unwrap()
+}
+
+const BESIDE_THE_TOP: Phase = Phase::at_rest(3.1);
+
+/// For steps in proportion to 1/√(ω² + ω₀²): long where it dwells, short where it rushes.
+fn of_speed(pendulum: &Pendulum) -> impl Fn(Phase) -> f64 + Copy + use<'_> {
+    move |z| z.omega * pendulum.force(0.0, z) / (z.omega * z.omega + pendulum.stiffness())
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// The naive way
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// Störmer–Verlet with the step that its last error estimate asks for, as for any other method. The estimate is h² times
+/// the change of the force in a step, by which its positions differ from those of a method of order 1; as it goes with h³,
+/// the next step is longer by the cube root of tolerance over estimate.
+fn naive<S: Separable>(
+    system: &S,
+    mut z: S::State,
+    tolerance: f64,
+    change: impl Fn(S::Force, S::Force) -> f64,
+    duration: f64,
+    mut see: impl FnMut(f64, S::State),
+) -> u64 {
+    let (mut t, mut h, mut steps) = (0.0, 1e-3, 0);
+    let mut force = system.force(t, z);
+    while t < duration {
+        z = system.drift(system.kick(z, force, 0.5 * h), h);
+        let next = system.force(t + h, z);
+        z = system.kick(z, next, 0.5 * h);
+        t += h;
+        steps += 1;
+        see(t, z);
+        let error = h * h * change(force, next);
+        h *= (tolerance / error).cbrt().clamp(0.5, 2.0);
+        force = next;
+    }
+    steps
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Boundedness
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// The largest energy error in a short run, in one ten times as long, and the number of steps of the latter.
+#[derive(Clone, Copy, Debug)]
+struct Drift {
+    short: f64,
+    long: f64,
+    steps: u64,
+}
+
+impl Drift {
+    fn none() -> Self {
+        Self { short: 0.0, long: 0.0, steps: 0 }
+    }
+
+    fn see(&mut self, error: f64, is_short: bool) {
+        self.long = self.long.max(error.abs());
+        if is_short {
+            self.short = self.long;
+        }
+        self.steps += 1;
+    }
+
+    /// How many times larger the error is in the long run.
+    fn growth(&self) -> f64 {
+        self.long / self.short
+    }
+}
+
+fn symmetric_drift<S: Hamiltonian + Separable>(
+    system: &S,
+    start: S::State,
+    epsilon: f64,
+    density_rate: impl Fn(S::State) -> f64,
+    duration: f64,
+) -> Drift {
+    let mut drift = Drift::none();
+    for sample in SymmetricSteps::new(system, start, epsilon, density_rate).unwrap() {
+        let sample = sample.unwrap();
+        if sample.t > duration {
+            break;
+        }
+        let error = system.energy(sample.z) - system.energy(start);
+        drift.see(error, sample.t < 0.1 * duration);
+    }
+    drift
+}
+
+fn fixed_drift<S: Hamiltonian + Separable>(
+    system: &S,
+    start: S::State,
+    steps: u64,
+    duration: f64,
+) -> Drift {
+    let mut drift = Drift::none();
+    let grid = Grid::new(duration / steps as f64, steps).unwrap();
+    integrate(system, &StormerVerlet, start, &grid, &mut |_, t, z| {
+        drift.see(system.energy(z) - system.energy(start), t < 0.1 * duration);
+    });
+    drift
+}
+
+fn naive_drift<S: Hamiltonian + Separable>(
+    system: &S,
+    start: S::State,
+    tolerance: f64,
+    change: impl Fn(S::Force, S::Force) -> f64,
+    duration: f64,
+) -> Drift {
+    let mut drift = Drift::none();
+    naive(system, start, tolerance, change, duration, |t, z| {
+        drift.see(system.energy(z) - system.energy(start), t < 0.1 * duration);
+    });
+    drift
+}
+
+/// A reversible method's energy error comes and goes, and has been at its worst in the first tenth of a run already, dozens of
+/// swings long: to 1 % where fixed steps meet each swing at other places, and to 1e-4 where the density makes them meet it
+/// at almost the same. A drift is ten times larger in ten times the time, and half of that at least beside the error that
+/// comes and goes.
+///
+/// Of as many steps, the fixed ones are longer than the others where those are shortest, and their error should be larger
+/// by the square of that; `gain` is half of it.
+fn assert_only_the_naive_drifts(symmetric: Drift, fixed: Drift, naive: Drift, gain: f64) {
+    let all = format!("symmetric {symmetric:?}, fixed {fixed:?}, naive {naive:?}");
+    assert!(symmetric.growth() < 1.0001, "{all}");
+    assert!(fixed.growth() < 1.01, "{all}");
+    assert!(naive.growth() > 5.0, "{all}");
+    assert!(fixed.long > gain * symmetric.long, "{all}");
+    assert!(naive.long > 10.0 * symmetric.long, "{all}");
+    // The comparison is fair: the naive one has taken as many steps, or more.
+    assert!(naive.steps > symmetric.steps * 9 / 10, "{all}");
+}
+
+/// Catches: a step chosen by what lies behind it posing as a symmetric one; a symmetric one that is worth nothing.
+#[test]
+fn on_an_ellipse_only_the_naive_steps_drift() {
+    let change = |f0: [f64; 2], f1: [f64; 2]| {
+        let change = along(f1, f0, -1.0);
+        dot(change, change).sqrt()
+    };
+    let duration = 1000.0 * year();
+    let symmetric = symmetric_drift(&SUN, perihelion(), 0.002, of_free_fall, duration);
+    let fixed = fixed_drift(&SUN, perihelion(), symmetric.steps, duration);
+    let naive = naive_drift(&SUN, perihelion(), 4e-5, change, duration);
+    // 1000 years in 213 000 steps of 0.0187 s, and 0.002 s beside the sun.
+    assert_only_the_naive_drifts(symmetric, fixed, naive, 43.0);
+}
+
+/// Catches: the same on the pendulum, whose force is not large where its step is short.
+#[test]
+fn beside_the_top_only_the_naive_steps_drift() {
+    let pendulum = pendulum();
+    let symmetric = symmetric_drift(&pendulum, BESIDE_THE_TOP, 0.025, of_speed(&pendulum), 1000.0);
+    let fixed = fixed_drift(&pendulum, BESIDE_THE_TOP, symmetric.steps, 1000.0);
+    let naive = naive_drift(&pendulum, BESIDE_THE_TOP, 2e-5, |f0, f1| (f1 - f0).abs(), 1000.0);
+    // 1000 s in 50 700 steps of 0.0197 s, and 0.0112 s = ε/√5 at the bottom, where ω is 2ω₀.
+    assert_only_the_naive_drifts(symmetric, fixed, naive, 1.5);
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// The method itself
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// With a density that stays, each step is Störmer–Verlet's; its two half kicks between drifts are one there, which is
+/// another rounding. 1000 steps of an ε or two, in a swing that stretches none of them by more than it lasts: 1e-11.
+///
+/// Catches: a kick or a drift by ε and not by ε/ρ, or by half of it; a stale force; time that is not the sum of the steps.
+#[test]
+fn with_a_constant_density_it_is_stormer_verlet() {
+    let pendulum = pendulum();
+    let start = Phase { theta: 1.0, omega: 0.4 };
+    let grid = Grid::new(0.01, 1000).unwrap();
+    let end = integrate(&pendulum, &StormerVerlet, start, &grid, &mut ());
+    let mut steps = SymmetricSteps::new(&pendulum, start, 0.01, |_| 0.0).unwrap();
+    let sample = steps.nth(999).unwrap().unwrap();
+    assert_eq!(sample, steps.sample());
+    assert_eq!(sample.density, 1.0);
+    assert!((sample.t - 10.0).abs() < 1e-11, "{}", sample.t);
+    assert!((sample.z.theta - end.theta).abs() < 1e-11);
+    assert!((sample.z.omega - end.omega).abs() < 1e-11);
+}
+
+/// 20 years there, 20 back. Rounding alone keeps it from the start: some 4000 steps there and as many back, of an ε each of
+/// numbers up to v = 4.7, and as an error of the energy shifts the planet along its way for all the time that is left, that
+/// is 4000 · 8000 · ε · 4.7 · h at worst, with steps of a year over 200: 1e-9.
+///
+/// Catches: a density that leaps by what lies behind it, or by a whole ε on one side; a way back that is not the way there.
+#[test]
+fn the_way_back_is_the_way_there() {
+    let mut there = SymmetricSteps::new(&SUN, perihelion(), 0.002, of_free_fall).unwrap();
+    let far = there.by_ref().nth(3999).unwrap().unwrap();
+    assert!(far.t > 15.0 * year(), "{} years", far.t / year());
+    let mut back = there.turned_back();
+    let start = back.nth(3999).unwrap().unwrap();
+    let off = start.z + perihelion() * -1.0;
+    let largest = off.q.into_iter().chain(off.v).chain([start.t, start.density - 1.0]);
+    let largest = largest.fold(0.0_f64, |largest, x| largest.max(x.abs()));
+    assert!(largest < 1e-9, "{largest:e}");
+}
+
+/// Largest energy error, and how far the density is from following σ, over ten years.
+fn errors_on_the_ellipse(epsilon: f64) -> (f64, f64) {
+    let (mut of_energy, mut of_density) = (0.0_f64, 0.0_f64);
+    for sample in SymmetricSteps::new(&SUN, perihelion(), epsilon, of_free_fall).unwrap() {
+        let sample = sample.unwrap();
+        if sample.t > 10.0 * year() {
+            break;
+        }
+        let error = SUN.energy(sample.z) - SUN.energy(perihelion());
+        of_energy = of_energy.max(error.abs());
+        let r = dot(sample.z.q, sample.z.q).sqrt();
+        let sigma = (r / (1.0 - ECCENTRICITY)).powf(1.5);
+        of_density = of_density.max((sample.density * sigma - 1.0).abs());
+    }
+    (of_energy, of_density)
+}
+
+/// Both go with ε², and the next term with ε⁴: relatively it is about as large as the density's error itself, 5e-3, and bends
+/// a slope by as much over ln 2.
+///
+/// Catches: a method of order 1, as one that takes its density from one side is; a density that follows something else, or the
+/// other way.
+#[test]
+fn energy_and_density_are_off_by_order_two() {
+    const TOLERANCE: f64 = 0.02;
+    let (coarse, fine) = (errors_on_the_ellipse(0.004), errors_on_the_ellipse(0.002));
+    let slope = |coarse: f64, fine: f64| (coarse / fine).log2();
+    assert!((slope(coarse.0, fine.0) - 2.0).abs() < TOLERANCE, "{coarse:?} {fine:?}");
+    assert!((slope(coarse.1, fine.1) - 2.0).abs() < TOLERANCE, "{coarse:?} {fine:?}");
+    // In units of the time of free fall where the planet is nearest, √(r³/μ), it is ε² of what is of order 1.
+    let nearest = 1.0 - ECCENTRICITY;
+    let scale = 0.002 * 0.002 * SUN.mu / (nearest * nearest * nearest);
+    assert!(fine.1 < scale && fine.1 > 0.1 * scale, "{fine:?} of {scale}");
+}
+
+/// Catches: a force evaluated twice a step.
+#[test]
+fn it_takes_one_evaluation_a_step() {
+    let counting = Counting::new(SUN);
+    let mut steps = SymmetricSteps::new(&counting, perihelion(), 0.002, of_free_fall).unwrap();
+    assert!(steps.nth(99).unwrap().is_ok());
+    assert_eq!(counting.evaluations(), 101);
+}
+
+/// Catches: a first step that is none let in; a density below zero, with which time would run back, or a NaN, taken for one.
+#[test]
+fn what_has_no_step_is_refused() {
+    for bad in [0.0, -0.01, f64::NAN, f64::INFINITY] {
+        let refused = SymmetricSteps::new(&SUN, perihelion(), bad, of_free_fall);
+        assert!(matches!(refused.err(), Some(Error::Parameter { .. })), "{bad}");
+    }
+    for rate in [-1000.0, f64::NAN] {
+        let mut steps = SymmetricSteps::new(&SUN, perihelion(), 0.01, move |_| rate).unwrap();
+        let error = steps.next().unwrap().unwrap_err();
+        assert!(
+            matches!(error, Error::Parameter { name: "density ρ of the steps", .. }),
+            "{error}"
+        );
+        assert!(steps.next().is_none(), "it has ended");
+    }
+}
+
+/// A pivot that shakes: two steps are Störmer–Verlet's, each with the force of its own two ends. A few roundings of numbers up
+/// to 10.
+///
+/// Catches: the force at another time than that of the step's end.
+#[test]
+fn the_force_is_asked_for_at_the_end_of_a_step() {
+    let shaken = Shaken::new(pendulum(), 0.3, 7.0).unwrap();
+    let start = Phase { theta: 1.0, omega: 0.4 };
+    let mut steps = SymmetricSteps::new(&shaken, start, 0.05, |_| 0.0).unwrap();
+    let sample = steps.nth(1).unwrap().unwrap();
+    let grid = Grid::new(0.05, 2).unwrap();
+    let end = integrate(&shaken, &StormerVerlet, start, &grid, &mut ());
+    let off = sample.z + end * -1.0;
+    assert!(off.theta.abs() < 1e-14 && off.omega.abs() < 1e-14, "{off:?}");
+}
+
+/// Catches: a walk that stays where it failed, though it is sent back to where it came from.
+#[test]
+fn there_is_a_way_back_from_where_none_leads_on() {
+    // ρ falls from 1 by half of ε G, which is 0.3, twice a step; the third step would begin below zero.
+    let mut steps = SymmetricSteps::new(&SUN, perihelion(), 0.002, |_| -300.0).unwrap();
+    assert!(steps.by_ref().take(2).all(|step| step.is_ok()));
+    assert!(steps.next().unwrap().is_err() && steps.next().is_none());
+    let mut back = steps.turned_back();
+    assert!(back.next().is_some_and(|step| step.is_ok()));
+}

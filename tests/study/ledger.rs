@@ -1,0 +1,91 @@
+//! The paper's tables, cell by cell: what is measured against what is printed.
+
+use std::collections::BTreeSet;
+use std::sync::LazyLock;
+
+use pendula_study::claims::cells::{CELLS, Cell};
+use pendula_study::claims::{Ledger, Measured, Verdict};
+use pendula_study::experiments::Study;
+use rstest::rstest;
+
+static LEDGER: LazyLock<Ledger> = LazyLock::new(|| Ledger::of(&Study::run(|_| {})));
+
+/// Every printed digit is met: the measured value lies within half a unit of the last one. The one exception is
+/// RK4's energy error at Δt = 0.001 s, 3.2e-12 J ± 10 %, where the paper's second digit is rounding.
+///
+/// Catches: a wrong coefficient, constant, metric or step count anywhere behind the tables; a mean over N samples.
+#[rstest]
+fn every_printed_digit_is_met(#[values(2, 4, 5, 6, 7, 8)] table: u32) {
+    let prefix = format!("T{table}.");
+    let cells: Vec<&Cell> = CELLS.iter().filter(|cell| cell.id.starts_with(&prefix)).collect();
+    assert!(!cells.is_empty());
+    for cell in cells {
+        let claim = LEDGER.get(cell.id).expect("every printed cell is in the ledger");
+        match cell.verdict {
+            Verdict::Wrong => assert_eq!(claim.holds(), Some(false), "{claim:?}"),
+            _ if claim.measured == Measured::Nothing => {
+                assert_eq!(cell.verdict, Verdict::DependsOnPlatform, "{claim:?}");
+            }
+            _ => assert_eq!(claim.holds(), Some(true), "{claim:?}"),
+        }
+    }
+}
+
+/// Catches: a verdict that was true when it was written and is no longer.
+#[test]
+fn the_verdicts_on_record_are_those_measured() {
+    for claim in LEDGER.claims() {
+        assert_eq!(claim.judged(), claim.verdict, "{claim:?}");
+    }
+}
+
+/// Catches: a printed cell that nothing measures, and an id that stands for two things.
+#[test]
+fn cells_and_claims_correspond() {
+    let printed: BTreeSet<&str> = CELLS.iter().map(|cell| cell.id).collect();
+    assert_eq!(printed.len(), CELLS.len(), "an id stands twice");
+    let claims: BTreeSet<&str> = LEDGER.claims().iter().map(|claim| claim.id.as_str()).collect();
+    assert_eq!(claims.len(), LEDGER.claims().len(), "a claim stands twice");
+    let lost: Vec<&&str> = printed.difference(&claims).collect();
+    assert!(lost.is_empty(), "printed but not measured: {lost:?}");
+    let tables = LEDGER.claims().iter().filter(|claim| claim.place.starts_with("Table "));
+    for claim in tables.filter(|claim| !["Table 1", "Table 3"].contains(&claim.place)) {
+        let is_printed = printed.contains(claim.id.as_str());
+        assert!(is_printed || claim.stated.is_none() || !claim.id.starts_with('T'), "{claim:?}");
+    }
+}
+
+/// Every claim is judged by a measurement, but for those that nothing can judge.
+///
+/// Catches: a verdict that rests on no code, and a claim lost from the ledger: the paper makes 165.
+#[test]
+fn every_checkable_claim_is_measured() {
+    let stated = || LEDGER.claims().iter().filter(|claim| claim.stated.is_some());
+    assert_eq!(stated().count(), 165);
+    for claim in stated() {
+        match claim.verdict {
+            Verdict::NotCheckable => assert_eq!(claim.holds(), None, "{claim:?}"),
+            Verdict::DependsOnPlatform => assert_ne!(claim.holds(), Some(false), "{claim:?}"),
+            Verdict::Wrong => assert_eq!(claim.holds(), Some(false), "{claim:?}"),
+            _ => assert_eq!(claim.holds(), Some(true), "{claim:?}"),
+        }
+    }
+    assert!(stated().filter(|claim| claim.verdict == Verdict::Wrong).count() > 20);
+}
+
+/// The ledger itself can say no: a printed digit changed by one unit no longer holds.
+///
+/// Catches: a tolerance so wide, or a comparison so lenient, that any value would pass.
+#[rstest]
+#[case("T4.se.0.01", "7.31e-2")]
+#[case("T4.rk4.0.005", "7.59e-9")]
+#[case("T5.fe.Hend", "475.6")]
+#[case("T6.se.0.05", "3.27e-3")]
+#[case("T7.Texact", "5.1580")]
+#[case("T2.vv.sympl", "No")]
+fn a_digit_off_by_one_does_not_hold(#[case] id: &str, #[case] misprint: &'static str) {
+    let mut claim = LEDGER.get(id).expect("in the ledger").clone();
+    claim.stated = Some(misprint);
+    assert_eq!(claim.holds(), Some(false), "{claim:?}");
+    assert_eq!(claim.judged(), Verdict::Wrong);
+}

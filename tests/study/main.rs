@@ -1,0 +1,9 @@
+//! What the book shows: tables, figures, the ledger of claims, predictions.
+
+mod choice;
+mod ledger;
+mod predictions;
+mod readme;
+mod rounding;
+mod snapshots;
+mod stencil;

@@ -1,0 +1,188 @@
+//! The tables, predicted before they are measured.
+
+use std::collections::BTreeSet;
+use std::sync::LazyLock;
+
+use approx::assert_relative_eq;
+use pendula::methods::{Rk4, StormerVerlet};
+use pendula::metrics::AngleError;
+use pendula::{Grid, LinearOscillator, Motion, Pendulum, Phase, integrate};
+use pendula_study::claims::measure::row_ids;
+use pendula_study::claims::{Ledger, Measured, Prediction, largest_energy_error, predictions};
+use pendula_study::experiments::{STEPS, Study, convergence, small_angle};
+use pendula_study::theory::small_angle::{
+    LinearRecurrence, cancelling_step, errors, floor, own_error_of_stormer_verlet,
+};
+use rstest::rstest;
+
+static LEDGER: LazyLock<Ledger> = LazyLock::new(|| Ledger::of(&Study::run(|_| {})));
+static PREDICTIONS: LazyLock<Vec<Prediction>> = LazyLock::new(predictions);
+
+/// RK4's largest angle error over θ₀ at θ₀ = 1e-4 (Section 6.3), which no table has.
+const NORMALISED: &str = "P6.3.norm";
+
+fn measured(id: &str) -> f64 {
+    if id == NORMALISED {
+        return normalised_angle_error();
+    }
+    match LEDGER.get(id).map(|claim| &claim.measured) {
+        Some(Measured::Number(value, _)) => *value,
+        other => panic!("{id} is {other:?}"),
+    }
+}
+
+fn normalised_angle_error() -> f64 {
+    let start = Phase::at_rest(1e-4);
+    let formula = LinearOscillator::of(Pendulum::PAPER);
+    let mut error = AngleError::against(|t| formula.exact(start, t).theta);
+    let grid = Grid::over(10.0, 0.01).unwrap();
+    integrate(&Pendulum::PAPER, &Rk4, start, &grid, &mut error);
+    error.largest() / 1e-4
+}
+
+/// Each measured cell lies within the tolerance of its law, on either side. The tolerances are derived in
+/// `src/theory/predictions.rs`, from what each law leaves out.
+///
+/// Catches: a method, metric, constant or step count that is wrong in a way that still prints the paper's digits, and one
+/// that is wrong together with them: no number here was ever measured.
+#[rstest]
+fn every_cell_is_as_predicted(#[values("T4.", "T5.", "T6.", "T8.", "P6.")] table: &str) {
+    let cells: Vec<_> = PREDICTIONS.iter().filter(|cell| cell.id.starts_with(table)).collect();
+    assert!(!cells.is_empty());
+    for cell in cells {
+        let measured = measured(&cell.id);
+        let error = cell.relative_error(measured);
+        assert!(cell.agrees_with(measured), "{measured:e} is off by {error:.1e}: {cell:?}");
+    }
+}
+
+/// 4 methods × (5 steps in Table 4, 5 in Table 6, Tables 5 and 8), and one number of the text.
+///
+/// Catches: a cell forgotten, named twice, or out of the ledger's order, so that a join would lose it.
+#[test]
+fn every_cell_that_theory_reaches_is_predicted() {
+    let ids: Vec<&str> = PREDICTIONS.iter().map(|cell| cell.id.as_str()).collect();
+    assert_eq!(ids.len(), row_ids().len() * (2 * STEPS.len() + 2) + 1);
+    assert_eq!(ids.iter().collect::<BTreeSet<_>>().len(), ids.len(), "an id stands twice");
+    let position = |id: &str| LEDGER.claims().iter().position(|claim| claim.id == id);
+    let (last, tables) = ids.split_last().unwrap();
+    assert_eq!(*last, NORMALISED);
+    let positions: Vec<_> = tables.iter().map(|id| position(id).expect("in the ledger")).collect();
+    assert!(positions.is_sorted(), "{ids:?}");
+}
+
+/// What theory.md allows, and less than a unit in the last digit of the paper's tables; RK4's rounding at 0.001 s apart.
+///
+/// Catches: a tolerance that grew until anything would agree.
+#[test]
+fn tolerances_are_small() {
+    for cell in PREDICTIONS.iter() {
+        let largest = match cell.id.as_str() {
+            "T4.rk4.0.001" => 0.1,
+            "T4.fe.0.1" | "T6.fe.0.1" | "T4.rk4.0.1" => 1e-2,
+            _ => 6e-4,
+        };
+        assert!(cell.value > 0.0 && cell.tolerance > 0.0 && cell.tolerance < largest, "{cell:?}");
+    }
+}
+
+/// A prediction can say no, and in either direction.
+///
+/// Catches: a comparison without `abs`, or of a NaN.
+#[test]
+fn a_prediction_can_fail() {
+    let cell = Prediction { id: String::new(), value: 2.0, tolerance: 1e-2, law: "" };
+    assert!(cell.agrees_with(2.01) && cell.agrees_with(1.99));
+    assert!(!cell.agrees_with(2.03) && !cell.agrees_with(1.97) && !cell.agrees_with(f64::NAN));
+}
+
+/// The frozen linear recurrence predicts forward Euler as well, as long as the swing stays small: its growth depends on the
+/// amplitude as 1 − A²/8 or so, which over x ω₀T/2 ≤ 0.5 e-folds is 4e-4 at A = 0.08.
+///
+/// Catches: a growth or a phase of the recurrence that the table's own law, the modified equation, would not miss.
+#[rstest]
+fn forward_euler_is_predicted_twice(#[values(0.01, 0.005, 0.001)] h: f64) {
+    let grid = Grid::over(small_angle::DURATION, h).unwrap();
+    let recurrence = LinearRecurrence::forward_euler(&Pendulum::PAPER, h);
+    let theta_0 = small_angle::THETA_0;
+    let angles = recurrence.angles(theta_0);
+    let (predicted, _) = errors(&Pendulum::PAPER, theta_0, h, grid.steps(), angles);
+    assert_relative_eq!(predicted, measured(&format!("T6.fe.{h}")), max_relative = 4e-4);
+}
+
+/// θ₀³ω₀T/(16√6). It leaves out ⟨t² cos 2ω₀t⟩, which is 3/(2ω₀T) of the mean square at most, half that of its root; RK4's
+/// own x⁴/120 is 5e-5 of θ₀²/16.
+///
+/// Catches: the paper's floor taken for a constant, or for a property of the methods.
+#[rstest]
+#[case(10.0)]
+#[case(40.0)]
+fn what_is_left_at_small_steps_is_the_formulas_own_error(#[case] duration: f64) {
+    let (pendulum, theta_0) = (Pendulum::new(9.81, 2.0, 1.0).unwrap(), 0.05);
+    let start = Phase::at_rest(theta_0);
+    let formula = LinearOscillator::of(pendulum);
+    let mut error = AngleError::against(|t| formula.exact(start, t).theta);
+    integrate(&pendulum, &Rk4, start, &Grid::over(duration, 0.01).unwrap(), &mut error);
+    let floor = floor(&pendulum, theta_0, duration);
+    let left_out = 0.75 / (pendulum.small_angle_frequency() * duration);
+    assert_relative_eq!(error.root_mean_square(), floor, max_relative = left_out);
+}
+
+/// At x = θ₀√(3/2) Störmer–Verlet's error and the formula's cancel to the next order: θ₀² and x² down, each below 0.004, so
+/// that a hundredth of the floor is left at most.
+///
+/// Catches: a frequency error of Verlet other than x²/24.
+#[test]
+fn two_errors_cancel_at_the_step_foreseen() {
+    let (pendulum, theta_0) = (Pendulum::PAPER, small_angle::THETA_0);
+    let step = cancelling_step(&pendulum, theta_0);
+    let steps = (small_angle::DURATION / step).round();
+    let grid = Grid::new(small_angle::DURATION / steps, steps as u64).unwrap();
+    let verlet = pendula::method_named("stormer-verlet").unwrap();
+    let left = small_angle::errors(verlet, &grid).formula;
+    assert!(left < 1e-2 * floor(&pendulum, theta_0, small_angle::DURATION), "{left:e}");
+}
+
+/// Störmer–Verlet's own error in the small swing is θ₀ω₀T x²/(24√6). That leaves out ⟨t² cos 2ω₀t⟩, as the floor does, the next
+/// term of its phase, 9x²/80 of the first, and θ₀²/8, by which its τ₂ falls with the amplitude.
+///
+/// Catches: a line of the figure that only looks as if it met the markers; x for x², a period for a duration.
+#[rstest]
+fn stormer_verlets_own_error_is_that_of_its_phase(
+    #[values(0.1, 0.01, 0.001)] h: f64,
+    #[values(10.0, 40.0)] duration: f64,
+) {
+    let (pendulum, theta_0) = (Pendulum::new(9.81, 2.0, 0.7).unwrap(), 0.05);
+    let start = Phase::at_rest(theta_0);
+    let truth = Motion::new(&pendulum, start).unwrap();
+    let mut error = AngleError::against(|t| truth.at(t).theta);
+    let grid = Grid::over(duration, h).unwrap();
+    integrate(&pendulum, &StormerVerlet, start, &grid, &mut error);
+    let law = own_error_of_stormer_verlet(&pendulum, theta_0, h, duration);
+    let x = pendulum.small_angle_frequency() * h;
+    let left_out = 0.75 / (x / h * duration) + 9.0 * x * x / 80.0 + theta_0 * theta_0 / 8.0;
+    assert_relative_eq!(error.root_mean_square(), law, max_relative = left_out);
+}
+
+/// The lines of the figure are the laws of the table.
+///
+/// Catches: a method drawn with another's law, or one without a law with any.
+#[test]
+fn a_law_by_name_is_the_one_of_the_table() {
+    let ids = [
+        ("fe", "forward-euler"),
+        ("se", "symplectic-euler"),
+        ("rk4", "rk4"),
+        ("vv", "stormer-verlet"),
+    ];
+    for (row, name) in ids {
+        for h in STEPS {
+            let id = format!("T4.{row}.{h}");
+            let cell = PREDICTIONS.iter().find(|cell| cell.id == id).unwrap();
+            let steps = Grid::over(convergence::DURATION, h).unwrap().steps();
+            let value = largest_energy_error(name, convergence::THETA_0, h, steps);
+            assert_eq!(value, Some(cell.value), "{id}");
+        }
+    }
+    assert_eq!(largest_energy_error("backward-euler", 1.0, 0.1, 10), None);
+}

@@ -1,0 +1,43 @@
+//! The README shows results too: they must be those of the snapshots.
+
+use std::fs;
+
+use pendula_study::claims::Ledger;
+use pendula_study::claims::measure::row_ids;
+use pendula_study::experiments::Study;
+use pendula_study::report::figures::figures;
+
+fn read(path: &str) -> String {
+    fs::read_to_string(format!("{}/../../{path}", env!("CARGO_MANIFEST_DIR"))).expect(path)
+}
+
+/// Catches: a headline table left behind when a number moved.
+#[test]
+fn the_headline_table_is_table_5() {
+    let ledger = Ledger::of(&Study::run(|_| {}));
+    let readme = read("README.md");
+    for (id, title) in row_ids().into_iter() {
+        let claim = ledger.get(&format!("T5.{id}.dH")).expect("every method has a row");
+        let (stated, measured) = (claim.stated_text(), claim.measured_text());
+        let row = format!("| {title:<16} | {stated:>10} | {measured:>14} |");
+        assert!(readme.contains(&row), "the README lacks\n{row}");
+    }
+}
+
+/// The picture is Figure 2 in a file of its own, as a README cannot include a snapshot. To write it anew, run this
+/// test with `INSTA_UPDATE=always`, as for the snapshots.
+///
+/// Catches: a picture left behind when the figure moved.
+#[test]
+fn the_picture_is_figure_2() {
+    let path = format!("{}/../src/assets/energy-error.svg", env!("CARGO_MANIFEST_DIR"));
+    let figure = figures().find(|figure| figure.name == "figure_2").expect("the paper's Figure 2");
+    let svg = figure.svg(&Study::run(|_| {}));
+    if std::env::var("INSTA_UPDATE").is_ok_and(|update| update == "always") {
+        fs::write(&path, &svg).expect("the assets folder exists");
+    }
+    assert!(
+        fs::read_to_string(&path).is_ok_and(|picture| picture == svg),
+        "{path} is not Figure 2"
+    );
+}

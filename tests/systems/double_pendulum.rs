@@ -1,0 +1,350 @@
+//! The double pendulum: its equations from two sides, its modes, its energy, and how soon two of it part.
+
+use std::f64::consts::{PI, SQRT_2};
+
+use approx::assert_abs_diff_eq;
+use pendula::adaptive::{Adaptive, Tolerance};
+use pendula::methods::{Dop853, ForwardEuler, Gauss4, Gauss6, ImplicitMidpoint, Rk4};
+use pendula::metrics::EnergyDrift;
+use pendula::systems::{DoublePendulum, DoublePhase, Joint};
+use pendula::{Components, Described, Grid, Hamiltonian, Method, Rate, System, integrate};
+use pendula_study::experiments::beyond::{equals, separation, swing_frequency};
+use rstest::rstest;
+
+/// All parameters differ, so that none can stand for another.
+fn unequal() -> DoublePendulum {
+    let (upper, lower) = (Joint { length: 1.3, mass: 0.7 }, Joint { length: 0.6, mass: 1.9 });
+    DoublePendulum::new(9.81, upper, lower).unwrap()
+}
+
+/// Angles and angular velocities from all over phase space.
+const STATES: [([f64; 2], [f64; 2]); 5] = [
+    ([0.0, 0.0], [1.0, -2.0]),
+    ([0.3, -0.2], [0.0, 0.0]),
+    ([2.0, 2.5], [-1.0, 0.5]),
+    ([-3.0, 1.2], [4.0, -3.0]),
+    ([1.0, 1.0 + PI], [0.7, 5.0]),
+];
+
+/// Kinetic and potential energy from the bobs alone: ½ Σ m v² + Σ m g y, above the rest.
+fn energy_of_the_bobs(double: &DoublePendulum, [t1, t2]: [f64; 2], [w1, w2]: [f64; 2]) -> f64 {
+    let (upper, lower) = (double.upper(), double.lower());
+    let (l1, l2) = (upper.length, lower.length);
+    let (vx1, vy1) = (l1 * w1 * t1.cos(), l1 * w1 * t1.sin());
+    let (vx2, vy2) = (vx1 + l2 * w2 * t2.cos(), vy1 + l2 * w2 * t2.sin());
+    let (y1, y2) = (l1 * (1.0 - t1.cos()), l1 * (1.0 - t1.cos()) + l2 * (1.0 - t2.cos()));
+    0.5 * upper.mass * (vx1 * vx1 + vy1 * vy1)
+        + 0.5 * lower.mass * (vx2 * vx2 + vy2 * vy2)
+        + double.gravity() * (upper.mass * y1 + lower.mass * y2)
+}
+
+/// The Hamiltonian is the energy of two bobs, and velocities come back out of the momenta.
+///
+/// Catches: m₁ for m₁ + m₂, a cosine of the sum for that of the difference, a factor 2 in the coupling, a zero of energy
+/// that is not the rest.
+#[test]
+fn the_hamiltonian_is_the_energy_of_the_bobs() {
+    for double in [equals(), unequal()] {
+        for (theta, omega) in STATES {
+            let z = double.start(theta, omega).unwrap();
+            // Energies of up to 100 J, rounded some twenty times.
+            let energy = energy_of_the_bobs(&double, theta, omega);
+            assert_abs_diff_eq!(double.energy(z), energy, epsilon = 2e-13);
+            let back = double.velocities(z);
+            assert_abs_diff_eq!(back[0], omega[0], epsilon = 1e-13);
+            assert_abs_diff_eq!(back[1], omega[1], epsilon = 1e-13);
+            let [(x1, y1), (x2, y2)] = double.bobs(z);
+            let (l1, l2) = (double.upper().length, double.lower().length);
+            assert_abs_diff_eq!(x1, l1 * theta[0].sin(), epsilon = 1e-15);
+            assert_abs_diff_eq!(y1, -l1 * theta[0].cos(), epsilon = 1e-15);
+            assert_abs_diff_eq!(x2 - x1, l2 * theta[1].sin(), epsilon = 1e-15);
+            assert_abs_diff_eq!(y2 - y1, -l2 * theta[1].cos(), epsilon = 1e-15);
+        }
+    }
+    assert_eq!(unequal().energy(DoublePhase::default()), 0.0);
+}
+
+/// Hamilton's equations: the rate is the gradient of the energy, by central differences.
+///
+/// Catches: a sign of the exchange of momentum, angles or momenta exchanged, g·L for g/L, a term that is missing.
+#[test]
+fn the_rate_is_the_gradient_of_the_energy() {
+    let delta = 1e-4;
+    for double in [equals(), unequal()] {
+        for (theta, omega) in STATES {
+            let z = double.start(theta, omega).unwrap();
+            let rate = double.rate(0.0, z);
+            let along = |nudge: DoublePhase| {
+                (double.energy(z + nudge * delta) - double.energy(z + nudge * -delta))
+                    / (2.0 * delta)
+            };
+            let zero = DoublePhase::default();
+            // δ²/6 = 2e-9 times third derivatives of up to 300; rounding of 100 J by ε, over δ: 2e-10.
+            let tolerance = 6e-7;
+            for (what, value, gradient) in [
+                ("θ₁", rate.theta1, along(DoublePhase { p1: 1.0, ..zero })),
+                ("θ₂", rate.theta2, along(DoublePhase { p2: 1.0, ..zero })),
+                ("p₁", rate.p1, -along(DoublePhase { theta1: 1.0, ..zero })),
+                ("p₂", rate.p2, -along(DoublePhase { theta2: 1.0, ..zero })),
+            ] {
+                let off = (value - gradient).abs();
+                assert!(off < tolerance, "{what}: {value} for {gradient} at {theta:?} {omega:?}");
+            }
+        }
+    }
+}
+
+/// Newton's equations for θ₁ and θ₂, without a momentum: (m₁ + m₂)L₁ θ̈₁ + m₂L₂ (θ̈₂ cos Δ + ω₂² sin Δ) + (m₁ + m₂)g sin θ₁
+/// = 0 and L₂ θ̈₂ + L₁ (θ̈₁ cos Δ − ω₁² sin Δ) + g sin θ₂ = 0. The state is (θ₁, θ₂, ω₁, ω₂) under other names.
+struct Lagrange(DoublePendulum);
+
+impl System for Lagrange {
+    type State = DoublePhase;
+
+    fn rate(&self, _t: f64, z: DoublePhase) -> Rate<Self> {
+        let (upper, lower, g) = (self.0.upper(), self.0.lower(), self.0.gravity());
+        let (both, m2, l1, l2) = (upper.mass + lower.mass, lower.mass, upper.length, lower.length);
+        let (s, c) = (z.theta1 - z.theta2).sin_cos();
+        // a θ̈₁ + b θ̈₂ = e, d θ̈₁ + f θ̈₂ = k
+        let (a, b, d, f) = (both * l1, m2 * l2 * c, l1 * c, l2);
+        let e = -m2 * l2 * z.p2 * z.p2 * s - both * g * z.theta1.sin();
+        let k = l1 * z.p1 * z.p1 * s - g * z.theta2.sin();
+        let det = a * f - b * d;
+        DoublePhase {
+            theta1: z.p1,
+            theta2: z.p2,
+            p1: (e * f - b * k) / det,
+            p2: (a * k - e * d) / det,
+        }
+    }
+}
+
+/// Lagrange's equations and Hamilton's, integrated side by side, go the same way.
+///
+/// Catches: a Hamiltonian and a rate that agree with each other and with no pendulum.
+#[test]
+fn hamilton_and_lagrange_go_the_same_way() {
+    for (theta, omega) in STATES {
+        let double = unequal();
+        let grid = Grid::new(0.0005, 2000).unwrap();
+        let start = double.start(theta, omega).unwrap();
+        let end = integrate(&double, &Rk4, start, &grid, &mut ());
+        let start = DoublePhase { theta1: theta[0], theta2: theta[1], p1: omega[0], p2: omega[1] };
+        let other = integrate(&Lagrange(double), &Rk4, start, &grid, &mut ());
+        let [omega1, omega2] = double.velocities(end);
+        // RK4: h⁴/120 = 5e-16 times fifth derivatives of up to (20/s)⁵ for 1 s, times what neighbours part in it: 1e-8.
+        assert_abs_diff_eq!(end.theta1, other.theta1, epsilon = 1e-8);
+        assert_abs_diff_eq!(end.theta2, other.theta2, epsilon = 1e-8);
+        assert_abs_diff_eq!(omega1, other.p1, epsilon = 1e-7);
+        assert_abs_diff_eq!(omega2, other.p2, epsilon = 1e-7);
+    }
+}
+
+/// Small swings of equals have ω² = (2 ∓ √2) g/L, with θ₂ = ±√2 θ₁; and a swing begun in that shape has that frequency.
+///
+/// Catches: modes exchanged, g·L for g/L, a shape that excites both, masses or lengths exchanged where they differ.
+#[test]
+fn small_swings_are_the_normal_modes() {
+    let double = equals();
+    let [slow, fast] = double.normal_modes();
+    // A few roundings.
+    assert_abs_diff_eq!(slow * slow, (2.0 - SQRT_2) * 9.81, epsilon = 1e-14);
+    assert_abs_diff_eq!(fast * fast, (2.0 + SQRT_2) * 9.81, epsilon = 3e-14);
+    let [together, against] = double.mode_shapes();
+    assert_abs_diff_eq!(together, SQRT_2, epsilon = 1e-14);
+    assert_abs_diff_eq!(against, -SQRT_2, epsilon = 1e-14);
+    let long = Joint { length: 2.5, mass: 0.4 };
+    let short = Joint { length: 0.3, mass: 4.0 };
+    let [heavy, light] = [(long, short), (short, long)]
+        .map(|(upper, lower)| DoublePendulum::new(3.0, upper, lower).unwrap());
+    for double in [double, unequal(), heavy, light] {
+        for (mode, shape) in double.normal_modes().into_iter().zip(double.mode_shapes()) {
+            // Angles of 1e-6: the sine is off by 1e-12/6, the lower angle up to ten times as large. RK4 is off by
+            // (ωh)⁴/120 with ω up to 30/s, 7e-9; a crossing by (ωh)⁴/384 of a step at each end.
+            let frequency = swing_frequency(&double, 1e-6, shape).unwrap();
+            assert_abs_diff_eq!(frequency / mode, 1.0, epsilon = 1e-8);
+        }
+    }
+}
+
+/// The largest energy error over 10 s of a wild start, with so many steps a second.
+fn drift<M: Method<DoublePendulum>>(method: &M, rate: u64) -> f64 {
+    let double = unequal();
+    let grid = Grid::new(1.0 / rate as f64, 10 * rate).unwrap();
+    let mut drift = EnergyDrift::of(&double);
+    let start = double.start([2.0, 2.5], [0.0; 2]).unwrap();
+    integrate(&double, method, start, &grid, &mut drift);
+    drift.largest()
+}
+
+/// The motion keeps the energy; what RK4 loses falls with its order, and a method of order 1 is seen for what it is.
+///
+/// Catches: a rate that is no Hamiltonian's, a friction, a force that depends on time.
+#[test]
+fn the_energy_is_kept_to_the_order_of_the_method() {
+    let errors = [2000, 4000, 8000].map(|rate| drift(&Rk4, rate));
+    // Order 4, and not 5 as on the pendulum: the start is wild, and the leading term of a step does not average out. The
+    // next term is of the size of a step, 5e-4 s, times a rate of up to 20/s.
+    for pair in errors.windows(2) {
+        let slope = (pair[0] / pair[1]).log2();
+        assert!((3.9..4.1).contains(&slope), "{slope} of {errors:?}");
+    }
+    // Of 60 J.
+    assert!(errors[2] < 1e-7, "{errors:?}");
+    assert!(drift(&ForwardEuler, 4000) > 1e3 * errors[0]);
+}
+
+/// All samples of a run of 0.7 s in so many steps.
+fn path<M: Method<DoublePendulum>>(method: &M, steps: u64) -> Vec<DoublePhase> {
+    let start = unequal().start([1.0, -0.5], [0.3, 0.8]).unwrap();
+    let grid = Grid::new(0.7 / steps as f64, steps).unwrap();
+    let mut path = Vec::new();
+    integrate(&unequal(), method, start, &grid, &mut |_, _, z: DoublePhase| path.push(z));
+    path
+}
+
+/// Order on a system that is not separable: the largest error of an angle along the run, against RK4 in fine steps.
+///
+/// Catches: a stage that mixes up components of a state that has four of them.
+#[rstest]
+#[case(ForwardEuler)]
+#[case(Rk4)]
+fn methods_for_systems_have_their_order<M>(#[case] method: M)
+where
+    M: Method<DoublePendulum> + Described,
+{
+    let order = method.properties().order;
+    // RK4's own errors are measured against sixteen times as many steps: 16⁻⁴ of the smallest.
+    let truth = path(&Rk4, 16_384);
+    let coarsest = 4096 >> order;
+    let errors = [0, 1, 2].map(|k| {
+        let steps = coarsest << k;
+        let path = path(&method, steps);
+        let off = path
+            .iter()
+            .zip(truth.iter().step_by(16_384 / steps as usize))
+            .map(|(z, exact)| (z.theta1 - exact.theta1).abs().max((z.theta2 - exact.theta2).abs()));
+        off.fold(0.0, f64::max)
+    });
+    for pair in errors.windows(2) {
+        // The next term of the error is of the relative size of a step, 0.7/256 times a rate of up to 10/s; its change
+        // from one rung to the next bends the slope by 1.44 times half of that.
+        let slope = (pair[0] / pair[1]).log2();
+        assert!((slope - f64::from(order)).abs() < 0.05, "{slope} of {errors:?}");
+    }
+}
+
+/// Over a tenfold time a symplectic method's energy is off by no more, RK4's by ten times as much. The release is low, so that
+/// the motion is two swings side by side, whose states have all been near after 100 s, to a hundredth of the error.
+///
+/// Catches: an implicit method whose iteration stops too soon, or that takes a momentum for a velocity.
+#[test]
+fn only_a_symplectic_method_keeps_the_energy() {
+    fn growth<M: Method<DoublePendulum>>(method: &M) -> f64 {
+        let double = unequal();
+        let start = double.start([0.2, 0.1], [0.0; 2]).unwrap();
+        let [short, long] = [5_000, 50_000].map(|steps| {
+            let mut drift = EnergyDrift::of(&double);
+            let grid = Grid::new(0.02, steps).unwrap();
+            integrate(&double, method, start, &grid, &mut drift);
+            drift.largest()
+        });
+        long / short
+    }
+    for kept in [growth(&ImplicitMidpoint), growth(&Gauss4), growth(&Gauss6)] {
+        assert!(kept < 1.01, "{kept}");
+    }
+    let lost = growth(&Rk4);
+    assert!(lost > 9.0, "{lost}");
+}
+
+/// The slope of log distance against time between 1e-8 and 1e-3 rad (1/s), by least squares, and how well a line fits: the
+/// share of the variance that it explains.
+fn growth(path: &[(f64, f64)]) -> (f64, f64) {
+    let until = path.iter().position(|&(_, d)| d > 1e-3).expect("they part");
+    let from = path.iter().position(|&(_, d)| d > 1e-8).unwrap();
+    let logs: Vec<(f64, f64)> = path[from..until].iter().map(|&(t, d)| (t, d.ln())).collect();
+    let n = logs.len() as f64;
+    let mean = |f: &dyn Fn(&(f64, f64)) -> f64| logs.iter().map(f).sum::<f64>() / n;
+    let (t, y) = (mean(&|p| p.0), mean(&|p| p.1));
+    let cross = mean(&|p| (p.0 - t) * (p.1 - y));
+    let (tt, yy) = (mean(&|p| (p.0 - t).powi(2)), mean(&|p| (p.1 - y).powi(2)));
+    (cross / tt, cross * cross / (tt * yy))
+}
+
+/// Two starts 1e-9 rad apart part exponentially from a high release, and do not from a low one.
+///
+/// Catches: a distance that grows because of the method's error and not of the motion: it would from the low release too,
+/// and would not scale with the nudge or stay the same with half the step.
+#[test]
+fn neighbours_part_exponentially_where_the_motion_is_chaotic() {
+    let double = equals();
+    let high = |nudge, run| separation(&double, [2.0, 2.5], nudge, run);
+    let path = high(1e-9, (0.002, 10_000));
+    let (slope, fit) = growth(&path);
+    assert!((0.5..5.0).contains(&slope), "{slope} 1/s");
+    assert!(fit > 0.9, "a straight line on a logarithmic scale: {fit}");
+    assert!(path.iter().any(|&(_, d)| d > 1.0), "nothing in common in the end");
+    // The motion's, not the step's: 5 s, in which they part by a factor of 1000, and ten times the nudge is ten times the
+    // distance. RK4 is off by (5h)⁴ = 1e-8 and what chaos makes of it; the tangent by the distance, 1e-5.
+    let at_5 = |path: &[(f64, f64)]| path.iter().find(|p| p.0 >= 5.0 - 1e-9).unwrap().1;
+    let one = at_5(&path);
+    assert!(one > 1e-7, "{one}");
+    assert_abs_diff_eq!(at_5(&high(1e-9, (0.001, 10_000))) / one, 1.0, epsilon = 1e-2);
+    assert_abs_diff_eq!(at_5(&high(1e-8, (0.002, 5_000))) / (10.0 * one), 1.0, epsilon = 1e-2);
+    // Low: quasi-periodic, where neighbours part no faster than t.
+    let low = separation(&double, [0.2, 0.25], 1e-9, (0.002, 10_000));
+    assert!(low.iter().all(|&(_, d)| d < 1e-8), "regular");
+}
+
+/// DOP853 with its error held to a tolerance, which looks at all four components, beside RK4 in steps of a millisecond. In a
+/// quiet swing of 2 s neither is off by more than 1e-9.
+///
+/// Catches: components left out of a comparison: the first step would be the last.
+#[test]
+fn steps_of_their_own_size_go_the_same_way() {
+    let double = unequal();
+    let start = DoublePhase { theta1: 0.4, theta2: -0.3, p1: 0.1, p2: 0.2 };
+    let adaptive = Adaptive::new(Dop853, Tolerance::of(1e-11).unwrap());
+    let (end, counts) = adaptive.integrate(&double, start, 0.0, 2.0, &mut ()).unwrap();
+    let grid = Grid::new(0.001, 2000).unwrap();
+    let off = end + integrate(&double, &Rk4, start, &grid, &mut ()) * -1.0;
+    let largest =
+        [off.theta1, off.theta2, off.p1, off.p2].map(f64::abs).into_iter().fold(0.0, f64::max);
+    assert!(largest < 1e-9, "{off:?}");
+    assert!((10..1000).contains(&counts.accepted), "{counts:?}");
+
+    let mut seen = Vec::new();
+    start.compare(end, off, |x, y, error| seen.push([x, y, error]));
+    let columns = |z: DoublePhase| [z.theta1, z.theta2, z.p1, z.p2];
+    let expected: Vec<_> =
+        (0..4).map(|i| [columns(start)[i], columns(end)[i], columns(off)[i]]).collect();
+    assert_eq!(seen, expected);
+}
+
+/// Catches: NaN let in, a mass that vanishes, a refusal that does not say why.
+#[test]
+fn impossible_pendulums_are_refused() {
+    let joint = Joint { length: 1.0, mass: 1.0 };
+    for (gravity, upper, lower, because) in [
+        (0.0, joint, joint, "gravity g"),
+        (9.81, Joint { length: -1.0, ..joint }, joint, "length L₁"),
+        (9.81, joint, Joint { length: f64::NAN, ..joint }, "length L₂"),
+        (9.81, Joint { mass: f64::INFINITY, ..joint }, joint, "mass m₁"),
+        (9.81, joint, Joint { mass: 1e-200, ..joint }, "mass m₂ (kg) = 1e-200 is refused"),
+    ] {
+        let refused = DoublePendulum::new(gravity, upper, lower).unwrap_err().to_string();
+        assert!(refused.contains(because), "{refused}");
+    }
+    let double = equals();
+    for (theta, omega, because) in [
+        ([f64::NAN, 0.0], [0.0; 2], "angle θ"),
+        ([0.0, 1e16], [0.0; 2], "at most 1e15"),
+        ([0.0; 2], [f64::INFINITY, 0.0], "ω₁"),
+        ([0.0; 2], [0.0, f64::NAN], "ω₂"),
+        ([0.0; 2], [1e200, 0.0], "energy"),
+    ] {
+        let refused = double.start(theta, omega).unwrap_err().to_string();
+        assert!(refused.contains(because), "{refused}");
+    }
+}

@@ -1,0 +1,250 @@
+//! A planet: what every method must do on a second Hamiltonian, with an angular momentum beside the energy.
+
+use std::f64::consts::PI;
+
+use approx::assert_abs_diff_eq;
+use pendula::methods::{Rk4, StormerVerlet};
+use pendula::metrics::EnergyDrift;
+use pendula::metrics::order::slopes;
+use pendula::systems::{Ellipse, Kepler, PlanePhase};
+use pendula::{
+    Counting, Described, Error, Grid, Hamiltonian, Method, Separable, System, integrate,
+};
+use pendula_study::experiments::beyond::precession;
+use pendula_study::theory::kepler::verlet_precession;
+use rstest::rstest;
+use rstest_reuse::apply;
+
+use crate::common::each_general_method;
+
+/// μ ≠ 1, a ≠ 1: no dimension can hide. e is moderate, so that a ladder of even steps is in its asymptotic regime.
+fn planet(e: f64) -> (Kepler, Ellipse) {
+    let centre = Kepler::new(2.0).unwrap();
+    (centre, Ellipse::new(&centre, 1.3, e).unwrap())
+}
+
+/// The exact motion obeys the equation of motion, keeps what it must, and is where Kepler's laws put it.
+///
+/// Catches: an anomaly that has not converged, e for e², a velocity that is not the position's derivative.
+#[rstest]
+fn the_ellipse_is_the_motion(#[values(0.0, 0.3, 0.9, 0.9999)] e: f64) {
+    let (centre, ellipse) = planet(e);
+    for n in -7..=20 {
+        let t = ellipse.period() * f64::from(n) / 13.0;
+        let z = ellipse.at(t);
+        // At e = 0.9999 the pericentre is at 1e-4 a, where v² = 2e4 μ/a loses four digits in the difference.
+        let loss = 1.0 / (1.0 - e);
+        assert_abs_diff_eq!(centre.energy(z), -2.0 / 2.6, epsilon = 1e-15 * loss * loss);
+        let momentum = (2.0 * 1.3 * (1.0 - e * e)).sqrt();
+        assert_abs_diff_eq!(centre.angular_momentum(z), momentum, epsilon = 1e-14);
+        let towards = centre.eccentricity(z);
+        assert_abs_diff_eq!(towards.x, e, epsilon = 1e-14 * loss);
+        assert_abs_diff_eq!(towards.y, 0.0, epsilon = 1e-14 * loss);
+    }
+    // Kepler's third law, and half a revolution away the apocentre.
+    assert_abs_diff_eq!(
+        ellipse.period(),
+        2.0 * PI * (1.3_f64.powi(3) / 2.0).sqrt(),
+        epsilon = 1e-14
+    );
+    let apocentre = ellipse.at(0.5 * ellipse.period());
+    assert_abs_diff_eq!(apocentre.x, -1.3 * (1.0 + e), epsilon = 1e-14);
+    assert_abs_diff_eq!(apocentre.y, 0.0, epsilon = 1e-14);
+    assert_eq!(ellipse.at(0.0).y, 0.0);
+}
+
+/// Against the equation of motion itself: a fine RK4 ends where the ellipse does.
+///
+/// Catches: a closed form and a force that are wrong alike, such as μ for μ²; a planet that goes the other way round.
+#[test]
+fn the_ellipse_solves_the_equation() {
+    let (centre, ellipse) = planet(0.3);
+    let grid = Grid::new(0.0005, 6000).unwrap();
+    let end = integrate(&centre, &Rk4, ellipse.at(0.4), &grid, &mut ());
+    let exact = ellipse.at(3.4);
+    // (nh)⁴ = 8e-14 over 120, times e's (1 − e)⁻⁵ = 6 and 3 rad of travel; rounding 6000 ε as a walk 2e-14.
+    for (value, exact) in
+        [(end.x, exact.x), (end.y, exact.y), (end.vx, exact.vx), (end.vy, exact.vy)]
+    {
+        assert_abs_diff_eq!(value, exact, epsilon = 2e-13);
+    }
+}
+
+/// The largest distance from the exact motion in a run of `steps` steps, of a duration that is no part of the period.
+fn largest_error<M: Method<Kepler>>(method: &M, steps: u64) -> f64 {
+    let (centre, ellipse) = planet(0.2);
+    let grid = Grid::new(3.7 / steps as f64, steps).unwrap();
+    let mut largest = 0.0_f64;
+    integrate(&centre, method, ellipse.at(0.3), &grid, &mut |_, t, z: PlanePhase| {
+        let exact = ellipse.at(0.3 + t);
+        largest = largest.max((z.x - exact.x).hypot(z.y - exact.y));
+    });
+    largest
+}
+
+/// The second term of the error bends a slope in proportion to the step; on the finest rungs above rounding it is at most
+/// 1/30 of the first, which bends a slope between halved steps by less than 0.03.
+const SLOPE_TOLERANCE: f64 = 0.05;
+
+/// Beyond order 4, of a method that is not symmetric, the second term is this many times x of the first or less, where x is
+/// the step times √(μ/r³) at the pericentre, where that is largest: those methods are made for a first term that is small.
+/// Of DOP853, whose first is the smallest, it is 3 x.
+const SECOND_TERM: f64 = 4.0;
+
+/// Order on a system that is not the pendulum: every method has its own here too. The ladder descends until rounding shows,
+/// by rungs on which the error falls by 16, or by 2 to the power of the order if that is less; its two finest slopes count.
+///
+/// Beyond order 8 the steps above rounding are not short against the time in which the motion changes: rungs on which the
+/// error falls by 2¹⁶, of which there is one, and errors that are within a factor of two of their first term.
+///
+/// Catches: a coefficient that happens to be right for a force in one dimension, or for one that is nearly linear.
+#[apply(each_general_method)]
+fn each_method_has_its_order<M: Method<Kepler> + Described>(#[case] method: M) {
+    let properties = method.properties();
+    let order = f64::from(properties.order);
+    let is_fine = properties.order > 8;
+    let (shortest, powers): (f64, f64) = if is_fine { (3.0, 16.0) } else { (8.0, 4.0) };
+    let rung = |k: i32| (shortest * (powers / order).min(1.0).exp2().powi(k)).round();
+    // Each evaluation of a step rounds x, y and two velocities by 2.2e-16 of a few units: at the worst 4 · 2.2e-16 of each
+    // of N steps. Twice that bends a slope by less than a half, and is met only if all roundings go one way. An implicit
+    // method adds to the state once, slopes whose weights add up to one.
+    let additions = if properties.implicit { 1 } else { properties.force_evaluations };
+    let floor = |n: f64| 8.0 * 2.2e-16 * n * additions as f64;
+    let ladder: Vec<(f64, f64)> = (0..)
+        .map(rung)
+        .take_while(|n| *n <= 40_000.0)
+        .map(|n| (n, largest_error(&method, n as u64)))
+        .take_while(|(n, error)| *error > floor(*n))
+        .collect();
+    let (steps, errors): (Vec<f64>, Vec<f64>) =
+        ladder.into_iter().map(|(n, error)| (3.7 / n, error)).unzip();
+    let slopes: Vec<f64> = slopes(&steps, &errors, 0.0).flatten().collect();
+    let counted = if is_fine { 1 } else { 2 };
+    assert!(slopes.len() >= counted, "too few rungs above rounding: {errors:?}");
+    let rate = planet(0.2).1.mean_motion() / 0.8_f64.powf(1.5);
+    for k in slopes.len() - counted..slopes.len() {
+        let window = if is_fine {
+            4.0_f64.ln() / (steps[k] / steps[k + 1]).ln()
+        } else if properties.symmetric || properties.order <= 4 {
+            SLOPE_TOLERANCE
+        } else {
+            SLOPE_TOLERANCE + SECOND_TERM * rate * steps[k]
+        };
+        assert!((slopes[k] - order).abs() < window, "{slopes:?} of {errors:?}");
+    }
+}
+
+/// The largest change of the angular momentum over a hundred revolutions in coarse steps, relative.
+fn momentum_drift<M: Method<Kepler>>(method: &M) -> f64 {
+    let (centre, ellipse) = planet(0.5);
+    let grid = Grid::new(ellipse.period() / 100.0, 10_000).unwrap();
+    let start = ellipse.at(0.0);
+    let (initial, mut largest) = (centre.angular_momentum(start), 0.0_f64);
+    integrate(&centre, method, start, &grid, &mut |_, _, z: PlanePhase| {
+        largest = largest.max((centre.angular_momentum(z) / initial - 1.0).abs());
+    });
+    largest
+}
+
+/// Kicks along r and drifts along v leave r × v alone, and Gauss's methods keep every conserved square of the state (Hairer,
+/// Lubich, Wanner, *Geometric Numerical Integration*, Theorem IV.2.1): each symplectic method keeps the angular momentum
+/// to rounding, at a step so coarse that Störmer–Verlet's energy is off by per cents. The others change it at every step.
+///
+/// Catches: a force that is not central, a kick that moves, a drift that kicks; a method that only seems to be symplectic.
+#[apply(each_general_method)]
+fn symplectic_methods_and_no_others_keep_the_angular_momentum<M>(#[case] method: M)
+where
+    M: Method<Kepler> + Described,
+{
+    // Each kick and each drift, or each sweep, rounds x v_y by ε of itself a few times: a walk of 10 000 steps of s stages,
+    // 100 √s · 4ε, with a margin of three.
+    let properties = method.properties();
+    let rounding =
+        3.0 * 100.0 * f64::from(properties.force_evaluations as u32).sqrt() * 4.0 * f64::EPSILON;
+    let drift = momentum_drift(&method);
+    assert_eq!(drift < rounding, properties.symplectic, "{drift:e}, {rounding:e}");
+}
+
+/// The energy of a symplectic method oscillates between fixed bounds: a hundred revolutions reach no further than ten.
+///
+/// Catches: forward Euler posing as symplectic, for which a single period would do; a secular drift.
+#[test]
+fn the_energy_is_bounded() {
+    let (centre, ellipse) = planet(0.5);
+    let drift = |revolutions: u64| {
+        let grid = Grid::new(ellipse.period() / 200.0, 200 * revolutions).unwrap();
+        let mut drift = EnergyDrift::of(&centre);
+        integrate(&centre, &StormerVerlet, ellipse.at(0.0), &grid, &mut drift);
+        drift.largest()
+    };
+    let (short, long) = (drift(10), drift(100));
+    // The precession of 100 revolutions, 100 · 3.9e-3 rad, moves the samples along the ellipse; the bound is smooth.
+    assert!(long < 1.01 * short, "{short:e} grew to {long:e}");
+    // From the pericentre r: h² (μ v²/12r³ − μ²/24r⁴) = h² μ²(1 + 2e)/(24 r⁴), and little of it elsewhere.
+    let r = 1.3 * 0.5;
+    let h = ellipse.period() / 200.0;
+    let bound = h * h * 4.0 * 2.0 / (24.0 * f64::powi(r, 4));
+    assert!((0.8..1.1).contains(&(short / bound)), "{short:e} of {bound:e}");
+}
+
+/// Störmer–Verlet turns the pericentre by −(π/8)(nh)²(4 + e²)/(1 − e²)³ a revolution, but for O(h⁴).
+///
+/// Catches: the position form, whose law is another; half a kick too much, which leaves energy bounded and momentum kept.
+#[rstest]
+fn verlet_turns_the_ellipse_as_its_law_says(#[values(0.1, 0.4, 0.6)] e: f64) {
+    let (centre, ellipse) = planet(e);
+    let errors = [1000, 2000].map(|steps| {
+        let law = verlet_precession(&ellipse, ellipse.period() / steps as f64);
+        precession(&centre, &ellipse, steps) / law - 1.0
+    });
+    // The next order is (nh)² times 10 or so times (1 − e²)⁻³ of the first; and falls with the square of the step.
+    let next = 4e-5 * 10.0 / (1.0 - e * e).powi(3);
+    assert!(errors[0].abs() < next, "{errors:?}");
+    assert!(errors[1].abs() < 0.3 * errors[0].abs(), "{errors:?}");
+}
+
+/// Catches: a rate that is not the force and the velocity, a count that misses one of the two.
+#[test]
+fn rate_is_force_and_velocity() {
+    let (centre, _) = planet(0.0);
+    let counting = Counting::new(centre);
+    let z = PlanePhase { x: 3.0, y: -4.0, vx: 0.5, vy: 0.25 };
+    let rate = counting.rate(0.0, z);
+    let force = counting.force(0.0, z);
+    assert_eq!((rate.x, rate.y, rate.vx, rate.vy), (z.vx, z.vy, force.x, force.y));
+    // μ/r² = 2/25 towards the centre, by hand: along (−3, 4)/5. A few roundings.
+    assert_abs_diff_eq!(force.x, -2.0 / 25.0 * 0.6, epsilon = 2e-17);
+    assert_abs_diff_eq!(force.y, 2.0 / 25.0 * 0.8, epsilon = 2e-17);
+    assert_eq!(counting.evaluations(), 2);
+    assert_eq!(centre.angular_momentum(z), 3.0 * 0.25 + 4.0 * 0.5);
+    let far = PlanePhase { x: 1e300, ..PlanePhase::default() };
+    assert!(centre.energy(far).abs() < 1e-299, "zero far away");
+}
+
+/// Catches: a number that is told and is not the one in use.
+#[test]
+fn an_orbit_is_what_it_was_made_of() {
+    let centre = Kepler::new(2.5).unwrap();
+    let ellipse = Ellipse::new(&centre, 1.75, 0.375).unwrap();
+    assert_eq!(centre.attraction(), 2.5);
+    assert_eq!((ellipse.semi_major(), ellipse.eccentricity()), (1.75, 0.375));
+}
+
+/// Catches: a hyperbola taken for an ellipse, NaN let in, a refusal that does not say why.
+#[test]
+fn impossible_orbits_are_refused() {
+    for attraction in [0.0, -1.0, f64::NAN] {
+        assert!(Kepler::new(attraction).is_err());
+    }
+    let centre = Kepler::new(1.0).unwrap();
+    for (a, e, because) in [
+        (1.0, 1.0, "at least 0 and below 1"),
+        (1.0, -0.1, "at least 0 and below 1"),
+        (1.0, f64::NAN, "eccentricity e"),
+        (0.0, 0.5, "semi-major axis a"),
+        (1e-300, 0.5, "mean motion"),
+    ] {
+        let refused: Error = Ellipse::new(&centre, a, e).unwrap_err();
+        assert!(refused.to_string().contains(because), "{refused}");
+    }
+}

@@ -1,0 +1,11 @@
+//! Systems beyond the simple pendulum.
+
+#[path = "../common/each_method.rs"]
+mod common;
+
+mod damped;
+mod double_pendulum;
+mod driven;
+mod floquet;
+mod kepler;
+mod shaken;

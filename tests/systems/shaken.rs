@@ -1,0 +1,158 @@
+//! The pendulum on a shaken pivot: where it stands on its head, and where it does not.
+
+use std::f64::consts::PI;
+
+use approx::assert_abs_diff_eq;
+use pendula::dynamics::Stroboscope;
+use pendula::dynamics::floquet::monodromy;
+use pendula::methods::{Rk4, StormerVerlet};
+use pendula::systems::{Mathieu, Shaken};
+use pendula::{Grid, Pendulum, Phase, Separable, System, integrate};
+use pendula_study::experiments::beyond::{Boundary, upright};
+use pendula_study::theory::mathieu::{a0, b1};
+use rstest::rstest;
+
+/// L ≠ 1, m ≠ 1: no dimension can hide.
+fn pendulum() -> Pendulum {
+    Pendulum::new(9.81, 0.8, 1.7).unwrap()
+}
+
+/// The series of DLMF 28.6(i), to as many terms as it gives.
+///
+/// Catches: a matrix with a wrong corner, rows too few, an eigenvalue other than the smallest.
+#[rstest]
+fn mathieus_curves_begin_as_their_series(#[values(0.0, 0.05, 0.1, 0.2)] q: f64) {
+    let s = q * q;
+    let even = -s / 2.0 + 7.0 * s.powi(2) / 128.0 - 29.0 * s.powi(3) / 2304.0
+        + 68687.0 * s.powi(4) / 18874368.0;
+    // The next term of a₀ is near −0.0012 q¹⁰: each is about −0.29 q² times the one before.
+    assert_abs_diff_eq!(a0(q), even, epsilon = 2e-3 * s.powi(5) + 1e-15);
+    let odd = 1.0 - q - s / 8.0 + q * s / 64.0 - s * s / 1536.0 - 11.0 * q * s * s / 36864.0
+        + 49.0 * s.powi(3) / 589824.0;
+    // That of b₁, q⁷: its coefficients fall as 16⁻ⁿ or so; 1e-4 is generous.
+    assert_abs_diff_eq!(b1(q), odd, epsilon = 1e-4 * q.powi(7) + 1e-15);
+}
+
+/// RK4 at 1000 steps a period: (2π/1000)⁴/120 · 2π = 8e-11 of Ω in the multipliers, and half a dozen times that in an
+/// amplitude where they depend on it least.
+const AMPLITUDE: f64 = 1e-9;
+
+/// Both boundaries, found by the monodromy matrix, are Mathieu's, for slow and fast shaking.
+///
+/// Catches: aΩ for aΩ², a/L for 2a/L, g·L for g/L, Ωt for Ωt/2, a multiplier of the hanging pendulum.
+#[rstest]
+fn the_upright_is_stable_between_mathieus_curves(#[values(20.0, 60.0, 400.0)] frequency: f64) {
+    for (boundary, curve) in [(Boundary::Falling, a0 as fn(f64) -> f64), (Boundary::Rocking, b1)] {
+        let amplitude = upright(&pendulum(), frequency, boundary, 1000).unwrap();
+        let Mathieu { a, q } = Shaken::new(pendulum(), amplitude, frequency).unwrap().mathieu();
+        // From the curve's value to the amplitude by its slope, −q or −1.
+        let slope = if boundary == Boundary::Falling { q } else { 1.0 };
+        assert_abs_diff_eq!((a - curve(q)) / (slope * q), 0.0, epsilon = AMPLITUDE);
+    }
+}
+
+/// (aΩ)²/(2gL) → 1: on the curve a = −q²/2 + 7q⁴/128 it is 1 + 7q²/64, where q² = 8g/(LΩ²).
+///
+/// Catches: the same mistake in the matrix and in the monodromy; Kapitza's condition with gL for 2gL.
+#[rstest]
+fn fast_shaking_needs_kapitzas_speed(#[values(100.0, 400.0)] frequency: f64) {
+    let pendulum = pendulum();
+    let amplitude = upright(&pendulum, frequency, Boundary::Falling, 1000).unwrap();
+    let speed = amplitude * frequency;
+    let ratio = speed * speed / (2.0 * pendulum.gravity() * pendulum.length());
+    let square = 8.0 * pendulum.stiffness() / (frequency * frequency);
+    // The next order, by −29q⁶/2304 and the square of the first: below q⁴/20.
+    let tolerance = square * square / 20.0 + 2.0 * AMPLITUDE;
+    assert_abs_diff_eq!(ratio, 1.0 + 7.0 * square / 64.0, epsilon = tolerance);
+}
+
+/// No shaking slower than some Ω holds it: the two curves meet.
+#[test]
+fn slow_shaking_never_holds_it() {
+    assert_eq!(upright(&pendulum(), 2.0, Boundary::Falling, 1000), None);
+}
+
+/// The farthest from the upright, in 30 s after a release at rest 0.05 rad off it.
+fn farthest(shaken: &Shaken) -> f64 {
+    let step = shaken.period() / 100.0;
+    let grid = Grid::new(step, (30.0 / step) as u64).unwrap();
+    let mut farthest = 0.0_f64;
+    integrate(shaken, &StormerVerlet, Phase::at_rest(PI - 0.05), &grid, &mut |_, _, z: Phase| {
+        farthest = farthest.max((z.theta - PI).abs());
+    });
+    farthest
+}
+
+/// The nonlinear pendulum, started near the upright, stays there or leaves, as the linear boundary says on either side.
+///
+/// Catches: a boundary that only the linearised equation knows; a gravity that points upwards.
+#[test]
+fn it_stands_on_its_head_between_the_boundaries_only() {
+    let frequency = 60.0;
+    let [falling, rocking] = [Boundary::Falling, Boundary::Rocking]
+        .map(|boundary| upright(&pendulum(), frequency, boundary, 200).unwrap());
+    let shaken = |amplitude| Shaken::new(pendulum(), amplitude, frequency).unwrap();
+    assert!(farthest(&shaken(0.9 * falling)) > 3.0, "falls over");
+    assert!(farthest(&shaken(1.1 * falling)) < 0.2, "stands");
+    assert!(farthest(&shaken(0.95 * rocking)) < 0.2, "still stands");
+    assert!(farthest(&shaken(1.05 * rocking)) > 0.3, "rocks");
+    assert!(farthest(&shaken(0.0)) > 3.0, "falls over without shaking");
+}
+
+/// Undamped it keeps area, RK4's map to its order; and at rest the pivot leaves the pendulum.
+///
+/// Catches: a friction that crept in; shaking that does not vanish with its amplitude.
+#[test]
+fn area_is_kept_and_a_still_pivot_changes_nothing() {
+    let shaken = Shaken::new(pendulum(), 0.1, 60.0).unwrap();
+    let strobe = Stroboscope::new(&shaken, &Rk4, shaken.period(), 1000).unwrap();
+    for z in [Phase::at_rest(PI), Phase { theta: 0.4, omega: 3.0 }] {
+        let (_, monodromy) = monodromy(&strobe, z, 1);
+        // As [`AMPLITUDE`].
+        assert_abs_diff_eq!(monodromy.determinant(), 1.0, epsilon = 1e-9);
+    }
+    let still = Shaken::new(pendulum(), 0.0, 60.0).unwrap();
+    let z = Phase { theta: 0.7, omega: -1.3 };
+    assert_eq!(still.rate(0.3, z), pendulum().rate(0.3, z));
+}
+
+/// The force by hand, at two times: the pivot's acceleration is −aΩ² cos Ωt, and it adds to g.
+///
+/// Catches: a sign of the shaking (which shifts it by half a period), sin for cos, a rate that is not the force.
+#[rstest]
+fn the_weight_is_gravity_and_the_pivots_acceleration(#[values(0.0, 0.013)] t: f64) {
+    let shaken = Shaken::new(pendulum(), 0.1, 60.0).unwrap();
+    let z = Phase { theta: 0.7, omega: -1.3 };
+    let felt = 9.81 - 0.1 * 3600.0 * (60.0 * t).cos();
+    // A few roundings of numbers below 500.
+    assert_abs_diff_eq!(shaken.force(t, z), -felt / 0.8 * 0.7_f64.sin(), epsilon = 3e-13);
+    assert_eq!(shaken.rate(t, z), Phase { theta: z.omega, omega: shaken.force(t, z) });
+    assert_eq!(shaken.kick(z, 2.0, 0.5), Phase { omega: z.omega + 1.0, ..z });
+    assert_eq!(shaken.drift(z, 0.5), Phase { theta: 0.7 - 0.65, ..z });
+    // In τ = Ωt/2: 4/Ω² times the stiffness about the upright, −g/L + (aΩ²/L) cos 2τ.
+    let Mathieu { a, q } = shaken.mathieu();
+    assert_abs_diff_eq!(a, -4.0 * 9.81 / (0.8 * 3600.0), epsilon = 1e-17);
+    assert_abs_diff_eq!(q, 0.25, epsilon = 1e-16);
+}
+
+/// Catches: a number that is told and is not the one in use.
+#[test]
+fn a_pivot_is_what_it_was_made_of() {
+    let shaken = Shaken::new(pendulum(), 0.03, 70.0).unwrap();
+    assert_eq!((shaken.amplitude(), shaken.frequency()), (0.03, 70.0));
+    assert_eq!(shaken.pendulum(), &pendulum());
+}
+
+/// Catches: NaN let in, a refusal that does not say why.
+#[test]
+fn impossible_shaking_is_refused() {
+    for (amplitude, frequency, because) in [
+        (-0.1, 60.0, "pivot amplitude a"),
+        (f64::NAN, 60.0, "pivot amplitude a"),
+        (0.1, 0.0, "greater than zero"),
+        (0.1, 1e200, "shaking a Ω²/L"),
+    ] {
+        let refused = Shaken::new(pendulum(), amplitude, frequency).unwrap_err().to_string();
+        assert!(refused.contains(because), "{refused}");
+    }
+}

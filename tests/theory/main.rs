@@ -1,0 +1,15 @@
+//! What theory says of the methods, and the methods, side by side.
+
+#[path = "../common/each_method.rs"]
+mod common;
+
+mod carried_area;
+mod compensated;
+mod conjugacy;
+mod energy_law;
+mod level_curves;
+mod long_time;
+mod period_readings;
+mod period_shift;
+mod saturation;
+mod standard_map;

@@ -1,0 +1,168 @@
+//! The period of each method at every amplitude, against theory.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use approx::assert_relative_eq;
+use pendula::methods::{ForwardEuler, Rk4, StormerVerlet, SymplecticEuler};
+use pendula::metrics::CrossingPeriod;
+use pendula::{Grid, LinearOscillator, Method, Pendulum, Phase, exact, integrate};
+use pendula_study::theory;
+use pendula_study::theory::period::{of_stormer_verlet, of_symplectic_euler};
+use pendula_study::theory::small_angle::LinearRecurrence;
+use rstest::rstest;
+
+/// L ≠ 1 and ω₀ ≠ 1.
+fn pendulum() -> Pendulum {
+    Pendulum::new(9.81, 2.5, 0.7).unwrap()
+}
+
+/// T̃/T − 1 of a method in steps of x = ω₀h, the mean over `periods` swings.
+fn shift<M: Method<Pendulum>>(method: &M, theta_0: f64, x: f64, periods: f64) -> f64 {
+    let pendulum = pendulum();
+    let h = x / pendulum.small_angle_frequency();
+    let period = exact::period(&pendulum, theta_0).unwrap();
+    let grid = Grid::new(h, (periods * period / h) as u64).unwrap();
+    let mut crossings = CrossingPeriod::default();
+    integrate(&pendulum, method, Phase::at_rest(theta_0), &grid, &mut crossings);
+    crossings.period().unwrap() / period - 1.0
+}
+/// What T̃/T = 1 + x²τ₂/ω₀² leaves out, over x⁴. At small angles it is 17/5760 = 0.00295 of x/(2 asin(x/2)); at larger ones it
+/// is of either sign, and 0.0031 at most.
+const NEXT_TERM: f64 = 0.0035;
+
+/// What the reading of the period may be off by, relatively: each of the two outermost crossings by x³/24 at worst, where
+/// symplectic Euler's velocity belongs half a step earlier, in 400 periods of 2π or more.
+fn reading(x: f64) -> f64 {
+    2.0 * x * x * x / 24.0 / (400.0 * 2.0 * PI)
+}
+
+/// At every amplitude the period changes by h²τ₂, and nothing but x⁴ is left.
+///
+/// Catches: a wrong phase error that order tests call second order all the same; the half kick between the two methods
+/// forgotten (their τ₂ differ); L or ω₀ missing.
+#[rstest]
+fn the_period_of_second_order_methods_shifts_as_predicted(
+    #[values(0.1, 1.0, 2.0, 3.0)] theta_0: f64,
+    #[values(0.2, 0.1)] x: f64,
+) {
+    let pendulum = pendulum();
+    let x2 = x * x;
+    let allowed = NEXT_TERM * x2 * x2 + reading(x);
+    for (measured, tau) in [
+        (shift(&StormerVerlet, theta_0, x, 400.0), of_stormer_verlet(&pendulum, theta_0)),
+        (shift(&SymplecticEuler, theta_0, x, 400.0), of_symplectic_euler(&pendulum, theta_0)),
+    ] {
+        let law = x2 * tau / pendulum.stiffness();
+        assert!((measured - law).abs() < allowed, "{measured:e} for {law:e} ± {allowed:e}");
+        assert!(law.abs() > 50.0 * allowed, "the law is lost in its tolerance");
+    }
+}
+
+/// Where τ₂ vanishes the period's error is O(h⁴).
+///
+/// Catches: a τ₂ that is right at the angles of the test before by luck.
+#[rstest]
+fn the_period_is_of_fourth_order_where_two_errors_cancel(#[values(0.2, 0.1)] x: f64) {
+    /// Where cos θ₀ = 3⟨cos θ⟩, to ten digits.
+    const VERLET_ZERO: f64 = 2.744_783_690_5;
+    let pendulum = pendulum();
+    assert!(of_stormer_verlet(&pendulum, VERLET_ZERO).abs() < 1e-10);
+    assert!(of_symplectic_euler(&pendulum, FRAC_PI_2).abs() < 1e-15);
+    let allowed = NEXT_TERM * x * x * x * x + reading(x);
+    for left in
+        [shift(&StormerVerlet, VERLET_ZERO, x, 400.0), shift(&SymplecticEuler, FRAC_PI_2, x, 400.0)]
+    {
+        assert!(left.abs() < allowed, "{left:e} is more than {allowed:e}");
+    }
+}
+
+/// The same law in elliptic integrals, (ω₀²/24)(2 − k² − 3E/K), at ω₀² = 9.81 and 25 digits.
+///
+/// Catches: a mean over the orbit that has not converged, near the bottom or the top.
+#[rstest]
+#[case(1e-6, -0.408_749_999_999_948_9)]
+#[case(1.0, -0.357_178_040_911_498_1)]
+#[case(2.0, -0.198_498_737_962_696_23)]
+#[case(3.0, 0.104_494_795_461_015_71)]
+fn the_mean_over_the_orbit_is_the_elliptic_integral(#[case] theta_0: f64, #[case] tau: f64) {
+    let mean = of_stormer_verlet(&Pendulum::PAPER, theta_0);
+    // 256 terms of order 1, and three times their mean: 1e-15 or a few, times ω₀²/16.
+    assert!((mean - tau).abs() < 1e-14, "{mean} for {tau}");
+}
+
+/// RK4's period changes by h⁴τ₄. Steps that divide a quarter period leave nothing to interpolate; energy lost on the way
+/// adds a term in h⁵, which extrapolation from two steps removes. What is left is of relative order x² < 1e-3, with a
+/// coefficient below 1.
+///
+/// Catches: an RK4 with a wrong error constant, which is still of order 4.
+#[rstest]
+fn the_period_of_rk4_shifts_as_predicted(#[values(0.1, 1.0, 2.0, 3.0)] theta_0: f64) {
+    let pendulum = pendulum();
+    let quarter = 0.25 * exact::period(&pendulum, theta_0).unwrap();
+    let shift = |steps: u64| {
+        let h = quarter / steps as f64;
+        let grid = Grid::new(h, steps).unwrap();
+        let z = integrate(&pendulum, &Rk4, Phase::at_rest(theta_0), &grid, &mut ());
+        -z.theta / z.omega / quarter / (h * h * h * h)
+    };
+    let law = theory::rk4::period_shift(&pendulum, theta_0);
+    assert_relative_eq!(2.0 * shift(200) - shift(100), law, max_relative = 1e-3);
+}
+
+/// τ₄ at small angles is ω₀⁴/120, and falls by less than θ₀²/2 of itself.
+///
+/// Catches: a leading correction to RK4 that is wrong together with a wrong RK4; ω₀² for ω₀⁴.
+#[test]
+fn the_shift_of_rk4_at_small_angles_is_that_of_the_linear_oscillator() {
+    let pendulum = pendulum();
+    let (theta_0, stiffness) = (0.02, pendulum.stiffness());
+    let law = theory::rk4::period_shift(&pendulum, theta_0);
+    let ratio = law / (stiffness * stiffness / 120.0);
+    assert!(ratio < 1.0 && ratio > 1.0 - 0.5 * theta_0 * theta_0, "{ratio}");
+}
+
+/// On the linear oscillator the period is that of the recurrence: x/φ of the exact one. The reading is off by x³/24 at worst.
+///
+/// Catches: a method with another frequency on a straight line, whatever it does on a sine.
+#[rstest]
+#[case::forward_euler(ForwardEuler, LinearRecurrence::forward_euler)]
+#[case::symplectic_euler(SymplecticEuler, LinearRecurrence::symplectic_euler)]
+#[case::rk4(Rk4, LinearRecurrence::rk4)]
+#[case::stormer_verlet(StormerVerlet, LinearRecurrence::stormer_verlet)]
+fn the_period_on_the_linear_oscillator_is_that_of_the_recurrence<M>(
+    #[case] method: M,
+    #[case] recurrence: fn(&Pendulum, f64) -> LinearRecurrence,
+    #[values(0.2, 0.05)] x: f64,
+) where
+    M: Method<LinearOscillator>,
+{
+    let pendulum = pendulum();
+    let h = x / pendulum.small_angle_frequency();
+    let linear = LinearOscillator::of(pendulum);
+    let grid = Grid::new(h, (400.0 * 2.0 * PI / x) as u64).unwrap();
+    let mut crossings = CrossingPeriod::default();
+    integrate(&linear, &method, Phase::at_rest(1.0), &grid, &mut crossings);
+    let measured = crossings.period().unwrap() / pendulum.small_angle_period();
+    let law = x / recurrence(&pendulum, h).advance;
+    assert!((measured - law).abs() < reading(x), "{measured} for {law}");
+}
+
+/// Frequencies, relatively too high by: forward Euler −x²/3, symplectic Euler and Störmer–Verlet x²/24, RK4 −x⁴/120. The next
+/// terms, x⁴/5, 3x⁴/640 and x⁶/336, are less than x² of these.
+///
+/// Catches: a recurrence that is wrong together with its method.
+#[rstest]
+#[case::forward_euler(LinearRecurrence::forward_euler, 2, -1.0 / 3.0)]
+#[case::symplectic_euler(LinearRecurrence::symplectic_euler, 2, 1.0 / 24.0)]
+#[case::rk4(LinearRecurrence::rk4, 4, -1.0 / 120.0)]
+#[case::stormer_verlet(LinearRecurrence::stormer_verlet, 2, 1.0 / 24.0)]
+fn the_recurrences_have_their_leading_terms(
+    #[case] recurrence: fn(&Pendulum, f64) -> LinearRecurrence,
+    #[case] power: i32,
+    #[case] coefficient: f64,
+) {
+    let (pendulum, x) = (pendulum(), 0.03);
+    let h = x / pendulum.small_angle_frequency();
+    let relative = recurrence(&pendulum, h).advance / x - 1.0;
+    assert_relative_eq!(relative, coefficient * x.powi(power), max_relative = x * x);
+}

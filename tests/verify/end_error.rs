@@ -1,0 +1,76 @@
+//! The error at the end of a run, and what rounding has to do with it.
+
+use pendula::methods::{BlanesMoan6, Taylor24};
+use pendula::metrics::EndError;
+use pendula::{Grid, Motion, Pendulum, Phase, swing};
+use rstest::rstest;
+
+/// L ≠ 1, ω₀ = 3.5 rad/s.
+fn pendulum() -> Pendulum {
+    Pendulum::new(9.8, 0.8, 1.7).unwrap()
+}
+
+/// Catches: the smaller of two errors, a sign that lets one pass, an ω without its unit, a NaN compared away.
+#[test]
+fn the_larger_component_counts() {
+    let (pendulum, start) = (pendulum(), Phase { theta: 1.0, omega: 0.5 });
+    let truth = Motion::new(&pendulum, start).unwrap().at(7.0);
+    let error = EndError::new(&pendulum, start, 7.0).unwrap();
+    let off = |theta: f64, omega: f64| {
+        error.of(Phase { theta: truth.theta + theta, omega: truth.omega + omega })
+    };
+    assert_eq!(off(0.0, 0.0), 0.0);
+    for (theta, omega, expected) in
+        [(0.25, 0.5, 0.25), (-0.25, -0.5, 0.25), (0.125, 3.5, 1.0), (0.125, -3.5, 1.0)]
+    {
+        // Sums and differences of numbers of order 1, each rounded.
+        assert!((off(theta, omega) - expected).abs() < 1e-15, "{theta}, {omega}");
+    }
+    assert!(off(f64::NAN, 0.0).is_nan() && off(0.0, f64::NAN).is_nan());
+    assert!(EndError::new(&pendulum, Phase::at_rest(f64::NAN), 1.0).is_err());
+}
+
+/// By numbers alone: two runs whose starts differ by a millionth of themselves. The second difference is a part of 1e-6
+/// times the square of the phase that such a run gains, 1e-3 at most, over the first: 1e-2 with a margin of 10.
+///
+/// Catches: a change of the start that does not grow, one of θ alone, a difference lost in rounding; a sum of roundings
+/// without its root.
+#[rstest]
+#[case(Phase::at_rest(1.0), 30.0)]
+#[case(Phase::at_rest(3.0), 10.0)]
+#[case(Phase { theta: 0.5, omega: 8.0 }, 20.0)]
+fn a_change_of_the_start_grows(#[case] start: Phase, #[case] t: f64) {
+    let pendulum = pendulum();
+    let grid = Grid::over(t, 0.01).unwrap();
+    let end = |start| swing(&pendulum, &BlanesMoan6, start, &grid, &mut ());
+    let (here, there) = (end(start), end(start * (1.0 + 1e-6)));
+    let omega = (there.omega - here.omega).abs() / pendulum.small_angle_frequency();
+    let growth = (there.theta - here.theta).abs().max(omega) / 1e-6;
+    let error = EndError::new(&pendulum, start, t).unwrap();
+    for steps in [1_u32, 100, 10_000] {
+        let expected = growth * f64::EPSILON * f64::from(steps).sqrt();
+        let rounding = error.rounding(steps.into());
+        assert!((rounding / expected - 1.0).abs() < 1e-2, "{rounding:e}, not {expected:e}");
+    }
+}
+
+/// Steps so short that a series to the 24th power errs by rounding alone: over 30 s from five starts, the mean of squares.
+/// Each rounding is ε/√12 at most and not ε, and those made late grow little, which takes another √3 away: a sixth of the
+/// bound. One run may have luck, five have not by a factor of 5 either way.
+///
+/// Catches: a bound that rounding exceeds, and one that it never comes near.
+#[rstest]
+fn rounding_is_what_it_is_taken_for(#[values(64, 256, 1024)] rate: u32) {
+    let steps = u64::from(30 * rate);
+    let grid = Grid::new(1.0 / f64::from(rate), steps).unwrap();
+    let squares = [0.8, 1.0, 1.5, 2.0, 2.5].map(|theta| {
+        let start = Phase::at_rest(theta);
+        let error = EndError::new(&pendulum(), start, 30.0).unwrap();
+        let end = swing(&pendulum(), &Taylor24, start, &grid, &mut ());
+        let part = error.of(end) / error.rounding(steps);
+        assert!(part < 1.0, "from {theta}: {part}");
+        part * part
+    });
+    let mean = (squares.iter().sum::<f64>() / 5.0).sqrt();
+    assert!((1.0 / 30.0..5.0 / 6.0).contains(&mean), "{mean}");
+}

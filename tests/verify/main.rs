@@ -1,0 +1,8 @@
+//! The suite against itself: wrong methods and wrong metrics have to be caught.
+
+mod discrimination;
+mod end_error;
+mod metric_checks;
+mod metrics;
+mod slope_estimator;
+mod zoo;

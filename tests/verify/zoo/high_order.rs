@@ -1,0 +1,191 @@
+//! Impostors of the methods of high order: their tables with an entry changed, their loops cut short.
+
+use pendula::arithmetic::sine::{cos, sin};
+use pendula::methods::runge_kutta::dop853;
+use pendula::methods::splitting::{Splitting, kicks};
+use pendula::methods::{Dop853, ForestRuth, Gauss4, Taylor24, Yoshida6};
+use pendula::{AnyMethod, Described, Grid, Method, Observer, Pendulum, Phase, Properties};
+
+use super::{Plain, runs_in_seconds};
+
+macro_rules! composition {
+    ($(#[$doc:meta])* $name:ident poses as $truth:ident, $n:literal substeps, $substeps:expr) => {
+        $(#[$doc])*
+        pub struct $name;
+
+        impl Described for $name {
+            fn properties(&self) -> Properties {
+                $truth.properties()
+            }
+        }
+
+        impl $name {
+            const SUBSTEPS: [f64; $n] = $substeps;
+        }
+
+        impl Splitting for $name {
+            const KICKS: &'static [f64] = &kicks::<$n, { $n + 1 }>(Self::SUBSTEPS);
+            const DRIFTS: &'static [f64] = &Self::SUBSTEPS;
+        }
+    };
+}
+
+composition! {
+    /// The triple jump with its first substep too long by a millionth: the three are no whole step.
+    TripleJumpTooLong poses as ForestRuth, 3 substeps,
+    [ForestRuth::DRIFTS[0] + 1e-6, ForestRuth::DRIFTS[1], ForestRuth::DRIFTS[2]]
+}
+
+composition! {
+    /// The same off by a millionth on either side, and the middle is what is left. The sum is 1, and the sum of cubes nearly 0.
+    TripleJumpOff poses as ForestRuth, 3 substeps,
+    [ForestRuth::DRIFTS[0] + 1e-6, ForestRuth::DRIFTS[1] - 2e-6, ForestRuth::DRIFTS[2] + 1e-6]
+}
+
+composition! {
+    /// Yoshida's six and a middle, of which the second has the wrong sign; the middle is what is left.
+    SignLost poses as Yoshida6, 7 substeps, {
+        let [a, b, c] = [Yoshida6::DRIFTS[0], -Yoshida6::DRIFTS[1], Yoshida6::DRIFTS[2]];
+        [a, b, c, 1.0 - 2.0 * (a + b + c), c, b, a]
+    }
+}
+
+composition! {
+    /// Yoshida's six in six digits, and the middle is what is left.
+    SixDigits poses as Yoshida6, 7 substeps, {
+        const fn short(x: f64) -> f64 {
+            (x * 1e6) as i64 as f64 / 1e6
+        }
+        let all = Yoshida6::DRIFTS;
+        let [a, b, c] = [short(all[0]), short(all[1]), short(all[2])];
+        [a, b, c, 1.0 - 2.0 * (a + b + c), c, b, a]
+    }
+}
+
+/// Gauss's method of two stages after a single sweep of its iteration: an explicit method.
+pub struct SweptOnce;
+
+impl Described for SweptOnce {
+    fn properties(&self) -> Properties {
+        Gauss4.properties()
+    }
+}
+
+impl<S: Plain> Method<S> for SweptOnce {
+    type Memo = ();
+
+    fn start(&self, _system: &S, _t: f64, _h: f64, _z: Phase) {}
+
+    fn step(&self, system: &S, t: f64, h: f64, z: Phase, _memo: &mut ()) -> Phase {
+        let table = Gauss4::TABLEAU;
+        let mut k = [system.rate(t, z); 2];
+        for i in 0..2 {
+            let slope = k[0] * table.a[i][0] + k[1] * table.a[i][1];
+            k[i] = system.rate(t + table.c[i] * h, z + slope * h);
+        }
+        z + (k[0] * table.b[0] + k[1] * table.b[1]) * h
+    }
+}
+
+runs_in_seconds!(SweptOnce);
+
+/// DOP853's table as data, with one entry off.
+pub struct EntryOff {
+    /// The row: the name of a stage, or of the step.
+    pub row: &'static str,
+    /// The stage whose coefficient is off.
+    pub term: &'static str,
+    /// By so much.
+    pub by: f64,
+}
+
+impl Described for EntryOff {
+    fn properties(&self) -> Properties {
+        Dop853.properties()
+    }
+}
+
+impl<S: Plain> Method<S> for EntryOff {
+    type Memo = ();
+
+    fn start(&self, _system: &S, _t: f64, _h: f64, _z: Phase) {}
+
+    fn step(&self, system: &S, t: f64, h: f64, z: Phase, _memo: &mut ()) -> Phase {
+        let mut slopes = vec![("k1", system.rate(t, z))];
+        let row = |name: &str, slopes: &[(&str, Phase)]| {
+            let mut rows = dop853::STEP.stages.iter().chain(dop853::STEP.sums);
+            let row = rows.find(|row| row.name == name).expect("a row of the table");
+            let terms = row.terms.iter().map(|(term, a)| {
+                let off = if (name, *term) == (self.row, self.term) { self.by } else { 0.0 };
+                let (_, k) = slopes.iter().find(|(k, _)| k == term).expect("an earlier stage");
+                *k * (a.value + off)
+            });
+            terms.reduce(|sum, term| sum + term).expect("a term at least")
+        };
+        for stage in dop853::STEP.stages {
+            let c = stage.node.expect("a stage's time").value;
+            slopes.push((stage.name, system.rate(t + c * h, z + row(stage.name, &slopes) * h)));
+        }
+        z + row("step", &slopes) * h
+    }
+}
+
+runs_in_seconds!(EntryOff);
+
+/// The Taylor series of order 24, term by term as in a book, without one of the products of one of its coefficients.
+pub struct TermDropped {
+    /// The power of the step, of the sine or of the cosine, whose coefficient lacks …
+    pub power: usize,
+    /// … the product with this power of the angle.
+    pub factor: usize,
+}
+
+impl TermDropped {
+    /// Of neither sine nor cosine.
+    pub const NONE: Self = Self { power: 0, factor: 0 };
+
+    fn step(&self, pendulum: &Pendulum, h: f64, z: Phase) -> Phase {
+        const P: usize = 24;
+        let (mut theta, mut omega) = ([0.0; P + 1], [0.0; P + 1]);
+        let (mut s, mut c) = ([0.0; P + 1], [0.0; P + 1]);
+        (theta[0], omega[0], s[0], c[0]) = (z.theta, z.omega, sin(z.theta), cos(z.theta));
+        for k in 1..=P {
+            let power = k as f64;
+            theta[k] = h * omega[k - 1] / power;
+            omega[k] = -h * pendulum.stiffness() * s[k - 1] / power;
+            for j in (1..=k).filter(|j| (k, *j) != (self.power, self.factor)) {
+                s[k] += j as f64 * theta[j] * c[k - j] / power;
+                c[k] -= j as f64 * theta[j] * s[k - j] / power;
+            }
+        }
+        let sum = |terms: [f64; P + 1]| terms.iter().rev().sum();
+        Phase { theta: sum(theta), omega: sum(omega) }
+    }
+}
+
+impl Described for TermDropped {
+    fn properties(&self) -> Properties {
+        Taylor24.properties()
+    }
+}
+
+impl AnyMethod for TermDropped {
+    fn run(
+        &self,
+        pendulum: &Pendulum,
+        start: Phase,
+        grid: &Grid,
+        observer: &mut dyn Observer<Phase>,
+    ) -> Phase {
+        observer.observe(0, grid.time(0), start);
+        (1..=grid.steps()).fold(start, |z, n| {
+            let z = self.step(pendulum, grid.step(), z);
+            observer.observe(n, grid.time(n), z);
+            z
+        })
+    }
+
+    fn count_evaluations(&self, pendulum: &Pendulum, start: Phase, grid: &Grid) -> u64 {
+        Taylor24.count_evaluations(pendulum, start, grid)
+    }
+}

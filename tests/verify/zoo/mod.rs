@@ -1,0 +1,88 @@
+//! A zoo of impostors: wrong methods and wrong metrics, each close to a right one. Most have been published or shipped.
+//!
+//! An impostor of a method has the entry of the method that it poses as, and so claims its order, its symplecticity and
+//! its work.
+
+pub mod euler;
+pub mod high_order;
+pub mod metrics;
+pub mod problem;
+pub mod runge_kutta;
+pub mod verlet;
+pub mod wrapped;
+
+use pendula::verify::driven::Pushed;
+use pendula::{Counting, Pendulum, Phase, System};
+
+/// A system whose state is θ and ω: all that an impostor knows.
+pub trait Plain: System<State = Phase> {}
+
+impl Plain for Pendulum {}
+
+impl<S: Plain> Plain for Counting<S> {}
+
+impl Plain for Pushed {}
+
+/// Lets a list hold an impostor.
+macro_rules! runs_in_seconds {
+    // One that wraps a right method: that it begins anew after each spoilt state is not counted.
+    ($type:ty $(, $inner:ident.$field:tt)?) => {
+        impl $(<$inner>)? pendula::AnyMethod for $type
+        where
+            $type: pendula::Described
+                + pendula::Method<pendula::Pendulum>
+                + pendula::Method<pendula::Counting<pendula::Pendulum>>
+                + Sync,
+            $($inner: pendula::Method<pendula::Counting<pendula::Pendulum>>,)?
+        {
+            fn run(
+                &self,
+                pendulum: &pendula::Pendulum,
+                start: pendula::Phase,
+                grid: &pendula::Grid,
+                observer: &mut dyn pendula::Observer<pendula::Phase>,
+            ) -> pendula::Phase {
+                pendula::integrate(pendulum, self, start, grid, observer)
+            }
+
+            fn count_evaluations(
+                &self,
+                pendulum: &pendula::Pendulum,
+                start: pendula::Phase,
+                grid: &pendula::Grid,
+            ) -> u64 {
+                let counting = pendula::Counting::new(*pendulum);
+                pendula::integrate(&counting, &(*self)$(.$field)?, start, grid, &mut ());
+                counting.evaluations()
+            }
+        }
+    };
+}
+pub(crate) use runs_in_seconds;
+
+/// Makes a method of one expression for its step. Its entry is that of the method it poses as.
+macro_rules! impostor {
+    ($(#[$doc:meta])* $name:ident poses as $truth:ident, |$system:ident, $h:ident, $z:ident| $step:expr) => {
+        $(#[$doc])*
+        pub struct $name;
+
+        impl pendula::Described for $name {
+            fn properties(&self) -> pendula::Properties {
+                pendula::Described::properties(&$truth)
+            }
+        }
+
+        impl<S: $crate::zoo::Plain + pendula::Separable<Force = f64>> pendula::Method<S> for $name {
+            type Memo = ();
+
+            fn start(&self, _system: &S, _t: f64, _h: f64, _z: pendula::Phase) {}
+
+            fn step(&self, $system: &S, _t: f64, $h: f64, $z: pendula::Phase, _memo: &mut ()) -> pendula::Phase {
+                $step
+            }
+        }
+
+        $crate::zoo::runs_in_seconds!($name);
+    };
+}
+pub(crate) use impostor;
