@@ -11,7 +11,7 @@ use std::time::Duration;
 use common::NAIVE;
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use pendula::fast::{Ensemble, InLanes, Instructions};
-use pendula::{Described, Grid, Pendulum, Phase, methods, swing};
+use pendula::{Grid, Info, Pendulum, Phase, integrate_fast, methods};
 
 const PENDULUMS: u32 = 10_000;
 const STEPS: u64 = 300;
@@ -29,8 +29,8 @@ fn starts() -> Vec<Phase> {
         .collect()
 }
 
-fn ensemble_of<M: Described + InLanes>(criterion: &mut Criterion, method: M) {
-    let name = method.properties().name;
+fn ensemble_of<M: Info + InLanes>(criterion: &mut Criterion, method: M) {
+    let name = method.info().name;
     let (pendulum, starts) = (Pendulum::PAPER, starts());
     let grid = Grid::new(STEP, STEPS).expect("a positive step");
     let mut ends = vec![Phase::default(); starts.len()];
@@ -50,7 +50,7 @@ fn ensemble_of<M: Described + InLanes>(criterion: &mut Criterion, method: M) {
     group.bench_function("swing, one by one", |bencher| {
         bencher.iter(|| {
             for (start, end) in black_box(&starts).iter().zip(&mut ends) {
-                *end = swing(&pendulum, &method, *start, black_box(&grid), &mut ());
+                *end = integrate_fast(&pendulum, &method, *start, black_box(&grid), &mut ());
             }
             black_box(&mut ends);
         });
@@ -58,7 +58,7 @@ fn ensemble_of<M: Described + InLanes>(criterion: &mut Criterion, method: M) {
     for instructions in
         [Instructions::Baseline, Instructions::Avx2, Instructions::Avx512, Instructions::Best]
     {
-        let ensemble = Ensemble::of(&pendulum, &starts, grid).with(instructions);
+        let ensemble = Ensemble::new(&pendulum, &starts, grid).with_instructions(instructions);
         group.bench_function(format!("lanes, {instructions:?}"), |bencher| {
             bencher.iter(|| {
                 black_box(&ensemble).ends(&method, &mut ends);
@@ -76,7 +76,7 @@ macro_rules! every_method {
         }
     };
 }
-pendula::methods!(every_method);
+pendula::for_each_method!(every_method);
 
 criterion_group! {
     name = benches;

@@ -7,7 +7,7 @@ mod common;
 use std::hint::black_box;
 
 use common::NAIVE;
-use pendula::{Grid, METHODS, Pendulum, Phase, methods, swing};
+use pendula::{Grid, METHODS, Pendulum, Phase, integrate_fast, methods};
 
 const START: Phase = Phase::at_rest(1.0);
 const STEP: f64 = 0.01;
@@ -16,18 +16,18 @@ macro_rules! every_method {
     ($($module:ident::$method:ident,)+) => {
         /// The library's loop for the method of that name.
         fn swing_named(name: &str, grid: &Grid) -> Option<Phase> {
-            use pendula::Described;
+            use pendula::Info;
             $(
                 let method = methods::$method;
-                if method.properties().name == name {
-                    return Some(swing(&Pendulum::PAPER, &method, black_box(START), grid, &mut ()));
+                if method.info().name == name {
+                    return Some(integrate_fast(&Pendulum::PAPER, &method, black_box(START), grid, &mut ()));
                 }
             )+
             None
         }
     };
 }
-pendula::methods!(every_method);
+pendula::for_each_method!(every_method);
 
 /// Runs `method/loop` for so many steps, if there is such a kernel.
 fn count(kernel: &str, steps: u64) -> Option<Phase> {
@@ -52,7 +52,7 @@ fn main() {
         return;
     }
     for method in METHODS {
-        let name = method.properties().name;
+        let name = method.info().name;
         if NAIVE.iter().any(|(of, _)| *of == name) {
             println!("{name}/naive");
         }

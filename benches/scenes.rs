@@ -15,7 +15,7 @@ use pendula::fast::Ensemble;
 use pendula::integrate::{Every, Record};
 use pendula::methods::{Rk4, StormerVerlet, SymplecticEuler};
 use pendula::metrics::EnergyDrift;
-use pendula::{Grid, LinearOscillator, Motion, Pendulum, Phase, integrate, swing};
+use pendula::{Grid, LinearOscillator, Motion, Pendulum, Phase, integrate, integrate_fast};
 
 const STEPS: u64 = 10_000;
 const STEP: f64 = 0.01;
@@ -40,7 +40,7 @@ impl Table {
     }
 
     fn print(&self) {
-        println!("| Scene | what is skipped | ns | times as fast |\n|---|---|--:|--:|");
+        println!("| Problem | what is skipped | ns | times as fast |\n|---|---|--:|--:|");
         for row in &self.0 {
             println!("| {} |", row.join(" | "));
         }
@@ -61,23 +61,25 @@ fn main() {
     });
     table.row("`integrate`, the end only", "one half kick of two", time, verlet);
     let time = median(steps, || {
-        swing(&pendulum, &StormerVerlet, black_box(one), black_box(&grid), &mut ()).theta
+        integrate_fast(&pendulum, &StormerVerlet, black_box(one), black_box(&grid), &mut ()).theta
     });
     let skipped = "and every factor h, the reduction of θ, the wait for the last product";
-    table.row("`swing`, the end only", skipped, time, verlet);
+    table.row("`integrate_fast`, the end only", skipped, time, verlet);
     let mut every_100th = |_: u64, _: f64, z: Phase| {
         black_box(z);
     };
     let hundred = NonZeroU64::new(100).expect("not zero");
     let time = median(steps, || {
         let mut watch = Every::new(hundred, &mut every_100th);
-        swing(&pendulum, &StormerVerlet, black_box(one), black_box(&grid), &mut watch).theta
+        integrate_fast(&pendulum, &StormerVerlet, black_box(one), black_box(&grid), &mut watch)
+            .theta
     });
     table.row("… every 100th state", "the half kick and ω for the others", time, verlet);
     let mut states = vec![Phase::default(); grid.samples() as usize];
     let time = median(steps, || {
-        let mut record = Record::into_slice(&mut states);
-        swing(&pendulum, &StormerVerlet, black_box(one), black_box(&grid), &mut record).theta
+        let mut record = Record::new(&mut states);
+        integrate_fast(&pendulum, &StormerVerlet, black_box(one), black_box(&grid), &mut record)
+            .theta
     });
     table.row("… every state kept", "", time, verlet);
     let mut angles = vec![0.0; grid.samples() as usize];
@@ -88,16 +90,17 @@ fn main() {
                 *slot = z.theta;
             }
         };
-        swing(&pendulum, &StormerVerlet, black_box(one), black_box(&grid), &mut watch).theta
+        integrate_fast(&pendulum, &StormerVerlet, black_box(one), black_box(&grid), &mut watch)
+            .theta
     });
     table.row("… every θ kept", "the half kick and ω", time, verlet);
     let time = median(steps, || {
-        let mut drift = EnergyDrift::of(&pendulum);
-        swing(&pendulum, &StormerVerlet, black_box(one), black_box(&grid), &mut drift);
+        let mut drift = EnergyDrift::new(&pendulum);
+        integrate_fast(&pendulum, &StormerVerlet, black_box(one), black_box(&grid), &mut drift);
         drift.largest()
     });
     table.row("… the largest energy error", "a cosine: 2 sin² θ/2, in blocks", time, verlet);
-    let linear = LinearOscillator::of(pendulum);
+    let linear = LinearOscillator::new(pendulum);
     let time = median(steps, || {
         integrate(&linear, &StormerVerlet, black_box(one), black_box(&grid), &mut ()).theta
     });
@@ -105,17 +108,18 @@ fn main() {
 
     let naive_from_three = naive("stormer-verlet", three);
     let time = median(steps, || {
-        swing(&pendulum, &StormerVerlet, black_box(three), black_box(&grid), &mut ()).theta
+        integrate_fast(&pendulum, &StormerVerlet, black_box(three), black_box(&grid), &mut ()).theta
     });
-    table.row("`swing` from 3 rad", "", time, naive_from_three);
+    table.row("`integrate_fast` from 3 rad", "", time, naive_from_three);
     for (start, from) in [(one, "1 rad"), (three, "3 rad")] {
         let time = median(steps, || {
-            swing(&pendulum, &SymplecticEuler, black_box(start), black_box(&grid), &mut ()).theta
+            integrate_fast(&pendulum, &SymplecticEuler, black_box(start), black_box(&grid), &mut ())
+                .theta
         });
         let scene = format!("symplectic Euler, from {from}");
         table.row(&scene, "", time, naive("symplectic-euler", start));
         let time = median(steps, || {
-            swing(&pendulum, &Rk4, black_box(start), black_box(&grid), &mut ()).theta
+            integrate_fast(&pendulum, &Rk4, black_box(start), black_box(&grid), &mut ()).theta
         });
         table.row(&format!("RK4, from {from}"), "", time, naive("rk4", start));
     }
@@ -125,7 +129,7 @@ fn main() {
     let mut ends = vec![Phase::default(); starts.len()];
     let short = Grid::new(STEP, 300).expect("a positive step");
     let count = starts.len() * 300;
-    let ensemble = Ensemble::of(&pendulum, &starts, short);
+    let ensemble = Ensemble::new(&pendulum, &starts, short);
     let mut one_by_one = |name: &str| {
         let (_, run) = NAIVE.iter().find(|(of, _)| *of == name).expect("a naive loop");
         median(count, || starts.iter().map(|start| run(*start, 300, black_box(STEP)).theta).sum())

@@ -10,10 +10,10 @@ use std::hint::black_box;
 use common::NAIVE;
 use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, Criterion, Throughput, criterion_group, criterion_main};
-use pendula::fast::Stepped;
+use pendula::fast::ScaledPendulum;
 use pendula::integrate::Record;
 use pendula::metrics::EnergyDrift;
-use pendula::{Described, Grid, Method, Pendulum, Phase, integrate, methods, swing};
+use pendula::{Grid, Info, Method, Pendulum, Phase, integrate, integrate_fast, methods};
 
 const STEPS: u64 = 10_000;
 const STEP: f64 = 0.01;
@@ -25,9 +25,9 @@ fn grid() -> Grid {
 /// The final state only: the naive loop, the library in seconds, the library in steps.
 fn final_state<M>(group: &mut BenchmarkGroup<WallTime>, method: M, start: Phase)
 where
-    M: Described + Method<Pendulum> + Method<Stepped>,
+    M: Info + Method<Pendulum> + Method<ScaledPendulum>,
 {
-    let name = method.properties().name;
+    let name = method.info().name;
     let (pendulum, grid) = (Pendulum::PAPER, grid());
     if let Some((_, naive)) = NAIVE.iter().find(|(of, _)| *of == name) {
         group.bench_function(format!("{name}/naive"), |bencher| {
@@ -38,31 +38,35 @@ where
         bencher.iter(|| integrate(&pendulum, &method, black_box(start), black_box(&grid), &mut ()));
     });
     group.bench_function(format!("{name}/swing"), |bencher| {
-        bencher.iter(|| swing(&pendulum, &method, black_box(start), black_box(&grid), &mut ()));
+        bencher.iter(|| {
+            integrate_fast(&pendulum, &method, black_box(start), black_box(&grid), &mut ())
+        });
     });
 }
 
 /// What it costs to watch: nothing, every state, the energy.
 fn watched<M>(group: &mut BenchmarkGroup<WallTime>, method: M, start: Phase)
 where
-    M: Described + Method<Pendulum> + Method<Stepped>,
+    M: Info + Method<Pendulum> + Method<ScaledPendulum>,
 {
-    let name = method.properties().name;
+    let name = method.info().name;
     let (pendulum, grid) = (Pendulum::PAPER, grid());
     group.bench_function(format!("{name}/nothing"), |bencher| {
-        bencher.iter(|| swing(&pendulum, &method, black_box(start), black_box(&grid), &mut ()));
+        bencher.iter(|| {
+            integrate_fast(&pendulum, &method, black_box(start), black_box(&grid), &mut ())
+        });
     });
     let mut states = vec![Phase::default(); grid.samples() as usize];
     group.bench_function(format!("{name}/every state"), |bencher| {
         bencher.iter(|| {
-            let mut record = Record::into_slice(&mut states);
-            swing(&pendulum, &method, black_box(start), black_box(&grid), &mut record)
+            let mut record = Record::new(&mut states);
+            integrate_fast(&pendulum, &method, black_box(start), black_box(&grid), &mut record)
         });
     });
     group.bench_function(format!("{name}/energy drift"), |bencher| {
         bencher.iter(|| {
-            let mut drift = EnergyDrift::of(&pendulum);
-            swing(&pendulum, &method, black_box(start), black_box(&grid), &mut drift);
+            let mut drift = EnergyDrift::new(&pendulum);
+            integrate_fast(&pendulum, &method, black_box(start), black_box(&grid), &mut drift);
             drift.largest()
         });
     });
@@ -88,7 +92,7 @@ macro_rules! every_method {
         }
     };
 }
-pendula::methods!(every_method);
+pendula::for_each_method!(every_method);
 
 criterion_group! {
     name = benches;

@@ -5,7 +5,7 @@
 //! 1000 s.
 //!
 //! # Which steps count
-//! A lucky step, at which the error just crosses zero, must not count, and the next finer one tells ([`is_credible`]); nor
+//! A lucky step, at which the error just crosses zero, must not count, and the next finer one tells ([`is_asymptotic`]); nor
 //! does an error of more than a radian. Where an error may be [rounding](EndError::rounding), and is not halved by the next
 //! step, it is the last: more steps would only add roundings.
 //!
@@ -21,10 +21,10 @@ use std::hint::black_box;
 
 use machine::{instructions, median, seconds};
 use naive::NAIVE;
-use pendula::fast::Stepped;
+use pendula::fast::ScaledPendulum;
 use pendula::metrics::EndError;
-use pendula::metrics::order::{is_credible, is_floor};
-use pendula::{Described, Grid, Method, Pendulum, Phase, methods, swing};
+use pendula::metrics::order::{is_asymptotic, is_floor};
+use pendula::{Grid, Info, Method, Pendulum, Phase, integrate_fast, methods};
 
 /// From where (rad) and for how long (s).
 const SCENES: [(f64, u32); 3] = [(1.0, 100), (3.0, 30), (1.0, 1000)];
@@ -46,13 +46,13 @@ struct Row {
     microseconds: f64,
 }
 
-struct Scene {
+struct Problem {
     error: EndError,
     duration: u32,
     runs: usize,
 }
 
-impl Scene {
+impl Problem {
     fn error(&self, contender: &Contender<'_>, steps: u64, step: f64) -> f64 {
         self.error.of((contender.run)(steps, step))
     }
@@ -71,7 +71,7 @@ impl Scene {
             let finer = self.error(contender, 2 * steps, 0.5 * step);
             next = Some(finer);
             let rounding = self.error.rounding(2 * steps);
-            if error <= 1.0 && is_credible(contender.order, error, finer, rounding) {
+            if error <= 1.0 && is_asymptotic(contender.order, error, finer, rounding) {
                 let times = (0..self.runs).map(|_| seconds(|| (contender.run)(steps, step)));
                 rows.push(Row { steps, error, microseconds: 1e6 * median(times.collect()) });
                 let rounding = self.error.rounding(steps);
@@ -85,15 +85,15 @@ impl Scene {
 }
 
 /// The loop that anyone would write first, if there is one, and the library's.
-fn compare<M>(scene: &Scene, method: M, start: Phase) -> Vec<(String, Vec<Row>)>
+fn compare<M>(scene: &Problem, method: M, start: Phase) -> Vec<(String, Vec<Row>)>
 where
-    M: Described + Method<Pendulum> + Method<Stepped>,
+    M: Info + Method<Pendulum> + Method<ScaledPendulum>,
 {
-    let properties = method.properties();
-    let (name, order) = (properties.name, properties.order);
+    let info = method.info();
+    let (name, order) = (info.name, info.order);
     let library = |steps, step| {
         let grid = Grid::new(black_box(step), black_box(steps)).expect("a positive step");
-        swing(&Pendulum::PAPER, &method, black_box(start), &grid, &mut ())
+        integrate_fast(&Pendulum::PAPER, &method, black_box(start), &grid, &mut ())
     };
     let mut contenders = vec![Contender { name: name.into(), order, run: &library }];
     let naive = NAIVE.iter().find(|(of, _)| *of == name).map(|(_, naive)| {
@@ -107,14 +107,14 @@ where
 
 macro_rules! every_method {
     ($($module:ident::$method:ident,)+) => {
-        fn compare_all(scene: &Scene, start: Phase) -> Vec<(String, Vec<Row>)> {
+        fn compare_all(scene: &Problem, start: Phase) -> Vec<(String, Vec<Row>)> {
             let mut all = Vec::new();
             $(all.extend(compare(scene, methods::$method, start));)+
             all
         }
     };
 }
-pendula::methods!(every_method);
+pendula::for_each_method!(every_method);
 
 fn main() {
     let runs = if std::env::args().any(|argument| argument == "--bench") { 9 } else { 1 };
@@ -127,7 +127,7 @@ fn main() {
         let error = EndError::new(&Pendulum::PAPER, start, f64::from(duration))
             .expect("a pendulum's motion");
         let title = format!("{theta_0} rad to {duration} s");
-        for (name, rows) in compare_all(&Scene { error, duration, runs }, start) {
+        for (name, rows) in compare_all(&Problem { error, duration, runs }, start) {
             for Row { steps, error, microseconds } in &rows {
                 println!(
                     "{title:<20} | {name:<24} | {steps:>8} | {error:>8.1e} | {microseconds:>10.1}"

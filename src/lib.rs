@@ -1,48 +1,70 @@
-//! Numerical integrators on the simple pendulum, θ̈ + (g/L) sin θ = 0, and the means to know that they are right.
+//! Numerical integrators on the simple pendulum, θ̈ + (g/L) sin θ = 0, and the means to know that
+//! they are right.
 //!
-//! A *scene* is a system, a start, a method, a grid of times, and what is watched along the way. It pays for nothing
-//! else.
+//! A run is a system, a method, a start, a grid of times, and an observer of what happens. It pays
+//! for nothing else.
 //!
 //! ```
-//! use pendula::methods::StormerVerlet;
 //! use pendula::metrics::EnergyDrift;
-//! use pendula::{Grid, Pendulum, Phase, swing};
+//! use pendula::{Grid, Pendulum, Phase, StormerVerlet, integrate};
 //!
 //! let pendulum = Pendulum::PAPER;
-//! let mut drift = EnergyDrift::of(&pendulum);
-//! let end = swing(
-//!     &pendulum,
-//!     &StormerVerlet,
-//!     Phase::at_rest(1.0),
-//!     &Grid::over(10.0, 0.01)?,
-//!     &mut drift,
-//! );
+//! let ten_seconds = Grid::with_duration(0.01, 10.0)?;
+//! let mut drift = EnergyDrift::new(&pendulum);
+//! let end =
+//!     integrate(&pendulum, &StormerVerlet, Phase::at_rest(1.0), &ten_seconds, &mut drift);
 //! assert!(end.theta.abs() < 1.0 && drift.largest() < 1.1e-3);
 //! # Ok::<(), pendula::Error>(())
 //! ```
 //!
+//! # Where to start
+//!
+//! * The four methods of the paper, a few lines each: [`ForwardEuler`], [`SymplecticEuler`],
+//!   [`Rk4`], [`StormerVerlet`]. The others are in [`methods`], as a table.
+//! * The loop: [`integrate()`].
+//! * The problem: [`Pendulum`], and its exact solution, [`Motion`].
+//!
+//! The [book](../../book/index.html), which `cargo run --release` builds beside this
+//! documentation, walks through each of them.
+//!
+//! # The loops
+//!
+//! Arguments come in one order: the system, the method, the start, the times, the observer.
+//!
+//! | loop | takes | use it |
+//! |---|---|---|
+//! | [`integrate()`] | any system, fixed steps | unless there is a reason for another |
+//! | [`integrate_fast()`] | the pendulum, fixed steps | for speed: two thirds of the time; the last bits are others |
+//! | [`Ensemble`] | many pendulums, fixed steps | for sweeps: vector instructions, and all cores with the feature `parallel` |
+//! | [`Adaptive`](adaptive::Adaptive) | any system, to a tolerance | where the pace of the motion varies, for events and output at any time |
+//! | [`SymmetricSteps`](adaptive::SymmetricSteps) | a separable system, steps that vary | for long runs with steps that vary: the energy does not drift |
+//!
 //! # The modules, in reading order
 //!
-//! * [`phase`], [`system`], [`pendulum`], [`systems`]: what is integrated.
-//! * [`sine`]: the functions it needs, with the same bits on every machine.
-//! * [`exact`]: the truth, in closed form.
-//! * [`method`](mod@method), [`methods`](mod@methods): what integrates.
-//! * [`grid`], [`integrate`](mod@integrate), [`observe`]: the time loop and what is watched along it.
-//! * [`stepped`], [`swing`](mod@swing), `ensemble`: the same loop at full speed, for one pendulum and for many.
-//! * [`tableau`], [`implicit`], [`taylor`], [`adaptive`]: Runge–Kutta methods as tables, explicit and implicit; power series
-//!   of the motion; steps whose size follows the motion.
-//! * [`compensated`]: any of it with sums that keep what rounding takes away.
-//! * [`catalogue`]: the one list of methods.
-//! * [`metrics`], [`order`]: what is measured.
-//! * [`dynamics`]: what a motion does in the long run: periodic orbits, their multipliers, Lyapunov exponents.
-//! * `study`, `theory`, `paper`, `report`: the paper's experiments, what they must yield, the paper's claims, and all of
-//!   it as tables and figures. They need std and the feature `study`, which is on by default; without it the library
-//!   is `no_std`.
+//! * [`systems`]: what is integrated; a system of your own.
+//! * [`integrate`](mod@integrate): the time loop, its grid and its observers; what a method is.
+//! * [`methods`]: the methods, by family; a method of your own.
+//! * [`exact`]: the motion of the pendulum in closed form.
+//! * [`metrics`]: what is measured along a run.
+//! * [`verify`]: whether a method is what it claims to be.
+//! * [`fast`]: the same steps at full speed, for one pendulum and for many.
+//! * [`adaptive`]: steps whose size follows the motion.
+//! * [`dynamics`]: periodic orbits, Floquet multipliers, Lyapunov exponents.
+//! * [`arithmetic`]: sine and cosine, and numbers of twice the digits.
+//! * [`error`]: what is refused, and why.
 //!
-//! Any system goes through [`integrate()`], and the pendulum in two thirds of the time through [`swing()`].
+//! # Features
 //!
-//! Every result comes from additions, multiplications, divisions and square roots in a fixed order, so that debug and
-//! release, and one machine and another, give the same bits.
+//! | feature | default | adds | needs |
+//! |---|---|---|---|
+//! | `verify` | yes | [`verify`] | std |
+//! | `ensemble` | yes | [`Ensemble`] | std, the crate `multiversion` |
+//! | `parallel` | no | ensembles on all cores | std, the crate `rayon` |
+//!
+//! Without any the library is `no_std` and depends on `libm` alone.
+//!
+//! Every result comes from additions, multiplications, divisions and square roots in a fixed
+//! order, so that debug and release, and one machine and another, give the same bits.
 #![cfg_attr(not(any(feature = "verify", feature = "ensemble")), no_std)]
 #![warn(clippy::disallowed_methods)]
 
@@ -60,19 +82,19 @@ pub mod systems;
 pub mod verify;
 
 pub use error::Error;
-pub use exact::{Kind, Motion};
+pub use exact::{Motion, MotionKind};
 #[cfg(feature = "ensemble")]
 pub use fast::Ensemble;
-pub use fast::swing;
+pub use fast::integrate_fast;
 pub use integrate::{Grid, Method, Observer, integrate};
 pub use methods::{
-    AnyMethod, Described, ForwardEuler, METHODS, Properties, Rk4, StormerVerlet, SymplecticEuler,
+    AnyMethod, ForwardEuler, Info, METHODS, MethodInfo, Rk4, StormerVerlet, SymplecticEuler,
     Taylor, method_named,
 };
 pub use systems::{
-    Analytic, Carried, Compensated, Components, Counting, Damped, DoublePendulum, Driven,
-    Hamiltonian, Kepler, LinearOscillator, Pendulum, Phase, Point, Rate, Separable, Shaken, System,
-    Vector,
+    Analytic, Compensated, CompensatedPhase, Components, Counting, Damped, DoublePendulum, Driven,
+    Hamiltonian, Kepler, LinearOscillator, Pendulum, Phase, RateOf, Separable, Shaken, State,
+    System, Vector,
 };
 
 /// The README's listings, run as tests.

@@ -1,6 +1,6 @@
 //! Dense output: a state at every time within a step.
 
-use crate::systems::Point;
+use crate::systems::State;
 
 /// A polynomial that follows the motion through a step: a state at every time, for no evaluation of the force.
 ///
@@ -18,7 +18,7 @@ pub struct Dense<Z, C> {
     coefficients: C,
 }
 
-impl<Z: Point, C: AsRef<[Z::Displacement]>> Dense<Z, C> {
+impl<Z: State, C: AsRef<[Z::Displacement]>> Dense<Z, C> {
     /// The dense output of a step `h` (s) from `z` at time `t` (s), with the coefficients that
     /// [`Embedded::dense`](crate::methods::runge_kutta::Embedded::dense) gives.
     pub const fn new(t: f64, h: f64, z: Z, coefficients: C) -> Self {

@@ -1,6 +1,6 @@
 //! Events: when a function of the state crosses zero.
 
-use super::walk::{DenseOf, Walk};
+use super::walk::{AdaptiveSteps, DenseOf};
 use crate::error::Error;
 use crate::methods::runge_kutta::Embedded;
 use crate::systems::{Components, System};
@@ -42,9 +42,9 @@ pub struct Crossing<Z> {
 /// Points at which a step is looked at: two zeros closer together than an eighth of a step can hide each other.
 const LOOKS: u32 = 8;
 
-/// An iterator over the crossings of a walk: see [`Walk::crossings`].
+/// An iterator over the crossings of a walk: see [`AdaptiveSteps::crossings`].
 pub struct Crossings<'w, 'a, S: System, M: Embedded, G> {
-    walk: &'w mut Walk<'a, S, M>,
+    walk: &'w mut AdaptiveSteps<'a, S, M>,
     direction: Direction,
     g: G,
     /// The step being looked at, and how many times it has been.
@@ -59,7 +59,11 @@ where
     M: Embedded,
     G: FnMut(f64, S::State) -> f64,
 {
-    pub(super) fn new(walk: &'w mut Walk<'a, S, M>, direction: Direction, mut g: G) -> Self {
+    pub(super) fn new(
+        walk: &'w mut AdaptiveSteps<'a, S, M>,
+        direction: Direction,
+        mut g: G,
+    ) -> Self {
         let value = g(walk.time(), walk.state());
         Self { walk, direction, g, step: None, value }
     }

@@ -1,8 +1,8 @@
 //! Steps whose size follows the motion.
 //!
 //! [`Adaptive`] is an embedded Runge–Kutta method with a [`Tolerance`]. It [integrates](Adaptive::integrate()) past an
-//! observer, or [walks](Adaptive::walk) step by step; of each step it gives [dense output](Dense), which is a state at
-//! every time within, and on that it finds [crossings](Walk::crossings): the period, or the passage over the top.
+//! observer, or [walks](Adaptive::steps) step by step; of each step it gives [dense output](Dense), which is a state at
+//! every time within, and on that it finds [crossings](AdaptiveSteps::crossings): the period, or the passage over the top.
 //!
 //! ```
 //! use pendula::adaptive::{Adaptive, Direction, Tolerance};
@@ -10,8 +10,8 @@
 //! use pendula::{Pendulum, Phase, exact};
 //!
 //! let (pendulum, start) = (Pendulum::PAPER, Phase::at_rest(3.0));
-//! let adaptive = Adaptive::new(Dop853, Tolerance::of(1e-12)?);
-//! let mut walk = adaptive.walk(&pendulum, start, 0.0, 10.0)?;
+//! let adaptive = Adaptive::new(Dop853, Tolerance::uniform(1e-12)?);
+//! let mut walk = adaptive.steps(&pendulum, start, 0.0, 10.0)?;
 //! let mut falling = walk.crossings(Direction::Falling, |_, z| z.theta);
 //! let (first, second) = (falling.next().unwrap()?, falling.next().unwrap()?);
 //! let period = second.t - first.t;
@@ -20,19 +20,20 @@
 //! ```
 //!
 //! None of this is symplectic, and over long runs its energy drifts. A step chosen by what lies behind cannot be taken
-//! back. One that is chosen the same from both sides can: [`symmetric`].
+//! back. One that is chosen the same from both sides can: [`SymmetricSteps`].
 
 mod control;
 mod dense;
 mod events;
-pub mod symmetric;
+mod symmetric;
 mod tolerance;
 mod walk;
 
 pub use dense::Dense;
 pub use events::{Crossing, Crossings, Direction};
+pub use symmetric::{Sample, SymmetricSteps};
 pub use tolerance::{SMALLEST_RELATIVE, Tolerance};
-pub use walk::{Counts, Step, Walk};
+pub use walk::{AdaptiveSteps, Counts, Step};
 
 use crate::error::Error;
 use crate::integrate::Observer;
@@ -57,7 +58,7 @@ impl<M: Embedded> Adaptive<M> {
     }
 
     /// The same in at most `attempts` at a step, those refused included.
-    pub const fn within(self, attempts: u64) -> Self {
+    pub const fn max_attempts(self, attempts: u64) -> Self {
         Self { limit: attempts, ..self }
     }
 
@@ -65,17 +66,17 @@ impl<M: Embedded> Adaptive<M> {
     ///
     /// # Errors
     /// [`Error::Parameter`] for a time that is not finite, and for two whose difference is not.
-    pub fn walk<'a, S>(
+    pub fn steps<'a, S>(
         &self,
         system: &'a S,
         start: S::State,
         from: f64,
         until: f64,
-    ) -> Result<Walk<'a, S, M>, Error>
+    ) -> Result<AdaptiveSteps<'a, S, M>, Error>
     where
         S: System<State: Components>,
     {
-        Walk::new(*self, system, start, from, until)
+        AdaptiveSteps::new(*self, system, start, from, until)
     }
 
     // ANCHOR: integrate
@@ -84,7 +85,7 @@ impl<M: Embedded> Adaptive<M> {
     /// satisfied.
     ///
     /// # Errors
-    /// As [`Adaptive::walk`]; [`Error::StepTooSmall`] where no step meets the tolerance, or the system has no finite rate;
+    /// As [`Adaptive::steps`]; [`Error::StepTooSmall`] where no step meets the tolerance, or the system has no finite rate;
     /// [`Error::OutOfSteps`] after as many attempts as are allowed.
     pub fn integrate<S, O>(
         &self,
@@ -98,7 +99,7 @@ impl<M: Embedded> Adaptive<M> {
         S: System<State: Components>,
         O: Observer<S::State> + ?Sized,
     {
-        let mut walk = self.walk(system, start, from, until)?;
+        let mut walk = self.steps(system, start, from, until)?;
         observer.observe(0, from, start);
         while !observer.is_satisfied()
             && let Some(step) = walk.next()

@@ -40,7 +40,7 @@ impl Tolerance {
     ///
     /// # Errors
     /// As [`Tolerance::new`].
-    pub fn of(tolerance: f64) -> Result<Self, Error> {
+    pub fn uniform(tolerance: f64) -> Result<Self, Error> {
         Self::new(tolerance, tolerance)
     }
 
@@ -54,26 +54,26 @@ impl Tolerance {
         self.relative
     }
 
-    // ANCHOR: ratio
+    // ANCHOR: error_norm
     /// The size of a `displacement`, in tolerances: the root of the mean square of its components, each over what it may
     /// be off by in a step between the states `from` and `to` (Hairer, Nørsett, Wanner, *Solving Ordinary Differential
     /// Equations I*, Eqs. II.4.10–11).
     #[inline]
-    pub fn ratio<Z: Components>(&self, from: Z, to: Z, displacement: Z::Displacement) -> f64 {
+    pub fn error_norm<Z: Components>(&self, from: Z, to: Z, displacement: Z::Displacement) -> f64 {
         let (mut squares, mut count) = (0.0, 0.0);
-        from.compare(to, displacement, |x, y, error| {
+        from.for_each_component(to, displacement, |x, y, error| {
             let ratio = error / self.allowed(x, y);
             squares += ratio * ratio;
             count += 1.0;
         });
         libm::sqrt(squares / count)
     }
-    // ANCHOR_END: ratio
+    // ANCHOR_END: error_norm
 
     /// The size of a state itself, in tolerances. Of `any` displacement nothing is used.
-    pub(super) fn ratio_of_state<Z: Components>(&self, z: Z, any: Z::Displacement) -> f64 {
+    pub(super) fn state_norm<Z: Components>(&self, z: Z, any: Z::Displacement) -> f64 {
         let (mut squares, mut count) = (0.0, 0.0);
-        z.compare(z, any, |x, _, _| {
+        z.for_each_component(z, any, |x, _, _| {
             let ratio = x / self.allowed(x, x);
             squares += ratio * ratio;
             count += 1.0;

@@ -5,7 +5,7 @@ use super::events::{Crossings, Direction};
 use super::{Adaptive, Dense};
 use crate::error::Error;
 use crate::methods::runge_kutta::Embedded;
-use crate::systems::{Components, Counting, Rate, System};
+use crate::systems::{Components, Counting, RateOf, System};
 
 /// What a walk has cost so far.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -58,15 +58,15 @@ impl<Z: Copy, K, D> Step<Z, K, D> {
 }
 
 /// The step that the method `M` takes of the system `S`.
-type StepOf<S, M> = Step<<S as System>::State, <M as Embedded>::Stages<Rate<S>>, Rate<S>>;
+type StepOf<S, M> = Step<<S as System>::State, <M as Embedded>::Stages<RateOf<S>>, RateOf<S>>;
 
 /// Its dense output.
-pub(super) type DenseOf<S, M> = Dense<<S as System>::State, <M as Embedded>::Dense<Rate<S>>>;
+pub(super) type DenseOf<S, M> = Dense<<S as System>::State, <M as Embedded>::Dense<RateOf<S>>>;
 
 /// An iterator over the steps from one time to another.
 ///
 /// After an error it ends. What the method remembers of one step for the next lives here.
-pub struct Walk<'a, S: System, M> {
+pub struct AdaptiveSteps<'a, S: System, M> {
     adaptive: Adaptive<M>,
     system: Counting<&'a S>,
     controller: Controller,
@@ -74,7 +74,7 @@ pub struct Walk<'a, S: System, M> {
     until: f64,
     z: S::State,
     /// The slope at z.
-    slope: Rate<S>,
+    slope: RateOf<S>,
     /// The size of the next attempt (s).
     h: f64,
     accepted: u64,
@@ -82,7 +82,7 @@ pub struct Walk<'a, S: System, M> {
     failed: bool,
 }
 
-impl<'a, S, M> Walk<'a, S, M>
+impl<'a, S, M> AdaptiveSteps<'a, S, M>
 where
     S: System<State: Components>,
     M: Embedded,
@@ -133,8 +133,8 @@ where
             return 0.0;
         }
         let tolerance = &self.adaptive.tolerance;
-        let size = |displacement| tolerance.ratio(z, z, displacement);
-        let (state, rate) = (tolerance.ratio_of_state(z, slope), size(slope));
+        let size = |displacement| tolerance.error_norm(z, z, displacement);
+        let (state, rate) = (tolerance.state_norm(z, slope), size(slope));
         // A state or a rate of almost nothing says nothing about the time in which it changes.
         let meaningful = |ratio: f64| ratio >= 1e-5;
         let guess = if meaningful(state) && meaningful(rate) {
@@ -208,7 +208,7 @@ where
                 return Err(Error::StepTooSmall { t, step: h });
             }
             let (end, stages) = method.attempt(&self.system, t, h, z, slope);
-            let error = method.error(&stages, |rate| tolerance.ratio(z, end, rate * h));
+            let error = method.error(&stages, |rate| tolerance.error_norm(z, end, rate * h));
             let (accepted, factor) = self.controller.judge(error);
             self.h = h * factor;
             if accepted {
@@ -223,7 +223,7 @@ where
     // ANCHOR_END: advance
 }
 
-impl<S, M> Iterator for Walk<'_, S, M>
+impl<S, M> Iterator for AdaptiveSteps<'_, S, M>
 where
     S: System<State: Components>,
     M: Embedded,

@@ -19,13 +19,15 @@ const HALF_PI: [f64; 3] =
     [core::f64::consts::FRAC_PI_2, 6.123_233_995_736_766e-17, -1.497_384_904_859_169_8e-33];
 
 impl DoubleDouble {
-    pub const ZERO: Self = Self::of(0.0);
-    pub const ONE: Self = Self::of(1.0);
+    /// 0.
+    pub const ZERO: Self = Self::new(0.0);
+    /// 1.
+    pub const ONE: Self = Self::new(1.0);
     /// π/2.
     pub const HALF_PI: Self = Self { hi: HALF_PI[0], lo: HALF_PI[1] };
 
     /// `x`, exactly.
-    pub const fn of(x: f64) -> Self {
+    pub const fn new(x: f64) -> Self {
         Self { hi: x, lo: 0.0 }
     }
 
@@ -50,6 +52,7 @@ impl DoubleDouble {
         Self { hi: self.hi * power_of_two, lo: self.lo * power_of_two }
     }
 
+    /// Its square.
     pub fn squared(self) -> Self {
         self * self
     }
@@ -79,7 +82,7 @@ impl DoubleDouble {
 
 impl From<f64> for DoubleDouble {
     fn from(x: f64) -> Self {
-        Self::of(x)
+        Self::new(x)
     }
 }
 
@@ -130,7 +133,7 @@ impl Div for DoubleDouble {
     /// Long division: a first quotient, and a second from what it leaves over.
     fn div(self, other: Self) -> Self {
         let first = self.hi / other.hi;
-        let left_over = self - other * Self::of(first);
+        let left_over = self - other * Self::new(first);
         Self::sum(first, left_over.hi / other.hi)
     }
 }
@@ -140,7 +143,7 @@ pub fn reduced_sine_cosine(x: f64) -> (DoubleDouble, DoubleDouble, f64) {
     let n = libm::rint(x / HALF_PI[0]);
     // The first two lines are exact; the third adds what distinguishes π/2 from a double-double when x almost is n π/2.
     let n_half_pi = DoubleDouble::product(n, HALF_PI[0]);
-    let y = DoubleDouble::of(x - n_half_pi.hi) - DoubleDouble::of(n_half_pi.lo);
+    let y = DoubleDouble::new(x - n_half_pi.hi) - DoubleDouble::new(n_half_pi.lo);
     let y = y - DoubleDouble::product(n, HALF_PI[1]) - DoubleDouble::product(n, HALF_PI[2]);
     (y * nested(y, 1), nested(y, 0), n)
 }
@@ -152,7 +155,7 @@ fn nested(y: DoubleDouble, m: u32) -> DoubleDouble {
     let square = y.squared();
     (0..PAIRS).rev().fold(DoubleDouble::ONE, |inner, pair| {
         let first = f64::from(m + 2 * pair + 1);
-        DoubleDouble::ONE - square * inner / DoubleDouble::of(first * (first + 1.0))
+        DoubleDouble::ONE - square * inner / DoubleDouble::new(first * (first + 1.0))
     })
 }
 
@@ -206,15 +209,15 @@ mod tests {
     #[test]
     fn root_and_quotient_invert_square_and_product() {
         for x in [2.0, 9.81, 1e-300, 5e-324, 1e300, 1.0 / 3.0] {
-            let root = DoubleDouble::of(x).sqrt();
+            let root = DoubleDouble::new(x).sqrt();
             let normalised = root.scaled(1.0 / libm::ldexp(1.0, libm::ilogb(root.hi)));
             let back = normalised.squared();
             let x = libm::ldexp(x, -2 * libm::ilogb(root.hi));
             assert!(near(back, x, 0.0), "{back:?} {x}");
         }
-        let third = DoubleDouble::ONE / DoubleDouble::of(3.0);
+        let third = DoubleDouble::ONE / DoubleDouble::new(3.0);
         assert!(near(third, 1.0 / 3.0, 1.850_371_707_708_594e-17));
-        assert!(near(third * DoubleDouble::of(3.0), 1.0, 0.0));
+        assert!(near(third * DoubleDouble::new(3.0), 1.0, 0.0));
     }
 
     /// Catches: a reduction with too few digits of π/2: cos(π as f64 / 2) has all of them beyond the f64.

@@ -3,16 +3,16 @@
 use core::array::from_fn;
 use core::ops::{Add, Mul};
 
-use crate::systems::{Point, Rate, System, Vector};
+use crate::systems::{RateOf, State, System, Vector};
 
 /// A system that knows how its rate of change differs from one state to the next.
 pub trait Linearised: System {
     /// The derivative of [`System::rate`] at time `t` (s) and the state `z` along the displacement `v`: the right-hand
     /// side of the variational equation v̇ = Df(t, z) v.
-    fn tangent(&self, t: f64, z: Self::State, v: Rate<Self>) -> Rate<Self>;
+    fn tangent(&self, t: f64, z: Self::State, v: RateOf<Self>) -> RateOf<Self>;
 
     /// The size of a displacement, in a norm that makes its components comparable.
-    fn size(&self, v: Rate<Self>) -> f64;
+    fn size(&self, v: RateOf<Self>) -> f64;
 }
 
 /// A system together with N of its neighbours, infinitely near: a system too, which any method for systems moves.
@@ -59,12 +59,12 @@ impl<V: Vector, const N: usize> Vector for Bundle<V, V, N> {}
 // ANCHOR: variational
 impl<S: Linearised, const N: usize> System for Variational<'_, S, N>
 where
-    Bundle<S::State, Rate<S>, N>: Point<Displacement = Bundle<Rate<S>, Rate<S>, N>>,
+    Bundle<S::State, RateOf<S>, N>: State<Displacement = Bundle<RateOf<S>, RateOf<S>, N>>,
 {
-    type State = Bundle<S::State, Rate<S>, N>;
+    type State = Bundle<S::State, RateOf<S>, N>;
 
     #[inline]
-    fn rate(&self, t: f64, z: Self::State) -> Bundle<Rate<S>, Rate<S>, N> {
+    fn rate(&self, t: f64, z: Self::State) -> Bundle<RateOf<S>, RateOf<S>, N> {
         Bundle {
             base: self.0.rate(t, z.base),
             tangents: z.tangents.map(|v| self.0.tangent(t, z.base, v)),

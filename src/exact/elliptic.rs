@@ -58,14 +58,14 @@ pub(super) fn carlson_rf(x: DoubleDouble, y: DoubleDouble, z: DoubleDouble) -> D
     const SPREAD: f64 = 1.0 / (1_u64 << 18) as f64;
     let (mut x, mut y, mut z) = (x, y, z);
     loop {
-        let mean = (x + y + z) / DoubleDouble::of(3.0);
+        let mean = (x + y + z) / DoubleDouble::new(3.0);
         let (dx, dy) = (DoubleDouble::ONE - x / mean, DoubleDouble::ONE - y / mean);
         let dz = -(dx + dy);
         let spread = [dx, dy, dz].map(|d| libm::fabs(d.rounded()));
         if spread.into_iter().all(|d| d < SPREAD) {
             // DLMF 19.36.1, in the elementary symmetric functions E₂, E₃ of the three small differences.
             let (e2, e3) = (dx * dy - dz.squared(), dx * dy * dz);
-            let over = |x: DoubleDouble, divisor: f64| x / DoubleDouble::of(divisor);
+            let over = |x: DoubleDouble, divisor: f64| x / DoubleDouble::new(divisor);
             let series =
                 DoubleDouble::ONE - over(e2, 10.0) + over(e3, 14.0) + over(e2.squared(), 24.0)
                     - over(e2 * e3, 44.0 / 3.0);
@@ -151,7 +151,7 @@ impl Jacobi {
 
     /// π K'/K, of which the nome is e⁻ˣ: π M(1, k')/M(1, k), for the `modulus` k that belongs to k'.
     pub(super) fn nome_exponent(&self, modulus: f64) -> DoubleDouble {
-        let mean = arithmetic_geometric_mean(DoubleDouble::of(modulus), |_, _, _| {});
+        let mean = arithmetic_geometric_mean(DoubleDouble::new(modulus), |_, _, _| {});
         let complementary_mean = DoubleDouble::HALF_PI / self.quarter_period;
         DoubleDouble::HALF_PI.scaled(2.0) * complementary_mean / mean
     }
@@ -196,7 +196,7 @@ mod tests {
     fn carlson_and_the_mean_agree_on_k() {
         const TOLERANCE: f64 = 1e-30;
         for complementary_modulus in [1.0, 0.9, 0.5, 1e-3, 5e-9] {
-            let k = DoubleDouble::of(complementary_modulus);
+            let k = DoubleDouble::new(complementary_modulus);
             let carlson = carlson_rf(DoubleDouble::ZERO, k.squared(), DoubleDouble::ONE);
             let mean = DoubleDouble::HALF_PI / arithmetic_geometric_mean(k, |_, _, _| {});
             let difference = ((carlson - mean) / mean).rounded();

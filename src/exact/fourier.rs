@@ -25,17 +25,17 @@ const LANES: usize = 32;
 ///
 /// Right to 2e-15, as [`Motion::at`](super::Motion::at) is; the last digit may be another.
 #[derive(Clone, Debug)]
-pub struct Series {
+pub struct FourierSeries {
     /// Whether the pendulum goes over the top.
     rotates: bool,
     /// The phase u/K at the start, and its growth (1/s).
     quarters: DoubleDouble,
     rate: DoubleDouble,
-    /// −1 in the mirror, or 1.
-    mirror: f64,
-    /// Half turns at the start, in the mirror.
+    /// 1 for a motion that begins towards growing θ, −1 for its mirror image.
+    direction: f64,
+    /// Half turns at the start, in that direction.
     half_turns: f64,
-    /// The mean angular velocity in the mirror (rad/s).
+    /// The mean angular velocity in that direction (rad/s).
     drift: f64,
     /// The coefficients of θ (rad) and of ω (rad/s).
     terms: [Phase; Self::TERMS],
@@ -44,7 +44,7 @@ pub struct Series {
     horizon: f64,
 }
 
-impl Series {
+impl FourierSeries {
     /// Enough for a release at 3.1 rad: a nome of 0.39.
     const TERMS: usize = 40;
 
@@ -54,7 +54,7 @@ impl Series {
         rotates: bool,
         [quarters, rate]: [DoubleDouble; 2],
         exponent: DoubleDouble,
-        mirror: f64,
+        direction: f64,
         half_turns: f64,
     ) -> Option<Self> {
         // √q with the digits that the exponent's f64 lacks.
@@ -84,7 +84,7 @@ impl Series {
                     rotates,
                     quarters,
                     rate,
-                    mirror,
+                    direction,
                     half_turns,
                     drift,
                     terms,
@@ -101,7 +101,7 @@ impl Series {
         self.horizon
     }
 
-    /// The state at time `t` (s): θ in rad, unwrapped, and ω in rad/s; both NaN beyond the [horizon](Series::horizon).
+    /// The state at time `t` (s): θ in rad, unwrapped, and ω in rad/s; both NaN beyond the [horizon](FourierSeries::horizon).
     pub fn at(&self, t: f64) -> Phase {
         let [z] = self.in_lanes([t]);
         z
@@ -118,7 +118,7 @@ impl Series {
         let (mut whole, mut rest) = ([0.0; N], [0.0; N]);
         let (mut sine, mut cosine) = ([0.0; N], [0.0; N]);
         for i in 0..N {
-            let phase = self.quarters + self.rate * DoubleDouble::of(times[i]);
+            let phase = self.quarters + self.rate * DoubleDouble::new(times[i]);
             let rounded = phase.rounded() + ROUNDER;
             whole[i] = rounded - ROUNDER;
             rest[i] = (phase.rounded() - whole[i]) + phase.remainder();
@@ -154,8 +154,8 @@ impl Series {
             };
             let known = times[i].abs() <= self.horizon;
             *state = Phase {
-                theta: if known { self.mirror * unwrapped(turned, z.theta) } else { f64::NAN },
-                omega: if known { self.mirror * z.omega } else { f64::NAN },
+                theta: if known { self.direction * unwrapped(turned, z.theta) } else { f64::NAN },
+                omega: if known { self.direction * z.omega } else { f64::NAN },
             };
         }
         states
@@ -163,7 +163,7 @@ impl Series {
 }
 
 #[cfg_attr(feature = "ensemble", multiversion::multiversion(targets("x86_64+avx2")))]
-fn each(series: &Series, times: &[f64], states: &mut [Phase]) {
+fn each(series: &FourierSeries, times: &[f64], states: &mut [Phase]) {
     let mut blocks = times.chunks(LANES).zip(states.chunks_mut(LANES));
     for (times, states) in &mut blocks {
         let mut block = [0.0; LANES];

@@ -3,19 +3,31 @@
 //! [`Motion`] gives θ(t) and ω(t) in closed form, [`period`] the paper's Eq. 5, [`complete_elliptic_k`] the integral
 //! in it. All of it stays right at the top of the swing, on both sides of the separatrix, and after 10⁵ s.
 //!
-//! Exact is meant of the numbers given: the pendulum is the one of [`Pendulum::stiffness`], g/L as an f64, and the
+//! Exact is meant of the numbers given: the pendulum is the one of [`Pendulum::frequency_squared`], g/L as an f64, and the
 //! start is the f64s of the start. π as an f64 is not π, and 9.81 as an f64 is not 9.81.
+//!
+//! ```
+//! use pendula::{Motion, MotionKind, Pendulum, Phase, exact};
+//!
+//! let start = Phase::at_rest(3.0);
+//! let motion = Motion::new(&Pendulum::PAPER, start)?;
+//! assert_eq!(motion.kind(), MotionKind::Libration);
+//! // After 1000 periods it is where it was, but for the rounding of the period.
+//! let period = exact::period(&Pendulum::PAPER, 3.0)?;
+//! assert!((motion.at(1000.0 * period).theta - start.theta).abs() < 1e-11);
+//! # Ok::<(), pendula::Error>(())
+//! ```
 
 mod elliptic;
 mod fourier;
 mod motion;
 
 pub use elliptic::complete_elliptic_k;
-pub use fourier::Series;
-pub use motion::{Kind, Motion};
+pub use fourier::FourierSeries;
+pub use motion::{Motion, MotionKind};
 
 use crate::arithmetic::sine::{cos, sin};
-use crate::error::Error;
+use crate::error::{Error, finite};
 use crate::systems::Pendulum;
 
 // ANCHOR: period
@@ -80,12 +92,3 @@ impl Swing {
     }
 }
 // ANCHOR_END: period
-
-/// Passes a finite number.
-fn finite(name: &'static str, value: f64) -> Result<f64, Error> {
-    if value.is_finite() {
-        Ok(value)
-    } else {
-        Err(Error::Parameter { name, value, allowed: "finite" })
-    }
-}

@@ -15,18 +15,17 @@
 //! where u = u₀ + ω₀ t. Sources: DLMF 22.19(i); Lawden, *Elliptic Functions and Applications* (1989), Sect. 5.1.
 //!
 //! A motion forward in time and one backward, to the right and to the left, mirror each other: everything here moves
-//! in the direction of growing θ, and [`Motion`] remembers whether it looks in the mirror.
+//! in the direction of growing θ, and [`Motion`] keeps the sign of its `direction`.
 
 use super::elliptic::{Jacobi, Values, carlson_rf};
-use super::finite;
-use super::fourier::Series;
+use super::fourier::FourierSeries;
 use crate::arithmetic::double_double::{DoubleDouble, reduced_sine_cosine};
-use crate::error::Error;
+use crate::error::{Error, finite};
 use crate::systems::{Pendulum, Phase, angle};
 
 /// What the pendulum does for all time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
+pub enum MotionKind {
     /// It hangs at rest.
     Rest,
     /// It swings to and fro.
@@ -49,11 +48,11 @@ pub enum Kind {
 #[derive(Clone, Copy, Debug)]
 pub struct Motion {
     course: Course,
-    /// −1 in the mirror, or 1.
-    mirror: f64,
+    /// 1 for a motion that begins towards growing θ, −1 for its mirror image.
+    direction: f64,
     /// The power of two that a tiny swing is to be multiplied with, or 1.
     shrink: f64,
-    /// Whole turns at the start, in the mirror.
+    /// Whole turns at the start, in that direction.
     turns: f64,
     /// The modulus k, before it shrinks.
     modulus: f64,
@@ -117,13 +116,13 @@ impl Motion {
     pub fn new(pendulum: &Pendulum, start: Phase) -> Result<Self, Error> {
         let theta = angle(start.theta)?;
         let omega = finite(VELOCITY, start.omega)?;
-        let time = TimeUnit::of(pendulum);
+        let time = TimeUnit::new(pendulum);
         if libm::fabs(omega * time.unit) > FASTEST {
             return Err(refused(VELOCITY, omega, "at most 3e150 √(g/L) in size"));
         }
         let backward = omega < 0.0 || (omega == 0.0 && theta < 0.0);
-        let mirror = if backward { -1.0 } else { 1.0 };
-        let (theta, omega) = (mirror * theta, mirror * omega);
+        let direction = if backward { -1.0 } else { 1.0 };
+        let (theta, omega) = (direction * theta, direction * omega);
 
         // A swing so small that it is linear is solved larger, and the solution shrunk, lest its square underflow.
         let size = f64::max(libm::fabs(theta), omega * time.unit);
@@ -136,13 +135,13 @@ impl Motion {
         let grow = if size < LINEAR { libm::ldexp(LINEAR, -libm::ilogb(size)) } else { 1.0 };
         let (theta, omega) = (theta * grow, omega * grow * time.unit);
 
-        let HalfAngle { sine, cosine, turns } = HalfAngle::of(theta);
-        let w = DoubleDouble::of(0.5 * omega) / time.frequency;
+        let HalfAngle { sine, cosine, turns } = HalfAngle::new(theta);
+        let w = DoubleDouble::new(0.5 * omega) / time.frequency;
         let k = (sine.squared() + w.squared()).sqrt();
         // C² − w² = (4 C² g/L − ω²) / (4 g/L), which is zero exactly where it should be.
-        let to_the_top = DoubleDouble::of(4.0 * time.stiffness) * cosine.squared()
+        let to_the_top = DoubleDouble::new(4.0 * time.frequency_squared) * cosine.squared()
             - DoubleDouble::product(omega, omega);
-        let gap = to_the_top / DoubleDouble::of(4.0 * time.stiffness);
+        let gap = to_the_top / DoubleDouble::new(4.0 * time.frequency_squared);
 
         let course = if gap.rounded() > 0.0 {
             let (s, c) = (sine / k, w / k);
@@ -150,7 +149,7 @@ impl Motion {
             // At rest it is a quarter period from the bottom, without rounding. Else u₀ = F(φ, k) with s = sin φ and
             // c = cos φ (DLMF 19.25.5).
             let quarters = if omega == 0.0 {
-                DoubleDouble::of(libm::copysign(1.0, sine.rounded()))
+                DoubleDouble::new(libm::copysign(1.0, sine.rounded()))
             } else {
                 s * carlson_rf(c.squared(), cosine.squared(), DoubleDouble::ONE)
                     / jacobi.quarter_period()
@@ -166,7 +165,13 @@ impl Motion {
         } else {
             Course::Separatrix(Hyperbolic::through(sine, cosine, &time))
         };
-        Ok(Self { mirror, shrink: 1.0 / grow, turns, modulus: k.rounded(), ..Self::along(course) })
+        Ok(Self {
+            direction,
+            shrink: 1.0 / grow,
+            turns,
+            modulus: k.rounded(),
+            ..Self::along(course)
+        })
     }
 
     /// The motion of `pendulum` on the separatrix, through `theta` (rad) at t = 0, towards growing θ.
@@ -177,8 +182,8 @@ impl Motion {
     /// # Errors
     /// [`Error::Parameter`] for an angle that is not finite, or beyond 1e15.
     pub fn on_separatrix(pendulum: &Pendulum, theta: f64) -> Result<Self, Error> {
-        let HalfAngle { sine, cosine, turns } = HalfAngle::of(angle(theta)?);
-        let time = TimeUnit::of(pendulum);
+        let HalfAngle { sine, cosine, turns } = HalfAngle::new(angle(theta)?);
+        let time = TimeUnit::new(pendulum);
         let course = Course::Separatrix(Hyperbolic::through(sine, cosine, &time));
         Ok(Self { turns, modulus: 1.0, ..Self::along(course) })
     }
@@ -191,16 +196,16 @@ impl Motion {
                 LARGEST_PHASE / elliptic.rate.rounded()
             }
         };
-        Self { course, mirror: 1.0, shrink: 1.0, turns: 0.0, modulus: 0.0, horizon }
+        Self { course, direction: 1.0, shrink: 1.0, turns: 0.0, modulus: 0.0, horizon }
     }
 
     /// What the pendulum does for all time.
-    pub const fn kind(&self) -> Kind {
+    pub const fn kind(&self) -> MotionKind {
         match self.course {
-            Course::Rest => Kind::Rest,
-            Course::Libration(_) => Kind::Libration,
-            Course::Separatrix(_) => Kind::Separatrix,
-            Course::Rotation(_) => Kind::Rotation,
+            Course::Rest => MotionKind::Rest,
+            Course::Libration(_) => MotionKind::Libration,
+            Course::Separatrix(_) => MotionKind::Separatrix,
+            Course::Rotation(_) => MotionKind::Rotation,
         }
     }
 
@@ -217,7 +222,7 @@ impl Motion {
             Course::Rotation(elliptic) => (2.0, elliptic),
             Course::Rest | Course::Separatrix(_) => return None,
         };
-        Some((DoubleDouble::of(quarters) / elliptic.rate).rounded())
+        Some((DoubleDouble::new(quarters) / elliptic.rate).rounded())
     }
 
     /// The largest |t| (s) that [`Motion::at`] has an answer for: 2⁵² quarter periods, about 10¹⁵ periods.
@@ -242,8 +247,8 @@ impl Motion {
             Course::Rotation(elliptic) => elliptic.rotation(t),
         };
         Phase {
-            theta: self.mirror * unwrapped(half_turns + 2.0 * self.turns, theta * self.shrink),
-            omega: self.mirror * omega * self.shrink,
+            theta: self.direction * unwrapped(half_turns + 2.0 * self.turns, theta * self.shrink),
+            omega: self.direction * omega * self.shrink,
         }
     }
 }
@@ -255,7 +260,7 @@ impl Motion {
 impl Motion {
     /// The motion as a Fourier series, a third of the time for one value and a tenth in a row of many; `None` at rest,
     /// for a swing below 1e-30 rad, and so near the separatrix that the series is long.
-    pub fn series(&self) -> Option<Series> {
+    pub fn series(&self) -> Option<FourierSeries> {
         let (rotates, elliptic, modulus) = match &self.course {
             Course::Libration(elliptic) => (false, elliptic, self.modulus),
             Course::Rotation(elliptic) => (true, elliptic, 1.0 / self.modulus),
@@ -266,7 +271,7 @@ impl Motion {
         }
         let phase = [elliptic.quarters, elliptic.rate];
         let exponent = elliptic.jacobi.nome_exponent(modulus);
-        Series::new(rotates, phase, exponent, self.mirror, 2.0 * self.turns)
+        FourierSeries::new(rotates, phase, exponent, self.direction, 2.0 * self.turns)
     }
 
     /// The states at `times` (s), into `states` as far as there are slots: as [`Motion::at`] has them, or for many times
@@ -312,7 +317,7 @@ impl Elliptic {
     /// digit of the f64 that is left over.
     #[inline]
     fn phase(&self, t: f64) -> (f64, f64) {
-        let phase = self.quarters + self.rate * DoubleDouble::of(t);
+        let phase = self.quarters + self.rate * DoubleDouble::new(t);
         let whole = libm::rint(phase.rounded());
         let rest = (phase.rounded() - whole) + phase.remainder();
         // Where the f64 itself is a whole number, half of one may be in what it left over.
@@ -395,17 +400,17 @@ struct TimeUnit {
     /// The unit (s).
     unit: f64,
     /// g/L in this unit: from 1/2 to 2.
-    stiffness: f64,
+    frequency_squared: f64,
     /// ω₀ in this unit.
     frequency: DoubleDouble,
 }
 
 impl TimeUnit {
-    fn of(pendulum: &Pendulum) -> Self {
-        let (_, exponent) = libm::frexp(pendulum.stiffness());
+    fn new(pendulum: &Pendulum) -> Self {
+        let (_, exponent) = libm::frexp(pendulum.frequency_squared());
         let unit = libm::ldexp(1.0, -exponent.div_euclid(2));
-        let stiffness = pendulum.stiffness() * unit * unit;
-        Self { unit, stiffness, frequency: DoubleDouble::of(stiffness).sqrt() }
+        let frequency_squared = pendulum.frequency_squared() * unit * unit;
+        Self { unit, frequency_squared, frequency: DoubleDouble::new(frequency_squared).sqrt() }
     }
 }
 
@@ -417,7 +422,7 @@ struct HalfAngle {
 }
 
 impl HalfAngle {
-    fn of(theta: f64) -> Self {
+    fn new(theta: f64) -> Self {
         let (sine, cosine, quadrant) = reduced_sine_cosine(0.5 * theta);
         // θ/2 = quadrant · π/2 + y. Beside an odd quadrant the nearer multiple of π is up or down, as y is: the half
         // angle that is left is y + π/2 or y − π/2.
@@ -434,7 +439,7 @@ impl HalfAngle {
 /// `half_turns` π + `angle`, rounded as if once: π and its multiple are double-doubles.
 #[inline]
 pub(super) fn unwrapped(half_turns: f64, angle: f64) -> f64 {
-    let turned = DoubleDouble::HALF_PI.scaled(2.0) * DoubleDouble::of(half_turns);
+    let turned = DoubleDouble::HALF_PI.scaled(2.0) * DoubleDouble::new(half_turns);
     turned.rounded() + (turned.remainder() + angle)
 }
 

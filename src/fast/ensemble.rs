@@ -5,12 +5,25 @@
 
 use core::num::NonZeroU64;
 
-use super::lanes::{Block, Instructions, LANES, Lane, Stepped};
-use crate::fast::swing;
+use super::lanes::{Block, Instructions, LANES, Lane, ScaledPendulum};
+use crate::fast::integrate_fast;
 use crate::integrate::{Every, Grid, Method, Observer};
 use crate::systems::{Pendulum, Phase};
 
 /// Pendulums with their starts, and the times at which they are seen: one pendulum for all starts, or one for each.
+///
+/// ```
+/// use pendula::{Ensemble, Grid, Pendulum, Phase, StormerVerlet, integrate_fast};
+///
+/// let starts: Vec<Phase> = (1..=1000).map(|i| Phase::at_rest(0.003 * f64::from(i))).collect();
+/// let grid = Grid::with_duration(0.01, 10.0)?;
+/// let mut ends = vec![Phase::default(); starts.len()];
+/// Ensemble::new(&Pendulum::PAPER, &starts, grid).ends(&StormerVerlet, &mut ends);
+/// // Each has the bits of a run by itself.
+/// let alone = integrate_fast(&Pendulum::PAPER, &StormerVerlet, starts[7], &grid, &mut ());
+/// assert_eq!(ends[7], alone);
+/// # Ok::<(), pendula::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Ensemble<'a> {
     pendulums: &'a [Pendulum],
@@ -21,7 +34,7 @@ pub struct Ensemble<'a> {
 
 impl<'a> Ensemble<'a> {
     /// One `pendulum`, begun at each of `starts`, along `grid`.
-    pub const fn of(pendulum: &'a Pendulum, starts: &'a [Phase], grid: Grid) -> Self {
+    pub const fn new(pendulum: &'a Pendulum, starts: &'a [Phase], grid: Grid) -> Self {
         let pendulums = core::slice::from_ref(pendulum);
         Self { pendulums, starts, grid, instructions: Instructions::Best }
     }
@@ -30,14 +43,18 @@ impl<'a> Ensemble<'a> {
     ///
     /// # Panics
     /// If there are not as many starts as pendulums.
-    pub const fn of_each(pendulums: &'a [Pendulum], starts: &'a [Phase], grid: Grid) -> Self {
+    pub const fn with_pendulums(
+        pendulums: &'a [Pendulum],
+        starts: &'a [Phase],
+        grid: Grid,
+    ) -> Self {
         assert!(pendulums.len() == starts.len(), "one start for each pendulum");
         Self { pendulums, starts, grid, instructions: Instructions::Best }
     }
 
     /// The same with these `instructions` and no better ones: to show that the bits are the same.
     #[must_use]
-    pub const fn with(self, instructions: Instructions) -> Self {
+    pub const fn with_instructions(self, instructions: Instructions) -> Self {
         Self { instructions, ..self }
     }
 
@@ -56,7 +73,7 @@ impl<'a> Ensemble<'a> {
             }
             None => {
                 for (i, end) in (first..).zip(ends) {
-                    *end = swing(self.pendulum(i), method, self.starts[i], grid, &mut ());
+                    *end = integrate_fast(self.pendulum(i), method, self.starts[i], grid, &mut ());
                 }
             }
         });
@@ -67,7 +84,7 @@ impl<'a> Ensemble<'a> {
     ///
     /// # Panics
     /// If there are not as many observers as starts.
-    pub fn watch<M: InLanes, O>(&self, every: NonZeroU64, method: &M, observers: &mut [O])
+    pub fn watch<M: InLanes, O>(&self, method: &M, every: NonZeroU64, observers: &mut [O])
     where
         O: Observer<Phase> + Send,
     {
@@ -99,7 +116,7 @@ impl<'a> Ensemble<'a> {
                                 observer.observe(n, t, z);
                             }
                         });
-                        swing(self.pendulum(i), method, self.starts[i], grid, &mut watch);
+                        integrate_fast(self.pendulum(i), method, self.starts[i], grid, &mut watch);
                     }
                 }
             }
@@ -124,7 +141,7 @@ impl<'a> Ensemble<'a> {
         let mut starts = [None; LANES];
         for (i, slot) in (first..first + count).zip(&mut starts) {
             let start = self.starts[i];
-            *slot = Some((Stepped::of::<M>(self.pendulum(i), &self.grid, start)?, start));
+            *slot = Some((ScaledPendulum::new::<M>(self.pendulum(i), &self.grid, start)?, start));
         }
         Some(Block::new(method, starts.into_iter().flatten()))
     }
@@ -134,13 +151,16 @@ impl<'a> Ensemble<'a> {
     }
 }
 
-/// A method of the pendulum whose steps can be taken in lanes: every one whose memo can be laid out in columns.
+/// A method of the pendulum whose steps can be taken in lanes: every one whose carry can be laid out in columns.
 pub trait InLanes:
-    Method<Pendulum> + Method<super::Stepped> + Method<Stepped, Memo: Lane> + Sync
+    Method<Pendulum> + Method<super::ScaledPendulum> + Method<ScaledPendulum, Carry: Lane> + Sync
 {
 }
 
 impl<M> InLanes for M where
-    M: Method<Pendulum> + Method<super::Stepped> + Method<Stepped, Memo: Lane> + Sync
+    M: Method<Pendulum>
+        + Method<super::ScaledPendulum>
+        + Method<ScaledPendulum, Carry: Lane>
+        + Sync
 {
 }

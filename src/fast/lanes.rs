@@ -2,13 +2,13 @@
 
 use multiversion::multiversion;
 
-use super::{Deferred, Turning};
+use super::{Deferred, ReducedRate};
 use crate::integrate::Method;
 use crate::systems::Phase;
 
 /// The pendulum, and its state, without a branch.
-pub type Stepped = super::Stepped<false>;
-type Turned = super::Turned<false>;
+pub type ScaledPendulum = super::ScaledPendulum<false>;
+type ReducedPhase = super::ReducedPhase<false>;
 
 /// Pendulums in a block: enough for the sines of some to hide the wait for those of others, and few enough for all that
 /// is between two steps to stay in the first cache.
@@ -39,7 +39,7 @@ impl Lane for () {
     fn store(self, _columns: &mut Columns, _lane: usize) {}
 }
 
-impl Lane for Turned {
+impl Lane for ReducedPhase {
     const SUFFICES: bool = true;
 
     #[inline(always)]
@@ -57,7 +57,7 @@ impl Lane for Turned {
     }
 }
 
-impl Lane for Turning {
+impl Lane for ReducedRate {
     const SUFFICES: bool = false;
 
     #[inline(always)]
@@ -95,25 +95,25 @@ pub enum Instructions {
 /// a register filled from two of them takes twice as long.
 #[repr(align(64))]
 pub struct Block {
-    kicks: [f64; LANES],
+    minus_k: [f64; LANES],
     step: f64,
     state: Columns,
-    memo: Columns,
+    carry: Columns,
 }
 
 impl Block {
     /// A block that begins at `starts`, at most [`LANES`] of them.
-    pub fn new<M: Method<Stepped, Memo: Lane>>(
+    pub fn new<M: Method<ScaledPendulum, Carry: Lane>>(
         method: &M,
-        starts: impl Iterator<Item = (Stepped, Phase)>,
+        starts: impl Iterator<Item = (ScaledPendulum, Phase)>,
     ) -> Self {
         let zero = [[0.0; LANES]; 6];
-        let mut block = Self { kicks: [0.0; LANES], step: 1.0, state: zero, memo: zero };
-        for (lane, (stepped, start)) in starts.enumerate() {
-            (block.kicks[lane], block.step) = (stepped.kick, stepped.step);
-            let z = stepped.enter(start);
+        let mut block = Self { minus_k: [0.0; LANES], step: 1.0, state: zero, carry: zero };
+        for (lane, (scaled, start)) in starts.enumerate() {
+            (block.minus_k[lane], block.step) = (scaled.minus_k, scaled.step);
+            let z = scaled.from_phase(start);
             z.store(&mut block.state, lane);
-            method.start(&stepped, 0.0, 1.0, z).store(&mut block.memo, lane);
+            method.start(&scaled, 0.0, 1.0, z).store(&mut block.carry, lane);
         }
         block
     }
@@ -121,7 +121,7 @@ impl Block {
     /// Takes `steps` steps in every lane.
     pub fn advance<M>(&mut self, method: &M, steps: u64, instructions: Instructions)
     where
-        M: Method<Stepped, Memo: Lane>,
+        M: Method<ScaledPendulum, Carry: Lane>,
     {
         match instructions {
             Instructions::Best => best(self, method, steps),
@@ -134,15 +134,15 @@ impl Block {
     /// The state of a lane (rad, rad/s).
     #[inline]
     pub fn state(&self, lane: usize) -> Phase {
-        let stepped = Stepped { kick: self.kicks[lane], step: self.step };
-        stepped.leave(Turned::load(&self.state, lane))
+        let scaled = ScaledPendulum { minus_k: self.minus_k[lane], step: self.step };
+        scaled.to_phase(ReducedPhase::load(&self.state, lane))
     }
 }
 
 macro_rules! advance {
     ($($name:ident for [$($target:literal),*],)+) => {$(
         #[multiversion(targets($($target),*))]
-        fn $name<M: Method<Stepped, Memo: Lane>>(block: &mut Block, method: &M, steps: u64) {
+        fn $name<M: Method<ScaledPendulum, Carry: Lane>>(block: &mut Block, method: &M, steps: u64) {
             steps_in_lanes(block, method, steps);
         }
     )+};
@@ -155,28 +155,36 @@ advance! {
 }
 
 #[inline(always)]
-fn steps_in_lanes<M: Method<Stepped, Memo: Lane>>(block: &mut Block, method: &M, steps: u64) {
+fn steps_in_lanes<M: Method<ScaledPendulum, Carry: Lane>>(
+    block: &mut Block,
+    method: &M,
+    steps: u64,
+) {
     let Some(but_last) = steps.checked_sub(1) else { return };
     for _ in 0..but_last {
-        step_in_lanes(block, method, !M::Memo::SUFFICES);
+        step_in_lanes(block, method, !M::Carry::SUFFICES);
     }
     step_in_lanes(block, method, true);
 }
 
 /// One step in every lane; the states are kept if they are wanted.
 #[inline(always)]
-fn step_in_lanes<M: Method<Stepped, Memo: Lane>>(block: &mut Block, method: &M, keep: bool) {
-    let Block { kicks, step, state, memo } = block;
+fn step_in_lanes<M: Method<ScaledPendulum, Carry: Lane>>(
+    block: &mut Block,
+    method: &M,
+    keep: bool,
+) {
+    let Block { minus_k, step, state, carry } = block;
     #[expect(clippy::needless_range_loop, reason = "every column is indexed by the lane")]
     for lane in 0..LANES {
-        let stepped = Stepped { kick: kicks[lane], step: *step };
-        let mut remembered = M::Memo::load(memo, lane);
+        let scaled = ScaledPendulum { minus_k: minus_k[lane], step: *step };
+        let mut remembered = M::Carry::load(carry, lane);
         // A step of length 1; the pendulum does not ask for the time.
-        let z = Turned::load(state, lane);
-        let z = method.step(&stepped, 0.0, 1.0, z, &mut remembered);
+        let z = ReducedPhase::load(state, lane);
+        let z = method.step(&scaled, 0.0, 1.0, z, &mut remembered);
         if keep {
             z.store(state, lane);
         }
-        remembered.store(memo, lane);
+        remembered.store(carry, lane);
     }
 }

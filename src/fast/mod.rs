@@ -12,7 +12,7 @@ pub use deferred::Deferred;
 pub use ensemble::{Ensemble, InLanes};
 #[cfg(feature = "ensemble")]
 pub use lanes::{Instructions, LANES, Lane};
-pub use scaled::{Stepped, Turned, Turning};
+pub use scaled::{ReducedPhase, ReducedRate, ScaledPendulum};
 
 use crate::integrate::{Grid, Method, Observer, integrate};
 use crate::systems::{Pendulum, Phase};
@@ -22,7 +22,7 @@ use crate::systems::{Pendulum, Phase};
 /// The same method takes the same steps; only the rounding is another. What `observer` sees is angle (rad) and angular
 /// velocity (rad/s) as ever, and a scene that does not look does not convert.
 #[inline]
-pub fn swing<M, O>(
+pub fn integrate_fast<M, O>(
     pendulum: &Pendulum,
     method: &M,
     start: Phase,
@@ -30,31 +30,31 @@ pub fn swing<M, O>(
     observer: &mut O,
 ) -> Phase
 where
-    M: Method<Stepped> + Method<Pendulum>,
+    M: Method<ScaledPendulum> + Method<Pendulum>,
     O: Observer<Phase> + ?Sized,
 {
-    let Some(stepped) = Stepped::of::<M>(pendulum, grid, start) else {
+    let Some(scaled) = ScaledPendulum::new::<M>(pendulum, grid, start) else {
         return integrate(pendulum, method, start, grid, observer);
     };
     // The start is seen as it was given.
     observer.observe(0, 0.0, start);
-    let mut watch = InSeconds { stepped, grid, observer };
-    let end = integrate(&stepped, method, stepped.enter(start), &grid.in_steps(), &mut watch);
-    stepped.leave(end)
+    let mut watch = InSeconds { scaled, grid, observer };
+    let end = integrate(&scaled, method, scaled.from_phase(start), &grid.in_steps(), &mut watch);
+    scaled.to_phase(end)
 }
 
 /// Shows an observer, in seconds, what happens in steps.
 struct InSeconds<'a, O: ?Sized> {
-    stepped: Stepped,
+    scaled: ScaledPendulum,
     grid: &'a Grid,
     observer: &'a mut O,
 }
 
-impl<O: Observer<Phase> + ?Sized> Observer<Turned> for InSeconds<'_, O> {
+impl<O: Observer<Phase> + ?Sized> Observer<ReducedPhase> for InSeconds<'_, O> {
     #[inline]
-    fn observe(&mut self, n: u64, _t: f64, z: Turned) {
+    fn observe(&mut self, n: u64, _t: f64, z: ReducedPhase) {
         if n > 0 {
-            self.observer.observe(n, self.grid.time(n), self.stepped.leave(z));
+            self.observer.observe(n, self.grid.time(n), self.scaled.to_phase(z));
         }
     }
 

@@ -13,24 +13,24 @@ use crate::arithmetic::sine::half_turn::{PI_PARTS, reduce, series};
 use crate::arithmetic::sine::{self, ROUNDER};
 use crate::integrate::{Grid, Method};
 use crate::systems::{
-    Analytic, Components, Pendulum, Phase, Point, Rate, Separable, System, Vector, growth,
+    Analytic, Components, Pendulum, Phase, RateOf, Separable, State, System, Vector, growth,
 };
 
 /// The pendulum whose time is counted in steps.
 ///
-/// `ALONE` says how its angles are reduced: with a branch, for a trajectory alone, or without, for lanes. The bits are
+/// `BRANCH` says how its angles are reduced: with a branch, for a trajectory alone, or without, for lanes. The bits are
 /// the same.
 #[derive(Clone, Copy, Debug)]
-pub struct Stepped<const ALONE: bool = true> {
+pub struct ScaledPendulum<const BRANCH: bool = true> {
     /// −K = −h² g/L.
-    pub(crate) kick: f64,
+    pub(crate) minus_k: f64,
     /// The step h (s).
     pub(crate) step: f64,
 }
 
 /// The state: the angle as a rest in [−π/2, π/2] and a number of half turns, and the velocity in rad a step.
 #[derive(Clone, Copy, Debug)]
-pub struct Turned<const ALONE: bool = true> {
+pub struct ReducedPhase<const BRANCH: bool = true> {
     /// What is left of the angle (rad).
     pub(crate) rest: f64,
     /// 1.5 · 2⁵² + n for n half turns: the lowest bit is that of n, and says whether the sine changes its sign.
@@ -40,50 +40,50 @@ pub struct Turned<const ALONE: bool = true> {
 
 /// A displacement of the state, or its rate of change.
 #[derive(Clone, Copy, Debug)]
-pub struct Turning {
+pub struct ReducedRate {
     pub(crate) angle: Deferred,
     pub(crate) velocity: Deferred,
 }
 
-impl<const ALONE: bool> Stepped<ALONE> {
+impl<const BRANCH: bool> ScaledPendulum<BRANCH> {
     /// `pendulum` with its time in steps, for a run of the method `M` along `grid` that begins with the angle and angular
     /// velocity of `start`; `None` where the change of units could overflow or underflow, or half turns could become too
     /// many to be counted.
-    pub fn of<M: Method<Self>>(pendulum: &Pendulum, grid: &Grid, start: Phase) -> Option<Self> {
+    pub fn new<M: Method<Self>>(pendulum: &Pendulum, grid: &Grid, start: Phase) -> Option<Self> {
         let step = grid.step();
         // K and h stay far from the ends of the range of f64, and with them what is made of them: squares of 1e-200
         // can be lost, 1e-100 leaves room.
         let moderate = |x: f64| (1e-100..1e100).contains(&x);
-        let kick = pendulum.stiffness() * step * step;
+        let k = pendulum.frequency_squared() * step * step;
         // The rounder counts 2⁵¹ half turns; the angle at the start is reduced exactly below 2²⁰, and kept to half a
         // rounding.
         let reach = grid.steps() as f64 * M::REACH;
-        let fastest = (start.omega * step).abs() + reach * kick;
+        let fastest = (start.omega * step).abs() + reach * k;
         let farthest = start.theta.abs() + reach * fastest;
-        let fits = moderate(kick)
+        let fits = moderate(k)
             && moderate(step)
             && (start.omega == 0.0 || moderate(start.omega.abs()))
             && start.theta.abs() < 1e6
             && farthest < 1e15;
-        fits.then_some(Self { kick: -kick, step })
+        fits.then_some(Self { minus_k: -k, step })
     }
 
     /// The state that `z` is.
-    pub fn enter(&self, z: Phase) -> Turned<ALONE> {
-        let (n, rest) = reduce::<ALONE>(z.theta);
-        Turned { rest, turns: ROUNDER + n, velocity: (z.omega * self.step).into() }
+    pub fn from_phase(&self, z: Phase) -> ReducedPhase<BRANCH> {
+        let (n, rest) = reduce::<BRANCH>(z.theta);
+        ReducedPhase { rest, turns: ROUNDER + n, velocity: (z.omega * self.step).into() }
     }
 
     /// Angle (rad) and angular velocity (rad/s) of the state `z`.
     #[inline]
-    pub fn leave(&self, z: Turned<ALONE>) -> Phase {
+    pub fn to_phase(&self, z: ReducedPhase<BRANCH>) -> Phase {
         let n = z.turns - ROUNDER;
         let theta = n * PI_PARTS[0] + (n * PI_PARTS[1] + (n * PI_PARTS[2] + z.rest));
         Phase { theta, omega: z.velocity.value() / self.step }
     }
 }
 
-impl<const ALONE: bool> Turned<ALONE> {
+impl<const BRANCH: bool> ReducedPhase<BRANCH> {
     /// Sine and cosine of the angle. An odd number of half turns changes the sign of both.
     #[inline]
     pub(crate) fn sine_and_cosine(self) -> (f64, f64) {
@@ -95,34 +95,39 @@ impl<const ALONE: bool> Turned<ALONE> {
     /// Moves the angle and reduces it again.
     #[inline]
     fn turn(self, by: Deferred) -> Self {
-        let (n, rest) = reduce::<ALONE>((self.rest + by.sum) + by.factor * by.series);
+        let (n, rest) = reduce::<BRANCH>((self.rest + by.sum) + by.factor * by.series);
         Self { rest, turns: self.turns + n, ..self }
     }
 }
 
-impl<const ALONE: bool> Add<Turning> for Turned<ALONE> {
+impl<const BRANCH: bool> Add<ReducedRate> for ReducedPhase<BRANCH> {
     type Output = Self;
 
     #[inline]
-    fn add(self, displacement: Turning) -> Self {
+    fn add(self, displacement: ReducedRate) -> Self {
         let velocity = self.velocity + displacement.velocity;
         Self { velocity, ..self.turn(displacement.angle) }
     }
 }
 
-impl<const ALONE: bool> Point for Turned<ALONE> {
-    type Displacement = Turning;
+impl<const BRANCH: bool> State for ReducedPhase<BRANCH> {
+    type Displacement = ReducedRate;
 }
 
-impl<const ALONE: bool> Components for Turned<ALONE> {
+impl<const BRANCH: bool> Components for ReducedPhase<BRANCH> {
     #[inline]
-    fn compare(self, other: Self, displacement: Turning, mut each: impl FnMut(f64, f64, f64)) {
+    fn for_each_component(
+        self,
+        other: Self,
+        displacement: ReducedRate,
+        mut each: impl FnMut(f64, f64, f64),
+    ) {
         each(self.rest, other.rest, displacement.angle.value());
         each(self.velocity.value(), other.velocity.value(), displacement.velocity.value());
     }
 }
 
-impl Add for Turning {
+impl Add for ReducedRate {
     type Output = Self;
 
     #[inline]
@@ -131,7 +136,7 @@ impl Add for Turning {
     }
 }
 
-impl Mul<f64> for Turning {
+impl Mul<f64> for ReducedRate {
     type Output = Self;
 
     #[inline]
@@ -140,46 +145,47 @@ impl Mul<f64> for Turning {
     }
 }
 
-impl Vector for Turning {}
+impl Vector for ReducedRate {}
 
-impl<const ALONE: bool> System for Stepped<ALONE> {
-    type State = Turned<ALONE>;
+impl<const BRANCH: bool> System for ScaledPendulum<BRANCH> {
+    type State = ReducedPhase<BRANCH>;
 
     #[inline]
-    fn rate(&self, t: f64, z: Turned<ALONE>) -> Rate<Self> {
-        Turning { angle: z.velocity, velocity: self.force(t, z) }
+    fn rate(&self, t: f64, z: ReducedPhase<BRANCH>) -> RateOf<Self> {
+        ReducedRate { angle: z.velocity, velocity: self.force(t, z) }
     }
 }
 
 // ANCHOR: separable
-impl<const ALONE: bool> Separable for Stepped<ALONE> {
+impl<const BRANCH: bool> Separable for ScaledPendulum<BRANCH> {
     type Force = Deferred;
 
     /// −K sin θ = ∓K (r + r³ P(r²)), where r is the rest of θ.
     #[inline]
-    fn force(&self, _t: f64, z: Turned<ALONE>) -> Deferred {
+    fn force(&self, _t: f64, z: ReducedPhase<BRANCH>) -> Deferred {
         let sign = z.turns.to_bits() << 63;
-        let sum = f64::from_bits(self.kick.to_bits() ^ sign) * z.rest;
+        let sum = f64::from_bits(self.minus_k.to_bits() ^ sign) * z.rest;
         let square = z.rest * z.rest;
         Deferred { sum, factor: sum * square, series: series(square) }
     }
 
     #[inline]
-    fn kick(&self, z: Turned<ALONE>, force: Deferred, h: f64) -> Turned<ALONE> {
-        Turned { velocity: z.velocity + force * h, ..z }
+    fn kick(&self, z: ReducedPhase<BRANCH>, force: Deferred, h: f64) -> ReducedPhase<BRANCH> {
+        ReducedPhase { velocity: z.velocity + force * h, ..z }
     }
 
     #[inline]
-    fn drift(&self, z: Turned<ALONE>, h: f64) -> Turned<ALONE> {
+    fn drift(&self, z: ReducedPhase<BRANCH>, h: f64) -> ReducedPhase<BRANCH> {
         z.turn(z.velocity * h)
     }
 }
 // ANCHOR_END: separable
 
-impl<const ALONE: bool> Analytic for Stepped<ALONE> {
+impl<const BRANCH: bool> Analytic for ScaledPendulum<BRANCH> {
     #[inline]
-    fn mean_rate<const P: usize>(&self, h: f64, z: Turned<ALONE>) -> Turning {
-        let (angle, velocity) = growth::<P>(-self.kick, h, z.velocity.value(), z.sine_and_cosine());
-        Turning { angle: Deferred::from(angle), velocity: Deferred::from(velocity) }
+    fn mean_rate<const P: usize>(&self, h: f64, z: ReducedPhase<BRANCH>) -> ReducedRate {
+        let (angle, velocity) =
+            growth::<P>(-self.minus_k, h, z.velocity.value(), z.sine_and_cosine());
+        ReducedRate { angle: Deferred::from(angle), velocity: Deferred::from(velocity) }
     }
 }

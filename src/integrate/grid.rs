@@ -34,13 +34,13 @@ impl Grid {
         Ok(Self { step, steps })
     }
 
-    /// As many steps of `step` (s) as make up `duration` (s).
+    /// Steps of `step` (s), as many as make up `duration` (s).
     ///
     /// # Errors
     /// As [`Grid::new`]; also [`Error::Parameter`] for a duration that is not finite and positive, and
     /// [`Error::PartialStep`] for one that is no whole number of steps. A duration and a step written in decimals are
     /// taken at their word: 50 s is 500 steps of 0.1 s although 0.1 is not exactly an f64.
-    pub fn over(duration: f64, step: f64) -> Result<Self, Error> {
+    pub fn with_duration(step: f64, duration: f64) -> Result<Self, Error> {
         let duration = positive("duration (s)", duration)?;
         let step = positive("step Δt (s)", step)?;
         let quotient = duration / step;

@@ -31,13 +31,13 @@ where
 {
     let h = grid.step();
     let mut z = start;
-    let mut memo = method.start(system, grid.time(0), h, z);
+    let mut carry = method.start(system, grid.time(0), h, z);
     observer.observe(0, grid.time(0), z);
     for n in 0..grid.steps() {
         if observer.is_satisfied() {
             break;
         }
-        z = method.step(system, grid.time(n), h, z, &mut memo);
+        z = method.step(system, grid.time(n), h, z, &mut carry);
         observer.observe(n + 1, grid.time(n + 1), z);
     }
     z

@@ -98,7 +98,7 @@ pub struct Record<'a, Z> {
 impl<'a, Z> Record<'a, Z> {
     /// Records into `storage`: [`Grid::samples`](crate::Grid::samples) slots hold a whole trajectory. Samples beyond
     /// its end are not kept.
-    pub fn into_slice(storage: &'a mut [Z]) -> Self {
+    pub fn new(storage: &'a mut [Z]) -> Self {
         Self { storage: storage.iter_mut() }
     }
 }

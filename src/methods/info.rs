@@ -2,7 +2,7 @@
 
 /// What is known of a method. It stands once, beside the method's step, and every test, table and page reads it there.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Properties {
+pub struct MethodInfo {
     /// Name on the command line and in test names.
     pub name: &'static str,
     /// Name in tables and text.
@@ -27,7 +27,7 @@ pub struct Properties {
 }
 
 /// A method that can say what is known of it.
-pub trait Described {
+pub trait Info {
     /// The method's entry.
-    fn properties(&self) -> Properties;
+    fn info(&self) -> MethodInfo;
 }

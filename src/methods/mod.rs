@@ -1,4 +1,50 @@
-//! The methods, by family.
+//! The methods, by family, and the list of them all.
+//!
+#![doc = include_str!("table.md")]
+//!
+//! Evaluations are those of the force a step; of an implicit method, those of one sweep of its
+//! iteration. Each entry stands in the method's own file, as its [`MethodInfo`].
+//!
+//! # A method of your own
+//!
+//! A type with a [`step`](crate::Method::step): `()` for what it carries from one step to the next,
+//! if it carries nothing. For every [`System`](crate::System) it may ask for the rate of change; for
+//! a [`Separable`](crate::Separable) one, for the force, a kick and a drift.
+//!
+//! ```
+//! use pendula::{Grid, Method, Pendulum, Phase, System, integrate};
+//!
+//! /// Ralston's method of order 2.
+//! struct Ralston;
+//!
+//! impl<S: System> Method<S> for Ralston {
+//!     type Carry = ();
+//!
+//!     fn start(&self, _system: &S, _t: f64, _h: f64, _z: S::State) {}
+//!
+//!     fn step(&self, system: &S, t: f64, h: f64, z: S::State, _carry: &mut ()) -> S::State {
+//!         let k1 = system.rate(t, z);
+//!         let k2 = system.rate(t + h * 2.0 / 3.0, z + k1 * (h * 2.0 / 3.0));
+//!         z + k1 * (h / 4.0) + k2 * (h * 3.0 / 4.0)
+//!     }
+//! }
+//!
+//! // Half the step, a quarter of the error.
+//! let start = Phase::at_rest(1.0);
+//! let truth = pendula::Motion::new(&Pendulum::PAPER, start)?.at(1.0);
+//! let error = |h| -> Result<f64, pendula::Error> {
+//!     let grid = Grid::with_duration(h, 1.0)?;
+//!     let end = integrate(&Pendulum::PAPER, &Ralston, start, &grid, &mut ());
+//!     Ok((end.theta - truth.theta).abs())
+//! };
+//! // The next term of the error is smaller by the step, 0.001 s, times a few rad/s.
+//! let ratio = error(0.001)? / error(0.0005)?;
+//! assert!((ratio - 4.0).abs() < 0.04, "{ratio}");
+//! # Ok::<(), pendula::Error>(())
+//! ```
+//!
+//! To put a method on the list of the library takes three places: its file, the two lines for it
+//! in its family's `mod.rs`, and a line in [`registry`]. CONTRIBUTING.md has the recipe.
 
 pub mod gauss;
 mod info;
@@ -8,7 +54,7 @@ pub mod splitting;
 pub mod taylor;
 
 pub use gauss::{Gauss4, Gauss6, Gauss16, ImplicitMidpoint};
-pub use info::{Described, Properties};
+pub use info::{Info, MethodInfo};
 pub use registry::{AnyMethod, METHODS, method_named};
 pub use runge_kutta::{Dop853, DormandPrince, ExplicitMidpoint, ForwardEuler, Heun, Rk4};
 pub use splitting::{

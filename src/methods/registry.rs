@@ -2,17 +2,17 @@
 
 use core::fmt;
 
-use crate::fast::{Stepped, swing};
+use crate::fast::{ScaledPendulum, integrate_fast};
 use crate::integrate::{Grid, Method, Observer, integrate};
-use crate::methods::Described;
+use crate::methods::Info;
 use crate::systems::{Counting, Pendulum, Phase};
 
 /// A method whose type is forgotten, so that a list can hold it: what tables, book and command line run over.
 ///
-/// Every [`Described`] method of the pendulum is one. The step within is compiled for its method; only the observer is
+/// Every [`Info`] method of the pendulum is one. The step within is compiled for its method; only the observer is
 /// called through a pointer.
-pub trait AnyMethod: Described + Sync {
-    /// [`swing()`].
+pub trait AnyMethod: Info + Sync {
+    /// [`integrate_fast`].
     fn run(
         &self,
         pendulum: &Pendulum,
@@ -32,7 +32,7 @@ pub trait AnyMethod: Described + Sync {
 
 impl<M> AnyMethod for M
 where
-    M: Described + Method<Pendulum> + Method<Stepped> + Method<Counting<Pendulum>> + Sync,
+    M: Info + Method<Pendulum> + Method<ScaledPendulum> + Method<Counting<Pendulum>> + Sync,
 {
     fn run(
         &self,
@@ -41,7 +41,7 @@ where
         grid: &Grid,
         observer: &mut dyn Observer<Phase>,
     ) -> Phase {
-        swing(pendulum, self, start, grid, observer)
+        integrate_fast(pendulum, self, start, grid, observer)
     }
 
     fn count_evaluations(&self, pendulum: &Pendulum, start: Phase, grid: &Grid) -> u64 {
@@ -51,20 +51,20 @@ where
     }
 
     fn end(&self, pendulum: &Pendulum, start: Phase, grid: &Grid) -> Phase {
-        swing(pendulum, self, start, grid, &mut ())
+        integrate_fast(pendulum, self, start, grid, &mut ())
     }
 }
 
 impl fmt::Debug for dyn AnyMethod + '_ {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.properties().name)
+        f.write_str(self.info().name)
     }
 }
 
 /// Hands the methods that suit every system, or every separable one, to the macro `$then`, as `module::Method` pairs:
 /// the paper's four in the order of its tables, then the others. What else is given follows them.
 #[macro_export]
-macro_rules! general_methods {
+macro_rules! for_each_general_method {
     ($then:ident $(, $($more:tt)+)?) => {
         $then! {
             forward_euler::ForwardEuler,
@@ -93,15 +93,15 @@ macro_rules! general_methods {
     };
 }
 
-/// Hands the list of methods to the macro `$then`: the [general ones](general_methods), and those that ask more of a
+/// Hands the list of methods to the macro `$then`: the [general ones](for_each_general_method), and those that ask more of a
 /// system.
 ///
 /// This is the list. [`METHODS`] is made from it, and so is every test that runs over all methods with their types
 /// known.
 #[macro_export]
-macro_rules! methods {
+macro_rules! for_each_method {
     ($then:ident) => {
-        $crate::general_methods! { $then, taylor_24::Taylor24, }
+        $crate::for_each_general_method! { $then, taylor_24::Taylor24, }
     };
 }
 
@@ -111,9 +111,9 @@ macro_rules! collect {
         pub static METHODS: &[&dyn AnyMethod] = &[$(&$crate::methods::$method,)+];
     };
 }
-methods!(collect);
+for_each_method!(collect);
 
-/// The method of that [name](Properties::name).
+/// The method of that [name](super::MethodInfo::name).
 pub fn method_named(name: &str) -> Option<&'static dyn AnyMethod> {
-    METHODS.iter().copied().find(|method| method.properties().name == name)
+    METHODS.iter().copied().find(|method| method.info().name == name)
 }

@@ -18,7 +18,7 @@ pub struct AngleError<F> {
 
 impl<F: Fn(f64) -> f64> AngleError<F> {
     /// Compares with `reference`, the true angle (rad) as a function of time (s).
-    pub const fn against(reference: F) -> Self {
+    pub const fn new(reference: F) -> Self {
         Self { reference, squares: 0.0, samples: 0, largest: 0.0 }
     }
 

@@ -3,9 +3,8 @@
 use crate::integrate::Observer;
 use crate::systems::{Hamiltonian, System};
 
-/// States that wait for their energies, 1 KB of them: in a row of their own these are vector instructions, and out of the
-/// way of the next step.
-const WAITING: usize = 64;
+/// States that are buffered, 1 KB of them: evaluated together, their energies are vector instructions.
+const BUFFER: usize = 64;
 
 // ANCHOR: energy_drift
 /// Largest energy error max |Hₙ − H₀| over all samples (J): the paper's "energy drift" (its Section 5.3).
@@ -14,31 +13,31 @@ pub struct EnergyDrift<'a, S: System> {
     system: &'a S,
     /// H₀, once the start has been seen.
     initial: f64,
-    /// The largest deviation before the states that wait.
+    /// The largest deviation before the buffered states.
     largest: f64,
-    waiting: Option<[S::State; WAITING]>,
+    buffer: Option<[S::State; BUFFER]>,
     count: usize,
 }
 
 impl<'a, S: Hamiltonian> EnergyDrift<'a, S> {
     /// Watches the energy of `system`.
-    pub const fn of(system: &'a S) -> Self {
-        Self { system, initial: f64::NAN, largest: 0.0, waiting: None, count: 0 }
+    pub const fn new(system: &'a S) -> Self {
+        Self { system, initial: f64::NAN, largest: 0.0, buffer: None, count: 0 }
     }
 
-    /// Does the states that wait. Out of the way: a loop that contains all this keeps its own numbers in memory.
+    /// Evaluates the buffered states. Not inlined: a loop that contains all this keeps its own numbers in memory.
     #[inline(never)]
-    fn let_in(&mut self) {
+    fn flush(&mut self) {
         self.largest = self.largest();
         self.count = 0;
     }
 
     /// Largest deviation from the initial energy so far (J).
     pub fn largest(&self) -> f64 {
-        let mut energies = [0.0; WAITING];
-        let waiting = self.waiting.as_ref().map_or(&[][..], |states| &states[..self.count]);
-        self.system.energies(waiting, &mut energies);
-        largest_deviation(&energies[..waiting.len()], self.initial, self.largest)
+        let mut energies = [0.0; BUFFER];
+        let buffer = self.buffer.as_ref().map_or(&[][..], |states| &states[..self.count]);
+        self.system.energies(buffer, &mut energies);
+        largest_deviation(&energies[..buffer.len()], self.initial, self.largest)
     }
 }
 
@@ -49,10 +48,10 @@ impl<S: Hamiltonian> Observer<S::State> for EnergyDrift<'_, S> {
         if n == 0 {
             self.initial = self.system.energy(z);
         }
-        self.waiting.get_or_insert_with(|| [z; WAITING])[self.count] = z;
+        self.buffer.get_or_insert_with(|| [z; BUFFER])[self.count] = z;
         self.count += 1;
-        if self.count == WAITING {
-            self.let_in();
+        if self.count == BUFFER {
+            self.flush();
         }
     }
 }

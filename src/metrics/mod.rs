@@ -1,5 +1,24 @@
-//! What is measured along a trajectory, each as an observer: energy error, angle error, period; the error at its end; and
-//! the area of a polygon of initial states.
+//! What is measured along a run, each as an observer: energy error, angle error, period; the error
+//! at its end; the area of a polygon of states; and the slope of errors against steps.
+//!
+//! Several watch one run as a tuple.
+//!
+//! ```
+//! use pendula::metrics::{AngleError, CrossingPeriod, EnergyDrift};
+//! use pendula::{Grid, Motion, Pendulum, Phase, Rk4, exact, integrate};
+//!
+//! let (pendulum, start) = (Pendulum::PAPER, Phase::at_rest(1.0));
+//! let motion = Motion::new(&pendulum, start)?;
+//! let energy = EnergyDrift::new(&pendulum);
+//! let angle = AngleError::new(|t| motion.at(t).theta);
+//! let mut observer = (energy, angle, CrossingPeriod::default());
+//! integrate(&pendulum, &Rk4, start, &Grid::with_duration(0.01, 10.0)?, &mut observer);
+//! let (energy, angle, period) = observer;
+//! assert!(energy.largest() < 1e-6 && angle.root_mean_square() < 1e-6);
+//! let exact = exact::period(&pendulum, 1.0)?;
+//! assert!((period.period().unwrap() - exact).abs() < 1e-6);
+//! # Ok::<(), pendula::Error>(())
+//! ```
 
 mod angle;
 mod area;
@@ -12,4 +31,4 @@ pub use angle::AngleError;
 pub use area::polygon_area;
 pub use end::EndError;
 pub use energy::EnergyDrift;
-pub use period::{Crossing, CrossingPeriod, Henon, Hermite, Linear, Moment, Peak, PeakPeriod};
+pub use period::{CrossingPeriod, CrossingRule, Henon, Hermite, Linear, Moment, Peak, PeakPeriod};

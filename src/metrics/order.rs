@@ -25,7 +25,7 @@ pub fn slopes<'a>(
 /// 2ᵖ times smaller: where that makes it out to be more than three times what it is, the step was lucky, or rounding has
 /// been reached. A high order may reach it in a single halving. So where the finer error may be rounding, it need only be
 /// no more than three times what `error` is.
-pub fn is_credible(order: u32, error: f64, finer: f64, rounding: f64) -> bool {
+pub fn is_asymptotic(order: u32, error: f64, finer: f64, rounding: f64) -> bool {
     let falls = 3.0 * error >= libm::exp2(f64::from(order)) * finer;
     falls || finer <= rounding && 3.0 * error >= finer
 }

@@ -3,19 +3,18 @@
 //! | reading | observer | off by |
 //! |---|---|---|
 //! | the highest sample | [`PeakPeriod::default`] | half a step |
-//! | the parabola through it and its neighbours | [`PeakPeriod::by_parabola`] | O(h³) |
-//! | the straight line through a crossing | [`CrossingPeriod::by`] [`Linear`] | O(h³) |
+//! | the parabola through it and its neighbours | [`PeakPeriod::parabola`] | O(h³) |
+//! | the straight line through a crossing | [`CrossingPeriod::new`] [`Linear`] | O(h³) |
 //! | the cubic through a crossing | [`CrossingPeriod::default`], by [`Hermite`] | O(h⁵) |
-//! | a last step that ends on the crossing | [`CrossingPeriod::by`] [`Henon`] | O(h⁵) |
+//! | a last step that ends on the crossing | [`CrossingPeriod::new`] [`Henon`] | O(h⁵) |
 //!
 //! A line and a cubic are in general right to O(h²) and O(h⁴). The pendulum has no acceleration at the bottom, which
 //! makes each of them better by one order there.
 
-use core::ops::{Add, Mul};
-
 use crate::integrate::{Method, Observer};
 use crate::methods::Rk4;
-use crate::systems::{Phase, System, Vector};
+use crate::state;
+use crate::systems::{Phase, System};
 
 // ---------------------------------------------------------------------------------------------------------------------
 // Peaks
@@ -45,7 +44,7 @@ pub struct PeakPeriod {
 
 impl PeakPeriod {
     /// Reads the peak off a parabola.
-    pub fn by_parabola() -> Self {
+    pub fn parabola() -> Self {
         Self { reading: Peak::Parabola, ..Self::default() }
     }
 
@@ -81,7 +80,7 @@ impl Observer<Phase> for PeakPeriod {
 // ---------------------------------------------------------------------------------------------------------------------
 
 /// How the time of a downward crossing of θ = 0 is found between two samples.
-pub trait Crossing {
+pub trait CrossingRule {
     /// The time of the crossing (s), between the sample `from` at time `before`, with θ > 0, and `to` at `after`, with
     /// θ ≤ 0.
     fn time(&self, before: f64, from: Phase, after: f64, to: Phase) -> f64;
@@ -91,7 +90,7 @@ pub trait Crossing {
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Linear;
 
-impl Crossing for Linear {
+impl CrossingRule for Linear {
     fn time(&self, before: f64, from: Phase, after: f64, to: Phase) -> f64 {
         before + (after - before) * (from.theta / (from.theta - to.theta))
     }
@@ -101,7 +100,7 @@ impl Crossing for Linear {
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Hermite;
 
-impl Crossing for Hermite {
+impl CrossingRule for Hermite {
     fn time(&self, before: f64, from: Phase, after: f64, to: Phase) -> f64 {
         let h = after - before;
         before + h * hermite_root(from.theta, h * from.omega, to.theta, h * to.omega)
@@ -113,7 +112,7 @@ impl Crossing for Hermite {
 #[derive(Clone, Copy, Debug)]
 pub struct Henon<'a, S>(pub &'a S);
 
-impl<S: System<State = Phase>> Crossing for Henon<'_, S> {
+impl<S: System<State = Phase>> CrossingRule for Henon<'_, S> {
     fn time(&self, _before: f64, _from: Phase, after: f64, to: Phase) -> f64 {
         let moment = Moment { time: after, omega: to.omega };
         Rk4.step(self, to.theta, -to.theta, moment, &mut ()).time
@@ -130,34 +129,17 @@ impl<S: System<State = Phase>> System for Henon<'_, S> {
     }
 }
 
-/// When the pendulum is at a given angle, and how fast it then moves; or the rate of change of both, per radian.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Moment {
-    /// Time t (s).
-    pub time: f64,
-    /// Angular velocity (rad/s).
-    pub omega: f64,
-}
-
-impl Add for Moment {
-    type Output = Self;
-
-    fn add(self, other: Self) -> Self {
-        Self { time: self.time + other.time, omega: self.omega + other.omega }
+state! {
+    /// When the pendulum is at a given angle, and how fast it then moves; or the rate of change of both, per radian.
+    pub struct Moment {
+        /// Time t (s).
+        pub time: f64,
+        /// Angular velocity (rad/s).
+        pub omega: f64,
     }
 }
 
-impl Mul<f64> for Moment {
-    type Output = Self;
-
-    fn mul(self, factor: f64) -> Self {
-        Self { time: self.time * factor, omega: self.omega * factor }
-    }
-}
-
-impl Vector for Moment {}
-
-/// Period as the time between downward crossings of θ = 0 (s), each found by a [`Crossing`].
+/// Period as the time between downward crossings of θ = 0 (s), each found by a [`CrossingRule`].
 ///
 /// By default that is [`Hermite`]'s cubic. It is right to O(h⁵), so that what is left is the error of the method.
 #[derive(Clone, Debug)]
@@ -171,13 +153,13 @@ pub struct CrossingPeriod<C = Hermite> {
 
 impl Default for CrossingPeriod {
     fn default() -> Self {
-        Self::by(Hermite)
+        Self::new(Hermite)
     }
 }
 
 impl<C> CrossingPeriod<C> {
     /// Finds each crossing by `crossing`.
-    pub const fn by(crossing: C) -> Self {
+    pub const fn new(crossing: C) -> Self {
         Self { crossing, last: None, first_crossing: 0.0, last_crossing: 0.0, crossings: 0 }
     }
 
@@ -188,7 +170,7 @@ impl<C> CrossingPeriod<C> {
     }
 }
 
-impl<C: Crossing> Observer<Phase> for CrossingPeriod<C> {
+impl<C: CrossingRule> Observer<Phase> for CrossingPeriod<C> {
     fn observe(&mut self, _n: u64, t: f64, z: Phase) {
         if let Some((before, from)) = self.last
             && from.theta > 0.0

@@ -1,16 +1,16 @@
 //! Systems whose motion can be expanded in powers of time, by recurrence.
 
-use super::{Counting, LinearOscillator, Pendulum, Phase, Rate, System};
+use super::{Counting, LinearOscillator, Pendulum, Phase, RateOf, System};
 use crate::arithmetic::sine::{cos, sin};
 
 /// A system whose motion can be expanded in powers of time, by recurrence, to any order.
 pub trait Analytic: System {
     /// The mean rate of change over a step `h` (s) from `z`, in units of the state over s, by the Taylor series of the motion
     /// up to hᴾ.
-    fn mean_rate<const P: usize>(&self, h: f64, z: Self::State) -> Rate<Self>;
+    fn mean_rate<const P: usize>(&self, h: f64, z: Self::State) -> RateOf<Self>;
 }
 
-/// What θ and ω grow by in a step, over the step, where θ' = ω and ω' = −`stiffness` sin θ, from ω, sin θ and cos θ at its
+/// What θ and ω grow by in a step, over the step, where θ' = ω and ω' = −`frequency_squared` sin θ, from ω, sin θ and cos θ at its
 /// start.
 ///
 /// The coefficients are those of powers of t/h. With θ = Σ θⱼ and likewise s = sin θ and c = cos θ, from s' = cθ' and
@@ -22,7 +22,7 @@ pub trait Analytic: System {
 // ANCHOR: series
 #[inline]
 pub(crate) fn growth<const P: usize>(
-    stiffness: f64,
+    frequency_squared: f64,
     h: f64,
     omega: f64,
     (sin, cos): (f64, f64),
@@ -37,7 +37,7 @@ pub(crate) fn growth<const P: usize>(
     for k in 0..P {
         let turned = h * omega_k;
         theta[k] = omega_k * inverse[k];
-        velocity[k] = stiffness * inverse[k] * wave[1];
+        velocity[k] = frequency_squared * inverse[k] * wave[1];
         omega_k = h * velocity[k];
         let earlier = waves.iter().zip(&turning[..k]);
         for (sum, (wave_j, turned_j)) in sums[k..].iter_mut().zip(earlier) {
@@ -84,7 +84,7 @@ impl Analytic for Pendulum {
     #[inline]
     fn mean_rate<const P: usize>(&self, h: f64, z: Phase) -> Phase {
         let (theta, omega) =
-            growth::<P>(self.stiffness(), h, z.omega, (sin(z.theta), cos(z.theta)));
+            growth::<P>(self.frequency_squared(), h, z.omega, (sin(z.theta), cos(z.theta)));
         Phase { theta, omega }
     }
 }
@@ -105,7 +105,7 @@ impl Analytic for LinearOscillator {
 
 impl<S: Analytic> Analytic for Counting<S> {
     /// Each power of the series costs as much as its sums are long; it counts as one evaluation.
-    fn mean_rate<const P: usize>(&self, h: f64, z: S::State) -> Rate<S> {
+    fn mean_rate<const P: usize>(&self, h: f64, z: S::State) -> RateOf<S> {
         self.count(P as u64);
         self.system().mean_rate::<P>(h, z)
     }

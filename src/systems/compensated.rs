@@ -3,7 +3,7 @@
 use core::ops::Add;
 
 use crate::arithmetic::double_double::two_sum;
-use crate::systems::{Analytic, Components, Hamiltonian, Phase, Point, Rate, Separable, System};
+use crate::systems::{Analytic, Components, Hamiltonian, Phase, RateOf, Separable, State, System};
 
 /// A decorator: the same system, with a state that carries what rounding took away, so that every method that runs on it
 /// has compensated sums.
@@ -20,7 +20,7 @@ pub struct Compensated<S> {
 
 /// A state θ and ω with what is still to be added to them: together good to twice the digits.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Carried {
+pub struct CompensatedPhase {
     /// The state, rounded.
     pub phase: Phase,
     /// What the rounding took away: half a unit in the last place of the state at most.
@@ -34,7 +34,7 @@ impl<S> Compensated<S> {
     }
 }
 
-impl From<Phase> for Carried {
+impl From<Phase> for CompensatedPhase {
     /// A state from which nothing is lost yet.
     fn from(phase: Phase) -> Self {
         Self { phase, lost: Phase { theta: 0.0, omega: 0.0 } }
@@ -42,7 +42,7 @@ impl From<Phase> for Carried {
 }
 
 // ANCHOR: add
-impl Add<Phase> for Carried {
+impl Add<Phase> for CompensatedPhase {
     type Output = Self;
 
     #[inline]
@@ -55,22 +55,22 @@ impl Add<Phase> for Carried {
 }
 // ANCHOR_END: add
 
-impl Point for Carried {
+impl State for CompensatedPhase {
     type Displacement = Phase;
 }
 
-impl Components for Carried {
+impl Components for CompensatedPhase {
     #[inline]
-    fn compare(self, other: Self, displacement: Phase, each: impl FnMut(f64, f64, f64)) {
-        self.phase.compare(other.phase, displacement, each);
+    fn for_each_component(self, other: Self, displacement: Phase, each: impl FnMut(f64, f64, f64)) {
+        self.phase.for_each_component(other.phase, displacement, each);
     }
 }
 
 impl<S: System<State = Phase>> System for Compensated<S> {
-    type State = Carried;
+    type State = CompensatedPhase;
 
     #[inline]
-    fn rate(&self, t: f64, z: Carried) -> Rate<Self> {
+    fn rate(&self, t: f64, z: CompensatedPhase) -> RateOf<Self> {
         self.system.rate(t, z.phase)
     }
 }
@@ -81,19 +81,19 @@ impl<S: Separable<State = Phase> + Hamiltonian> Separable for Compensated<S> {
     type Force = S::Force;
 
     #[inline]
-    fn force(&self, t: f64, z: Carried) -> S::Force {
+    fn force(&self, t: f64, z: CompensatedPhase) -> S::Force {
         self.system.force(t, z.phase)
     }
 
     #[inline]
-    fn kick(&self, z: Carried, force: S::Force, h: f64) -> Carried {
+    fn kick(&self, z: CompensatedPhase, force: S::Force, h: f64) -> CompensatedPhase {
         let resting = Phase { omega: 0.0, ..z.phase };
         z + Phase { theta: 0.0, omega: self.system.kick(resting, force, h).omega }
     }
 
     /// What the velocity has lost moves the position too.
     #[inline]
-    fn drift(&self, z: Carried, h: f64) -> Carried {
+    fn drift(&self, z: CompensatedPhase, h: f64) -> CompensatedPhase {
         let moved = |omega| self.system.drift(Phase { theta: 0.0, omega }, h).theta;
         let along = |theta| Phase { theta, omega: 0.0 };
         z + along(moved(z.phase.omega)) + along(moved(z.lost.omega))
@@ -101,14 +101,14 @@ impl<S: Separable<State = Phase> + Hamiltonian> Separable for Compensated<S> {
 }
 
 impl<S: Hamiltonian<State = Phase>> Hamiltonian for Compensated<S> {
-    fn energy(&self, z: Carried) -> f64 {
+    fn energy(&self, z: CompensatedPhase) -> f64 {
         self.system.energy(z.phase)
     }
 }
 
 impl<S: Analytic<State = Phase>> Analytic for Compensated<S> {
     #[inline]
-    fn mean_rate<const P: usize>(&self, h: f64, z: Carried) -> Phase {
+    fn mean_rate<const P: usize>(&self, h: f64, z: CompensatedPhase) -> Phase {
         self.system.mean_rate::<P>(h, z.phase)
     }
 }

@@ -58,7 +58,7 @@ impl Damped {
     /// The state at time `t` ≥ 0 (s) after `start` in the limit of small swings, θ̈ + 2β θ̇ + ω₀² θ = 0: in closed form,
     /// whether the damping is weak (β < ω₀), critical or strong.
     pub fn small_swing(&self, start: Phase, t: f64) -> Phase {
-        let (beta, square) = (self.damping, self.pendulum.stiffness());
+        let (beta, square) = (self.damping, self.pendulum.frequency_squared());
         let Phase { theta, omega } = start;
         // The two solutions that begin as (1, 0) and (0, 1) in z and ż of z̈ = (β² − ω₀²) z, times exp(−βt).
         let below = square - beta * beta;
@@ -91,7 +91,7 @@ impl Damped {
     /// The derivative of [`System::rate`] along `v`; a drive does not change it.
     #[inline]
     pub(super) fn tangent_at(&self, z: Phase, v: Phase) -> Phase {
-        let restoring = self.pendulum.stiffness() * cos(z.theta) * v.theta;
+        let restoring = self.pendulum.frequency_squared() * cos(z.theta) * v.theta;
         Phase { theta: v.omega, omega: -restoring - 2.0 * self.damping * v.omega }
     }
 }
@@ -125,7 +125,7 @@ impl Separable for Damped {
     /// −ω₀² sin θ (rad/s²), without the friction: that belongs to the kick.
     #[inline]
     fn force(&self, _t: f64, z: Phase) -> f64 {
-        -self.pendulum.stiffness() * half_turn::sin(z.theta)
+        -self.pendulum.frequency_squared() * half_turn::sin(z.theta)
     }
 
     #[inline]

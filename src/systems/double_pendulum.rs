@@ -1,10 +1,9 @@
 //! The double pendulum.
 
-use core::ops::{Add, Mul};
-
 use crate::arithmetic::sine::{cos, sin};
 use crate::error::{Error, finite, positive};
-use crate::systems::{Components, Hamiltonian, System, Vector, angle};
+use crate::state;
+use crate::systems::{Hamiltonian, System, angle};
 
 /// A pendulum hung from the bob of another: rods L₁ and L₂, bobs m₁ and m₂, angles θ₁ and θ₂ both from the downward
 /// vertical.
@@ -35,58 +34,19 @@ pub struct Joint {
     pub mass: f64,
 }
 
-/// A point in the phase space of the double pendulum, or a rate of change of one.
-///
-/// As a state, angles are in rad and momenta in kg m²/s; as a rate, all are per second.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct DoublePhase {
-    /// Angle of the upper rod from the downward vertical, unwrapped.
-    pub theta1: f64,
-    /// Angle of the lower rod from the downward vertical, unwrapped.
-    pub theta2: f64,
-    /// The momentum conjugate to θ₁.
-    pub p1: f64,
-    /// The momentum conjugate to θ₂.
-    pub p2: f64,
-}
-
-impl Add for DoublePhase {
-    type Output = Self;
-
-    #[inline]
-    fn add(self, other: Self) -> Self {
-        Self {
-            theta1: self.theta1 + other.theta1,
-            theta2: self.theta2 + other.theta2,
-            p1: self.p1 + other.p1,
-            p2: self.p2 + other.p2,
-        }
-    }
-}
-
-impl Mul<f64> for DoublePhase {
-    type Output = Self;
-
-    #[inline]
-    fn mul(self, factor: f64) -> Self {
-        Self {
-            theta1: self.theta1 * factor,
-            theta2: self.theta2 * factor,
-            p1: self.p1 * factor,
-            p2: self.p2 * factor,
-        }
-    }
-}
-
-impl Vector for DoublePhase {}
-
-impl Components for DoublePhase {
-    #[inline]
-    fn compare(self, other: Self, displacement: Self, mut each: impl FnMut(f64, f64, f64)) {
-        each(self.theta1, other.theta1, displacement.theta1);
-        each(self.theta2, other.theta2, displacement.theta2);
-        each(self.p1, other.p1, displacement.p1);
-        each(self.p2, other.p2, displacement.p2);
+state! {
+    /// A point in the phase space of the double pendulum, or a rate of change of one.
+    ///
+    /// As a state, angles are in rad and momenta in kg m²/s; as a rate, all are per second.
+    pub struct DoublePhase {
+        /// Angle of the upper rod from the downward vertical, unwrapped.
+        pub theta1: f64,
+        /// Angle of the lower rod from the downward vertical, unwrapped.
+        pub theta2: f64,
+        /// The momentum conjugate to θ₁.
+        pub p1: f64,
+        /// The momentum conjugate to θ₂.
+        pub p2: f64,
     }
 }
 

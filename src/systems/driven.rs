@@ -32,7 +32,8 @@ impl Driven {
     pub fn new(damped: Damped, strength: f64, frequency: f64) -> Result<Self, Error> {
         let strength = finite("drive strength γ", strength)?;
         let frequency = positive("drive frequency Ω (rad/s)", frequency)?;
-        let torque = finite("drive γ g/L (rad/s²)", strength * damped.pendulum().stiffness())?;
+        let torque =
+            finite("drive γ g/L (rad/s²)", strength * damped.pendulum().frequency_squared())?;
         Ok(Self { damped, strength, frequency, torque })
     }
 

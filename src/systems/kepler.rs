@@ -1,11 +1,11 @@
 //! A planet: a second witness that is Hamiltonian and separable, with an angular momentum beside its energy.
 
 use core::f64::consts::PI;
-use core::ops::{Add, Mul};
 
 use crate::arithmetic::sine::{cos, sin};
 use crate::error::{Error, normal, positive};
-use crate::systems::{Components, Hamiltonian, Separable, System, Vector};
+use crate::state;
+use crate::systems::{Hamiltonian, Separable, System};
 
 /// Kepler's problem in its plane, r̈ = −μ r/r³, with the centre at rest in the origin.
 ///
@@ -19,19 +19,20 @@ pub struct Kepler {
     attraction: f64,
 }
 
-/// Position and velocity in the plane, or a rate of change of both.
-///
-/// As a state, positions are in m and velocities in m/s; as a rate, both are per second.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct PlanePhase {
-    /// Position, along x.
-    pub x: f64,
-    /// Position, along y.
-    pub y: f64,
-    /// Velocity, along x.
-    pub vx: f64,
-    /// Velocity, along y.
-    pub vy: f64,
+state! {
+    /// Position and velocity in the plane, or a rate of change of both.
+    ///
+    /// As a state, positions are in m and velocities in m/s; as a rate, both are per second.
+    pub struct PlanePhase {
+        /// Position, along x.
+        pub x: f64,
+        /// Position, along y.
+        pub y: f64,
+        /// Velocity, along x.
+        pub vx: f64,
+        /// Velocity, along y.
+        pub vy: f64,
+    }
 }
 
 /// A vector in the plane; for [`Kepler`]'s force an acceleration (m/s²).
@@ -41,41 +42,6 @@ pub struct Planar {
     pub x: f64,
     /// Component along y.
     pub y: f64,
-}
-
-impl Add for PlanePhase {
-    type Output = Self;
-
-    #[inline]
-    fn add(self, other: Self) -> Self {
-        Self {
-            x: self.x + other.x,
-            y: self.y + other.y,
-            vx: self.vx + other.vx,
-            vy: self.vy + other.vy,
-        }
-    }
-}
-
-impl Mul<f64> for PlanePhase {
-    type Output = Self;
-
-    #[inline]
-    fn mul(self, factor: f64) -> Self {
-        Self { x: self.x * factor, y: self.y * factor, vx: self.vx * factor, vy: self.vy * factor }
-    }
-}
-
-impl Vector for PlanePhase {}
-
-impl Components for PlanePhase {
-    #[inline]
-    fn compare(self, other: Self, displacement: Self, mut each: impl FnMut(f64, f64, f64)) {
-        each(self.x, other.x, displacement.x);
-        each(self.y, other.y, displacement.y);
-        each(self.vx, other.vx, displacement.vx);
-        each(self.vy, other.vy, displacement.vy);
-    }
 }
 
 impl Kepler {

@@ -11,7 +11,7 @@ pub struct LinearOscillator(Pendulum);
 
 impl LinearOscillator {
     /// The linearisation of `pendulum` about its lower rest.
-    pub const fn of(pendulum: Pendulum) -> Self {
+    pub const fn new(pendulum: Pendulum) -> Self {
         Self(pendulum)
     }
 
@@ -40,7 +40,7 @@ impl Separable for LinearOscillator {
 
     #[inline]
     fn force(&self, _t: f64, z: Phase) -> f64 {
-        -self.0.stiffness() * z.theta
+        -self.0.frequency_squared() * z.theta
     }
 
     #[inline]

@@ -1,17 +1,71 @@
-//! Systems beyond the simple pendulum, one file each: damped, driven, shaken, doubled; and a planet.
+//! What is integrated: the simple pendulum, and systems beyond it, one file each.
 //!
-//! What they have in common: each is a [`System`](crate::System), so that every method for systems moves it, and none of
-//! the methods knows it. Those that fall into two halves are [`Separable`](crate::Separable), those that keep an energy
-//! [`Hamiltonian`](crate::Hamiltonian). Constructors check their parameters; states have named components; a force that
+//! What they have in common: each is a [`System`], so that every method for systems moves it, and none of
+//! the methods knows it. Those that fall into two halves are [`Separable`], those that keep an energy
+//! [`Hamiltonian`]. Constructors check their parameters; states have named components; a force that
 //! knows the time gets it from the method, in s since the start of the grid.
 //!
 //! | system | equation | separable | keeps |
 //! |---|---|---|---|
+//! | [`Pendulum`] | θ̈ + (g/L) sin θ = 0 | yes | energy |
+//! | [`LinearOscillator`] | θ̈ + (g/L) θ = 0 | yes | energy |
 //! | [`Damped`] | θ̈ + 2β θ̇ + ω₀² sin θ = 0 | yes | nothing; area shrinks as exp(−2βt) |
 //! | [`Driven`] | θ̈ + 2β θ̇ + ω₀² sin θ = γ ω₀² cos Ωt | yes | nothing; area shrinks as exp(−2βt) |
 //! | [`Shaken`] | θ̈ + (g − aΩ² cos Ωt)/L sin θ = 0 | yes | area |
 //! | [`DoublePendulum`] | Hamilton's, in θ₁, θ₂, p₁, p₂ | no | energy |
 //! | [`Kepler`] | r̈ = −μ r/r³ | yes | energy, angular momentum, pericentre |
+//!
+//! # A system of your own
+//!
+//! A state of named components, made by [`state!`](crate::state), and an implementation of
+//! [`System`] with the equations. Add [`Separable`] if force and velocity part, and every splitting
+//! method takes it too; add [`Hamiltonian`] if there is an energy, and its drift can be watched.
+//!
+//! ```
+//! use pendula::metrics::EnergyDrift;
+//! use pendula::systems::Phase;
+//! use pendula::{Grid, Hamiltonian, Separable, StormerVerlet, System, integrate};
+//!
+//! /// A ball on a spring that hardens: θ̈ + θ + θ³ = 0 (Duffing).
+//! struct Duffing;
+//!
+//! impl System for Duffing {
+//!     type State = Phase;
+//!
+//!     fn rate(&self, t: f64, z: Phase) -> Phase {
+//!         Phase { theta: z.omega, omega: self.force(t, z) }
+//!     }
+//! }
+//!
+//! impl Separable for Duffing {
+//!     type Force = f64;
+//!
+//!     fn force(&self, _t: f64, z: Phase) -> f64 {
+//!         -z.theta - z.theta * z.theta * z.theta
+//!     }
+//!
+//!     fn kick(&self, z: Phase, force: f64, h: f64) -> Phase {
+//!         Phase { omega: z.omega + force * h, ..z }
+//!     }
+//!
+//!     fn drift(&self, z: Phase, h: f64) -> Phase {
+//!         Phase { theta: z.theta + z.omega * h, ..z }
+//!     }
+//! }
+//!
+//! impl Hamiltonian for Duffing {
+//!     fn energy(&self, z: Phase) -> f64 {
+//!         let square = z.theta * z.theta;
+//!         0.5 * z.omega * z.omega + 0.5 * square + 0.25 * square * square
+//!     }
+//! }
+//!
+//! let mut drift = EnergyDrift::new(&Duffing);
+//! let hundred_seconds = Grid::with_duration(0.01, 100.0)?;
+//! integrate(&Duffing, &StormerVerlet, Phase::at_rest(1.0), &hundred_seconds, &mut drift);
+//! assert!(drift.largest() < 1e-4);
+//! # Ok::<(), pendula::Error>(())
+//! ```
 
 mod analytic;
 mod compensated;
@@ -27,7 +81,7 @@ mod system;
 
 pub use analytic::Analytic;
 pub(crate) use analytic::growth;
-pub use compensated::{Carried, Compensated};
+pub use compensated::{Compensated, CompensatedPhase};
 pub use damped::Damped;
 pub use double_pendulum::{DoublePendulum, DoublePhase, Joint};
 pub use driven::Driven;
@@ -36,5 +90,5 @@ pub use linear_oscillator::LinearOscillator;
 pub(crate) use pendulum::angle;
 pub use pendulum::{LARGEST_ANGLE, Pendulum};
 pub use shaken::{Mathieu, Shaken};
-pub use state::{Components, Phase, Point, Vector};
-pub use system::{Counting, Hamiltonian, Rate, Separable, System};
+pub use state::{Components, Phase, State, Vector};
+pub use system::{Counting, Hamiltonian, RateOf, Separable, System};

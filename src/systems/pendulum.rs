@@ -13,7 +13,7 @@ pub struct Pendulum {
     length: f64,
     mass: f64,
     /// g/L, formed once: the only way the parameters enter the motion.
-    stiffness: f64,
+    frequency_squared: f64,
     /// m L² and m g L, formed once: the scales of its energy.
     inertia: f64,
     depth: f64,
@@ -21,8 +21,14 @@ pub struct Pendulum {
 
 impl Pendulum {
     /// The paper's pendulum (its Table 3): g = 9.81 m/s², L = 1 m, m = 1 kg.
-    pub const PAPER: Self =
-        Self { gravity: 9.81, length: 1.0, mass: 1.0, stiffness: 9.81, inertia: 1.0, depth: 9.81 };
+    pub const PAPER: Self = Self {
+        gravity: 9.81,
+        length: 1.0,
+        mass: 1.0,
+        frequency_squared: 9.81,
+        inertia: 1.0,
+        depth: 9.81,
+    };
 
     /// A pendulum under `gravity` (m/s²), of `length` (m) and `mass` (kg).
     ///
@@ -33,10 +39,10 @@ impl Pendulum {
         let gravity = positive("gravity g (m/s²)", gravity)?;
         let length = positive("length L (m)", length)?;
         let mass = positive("mass m (kg)", mass)?;
-        let stiffness = normal("g/L (1/s²)", gravity / length)?;
+        let frequency_squared = normal("g/L (1/s²)", gravity / length)?;
         let depth = normal("m g L (J)", product([mass, gravity, length]))?;
         let inertia = normal("m L² (kg m²)", product([mass, length, length]))?;
-        Ok(Self { gravity, length, mass, stiffness, inertia, depth })
+        Ok(Self { gravity, length, mass, frequency_squared, inertia, depth })
     }
 
     /// A start of this pendulum at `theta` (rad) with `omega` (rad/s), checked.
@@ -70,13 +76,13 @@ impl Pendulum {
     }
 
     /// g/L (1/s²): the square of the small-angle angular frequency.
-    pub const fn stiffness(&self) -> f64 {
-        self.stiffness
+    pub const fn frequency_squared(&self) -> f64 {
+        self.frequency_squared
     }
 
     /// Small-angle angular frequency √(g/L) (rad/s).
     pub fn small_angle_frequency(&self) -> f64 {
-        libm::sqrt(self.stiffness)
+        libm::sqrt(self.frequency_squared)
     }
 
     /// Small-angle period T₀ = 2π √(L/g) (s), the paper's Eq. 4.
@@ -87,7 +93,7 @@ impl Pendulum {
     /// The Hamiltonian ½ m L² ω² − m g L cos θ (J), the paper's Eq. 3: zero at the height of the pivot.
     ///
     /// For differences of energy use [`Hamiltonian::energy`], which does not lose small ones.
-    pub fn hamiltonian(&self, z: Phase) -> f64 {
+    pub fn energy_from_pivot(&self, z: Phase) -> f64 {
         self.kinetic(z) - self.depth() * cos(z.theta)
     }
 
@@ -125,7 +131,7 @@ impl Separable for Pendulum {
 
     #[inline]
     fn force(&self, _t: f64, z: Phase) -> f64 {
-        -self.stiffness * half_turn::sin(z.theta)
+        -self.frequency_squared * half_turn::sin(z.theta)
     }
 
     #[inline]

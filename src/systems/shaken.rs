@@ -26,7 +26,7 @@ pub struct Shaken {
 /// The parameters of Mathieu's equation, d²φ/dτ² + (a − 2q cos 2τ) φ = 0 (DLMF 28.2.1).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mathieu {
-    /// The constant part of the stiffness: negative where the rest is unstable without shaking.
+    /// The constant part of the frequency_squared: negative where the rest is unstable without shaking.
     pub a: f64,
     /// Half the amplitude of its oscillating part.
     pub q: f64,
@@ -71,15 +71,15 @@ impl Shaken {
     pub fn mathieu(&self) -> Mathieu {
         let square = self.frequency * self.frequency;
         Mathieu {
-            a: -4.0 * self.pendulum.stiffness() / square,
+            a: -4.0 * self.pendulum.frequency_squared() / square,
             q: 2.0 * self.amplitude / self.pendulum.length(),
         }
     }
 
     /// (g − aΩ² cos Ωt)/L (1/s²).
     #[inline]
-    fn stiffness(&self, t: f64) -> f64 {
-        self.pendulum.stiffness() - self.shaking * cos(self.frequency * t)
+    fn frequency_squared(&self, t: f64) -> f64 {
+        self.pendulum.frequency_squared() - self.shaking * cos(self.frequency * t)
     }
 }
 
@@ -98,7 +98,7 @@ impl Separable for Shaken {
 
     #[inline]
     fn force(&self, t: f64, z: Phase) -> f64 {
-        -self.stiffness(t) * half_turn::sin(z.theta)
+        -self.frequency_squared(t) * half_turn::sin(z.theta)
     }
 
     #[inline]
@@ -116,7 +116,7 @@ impl Separable for Shaken {
 impl Linearised for Shaken {
     #[inline]
     fn tangent(&self, t: f64, z: Phase, v: Phase) -> Phase {
-        Phase { theta: v.omega, omega: -self.stiffness(t) * cos(z.theta) * v.theta }
+        Phase { theta: v.omega, omega: -self.frequency_squared(t) * cos(z.theta) * v.theta }
     }
 
     fn size(&self, v: Phase) -> f64 {

@@ -1,4 +1,4 @@
-//! The point in phase space.
+//! States of systems, and the pendulum's: the point in phase space.
 
 use core::ops::{Add, Mul};
 
@@ -11,20 +11,20 @@ pub trait Vector: Copy + Add<Output = Self> + Mul<f64, Output = Self> {}
 ///
 /// Where states themselves form a vector space they are their own displacements. An angle kept as turns and a rest is
 /// a point and no vector: half of it means nothing.
-pub trait Point: Copy + Add<Self::Displacement, Output = Self> {
+pub trait State: Copy + Add<Self::Displacement, Output = Self> {
     /// What is between two states.
     type Displacement: Vector;
 }
 
-impl<V: Vector> Point for V {
+impl<V: Vector> State for V {
     type Displacement = V;
 }
 
 /// A state whose components are numbers, so that an error in each can be held against what is allowed there.
-pub trait Components: Point {
-    /// Hands to `each`, one component after the other, what it is in this state, in the state `other`, and in the
+pub trait Components: State {
+    /// Calls `each` for one component after the other, with its value in this state, in the state `other`, and in the
     /// `displacement`.
-    fn compare(
+    fn for_each_component(
         self,
         other: Self,
         displacement: Self::Displacement,
@@ -32,48 +32,105 @@ pub trait Components: Point {
     );
 }
 
-/// A point (θ, ω) in the phase space of the pendulum, or a rate of change of one.
+/// Defines a state of named components, each an `f64`: a struct that can be displaced and scaled, component by component, so
+/// that every method and the control of steps can work with it. A [`System`](crate::System) of one's own then takes its
+/// equations and nothing else.
 ///
-/// As a state, `theta` is in rad and `omega` in rad/s; as a rate, both are per second.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Phase {
-    /// Angle from the downward vertical, unwrapped: it counts turns.
-    pub theta: f64,
-    /// Angular velocity, dθ/dt.
-    pub omega: f64,
+/// ```
+/// use pendula::{Grid, Rk4, System, integrate, state};
+///
+/// state! {
+///     /// Predators and prey, in thousands; or their rates of change, a year.
+///     pub struct Populations {
+///         pub prey: f64,
+///         pub predators: f64,
+///     }
+/// }
+///
+/// /// Lotka's and Volterra's equations.
+/// struct LotkaVolterra;
+///
+/// impl System for LotkaVolterra {
+///     type State = Populations;
+///
+///     fn rate(&self, _t: f64, z: Populations) -> Populations {
+///         Populations {
+///             prey: z.prey - z.prey * z.predators,
+///             predators: z.prey * z.predators - z.predators,
+///         }
+///     }
+/// }
+///
+/// let start = Populations { prey: 2.0, predators: 1.0 };
+/// let end = integrate(&LotkaVolterra, &Rk4, start, &Grid::with_duration(0.01, 10.0)?, &mut ());
+/// // What the motion conserves.
+/// let constant = |z: Populations| z.prey - z.prey.ln() + z.predators - z.predators.ln();
+/// assert!((constant(end) - constant(start)).abs() < 1e-8);
+/// # Ok::<(), pendula::Error>(())
+/// ```
+#[macro_export]
+macro_rules! state {
+    (
+        $(#[$attribute:meta])*
+        $visibility:vis struct $State:ident {
+            $($(#[$of_component:meta])* $visible:vis $component:ident: f64,)+
+        }
+    ) => {
+        $(#[$attribute])*
+        #[derive(Clone, Copy, Debug, Default, PartialEq)]
+        $visibility struct $State {
+            $($(#[$of_component])* $visible $component: f64,)+
+        }
+
+        impl ::core::ops::Add for $State {
+            type Output = Self;
+
+            #[inline]
+            fn add(self, other: Self) -> Self {
+                Self { $($component: self.$component + other.$component,)+ }
+            }
+        }
+
+        impl ::core::ops::Mul<f64> for $State {
+            type Output = Self;
+
+            #[inline]
+            fn mul(self, factor: f64) -> Self {
+                Self { $($component: self.$component * factor,)+ }
+            }
+        }
+
+        impl $crate::Vector for $State {}
+
+        impl $crate::Components for $State {
+            #[inline]
+            fn for_each_component(
+                self,
+                other: Self,
+                displacement: Self,
+                mut each: impl FnMut(f64, f64, f64),
+            ) {
+                $(each(self.$component, other.$component, displacement.$component);)+
+            }
+        }
+    };
+}
+
+state! {
+    /// A point (θ, ω) in the phase space of the pendulum, or a rate of change of one.
+    ///
+    /// As a state, `theta` is in rad and `omega` in rad/s; as a rate, both are per second.
+    pub struct Phase {
+        /// Angle from the downward vertical, unwrapped: it counts turns.
+        pub theta: f64,
+        /// Angular velocity, dθ/dt.
+        pub omega: f64,
+    }
 }
 
 impl Phase {
     /// The pendulum held still at the angle `theta` (rad).
     pub const fn at_rest(theta: f64) -> Self {
         Self { theta, omega: 0.0 }
-    }
-}
-
-impl Add for Phase {
-    type Output = Self;
-
-    #[inline]
-    fn add(self, other: Self) -> Self {
-        Self { theta: self.theta + other.theta, omega: self.omega + other.omega }
-    }
-}
-
-impl Mul<f64> for Phase {
-    type Output = Self;
-
-    #[inline]
-    fn mul(self, factor: f64) -> Self {
-        Self { theta: self.theta * factor, omega: self.omega * factor }
-    }
-}
-
-impl Vector for Phase {}
-
-impl Components for Phase {
-    #[inline]
-    fn compare(self, other: Self, displacement: Self, mut each: impl FnMut(f64, f64, f64)) {
-        each(self.theta, other.theta, displacement.theta);
-        each(self.omega, other.omega, displacement.omega);
     }
 }

@@ -2,28 +2,28 @@
 
 use core::cell::Cell;
 
-use crate::systems::Point;
+use crate::systems::State;
 
 /// A system of ordinary differential equations, ż = f(t, z).
 pub trait System {
     /// The point z in phase space.
-    type State: Point;
+    type State: State;
 
     /// The rate of change f(t, z) at time `t` (s).
-    fn rate(&self, t: f64, z: Self::State) -> Rate<Self>;
+    fn rate(&self, t: f64, z: Self::State) -> RateOf<Self>;
 }
 
 impl<S: System> System for &S {
     type State = S::State;
 
     #[inline]
-    fn rate(&self, t: f64, z: Self::State) -> Rate<Self> {
+    fn rate(&self, t: f64, z: Self::State) -> RateOf<Self> {
         (**self).rate(t, z)
     }
 }
 
 /// The rate of change of a system's state.
-pub type Rate<S> = <<S as System>::State as Point>::Displacement;
+pub type RateOf<S> = <<S as System>::State as State>::Displacement;
 
 /// A system that falls into two halves, each solved exactly: the force kicks the velocity, the velocity drifts the
 /// position. Symplectic splitting methods need no more and no less.
@@ -92,7 +92,7 @@ impl<S> Counting<S> {
 impl<S: System> System for Counting<S> {
     type State = S::State;
 
-    fn rate(&self, t: f64, z: Self::State) -> Rate<Self> {
+    fn rate(&self, t: f64, z: Self::State) -> RateOf<Self> {
         self.count(1);
         self.system.rate(t, z)
     }

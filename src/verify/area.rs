@@ -1,6 +1,6 @@
 //! Area in phase space: the determinant of the Jacobian of one step.
 
-use super::{Verdict, beyond, near};
+use super::{CheckResult, beyond, near};
 use crate::{AnyMethod, Grid, Pendulum, Phase};
 
 /// The step (s) of which the area is measured.
@@ -48,13 +48,17 @@ pub fn cases() -> impl Iterator<Item = (Pendulum, Phase)> {
     )
 }
 
-pub fn check(method: &dyn AnyMethod) -> Verdict {
+/// Whether one step preserves area, or does not, as the entry says.
+///
+/// # Errors
+/// Says what is not, and by how much.
+pub fn check(method: &dyn AnyMethod) -> CheckResult {
     let largest = |h: f64| {
         let defects = cases().map(|(pendulum, z)| area_defect(method, &pendulum, z, h).abs());
         // Not `max`, which drops a NaN.
         defects.fold(0.0, libm::fmaximum)
     };
-    if method.properties().symplectic {
+    if method.info().symplectic {
         return near("det J − 1", largest(AREA_STEP), 0.0, AREA_TOLERANCE);
     }
     // The smallest defect among the paper's methods is RK4's, x⁶/72 = 5e-7 at the bottom of the long pendulum. The higher the

@@ -1,13 +1,17 @@
 //! The clock: N steps are seen as N + 1 samples, at the times of the grid.
 
-use super::{Verdict, grid, pendulum, same};
+use super::{CheckResult, grid, pendulum, same};
 use crate::{AnyMethod, Phase};
 
 /// 0.1 is not an f64. Added up, a thousand of them are 99.9999999999986, which is still less than 100.
 const STEP: f64 = 0.1;
 const STEPS: u64 = 1000;
 
-pub fn check(method: &dyn AnyMethod) -> Verdict {
+/// Whether N steps are seen as N + 1 samples, at the times of the grid.
+///
+/// # Errors
+/// Says what is not, and by how much.
+pub fn check(method: &dyn AnyMethod) -> CheckResult {
     let start = Phase { theta: 0.3, omega: -0.1 };
     let (grid, mut seen) = (grid(STEP, STEPS), Vec::new());
     let end =

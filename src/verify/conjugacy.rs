@@ -2,7 +2,7 @@
 //!
 //! (K½ D K½)ⁿ = K½ (D K)ⁿ K½⁻¹. Hairer, Lubich, Wanner, *Geometric Numerical Integration* (2006), Sect. VI.3.
 
-use super::{Verdict, near, pendulum, run};
+use super::{CheckResult, near, pendulum, run};
 use crate::methods::{StormerVerlet, SymplecticEuler};
 use crate::{AnyMethod, Phase, Separable};
 
@@ -12,7 +12,11 @@ const STEP: f64 = 0.05;
 /// the worst, if every rounding changes the energy.
 const ROUNDING: f64 = 7e-12;
 
-pub fn check_pair(verlet: &dyn AnyMethod, euler: &dyn AnyMethod) -> Verdict {
+/// Whether `verlet` is `euler` between two half kicks.
+///
+/// # Errors
+/// Says where they differ, and by how much.
+pub fn check_pair(verlet: &dyn AnyMethod, euler: &dyn AnyMethod) -> CheckResult {
     let pendulum = pendulum();
     let half_kick = |z: Phase, h: f64| pendulum.kick(z, pendulum.force(0.0, z), 0.5 * h);
     for start in [Phase::at_rest(1.0), Phase { theta: -2.0, omega: 3.0 }] {
@@ -28,8 +32,8 @@ pub fn check_pair(verlet: &dyn AnyMethod, euler: &dyn AnyMethod) -> Verdict {
 }
 
 /// Of either of the two methods, with the library's other one. It does not concern the rest.
-pub fn check(method: &dyn AnyMethod) -> Verdict {
-    match method.properties().name {
+pub fn check(method: &dyn AnyMethod) -> CheckResult {
+    match method.info().name {
         "stormer-verlet" => check_pair(method, &SymplecticEuler),
         "symplectic-euler" => check_pair(&StormerVerlet, method),
         _ => Ok(()),

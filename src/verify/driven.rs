@@ -1,6 +1,6 @@
 //! Driven: a force that depends on time alone, where the pendulum's cannot tell when it is evaluated.
 
-use super::{Verdict, near};
+use super::{CheckResult, near};
 use crate::{Grid, Method, Phase, Separable, System, integrate};
 
 /// A free particle under the force t³/6 (rad/s²).
@@ -35,8 +35,8 @@ impl Separable for Pushed {
 /// RK4, which integrates cubics exactly, by rounding: so do all of higher order. A step adds to numbers up to 1/24 and rounds
 /// by ε/2 of them. Only beyond order 8 is that more than ½hᵖ; and those methods have weights that add up to one in size, so
 /// that their slopes round by no more.
-pub fn check<M: Method<Pushed> + crate::Described>(method: &M) -> Verdict {
-    let order = f64::from(method.properties().order);
+pub fn check<M: Method<Pushed> + crate::Info>(method: &M) -> CheckResult {
+    let order = f64::from(method.info().order);
     for steps in [8, 16, 32] {
         let h = 1.0 / steps as f64;
         let grid = Grid::new(h, steps).expect("a positive step");
@@ -52,7 +52,7 @@ pub fn check<M: Method<Pushed> + crate::Described>(method: &M) -> Verdict {
 /// ω after n steps of either of Euler's methods, which take the force at the beginning of each: h Σ (kh)³/6 for k below n,
 /// h⁴ (n(n − 1)/2)²/6. With h = 1/16 but for the sixth nothing is rounded by more than ε/2 a step, of ω below 1/24. The
 /// force of the end of a step would be off by h (nh)³/6 in all: 1e-2 at the end, 3e-6 after the first step.
-pub fn check_euler<M: Method<Pushed>>(method: &M) -> Verdict {
+pub fn check_euler<M: Method<Pushed>>(method: &M) -> CheckResult {
     let h = 0.0625;
     for steps in [1, 2, 5, 16] {
         let grid = Grid::new(h, steps).expect("a positive step");

@@ -4,7 +4,7 @@
 //! carried along by the flow and adds up: at the end the error over xᵖ is δ, where δ' = J(z) δ + d(z) along the exact
 //! motion (Hairer, Nørsett, Wanner, *Solving Ordinary Differential Equations I* (1993), Sect. II.3 and II.8).
 
-use super::{Verdict, beyond, near, pendulum, run};
+use super::{CheckResult, beyond, near, pendulum, run};
 use crate::arithmetic::sine::{cos, sin};
 use crate::{AnyMethod, Motion, Pendulum, Phase};
 
@@ -49,7 +49,7 @@ pub fn measured_local_error(method: &dyn AnyMethod, pendulum: &Pendulum, z: Pair
     let frequency = pendulum.small_angle_frequency();
     let start = Phase { theta: z[0], omega: z[1] * frequency };
     let motion = Motion::new(pendulum, start).expect("a start in range");
-    let order = method.properties().order;
+    let order = method.info().order;
     let coarsest = if order > 4 { 0.4 } else { 0.2 };
     let errors = [coarsest, coarsest / 2.0, coarsest / 4.0].map(|x: f64| {
         let h = x / frequency;
@@ -108,7 +108,7 @@ fn error_at_end(method: &dyn AnyMethod, pendulum: &Pendulum, z: Pair, steps: u64
 
 /// The same over xᵖ.
 fn scaled_error(method: &dyn AnyMethod, pendulum: &Pendulum, z: Pair, steps: u64) -> Pair {
-    let scale = libm::pow(END / steps as f64, f64::from(method.properties().order));
+    let scale = libm::pow(END / steps as f64, f64::from(method.info().order));
     error_at_end(method, pendulum, z, steps).map(|error| error / scale)
 }
 
@@ -129,7 +129,7 @@ const TOLERANCE_IF_MEASURED: f64 = 4e-2;
 /// tolerance relative to it: the next term is as the square of the longest substep, which is below 2x, and twice that.
 fn finest_constant(method: &dyn AnyMethod, pendulum: &Pendulum, z: Pair) -> (Pair, f64) {
     const ROUNDED: f64 = 1e-11;
-    let order = method.properties().order;
+    let order = method.info().order;
     let steps = [1600_u64, 800, 400, 200, 100, 80, 64, 50, 40, 32, 25, 20, 16];
     let measured = steps.map(|steps| (steps, scaled_error(method, pendulum, z, steps)));
     let x = |steps| END / steps as f64;
@@ -151,8 +151,12 @@ const ROUNDED_A_STEP: f64 = 1e-14;
 
 /// The error itself and not its limit, for methods so accurate that rounding leaves no room for a limit: in the numbers of
 /// steps on file for the method from `z`, if there are any.
-fn check_in_long_steps(method: &dyn AnyMethod, pendulum: &Pendulum, z: Pair) -> Option<Verdict> {
-    let name = method.properties().name;
+fn check_in_long_steps(
+    method: &dyn AnyMethod,
+    pendulum: &Pendulum,
+    z: Pair,
+) -> Option<CheckResult> {
+    let name = method.info().name;
     let on_file = |line: &str| {
         let (method, numbers) = line.split_once(',')?;
         let numbers: Vec<f64> = numbers.split(',').map(|x| x.parse().expect("a number")).collect();
@@ -176,9 +180,13 @@ fn check_in_long_steps(method: &dyn AnyMethod, pendulum: &Pendulum, z: Pair) -> 
     Some(seen.and_then(|()| laws.iter().try_for_each(compare)))
 }
 
-pub fn check(method: &dyn AnyMethod) -> Verdict {
-    let properties = method.properties();
-    let name = properties.name;
+/// Whether the error over hᵖ is the constant that is known of the method, or follows from its single steps.
+///
+/// # Errors
+/// Says what is not, and by how much.
+pub fn check(method: &dyn AnyMethod) -> CheckResult {
+    let info = method.info();
+    let name = info.name;
     let pendulum = pendulum();
     for z in [[1.0, 0.0], [-2.0, 0.5], [0.5, 2.5]] {
         if let Some(verdict) = check_in_long_steps(method, &pendulum, z) {
@@ -186,7 +194,7 @@ pub fn check(method: &dyn AnyMethod) -> Verdict {
             continue;
         }
         let of_file = of_file(name, z);
-        let (measured, relative) = if of_file.is_some() && properties.symmetric {
+        let (measured, relative) = if of_file.is_some() && info.symmetric {
             finest_constant(method, &pendulum, z)
         } else {
             let is_law = of_file.is_some() || leading_local_error(name, z).is_some();

@@ -34,10 +34,10 @@ pub struct Ladder {
 }
 
 impl Ladder {
-    /// Climbs the ladder with `method`, from the coarsest step with which its own error shows that the leading term
+    /// Measures the errors of `method` on its ladder, from the coarsest step with which its own error shows that the leading term
     /// dominates: the next is smaller by a power of the step, and so, at order p, by about the p-th root of the error.
-    pub fn climb(method: &dyn AnyMethod) -> Self {
-        let entry = method.properties();
+    pub fn measure(method: &dyn AnyMethod) -> Self {
+        let entry = method.info();
         let order = f64::from(entry.order.max(1));
         let (shortest, powers, smallest) =
             if entry.order > 8 { (4.0, 16.0, 1e-6) } else { (8.0, 4.0, 1e-8) };

@@ -3,7 +3,7 @@
 //! At θ = 2⁻⁴⁰ the sine of θ and θ are one f64, and the pendulum *is* the linear oscillator, to the last bit. Without
 //! dimensions, in θ and q = ω/ω₀ and with x = ω₀h, a step is a matrix of polynomials in x.
 
-use super::{Verdict, beyond, near, pendulum, run};
+use super::{CheckResult, beyond, near, pendulum, run};
 use crate::arithmetic::sine::{cos, sin};
 use crate::{AnyMethod, Phase};
 
@@ -40,15 +40,18 @@ fn rotation(x: f64) -> Matrix {
     [[cos(x), sin(x)], [-sin(x), cos(x)]]
 }
 
+/// The product a b.
 pub fn product(a: Matrix, b: Matrix) -> Matrix {
     let entry = |i: usize, k: usize| a[i][0] * b[0][k] + a[i][1] * b[1][k];
     [[entry(0, 0), entry(0, 1)], [entry(1, 0), entry(1, 1)]]
 }
 
+/// The determinant.
 pub fn determinant([[a, b], [c, d]]: Matrix) -> f64 {
     a * d - b * c
 }
 
+/// The trace.
 pub fn trace([[a, _], [_, d]]: Matrix) -> f64 {
     a + d
 }
@@ -64,7 +67,7 @@ pub fn matrix_of(frequency: f64, map: impl Fn(Phase) -> Phase) -> Matrix {
 }
 
 /// Holds `matrix` against `expected`, entry by entry.
-pub fn compare(what: &str, matrix: Matrix, expected: Matrix, tolerance: f64) -> Verdict {
+pub fn compare(what: &str, matrix: Matrix, expected: Matrix, tolerance: f64) -> CheckResult {
     for (i, k) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
         near(format_args!("{what}, entry {i}{k}"), matrix[i][k], expected[i][k], tolerance)?;
     }
@@ -82,8 +85,8 @@ fn there_and_back(matrix: Matrix) -> Matrix {
 /// At x = 0.3 RK4's −x⁶/72 is 1e-5, the smallest of the paper's methods. The higher the order, the longer the step with which
 /// it shows: x²⁶/26! and its like, of order 24, are 0.1 at x = 9.6. There the powers that add up to a matrix are as large as
 /// eˣ, and round by as much more.
-pub fn check_denials(method: &dyn AnyMethod, matrix: impl Fn(f64) -> Matrix) -> Verdict {
-    let entry = method.properties();
+pub fn check_denials(method: &dyn AnyMethod, matrix: impl Fn(f64) -> Matrix) -> CheckResult {
+    let entry = method.info();
     let ladder =
         || [0.3, 0.6, 1.2, 2.4, 4.8, 9.6].map(|x: f64| (matrix(x), ROUNDING * libm::exp(x)));
     // What is told from rounding is told: no more than from a step that is far too long, whose matrix is large.
@@ -106,8 +109,8 @@ pub fn check_denials(method: &dyn AnyMethod, matrix: impl Fn(f64) -> Matrix) -> 
 }
 
 /// What must hold of the matrix of one step of x, whatever the method; and what must hold of one known by its name.
-pub fn check_matrix(method: &dyn AnyMethod, x: f64, matrix: Matrix) -> Verdict {
-    let entry = method.properties();
+pub fn check_matrix(method: &dyn AnyMethod, x: f64, matrix: Matrix) -> CheckResult {
+    let entry = method.info();
     // The first term of the exponential that the method need not have, x^(p+1)/(p+1)!, and as much again or a few times
     // that as its own: symplectic Euler's is twice.
     compare("near the rotation", matrix, rotation(x), libm::pow(x, f64::from(entry.order + 1)))?;
@@ -123,7 +126,11 @@ pub fn check_matrix(method: &dyn AnyMethod, x: f64, matrix: Matrix) -> Verdict {
     compare("known", matrix, expected, ROUNDING)
 }
 
-pub fn check(method: &dyn AnyMethod) -> Verdict {
+/// Whether the matrix of a step at the bottom is the known one, near the rotation, and as symplectic and symmetric as the entry says.
+///
+/// # Errors
+/// Says what is not, and by how much.
+pub fn check(method: &dyn AnyMethod) -> CheckResult {
     let pendulum = pendulum();
     let frequency = pendulum.small_angle_frequency();
     let power =

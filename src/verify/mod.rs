@@ -1,4 +1,4 @@
-//! Properties: what a method must do, each as a check that can be held against any method, right or wrong.
+//! MethodInfo: what a method must do, each as a check that can be held against any method, right or wrong.
 //!
 //! A check reads the method's own entry and measures whether it is true. The property's test applies it to every method
 //! of the library, and `tests/verify/discrimination.rs` to a zoo of impostors: the very same code.
@@ -20,14 +20,16 @@ pub use ladder::Ladder;
 
 use crate::{AnyMethod, Grid, Pendulum, Phase};
 
-/// Why a check says no.
-pub type Verdict = Result<(), String>;
+/// Why a check refuses a method, if it does.
+pub type CheckResult = Result<(), String>;
 
 /// A property of methods, with the check that decides it.
 #[derive(Clone, Copy)]
 pub struct Property {
+    /// Its name.
     pub name: &'static str,
-    pub check: fn(&dyn AnyMethod) -> Verdict,
+    /// Holds it against a method.
+    pub check: fn(&dyn AnyMethod) -> CheckResult,
 }
 
 macro_rules! properties {
@@ -88,6 +90,7 @@ pub fn samples(
     seen
 }
 
+/// `steps` steps of `step` (s), which are known to fit.
 pub fn grid(step: f64, steps: u64) -> Grid {
     Grid::new(step, steps).expect("a positive step")
 }
@@ -97,8 +100,13 @@ pub fn flipped(z: Phase) -> Phase {
     Phase { omega: -z.omega, ..z }
 }
 
-/// Says no unless `value` is within `tolerance` of `expected`. A NaN is not.
-pub fn near(what: impl core::fmt::Display, value: f64, expected: f64, tolerance: f64) -> Verdict {
+/// Refuses unless `value` is within `tolerance` of `expected`. A NaN is not.
+pub fn near(
+    what: impl core::fmt::Display,
+    value: f64,
+    expected: f64,
+    tolerance: f64,
+) -> CheckResult {
     if (value - expected).abs() <= tolerance {
         Ok(())
     } else {
@@ -106,12 +114,12 @@ pub fn near(what: impl core::fmt::Display, value: f64, expected: f64, tolerance:
     }
 }
 
-/// Says no unless `value` is larger than `bound`. A NaN is not.
-pub fn beyond(what: impl core::fmt::Display, value: f64, bound: f64) -> Verdict {
+/// Refuses unless `value` is larger than `bound`. A NaN is not.
+pub fn beyond(what: impl core::fmt::Display, value: f64, bound: f64) -> CheckResult {
     if value > bound { Ok(()) } else { Err(format!("{what} is {value:e}, not above {bound:e}")) }
 }
 
-/// Says no unless both are equal.
-pub fn same<T: PartialEq + core::fmt::Debug>(what: &str, value: T, expected: T) -> Verdict {
+/// Refuses unless both are equal.
+pub fn same<T: PartialEq + core::fmt::Debug>(what: &str, value: T, expected: T) -> CheckResult {
     if value == expected { Ok(()) } else { Err(format!("{what}: {value:?} is not {expected:?}")) }
 }

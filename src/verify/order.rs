@@ -1,11 +1,15 @@
 //! Order: the slope of the error against the step, between every two rungs of a ladder.
 
-use super::{Ladder, Verdict, near};
+use super::{CheckResult, Ladder, near};
 use crate::AnyMethod;
 
-pub fn check(method: &dyn AnyMethod) -> Verdict {
-    let order = method.properties().order;
-    let slopes: Vec<(f64, f64)> = Ladder::climb(method).slopes_and_windows().collect();
+/// Whether every slope on the ladder is the order of the entry.
+///
+/// # Errors
+/// Says what is not, and by how much.
+pub fn check(method: &dyn AnyMethod) -> CheckResult {
+    let order = method.info().order;
+    let slopes: Vec<(f64, f64)> = Ladder::measure(method).slopes_and_windows().collect();
     // Beyond order 8 the error falls from the first rung to rounding in one, or two.
     if slopes.len() < if order > 8 { 1 } else { 3 } {
         return Err(format!("too few rungs above the rounding floor: {slopes:?}"));

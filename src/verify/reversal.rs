@@ -1,6 +1,6 @@
 //! Reversal: forward, flip the velocity, forward again, flip. A symmetric method is back where it began.
 
-use super::{Verdict, beyond, flipped, near, run};
+use super::{CheckResult, beyond, flipped, near, run};
 use crate::{AnyMethod, Pendulum, Phase};
 
 /// What 10⁵ steps out and 10⁵ back may miss by rounding, which is not undone.
@@ -26,13 +26,17 @@ fn there_and_back_in(method: &dyn AnyMethod, pendulum: &Pendulum, step: f64, ste
     flipped(run(method, pendulum, flipped(there), step, steps))
 }
 
-pub fn check(method: &dyn AnyMethod) -> Verdict {
+/// Whether the way back leads to the start, or does not, as the entry says.
+///
+/// # Errors
+/// Says what is not, and by how much.
+pub fn check(method: &dyn AnyMethod) -> CheckResult {
     for pendulum in [Pendulum::PAPER, super::pendulum()] {
         let frequency = pendulum.small_angle_frequency();
         let misses = |back: Phase| {
             [(back.theta - START.theta).abs(), (back.omega - START.omega).abs() / frequency]
         };
-        if method.properties().symmetric {
+        if method.info().symmetric {
             let [angle, velocity] = misses(there_and_back(method, &pendulum));
             near("the miss of the angle", angle, 0.0, ANGLE_TOLERANCE)?;
             near("the miss of the velocity", velocity, 0.0, VELOCITY_TOLERANCE)?;

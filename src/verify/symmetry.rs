@@ -2,7 +2,7 @@
 
 use core::f64::consts::TAU;
 
-use super::{Verdict, near, pendulum, same, samples};
+use super::{CheckResult, near, pendulum, same, samples};
 use crate::{AnyMethod, Pendulum, Phase};
 
 const STEP: f64 = 0.05;
@@ -16,7 +16,7 @@ fn built(gravity: f64, length: f64, mass: f64) -> Pendulum {
 }
 
 /// θ → −θ, ω → −ω: the same bits but for the signs.
-pub fn check_mirror(method: &dyn AnyMethod) -> Verdict {
+pub fn check_mirror(method: &dyn AnyMethod) -> CheckResult {
     for start in STARTS {
         let mirrored: Vec<Phase> = samples(method, &pendulum(), start * -1.0, STEP, STEPS)
             .into_iter()
@@ -28,7 +28,7 @@ pub fn check_mirror(method: &dyn AnyMethod) -> Verdict {
 }
 
 /// The motion knows g/L, and no mass: with another mass, and with g and L twice as large, the bits are the same.
-pub fn check_mass_and_length(method: &dyn AnyMethod) -> Verdict {
+pub fn check_mass_and_length(method: &dyn AnyMethod) -> CheckResult {
     for start in STARTS {
         let of = |pendulum: Pendulum| samples(method, &pendulum, start, STEP, STEPS);
         same("another mass", of(built(5.0, 2.0, 17.0)), of(pendulum()))?;
@@ -38,7 +38,7 @@ pub fn check_mass_and_length(method: &dyn AnyMethod) -> Verdict {
 }
 
 /// Time in another unit: with the same (g/L) h², θ is the same. Powers of two round nothing, so that the bits agree.
-pub fn check_time(method: &dyn AnyMethod) -> Verdict {
+pub fn check_time(method: &dyn AnyMethod) -> CheckResult {
     for start in STARTS {
         let slow = samples(method, &pendulum(), start, STEP, STEPS);
         for (unit, tolerance) in [
@@ -63,7 +63,7 @@ pub fn check_time(method: &dyn AnyMethod) -> Verdict {
 }
 
 /// θ → θ + 2πk: a whole turn higher, and otherwise the same.
-pub fn check_turns(method: &dyn AnyMethod) -> Verdict {
+pub fn check_turns(method: &dyn AnyMethod) -> CheckResult {
     for start in STARTS {
         let here = samples(method, &pendulum(), start, STEP, STEPS);
         for turns in [1.0, -3.0, 100.0] {
@@ -84,7 +84,11 @@ pub fn check_turns(method: &dyn AnyMethod) -> Verdict {
     Ok(())
 }
 
-pub fn check(method: &dyn AnyMethod) -> Verdict {
+/// Whether the motion keeps the symmetries of the pendulum: mirror, mass and length, unit of time, whole turns.
+///
+/// # Errors
+/// Says what is not, and by how much.
+pub fn check(method: &dyn AnyMethod) -> CheckResult {
     check_mirror(method)?;
     check_mass_and_length(method)?;
     check_time(method)?;

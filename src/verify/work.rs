@@ -1,11 +1,15 @@
 //! Work: force evaluations, counted.
 
-use super::{Verdict, grid, near, same};
+use super::{CheckResult, grid, near, same};
 use crate::{AnyMethod, Pendulum, Phase};
 
-pub fn check(method: &dyn AnyMethod) -> Verdict {
+/// Whether the force is evaluated as often as the entry says.
+///
+/// # Errors
+/// Says what is not, and by how much.
+pub fn check(method: &dyn AnyMethod) -> CheckResult {
     const STEPS: u64 = 1234;
-    let entry = method.properties();
+    let entry = method.info();
     let count =
         |steps| method.count_evaluations(&Pendulum::PAPER, Phase::at_rest(1.0), &grid(0.01, steps));
     same("before the first step", count(0), entry.start_evaluations)?;

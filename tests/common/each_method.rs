@@ -10,7 +10,7 @@ macro_rules! template {
         pub fn each_method(#[case] method: M) {}
     };
 }
-pendula::methods!(template);
+pendula::for_each_method!(template);
 
 /// The same for those that suit other systems than the pendulum.
 macro_rules! general_template {
@@ -21,4 +21,4 @@ macro_rules! general_template {
         pub fn each_general_method(#[case] method: M) {}
     };
 }
-pendula::general_methods!(general_template);
+pendula::for_each_general_method!(general_template);

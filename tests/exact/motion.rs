@@ -2,7 +2,7 @@
 
 use approx::assert_relative_eq;
 use pendula::exact::{Swing, complete_elliptic_k, period};
-use pendula::{Error, Hamiltonian, Kind, Motion, Pendulum, Phase};
+use pendula::{Error, Hamiltonian, Motion, MotionKind, Pendulum, Phase};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 use rstest::rstest;
@@ -221,19 +221,22 @@ fn trajectories_are_the_references() {
 
 /// Catches: a kind decided by 1 − k², which is blind to the last digits; a full oscillation reported for one turn.
 #[rstest]
-#[case::rest(0.0, 0.0, Kind::Rest)]
-#[case::swing(1.0, 0.0, Kind::Libration)]
-#[case::top(std::f64::consts::PI, 0.0, Kind::Libration)]
-#[case::just_inside(0.0, 4.0_f64.next_down(), Kind::Libration)]
-#[case::separatrix(0.0, 4.0, Kind::Separatrix)]
-#[case::separatrix_backward(0.0, -4.0, Kind::Separatrix)]
-#[case::just_outside(0.0, 4.0_f64.next_up(), Kind::Rotation)]
-#[case::top_kicked(std::f64::consts::PI, 1e-15, Kind::Rotation)]
-#[case::tiniest(5e-324, 0.0, Kind::Libration)]
-fn kinds_are_told_apart(#[case] theta: f64, #[case] omega: f64, #[case] kind: Kind) {
+#[case::rest(0.0, 0.0, MotionKind::Rest)]
+#[case::swing(1.0, 0.0, MotionKind::Libration)]
+#[case::top(std::f64::consts::PI, 0.0, MotionKind::Libration)]
+#[case::just_inside(0.0, 4.0_f64.next_down(), MotionKind::Libration)]
+#[case::separatrix(0.0, 4.0, MotionKind::Separatrix)]
+#[case::separatrix_backward(0.0, -4.0, MotionKind::Separatrix)]
+#[case::just_outside(0.0, 4.0_f64.next_up(), MotionKind::Rotation)]
+#[case::top_kicked(std::f64::consts::PI, 1e-15, MotionKind::Rotation)]
+#[case::tiniest(5e-324, 0.0, MotionKind::Libration)]
+fn kinds_are_told_apart(#[case] theta: f64, #[case] omega: f64, #[case] kind: MotionKind) {
     let motion = motion(&two_radians_a_second(), Phase { theta, omega });
     assert_eq!(motion.kind(), kind);
-    assert_eq!(motion.period().is_some(), matches!(kind, Kind::Libration | Kind::Rotation));
+    assert_eq!(
+        motion.period().is_some(),
+        matches!(kind, MotionKind::Libration | MotionKind::Rotation)
+    );
 }
 
 /// Catches: an amplitude divided by itself where it is zero.
@@ -324,11 +327,11 @@ fn what_cannot_be_right_is_refused(#[case] theta: f64, #[case] omega: f64) {
 /// Catches: an overflow or underflow that the extremes of what is legal bring out, and a horizon that lies.
 #[rstest]
 fn legal_extremes_have_finite_answers(
-    #[values(1e-300, 1e-9, 1.0, 1e300)] stiffness: f64,
+    #[values(1e-300, 1e-9, 1.0, 1e300)] frequency_squared: f64,
     #[values(0.0, 5e-324, 1e-300, 1e-30, 3.0, 1e15)] theta: f64,
     #[values(0.0, 1e-320, 1e-160, 1.0, 1e150)] omega: f64,
 ) {
-    let pendulum = Pendulum::new(stiffness, 1.0, 1.0).expect("a legal pendulum");
+    let pendulum = Pendulum::new(frequency_squared, 1.0, 1.0).expect("a legal pendulum");
     let frequency = pendulum.small_angle_frequency();
     let start = Phase { theta, omega };
     let Ok(motion) = Motion::new(&pendulum, start) else {
@@ -398,7 +401,7 @@ proptest! {
         let motion = motion(&pendulum, start);
         let period = motion.period().expect("random starts are not on the separatrix");
         let (turns, quarters) = match motion.kind() {
-            Kind::Rotation => (start.omega.signum(), 2.0),
+            MotionKind::Rotation => (start.omega.signum(), 2.0),
             _ => (0.0, 4.0),
         };
         let horizon = 2.0_f64.powi(52) * period / quarters;
@@ -411,7 +414,7 @@ proptest! {
         let speed = 2.0 * motion.modulus() * pendulum.small_angle_frequency();
         let tolerance = Phase {
             theta: 2.0 * evaluation.theta + half_ulp(expected.theta) + rounding * speed,
-            omega: 2.0 * evaluation.omega + rounding * pendulum.stiffness(),
+            omega: 2.0 * evaluation.omega + rounding * pendulum.frequency_squared(),
         };
         assert_close(later, expected, tolerance, &period);
     }
@@ -449,9 +452,9 @@ proptest! {
         let times = half_ulp(t.abs() + 3.0 * h);
         let truncation = 60.0 * 1e-12 / 30.0;
         let theta_tolerance = truncation / tau + 1.5 * (off.theta + times / tau) / h;
-        let omega_tolerance = truncation / (tau * tau) + 1.5 * (off.omega + times * pendulum.stiffness()) / h;
+        let omega_tolerance = truncation / (tau * tau) + 1.5 * (off.omega + times * pendulum.frequency_squared()) / h;
         let theta_rate = difference(|z| z.theta) - z.omega;
-        let omega_rate = difference(|z| z.omega) + pendulum.stiffness() * z.theta.sin();
+        let omega_rate = difference(|z| z.omega) + pendulum.frequency_squared() * z.theta.sin();
         prop_assert!(theta_rate.abs() <= theta_tolerance, "{theta_rate:e}, allowed {theta_tolerance:e}");
         prop_assert!(omega_rate.abs() <= omega_tolerance, "{omega_rate:e}, allowed {omega_tolerance:e}");
     }
@@ -499,14 +502,14 @@ proptest! {
         let count = 2.0_f64.powi(exponent);
         let z = motion.at(count * period);
         let turns = match motion.kind() {
-            Kind::Rotation => start.omega.signum() * count,
+            MotionKind::Rotation => start.omega.signum() * count,
             _ => 0.0,
         };
         let off = evaluation(&pendulum, &motion, z.theta);
         let rounding = count * half_ulp(period);
         let tolerance = Phase {
             theta: off.theta + half_ulp(start.theta) + half_ulp(z.theta) + rounding * 4.0 * motion.modulus(),
-            omega: off.omega + rounding * pendulum.stiffness(),
+            omega: off.omega + rounding * pendulum.frequency_squared(),
         };
         let expected = Phase { theta: start.theta + turns * std::f64::consts::TAU, ..start };
         assert_close(z, expected, tolerance, &count);

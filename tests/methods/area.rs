@@ -21,7 +21,7 @@ fn forward_euler_grows_area_by_its_exact_defect() {
     for (pendulum, z) in cases() {
         for h in [0.1, 0.01] {
             let defect = area_defect(&ForwardEuler, &pendulum, z, h);
-            let exact = h * h * pendulum.stiffness() * z.theta.cos();
+            let exact = h * h * pendulum.frequency_squared() * z.theta.cos();
             assert!((defect - exact).abs() < AREA_TOLERANCE, "{defect:e} for {exact:e} at {z:?}");
         }
     }
@@ -34,7 +34,7 @@ fn forward_euler_grows_area_by_its_exact_defect() {
 fn rk4_shrinks_area_at_the_bottom_as_its_polynomial_says() {
     for (pendulum, _) in cases() {
         for h in [0.3, 0.2, 0.1] {
-            let x2 = pendulum.stiffness() * h * h;
+            let x2 = pendulum.frequency_squared() * h * h;
             let exact = -x2.powi(3) / 72.0 + x2.powi(4) / 576.0;
             let defect = area_defect(&Rk4, &pendulum, Phase::at_rest(0.0), h);
             assert!((defect - exact).abs() < AREA_TOLERANCE, "{defect:e} for {exact:e} at h = {h}");

@@ -31,7 +31,7 @@ fn a_single_step_misses_by_its_taylor_series<M: AnyMethod>(
     #[values([1.0, 0.0], [-2.0, 0.5], [0.5, 2.5], [3.0, -0.3], [0.1, 0.1])] z: [f64; 2],
 ) {
     for pendulum in [Pendulum::PAPER, pendula::verify::pendulum()] {
-        let series = leading_local_error(method.properties().name, z).expect("it is on file");
+        let series = leading_local_error(method.info().name, z).expect("it is on file");
         let measured = measured_local_error(&method, &pendulum, z);
         let difference = (measured[0] - series[0]).hypot(measured[1] - series[1]);
         let size = series[0].hypot(series[1]);

@@ -12,7 +12,7 @@ const ROUNDING: f64 = 4.0 * 16.0 * f64::EPSILON;
 #[rstest]
 fn a_tiny_swing_is_linear(#[values(0.0, 0.1, 1.0, 10.0, -3.0)] t: f64) {
     let pendulum = Pendulum::new(5.0, 2.0, 3.0).unwrap();
-    let linear = LinearOscillator::of(pendulum);
+    let linear = LinearOscillator::new(pendulum);
     for (theta, omega) in [(1e-30, 0.0), (0.0, 1e-30), (1e-30, -2e-30), (-3e-31, 1e-30)] {
         let start = Phase { theta, omega };
         let expected = Motion::new(&pendulum, start).unwrap().at(t);

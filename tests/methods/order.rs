@@ -1,7 +1,7 @@
 //! Order of convergence: the slope of the error against the step, between every two rungs of a ladder.
 
 use pendula::AnyMethod;
-use pendula::metrics::order::{is_credible, is_floor};
+use pendula::metrics::order::{is_asymptotic, is_floor};
 use rstest_reuse::apply;
 
 use crate::common::each_method;
@@ -16,19 +16,19 @@ fn every_slope_is_the_order<M: AnyMethod>(#[case] method: M) {
 /// Catches: a step whose error happens to cross zero taken for a good one; a good one refused whose error falls faster than it must.
 #[test]
 fn a_lucky_step_is_not_credible() {
-    assert!(is_credible(2, 4e-4, 1e-4, 0.0));
-    assert!(is_credible(2, 1e-3, 1e-6, 0.0), "the finer one is lucky");
-    assert!(!is_credible(2, 1e-6, 2.5e-5, 0.0));
-    assert!(is_credible(4, 5.4e-13, 1e-13, 0.0) && !is_credible(4, 5.3e-13, 1e-13, 0.0));
-    assert!(!is_credible(1, f64::NAN, 1.0, 2.0) && !is_credible(1, 1.0, f64::NAN, 2.0));
+    assert!(is_asymptotic(2, 4e-4, 1e-4, 0.0));
+    assert!(is_asymptotic(2, 1e-3, 1e-6, 0.0), "the finer one is lucky");
+    assert!(!is_asymptotic(2, 1e-6, 2.5e-5, 0.0));
+    assert!(is_asymptotic(4, 5.4e-13, 1e-13, 0.0) && !is_asymptotic(4, 5.3e-13, 1e-13, 0.0));
+    assert!(!is_asymptotic(1, f64::NAN, 1.0, 2.0) && !is_asymptotic(1, 1.0, f64::NAN, 2.0));
 }
 
 /// Catches: an order of 24 that can never be believed, since its errors fall to rounding at once; rounding that lets a lucky
 /// crossing pass.
 #[test]
 fn what_falls_to_rounding_is_credible() {
-    assert!(is_credible(24, 1e-8, 1e-13, 2e-13) && !is_credible(24, 1e-8, 3e-13, 2e-13));
-    assert!(is_credible(24, 4e-14, 1e-13, 1e-13) && !is_credible(24, 3e-14, 1e-13, 1e-13));
+    assert!(is_asymptotic(24, 1e-8, 1e-13, 2e-13) && !is_asymptotic(24, 1e-8, 3e-13, 2e-13));
+    assert!(is_asymptotic(24, 4e-14, 1e-13, 1e-13) && !is_asymptotic(24, 3e-14, 1e-13, 1e-13));
 }
 
 /// The bounds are powers of two, so that a number can lie on them, and its neighbour beyond.

@@ -5,7 +5,8 @@ use std::path::Path;
 
 use pendula::methods::Rk4;
 use pendula::{
-    AnyMethod, Described, Grid, METHODS, Observer, Pendulum, Phase, Properties, method_named, swing,
+    AnyMethod, Grid, Info, METHODS, MethodInfo, Observer, Pendulum, Phase, integrate_fast,
+    method_named,
 };
 
 /// Catches: a method whose file exists but which no test, table or page would ever run.
@@ -23,7 +24,7 @@ fn every_file_of_methods_is_on_the_list() {
         .filter(|name| !OTHERS.contains(&name.as_str()))
         .collect();
     let names: BTreeSet<String> =
-        METHODS.iter().map(|method| method.properties().name.to_string()).collect();
+        METHODS.iter().map(|method| method.info().name.to_string()).collect();
     assert_eq!(files, names);
 }
 
@@ -32,24 +33,56 @@ fn every_file_of_methods_is_on_the_list() {
 fn entries_are_complete_and_distinct() {
     let mut seen = BTreeSet::new();
     for method in METHODS {
-        let entry = method.properties();
+        let entry = method.info();
         assert!(seen.insert(entry.name), "{} stands twice", entry.name);
         let typeable = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-';
         assert!(entry.name.chars().all(typeable), "{}", entry.name);
-        assert_eq!(method_named(entry.name).map(|m| m.properties()), Some(entry));
+        assert_eq!(method_named(entry.name).map(|m| m.info()), Some(entry));
         assert!(!entry.title.is_empty() && !entry.aliases.is_empty());
         assert!(entry.order > 0 && entry.force_evaluations > 0 && !entry.reference.is_empty());
     }
     assert!(method_named("no-such-method").is_none());
-    assert_eq!(format!("{:?}", METHODS[0]), METHODS[0].properties().name);
+    assert_eq!(format!("{:?}", METHODS[0]), METHODS[0].info().name);
+}
+
+/// The table on the documentation's page of the methods, made from their entries.
+fn table() -> String {
+    let mut table = String::from(
+        "| method | order | symplectic | symmetric | evaluations | source |\n|---|--:|---|---|--:|---|\n",
+    );
+    let yes = |is: bool| if is { "yes" } else { "" };
+    for info in METHODS.iter().map(|method| method.info()) {
+        table += &format!(
+            "| {} | {} | {} | {} | {} | {} |\n",
+            info.title,
+            info.order,
+            yes(info.symplectic),
+            yes(info.symmetric),
+            info.force_evaluations,
+            info.reference
+        );
+    }
+    table
+}
+
+/// To write the table anew, run this test with `INSTA_UPDATE=always`, as for the snapshots.
+///
+/// Catches: a documentation that says other things of a method than its entry, or leaves one out.
+#[test]
+fn the_documentation_lists_what_the_entries_say() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/methods/table.md");
+    if std::env::var("INSTA_UPDATE").is_ok_and(|update| update == "always") {
+        std::fs::write(&path, table()).unwrap();
+    }
+    assert_eq!(std::fs::read_to_string(&path).unwrap(), table(), "{} is stale", path.display());
 }
 
 /// A method that leaves to the list what the list can do.
 struct Plain;
 
-impl Described for Plain {
-    fn properties(&self) -> Properties {
-        Rk4.properties()
+impl Info for Plain {
+    fn info(&self) -> MethodInfo {
+        Rk4.info()
     }
 }
 
@@ -61,7 +94,7 @@ impl AnyMethod for Plain {
         grid: &Grid,
         observer: &mut dyn Observer<Phase>,
     ) -> Phase {
-        swing(pendulum, &Rk4, start, grid, observer)
+        integrate_fast(pendulum, &Rk4, start, grid, observer)
     }
 
     fn count_evaluations(&self, _: &Pendulum, _: Phase, grid: &Grid) -> u64 {

@@ -79,7 +79,7 @@ fn rk4_is_algorithm_1() {
 /// Catches: four stages whose errors cancel on one sine but not on a straight line.
 #[test]
 fn rk4_on_the_linear_oscillator_is_a_taylor_polynomial() {
-    let linear = LinearOscillator::of(pendulum());
+    let linear = LinearOscillator::new(pendulum());
     let z = step(&linear, &Rk4, Phase::at_rest(1.0));
     let x2 = 2.5 * H * H;
     assert_same(z, 1.0 - x2 / 2.0 + x2 * x2 / 24.0, -2.5 * H * (1.0 - x2 / 6.0));

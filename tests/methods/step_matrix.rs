@@ -23,7 +23,7 @@ where
     M: AnyMethod + Method<LinearOscillator>,
 {
     let pendulum = pendula::verify::pendulum();
-    let (system, frequency) = (LinearOscillator::of(pendulum), pendulum.small_angle_frequency());
+    let (system, frequency) = (LinearOscillator::new(pendulum), pendulum.small_angle_frequency());
     let matrix = |x: f64| {
         let grid = Grid::new(x / frequency, 1).unwrap();
         matrix_of(frequency, |z| integrate(&system, &method, z, &grid, &mut ()))

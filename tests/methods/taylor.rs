@@ -3,7 +3,7 @@
 use pendula::methods::{ForwardEuler, Rk4};
 use pendula::{
     Analytic, Counting, Grid, LinearOscillator, Method, Motion, Pendulum, Phase, System, Taylor,
-    integrate, swing,
+    integrate, integrate_fast,
 };
 use rstest::rstest;
 
@@ -109,7 +109,7 @@ fn one_power_more_is_what_was_missing(#[values(0, 1, 2)] start: usize) {
 #[test]
 fn the_low_orders_are_known_methods() {
     let (pendulum, grid) = (pendulum(), Grid::new(0.02, 100).unwrap());
-    let linear = LinearOscillator::of(pendulum);
+    let linear = LinearOscillator::new(pendulum);
     for start in STARTS {
         // A hundred steps round 10 rad, or 35 rad/s, by a few ε; the growth of forward Euler is below e².
         let near = |a: Phase, b: Phase| {
@@ -130,7 +130,7 @@ fn the_step_may_be_the_unit_of_time() {
     let (pendulum, grid) = (pendulum(), Grid::new(0.1, 50).unwrap());
     for start in STARTS {
         let plain = integrate(&pendulum, &Taylor::<12>, start, &grid, &mut ());
-        let quick = swing(&pendulum, &Taylor::<12>, start, &grid, &mut ());
+        let quick = integrate_fast(&pendulum, &Taylor::<12>, start, &grid, &mut ());
         // 50 steps of a few roundings of up to 50 rad, each carried on by 50 steps more.
         assert!((plain.theta - quick.theta).abs() < 1e-11, "{plain:?}, {quick:?}");
         assert!((plain.omega - quick.omega).abs() < 1e-11, "{plain:?}, {quick:?}");

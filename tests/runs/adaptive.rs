@@ -2,14 +2,15 @@
 //! refusals.
 
 use std::f64::consts::PI;
-use std::ops::{Add, Mul};
 
-use pendula::adaptive::{Adaptive, Counts, Dense, Direction, SMALLEST_RELATIVE, Tolerance, Walk};
+use pendula::adaptive::{
+    Adaptive, AdaptiveSteps, Counts, Dense, Direction, SMALLEST_RELATIVE, Tolerance,
+};
 use pendula::methods::runge_kutta::Embedded;
 use pendula::methods::{Dop853, DormandPrince};
+use pendula::state;
 use pendula::{
-    Components, Counting, Error, Grid, Method, Motion, Observer, Pendulum, Phase, System, Vector,
-    exact, integrate,
+    Counting, Error, Grid, Method, Motion, Observer, Pendulum, Phase, System, exact, integrate,
 };
 use rstest::rstest;
 use rstest_reuse::{apply, template};
@@ -28,7 +29,7 @@ fn pendulums() -> [Pendulum; 2] {
 const START: Phase = Phase { theta: 2.0, omega: 0.3 };
 
 fn tolerance(tolerance: f64) -> Tolerance {
-    Tolerance::of(tolerance).unwrap()
+    Tolerance::uniform(tolerance).unwrap()
 }
 
 fn walk<M: Embedded>(
@@ -36,8 +37,8 @@ fn walk<M: Embedded>(
     method: M,
     tol: f64,
     until: f64,
-) -> Walk<'_, Pendulum, M> {
-    Adaptive::new(method, tolerance(tol)).walk(pendulum, START, 0.0, until).unwrap()
+) -> AdaptiveSteps<'_, Pendulum, M> {
+    Adaptive::new(method, tolerance(tol)).steps(pendulum, START, 0.0, until).unwrap()
 }
 
 fn minus(x: Phase, y: Phase) -> Phase {
@@ -94,7 +95,7 @@ fn no_step_is_off_by_more_than_the_tolerance<M: Embedded>(#[case] method: M) {
                 let step = step.unwrap();
                 let right = Motion::new(&pendulum, step.start()).unwrap().at(step.size());
                 let off = minus(step.end(), right);
-                largest = largest.max(tolerance(tol).ratio(step.start(), step.end(), off));
+                largest = largest.max(tolerance(tol).error_norm(step.start(), step.end(), off));
             }
             assert!(largest <= 1.0 && largest > 1.0 / 512.0, "{largest} at {tol:e}");
         }
@@ -108,7 +109,7 @@ fn a_displacement_is_measured_in_tolerances() {
     assert_eq!((tolerance.absolute(), tolerance.relative()), (0.5, 0.25));
     let (from, to) = (Phase { theta: -2.0, omega: 1.0 }, Phase { theta: 1.0, omega: -6.0 });
     // Allowed: 0.5 + 0.25 · 2 = 1 and 0.5 + 0.25 · 6 = 2.
-    let ratio = tolerance.ratio(from, to, Phase { theta: -3.0, omega: 8.0 });
+    let ratio = tolerance.error_norm(from, to, Phase { theta: -3.0, omega: 8.0 });
     assert_eq!(ratio, ((9.0_f64 + 16.0) / 2.0).sqrt());
 }
 
@@ -131,7 +132,7 @@ fn each_evaluation_is_counted_and_none_is_wasted<M: Embedded>(
     for pendulum in pendulums() {
         let counting = Counting::new(pendulum);
         let adaptive = Adaptive::new(method, tolerance(1e-6));
-        let mut walk = adaptive.walk(&counting, START, 0.0, 20.0).unwrap();
+        let mut walk = adaptive.steps(&counting, START, 0.0, 20.0).unwrap();
         let mut steps = 0;
         while let Some(step) = walk.next() {
             walk.dense(&step.unwrap());
@@ -175,7 +176,7 @@ fn the_first_step_follows_the_state<M: Embedded>(#[case] method: M, #[case] root
     let adaptive = Adaptive::new(method, tolerance(1e-6));
     let first = |law: &dyn Fn(f64, f64) -> f64, y: f64, until: f64| {
         let law = Law(law);
-        let mut walk = adaptive.walk(&law, Number(y), 0.0, until).unwrap();
+        let mut walk = adaptive.steps(&law, Number { y }, 0.0, until).unwrap();
         let size = walk.next().unwrap().unwrap().size();
         assert_eq!(walk.counts().rejected, 0);
         size
@@ -216,7 +217,7 @@ fn the_first_step_weighs_every_component<M: Embedded>(#[case] method: M, #[case]
     let bend = size(minus(pendulum.rate(0.0, start + slope * tried), slope)) / tried;
     assert!(bend > 2.0 * size(slope), "the step tried has to matter");
     let adaptive = Adaptive::new(method, tolerance(1e-6));
-    let mut walk = adaptive.walk(&pendulum, start, 0.0, 10.0).unwrap();
+    let mut walk = adaptive.steps(&pendulum, start, 0.0, 10.0).unwrap();
     let first = walk.next().unwrap().unwrap().size();
     assert_eq!(walk.counts().rejected, 0);
     // A few roundings of a difference that loses three digits, some 1e-13; a root makes less of them.
@@ -230,7 +231,8 @@ fn the_first_step_weighs_every_component<M: Embedded>(#[case] method: M, #[case]
 #[apply(each_pair)]
 fn no_step_grows_more_than_tenfold<M: Embedded>(#[case] method: M) {
     let calm = Law(|_, _| 0.0);
-    let walk = Adaptive::new(method, tolerance(1e-6)).walk(&calm, Number(0.0), 0.0, 10.0).unwrap();
+    let walk =
+        Adaptive::new(method, tolerance(1e-6)).steps(&calm, Number { y: 0.0 }, 0.0, 10.0).unwrap();
     let sizes: Vec<f64> = walk.map(|step| step.unwrap().size()).collect();
     // All but the last, which ends at the end.
     for pair in sizes[..sizes.len() - 1].windows(2) {
@@ -365,7 +367,7 @@ fn the_period_is_exact_within_the_tolerance<M: Embedded>(
     for pendulum in pendulums() {
         let period = exact::period(&pendulum, theta0).unwrap();
         let adaptive = Adaptive::new(method, tolerance(tol));
-        let mut walk = adaptive.walk(&pendulum, Phase::at_rest(theta0), 0.0, period).unwrap();
+        let mut walk = adaptive.steps(&pendulum, Phase::at_rest(theta0), 0.0, period).unwrap();
         let bottom = walk.crossings(Direction::Falling, |_, z| z.theta).next().unwrap().unwrap();
         let off = (4.0 * bottom.t - period).abs();
         assert!(off <= tol * (1.0 + period) + 4.0 * f64::EPSILON * period, "{off:e} s");
@@ -385,7 +387,7 @@ fn each_passage_over_the_top_is_found_once<M: Embedded>(#[case] method: M) {
         let motion = Motion::new(&pendulum, start).unwrap();
         for tol in [1e-5, 1e-9] {
             let adaptive = Adaptive::new(method, tolerance(tol));
-            let mut walk = adaptive.walk(&pendulum, start, 0.0, 5.0).unwrap();
+            let mut walk = adaptive.steps(&pendulum, start, 0.0, 5.0).unwrap();
             let tops = walk
                 .crossings(Direction::Either, |_, z| pendula::arithmetic::sine::cos(0.5 * z.theta));
             let tops: Vec<_> = tops.map(|top| top.unwrap()).collect();
@@ -412,7 +414,7 @@ fn a_crossing_has_a_direction<M: Embedded>(#[case] method: M) {
     let period = Motion::new(&pendulum, start).unwrap().period().unwrap();
     let adaptive = Adaptive::new(method, tolerance(1e-9));
     let times = |direction, until: f64| {
-        let mut walk = adaptive.walk(&pendulum, start, 0.0, until).unwrap();
+        let mut walk = adaptive.steps(&pendulum, start, 0.0, until).unwrap();
         let crossings = walk.crossings(direction, |_, z| z.theta);
         crossings.map(|crossing| crossing.unwrap().t / period).collect::<Vec<f64>>()
     };
@@ -428,7 +430,8 @@ fn a_crossing_has_a_direction<M: Embedded>(#[case] method: M) {
     near(times(Direction::Rising, -2.2 * period), &[-0.5, -1.5]);
     near(times(Direction::Falling, -2.2 * period), &[-1.0, -2.0]);
 
-    let mut walk = Adaptive::new(method, tolerance(1e-3)).walk(&pendulum, start, 0.0, 3.0).unwrap();
+    let mut walk =
+        Adaptive::new(method, tolerance(1e-3)).steps(&pendulum, start, 0.0, 3.0).unwrap();
     let strikes = walk.crossings(Direction::Either, |t, _| (PI * (t - 0.075) / 0.15).sin());
     let strikes: Vec<f64> = strikes.map(|strike| strike.unwrap().t).collect();
     assert_eq!(strikes.len(), 20, "{strikes:?}");
@@ -478,7 +481,7 @@ fn the_last_step_ends_at_the_end<M: Embedded>(
     assert!(times.windows(2).all(|pair| pair[0].1 != pair[1].1));
     assert!(times.windows(2).all(|pair| (pair[1].1 - pair[0].1).signum() == duration.signum()));
 
-    let mut walk = adaptive.walk(&pendulum, START, 3.0, 3.0).unwrap();
+    let mut walk = adaptive.steps(&pendulum, START, 3.0, 3.0).unwrap();
     assert!(walk.next().is_none() && walk.next().is_none());
     assert_eq!((walk.time(), walk.state()), (3.0, START));
 }
@@ -507,10 +510,10 @@ fn nothing_is_asked_beyond_the_end<M: Embedded>(#[case] method: M) {
         -4.0 * y
     });
     let adaptive = Adaptive::new(method, tolerance(1e-6));
-    adaptive.integrate(&law, Number(1.0), 0.0, 1e-3, &mut ()).unwrap();
+    adaptive.integrate(&law, Number { y: 1.0 }, 0.0, 1e-3, &mut ()).unwrap();
     assert_eq!(latest.get(), 1e-3);
     let (_, counts) =
-        adaptive.integrate(&law, Number(1.0), 1e6, 1e6_f64.next_up(), &mut ()).unwrap();
+        adaptive.integrate(&law, Number { y: 1.0 }, 1e6, 1e6_f64.next_up(), &mut ()).unwrap();
     assert_eq!((counts.accepted, latest.get()), (1, 1e6_f64.next_up()));
 }
 
@@ -523,7 +526,7 @@ fn a_zero_on_the_last_instant_is_a_crossing<M: Embedded>(#[case] method: M) {
     let adaptive = Adaptive::new(method, tolerance(1e-6));
     let end = 1.0 / 1024.0;
     for (direction, sign) in [(Direction::Rising, 1.0), (Direction::Falling, -1.0)] {
-        let mut walk = adaptive.walk(&law, Number(1.0), 0.0, end).unwrap();
+        let mut walk = adaptive.steps(&law, Number { y: 1.0 }, 0.0, end).unwrap();
         let crossings = walk.crossings(direction, |t, _| sign * (t - end));
         let times: Vec<f64> = crossings.map(|crossing| crossing.unwrap().t).collect();
         assert_eq!(times, [end]);
@@ -566,7 +569,7 @@ fn a_tolerance_that_cannot_be_met_is_refused() {
     assert_eq!(SMALLEST_RELATIVE, 10.0 * f64::EPSILON);
     assert!(Tolerance::new(5e-324, SMALLEST_RELATIVE).is_ok());
     assert_eq!(
-        Tolerance::of(1e-16).unwrap_err().to_string(),
+        Tolerance::uniform(1e-16).unwrap_err().to_string(),
         "relative tolerance = 1e-16 is refused: it must be at least 2.22e-15, ten roundings of an f64, and less than 1"
     );
 }
@@ -574,7 +577,7 @@ fn a_tolerance_that_cannot_be_met_is_refused() {
 /// Catches: a refusal of the finest tolerance that is let in; an error then that is not a few hundred roundings.
 #[apply(each_pair)]
 fn the_finest_tolerance_can_be_met<M: Embedded>(#[case] method: M) {
-    let finest = Tolerance::of(SMALLEST_RELATIVE).unwrap();
+    let finest = Tolerance::uniform(SMALLEST_RELATIVE).unwrap();
     let adaptive = Adaptive::new(method, finest);
     let (end, _) = adaptive.integrate(&Pendulum::PAPER, START, 0.0, 2.0, &mut ()).unwrap();
     let right = Motion::new(&Pendulum::PAPER, START).unwrap().at(2.0);
@@ -589,36 +592,15 @@ fn a_time_that_is_none_is_refused<M: Embedded>(#[case] method: M) {
     for (from, until) in
         [(f64::NAN, 1.0), (0.0, f64::INFINITY), (f64::NEG_INFINITY, 0.0), (-1e308, 1e308)]
     {
-        let walk = adaptive.walk(&Pendulum::PAPER, START, from, until);
+        let walk = adaptive.steps(&Pendulum::PAPER, START, from, until);
         assert!(matches!(walk.err(), Some(Error::Parameter { .. })), "{from} to {until}");
     }
 }
 
-/// A number as a state.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Number(f64);
-
-impl Add for Number {
-    type Output = Self;
-
-    fn add(self, other: Self) -> Self {
-        Self(self.0 + other.0)
-    }
-}
-
-impl Mul<f64> for Number {
-    type Output = Self;
-
-    fn mul(self, factor: f64) -> Self {
-        Self(self.0 * factor)
-    }
-}
-
-impl Vector for Number {}
-
-impl Components for Number {
-    fn compare(self, other: Self, displacement: Self, mut each: impl FnMut(f64, f64, f64)) {
-        each(self.0, other.0, displacement.0);
+state! {
+    /// A number as a state.
+    struct Number {
+        y: f64,
     }
 }
 
@@ -628,8 +610,8 @@ struct Law<F>(F);
 impl<F: Fn(f64, f64) -> f64> System for Law<F> {
     type State = Number;
 
-    fn rate(&self, t: f64, y: Number) -> Number {
-        Number((self.0)(t, y.0))
+    fn rate(&self, t: f64, z: Number) -> Number {
+        Number { y: (self.0)(t, z.y) }
     }
 }
 
@@ -641,7 +623,7 @@ impl<F: Fn(f64, f64) -> f64> System for Law<F> {
 fn a_pole_is_not_crossed<M: Embedded>(#[case] method: M) {
     let pole = Law(|_, y| y * y);
     let adaptive = Adaptive::new(method, tolerance(1e-9));
-    let mut walk = adaptive.walk(&pole, Number(1.0), 0.0, 2.0).unwrap();
+    let mut walk = adaptive.steps(&pole, Number { y: 1.0 }, 0.0, 2.0).unwrap();
     let error = walk.find_map(|step| step.err());
     let Some(Error::StepTooSmall { t, step }) = error else { panic!("{error:?}") };
     assert!((t - 1.0).abs() < 1e-6 && (t, walk.time()) == (walk.time(), t), "{t}");
@@ -657,13 +639,13 @@ fn a_rate_that_is_no_number_is_an_error<M: Embedded>(#[case] method: M) {
     let adaptive = Adaptive::new(method, tolerance(1e-9));
     for (law, from) in [(f64::NAN, 0.0), (f64::INFINITY, 0.0), (f64::NAN, 1.0)] {
         let law = Law(move |_, _| law);
-        let end = adaptive.integrate(&law, Number(1.0), from, 2.0, &mut ());
+        let end = adaptive.integrate(&law, Number { y: 1.0 }, from, 2.0, &mut ());
         let Err(Error::StepTooSmall { t, .. }) = end else { panic!("{end:?}") };
         assert_eq!(t, from);
     }
     // One that turns bad on the way is found there.
     let law = Law(|t, _| if t < 1.0 { 1.0 } else { f64::NAN });
-    let end = adaptive.integrate(&law, Number(1.0), 0.0, 2.0, &mut ());
+    let end = adaptive.integrate(&law, Number { y: 1.0 }, 0.0, 2.0, &mut ());
     let Err(Error::StepTooSmall { t, .. }) = end else { panic!("{end:?}") };
     assert!(t < 1.0 && t > 0.999, "{t}");
 }
@@ -676,9 +658,13 @@ fn a_limit_is_kept<M: Embedded>(#[case] method: M) {
     let (_, Counts { accepted, rejected, .. }) =
         adaptive.integrate(&pendulum, START, 0.0, 20.0, &mut ()).unwrap();
     let attempts = accepted + rejected;
-    assert!(adaptive.within(attempts).integrate(&pendulum, START, 0.0, 20.0, &mut ()).is_ok());
-    let error =
-        adaptive.within(attempts - 1).integrate(&pendulum, START, 0.0, 20.0, &mut ()).unwrap_err();
+    assert!(
+        adaptive.max_attempts(attempts).integrate(&pendulum, START, 0.0, 20.0, &mut ()).is_ok()
+    );
+    let error = adaptive
+        .max_attempts(attempts - 1)
+        .integrate(&pendulum, START, 0.0, 20.0, &mut ())
+        .unwrap_err();
     let Error::OutOfSteps { t, limit } = error else { panic!("{error:?}") };
     assert!(limit == attempts - 1 && t > 15.0 && t < 20.0, "{error}");
     assert!(error.to_string().starts_with(&format!("{limit} steps have led no further")));
@@ -700,10 +686,10 @@ fn at_the_limit_of_stability_few_steps_are_refused<M: Embedded>(
 ) {
     let law = Law(|t: f64, y: f64| -100.0 * y + 100.0 * t.cos());
     let adaptive = Adaptive::new(method, tolerance(1e-4));
-    let (end, counts) = adaptive.integrate(&law, Number(0.0), 0.0, 20.0, &mut ()).unwrap();
+    let (end, counts) = adaptive.integrate(&law, Number { y: 0.0 }, 0.0, 20.0, &mut ()).unwrap();
     // y = (cos t + 0.01 sin t)/1.0001 once the start is forgotten.
     let right = (20_f64.cos() + 0.01 * 20_f64.sin()) / 1.0001;
-    assert!((end.0 - right).abs() < 1e-3, "{}", end.0);
+    assert!((end.y - right).abs() < 1e-3, "{}", end.y);
     assert!(counts.rejected * one_in < counts.accepted, "{counts:?}");
     let mean = 20.0 / counts.accepted as f64;
     assert!(mean < bound && mean > 0.8 * bound, "{mean}");

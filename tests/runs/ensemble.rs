@@ -4,7 +4,7 @@ use std::num::NonZeroU64;
 
 use pendula::fast::{Ensemble, InLanes, Instructions};
 use pendula::integrate::Record;
-use pendula::{Grid, Observer, Pendulum, Phase, integrate, swing};
+use pendula::{Grid, Observer, Pendulum, Phase, integrate, integrate_fast};
 use rstest_reuse::apply;
 
 use crate::common::each_method;
@@ -17,7 +17,7 @@ fn family() -> (Vec<Pendulum>, Vec<Phase>) {
     (numbers().map(pendulum).collect(), numbers().map(start).collect())
 }
 
-/// Catches: a lane that reads another's state or parameters, a branch whose two sides differ in a bit, a memo not kept, a
+/// Catches: a lane that reads another's state or parameters, a branch whose two sides differ in a bit, a carry not kept, a
 /// fused instruction where the processor has one.
 #[apply(each_method)]
 fn lanes_have_the_bits_of_a_trajectory_alone<M: InLanes>(#[case] method: M) {
@@ -27,13 +27,14 @@ fn lanes_have_the_bits_of_a_trajectory_alone<M: InLanes>(#[case] method: M) {
         let alone: Vec<Phase> = pendulums
             .iter()
             .zip(&starts)
-            .map(|(pendulum, start)| swing(pendulum, &method, *start, &grid, &mut ()))
+            .map(|(pendulum, start)| integrate_fast(pendulum, &method, *start, &grid, &mut ()))
             .collect();
         for instructions in
             [Instructions::Best, Instructions::Baseline, Instructions::Avx2, Instructions::Avx512]
         {
             let mut ends = vec![Phase::default(); starts.len()];
-            let ensemble = Ensemble::of_each(&pendulums, &starts, grid).with(instructions);
+            let ensemble =
+                Ensemble::with_pendulums(&pendulums, &starts, grid).with_instructions(instructions);
             ensemble.ends(&method, &mut ends);
             assert_eq!(bits(&ends), bits(&alone), "{instructions:?}, {steps} steps");
         }
@@ -54,13 +55,12 @@ fn each_observer_of_an_ensemble_sees_its_own_trajectory<M: InLanes>(
     let (grid, every) = (Grid::new(0.017, 100).unwrap(), NonZeroU64::new(every).unwrap());
     let each = (grid.steps() / every + 1) as usize;
     let mut samples = vec![Phase::default(); each * starts.len()];
-    let mut records: Vec<Record<Phase>> =
-        samples.chunks_mut(each).map(Record::into_slice).collect();
-    Ensemble::of_each(&pendulums, &starts, grid).watch(every, &method, &mut records);
+    let mut records: Vec<Record<Phase>> = samples.chunks_mut(each).map(Record::new).collect();
+    Ensemble::with_pendulums(&pendulums, &starts, grid).watch(&method, every, &mut records);
     for ((pendulum, start), seen) in pendulums.iter().zip(starts).zip(samples.chunks(each)) {
         let mut alone = vec![];
         let mut watch = pendula::integrate::Every::new(every, |_, _, z| alone.push(z));
-        swing(pendulum, &method, start, &grid, &mut watch);
+        integrate_fast(pendulum, &method, start, &grid, &mut watch);
         assert_eq!(bits(seen), bits(&alone));
     }
 }
@@ -78,7 +78,7 @@ fn a_start_that_needs_care_gets_it<M: InLanes>(#[case] method: M) {
     ];
     let grid = Grid::new(0.01, 100).unwrap();
     let mut ends = [Phase::default(); 3];
-    Ensemble::of(&pendulum, &starts, grid).ends(&method, &mut ends);
+    Ensemble::new(&pendulum, &starts, grid).ends(&method, &mut ends);
     for (start, end) in starts.into_iter().zip(ends) {
         let alone = integrate(&pendulum, &method, start, &grid, &mut ());
         // 100 steps, each rounding an ulp of the largest number there is.
@@ -113,11 +113,11 @@ fn a_satisfied_observer_is_left_alone<M: InLanes>(
     let grid = Grid::new(0.01, 10).unwrap();
     let mut watches = [Some3(vec![]), Some3(vec![])];
     let every = NonZeroU64::new(2).unwrap();
-    Ensemble::of(&Pendulum::PAPER, &starts, grid).watch(every, &method, &mut watches);
+    Ensemble::new(&Pendulum::PAPER, &starts, grid).watch(&method, every, &mut watches);
     for (start, Some3(seen)) in starts.iter().zip(watches) {
         let mut alone = vec![];
         let mut watch = pendula::integrate::Every::new(every, |_, _, z| alone.push(z));
-        swing(&Pendulum::PAPER, &method, *start, &grid, &mut watch);
+        integrate_fast(&Pendulum::PAPER, &method, *start, &grid, &mut watch);
         // Beside a start that needs care time is in seconds for that one only.
         assert_eq!(bits(&seen), bits(&alone[..3]));
     }
@@ -130,5 +130,5 @@ fn an_ensemble_wants_a_slot_for_each_start() {
     let starts = [Phase::at_rest(1.0); 2];
     let grid = Grid::new(0.01, 1).unwrap();
     let method = pendula::methods::Rk4;
-    Ensemble::of(&Pendulum::PAPER, &starts, grid).ends(&method, &mut [Phase::default(); 3]);
+    Ensemble::new(&Pendulum::PAPER, &starts, grid).ends(&method, &mut [Phase::default(); 3]);
 }

@@ -14,7 +14,7 @@ use rstest::rstest;
 #[case(4.35, 0.01, 435)]
 #[case(1e-300, 1e-300, 1)]
 fn decimals_are_taken_at_their_word(#[case] duration: f64, #[case] step: f64, #[case] steps: u64) {
-    let grid = Grid::over(duration, step).unwrap();
+    let grid = Grid::with_duration(step, duration).unwrap();
     assert_eq!((grid.step(), grid.steps(), grid.samples()), (step, steps, steps + 1));
 }
 
@@ -24,7 +24,7 @@ fn decimals_are_taken_at_their_word(#[case] duration: f64, #[case] step: f64, #[
 #[case(0.05, 0.1)]
 #[case(1.0, 0.1 + 1e-12)]
 fn part_of_a_step_is_refused(#[case] duration: f64, #[case] step: f64) {
-    assert_eq!(Grid::over(duration, step), Err(Error::PartialStep { duration, step }));
+    assert_eq!(Grid::with_duration(step, duration), Err(Error::PartialStep { duration, step }));
 }
 
 /// Three roundings of ε/2 each, doubled: 3 ε beside a whole number is still that number, 4 ε is not.
@@ -32,7 +32,7 @@ fn part_of_a_step_is_refused(#[case] duration: f64, #[case] step: f64) {
 /// Catches: a tolerance that is a bit tighter or looser than the one derived.
 #[test]
 fn whole_means_to_within_three_units_of_rounding() {
-    let beside = |units: f64| Grid::over(1.0 + units * f64::EPSILON, 1.0);
+    let beside = |units: f64| Grid::with_duration(1.0, 1.0 + units * f64::EPSILON);
     assert_eq!(beside(3.0).map(|grid| grid.steps()), Ok(1));
     assert_eq!(
         beside(4.0),
@@ -45,8 +45,8 @@ fn whole_means_to_within_three_units_of_rounding() {
 fn a_step_or_duration_out_of_range_is_refused(
     #[values(0.0, -0.0, -1.0, f64::NAN, f64::INFINITY, f64::NEG_INFINITY)] bad: f64,
 ) {
-    assert!(matches!(Grid::over(1.0, bad), Err(Error::Parameter { .. })));
-    assert!(matches!(Grid::over(bad, 1.0), Err(Error::Parameter { .. })));
+    assert!(matches!(Grid::with_duration(bad, 1.0), Err(Error::Parameter { .. })));
+    assert!(matches!(Grid::with_duration(1.0, bad), Err(Error::Parameter { .. })));
     assert!(matches!(Grid::new(bad, 10), Err(Error::Parameter { .. })));
 }
 
@@ -55,11 +55,17 @@ fn a_step_or_duration_out_of_range_is_refused(
 fn too_many_steps_are_refused() {
     assert!(Grid::new(1.0, MAX_STEPS).is_ok());
     assert!(matches!(Grid::new(1.0, MAX_STEPS + 1), Err(Error::TooManySteps { .. })));
-    assert_eq!(Grid::over(1e10, 1e-10), Err(Error::TooManySteps { steps: 1e20 }));
+    assert_eq!(Grid::with_duration(1e-10, 1e10), Err(Error::TooManySteps { steps: 1e20 }));
     let most = MAX_STEPS as f64;
-    assert_eq!(Grid::over(most, 1.0).map(|grid| grid.steps()), Ok(MAX_STEPS));
-    assert_eq!(Grid::over(most + 2.0, 1.0), Err(Error::TooManySteps { steps: most + 2.0 }));
-    assert!(matches!(Grid::over(f64::MAX, f64::MIN_POSITIVE), Err(Error::TooManySteps { .. })));
+    assert_eq!(Grid::with_duration(1.0, most).map(|grid| grid.steps()), Ok(MAX_STEPS));
+    assert_eq!(
+        Grid::with_duration(1.0, most + 2.0),
+        Err(Error::TooManySteps { steps: most + 2.0 })
+    );
+    assert!(matches!(
+        Grid::with_duration(f64::MIN_POSITIVE, f64::MAX),
+        Err(Error::TooManySteps { .. })
+    ));
     assert!(matches!(Grid::new(f64::MAX, 2), Err(Error::Parameter { .. })));
 }
 
@@ -84,8 +90,8 @@ proptest! {
     ) {
         let step = f64::from(thousandths) / 1000.0;
         let duration = (u64::from(thousandths) * u64::from(steps)) as f64 / 1000.0;
-        prop_assert_eq!(Grid::over(duration, step).map(|grid| grid.steps()), Ok(u64::from(steps)));
+        prop_assert_eq!(Grid::with_duration(step, duration).map(|grid| grid.steps()), Ok(u64::from(steps)));
         let off = duration + 0.01 * step;
-        prop_assert_eq!(Grid::over(off, step), Err(Error::PartialStep { duration: off, step }));
+        prop_assert_eq!(Grid::with_duration(step, off), Err(Error::PartialStep { duration: off, step }));
     }
 }

@@ -2,9 +2,9 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use pendula::fast::{Deferred, Stepped};
+use pendula::fast::{Deferred, ScaledPendulum};
 use pendula::methods::{Rk4, StormerVerlet, SymplecticEuler, Yoshida8};
-use pendula::{Grid, Method, Observer, Pendulum, Phase, integrate, swing};
+use pendula::{Grid, Method, Observer, Pendulum, Phase, integrate, integrate_fast};
 use proptest::prelude::*;
 use rstest::rstest;
 use rstest_reuse::apply;
@@ -35,11 +35,12 @@ fn in_steps_is_in_seconds<M>(
     #[values(0.01, 0.1, 0.37)] h: f64,
     #[values((1.0, 0.0), (3.0, 0.1), (-0.3, 9.0), (100.0, -7.0), (0.0, 0.0))] start: (f64, f64),
 ) where
-    M: Method<Pendulum> + Method<Stepped>,
+    M: Method<Pendulum> + Method<ScaledPendulum>,
 {
     let (pendulum, start) = (pendulum(), Phase { theta: start.0, omega: start.1 });
     let grid = Grid::new(h, 50).unwrap();
-    let (quick, end) = states(|mut watch| swing(&pendulum, &method, start, &grid, &mut watch));
+    let (quick, end) =
+        states(|mut watch| integrate_fast(&pendulum, &method, start, &grid, &mut watch));
     let (plain, _) = states(|mut watch| integrate(&pendulum, &method, start, &grid, &mut watch));
     assert_eq!(quick.len(), plain.len());
     assert_eq!(quick[0], (0, 0.0, start));
@@ -60,7 +61,7 @@ fn no_step_leaves_the_start_as_it_is() {
     let none = Grid::new(0.1, 0).unwrap();
     for theta in [0.0, FRAC_PI_2, -3.15, 100.25, -654_321.9] {
         let start = Phase { theta, omega: 0.3 };
-        let end = swing(&pendulum(), &Rk4, start, &none, &mut ());
+        let end = integrate_fast(&pendulum(), &Rk4, start, &none, &mut ());
         // The half turns are added up with two more roundings.
         assert!((end.theta - theta).abs() <= f64::EPSILON * theta.abs());
         assert!((end.omega - 0.3).abs() <= f64::EPSILON * 0.3);
@@ -79,8 +80,8 @@ fn where_units_cannot_be_changed_time_is_in_seconds(
     #[case] omega: f64,
 ) {
     let (grid, start) = (Grid::new(h, 100).unwrap(), Phase { theta, omega });
-    assert!(Stepped::<true>::of::<Rk4>(&pendulum(), &grid, start).is_none());
-    let quick = swing(&pendulum(), &Rk4, start, &grid, &mut ());
+    assert!(ScaledPendulum::<true>::new::<Rk4>(&pendulum(), &grid, start).is_none());
+    let quick = integrate_fast(&pendulum(), &Rk4, start, &grid, &mut ());
     assert_eq!(quick, integrate(&pendulum(), &Rk4, start, &grid, &mut ()));
 }
 
@@ -92,8 +93,8 @@ fn where_units_cannot_be_changed_time_is_in_seconds(
 fn how_far_a_run_may_lead_depends_on_the_method() {
     let grid = Grid::new(0.2, 10_000_000).unwrap();
     let start = Phase::at_rest(1.0);
-    assert!(Stepped::<true>::of::<StormerVerlet>(&pendulum(), &grid, start).is_some());
-    assert!(Stepped::<true>::of::<Yoshida8>(&pendulum(), &grid, start).is_none());
+    assert!(ScaledPendulum::<true>::new::<StormerVerlet>(&pendulum(), &grid, start).is_some());
+    assert!(ScaledPendulum::<true>::new::<Yoshida8>(&pendulum(), &grid, start).is_none());
 }
 
 /// Catches: a run that goes on when nobody looks any more.
@@ -109,9 +110,9 @@ fn a_satisfied_observer_ends_the_swing() {
         }
     }
     let (grid, start) = (Grid::new(0.1, 100).unwrap(), Phase::at_rest(1.0));
-    let end = swing(&pendulum(), &Rk4, start, &grid, &mut Three(0));
+    let end = integrate_fast(&pendulum(), &Rk4, start, &grid, &mut Three(0));
     let three = Grid::new(0.1, 3).unwrap();
-    assert_eq!(end, swing(&pendulum(), &Rk4, start, &three, &mut ()));
+    assert_eq!(end, integrate_fast(&pendulum(), &Rk4, start, &three, &mut ()));
 }
 
 proptest! {
@@ -123,13 +124,13 @@ proptest! {
         theta in -50.0..50.0_f64,
         omega in -30.0..30.0_f64,
         h in 1e-4..0.5_f64,
-        stiffness in 0.1..50.0_f64,
+        frequency_squared in 0.1..50.0_f64,
     ) {
-        let pendulum = Pendulum::new(stiffness, 1.0, 1.0).unwrap();
+        let pendulum = Pendulum::new(frequency_squared, 1.0, 1.0).unwrap();
         let (grid, start) = (Grid::new(h, 1).unwrap(), Phase { theta, omega });
-        let quick = swing(&pendulum, &Rk4, start, &grid, &mut ());
+        let quick = integrate_fast(&pendulum, &Rk4, start, &grid, &mut ());
         let plain = integrate(&pendulum, &Rk4, start, &grid, &mut ());
-        let size = theta.abs() + h * omega.abs() + h * h * stiffness + 1.0;
+        let size = theta.abs() + h * omega.abs() + h * h * frequency_squared + 1.0;
         prop_assert!((quick.theta - plain.theta).abs() <= 24.0 * f64::EPSILON * size);
         prop_assert!((quick.omega - plain.omega).abs() <= 24.0 * f64::EPSILON * size / h);
     }
@@ -148,11 +149,11 @@ fn a_number_that_is_known_keeps_its_sign() {
 /// Catches: a bound that forgets a factor, or that lets in what it names as the first too far.
 #[test]
 fn time_is_counted_in_steps_up_to_the_bounds_only() {
-    let fits = |stiffness: f64, step: f64, steps, theta, omega| {
-        let pendulum = Pendulum::new(stiffness, 1.0, 1.0).unwrap();
+    let fits = |frequency_squared: f64, step: f64, steps, theta, omega| {
+        let pendulum = Pendulum::new(frequency_squared, 1.0, 1.0).unwrap();
         let grid = Grid::new(step, steps).unwrap();
         let start = Phase { theta, omega };
-        Stepped::<true>::of::<SymplecticEuler>(&pendulum, &grid, start).is_some()
+        ScaledPendulum::<true>::new::<SymplecticEuler>(&pendulum, &grid, start).is_some()
     };
     // K = 1e6 and N = 1e4: N² K = 1e14, and ten times as many steps go a hundred times as far.
     assert!(fits(1e6, 1.0, 10_000, 0.0, 0.0) && !fits(1e6, 1.0, 100_000, 0.0, 0.0));

@@ -81,11 +81,11 @@ fn a_satisfied_observer_ends_the_loop() {
 #[test]
 fn a_record_holds_the_samples_that_fit() {
     let mut all = vec![Phase::default(); grid().samples() as usize];
-    let mut watch = Record::into_slice(&mut all);
+    let mut watch = Record::new(&mut all);
     let end = integrate(&Pendulum::PAPER, &StormerVerlet, START, &grid(), &mut watch);
     assert_eq!((all[0], all[100]), (START, end));
 
     let mut some = vec![Phase::default(); 10];
-    integrate(&Pendulum::PAPER, &StormerVerlet, START, &grid(), &mut Record::into_slice(&mut some));
+    integrate(&Pendulum::PAPER, &StormerVerlet, START, &grid(), &mut Record::new(&mut some));
     assert_eq!(some, all[..10]);
 }

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use approx::assert_relative_eq;
 use pendula::methods::{ForwardEuler, Rk4, StormerVerlet, SymplecticEuler};
 use pendula::{
-    AnyMethod, Grid, Kind, METHODS, Method, Motion, Observer, Pendulum, Phase, integrate,
+    AnyMethod, Grid, METHODS, Method, Motion, MotionKind, Observer, Pendulum, Phase, integrate,
 };
 use rstest::rstest;
 use rstest_reuse::apply;
@@ -35,7 +35,7 @@ impl Observer<Phase> for OverTheTop {
 /// When the paper's pendulum goes over the top after a release from `theta` (rad), within `duration` (s).
 fn over_the_top(method: &dyn AnyMethod, theta: f64, step: f64, duration: f64) -> Option<f64> {
     let mut watch = OverTheTop(None);
-    let grid = Grid::over(duration, step).unwrap();
+    let grid = Grid::with_duration(step, duration).unwrap();
     method.run(&Pendulum::PAPER, Phase::at_rest(theta), &grid, &mut watch);
     watch.0
 }
@@ -70,7 +70,7 @@ fn the_exact_fall_takes_a_logarithm(
 ) {
     for pendulum in pendulums() {
         let motion = Motion::new(&pendulum, Phase::at_rest(theta)).unwrap();
-        assert_eq!(motion.kind(), Kind::Libration);
+        assert_eq!(motion.kind(), MotionKind::Libration);
         let fall = 0.25 * motion.period().unwrap();
         let law = (8.0 / beside).ln() / pendulum.small_angle_frequency();
         assert_relative_eq!(fall, law, max_relative = tolerance);
@@ -97,11 +97,11 @@ fn the_fall_is_late_by_the_methods_order<M: AnyMethod>(#[case] method: M) {
             );
             if fine > 10.0 * floor {
                 let order = (coarse / fine).log2();
-                let declared = f64::from(method.properties().order);
+                let declared = f64::from(method.info().order);
                 assert!((order - declared).abs() < TOLERANCE, "{order} beside {beside:e}");
             } else {
                 // Then at twice the step there is at most 2ᵖ times as much.
-                let order = method.properties().order as i32;
+                let order = method.info().order as i32;
                 let bound = 10.0 * floor * 2.0_f64.powi(order);
                 assert!(order >= 3 && coarse < bound, "{coarse:e}");
             }
@@ -136,7 +136,7 @@ fn symplectic_euler_falls_half_a_step_early() {
 #[test]
 fn from_a_thousandth_only_low_orders_go_over() {
     for method in METHODS.iter().copied() {
-        let entry = method.properties();
+        let entry = method.info();
         for step in [0.01, 0.005] {
             let over = over_the_top(method, PI - 1e-3, step, 200.0);
             let stays = entry.symplectic || entry.order >= 4;
@@ -223,10 +223,10 @@ impl Observer<Phase> for Fall {
 #[case::stormer_verlet(StormerVerlet)]
 fn from_pi_rounding_holds_the_pendulum_up<M: Method<Pendulum>>(#[case] method: M) {
     let pendulum = Pendulum::PAPER;
-    let pull = pendulum.stiffness() * 1.224_646_799_147_353_2e-16;
+    let pull = pendulum.frequency_squared() * 1.224_646_799_147_353_2e-16;
     for h in [0.01, 0.02] {
         let mut fall = Fall::default();
-        let grid = Grid::over(40.0, h).unwrap();
+        let grid = Grid::with_duration(h, 40.0).unwrap();
         integrate(&pendulum, &method, Phase::at_rest(PI), &grid, &mut fall);
         let held = 2.220_446_049_250_313e-16 / (h * h * pull);
         let moved = fall.moved.expect("it falls in the end") as f64;
@@ -239,7 +239,7 @@ fn from_pi_rounding_holds_the_pendulum_up<M: Method<Pendulum>>(#[case] method: M
     }
 }
 
-/// [`swing`] keeps the angle as half turns and a rest, here −1.2246e-16 rad, and the pendulum falls when the exact one does.
+/// [`integrate_fast`] keeps the angle as half turns and a rest, here −1.2246e-16 rad, and the pendulum falls when the exact one does.
 ///
 /// Beside the top the rest grows by h²(g/L) of itself in a step of any method, as cosh λt does: the first two steps are exact to
 /// O(h), and the fall is √(L/g) ln(8/δ) long. A method of order p misses the rate λ by the share E_p h^p and so the time by as
@@ -254,10 +254,10 @@ fn from_pi_a_rest_of_the_angle_is_not_held_up<M: AnyMethod>(#[case] method: M) {
     assert!((exact - 12.361_754_1).abs() < 1e-7, "{exact} s");
     for h in [0.01, 0.02] {
         let mut fall = Fall::default();
-        let grid = Grid::over(40.0, h).unwrap();
+        let grid = Grid::with_duration(h, 40.0).unwrap();
         method.run(&pendulum, Phase::at_rest(PI), &grid, &mut fall);
         let x = h * pendulum.small_angle_frequency();
-        let share = match method.properties().order {
+        let share = match method.info().order {
             1 => x / 2.0,
             2 => x * x / 24.0,
             order => x.powi(order as i32) / 120.0,
@@ -285,9 +285,9 @@ const FAST: Phase = Phase { theta: 0.3, omega: 1e3 };
 fn the_exact_rotation_has_its_mean_rate() {
     for pendulum in pendulums() {
         let motion = Motion::new(&pendulum, FAST).unwrap();
-        assert_eq!(motion.kind(), Kind::Rotation);
+        assert_eq!(motion.kind(), MotionKind::Rotation);
         let period = motion.period().unwrap();
-        let g = pendulum.stiffness();
+        let g = pendulum.frequency_squared();
         let square = FAST.omega * FAST.omega - 2.0 * g * FAST.theta.cos();
         let rate = square.sqrt() - 0.75 * g * g / FAST.omega.powi(3);
         assert_relative_eq!(2.0 * PI / period, rate, max_relative = 1e-13);
@@ -307,12 +307,12 @@ fn the_exact_rotation_has_its_mean_rate() {
 fn every_method_rotates_by_its_order<M: AnyMethod>(#[case] method: M) {
     /// At Ωh = 0.05, or 0.4 for RK4, the next term bends a slope by as much: measured 0.02 and 0.07.
     const TOLERANCE: f64 = 0.1;
-    let order = f64::from(method.properties().order);
+    let order = f64::from(method.info().order);
     // So fast a rotation adds up the force along a straight line, and what the sum misses is, by Euler and Maclaurin, hᵖ times a
     // derivative of sin θ at the start, of the order p − 1: cos θ for an even p and sin θ for an odd one. That of
     // Dormand–Prince is small beside the others even where its sine is not, down to steps of 0.4 rad, which is rounding after a
     // thousand turns, but not after sixteen.
-    let is_dormand_prince = method.properties().name == "dormand-prince";
+    let is_dormand_prince = method.info().name == "dormand-prince";
     let (fast, duration) =
         if is_dormand_prince { (Phase { theta: 1.5, omega: 1e2 }, 1.0) } else { (FAST, 10.0) };
     // Where the step is halved until the slope is the order, its error is above this: 1e4 rad rounded by 2e-12, or 1e2 by as much
@@ -321,7 +321,7 @@ fn every_method_rotates_by_its_order<M: AnyMethod>(#[case] method: M) {
     for pendulum in pendulums() {
         let motion = Motion::new(&pendulum, fast).unwrap();
         let error = |h: f64| {
-            let grid = Grid::over(duration, h).unwrap();
+            let grid = Grid::with_duration(h, duration).unwrap();
             let z = method.run(&pendulum, fast, &grid, &mut ());
             (z.theta - motion.at(duration).theta).abs()
         };
@@ -356,20 +356,21 @@ fn every_method_rotates_by_its_order<M: AnyMethod>(#[case] method: M) {
 #[apply(each_general_method)]
 fn in_coarse_steps_fast_rotation_stays_finite<M: AnyMethod>(#[case] method: M) {
     // Yoshida's of order 8 add up to 17 steps.
-    let properties = method.properties();
-    let kicks = if properties.force_evaluations > 1 { 17.0 } else { 1.0 };
+    let info = method.info();
+    let kicks = if info.force_evaluations > 1 { 17.0 } else { 1.0 };
     for pendulum in pendulums() {
         for h in [0.01, 0.1] {
             let mut farthest = 0.0_f64;
             let mut watch = |n: u64, t: f64, z: Phase| {
                 let change = (z.omega - FAST.omega).abs();
                 // Sums of n rounded kicks: n ε of 10³. The kicks of a composition go to and fro.
-                let bound = kicks * t * pendulum.stiffness() + n as f64 * 1e3 * f64::EPSILON;
+                let bound =
+                    kicks * t * pendulum.frequency_squared() + n as f64 * 1e3 * f64::EPSILON;
                 assert!(z.theta.is_finite() && change <= bound, "{z:?} after {t} s");
                 farthest = farthest.max(change);
             };
-            method.run(&pendulum, FAST, &Grid::over(100.0, h).unwrap(), &mut watch);
-            if properties.symplectic && !properties.implicit && kicks == 1.0 {
+            method.run(&pendulum, FAST, &Grid::with_duration(h, 100.0).unwrap(), &mut watch);
+            if info.symplectic && !info.implicit && kicks == 1.0 {
                 assert!(farthest < 4.0 * pendulum.small_angle_frequency(), "{farthest} rad/s");
             }
         }

@@ -85,7 +85,7 @@ fn just_inside_the_symplectic_limit_the_swing_is_bounded<M: Method<LinearOscilla
     for pendulum in pendulums() {
         let x = SYMPLECTIC_LIMIT * (1.0 - BESIDE);
         let start = Phase { theta: 0.0, omega: pendulum.small_angle_frequency() };
-        let linear = LinearOscillator::of(pendulum);
+        let linear = LinearOscillator::new(pendulum);
         let largest = farthest(&linear, &method, start, &grid(&pendulum, x, 100_000));
         let bound = 1.0 / (1.0 - 0.25 * x * x).sqrt();
         assert_relative_eq!(largest, bound, max_relative = TOLERANCE);
@@ -94,7 +94,7 @@ fn just_inside_the_symplectic_limit_the_swing_is_bounded<M: Method<LinearOscilla
 
 /// The exponent by which a step grows, just outside: cosh μ = x²/2 − 1, μ = 2 acosh(x/2) = 0.0283.
 fn symplectic_growth(pendulum: &Pendulum, h: f64) -> f64 {
-    2.0 * (0.5 * (pendulum.stiffness() * h * h).sqrt()).acosh()
+    2.0 * (0.5 * (pendulum.frequency_squared() * h * h).sqrt()).acosh()
 }
 
 /// Between steps 1000 and 3000 the angle grows by e^(2000 μ) = e^56.6, each step with the other sign.
@@ -109,7 +109,7 @@ fn just_outside_the_symplectic_limit_it_grows_at_the_predicted_rate<M: Method<Li
     /// h is rounded by ε/2, which μ = √(8 · 1e-4) feels as ε/(4e-4), and so does its square root; times 56.6: 1e-10.
     const TOLERANCE: f64 = 1e-9;
     for pendulum in pendulums() {
-        let linear = LinearOscillator::of(pendulum);
+        let linear = LinearOscillator::new(pendulum);
         let at = |steps| {
             let grid = grid(&pendulum, SYMPLECTIC_LIMIT * (1.0 + BESIDE), steps);
             (end(&linear, &method, 1.0, &grid).theta, grid.step())
@@ -180,10 +180,10 @@ fn rk4_damps_and_grows_by_its_polynomial(
     let steps = if x == 2.449_489_742_783_178 { 200 } else { 2000 };
     for pendulum in pendulums() {
         let grid = grid(&pendulum, x, steps);
-        let x2 = pendulum.stiffness() * grid.step() * grid.step();
+        let x2 = pendulum.frequency_squared() * grid.step() * grid.step();
         let a_step = (-x2.powi(3) / 72.0 + x2.powi(4) / 576.0).ln_1p();
         let law = steps as f64 * a_step;
-        let linear = log_energy_change(&LinearOscillator::of(pendulum), &Rk4, &grid);
+        let linear = log_energy_change(&LinearOscillator::new(pendulum), &Rk4, &grid);
         assert!((linear - law).abs() < roundings(steps), "{linear} for {law}");
         let swing = log_energy_change(&pendulum, &Rk4, &grid);
         // Just outside, it grows by e^2.8 = 17 in energy, to θ² = 2e-11: that and a derivative of x⁶/6 < 100.
@@ -201,7 +201,7 @@ fn rk4_damps_and_grows_by_its_polynomial(
 fn rk4_beside_its_limit(#[case] factor: f64, #[case] sign: f64) {
     for pendulum in pendulums() {
         let grid = grid(&pendulum, RK4_LIMIT * factor, 1000);
-        let change = log_energy_change(&LinearOscillator::of(pendulum), &Rk4, &grid) / 1000.0;
+        let change = log_energy_change(&LinearOscillator::new(pendulum), &Rk4, &grid) / 1000.0;
         // The next term is 13 δ/2 = 6.5e-4 of this one, from the second derivative, 7x⁷/72 − 5x⁵/12 over x⁵/36.
         assert_relative_eq!(change, sign * 512.0 / 36.0 * BESIDE, max_relative = 1e-3);
     }
@@ -215,8 +215,8 @@ fn forward_euler_is_never_stable(#[values(1e-3, 0.03, 1.0, 2.0, RK4_LIMIT, 10.0)
     let steps = if x < 0.01 { 100_000 } else { 100 };
     for pendulum in pendulums() {
         let grid = grid(&pendulum, x, steps);
-        let law = steps as f64 * (pendulum.stiffness() * grid.step() * grid.step()).ln_1p();
-        let linear = log_energy_change(&LinearOscillator::of(pendulum), &ForwardEuler, &grid);
+        let law = steps as f64 * (pendulum.frequency_squared() * grid.step() * grid.step()).ln_1p();
+        let linear = log_energy_change(&LinearOscillator::new(pendulum), &ForwardEuler, &grid);
         assert!(law > 0.05 && (linear - law).abs() < roundings(steps), "{linear} for {law}");
         if x < 0.1 {
             // The pendulum stays below 2e-6 rad: θ² of x² at each step is nothing.

@@ -8,7 +8,7 @@ use pendula_study::claims::{Ledger, Measured, Verdict};
 use pendula_study::experiments::Study;
 use rstest::rstest;
 
-static LEDGER: LazyLock<Ledger> = LazyLock::new(|| Ledger::of(&Study::run(|_| {})));
+static LEDGER: LazyLock<Ledger> = LazyLock::new(|| Ledger::new(&Study::run(|_| {})));
 
 /// Every printed digit is met: the measured value lies within half a unit of the last one. The one exception is
 /// RK4's energy error at Δt = 0.001 s, 3.2e-12 J ± 10 %, where the paper's second digit is rounding.

@@ -1,6 +1,6 @@
 //! What the book shows: tables, figures, the ledger of claims, predictions.
 
-mod choice;
+mod choosing;
 mod ledger;
 mod predictions;
 mod readme;

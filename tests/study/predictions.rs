@@ -15,7 +15,7 @@ use pendula_study::theory::small_angle::{
 };
 use rstest::rstest;
 
-static LEDGER: LazyLock<Ledger> = LazyLock::new(|| Ledger::of(&Study::run(|_| {})));
+static LEDGER: LazyLock<Ledger> = LazyLock::new(|| Ledger::new(&Study::run(|_| {})));
 static PREDICTIONS: LazyLock<Vec<Prediction>> = LazyLock::new(predictions);
 
 /// RK4's largest angle error over θ₀ at θ₀ = 1e-4 (Section 6.3), which no table has.
@@ -33,9 +33,9 @@ fn measured(id: &str) -> f64 {
 
 fn normalised_angle_error() -> f64 {
     let start = Phase::at_rest(1e-4);
-    let formula = LinearOscillator::of(Pendulum::PAPER);
-    let mut error = AngleError::against(|t| formula.exact(start, t).theta);
-    let grid = Grid::over(10.0, 0.01).unwrap();
+    let formula = LinearOscillator::new(Pendulum::PAPER);
+    let mut error = AngleError::new(|t| formula.exact(start, t).theta);
+    let grid = Grid::with_duration(0.01, 10.0).unwrap();
     integrate(&Pendulum::PAPER, &Rk4, start, &grid, &mut error);
     error.largest() / 1e-4
 }
@@ -102,7 +102,7 @@ fn a_prediction_can_fail() {
 /// Catches: a growth or a phase of the recurrence that the table's own law, the modified equation, would not miss.
 #[rstest]
 fn forward_euler_is_predicted_twice(#[values(0.01, 0.005, 0.001)] h: f64) {
-    let grid = Grid::over(small_angle::DURATION, h).unwrap();
+    let grid = Grid::with_duration(h, small_angle::DURATION).unwrap();
     let recurrence = LinearRecurrence::forward_euler(&Pendulum::PAPER, h);
     let theta_0 = small_angle::THETA_0;
     let angles = recurrence.angles(theta_0);
@@ -120,9 +120,9 @@ fn forward_euler_is_predicted_twice(#[values(0.01, 0.005, 0.001)] h: f64) {
 fn what_is_left_at_small_steps_is_the_formulas_own_error(#[case] duration: f64) {
     let (pendulum, theta_0) = (Pendulum::new(9.81, 2.0, 1.0).unwrap(), 0.05);
     let start = Phase::at_rest(theta_0);
-    let formula = LinearOscillator::of(pendulum);
-    let mut error = AngleError::against(|t| formula.exact(start, t).theta);
-    integrate(&pendulum, &Rk4, start, &Grid::over(duration, 0.01).unwrap(), &mut error);
+    let formula = LinearOscillator::new(pendulum);
+    let mut error = AngleError::new(|t| formula.exact(start, t).theta);
+    integrate(&pendulum, &Rk4, start, &Grid::with_duration(0.01, duration).unwrap(), &mut error);
     let floor = floor(&pendulum, theta_0, duration);
     let left_out = 0.75 / (pendulum.small_angle_frequency() * duration);
     assert_relative_eq!(error.root_mean_square(), floor, max_relative = left_out);
@@ -155,8 +155,8 @@ fn stormer_verlets_own_error_is_that_of_its_phase(
     let (pendulum, theta_0) = (Pendulum::new(9.81, 2.0, 0.7).unwrap(), 0.05);
     let start = Phase::at_rest(theta_0);
     let truth = Motion::new(&pendulum, start).unwrap();
-    let mut error = AngleError::against(|t| truth.at(t).theta);
-    let grid = Grid::over(duration, h).unwrap();
+    let mut error = AngleError::new(|t| truth.at(t).theta);
+    let grid = Grid::with_duration(h, duration).unwrap();
     integrate(&pendulum, &StormerVerlet, start, &grid, &mut error);
     let law = own_error_of_stormer_verlet(&pendulum, theta_0, h, duration);
     let x = pendulum.small_angle_frequency() * h;
@@ -179,7 +179,7 @@ fn a_law_by_name_is_the_one_of_the_table() {
         for h in STEPS {
             let id = format!("T4.{row}.{h}");
             let cell = PREDICTIONS.iter().find(|cell| cell.id == id).unwrap();
-            let steps = Grid::over(convergence::DURATION, h).unwrap().steps();
+            let steps = Grid::with_duration(h, convergence::DURATION).unwrap().steps();
             let value = largest_energy_error(name, convergence::THETA_0, h, steps);
             assert_eq!(value, Some(cell.value), "{id}");
         }

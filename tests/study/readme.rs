@@ -14,7 +14,7 @@ fn read(path: &str) -> String {
 /// Catches: a headline table left behind when a number moved.
 #[test]
 fn the_headline_table_is_table_5() {
-    let ledger = Ledger::of(&Study::run(|_| {}));
+    let ledger = Ledger::new(&Study::run(|_| {}));
     let readme = read("README.md");
     for (id, title) in row_ids().into_iter() {
         let claim = ledger.get(&format!("T5.{id}.dH")).expect("every method has a row");

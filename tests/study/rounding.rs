@@ -10,7 +10,7 @@ use pendula::arithmetic::sine::{cos, sin};
 use pendula::methods::{ForwardEuler, Rk4, StormerVerlet, SymplecticEuler};
 use pendula::metrics::{AngleError, EnergyDrift};
 use pendula::{
-    Described, Grid, Hamiltonian, LinearOscillator, METHODS, Method, Observer, Pendulum, Phase,
+    Grid, Hamiltonian, Info, LinearOscillator, METHODS, Method, Observer, Pendulum, Phase,
     Separable, System, Vector, integrate,
 };
 use pendula_study::claims::measure::{row_id, row_ids};
@@ -18,7 +18,7 @@ use pendula_study::claims::{Claim, Ledger, Measured};
 use pendula_study::experiments::{STEPS, Study, convergence, long_run, small_angle};
 use rstest::rstest;
 
-static LEDGER: LazyLock<Ledger> = LazyLock::new(|| Ledger::of(&Study::run(|_| {})));
+static LEDGER: LazyLock<Ledger> = LazyLock::new(|| Ledger::new(&Study::run(|_| {})));
 
 // ---------------------------------------------------------------------------------------------------------------------
 // A sine off by an ulp
@@ -62,7 +62,7 @@ impl Separable for Sloppy {
     type Force = f64;
 
     fn force(&self, _t: f64, z: Phase) -> f64 {
-        -Pendulum::PAPER.stiffness() * self.nudged(sin(z.theta))
+        -Pendulum::PAPER.frequency_squared() * self.nudged(sin(z.theta))
     }
 
     fn kick(&self, z: Phase, alpha: f64, h: f64) -> Phase {
@@ -82,7 +82,7 @@ impl Hamiltonian for Sloppy {
 }
 
 impl Machine for Sloppy {
-    fn hamiltonian(&self, z: Phase) -> f64 {
+    fn energy_from_pivot(&self, z: Phase) -> f64 {
         0.5 * z.omega * z.omega - Pendulum::PAPER.depth() * self.nudged(cos(z.theta))
     }
 }
@@ -149,7 +149,7 @@ impl Separable for Contracted {
     type Force = f64;
 
     fn force(&self, _t: f64, z: Fused) -> f64 {
-        -Pendulum::PAPER.stiffness() * sin(Phase::from(z).theta)
+        -Pendulum::PAPER.frequency_squared() * sin(Phase::from(z).theta)
     }
 
     fn kick(&self, z: Fused, alpha: f64, h: f64) -> Fused {
@@ -172,7 +172,7 @@ impl Hamiltonian for Contracted {
 }
 
 impl Machine for Contracted {
-    fn hamiltonian(&self, z: Fused) -> f64 {
+    fn energy_from_pivot(&self, z: Fused) -> f64 {
         let z = Phase::from(z);
         (0.5 * z.omega).mul_add(z.omega, -Pendulum::PAPER.depth() * cos(z.theta))
     }
@@ -185,7 +185,7 @@ impl Machine for Contracted {
 /// The paper's pendulum on another machine.
 trait Machine: Hamiltonian + Separable<State: From<Phase> + Into<Phase> + Debug> {
     /// H (J), zero at the height of the pivot.
-    fn hamiltonian(&self, z: Self::State) -> f64;
+    fn energy_from_pivot(&self, z: Self::State) -> f64;
 }
 
 /// Lets an observer of the pendulum watch this machine's states.
@@ -198,37 +198,37 @@ impl<Z: Into<Phase>, O: Observer<Phase>> Observer<Z> for AsPhase<O> {
 }
 
 /// The cells of Tables 4, 5, 6 and 8 in the rows of `method`, as (id, value).
-fn cells<S: Machine, M: Method<S> + Described>(system: &S, method: &M) -> Vec<(String, f64)> {
-    let name = method.properties().name;
-    let of_list = METHODS.iter().find(|listed| listed.properties().name == name);
+fn cells<S: Machine, M: Method<S> + Info>(system: &S, method: &M) -> Vec<(String, f64)> {
+    let name = method.info().name;
+    let of_list = METHODS.iter().find(|listed| listed.info().name == name);
     let id = row_id(*of_list.expect("on the list"));
     let mut cells = Vec::new();
-    let grid = |duration, step| Grid::over(duration, step).unwrap();
+    let grid = |duration, step| Grid::with_duration(step, duration).unwrap();
     for step in STEPS {
-        let mut drift = EnergyDrift::of(system);
+        let mut drift = EnergyDrift::new(system);
         let start = Phase::at_rest(convergence::THETA_0).into();
         integrate(system, method, start, &grid(convergence::DURATION, step), &mut drift);
         cells.push((format!("T4.{id}.{step}"), drift.largest()));
     }
 
-    let mut drift = EnergyDrift::of(system);
+    let mut drift = EnergyDrift::new(system);
     let start = Phase::at_rest(long_run::THETA_0).into();
     let long = grid(long_run::DURATION, long_run::STEP);
     let end = integrate(system, method, start, &long, &mut drift);
-    let (initial, drift) = (system.hamiltonian(start), drift.largest());
+    let (initial, drift) = (system.energy_from_pivot(start), drift.largest());
     cells.extend([
         (format!("T5.{id}.dH"), drift),
         (format!("T5.{id}.pct"), 100.0 * drift / initial.abs()),
         (format!("T5.{id}.H0"), initial),
-        (format!("T5.{id}.Hend"), system.hamiltonian(end)),
+        (format!("T5.{id}.Hend"), system.energy_from_pivot(end)),
         (format!("T5.{id}.well"), 100.0 * drift / (initial + Pendulum::PAPER.depth())),
     ]);
 
     let start = Phase::at_rest(small_angle::THETA_0);
-    let formula = LinearOscillator::of(Pendulum::PAPER);
+    let formula = LinearOscillator::new(Pendulum::PAPER);
     for step in STEPS {
-        let angle = AngleError::against(|t| formula.exact(start, t).theta);
-        let mut watch = (AsPhase(angle), EnergyDrift::of(system));
+        let angle = AngleError::new(|t| formula.exact(start, t).theta);
+        let mut watch = (AsPhase(angle), EnergyDrift::new(system));
         let grid = grid(small_angle::DURATION, step);
         integrate(system, method, start.into(), &grid, &mut watch);
         let error = watch.0.0.root_mean_square();
@@ -315,9 +315,9 @@ fn one_digit_more_of_rk4_would_move() {
     let values: Vec<f64> = (1..=8_u64)
         .map(|seed| {
             let machine = Sloppy::new(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15));
-            let mut drift = EnergyDrift::of(&machine);
+            let mut drift = EnergyDrift::new(&machine);
             let start = Phase::at_rest(convergence::THETA_0);
-            let grid = Grid::over(convergence::DURATION, 0.001).unwrap();
+            let grid = Grid::with_duration(0.001, convergence::DURATION).unwrap();
             integrate(&machine, &Rk4, start, &grid, &mut drift);
             drift.largest()
         })

@@ -4,7 +4,7 @@ use std::panic::catch_unwind;
 use std::sync::LazyLock;
 
 use pendula::methods::PositionVerlet;
-use pendula::{Described, Grid, Pendulum, Phase, integrate, swing};
+use pendula::{Grid, Info, Pendulum, Phase, integrate, integrate_fast};
 use pendula_study::claims::Ledger;
 use pendula_study::experiments::{STEPS, Study, convergence, in_paper};
 use pendula_study::report::figures::figures;
@@ -13,7 +13,7 @@ use pendula_study::report::tables;
 use rstest::rstest;
 
 static STUDY: LazyLock<Study> = LazyLock::new(|| Study::run(|_| {}));
-static LEDGER: LazyLock<Ledger> = LazyLock::new(|| Ledger::of(&STUDY));
+static LEDGER: LazyLock<Ledger> = LazyLock::new(|| Ledger::new(&STUDY));
 
 /// Compares with `snapshots/NAME.snap`. The content stands between anchors, so that a chapter can include it.
 fn assert_reviewed(name: &str, anchor: &str, content: &str) {
@@ -76,11 +76,11 @@ fn the_ledger(#[case] name: &str, #[case] table: Table) {
 fn a_change_as_its_reviewer_sees_it() {
     let mut changed = STUDY.clone();
     for row in &mut changed.convergence {
-        if row.method.properties().name == "stormer-verlet" {
+        if row.method.info().name == "stormer-verlet" {
             row.drift = STEPS.map(|step| convergence::drift(&PositionVerlet, step));
         }
     }
-    let table = |study| tables::table(&Ledger::of(study), 4).expect("Table 4").to_markdown();
+    let table = |study| tables::table(&Ledger::new(study), 4).expect("Table 4").to_markdown();
     let (before, after) = (table(&STUDY), table(&changed));
     let rows =
         before.lines().zip(after.lines()).flat_map(|(before, after)| match before == after {
@@ -131,12 +131,12 @@ macro_rules! hashes {
             // Without optimisation a million steps of all would take minutes.
             let steps = if in_paper(&$method) { 250_000 } else { 25_000 };
             let in_steps = hash(steps, |pendulum, start, grid, mut watch| {
-                swing(pendulum, &$method, start, grid, &mut watch);
+                integrate_fast(pendulum, &$method, start, grid, &mut watch);
             });
             let in_seconds = hash(steps, |pendulum, start, grid, mut watch| {
                 integrate(pendulum, &$method, start, grid, &mut watch);
             });
-            let title = $method.properties().title;
+            let title = $method.info().title;
             table += &format!("| {title} | `{in_steps:016x}` | `{in_seconds:016x}` |\n");
         })+
         table
@@ -148,5 +148,5 @@ macro_rules! hashes {
 /// Catches: the platform's sine, a fused multiply-add, a constant folded to another bit, a sum in another order.
 #[test]
 fn the_bits_of_a_million_steps() {
-    assert_reviewed("bits", "table", &pendula::methods!(hashes));
+    assert_reviewed("bits", "table", &pendula::for_each_method!(hashes));
 }

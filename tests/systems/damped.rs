@@ -5,7 +5,7 @@ use pendula::methods::{Rk4, StormerVerlet};
 use pendula::metrics::polygon_area;
 use pendula::systems::Damped;
 use pendula::{
-    Described, Error, Grid, LinearOscillator, Method, Pendulum, Phase, Separable, System, integrate,
+    Error, Grid, Info, LinearOscillator, Method, Pendulum, Phase, Separable, System, integrate,
 };
 use rstest::rstest;
 use rstest_reuse::apply;
@@ -37,7 +37,7 @@ const LINEAR: f64 = 1e-10;
 fn small_swings_decay_as_the_linear_equation_says(#[case] beta: f64) {
     let damped = damped(beta);
     for start in [Phase::at_rest(1e-5), Phase { theta: -0.3e-5, omega: 1e-5 }] {
-        let grid = Grid::over(6.0, 0.001).unwrap();
+        let grid = Grid::with_duration(0.001, 6.0).unwrap();
         integrate(&damped, &Rk4, start, &grid, &mut |_, t, z: Phase| {
             let exact = damped.small_swing(start, t);
             assert_abs_diff_eq!(z.theta, exact.theta, epsilon = LINEAR * 1e-5);
@@ -188,7 +188,7 @@ fn area_shrinks_by_exactly_what_friction_takes(#[case] h: f64, #[case] steps: u6
 #[test]
 fn a_triangle_keeps_its_area_on_the_linear_oscillator() {
     let corners = [(0.0, 0.0), (2.0, 0.0), (0.0, 3.0)];
-    let linear = LinearOscillator::of(Pendulum::new(5.0, 2.0, 3.0).unwrap());
+    let linear = LinearOscillator::new(Pendulum::new(5.0, 2.0, 3.0).unwrap());
     for shift in [0.0, 100.0] {
         let triangle = corners.map(|(theta, omega)| Phase { theta: theta + shift, omega });
         assert_eq!(polygon_area(&triangle), 3.0);
@@ -209,7 +209,7 @@ fn a_triangle_keeps_its_area_on_the_linear_oscillator() {
 #[rstest]
 #[case(Rk4, 4.0)]
 #[case(StormerVerlet, 2.0)]
-fn damping_keeps_the_order<M: Method<Damped> + Described>(#[case] method: M, #[case] order: f64) {
+fn damping_keeps_the_order<M: Method<Damped> + Info>(#[case] method: M, #[case] order: f64) {
     let damped = damped(1.0);
     let start = Phase { theta: 1e-6, omega: 1e-6 };
     let error = |steps: u64| {

@@ -7,7 +7,7 @@ use pendula::adaptive::{Adaptive, Tolerance};
 use pendula::methods::{Dop853, ForwardEuler, Gauss4, Gauss6, ImplicitMidpoint, Rk4};
 use pendula::metrics::EnergyDrift;
 use pendula::systems::{DoublePendulum, DoublePhase, Joint};
-use pendula::{Components, Described, Grid, Hamiltonian, Method, Rate, System, integrate};
+use pendula::{Components, Grid, Hamiltonian, Info, Method, RateOf, System, integrate};
 use pendula_study::experiments::beyond::{equals, separation, swing_frequency};
 use rstest::rstest;
 
@@ -101,7 +101,7 @@ struct Lagrange(DoublePendulum);
 impl System for Lagrange {
     type State = DoublePhase;
 
-    fn rate(&self, _t: f64, z: DoublePhase) -> Rate<Self> {
+    fn rate(&self, _t: f64, z: DoublePhase) -> RateOf<Self> {
         let (upper, lower, g) = (self.0.upper(), self.0.lower(), self.0.gravity());
         let (both, m2, l1, l2) = (upper.mass + lower.mass, lower.mass, upper.length, lower.length);
         let (s, c) = (z.theta1 - z.theta2).sin_cos();
@@ -171,7 +171,7 @@ fn small_swings_are_the_normal_modes() {
 fn drift<M: Method<DoublePendulum>>(method: &M, rate: u64) -> f64 {
     let double = unequal();
     let grid = Grid::new(1.0 / rate as f64, 10 * rate).unwrap();
-    let mut drift = EnergyDrift::of(&double);
+    let mut drift = EnergyDrift::new(&double);
     let start = double.start([2.0, 2.5], [0.0; 2]).unwrap();
     integrate(&double, method, start, &grid, &mut drift);
     drift.largest()
@@ -211,9 +211,9 @@ fn path<M: Method<DoublePendulum>>(method: &M, steps: u64) -> Vec<DoublePhase> {
 #[case(Rk4)]
 fn methods_for_systems_have_their_order<M>(#[case] method: M)
 where
-    M: Method<DoublePendulum> + Described,
+    M: Method<DoublePendulum> + Info,
 {
-    let order = method.properties().order;
+    let order = method.info().order;
     // RK4's own errors are measured against sixteen times as many steps: 16⁻⁴ of the smallest.
     let truth = path(&Rk4, 16_384);
     let coarsest = 4096 >> order;
@@ -244,7 +244,7 @@ fn only_a_symplectic_method_keeps_the_energy() {
         let double = unequal();
         let start = double.start([0.2, 0.1], [0.0; 2]).unwrap();
         let [short, long] = [5_000, 50_000].map(|steps| {
-            let mut drift = EnergyDrift::of(&double);
+            let mut drift = EnergyDrift::new(&double);
             let grid = Grid::new(0.02, steps).unwrap();
             integrate(&double, method, start, &grid, &mut drift);
             drift.largest()
@@ -305,7 +305,7 @@ fn neighbours_part_exponentially_where_the_motion_is_chaotic() {
 fn steps_of_their_own_size_go_the_same_way() {
     let double = unequal();
     let start = DoublePhase { theta1: 0.4, theta2: -0.3, p1: 0.1, p2: 0.2 };
-    let adaptive = Adaptive::new(Dop853, Tolerance::of(1e-11).unwrap());
+    let adaptive = Adaptive::new(Dop853, Tolerance::uniform(1e-11).unwrap());
     let (end, counts) = adaptive.integrate(&double, start, 0.0, 2.0, &mut ()).unwrap();
     let grid = Grid::new(0.001, 2000).unwrap();
     let off = end + integrate(&double, &Rk4, start, &grid, &mut ()) * -1.0;
@@ -315,7 +315,7 @@ fn steps_of_their_own_size_go_the_same_way() {
     assert!((10..1000).contains(&counts.accepted), "{counts:?}");
 
     let mut seen = Vec::new();
-    start.compare(end, off, |x, y, error| seen.push([x, y, error]));
+    start.for_each_component(end, off, |x, y, error| seen.push([x, y, error]));
     let columns = |z: DoublePhase| [z.theta1, z.theta2, z.p1, z.p2];
     let expected: Vec<_> =
         (0..4).map(|i| [columns(start)[i], columns(end)[i], columns(off)[i]]).collect();

@@ -6,9 +6,7 @@ use pendula::dynamics::{Stroboscope, largest_exponent, periodic_orbit, root};
 use pendula::methods::{ForwardEuler, Rk4, StormerVerlet, SymplecticEuler};
 use pendula::verify::driven::{Pushed, check, check_euler};
 use pendula::verify::near;
-use pendula::{
-    Damped, Described, Driven, Grid, Method, Pendulum, Phase, Separable, System, integrate,
-};
+use pendula::{Damped, Driven, Grid, Info, Method, Pendulum, Phase, Separable, System, integrate};
 use pendula_study::experiments::beyond::{
     CHAOTIC, COARSE, Doubling, attractor, doubling, doublings, poincare, seen,
 };
@@ -20,7 +18,7 @@ use crate::common::each_general_method;
 /// Catches: stages at the wrong times, a kick with the force of the other end of the step: the pendulum, which knows no time,
 /// sees neither.
 #[apply(each_general_method)]
-fn a_push_that_grows_is_followed_to_the_order<M: Described + Method<Pushed>>(#[case] method: M) {
+fn a_push_that_grows_is_followed_to_the_order<M: Info + Method<Pushed>>(#[case] method: M) {
     check(&method).unwrap();
 }
 

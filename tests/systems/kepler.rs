@@ -7,9 +7,7 @@ use pendula::methods::{Rk4, StormerVerlet};
 use pendula::metrics::EnergyDrift;
 use pendula::metrics::order::slopes;
 use pendula::systems::{Ellipse, Kepler, PlanePhase};
-use pendula::{
-    Counting, Described, Error, Grid, Hamiltonian, Method, Separable, System, integrate,
-};
+use pendula::{Counting, Error, Grid, Hamiltonian, Info, Method, Separable, System, integrate};
 use pendula_study::experiments::beyond::precession;
 use pendula_study::theory::kepler::verlet_precession;
 use rstest::rstest;
@@ -99,16 +97,16 @@ const SECOND_TERM: f64 = 4.0;
 ///
 /// Catches: a coefficient that happens to be right for a force in one dimension, or for one that is nearly linear.
 #[apply(each_general_method)]
-fn each_method_has_its_order<M: Method<Kepler> + Described>(#[case] method: M) {
-    let properties = method.properties();
-    let order = f64::from(properties.order);
-    let is_fine = properties.order > 8;
+fn each_method_has_its_order<M: Method<Kepler> + Info>(#[case] method: M) {
+    let info = method.info();
+    let order = f64::from(info.order);
+    let is_fine = info.order > 8;
     let (shortest, powers): (f64, f64) = if is_fine { (3.0, 16.0) } else { (8.0, 4.0) };
     let rung = |k: i32| (shortest * (powers / order).min(1.0).exp2().powi(k)).round();
     // Each evaluation of a step rounds x, y and two velocities by 2.2e-16 of a few units: at the worst 4 · 2.2e-16 of each
     // of N steps. Twice that bends a slope by less than a half, and is met only if all roundings go one way. An implicit
     // method adds to the state once, slopes whose weights add up to one.
-    let additions = if properties.implicit { 1 } else { properties.force_evaluations };
+    let additions = if info.implicit { 1 } else { info.force_evaluations };
     let floor = |n: f64| 8.0 * 2.2e-16 * n * additions as f64;
     let ladder: Vec<(f64, f64)> = (0..)
         .map(rung)
@@ -125,7 +123,7 @@ fn each_method_has_its_order<M: Method<Kepler> + Described>(#[case] method: M) {
     for k in slopes.len() - counted..slopes.len() {
         let window = if is_fine {
             4.0_f64.ln() / (steps[k] / steps[k + 1]).ln()
-        } else if properties.symmetric || properties.order <= 4 {
+        } else if info.symmetric || info.order <= 4 {
             SLOPE_TOLERANCE
         } else {
             SLOPE_TOLERANCE + SECOND_TERM * rate * steps[k]
@@ -154,15 +152,15 @@ fn momentum_drift<M: Method<Kepler>>(method: &M) -> f64 {
 #[apply(each_general_method)]
 fn symplectic_methods_and_no_others_keep_the_angular_momentum<M>(#[case] method: M)
 where
-    M: Method<Kepler> + Described,
+    M: Method<Kepler> + Info,
 {
     // Each kick and each drift, or each sweep, rounds x v_y by ε of itself a few times: a walk of 10 000 steps of s stages,
     // 100 √s · 4ε, with a margin of three.
-    let properties = method.properties();
+    let info = method.info();
     let rounding =
-        3.0 * 100.0 * f64::from(properties.force_evaluations as u32).sqrt() * 4.0 * f64::EPSILON;
+        3.0 * 100.0 * f64::from(info.force_evaluations as u32).sqrt() * 4.0 * f64::EPSILON;
     let drift = momentum_drift(&method);
-    assert_eq!(drift < rounding, properties.symplectic, "{drift:e}, {rounding:e}");
+    assert_eq!(drift < rounding, info.symplectic, "{drift:e}, {rounding:e}");
 }
 
 /// The energy of a symplectic method oscillates between fixed bounds: a hundred revolutions reach no further than ten.
@@ -173,7 +171,7 @@ fn the_energy_is_bounded() {
     let (centre, ellipse) = planet(0.5);
     let drift = |revolutions: u64| {
         let grid = Grid::new(ellipse.period() / 200.0, 200 * revolutions).unwrap();
-        let mut drift = EnergyDrift::of(&centre);
+        let mut drift = EnergyDrift::new(&centre);
         integrate(&centre, &StormerVerlet, ellipse.at(0.0), &grid, &mut drift);
         drift.largest()
     };

@@ -60,7 +60,7 @@ fn fast_shaking_needs_kapitzas_speed(#[values(100.0, 400.0)] frequency: f64) {
     let amplitude = upright(&pendulum, frequency, Boundary::Falling, 1000).unwrap();
     let speed = amplitude * frequency;
     let ratio = speed * speed / (2.0 * pendulum.gravity() * pendulum.length());
-    let square = 8.0 * pendulum.stiffness() / (frequency * frequency);
+    let square = 8.0 * pendulum.frequency_squared() / (frequency * frequency);
     // The next order, by −29q⁶/2304 and the square of the first: below q⁴/20.
     let tolerance = square * square / 20.0 + 2.0 * AMPLITUDE;
     assert_abs_diff_eq!(ratio, 1.0 + 7.0 * square / 64.0, epsilon = tolerance);
@@ -129,7 +129,7 @@ fn the_weight_is_gravity_and_the_pivots_acceleration(#[values(0.0, 0.013)] t: f6
     assert_eq!(shaken.rate(t, z), Phase { theta: z.omega, omega: shaken.force(t, z) });
     assert_eq!(shaken.kick(z, 2.0, 0.5), Phase { omega: z.omega + 1.0, ..z });
     assert_eq!(shaken.drift(z, 0.5), Phase { theta: 0.7 - 0.65, ..z });
-    // In τ = Ωt/2: 4/Ω² times the stiffness about the upright, −g/L + (aΩ²/L) cos 2τ.
+    // In τ = Ωt/2: 4/Ω² times the frequency_squared about the upright, −g/L + (aΩ²/L) cos 2τ.
     let Mathieu { a, q } = shaken.mathieu();
     assert_abs_diff_eq!(a, -4.0 * 9.81 / (0.8 * 3600.0), epsilon = 1e-17);
     assert_abs_diff_eq!(q, 0.25, epsilon = 1e-16);

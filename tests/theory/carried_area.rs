@@ -70,21 +70,21 @@ const TOLERANCE: f64 = 6.0 * 2.0 * 3.0 * DETERMINANT;
 /// order; an image taken at the wrong step.
 #[apply(each_method)]
 fn the_image_of_a_square_is_as_large_as_the_determinants_say<M: AnyMethod>(#[case] method: M) {
-    let properties = method.properties();
+    let info = method.info();
     let changed = |step: f64| {
         let (grid, tolerance) = (grid_of(step), TOLERANCE * (step / 0.2).powi(2));
         let (measured, expected) =
-            (measured_ratio(properties.name, &grid), ratio_by_determinants(&method, &grid));
+            (measured_ratio(info.name, &grid), ratio_by_determinants(&method, &grid));
         assert!((measured - expected).abs() < tolerance, "{measured} for {expected}");
         (measured - 1.0).abs() / tolerance
     };
     let in_short_steps = changed(0.2);
-    if properties.symplectic {
+    if info.symplectic {
         assert!(in_short_steps < 1.0, "{in_short_steps}");
-    } else if properties.order <= 4 {
+    } else if info.order <= 4 {
         assert!(in_short_steps > 1e4, "{in_short_steps}");
     } else {
-        let long = if properties.order <= 8 { 0.4 } else { 0.5 };
+        let long = if info.order <= 8 { 0.4 } else { 0.5 };
         assert!(changed(long) > 100.0);
     }
 }

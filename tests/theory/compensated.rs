@@ -3,11 +3,11 @@
 use pendula::methods::{Rk4, StormerVerlet, SymplecticEuler};
 use pendula::metrics::EnergyDrift;
 use pendula::{
-    Carried, Compensated, Described, Grid, Hamiltonian, Method, Pendulum, Phase, Separable, System,
-    integrate,
+    Compensated, CompensatedPhase, Grid, Hamiltonian, Info, Method, Pendulum, Phase, Separable,
+    System, integrate,
 };
 use pendula_study::experiments::long_run;
-use pendula_study::theory::{Point, stormer_verlet};
+use pendula_study::theory::{Dimensionless, stormer_verlet};
 use rstest::rstest;
 use rstest_reuse::apply;
 
@@ -19,7 +19,7 @@ use crate::common::each_method;
 #[test]
 fn nothing_is_lost_of_a_sum() {
     let tiny = Phase { theta: 1e-17, omega: -3e-18 };
-    let mut z = Carried::from(Phase { theta: 1.0, omega: -2.0 });
+    let mut z = CompensatedPhase::from(Phase { theta: 1.0, omega: -2.0 });
     for _ in 0..1000 {
         z = z + tiny;
         // Each alone is less than half a unit in the last place of 1 and of 2: without what is carried nothing would ever move.
@@ -39,7 +39,7 @@ fn nothing_is_lost_of_a_sum() {
 #[apply(each_method)]
 fn an_even_turn_is_even<M>(#[case] method: M)
 where
-    M: Described + Method<Pendulum> + Method<Compensated<Pendulum>>,
+    M: Info + Method<Pendulum> + Method<Compensated<Pendulum>>,
 {
     // 1e-30/s² for 1000 s: less than 1e-24 rad.
     let pendulum = Pendulum::new(1e-30, 1.0, 1.0).unwrap();
@@ -90,7 +90,7 @@ where
     let pendulum = Pendulum::PAPER;
     let frequency = pendulum.small_angle_frequency();
     let energy = |z: Phase| {
-        let point = Point::new(z.theta, z.omega / frequency);
+        let point = Dimensionless::new(z.theta, z.omega / frequency);
         point.energy() + stormer_verlet::correction(point, STEP * frequency)
     };
     let square = |i: i32| {
@@ -118,7 +118,7 @@ where
 fn the_modified_energy_wanders_less_by_the_step() {
     let pendulum = Pendulum::PAPER;
     let plain = wandered(&pendulum, |z| z);
-    let carried = wandered(&Compensated::new(pendulum), |z: Carried| z.phase);
+    let carried = wandered(&Compensated::new(pendulum), |z: CompensatedPhase| z.phase);
     let law = 1.1 / (STEP * pendulum.small_angle_frequency());
     let gain = plain / carried;
     assert!(gain > 0.5 * law && gain < 2.0 * law, "{plain:e} / {carried:e} = {gain}, not {law}");
@@ -136,7 +136,7 @@ fn no_printed_digit_changes<M>(#[case] method: M)
 where
     M: Method<Pendulum> + Method<Compensated<Pendulum>>,
 {
-    let grid = Grid::over(long_run::DURATION, long_run::STEP).unwrap();
+    let grid = Grid::with_duration(long_run::STEP, long_run::DURATION).unwrap();
     let printed = |x: f64| format!("{x:.5e}");
     fn drift<S, M>(system: &S, method: &M, grid: &Grid) -> f64
     where
@@ -144,7 +144,7 @@ where
         M: Method<S>,
     {
         let start = Phase::at_rest(long_run::THETA_0);
-        let mut drift = EnergyDrift::of(system);
+        let mut drift = EnergyDrift::new(system);
         integrate(system, method, start.into(), grid, &mut drift);
         drift.largest()
     }
@@ -168,7 +168,7 @@ fn the_system_is_the_one_within() {
     assert_eq!(system.drift(z.into(), 0.1).phase, pendulum.drift(z, 0.1));
     // What the velocity has lost drifts too.
     let lost = Phase { theta: 0.0, omega: 1e-17 };
-    let z = Carried { phase: Phase { theta: 0.0, omega: 1.0 }, lost };
+    let z = CompensatedPhase { phase: Phase { theta: 0.0, omega: 1.0 }, lost };
     let drifted = system.drift(z, 1.0);
     let expected = Phase { theta: 1e-17, omega: 1e-17 };
     assert_eq!((drifted.phase, drifted.lost), (Phase { theta: 1.0, omega: 1.0 }, expected));

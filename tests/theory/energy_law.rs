@@ -11,7 +11,7 @@ use pendula::{
     method_named,
 };
 use pendula_study::experiments::convergence;
-use pendula_study::theory::{self, Point, stormer_verlet, symplectic_euler};
+use pendula_study::theory::{self, Dimensionless, stormer_verlet, symplectic_euler};
 use rstest::rstest;
 
 /// L ≠ 1, m ≠ 1 and ω₀ ≠ 1: no dimension can hide.
@@ -26,7 +26,7 @@ fn step(x: f64) -> f64 {
 
 fn largest_energy_error<M: Method<Pendulum>>(method: &M, theta_0: f64, grid: &Grid) -> f64 {
     let pendulum = pendulum();
-    let mut drift = EnergyDrift::of(&pendulum);
+    let mut drift = EnergyDrift::new(&pendulum);
     integrate(&pendulum, method, Phase::at_rest(theta_0), grid, &mut drift);
     drift.largest()
 }
@@ -49,12 +49,12 @@ fn spread<M: Method<Pendulum>>(
     method: &M,
     start: Phase,
     x: f64,
-    correction: impl Fn(Point) -> f64,
+    correction: impl Fn(Dimensionless) -> f64,
 ) -> f64 {
     let (pendulum, mut low, mut high) = (pendulum(), f64::INFINITY, f64::NEG_INFINITY);
     let grid = Grid::new(step(x), (40.0 / x) as u64).unwrap();
     integrate(&pendulum, method, start, &grid, &mut |_, _, z: Phase| {
-        let z = Point::of(&pendulum, z);
+        let z = Dimensionless::from_phase(&pendulum, z);
         let energy = z.energy() + correction(z);
         (low, high) = (f64::min(low, energy), f64::max(high, energy));
     });
@@ -190,7 +190,7 @@ fn the_energy_change_of_a_step_is_its_series(#[case] theta: f64, #[case] omega: 
         let grid = Grid::new(step(x), 1).unwrap();
         let end = integrate(&pendulum, &Rk4, z, &grid, &mut ());
         let change = (pendulum.energy(end) - pendulum.energy(z)) / pendulum.depth();
-        let terms = theory::rk4::energy_change_terms(Point::of(&pendulum, z));
+        let terms = theory::rk4::energy_change_terms(Dimensionless::from_phase(&pendulum, z));
         let series: f64 = (0..4).map(|k| terms[k] * x.powi(k as i32 + 5)).sum();
         (change - series).abs()
     };
@@ -244,7 +244,7 @@ fn forward_euler_follows_its_modified_equation(#[values(0.3, 1.5, 2.9)] theta_0:
         let mut truth = theory::forward_euler::trajectory(&pendulum, theta_0, grid.step());
         let mut largest = 0.0_f64;
         let mut watch = |_, _, z: Phase| {
-            let (z, truth) = (Point::of(&pendulum, z), truth.next().unwrap());
+            let (z, truth) = (Dimensionless::from_phase(&pendulum, z), truth.next().unwrap());
             largest = largest.max((z.theta - truth.theta).abs()).max((z.q - truth.q).abs());
         };
         integrate(&pendulum, &ForwardEuler, Phase::at_rest(theta_0), &grid, &mut watch);
@@ -266,7 +266,7 @@ fn forward_euler_grows_a_small_swing_exponentially() {
     }
     let (pendulum, grid) = (pendulum(), Grid::new(step(0.05), 500).unwrap());
     let law = theory::forward_euler::small_angle_growth(&pendulum, grid.step(), 500);
-    let linear = growth(&LinearOscillator::of(pendulum), &grid);
+    let linear = growth(&LinearOscillator::new(pendulum), &grid);
     assert_relative_eq!(linear, law, max_relative = 1e-12);
     assert_relative_eq!(growth(&pendulum, &grid), law, max_relative = 4e-4);
 }
@@ -348,7 +348,7 @@ fn energy_errors_are_those_of_forty_digits() {
         .collect();
     for (name, error) in &rows {
         let method = method_named(name).expect("on the list");
-        let evaluations = 2000.0 * method.properties().force_evaluations as f64;
+        let evaluations = 2000.0 * method.info().force_evaluations as f64;
         let rounding = 2.0 * 0.6 * f64::EPSILON * 5.0 * evaluations.sqrt();
         let drift = convergence::drift(method, 0.025);
         assert!(
@@ -356,7 +356,7 @@ fn energy_errors_are_those_of_forty_digits() {
             "{name}: {drift:e}, not {error:e} ± {rounding:e}"
         );
     }
-    let splits = METHODS.iter().map(|method| method.properties());
+    let splits = METHODS.iter().map(|method| method.info());
     let splits = splits.filter(|of| of.symplectic && !of.implicit && of.order > 2);
     assert_eq!(rows.len(), splits.count());
 }

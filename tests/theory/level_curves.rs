@@ -2,7 +2,7 @@
 
 use pendula::{Pendulum, Phase};
 use pendula_study::experiments::level_curves::{THETA_0, orbit, run};
-use pendula_study::theory::{Point, stormer_verlet, symplectic_euler};
+use pendula_study::theory::{Dimensionless, stormer_verlet, symplectic_euler};
 
 /// How far `z` is from the closed curve through `corners` (rad), in coordinates in which small swings are circles.
 fn distance(z: Phase, corners: &[Phase]) -> f64 {
@@ -52,13 +52,13 @@ fn the_curve_is_level() {
     let x = pendulum.small_angle_frequency() * h;
     let euler: Vec<Phase> = symplectic_euler::level_curve(&pendulum, THETA_0, h, 40).collect();
     let verlet: Vec<Phase> = stormer_verlet::level_curve(&pendulum, THETA_0, h, 40).collect();
-    let corrections: [fn(Point, f64) -> f64; 2] =
+    let corrections: [fn(Dimensionless, f64) -> f64; 2] =
         [symplectic_euler::correction, stormer_verlet::correction];
     for (curve, correction) in [euler, verlet].iter().zip(corrections) {
-        let conserved = |z: Point| z.energy() + correction(z, x);
-        let initial = conserved(Point::new(THETA_0, 0.0));
+        let conserved = |z: Dimensionless| z.energy() + correction(z, x);
+        let initial = conserved(Dimensionless::new(THETA_0, 0.0));
         for z in curve {
-            let energy = conserved(Point::of(&pendulum, *z));
+            let energy = conserved(Dimensionless::from_phase(&pendulum, *z));
             assert!((energy - initial).abs() < 1e-14, "{energy} for {initial} at {z:?}");
         }
         let release = curve[10];

@@ -5,7 +5,7 @@ use pendula::metrics::EnergyDrift;
 use pendula::{Grid, Hamiltonian, Observer, Pendulum, Phase, integrate};
 use pendula_study::experiments::rounding_walk;
 use pendula_study::theory;
-use pendula_study::theory::{Point, stormer_verlet};
+use pendula_study::theory::{Dimensionless, stormer_verlet};
 use rstest::rstest;
 
 /// The paper's, and one with L ≠ 1, m ≠ 1 and another ω₀.
@@ -16,7 +16,7 @@ fn pendulums() -> [Pendulum; 2] {
 /// The energy that Störmer–Verlet conserves, in units of m g L: q²/2 + 1 − cos θ + x²(q²c/12 − s²/24) + x⁴(…) + x⁶(…). What it
 /// leaves out, x⁸, is 1e-12 of it at x = 0.03 with a coefficient of 1e-6 or so.
 fn modified_energy(pendulum: &Pendulum, x: f64, z: Phase) -> f64 {
-    let z = Point::of(pendulum, z);
+    let z = Dimensionless::from_phase(pendulum, z);
     z.energy() + stormer_verlet::correction(z, x)
 }
 
@@ -178,7 +178,7 @@ fn rk4_will_overtake_verlet_after_240_000_seconds() {
     // The oscillation, h⁴ × 1.7 J/s⁴ = 1.7e-8 J, at both ends of 1.3e-5 J: 2.6e-3. It cancels to a part.
     let law = -theory::rk4::secular_rate(&pendulum, THETA_0, STEP);
     assert!((rate / law - 1.0).abs() < 2.6e-3, "{rate:e} J/s for {law:e} J/s");
-    let mut verlet = EnergyDrift::of(&pendulum);
+    let mut verlet = EnergyDrift::new(&pendulum);
     let start = Phase::at_rest(THETA_0);
     let grid = Grid::new(STEP, 400_000).unwrap();
     integrate(&pendulum, &StormerVerlet, start, &grid, &mut verlet);
@@ -209,7 +209,7 @@ fn rk4_overtakes_verlet_after_240_000_seconds() {
     }
     let pendulum = Pendulum::PAPER;
     let amplitude = stormer_verlet::energy_error(&pendulum, THETA_0, STEP);
-    let mut watch = Overtaking(EnergyDrift::of(&pendulum), amplitude, None);
+    let mut watch = Overtaking(EnergyDrift::new(&pendulum), amplitude, None);
     let grid = Grid::new(STEP, 26_000_000).unwrap();
     integrate(&pendulum, &Rk4, Phase::at_rest(THETA_0), &grid, &mut watch);
     let law = amplitude / -theory::rk4::secular_rate(&pendulum, THETA_0, STEP);

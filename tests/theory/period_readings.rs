@@ -1,6 +1,5 @@
 //! The period, read off the samples in five ways.
 
-use approx::assert_relative_eq;
 use pendula::exact::period;
 use pendula::methods::Rk4;
 use pendula::metrics::{CrossingPeriod, Henon, Linear, PeakPeriod};
@@ -30,11 +29,11 @@ struct Readings {
 impl Readings {
     /// Of a trajectory that `show` shows.
     fn of(pendulum: &Pendulum, show: impl FnOnce(&mut dyn Observer<Phase>)) -> Self {
-        let mut peaks = (PeakPeriod::default(), PeakPeriod::by_parabola());
+        let mut peaks = (PeakPeriod::default(), PeakPeriod::parabola());
         let mut crossings = (
-            CrossingPeriod::by(Linear),
+            CrossingPeriod::new(Linear),
             CrossingPeriod::default(),
-            CrossingPeriod::by(Henon(pendulum)),
+            CrossingPeriod::new(Henon(pendulum)),
         );
         show(&mut |n, t, z| {
             peaks.observe(n, t, z);
@@ -53,7 +52,7 @@ impl Readings {
 
     /// Of RK4 on 8 s.
     fn of_rk4(pendulum: &Pendulum, h: f64) -> Self {
-        let grid = Grid::over(8.0, h).unwrap();
+        let grid = Grid::with_duration(h, 8.0).unwrap();
         Self::of(pendulum, |observer| {
             integrate(pendulum, &Rk4, Phase::at_rest(THETA_0), &grid, observer);
         })
@@ -98,7 +97,7 @@ fn each_reading_errs_by_its_own_law(#[values(1000, 2000, 4000)] n: u32) {
     /// Times up to 10 s are rounded by 1e-15, twice; the exact period, 8 s, by as much.
     const ROUNDING: f64 = 1e-14;
     let pendulum = pendulum();
-    let (g, (s, c)) = (pendulum.stiffness(), THETA_0.sin_cos());
+    let (g, (s, c)) = (pendulum.frequency_squared(), THETA_0.sin_cos());
     let k2 = 0.5 * (1.0 - c);
     let near = |error: f64, law: f64, h: f64, rounding: f64| {
         let tolerance = 4.0 * k2 * g * h * h * law.abs() + rounding;

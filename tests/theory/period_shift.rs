@@ -52,7 +52,7 @@ fn the_period_of_second_order_methods_shifts_as_predicted(
         (shift(&StormerVerlet, theta_0, x, 400.0), of_stormer_verlet(&pendulum, theta_0)),
         (shift(&SymplecticEuler, theta_0, x, 400.0), of_symplectic_euler(&pendulum, theta_0)),
     ] {
-        let law = x2 * tau / pendulum.stiffness();
+        let law = x2 * tau / pendulum.frequency_squared();
         assert!((measured - law).abs() < allowed, "{measured:e} for {law:e} ± {allowed:e}");
         assert!(law.abs() > 50.0 * allowed, "the law is lost in its tolerance");
     }
@@ -115,9 +115,9 @@ fn the_period_of_rk4_shifts_as_predicted(#[values(0.1, 1.0, 2.0, 3.0)] theta_0: 
 #[test]
 fn the_shift_of_rk4_at_small_angles_is_that_of_the_linear_oscillator() {
     let pendulum = pendulum();
-    let (theta_0, stiffness) = (0.02, pendulum.stiffness());
+    let (theta_0, frequency_squared) = (0.02, pendulum.frequency_squared());
     let law = theory::rk4::period_shift(&pendulum, theta_0);
-    let ratio = law / (stiffness * stiffness / 120.0);
+    let ratio = law / (frequency_squared * frequency_squared / 120.0);
     assert!(ratio < 1.0 && ratio > 1.0 - 0.5 * theta_0 * theta_0, "{ratio}");
 }
 
@@ -138,7 +138,7 @@ fn the_period_on_the_linear_oscillator_is_that_of_the_recurrence<M>(
 {
     let pendulum = pendulum();
     let h = x / pendulum.small_angle_frequency();
-    let linear = LinearOscillator::of(pendulum);
+    let linear = LinearOscillator::new(pendulum);
     let grid = Grid::new(h, (400.0 * 2.0 * PI / x) as u64).unwrap();
     let mut crossings = CrossingPeriod::default();
     integrate(&linear, &method, Phase::at_rest(1.0), &grid, &mut crossings);

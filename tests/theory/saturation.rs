@@ -28,7 +28,7 @@ fn inertia(pendulum: &Pendulum) -> f64 {
 
 /// The lowest and the highest energy (J, from the pivot) of the samples on the line ε = 0.
 fn band(pendulum: &Pendulum, h: f64) -> (f64, f64) {
-    let g = pendulum.stiffness();
+    let g = pendulum.frequency_squared();
     let samples = (0..3600).map(|k| {
         let delta = f64::from(k) * PI / 1800.0;
         let omega = PI / h - h * g * delta.sin();
@@ -56,7 +56,7 @@ fn the_lock_is_a_two_cycle(#[case] h: f64, #[case] bottom: f64, #[case] top: f64
             assert!((z.theta - n as f64 * PI).abs() < 1e-14 && (z.omega - PI / h).abs() < 1e-14);
         }
     }
-    let energy = |theta| Pendulum::PAPER.hamiltonian(Phase { theta, ..start });
+    let energy = |theta| Pendulum::PAPER.energy_from_pivot(Phase { theta, ..start });
     // Half a unit of the digits given.
     assert!((energy(0.0) - bottom).abs() < 5e-3 && (energy(PI) - top).abs() < 5e-3);
 }
@@ -75,11 +75,11 @@ fn energy_saturates_in_a_band(
     for pendulum in pendulums() {
         let (low, high) = band(&pendulum, h);
         let locked = inertia(&pendulum) * 0.5 * (PI / h).powi(2);
-        let fastest = PI / h + h * pendulum.stiffness();
+        let fastest = PI / h + h * pendulum.frequency_squared();
         let (mut lowest, mut highest, mut sum, mut speed) = (f64::MAX, f64::MIN, 0.0, 0.0_f64);
         let grid = Grid::new(h, steps).unwrap();
         ForwardEuler.run(&pendulum, Phase::at_rest(theta_0), &grid, &mut |n, _, z: Phase| {
-            let energy = pendulum.hamiltonian(z);
+            let energy = pendulum.energy_from_pivot(z);
             highest = f64::max(highest, energy);
             speed = speed.max(z.omega.abs());
             if n > steps / 2 {
@@ -117,7 +117,7 @@ struct Step {
 /// The steps of the paper's long run.
 fn table_5() -> Vec<Step> {
     let (pendulum, h) = (Pendulum::PAPER, long_run::STEP);
-    let grid = Grid::over(long_run::DURATION, h).unwrap();
+    let grid = Grid::with_duration(h, long_run::DURATION).unwrap();
     let mut steps = Vec::with_capacity(grid.steps() as usize);
     let mut before: Option<(f64, Phase)> = None;
     let start = Phase::at_rest(long_run::THETA_0);
@@ -129,7 +129,7 @@ fn table_5() -> Vec<Step> {
                 time,
                 from,
                 falls: energy < last,
-                law: pendulum.stiffness() * s * s + w * w * c,
+                law: pendulum.frequency_squared() * s * s + w * w * c,
                 remainder: h * (w.powi(3) * s).abs() / 3.0 + h * h * w.powi(4) / 12.0,
             });
         }
@@ -171,7 +171,7 @@ fn the_sign_of_each_step_is_taylors() {
 /// Catches: the belief that forward Euler adds energy everywhere; a law of the force at the new angle.
 #[test]
 fn it_grows_only_below_an_angle_that_shrinks() {
-    let g = Pendulum::PAPER.stiffness();
+    let g = Pendulum::PAPER.frequency_squared();
     let (mut widest, mut narrowest) = (0.0_f64, 180.0_f64);
     let mut last = false;
     for step in table_5().iter().take_while(|step| step.time < 60.0) {

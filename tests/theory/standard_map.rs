@@ -37,7 +37,7 @@ fn bundle(orbits: u32) -> impl Iterator<Item = Phase> {
 /// Catches: a critical step in the book or in a colleague's memory that is another pendulum's.
 #[test]
 fn the_critical_step_of_the_papers_pendulum() {
-    let step = (CRITICAL / Pendulum::PAPER.stiffness()).sqrt();
+    let step = (CRITICAL / Pendulum::PAPER.frequency_squared()).sqrt();
     assert!((step - 0.314_71).abs() < 5e-6, "{step}");
 }
 
@@ -83,7 +83,7 @@ fn one_step_is_the_standard_map_to_rounding(#[values(0.01, 0.314_71, 0.7)] h: f6
     for (theta, omega) in [(0.3, 1.0), (3.0, -4.0), (-2.0, 0.5)] {
         let one = Grid::new(h, 1).unwrap();
         let z = integrate(&pendulum, &SymplecticEuler, Phase { theta, omega }, &one, &mut ());
-        let k = pendulum.stiffness() * h * h;
+        let k = pendulum.frequency_squared() * h * h;
         let image = standard_map(k, (theta, omega * h));
         assert!((z.theta - image.0).abs() < ROUNDING && (z.omega * h - image.1).abs() < ROUNDING);
     }

@@ -143,28 +143,28 @@ use crate::zoo::{euler, metrics, problem, verlet, wrapped};
     &[ORDER, ERROR_CONSTANT, LINEAR, CONJUGACY, SYMMETRY],
 )]
 #[case::mass_in_the_motion(
-    problem::Accelerated(|p, theta| -p.stiffness() * p.mass() * sin(theta)), StormerVerlet,
+    problem::Accelerated(|p, theta| -p.frequency_squared() * p.mass() * sin(theta)), StormerVerlet,
     &[ORDER, ERROR_CONSTANT, LINEAR, CONJUGACY, SYMMETRY],
 )]
 #[case::degrees_for_radians(
-    problem::Accelerated(|p, theta| -p.stiffness() * sin(theta.to_radians())), StormerVerlet,
+    problem::Accelerated(|p, theta| -p.frequency_squared() * sin(theta.to_radians())), StormerVerlet,
     &[ORDER, ERROR_CONSTANT, LINEAR, CONJUGACY, SYMMETRY],
 )]
 // (It swings about the top, as wide as 2.1 rad, where rounding alone exceeds what is derived for 1 rad.)
 #[case::wrong_sign_of_the_force(
-    problem::Accelerated(|p, theta| p.stiffness() * sin(theta)), StormerVerlet,
+    problem::Accelerated(|p, theta| p.frequency_squared() * sin(theta)), StormerVerlet,
     &[ORDER, ERROR_CONSTANT, LINEAR, REVERSAL, CONJUGACY],
 )]
 #[case::linearised_sine(
-    problem::Accelerated(|p, theta| -p.stiffness() * theta), StormerVerlet,
+    problem::Accelerated(|p, theta| -p.frequency_squared() * theta), StormerVerlet,
     &[ORDER, ERROR_CONSTANT, CONJUGACY, SYMMETRY],
 )]
 #[case::sine_to_seven_digits(
-    problem::Accelerated(|p, theta| -p.stiffness() * f64::from(sin(theta) as f32)), StormerVerlet,
+    problem::Accelerated(|p, theta| -p.frequency_squared() * f64::from(sin(theta) as f32)), StormerVerlet,
     &[ERROR_CONSTANT, LINEAR, AREA, REVERSAL, CONJUGACY],
 )]
 #[case::a_torque_of_1e_12(
-    problem::Accelerated(|p, theta| 1e-12 - p.stiffness() * sin(theta)), StormerVerlet,
+    problem::Accelerated(|p, theta| 1e-12 - p.frequency_squared() * sin(theta)), StormerVerlet,
     &[LINEAR, CONJUGACY, SYMMETRY],
 )]
 // (It is no palindrome, but so nearly one that REVERSAL sees it by a factor of three.)
@@ -206,7 +206,7 @@ fn impostors_are_caught<I: AnyMethod, M: AnyMethod>(
     #[case] truth: M,
     #[case] caught_by: &[Property],
 ) {
-    assert_eq!(impostor.properties(), truth.properties(), "an impostor claims to be the true one");
+    assert_eq!(impostor.info(), truth.info(), "an impostor claims to be the true one");
     for property in PROPERTIES {
         (property.check)(&truth).expect(property.name);
     }
@@ -220,7 +220,7 @@ fn impostors_are_caught<I: AnyMethod, M: AnyMethod>(
 }
 
 /// Holds a check of a kind of metric against the library's metric and a wrong one.
-fn tells_apart<F>(check: impl Fn(F) -> Verdict, truth: F, impostor: F) {
+fn tells_apart<F>(check: impl Fn(F) -> CheckResult, truth: F, impostor: F) {
     check(truth).expect("the library's metric");
     check(impostor).expect_err("a wrong metric passes");
 }
@@ -242,7 +242,7 @@ fn tells_apart<F>(check: impl Fn(F) -> Verdict, truth: F, impostor: F) {
 #[case::largest_with_its_sign(check::check_largest, check::largest, metrics::largest_with_its_sign)]
 #[case::nan_compared_away(check::check_largest, check::largest, metrics::largest_without_nan)]
 fn wrong_angle_errors_are_caught(
-    #[case] check: fn(OfErrors) -> Verdict,
+    #[case] check: fn(OfErrors) -> CheckResult,
     #[case] truth: OfErrors,
     #[case] impostor: OfErrors,
 ) {
@@ -280,7 +280,7 @@ fn wrong_energies_are_caught(#[case] impostor: fn(&Pendulum, Phase) -> f64) {
     metrics::straight_crossing
 )]
 fn wrong_periods_are_caught(
-    #[case] check: fn(OfSamples) -> Verdict,
+    #[case] check: fn(OfSamples) -> CheckResult,
     #[case] truth: OfSamples,
     #[case] impostor: OfSamples,
 ) {

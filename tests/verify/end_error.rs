@@ -2,7 +2,7 @@
 
 use pendula::methods::{BlanesMoan6, Taylor24};
 use pendula::metrics::EndError;
-use pendula::{Grid, Motion, Pendulum, Phase, swing};
+use pendula::{Grid, Motion, Pendulum, Phase, integrate_fast};
 use rstest::rstest;
 
 /// L ≠ 1, ω₀ = 3.5 rad/s.
@@ -41,8 +41,8 @@ fn the_larger_component_counts() {
 #[case(Phase { theta: 0.5, omega: 8.0 }, 20.0)]
 fn a_change_of_the_start_grows(#[case] start: Phase, #[case] t: f64) {
     let pendulum = pendulum();
-    let grid = Grid::over(t, 0.01).unwrap();
-    let end = |start| swing(&pendulum, &BlanesMoan6, start, &grid, &mut ());
+    let grid = Grid::with_duration(0.01, t).unwrap();
+    let end = |start| integrate_fast(&pendulum, &BlanesMoan6, start, &grid, &mut ());
     let (here, there) = (end(start), end(start * (1.0 + 1e-6)));
     let omega = (there.omega - here.omega).abs() / pendulum.small_angle_frequency();
     let growth = (there.theta - here.theta).abs().max(omega) / 1e-6;
@@ -66,7 +66,7 @@ fn rounding_is_what_it_is_taken_for(#[values(64, 256, 1024)] rate: u32) {
     let squares = [0.8, 1.0, 1.5, 2.0, 2.5].map(|theta| {
         let start = Phase::at_rest(theta);
         let error = EndError::new(&pendulum(), start, 30.0).unwrap();
-        let end = swing(&pendulum(), &Taylor24, start, &grid, &mut ());
+        let end = integrate_fast(&pendulum(), &Taylor24, start, &grid, &mut ());
         let part = error.of(end) / error.rounding(steps);
         assert!(part < 1.0, "from {theta}: {part}");
         part * part

@@ -23,13 +23,13 @@ impl ODE<f64, [f64; 2]> for Equations {
 }
 
 /// A method of a crate with steps of one size: from a start, so many steps of a length (s).
-pub type Stepped = fn(Phase, u64, f64) -> Phase;
+pub type ScaledPendulum = fn(Phase, u64, f64) -> Phase;
 
 /// A method of a crate with a tolerance: from a start, to a time (s). What fails has no state that is a number.
 pub type Controlled = fn(Phase, f64, f64) -> Phase;
 
 /// The crates' methods that the library has, by the library's name.
-pub const STEPPED: [(&str, &str, Stepped); 5] = [
+pub const STEPPED: [(&str, &str, ScaledPendulum); 5] = [
     ("forward-euler", "differential-equations", euler),
     ("rk4", "ode_solvers", ode_solvers_rk4),
     ("rk4", "differential-equations", rk4),

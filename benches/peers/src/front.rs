@@ -13,12 +13,12 @@
 
 use std::hint::black_box;
 
-use pendula::fast::Stepped;
+use pendula::fast::ScaledPendulum;
 use pendula::methods::{BlanesMoan6, Taylor24};
 use pendula::metrics::EndError;
 use pendula::{
-    Carried, Compensated, Described, Grid, Method, Pendulum, Phase, Taylor, integrate, methods,
-    swing,
+    Compensated, CompensatedPhase, Grid, Info, Method, Pendulum, Phase, Taylor, integrate,
+    integrate_fast, methods,
 };
 
 use crate::crates::{CONTROLLED, STEPPED};
@@ -121,9 +121,9 @@ impl Contender {
     /// The coarsest setting that is within the goal, and not by luck.
     fn setting_for(&self, goal: f64) -> Option<usize> {
         let is_within = |i: usize| self.tried.get(i).is_some_and(|(error, _)| *error <= goal);
-        let is_credible = |i: usize| self.tried[i + 1].0 <= 3.0 * self.tried[i].0;
+        let is_asymptotic = |i: usize| self.tried[i + 1].0 <= 3.0 * self.tried[i].0;
         (0..self.tried.len())
-            .find(|&i| is_within(i) && is_within(i + 1) && (is_credible(i) || is_within(i + 2)))
+            .find(|&i| is_within(i) && is_within(i + 1) && (is_asymptotic(i) || is_within(i + 2)))
     }
 
     /// For RK4, whose roundings keep it from the goal: as many steps as its order would ask for.
@@ -138,12 +138,18 @@ impl Contender {
 /// A method of the library, from `theta_0`.
 fn of_library<M>(method: M, theta_0: f64, steps: &[Steps]) -> Contender
 where
-    M: Described + Method<Pendulum> + Method<Stepped> + Copy + 'static,
+    M: Info + Method<Pendulum> + Method<ScaledPendulum> + Copy + 'static,
 {
-    let name = method.properties().name;
+    let name = method.info().name;
     Contender::of_steps(name, Kind::Library, steps, move |count, length| {
         let grid = Grid::new(length, count).expect("a positive step");
-        swing(&Pendulum::PAPER, &method, black_box(Phase::at_rest(theta_0)), &grid, &mut ())
+        integrate_fast(
+            &Pendulum::PAPER,
+            &method,
+            black_box(Phase::at_rest(theta_0)),
+            &grid,
+            &mut (),
+        )
     })
 }
 
@@ -155,7 +161,7 @@ where
     let name = format!("{name}, compensated");
     Contender::of_steps(name, Kind::Library, steps, move |count, length| {
         let grid = Grid::new(length, count).expect("a positive step");
-        let start = Carried::from(black_box(Phase::at_rest(theta_0)));
+        let start = CompensatedPhase::from(black_box(Phase::at_rest(theta_0)));
         integrate(&Compensated::new(Pendulum::PAPER), &method, start, &grid, &mut ()).phase
     })
 }
@@ -167,7 +173,7 @@ macro_rules! every_method {
         }
     };
 }
-pendula::methods!(every_method);
+pendula::for_each_method!(every_method);
 
 /// Everyone, the naive RK4 first.
 fn contenders(theta_0: f64, end: u32) -> Vec<Contender> {

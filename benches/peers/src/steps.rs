@@ -2,7 +2,7 @@
 
 use std::hint::black_box;
 
-use pendula::{Described, Grid, METHODS, Pendulum, Phase, methods, swing};
+use pendula::{Grid, Info, METHODS, Pendulum, Phase, integrate_fast, methods};
 
 use crate::crates::STEPPED;
 use crate::machine::{instructions, median, seconds};
@@ -28,9 +28,9 @@ macro_rules! every_method {
         fn library<'a>(name: &str, grid: &'a Grid) -> Option<Contender<'a>> {
             $(
                 let method = methods::$method;
-                if method.properties().name == name {
+                if method.info().name == name {
                     let run = move |start| {
-                        swing(&Pendulum::PAPER, &method, start, black_box(grid), &mut ())
+                        integrate_fast(&Pendulum::PAPER, &method, start, black_box(grid), &mut ())
                     };
                     return Some(("pendula", Box::new(run)));
                 }
@@ -39,7 +39,7 @@ macro_rules! every_method {
         }
     };
 }
-pendula::methods!(every_method);
+pendula::for_each_method!(every_method);
 
 /// The naive loop first, then the library, then the crates.
 fn contenders<'a>(name: &str, grid: &'a Grid) -> Option<Vec<Contender<'a>>> {
@@ -54,7 +54,7 @@ fn contenders<'a>(name: &str, grid: &'a Grid) -> Option<Vec<Contender<'a>>> {
 
 /// Prints the table.
 pub fn compare() {
-    let grid = Grid::over(END, STEP).expect("a whole number of steps");
+    let grid = Grid::with_duration(STEP, END).expect("a whole number of steps");
     assert_eq!(grid.steps(), STEPS, "the same steps for everyone");
     println!("{}", instructions());
     println!("{STEPS} steps of {STEP} s, final state only, median of {ROUNDS}\n");
@@ -65,7 +65,7 @@ pub fn compare() {
     for theta_0 in [1.0, 3.0] {
         let start = Phase::at_rest(theta_0);
         for method in METHODS {
-            let name = method.properties().name;
+            let name = method.info().name;
             let Some(contenders) = contenders(name, &grid) else { continue };
             let ends: Vec<Phase> = contenders.iter().map(|(_, run)| run(start)).collect();
             for ((program, _), end) in contenders.iter().zip(&ends) {

@@ -41,7 +41,7 @@ impl Paper {
     pub fn measure(progress: &Progress) -> Self {
         progress.stage("", Study::EXPERIMENTS as usize);
         let study = Study::run(|experiment| progress.next(experiment));
-        Self(pendula_study::claims::Ledger::of(&study))
+        Self(pendula_study::claims::Ledger::new(&study))
     }
 }
 

@@ -5,8 +5,8 @@ use core::cell::RefCell;
 
 use pendula::{Pendulum, Phase};
 
-use crate::bench::Place;
-use crate::walk::{METHODS, Scene, names};
+use crate::simulation::Simulation;
+use crate::trajectory::{METHODS, Setup, names};
 
 /// As many pendulums as a page shows at once.
 const PLACES: usize = 8;
@@ -14,23 +14,23 @@ const PLACES: usize = 8;
 /// An `Option` whose nothing is all zeros, which take no room in the file.
 #[repr(C, u8)]
 #[expect(clippy::large_enum_variant, reason = "a box would have to be allocated")]
-enum Stand {
+enum Slot {
     Empty = 0,
-    Taken(Place),
+    Taken(Simulation),
 }
 
-struct Places(RefCell<[Stand; PLACES]>);
+struct Simulations(RefCell<[Slot; PLACES]>);
 
 // SAFETY: this is compiled for WebAssembly without threads.
-unsafe impl Sync for Places {}
+unsafe impl Sync for Simulations {}
 
-static BENCH: Places = Places(RefCell::new([const { Stand::Empty }; PLACES]));
+static SIMULATIONS: Simulations = Simulations(RefCell::new([const { Slot::Empty }; PLACES]));
 
 /// What `ask` says of the pendulum at `place`, or `otherwise` where none stands.
-fn at<T>(place: u32, otherwise: T, ask: impl FnOnce(&mut Place) -> T) -> T {
-    match BENCH.0.try_borrow_mut() {
+fn at<T>(place: u32, otherwise: T, ask: impl FnOnce(&mut Simulation) -> T) -> T {
+    match SIMULATIONS.0.try_borrow_mut() {
         Ok(mut places) => match places.get_mut(place as usize) {
-            Some(Stand::Taken(place)) => ask(place),
+            Some(Slot::Taken(place)) => ask(place),
             _ => otherwise,
         },
         Err(_) => otherwise,
@@ -80,64 +80,64 @@ extern "C" fn set(
     step: f64,
 ) -> u32 {
     let start = Phase { theta, omega };
-    let scene = Pendulum::new(gravity, length, 1.0).ok().map(|pendulum| Scene {
+    let scene = Pendulum::new(gravity, length, 1.0).ok().map(|pendulum| Setup {
         method: method as usize,
         pendulum,
         damping,
         start,
         step,
     });
-    let Ok(mut places) = BENCH.0.try_borrow_mut() else { return 0 };
+    let Ok(mut places) = SIMULATIONS.0.try_borrow_mut() else { return 0 };
     let Some(place) = places.get_mut(place as usize) else { return 0 };
-    match scene.and_then(Place::new) {
+    match scene.and_then(Simulation::new) {
         Some(new) => {
-            *place = Stand::Taken(new);
+            *place = Slot::Taken(new);
             1
         }
         None => {
-            *place = Stand::Empty;
+            *place = Slot::Empty;
             0
         }
     }
 }
 
-/// [`Place::advance`].
+/// [`Simulation::advance`].
 #[unsafe(no_mangle)]
 extern "C" fn advance(place: u32, steps: u32) -> u32 {
     at(place, 0, |place| place.advance(steps))
 }
 
-/// [`Place::look`].
+/// [`Simulation::look`].
 #[unsafe(no_mangle)]
 extern "C" fn look(place: u32) {
-    at(place, (), Place::look);
+    at(place, (), Simulation::look);
 }
 
-/// [`Place::read`].
+/// [`Simulation::read`].
 #[unsafe(no_mangle)]
 extern "C" fn read(place: u32, quantity: u32) -> f64 {
     at(place, f64::NAN, |place| place.read(quantity))
 }
 
-/// θ (rad) of [`Place::exact`].
+/// θ (rad) of [`Simulation::exact`].
 #[unsafe(no_mangle)]
 extern "C" fn exact_theta(place: u32, t: f64) -> f64 {
     at(place, f64::NAN, |place| place.exact(t).theta)
 }
 
-/// ω (rad/s) of [`Place::exact`].
+/// ω (rad/s) of [`Simulation::exact`].
 #[unsafe(no_mangle)]
 extern "C" fn exact_omega(place: u32, t: f64) -> f64 {
     at(place, f64::NAN, |place| place.exact(t).omega)
 }
 
-/// θ (rad) of [`Place::separatrix`].
+/// θ (rad) of [`Simulation::separatrix`].
 #[unsafe(no_mangle)]
 extern "C" fn separatrix_theta(place: u32, t: f64) -> f64 {
     at(place, f64::NAN, |place| place.separatrix(t).theta)
 }
 
-/// ω (rad/s) of [`Place::separatrix`].
+/// ω (rad/s) of [`Simulation::separatrix`].
 #[unsafe(no_mangle)]
 extern "C" fn separatrix_omega(place: u32, t: f64) -> f64 {
     at(place, f64::NAN, |place| place.separatrix(t).omega)

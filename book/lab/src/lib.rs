@@ -7,11 +7,11 @@
 //! `book/lab/build` compiles it for the page, and `book/builder/tests/lab.rs` holds what it compiled against the library.
 #![cfg_attr(target_arch = "wasm32", no_std)]
 
-pub mod bench;
 #[cfg(target_arch = "wasm32")]
 mod exports;
 pub mod shared;
-pub mod walk;
+pub mod simulation;
+pub mod trajectory;
 
 #[cfg(target_arch = "wasm32")]
 #[panic_handler]

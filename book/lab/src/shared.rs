@@ -4,45 +4,45 @@
 
 use core::ops::{Add, Mul};
 
-use pendula::fast::{Stepped, Turned, Turning};
-use pendula::systems::{Components, Point, Vector};
-use pendula::{Analytic, Counting, Damped, Phase, Rate, Separable, System};
+use pendula::fast::{ReducedPhase, ReducedRate, ScaledPendulum};
+use pendula::systems::{Components, State, Vector};
+use pendula::{Analytic, Counting, Damped, Phase, RateOf, Separable, System};
 
 /// One of two, each with its own system, state, displacement or force. What belongs to different systems never meets.
 #[derive(Clone, Copy, Debug)]
 pub enum Either<S, D> {
-    /// The pendulum with its step as the unit of time, as in `pendula::swing`.
-    Swing(S),
+    /// The pendulum with its step as the unit of time, as in `pendula::integrate_fast`.
+    Scaled(S),
     /// The damped pendulum.
     Damped(D),
 }
-use Either::{Damped as D, Swing as S};
+use Either::{Damped as D, Scaled as S};
 
 /// The system, which counts its force evaluations.
-pub type Shared = Either<(Stepped, Counting<Stepped>), Counting<Damped>>;
+pub type Shared = Either<(ScaledPendulum, Counting<ScaledPendulum>), Counting<Damped>>;
 
 /// Its state.
-pub type State = Either<Turned, Phase>;
+pub type SharedState = Either<ReducedPhase, Phase>;
 
 /// A displacement of its state.
 #[derive(Clone, Copy, Debug)]
-pub struct By(Either<Turning, Phase>);
+pub struct By(Either<ReducedRate, Phase>);
 
 impl Shared {
     /// The pendulum in steps, and its state at `start`.
-    pub fn swing(stepped: Stepped, start: Phase) -> (Self, State) {
-        (S((stepped, Counting::new(stepped))), S(stepped.enter(start)))
+    pub fn scaled(scaled: ScaledPendulum, start: Phase) -> (Self, SharedState) {
+        (S((scaled, Counting::new(scaled))), S(scaled.from_phase(start)))
     }
 
     /// The damped pendulum, and its state at `start`.
-    pub const fn damped(damped: Damped, start: Phase) -> (Self, State) {
+    pub const fn damped(damped: Damped, start: Phase) -> (Self, SharedState) {
         (D(Counting::new(damped)), D(start))
     }
 
     /// Angle (rad) and angular velocity (rad/s) of the state `z`.
-    pub fn phase(&self, z: State) -> Phase {
+    pub fn phase(&self, z: SharedState) -> Phase {
         match (self, z) {
-            (S((stepped, _)), S(z)) => stepped.leave(z),
+            (S((scaled, _)), S(z)) => scaled.to_phase(z),
             (D(_), D(z)) => z,
             _ => never(),
         }
@@ -57,7 +57,7 @@ impl Shared {
     }
 }
 
-impl Add<By> for State {
+impl Add<By> for SharedState {
     type Output = Self;
 
     #[inline(never)]
@@ -70,16 +70,16 @@ impl Add<By> for State {
     }
 }
 
-impl Point for State {
+impl State for SharedState {
     type Displacement = By;
 }
 
-impl Components for State {
+impl Components for SharedState {
     #[inline(never)]
-    fn compare(self, other: Self, by: By, each: impl FnMut(f64, f64, f64)) {
+    fn for_each_component(self, other: Self, by: By, each: impl FnMut(f64, f64, f64)) {
         match (self, other, by.0) {
-            (S(z), S(other), S(by)) => z.compare(other, by, each),
-            (D(z), D(other), D(by)) => z.compare(other, by, each),
+            (S(z), S(other), S(by)) => z.for_each_component(other, by, each),
+            (D(z), D(other), D(by)) => z.for_each_component(other, by, each),
             _ => never(),
         }
     }
@@ -113,10 +113,10 @@ impl Mul<f64> for By {
 impl Vector for By {}
 
 impl System for Shared {
-    type State = State;
+    type State = SharedState;
 
     #[inline(never)]
-    fn rate(&self, t: f64, z: State) -> By {
+    fn rate(&self, t: f64, z: SharedState) -> By {
         match (self, z) {
             (S((_, system)), S(z)) => By(S(system.rate(t, z))),
             (D(system), D(z)) => By(D(system.rate(t, z))),
@@ -126,10 +126,10 @@ impl System for Shared {
 }
 
 impl Separable for Shared {
-    type Force = Either<<Stepped as Separable>::Force, <Damped as Separable>::Force>;
+    type Force = Either<<ScaledPendulum as Separable>::Force, <Damped as Separable>::Force>;
 
     #[inline(never)]
-    fn force(&self, t: f64, z: State) -> Self::Force {
+    fn force(&self, t: f64, z: SharedState) -> Self::Force {
         match (self, z) {
             (S((_, system)), S(z)) => S(system.force(t, z)),
             (D(system), D(z)) => D(system.force(t, z)),
@@ -138,7 +138,7 @@ impl Separable for Shared {
     }
 
     #[inline(never)]
-    fn kick(&self, z: State, force: Self::Force, h: f64) -> State {
+    fn kick(&self, z: SharedState, force: Self::Force, h: f64) -> SharedState {
         match (self, z, force) {
             (S((_, system)), S(z), S(force)) => S(system.kick(z, force, h)),
             (D(system), D(z), D(force)) => D(system.kick(z, force, h)),
@@ -147,7 +147,7 @@ impl Separable for Shared {
     }
 
     #[inline(never)]
-    fn drift(&self, z: State, h: f64) -> State {
+    fn drift(&self, z: SharedState, h: f64) -> SharedState {
         match (self, z) {
             (S((_, system)), S(z)) => S(system.drift(z, h)),
             (D(system), D(z)) => D(system.drift(z, h)),
@@ -159,7 +159,7 @@ impl Separable for Shared {
 impl Analytic for Shared {
     /// Of the swing alone: for the damped pendulum the library has no series, and no method that asks for one gets it.
     #[inline(never)]
-    fn mean_rate<const P: usize>(&self, h: f64, z: State) -> Rate<Self> {
+    fn mean_rate<const P: usize>(&self, h: f64, z: SharedState) -> RateOf<Self> {
         match (self, z) {
             (S((_, system)), S(z)) => By(S(system.mean_rate::<P>(h, z))),
             _ => never(),

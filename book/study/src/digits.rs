@@ -2,7 +2,7 @@
 
 /// How a number is printed: only as many digits as can be defended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Format {
+pub enum Digits {
     /// This many significant digits and a power of ten: 2.01 × 10².
     Scientific(usize),
     /// This many digits after the point: −5.300.
@@ -11,7 +11,7 @@ pub enum Format {
     Significant(usize),
 }
 
-impl Format {
+impl Digits {
     /// The format in which the literal was printed: `2.01e2` is scientific with three digits, `-5.300` fixed with
     /// three decimals. `None` for what is no number.
     pub fn of(literal: &str) -> Option<Self> {
@@ -87,7 +87,7 @@ fn superscript(exponent: &str) -> String {
 mod tests {
     use rstest::rstest;
 
-    use super::Format::{self, Fixed, Scientific, Significant};
+    use super::Digits::{self, Fixed, Scientific, Significant};
     use super::{half_unit, rounds_to};
 
     /// Catches: a digit too many or too few, a plain number that claims digits it has not got, and an exponent taken before
@@ -110,7 +110,7 @@ mod tests {
     #[case::more(Significant(7), 1e6, "1.000000 × 10⁶")]
     #[case::no_number(Significant(3), f64::INFINITY, "inf")]
     fn a_number_prints_the_digits_asked_for(
-        #[case] format: Format,
+        #[case] format: Digits,
         #[case] value: f64,
         #[case] text: &str,
     ) {
@@ -126,10 +126,10 @@ mod tests {
     #[case("one", None, None)]
     fn a_literal_tells_its_format_and_its_unit(
         #[case] literal: &str,
-        #[case] format: Option<Format>,
+        #[case] format: Option<Digits>,
         #[case] half: Option<f64>,
     ) {
-        assert_eq!(Format::of(literal), format);
+        assert_eq!(Digits::of(literal), format);
         assert_eq!(half_unit(literal), half);
     }
 

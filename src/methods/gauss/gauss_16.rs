@@ -2,7 +2,7 @@
 
 use crate::integrate::Method;
 use crate::methods::gauss::ImplicitTableau;
-use crate::methods::{Described, Properties};
+use crate::methods::{Info, MethodInfo};
 use crate::systems::{Components, System};
 
 /// The Gauss method of eight stages: collocation at the zeros of a Legendre polynomial.
@@ -13,9 +13,9 @@ use crate::systems::{Components, System};
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Gauss16;
 
-impl Described for Gauss16 {
-    fn properties(&self) -> Properties {
-        Properties {
+impl Info for Gauss16 {
+    fn info(&self) -> MethodInfo {
+        MethodInfo {
             name: "gauss-16",
             title: "Gauss 16",
             aliases: &["Kuntzmann–Butcher 16"],
@@ -139,7 +139,7 @@ impl Gauss16 {
 }
 
 impl<S: System<State: Components>> Method<S> for Gauss16 {
-    type Memo = ();
+    type Carry = ();
 
     fn start(&self, _system: &S, _t: f64, _h: f64, _z: S::State) {}
 

@@ -2,7 +2,7 @@
 
 use crate::integrate::Method;
 use crate::methods::gauss::ImplicitTableau;
-use crate::methods::{Described, Properties};
+use crate::methods::{Info, MethodInfo};
 use crate::systems::{Components, System};
 
 /// The Gauss method of two stages: collocation at the zeros of a Legendre polynomial.
@@ -13,9 +13,9 @@ use crate::systems::{Components, System};
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Gauss4;
 
-impl Described for Gauss4 {
-    fn properties(&self) -> Properties {
-        Properties {
+impl Info for Gauss4 {
+    fn info(&self) -> MethodInfo {
+        MethodInfo {
             name: "gauss-4",
             title: "Gauss 4",
             aliases: &["Hammer–Hollingsworth", "Kuntzmann–Butcher 4"],
@@ -40,7 +40,7 @@ impl Gauss4 {
 }
 
 impl<S: System<State: Components>> Method<S> for Gauss4 {
-    type Memo = ();
+    type Carry = ();
 
     fn start(&self, _system: &S, _t: f64, _h: f64, _z: S::State) {}
 

@@ -2,7 +2,7 @@
 
 use crate::integrate::Method;
 use crate::methods::gauss::ImplicitTableau;
-use crate::methods::{Described, Properties};
+use crate::methods::{Info, MethodInfo};
 use crate::systems::{Components, System};
 
 /// The Gauss method of three stages: collocation at the zeros of a Legendre polynomial.
@@ -13,9 +13,9 @@ use crate::systems::{Components, System};
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Gauss6;
 
-impl Described for Gauss6 {
-    fn properties(&self) -> Properties {
-        Properties {
+impl Info for Gauss6 {
+    fn info(&self) -> MethodInfo {
+        MethodInfo {
             name: "gauss-6",
             title: "Gauss 6",
             aliases: &["Kuntzmann–Butcher 6"],
@@ -44,7 +44,7 @@ impl Gauss6 {
 }
 
 impl<S: System<State: Components>> Method<S> for Gauss6 {
-    type Memo = ();
+    type Carry = ();
 
     fn start(&self, _system: &S, _t: f64, _h: f64, _z: S::State) {}
 

@@ -2,7 +2,7 @@
 
 use crate::integrate::Method;
 use crate::methods::gauss::ImplicitTableau;
-use crate::methods::{Described, Properties};
+use crate::methods::{Info, MethodInfo};
 use crate::systems::{Components, System};
 
 /// The implicit midpoint rule: the slope in the middle between the start and the end of the step, for the whole step.
@@ -12,9 +12,9 @@ use crate::systems::{Components, System};
 #[derive(Clone, Copy, Debug, Default)]
 pub struct ImplicitMidpoint;
 
-impl Described for ImplicitMidpoint {
-    fn properties(&self) -> Properties {
-        Properties {
+impl Info for ImplicitMidpoint {
+    fn info(&self) -> MethodInfo {
+        MethodInfo {
             name: "implicit-midpoint",
             title: "Implicit midpoint",
             aliases: &["Gauss 2"],
@@ -35,7 +35,7 @@ impl ImplicitMidpoint {
 }
 
 impl<S: System<State: Components>> Method<S> for ImplicitMidpoint {
-    type Memo = ();
+    type Carry = ();
 
     fn start(&self, _system: &S, _t: f64, _h: f64, _z: S::State) {}
 

@@ -1,6 +1,6 @@
 //! Implicit Runge–Kutta methods, solved by iteration.
 
-use crate::systems::{Components, Rate, System, Vector};
+use crate::systems::{Components, RateOf, System, Vector};
 
 /// The coefficients of an implicit Runge–Kutta method of `S` stages: kᵢ = f(t + cᵢ h, z + h Σⱼ aᵢⱼ kⱼ), and the step
 /// z + h Σ bᵢ kᵢ.
@@ -36,14 +36,14 @@ impl<const S: usize> ImplicitTableau<S> {
         Sys: System<State: Components>,
     {
         // Sums and no maxima, which would pass over a NaN.
-        let size = |slope: Rate<Sys>| {
+        let size = |slope: RateOf<Sys>| {
             let mut sum = 0.0;
-            z.compare(z, slope, |_, _, x| sum += x.abs());
+            z.for_each_component(z, slope, |_, _, x| sum += x.abs());
             sum
         };
         let mut k = [system.rate(t, z); S];
         let mut state = 0.0;
-        z.compare(z, k[0], |x, _, _| state += x.abs());
+        z.for_each_component(z, k[0], |x, _, _| state += x.abs());
         let mut before = f64::INFINITY;
         for _ in 0..SWEEPS {
             let (mut change, mut scale) = (0.0, state / h.abs());

@@ -8,8 +8,8 @@
 use super::embedded::{Embedded, hermite};
 use crate::integrate::Method;
 use crate::methods::runge_kutta::tableau::tableau;
-use crate::methods::{Described, Properties};
-use crate::systems::{Rate, System, Vector};
+use crate::methods::{Info, MethodInfo};
+use crate::systems::{RateOf, System, Vector};
 
 /// Dormand–Prince 8(5,3): twelve slopes for a step of order 8, two error estimates, dense output of order 7.
 ///
@@ -19,9 +19,9 @@ use crate::systems::{Rate, System, Vector};
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Dop853;
 
-impl Described for Dop853 {
-    fn properties(&self) -> Properties {
-        Properties {
+impl Info for Dop853 {
+    fn info(&self) -> MethodInfo {
+        MethodInfo {
             name: "dop853",
             title: "DOP853",
             aliases: &["Dormand–Prince 8(5,3)", "Hairer's 8(5,3)"],
@@ -38,7 +38,7 @@ impl Described for Dop853 {
 
 // ANCHOR: step
 impl<S: System> Method<S> for Dop853 {
-    type Memo = ();
+    type Carry = ();
 
     const REACH: f64 = STEP.reach();
 
@@ -46,7 +46,7 @@ impl<S: System> Method<S> for Dop853 {
 
     #[inline(always)]
     fn step(&self, system: &S, t: f64, h: f64, z: S::State, _memo: &mut ()) -> S::State {
-        let stages = Stages::of(system, t, h, z, [system.rate(t, z)]);
+        let stages = Stages::evaluate(system, t, h, z, [system.rate(t, z)]);
         z + stages.step() * h
     }
 }
@@ -67,9 +67,9 @@ impl Embedded for Dop853 {
         t: f64,
         h: f64,
         z: S::State,
-        slope: Rate<S>,
-    ) -> (S::State, Stages<Rate<S>>) {
-        let stages = Stages::of(system, t, h, z, [slope]);
+        slope: RateOf<S>,
+    ) -> (S::State, Stages<RateOf<S>>) {
+        let stages = Stages::evaluate(system, t, h, z, [slope]);
         (z + stages.step() * h, stages)
     }
 
@@ -91,8 +91,8 @@ impl Embedded for Dop853 {
         system: &S,
         t: f64,
         z: S::State,
-        _stages: &Stages<Rate<S>>,
-    ) -> Rate<S> {
+        _stages: &Stages<RateOf<S>>,
+    ) -> RateOf<S> {
         system.rate(t, z)
     }
 
@@ -102,12 +102,12 @@ impl Embedded for Dop853 {
         t: f64,
         h: f64,
         z: S::State,
-        stages: &Stages<Rate<S>>,
-        end_slope: Rate<S>,
-    ) -> [Rate<S>; 7] {
+        stages: &Stages<RateOf<S>>,
+        end_slope: RateOf<S>,
+    ) -> [RateOf<S>; 7] {
         let Stages { k1, k6, k7, k8, k9, k10, k11, k12, .. } = *stages;
         let [first, second, third] = hermite(stages.step() * h, k1 * h, end_slope * h);
-        let more = More::of(system, t, h, z, [k1, k6, k7, k8, k9, k10, k11, k12, end_slope]);
+        let more = More::evaluate(system, t, h, z, [k1, k6, k7, k8, k9, k10, k11, k12, end_slope]);
         let [fourth, fifth] = [more.fourth() * h, more.fifth() * h];
         [first, second, third, fourth, fifth, more.sixth() * h, more.seventh() * h]
     }

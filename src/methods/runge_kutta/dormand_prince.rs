@@ -3,8 +3,8 @@
 use super::embedded::{Embedded, hermite};
 use crate::integrate::Method;
 use crate::methods::runge_kutta::tableau::tableau;
-use crate::methods::{Described, Properties};
-use crate::systems::{Rate, System, Vector};
+use crate::methods::{Info, MethodInfo};
+use crate::systems::{RateOf, System, Vector};
 
 /// Dormand–Prince 5(4): six slopes for a step of order 5, and a seventh, the first of the next step, to estimate its
 /// error.
@@ -15,9 +15,9 @@ use crate::systems::{Rate, System, Vector};
 #[derive(Clone, Copy, Debug, Default)]
 pub struct DormandPrince;
 
-impl Described for DormandPrince {
-    fn properties(&self) -> Properties {
-        Properties {
+impl Info for DormandPrince {
+    fn info(&self) -> MethodInfo {
+        MethodInfo {
             name: "dormand-prince",
             title: "Dormand–Prince",
             aliases: &["DOPRI5", "RK45", "ode45"],
@@ -35,17 +35,17 @@ impl Described for DormandPrince {
 // ANCHOR: step
 impl<S: System> Method<S> for DormandPrince {
     /// The slope where the step begins: the last one ended there.
-    type Memo = Rate<S>;
+    type Carry = RateOf<S>;
 
     const REACH: f64 = TABLEAU.reach();
 
-    fn start(&self, system: &S, t: f64, _h: f64, z: S::State) -> Rate<S> {
+    fn start(&self, system: &S, t: f64, _h: f64, z: S::State) -> RateOf<S> {
         system.rate(t, z)
     }
 
     #[inline(always)]
-    fn step(&self, system: &S, t: f64, h: f64, z: S::State, slope: &mut Rate<S>) -> S::State {
-        let stages = Stages::of(system, t, h, z, [*slope]);
+    fn step(&self, system: &S, t: f64, h: f64, z: S::State, slope: &mut RateOf<S>) -> S::State {
+        let stages = Stages::evaluate(system, t, h, z, [*slope]);
         *slope = stages.k7;
         z + stages.step() * h
     }
@@ -66,9 +66,9 @@ impl Embedded for DormandPrince {
         t: f64,
         h: f64,
         z: S::State,
-        slope: Rate<S>,
-    ) -> (S::State, Stages<Rate<S>>) {
-        let stages = Stages::of(system, t, h, z, [slope]);
+        slope: RateOf<S>,
+    ) -> (S::State, Stages<RateOf<S>>) {
+        let stages = Stages::evaluate(system, t, h, z, [slope]);
         (z + stages.step() * h, stages)
     }
 
@@ -82,8 +82,8 @@ impl Embedded for DormandPrince {
         _system: &S,
         _t: f64,
         _z: S::State,
-        stages: &Stages<Rate<S>>,
-    ) -> Rate<S> {
+        stages: &Stages<RateOf<S>>,
+    ) -> RateOf<S> {
         stages.k7
     }
 
@@ -93,9 +93,9 @@ impl Embedded for DormandPrince {
         _t: f64,
         h: f64,
         _z: S::State,
-        stages: &Stages<Rate<S>>,
-        end_slope: Rate<S>,
-    ) -> [Rate<S>; 4] {
+        stages: &Stages<RateOf<S>>,
+        end_slope: RateOf<S>,
+    ) -> [RateOf<S>; 4] {
         let [first, second, third] = hermite(stages.step() * h, stages.k1 * h, end_slope * h);
         [first, second, third, stages.fourth() * h]
     }

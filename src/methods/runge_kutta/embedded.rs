@@ -1,6 +1,6 @@
 //! Runge–Kutta methods that estimate their own error.
 
-use crate::systems::{Rate, System, Vector};
+use crate::systems::{RateOf, System, Vector};
 
 // ANCHOR: embedded
 /// A Runge–Kutta method that estimates its own error and fills in its own steps.
@@ -22,8 +22,8 @@ pub trait Embedded: Copy {
         t: f64,
         h: f64,
         z: S::State,
-        slope: Rate<S>,
-    ) -> (S::State, Self::Stages<Rate<S>>);
+        slope: RateOf<S>,
+    ) -> (S::State, Self::Stages<RateOf<S>>);
 
     /// The error of the step with these `stages`, in tolerances. `size` measures a displacement per h in tolerances.
     fn error<D: Vector>(&self, stages: &Self::Stages<D>, size: impl Fn(D) -> f64) -> f64;
@@ -34,8 +34,8 @@ pub trait Embedded: Copy {
         system: &S,
         t: f64,
         z: S::State,
-        stages: &Self::Stages<Rate<S>>,
-    ) -> Rate<S>;
+        stages: &Self::Stages<RateOf<S>>,
+    ) -> RateOf<S>;
 
     /// What [`Dense`](crate::adaptive::Dense) is made of, for a step `h` (s) from `z` at time `t` (s) with these `stages`.
     fn dense<S: System>(
@@ -44,9 +44,9 @@ pub trait Embedded: Copy {
         t: f64,
         h: f64,
         z: S::State,
-        stages: &Self::Stages<Rate<S>>,
-        end_slope: Rate<S>,
-    ) -> Self::Dense<Rate<S>>;
+        stages: &Self::Stages<RateOf<S>>,
+        end_slope: RateOf<S>,
+    ) -> Self::Dense<RateOf<S>>;
 }
 // ANCHOR_END: embedded
 

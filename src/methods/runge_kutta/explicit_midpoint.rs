@@ -1,7 +1,7 @@
 //! The explicit midpoint rule.
 
 use crate::integrate::Method;
-use crate::methods::{Described, Properties};
+use crate::methods::{Info, MethodInfo};
 use crate::systems::System;
 
 /// The explicit midpoint rule: the slope half a step ahead, for the whole step.
@@ -12,9 +12,9 @@ use crate::systems::System;
 #[derive(Clone, Copy, Debug, Default)]
 pub struct ExplicitMidpoint;
 
-impl Described for ExplicitMidpoint {
-    fn properties(&self) -> Properties {
-        Properties {
+impl Info for ExplicitMidpoint {
+    fn info(&self) -> MethodInfo {
+        MethodInfo {
             name: "explicit-midpoint",
             title: "Explicit midpoint",
             aliases: &["Runge's method", "modified Euler"],
@@ -31,7 +31,7 @@ impl Described for ExplicitMidpoint {
 
 // ANCHOR: step
 impl<S: System> Method<S> for ExplicitMidpoint {
-    type Memo = ();
+    type Carry = ();
 
     fn start(&self, _system: &S, _t: f64, _h: f64, _z: S::State) {}
 

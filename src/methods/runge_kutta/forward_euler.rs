@@ -1,7 +1,7 @@
 //! Forward Euler.
 
 use crate::integrate::Method;
-use crate::methods::{Described, Properties};
+use crate::methods::{Info, MethodInfo};
 use crate::systems::System;
 
 /// Forward Euler: both components move along the tangent at the start of the step.
@@ -11,9 +11,9 @@ use crate::systems::System;
 #[derive(Clone, Copy, Debug, Default)]
 pub struct ForwardEuler;
 
-impl Described for ForwardEuler {
-    fn properties(&self) -> Properties {
-        Properties {
+impl Info for ForwardEuler {
+    fn info(&self) -> MethodInfo {
+        MethodInfo {
             name: "forward-euler",
             title: "Forward Euler",
             aliases: &["explicit Euler", "Euler's method"],
@@ -30,7 +30,7 @@ impl Described for ForwardEuler {
 
 // ANCHOR: step
 impl<S: System> Method<S> for ForwardEuler {
-    type Memo = ();
+    type Carry = ();
 
     fn start(&self, _system: &S, _t: f64, _h: f64, _z: S::State) {}
 

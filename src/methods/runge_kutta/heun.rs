@@ -1,7 +1,7 @@
 //! Heun's method.
 
 use crate::integrate::Method;
-use crate::methods::{Described, Properties};
+use crate::methods::{Info, MethodInfo};
 use crate::systems::System;
 
 /// Heun's method of order 2: the mean of the slopes at both ends of an Euler step.
@@ -12,9 +12,9 @@ use crate::systems::System;
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Heun;
 
-impl Described for Heun {
-    fn properties(&self) -> Properties {
-        Properties {
+impl Info for Heun {
+    fn info(&self) -> MethodInfo {
+        MethodInfo {
             name: "heun",
             title: "Heun",
             aliases: &["explicit trapezoidal rule", "improved Euler"],
@@ -31,7 +31,7 @@ impl Described for Heun {
 
 // ANCHOR: step
 impl<S: System> Method<S> for Heun {
-    type Memo = ();
+    type Carry = ();
 
     fn start(&self, _system: &S, _t: f64, _h: f64, _z: S::State) {}
 

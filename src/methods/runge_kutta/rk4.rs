@@ -1,7 +1,7 @@
 //! The classical Runge–Kutta method of order 4.
 
 use crate::integrate::Method;
-use crate::methods::{Described, Properties};
+use crate::methods::{Info, MethodInfo};
 use crate::systems::System;
 
 /// The classical Runge–Kutta method: four slopes, weighted 1 : 2 : 2 : 1.
@@ -11,9 +11,9 @@ use crate::systems::System;
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Rk4;
 
-impl Described for Rk4 {
-    fn properties(&self) -> Properties {
-        Properties {
+impl Info for Rk4 {
+    fn info(&self) -> MethodInfo {
+        MethodInfo {
             name: "rk4",
             title: "RK4",
             aliases: &["classical Runge–Kutta", "the Runge–Kutta method"],
@@ -30,7 +30,7 @@ impl Described for Rk4 {
 
 // ANCHOR: step
 impl<S: System> Method<S> for Rk4 {
-    type Memo = ();
+    type Carry = ();
 
     fn start(&self, _system: &S, _t: f64, _h: f64, _z: S::State) {}
 

@@ -58,7 +58,7 @@ impl Row {
 }
 
 // ANCHOR: tableau
-/// Makes of a table `struct $Stages`, whose function `of` takes the stages and which has a method for each sum, and the
+/// Makes of a table `struct $Stages`, whose function `evaluate` takes the stages and which has a method for each sum, and the
 /// table as data, `$TABLEAU`.
 macro_rules! tableau {
     (
@@ -83,9 +83,9 @@ macro_rules! tableau {
             /// Takes the stages of a step `h` (s) from `z` at time `t` (s). The known ones are given.
             #[inline(always)]
             #[allow(unused_variables, reason = "where no stage is added, nothing is evaluated")]
-            pub fn of<S>(system: &S, t: f64, h: f64, z: S::State, known: [D; [$(stringify!($known)),+].len()]) -> Self
+            pub fn evaluate<S>(system: &S, t: f64, h: f64, z: S::State, known: [D; [$(stringify!($known)),+].len()]) -> Self
             where
-                S: $crate::System<State: $crate::Point<Displacement = D>>,
+                S: $crate::System<State: $crate::State<Displacement = D>>,
             {
                 let [$($known),+] = known;
                 $(

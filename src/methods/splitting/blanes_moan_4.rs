@@ -1,7 +1,7 @@
 //! Blanes and Moan's symplectic method of order 4.
 
 use crate::methods::splitting::Splitting;
-use crate::methods::{Described, Properties};
+use crate::methods::{Info, MethodInfo};
 
 /// Blanes and Moan's method of order 4: six stages where three would do, spent on a small error.
 ///
@@ -12,9 +12,9 @@ use crate::methods::{Described, Properties};
 #[derive(Clone, Copy, Debug, Default)]
 pub struct BlanesMoan4;
 
-impl Described for BlanesMoan4 {
-    fn properties(&self) -> Properties {
-        Properties {
+impl Info for BlanesMoan4 {
+    fn info(&self) -> MethodInfo {
+        MethodInfo {
             name: "blanes-moan-4",
             title: "Blanes–Moan 4",
             aliases: &["S₆", "McLachlan’s form of order 4 in six stages"],

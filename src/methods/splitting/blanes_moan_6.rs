@@ -1,7 +1,7 @@
 //! Blanes and Moan's symplectic Runge–Kutta–Nyström method of order 6.
 
 use crate::methods::splitting::{Splitting, palindrome};
-use crate::methods::{Described, Properties};
+use crate::methods::{Info, MethodInfo};
 
 /// Blanes and Moan's method of order 6 for forces that do not depend on the velocity.
 ///
@@ -13,9 +13,9 @@ use crate::methods::{Described, Properties};
 #[derive(Clone, Copy, Debug, Default)]
 pub struct BlanesMoan6;
 
-impl Described for BlanesMoan6 {
-    fn properties(&self) -> Properties {
-        Properties {
+impl Info for BlanesMoan6 {
+    fn info(&self) -> MethodInfo {
+        MethodInfo {
             name: "blanes-moan-6",
             title: "Blanes–Moan 6",
             aliases: &["SRKN 11b"],

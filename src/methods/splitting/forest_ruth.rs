@@ -1,7 +1,7 @@
 //! Forest and Ruth's symplectic method of order 4.
 
 use crate::methods::splitting::{Splitting, kicks};
-use crate::methods::{Described, Properties};
+use crate::methods::{Info, MethodInfo};
 
 /// Forest and Ruth's method: three steps of Störmer–Verlet, the second of them backwards.
 ///
@@ -12,9 +12,9 @@ use crate::methods::{Described, Properties};
 #[derive(Clone, Copy, Debug, Default)]
 pub struct ForestRuth;
 
-impl Described for ForestRuth {
-    fn properties(&self) -> Properties {
-        Properties {
+impl Info for ForestRuth {
+    fn info(&self) -> MethodInfo {
+        MethodInfo {
             name: "forest-ruth",
             title: "Forest–Ruth",
             aliases: &["Yoshida 4", "the triple jump"],

@@ -1,7 +1,7 @@
 //! Kahan and Li's symplectic method of order 8.
 
 use crate::methods::splitting::{Splitting, kicks, palindrome};
-use crate::methods::{Described, Properties};
+use crate::methods::{Info, MethodInfo};
 
 /// Kahan and Li's method of order 8: seventeen short steps of Störmer–Verlet, where fifteen long ones would do.
 ///
@@ -12,9 +12,9 @@ use crate::methods::{Described, Properties};
 #[derive(Clone, Copy, Debug, Default)]
 pub struct KahanLi8;
 
-impl Described for KahanLi8 {
-    fn properties(&self) -> Properties {
-        Properties {
+impl Info for KahanLi8 {
+    fn info(&self) -> MethodInfo {
+        MethodInfo {
             name: "kahan-li-8",
             title: "Kahan–Li 8",
             aliases: &["s17odr8a"],

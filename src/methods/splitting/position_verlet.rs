@@ -1,7 +1,7 @@
 //! Störmer–Verlet in position form.
 
 use crate::integrate::Method;
-use crate::methods::{Described, Properties};
+use crate::methods::{Info, MethodInfo};
 use crate::systems::Separable;
 
 /// Störmer–Verlet in position form: half a drift, a kick, half a drift.
@@ -12,9 +12,9 @@ use crate::systems::Separable;
 #[derive(Clone, Copy, Debug, Default)]
 pub struct PositionVerlet;
 
-impl Described for PositionVerlet {
-    fn properties(&self) -> Properties {
-        Properties {
+impl Info for PositionVerlet {
+    fn info(&self) -> MethodInfo {
+        MethodInfo {
             name: "position-verlet",
             title: "Position Verlet",
             aliases: &["drift–kick–drift"],
@@ -32,7 +32,7 @@ impl Described for PositionVerlet {
 // ANCHOR: step
 impl<S: Separable> Method<S> for PositionVerlet {
     /// The state half a drift ahead.
-    type Memo = S::State;
+    type Carry = S::State;
 
     fn start(&self, system: &S, _t: f64, h: f64, z: S::State) -> S::State {
         system.drift(z, 0.5 * h)

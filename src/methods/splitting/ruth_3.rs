@@ -1,7 +1,7 @@
 //! Ruth's symplectic method of order 3.
 
 use crate::methods::splitting::Splitting;
-use crate::methods::{Described, Properties};
+use crate::methods::{Info, MethodInfo};
 
 /// Ruth's method of order 3: three kicks and three drifts, the first symplectic method beyond order 2.
 ///
@@ -10,9 +10,9 @@ use crate::methods::{Described, Properties};
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Ruth3;
 
-impl Described for Ruth3 {
-    fn properties(&self) -> Properties {
-        Properties {
+impl Info for Ruth3 {
+    fn info(&self) -> MethodInfo {
+        MethodInfo {
             name: "ruth-3",
             title: "Ruth 3",
             aliases: &["Ruth’s third-order method"],

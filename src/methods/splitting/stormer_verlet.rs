@@ -1,7 +1,7 @@
 //! Störmer–Verlet in velocity form.
 
 use crate::integrate::Method;
-use crate::methods::{Described, Properties};
+use crate::methods::{Info, MethodInfo};
 use crate::systems::Separable;
 
 /// Störmer–Verlet in velocity form: half a kick, a drift, half a kick.
@@ -12,9 +12,9 @@ use crate::systems::Separable;
 #[derive(Clone, Copy, Debug, Default)]
 pub struct StormerVerlet;
 
-impl Described for StormerVerlet {
-    fn properties(&self) -> Properties {
-        Properties {
+impl Info for StormerVerlet {
+    fn info(&self) -> MethodInfo {
+        MethodInfo {
             name: "stormer-verlet",
             title: "Störmer–Verlet",
             aliases: &["velocity Verlet", "leapfrog", "kick–drift–kick"],
@@ -32,7 +32,7 @@ impl Described for StormerVerlet {
 // ANCHOR: step
 impl<S: Separable> Method<S> for StormerVerlet {
     /// The state half a kick ahead.
-    type Memo = S::State;
+    type Carry = S::State;
 
     fn start(&self, system: &S, t: f64, h: f64, z: S::State) -> S::State {
         system.kick(z, system.force(t, z), 0.5 * h)

@@ -1,7 +1,7 @@
 //! Suzuki's symplectic method of order 4.
 
 use crate::methods::splitting::{Splitting, kicks};
-use crate::methods::{Described, Properties};
+use crate::methods::{Info, MethodInfo};
 
 /// Suzuki's method of order 4: five steps of Störmer–Verlet, the middle one backwards.
 ///
@@ -12,9 +12,9 @@ use crate::methods::{Described, Properties};
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Suzuki4;
 
-impl Described for Suzuki4 {
-    fn properties(&self) -> Properties {
-        Properties {
+impl Info for Suzuki4 {
+    fn info(&self) -> MethodInfo {
+        MethodInfo {
             name: "suzuki-4",
             title: "Suzuki 4",
             aliases: &["Suzuki’s fractal"],

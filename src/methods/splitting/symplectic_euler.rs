@@ -1,7 +1,7 @@
 //! Symplectic Euler, kick then drift.
 
 use crate::integrate::Method;
-use crate::methods::{Described, Properties};
+use crate::methods::{Info, MethodInfo};
 use crate::systems::Separable;
 
 /// Symplectic Euler: the velocity is kicked first, then the position drifts with the *new* velocity.
@@ -11,9 +11,9 @@ use crate::systems::Separable;
 #[derive(Clone, Copy, Debug, Default)]
 pub struct SymplecticEuler;
 
-impl Described for SymplecticEuler {
-    fn properties(&self) -> Properties {
-        Properties {
+impl Info for SymplecticEuler {
+    fn info(&self) -> MethodInfo {
+        MethodInfo {
             name: "symplectic-euler",
             title: "Symplectic Euler",
             aliases: &["semi-implicit Euler", "Euler–Cromer"],
@@ -30,7 +30,7 @@ impl Described for SymplecticEuler {
 
 // ANCHOR: step
 impl<S: Separable> Method<S> for SymplecticEuler {
-    type Memo = ();
+    type Carry = ();
 
     fn start(&self, _system: &S, _t: f64, _h: f64, _z: S::State) {}
 

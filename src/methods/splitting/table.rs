@@ -17,7 +17,7 @@ pub trait Splitting {
 // ANCHOR: step
 impl<M: Splitting, S: Separable> Method<S> for M {
     /// The state one kick ahead.
-    type Memo = S::State;
+    type Carry = S::State;
 
     const REACH: f64 = length(M::KICKS).max(length(M::DRIFTS));
 

@@ -1,7 +1,7 @@
 //! Yoshida's symplectic method of order 6.
 
 use crate::methods::splitting::{Splitting, kicks, palindrome};
-use crate::methods::{Described, Properties};
+use crate::methods::{Info, MethodInfo};
 
 /// Yoshida's method of order 6: seven steps of Störmer–Verlet.
 ///
@@ -11,9 +11,9 @@ use crate::methods::{Described, Properties};
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Yoshida6;
 
-impl Described for Yoshida6 {
-    fn properties(&self) -> Properties {
-        Properties {
+impl Info for Yoshida6 {
+    fn info(&self) -> MethodInfo {
+        MethodInfo {
             name: "yoshida-6",
             title: "Yoshida 6",
             aliases: &["Yoshida’s solution A of order 6"],

@@ -1,7 +1,7 @@
 //! Yoshida's symplectic method of order 8.
 
 use crate::methods::splitting::{Splitting, kicks, palindrome};
-use crate::methods::{Described, Properties};
+use crate::methods::{Info, MethodInfo};
 
 /// Yoshida's method of order 8: fifteen steps of Störmer–Verlet, some of them twice as long as the whole.
 ///
@@ -12,9 +12,9 @@ use crate::methods::{Described, Properties};
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Yoshida8;
 
-impl Described for Yoshida8 {
-    fn properties(&self) -> Properties {
-        Properties {
+impl Info for Yoshida8 {
+    fn info(&self) -> MethodInfo {
+        MethodInfo {
             name: "yoshida-8",
             title: "Yoshida 8",
             aliases: &["Yoshida’s solution D of order 8"],

@@ -16,7 +16,7 @@ pub struct Taylor<const P: usize>;
 
 // ANCHOR: step
 impl<S: Analytic, const P: usize> Method<S> for Taylor<P> {
-    type Memo = ();
+    type Carry = ();
 
     fn start(&self, _system: &S, _t: f64, _h: f64, _z: S::State) {}
 

@@ -2,7 +2,7 @@
 
 use super::Taylor;
 use crate::integrate::Method;
-use crate::methods::{Described, Properties};
+use crate::methods::{Info, MethodInfo};
 use crate::systems::Analytic;
 
 /// The Taylor series of the motion itself, to the 24th power of the step: for long steps and all digits.
@@ -16,9 +16,9 @@ use crate::systems::Analytic;
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Taylor24;
 
-impl Described for Taylor24 {
-    fn properties(&self) -> Properties {
-        Properties {
+impl Info for Taylor24 {
+    fn info(&self) -> MethodInfo {
+        MethodInfo {
             name: "taylor-24",
             title: "Taylor 24",
             aliases: &["power series", "automatic differentiation"],
@@ -34,12 +34,12 @@ impl Described for Taylor24 {
 }
 
 impl<S: Analytic> Method<S> for Taylor24 {
-    type Memo = ();
+    type Carry = ();
 
     fn start(&self, _system: &S, _t: f64, _h: f64, _z: S::State) {}
 
     #[inline(always)]
-    fn step(&self, system: &S, t: f64, h: f64, z: S::State, memo: &mut ()) -> S::State {
-        Taylor::<24>.step(system, t, h, z, memo)
+    fn step(&self, system: &S, t: f64, h: f64, z: S::State, carry: &mut ()) -> S::State {
+        Taylor::<24>.step(system, t, h, z, carry)
     }
 }

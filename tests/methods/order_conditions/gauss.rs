@@ -14,7 +14,7 @@ struct Gauss<const S: usize> {
 }
 
 fn of(n: usize) -> DoubleDouble {
-    DoubleDouble::of(n as f64)
+    DoubleDouble::new(n as f64)
 }
 
 fn sum(terms: impl Iterator<Item = DoubleDouble>) -> DoubleDouble {
@@ -41,7 +41,7 @@ impl<const S: usize> Gauss<S> {
     /// 1/((1 − y²) P'(y)²), and aᵢⱼ = ∫₀^cᵢ ℓⱼ, which the weights themselves integrate exactly.
     fn near(table: &ImplicitTableau<S>) -> Self {
         let y = table.c.map(|c| {
-            let start = DoubleDouble::of(2.0 * c - 1.0);
+            let start = DoubleDouble::new(2.0 * c - 1.0);
             (0..3).fold(start, |y, _| {
                 let (value, slope) = legendre(S, y);
                 y - value / slope
@@ -118,7 +118,7 @@ fn every_coefficient_is_the_nearest_number() {
 #[test]
 fn a_last_digit_off_is_seen() {
     let mut gauss = Gauss::near(&Gauss6::TABLEAU);
-    gauss.a[2][0] = gauss.a[2][0] + DoubleDouble::of(1e-24);
+    gauss.a[2][0] = gauss.a[2][0] + DoubleDouble::new(1e-24);
     assert!(gauss.worst_defect() > 1e-26);
     let mut table = Gauss16::TABLEAU;
     table.a[7][3] = table.a[7][3].next_up();

@@ -103,14 +103,14 @@ fn read(coefficient: &Coefficient) -> Printed {
 }
 
 fn decimal(written: &str) -> Printed {
-    let ten = DoubleDouble::of(10.0);
+    let ten = DoubleDouble::new(10.0);
     let written = written.replace(['_', ' '], "");
     let (mantissa, exponent) = written.split_once('e').unwrap_or((&written, "0"));
     let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
     let power = exponent.parse::<i32>().unwrap() - fraction.len() as i32;
     let digits = [whole.trim_start_matches('-'), fraction].concat();
     let integer = digits.bytes().fold(DoubleDouble::ZERO, |sum, digit| {
-        sum * ten + DoubleDouble::of(f64::from(digit - b'0'))
+        sum * ten + DoubleDouble::new(f64::from(digit - b'0'))
     });
     let scale = (0..power.abs()).fold(DoubleDouble::ONE, |product, _| product * ten);
     let size = if power < 0 { integer / scale } else { integer * scale };
@@ -291,7 +291,7 @@ fn order(
 }
 
 fn solution(tree: &Tree, power: DoubleDouble) -> DoubleDouble {
-    power / DoubleDouble::of(tree.density)
+    power / DoubleDouble::new(tree.density)
 }
 
 /// Catches: any digit wrong of the 28 and more that are printed, in a stage or in the weights; an order claimed too high.
@@ -338,7 +338,7 @@ fn dense_output_has_its_order_at_every_time(
     #[case] expected: usize,
 ) {
     for ninth in 1..9 {
-        let s = DoubleDouble::of(f64::from(ninth)) / DoubleDouble::of(9.0);
+        let s = DoubleDouble::new(f64::from(ninth)) / DoubleDouble::new(9.0);
         assert_eq!(order(&table, &table.dense(s, end, more), s, solution), expected, "{ninth}/9");
     }
 }
@@ -356,8 +356,8 @@ fn every_digit_counts(
     #[case] more: &[&'static str],
     #[case] expected: usize,
 ) {
-    let s = DoubleDouble::of(0.375);
-    let spoiled = DoubleDouble::ONE + DoubleDouble::of(1e-20);
+    let s = DoubleDouble::new(0.375);
+    let spoiled = DoubleDouble::ONE + DoubleDouble::new(1e-20);
     for stage in 1..table.stages.len() {
         for &other in table.stages[stage].keys() {
             let mut table = table.clone();
@@ -478,8 +478,8 @@ fn the_code_grows_every_tree<M>(
     let seed = Forest([0.0; FOREST]);
     let bounds = rounding(&table, &table.sums["step"], &growth.trees);
 
-    let mut memo = method.start(&growth, 0.0, H, seed);
-    let fixed = method.step(&growth, 0.0, H, seed, &mut memo);
+    let mut carry = method.start(&growth, 0.0, H, seed);
+    let fixed = method.step(&growth, 0.0, H, seed, &mut carry);
     assert_grown(&growth, fixed, H, order, &bounds);
 
     let (grown, stages) = method.attempt(&growth, 0.0, H, seed, growth.rate(0.0, seed));
@@ -493,7 +493,7 @@ fn the_code_grows_every_tree<M>(
     assert_eq!(dense.after(1.0).0, grown.0);
     for ninth in 1..9 {
         let s = f64::from(ninth) / 9.0;
-        let weights = table.dense(DoubleDouble::of(s), end, more);
+        let weights = table.dense(DoubleDouble::new(s), end, more);
         // The coefficients of the dense output cancel too.
         let bounds = rounding(&table, &absolute(&weights, &table, more), &growth.trees);
         assert_grown(&growth, dense.after(s), s * H, dense_order, &bounds);
@@ -506,10 +506,10 @@ fn absolute(weights: &Weights, table: &Table, more: &[&str]) -> Weights {
     let mut sum = weights.clone();
     for row in more.iter().map(|name| &table.sums[name]).chain([&table.sums["step"]]) {
         for (stage, b) in row {
-            let size = DoubleDouble::of(3.0 * b.value.rounded().abs());
+            let size = DoubleDouble::new(3.0 * b.value.rounded().abs());
             let term =
                 sum.entry(*stage).or_insert(Printed { value: DoubleDouble::ZERO, half_digit: 0.0 });
-            term.value = DoubleDouble::of(term.value.rounded().abs()) + size;
+            term.value = DoubleDouble::new(term.value.rounded().abs()) + size;
         }
     }
     sum

@@ -5,17 +5,17 @@ use pendula::methods::splitting::{Splitting, length};
 use pendula::methods::{
     BlanesMoan4, BlanesMoan6, ForestRuth, KahanLi8, Ruth3, Suzuki4, Yoshida6, Yoshida8,
 };
-use pendula::{Described, METHODS, Method, Pendulum};
+use pendula::{Info, METHODS, Method, Pendulum};
 
 /// A step as a series in words of the operators A (drift, bit 0) and B (kick, bit 1): `series[d][w]` is the coefficient
 /// of the word of d letters whose bits are w.
-type Series = Vec<Vec<DoubleDouble>>;
+type WordSeries = Vec<Vec<DoubleDouble>>;
 
 // ANCHOR: words
 /// The product of exp(bᵢ B) and exp(aᵢ A), to words of `degree` letters.
-fn words<M: Splitting>(degree: usize) -> Series {
+fn words<M: Splitting>(degree: usize) -> WordSeries {
     let zero = |d: usize| vec![DoubleDouble::ZERO; 1 << d];
-    let mut series: Series = (0..=degree).map(zero).collect();
+    let mut series: WordSeries = (0..=degree).map(zero).collect();
     series[0][0] = DoubleDouble::ONE;
     let mut append = |letter: usize, coefficient: f64| {
         for d in (1..=degree).rev() {
@@ -27,7 +27,7 @@ fn words<M: Splitting>(degree: usize) -> Series {
                     if (word >> (k - 1)) & 1 != letter {
                         break;
                     }
-                    let factor = DoubleDouble::of(coefficient) / DoubleDouble::of(k as f64);
+                    let factor = DoubleDouble::new(coefficient) / DoubleDouble::new(k as f64);
                     term = term * factor;
                     sum = sum + series[d - k][word >> k] * term;
                 }
@@ -47,7 +47,7 @@ fn words<M: Splitting>(degree: usize) -> Series {
 /// What the words of `degree` letters are off by from those of exp(A + B), 1/degree! each.
 fn defects<M: Splitting>(degree: usize) -> Vec<DoubleDouble> {
     let factorial = (1..=degree).fold(1.0, |product, k| product * k as f64);
-    let exact = DoubleDouble::ONE / DoubleDouble::of(factorial);
+    let exact = DoubleDouble::ONE / DoubleDouble::new(factorial);
     words::<M>(degree).swap_remove(degree).into_iter().map(|word| word - exact).collect()
 }
 
@@ -62,7 +62,7 @@ fn modulo_the_square(mut defects: Vec<DoubleDouble>, degree: usize) -> Vec<Doubl
             let (before, behind) = (letters >> after, letters & ((1 << after) - 1));
             let mut row = vec![DoubleDouble::ZERO; 1 << degree];
             for (word, coefficient) in BRACKET {
-                row[(((before << 4) | word) << after) | behind] = DoubleDouble::of(coefficient);
+                row[(((before << 4) | word) << after) | behind] = DoubleDouble::new(coefficient);
             }
             for known in &ideal {
                 row = without(row, known);
@@ -99,8 +99,8 @@ fn largest(defects: &[DoubleDouble]) -> f64 {
     defects.iter().map(|x| x.rounded().abs()).fold(0.0, f64::max)
 }
 
-fn check<M: Splitting + Described>(method: M, kinetic_energy_is_a_square: bool) {
-    let order = method.properties().order as usize;
+fn check<M: Splitting + Info>(method: M, kinetic_energy_is_a_square: bool) {
+    let order = method.info().order as usize;
     for degree in 1..=order {
         let mut defects = defects::<M>(degree);
         if kinetic_energy_is_a_square && degree >= 4 {
@@ -111,7 +111,7 @@ fn check<M: Splitting + Described>(method: M, kinetic_energy_is_a_square: bool) 
     }
     let beyond = largest(&defects::<M>(order + 1));
     assert!(beyond > 10.0 * tolerance::<M>(order + 1), "{beyond:e}: more than it claims");
-    assert_eq!(method.properties().force_evaluations, M::DRIFTS.len() as u64);
+    assert_eq!(method.info().force_evaluations, M::DRIFTS.len() as u64);
     assert_eq!(M::KICKS.len(), M::DRIFTS.len() + 1);
 }
 
@@ -126,7 +126,7 @@ fn every_table_meets_its_order_conditions() {
     macro_rules! check {
         ($($method:expr, $square:literal;)+) => {$(
             check($method, $square);
-            checked.push($method.properties().name);
+            checked.push($method.info().name);
         )+};
     }
     check! {
@@ -139,7 +139,7 @@ fn every_table_meets_its_order_conditions() {
         Yoshida8, false;
         KahanLi8, false;
     }
-    let all = METHODS.iter().map(|method| method.properties());
+    let all = METHODS.iter().map(|method| method.info());
     let splits = all.filter(|of| of.symplectic && !of.implicit && of.order > 2);
     assert_eq!(checked, splits.map(|of| of.name).collect::<Vec<_>>());
 }

@@ -1,7 +1,7 @@
 //! Impostors of symplectic Euler, and one of forward Euler.
 
 use pendula::methods::{ForwardEuler, SymplecticEuler};
-use pendula::{Described, Method, Phase, Properties};
+use pendula::{Info, Method, MethodInfo, Phase};
 
 use super::{Plain, impostor, runs_in_seconds};
 
@@ -29,14 +29,14 @@ impostor! {
 /// Forward Euler that asks for the rate of the old state at the new time.
 pub struct Late;
 
-impl Described for Late {
-    fn properties(&self) -> Properties {
-        ForwardEuler.properties()
+impl Info for Late {
+    fn info(&self) -> MethodInfo {
+        ForwardEuler.info()
     }
 }
 
 impl<S: Plain> Method<S> for Late {
-    type Memo = ();
+    type Carry = ();
 
     fn start(&self, _system: &S, _t: f64, _h: f64, _z: Phase) {}
 

@@ -4,7 +4,7 @@ use pendula::arithmetic::sine::{cos, sin};
 use pendula::methods::runge_kutta::dop853;
 use pendula::methods::splitting::{Splitting, kicks};
 use pendula::methods::{Dop853, ForestRuth, Gauss4, Taylor24, Yoshida6};
-use pendula::{AnyMethod, Described, Grid, Method, Observer, Pendulum, Phase, Properties};
+use pendula::{AnyMethod, Grid, Info, Method, MethodInfo, Observer, Pendulum, Phase};
 
 use super::{Plain, runs_in_seconds};
 
@@ -13,9 +13,9 @@ macro_rules! composition {
         $(#[$doc])*
         pub struct $name;
 
-        impl Described for $name {
-            fn properties(&self) -> Properties {
-                $truth.properties()
+        impl Info for $name {
+            fn info(&self) -> MethodInfo {
+                $truth.info()
             }
         }
 
@@ -65,14 +65,14 @@ composition! {
 /// Gauss's method of two stages after a single sweep of its iteration: an explicit method.
 pub struct SweptOnce;
 
-impl Described for SweptOnce {
-    fn properties(&self) -> Properties {
-        Gauss4.properties()
+impl Info for SweptOnce {
+    fn info(&self) -> MethodInfo {
+        Gauss4.info()
     }
 }
 
 impl<S: Plain> Method<S> for SweptOnce {
-    type Memo = ();
+    type Carry = ();
 
     fn start(&self, _system: &S, _t: f64, _h: f64, _z: Phase) {}
 
@@ -99,14 +99,14 @@ pub struct EntryOff {
     pub by: f64,
 }
 
-impl Described for EntryOff {
-    fn properties(&self) -> Properties {
-        Dop853.properties()
+impl Info for EntryOff {
+    fn info(&self) -> MethodInfo {
+        Dop853.info()
     }
 }
 
 impl<S: Plain> Method<S> for EntryOff {
-    type Memo = ();
+    type Carry = ();
 
     fn start(&self, _system: &S, _t: f64, _h: f64, _z: Phase) {}
 
@@ -152,7 +152,7 @@ impl TermDropped {
         for k in 1..=P {
             let power = k as f64;
             theta[k] = h * omega[k - 1] / power;
-            omega[k] = -h * pendulum.stiffness() * s[k - 1] / power;
+            omega[k] = -h * pendulum.frequency_squared() * s[k - 1] / power;
             for j in (1..=k).filter(|j| (k, *j) != (self.power, self.factor)) {
                 s[k] += j as f64 * theta[j] * c[k - j] / power;
                 c[k] -= j as f64 * theta[j] * s[k - j] / power;
@@ -163,9 +163,9 @@ impl TermDropped {
     }
 }
 
-impl Described for TermDropped {
-    fn properties(&self) -> Properties {
-        Taylor24.properties()
+impl Info for TermDropped {
+    fn info(&self) -> MethodInfo {
+        Taylor24.info()
     }
 }
 

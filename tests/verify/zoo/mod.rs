@@ -29,7 +29,7 @@ macro_rules! runs_in_seconds {
     ($type:ty $(, $inner:ident.$field:tt)?) => {
         impl $(<$inner>)? pendula::AnyMethod for $type
         where
-            $type: pendula::Described
+            $type: pendula::Info
                 + pendula::Method<pendula::Pendulum>
                 + pendula::Method<pendula::Counting<pendula::Pendulum>>
                 + Sync,
@@ -66,14 +66,14 @@ macro_rules! impostor {
         $(#[$doc])*
         pub struct $name;
 
-        impl pendula::Described for $name {
-            fn properties(&self) -> pendula::Properties {
-                pendula::Described::properties(&$truth)
+        impl pendula::Info for $name {
+            fn info(&self) -> pendula::MethodInfo {
+                pendula::Info::info(&$truth)
             }
         }
 
         impl<S: $crate::zoo::Plain + pendula::Separable<Force = f64>> pendula::Method<S> for $name {
-            type Memo = ();
+            type Carry = ();
 
             fn start(&self, _system: &S, _t: f64, _h: f64, _z: pendula::Phase) {}
 

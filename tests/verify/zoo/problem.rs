@@ -2,7 +2,7 @@
 
 use pendula::methods::StormerVerlet;
 use pendula::{
-    AnyMethod, Counting, Described, Grid, Observer, Pendulum, Phase, Properties, Separable, System,
+    AnyMethod, Counting, Grid, Info, MethodInfo, Observer, Pendulum, Phase, Separable, System,
     integrate,
 };
 
@@ -46,9 +46,9 @@ impl Accelerated {
     }
 }
 
-impl Described for Accelerated {
-    fn properties(&self) -> Properties {
-        StormerVerlet.properties()
+impl Info for Accelerated {
+    fn info(&self) -> MethodInfo {
+        StormerVerlet.info()
     }
 }
 

@@ -1,7 +1,7 @@
 //! Impostors of RK4: its tableau with an entry changed.
 
 use pendula::methods::Rk4;
-use pendula::{Described, Method, Phase, Properties};
+use pendula::{Info, Method, MethodInfo, Phase};
 
 use super::{Plain, runs_in_seconds};
 
@@ -34,14 +34,14 @@ impl Tableau {
     }
 }
 
-impl Described for Tableau {
-    fn properties(&self) -> Properties {
-        Rk4.properties()
+impl Info for Tableau {
+    fn info(&self) -> MethodInfo {
+        Rk4.info()
     }
 }
 
 impl<S: Plain> Method<S> for Tableau {
-    type Memo = ();
+    type Carry = ();
 
     fn start(&self, _system: &S, _t: f64, _h: f64, _z: Phase) {}
 

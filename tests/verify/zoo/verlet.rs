@@ -1,7 +1,7 @@
 //! Impostors of Störmer–Verlet.
 
 use pendula::methods::StormerVerlet;
-use pendula::{Described, Method, Phase, Properties, Separable};
+use pendula::{Info, Method, MethodInfo, Phase, Separable};
 
 use super::{Plain, impostor, runs_in_seconds};
 
@@ -59,24 +59,24 @@ impl Kicks {
         Self { first: 0.5, second: 0.5, stale_kick: false, stale_memory: false };
 }
 
-impl Described for Kicks {
-    fn properties(&self) -> Properties {
-        StormerVerlet.properties()
+impl Info for Kicks {
+    fn info(&self) -> MethodInfo {
+        StormerVerlet.info()
     }
 }
 
 impl<S: Plain + Separable<Force = f64>> Method<S> for Kicks {
-    type Memo = f64;
+    type Carry = f64;
 
     fn start(&self, system: &S, t: f64, _h: f64, z: Phase) -> f64 {
         system.force(t, z)
     }
 
-    fn step(&self, system: &S, t: f64, h: f64, z: Phase, memo: &mut f64) -> Phase {
-        let old = *memo;
+    fn step(&self, system: &S, t: f64, h: f64, z: Phase, carry: &mut f64) -> Phase {
+        let old = *carry;
         let z = system.drift(system.kick(z, old, self.first * h), h);
         let new = system.force(t + h, z);
-        *memo = if self.stale_memory { old } else { new };
+        *carry = if self.stale_memory { old } else { new };
         system.kick(z, if self.stale_kick { old } else { new }, self.second * h)
     }
 }

@@ -2,31 +2,31 @@
 
 use std::f64::consts::{PI, TAU};
 
-use pendula::{AnyMethod, Described, Grid, Method, Observer, Pendulum, Phase, Properties};
+use pendula::{AnyMethod, Grid, Info, Method, MethodInfo, Observer, Pendulum, Phase};
 
 macro_rules! spoilt_step {
     ($(#[$doc:meta])* $name:ident, |$h:ident| $step:expr, |$z:ident| $after:expr) => {
         $(#[$doc])*
         pub struct $name<M>(pub M);
 
-        impl<M: Described> Described for $name<M> {
-            fn properties(&self) -> Properties {
-                self.0.properties()
+        impl<M: Info> Info for $name<M> {
+            fn info(&self) -> MethodInfo {
+                self.0.info()
             }
         }
 
         impl<S: super::Plain, M: Method<S>> Method<S> for $name<M> {
-            type Memo = M::Memo;
+            type Carry = M::Carry;
 
-            fn start(&self, system: &S, t: f64, $h: f64, z: Phase) -> M::Memo {
+            fn start(&self, system: &S, t: f64, $h: f64, z: Phase) -> M::Carry {
                 self.0.start(system, t, $step, z)
             }
 
-            fn step(&self, system: &S, t: f64, $h: f64, z: Phase, memo: &mut M::Memo) -> Phase {
-                let $z = self.0.step(system, t, $step, z, memo);
+            fn step(&self, system: &S, t: f64, $h: f64, z: Phase, carry: &mut M::Carry) -> Phase {
+                let $z = self.0.step(system, t, $step, z, carry);
                 let z = $after;
                 // What the method remembers is the right state's.
-                *memo = self.0.start(system, t + $h, $step, z);
+                *carry = self.0.start(system, t + $h, $step, z);
                 z
             }
         }
@@ -65,9 +65,9 @@ spoilt_step! {
 /// One step is left out: N points are taken for N steps.
 pub struct OneStepShort<M>(pub M);
 
-impl<M: AnyMethod> Described for OneStepShort<M> {
-    fn properties(&self) -> Properties {
-        self.0.properties()
+impl<M: AnyMethod> Info for OneStepShort<M> {
+    fn info(&self) -> MethodInfo {
+        self.0.info()
     }
 }
 
@@ -91,9 +91,9 @@ impl<M: AnyMethod> AnyMethod for OneStepShort<M> {
 /// Time is added up, `while t < end { t += h }`: after ten steps of 0.1 it is 0.9999999999999999, and one more is taken.
 pub struct TimeAccumulated<M>(pub M);
 
-impl<M: AnyMethod> Described for TimeAccumulated<M> {
-    fn properties(&self) -> Properties {
-        self.0.properties()
+impl<M: AnyMethod> Info for TimeAccumulated<M> {
+    fn info(&self) -> MethodInfo {
+        self.0.info()
     }
 }
 

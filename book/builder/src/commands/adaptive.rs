@@ -12,7 +12,7 @@ use pendula::methods::{Dop853, DormandPrince};
 
 use super::destination::{Destination, interrupts};
 use super::pendulum_arguments::{PendulumArguments, StartArguments};
-use super::rows::{Format, Rows};
+use super::rows::{RowFormat, Rows};
 use crate::failure::Failure;
 
 /// Arguments of `pendula adaptive`.
@@ -36,7 +36,7 @@ pub struct Arguments {
     mass: f64,
     /// How rows are printed
     #[arg(long, value_enum, default_value_t)]
-    format: Format,
+    format: RowFormat,
     /// Write to this file, which appears only when it is whole
     #[arg(long, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -71,24 +71,24 @@ fn run_with(
 ) -> Result<(), Failure> {
     let pendulum = arguments.pendulum.pendulum(arguments.mass).map_err(Failure::refused)?;
     let start = arguments.start.start(&pendulum).map_err(Failure::refused)?;
-    let tolerance = Tolerance::of(arguments.tolerance).map_err(Failure::refused)?;
+    let tolerance = Tolerance::uniform(arguments.tolerance).map_err(Failure::refused)?;
     let adaptive = Adaptive::new(method, tolerance);
     let walk =
-        adaptive.walk(&pendulum, start, 0.0, arguments.duration).map_err(Failure::refused)?;
+        adaptive.steps(&pendulum, start, 0.0, arguments.duration).map_err(Failure::refused)?;
 
     // Listen before there is a file to remove.
     let interrupted = interrupts(arguments.output.is_some())?;
     let destination = Destination::open(arguments.output.as_deref(), out)?;
     let columns = ["t", "theta", "omega", "energy"];
     let mut rows = Rows::begin(destination, arguments.format, columns)?;
-    rows.row([0.0, start.theta, start.omega, pendulum.hamiltonian(start)])?;
+    rows.row([0.0, start.theta, start.omega, pendulum.energy_from_pivot(start)])?;
     for step in walk {
         if interrupted.load(Ordering::Relaxed) {
             return Err(io::Error::from(io::ErrorKind::Interrupted).into());
         }
         let step = step.map_err(|error| Failure::Failed(error.into()))?;
         let z = step.end();
-        rows.row([step.end_time(), z.theta, z.omega, pendulum.hamiltonian(z)])?;
+        rows.row([step.end_time(), z.theta, z.omega, pendulum.energy_from_pivot(z)])?;
     }
     rows.end()?.finish()
 }

@@ -16,12 +16,12 @@ use crate::failure::Failure;
 pub struct Arguments {
     /// How the claims are printed
     #[arg(long, value_enum, default_value_t)]
-    format: Format,
+    format: LedgerFormat,
 }
 
 /// How the claims are printed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-pub enum Format {
+pub enum LedgerFormat {
     /// A table to read
     #[default]
     Text,
@@ -34,10 +34,10 @@ pub enum Format {
 /// # Errors
 /// [`Failure::No`] if a verdict on record is not the one that the measurement supports.
 pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
-    let ledger = Ledger::of(&Study::run(|_| {}));
+    let ledger = Ledger::new(&Study::run(|_| {}));
     match arguments.format {
-        Format::Text => write_text(&ledger, out)?,
-        Format::Json => {
+        LedgerFormat::Text => write_text(&ledger, out)?,
+        LedgerFormat::Json => {
             let claims: Vec<Value> = stated(&ledger).map(object).collect();
             serde_json::to_writer_pretty(&mut *out, &claims)
                 .context("the claims cannot be written")?;

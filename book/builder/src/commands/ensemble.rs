@@ -4,11 +4,11 @@ use std::io::Write;
 use std::path::PathBuf;
 
 use clap::Args;
-use pendula::{Grid, Pendulum, Properties};
+use pendula::{Grid, MethodInfo, Pendulum};
 
 use super::destination::{Destination, interrupts, unless_interrupted};
 use super::pendulum_arguments::{PendulumArguments, methods, not_solved};
-use super::rows::{Format, Rows};
+use super::rows::{RowFormat, Rows};
 use crate::failure::Failure;
 use crate::sweep::range::Sweep;
 use crate::sweep::{Run, Runner, grids};
@@ -39,7 +39,7 @@ pub struct Arguments {
     mass: f64,
     /// How rows are printed
     #[arg(long, value_enum, default_value_t)]
-    format: Format,
+    format: RowFormat,
     /// Write to this file, which appears only when it is whole
     #[arg(long, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -58,10 +58,10 @@ const BATCH: usize = 4096;
 pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
     let pendulum = arguments.pendulum.pendulum(arguments.mass).map_err(Failure::refused)?;
     let runner = Runner::new(&arguments.method, pendulum, arguments.omega0)?;
-    let method = runner.properties();
+    let method = runner.info();
     match (arguments.theta0, arguments.dt) {
         (Sweep::Range(theta0), Sweep::One(dt)) => {
-            let grid = Grid::over(arguments.duration, dt).map_err(Failure::refused)?;
+            let grid = Grid::with_duration(dt, arguments.duration).map_err(Failure::refused)?;
             // What is allowed at both ends is allowed between them.
             for end in [theta0.from, theta0.to] {
                 runner.start(end)?;
@@ -83,7 +83,7 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
 /// Computes and prints a row for each of `sweep`, a batch at a time, however many there are.
 fn print<T: Clone + Send + 'static>(
     arguments: &Arguments,
-    method: Properties,
+    method: MethodInfo,
     out: &mut dyn Write,
     mut sweep: impl Iterator<Item = T>,
     compute: impl Fn(&[T]) -> Vec<Run> + Clone + Send + 'static,
@@ -106,7 +106,7 @@ fn print<T: Clone + Send + 'static>(
 }
 
 /// The row, if all of it is numbers.
-fn finite(run: &Run, method: Properties) -> Result<[f64; 5], Failure> {
+fn finite(run: &Run, method: MethodInfo) -> Result<[f64; 5], Failure> {
     let Run { theta0, dt, end, energy_error } = *run;
     let row = [theta0, dt, end.theta, end.omega, energy_error];
     if row.iter().all(|x| x.is_finite()) {

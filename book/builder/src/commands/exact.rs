@@ -6,7 +6,7 @@ use clap::Args;
 use pendula::{Motion, Pendulum};
 
 use super::pendulum_arguments::{PendulumArguments, StartArguments};
-use super::rows::{Format, Rows};
+use super::rows::{RowFormat, Rows};
 use crate::failure::Failure;
 
 /// Arguments of `pendula exact`.
@@ -27,7 +27,7 @@ pub struct Arguments {
     pendulum: PendulumArguments,
     /// How rows are printed
     #[arg(long, value_enum, default_value_t)]
-    format: Format,
+    format: RowFormat,
 }
 
 /// Writes the rows t, theta, omega: in s, rad and rad/s, θ unwrapped.

@@ -2,18 +2,18 @@
 
 use clap::Args;
 use clap::builder::PossibleValuesParser;
-use pendula::{Error, METHODS, Pendulum, Phase, Properties};
+use pendula::{Error, METHODS, MethodInfo, Pendulum, Phase};
 
 use crate::failure::Failure;
 
 /// The names that `--method` takes.
 pub fn methods() -> PossibleValuesParser {
-    METHODS.iter().map(|method| method.properties().name).collect::<Vec<_>>().into()
+    METHODS.iter().map(|method| method.info().name).collect::<Vec<_>>().into()
 }
 
 /// The refusal of a step of `dt` (s) that has led `method` to no number, if the method is one that solves equations: it
 /// does not overflow, it does not find a solution.
-pub fn not_solved(method: Properties, dt: f64) -> Option<Failure> {
+pub fn not_solved(method: MethodInfo, dt: f64) -> Option<Failure> {
     method.implicit.then(|| {
         Failure::refused(format!(
             "a step of {dt:?} s is refused: the iteration of {} does not converge on this motion; it must be shorter, \

@@ -6,7 +6,7 @@ use clap::ValueEnum;
 
 /// How rows are printed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-pub enum Format {
+pub enum RowFormat {
     /// A header line, then a line for each row
     #[default]
     Csv,
@@ -17,7 +17,7 @@ pub enum Format {
 /// Writes rows under fixed column names.
 pub struct Rows<W, const N: usize> {
     out: W,
-    format: Format,
+    format: RowFormat,
     columns: [&'static str; N],
     rows: u64,
     digits: ryu::Buffer,
@@ -25,35 +25,35 @@ pub struct Rows<W, const N: usize> {
 
 impl<W: Write, const N: usize> Rows<W, N> {
     /// Begins the output.
-    pub fn begin(mut out: W, format: Format, columns: [&'static str; N]) -> io::Result<Self> {
+    pub fn begin(mut out: W, format: RowFormat, columns: [&'static str; N]) -> io::Result<Self> {
         match format {
-            Format::Csv => writeln!(out, "{}", columns.join(","))?,
-            Format::Json => out.write_all(b"[")?,
+            RowFormat::Csv => writeln!(out, "{}", columns.join(","))?,
+            RowFormat::Json => out.write_all(b"[")?,
         }
         Ok(Self { out, format, columns, rows: 0, digits: ryu::Buffer::new() })
     }
 
     /// Writes a row. The numbers are finite.
     pub fn row(&mut self, values: [f64; N]) -> io::Result<()> {
-        if self.format == Format::Json {
+        if self.format == RowFormat::Json {
             self.out.write_all(if self.rows == 0 { b"\n" } else { b",\n" })?;
         }
         for (column, (name, value)) in self.columns.iter().zip(values).enumerate() {
             match (self.format, column) {
-                (Format::Csv, 0) => {}
-                (Format::Csv, _) => self.out.write_all(b",")?,
-                (Format::Json, 0) => write!(self.out, "{{\"{name}\":")?,
-                (Format::Json, _) => write!(self.out, ",\"{name}\":")?,
+                (RowFormat::Csv, 0) => {}
+                (RowFormat::Csv, _) => self.out.write_all(b",")?,
+                (RowFormat::Json, 0) => write!(self.out, "{{\"{name}\":")?,
+                (RowFormat::Json, _) => write!(self.out, ",\"{name}\":")?,
             }
             self.out.write_all(self.digits.format_finite(value).as_bytes())?;
         }
         self.rows += 1;
-        self.out.write_all(if self.format == Format::Csv { b"\n" } else { b"}" })
+        self.out.write_all(if self.format == RowFormat::Csv { b"\n" } else { b"}" })
     }
 
     /// Ends the output and hands the writer back.
     pub fn end(mut self) -> io::Result<W> {
-        if self.format == Format::Json {
+        if self.format == RowFormat::Json {
             self.out.write_all(b"\n]\n")?;
         }
         Ok(self.out)
@@ -64,7 +64,7 @@ impl<W: Write, const N: usize> Rows<W, N> {
 mod tests {
     use super::*;
 
-    fn print(format: Format, rows: &[[f64; 2]]) -> String {
+    fn print(format: RowFormat, rows: &[[f64; 2]]) -> String {
         let mut out = Rows::begin(Vec::new(), format, ["t", "theta"]).unwrap();
         for row in rows {
             out.row(*row).unwrap();
@@ -76,13 +76,13 @@ mod tests {
     #[test]
     fn rows_are_csv_and_json() {
         let rows = [[0.0, 1.0], [0.1, -2.5e-300]];
-        assert_eq!(print(Format::Csv, &rows), "t,theta\n0.0,1.0\n0.1,-2.5e-300\n");
-        let json: serde_json::Value = serde_json::from_str(&print(Format::Json, &rows)).unwrap();
+        assert_eq!(print(RowFormat::Csv, &rows), "t,theta\n0.0,1.0\n0.1,-2.5e-300\n");
+        let json: serde_json::Value = serde_json::from_str(&print(RowFormat::Json, &rows)).unwrap();
         assert_eq!(
             json,
             serde_json::json!([{"t": 0.0, "theta": 1.0}, {"t": 0.1, "theta": -2.5e-300}])
         );
-        assert_eq!(print(Format::Json, &[]), "[\n]\n");
+        assert_eq!(print(RowFormat::Json, &[]), "[\n]\n");
     }
 
     /// Catches: digits cut off, so that a number reads back to its neighbour.
@@ -90,7 +90,7 @@ mod tests {
     fn numbers_read_back_to_the_same_bits() {
         let values = [0.1 + 0.2, 1.0 / 3.0, f64::MIN_POSITIVE, 5e-324, f64::MAX, -0.0, 1e16];
         for value in values {
-            let text = print(Format::Csv, &[[value, value]]);
+            let text = print(RowFormat::Csv, &[[value, value]]);
             let last = text.lines().last().unwrap().split(',').next().unwrap();
             assert_eq!(last.parse::<f64>().unwrap().to_bits(), value.to_bits(), "{last}");
         }

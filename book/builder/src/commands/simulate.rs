@@ -40,8 +40,8 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
     arguments.trajectory.print(
         out,
         ["t", "theta", "omega", "energy"],
-        |t, z: Phase| [t, z.theta, z.omega, pendulum.hamiltonian(z)],
-        |steps| not_solved(method.properties(), grid.step()).unwrap_or_else(|| overflow(steps)),
+        |t, z: Phase| [t, z.theta, z.omega, pendulum.energy_from_pivot(z)],
+        |steps| not_solved(method.info(), grid.step()).unwrap_or_else(|| overflow(steps)),
         |observer| {
             method.run(&pendulum, start, &grid, observer);
         },

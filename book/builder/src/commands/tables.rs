@@ -19,12 +19,12 @@ pub struct Arguments {
     table: Option<u32>,
     /// How the cells are printed
     #[arg(long, value_enum, default_value_t)]
-    format: Format,
+    format: TableFormat,
 }
 
 /// How the cells are printed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-pub enum Format {
+pub enum TableFormat {
     /// Tables to read
     #[default]
     Text,
@@ -47,23 +47,23 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
             return Err(Failure::refused(format!("--table {number}: the tables are {known}")));
         }
     };
-    let ledger = Ledger::of(&Study::run(|_| {}));
+    let ledger = Ledger::new(&Study::run(|_| {}));
     let cells = || numbers.iter().flat_map(|&number| ledger.table(number));
     match arguments.format {
-        Format::Text => {
+        TableFormat::Text => {
             for (index, &number) in numbers.iter().enumerate() {
                 let gap = if index == 0 { "" } else { "\n" };
                 let text = table(&ledger, number).map(|table| table.to_text()).unwrap_or_default();
                 write!(out, "{gap}Table {number}\n{text}")?;
             }
         }
-        Format::Json => {
+        TableFormat::Json => {
             let cells: Vec<Value> = cells().map(cell).collect();
             serde_json::to_writer_pretty(&mut *out, &cells)
                 .context("the cells cannot be written")?;
             writeln!(out)?;
         }
-        Format::Csv => {
+        TableFormat::Csv => {
             writeln!(out, "id,stated,measured,verdict")?;
             for claim in cells() {
                 let [stated, measured] =

@@ -10,7 +10,7 @@ use pendula::integrate::Every;
 use pendula::{Grid, Observer};
 
 use super::destination::{Destination, interrupts};
-use super::rows::{Format, Rows};
+use super::rows::{RowFormat, Rows};
 use crate::failure::Failure;
 
 /// How long a trajectory is, and how it is printed.
@@ -26,7 +26,7 @@ pub struct TrajectoryArguments {
     every: NonZeroU64,
     /// How rows are printed
     #[arg(long, value_enum, default_value_t)]
-    format: Format,
+    format: RowFormat,
     /// Write to this file, which appears only when it is whole
     #[arg(long, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -51,7 +51,7 @@ impl TrajectoryArguments {
     /// [`Failure::Refused`] for what [`Grid`] refuses.
     pub fn grid(&self) -> Result<Grid, Failure> {
         let grid = match self.length {
-            Length { duration: Some(duration), .. } => Grid::over(duration, self.dt),
+            Length { duration: Some(duration), .. } => Grid::with_duration(self.dt, duration),
             Length { steps, .. } => Grid::new(self.dt, steps.unwrap_or(0)),
         };
         grid.map_err(Failure::refused)

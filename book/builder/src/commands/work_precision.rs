@@ -10,19 +10,19 @@ use pendula_study::report::table::Table;
 use serde_json::{Value, json};
 
 use super::destination::Destination;
-use super::tables::Format;
+use super::tables::TableFormat;
 use crate::failure::Failure;
 use crate::locate;
 use crate::progress::Progress;
 use crate::work_precision::figure::{self, CSV, SVG};
-use crate::work_precision::{Curve, Measured, Point, SCENES, measure};
+use crate::work_precision::{Curve, Measured, Measurement, SCENES, measure};
 
 /// Arguments of `pendula work-precision`.
 #[derive(Args, Debug)]
 pub struct Arguments {
     /// How the table is printed
     #[arg(long, value_enum, default_value_t)]
-    format: Format,
+    format: TableFormat,
     /// Measure for at most about this long (s): the longer, the smaller the smallest errors
     #[arg(long, value_name = "S", default_value_t = 15.0, allow_negative_numbers = true)]
     seconds: f64,
@@ -51,12 +51,12 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
     write_file(&svg, figure::svg(&measured).as_bytes())?;
     write_file(&csv_file, &csv)?;
     match arguments.format {
-        Format::Text => {
+        TableFormat::Text => {
             write_text(&measured, out)?;
             writeln!(out, "\n{}\n{}", svg.display(), csv_file.display())?;
         }
-        Format::Csv => out.write_all(&csv)?,
-        Format::Json => {
+        TableFormat::Csv => out.write_all(&csv)?,
+        TableFormat::Json => {
             let rows: Vec<Value> =
                 rows(&measured).map(|(curve, p)| object(&measured, curve, p)).collect();
             serde_json::to_writer_pretty(&mut *out, &rows).context("the rows cannot be written")?;
@@ -93,25 +93,25 @@ fn write_file(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     destination.finish()
 }
 
-fn rows(measured: &Measured) -> impl Iterator<Item = (&Curve, &Point)> {
+fn rows(measured: &Measured) -> impl Iterator<Item = (&Curve, &Measurement)> {
     measured.curves.iter().flat_map(|curve| curve.points.iter().map(move |point| (curve, point)))
 }
 
 fn write_csv(measured: &Measured, out: &mut dyn Write) -> io::Result<()> {
     writeln!(out, "theta0,duration,method,dt,steps,error,seconds,instructions")?;
-    for (curve, Point { dt, steps, error, seconds }) in rows(measured) {
-        let (scene, name) = (curve.scene, curve.method.properties().name);
+    for (curve, Measurement { dt, steps, error, seconds }) in rows(measured) {
+        let (scene, name) = (curve.scene, curve.method.info().name);
         write!(out, "{:?},{},{name},{dt:?},{steps},", scene.theta0, scene.duration)?;
         writeln!(out, "{error:?},{seconds:?},{}", measured.instructions)?;
     }
     Ok(())
 }
 
-fn object(measured: &Measured, curve: &Curve, point: &Point) -> Value {
+fn object(measured: &Measured, curve: &Curve, point: &Measurement) -> Value {
     json!({
         "theta0": curve.scene.theta0,
         "duration": curve.scene.duration,
-        "method": curve.method.properties().name,
+        "method": curve.method.info().name,
         "dt": point.dt,
         "steps": point.steps,
         "error": point.error,
@@ -129,11 +129,13 @@ fn write_text(measured: &Measured, out: &mut dyn Write) -> io::Result<()> {
     for scene in SCENES {
         let mut table = Table::new(["Method", "steps", "Δt (s)", "error (rad)", "time (s)"]);
         for curve in measured.curves.iter().filter(|curve| curve.scene == scene) {
-            let title = curve.method.properties().title;
+            let title = curve.method.info().title;
             if curve.points.is_empty() {
                 table.push([title, "—", "—", "—", "—"]);
             }
-            for (index, Point { dt, steps, error, seconds }) in curve.points.iter().enumerate() {
+            for (index, Measurement { dt, steps, error, seconds }) in
+                curve.points.iter().enumerate()
+            {
                 table.push([
                     if index == 0 { title.to_string() } else { String::new() },
                     steps.to_string(),

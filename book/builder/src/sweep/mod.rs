@@ -6,7 +6,7 @@ use std::num::NonZeroU64;
 
 use pendula::metrics::EnergyDrift;
 use pendula::{
-    AnyMethod, Ensemble, Error, Grid, Observer, Pendulum, Phase, Properties, method_named, methods,
+    AnyMethod, Ensemble, Error, Grid, MethodInfo, Observer, Pendulum, Phase, method_named,
 };
 use range::Range;
 use rayon::prelude::*;
@@ -45,8 +45,8 @@ impl Runner {
     }
 
     /// What is known of the method.
-    pub fn properties(&self) -> Properties {
-        self.method.properties()
+    pub fn info(&self) -> MethodInfo {
+        self.method.info()
     }
 
     /// The start at an angle (rad), checked.
@@ -63,11 +63,11 @@ impl Runner {
             angles.iter().map(|&theta| Phase { theta, omega: self.omega0 }).collect();
         let mut watches =
             vec![
-                DriftAndEnd { drift: EnergyDrift::of(&self.pendulum), end: Phase::default() };
+                DriftAndEnd { drift: EnergyDrift::new(&self.pendulum), end: Phase::default() };
                 starts.len()
             ];
-        let ensemble = Ensemble::of(&self.pendulum, &starts, *grid);
-        watch_in_lanes(self.properties().name, &ensemble, &mut watches);
+        let ensemble = Ensemble::new(&self.pendulum, &starts, *grid);
+        watch_in_lanes(self.info().name, &ensemble, &mut watches);
         let ends = angles.iter().zip(watches);
         ends.map(|(&theta0, DriftAndEnd { drift, end })| Run {
             theta0,
@@ -81,7 +81,7 @@ impl Runner {
     /// The same start along each of the grids. They differ in their number of steps, which lanes cannot.
     pub fn along_each(&self, start: Phase, grids: &[Grid]) -> Vec<Run> {
         let along = |grid: &Grid| {
-            let mut drift = EnergyDrift::of(&self.pendulum);
+            let mut drift = EnergyDrift::new(&self.pendulum);
             let end = self.method.run(&self.pendulum, start, grid, &mut drift);
             Run { theta0: start.theta, dt: grid.step(), end, energy_error: drift.largest() }
         };
@@ -106,15 +106,15 @@ impl Observer<Phase> for DriftAndEnd<'_> {
 
 /// [`Ensemble::watch`] of every step with the method of that name, one of the library's.
 fn watch_in_lanes(name: &str, ensemble: &Ensemble<'_>, watches: &mut [DriftAndEnd<'_>]) {
-    use pendula::{Described, methods};
+    use pendula::{Info, for_each_method, methods};
     macro_rules! by_name {
         ($($module:ident::$method:ident,)+) => {
-            $(if name == methods::$method.properties().name {
-                return ensemble.watch(NonZeroU64::MIN, &methods::$method, watches);
+            $(if name == methods::$method.info().name {
+                return ensemble.watch(&methods::$method, NonZeroU64::MIN, watches);
             })+
         };
     }
-    methods!(by_name);
+    for_each_method!(by_name);
 }
 
 /// The grids over `duration` (s) with steps near those asked for, no two in succession the same.
@@ -143,7 +143,7 @@ fn end(duration: f64, step: f64) -> Result<Grid, Failure> {
         )));
     }
     let steps = whole(duration / step);
-    let grid = match Grid::over(duration, step) {
+    let grid = match Grid::with_duration(step, duration) {
         Err(Error::PartialStep { .. }) => Grid::new(duration / steps as f64, steps),
         grid => grid,
     };

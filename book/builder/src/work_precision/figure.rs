@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use pendula::METHODS;
 use pendula_study::charts::{Axis, Chart, Figure, Style};
 
-use super::{Measured, Point, SCENES, Scene};
+use super::{Measured, Measurement, Problem, SCENES};
 
 /// The figure's file.
 pub const SVG: &str = "work-precision.svg";
@@ -55,15 +55,15 @@ pub fn svg(measured: &Measured) -> String {
     charts.fold(figure, Figure::panel).to_svg("work-precision")
 }
 
-fn chart(measured: &Measured, scene: &Scene, time: Axis) -> Chart {
-    let Scene { theta0, duration } = scene;
+fn chart(measured: &Measured, scene: &Problem, time: Axis) -> Chart {
+    let Problem { theta0, duration } = scene;
     let error = Axis::log(format!("error (rad) after {duration} s from {theta0} rad"));
     let mut chart = Chart::new(time, error).height(240.0);
     for (index, method) in METHODS.iter().enumerate() {
-        let title = method.properties().title;
+        let title = method.info().title;
         let curves = measured.curves.iter().filter(|curve| curve.scene == *scene);
         let points = curves
-            .filter(|curve| curve.method.properties().title == title)
+            .filter(|curve| curve.method.info().title == title)
             .flat_map(|curve| with_gaps(&curve.points));
         chart = chart.series(title, Style::numbered(index), points);
     }
@@ -71,7 +71,7 @@ fn chart(measured: &Measured, scene: &Scene, time: Axis) -> Chart {
 }
 
 /// Times and errors, with a gap where steps between two that count do not.
-fn with_gaps(points: &[Point]) -> Vec<(f64, f64)> {
+fn with_gaps(points: &[Measurement]) -> Vec<(f64, f64)> {
     let mut line = Vec::new();
     for (i, point) in points.iter().enumerate() {
         if i > 0 && point.steps != 2 * points[i - 1].steps {
@@ -88,13 +88,13 @@ mod tests {
     use super::*;
 
     fn measured() -> Measured {
-        let point = |k: i32| Point {
+        let point = |k: i32| Measurement {
             dt: 0.25 * 0.5_f64.powi(k),
             steps: 400 << k,
             error: 0.25_f64.powi(k),
             seconds: 1e-6 * 2.0_f64.powi(k),
         };
-        let points: Vec<Point> = (1..5).map(point).collect();
+        let points: Vec<Measurement> = (1..5).map(point).collect();
         let curve = |scene| METHODS.iter().map(move |method| (scene, *method));
         let curves = SCENES.into_iter().flat_map(curve);
         let curves = curves.map(|(scene, method)| Curve { scene, method, points: points.clone() });
@@ -108,7 +108,7 @@ mod tests {
         let axes = svg.lines().filter(|line| line.contains("class=\"axis\"")).count();
         assert_eq!(axes, SCENES.len());
         for method in METHODS {
-            assert!(svg.contains(method.properties().title));
+            assert!(svg.contains(method.info().title));
         }
         assert!(svg.contains("run time (s), an abacus") && !svg.contains("\n\n"));
     }

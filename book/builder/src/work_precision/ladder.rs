@@ -1,6 +1,6 @@
 //! Which rungs of a ladder of halved steps say something about the method.
 
-use pendula::metrics::order::{is_credible, is_floor};
+use pendula::metrics::order::{is_asymptotic, is_floor};
 
 /// A larger error (rad) is no approximation: the pendulum may be anywhere.
 const LARGEST: f64 = 1.0;
@@ -22,7 +22,7 @@ pub fn counts(rungs: &[Rung], order: u32) -> Vec<bool> {
     let mut ended = false;
     let pairs = rungs.windows(2).map(|pair| {
         let [rung, finer] = [pair[0], pair[1]];
-        let credible = is_credible(order, rung.error, finer.error, finer.rounding);
+        let credible = is_asymptotic(order, rung.error, finer.error, finer.rounding);
         let counts = !ended && rung.error <= LARGEST && credible;
         ended |= counts && is_floor(rung.error, rung.rounding, finer.error);
         counts

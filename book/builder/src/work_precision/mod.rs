@@ -19,14 +19,14 @@ pub mod ladder;
 
 /// A release from rest, and how long it is followed.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Scene {
+pub struct Problem {
     /// Angle of release (rad).
     pub theta0: f64,
     /// Duration (s), a whole number of seconds.
     pub duration: u32,
 }
 
-impl Scene {
+impl Problem {
     /// The number of steps, of which there are `rate` a second.
     fn steps(self, rate: u64) -> u64 {
         u64::from(self.duration) * rate
@@ -34,15 +34,15 @@ impl Scene {
 }
 
 /// A wide swing, one that lingers near the top, and a long run.
-pub const SCENES: [Scene; 3] = [
-    Scene { theta0: 1.0, duration: 100 },
-    Scene { theta0: 3.0, duration: 30 },
-    Scene { theta0: 1.0, duration: 1000 },
+pub const SCENES: [Problem; 3] = [
+    Problem { theta0: 1.0, duration: 100 },
+    Problem { theta0: 3.0, duration: 30 },
+    Problem { theta0: 1.0, duration: 1000 },
 ];
 
 /// A number of steps, what it comes to, and what it costs.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Point {
+pub struct Measurement {
     /// Step Δt (s).
     pub dt: f64,
     /// Number of steps.
@@ -57,11 +57,11 @@ pub struct Point {
 #[derive(Clone, Debug)]
 pub struct Curve {
     /// The scene.
-    pub scene: Scene,
+    pub scene: Problem,
     /// The method.
     pub method: MethodRef,
     /// The steps that count, from the longest to the shortest.
-    pub points: Vec<Point>,
+    pub points: Vec<Measurement>,
 }
 
 /// All that has been measured, and on what.
@@ -84,7 +84,7 @@ pub fn measure(seconds: f64, progress: &Progress) -> Measured {
     let mut curves = Vec::new();
     for scene in SCENES {
         for climber in climb(scene, seconds / SCENES.len() as f64) {
-            progress.next(climber.method.properties().title);
+            progress.next(climber.method.info().title);
             curves.push(climber.timed(scene));
         }
     }
@@ -117,7 +117,7 @@ struct Climber {
 }
 
 /// Lets all methods climb, in as many `seconds` or so.
-fn climb(scene: Scene, seconds: f64) -> Vec<Climber> {
+fn climb(scene: Problem, seconds: f64) -> Vec<Climber> {
     let mut climbers: Vec<Climber> = METHODS
         .iter()
         .map(|method| Climber { method: *method, rungs: Vec::new(), has_ended: false })
@@ -145,7 +145,7 @@ fn climb(scene: Scene, seconds: f64) -> Vec<Climber> {
 
 impl Climber {
     fn order(&self) -> u32 {
-        self.method.properties().order
+        self.method.info().order
     }
 
     fn last(&self) -> Rung {
@@ -153,7 +153,7 @@ impl Climber {
     }
 
     /// The rungs that count, timed in earnest.
-    fn timed(&self, scene: Scene) -> Curve {
+    fn timed(&self, scene: Problem) -> Curve {
         let rates = (0..).map(|doubled| COARSEST << doubled);
         let counted = self.rungs.iter().zip(rates).zip(ladder::counts(&self.rungs, self.order()));
         let points = counted
@@ -164,8 +164,8 @@ impl Climber {
 }
 
 /// The rung with so many steps a second: its error, and the shortest time of a few runs.
-fn climbed(scene: Scene, method: MethodRef, rate: u64) -> Rung {
-    let Scene { theta0, duration } = scene;
+fn climbed(scene: Problem, method: MethodRef, rate: u64) -> Rung {
+    let Problem { theta0, duration } = scene;
     let [(end, seconds), others @ ..] = [(); TRIES].map(|()| run(scene, method, rate));
     let seconds = others.iter().fold(seconds, |shortest, (_, again)| shortest.min(*again));
     let error = EndError::new(&Pendulum::PAPER, Phase::at_rest(theta0), f64::from(duration))
@@ -174,7 +174,7 @@ fn climbed(scene: Scene, method: MethodRef, rate: u64) -> Rung {
 }
 
 /// The same with its time measured in earnest.
-fn timed(scene: Scene, method: MethodRef, rung: Rung, rate: u64) -> Point {
+fn timed(scene: Problem, method: MethodRef, rung: Rung, rate: u64) -> Measurement {
     let repeats = (SHORTEST / rung.seconds).clamp(1.0, 1e3).ceil();
     let mut times = [(); RUNS].map(|()| {
         let clock = Instant::now();
@@ -185,11 +185,11 @@ fn timed(scene: Scene, method: MethodRef, rung: Rung, rate: u64) -> Point {
     });
     times.sort_by(f64::total_cmp);
     let (dt, steps) = (1.0 / rate as f64, scene.steps(rate));
-    Point { dt, steps, error: rung.error, seconds: times[RUNS / 2] }
+    Measurement { dt, steps, error: rung.error, seconds: times[RUNS / 2] }
 }
 
 /// The last state of a run, and how long it took (s). Nobody watches: that is the cost of the method alone.
-fn run(scene: Scene, method: MethodRef, rate: u64) -> (Phase, f64) {
+fn run(scene: Problem, method: MethodRef, rate: u64) -> (Phase, f64) {
     let grid = Grid::new(1.0 / rate as f64, scene.steps(rate)).expect("a ladder of possible grids");
     let start = Phase::at_rest(scene.theta0);
     let clock = Instant::now();

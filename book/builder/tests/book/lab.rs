@@ -6,7 +6,7 @@ use std::path::Path;
 use std::sync::LazyLock;
 
 use pendula::{
-    AnyMethod, Damped, Grid, Hamiltonian, METHODS, Motion, Observer, Pendulum, Phase, Properties,
+    AnyMethod, Damped, Grid, Hamiltonian, METHODS, MethodInfo, Motion, Observer, Pendulum, Phase,
     integrate,
 };
 use wasmi::{Engine, Instance, Linker, Module, Store, TypedFunc, WasmParams, WasmResults};
@@ -141,7 +141,7 @@ impl Observer<Phase> for Beside<'_> {
             (quantity::OMEGA, z.omega),
             (quantity::TIME, t),
             (quantity::ERROR, error),
-            (quantity::ENERGY, self.pendulum.hamiltonian(z)),
+            (quantity::ENERGY, self.pendulum.energy_from_pivot(z)),
         ];
         if n.is_multiple_of(64) {
             expected.extend([(quantity::STEPS, n as f64), (quantity::LARGEST, self.largest)]);
@@ -180,7 +180,7 @@ const PENDULUMS: [(f64, f64, f64, f64, f64, f64); 8] = [
 /// closed form; and the counts.
 ///
 /// Catches: a file compiled before the library changed; a compiler that contracts, reorders or rounds otherwise; a step that
-/// is not the one of `swing` or `integrate`; a memo lost between two calls.
+/// is not the one of `integrate_fast` or `integrate`; a carry lost between two calls.
 #[test]
 fn the_committed_file_has_the_bits_of_the_library() {
     let mut lab = Lab::new();
@@ -201,15 +201,15 @@ fn compare(
     compared: &mut u64,
 ) {
     // An interpreter takes its time, and most of the million values cost a force evaluation or two.
-    let steps = match method.properties() {
-        Properties { implicit: true, .. } => 50,
-        Properties { force_evaluations: 0..=4, .. } => 2_800,
+    let steps = match method.info() {
+        MethodInfo { implicit: true, .. } => 50,
+        MethodInfo { force_evaluations: 0..=4, .. } => 2_800,
         _ => 200,
     };
     let pendulum = Pendulum::new(g, length, 1.0).unwrap();
     let start = pendulum.start(theta, omega).unwrap();
     let grid = Grid::new(step, steps).unwrap();
-    let is_general = GENERAL.contains(&method.properties().name);
+    let is_general = GENERAL.contains(&method.info().name);
     let stands = lab.set(0, (index, g, length, damping, theta, omega, step));
     assert_eq!(stands, damping == 0.0 || is_general, "{STALE}");
     if !stands {
@@ -217,7 +217,7 @@ fn compare(
     }
     let motion = (damping == 0.0).then(|| Motion::new(&pendulum, start).unwrap());
     let initial = pendulum.energy(start);
-    let name = method.properties().name;
+    let name = method.info().name;
     let mut beside = Beside { lab, pendulum, motion, name, initial, largest: 0.0, compared };
     let end = if damping == 0.0 {
         method.run(&pendulum, start, &grid, &mut beside)
@@ -232,7 +232,7 @@ fn compare(
     let evaluations = lab.read(0, quantity::EVALUATIONS);
     if damping == 0.0 {
         // What a method with iterations asks for depends on its rounding, which is another in steps than in seconds.
-        if !method.properties().implicit {
+        if !method.info().implicit {
             let counted = method.count_evaluations(&pendulum, start, &grid);
             assert_eq!(evaluations, counted as f64, "{name}\n{STALE}");
         }
@@ -247,8 +247,8 @@ macro_rules! damped_run {
     ($($module:ident::$method:ident,)+) => {
         /// The methods that suit every system, a damped one too.
         static GENERAL: LazyLock<Vec<&str>> = LazyLock::new(|| {
-            use pendula::{Described, methods};
-            vec![$(methods::$method.properties().name,)+]
+            use pendula::{Info, methods};
+            vec![$(methods::$method.info().name,)+]
         });
 
         fn damped_run(
@@ -258,10 +258,10 @@ macro_rules! damped_run {
             grid: &Grid,
             observer: &mut impl Observer<Phase>,
         ) -> Phase {
-            use pendula::{Described, methods};
+            use pendula::{Info, methods};
             $(
                 let method = methods::$method;
-                if method.properties().name == name {
+                if method.info().name == name {
                     return integrate(system, &method, start, grid, observer);
                 }
             )+
@@ -269,7 +269,7 @@ macro_rules! damped_run {
         }
     };
 }
-pendula::general_methods!(damped_run);
+pendula::for_each_general_method!(damped_run);
 
 /// Catches: a list of methods that is not the library's, or in another order; a title cut in the middle of a letter.
 #[test]
@@ -277,8 +277,8 @@ fn the_page_offers_the_methods_of_the_library() {
     let mut lab = Lab::new();
     let count: u32 = lab.call("methods", ());
     let names: Vec<_> = (0..count).map(|i| [lab.text(i, 0), lab.text(i, 1)]).collect();
-    let properties = METHODS.iter().map(|method| method.properties());
-    let known: Vec<_> = properties.map(|p| [p.name.to_string(), p.title.to_string()]).collect();
+    let infos = METHODS.iter().map(|method| method.info());
+    let known: Vec<_> = infos.map(|p| [p.name.to_string(), p.title.to_string()]).collect();
     assert_eq!(names, known, "{STALE}");
     assert_eq!(lab.text(count, 0) + &lab.text(0, 2), "");
 }

@@ -4,12 +4,12 @@ use pendula::methods::registry::METHODS;
 
 use super::cells::{CELLS, Cell};
 use super::{Claim, Measured, Tolerance, Verdict};
-use crate::digits::Format::{self, Fixed, Scientific, Significant};
+use crate::digits::Digits::{self, Fixed, Scientific, Significant};
 use crate::experiments::{MethodRef, STEPS, Study, in_paper, work};
 
 /// The paper's own abbreviation of a method in the ids of its cells; one that it does not know goes by its name.
 pub fn row_id(method: MethodRef) -> &'static str {
-    match method.properties().name {
+    match method.info().name {
         "forward-euler" => "fe",
         "symplectic-euler" => "se",
         "stormer-verlet" => "vv",
@@ -20,7 +20,7 @@ pub fn row_id(method: MethodRef) -> &'static str {
 /// The rows of the paper's tables as (id, title), in order.
 pub fn row_ids() -> Vec<(&'static str, &'static str)> {
     let rows = METHODS.iter().copied().filter(|method| in_paper(*method));
-    rows.map(|method| (row_id(method), method.properties().title)).collect()
+    rows.map(|method| (row_id(method), method.info().title)).collect()
 }
 
 /// All claims, measured, in the order of the tables.
@@ -37,7 +37,7 @@ pub(super) fn claims(study: &Study) -> Vec<Claim> {
 }
 
 /// A claim about a number.
-fn number(id: String, gist: String, value: f64, format: Format) -> Claim {
+fn number(id: String, gist: String, value: f64, format: Digits) -> Claim {
     claim(id, gist, Measured::Number(value, format))
 }
 
@@ -75,7 +75,7 @@ fn claim(id: String, gist: String, measured: Measured) -> Claim {
 
 fn table_2(study: &Study, claims: &mut Vec<Claim>) {
     for row in study.characteristics.iter().filter(|row| in_paper(row.method)) {
-        let (id, title) = (row_id(row.method), row.method.properties().title);
+        let (id, title) = (row_id(row.method), row.method.info().title);
         let yes_or_no = if row.symplectic() { "Yes" } else { "No" };
         claims.extend([
             // An order is an integer. The slope itself is in the tests, to ±0.05.
@@ -94,7 +94,7 @@ fn table_2(study: &Study, claims: &mut Vec<Claim>) {
 
 fn table_4(study: &Study, claims: &mut Vec<Claim>) {
     for row in &study.convergence {
-        let (id, title) = (row_id(row.method), row.method.properties().title);
+        let (id, title) = (row_id(row.method), row.method.info().title);
         for (step, drift) in STEPS.iter().zip(row.drift) {
             let gist = format!("largest energy error of {title} at Δt = {step} s (J)");
             let mut cell =
@@ -119,7 +119,7 @@ fn digits(id: &str, step: f64) -> usize {
 
 fn table_5(study: &Study, claims: &mut Vec<Claim>) {
     for row in study.long_run.iter().filter(|row| in_paper(row.method)) {
-        let (id, title) = (row_id(row.method), row.method.properties().title);
+        let (id, title) = (row_id(row.method), row.method.info().title);
         let cell = |column: &str, what: &str, value, format| {
             number(format!("T5.{id}.{column}"), format!("{what} of {title}"), value, format)
         };
@@ -140,13 +140,13 @@ fn table_5(study: &Study, claims: &mut Vec<Claim>) {
     let shown =
         study.long_run.iter().filter(|row| ["fe", "se", "vv"].contains(&row_id(row.method)));
     let best = shown.min_by(|a, b| a.drift.total_cmp(&b.drift));
-    let title = best.map_or("", |row| row.method.properties().title);
+    let title = best.map_or("", |row| row.method.info().title);
     claims.push(text("T5.best".to_string(), "the best of the rows shown".to_string(), title));
 }
 
 fn table_6(study: &Study, claims: &mut Vec<Claim>) {
     for row in &study.small_angle {
-        let (id, title) = (row_id(row.method), row.method.properties().title);
+        let (id, title) = (row_id(row.method), row.method.info().title);
         for (step, errors) in STEPS.iter().zip(row.errors) {
             let gist =
                 format!("RMS angle error of {title} against θ₀ cos ω₀t at Δt = {step} s (rad)");
@@ -186,7 +186,7 @@ fn table_7(study: &Study, claims: &mut Vec<Claim>) {
 
 fn table_8(study: &Study, claims: &mut Vec<Claim>) {
     for row in &study.work {
-        let (id, title) = (row_id(row.method), row.method.properties().title);
+        let (id, title) = (row_id(row.method), row.method.info().title);
         let column = |name: &str, what: &str, measured| {
             claim(format!("T8.{id}.{name}"), format!("{what} of {title}"), measured)
         };
@@ -256,7 +256,7 @@ mod tests {
     use rstest::rstest;
 
     use super::number;
-    use crate::digits::Format::Fixed;
+    use crate::digits::Digits::Fixed;
 
     /// The condition that each table is measured under is what its reader needs most: here by a word that no other table has.
     ///

@@ -12,7 +12,7 @@ use core::fmt;
 
 pub use predictions::{Prediction, largest_energy_error, predictions};
 
-use crate::digits::{Format, rounds_to};
+use crate::digits::{Digits, rounds_to};
 use crate::experiments::Study;
 
 /// What became of a claim.
@@ -65,7 +65,7 @@ impl fmt::Display for Verdict {
 #[derive(Clone, Debug, PartialEq)]
 pub enum Measured {
     /// A number, and the digits of it that can be defended.
-    Number(f64, Format),
+    Number(f64, Digits),
     /// A property in words.
     Text(String),
     /// Nothing: there is nothing to compute, or it is no property of the method.
@@ -148,7 +148,7 @@ impl Claim {
     pub fn stated_text(&self) -> String {
         match self.stated {
             None => "—".to_string(),
-            Some(stated) => match (Format::of(stated), stated.parse::<f64>()) {
+            Some(stated) => match (Digits::of(stated), stated.parse::<f64>()) {
                 (Some(format), Ok(value)) => format.print(value),
                 _ => stated.to_string(),
             },
@@ -173,7 +173,7 @@ pub struct Ledger {
 
 impl Ledger {
     /// Measures every claim.
-    pub fn of(study: &Study) -> Self {
+    pub fn new(study: &Study) -> Self {
         let mut claims = measure::claims(study);
         claims.extend(prose::claims(study));
         Self { claims }
@@ -201,7 +201,7 @@ mod tests {
     use rstest::rstest;
 
     use super::Tolerance::{Around, Decided, PrintedDigits};
-    use super::{Claim, Format, Measured, Tolerance, Verdict};
+    use super::{Claim, Digits, Measured, Tolerance, Verdict};
 
     fn claim(stated: &'static str, measured: Measured, tolerance: Tolerance) -> Claim {
         Claim {
@@ -218,7 +218,7 @@ mod tests {
     }
 
     fn number(value: f64) -> Measured {
-        Measured::Number(value, Format::Fixed(1))
+        Measured::Number(value, Digits::Fixed(1))
     }
 
     fn text(words: &str) -> Measured {

@@ -4,7 +4,7 @@ use pendula::{Grid, Pendulum};
 
 use crate::experiments::{STEPS, convergence, long_run, small_angle, work};
 use crate::theory::small_angle::{LinearRecurrence, errors};
-use crate::theory::{Point, forward_euler, rk4, scaled, stormer_verlet, symplectic_euler};
+use crate::theory::{Dimensionless, forward_euler, rk4, scaled, stormer_verlet, symplectic_euler};
 
 /// A cell of a table, predicted.
 #[derive(Clone, Debug, PartialEq)]
@@ -37,12 +37,12 @@ impl Prediction {
 /// Nothing is stored: each call works them out anew, in half a second.
 pub fn predictions() -> Vec<Prediction> {
     let mut all = Vec::new();
-    let (table_4, table_8) = (Swing::TABLE_4, Swing::TABLE_8);
+    let (table_4, table_8) = (Run::TABLE_4, Run::TABLE_8);
     for law in ENERGY_LAWS {
         all.extend(STEPS.map(|h| law.predict(table_4, h, |row| format!("T4.{row}.{h}"))));
     }
     for law in ENERGY_LAWS {
-        all.push(law.predict(Swing::TABLE_5, long_run::STEP, |row| format!("T5.{row}.dH")));
+        all.push(law.predict(Run::TABLE_5, long_run::STEP, |row| format!("T5.{row}.dH")));
     }
     for law in ANGLE_LAWS {
         all.extend(STEPS.map(|h| angle(&law, table_8, h)));
@@ -56,14 +56,14 @@ pub fn predictions() -> Vec<Prediction> {
 
 /// A release from rest at an angle (rad), followed for a duration (s).
 #[derive(Clone, Copy)]
-struct Swing {
+struct Run {
     theta_0: f64,
     duration: f64,
     /// Whether forward Euler, growing, goes over the top and then round and round.
     goes_over: bool,
 }
 
-impl Swing {
+impl Run {
     const TABLE_4: Self =
         Self { theta_0: convergence::THETA_0, duration: convergence::DURATION, goes_over: false };
     const TABLE_5: Self =
@@ -73,7 +73,7 @@ impl Swing {
         Self { theta_0: small_angle::THETA_0, duration: small_angle::DURATION, goes_over: false };
 
     fn steps(self, h: f64) -> u64 {
-        Grid::over(self.duration, h)
+        Grid::with_duration(h, self.duration)
             .expect("the paper's durations are whole numbers of steps")
             .steps()
     }
@@ -81,7 +81,7 @@ impl Swing {
     /// Energy above the bottom (J).
     fn energy(self) -> f64 {
         let pendulum = Pendulum::PAPER;
-        pendulum.depth() * Point::new(self.theta_0, 0.0).energy()
+        pendulum.depth() * Dimensionless::new(self.theta_0, 0.0).energy()
     }
 
     /// What rounding may add to the largest energy error (J): at each step a random half-unit of the energy.
@@ -103,7 +103,7 @@ struct EnergyLaw {
     /// The largest energy error (J) from an angle of release (rad), for a step (s) and a number of steps.
     value: fn(f64, f64, u64) -> f64,
     /// What the law leaves out, relatively; it is told the value, too.
-    left_out: fn(Swing, f64, f64) -> f64,
+    left_out: fn(Run, f64, f64) -> f64,
 }
 
 const ENERGY_LAWS: [EnergyLaw; 4] = [
@@ -114,7 +114,7 @@ const ENERGY_LAWS: [EnergyLaw; 4] = [
         value: |theta_0, h, steps| {
             forward_euler::largest_energy_error(&Pendulum::PAPER, theta_0, h, steps)
         },
-        left_out: |swing, h, _| forward_euler_tolerance(swing, h),
+        left_out: |run, h, _| forward_euler_tolerance(run, h),
     },
     EnergyLaw {
         method: "symplectic-euler",
@@ -131,7 +131,7 @@ const ENERGY_LAWS: [EnergyLaw; 4] = [
         value: |theta_0, h, steps| rk4::largest_energy_error(&Pendulum::PAPER, theta_0, h, steps),
         // The loss goes as E² or so: as the energy falls by ΔH, the rate falls by 2ΔH/E, and by half that on the mean.
         // The orbit runs out of step by x⁴/120 per radian, which moves the bounded part only; x⁹e₉ is odd.
-        left_out: |swing, _, error| error / swing.energy(),
+        left_out: |run, _, error| error / run.energy(),
     },
     EnergyLaw {
         method: "stormer-verlet",
@@ -147,9 +147,9 @@ const ENERGY_LAWS: [EnergyLaw; 4] = [
 ];
 
 impl EnergyLaw {
-    fn predict(&self, swing: Swing, h: f64, id: impl Fn(&str) -> String) -> Prediction {
-        let value = (self.value)(swing.theta_0, h, swing.steps(h));
-        let tolerance = (self.left_out)(swing, h, value) + swing.rounding(h) / value;
+    fn predict(&self, run: Run, h: f64, id: impl Fn(&str) -> String) -> Prediction {
+        let value = (self.value)(run.theta_0, h, run.steps(h));
+        let tolerance = (self.left_out)(run, h, value) + run.rounding(h) / value;
         Prediction { id: id(self.row), value, tolerance, law: self.law }
     }
 }
@@ -174,12 +174,12 @@ pub fn largest_energy_error(method: &str, theta_0: f64, h: f64, steps: u64) -> O
 ///
 /// In Table 5 the phase in which it goes over the top counts, too: 1e-9 × 1/4 × the 140 rad until then, in units of the
 /// 0.03 of its energy that each swing adds there. With x⁶ and x⁷ included that error falls from 1.3e-7 to 4e-10.
-fn forward_euler_tolerance(swing: Swing, h: f64) -> f64 {
+fn forward_euler_tolerance(run: Run, h: f64) -> f64 {
     /// The solver's own error, over the whole of a run.
     const SOLVER: f64 = 1e-10;
     let x = scaled(&Pendulum::PAPER, h);
     let x6 = x * x * x * x * x * x;
-    if swing.goes_over { 1000.0 * x6 } else { 10.0 * x6 + SOLVER }
+    if run.goes_over { 1000.0 * x6 } else { 10.0 * x6 + SOLVER }
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -220,15 +220,15 @@ const ANGLE_LAWS: [AngleLaw; 4] = [
 ];
 
 /// A cell of Table 6.
-fn angle(law: &AngleLaw, swing: Swing, h: f64) -> Prediction {
-    let Swing { theta_0, .. } = swing;
+fn angle(law: &AngleLaw, run: Run, h: f64) -> Prediction {
+    let Run { theta_0, .. } = run;
     let pendulum = &Pendulum::PAPER;
-    let (steps, x) = (swing.steps(h), scaled(pendulum, h));
+    let (steps, x) = (run.steps(h), scaled(pendulum, h));
     let id = format!("T6.{}.{h}", law.row);
     let Some(recurrence) = law.recurrence else {
         let angles = forward_euler::trajectory(pendulum, theta_0, h).map(|z| z.theta);
         let (value, _) = errors(pendulum, theta_0, h, steps, angles);
-        let tolerance = forward_euler_tolerance(swing, h);
+        let tolerance = forward_euler_tolerance(run, h);
         return Prediction {
             id,
             value,
@@ -242,7 +242,7 @@ fn angle(law: &AngleLaw, swing: Swing, h: f64) -> Prediction {
     // term of the pendulum's own frequency; a third more for the pieces of the harmonics.
     let square = theta_0 * theta_0;
     let frequency = (law.cross_term)(x) * square + square * square / 3072.0;
-    let turned = pendulum.small_angle_frequency() * swing.duration;
+    let turned = pendulum.small_angle_frequency() * run.duration;
     let left_out = frequency * theta_0 * turned / libm::sqrt(6.0);
     Prediction {
         id,
@@ -257,7 +257,7 @@ fn normalised_angle() -> Prediction {
     const THETA_0: f64 = 1e-4;
     let pendulum = &Pendulum::PAPER;
     let h = STEPS[work::TABLE_8];
-    let steps = Swing::TABLE_8.steps(h);
+    let steps = Run::TABLE_8.steps(h);
     let angles = LinearRecurrence::rk4(pendulum, h).angles(THETA_0);
     let (_, largest) = errors(pendulum, THETA_0, h, steps, angles);
     Prediction {

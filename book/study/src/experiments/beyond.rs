@@ -17,7 +17,7 @@ use pendula::systems::{
 };
 use pendula::{Grid, Observer, Pendulum, Phase, integrate};
 
-use crate::digits::Format;
+use crate::digits::Digits;
 use crate::theory::kepler::verlet_precession;
 use crate::theory::mathieu;
 
@@ -215,13 +215,13 @@ pub struct Row {
     /// The quantity, with its unit.
     pub quantity: &'static str,
     /// What theory or literature says, and in how many digits.
-    pub known: Option<(f64, Format)>,
+    pub known: Option<(f64, Digits)>,
     /// What the library finds.
     pub found: f64,
     /// Its standard error, where it is a mean.
-    pub error: Option<(f64, Format)>,
+    pub error: Option<(f64, Digits)>,
     /// As many digits as can be defended.
-    pub format: Format,
+    pub format: Digits,
     /// Who says what is known.
     pub source: &'static str,
 }
@@ -262,15 +262,15 @@ pub fn rows() -> Vec<Row> {
         source,
     };
     let taylor = |quantity, known, found: Doubling| Row {
-        known: Some((known, Format::Fixed(4))),
-        ..row(quantity, Format::Fixed(9), known, found.strength, "Taylor (2005), Table 12.1")
+        known: Some((known, Digits::Fixed(4))),
+        ..row(quantity, Digits::Fixed(9), known, found.strength, "Taylor (2005), Table 12.1")
     };
     vec![
         taylor("Driven: first period doubling, γ₁", 1.0663, first),
         taylor("Driven: second period doubling, γ₂", 1.0793, second),
         row(
             "Driven: determinant of the monodromy matrix at γ₁",
-            Format::Fixed(8),
+            Digits::Fixed(8),
             contraction,
             first.orbit.monodromy.determinant(),
             "exp(−2β · 2π/Ω), Liouville",
@@ -279,23 +279,23 @@ pub fn rows() -> Vec<Row> {
             quantity: "Driven: largest Lyapunov exponent at γ = 1.105 (1/s)",
             known: None,
             found: exponent.value,
-            error: Some((exponent.error, Format::Fixed(2))),
+            error: Some((exponent.error, Digits::Fixed(2))),
             // With another rounding of one sine it would be another motion, whose mean is this only within the error bar.
-            format: Format::Fixed(2),
+            format: Digits::Fixed(2),
             source: "positive: chaos",
         },
         row(
             "Shaken at 100 rad/s: (aΩ)²/(2gL) where the upright falls",
-            Format::Fixed(8),
+            Digits::Fixed(8),
             kapitza(boundary),
             kapitza(falling),
             "a₀(2a/L) = −4g/(LΩ²), Mathieu; 1 for Ω → ∞, Kapitza",
         ),
-        row("Double: slow mode, ω² L/g", Format::Fixed(6), 2.0 - SQRT_2, slow, "2 − √2"),
-        row("Double: fast mode, ω² L/g", Format::Fixed(6), 2.0 + SQRT_2, fast, "2 + √2"),
+        row("Double: slow mode, ω² L/g", Digits::Fixed(6), 2.0 - SQRT_2, slow, "2 − √2"),
+        row("Double: fast mode, ω² L/g", Digits::Fixed(6), 2.0 + SQRT_2, fast, "2 + √2"),
         row(
             "Kepler, e = 0.5: Störmer–Verlet's precession a revolution of 1000 steps (rad)",
-            Format::Scientific(3),
+            Digits::Scientific(3),
             law,
             turned,
             "−(π/8)(nh)² (4 + e²)/(1 − e²)³",

@@ -2,9 +2,6 @@
 
 use core::fmt;
 
-use pendula::exact::Motion;
-use pendula::methods::registry::AnyMethod;
-use pendula::metrics::order::slopes;
 use pendula::verify::Ladder;
 use pendula::verify::area::{AREA_STEP, area_defect, area_tolerance};
 use pendula::{Grid, Pendulum, Phase};
@@ -68,7 +65,7 @@ pub fn run(long_run: &[long_run::Row]) -> Vec<Row> {
         .iter()
         .map(|run| Row {
             method: run.method,
-            ladder: Ladder::climb(run.method),
+            ladder: Ladder::measure(run.method),
             area_defect: area_defect(
                 run.method,
                 &Pendulum::PAPER,
@@ -86,7 +83,7 @@ const AREA_STATE: Phase = Phase { theta: 1.0, omega: 0.5 };
 /// The step (s) of which the area is measured: [`AREA_STEP`], and four times that beyond order 4, where so short a step
 /// changes area by no more than the measurement can see, whatever the method.
 fn area_step(method: MethodRef) -> f64 {
-    if method.properties().order > 4 { 4.0 * AREA_STEP } else { AREA_STEP }
+    if method.info().order > 4 { 4.0 * AREA_STEP } else { AREA_STEP }
 }
 
 /// Evaluations a step: the difference between a run of 1001 steps and one of a single step, so that what a method

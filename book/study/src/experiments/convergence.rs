@@ -29,7 +29,7 @@ pub fn run() -> Vec<Row> {
 
 /// The largest energy error (J) of `method` in steps of `step` (s).
 pub fn drift(method: &dyn AnyMethod, step: f64) -> f64 {
-    let mut drift = EnergyDrift::of(&Pendulum::PAPER);
+    let mut drift = EnergyDrift::new(&Pendulum::PAPER);
     method.run(&Pendulum::PAPER, released(THETA_0), &grid(DURATION, step), &mut drift);
     drift.largest()
 }

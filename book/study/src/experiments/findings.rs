@@ -12,7 +12,7 @@ const PENDULUM: Pendulum = Pendulum::PAPER;
 
 /// Largest energy error over `steps` steps of `step` (s) from rest at `theta_0` (rad), in J.
 pub fn energy_drift(method: &dyn AnyMethod, theta_0: f64, step: f64, steps: u64) -> f64 {
-    let mut drift = EnergyDrift::of(&PENDULUM);
+    let mut drift = EnergyDrift::new(&PENDULUM);
     let grid = Grid::new(step, steps).expect("a positive step");
     method.run(&PENDULUM, released(theta_0), &grid, &mut drift);
     drift.largest()
@@ -42,8 +42,8 @@ pub fn first_fall(method: &dyn AnyMethod, theta_0: f64, step: f64, duration: f64
 /// (rad) over 10 s in steps of `step` (s).
 pub fn normalised_formula_error(method: &dyn AnyMethod, theta_0: f64, step: f64) -> (f64, f64) {
     let start = released(theta_0);
-    let formula = LinearOscillator::of(PENDULUM);
-    let mut error = AngleError::against(|t| formula.exact(start, t).theta);
+    let formula = LinearOscillator::new(PENDULUM);
+    let mut error = AngleError::new(|t| formula.exact(start, t).theta);
     method.run(&PENDULUM, start, &grid(10.0, step), &mut error);
     (error.largest() / theta_0, error.root_mean_square() / theta_0)
 }
@@ -53,9 +53,9 @@ pub fn normalised_formula_error(method: &dyn AnyMethod, theta_0: f64, step: f64)
 pub fn error_for_work(method: MethodRef, evaluations: u64) -> f64 {
     let start = released(1.0);
     let truth = Motion::new(&PENDULUM, start).expect("a finite start");
-    let steps = evaluations / method.properties().force_evaluations;
+    let steps = evaluations / method.info().force_evaluations;
     let grid = Grid::new(10.0 / steps as f64, steps).expect("a positive step");
-    let mut error = AngleError::against(|t| truth.at(t).theta);
+    let mut error = AngleError::new(|t| truth.at(t).theta);
     method.run(&PENDULUM, start, &grid, &mut error);
     error.root_mean_square()
 }
@@ -106,7 +106,7 @@ pub fn waveform(theta_0: f64) -> (f64, f64) {
 /// The largest speed ωh (rad a step) of `method` within `steps` steps of the size at which the standard map has the
 /// parameter K = (g/L) h²: from a state beside the unstable equilibrium, in the chaotic layer.
 pub fn chaotic_speed(method: &dyn AnyMethod, k: f64, steps: u64) -> f64 {
-    let step = libm::sqrt(k / PENDULUM.stiffness());
+    let step = libm::sqrt(k / PENDULUM.frequency_squared());
     let start = Phase { theta: core::f64::consts::PI - 1e-3, omega: 0.0 };
     let mut fastest = 0.0_f64;
     let grid = Grid::new(step, steps).expect("a positive step");

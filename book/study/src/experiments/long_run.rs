@@ -52,21 +52,21 @@ pub fn run() -> Vec<Row> {
         let pendulum = Pendulum::PAPER;
         let start = released(THETA_0);
         let (mut falls, mut before) = (0, f64::NAN);
-        let mut watch = (EnergyDrift::of(&pendulum), |_, _, z| {
+        let mut watch = (EnergyDrift::new(&pendulum), |_, _, z| {
             let energy = pendulum.energy(z);
             falls += u64::from(energy < before);
             before = energy;
         });
         let end = method.run(&pendulum, start, &grid(DURATION, STEP), &mut watch);
         let drift = watch.0.largest();
-        let mut early = EnergyDrift::of(&pendulum);
+        let mut early = EnergyDrift::new(&pendulum);
         method.run(&pendulum, start, &grid(0.1 * DURATION, STEP), &mut early);
         Row {
             method,
             drift,
             early_drift: early.largest(),
-            initial: pendulum.hamiltonian(start),
-            last: pendulum.hamiltonian(end),
+            initial: pendulum.energy_from_pivot(start),
+            last: pendulum.energy_from_pivot(end),
             end,
             falls,
         }
@@ -91,7 +91,7 @@ pub fn energy(method: MethodRef, every: u64) -> Vec<(f64, f64)> {
 /// The largest |H − H(0)| so far (J), once a second, for Figure 3.
 pub fn growth(method: MethodRef) -> Vec<(f64, f64)> {
     let pendulum = Pendulum::PAPER;
-    let mut drift = EnergyDrift::of(&pendulum);
+    let mut drift = EnergyDrift::new(&pendulum);
     let mut series = Vec::new();
     let mut watch = |n: u64, t: f64, z: Phase| {
         drift.observe(n, t, z);

@@ -1,12 +1,12 @@
 //! The paper's experiments, each as a function that returns typed rows.
 //!
 //! The parameters are the paper's own (its Sections 5.1 and 5.2). Nothing here formats or judges: rows become tables
-//! and figures in [`report`](crate::report), and meet what the paper states in [`paper`](pendula::paper).
+//! and figures in [`report`](crate::report), and meet what the paper states in [`claims`](crate::claims).
 
 pub mod area;
 pub mod beyond;
 pub mod characteristics;
-pub mod choice;
+pub mod choosing;
 pub mod convergence;
 pub mod findings;
 pub mod large_angle;
@@ -75,7 +75,7 @@ const OF_THE_PAPER: [&str; 4] = ["forward-euler", "symplectic-euler", "rk4", "st
 /// Whether the paper knows the method: its tables, figures and claims are about these four, however long the list of
 /// methods grows.
 pub fn in_paper(method: MethodRef) -> bool {
-    OF_THE_PAPER.contains(&method.properties().name)
+    OF_THE_PAPER.contains(&method.info().name)
 }
 
 /// One row for each method of the paper, in the order of its tables.
@@ -90,7 +90,7 @@ fn each_method<R>(row: impl FnMut(MethodRef) -> R) -> Vec<R> {
 
 /// A grid on the paper's parameters, which are known to fit.
 fn grid(duration: f64, step: f64) -> Grid {
-    Grid::over(duration, step).expect("the paper's durations are whole numbers of steps")
+    Grid::with_duration(step, duration).expect("the paper's durations are whole numbers of steps")
 }
 
 /// A release from rest.

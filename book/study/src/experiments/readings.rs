@@ -61,11 +61,11 @@ fn ladder(show: impl Fn(&Motion, &Grid, &mut dyn Observer<Phase>)) -> Vec<Errors
     let errors = |n: u64| {
         let step = period / (n as f64 + 0.25);
         let grid = Grid::new(step, n + n / 2).expect("a positive step");
-        let mut peaks = (PeakPeriod::default(), PeakPeriod::by_parabola());
+        let mut peaks = (PeakPeriod::default(), PeakPeriod::parabola());
         let mut crossings = (
-            CrossingPeriod::by(Linear),
+            CrossingPeriod::new(Linear),
             CrossingPeriod::default(),
-            CrossingPeriod::by(Henon(&pendulum)),
+            CrossingPeriod::new(Henon(&pendulum)),
         );
         show(&motion, &grid, &mut |n, t, z| {
             peaks.observe(n, t, z);

@@ -4,7 +4,7 @@
 //! rounding of each step: a random walk (Brouwer, *Astronomical Journal* 46 (1937) 149).
 
 use pendula::methods::StormerVerlet;
-use pendula::{Grid, Pendulum, Phase, swing};
+use pendula::{Grid, Pendulum, Phase, integrate_fast};
 
 use super::released;
 
@@ -32,7 +32,7 @@ fn walk(theta_0: f64, energy: impl Fn(Phase) -> f64) -> Walk {
     let initial = energy(start);
     let mut walk = Vec::with_capacity((STEPS / SAMPLED + 1) as usize);
     let grid = Grid::new(STEP, STEPS).expect("a positive step");
-    swing(&pendulum, &StormerVerlet, start, &grid, &mut |n: u64, _: f64, z: Phase| {
+    integrate_fast(&pendulum, &StormerVerlet, start, &grid, &mut |n: u64, _: f64, z: Phase| {
         if n.is_multiple_of(SAMPLED) {
             walk.push(energy(z) / initial - 1.0);
         }

@@ -44,12 +44,12 @@ pub fn run() -> Vec<Row> {
 pub fn errors(method: MethodRef, grid: &Grid) -> Errors {
     let pendulum = Pendulum::PAPER;
     let start = released(THETA_0);
-    let formula = LinearOscillator::of(pendulum);
+    let formula = LinearOscillator::new(pendulum);
     let truth = Motion::new(&pendulum, start).expect("a finite start");
     let mut watch = (
-        AngleError::against(|t| formula.exact(start, t).theta),
-        AngleError::against(|t| truth.at(t).theta),
-        EnergyDrift::of(&pendulum),
+        AngleError::new(|t| formula.exact(start, t).theta),
+        AngleError::new(|t| truth.at(t).theta),
+        EnergyDrift::new(&pendulum),
     );
     method.run(&pendulum, start, grid, &mut watch);
     Errors {

@@ -61,7 +61,7 @@ pub fn golden(k: f64) -> Orbit {
 
 /// The step (s) at which the parameter is `k`.
 pub fn step(k: f64) -> f64 {
-    libm::sqrt(k / Pendulum::PAPER.stiffness())
+    libm::sqrt(k / Pendulum::PAPER.frequency_squared())
 }
 
 /// Fourteen through the stable equilibrium's column up to half a turn a step, in either direction, two about the islands of

@@ -7,7 +7,7 @@ use core::cell::RefCell;
 use core::ops::Add;
 
 use pendula::integrate::Method;
-use pendula::systems::{Point, Rate, Separable, System};
+use pendula::systems::{RateOf, Separable, State, System};
 use pendula::{Pendulum, Phase};
 
 /// One step, with its parts.
@@ -50,8 +50,8 @@ where
 {
     let noting = Noting { pendulum, slopes: RefCell::default(), parts: RefCell::default() };
     let start = Noted { z: start, by: None };
-    let mut memo = method.start(&noting, 0.0, h, start);
-    let end = method.step(&noting, 0.0, h, start, &mut memo);
+    let mut carry = method.start(&noting, 0.0, h, start);
+    let end = method.step(&noting, 0.0, h, start, &mut carry);
     let noted = noting.parts.into_inner();
     // Back from the end, from each part to the one before it.
     let parts = core::iter::successors(end.by, |&by| noted[by].1).map(|by| noted[by].0);
@@ -84,7 +84,7 @@ impl Add<Phase> for Noted {
     }
 }
 
-impl Point for Noted {
+impl State for Noted {
     type Displacement = Phase;
 }
 
@@ -99,7 +99,7 @@ impl Noting<'_> {
 impl System for Noting<'_> {
     type State = Noted;
 
-    fn rate(&self, t: f64, at: Noted) -> Rate<Self> {
+    fn rate(&self, t: f64, at: Noted) -> RateOf<Self> {
         let rate = self.pendulum.rate(t, at.z);
         self.slopes.borrow_mut().push((at.z, rate));
         rate

@@ -2,7 +2,7 @@
 
 use pendula::methods::SymplecticEuler;
 use pendula::systems::Separable;
-use pendula::{Described, Method, Properties};
+use pendula::{Info, Method, MethodInfo};
 
 /// Symplectic Euler the other way round: drift, then kick.
 ///
@@ -10,14 +10,14 @@ use pendula::{Described, Method, Properties};
 #[derive(Clone, Copy, Debug)]
 pub struct DriftKick;
 
-impl Described for DriftKick {
-    fn properties(&self) -> Properties {
-        Properties { name: "drift-kick", ..SymplecticEuler.properties() }
+impl Info for DriftKick {
+    fn info(&self) -> MethodInfo {
+        MethodInfo { name: "drift-kick", ..SymplecticEuler.info() }
     }
 }
 
 impl<S: Separable> Method<S> for DriftKick {
-    type Memo = ();
+    type Carry = ();
 
     fn start(&self, _system: &S, _t: f64, _h: f64, _z: S::State) {}
 
@@ -46,6 +46,6 @@ mod tests {
         assert_eq!(end.theta, theta);
         // Roundings of numbers up to 10, times h.
         assert!((end.omega - (0.5 + h * alpha)).abs() < 1e-14, "{end:?}");
-        assert_eq!(DriftKick.properties().name, "drift-kick");
+        assert_eq!(DriftKick.info().name, "drift-kick");
     }
 }

@@ -5,7 +5,7 @@ use pendula::metrics::order::slopes;
 use super::table::Table;
 use crate::claims::measure::row_ids;
 use crate::claims::{Claim, Ledger};
-use crate::digits::Format::{self, Fixed, Scientific};
+use crate::digits::Digits::{self, Fixed, Scientific};
 use crate::experiments::characteristics::ROUNDING;
 use crate::experiments::{STEPS, Study, beyond};
 
@@ -63,7 +63,7 @@ pub fn energy_slopes(study: &Study) -> Table {
     for row in &study.convergence {
         let slopes = slopes(&STEPS, &row.drift, ENERGY_FLOOR);
         let cells = slopes.map(|slope| slope.map_or("…".to_string(), |p| Fixed(2).print(p)));
-        table.push([row.method.properties().title.to_string()].into_iter().chain(cells));
+        table.push([row.method.info().title.to_string()].into_iter().chain(cells));
     }
     table
 }
@@ -73,7 +73,7 @@ pub fn energy_slopes(study: &Study) -> Table {
 pub fn state_slopes(study: &Study) -> Table {
     let mut table = Table::new(["Method", "order", "first step (s)", "slopes", "", "", ""]);
     for row in &study.characteristics {
-        let entry = row.method.properties();
+        let entry = row.method.info();
         let lead =
             [entry.title.to_string(), entry.order.to_string(), Fixed(6).print(row.ladder.steps[0])];
         let slopes = row.ladder.slopes().map(|slope| Fixed(2).print(slope));
@@ -88,10 +88,9 @@ pub fn methods(study: &Study) -> Table {
         ["Method", "order", "symplectic", "evaluations a step", "ΔH over 1000 s (J)", "energy"];
     let mut table = Table::new(header);
     for row in &study.characteristics {
-        let drift =
-            study.long_run.iter().find(|run| run.method.properties() == row.method.properties());
+        let drift = study.long_run.iter().find(|run| run.method.info() == row.method.info());
         table.push([
-            row.method.properties().title.to_string(),
+            row.method.info().title.to_string(),
             observed_order(row),
             (if row.symplectic() { "yes" } else { "no" }).to_string(),
             Fixed(0).print(row.evaluations),
@@ -168,7 +167,7 @@ fn is_sentence(claim: &Claim) -> bool {
 pub fn beyond() -> Table {
     let mut table = Table::new(["Quantity", "known", "found", "Source"]).with_remarks(1);
     for row in beyond::rows() {
-        let text = |(value, format): (f64, Format)| format.print(value);
+        let text = |(value, format): (f64, Digits)| format.print(value);
         let known = row.known.map_or_else(String::new, text);
         let mut found = row.format.print(row.found);
         if let Some(error) = row.error.map(text) {

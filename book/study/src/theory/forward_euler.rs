@@ -12,12 +12,12 @@ use pendula::Pendulum;
 use pendula::arithmetic::sine::{cos, sin};
 
 use super::flow::flow;
-use super::{Point, average, polynomial, scaled};
+use super::{Dimensionless, average, polynomial, scaled};
 
 // ANCHOR: modified_equation
 /// The rates θ' and q' of the equation that forward Euler follows, as coefficients of x⁰, x¹, … x⁵.
-pub fn modified_equation_terms(z: Point) -> [[f64; 6]; 2] {
-    let Point { q, s, c, .. } = z;
+pub fn modified_equation_terms(z: Dimensionless) -> [[f64; 6]; 2] {
+    let Dimensionless { q, s, c, .. } = z;
     let (q2, s2, c2) = (q * q, s * s, c * c);
     [
         [
@@ -42,25 +42,29 @@ pub fn modified_equation_terms(z: Point) -> [[f64; 6]; 2] {
 
 /// The points that forward Euler visits from rest at `theta_0` (rad), by its modified equation and without a step of it:
 /// at the times 0, h, 2h, … with the step `h` (s).
-pub fn trajectory(pendulum: &Pendulum, theta_0: f64, h: f64) -> impl Iterator<Item = Point> {
+pub fn trajectory(
+    pendulum: &Pendulum,
+    theta_0: f64,
+    h: f64,
+) -> impl Iterator<Item = Dimensionless> {
     /// Steps of the solver in a step of the method: each turns the pendulum by 0.3 rad at the most.
     const SUBSTEPS: u32 = 4;
     let x = scaled(pendulum, h);
     let rate = move |[theta, q]: [f64; 2]| {
-        modified_equation_terms(Point::new(theta, q)).map(|terms| polynomial(x, &terms))
+        modified_equation_terms(Dimensionless::new(theta, q)).map(|terms| polynomial(x, &terms))
     };
     let mut state = [theta_0, 0.0];
-    core::iter::once(Point::new(theta_0, 0.0)).chain(core::iter::from_fn(move || {
+    core::iter::once(Dimensionless::new(theta_0, 0.0)).chain(core::iter::from_fn(move || {
         for _ in 0..SUBSTEPS {
             state = flow(rate, state, x / f64::from(SUBSTEPS));
         }
-        Some(Point::new(state[0], state[1]))
+        Some(Dimensionless::new(state[0], state[1]))
     }))
 }
 
 /// Largest energy error (J) of a release from rest at `theta_0` (rad) over `steps` steps of `h` (s).
 pub fn largest_energy_error(pendulum: &Pendulum, theta_0: f64, h: f64, steps: u64) -> f64 {
-    let initial = Point::new(theta_0, 0.0).energy();
+    let initial = Dimensionless::new(theta_0, 0.0).energy();
     let largest = trajectory(pendulum, theta_0, h)
         .take(steps as usize + 1)
         .map(|z| libm::fabs(z.energy() - initial))
@@ -97,8 +101,8 @@ pub fn rotating_rate(pendulum: &Pendulum, spin: f64, h: f64) -> f64 {
     let half = 0.5 * a;
     let cotangent = cos(half) / sin(half);
     let inertia = pendulum.mass() * pendulum.length() * pendulum.length();
-    let stiffness = pendulum.stiffness();
-    0.5 * inertia * stiffness * stiffness * h * half * cotangent
+    let frequency_squared = pendulum.frequency_squared();
+    0.5 * inertia * frequency_squared * frequency_squared * h * half * cotangent
 }
 
 /// Saturated: the kinetic energy (J) at which it locks, half a turn a step, m L² (π/h)²/2.

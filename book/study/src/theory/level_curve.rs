@@ -10,10 +10,10 @@
 
 use pendula::arithmetic::sine::{cos, sin};
 
-use super::Point;
+use super::Dimensionless;
 
 /// Largest |H − H₀| in units of m g L along the curve through the release from rest at `theta_0` (rad); `correction` is H̃ − H.
-pub(super) fn largest_energy_error(theta_0: f64, correction: impl Fn(Point) -> f64) -> f64 {
+pub(super) fn largest_energy_error(theta_0: f64, correction: impl Fn(Dimensionless) -> f64) -> f64 {
     let deviation = deviation(theta_0, correction);
     maximum(|phi| libm::fabs(deviation(phi)))
 }
@@ -21,10 +21,10 @@ pub(super) fn largest_energy_error(theta_0: f64, correction: impl Fn(Point) -> f
 /// The curve through the release from rest at `theta_0` (rad), as `count` points at even phases and the first once more.
 pub(super) fn points(
     theta_0: f64,
-    correction: impl Fn(Point) -> f64,
+    correction: impl Fn(Dimensionless) -> f64,
     count: u32,
-) -> impl Iterator<Item = Point> {
-    let energy = Point::new(theta_0, 0.0).energy();
+) -> impl Iterator<Item = Dimensionless> {
+    let energy = Dimensionless::new(theta_0, 0.0).energy();
     let deviation = deviation(theta_0, correction);
     (0..=count).map(move |n| {
         let phi = 2.0 * core::f64::consts::PI * (f64::from(n % count) / f64::from(count));
@@ -33,10 +33,10 @@ pub(super) fn points(
 }
 
 /// H − H₀ on the curve, as a function of the phase (rad).
-fn deviation(theta_0: f64, correction: impl Fn(Point) -> f64) -> impl Fn(f64) -> f64 {
+fn deviation(theta_0: f64, correction: impl Fn(Dimensionless) -> f64) -> impl Fn(f64) -> f64 {
     /// Enough for corrections whose slope is below ½.
     const ROUNDS: usize = 60;
-    let start = Point::new(theta_0, 0.0);
+    let start = Dimensionless::new(theta_0, 0.0);
     let (energy, offset) = (start.energy(), correction(start));
     move |phi: f64| {
         let mut deviation = 0.0;
@@ -52,10 +52,10 @@ fn deviation(theta_0: f64, correction: impl Fn(Point) -> f64) -> impl Fn(f64) ->
 }
 
 /// The point at the phase `phi` (rad) of the exact orbit with that energy.
-fn swinging(energy: f64, phi: f64) -> Point {
+fn swinging(energy: f64, phi: f64) -> Dimensionless {
     let kappa = libm::sqrt(0.5 * energy);
     let (sine, cosine) = (sin(phi), cos(phi));
-    Point::new(2.0 * libm::asin(kappa * sine), 2.0 * kappa * cosine)
+    Dimensionless::new(2.0 * libm::asin(kappa * sine), 2.0 * kappa * cosine)
 }
 
 /// The largest value of a smooth function of period 2π: the best of a coarse grid, then golden sections around it.

@@ -9,12 +9,12 @@
 //! * [`period`]: how much longer or shorter the swing becomes; [`small_angle`]: the angle in the small swing of Table 6.
 //! * [`kepler`]: how Störmer–Verlet turns a planet's ellipse; [`mathieu`]: where a shaken pendulum stands on its head.
 //!
-//! [`predictions()`] applies them to the cells of the tables. Nothing here ever takes a step of a [`Method`], so that a
+//! [`claims::predictions()`](crate::claims::predictions()) applies them to the cells of the tables. Nothing here ever takes a step of a [`Method`], so that a
 //! wrong method cannot predict its own wrong results; the exact solution, quadrature along it, and a solver for the
 //! equations derived here are all there is.
 //!
 //! Without dimensions the formulas are short, and no L or m can be forgotten. Time is measured in √(L/g), energy in
-//! m g L, so that the step is x = ω₀h and the energy above the bottom is q²/2 + 1 − cos θ, with q = ω/ω₀ ([`Point`]).
+//! m g L, so that the step is x = ω₀h and the energy above the bottom is q²/2 + 1 − cos θ, with q = ω/ω₀ ([`Dimensionless`]).
 //! With s = sin θ and c = cos θ, one method's corrections to the order x⁷ fit on eight lines; `tests/energy_law.rs` checks
 //! each of them by a slope.
 //!
@@ -38,7 +38,7 @@ pub mod symplectic_euler;
 
 pub use orbit::average;
 use pendula::Pendulum;
-pub use point::Point;
+pub use point::Dimensionless;
 
 /// x = ω₀h: the `step` (s) without dimension.
 pub(crate) fn scaled(pendulum: &Pendulum, step: f64) -> f64 {

@@ -23,7 +23,7 @@ use super::average;
 /// the exact swing. It vanishes at θ₀ = 2.7448 rad, where two errors cancel.
 pub fn of_stormer_verlet(pendulum: &Pendulum, theta_0: f64) -> f64 {
     let mean = average(pendulum, theta_0, |z| z.c);
-    pendulum.stiffness() * (cos(theta_0) - 3.0 * mean) / 48.0
+    pendulum.frequency_squared() * (cos(theta_0) - 3.0 * mean) / 48.0
 }
 
 /// Symplectic Euler, kick then drift, from rest at `theta_0` (rad): τ₂ = −(ω₀²/24) cos θ₀ (1/s²). It vanishes at θ₀ = π/2.
@@ -31,5 +31,5 @@ pub fn of_stormer_verlet(pendulum: &Pendulum, theta_0: f64) -> f64 {
 /// The amplitude is the angle of release. The numerical orbit itself swings a little further: it is at rest half a kick
 /// before.
 pub fn of_symplectic_euler(pendulum: &Pendulum, theta_0: f64) -> f64 {
-    -pendulum.stiffness() * cos(theta_0) / 24.0
+    -pendulum.frequency_squared() * cos(theta_0) / 24.0
 }

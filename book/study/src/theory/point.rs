@@ -5,7 +5,7 @@ use pendula::{Pendulum, Phase};
 
 /// A point in phase space without dimensions, with the sine and cosine that all the formulas are written in.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Point {
+pub struct Dimensionless {
     /// θ (rad).
     pub theta: f64,
     /// q = ω/ω₀.
@@ -16,14 +16,14 @@ pub struct Point {
     pub c: f64,
 }
 
-impl Point {
+impl Dimensionless {
     /// At the angle `theta` (rad), with q = ω/ω₀.
     pub fn new(theta: f64, q: f64) -> Self {
         Self { theta, q, s: sin(theta), c: cos(theta) }
     }
 
     /// The point `z` of the phase space of `pendulum`.
-    pub fn of(pendulum: &Pendulum, z: Phase) -> Self {
+    pub fn from_phase(pendulum: &Pendulum, z: Phase) -> Self {
         Self::new(z.theta, z.omega / pendulum.small_angle_frequency())
     }
 

@@ -10,12 +10,12 @@ use pendula::verify::error_constant;
 use pendula::{Pendulum, Phase};
 
 use super::flow::flow;
-use super::{Point, average, polynomial, scaled};
+use super::{Dimensionless, average, polynomial, scaled};
 
 // ANCHOR: energy_change
 /// The terms e₅, e₆, e₇, e₈ of the energy change of one step, H(n+1) − H(n) = x⁵e₅ + x⁶e₆ + …, in units of m g L.
-pub fn energy_change_terms(z: Point) -> [f64; 4] {
-    let Point { q, s, c, .. } = z;
+pub fn energy_change_terms(z: Dimensionless) -> [f64; 4] {
+    let Dimensionless { q, s, c, .. } = z;
     let (q2, s2, c2) = (q * q, s * s, c * c);
     let e5 = q * s * polynomial(q2, &[30.0 * s2, -40.0 * c, -1.0]) / 2880.0;
     let e6 = polynomial(
@@ -35,7 +35,7 @@ pub fn energy_change_terms(z: Point) -> [f64; 4] {
 // ANCHOR_END: energy_change
 
 /// The energy change of one step (units of m g L) to order x⁸.
-fn energy_change(z: Point, x: f64) -> f64 {
+fn energy_change(z: Dimensionless, x: f64) -> f64 {
     let x5 = x * x * x * x * x;
     x5 * polynomial(x, &energy_change_terms(z))
 }
@@ -51,7 +51,7 @@ pub fn largest_energy_error(pendulum: &Pendulum, theta_0: f64, h: f64, steps: u6
     let x = scaled(pendulum, h);
     let (mut sum, mut largest) = (0.0, 0.0);
     for n in 0..steps {
-        sum += energy_change(Point::of(pendulum, motion.at(n as f64 * h)), x);
+        sum += energy_change(Dimensionless::from_phase(pendulum, motion.at(n as f64 * h)), x);
         largest = f64::max(largest, libm::fabs(sum));
     }
     pendulum.depth() * largest
@@ -74,7 +74,7 @@ pub fn secular_rate(pendulum: &Pendulum, theta_0: f64, h: f64) -> f64 {
 }
 
 /// The leading correction f₄ to the equation that RK4 follows, (θ', q') = (q, −s) + x⁴ f₄ + …: the x⁵ term of its local error.
-pub fn leading_correction(z: Point) -> [f64; 2] {
+pub fn leading_correction(z: Dimensionless) -> [f64; 2] {
     error_constant::rk4(z.s, z.c, z.q)
 }
 
@@ -94,7 +94,7 @@ pub fn period_shift(pendulum: &Pendulum, theta_0: f64) -> f64 {
     for _ in 0..STEPS {
         state = flow(
             |[theta, q, delta_theta, delta_q]| {
-                let z = Point::new(theta, q);
+                let z = Dimensionless::new(theta, q);
                 let [f_theta, f_q] = leading_correction(z);
                 [q, -z.s, delta_q + f_theta, -z.c * delta_theta + f_q]
             },
@@ -103,8 +103,8 @@ pub fn period_shift(pendulum: &Pendulum, theta_0: f64) -> f64 {
         );
     }
     let [_, q, delta_theta, _] = state;
-    let stiffness = pendulum.stiffness();
-    stiffness * stiffness * (-delta_theta / q / quarter)
+    let frequency_squared = pendulum.frequency_squared();
+    frequency_squared * frequency_squared * (-delta_theta / q / quarter)
 }
 
 /// The two terms of what RK4 adds to the period (s), from rest at `theta_0` (rad) in steps of `h` (s), as seen between the

@@ -89,7 +89,7 @@ pub fn errors(
     steps: u64,
     angles: impl Iterator<Item = f64>,
 ) -> (f64, f64) {
-    let formula = LinearOscillator::of(*pendulum);
+    let formula = LinearOscillator::new(*pendulum);
     let (mut squares, mut largest) = (0.0, 0.0);
     for (n, angle) in (0..=steps).zip(angles) {
         let error = angle - formula.exact(Phase::at_rest(theta_0), n as f64 * h).theta;

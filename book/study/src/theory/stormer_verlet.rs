@@ -13,21 +13,21 @@
 use pendula::arithmetic::sine::{cos, sin};
 use pendula::{Pendulum, Phase};
 
-use super::{Point, level_curve, scaled, symplectic_euler};
+use super::{Dimensionless, level_curve, scaled, symplectic_euler};
 
 /// H̃ − H of the velocity form (kick–drift–kick) at `z`, to order x⁷, in units of m g L:
 /// x²(q²c/12 − s²/24) + x⁴(q⁴c/720 + q²(3c² − 1)/120 − c s²/240) + ….
-pub fn correction(z: Point, x: f64) -> f64 {
+pub fn correction(z: Dimensionless, x: f64) -> f64 {
     // Half a step before symplectic Euler's kick.
     let shift = 0.5 * x * z.s;
-    let kicked = Point { q: z.q + shift, ..z };
+    let kicked = Dimensionless { q: z.q + shift, ..z };
     // H there less H here, without subtracting two large numbers.
     shift * (z.q + 0.5 * shift) + symplectic_euler::correction(kicked, x)
 }
 
 /// H̃ − H of the position form (drift–kick–drift) at `z`, to order x⁷, in units of m g L: x²(s²/12 − q²c/24) + ….
-pub fn correction_of_position_form(z: Point, x: f64) -> f64 {
-    let drifted = Point::new(z.theta + 0.5 * x * z.q, z.q);
+pub fn correction_of_position_form(z: Dimensionless, x: f64) -> f64 {
+    let drifted = Dimensionless::new(z.theta + 0.5 * x * z.q, z.q);
     drifted.energy() - z.energy() + symplectic_euler::correction(drifted, x)
 }
 

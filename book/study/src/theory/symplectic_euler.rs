@@ -14,12 +14,12 @@
 use pendula::arithmetic::sine::cos;
 use pendula::{Pendulum, Phase};
 
-use super::{Point, level_curve, polynomial, scaled};
+use super::{Dimensionless, level_curve, polynomial, scaled};
 
 // ANCHOR: modified_hamiltonian
 /// The terms of the conserved energy H̃ = H + x H₁ + x² H₂ + … at `z`, from H₁ to H₇, in units of m g L.
-pub fn modified_hamiltonian_terms(z: Point) -> [f64; 7] {
-    let Point { q, s, c, .. } = z;
+pub fn modified_hamiltonian_terms(z: Dimensionless) -> [f64; 7] {
+    let Dimensionless { q, s, c, .. } = z;
     let (q2, s2, c2) = (q * q, s * s, c * c);
     [
         -q * s / 2.0,
@@ -37,7 +37,7 @@ pub fn modified_hamiltonian_terms(z: Point) -> [f64; 7] {
 // ANCHOR_END: modified_hamiltonian
 
 /// H̃ − H at `z` for the step `x`, to order x⁷, in units of m g L.
-pub fn correction(z: Point, x: f64) -> f64 {
+pub fn correction(z: Dimensionless, x: f64) -> f64 {
     x * polynomial(x, &modified_hamiltonian_terms(z))
 }
 

@@ -86,7 +86,7 @@ pub(super) const CLAIMS: &[Prose] = &[
         verdict: Reproduced,
         because: "",
         measure: |_| {
-            let grid = Grid::over(long_run::DURATION, long_run::STEP);
+            let grid = Grid::with_duration(long_run::STEP, long_run::DURATION);
             number(grid.map_or(f64::NAN, |grid| grid.time(grid.steps())), Fixed(0))
         },
     },
@@ -240,7 +240,7 @@ pub(super) const CLAIMS: &[Prose] = &[
         verdict: Reproduced,
         because: "It holds for a release from rest only.",
         measure: |_| {
-            let linear = LinearOscillator::of(Pendulum::PAPER);
+            let linear = LinearOscillator::new(Pendulum::PAPER);
             let start = pendula::Phase::at_rest(0.05);
             let kept = linear.energy(linear.exact(start, 7.3)) / linear.energy(start);
             says("conserves its energy".to_string(), is_near(kept, 1.0, 1e-14))
@@ -329,7 +329,7 @@ pub(super) const CLAIMS: &[Prose] = &[
         because: "It depends on where the potential is said to be zero.",
         measure: |study| {
             let quarter = pendula::Phase::at_rest(core::f64::consts::FRAC_PI_2);
-            let initial = Pendulum::PAPER.hamiltonian(quarter).abs();
+            let initial = Pendulum::PAPER.energy_from_pivot(quarter).abs();
             let table = row!(study.long_run, "fe").percent_of_initial();
             says(
                 "zero to rounding".to_string(),

@@ -19,7 +19,7 @@ use super::Verdict::{
 use super::cells::CELLS;
 use super::measure::row_id;
 use super::{Claim, Measured, Tolerance};
-use crate::digits::Format::{self, Fixed, Scientific, Significant};
+use crate::digits::Digits::{self, Fixed, Scientific, Significant};
 use crate::digits::rounds_to;
 use crate::experiments::characteristics::EnergyBehaviour;
 use crate::experiments::variants::DriftKick;
@@ -43,12 +43,12 @@ struct Prose {
 type Finding = (Measured, Tolerance);
 
 /// A number that has to meet the printed digits.
-const fn number(value: f64, format: Format) -> Finding {
+const fn number(value: f64, format: Digits) -> Finding {
     (Measured::Number(value, format), Tolerance::PrintedDigits)
 }
 
 /// A number that decides by a comparison.
-const fn shows(value: f64, format: Format, holds: bool) -> Finding {
+const fn shows(value: f64, format: Digits, holds: bool) -> Finding {
     (Measured::Number(value, format), Tolerance::Decided(holds))
 }
 

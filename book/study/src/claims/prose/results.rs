@@ -236,7 +236,7 @@ pub(super) const CLAIMS: &[Prose] = &[
             let best = |column: usize, pick: fn(&small_angle::Errors) -> f64| {
                 let error = |row: &small_angle::Row| pick(&row.errors[column]);
                 let best = rows().min_by(|a, b| error(a).total_cmp(&error(b)));
-                best.map_or("", |row| row.method.properties().title)
+                best.map_or("", |row| row.method.info().title)
             };
             let winners: Vec<&str> = (0..5).map(|column| best(column, |e| e.formula)).collect();
             let expected = ["RK4", "RK4", "Störmer–Verlet", "Störmer–Verlet", "Symplectic Euler"];

@@ -58,7 +58,7 @@ fn energy_predicted(study: &Study) -> Figure {
     let ladder: Vec<f64> = coarse.chain(fine).map(libm::round).collect();
     let mut chart = Chart::new(Axis::log("Δt (s)"), Axis::log("largest energy error ΔH (J)"));
     for convergence::Row { method, drift } in &study.convergence {
-        let (name, style) = (method.properties().name, style(*method));
+        let (name, style) = (method.info().name, style(*method));
         let law = ladder.iter().filter_map(|&steps| {
             let h = duration / steps;
             Some((h, crate::claims::largest_energy_error(name, theta_0, h, steps as u64)?))
@@ -198,7 +198,7 @@ fn rounding_walk(_: &Study) -> Figure {
     let x = pendulum.small_angle_frequency() * rounding_walk::STEP;
     // What the correction leaves out, of order x⁸, is 1e-18 of the energy.
     let walks = rounding_walk::walks(|z| {
-        let z = theory::Point::of(&pendulum, z);
+        let z = theory::Dimensionless::from_phase(&pendulum, z);
         z.energy() + theory::stormer_verlet::correction(z, x)
     });
     let steps = rounding_walk::STEPS as f64;

@@ -228,7 +228,7 @@ fn area_carried(_: &Study) -> Figure {
     )
     .columns(2);
     for method in METHODS.iter().copied().filter(|method| in_paper(*method)) {
-        let steps = EVALUATIONS / method.properties().force_evaluations;
+        let steps = EVALUATIONS / method.info().force_evaluations;
         let grid = Grid::new(SPAN / steps as f64, SPANS * steps).expect("a positive step");
         let images = carried(method, &PENDULUM, &outline, &grid);
         let ratio = area(&images[grid.steps() as usize]) / area(&images[0]);

@@ -1,7 +1,7 @@
 //! The figures of the book, drawn from the study: the paper's, and those it lacks.
 
 mod beyond;
-mod decision;
+mod choosing;
 mod evidence;
 mod geometry;
 mod paper;
@@ -37,15 +37,15 @@ impl Drawing {
 
 /// The figures, file by file.
 pub fn figures() -> impl Iterator<Item = &'static Drawing> {
-    [paper::FIGURES, geometry::FIGURES, evidence::FIGURES, decision::FIGURES, beyond::FIGURES]
+    [paper::FIGURES, geometry::FIGURES, evidence::FIGURES, choosing::FIGURES, beyond::FIGURES]
         .into_iter()
         .flatten()
 }
 
 /// The style of a method, the same in every figure.
 fn style(method: MethodRef) -> Style {
-    let name = method.properties().name;
-    let index = METHODS.iter().position(|other| other.properties().name == name);
+    let name = method.info().name;
+    let index = METHODS.iter().position(|other| other.info().name == name);
     Style::numbered(index.unwrap_or(0))
 }
 
@@ -55,7 +55,7 @@ fn of_the_paper<R>(rows: &[R], method: fn(&R) -> MethodRef) -> impl Iterator<Ite
 }
 
 fn title(method: MethodRef) -> &'static str {
-    method.properties().title
+    method.info().title
 }
 
 fn named(name: &str) -> MethodRef {

@@ -1,13 +1,13 @@
 //! A method on its way: the state, what the method remembers, and the count of what it took.
 
-use pendula::fast::Stepped;
-use pendula::{Damped, Described, Grid, Method, Pendulum, Phase, methods};
+use pendula::fast::ScaledPendulum;
+use pendula::{Damped, Grid, Info, Method, Pendulum, Phase, methods};
 
-use crate::shared::{Shared, State};
+use crate::shared::{Shared, SharedState};
 
 /// What is asked for: a pendulum, its start, a method and a step.
 #[derive(Clone, Copy, Debug)]
-pub struct Scene {
+pub struct Setup {
     /// Index of the method in [`METHODS`](pendula::METHODS).
     pub method: usize,
     /// The pendulum.
@@ -23,13 +23,13 @@ pub struct Scene {
 macro_rules! all {
     ($($module:ident::$method:ident,)+) => {
         /// Which method it is, and what its last step left for the next.
-        enum Memo {
-            $($method(<methods::$method as Method<Shared>>::Memo),)+
+        enum Carry {
+            $($method(<methods::$method as Method<Shared>>::Carry),)+
         }
 
-        impl Memo {
+        impl Carry {
             /// [`Method::start`] of the method at `index` in the library's list.
-            fn start(index: usize, system: &Shared, h: f64, z: State) -> Option<Self> {
+            fn start(index: usize, system: &Shared, h: f64, z: SharedState) -> Option<Self> {
                 let mut number = 0..;
                 $(if number.next() == Some(index) {
                     return Some(Self::$method(methods::$method.start(system, 0.0, h, z)));
@@ -38,10 +38,10 @@ macro_rules! all {
             }
 
             /// [`Method::step`].
-            fn step(&mut self, system: &Shared, t: f64, h: f64, z: State) -> State {
+            fn step(&mut self, system: &Shared, t: f64, h: f64, z: SharedState) -> SharedState {
                 match self {
-                    $(Self::$method(memo) => {
-                        methods::$method.step(system, t, h, z, memo)
+                    $(Self::$method(carry) => {
+                        methods::$method.step(system, t, h, z, carry)
                     })+
                 }
             }
@@ -55,19 +55,19 @@ macro_rules! all {
         pub fn names(index: usize) -> Option<[&'static str; 2]> {
             let mut number = 0..;
             $(if number.next() == Some(index) {
-                let properties = methods::$method.properties();
-                return Some([properties.name, properties.title]);
+                let info = methods::$method.info();
+                return Some([info.name, info.title]);
             })+
             None
         }
 
         $(const _: () = assert!(
-            <methods::$method as Method<Stepped>>::REACH <= FARTHEST,
+            <methods::$method as Method<ScaledPendulum>>::REACH <= FARTHEST,
             "`longest` has to ask for a method that reaches as far",
         );)+
     };
 }
-pendula::methods!(all);
+pendula::for_each_method!(all);
 
 macro_rules! general {
     ($($module:ident::$method:ident,)+) => {
@@ -75,34 +75,34 @@ macro_rules! general {
         const GENERAL: usize = [$(stringify!($method)),+].len();
     };
 }
-pendula::general_methods!(general);
+pendula::for_each_general_method!(general);
 
 /// No method reaches farther than this one.
 type Farthest = methods::Dop853;
-const FARTHEST: f64 = <Farthest as Method<Stepped>>::REACH;
+const FARTHEST: f64 = <Farthest as Method<ScaledPendulum>>::REACH;
 
 /// As many steps as an hour of a tenth of a millisecond each: more than anybody waits for.
 const MOST_STEPS: u64 = 36_000_000;
 
-/// A method on its way through a [`Scene`].
-pub struct Walk {
+/// A method on its way through a [`Setup`].
+pub struct Trajectory {
     system: Shared,
     /// In seconds, and in the system's unit of time.
     grid: Grid,
     inner: Grid,
-    z: State,
-    memo: Memo,
+    z: SharedState,
+    carry: Carry,
     taken: u64,
     phase: Phase,
 }
 
-impl Walk {
+impl Trajectory {
     /// The beginning of the walk; `None` for a scene that the library refuses, or a method that does not suit damping.
-    pub fn new(scene: &Scene) -> Option<Self> {
+    pub fn new(scene: &Setup) -> Option<Self> {
         let start = scene.pendulum.start(scene.start.theta, scene.start.omega).ok()?;
         let ((system, z), grid, inner) = if scene.damping == 0.0 {
-            let (stepped, grid) = longest(scene, start)?;
-            (Shared::swing(stepped, start), grid, grid.in_steps())
+            let (scaled, grid) = longest(scene, start)?;
+            (Shared::scaled(scaled, start), grid, grid.in_steps())
         } else if scene.method < GENERAL {
             let damped = Damped::new(scene.pendulum, scene.damping).ok()?;
             let grid = Grid::new(scene.step, MOST_STEPS).ok()?;
@@ -110,8 +110,8 @@ impl Walk {
         } else {
             return None;
         };
-        let memo = Memo::start(scene.method, &system, inner.step(), z)?;
-        Some(Self { system, grid, inner, z, memo, taken: 0, phase: start })
+        let carry = Carry::start(scene.method, &system, inner.step(), z)?;
+        Some(Self { system, grid, inner, z, carry, taken: 0, phase: start })
     }
 
     /// Takes a step, and says whether there was one left: one turn of the loop in `pendula::integrate`.
@@ -120,7 +120,7 @@ impl Walk {
             return false;
         }
         let (t, h) = (self.inner.time(self.taken), self.inner.step());
-        self.z = self.memo.step(&self.system, t, h, self.z);
+        self.z = self.carry.step(&self.system, t, h, self.z);
         self.phase = self.system.phase(self.z);
         self.taken += 1;
         true
@@ -152,14 +152,14 @@ impl Walk {
     }
 }
 
-/// A grid, the longer the better, on which `pendula::swing` counts time in steps with any method, and the pendulum that
+/// A grid, the longer the better, on which `pendula::integrate_fast` counts time in steps with any method, and the pendulum that
 /// does: on every shorter one it does the same, bit for bit.
-fn longest(scene: &Scene, start: Phase) -> Option<(Stepped, Grid)> {
+fn longest(scene: &Setup, start: Phase) -> Option<(ScaledPendulum, Grid)> {
     let mut steps = MOST_STEPS;
     while steps > 0 {
         let grid = Grid::new(scene.step, steps).ok()?;
-        if let Some(stepped) = Stepped::of::<Farthest>(&scene.pendulum, &grid, start) {
-            return Some((stepped, grid));
+        if let Some(scaled) = ScaledPendulum::new::<Farthest>(&scene.pendulum, &grid, start) {
+            return Some((scaled, grid));
         }
         steps /= 2;
     }

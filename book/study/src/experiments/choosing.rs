@@ -71,7 +71,7 @@ pub fn allowed() -> [f64; 19] {
 
 /// The swing that every method is measured on.
 #[derive(Clone, Copy, Debug)]
-pub struct Scene {
+pub struct Release {
     /// The start, an eighth of a period after the release.
     pub start: Phase,
     /// The period T (s).
@@ -82,7 +82,7 @@ pub struct Scene {
     sensitivity: f64,
 }
 
-impl Scene {
+impl Release {
     /// The paper's pendulum at the amplitude [`THETA_0`].
     pub fn new() -> Self {
         /// For a central difference: δ² is all it errs by.
@@ -121,7 +121,7 @@ impl Scene {
     /// walk goes straight. A step a little off walks as it should; and where the map looks, the methods err by more.
     pub fn rounding(&self, method: MethodRef, steps: u64, periods: u64) -> f64 {
         const ROUNDING: f64 = 0.6 * f64::EPSILON;
-        let evaluations = method.properties().force_evaluations as f64;
+        let evaluations = method.info().force_evaluations as f64;
         let walk = ROUNDING * libm::sqrt(evaluations * steps as f64 * periods as f64);
         let late = self.sensitivity * self.period * periods as f64 / libm::sqrt(3.0);
         let angle = self.fastest * late;
@@ -129,7 +129,7 @@ impl Scene {
     }
 }
 
-impl Default for Scene {
+impl Default for Release {
     fn default() -> Self {
         Self::new()
     }
@@ -144,7 +144,7 @@ impl Default for Scene {
 pub struct Profile {
     /// The method.
     pub method: MethodRef,
-    scene: Scene,
+    scene: Release,
     rungs: Vec<Rung>,
 }
 
@@ -162,7 +162,7 @@ struct Rung {
 }
 
 /// Measures every method of the library.
-pub fn profiles(scene: &Scene) -> Vec<Profile> {
+pub fn profiles(scene: &Release) -> Vec<Profile> {
     let motion = Motion::new(&Pendulum::PAPER, scene.start).expect("a finite start");
     let mut profiles: Vec<Profile> = METHODS
         .iter()
@@ -183,7 +183,7 @@ pub fn profiles(scene: &Scene) -> Vec<Profile> {
 
 impl Rung {
     /// Runs the method with a step for each state of `truth`, which is the exact motion over a period.
-    fn measure(method: MethodRef, scene: &Scene, truth: &[Phase]) -> Self {
+    fn measure(method: MethodRef, scene: &Release, truth: &[Phase]) -> Self {
         let steps = truth.len() as u64;
         // An even number of periods between the first and the last, so that one is half-way.
         let half = (STEPS / steps).min(LONGEST) / 2;
@@ -194,8 +194,8 @@ impl Rung {
                 errors.push(z.theta - truth[((n - 1) % steps) as usize].theta);
             }
         });
-        let properties = method.properties();
-        Self::fit(&errors, truth.len(), !(properties.symplectic || properties.symmetric))
+        let info = method.info();
+        Self::fit(&errors, truth.len(), !(info.symplectic || info.symmetric))
     }
 
     /// The law that the errors (rad) of an odd number of periods follow, each of so many `steps`; with e₂ if the action
@@ -287,7 +287,7 @@ impl Profile {
         };
         let rungs = self.rungs.iter().skip_while(useless);
         let mut rungs: Vec<Rung> = rungs.take_while(|rung| clear(rung)).cloned().collect();
-        let order = f64::from(self.method.properties().order);
+        let order = f64::from(self.method.info().order);
         if let [.., coarse, _, last] = &rungs[..] {
             let octaves = libm::log2(last.steps as f64 / coarse.steps as f64);
             let power = libm::round(libm::log2(coarse.drift() / last.drift()) / octaves);
@@ -306,7 +306,7 @@ impl Profile {
 #[derive(Clone, Debug)]
 pub struct Curve {
     method: MethodRef,
-    scene: Scene,
+    scene: Release,
     periods: u64,
     /// The steps a period, and the logarithm of the error (rad).
     points: Vec<(f64, f64)>,
@@ -350,8 +350,8 @@ impl Curve {
     fn evaluations(&self, steps: u64) -> u64 {
         const COUNTED: u64 = 1024;
         const EIGHTHS: u64 = 8;
-        let properties = self.method.properties();
-        if properties.implicit {
+        let info = self.method.info();
+        if info.implicit {
             let starts = if steps > COUNTED { EIGHTHS } else { 1 };
             let step = self.scene.period / steps as f64;
             let some = Grid::new(step, steps.min(COUNTED) / starts).expect("a positive step");
@@ -363,7 +363,7 @@ impl Curve {
             let counted: u64 = (0..starts).map(count).sum();
             (counted as f64 / (starts * some.steps()) as f64 * (steps * self.periods) as f64) as u64
         } else {
-            properties.start_evaluations + properties.force_evaluations * steps * self.periods
+            info.start_evaluations + info.force_evaluations * steps * self.periods
         }
     }
 
@@ -413,7 +413,7 @@ pub struct Cell {
 // ANCHOR: map
 /// The whole map, for all methods of the library.
 pub fn map() -> Vec<Cell> {
-    let profiles = profiles(&Scene::new());
+    let profiles = profiles(&Release::new());
     let mut map = Vec::new();
     for periods in PERIODS {
         let curves: Vec<Curve> = profiles.iter().map(|profile| profile.over(periods)).collect();
@@ -524,7 +524,7 @@ mod tests {
     /// Catches: a method whose action keeps still, by either property, fitted with a drift; one that loses action without.
     #[test]
     fn only_a_method_without_symmetry_drifts() {
-        let scene = Scene::new();
+        let scene = Release::new();
         let motion = Motion::new(&Pendulum::PAPER, scene.start).unwrap();
         let grid = scene.grid(32, 1);
         let truth: Vec<Phase> = (1..=32).map(|n| motion.at(grid.time(n))).collect();
@@ -536,7 +536,8 @@ mod tests {
 
     /// The steps of those of two rungs that RK4's curve over so many periods is made of.
     fn kept(rungs: [Rung; 2], periods: u64) -> Vec<u64> {
-        let profile = Profile { method: named("rk4"), scene: Scene::new(), rungs: rungs.to_vec() };
+        let profile =
+            Profile { method: named("rk4"), scene: Release::new(), rungs: rungs.to_vec() };
         let points = profile.over(periods).points;
         points.iter().map(|(steps, _)| *steps as u64).collect()
     }
@@ -547,7 +548,7 @@ mod tests {
     /// Catches: an error made of rounding that counts, a clear one that does not, a run cut short taken for one gone beyond.
     #[test]
     fn an_error_counts_where_it_is_clear_of_rounding() {
-        let rounding = Scene::new().rounding(named("rk4"), 64, 8);
+        let rounding = Release::new().rounding(named("rk4"), 64, 8);
         let at = |bound: f64, periods, growth: [f64; 3]| {
             let coarser = rung(32, [1.0, 0.0, 0.0]);
             let [e0, e1, e2] = growth.map(|e| e * bound);
@@ -592,7 +593,7 @@ mod tests {
                 let drift = |k: u32| 1e-4 / (octave.pow(k * power) as f64);
                 let rungs =
                     (0..3).map(|k| rung(32 * octave.pow(k), [0.0, 0.0, drift(k)])).collect();
-                let profile = Profile { method: named("rk4"), scene: Scene::new(), rungs };
+                let profile = Profile { method: named("rk4"), scene: Release::new(), rungs };
                 let curve = profile.over(11);
                 let last = 32 * octave.pow(2);
                 // e₂ · 10², and sixteen times as many steps.
@@ -607,7 +608,7 @@ mod tests {
     /// The curve of a method through these steps a period and errors (rad).
     fn curve(name: &str, periods: u64, points: &[(f64, f64)]) -> Curve {
         let points = points.iter().map(|(n, e)| (*n, libm::log(*e))).collect();
-        Curve { method: named(name), scene: Scene::new(), periods, points }
+        Curve { method: named(name), scene: Release::new(), periods, points }
     }
 
     /// Half an octave below 16 steps are 22.6 of them: 23, and their error.
@@ -672,7 +673,7 @@ mod tests {
     fn the_force_is_counted_over_the_whole_run() {
         let of = |name, steps| curve(name, 3, &[(32.0, 1.0), (64.0, 0.1)]).evaluations(steps);
         assert_eq!((of("rk4", 50), of("stormer-verlet", 50)), (600, 151));
-        let scene = Scene::new();
+        let scene = Release::new();
         // From one of its eighths the second is miscounted by 3.8 %.
         for (name, steps) in [("gauss-4", 50), ("gauss-6", 3000)] {
             let grid = scene.grid(steps, 3);
@@ -687,7 +688,7 @@ mod tests {
     /// Catches: the angle without its amplitude, or its lag.
     #[test]
     fn rounding_is_the_walks_of_angle_and_time() {
-        let (scene, method) = (Scene::new(), named("rk4"));
+        let (scene, method) = (Release::new(), named("rk4"));
         // 4 · 25 · 100 roundings: 2 · 0.6 ε · 100 of 1 rad, and of the lag.
         let lag = scene.fastest * scene.sensitivity * scene.period * 100.0 / 3.0_f64.sqrt();
         let expected = 120.0 * f64::EPSILON * libm::hypot(THETA_0, lag);

@@ -4,7 +4,7 @@ use pendula::METHODS;
 
 use super::{Drawing, style, title};
 use crate::charts::{Axis, Chart, Figure, Style};
-use crate::experiments::{Study, choice};
+use crate::experiments::{Study, choosing};
 
 pub(super) const FIGURES: &[Drawing] = &[Drawing {
     name: "decision",
@@ -16,14 +16,14 @@ pub(super) const FIGURES: &[Drawing] = &[Drawing {
 
 /// Each cell of the map with the mark of the method that does it for least.
 fn decision(_: &Study) -> Figure {
-    let map = choice::map();
+    let map = choosing::map();
     let mut chart = Chart::new(
         Axis::log("length of the run (periods)").range(0.7, 1.5e5),
         Axis::log("largest angle error allowed (rad)").range(5e-11, 2e-1),
     )
     .height(380.0);
     for method in METHODS {
-        let wins = |cell: &&choice::Cell| {
+        let wins = |cell: &&choosing::Cell| {
             cell.ranking.first().is_some_and(|best| title(best.method) == title(*method))
         };
         let cells: Vec<_> = map.iter().filter(wins).map(at).collect();
@@ -45,6 +45,6 @@ fn decision(_: &Study) -> Figure {
     .panel(chart)
 }
 
-fn at(cell: &choice::Cell) -> (f64, f64) {
+fn at(cell: &choosing::Cell) -> (f64, f64) {
     (cell.periods as f64, cell.allowed)
 }

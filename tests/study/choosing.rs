@@ -4,12 +4,12 @@ use std::sync::LazyLock;
 
 use pendula::methods::Rk4;
 use pendula::{AnyMethod, Grid, METHODS, Motion, Pendulum, Phase};
-use pendula_study::experiments::choice::{
-    Advice, COARSE, Cell, LONGEST, PERIODS, Profile, Scene, allowed, map, profiles,
+use pendula_study::experiments::choosing::{
+    Advice, COARSE, Cell, LONGEST, PERIODS, Profile, Release, allowed, map, profiles,
 };
 use rstest::rstest;
 
-static SCENE: LazyLock<Scene> = LazyLock::new(Scene::new);
+static SCENE: LazyLock<Release> = LazyLock::new(Release::new);
 static MAP: LazyLock<Vec<Cell>> = LazyLock::new(map);
 static PROFILES: LazyLock<Vec<Profile>> = LazyLock::new(|| profiles(&SCENE));
 
@@ -29,8 +29,8 @@ fn largest_error(method: &dyn AnyMethod, grid: &Grid) -> f64 {
 
 /// What the method's curve says of such a run.
 fn predicted(advice: &Advice, periods: u64) -> f64 {
-    let name = advice.method.properties().name;
-    let profile = PROFILES.iter().find(|profile| profile.method.properties().name == name).unwrap();
+    let name = advice.method.info().name;
+    let profile = PROFILES.iter().find(|profile| profile.method.info().name == name).unwrap();
     profile.over(periods).error(advice.steps)
 }
 
@@ -81,7 +81,7 @@ fn chord(order: u32) -> f64 {
 fn the_advice_is_met_in_real_runs() {
     for Cell { periods, allowed, ranking } in some_cells() {
         for advice in &ranking[..2] {
-            let properties = advice.method.properties();
+            let info = advice.method.info();
             let grid = SCENE.grid(advice.steps, *periods);
             let error = largest_error(advice.method, &grid);
             let rounding = SCENE.rounding(advice.method, advice.steps, *periods);
@@ -90,14 +90,14 @@ fn the_advice_is_met_in_real_runs() {
                 "{error:e} of {allowed:e} allowed over {periods} periods: {advice:?}"
             );
             let law = predicted(advice, *periods);
-            let least = (1.0 - TOLERANCE) * chord(properties.order) * law - rounding;
+            let least = (1.0 - TOLERANCE) * chord(info.order) * law - rounding;
             assert!(
                 advice.steps < COARSE || error > least,
                 "{error:e} for {law:e} over {periods} periods: {advice:?}"
             );
             let counted = advice.method.count_evaluations(&Pendulum::PAPER, SCENE.start, &grid);
             // Of an implicit method only a part was counted, and a numerical swing that is late meets other sweeps.
-            let tolerance = if properties.implicit { counted / 20 } else { 0 };
+            let tolerance = if info.implicit { counted / 20 } else { 0 };
             assert!(advice.evaluations.abs_diff(counted) <= tolerance, "{counted}: {advice:?}");
         }
     }
@@ -115,7 +115,7 @@ fn the_second_best_needs_more() {
         if 2 * next.evaluations < 3 * best.evaluations {
             continue;
         }
-        let steps = best.evaluations / (next.method.properties().force_evaluations * periods);
+        let steps = best.evaluations / (next.method.info().force_evaluations * periods);
         if steps < COARSE {
             continue;
         }

@@ -2,12 +2,12 @@
 
 use pendula::{Hamiltonian, Motion, Phase};
 
-use crate::walk::{Scene, Walk};
+use crate::trajectory::{Setup, Trajectory};
 
 /// One pendulum, what it did since it was last looked at, and what it should do.
-pub struct Place {
-    scene: Scene,
-    walk: Walk,
+pub struct Simulation {
+    scene: Setup,
+    trajectory: Trajectory,
     /// The exact motion, where there is no damping and so one in closed form.
     motion: Option<Motion>,
     /// Energy above the bottom at the start (J).
@@ -20,10 +20,10 @@ pub struct Place {
     largest: f64,
 }
 
-impl Place {
+impl Simulation {
     /// The scene at its start; `None` for one that the library refuses.
-    pub fn new(scene: Scene) -> Option<Self> {
-        let walk = Walk::new(&scene)?;
+    pub fn new(scene: Setup) -> Option<Self> {
+        let trajectory = Trajectory::new(&scene)?;
         let motion = match scene.damping {
             0.0 => Some(Motion::new(&scene.pendulum, scene.start).ok()?),
             _ => None,
@@ -31,7 +31,7 @@ impl Place {
         let energy = scene.pendulum.energy(scene.start);
         Some(Self {
             scene,
-            walk,
+            trajectory,
             motion,
             initial: energy,
             energy,
@@ -44,10 +44,10 @@ impl Place {
     /// Takes up to `count` steps, watches the energy at each, and says how many there were left to take.
     pub fn advance(&mut self, count: u32) -> u32 {
         for n in 0..count {
-            if !self.walk.step() {
+            if !self.trajectory.step() {
                 return n;
             }
-            self.energy = self.scene.pendulum.energy(self.walk.phase());
+            self.energy = self.scene.pendulum.energy(self.trajectory.phase());
             self.lowest = self.lowest.min(self.energy);
             self.highest = self.highest.max(self.energy);
             self.largest = self.largest.max((self.energy - self.initial).abs());
@@ -62,20 +62,20 @@ impl Place {
 
     /// What there is to know, by the numbers that the page has for it; NaN for a number that stands for nothing.
     pub fn read(&mut self, quantity: u32) -> f64 {
-        let Phase { theta, omega } = self.walk.phase();
+        let Phase { theta, omega } = self.trajectory.phase();
         match quantity {
             0 => theta,
             1 => omega,
-            2 => self.walk.time(),
-            3 => self.walk.taken() as f64,
-            4 => self.walk.evaluations() as f64,
+            2 => self.trajectory.time(),
+            3 => self.trajectory.taken() as f64,
+            4 => self.trajectory.evaluations() as f64,
             // As `pendula simulate` prints it: zero at the height of the pivot.
-            5 => self.scene.pendulum.hamiltonian(self.walk.phase()),
+            5 => self.scene.pendulum.energy_from_pivot(self.trajectory.phase()),
             6 => self.energy - self.initial,
             7 => self.lowest - self.initial,
             8 => self.highest - self.initial,
             9 => self.largest,
-            10 => self.walk.limit() as f64,
+            10 => self.trajectory.limit() as f64,
             11 => self.motion.and_then(|motion| motion.period()).unwrap_or(f64::NAN),
             12 => self.initial,
             _ => f64::NAN,
