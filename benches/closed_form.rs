@@ -1,5 +1,5 @@
-//! What the closed form costs: to prepare it and to evaluate it, beside the platform's sine of the same times, and beside
-//! a thousand seconds of RK4, which end less right.
+//! What the closed form costs: to prepare it and to evaluate it, beside the platform's sine of the
+//! same times, and beside a thousand seconds of RK4, which end less right.
 
 use std::hint::black_box;
 use std::time::Duration;

@@ -1,6 +1,8 @@
-//! One kernel alone, for a tool that counts instructions: their number does not depend on what else the machine does.
+//! One kernel alone, for a tool that counts instructions: their number does not depend on what else
+//! the machine does.
 //!
-//! `count <kernel> <steps>` runs a kernel, anything else lists them. `benches/callgrind.sh` makes the table of it.
+//! `count <kernel> <steps>` runs a kernel, anything else lists them. `benches/callgrind.sh` makes
+//! the table of it.
 
 mod common;
 
@@ -20,7 +22,8 @@ macro_rules! every_method {
             $(
                 let method = methods::$method;
                 if method.info().name == name {
-                    return Some(integrate_fast(&Pendulum::PAPER, &method, black_box(START), grid, &mut ()));
+                    let start = black_box(START);
+                    return Some(integrate_fast(&Pendulum::PAPER, &method, start, grid, &mut ()));
                 }
             )+
             None

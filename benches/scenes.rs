@@ -1,7 +1,8 @@
-//! What each scene costs, and what is skipped in it, beside the naive loop: `cargo bench --bench scenes`.
+//! What each scene costs, and what is skipped in it, beside the naive loop: `cargo bench --bench
+//! scenes`.
 //!
-//! Prints the table of the book's chapter on work against error. Every number is a median of one run, and only the ratios
-//! in it mean anything: the machine has other things to do.
+//! Prints the table of the book's chapter on work against error. Every number is a median of one
+//! run, and only the ratios in it mean anything: the machine has other things to do.
 
 mod common;
 #[path = "common/machine.rs"]

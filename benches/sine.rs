@@ -4,14 +4,16 @@
 //! cargo bench -q --bench sine | python3 benches/sine_error.py
 //! ```
 //!
-//! Each line has the name of a range, x, sin x, cos x and the sine of the force, which takes a shorter way. A million points a range.
+//! Each line has the name of a range, x, sin x, cos x and the sine of the force, which takes a
+//! shorter way. A million points a range.
 
 use std::io::{self, BufWriter, Write};
 
 use pendula::arithmetic::sine::{cos, sin};
 use pendula::{Pendulum, Phase, Separable};
 
-/// Names, and the sizes between which the points lie (rad); the last is what our own reduction is for.
+/// Names, and the sizes between which the points lie (rad); the last is what our own reduction is
+/// for.
 const RANGES: [(&str, f64, f64); 5] = [
     ("below-a-quarter-turn", 1e-3, 0.785),
     ("a-turn", 0.785, 6.284),

@@ -1,5 +1,5 @@
-//! What a step costs: each method beside the loop that anyone would write first, in one group and one run; and what it
-//! costs to look.
+//! What a step costs: each method beside the loop that anyone would write first, in one group and
+//! one run; and what it costs to look.
 //!
 //! Only ratios within a group mean anything; the machine has other things to do.
 

@@ -1,16 +1,17 @@
 //! Run time against error: what a digit costs with each method.
 //!
-//! The error is max(|Δθ|, |Δω|/ω₀) at the end, against the closed form. A run of T seconds takes T · 2ᵏ steps, so that the
-//! step is a power of two and the end is where the exact state is asked for: a rounded step alone costs 3e-13 at
-//! 1000 s.
+//! The error is max(|Δθ|, |Δω|/ω₀) at the end, against the closed form. A run of T seconds takes T
+//! · 2ᵏ steps, so that the step is a power of two and the end is where the exact state is asked
+//! for: a rounded step alone costs 3e-13 at 1000 s.
 //!
 //! # Which steps count
-//! A lucky step, at which the error just crosses zero, must not count, and the next finer one tells ([`is_asymptotic`]); nor
-//! does an error of more than a radian. Where an error may be [rounding](EndError::rounding), and is not halved by the next
-//! step, it is the last: more steps would only add roundings.
+//! A lucky step, at which the error just crosses zero, must not count, and the next finer one tells
+//! ([`is_asymptotic`]); nor does an error of more than a radian. Where an error may be
+//! [rounding](EndError::rounding), and is not halved by the next step, it is the last: more steps
+//! would only add roundings.
 //!
-//! `cargo bench --bench work_precision` takes the median of nine runs; without `--bench` it is one run, to see that it
-//! works.
+//! `cargo bench --bench work_precision` takes the median of nine runs; without `--bench` it is one
+//! run, to see that it works.
 
 #[path = "common/machine.rs"]
 mod machine;

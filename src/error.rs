@@ -27,7 +27,8 @@ pub enum Error {
         /// The number of steps asked for; an f64, as it may exceed every integer type.
         steps: f64,
     },
-    /// No step, however small, meets the tolerance: the motion is singular there, or its rate is not a number.
+    /// No step, however small, meets the tolerance: the motion is singular there, or its rate is
+    /// not a number.
     StepTooSmall {
         /// The time that was reached (s).
         t: f64,
@@ -51,7 +52,8 @@ impl fmt::Display for Error {
             }
             Self::PartialStep { duration, step } => write!(
                 f,
-                "a duration of {duration:?} s is {:?} steps of {step:?} s: it must be a whole number of steps",
+                "a duration of {duration:?} s is {:?} steps of {step:?} s: it must be a whole \
+                 number of steps",
                 duration / step
             ),
             Self::TooManySteps { steps } => write!(
@@ -60,13 +62,13 @@ impl fmt::Display for Error {
             ),
             Self::StepTooSmall { t, step } => write!(
                 f,
-                "at {t:?} s a step of {step:?} s is still too long for the tolerance: it must be one of a motion \
-                 without a singularity, and long enough to be added to the time"
+                "at {t:?} s a step of {step:?} s is still too long for the tolerance: it must be \
+                 one of a motion without a singularity, and long enough to be added to the time"
             ),
             Self::OutOfSteps { t, limit } => write!(
                 f,
-                "{limit} steps have led no further than to {t:?} s: allow more of them, a larger tolerance or a \
-                 shorter run"
+                "{limit} steps have led no further than to {t:?} s: allow more of them, a larger \
+                 tolerance or a shorter run"
             ),
         }
     }
@@ -74,7 +76,8 @@ impl fmt::Display for Error {
 
 impl core::error::Error for Error {}
 
-/// 2⁵³: up to here every integer is an f64, so that the time of each step is computed without a rounded count.
+/// 2⁵³: up to here every integer is an f64, so that the time of each step is computed without a
+/// rounded count.
 pub const MAX_STEPS: u64 = 1 << 53;
 
 /// Passes a number that is finite and greater than zero.

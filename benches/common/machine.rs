@@ -1,4 +1,5 @@
-//! What the timings that need no criterion share: which instructions there are, and the median of a few runs.
+//! What the timings that need no criterion share: which instructions there are, and the median of a
+//! few runs.
 
 use std::hint::black_box;
 use std::time::Instant;

@@ -1,4 +1,5 @@
-//! The loops that anyone would write first, with the platform's sine: what the library is measured against.
+//! The loops that anyone would write first, with the platform's sine: what the library is measured
+//! against.
 
 use pendula::Phase;
 

@@ -2,14 +2,16 @@
 
 use crate::systems::State;
 
-/// A polynomial that follows the motion through a step: a state at every time, for no evaluation of the force.
+/// A polynomial that follows the motion through a step: a state at every time, for no evaluation of
+/// the force.
 ///
 /// With s the part of the step that is over and c₁, c₂, … the `C`, it is
 ///
 /// z + s (c₁ + (1 − s)(c₂ + s (c₃ + (1 − s)(c₄ + …)))),
 ///
-/// so that at s = 1 it ends on the very digits of the step (Hairer, Nørsett, Wanner, *Solving Ordinary Differential
-/// Equations I*, Sect. II.6). In general it is of a lower order than the step: 4 for 5, 7 for 8.
+/// so that at s = 1 it ends on the very digits of the step (Hairer, Nørsett, Wanner, *Solving
+/// Ordinary Differential Equations I*, Sect. II.6). In general it is of a lower order than the
+/// step: 4 for 5, 7 for 8.
 #[derive(Clone, Copy, Debug)]
 pub struct Dense<Z, C> {
     t: f64,

@@ -17,8 +17,8 @@ pub enum Direction {
 }
 
 impl Direction {
-    /// Whether the zero that is `before`, or none, has been crossed in this direction. A function that begins on zero
-    /// does not cross it there.
+    /// Whether the zero that is `before`, or none, has been crossed in this direction. A function
+    /// that begins on zero does not cross it there.
     fn crossed(self, before: f64, after: f64) -> bool {
         let rising = before < 0.0 && after >= 0.0;
         let falling = before > 0.0 && after <= 0.0;
@@ -39,7 +39,8 @@ pub struct Crossing<Z> {
     pub z: Z,
 }
 
-/// Points at which a step is looked at: two zeros closer together than an eighth of a step can hide each other.
+/// Points at which a step is looked at: two zeros closer together than an eighth of a step can hide
+/// each other.
 const LOOKS: u32 = 8;
 
 /// An iterator over the crossings of a walk: see [`AdaptiveSteps::crossings`].
@@ -88,8 +89,9 @@ where
     }
 
     // ANCHOR: bisect
-    /// The crossing between the parts `low` and `high` of a step, where the function at `low` is `before`: halved until
-    /// no f64 lies between. Halving is slow and cannot fail; the force is not asked.
+    /// The crossing between the parts `low` and `high` of a step, where the function at `low` is
+    /// `before`: halved until no f64 lies between. Halving is slow and cannot fail; the force is
+    /// not asked.
     fn bisect(
         &mut self,
         dense: DenseOf<S, M>,

@@ -1,8 +1,9 @@
 //! Steps whose size follows the motion.
 //!
-//! [`Adaptive`] is an embedded Runge–Kutta method with a [`Tolerance`]. It [integrates](Adaptive::integrate()) past an
-//! observer, or [walks](Adaptive::steps) step by step; of each step it gives [dense output](Dense), which is a state at
-//! every time within, and on that it finds [crossings](AdaptiveSteps::crossings): the period, or the passage over the top.
+//! [`Adaptive`] is an embedded Runge–Kutta method with a [`Tolerance`]. It
+//! [integrates](Adaptive::integrate()) past an observer, or [walks](Adaptive::steps) step by step;
+//! of each step it gives [dense output](Dense), which is a state at every time within, and on that
+//! it finds [crossings](AdaptiveSteps::crossings): the period, or the passage over the top.
 //!
 //! ```
 //! use pendula::adaptive::{Adaptive, Direction, Tolerance};
@@ -19,8 +20,9 @@
 //! # Ok::<(), pendula::Error>(())
 //! ```
 //!
-//! None of this is symplectic, and over long runs its energy drifts. A step chosen by what lies behind cannot be taken
-//! back. One that is chosen the same from both sides can: [`SymmetricSteps`].
+//! None of this is symplectic, and over long runs its energy drifts. A step chosen by what lies
+//! behind cannot be taken back. One that is chosen the same from both sides can:
+//! [`SymmetricSteps`].
 
 mod control;
 mod dense;
@@ -62,7 +64,8 @@ impl<M: Embedded> Adaptive<M> {
         Self { limit: attempts, ..self }
     }
 
-    /// Sets out to take `system` from `start` at time `from` (s) to time `until` (s), which may be the earlier one.
+    /// Sets out to take `system` from `start` at time `from` (s) to time `until` (s), which may be
+    /// the earlier one.
     ///
     /// # Errors
     /// [`Error::Parameter`] for a time that is not finite, and for two whose difference is not.
@@ -80,13 +83,13 @@ impl<M: Embedded> Adaptive<M> {
     }
 
     // ANCHOR: integrate
-    /// Takes `system` from `start` at time `from` (s) to time `until` (s), lets `observer` see the start and the end of
-    /// each step, returns the last state, and what it cost: the state at `until`, or the one with which the observer was
-    /// satisfied.
+    /// Takes `system` from `start` at time `from` (s) to time `until` (s), lets `observer` see the
+    /// start and the end of each step, returns the last state, and what it cost: the state at
+    /// `until`, or the one with which the observer was satisfied.
     ///
     /// # Errors
-    /// As [`Adaptive::steps`]; [`Error::StepTooSmall`] where no step meets the tolerance, or the system has no finite rate;
-    /// [`Error::OutOfSteps`] after as many attempts as are allowed.
+    /// As [`Adaptive::steps`]; [`Error::StepTooSmall`] where no step meets the tolerance, or the
+    /// system has no finite rate; [`Error::OutOfSteps`] after as many attempts as are allowed.
     pub fn integrate<S, O>(
         &self,
         system: &S,

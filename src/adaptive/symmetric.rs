@@ -1,20 +1,22 @@
 //! Störmer–Verlet with steps that vary and can still be taken back.
 //!
-//! A step chosen by what lies behind it is chosen otherwise on the way back: the method is not reversible any more, and
-//! its energy drifts. Hairer and Söderlind (*SIAM J. Sci. Comput.* 26 (2005) 1838–1851) let the density of the steps be
-//! a variable with a rate of its own. It leaps over the state as the state leaps over it, and the whole is symmetric.
+//! A step chosen by what lies behind it is chosen otherwise on the way back: the method is not
+//! reversible any more, and its energy drifts. Hairer and Söderlind (*SIAM J. Sci. Comput.* 26
+//! (2005) 1838–1851) let the density of the steps be a variable with a rate of its own. It leaps
+//! over the state as the state leaps over it, and the whole is symmetric.
 
 use crate::error::{Error, positive};
 use crate::systems::Separable;
 
 /// Störmer–Verlet with a step h = ε/ρ, where the density ρ of the steps follows the motion.
 ///
-/// ρ₊ = ρ + (ε/2) G(z), a step of Störmer–Verlet of h = ε/ρ₊, ρ = ρ₊ + (ε/2) G(z): order 2 in ε, symmetric, one force
-/// evaluation a step and one before the first; with G = 0 it is Störmer–Verlet with the step ε. Also called the step
-/// density or the integrating controller. Hairer, Söderlind (2005); Hairer, Lubich, Wanner, *Geometric Numerical
-/// Integration*, Sect. VIII.3.
+/// ρ₊ = ρ + (ε/2) G(z), a step of Störmer–Verlet of h = ε/ρ₊, ρ = ρ₊ + (ε/2) G(z): order 2 in ε,
+/// symmetric, one force evaluation a step and one before the first; with G = 0 it is Störmer–Verlet
+/// with the step ε. Also called the step density or the integrating controller. Hairer, Söderlind
+/// (2005); Hairer, Lubich, Wanner, *Geometric Numerical Integration*, Sect. VIII.3.
 ///
-/// It is an iterator over the samples after the start, and has no end of its own but an error, after which there are no more.
+/// It is an iterator over the samples after the start, and has no end of its own but an error,
+/// after which there are no more.
 #[derive(Clone, Copy, Debug)]
 pub struct SymmetricSteps<'a, S: Separable, G> {
     system: &'a S,
@@ -39,11 +41,12 @@ pub struct Sample<Z> {
 }
 
 impl<'a, S: Separable, G: Fn(S::State) -> f64> SymmetricSteps<'a, S, G> {
-    /// Sets `system` out from `start` at time 0, with steps of about `epsilon` (s) there and elsewhere as `density_rate`,
-    /// G (1/s), has it.
+    /// Sets `system` out from `start` at time 0, with steps of about `epsilon` (s) there and
+    /// elsewhere as `density_rate`, G (1/s), has it.
     ///
-    /// For steps in proportion to a function σ of the state, G = −(dσ/dt)/σ: the rate at which ln σ falls. It is to change
-    /// its sign with the velocities, as it does wherever σ does not change with theirs.
+    /// For steps in proportion to a function σ of the state, G = −(dσ/dt)/σ: the rate at which ln σ
+    /// falls. It is to change its sign with the velocities, as it does wherever σ does not change
+    /// with theirs.
     ///
     /// # Errors
     /// [`Error::Parameter`] for an `epsilon` that is not finite and positive.

@@ -3,26 +3,27 @@
 use crate::error::{Error, positive};
 use crate::systems::Components;
 
-/// The error allowed in one step: each component x of the state may be off by absolute + relative · |x|.
+/// The error allowed in one step: each component x of the state may be off by absolute + relative ·
+/// |x|.
 ///
-/// It is a promise about a step, not about the run: errors add up from step to step, and grow as the motion makes them
-/// grow. What the run's error does is fall in proportion to the tolerance.
+/// It is a promise about a step, not about the run: errors add up from step to step, and grow as
+/// the motion makes them grow. What the run's error does is fall in proportion to the tolerance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tolerance {
     absolute: f64,
     relative: f64,
 }
 
-/// 10 ε: a step's own rounding is a few ε of the state, and below ten of them the estimate would measure nothing else
-/// (as in dop853.f, which refuses the same).
+/// 10 ε: a step's own rounding is a few ε of the state, and below ten of them the estimate would
+/// measure nothing else (as in dop853.f, which refuses the same).
 pub const SMALLEST_RELATIVE: f64 = 10.0 * f64::EPSILON;
 
 impl Tolerance {
     /// `absolute` in the units of the components (rad, rad/s), and `relative` to them.
     ///
     /// # Errors
-    /// [`Error::Parameter`] for an absolute tolerance that is not finite and positive, and for a relative one that is not
-    /// between [`SMALLEST_RELATIVE`] and 1.
+    /// [`Error::Parameter`] for an absolute tolerance that is not finite and positive, and for a
+    /// relative one that is not between [`SMALLEST_RELATIVE`] and 1.
     pub fn new(absolute: f64, relative: f64) -> Result<Self, Error> {
         let absolute = positive("absolute tolerance", absolute)?;
         // A NaN is in no range.
@@ -55,9 +56,9 @@ impl Tolerance {
     }
 
     // ANCHOR: error_norm
-    /// The size of a `displacement`, in tolerances: the root of the mean square of its components, each over what it may
-    /// be off by in a step between the states `from` and `to` (Hairer, Nørsett, Wanner, *Solving Ordinary Differential
-    /// Equations I*, Eqs. II.4.10–11).
+    /// The size of a `displacement`, in tolerances: the root of the mean square of its components,
+    /// each over what it may be off by in a step between the states `from` and `to` (Hairer,
+    /// Nørsett, Wanner, *Solving Ordinary Differential Equations I*, Eqs. II.4.10–11).
     #[inline]
     pub fn error_norm<Z: Components>(&self, from: Z, to: Z, displacement: Z::Displacement) -> f64 {
         let (mut squares, mut count) = (0.0, 0.0);

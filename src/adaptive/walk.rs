@@ -14,7 +14,8 @@ pub struct Counts {
     pub accepted: u64,
     /// Attempts whose error was too large.
     pub rejected: u64,
-    /// Force evaluations, counted: with those for the first step's size, for refused attempts and for dense output.
+    /// Force evaluations, counted: with those for the first step's size, for refused attempts and
+    /// for dense output.
     pub evaluations: u64,
 }
 
@@ -124,8 +125,9 @@ where
 
     /// The size of the first attempt (s).
     ///
-    /// It looks at how large the state is, how fast it changes, and, with a small step of forward Euler, how fast that
-    /// changes (Hairer, Nørsett, Wanner, *Solving Ordinary Differential Equations I*, Sect. II.4).
+    /// It looks at how large the state is, how fast it changes, and, with a small step of forward
+    /// Euler, how fast that changes (Hairer, Nørsett, Wanner, *Solving Ordinary Differential
+    /// Equations I*, Sect. II.4).
     fn first_step(&self) -> f64 {
         let Self { t, z, slope, .. } = *self;
         let duration = self.until - t;
@@ -180,11 +182,11 @@ where
         Dense::new(t, h, z, coefficients)
     }
 
-    /// An iterator over the times from here on when the function `g` of time (s) and state changes its sign in the
-    /// `direction`, and over the states then.
+    /// An iterator over the times from here on when the function `g` of time (s) and state changes
+    /// its sign in the `direction`, and over the states then.
     ///
-    /// Within a step they are found on its dense output. Two zeros that lie closer than an eighth of a step can hide
-    /// each other.
+    /// Within a step they are found on its dense output. Two zeros that lie closer than an eighth
+    /// of a step can hide each other.
     pub fn crossings<G>(&mut self, direction: Direction, g: G) -> Crossings<'_, 'a, S, M, G>
     where
         G: FnMut(f64, S::State) -> f64,
@@ -200,7 +202,8 @@ where
             if self.accepted + self.rejected >= limit {
                 return Err(Error::OutOfSteps { t, limit });
             }
-            // A step that almost ends where the walk does ends there, and leaves no sliver for another.
+            // A step that almost ends where the walk does ends there, and leaves no sliver for
+            // another.
             let left = until - t;
             let last = libm::fabs(1.01 * self.h) >= libm::fabs(left);
             let (h, end_time) = if last { (left, until) } else { (self.h, t + self.h) };

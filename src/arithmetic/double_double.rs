@@ -1,9 +1,11 @@
-//! Arithmetic with twice the digits: a number as the unevaluated sum of two f64, good to about 2⁻¹⁰⁴.
+//! Arithmetic with twice the digits: a number as the unevaluated sum of two f64, good to about
+//! 2⁻¹⁰⁴.
 //!
-//! A phase is reduced by its period: after N periods an error in the period counts N times. The exact solution keeps
-//! the few numbers this happens to in double-double, and everything else in f64. The algorithms are those of
-//! Dekker, *Numer. Math.* 18 (1971) 224, and of Joldes, Muller, Popescu, *ACM Trans. Math. Softw.* 44 (2017) 15res;
-//! none of them uses a fused multiply-add, which not every machine has.
+//! A phase is reduced by its period: after N periods an error in the period counts N times. The
+//! exact solution keeps the few numbers this happens to in double-double, and everything else in
+//! f64. The algorithms are those of Dekker, *Numer. Math.* 18 (1971) 224, and of Joldes, Muller,
+//! Popescu, *ACM Trans. Math. Softw.* 44 (2017) 15res; none of them uses a fused multiply-add,
+//! which not every machine has.
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -59,8 +61,8 @@ impl DoubleDouble {
 
     /// √x for x ≥ 0, by one step of Newton's iteration from the f64 root.
     ///
-    /// Its residual x − s² has to be exact, and is lost to underflow when x is tiny: an even power of two is taken out
-    /// first.
+    /// Its residual x − s² has to be exact, and is lost to underflow when x is tiny: an even power
+    /// of two is taken out first.
     pub fn sqrt(self) -> Self {
         if self.hi <= 0.0 {
             return Self::ZERO;
@@ -97,7 +99,8 @@ impl Neg for DoubleDouble {
 impl Add for DoubleDouble {
     type Output = Self;
 
-    /// Joldes, Muller, Popescu, Algorithm 6: relative error at most 3 · 2⁻¹⁰⁶ even when the sum cancels.
+    /// Joldes, Muller, Popescu, Algorithm 6: relative error at most 3 · 2⁻¹⁰⁶ even when the sum
+    /// cancels.
     #[inline]
     fn add(self, other: Self) -> Self {
         let (s_hi, s_lo) = two_sum(self.hi, other.hi);
@@ -138,17 +141,20 @@ impl Div for DoubleDouble {
     }
 }
 
-/// (sin y, cos y, n), where x = n π/2 + y with |y| ≤ π/4 and n is an integer: all digits right for |x| < 2⁵².
+/// (sin y, cos y, n), where x = n π/2 + y with |y| ≤ π/4 and n is an integer: all digits right for
+/// |x| < 2⁵².
 pub fn reduced_sine_cosine(x: f64) -> (DoubleDouble, DoubleDouble, f64) {
     let n = libm::rint(x / HALF_PI[0]);
-    // The first two lines are exact; the third adds what distinguishes π/2 from a double-double when x almost is n π/2.
+    // The first two lines are exact; the third adds what distinguishes π/2 from a double-double
+    // when x almost is n π/2.
     let n_half_pi = DoubleDouble::product(n, HALF_PI[0]);
     let y = DoubleDouble::new(x - n_half_pi.hi) - DoubleDouble::new(n_half_pi.lo);
     let y = y - DoubleDouble::product(n, HALF_PI[1]) - DoubleDouble::product(n, HALF_PI[2]);
     (y * nested(y, 1), nested(y, 0), n)
 }
 
-/// 1 − y²/((m+1)(m+2)) (1 − y²/((m+3)(m+4)) (1 − …)): cos y for m = 0 and sin y / y for m = 1 (DLMF 4.19.1–2).
+/// 1 − y²/((m+1)(m+2)) (1 − y²/((m+3)(m+4)) (1 − …)): cos y for m = 0 and sin y / y for m = 1 (DLMF
+/// 4.19.1–2).
 fn nested(y: DoubleDouble, m: u32) -> DoubleDouble {
     /// The first term left out is at most (π/4)²⁸/28! = 2⁻¹⁰⁷·⁷.
     const PAIRS: u32 = 13;
@@ -220,7 +226,8 @@ mod tests {
         assert!(near(third * DoubleDouble::new(3.0), 1.0, 0.0));
     }
 
-    /// Catches: a reduction with too few digits of π/2: cos(π as f64 / 2) has all of them beyond the f64.
+    /// Catches: a reduction with too few digits of π/2: cos(π as f64 / 2) has all of them beyond
+    /// the f64.
     #[test]
     fn sine_and_cosine_keep_all_digits_beside_a_multiple_of_half_pi() {
         let (sin, cos, n) = reduced_sine_cosine(core::f64::consts::FRAC_PI_2);

@@ -6,10 +6,11 @@ use super::variation::{Bundle, Linearised, Variational};
 use crate::integrate::Method;
 use crate::systems::Phase;
 
-/// What becomes of small displacements from an orbit over its period: the linear map with these two columns.
+/// What becomes of small displacements from an orbit over its period: the linear map with these two
+/// columns.
 ///
-/// Its eigenvalues are the Floquet multipliers. Their product is the determinant, their sum the trace; the orbit attracts
-/// if both lie inside the unit circle.
+/// Its eigenvalues are the Floquet multipliers. Their product is the determinant, their sum the
+/// trace; the orbit attracts if both lie inside the unit circle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Monodromy {
     /// What becomes of a unit displacement of θ.
@@ -31,7 +32,8 @@ impl Monodromy {
 
     /// (μ₁ − s)(μ₂ − s), with μ the multipliers: zero where s is one of them.
     ///
-    /// With s = 1 an orbit meets another and both vanish, or two come out of one; with s = −1 it doubles its period.
+    /// With s = 1 an orbit meets another and both vanish, or two come out of one; with s = −1 it
+    /// doubles its period.
     pub fn characteristic(&self, s: f64) -> f64 {
         s * s - s * self.trace() + self.determinant()
     }
@@ -69,8 +71,9 @@ const PATIENCE: u32 = 30;
 const SETTLED: f64 = 1e-13;
 
 // ANCHOR: newton
-/// The orbit near `guess` that is back after so many `periods` of the drive, by Newton's method on the stroboscopic map:
-/// whether it attracts or not. The angle counts turns, so that an orbit which goes over the top is not back.
+/// The orbit near `guess` that is back after so many `periods` of the drive, by Newton's method on
+/// the stroboscopic map: whether it attracts or not. The angle counts turns, so that an orbit which
+/// goes over the top is not back.
 ///
 /// `None` if the search does not settle: there may be no such orbit near.
 pub fn periodic_orbit<'a, S, M>(
@@ -125,11 +128,13 @@ where
 }
 
 // ANCHOR: doubling
-/// The parameter between `low` and `high` at which an orbit doubles its period: where one of its multipliers is −1.
+/// The parameter between `low` and `high` at which an orbit doubles its period: where one of its
+/// multipliers is −1.
 ///
-/// `orbit` gives the orbit for a parameter near one that it is given. It is led from the orbit at `low` to each next one in
-/// so many even `paces`, small enough that Newton does not stray to another orbit; then the pace within which a
-/// multiplier passes −1 is narrowed. `None` where an orbit is lost, or where no multiplier passes −1.
+/// `orbit` gives the orbit for a parameter near one that it is given. It is led from the orbit at
+/// `low` to each next one in so many even `paces`, small enough that Newton does not stray to
+/// another orbit; then the pace within which a multiplier passes −1 is narrowed. `None` where an
+/// orbit is lost, or where no multiplier passes −1.
 pub fn period_doubling(
     mut orbit: impl FnMut(f64, Phase) -> Option<PeriodicOrbit>,
     near: Phase,

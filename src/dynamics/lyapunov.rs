@@ -26,11 +26,12 @@ pub struct Watch {
 }
 
 // ANCHOR: exponent
-/// The largest Lyapunov exponent of the motion from `start`: a neighbour is followed by the variational equation, brought
-/// back to unit distance each period, and what it had grown by is averaged (Benettin, Galgani, Giorgilli, Strelcyn,
-/// *Meccanica* 15 (1980) 9–20).
+/// The largest Lyapunov exponent of the motion from `start`: a neighbour is followed by the
+/// variational equation, brought back to unit distance each period, and what it had grown by is
+/// averaged (Benettin, Galgani, Giorgilli, Strelcyn, *Meccanica* 15 (1980) 9–20).
 ///
-/// The error bar is that of the block averages: neighbouring periods are correlated, long blocks hardly.
+/// The error bar is that of the block averages: neighbouring periods are correlated, long blocks
+/// hardly.
 pub fn largest_exponent<'a, S, M>(
     strobe: &Stroboscope<'a, S, M>,
     start: Phase,

@@ -2,12 +2,13 @@
 //!
 //! * [`variation`]: neighbours of a trajectory, by the variational equation beside it.
 //! * [`stroboscope`]: a periodically driven system seen once a period; a map of its phase space.
-//! * [`floquet`]: periodic orbits by Newton's method, their monodromy matrix, and where they double their period.
+//! * [`floquet`]: periodic orbits by Newton's method, their monodromy matrix, and where they double
+//!   their period.
 //! * [`lyapunov`]: how quickly neighbours part, with an error bar.
 //! * [`mod@root`]: the zero of a function between two points.
 //!
-//! None of it is tied to one method: whatever can take a step of the system can take one of the system with its
-//! neighbours.
+//! None of it is tied to one method: whatever can take a step of the system can take one of the
+//! system with its neighbours.
 
 pub mod floquet;
 pub mod lyapunov;

@@ -1,10 +1,11 @@
 //! The zero of a function between two points.
 
-/// The zero of `f` between `low` and `high`, where its signs differ, by the secant held inside the bracket (the Illinois
-/// rule: Dahlquist, Björck, *Numerical Methods* (1974), Ch. 6), to the last bits of f64.
+/// The zero of `f` between `low` and `high`, where its signs differ, by the secant held inside the
+/// bracket (the Illinois rule: Dahlquist, Björck, *Numerical Methods* (1974), Ch. 6), to the last
+/// bits of f64.
 ///
-/// `f` is asked at `low` first, then at `high`, then between. `None` if it has no value at one of these, or one that is no
-/// number, or the same sign at both ends.
+/// `f` is asked at `low` first, then at `high`, then between. `None` if it has no value at one of
+/// these, or one that is no number, or the same sign at both ends.
 pub fn root(mut f: impl FnMut(f64) -> Option<f64>, low: f64, high: f64) -> Option<f64> {
     let (mut a, mut b) = (low, high);
     let (mut at_a, mut at_b) = (f(a)?, f(b)?);
@@ -15,8 +16,8 @@ pub fn root(mut f: impl FnMut(f64) -> Option<f64>, low: f64, high: f64) -> Optio
     if !(at_a < 0.0 && at_b >= 0.0 || at_a > 0.0 && at_b <= 0.0) {
         return None;
     }
-    // b is the latest point and a the other end of the bracket. A thousand steps would do even for bisection down to
-    // nothing.
+    // b is the latest point and a the other end of the bracket. A thousand steps would do even for
+    // bisection down to nothing.
     for _ in 0..1100 {
         if at_b == 0.0 {
             return Some(b);

@@ -7,18 +7,20 @@ use crate::systems::{RateOf, State, System, Vector};
 
 /// A system that knows how its rate of change differs from one state to the next.
 pub trait Linearised: System {
-    /// The derivative of [`System::rate`] at time `t` (s) and the state `z` along the displacement `v`: the right-hand
-    /// side of the variational equation v̇ = Df(t, z) v.
+    /// The derivative of [`System::rate`] at time `t` (s) and the state `z` along the displacement
+    /// `v`: the right-hand side of the variational equation v̇ = Df(t, z) v.
     fn tangent(&self, t: f64, z: Self::State, v: RateOf<Self>) -> RateOf<Self>;
 
     /// The size of a displacement, in a norm that makes its components comparable.
     fn size(&self, v: RateOf<Self>) -> f64;
 }
 
-/// A system together with N of its neighbours, infinitely near: a system too, which any method for systems moves.
+/// A system together with N of its neighbours, infinitely near: a system too, which any method for
+/// systems moves.
 ///
-/// What a one-step method does to a neighbour is then the derivative of what it does to the trajectory, so that a
-/// determinant or an exponent of the method's own map comes out, not only of the motion's.
+/// What a one-step method does to a neighbour is then the derivative of what it does to the
+/// trajectory, so that a determinant or an exponent of the method's own map comes out, not only of
+/// the motion's.
 #[derive(Clone, Copy, Debug)]
 pub struct Variational<'a, S, const N: usize>(pub &'a S);
 

@@ -1,21 +1,23 @@
-//! Elliptic integrals and functions by means: arithmetic–geometric for the complete ones, Carlson's for the incomplete.
+//! Elliptic integrals and functions by means: arithmetic–geometric for the complete ones, Carlson's
+//! for the incomplete.
 //!
-//! All of them take the complementary modulus k' and never form 1 − k²: near the top of the swing k rounds to 1, and
-//! k' is all that is left to tell one swing from another. Sources are sections of the NIST Digital Library of
-//! Mathematical Functions, <https://dlmf.nist.gov>.
+//! All of them take the complementary modulus k' and never form 1 − k²: near the top of the swing k
+//! rounds to 1, and k' is all that is left to tell one swing from another. Sources are sections of
+//! the NIST Digital Library of Mathematical Functions, <https://dlmf.nist.gov>.
 
 use crate::arithmetic::double_double::DoubleDouble;
 use crate::arithmetic::sine::{cos, sin};
 
 // ANCHOR: complete_elliptic_k
-/// The complete elliptic integral of the first kind K = ∫₀^{π/2} dφ / √(1 − k² sin² φ), from k' = √(1 − k²).
+/// The complete elliptic integral of the first kind K = ∫₀^{π/2} dφ / √(1 − k² sin² φ), from k' =
+/// √(1 − k²).
 ///
-/// K = π / (2 M(1, k')), where M is the arithmetic–geometric mean (DLMF 19.8.5). For a pendulum released at θ₀ the
-/// complementary modulus k' is cos(θ₀/2). Dimensionless; right to 2e-16 relative for every k' from 1, where K = π/2,
-/// down to the smallest f64.
+/// K = π / (2 M(1, k')), where M is the arithmetic–geometric mean (DLMF 19.8.5). For a pendulum
+/// released at θ₀ the complementary modulus k' is cos(θ₀/2). Dimensionless; right to 2e-16 relative
+/// for every k' from 1, where K = π/2, down to the smallest f64.
 ///
-/// Beware of the argument: tables and libraries write K(k), of the modulus k = sin(θ₀/2), or K(m), of the parameter
-/// m = k², and both look alike. This function takes neither.
+/// Beware of the argument: tables and libraries write K(k), of the modulus k = sin(θ₀/2), or K(m),
+/// of the parameter m = k², and both look alike. This function takes neither.
 ///
 /// # Errors
 /// None: K(0) is +∞, and NaN stands for k' outside 0 … 1.
@@ -31,14 +33,16 @@ pub fn complete_elliptic_k(complementary_modulus: f64) -> f64 {
 }
 // ANCHOR_END: complete_elliptic_k
 
-/// M(1, b): the common limit of the arithmetic and the geometric means of 1 and b, for 0 < b ≤ 1 (DLMF 19.8.1–4).
+/// M(1, b): the common limit of the arithmetic and the geometric means of 1 and b, for 0 < b ≤ 1
+/// (DLMF 19.8.1–4).
 ///
 /// Each step (a, b) → ((a + b)/2, √(a b)) squares the distance. `visit` sees a, b and the next a.
 fn arithmetic_geometric_mean(
     b: DoubleDouble,
     mut visit: impl FnMut(DoubleDouble, DoubleDouble, DoubleDouble),
 ) -> DoubleDouble {
-    /// 2⁻⁵⁶: from here on M = (a + b)/2 − (a − b)²/(16 a) + … is (a + b)/2, to the last digit of a double-double.
+    /// 2⁻⁵⁶: from here on M = (a + b)/2 − (a − b)²/(16 a) + … is (a + b)/2, to the last digit of a
+    /// double-double.
     const CLOSE: f64 = 1.0 / (1_u64 << 56) as f64;
     let half = |x: DoubleDouble| x.scaled(0.5);
     let (mut a, mut b) = (DoubleDouble::ONE, b);
@@ -63,7 +67,8 @@ pub(super) fn carlson_rf(x: DoubleDouble, y: DoubleDouble, z: DoubleDouble) -> D
         let dz = -(dx + dy);
         let spread = [dx, dy, dz].map(|d| libm::fabs(d.rounded()));
         if spread.into_iter().all(|d| d < SPREAD) {
-            // DLMF 19.36.1, in the elementary symmetric functions E₂, E₃ of the three small differences.
+            // DLMF 19.36.1, in the elementary symmetric functions E₂, E₃ of the three small
+            // differences.
             let (e2, e3) = (dx * dy - dz.squared(), dx * dy * dz);
             let over = |x: DoubleDouble, divisor: f64| x / DoubleDouble::new(divisor);
             let series =
@@ -149,7 +154,8 @@ impl Jacobi {
         self.quarter_period
     }
 
-    /// π K'/K, of which the nome is e⁻ˣ: π M(1, k')/M(1, k), for the `modulus` k that belongs to k'.
+    /// π K'/K, of which the nome is e⁻ˣ: π M(1, k')/M(1, k), for the `modulus` k that belongs to
+    /// k'.
     pub(super) fn nome_exponent(&self, modulus: f64) -> DoubleDouble {
         let mean = arithmetic_geometric_mean(DoubleDouble::new(modulus), |_, _, _| {});
         let complementary_mean = DoubleDouble::HALF_PI / self.quarter_period;
@@ -159,13 +165,15 @@ impl Jacobi {
     // ANCHOR: jacobi
     /// sn, cn and dn of `quarters` K, for |quarters| ≤ ½.
     ///
-    /// Along the arithmetic–geometric mean the modulus falls to zero, where sc is the tangent; Gauss's transformation
-    /// leads back up (DLMF 22.7.2–4, Abramowitz & Stegun 16.12). In terms of T = sc(a u)/a it reads
+    /// Along the arithmetic–geometric mean the modulus falls to zero, where sc is the tangent;
+    /// Gauss's transformation leads back up (DLMF 22.7.2–4, Abramowitz & Stegun 16.12). In terms of
+    /// T = sc(a u)/a it reads
     ///
     /// Tₙ = Tₙ₊₁ / dnₙ₊₁,  dnₙ = (1 + aₙ₊₁ bₙ Tₙ₊₁²) / (1 + aₙ₊₁ aₙ Tₙ₊₁²),
     ///
-    /// with every term positive, so that nothing can cancel. The usual recipe, Landen's transformation of the
-    /// amplitude (DLMF 22.20.6), takes arcsines beside 1 where k is near 1, and loses half the digits.
+    /// with every term positive, so that nothing can cancel. The usual recipe, Landen's
+    /// transformation of the amplitude (DLMF 22.20.6), takes arcsines beside 1 where k is near 1,
+    /// and loses half the digits.
     #[inline]
     pub(super) fn at(&self, quarters: f64) -> Values {
         let phi = core::f64::consts::FRAC_PI_2 * quarters;
@@ -190,8 +198,8 @@ mod tests {
 
     /// Catches: a term of the series missing or wrong, in digits that no motion shows.
     ///
-    /// K = R_F(0, k'², 1) (DLMF 19.25.1), which the mean gives by another way. About twenty duplications and roots of
-    /// 2⁻¹⁰⁴ each.
+    /// K = R_F(0, k'², 1) (DLMF 19.25.1), which the mean gives by another way. About twenty
+    /// duplications and roots of 2⁻¹⁰⁴ each.
     #[test]
     fn carlson_and_the_mean_agree_on_k() {
         const TOLERANCE: f64 = 1e-30;

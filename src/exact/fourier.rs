@@ -1,4 +1,5 @@
-//! The motion as a Fourier series: for many times, quicker than the elliptic functions one after the other.
+//! The motion as a Fourier series: for many times, quicker than the elliptic functions one after
+//! the other.
 //!
 //! With the nome q = exp(−π K'/K) and ζ = (π/2) u/K a libration is
 //!
@@ -8,8 +9,8 @@
 //!
 //! θ = 2ζ + 4 Σ qⁿ / (n (1 + q²ⁿ)) sin 2nζ,  n = 1, 2, …
 //!
-//! They are twice the integrals of DLMF 22.11.2 and 22.11.3; ω is their derivative. Nine terms are enough at θ₀ = 1, and
-//! twenty-nine at θ₀ = 3.
+//! They are twice the integrals of DLMF 22.11.2 and 22.11.3; ω is their derivative. Nine terms are
+//! enough at θ₀ = 1, and twenty-nine at θ₀ = 3.
 
 use core::f64::consts::{FRAC_PI_2, PI};
 
@@ -48,8 +49,8 @@ impl FourierSeries {
     /// Enough for a release at 3.1 rad: a nome of 0.39.
     const TERMS: usize = 40;
 
-    /// Of a libration or a rotation with so much phase, in quarter periods, and with the nome e^(−`exponent`); `None` if
-    /// it takes too many terms.
+    /// Of a libration or a rotation with so much phase, in quarter periods, and with the nome
+    /// e^(−`exponent`); `None` if it takes too many terms.
     pub(super) fn new(
         rotates: bool,
         [quarters, rate]: [DoubleDouble; 2],
@@ -101,7 +102,8 @@ impl FourierSeries {
         self.horizon
     }
 
-    /// The state at time `t` (s): θ in rad, unwrapped, and ω in rad/s; both NaN beyond the [horizon](FourierSeries::horizon).
+    /// The state at time `t` (s): θ in rad, unwrapped, and ω in rad/s; both NaN beyond the
+    /// [horizon](FourierSeries::horizon).
     pub fn at(&self, t: f64) -> Phase {
         let [z] = self.in_lanes([t]);
         z
@@ -125,7 +127,8 @@ impl FourierSeries {
             (sine[i], cosine[i]) = quarter_turns_and(rounded.to_bits(), FRAC_PI_2 * rest[i]);
         }
         let cosine_of_double: [f64; N] = core::array::from_fn(|i| 1.0 - 2.0 * sine[i] * sine[i]);
-        // Clenshaw's recurrence: Σ cₙ Uₙ(cos 2ζ), with the Chebyshev polynomials of the second kind, and Σ cₙ₊₁ Uₙ.
+        // Clenshaw's recurrence: Σ cₙ Uₙ(cos 2ζ), with the Chebyshev polynomials of the second
+        // kind, and Σ cₙ₊₁ Uₙ.
         let (mut theta, mut theta_before) = ([0.0; N], [0.0; N]);
         let (mut omega, mut omega_before) = ([0.0; N], [0.0; N]);
         for term in self.terms[..self.count].iter().rev() {

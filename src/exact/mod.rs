@@ -1,10 +1,13 @@
-//! The exact solution of θ̈ + (g/L) sin θ = 0, for every start: what all the methods are measured against.
+//! The exact solution of θ̈ + (g/L) sin θ = 0, for every start: what all the methods are measured
+//! against.
 //!
-//! [`Motion`] gives θ(t) and ω(t) in closed form, [`period`] the paper's Eq. 5, [`complete_elliptic_k`] the integral
-//! in it. All of it stays right at the top of the swing, on both sides of the separatrix, and after 10⁵ s.
+//! [`Motion`] gives θ(t) and ω(t) in closed form, [`period`] the paper's Eq. 5,
+//! [`complete_elliptic_k`] the integral in it. All of it stays right at the top of the swing, on
+//! both sides of the separatrix, and after 10⁵ s.
 //!
-//! Exact is meant of the numbers given: the pendulum is the one of [`Pendulum::frequency_squared`], g/L as an f64, and the
-//! start is the f64s of the start. π as an f64 is not π, and 9.81 as an f64 is not 9.81.
+//! Exact is meant of the numbers given: the pendulum is the one of [`Pendulum::frequency_squared`],
+//! g/L as an f64, and the start is the f64s of the start. π as an f64 is not π, and 9.81 as an f64
+//! is not 9.81.
 //!
 //! ```
 //! use pendula::{Motion, MotionKind, Pendulum, Phase, exact};
@@ -31,7 +34,8 @@ use crate::error::{Error, finite};
 use crate::systems::Pendulum;
 
 // ANCHOR: period
-/// The period T = 4 √(L/g) K (s) of the swing after a release from rest at `theta0` (rad): the paper's Eq. 5.
+/// The period T = 4 √(L/g) K (s) of the swing after a release from rest at `theta0` (rad): the
+/// paper's Eq. 5.
 ///
 /// Right to 1e-15 relative; T₀ at θ₀ = 0. See [`Swing`] for the numbers on the way.
 ///
@@ -51,7 +55,8 @@ pub struct Swing {
 }
 
 impl Swing {
-    /// A release of `pendulum` from rest at `theta0` (rad); beyond π it swings about a whole number of turns.
+    /// A release of `pendulum` from rest at `theta0` (rad); beyond π it swings about a whole number
+    /// of turns.
     ///
     /// # Errors
     /// [`Error::Parameter`] for an angle that is not finite.

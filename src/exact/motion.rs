@@ -1,6 +1,7 @@
 //! θ(t) and ω(t) in closed form: libration, rotation, and the separatrix between them.
 //!
-//! With ω₀ = √(g/L), S = sin(θ/2), C = cos(θ/2) and w = ω/(2ω₀), the energy above the bottom is 2 m g L k²,
+//! With ω₀ = √(g/L), S = sin(θ/2), C = cos(θ/2) and w = ω/(2ω₀), the energy above the bottom is 2 m
+//! g L k²,
 //!
 //! k² = S² + w²,  k'² = 1 − k² = C² − w²,
 //!
@@ -12,10 +13,12 @@
 //! | separatrix | k'² = 0 | tanh u | sech u | 2ω₀ sech u |
 //! | rotation, of modulus 1/k | k'² < 0 | sn ku | cn ku | 2ω₀ k dn ku |
 //!
-//! where u = u₀ + ω₀ t. Sources: DLMF 22.19(i); Lawden, *Elliptic Functions and Applications* (1989), Sect. 5.1.
+//! where u = u₀ + ω₀ t. Sources: DLMF 22.19(i); Lawden, *Elliptic Functions and Applications*
+//! (1989), Sect. 5.1.
 //!
-//! A motion forward in time and one backward, to the right and to the left, mirror each other: everything here moves
-//! in the direction of growing θ, and [`Motion`] keeps the sign of its `direction`.
+//! A motion forward in time and one backward, to the right and to the left, mirror each other:
+//! everything here moves in the direction of growing θ, and [`Motion`] keeps the sign of its
+//! `direction`.
 
 use super::elliptic::{Jacobi, Values, carlson_rf};
 use super::fourier::FourierSeries;
@@ -38,13 +41,14 @@ pub enum MotionKind {
 
 /// The exact motion from one start: prepared once, then evaluated at any time.
 ///
-/// Maps t (s) to θ (rad, unwrapped: it counts turns) and ω (rad/s). Both are right to 2e-15, of a radian or the amplitude
-/// and of the largest velocity 2ω₀ k: after 10⁵ s as at the start, and however near the separatrix; many turns round to
-/// their own last digit. Also called the solution in Jacobian elliptic functions. Formulas: DLMF 22.19(i).
+/// Maps t (s) to θ (rad, unwrapped: it counts turns) and ω (rad/s). Both are right to 2e-15, of a
+/// radian or the amplitude and of the largest velocity 2ω₀ k: after 10⁵ s as at the start, and
+/// however near the separatrix; many turns round to their own last digit. Also called the solution
+/// in Jacobian elliptic functions. Formulas: DLMF 22.19(i).
 ///
-/// The pendulum balanced at the top is missing, as no f64 is π: a start at rest at π as an f64 is a libration from
-/// 1.2e-16 rad beside the top, and takes the paper's pendulum 12 s to fall. The side of the separatrix that a start is
-/// on is decided to 2⁻¹⁰⁰ of the energy at the top.
+/// The pendulum balanced at the top is missing, as no f64 is π: a start at rest at π as an f64 is a
+/// libration from 1.2e-16 rad beside the top, and takes the paper's pendulum 12 s to fall. The side
+/// of the separatrix that a start is on is decided to 2⁻¹⁰⁰ of the energy at the top.
 #[derive(Clone, Copy, Debug)]
 pub struct Motion {
     course: Course,
@@ -90,9 +94,9 @@ struct Hyperbolic {
     frequency: f64,
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 // Limits
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 
 /// 2⁵⁰⁰: beyond this ω/ω₀ the squares leave the range of f64.
 const FASTEST: f64 = 3.273_390_607_896_142e150;
@@ -100,7 +104,8 @@ const FASTEST: f64 = 3.273_390_607_896_142e150;
 /// 2⁻¹⁰⁰: in a swing this small, θ and sin θ have the same digits even in double-double.
 const LINEAR: f64 = 1.0 / (1_u128 << 100) as f64;
 
-/// 2⁵²: beyond this many quarter periods their count, with that of the turns at the start, would be rounded.
+/// 2⁵²: beyond this many quarter periods their count, with that of the turns at the start, would be
+/// rounded.
 const LARGEST_PHASE: f64 = (1_u64 << 52) as f64;
 
 const VELOCITY: &str = "angular velocity ω (rad/s)";
@@ -108,11 +113,12 @@ const VELOCITY: &str = "angular velocity ω (rad/s)";
 impl Motion {
     /// The motion of `pendulum` that begins at `start`: θ in rad, ω in rad/s.
     ///
-    /// Takes microseconds: everything that the phase at late times depends on is computed in double-double.
+    /// Takes microseconds: everything that the phase at late times depends on is computed in
+    /// double-double.
     ///
     /// # Errors
-    /// [`Error::Parameter`] for a start that is not finite, for |θ| > 1e15, for |ω| > 3e150 ω₀, and for a start at
-    /// θ = 0 with an ω ≠ 0 so small that its swing is no f64.
+    /// [`Error::Parameter`] for a start that is not finite, for |θ| > 1e15, for |ω| > 3e150 ω₀, and
+    /// for a start at θ = 0 with an ω ≠ 0 so small that its swing is no f64.
     pub fn new(pendulum: &Pendulum, start: Phase) -> Result<Self, Error> {
         let theta = angle(start.theta)?;
         let omega = finite(VELOCITY, start.omega)?;
@@ -124,7 +130,8 @@ impl Motion {
         let direction = if backward { -1.0 } else { 1.0 };
         let (theta, omega) = (direction * theta, direction * omega);
 
-        // A swing so small that it is linear is solved larger, and the solution shrunk, lest its square underflow.
+        // A swing so small that it is linear is solved larger, and the solution shrunk, lest its
+        // square underflow.
         let size = f64::max(libm::fabs(theta), omega * time.unit);
         if size == 0.0 {
             return match omega {
@@ -146,8 +153,8 @@ impl Motion {
         let course = if gap.rounded() > 0.0 {
             let (s, c) = (sine / k, w / k);
             let jacobi = Jacobi::new(gap.sqrt());
-            // At rest it is a quarter period from the bottom, without rounding. Else u₀ = F(φ, k) with s = sin φ and
-            // c = cos φ (DLMF 19.25.5).
+            // At rest it is a quarter period from the bottom, without rounding. Else u₀ = F(φ, k)
+            // with s = sin φ and c = cos φ (DLMF 19.25.5).
             let quarters = if omega == 0.0 {
                 DoubleDouble::new(libm::copysign(1.0, sine.rounded()))
             } else {
@@ -174,10 +181,12 @@ impl Motion {
         })
     }
 
-    /// The motion of `pendulum` on the separatrix, through `theta` (rad) at t = 0, towards growing θ.
+    /// The motion of `pendulum` on the separatrix, through `theta` (rad) at t = 0, towards growing
+    /// θ.
     ///
-    /// Its angular velocity there is 2ω₀ |cos(θ/2)|, seldom an f64, so that [`Motion::new`] seldom meets it. The motion
-    /// in the other direction is this one from −θ, with the signs of the answers changed.
+    /// Its angular velocity there is 2ω₀ |cos(θ/2)|, seldom an f64, so that [`Motion::new`] seldom
+    /// meets it. The motion in the other direction is this one from −θ, with the signs of the
+    /// answers changed.
     ///
     /// # Errors
     /// [`Error::Parameter`] for an angle that is not finite, or beyond 1e15.
@@ -209,13 +218,14 @@ impl Motion {
         }
     }
 
-    /// The modulus k = √(sin²(θ/2) + ω²/(2ω₀)²), from 0 at rest past 1 on the separatrix; its square is the energy above
-    /// the bottom, against that of the top.
+    /// The modulus k = √(sin²(θ/2) + ω²/(2ω₀)²), from 0 at rest past 1 on the separatrix; its
+    /// square is the energy above the bottom, against that of the top.
     pub fn modulus(&self) -> f64 {
         self.modulus * self.shrink
     }
 
-    /// The time (s) of a full oscillation, 4K/ω₀, or of one turn, 2K/(k ω₀); none at rest or on the separatrix.
+    /// The time (s) of a full oscillation, 4K/ω₀, or of one turn, 2K/(k ω₀); none at rest or on the
+    /// separatrix.
     pub fn period(&self) -> Option<f64> {
         let (quarters, elliptic) = match &self.course {
             Course::Libration(elliptic) => (4.0, elliptic),
@@ -225,16 +235,19 @@ impl Motion {
         Some((DoubleDouble::new(quarters) / elliptic.rate).rounded())
     }
 
-    /// The largest |t| (s) that [`Motion::at`] has an answer for: 2⁵² quarter periods, about 10¹⁵ periods.
+    /// The largest |t| (s) that [`Motion::at`] has an answer for: 2⁵² quarter periods, about 10¹⁵
+    /// periods.
     ///
     /// At rest and on the separatrix it is the largest f64.
     pub const fn horizon(&self) -> f64 {
         self.horizon
     }
 
-    /// The state at time `t` (s), before the start if `t` is negative: θ in rad, unwrapped, and ω in rad/s.
+    /// The state at time `t` (s), before the start if `t` is negative: θ in rad, unwrapped, and ω
+    /// in rad/s.
     ///
-    /// A time beyond the [horizon](Motion::horizon), or not finite, has no state: both components are NaN.
+    /// A time beyond the [horizon](Motion::horizon), or not finite, has no state: both components
+    /// are NaN.
     pub fn at(&self, t: f64) -> Phase {
         // A NaN is not within the horizon either.
         if !(-self.horizon..=self.horizon).contains(&t) {
@@ -253,13 +266,14 @@ impl Motion {
     }
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 // Many times
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 
 impl Motion {
-    /// The motion as a Fourier series, a third of the time for one value and a tenth in a row of many; `None` at rest,
-    /// for a swing below 1e-30 rad, and so near the separatrix that the series is long.
+    /// The motion as a Fourier series, a third of the time for one value and a tenth in a row of
+    /// many; `None` at rest, for a swing below 1e-30 rad, and so near the separatrix that the
+    /// series is long.
     pub fn series(&self) -> Option<FourierSeries> {
         let (rotates, elliptic, modulus) = match &self.course {
             Course::Libration(elliptic) => (false, elliptic, self.modulus),
@@ -274,8 +288,8 @@ impl Motion {
         FourierSeries::new(rotates, phase, exponent, self.direction, 2.0 * self.turns)
     }
 
-    /// The states at `times` (s), into `states` as far as there are slots: as [`Motion::at`] has them, or for many times
-    /// as [`Motion::series`] has.
+    /// The states at `times` (s), into `states` as far as there are slots: as [`Motion::at`] has
+    /// them, or for many times as [`Motion::series`] has.
     pub fn at_each(&self, times: &[f64], states: &mut [Phase]) {
         /// As many values as the series takes longer to prepare.
         const MANY: usize = 64;
@@ -290,9 +304,9 @@ impl Motion {
     }
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 // The three solutions
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 
 impl Elliptic {
     fn new(
@@ -313,8 +327,8 @@ impl Elliptic {
 
     /// The phase u/K at time t (s) as a whole number of quarter periods and at most half a one.
     ///
-    /// The product with t is where a rounded period would do harm: it is a double-double, so that 10⁵ periods cost no
-    /// digit of the f64 that is left over.
+    /// The product with t is where a rounded period would do harm: it is a double-double, so that
+    /// 10⁵ periods cost no digit of the f64 that is left over.
     #[inline]
     fn phase(&self, t: f64) -> (f64, f64) {
         let phase = self.quarters + self.rate * DoubleDouble::new(t);
@@ -327,8 +341,9 @@ impl Elliptic {
 
     /// tan(θ/2) = k sn u / dn u and ω = 2ω₀ k cn u.
     ///
-    /// After an odd number of quarter periods sn, cn, dn become cn/dn, −k' sn/dn, k'/dn (DLMF 22.4.3): beside a turning
-    /// point they are formed from what is small there. After two, sn and cn change sign.
+    /// After an odd number of quarter periods sn, cn, dn become cn/dn, −k' sn/dn, k'/dn (DLMF
+    /// 22.4.3): beside a turning point they are formed from what is small there. After two, sn and
+    /// cn change sign.
     // ANCHOR: libration
     #[inline]
     fn libration(&self, t: f64) -> Phase {
@@ -349,10 +364,12 @@ impl Elliptic {
     }
     // ANCHOR_END: libration
 
-    /// θ/2 = am(k u, 1/k) and ω = 2ω₀ k dn(k u, 1/k): the number of half turns, and the state beyond them.
+    /// θ/2 = am(k u, 1/k) and ω = 2ω₀ k dn(k u, 1/k): the number of half turns, and the state
+    /// beyond them.
     ///
-    /// A quarter period is half a turn. After an odd number of them sc and dn become −1/(k' sc) and k'/dn, so that the
-    /// angle beyond the half turns has the tangent k' sc; k' is that of the modulus 1/k.
+    /// A quarter period is half a turn. After an odd number of them sc and dn become −1/(k' sc) and
+    /// k'/dn, so that the angle beyond the half turns has the tangent k' sc; k' is that of the
+    /// modulus 1/k.
     #[inline]
     fn rotation(&self, t: f64) -> (f64, Phase) {
         let (whole, rest) = self.phase(t);
@@ -381,7 +398,8 @@ impl Hyperbolic {
     #[inline]
     fn at(&self, t: f64) -> Phase {
         let u = self.start + self.frequency * t;
-        // sech u without e^|u|, which overflows; where sinh u does, its arctangent is π/2 all the same.
+        // sech u without e^|u|, which overflows; where sinh u does, its arctangent is π/2 all the
+        // same.
         let decay = libm::exp(-libm::fabs(u));
         Phase {
             theta: 2.0 * libm::atan(libm::sinh(u)),
@@ -390,12 +408,12 @@ impl Hyperbolic {
     }
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 // Units, angles, refusals
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 
-/// A unit of time in which g/L is of order 1, so that no square under- or overflows: a power of two, which rounds
-/// nothing.
+/// A unit of time in which g/L is of order 1, so that no square under- or overflows: a power of
+/// two, which rounds nothing.
 struct TimeUnit {
     /// The unit (s).
     unit: f64,
@@ -414,7 +432,8 @@ impl TimeUnit {
     }
 }
 
-/// Half the angle, less the half turns that make up whole turns of the angle: its cosine is not negative.
+/// Half the angle, less the half turns that make up whole turns of the angle: its cosine is not
+/// negative.
 struct HalfAngle {
     sine: DoubleDouble,
     cosine: DoubleDouble,
@@ -424,8 +443,8 @@ struct HalfAngle {
 impl HalfAngle {
     fn new(theta: f64) -> Self {
         let (sine, cosine, quadrant) = reduced_sine_cosine(0.5 * theta);
-        // θ/2 = quadrant · π/2 + y. Beside an odd quadrant the nearer multiple of π is up or down, as y is: the half
-        // angle that is left is y + π/2 or y − π/2.
+        // θ/2 = quadrant · π/2 + y. Beside an odd quadrant the nearer multiple of π is up or down,
+        // as y is: the half angle that is left is y + π/2 or y − π/2.
         if is_even(quadrant) {
             Self { sine, cosine, turns: 0.5 * quadrant }
         } else if sine.rounded() <= 0.0 {

@@ -6,10 +6,11 @@ use crate::systems::Vector;
 
 /// The number `sum` + `factor` · `series`, of which `series` comes late.
 ///
-/// The sine in a force is the last thing to be ready, and each operation between it and the next angle costs the loop
-/// three or four cycles. θ + (ω + α) waits for α, then adds twice; (θ + ω) + α adds once. So a deferred number scales
-/// and displaces its known part and its factor, both early, and the late product is added when the value is asked
-/// for. The methods' steps stay as they are written.
+/// The sine in a force is the last thing to be ready, and each operation between it and the next
+/// angle costs the loop three or four cycles. θ + (ω + α) waits for α, then adds twice; (θ + ω) + α
+/// adds once. So a deferred number scales and displaces its known part and its factor, both early,
+/// and the late product is added when the value is asked for. The methods' steps stay as they are
+/// written.
 #[derive(Clone, Copy, Debug)]
 pub struct Deferred {
     /// What is known early.

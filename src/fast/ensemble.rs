@@ -1,7 +1,8 @@
 //! Many pendulums at once: the same steps, a lane of the processor's registers for each.
 //!
-//! A loop over lanes inlines the very step that a single trajectory takes, and the compiler makes vector instructions
-//! of it. So a lane gets the same bits as a trajectory alone, whichever instructions the processor turns out to have.
+//! A loop over lanes inlines the very step that a single trajectory takes, and the compiler makes
+//! vector instructions of it. So a lane gets the same bits as a trajectory alone, whichever
+//! instructions the processor turns out to have.
 
 use core::num::NonZeroU64;
 
@@ -10,7 +11,8 @@ use crate::fast::integrate_fast;
 use crate::integrate::{Every, Grid, Method, Observer};
 use crate::systems::{Pendulum, Phase};
 
-/// Pendulums with their starts, and the times at which they are seen: one pendulum for all starts, or one for each.
+/// Pendulums with their starts, and the times at which they are seen: one pendulum for all starts,
+/// or one for each.
 ///
 /// ```
 /// use pendula::{Ensemble, Grid, Pendulum, Phase, StormerVerlet, integrate_fast};
@@ -79,8 +81,9 @@ impl<'a> Ensemble<'a> {
         });
     }
 
-    /// Lets an observer for each start see its k-th states, the start included: into storage of the caller's with
-    /// [`Record`](crate::integrate::Record), or as the largest energy error with [`EnergyDrift`](crate::metrics::EnergyDrift).
+    /// Lets an observer for each start see its k-th states, the start included: into storage of the
+    /// caller's with [`Record`](crate::integrate::Record), or as the largest energy error with
+    /// [`EnergyDrift`](crate::metrics::EnergyDrift).
     ///
     /// # Panics
     /// If there are not as many observers as starts.
@@ -136,7 +139,8 @@ impl<'a> Ensemble<'a> {
         slots.chunks_mut(LANES).enumerate().for_each(one);
     }
 
-    /// The starts from the `first` on in lanes, unless one of them needs its angle or its units treated with more care.
+    /// The starts from the `first` on in lanes, unless one of them needs its angle or its units
+    /// treated with more care.
     fn block<M: InLanes>(&self, method: &M, first: usize, count: usize) -> Option<Block> {
         let mut starts = [None; LANES];
         for (i, slot) in (first..first + count).zip(&mut starts) {
@@ -151,7 +155,8 @@ impl<'a> Ensemble<'a> {
     }
 }
 
-/// A method of the pendulum whose steps can be taken in lanes: every one whose carry can be laid out in columns.
+/// A method of the pendulum whose steps can be taken in lanes: every one whose carry can be laid
+/// out in columns.
 pub trait InLanes:
     Method<Pendulum> + Method<super::ScaledPendulum> + Method<ScaledPendulum, Carry: Lane> + Sync
 {

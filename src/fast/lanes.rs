@@ -10,8 +10,8 @@ use crate::systems::Phase;
 pub type ScaledPendulum = super::ScaledPendulum<false>;
 type ReducedPhase = super::ReducedPhase<false>;
 
-/// Pendulums in a block: enough for the sines of some to hide the wait for those of others, and few enough for all that
-/// is between two steps to stay in the first cache.
+/// Pendulums in a block: enough for the sines of some to hide the wait for those of others, and few
+/// enough for all that is between two steps to stay in the first cache.
 pub const LANES: usize = 32;
 
 /// Up to six numbers for each lane, one array for each.
@@ -19,7 +19,8 @@ pub type Columns = [[f64; LANES]; 6];
 
 /// What can be laid out in columns: the state, and what a method remembers.
 pub trait Lane: Copy {
-    /// Whether a method that remembers this needs no more for its next step, not even the last state.
+    /// Whether a method that remembers this needs no more for its next step, not even the last
+    /// state.
     const SUFFICES: bool;
 
     /// Reads it from its lane.
@@ -91,8 +92,8 @@ pub enum Instructions {
     Avx512,
 }
 
-/// The states of a block of pendulums, and what their method remembers of them. On the boundaries of the cache's lines, as
-/// a register filled from two of them takes twice as long.
+/// The states of a block of pendulums, and what their method remembers of them. On the boundaries
+/// of the cache's lines, as a register filled from two of them takes twice as long.
 #[repr(align(64))]
 pub struct Block {
     minus_k: [f64; LANES],
@@ -142,7 +143,10 @@ impl Block {
 macro_rules! advance {
     ($($name:ident for [$($target:literal),*],)+) => {$(
         #[multiversion(targets($($target),*))]
-        fn $name<M: Method<ScaledPendulum, Carry: Lane>>(block: &mut Block, method: &M, steps: u64) {
+        fn $name<M>(block: &mut Block, method: &M, steps: u64)
+        where
+            M: Method<ScaledPendulum, Carry: Lane>,
+        {
             steps_in_lanes(block, method, steps);
         }
     )+};

@@ -1,4 +1,5 @@
-//! The pendulum at full speed: the same methods in a quicker unit of time, one trajectory or many at once.
+//! The pendulum at full speed: the same methods in a quicker unit of time, one trajectory or many
+//! at once.
 
 mod deferred;
 #[cfg(feature = "ensemble")]
@@ -19,8 +20,9 @@ use crate::systems::{Pendulum, Phase};
 
 /// [`integrate`] for the pendulum in two thirds of the time: with the step as the unit of time.
 ///
-/// The same method takes the same steps; only the rounding is another. What `observer` sees is angle (rad) and angular
-/// velocity (rad/s) as ever, and a scene that does not look does not convert.
+/// The same method takes the same steps; only the rounding is another. What `observer` sees is
+/// angle (rad) and angular velocity (rad/s) as ever, and a scene that does not look does not
+/// convert.
 #[inline]
 pub fn integrate_fast<M, O>(
     pendulum: &Pendulum,

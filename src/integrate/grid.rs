@@ -4,8 +4,8 @@ use crate::error::{Error, MAX_STEPS, positive};
 
 /// The times n h for n = 0 … N (s).
 ///
-/// Time is the product of count and step, never a sum: adding 0.1 ten thousand times misses 1000 s and, tested with
-/// `t < end`, can take a step too many.
+/// Time is the product of count and step, never a sum: adding 0.1 ten thousand times misses 1000 s
+/// and, tested with `t < end`, can take a step too many.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Grid {
     step: f64,
@@ -16,8 +16,8 @@ impl Grid {
     /// `steps` steps of `step` (s).
     ///
     /// # Errors
-    /// [`Error::Parameter`] for a step that is not finite and positive or an end beyond the range of f64;
-    /// [`Error::TooManySteps`] for more than [`MAX_STEPS`].
+    /// [`Error::Parameter`] for a step that is not finite and positive or an end beyond the range
+    /// of f64; [`Error::TooManySteps`] for more than [`MAX_STEPS`].
     pub fn new(step: f64, steps: u64) -> Result<Self, Error> {
         let step = positive("step Δt (s)", step)?;
         if steps > MAX_STEPS {
@@ -37,9 +37,10 @@ impl Grid {
     /// Steps of `step` (s), as many as make up `duration` (s).
     ///
     /// # Errors
-    /// As [`Grid::new`]; also [`Error::Parameter`] for a duration that is not finite and positive, and
-    /// [`Error::PartialStep`] for one that is no whole number of steps. A duration and a step written in decimals are
-    /// taken at their word: 50 s is 500 steps of 0.1 s although 0.1 is not exactly an f64.
+    /// As [`Grid::new`]; also [`Error::Parameter`] for a duration that is not finite and positive,
+    /// and [`Error::PartialStep`] for one that is no whole number of steps. A duration and a step
+    /// written in decimals are taken at their word: 50 s is 500 steps of 0.1 s although 0.1 is not
+    /// exactly an f64.
     pub fn with_duration(step: f64, duration: f64) -> Result<Self, Error> {
         let duration = positive("duration (s)", duration)?;
         let step = positive("step Δt (s)", step)?;
@@ -47,8 +48,9 @@ impl Grid {
         if quotient > MAX_STEPS as f64 {
             return Err(Error::TooManySteps { steps: quotient });
         }
-        // Duration, step and their quotient are each rounded once, by at most ε/2 relative: a whole number of
-        // decimals lands within 3ε/2 of an integer, relatively. Double that for the rounding of this very test.
+        // Duration, step and their quotient are each rounded once, by at most ε/2 relative: a whole
+        // number of decimals lands within 3ε/2 of an integer, relatively. Double that for the
+        // rounding of this very test.
         let steps = libm::round(quotient);
         if steps < 1.0 || libm::fabs(quotient - steps) > 3.0 * f64::EPSILON * steps {
             return Err(Error::PartialStep { duration, step });

@@ -4,13 +4,15 @@ use core::num::NonZeroU64;
 
 /// Something that looks at every sample of a trajectory, the start included.
 ///
-/// Observers are generic parameters of [`integrate`](crate::integrate()): `()` watches nothing and leaves the bare
-/// loop, a closure `|n, t, z| …` watches what it likes, a tuple lets several watch at once.
+/// Observers are generic parameters of [`integrate`](crate::integrate()): `()` watches nothing and
+/// leaves the bare loop, a closure `|n, t, z| …` watches what it likes, a tuple lets several watch
+/// at once.
 pub trait Observer<Z> {
     /// Sees the state `z` after `n` steps, at time `t` (s).
     fn observe(&mut self, n: u64, t: f64, z: Z);
 
-    /// Whether it has seen all it wants. The time loop ends as soon as this is true; most observers never are.
+    /// Whether it has seen all it wants. The time loop ends as soon as this is true; most observers
+    /// never are.
     #[inline]
     fn is_satisfied(&self) -> bool {
         false
@@ -96,8 +98,8 @@ pub struct Record<'a, Z> {
 }
 
 impl<'a, Z> Record<'a, Z> {
-    /// Records into `storage`: [`Grid::samples`](crate::Grid::samples) slots hold a whole trajectory. Samples beyond
-    /// its end are not kept.
+    /// Records into `storage`: [`Grid::samples`](crate::Grid::samples) slots hold a whole
+    /// trajectory. Samples beyond its end are not kept.
     pub fn new(storage: &'a mut [Z]) -> Self {
         Self { storage: storage.iter_mut() }
     }

@@ -1,6 +1,7 @@
 //! What is known of a method.
 
-/// What is known of a method. It stands once, beside the method's step, and every test, table and page reads it there.
+/// What is known of a method. It stands once, beside the method's step, and every test, table and
+/// page reads it there.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct MethodInfo {
     /// Name on the command line and in test names.
@@ -15,10 +16,12 @@ pub struct MethodInfo {
     pub symplectic: bool,
     /// Whether a step with −h undoes a step with h.
     pub symmetric: bool,
-    /// Whether a step solves equations by iteration. It then takes as many evaluations as the iteration needs sweeps, and
-    /// where the step is too long for it to converge, no component of the state is a number.
+    /// Whether a step solves equations by iteration. It then takes as many evaluations as the
+    /// iteration needs sweeps, and where the step is too long for it to converge, no component of
+    /// the state is a number.
     pub implicit: bool,
-    /// Force evaluations a step; of an implicit method, a sweep of its iteration, which one evaluation more begins.
+    /// Force evaluations a step; of an implicit method, a sweep of its iteration, which one
+    /// evaluation more begins.
     pub force_evaluations: u64,
     /// Force evaluations once, before the first step.
     pub start_evaluations: u64,

@@ -8,8 +8,8 @@
 //! # A method of your own
 //!
 //! A type with a [`step`](crate::Method::step): `()` for what it carries from one step to the next,
-//! if it carries nothing. For every [`System`](crate::System) it may ask for the rate of change; for
-//! a [`Separable`](crate::Separable) one, for the force, a kick and a drift.
+//! if it carries nothing. For every [`System`](crate::System) it may ask for the rate of change;
+//! for a [`Separable`](crate::Separable) one, for the force, a kick and a drift.
 //!
 //! ```
 //! use pendula::{Grid, Method, Pendulum, Phase, System, integrate};

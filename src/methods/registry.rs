@@ -7,10 +7,11 @@ use crate::integrate::{Grid, Method, Observer, integrate};
 use crate::methods::Info;
 use crate::systems::{Counting, Pendulum, Phase};
 
-/// A method whose type is forgotten, so that a list can hold it: what tables, book and command line run over.
+/// A method whose type is forgotten, so that a list can hold it: what tables, book and command line
+/// run over.
 ///
-/// Every [`Info`] method of the pendulum is one. The step within is compiled for its method; only the observer is
-/// called through a pointer.
+/// Every [`Info`] method of the pendulum is one. The step within is compiled for its method; only
+/// the observer is called through a pointer.
 pub trait AnyMethod: Info + Sync {
     /// [`integrate_fast`].
     fn run(
@@ -61,8 +62,9 @@ impl fmt::Debug for dyn AnyMethod + '_ {
     }
 }
 
-/// Hands the methods that suit every system, or every separable one, to the macro `$then`, as `module::Method` pairs:
-/// the paper's four in the order of its tables, then the others. What else is given follows them.
+/// Hands the methods that suit every system, or every separable one, to the macro `$then`, as
+/// `module::Method` pairs: the paper's four in the order of its tables, then the others. What else
+/// is given follows them.
 #[macro_export]
 macro_rules! for_each_general_method {
     ($then:ident $(, $($more:tt)+)?) => {
@@ -93,11 +95,11 @@ macro_rules! for_each_general_method {
     };
 }
 
-/// Hands the list of methods to the macro `$then`: the [general ones](for_each_general_method), and those that ask more of a
-/// system.
+/// Hands the list of methods to the macro `$then`: the [general ones](for_each_general_method), and
+/// those that ask more of a system.
 ///
-/// This is the list. [`METHODS`] is made from it, and so is every test that runs over all methods with their types
-/// known.
+/// This is the list. [`METHODS`] is made from it, and so is every test that runs over all methods
+/// with their types known.
 #[macro_export]
 macro_rules! for_each_method {
     ($then:ident) => {

@@ -4,10 +4,11 @@ use crate::integrate::Observer;
 use crate::systems::Phase;
 
 // ANCHOR: angle_error
-/// Error of the angle against a reference θ(t): root mean square and largest, over all N + 1 samples (rad).
+/// Error of the angle against a reference θ(t): root mean square and largest, over all N + 1
+/// samples (rad).
 ///
-/// The start counts as a sample, although its error is zero: the paper's Table 6 is met with N + 1 in the mean, and
-/// missed with N.
+/// The start counts as a sample, although its error is zero: the paper's Table 6 is met with N + 1
+/// in the mean, and missed with N.
 #[derive(Clone, Debug)]
 pub struct AngleError<F> {
     reference: F,

@@ -35,8 +35,9 @@ impl EndError {
         libm::fmaximum(theta, omega)
     }
 
-    /// What rounding may have to do with the error (rad) after so many `steps`: each changes the state by about ε of itself,
-    /// now up and now down, and all together as √`steps` of them would if they were made at the start.
+    /// What rounding may have to do with the error (rad) after so many `steps`: each changes the
+    /// state by about ε of itself, now up and now down, and all together as √`steps` of them would
+    /// if they were made at the start.
     pub fn rounding(&self, steps: u64) -> f64 {
         self.growth * f64::EPSILON * libm::sqrt(steps as f64)
     }

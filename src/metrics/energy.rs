@@ -3,11 +3,13 @@
 use crate::integrate::Observer;
 use crate::systems::{Hamiltonian, System};
 
-/// States that are buffered, 1 KB of them: evaluated together, their energies are vector instructions.
+/// States that are buffered, 1 KB of them: evaluated together, their energies are vector
+/// instructions.
 const BUFFER: usize = 64;
 
 // ANCHOR: energy_drift
-/// Largest energy error max |Hₙ − H₀| over all samples (J): the paper's "energy drift" (its Section 5.3).
+/// Largest energy error max |Hₙ − H₀| over all samples (J): the paper's "energy drift" (its Section
+/// 5.3).
 #[derive(Clone, Debug)]
 pub struct EnergyDrift<'a, S: System> {
     system: &'a S,
@@ -25,7 +27,8 @@ impl<'a, S: Hamiltonian> EnergyDrift<'a, S> {
         Self { system, initial: f64::NAN, largest: 0.0, buffer: None, count: 0 }
     }
 
-    /// Evaluates the buffered states. Not inlined: a loop that contains all this keeps its own numbers in memory.
+    /// Evaluates the buffered states. Not inlined: a loop that contains all this keeps its own
+    /// numbers in memory.
     #[inline(never)]
     fn flush(&mut self) {
         self.largest = self.largest();
@@ -57,8 +60,8 @@ impl<S: Hamiltonian> Observer<S::State> for EnergyDrift<'_, S> {
 }
 // ANCHOR_END: energy_drift
 
-/// The largest |energy − `initial`|, or `largest` if that is larger; NaN if any is NaN: once seen, it is kept and not
-/// compared away.
+/// The largest |energy − `initial`|, or `largest` if that is larger; NaN if any is NaN: once seen,
+/// it is kept and not compared away.
 fn largest_deviation(energies: &[f64], initial: f64, largest: f64) -> f64 {
     // Eight maxima side by side do not wait for one another.
     let mut largest = [largest; 8];

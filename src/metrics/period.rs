@@ -1,4 +1,5 @@
-//! The period, read off the samples in five ways. How it is read matters more than the method that made the samples.
+//! The period, read off the samples in five ways. How it is read matters more than the method that
+//! made the samples.
 //!
 //! | reading | observer | off by |
 //! |---|---|---|
@@ -8,30 +9,31 @@
 //! | the cubic through a crossing | [`CrossingPeriod::default`], by [`Hermite`] | O(h⁵) |
 //! | a last step that ends on the crossing | [`CrossingPeriod::new`] [`Henon`] | O(h⁵) |
 //!
-//! A line and a cubic are in general right to O(h²) and O(h⁴). The pendulum has no acceleration at the bottom, which
-//! makes each of them better by one order there.
+//! A line and a cubic are in general right to O(h²) and O(h⁴). The pendulum has no acceleration at
+//! the bottom, which makes each of them better by one order there.
 
 use crate::integrate::{Method, Observer};
 use crate::methods::Rk4;
 use crate::state;
 use crate::systems::{Phase, System};
 
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 // Peaks
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 
 /// How the time of a peak is read off the samples around it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Peak {
-    /// The time of the highest sample: off by half a step at worst. It measures the grid, not the method.
+    /// The time of the highest sample: off by half a step at worst. It measures the grid, not the
+    /// method.
     #[default]
     Sample,
     /// The vertex of the parabola through the highest sample and its neighbours: O(h³).
     Parabola,
 }
 
-/// Period as the time of the first peak of θ after the start (s): of the first sample that stands above both its
-/// neighbours, or of the vertex near it.
+/// Period as the time of the first peak of θ after the start (s): of the first sample that stands
+/// above both its neighbours, or of the vertex near it.
 ///
 /// By default it is the sample, which is how the paper reads it.
 #[derive(Clone, Debug, Default)]
@@ -75,14 +77,14 @@ impl Observer<Phase> for PeakPeriod {
     }
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 // Crossings
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 
 /// How the time of a downward crossing of θ = 0 is found between two samples.
 pub trait CrossingRule {
-    /// The time of the crossing (s), between the sample `from` at time `before`, with θ > 0, and `to` at `after`, with
-    /// θ ≤ 0.
+    /// The time of the crossing (s), between the sample `from` at time `before`, with θ > 0, and
+    /// `to` at `after`, with θ ≤ 0.
     fn time(&self, before: f64, from: Phase, after: f64, to: Phase) -> f64;
 }
 
@@ -107,8 +109,9 @@ impl CrossingRule for Hermite {
     }
 }
 
-/// A step of the system itself that ends on the crossing: it goes back from the sample beyond in RK4, with θ for the
-/// independent variable, so that its length, −θ, is known (Hénon, *Physica D* 5 (1982) 412–414).
+/// A step of the system itself that ends on the crossing: it goes back from the sample beyond in
+/// RK4, with θ for the independent variable, so that its length, −θ, is known (Hénon, *Physica D* 5
+/// (1982) 412–414).
 #[derive(Clone, Copy, Debug)]
 pub struct Henon<'a, S>(pub &'a S);
 
@@ -130,7 +133,8 @@ impl<S: System<State = Phase>> System for Henon<'_, S> {
 }
 
 state! {
-    /// When the pendulum is at a given angle, and how fast it then moves; or the rate of change of both, per radian.
+    /// When the pendulum is at a given angle, and how fast it then moves; or the rate of change of
+    /// both, per radian.
     pub struct Moment {
         /// Time t (s).
         pub time: f64,
@@ -141,7 +145,8 @@ state! {
 
 /// Period as the time between downward crossings of θ = 0 (s), each found by a [`CrossingRule`].
 ///
-/// By default that is [`Hermite`]'s cubic. It is right to O(h⁵), so that what is left is the error of the method.
+/// By default that is [`Hermite`]'s cubic. It is right to O(h⁵), so that what is left is the error
+/// of the method.
 #[derive(Clone, Debug)]
 pub struct CrossingPeriod<C = Hermite> {
     crossing: C,

@@ -5,16 +5,16 @@ use crate::arithmetic::sine::{cos, sin};
 
 /// A system whose motion can be expanded in powers of time, by recurrence, to any order.
 pub trait Analytic: System {
-    /// The mean rate of change over a step `h` (s) from `z`, in units of the state over s, by the Taylor series of the motion
-    /// up to hᴾ.
+    /// The mean rate of change over a step `h` (s) from `z`, in units of the state over s, by the
+    /// Taylor series of the motion up to hᴾ.
     fn mean_rate<const P: usize>(&self, h: f64, z: Self::State) -> RateOf<Self>;
 }
 
-/// What θ and ω grow by in a step, over the step, where θ' = ω and ω' = −`frequency_squared` sin θ, from ω, sin θ and cos θ at its
-/// start.
+/// What θ and ω grow by in a step, over the step, where θ' = ω and ω' = −`frequency_squared` sin θ,
+/// from ω, sin θ and cos θ at its start.
 ///
-/// The coefficients are those of powers of t/h. With θ = Σ θⱼ and likewise s = sin θ and c = cos θ, from s' = cθ' and
-/// c' = −sθ':
+/// The coefficients are those of powers of t/h. With θ = Σ θⱼ and likewise s = sin θ and c = cos θ,
+/// from s' = cθ' and c' = −sθ':
 ///
 /// k sₖ = Σⱼ j θⱼ cₖ₋ⱼ, k cₖ = −Σⱼ j θⱼ sₖ₋ⱼ, with j from 1 to k.
 ///
@@ -28,10 +28,12 @@ pub(crate) fn growth<const P: usize>(
     (sin, cos): (f64, f64),
 ) -> (f64, f64) {
     let inverse = const { inverses::<P>() };
-    // jθⱼ, which is all that the sums ask for; c and −s, side by side, since both are multiplied by the same.
+    // jθⱼ, which is all that the sums ask for; c and −s, side by side, since both are multiplied by
+    // the same.
     let (mut turning, mut waves) = ([0.0; P], [[0.0; 2]; P]);
     let (mut theta, mut velocity) = ([0.0; P], [0.0; P]);
-    // Every product goes to its sum as soon as both factors are known, so that a sum waits for its last two alone.
+    // Every product goes to its sum as soon as both factors are known, so that a sum waits for its
+    // last two alone.
     let mut sums = [[0.0; 2]; P];
     let (mut omega_k, mut wave) = (omega, [cos, -sin]);
     for k in 0..P {
@@ -69,8 +71,8 @@ const fn inverses<const P: usize>() -> [f64; P] {
     all
 }
 
-/// The sum of the terms of a series, the smallest first, so that they do not drown one by one: in four sums at once, which
-/// do not wait for one another.
+/// The sum of the terms of a series, the smallest first, so that they do not drown one by one: in
+/// four sums at once, which do not wait for one another.
 #[inline]
 fn smallest_first<const P: usize>(terms: &[f64; P]) -> f64 {
     let mut sums = [0.0; 4];

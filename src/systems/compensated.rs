@@ -5,14 +5,15 @@ use core::ops::Add;
 use crate::arithmetic::double_double::two_sum;
 use crate::systems::{Analytic, Components, Hamiltonian, Phase, RateOf, Separable, State, System};
 
-/// A decorator: the same system, with a state that carries what rounding took away, so that every method that runs on it
-/// has compensated sums.
+/// A decorator: the same system, with a state that carries what rounding took away, so that every
+/// method that runs on it has compensated sums.
 ///
-/// A step adds a small displacement to a large state, and rounds the sum to the last digit of the large one. Here what is
-/// rounded away is kept beside the sum, until it is enough to count (W. Kahan, *Comm. ACM* 8 (1965) 40; O. Møller, *BIT* 5
-/// (1965) 37–50; Hairer, Lubich, Wanner, *Geometric Numerical Integration*, Sect. VIII.5). What is left is the rounding of
-/// the displacements themselves, which is smaller by about x = ω₀h. A method needs no other code: Runge–Kutta methods add
-/// to the state, and splitting methods kick it and let it drift.
+/// A step adds a small displacement to a large state, and rounds the sum to the last digit of the
+/// large one. Here what is rounded away is kept beside the sum, until it is enough to count (W.
+/// Kahan, *Comm. ACM* 8 (1965) 40; O. Møller, *BIT* 5 (1965) 37–50; Hairer, Lubich, Wanner,
+/// *Geometric Numerical Integration*, Sect. VIII.5). What is left is the rounding of the
+/// displacements themselves, which is smaller by about x = ω₀h. A method needs no other code:
+/// Runge–Kutta methods add to the state, and splitting methods kick it and let it drift.
 #[derive(Clone, Copy, Debug)]
 pub struct Compensated<S> {
     system: S,
@@ -75,8 +76,9 @@ impl<S: System<State = Phase>> System for Compensated<S> {
     }
 }
 
-/// Of a Hamiltonian system, whose kick adds the same whatever the velocity, and whose drift whatever the position: so what
-/// they add can be asked for by itself, before it is rounded into a sum.
+/// Of a Hamiltonian system, whose kick adds the same whatever the velocity, and whose drift
+/// whatever the position: so what they add can be asked for by itself, before it is rounded into a
+/// sum.
 impl<S: Separable<State = Phase> + Hamiltonian> Separable for Compensated<S> {
     type Force = S::Force;
 

@@ -5,15 +5,16 @@ use crate::dynamics::Linearised;
 use crate::error::{Error, not_negative};
 use crate::systems::{Hamiltonian, Pendulum, Phase, Separable, System};
 
-/// The pendulum with friction in proportion to its velocity, θ̈ + 2β θ̇ + ω₀² sin θ = 0 with ω₀² = g/L.
+/// The pendulum with friction in proportion to its velocity, θ̈ + 2β θ̇ + ω₀² sin θ = 0 with ω₀² =
+/// g/L.
 ///
-/// Small swings decay as exp(−βt). Energy is lost at the rate 2β m L² ω², and area in phase space shrinks as exp(−2βt),
-/// whatever the motion.
+/// Small swings decay as exp(−βt). Energy is lost at the rate 2β m L² ω², and area in phase space
+/// shrinks as exp(−2βt), whatever the motion.
 ///
-/// It is [`Separable`] in this sense: with θ held, ω̇ = −2βω + α is solved exactly by the kick. Splitting methods then
-/// shrink area by exactly what the motion does, and are called conformally symplectic (Bhatt, Floyd, Moore, *J. Sci.
-/// Comput.* 66 (2016) 1234–1259). Methods of Nyström's kind, which rely on a kick that does not ask for the velocity, may
-/// have a lower order here.
+/// It is [`Separable`] in this sense: with θ held, ω̇ = −2βω + α is solved exactly by the kick.
+/// Splitting methods then shrink area by exactly what the motion does, and are called conformally
+/// symplectic (Bhatt, Floyd, Moore, *J. Sci. Comput.* 66 (2016) 1234–1259). Methods of Nyström's
+/// kind, which rely on a kick that does not ask for the velocity, may have a lower order here.
 ///
 /// Landau, Lifshitz, *Mechanics*, § 25, where β is called λ.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -55,12 +56,13 @@ impl Damped {
     }
     // ANCHOR_END: power
 
-    /// The state at time `t` ≥ 0 (s) after `start` in the limit of small swings, θ̈ + 2β θ̇ + ω₀² θ = 0: in closed form,
-    /// whether the damping is weak (β < ω₀), critical or strong.
+    /// The state at time `t` ≥ 0 (s) after `start` in the limit of small swings, θ̈ + 2β θ̇ + ω₀²
+    /// θ = 0: in closed form, whether the damping is weak (β < ω₀), critical or strong.
     pub fn small_swing(&self, start: Phase, t: f64) -> Phase {
         let (beta, square) = (self.damping, self.pendulum.frequency_squared());
         let Phase { theta, omega } = start;
-        // The two solutions that begin as (1, 0) and (0, 1) in z and ż of z̈ = (β² − ω₀²) z, times exp(−βt).
+        // The two solutions that begin as (1, 0) and (0, 1) in z and ż of z̈ = (β² − ω₀²) z, times
+        // exp(−βt).
         let below = square - beta * beta;
         let (even, odd) = if below > 0.0 {
             let frequency = libm::sqrt(below);
@@ -68,7 +70,8 @@ impl Damped {
             (decay * cos(frequency * t), decay * sin(frequency * t) / frequency)
         } else if below < 0.0 {
             let split = libm::sqrt(-below);
-            // exp(−βt) times cosh and sinh, without the overflow of the one or the cancellation in the other.
+            // exp(−βt) times cosh and sinh, without the overflow of the one or the cancellation in
+            // the other.
             let decay = libm::exp(-square / (beta + split) * t);
             let lost = -libm::expm1(-2.0 * split * t);
             (decay * (1.0 - 0.5 * lost), decay * lost / (2.0 * split))

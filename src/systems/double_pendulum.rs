@@ -5,17 +5,17 @@ use crate::error::{Error, finite, positive};
 use crate::state;
 use crate::systems::{Hamiltonian, System, angle};
 
-/// A pendulum hung from the bob of another: rods L₁ and L₂, bobs m₁ and m₂, angles θ₁ and θ₂ both from the downward
-/// vertical.
+/// A pendulum hung from the bob of another: rods L₁ and L₂, bobs m₁ and m₂, angles θ₁ and θ₂ both
+/// from the downward vertical.
 ///
 /// In the angles and their momenta, with Δ = θ₁ − θ₂, the Hamiltonian is
 ///
 /// H = \[m₂L₂² p₁² + (m₁ + m₂)L₁² p₂² − 2m₂L₁L₂ p₁p₂ cos Δ\] / \[2m₂L₁²L₂² (m₁ + m₂ sin² Δ)\]
 ///   + 2(m₁ + m₂)gL₁ sin²(θ₁/2) + 2m₂gL₂ sin²(θ₂/2).
 ///
-/// Positions and momenta are mixed in its first term: it is no [`Separable`](crate::Separable) system, and splitting
-/// methods do not apply. Small swings are two normal modes, for equal rods and bobs of ω² = (2 ∓ √2) g/L; large ones are
-/// chaotic.
+/// Positions and momenta are mixed in its first term: it is no [`Separable`](crate::Separable)
+/// system, and splitting methods do not apply. Small swings are two normal modes, for equal rods
+/// and bobs of ω² = (2 ∓ √2) g/L; large ones are chaotic.
 ///
 /// Landau, Lifshitz, *Mechanics*, § 5, Problem 1, and § 23.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -54,8 +54,8 @@ impl DoublePendulum {
     /// Under `gravity` g (m/s²), the joint `upper` and the joint `lower`.
     ///
     /// # Errors
-    /// [`Error::Parameter`] for a parameter that is not finite and positive, or not between 1e-30 and 1e30: products of
-    /// eight of them stay in the range of f64.
+    /// [`Error::Parameter`] for a parameter that is not finite and positive, or not between 1e-30
+    /// and 1e30: products of eight of them stay in the range of f64.
     pub fn new(gravity: f64, upper: Joint, lower: Joint) -> Result<Self, Error> {
         Ok(Self {
             gravity: moderate("gravity g (m/s²)", gravity)?,
@@ -93,8 +93,8 @@ impl DoublePendulum {
         self.lower
     }
 
-    /// The state with the angles `theta` (rad) and angular velocities `omega` (rad/s), upper before lower:
-    /// p₁ = (m₁ + m₂)L₁² ω₁ + m₂L₁L₂ ω₂ cos Δ, p₂ = m₂L₂² ω₂ + m₂L₁L₂ ω₁ cos Δ.
+    /// The state with the angles `theta` (rad) and angular velocities `omega` (rad/s), upper before
+    /// lower: p₁ = (m₁ + m₂)L₁² ω₁ + m₂L₁L₂ ω₂ cos Δ, p₂ = m₂L₂² ω₂ + m₂L₁L₂ ω₁ cos Δ.
     ///
     /// # Errors
     /// [`Error::Parameter`] for a component that is not finite, an angle beyond
@@ -140,14 +140,15 @@ impl DoublePendulum {
     }
 
     // ANCHOR: modes
-    /// The angular frequencies of the two normal modes of small swings (rad/s), the slow one first: the roots of
-    /// m₁L₁L₂ ω⁴ − (m₁ + m₂)(L₁ + L₂)g ω² + (m₁ + m₂)g² = 0.
+    /// The angular frequencies of the two normal modes of small swings (rad/s), the slow one first:
+    /// the roots of m₁L₁L₂ ω⁴ − (m₁ + m₂)(L₁ + L₂)g ω² + (m₁ + m₂)g² = 0.
     pub fn normal_modes(&self) -> [f64; 2] {
         let (l1, l2) = (self.upper.length, self.lower.length);
         let both = self.upper.mass + self.lower.mass;
         let (upper, lower) = (self.upper.mass / both, self.lower.mass / both);
         let sum = l1 + l2;
-        // The discriminant (L₁ + L₂)² − 4 L₁L₂ m₁/(m₁ + m₂), without the cancellation where it is small.
+        // The discriminant (L₁ + L₂)² − 4 L₁L₂ m₁/(m₁ + m₂), without the cancellation where it is
+        // small.
         let root = libm::sqrt((l1 - l2) * (l1 - l2) + 4.0 * lower * l1 * l2);
         // The slow root as a quotient, for the same reason.
         let slow = 2.0 * self.gravity / (sum + root);
@@ -156,8 +157,8 @@ impl DoublePendulum {
     }
     // ANCHOR_END: modes
 
-    /// The ratio θ₂/θ₁ in each of the [`normal_modes`](Self::normal_modes): positive in the slow one, where the bobs
-    /// swing together, negative in the fast one. For equals it is ±√2.
+    /// The ratio θ₂/θ₁ in each of the [`normal_modes`](Self::normal_modes): positive in the slow
+    /// one, where the bobs swing together, negative in the fast one. For equals it is ±√2.
     pub fn mode_shapes(&self) -> [f64; 2] {
         // From the lower bob's equation, L₁ θ̈₁ + L₂ θ̈₂ + g θ₂ = 0.
         self.normal_modes().map(|omega| {

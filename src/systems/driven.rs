@@ -10,8 +10,9 @@ use crate::systems::{Pendulum, Phase, Separable, System};
 
 /// The damped pendulum under a periodic torque, θ̈ + 2β θ̇ + ω₀² sin θ = γ ω₀² cos Ωt.
 ///
-/// γ is the torque's amplitude in units of the weight's largest torque, m g L. As γ grows the motion repeats after one
-/// period of the drive, then after two, four, …, and then never. Area in phase space shrinks by exp(−2β · 2π/Ω) a period.
+/// γ is the torque's amplitude in units of the weight's largest torque, m g L. As γ grows the
+/// motion repeats after one period of the drive, then after two, four, …, and then never. Area in
+/// phase space shrinks by exp(−2β · 2π/Ω) a period.
 ///
 /// J. R. Taylor, *Classical Mechanics* (2005), ch. 12.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,8 +28,8 @@ impl Driven {
     /// `damped` under a drive of `strength` γ and angular `frequency` Ω (rad/s).
     ///
     /// # Errors
-    /// [`Error::Parameter`] for a γ that is not finite or makes γ ω₀² overflow, and for an Ω that is not finite and
-    /// positive.
+    /// [`Error::Parameter`] for a γ that is not finite or makes γ ω₀² overflow, and for an Ω that
+    /// is not finite and positive.
     pub fn new(damped: Damped, strength: f64, frequency: f64) -> Result<Self, Error> {
         let strength = finite("drive strength γ", strength)?;
         let frequency = positive("drive frequency Ω (rad/s)", frequency)?;
@@ -37,8 +38,8 @@ impl Driven {
         Ok(Self { damped, strength, frequency, torque })
     }
 
-    /// Taylor's pendulum with the drive `strength` γ: Ω = 2π rad/s, so that a period is 1 s, ω₀ = 1.5 Ω, β = ω₀/4. His
-    /// Table 12.1 gives its first period doublings, at γ = 1.0663 and 1.0793.
+    /// Taylor's pendulum with the drive `strength` γ: Ω = 2π rad/s, so that a period is 1 s, ω₀ =
+    /// 1.5 Ω, β = ω₀/4. His Table 12.1 gives its first period doublings, at γ = 1.0663 and 1.0793.
     ///
     /// # Errors
     /// As [`Driven::new`].
@@ -46,8 +47,8 @@ impl Driven {
         Self::taylor_damped(strength, 0.25)
     }
 
-    /// [`Driven::taylor`] with a damping β of `share` ω₀. His strange attractor (Sect. 12.8) has γ = 1.5 and a share of
-    /// an eighth.
+    /// [`Driven::taylor`] with a damping β of `share` ω₀. His strange attractor (Sect. 12.8) has
+    /// γ = 1.5 and a share of an eighth.
     ///
     /// # Errors
     /// As [`Damped::new`] and [`Driven::new`].
@@ -77,8 +78,8 @@ impl Driven {
         2.0 * PI / self.frequency
     }
 
-    /// By how much area in phase space shrinks in a period, exp(−2β · 2π/Ω): the determinant of every monodromy matrix
-    /// (Liouville's formula; the divergence of the flow is −2β everywhere).
+    /// By how much area in phase space shrinks in a period, exp(−2β · 2π/Ω): the determinant of
+    /// every monodromy matrix (Liouville's formula; the divergence of the flow is −2β everywhere).
     pub fn contraction(&self) -> f64 {
         libm::exp(-2.0 * self.damped.damping() * self.period())
     }

@@ -1,4 +1,5 @@
-//! A planet: a second witness that is Hamiltonian and separable, with an angular momentum beside its energy.
+//! A planet: a second witness that is Hamiltonian and separable, with an angular momentum beside
+//! its energy.
 
 use core::f64::consts::PI;
 
@@ -9,9 +10,9 @@ use crate::systems::{Hamiltonian, Separable, System};
 
 /// Kepler's problem in its plane, r̈ = −μ r/r³, with the centre at rest in the origin.
 ///
-/// The motion keeps the energy ½v² − μ/r and the angular momentum x v_y − y v_x, and the pericentre stays where it is. Kicks
-/// along r and drifts along v change no angular momentum, so that every splitting method keeps it to rounding; the
-/// pericentre they do not keep.
+/// The motion keeps the energy ½v² − μ/r and the angular momentum x v_y − y v_x, and the pericentre
+/// stays where it is. Kicks along r and drifts along v change no angular momentum, so that every
+/// splitting method keeps it to rounding; the pericentre they do not keep.
 ///
 /// Landau, Lifshitz, *Mechanics*, § 15; Hairer, Lubich, Wanner (2006), Sect. I.2.2.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -64,7 +65,8 @@ impl Kepler {
         z.x * z.vy - z.y * z.vx
     }
 
-    /// The vector towards the pericentre whose length is the eccentricity (Laplace, Runge, Lenz): v × l/μ − r/r.
+    /// The vector towards the pericentre whose length is the eccentricity (Laplace, Runge, Lenz): v
+    /// × l/μ − r/r.
     pub fn eccentricity(&self, z: PlanePhase) -> Planar {
         let momentum = self.angular_momentum(z);
         let r = distance(z);
@@ -75,7 +77,8 @@ impl Kepler {
     }
 }
 
-/// An ellipse about a centre: the exact motion, from the pericentre on the positive x axis, counterclockwise.
+/// An ellipse about a centre: the exact motion, from the pericentre on the positive x axis,
+/// counterclockwise.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ellipse {
     attraction: f64,
@@ -87,8 +90,8 @@ impl Ellipse {
     /// The ellipse about `centre` of the semi-major axis a (m) and the eccentricity e.
     ///
     /// # Errors
-    /// [`Error::Parameter`] for an a that is not finite and positive, for an e that is not at least 0 and below 1, and
-    /// where √(μ/a³) leaves the range of normal numbers.
+    /// [`Error::Parameter`] for an a that is not finite and positive, for an e that is not at least
+    /// 0 and below 1, and where √(μ/a³) leaves the range of normal numbers.
     pub fn new(centre: &Kepler, semi_major: f64, eccentricity: f64) -> Result<Self, Error> {
         let semi_major = positive("semi-major axis a (m)", semi_major)?;
         if !(0.0..1.0).contains(&eccentricity) {
@@ -121,7 +124,8 @@ impl Ellipse {
     }
 
     // ANCHOR: ellipse
-    /// Position and velocity at time `t` (s) after the pericentre, through the eccentric anomaly E: E − e sin E = nt.
+    /// Position and velocity at time `t` (s) after the pericentre, through the eccentric anomaly E:
+    /// E − e sin E = nt.
     pub fn at(&self, t: f64) -> PlanePhase {
         let Self { semi_major: a, eccentricity: e, .. } = *self;
         let n = self.mean_motion();
@@ -141,8 +145,8 @@ impl Ellipse {
 
 /// The root E of Kepler's equation E − e sin E = `mean` (rad).
 fn eccentric_anomaly(mean: f64, e: f64) -> f64 {
-    // The root lies within e of the mean. Newton's step, or half the bracket where it would leave that: 60 halvings exhaust
-    // an f64, and ten steps are more than Newton needs.
+    // The root lies within e of the mean. Newton's step, or half the bracket where it would leave
+    // that: 60 halvings exhaust an f64, and ten steps are more than Newton needs.
     let (mut low, mut high) = (mean - e, mean + e);
     let mut anomaly = mean;
     for _ in 0..70 {
@@ -201,7 +205,8 @@ impl Separable for Kepler {
 // ANCHOR_END: force
 
 impl Hamiltonian for Kepler {
-    /// ½v² − μ/r (J/kg): for each unit of mass, and zero for a planet at rest far away, since there is no rest to count from.
+    /// ½v² − μ/r (J/kg): for each unit of mass, and zero for a planet at rest far away, since there
+    /// is no rest to count from.
     fn energy(&self, z: PlanePhase) -> f64 {
         0.5 * (z.vx * z.vx + z.vy * z.vy) - self.attraction / distance(z)
     }

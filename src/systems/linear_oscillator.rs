@@ -3,7 +3,8 @@
 use super::{Hamiltonian, Pendulum, Phase, Separable, System};
 use crate::arithmetic::sine::{cos, sin};
 
-/// The linear oscillator θ̈ + (g/L) θ = 0: the pendulum as a small angle sees it (paper, Section 3.3).
+/// The linear oscillator θ̈ + (g/L) θ = 0: the pendulum as a small angle sees it (paper, Section
+/// 3.3).
 ///
 /// Its motion is known in elementary functions, and so is every method's error on it.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,9 +1,9 @@
 //! What is integrated: the simple pendulum, and systems beyond it, one file each.
 //!
-//! What they have in common: each is a [`System`], so that every method for systems moves it, and none of
-//! the methods knows it. Those that fall into two halves are [`Separable`], those that keep an energy
-//! [`Hamiltonian`]. Constructors check their parameters; states have named components; a force that
-//! knows the time gets it from the method, in s since the start of the grid.
+//! What they have in common: each is a [`System`], so that every method for systems moves it, and
+//! none of the methods knows it. Those that fall into two halves are [`Separable`], those that keep
+//! an energy [`Hamiltonian`]. Constructors check their parameters; states have named components; a
+//! force that knows the time gets it from the method, in s since the start of the grid.
 //!
 //! | system | equation | separable | keeps |
 //! |---|---|---|---|

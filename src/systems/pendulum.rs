@@ -33,8 +33,8 @@ impl Pendulum {
     /// A pendulum under `gravity` (m/s²), of `length` (m) and `mass` (kg).
     ///
     /// # Errors
-    /// [`Error::Parameter`] for a parameter that is not finite and positive, or so large or small that g/L, m g L or
-    /// m L² leaves the range of normal numbers.
+    /// [`Error::Parameter`] for a parameter that is not finite and positive, or so large or small
+    /// that g/L, m g L or m L² leaves the range of normal numbers.
     pub fn new(gravity: f64, length: f64, mass: f64) -> Result<Self, Error> {
         let gravity = positive("gravity g (m/s²)", gravity)?;
         let length = positive("length L (m)", length)?;
@@ -48,8 +48,8 @@ impl Pendulum {
     /// A start of this pendulum at `theta` (rad) with `omega` (rad/s), checked.
     ///
     /// # Errors
-    /// [`Error::Parameter`] for a component that is not finite, for |θ| > [`LARGEST_ANGLE`], and for an ω whose
-    /// kinetic energy overflows.
+    /// [`Error::Parameter`] for a component that is not finite, for |θ| > [`LARGEST_ANGLE`], and
+    /// for an ω whose kinetic energy overflows.
     pub fn start(&self, theta: f64, omega: f64) -> Result<Phase, Error> {
         let start = Phase { theta: angle(theta)?, omega };
         if self.kinetic(start).is_finite() {
@@ -90,7 +90,8 @@ impl Pendulum {
         2.0 * core::f64::consts::PI / self.small_angle_frequency()
     }
 
-    /// The Hamiltonian ½ m L² ω² − m g L cos θ (J), the paper's Eq. 3: zero at the height of the pivot.
+    /// The Hamiltonian ½ m L² ω² − m g L cos θ (J), the paper's Eq. 3: zero at the height of the
+    /// pivot.
     ///
     /// For differences of energy use [`Hamiltonian::energy`], which does not lose small ones.
     pub fn energy_from_pivot(&self, z: Phase) -> f64 {
@@ -147,7 +148,8 @@ impl Separable for Pendulum {
 // ANCHOR_END: force
 
 impl Hamiltonian for Pendulum {
-    /// ½ m L² ω² + 2 m g L sin²(θ/2) (J): the paper's Eq. 3 plus m g L, without the cancellation in 1 − cos θ.
+    /// ½ m L² ω² + 2 m g L sin²(θ/2) (J): the paper's Eq. 3 plus m g L, without the cancellation in
+    /// 1 − cos θ.
     #[inline]
     fn energy(&self, z: Phase) -> f64 {
         self.energy_with(half_turn::sin(0.5 * z.theta), z)

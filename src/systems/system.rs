@@ -25,10 +25,11 @@ impl<S: System> System for &S {
 /// The rate of change of a system's state.
 pub type RateOf<S> = <<S as System>::State as State>::Displacement;
 
-/// A system that falls into two halves, each solved exactly: the force kicks the velocity, the velocity drifts the
-/// position. Symplectic splitting methods need no more and no less.
+/// A system that falls into two halves, each solved exactly: the force kicks the velocity, the
+/// velocity drifts the position. Symplectic splitting methods need no more and no less.
 pub trait Separable: System {
-    /// What [`force`](Separable::force) returns; for the pendulum the angular acceleration (rad/s²).
+    /// What [`force`](Separable::force) returns; for the pendulum the angular acceleration
+    /// (rad/s²).
     type Force: Copy;
 
     /// The force at time `t` (s). It may use the positions in `z` but not the velocities.
@@ -45,12 +46,12 @@ pub trait Separable: System {
 pub trait Hamiltonian: System {
     /// Energy above the stable equilibrium (J).
     ///
-    /// The zero lies at the bottom of the well so that a small motion has a small energy, and its error is not lost in
-    /// the rounding of a large constant.
+    /// The zero lies at the bottom of the well so that a small motion has a small energy, and its
+    /// error is not lost in the rounding of a large constant.
     fn energy(&self, z: Self::State) -> f64;
 
-    /// The energy of each of `states` (J), into `energies` as far as there are slots. A system that can do many at once
-    /// quicker than one by one, with the same bits, may.
+    /// The energy of each of `states` (J), into `energies` as far as there are slots. A system that
+    /// can do many at once quicker than one by one, with the same bits, may.
     fn energies(&self, states: &[Self::State], energies: &mut [f64]) {
         for (z, energy) in states.iter().zip(energies) {
             *energy = self.energy(*z);

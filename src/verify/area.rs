@@ -9,8 +9,9 @@ pub const AREA_STEP: f64 = 0.1;
 /// Half the width of the central difference that measures det J.
 const DELTA: f64 = 1e-4;
 
-/// What the central difference may be off by: each of four derivatives by rounding, ε θ/δ ≈ 2e-12 for a state of
-/// order 1, and by truncation, δ²/6 times a third derivative of order h² g/L ≈ 0.1 times a slope of order 1: 2e-10.
+/// What the central difference may be off by: each of four derivatives by rounding, ε θ/δ ≈ 2e-12
+/// for a state of order 1, and by truncation, δ²/6 times a third derivative of order h² g/L ≈ 0.1
+/// times a slope of order 1: 2e-10.
 pub const AREA_TOLERANCE: f64 = 5e-10;
 
 /// The same for a step of `h` (s): the third derivative goes with h², and rounding stays.
@@ -24,7 +25,8 @@ pub const fn area_tolerance(h: f64) -> f64 {
 }
 
 // ANCHOR: area_defect
-/// det J − 1 of one step of `h` (s) at `z`, by central differences: by how much the step inflates area in phase space.
+/// det J − 1 of one step of `h` (s) at `z`, by central differences: by how much the step inflates
+/// area in phase space.
 pub fn area_defect(method: &dyn AnyMethod, pendulum: &Pendulum, z: Phase, h: f64) -> f64 {
     let one_step = Grid::new(h, 1).expect("a positive step");
     let image = |theta, omega| method.run(pendulum, Phase { theta, omega }, &one_step, &mut ());
@@ -61,8 +63,9 @@ pub fn check(method: &dyn AnyMethod) -> CheckResult {
     if method.info().symplectic {
         return near("det J − 1", largest(AREA_STEP), 0.0, AREA_TOLERANCE);
     }
-    // The smallest defect among the paper's methods is RK4's, x⁶/72 = 5e-7 at the bottom of the long pendulum. The higher the
-    // order, the longer the step with which it shows: 0.4 s, of x = 1.25, do for order 24.
+    // The smallest defect among the paper's methods is RK4's, x⁶/72 = 5e-7 at the bottom of the
+    // long pendulum. The higher the order, the longer the step with which it shows: 0.4 s, of x =
+    // 1.25, do for order 24.
     let seen =
         |h: f64| beyond("symplectic after all: det J − 1", largest(h), 100.0 * area_tolerance(h));
     seen(AREA_STEP).or_else(|_| seen(2.0 * AREA_STEP)).or_else(|_| seen(4.0 * AREA_STEP))

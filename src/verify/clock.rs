@@ -3,7 +3,8 @@
 use super::{CheckResult, grid, pendulum, same};
 use crate::{AnyMethod, Phase};
 
-/// 0.1 is not an f64. Added up, a thousand of them are 99.9999999999986, which is still less than 100.
+/// 0.1 is not an f64. Added up, a thousand of them are 99.9999999999986, which is still less
+/// than 100.
 const STEP: f64 = 0.1;
 const STEPS: u64 = 1000;
 

@@ -1,6 +1,8 @@
-//! Conjugacy: n steps of Störmer–Verlet are half a kick back, n steps of symplectic Euler, and half a kick.
+//! Conjugacy: n steps of Störmer–Verlet are half a kick back, n steps of symplectic Euler, and half
+//! a kick.
 //!
-//! (K½ D K½)ⁿ = K½ (D K)ⁿ K½⁻¹. Hairer, Lubich, Wanner, *Geometric Numerical Integration* (2006), Sect. VI.3.
+//! (K½ D K½)ⁿ = K½ (D K)ⁿ K½⁻¹. Hairer, Lubich, Wanner, *Geometric Numerical Integration* (2006),
+//! Sect. VI.3.
 
 use super::{CheckResult, near, pendulum, run};
 use crate::methods::{StormerVerlet, SymplecticEuler};
@@ -8,8 +10,8 @@ use crate::{AnyMethod, Phase, Separable};
 
 const STEP: f64 = 0.05;
 
-/// 1000 steps differ by 1e-16 or so each. On an orbit the difference in phase grows linearly on top: √n · n · ε = 7e-12 at
-/// the worst, if every rounding changes the energy.
+/// 1000 steps differ by 1e-16 or so each. On an orbit the difference in phase grows linearly on
+/// top: √n · n · ε = 7e-12 at the worst, if every rounding changes the energy.
 const ROUNDING: f64 = 7e-12;
 
 /// Whether `verlet` is `euler` between two half kicks.

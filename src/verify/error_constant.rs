@@ -1,8 +1,9 @@
 //! The error constant: the error at a given time over hᵖ, as h → 0, against theory.
 //!
-//! One step misses the exact flow by xᵖ⁺¹ d(z) + …, with x = ω₀h and the state in θ and q = ω/ω₀. What the steps miss is
-//! carried along by the flow and adds up: at the end the error over xᵖ is δ, where δ' = J(z) δ + d(z) along the exact
-//! motion (Hairer, Nørsett, Wanner, *Solving Ordinary Differential Equations I* (1993), Sect. II.3 and II.8).
+//! One step misses the exact flow by xᵖ⁺¹ d(z) + …, with x = ω₀h and the state in θ and q = ω/ω₀.
+//! What the steps miss is carried along by the flow and adds up: at the end the error over xᵖ is δ,
+//! where δ' = J(z) δ + d(z) along the exact motion (Hairer, Nørsett, Wanner, *Solving Ordinary
+//! Differential Equations I* (1993), Sect. II.3 and II.8).
 
 use super::{CheckResult, beyond, near, pendulum, run};
 use crate::arithmetic::sine::{cos, sin};
@@ -11,8 +12,8 @@ use crate::{AnyMethod, Motion, Pendulum, Phase};
 /// θ and q, or their rates.
 type Pair = [f64; 2];
 
-/// The leading local error d, by the method's name: step less exact flow, as Taylor series in x. With s = sin θ and
-/// c = cos θ the exact flow is
+/// The leading local error d, by the method's name: step less exact flow, as Taylor series in x.
+/// With s = sin θ and c = cos θ the exact flow is
 ///
 /// θ + xq − x²s/2 − x³cq/6 + …, q − xs − x²cq/2 + x³(cs + sq²)/6 + ….
 pub fn leading_local_error(name: &str, [theta, q]: Pair) -> Option<Pair> {
@@ -84,7 +85,8 @@ fn transported(z: Pair, end: f64, local: &dyn Fn(Pair) -> Pair) -> Pair {
 /// The dimensionless time at which the error is measured: no whole number of quarter periods.
 const END: f64 = 4.0;
 
-/// The law of the methods that are tables, from runs in arithmetic of 50 digits: `data/README.md` beside this file.
+/// The law of the methods that are tables, from runs in arithmetic of 50 digits: `data/README.md`
+/// beside this file.
 const ON_FILE: &str = include_str!("data/error_constants.csv");
 
 /// The error over xᵖ at [`END`] from `z`, if it is on file for the method `name`.
@@ -118,15 +120,18 @@ fn extrapolated_constant(method: &dyn AnyMethod, pendulum: &Pendulum, z: Pair) -
     [0, 1].map(|i| extrapolated(errors.map(|error| error[i])))
 }
 
-/// What extrapolation leaves out is x³/8 of the leading term, with x = 4/100 at the coarsest: 8e-6, with a coefficient
-/// that grows like END³/3! = 11. RK4's error at the finest, 2e-10, is rounded by 1e-14 at worst.
+/// What extrapolation leaves out is x³/8 of the leading term, with x = 4/100 at the coarsest: 8e-6,
+/// with a coefficient that grows like END³/3! = 11. RK4's error at the finest, 2e-10, is rounded by
+/// 1e-14 at worst.
 const TOLERANCE: f64 = 2e-4;
 
-/// For a method whose d is not on file d is measured; x³/8 is then 1e-3, with a coefficient up to 5.
+/// For a method whose d is not on file d is measured; x³/8 is then 1e-3, with a coefficient up
+/// to 5.
 const TOLERANCE_IF_MEASURED: f64 = 4e-2;
 
-/// The error over xᵖ of a symmetric method with the finest step whose error rounding, 1e-14, leaves three digits, with its
-/// tolerance relative to it: the next term is as the square of the longest substep, which is below 2x, and twice that.
+/// The error over xᵖ of a symmetric method with the finest step whose error rounding, 1e-14, leaves
+/// three digits, with its tolerance relative to it: the next term is as the square of the longest
+/// substep, which is below 2x, and twice that.
 fn finest_constant(method: &dyn AnyMethod, pendulum: &Pendulum, z: Pair) -> (Pair, f64) {
     const ROUNDED: f64 = 1e-11;
     let order = method.info().order;
@@ -141,16 +146,17 @@ fn finest_constant(method: &dyn AnyMethod, pendulum: &Pendulum, z: Pair) -> (Pai
     (*error, 2.0 * libm::pow(2.0 * x(*steps), 2.0) + 1e-3)
 }
 
-/// The errors at [`END`] in few, long steps, from runs in arithmetic of 60 digits: `data/README.md` beside this file.
+/// The errors at [`END`] in few, long steps, from runs in arithmetic of 60 digits: `data/README.md`
+/// beside this file.
 const IN_LONG_STEPS: &str = include_str!("data/long_steps.csv");
 
-/// What rounding may add to an error in each step: some forty roundings of ε. A step rounds the state, of up to 3, and its
-/// slopes, whose weights add up to 15 at the most, in DOP853; by the end that has grown with the phase, tenfold at most, and
-/// there are few steps.
+/// What rounding may add to an error in each step: some forty roundings of ε. A step rounds the
+/// state, of up to 3, and its slopes, whose weights add up to 15 at the most, in DOP853; by the end
+/// that has grown with the phase, tenfold at most, and there are few steps.
 const ROUNDED_A_STEP: f64 = 1e-14;
 
-/// The error itself and not its limit, for methods so accurate that rounding leaves no room for a limit: in the numbers of
-/// steps on file for the method from `z`, if there are any.
+/// The error itself and not its limit, for methods so accurate that rounding leaves no room for a
+/// limit: in the numbers of steps on file for the method from `z`, if there are any.
 fn check_in_long_steps(
     method: &dyn AnyMethod,
     pendulum: &Pendulum,
@@ -180,7 +186,8 @@ fn check_in_long_steps(
     Some(seen.and_then(|()| laws.iter().try_for_each(compare)))
 }
 
-/// Whether the error over hᵖ is the constant that is known of the method, or follows from its single steps.
+/// Whether the error over hᵖ is the constant that is known of the method, or follows from its
+/// single steps.
 ///
 /// # Errors
 /// Says what is not, and by how much.

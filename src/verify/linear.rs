@@ -1,7 +1,8 @@
 //! The linear oscillator: the matrix of a step.
 //!
-//! At θ = 2⁻⁴⁰ the sine of θ and θ are one f64, and the pendulum *is* the linear oscillator, to the last bit. Without
-//! dimensions, in θ and q = ω/ω₀ and with x = ω₀h, a step is a matrix of polynomials in x.
+//! At θ = 2⁻⁴⁰ the sine of θ and θ are one f64, and the pendulum *is* the linear oscillator, to the
+//! last bit. Without dimensions, in θ and q = ω/ω₀ and with x = ω₀h, a step is a matrix of
+//! polynomials in x.
 
 use super::{CheckResult, beyond, near, pendulum, run};
 use crate::arithmetic::sine::{cos, sin};
@@ -80,16 +81,18 @@ fn there_and_back(matrix: Matrix) -> Matrix {
     product(mirrored, matrix)
 }
 
-/// What the entry denies must not hold of `matrix`, given x: area is not preserved, or the way back misses.
+/// What the entry denies must not hold of `matrix`, given x: area is not preserved, or the way back
+/// misses.
 ///
-/// At x = 0.3 RK4's −x⁶/72 is 1e-5, the smallest of the paper's methods. The higher the order, the longer the step with which
-/// it shows: x²⁶/26! and its like, of order 24, are 0.1 at x = 9.6. There the powers that add up to a matrix are as large as
-/// eˣ, and round by as much more.
+/// At x = 0.3 RK4's −x⁶/72 is 1e-5, the smallest of the paper's methods. The higher the order, the
+/// longer the step with which it shows: x²⁶/26! and its like, of order 24, are 0.1 at x = 9.6.
+/// There the powers that add up to a matrix are as large as eˣ, and round by as much more.
 pub fn check_denials(method: &dyn AnyMethod, matrix: impl Fn(f64) -> Matrix) -> CheckResult {
     let entry = method.info();
     let ladder =
         || [0.3, 0.6, 1.2, 2.4, 4.8, 9.6].map(|x: f64| (matrix(x), ROUNDING * libm::exp(x)));
-    // What is told from rounding is told: no more than from a step that is far too long, whose matrix is large.
+    // What is told from rounding is told: no more than from a step that is far too long, whose
+    // matrix is large.
     let moderate = |matrix: &Matrix| matrix.as_flattened().iter().all(|x| x.abs() < 2.0);
     let largest = |defect: fn(Matrix) -> f64| {
         let rungs = ladder().into_iter().filter(|(matrix, _)| moderate(matrix));
@@ -108,11 +111,12 @@ pub fn check_denials(method: &dyn AnyMethod, matrix: impl Fn(f64) -> Matrix) -> 
     Ok(())
 }
 
-/// What must hold of the matrix of one step of x, whatever the method; and what must hold of one known by its name.
+/// What must hold of the matrix of one step of x, whatever the method; and what must hold of one
+/// known by its name.
 pub fn check_matrix(method: &dyn AnyMethod, x: f64, matrix: Matrix) -> CheckResult {
     let entry = method.info();
-    // The first term of the exponential that the method need not have, x^(p+1)/(p+1)!, and as much again or a few times
-    // that as its own: symplectic Euler's is twice.
+    // The first term of the exponential that the method need not have, x^(p+1)/(p+1)!, and as much
+    // again or a few times that as its own: symplectic Euler's is twice.
     compare("near the rotation", matrix, rotation(x), libm::pow(x, f64::from(entry.order + 1)))?;
     if entry.symplectic {
         near("det − 1", determinant(matrix) - 1.0, 0.0, ROUNDING)?;
@@ -126,7 +130,8 @@ pub fn check_matrix(method: &dyn AnyMethod, x: f64, matrix: Matrix) -> CheckResu
     compare("known", matrix, expected, ROUNDING)
 }
 
-/// Whether the matrix of a step at the bottom is the known one, near the rotation, and as symplectic and symmetric as the entry says.
+/// Whether the matrix of a step at the bottom is the known one, near the rotation, and as
+/// symplectic and symmetric as the entry says.
 ///
 /// # Errors
 /// Says what is not, and by how much.

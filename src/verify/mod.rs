@@ -1,7 +1,9 @@
-//! MethodInfo: what a method must do, each as a check that can be held against any method, right or wrong.
+//! MethodInfo: what a method must do, each as a check that can be held against any method, right or
+//! wrong.
 //!
-//! A check reads the method's own entry and measures whether it is true. The property's test applies it to every method
-//! of the library, and `tests/verify/discrimination.rs` to a zoo of impostors: the very same code.
+//! A check reads the method's own entry and measures whether it is true. The property's test
+//! applies it to every method of the library, and `tests/verify/discrimination.rs` to a zoo of
+//! impostors: the very same code.
 
 pub mod area;
 pub mod clock;

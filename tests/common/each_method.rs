@@ -1,7 +1,8 @@
 //! What the tests share: the methods as rstest cases.
 #![allow(unused_macros, reason = "each test file uses one or the other")]
 
-/// Makes an rstest template of the library's list of methods, so that a new method is under every test at once.
+/// Makes an rstest template of the library's list of methods, so that a new method is under every
+/// test at once.
 macro_rules! template {
     ($($module:ident::$method:ident,)+) => {
         #[rstest_reuse::template]

@@ -1,4 +1,5 @@
-//! The complete elliptic integral K against published values, against quadrature, and where neither reaches.
+//! The complete elliptic integral K against published values, against quadrature, and where neither
+//! reaches.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -7,23 +8,26 @@ use pendula::exact::complete_elliptic_k;
 use quadrature::{clenshaw_curtis, double_exponential};
 use rstest::rstest;
 
-/// A published value is rounded to 15 decimals or more: 5e-16 against K ≥ π/2. k' = √(1 − m) is rounded, which moves
-/// K by at most ε/4 relative.
+/// A published value is rounded to 15 decimals or more: 5e-16 against K ≥ π/2. k' = √(1 − m) is
+/// rounded, which moves K by at most ε/4 relative.
 const TABLE_TOLERANCE: f64 = 5e-16;
 
-/// The integrand's own rounding is ε/(2 k'²) relative at its peak, 6e-14 for k = 0.999; the weights of the double
-/// exponential rule sum to 3.3e-14 less than they should, as K(0) = π/2 shows. A margin of 10 over both.
+/// The integrand's own rounding is ε/(2 k'²) relative at its peak, 6e-14 for k = 0.999; the weights
+/// of the double exponential rule sum to 3.3e-14 less than they should, as K(0) = π/2 shows. A
+/// margin of 10 over both.
 const QUADRATURE_TOLERANCE: f64 = 1e-12;
 
-/// What the rules are asked for: less than they can reach, so that they stop for want of points and not of ambition.
+/// What the rules are asked for: less than they can reach, so that they stop for want of points and
+/// not of ambition.
 const ASKED: f64 = 1e-15;
 
 fn complement(k: f64) -> f64 {
     ((1.0 - k) * (1.0 + k)).sqrt()
 }
 
-/// Catches: a mean stopped one step early, one taken in f64 (a unit in the last place off), a form with 1 − k², a square
-/// root that underflows. References: mpmath at 50 digits, of k' exactly as the f64 it is.
+/// Catches: a mean stopped one step early, one taken in f64 (a unit in the last place off), a form
+/// with 1 − k², a square root that underflows. References: mpmath at 50 digits, of k' exactly as
+/// the f64 it is.
 #[rstest]
 #[case::at_the_bottom(1.0, FRAC_PI_2)]
 #[case::nearly(0.9999, 1.570_874_871_520_318_5)]
@@ -52,10 +56,11 @@ fn k_is_the_published_one(#[case] m: f64, #[case] expected: f64) {
     assert_relative_eq!(k, expected, max_relative = TABLE_TOLERANCE);
 }
 
-/// Catches: an algorithm wrong in itself, which a table of a few values may miss: quadrature knows no mean.
+/// Catches: an algorithm wrong in itself, which a table of a few values may miss: quadrature knows
+/// no mean.
 ///
-/// What the two rules say of their own error is not believed: the double exponential one, asked for 1e-15, misses it
-/// by 30 times and does not know.
+/// What the two rules say of their own error is not believed: the double exponential one, asked for
+/// 1e-15, misses it by 30 times and does not know.
 #[rstest]
 fn k_is_the_integral(#[values(0.0, 0.1, 0.3, 0.5, 0.7, 0.9, 0.95, 0.99, 0.999)] k: f64) {
     let integrand = |phi: f64| 1.0 / (1.0 - (k * phi.sin()).powi(2)).sqrt();
@@ -68,7 +73,8 @@ fn k_is_the_integral(#[values(0.0, 0.1, 0.3, 0.5, 0.7, 0.9, 0.95, 0.99, 0.999)] 
     }
 }
 
-/// Catches: the textbook trap. K(½) is 1.686 of the modulus and 1.854 of the parameter, and both are printed as "K(½)".
+/// Catches: the textbook trap. K(½) is 1.686 of the modulus and 1.854 of the parameter, and both
+/// are printed as "K(½)".
 #[test]
 fn modulus_and_parameter_are_told_apart() {
     let of_modulus = complete_elliptic_k(complement(0.5));
@@ -87,9 +93,9 @@ fn outside_its_range_k_is_infinite_or_not_a_number() {
     }
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 // The trapezoid rule, and forms that cancel
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 
 /// K by the trapezoid rule with `n` intervals on 0 … π/2.
 fn trapezoid(k: f64, n: u32) -> f64 {
@@ -101,14 +107,16 @@ fn trapezoid(k: f64, n: u32) -> f64 {
     (0.5 * (value(0) + value(n)) + inner) * FRAC_PI_2 / f64::from(n)
 }
 
-/// The integrand has period π, so the rule, with N = 2n points a period, errs only by its harmonics N, 2N, …: it converges as
-/// exp(−2N acosh(1/k)), where acosh(1/k) is how far off the real axis, above π/2, the integrand is singular (Trefethen &
-/// Weideman, *SIAM Review* 56 (2014) 385–458). A singularity of the kind 1/√ lends the N-th harmonic a factor 1/√N as well.
+/// The integrand has period π, so the rule, with N = 2n points a period, errs only by its harmonics
+/// N, 2N, …: it converges as exp(−2N acosh(1/k)), where acosh(1/k) is how far off the real axis,
+/// above π/2, the integrand is singular (Trefethen & Weideman, *SIAM Review* 56 (2014) 385–458). A
+/// singularity of the kind 1/√ lends the N-th harmonic a factor 1/√N as well.
 ///
-/// From N to 2N the logarithm of the error must fall by 2N acosh(1/k) + ½ ln 2. The next term of a harmonic is of relative
-/// order 1/(16 N acosh(1/k)), which two of them may add to.
+/// From N to 2N the logarithm of the error must fall by 2N acosh(1/k) + ½ ln 2. The next term of a
+/// harmonic is of relative order 1/(16 N acosh(1/k)), which two of them may add to.
 ///
-/// Catches: a rule with an end point missing or counted twice, which converges as 1/n; a modulus taken for a parameter.
+/// Catches: a rule with an end point missing or counted twice, which converges as 1/n; a modulus
+/// taken for a parameter.
 #[rstest]
 fn the_trapezoid_rule_converges_geometrically(
     #[values(0.5, 0.9, 0.99, 0.997_494_986_604_054_5)] k: f64,
@@ -125,7 +133,8 @@ fn the_trapezoid_rule_converges_geometrically(
     }
 }
 
-/// Near the top 1/acosh(1/k) = 1/k' intervals are needed for each e-fold: with k' = 5e-7 a thousand are as good as none.
+/// Near the top 1/acosh(1/k) = 1/k' intervals are needed for each e-fold: with k' = 5e-7 a thousand
+/// are as good as none.
 ///
 /// Catches: the belief that a rule which converges geometrically converges for every k.
 #[test]
@@ -137,8 +146,9 @@ fn the_trapezoid_rule_breaks_at_the_top() {
     assert!(trapezoid((0.5 * (PI - 1e-8)).sin(), 1000).is_infinite());
 }
 
-/// With k = sin(θ₀/2) rounded by ε/4, 1 − k² is k'² = 2.5e-13 ± 5.6e-17, or 2.2e-4 of it, which K ≈ ln(4/k') = 15.9 feels
-/// by a half of that over 15.9: 7e-6 at the worst. At π − 1e-8 k rounds to 1, and K to infinity.
+/// With k = sin(θ₀/2) rounded by ε/4, 1 − k² is k'² = 2.5e-13 ± 5.6e-17, or 2.2e-4 of it, which K ≈
+/// ln(4/k') = 15.9 feels by a half of that over 15.9: 7e-6 at the worst. At π − 1e-8 k rounds to 1,
+/// and K to infinity.
 ///
 /// Catches: the textbook's √(1 − k²) in the library, and a test too far from the top to notice.
 #[rstest]

@@ -11,11 +11,11 @@ fn motion(theta: f64, omega: f64) -> Motion {
     Motion::new(&pendulum(), Phase { theta, omega }).unwrap()
 }
 
-/// Both ways are right to 2e-15: of the amplitude or a radian and of the largest velocity 2ω₀k; and a rotation to the last digit of the
-/// angle that it has come to.
+/// Both ways are right to 2e-15: of the amplitude or a radian and of the largest velocity 2ω₀k; and
+/// a rotation to the last digit of the angle that it has come to.
 ///
-/// Catches: a term of the series missing or without its denominator, a nome whose exponent has lost digits, a quarter turn too many,
-/// a direction lost.
+/// Catches: a term of the series missing or without its denominator, a nome whose exponent has lost
+/// digits, a quarter turn too many, a direction lost.
 #[rstest]
 #[case::tiny(1e-6, 0.0)]
 #[case::small(0.001, 0.0)]

@@ -1,7 +1,8 @@
 //! The library's sine and cosine against correctly rounded ones.
 //!
-//! `tests/data/sine.csv` has 51 binades, the f64s next to multiples of π/2, and among those the worst up to 2²⁰ quarter turns. A
-//! million points a range are measured by `benches/peers`, which `cargo test` leaves alone.
+//! `tests/data/sine.csv` has 51 binades, the f64s next to multiples of π/2, and among those the
+//! worst up to 2²⁰ quarter turns. A million points a range are measured by `benches/peers`, which
+//! `cargo test` leaves alone.
 
 use std::sync::LazyLock;
 
@@ -36,10 +37,12 @@ fn error(value: f64, [truth, rest]: [f64; 2]) -> f64 {
     ((value - truth) - rest).abs() / ulp(truth)
 }
 
-/// Half an ulp is the rounding of the last sum. The rest of the sum is at most 0.18 of it (r³/6 at π/4) and is rounded three times, and
-/// where it is, head and sum may lie in different binades: 0.8 in all.
+/// Half an ulp is the rounding of the last sum. The rest of the sum is at most 0.18 of it (r³/6 at
+/// π/4) and is rounded three times, and where it is, head and sum may lie in different binades: 0.8
+/// in all.
 ///
-/// Catches: a reduction with three parts of π/2, a tail forgotten, a coefficient off by its last digits, a wrong quadrant.
+/// Catches: a reduction with three parts of π/2, a tail forgotten, a coefficient off by its last
+/// digits, a wrong quadrant.
 #[rstest]
 #[case::sine(sin, |row: &Row| row.sine)]
 #[case::cosine(cos, |row: &Row| row.cosine)]
@@ -54,10 +57,11 @@ fn sine_and_cosine_are_within_0_8_ulp(
     }
 }
 
-/// With g/L = 1 the force is −sin θ, by the shorter way of the time loop. π is known to it in 119 bits, so that a count of n half turns is
-/// off by n · 4.5e-37 rad; beside that, 2.5 ulp.
+/// With g/L = 1 the force is −sin θ, by the shorter way of the time loop. π is known to it in 119
+/// bits, so that a count of n half turns is off by n · 4.5e-37 rad; beside that, 2.5 ulp.
 ///
-/// Catches: π in two parts, a sign from the wrong bit of the count, a coefficient off by its last digits.
+/// Catches: π in two parts, a sign from the wrong bit of the count, a coefficient off by its last
+/// digits.
 #[test]
 fn the_sine_of_the_force_is_within_2_5_ulp() {
     let pendulum = Pendulum::new(1.0, 1.0, 1.0).unwrap();
@@ -81,7 +85,8 @@ fn the_sine_of_a_far_angle_takes_the_long_way() {
     }
 }
 
-/// Catches: −0 that becomes 0, a tiny number that underflows, a NaN or ∞ that is answered by a number.
+/// Catches: −0 that becomes 0, a tiny number that underflows, a NaN or ∞ that is answered by a
+/// number.
 #[test]
 fn zeros_tiny_numbers_and_no_numbers() {
     for x in [0.0, 5e-324, 1e-310, 2.2e-308, 1e-9] {
@@ -94,8 +99,8 @@ fn zeros_tiny_numbers_and_no_numbers() {
     }
 }
 
-/// sin 10²², which has been a test of sines since Kahan's time; sin and cos of 2¹⁰⁰⁰; and a step across the limit of our own reduction.
-/// The numbers are mpmath's, with 1200 bits.
+/// sin 10²², which has been a test of sines since Kahan's time; sin and cos of 2¹⁰⁰⁰; and a step
+/// across the limit of our own reduction. The numbers are mpmath's, with 1200 bits.
 ///
 /// Catches: a reduction used beyond its range.
 #[test]

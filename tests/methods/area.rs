@@ -7,7 +7,8 @@ use rstest_reuse::apply;
 
 use crate::common::each_method;
 
-/// Catches: forward Euler posing as symplectic Euler, and every other step that is not built of shears.
+/// Catches: forward Euler posing as symplectic Euler, and every other step that is not built of
+/// shears.
 #[apply(each_method)]
 fn symplectic_methods_preserve_area<M: AnyMethod>(#[case] method: M) {
     check(&method).unwrap();
@@ -27,7 +28,8 @@ fn forward_euler_grows_area_by_its_exact_defect() {
     }
 }
 
-/// At the bottom det J = |R(ix)|² = 1 − x⁶/72 + x⁸/576 with x = ω₀h, from RK4's stability polynomial R.
+/// At the bottom det J = |R(ix)|² = 1 − x⁶/72 + x⁸/576 with x = ω₀h, from RK4's stability
+/// polynomial R.
 ///
 /// Catches: any change of RK4 that shows on the linear oscillator.
 #[test]

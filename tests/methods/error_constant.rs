@@ -8,8 +8,9 @@ use rstest_reuse::apply;
 
 use crate::common::each_method;
 
-/// Catches: a method of the right order with a wrong coefficient in its leading error, such as position Verlet for velocity
-/// Verlet or drift–kick for kick–drift; a step that is not the one declared; an end one step early or late.
+/// Catches: a method of the right order with a wrong coefficient in its leading error, such as
+/// position Verlet for velocity Verlet or drift–kick for kick–drift; a step that is not the one
+/// declared; an end one step early or late.
 #[apply(each_method)]
 fn the_error_is_the_constant_of_theory<M: AnyMethod>(#[case] method: M) {
     check(&method).unwrap();
@@ -18,7 +19,8 @@ fn the_error_is_the_constant_of_theory<M: AnyMethod>(#[case] method: M) {
 /// Extrapolation from x = 0.2 leaves out x³/8 = 1e-3 of d, with a coefficient of a few.
 const TOLERANCE: f64 = 5e-3;
 
-/// The four series on file, each against single steps. At x = 0.05 RK4's error is 3e-9 and more, rounded by 2e-16.
+/// The four series on file, each against single steps. At x = 0.05 RK4's error is 3e-9 and more,
+/// rounded by 2e-16.
 ///
 /// Catches: a series that is wrong together with the run that it is held against.
 #[rstest]

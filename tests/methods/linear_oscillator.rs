@@ -1,14 +1,17 @@
-//! The linear oscillator's own solution, against the pendulum's in a swing so small that the two are one.
+//! The linear oscillator's own solution, against the pendulum's in a swing so small that the two
+//! are one.
 
 use approx::assert_relative_eq;
 use pendula::{LinearOscillator, Motion, Pendulum, Phase};
 use rstest::rstest;
 
-/// A swing of 1e-30 rad differs from the linear one by a part in 1e60. What is left is rounding: of √(g/L) and of its
-/// product with t ≤ 10 s, ε each, times a phase of 16 rad, relative to the amplitude.
+/// A swing of 1e-30 rad differs from the linear one by a part in 1e60. What is left is rounding: of
+/// √(g/L) and of its product with t ≤ 10 s, ε each, times a phase of 16 rad, relative to the
+/// amplitude.
 const ROUNDING: f64 = 4.0 * 16.0 * f64::EPSILON;
 
-/// Catches: the initial velocity forgotten, multiplied by ω₀ or added with the wrong sign; L for g/L.
+/// Catches: the initial velocity forgotten, multiplied by ω₀ or added with the wrong sign; L for
+/// g/L.
 #[rstest]
 fn a_tiny_swing_is_linear(#[values(0.0, 0.1, 1.0, 10.0, -3.0)] t: f64) {
     let pendulum = Pendulum::new(5.0, 2.0, 3.0).unwrap();

@@ -1,4 +1,5 @@
-//! Order of convergence: the slope of the error against the step, between every two rungs of a ladder.
+//! Order of convergence: the slope of the error against the step, between every two rungs of a
+//! ladder.
 
 use pendula::AnyMethod;
 use pendula::metrics::order::{is_asymptotic, is_floor};
@@ -6,14 +7,16 @@ use rstest_reuse::apply;
 
 use crate::common::each_method;
 
-/// Catches: any coefficient off by so much that it lowers the order, an entry that claims too much or too little, and
-/// time that drifts from the count of steps. (Not forward Euler posing as symplectic Euler: both are of order 1.)
+/// Catches: any coefficient off by so much that it lowers the order, an entry that claims too much
+/// or too little, and time that drifts from the count of steps. (Not forward Euler posing as
+/// symplectic Euler: both are of order 1.)
 #[apply(each_method)]
 fn every_slope_is_the_order<M: AnyMethod>(#[case] method: M) {
     pendula::verify::order::check(&method).unwrap();
 }
 
-/// Catches: a step whose error happens to cross zero taken for a good one; a good one refused whose error falls faster than it must.
+/// Catches: a step whose error happens to cross zero taken for a good one; a good one refused whose
+/// error falls faster than it must.
 #[test]
 fn a_lucky_step_is_not_credible() {
     assert!(is_asymptotic(2, 4e-4, 1e-4, 0.0));
@@ -23,8 +26,8 @@ fn a_lucky_step_is_not_credible() {
     assert!(!is_asymptotic(1, f64::NAN, 1.0, 2.0) && !is_asymptotic(1, 1.0, f64::NAN, 2.0));
 }
 
-/// Catches: an order of 24 that can never be believed, since its errors fall to rounding at once; rounding that lets a lucky
-/// crossing pass.
+/// Catches: an order of 24 that can never be believed, since its errors fall to rounding at once;
+/// rounding that lets a lucky crossing pass.
 #[test]
 fn what_falls_to_rounding_is_credible() {
     assert!(is_asymptotic(24, 1e-8, 1e-13, 2e-13) && !is_asymptotic(24, 1e-8, 3e-13, 2e-13));

@@ -48,7 +48,8 @@ fn entries_are_complete_and_distinct() {
 /// The table on the documentation's page of the methods, made from their entries.
 fn table() -> String {
     let mut table = String::from(
-        "| method | order | symplectic | symmetric | evaluations | source |\n|---|--:|---|---|--:|---|\n",
+        "| method | order | symplectic | symmetric | evaluations | source \
+         |\n|---|--:|---|---|--:|---|\n",
     );
     let yes = |is: bool| if is { "yes" } else { "" };
     for info in METHODS.iter().map(|method| method.info()) {

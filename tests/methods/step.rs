@@ -1,6 +1,7 @@
 //! One step of each method against the paper's equations, written out once more by hand.
 //!
-//! g/L = 2.5, so that neither g for g/L nor a forgotten L can hide, and a large step, so that every coefficient counts.
+//! g/L = 2.5, so that neither g for g/L nor a forgotten L can hide, and a large step, so that every
+//! coefficient counts.
 
 use approx::assert_relative_eq;
 use pendula::methods::{ForwardEuler, Rk4, StormerVerlet, SymplecticEuler};
@@ -51,7 +52,8 @@ fn stormer_verlet_is_equations_10_to_12() {
     assert_same(z, theta, -0.7 + 0.5 * H * (alpha(0.8) + alpha(theta)));
 }
 
-/// Paper, Eqs. 10–12, twice. Catches: a force handed from step to step that is not the force at the new angle.
+/// Paper, Eqs. 10–12, twice. Catches: a force handed from step to step that is not the force at the
+/// new angle.
 #[test]
 fn stormer_verlet_hands_on_the_right_force() {
     let two = Grid::new(H, 2).unwrap();
@@ -74,7 +76,8 @@ fn rk4_is_algorithm_1() {
     assert_same(step(&pendulum(), &Rk4, Z), 0.8 + H * mean(0), -0.7 + H * mean(1));
 }
 
-/// On the linear oscillator a step of RK4 is the Taylor polynomial of degree 4 of a rotation by x = ω₀h.
+/// On the linear oscillator a step of RK4 is the Taylor polynomial of degree 4 of a rotation by x =
+/// ω₀h.
 ///
 /// Catches: four stages whose errors cancel on one sine but not on a straight line.
 #[test]

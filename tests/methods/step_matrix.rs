@@ -9,14 +9,16 @@ use rstest_reuse::apply;
 
 use crate::common::each_method;
 
-/// Catches: every wrong coefficient that acts on a straight line, to the last digit: trace, determinant and each entry; a
-/// force that is not what the step before handed on; a symmetry or an area that is claimed in vain.
+/// Catches: every wrong coefficient that acts on a straight line, to the last digit: trace,
+/// determinant and each entry; a force that is not what the step before handed on; a symmetry or an
+/// area that is claimed in vain.
 #[apply(each_method)]
 fn the_pendulum_at_the_bottom_has_the_known_matrix<M: AnyMethod>(#[case] method: M) {
     check(&method).unwrap();
 }
 
-/// Catches: a linear oscillator that is not the linearisation of its pendulum; a method written for one system only.
+/// Catches: a linear oscillator that is not the linearisation of its pendulum; a method written for
+/// one system only.
 #[apply(each_method)]
 fn the_linear_oscillator_has_the_same_matrix<M>(#[case] method: M, #[values(0.3, 0.5, 1.1)] x: f64)
 where
@@ -32,8 +34,8 @@ where
     check_denials(&method, matrix).unwrap();
 }
 
-/// At x = 1 the determinants 1 + x², 1, 1 − x⁶/72 + x⁸/576 and 1, and the traces 2, 2 − x², 2 − x² + x⁴/12 and 2 − x².
-/// A few roundings of numbers up to 2.
+/// At x = 1 the determinants 1 + x², 1, 1 − x⁶/72 + x⁸/576 and 1, and the traces 2, 2 − x², 2 −
+/// x² + x⁴/12 and 2 − x². A few roundings of numbers up to 2.
 ///
 /// Catches: a matrix on file that is wrong together with its method.
 #[rstest]

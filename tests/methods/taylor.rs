@@ -37,11 +37,13 @@ fn largest_error<M: Method<Pendulum>>(method: &M, start: Phase, steps: u64) -> f
     largest
 }
 
-/// The series to the power P is a method of order P. Its steps are halved until rounding, 2e-16 of 10 rad a step and ten
-/// times that, would show in the error; the two finest slopes count. The second term of the error is smaller than
-/// the first by h times a rate of change of the motion: ω₀ where it swings, ω where it turns; at most twice that here.
+/// The series to the power P is a method of order P. Its steps are halved until rounding, 2e-16 of
+/// 10 rad a step and ten times that, would show in the error; the two finest slopes count. The
+/// second term of the error is smaller than the first by h times a rate of change of the motion: ω₀
+/// where it swings, ω where it turns; at most twice that here.
 ///
-/// Catches: a power too few or too many, a factor j or k in the recurrence that is off by one, a sign.
+/// Catches: a power too few or too many, a factor j or k in the recurrence that is off by one, a
+/// sign.
 #[rstest]
 fn the_slope_is_the_power(#[values(0, 1, 2)] start: usize) {
     check::<2>(STARTS[start]);
@@ -68,8 +70,8 @@ fn the_slope_is_the_power(#[values(0, 1, 2)] start: usize) {
     }
 }
 
-/// What the series to the power P leaves out is its next term, and then the one after that, smaller by h: so what one more
-/// power adds in a single step is what was missing, to O(h).
+/// What the series to the power P leaves out is its next term, and then the one after that, smaller
+/// by h: so what one more power adds in a single step is what was missing, to O(h).
 ///
 /// Catches: a coefficient that is wrong from some power on, whatever the order of the method says.
 #[rstest]
@@ -96,22 +98,25 @@ fn one_power_more_is_what_was_missing(#[values(0, 1, 2)] start: usize) {
         // So long that xᴾ⁺¹ or so is 1e-7 at the last power too, far above rounding.
         let h = 0.25 / frequency;
         let (left, before) = missing(h);
-        // By symmetry every other power of a start at rest adds to one of θ and ω alone, and the ratio is x and not less.
+        // By symmetry every other power of a start at rest adds to one of θ and ω alone, and the
+        // ratio is x and not less.
         assert!(left < 2.0 * h * frequency * before + 1e-15, "{left:e} of {before:e} are left");
         assert!(before > 0.0);
     }
 }
 
-/// The first power is forward Euler, which has no more rounding either; to the fourth, and on a straight line, where only the
-/// powers of the matrix count, the series is RK4.
+/// The first power is forward Euler, which has no more rounding either; to the fourth, and on a
+/// straight line, where only the powers of the matrix count, the series is RK4.
 ///
-/// Catches: a step that is not a power series, such as one that takes the angle's last power with the new velocity.
+/// Catches: a step that is not a power series, such as one that takes the angle's last power with
+/// the new velocity.
 #[test]
 fn the_low_orders_are_known_methods() {
     let (pendulum, grid) = (pendulum(), Grid::new(0.02, 100).unwrap());
     let linear = LinearOscillator::new(pendulum);
     for start in STARTS {
-        // A hundred steps round 10 rad, or 35 rad/s, by a few ε; the growth of forward Euler is below e².
+        // A hundred steps round 10 rad, or 35 rad/s, by a few ε; the growth of forward Euler is
+        // below e².
         let near = |a: Phase, b: Phase| {
             assert!((a.theta - b.theta).abs() < 1e-11 && (a.omega - b.omega).abs() < 1e-11);
         };
@@ -122,7 +127,8 @@ fn the_low_orders_are_known_methods() {
     }
 }
 
-/// With the step as the unit of time the same series takes the same steps, but for rounding; and each power is counted.
+/// With the step as the unit of time the same series takes the same steps, but for rounding; and
+/// each power is counted.
 ///
 /// Catches: a power of h missing in one of the two; a series counted as one evaluation.
 #[test]

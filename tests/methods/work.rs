@@ -5,14 +5,15 @@ use rstest_reuse::apply;
 
 use crate::common::each_method;
 
-/// Catches: a Störmer–Verlet that evaluates the force twice a step, as the paper says it must; any method whose entry
-/// promises fewer evaluations than its step makes.
+/// Catches: a Störmer–Verlet that evaluates the force twice a step, as the paper says it must; any
+/// method whose entry promises fewer evaluations than its step makes.
 #[apply(each_method)]
 fn evaluations_are_those_of_the_entry<M: AnyMethod>(#[case] method: M) {
     pendula::verify::work::check(&method).unwrap();
 }
 
-/// Catches: evaluations before the first step that nobody asked for, and a loop that takes a step on an empty grid.
+/// Catches: evaluations before the first step that nobody asked for, and a loop that takes a step
+/// on an empty grid.
 #[apply(each_method)]
 fn no_step_costs_no_more_than_the_start<M>(#[case] method: M)
 where

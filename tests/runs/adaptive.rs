@@ -1,5 +1,5 @@
-//! Steps whose size follows the motion: what the tolerance promises, dense output, crossings, both directions of time,
-//! refusals.
+//! Steps whose size follows the motion: what the tolerance promises, dense output, crossings, both
+//! directions of time, refusals.
 
 use std::f64::consts::PI;
 
@@ -45,19 +45,20 @@ fn minus(x: Phase, y: Phase) -> Phase {
     x + y * -1.0
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 // Tolerance
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 
-/// h goes with the tolerance to the power 1/k, and the error of the run with hᵏ, k being the order of the step and of
-/// its estimate alike: error and tolerance fall together.
+/// h goes with the tolerance to the power 1/k, and the error of the run with hᵏ, k being the order
+/// of the step and of its estimate alike: error and tolerance fall together.
 ///
-/// How the steps of one run happen to fall changes its error by half a decade, one way or the other; the mean of 16 runs
-/// by an eighth; and the slope over 8 decades by 0.02, twice that at worst.
+/// How the steps of one run happen to fall changes its error by half a decade, one way or the
+/// other; the mean of 16 runs by an eighth; and the slope over 8 decades by 0.02, twice that at
+/// worst.
 const PROPORTIONALITY: f64 = 0.05;
 
-/// Catches: an error measured against nothing, or against the wrong scale; one with or without its h; an estimate of the
-/// wrong order; a step taken although it was refused.
+/// Catches: an error measured against nothing, or against the wrong scale; one with or without its
+/// h; an estimate of the wrong order; a step taken although it was refused.
 #[apply(each_pair)]
 fn the_error_falls_with_the_tolerance<M: Embedded>(#[case] method: M) {
     for pendulum in pendulums() {
@@ -81,11 +82,12 @@ fn the_error_falls_with_the_tolerance<M: Embedded>(#[case] method: M) {
     }
 }
 
-/// The method that steps is better than the one that is estimated, by an order: below 1e-7 no step is off by as much as
-/// it may be. But neither is it so much better that the steps are too small: a step of half the size would be off 2⁹
-/// times less.
+/// The method that steps is better than the one that is estimated, by an order: below 1e-7 no step
+/// is off by as much as it may be. But neither is it so much better that the steps are too small: a
+/// step of half the size would be off 2⁹ times less.
 ///
-/// Catches: an estimate that is too small, by a factor or for one of the components; one that is far too large.
+/// Catches: an estimate that is too small, by a factor or for one of the components; one that is
+/// far too large.
 #[apply(each_pair)]
 fn no_step_is_off_by_more_than_the_tolerance<M: Embedded>(#[case] method: M) {
     for pendulum in pendulums() {
@@ -102,7 +104,8 @@ fn no_step_is_off_by_more_than_the_tolerance<M: Embedded>(#[case] method: M) {
     }
 }
 
-/// Catches: the larger tolerance taken for both, one that is not used, a mean that forgets to divide or to take the root.
+/// Catches: the larger tolerance taken for both, one that is not used, a mean that forgets to
+/// divide or to take the root.
 #[test]
 fn a_displacement_is_measured_in_tolerances() {
     let tolerance = Tolerance::new(0.5, 0.25).unwrap();
@@ -113,13 +116,14 @@ fn a_displacement_is_measured_in_tolerances() {
     assert_eq!(ratio, ((9.0_f64 + 16.0) / 2.0).sqrt());
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 // Work
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 
 /// Two evaluations choose the first step, of which one is its first slope.
 ///
-/// Catches: a slope evaluated again that is known, in the next step or after a refusal; refused steps not counted.
+/// Catches: a slope evaluated again that is known, in the next step or after a refusal; refused
+/// steps not counted.
 #[rstest]
 #[case::dormand_prince(DormandPrince, 6, 6, 0)]
 #[case::dop853(Dop853, 12, 11, 3)]
@@ -145,9 +149,11 @@ fn each_evaluation_is_counted_and_none_is_wasted<M: Embedded>(
     }
 }
 
-/// Where nothing is refused, sixteen times the tolerance makes a step 16^(1/k) times longer, to 2 % for the ends and the start.
+/// Where nothing is refused, sixteen times the tolerance makes a step 16^(1/k) times longer, to 2 %
+/// for the ends and the start.
 ///
-/// Catches: an exponent of the control that goes with another order than the estimate's: the steps would go to and fro.
+/// Catches: an exponent of the control that goes with another order than the estimate's: the steps
+/// would go to and fro.
 #[test]
 fn steps_lengthen_with_the_root_of_the_tolerance() {
     let steps = |tol| {
@@ -160,15 +166,19 @@ fn steps_lengthen_with_the_root_of_the_tolerance() {
     assert!((ratio / 16_f64.powf(0.2) - 1.0).abs() < 0.02, "{ratio}");
 }
 
-/// The first step by hand, as Hairer, Nørsett and Wanner have it (Sect. II.4). In units of what is allowed, 2e-6 of y = 1:
+/// The first step by hand, as Hairer, Nørsett and Wanner have it (Sect. II.4). In units of what is
+/// allowed, 2e-6 of y = 1:
 ///
-/// * ẏ = −4 y: y is 5e5, ẏ is 2e6, and so 0.01 · 5e5/2e6 s is tried; ẏ changes by 0.01 · 2e6 in it, or 8e6 a second; the
-///   step is (0.01/8e6)^(1/k).
-/// * ẏ = −4 y³ + 9 t: the same step is tried, and ẏ changes in it as much as the cube and the time make it.
-/// * ẏ = 1 from 0 says nothing about the time in which y changes: 1e-6 of the duration is tried, and the step is 100 of that.
+/// * ẏ = −4 y: y is 5e5, ẏ is 2e6, and so 0.01 · 5e5/2e6 s is tried; ẏ changes by 0.01 · 2e6 in it,
+///   or 8e6 a second; the step is (0.01/8e6)^(1/k).
+/// * ẏ = −4 y³ + 9 t: the same step is tried, and ẏ changes in it as much as the cube and the time
+///   make it.
+/// * ẏ = 1 from 0 says nothing about the time in which y changes: 1e-6 of the duration is tried,
+///   and the step is 100 of that.
 /// * ẏ = 0 says nothing at all: 1e-6 of the duration.
 ///
-/// Catches: any of its numbers, or its units, in another place; one that looks at the end of time before the start.
+/// Catches: any of its numbers, or its units, in another place; one that looks at the end of time
+/// before the start.
 #[rstest]
 #[case::dormand_prince(DormandPrince, 0.2)]
 #[case::dop853(Dop853, 0.125)]
@@ -199,7 +209,8 @@ fn the_first_step_follows_the_state<M: Embedded>(#[case] method: M, #[case] root
     }
 }
 
-/// The same rule in two components, each in its own tolerances: at the bottom, fast, where the velocity changes most.
+/// The same rule in two components, each in its own tolerances: at the bottom, fast, where the
+/// velocity changes most.
 ///
 /// Catches: a sum over the components where their mean is meant, a component left out.
 #[rstest]
@@ -220,7 +231,8 @@ fn the_first_step_weighs_every_component<M: Embedded>(#[case] method: M, #[case]
     let mut walk = adaptive.steps(&pendulum, start, 0.0, 10.0).unwrap();
     let first = walk.next().unwrap().unwrap().size();
     assert_eq!(walk.counts().rejected, 0);
-    // A few roundings of a difference that loses three digits, some 1e-13; a root makes less of them.
+    // A few roundings of a difference that loses three digits, some 1e-13; a root makes less of
+    // them.
     let expected = (0.01 / bend).powf(root);
     assert!((first / expected - 1.0).abs() < 1e-12, "{first}, not {expected}");
 }
@@ -241,11 +253,12 @@ fn no_step_grows_more_than_tenfold<M: Embedded>(#[case] method: M) {
     assert_eq!(sizes.len(), 7);
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 // Fixed steps and dense output
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 
-/// The slopes between runs over 10 s with more and more steps, each √2 times shorter, of the largest error of the angle.
+/// The slopes between runs over 10 s with more and more steps, each √2 times shorter, of the
+/// largest error of the angle.
 fn slopes_of_runs<M: Method<Pendulum>>(pendulum: &Pendulum, method: &M, steps: f64) -> Vec<f64> {
     let motion = Motion::new(pendulum, START).unwrap();
     let rungs: Vec<(f64, f64)> = (0..4)
@@ -262,11 +275,12 @@ fn slopes_of_runs<M: Method<Pendulum>>(pendulum: &Pendulum, method: &M, steps: f
     rungs.windows(2).map(|w| (w[0].1 / w[1].1).ln() / (w[1].0 / w[0].0).ln()).collect()
 }
 
-/// Dormand and Prince's method of order 5, at 700 to 2000 steps: the next term bends the slope by 0.08 at the first, and by
-/// less thereafter.
+/// Dormand and Prince's method of order 5, at 700 to 2000 steps: the next term bends the slope by
+/// 0.08 at the first, and by less thereafter.
 ///
-/// DOP853 is made so that what is left of its error at order 8 is small: as far down as f64 sees, what it does is better than
-/// order 8, and its slopes are between 8 and 9.5. That it is of no higher order, its trees tell.
+/// DOP853 is made so that what is left of its error at order 8 is small: as far down as f64 sees,
+/// what it does is better than order 8, and its slopes are between 8 and 9.5. That it is of no
+/// higher order, its trees tell.
 ///
 /// Catches: as methods of fixed steps, a slope handed on from another state; h used twice.
 #[rstest]
@@ -284,14 +298,14 @@ fn with_fixed_steps_every_slope_is_the_order<M: Method<Pendulum>>(
     }
 }
 
-/// Within one step dense output of order q is off by O(h^(q+1)): the largest of 40 steps from all over a swing, each
-/// looked at in 4 places.
+/// Within one step dense output of order q is off by O(h^(q+1)): the largest of 40 steps from all
+/// over a swing, each looked at in 4 places.
 ///
-/// From one rung to the next, √2 shorter, the place of the largest moves a little: ±0.2 in a slope at DOP853's long
-/// steps; over all rungs it is less.
+/// From one rung to the next, √2 shorter, the place of the largest moves a little: ±0.2 in a slope
+/// at DOP853's long steps; over all rungs it is less.
 ///
-/// Catches: dense output of a lower order, as Hermite's cubic alone would be (of order 3); a coefficient that only matters
-/// in the middle of a step.
+/// Catches: dense output of a lower order, as Hermite's cubic alone would be (of order 3); a
+/// coefficient that only matters in the middle of a step.
 #[rstest]
 #[case::dormand_prince(DormandPrince, 4, 0.04, 0.05)]
 #[case::dop853(Dop853, 7, 0.11, 0.15)]
@@ -331,7 +345,8 @@ fn one_step<M: Embedded>(
     Dense::new(0.0, h, z, method.dense(pendulum, 0.0, h, z, &stages, slope))
 }
 
-/// Catches: dense output of another step; a time in it that is not the part of the step that is over.
+/// Catches: dense output of another step; a time in it that is not the part of the step that is
+/// over.
 #[apply(each_pair)]
 fn dense_output_meets_both_ends_of_each_step<M: Embedded>(#[case] method: M) {
     let pendulum = Pendulum::PAPER;
@@ -348,16 +363,17 @@ fn dense_output_meets_both_ends_of_each_step<M: Embedded>(#[case] method: M) {
     }
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 // Crossings
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 
-/// The first fall to the bottom takes a quarter of the period, and four of them are right to what the tolerance allows of
-/// a number of the size of T. That is no law, as errors of steps add up; but a fall from rest is most sensitive where it
-/// is slowest, and there a step is off by least. 4 ε T is the rounding of the four quarters.
+/// The first fall to the bottom takes a quarter of the period, and four of them are right to what
+/// the tolerance allows of a number of the size of T. That is no law, as errors of steps add up;
+/// but a fall from rest is most sensitive where it is slowest, and there a step is off by least. 4
+/// ε T is the rounding of the four quarters.
 ///
-/// Catches: a crossing at an end of the step, or on a straight line through it; dense output of too low an order; the
-/// time of a step's begin forgotten.
+/// Catches: a crossing at an end of the step, or on a straight line through it; dense output of too
+/// low an order; the time of a step's begin forgotten.
 #[apply(each_pair)]
 fn the_period_is_exact_within_the_tolerance<M: Embedded>(
     #[case] method: M,
@@ -375,11 +391,11 @@ fn the_period_is_exact_within_the_tolerance<M: Embedded>(
     }
 }
 
-/// Over the top and over again. The pendulum turns at 6 rad/s and more; its angle is off by less than 100 tolerances
-/// after 5 s, as is that of the swing in the tests above.
+/// Over the top and over again. The pendulum turns at 6 rad/s and more; its angle is off by less
+/// than 100 tolerances after 5 s, as is that of the swing in the tests above.
 ///
-/// Catches: crossings missed, or found twice where one step ends and the next begins; a function of time alone, or of the
-/// state alone.
+/// Catches: crossings missed, or found twice where one step ends and the next begins; a function of
+/// time alone, or of the state alone.
 #[apply(each_pair)]
 fn each_passage_over_the_top_is_found_once<M: Embedded>(#[case] method: M) {
     for pendulum in pendulums() {
@@ -405,8 +421,8 @@ fn each_passage_over_the_top_is_found_once<M: Embedded>(#[case] method: M) {
 /// A swing falls through the bottom, rises through it, and falls; a clock strikes
 /// twenty times in 3 s, more often than there are steps.
 ///
-/// Catches: a direction ignored or turned round; a zero at the start taken for a crossing; several crossings in a step of
-/// which only one is seen.
+/// Catches: a direction ignored or turned round; a zero at the start taken for a crossing; several
+/// crossings in a step of which only one is seen.
 #[apply(each_pair)]
 fn a_crossing_has_a_direction<M: Embedded>(#[case] method: M) {
     let pendulum = Pendulum::PAPER;
@@ -440,14 +456,15 @@ fn a_crossing_has_a_direction<M: Embedded>(#[case] method: M) {
     assert!(strikes.iter().enumerate().map(late).all(|late| late < 1e-14));
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 // Both directions of time, ends, observers
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 
-/// Forward, and from there back to the start. The way back is no better and no worse than the way there, which the test of
-/// the tolerance has off by less than 1000 of it.
+/// Forward, and from there back to the start. The way back is no better and no worse than the way
+/// there, which the test of the tolerance has off by less than 1000 of it.
 ///
-/// Catches: a sign of the step lost, in the first, in the last or in the limit of growth; an end that is overshot.
+/// Catches: a sign of the step lost, in the first, in the last or in the limit of growth; an end
+/// that is overshot.
 #[apply(each_pair)]
 fn time_can_run_either_way<M: Embedded>(#[case] method: M) {
     for pendulum in pendulums() {
@@ -464,7 +481,8 @@ fn time_can_run_either_way<M: Embedded>(#[case] method: M) {
     }
 }
 
-/// Catches: a last step past the end, short of it, or split in two; a walk that goes on, or never starts, at its end.
+/// Catches: a last step past the end, short of it, or split in two; a walk that goes on, or never
+/// starts, at its end.
 #[apply(each_pair)]
 fn the_last_step_ends_at_the_end<M: Embedded>(
     #[case] method: M,
@@ -486,8 +504,8 @@ fn the_last_step_ends_at_the_end<M: Embedded>(
     assert_eq!((walk.time(), walk.state()), (3.0, START));
 }
 
-/// Of 1000 ends, one in a hundred would leave less than a hundredth of a step for the last; of it 0.8 is asked for, as the last
-/// would not be just as long as the one before.
+/// Of 1000 ends, one in a hundred would leave less than a hundredth of a step for the last; of it
+/// 0.8 is asked for, as the last would not be just as long as the one before.
 ///
 /// Catches: a sliver of a step at the end.
 #[apply(each_pair)]
@@ -501,7 +519,8 @@ fn no_sliver_is_left_for_the_last_step<M: Embedded>(#[case] method: M) {
     }
 }
 
-/// Catches: a force asked for beyond the end, where it may not be defined; a refusal of the shortest step there is.
+/// Catches: a force asked for beyond the end, where it may not be defined; a refusal of the
+/// shortest step there is.
 #[apply(each_pair)]
 fn nothing_is_asked_beyond_the_end<M: Embedded>(#[case] method: M) {
     let latest = std::cell::Cell::new(0.0_f64);
@@ -553,9 +572,9 @@ fn a_satisfied_observer_ends_the_loop<M: Embedded>(#[case] method: M) {
     assert_eq!(end, ninth.end());
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 // Refusals
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 
 /// Catches: a tolerance let in that is NaN, zero, negative, or finer than f64.
 #[test]
@@ -570,11 +589,13 @@ fn a_tolerance_that_cannot_be_met_is_refused() {
     assert!(Tolerance::new(5e-324, SMALLEST_RELATIVE).is_ok());
     assert_eq!(
         Tolerance::uniform(1e-16).unwrap_err().to_string(),
-        "relative tolerance = 1e-16 is refused: it must be at least 2.22e-15, ten roundings of an f64, and less than 1"
+        "relative tolerance = 1e-16 is refused: it must be at least 2.22e-15, ten roundings of an \
+         f64, and less than 1"
     );
 }
 
-/// Catches: a refusal of the finest tolerance that is let in; an error then that is not a few hundred roundings.
+/// Catches: a refusal of the finest tolerance that is let in; an error then that is not a few
+/// hundred roundings.
 #[apply(each_pair)]
 fn the_finest_tolerance_can_be_met<M: Embedded>(#[case] method: M) {
     let finest = Tolerance::uniform(SMALLEST_RELATIVE).unwrap();
@@ -615,8 +636,9 @@ impl<F: Fn(f64, f64) -> f64> System for Law<F> {
     }
 }
 
-/// ẏ = y² from 1 is 1/(1 − t). A walk into its pole takes shorter and shorter steps, and stops where they are lost in the
-/// time, at 10 ε. Every step is off by a tolerance of 1e-9, and so its pole lies within a thousand of them.
+/// ẏ = y² from 1 is 1/(1 − t). A walk into its pole takes shorter and shorter steps, and stops
+/// where they are lost in the time, at 10 ε. Every step is off by a tolerance of 1e-9, and so its
+/// pole lies within a thousand of them.
 ///
 /// Catches: a walk that never ends, or leaps over the pole; an error that hides where it was.
 #[apply(each_pair)]
@@ -670,12 +692,14 @@ fn a_limit_is_kept<M: Embedded>(#[case] method: M) {
     assert!(error.to_string().starts_with(&format!("{limit} steps have led no further")));
 }
 
-/// ẏ = −100 y + 100 cos t is calm after its first moment, and then the step is held by stability alone: |R(−100 h)| ≤ 1 up to
-/// h = 0.033 for Dormand and Prince's method of order 5, 0.061 for DOP853. The control keeps the steps near that bound, and
-/// of order 5 it refuses less than one step in 50 that it takes; of order 8, where a step slightly too long is off by much
-/// more, one in 4.
+/// ẏ = −100 y + 100 cos t is calm after its first moment, and then the step is held by stability
+/// alone: |R(−100 h)| ≤ 1 up to h = 0.033 for Dormand and Prince's method of order 5, 0.061 for
+/// DOP853. The control keeps the steps near that bound, and of order 5 it refuses less than one
+/// step in 50 that it takes; of order 8, where a step slightly too long is off by much more, one
+/// in 4.
 ///
-/// Catches: a control without a memory, whose steps go up and down there; one that lets them grow after a refusal.
+/// Catches: a control without a memory, whose steps go up and down there; one that lets them grow
+/// after a refusal.
 #[rstest]
 #[case::dormand_prince(DormandPrince, 0.033, 50)]
 #[case::dop853(Dop853, 0.061, 4)]

@@ -1,4 +1,5 @@
-//! Many pendulums at once: each lane has the bits of its trajectory alone, whatever the processor's instructions.
+//! Many pendulums at once: each lane has the bits of its trajectory alone, whatever the processor's
+//! instructions.
 
 use std::num::NonZeroU64;
 
@@ -9,7 +10,8 @@ use rstest_reuse::apply;
 
 use crate::common::each_method;
 
-/// A hundred pendulums, each with its own g and L, in blocks of lanes of which the last is not full.
+/// A hundred pendulums, each with its own g and L, in blocks of lanes of which the last is not
+/// full.
 fn family() -> (Vec<Pendulum>, Vec<Phase>) {
     let pendulum = |j| Pendulum::new(9.81 + 0.01 * j, 1.0 + 0.005 * j, 1.0).unwrap();
     let start = |j| Phase { theta: -3.3 + 0.066 * j, omega: 0.1 * j - 4.0 };
@@ -17,8 +19,8 @@ fn family() -> (Vec<Pendulum>, Vec<Phase>) {
     (numbers().map(pendulum).collect(), numbers().map(start).collect())
 }
 
-/// Catches: a lane that reads another's state or parameters, a branch whose two sides differ in a bit, a carry not kept, a
-/// fused instruction where the processor has one.
+/// Catches: a lane that reads another's state or parameters, a branch whose two sides differ in a
+/// bit, a carry not kept, a fused instruction where the processor has one.
 #[apply(each_method)]
 fn lanes_have_the_bits_of_a_trajectory_alone<M: InLanes>(#[case] method: M) {
     let (pendulums, starts) = family();
@@ -65,7 +67,8 @@ fn each_observer_of_an_ensemble_sees_its_own_trajectory<M: InLanes>(
     }
 }
 
-/// One start whose units cannot be changed, 1e-150 rad/s, and 1e9 rad whose half turns are too many: its whole block goes the careful way.
+/// One start whose units cannot be changed, 1e-150 rad/s, and 1e9 rad whose half turns are too
+/// many: its whole block goes the careful way.
 ///
 /// Catches: a careful start that spoils, or is spoilt by, its neighbours.
 #[apply(each_method)]
@@ -103,7 +106,8 @@ impl Observer<Phase> for Some3 {
 
 /// In lanes, and where a neighbour needs care.
 ///
-/// Catches: an observer that is shown more than it wants, or nothing; one that ends the run of the others.
+/// Catches: an observer that is shown more than it wants, or nothing; one that ends the run of the
+/// others.
 #[apply(each_method)]
 fn a_satisfied_observer_is_left_alone<M: InLanes>(
     #[case] method: M,

@@ -5,7 +5,8 @@ use pendula::{Error, Grid};
 use proptest::prelude::*;
 use rstest::rstest;
 
-/// Catches: a quotient truncated instead of rounded (0.3 / 0.1 is 2.9999999999999996), and a step too many.
+/// Catches: a quotient truncated instead of rounded (0.3 / 0.1 is 2.9999999999999996), and a step
+/// too many.
 #[rstest]
 #[case(50.0, 0.1, 500)]
 #[case(50.0, 0.001, 50_000)]
@@ -27,7 +28,8 @@ fn part_of_a_step_is_refused(#[case] duration: f64, #[case] step: f64) {
     assert_eq!(Grid::with_duration(step, duration), Err(Error::PartialStep { duration, step }));
 }
 
-/// Three roundings of ε/2 each, doubled: 3 ε beside a whole number is still that number, 4 ε is not.
+/// Three roundings of ε/2 each, doubled: 3 ε beside a whole number is still that number, 4 ε is
+/// not.
 ///
 /// Catches: a tolerance that is a bit tighter or looser than the one derived.
 #[test]
@@ -69,8 +71,8 @@ fn too_many_steps_are_refused() {
     assert!(matches!(Grid::new(f64::MAX, 2), Err(Error::Parameter { .. })));
 }
 
-/// Catches: time that is accumulated. After a million additions of 0.1 the sum is off by 1.3e-6; the product is
-/// off by half an ulp.
+/// Catches: time that is accumulated. After a million additions of 0.1 the sum is off by 1.3e-6;
+/// the product is off by half an ulp.
 #[test]
 fn time_is_computed_and_not_accumulated() {
     let grid = Grid::new(0.1, 1_000_000).unwrap();
@@ -80,18 +82,23 @@ fn time_is_computed_and_not_accumulated() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(512) })]
+    #![proptest_config(ProptestConfig {
+        failure_persistence: None,
+        ..ProptestConfig::with_cases(512)
+    })]
 
-    /// Catches: a tolerance for whole numbers that is too tight for some decimal, or too loose for a real part of a
-    /// step.
+    /// Catches: a tolerance for whole numbers that is too tight for some decimal, or too loose for
+    /// a real part of a step.
     #[test]
     fn whole_numbers_of_decimal_steps_are_found(
         thousandths in 1_u32..100_000, steps in 1_u32..10_000_000,
     ) {
         let step = f64::from(thousandths) / 1000.0;
         let duration = (u64::from(thousandths) * u64::from(steps)) as f64 / 1000.0;
-        prop_assert_eq!(Grid::with_duration(step, duration).map(|grid| grid.steps()), Ok(u64::from(steps)));
+        let counted = Grid::with_duration(step, duration).map(|grid| grid.steps());
+        prop_assert_eq!(counted, Ok(u64::from(steps)));
         let off = duration + 0.01 * step;
-        prop_assert_eq!(Grid::with_duration(step, off), Err(Error::PartialStep { duration: off, step }));
+        let refusal = Error::PartialStep { duration: off, step };
+        prop_assert_eq!(Grid::with_duration(step, off), Err(refusal));
     }
 }

@@ -24,11 +24,12 @@ fn states(
     (seen, end)
 }
 
-/// One step differs by the rounding of a dozen operations on numbers of the size of θ, ω and h g/L; and a regular orbit carries an
-/// error of one step on by a factor of at most the number of steps, so that n steps differ by n² of that at the most.
+/// One step differs by the rounding of a dozen operations on numbers of the size of θ, ω and h g/L;
+/// and a regular orbit carries an error of one step on by a factor of at most the number of steps,
+/// so that n steps differ by n² of that at the most.
 ///
-/// Catches: a factor h lost in the change of units, half turns counted wrongly, a sign of the sine, a deferred product added twice or
-/// never, samples at other times, a start seen rounded.
+/// Catches: a factor h lost in the change of units, half turns counted wrongly, a sign of the sine,
+/// a deferred product added twice or never, samples at other times, a start seen rounded.
 #[apply(each_method)]
 fn in_steps_is_in_seconds<M>(
     #[case] method: M,
@@ -68,7 +69,8 @@ fn no_step_leaves_the_start_as_it_is() {
     }
 }
 
-/// Catches: a change of units that overflows or underflows where seconds would do, and half turns beyond counting.
+/// Catches: a change of units that overflows or underflows where seconds would do, and half turns
+/// beyond counting.
 #[rstest]
 #[case::tiny_step(1e-150, 1.0, 1.0)]
 #[case::tiny_velocity(0.01, 0.0, 1e-200)]
@@ -85,10 +87,11 @@ fn where_units_cannot_be_changed_time_is_in_seconds(
     assert_eq!(quick, integrate(&pendulum(), &Rk4, start, &grid, &mut ()));
 }
 
-/// Ten million steps of K = 0.1 can turn a pendulum 10¹³ rad, which is counted; kicks that add up to 17 steps 290 times as far,
-/// which is not.
+/// Ten million steps of K = 0.1 can turn a pendulum 10¹³ rad, which is counted; kicks that add up
+/// to 17 steps 290 times as far, which is not.
 ///
-/// Catches: kicks to and fro that are forgotten in the bound; a bound so wide that a long run of Verlet is not quick.
+/// Catches: kicks to and fro that are forgotten in the bound; a bound so wide that a long run of
+/// Verlet is not quick.
 #[test]
 fn how_far_a_run_may_lead_depends_on_the_method() {
     let grid = Grid::new(0.2, 10_000_000).unwrap();
@@ -116,7 +119,10 @@ fn a_satisfied_observer_ends_the_swing() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { rng_seed: proptest::test_runner::RngSeed::Fixed(20_061), ..ProptestConfig::with_cases(256) })]
+    #![proptest_config(ProptestConfig {
+        rng_seed: proptest::test_runner::RngSeed::Fixed(20_061),
+        ..ProptestConfig::with_cases(256)
+    })]
 
     /// Catches: a scene that only the other tests' scenes are not.
     #[test]
@@ -144,7 +150,8 @@ fn a_number_that_is_known_keeps_its_sign() {
     }
 }
 
-/// Symplectic Euler, whose step kicks once: after N steps from θ = 0 at ω it has gone no farther than N (ωh + N K).
+/// Symplectic Euler, whose step kicks once: after N steps from θ = 0 at ω it has gone no farther
+/// than N (ωh + N K).
 ///
 /// Catches: a bound that forgets a factor, or that lets in what it names as the first too far.
 #[test]

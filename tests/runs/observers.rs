@@ -12,7 +12,8 @@ fn grid() -> Grid {
     Grid::new(0.01, 100).unwrap()
 }
 
-/// Catches: a loop that forgets the start or the end, counts from one, or hands out the time of another step.
+/// Catches: a loop that forgets the start or the end, counts from one, or hands out the time of
+/// another step.
 #[test]
 fn a_closure_sees_every_sample_with_its_count_and_time() {
     let mut seen = Vec::new();
@@ -48,7 +49,8 @@ fn every_kth_sample_includes_the_start() {
     }
 }
 
-/// Catches: a loop that goes on when nobody looks any more, ends a step late, or ends at once for `()`.
+/// Catches: a loop that goes on when nobody looks any more, ends a step late, or ends at once for
+/// `()`.
 #[test]
 fn a_satisfied_observer_ends_the_loop() {
     struct Until(u64, u64);

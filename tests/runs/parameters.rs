@@ -15,7 +15,8 @@ fn a_parameter_out_of_range_is_refused(
     }
 }
 
-/// Catches: parameters that are in range one by one, while g/L, m g L or m L² is infinite, zero or subnormal.
+/// Catches: parameters that are in range one by one, while g/L, m g L or m L² is infinite, zero or
+/// subnormal.
 #[rstest]
 #[case(1e200, 1e-200, 1.0)]
 #[case(1e-200, 1e200, 1.0)]
@@ -31,8 +32,8 @@ fn parameters_out_of_range_together_are_refused(
     assert!(matches!(pendulum, Err(Error::Parameter { .. })), "{pendulum:?}");
 }
 
-/// Catches: a start that is NaN or infinite, an angle whose last digit is larger than a turn, and a velocity whose
-/// energy overflows.
+/// Catches: a start that is NaN or infinite, an angle whose last digit is larger than a turn, and a
+/// velocity whose energy overflows.
 #[test]
 fn a_start_out_of_range_is_refused() {
     let pendulum = Pendulum::PAPER;
@@ -46,7 +47,8 @@ fn a_start_out_of_range_is_refused() {
     }
 }
 
-/// Catches: a message that does not say what was asked for and what is allowed, or does not fit one line.
+/// Catches: a message that does not say what was asked for and what is allowed, or does not fit one
+/// line.
 #[test]
 fn a_refusal_says_what_is_allowed() {
     let message = Pendulum::new(-9.81, 1.0, 1.0).unwrap_err().to_string();
@@ -57,7 +59,8 @@ fn a_refusal_says_what_is_allowed() {
     let message = pendula::Grid::with_duration(0.3, 1.0).unwrap_err().to_string();
     assert_eq!(
         message,
-        "a duration of 1.0 s is 3.3333333333333335 steps of 0.3 s: it must be a whole number of steps"
+        "a duration of 1.0 s is 3.3333333333333335 steps of 0.3 s: it must be a whole number of \
+         steps"
     );
 }
 

@@ -32,7 +32,8 @@ impl Observer<Phase> for OverTheTop {
     }
 }
 
-/// When the paper's pendulum goes over the top after a release from `theta` (rad), within `duration` (s).
+/// When the paper's pendulum goes over the top after a release from `theta` (rad), within
+/// `duration` (s).
 fn over_the_top(method: &dyn AnyMethod, theta: f64, step: f64, duration: f64) -> Option<f64> {
     let mut watch = OverTheTop(None);
     let grid = Grid::with_duration(step, duration).unwrap();
@@ -40,9 +41,9 @@ fn over_the_top(method: &dyn AnyMethod, theta: f64, step: f64, duration: f64) ->
     watch.0
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 // The fall from the top
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 
 /// How late (s) the method is where the exact fall from π − `beside` passes the bottom.
 fn delay(method: &dyn AnyMethod, pendulum: &Pendulum, beside: f64, step: f64) -> f64 {
@@ -54,10 +55,11 @@ fn delay(method: &dyn AnyMethod, pendulum: &Pendulum, beside: f64, step: f64) ->
     (truth.theta - end.theta) / truth.omega
 }
 
-/// The closed form itself: a release at δ beside the top falls in √(L/g) ln(8/δ), to δ² relatively, as K = ln(4/k') and
-/// k' = δ/2. π as an f64 lies 1.2246e-16 below π.
+/// The closed form itself: a release at δ beside the top falls in √(L/g) ln(8/δ), to δ² relatively,
+/// as K = ln(4/k') and k' = δ/2. π as an f64 lies 1.2246e-16 below π.
 ///
-/// Catches: a modulus that is rounded to 1, k' from 1 − k², an exact solution that hangs at the top.
+/// Catches: a modulus that is rounded to 1, k' from 1 − k², an exact solution that hangs at the
+/// top.
 #[rstest]
 #[case(PI - 1e-3, 9.999_999_999_998_899e-4, 1e-6)]
 // The f64s near π are 4.4e-16 apart: this start is 9.999 999 939 225 29e-9 + 1.2e-16 from the top.
@@ -78,16 +80,19 @@ fn the_exact_fall_takes_a_logarithm(
     }
 }
 
-/// Rounding of the angle, half an ulp of π or 2.2e-16, moves the start relatively by that over 1e-8, and the fall by
-/// √(L/g) times as much; a few dozen such steps before it has left the place count: 1e-7 s.
+/// Rounding of the angle, half an ulp of π or 2.2e-16, moves the start relatively by that over
+/// 1e-8, and the fall by √(L/g) times as much; a few dozen such steps before it has left the place
+/// count: 1e-7 s.
 const ROUNDED_START: f64 = 2e-7;
 
 /// Each method's fall comes late, or early, by its order.
 ///
-/// Catches: a start nudged off the top; a method whose order is lost where the force is almost zero.
+/// Catches: a start nudged off the top; a method whose order is lost where the force is almost
+/// zero.
 #[apply(each_method)]
 fn the_fall_is_late_by_the_methods_order<M: AnyMethod>(#[case] method: M) {
-    /// The next term is of relative order h: it bends the slopes of the Euler methods by 0.02 at most, and RK4's by as much.
+    /// The next term is of relative order h: it bends the slopes of the Euler methods by 0.02 at
+    /// most, and RK4's by as much.
     const TOLERANCE: f64 = 0.05;
     for pendulum in pendulums() {
         for (beside, floor) in [(1e-3, 1e-12), (1e-8, ROUNDED_START)] {
@@ -111,7 +116,8 @@ fn the_fall_is_late_by_the_methods_order<M: AnyMethod>(#[case] method: M) {
 
 /// Symplectic Euler is Störmer–Verlet half a step on: it is early by h/2, to order h².
 ///
-/// Catches: drift before kick, which would be half a step late; forward Euler, which is late by 8 h.
+/// Catches: drift before kick, which would be half a step late; forward Euler, which is late by 8
+/// h.
 #[test]
 fn symplectic_euler_falls_half_a_step_early() {
     for pendulum in pendulums() {
@@ -123,16 +129,18 @@ fn symplectic_euler_falls_half_a_step_early() {
     }
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 // Over the top, or not
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 
-/// From 10⁻³ the gap to the top, g L δ²/2 = 5e-6 J, is 10⁹ roundings of the energy. The symplectic methods never cross it,
-/// as their energies are those of the pendulum at rest; RK4 and Dormand–Prince lose energy, and what methods of higher order
-/// gain or lose at this step, x⁹ of it and less, is no part of the gap; forward Euler gains energy and goes over at once, and
-/// the others of order 2 do in the end.
+/// From 10⁻³ the gap to the top, g L δ²/2 = 5e-6 J, is 10⁹ roundings of the energy. The symplectic
+/// methods never cross it, as their energies are those of the pendulum at rest; RK4 and
+/// Dormand–Prince lose energy, and what methods of higher order gain or lose at this step, x⁹ of it
+/// and less, is no part of the gap; forward Euler gains energy and goes over at once, and the
+/// others of order 2 do in the end.
 ///
-/// Catches: energy that a symplectic method gains or loses, at the amplitude where it is easiest to see.
+/// Catches: energy that a symplectic method gains or loses, at the amplitude where it is easiest to
+/// see.
 #[test]
 fn from_a_thousandth_only_low_orders_go_over() {
     for method in METHODS.iter().copied() {
@@ -143,19 +151,21 @@ fn from_a_thousandth_only_low_orders_go_over() {
             assert_eq!(over.is_none(), stays, "{method:?}: {over:?}");
         }
     }
-    // The exact fall takes 2.87 s, and the rise on the other side as long. It gains so much that it is over in 3.9 s.
+    // The exact fall takes 2.87 s, and the rise on the other side as long. It gains so much that it
+    // is over in 3.9 s.
     let over = over_the_top(&ForwardEuler, PI - 1e-3, 0.01, 10.0).unwrap();
     assert!(over > 2.87 && over < 2.0 * 2.87, "{over} s");
 }
 
-/// 32 releases between 1 and 2 · 10⁻⁸ rad beside the top. The gap there is 1e-16 of the energy, less than its rounding on the way
-/// down and up, 650 steps of 1e-16 at random, a few 1e-15: so rounding decides, about half of them go over, and when they do the
-/// clock tells how far rounding has lifted them: √(L/g) ln(8/δ) to fall, 6.55 to 6.32 s, and √(L/g) ln(4/k') to rise, where
-/// k'² is between 1e-18 (7.1 s) and 3e-14 (5.3 s). Which ones, is a matter of bits that no test here pins: one changed
-/// rounding changes them.
+/// 32 releases between 1 and 2 · 10⁻⁸ rad beside the top. The gap there is 1e-16 of the energy,
+/// less than its rounding on the way down and up, 650 steps of 1e-16 at random, a few 1e-15: so
+/// rounding decides, about half of them go over, and when they do the clock tells how far rounding
+/// has lifted them: √(L/g) ln(8/δ) to fall, 6.55 to 6.32 s, and √(L/g) ln(4/k') to rise, where k'²
+/// is between 1e-18 (7.1 s) and 3e-14 (5.3 s). Which ones, is a matter of bits that no test here
+/// pins: one changed rounding changes them.
 ///
-/// Catches: a bias of the rounding in one direction; a Verlet with any drift of energy above 1e-15, which would send all of them
-/// over, or none.
+/// Catches: a bias of the rounding in one direction; a Verlet with any drift of energy above 1e-15,
+/// which would send all of them over, or none.
 #[rstest]
 #[case::symplectic_euler(&SymplecticEuler)]
 #[case::stormer_verlet(&StormerVerlet)]
@@ -173,7 +183,8 @@ fn beside_the_top_rounding_decides(
     }
 }
 
-/// RK4 loses 1e-7 J on the way, 10⁷ times more than the gap and than rounding: it turns back. Forward Euler gains 0.04 J.
+/// RK4 loses 1e-7 J on the way, 10⁷ times more than the gap and than rounding: it turns back.
+/// Forward Euler gains 0.04 J.
 ///
 /// Catches: an RK4 that gains energy, or is so symmetric that rounding decides.
 #[test]
@@ -187,7 +198,8 @@ fn beside_the_top_rk4_always_turns_back() {
     }
 }
 
-/// When θ first is another number than at the start (in steps), and when it first is not above the bottom (s).
+/// When θ first is another number than at the start (in steps), and when it first is not above the
+/// bottom (s).
 #[derive(Default)]
 struct Fall {
     moved: Option<u64>,
@@ -209,13 +221,15 @@ impl Observer<Phase> for Fall {
     }
 }
 
-/// From π as an f64 the exact pendulum falls in 12.36 s. With its angle in one f64 no method can move: each step adds
-/// hα = h (g/L) 1.2246e-16 to ω, and θ = π stays until |ω|h exceeds half an ulp of π, 2.22e-16. That is at the step
-/// 2.2204e-16/(h² g/L · 1.2246e-16), whoever moves the angle in one piece, as the paper's four do; forward Euler, which looks at the old ω, a step later. From there it falls
-/// like the exact one from ω = ω₀ q, q = 2.22e-16/(hω₀): √(L/g) ln(8/q) more, as a start at δ = q would.
+/// From π as an f64 the exact pendulum falls in 12.36 s. With its angle in one f64 no method can
+/// move: each step adds hα = h (g/L) 1.2246e-16 to ω, and θ = π stays until |ω|h exceeds half an
+/// ulp of π, 2.22e-16. That is at the step 2.2204e-16/(h² g/L · 1.2246e-16), whoever moves the
+/// angle in one piece, as the paper's four do; forward Euler, which looks at the old ω, a step
+/// later. From there it falls like the exact one from ω = ω₀ q, q = 2.22e-16/(hω₀): √(L/g) ln(8/q)
+/// more, as a start at δ = q would.
 ///
-/// Catches: an angle accumulated in another way than the documented one; sin π taken for zero; a Motion that follows the
-/// rounded methods and not the start as given.
+/// Catches: an angle accumulated in another way than the documented one; sin π taken for zero; a
+/// Motion that follows the rounded methods and not the start as given.
 #[rstest]
 #[case::forward_euler(ForwardEuler)]
 #[case::symplectic_euler(SymplecticEuler)]
@@ -233,20 +247,24 @@ fn from_pi_rounding_holds_the_pendulum_up<M: Method<Pendulum>>(#[case] method: M
         assert!(moved >= held && moved < held + 3.0, "moves at step {moved}, not {held}");
         let q = 2.220_446_049_250_313e-16 / (h * pendulum.small_angle_frequency());
         let law = held * h + (8.0 / q).ln() / pendulum.small_angle_frequency();
-        // Whole ulps of θ, 4.4e-16, beside q = 7e-15: 1/16 at most in its logarithm, 0.02 s; forward Euler is late by its 0.35 s.
+        // Whole ulps of θ, 4.4e-16, beside q = 7e-15: 1/16 at most in its logarithm, 0.02 s;
+        // forward Euler is late by its 0.35 s.
         let fallen = fall.fallen.expect("it falls in the end");
         assert!((fallen - law).abs() < 0.4, "falls in {fallen} s, not {law} s");
     }
 }
 
-/// [`integrate_fast`] keeps the angle as half turns and a rest, here −1.2246e-16 rad, and the pendulum falls when the exact one does.
+/// [`integrate_fast`] keeps the angle as half turns and a rest, here −1.2246e-16 rad, and the
+/// pendulum falls when the exact one does.
 ///
-/// Beside the top the rest grows by h²(g/L) of itself in a step of any method, as cosh λt does: the first two steps are exact to
-/// O(h), and the fall is √(L/g) ln(8/δ) long. A method of order p misses the rate λ by the share E_p h^p and so the time by as
-/// much: hλ/2 of it for forward Euler (the other Euler has the rate of Verlet), (hλ)²/24 for Verlet, plus a tenth for the
-/// next terms; and each is seen a step late at the most.
+/// Beside the top the rest grows by h²(g/L) of itself in a step of any method, as cosh λt does: the
+/// first two steps are exact to O(h), and the fall is √(L/g) ln(8/δ) long. A method of order p
+/// misses the rate λ by the share E_p h^p and so the time by as much: hλ/2 of it for forward Euler
+/// (the other Euler has the rate of Verlet), (hλ)²/24 for Verlet, plus a tenth for the next terms;
+/// and each is seen a step late at the most.
 ///
-/// Catches: a rest that is lost when the angle is formed, a reduction of θ with too few digits of π.
+/// Catches: a rest that is lost when the angle is formed, a reduction of θ with too few digits of
+/// π.
 #[apply(each_method)]
 fn from_pi_a_rest_of_the_angle_is_not_held_up<M: AnyMethod>(#[case] method: M) {
     let pendulum = Pendulum::PAPER;
@@ -270,17 +288,18 @@ fn from_pi_a_rest_of_the_angle_is_not_held_up<M: AnyMethod>(#[case] method: M) {
     }
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 // Fast rotation
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 
 /// A hundred and sixty turns a second.
 const FAST: Phase = Phase { theta: 0.3, omega: 1e3 };
 
-/// The mean rate is √(Ω² − 2(g/L) cos θ₀) less 3(g/L)²/(4Ω³), 7.2e-8, to terms of g³/Ω⁵. After n periods the angle has grown
-/// by n turns, to the last digit of n turns.
+/// The mean rate is √(Ω² − 2(g/L) cos θ₀) less 3(g/L)²/(4Ω³), 7.2e-8, to terms of g³/Ω⁵. After n
+/// periods the angle has grown by n turns, to the last digit of n turns.
 ///
-/// Catches: a rotation unwrapped with a turn too many or too few; a rate that is the one at the start.
+/// Catches: a rotation unwrapped with a turn too many or too few; a rate that is the one at the
+/// start.
 #[test]
 fn the_exact_rotation_has_its_mean_rate() {
     for pendulum in pendulums() {
@@ -305,18 +324,20 @@ fn the_exact_rotation_has_its_mean_rate() {
 /// Catches: an angle wrapped within the step; an order that holds for a swing only.
 #[apply(each_method)]
 fn every_method_rotates_by_its_order<M: AnyMethod>(#[case] method: M) {
-    /// At Ωh = 0.05, or 0.4 for RK4, the next term bends a slope by as much: measured 0.02 and 0.07.
+    /// At Ωh = 0.05, or 0.4 for RK4, the next term bends a slope by as much: measured 0.02 and
+    /// 0.07.
     const TOLERANCE: f64 = 0.1;
     let order = f64::from(method.info().order);
-    // So fast a rotation adds up the force along a straight line, and what the sum misses is, by Euler and Maclaurin, hᵖ times a
-    // derivative of sin θ at the start, of the order p − 1: cos θ for an even p and sin θ for an odd one. That of
-    // Dormand–Prince is small beside the others even where its sine is not, down to steps of 0.4 rad, which is rounding after a
-    // thousand turns, but not after sixteen.
+    // So fast a rotation adds up the force along a straight line, and what the sum misses is, by
+    // Euler and Maclaurin, hᵖ times a derivative of sin θ at the start, of the order p − 1: cos θ
+    // for an even p and sin θ for an odd one. That of Dormand–Prince is small beside the others
+    // even where its sine is not, down to steps of 0.4 rad, which is rounding after a thousand
+    // turns, but not after sixteen.
     let is_dormand_prince = method.info().name == "dormand-prince";
     let (fast, duration) =
         if is_dormand_prince { (Phase { theta: 1.5, omega: 1e2 }, 1.0) } else { (FAST, 10.0) };
-    // Where the step is halved until the slope is the order, its error is above this: 1e4 rad rounded by 2e-12, or 1e2 by as much
-    // less, in each of N steps, at random.
+    // Where the step is halved until the slope is the order, its error is above this: 1e4 rad
+    // rounded by 2e-12, or 1e2 by as much less, in each of N steps, at random.
     let rounding = |h: f64| 4.0 * 1.8e-16 * fast.omega * duration * (duration / h).sqrt();
     for pendulum in pendulums() {
         let motion = Motion::new(&pendulum, fast).unwrap();
@@ -345,14 +366,16 @@ fn every_method_rotates_by_its_order<M: AnyMethod>(#[case] method: M) {
     }
 }
 
-/// In steps of 10 and of 100 rad no method follows the motion any more, and none breaks down: a step changes ω by h g/L at most.
-/// The symplectic ones of one kick a step stay within the width of a resonance of the standard map, |Δω| ≤ 4√(g/L), as
-/// K = h² g/L ≤ 0.098 is far below the last torus.
+/// In steps of 10 and of 100 rad no method follows the motion any more, and none breaks down: a
+/// step changes ω by h g/L at most. The symplectic ones of one kick a step stay within the width of
+/// a resonance of the standard map, |Δω| ≤ 4√(g/L), as K = h² g/L ≤ 0.098 is far below the last
+/// torus.
 ///
-/// A Taylor series is not asked: it knows the motion in the place where the step begins and nowhere else, and a step of
-/// 10 rad is beyond its reach.
+/// A Taylor series is not asked: it knows the motion in the place where the step begins and nowhere
+/// else, and a step of 10 rad is beyond its reach.
 ///
-/// Catches: NaN from a large argument of the sine; energy that grows where a symplectic method cannot gain any.
+/// Catches: NaN from a large argument of the sine; energy that grows where a symplectic method
+/// cannot gain any.
 #[apply(each_general_method)]
 fn in_coarse_steps_fast_rotation_stays_finite<M: AnyMethod>(#[case] method: M) {
     // Yoshida's of order 8 add up to 17 steps.

@@ -1,4 +1,5 @@
-//! Linear stability: every method just inside and just outside of its limit, where theory knows the rate of growth.
+//! Linear stability: every method just inside and just outside of its limit, where theory knows the
+//! rate of growth.
 
 use std::f64::consts::SQRT_2;
 
@@ -12,7 +13,8 @@ use rstest::rstest;
 /// The relative distance of a step from its limit, on either side.
 const BESIDE: f64 = 1e-4;
 
-/// The limit of symplectic Euler and Störmer–Verlet: at x = ω₀h = 2 the trace 2 − x² of their step leaves [−2, 2].
+/// The limit of symplectic Euler and Störmer–Verlet: at x = ω₀h = 2 the trace 2 − x² of their step
+/// leaves [−2, 2].
 const SYMPLECTIC_LIMIT: f64 = 2.0;
 
 /// The limit of RK4: |R(ix)|² = 1 − x⁶/72 + x⁸/576 passes 1 at x² = 8.
@@ -64,16 +66,18 @@ fn the_limits_of_the_papers_pendulum() {
     assert!((RK4_LIMIT / frequency - 0.903_047_3).abs() < HALF_UNIT);
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 // Symplectic Euler and Störmer–Verlet
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 
-/// Pushed from the bottom with q = ω/ω₀ = 1, just inside the limit. Störmer–Verlet conserves q² + (1 − x²/4)θ², so that |θ|
-/// reaches 1/√(1 − x²/4) = 70.7; symplectic Euler conserves q² − xqθ + θ², whose largest θ is the same. The phase advances by
-/// π − 0.0283 a step, so that the highest sample is within (0.0283/2)²/2 = 1e-4 of the top.
+/// Pushed from the bottom with q = ω/ω₀ = 1, just inside the limit. Störmer–Verlet conserves q² +
+/// (1 − x²/4)θ², so that |θ| reaches 1/√(1 − x²/4) = 70.7; symplectic Euler conserves q² − xqθ +
+/// θ², whose largest θ is the same. The phase advances by π − 0.0283 a step, so that the highest
+/// sample is within (0.0283/2)²/2 = 1e-4 of the top.
 ///
-/// Catches: a Verlet whose force is one step old or that drifts before it kicks by the new velocity, both of which move the
-/// limit; forward Euler, RK4 or any damping in place of a symplectic method.
+/// Catches: a Verlet whose force is one step old or that drifts before it kicks by the new
+/// velocity, both of which move the limit; forward Euler, RK4 or any damping in place of a
+/// symplectic method.
 #[rstest]
 #[case::symplectic_euler(SymplecticEuler)]
 #[case::stormer_verlet(StormerVerlet)]
@@ -97,16 +101,19 @@ fn symplectic_growth(pendulum: &Pendulum, h: f64) -> f64 {
     2.0 * (0.5 * (pendulum.frequency_squared() * h * h).sqrt()).acosh()
 }
 
-/// Between steps 1000 and 3000 the angle grows by e^(2000 μ) = e^56.6, each step with the other sign.
+/// Between steps 1000 and 3000 the angle grows by e^(2000 μ) = e^56.6, each step with the other
+/// sign.
 ///
-/// Catches: a limit that is off by more than 1e-4, on the side where the test before is blind; a clamp on the state.
+/// Catches: a limit that is off by more than 1e-4, on the side where the test before is blind; a
+/// clamp on the state.
 #[rstest]
 #[case::symplectic_euler(SymplecticEuler)]
 #[case::stormer_verlet(StormerVerlet)]
 fn just_outside_the_symplectic_limit_it_grows_at_the_predicted_rate<M: Method<LinearOscillator>>(
     #[case] method: M,
 ) {
-    /// h is rounded by ε/2, which μ = √(8 · 1e-4) feels as ε/(4e-4), and so does its square root; times 56.6: 1e-10.
+    /// h is rounded by ε/2, which μ = √(8 · 1e-4) feels as ε/(4e-4), and so does its square root;
+    /// times 56.6: 1e-10.
     const TOLERANCE: f64 = 1e-9;
     for pendulum in pendulums() {
         let linear = LinearOscillator::new(pendulum);
@@ -121,21 +128,24 @@ fn just_outside_the_symplectic_limit_it_grows_at_the_predicted_rate<M: Method<Li
     }
 }
 
-/// On the pendulum the swing just outside grows at the same rate only until its frequency has fallen by 1e-4. It circles the
-/// two-cycle ±θ₂ with sin θ₂/θ₂ = 4/x², θ₂ = 0.0346 rad: an orbit from the bottom follows a figure of eight, as wide as √2 θ₂.
+/// On the pendulum the swing just outside grows at the same rate only until its frequency has
+/// fallen by 1e-4. It circles the two-cycle ±θ₂ with sin θ₂/θ₂ = 4/x², θ₂ = 0.0346 rad: an orbit
+/// from the bottom follows a figure of eight, as wide as √2 θ₂.
 ///
 /// Catches: the linear oscillator posing as the pendulum; a limit on either side of the true one.
 #[rstest]
 #[case::symplectic_euler(SymplecticEuler)]
 #[case::stormer_verlet(StormerVerlet)]
 fn the_pendulum_beside_the_symplectic_limit<M: Method<Pendulum>>(#[case] method: M) {
-    /// θ₂² = 12 δ and the figure of eight are leading terms, right to the relative order θ₂² = 1e-3.
+    /// θ₂² = 12 δ and the figure of eight are leading terms, right to the relative order θ₂² =
+    /// 1e-3.
     const TOLERANCE: f64 = 1e-3;
     for pendulum in pendulums() {
         let inside = grid(&pendulum, SYMPLECTIC_LIMIT * (1.0 - BESIDE), 100_000);
         let outside = grid(&pendulum, SYMPLECTIC_LIMIT * (1.0 + BESIDE), 100_000);
         let start = Phase::at_rest(1e-6);
-        // Inside, q² − xqθ + θ² from rest: θ is at most 1/√(1 − x²/4) times as wide as at the start.
+        // Inside, q² − xqθ + θ² from rest: θ is at most 1/√(1 − x²/4) times as wide as at the
+        // start.
         assert!(farthest(&pendulum, &method, start, &inside) < 71.0 * 1e-6);
         let figure_of_eight = (24.0 * BESIDE).sqrt();
         let largest = farthest(&pendulum, &method, start, &outside);
@@ -143,11 +153,12 @@ fn the_pendulum_beside_the_symplectic_limit<M: Method<Pendulum>>(#[case] method:
     }
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 // RK4 and forward Euler
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 
-/// The logarithm by which the energy of `system` changes in `steps` steps of x, from rest at 1e-6 rad.
+/// The logarithm by which the energy of `system` changes in `steps` steps of x, from rest at 1e-6
+/// rad.
 fn log_energy_change<S>(system: &S, method: &impl Method<S>, grid: &Grid) -> f64
 where
     S: Hamiltonian + System<State = Phase>,
@@ -156,15 +167,18 @@ where
     (system.energy(end(system, method, start.theta, grid)) / system.energy(start)).ln()
 }
 
-/// What `steps` roundings may add up to in the logarithm of the energy: a few dozen operations of ε/2 a step at the worst.
+/// What `steps` roundings may add up to in the logarithm of the energy: a few dozen operations of
+/// ε/2 a step at the worst.
 fn roundings(steps: u64) -> f64 {
     16.0 * f64::EPSILON * steps as f64
 }
 
-/// RK4 multiplies the energy of the linear oscillator by |R(ix)|² at each step, on both sides of its limit, at its strongest
-/// damping, x² = 6, and where it hardly damps. The pendulum from 1e-6 rad is the same to θ² = 1e-12 a step.
+/// RK4 multiplies the energy of the linear oscillator by |R(ix)|² at each step, on both sides of
+/// its limit, at its strongest damping, x² = 6, and where it hardly damps. The pendulum from 1e-6
+/// rad is the same to θ² = 1e-12 a step.
 ///
-/// Catches: any change of a coefficient or node of RK4; a method of order 4 with another polynomial.
+/// Catches: any change of a coefficient or node of RK4; a method of order 4 with another
+/// polynomial.
 #[rstest]
 fn rk4_damps_and_grows_by_its_polynomial(
     #[values(
@@ -186,7 +200,8 @@ fn rk4_damps_and_grows_by_its_polynomial(
         let linear = log_energy_change(&LinearOscillator::new(pendulum), &Rk4, &grid);
         assert!((linear - law).abs() < roundings(steps), "{linear} for {law}");
         let swing = log_energy_change(&pendulum, &Rk4, &grid);
-        // Just outside, it grows by e^2.8 = 17 in energy, to θ² = 2e-11: that and a derivative of x⁶/6 < 100.
+        // Just outside, it grows by e^2.8 = 17 in energy, to θ² = 2e-11: that and a derivative of
+        // x⁶/6 < 100.
         let nonlinear = 2e-9 * steps as f64;
         assert!((swing - law).abs() < nonlinear, "{swing} for {law}");
     }
@@ -202,14 +217,17 @@ fn rk4_beside_its_limit(#[case] factor: f64, #[case] sign: f64) {
     for pendulum in pendulums() {
         let grid = grid(&pendulum, RK4_LIMIT * factor, 1000);
         let change = log_energy_change(&LinearOscillator::new(pendulum), &Rk4, &grid) / 1000.0;
-        // The next term is 13 δ/2 = 6.5e-4 of this one, from the second derivative, 7x⁷/72 − 5x⁵/12 over x⁵/36.
+        // The next term is 13 δ/2 = 6.5e-4 of this one, from the second derivative, 7x⁷/72 − 5x⁵/12
+        // over x⁵/36.
         assert_relative_eq!(change, sign * 512.0 / 36.0 * BESIDE, max_relative = 1e-3);
     }
 }
 
-/// Forward Euler multiplies the energy by 1 + x² at every step, however small: it has no limit to be below of.
+/// Forward Euler multiplies the energy by 1 + x² at every step, however small: it has no limit to
+/// be below of.
 ///
-/// Catches: symplectic Euler, or an implicit step, posing as forward Euler; a damping added to hide the growth.
+/// Catches: symplectic Euler, or an implicit step, posing as forward Euler; a damping added to hide
+/// the growth.
 #[rstest]
 fn forward_euler_is_never_stable(#[values(1e-3, 0.03, 1.0, 2.0, RK4_LIMIT, 10.0)] x: f64) {
     let steps = if x < 0.01 { 100_000 } else { 100 };

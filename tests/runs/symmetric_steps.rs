@@ -1,5 +1,5 @@
-//! Steps that vary and can be taken back, beside steps that vary and cannot: on Kepler's ellipse and on a pendulum that almost
-//! reaches the top.
+//! Steps that vary and can be taken back, beside steps that vary and cannot: on Kepler's ellipse
+//! and on a pendulum that almost reaches the top.
 
 use std::sync::LazyLock;
 
@@ -10,9 +10,9 @@ use pendula::{
     Counting, Error, Grid, Hamiltonian, Kepler, Pendulum, Phase, Separable, Shaken, integrate,
 };
 
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 // Kepler
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 
 const ECCENTRICITY: f64 = 0.8;
 
@@ -35,9 +35,9 @@ fn of_free_fall(z: PlanePhase) -> f64 {
     -1.5 * (z.x * z.vx + z.y * z.vy) / (z.x * z.x + z.y * z.y)
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 // A pendulum that almost reaches the top
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 
 /// ω₀ ≠ 1, L ≠ 1, m ≠ 1.
 fn pendulum() -> Pendulum {
@@ -51,13 +51,14 @@ fn of_speed(pendulum: &Pendulum) -> impl Fn(Phase) -> f64 + Copy + use<'_> {
     move |z| z.omega * pendulum.force(0.0, z) / (z.omega * z.omega + pendulum.frequency_squared())
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 // The naive way
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 
-/// Störmer–Verlet with the step that its last error estimate asks for, as for any other method. The estimate is h² times
-/// the change of the force in a step, by which its positions differ from those of a method of order 1; as it goes with h³,
-/// the next step is longer by the cube root of tolerance over estimate.
+/// Störmer–Verlet with the step that its last error estimate asks for, as for any other method. The
+/// estimate is h² times the change of the force in a step, by which its positions differ from those
+/// of a method of order 1; as it goes with h³, the next step is longer by the cube root of
+/// tolerance over estimate.
 fn naive<S: Separable>(
     system: &S,
     mut z: S::State,
@@ -82,11 +83,12 @@ fn naive<S: Separable>(
     steps
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 // Boundedness
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 
-/// The largest energy error in a short run, in one ten times as long, and the number of steps of the latter.
+/// The largest energy error in a short run, in one ten times as long, and the number of steps of
+/// the latter.
 #[derive(Clone, Copy, Debug)]
 struct Drift {
     short: f64,
@@ -160,13 +162,14 @@ fn naive_drift<S: Hamiltonian + Separable>(
     drift
 }
 
-/// A reversible method's energy error comes and goes, and has been at its worst in the first tenth of a run already, dozens of
-/// swings long: to 1 % where fixed steps meet each swing at other places, and to 1e-4 where the density makes them meet it
-/// at almost the same. A drift is ten times larger in ten times the time, and half of that at least beside the error that
-/// comes and goes.
+/// A reversible method's energy error comes and goes, and has been at its worst in the first tenth
+/// of a run already, dozens of swings long: to 1 % where fixed steps meet each swing at other
+/// places, and to 1e-4 where the density makes them meet it at almost the same. A drift is ten
+/// times larger in ten times the time, and half of that at least beside the error that comes and
+/// goes.
 ///
-/// Of as many steps, the fixed ones are longer than the others where those are shortest, and their error should be larger
-/// by the square of that; `gain` is half of it.
+/// Of as many steps, the fixed ones are longer than the others where those are shortest, and their
+/// error should be larger by the square of that; `gain` is half of it.
 fn assert_only_the_naive_drifts(symmetric: Drift, fixed: Drift, naive: Drift, gain: f64) {
     let all = format!("symmetric {symmetric:?}, fixed {fixed:?}, naive {naive:?}");
     assert!(symmetric.growth() < 1.0001, "{all}");
@@ -178,7 +181,8 @@ fn assert_only_the_naive_drifts(symmetric: Drift, fixed: Drift, naive: Drift, ga
     assert!(naive.steps > symmetric.steps * 9 / 10, "{all}");
 }
 
-/// Catches: a step chosen by what lies behind it posing as a symmetric one; a symmetric one that is worth nothing.
+/// Catches: a step chosen by what lies behind it posing as a symmetric one; a symmetric one that is
+/// worth nothing.
 #[test]
 fn on_an_ellipse_only_the_naive_steps_drift() {
     let change = |f0: Planar, f1: Planar| (f1.x - f0.x).hypot(f1.y - f0.y);
@@ -201,14 +205,16 @@ fn beside_the_top_only_the_naive_steps_drift() {
     assert_only_the_naive_drifts(symmetric, fixed, naive, 1.5);
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 // The method itself
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 
-/// With a density that stays, each step is Störmer–Verlet's; its two half kicks between drifts are one there, which is
-/// another rounding. 1000 steps of an ε or two, in a swing that stretches none of them by more than it lasts: 1e-11.
+/// With a density that stays, each step is Störmer–Verlet's; its two half kicks between drifts are
+/// one there, which is another rounding. 1000 steps of an ε or two, in a swing that stretches none
+/// of them by more than it lasts: 1e-11.
 ///
-/// Catches: a kick or a drift by ε and not by ε/ρ, or by half of it; a stale force; time that is not the sum of the steps.
+/// Catches: a kick or a drift by ε and not by ε/ρ, or by half of it; a stale force; time that is
+/// not the sum of the steps.
 #[test]
 fn with_a_constant_density_it_is_stormer_verlet() {
     let pendulum = pendulum();
@@ -224,11 +230,13 @@ fn with_a_constant_density_it_is_stormer_verlet() {
     assert!((sample.z.omega - end.omega).abs() < 1e-11);
 }
 
-/// 20 years there, 20 back. Rounding alone keeps it from the start: some 4000 steps there and as many back, of an ε each of
-/// numbers up to v = 4.7, and as an error of the energy shifts the planet along its way for all the time that is left, that
-/// is 4000 · 8000 · ε · 4.7 · h at worst, with steps of a year over 200: 1e-9.
+/// 20 years there, 20 back. Rounding alone keeps it from the start: some 4000 steps there and as
+/// many back, of an ε each of numbers up to v = 4.7, and as an error of the energy shifts the
+/// planet along its way for all the time that is left, that is 4000 · 8000 · ε · 4.7 · h at worst,
+/// with steps of a year over 200: 1e-9.
 ///
-/// Catches: a density that leaps by what lies behind it, or by a whole ε on one side; a way back that is not the way there.
+/// Catches: a density that leaps by what lies behind it, or by a whole ε on one side; a way back
+/// that is not the way there.
 #[test]
 fn the_way_back_is_the_way_there() {
     let mut there = SymmetricSteps::new(&*SUN, perihelion(), 0.002, of_free_fall).unwrap();
@@ -259,11 +267,11 @@ fn errors_on_the_ellipse(epsilon: f64) -> (f64, f64) {
     (of_energy, of_density)
 }
 
-/// Both go with ε², and the next term with ε⁴: relatively it is about as large as the density's error itself, 5e-3, and bends
-/// a slope by as much over ln 2.
+/// Both go with ε², and the next term with ε⁴: relatively it is about as large as the density's
+/// error itself, 5e-3, and bends a slope by as much over ln 2.
 ///
-/// Catches: a method of order 1, as one that takes its density from one side is; a density that follows something else, or the
-/// other way.
+/// Catches: a method of order 1, as one that takes its density from one side is; a density that
+/// follows something else, or the other way.
 #[test]
 fn energy_and_density_are_off_by_order_two() {
     const TOLERANCE: f64 = 0.02;
@@ -271,7 +279,8 @@ fn energy_and_density_are_off_by_order_two() {
     let slope = |coarse: f64, fine: f64| (coarse / fine).log2();
     assert!((slope(coarse.0, fine.0) - 2.0).abs() < TOLERANCE, "{coarse:?} {fine:?}");
     assert!((slope(coarse.1, fine.1) - 2.0).abs() < TOLERANCE, "{coarse:?} {fine:?}");
-    // In units of the time of free fall where the planet is nearest, √(r³/μ), it is ε² of what is of order 1.
+    // In units of the time of free fall where the planet is nearest, √(r³/μ), it is ε² of what is
+    // of order 1.
     let nearest = 1.0 - ECCENTRICITY;
     let scale = 0.002 * 0.002 * SUN.attraction() / (nearest * nearest * nearest);
     assert!(fine.1 < scale && fine.1 > 0.1 * scale, "{fine:?} of {scale}");
@@ -286,7 +295,8 @@ fn it_takes_one_evaluation_a_step() {
     assert_eq!(counting.evaluations(), 101);
 }
 
-/// Catches: a first step that is none let in; a density below zero, with which time would run back, or a NaN, taken for one.
+/// Catches: a first step that is none let in; a density below zero, with which time would run back,
+/// or a NaN, taken for one.
 #[test]
 fn what_has_no_step_is_refused() {
     for bad in [0.0, -0.01, f64::NAN, f64::INFINITY] {
@@ -304,8 +314,8 @@ fn what_has_no_step_is_refused() {
     }
 }
 
-/// A pivot that shakes: two steps are Störmer–Verlet's, each with the force of its own two ends. A few roundings of numbers up
-/// to 10.
+/// A pivot that shakes: two steps are Störmer–Verlet's, each with the force of its own two ends. A
+/// few roundings of numbers up to 10.
 ///
 /// Catches: the force at another time than that of the step's end.
 #[test]
@@ -323,7 +333,8 @@ fn the_force_is_asked_for_at_the_end_of_a_step() {
 /// Catches: a walk that stays where it failed, though it is sent back to where it came from.
 #[test]
 fn there_is_a_way_back_from_where_none_leads_on() {
-    // ρ falls from 1 by half of ε G, which is 0.3, twice a step; the third step would begin below zero.
+    // ρ falls from 1 by half of ε G, which is 0.3, twice a step; the third step would begin below
+    // zero.
     let mut steps = SymmetricSteps::new(&*SUN, perihelion(), 0.002, |_| -300.0).unwrap();
     assert!(steps.by_ref().take(2).all(|step| step.is_ok()));
     assert!(steps.next().unwrap().is_err() && steps.next().is_none());

@@ -13,8 +13,8 @@ static SCENE: LazyLock<Release> = LazyLock::new(Release::new);
 static MAP: LazyLock<Vec<Cell>> = LazyLock::new(map);
 static PROFILES: LazyLock<Vec<Profile>> = LazyLock::new(|| profiles(&SCENE));
 
-/// The largest error of the angle (rad) of a real run, against the closed form: at every sample, or of more than 2 · 10⁴ at
-/// so many, spread over all phases.
+/// The largest error of the angle (rad) of a real run, against the closed form: at every sample, or
+/// of more than 2 · 10⁴ at so many, spread over all phases.
 fn largest_error(method: &dyn AnyMethod, grid: &Grid) -> f64 {
     let motion = Motion::new(&Pendulum::PAPER, SCENE.start).unwrap();
     let stride = (grid.steps() / 20_000).max(1) | 1;
@@ -37,8 +37,8 @@ fn predicted(advice: &Advice, periods: u64) -> f64 {
 /// Steps of a run that a test can afford.
 const AFFORDABLE: u64 = 1_000_000;
 
-/// Cells at random, the same at each call, whose two best methods can be run for real: first within the runs that the map was
-/// taken from, then as many beyond.
+/// Cells at random, the same at each call, whose two best methods can be run for real: first within
+/// the runs that the map was taken from, then as many beyond.
 fn some_cells() -> impl Iterator<Item = &'static Cell> {
     const COUNT: usize = 24;
     let within = cells_at_random().filter(|cell| cell.periods <= LONGEST).take(COUNT);
@@ -62,21 +62,25 @@ fn cells_at_random() -> impl Iterator<Item = &'static Cell> {
     position.map(|i| &MAP[i]).filter(runs)
 }
 
-/// A measured error counts if rounding is a tenth of it at most, and that is what an extrapolated one may be off by. Within an
-/// error of 0.1 rad the law's next terms, of relative order e/θ₀, are as small.
+/// A measured error counts if rounding is a tenth of it at most, and that is what an extrapolated
+/// one may be off by. Within an error of 0.1 rad the law's next terms, of relative order e/θ₀, are
+/// as small.
 const TOLERANCE: f64 = 0.1;
 
-/// Between two rungs, half an octave apart, the curve is a chord on logarithmic axes. Where two terms of an error cancel, or one
-/// takes over from the other, the slope turns by the order p at most and the chord lies too high, by p ln(√2)/4 at worst.
+/// Between two rungs, half an octave apart, the curve is a chord on logarithmic axes. Where two
+/// terms of an error cancel, or one takes over from the other, the slope turns by the order p at
+/// most and the chord lies too high, by p ln(√2)/4 at worst.
 fn chord(order: u32) -> f64 {
     (-f64::from(order) * 2.0_f64.sqrt().ln() / 4.0).exp()
 }
 
-/// With the step that the map advises, the best method and the next keep within the error allowed, on runs up to many times
-/// longer than those it was taken from; and do not fall far below it, so that the step is no smaller than it need be.
+/// With the step that the map advises, the best method and the next keep within the error allowed,
+/// on runs up to many times longer than those it was taken from; and do not fall far below it, so
+/// that the step is no smaller than it need be.
 ///
-/// Catches: a law of growth without its square, or a square where theory has none; a ladder too coarse; the error at the end of
-/// a run taken for the largest; an error at one phase taken for all; a rank by steps and not by evaluations.
+/// Catches: a law of growth without its square, or a square where theory has none; a ladder too
+/// coarse; the error at the end of a run taken for the largest; an error at one phase taken for
+/// all; a rank by steps and not by evaluations.
 #[test]
 fn the_advice_is_met_in_real_runs() {
     for Cell { periods, allowed, ranking } in some_cells() {
@@ -96,15 +100,17 @@ fn the_advice_is_met_in_real_runs() {
                 "{error:e} for {law:e} over {periods} periods: {advice:?}"
             );
             let counted = advice.method.count_evaluations(&Pendulum::PAPER, SCENE.start, &grid);
-            // Of an implicit method only a part was counted, and a numerical swing that is late meets other sweeps.
+            // Of an implicit method only a part was counted, and a numerical swing that is late
+            // meets other sweeps.
             let tolerance = if info.implicit { counted / 20 } else { 0 };
             assert!(advice.evaluations.abs_diff(counted) <= tolerance, "{counted}: {advice:?}");
         }
     }
 }
 
-/// With as many force evaluations as the best method needs, the next one misses what is allowed, wherever it is said to
-/// need half as many again, in steps fine enough for its order to hold. (An error of order 1 is then 1.5 times what is allowed, less the chord and the tolerance: 1.24.)
+/// With as many force evaluations as the best method needs, the next one misses what is allowed,
+/// wherever it is said to need half as many again, in steps fine enough for its order to hold. (An
+/// error of order 1 is then 1.5 times what is allowed, less the chord and the tolerance: 1.24.)
 ///
 /// Catches: a winner that wins by an overestimate of the others.
 #[test]
@@ -126,15 +132,17 @@ fn the_second_best_needs_more() {
     assert!(compared >= 3, "{compared} of 48");
 }
 
-/// Where RK4's steps are so small that only rounding is left, its error is a random walk's: below the bound, two standard
-/// deviations of steps that round as much as they can, and not far. Of twelve largest errors the largest is above 0.1 of the
-/// bound: one standard deviation is a half of it, and RK4, with one rounding a step and not four, makes half of that; twelve
-/// walks that all stay below 0.4 of their deviation are rarer than one in 10⁶.
+/// Where RK4's steps are so small that only rounding is left, its error is a random walk's: below
+/// the bound, two standard deviations of steps that round as much as they can, and not far. Of
+/// twelve largest errors the largest is above 0.1 of the bound: one standard deviation is a half of
+/// it, and RK4, with one rounding a step and not four, makes half of that; twelve walks that all
+/// stay below 0.4 of their deviation are rarer than one in 10⁶.
 ///
-/// The steps do not divide the period: where they do, and the method errs by less than a rounding in a period, each period rounds
-/// as the one before did, and the walk goes straight.
+/// The steps do not divide the period: where they do, and the method errs by less than a rounding
+/// in a period, each period rounds as the one before did, and the walk goes straight.
 ///
-/// Catches: a region lost in rounding that is not, and one that is but is not marked; a walk that grows as another power of time.
+/// Catches: a region lost in rounding that is not, and one that is but is not marked; a walk that
+/// grows as another power of time.
 #[rstest]
 fn rounding_is_as_large_as_the_map_says(#[values(8, 32)] periods: u64) {
     const STEPS: u64 = 16_000;
@@ -151,7 +159,8 @@ fn rounding_is_as_large_as_the_map_says(#[values(8, 32)] periods: u64) {
 
 /// The map covers its whole ground, and each cell ranks each method once.
 ///
-/// Catches: a method forgotten; a cell lost; an error that is easier to meet over a longer run, or a smaller one with less work.
+/// Catches: a method forgotten; a cell lost; an error that is easier to meet over a longer run, or
+/// a smaller one with less work.
 #[test]
 fn more_is_never_cheaper() {
     assert_eq!(MAP.len(), PERIODS.len() * allowed().len());

@@ -10,10 +10,12 @@ use rstest::rstest;
 
 static LEDGER: LazyLock<Ledger> = LazyLock::new(|| Ledger::new(&Study::run(|_| {})));
 
-/// Every printed digit is met: the measured value lies within half a unit of the last one. The one exception is
-/// RK4's energy error at Δt = 0.001 s, 3.2e-12 J ± 10 %, where the paper's second digit is rounding.
+/// Every printed digit is met: the measured value lies within half a unit of the last one. The one
+/// exception is RK4's energy error at Δt = 0.001 s, 3.2e-12 J ± 10 %, where the paper's second
+/// digit is rounding.
 ///
-/// Catches: a wrong coefficient, constant, metric or step count anywhere behind the tables; a mean over N samples.
+/// Catches: a wrong coefficient, constant, metric or step count anywhere behind the tables; a mean
+/// over N samples.
 #[rstest]
 fn every_printed_digit_is_met(#[values(2, 4, 5, 6, 7, 8)] table: u32) {
     let prefix = format!("T{table}.");

@@ -7,9 +7,8 @@ use approx::assert_relative_eq;
 use pendula::methods::{Rk4, StormerVerlet};
 use pendula::metrics::AngleError;
 use pendula::{Grid, LinearOscillator, Motion, Pendulum, Phase, integrate};
-use pendula_study::claims::measure::row_ids;
 use pendula_study::claims::{Ledger, Measured, Prediction, largest_energy_error, predictions};
-use pendula_study::experiments::{STEPS, Study, convergence, small_angle};
+use pendula_study::experiments::{PaperMethod, STEPS, Study, convergence, small_angle};
 use pendula_study::theory::small_angle::{
     LinearRecurrence, cancelling_step, errors, floor, own_error_of_stormer_verlet,
 };
@@ -40,11 +39,11 @@ fn normalised_angle_error() -> f64 {
     error.largest() / 1e-4
 }
 
-/// Each measured cell lies within the tolerance of its law, on either side. The tolerances are derived in
-/// `src/theory/predictions.rs`, from what each law leaves out.
+/// Each measured cell lies within the tolerance of its law, on either side. The tolerances are
+/// derived in `src/theory/predictions.rs`, from what each law leaves out.
 ///
-/// Catches: a method, metric, constant or step count that is wrong in a way that still prints the paper's digits, and one
-/// that is wrong together with them: no number here was ever measured.
+/// Catches: a method, metric, constant or step count that is wrong in a way that still prints the
+/// paper's digits, and one that is wrong together with them: no number here was ever measured.
 #[rstest]
 fn every_cell_is_as_predicted(#[values("T4.", "T5.", "T6.", "T8.", "P6.")] table: &str) {
     let cells: Vec<_> = PREDICTIONS.iter().filter(|cell| cell.id.starts_with(table)).collect();
@@ -58,11 +57,12 @@ fn every_cell_is_as_predicted(#[values("T4.", "T5.", "T6.", "T8.", "P6.")] table
 
 /// 4 methods × (5 steps in Table 4, 5 in Table 6, Tables 5 and 8), and one number of the text.
 ///
-/// Catches: a cell forgotten, named twice, or out of the ledger's order, so that a join would lose it.
+/// Catches: a cell forgotten, named twice, or out of the ledger's order, so that a join would lose
+/// it.
 #[test]
 fn every_cell_that_theory_reaches_is_predicted() {
     let ids: Vec<&str> = PREDICTIONS.iter().map(|cell| cell.id.as_str()).collect();
-    assert_eq!(ids.len(), row_ids().len() * (2 * STEPS.len() + 2) + 1);
+    assert_eq!(ids.len(), PaperMethod::ALL.len() * (2 * STEPS.len() + 2) + 1);
     assert_eq!(ids.iter().collect::<BTreeSet<_>>().len(), ids.len(), "an id stands twice");
     let position = |id: &str| LEDGER.claims().iter().position(|claim| claim.id == id);
     let (last, tables) = ids.split_last().unwrap();
@@ -71,7 +71,8 @@ fn every_cell_that_theory_reaches_is_predicted() {
     assert!(positions.is_sorted(), "{ids:?}");
 }
 
-/// What theory.md allows, and less than a unit in the last digit of the paper's tables; RK4's rounding at 0.001 s apart.
+/// What theory.md allows, and less than a unit in the last digit of the paper's tables; RK4's
+/// rounding at 0.001 s apart.
 ///
 /// Catches: a tolerance that grew until anything would agree.
 #[test]
@@ -96,10 +97,12 @@ fn a_prediction_can_fail() {
     assert!(!cell.agrees_with(2.03) && !cell.agrees_with(1.97) && !cell.agrees_with(f64::NAN));
 }
 
-/// The frozen linear recurrence predicts forward Euler as well, as long as the swing stays small: its growth depends on the
-/// amplitude as 1 − A²/8 or so, which over x ω₀T/2 ≤ 0.5 e-folds is 4e-4 at A = 0.08.
+/// The frozen linear recurrence predicts forward Euler as well, as long as the swing stays small:
+/// its growth depends on the amplitude as 1 − A²/8 or so, which over x ω₀T/2 ≤ 0.5 e-folds is 4e-4
+/// at A = 0.08.
 ///
-/// Catches: a growth or a phase of the recurrence that the table's own law, the modified equation, would not miss.
+/// Catches: a growth or a phase of the recurrence that the table's own law, the modified equation,
+/// would not miss.
 #[rstest]
 fn forward_euler_is_predicted_twice(#[values(0.01, 0.005, 0.001)] h: f64) {
     let grid = Grid::with_duration(h, small_angle::DURATION).unwrap();
@@ -110,8 +113,8 @@ fn forward_euler_is_predicted_twice(#[values(0.01, 0.005, 0.001)] h: f64) {
     assert_relative_eq!(predicted, measured(&format!("T6.fe.{h}")), max_relative = 4e-4);
 }
 
-/// θ₀³ω₀T/(16√6). It leaves out ⟨t² cos 2ω₀t⟩, which is 3/(2ω₀T) of the mean square at most, half that of its root; RK4's
-/// own x⁴/120 is 5e-5 of θ₀²/16.
+/// θ₀³ω₀T/(16√6). It leaves out ⟨t² cos 2ω₀t⟩, which is 3/(2ω₀T) of the mean square at most, half
+/// that of its root; RK4's own x⁴/120 is 5e-5 of θ₀²/16.
 ///
 /// Catches: the paper's floor taken for a constant, or for a property of the methods.
 #[rstest]
@@ -128,8 +131,8 @@ fn what_is_left_at_small_steps_is_the_formulas_own_error(#[case] duration: f64) 
     assert_relative_eq!(error.root_mean_square(), floor, max_relative = left_out);
 }
 
-/// At x = θ₀√(3/2) Störmer–Verlet's error and the formula's cancel to the next order: θ₀² and x² down, each below 0.004, so
-/// that a hundredth of the floor is left at most.
+/// At x = θ₀√(3/2) Störmer–Verlet's error and the formula's cancel to the next order: θ₀² and x²
+/// down, each below 0.004, so that a hundredth of the floor is left at most.
 ///
 /// Catches: a frequency error of Verlet other than x²/24.
 #[test]
@@ -143,10 +146,12 @@ fn two_errors_cancel_at_the_step_foreseen() {
     assert!(left < 1e-2 * floor(&pendulum, theta_0, small_angle::DURATION), "{left:e}");
 }
 
-/// Störmer–Verlet's own error in the small swing is θ₀ω₀T x²/(24√6). That leaves out ⟨t² cos 2ω₀t⟩, as the floor does, the next
-/// term of its phase, 9x²/80 of the first, and θ₀²/8, by which its τ₂ falls with the amplitude.
+/// Störmer–Verlet's own error in the small swing is θ₀ω₀T x²/(24√6). That leaves out ⟨t² cos 2ω₀t⟩,
+/// as the floor does, the next term of its phase, 9x²/80 of the first, and θ₀²/8, by which its τ₂
+/// falls with the amplitude.
 ///
-/// Catches: a line of the figure that only looks as if it met the markers; x for x², a period for a duration.
+/// Catches: a line of the figure that only looks as if it met the markers; x for x², a period for a
+/// duration.
 #[rstest]
 fn stormer_verlets_own_error_is_that_of_its_phase(
     #[values(0.1, 0.01, 0.001)] h: f64,

@@ -2,9 +2,8 @@
 
 use std::fs;
 
-use pendula_study::claims::Ledger;
-use pendula_study::claims::measure::row_ids;
-use pendula_study::experiments::Study;
+use pendula_study::claims::{CellId, Ledger};
+use pendula_study::experiments::{PaperMethod, Study};
 use pendula_study::report::figures::figures;
 
 fn read(path: &str) -> String {
@@ -16,16 +15,16 @@ fn read(path: &str) -> String {
 fn the_headline_table_is_table_5() {
     let ledger = Ledger::new(&Study::run(|_| {}));
     let readme = read("README.md");
-    for (id, title) in row_ids().into_iter() {
-        let claim = ledger.get(&format!("T5.{id}.dH")).expect("every method has a row");
+    for method in PaperMethod::ALL {
+        let claim = ledger.cell(CellId::of_row(5, method, "dH")).expect("every method has a row");
         let (stated, measured) = (claim.stated_text(), claim.measured_text());
-        let row = format!("| {title:<16} | {stated:>10} | {measured:>14} |");
+        let row = format!("| {:<16} | {stated:>10} | {measured:>14} |", method.title());
         assert!(readme.contains(&row), "the README lacks\n{row}");
     }
 }
 
-/// The picture is Figure 2 in a file of its own, as a README cannot include a snapshot. To write it anew, run this
-/// test with `INSTA_UPDATE=always`, as for the snapshots.
+/// The picture is Figure 2 in a file of its own, as a README cannot include a snapshot. To write it
+/// anew, run this test with `INSTA_UPDATE=always`, as for the snapshots.
 ///
 /// Catches: a picture left behind when the figure moved.
 #[test]

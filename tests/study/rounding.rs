@@ -1,5 +1,5 @@
-//! Which printed digits are the methods', and which are the machine's: the tables once more with a sine that is wrong in its last
-//! bit, at random, and with every product and sum fused.
+//! Which printed digits are the methods', and which are the machine's: the tables once more with a
+//! sine that is wrong in its last bit, at random, and with every product and sum fused.
 
 use std::cell::Cell;
 use std::fmt::Debug;
@@ -13,18 +13,18 @@ use pendula::{
     Grid, Hamiltonian, Info, LinearOscillator, METHODS, Method, Observer, Pendulum, Phase,
     Separable, System, Vector, integrate,
 };
-use pendula_study::claims::measure::{row_id, row_ids};
-use pendula_study::claims::{Claim, Ledger, Measured};
-use pendula_study::experiments::{STEPS, Study, convergence, long_run, small_angle};
+use pendula_study::claims::{CellId, Claim, Ledger, Measured};
+use pendula_study::experiments::{PaperMethod, STEPS, Study, convergence, long_run, small_angle};
 use rstest::rstest;
 
 static LEDGER: LazyLock<Ledger> = LazyLock::new(|| Ledger::new(&Study::run(|_| {})));
 
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 // A sine off by an ulp
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 
-/// The paper's pendulum on a machine whose sine and cosine are one ulp too large, right, or one ulp too small, each as often.
+/// The paper's pendulum on a machine whose sine and cosine are one ulp too large, right, or one ulp
+/// too small, each as often.
 struct Sloppy {
     random: Cell<u64>,
 }
@@ -87,14 +87,15 @@ impl Machine for Sloppy {
     }
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 // Fused products and sums
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 
 /// The paper's pendulum compiled by a compiler that contracts a b + c.
 struct Contracted;
 
-/// A state times a factor that is not multiplied out yet: when it is added to another, the product is fused with the sum.
+/// A state times a factor that is not multiplied out yet: when it is added to another, the product
+/// is fused with the sum.
 #[derive(Clone, Copy, Debug)]
 struct Fused {
     theta: f64,
@@ -178,9 +179,9 @@ impl Machine for Contracted {
     }
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 // The tables on another machine
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 
 /// The paper's pendulum on another machine.
 trait Machine: Hamiltonian + Separable<State: From<Phase> + Into<Phase> + Debug> {
@@ -198,17 +199,17 @@ impl<Z: Into<Phase>, O: Observer<Phase>> Observer<Z> for AsPhase<O> {
 }
 
 /// The cells of Tables 4, 5, 6 and 8 in the rows of `method`, as (id, value).
-fn cells<S: Machine, M: Method<S> + Info>(system: &S, method: &M) -> Vec<(String, f64)> {
+fn cells<S: Machine, M: Method<S> + Info>(system: &S, method: &M) -> Vec<(CellId, f64)> {
     let name = method.info().name;
     let of_list = METHODS.iter().find(|listed| listed.info().name == name);
-    let id = row_id(*of_list.expect("on the list"));
+    let id = PaperMethod::of(*of_list.expect("on the list")).expect("one of the paper's");
     let mut cells = Vec::new();
     let grid = |duration, step| Grid::with_duration(step, duration).unwrap();
     for step in STEPS {
         let mut drift = EnergyDrift::new(system);
         let start = Phase::at_rest(convergence::THETA_0).into();
         integrate(system, method, start, &grid(convergence::DURATION, step), &mut drift);
-        cells.push((format!("T4.{id}.{step}"), drift.largest()));
+        cells.push((CellId::at_step(4, id, step), drift.largest()));
     }
 
     let mut drift = EnergyDrift::new(system);
@@ -217,11 +218,11 @@ fn cells<S: Machine, M: Method<S> + Info>(system: &S, method: &M) -> Vec<(String
     let end = integrate(system, method, start, &long, &mut drift);
     let (initial, drift) = (system.energy_from_pivot(start), drift.largest());
     cells.extend([
-        (format!("T5.{id}.dH"), drift),
-        (format!("T5.{id}.pct"), 100.0 * drift / initial.abs()),
-        (format!("T5.{id}.H0"), initial),
-        (format!("T5.{id}.Hend"), system.energy_from_pivot(end)),
-        (format!("T5.{id}.well"), 100.0 * drift / (initial + Pendulum::PAPER.depth())),
+        (CellId::of_row(5, id, "dH"), drift),
+        (CellId::of_row(5, id, "pct"), 100.0 * drift / initial.abs()),
+        (CellId::of_row(5, id, "H0"), initial),
+        (CellId::of_row(5, id, "Hend"), system.energy_from_pivot(end)),
+        (CellId::of_row(5, id, "well"), 100.0 * drift / (initial + Pendulum::PAPER.depth())),
     ]);
 
     let start = Phase::at_rest(small_angle::THETA_0);
@@ -232,17 +233,17 @@ fn cells<S: Machine, M: Method<S> + Info>(system: &S, method: &M) -> Vec<(String
         let grid = grid(small_angle::DURATION, step);
         integrate(system, method, start.into(), &grid, &mut watch);
         let error = watch.0.0.root_mean_square();
-        cells.push((format!("T6.{id}.{step}"), error));
+        cells.push((CellId::at_step(6, id, step), error));
         if step == 0.01 {
-            cells.push((format!("T8.{id}.rms"), error));
-            cells.push((format!("T8.{id}.dH"), watch.1.largest()));
+            cells.push((CellId::of_row(8, id, "rms"), error));
+            cells.push((CellId::of_row(8, id, "dH"), watch.1.largest()));
         }
     }
     cells
 }
 
 /// Those of the paper's four methods, in the order of its tables.
-fn all_cells<S: Machine>(system: &S) -> Vec<(String, f64)> {
+fn all_cells<S: Machine>(system: &S) -> Vec<(CellId, f64)> {
     [
         cells(system, &ForwardEuler),
         cells(system, &SymplecticEuler),
@@ -258,12 +259,12 @@ fn measured(claim: &Claim, value: f64) -> Claim {
     Claim { measured: Measured::Number(value, format), ..claim.clone() }
 }
 
-/// Holds the cells of another machine against the ledger: what the paper prints holds or fails as before, the verdict stands, and
-/// each digit that the library's own tables print is the same.
-fn assert_same_digits(cells: &[(String, f64)]) {
-    assert_eq!(cells.len(), row_ids().len() * (2 * STEPS.len() + 5 + 2));
+/// Holds the cells of another machine against the ledger: what the paper prints holds or fails as
+/// before, the verdict stands, and each digit that the library's own tables print is the same.
+fn assert_same_digits(cells: &[(CellId, f64)]) {
+    assert_eq!(cells.len(), PaperMethod::ALL.len() * (2 * STEPS.len() + 5 + 2));
     for (id, value) in cells {
-        let claim = LEDGER.get(id).expect("in the ledger");
+        let claim = LEDGER.cell(*id).expect("in the ledger");
         let other = measured(claim, *value);
         assert_eq!(other.holds(), claim.holds(), "{id}: {value:e} against {claim:?}");
         assert_eq!(other.judged(), claim.verdict, "{id}: {value:e}");
@@ -271,10 +272,12 @@ fn assert_same_digits(cells: &[(String, f64)]) {
     }
 }
 
-/// No digit that is printed moves, be it the paper's or the library's, with a sine that errs by an ulp. RK4 at 0.001 s is
-/// printed with one digit, and the paper's 3.14e-12 held to 3.2e-12 ± 10 %: its second digit does move.
+/// No digit that is printed moves, be it the paper's or the library's, with a sine that errs by an
+/// ulp. RK4 at 0.001 s is printed with one digit, and the paper's 3.14e-12 held to 3.2e-12 ± 10 %:
+/// its second digit does move.
 ///
-/// Catches: a digit printed that only this machine has; a table that depends on cancellation; a method that amplifies rounding.
+/// Catches: a digit printed that only this machine has; a table that depends on cancellation; a
+/// method that amplifies rounding.
 #[rstest]
 fn a_sine_off_by_an_ulp_moves_no_digit(#[values(1, 2, 3, 4, 5, 6, 7, 8)] seed: u64) {
     // Well-mixed seeds: consecutive small ones start xorshift alike.
@@ -289,25 +292,28 @@ fn fused_products_move_no_digit() {
     assert_same_digits(&all_cells(&Contracted));
 }
 
-/// The perturbations do perturb: values beyond the printed digits differ, and RK4's at 0.001 s in its second.
+/// The perturbations do perturb: values beyond the printed digits differ, and RK4's at 0.001 s in
+/// its second.
 ///
 /// Catches: a test that compares the library with itself.
 #[test]
 fn the_other_machines_are_other_machines() {
-    let number = |id: &str| match LEDGER.get(id).map(|claim| &claim.measured) {
+    let number = |id: CellId| match LEDGER.cell(id).map(|claim| &claim.measured) {
         Some(Measured::Number(value, _)) => *value,
         other => panic!("{id} is {other:?}"),
     };
     for cells in [all_cells(&Sloppy::new(0x9E37_79B9)), all_cells(&Contracted)] {
-        let moved = cells.iter().filter(|(id, value)| *value != number(id)).count();
+        let moved = cells.iter().filter(|(id, value)| *value != number(*id)).count();
         assert!(moved > cells.len() * 3 / 4, "only {moved} of {} cells move", cells.len());
-        let (_, rounded) = cells.iter().find(|(id, _)| id == "T4.rk4.0.001").unwrap();
-        let change = (rounded / number("T4.rk4.0.001") - 1.0).abs();
+        let rk4_at_the_finest_step = CellId::at_step(4, PaperMethod::Rk4, 0.001);
+        let (_, rounded) = cells.iter().find(|(id, _)| *id == rk4_at_the_finest_step).unwrap();
+        let change = (rounded / number(rk4_at_the_finest_step) - 1.0).abs();
         assert!(change > 1e-4 && change < 0.15, "{rounded:e}");
     }
 }
 
-/// A digit more would not survive everywhere: the formats are as long as they can be defended where rounding is near.
+/// A digit more would not survive everywhere: the formats are as long as they can be defended where
+/// rounding is near.
 ///
 /// Catches: a perturbation too weak to be a test of the digits.
 #[test]

@@ -1,4 +1,5 @@
-//! The tables and figures of the book, as reviewed: a change shows here row by row before any reader sees it.
+//! The tables and figures of the book, as reviewed: a change shows here row by row before any
+//! reader sees it.
 
 use std::panic::catch_unwind;
 use std::sync::LazyLock;
@@ -15,7 +16,8 @@ use rstest::rstest;
 static STUDY: LazyLock<Study> = LazyLock::new(|| Study::run(|_| {}));
 static LEDGER: LazyLock<Ledger> = LazyLock::new(|| Ledger::new(&STUDY));
 
-/// Compares with `snapshots/NAME.snap`. The content stands between anchors, so that a chapter can include it.
+/// Compares with `snapshots/NAME.snap`. The content stands between anchors, so that a chapter can
+/// include it.
 fn assert_reviewed(name: &str, anchor: &str, content: &str) {
     let text = format!("<!-- ANCHOR: {anchor} -->\n{content}<!-- ANCHOR_END: {anchor} -->\n");
     insta::with_settings!({
@@ -27,14 +29,16 @@ fn assert_reviewed(name: &str, anchor: &str, content: &str) {
     });
 }
 
-/// Catches: any printed digit of the paper's tables that moves, and any that was measured otherwise before.
+/// Catches: any printed digit of the paper's tables that moves, and any that was measured otherwise
+/// before.
 #[rstest]
 fn the_papers_tables(#[values(2, 4, 5, 6, 7, 8)] number: u32) {
     let table = tables::table(&LEDGER, number).expect("a table of the paper");
     assert_reviewed(&format!("table_{number}"), "table", &table.to_markdown());
 }
 
-/// Catches: a slope that moves in its second or third decimal while it stays within the tolerance of the order test.
+/// Catches: a slope that moves in its second or third decimal while it stays within the tolerance
+/// of the order test.
 #[rstest]
 #[case::of_energy("slopes", tables::energy_slopes(&STUDY))]
 #[case::of_state("orders", tables::state_slopes(&STUDY))]
@@ -68,8 +72,9 @@ fn the_ledger(#[case] name: &str, #[case] table: Table) {
     assert_reviewed(name, "table", &table.to_markdown());
 }
 
-/// The appendix shows what a change looks like to its reviewer: Table 4 before and after Störmer–Verlet drifts first and kicks in
-/// the middle, which is as good a method, of the same order.
+/// The appendix shows what a change looks like to its reviewer: Table 4 before and after
+/// Störmer–Verlet drifts first and kicks in the middle, which is as good a method, of the same
+/// order.
 ///
 /// Catches: an example in the book that no change would bring forth any more.
 #[test]
@@ -90,7 +95,8 @@ fn a_change_as_its_reviewer_sees_it() {
     assert_reviewed("a_change", "diff", &format!("```diff\n{}```\n", rows.collect::<String>()));
 }
 
-/// Catches: a curve that moves by more than a tenth of a pixel, and a label or description that says something else.
+/// Catches: a curve that moves by more than a tenth of a pixel, and a label or description that
+/// says something else.
 #[test]
 fn the_figures() {
     let moved: Vec<_> = figures()
@@ -103,12 +109,12 @@ fn the_figures() {
     assert!(moved.is_empty(), "moved: {moved:?}");
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 // The same bits everywhere
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 
-/// FNV-1a of every state's bits over four times so many steps: swinging, nearly over the top, turning, and from many turns, with
-/// L ≠ 1 and a step that is no power of two.
+/// FNV-1a of every state's bits over four times so many steps: swinging, nearly over the top,
+/// turning, and from many turns, with L ≠ 1 and a step that is no power of two.
 fn hash(steps: u64, run: impl Fn(&Pendulum, Phase, &Grid, &mut dyn FnMut(u64, f64, Phase))) -> u64 {
     let pendulum = Pendulum::new(9.81, 1.3, 0.7).unwrap();
     let grid = Grid::new(0.01, steps).unwrap();
@@ -143,9 +149,11 @@ macro_rules! hashes {
     }};
 }
 
-/// Debug and release, one machine and another give the same bits: `.ci/run` runs this in both, and for another processor.
+/// Debug and release, one machine and another give the same bits: `.ci/run` runs this in both, and
+/// for another processor.
 ///
-/// Catches: the platform's sine, a fused multiply-add, a constant folded to another bit, a sum in another order.
+/// Catches: the platform's sine, a fused multiply-add, a constant folded to another bit, a sum in
+/// another order.
 #[test]
 fn the_bits_of_a_million_steps() {
     assert_reviewed("bits", "table", &pendula::for_each_method!(hashes));

@@ -21,8 +21,8 @@ fn parts<M: for<'a> Method<Noting<'a>>>(method: &M, start: Phase) -> Vec<Part> {
     stencil(method, &pendulum(), start, STEP).parts
 }
 
-/// Catches: a drawing whose end is not the method's step, with the bits of the time loop; arrows that do not begin where the
-/// one before ends; a kick for the next step drawn into this one.
+/// Catches: a drawing whose end is not the method's step, with the bits of the time loop; arrows
+/// that do not begin where the one before ends; a kick for the next step drawn into this one.
 #[rstest]
 #[case::forward_euler(ForwardEuler)]
 #[case::symplectic_euler(SymplecticEuler)]
@@ -49,7 +49,8 @@ where
     }
 }
 
-/// Catches: a part that is lost or counted twice; kick and drift under each other's name; half a kick called a whole one.
+/// Catches: a part that is lost or counted twice; kick and drift under each other's name; half a
+/// kick called a whole one.
 #[test]
 fn the_parts_are_those_of_the_equations() {
     let (kick, drift) = (Kind::Kick, Kind::Drift);

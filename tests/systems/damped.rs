@@ -22,12 +22,13 @@ fn critical() -> f64 {
     2.5_f64.sqrt()
 }
 
-/// Beside θ₀ the pendulum's own sine is off by θ₀³/6, which over t shifts the phase by θ₀² ω₀t/16: with θ₀ = 1e-5 and
-/// ω₀t = 10, 6e-11. RK4's own error is (hλ)⁴/120 of a
-/// decay at the rate λ, 3e-11 at h = 0.001 for the fastest, λ = 2β = 8.
+/// Beside θ₀ the pendulum's own sine is off by θ₀³/6, which over t shifts the phase by θ₀² ω₀t/16:
+/// with θ₀ = 1e-5 and ω₀t = 10, 6e-11. RK4's own error is (hλ)⁴/120 of a decay at the rate λ, 3e-11
+/// at h = 0.001 for the fastest, λ = 2β = 8.
 const LINEAR: f64 = 1e-10;
 
-/// Catches: a sign of the damping, 2β for β, g·L for g/L, a formula for weak damping used beyond critical.
+/// Catches: a sign of the damping, 2β for β, g·L for g/L, a formula for weak damping used beyond
+/// critical.
 #[rstest]
 #[case::none(0.0)]
 #[case::weak(0.1)]
@@ -46,7 +47,8 @@ fn small_swings_decay_as_the_linear_equation_says(#[case] beta: f64) {
     }
 }
 
-/// One damped period later a weakly damped swing is where it was, smaller by exp(−βT): the logarithmic decrement.
+/// One damped period later a weakly damped swing is where it was, smaller by exp(−βT): the
+/// logarithmic decrement.
 ///
 /// Catches: a closed form and a rate that are wrong alike.
 #[test]
@@ -61,7 +63,8 @@ fn the_swing_shrinks_by_its_decrement() {
     assert_abs_diff_eq!(end.omega, start.omega * shrunk, epsilon = 4e-15);
 }
 
-/// The closed form solves its equation at every damping, far beyond critical and next to it as well, for long times.
+/// The closed form solves its equation at every damping, far beyond critical and next to it as
+/// well, for long times.
 ///
 /// Catches: cosh that overflows, a cancellation next to critical.
 #[rstest]
@@ -71,8 +74,8 @@ fn the_closed_form_is_smooth_across_critical(
 ) {
     let start = Phase { theta: 1.0, omega: 0.5 };
     let here = damped(share * critical()).small_swing(start, t);
-    // By hand, at critical damping: (θ₀ + (ω₀ + βθ₀) t) exp(−βt). A change of β by 1e-9 of itself changes it by less than
-    // 1e-9 (βt)² exp(−βt) < 1e-9.
+    // By hand, at critical damping: (θ₀ + (ω₀ + βθ₀) t) exp(−βt). A change of β by 1e-9 of itself
+    // changes it by less than 1e-9 (βt)² exp(−βt) < 1e-9.
     let beta = critical();
     let exact = (1.0 + (0.5 + beta) * t) * (-beta * t).exp();
     assert_abs_diff_eq!(here.theta, exact, epsilon = 2e-9);
@@ -89,14 +92,16 @@ fn where_damping_is_critical_there_is_a_formula_too() {
     let critical = Damped::new(Pendulum::new(8.0, 2.0, 3.0).unwrap(), 2.0).unwrap();
     for t in [0.0, 0.25, 1.5] {
         let end = critical.small_swing(Phase { theta: 1.0, omega: 0.5 }, t);
-        // θ = (θ₀ + s t) exp(−βt) with s = ω₀ + βθ₀, and its derivative; a few roundings of numbers below 3.
+        // θ = (θ₀ + s t) exp(−βt) with s = ω₀ + βθ₀, and its derivative; a few roundings of numbers
+        // below 3.
         let (s, decay) = (2.5, (-2.0 * t).exp());
         assert_abs_diff_eq!(end.theta, (1.0 + s * t) * decay, epsilon = 3e-15);
         assert_abs_diff_eq!(end.omega, (s - 2.0 * (1.0 + s * t)) * decay, epsilon = 3e-15);
     }
 }
 
-/// E(t) − E(0) = ∫ −2β m L² ω² dt along a wide swing, the integral by Simpson's rule over the samples.
+/// E(t) − E(0) = ∫ −2β m L² ω² dt along a wide swing, the integral by Simpson's rule over the
+/// samples.
 ///
 /// Catches: m or L² left out of the power, β for 2β in it, an energy that is not the pendulum's.
 #[test]
@@ -114,7 +119,8 @@ fn what_the_energy_loses_friction_takes() {
     let lost = energy.last().unwrap() - energy[0];
     assert!(lost < -30.0, "most of the 59 J: {lost}");
     assert!(energy.windows(2).all(|pair| pair[1] <= pair[0]), "never gains");
-    // Simpson: h⁴/180 times the fourth derivative of the power, (2ω₀)⁴ · 30 W, times 10 s: 7e-7 at worst; RK4 less.
+    // Simpson: h⁴/180 times the fourth derivative of the power, (2ω₀)⁴ · 30 W, times 10 s: 7e-7 at
+    // worst; RK4 less.
     assert_abs_diff_eq!(lost, taken, epsilon = 7e-7);
 }
 
@@ -133,7 +139,8 @@ where
     assert_eq!(end, integrate(damped.pendulum(), &method, start, &grid, &mut ()));
 }
 
-/// The kick solves ω̇ = α − 2βω: two kicks make one of their sum, one back undoes it, and its slope is the rate.
+/// The kick solves ω̇ = α − 2βω: two kicks make one of their sum, one back undoes it, and its slope
+/// is the rate.
 ///
 /// Catches: friction by Euler's rule within the kick, a rate and a force that tell two stories.
 #[rstest]
@@ -145,7 +152,8 @@ fn kick_force_and_rate_agree(#[values(0.0, 1e-12, 0.2, 5.0)] beta: f64) {
     // A few roundings of numbers below 2, and of exp(2βh) = e for the way back.
     assert_abs_diff_eq!(omega(damped.kick(z, alpha, 0.06), 0.04), omega(z, 0.1), epsilon = 2e-15);
     assert_abs_diff_eq!(omega(damped.kick(z, alpha, 0.1), -0.1), z.omega, epsilon = 4e-15);
-    // A central difference of δ = 1e-4: δ²/6 times (2β)² times 2βω + α ≤ 15, 2.5e-6; rounding ε/δ = 2e-12.
+    // A central difference of δ = 1e-4: δ²/6 times (2β)² times 2βω + α ≤ 15, 2.5e-6; rounding ε/δ =
+    // 2e-12.
     let slope = (omega(z, 1e-4) - omega(z, -1e-4)) / 2e-4;
     let rate = damped.rate(0.0, z);
     assert_abs_diff_eq!(slope, rate.omega, epsilon = 3e-6 * (beta * beta / 25.0) + 1e-11);
@@ -163,10 +171,11 @@ fn area_after<M: Method<Damped>>(method: &M, damped: &Damped, grid: &Grid, corne
     polygon_area(&ends)
 }
 
-/// Whatever its step, Störmer–Verlet shrinks area by exp(−2βt): two half kicks by exp(−βh) each, and the drift is a shear.
+/// Whatever its step, Störmer–Verlet shrinks area by exp(−2βt): two half kicks by exp(−βh) each,
+/// and the drift is a shear.
 ///
-/// Catches: friction split off as a kick of its own kind, or counted once a step too often; a polygon's area with a sign or a
-/// half lost.
+/// Catches: friction split off as a kick of its own kind, or counted once a step too often; a
+/// polygon's area with a sign or a half lost.
 #[rstest]
 #[case::fine(0.01, 300)]
 #[case::coarse(0.3, 10)]
@@ -174,7 +183,8 @@ fn area_shrinks_by_exactly_what_friction_takes(#[case] h: f64, #[case] steps: u6
     let damped = damped(0.2);
     let grid = Grid::new(h, steps).unwrap();
     let [rough, fine] = [1000, 2000].map(|n| area_after(&StormerVerlet, &damped, &grid, n));
-    // The polygon is off by O(1/n²): Richardson's step leaves O(1/n⁴), 1e-12 times derivatives of order 10.
+    // The polygon is off by O(1/n²): Richardson's step leaves O(1/n⁴), 1e-12 times derivatives of
+    // order 10.
     let area = (4.0 * fine - rough) / 3.0;
     let exact = std::f64::consts::PI * 0.3 * 0.3 * (-2.0_f64 * 0.2 * h * steps as f64).exp();
     assert_abs_diff_eq!(area, exact, epsilon = 1e-9);
@@ -182,9 +192,11 @@ fn area_shrinks_by_exactly_what_friction_takes(#[case] h: f64, #[case] steps: u6
     assert!((rough - exact).abs() > 1e-8);
 }
 
-/// Affine maps keep edges straight: a triangle under the exact flow of the linear oscillator keeps its area.
+/// Affine maps keep edges straight: a triangle under the exact flow of the linear oscillator keeps
+/// its area.
 ///
-/// Catches: a polygon that does not close, an edge that is counted twice, an area that depends on where the origin is.
+/// Catches: a polygon that does not close, an edge that is counted twice, an area that depends on
+/// where the origin is.
 #[test]
 fn a_triangle_keeps_its_area_on_the_linear_oscillator() {
     let corners = [(0.0, 0.0), (2.0, 0.0), (0.0, 3.0)];
@@ -203,9 +215,11 @@ fn a_triangle_keeps_its_area_on_the_linear_oscillator() {
     assert_eq!(polygon_area(&[]), 0.0);
 }
 
-/// Order against the linear equation; the damping is as large as the frequency, so that friction is no small correction.
+/// Order against the linear equation; the damping is as large as the frequency, so that friction is
+/// no small correction.
 ///
-/// Catches: friction with the velocity of another stage, half a kick of friction where a whole one belongs.
+/// Catches: friction with the velocity of another stage, half a kick of friction where a whole one
+/// belongs.
 #[rstest]
 #[case(Rk4, 4.0)]
 #[case(StormerVerlet, 2.0)]

@@ -1,4 +1,5 @@
-//! The double pendulum: its equations from two sides, its modes, its energy, and how soon two of it part.
+//! The double pendulum: its equations from two sides, its modes, its energy, and how soon two of it
+//! part.
 
 use std::f64::consts::{PI, SQRT_2};
 
@@ -40,8 +41,8 @@ fn energy_of_the_bobs(double: &DoublePendulum, [t1, t2]: [f64; 2], [w1, w2]: [f6
 
 /// The Hamiltonian is the energy of two bobs, and velocities come back out of the momenta.
 ///
-/// Catches: m₁ for m₁ + m₂, a cosine of the sum for that of the difference, a factor 2 in the coupling, a zero of energy
-/// that is not the rest.
+/// Catches: m₁ for m₁ + m₂, a cosine of the sum for that of the difference, a factor 2 in the
+/// coupling, a zero of energy that is not the rest.
 #[test]
 fn the_hamiltonian_is_the_energy_of_the_bobs() {
     for double in [equals(), unequal()] {
@@ -66,7 +67,8 @@ fn the_hamiltonian_is_the_energy_of_the_bobs() {
 
 /// Hamilton's equations: the rate is the gradient of the energy, by central differences.
 ///
-/// Catches: a sign of the exchange of momentum, angles or momenta exchanged, g·L for g/L, a term that is missing.
+/// Catches: a sign of the exchange of momentum, angles or momenta exchanged, g·L for g/L, a term
+/// that is missing.
 #[test]
 fn the_rate_is_the_gradient_of_the_energy() {
     let delta = 1e-4;
@@ -79,7 +81,8 @@ fn the_rate_is_the_gradient_of_the_energy() {
                     / (2.0 * delta)
             };
             let zero = DoublePhase::default();
-            // δ²/6 = 2e-9 times third derivatives of up to 300; rounding of 100 J by ε, over δ: 2e-10.
+            // δ²/6 = 2e-9 times third derivatives of up to 300; rounding of 100 J by ε, over δ:
+            // 2e-10.
             let tolerance = 6e-7;
             for (what, value, gradient) in [
                 ("θ₁", rate.theta1, along(DoublePhase { p1: 1.0, ..zero })),
@@ -94,8 +97,9 @@ fn the_rate_is_the_gradient_of_the_energy() {
     }
 }
 
-/// Newton's equations for θ₁ and θ₂, without a momentum: (m₁ + m₂)L₁ θ̈₁ + m₂L₂ (θ̈₂ cos Δ + ω₂² sin Δ) + (m₁ + m₂)g sin θ₁
-/// = 0 and L₂ θ̈₂ + L₁ (θ̈₁ cos Δ − ω₁² sin Δ) + g sin θ₂ = 0. The state is (θ₁, θ₂, ω₁, ω₂) under other names.
+/// Newton's equations for θ₁ and θ₂, without a momentum: (m₁ + m₂)L₁ θ̈₁ + m₂L₂ (θ̈₂ cos Δ + ω₂²
+/// sin Δ) + (m₁ + m₂)g sin θ₁ = 0 and L₂ θ̈₂ + L₁ (θ̈₁ cos Δ − ω₁² sin Δ) + g sin θ₂ = 0. The state
+/// is (θ₁, θ₂, ω₁, ω₂) under other names.
 struct Lagrange(DoublePendulum);
 
 impl System for Lagrange {
@@ -132,7 +136,8 @@ fn hamilton_and_lagrange_go_the_same_way() {
         let start = DoublePhase { theta1: theta[0], theta2: theta[1], p1: omega[0], p2: omega[1] };
         let other = integrate(&Lagrange(double), &Rk4, start, &grid, &mut ());
         let [omega1, omega2] = double.velocities(end);
-        // RK4: h⁴/120 = 5e-16 times fifth derivatives of up to (20/s)⁵ for 1 s, times what neighbours part in it: 1e-8.
+        // RK4: h⁴/120 = 5e-16 times fifth derivatives of up to (20/s)⁵ for 1 s, times what
+        // neighbours part in it: 1e-8.
         assert_abs_diff_eq!(end.theta1, other.theta1, epsilon = 1e-8);
         assert_abs_diff_eq!(end.theta2, other.theta2, epsilon = 1e-8);
         assert_abs_diff_eq!(omega1, other.p1, epsilon = 1e-7);
@@ -140,9 +145,11 @@ fn hamilton_and_lagrange_go_the_same_way() {
     }
 }
 
-/// Small swings of equals have ω² = (2 ∓ √2) g/L, with θ₂ = ±√2 θ₁; and a swing begun in that shape has that frequency.
+/// Small swings of equals have ω² = (2 ∓ √2) g/L, with θ₂ = ±√2 θ₁; and a swing begun in that shape
+/// has that frequency.
 ///
-/// Catches: modes exchanged, g·L for g/L, a shape that excites both, masses or lengths exchanged where they differ.
+/// Catches: modes exchanged, g·L for g/L, a shape that excites both, masses or lengths exchanged
+/// where they differ.
 #[test]
 fn small_swings_are_the_normal_modes() {
     let double = equals();
@@ -159,8 +166,9 @@ fn small_swings_are_the_normal_modes() {
         .map(|(upper, lower)| DoublePendulum::new(3.0, upper, lower).unwrap());
     for double in [double, unequal(), heavy, light] {
         for (mode, shape) in double.normal_modes().into_iter().zip(double.mode_shapes()) {
-            // Angles of 1e-6: the sine is off by 1e-12/6, the lower angle up to ten times as large. RK4 is off by
-            // (ωh)⁴/120 with ω up to 30/s, 7e-9; a crossing by (ωh)⁴/384 of a step at each end.
+            // Angles of 1e-6: the sine is off by 1e-12/6, the lower angle up to ten times as large.
+            // RK4 is off by (ωh)⁴/120 with ω up to 30/s, 7e-9; a crossing by (ωh)⁴/384 of a step at
+            // each end.
             let frequency = swing_frequency(&double, 1e-6, shape).unwrap();
             assert_abs_diff_eq!(frequency / mode, 1.0, epsilon = 1e-8);
         }
@@ -177,14 +185,15 @@ fn drift<M: Method<DoublePendulum>>(method: &M, rate: u64) -> f64 {
     drift.largest()
 }
 
-/// The motion keeps the energy; what RK4 loses falls with its order, and a method of order 1 is seen for what it is.
+/// The motion keeps the energy; what RK4 loses falls with its order, and a method of order 1 is
+/// seen for what it is.
 ///
 /// Catches: a rate that is no Hamiltonian's, a friction, a force that depends on time.
 #[test]
 fn the_energy_is_kept_to_the_order_of_the_method() {
     let errors = [2000, 4000, 8000].map(|rate| drift(&Rk4, rate));
-    // Order 4, and not 5 as on the pendulum: the start is wild, and the leading term of a step does not average out. The
-    // next term is of the size of a step, 5e-4 s, times a rate of up to 20/s.
+    // Order 4, and not 5 as on the pendulum: the start is wild, and the leading term of a step does
+    // not average out. The next term is of the size of a step, 5e-4 s, times a rate of up to 20/s.
     for pair in errors.windows(2) {
         let slope = (pair[0] / pair[1]).log2();
         assert!((3.9..4.1).contains(&slope), "{slope} of {errors:?}");
@@ -203,7 +212,8 @@ fn path<M: Method<DoublePendulum>>(method: &M, steps: u64) -> Vec<DoublePhase> {
     path
 }
 
-/// Order on a system that is not separable: the largest error of an angle along the run, against RK4 in fine steps.
+/// Order on a system that is not separable: the largest error of an angle along the run, against
+/// RK4 in fine steps.
 ///
 /// Catches: a stage that mixes up components of a state that has four of them.
 #[rstest]
@@ -227,17 +237,19 @@ where
         off.fold(0.0, f64::max)
     });
     for pair in errors.windows(2) {
-        // The next term of the error is of the relative size of a step, 0.7/256 times a rate of up to 10/s; its change
-        // from one rung to the next bends the slope by 1.44 times half of that.
+        // The next term of the error is of the relative size of a step, 0.7/256 times a rate of up
+        // to 10/s; its change from one rung to the next bends the slope by 1.44 times half of that.
         let slope = (pair[0] / pair[1]).log2();
         assert!((slope - f64::from(order)).abs() < 0.05, "{slope} of {errors:?}");
     }
 }
 
-/// Over a tenfold time a symplectic method's energy is off by no more, RK4's by ten times as much. The release is low, so that
-/// the motion is two swings side by side, whose states have all been near after 100 s, to a hundredth of the error.
+/// Over a tenfold time a symplectic method's energy is off by no more, RK4's by ten times as much.
+/// The release is low, so that the motion is two swings side by side, whose states have all been
+/// near after 100 s, to a hundredth of the error.
 ///
-/// Catches: an implicit method whose iteration stops too soon, or that takes a momentum for a velocity.
+/// Catches: an implicit method whose iteration stops too soon, or that takes a momentum for a
+/// velocity.
 #[test]
 fn only_a_symplectic_method_keeps_the_energy() {
     fn growth<M: Method<DoublePendulum>>(method: &M) -> f64 {
@@ -258,8 +270,8 @@ fn only_a_symplectic_method_keeps_the_energy() {
     assert!(lost > 9.0, "{lost}");
 }
 
-/// The slope of log distance against time between 1e-8 and 1e-3 rad (1/s), by least squares, and how well a line fits: the
-/// share of the variance that it explains.
+/// The slope of log distance against time between 1e-8 and 1e-3 rad (1/s), by least squares, and
+/// how well a line fits: the share of the variance that it explains.
 fn growth(path: &[(f64, f64)]) -> (f64, f64) {
     let until = path.iter().position(|&(_, d)| d > 1e-3).expect("they part");
     let from = path.iter().position(|&(_, d)| d > 1e-8).unwrap();
@@ -274,8 +286,9 @@ fn growth(path: &[(f64, f64)]) -> (f64, f64) {
 
 /// Two starts 1e-9 rad apart part exponentially from a high release, and do not from a low one.
 ///
-/// Catches: a distance that grows because of the method's error and not of the motion: it would from the low release too,
-/// and would not scale with the nudge or stay the same with half the step.
+/// Catches: a distance that grows because of the method's error and not of the motion: it would
+/// from the low release too, and would not scale with the nudge or stay the same with half the
+/// step.
 #[test]
 fn neighbours_part_exponentially_where_the_motion_is_chaotic() {
     let double = equals();
@@ -285,8 +298,9 @@ fn neighbours_part_exponentially_where_the_motion_is_chaotic() {
     assert!((0.5..5.0).contains(&slope), "{slope} 1/s");
     assert!(fit > 0.9, "a straight line on a logarithmic scale: {fit}");
     assert!(path.iter().any(|&(_, d)| d > 1.0), "nothing in common in the end");
-    // The motion's, not the step's: 5 s, in which they part by a factor of 1000, and ten times the nudge is ten times the
-    // distance. RK4 is off by (5h)⁴ = 1e-8 and what chaos makes of it; the tangent by the distance, 1e-5.
+    // The motion's, not the step's: 5 s, in which they part by a factor of 1000, and ten times the
+    // nudge is ten times the distance. RK4 is off by (5h)⁴ = 1e-8 and what chaos makes of it; the
+    // tangent by the distance, 1e-5.
     let at_5 = |path: &[(f64, f64)]| path.iter().find(|p| p.0 >= 5.0 - 1e-9).unwrap().1;
     let one = at_5(&path);
     assert!(one > 1e-7, "{one}");
@@ -297,8 +311,8 @@ fn neighbours_part_exponentially_where_the_motion_is_chaotic() {
     assert!(low.iter().all(|&(_, d)| d < 1e-8), "regular");
 }
 
-/// DOP853 with its error held to a tolerance, which looks at all four components, beside RK4 in steps of a millisecond. In a
-/// quiet swing of 2 s neither is off by more than 1e-9.
+/// DOP853 with its error held to a tolerance, which looks at all four components, beside RK4 in
+/// steps of a millisecond. In a quiet swing of 2 s neither is off by more than 1e-9.
 ///
 /// Catches: components left out of a comparison: the first step would be the last.
 #[test]

@@ -1,4 +1,5 @@
-//! Driven systems: when a method evaluates the force; and the driven pendulum, its cycles, doublings and chaos.
+//! Driven systems: when a method evaluates the force; and the driven pendulum, its cycles,
+//! doublings and chaos.
 
 use pendula::dynamics::floquet::monodromy;
 use pendula::dynamics::lyapunov::Watch;
@@ -15,23 +16,24 @@ use rstest_reuse::apply;
 
 use crate::common::each_general_method;
 
-/// Catches: stages at the wrong times, a kick with the force of the other end of the step: the pendulum, which knows no time,
-/// sees neither.
+/// Catches: stages at the wrong times, a kick with the force of the other end of the step: the
+/// pendulum, which knows no time, sees neither.
 #[apply(each_general_method)]
 fn a_push_that_grows_is_followed_to_the_order<M: Info + Method<Pushed>>(#[case] method: M) {
     check(&method).unwrap();
 }
 
-/// Catches: the force at the end of the step, or half-way: an error in proportion to h, as Euler's methods have anyway.
+/// Catches: the force at the end of the step, or half-way: an error in proportion to h, as Euler's
+/// methods have anyway.
 #[test]
 fn eulers_methods_ask_for_the_force_at_the_beginning_of_a_step() {
     check_euler(&ForwardEuler).unwrap();
     check_euler(&SymplecticEuler).unwrap();
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 // The driven pendulum
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 
 /// g/L = 2.5, L ≠ 1, m ≠ 1, Ω no multiple of ω₀.
 fn driven(strength: f64) -> Driven {
@@ -39,10 +41,11 @@ fn driven(strength: f64) -> Driven {
     Driven::new(Damped::new(pendulum, 0.4).unwrap(), strength, 1.1).unwrap()
 }
 
-/// A weak drive's lasting answer is the linear one: A cos Ωt + B sin Ωt with (A + iB) = γω₀²/((ω₀² − Ω²) − 2iβΩ).
+/// A weak drive's lasting answer is the linear one: A cos Ωt + B sin Ωt with (A + iB) = γω₀²/((ω₀²
+/// − Ω²) − 2iβΩ).
 ///
-/// Catches: sin for cos in the drive, its sign, γ without ω₀², g·L for g/L, the frequency in Hz, time not passed to the
-/// stages.
+/// Catches: sin for cos in the drive, its sign, γ without ω₀², g·L for g/L, the frequency in Hz,
+/// time not passed to the stages.
 #[test]
 fn a_weak_drive_is_answered_in_amplitude_and_phase() {
     let gamma = 1e-5;
@@ -56,7 +59,8 @@ fn a_weak_drive_is_answered_in_amplitude_and_phase() {
         // By 70 s what was there at the start has decayed by exp(−28) = 7e-13.
         if n >= 14_000 {
             let (s, c) = f64::sin_cos(frequency * t);
-            // Relative to γ: of RK4 (ω₀h)⁴/120 · ω₀/β = 1.3e-10; of the sine θ²/6 · ω₀²/2βΩ = 2e-10.
+            // Relative to γ: of RK4 (ω₀h)⁴/120 · ω₀/β = 1.3e-10; of the sine θ²/6 · ω₀²/2βΩ =
+            // 2e-10.
             let tolerance = 1e-9 * gamma;
             near("θ", z.theta, a * c + b * s, tolerance).unwrap();
             near("ω", z.omega, frequency * (b * c - a * s), tolerance).unwrap();
@@ -82,9 +86,11 @@ fn rate_is_force_and_velocity(#[values(0.0, 0.3, 17.0)] t: f64) {
     assert_eq!(undriven.force(t, z), driven.damped().force(t, z));
 }
 
-/// The tangent is the derivative of the rate, and what it grows into over a period is the derivative of the map.
+/// The tangent is the derivative of the rate, and what it grows into over a period is the
+/// derivative of the map.
 ///
-/// Catches: sin for cos in the derivative, damping with the wrong sign or left out, rows and columns exchanged.
+/// Catches: sin for cos in the derivative, damping with the wrong sign or left out, rows and
+/// columns exchanged.
 #[test]
 fn neighbours_move_as_the_variational_equation_says() {
     let driven = driven(1.3);
@@ -92,8 +98,8 @@ fn neighbours_move_as_the_variational_equation_says() {
     let z = Phase { theta: 0.7, omega: -1.3 };
     let (end, monodromy) = monodromy(&strobe, z, 2);
     assert_eq!(end, strobe.map(strobe.map(z)));
-    // A central difference, δ = 1e-5: truncation δ²/6 times a third derivative of order 100, 2e-9; rounding
-    // 2000 ε/δ = 4e-8 at worst, in practice its root.
+    // A central difference, δ = 1e-5: truncation δ²/6 times a third derivative of order 100, 2e-9;
+    // rounding 2000 ε/δ = 4e-8 at worst, in practice its root.
     let delta = 1e-5;
     for (column, nudge) in [
         (monodromy.of_theta, Phase { theta: delta, omega: 0.0 }),
@@ -106,9 +112,11 @@ fn neighbours_move_as_the_variational_equation_says() {
     }
 }
 
-/// Liouville's formula: the determinant is exp(−2β · 2π/Ω) on every path, periodic or not. RK4's map has it to O(h⁴).
+/// Liouville's formula: the determinant is exp(−2β · 2π/Ω) on every path, periodic or not. RK4's
+/// map has it to O(h⁴).
 ///
-/// Catches: damping missing from rate or tangent, a period that is not the drive's, a drive that leaks into the tangent.
+/// Catches: damping missing from rate or tangent, a period that is not the drive's, a drive that
+/// leaks into the tangent.
 #[test]
 fn area_shrinks_by_the_same_factor_on_every_path() {
     let driven = Driven::taylor(1.2).unwrap();
@@ -118,17 +126,18 @@ fn area_shrinks_by_the_same_factor_on_every_path() {
             let (_, monodromy) = monodromy(&seen(&driven, steps), z, 1);
             monodromy.determinant() / driven.contraction() - 1.0
         });
-        // (ω₀h)⁵/120 a step, times 100 steps: 6e-5 at worst; and 16 times smaller with half the step, give or take the
-        // next order.
+        // (ω₀h)⁵/120 a step, times 100 steps: 6e-5 at worst; and 16 times smaller with half the
+        // step, give or take the next order.
         near("RK4's determinant", errors[0], 0.0, 6e-5).unwrap();
         near("and its order", (errors[0] / errors[1]).abs().log2(), 4.0, 0.5).unwrap();
     }
 }
 
-/// Taylor's pendulum doubles its period where it is known to: γ₁ = 1.066372862 and γ₂ = 1.079313906, to their last digit.
+/// Taylor's pendulum doubles its period where it is known to: γ₁ = 1.066372862 and γ₂ =
+/// 1.079313906, to their last digit.
 ///
-/// Catches: whatever changes the equation of motion in the fifth digit; an orbit taken for another; a multiplier of another
-/// matrix.
+/// Catches: whatever changes the equation of motion in the fifth digit; an orbit taken for another;
+/// a multiplier of another matrix.
 #[test]
 fn periods_double_where_they_should() {
     let [first, second] = doublings();
@@ -171,16 +180,18 @@ fn the_orbit_that_newton_finds_is_the_one_that_attracts() {
             assert!((orbit.point.theta - settled.theta).abs() > 1e-3);
         }
     }
-    // From nowhere it leads nowhere; and where the orbit of one period attracts on both sides, it does not double.
+    // From nowhere it leads nowhere; and where the orbit of one period attracts on both sides, it
+    // does not double.
     let driven = Driven::taylor(1.06).unwrap();
     assert_eq!(periodic_orbit(&seen(&driven, 100), Phase::at_rest(f64::NAN), 1), None);
     assert!(doubling(1, (1.06, 1.065), 100).is_none());
 }
 
-/// On a cycle the largest Lyapunov exponent is the logarithm of its larger multiplier, over the period.
+/// On a cycle the largest Lyapunov exponent is the logarithm of its larger multiplier, over the
+/// period.
 ///
-/// Catches: a logarithm of the wrong base, a period forgotten, a neighbour that is not brought back, a norm's own growth
-/// counted.
+/// Catches: a logarithm of the wrong base, a period forgotten, a neighbour that is not brought
+/// back, a norm's own growth counted.
 #[rstest]
 #[case::one_period(1.060, 1)]
 #[case::two_periods(1.070, 2)]
@@ -197,10 +208,11 @@ fn the_exponent_of_a_cycle_is_that_of_its_multiplier(#[case] strength: f64, #[ca
     near("its error", exponent.error, 0.0, 1e-7).unwrap();
 }
 
-/// At γ = 1.105 neighbours part. Two neighbours at a finite distance, without a tangent anywhere, part as quickly; and the
-/// error bar means what it says: four runs scatter as it claims.
+/// At γ = 1.105 neighbours part. Two neighbours at a finite distance, without a tangent anywhere,
+/// part as quickly; and the error bar means what it says: four runs scatter as it claims.
 ///
-/// Catches: an exponent of the wrong sign or unit, an error bar too small by the root of the number of blocks.
+/// Catches: an exponent of the wrong sign or unit, an error bar too small by the root of the number
+/// of blocks.
 #[test]
 fn chaos_has_a_positive_exponent_with_an_honest_error_bar() {
     let driven = Driven::taylor(CHAOTIC).unwrap();
@@ -222,7 +234,8 @@ fn chaos_has_a_positive_exponent_with_an_honest_error_bar() {
     let error = (bars / 4.0).sqrt();
     assert!(mean > 20.0 * error, "{mean} ± {error}");
 
-    // Two neighbours 1e-8 apart, brought back each period: no tangent. 500 periods, and as uncertain as one run.
+    // Two neighbours 1e-8 apart, brought back each period: no tangent. 500 periods, and as
+    // uncertain as one run.
     let (mut one, mut sum) = (attractor(&driven), 0.0);
     let mut other = one + Phase { theta: 1e-8, omega: 0.0 };
     for _ in 0..500 {
@@ -236,7 +249,8 @@ fn chaos_has_a_positive_exponent_with_an_honest_error_bar() {
     near("λ by neighbours", sum / 500.0, mean, 4.0 * (bars * 1.25).sqrt()).unwrap();
 }
 
-/// Catches: an orbit of the section that is not on the attractor, angles that are not wrapped, states between periods.
+/// Catches: an orbit of the section that is not on the attractor, angles that are not wrapped,
+/// states between periods.
 #[test]
 fn the_poincare_section_is_a_motion_seen_once_a_period() {
     let states = poincare(50);
@@ -286,7 +300,8 @@ fn a_root_takes_few_evaluations() {
         Some(x * x - 2.0)
     };
     assert!(root(square, 0.0, 2.0).is_some());
-    // The secant's order is 1.6: eight or nine to sixteen digits, the two ends, one that confirms, and Illinois' delays.
+    // The secant's order is 1.6: eight or nine to sixteen digits, the two ends, one that confirms,
+    // and Illinois' delays.
     assert!((8..16).contains(&asked), "{asked}");
 }
 
@@ -299,13 +314,14 @@ fn the_error_bar_of_two_blocks_is_half_their_difference() {
     let (strobe, start) = (seen(&driven, COARSE), attractor(&driven));
     let over = |blocks| largest_exponent(&strobe, start, Watch { settling: 5, blocks, periods: 3 });
     let (one, two) = (over(1).value, over(2));
-    // The second block is what the mean of both has beyond the first. All three are of order 1, and rounded a few times.
+    // The second block is what the mean of both has beyond the first. All three are of order 1, and
+    // rounded a few times.
     near("standard error", two.error, (two.value - one).abs(), 1e-14).unwrap();
     assert!(two.error > 1e-3 && over(1).error.is_nan());
 }
 
-/// Störmer–Verlet beside RK4, whose error is nothing here. Its own shifts the phase by (hω₀)²/24 of ω₀t: 3e-7, of a swing
-/// of 1 rad and 1.6 rad/s. With a margin of 10.
+/// Störmer–Verlet beside RK4, whose error is nothing here. Its own shifts the phase by (hω₀)²/24 of
+/// ω₀t: 3e-7, of a swing of 1 rad and 1.6 rad/s. With a margin of 10.
 ///
 /// Catches: a kick or a drift that forgets the state, or the friction.
 #[test]
@@ -333,7 +349,8 @@ fn a_drive_is_what_it_was_made_of() {
 #[test]
 fn a_stroboscope_has_the_period_of_the_drive() {
     let driven = driven(0.8);
-    // A step is the period over their number, rounded, and so many of them are summed in one product.
+    // A step is the period over their number, rounded, and so many of them are summed in one
+    // product.
     near("period", seen(&driven, COARSE).period(), driven.period(), 1e-15 * driven.period())
         .unwrap();
 }

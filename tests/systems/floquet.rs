@@ -1,4 +1,5 @@
-//! What is read from the matrix that carries the neighbours of a periodic orbit once round it, on matrices made by hand.
+//! What is read from the matrix that carries the neighbours of a periodic orbit once round it, on
+//! matrices made by hand.
 
 use pendula::Phase;
 use pendula::dynamics::{Monodromy, PeriodicOrbit, period_doubling};
@@ -47,7 +48,8 @@ fn a_period_doubles_where_a_multiplier_is_minus_one() {
     assert_eq!(doubling(1.0, 2.0), Some(1.0));
     assert_eq!(doubling(0.5, 1.0), Some(1.0));
     assert_eq!(doubling(1.0, 0.5), Some(1.0));
-    // What is brought to zero, 3/2 (1 − `parameter`), is a sum of numbers of order 1, and rounded as they are.
+    // What is brought to zero, 3/2 (1 − `parameter`), is a sum of numbers of order 1, and rounded
+    // as they are.
     let between = doubling(0.3, 1.9).unwrap();
     assert!((between - 1.0).abs() <= 2.0 * f64::EPSILON, "{between}");
     assert_eq!(doubling(0.3, 0.9), None);

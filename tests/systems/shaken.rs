@@ -33,13 +33,14 @@ fn mathieus_curves_begin_as_their_series(#[values(0.0, 0.05, 0.1, 0.2)] q: f64) 
     assert_abs_diff_eq!(b1(q), odd, epsilon = 1e-4 * q.powi(7) + 1e-15);
 }
 
-/// RK4 at 1000 steps a period: (2π/1000)⁴/120 · 2π = 8e-11 of Ω in the multipliers, and half a dozen times that in an
-/// amplitude where they depend on it least.
+/// RK4 at 1000 steps a period: (2π/1000)⁴/120 · 2π = 8e-11 of Ω in the multipliers, and half a
+/// dozen times that in an amplitude where they depend on it least.
 const AMPLITUDE: f64 = 1e-9;
 
 /// Both boundaries, found by the monodromy matrix, are Mathieu's, for slow and fast shaking.
 ///
-/// Catches: aΩ for aΩ², a/L for 2a/L, g·L for g/L, Ωt for Ωt/2, a multiplier of the hanging pendulum.
+/// Catches: aΩ for aΩ², a/L for 2a/L, g·L for g/L, Ωt for Ωt/2, a multiplier of the hanging
+/// pendulum.
 #[rstest]
 fn the_upright_is_stable_between_mathieus_curves(#[values(20.0, 60.0, 400.0)] frequency: f64) {
     for (boundary, curve) in [(Boundary::Falling, a0 as fn(f64) -> f64), (Boundary::Rocking, b1)] {
@@ -53,7 +54,8 @@ fn the_upright_is_stable_between_mathieus_curves(#[values(20.0, 60.0, 400.0)] fr
 
 /// (aΩ)²/(2gL) → 1: on the curve a = −q²/2 + 7q⁴/128 it is 1 + 7q²/64, where q² = 8g/(LΩ²).
 ///
-/// Catches: the same mistake in the matrix and in the monodromy; Kapitza's condition with gL for 2gL.
+/// Catches: the same mistake in the matrix and in the monodromy; Kapitza's condition with gL for
+/// 2gL.
 #[rstest]
 fn fast_shaking_needs_kapitzas_speed(#[values(100.0, 400.0)] frequency: f64) {
     let pendulum = pendulum();
@@ -83,7 +85,8 @@ fn farthest(shaken: &Shaken) -> f64 {
     farthest
 }
 
-/// The nonlinear pendulum, started near the upright, stays there or leaves, as the linear boundary says on either side.
+/// The nonlinear pendulum, started near the upright, stays there or leaves, as the linear boundary
+/// says on either side.
 ///
 /// Catches: a boundary that only the linearised equation knows; a gravity that points upwards.
 #[test]
@@ -118,7 +121,8 @@ fn area_is_kept_and_a_still_pivot_changes_nothing() {
 
 /// The force by hand, at two times: the pivot's acceleration is −aΩ² cos Ωt, and it adds to g.
 ///
-/// Catches: a sign of the shaking (which shifts it by half a period), sin for cos, a rate that is not the force.
+/// Catches: a sign of the shaking (which shifts it by half a period), sin for cos, a rate that is
+/// not the force.
 #[rstest]
 fn the_weight_is_gravity_and_the_pivots_acceleration(#[values(0.0, 0.013)] t: f64) {
     let shaken = Shaken::new(pendulum(), 0.1, 60.0).unwrap();

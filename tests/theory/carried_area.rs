@@ -1,4 +1,5 @@
-//! What becomes of a square of phase space: its measured area against the determinants of the steps.
+//! What becomes of a square of phase space: its measured area against the determinants of the
+//! steps.
 
 use pendula::verify::area::{AREA_TOLERANCE as DETERMINANT, area_defect};
 use pendula::{AnyMethod, Grid, METHODS, Pendulum, Phase, method_named};
@@ -31,14 +32,16 @@ fn ratio_of_polygons(method: &str, side: u32, grid: &Grid) -> f64 {
     area(&images[6]) / area(&images[0])
 }
 
-/// The same without what lies between chords and arcs, which falls as the square of the number of points.
+/// The same without what lies between chords and arcs, which falls as the square of the number of
+/// points.
 fn measured_ratio(method: &str, grid: &Grid) -> f64 {
     let ratio = |side| ratio_of_polygons(method, side, grid);
     let (coarse, fine) = (ratio(SIDE), ratio(2 * SIDE));
     fine + (fine - coarse) / 3.0
 }
 
-/// The mean over the square of the product of the determinants along the way: the area of its image over its own.
+/// The mean over the square of the product of the determinants along the way: the area of its image
+/// over its own.
 fn ratio_by_determinants(method: &dyn AnyMethod, grid: &Grid) -> f64 {
     let (pendulum, h) = (pendulum(), grid.step());
     let frequency = pendulum.small_angle_frequency();
@@ -58,16 +61,18 @@ fn ratio_by_determinants(method: &dyn AnyMethod, grid: &Grid) -> f64 {
     integrate(along, -0.5, 0.5, 1e-9).integral
 }
 
-/// Each of the six determinants is measured to twice `DETERMINANT`, as h² g/L is 0.3 here and not 0.1, and the product of the
-/// others is 3 at the most. What is left of the chords, 1e-7 before, falls once more as the square.
+/// Each of the six determinants is measured to twice `DETERMINANT`, as h² g/L is 0.3 here and not
+/// 0.1, and the product of the others is 3 at the most. What is left of the chords, 1e-7 before,
+/// falls once more as the square.
 const TOLERANCE: f64 = 6.0 * 2.0 * 3.0 * DETERMINANT;
 
-/// The smallest change of area of the paper's methods in these six steps is RK4's, a thousandth. The higher the order, the
-/// longer the step that shows one: beyond order 4 it is more than a hundred times what the measurement can see in six steps of
-/// 0.4 s, and of order 24 in six of 0.5 s. The tolerance is the larger as h² g/L is.
+/// The smallest change of area of the paper's methods in these six steps is RK4's, a thousandth.
+/// The higher the order, the longer the step that shows one: beyond order 4 it is more than a
+/// hundred times what the measurement can see in six steps of 0.4 s, and of order 24 in six of 0.5
+/// s. The tolerance is the larger as h² g/L is.
 ///
-/// Catches: a ratio of another method, of another number of steps, or the wrong way round; a polygon whose points are out of
-/// order; an image taken at the wrong step.
+/// Catches: a ratio of another method, of another number of steps, or the wrong way round; a
+/// polygon whose points are out of order; an image taken at the wrong step.
 #[apply(each_method)]
 fn the_image_of_a_square_is_as_large_as_the_determinants_say<M: AnyMethod>(#[case] method: M) {
     let info = method.info();
@@ -96,9 +101,11 @@ fn forward_euler_grows_and_rk4_shrinks() {
     assert!(measured_ratio("rk4", &grid()) < 0.999);
 }
 
-/// The side is in rad; upwards it is ω₀ times as long, in rad/s. A sum of 4N products of numbers below 1: N roundings.
+/// The side is in rad; upwards it is ω₀ times as long, in rad/s. A sum of 4N products of numbers
+/// below 1: N roundings.
 ///
-/// Catches: a corner counted twice or left out, the closing side forgotten, clockwise for anticlockwise, ω for ω/ω₀.
+/// Catches: a corner counted twice or left out, the closing side forgotten, clockwise for
+/// anticlockwise, ω for ω/ω₀.
 #[test]
 fn a_square_has_its_area() {
     let frequency = pendulum().small_angle_frequency();

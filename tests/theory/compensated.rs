@@ -15,14 +15,16 @@ use crate::common::each_method;
 
 /// A sum and what it lost are together what was added, to the last digit of twice the digits.
 ///
-/// Catches: a loss with the wrong sign, added twice, or lost itself in the next sum; components exchanged.
+/// Catches: a loss with the wrong sign, added twice, or lost itself in the next sum; components
+/// exchanged.
 #[test]
 fn nothing_is_lost_of_a_sum() {
     let tiny = Phase { theta: 1e-17, omega: -3e-18 };
     let mut z = CompensatedPhase::from(Phase { theta: 1.0, omega: -2.0 });
     for _ in 0..1000 {
         z = z + tiny;
-        // Each alone is less than half a unit in the last place of 1 and of 2: without what is carried nothing would ever move.
+        // Each alone is less than half a unit in the last place of 1 and of 2: without what is
+        // carried nothing would ever move.
         assert!(z.lost.theta.abs() <= 1.2e-16 && z.lost.omega.abs() <= 2.3e-16, "{z:?}");
     }
     let moved = |rounded: f64, start: f64, lost: f64| (rounded - start) + lost;
@@ -31,9 +33,10 @@ fn nothing_is_lost_of_a_sum() {
     assert!((moved(z.phase.omega, -2.0, z.lost.omega) + 3e-15).abs() < 1e-28, "{z:?}");
 }
 
-/// A pendulum in next to no gravity turns evenly, by the same small angle each step: rounded alike each time, the errors of
-/// 10⁵ sums add up, to a good part of 10⁵ · ε/2 · 10 rad. With what is carried they do not: what is left is that of the
-/// products hω, each to ε/2 of itself, and of the last sum, ε/2 of 15 rad.
+/// A pendulum in next to no gravity turns evenly, by the same small angle each step: rounded alike
+/// each time, the errors of 10⁵ sums add up, to a good part of 10⁵ · ε/2 · 10 rad. With what is
+/// carried they do not: what is left is that of the products hω, each to ε/2 of itself, and of the
+/// last sum, ε/2 of 15 rad.
 ///
 /// Catches: a method whose sums go past what is carried; a drift that forgets it.
 #[apply(each_method)]
@@ -55,8 +58,8 @@ where
     assert!(plain.abs() > 10.0 * carried.abs(), "{plain:e}, {carried:e}");
 }
 
-/// The same steps, but for their rounding: in 10⁴ of them it adds up to no more than 10⁴ · ε of the state, and to x · 10⁴ times
-/// as much in phase.
+/// The same steps, but for their rounding: in 10⁴ of them it adds up to no more than 10⁴ · ε of the
+/// state, and to x · 10⁴ times as much in phase.
 ///
 /// Catches: a kick, a drift or a rate that is another system's.
 #[apply(each_method)]
@@ -82,7 +85,8 @@ where
 const STEP: f64 = 0.01;
 const STEPS: u64 = 1_000_000;
 
-/// How far the modified energy has walked from where it began, relative: root mean square over 16 starts.
+/// How far the modified energy has walked from where it began, relative: root mean square over 16
+/// starts.
 fn wandered<S>(system: &S, phase: fn(S::State) -> Phase) -> f64
 where
     S: Separable<State: From<Phase>>,
@@ -102,18 +106,20 @@ where
     ((0..16).map(square).sum::<f64>() / 16.0).sqrt()
 }
 
-/// Störmer–Verlet's modified energy walks at random, by what each step rounds. Let u be the rounding of a number of size 1, root
-/// mean square; θ = A cos φ and q = A sin φ.
+/// Störmer–Verlet's modified energy walks at random, by what each step rounds. Let u be the
+/// rounding of a number of size 1, root mean square; θ = A cos φ and q = A sin φ.
 ///
-/// Plain, a step rounds q and θ: δH̃ = qδq + θδθ has the square u²A⁴(sin⁴φ + cos⁴φ), on average ¾ u²A⁴. With what is carried the
-/// displacements alone are rounded: xA cos φ of q, four times, in the angle, in its sine, in the products with g/L and with h; and
-/// xA sin φ of θ, once, in the product with h: u²A⁴x²(4 + 1) sin²φ cos²φ, on average ⅝ u²A⁴x². The walks differ by the root of the
-/// quotient, 1.1/x: thirty-five times, at x = 0.031.
+/// Plain, a step rounds q and θ: δH̃ = qδq + θδθ has the square u²A⁴(sin⁴φ + cos⁴φ), on average ¾
+/// u²A⁴. With what is carried the displacements alone are rounded: xA cos φ of q, four times, in
+/// the angle, in its sine, in the products with g/L and with h; and xA sin φ of θ, once, in the
+/// product with h: u²A⁴x²(4 + 1) sin²φ cos²φ, on average ⅝ u²A⁴x². The walks differ by the root of
+/// the quotient, 1.1/x: thirty-five times, at x = 0.031.
 ///
-/// Sixteen walks tell it to a quarter; u depends on where in its binade a number is, and the sine rounds by more or less than an even
-/// chance: a factor of two in all.
+/// Sixteen walks tell it to a quarter; u depends on where in its binade a number is, and the sine
+/// rounds by more or less than an even chance: a factor of two in all.
 ///
-/// Catches: a compensation that does nothing, for half of the sums, or for the angle alone; one that is undone by the next kick.
+/// Catches: a compensation that does nothing, for half of the sums, or for the angle alone; one
+/// that is undone by the next kick.
 #[test]
 fn the_modified_energy_wanders_less_by_the_step() {
     let pendulum = Pendulum::PAPER;
@@ -124,10 +130,12 @@ fn the_modified_energy_wanders_less_by_the_step() {
     assert!(gain > 0.5 * law && gain < 2.0 * law, "{plain:e} / {carried:e} = {gain}, not {law}");
 }
 
-/// What the paper prints of the thousand seconds is the methods', and no rounding: with and without it the digits are the same.
-/// It prints four at the most; here six, of energy errors down to 4e-6 of 5 J, which rounding changes by 3e-12.
+/// What the paper prints of the thousand seconds is the methods', and no rounding: with and without
+/// it the digits are the same. It prints four at the most; here six, of energy errors down to 4e-6
+/// of 5 J, which rounding changes by 3e-12.
 ///
-/// Catches: a compensated run that is another motion; a digit in the tables that only rounding makes.
+/// Catches: a compensated run that is another motion; a digit in the tables that only rounding
+/// makes.
 #[rstest]
 #[case::symplectic_euler(SymplecticEuler)]
 #[case::stormer_verlet(StormerVerlet)]
@@ -154,7 +162,8 @@ where
     assert_ne!(plain, carried, "and yet it was another rounding");
 }
 
-/// Catches: an energy or a rate of a state that is not the one carried; a drift with the rounded velocity alone.
+/// Catches: an energy or a rate of a state that is not the one carried; a drift with the rounded
+/// velocity alone.
 #[test]
 fn the_system_is_the_one_within() {
     let pendulum = Pendulum::new(5.0, 2.0, 3.0).unwrap();

@@ -4,8 +4,8 @@ use pendula::methods::{PositionVerlet, StormerVerlet, SymplecticEuler};
 use pendula::verify::conjugacy::check_pair;
 use pendula_study::experiments::variants::DriftKick;
 
-/// Catches: any error in one of the two that is not in the other; the position form, drift before kick, a stale force, a
-/// wrong weight of a kick.
+/// Catches: any error in one of the two that is not in the other; the position form, drift before
+/// kick, a stale force, a wrong weight of a kick.
 #[test]
 fn verlet_is_symplectic_euler_between_half_kicks() {
     check_pair(&StormerVerlet, &SymplecticEuler).unwrap();

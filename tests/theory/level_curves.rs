@@ -4,7 +4,8 @@ use pendula::{Pendulum, Phase};
 use pendula_study::experiments::level_curves::{THETA_0, orbit, run};
 use pendula_study::theory::{Dimensionless, stormer_verlet, symplectic_euler};
 
-/// How far `z` is from the closed curve through `corners` (rad), in coordinates in which small swings are circles.
+/// How far `z` is from the closed curve through `corners` (rad), in coordinates in which small
+/// swings are circles.
 fn distance(z: Phase, corners: &[Phase]) -> f64 {
     let frequency = Pendulum::PAPER.small_angle_frequency();
     let from_z = |corner: &Phase| (corner.theta - z.theta, (corner.omega - z.omega) / frequency);
@@ -21,12 +22,14 @@ fn farthest(points: &[Phase], corners: &[Phase]) -> f64 {
     points.iter().map(|z| distance(*z, corners)).fold(0.0, f64::max)
 }
 
-/// A point is on the curve if it is within the line that is drawn, 2.2 units wide on a drawing of 206 units a radian. What the
-/// series of H̃ leaves out from x⁸ on is a fifth of that for Störmer–Verlet, and would be all of it at h = 0.35 s.
+/// A point is on the curve if it is within the line that is drawn, 2.2 units wide on a drawing of
+/// 206 units a radian. What the series of H̃ leaves out from x⁸ on is a fifth of that for
+/// Störmer–Verlet, and would be all of it at h = 0.35 s.
 const HALF_A_LINE: f64 = 1.1 / 206.0;
 
-/// Catches: a curve of the other method, of drift before kick, or of another step; ω/ω₀ drawn for ω; points of another start;
-/// a step so small that nothing is to be seen, or so large that the series is no good.
+/// Catches: a curve of the other method, of drift before kick, or of another step; ω/ω₀ drawn for
+/// ω; points of another start; a step so small that nothing is to be seen, or so large that the
+/// series is no good.
 #[test]
 fn the_methods_follow_their_curves_and_not_the_orbit() {
     let rows = run();
@@ -40,11 +43,11 @@ fn the_methods_follow_their_curves_and_not_the_orbit() {
     }
 }
 
-/// H̃ is the same all along, to the rounding of numbers of order 1; the release from rest is on it, a quarter of the way; and it
-/// is closed. With L ≠ 1 and m ≠ 1.
+/// H̃ is the same all along, to the rounding of numbers of order 1; the release from rest is on it,
+/// a quarter of the way; and it is closed. With L ≠ 1 and m ≠ 1.
 ///
-/// Catches: a fixed point that is left before it is found; a curve through another point; one that does not close, or is not
-/// gone round once; a dimension lost.
+/// Catches: a fixed point that is left before it is found; a curve through another point; one that
+/// does not close, or is not gone round once; a dimension lost.
 #[test]
 fn the_curve_is_level() {
     let pendulum = Pendulum::new(9.81, 2.5, 0.7).unwrap();

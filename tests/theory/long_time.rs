@@ -13,8 +13,9 @@ fn pendulums() -> [Pendulum; 2] {
     [Pendulum::PAPER, Pendulum::new(9.81, 2.5, 0.7).unwrap()]
 }
 
-/// The energy that Störmer–Verlet conserves, in units of m g L: q²/2 + 1 − cos θ + x²(q²c/12 − s²/24) + x⁴(…) + x⁶(…). What it
-/// leaves out, x⁸, is 1e-12 of it at x = 0.03 with a coefficient of 1e-6 or so.
+/// The energy that Störmer–Verlet conserves, in units of m g L: q²/2 + 1 − cos θ + x²(q²c/12 −
+/// s²/24) + x⁴(…) + x⁶(…). What it leaves out, x⁸, is 1e-12 of it at x = 0.03 with a coefficient of
+/// 1e-6 or so.
 fn modified_energy(pendulum: &Pendulum, x: f64, z: Phase) -> f64 {
     let z = Dimensionless::from_phase(pendulum, z);
     z.energy() + stormer_verlet::correction(z, x)
@@ -57,27 +58,31 @@ fn largest_error(pendulum: &Pendulum, theta_0: f64, h: f64, steps: u64) -> f64 {
     largest
 }
 
-/// What a step adds to the energy by rounding, relatively, as a multiple of √n ε: θ and ω are each rounded twice or so, each
-/// by ε/√12 to ε/√48 of themselves (half an ulp, uniform), and E answers by θV'/E ≤ 2 and ω²/E ≤ 2, both of them a half on
-/// average over a swing. That is √(4/12…4/48) times 1, 0.3 to 0.6; measured, 0.4 to 0.6. The bounds leave a factor of 4.
+/// What a step adds to the energy by rounding, relatively, as a multiple of √n ε: θ and ω are each
+/// rounded twice or so, each by ε/√12 to ε/√48 of themselves (half an ulp, uniform), and E answers
+/// by θV'/E ≤ 2 and ω²/E ≤ 2, both of them a half on average over a swing. That is √(4/12…4/48)
+/// times 1, 0.3 to 0.6; measured, 0.4 to 0.6. The bounds leave a factor of 4.
 const WALK: [f64; 2] = [0.1, 2.0];
 
-/// How much more than its standard deviation at the end a random walk is at its largest: more than 4 times one time in 10⁴.
+/// How much more than its standard deviation at the end a random walk is at its largest: more than
+/// 4 times one time in 10⁴.
 const PEAK: f64 = 4.0;
 
 /// Holds the `largest` error of a random walk of `steps` between its bounds.
 fn assert_walk(largest: f64, steps: u64) {
     let walk = f64::EPSILON * (steps as f64).sqrt();
     assert!(largest < PEAK * 0.6 * walk, "{largest:e} is {} walks", largest / walk);
-    // The largest over the run is below a fifth of its own deviation one time in 10⁵ or more rarely.
+    // The largest over the run is below a fifth of its own deviation one time in 10⁵ or more
+    // rarely.
     assert!(largest > WALK[0] * 0.2 * walk, "{largest:e}: it does not even round");
 }
 
-/// Ten million steps move Störmer–Verlet's modified energy by 3e-12 J: not more than a random walk of rounding errors, n
-/// of them, and 10⁶ times less than the energy itself oscillates at h = 0.01 s.
+/// Ten million steps move Störmer–Verlet's modified energy by 3e-12 J: not more than a random walk
+/// of rounding errors, n of them, and 10⁶ times less than the energy itself oscillates at h = 0.01
+/// s.
 ///
-/// Catches: a secular drift of 1e-19 of the energy a step; time or angle accumulated with a bias; a modified energy wrong in its
-/// x⁴ term, which at h = 0.01 s would show as 1e-8.
+/// Catches: a secular drift of 1e-19 of the energy a step; time or angle accumulated with a bias; a
+/// modified energy wrong in its x⁴ term, which at h = 0.01 s would show as 1e-8.
 #[rstest]
 fn the_modified_energy_walks_at_random(#[values(0.01, 0.001)] h: f64) {
     const STEPS: u64 = 10_000_000;
@@ -96,17 +101,18 @@ fn the_modified_energy_walks_for_a_hundred_million_steps() {
     assert_walk(largest, STEPS);
 }
 
-/// Brouwer's law: the rounding error of the energy grows as √t. Over 96 starts its mean square grows as the number of steps, from
-/// 4000 to 256 000 by 64, and its mean stays zero to its own scatter.
+/// Brouwer's law: the rounding error of the energy grows as √t. Over 96 starts its mean square
+/// grows as the number of steps, from 4000 to 256 000 by 64, and its mean stays zero to its own
+/// scatter.
 ///
-/// Catches: an error that grows as t: a biased rounding, a time or a parameter rounded in the loop, a lost digit; one that does
-/// not grow, as nothing is integrated.
+/// Catches: an error that grows as t: a biased rounding, a time or a parameter rounded in the loop,
+/// a lost digit; one that does not grow, as nothing is integrated.
 #[rstest]
 fn rounding_errors_grow_as_the_square_root_of_time(#[values(0.01, 0.001)] h: f64) {
     const STARTS: u32 = 96;
     const MARKS: [u64; 4] = [4_000, 16_000, 64_000, 256_000];
-    /// A variance of 96 samples scatters by √(2/96) = 14 %, and a ratio of two by 20 %: a factor of 2, 0.69 in its logarithm, is
-    /// more than three standard deviations.
+    /// A variance of 96 samples scatters by √(2/96) = 14 %, and a ratio of two by 20 %: a factor of
+    /// 2, 0.69 in its logarithm, is more than three standard deviations.
     const SCATTER: f64 = 2.0;
     for pendulum in pendulums() {
         let (mut squares, mut means) = ([0.0; MARKS.len()], [0.0; MARKS.len()]);
@@ -128,12 +134,15 @@ fn rounding_errors_grow_as_the_square_root_of_time(#[values(0.01, 0.001)] h: f64
     }
 }
 
-/// The figure of the book: over eight starts and n steps the modified energy moves as √n, from 10³ steps to 10⁷.
+/// The figure of the book: over eight starts and n steps the modified energy moves as √n, from 10³
+/// steps to 10⁷.
 ///
-/// Up to 10⁶ steps there are 80 stretches or more, whose root mean square scatters by 1/√160 = 8 %: two of them are within a
-/// factor of 1.4, four standard deviations of their ratio. The first points hold the rounding of the energy itself, ε or two.
+/// Up to 10⁶ steps there are 80 stretches or more, whose root mean square scatters by 1/√160 = 8 %:
+/// two of them are within a factor of 1.4, four standard deviations of their ratio. The first
+/// points hold the rounding of the energy itself, ε or two.
 ///
-/// Catches: stretches that overlap or are counted from the start only, a movement that is not squared, a biased rounding.
+/// Catches: stretches that overlap or are counted from the start only, a movement that is not
+/// squared, a biased rounding.
 #[test]
 fn the_walks_of_the_figure_move_as_the_square_root() {
     let pendulum = Pendulum::PAPER;
@@ -151,31 +160,34 @@ fn the_walks_of_the_figure_move_as_the_square_root() {
     assert!(most < 1.4 * least, "{clear:?}");
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 // RK4 against Störmer–Verlet
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 
 /// The scene of Table 5.
 const THETA_0: f64 = 1.0;
 const STEP: f64 = 0.01;
 
-/// Energy lost by RK4 (J) after `steps` steps and whole swings, near enough: what is left of the oscillation is 2e-8 J.
+/// Energy lost by RK4 (J) after `steps` steps and whole swings, near enough: what is left of the
+/// oscillation is 2e-8 J.
 fn lost(pendulum: &Pendulum, steps: u64) -> f64 {
     let start = Phase::at_rest(THETA_0);
     let end = integrate(pendulum, &Rk4, start, &Grid::new(STEP, steps).unwrap(), &mut ());
     pendulum.energy(start) - pendulum.energy(end)
 }
 
-/// RK4's energy error is 240 times below Störmer–Verlet's after 1000 s, as it has hardly begun: it grows with time, and Verlet's
-/// does not. From the loss between 1000 and 4000 s it overtakes at 2.4e5 s, as theory says: Verlet's amplitude over the secular
-/// rate.
+/// RK4's energy error is 240 times below Störmer–Verlet's after 1000 s, as it has hardly begun: it
+/// grows with time, and Verlet's does not. From the loss between 1000 and 4000 s it overtakes at
+/// 2.4e5 s, as theory says: Verlet's amplitude over the secular rate.
 ///
-/// Catches: an RK4 whose loss is not secular, or of another power of h; a Verlet whose amplitude is.
+/// Catches: an RK4 whose loss is not secular, or of another power of h; a Verlet whose amplitude
+/// is.
 #[test]
 fn rk4_will_overtake_verlet_after_240_000_seconds() {
     let pendulum = Pendulum::PAPER;
     let rate = (lost(&pendulum, 400_000) - lost(&pendulum, 100_000)) / 3000.0;
-    // The oscillation, h⁴ × 1.7 J/s⁴ = 1.7e-8 J, at both ends of 1.3e-5 J: 2.6e-3. It cancels to a part.
+    // The oscillation, h⁴ × 1.7 J/s⁴ = 1.7e-8 J, at both ends of 1.3e-5 J: 2.6e-3. It cancels to a
+    // part.
     let law = -theory::rk4::secular_rate(&pendulum, THETA_0, STEP);
     assert!((rate / law - 1.0).abs() < 2.6e-3, "{rate:e} J/s for {law:e} J/s");
     let mut verlet = EnergyDrift::new(&pendulum);
@@ -188,8 +200,9 @@ fn rk4_will_overtake_verlet_after_240_000_seconds() {
     assert!((overtakes - 2.40e5).abs() < 0.01e5, "{overtakes} s");
 }
 
-/// The whole of it: RK4's largest error first reaches Verlet's amplitude at 240 118 s, after 24 011 806 steps. The loss slows
-/// with the amplitude, by 1e-3 or so: it comes a little later than the initial rate says, 240 100 s.
+/// The whole of it: RK4's largest error first reaches Verlet's amplitude at 240 118 s, after 24 011
+/// 806 steps. The loss slows with the amplitude, by 1e-3 or so: it comes a little later than the
+/// initial rate says, 240 100 s.
 ///
 /// Catches: a loss that stops or runs away on the way.
 #[test]

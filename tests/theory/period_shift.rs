@@ -26,20 +26,21 @@ fn shift<M: Method<Pendulum>>(method: &M, theta_0: f64, x: f64, periods: f64) ->
     integrate(&pendulum, method, Phase::at_rest(theta_0), &grid, &mut crossings);
     crossings.period().unwrap() / period - 1.0
 }
-/// What T̃/T = 1 + x²τ₂/ω₀² leaves out, over x⁴. At small angles it is 17/5760 = 0.00295 of x/(2 asin(x/2)); at larger ones it
-/// is of either sign, and 0.0031 at most.
+/// What T̃/T = 1 + x²τ₂/ω₀² leaves out, over x⁴. At small angles it is 17/5760 = 0.00295 of x/(2
+/// asin(x/2)); at larger ones it is of either sign, and 0.0031 at most.
 const NEXT_TERM: f64 = 0.0035;
 
-/// What the reading of the period may be off by, relatively: each of the two outermost crossings by x³/24 at worst, where
-/// symplectic Euler's velocity belongs half a step earlier, in 400 periods of 2π or more.
+/// What the reading of the period may be off by, relatively: each of the two outermost crossings by
+/// x³/24 at worst, where symplectic Euler's velocity belongs half a step earlier, in 400 periods of
+/// 2π or more.
 fn reading(x: f64) -> f64 {
     2.0 * x * x * x / 24.0 / (400.0 * 2.0 * PI)
 }
 
 /// At every amplitude the period changes by h²τ₂, and nothing but x⁴ is left.
 ///
-/// Catches: a wrong phase error that order tests call second order all the same; the half kick between the two methods
-/// forgotten (their τ₂ differ); L or ω₀ missing.
+/// Catches: a wrong phase error that order tests call second order all the same; the half kick
+/// between the two methods forgotten (their τ₂ differ); L or ω₀ missing.
 #[rstest]
 fn the_period_of_second_order_methods_shifts_as_predicted(
     #[values(0.1, 1.0, 2.0, 3.0)] theta_0: f64,
@@ -90,9 +91,9 @@ fn the_mean_over_the_orbit_is_the_elliptic_integral(#[case] theta_0: f64, #[case
     assert!((mean - tau).abs() < 1e-14, "{mean} for {tau}");
 }
 
-/// RK4's period changes by h⁴τ₄. Steps that divide a quarter period leave nothing to interpolate; energy lost on the way
-/// adds a term in h⁵, which extrapolation from two steps removes. What is left is of relative order x² < 1e-3, with a
-/// coefficient below 1.
+/// RK4's period changes by h⁴τ₄. Steps that divide a quarter period leave nothing to interpolate;
+/// energy lost on the way adds a term in h⁵, which extrapolation from two steps removes. What is
+/// left is of relative order x² < 1e-3, with a coefficient below 1.
 ///
 /// Catches: an RK4 with a wrong error constant, which is still of order 4.
 #[rstest]
@@ -121,7 +122,8 @@ fn the_shift_of_rk4_at_small_angles_is_that_of_the_linear_oscillator() {
     assert!(ratio < 1.0 && ratio > 1.0 - 0.5 * theta_0 * theta_0, "{ratio}");
 }
 
-/// On the linear oscillator the period is that of the recurrence: x/φ of the exact one. The reading is off by x³/24 at worst.
+/// On the linear oscillator the period is that of the recurrence: x/φ of the exact one. The reading
+/// is off by x³/24 at worst.
 ///
 /// Catches: a method with another frequency on a straight line, whatever it does on a sine.
 #[rstest]
@@ -147,8 +149,8 @@ fn the_period_on_the_linear_oscillator_is_that_of_the_recurrence<M>(
     assert!((measured - law).abs() < reading(x), "{measured} for {law}");
 }
 
-/// Frequencies, relatively too high by: forward Euler −x²/3, symplectic Euler and Störmer–Verlet x²/24, RK4 −x⁴/120. The next
-/// terms, x⁴/5, 3x⁴/640 and x⁶/336, are less than x² of these.
+/// Frequencies, relatively too high by: forward Euler −x²/3, symplectic Euler and Störmer–Verlet
+/// x²/24, RK4 −x⁴/120. The next terms, x⁴/5, 3x⁴/640 and x⁶/336, are less than x² of these.
 ///
 /// Catches: a recurrence that is wrong together with its method.
 #[rstest]

@@ -1,14 +1,18 @@
-//! Beyond small steps: symplectic Euler is the Chirikov standard map, and the map has a last barrier.
+//! Beyond small steps: symplectic Euler is the Chirikov standard map, and the map has a last
+//! barrier.
 //!
-//! With u = hω and K = (g/L) h² a step is u' = u − K sin θ, θ' = θ + u' (Chirikov, Physics Reports 52 (1979)). Below
-//! K = 0.971635 (Greene, J. Math. Phys. 20 (1979); MacKay, Physica D 7 (1983)) invariant curves, "KAM tori", wind round the
-//! cylinder and no orbit crosses them; the last two to break turn by the golden mean, 0.381966 or 0.618034 of a turn a step.
-//! Beyond, gaps let orbits through, at K = 1.05 after 10⁵ steps or so, and the momentum diffuses without bound.
+//! With u = hω and K = (g/L) h² a step is u' = u − K sin θ, θ' = θ + u' (Chirikov, Physics Reports
+//! 52 (1979)). Below K = 0.971635 (Greene, J. Math. Phys. 20 (1979); MacKay, Physica D 7 (1983))
+//! invariant curves, "KAM tori", wind round the cylinder and no orbit crosses them; the last two to
+//! break turn by the golden mean, 0.381966 or 0.618034 of a turn a step. Beyond, gaps let orbits
+//! through, at K = 1.05 after 10⁵ steps or so, and the momentum diffuses without bound.
 //!
-//! How the numbers were chosen. The bundle starts at rest within 0.016 rad of the upper equilibrium, which is inside the
-//! chaotic layer at every K here. Among 16 orbits of 10⁶ steps, measured, at K = 0.95 and 0.97 none crosses u = 2π (nor the
-//! angle that the torus allows), at K = 1.05 14 do (Verlet: 16), the median after 3 · 10⁵ steps; at K = 1.2 all do within
-//! 6 · 10⁴. So 8 orbits of 10⁶ steps tell 0.95 from 1.05 whatever the rounding: these tests do not hang on a single bit.
+//! How the numbers were chosen. The bundle starts at rest within 0.016 rad of the upper
+//! equilibrium, which is inside the chaotic layer at every K here. Among 16 orbits of 10⁶ steps,
+//! measured, at K = 0.95 and 0.97 none crosses u = 2π (nor the angle that the torus allows), at K =
+//! 1.05 14 do (Verlet: 16), the median after 3 · 10⁵ steps; at K = 1.2 all do within 6 · 10⁴. So 8
+//! orbits of 10⁶ steps tell 0.95 from 1.05 whatever the rounding: these tests do not hang on a
+//! single bit.
 
 use std::f64::consts::PI;
 
@@ -41,9 +45,9 @@ fn the_critical_step_of_the_papers_pendulum() {
     assert!((step - 0.314_71).abs() < 5e-6, "{step}");
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 // Symplectic Euler is the standard map
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 
 /// The standard map on (θ, u).
 fn standard_map(k: f64, (theta, u): (f64, f64)) -> (f64, f64) {
@@ -51,9 +55,11 @@ fn standard_map(k: f64, (theta, u): (f64, f64)) -> (f64, f64) {
     (theta + u, u)
 }
 
-/// With a step that is a power of two, scaling by it commutes with rounding: 10⁵ steps in the chaotic layer are the same bits.
+/// With a step that is a power of two, scaling by it commutes with rounding: 10⁵ steps in the
+/// chaotic layer are the same bits.
 ///
-/// Catches: drift before kick, the old velocity in the drift, g for g/L, a step with any other operation in it.
+/// Catches: drift before kick, the old velocity in the drift, g for g/L, a step with any other
+/// operation in it.
 #[rstest]
 fn symplectic_euler_is_the_standard_map_to_the_bit(#[values(0.5, 0.95, 1.2, 6.0)] k: f64) {
     let (pendulum, start) = (pendulum(k), Phase { theta: 3.0, omega: 1.0 });
@@ -73,7 +79,8 @@ fn symplectic_euler_is_the_standard_map_to_the_bit(#[values(0.5, 0.95, 1.2, 6.0)
     assert_eq!(same, grid.samples());
 }
 
-/// With the paper's pendulum and any step they differ by rounding: of K, of u and of the kick, each ε/2 of numbers below 6.
+/// With the paper's pendulum and any step they differ by rounding: of K, of u and of the kick, each
+/// ε/2 of numbers below 6.
 ///
 /// Catches: as above, where h is no power of two.
 #[rstest]
@@ -89,7 +96,8 @@ fn one_step_is_the_standard_map_to_rounding(#[values(0.01, 0.314_71, 0.7)] h: f6
     }
 }
 
-/// Störmer–Verlet is symplectic Euler between half a kick back and half a kick forward: Kick½ (Drift Kick)ⁿ Kick½⁻¹.
+/// Störmer–Verlet is symplectic Euler between half a kick back and half a kick forward: Kick½
+/// (Drift Kick)ⁿ Kick½⁻¹.
 ///
 /// On a regular orbit at K = 0.95 rounding grows as n at most: 10⁴ steps × a few ε × 4 rad.
 ///
@@ -109,9 +117,9 @@ fn verlet_is_conjugate_to_the_standard_map() {
     assert!((verlet.theta - inner.theta).abs() < ROUNDING, "the angle is the same before the kick");
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 // The last barrier
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 
 /// Watches an orbit for a crossing of the golden-mean tori, in either direction.
 struct Barrier {
@@ -161,12 +169,14 @@ fn watch<M: Method<Pendulum>>(method: &M, k: f64, start: Phase, steps: u64) -> B
 const ORBITS: u32 = 8;
 const STEPS: u64 = 1_000_000;
 
-/// Below the last torus nothing escapes. The map twists: an orbit below an invariant curve falls behind the point of the
-/// curve above it, at each step anew, and the curve keeps the order of its points. So from any sample on, n steps turn the
-/// orbit by less than ρn + 1 turns, ρ = 0.381966. That holds rigorously while the torus does, for every orbit, and rounding
-/// of 10⁶ turns, 2e-10, cannot break it. And u stays below 2π, where the layer's copy a turn faster lies.
+/// Below the last torus nothing escapes. The map twists: an orbit below an invariant curve falls
+/// behind the point of the curve above it, at each step anew, and the curve keeps the order of its
+/// points. So from any sample on, n steps turn the orbit by less than ρn + 1 turns, ρ = 0.381966.
+/// That holds rigorously while the torus does, for every orbit, and rounding of 10⁶ turns, 2e-10,
+/// cannot break it. And u stays below 2π, where the layer's copy a turn faster lies.
 ///
-/// Catches: a step that is not area-preserving, or that loses its tori to sloppy arithmetic; K taken for √K.
+/// Catches: a step that is not area-preserving, or that loses its tori to sloppy arithmetic; K
+/// taken for √K.
 #[rstest]
 #[case::symplectic_euler(SymplecticEuler)]
 #[case::stormer_verlet(StormerVerlet)]
@@ -178,14 +188,15 @@ fn below_the_last_torus_no_orbit_escapes<M: Method<Pendulum>>(#[case] method: M)
         assert_eq!(barrier.crossed, None, "{start:?}");
         fastest = fastest.max(barrier.fastest);
     }
-    // It is the chaotic layer all the same: beyond the separatrix of the pendulum, u = 2√K = 1.95, by far.
+    // It is the chaotic layer all the same: beyond the separatrix of the pendulum, u = 2√K = 1.95,
+    // by far.
     assert!(fastest > 2.2, "u = {fastest} is hardly chaos");
 }
 
 /// Just above it most do, and outrun the torus by thousands of turns.
 ///
-/// Catches: a critical parameter that is off by more than 8 %; energies that are bounded because the state is clamped or
-/// θ reduced.
+/// Catches: a critical parameter that is off by more than 8 %; energies that are bounded because
+/// the state is clamped or θ reduced.
 #[rstest]
 #[case::symplectic_euler(SymplecticEuler)]
 #[case::stormer_verlet(StormerVerlet)]
@@ -193,14 +204,15 @@ fn above_the_last_torus_orbits_escape<M: Method<Pendulum>>(#[case] method: M) {
     let orbits: Vec<Barrier> =
         bundle(ORBITS).map(|start| watch(&method, 1.05, start, STEPS)).collect();
     let escaped = orbits.iter().filter(|barrier| barrier.crossed.is_some()).count();
-    // Of 32 orbits measured 2 stay. If even one in eight did, six or more of eight would one time in 10⁴.
+    // Of 32 orbits measured 2 stay. If even one in eight did, six or more of eight would one time
+    // in 10⁴.
     assert!(escaped >= 3, "{escaped} of {ORBITS}");
     assert!(orbits.iter().any(|barrier| barrier.rise > 1000.0));
 }
 
-/// At K = 1.2 the mean square of u grows as n: from 2¹⁴ to 2¹⁸ steps 16-fold. (Over 16 orbits it scatters by √(2/16) = 35 % at
-/// either end: a factor of 4 is two standard deviations up at one and down at the other. Measured: 8.4 and 16.7.) And all
-/// have escaped.
+/// At K = 1.2 the mean square of u grows as n: from 2¹⁴ to 2¹⁸ steps 16-fold. (Over 16 orbits it
+/// scatters by √(2/16) = 35 % at either end: a factor of 4 is two standard deviations up at one and
+/// down at the other. Measured: 8.4 and 16.7.) And all have escaped.
 ///
 /// Catches: diffusion that stops, or runs off like n²: a drift, a clamp.
 #[rstest]
@@ -226,8 +238,8 @@ fn further_above_momentum_diffuses<M: Method<Pendulum>>(#[case] method: M) {
     assert!(growth > 16.0 / SCATTER && growth < 16.0 * SCATTER, "grew {growth}-fold");
 }
 
-/// Far above, the kicks are as good as random, and u diffuses as K²/2 a step (Chirikov; the next term is −K² J₂(K)):
-/// D = (K²/2)(1 − 2J₂(K)) with J₂(6) = −0.2429, 26.7.
+/// Far above, the kicks are as good as random, and u diffuses as K²/2 a step (Chirikov; the next
+/// term is −K² J₂(K)): D = (K²/2)(1 − 2J₂(K)) with J₂(6) = −0.2429, 26.7.
 ///
 /// Catches: a kick of the wrong size that still has the right signs.
 #[test]
@@ -245,17 +257,20 @@ fn far_above_the_diffusion_is_that_of_random_kicks() {
         })
         .sum();
     let rate = mean / f64::from(steps);
-    // Scatter √(2/1024) = 4.4 %; terms in J₁², J₃² are (2 · 0.277² + 2 · 0.115²) = 18 % against J₂'s 49 %.
+    // Scatter √(2/1024) = 4.4 %; terms in J₁², J₃² are (2 · 0.277² + 2 · 0.115²) = 18 % against
+    // J₂'s 49 %.
     assert_relative_eq!(rate, 0.5 * k * k * (1.0 + 2.0 * 0.2429), max_relative = 0.35);
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 // The portraits
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 
-/// In the book's portraits nothing escapes below the last torus; above it at least the six orbits of the chaotic layer do.
+/// In the book's portraits nothing escapes below the last torus; above it at least the six orbits
+/// of the chaotic layer do.
 ///
-/// Catches: a step at which the map has another K; an escape counted where the picture was folded, or never.
+/// Catches: a step at which the map has another K; an escape counted where the picture was folded,
+/// or never.
 #[test]
 fn orbits_escape_in_the_last_portrait_only() {
     let escaped = PARAMETERS.map(|k| orbits(k).iter().filter(|orbit| orbit.escapes).count());
@@ -267,11 +282,13 @@ fn orbits_escape_in_the_last_portrait_only() {
     assert!((step(CRITICAL) - 0.314_71).abs() < 5e-6);
 }
 
-/// On the last curve u is a function of θ, and the map and its inverse, θ' = θ + u − K sin θ and θ − u, keep the order of the
-/// points on it: so the slope of u lies between −(1 + K) and 1. The golden mean's first 233 points are 2π/233 · √5 apart at most
-/// where they lie evenly, 0.06; the bent curve stretches that by less than 3. An orbit off the curve jumps by more than either.
+/// On the last curve u is a function of θ, and the map and its inverse, θ' = θ + u − K sin θ and θ
+/// − u, keep the order of the points on it: so the slope of u lies between −(1 + K) and 1. The
+/// golden mean's first 233 points are 2π/233 · √5 apart at most where they lie evenly, 0.06; the
+/// bent curve stretches that by less than 3. An orbit off the curve jumps by more than either.
 ///
-/// Catches: a bisection that ends in an island or in the sea; a golden mean of another sign; a curve drawn where there is none.
+/// Catches: a bisection that ends in an island or in the sea; a golden mean of another sign; a
+/// curve drawn where there is none.
 #[rstest]
 #[case(0.5, true)]
 #[case(0.97, true)]

@@ -1,9 +1,11 @@
-//! The suite against impostors: each wrong method and wrong metric, and the properties that catch it.
+//! The suite against impostors: each wrong method and wrong metric, and the properties that catch
+//! it.
 //!
-//! Libraries have shipped a symplectic Euler that was forward Euler, a Verlet with wrong coefficients and a fourth-order
-//! method that was second, under green tests. Here each of them is set before the very checks that the library's own
-//! methods pass, and its case names the checks that say no. All others let it pass, and that is asserted too: so each
-//! line also says which popular check would not have noticed.
+//! Libraries have shipped a symplectic Euler that was forward Euler, a Verlet with wrong
+//! coefficients and a fourth-order method that was second, under green tests. Here each of them is
+//! set before the very checks that the library's own methods pass, and its case names the checks
+//! that say no. All others let it pass, and that is asserted too: so each line also says which
+//! popular check would not have noticed.
 
 use pendula::arithmetic::sine::sin;
 use pendula::methods::{
@@ -147,10 +149,12 @@ use crate::zoo::{euler, metrics, problem, verlet, wrapped};
     &[ORDER, ERROR_CONSTANT, LINEAR, CONJUGACY, SYMMETRY],
 )]
 #[case::degrees_for_radians(
-    problem::Accelerated(|p, theta| -p.frequency_squared() * sin(theta.to_radians())), StormerVerlet,
+    problem::Accelerated(|p, theta| -p.frequency_squared() * sin(theta.to_radians())),
+    StormerVerlet,
     &[ORDER, ERROR_CONSTANT, LINEAR, CONJUGACY, SYMMETRY],
 )]
-// (It swings about the top, as wide as 2.1 rad, where rounding alone exceeds what is derived for 1 rad.)
+// (It swings about the top, as wide as 2.1 rad, where rounding alone exceeds what is derived for 1
+// rad.)
 #[case::wrong_sign_of_the_force(
     problem::Accelerated(|p, theta| p.frequency_squared() * sin(theta)), StormerVerlet,
     &[ORDER, ERROR_CONSTANT, LINEAR, REVERSAL, CONJUGACY],
@@ -160,7 +164,8 @@ use crate::zoo::{euler, metrics, problem, verlet, wrapped};
     &[ORDER, ERROR_CONSTANT, CONJUGACY, SYMMETRY],
 )]
 #[case::sine_to_seven_digits(
-    problem::Accelerated(|p, theta| -p.frequency_squared() * f64::from(sin(theta) as f32)), StormerVerlet,
+    problem::Accelerated(|p, theta| -p.frequency_squared() * f64::from(sin(theta) as f32)),
+    StormerVerlet,
     &[ERROR_CONSTANT, LINEAR, AREA, REVERSAL, CONJUGACY],
 )]
 #[case::a_torque_of_1e_12(
@@ -296,7 +301,8 @@ fn wrong_period_formulas_are_caught(#[case] impostor: fn(f64) -> f64) {
     tells_apart(check::check_period_ratio, check::period_ratio, impostor);
 }
 
-/// Catches: an order measured where symmetry flatters: after one period symplectic Euler looks like order 2.
+/// Catches: an order measured where symmetry flatters: after one period symplectic Euler looks like
+/// order 2.
 #[rstest]
 #[case::order_at_the_end_of_one_period(metrics::order_after_one_period)]
 fn wrong_orders_are_caught(#[case] impostor: fn(&dyn AnyMethod) -> f64) {
@@ -304,8 +310,8 @@ fn wrong_orders_are_caught(#[case] impostor: fn(&dyn AnyMethod) -> f64) {
     near("symplectic Euler's order, so measured", impostor(&SymplecticEuler), 2.0, 0.05).unwrap();
 }
 
-/// The series of which a term is dropped, and the table of which an entry is off, have without that every property: it is the
-/// dropped term that is caught, and the entry.
+/// The series of which a term is dropped, and the table of which an entry is off, have without that
+/// every property: it is the dropped term that is caught, and the entry.
 ///
 /// Catches: an impostor that is wrong for another reason than it says.
 #[test]
@@ -319,8 +325,8 @@ fn impostors_with_nothing_wrong_are_right() {
     }
 }
 
-/// The pendulum knows no time, so that none of the properties above can see at what times RK4 evaluates its stages. A
-/// driven system can.
+/// The pendulum knows no time, so that none of the properties above can see at what times RK4
+/// evaluates its stages. A driven system can.
 ///
 /// Catches: stages at the wrong times, which are of order 1 as soon as a pendulum is driven.
 #[rstest]
@@ -335,8 +341,8 @@ fn wrong_stage_times_are_caught(#[case] impostor: Tableau) {
     }
 }
 
-/// Forward Euler with the force of the end of the step is of order 1 on a driven system, too: only the very sum that it
-/// makes tells it from the right one.
+/// Forward Euler with the force of the end of the step is of order 1 on a driven system, too: only
+/// the very sum that it makes tells it from the right one.
 ///
 /// Catches: a check of when Euler's methods ask for the force that has stopped to discriminate.
 #[test]

@@ -1,4 +1,5 @@
-//! What a metric must do: checks on motions whose error is known, for the library's metrics and for wrong ones.
+//! What a metric must do: checks on motions whose error is known, for the library's metrics and for
+//! wrong ones.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -37,9 +38,9 @@ pub fn show(samples: &[Sample], observer: &mut impl Observer<Phase>) {
     }
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 // Errors of the angle, given at every sample
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 
 fn angle_error(errors: &[f64]) -> AngleError<impl Fn(f64) -> f64> {
     let mut metric = AngleError::new(|t| 2.0 * t);
@@ -69,9 +70,9 @@ pub fn check_largest(metric: OfErrors) -> CheckResult {
     is_nan("the largest", metric(&[0.0, f64::NAN, 1.0]))
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 // Energy
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 
 /// The library's, on the paper's pendulum.
 pub fn energy_drift(states: &[Phase]) -> f64 {
@@ -93,8 +94,8 @@ pub fn energy(pendulum: &Pendulum, z: Phase) -> f64 {
     pendulum.energy(z)
 }
 
-/// Parameters in their places, with L and m not 1; and the digits of a small energy, where 1 − cos 1e-8 is 0 or 1.1e-16
-/// and θ²/2 is 5e-17.
+/// Parameters in their places, with L and m not 1; and the digits of a small energy, where 1 − cos
+/// 1e-8 is 0 or 1.1e-16 and θ²/2 is 5e-17.
 pub fn check_energy(energy: fn(&Pendulum, Phase) -> f64) -> CheckResult {
     let pendulum = Pendulum::new(3.0, 2.0, 5.0).expect("a pendulum");
     let expected = 0.5 * 5.0 * 4.0 * 0.25 + 30.0 * (1.0 - 1.0_f64.cos());
@@ -103,9 +104,9 @@ pub fn check_energy(energy: fn(&Pendulum, Phase) -> f64) -> CheckResult {
     close("a small energy", small, 0.5 * 9.81 * 1e-16)
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 // Period
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 
 /// A cosine of period 2 s, sampled each `h` (s) for 9 s.
 fn cosine(h: f64) -> Vec<Sample> {
@@ -131,7 +132,8 @@ pub fn crossing_period(samples: &[Sample]) -> Option<f64> {
     period.period()
 }
 
-/// The highest sample lies within half a step of the peak; one ulp of the time for the multiple of h.
+/// The highest sample lies within half a step of the peak; one ulp of the time for the multiple of
+/// h.
 pub fn check_peak(period: OfSamples) -> CheckResult {
     for h in [0.1_f64, 0.03, 0.007] {
         let period = period(&cosine(h)).unwrap_or(f64::NAN);
@@ -140,8 +142,8 @@ pub fn check_peak(period: OfSamples) -> CheckResult {
     Ok(())
 }
 
-/// The cubic through a crossing of cos πt is off by at most h⁴ max|θ⁽⁴⁾|/384 = h⁴π⁴/384, with a slope of π there.
-/// Errors at two crossings may add up; they share three periods or more.
+/// The cubic through a crossing of cos πt is off by at most h⁴ max|θ⁽⁴⁾|/384 = h⁴π⁴/384, with a
+/// slope of π there. Errors at two crossings may add up; they share three periods or more.
 pub fn check_crossing(period: OfSamples) -> CheckResult {
     for h in [0.1_f64, 0.03, 0.007] {
         let bound = 2.0 * h.powi(4) * PI.powi(3) / 384.0 / 3.0 + 1e-14;
@@ -157,8 +159,8 @@ pub fn period_ratio(theta_0: f64) -> f64 {
         / Pendulum::PAPER.small_angle_period()
 }
 
-/// T/T₀ = 2K/π: 1 + θ₀²/16 near the bottom, 2/π times the lemniscate's K at a right angle, and beside the top, where
-/// k' = 5e-9, 2/π times ln(4/k').
+/// T/T₀ = 2K/π: 1 + θ₀²/16 near the bottom, 2/π times the lemniscate's K at a right angle, and
+/// beside the top, where k' = 5e-9, 2/π times ln(4/k').
 pub fn check_period_ratio(ratio: fn(f64) -> f64) -> CheckResult {
     near("T/T₀ − 1 at 0.01", ratio(0.01) - 1.0, 6.25e-6, 1e-9)?;
     let lemniscate = 1.854_074_677_301_372 / FRAC_PI_2;
@@ -168,9 +170,9 @@ pub fn check_period_ratio(ratio: fn(f64) -> f64) -> CheckResult {
     near("T/T₀ beside the top", ratio(PI - 1e-8), at_the_top, 1e-7)
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 // Order
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 
 /// The library's: the slope between the last two rungs of the ladder.
 pub fn observed_order(method: &dyn AnyMethod) -> f64 {

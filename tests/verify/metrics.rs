@@ -7,7 +7,8 @@ use pendula::{Grid, Hamiltonian, LinearOscillator, Observer, Pendulum, Phase, in
 
 use crate::metric_checks as check;
 
-/// Catches: a mean over N where N + 1 samples were seen, a sum not squared, a largest error that forgets the sign.
+/// Catches: a mean over N where N + 1 samples were seen, a sum not squared, a largest error that
+/// forgets the sign.
 #[test]
 fn angle_error_is_the_mean_over_all_samples() {
     check::check_root_mean_square(check::root_mean_square).unwrap();
@@ -31,8 +32,8 @@ fn a_nan_is_kept() {
     assert!(watch.1.largest().is_nan() && watch.1.root_mean_square().is_nan());
 }
 
-/// Catches: energy without the potential or the kinetic part, a wrong zero, and m, g or L in the wrong place: L and m
-/// are not 1 here.
+/// Catches: energy without the potential or the kinetic part, a wrong zero, and m, g or L in the
+/// wrong place: L and m are not 1 here.
 #[test]
 fn energy_has_the_dimensions_of_its_parameters() {
     let pendulum = Pendulum::new(3.0, 2.0, 5.0).unwrap();
@@ -54,9 +55,11 @@ fn a_small_energy_keeps_its_digits() {
 
 /// The highest sample lies within half a step of the peak.
 ///
-/// Forward Euler takes its first step from rest without moving: θ₀, θ₀, and then less. That is no top.
+/// Forward Euler takes its first step from rest without moving: θ₀, θ₀, and then less. That is no
+/// top.
 ///
-/// Catches: a plateau at the start that is taken for the end of the first period; a run that goes on when the peak has been seen.
+/// Catches: a plateau at the start that is taken for the end of the first period; a run that goes
+/// on when the peak has been seen.
 #[test]
 fn a_start_from_rest_is_no_peak() {
     let mut peak = PeakPeriod::default();
@@ -85,7 +88,8 @@ fn a_peak_is_right_to_half_a_step() {
 
 /// The cubic through a crossing of cos πt is right to h⁴, and its bound is known.
 ///
-/// Catches: linear interpolation (off by 1e-5 at h = 0.03), an upward crossing counted, half a period for a whole.
+/// Catches: linear interpolation (off by 1e-5 at h = 0.03), an upward crossing counted, half a
+/// period for a whole.
 #[test]
 fn a_crossing_is_right_to_the_fourth_power() {
     check::check_crossing(check::crossing_period).unwrap();

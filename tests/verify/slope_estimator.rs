@@ -3,7 +3,8 @@
 use approx::assert_relative_eq;
 use pendula::metrics::order::slopes;
 
-/// Catches: a slope upside down, of the wrong pair, or in another base; a ladder read in one direction only.
+/// Catches: a slope upside down, of the wrong pair, or in another base; a ladder read in one
+/// direction only.
 #[test]
 fn a_power_law_has_its_power_as_slope() {
     let steps = [0.1, 0.05, 0.01, 0.02];
@@ -15,8 +16,8 @@ fn a_power_law_has_its_power_as_slope() {
     }
 }
 
-/// Catches: a pair at the floor counted as above it, zero or NaN errors that become infinite slopes, and a negative
-/// floor that lets zero through.
+/// Catches: a pair at the floor counted as above it, zero or NaN errors that become infinite
+/// slopes, and a negative floor that lets zero through.
 #[test]
 fn pairs_at_or_below_the_floor_have_no_slope() {
     let steps = [0.8, 0.4, 0.2, 0.1];

@@ -1,5 +1,6 @@
-//! The other crates, each at its best: `differential-equations` is stepped by hand, which keeps no states; and
-//! `ode_solvers` keeps every state, as it cannot do otherwise. Neither has symplectic Euler.
+//! The other crates, each at its best: `differential-equations` is stepped by hand, which keeps no
+//! states; and `ode_solvers` keeps every state, as it cannot do otherwise. Neither has symplectic
+//! Euler.
 
 use differential_equations::methods::{ExplicitRungeKutta, SymplecticIntegrator};
 use differential_equations::ode::{ODE, OrdinaryNumericalMethod};
@@ -25,7 +26,8 @@ impl ODE<f64, [f64; 2]> for Equations {
 /// A method of a crate with steps of one size: from a start, so many steps of a length (s).
 pub type ScaledPendulum = fn(Phase, u64, f64) -> Phase;
 
-/// A method of a crate with a tolerance: from a start, to a time (s). What fails has no state that is a number.
+/// A method of a crate with a tolerance: from a start, to a time (s). What fails has no state that
+/// is a number.
 pub type Controlled = fn(Phase, f64, f64) -> Phase;
 
 /// The crates' methods that the library has, by the library's name.
@@ -122,8 +124,8 @@ fn controlled_by_hand(
 
 macro_rules! controlled_by_ode_solvers {
     ($($name:ident: $stepper:ident, $beta:literal, $smallest:literal, $largest:literal;)+) => {$(
-        /// With the crate's own defaults, but for the number of steps allowed and the output, which is every step and
-        /// nothing between.
+        /// With the crate's own defaults, but for the number of steps allowed and the output, which
+        /// is every step and nothing between.
         fn $name(start: Phase, end: f64, tolerance: f64) -> Phase {
             let z = Vector2::new(start.theta, start.omega);
             let mut stepper = ode_solvers::$stepper::from_param(

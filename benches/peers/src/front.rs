@@ -1,15 +1,18 @@
-//! The front of run time against error: the shortest time in which each program comes to an error, on three scenes.
+//! The front of run time against error: the shortest time in which each program comes to an error,
+//! on three scenes.
 //!
-//! The error is max(|Δθ|, |Δω|/ω₀) at the end, against the closed form. Every program has a ladder of settings, from coarse to
-//! fine. Where the steps are of one size, those are all the steps that are exact and lead exactly to the end, d/2ᵏ s where
-//! d divides the duration: a rounded step alone costs 3e-13 at 1000 s. Where there is a tolerance, there are four to a decade.
+//! The error is max(|Δθ|, |Δω|/ω₀) at the end, against the closed form. Every program has a ladder
+//! of settings, from coarse to fine. Where the steps are of one size, those are all the steps that
+//! are exact and lead exactly to the end, d/2ᵏ s where d divides the duration: a rounded step alone
+//! costs 3e-13 at 1000 s. Where there is a tolerance, there are four to a decade.
 //!
-//! The first rung within the goal counts, unless it is luck: the next finer must be within the goal, too, and its error no
-//! more than three times as large; or, as where both are rounding, the one after that within the goal as well. Programs
-//! that need more than [`PATIENCE`] for a run on the way are out, but for the naive loop. Where its roundings keep that from
-//! the goal, it stands with as many steps as its order would ask for, and with the error that it has then. Those left take
-//! turns, round by round, each with its own rung; of its times the shortest counts, and of its ratios to the naive loop in
-//! the same round the median.
+//! The first rung within the goal counts, unless it is luck: the next finer must be within the
+//! goal, too, and its error no more than three times as large; or, as where both are rounding, the
+//! one after that within the goal as well. Programs that need more than [`PATIENCE`] for a run on
+//! the way are out, but for the naive loop. Where its roundings keep that from the goal, it stands
+//! with as many steps as its order would ask for, and with the error that it has then. Those left
+//! take turns, round by round, each with its own rung; of its times the shortest counts, and of its
+//! ratios to the naive loop in the same round the median.
 
 use std::hint::black_box;
 

@@ -1,7 +1,7 @@
 //! The library beside other crates, in one run, against the loop that anyone would write first.
 //!
-//! `cargo run --profile peers -p pendula-peers` compares [steps], and with `-- front` run time [for an error](front). The
-//! profile optimises what the crates depend on; the release build does not.
+//! `cargo run --profile peers -p pendula-peers` compares [steps], and with `-- front` run time [for
+//! an error](front). The profile optimises what the crates depend on; the release build does not.
 
 mod crates;
 mod front;

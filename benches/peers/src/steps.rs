@@ -15,8 +15,8 @@ const END: f64 = 100.0;
 /// Rounds, in each of which every contender has its turn.
 const ROUNDS: usize = 21;
 
-/// How far (rad, rad/s) two programs of the same method may end from each other: after 100 s, that they round differently
-/// has grown to 7e-11. With a margin of 100.
+/// How far (rad, rad/s) two programs of the same method may end from each other: after 100 s, that
+/// they round differently has grown to 7e-11. With a margin of 100.
 const AGREEMENT: f64 = 1e-8;
 
 /// One who takes part: its name, and the way from the start to the end.

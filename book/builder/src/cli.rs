@@ -27,7 +27,8 @@ pub enum Command {
     Book(book::Arguments),
     /// Print the paper's tables: stated, measured, verdict
     Tables(tables::Arguments),
-    /// Print every claim of the paper; exit status 1 if a measurement contradicts its verdict on record
+    /// Print every claim of the paper; exit status 1 if a measurement contradicts its verdict on
+    /// record
     Claims(claims::Arguments),
     /// Integrate and print rows t, theta, omega, energy
     Simulate(simulate::Arguments),

@@ -1,4 +1,5 @@
-//! What the page calls. A place, a method or a quantity that does not exist is answered by zero or NaN.
+//! What the page calls. A place, a method or a quantity that does not exist is answered by zero or
+//! NaN.
 #![expect(unsafe_code, reason = "an export's name is a promise to the linker")]
 
 use core::cell::RefCell;
@@ -67,7 +68,8 @@ extern "C" fn text_length(method: u32, which: u32) -> u32 {
     text(method, which).len() as u32
 }
 
-/// Sets a pendulum of 1 kg at its start, in place of what stood there; 0 and an empty place where the library refuses.
+/// Sets a pendulum of 1 kg at its start, in place of what stood there; 0 and an empty place where
+/// the library refuses.
 #[unsafe(no_mangle)]
 extern "C" fn set(
     place: u32,

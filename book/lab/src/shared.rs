@@ -8,7 +8,8 @@ use pendula::fast::{ReducedPhase, ReducedRate, ScaledPendulum};
 use pendula::systems::{Components, State, Vector};
 use pendula::{Analytic, Counting, Damped, Phase, RateOf, Separable, System};
 
-/// One of two, each with its own system, state, displacement or force. What belongs to different systems never meets.
+/// One of two, each with its own system, state, displacement or force. What belongs to different
+/// systems never meets.
 #[derive(Clone, Copy, Debug)]
 pub enum Either<S, D> {
     /// The pendulum with its step as the unit of time, as in `pendula::integrate_fast`.
@@ -157,7 +158,8 @@ impl Separable for Shared {
 }
 
 impl Analytic for Shared {
-    /// Of the swing alone: for the damped pendulum the library has no series, and no method that asks for one gets it.
+    /// Of the swing alone: for the damped pendulum the library has no series, and no method that
+    /// asks for one gets it.
     #[inline(never)]
     fn mean_rate<const P: usize>(&self, h: f64, z: SharedState) -> RateOf<Self> {
         match (self, z) {

@@ -41,7 +41,8 @@ impl Simulation {
         })
     }
 
-    /// Takes up to `count` steps, watches the energy at each, and says how many there were left to take.
+    /// Takes up to `count` steps, watches the energy at each, and says how many there were left to
+    /// take.
     pub fn advance(&mut self, count: u32) -> u32 {
         for n in 0..count {
             if !self.trajectory.step() {
@@ -60,7 +61,8 @@ impl Simulation {
         (self.lowest, self.highest) = (self.energy, self.energy);
     }
 
-    /// What there is to know, by the numbers that the page has for it; NaN for a number that stands for nothing.
+    /// What there is to know, by the numbers that the page has for it; NaN for a number that stands
+    /// for nothing.
     pub fn read(&mut self, quantity: u32) -> f64 {
         let Phase { theta, omega } = self.trajectory.phase();
         match quantity {

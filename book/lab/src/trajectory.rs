@@ -50,8 +50,8 @@ macro_rules! all {
         /// Number of methods.
         pub const METHODS: usize = [$(stringify!($method)),+].len();
 
-        /// Name and title of the method at `index` in the library's list. Asked for one by one, so that the rest of what is
-        /// known of them stays out of the page.
+        /// Name and title of the method at `index` in the library's list. Asked for one by one, so
+        /// that the rest of what is known of them stays out of the page.
         pub fn names(index: usize) -> Option<[&'static str; 2]> {
             let mut number = 0..;
             $(if number.next() == Some(index) {
@@ -97,7 +97,8 @@ pub struct Trajectory {
 }
 
 impl Trajectory {
-    /// The beginning of the walk; `None` for a scene that the library refuses, or a method that does not suit damping.
+    /// The beginning of the walk; `None` for a scene that the library refuses, or a method that
+    /// does not suit damping.
     pub fn new(scene: &Setup) -> Option<Self> {
         let start = scene.pendulum.start(scene.start.theta, scene.start.omega).ok()?;
         let ((system, z), grid, inner) = if scene.damping == 0.0 {
@@ -114,7 +115,8 @@ impl Trajectory {
         Some(Self { system, grid, inner, z, carry, taken: 0, phase: start })
     }
 
-    /// Takes a step, and says whether there was one left: one turn of the loop in `pendula::integrate`.
+    /// Takes a step, and says whether there was one left: one turn of the loop in
+    /// `pendula::integrate`.
     pub fn step(&mut self) -> bool {
         if self.taken == self.grid.steps() {
             return false;
@@ -152,8 +154,8 @@ impl Trajectory {
     }
 }
 
-/// A grid, the longer the better, on which `pendula::integrate_fast` counts time in steps with any method, and the pendulum that
-/// does: on every shorter one it does the same, bit for bit.
+/// A grid, the longer the better, on which `pendula::integrate_fast` counts time in steps with any
+/// method, and the pendulum that does: on every shorter one it does the same, bit for bit.
 fn longest(scene: &Setup, start: Phase) -> Option<(ScaledPendulum, Grid)> {
     let mut steps = MOST_STEPS;
     while steps > 0 {

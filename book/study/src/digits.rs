@@ -1,4 +1,5 @@
-//! Numbers as the paper prints them and as we do: fixed significant digits, true minus signs, powers of ten.
+//! Numbers as the paper prints them and as we do: fixed significant digits, true minus signs,
+//! powers of ten.
 
 /// How a number is printed: only as many digits as can be defended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -7,13 +8,14 @@ pub enum Digits {
     Scientific(usize),
     /// This many digits after the point: −5.300.
     Fixed(usize),
-    /// This many significant digits, with a power of ten only where the plain number would be hard to read.
+    /// This many significant digits, with a power of ten only where the plain number would be hard
+    /// to read.
     Significant(usize),
 }
 
 impl Digits {
-    /// The format in which the literal was printed: `2.01e2` is scientific with three digits, `-5.300` fixed with
-    /// three decimals. `None` for what is no number.
+    /// The format in which the literal was printed: `2.01e2` is scientific with three digits,
+    /// `-5.300` fixed with three decimals. `None` for what is no number.
     pub fn of(literal: &str) -> Option<Self> {
         literal.parse::<f64>().ok()?;
         let decimals = |digits: &str| digits.split_once('.').map_or(0, |(_, after)| after.len());
@@ -51,7 +53,8 @@ impl Digits {
     }
 }
 
-/// Whether `value` lies within half a unit in the last place of what is `printed`; `None` where that is no number.
+/// Whether `value` lies within half a unit in the last place of what is `printed`; `None` where
+/// that is no number.
 pub fn rounds_to(value: f64, printed: &str) -> Option<bool> {
     let (stated, half) = (printed.parse::<f64>().ok()?, half_unit(printed)?);
     Some((value - stated).abs() <= half)
@@ -90,8 +93,8 @@ mod tests {
     use super::Digits::{self, Fixed, Scientific, Significant};
     use super::{half_unit, rounds_to};
 
-    /// Catches: a digit too many or too few, a plain number that claims digits it has not got, and an exponent taken before
-    /// the rounding that changes it.
+    /// Catches: a digit too many or too few, a plain number that claims digits it has not got, and
+    /// an exponent taken before the rounding that changes it.
     #[rstest]
     #[case(Scientific(3), 200.96, "2.01 × 10²")]
     #[case(Scientific(1), -4.5678e-13, "−5 × 10⁻¹³")]
@@ -117,7 +120,8 @@ mod tests {
         assert_eq!(format.print(value), text);
     }
 
-    /// Catches: a decimal of the mantissa that is not counted, an exponent that is, and words that pass for a number.
+    /// Catches: a decimal of the mantissa that is not counted, an exponent that is, and words that
+    /// pass for a number.
     #[rstest]
     #[case("2.01e2", Some(Scientific(3)), Some(0.5))]
     #[case("1e-4", Some(Scientific(1)), Some(0.5e-4))]
@@ -133,7 +137,8 @@ mod tests {
         assert_eq!(half_unit(literal), half);
     }
 
-    /// Half a unit of these is a binary fraction, so that the bound itself can be hit, and its neighbour missed.
+    /// Half a unit of these is a binary fraction, so that the bound itself can be hit, and its
+    /// neighbour missed.
     ///
     /// Catches: a bound a little too narrow or too wide, and one that has only one side.
     #[rstest]

@@ -1,5 +1,5 @@
-//! The study: the paper's experiments run again, what theory says that they must yield, the paper's claims judged, and all
-//! of it as tables and figures.
+//! The study: the paper's experiments run again, what theory says that they must yield, the paper's
+//! claims judged, and all of it as tables and figures.
 //!
 //! Each module uses those above it alone:
 //!

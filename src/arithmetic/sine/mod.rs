@@ -1,12 +1,13 @@
 //! Sine and cosine with the same bits on every machine.
 //!
-//! `f64::sin` is the platform's, so two machines differ in the last bit, and a trajectory of a million steps differs
-//! in more. These are additions and multiplications in a fixed order, with no fused ones: without the hardware for it
-//! a fused one is a call of a hundred cycles, and with two definitions there would be two sets of bits.
+//! `f64::sin` is the platform's, so two machines differ in the last bit, and a trajectory of a
+//! million steps differs in more. These are additions and multiplications in a fixed order, with no
+//! fused ones: without the hardware for it a fused one is a call of a hundred cycles, and with two
+//! definitions there would be two sets of bits.
 //!
-//! Cody and Waite's scheme: subtract the nearest multiple of π/2, given in parts so short that its products are exact,
-//! and put what is left into a polynomial. Muller, *Elementary Functions* (3rd ed.), Sects. 11.2 and 3.2; the
-//! polynomials come from `coefficients.sollya`, beside this file.
+//! Cody and Waite's scheme: subtract the nearest multiple of π/2, given in parts so short that its
+//! products are exact, and put what is left into a polynomial. Muller, *Elementary Functions* (3rd
+//! ed.), Sects. 11.2 and 3.2; the polynomials come from `coefficients.sollya`, beside this file.
 
 pub(crate) mod half_turn;
 
@@ -17,7 +18,8 @@ const LARGEST: f64 = 1_647_099.0;
 
 /// sin `x`, `x` in rad.
 ///
-/// Within 0.8 ulp up to 2²⁰ quarter turns; beyond, the crate `libm`'s, within 1 ulp. ±0 gives ±0; NaN and ±∞ give NaN.
+/// Within 0.8 ulp up to 2²⁰ quarter turns; beyond, the crate `libm`'s, within 1 ulp. ±0 gives ±0;
+/// NaN and ±∞ give NaN.
 #[inline]
 pub fn sin(x: f64) -> f64 {
     // Below 2⁻²⁷ the cube is less than half an ulp; and −0 keeps its sign.
@@ -34,7 +36,8 @@ pub fn sin(x: f64) -> f64 {
 
 /// cos `x`, `x` in rad.
 ///
-/// Within 0.8 ulp up to 2²⁰ quarter turns; beyond, the crate `libm`'s, within 1 ulp. NaN and ±∞ give NaN.
+/// Within 0.8 ulp up to 2²⁰ quarter turns; beyond, the crate `libm`'s, within 1 ulp. NaN and ±∞
+/// give NaN.
 #[inline]
 pub fn cos(x: f64) -> f64 {
     if x.abs() <= LARGEST {
@@ -45,14 +48,16 @@ pub fn cos(x: f64) -> f64 {
     }
 }
 
-/// What is left of an angle after whole quarter turns: `head` in [−π/4, π/4], and `tail` by which it is off.
+/// What is left of an angle after whole quarter turns: `head` in [−π/4, π/4], and `tail` by which
+/// it is off.
 #[derive(Clone, Copy)]
 struct Rest {
     head: f64,
     tail: f64,
 }
 
-/// 1.5 · 2⁵²: a number below 2⁵¹ in size, added to it, is rounded to an integer, which then stands in the lowest bits.
+/// 1.5 · 2⁵²: a number below 2⁵¹ in size, added to it, is rounded to an integer, which then stands
+/// in the lowest bits.
 pub(crate) const ROUNDER: f64 = 6_755_399_441_055_744.0;
 
 /// The nearest number of quarter turns, of which the last two bits count, and what is left.
@@ -66,7 +71,8 @@ fn reduce(x: f64) -> (u64, Rest) {
     }
     let rounded = x * FRAC_2_PI + ROUNDER;
     let n = rounded - ROUNDER;
-    // Every product but the last is exact: 33 bits times at most 20. So is the first difference, of neighbours.
+    // Every product but the last is exact: 33 bits times at most 20. So is the first difference, of
+    // neighbours.
     let (head, first) = difference(x - n * PARTS[0], n * PARTS[1]);
     let (head, second) = difference(head, n * PARTS[2]);
     (rounded.to_bits(), Rest { head, tail: first + (second - n * PARTS[3]) })

@@ -7,9 +7,9 @@ use crate::systems::{Components, System};
 
 /// The Gauss method of eight stages: collocation at the zeros of a Legendre polynomial.
 ///
-/// Order 16, symplectic for every Hamiltonian system, separable or not, symmetric; evaluates the force at each stage
-/// and sweep, and once to begin. Hairer, Lubich, Wanner, *Geometric Numerical Integration*, Sects. II.1.3 and VIII.6. Also called
-/// Gauss–Legendre or Kuntzmann–Butcher.
+/// Order 16, symplectic for every Hamiltonian system, separable or not, symmetric; evaluates the
+/// force at each stage and sweep, and once to begin. Hairer, Lubich, Wanner, *Geometric Numerical
+/// Integration*, Sects. II.1.3 and VIII.6. Also called Gauss–Legendre or Kuntzmann–Butcher.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Gauss16;
 
@@ -31,7 +31,8 @@ impl Info for Gauss16 {
 }
 
 impl Gauss16 {
-    /// The coefficients, computed with 60 digits from the zeros of the Legendre polynomial of degree 8.
+    /// The coefficients, computed with 60 digits from the zeros of the Legendre polynomial of
+    /// degree 8.
     pub const TABLEAU: ImplicitTableau<8> = ImplicitTableau {
         a: [
             [

@@ -7,9 +7,9 @@ use crate::systems::{Components, System};
 
 /// The Gauss method of two stages: collocation at the zeros of a Legendre polynomial.
 ///
-/// Order 4, symplectic for every Hamiltonian system, separable or not, symmetric; evaluates the force at each stage and
-/// sweep, and once to begin. Hairer, Lubich, Wanner, *Geometric Numerical Integration*, Sects. II.1.3 and VIII.6. Also called
-/// Gauss–Legendre or Kuntzmann–Butcher.
+/// Order 4, symplectic for every Hamiltonian system, separable or not, symmetric; evaluates the
+/// force at each stage and sweep, and once to begin. Hairer, Lubich, Wanner, *Geometric Numerical
+/// Integration*, Sects. II.1.3 and VIII.6. Also called Gauss–Legendre or Kuntzmann–Butcher.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Gauss4;
 
@@ -31,7 +31,8 @@ impl Info for Gauss4 {
 }
 
 impl Gauss4 {
-    /// The coefficients, computed with 60 digits from the zeros of the Legendre polynomial of degree 2.
+    /// The coefficients, computed with 60 digits from the zeros of the Legendre polynomial of
+    /// degree 2.
     pub const TABLEAU: ImplicitTableau<2> = ImplicitTableau {
         a: [[0.25, -0.038_675_134_594_812_88], [0.538_675_134_594_812_9, 0.25]],
         b: [0.5, 0.5],

@@ -7,9 +7,9 @@ use crate::systems::{Components, System};
 
 /// The Gauss method of three stages: collocation at the zeros of a Legendre polynomial.
 ///
-/// Order 6, symplectic for every Hamiltonian system, separable or not, symmetric; evaluates the force at each stage and
-/// sweep, and once to begin. Hairer, Lubich, Wanner, *Geometric Numerical Integration*, Sects. II.1.3 and VIII.6. Also called
-/// Gauss–Legendre or Kuntzmann–Butcher.
+/// Order 6, symplectic for every Hamiltonian system, separable or not, symmetric; evaluates the
+/// force at each stage and sweep, and once to begin. Hairer, Lubich, Wanner, *Geometric Numerical
+/// Integration*, Sects. II.1.3 and VIII.6. Also called Gauss–Legendre or Kuntzmann–Butcher.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Gauss6;
 
@@ -31,7 +31,8 @@ impl Info for Gauss6 {
 }
 
 impl Gauss6 {
-    /// The coefficients, computed with 60 digits from the zeros of the Legendre polynomial of degree 3.
+    /// The coefficients, computed with 60 digits from the zeros of the Legendre polynomial of
+    /// degree 3.
     pub const TABLEAU: ImplicitTableau<3> = ImplicitTableau {
         a: [
             [0.138_888_888_888_888_9, -0.035_976_667_524_938_9, 0.009_789_444_015_308_325],

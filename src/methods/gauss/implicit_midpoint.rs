@@ -5,10 +5,12 @@ use crate::methods::gauss::ImplicitTableau;
 use crate::methods::{Info, MethodInfo};
 use crate::systems::{Components, System};
 
-/// The implicit midpoint rule: the slope in the middle between the start and the end of the step, for the whole step.
+/// The implicit midpoint rule: the slope in the middle between the start and the end of the step,
+/// for the whole step.
 ///
-/// Order 2, symplectic for every Hamiltonian system, separable or not, symmetric; evaluates the force at each stage and
-/// sweep, and once to begin. Hairer, Lubich, Wanner, *Geometric Numerical Integration*, Sects. II.1.3 and VIII.6.
+/// Order 2, symplectic for every Hamiltonian system, separable or not, symmetric; evaluates the
+/// force at each stage and sweep, and once to begin. Hairer, Lubich, Wanner, *Geometric Numerical
+/// Integration*, Sects. II.1.3 and VIII.6.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct ImplicitMidpoint;
 
@@ -30,7 +32,8 @@ impl Info for ImplicitMidpoint {
 }
 
 impl ImplicitMidpoint {
-    /// The coefficients, computed with 60 digits from the zeros of the Legendre polynomial of degree 1.
+    /// The coefficients, computed with 60 digits from the zeros of the Legendre polynomial of
+    /// degree 1.
     pub const TABLEAU: ImplicitTableau<1> = ImplicitTableau { a: [[0.5]], b: [1.0], c: [0.5] };
 }
 

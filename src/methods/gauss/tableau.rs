@@ -2,8 +2,8 @@
 
 use crate::systems::{Components, RateOf, System, Vector};
 
-/// The coefficients of an implicit Runge–Kutta method of `S` stages: kᵢ = f(t + cᵢ h, z + h Σⱼ aᵢⱼ kⱼ), and the step
-/// z + h Σ bᵢ kᵢ.
+/// The coefficients of an implicit Runge–Kutta method of `S` stages: kᵢ = f(t + cᵢ h, z + h Σⱼ aᵢⱼ
+/// kⱼ), and the step z + h Σ bᵢ kᵢ.
 #[derive(Clone, Copy, Debug)]
 pub struct ImplicitTableau<const S: usize> {
     /// The matrix aᵢⱼ.
@@ -14,21 +14,23 @@ pub struct ImplicitTableau<const S: usize> {
     pub c: [f64; S],
 }
 
-/// Sweeps after which the iteration is given up. Where each leaves 0.7 of the distance to the solution, so many leave
-/// 3e-16 of it; a step that needs more is too long to be of use.
+/// Sweeps after which the iteration is given up. Where each leaves 0.7 of the distance to the
+/// solution, so many leave 3e-16 of it; a step that needs more is too long to be of use.
 const SWEEPS: u32 = 100;
 
-/// What a sweep that no longer brings an improvement may still change, relative to the state and to the step: rounding,
-/// a few times 1e-16 per stage and component. Where it changes more, there is still an improvement to wait for.
+/// What a sweep that no longer brings an improvement may still change, relative to the state and to
+/// the step: rounding, a few times 1e-16 per stage and component. Where it changes more, there is
+/// still an improvement to wait for.
 const ROUNDING: f64 = 1e-14;
 
 impl<const S: usize> ImplicitTableau<S> {
     /// The state one step `h` (s) after `z` at time `t` (s).
     ///
-    /// The slopes are found by fixed-point iteration from the one at the start of the step, until a sweep changes them
-    /// by no more than rounding, and by no less than the sweep before or not at all (Hairer, Lubich, Wanner, *Geometric
-    /// Numerical Integration*, Sect. VIII.6). Where the step is so long that the iteration does not converge, no component of
-    /// the state returned is a number.
+    /// The slopes are found by fixed-point iteration from the one at the start of the step, until a
+    /// sweep changes them by no more than rounding, and by no less than the sweep before or not at
+    /// all (Hairer, Lubich, Wanner, *Geometric Numerical Integration*, Sect. VIII.6). Where the
+    /// step is so long that the iteration does not converge, no component of the state returned is
+    /// a number.
     // ANCHOR: step
     #[inline(always)]
     pub fn step<Sys>(&self, system: &Sys, t: f64, h: f64, z: Sys::State) -> Sys::State

@@ -6,16 +6,18 @@
 )]
 
 use super::embedded::{Embedded, hermite};
+use super::tableau::{Coefficient, Row, Tableau, coefficient, row, tableau};
 use crate::integrate::Method;
-use crate::methods::runge_kutta::tableau::tableau;
 use crate::methods::{Info, MethodInfo};
 use crate::systems::{RateOf, System, Vector};
 
-/// Dormand–Prince 8(5,3): twelve slopes for a step of order 8, two error estimates, dense output of order 7.
+/// Dormand–Prince 8(5,3): twelve slopes for a step of order 8, two error estimates, dense output of
+/// order 7.
 ///
-/// Order 8, not symplectic, not symmetric, twelve force evaluations a step; dense output takes three more. Also called
-/// DOP853, Hairer's 8(5,3). Hairer, Nørsett, Wanner, *Solving Ordinary Differential Equations I* (1993), Sects. II.5,
-/// II.6 and II.10; the coefficients are those of the authors' program dop853.f.
+/// Order 8, not symplectic, not symmetric, twelve force evaluations a step; dense output takes
+/// three more. Also called DOP853, Hairer's 8(5,3). Hairer, Nørsett, Wanner, *Solving Ordinary
+/// Differential Equations I* (1993), Sects. II.5, II.6 and II.10; the coefficients are those of the
+/// authors' program dop853.f.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Dop853;
 
@@ -53,8 +55,9 @@ impl<S: System> Method<S> for Dop853 {
 // ANCHOR_END: step
 
 impl Embedded for Dop853 {
-    /// Of its two estimates the one, of order 6, is divided by √(1 + 0.01 q²), where q is how much larger the other is,
-    /// of order 4. Both together fall with h⁸, as the error of the step does with h⁹.
+    /// Of its two estimates the one, of order 6, is divided by √(1 + 0.01 q²), where q is how much
+    /// larger the other is, of order 4. Both together fall with h⁸, as the error of the step does
+    /// with h⁹.
     const ESTIMATE_ORDER: u32 = 8;
 
     type Stages<D: Vector> = Stages<D>;
@@ -73,8 +76,8 @@ impl Embedded for Dop853 {
         (z + stages.step() * h, stages)
     }
 
-    /// ‖e₅‖² / √(‖e₅‖² + 0.01 ‖e₃‖²), where e₅ and e₃ are the differences from the methods of order 5 and 3 within
-    /// (Hairer, Nørsett, Wanner, Sect. II.10).
+    /// ‖e₅‖² / √(‖e₅‖² + 0.01 ‖e₃‖²), where e₅ and e₃ are the differences from the methods of order
+    /// 5 and 3 within (Hairer, Nørsett, Wanner, Sect. II.10).
     #[inline]
     fn error<D: Vector>(&self, stages: &Stages<D>, size: impl Fn(D) -> f64) -> f64 {
         let fifth = size(stages.fifth());
@@ -223,7 +226,8 @@ tableau! {
 }
 
 tableau! {
-    /// The three stages more that dense output takes, after k13 = f(t + h, z + h · step), and its weights.
+    /// The three stages more that dense output takes, after k13 = f(t + h, z + h · step), and its
+    /// weights.
     More, DENSE, from [k1, k6, k7, k8, k9, k10, k11, k12, k13];
     stages {
         k14 at 1.0 / 10.0 => {

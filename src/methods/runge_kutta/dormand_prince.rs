@@ -1,17 +1,18 @@
 //! Dormand and Prince's method of order 5.
 
 use super::embedded::{Embedded, hermite};
+use super::tableau::{Coefficient, Row, Tableau, coefficient, row, tableau};
 use crate::integrate::Method;
-use crate::methods::runge_kutta::tableau::tableau;
 use crate::methods::{Info, MethodInfo};
 use crate::systems::{RateOf, System, Vector};
 
-/// Dormand–Prince 5(4): six slopes for a step of order 5, and a seventh, the first of the next step, to estimate its
-/// error.
+/// Dormand–Prince 5(4): six slopes for a step of order 5, and a seventh, the first of the next
+/// step, to estimate its error.
 ///
-/// Order 5, not symplectic, not symmetric, six force evaluations a step and one before the first; dense output of order
-/// 4 takes none. Also called DOPRI5, RK45, RKDP or ode45. Dormand, Prince, *J. Comput. Appl. Math.* 6 (1980) 19–26;
-/// Hairer, Nørsett, Wanner, *Solving Ordinary Differential Equations I* (1993), Table II.5.2 and Sect. II.6.
+/// Order 5, not symplectic, not symmetric, six force evaluations a step and one before the first;
+/// dense output of order 4 takes none. Also called DOPRI5, RK45, RKDP or ode45. Dormand, Prince,
+/// *J. Comput. Appl. Math.* 6 (1980) 19–26; Hairer, Nørsett, Wanner, *Solving Ordinary Differential
+/// Equations I* (1993), Table II.5.2 and Sect. II.6.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct DormandPrince;
 

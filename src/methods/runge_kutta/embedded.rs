@@ -14,8 +14,8 @@ pub trait Embedded: Copy {
     /// The coefficients of dense output: as many as its degree.
     type Dense<D: Vector>: Copy + AsRef<[D]>;
 
-    /// Tries a step `h` (s) from `z` at time `t` (s), where the slope is `slope`: the state that it leads to, and its
-    /// stages.
+    /// Tries a step `h` (s) from `z` at time `t` (s), where the slope is `slope`: the state that it
+    /// leads to, and its stages.
     fn attempt<S: System>(
         &self,
         system: &S,
@@ -25,7 +25,8 @@ pub trait Embedded: Copy {
         slope: RateOf<S>,
     ) -> (S::State, Self::Stages<RateOf<S>>);
 
-    /// The error of the step with these `stages`, in tolerances. `size` measures a displacement per h in tolerances.
+    /// The error of the step with these `stages`, in tolerances. `size` measures a displacement per
+    /// h in tolerances.
     fn error<D: Vector>(&self, stages: &Self::Stages<D>, size: impl Fn(D) -> f64) -> f64;
 
     /// The slope at the state `z` at time `t` (s) to which the step with these `stages` has led.
@@ -37,7 +38,8 @@ pub trait Embedded: Copy {
         stages: &Self::Stages<RateOf<S>>,
     ) -> RateOf<S>;
 
-    /// What [`Dense`](crate::adaptive::Dense) is made of, for a step `h` (s) from `z` at time `t` (s) with these `stages`.
+    /// What [`Dense`](crate::adaptive::Dense) is made of, for a step `h` (s) from `z` at time `t`
+    /// (s) with these `stages`.
     fn dense<S: System>(
         &self,
         system: &S,
@@ -50,8 +52,8 @@ pub trait Embedded: Copy {
 }
 // ANCHOR_END: embedded
 
-/// The first three coefficients of dense output, which make it meet both ends of a step: Hermite's cubic of the whole
-/// displacement `step` with the slopes at both ends, times h.
+/// The first three coefficients of dense output, which make it meet both ends of a step: Hermite's
+/// cubic of the whole displacement `step` with the slopes at both ends, times h.
 pub fn hermite<D: Vector>(step: D, start_slope: D, end_slope: D) -> [D; 3] {
     let second = start_slope + step * -1.0;
     let third = step + end_slope * -1.0 + second * -1.0;

@@ -6,9 +6,9 @@ use crate::systems::System;
 
 /// The explicit midpoint rule: the slope half a step ahead, for the whole step.
 ///
-/// Order 2, not symplectic, not symmetric, two force evaluations a step. Also called Runge's method or modified Euler.
-/// C. Runge, *Mathematische Annalen* 46 (1895), 167–178, doi:10.1007/BF01446807; Hairer, Nørsett, Wanner, *Solving
-/// Ordinary Differential Equations I*, Sect. II.1.
+/// Order 2, not symplectic, not symmetric, two force evaluations a step. Also called Runge's method
+/// or modified Euler. C. Runge, *Mathematische Annalen* 46 (1895), 167–178, doi:10.1007/BF01446807;
+/// Hairer, Nørsett, Wanner, *Solving Ordinary Differential Equations I*, Sect. II.1.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct ExplicitMidpoint;
 
@@ -24,7 +24,8 @@ impl Info for ExplicitMidpoint {
             implicit: false,
             force_evaluations: 2,
             start_evaluations: 0,
-            reference: "C. Runge, Math. Ann. 46 (1895) 167; Hairer, Nørsett, Wanner (1993), Sect. II.1",
+            reference: "C. Runge, Math. Ann. 46 (1895) 167; Hairer, Nørsett, Wanner (1993), Sect. \
+                        II.1",
         }
     }
 }

@@ -6,8 +6,8 @@ use crate::systems::System;
 
 /// Forward Euler: both components move along the tangent at the start of the step.
 ///
-/// Order 1, not symplectic, not symmetric, one force evaluation a step. Also called explicit Euler. Paper, Eqs. 6–7;
-/// Hairer, Lubich, Wanner, *Geometric Numerical Integration*, Sect. I.1.2.
+/// Order 1, not symplectic, not symmetric, one force evaluation a step. Also called explicit Euler.
+/// Paper, Eqs. 6–7; Hairer, Lubich, Wanner, *Geometric Numerical Integration*, Sect. I.1.2.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct ForwardEuler;
 

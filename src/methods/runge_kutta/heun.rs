@@ -6,9 +6,9 @@ use crate::systems::System;
 
 /// Heun's method of order 2: the mean of the slopes at both ends of an Euler step.
 ///
-/// Order 2, not symplectic, not symmetric, two force evaluations a step. Also called the explicit trapezoidal rule or
-/// improved Euler. K. Heun, *Zeitschrift für Mathematik und Physik* 45 (1900), 23–38; Hairer, Nørsett, Wanner, *Solving
-/// Ordinary Differential Equations I*, Sect. II.1.
+/// Order 2, not symplectic, not symmetric, two force evaluations a step. Also called the explicit
+/// trapezoidal rule or improved Euler. K. Heun, *Zeitschrift für Mathematik und Physik* 45 (1900),
+/// 23–38; Hairer, Nørsett, Wanner, *Solving Ordinary Differential Equations I*, Sect. II.1.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Heun;
 
@@ -24,7 +24,8 @@ impl Info for Heun {
             implicit: false,
             force_evaluations: 2,
             start_evaluations: 0,
-            reference: "K. Heun, Z. Math. Phys. 45 (1900) 23; Hairer, Nørsett, Wanner (1993), Sect. II.1",
+            reference: "K. Heun, Z. Math. Phys. 45 (1900) 23; Hairer, Nørsett, Wanner (1993), \
+                        Sect. II.1",
         }
     }
 }

@@ -6,8 +6,9 @@ use crate::systems::System;
 
 /// The classical Runge–Kutta method: four slopes, weighted 1 : 2 : 2 : 1.
 ///
-/// Order 4, not symplectic, not symmetric, four force evaluations a step. Also called RK4 or "the" Runge–Kutta
-/// method. Paper, Algorithm 1; Hairer, Lubich, Wanner, *Geometric Numerical Integration*, Sect. II.1.1.
+/// Order 4, not symplectic, not symmetric, four force evaluations a step. Also called RK4 or "the"
+/// Runge–Kutta method. Paper, Algorithm 1; Hairer, Lubich, Wanner, *Geometric Numerical
+/// Integration*, Sect. II.1.1.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Rk4;
 

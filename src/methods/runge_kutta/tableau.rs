@@ -1,7 +1,8 @@
 //! Explicit Runge–Kutta methods as tables of coefficients.
 //!
-//! A [`Tableau`] is data. The macro `tableau!` makes of one table both that data, with the digits as its source has
-//! them, and straight code that takes the stages: no loop, no index, no product with zero.
+//! A [`Tableau`] is data. The macro `tableau!` makes of one table both that data, with the digits
+//! as its source has them, and straight code that takes the stages: no loop, no index, no product
+//! with zero.
 
 /// A number of a tableau.
 #[derive(Clone, Copy, Debug)]
@@ -35,7 +36,8 @@ pub struct Tableau {
 }
 
 impl Tableau {
-    /// The largest sum of the sizes of a row's coefficients: how far a stage or a sum leads, in steps.
+    /// The largest sum of the sizes of a row's coefficients: how far a stage or a sum leads, in
+    /// steps.
     pub(crate) const fn reach(&self) -> f64 {
         Row::longest(self.stages).max(Row::longest(self.sums))
     }
@@ -58,8 +60,8 @@ impl Row {
 }
 
 // ANCHOR: tableau
-/// Makes of a table `struct $Stages`, whose function `evaluate` takes the stages and which has a method for each sum, and the
-/// table as data, `$TABLEAU`.
+/// Makes of a table `struct $Stages`, whose function `evaluate` takes the stages and which has a
+/// method for each sum, and the table as data, `$TABLEAU`.
 macro_rules! tableau {
     (
         $(#[$doc:meta])*
@@ -80,10 +82,17 @@ macro_rules! tableau {
         }
 
         impl<D: $crate::Vector> $Stages<D> {
-            /// Takes the stages of a step `h` (s) from `z` at time `t` (s). The known ones are given.
+            /// Takes the stages of a step `h` (s) from `z` at time `t` (s). The known ones are
+            /// given.
             #[inline(always)]
             #[allow(unused_variables, reason = "where no stage is added, nothing is evaluated")]
-            pub fn evaluate<S>(system: &S, t: f64, h: f64, z: S::State, known: [D; [$(stringify!($known)),+].len()]) -> Self
+            pub fn evaluate<S>(
+                system: &S,
+                t: f64,
+                h: f64,
+                z: S::State,
+                known: [D; [$(stringify!($known)),+].len()],
+            ) -> Self
             where
                 S: $crate::System<State: $crate::State<Displacement = D>>,
             {
@@ -105,14 +114,14 @@ macro_rules! tableau {
         }
 
         $(#[$doc])*
-        pub const $TABLEAU: $crate::methods::runge_kutta::tableau::Tableau = $crate::methods::runge_kutta::tableau::Tableau {
+        pub const $TABLEAU: Tableau = Tableau {
             known: &[$(stringify!($known)),+],
             stages: &[$(
-                $crate::methods::runge_kutta::tableau::row!($k, Some($crate::methods::runge_kutta::tableau::coefficient!($c)),
+                row!($k, Some(coefficient!($c)),
                     $k_first: $a_first, $($k_other: $a,)*),
             )*],
             sums: &[$(
-                $crate::methods::runge_kutta::tableau::row!($sum, None, $b_of: $b_first, $($b_other: $b,)*),
+                row!($sum, None, $b_of: $b_first, $($b_other: $b,)*),
             )+],
         };
     };
@@ -121,17 +130,17 @@ macro_rules! tableau {
 
 macro_rules! row {
     ($name:ident, $node:expr, $($k:ident: $a:expr,)+) => {
-        $crate::methods::runge_kutta::tableau::Row {
+        Row {
             name: stringify!($name),
             node: $node,
-            terms: &[$((stringify!($k), $crate::methods::runge_kutta::tableau::coefficient!($a))),+],
+            terms: &[$((stringify!($k), coefficient!($a))),+],
         }
     };
 }
 
 macro_rules! coefficient {
     ($a:expr) => {
-        $crate::methods::runge_kutta::tableau::Coefficient { value: $a, written: stringify!($a) }
+        Coefficient { value: $a, written: stringify!($a) }
     };
 }
 
@@ -141,7 +150,7 @@ pub(crate) use tableau;
 
 #[cfg(test)]
 mod tests {
-    use super::{Row, Tableau};
+    use super::*;
 
     /// Catches: coefficients that cancel; a row, or the sums, passed over.
     #[test]

@@ -3,12 +3,13 @@
 use crate::methods::splitting::{Splitting, kicks, palindrome};
 use crate::methods::{Info, MethodInfo};
 
-/// Kahan and Li's method of order 8: seventeen short steps of Störmer–Verlet, where fifteen long ones would do.
+/// Kahan and Li's method of order 8: seventeen short steps of Störmer–Verlet, where fifteen long
+/// ones would do.
 ///
-/// Order 8, symplectic, symmetric, seventeen force evaluations a step. W. Kahan, R.-C. Li: Composition constants for
-/// raising the orders of unconventional schemes for ordinary differential equations, *Mathematics of Computation* 66
-/// (1997), 1089–1099, doi:10.1090/S0025-5718-97-00873-9, s17odr8a; Hairer, Lubich, Wanner, *Geometric Numerical
-/// Integration*, Sect. V.3.2.
+/// Order 8, symplectic, symmetric, seventeen force evaluations a step. W. Kahan, R.-C. Li:
+/// Composition constants for raising the orders of unconventional schemes for ordinary differential
+/// equations, *Mathematics of Computation* 66 (1997), 1089–1099, doi:10.1090/S0025-5718-97-00873-9,
+/// s17odr8a; Hairer, Lubich, Wanner, *Geometric Numerical Integration*, Sect. V.3.2.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct KahanLi8;
 
@@ -24,7 +25,8 @@ impl Info for KahanLi8 {
             implicit: false,
             force_evaluations: 17,
             start_evaluations: 1,
-            reference: "W. Kahan, R.-C. Li, Math. Comp. 66 (1997) 1089; Hairer, Lubich, Wanner (2006), Eq. V.3.13",
+            reference: "W. Kahan, R.-C. Li, Math. Comp. 66 (1997) 1089; Hairer, Lubich, Wanner \
+                        (2006), Eq. V.3.13",
         }
     }
 }

@@ -1,6 +1,7 @@
 //! Splitting methods: the force kicks the velocity, the velocity drifts the position, by turns.
 //!
-//! The first three are written out; the others are tables of kicks and drifts, a [`Splitting`] each.
+//! The first three are written out; the others are tables of kicks and drifts, a [`Splitting`]
+//! each.
 
 mod blanes_moan_4;
 mod blanes_moan_6;

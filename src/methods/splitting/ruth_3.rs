@@ -3,10 +3,12 @@
 use crate::methods::splitting::Splitting;
 use crate::methods::{Info, MethodInfo};
 
-/// Ruth's method of order 3: three kicks and three drifts, the first symplectic method beyond order 2.
+/// Ruth's method of order 3: three kicks and three drifts, the first symplectic method beyond
+/// order 2.
 ///
-/// Order 3, symplectic, not symmetric, three force evaluations a step. R. D. Ruth: A canonical integration technique,
-/// *IEEE Transactions on Nuclear Science* 30 (1983), 2669–2671, doi:10.1109/TNS.1983.4332919.
+/// Order 3, symplectic, not symmetric, three force evaluations a step. R. D. Ruth: A canonical
+/// integration technique, *IEEE Transactions on Nuclear Science* 30 (1983), 2669–2671,
+/// doi:10.1109/TNS.1983.4332919.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Ruth3;
 

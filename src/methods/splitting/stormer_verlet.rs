@@ -6,9 +6,10 @@ use crate::systems::Separable;
 
 /// Störmer–Verlet in velocity form: half a kick, a drift, half a kick.
 ///
-/// The force at the end of a step is the force at the start of the next, so it is evaluated once and handed on.
-/// Order 2, symplectic, symmetric, one force evaluation a step and one before the first. Also called velocity Verlet,
-/// leapfrog, kick–drift–kick. Paper, Eqs. 10–12; Hairer, Lubich, Wanner, *Geometric Numerical Integration*, Sect. I.1.4.
+/// The force at the end of a step is the force at the start of the next, so it is evaluated once
+/// and handed on. Order 2, symplectic, symmetric, one force evaluation a step and one before the
+/// first. Also called velocity Verlet, leapfrog, kick–drift–kick. Paper, Eqs. 10–12; Hairer,
+/// Lubich, Wanner, *Geometric Numerical Integration*, Sect. I.1.4.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct StormerVerlet;
 

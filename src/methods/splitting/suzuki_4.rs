@@ -5,10 +5,10 @@ use crate::methods::{Info, MethodInfo};
 
 /// Suzuki's method of order 4: five steps of Störmer–Verlet, the middle one backwards.
 ///
-/// With p = 1/(4 − ∛4) the substeps are p, p, 1 − 4p, p, p: each is shorter than the step, while those of Forest and
-/// Ruth are longer, and the error is the smaller for it. Order 4, symplectic, symmetric, five force evaluations a step.
-/// M. Suzuki: Fractal decomposition of exponential operators, *Physics Letters A* 146 (1990), 319–323,
-/// doi:10.1016/0375-9601(90)90962-N.
+/// With p = 1/(4 − ∛4) the substeps are p, p, 1 − 4p, p, p: each is shorter than the step, while
+/// those of Forest and Ruth are longer, and the error is the smaller for it. Order 4, symplectic,
+/// symmetric, five force evaluations a step. M. Suzuki: Fractal decomposition of exponential
+/// operators, *Physics Letters A* 146 (1990), 319–323, doi:10.1016/0375-9601(90)90962-N.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Suzuki4;
 

@@ -4,10 +4,12 @@ use crate::integrate::Method;
 use crate::methods::{Info, MethodInfo};
 use crate::systems::Separable;
 
-/// Symplectic Euler: the velocity is kicked first, then the position drifts with the *new* velocity.
+/// Symplectic Euler: the velocity is kicked first, then the position drifts with the *new*
+/// velocity.
 ///
-/// Order 1, symplectic, not symmetric, one force evaluation a step. Also called semi-implicit Euler or
-/// Euler–Cromer. Paper, Eqs. 8–9; Hairer, Lubich, Wanner, *Geometric Numerical Integration*, Sect. I.1.2.
+/// Order 1, symplectic, not symmetric, one force evaluation a step. Also called semi-implicit Euler
+/// or Euler–Cromer. Paper, Eqs. 8–9; Hairer, Lubich, Wanner, *Geometric Numerical Integration*,
+/// Sect. I.1.2.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct SymplecticEuler;
 

@@ -5,10 +5,11 @@ use crate::systems::Separable;
 
 /// A splitting method as data: kicks and drifts by turns, a kick first and a kick last.
 ///
-/// Where the first kick of a step takes the force, the last kick of the step before has just evaluated it, and the two
-/// become one kick. So a step costs as many evaluations as it has drifts.
+/// Where the first kick of a step takes the force, the last kick of the step before has just
+/// evaluated it, and the two become one kick. So a step costs as many evaluations as it has drifts.
 pub trait Splitting {
-    /// The kicks, in units of the step: one more than there are drifts. Where the method ends with a drift, the last is 0.
+    /// The kicks, in units of the step: one more than there are drifts. Where the method ends with
+    /// a drift, the last is 0.
     const KICKS: &'static [f64];
     /// The drifts, in units of the step.
     const DRIFTS: &'static [f64];
@@ -52,8 +53,8 @@ pub const fn length(all: &[f64]) -> f64 {
     sum
 }
 
-/// The kicks of a composition of Störmer–Verlet steps: between two drifts two half kicks are one, and the outermost are
-/// halves. The drifts are the substeps themselves.
+/// The kicks of a composition of Störmer–Verlet steps: between two drifts two half kicks are one,
+/// and the outermost are halves. The drifts are the substeps themselves.
 pub const fn kicks<const N: usize, const KICKS: usize>(substeps: [f64; N]) -> [f64; KICKS] {
     assert!(KICKS == N + 1);
     let mut kicks = [0.0; KICKS];

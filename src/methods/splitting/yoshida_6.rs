@@ -5,9 +5,10 @@ use crate::methods::{Info, MethodInfo};
 
 /// Yoshida's method of order 6: seven steps of Störmer–Verlet.
 ///
-/// Order 6, symplectic, symmetric, seven force evaluations a step. H. Yoshida: Construction of higher order symplectic
-/// integrators, *Physics Letters A* 150 (1990), 262–268, doi:10.1016/0375-9601(90)90092-3, Table 1, solution A; the
-/// digits beyond the fourteen printed there solve the same conditions.
+/// Order 6, symplectic, symmetric, seven force evaluations a step. H. Yoshida: Construction of
+/// higher order symplectic integrators, *Physics Letters A* 150 (1990), 262–268,
+/// doi:10.1016/0375-9601(90)90092-3, Table 1, solution A; the digits beyond the fourteen printed
+/// there solve the same conditions.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Yoshida6;
 

@@ -9,8 +9,8 @@ use crate::systems::Analytic;
 
 /// The Taylor series of the motion to the power `P` of the step.
 ///
-/// Order P, not symplectic, not symmetric, one sine and one cosine a step; for systems that are [`Analytic`]. À. Jorba,
-/// M. Zou, *Experiment. Math.* 14 (2005) 99–117.
+/// Order P, not symplectic, not symmetric, one sine and one cosine a step; for systems that are
+/// [`Analytic`]. À. Jorba, M. Zou, *Experiment. Math.* 14 (2005) 99–117.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Taylor<const P: usize>;
 

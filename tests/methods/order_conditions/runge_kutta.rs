@@ -1,9 +1,11 @@
-//! The tables of Dormand and Prince's methods against their order conditions, one for each rooted tree: in twice the digits
-//! of f64 from the numbers as they are written, and in f64 through the code that takes the steps.
+//! The tables of Dormand and Prince's methods against their order conditions, one for each rooted
+//! tree: in twice the digits of f64 from the numbers as they are written, and in f64 through the
+//! code that takes the steps.
 //!
-//! A tree τ with the subtrees τ₁ … τₘ is the equation ẏ_τ = y_τ₁ … y_τₘ. From zero its solution is tⁿ/γ(τ), for n
-//! vertices, and a Runge–Kutta method is of order p if it is right to the last digit for every tree of up to p vertices
-//! (Hairer, Nørsett, Wanner, *Solving Ordinary Differential Equations I*, Theorem II.2.13).
+//! A tree τ with the subtrees τ₁ … τₘ is the equation ẏ_τ = y_τ₁ … y_τₘ. From zero its solution is
+//! tⁿ/γ(τ), for n vertices, and a Runge–Kutta method is of order p if it is right to the last digit
+//! for every tree of up to p vertices (Hairer, Nørsett, Wanner, *Solving Ordinary Differential
+//! Equations I*, Theorem II.2.13).
 
 use std::collections::BTreeMap;
 use std::ops::{Add, Mul};
@@ -17,9 +19,9 @@ use pendula::methods::runge_kutta::tableau::{Coefficient, Row};
 use pendula::{Method, System, Vector};
 use rstest::rstest;
 
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 // Trees
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 
 struct Tree {
     vertices: usize,
@@ -45,7 +47,8 @@ fn trees(most: usize) -> Vec<Tree> {
     trees
 }
 
-/// Every multiset of `trees` before number `before` that has so many `vertices`, after those in `chosen`.
+/// Every multiset of `trees` before number `before` that has so many `vertices`, after those in
+/// `chosen`.
 fn grow(
     trees: &[Tree],
     vertices: usize,
@@ -75,9 +78,9 @@ fn no_tree_is_forgotten() {
     assert!((sum - 0.5).abs() < 1e-15);
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 // The tables, with all their digits
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 
 /// A number of a table, and by how much the digits that are not printed may change it.
 #[derive(Clone, Copy)]
@@ -86,7 +89,8 @@ struct Printed {
     half_digit: f64,
 }
 
-/// Fewer digits than this are all there are: 0.0371 is 371/10000. Those that go on are printed to 28 or more.
+/// Fewer digits than this are all there are: 0.0371 is 371/10000. Those that go on are printed to
+/// 28 or more.
 const ALL_DIGITS: usize = 20;
 
 /// Reads a fraction, or a decimal number.
@@ -203,8 +207,8 @@ impl Table {
             .fold(0.0, f64::max)
     }
 
-    /// The weights of the dense output when the part `s` of the step is over, from the three coefficients that make it
-    /// meet both ends and those `more`.
+    /// The weights of the dense output when the part `s` of the step is over, from the three
+    /// coefficients that make it meet both ends and those `more`.
     fn dense(&self, s: DoubleDouble, end: &str, more: &[&str]) -> Weights {
         let unit = |name: &str| {
             let number = self.names.iter().position(|known| *known == name).unwrap();
@@ -248,17 +252,17 @@ fn total(row: &Weights, of_stages: &[(DoubleDouble, f64)]) -> (DoubleDouble, f64
 /// 2⁻¹⁰⁴, to which an operation on double-doubles is right.
 const UNIT: f64 = 4.93e-32;
 
-/// By how much the condition of a tree may fail: each of its vertices brings one printed number, and a sum over up to 16
-/// stages of a few operations each. The weights themselves may be sums whose numbers have cancelled, but not what is not
-/// printed of them.
+/// By how much the condition of a tree may fail: each of its vertices brings one printed number,
+/// and a sum over up to 16 stages of a few operations each. The weights themselves may be sums
+/// whose numbers have cancelled, but not what is not printed of them.
 fn allowed(table: &Table, tree: &Tree, row: &Weights, of_stages: &[(DoubleDouble, f64)]) -> f64 {
     let (_, size) = total(row, of_stages);
     let of_weights: f64 = row.iter().map(|(&stage, b)| b.half_digit * of_stages[stage].1).sum();
     tree.vertices as f64 * (table.coarseness() + 50.0 * UNIT) * size + of_weights
 }
 
-/// The order of `row`, which is to be right for tⁿ at t = s: the vertices of the smallest tree that fails, less one; and by how
-/// much that tree does.
+/// The order of `row`, which is to be right for tⁿ at t = s: the vertices of the smallest tree that
+/// fails, less one; and by how much that tree does.
 fn order_and_failure(
     table: &Table,
     row: &Weights,
@@ -278,7 +282,8 @@ fn order_and_failure(
     (9, 0.0)
 }
 
-/// The order of `row`, when no digit of it is wrong: one that fails by less than 1e-9 has a wrong digit, and no wrong order.
+/// The order of `row`, when no digit of it is wrong: one that fails by less than 1e-9 has a wrong
+/// digit, and no wrong order.
 fn order(
     table: &Table,
     row: &Weights,
@@ -294,7 +299,8 @@ fn solution(tree: &Tree, power: DoubleDouble) -> DoubleDouble {
     power / DoubleDouble::new(tree.density)
 }
 
-/// Catches: any digit wrong of the 28 and more that are printed, in a stage or in the weights; an order claimed too high.
+/// Catches: any digit wrong of the 28 and more that are printed, in a stage or in the weights; an
+/// order claimed too high.
 #[rstest]
 #[case::dormand_prince(Table::dormand_prince(), 5)]
 #[case::dop853(Table::dop853(), 8)]
@@ -304,8 +310,8 @@ fn the_step_has_its_order_for_every_tree(#[case] table: Table, #[case] expected:
 
 /// What a sum estimates is zero for all trees up to the order of the method within.
 ///
-/// Catches: a wrong digit in an estimate; one that is of a higher order, and sees no error, or of a lower, and sees one
-/// everywhere.
+/// Catches: a wrong digit in an estimate; one that is of a higher order, and sees no error, or of a
+/// lower, and sees one everywhere.
 #[rstest]
 #[case::dormand_prince(Table::dormand_prince(), "error", 4)]
 #[case::dop853(Table::dop853(), "fifth", 5)]
@@ -327,7 +333,8 @@ fn the_third_order_within_has_it() {
 
 /// At more times than a polynomial of its degree has coefficients, it is right for every tree.
 ///
-/// Catches: a wrong digit in the stages and weights of dense output, in any of its coefficients; an order claimed too high.
+/// Catches: a wrong digit in the stages and weights of dense output, in any of its coefficients; an
+/// order claimed too high.
 #[rstest]
 #[case::dormand_prince(Table::dormand_prince(), "k7", &["fourth"], 4)]
 #[case::dop853(Table::dop853(), "k13", &["fourth", "dense fifth", "sixth", "seventh"], 7)]
@@ -343,10 +350,12 @@ fn dense_output_has_its_order_at_every_time(
     }
 }
 
-/// Each number in turn is made wrong in its 20th digit, four beyond those of an f64, and a condition fails: a test of the
-/// tests above. (DOP853's are printed to 28 and more; but some count for little, and many cancel.)
+/// Each number in turn is made wrong in its 20th digit, four beyond those of an f64, and a
+/// condition fails: a test of the tests above. (DOP853's are printed to 28 and more; but some count
+/// for little, and many cancel.)
 ///
-/// Catches: tolerances so wide that a digit could hide in them; a number that no condition asks for.
+/// Catches: tolerances so wide that a digit could hide in them; a number that no condition asks
+/// for.
 #[rstest]
 #[case::dormand_prince(Table::dormand_prince(), "k7", &["fourth"], 4)]
 #[case::dop853(Table::dop853(), "k13", &["fourth", "dense fifth", "sixth", "seventh"], 7)]
@@ -380,7 +389,8 @@ fn every_digit_counts(
     }
 }
 
-/// Catches: a time of a stage that is not the sum of its row, which a system without a clock never asks for.
+/// Catches: a time of a stage that is not the sum of its row, which a system without a clock never
+/// asks for.
 #[rstest]
 #[case::dormand_prince(Table::dormand_prince())]
 #[case::dop853(Table::dop853())]
@@ -393,9 +403,9 @@ fn each_stage_is_taken_at_the_sum_of_its_row(#[case] table: Table) {
     }
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 // The same through the code
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 
 /// The trees of up to 8 vertices.
 const FOREST: usize = 200;
@@ -422,7 +432,8 @@ impl Mul<f64> for Forest {
 
 impl Vector for Forest {}
 
-/// The equations of all trees at once; that of the bare root by the clock, ẏ = 1, so that a tree with it says the time.
+/// The equations of all trees at once; that of the bare root by the clock, ẏ = 1, so that a tree
+/// with it says the time.
 struct Growth {
     trees: Vec<Tree>,
 }
@@ -441,8 +452,8 @@ impl System for Growth {
 /// A step of 0.8, so that an h that is missing shows: with 1 it would not.
 const H: f64 = 0.8;
 
-/// Rounding: each of the up to 8 vertices of a tree brings a sum of up to 16 products, an ε each, of the size that `table`
-/// has if nothing cancels; and a step shorter than 1 makes it no larger.
+/// Rounding: each of the up to 8 vertices of a tree brings a sum of up to 16 products, an ε each,
+/// of the size that `table` has if nothing cancels; and a step shorter than 1 makes it no larger.
 fn rounding(table: &Table, row: &Weights, trees: &[Tree]) -> Vec<f64> {
     let elementary = table.elementary(trees);
     let bound = |(tree, of_stages): (&Tree, &Vec<(DoubleDouble, f64)>)| {
@@ -459,11 +470,18 @@ fn assert_grown(growth: &Growth, y: Forest, t: f64, order: usize, rounding: &[f6
     }
 }
 
-/// Catches: a coefficient that the code takes from another place than the table has it, a time of a stage without its h, a
-/// stage left out; a slope handed on that is not the last.
+/// Catches: a coefficient that the code takes from another place than the table has it, a time of a
+/// stage without its h, a stage left out; a slope handed on that is not the last.
 #[rstest]
 #[case::dormand_prince(DormandPrince, Table::dormand_prince(), 5, &["fourth"], "k7", 4)]
-#[case::dop853(Dop853, Table::dop853(), 8, &["fourth", "dense fifth", "sixth", "seventh"], "k13", 7)]
+#[case::dop853(
+    Dop853,
+    Table::dop853(),
+    8,
+    &["fourth", "dense fifth", "sixth", "seventh"],
+    "k13",
+    7
+)]
 fn the_code_grows_every_tree<M>(
     #[case] method: M,
     #[case] table: Table,

@@ -1,4 +1,5 @@
-//! The tables of the splitting methods against their order conditions, word by word, in twice the digits of f64.
+//! The tables of the splitting methods against their order conditions, word by word, in twice the
+//! digits of f64.
 
 use pendula::arithmetic::double_double::DoubleDouble;
 use pendula::methods::splitting::{Splitting, length};
@@ -7,8 +8,8 @@ use pendula::methods::{
 };
 use pendula::{Info, METHODS, Method, Pendulum};
 
-/// A step as a series in words of the operators A (drift, bit 0) and B (kick, bit 1): `series[d][w]` is the coefficient
-/// of the word of d letters whose bits are w.
+/// A step as a series in words of the operators A (drift, bit 0) and B (kick, bit 1):
+/// `series[d][w]` is the coefficient of the word of d letters whose bits are w.
 type WordSeries = Vec<Vec<DoubleDouble>>;
 
 // ANCHOR: words
@@ -51,8 +52,9 @@ fn defects<M: Splitting>(degree: usize) -> Vec<DoubleDouble> {
     words::<M>(degree).swap_remove(degree).into_iter().map(|word| word - exact).collect()
 }
 
-/// Takes from `defects`, of words of `degree` letters, what vanishes for a kinetic energy that is a square: multiples of
-/// [B, [B, [B, A]]] = BBBA − 3 BBAB + 3 BABB − ABBB, with any letters before and after.
+/// Takes from `defects`, of words of `degree` letters, what vanishes for a kinetic energy that is a
+/// square: multiples of [B, [B, [B, A]]] = BBBA − 3 BBAB + 3 BABB − ABBB, with any letters before
+/// and after.
 fn modulo_the_square(mut defects: Vec<DoubleDouble>, degree: usize) -> Vec<DoubleDouble> {
     const BRACKET: [(usize, f64); 4] =
         [(0b1110, 1.0), (0b1101, -3.0), (0b1011, 3.0), (0b0111, -1.0)];
@@ -87,8 +89,9 @@ fn without(vector: Vec<DoubleDouble>, row: &[DoubleDouble]) -> Vec<DoubleDouble>
     vector.into_iter().zip(row).map(|(x, y)| x - share * *y).collect()
 }
 
-/// Each coefficient is an f64, off by 2⁻⁵³ of itself, or printed in 15 digits; a word of d letters has at most d of them, each sum
-/// of products of size Lᵈ/d!, where L is the sum of all kicks or of all drifts.
+/// Each coefficient is an f64, off by 2⁻⁵³ of itself, or printed in 15 digits; a word of d letters
+/// has at most d of them, each sum of products of size Lᵈ/d!, where L is the sum of all kicks or of
+/// all drifts.
 fn tolerance<M: Splitting>(degree: usize) -> f64 {
     let longest = length(M::KICKS).max(length(M::DRIFTS));
     let size = (1..=degree).fold(1.0, |size, k| size * longest / k as f64);
@@ -115,11 +118,11 @@ fn check<M: Splitting + Info>(method: M, kinetic_energy_is_a_square: bool) {
     assert_eq!(M::KICKS.len(), M::DRIFTS.len() + 1);
 }
 
-/// The order conditions of every table, all of them, in double-double: a step agrees with the exact flow in every word of up
-/// to p kicks and drifts, and not in some word of p + 1.
+/// The order conditions of every table, all of them, in double-double: a step agrees with the exact
+/// flow in every word of up to p kicks and drifts, and not in some word of p + 1.
 ///
-/// Catches: a coefficient that is wrong in its fourteenth decimal, or before; a table that is not held to
-/// them, since among the library's methods none but these splits and has an order beyond 2.
+/// Catches: a coefficient that is wrong in its fourteenth decimal, or before; a table that is not
+/// held to them, since among the library's methods none but these splits and has an order beyond 2.
 #[test]
 fn every_table_meets_its_order_conditions() {
     let mut checked = Vec::new();
@@ -168,7 +171,8 @@ fn that_the_kinetic_energy_is_a_square_is_needed() {
 
 /// By hand: 2w + (2w − 1) for Forest and Ruth's drifts, with w = 1.351; and its kicks are shorter.
 ///
-/// Catches: a backward step counted against the forward ones, so that a run might lose count of its half turns.
+/// Catches: a backward step counted against the forward ones, so that a run might lose count of its
+/// half turns.
 #[test]
 fn steps_backward_count_too() {
     let reach = <ForestRuth as Method<Pendulum>>::REACH;

@@ -19,7 +19,8 @@ impostor! {
 }
 
 impostor! {
-    /// The angle moves with the mean of the old and the new velocity: more accurate, and not symplectic.
+    /// The angle moves with the mean of the old and the new velocity: more accurate, and not
+    /// symplectic.
     MeanVelocity poses as SymplecticEuler, |system, h, z| {
         let kicked = system.kick(z, system.force(0.0, z), h);
         Phase { theta: z.theta + 0.5 * h * (z.omega + kicked.omega), ..kicked }

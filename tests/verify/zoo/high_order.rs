@@ -1,4 +1,5 @@
-//! Impostors of the methods of high order: their tables with an entry changed, their loops cut short.
+//! Impostors of the methods of high order: their tables with an entry changed, their loops cut
+//! short.
 
 use pendula::arithmetic::sine::{cos, sin};
 use pendula::methods::runge_kutta::dop853;
@@ -37,13 +38,15 @@ composition! {
 }
 
 composition! {
-    /// The same off by a millionth on either side, and the middle is what is left. The sum is 1, and the sum of cubes nearly 0.
+    /// The same off by a millionth on either side, and the middle is what is left. The sum is 1,
+    /// and the sum of cubes nearly 0.
     TripleJumpOff poses as ForestRuth, 3 substeps,
     [ForestRuth::DRIFTS[0] + 1e-6, ForestRuth::DRIFTS[1] - 2e-6, ForestRuth::DRIFTS[2] + 1e-6]
 }
 
 composition! {
-    /// Yoshida's six and a middle, of which the second has the wrong sign; the middle is what is left.
+    /// Yoshida's six and a middle, of which the second has the wrong sign; the middle is what is
+    /// left.
     SignLost poses as Yoshida6, 7 substeps, {
         let [a, b, c] = [Yoshida6::DRIFTS[0], -Yoshida6::DRIFTS[1], Yoshida6::DRIFTS[2]];
         [a, b, c, 1.0 - 2.0 * (a + b + c), c, b, a]
@@ -132,7 +135,8 @@ impl<S: Plain> Method<S> for EntryOff {
 
 runs_in_seconds!(EntryOff);
 
-/// The Taylor series of order 24, term by term as in a book, without one of the products of one of its coefficients.
+/// The Taylor series of order 24, term by term as in a book, without one of the products of one of
+/// its coefficients.
 pub struct TermDropped {
     /// The power of the step, of the sine or of the cosine, whose coefficient lacks …
     pub power: usize,

@@ -1,7 +1,8 @@
-//! A zoo of impostors: wrong methods and wrong metrics, each close to a right one. Most have been published or shipped.
+//! A zoo of impostors: wrong methods and wrong metrics, each close to a right one. Most have been
+//! published or shipped.
 //!
-//! An impostor of a method has the entry of the method that it poses as, and so claims its order, its symplecticity and
-//! its work.
+//! An impostor of a method has the entry of the method that it poses as, and so claims its order,
+//! its symplecticity and its work.
 
 pub mod euler;
 pub mod high_order;
@@ -62,7 +63,10 @@ pub(crate) use runs_in_seconds;
 
 /// Makes a method of one expression for its step. Its entry is that of the method it poses as.
 macro_rules! impostor {
-    ($(#[$doc:meta])* $name:ident poses as $truth:ident, |$system:ident, $h:ident, $z:ident| $step:expr) => {
+    (
+        $(#[$doc:meta])*
+        $name:ident poses as $truth:ident, |$system:ident, $h:ident, $z:ident| $step:expr
+    ) => {
         $(#[$doc])*
         pub struct $name;
 
@@ -77,7 +81,14 @@ macro_rules! impostor {
 
             fn start(&self, _system: &S, _t: f64, _h: f64, _z: pendula::Phase) {}
 
-            fn step(&self, $system: &S, _t: f64, $h: f64, $z: pendula::Phase, _memo: &mut ()) -> pendula::Phase {
+            fn step(
+                &self,
+                $system: &S,
+                _t: f64,
+                $h: f64,
+                $z: pendula::Phase,
+                _carry: &mut (),
+            ) -> pendula::Phase {
                 $step
             }
         }

@@ -6,8 +6,8 @@ use pendula::{Info, Method, MethodInfo, Phase, Separable};
 use super::{Plain, impostor, runs_in_seconds};
 
 impostor! {
-    /// Position for velocity Verlet: half a drift, a kick, half a drift. It evaluates once a step, but not before the
-    /// first.
+    /// Position for velocity Verlet: half a drift, a kick, half a drift. It evaluates once a step,
+    /// but not before the first.
     PositionForm poses as StormerVerlet, |system, h, z| {
         let z = system.drift(z, 0.5 * h);
         let z = system.kick(z, system.force(0.0, z), h);
@@ -16,7 +16,8 @@ impostor! {
 }
 
 impostor! {
-    /// The force evaluated anew for each half kick, as the paper's algorithm has it: the same numbers for twice the work.
+    /// The force evaluated anew for each half kick, as the paper's algorithm has it: the same
+    /// numbers for twice the work.
     EvaluatedTwice poses as StormerVerlet, |system, h, z| {
         let z = system.kick(z, system.force(0.0, z), 0.5 * h);
         let z = system.drift(z, h);
@@ -34,7 +35,8 @@ impostor! {
 }
 
 impostor! {
-    /// Leapfrog whose velocities are begun at the start and not half a step before: symplectic Euler.
+    /// Leapfrog whose velocities are begun at the start and not half a step before: symplectic
+    /// Euler.
     Unstaggered poses as StormerVerlet, |system, h, z| {
         let z = system.kick(z, system.force(0.0, z), h);
         system.drift(z, h)

@@ -36,7 +36,8 @@ macro_rules! spoilt_step {
 }
 
 spoilt_step! {
-    /// Half the step is passed on, as when h/2 is prepared for the kicks and used for the rest as well.
+    /// Half the step is passed on, as when h/2 is prepared for the kicks and used for the rest as
+    /// well.
     HalfTheStep, |h| 0.5 * h, |z| z
 }
 
@@ -88,7 +89,8 @@ impl<M: AnyMethod> AnyMethod for OneStepShort<M> {
     }
 }
 
-/// Time is added up, `while t < end { t += h }`: after ten steps of 0.1 it is 0.9999999999999999, and one more is taken.
+/// Time is added up, `while t < end { t += h }`: after ten steps of 0.1 it is 0.9999999999999999,
+/// and one more is taken.
 pub struct TimeAccumulated<M>(pub M);
 
 impl<M: AnyMethod> Info for TimeAccumulated<M> {

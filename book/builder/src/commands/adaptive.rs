@@ -51,12 +51,12 @@ enum Pair {
     Dop853,
 }
 
-/// Writes the rows t, theta, omega, energy, one for the start and one for the end of each step: in s, rad, rad/s and J, the
-/// energy as in the paper's Eq. 3.
+/// Writes the rows t, theta, omega, energy, one for the start and one for the end of each step: in
+/// s, rad, rad/s and J, the energy as in the paper's Eq. 3.
 ///
 /// # Errors
-/// [`Failure::Refused`] for what the library refuses; a failure if the output cannot be written, if the user interrupts,
-/// or if the steps do not come to the end.
+/// [`Failure::Refused`] for what the library refuses; a failure if the output cannot be written, if
+/// the user interrupts, or if the steps do not come to the end.
 pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
     match arguments.method {
         Pair::DormandPrince => run_with(DormandPrince, arguments, out),

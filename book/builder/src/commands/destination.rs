@@ -13,8 +13,8 @@ use tempfile::NamedTempFile;
 
 use crate::failure::Failure;
 
-/// A flag that is raised when the user interrupts, so that a file half written can be removed. Without a file an
-/// interrupt ends the program as usual.
+/// A flag that is raised when the user interrupts, so that a file half written can be removed.
+/// Without a file an interrupt ends the program as usual.
 ///
 /// # Errors
 /// If the system lets nobody listen to interrupts.
@@ -28,8 +28,8 @@ pub fn interrupts(file: bool) -> Result<Arc<AtomicBool>, Failure> {
     Ok(flag)
 }
 
-/// What `work` returns; a failure as soon as the flag of [`interrupts`] is raised, and then the rest of the work is lost
-/// with the program.
+/// What `work` returns; a failure as soon as the flag of [`interrupts`] is raised, and then the
+/// rest of the work is lost with the program.
 ///
 /// # Errors
 /// If the user interrupts.
@@ -135,7 +135,8 @@ impl Write for Destination<'_> {
     }
 }
 
-/// Temporary files are private by default; a result is an ordinary file, as the user's umask has it.
+/// Temporary files are private by default; a result is an ordinary file, as the user's umask has
+/// it.
 #[cfg(unix)]
 fn readable_by_others<'b>(
     builder: &'b mut tempfile::Builder<'static, 'static>,

@@ -44,12 +44,13 @@ pub struct Arguments {
     trajectory: TrajectoryArguments,
 }
 
-/// Writes the rows t, theta1, theta2, omega1, omega2, x1, y1, x2, y2, energy: in s, rad, rad/s, m and J; the bobs' places
-/// with the pivot for origin and y upwards, the energy above the rest. The method is RK4: the system is not separable.
+/// Writes the rows t, theta1, theta2, omega1, omega2, x1, y1, x2, y2, energy: in s, rad, rad/s, m
+/// and J; the bobs' places with the pivot for origin and y upwards, the energy above the rest. The
+/// method is RK4: the system is not separable.
 ///
 /// # Errors
-/// [`Failure::Refused`] for what the library refuses; a failure if the output cannot be written, if the user
-/// interrupts, or if the trajectory leaves the range of f64.
+/// [`Failure::Refused`] for what the library refuses; a failure if the output cannot be written, if
+/// the user interrupts, or if the trajectory leaves the range of f64.
 pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
     let upper = Joint { length: arguments.length1, mass: arguments.mass1 };
     let lower = Joint { length: arguments.length2, mass: arguments.mass2 };

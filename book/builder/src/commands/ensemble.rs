@@ -25,8 +25,8 @@ pub struct Arguments {
     /// Angular velocity at the start (rad/s)
     #[arg(long, value_name = "RAD/S", default_value_t = 0.0, allow_negative_numbers = true)]
     omega0: f64,
-    /// Step Δt (s), or a range of them in even ratios, each moved to the nearest whole number of steps; of those that
-    /// meet in one number, one is run
+    /// Step Δt (s), or a range of them in even ratios, each moved to the nearest whole number of
+    /// steps; of those that meet in one number, one is run
     #[arg(long, value_name = "S|FROM:TO:COUNT", allow_hyphen_values = true)]
     dt: Sweep,
     /// Duration (s), a whole number of steps
@@ -48,13 +48,13 @@ pub struct Arguments {
 /// Runs at a time: enough for every core, and few enough to be kept until they are printed.
 const BATCH: usize = 4096;
 
-/// Writes the rows theta0, dt, theta, omega, energy_error: the start (rad), the step (s), the state at the end (rad,
-/// rad/s), and the largest energy error over the run (J).
+/// Writes the rows theta0, dt, theta, omega, energy_error: the start (rad), the step (s), the state
+/// at the end (rad, rad/s), and the largest energy error over the run (J).
 ///
 /// # Errors
-/// [`Failure::Refused`] for what the library refuses, for a step too long for the method to solve its equations, and
-/// unless exactly one of angle and step is a range; a failure if the output cannot be written, if the user interrupts,
-/// or if a trajectory leaves the range of f64.
+/// [`Failure::Refused`] for what the library refuses, for a step too long for the method to solve
+/// its equations, and unless exactly one of angle and step is a range; a failure if the output
+/// cannot be written, if the user interrupts, or if a trajectory leaves the range of f64.
 pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
     let pendulum = arguments.pendulum.pendulum(arguments.mass).map_err(Failure::refused)?;
     let runner = Runner::new(&arguments.method, pendulum, arguments.omega0)?;
@@ -75,7 +75,8 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
             print(arguments, method, out, sweep, move |grids| runner.along_each(start, grids))
         }
         _ => Err(Failure::refused(
-            "exactly one of --theta0 and --dt must be a range FROM:TO:COUNT; one run is `pendula simulate`",
+            "exactly one of --theta0 and --dt must be a range FROM:TO:COUNT; one run is `pendula \
+             simulate`",
         )),
     }
 }
@@ -114,7 +115,8 @@ fn finite(run: &Run, method: MethodInfo) -> Result<[f64; 5], Failure> {
     }
     Err(not_solved(method, dt).unwrap_or_else(|| {
         Failure::Failed(anyhow::anyhow!(
-            "from {theta0:?} rad with Δt = {dt:?} s the trajectory leaves the range of numbers: take a smaller step"
+            "from {theta0:?} rad with Δt = {dt:?} s the trajectory leaves the range of numbers: \
+             take a smaller step"
         ))
     }))
 }

@@ -11,13 +11,13 @@ pub fn methods() -> PossibleValuesParser {
     METHODS.iter().map(|method| method.info().name).collect::<Vec<_>>().into()
 }
 
-/// The refusal of a step of `dt` (s) that has led `method` to no number, if the method is one that solves equations: it
-/// does not overflow, it does not find a solution.
+/// The refusal of a step of `dt` (s) that has led `method` to no number, if the method is one that
+/// solves equations: it does not overflow, it does not find a solution.
 pub fn not_solved(method: MethodInfo, dt: f64) -> Option<Failure> {
     method.implicit.then(|| {
         Failure::refused(format!(
-            "a step of {dt:?} s is refused: the iteration of {} does not converge on this motion; it must be shorter, \
-             a fraction of the time that the pendulum takes for a radian",
+            "a step of {dt:?} s is refused: the iteration of {} does not converge on this motion; \
+             it must be shorter, a fraction of the time that the pendulum takes for a radian",
             method.name
         ))
     })

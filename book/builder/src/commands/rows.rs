@@ -1,4 +1,5 @@
-//! Rows of numbers as CSV or JSON, streamed: each number is printed so that it reads back to the same f64.
+//! Rows of numbers as CSV or JSON, streamed: each number is printed so that it reads back to the
+//! same f64.
 
 use std::io::{self, Write};
 
@@ -72,7 +73,8 @@ mod tests {
         String::from_utf8(out.end().unwrap()).unwrap()
     }
 
-    /// Catches: a missing header, separators in the wrong places, JSON that does not parse, also without rows.
+    /// Catches: a missing header, separators in the wrong places, JSON that does not parse, also
+    /// without rows.
     #[test]
     fn rows_are_csv_and_json() {
         let rows = [[0.0, 1.0], [0.1, -2.5e-300]];

@@ -26,11 +26,13 @@ pub struct Arguments {
     trajectory: TrajectoryArguments,
 }
 
-/// Writes the rows t, theta, omega, energy: in s, rad, rad/s and J, the energy as in the paper's Eq. 3.
+/// Writes the rows t, theta, omega, energy: in s, rad, rad/s and J, the energy as in the paper's
+/// Eq. 3.
 ///
 /// # Errors
-/// [`Failure::Refused`] for what the library refuses, and for a step too long for the method to solve its equations; a
-/// failure if the output cannot be written, if the user interrupts, or if the trajectory leaves the range of f64.
+/// [`Failure::Refused`] for what the library refuses, and for a step too long for the method to
+/// solve its equations; a failure if the output cannot be written, if the user interrupts, or if
+/// the trajectory leaves the range of f64.
 pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
     let pendulum = arguments.pendulum.pendulum(arguments.mass).map_err(Failure::refused)?;
     let start = arguments.start.start(&pendulum).map_err(Failure::refused)?;

@@ -1,4 +1,5 @@
-//! A trajectory as rows, however long, in constant memory: what the commands that print one have in common.
+//! A trajectory as rows, however long, in constant memory: what the commands that print one have in
+//! common.
 
 use std::io::{self, Write};
 use std::num::NonZeroU64;
@@ -57,12 +58,13 @@ impl TrajectoryArguments {
         grid.map_err(Failure::refused)
     }
 
-    /// Prints what `run` shows to the observer it is given, each state at its time as the `row` under the `columns`.
-    /// Where a number of a row is none, what `lost` makes of the number of steps taken is the failure.
+    /// Prints what `run` shows to the observer it is given, each state at its time as the `row`
+    /// under the `columns`. Where a number of a row is none, what `lost` makes of the number of
+    /// steps taken is the failure.
     ///
     /// # Errors
-    /// [`Failure::Refused`] if the output cannot be opened; a failure if it cannot be written, if the user interrupts, or
-    /// if the trajectory is lost.
+    /// [`Failure::Refused`] if the output cannot be opened; a failure if it cannot be written, if
+    /// the user interrupts, or if the trajectory is lost.
     pub fn print<Z, const N: usize>(
         &self,
         out: &mut dyn Write,

@@ -26,13 +26,14 @@ pub struct Arguments {
     /// Measure for at most about this long (s): the longer, the smaller the smallest errors
     #[arg(long, value_name = "S", default_value_t = 15.0, allow_negative_numbers = true)]
     seconds: f64,
-    /// Write work-precision.svg and work-precision.csv to this folder instead of the one where the book looks for them
+    /// Write work-precision.svg and work-precision.csv to this folder instead of the one where the
+    /// book looks for them
     #[arg(long, value_name = "FOLDER")]
     output: Option<PathBuf>,
 }
 
-/// Measures, writes the figure and the numbers to their files, and prints the table: for each scene and method the
-/// steps that count, with their error (rad) and run time (s).
+/// Measures, writes the figure and the numbers to their files, and prints the table: for each scene
+/// and method the steps that count, with their error (rad) and run time (s).
 ///
 /// # Errors
 /// [`Failure::Refused`] for a time that is not positive and for a folder that cannot be written to.

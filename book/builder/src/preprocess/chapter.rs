@@ -8,8 +8,8 @@
 //! | `{{test file::function}}` | a link to that test's source in the book |
 //! | `{{work-precision}}` | the figure that `pendula work-precision` made, or a line on how to make it |
 //!
-//! The first two also work inside formulas. Code spans and code blocks stay as they are, but for the
-//! margin of code included from within an item.
+//! The first two also work inside formulas. Code spans and code blocks stay as they are, but for
+//! the margin of code included from within an item.
 
 use std::ops::Range;
 
@@ -68,7 +68,8 @@ impl<'a> Setter<'a> {
                 Kind::Formula { tex, display } => {
                     let html = self.maths.set(&self.set_tex(&tex)?, display)?;
                     edits.push(match text[passage.range.end..].chars().next() {
-                        // A browser may end a line after any formula, even before a comma. A long one may have to be broken.
+                        // A browser may end a line after any formula, even before a comma. A long
+                        // one may have to be broken.
                         Some(mark @ (',' | '.' | ';' | ':' | '!' | '?' | ')'))
                             if !display && tex.len() <= HELD =>
                         {
@@ -216,7 +217,8 @@ mod tests {
         );
     }
 
-    /// Catches: a comma alone at the beginning of a line; a word held back with the formula before it.
+    /// Catches: a comma alone at the beginning of a line; a word held back with the formula before
+    /// it.
     #[test]
     fn a_formula_keeps_its_punctuation() {
         let held = |text: &str| set(text).unwrap().matches("<span class=\"held\">").count();

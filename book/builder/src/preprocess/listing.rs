@@ -1,6 +1,7 @@
 //! Listings: code included from within an `impl` stands as far to the left as code that is not.
 
-/// A fenced block with the common indentation of its lines removed; `None` where there is nothing to remove.
+/// A fenced block with the common indentation of its lines removed; `None` where there is nothing
+/// to remove.
 pub fn flush_left(block: &str) -> Option<String> {
     let mut lines: Vec<&str> = block.lines().collect();
     let fenced = lines.len() > 2 && lines[0].starts_with("```");
@@ -19,7 +20,8 @@ pub fn flush_left(block: &str) -> Option<String> {
 mod tests {
     use super::*;
 
-    /// Catches: a method cut out of its `impl` that keeps its margin, and relative indentation that is lost.
+    /// Catches: a method cut out of its `impl` that keeps its margin, and relative indentation that
+    /// is lost.
     #[test]
     fn the_common_margin_goes_and_no_more() {
         let block = "```rust,ignore\n    fn f() {\n        1\n\n    }\n```\n";

@@ -187,8 +187,8 @@ mod tests {
         assert_eq!(exponents, [("⁻¹²", Kind::Exponent)]);
     }
 
-    /// Catches: a line that ends between 1000 and s; words after a number taken for units, years for
-    /// thousands.
+    /// Catches: a line that ends between 1000 and s; words after a number taken for units, years
+    /// for thousands.
     #[test]
     fn numbers_hold_on_to_their_units() {
         let gaps = |text: &str| {

@@ -78,7 +78,8 @@ impl Runner {
         .collect()
     }
 
-    /// The same start along each of the grids. They differ in their number of steps, which lanes cannot.
+    /// The same start along each of the grids. They differ in their number of steps, which lanes
+    /// cannot.
     pub fn along_each(&self, start: Phase, grids: &[Grid]) -> Vec<Run> {
         let along = |grid: &Grid| {
             let mut drift = EnergyDrift::new(&self.pendulum);
@@ -122,7 +123,8 @@ fn watch_in_lanes(name: &str, ensemble: &Ensemble<'_>, watches: &mut [DriftAndEn
 /// # Errors
 /// For an end of the range that does not fit the duration, or that the library refuses.
 pub fn grids(duration: f64, dt: Range) -> Result<impl Iterator<Item = Grid>, Failure> {
-    // Where FROM and TO themselves fit, they are taken at their word, as by `simulate`: 0.3/3 is not 0.1.
+    // Where FROM and TO themselves fit, they are taken at their word, as by `simulate`: 0.3/3 is
+    // not 0.1.
     let ends = [end(duration, dt.from)?, end(duration, dt.to)?];
     let mut last = 0;
     Ok(dt.geometric().filter_map(move |step| {
@@ -135,7 +137,8 @@ pub fn grids(duration: f64, dt: Range) -> Result<impl Iterator<Item = Grid>, Fai
     }))
 }
 
-/// The grid for an end of the range: with `step` (s) itself if it fits, or else with the nearest that does.
+/// The grid for an end of the range: with `step` (s) itself if it fits, or else with the nearest
+/// that does.
 fn end(duration: f64, step: f64) -> Result<Grid, Failure> {
     if step > duration {
         return Err(Failure::refused(format!(
@@ -159,7 +162,8 @@ fn whole(quotient: f64) -> u64 {
 mod tests {
     use super::*;
 
-    /// Catches: a step that does not fit the duration, one replaced although it fits, a run made twice.
+    /// Catches: a step that does not fit the duration, one replaced although it fits, a run made
+    /// twice.
     #[test]
     fn steps_fit_the_duration() {
         let range = Range { from: 0.1, to: 0.4, count: 3 };

@@ -77,7 +77,8 @@ mod tests {
         }
     }
 
-    /// Catches: a range that stops one short, ends that are rounded, a tenth that is not the f64 nearest to it.
+    /// Catches: a range that stops one short, ends that are rounded, a tenth that is not the f64
+    /// nearest to it.
     #[test]
     fn ranges_have_their_ends_and_their_count() {
         let tenths: Vec<f64> = range("0:1:11").linear().collect();

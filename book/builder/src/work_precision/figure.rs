@@ -25,8 +25,9 @@ pub fn in_the_book(root: &Path) -> String {
     match fs::read_to_string(folder(root).join(SVG)) {
         // Without a blank line, which would end the HTML in the middle.
         Ok(svg) if svg.starts_with("<svg") && !svg.contains("\n\n") => format!(
-            "<figure>\n{svg}<figcaption>Run time against error as <code>pendula work&#45;precision</code> found them on \
-             this machine. Lower left is better.</figcaption>\n</figure>\n"
+            "<figure>\n{svg}<figcaption>Run time against error as <code>pendula \
+             work&#45;precision</code> found them on this machine. Lower left is \
+             better.</figcaption>\n</figure>\n"
         ),
         _ => "*(Not measured on this machine yet: run the command, then build the book again.)*"
             .to_string(),
@@ -43,9 +44,9 @@ pub fn svg(measured: &Measured) -> String {
     let figure = Figure::new(
         "Run time against error",
         format!(
-            "A chart for each of three scenes, both axes logarithmic: the error at the end over the time a run took, \
-             a line of markers for each method, on {}. The higher a method's order, the more steeply its line \
-             falls.",
+            "A chart for each of three scenes, both axes logarithmic: the error at the end over \
+             the time a run took, a line of markers for each method, on {}. The higher a method's \
+             order, the more steeply its line falls.",
             measured.instructions
         ),
     );
@@ -101,7 +102,8 @@ mod tests {
         Measured { instructions: "an abacus", curves: curves.collect() }
     }
 
-    /// Catches: a scene or a method left out, a machine not named, a figure that the book cannot take in.
+    /// Catches: a scene or a method left out, a machine not named, a figure that the book cannot
+    /// take in.
     #[test]
     fn the_figure_shows_every_method_on_every_scene() {
         let svg = svg(&measured());
@@ -123,8 +125,8 @@ mod tests {
         assert!(line[1].0.is_nan());
     }
 
-    /// Catches: a book that wants a measurement to be built, that ignores one, or that is broken by another file of
-    /// that name.
+    /// Catches: a book that wants a measurement to be built, that ignores one, or that is broken by
+    /// another file of that name.
     #[test]
     fn the_book_shows_what_is_there() {
         let folder = tempfile::tempdir().unwrap();

@@ -16,8 +16,9 @@ pub struct Rung {
     pub seconds: f64,
 }
 
-/// For each rung whether it counts: whether its error is small enough to be one, and the next one, with half the step,
-/// finds it credible. The last has no next one and does not count; nor do those after the first that is on the floor.
+/// For each rung whether it counts: whether its error is small enough to be one, and the next one,
+/// with half the step, finds it credible. The last has no next one and does not count; nor do those
+/// after the first that is on the floor.
 pub fn counts(rungs: &[Rung], order: u32) -> Vec<bool> {
     let mut ended = false;
     let pairs = rungs.windows(2).map(|pair| {
@@ -45,8 +46,9 @@ pub fn is_done(rungs: &[Rung], order: u32) -> bool {
 /// How many times as long as another a method may take for an error before it is left.
 const BEHIND: f64 = 30.0;
 
-/// Whether the next rung would be far behind: with half the step and twice the time a method of this `order` should come to
-/// an error 2ᵖ times smaller, and of `front`, the rungs of all methods, one has an error as small in so much less time.
+/// Whether the next rung would be far behind: with half the step and twice the time a method of
+/// this `order` should come to an error 2ᵖ times smaller, and of `front`, the rungs of all methods,
+/// one has an error as small in so much less time.
 ///
 /// Of an error that is none yet nothing can be said.
 pub fn is_far_behind(rung: Rung, order: u32, front: &[Rung]) -> bool {
@@ -71,8 +73,8 @@ mod tests {
         assert_eq!(counts(&rungs(&errors), 2), [true, true, false, true, true, false]);
     }
 
-    /// Catches: rungs counted as the method's after the first that is on the floor of rounding, or before its order
-    /// holds; a last rung trusted without a finer one.
+    /// Catches: rungs counted as the method's after the first that is on the floor of rounding, or
+    /// before its order holds; a last rung trusted without a finer one.
     #[test]
     fn neither_rounding_nor_chaos_counts() {
         let errors = [3.0, 0.5, 3.1e-2, 2e-3, 1.2e-4, 1e-13, 2e-13, 9e-14];
@@ -83,13 +85,15 @@ mod tests {
         assert!(counts(&[], 1).is_empty());
     }
 
-    /// Catches: a method whose order takes it to the floor in one step, and that has no rung for it.
+    /// Catches: a method whose order takes it to the floor in one step, and that has no rung for
+    /// it.
     #[test]
     fn a_high_order_has_its_rungs() {
         assert_eq!(counts(&rungs(&[2e-4, 3e-9, 1e-13, 9e-14]), 24), [false, true, true, false]);
     }
 
-    /// Catches: a ladder left at a lucky crossing, or before its first rung that counts; one climbed for ever.
+    /// Catches: a ladder left at a lucky crossing, or before its first rung that counts; one
+    /// climbed for ever.
     #[test]
     fn a_ladder_ends_on_the_floor() {
         assert!(!is_done(&rungs(&[]), 4) && !is_done(&rungs(&[1e-13]), 4));
@@ -100,8 +104,8 @@ mod tests {
         assert!(!is_done(&unlucky[..4], 4) && is_done(&unlucky, 4));
     }
 
-    /// Catches: a method left for its first rungs, which say nothing of an order of 24; one that is not left, or left for
-    /// what it does itself.
+    /// Catches: a method left for its first rungs, which say nothing of an order of 24; one that is
+    /// not left, or left for what it does itself.
     #[test]
     fn a_method_that_is_far_behind_is_left() {
         let front = rungs(&[1e-2, 1e-6]);

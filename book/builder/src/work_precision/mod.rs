@@ -1,8 +1,8 @@
 //! Run time against error, on the reader's machine: every method on three scenes.
 //!
-//! Wall time is no result of the study: it stands in no snapshot, and the book shows it only where it has been measured.
-//! In reading order: what is measured, here; which steps count, in [`ladder`]; the picture, and its place in the
-//! book, in [`figure`].
+//! Wall time is no result of the study: it stands in no snapshot, and the book shows it only where
+//! it has been measured. In reading order: what is measured, here; which steps count, in
+//! [`ladder`]; the picture, and its place in the book, in [`figure`].
 
 use std::hint::black_box;
 use std::time::Instant;
@@ -75,9 +75,10 @@ pub struct Measured {
 
 /// Measures for at most about `seconds`.
 ///
-/// On each scene the methods climb their ladders together, a rung at a time. A method stays where it is at rounding, where
-/// the next rung takes more than its share of the time that is left, and where it is [far behind](ladder::is_far_behind)
-/// another: so the time goes to those that are in front.
+/// On each scene the methods climb their ladders together, a rung at a time. A method stays where
+/// it is at rounding, where the next rung takes more than its share of the time that is left, and
+/// where it is [far behind](ladder::is_far_behind) another: so the time goes to those that are in
+/// front.
 pub fn measure(seconds: f64, progress: &Progress) -> Measured {
     let count = SCENES.len() * METHODS.len();
     progress.stage("", count);
@@ -92,18 +93,19 @@ pub fn measure(seconds: f64, progress: &Progress) -> Measured {
     Measured { instructions: instructions(), curves }
 }
 
-/// Steps a second on the coarsest rung. It is a power of two, as is their number on all finer ones: n Δt is exact, and
-/// the clock has no part in the error.
+/// Steps a second on the coarsest rung. It is a power of two, as is their number on all finer ones:
+/// n Δt is exact, and the clock has no part in the error.
 const COARSEST: u64 = 4;
 
-/// Runs of which the shortest is taken while climbing: a machine that does something else meanwhile must not decide.
+/// Runs of which the shortest is taken while climbing: a machine that does something else meanwhile
+/// must not decide.
 const TRIES: usize = 3;
 
 /// Runs of which the median is taken.
 const RUNS: usize = 5;
 
-/// What a ladder costs, in times of its last rung. With every rung the time doubles: all take twice as long as the last,
-/// and those before it as long, of which those that count are timed again.
+/// What a ladder costs, in times of its last rung. With every rung the time doubles: all take twice
+/// as long as the last, and those before it as long, of which those that count are timed again.
 const LADDER: f64 = (2 * TRIES + RUNS) as f64;
 
 /// A shorter run is repeated until it has taken this long (s): a thousand ticks of the clock.
@@ -188,7 +190,8 @@ fn timed(scene: Problem, method: MethodRef, rung: Rung, rate: u64) -> Measuremen
     Measurement { dt, steps, error: rung.error, seconds: times[RUNS / 2] }
 }
 
-/// The last state of a run, and how long it took (s). Nobody watches: that is the cost of the method alone.
+/// The last state of a run, and how long it took (s). Nobody watches: that is the cost of the
+/// method alone.
 fn run(scene: Problem, method: MethodRef, rate: u64) -> (Phase, f64) {
     let grid = Grid::new(1.0 / rate as f64, scene.steps(rate)).expect("a ladder of possible grids");
     let start = Phase::at_rest(scene.theta0);

@@ -170,8 +170,8 @@ fn every_file_of_tests_has_its_page() {
     );
 }
 
-/// Catches: a file of tests that no program compiles, so that its tests never run; a folder of tests that Cargo does not
-/// know.
+/// Catches: a file of tests that no program compiles, so that its tests never run; a folder of
+/// tests that Cargo does not know.
 #[test]
 fn every_file_of_tests_is_listed_in_its_program() {
     let top = root().join("..");

@@ -8,16 +8,19 @@ use regex::Regex;
 /// The chapter without what may hold numbers: code, formulas, directives, comments and addresses.
 fn prose(chapter: &str) -> String {
     let allowed = Regex::new(
-        r"(?smx) ^```.*?^```\s*$ | `[^`\n]*` | \$\$.*?\$\$ | \$[^$]*\$ | \{\{.*?\}\} | <!--.*?--> | \]\([^)]*\) | doi:\S+ ",
+        r"(?smx) ^```.*?^```\s*$ | `[^`\n]*` | \$\$.*?\$\$ | \$[^$]*\$ | \{\{.*?\}\} | <!--.*?-->
+            | \]\([^)]*\) | doi:\S+ ",
     )
     .unwrap();
     allowed.replace_all(chapter, " ").into_owned()
 }
 
-/// Numbers with an exponent, however it is written, and shares in per cent: what a measurement looks like.
+/// Numbers with an exponent, however it is written, and shares in per cent: what a measurement
+/// looks like.
 fn typed_results(chapter: &str) -> Vec<String> {
     let result = Regex::new(
-        r"(?x) [0-9][.0-9]*[eE][-−+]?[0-9]+ | 10[⁰¹²³⁴⁵⁶⁷⁸⁹⁻]+ | 10\^ | [0-9]\s*% | [0-9]\s*per\s+cent ",
+        r"(?x) [0-9][.0-9]*[eE][-−+]?[0-9]+ | 10[⁰¹²³⁴⁵⁶⁷⁸⁹⁻]+ | 10\^ | [0-9]\s*%
+            | [0-9]\s*per\s+cent ",
     );
     let result = result.expect("the pattern is a constant");
     result.find_iter(&prose(chapter)).map(|found| found.as_str().to_string()).collect()
@@ -44,7 +47,8 @@ fn no_result_is_typed() {
     assert!(findings.is_empty(), "\n{}", findings.join("\n"));
 }
 
-/// Catches: a pattern that finds nothing, or one that calls a formula, a listing or a directive a typed result.
+/// Catches: a pattern that finds nothing, or one that calls a formula, a listing or a directive a
+/// typed result.
 #[test]
 fn typed_results_are_recognised() {
     for typed in [
@@ -58,7 +62,8 @@ fn typed_results_are_recognised() {
     ] {
         assert_eq!(typed_results(typed).len(), 1, "{typed}");
     }
-    let allowed = "about $10^{-8}$ rad and\n$$ 1e-3 \\% $$\n`1e-3`, {{measured T5.fe.pct}} %, 60 s, chapter 10\n\
-                   ```rust\nassert!(x < 1e-12);\n```\n<!-- 5 % --> [a](10%.md) doi:10.1e5/7 in 1995\n";
+    let allowed = "about $10^{-8}$ rad and\n$$ 1e-3 \\% $$\n`1e-3`, {{measured T5.fe.pct}} %, 60 \
+                   s, chapter 10\n```rust\nassert!(x < 1e-12);\n```\n<!-- 5 % --> [a](10%.md) \
+                   doi:10.1e5/7 in 1995\n";
     assert_eq!(typed_results(allowed), Vec::<String>::new());
 }

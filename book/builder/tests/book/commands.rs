@@ -1,4 +1,5 @@
-//! The commands as a user sees them: what they print, and what they leave behind when something is wrong.
+//! The commands as a user sees them: what they print, and what they leave behind when something is
+//! wrong.
 
 use std::fs;
 use std::io::Read;
@@ -48,7 +49,8 @@ fn run_with<'a>(more: &[&'a str]) -> Vec<&'a str> {
     RUN.iter().copied().chain(more.iter().copied()).collect()
 }
 
-/// Catches: numbers that read back to their neighbours, another energy than Eq. 3, accumulated time, a lost last row.
+/// Catches: numbers that read back to their neighbours, another energy than Eq. 3, accumulated
+/// time, a lost last row.
 #[test]
 fn simulate_prints_what_the_library_computes() {
     let text = printed(&run_with(&["--duration", "10", "--omega0", "-0.5"]));
@@ -100,8 +102,8 @@ fn adaptive<'a>(theta0: &'a str, duration: &'a str, tolerance: &'a str) -> [&'a 
     ]
 }
 
-/// Catches: the start or the last step left out, a tolerance or a direction of time that does not arrive, one method for the
-/// other.
+/// Catches: the start or the last step left out, a tolerance or a direction of time that does not
+/// arrive, one method for the other.
 #[test]
 fn adaptive_prints_what_the_library_computes() {
     let pendulum = Pendulum::new(9.81, 2.5, 1.0).unwrap();
@@ -130,8 +132,8 @@ fn double_with<'a>(more: &[&'a str]) -> Vec<&'a str> {
     DOUBLE.iter().copied().chain(more.iter().copied()).collect()
 }
 
-/// Catches: upper and lower exchanged, momenta printed for velocities, a y that points down, rows that an animation cannot
-/// read.
+/// Catches: upper and lower exchanged, momenta printed for velocities, a y that points down, rows
+/// that an animation cannot read.
 #[test]
 fn the_double_pendulum_is_printed_ready_to_be_drawn() {
     let shape = ["--length1", "1.3", "--length2", "0.6", "--mass1", "0.7", "--mass2", "1.9"];
@@ -215,14 +217,16 @@ fn row_of_one_run(theta0: f64, dt: f64) -> Vec<f64> {
     vec![theta0, dt, last[1], last[2], largest]
 }
 
-/// Catches: lanes that mix up their starts, an end one step early, an energy error that leaves samples out.
+/// Catches: lanes that mix up their starts, an end one step early, an energy error that leaves
+/// samples out.
 #[test]
 fn a_sweep_over_starts_is_a_run_from_each() {
     let rows = numbers(&printed(&ensemble("-1:3:5", "0.01", "10")));
     assert_eq!(rows, [-1.0, 0.0, 1.0, 2.0, 3.0].map(|theta0| row_of_one_run(theta0, 0.01)));
 }
 
-/// Catches: a step in the rows that is not the one that was taken, rows in the order in which runs end.
+/// Catches: a step in the rows that is not the one that was taken, rows in the order in which runs
+/// end.
 #[test]
 fn a_sweep_over_steps_is_a_run_with_each() {
     let rows = numbers(&printed(&ensemble("1", "0.1:0.001:5", "10")));
@@ -231,8 +235,8 @@ fn a_sweep_over_steps_is_a_run_with_each() {
     assert_eq!(rows, steps.iter().map(|dt| row_of_one_run(1.0, *dt)).collect::<Vec<_>>());
 }
 
-/// Catches: a sweep of several batches that loses or repeats one, a file that is not what is printed, or is
-/// left by a sweep that fails.
+/// Catches: a sweep of several batches that loses or repeats one, a file that is not what is
+/// printed, or is left by a sweep that fails.
 #[test]
 fn a_large_sweep_is_whole_in_its_file() {
     let folder = tempfile::tempdir().unwrap();
@@ -300,7 +304,8 @@ fn files(folder: &Path) -> Vec<String> {
     entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect()
 }
 
-/// Catches: a file that differs from standard output, a temporary file left beside it, an old file not replaced.
+/// Catches: a file that differs from standard output, a temporary file left beside it, an old file
+/// not replaced.
 #[test]
 fn output_appears_whole_in_its_file() {
     let folder = tempfile::tempdir().unwrap();
@@ -332,8 +337,8 @@ fn a_request_that_fails_leaves_files_alone() {
     assert_eq!(fs::read_to_string(path).unwrap(), "old");
 }
 
-/// Catches: NaN printed by a method that finds no solution; a step too long for it called an overflow, or a failure that no other
-/// step would mend; a file left behind.
+/// Catches: NaN printed by a method that finds no solution; a step too long for it called an
+/// overflow, or a failure that no other step would mend; a file left behind.
 #[test]
 fn a_step_whose_equations_are_not_solved_is_refused() {
     let folder = tempfile::tempdir().unwrap();
@@ -378,7 +383,8 @@ fn an_interrupt_leaves_nothing_behind() {
     assert!(files(folder.path()).is_empty());
 }
 
-/// Catches: `pendula simulate … | head` that complains about the closed pipe, or computes on for hours.
+/// Catches: `pendula simulate … | head` that complains about the closed pipe, or computes on for
+/// hours.
 #[test]
 fn a_closed_pipe_ends_it_quietly() {
     let mut run = Command::new(env!("CARGO_BIN_EXE_pendula"))

@@ -1,5 +1,5 @@
-//! The lab in the book runs the library: the compiled file that its page loads, in an interpreter, against the library as
-//! it is.
+//! The lab in the book runs the library: the compiled file that its page loads, in an interpreter,
+//! against the library as it is.
 
 use std::fs;
 use std::path::Path;
@@ -118,7 +118,8 @@ fn assert_bits(lab: f64, library: f64, what: impl FnOnce() -> String) {
     );
 }
 
-/// Holds each sample of a trajectory of the library against the lab's pendulum, which is moved along.
+/// Holds each sample of a trajectory of the library against the lab's pendulum, which is moved
+/// along.
 struct Beside<'a> {
     lab: &'a mut Lab,
     pendulum: Pendulum,
@@ -176,11 +177,12 @@ const PENDULUMS: [(f64, f64, f64, f64, f64, f64); 8] = [
     (3.71, 0.7, 2.0, -3.1, 9.0, 0.2),
 ];
 
-/// Every method of the library, on each of those pendulums, step by step, in angle, velocity, time, energy and its error; the
-/// closed form; and the counts.
+/// Every method of the library, on each of those pendulums, step by step, in angle, velocity, time,
+/// energy and its error; the closed form; and the counts.
 ///
-/// Catches: a file compiled before the library changed; a compiler that contracts, reorders or rounds otherwise; a step that
-/// is not the one of `integrate_fast` or `integrate`; a carry lost between two calls.
+/// Catches: a file compiled before the library changed; a compiler that contracts, reorders or
+/// rounds otherwise; a step that is not the one of `integrate_fast` or `integrate`; a carry lost
+/// between two calls.
 #[test]
 fn the_committed_file_has_the_bits_of_the_library() {
     let mut lab = Lab::new();
@@ -231,7 +233,8 @@ fn compare(
     assert!(limit >= 8_192.0, "{name}: only {limit} steps");
     let evaluations = lab.read(0, quantity::EVALUATIONS);
     if damping == 0.0 {
-        // What a method with iterations asks for depends on its rounding, which is another in steps than in seconds.
+        // What a method with iterations asks for depends on its rounding, which is another in steps
+        // than in seconds.
         if !method.info().implicit {
             let counted = method.count_evaluations(&pendulum, start, &grid);
             assert_eq!(evaluations, counted as f64, "{name}\n{STALE}");
@@ -271,7 +274,8 @@ macro_rules! damped_run {
 }
 pendula::for_each_general_method!(damped_run);
 
-/// Catches: a list of methods that is not the library's, or in another order; a title cut in the middle of a letter.
+/// Catches: a list of methods that is not the library's, or in another order; a title cut in the
+/// middle of a letter.
 #[test]
 fn the_page_offers_the_methods_of_the_library() {
     let mut lab = Lab::new();
@@ -283,7 +287,8 @@ fn the_page_offers_the_methods_of_the_library() {
     assert_eq!(lab.text(count, 0) + &lab.text(0, 2), "");
 }
 
-/// Catches: steps that depend on how many are taken at once; extremes that miss a step or remember what was looked at.
+/// Catches: steps that depend on how many are taken at once; extremes that miss a step or remember
+/// what was looked at.
 #[test]
 fn many_steps_at_once_are_the_same_steps() {
     let mut lab = Lab::new();
@@ -309,8 +314,8 @@ fn many_steps_at_once_are_the_same_steps() {
     }
 }
 
-/// Catches: a number from the page that lets in a NaN or stops the machine, a place that keeps what was refused in it, steps
-/// beyond the last.
+/// Catches: a number from the page that lets in a NaN or stops the machine, a place that keeps what
+/// was refused in it, steps beyond the last.
 #[test]
 fn what_the_library_refuses_leaves_an_empty_place() {
     let mut lab = Lab::new();
@@ -333,7 +338,8 @@ fn what_the_library_refuses_leaves_an_empty_place() {
         assert!(lab.read(0, quantity::THETA).is_nan());
     }
     assert!(lab.read(places, quantity::THETA).is_nan());
-    // So many steps a run has, and no more: with kicks this large its half turns soon are too many to be counted.
+    // So many steps a run has, and no more: with kicks this large its half turns soon are too many
+    // to be counted.
     assert!(lab.set(0, (0, 1e7, 1.0, 0.0, 1.0, 0.0, 1.0)));
     let limit = lab.read(0, quantity::LIMIT) as u32;
     assert!((1..1000).contains(&limit), "{limit}");
@@ -341,7 +347,8 @@ fn what_the_library_refuses_leaves_an_empty_place() {
     assert_eq!(lab.advance(0, 1), 0);
 }
 
-/// On the separatrix ω = 2ω₀ cos(θ/2), to a few roundings of the largest ω; and it goes from −π to π.
+/// On the separatrix ω = 2ω₀ cos(θ/2), to a few roundings of the largest ω; and it goes from −π to
+/// π.
 ///
 /// Catches: another curve.
 #[test]

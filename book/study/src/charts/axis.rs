@@ -287,7 +287,8 @@ mod tests {
         assert_ne!(Axis::linear("x").range(0.0, 1e300), Axis::linear("x"));
         assert_eq!(Axis::linear("x").range(0.0, 1e300_f64.next_up()), Axis::linear("x"));
     }
-    /// Catches: a single value on the edge of its axis, or on an axis without length; no value at all.
+    /// Catches: a single value on the edge of its axis, or on an axis without length; no value at
+    /// all.
     #[test]
     fn a_single_value_has_an_axis_about_it() {
         let ends = |axis: Axis, data: &[f64]| {
@@ -300,8 +301,9 @@ mod tests {
         assert_eq!(ends(linear(), &[5.0]), (4.5, 5.5));
         assert_eq!(ends(linear(), &[-5.0, -5.0]), (-5.5, -4.5));
         assert_eq!(ends(linear(), &[0.0, 5.0]), (0.0, 5.0));
-        // A one alone has a decade on either side. Else less than a third of a decade is widened by as much, or a tenth of
-        // the exponent, on both sides; then by a twentieth of what it is. Sums of numbers up to 11, rounded a few times.
+        // A one alone has a decade on either side. Else less than a third of a decade is widened by
+        // as much, or a tenth of the exponent, on both sides; then by a twentieth of what it is.
+        // Sums of numbers up to 11, rounded a few times.
         let near = |(a, b): (f64, f64), (c, d): (f64, f64)| (a - c).abs() + (b - d).abs() < 1e-12;
         assert!(near(ends(Axis::log("x"), &[1.0]), (-1.1, 1.1)));
         assert!(near(ends(Axis::log("x"), &[1e2]), (1.67, 2.33)));
@@ -311,7 +313,8 @@ mod tests {
         assert!(near(ends(Axis::log("x"), &[1.0, libm::pow(10.0, 0.1)]), (low, high)));
     }
 
-    /// Catches: fewer than two labels where the axis is short, or as many as decades where it is very long.
+    /// Catches: fewer than two labels where the axis is short, or as many as decades where it is
+    /// very long.
     #[test]
     fn short_and_long_logarithmic_axes_have_labels_too() {
         let labels = |low, high, count| -> Vec<String> {

@@ -1,7 +1,8 @@
 //! Series to SVG: the charts of the book, in one visual language, with the same bytes everywhere.
 //!
-//! A [`Figure`] is one [`Chart`] or several, stacked or side by side. Its lines and markers carry classes whose
-//! colours follow the book's theme, or the reader's preference where the SVG stands alone.
+//! A [`Figure`] is one [`Chart`] or several, stacked or side by side. Its lines and markers carry
+//! classes whose colours follow the book's theme, or the reader's preference where the SVG stands
+//! alone.
 //!
 //! ```
 //! use pendula_study::charts::{Axis, Chart, Figure, Style};
@@ -58,8 +59,8 @@ impl Figure {
         self
     }
 
-    /// The charts stand in rows of `count`, filled from the left. A chart whose left neighbour has the
-    /// same y axis does not repeat what is written on it.
+    /// The charts stand in rows of `count`, filled from the left. A chart whose left neighbour has
+    /// the same y axis does not repeat what is written on it.
     pub fn columns(self, count: usize) -> Self {
         Self { columns: count.max(1), ..self }
     }
@@ -101,9 +102,10 @@ impl Figure {
             top = bottom;
         }
         format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" id=\"{id}\" class=\"pendula {id}\" width=\"100%\" \
-             viewBox=\"0 0 {WIDTH} {}\" role=\"img\" aria-labelledby=\"{id}-title {id}-desc\">\n\
-             <title id=\"{id}-title\">{}</title>\n<desc id=\"{id}-desc\">{}</desc>\n{}{body}</svg>\n",
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" id=\"{id}\" class=\"pendula {id}\" \
+             width=\"100%\" viewBox=\"0 0 {WIDTH} {}\" role=\"img\" aria-labelledby=\"{id}-title \
+             {id}-desc\">\n<title id=\"{id}-title\">{}</title>\n<desc \
+             id=\"{id}-desc\">{}</desc>\n{}{body}</svg>\n",
             Num(top.ceil()),
             escape(&self.title),
             escape(&self.description),
@@ -375,7 +377,8 @@ mod tests {
         );
     }
 
-    /// Catches: an axis that ends before a line across it, or that reaches for a band; ticks that crowd a low plot.
+    /// Catches: an axis that ends before a line across it, or that reaches for a band; ticks that
+    /// crowd a low plot.
     #[test]
     fn lines_stretch_an_axis_and_bands_do_not() {
         let axis = Axis::linear;
@@ -410,8 +413,9 @@ mod tests {
         rects.collect()
     }
 
-    /// Catches: plots side by side of unlike size, or that overlap; rows out of line; the numbers of an axis written twice
-    /// though the neighbour has them, or left out though it has others; a heading lost.
+    /// Catches: plots side by side of unlike size, or that overlap; rows out of line; the numbers
+    /// of an axis written twice though the neighbour has them, or left out though it has others; a
+    /// heading lost.
     #[test]
     fn charts_stand_in_rows_and_columns() {
         let chart = |y: &str, heading: &str| {
@@ -452,7 +456,8 @@ mod tests {
         assert_eq!(tip(marked), WIDTH - RIGHT - 7.0);
     }
 
-    /// Catches: a shape that is left open, or whose ground is not shaded; a rule that every other figure has to carry.
+    /// Catches: a shape that is left open, or whose ground is not shaded; a rule that every other
+    /// figure has to carry.
     #[test]
     fn a_filled_shape_is_closed() {
         let triangle = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0)];
@@ -488,8 +493,8 @@ mod tests {
         );
     }
 
-    /// Catches: an entry for the line and another for its markers; dots that are thinned as the markers of a line
-    /// are, or drawn outside the plot.
+    /// Catches: an entry for the line and another for its markers; dots that are thinned as the
+    /// markers of a line are, or drawn outside the plot.
     #[test]
     fn a_legend_has_one_entry_a_label() {
         let style = Style::numbered(1);

@@ -128,8 +128,9 @@ pub(super) fn polyline<'a>(strokes: impl IntoIterator<Item = &'a Vec<Point>>) ->
 /// Length and half the width of an arrow's head.
 const HEAD: (f64, f64) = (14.0, 5.0);
 
-/// The corners of the head with which the stroke ends as an arrow, its tip first and `short` of where the stroke ended. The
-/// stroke is cut off within it, so that its round end does not blunt the tip. `None` where the stroke goes nowhere.
+/// The corners of the head with which the stroke ends as an arrow, its tip first and `short` of
+/// where the stroke ended. The stroke is cut off within it, so that its round end does not blunt
+/// the tip. `None` where the stroke goes nowhere.
 pub(super) fn head(stroke: &mut [Point], short: f64) -> Option<[Point; 3]> {
     let [.., from, end] = stroke else {
         return None;
@@ -149,8 +150,8 @@ pub(super) fn head(stroke: &mut [Point], short: f64) -> Option<[Point; 3]> {
     Some([tip, back(long, wide), back(long, -wide)])
 }
 
-/// The attribute `d` for dots, one in each square unit at most, column by column: relative moves between neighbours are
-/// short.
+/// The attribute `d` for dots, one in each square unit at most, column by column: relative moves
+/// between neighbours are short.
 pub(super) fn dots(mut points: Vec<Point>) -> String {
     let cell = |p: &Point| (p.0.floor() as i64, p.1.floor() as i64);
     points.sort_by_key(cell);
@@ -220,8 +221,8 @@ mod tests {
         assert_eq!(thinned, [(0.0, 0.0), (100.0, 0.0), (10.0, 0.0)]);
     }
 
-    /// Catches: of two points equally far from the line, the later kept: a path that changes where nothing moved; a point
-    /// kept that is no farther than may be.
+    /// Catches: of two points equally far from the line, the later kept: a path that changes where
+    /// nothing moved; a point kept that is no farther than may be.
     #[test]
     fn the_first_of_the_farthest_is_kept() {
         // Once one of the two is kept, the other is at half that height.
@@ -241,8 +242,8 @@ mod tests {
         assert!(thinned.contains(&(-2.1, 4.0)) || thinned.contains(&(-0.1, 4.0)), "{thinned:?}");
     }
 
-    /// Catches: a head that points elsewhere, a line that shows beyond the tip, a head longer than its arrow, a division by a
-    /// length of zero.
+    /// Catches: a head that points elsewhere, a line that shows beyond the tip, a head longer than
+    /// its arrow, a division by a length of zero.
     #[test]
     fn an_arrow_ends_in_its_tip() {
         let mut stroke = vec![(0.0, 0.0), (10.0, 0.0), (10.0, 100.0)];
@@ -255,8 +256,8 @@ mod tests {
         assert_eq!(head(&mut [(1.0, 1.0)], 0.0), None);
     }
 
-    /// Catches: a dot that is placed from the one before but not the one drawn; one lost with its neighbours, or two where a
-    /// pixel shows one.
+    /// Catches: a dot that is placed from the one before but not the one drawn; one lost with its
+    /// neighbours, or two where a pixel shows one.
     #[test]
     fn dots_are_placed_one_from_the_other() {
         let points = vec![(12.04, 3.0), (1.26, 2.0), (12.9, 3.2), (1.26, 1.0)];
@@ -269,7 +270,8 @@ mod tests {
         assert_eq!(polyline([&vec![(1.0, 2.0)]]), "M1,2h0");
         assert_eq!(polyline([&vec![(1.0, 2.0), (1.01, 2.0), (3.0, 1.5)]]), "M1,2l2,-0.5");
     }
-    /// Catches: columns beside the plot, each with its two points, where one column would do; on either side.
+    /// Catches: columns beside the plot, each with its two points, where one column would do; on
+    /// either side.
     #[test]
     fn beside_the_plot_only_the_ends_are_kept() {
         for x in [600.0, -1000.0] {
@@ -279,7 +281,8 @@ mod tests {
         }
     }
 
-    /// Catches: a step of a staircase taken for a turn, after which the line would lose its corners.
+    /// Catches: a step of a staircase taken for a turn, after which the line would lose its
+    /// corners.
     #[test]
     fn a_staircase_does_not_turn() {
         let stair = |i: u32| (0.1 * f64::from(i), f64::from(i / 2));

@@ -260,7 +260,8 @@ fn same_place(a: Point, b: Point) -> bool {
     (a.0 - b.0).abs() < 0.1 && (a.1 - b.1).abs() < 0.1
 }
 
-/// The part of the span from `a` to `b` that is between `low` and `high`; rounding may put it a little beside them.
+/// The part of the span from `a` to `b` that is between `low` and `high`; rounding may put it a
+/// little beside them.
 fn visible(a: f64, b: f64, low: f64, high: f64) -> Option<(f64, f64)> {
     let (a, b) = (a.min(b), a.max(b));
     (b > low - 0.01 && a < high + 0.01).then_some((a.clamp(low, high), b.clamp(low, high)))
@@ -391,7 +392,8 @@ mod tests {
         ask(&Plot::new(chart, [&x, &y], [true; 2], place, 0.0))
     }
 
-    /// Catches: a marker beside the curve's end, two series marked at the same points, points bunched.
+    /// Catches: a marker beside the curve's end, two series marked at the same points, points
+    /// bunched.
     #[test]
     fn a_few_of_many_are_spread() {
         // 28 shares for seven markers of four series.
@@ -411,7 +413,8 @@ mod tests {
         }
     }
 
-    /// Catches: a line on the very edge lost to rounding; one beside the plot drawn on its edge; a band that leaves the plot.
+    /// Catches: a line on the very edge lost to rounding; one beside the plot drawn on its edge; a
+    /// band that leaves the plot.
     #[test]
     fn only_what_is_inside_is_visible() {
         let of = |a, b| visible(a, b, 100.0, 200.0);
@@ -423,7 +426,8 @@ mod tests {
         assert_eq!(beyond.map(|(a, b)| of(a, b)), [None; 4]);
     }
 
-    /// Catches: the label of a line on the right that leaves the drawing; a row for a line without a label.
+    /// Catches: the label of a line on the right that leaves the drawing; a row for a line without
+    /// a label.
     #[test]
     fn a_heading_stays_on_the_drawing() {
         let label = "a limit of stability";
@@ -473,8 +477,8 @@ mod tests {
         );
     }
 
-    /// Catches: a label that crosses the edge of a low band, or that is not in the middle of a high one; a second one on
-    /// the first.
+    /// Catches: a label that crosses the edge of a low band, or that is not in the middle of a high
+    /// one; a second one on the first.
     #[test]
     fn a_band_is_labelled_inside_if_it_is_high_enough() {
         let labels = |chart: Chart| {
@@ -546,8 +550,8 @@ mod tests {
     /// Catches: a stroke weighed by how far it goes beside the plot, or not weighed up to its edge.
     #[test]
     fn strokes_weigh_by_what_is_in_the_plot() {
-        // Each goes from 9 within the edge to far beyond, of which 9 count, and 120 along it: 31 samples, the sixteenth
-        // on the edge; and one for where it begins.
+        // Each goes from 9 within the edge to far beyond, of which 9 count, and 120 along it: 31
+        // samples, the sixteenth on the edge; and one for where it begins.
         let strokes = [
             [(73.0, 60.0), (-5e3, 180.0)],
             [(567.0, 60.0), (5e3, 180.0)],

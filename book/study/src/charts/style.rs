@@ -78,8 +78,8 @@ impl Style {
         }
     }
 
-    /// The style of the `index`-th of some series that are no methods, and so have no colour: they are told apart by marker
-    /// and dash.
+    /// The style of the `index`-th of some series that are no methods, and so have no colour: they
+    /// are told apart by marker and dash.
     ///
     /// The first 8 differ in their marker.
     pub const fn colourless(index: usize) -> Self {
@@ -96,8 +96,8 @@ impl Style {
         Self { line: None, ..self }
     }
 
-    /// The same with a dot for each point, as wide as a line: for thousands of points that are not joined. Dots that a
-    /// pixel cannot tell apart are one.
+    /// The same with a dot for each point, as wide as a line: for thousands of points that are not
+    /// joined. Dots that a pixel cannot tell apart are one.
     pub const fn dots(self) -> Self {
         Self { line: None, marker: None, dots: true, ..self }
     }
@@ -192,8 +192,8 @@ impl Style {
 }
 
 /// The figure's own style sheet: its colours are the book's if the book defines them, and follow
-/// the reader's preference where the figure stands alone. All of it is confined to the
-/// class `id`, and not the id: where a page shows a figure twice, mdBook gives the second another id.
+/// the reader's preference where the figure stands alone. All of it is confined to the class `id`,
+/// and not the id: where a page shows a figure twice, mdBook gives the second another id.
 pub(super) fn style_sheet(id: &str, used: &[Style]) -> String {
     let mut colours: Vec<_> = used.iter().filter_map(|style| style.colour).collect();
     colours.sort_unstable();
@@ -277,7 +277,8 @@ mod tests {
         }
     }
 
-    /// Catches: a lab in which a method has another marker, colour or dash than in the figures beside it.
+    /// Catches: a lab in which a method has another marker, colour or dash than in the figures
+    /// beside it.
     #[test]
     fn the_lab_draws_methods_as_the_figures_do() {
         let script = of_the_book("theme/lab/drawing.js");

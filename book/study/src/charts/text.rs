@@ -8,7 +8,8 @@ use super::path::{Num, Point};
 pub(super) const FONT: f64 = 17.0;
 const SMALL: f64 = 0.72;
 
-/// Text that is safe between tags and in attributes, on one line, with the apostrophe that a printer would set.
+/// Text that is safe between tags and in attributes, on one line, with the apostrophe that a
+/// printer would set.
 pub(super) fn escape(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {

@@ -7,7 +7,8 @@ use super::Verdict::{
 /// A printed cell.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Cell {
-    /// Table, row and column: the rows are `fe` forward Euler, `se` symplectic Euler, `rk4`, `vv` Störmer–Verlet.
+    /// Table, row and column: the rows are `fe` forward Euler, `se` symplectic Euler, `rk4`, `vv`
+    /// Störmer–Verlet.
     pub id: &'static str,
     /// What is printed, digit for digit; units are those of the table.
     pub stated: &'static str,
@@ -56,7 +57,8 @@ pub const CELLS: &[Cell] = &[
         "T2.vv.evals",
         "2",
         Wrong,
-        "The force at the end of a step is the force at the start of the next: one evaluation a step, and one before the first.",
+        "The force at the end of a step is the force at the start of the next: one evaluation a \
+         step, and one before the first.",
     ),
     cell("T2.vv.behav", "Bounded oscillation", Reproduced, ""),
     cell("T4.fe.0.1", "2.01e2", Reproduced, ""),
@@ -77,7 +79,8 @@ pub const CELLS: &[Cell] = &[
         "T4.rk4.0.001",
         "3.14e-12",
         DependsOnPlatform,
-        "Truncation alone gives 3.18e-12; rounding moves the second digit, on every platform differently.",
+        "Truncation alone gives 3.18e-12; rounding moves the second digit, on every platform \
+         differently.",
     ),
     cell("T4.vv.0.1", "1.10e-1", Reproduced, ""),
     cell("T4.vv.0.05", "2.76e-2", Reproduced, ""),
@@ -117,7 +120,8 @@ pub const CELLS: &[Cell] = &[
         "T6.se.0.05",
         "3.26e-3",
         DependsOnRounding,
-        "It lies within 1e-5, relatively, of a rounding boundary, and only with N + 1 samples in the mean.",
+        "It lies within 1e-5, relatively, of a rounding boundary, and only with N + 1 samples in \
+         the mean.",
     ),
     cell("T6.se.0.01", "4.91e-4", ReproducedWithDefinition, OVER_ALL_SAMPLES),
     cell("T6.se.0.005", "2.01e-4", Reproduced, ""),
@@ -137,7 +141,8 @@ pub const CELLS: &[Cell] = &[
         "T7.Tnum",
         "5.1580",
         ReproducedWithDefinition,
-        "Only the highest sample on the grid gives 5.1580; the trajectory's own period agrees with the exact one to 3e-12 s.",
+        "Only the highest sample on the grid gives 5.1580; the trajectory's own period agrees with \
+         the exact one to 3e-12 s.",
     ),
     cell(
         "T7.relerr",
@@ -152,7 +157,8 @@ pub const CELLS: &[Cell] = &[
         "T7.caption_k",
         "0.997",
         DependsOnRounding,
-        "0.997 and 0.9975 are both right roundings of 0.99749499; as an input, 0.997 gives a period of 5.04 s.",
+        "0.997 and 0.9975 are both right roundings of 0.99749499; as an input, 0.997 gives a \
+         period of 5.04 s.",
     ),
     cell("T8.fe.ms", "1.80", DependsOnPlatform, ONE_CLOCK),
     cell("T8.fe.rms", "1.21e-2", Reproduced, ""),

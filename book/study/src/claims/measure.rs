@@ -1,27 +1,9 @@
 //! How each number of the paper is measured: from the rows of the study to claims.
 
-use pendula::methods::registry::METHODS;
-
 use super::cells::{CELLS, Cell};
-use super::{Claim, Measured, Tolerance, Verdict};
+use super::{CellId, Claim, Measured, Tolerance, Verdict};
 use crate::digits::Digits::{self, Fixed, Scientific, Significant};
-use crate::experiments::{MethodRef, STEPS, Study, in_paper, work};
-
-/// The paper's own abbreviation of a method in the ids of its cells; one that it does not know goes by its name.
-pub fn row_id(method: MethodRef) -> &'static str {
-    match method.info().name {
-        "forward-euler" => "fe",
-        "symplectic-euler" => "se",
-        "stormer-verlet" => "vv",
-        name => name,
-    }
-}
-
-/// The rows of the paper's tables as (id, title), in order.
-pub fn row_ids() -> Vec<(&'static str, &'static str)> {
-    let rows = METHODS.iter().copied().filter(|method| in_paper(*method));
-    rows.map(|method| (row_id(method), method.info().title)).collect()
-}
+use crate::experiments::{MethodRef, PaperMethod, STEPS, Study, work};
 
 /// All claims, measured, in the order of the tables.
 pub(super) fn claims(study: &Study) -> Vec<Claim> {
@@ -36,30 +18,29 @@ pub(super) fn claims(study: &Study) -> Vec<Claim> {
     claims
 }
 
-/// A claim about a number.
-fn number(id: String, gist: String, value: f64, format: Digits) -> Claim {
-    claim(id, gist, Measured::Number(value, format))
+/// A claim about a number in a cell.
+fn number(id: CellId, gist: String, value: f64, digits: Digits) -> Claim {
+    cell(id, gist, Measured::Number(value, digits))
 }
 
 /// A claim about a property in words.
-fn text(id: String, gist: String, measured: impl ToString) -> Claim {
-    claim(id, gist, Measured::Text(measured.to_string()))
+fn text(id: CellId, gist: String, measured: impl ToString) -> Claim {
+    cell(id, gist, Measured::Text(measured.to_string()))
 }
 
 /// Joins what is measured with what the paper prints in the cell of that id.
-fn claim(id: String, gist: String, measured: Measured) -> Claim {
-    let printed = CELLS.iter().find(|cell| cell.id == id);
-    let (place, definition) = match id.split('.').next() {
-        Some("T2") => {
-            ("Table 2", "measured, not declared: slope, det J, count, energy over 1000 s")
-        }
-        Some("T4") => ("Table 4", "max |Hₙ − H₀| over all samples of 50 s from rest at π/3"),
-        Some("T5") => ("Table 5", "over all samples of 1000 s from rest at 1 rad, Δt = 0.01 s"),
-        Some("T6") => ("Table 6", "mean over all N + 1 samples of 10 s from rest at 0.05 rad"),
-        Some("T7") => ("Table 7", "from rest at 3 rad, Δt = 0.001 s, over 30 s"),
-        Some("T8") => ("Table 8", "over 10 s from rest at 0.05 rad, Δt = 0.01 s"),
+fn cell(id: CellId, gist: String, measured: Measured) -> Claim {
+    let (place, definition) = match id.table {
+        2 => ("Table 2", "measured, not declared: slope, det J, count, energy over 1000 s"),
+        4 => ("Table 4", "max |Hₙ − H₀| over all samples of 50 s from rest at π/3"),
+        5 => ("Table 5", "over all samples of 1000 s from rest at 1 rad, Δt = 0.01 s"),
+        6 => ("Table 6", "mean over all N + 1 samples of 10 s from rest at 0.05 rad"),
+        7 => ("Table 7", "from rest at 3 rad, Δt = 0.001 s, over 30 s"),
+        8 => ("Table 8", "over 10 s from rest at 0.05 rad, Δt = 0.01 s"),
         _ => ("", ""),
     };
+    let id = id.to_string();
+    let printed = CELLS.iter().find(|cell| cell.id == id);
     Claim {
         place,
         gist,
@@ -73,33 +54,56 @@ fn claim(id: String, gist: String, measured: Measured) -> Claim {
     }
 }
 
+/// A number that no table of the paper has, but that the chapters quote.
+fn finding(id: &str, gist: &str, value: f64, digits: Digits) -> Claim {
+    Claim {
+        id: format!("X.{id}"),
+        place: "",
+        gist: gist.to_string(),
+        definition: "",
+        stated: None,
+        measured: Measured::Number(value, digits),
+        tolerance: Tolerance::PrintedDigits,
+        verdict: Verdict::NotStated,
+        because: "",
+    }
+}
+
+/// The rows of the paper's methods, each with its method.
+fn of_the_paper<R>(
+    rows: &[R],
+    method: impl Fn(&R) -> MethodRef,
+) -> impl Iterator<Item = (PaperMethod, &R)> {
+    rows.iter().filter_map(move |row| Some((PaperMethod::of(method(row))?, row)))
+}
+
 fn table_2(study: &Study, claims: &mut Vec<Claim>) {
-    for row in study.characteristics.iter().filter(|row| in_paper(row.method)) {
-        let (id, title) = (row_id(row.method), row.method.info().title);
+    for (method, row) in of_the_paper(&study.characteristics, |row| row.method) {
+        let (id, title) = (|quantity| CellId::of_row(2, method, quantity), method.title());
         let yes_or_no = if row.symplectic() { "Yes" } else { "No" };
         claims.extend([
             // An order is an integer. The slope itself is in the tests, to ±0.05.
-            number(format!("T2.{id}.order"), format!("order of {title}"), row.order(), Fixed(0)),
-            text(format!("T2.{id}.sympl"), format!("{title} symplectic"), yes_or_no),
+            number(id("order"), format!("order of {title}"), row.order(), Fixed(0)),
+            text(id("sympl"), format!("{title} symplectic"), yes_or_no),
             number(
-                format!("T2.{id}.evals"),
+                id("evals"),
                 format!("force evaluations a step of {title}"),
                 row.evaluations,
                 Fixed(0),
             ),
-            text(format!("T2.{id}.behav"), format!("energy of {title} over 1000 s"), row.energy),
+            text(id("behav"), format!("energy of {title} over 1000 s"), row.energy),
         ]);
     }
 }
 
 fn table_4(study: &Study, claims: &mut Vec<Claim>) {
-    for row in &study.convergence {
-        let (id, title) = (row_id(row.method), row.method.info().title);
+    for (method, row) in of_the_paper(&study.convergence, |row| row.method) {
+        let title = method.title();
         for (step, drift) in STEPS.iter().zip(row.drift) {
             let gist = format!("largest energy error of {title} at Δt = {step} s (J)");
-            let mut cell =
-                number(format!("T4.{id}.{step}"), gist, drift, Scientific(digits(id, *step)));
-            if id == "rk4" && *step == 0.001 {
+            let id = CellId::at_step(4, method, *step);
+            let mut cell = number(id, gist, drift, Scientific(digits(method, *step)));
+            if method == PaperMethod::Rk4 && *step == 0.001 {
                 cell.tolerance = Tolerance::Around { value: 3.2e-12, relative: 0.1 };
             }
             claims.push(cell);
@@ -107,21 +111,22 @@ fn table_4(study: &Study, claims: &mut Vec<Claim>) {
     }
 }
 
-/// Digits of Table 4 that a sine of another platform, off by one ulp, leaves alone: seven or more everywhere but in
-/// RK4's row, where the energy error nears the rounding of the energy itself.
-fn digits(id: &str, step: f64) -> usize {
-    match (id, step) {
-        ("rk4", 0.005) => 4,
-        ("rk4", 0.001) => 1,
+/// Digits of Table 4 that a sine of another platform, off by one ulp, leaves alone: seven or more
+/// everywhere but in RK4's row, where the energy error nears the rounding of the energy itself.
+fn digits(method: PaperMethod, step: f64) -> usize {
+    match (method, step) {
+        (PaperMethod::Rk4, 0.005) => 4,
+        (PaperMethod::Rk4, 0.001) => 1,
         _ => 6,
     }
 }
 
 fn table_5(study: &Study, claims: &mut Vec<Claim>) {
-    for row in study.long_run.iter().filter(|row| in_paper(row.method)) {
-        let (id, title) = (row_id(row.method), row.method.info().title);
-        let cell = |column: &str, what: &str, value, format| {
-            number(format!("T5.{id}.{column}"), format!("{what} of {title}"), value, format)
+    for (method, row) in of_the_paper(&study.long_run, |row| row.method) {
+        let title = method.title();
+        let cell = |quantity, what: &str, value, digits| {
+            let id = CellId::of_row(5, method, quantity);
+            number(id, format!("{what} of {title}"), value, digits)
         };
         let percent = row.percent_of_initial();
         claims.extend([
@@ -137,28 +142,31 @@ fn table_5(study: &Study, claims: &mut Vec<Claim>) {
             ),
         ]);
     }
-    let shown =
-        study.long_run.iter().filter(|row| ["fe", "se", "vv"].contains(&row_id(row.method)));
-    let best = shown.min_by(|a, b| a.drift.total_cmp(&b.drift));
-    let title = best.map_or("", |row| row.method.info().title);
-    claims.push(text("T5.best".to_string(), "the best of the rows shown".to_string(), title));
+    // The paper leaves RK4 out.
+    let shown = of_the_paper(&study.long_run, |row| row.method)
+        .filter(|(method, _)| *method != PaperMethod::Rk4);
+    let best = shown.min_by(|(_, a), (_, b)| a.drift.total_cmp(&b.drift));
+    let title = best.map_or("", |(method, _)| method.title());
+    let gist = "the best of the rows shown".to_string();
+    claims.push(text(CellId::of_table(5, "best"), gist, title));
 }
 
 fn table_6(study: &Study, claims: &mut Vec<Claim>) {
-    for row in &study.small_angle {
-        let (id, title) = (row_id(row.method), row.method.info().title);
+    for (method, row) in of_the_paper(&study.small_angle, |row| row.method) {
+        let title = method.title();
         for (step, errors) in STEPS.iter().zip(row.errors) {
             let gist =
                 format!("RMS angle error of {title} against θ₀ cos ω₀t at Δt = {step} s (rad)");
-            claims.push(number(format!("T6.{id}.{step}"), gist, errors.formula, Scientific(6)));
+            let id = CellId::at_step(6, method, *step);
+            claims.push(number(id, gist, errors.formula, Scientific(6)));
         }
     }
 }
 
 fn table_7(study: &Study, claims: &mut Vec<Claim>) {
     let periods = &study.large_angle;
-    let cell = |column: &str, gist: &str, value, format| {
-        number(format!("T7.{column}"), gist.to_string(), value, format)
+    let cell = |quantity, gist: &str, value, digits| {
+        number(CellId::of_table(7, quantity), gist.to_string(), value, digits)
     };
     claims.extend([
         cell("Texact", "exact period 4√(L/g) K(k) (s)", periods.exact, Fixed(12)),
@@ -185,10 +193,10 @@ fn table_7(study: &Study, claims: &mut Vec<Claim>) {
 }
 
 fn table_8(study: &Study, claims: &mut Vec<Claim>) {
-    for row in &study.work {
-        let (id, title) = (row_id(row.method), row.method.info().title);
-        let column = |name: &str, what: &str, measured| {
-            claim(format!("T8.{id}.{name}"), format!("{what} of {title}"), measured)
+    for (method, row) in of_the_paper(&study.work, |row| row.method) {
+        let title = method.title();
+        let column = |quantity, what: &str, measured| {
+            cell(CellId::of_row(8, method, quantity), format!("{what} of {title}"), measured)
         };
         let (evaluations, errors) = row.points[work::TABLE_8];
         claims.extend([
@@ -199,7 +207,10 @@ fn table_8(study: &Study, claims: &mut Vec<Claim>) {
                 "dH",
                 "largest energy error (J)",
                 // RK4's error is 10⁵ quanta of the energy: five digits are there, four are safe.
-                Measured::Number(errors.energy, Scientific(if id == "rk4" { 4 } else { 6 })),
+                Measured::Number(
+                    errors.energy,
+                    Scientific(if method == PaperMethod::Rk4 { 4 } else { 6 }),
+                ),
             ),
         ]);
     }
@@ -207,15 +218,18 @@ fn table_8(study: &Study, claims: &mut Vec<Claim>) {
 
 /// Numbers that no table of the paper has, but that the chapters quote.
 fn findings(study: &Study, claims: &mut Vec<Claim>) {
-    let long_run = |id| study.long_run.iter().find(|row| row_id(row.method) == id);
-    let verlet = study.convergence.iter().find(|row| row_id(row.method) == "vv");
-    let (Some(fe), Some(rk4), Some(vv), Some(verlet)) =
-        (long_run("fe"), long_run("rk4"), long_run("vv"), verlet)
-    else {
-        return;
+    let long_run = |wanted| {
+        of_the_paper(&study.long_run, |row| row.method).find(|(method, _)| *method == wanted)
     };
-    let finding = |id: &str, gist: &str, value, format| {
-        number(format!("X.{id}"), gist.to_string(), value, format)
+    let verlet = of_the_paper(&study.convergence, |row| row.method)
+        .find(|(method, _)| *method == PaperMethod::StormerVerlet);
+    let (Some((_, fe)), Some((_, rk4)), Some((_, vv)), Some((_, verlet))) = (
+        long_run(PaperMethod::ForwardEuler),
+        long_run(PaperMethod::Rk4),
+        long_run(PaperMethod::StormerVerlet),
+        verlet,
+    ) else {
+        return;
     };
     claims.extend([
         finding(
@@ -255,25 +269,28 @@ fn findings(study: &Study, claims: &mut Vec<Claim>) {
 mod tests {
     use rstest::rstest;
 
-    use super::number;
+    use super::{finding, number};
+    use crate::claims::CellId;
     use crate::digits::Digits::Fixed;
+    use crate::experiments::PaperMethod::{ForwardEuler, Rk4, StormerVerlet, SymplecticEuler};
 
-    /// The condition that each table is measured under is what its reader needs most: here by a word that no other table has.
+    /// The condition that each table is measured under is what its reader needs most: here by a
+    /// word that no other table has.
     ///
     /// Catches: a table whose cells go without a place or a definition, or under those of another.
     #[rstest]
-    #[case("T2.vv.order", "Table 2", "slope")]
-    #[case("T4.rk4.0.01", "Table 4", "π/3")]
-    #[case("T5.fe.dH", "Table 5", "from rest at 1 rad")]
-    #[case("T6.se.0.05", "Table 6", "all N + 1 samples")]
-    #[case("T7.Texact", "Table 7", "3 rad")]
-    #[case("T8.fe.rms", "Table 8", "0.05 rad, Δt = 0.01 s")]
+    #[case(CellId::of_row(2, StormerVerlet, "order"), "Table 2", "slope")]
+    #[case(CellId::at_step(4, Rk4, 0.01), "Table 4", "π/3")]
+    #[case(CellId::of_row(5, ForwardEuler, "dH"), "Table 5", "from rest at 1 rad")]
+    #[case(CellId::at_step(6, SymplecticEuler, 0.05), "Table 6", "all N + 1 samples")]
+    #[case(CellId::of_table(7, "Texact"), "Table 7", "3 rad")]
+    #[case(CellId::of_row(8, ForwardEuler, "rms"), "Table 8", "0.05 rad, Δt = 0.01 s")]
     fn a_cell_says_where_it_stands_and_how_it_is_measured(
-        #[case] id: &str,
+        #[case] id: CellId,
         #[case] place: &str,
         #[case] condition: &str,
     ) {
-        let cell = number(id.to_string(), String::new(), 1.0, Fixed(0));
+        let cell = number(id, String::new(), 1.0, Fixed(0));
         assert_eq!(cell.place, place);
         assert!(cell.definition.contains(condition), "{}", cell.definition);
         assert!(cell.stated.is_some(), "{id} is printed");
@@ -282,7 +299,7 @@ mod tests {
     /// Catches: a number of our own that is passed off as one of the paper's.
     #[test]
     fn what_is_not_printed_stands_nowhere() {
-        let finding = number("X.fe.falls".to_string(), String::new(), 1.0, Fixed(0));
+        let finding = finding("fe.falls", "", 1.0, Fixed(0));
         assert_eq!((finding.place, finding.definition, finding.stated), ("", "", None));
     }
 }

@@ -1,8 +1,10 @@
 //! The paper's claims, each with what was stated, what is measured, and a verdict.
 //!
-//! [`cells`] holds what the paper prints in its tables, [`measure`] says how each of these numbers is measured; `prose` has
-//! both for its sentences. A [`Ledger`] joins them. Tables, tests and the book read the ledger, so that no number stands in two places.
+//! [`cells`] holds what the paper prints in its tables, [`measure`] says how each of these numbers
+//! is measured; `prose` has both for its sentences. A [`Ledger`] joins them. Tables, tests and the
+//! book read the ledger, so that no number stands in two places.
 
+mod cell_id;
 pub mod cells;
 pub mod measure;
 mod predictions;
@@ -10,6 +12,7 @@ mod prose;
 
 use core::fmt;
 
+pub use cell_id::{CellId, Column};
 pub use predictions::{Prediction, largest_energy_error, predictions};
 
 use crate::digits::{Digits, rounds_to};
@@ -35,7 +38,8 @@ pub enum Verdict {
 }
 
 impl Verdict {
-    /// Whether a claim with this verdict has to hold (`true`), has to fail (`false`), or is not measured.
+    /// Whether a claim with this verdict has to hold (`true`), has to fail (`false`), or is not
+    /// measured.
     pub const fn demands(self) -> Option<bool> {
         match self {
             Self::Reproduced | Self::ReproducedWithDefinition | Self::DependsOnRounding => {
@@ -189,6 +193,11 @@ impl Ledger {
         self.claims.iter().find(|claim| claim.id == id)
     }
 
+    /// The claim of a cell.
+    pub fn cell(&self, id: CellId) -> Option<&Claim> {
+        self.get(&id.to_string())
+    }
+
     /// The claims of one table.
     pub fn table(&self, number: u32) -> impl Iterator<Item = &Claim> {
         let prefix = format!("T{number}.");
@@ -225,18 +234,29 @@ mod tests {
         Measured::Text(words.to_string())
     }
 
-    /// The bounds are binary fractions, so that a number can lie on them, and its neighbour beyond. A relative distance
-    /// goes by the value that rounding surrounds, not by what is printed.
+    /// The bounds are binary fractions, so that a number can lie on them, and its neighbour beyond.
+    /// A relative distance goes by the value that rounding surrounds, not by what is printed.
     ///
-    /// Catches: a tolerance wider, narrower or one-sided, and one kind of tolerance taken for another.
+    /// Catches: a tolerance wider, narrower or one-sided, and one kind of tolerance taken for
+    /// another.
     #[rstest]
     #[case::on_the_bound("3", number(3.5), PrintedDigits, Some(true))]
     #[case::past_it("3", number(3.5_f64.next_up()), PrintedDigits, Some(false))]
     #[case::no_number("three", number(3.0), PrintedDigits, None)]
     #[case::on_top("9", number(2.5), Around { value: 2.0, relative: 0.25 }, Some(true))]
-    #[case::over_it("9", number(2.5_f64.next_up()), Around { value: 2.0, relative: 0.25 }, Some(false))]
+    #[case::over_it(
+        "9",
+        number(2.5_f64.next_up()),
+        Around { value: 2.0, relative: 0.25 },
+        Some(false)
+    )]
     #[case::at_the_bottom("9", number(1.5), Around { value: 2.0, relative: 0.25 }, Some(true))]
-    #[case::under_it("9", number(1.5_f64.next_down()), Around { value: 2.0, relative: 0.25 }, Some(false))]
+    #[case::under_it(
+        "9",
+        number(1.5_f64.next_down()),
+        Around { value: 2.0, relative: 0.25 },
+        Some(false)
+    )]
     #[case::negative("9", number(-2.5), Around { value: -2.0, relative: 0.25 }, Some(true))]
     #[case::the_wrong_sign("9", number(2.0), Around { value: -2.0, relative: 0.25 }, Some(false))]
     #[case::the_same_words("Yes", text("Yes"), PrintedDigits, Some(true))]
@@ -258,9 +278,11 @@ mod tests {
         assert_eq!(claim.holds(), None, "nothing is stated");
     }
 
-    /// What each verdict becomes where the measurement holds, where it fails, and where there is none.
+    /// What each verdict becomes where the measurement holds, where it fails, and where there is
+    /// none.
     ///
-    /// Catches: a verdict that demands too much, too little or the opposite, and one that outlives its measurement.
+    /// Catches: a verdict that demands too much, too little or the opposite, and one that outlives
+    /// its measurement.
     #[rstest]
     #[case(Verdict::Reproduced, Some(true), Verdict::Reproduced, Verdict::Wrong)]
     #[case(

@@ -2,6 +2,8 @@
 
 use pendula::{Grid, Pendulum};
 
+use super::CellId;
+use crate::experiments::PaperMethod;
 use crate::experiments::{STEPS, convergence, long_run, small_angle, work};
 use crate::theory::small_angle::{LinearRecurrence, errors};
 use crate::theory::{Dimensionless, forward_euler, rk4, scaled, stormer_verlet, symplectic_euler};
@@ -13,14 +15,16 @@ pub struct Prediction {
     pub id: String,
     /// The predicted value, in the unit of the cell.
     pub value: f64,
-    /// How far, relatively, the measured value may lie from it: what the law leaves out, and rounding.
+    /// How far, relatively, the measured value may lie from it: what the law leaves out, and
+    /// rounding.
     pub tolerance: f64,
     /// The law behind it.
     pub law: &'static str,
 }
 
 impl Prediction {
-    /// Relative distance of the prediction from what was `measured`; positive where too much was predicted.
+    /// Relative distance of the prediction from what was `measured`; positive where too much was
+    /// predicted.
     pub const fn relative_error(&self, measured: f64) -> f64 {
         (self.value - measured) / measured
     }
@@ -31,24 +35,24 @@ impl Prediction {
     }
 }
 
-/// All of them, 49, in the order of the ledger: Tables 4, 5, 6 and 8, and last `P6.3.norm`, which is the text's (Section 6.3):
-/// RK4's largest angle error over θ₀, at θ₀ = 1e-4.
+/// All of them, 49, in the order of the ledger: Tables 4, 5, 6 and 8, and last `P6.3.norm`, which
+/// is the text's (Section 6.3): RK4's largest angle error over θ₀, at θ₀ = 1e-4.
 ///
 /// Nothing is stored: each call works them out anew, in half a second.
 pub fn predictions() -> Vec<Prediction> {
     let mut all = Vec::new();
     let (table_4, table_8) = (Run::TABLE_4, Run::TABLE_8);
     for law in ENERGY_LAWS {
-        all.extend(STEPS.map(|h| law.predict(table_4, h, |row| format!("T4.{row}.{h}"))));
+        all.extend(STEPS.map(|h| law.predict(table_4, h, |row| CellId::at_step(4, row, h))));
     }
     for law in ENERGY_LAWS {
-        all.push(law.predict(Run::TABLE_5, long_run::STEP, |row| format!("T5.{row}.dH")));
+        all.push(law.predict(Run::TABLE_5, long_run::STEP, |row| CellId::of_row(5, row, "dH")));
     }
     for law in ANGLE_LAWS {
         all.extend(STEPS.map(|h| angle(&law, table_8, h)));
     }
     for law in ENERGY_LAWS {
-        all.push(law.predict(table_8, STEPS[work::TABLE_8], |row| format!("T8.{row}.dH")));
+        all.push(law.predict(table_8, STEPS[work::TABLE_8], |row| CellId::of_row(8, row, "dH")));
     }
     all.push(normalised_angle());
     all
@@ -84,23 +88,23 @@ impl Run {
         pendulum.depth() * Dimensionless::new(self.theta_0, 0.0).energy()
     }
 
-    /// What rounding may add to the largest energy error (J): at each step a random half-unit of the energy.
+    /// What rounding may add to the largest energy error (J): at each step a random half-unit of
+    /// the energy.
     fn rounding(self, h: f64) -> f64 {
         f64::EPSILON * self.energy() * libm::sqrt(self.steps(h) as f64)
     }
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 // Energy: Tables 4, 5 and 8
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 
 /// How a method's largest energy error is predicted.
 struct EnergyLaw {
-    /// Name of the method.
-    method: &'static str,
-    row: &'static str,
+    method: PaperMethod,
     law: &'static str,
-    /// The largest energy error (J) from an angle of release (rad), for a step (s) and a number of steps.
+    /// The largest energy error (J) from an angle of release (rad), for a step (s) and a number of
+    /// steps.
     value: fn(f64, f64, u64) -> f64,
     /// What the law leaves out, relatively; it is told the value, too.
     left_out: fn(Run, f64, f64) -> f64,
@@ -108,8 +112,7 @@ struct EnergyLaw {
 
 const ENERGY_LAWS: [EnergyLaw; 4] = [
     EnergyLaw {
-        method: "forward-euler",
-        row: "fe",
+        method: PaperMethod::ForwardEuler,
         law: "its modified equation to order h⁵, solved",
         value: |theta_0, h, steps| {
             forward_euler::largest_energy_error(&Pendulum::PAPER, theta_0, h, steps)
@@ -117,25 +120,23 @@ const ENERGY_LAWS: [EnergyLaw; 4] = [
         left_out: |run, h, _| forward_euler_tolerance(run, h),
     },
     EnergyLaw {
-        method: "symplectic-euler",
-        row: "se",
+        method: PaperMethod::SymplecticEuler,
         law: "the level curve of its conserved energy to order h⁷",
         value: |theta_0, h, _| symplectic_euler::largest_energy_error(&Pendulum::PAPER, theta_0, h),
         // x⁸ is 1e-4 at h = 0.1, with a coefficient below 1/1000.
         left_out: |_, _, _| SAMPLING,
     },
     EnergyLaw {
-        method: "rk4",
-        row: "rk4",
+        method: PaperMethod::Rk4,
         law: "the energy changes of single steps, h⁵e₅ + … + h⁸e₈, along the exact orbit",
         value: |theta_0, h, steps| rk4::largest_energy_error(&Pendulum::PAPER, theta_0, h, steps),
-        // The loss goes as E² or so: as the energy falls by ΔH, the rate falls by 2ΔH/E, and by half that on the mean.
-        // The orbit runs out of step by x⁴/120 per radian, which moves the bounded part only; x⁹e₉ is odd.
+        // The loss goes as E² or so: as the energy falls by ΔH, the rate falls by 2ΔH/E, and by
+        // half that on the mean. The orbit runs out of step by x⁴/120 per radian, which moves the
+        // bounded part only; x⁹e₉ is odd.
         left_out: |run, _, error| error / run.energy(),
     },
     EnergyLaw {
-        method: "stormer-verlet",
-        row: "vv",
+        method: PaperMethod::StormerVerlet,
         law: "m g L (1 − cos θ₀) [x²(5 + cos θ₀)/24 + x⁴(1 − cos θ₀)²/240], x = ω₀h",
         value: |theta_0, h, _| stormer_verlet::energy_error(&Pendulum::PAPER, theta_0, h),
         // The next term is at most x⁴ (100 + 33)/30240 × 24/5 × (1 − c₀)² of the first, and c₀ ≥ ½.
@@ -147,33 +148,37 @@ const ENERGY_LAWS: [EnergyLaw; 4] = [
 ];
 
 impl EnergyLaw {
-    fn predict(&self, run: Run, h: f64, id: impl Fn(&str) -> String) -> Prediction {
+    fn predict(&self, run: Run, h: f64, id: impl Fn(PaperMethod) -> CellId) -> Prediction {
         let value = (self.value)(run.theta_0, h, run.steps(h));
         let tolerance = (self.left_out)(run, h, value) + run.rounding(h) / value;
-        Prediction { id: id(self.row), value, tolerance, law: self.law }
+        Prediction { id: id(self.method).to_string(), value, tolerance, law: self.law }
     }
 }
 
-/// The highest sample lies below the highest point of the curve, for want of one just there: by ½(2x δ)² relatively, δ steps
-/// away. With the 46 maxima of Table 4 spread evenly between the samples δ is 1/92, which makes 2.3e-5 at h = 0.1. At smaller
-/// steps the spread may be less even, but the square makes up for it.
+/// The highest sample lies below the highest point of the curve, for want of one just there: by
+/// ½(2x δ)² relatively, δ steps away. With the 46 maxima of Table 4 spread evenly between the
+/// samples δ is 1/92, which makes 2.3e-5 at h = 0.1. At smaller steps the spread may be less even,
+/// but the square makes up for it.
 const SAMPLING: f64 = 2.5e-5;
 
-/// Largest energy error (J) that the method of that name must make on the paper's pendulum, from rest at `theta_0` (rad)
-/// over `steps` steps of `h` (s): by the law that [`predictions`] applies to its cells, or `None` for a method without one.
+/// Largest energy error (J) that the method of that name must make on the paper's pendulum, from
+/// rest at `theta_0` (rad) over `steps` steps of `h` (s): by the law that [`predictions`] applies
+/// to its cells, or `None` for a method without one.
 pub fn largest_energy_error(method: &str, theta_0: f64, h: f64, steps: u64) -> Option<f64> {
-    let law = ENERGY_LAWS.iter().find(|law| law.method == method)?;
+    let law = ENERGY_LAWS.iter().find(|law| law.method.name() == method)?;
     Some((law.value)(theta_0, h, steps))
 }
 
 /// What the modified equation to order h⁵ leaves out, relatively.
 ///
-/// A small swing runs out of step by x⁶/7 and gains energy at a rate wrong by x⁶/4, of the terms of atan x and ln(1 + x²);
-/// over the 160 rad of Table 4 and an energy 20 times larger, the second makes x⁶ and the first 20 x⁶ rad, which
-/// matters to the energy only by its ripple, of order x. Tenfold x⁶ holds both.
+/// A small swing runs out of step by x⁶/7 and gains energy at a rate wrong by x⁶/4, of the terms of
+/// atan x and ln(1 + x²); over the 160 rad of Table 4 and an energy 20 times larger, the second
+/// makes x⁶ and the first 20 x⁶ rad, which matters to the energy only by its ripple, of order x.
+/// Tenfold x⁶ holds both.
 ///
-/// In Table 5 the phase in which it goes over the top counts, too: 1e-9 × 1/4 × the 140 rad until then, in units of the
-/// 0.03 of its energy that each swing adds there. With x⁶ and x⁷ included that error falls from 1.3e-7 to 4e-10.
+/// In Table 5 the phase in which it goes over the top counts, too: 1e-9 × 1/4 × the 140 rad until
+/// then, in units of the 0.03 of its energy that each swing adds there. With x⁶ and x⁷ included
+/// that error falls from 1.3e-7 to 4e-10.
 fn forward_euler_tolerance(run: Run, h: f64) -> f64 {
     /// The solver's own error, over the whole of a run.
     const SOLVER: f64 = 1e-10;
@@ -182,38 +187,38 @@ fn forward_euler_tolerance(run: Run, h: f64) -> f64 {
     if run.goes_over { 1000.0 * x6 } else { 10.0 * x6 + SOLVER }
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 // Angle: Table 6 and Section 6.3
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 
 /// How a method's angle error in the small swing is predicted.
 struct AngleLaw {
-    row: &'static str,
-    /// What it does to the linear oscillator; `None` for a swing that does not stay small, and is left to the modified
-    /// equation.
+    method: PaperMethod,
+    /// What it does to the linear oscillator; `None` for a swing that does not stay small, and is
+    /// left to the modified equation.
     recurrence: Option<fn(&Pendulum, f64) -> LinearRecurrence>,
-    /// How much the relative error of its frequency changes with the amplitude, per A², as a function of x: the cross term
-    /// that the recurrence with a slower phase leaves out.
+    /// How much the relative error of its frequency changes with the amplitude, per A², as a
+    /// function of x: the cross term that the recurrence with a slower phase leaves out.
     cross_term: fn(f64) -> f64,
 }
 
 const ANGLE_LAWS: [AngleLaw; 4] = [
-    AngleLaw { row: "fe", recurrence: None, cross_term: |_| 0.0 },
-    // τ₂ falls with the amplitude as 1 − θ₀²/8 (theory::period): x²/24 × 1/8. Seen from its own amplitude symplectic
-    // Euler is Verlet.
+    AngleLaw { method: PaperMethod::ForwardEuler, recurrence: None, cross_term: |_| 0.0 },
+    // τ₂ falls with the amplitude as 1 − θ₀²/8 (theory::period): x²/24 × 1/8. Seen from its own
+    // amplitude symplectic Euler is Verlet.
     AngleLaw {
-        row: "se",
+        method: PaperMethod::SymplecticEuler,
         recurrence: Some(LinearRecurrence::symplectic_euler),
         cross_term: |x| x * x / 192.0,
     },
     // τ₄ falls by less than 1 − θ₀²/2 (theory::rk4::period_shift).
     AngleLaw {
-        row: "rk4",
+        method: PaperMethod::Rk4,
         recurrence: Some(LinearRecurrence::rk4),
         cross_term: |x| x * x * x * x / 240.0,
     },
     AngleLaw {
-        row: "vv",
+        method: PaperMethod::StormerVerlet,
         recurrence: Some(LinearRecurrence::stormer_verlet),
         cross_term: |x| x * x / 192.0,
     },
@@ -224,7 +229,7 @@ fn angle(law: &AngleLaw, run: Run, h: f64) -> Prediction {
     let Run { theta_0, .. } = run;
     let pendulum = &Pendulum::PAPER;
     let (steps, x) = (run.steps(h), scaled(pendulum, h));
-    let id = format!("T6.{}.{h}", law.row);
+    let id = CellId::at_step(6, law.method, h).to_string();
     let Some(recurrence) = law.recurrence else {
         let angles = forward_euler::trajectory(pendulum, theta_0, h).map(|z| z.theta);
         let (value, _) = errors(pendulum, theta_0, h, steps, angles);
@@ -238,8 +243,9 @@ fn angle(law: &AngleLaw, run: Run, h: f64) -> Prediction {
     };
     let angles = recurrence(pendulum, h).angles(theta_0);
     let (value, _) = errors(pendulum, theta_0, h, steps, angles);
-    // A frequency wrong by δ leaves δ θ₀ω₀T/√6 in the root mean square. Left out are the cross term and A⁴/3072, the next
-    // term of the pendulum's own frequency; a third more for the pieces of the harmonics.
+    // A frequency wrong by δ leaves δ θ₀ω₀T/√6 in the root mean square. Left out are the cross term
+    // and A⁴/3072, the next term of the pendulum's own frequency; a third more for the pieces of
+    // the harmonics.
     let square = theta_0 * theta_0;
     let frequency = (law.cross_term)(x) * square + square * square / 3072.0;
     let turned = pendulum.small_angle_frequency() * run.duration;
@@ -252,7 +258,8 @@ fn angle(law: &AngleLaw, run: Run, h: f64) -> Prediction {
     }
 }
 
-/// RK4's largest angle error over θ₀ where the formula is all but exact, so that the method's own error shows.
+/// RK4's largest angle error over θ₀ where the formula is all but exact, so that the method's own
+/// error shows.
 fn normalised_angle() -> Prediction {
     const THETA_0: f64 = 1e-4;
     let pendulum = &Pendulum::PAPER;
@@ -263,8 +270,8 @@ fn normalised_angle() -> Prediction {
     Prediction {
         id: "P6.3.norm".to_string(),
         value: largest / THETA_0,
-        // The difference of two angles of θ₀, each rounded a thousand times in its phase: √1000 ε/2.6e-7, with a margin
-        // of 30 as one sum of phases is not random.
+        // The difference of two angles of θ₀, each rounded a thousand times in its phase: √1000
+        // ε/2.6e-7, with a margin of 30 as one sum of phases is not random.
         tolerance: 1e-6,
         law: "its linear recurrence, slowed as the pendulum is by θ₀²/16",
     }

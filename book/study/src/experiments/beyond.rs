@@ -1,7 +1,8 @@
-//! Beyond the paper: what is found of the damped and driven, shaken and doubled pendulum, and of a planet.
+//! Beyond the paper: what is found of the damped and driven, shaken and doubled pendulum, and of a
+//! planet.
 //!
-//! These are experiments of our own. [`Study::run`](super::Study::run) does not include them; each is a function that takes
-//! a fraction of a second.
+//! These are experiments of our own. [`Study::run`](super::Study::run) does not include them; each
+//! is a function that takes a fraction of a second.
 
 use core::f64::consts::{PI, SQRT_2};
 
@@ -21,12 +22,12 @@ use crate::digits::Digits;
 use crate::theory::kepler::verlet_precession;
 use crate::theory::mathieu;
 
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 // The driven pendulum
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 
-/// Steps a period where an orbit is sought. RK4's error there is O(h⁴), and with twice as many steps the drives of
-/// [`doublings`] move by 3e-11.
+/// Steps a period where an orbit is sought. RK4's error there is O(h⁴), and with twice as many
+/// steps the drives of [`doublings`] move by 3e-11.
 pub const FINE: u64 = 1000;
 /// Steps a period where only the statistics of a chaotic motion count.
 pub const COARSE: u64 = 100;
@@ -40,15 +41,18 @@ pub struct Doubling {
     pub orbit: PeriodicOrbit,
 }
 
-/// The first two period doublings of [Taylor's pendulum](Driven::taylor), from period 1 to 2 and from 2 to 4.
+/// The first two period doublings of [Taylor's pendulum](Driven::taylor), from period 1 to 2 and
+/// from 2 to 4.
 pub fn doublings() -> [Doubling; 2] {
-    // A period 1 orbit attracts at the lower end of the first bracket, a period 2 orbit at that of the second.
+    // A period 1 orbit attracts at the lower end of the first bracket, a period 2 orbit at that of
+    // the second.
     [(1, (1.06, 1.07)), (2, (1.077, 1.080))].map(|(periods, bracket)| {
         doubling(periods, bracket, FINE).expect("a doubling in each bracket")
     })
 }
 
-/// The drive in `bracket` at which the orbit of so many `periods` doubles its period, found with so many `steps` a period.
+/// The drive in `bracket` at which the orbit of so many `periods` doubles its period, found with so
+/// many `steps` a period.
 pub fn doubling(periods: u32, bracket: (f64, f64), steps: u64) -> Option<Doubling> {
     let near = attractor(&Driven::taylor(bracket.0).ok()?);
     let orbit = |strength, near| {
@@ -84,15 +88,16 @@ fn wrapped(z: Phase) -> Phase {
 /// A drive at which Taylor's pendulum is chaotic (his Sect. 12.5).
 pub const CHAOTIC: f64 = 1.105;
 
-/// The largest Lyapunov exponent (1/s) of Taylor's pendulum at [`CHAOTIC`] drive, over 2000 periods after the first 100.
+/// The largest Lyapunov exponent (1/s) of Taylor's pendulum at [`CHAOTIC`] drive, over 2000 periods
+/// after the first 100.
 pub fn lyapunov() -> Exponent {
     let driven = Driven::taylor(CHAOTIC).expect("a drive");
     let watch = Watch { settling: 100, blocks: 40, periods: 50 };
     largest_exponent(&seen(&driven, COARSE), Phase::default(), watch)
 }
 
-/// The Poincaré section of Taylor's strange attractor, γ = 1.5 and β = ω₀/8: so many states, one a period, after the first
-/// 100; angles in [−π, π).
+/// The Poincaré section of Taylor's strange attractor, γ = 1.5 and β = ω₀/8: so many states, one a
+/// period, after the first 100; angles in [−π, π).
 pub fn poincare(points: usize) -> Vec<Phase> {
     let driven = Driven::taylor_damped(1.5, 0.125).expect("a drive");
     let strobe = seen(&driven, COARSE);
@@ -100,21 +105,23 @@ pub fn poincare(points: usize) -> Vec<Phase> {
     states.skip(100).take(points).collect()
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 // The shaken pendulum
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 
 /// Of the two boundaries of the stable upright, which.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Boundary {
     /// Shaken less, it falls over: a multiplier is 1, the trace 2.
     Falling,
-    /// Shaken more, it rocks ever wider, to and fro in two periods: a multiplier is −1, the trace −2.
+    /// Shaken more, it rocks ever wider, to and fro in two periods: a multiplier is −1, the trace
+    /// −2.
     Rocking,
 }
 
-/// The amplitude of the pivot (m) at which the upright `pendulum` loses its stability, shaken at the angular `frequency`
-/// Ω (rad/s), with so many `steps` of RK4 a period; `None` below some Ω, where no shaking holds it.
+/// The amplitude of the pivot (m) at which the upright `pendulum` loses its stability, shaken at
+/// the angular `frequency` Ω (rad/s), with so many `steps` of RK4 a period; `None` below some Ω,
+/// where no shaking holds it.
 ///
 /// It is sought between a fifth of Kapitza's √(2gL)/Ω and 0.4 L, and from there to 0.6 L.
 pub fn upright(pendulum: &Pendulum, frequency: f64, boundary: Boundary, steps: u64) -> Option<f64> {
@@ -133,12 +140,12 @@ pub fn upright(pendulum: &Pendulum, frequency: f64, boundary: Boundary, steps: u
     root(distance, low, high)
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 // The double pendulum
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 
-/// The angular frequency (rad/s) of a swing of `double` from rest at θ₁ = `theta1` and θ₂ = θ₁ times the `shape`, over
-/// 20 s in steps of 1 ms of RK4: the mean of the crossings of θ₁ = 0.
+/// The angular frequency (rad/s) of a swing of `double` from rest at θ₁ = `theta1` and θ₂ = θ₁
+/// times the `shape`, over 20 s in steps of 1 ms of RK4: the mean of the crossings of θ₁ = 0.
 pub fn swing_frequency(double: &DoublePendulum, theta1: f64, shape: f64) -> Option<f64> {
     let start = double.start([theta1, theta1 * shape], [0.0; 2]).ok()?;
     let grid = Grid::new(0.001, 20_000).ok()?;
@@ -156,8 +163,9 @@ pub fn equals() -> DoublePendulum {
     DoublePendulum::of_equals(Pendulum::PAPER.gravity(), joint).expect("parameters in range")
 }
 
-/// The distance √(Δθ₁² + Δθ₂²) (rad) against time (s) of two starts from rest, one at the angles `theta` (rad) and one with
-/// its upper angle larger by `nudge` (rad): every tenth of `steps` steps of `step` (s) of RK4.
+/// The distance √(Δθ₁² + Δθ₂²) (rad) against time (s) of two starts from rest, one at the angles
+/// `theta` (rad) and one with its upper angle larger by `nudge` (rad): every tenth of `steps` steps
+/// of `step` (s) of RK4.
 pub fn separation(
     double: &DoublePendulum,
     theta: [f64; 2],
@@ -183,12 +191,13 @@ pub fn separation(
     one.into_iter().zip(other).map(apart).collect()
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 // The planet
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 
-/// By how much Störmer–Verlet turns the pericentre of `ellipse` about `centre` in a revolution of `steps` steps (rad): the
-/// mean over 20 revolutions, from apocentre to apocentre, where the direction is steadiest.
+/// By how much Störmer–Verlet turns the pericentre of `ellipse` about `centre` in a revolution of
+/// `steps` steps (rad): the mean over 20 revolutions, from apocentre to apocentre, where the
+/// direction is steadiest.
 pub fn precession(centre: &Kepler, ellipse: &Ellipse, steps: u64) -> f64 {
     let grid = Grid::new(ellipse.period() / steps as f64, 21 * steps).expect("a positive step");
     let mut apocentres = Vec::new();
@@ -205,9 +214,9 @@ pub fn precession(centre: &Kepler, ellipse: &Ellipse, steps: u64) -> f64 {
     (apocentres[20] - apocentres[0]) / 20.0
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 // All of it
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 
 /// A quantity that is found, and what is known of it.
 #[derive(Clone, Copy, Debug)]
@@ -280,7 +289,8 @@ pub fn rows() -> Vec<Row> {
             known: None,
             found: exponent.value,
             error: Some((exponent.error, Digits::Fixed(2))),
-            // With another rounding of one sine it would be another motion, whose mean is this only within the error bar.
+            // With another rounding of one sine it would be another motion, whose mean is this only
+            // within the error bar.
             format: Digits::Fixed(2),
             source: "positive: chaos",
         },

@@ -1,4 +1,5 @@
-//! Single measurements behind sentences of the paper: each a function of the parameters that the sentence leaves open.
+//! Single measurements behind sentences of the paper: each a function of the parameters that the
+//! sentence leaves open.
 
 use pendula::exact::{Motion, period};
 use pendula::metrics::order::slopes;
@@ -24,7 +25,8 @@ pub fn last_energy(method: &dyn AnyMethod, theta_0: f64, step: f64, steps: u64) 
     PENDULUM.energy(method.run(&PENDULUM, released(theta_0), &grid, &mut ()))
 }
 
-/// Time (s) of the first step that lowers the energy, from rest at `theta_0` (rad); none in `duration` (s).
+/// Time (s) of the first step that lowers the energy, from rest at `theta_0` (rad); none in
+/// `duration` (s).
 pub fn first_fall(method: &dyn AnyMethod, theta_0: f64, step: f64, duration: f64) -> Option<f64> {
     let (mut before, mut fall) = (f64::NEG_INFINITY, None);
     let mut watch = |_, t, z| {
@@ -38,8 +40,8 @@ pub fn first_fall(method: &dyn AnyMethod, theta_0: f64, step: f64, duration: f64
     fall
 }
 
-/// Largest and root-mean-square angle error against the small-angle formula, divided by θ₀, from rest at `theta_0`
-/// (rad) over 10 s in steps of `step` (s).
+/// Largest and root-mean-square angle error against the small-angle formula, divided by θ₀, from
+/// rest at `theta_0` (rad) over 10 s in steps of `step` (s).
 pub fn normalised_formula_error(method: &dyn AnyMethod, theta_0: f64, step: f64) -> (f64, f64) {
     let start = released(theta_0);
     let formula = LinearOscillator::new(PENDULUM);
@@ -48,8 +50,8 @@ pub fn normalised_formula_error(method: &dyn AnyMethod, theta_0: f64, step: f64)
     (error.largest() / theta_0, error.root_mean_square() / theta_0)
 }
 
-/// Root-mean-square angle error (rad) against the exact solution over 10 s from 1 rad, for `evaluations` evaluations
-/// of the force.
+/// Root-mean-square angle error (rad) against the exact solution over 10 s from 1 rad, for
+/// `evaluations` evaluations of the force.
 pub fn error_for_work(method: MethodRef, evaluations: u64) -> f64 {
     let start = released(1.0);
     let truth = Motion::new(&PENDULUM, start).expect("a finite start");
@@ -60,8 +62,8 @@ pub fn error_for_work(method: MethodRef, evaluations: u64) -> f64 {
     error.root_mean_square()
 }
 
-/// Slope of the error of a single step against the step: one more than the order. From 1 rad and 1 rad/s, between
-/// 0.02 s and 0.01 s.
+/// Slope of the error of a single step against the step: one more than the order. From 1 rad and 1
+/// rad/s, between 0.02 s and 0.01 s.
 pub fn one_step_slope(method: &dyn AnyMethod) -> f64 {
     let start = Phase { theta: 1.0, omega: 1.0 };
     let truth = Motion::new(&PENDULUM, start).expect("a finite start");
@@ -73,8 +75,8 @@ pub fn one_step_slope(method: &dyn AnyMethod) -> f64 {
     slopes(&steps, &errors, 0.0).flatten().next().unwrap_or(f64::NAN)
 }
 
-/// How far an orbit misses its start after one exact period in steps of about 0.01 s, from rest at `theta_0` (rad): the
-/// distances |Δθ| (rad) and |Δω| (rad/s), and the energy lost (J).
+/// How far an orbit misses its start after one exact period in steps of about 0.01 s, from rest at
+/// `theta_0` (rad): the distances |Δθ| (rad) and |Δω| (rad/s), and the energy lost (J).
 pub fn closure(method: &dyn AnyMethod, theta_0: f64) -> (f64, f64, f64) {
     let start = released(theta_0);
     let period = period(&PENDULUM, theta_0).expect("a finite angle");
@@ -85,8 +87,8 @@ pub fn closure(method: &dyn AnyMethod, theta_0: f64) -> (f64, f64, f64) {
     ((end.theta - theta_0).abs(), end.omega.abs(), lost)
 }
 
-/// The waveform from rest at `theta_0` (rad): the fraction of time beyond nine tenths of the amplitude, and the third
-/// harmonic over the first, in size.
+/// The waveform from rest at `theta_0` (rad): the fraction of time beyond nine tenths of the
+/// amplitude, and the third harmonic over the first, in size.
 pub fn waveform(theta_0: f64) -> (f64, f64) {
     const SAMPLES: u32 = 4096;
     let motion = Motion::new(&PENDULUM, released(theta_0)).expect("a finite start");
@@ -103,8 +105,9 @@ pub fn waveform(theta_0: f64) -> (f64, f64) {
     (f64::from(beyond) / f64::from(SAMPLES), (third / first).abs())
 }
 
-/// The largest speed ωh (rad a step) of `method` within `steps` steps of the size at which the standard map has the
-/// parameter K = (g/L) h²: from a state beside the unstable equilibrium, in the chaotic layer.
+/// The largest speed ωh (rad a step) of `method` within `steps` steps of the size at which the
+/// standard map has the parameter K = (g/L) h²: from a state beside the unstable equilibrium, in
+/// the chaotic layer.
 pub fn chaotic_speed(method: &dyn AnyMethod, k: f64, steps: u64) -> f64 {
     let step = libm::sqrt(k / PENDULUM.frequency_squared());
     let start = Phase { theta: core::f64::consts::PI - 1e-3, omega: 0.0 };

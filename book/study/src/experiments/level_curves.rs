@@ -34,8 +34,9 @@ pub fn orbit() -> Vec<Phase> {
     (0..=POINTS).map(|n| motion.at(period * share(n))).collect()
 }
 
-/// Runs both methods, with steps so large that one sees the curves apart and that a swing is no whole number of them. Larger
-/// ones would show that the series of H̃ is cut off: Störmer–Verlet's ω₀h is nearly 1.
+/// Runs both methods, with steps so large that one sees the curves apart and that a swing is no
+/// whole number of them. Larger ones would show that the series of H̃ is cut off: Störmer–Verlet's
+/// ω₀h is nearly 1.
 pub fn run() -> [Row; 2] {
     let (euler, verlet) = (0.2, 0.29);
     let of_euler = symplectic_euler::level_curve(&Pendulum::PAPER, THETA_0, euler, POINTS);

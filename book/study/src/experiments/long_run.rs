@@ -34,12 +34,14 @@ pub struct Row {
 }
 
 impl Row {
-    /// ΔH in per cent of |H(0)|, as the paper defines it. It depends on where the potential is said to be zero.
+    /// ΔH in per cent of |H(0)|, as the paper defines it. It depends on where the potential is said
+    /// to be zero.
     pub const fn percent_of_initial(&self) -> f64 {
         100.0 * self.drift / self.initial.abs()
     }
 
-    /// ΔH in per cent of the energy above the bottom of the well, which depends on nothing but the motion.
+    /// ΔH in per cent of the energy above the bottom of the well, which depends on nothing but the
+    /// motion.
     pub fn percent_above_bottom(&self) -> f64 {
         100.0 * self.drift / (self.initial + Pendulum::PAPER.depth())
     }

@@ -1,7 +1,8 @@
 //! The paper's experiments, each as a function that returns typed rows.
 //!
-//! The parameters are the paper's own (its Sections 5.1 and 5.2). Nothing here formats or judges: rows become tables
-//! and figures in [`report`](crate::report), and meet what the paper states in [`claims`](crate::claims).
+//! The parameters are the paper's own (its Sections 5.1 and 5.2). Nothing here formats or judges:
+//! rows become tables and figures in [`report`](crate::report), and meet what the paper states in
+//! [`claims`](crate::claims).
 
 pub mod area;
 pub mod beyond;
@@ -21,7 +22,7 @@ pub mod stencil;
 pub mod variants;
 pub mod work;
 
-use pendula::methods::registry::{AnyMethod, METHODS};
+use pendula::{AnyMethod, METHODS, method_named};
 use pendula::{Grid, Phase};
 
 /// The five steps of the paper's ladder (s), its Section 5.2.
@@ -69,13 +70,59 @@ impl Study {
     pub const EXPERIMENTS: u64 = 6;
 }
 
-/// The names of the methods that the paper compares, in the order of its tables.
-const OF_THE_PAPER: [&str; 4] = ["forward-euler", "symplectic-euler", "rk4", "stormer-verlet"];
+/// A method that the paper compares. Its tables, figures and claims are about these four, however
+/// long the list of methods grows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PaperMethod {
+    /// Forward Euler.
+    ForwardEuler,
+    /// Symplectic Euler.
+    SymplecticEuler,
+    /// The classical Runge–Kutta method.
+    Rk4,
+    /// Störmer–Verlet.
+    StormerVerlet,
+}
 
-/// Whether the paper knows the method: its tables, figures and claims are about these four, however long the list of
-/// methods grows.
+impl PaperMethod {
+    /// All of them, in the order of the paper's tables.
+    pub const ALL: [Self; 4] =
+        [Self::ForwardEuler, Self::SymplecticEuler, Self::Rk4, Self::StormerVerlet];
+
+    /// Which of them `method` is, if it is one.
+    pub fn of(method: MethodRef) -> Option<Self> {
+        Self::ALL.into_iter().find(|known| known.name() == method.info().name)
+    }
+
+    /// Its name in the library.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::ForwardEuler => "forward-euler",
+            Self::SymplecticEuler => "symplectic-euler",
+            Self::Rk4 => "rk4",
+            Self::StormerVerlet => "stormer-verlet",
+        }
+    }
+
+    /// Its abbreviation in the ids of cells and claims.
+    pub const fn id(self) -> &'static str {
+        match self {
+            Self::ForwardEuler => "fe",
+            Self::SymplecticEuler => "se",
+            Self::Rk4 => "rk4",
+            Self::StormerVerlet => "vv",
+        }
+    }
+
+    /// Its title in tables.
+    pub fn title(self) -> &'static str {
+        method_named(self.name()).expect("the library has the paper's methods").info().title
+    }
+}
+
+/// Whether the paper knows the method.
 pub fn in_paper(method: MethodRef) -> bool {
-    OF_THE_PAPER.contains(&method.info().name)
+    PaperMethod::of(method).is_some()
 }
 
 /// One row for each method of the paper, in the order of its tables.

@@ -9,7 +9,8 @@ pub const THETA_0: [f64; 3] = [0.5, 1.5, 2.5];
 /// Its step (s).
 pub const STEP: f64 = 0.01;
 
-/// The orbit of a release from `theta_0` (rad), sampled at each step for one exact period and the step that closes it.
+/// The orbit of a release from `theta_0` (rad), sampled at each step for one exact period and the
+/// step that closes it.
 pub fn orbit(method: MethodRef, theta_0: f64) -> Vec<Phase> {
     let period = pendula::exact::period(&Pendulum::PAPER, theta_0).expect("a finite angle");
     let steps = libm::ceil(period / STEP) as u64;

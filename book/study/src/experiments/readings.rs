@@ -1,8 +1,9 @@
 //! The period at a large angle, read off the same samples in five ways, at many steps.
 //!
-//! A step of T/(n + ¼), with n a multiple of four, puts the samples alike at each of them: the one nearest to the peak a
-//! quarter of a step before it, those before the two crossings of zero 1/16 and 5/16 of a step before them. So the errors
-//! are pure powers of the step, and the eye need not average over where the grid happens to fall.
+//! A step of T/(n + ¼), with n a multiple of four, puts the samples alike at each of them: the one
+//! nearest to the peak a quarter of a step before it, those before the two crossings of zero 1/16
+//! and 5/16 of a step before them. So the errors are pure powers of the step, and the eye need not
+//! average over where the grid happens to fall.
 
 use pendula::exact::Motion;
 use pendula::integrate::Observer;
@@ -32,7 +33,8 @@ pub struct Errors {
     pub by: [f64; 5],
 }
 
-/// The n of the ladder: eleven octaves of steps from a ninth of a second to a ten-thousandth, for the paper's pendulum.
+/// The n of the ladder: eleven octaves of steps from a ninth of a second to a ten-thousandth, for
+/// the paper's pendulum.
 const RUNGS: [u64; 11] = [48, 96, 192, 384, 768, 1536, 3072, 6144, 12_288, 24_576, 49_152];
 
 /// Of a release of the paper's pendulum at 3 rad, integrated by RK4.

@@ -1,7 +1,8 @@
 //! What rounding does to an energy that is conserved otherwise.
 //!
-//! Störmer–Verlet conserves its modified energy so well that over millions of steps the only thing left to change it is the
-//! rounding of each step: a random walk (Brouwer, *Astronomical Journal* 46 (1937) 149).
+//! Störmer–Verlet conserves its modified energy so well that over millions of steps the only thing
+//! left to change it is the rounding of each step: a random walk (Brouwer, *Astronomical Journal*
+//! 46 (1937) 149).
 
 use pendula::methods::StormerVerlet;
 use pendula::{Grid, Pendulum, Phase, integrate_fast};
@@ -17,11 +18,12 @@ pub const SAMPLED: u64 = 1000;
 /// … from so many starts, a fiftieth of a radian apart.
 pub const STARTS: usize = 8;
 
-/// One start's relative error of the modified energy, H̃/H̃₀ − 1, at every [`SAMPLED`]-th step from the first on.
+/// One start's relative error of the modified energy, H̃/H̃₀ − 1, at every [`SAMPLED`]-th step from
+/// the first on.
 pub type Walk = Vec<f64>;
 
-/// The walks from all the starts, at rest at 1 rad and a little above, of the modified `energy` (in any unit): it belongs to
-/// theory, which knows it as a function of the state.
+/// The walks from all the starts, at rest at 1 rad and a little above, of the modified `energy` (in
+/// any unit): it belongs to theory, which knows it as a function of the state.
 pub fn walks(energy: impl Fn(Phase) -> f64) -> [Walk; STARTS] {
     core::array::from_fn(|i| walk(1.0 + 0.02 * i as f64, &energy))
 }
@@ -40,8 +42,8 @@ fn walk(theta_0: f64, energy: impl Fn(Phase) -> f64) -> Walk {
     walk
 }
 
-/// By how much the walks move in n steps, root mean square over all the stretches of n steps that lie end to end in them:
-/// pairs (n, movement), two to an octave.
+/// By how much the walks move in n steps, root mean square over all the stretches of n steps that
+/// lie end to end in them: pairs (n, movement), two to an octave.
 pub fn growth(walks: &[Walk]) -> Vec<(u64, f64)> {
     let samples = (STEPS / SAMPLED) as usize;
     let lags = (0..).map(|k| libm::round(libm::exp2(0.5 * f64::from(k))) as usize);

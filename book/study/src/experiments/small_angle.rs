@@ -1,4 +1,5 @@
-//! Angle error against the small-angle formula: the paper's Table 6, and forward Euler's run of its Figure 4.
+//! Angle error against the small-angle formula: the paper's Table 6, and forward Euler's run of its
+//! Figure 4.
 
 use pendula::exact::Motion;
 use pendula::metrics::{AngleError, EnergyDrift};
@@ -59,7 +60,8 @@ pub fn errors(method: MethodRef, grid: &Grid) -> Errors {
     }
 }
 
-/// Errors of a method on many steps between 0.1 s and 0.001 s, eight to an octave, as (step, errors).
+/// Errors of a method on many steps between 0.1 s and 0.001 s, eight to an octave, as (step,
+/// errors).
 pub fn ladder(method: MethodRef) -> Vec<(f64, Errors)> {
     (0..=53)
         .map(|k| {
@@ -70,8 +72,8 @@ pub fn ladder(method: MethodRef) -> Vec<(f64, Errors)> {
         .collect()
 }
 
-/// The trajectory of the experiment at one step, for Figure 4: the paper names neither θ₀ nor the duration there, so it is
-/// drawn on the parameters of Table 6.
+/// The trajectory of the experiment at one step, for Figure 4: the paper names neither θ₀ nor the
+/// duration there, so it is drawn on the parameters of Table 6.
 pub fn trajectory(method: MethodRef, step: f64) -> Vec<(f64, Phase)> {
     let grid = grid(DURATION, step);
     let mut series = Vec::with_capacity(grid.samples() as usize);

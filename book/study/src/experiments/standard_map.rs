@@ -1,8 +1,9 @@
 //! Orbits of the standard map, which is what symplectic Euler is when its step is large.
 //!
-//! With u = hω (rad a step) and K = (g/L) h² a step of symplectic Euler is u' = u − K sin θ, θ' = θ + u' (Chirikov,
-//! *Physics Reports* 52 (1979) 263). The map does not change when θ or u grows by a full turn, so that an orbit on the whole
-//! of the phase plane can be looked at folded into one square.
+//! With u = hω (rad a step) and K = (g/L) h² a step of symplectic Euler is u' = u − K sin θ, θ' =
+//! θ + u' (Chirikov, *Physics Reports* 52 (1979) 263). The map does not change when θ or u grows by
+//! a full turn, so that an orbit on the whole of the phase plane can be looked at folded into one
+//! square.
 
 use core::f64::consts::{PI, TAU};
 
@@ -12,7 +13,8 @@ use pendula::{Grid, Pendulum, Phase};
 
 use super::released;
 
-/// The parameters K of the portraits: well below the last barrier at 0.971635, just below it, and above.
+/// The parameters K of the portraits: well below the last barrier at 0.971635, just below it, and
+/// above.
 pub const PARAMETERS: [f64; 3] = [0.5, 0.97, 1.2];
 
 /// An orbit, and whether it got away.
@@ -20,17 +22,20 @@ pub const PARAMETERS: [f64; 3] = [0.5, 0.97, 1.2];
 pub struct Orbit {
     /// The points (θ, u) (rad, rad a step), each folded into [−π, π].
     pub points: Vec<(f64, f64)>,
-    /// Whether |u| passed 2π within [`STEPS`], where the picture begins again a full turn a step faster.
+    /// Whether |u| passed 2π within [`STEPS`], where the picture begins again a full turn a step
+    /// faster.
     pub escapes: bool,
 }
 
-/// How long an orbit is followed. Of the orbits that start beside the upper equilibrium at K = 1.2, all have escaped by then.
+/// How long an orbit is followed. Of the orbits that start beside the upper equilibrium at K = 1.2,
+/// all have escaped by then.
 pub const STEPS: u64 = 60_000;
 
 /// Of so many points one is kept: a prime, so that no chain of islands is seen on one island only.
 const KEPT: u64 = 281;
 
-/// Orbits of symplectic Euler with the paper's pendulum, at the step that makes its map the one with the parameter `k`.
+/// Orbits of symplectic Euler with the paper's pendulum, at the step that makes its map the one
+/// with the parameter `k`.
 pub fn orbits(k: f64) -> Vec<Orbit> {
     starts().into_iter().map(|start| orbit(k, start, |n| n.is_multiple_of(KEPT))).collect()
 }
@@ -38,8 +43,8 @@ pub fn orbits(k: f64) -> Vec<Orbit> {
 /// The golden mean's turns a step, (3 − √5)/2: the winding number of the last curve to break.
 const GOLDEN: f64 = 0.381_966_011_250_105_15;
 
-/// The orbit through θ = 0 with the golden mean's turns a step, from left to right: where it stays, it lies on the last curve to
-/// break (Greene, *J. Math. Phys.* 20 (1979) 1183).
+/// The orbit through θ = 0 with the golden mean's turns a step, from left to right: where it stays,
+/// it lies on the last curve to break (Greene, *J. Math. Phys.* 20 (1979) 1183).
 ///
 /// The turns of an orbit grow with u, so that its start is found by bisection.
 pub fn golden(k: f64) -> Orbit {
@@ -64,8 +69,9 @@ pub fn step(k: f64) -> f64 {
     libm::sqrt(k / Pendulum::PAPER.frequency_squared())
 }
 
-/// Fourteen through the stable equilibrium's column up to half a turn a step, in either direction, two about the islands of
-/// half a turn a step, and six within the chaotic layer, beside the upper equilibrium.
+/// Fourteen through the stable equilibrium's column up to half a turn a step, in either direction,
+/// two about the islands of half a turn a step, and six within the chaotic layer, beside the upper
+/// equilibrium.
 fn starts() -> Vec<(f64, f64)> {
     let column = (1..=7).map(|j| 0.43 * f64::from(j));
     let islands = [2.6, 2.9].into_iter().map(|u| (PI, u));

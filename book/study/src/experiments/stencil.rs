@@ -1,7 +1,7 @@
 //! One step taken apart: what a method asks of the pendulum on its way, written down as it asks.
 //!
-//! Nothing here knows any method. The pendulum that it is given notes each rate, kick and drift, so that a drawing of the step
-//! is a drawing of the method's own code.
+//! Nothing here knows any method. The pendulum that it is given notes each rate, kick and drift, so
+//! that a drawing of the step is a drawing of the method's own code.
 
 use core::cell::RefCell;
 use core::ops::Add;
@@ -17,7 +17,8 @@ pub struct Stencil {
     pub end: Phase,
     /// The points at which the method asked for the rate of change, each with the answer, in order.
     pub slopes: Vec<(Phase, Phase)>,
-    /// The kicks and drifts that lead from the start to the end, in order. What was done for the step after is left out.
+    /// The kicks and drifts that lead from the start to the end, in order. What was done for the
+    /// step after is left out.
     pub parts: Vec<Part>,
 }
 

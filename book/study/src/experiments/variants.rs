@@ -6,7 +6,8 @@ use pendula::{Info, Method, MethodInfo};
 
 /// Symplectic Euler the other way round: drift, then kick.
 ///
-/// Order 1, symplectic, not symmetric, one force evaluation a step. Hairer, Lubich, Wanner (2006), Sect. I.1.2.
+/// Order 1, symplectic, not symmetric, one force evaluation a step. Hairer, Lubich, Wanner (2006),
+/// Sect. I.1.2.
 #[derive(Clone, Copy, Debug)]
 pub struct DriftKick;
 
@@ -34,7 +35,8 @@ mod tests {
 
     use super::*;
 
-    /// Catches: the force at the beginning of the step, which no system without time can tell; an entry under another's name.
+    /// Catches: the force at the beginning of the step, which no system without time can tell; an
+    /// entry under another's name.
     #[test]
     fn the_kick_follows_the_drift_in_place_and_time() {
         let damped = Damped::new(Pendulum::PAPER, 0.0).unwrap();

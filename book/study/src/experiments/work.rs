@@ -1,6 +1,7 @@
 //! Work against error: the paper's Table 8 without its clock, and its Figure 7.
 //!
-//! Wall time belongs to the benchmarks. Work is counted in force evaluations, which are the same on every machine.
+//! Wall time belongs to the benchmarks. Work is counted in force evaluations, which are the same on
+//! every machine.
 
 use pendula::Pendulum;
 

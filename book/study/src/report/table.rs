@@ -1,7 +1,7 @@
 //! Tables as Markdown and as aligned text.
 
-/// A table: a header and rows of the same width. The first column names the row; the others hold values, flush right,
-/// but for the last ones, which may hold remarks.
+/// A table: a header and rows of the same width. The first column names the row; the others hold
+/// values, flush right, but for the last ones, which may hold remarks.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Table {
     header: Vec<String>,
@@ -90,7 +90,8 @@ mod tests {
         table
     }
 
-    /// Catches: columns that do not stand under one another, a rule of another width, blanks at the end of a line.
+    /// Catches: columns that do not stand under one another, a rule of another width, blanks at the
+    /// end of a line.
     #[test]
     fn text_stands_in_columns() {
         let expected = "Method              h  why\n\

@@ -3,11 +3,11 @@
 use pendula::metrics::order::slopes;
 
 use super::table::Table;
-use crate::claims::measure::row_ids;
-use crate::claims::{Claim, Ledger};
+use crate::claims::Column::{self, Quantity};
+use crate::claims::{CellId, Claim, Ledger};
 use crate::digits::Digits::{self, Fixed, Scientific};
 use crate::experiments::characteristics::ROUNDING;
-use crate::experiments::{STEPS, Study, beyond};
+use crate::experiments::{PaperMethod, STEPS, Study, beyond};
 
 /// The numbers of the tables that the paper prints and the study measures.
 pub const TABLES: [u32; 6] = [2, 4, 5, 6, 7, 8];
@@ -19,41 +19,45 @@ pub fn table(ledger: &Ledger, number: u32) -> Option<Table> {
             ledger,
             2,
             &[
-                ("order", "Order"),
-                ("sympl", "Symplectic"),
-                ("evals", "Evaluations a step"),
-                ("behav", "Energy over 1000 s"),
+                (Quantity("order"), "Order"),
+                (Quantity("sympl"), "Symplectic"),
+                (Quantity("evals"), "Evaluations a step"),
+                (Quantity("behav"), "Energy over 1000 s"),
             ],
         ),
         4 | 6 => {
-            let columns: Vec<(String, String)> =
-                STEPS.iter().map(|step| (step.to_string(), format!("Δt = {step} s"))).collect();
-            let columns: Vec<(&str, &str)> =
-                columns.iter().map(|(id, title)| (id.as_str(), title.as_str())).collect();
+            let titles = STEPS.map(|step| format!("Δt = {step} s"));
+            let columns: Vec<(Column, &str)> = (STEPS.map(Column::Step).into_iter())
+                .zip(titles.iter().map(String::as_str))
+                .collect();
             by_method(ledger, number, &columns)
         }
         5 => by_method(
             ledger,
             5,
             &[
-                ("dH", "ΔH (J)"),
-                ("pct", "ΔH in % of H(0)"),
-                ("H0", "H(0) (J)"),
-                ("Hend", "H(1000 s) (J)"),
+                (Quantity("dH"), "ΔH (J)"),
+                (Quantity("pct"), "ΔH in % of H(0)"),
+                (Quantity("H0"), "H(0) (J)"),
+                (Quantity("Hend"), "H(1000 s) (J)"),
             ],
         ),
         7 => by_quantity(ledger, 7),
         8 => by_method(
             ledger,
             8,
-            &[("evals", "Evaluations"), ("rms", "RMS error (rad)"), ("dH", "ΔH (J)")],
+            &[
+                (Quantity("evals"), "Evaluations"),
+                (Quantity("rms"), "RMS error (rad)"),
+                (Quantity("dH"), "ΔH (J)"),
+            ],
         ),
         _ => return None,
     })
 }
 
-/// Below this, rounding moves the second digit of an energy error (J), and with it the second decimal of a slope: one
-/// cell of Table 4, RK4's at the finest step, 3.2e-12 ± 10 %.
+/// Below this, rounding moves the second digit of an energy error (J), and with it the second
+/// decimal of a slope: one cell of Table 4, RK4's at the finest step, 3.2e-12 ± 10 %.
 const ENERGY_FLOOR: f64 = 1e-11;
 
 /// The slopes of Table 4: of the energy error, between each two neighbouring steps.
@@ -68,8 +72,8 @@ pub fn energy_slopes(study: &Study) -> Table {
     table
 }
 
-/// The slopes of the largest error of the state on each method's ladder, from the coarsest rung to the finest above
-/// the rounding floor.
+/// The slopes of the largest error of the state on each method's ladder, from the coarsest rung to
+/// the finest above the rounding floor.
 pub fn state_slopes(study: &Study) -> Table {
     let mut table = Table::new(["Method", "order", "first step (s)", "slopes", "", "", ""]);
     for row in &study.characteristics {
@@ -116,7 +120,8 @@ fn below_rounding(drift: f64) -> String {
     if drift < ROUNDING { "rounding".to_string() } else { Scientific(2).print(drift) }
 }
 
-/// What theory predicts for the cells of the tables, beside what the paper states and what is measured.
+/// What theory predicts for the cells of the tables, beside what the paper states and what is
+/// measured.
 pub fn predictions(ledger: &Ledger) -> Table {
     let header = ["Cell", "stated", "predicted", "measured", "to within", "law"];
     let mut table = Table::new(header).with_remarks(1);
@@ -189,20 +194,21 @@ fn judgement(claim: &Claim) -> String {
     }
 }
 
-/// Two rows for each method, stated above measured; a method or column that the paper leaves out has dashes above.
-fn by_method(ledger: &Ledger, number: u32, columns: &[(&str, &str)]) -> Table {
+/// Two rows for each method, stated above measured; a method or column that the paper leaves out
+/// has dashes above.
+fn by_method(ledger: &Ledger, number: u32, columns: &[(Column, &str)]) -> Table {
     let titles = columns.iter().map(|(_, title)| title.to_string());
     let mut table = Table::new(["Method".to_string(), String::new()].into_iter().chain(titles));
-    for (row, title) in row_ids() {
+    for row in PaperMethod::ALL {
         let cells: Vec<Option<&Claim>> = columns
             .iter()
-            .map(|(column, _)| ledger.get(&format!("T{number}.{row}.{column}")))
+            .map(|&(column, _)| ledger.cell(CellId { table: number, row: Some(row), column }))
             .collect();
         let line = |name: &str, what: &str, text: fn(&Claim) -> String| {
             let cells = cells.iter().map(|cell| cell.map_or_else(String::new, text));
             [name.to_string(), what.to_string()].into_iter().chain(cells).collect::<Vec<_>>()
         };
-        table.push(line(title, "stated", Claim::stated_text));
+        table.push(line(row.title(), "stated", Claim::stated_text));
         table.push(line("", "measured", marked));
     }
     table
@@ -217,8 +223,9 @@ fn by_quantity(ledger: &Ledger, number: u32) -> Table {
     table
 }
 
-/// The measured value; a ≠ before it where it contradicts what is stated. Where it does not there is room for one, so that a
-/// cell that begins to contradict moves its own row and not the width of the table.
+/// The measured value; a ≠ before it where it contradicts what is stated. Where it does not there
+/// is room for one, so that a cell that begins to contradict moves its own row and not the width of
+/// the table.
 fn marked(claim: &Claim) -> String {
     let mark = if claim.holds() == Some(false) { '≠' } else { ' ' };
     format!("{mark} {}", claim.measured_text())

@@ -4,9 +4,10 @@
 //!
 //! z' = f + x f₁ + … + x⁵ f₅,  f₁ = −½ f'f,  f₂ = ⅓ f'f'f + (1/12) f''(f, f), …
 //!
-//! (Hairer, Lubich, Wanner, Sect. IX.1, where the recursion is; it was carried out in exact rational arithmetic). The series
-//! is asymptotic: at x = 0.3 its eighth term makes Table 4 worse. Where the pendulum rotates fast, the terms of highest power
-//! in q are Bernoulli numbers over factorials, and it converges while a step turns the pendulum by less than a full turn.
+//! (Hairer, Lubich, Wanner, Sect. IX.1, where the recursion is; it was carried out in exact
+//! rational arithmetic). The series is asymptotic: at x = 0.3 its eighth term makes Table 4 worse.
+//! Where the pendulum rotates fast, the terms of highest power in q are Bernoulli numbers over
+//! factorials, and it converges while a step turns the pendulum by less than a full turn.
 
 use pendula::Pendulum;
 use pendula::arithmetic::sine::{cos, sin};
@@ -40,8 +41,8 @@ pub fn modified_equation_terms(z: Dimensionless) -> [[f64; 6]; 2] {
 }
 // ANCHOR_END: modified_equation
 
-/// The points that forward Euler visits from rest at `theta_0` (rad), by its modified equation and without a step of it:
-/// at the times 0, h, 2h, … with the step `h` (s).
+/// The points that forward Euler visits from rest at `theta_0` (rad), by its modified equation and
+/// without a step of it: at the times 0, h, 2h, … with the step `h` (s).
 pub fn trajectory(
     pendulum: &Pendulum,
     theta_0: f64,
@@ -62,7 +63,8 @@ pub fn trajectory(
     }))
 }
 
-/// Largest energy error (J) of a release from rest at `theta_0` (rad) over `steps` steps of `h` (s).
+/// Largest energy error (J) of a release from rest at `theta_0` (rad) over `steps` steps of `h`
+/// (s).
 pub fn largest_energy_error(pendulum: &Pendulum, theta_0: f64, h: f64, steps: u64) -> f64 {
     let initial = Dimensionless::new(theta_0, 0.0).energy();
     let largest = trajectory(pendulum, theta_0, h)
@@ -72,15 +74,16 @@ pub fn largest_energy_error(pendulum: &Pendulum, theta_0: f64, h: f64, steps: u6
     pendulum.depth() * largest
 }
 
-/// Swinging: the factor by which the energy above the bottom of a small swing grows in `steps` steps of `h` (s),
-/// (1 + x²)ⁿ. On the linear oscillator it is exact: |1 + ix|² = 1 + x².
+/// Swinging: the factor by which the energy above the bottom of a small swing grows in `steps`
+/// steps of `h` (s), (1 + x²)ⁿ. On the linear oscillator it is exact: |1 + ix|² = 1 + x².
 pub fn small_angle_growth(pendulum: &Pendulum, h: f64, steps: u64) -> f64 {
     let x = scaled(pendulum, h);
     libm::exp(steps as f64 * libm::log1p(x * x))
 }
 
-/// Swinging at any angle: the rate at which energy is gained (W), to order h, dE/dt = m g L ω₀ x ⟨sin²θ⟩, averaged along the
-/// swing from `theta_0` (rad). As ⟨q² cos θ⟩ = ⟨sin²θ⟩, both halves of f₁ contribute alike.
+/// Swinging at any angle: the rate at which energy is gained (W), to order h, dE/dt = m g L ω₀ x
+/// ⟨sin²θ⟩, averaged along the swing from `theta_0` (rad). As ⟨q² cos θ⟩ = ⟨sin²θ⟩, both halves of
+/// f₁ contribute alike.
 pub fn swinging_rate(pendulum: &Pendulum, theta_0: f64, h: f64) -> f64 {
     let x = scaled(pendulum, h);
     pendulum.depth()
@@ -89,13 +92,15 @@ pub fn swinging_rate(pendulum: &Pendulum, theta_0: f64, h: f64) -> f64 {
         * average(pendulum, theta_0, |z| z.s * z.s)
 }
 
-/// Rotating: the mean rate at which energy is gained (W) at the angular velocity `spin` (rad/s), to leading order in
-/// (ω₀/Ω)²: dE/dt = m L² (ω₀⁴h/2) (a/2) cot(a/2), where a = Ωh is the turn of a step.
+/// Rotating: the mean rate at which energy is gained (W) at the angular velocity `spin` (rad/s), to
+/// leading order in (ω₀/Ω)²: dE/dt = m L² (ω₀⁴h/2) (a/2) cot(a/2), where a = Ωh is the turn of a
+/// step.
 ///
-/// A kick δω = −hω₀² sin θ changes ω²/2 by ω δω + δω²/2. On θₙ = na sums of kicks are geometric: ω ripples about Ω by
-/// hω₀² cos(θ − a/2)/(2 sin(a/2)), which takes from ⟨ω δω⟩ just what ⟨δω²⟩/2 gives; θ ripples by
-/// h²ω₀² sin(θ − a)/(4 sin²(a/2)), which leaves Ω⟨δω⟩ = (h²ω₀⁴/4) a cot(a/2). For small a the rate is ω₀⁴h/2; at a = π, half
-/// a turn a step, it vanishes: there forward Euler locks.
+/// A kick δω = −hω₀² sin θ changes ω²/2 by ω δω + δω²/2. On θₙ = na sums of kicks are geometric: ω
+/// ripples about Ω by hω₀² cos(θ − a/2)/(2 sin(a/2)), which takes from ⟨ω δω⟩ just what ⟨δω²⟩/2
+/// gives; θ ripples by h²ω₀² sin(θ − a)/(4 sin²(a/2)), which leaves Ω⟨δω⟩ = (h²ω₀⁴/4) a cot(a/2).
+/// For small a the rate is ω₀⁴h/2; at a = π, half a turn a step, it vanishes: there forward Euler
+/// locks.
 pub fn rotating_rate(pendulum: &Pendulum, spin: f64, h: f64) -> f64 {
     let a = spin * h;
     let half = 0.5 * a;

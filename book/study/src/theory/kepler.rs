@@ -1,12 +1,14 @@
 //! How Störmer–Verlet turns a planet's ellipse.
 //!
-//! In velocity form it keeps H + h² (v·V″v/12 − |V′|²/24) + O(h⁴) of a particle of unit mass (Hairer, Lubich, Wanner
-//! (2006), Ch. IX), here with V = −μ/r. On an ellipse of energy E = −μ/2a and angular momentum l that correction is
+//! In velocity form it keeps H + h² (v·V″v/12 − |V′|²/24) + O(h⁴) of a particle of unit mass
+//! (Hairer, Lubich, Wanner (2006), Ch. IX), here with V = −μ/r. On an ellipse of energy E = −μ/2a
+//! and angular momentum l that correction is
 //!
 //! h² \[−μE/(3r³) − 3μ²/(8r⁴) + μl²/(4r⁵)\],
 //!
-//! and its mean over a revolution, with η = √(1 − e²), is h² (μ²/a⁴) (3η⁻⁵ − η⁻³)/48. The pericentre turns at the rate of
-//! its derivative by l = η √(μa) with a held: first-order perturbation theory in Delaunay's variables.
+//! and its mean over a revolution, with η = √(1 − e²), is h² (μ²/a⁴) (3η⁻⁵ − η⁻³)/48. The
+//! pericentre turns at the rate of its derivative by l = η √(μa) with a held: first-order
+//! perturbation theory in Delaunay's variables.
 
 use core::f64::consts::PI;
 

@@ -1,24 +1,27 @@
-//! The level curve of the energy that a symplectic method conserves, and how far the pendulum's energy strays along it.
+//! The level curve of the energy that a symplectic method conserves, and how far the pendulum's
+//! energy strays along it.
 //!
-//! The curve H̃ = H̃₀ through the release from rest at some angle is sought in coordinates in which H is one of the two:
-//! with H = 2κ²,
+//! The curve H̃ = H̃₀ through the release from rest at some angle is sought in coordinates in which
+//! H is one of the two: with H = 2κ²,
 //!
 //! sin(θ/2) = κ sin φ,  q = 2κ cos φ.
 //!
-//! At each φ the energy is the fixed point of H = H̃₀ − (H̃ − H), found in a dozen rounds as the correction is small. A curve
-//! that leaves the well has no such points, and the answer is NaN.
+//! At each φ the energy is the fixed point of H = H̃₀ − (H̃ − H), found in a dozen rounds as the
+//! correction is small. A curve that leaves the well has no such points, and the answer is NaN.
 
 use pendula::arithmetic::sine::{cos, sin};
 
 use super::Dimensionless;
 
-/// Largest |H − H₀| in units of m g L along the curve through the release from rest at `theta_0` (rad); `correction` is H̃ − H.
+/// Largest |H − H₀| in units of m g L along the curve through the release from rest at `theta_0`
+/// (rad); `correction` is H̃ − H.
 pub(super) fn largest_energy_error(theta_0: f64, correction: impl Fn(Dimensionless) -> f64) -> f64 {
     let deviation = deviation(theta_0, correction);
     maximum(|phi| libm::fabs(deviation(phi)))
 }
 
-/// The curve through the release from rest at `theta_0` (rad), as `count` points at even phases and the first once more.
+/// The curve through the release from rest at `theta_0` (rad), as `count` points at even phases and
+/// the first once more.
 pub(super) fn points(
     theta_0: f64,
     correction: impl Fn(Dimensionless) -> f64,
@@ -58,7 +61,8 @@ fn swinging(energy: f64, phi: f64) -> Dimensionless {
     Dimensionless::new(2.0 * libm::asin(kappa * sine), 2.0 * kappa * cosine)
 }
 
-/// The largest value of a smooth function of period 2π: the best of a coarse grid, then golden sections around it.
+/// The largest value of a smooth function of period 2π: the best of a coarse grid, then golden
+/// sections around it.
 fn maximum(f: impl Fn(f64) -> f64) -> f64 {
     /// A third of the distance between neighbouring extrema of a harmonic of order 20.
     const GRID: u32 = 128;
@@ -86,7 +90,8 @@ fn maximum(f: impl Fn(f64) -> f64) -> f64 {
 mod tests {
     use super::*;
 
-    /// Of six maxima the highest is found, and to the root of the rounding: there a maximum is flat.
+    /// Of six maxima the highest is found, and to the root of the rounding: there a maximum is
+    /// flat.
     ///
     /// Catches: a grid that misses it, a bracket that is not around it.
     #[test]

@@ -1,12 +1,15 @@
 //! Where Mathieu's equation y″ + (a − 2q cos 2τ) y = 0 turns from stable to unstable.
 //!
-//! On the boundaries it has a periodic solution. The coefficients of that solution's Fourier series obey three-term
-//! recurrences (DLMF 28.4), so that a is an eigenvalue of a symmetric tridiagonal matrix; here always the smallest.
+//! On the boundaries it has a periodic solution. The coefficients of that solution's Fourier series
+//! obey three-term recurrences (DLMF 28.4), so that a is an eigenvalue of a symmetric tridiagonal
+//! matrix; here always the smallest.
 
-/// Rows of the matrix. The k-th coefficient falls as qᵏ/(4ᵏ k!²): for q ≤ 1 the tenth is below 1e-18.
+/// Rows of the matrix. The k-th coefficient falls as qᵏ/(4ᵏ k!²): for q ≤ 1 the tenth is below
+/// 1e-18.
 const ROWS: usize = 16;
 
-/// a₀(q), of the even solution of period π: −q²/2 + 7q⁴/128 − … (DLMF 28.6(i)). Below it y grows without bound.
+/// a₀(q), of the even solution of period π: −q²/2 + 7q⁴/128 − … (DLMF 28.6(i)). Below it y grows
+/// without bound.
 pub fn a0(q: f64) -> f64 {
     let diagonal = |k: usize| (4 * k * k) as f64;
     // The constant term of the series counts double, which √2 makes symmetric.
@@ -14,14 +17,15 @@ pub fn a0(q: f64) -> f64 {
     smallest_eigenvalue(diagonal, squares)
 }
 
-/// b₁(q), of the odd solution of period 2π: 1 − q − q²/8 + … (DLMF 28.6(i)). Above it, for q > 0, y grows without bound.
+/// b₁(q), of the odd solution of period 2π: 1 − q − q²/8 + … (DLMF 28.6(i)). Above it, for q > 0, y
+/// grows without bound.
 pub fn b1(q: f64) -> f64 {
     let diagonal = |k: usize| if k == 0 { 1.0 - q } else { ((2 * k + 1) * (2 * k + 1)) as f64 };
     smallest_eigenvalue(diagonal, |_| q * q)
 }
 
-/// Of the symmetric tridiagonal matrix with this diagonal and these squares beside it, by bisection: below the eigenvalue
-/// all pivots of the elimination are positive (Sturm).
+/// Of the symmetric tridiagonal matrix with this diagonal and these squares beside it, by
+/// bisection: below the eigenvalue all pivots of the elimination are positive (Sturm).
 fn smallest_eigenvalue(diagonal: impl Fn(usize) -> f64, squares: impl Fn(usize) -> f64) -> f64 {
     let is_below = |x: f64| {
         let mut pivot = diagonal(0) - x;
@@ -33,7 +37,8 @@ fn smallest_eigenvalue(diagonal: impl Fn(usize) -> f64, squares: impl Fn(usize) 
         }
         pivot > 0.0
     };
-    // Not above the first diagonal element; and not below it by more than all that stands beside the diagonal.
+    // Not above the first diagonal element; and not below it by more than all that stands beside
+    // the diagonal.
     let (mut low, mut high) = (diagonal(0) - 2.0 * (squares(1) + squares(2)) - 1.0, diagonal(0));
     loop {
         let middle = 0.5 * (low + high);

@@ -5,14 +5,15 @@ use pendula::{Pendulum, Phase};
 
 use super::Dimensionless;
 
-/// Points on the orbit. The trapezoid rule leaves out the N-th harmonics and beyond, which fall as exp(−π K'/(2K))
-/// each: N = 256 leaves nothing for θ₀ ≤ 3 and exp(−31) at 1e-8 rad from the top.
+/// Points on the orbit. The trapezoid rule leaves out the N-th harmonics and beyond, which fall as
+/// exp(−π K'/(2K)) each: N = 256 leaves nothing for θ₀ ≤ 3 and exp(−31) at 1e-8 rad from the top.
 const POINTS: u32 = 256;
 
-/// The mean over time, along the exact swing of a release from rest at `theta_0` (rad), of `quantity`.
+/// The mean over time, along the exact swing of a release from rest at `theta_0` (rad), of
+/// `quantity`.
 ///
-/// The integrand is periodic and analytic, so the trapezoid rule converges geometrically (Trefethen & Weideman, SIAM
-/// Review 56 (2014)).
+/// The integrand is periodic and analytic, so the trapezoid rule converges geometrically (Trefethen
+/// & Weideman, SIAM Review 56 (2014)).
 pub fn average(pendulum: &Pendulum, theta_0: f64, quantity: impl Fn(Dimensionless) -> f64) -> f64 {
     let Ok(motion) = Motion::new(pendulum, Phase::at_rest(theta_0)) else {
         return f64::NAN;

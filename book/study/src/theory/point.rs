@@ -3,7 +3,8 @@
 use pendula::arithmetic::sine::{cos, sin};
 use pendula::{Pendulum, Phase};
 
-/// A point in phase space without dimensions, with the sine and cosine that all the formulas are written in.
+/// A point in phase space without dimensions, with the sine and cosine that all the formulas are
+/// written in.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dimensionless {
     /// θ (rad).
@@ -32,7 +33,8 @@ impl Dimensionless {
         Phase { theta: self.theta, omega: self.q * pendulum.small_angle_frequency() }
     }
 
-    /// Energy above the bottom in units of m g L, q²/2 + 1 − cos θ, without the cancellation in 1 − cos θ.
+    /// Energy above the bottom in units of m g L, q²/2 + 1 − cos θ, without the cancellation in 1 −
+    /// cos θ.
     pub fn energy(&self) -> f64 {
         let s = sin(0.5 * self.theta);
         0.5 * self.q * self.q + 2.0 * s * s

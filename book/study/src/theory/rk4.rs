@@ -1,9 +1,11 @@
 //! RK4: the energy that a step loses, and the equation it follows.
 //!
-//! RK4 conserves no energy. One step changes the pendulum's by H(n+1) − H(n) = x⁵e₅ + x⁶e₆ + …, the Taylor series of
-//! H(step(z)) − H(z) in x, expanded in exact rational arithmetic. The lower powers vanish, as the method is of order 4. Odd in
-//! q, e₅ and e₇ cancel over a swing and leave a bounded oscillation of order h⁴; e₆ and e₈ add up. So the secular energy error is of
-//! order h⁵, one better than the angle's. Backward error analysis of Runge–Kutta methods: Hairer, Lubich, Wanner, Sect. IX.1–2.
+//! RK4 conserves no energy. One step changes the pendulum's by H(n+1) − H(n) = x⁵e₅ + x⁶e₆ + …, the
+//! Taylor series of H(step(z)) − H(z) in x, expanded in exact rational arithmetic. The lower powers
+//! vanish, as the method is of order 4. Odd in q, e₅ and e₇ cancel over a swing and leave a bounded
+//! oscillation of order h⁴; e₆ and e₈ add up. So the secular energy error is of order h⁵, one
+//! better than the angle's. Backward error analysis of Runge–Kutta methods: Hairer, Lubich, Wanner,
+//! Sect. IX.1–2.
 
 use pendula::exact::Motion;
 use pendula::verify::error_constant;
@@ -13,7 +15,8 @@ use super::flow::flow;
 use super::{Dimensionless, average, polynomial, scaled};
 
 // ANCHOR: energy_change
-/// The terms e₅, e₆, e₇, e₈ of the energy change of one step, H(n+1) − H(n) = x⁵e₅ + x⁶e₆ + …, in units of m g L.
+/// The terms e₅, e₆, e₇, e₈ of the energy change of one step, H(n+1) − H(n) = x⁵e₅ + x⁶e₆ + …, in
+/// units of m g L.
 pub fn energy_change_terms(z: Dimensionless) -> [f64; 4] {
     let Dimensionless { q, s, c, .. } = z;
     let (q2, s2, c2) = (q * q, s * s, c * c);
@@ -40,10 +43,11 @@ fn energy_change(z: Dimensionless, x: f64) -> f64 {
     x5 * polynomial(x, &energy_change_terms(z))
 }
 
-/// Largest energy error (J) of a release from rest at `theta_0` (rad) over `steps` steps of `h` (s): the sum of the changes
-/// of the single steps along the exact orbit.
+/// Largest energy error (J) of a release from rest at `theta_0` (rad) over `steps` steps of `h`
+/// (s): the sum of the changes of the single steps along the exact orbit.
 ///
-/// That the method strays from that orbit changes the sum, relatively, by about as much as the energy.
+/// That the method strays from that orbit changes the sum, relatively, by about as much as the
+/// energy.
 pub fn largest_energy_error(pendulum: &Pendulum, theta_0: f64, h: f64, steps: u64) -> f64 {
     let Ok(motion) = Motion::new(pendulum, Phase::at_rest(theta_0)) else {
         return f64::NAN;
@@ -57,15 +61,15 @@ pub fn largest_energy_error(pendulum: &Pendulum, theta_0: f64, h: f64, steps: u6
     pendulum.depth() * largest
 }
 
-/// The terms ⟨e₆⟩ and ⟨e₈⟩ of the secular change of energy, averaged over the exact swing from rest at `theta_0` (rad), in
-/// units of m g L. The odd ones average to nothing.
+/// The terms ⟨e₆⟩ and ⟨e₈⟩ of the secular change of energy, averaged over the exact swing from rest
+/// at `theta_0` (rad), in units of m g L. The odd ones average to nothing.
 pub fn secular_terms(pendulum: &Pendulum, theta_0: f64) -> [f64; 2] {
     let mean = |k: usize| average(pendulum, theta_0, |z| energy_change_terms(z)[k]);
     [mean(1), mean(3)]
 }
 
-/// The rate of change of the energy, averaged over a swing (W): m g L ω₀ (x⁵⟨e₆⟩ + x⁷⟨e₈⟩). It is negative. For a small
-/// swing of the energy E above the bottom it is −E ω₀ x⁵/72.
+/// The rate of change of the energy, averaged over a swing (W): m g L ω₀ (x⁵⟨e₆⟩ + x⁷⟨e₈⟩). It is
+/// negative. For a small swing of the energy E above the bottom it is −E ω₀ x⁵/72.
 pub fn secular_rate(pendulum: &Pendulum, theta_0: f64, h: f64) -> f64 {
     let x = scaled(pendulum, h);
     let [e6, e8] = secular_terms(pendulum, theta_0);
@@ -73,16 +77,19 @@ pub fn secular_rate(pendulum: &Pendulum, theta_0: f64, h: f64) -> f64 {
     pendulum.depth() * pendulum.small_angle_frequency() * x2 * x2 * x * (e6 + x2 * e8)
 }
 
-/// The leading correction f₄ to the equation that RK4 follows, (θ', q') = (q, −s) + x⁴ f₄ + …: the x⁵ term of its local error.
+/// The leading correction f₄ to the equation that RK4 follows, (θ', q') = (q, −s) + x⁴ f₄ + …: the
+/// x⁵ term of its local error.
 pub fn leading_correction(z: Dimensionless) -> [f64; 2] {
     error_constant::rk4(z.s, z.c, z.q)
 }
 
-/// The relative change of the period divided by h⁴ (1/s⁴), from rest at `theta_0` (rad): T̃/T = 1 + h⁴ τ₄ + O(h⁵).
+/// The relative change of the period divided by h⁴ (1/s⁴), from rest at `theta_0` (rad): T̃/T = 1 +
+/// h⁴ τ₄ + O(h⁵).
 ///
-/// To first order the perturbed orbit is z + x⁴δ with δ' = J(z)δ + f₄(z), J the Jacobian of the pendulum's equation. It comes
-/// to the bottom late by −δθ/q. RK4's even corrections are reversible in time, as the pendulum is, so that four such
-/// quarters make a period (Hairer, Lubich, Wanner, Sect. V.1, IX.2).
+/// To first order the perturbed orbit is z + x⁴δ with δ' = J(z)δ + f₄(z), J the Jacobian of the
+/// pendulum's equation. It comes to the bottom late by −δθ/q. RK4's even corrections are reversible
+/// in time, as the pendulum is, so that four such quarters make a period (Hairer, Lubich, Wanner,
+/// Sect. V.1, IX.2).
 pub fn period_shift(pendulum: &Pendulum, theta_0: f64) -> f64 {
     /// Even near the top, a step of the solver is then short of 0.02 rad: it errs by rounding.
     const STEPS: u32 = 1000;
@@ -107,9 +114,10 @@ pub fn period_shift(pendulum: &Pendulum, theta_0: f64) -> f64 {
     frequency_squared * frequency_squared * (-delta_theta / q / quarter)
 }
 
-/// The two terms of what RK4 adds to the period (s), from rest at `theta_0` (rad) in steps of `h` (s), as seen between the
-/// first two downward crossings of zero: h⁴τ₄T, and dT/dE times the energy lost until the middle between them, 3T/4. They
-/// are of opposite sign, and at some step they cancel.
+/// The two terms of what RK4 adds to the period (s), from rest at `theta_0` (rad) in steps of `h`
+/// (s), as seen between the first two downward crossings of zero: h⁴τ₄T, and dT/dE times the energy
+/// lost until the middle between them, 3T/4. They are of opposite sign, and at some step they
+/// cancel.
 ///
 /// Left out are the square of the loss, and x² of each term.
 pub fn period_error_terms(pendulum: &Pendulum, theta_0: f64, h: f64) -> [f64; 2] {

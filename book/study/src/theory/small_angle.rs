@@ -1,12 +1,14 @@
 //! The small swing of Table 6: what the angle of each method is off by against θ₀ cos ω₀t.
 //!
-//! Two errors meet. The method has the wrong phase even on the linear oscillator, and the formula knows nothing of the
-//! longer period of a real pendulum. To leading order e(t) = (c₁t + c₀) sin ω₀t: c₁ is θ₀ω₀(θ₀²/16 − x²/24) for
-//! Störmer–Verlet and symplectic Euler and θ₀ω₀(θ₀²/16 + x⁴/120) for RK4; c₀ is −θ₀x/2 for symplectic Euler and else 0.
+//! Two errors meet. The method has the wrong phase even on the linear oscillator, and the formula
+//! knows nothing of the longer period of a real pendulum. To leading order e(t) = (c₁t + c₀) sin
+//! ω₀t: c₁ is θ₀ω₀(θ₀²/16 − x²/24) for Störmer–Verlet and symplectic Euler and θ₀ω₀(θ₀²/16 +
+//! x⁴/120) for RK4; c₀ is −θ₀x/2 for symplectic Euler and else 0.
 //!
-//! What is summed here keeps the whole linear recurrence. On the linear oscillator every method multiplies a complex
-//! amplitude by ρ e^{iφ} each step; the pendulum slows φ by the factor 1 − A²/16 at the amplitude A, and bends the cosine by a
-//! third harmonic (Landau & Lifshitz, *Mechanics* (1976), §28):
+//! What is summed here keeps the whole linear recurrence. On the linear oscillator every method
+//! multiplies a complex amplitude by ρ e^{iφ} each step; the pendulum slows φ by the factor 1 −
+//! A²/16 at the amplitude A, and bends the cosine by a third harmonic (Landau & Lifshitz,
+//! *Mechanics* (1976), §28):
 //!
 //! θ = A cos Φ − (A³/192) (cos 3Φ − cos Φ).
 
@@ -46,7 +48,8 @@ impl LinearRecurrence {
         Self { growth: 1.0, advance, lag: 0.0 }
     }
 
-    /// Symplectic Euler: the same recurrence, begun half a step late, as it drifts with the velocity after the kick.
+    /// Symplectic Euler: the same recurrence, begun half a step late, as it drifts with the
+    /// velocity after the kick.
     pub fn symplectic_euler(pendulum: &Pendulum, h: f64) -> Self {
         let verlet = Self::stormer_verlet(pendulum, h);
         Self { lag: 0.5 * verlet.advance, ..verlet }
@@ -80,8 +83,8 @@ fn slowed(amplitude: f64) -> f64 {
     1.0 - amplitude * amplitude / 16.0
 }
 
-/// Root mean square over the N + 1 samples of the first `steps` steps of `h` (s), and largest value, of what `angles` (rad)
-/// are off by against θ₀ cos ω₀t (rad).
+/// Root mean square over the N + 1 samples of the first `steps` steps of `h` (s), and largest
+/// value, of what `angles` (rad) are off by against θ₀ cos ω₀t (rad).
 pub fn errors(
     pendulum: &Pendulum,
     theta_0: f64,
@@ -99,15 +102,16 @@ pub fn errors(
     (libm::sqrt(squares / (steps + 1) as f64), largest)
 }
 
-/// The root mean square (rad) that is left at h → 0 after the time `duration` (s), θ₀³ω₀t/(16√6): the paper's "floor". It is
-/// the formula's error, not a method's, and grows with time.
+/// The root mean square (rad) that is left at h → 0 after the time `duration` (s), θ₀³ω₀t/(16√6):
+/// the paper's "floor". It is the formula's error, not a method's, and grows with time.
 pub fn floor(pendulum: &Pendulum, theta_0: f64, duration: f64) -> f64 {
     let frequency = pendulum.small_angle_frequency();
     theta_0 * theta_0 * theta_0 * frequency * duration / (16.0 * libm::sqrt(6.0))
 }
 
-/// The root mean square (rad) of Störmer–Verlet's own error, against the pendulum it integrates, after the time `duration` (s):
-/// θ₀ω₀t x²/(24√6) with the step `h` (s). Its phase runs ahead by x²/24 of itself, as the formula's does by θ₀²/16.
+/// The root mean square (rad) of Störmer–Verlet's own error, against the pendulum it integrates,
+/// after the time `duration` (s): θ₀ω₀t x²/(24√6) with the step `h` (s). Its phase runs ahead by
+/// x²/24 of itself, as the formula's does by θ₀²/16.
 pub fn own_error_of_stormer_verlet(
     pendulum: &Pendulum,
     theta_0: f64,
@@ -119,7 +123,8 @@ pub fn own_error_of_stormer_verlet(
     libm::fabs(theta_0) * frequency * duration * x * x / (24.0 * libm::sqrt(6.0))
 }
 
-/// The step (s) at which Störmer–Verlet's error cancels the formula's and c₁ vanishes: x = θ₀√(3/2).
+/// The step (s) at which Störmer–Verlet's error cancels the formula's and c₁ vanishes: x =
+/// θ₀√(3/2).
 pub fn cancelling_step(pendulum: &Pendulum, theta_0: f64) -> f64 {
     libm::fabs(theta_0) * libm::sqrt(1.5) / pendulum.small_angle_frequency()
 }

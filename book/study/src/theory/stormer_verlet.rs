@@ -1,14 +1,15 @@
 //! Störmer–Verlet: the energy it conserves, and how far the pendulum's strays.
 //!
-//! Half a kick, a drift, half a kick: that is symplectic Euler seen from half a kick away, and the position form, half a
-//! drift, a kick, half a drift, is symplectic Euler seen from half a drift away. In operators, with K for a kick and D for
-//! a drift, each of half a step,
+//! Half a kick, a drift, half a kick: that is symplectic Euler seen from half a kick away, and the
+//! position form, half a drift, a kick, half a drift, is symplectic Euler seen from half a drift
+//! away. In operators, with K for a kick and D for a drift, each of half a step,
 //!
 //! K DD K = K⁻¹ (KK first, then DD) K,  D KK D = D (KK first, then DD) D⁻¹,
 //!
-//! where the step written last is taken last. So all three conserve the same H̃, each at its own point, and Verlet's needs
-//! no polynomials of its own; seen from there the odd powers of h cancel, as they must for a symmetric method.
-//! Hairer, Lubich, Wanner, Sect. VI.3 (conjugacy), IX.2 (symmetric methods), Example IX.3.4.
+//! where the step written last is taken last. So all three conserve the same H̃, each at its own
+//! point, and Verlet's needs no polynomials of its own; seen from there the odd powers of h cancel,
+//! as they must for a symmetric method. Hairer, Lubich, Wanner, Sect. VI.3 (conjugacy), IX.2
+//! (symmetric methods), Example IX.3.4.
 
 use pendula::arithmetic::sine::{cos, sin};
 use pendula::{Pendulum, Phase};
@@ -25,21 +26,24 @@ pub fn correction(z: Dimensionless, x: f64) -> f64 {
     shift * (z.q + 0.5 * shift) + symplectic_euler::correction(kicked, x)
 }
 
-/// H̃ − H of the position form (drift–kick–drift) at `z`, to order x⁷, in units of m g L: x²(s²/12 − q²c/24) + ….
+/// H̃ − H of the position form (drift–kick–drift) at `z`, to order x⁷, in units of m g L: x²(s²/12
+/// − q²c/24) + ….
 pub fn correction_of_position_form(z: Dimensionless, x: f64) -> f64 {
     let drifted = Dimensionless::new(z.theta + 0.5 * x * z.q, z.q);
     drifted.energy() - z.energy() + symplectic_euler::correction(drifted, x)
 }
 
-/// Largest energy error (J) of the velocity form from rest at `theta_0` (rad) with the step `h` (s), on the level curve
-/// of H̃ to order h⁷. Below 1 rad the [closed form](energy_error) is closer: all that it leaves out is of third order in 1 − c₀.
+/// Largest energy error (J) of the velocity form from rest at `theta_0` (rad) with the step `h`
+/// (s), on the level curve of H̃ to order h⁷. Below 1 rad the [closed form](energy_error) is
+/// closer: all that it leaves out is of third order in 1 − c₀.
 pub fn largest_energy_error(pendulum: &Pendulum, theta_0: f64, h: f64) -> f64 {
     let x = scaled(pendulum, h);
     pendulum.depth() * level_curve::largest_energy_error(theta_0, |z| correction(z, x))
 }
 
-/// The level curve of H̃ of the velocity form, to order h⁷, through a release from rest at `theta_0` (rad) with the step `h` (s): `count`
-/// points in phase space and the first once more. NaN where the curve leaves the well.
+/// The level curve of H̃ of the velocity form, to order h⁷, through a release from rest at
+/// `theta_0` (rad) with the step `h` (s): `count` points in phase space and the first once more.
+/// NaN where the curve leaves the well.
 pub fn level_curve(
     pendulum: &Pendulum,
     theta_0: f64,
@@ -54,9 +58,9 @@ pub fn level_curve(
 // ANCHOR: closed_form
 /// The same in closed form (J), m g L (1 − c₀) [x²(5 + c₀)/24 + x⁴(1 − c₀)²/240].
 ///
-/// On the exact orbit q² = 2(c − c₀), so that to order h² H − H₀ = −(x²/24)(5c + c₀)(c − c₀). Its size is largest at the
-/// bottom, c = 1, for every θ₀. There H̃ = H̃₀ is an equation for q² alone; solved to the next order it gives x⁴, and
-/// after that x⁶(1 − c₀)²(100 + 33c₀)/30240.
+/// On the exact orbit q² = 2(c − c₀), so that to order h² H − H₀ = −(x²/24)(5c + c₀)(c − c₀). Its
+/// size is largest at the bottom, c = 1, for every θ₀. There H̃ = H̃₀ is an equation for q² alone;
+/// solved to the next order it gives x⁴, and after that x⁶(1 − c₀)²(100 + 33c₀)/30240.
 pub fn energy_error(pendulum: &Pendulum, theta_0: f64, h: f64) -> f64 {
     let (x, c0) = (scaled(pendulum, h), cos(theta_0));
     let (x2, fall) = (x * x, versine(theta_0));
@@ -64,7 +68,8 @@ pub fn energy_error(pendulum: &Pendulum, theta_0: f64, h: f64) -> f64 {
 }
 // ANCHOR_END: closed_form
 
-/// The position form's largest energy error in closed form (J), m g L (1 − c₀) [x²(2 + c₀)/12 + x⁴(13 + 9c₀ + 8c₀²)/480].
+/// The position form's largest energy error in closed form (J), m g L (1 − c₀) [x²(2 + c₀)/12 +
+/// x⁴(13 + 9c₀ + 8c₀²)/480].
 ///
 /// There H − H₀ = (x²/12)(2c + c₀)(c − c₀), and the reasoning is the same.
 pub fn energy_error_of_position_form(pendulum: &Pendulum, theta_0: f64, h: f64) -> f64 {

@@ -78,8 +78,9 @@ impl Tests {
         &self.files
     }
 
-    /// File and function of a test cited as `file::function`, as `cargo test` prints it; the name of its program may stand
-    /// before that, as `program::file::function` or `program/file::function`.
+    /// File and function of a test cited as `file::function`, as `cargo test` prints it; the name
+    /// of its program may stand before that, as `program::file::function` or
+    /// `program/file::function`.
     ///
     /// # Errors
     /// When there is none: says what there is.
@@ -128,8 +129,8 @@ fn collect(folder: &Path, prefix: &str, sources: &mut Vec<(String, String)>) -> 
     Ok(())
 }
 
-/// The book's last part: an overview, a page for each program of tests, and below it one for each of its files. Nothing, if
-/// there are no tests.
+/// The book's last part: an overview, a page for each program of tests, and below it one for each
+/// of its files. Nothing, if there are no tests.
 pub fn pages(tests: &Tests) -> Vec<BookItem> {
     if tests.files.is_empty() {
         return Vec::new();
@@ -169,7 +170,8 @@ pub fn pages(tests: &Tests) -> Vec<BookItem> {
 }
 
 impl TestFile {
-    /// The folder below `tests/` that it stands in, which is the name of its program; empty for a file beside them.
+    /// The folder below `tests/` that it stands in, which is the name of its program; empty for a
+    /// file beside them.
     fn folder(&self) -> &str {
         self.name.split_once('/').map_or("", |(folder, _)| folder)
     }

@@ -20,7 +20,8 @@ pub(super) const CLAIMS: &[Prose] = &[
         stated: "Hamiltonian",
         definition: "the momentum conjugate to θ is m L² ω",
         verdict: ReproducedWithDefinition,
-        because: "(θ, ω) are canonical coordinates only where m L² = 1, as in the paper; elsewhere areas scale by m L².",
+        because: "(θ, ω) are canonical coordinates only where m L² = 1, as in the paper; elsewhere \
+                  areas scale by m L².",
         measure: |_| {
             let pendulum = Pendulum::PAPER;
             let inertia = pendulum.mass() * pendulum.length() * pendulum.length();
@@ -95,9 +96,11 @@ pub(super) const CLAIMS: &[Prose] = &[
         place: "Abstract, Section 8",
         gist: "symplectic energy errors stay bounded however long the run",
         stated: "bounded",
-        definition: "largest energy error over 10⁶ against 10⁵ steps; speed reached from the chaotic layer",
+        definition: "largest energy error over 10⁶ against 10⁵ steps; speed reached from the \
+                     chaotic layer",
         verdict: ReproducedWithDefinition,
-        because: "True of small steps. The method is the standard map: beyond K = g Δt²/L = 0.9716, that is 0.3147 s, energy diffuses without bound.",
+        because: "True of small steps. The method is the standard map: beyond K = g Δt²/L = \
+                  0.9716, that is 0.3147 s, energy diffuses without bound.",
         measure: bounded,
     },
     Prose {
@@ -108,7 +111,9 @@ pub(super) const CLAIMS: &[Prose] = &[
         definition: "Table 5",
         verdict: Reproduced,
         because: "",
-        measure: |study| number(row!(study.long_run, "vv").percent_of_initial(), Significant(5)),
+        measure: |study| {
+            number(row!(study.long_run, StormerVerlet).percent_of_initial(), Significant(5))
+        },
     },
     Prose {
         id: "A.rk4_order",
@@ -117,8 +122,9 @@ pub(super) const CLAIMS: &[Prose] = &[
         stated: "4",
         definition: "slope of the largest error of the state against the exact solution",
         verdict: ReproducedWithDefinition,
-        because: "The state has order 4, a single step order 5, and so has the energy error that the paper shows.",
-        measure: |study| number(row!(study.characteristics, "rk4").order(), Fixed(2)),
+        because: "The state has order 4, a single step order 5, and so has the energy error that \
+                  the paper shows.",
+        measure: |study| number(row!(study.characteristics, Rk4).order(), Fixed(2)),
     },
     Prose {
         id: "A.optimal",
@@ -127,9 +133,10 @@ pub(super) const CLAIMS: &[Prose] = &[
         stated: "the best",
         definition: "largest energy error over the paper's own 1000 s: Störmer–Verlet's over RK4's",
         verdict: Wrong,
-        because: "In the paper's own long run RK4's error is that many times smaller; its loss reaches Störmer–Verlet's amplitude only after 240 times as long.",
+        because: "In the paper's own long run RK4's error is that many times smaller; its loss \
+                  reaches Störmer–Verlet's amplitude only after 240 times as long.",
         measure: |study| {
-            let ratio = row!(study.long_run, "vv").drift / row!(study.long_run, "rk4").drift;
+            let ratio = row!(study.long_run, StormerVerlet).drift / row!(study.long_run, Rk4).drift;
             shows(ratio, Fixed(0), ratio < 1.0)
         },
     },
@@ -153,8 +160,9 @@ pub(super) const CLAIMS: &[Prose] = &[
         stated: "2",
         definition: "slope of Table 4 at its finest steps",
         verdict: Reproduced,
-        because: "The error is Δt² (g/L)² (5 + cos θ₀)(1 − cos θ₀)/24, from the modified Hamiltonian.",
-        measure: |study| number(order_range(study, "vv").0, Fixed(3)),
+        because: "The error is Δt² (g/L)² (5 + cos θ₀)(1 − cos θ₀)/24, from the modified \
+                  Hamiltonian.",
+        measure: |study| number(order_range(study, PaperMethod::StormerVerlet).0, Fixed(3)),
     },
     Prose {
         id: "P1.lines200",
@@ -171,9 +179,11 @@ pub(super) const CLAIMS: &[Prose] = &[
         place: "Section 1",
         gist: "the orders 1, 1, 2, 4 are confirmed",
         stated: "1, 1, 2, 4",
-        definition: "slopes of the energy error between neighbouring steps of Table 4, each to ± 0.15",
+        definition: "slopes of the energy error between neighbouring steps of Table 4, each to ± \
+                     0.15",
         verdict: Wrong,
-        because: "The energy error of RK4 has order 5, and forward Euler is not yet in the range where it has one.",
+        because: "The energy error of RK4 has order 5, and forward Euler is not yet in the range \
+                  where it has one.",
         measure: orders_confirmed,
     },
     Prose {
@@ -185,7 +195,8 @@ pub(super) const CLAIMS: &[Prose] = &[
         verdict: ReproducedWithDefinition,
         because: "It is nearly four for symplectic Euler and nearly six for Störmer–Verlet.",
         measure: |study| {
-            let ratio = row!(study.long_run, "fe").drift / row!(study.long_run, "se").drift;
+            let ratio = row!(study.long_run, ForwardEuler).drift
+                / row!(study.long_run, SymplecticEuler).drift;
             shows(ratio, Scientific(3), ratio > 1e3)
         },
     },
@@ -194,7 +205,8 @@ pub(super) const CLAIMS: &[Prose] = &[
         place: "Section 1",
         gist: "the pendulum has no solution in elementary functions",
         stated: "none",
-        definition: "third harmonic of the exact motion over the first at 3 rad: a sinusoid has none",
+        definition: "third harmonic of the exact motion over the first at 3 rad: a sinusoid has \
+                     none",
         verdict: Reproduced,
         because: "The solution is Jacobi's sn, whose nome is not elementary.",
         measure: |_| {
@@ -209,7 +221,8 @@ pub(super) const CLAIMS: &[Prose] = &[
         stated: "all time",
         definition: "whether Störmer–Verlet leaves the chaotic layer at K = g Δt²/L = 1.5",
         verdict: Wrong,
-        because: "The theorem gives times exponential in 1/Δt, for Δt small enough. At K = 1.5 there is no bound.",
+        because: "The theorem gives times exponential in 1/Δt, for Δt small enough. At K = 1.5 \
+                  there is no bound.",
         measure: |_| {
             let text = if escapes(1.5) { "no bound at K = 1.5" } else { "bounded at K = 1.5" };
             says(text.to_string(), !escapes(1.5))
@@ -220,7 +233,8 @@ pub(super) const CLAIMS: &[Prose] = &[
         place: "Section 3.4",
         gist: "T = 4 √(L/g) K(sin(θ₀/2))",
         stated: "Eq. 5",
-        definition: "against the return time of the closed form; the argument of K is the modulus k, not m = k²",
+        definition: "against the return time of the closed form; the argument of K is the modulus \
+                     k, not m = k²",
         verdict: Reproduced,
         because: "",
         measure: |_| {
@@ -267,7 +281,7 @@ pub(super) const CLAIMS: &[Prose] = &[
         definition: "counted",
         verdict: Reproduced,
         because: "",
-        measure: |study| number(row!(study.characteristics, "rk4").evaluations, Fixed(0)),
+        measure: |study| number(row!(study.characteristics, Rk4).evaluations, Fixed(0)),
     },
     Prose {
         id: "P4.vv_evals",
@@ -277,7 +291,7 @@ pub(super) const CLAIMS: &[Prose] = &[
         definition: "counted",
         verdict: Wrong,
         because: "The force at the end of a step is that at the start of the next.",
-        measure: |study| number(row!(study.characteristics, "vv").evaluations, Fixed(0)),
+        measure: |study| number(row!(study.characteristics, StormerVerlet).evaluations, Fixed(0)),
     },
     Prose {
         id: "P4.vv_twoform",
@@ -288,7 +302,7 @@ pub(super) const CLAIMS: &[Prose] = &[
         verdict: Reproduced,
         because: "",
         measure: |study| {
-            let defect = row!(study.characteristics, "vv").area_defect.abs();
+            let defect = row!(study.characteristics, StormerVerlet).area_defect.abs();
             says("det J = 1".to_string(), defect < AREA_TOLERANCE)
         },
     },
@@ -299,9 +313,10 @@ pub(super) const CLAIMS: &[Prose] = &[
         stated: "not symplectic",
         definition: "det J − 1 of one step of 0.1 s at 1 rad",
         verdict: Reproduced,
-        because: "The defect is Δt² (g/L) cos θ: area grows below the horizontal and shrinks above.",
+        because: "The defect is Δt² (g/L) cos θ: area grows below the horizontal and shrinks \
+                  above.",
         measure: |study| {
-            let defect = row!(study.characteristics, "fe").area_defect;
+            let defect = row!(study.characteristics, ForwardEuler).area_defect;
             shows(defect, Fixed(5), defect.abs() > AREA_TOLERANCE)
         },
     },
@@ -314,7 +329,7 @@ pub(super) const CLAIMS: &[Prose] = &[
         verdict: Reproduced,
         because: "",
         measure: |study| {
-            let row = row!(study.characteristics, "se");
+            let row = row!(study.characteristics, SymplecticEuler);
             let bounded = row.energy == EnergyBehaviour::BoundedOscillation;
             says("det J = 1; bounded oscillation".to_string(), row.symplectic() && bounded)
         },
@@ -330,7 +345,7 @@ pub(super) const CLAIMS: &[Prose] = &[
         measure: |study| {
             let quarter = pendula::Phase::at_rest(core::f64::consts::FRAC_PI_2);
             let initial = Pendulum::PAPER.energy_from_pivot(quarter).abs();
-            let table = row!(study.long_run, "fe").percent_of_initial();
+            let table = row!(study.long_run, ForwardEuler).percent_of_initial();
             says(
                 "zero to rounding".to_string(),
                 is_near(initial, 0.0, 1e-14) && prints_as("T5.fe.pct", table),
@@ -346,7 +361,7 @@ pub(super) const CLAIMS: &[Prose] = &[
         verdict: ReproducedWithDefinition,
         because: "Seven cells of Table 6 are met with N + 1 samples only.",
         measure: |study| {
-            let over_all = row!(study.small_angle, "fe").errors[0].formula;
+            let over_all = row!(study.small_angle, ForwardEuler).errors[0].formula;
             // 100 steps: the mean over N instead of N + 1 samples.
             let over_steps = over_all * libm::sqrt(101.0 / 100.0);
             let met = [over_all, over_steps].map(|error| prints_as("T6.fe.0.1", error));

@@ -1,4 +1,5 @@
-//! Discussion and conclusion, Sections 7 and 8; the figures; and what the numbers decide where the text leaves it open.
+//! Discussion and conclusion, Sections 7 and 8; the figures; and what the numbers decide where the
+//! text leaves it open.
 
 use super::*;
 
@@ -22,7 +23,7 @@ pub(super) const CLAIMS: &[Prose] = &[
         verdict: Wrong,
         because: "An ordinary rate: an electric fan turns faster.",
         measure: |study| {
-            let omega = row!(study.long_run, "fe").end.omega.abs();
+            let omega = row!(study.long_run, ForwardEuler).end.omega.abs();
             let rate = omega / (2.0 * core::f64::consts::PI);
             shows(rate, Fixed(2), rate > 1e3)
         },
@@ -36,7 +37,7 @@ pub(super) const CLAIMS: &[Prose] = &[
         verdict: Wrong,
         because: "They stay on the surface of a modified energy.",
         measure: |study| {
-            let percent = row!(study.long_run, "se").percent_of_initial();
+            let percent = row!(study.long_run, SymplecticEuler).percent_of_initial();
             shows(percent, Significant(5), percent < 1e-10)
         },
     },
@@ -58,7 +59,9 @@ pub(super) const CLAIMS: &[Prose] = &[
         definition: "Table 5",
         verdict: Reproduced,
         because: "",
-        measure: |study| number(row!(study.long_run, "fe").percent_of_initial(), Significant(5)),
+        measure: |study| {
+            number(row!(study.long_run, ForwardEuler).percent_of_initial(), Significant(5))
+        },
     },
     Prose {
         id: "P7.2.precise",
@@ -77,10 +80,11 @@ pub(super) const CLAIMS: &[Prose] = &[
         stated: "all",
         definition: "forward Euler's error at 0.001 s over RK4's",
         verdict: Wrong,
-        because: "Forward Euler is ten times above it and symplectic Euler below it at the finest step.",
+        because: "Forward Euler is ten times above it and symplectic Euler below it at the finest \
+                  step.",
         measure: |study| {
-            let error = row!(study.small_angle, "fe").errors[4].formula;
-            let ratio = error / row!(study.small_angle, "rk4").errors[4].formula;
+            let error = row!(study.small_angle, ForwardEuler).errors[4].formula;
+            let ratio = error / row!(study.small_angle, Rk4).errors[4].formula;
             shows(ratio, Fixed(1), is_near(ratio, 1.0, 0.1))
         },
     },
@@ -92,7 +96,7 @@ pub(super) const CLAIMS: &[Prose] = &[
         definition: "counted",
         verdict: ReproducedWithDefinition,
         because: "Störmer–Verlet costs the same, and is the same method seen half a kick later.",
-        measure: |study| number(row!(study.characteristics, "se").evaluations, Fixed(0)),
+        measure: |study| number(row!(study.characteristics, SymplecticEuler).evaluations, Fixed(0)),
     },
     Prose {
         id: "P7.4.rk4",

@@ -1,7 +1,8 @@
 //! What the paper says in its sentences: each claim with how it is measured and what became of it.
 //!
-//! The ids follow the paper: `A` abstract, `P` a section's number, `T1` and `T3` its tables of parameters, `F` a figure, `X` what it leaves
-//! open and its numbers decide. One file for each part of the paper.
+//! The ids follow the paper: `A` abstract, `P` a section's number, `T1` and `T3` its tables of
+//! parameters, `F` a figure, `X` what it leaves open and its numbers decide. One file for each part
+//! of the paper.
 
 mod background;
 mod discussion;
@@ -17,10 +18,10 @@ use super::Verdict::{
     Wrong,
 };
 use super::cells::CELLS;
-use super::measure::row_id;
 use super::{Claim, Measured, Tolerance};
 use crate::digits::Digits::{self, Fixed, Scientific, Significant};
 use crate::digits::rounds_to;
+use crate::experiments::PaperMethod;
 use crate::experiments::characteristics::EnergyBehaviour;
 use crate::experiments::variants::DriftKick;
 use crate::experiments::{
@@ -63,8 +64,11 @@ const fn nothing(_: &Study) -> Finding {
 
 /// The row of the method `id` in a table of rows.
 macro_rules! row {
-    ($rows:expr, $id:literal) => {
-        $rows.iter().find(|row| row_id(row.method) == $id).expect("one of the paper's methods")
+    ($rows:expr, $id:ident) => {
+        $rows
+            .iter()
+            .find(|row| PaperMethod::of(row.method) == Some(PaperMethod::$id))
+            .expect("one of the paper's methods")
     };
 }
 use row;
@@ -104,21 +108,28 @@ fn confirms((low, high): (f64, f64), order: f64) -> bool {
     [low, high].into_iter().all(|slope| is_near(slope, order, 0.15))
 }
 
-/// Whether an oscillation has grown no larger, to a thousandth: a longer run samples it nearer to its top.
+/// Whether an oscillation has grown no larger, to a thousandth: a longer run samples it nearer to
+/// its top.
 fn has_not_grown(later: f64, earlier: f64) -> bool {
     later <= 1.001 * earlier
 }
 
-fn order_range(study: &Study, id: &str) -> (f64, f64) {
-    let row = study.convergence.iter().find(|row| row_id(row.method) == id);
+fn order_range(study: &Study, id: PaperMethod) -> (f64, f64) {
+    let row = study.convergence.iter().find(|row| PaperMethod::of(row.method) == Some(id));
     let drift = row.map_or([f64::NAN; 5], |row| row.drift);
     let slopes = slopes(&STEPS, &drift, 1e-11).flatten();
     slopes.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), p| (low.min(p), high.max(p)))
 }
 
 fn orders_confirmed(study: &Study) -> Finding {
-    let theory = [("fe", 1.0), ("se", 1.0), ("vv", 2.0), ("rk4", 4.0)];
-    let (rk4, fe) = (order_range(study, "rk4"), order_range(study, "fe"));
+    let theory = [
+        (PaperMethod::ForwardEuler, 1.0),
+        (PaperMethod::SymplecticEuler, 1.0),
+        (PaperMethod::StormerVerlet, 2.0),
+        (PaperMethod::Rk4, 4.0),
+    ];
+    let (rk4, fe) =
+        (order_range(study, PaperMethod::Rk4), order_range(study, PaperMethod::ForwardEuler));
     says(
         std::format!(
             "slopes of the energy error: RK4 up to {:.2}, forward Euler {:.2} to {:.2}",
@@ -131,15 +142,15 @@ fn orders_confirmed(study: &Study) -> Finding {
 }
 
 fn monotonic(study: &Study) -> Finding {
-    let falls = row!(study.long_run, "fe").falls;
+    let falls = row!(study.long_run, ForwardEuler).falls;
     let first =
         findings::first_fall(&ForwardEuler, long_run::THETA_0, long_run::STEP, long_run::DURATION);
     let since = first.map_or_else(String::new, |t| std::format!(", the first at {t:.2} s"));
     says(std::format!("{falls} of 100 000 steps lower the energy{since}"), falls == 0)
 }
 
-/// Whether an orbit of Störmer–Verlet from the chaotic layer crosses u = ω Δt = 2π, which it can only where no
-/// invariant curve is left between 0 and 2π.
+/// Whether an orbit of Störmer–Verlet from the chaotic layer crosses u = ω Δt = 2π, which it can
+/// only where no invariant curve is left between 0 and 2π.
 fn escapes(k: f64) -> bool {
     findings::chaotic_speed(&StormerVerlet, k, 200_000) > core::f64::consts::TAU
 }

@@ -12,7 +12,7 @@ pub(super) const CLAIMS: &[Prose] = &[
         verdict: Reproduced,
         because: "",
         measure: |study| {
-            let drift = row!(study.convergence, "fe").drift[0];
+            let drift = row!(study.convergence, ForwardEuler).drift[0];
             shows(drift, Significant(6), drift > 200.0)
         },
     },
@@ -23,9 +23,10 @@ pub(super) const CLAIMS: &[Prose] = &[
         stated: "slope 1",
         definition: "slopes between neighbouring steps of Table 4, each to ± 0.15",
         verdict: Wrong,
-        because: "Coarse steps go over the top and rotate, fine ones only swing higher: regimes with different laws.",
+        because: "Coarse steps go over the top and rotate, fine ones only swing higher: regimes \
+                  with different laws.",
         measure: |study| {
-            let (low, high) = order_range(study, "fe");
+            let (low, high) = order_range(study, PaperMethod::ForwardEuler);
             let text = std::format!("slopes from {low:.2} to {high:.2}");
             says(text, confirms((low, high), 1.0))
         },
@@ -35,12 +36,14 @@ pub(super) const CLAIMS: &[Prose] = &[
         place: "Sections 6.1 and 7.2",
         gist: "RK4 conserves energy to machine precision at 0.001 s",
         stated: "machine precision",
-        definition: "its energy error over one unit in the last place of |H(0)| (8.9e-16 J) exceeds 1000",
+        definition: "its energy error over one unit in the last place of |H(0)| (8.9e-16 J) \
+                     exceeds 1000",
         verdict: Wrong,
-        because: "Nearly all of it is truncation: a loss of order Δt⁵ and an oscillation of order Δt⁴.",
+        because: "Nearly all of it is truncation: a loss of order Δt⁵ and an oscillation of order \
+                  Δt⁴.",
         measure: |study| {
             // |H(0)| = 4.905 J lies between 4 and 8, where neighbours are 4 ε apart.
-            let units = row!(study.convergence, "rk4").drift[4] / (4.0 * f64::EPSILON);
+            let units = row!(study.convergence, Rk4).drift[4] / (4.0 * f64::EPSILON);
             let text = if units > 1000.0 { "over 1000 units" } else { "under 1000 units" };
             says(text.to_string(), units < 10.0)
         },
@@ -54,7 +57,7 @@ pub(super) const CLAIMS: &[Prose] = &[
         verdict: DependsOnRounding,
         because: "The ratio of the unrounded cells is 4.0000.",
         measure: |study| {
-            let drift = row!(study.convergence, "vv").drift;
+            let drift = row!(study.convergence, StormerVerlet).drift;
             let rounded = |value: f64| std::format!("{value:.2e}").parse().unwrap_or(f64::NAN);
             number(rounded(drift[2]) / rounded(drift[3]), Fixed(4))
         },
@@ -68,7 +71,7 @@ pub(super) const CLAIMS: &[Prose] = &[
         verdict: Wrong,
         because: "The loss is x⁶/72 a step, of order Δt⁵ over a fixed time.",
         measure: |study| {
-            let drift = row!(study.convergence, "rk4").drift;
+            let drift = row!(study.convergence, Rk4).drift;
             let slope = slopes(&STEPS[1..3], &drift[1..3], 0.0).flatten().next();
             number(slope.unwrap_or(f64::NAN), Fixed(2))
         },
@@ -82,7 +85,7 @@ pub(super) const CLAIMS: &[Prose] = &[
         verdict: Reproduced,
         because: "",
         measure: |study| {
-            let rk4 = row!(study.convergence, "rk4");
+            let rk4 = row!(study.convergence, Rk4);
             let least = |column: usize| {
                 let rows = study.convergence.iter();
                 rows.into_iter().all(|row| row.drift[column] >= rk4.drift[column])
@@ -99,8 +102,13 @@ pub(super) const CLAIMS: &[Prose] = &[
         verdict: Reproduced,
         because: "",
         measure: |study| {
-            let rk4 = order_range(study, "rk4").0;
-            let others = ["fe", "se", "vv"].map(|id| order_range(study, id).1);
+            let rk4 = order_range(study, PaperMethod::Rk4).0;
+            let others = [
+                PaperMethod::ForwardEuler,
+                PaperMethod::SymplecticEuler,
+                PaperMethod::StormerVerlet,
+            ]
+            .map(|id| order_range(study, id).1);
             says("RK4".to_string(), others.into_iter().all(|slope| slope < rk4))
         },
     },
@@ -113,7 +121,7 @@ pub(super) const CLAIMS: &[Prose] = &[
         verdict: Reproduced,
         because: "True, and it hides that RK4 is the best method of this experiment.",
         measure: |study| {
-            let drift = row!(study.long_run, "rk4").drift;
+            let drift = row!(study.long_run, Rk4).drift;
             shows(drift, Scientific(6), drift < 1e-5)
         },
     },
@@ -135,7 +143,9 @@ pub(super) const CLAIMS: &[Prose] = &[
         definition: "Table 5",
         verdict: Reproduced,
         because: "",
-        measure: |study| number(row!(study.long_run, "se").percent_of_initial(), Significant(5)),
+        measure: |study| {
+            number(row!(study.long_run, SymplecticEuler).percent_of_initial(), Significant(5))
+        },
     },
     Prose {
         id: "P6.2.escape",
@@ -146,7 +156,7 @@ pub(super) const CLAIMS: &[Prose] = &[
         verdict: Wrong,
         because: "A pendulum cannot escape: it goes round and round, about five times a second.",
         measure: |study| {
-            let omega = row!(study.long_run, "fe").end.omega.abs();
+            let omega = row!(study.long_run, ForwardEuler).end.omega.abs();
             shows(omega, Fixed(2), !omega.is_finite())
         },
     },
@@ -158,7 +168,7 @@ pub(super) const CLAIMS: &[Prose] = &[
         definition: "Eq. 3",
         verdict: Reproduced,
         because: "",
-        measure: |study| number(row!(study.long_run, "fe").last, Fixed(6)),
+        measure: |study| number(row!(study.long_run, ForwardEuler).last, Fixed(6)),
     },
     Prose {
         id: "P6.2.five_orders",
@@ -169,7 +179,8 @@ pub(super) const CLAIMS: &[Prose] = &[
         verdict: Wrong,
         because: "It is nearer to six.",
         measure: |study| {
-            let ratio = row!(study.long_run, "fe").drift / row!(study.long_run, "vv").drift;
+            let ratio = row!(study.long_run, ForwardEuler).drift
+                / row!(study.long_run, StormerVerlet).drift;
             shows(ratio, Scientific(3), ratio < 1e5)
         },
     },
@@ -181,7 +192,7 @@ pub(super) const CLAIMS: &[Prose] = &[
         definition: "RMS error of the formula against the exact solution over 10 s",
         verdict: Reproduced,
         because: "It is a phase error and grows with the duration: no floor.",
-        measure: |study| number(row!(study.small_angle, "rk4").errors[4].formula, Scientific(6)),
+        measure: |study| number(row!(study.small_angle, Rk4).errors[4].formula, Scientific(6)),
     },
     Prose {
         id: "P6.3.converge",
@@ -190,13 +201,15 @@ pub(super) const CLAIMS: &[Prose] = &[
         stated: "converge",
         definition: "RK4's and Störmer–Verlet's error at 0.01 s over that at 0.001 s",
         verdict: ReproducedWithDefinition,
-        because: "RK4 from above, but for the start's share in the mean. Störmer–Verlet passes below it: at 0.01955 s its error and the formula's cancel.",
+        because: "RK4 from above, but for the start's share in the mean. Störmer–Verlet passes \
+                  below it: at 0.01955 s its error and the formula's cancel.",
         measure: |study| {
             let ratio = |id| {
-                let row = study.small_angle.iter().find(|row| row_id(row.method) == id);
+                let row =
+                    study.small_angle.iter().find(|row| PaperMethod::of(row.method) == Some(id));
                 row.map_or(f64::NAN, |row| row.errors[2].formula / row.errors[4].formula)
             };
-            let (rk4, vv) = (ratio("rk4"), ratio("vv"));
+            let (rk4, vv) = (ratio(PaperMethod::Rk4), ratio(PaperMethod::StormerVerlet));
             says(std::format!("{rk4:.3} and {vv:.3}"), is_near(rk4, 1.0, 0.01) && vv < 1.0)
         },
     },
@@ -230,7 +243,8 @@ pub(super) const CLAIMS: &[Prose] = &[
         stated: "printed in bold",
         definition: "the least of each column",
         verdict: ReproducedWithDefinition,
-        because: "The last three win by cancelling the formula's error; against the exact solution RK4 is ahead at every step.",
+        because: "The last three win by cancelling the formula's error; against the exact solution \
+                  RK4 is ahead at every step.",
         measure: |study| {
             let rows = || study.small_angle.iter();
             let best = |column: usize, pick: fn(&small_angle::Errors) -> f64| {
@@ -314,15 +328,16 @@ pub(super) const CLAIMS: &[Prose] = &[
         place: "Section 6.6, Figure 7",
         gist: "RK4 has the lowest error for a given budget",
         stated: "RK4",
-        definition: "the paper's Table 8: Störmer–Verlet's error over RK4's, with a quarter of the evaluations",
+        definition: "the paper's Table 8: Störmer–Verlet's error over RK4's, with a quarter of the \
+                     evaluations",
         verdict: Wrong,
         because: "Its own Table 8 contradicts it; against the exact solution it would be true.",
         measure: |study| {
             let error = |id| {
-                let row = study.work.iter().find(|row| row_id(row.method) == id);
+                let row = study.work.iter().find(|row| PaperMethod::of(row.method) == Some(id));
                 row.map_or(f64::NAN, |row| row.points[work::TABLE_8].1.formula)
             };
-            let ratio = error("vv") / error("rk4");
+            let ratio = error(PaperMethod::StormerVerlet) / error(PaperMethod::Rk4);
             shows(ratio, Fixed(3), ratio > 1.0)
         },
     },
@@ -341,11 +356,13 @@ pub(super) const CLAIMS: &[Prose] = &[
         place: "Section 6.6, Figure 7",
         gist: "Störmer–Verlet has the best trade-off at moderate precision",
         stated: "Störmer–Verlet",
-        definition: "its RMS error over RK4's for 400 evaluations each, from 1 rad over 10 s, against the exact solution",
+        definition: "its RMS error over RK4's for 400 evaluations each, from 1 rad over 10 s, \
+                     against the exact solution",
         verdict: Wrong,
-        because: "RK4 is ahead from about 200 evaluations on, that is for every error below a hundredth of a radian.",
+        because: "RK4 is ahead from about 200 evaluations on, that is for every error below a \
+                  hundredth of a radian.",
         measure: |study| {
-            let methods = [row!(study.work, "vv").method, row!(study.work, "rk4").method];
+            let methods = [row!(study.work, StormerVerlet).method, row!(study.work, Rk4).method];
             let [vv, rk4] = methods.map(|method| findings::error_for_work(method, 400));
             shows(vv / rk4, Fixed(1), vv < rk4)
         },
@@ -370,10 +387,10 @@ pub(super) const CLAIMS: &[Prose] = &[
         because: "Limited by the formula; against the exact solution it is over two million.",
         measure: |study| {
             let error = |id| {
-                let row = study.work.iter().find(|row| row_id(row.method) == id);
+                let row = study.work.iter().find(|row| PaperMethod::of(row.method) == Some(id));
                 row.map_or(f64::NAN, |row| row.points[work::TABLE_8].1.formula)
             };
-            number(error("fe") / error("rk4"), Fixed(1))
+            number(error(PaperMethod::ForwardEuler) / error(PaperMethod::Rk4), Fixed(1))
         },
     },
 ];

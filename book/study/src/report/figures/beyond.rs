@@ -37,9 +37,9 @@ fn poincare(_: &Study) -> Figure {
     .series("", Style::numbered(1).dots(), dots.into_iter().map(|z| (z.theta, z.omega)));
     Figure::new(
         "The strange attractor of the driven pendulum",
-        "Some thousands of dots in phase space, angle from −π to π, all on a thin band. It rises from \
-         the left to a crest, falls steeply through the middle, rises again to the right, folds back \
-         on itself several times, and consists of finer bands side by side.",
+        "Some thousands of dots in phase space, angle from −π to π, all on a thin band. It rises \
+         from the left to a crest, falls steeply through the middle, rises again to the right, \
+         folds back on itself several times, and consists of finer bands side by side.",
     )
     .panel(chart)
 }
@@ -53,8 +53,8 @@ fn separation(_: &Study) -> Figure {
         .series("released at 0.2 and 0.25 rad", Style::numbered(1).line_only(), run([0.2, 0.25]));
     Figure::new(
         "Two double pendulums part",
-        "The distance of two neighbouring motions on a logarithmic scale over twenty seconds. From a \
-         high release it climbs along a straight line, from a thousand-millionth of a radian to \
+        "The distance of two neighbouring motions on a logarithmic scale over twenty seconds. From \
+         a high release it climbs along a straight line, from a thousand-millionth of a radian to \
          several radians, and then levels off. From a low release it stays near where it began.",
     )
     .panel(chart)

@@ -8,9 +8,9 @@ use crate::experiments::{Study, choosing};
 
 pub(super) const FIGURES: &[Drawing] = &[Drawing {
     name: "decision",
-    caption: "Which method keeps the angle within an error allowed, over a run of a given length, with the \
-              fewest force evaluations: its mark stands there. Where there are only dots the rounding of an f64 alone \
-              may be larger than what is allowed.",
+    caption: "Which method keeps the angle within an error allowed, over a run of a given length, \
+              with the fewest force evaluations: its mark stands there. Where there are only dots \
+              the rounding of an f64 alone may be larger than what is allowed.",
     draw: decision,
 }];
 
@@ -35,12 +35,13 @@ fn decision(_: &Study) -> Figure {
     chart = chart.series("lost in rounding", Style::REFERENCE.dots(), lost);
     Figure::new(
         "Which method needs the fewest force evaluations",
-        "A map of marks on logarithmic axes: the length of the run, from one period to a hundred thousand, \
-         across, and the largest angle error allowed, from a tenth to a ten-thousand-millionth of a \
-         radian, upwards. Each mark is that of the cheapest method. Methods of low order hold the \
-         upper edge, where errors are large; Blanes and Moan's of order 6 holds most of the rest, and \
-         Taylor series the smallest errors of middling runs. In the lower right corner, small errors over \
-         long runs, there are only dots: rounding does not let any method be so exact.",
+        "A map of marks on logarithmic axes: the length of the run, from one period to a hundred \
+         thousand, across, and the largest angle error allowed, from a tenth to a \
+         ten-thousand-millionth of a radian, upwards. Each mark is that of the cheapest method. \
+         Methods of low order hold the upper edge, where errors are large; Blanes and Moan's of \
+         order 6 holds most of the rest, and Taylor series the smallest errors of middling runs. \
+         In the lower right corner, small errors over long runs, there are only dots: rounding \
+         does not let any method be so exact.",
     )
     .panel(chart)
 }

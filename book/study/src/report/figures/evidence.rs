@@ -1,4 +1,5 @@
-//! Figures of evidence: that theory predicts the measurements, and where reading, chaos and rounding take over.
+//! Figures of evidence: that theory predicts the measurements, and where reading, chaos and
+//! rounding take over.
 
 use core::f64::consts::PI;
 
@@ -14,37 +15,38 @@ use crate::theory;
 pub(super) const FIGURES: &[Drawing] = &[
     Drawing {
         name: "energy_predicted",
-        caption: "The energy errors of Figure 2: the markers are measured, the lines are worked out from \
-                  theory without a step of any method. Every line goes through its markers, forward \
-                  Euler's bend included.",
+        caption: "The energy errors of Figure 2: the markers are measured, the lines are worked \
+                  out from theory without a step of any method. Every line goes through its \
+                  markers, forward Euler's bend included.",
         draw: energy_predicted,
     },
     Drawing {
         name: "cancellation",
-        caption: "Störmer–Verlet's own error falls with the step; that of the small-angle formula stays. What \
-                  the paper measures is their difference, and where the two lines cross it all but \
-                  vanishes.",
+        caption: "Störmer–Verlet's own error falls with the step; that of the small-angle formula \
+                  stays. What the paper measures is their difference, and where the two lines \
+                  cross it all but vanishes.",
         draw: cancellation,
     },
     Drawing {
         name: "five_periods",
-        caption: "One trajectory, five periods. Above, two of the readings are good enough to show RK4's own \
-                  error, which changes its sign near 2 ms. Below, off the exact motion, each reading \
-                  shows its own, down to rounding; a line that ends has reached zero.",
+        caption: "One trajectory, five periods. Above, two of the readings are good enough to show \
+                  RK4's own error, which changes its sign near 2 ms. Below, off the exact motion, \
+                  each reading shows its own, down to rounding; a line that ends has reached zero.",
         draw: five_periods,
     },
     Drawing {
         name: "standard_map",
-        caption: "Symplectic Euler at three large steps. A curve that crosses the picture bars the way up. \
-                  The last to break, drawn here with its mirror image, still holds at K = 0.97; at 1.2 it is gone, \
-                  and the orbits that began beside the upper equilibrium are everywhere.",
+        caption: "Symplectic Euler at three large steps. A curve that crosses the picture bars the \
+                  way up. The last to break, drawn here with its mirror image, still holds at K = \
+                  0.97; at 1.2 it is gone, and the orbits that began beside the upper equilibrium \
+                  are everywhere.",
         draw: standard_map,
     },
     Drawing {
         name: "rounding_walk",
-        caption: "What is left of Störmer–Verlet's conserved energy is rounding. Above, eight runs wander \
-                  to either side; below, they wander twice as far in four times the steps. A biased \
-                  rounding would follow the steeper guide.",
+        caption: "What is left of Störmer–Verlet's conserved energy is rounding. Above, eight runs \
+                  wander to either side; below, they wander twice as far in four times the steps. \
+                  A biased rounding would follow the steeper guide.",
         draw: rounding_walk,
     },
 ];
@@ -52,7 +54,8 @@ pub(super) const FIGURES: &[Drawing] = &[
 /// Energy error against step, as measured and as predicted.
 fn energy_predicted(study: &Study) -> Figure {
     let (theta_0, duration) = (convergence::THETA_0, convergence::DURATION);
-    // Forward Euler's law is a differential equation, solved step by step: fewer of the small steps.
+    // Forward Euler's law is a differential equation, solved step by step: fewer of the small
+    // steps.
     let coarse = (0..8).map(|k| 500.0 * libm::exp10(f64::from(k) / 8.0));
     let fine = (0..=3).map(|k| 5000.0 * libm::exp10(f64::from(k) / 3.0));
     let ladder: Vec<f64> = coarse.chain(fine).map(libm::round).collect();
@@ -101,17 +104,18 @@ fn cancellation(study: &Study) -> Figure {
         .series("measured against the truth", style(verlet).markers_only(), truth);
     Figure::new(
         "Two errors that cancel",
-        "The error of Störmer–Verlet against step, both axes logarithmic. Two straight lines are theory: \
-         the method's own error, of slope 2, and the formula's, level at a ten-thousandth of a \
-         radian. They cross near a step of 0.02 seconds. The error measured against the formula \
-         follows the first above the crossing and the second below it; at the crossing it dips to \
-         almost nothing. Markers, the error measured against the exact solution, lie on the line of \
-         slope 2 throughout.",
+        "The error of Störmer–Verlet against step, both axes logarithmic. Two straight lines are \
+         theory: the method's own error, of slope 2, and the formula's, level at a ten-thousandth \
+         of a radian. They cross near a step of 0.02 seconds. The error measured against the \
+         formula follows the first above the crossing and the second below it; at the crossing it \
+         dips to almost nothing. Markers, the error measured against the exact solution, lie on \
+         the line of slope 2 throughout.",
     )
     .panel(chart)
 }
 
-/// The error of the period by the five ways of reading it, off RK4's samples and off the exact motion's.
+/// The error of the period by the five ways of reading it, off RK4's samples and off the exact
+/// motion's.
 fn five_periods(_: &Study) -> Figure {
     let axes = |samples| {
         let error = Axis::log(format!("error of the period (s), {samples}")).range(1e-16, 1.0);
@@ -123,7 +127,8 @@ fn five_periods(_: &Study) -> Figure {
             chart.series(reading, Style::colourless(i), line)
         })
     };
-    // What RK4 makes of the period is known: a term in h⁴, and one in h⁵ from the energy lost on the way.
+    // What RK4 makes of the period is known: a term in h⁴, and one in h⁵ from the energy lost on
+    // the way.
     let own = (0..=60).map(|k| 2e-4 * libm::exp10(f64::from(k) / 30.0));
     let own = own.map(|h| {
         let terms = theory::rk4::period_error_terms(&Pendulum::PAPER, large_angle::THETA_0, h);
@@ -136,12 +141,12 @@ fn five_periods(_: &Study) -> Figure {
         .slope(5.0, (0.1, 1e-6), 4e-3, "slope 5");
     Figure::new(
         "Five readings of one period",
-        "Two charts of the error of the period against the step, on logarithmic axes, with a line for \
-         each of five readings. In both, the highest sample falls with slope 1, and parabola and \
-         straight line with slope 3 at small steps. Above, where RK4 made the samples, Hermite's cubic \
-         and Hénon's step lie on the one line that theory predicts for RK4, with a dip near two \
-         thousandths of a second; below, off the exact motion, each falls with slope 5 until rounding \
-         holds it up.",
+        "Two charts of the error of the period against the step, on logarithmic axes, with a line \
+         for each of five readings. In both, the highest sample falls with slope 1, and parabola \
+         and straight line with slope 3 at small steps. Above, where RK4 made the samples, \
+         Hermite's cubic and Hénon's step lie on the one line that theory predicts for RK4, with a \
+         dip near two thousandths of a second; below, off the exact motion, each falls with slope \
+         5 until rounding holds it up.",
     )
     .panel(draw(rk4, &readings::of_rk4()))
     .panel(draw(exact, &readings::of_the_exact_motion()))
@@ -179,17 +184,19 @@ fn standard_map(_: &Study) -> Figure {
         "Symplectic Euler as the standard map",
         "Three phase portraits of dots, angle across and turn a step upwards. At K = 0.5 the dots \
          lie on closed curves around the middle and on curves that cross the picture from left to \
-         right, above and below. At K = 0.97 there are chains of islands, and a cloud of dots around \
-         the middle, held in by one last curve above and its mirror image below. At K = 1.2 there is \
-         no such curve: dots of orbits that have escaped fill all but some islands evenly.",
+         right, above and below. At K = 0.97 there are chains of islands, and a cloud of dots \
+         around the middle, held in by one last curve above and its mirror image below. At K = 1.2 \
+         there is no such curve: dots of orbits that have escaped fill all but some islands \
+         evenly.",
     );
     standard_map::PARAMETERS.into_iter().fold(figure, |figure, k| figure.panel(portrait(k)))
 }
 
-/// The walk of the modified energy by rounding: the walks themselves, and how far they move in n steps.
+/// The walk of the modified energy by rounding: the walks themselves, and how far they move in n
+/// steps.
 fn rounding_walk(_: &Study) -> Figure {
-    /// A step rounds θ and ω each by ε/√48 to ε/√12 of itself, once or twice, and the energy answers by as much again: 0.3 to
-    /// 0.6 ε (tests/long_time.rs).
+    /// A step rounds θ and ω each by ε/√48 to ε/√12 of itself, once or twice, and the energy
+    /// answers by as much again: 0.3 to 0.6 ε (tests/long_time.rs).
     const SIZE: f64 = 0.5;
     /// One of so many samples is drawn: they wander, and do not tremble.
     const DRAWN: usize = 50;
@@ -234,10 +241,10 @@ fn rounding_walk(_: &Study) -> Figure {
         .slope(1.0, (first, walk_of(first)), 3e5, "∝ n");
     Figure::new(
         "Rounding walks at random",
-        "Above, the relative error of Störmer–Verlet's modified energy over ten million steps: eight \
-         jagged lines wander from zero to either side, about as far as a parabola lying on its side. \
-         Below, on logarithmic axes, how far they move in n steps: markers on a line of slope one \
-         half, far below a guide of slope one.",
+        "Above, the relative error of Störmer–Verlet's modified energy over ten million steps: \
+         eight jagged lines wander from zero to either side, about as far as a parabola lying on \
+         its side. Below, on logarithmic axes, how far they move in n steps: markers on a line of \
+         slope one half, far below a guide of slope one.",
     )
     .panel(wander)
     .panel(moved)

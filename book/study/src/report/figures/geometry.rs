@@ -1,4 +1,5 @@
-//! What a method does in phase space: its step taken apart, the area that it carries, the curve that it follows.
+//! What a method does in phase space: its step taken apart, the area that it carries, the curve
+//! that it follows.
 
 use pendula::exact::Motion;
 use pendula::methods::{ForwardEuler, Rk4, StormerVerlet, SymplecticEuler};
@@ -13,40 +14,41 @@ use crate::experiments::{MethodRef, Study, in_paper, level_curves};
 pub(super) const FIGURES: &[Drawing] = &[
     Drawing {
         name: "stencil_forward_euler",
-        caption: "One step of forward Euler in phase space. The arrow is tangent to the orbit, and so it leaves it to \
-                  the outside.",
+        caption: "One step of forward Euler in phase space. The arrow is tangent to the orbit, and \
+                  so it leaves it to the outside.",
         draw: stencil_forward_euler,
     },
     Drawing {
         name: "stencil_symplectic_euler",
-        caption: "One step of symplectic Euler, from the same point as forward Euler's. The kick leaves the angle \
-                  alone, the drift the velocity.",
+        caption: "One step of symplectic Euler, from the same point as forward Euler's. The kick \
+                  leaves the angle alone, the drift the velocity.",
         draw: stencil_symplectic_euler,
     },
     Drawing {
         name: "stencil_stormer_verlet",
-        caption: "One step of Störmer–Verlet, from the same point as symplectic Euler's. With half of the kick at \
-                  either end it lands far closer to the truth.",
+        caption: "One step of Störmer–Verlet, from the same point as symplectic Euler's. With half \
+                  of the kick at either end it lands far closer to the truth.",
         draw: stencil_stormer_verlet,
     },
     Drawing {
         name: "stencil_rk4",
-        caption: "One step of RK4, from the same point as forward Euler's, and longer, as its error could not be seen \
-                  otherwise. Each slope is an arrow a quarter of a step long, where it is looked at; the dotted lines \
-                  lead there.",
+        caption: "One step of RK4, from the same point as forward Euler's, and longer, as its \
+                  error could not be seen otherwise. Each slope is an arrow a quarter of a step \
+                  long, where it is looked at; the dotted lines lead there.",
         draw: stencil_rk4,
     },
     Drawing {
         name: "area",
-        caption: "A square of initial conditions carried round the bottom by each method. RK4 takes steps four times as \
-                  long, as each costs it four force evaluations. None keeps the shape, and not even the truth does; the \
-                  two symplectic methods keep the area, and so does the truth.",
+        caption: "A square of initial conditions carried round the bottom by each method. RK4 \
+                  takes steps four times as long, as each costs it four force evaluations. None \
+                  keeps the shape, and not even the truth does; the two symplectic methods keep \
+                  the area, and so does the truth.",
         draw: area_carried,
     },
     Drawing {
         name: "level_curves",
-        caption: "Large steps of the two symplectic methods. Their points leave the true orbit at once, and stay on \
-                  the level curve of their own energy.",
+        caption: "Large steps of the two symplectic methods. Their points leave the true orbit at \
+                  once, and stay on the level curve of their own energy.",
         draw: level_curves,
     },
 ];
@@ -73,11 +75,12 @@ fn truth(start: Phase, duration: f64) -> impl Iterator<Item = (f64, f64)> {
     (0..=POINTS).map(move |n| point(motion.at(time(n))))
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 // One step taken apart
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 
-/// On the way down to the bottom: neither the velocity nor the force is zero, or as large as it gets.
+/// On the way down to the bottom: neither the velocity nor the force is zero, or as large as it
+/// gets.
 const START: Phase = Phase { theta: -1.2, omega: 1.0 };
 /// A sixth of a period (s), in which one sees where each part of the step goes.
 const STEP: f64 = 0.35;
@@ -134,9 +137,9 @@ fn stencil_forward_euler(_: &Study) -> Figure {
     }
     Figure::new(
         "One step of forward Euler",
-        "The upper half of a swing's orbit in phase space, an arch. From a point on its left flank a straight \
-         arrow, tangent to the arch, ends far above it, where the true motion over the same time stays on the \
-         arch.",
+        "The upper half of a swing's orbit in phase space, an arch. From a point on its left flank \
+         a straight arrow, tangent to the arch, ends far above it, where the true motion over the \
+         same time stays on the arch.",
     )
     .panel(chart)
 }
@@ -147,9 +150,9 @@ fn stencil_symplectic_euler(_: &Study) -> Figure {
     let chart = over_the_orbit(method, STEP, stencil.end);
     Figure::new(
         "One step of symplectic Euler",
-        "The upper half of a swing's orbit in phase space, an arch. From a point on its left flank a vertical \
-         arrow, the kick, leads far above the arch; from its tip a horizontal arrow, the drift, leads to the \
-         right.",
+        "The upper half of a swing's orbit in phase space, an arch. From a point on its left flank \
+         a vertical arrow, the kick, leads far above the arch; from its tip a horizontal arrow, \
+         the drift, leads to the right.",
     )
     .panel(with_parts(chart, method, &stencil.parts))
 }
@@ -160,9 +163,10 @@ fn stencil_stormer_verlet(_: &Study) -> Figure {
     let chart = over_the_orbit(method, STEP, stencil.end);
     Figure::new(
         "One step of Störmer–Verlet",
-        "The upper half of a swing's orbit in phase space, an arch. From a point on its left flank a vertical \
-         arrow, half a kick; from its tip a horizontal one, the drift; from there a vertical one, the other \
-         half kick, which ends close to the arch and to where the true motion is.",
+        "The upper half of a swing's orbit in phase space, an arch. From a point on its left flank \
+         a vertical arrow, half a kick; from its tip a horizontal one, the drift; from there a \
+         vertical one, the other half kick, which ends close to the arch and to where the true \
+         motion is.",
     )
     .panel(with_parts(chart, method, &stencil.parts))
 }
@@ -182,22 +186,24 @@ fn stencil_rk4(_: &Study) -> Figure {
     }
     Figure::new(
         "One step of RK4",
-        "The upper half of a swing's orbit in phase space, an arch. Four arrows: the first at a point on its \
-         left flank, along the arch; the others at the ends of dotted lines from there, the second outside \
-         the arch, half a step along the first; the third just inside it, half a step along the second; the \
-         fourth further on, a whole step along the third, and turned downwards. The end of the step lies just \
-         inside the arch, close to where the true motion is.",
+        "The upper half of a swing's orbit in phase space, an arch. Four arrows: the first at a \
+         point on its left flank, along the arch; the others at the ends of dotted lines from \
+         there, the second outside the arch, half a step along the first; the third just inside \
+         it, half a step along the second; the fourth further on, a whole step along the third, \
+         and turned downwards. The end of the step lies just inside the arch, close to where the \
+         true motion is.",
     )
     .panel(chart)
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 // The area that a method carries
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 
 /// Released at rest, and all those around it.
 const SQUARE: Square = Square { centre: Phase { theta: 1.0, omega: 0.0 }, side: 0.5 };
-/// Points along each of its sides. With twice as many the areas are the same in all printed digits, and two more.
+/// Points along each of its sides. With twice as many the areas are the same in all printed digits,
+/// and two more.
 const SIDE: u32 = 500;
 /// It is drawn again each time RK4 has taken a step (s), about a quarter of a period long …
 const SPAN: f64 = 0.56;
@@ -220,11 +226,12 @@ fn area_carried(_: &Study) -> Figure {
         .collect();
     let mut figure = Figure::new(
         "The area that a method carries",
-        "Four charts of phase space, one a method. In each a square to the right of the middle is carried \
-         clockwise around it, and drawn three more times, together with the outline of what the true motion \
-         makes of it. With forward Euler it moves outwards and has twice its area in the end, drawn out to a \
-         long crescent. With RK4 it moves inwards and shrinks to two thirds. With symplectic Euler it lags or \
-         leads and is slanted, with Störmer–Verlet it hardly differs from the truth; both keep its area.",
+        "Four charts of phase space, one a method. In each a square to the right of the middle is \
+         carried clockwise around it, and drawn three more times, together with the outline of \
+         what the true motion makes of it. With forward Euler it moves outwards and has twice its \
+         area in the end, drawn out to a long crescent. With RK4 it moves inwards and shrinks to \
+         two thirds. With symplectic Euler it lags or leads and is slanted, with Störmer–Verlet it \
+         hardly differs from the truth; both keep its area.",
     )
     .columns(2);
     for method in METHODS.iter().copied().filter(|method| in_paper(*method)) {
@@ -250,18 +257,19 @@ fn area_carried(_: &Study) -> Figure {
     figure
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 // The curve that a method follows
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 
 fn level_curves(_: &Study) -> Figure {
     let orbit = level_curves::orbit();
     let figure = Figure::new(
         "The curve that a symplectic method follows",
-        "Two charts of phase space, each with the true orbit, an oval, and a dashed curve on which all points \
-         of the method lie. For symplectic Euler the dashed curve is a slanted oval, outside the true one at \
-         the upper right and lower left and inside it at the upper left and lower right. For Störmer–Verlet \
-         it is an upright oval, lower than the true one and as wide.",
+        "Two charts of phase space, each with the true orbit, an oval, and a dashed curve on which \
+         all points of the method lie. For symplectic Euler the dashed curve is a slanted oval, \
+         outside the true one at the upper right and lower left and inside it at the upper left \
+         and lower right. For Störmer–Verlet it is an upright oval, lower than the true one and as \
+         wide.",
     );
     level_curves::run().into_iter().fold(figure, |figure, row| {
         let level_curves::Row { method, step, curve, points } = row;

@@ -49,7 +49,8 @@ fn style(method: MethodRef) -> Style {
     Style::numbered(index.unwrap_or(0))
 }
 
-/// The rows of the methods that the paper compares: its figures stay its own, however long the list of methods grows.
+/// The rows of the methods that the paper compares: its figures stay its own, however long the list
+/// of methods grows.
 fn of_the_paper<R>(rows: &[R], method: fn(&R) -> MethodRef) -> impl Iterator<Item = &R> {
     rows.iter().filter(move |row| in_paper(method(row)))
 }

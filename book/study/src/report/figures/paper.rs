@@ -17,8 +17,8 @@ pub(super) const FIGURES: &[Drawing] = &[
     },
     Drawing {
         name: "figure_3",
-        caption: "The paper's Figure 3, with RK4 added below. Level lines are bounded errors; rising \
-                  ones add up.",
+        caption: "The paper's Figure 3, with RK4 added below. Level lines are bounded errors; \
+                  rising ones add up.",
         draw: figure_3,
     },
     Drawing {
@@ -77,8 +77,8 @@ fn figure_3(study: &Study) -> Figure {
     }
     Figure::new(
         "Energy over a thousand seconds",
-        "Above, on a linear scale, forward Euler's energy climbs to nearly 500 joules while those of \
-         symplectic Euler and Störmer–Verlet cannot be told from zero. Below, on a logarithmic \
+        "Above, on a linear scale, forward Euler's energy climbs to nearly 500 joules while those \
+         of symplectic Euler and Störmer–Verlet cannot be told from zero. Below, on a logarithmic \
          scale, the largest error so far: level for the two symplectic methods, rising for forward \
          Euler, and rising for RK4 too, but two orders of magnitude below Störmer–Verlet.",
     )
@@ -141,9 +141,9 @@ fn figure_5(_: &Study) -> Figure {
     }
     Figure::new(
         "Three orbits in phase space",
-        "Three closed curves around the origin, one inside the other, for releases from 0.5, 1.5 and \
-         2.5 radians, all inside the eye of the separatrix. The smallest is nearly an ellipse; the \
-         largest is pointed at its left and right ends, where the pendulum lingers.",
+        "Three closed curves around the origin, one inside the other, for releases from 0.5, 1.5 \
+         and 2.5 radians, all inside the eye of the separatrix. The smallest is nearly an ellipse; \
+         the largest is pointed at its left and right ends, where the pendulum lingers.",
     )
     .panel(chart)
 }
@@ -160,9 +160,9 @@ fn figure_6(study: &Study) -> Figure {
     .series(title(rk4), style(rk4).line_only().solid(), large_angle::waveform());
     Figure::new(
         "The waveform at 3 radians",
-        "The angle against time for fifteen seconds: broad, flat crests and troughs joined by steep \
-         flanks, nothing like a cosine. A dashed line at the exact period, 5.158 seconds, passes \
-         through the middle of the second crest.",
+        "The angle against time for fifteen seconds: broad, flat crests and troughs joined by \
+         steep flanks, nothing like a cosine. A dashed line at the exact period, 5.158 seconds, \
+         passes through the middle of the second crest.",
     )
     .panel(chart)
 }
@@ -183,8 +183,8 @@ fn figure_7(study: &Study) -> Figure {
     }
     Figure::new(
         "Error against work",
-        "Two charts over the number of force evaluations, both axes logarithmic. Above, against the \
-         small-angle formula, RK4 and Störmer–Verlet run into a floor at a ten-thousandth of a \
+        "Two charts over the number of force evaluations, both axes logarithmic. Above, against \
+         the small-angle formula, RK4 and Störmer–Verlet run into a floor at a ten-thousandth of a \
          radian. Below, against the exact solution, all four methods are straight lines and RK4 is \
          far ahead.",
     )

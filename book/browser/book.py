@@ -1,0 +1,41 @@
+"""The built book on disk: its pages, its chapters, and the program that built it."""
+
+import re
+from pathlib import Path
+from urllib.parse import unquote, urlsplit
+
+
+class NoBook(Exception):
+    """There is no built book where one was asked for."""
+
+
+class Book:
+    """The pages of a built book; of a part of it, if `only` names its chapters."""
+
+    def __init__(self, folder: Path, only: list[str] | None = None):
+        self.folder = folder.resolve()
+        if not (self.folder / "toc.html").is_file():
+            raise NoBook(f"{folder}: no built book here; cargo run --release builds it")
+        # Cargo puts the program beside the book, in target/release and target/book.
+        self.program = self.folder.parent / "release/pendula"
+        if not self.program.is_file():
+            raise NoBook(f"{self.program}: not built; cargo build --release builds it")
+        self.pages = sorted(str(p.relative_to(self.folder)) for p in self.folder.rglob("*.html"))
+        links = re.findall(r'<a href="([^"#]+\.html)"', self.text("toc.html"))
+        # In reading order, each once. The first chapter is index.html too.
+        self.chapters = list(dict.fromkeys(links))
+        if only:
+            self.chapters = [page for page in self.chapters if page in only]
+            self.pages = self.chapters
+
+    def text(self, page: str) -> str:
+        return (self.folder / page).read_text()
+
+    def url(self, page: str) -> str:
+        return (self.folder / page).as_uri()
+
+    def page(self, url: str) -> str:
+        """The page at an address, as a path in the book."""
+        path = Path(unquote(urlsplit(url).path))
+        inside = path.is_relative_to(self.folder)
+        return str(path.relative_to(self.folder)) if inside else str(path)

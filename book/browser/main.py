@@ -1,0 +1,65 @@
+"""The command line of the checks; `check` installs what they need and starts this."""
+
+import argparse
+import sys
+import time
+from pathlib import Path
+
+import lab
+import pages
+import pictures
+import reader
+import spoilt
+from book import Book, NoBook
+from browser import Browser
+
+CHECKS = [pages.every_page, pages.paper, *reader.CHECKS, *lab.CHECKS]
+
+
+def check(folder: Path) -> bool:
+    """Runs every check; whether the book passes."""
+    started, found = time.monotonic(), 0
+    book = Book(folder)
+    with Browser() as browser:
+        for one in CHECKS:
+            findings = browser.findings(one, book)
+            found += len(findings)
+            for finding in findings:
+                print(finding, flush=True)
+    seconds = time.monotonic() - started
+    done = f"{len(book.pages)} pages, {len(CHECKS)} checks, {seconds:.0f} s"
+    print(f"{done}: {found or 'no'} findings")
+    return found == 0
+
+
+def main() -> int:
+    usual = Path(__file__).resolve().parents[2] / "target/book"
+    arguments = argparse.ArgumentParser(
+        prog="check", description="Checks the built book in Chromium: 0 if all is well, 1 if not."
+    )
+    arguments.add_argument(
+        "folder", nargs="?", type=Path, default=usual, help="the built book (target/book)"
+    )
+    instead = arguments.add_mutually_exclusive_group()
+    instead.add_argument(
+        "--self-test", action="store_true", help="spoil a copy, and see that it is noticed"
+    )
+    instead.add_argument(
+        "--pictures", metavar="DIR", type=Path, help="save pictures of the chapters and the lab"
+    )
+    given = arguments.parse_args()
+    try:
+        if given.self_test:
+            passed = spoilt.self_test(given.folder, CHECKS)
+        elif given.pictures:
+            passed = pictures.save(given.folder, given.pictures)
+        else:
+            passed = check(given.folder)
+    except NoBook as missing:
+        print(f"check: {missing}", file=sys.stderr)
+        return 2
+    return 0 if passed else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,90 @@
+"""Every page as it stands on the screen, and the print page on paper."""
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import axe
+from book import Book
+from browser import DESK, SHEET, TELEPHONE, Tab
+
+PROBE = (Path(__file__).parent / "page.js").read_text()
+# The least height of a figure's letters, in CSS pixels: on a telephone 350 of the 400 px are left
+# to a figure 600 units wide, whose letters are 17. Raised and lowered letters are 0.72 of that.
+LETTER, INDEX = 9.5, 6.5
+# WCAG 2.2, 1.4.3: the contrast of text, level AA.
+CONTRAST = 4.5
+
+
+def probe(tab: Tab, **asked) -> dict:
+    """What page.js sees on the screen: findings, the title and the last words."""
+    return tab.run(PROBE, {"letter": LETTER, "index": INDEX, "contrast": CONTRAST, **asked})
+
+
+def look(tab: Tab) -> dict:
+    """What is wrong with the page on the screen, and its title and last words."""
+    # axe leaves out the colours of the print page, and its listings are those of the chapters.
+    printed = tab.here() == "print.html"
+    width = tab.page.viewport_size["width"]
+    seen = probe(tab, colours=printed, listings=width == DESK and not printed)
+    seen["findings"] += axe.findings(tab) + tab.complaints()
+    return seen
+
+
+def at_both_widths(tab: Tab, page: str) -> Iterator[str]:
+    """What is wrong with the page on the screen, on a telephone in navy and a desk in light."""
+    for width, theme in [(TELEPHONE, "navy"), (DESK, "light")]:
+        tab.screen(width)
+        tab.theme(theme)
+        for finding in look(tab)["findings"]:
+            yield f"{page}, {width} px, {theme}: {finding}"
+
+
+def every_page(tab: Tab, book: Book) -> Iterator[str]:
+    """Every page: chapter after chapter with the right arrow key, as a reader would, and the rest
+    by name. Then the chapters back with the left one."""
+
+    def turn(key: str, page: str) -> Iterator[str]:
+        # index.html is the first chapter too.
+        names = {page, "index.html"} if page == book.chapters[0] else {page}
+        tab.press(key)
+        if not tab.arrives(lambda there: there in names):
+            yield f"{page}: {key} does not lead here"
+            tab.open(page)
+
+    for page in book.chapters + [page for page in book.pages if page not in book.chapters]:
+        if page in book.chapters[1:]:
+            yield from turn("ArrowRight", page)
+        else:
+            tab.open(page)
+        yield from at_both_widths(tab, page)
+    back = [page for page in book.chapters if not page.startswith("tests/")][::-1]
+    tab.open(back[0])
+    for page in back[1:]:
+        yield from turn("ArrowLeft", page)
+
+
+def paper(tab: Tab, book: Book) -> Iterator[str]:
+    """The print page, out of a dark theme: every chapter from its title to its last words, nothing
+    folded, nothing beyond the edge of the sheet, and ink that shows."""
+    ends = {}
+    for page in book.chapters:
+        tab.open(page)
+        seen = probe(tab)
+        ends[page] = seen["title"], seen["last"]
+    tab.complaints()
+
+    tab.screen(SHEET)
+    tab.page.emulate_media(media="print")
+    tab.open("print.html")
+    tab.theme("navy")
+    findings = probe(tab, paper=True, colours=True)["findings"] + tab.complaints()
+    titles = tab.run("[...document.querySelectorAll('main h1')].map(h => h.textContent.trim())")
+    solutions = "[...document.querySelectorAll('main details > :last-child')]"
+    if not tab.run(solutions + ".every(last => last.checkVisibility())"):
+        findings.append("a solution is folded away")
+    text = tab.run("document.querySelector('main').textContent.replace(/\\s+/g, ' ')")
+    for page, (title, last) in ends.items():
+        findings += [f"lacks {page}: {title}"] if title not in titles else []
+        findings += [f"lacks the end of {page}: {last}"] if last not in text else []
+    for finding in findings:
+        yield f"print.html, on paper: {finding}"

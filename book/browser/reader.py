@@ -1,0 +1,179 @@
+"""What a reader does with the book: searches, opens the contents, chooses a theme, uses the
+keyboard, switches scripts off."""
+
+from collections.abc import Iterator
+
+from book import Book
+from browser import TELEPHONE, Tab
+from pages import look, probe
+
+# A method's chapter: formulas, a listing, tables, a figure and an exercise.
+CHAPTER = "forward-euler.html"
+THEMES = ["light", "rust", "coal", "navy", "ayu"]
+
+
+def search(tab: Tab, book: Book) -> Iterator[str]:
+    """Search for a word of the book: it finds pages, says which, and Enter opens the first."""
+    tab.open("index.html")
+    tab.press("/")
+    if not tab.comes("document.activeElement.id === 'mdbook-searchbar'"):
+        yield "search: the key / does not lead to it"
+        return
+    tab.page.keyboard.type("separatrix")
+    if not tab.comes("document.querySelectorAll('#mdbook-searchresults a').length > 1"):
+        yield "search: 'separatrix' finds nothing"
+        return
+    tab.press("Enter")
+    if not tab.arrives(lambda page: page != "index.html"):
+        yield "search: Enter opens no result"
+        return
+    words = tab.run("document.querySelector('main').textContent.toLowerCase()")
+    if "separatrix" not in words:
+        yield f"search: {tab.here()} does not have the word"
+
+
+def contents(tab: Tab, book: Book) -> Iterator[str]:
+    """The sidebar: each chapter in order, the present one marked; a click opens another; on a
+    telephone on request."""
+    tab.open(CHAPTER)
+    listed = tab.run("[...document.querySelectorAll('#mdbook-sidebar a[href]')].map(a => a.href)")
+    links = [book.page(url) for url in listed if "#" not in url]
+    if links != book.chapters:
+        yield f"contents: {len(links)} links, not the {len(book.chapters)} chapters in order"
+    marked = "document.querySelector('#mdbook-sidebar a.active')"
+    if not tab.run(f"{marked}?.href === location.href"):
+        yield "contents: the present chapter is not marked"
+    shown = f"""(a => a && a.checkVisibility({{visibilityProperty: true}})
+        && a.getBoundingClientRect().right > 20)({marked})"""
+    if not tab.run(shown):
+        yield "contents: not shown beside the page"
+    tab.screen(TELEPHONE)
+    tab.open(CHAPTER)
+    if tab.run(shown):
+        yield "contents: they cover a telephone's page"
+    tab.run("document.querySelector('#mdbook-sidebar-toggle').click()")
+    if not tab.comes(shown):
+        yield "contents: do not come on a telephone"
+    tab.run("document.querySelector('#mdbook-sidebar a[href$=\"order.html\"]')?.click()")
+    if not tab.arrives(lambda page: page == "order.html"):
+        yield "contents: a click does not open a chapter"
+
+
+def themes(tab: Tab, book: Book) -> Iterator[str]:
+    """Each theme, chosen as a reader does: it comes, stays on the next page, differs from the
+    others, and its text and figures can be read."""
+    tab.open(CHAPTER)
+    grounds = {}
+    for theme in THEMES:
+        tab.run("document.querySelector('#mdbook-theme-toggle').click()")
+        tab.theme(theme)
+        tab.open(CHAPTER)
+        if not tab.run(f"document.documentElement.classList.contains('{theme}')"):
+            yield f"theme {theme}: does not come, or does not stay"
+            continue
+        ground = tab.run("getComputedStyle(document.documentElement).backgroundColor")
+        if ground in grounds:
+            yield f"theme {theme}: has the ground of {grounds[ground]}, {ground}"
+        grounds[ground] = theme
+        for finding in look(tab)["findings"]:
+            yield f"theme {theme}, {CHAPTER}: {finding}"
+
+
+# What has the focus, and whether it (or the label that stands for it) looks otherwise than without.
+FOCUS = """() => {
+    const at = document.activeElement;
+    if (!at || at === document.body) return null;
+    const face = at.labels?.[0] ?? at;
+    const looks = () => {
+        for (const animation of document.getAnimations()) animation.finish();
+        const style = getComputedStyle(face);
+        const outlined = style.outlineStyle !== 'none' && parseFloat(style.outlineWidth) > 0;
+        const outline = outlined && style.outlineColor;
+        return [outline, style.boxShadow, style.borderColor, style.backgroundColor].join();
+    };
+    const focused = looks();
+    at.blur();
+    const visible = focused !== looks();
+    at.focus({preventScroll: true, focusVisible: true});
+    const box = face.getBoundingClientRect();
+    window.reached ??= new Map();
+    if (!reached.has(at)) reached.set(at, reached.size);
+    return {
+        name: face.id || face.title || face.textContent.trim().slice(0, 40) || face.localName,
+        kind: at.localName,
+        visible,
+        shown: box.width > 0 && box.height > 0 && box.right > 0,
+        number: reached.get(at),
+    };
+}"""
+# What the space bar works, and what is true of the page once it has.
+TOGGLES = {
+    "mdbook-sidebar-toggle-anchor":
+        "document.documentElement.classList.contains('sidebar-visible')",
+    "mdbook-theme-toggle": "document.getElementById('mdbook-theme-list').style.display === 'block'",
+    "mdbook-search-toggle":
+        "!document.getElementById('mdbook-search-wrapper').classList.contains('hidden')",
+}
+
+
+def keyboard(tab: Tab, book: Book) -> Iterator[str]:
+    """Without a mouse: Tab reaches contents, theme and search, the focus can be seen wherever it
+    goes, Enter opens what is folded, the space bar works the buttons."""
+    tab.open(CHAPTER)
+    folded = tab.run("document.querySelectorAll('main details').length")
+    if not folded:
+        yield f"keyboard: {CHAPTER} has nothing folded to try"
+    reached, opened = [], 0
+    while True:
+        tab.press("Tab")
+        at = tab.run(FOCUS)
+        # Once round.
+        if at is None or at["number"] < len(reached):
+            break
+        reached.append(at["name"])
+        if not at["shown"]:
+            yield f"keyboard: the focus is nowhere on the screen, {at['name']}"
+        elif not at["visible"]:
+            yield f"keyboard: the focus cannot be seen, {at['kind']} {at['name']}"
+        if at["kind"] == "summary":
+            tab.press("Enter")
+            opened += tab.run("document.activeElement.parentElement.open")
+    for wanted in ["mdbook-sidebar-toggle", "mdbook-theme-toggle", "mdbook-search-toggle"]:
+        if wanted not in reached:
+            yield f"keyboard: Tab does not reach {wanted}"
+    if opened < folded:
+        yield f"keyboard: Enter opens {opened} of {folded} folded parts"
+    for toggle, sign in TOGGLES.items():
+        was = tab.run(sign)
+        tab.run(f"document.getElementById('{toggle}').focus()")
+        tab.press("Space")
+        if not tab.comes(f"({sign}) !== {'true' if was else 'false'}"):
+            yield f"keyboard: the space bar does nothing on {toggle}"
+        tab.press("Escape")
+
+
+# Folded parts apart, all that is read has a place on the screen.
+READABLE = """[...document.querySelectorAll('main p, main figure, main h1')].every(e =>
+    e.closest('details') || e.getBoundingClientRect().height > 0
+    && e.checkVisibility({visibilityProperty: true, opacityProperty: true}))"""
+# The contents come in a frame.
+FRAME = "document.querySelector('#mdbook-sidebar iframe')?.getBoundingClientRect().height > 100"
+
+
+def scriptless(tab: Tab, book: Book) -> Iterator[str]:
+    """Scripts off: the page, its figures and formulas are there, with the contents and the way
+    on. axe is a script, so all colours are measured by ours."""
+    with tab.without_scripts() as tab:
+        for page in [CHAPTER, "index.html", book.chapters[-1]]:
+            tab.open(page)
+            for finding in probe(tab, colours=True)["findings"] + tab.complaints():
+                yield f"{page}, no scripts: {finding}"
+            if not tab.run(READABLE):
+                yield f"{page}, no scripts: text is hidden"
+            if not tab.run(FRAME):
+                yield f"{page}, no scripts: no contents"
+            if not tab.run("!!document.querySelector('a[rel~=\"next\"], a[rel~=\"prev\"]')"):
+                yield f"{page}, no scripts: no way on"
+
+
+CHECKS = [search, contents, themes, keyboard, scriptless]
