@@ -1,8 +1,8 @@
 #!/bin/sh
 # Instructions a step, counted by callgrind: the same on a busy machine as on an idle one.
 #
-# Each kernel runs twice, and the longer run less the shorter one, over the steps between them, leaves out what it takes
-# to start.
+# Each kernel runs twice, and the longer run less the shorter one, over the steps between them,
+# leaves out what it takes to start.
 set -eu
 cd "$(dirname "$0")/.."
 

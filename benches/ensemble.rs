@@ -1,8 +1,8 @@
-//! What a step costs in an ensemble: ten thousand pendulums one after the other, and in lanes of
+//! The cost of a step in an ensemble: ten thousand pendulums one after the other, and in lanes of
 //! vector instructions.
 //!
-//! Only ratios within a group mean anything. Instructions that the processor lacks give way to the
-//! baseline, and show its time.
+//! Only ratios within a group are meaningful. Where the processor lacks the instructions, the
+//! baseline runs, and its time is shown.
 
 mod common;
 
@@ -18,8 +18,8 @@ const PENDULUMS: u32 = 10_000;
 const STEPS: u64 = 300;
 const STEP: f64 = 0.01;
 
-/// Starts all over θ from −3 to 3 rad and ω from −5 to 5 rad/s, neighbours far apart, so that no
-/// branch can be foretold: the multiples of 1/φ and of √2 fill the unit interval evenly.
+/// Starts spread over θ from −3 to 3 rad and ω from −5 to 5 rad/s, successive ones far apart, so
+/// that no branch can be predicted: the multiples of 1/φ and of √2 fill the unit interval evenly.
 fn starts() -> Vec<Phase> {
     let spread = |j: u32, irrational: f64| 2.0 * (f64::from(j) * irrational).fract() - 1.0;
     (0..PENDULUMS)

@@ -1,8 +1,8 @@
-//! One kernel alone, for a tool that counts instructions: their number does not depend on what else
-//! the machine does.
+//! One kernel alone, for a tool that counts instructions: their number does not depend on the load
+//! of the machine.
 //!
-//! `count <kernel> <steps>` runs a kernel, anything else lists them. `benches/callgrind.sh` makes
-//! the table of it.
+//! `count <kernel> <steps>` runs a kernel, anything else lists them. `benches/callgrind.sh` makes a
+//! table from it.
 
 mod common;
 
@@ -32,7 +32,7 @@ macro_rules! every_method {
 }
 pendula::for_each_method!(every_method);
 
-/// Runs `method/loop` for so many steps, if there is such a kernel.
+/// Runs the kernel `method/loop` for `steps` steps, if there is one.
 fn count(kernel: &str, steps: u64) -> Option<Phase> {
     let (name, which) = kernel.split_once('/')?;
     match which {

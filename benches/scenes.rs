@@ -1,8 +1,8 @@
-//! What each scene costs, and what is skipped in it, beside the naive loop: `cargo bench --bench
+//! The cost of each scene and the work it skips, compared with the naive loop: `cargo bench --bench
 //! scenes`.
 //!
 //! Prints the table of the book's chapter on work against error. Every number is a median of one
-//! run, and only the ratios in it mean anything: the machine has other things to do.
+//! run, and only the ratios in it are meaningful: the machine may be busy otherwise.
 
 mod common;
 #[path = "common/machine.rs"]
@@ -21,7 +21,7 @@ use pendula::{Grid, LinearOscillator, Motion, Pendulum, Phase, integrate, integr
 const STEPS: u64 = 10_000;
 const STEP: f64 = 0.01;
 
-/// The median of many runs of `scene`, in ns for each of `count` things done.
+/// The median of many runs of `scene`, in ns per item, of `count` items.
 fn median(count: usize, mut scene: impl FnMut() -> f64) -> f64 {
     let times = (0..25).map(|_| machine::seconds(&mut scene)).collect();
     machine::median(times) * 1e9 / count as f64

@@ -1,19 +1,19 @@
-//! Points and the library's sines of them, for `benches/sine_error.py` to judge:
+//! Points and the library's sines of them, for `benches/sine_error.py` to check:
 //!
 //! ```text
 //! cargo bench -q --bench sine | python3 benches/sine_error.py
 //! ```
 //!
-//! Each line has the name of a range, x, sin x, cos x and the sine of the force, which takes a
-//! shorter way. A million points a range.
+//! Each line has the name of a range, x, sin x, cos x and the sine of the force, which is computed
+//! by a faster function. A million points a range.
 
 use std::io::{self, BufWriter, Write};
 
 use pendula::arithmetic::sine::{cos, sin};
 use pendula::{Pendulum, Phase, Separable};
 
-/// Names, and the sizes between which the points lie (rad); the last is what our own reduction is
-/// for.
+/// Names, and the sizes between which the points lie (rad); the last ends at the limit of the
+/// library's own reduction.
 const RANGES: [(&str, f64, f64); 5] = [
     ("below-a-quarter-turn", 1e-3, 0.785),
     ("a-turn", 0.785, 6.284),
@@ -23,7 +23,7 @@ const RANGES: [(&str, f64, f64); 5] = [
 ];
 
 fn main() -> io::Result<()> {
-    // `cargo bench` says so; anything else wants to see that it works.
+    // `cargo bench` passes `--bench`; any other run only checks that the program works.
     let points =
         if std::env::args().any(|argument| argument == "--bench") { 1_000_000 } else { 10 };
     // With g/L = 1 the force is −sin θ.

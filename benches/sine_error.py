@@ -1,4 +1,5 @@
-"""How far the library's sines are from the truth, in units of the last place: reads what `cargo bench --bench sine` prints.
+"""How far the library's sines are from the truth, in units of the last place: reads what `cargo
+bench --bench sine` prints.
 
 Needs gmpy2, which is MPFR (pip install gmpy2). The truth has 140 bits.
 """
@@ -16,7 +17,8 @@ def number(bits):
 
 
 def error(value, truth):
-    # The unit of the truth's own binade, with a significand of 53 bits: 2^(e - 53) for 2^(e-1) <= |truth| < 2^e.
+    # The unit of the truth's own binade, with a significand of 53 bits: 2^(e - 53) for 2^(e-1) <=
+    # |truth| < 2^e.
     return abs(gmpy2.mul_2exp(value - truth, 53 - gmpy2.get_exp(truth)))
 
 
@@ -32,4 +34,7 @@ for line in sys.stdin:
 
 print(f"{'range':22}{'points':>9}{'sin':>8}{'cos':>8}{'force':>8}   ulp, and the worst x of each")
 for name, (points, *errors) in worst.items():
-    print(f"{name:22}{points:9}" + "".join(f"{e:8.3f}" for e, _ in errors), *(repr(x) for _, x in errors))
+    print(
+        f"{name:22}{points:9}" + "".join(f"{e:8.3f}" for e, _ in errors),
+        *(repr(x) for _, x in errors),
+    )

@@ -1,7 +1,7 @@
-//! What a step costs: each method beside the loop that anyone would write first, in one group and
-//! one run; and what it costs to look.
+//! The cost of a step: each method compared with the naive loop, in one group and one run; and the
+//! cost of observers.
 //!
-//! Only ratios within a group mean anything; the machine has other things to do.
+//! Only ratios within a group are meaningful; the machine may be busy otherwise.
 
 mod common;
 
@@ -44,7 +44,7 @@ where
     });
 }
 
-/// What it costs to watch: nothing, every state, the energy.
+/// The cost of observing nothing, every state, or the energy.
 fn watched<M>(group: &mut BenchmarkGroup<WallTime>, method: M, start: Phase)
 where
     M: Info + Method<Pendulum> + Method<ScaledPendulum>,

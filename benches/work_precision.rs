@@ -1,17 +1,17 @@
-//! Run time against error: what a digit costs with each method.
+//! Run time against error: the cost of a digit with each method.
 //!
 //! The error is max(|Δθ|, |Δω|/ω₀) at the end, against the closed form. A run of T seconds takes T
-//! · 2ᵏ steps, so that the step is a power of two and the end is where the exact state is asked
-//! for: a rounded step alone costs 3e-13 at 1000 s.
+//! · 2ᵏ steps, so that the step is a power of two and the run ends exactly at the time of the exact
+//! state: a rounded step alone costs 3e-13 at 1000 s.
 //!
 //! # Which steps count
-//! A lucky step, at which the error just crosses zero, must not count, and the next finer one tells
-//! ([`is_asymptotic`]); nor does an error of more than a radian. Where an error may be
+//! A step at which the error happens to cross zero must not count; the next finer step reveals it
+//! ([`is_asymptotic`]). Nor does an error of more than a radian count. Where an error may be
 //! [rounding](EndError::rounding), and is not halved by the next step, it is the last: more steps
-//! would only add roundings.
+//! would only add rounding errors.
 //!
-//! `cargo bench --bench work_precision` takes the median of nine runs; without `--bench` it is one
-//! run, to see that it works.
+//! `cargo bench --bench work_precision` takes the median of nine runs; without `--bench` there is
+//! one run, to check that the program works.
 
 #[path = "common/machine.rs"]
 mod machine;
@@ -27,13 +27,13 @@ use pendula::metrics::EndError;
 use pendula::metrics::order::{is_asymptotic, is_floor};
 use pendula::{Grid, Info, Method, Pendulum, Phase, integrate_fast, methods};
 
-/// From where (rad) and for how long (s).
+/// The release angle (rad) and the duration (s).
 const SCENES: [(f64, u32); 3] = [(1.0, 100), (3.0, 30), (1.0, 1000)];
 
-/// What the summary asks for.
+/// The errors in the summary.
 const GOALS: [f64; 3] = [1e-2, 1e-6, 1e-12];
 
-/// A way to the end: the state there after so many steps of that length (s).
+/// A program: maps a number of steps and their length (s) to the last state.
 struct Contender<'a> {
     name: String,
     order: u32,
@@ -58,13 +58,13 @@ impl Problem {
         self.error.of((contender.run)(steps, step))
     }
 
-    /// The steps that count, from the coarsest to the first that is as right as the finest goal.
+    /// The steps that count, from the coarsest to the first that reaches the finest goal.
     fn rows(&self, contender: &Contender<'_>) -> Vec<Row> {
         let mut rows = Vec::new();
         let mut next = None;
         for k in 2.. {
             let (steps, step) = (u64::from(self.duration) << k, 0.5_f64.powi(k));
-            // Low orders get nowhere with more steps; the fourth needs four million.
+            // Low orders gain little from more steps; order 4 needs four million.
             if steps > 1 << (18 + contender.order.min(4)) {
                 break;
             }
@@ -85,7 +85,7 @@ impl Problem {
     }
 }
 
-/// The loop that anyone would write first, if there is one, and the library's.
+/// The naive loop, if there is one, and the library's.
 fn compare<M>(scene: &Problem, method: M, start: Phase) -> Vec<(String, Vec<Row>)>
 where
     M: Info + Method<Pendulum> + Method<ScaledPendulum>,

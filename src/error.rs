@@ -1,8 +1,8 @@
-//! What can be wrong with a request: what was asked, why it cannot be, and what is allowed.
+//! Errors: what was asked for, why it was refused, and what is allowed.
 
 use core::fmt;
 
-/// An input that was refused.
+/// An input that was refused, or a run that could not be completed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Error {
@@ -15,7 +15,7 @@ pub enum Error {
         /// What is allowed.
         allowed: &'static str,
     },
-    /// A duration that is no whole number of steps.
+    /// A duration that is not a whole number of steps.
     PartialStep {
         /// The duration asked for (s).
         duration: f64,
@@ -28,11 +28,11 @@ pub enum Error {
         steps: f64,
     },
     /// No step, however small, meets the tolerance: the motion is singular there, or its rate is
-    /// not a number.
+    /// not finite.
     StepTooSmall {
         /// The time that was reached (s).
         t: f64,
-        /// The step that f64 can hardly tell from none at that time (s).
+        /// The step that was refused (s): a tenth of it no longer changes the time in f64.
         step: f64,
     },
     /// More attempts at a step than were allowed.
@@ -76,11 +76,10 @@ impl fmt::Display for Error {
 
 impl core::error::Error for Error {}
 
-/// 2⁵³: up to here every integer is an f64, so that the time of each step is computed without a
-/// rounded count.
+/// 2⁵³: up to here every integer is an f64, so that the count of steps is never rounded.
 pub const MAX_STEPS: u64 = 1 << 53;
 
-/// Passes a number that is finite and greater than zero.
+/// Returns `value` if it is finite and greater than zero.
 pub(crate) fn positive(name: &'static str, value: f64) -> Result<f64, Error> {
     if value.is_finite() && value > 0.0 {
         Ok(value)
@@ -89,7 +88,7 @@ pub(crate) fn positive(name: &'static str, value: f64) -> Result<f64, Error> {
     }
 }
 
-/// Passes a number that is finite.
+/// Returns `value` if it is finite.
 pub(crate) fn finite(name: &'static str, value: f64) -> Result<f64, Error> {
     if value.is_finite() {
         Ok(value)
@@ -98,7 +97,7 @@ pub(crate) fn finite(name: &'static str, value: f64) -> Result<f64, Error> {
     }
 }
 
-/// Passes a number that is zero or greater, and finite when doubled.
+/// Returns `value` if it is zero or greater, and finite when doubled.
 pub(crate) fn not_negative(name: &'static str, value: f64) -> Result<f64, Error> {
     if value >= 0.0 && (2.0 * value).is_finite() {
         Ok(value)
@@ -107,7 +106,7 @@ pub(crate) fn not_negative(name: &'static str, value: f64) -> Result<f64, Error>
     }
 }
 
-/// Passes a product of parameters that neither overflowed nor lost digits to underflow.
+/// Returns `value`, a product of parameters, if it neither overflowed nor lost digits to underflow.
 pub(crate) fn normal(name: &'static str, value: f64) -> Result<f64, Error> {
     if value.is_normal() {
         Ok(value)

@@ -1,8 +1,8 @@
-//! Numerical integrators on the simple pendulum, θ̈ + (g/L) sin θ = 0, and the means to know that
-//! they are right.
+//! Numerical integrators on the simple pendulum, θ̈ + (g/L) sin θ = 0, and the tests that they are
+//! right.
 //!
-//! A run is a system, a method, a start, a grid of times, and an observer of what happens. It pays
-//! for nothing else.
+//! A run has a system, a method, a start, a grid of times, and an observer of its states. Nothing
+//! else costs time.
 //!
 //! ```
 //! use pendula::metrics::EnergyDrift;
@@ -34,24 +34,24 @@
 //! | loop | takes | use it |
 //! |---|---|---|
 //! | [`integrate()`] | any system, fixed steps | unless there is a reason for another |
-//! | [`integrate_fast()`] | the pendulum, fixed steps | for speed: two thirds of the time; the last bits are others |
+//! | [`integrate_fast()`] | the pendulum, fixed steps | for speed: two thirds of the time; the last bits differ |
 //! | [`Ensemble`] | many pendulums, fixed steps | for sweeps: vector instructions, and all cores with the feature `parallel` |
 //! | [`Adaptive`](adaptive::Adaptive) | any system, to a tolerance | where the pace of the motion varies, for events and output at any time |
 //! | [`SymmetricSteps`](adaptive::SymmetricSteps) | a separable system, steps that vary | for long runs with steps that vary: the energy does not drift |
 //!
 //! # The modules, in reading order
 //!
-//! * [`systems`]: what is integrated; a system of your own.
+//! * [`systems`]: the equations of motion; a system of your own.
 //! * [`integrate`](mod@integrate): the time loop, its grid and its observers; what a method is.
 //! * [`methods`]: the methods, by family; a method of your own.
 //! * [`exact`]: the motion of the pendulum in closed form.
-//! * [`metrics`]: what is measured along a run.
-//! * [`verify`]: whether a method is what it claims to be.
+//! * [`metrics`]: quantities measured along a run.
+//! * [`verify`]: tests that a method has the properties it claims.
 //! * [`fast`]: the same steps at full speed, for one pendulum and for many.
 //! * [`adaptive`]: steps whose size follows the motion.
 //! * [`dynamics`]: periodic orbits, Floquet multipliers, Lyapunov exponents.
-//! * [`arithmetic`]: sine and cosine, and numbers of twice the digits.
-//! * [`error`]: what is refused, and why.
+//! * [`arithmetic`]: sine and cosine, and double-double numbers.
+//! * [`error`]: the errors.
 //!
 //! # Features
 //!
@@ -61,7 +61,7 @@
 //! | `ensemble` | yes | [`Ensemble`] | std, the crate `multiversion` |
 //! | `parallel` | no | ensembles on all cores | std, the crate `rayon` |
 //!
-//! Without any the library is `no_std` and depends on `libm` alone.
+//! Without any of them the library is `no_std` and depends on `libm` alone.
 //!
 //! Every result comes from additions, multiplications, divisions and square roots in a fixed
 //! order, so that debug and release, and one machine and another, give the same bits.

@@ -1,5 +1,5 @@
-//! What the timings that need no criterion share: which instructions there are, and the median of a
-//! few runs.
+//! Shared by the timings that do not use criterion: the instruction sets, and the median of a few
+//! runs.
 
 use std::hint::black_box;
 use std::time::Instant;
@@ -46,7 +46,7 @@ pub fn seconds<T>(work: impl FnOnce() -> T) -> f64 {
     start.elapsed().as_secs_f64()
 }
 
-/// The one in the middle of an odd number of them.
+/// The median of an odd number of values.
 pub fn median(mut values: Vec<f64>) -> f64 {
     values.sort_by(f64::total_cmp);
     values[values.len() / 2]

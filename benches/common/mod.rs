@@ -1,9 +1,9 @@
-//! The loops that anyone would write first, with the platform's sine: what the library is measured
-//! against.
+//! The naive loops, as one would write them first, with the platform's sine: the baseline for the
+//! library.
 
 use pendula::Phase;
 
-/// A naive loop: from a start, so many steps of a length (s).
+/// A naive loop: the start, the number of steps and their length (s).
 pub type Naive = fn(Phase, u64, f64) -> Phase;
 
 /// The loop for each method of the library that has an obvious one, by the method's name.
@@ -33,7 +33,7 @@ fn symplectic_euler(Phase { mut theta, mut omega }: Phase, steps: u64, h: f64) -
     Phase { theta, omega }
 }
 
-/// Störmer–Verlet as the paper writes it, with the force kept.
+/// Störmer–Verlet as the paper writes it, with the force kept for the next step.
 fn stormer_verlet(Phase { mut theta, mut omega }: Phase, steps: u64, h: f64) -> Phase {
     let mut alpha = -9.81 * theta.sin();
     for _ in 0..steps {

@@ -1,4 +1,7 @@
-"""The rules of axe-core: contrast, accessible names, roles, ids, tables, landmarks."""
+"""The rules of axe-core: contrast, accessible names, roles, ids, tables, landmarks.
+
+What axe cannot see, page.js looks at.
+"""
 
 from axe_playwright_python.base import AXE_SCRIPT
 

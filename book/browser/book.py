@@ -12,12 +12,12 @@ class NoBook(Exception):
 class Book:
     """The pages of a built book; of a part of it, if `only` names its chapters."""
 
-    def __init__(self, folder: Path, only: list[str] | None = None):
+    def __init__(self, folder: Path, program: Path | None = None, only: list[str] | None = None):
         self.folder = folder.resolve()
         if not (self.folder / "toc.html").is_file():
             raise NoBook(f"{folder}: no built book here; cargo run --release builds it")
         # Cargo puts the program beside the book, in target/release and target/book.
-        self.program = self.folder.parent / "release/pendula"
+        self.program = program or self.folder.parent / "release/pendula"
         if not self.program.is_file():
             raise NoBook(f"{self.program}: not built; cargo build --release builds it")
         self.pages = sorted(str(p.relative_to(self.folder)) for p in self.folder.rglob("*.html"))

@@ -166,8 +166,8 @@ def hands(tab: Tab, book: Book) -> Iterator[str]:
     x, y, width, height = canvas(".sheets", "center")
     inner = (x + 44, y + 10, width - 54, height - 44)
     middle = (inner[0] + inner[2] / 2, inner[1] + inner[3] / 2)
-    # A quarter of the width right of the middle, an eighth of the height above it: θ₀ = π/2, and
-    # ω₀ a quarter of the axis.
+    # A quarter of the width right of the middle, an eighth of the height above it: θ₀ = π/2,
+    # and ω₀ a quarter of the axis.
     tab.drag(middle, (middle[0] + inner[2] / 4, middle[1] - inner[3] / 8))
     theta0, omega0 = value(tab, "theta0"), value(tab, "omega0")
     if not (abs(theta0 - math.pi / 2) < 0.05 and abs(omega0 - 2.5) < 0.1):
@@ -175,8 +175,8 @@ def hands(tab: Tab, book: Book) -> Iterator[str]:
         yield f"lab: dragged in phase space to (1.57, 2.5), and the start is {start}"
     stop(tab)
     # Near the upper edge, which is at 10 rad/s: the axis may not give way under the hand.
-    above = lambda part: (middle[0], middle[1] - part * inner[3])
-    tab.drag(above(0.44), above(0.45))
+    near, nearer = (middle[1] - part * inner[3] for part in (0.44, 0.45))
+    tab.drag((middle[0], near), (middle[0], nearer))
     stop(tab)
     omega0 = value(tab, "omega0")
     if not abs(omega0 - 9) < 0.2:

@@ -13,7 +13,7 @@ import spoilt
 from book import Book, NoBook
 from browser import Browser
 
-CHECKS = [pages.every_page, pages.paper, *reader.CHECKS, *lab.CHECKS]
+CHECKS = [pages.every_page, *reader.CHECKS, *lab.CHECKS]
 
 
 def check(folder: Path) -> bool:

@@ -3,8 +3,7 @@
 // the least contrast.
 //   paper:    nothing scrolls there, so nothing may be wider than the sheet
 //   listings: the window is as wide as a desk, so no listing has to be cut off
-//   colours:  axe does not look at this page, so the contrast of all its text is measured here
-async ({letter, index, contrast, paper = false, listings = false, colours = false}) => {
+async ({letter, index, contrast, paper = false, listings = false}) => {
     await document.fonts.ready;
     const findings = [];
     const find = (kind, what) => findings.push(`${kind}: ${what}`);
@@ -18,7 +17,8 @@ async ({letter, index, contrast, paper = false, listings = false, colours = fals
     };
 
     // Formulas: in red, or left as their source. Code may say what it likes.
-    for (const bad of all('.katex-error, .katex [style*="cc0000" i], .katex [mathcolor="#cc0000" i]')) {
+    const red = '[style*="cc0000" i], [mathcolor="#cc0000" i]';
+    for (const bad of all(`.katex-error, .katex :is(${red})`)) {
         find('formula in red', brief(bad.textContent));
     }
     const walker = document.createTreeWalker(main, NodeFilter.SHOW_TEXT);
@@ -53,7 +53,8 @@ async ({letter, index, contrast, paper = false, listings = false, colours = fals
     // Headings: one of each, so that the contents lead to one place.
     if (!/\/(print|toc)\.html$/.test(location.pathname)) {
         const heads = all('h1, h2, h3, h4').map(h => brief(h.textContent));
-        for (const head of new Set(heads.filter((h, i) => heads.indexOf(h) < i))) find('heading twice', head);
+        const again = heads.filter((head, i) => heads.indexOf(head) < i);
+        for (const head of new Set(again)) find('heading twice', head);
         if (all('h1').length !== 1) find('not one first heading', `${all('h1').length}`);
     }
 
@@ -103,10 +104,11 @@ async ({letter, index, contrast, paper = false, listings = false, colours = fals
         }
     }
 
-    // Contrast: the ink of a figure's letters, which axe does not judge, against the ground that
-    // they stand on; of every piece of text, where axe does not look.
+    // Contrast: the ink of every piece of text against the ground that it stands on. axe judges
+    // neither the letters of figures nor single ones, and most formulas are single letters.
+    const oftenRead = {willReadFrequently: true};
     const rgba = colour => {
-        const dot = rgba.dot ??= new OffscreenCanvas(1, 1).getContext('2d');
+        const dot = rgba.dot ??= new OffscreenCanvas(1, 1).getContext('2d', oftenRead);
         dot.clearRect(0, 0, 1, 1);
         dot.fillStyle = colour;
         dot.fillRect(0, 0, 1, 1);
@@ -118,7 +120,8 @@ async ({letter, index, contrast, paper = false, listings = false, colours = fals
     const mix = (ink, under, part) => ink * part + under * (1 - part);
     const over = ([r, g, b, a], [R, G, B]) => [mix(r, R, a), mix(g, G, a), mix(b, B, a), 1];
     const ground = element => {
-        const here = element ? cached(getComputedStyle(element).backgroundColor) : [255, 255, 255, 1];
+        if (!element) return [255, 255, 255, 1];
+        const here = cached(getComputedStyle(element).backgroundColor);
         return here[3] === 1 ? here : over(here, ground(element.parentElement));
     };
     const luminance = ([r, g, b]) => {
@@ -133,7 +136,6 @@ async ({letter, index, contrast, paper = false, listings = false, colours = fals
         if (!pieces.currentNode.data.trim() || !shown(element)) continue;
         if (element.closest(unseen)) continue;
         const inside = element.closest('svg');
-        if (!inside && !colours) continue;
         const style = getComputedStyle(element);
         const paperColour = ground(inside ?? element);
         const ink = over(cached(inside ? style.fill : style.color), paperColour);

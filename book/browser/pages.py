@@ -1,6 +1,6 @@
 """Every page as it stands on the screen, and the print page on paper."""
 
-from collections.abc import Iterator
+from collections.abc import Generator, Iterator
 from pathlib import Path
 
 import axe
@@ -22,26 +22,32 @@ def probe(tab: Tab, **asked) -> dict:
 
 def look(tab: Tab) -> dict:
     """What is wrong with the page on the screen, and its title and last words."""
-    # axe leaves out the colours of the print page, and its listings are those of the chapters.
-    printed = tab.here() == "print.html"
-    width = tab.page.viewport_size["width"]
-    seen = probe(tab, colours=printed, listings=width == DESK and not printed)
-    seen["findings"] += axe.findings(tab) + tab.complaints()
+    desk = tab.page.viewport_size["width"] == DESK
+    # The listings of the print page are those of the chapters.
+    seen = probe(tab, listings=desk and tab.here() != "print.html")
+    # axe takes ten times as long as all the rest, and finds much the same on a telephone.
+    seen["findings"] += (axe.findings(tab) if desk else []) + tab.complaints()
     return seen
 
 
-def at_both_widths(tab: Tab, page: str) -> Iterator[str]:
-    """What is wrong with the page on the screen, on a telephone in navy and a desk in light."""
+def at_both_widths(tab: Tab, page: str) -> Generator[str, None, tuple[str, str]]:
+    """What is wrong with the page on the screen, on a telephone in navy and a desk in light.
+    Returns its title and last words."""
     for width, theme in [(TELEPHONE, "navy"), (DESK, "light")]:
         tab.screen(width)
         tab.theme(theme)
-        for finding in look(tab)["findings"]:
+        seen = look(tab)
+        for finding in seen["findings"]:
             yield f"{page}, {width} px, {theme}: {finding}"
+    # Where a page is opened, its width says whether the contents are beside it.
+    tab.screen(TELEPHONE)
+    return seen["title"], seen["last"]
 
 
 def every_page(tab: Tab, book: Book) -> Iterator[str]:
     """Every page: chapter after chapter with the right arrow key, as a reader would, and the rest
-    by name. Then the chapters back with the left one."""
+    by name. Then the chapters back with the left one, and the print page."""
+    ends = {}
 
     def turn(key: str, page: str) -> Iterator[str]:
         # index.html is the first chapter too.
@@ -51,33 +57,29 @@ def every_page(tab: Tab, book: Book) -> Iterator[str]:
             yield f"{page}: {key} does not lead here"
             tab.open(page)
 
+    tab.screen(TELEPHONE)
     for page in book.chapters + [page for page in book.pages if page not in book.chapters]:
         if page in book.chapters[1:]:
             yield from turn("ArrowRight", page)
         else:
             tab.open(page)
-        yield from at_both_widths(tab, page)
+        ends[page] = yield from at_both_widths(tab, page)
+    tab.screen(DESK)
     back = [page for page in book.chapters if not page.startswith("tests/")][::-1]
     tab.open(back[0])
     for page in back[1:]:
         yield from turn("ArrowLeft", page)
+    yield from paper(tab, {page: ends[page] for page in book.chapters})
 
 
-def paper(tab: Tab, book: Book) -> Iterator[str]:
+def paper(tab: Tab, ends: dict[str, tuple[str, str]]) -> Iterator[str]:
     """The print page, out of a dark theme: every chapter from its title to its last words, nothing
     folded, nothing beyond the edge of the sheet, and ink that shows."""
-    ends = {}
-    for page in book.chapters:
-        tab.open(page)
-        seen = probe(tab)
-        ends[page] = seen["title"], seen["last"]
-    tab.complaints()
-
     tab.screen(SHEET)
     tab.page.emulate_media(media="print")
     tab.open("print.html")
     tab.theme("navy")
-    findings = probe(tab, paper=True, colours=True)["findings"] + tab.complaints()
+    findings = probe(tab, paper=True)["findings"] + tab.complaints()
     titles = tab.run("[...document.querySelectorAll('main h1')].map(h => h.textContent.trim())")
     solutions = "[...document.querySelectorAll('main details > :last-child')]"
     if not tab.run(solutions + ".every(last => last.checkVisibility())"):

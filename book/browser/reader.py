@@ -162,11 +162,11 @@ FRAME = "document.querySelector('#mdbook-sidebar iframe')?.getBoundingClientRect
 
 def scriptless(tab: Tab, book: Book) -> Iterator[str]:
     """Scripts off: the page, its figures and formulas are there, with the contents and the way
-    on. axe is a script, so all colours are measured by ours."""
+    on."""
     with tab.without_scripts() as tab:
         for page in [CHAPTER, "index.html", book.chapters[-1]]:
             tab.open(page)
-            for finding in probe(tab, colours=True)["findings"] + tab.complaints():
+            for finding in probe(tab)["findings"] + tab.complaints():
                 yield f"{page}, no scripts: {finding}"
             if not tab.run(READABLE):
                 yield f"{page}, no scripts: text is hidden"

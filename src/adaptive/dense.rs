@@ -2,14 +2,14 @@
 
 use crate::systems::State;
 
-/// A polynomial that follows the motion through a step: a state at every time, for no evaluation of
-/// the force.
+/// A polynomial that follows the motion through a step: a state at every time, without evaluations
+/// of the force.
 ///
-/// With s the part of the step that is over and c₁, c₂, … the `C`, it is
+/// With s the fraction of the step that has passed and c₁, c₂, … the `C`, it is
 ///
 /// z + s (c₁ + (1 − s)(c₂ + s (c₃ + (1 − s)(c₄ + …)))),
 ///
-/// so that at s = 1 it ends on the very digits of the step (Hairer, Nørsett, Wanner, *Solving
+/// so that at s = 1 it ends on exactly the state of the step (Hairer, Nørsett, Wanner, *Solving
 /// Ordinary Differential Equations I*, Sect. II.6). In general it is of a lower order than the
 /// step: 4 for 5, 7 for 8.
 #[derive(Clone, Copy, Debug)]
@@ -27,18 +27,18 @@ impl<Z: State, C: AsRef<[Z::Displacement]>> Dense<Z, C> {
         Self { t, h, z, coefficients }
     }
 
-    /// The state at time `t` (s). Outside the step it is a guess.
+    /// The state at time `t` (s). Outside the step it is an extrapolation.
     pub fn at(&self, t: f64) -> Z {
         self.after((t - self.t) / self.h)
     }
 
-    /// The time (s) when the part `s` of the step is over.
+    /// The time (s) at the fraction `s` of the step.
     pub const fn time(&self, s: f64) -> f64 {
         self.t + s * self.h
     }
 
     // ANCHOR: after
-    /// The state when the part `s` of the step is over.
+    /// The state at the fraction `s` of the step.
     pub fn after(&self, s: f64) -> Z {
         let Some((last, others)) = self.coefficients.as_ref().split_last() else { return self.z };
         let mut sum = *last;

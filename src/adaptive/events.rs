@@ -1,14 +1,14 @@
 //! Events: when a function of the state crosses zero.
 
-use super::walk::{AdaptiveSteps, DenseOf};
+use super::steps::{AdaptiveSteps, DenseOf};
 use crate::error::Error;
 use crate::methods::runge_kutta::Embedded;
 use crate::systems::{Components, System};
 
-/// Which changes of sign are meant.
+/// Which changes of sign count as crossings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Direction {
-    /// From below zero to zero or above, as time goes in the walk.
+    /// From below zero to zero or above, in the order of the steps.
     Rising,
     /// From above zero to zero or below.
     Falling,
@@ -17,8 +17,8 @@ pub enum Direction {
 }
 
 impl Direction {
-    /// Whether the zero that is `before`, or none, has been crossed in this direction. A function
-    /// that begins on zero does not cross it there.
+    /// Whether a function with the value `before`, and then `after`, has crossed zero in this
+    /// direction. A function that begins at zero does not cross it there.
     fn crossed(self, before: f64, after: f64) -> bool {
         let rising = before < 0.0 && after >= 0.0;
         let falling = before > 0.0 && after <= 0.0;
@@ -39,18 +39,18 @@ pub struct Crossing<Z> {
     pub z: Z,
 }
 
-/// Points at which a step is looked at: two zeros closer together than an eighth of a step can hide
-/// each other.
+/// Points of a step at which the sign is checked: two zeros closer together than an eighth of a
+/// step can hide each other.
 const LOOKS: u32 = 8;
 
-/// An iterator over the crossings of a walk: see [`AdaptiveSteps::crossings`].
+/// An iterator over the crossings in a sequence of steps: see [`AdaptiveSteps::crossings`].
 pub struct Crossings<'w, 'a, S: System, M: Embedded, G> {
     walk: &'w mut AdaptiveSteps<'a, S, M>,
     direction: Direction,
     g: G,
-    /// The step being looked at, and how many times it has been.
+    /// The present step, and at how many points its sign has been checked.
     step: Option<(DenseOf<S, M>, u32)>,
-    /// The function where it was looked at last.
+    /// The value of the function at the last of these points.
     value: f64,
 }
 
@@ -69,7 +69,7 @@ where
         Self { walk, direction, g, step: None, value }
     }
 
-    /// The next crossing within the step that is being looked at.
+    /// The next crossing within the present step.
     fn within_step(&mut self) -> Option<Crossing<S::State>> {
         while let Some((dense, looks)) = self.step {
             if looks == LOOKS {
@@ -89,9 +89,9 @@ where
     }
 
     // ANCHOR: bisect
-    /// The crossing between the parts `low` and `high` of a step, where the function at `low` is
-    /// `before`: halved until no f64 lies between. Halving is slow and cannot fail; the force is
-    /// not asked.
+    /// The crossing between the fractions `low` and `high` of a step, by bisection until no f64
+    /// lies between; `before` is the function at `low`. Bisection is slow, but cannot fail, and
+    /// evaluates no force.
     fn bisect(
         &mut self,
         dense: DenseOf<S, M>,

@@ -1,9 +1,9 @@
 //! Steps whose size follows the motion.
 //!
 //! [`Adaptive`] is an embedded Runge–Kutta method with a [`Tolerance`]. It
-//! [integrates](Adaptive::integrate()) past an observer, or [walks](Adaptive::steps) step by step;
-//! of each step it gives [dense output](Dense), which is a state at every time within, and on that
-//! it finds [crossings](AdaptiveSteps::crossings): the period, or the passage over the top.
+//! [integrates](Adaptive::integrate()) with an observer, or iterates [step by
+//! step](Adaptive::steps); each step has [dense output](Dense), a state at every time within it, on
+//! which [crossings](AdaptiveSteps::crossings) are found: the period, or the passage over the top.
 //!
 //! ```
 //! use pendula::adaptive::{Adaptive, Direction, Tolerance};
@@ -20,22 +20,21 @@
 //! # Ok::<(), pendula::Error>(())
 //! ```
 //!
-//! None of this is symplectic, and over long runs its energy drifts. A step chosen by what lies
-//! behind cannot be taken back. One that is chosen the same from both sides can:
-//! [`SymmetricSteps`].
+//! None of this is symplectic, and over long runs its energy drifts. A step chosen from the past is
+//! not reversible. One that is chosen symmetrically is: [`SymmetricSteps`].
 
 mod control;
 mod dense;
 mod events;
+mod steps;
 mod symmetric;
 mod tolerance;
-mod walk;
 
 pub use dense::Dense;
 pub use events::{Crossing, Crossings, Direction};
+pub use steps::{AdaptiveSteps, Counts, Step};
 pub use symmetric::{Sample, SymmetricSteps};
 pub use tolerance::{SMALLEST_RELATIVE, Tolerance};
-pub use walk::{AdaptiveSteps, Counts, Step};
 
 use crate::error::Error;
 use crate::integrate::Observer;
@@ -50,22 +49,23 @@ pub struct Adaptive<M> {
     limit: u64,
 }
 
-/// A million: what takes more is not meant for a tolerance in f64, or not for an explicit method.
+/// A million: a problem that takes more has too small a tolerance for f64, or is not for an
+/// explicit method.
 pub const STEP_LIMIT: u64 = 1_000_000;
 
 impl<M: Embedded> Adaptive<M> {
-    /// `method` with its error held to `tolerance`, in at most [`STEP_LIMIT`] attempts.
+    /// `method` with the error of each step within `tolerance`, in at most [`STEP_LIMIT`] attempts.
     pub const fn new(method: M, tolerance: Tolerance) -> Self {
         Self { method, tolerance, limit: STEP_LIMIT }
     }
 
-    /// The same in at most `attempts` at a step, those refused included.
+    /// The same with at most `attempts` steps, rejected ones included.
     pub const fn max_attempts(self, attempts: u64) -> Self {
         Self { limit: attempts, ..self }
     }
 
-    /// Sets out to take `system` from `start` at time `from` (s) to time `until` (s), which may be
-    /// the earlier one.
+    /// The steps of `system` from `start` at time `from` (s) to time `until` (s), which may be the
+    /// earlier one.
     ///
     /// # Errors
     /// [`Error::Parameter`] for a time that is not finite, and for two whose difference is not.
@@ -83,13 +83,13 @@ impl<M: Embedded> Adaptive<M> {
     }
 
     // ANCHOR: integrate
-    /// Takes `system` from `start` at time `from` (s) to time `until` (s), lets `observer` see the
-    /// start and the end of each step, returns the last state, and what it cost: the state at
-    /// `until`, or the one with which the observer was satisfied.
+    /// Integrates `system` from `start` at time `from` (s) to time `until` (s) and passes the start
+    /// and the end of each step to `observer`. Returns the last state, which is that at `until` or
+    /// the one that satisfied the observer, and what it cost.
     ///
     /// # Errors
     /// As [`Adaptive::steps`]; [`Error::StepTooSmall`] where no step meets the tolerance, or the
-    /// system has no finite rate; [`Error::OutOfSteps`] after as many attempts as are allowed.
+    /// system has no finite rate; [`Error::OutOfSteps`] after the allowed number of attempts.
     pub fn integrate<S, O>(
         &self,
         system: &S,

@@ -1,9 +1,9 @@
-//! Störmer–Verlet with steps that vary and can still be taken back.
+//! Störmer–Verlet with variable steps that is still reversible.
 //!
-//! A step chosen by what lies behind it is chosen otherwise on the way back: the method is not
-//! reversible any more, and its energy drifts. Hairer and Söderlind (*SIAM J. Sci. Comput.* 26
-//! (2005) 1838–1851) let the density of the steps be a variable with a rate of its own. It leaps
-//! over the state as the state leaps over it, and the whole is symmetric.
+//! A step chosen from the past is chosen differently on the way back: the method is no longer
+//! reversible, and its energy drifts. Hairer and Söderlind (*SIAM J. Sci. Comput.* 26 (2005)
+//! 1838–1851) let the density of the steps be a variable with a rate of its own. It leapfrogs with
+//! the state, and the whole is symmetric.
 
 use crate::error::{Error, positive};
 use crate::systems::Separable;
@@ -15,8 +15,7 @@ use crate::systems::Separable;
 /// with the step ε. Also called the step density or the integrating controller. Hairer, Söderlind
 /// (2005); Hairer, Lubich, Wanner, *Geometric Numerical Integration*, Sect. VIII.3.
 ///
-/// It is an iterator over the samples after the start, and has no end of its own but an error,
-/// after which there are no more.
+/// An iterator over the samples after the start. It ends only after an error.
 #[derive(Clone, Copy, Debug)]
 pub struct SymmetricSteps<'a, S: Separable, G> {
     system: &'a S,
@@ -29,7 +28,7 @@ pub struct SymmetricSteps<'a, S: Separable, G> {
     failed: bool,
 }
 
-/// Where the system is, and when.
+/// A state with its time and the density of the steps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sample<Z> {
     /// Time t (s).
@@ -41,12 +40,12 @@ pub struct Sample<Z> {
 }
 
 impl<'a, S: Separable, G: Fn(S::State) -> f64> SymmetricSteps<'a, S, G> {
-    /// Sets `system` out from `start` at time 0, with steps of about `epsilon` (s) there and
-    /// elsewhere as `density_rate`, G (1/s), has it.
+    /// Starts `system` from `start` at time 0, with steps of about `epsilon` (s) there and
+    /// elsewhere as `density_rate`, G (1/s), says.
     ///
     /// For steps in proportion to a function σ of the state, G = −(dσ/dt)/σ: the rate at which ln σ
-    /// falls. It is to change its sign with the velocities, as it does wherever σ does not change
-    /// with theirs.
+    /// falls. G must change its sign with the velocities, as it does if σ does not change when
+    /// theirs does.
     ///
     /// # Errors
     /// [`Error::Parameter`] for an `epsilon` that is not finite and positive.
@@ -62,7 +61,7 @@ impl<'a, S: Separable, G: Fn(S::State) -> f64> SymmetricSteps<'a, S, G> {
         Ok(Self { system, density_rate, epsilon, sample, force, failed: false })
     }
 
-    /// Where it has come to.
+    /// The present sample.
     pub const fn sample(&self) -> Sample<S::State> {
         self.sample
     }

@@ -1,11 +1,11 @@
-//! Arithmetic with twice the digits: a number as the unevaluated sum of two f64, good to about
-//! 2⁻¹⁰⁴.
+//! Double-double arithmetic: a number as the unevaluated sum of two f64, with a relative precision
+//! of about 2⁻¹⁰⁴.
 //!
 //! A phase is reduced by its period: after N periods an error in the period counts N times. The
-//! exact solution keeps the few numbers this happens to in double-double, and everything else in
-//! f64. The algorithms are those of Dekker, *Numer. Math.* 18 (1971) 224, and of Joldes, Muller,
-//! Popescu, *ACM Trans. Math. Softw.* 44 (2017) 15res; none of them uses a fused multiply-add,
-//! which not every machine has.
+//! exact solution keeps the few numbers affected in double-double, and everything else in f64. The
+//! algorithms are those of Dekker, *Numer. Math.* 18 (1971) 224, and of Joldes, Muller, Popescu,
+//! *ACM Trans. Math. Softw.* 44 (2017) 15res; none of them uses a fused multiply-add, which not
+//! every machine has in hardware.
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -38,12 +38,12 @@ impl DoubleDouble {
         self.hi
     }
 
-    /// What the nearest f64 leaves over.
+    /// The remainder: this number minus the nearest f64.
     pub const fn remainder(self) -> f64 {
         self.lo
     }
 
-    /// `x` y, exactly, unless it leaves the range of f64.
+    /// The product of `x` and `y`, exactly, unless it leaves the range of f64.
     pub fn product(x: f64, y: f64) -> Self {
         let (hi, lo) = two_product(x, y);
         Self { hi, lo }
@@ -133,7 +133,7 @@ impl Mul for DoubleDouble {
 impl Div for DoubleDouble {
     type Output = Self;
 
-    /// Long division: a first quotient, and a second from what it leaves over.
+    /// Long division: a first quotient, and a second from the remainder.
     fn div(self, other: Self) -> Self {
         let first = self.hi / other.hi;
         let left_over = self - other * Self::new(first);
@@ -145,8 +145,8 @@ impl Div for DoubleDouble {
 /// |x| < 2⁵².
 pub fn reduced_sine_cosine(x: f64) -> (DoubleDouble, DoubleDouble, f64) {
     let n = libm::rint(x / HALF_PI[0]);
-    // The first two lines are exact; the third adds what distinguishes π/2 from a double-double
-    // when x almost is n π/2.
+    // The first two lines are exact; the third adds the third part of π/2, which matters when x is
+    // very close to n π/2.
     let n_half_pi = DoubleDouble::product(n, HALF_PI[0]);
     let y = DoubleDouble::new(x - n_half_pi.hi) - DoubleDouble::new(n_half_pi.lo);
     let y = y - DoubleDouble::product(n, HALF_PI[1]) - DoubleDouble::product(n, HALF_PI[2]);
@@ -203,7 +203,7 @@ fn split(x: f64) -> (f64, f64) {
 mod tests {
     use super::*;
 
-    /// A few units of 2⁻¹⁰⁴: one for each of the operations behind a result.
+    /// A few units of 2⁻¹⁰⁴: one for each operation of a result.
     const TOLERANCE: f64 = 2e-31;
 
     fn near(x: DoubleDouble, hi: f64, lo: f64) -> bool {
@@ -226,15 +226,16 @@ mod tests {
         assert!(near(third * DoubleDouble::new(3.0), 1.0, 0.0));
     }
 
-    /// Catches: a reduction with too few digits of π/2: cos(π as f64 / 2) has all of them beyond
-    /// the f64.
+    /// Catches: a reduction with too few digits of π/2: cos(π as f64 / 2) consists only of digits
+    /// beyond the f64.
     #[test]
     fn sine_and_cosine_keep_all_digits_beside_a_multiple_of_half_pi() {
         let (sin, cos, n) = reduced_sine_cosine(core::f64::consts::FRAC_PI_2);
         assert_eq!(n, 1.0);
         assert!(near(-sin, HALF_PI[1], HALF_PI[2]));
         assert!(near(cos, 1.0, 0.0));
-        // sin 1 and cos 1 = sin and cos of 1 − π/2, turned by a quarter, to 32 digits by mpmath.
+        // sin 1 and cos 1 = sin and cos of 1 − π/2, shifted by a quarter turn, to 32 digits by
+        // mpmath.
         let (sin, cos, n) = reduced_sine_cosine(1.0);
         assert_eq!(n, 1.0);
         assert!(near(cos, 0.841_470_984_807_896_5, 1.776_845_092_935_536e-18));

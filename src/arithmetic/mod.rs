@@ -1,5 +1,5 @@
-//! What the results are computed with: sine and cosine with the same bits on every machine, and
-//! numbers of twice the digits.
+//! The arithmetic of the library: sine and cosine with the same bits on every machine, and
+//! double-double numbers.
 
 pub mod double_double;
 pub mod sine;

@@ -6,21 +6,21 @@ use super::variation::{Bundle, Linearised, Variational};
 use crate::integrate::Method;
 use crate::systems::Phase;
 
-/// What becomes of small displacements from an orbit over its period: the linear map with these two
-/// columns.
+/// The monodromy matrix: the linear map of small displacements from an orbit over its period, by
+/// its two columns.
 ///
 /// Its eigenvalues are the Floquet multipliers. Their product is the determinant, their sum the
 /// trace; the orbit attracts if both lie inside the unit circle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Monodromy {
-    /// What becomes of a unit displacement of θ.
+    /// The image of a unit displacement of θ.
     pub of_theta: Phase,
-    /// What becomes of a unit displacement of ω.
+    /// The image of a unit displacement of ω.
     pub of_omega: Phase,
 }
 
 impl Monodromy {
-    /// The factor by which area grows.
+    /// The factor by which area in phase space grows.
     pub fn determinant(&self) -> f64 {
         self.of_theta.theta * self.of_omega.omega - self.of_omega.theta * self.of_theta.omega
     }
@@ -32,8 +32,8 @@ impl Monodromy {
 
     /// (μ₁ − s)(μ₂ − s), with μ the multipliers: zero where s is one of them.
     ///
-    /// With s = 1 an orbit meets another and both vanish, or two come out of one; with s = −1 it
-    /// doubles its period.
+    /// A multiplier of 1 is where two orbits meet and vanish, or one splits; a multiplier of −1
+    /// where an orbit doubles its period.
     pub fn characteristic(&self, s: f64) -> f64 {
         s * s - s * self.trace() + self.determinant()
     }
@@ -58,24 +58,24 @@ impl Monodromy {
 pub struct PeriodicOrbit {
     /// One of its points.
     pub point: Phase,
-    /// After how many periods of the drive it is back there.
+    /// The number of periods of the drive after which it returns there.
     pub periods: u32,
-    /// What becomes of its neighbours in that time.
+    /// The linear map of its neighbours over that time.
     pub monodromy: Monodromy,
 }
 
-/// Newton steps before the search for an orbit gives up: from a good guess five are enough.
+/// Newton steps before the search for an orbit stops: from a good guess five are enough.
 const PATIENCE: u32 = 30;
 
-/// Where a step is this small (rad), the next would be rounding.
+/// The size (rad) of the last Newton step: the next would be rounding.
 const SETTLED: f64 = 1e-13;
 
 // ANCHOR: newton
-/// The orbit near `guess` that is back after so many `periods` of the drive, by Newton's method on
-/// the stroboscopic map: whether it attracts or not. The angle counts turns, so that an orbit which
-/// goes over the top is not back.
+/// The orbit near `guess` that returns after `periods` periods of the drive, attracting or not, by
+/// Newton's method on the stroboscopic map. The angle is not reduced, so that an orbit that goes
+/// over the top does not return.
 ///
-/// `None` if the search does not settle: there may be no such orbit near.
+/// `None` if it does not converge: there may be no such orbit near.
 pub fn periodic_orbit<'a, S, M>(
     strobe: &Stroboscope<'a, S, M>,
     guess: Phase,
@@ -110,7 +110,7 @@ where
 }
 // ANCHOR_END: newton
 
-/// The state so many `periods` after `point`, and what becomes of its neighbours.
+/// The state `periods` periods after `point`, and the linear map of its neighbours.
 pub fn monodromy<'a, S, M>(
     strobe: &Stroboscope<'a, S, M>,
     point: Phase,
@@ -128,13 +128,13 @@ where
 }
 
 // ANCHOR: doubling
-/// The parameter between `low` and `high` at which an orbit doubles its period: where one of its
+/// The parameter between `low` and `high` at which an orbit doubles its period: one of its
 /// multipliers is −1.
 ///
-/// `orbit` gives the orbit for a parameter near one that it is given. It is led from the orbit at
-/// `low` to each next one in so many even `paces`, small enough that Newton does not stray to
-/// another orbit; then the pace within which a multiplier passes −1 is narrowed. `None` where an
-/// orbit is lost, or where no multiplier passes −1.
+/// `orbit` finds the orbit for a parameter, near a given point. From `low` to `high` the orbit is
+/// continued in `paces` equal paces, small enough that Newton's method does not stray to another
+/// orbit; then a root finder narrows the pace within which a multiplier passes −1. `None` if an
+/// orbit is lost, or if no multiplier passes −1.
 pub fn period_doubling(
     mut orbit: impl FnMut(f64, Phase) -> Option<PeriodicOrbit>,
     near: Phase,

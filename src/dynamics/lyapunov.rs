@@ -1,4 +1,4 @@
-//! How quickly neighbours part.
+//! How quickly neighbouring trajectories separate.
 
 use super::stroboscope::Stroboscope;
 use super::variation::{Bundle, Linearised, Variational};
@@ -14,23 +14,23 @@ pub struct Exponent {
     pub error: f64,
 }
 
-/// How long to look, in periods.
+/// How long to average, in periods.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Watch {
-    /// Periods before anything counts, in which motion and neighbour find their course.
+    /// Periods that do not count, in which transients decay.
     pub settling: u32,
-    /// Blocks that are averaged, 2 or more.
+    /// Number of blocks to average, 2 or more.
     pub blocks: u32,
-    /// Periods of a block: long enough that one block knows little of the one before.
+    /// Periods of a block: long enough that blocks are hardly correlated.
     pub periods: u32,
 }
 
 // ANCHOR: exponent
-/// The largest Lyapunov exponent of the motion from `start`: a neighbour is followed by the
-/// variational equation, brought back to unit distance each period, and what it had grown by is
-/// averaged (Benettin, Galgani, Giorgilli, Strelcyn, *Meccanica* 15 (1980) 9–20).
+/// The largest Lyapunov exponent of the motion from `start`: a displacement follows the variational
+/// equation, is rescaled to unit size each period, and the logarithms of its growth are averaged
+/// (Benettin, Galgani, Giorgilli, Strelcyn, *Meccanica* 15 (1980) 9–20).
 ///
-/// The error bar is that of the block averages: neighbouring periods are correlated, long blocks
+/// The error bar is that of the block averages: successive periods are correlated, long blocks
 /// hardly.
 pub fn largest_exponent<'a, S, M>(
     strobe: &Stroboscope<'a, S, M>,
@@ -43,7 +43,7 @@ where
 {
     let system = strobe.system();
     let mut neighbour = Bundle { base: start, tangents: [Phase { theta: 1.0, omega: 0.0 }] };
-    // The logarithm by which the distance grows over so many periods.
+    // The logarithm of the growth of the displacement over `periods` periods.
     let mut growth = |periods| {
         let mut sum = 0.0;
         for _ in 0..periods {

@@ -1,14 +1,15 @@
-//! What a motion does in the long run, and how it answers a push: the analysis of driven systems.
+//! The analysis of driven systems: the long-term behaviour of a motion, and its response to small
+//! changes.
 //!
-//! * [`variation`]: neighbours of a trajectory, by the variational equation beside it.
-//! * [`stroboscope`]: a periodically driven system seen once a period; a map of its phase space.
+//! * [`variation`]: neighbours of a trajectory, by the variational equation.
+//! * [`stroboscope`]: a periodically driven system sampled once a period; a map of its phase space.
 //! * [`floquet`]: periodic orbits by Newton's method, their monodromy matrix, and where they double
 //!   their period.
-//! * [`lyapunov`]: how quickly neighbours part, with an error bar.
+//! * [`lyapunov`]: how quickly neighbours separate, with an error bar.
 //! * [`mod@root`]: the zero of a function between two points.
 //!
-//! None of it is tied to one method: whatever can take a step of the system can take one of the
-//! system with its neighbours.
+//! None of it is tied to one method: a method that can step the system can step the system with its
+//! neighbours.
 
 pub mod floquet;
 pub mod lyapunov;

@@ -1,23 +1,24 @@
 //! The zero of a function between two points.
 
-/// The zero of `f` between `low` and `high`, where its signs differ, by the secant held inside the
-/// bracket (the Illinois rule: Dahlquist, Björck, *Numerical Methods* (1974), Ch. 6), to the last
-/// bits of f64.
+/// The zero of `f` between `low` and `high`, at which its signs differ, by the secant method kept
+/// inside the bracket (the Illinois rule: Dahlquist, Björck, *Numerical Methods* (1974), Ch. 6), to
+/// the precision of f64.
 ///
-/// `f` is asked at `low` first, then at `high`, then between. `None` if it has no value at one of
-/// these, or one that is no number, or the same sign at both ends.
+/// `f` is evaluated at `low` first, then at `high`, then between. `None` if one of these values is
+/// `None` or NaN, or if the signs at both ends are the same. A zero at `low` is returned whatever
+/// the value at `high`, unless that is `None`.
 pub fn root(mut f: impl FnMut(f64) -> Option<f64>, low: f64, high: f64) -> Option<f64> {
     let (mut a, mut b) = (low, high);
     let (mut at_a, mut at_b) = (f(a)?, f(b)?);
     if at_a == 0.0 {
         return Some(a);
     }
-    // A NaN compares as neither.
+    // A NaN satisfies neither.
     if !(at_a < 0.0 && at_b >= 0.0 || at_a > 0.0 && at_b <= 0.0) {
         return None;
     }
-    // b is the latest point and a the other end of the bracket. A thousand steps would do even for
-    // bisection down to nothing.
+    // b is the latest point and a the other end of the bracket. Even bisection down to zero would
+    // take fewer steps.
     for _ in 0..1100 {
         if at_b == 0.0 {
             return Some(b);
@@ -30,7 +31,7 @@ pub fn root(mut f: impl FnMut(f64) -> Option<f64>, low: f64, high: f64) -> Optio
             return None;
         }
         if (value > 0.0) == (at_b > 0.0) {
-            // The same end stays twice: halve its value, so that it gives way.
+            // The same end has stayed twice: halve its value, so that it moves.
             at_a *= 0.5;
         } else {
             (a, at_a) = (b, at_b);

@@ -1,15 +1,15 @@
-//! A periodically driven system, seen once a period.
+//! A periodically driven system, sampled once a period.
 
 use super::variation::{Bundle, Linearised, Variational};
 use crate::error::{Error, positive};
 use crate::integrate::{Grid, Method, integrate};
 use crate::systems::{Phase, System};
 
-/// The stroboscopic map, Poincaré's for a driven system: the state at the beginning of a period of
-/// the drive to the state at its end.
+/// The stroboscopic map, which is the Poincaré map of a driven system: from the state at the
+/// beginning of a period of the drive to the state at its end.
 ///
-/// Each period begins at time zero. The drive is then in the same phase to the last bit, however
-/// many periods have passed.
+/// Each period begins at time zero. So the drive has the same phase to the last bit, however many
+/// periods have passed.
 #[derive(Clone, Copy, Debug)]
 pub struct Stroboscope<'a, S, M> {
     system: &'a S,
@@ -18,11 +18,11 @@ pub struct Stroboscope<'a, S, M> {
 }
 
 impl<'a, S, M> Stroboscope<'a, S, M> {
-    /// `system` seen every `period` (s), which `method` crosses in so many `steps`.
+    /// `system` sampled every `period` (s), which `method` takes in `steps` steps.
     ///
     /// # Errors
-    /// [`Error::Parameter`] for a period that is not finite and positive, and
-    /// [`Error::TooManySteps`]; zero steps are refused as a period of no steps.
+    /// [`Error::Parameter`] for a period that is not finite and positive, and for zero steps;
+    /// [`Error::TooManySteps`].
     pub fn new(system: &'a S, method: &'a M, period: f64, steps: u64) -> Result<Self, Error> {
         let period = positive("period (s)", period)?;
         if steps == 0 {

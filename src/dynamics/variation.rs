@@ -5,7 +5,7 @@ use core::ops::{Add, Mul};
 
 use crate::systems::{RateOf, State, System, Vector};
 
-/// A system that knows how its rate of change differs from one state to the next.
+/// A system with the derivative of its rate of change.
 pub trait Linearised: System {
     /// The derivative of [`System::rate`] at time `t` (s) and the state `z` along the displacement
     /// `v`: the right-hand side of the variational equation v̇ = Df(t, z) v.
@@ -15,12 +15,11 @@ pub trait Linearised: System {
     fn size(&self, v: RateOf<Self>) -> f64;
 }
 
-/// A system together with N of its neighbours, infinitely near: a system too, which any method for
-/// systems moves.
+/// A system together with N infinitesimal displacements: a system too, which any method for systems
+/// can step.
 ///
-/// What a one-step method does to a neighbour is then the derivative of what it does to the
-/// trajectory, so that a determinant or an exponent of the method's own map comes out, not only of
-/// the motion's.
+/// A one-step method then maps a displacement by the derivative of its map of the state. So
+/// determinants and exponents are those of the numerical map itself, not only of the motion.
 #[derive(Clone, Copy, Debug)]
 pub struct Variational<'a, S, const N: usize>(pub &'a S);
 

@@ -1,9 +1,9 @@
-//! Elliptic integrals and functions by means: arithmetic–geometric for the complete ones, Carlson's
-//! for the incomplete.
+//! Elliptic integrals and functions: complete integrals and Jacobi's functions by the
+//! arithmetic–geometric mean, incomplete integrals by Carlson's duplication.
 //!
 //! All of them take the complementary modulus k' and never form 1 − k²: near the top of the swing k
-//! rounds to 1, and k' is all that is left to tell one swing from another. Sources are sections of
-//! the NIST Digital Library of Mathematical Functions, <https://dlmf.nist.gov>.
+//! rounds to 1, and only k' still distinguishes one swing from another. Sources are sections of the
+//! NIST Digital Library of Mathematical Functions, <https://dlmf.nist.gov>.
 
 use crate::arithmetic::double_double::DoubleDouble;
 use crate::arithmetic::sine::{cos, sin};
@@ -20,7 +20,7 @@ use crate::arithmetic::sine::{cos, sin};
 /// of the parameter m = k², and both look alike. This function takes neither.
 ///
 /// # Errors
-/// None: K(0) is +∞, and NaN stands for k' outside 0 … 1.
+/// None: K(0) is +∞, and k' outside 0 … 1 gives NaN.
 pub fn complete_elliptic_k(complementary_modulus: f64) -> f64 {
     if complementary_modulus == 0.0 {
         return f64::INFINITY;
@@ -36,7 +36,8 @@ pub fn complete_elliptic_k(complementary_modulus: f64) -> f64 {
 /// M(1, b): the common limit of the arithmetic and the geometric means of 1 and b, for 0 < b ≤ 1
 /// (DLMF 19.8.1–4).
 ///
-/// Each step (a, b) → ((a + b)/2, √(a b)) squares the distance. `visit` sees a, b and the next a.
+/// Each step (a, b) → ((a + b)/2, √(a b)) squares the distance. `visit` is called with a, b and the
+/// next a.
 fn arithmetic_geometric_mean(
     b: DoubleDouble,
     mut visit: impl FnMut(DoubleDouble, DoubleDouble, DoubleDouble),
@@ -122,7 +123,7 @@ pub(super) struct Values {
 }
 
 impl Jacobi {
-    /// Enough for every k' ≥ 1e-150; of the starts that an f64 can hold, none comes below 1e-20.
+    /// Enough for every k' ≥ 1e-150; no start that an f64 can represent has one below 1e-20.
     const STEPS: usize = 14;
 
     /// For the complementary modulus k', 0 < k' ≤ 1.
@@ -149,13 +150,13 @@ impl Jacobi {
         self.complementary_modulus
     }
 
-    /// K, from which on sn falls again.
+    /// K, where sn has its maximum.
     pub(super) fn quarter_period(&self) -> DoubleDouble {
         self.quarter_period
     }
 
-    /// π K'/K, of which the nome is e⁻ˣ: π M(1, k')/M(1, k), for the `modulus` k that belongs to
-    /// k'.
+    /// x = π K'/K, from which the nome is e⁻ˣ: π M(1, k')/M(1, k), for the `modulus` k that belongs
+    /// to k'.
     pub(super) fn nome_exponent(&self, modulus: f64) -> DoubleDouble {
         let mean = arithmetic_geometric_mean(DoubleDouble::new(modulus), |_, _, _| {});
         let complementary_mean = DoubleDouble::HALF_PI / self.quarter_period;
@@ -171,8 +172,8 @@ impl Jacobi {
     ///
     /// Tₙ = Tₙ₊₁ / dnₙ₊₁,  dnₙ = (1 + aₙ₊₁ bₙ Tₙ₊₁²) / (1 + aₙ₊₁ aₙ Tₙ₊₁²),
     ///
-    /// with every term positive, so that nothing can cancel. The usual recipe, Landen's
-    /// transformation of the amplitude (DLMF 22.20.6), takes arcsines beside 1 where k is near 1,
+    /// with every term positive, so that there is no cancellation. The usual recipe, Landen's
+    /// transformation of the amplitude (DLMF 22.20.6), takes arcsines close to 1 where k is near 1,
     /// and loses half the digits.
     #[inline]
     pub(super) fn at(&self, quarters: f64) -> Values {
@@ -196,10 +197,11 @@ impl Jacobi {
 mod tests {
     use super::*;
 
-    /// Catches: a term of the series missing or wrong, in digits that no motion shows.
+    /// Catches: a term of the series missing or wrong that affects only digits beyond those of a
+    /// motion.
     ///
-    /// K = R_F(0, k'², 1) (DLMF 19.25.1), which the mean gives by another way. About twenty
-    /// duplications and roots of 2⁻¹⁰⁴ each.
+    /// K = R_F(0, k'², 1) (DLMF 19.25.1), which the mean gives independently. The tolerance: about
+    /// twenty duplications and roots of 2⁻¹⁰⁴ each.
     #[test]
     fn carlson_and_the_mean_agree_on_k() {
         const TOLERANCE: f64 = 1e-30;

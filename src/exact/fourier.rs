@@ -1,5 +1,5 @@
-//! The motion as a Fourier series: for many times, quicker than the elliptic functions one after
-//! the other.
+//! The motion as a Fourier series: for many times, faster than evaluating the elliptic functions at
+//! each.
 //!
 //! With the nome q = exp(−π K'/K) and ζ = (π/2) u/K a libration is
 //!
@@ -9,8 +9,8 @@
 //!
 //! θ = 2ζ + 4 Σ qⁿ / (n (1 + q²ⁿ)) sin 2nζ,  n = 1, 2, …
 //!
-//! They are twice the integrals of DLMF 22.11.2 and 22.11.3; ω is their derivative. Nine terms are
-//! enough at θ₀ = 1, and twenty-nine at θ₀ = 3.
+//! They are twice the integrals of DLMF 22.11.2 and 22.11.3; ω is their derivative. Ten terms are
+//! enough at θ₀ = 1, and thirty-two at θ₀ = 3.
 
 use core::f64::consts::{FRAC_PI_2, PI};
 
@@ -19,12 +19,12 @@ use crate::arithmetic::double_double::DoubleDouble;
 use crate::arithmetic::sine::{ROUNDER, quarter_turns_and};
 use crate::systems::Phase;
 
-/// Times that are done together.
+/// The number of times that are computed together.
 const LANES: usize = 32;
 
 /// A motion prepared for many times, by [`Motion::series`](super::Motion::series).
 ///
-/// Right to 2e-15, as [`Motion::at`](super::Motion::at) is; the last digit may be another.
+/// Right to 2e-15, as [`Motion::at`](super::Motion::at) is; the last digit may differ.
 #[derive(Clone, Debug)]
 pub struct FourierSeries {
     /// Whether the pendulum goes over the top.
@@ -32,7 +32,7 @@ pub struct FourierSeries {
     /// The phase u/K at the start, and its growth (1/s).
     quarters: DoubleDouble,
     rate: DoubleDouble,
-    /// 1 for a motion that begins towards growing θ, −1 for its mirror image.
+    /// 1 for a motion that begins towards growing θ, −1 otherwise.
     direction: f64,
     /// Half turns at the start, in that direction.
     half_turns: f64,
@@ -41,16 +41,16 @@ pub struct FourierSeries {
     /// The coefficients of θ (rad) and of ω (rad/s).
     terms: [Phase; Self::TERMS],
     count: usize,
-    /// The largest |t| (s) for which the phase has digits to spare.
+    /// The largest |t| (s) for which the phase has enough digits.
     horizon: f64,
 }
 
 impl FourierSeries {
-    /// Enough for a release at 3.1 rad: a nome of 0.39.
+    /// Enough for a release at 3.08 rad: a nome of 0.363.
     const TERMS: usize = 40;
 
-    /// Of a libration or a rotation with so much phase, in quarter periods, and with the nome
-    /// e^(−`exponent`); `None` if it takes too many terms.
+    /// The series of a libration or a rotation with the phase `quarters` and its `rate` (1/s), in
+    /// quarter periods, and with the nome e^(−`exponent`); `None` if it takes too many terms.
     pub(super) fn new(
         rotates: bool,
         [quarters, rate]: [DoubleDouble; 2],
@@ -58,7 +58,7 @@ impl FourierSeries {
         direction: f64,
         half_turns: f64,
     ) -> Option<Self> {
-        // √q with the digits that the exponent's f64 lacks.
+        // √q, with both parts of the double-double exponent.
         let half = exponent.scaled(0.5);
         let root = libm::exp(-half.rounded()) * (1.0 - half.remainder());
         let q = root * root;
@@ -77,7 +77,7 @@ impl FourierSeries {
         let scale = term(0).omega;
         for (count, slot) in terms.iter_mut().enumerate() {
             *slot = term(count);
-            // Half an ulp of the largest, with a factor of four for the terms that follow.
+            // Half an ulp of the largest term, with a factor of four for the terms that follow.
             if slot.omega < scale / (1_u64 << 56) as f64 {
                 let drift = if rotates { 2.0 * speed } else { 0.0 };
                 let horizon = (1_u64 << 40) as f64 / rate.rounded();
@@ -97,7 +97,7 @@ impl FourierSeries {
         None
     }
 
-    /// The largest |t| (s) that there is an answer for: 2⁴⁰ quarter periods.
+    /// The largest |t| (s) for which the state is computed: 2⁴⁰ quarter periods.
     pub const fn horizon(&self) -> f64 {
         self.horizon
     }
@@ -114,7 +114,7 @@ impl FourierSeries {
         each(self, times, states);
     }
 
-    /// The states at some times together: one loop over them for each thing to be done.
+    /// The states at `N` times, computed together: one loop over them for each operation.
     #[inline(always)]
     fn in_lanes<const N: usize>(&self, times: [f64; N]) -> [Phase; N] {
         let (mut whole, mut rest) = ([0.0; N], [0.0; N]);

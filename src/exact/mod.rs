@@ -1,13 +1,12 @@
-//! The exact solution of θ̈ + (g/L) sin θ = 0, for every start: what all the methods are measured
-//! against.
+//! The exact solution of θ̈ + (g/L) sin θ = 0, for every start: the reference for all methods.
 //!
 //! [`Motion`] gives θ(t) and ω(t) in closed form, [`period`] the paper's Eq. 5,
 //! [`complete_elliptic_k`] the integral in it. All of it stays right at the top of the swing, on
 //! both sides of the separatrix, and after 10⁵ s.
 //!
-//! Exact is meant of the numbers given: the pendulum is the one of [`Pendulum::frequency_squared`],
-//! g/L as an f64, and the start is the f64s of the start. π as an f64 is not π, and 9.81 as an f64
-//! is not 9.81.
+//! The solution is exact for the f64s given: the pendulum is that of
+//! [`Pendulum::frequency_squared`], g/L as an f64, and the start is that of the f64s θ and ω. π as
+//! an f64 is not π, and 9.81 as an f64 is not 9.81.
 //!
 //! ```
 //! use pendula::{Motion, MotionKind, Pendulum, Phase, exact};
@@ -37,7 +36,7 @@ use crate::systems::Pendulum;
 /// The period T = 4 √(L/g) K (s) of the swing after a release from rest at `theta0` (rad): the
 /// paper's Eq. 5.
 ///
-/// Right to 1e-15 relative; T₀ at θ₀ = 0. See [`Swing`] for the numbers on the way.
+/// Right to 1e-15 relative; T₀ at θ₀ = 0. See [`Swing`] for the intermediate results.
 ///
 /// # Errors
 /// [`Error::Parameter`] for an angle that is not finite.
@@ -45,7 +44,7 @@ pub fn period(pendulum: &Pendulum, theta0: f64) -> Result<f64, Error> {
     Ok(Swing::released_at(pendulum, theta0)?.period())
 }
 
-/// The swing after a release from rest, and the numbers its period is made of.
+/// The swing after a release from rest, and the numbers from which its period follows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Swing {
     modulus: f64,
@@ -91,7 +90,7 @@ impl Swing {
         4.0 * self.elliptic_k / self.frequency
     }
 
-    /// T/T₀ = 2 K/π: how much longer than the small-angle period.
+    /// T/T₀ = 2 K/π: the ratio to the small-angle period.
     pub fn ratio(&self) -> f64 {
         self.elliptic_k / core::f64::consts::FRAC_PI_2
     }

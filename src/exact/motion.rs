@@ -5,7 +5,7 @@
 //!
 //! k² = S² + w²,  k'² = 1 − k² = C² − w²,
 //!
-//! and its distance to the top, k'², tells the kinds of motion apart:
+//! and its distance to the top, k'², distinguishes the kinds of motion:
 //!
 //! | kind | | sin(θ/2) | cos(θ/2) | ω |
 //! |---|---|---|---|---|
@@ -16,9 +16,8 @@
 //! where u = u₀ + ω₀ t. Sources: DLMF 22.19(i); Lawden, *Elliptic Functions and Applications*
 //! (1989), Sect. 5.1.
 //!
-//! A motion forward in time and one backward, to the right and to the left, mirror each other:
-//! everything here moves in the direction of growing θ, and [`Motion`] keeps the sign of its
-//! `direction`.
+//! The motions to the right and to the left are mirror images: everything here moves in the
+//! direction of growing θ, and [`Motion`] stores the sign of its `direction`.
 
 use super::elliptic::{Jacobi, Values, carlson_rf};
 use super::fourier::FourierSeries;
@@ -33,7 +32,7 @@ pub enum MotionKind {
     Rest,
     /// It swings to and fro.
     Libration,
-    /// It has just the energy of the top, and approaches it forever.
+    /// It has exactly the energy of the top, and approaches the top forever.
     Separatrix,
     /// It goes over the top, again and again.
     Rotation,
@@ -43,22 +42,22 @@ pub enum MotionKind {
 ///
 /// Maps t (s) to θ (rad, unwrapped: it counts turns) and ω (rad/s). Both are right to 2e-15, of a
 /// radian or the amplitude and of the largest velocity 2ω₀ k: after 10⁵ s as at the start, and
-/// however near the separatrix; many turns round to their own last digit. Also called the solution
-/// in Jacobian elliptic functions. Formulas: DLMF 22.19(i).
+/// however near the separatrix; after many turns θ is right to its own last digit. The solution is
+/// in Jacobian elliptic functions: DLMF 22.19(i).
 ///
-/// The pendulum balanced at the top is missing, as no f64 is π: a start at rest at π as an f64 is a
-/// libration from 1.2e-16 rad beside the top, and takes the paper's pendulum 12 s to fall. The side
-/// of the separatrix that a start is on is decided to 2⁻¹⁰⁰ of the energy at the top.
+/// The pendulum balanced at the top cannot occur, as no f64 is π: a start at rest at π as an f64 is
+/// a libration from 1.2e-16 rad beside the top, and takes the paper's pendulum 12 s to fall. The
+/// side of the separatrix that a start is on is decided to 2⁻¹⁰⁰ of the energy at the top.
 #[derive(Clone, Copy, Debug)]
 pub struct Motion {
     course: Course,
-    /// 1 for a motion that begins towards growing θ, −1 for its mirror image.
+    /// 1 for a motion that begins towards growing θ, −1 otherwise.
     direction: f64,
-    /// The power of two that a tiny swing is to be multiplied with, or 1.
+    /// The power of two by which the solution of a tiny swing is multiplied; otherwise 1.
     shrink: f64,
     /// Whole turns at the start, in that direction.
     turns: f64,
-    /// The modulus k, before it shrinks.
+    /// The modulus k, before the multiplication by `shrink`.
     modulus: f64,
     /// The largest |t| (s).
     horizon: f64,
@@ -73,7 +72,7 @@ enum Course {
     Rotation(Elliptic),
 }
 
-/// Libration and rotation; which, is for [`Course`] to say.
+/// Libration or rotation, as [`Course`] tells.
 #[derive(Clone, Copy, Debug)]
 struct Elliptic {
     jacobi: Jacobi,
@@ -118,7 +117,7 @@ impl Motion {
     ///
     /// # Errors
     /// [`Error::Parameter`] for a start that is not finite, for |θ| > 1e15, for |ω| > 3e150 ω₀, and
-    /// for a start at θ = 0 with an ω ≠ 0 so small that its swing is no f64.
+    /// for a start at θ = 0 with an ω ≠ 0 so small that the amplitude underflows.
     pub fn new(pendulum: &Pendulum, start: Phase) -> Result<Self, Error> {
         let theta = angle(start.theta)?;
         let omega = finite(VELOCITY, start.omega)?;
@@ -130,8 +129,8 @@ impl Motion {
         let direction = if backward { -1.0 } else { 1.0 };
         let (theta, omega) = (direction * theta, direction * omega);
 
-        // A swing so small that it is linear is solved larger, and the solution shrunk, lest its
-        // square underflow.
+        // A swing so small that it is linear is scaled up, solved, and the solution scaled down,
+        // lest its square underflow.
         let size = f64::max(libm::fabs(theta), omega * time.unit);
         if size == 0.0 {
             return match omega {
@@ -145,7 +144,7 @@ impl Motion {
         let HalfAngle { sine, cosine, turns } = HalfAngle::new(theta);
         let w = DoubleDouble::new(0.5 * omega) / time.frequency;
         let k = (sine.squared() + w.squared()).sqrt();
-        // C² − w² = (4 C² g/L − ω²) / (4 g/L), which is zero exactly where it should be.
+        // C² − w² = (4 C² g/L − ω²) / (4 g/L), which is exactly zero on the separatrix.
         let to_the_top = DoubleDouble::new(4.0 * time.frequency_squared) * cosine.squared()
             - DoubleDouble::product(omega, omega);
         let gap = to_the_top / DoubleDouble::new(4.0 * time.frequency_squared);
@@ -153,8 +152,8 @@ impl Motion {
         let course = if gap.rounded() > 0.0 {
             let (s, c) = (sine / k, w / k);
             let jacobi = Jacobi::new(gap.sqrt());
-            // At rest it is a quarter period from the bottom, without rounding. Else u₀ = F(φ, k)
-            // with s = sin φ and c = cos φ (DLMF 19.25.5).
+            // At rest it is a quarter period from the bottom, without rounding. Otherwise u₀ = F(φ,
+            // k) with s = sin φ and c = cos φ (DLMF 19.25.5).
             let quarters = if omega == 0.0 {
                 DoubleDouble::new(libm::copysign(1.0, sine.rounded()))
             } else {
@@ -184,9 +183,9 @@ impl Motion {
     /// The motion of `pendulum` on the separatrix, through `theta` (rad) at t = 0, towards growing
     /// θ.
     ///
-    /// Its angular velocity there is 2ω₀ |cos(θ/2)|, seldom an f64, so that [`Motion::new`] seldom
-    /// meets it. The motion in the other direction is this one from −θ, with the signs of the
-    /// answers changed.
+    /// Its angular velocity there is 2ω₀ |cos(θ/2)|, rarely an f64, so that [`Motion::new`] rarely
+    /// hits the separatrix. The motion in the other direction is this one from −θ, with the signs
+    /// of θ and ω changed.
     ///
     /// # Errors
     /// [`Error::Parameter`] for an angle that is not finite, or beyond 1e15.
@@ -218,14 +217,14 @@ impl Motion {
         }
     }
 
-    /// The modulus k = √(sin²(θ/2) + ω²/(2ω₀)²), from 0 at rest past 1 on the separatrix; its
-    /// square is the energy above the bottom, against that of the top.
+    /// The modulus k = √(sin²(θ/2) + ω²/(2ω₀)²), 0 at rest, 1 on the separatrix and above 1 in
+    /// rotation; its square is the ratio of the energy above the bottom to that at the top.
     pub fn modulus(&self) -> f64 {
         self.modulus * self.shrink
     }
 
-    /// The time (s) of a full oscillation, 4K/ω₀, or of one turn, 2K/(k ω₀); none at rest or on the
-    /// separatrix.
+    /// The time (s) of a full oscillation, 4K/ω₀, or of one turn, 2K/(k ω₀); `None` at rest or on
+    /// the separatrix.
     pub fn period(&self) -> Option<f64> {
         let (quarters, elliptic) = match &self.course {
             Course::Libration(elliptic) => (4.0, elliptic),
@@ -235,8 +234,8 @@ impl Motion {
         Some((DoubleDouble::new(quarters) / elliptic.rate).rounded())
     }
 
-    /// The largest |t| (s) that [`Motion::at`] has an answer for: 2⁵² quarter periods, about 10¹⁵
-    /// periods.
+    /// The largest |t| (s) for which [`Motion::at`] returns a state: 2⁵² quarter periods, about
+    /// 10¹⁵ periods.
     ///
     /// At rest and on the separatrix it is the largest f64.
     pub const fn horizon(&self) -> f64 {
@@ -246,10 +245,9 @@ impl Motion {
     /// The state at time `t` (s), before the start if `t` is negative: θ in rad, unwrapped, and ω
     /// in rad/s.
     ///
-    /// A time beyond the [horizon](Motion::horizon), or not finite, has no state: both components
-    /// are NaN.
+    /// For a time beyond the [horizon](Motion::horizon), or not finite, both components are NaN.
     pub fn at(&self, t: f64) -> Phase {
-        // A NaN is not within the horizon either.
+        // NaN fails this test too.
         if !(-self.horizon..=self.horizon).contains(&t) {
             return Phase { theta: f64::NAN, omega: f64::NAN };
         }
@@ -271,9 +269,9 @@ impl Motion {
 // -------------------------------------------------------------------------------------------------
 
 impl Motion {
-    /// The motion as a Fourier series, a third of the time for one value and a tenth in a row of
-    /// many; `None` at rest, for a swing below 1e-30 rad, and so near the separatrix that the
-    /// series is long.
+    /// The motion as a Fourier series, which takes a third of the time for one value and a tenth
+    /// for each of an array; `None` at rest, for a swing below 1e-30 rad, and on the separatrix or
+    /// so near it that the series is long.
     pub fn series(&self) -> Option<FourierSeries> {
         let (rotates, elliptic, modulus) = match &self.course {
             Course::Libration(elliptic) => (false, elliptic, self.modulus),
@@ -288,10 +286,10 @@ impl Motion {
         FourierSeries::new(rotates, phase, exponent, self.direction, 2.0 * self.turns)
     }
 
-    /// The states at `times` (s), into `states` as far as there are slots: as [`Motion::at`] has
-    /// them, or for many times as [`Motion::series`] has.
+    /// The states at `times` (s), into `states` as far as there are slots: by [`Motion::at`], or
+    /// for many times by [`Motion::series`].
     pub fn at_each(&self, times: &[f64], states: &mut [Phase]) {
-        /// As many values as the series takes longer to prepare.
+        /// The number of values from which on the series pays for its preparation.
         const MANY: usize = 64;
         match self.series().filter(|_| times.len() >= MANY) {
             Some(series) => series.at_each(times, states),
@@ -325,16 +323,17 @@ impl Elliptic {
         }
     }
 
-    /// The phase u/K at time t (s) as a whole number of quarter periods and at most half a one.
+    /// The phase u/K at time t (s) as a whole number of quarter periods and a remainder of at most
+    /// half of one.
     ///
-    /// The product with t is where a rounded period would do harm: it is a double-double, so that
-    /// 10⁵ periods cost no digit of the f64 that is left over.
+    /// A rounded period would do harm in the product with t, so that product is a double-double:
+    /// 10⁵ periods cost no digit of the f64 remainder.
     #[inline]
     fn phase(&self, t: f64) -> (f64, f64) {
         let phase = self.quarters + self.rate * DoubleDouble::new(t);
         let whole = libm::rint(phase.rounded());
         let rest = (phase.rounded() - whole) + phase.remainder();
-        // Where the f64 itself is a whole number, half of one may be in what it left over.
+        // The low part of the double-double may bring the remainder above one half.
         let carry = libm::rint(rest);
         (whole + carry, rest - carry)
     }
@@ -342,8 +341,8 @@ impl Elliptic {
     /// tan(θ/2) = k sn u / dn u and ω = 2ω₀ k cn u.
     ///
     /// After an odd number of quarter periods sn, cn, dn become cn/dn, −k' sn/dn, k'/dn (DLMF
-    /// 22.4.3): beside a turning point they are formed from what is small there. After two, sn and
-    /// cn change sign.
+    /// 22.4.3): near a turning point they are computed from quantities that are small there. After
+    /// two, sn and cn change sign.
     // ANCHOR: libration
     #[inline]
     fn libration(&self, t: f64) -> Phase {
@@ -398,8 +397,8 @@ impl Hyperbolic {
     #[inline]
     fn at(&self, t: f64) -> Phase {
         let u = self.start + self.frequency * t;
-        // sech u without e^|u|, which overflows; where sinh u does, its arctangent is π/2 all the
-        // same.
+        // sech u without e^|u|, which overflows; where sinh u overflows, its arctangent is still
+        // π/2.
         let decay = libm::exp(-libm::fabs(u));
         Phase {
             theta: 2.0 * libm::atan(libm::sinh(u)),
@@ -409,11 +408,11 @@ impl Hyperbolic {
 }
 
 // -------------------------------------------------------------------------------------------------
-// Units, angles, refusals
+// Units, angles, errors
 // -------------------------------------------------------------------------------------------------
 
 /// A unit of time in which g/L is of order 1, so that no square under- or overflows: a power of
-/// two, which rounds nothing.
+/// two, so that the conversion is exact.
 struct TimeUnit {
     /// The unit (s).
     unit: f64,
@@ -432,8 +431,8 @@ impl TimeUnit {
     }
 }
 
-/// Half the angle, less the half turns that make up whole turns of the angle: its cosine is not
-/// negative.
+/// Half the angle, minus the multiple of π that corresponds to whole turns of the angle: its cosine
+/// is not negative.
 struct HalfAngle {
     sine: DoubleDouble,
     cosine: DoubleDouble,
@@ -443,8 +442,8 @@ struct HalfAngle {
 impl HalfAngle {
     fn new(theta: f64) -> Self {
         let (sine, cosine, quadrant) = reduced_sine_cosine(0.5 * theta);
-        // θ/2 = quadrant · π/2 + y. Beside an odd quadrant the nearer multiple of π is up or down,
-        // as y is: the half angle that is left is y + π/2 or y − π/2.
+        // θ/2 = quadrant · π/2 + y. For an odd quadrant the nearest multiple of π is the one below
+        // for y ≤ 0 and the one above for y > 0: the reduced half angle is y + π/2 or y − π/2.
         if is_even(quadrant) {
             Self { sine, cosine, turns: 0.5 * quadrant }
         } else if sine.rounded() <= 0.0 {

@@ -1,28 +1,27 @@
-//! A sum whose last product is still to be added.
+//! A sum whose last product is added late.
 
 use core::ops::{Add, Mul};
 
 use crate::systems::Vector;
 
-/// The number `sum` + `factor` · `series`, of which `series` comes late.
+/// The number `sum` + `factor` · `series`, in which `series` is ready last.
 ///
 /// The sine in a force is the last thing to be ready, and each operation between it and the next
 /// angle costs the loop three or four cycles. θ + (ω + α) waits for α, then adds twice; (θ + ω) + α
-/// adds once. So a deferred number scales and displaces its known part and its factor, both early,
-/// and the late product is added when the value is asked for. The methods' steps stay as they are
-/// written.
+/// adds once. So a deferred number scales and adds to its known part and its factor, both early,
+/// and adds the late product when its value is read. The code of the methods does not change.
 #[derive(Clone, Copy, Debug)]
 pub struct Deferred {
-    /// What is known early.
+    /// The part that is known early.
     pub sum: f64,
-    /// What the late part is multiplied by.
+    /// The factor of the late part.
     pub factor: f64,
-    /// What comes late.
+    /// The late part.
     pub series: f64,
 }
 
 impl From<f64> for Deferred {
-    /// A number that is known. What is still to be added is −0, which changes no number.
+    /// A number known in full. Its late product is −0, and adding −0 changes no number.
     #[inline]
     fn from(sum: f64) -> Self {
         Self { sum, factor: -0.0, series: 0.0 }
@@ -41,7 +40,7 @@ impl Deferred {
 impl Add for Deferred {
     type Output = Self;
 
-    /// Of two numbers the first is evaluated; the second's product is what is late.
+    /// Evaluates the first number; the product of the second stays deferred.
     #[inline]
     fn add(self, late: Self) -> Self {
         Self { sum: self.value() + late.sum, ..late }

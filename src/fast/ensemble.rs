@@ -1,8 +1,8 @@
-//! Many pendulums at once: the same steps, a lane of the processor's registers for each.
+//! Many pendulums at once: the same steps, each pendulum in a lane of the vector registers.
 //!
-//! A loop over lanes inlines the very step that a single trajectory takes, and the compiler makes
-//! vector instructions of it. So a lane gets the same bits as a trajectory alone, whichever
-//! instructions the processor turns out to have.
+//! A loop over lanes inlines the same step that a single trajectory takes, and the compiler
+//! vectorises it. So a lane gets the same bits as a trajectory alone, whichever instructions the
+//! processor has.
 
 use core::num::NonZeroU64;
 
@@ -11,8 +11,7 @@ use crate::fast::integrate_fast;
 use crate::integrate::{Every, Grid, Method, Observer};
 use crate::systems::{Pendulum, Phase};
 
-/// Pendulums with their starts, and the times at which they are seen: one pendulum for all starts,
-/// or one for each.
+/// Pendulums with their starts and the grid of times: one pendulum for all starts, or one for each.
 ///
 /// ```
 /// use pendula::{Ensemble, Grid, Pendulum, Phase, StormerVerlet, integrate_fast};
@@ -54,13 +53,13 @@ impl<'a> Ensemble<'a> {
         Self { pendulums, starts, grid, instructions: Instructions::Best }
     }
 
-    /// The same with these `instructions` and no better ones: to show that the bits are the same.
+    /// The same, restricted to these `instructions`: to show that the bits are the same.
     #[must_use]
     pub const fn with_instructions(self, instructions: Instructions) -> Self {
         Self { instructions, ..self }
     }
 
-    /// The state of each pendulum at the end of the grid, into `ends`: a slot for each start.
+    /// Writes the state of each pendulum at the end of the grid to `ends`: a slot for each start.
     ///
     /// # Panics
     /// If there are not as many slots as starts.
@@ -81,9 +80,9 @@ impl<'a> Ensemble<'a> {
         });
     }
 
-    /// Lets an observer for each start see its k-th states, the start included: into storage of the
-    /// caller's with [`Record`](crate::integrate::Record), or as the largest energy error with
-    /// [`EnergyDrift`](crate::metrics::EnergyDrift).
+    /// Passes every k-th state of each start, from the start on, to the observer of that start: to
+    /// record it in storage of the caller's with [`Record`](crate::integrate::Record), or to
+    /// measure the largest energy error with [`EnergyDrift`](crate::metrics::EnergyDrift).
     ///
     /// # Panics
     /// If there are not as many observers as starts.
@@ -126,7 +125,7 @@ impl<'a> Ensemble<'a> {
         });
     }
 
-    /// Does `work` for each block of slots, given the number of its first start.
+    /// Calls `work` for each block of slots, with the index of its first start.
     fn for_blocks<T: Send>(&self, slots: &mut [T], work: impl Fn(usize, &mut [T]) + Sync) {
         assert_eq!(slots.len(), self.starts.len(), "one slot for each start");
         let one = |(b, slots): (usize, &mut [T])| work(b * LANES, slots);
@@ -139,8 +138,8 @@ impl<'a> Ensemble<'a> {
         slots.chunks_mut(LANES).enumerate().for_each(one);
     }
 
-    /// The starts from the `first` on in lanes, unless one of them needs its angle or its units
-    /// treated with more care.
+    /// The `count` starts from `first` on in lanes; `None` if [`ScaledPendulum::new`] refuses one
+    /// of them.
     fn block<M: InLanes>(&self, method: &M, first: usize, count: usize) -> Option<Block> {
         let mut starts = [None; LANES];
         for (i, slot) in (first..first + count).zip(&mut starts) {
@@ -155,8 +154,8 @@ impl<'a> Ensemble<'a> {
     }
 }
 
-/// A method of the pendulum whose steps can be taken in lanes: every one whose carry can be laid
-/// out in columns.
+/// A method whose steps of the pendulum can be taken in lanes: any whose carry can be stored in
+/// columns.
 pub trait InLanes:
     Method<Pendulum> + Method<super::ScaledPendulum> + Method<ScaledPendulum, Carry: Lane> + Sync
 {

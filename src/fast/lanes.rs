@@ -6,27 +6,27 @@ use super::{Deferred, ReducedRate};
 use crate::integrate::Method;
 use crate::systems::Phase;
 
-/// The pendulum, and its state, without a branch.
+/// The pendulum and its state with branchless reduction of the angle.
 pub type ScaledPendulum = super::ScaledPendulum<false>;
 type ReducedPhase = super::ReducedPhase<false>;
 
-/// Pendulums in a block: enough for the sines of some to hide the wait for those of others, and few
-/// enough for all that is between two steps to stay in the first cache.
+/// Pendulums in a block: enough for the sines of some to hide the latency of others, and few enough
+/// for all that a step carries to the next to stay in the L1 cache.
 pub const LANES: usize = 32;
 
 /// Up to six numbers for each lane, one array for each.
 pub type Columns = [[f64; LANES]; 6];
 
-/// What can be laid out in columns: the state, and what a method remembers.
+/// What can be stored in columns: the state, and the carry of a method.
 pub trait Lane: Copy {
-    /// Whether a method that remembers this needs no more for its next step, not even the last
+    /// Whether a method with this carry needs nothing else for its next step, not even the last
     /// state.
     const SUFFICES: bool;
 
-    /// Reads it from its lane.
+    /// Loads it from its lane.
     fn load(columns: &Columns, lane: usize) -> Self;
 
-    /// Writes it to its lane.
+    /// Stores it in its lane.
     fn store(self, columns: &mut Columns, lane: usize);
 }
 
@@ -82,7 +82,7 @@ impl Lane for ReducedRate {
 /// Which vector instructions the steps are compiled to. The bits are the same; the time is not.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Instructions {
-    /// The best that the processor has.
+    /// The best the processor has.
     Best,
     /// What the program was compiled for: SSE2 on a plain x86-64.
     Baseline,
@@ -92,8 +92,8 @@ pub enum Instructions {
     Avx512,
 }
 
-/// The states of a block of pendulums, and what their method remembers of them. On the boundaries
-/// of the cache's lines, as a register filled from two of them takes twice as long.
+/// The states of a block of pendulums and the carries of their method. Aligned to cache lines, as a
+/// load that crosses two of them takes twice as long.
 #[repr(align(64))]
 pub struct Block {
     minus_k: [f64; LANES],
@@ -171,7 +171,7 @@ fn steps_in_lanes<M: Method<ScaledPendulum, Carry: Lane>>(
     step_in_lanes(block, method, true);
 }
 
-/// One step in every lane; the states are kept if they are wanted.
+/// One step in every lane; `keep` says whether the states are stored.
 #[inline(always)]
 fn step_in_lanes<M: Method<ScaledPendulum, Carry: Lane>>(
     block: &mut Block,
@@ -183,7 +183,7 @@ fn step_in_lanes<M: Method<ScaledPendulum, Carry: Lane>>(
     for lane in 0..LANES {
         let scaled = ScaledPendulum { minus_k: minus_k[lane], step: *step };
         let mut remembered = M::Carry::load(carry, lane);
-        // A step of length 1; the pendulum does not ask for the time.
+        // A step of length 1 at time 0: the pendulum is autonomous.
         let z = ReducedPhase::load(state, lane);
         let z = method.step(&scaled, 0.0, 1.0, z, &mut remembered);
         if keep {

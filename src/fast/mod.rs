@@ -1,5 +1,5 @@
-//! The pendulum at full speed: the same methods in a quicker unit of time, one trajectory or many
-//! at once.
+//! The pendulum at full speed: the same methods with the step as the unit of time, for one
+//! trajectory or many at once.
 
 mod deferred;
 #[cfg(feature = "ensemble")]
@@ -20,9 +20,8 @@ use crate::systems::{Pendulum, Phase};
 
 /// [`integrate`] for the pendulum in two thirds of the time: with the step as the unit of time.
 ///
-/// The same method takes the same steps; only the rounding is another. What `observer` sees is
-/// angle (rad) and angular velocity (rad/s) as ever, and a scene that does not look does not
-/// convert.
+/// The same method takes the same steps; only the rounding differs. `observer` sees angle (rad) and
+/// angular velocity (rad/s) as in [`integrate`]; without an observer nothing is converted.
 #[inline]
 pub fn integrate_fast<M, O>(
     pendulum: &Pendulum,
@@ -38,14 +37,14 @@ where
     let Some(scaled) = ScaledPendulum::new::<M>(pendulum, grid, start) else {
         return integrate(pendulum, method, start, grid, observer);
     };
-    // The start is seen as it was given.
+    // The start is observed as it was given.
     observer.observe(0, 0.0, start);
     let mut watch = InSeconds { scaled, grid, observer };
     let end = integrate(&scaled, method, scaled.from_phase(start), &grid.in_steps(), &mut watch);
     scaled.to_phase(end)
 }
 
-/// Shows an observer, in seconds, what happens in steps.
+/// Passes states to an observer, converted from steps to seconds.
 struct InSeconds<'a, O: ?Sized> {
     scaled: ScaledPendulum,
     grid: &'a Grid,

@@ -1,10 +1,10 @@
 //! The pendulum with its step as the unit of time: the same motion in less time.
 //!
-//! With u = hω (rad a step) and K = h² g/L the pendulum is θ̈ + K sin θ = 0 and every step is of
-//! length 1, so that no method multiplies by h any more; symplectic Euler, u ← u − K sin θ, θ ← θ +
-//! u, is then Chirikov's standard map as it stands. Three things make it quick, all of them here
-//! and none in the methods, whose own code takes the steps: the unit of time, the angle kept as
-//! half turns and a rest, so that a sine needs no reduction, and [deferred sums](Deferred).
+//! With u = hω (rad a step) and K = h² g/L the pendulum is θ̈ + K sin θ = 0 and every step has
+//! length 1, so that no method multiplies by h; symplectic Euler, u ← u − K sin θ, θ ← θ + u, is
+//! then exactly Chirikov's standard map. Three things make it fast, all in this file and none in
+//! the methods: the unit of time, the angle stored as half turns and a remainder, so that a sine
+//! needs no reduction, and [deferred sums](Deferred).
 
 use core::ops::{Add, Mul};
 
@@ -16,10 +16,10 @@ use crate::systems::{
     Analytic, Components, Pendulum, Phase, RateOf, Separable, State, System, Vector, growth,
 };
 
-/// The pendulum whose time is counted in steps.
+/// The pendulum with time in steps.
 ///
-/// `BRANCH` says how its angles are reduced: with a branch, for a trajectory alone, or without, for
-/// lanes. The bits are the same.
+/// `BRANCH` says how its angles are reduced: with a branch, for a single trajectory, or without,
+/// for lanes. The bits are the same.
 #[derive(Clone, Copy, Debug)]
 pub struct ScaledPendulum<const BRANCH: bool = true> {
     /// −K = −h² g/L.
@@ -28,14 +28,14 @@ pub struct ScaledPendulum<const BRANCH: bool = true> {
     pub(crate) step: f64,
 }
 
-/// The state: the angle as a rest in [−π/2, π/2] and a number of half turns, and the velocity in
-/// rad a step.
+/// The state: the angle as a remainder in [−π/2, π/2] and a number of half turns, and the velocity
+/// in rad a step.
 #[derive(Clone, Copy, Debug)]
 pub struct ReducedPhase<const BRANCH: bool = true> {
-    /// What is left of the angle (rad).
+    /// The remainder of the angle (rad).
     pub(crate) rest: f64,
     /// 1.5 · 2⁵² + n for n half turns: the lowest bit is that of n, and says whether the sine
-    /// changes its sign.
+    /// changes sign.
     pub(crate) turns: f64,
     pub(crate) velocity: Deferred,
 }
@@ -50,11 +50,11 @@ pub struct ReducedRate {
 impl<const BRANCH: bool> ScaledPendulum<BRANCH> {
     /// `pendulum` with its time in steps, for a run of the method `M` along `grid` that begins with
     /// the angle and angular velocity of `start`; `None` where the change of units could overflow
-    /// or underflow, or half turns could become too many to be counted.
+    /// or underflow, or the half turns could become too many to count.
     pub fn new<M: Method<Self>>(pendulum: &Pendulum, grid: &Grid, start: Phase) -> Option<Self> {
         let step = grid.step();
-        // K and h stay far from the ends of the range of f64, and with them what is made of them:
-        // squares of 1e-200 can be lost, 1e-100 leaves room.
+        // K and h, and what is computed from them, stay far from the ends of the range of f64: the
+        // square of 1e-200 underflows, 1e-100 leaves room.
         let moderate = |x: f64| (1e-100..1e100).contains(&x);
         let k = pendulum.frequency_squared() * step * step;
         // The rounder counts 2⁵¹ half turns; the angle at the start is reduced exactly below 2²⁰,
@@ -70,7 +70,7 @@ impl<const BRANCH: bool> ScaledPendulum<BRANCH> {
         fits.then_some(Self { minus_k: -k, step })
     }
 
-    /// The state that `z` is.
+    /// Converts `z` from rad and rad/s.
     pub fn from_phase(&self, z: Phase) -> ReducedPhase<BRANCH> {
         let (n, rest) = reduce::<BRANCH>(z.theta);
         ReducedPhase { rest, turns: ROUNDER + n, velocity: (z.omega * self.step).into() }
@@ -162,7 +162,7 @@ impl<const BRANCH: bool> System for ScaledPendulum<BRANCH> {
 impl<const BRANCH: bool> Separable for ScaledPendulum<BRANCH> {
     type Force = Deferred;
 
-    /// −K sin θ = ∓K (r + r³ P(r²)), where r is the rest of θ.
+    /// −K sin θ = ∓K (r + r³ P(r²)), where r is the remainder of θ.
     #[inline]
     fn force(&self, _t: f64, z: ReducedPhase<BRANCH>) -> Deferred {
         let sign = z.turns.to_bits() << 63;

@@ -1,4 +1,4 @@
-//! The grid of times: an integer number of steps, and time computed from their count.
+//! The grid of times: an integer number of steps, and the time computed from the step count.
 
 use crate::error::{Error, MAX_STEPS, positive};
 
@@ -34,13 +34,12 @@ impl Grid {
         Ok(Self { step, steps })
     }
 
-    /// Steps of `step` (s), as many as make up `duration` (s).
+    /// As many steps of `step` (s) as fill `duration` (s).
     ///
     /// # Errors
     /// As [`Grid::new`]; also [`Error::Parameter`] for a duration that is not finite and positive,
-    /// and [`Error::PartialStep`] for one that is no whole number of steps. A duration and a step
-    /// written in decimals are taken at their word: 50 s is 500 steps of 0.1 s although 0.1 is not
-    /// exactly an f64.
+    /// and [`Error::PartialStep`] for one that is not a whole number of steps. The test allows for
+    /// the rounding of decimals: 50 s is 500 steps of 0.1 s although 0.1 is not exactly an f64.
     pub fn with_duration(step: f64, duration: f64) -> Result<Self, Error> {
         let duration = positive("duration (s)", duration)?;
         let step = positive("step Δt (s)", step)?;
@@ -49,8 +48,8 @@ impl Grid {
             return Err(Error::TooManySteps { steps: quotient });
         }
         // Duration, step and their quotient are each rounded once, by at most ε/2 relative: a whole
-        // number of decimals lands within 3ε/2 of an integer, relatively. Double that for the
-        // rounding of this very test.
+        // number of steps given in decimals is within 3ε/2 of an integer, relatively. Twice that
+        // allows for the rounding of this test.
         let steps = libm::round(quotient);
         if steps < 1.0 || libm::fabs(quotient - steps) > 3.0 * f64::EPSILON * steps {
             return Err(Error::PartialStep { duration, step });
@@ -73,7 +72,7 @@ impl Grid {
         self.steps
     }
 
-    /// The number N + 1 of samples: the start counts.
+    /// The number N + 1 of samples, including the start.
     pub const fn samples(&self) -> u64 {
         self.steps + 1
     }

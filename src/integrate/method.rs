@@ -23,20 +23,20 @@ use crate::systems::System;
 ///
 /// A method of your own: see [`methods`](crate::methods#a-method-of-your-own).
 pub trait Method<S: System> {
-    /// What one step hands to the next: `()`, or what need not be computed again. It belongs to the
-    /// time loop, not to the method.
+    /// What a step carries to the next: `()`, or values that need not be computed again. The time
+    /// loop owns it, not the method.
     type Carry: Copy;
 
-    /// How far one step may kick or drift, or one of its stages, in steps: the sum of the sizes of
-    /// its coefficients, those backwards counted like those forwards. It bounds how far a run can
-    /// turn. A series has no such bound; 1 holds where it converges.
+    /// A bound on how far a step or one of its stages kicks or drifts, in steps: the largest sum of
+    /// |coefficients|. It bounds the number of turns of a run. A series has no such bound; 1 holds
+    /// where it converges.
     const REACH: f64 = 1.0;
 
     /// Prepares the carry for a trajectory of steps `h` (s) that begins at `z` at time `t` (s).
     fn start(&self, system: &S, t: f64, h: f64, z: S::State) -> Self::Carry;
 
     /// The state one step `h` (s) after `z` at time `t` (s). `carry` is the one that `start` or the
-    /// last step left for this very `z`: a method may find all it needs there.
+    /// last step left for this `z`, and may contain all that the method needs.
     ///
     /// Implementations are `#[inline(always)]`: in the time loop `h` and the system are known, and
     /// a call would hide it.

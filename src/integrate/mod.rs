@@ -11,12 +11,12 @@ pub use observe::{Every, Observer, Record};
 use crate::systems::System;
 
 // ANCHOR: integrate
-/// Takes `system` from `start` along `grid` with `method`, lets `observer` see each sample, returns
-/// the last state: the one at the end of the grid, or the one with which the observer was
-/// satisfied.
+/// Integrates `system` from `start` along `grid` with `method`, passes each sample to `observer`,
+/// and returns the last state: the one at the end of the grid, or the one that satisfied the
+/// observer.
 ///
-/// The loop owns what the method remembers from step to step, so that a force left over from
-/// another trajectory cannot get in; and it computes time from the count of steps.
+/// The loop owns the method's carry, so that a force left over from another trajectory cannot be
+/// used; and it computes time from the count of steps.
 #[inline]
 pub fn integrate<S, M, O>(
     system: &S,

@@ -1,18 +1,17 @@
-//! Observers: what is watched along a trajectory. What is not asked for costs nothing.
+//! Observers: what is measured along a trajectory. What is not observed costs nothing.
 
 use core::num::NonZeroU64;
 
-/// Something that looks at every sample of a trajectory, the start included.
+/// Receives every sample of a trajectory, the start included.
 ///
-/// Observers are generic parameters of [`integrate`](crate::integrate()): `()` watches nothing and
-/// leaves the bare loop, a closure `|n, t, z| …` watches what it likes, a tuple lets several watch
-/// at once.
+/// Observers are generic parameters of [`integrate`](crate::integrate()): `()` observes nothing and
+/// leaves the bare loop, a closure `|n, t, z| …` is an observer, and a tuple combines several.
 pub trait Observer<Z> {
-    /// Sees the state `z` after `n` steps, at time `t` (s).
+    /// Receives the state `z` after `n` steps, at time `t` (s).
     fn observe(&mut self, n: u64, t: f64, z: Z);
 
-    /// Whether it has seen all it wants. The time loop ends as soon as this is true; most observers
-    /// never are.
+    /// Whether the observer needs no more samples. The time loop ends as soon as this is true; for
+    /// most observers it never is.
     #[inline]
     fn is_satisfied(&self) -> bool {
         false
@@ -64,12 +63,12 @@ pub struct Every<O> {
 }
 
 impl<O> Every<O> {
-    /// Lets `observer` see the samples 0, k, 2k, … where k is `every`.
+    /// Passes the samples 0, k, 2k, … to `observer`, where k is `every`.
     pub const fn new(every: NonZeroU64, observer: O) -> Self {
         Self { every, skip: 0, observer }
     }
 
-    /// The observer within, with what it has seen.
+    /// The inner observer, with its results.
     pub fn into_inner(self) -> O {
         self.observer
     }
@@ -91,7 +90,7 @@ impl<Z, O: Observer<Z>> Observer<Z> for Every<O> {
     }
 }
 
-/// Writes the states, one after the other, into storage that the caller has sized.
+/// Writes the states, one after the other, into a slice of the caller.
 #[derive(Debug)]
 pub struct Record<'a, Z> {
     storage: core::slice::IterMut<'a, Z>,
@@ -99,7 +98,7 @@ pub struct Record<'a, Z> {
 
 impl<'a, Z> Record<'a, Z> {
     /// Records into `storage`: [`Grid::samples`](crate::Grid::samples) slots hold a whole
-    /// trajectory. Samples beyond its end are not kept.
+    /// trajectory. Samples beyond its end are dropped.
     pub fn new(storage: &'a mut [Z]) -> Self {
         Self { storage: storage.iter_mut() }
     }

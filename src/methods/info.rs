@@ -1,7 +1,7 @@
 //! What is known of a method.
 
-/// What is known of a method. It stands once, beside the method's step, and every test, table and
-/// page reads it there.
+/// The properties of a method. They are defined once, beside the method's step, and read by every
+/// test, table and page.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct MethodInfo {
     /// Name on the command line and in test names.
@@ -16,12 +16,12 @@ pub struct MethodInfo {
     pub symplectic: bool,
     /// Whether a step with −h undoes a step with h.
     pub symmetric: bool,
-    /// Whether a step solves equations by iteration. It then takes as many evaluations as the
-    /// iteration needs sweeps, and where the step is too long for it to converge, no component of
-    /// the state is a number.
+    /// Whether a step solves equations by iteration. The number of evaluations then depends on the
+    /// number of sweeps, and where the step is too long for the iteration to converge, every
+    /// component of the state is NaN.
     pub implicit: bool,
-    /// Force evaluations a step; of an implicit method, a sweep of its iteration, which one
-    /// evaluation more begins.
+    /// Force evaluations a step; for an implicit method, those of one sweep of its iteration, which
+    /// begins with one more.
     pub force_evaluations: u64,
     /// Force evaluations once, before the first step.
     pub start_evaluations: u64,
@@ -29,8 +29,8 @@ pub struct MethodInfo {
     pub reference: &'static str,
 }
 
-/// A method that can say what is known of it.
+/// A method with a [`MethodInfo`].
 pub trait Info {
-    /// The method's entry.
+    /// The properties of the method.
     fn info(&self) -> MethodInfo;
 }

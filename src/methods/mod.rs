@@ -2,14 +2,14 @@
 //!
 #![doc = include_str!("table.md")]
 //!
-//! Evaluations are those of the force a step; of an implicit method, those of one sweep of its
-//! iteration. Each entry stands in the method's own file, as its [`MethodInfo`].
+//! Evaluations are those of the force a step; for an implicit method, those of one sweep of its
+//! iteration. Each entry is the [`MethodInfo`] in the method's own file.
 //!
 //! # A method of your own
 //!
 //! A type with a [`step`](crate::Method::step): `()` for what it carries from one step to the next,
-//! if it carries nothing. For every [`System`](crate::System) it may ask for the rate of change;
-//! for a [`Separable`](crate::Separable) one, for the force, a kick and a drift.
+//! if it carries nothing. For every [`System`](crate::System) it may evaluate the rate of change;
+//! for a [`Separable`](crate::Separable) one, the force, a kick and a drift.
 //!
 //! ```
 //! use pendula::{Grid, Method, Pendulum, Phase, System, integrate};
@@ -43,8 +43,8 @@
 //! # Ok::<(), pendula::Error>(())
 //! ```
 //!
-//! To put a method on the list of the library takes three places: its file, the two lines for it
-//! in its family's `mod.rs`, and a line in [`registry`]. CONTRIBUTING.md has the recipe.
+//! A method is added to the library's list in three places: its file, two lines in its family's
+//! `mod.rs`, and a line in [`registry`]. CONTRIBUTING.md has the recipe.
 
 pub mod gauss;
 mod info;

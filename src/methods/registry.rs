@@ -1,4 +1,4 @@
-//! [`METHODS`], the one list from which tests, tables, benches and book all follow.
+//! [`METHODS`], the one list that tests, tables, benches and book use.
 
 use core::fmt;
 
@@ -7,11 +7,11 @@ use crate::integrate::{Grid, Method, Observer, integrate};
 use crate::methods::Info;
 use crate::systems::{Counting, Pendulum, Phase};
 
-/// A method whose type is forgotten, so that a list can hold it: what tables, book and command line
-/// run over.
+/// A type-erased method, so that a list can hold it, over which tables, book and command line
+/// iterate.
 ///
-/// Every [`Info`] method of the pendulum is one. The step within is compiled for its method; only
-/// the observer is called through a pointer.
+/// Every [`Info`] method of the pendulum is one. The time loop is compiled for its method; only the
+/// observer is called through a pointer.
 pub trait AnyMethod: Info + Sync {
     /// [`integrate_fast`].
     fn run(
@@ -25,7 +25,7 @@ pub trait AnyMethod: Info + Sync {
     /// Force evaluations counted, not declared, over the whole of `grid`.
     fn count_evaluations(&self, pendulum: &Pendulum, start: Phase, grid: &Grid) -> u64;
 
-    /// The last state alone. Nobody watches, so that no step pays for it.
+    /// The last state alone, without the cost of an observer.
     fn end(&self, pendulum: &Pendulum, start: Phase, grid: &Grid) -> Phase {
         self.run(pendulum, start, grid, &mut ())
     }
@@ -62,9 +62,9 @@ impl fmt::Debug for dyn AnyMethod + '_ {
     }
 }
 
-/// Hands the methods that suit every system, or every separable one, to the macro `$then`, as
-/// `module::Method` pairs: the paper's four in the order of its tables, then the others. What else
-/// is given follows them.
+/// Passes the methods for every system, or every separable one, to the macro `$then`, as
+/// `module::Method` pairs: the paper's four in the order of its tables, then the others. Further
+/// arguments follow them.
 #[macro_export]
 macro_rules! for_each_general_method {
     ($then:ident $(, $($more:tt)+)?) => {
@@ -95,11 +95,11 @@ macro_rules! for_each_general_method {
     };
 }
 
-/// Hands the list of methods to the macro `$then`: the [general ones](for_each_general_method), and
-/// those that ask more of a system.
+/// Passes the list of methods to the macro `$then`: the [general ones](for_each_general_method),
+/// and those that need more of a system.
 ///
-/// This is the list. [`METHODS`] is made from it, and so is every test that runs over all methods
-/// with their types known.
+/// This is the list. [`METHODS`] is made from it, and so is every test that needs the type of each
+/// method.
 #[macro_export]
 macro_rules! for_each_method {
     ($then:ident) => {
@@ -109,7 +109,8 @@ macro_rules! for_each_method {
 
 macro_rules! collect {
     ($($module:ident::$method:ident,)+) => {
-        /// Every method of the library, in the order of the paper's tables.
+        /// Every method of the library: the paper's four in the order of its tables, then the
+        /// others.
         pub static METHODS: &[&dyn AnyMethod] = &[$(&$crate::methods::$method,)+];
     };
 }

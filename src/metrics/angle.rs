@@ -7,8 +7,8 @@ use crate::systems::Phase;
 /// Error of the angle against a reference θ(t): root mean square and largest, over all N + 1
 /// samples (rad).
 ///
-/// The start counts as a sample, although its error is zero: the paper's Table 6 is met with N + 1
-/// in the mean, and missed with N.
+/// The start counts as a sample, although its error is zero: a mean over N + 1 samples reproduces
+/// the paper's Table 6, one over N does not.
 #[derive(Clone, Debug)]
 pub struct AngleError<F> {
     reference: F,
@@ -18,7 +18,7 @@ pub struct AngleError<F> {
 }
 
 impl<F: Fn(f64) -> f64> AngleError<F> {
-    /// Compares with `reference`, the true angle (rad) as a function of time (s).
+    /// Compares with `reference`, the exact angle (rad) as a function of time (s).
     pub const fn new(reference: F) -> Self {
         Self { reference, squares: 0.0, samples: 0, largest: 0.0 }
     }
@@ -40,7 +40,7 @@ impl<F: Fn(f64) -> f64> Observer<Phase> for AngleError<F> {
         let error = (z.theta - (self.reference)(t)).abs();
         self.squares += error * error;
         self.samples += 1;
-        // A NaN, once seen, is kept and not compared away.
+        // `fmaximum` keeps a NaN, which `max` would drop.
         self.largest = libm::fmaximum(self.largest, error);
     }
 }

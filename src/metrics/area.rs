@@ -3,15 +3,15 @@
 use crate::systems::Phase;
 
 // ANCHOR: area
-/// The signed area of a polygon in phase space (rad²/s), positive where its corners go round
+/// The signed area of a polygon in phase space (rad²/s), positive if its corners are
 /// counterclockwise with θ to the right and ω upwards.
 ///
-/// A flow keeps the area within a curve and not that within a polygon, whose edges it bends: on a
-/// curve with n corners the polygon is off by O(1/n²). Affine maps, and the flow of the linear
-/// oscillator is one, keep edges straight.
+/// A Hamiltonian flow preserves the area within a curve, but not within a polygon, whose edges it
+/// bends: the area of a polygon of n points on a curve is off by O(1/n²). Affine maps, such as the
+/// flow of the linear oscillator, keep edges straight.
 pub fn polygon_area(corners: &[Phase]) -> f64 {
     let Some((first, rest)) = corners.split_first() else { return 0.0 };
-    // Triangles from the first corner: a small polygon far from the origin keeps its digits.
+    // Triangles from the first corner: a small polygon far from the origin loses no digits.
     let from_first =
         |z: &Phase| Phase { theta: z.theta - first.theta, omega: z.omega - first.omega };
     rest.windows(2)

@@ -4,12 +4,12 @@ use crate::error::Error;
 use crate::exact::Motion;
 use crate::systems::{Pendulum, Phase};
 
-/// How far runs end from where the motion is, and how much of that may be rounding.
+/// The error at the end of runs against the exact solution, and how much of it may be rounding.
 #[derive(Clone, Copy, Debug)]
 pub struct EndError {
     truth: Phase,
     frequency: f64,
-    /// By how much a relative change of the start is multiplied until the end (rad).
+    /// The factor by which a relative change of the start grows until the end (rad).
     growth: f64,
 }
 
@@ -19,7 +19,7 @@ impl EndError {
     /// # Errors
     /// Those of [`Motion::new`].
     pub fn new(pendulum: &Pendulum, start: Phase, t: f64) -> Result<Self, Error> {
-        /// A change that leaves half of the digits to the difference.
+        /// A change that leaves half of the digits for the difference.
         const CHANGE: f64 = 1.0 / (1 << 26) as f64;
         let at = |start| Motion::new(pendulum, start).map(|motion| motion.at(t));
         let frequency = pendulum.small_angle_frequency();
@@ -28,16 +28,16 @@ impl EndError {
         Ok(Self { growth: unmoved.of(moved) / CHANGE, ..unmoved })
     }
 
-    /// max(|Δθ|, |Δω|/ω₀) (rad) of a run that ends at `end`; NaN where a component of it is none.
+    /// max(|Δθ|, |Δω|/ω₀) (rad) of a run that ends at `end`; NaN if a component of it is NaN.
     pub fn of(&self, end: Phase) -> f64 {
         let theta = (end.theta - self.truth.theta).abs();
         let omega = (end.omega - self.truth.omega).abs() / self.frequency;
         libm::fmaximum(theta, omega)
     }
 
-    /// What rounding may have to do with the error (rad) after so many `steps`: each changes the
-    /// state by about ε of itself, now up and now down, and all together as √`steps` of them would
-    /// if they were made at the start.
+    /// How much of the error (rad) after `steps` steps may be rounding: each step changes the state
+    /// by about ε of itself, with random sign, and all of them count like √`steps` such changes of
+    /// the start.
     pub fn rounding(&self, steps: u64) -> f64 {
         self.growth * f64::EPSILON * libm::sqrt(steps as f64)
     }

@@ -3,8 +3,7 @@
 use crate::integrate::Observer;
 use crate::systems::{Hamiltonian, System};
 
-/// States that are buffered, 1 KB of them: evaluated together, their energies are vector
-/// instructions.
+/// States in the buffer, 1 KB of them: evaluated together, their energies are vectorised.
 const BUFFER: usize = 64;
 
 // ANCHOR: energy_drift
@@ -22,13 +21,13 @@ pub struct EnergyDrift<'a, S: System> {
 }
 
 impl<'a, S: Hamiltonian> EnergyDrift<'a, S> {
-    /// Watches the energy of `system`.
+    /// Observes the energy of `system`.
     pub const fn new(system: &'a S) -> Self {
         Self { system, initial: f64::NAN, largest: 0.0, buffer: None, count: 0 }
     }
 
-    /// Evaluates the buffered states. Not inlined: a loop that contains all this keeps its own
-    /// numbers in memory.
+    /// Evaluates the buffered states. Not inlined: inside the time loop it would push the loop's
+    /// variables out of registers.
     #[inline(never)]
     fn flush(&mut self) {
         self.largest = self.largest();
@@ -46,7 +45,7 @@ impl<'a, S: Hamiltonian> EnergyDrift<'a, S> {
 
 impl<S: Hamiltonian> Observer<S::State> for EnergyDrift<'_, S> {
     #[inline]
-    #[expect(clippy::unnecessary_lazy_evaluations, reason = "the row would be filled each time")]
+    #[expect(clippy::unnecessary_lazy_evaluations, reason = "the buffer would be filled each time")]
     fn observe(&mut self, n: u64, _t: f64, z: S::State) {
         if n == 0 {
             self.initial = self.system.energy(z);
@@ -60,10 +59,10 @@ impl<S: Hamiltonian> Observer<S::State> for EnergyDrift<'_, S> {
 }
 // ANCHOR_END: energy_drift
 
-/// The largest |energy − `initial`|, or `largest` if that is larger; NaN if any is NaN: once seen,
-/// it is kept and not compared away.
+/// The largest |energy − `initial`|, or `largest` if that is larger; NaN if any is NaN, now or
+/// before.
 fn largest_deviation(energies: &[f64], initial: f64, largest: f64) -> f64 {
-    // Eight maxima side by side do not wait for one another.
+    // Eight independent maxima, so that their latencies overlap.
     let mut largest = [largest; 8];
     let mut nan = largest[0].is_nan();
     for energies in energies.chunks(largest.len()) {

@@ -1,7 +1,7 @@
-//! What is measured along a run, each as an observer: energy error, angle error, period; the error
-//! at its end; the area of a polygon of states; and the slope of errors against steps.
+//! What is measured of runs: energy error, angle error and period, each by an observer; the error
+//! at the end; the area of a polygon of states; and the slope of errors against steps.
 //!
-//! Several watch one run as a tuple.
+//! A tuple of observers is an observer.
 //!
 //! ```
 //! use pendula::metrics::{AngleError, CrossingPeriod, EnergyDrift};

@@ -3,9 +3,9 @@
 // ANCHOR: slopes
 /// The slope log(e₁/e₀) / log(h₁/h₀) of each pair of neighbours on a ladder of steps.
 ///
-/// `steps` (s) and `errors` run together, in either direction. A pair in which an error has reached
-/// `floor`, the level at which rounding and not truncation is measured, has no slope: `None`. So
-/// has a pair whose error is zero or not a number.
+/// `steps` (s) and `errors` are in the same order, ascending or descending. A pair in which an
+/// error has reached `floor`, the level at which rounding and not truncation is measured, has no
+/// slope: `None`. Nor has a pair in which an error is zero or not finite.
 pub fn slopes<'a>(
     steps: &'a [f64],
     errors: &'a [f64],
@@ -18,21 +18,23 @@ pub fn slopes<'a>(
 }
 // ANCHOR_END: slopes
 
-/// Whether the `error` of a method of this `order` is its own and no luck, going by that of half
-/// the step, `finer`, of which so much may be `rounding`.
+/// Whether the `error` of a method of this `order` agrees with its order and is not small by
+/// chance, judged by the error with half the step, `finer`, of which as much as `rounding` may be
+/// rounding.
 ///
-/// An error may cross zero at some step, and there a poor method looks splendid. But with half the
-/// step it should be 2ᵖ times smaller: where that makes it out to be more than three times what it
-/// is, the step was lucky, or rounding has been reached. A high order may reach it in a single
-/// halving. So where the finer error may be rounding, it need only be no more than three times what
-/// `error` is.
+/// The error as a function of the step may cross zero, and near there a poor method looks splendid.
+/// But with half the step an error should be 2ᵖ times smaller: if 2ᵖ `finer` is more than three
+/// times `error`, then `error` was small by chance, or rounding has been reached. A high order may
+/// reach rounding in a single halving. So if `finer` may be rounding, it need only be at most three
+/// times `error`.
 pub fn is_asymptotic(order: u32, error: f64, finer: f64, rounding: f64) -> bool {
     let falls = 3.0 * error >= libm::exp2(f64::from(order)) * finer;
     falls || finer <= rounding && 3.0 * error >= finer
 }
 
-/// Whether an `error`, of which so much may be `rounding`, is on the floor: with half the step,
-/// where it is `finer`, it does not fall by half, as that of any method would.
+/// Whether an `error`, of which as much as `rounding` may be rounding, is on the rounding floor:
+/// the error with half the step, `finer`, is not less than half of it, as it would be for any
+/// method above the floor.
 pub fn is_floor(error: f64, rounding: f64, finer: f64) -> bool {
     error <= rounding && 2.0 * finer >= error
 }

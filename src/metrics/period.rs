@@ -1,5 +1,4 @@
-//! The period, read off the samples in five ways. How it is read matters more than the method that
-//! made the samples.
+//! The period, read off the samples in five ways. The reading matters more than the method.
 //!
 //! | reading | observer | off by |
 //! |---|---|---|
@@ -9,8 +8,8 @@
 //! | the cubic through a crossing | [`CrossingPeriod::default`], by [`Hermite`] | O(h⁵) |
 //! | a last step that ends on the crossing | [`CrossingPeriod::new`] [`Henon`] | O(h⁵) |
 //!
-//! A line and a cubic are in general right to O(h²) and O(h⁴). The pendulum has no acceleration at
-//! the bottom, which makes each of them better by one order there.
+//! In general a line and a cubic are accurate to O(h²) and O(h⁴). The pendulum has no acceleration
+//! at the bottom, which makes each better by one order there.
 
 use crate::integrate::{Method, Observer};
 use crate::methods::Rk4;
@@ -32,8 +31,8 @@ pub enum Peak {
     Parabola,
 }
 
-/// Period as the time of the first peak of θ after the start (s): of the first sample that stands
-/// above both its neighbours, or of the vertex near it.
+/// Period as the time of the first peak of θ after the start (s): of the first sample that is
+/// higher than its neighbours, or of the vertex near it.
 ///
 /// By default it is the sample, which is how the paper reads it.
 #[derive(Clone, Debug, Default)]
@@ -109,8 +108,8 @@ impl CrossingRule for Hermite {
     }
 }
 
-/// A step of the system itself that ends on the crossing: it goes back from the sample beyond in
-/// RK4, with θ for the independent variable, so that its length, −θ, is known (Hénon, *Physica D* 5
+/// A step of the system itself that ends on the crossing: an RK4 step back from the sample beyond,
+/// with θ as the independent variable, so that its length, −θ, is known (Hénon, *Physica D* 5
 /// (1982) 412–414).
 #[derive(Clone, Copy, Debug)]
 pub struct Henon<'a, S>(pub &'a S);
@@ -145,8 +144,8 @@ state! {
 
 /// Period as the time between downward crossings of θ = 0 (s), each found by a [`CrossingRule`].
 ///
-/// By default that is [`Hermite`]'s cubic. It is right to O(h⁵), so that what is left is the error
-/// of the method.
+/// By default that is [`Hermite`]'s cubic. It is accurate to O(h⁵), so that the error of the method
+/// remains.
 #[derive(Clone, Debug)]
 pub struct CrossingPeriod<C = Hermite> {
     crossing: C,
@@ -163,7 +162,7 @@ impl Default for CrossingPeriod {
 }
 
 impl<C> CrossingPeriod<C> {
-    /// Finds each crossing by `crossing`.
+    /// Finds each crossing with `crossing`.
     pub const fn new(crossing: C) -> Self {
         Self { crossing, last: None, first_crossing: 0.0, last_crossing: 0.0, crossings: 0 }
     }
@@ -199,8 +198,8 @@ fn hermite_root(y0: f64, d0: f64, y1: f64, d1: f64) -> f64 {
     let (c2, c3) = (3.0 * rise - 2.0 * d0 - d1, d0 + d1 - 2.0 * rise);
     let (mut low, mut high) = (0.0, 1.0);
     let mut s = y0 / (y0 - y1);
-    // Newton, held inside the bracket by bisection. It is quadratic from a good start and at worst
-    // halves the bracket; 60 halvings exhaust an f64.
+    // Newton's method, kept inside the bracket by bisection. It is quadratic from a good start and
+    // at worst halves the bracket; 60 halvings exhaust an f64.
     for _ in 0..60 {
         let value = y0 + s * (d0 + s * (c2 + s * c3));
         if value > 0.0 {

@@ -5,13 +5,13 @@ use crate::arithmetic::sine::{cos, sin};
 
 /// A system whose motion can be expanded in powers of time, by recurrence, to any order.
 pub trait Analytic: System {
-    /// The mean rate of change over a step `h` (s) from `z`, in units of the state over s, by the
+    /// The mean rate of change over a step `h` (s) from `z`, in units of the state per s, by the
     /// Taylor series of the motion up to hᴾ.
     fn mean_rate<const P: usize>(&self, h: f64, z: Self::State) -> RateOf<Self>;
 }
 
-/// What θ and ω grow by in a step, over the step, where θ' = ω and ω' = −`frequency_squared` sin θ,
-/// from ω, sin θ and cos θ at its start.
+/// The increments of θ and ω in a step, divided by h, where θ' = ω and ω' = −`frequency_squared`
+/// sin θ, from ω, sin θ and cos θ at its start.
 ///
 /// The coefficients are those of powers of t/h. With θ = Σ θⱼ and likewise s = sin θ and c = cos θ,
 /// from s' = cθ' and c' = −sθ':
@@ -28,12 +28,12 @@ pub(crate) fn growth<const P: usize>(
     (sin, cos): (f64, f64),
 ) -> (f64, f64) {
     let inverse = const { inverses::<P>() };
-    // jθⱼ, which is all that the sums ask for; c and −s, side by side, since both are multiplied by
-    // the same.
+    // jθⱼ, the only form in which the sums need θⱼ; c and −s, side by side, since both are
+    // multiplied by the same factors.
     let (mut turning, mut waves) = ([0.0; P], [[0.0; 2]; P]);
     let (mut theta, mut velocity) = ([0.0; P], [0.0; P]);
-    // Every product goes to its sum as soon as both factors are known, so that a sum waits for its
-    // last two alone.
+    // Each product is added to its sum as soon as both factors are known, so that only the last two
+    // products of a sum delay it.
     let mut sums = [[0.0; 2]; P];
     let (mut omega_k, mut wave) = (omega, [cos, -sin]);
     for k in 0..P {
@@ -60,7 +60,7 @@ pub(crate) fn growth<const P: usize>(
 }
 // ANCHOR_END: series
 
-/// 1, 1/2, 1/3 …: a division would be waited for three times as long as a product.
+/// 1, 1/2, 1/3 …: a division has three times the latency of a product.
 const fn inverses<const P: usize>() -> [f64; P] {
     let mut all = [1.0; P];
     let mut k = 1;
@@ -71,8 +71,8 @@ const fn inverses<const P: usize>() -> [f64; P] {
     all
 }
 
-/// The sum of the terms of a series, the smallest first, so that they do not drown one by one: in
-/// four sums at once, which do not wait for one another.
+/// The sum of the terms of a series, the smallest first, so that they are not lost to rounding one
+/// by one; in four independent sums.
 #[inline]
 fn smallest_first<const P: usize>(terms: &[f64; P]) -> f64 {
     let mut sums = [0.0; 4];
@@ -106,7 +106,8 @@ impl Analytic for LinearOscillator {
 }
 
 impl<S: Analytic> Analytic for Counting<S> {
-    /// Each power of the series costs as much as its sums are long; it counts as one evaluation.
+    /// The cost of a power of the series is proportional to the length of its sums; each power
+    /// counts as one evaluation.
     fn mean_rate<const P: usize>(&self, h: f64, z: S::State) -> RateOf<S> {
         self.count(P as u64);
         self.system().mean_rate::<P>(h, z)

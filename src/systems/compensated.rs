@@ -1,30 +1,31 @@
-//! Sums that keep what rounding takes away.
+//! Compensated sums: sums that keep their rounding errors.
 
 use core::ops::Add;
 
 use crate::arithmetic::double_double::two_sum;
 use crate::systems::{Analytic, Components, Hamiltonian, Phase, RateOf, Separable, State, System};
 
-/// A decorator: the same system, with a state that carries what rounding took away, so that every
-/// method that runs on it has compensated sums.
+/// A wrapper: the same system, with a state that carries its rounding errors, so that every method
+/// that integrates it has compensated sums.
 ///
 /// A step adds a small displacement to a large state, and rounds the sum to the last digit of the
-/// large one. Here what is rounded away is kept beside the sum, until it is enough to count (W.
+/// large one. Here the rounding error is kept beside the sum and added to the next displacement (W.
 /// Kahan, *Comm. ACM* 8 (1965) 40; O. Møller, *BIT* 5 (1965) 37–50; Hairer, Lubich, Wanner,
-/// *Geometric Numerical Integration*, Sect. VIII.5). What is left is the rounding of the
-/// displacements themselves, which is smaller by about x = ω₀h. A method needs no other code:
-/// Runge–Kutta methods add to the state, and splitting methods kick it and let it drift.
+/// *Geometric Numerical Integration*, Sect. VIII.5). What remains is the rounding of the
+/// displacements themselves, which is smaller by a factor of about x = ω₀h. The methods need no
+/// change: Runge–Kutta methods add to the state, and splitting methods kick it and let it drift.
 #[derive(Clone, Copy, Debug)]
 pub struct Compensated<S> {
     system: S,
 }
 
-/// A state θ and ω with what is still to be added to them: together good to twice the digits.
+/// A state θ and ω with its rounding errors, which are still to be added: together they have twice
+/// the digits.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct CompensatedPhase {
     /// The state, rounded.
     pub phase: Phase,
-    /// What the rounding took away: half a unit in the last place of the state at most.
+    /// The rounding errors: at most half a unit in the last place of the state.
     pub lost: Phase,
 }
 
@@ -36,7 +37,7 @@ impl<S> Compensated<S> {
 }
 
 impl From<Phase> for CompensatedPhase {
-    /// A state from which nothing is lost yet.
+    /// A state without rounding errors.
     fn from(phase: Phase) -> Self {
         Self { phase, lost: Phase { theta: 0.0, omega: 0.0 } }
     }
@@ -76,9 +77,9 @@ impl<S: System<State = Phase>> System for Compensated<S> {
     }
 }
 
-/// Of a Hamiltonian system, whose kick adds the same whatever the velocity, and whose drift
-/// whatever the position: so what they add can be asked for by itself, before it is rounded into a
-/// sum.
+/// For Hamiltonian systems, whose kick does not depend on the velocity and whose drift does not
+/// depend on the position: so each displacement can be computed by itself, before it is rounded
+/// into a sum.
 impl<S: Separable<State = Phase> + Hamiltonian> Separable for Compensated<S> {
     type Force = S::Force;
 
@@ -93,7 +94,7 @@ impl<S: Separable<State = Phase> + Hamiltonian> Separable for Compensated<S> {
         z + Phase { theta: 0.0, omega: self.system.kick(resting, force, h).omega }
     }
 
-    /// What the velocity has lost moves the position too.
+    /// The rounding error of the velocity moves the position too.
     #[inline]
     fn drift(&self, z: CompensatedPhase, h: f64) -> CompensatedPhase {
         let moved = |omega| self.system.drift(Phase { theta: 0.0, omega }, h).theta;

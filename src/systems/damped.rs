@@ -13,8 +13,8 @@ use crate::systems::{Hamiltonian, Pendulum, Phase, Separable, System};
 ///
 /// It is [`Separable`] in this sense: with θ held, ω̇ = −2βω + α is solved exactly by the kick.
 /// Splitting methods then shrink area by exactly what the motion does, and are called conformally
-/// symplectic (Bhatt, Floyd, Moore, *J. Sci. Comput.* 66 (2016) 1234–1259). Methods of Nyström's
-/// kind, which rely on a kick that does not ask for the velocity, may have a lower order here.
+/// symplectic (Bhatt, Floyd, Moore, *J. Sci. Comput.* 66 (2016) 1234–1259). Runge–Kutta–Nyström
+/// methods, which rely on a kick that does not depend on the velocity, may have a lower order here.
 ///
 /// Landau, Lifshitz, *Mechanics*, § 25, where β is called λ.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -24,7 +24,7 @@ pub struct Damped {
 }
 
 impl Damped {
-    /// `pendulum` with the `damping` β (1/s); zero leaves it as it is.
+    /// `pendulum` with the `damping` β (1/s); zero leaves it undamped.
     ///
     /// # Errors
     /// [`Error::Parameter`] for a β that is not finite, or negative, or so large that 2β overflows.
@@ -43,13 +43,13 @@ impl Damped {
         self.damping
     }
 
-    /// Energy above the rest at the bottom (J): the pendulum's. It falls.
+    /// The pendulum's energy above the stable equilibrium (J), which decreases.
     pub fn energy(&self, z: Phase) -> f64 {
         self.pendulum.energy(z)
     }
 
     // ANCHOR: power
-    /// The rate of change of the energy, dE/dt = −2β m L² ω² (W): what friction takes.
+    /// The rate of change of the energy, dE/dt = −2β m L² ω² (W): the power of the friction.
     pub fn power(&self, z: Phase) -> f64 {
         let inertia = self.pendulum.mass() * self.pendulum.length() * self.pendulum.length();
         -2.0 * self.damping * inertia * (z.omega * z.omega)
@@ -125,7 +125,7 @@ impl System for Damped {
 impl Separable for Damped {
     type Force = f64;
 
-    /// −ω₀² sin θ (rad/s²), without the friction: that belongs to the kick.
+    /// −ω₀² sin θ (rad/s²), without the friction, which is part of the kick.
     #[inline]
     fn force(&self, _t: f64, z: Phase) -> f64 {
         -self.pendulum.frequency_squared() * half_turn::sin(z.theta)

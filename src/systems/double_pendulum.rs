@@ -13,9 +13,9 @@ use crate::systems::{Hamiltonian, System, angle};
 /// H = \[m₂L₂² p₁² + (m₁ + m₂)L₁² p₂² − 2m₂L₁L₂ p₁p₂ cos Δ\] / \[2m₂L₁²L₂² (m₁ + m₂ sin² Δ)\]
 ///   + 2(m₁ + m₂)gL₁ sin²(θ₁/2) + 2m₂gL₂ sin²(θ₂/2).
 ///
-/// Positions and momenta are mixed in its first term: it is no [`Separable`](crate::Separable)
-/// system, and splitting methods do not apply. Small swings are two normal modes, for equal rods
-/// and bobs of ω² = (2 ∓ √2) g/L; large ones are chaotic.
+/// Positions and momenta are mixed in its first term: the system is not
+/// [`Separable`](crate::Separable), and splitting methods do not apply. Small swings are sums of
+/// two normal modes, for equal rods and bobs with ω² = (2 ∓ √2) g/L; large ones are chaotic.
 ///
 /// Landau, Lifshitz, *Mechanics*, § 5, Problem 1, and § 23.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -158,7 +158,8 @@ impl DoublePendulum {
     // ANCHOR_END: modes
 
     /// The ratio θ₂/θ₁ in each of the [`normal_modes`](Self::normal_modes): positive in the slow
-    /// one, where the bobs swing together, negative in the fast one. For equals it is ±√2.
+    /// one, where the bobs swing together, negative in the fast one. For equal rods and bobs it is
+    /// ±√2.
     pub fn mode_shapes(&self) -> [f64; 2] {
         // From the lower bob's equation, L₁ θ̈₁ + L₂ θ̈₂ + g θ₂ = 0.
         self.normal_modes().map(|omega| {
@@ -168,7 +169,7 @@ impl DoublePendulum {
     }
 }
 
-/// Passes a parameter from which products of many are formed.
+/// Returns `value` if products of several such parameters stay in the range of f64.
 fn moderate(name: &'static str, value: f64) -> Result<f64, Error> {
     let value = positive(name, value)?;
     if (1e-30..=1e30).contains(&value) {
@@ -187,7 +188,7 @@ impl System for DoublePendulum {
         let (Joint { length: l1, mass: m1 }, Joint { length: l2, mass: m2 }) =
             (self.upper, self.lower);
         let [omega1, omega2] = self.velocities(z);
-        // ∂T/∂Δ: what one rod's momentum gains from the other's.
+        // ∂T/∂Δ at fixed momenta: the torque that the rods exert on each other.
         let exchange = m2 * l1 * l2 * omega1 * omega2 * sin(z.theta1 - z.theta2);
         DoublePhase {
             theta1: omega1,

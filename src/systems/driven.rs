@@ -10,9 +10,9 @@ use crate::systems::{Pendulum, Phase, Separable, System};
 
 /// The damped pendulum under a periodic torque, θ̈ + 2β θ̇ + ω₀² sin θ = γ ω₀² cos Ωt.
 ///
-/// γ is the torque's amplitude in units of the weight's largest torque, m g L. As γ grows the
-/// motion repeats after one period of the drive, then after two, four, …, and then never. Area in
-/// phase space shrinks by exp(−2β · 2π/Ω) a period.
+/// γ is the amplitude of the torque in units of m g L, the largest torque of the weight. As γ grows
+/// the motion repeats after one period of the drive, then after two, four, …, and then never. Area
+/// in phase space shrinks by exp(−2β · 2π/Ω) a period.
 ///
 /// J. R. Taylor, *Classical Mechanics* (2005), ch. 12.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,7 +20,7 @@ pub struct Driven {
     damped: Damped,
     strength: f64,
     frequency: f64,
-    /// γ ω₀², formed once (rad/s²).
+    /// γ ω₀², computed once (rad/s²).
     torque: f64,
 }
 
@@ -78,8 +78,9 @@ impl Driven {
         2.0 * PI / self.frequency
     }
 
-    /// By how much area in phase space shrinks in a period, exp(−2β · 2π/Ω): the determinant of
-    /// every monodromy matrix (Liouville's formula; the divergence of the flow is −2β everywhere).
+    /// The factor by which area in phase space shrinks in a period, exp(−2β · 2π/Ω): the
+    /// determinant of every monodromy matrix (Liouville's formula; the divergence of the flow is
+    /// −2β everywhere).
     pub fn contraction(&self) -> f64 {
         libm::exp(-2.0 * self.damped.damping() * self.period())
     }
@@ -100,7 +101,7 @@ impl Separable for Driven {
     type Force = f64;
 
     // ANCHOR: force
-    /// −ω₀² sin θ + γ ω₀² cos Ωt (rad/s²), without the friction: that belongs to the kick.
+    /// −ω₀² sin θ + γ ω₀² cos Ωt (rad/s²), without the friction, which is part of the kick.
     #[inline]
     fn force(&self, t: f64, z: Phase) -> f64 {
         self.damped.force(t, z) + self.torque * cos(self.frequency * t)
@@ -119,7 +120,7 @@ impl Separable for Driven {
 }
 
 impl Linearised for Driven {
-    /// The drive is the same for neighbours: their difference does not feel it.
+    /// The drive does not depend on the state and drops out of the derivative.
     #[inline]
     fn tangent(&self, _t: f64, z: Phase, v: Phase) -> Phase {
         self.damped.tangent_at(z, v)

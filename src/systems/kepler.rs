@@ -1,5 +1,5 @@
-//! A planet: a second witness that is Hamiltonian and separable, with an angular momentum beside
-//! its energy.
+//! Kepler's problem: a second system that is Hamiltonian and separable, with an angular momentum
+//! besides its energy.
 
 use core::f64::consts::PI;
 
@@ -10,9 +10,9 @@ use crate::systems::{Hamiltonian, Separable, System};
 
 /// Kepler's problem in its plane, r̈ = −μ r/r³, with the centre at rest in the origin.
 ///
-/// The motion keeps the energy ½v² − μ/r and the angular momentum x v_y − y v_x, and the pericentre
-/// stays where it is. Kicks along r and drifts along v change no angular momentum, so that every
-/// splitting method keeps it to rounding; the pericentre they do not keep.
+/// The motion conserves the energy ½v² − μ/r and the angular momentum x v_y − y v_x, and the
+/// pericentre stays fixed. Kicks along r and drifts along v do not change the angular momentum, so
+/// that every splitting method conserves it up to rounding, but not the pericentre.
 ///
 /// Landau, Lifshitz, *Mechanics*, § 15; Hairer, Lubich, Wanner (2006), Sect. I.2.2.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -59,7 +59,7 @@ impl Kepler {
         self.attraction
     }
 
-    /// Angular momentum for each unit of mass, x v_y − y v_x (m²/s).
+    /// Angular momentum per unit of mass, x v_y − y v_x (m²/s).
     #[inline]
     pub fn angular_momentum(&self, z: PlanePhase) -> f64 {
         z.x * z.vy - z.y * z.vx
@@ -90,8 +90,8 @@ impl Ellipse {
     /// The ellipse about `centre` of the semi-major axis a (m) and the eccentricity e.
     ///
     /// # Errors
-    /// [`Error::Parameter`] for an a that is not finite and positive, for an e that is not at least
-    /// 0 and below 1, and where √(μ/a³) leaves the range of normal numbers.
+    /// [`Error::Parameter`] for an a that is not finite and positive, for an e outside 0 ≤ e < 1,
+    /// and where √(μ/a³) leaves the range of normal numbers.
     pub fn new(centre: &Kepler, semi_major: f64, eccentricity: f64) -> Result<Self, Error> {
         let semi_major = positive("semi-major axis a (m)", semi_major)?;
         if !(0.0..1.0).contains(&eccentricity) {
@@ -145,8 +145,8 @@ impl Ellipse {
 
 /// The root E of Kepler's equation E − e sin E = `mean` (rad).
 fn eccentric_anomaly(mean: f64, e: f64) -> f64 {
-    // The root lies within e of the mean. Newton's step, or half the bracket where it would leave
-    // that: 60 halvings exhaust an f64, and ten steps are more than Newton needs.
+    // The root lies within e of the mean. Newton's step, or bisection where Newton's step would
+    // leave the bracket: 60 bisections exhaust an f64, and ten steps are more than Newton needs.
     let (mut low, mut high) = (mean - e, mean + e);
     let mut anomaly = mean;
     for _ in 0..70 {
@@ -205,8 +205,8 @@ impl Separable for Kepler {
 // ANCHOR_END: force
 
 impl Hamiltonian for Kepler {
-    /// ½v² − μ/r (J/kg): for each unit of mass, and zero for a planet at rest far away, since there
-    /// is no rest to count from.
+    /// ½v² − μ/r (J/kg): per unit of mass, and zero for a planet at rest at infinity, since there
+    /// is no equilibrium to measure from.
     fn energy(&self, z: PlanePhase) -> f64 {
         0.5 * (z.vx * z.vx + z.vy * z.vy) - self.attraction / distance(z)
     }

@@ -1,17 +1,17 @@
-//! The linear oscillator: the pendulum as a small angle sees it.
+//! The linear oscillator: the pendulum in the limit of small angles.
 
 use super::{Hamiltonian, Pendulum, Phase, Separable, System};
 use crate::arithmetic::sine::{cos, sin};
 
-/// The linear oscillator θ̈ + (g/L) θ = 0: the pendulum as a small angle sees it (paper, Section
-/// 3.3).
+/// The linear oscillator θ̈ + (g/L) θ = 0: the pendulum in the limit of small angles (paper,
+/// Section 3.3).
 ///
-/// Its motion is known in elementary functions, and so is every method's error on it.
+/// Its motion is known in elementary functions, and so is the error of every method on it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LinearOscillator(Pendulum);
 
 impl LinearOscillator {
-    /// The linearisation of `pendulum` about its lower rest.
+    /// The linearisation of `pendulum` about its lower equilibrium.
     pub const fn new(pendulum: Pendulum) -> Self {
         Self(pendulum)
     }

@@ -1,11 +1,11 @@
-//! What is integrated: the simple pendulum, and systems beyond it, one file each.
+//! The systems: the simple pendulum and others, one file each.
 //!
-//! What they have in common: each is a [`System`], so that every method for systems moves it, and
-//! none of the methods knows it. Those that fall into two halves are [`Separable`], those that keep
-//! an energy [`Hamiltonian`]. Constructors check their parameters; states have named components; a
-//! force that knows the time gets it from the method, in s since the start of the grid.
+//! Each is a [`System`], so that every method for systems integrates it, and no method depends on
+//! which it is. Those that split into two halves are [`Separable`], those that conserve an energy
+//! [`Hamiltonian`]. Constructors check their parameters; states have named components; a force that
+//! depends on time receives it from the method, in s since the start of the grid.
 //!
-//! | system | equation | separable | keeps |
+//! | system | equation | separable | conserves |
 //! |---|---|---|---|
 //! | [`Pendulum`] | θ̈ + (g/L) sin θ = 0 | yes | energy |
 //! | [`LinearOscillator`] | θ̈ + (g/L) θ = 0 | yes | energy |
@@ -18,8 +18,9 @@
 //! # A system of your own
 //!
 //! A state of named components, made by [`state!`](crate::state), and an implementation of
-//! [`System`] with the equations. Add [`Separable`] if force and velocity part, and every splitting
-//! method takes it too; add [`Hamiltonian`] if there is an energy, and its drift can be watched.
+//! [`System`] with the equations. Add [`Separable`] if the equations split into kick and drift, and
+//! every splitting method integrates it too; add [`Hamiltonian`] if there is an energy, and its
+//! drift can be measured.
 //!
 //! ```
 //! use pendula::metrics::EnergyDrift;

@@ -12,9 +12,9 @@ pub struct Pendulum {
     gravity: f64,
     length: f64,
     mass: f64,
-    /// g/L, formed once: the only way the parameters enter the motion.
+    /// g/L, computed once: the motion depends on the parameters only through it.
     frequency_squared: f64,
-    /// m L² and m g L, formed once: the scales of its energy.
+    /// m L² and m g L, computed once: the scales of its energy.
     inertia: f64,
     depth: f64,
 }
@@ -93,7 +93,8 @@ impl Pendulum {
     /// The Hamiltonian ½ m L² ω² − m g L cos θ (J), the paper's Eq. 3: zero at the height of the
     /// pivot.
     ///
-    /// For differences of energy use [`Hamiltonian::energy`], which does not lose small ones.
+    /// For differences of energy use [`Hamiltonian::energy`], which does not lose small ones to
+    /// cancellation.
     pub fn energy_from_pivot(&self, z: Phase) -> f64 {
         self.kinetic(z) - self.depth() * cos(z.theta)
     }
@@ -156,7 +157,7 @@ impl Hamiltonian for Pendulum {
     }
 
     fn energies(&self, states: &[Phase], energies: &mut [f64]) {
-        // `&` and not `&&`: without a branch, for the compiler to make vector instructions of.
+        // `&` and not `&&`: without a branch the compiler can vectorise the loop.
         if states.iter().fold(true, |near, z| near & (z.theta.abs() <= PI)) {
             energies_with(self, half_turn::of_rest, states, energies);
         } else {
@@ -180,9 +181,9 @@ fn energies_with(
 /// Beyond this angle (rad) neighbouring f64s are 1/8 rad apart, and an angle means little.
 pub const LARGEST_ANGLE: f64 = 1e15;
 
-/// Passes an angle that means something.
+/// Returns `theta` if it is at most [`LARGEST_ANGLE`] in size.
 pub(crate) fn angle(theta: f64) -> Result<f64, Error> {
-    // A NaN is not within the bounds either.
+    // NaN fails this comparison too.
     if libm::fabs(theta) <= LARGEST_ANGLE {
         Ok(theta)
     } else {

@@ -10,7 +10,7 @@ use crate::systems::{Pendulum, Phase, Separable, System};
 /// Kapitza's pendulum: its pivot moves up and down as a cos Ωt, so that the weight feels g − aΩ²
 /// cos Ωt, θ̈ + (g − aΩ² cos Ωt)/L · sin θ = 0.
 ///
-/// Shaken fast and hard enough it stands on its head: for Ω ≫ √(g/L) where a²Ω² > 2gL. Exactly,
+/// Shaken fast and hard enough it is stable upside down: for Ω ≫ √(g/L) where a²Ω² > 2gL. Exactly,
 /// small swings about the upright obey [Mathieu's equation](Mathieu), and the upright is stable
 /// between two of its characteristic curves.
 ///
@@ -20,15 +20,15 @@ pub struct Shaken {
     pendulum: Pendulum,
     amplitude: f64,
     frequency: f64,
-    /// aΩ²/L, formed once (1/s²).
+    /// aΩ²/L, computed once (1/s²).
     shaking: f64,
 }
 
 /// The parameters of Mathieu's equation, d²φ/dτ² + (a − 2q cos 2τ) φ = 0 (DLMF 28.2.1).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mathieu {
-    /// The constant part of the frequency_squared: negative where the rest is unstable without
-    /// shaking.
+    /// The constant part of the squared frequency: negative where the equilibrium is unstable
+    /// without shaking.
     pub a: f64,
     /// Half the amplitude of its oscillating part.
     pub q: f64,
@@ -39,7 +39,7 @@ impl Shaken {
     /// (rad/s).
     ///
     /// # Errors
-    /// [`Error::Parameter`] for an a that is not finite or negative, an Ω that is not finite and
+    /// [`Error::Parameter`] for an a that is negative or not finite, an Ω that is not finite and
     /// positive, and where aΩ²/L overflows.
     pub fn new(pendulum: Pendulum, amplitude: f64, frequency: f64) -> Result<Self, Error> {
         let amplitude = not_negative("pivot amplitude a (m)", amplitude)?;
@@ -70,8 +70,8 @@ impl Shaken {
     }
 
     /// Small swings φ about the upright as Mathieu's equation in τ = Ωt/2: a = −4g/(LΩ²), and q =
-    /// −2a/L with the amplitude a of the pivot; its sign says only where in the period the time
-    /// begins, so that 2a/L is given.
+    /// −2a/L with the amplitude a of the pivot; the sign only depends on where in the period the
+    /// time begins, so that 2a/L is returned.
     pub fn mathieu(&self) -> Mathieu {
         let square = self.frequency * self.frequency;
         Mathieu {

@@ -4,16 +4,16 @@ use core::ops::{Add, Mul};
 
 /// A rate of change, or a small displacement: it can be added and scaled.
 ///
-/// That is all a Runge–Kutta method asks of it. Components keep their names in the type that
-/// implements this trait.
+/// A Runge–Kutta method needs no more. Components keep their names in the type that implements this
+/// trait.
 pub trait Vector: Copy + Add<Output = Self> + Mul<f64, Output = Self> {}
 
 /// A state: a displacement can be added to it.
 ///
 /// Where states themselves form a vector space they are their own displacements. An angle kept as
-/// turns and a rest is a point and no vector: half of it means nothing.
+/// half turns and a remainder is a point, not a vector: it cannot be scaled.
 pub trait State: Copy + Add<Self::Displacement, Output = Self> {
-    /// What is between two states.
+    /// The difference of two states.
     type Displacement: Vector;
 }
 
@@ -21,8 +21,8 @@ impl<V: Vector> State for V {
     type Displacement = V;
 }
 
-/// A state whose components are numbers, so that an error in each can be held against what is
-/// allowed there.
+/// A state whose components are numbers, so that an error in each can be compared with its
+/// tolerance.
 pub trait Components: State {
     /// Calls `each` for one component after the other, with its value in this state, in the state
     /// `other`, and in the `displacement`.
@@ -36,7 +36,7 @@ pub trait Components: State {
 
 /// Defines a state of named components, each an `f64`: a struct that can be displaced and scaled,
 /// component by component, so that every method and the control of steps can work with it. A
-/// [`System`](crate::System) of one's own then takes its equations and nothing else.
+/// [`System`](crate::System) of your own then needs only its equations.
 ///
 /// ```
 /// use pendula::{Grid, Rk4, System, integrate, state};

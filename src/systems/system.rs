@@ -1,4 +1,4 @@
-//! What a system must offer a method, and a decorator that counts how often it is asked.
+//! The traits of a system, and a wrapper that counts its force evaluations.
 
 use core::cell::Cell;
 
@@ -25,8 +25,8 @@ impl<S: System> System for &S {
 /// The rate of change of a system's state.
 pub type RateOf<S> = <<S as System>::State as State>::Displacement;
 
-/// A system that falls into two halves, each solved exactly: the force kicks the velocity, the
-/// velocity drifts the position. Symplectic splitting methods need no more and no less.
+/// A system that splits into two halves, each solved exactly: the force kicks the velocity, the
+/// velocity drifts the position. This is what symplectic splitting methods need.
 pub trait Separable: System {
     /// What [`force`](Separable::force) returns; for the pendulum the angular acceleration
     /// (rad/s²).
@@ -38,7 +38,7 @@ pub trait Separable: System {
     /// Adds `force` acting for the time `h` (s) to the velocities; the positions stay.
     fn kick(&self, z: Self::State, force: Self::Force, h: f64) -> Self::State;
 
-    /// Lets the positions coast for the time `h` (s); the velocities stay.
+    /// Moves the positions with constant velocities for the time `h` (s); the velocities stay.
     fn drift(&self, z: Self::State, h: f64) -> Self::State;
 }
 
@@ -50,8 +50,8 @@ pub trait Hamiltonian: System {
     /// error is not lost in the rounding of a large constant.
     fn energy(&self, z: Self::State) -> f64;
 
-    /// The energy of each of `states` (J), into `energies` as far as there are slots. A system that
-    /// can do many at once quicker than one by one, with the same bits, may.
+    /// The energy of each of `states` (J), into `energies` as far as there are slots. A system may
+    /// override this with a faster computation that gives the same bits.
     fn energies(&self, states: &[Self::State], energies: &mut [f64]) {
         for (z, energy) in states.iter().zip(energies) {
             *energy = self.energy(*z);
@@ -84,7 +84,7 @@ impl<S> Counting<S> {
         self.evaluations.set(self.evaluations.get() + evaluations);
     }
 
-    /// The system, to be asked without being counted.
+    /// The system itself, whose evaluations are not counted.
     pub(crate) const fn system(&self) -> &S {
         &self.system
     }

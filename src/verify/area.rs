@@ -3,15 +3,15 @@
 use super::{CheckResult, beyond, near};
 use crate::{AnyMethod, Grid, Pendulum, Phase};
 
-/// The step (s) of which the area is measured.
+/// The step (s) whose change of area is measured.
 pub const AREA_STEP: f64 = 0.1;
 
 /// Half the width of the central difference that measures det J.
 const DELTA: f64 = 1e-4;
 
-/// What the central difference may be off by: each of four derivatives by rounding, ε θ/δ ≈ 2e-12
-/// for a state of order 1, and by truncation, δ²/6 times a third derivative of order h² g/L ≈ 0.1
-/// times a slope of order 1: 2e-10.
+/// The error of the central difference: in each of four derivatives by rounding, ε θ/δ ≈ 2e-12 for
+/// a state of order 1, and by truncation, δ²/6 times a third derivative of order h² g/L ≈ 0.1 times
+/// a slope of order 1: 2e-10.
 pub const AREA_TOLERANCE: f64 = 5e-10;
 
 /// The same for a step of `h` (s): the third derivative goes with h², and rounding stays.
@@ -40,7 +40,7 @@ pub fn area_defect(method: &dyn AnyMethod, pendulum: &Pendulum, z: Phase, h: f64
 }
 // ANCHOR_END: area_defect
 
-/// Below and above the horizontal, moving and at rest; L ≠ 1 so that no g can stand for g/L.
+/// Below and above the horizontal, moving and at rest; L ≠ 1, so that g in place of g/L shows.
 pub fn cases() -> impl Iterator<Item = (Pendulum, Phase)> {
     let long = Pendulum::new(9.81, 3.0, 1.0).expect("a pendulum");
     [(0.0, 0.0), (0.5, 1.0), (1.0, -2.0), (2.5, 0.3), (-3.0, 0.0)].into_iter().flat_map(
@@ -50,22 +50,22 @@ pub fn cases() -> impl Iterator<Item = (Pendulum, Phase)> {
     )
 }
 
-/// Whether one step preserves area, or does not, as the entry says.
+/// Whether one step preserves area or not, as the entry says.
 ///
 /// # Errors
 /// Says what is not, and by how much.
 pub fn check(method: &dyn AnyMethod) -> CheckResult {
     let largest = |h: f64| {
         let defects = cases().map(|(pendulum, z)| area_defect(method, &pendulum, z, h).abs());
-        // Not `max`, which drops a NaN.
+        // `fmaximum` keeps a NaN, which `max` would drop.
         defects.fold(0.0, libm::fmaximum)
     };
     if method.info().symplectic {
         return near("det J − 1", largest(AREA_STEP), 0.0, AREA_TOLERANCE);
     }
     // The smallest defect among the paper's methods is RK4's, x⁶/72 = 5e-7 at the bottom of the
-    // long pendulum. The higher the order, the longer the step with which it shows: 0.4 s, of x =
-    // 1.25, do for order 24.
+    // long pendulum. The higher the order, the longer the step at which the defect shows: 0.4 s,
+    // x = 1.25, is enough for order 24.
     let seen =
         |h: f64| beyond("symplectic after all: det J − 1", largest(h), 100.0 * area_tolerance(h));
     seen(AREA_STEP).or_else(|_| seen(2.0 * AREA_STEP)).or_else(|_| seen(4.0 * AREA_STEP))

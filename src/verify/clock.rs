@@ -1,4 +1,4 @@
-//! The clock: N steps are seen as N + 1 samples, at the times of the grid.
+//! The clock: the observer receives N steps as N + 1 samples, at the times of the grid.
 
 use super::{CheckResult, grid, pendulum, same};
 use crate::{AnyMethod, Phase};
@@ -8,7 +8,7 @@ use crate::{AnyMethod, Phase};
 const STEP: f64 = 0.1;
 const STEPS: u64 = 1000;
 
-/// Whether N steps are seen as N + 1 samples, at the times of the grid.
+/// Whether the observer receives N steps as N + 1 samples, at the times of the grid.
 ///
 /// # Errors
 /// Says what is not, and by how much.

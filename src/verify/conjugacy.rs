@@ -11,7 +11,7 @@ use crate::{AnyMethod, Phase, Separable};
 const STEP: f64 = 0.05;
 
 /// 1000 steps differ by 1e-16 or so each. On an orbit the difference in phase grows linearly on
-/// top: √n · n · ε = 7e-12 at the worst, if every rounding changes the energy.
+/// top: √n · n · ε = 7e-12 at worst, if every rounding changes the energy.
 const ROUNDING: f64 = 7e-12;
 
 /// Whether `verlet` is `euler` between two half kicks.
@@ -33,7 +33,8 @@ pub fn check_pair(verlet: &dyn AnyMethod, euler: &dyn AnyMethod) -> CheckResult 
     Ok(())
 }
 
-/// Of either of the two methods, with the library's other one. It does not concern the rest.
+/// Checks either of the two methods with the other one of the library. It accepts all other
+/// methods.
 pub fn check(method: &dyn AnyMethod) -> CheckResult {
     match method.info().name {
         "stormer-verlet" => check_pair(method, &SymplecticEuler),

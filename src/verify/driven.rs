@@ -1,5 +1,5 @@
-//! Driven: a force that depends on time alone, where the pendulum's cannot tell when it is
-//! evaluated.
+//! Driven: a force that depends on time alone. The pendulum's does not, and so cannot show at which
+//! times a method evaluates it.
 
 use super::{CheckResult, near};
 use crate::{Grid, Method, Phase, Separable, System, integrate};
@@ -32,11 +32,11 @@ impl Separable for Pushed {
     }
 }
 
-/// ω = t⁴/24, from rest. A method of order p on n steps of h = 1/n misses its end by hᵖ or so; here
-/// by no more than ½hᵖ, and RK4, which integrates cubics exactly, by rounding: so do all of higher
-/// order. A step adds to numbers up to 1/24 and rounds by ε/2 of them. Only beyond order 8 is that
-/// more than ½hᵖ; and those methods have weights that add up to one in size, so that their slopes
-/// round by no more.
+/// ω = t⁴/24, from rest. A method of order p on n steps of h = 1/n has an error of about hᵖ at the
+/// end; here at most ½hᵖ, and for RK4, which integrates cubics exactly, and for all of higher order
+/// only rounding. A step adds to numbers up to 1/24 and rounds by ε/2 of them. Only beyond order 8
+/// is that more than ½hᵖ; and the weights of those methods add up to one in size, so that their
+/// slopes round by no more.
 pub fn check<M: Method<Pushed> + crate::Info>(method: &M) -> CheckResult {
     let order = f64::from(method.info().order);
     for steps in [8, 16, 32] {
@@ -51,10 +51,10 @@ pub fn check<M: Method<Pushed> + crate::Info>(method: &M) -> CheckResult {
     Ok(())
 }
 
-/// ω after n steps of either of Euler's methods, which take the force at the beginning of each: h Σ
-/// (kh)³/6 for k below n, h⁴ (n(n − 1)/2)²/6. With h = 1/16 but for the sixth nothing is rounded by
-/// more than ε/2 a step, of ω below 1/24. The force of the end of a step would be off by h (nh)³/6
-/// in all: 1e-2 at the end, 3e-6 after the first step.
+/// ω after n steps of either of Euler's methods, which evaluate the force at the beginning of each:
+/// h Σ (kh)³/6 for k below n, which is h⁴ (n(n − 1)/2)²/6. With h = 1/16 only the sixth and the sum
+/// round, by at most ε/2 a step of ω, which is below 1/24. With the force at the end of each step ω
+/// would be off by h (nh)³/6: 1e-2 at the end, 3e-6 after the first step.
 pub fn check_euler<M: Method<Pushed>>(method: &M) -> CheckResult {
     let h = 0.0625;
     for steps in [1, 2, 5, 16] {

@@ -1,8 +1,8 @@
 //! The error constant: the error at a given time over hᵖ, as h → 0, against theory.
 //!
 //! One step misses the exact flow by xᵖ⁺¹ d(z) + …, with x = ω₀h and the state in θ and q = ω/ω₀.
-//! What the steps miss is carried along by the flow and adds up: at the end the error over xᵖ is δ,
-//! where δ' = J(z) δ + d(z) along the exact motion (Hairer, Nørsett, Wanner, *Solving Ordinary
+//! The flow carries these errors along, and they add up: at the end the error over xᵖ is δ, where
+//! δ' = J(z) δ + d(z) along the exact motion (Hairer, Nørsett, Wanner, *Solving Ordinary
 //! Differential Equations I* (1993), Sect. II.3 and II.8).
 
 use super::{CheckResult, beyond, near, pendulum, run};
@@ -12,7 +12,7 @@ use crate::{AnyMethod, Motion, Pendulum, Phase};
 /// θ and q, or their rates.
 type Pair = [f64; 2];
 
-/// The leading local error d, by the method's name: step less exact flow, as Taylor series in x.
+/// The leading local error d, by the method's name: step minus exact flow, as Taylor series in x.
 /// With s = sin θ and c = cos θ the exact flow is
 ///
 /// θ + xq − x²s/2 − x³cq/6 + …, q − xs − x²cq/2 + x³(cs + sq²)/6 + ….
@@ -30,7 +30,8 @@ pub fn leading_local_error(name: &str, [theta, q]: Pair) -> Option<Pair> {
     })
 }
 
-/// RK4's, with s = sin θ and c = cos θ: what is left at x⁵, expanded in exact rational arithmetic.
+/// The leading local error of RK4, with s = sin θ and c = cos θ: the term in x⁵, expanded in exact
+/// rational arithmetic.
 pub fn rk4(s: f64, c: f64, q: f64) -> [f64; 2] {
     let (q2, c2) = (q * q, c * c);
     [
@@ -82,11 +83,11 @@ fn transported(z: Pair, end: f64, local: &dyn Fn(Pair) -> Pair) -> Pair {
     [z[2], z[3]]
 }
 
-/// The dimensionless time at which the error is measured: no whole number of quarter periods.
+/// The dimensionless time at which the error is measured: not a whole number of quarter periods.
 const END: f64 = 4.0;
 
-/// The law of the methods that are tables, from runs in arithmetic of 50 digits: `data/README.md`
-/// beside this file.
+/// The constants of the methods given by tables of coefficients, from runs in arithmetic of 50
+/// digits: `data/README.md` beside this file.
 const ON_FILE: &str = include_str!("data/error_constants.csv");
 
 /// The error over xᵖ at [`END`] from `z`, if it is on file for the method `name`.
@@ -120,18 +121,18 @@ fn extrapolated_constant(method: &dyn AnyMethod, pendulum: &Pendulum, z: Pair) -
     [0, 1].map(|i| extrapolated(errors.map(|error| error[i])))
 }
 
-/// What extrapolation leaves out is x³/8 of the leading term, with x = 4/100 at the coarsest: 8e-6,
+/// The extrapolation leaves out x³/8 of the leading term, with x = 4/100 at the coarsest: 8e-6,
 /// with a coefficient that grows like END³/3! = 11. RK4's error at the finest, 2e-10, is rounded by
 /// 1e-14 at worst.
 const TOLERANCE: f64 = 2e-4;
 
-/// For a method whose d is not on file d is measured; x³/8 is then 1e-3, with a coefficient up
-/// to 5.
+/// The tolerance for a method whose d is not on file but measured: x³/8 is then 1e-3, with a
+/// coefficient up to 5.
 const TOLERANCE_IF_MEASURED: f64 = 4e-2;
 
-/// The error over xᵖ of a symmetric method with the finest step whose error rounding, 1e-14, leaves
-/// three digits, with its tolerance relative to it: the next term is as the square of the longest
-/// substep, which is below 2x, and twice that.
+/// The error over xᵖ of a symmetric method at the finest step whose error is three digits above
+/// rounding, 1e-14; and its relative tolerance: twice the square of the longest substep, which is
+/// below 2x, as the next term of the error is of that order.
 fn finest_constant(method: &dyn AnyMethod, pendulum: &Pendulum, z: Pair) -> (Pair, f64) {
     const ROUNDED: f64 = 1e-11;
     let order = method.info().order;
@@ -151,12 +152,12 @@ fn finest_constant(method: &dyn AnyMethod, pendulum: &Pendulum, z: Pair) -> (Pai
 const IN_LONG_STEPS: &str = include_str!("data/long_steps.csv");
 
 /// What rounding may add to an error in each step: some forty roundings of ε. A step rounds the
-/// state, of up to 3, and its slopes, whose weights add up to 15 at the most, in DOP853; by the end
-/// that has grown with the phase, tenfold at most, and there are few steps.
+/// state, of up to 3, and its slopes, whose weights add up to at most 15, in DOP853; by the end
+/// that has grown with the phase, at most tenfold, and there are few steps.
 const ROUNDED_A_STEP: f64 = 1e-14;
 
-/// The error itself and not its limit, for methods so accurate that rounding leaves no room for a
-/// limit: in the numbers of steps on file for the method from `z`, if there are any.
+/// Compares the error itself and not its limit, for methods so accurate that rounding leaves no
+/// room for a limit: with each number of steps on file for the method from `z`, if there are any.
 fn check_in_long_steps(
     method: &dyn AnyMethod,
     pendulum: &Pendulum,
@@ -177,7 +178,7 @@ fn check_in_long_steps(
         near(format_args!("error of q in {steps} steps from {z:?}"), error[1], law[1], tolerance)
     };
     let (steps, coarsest) = *laws.first()?;
-    // Or nothing could be seen of it.
+    // Otherwise rounding would hide the error.
     let seen = beyond(
         "the largest error on file",
         libm::hypot(coarsest[0], coarsest[1]),
@@ -186,7 +187,7 @@ fn check_in_long_steps(
     Some(seen.and_then(|()| laws.iter().try_for_each(compare)))
 }
 
-/// Whether the error over hᵖ is the constant that is known of the method, or follows from its
+/// Whether the error over hᵖ is the constant known for the method, or the one that follows from its
 /// single steps.
 ///
 /// # Errors

@@ -1,4 +1,4 @@
-//! A ladder of steps, and the errors of a method on it: by their slopes an order is judged.
+//! A ladder of steps and the errors of a method on it, whose slopes show its order.
 
 use crate::exact::Motion;
 use crate::integrate::Grid;
@@ -6,41 +6,40 @@ use crate::methods::AnyMethod;
 use crate::metrics::order::slopes;
 use crate::systems::{Pendulum, Phase};
 
-/// The run on which order is measured (s): from 1 rad, and no whole number of periods, where
-/// symmetry would flatter.
+/// The duration (s) of the run on which order is measured, from 1 rad: not a whole number of
+/// periods, where symmetry would hide errors.
 pub const DURATION: f64 = 2.7;
 
 /// Errors of the state on a ladder of steps.
 #[derive(Clone, Copy, Debug)]
 pub struct Ladder {
-    /// Steps (s), each shorter than the one before by the same factor, to a whole number of steps:
-    /// a half up to order 4, and beyond such that the error falls sixteenfold from rung to rung, so
-    /// that there is room for five. Beyond order 8 it falls 2¹⁶-fold: with errors that differ by
-    /// less, in steps so long, chance would make the slope.
+    /// Steps (s), each shorter than the one before by the same factor, up to rounding to a whole
+    /// number of steps: 2 up to order 4, and beyond such that the error falls sixteenfold from rung
+    /// to rung, so that there is room for five. Beyond order 8 it falls 2¹⁶-fold: at steps so long,
+    /// smaller ratios of errors would leave the slope to chance.
     pub steps: [f64; 5],
     /// Largest max(|Δθ|, |Δω|/ω₀) over the run against the closed form (rad), at each step.
     pub errors: [f64; 5],
-    /// How far the slope between a rung and the next may be from the order, if the method has its
-    /// order.
+    /// How far the slope between a rung and the next may be from the order.
     ///
     /// Up to order 4, and of a symmetric method up to order 8, 0.05: the second term of the error
     /// is at most 1/30 of the first at the coarsest rung, which bends the slope between it and the
     /// next by less than 0.03.
     ///
-    /// Of other methods up to order 8 as much and 3/2 x, with x = ω₀h: the second term is smaller
-    /// than the first by one power of x and not by two, and not by a small factor, as those methods
-    /// are made for a first term that is small. Of Dormand–Prince's it is 1.4 x.
+    /// For other methods up to order 8, 0.05 + 3/2 x, with x = ω₀h: the second term is smaller than
+    /// the first by one power of x and not by two, and not by a small factor, as those methods are
+    /// designed for a small first term. For Dormand–Prince it is 1.4 x.
     ///
-    /// Beyond, the steps above rounding are not short against the time in which the motion changes,
-    /// 1/ω₀; an error is its first term, or half or twice that, and a slope over the factor f in
-    /// the step is uncertain by ln 4 / ln f: by 2 of 16, by 3 of 24.
+    /// Beyond order 8, the steps whose errors are above rounding are not short against the time
+    /// scale of the motion, 1/ω₀; an error is between half and twice its first term, and a slope
+    /// over the factor f in the step is uncertain by ln 4 / ln f: by 2 of 16, by 3 of 24.
     pub windows: [f64; 4],
 }
 
 impl Ladder {
-    /// Measures the errors of `method` on its ladder, from the coarsest step with which its own
-    /// error shows that the leading term dominates: the next is smaller by a power of the step, and
-    /// so, at order p, by about the p-th root of the error.
+    /// Measures the errors of `method` on its ladder, from the coarsest step whose error is small
+    /// enough for the leading term to dominate: the next term is smaller by a power of the step,
+    /// and so, at order p, by about the p-th root of the error.
     pub fn measure(method: &dyn AnyMethod) -> Self {
         let entry = method.info();
         let order = f64::from(entry.order.max(1));
@@ -77,9 +76,9 @@ impl Ladder {
     /// The same, each with how far it may be from the order.
     pub fn slopes_and_windows(&self) -> impl Iterator<Item = (f64, f64)> {
         let pairs = (0..4).zip(slopes(&self.steps, &self.errors, 0.0));
-        // Errors below this (rad) are made of rounding as much as of truncation: each of N steps is
-        // rounded by 2e-16 in θ and in ω, which adds up to 2N · 2e-16 at the worst. Twice that
-        // bends a slope by less than a half.
+        // Errors below this (rad) may be rounding as much as truncation: each of N steps is rounded
+        // by 2e-16 in θ and in ω, which adds up to 2N · 2e-16 at worst. Twice that bends a slope by
+        // less than a half.
         let above = |k: usize| self.errors[k] > 4.0 * 2.2e-16 * (DURATION / self.steps[k]);
         pairs.filter_map(move |(k, slope)| {
             slope.filter(|_| above(k) && above(k + 1)).map(|slope| (slope, self.windows[k]))
@@ -87,8 +86,8 @@ impl Ladder {
     }
 }
 
-/// The pendulum on which order is measured. It is not the paper's: with L ≠ 1 no g·L, and with m ≠
-/// 1 no mass in the motion, converges to the truth.
+/// The pendulum on which order is measured. It is not the paper's: with L ≠ 1 a force with g·L, and
+/// with m ≠ 1 one that contains the mass, does not converge to the exact solution.
 fn pendulum() -> Pendulum {
     Pendulum::new(9.81, 0.8, 1.7).expect("parameters in range")
 }
@@ -98,8 +97,8 @@ fn rung(first: f64, factor: f64, k: u32) -> u64 {
     libm::round(first * libm::pow(factor, f64::from(k))) as u64
 }
 
-/// Largest error of the state, max(|Δθ|, |Δω|/ω₀) (rad), over a run of `steps` steps; NaN if there
-/// is a state that is none.
+/// Largest error of the state, max(|Δθ|, |Δω|/ω₀) (rad), over a run of `steps` steps; NaN if a
+/// state is NaN.
 fn largest_error(method: &dyn AnyMethod, steps: u64) -> f64 {
     let pendulum = pendulum();
     let start = Phase::at_rest(1.0);

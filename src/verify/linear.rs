@@ -1,8 +1,8 @@
 //! The linear oscillator: the matrix of a step.
 //!
-//! At θ = 2⁻⁴⁰ the sine of θ and θ are one f64, and the pendulum *is* the linear oscillator, to the
-//! last bit. Without dimensions, in θ and q = ω/ω₀ and with x = ω₀h, a step is a matrix of
-//! polynomials in x.
+//! At θ = 2⁻⁴⁰ the sine of θ and θ are the same f64, and the pendulum *is* the linear oscillator,
+//! to the last bit. In the dimensionless θ, q = ω/ω₀ and x = ω₀h, a step is a matrix of polynomials
+//! in x.
 
 use super::{CheckResult, beyond, near, pendulum, run};
 use crate::arithmetic::sine::{cos, sin};
@@ -14,10 +14,10 @@ const TINY: f64 = 1.0 / (1_u64 << 40) as f64;
 /// The matrix ((θθ, θq), (qθ, qq)) of a linear map of (θ, q).
 pub type Matrix = [[f64; 2]; 2];
 
-/// The largest entry is below 2; some twenty roundings of ε/2 each, in ω₀ and in the steps.
+/// Some twenty roundings of ε/2 each, in ω₀ and in the steps, of entries below 2.
 const ROUNDING: f64 = 20.0 * f64::EPSILON;
 
-/// What the method is known to do, by its name.
+/// The known matrix of a method, by its name.
 pub fn known(name: &str, x: f64) -> Option<Matrix> {
     let x2 = x * x;
     Some(match name {
@@ -67,7 +67,7 @@ pub fn matrix_of(frequency: f64, map: impl Fn(Phase) -> Phase) -> Matrix {
     ]
 }
 
-/// Holds `matrix` against `expected`, entry by entry.
+/// Compares `matrix` with `expected`, entry by entry.
 pub fn compare(what: &str, matrix: Matrix, expected: Matrix, tolerance: f64) -> CheckResult {
     for (i, k) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
         near(format_args!("{what}, entry {i}{k}"), matrix[i][k], expected[i][k], tolerance)?;
@@ -81,18 +81,17 @@ fn there_and_back(matrix: Matrix) -> Matrix {
     product(mirrored, matrix)
 }
 
-/// What the entry denies must not hold of `matrix`, given x: area is not preserved, or the way back
-/// misses.
+/// If the entry says that the method is not symplectic, or not symmetric, then `matrix`, as a
+/// function of x, must show it: area is not preserved, or the way back misses the start.
 ///
 /// At x = 0.3 RK4's −x⁶/72 is 1e-5, the smallest of the paper's methods. The higher the order, the
-/// longer the step with which it shows: x²⁶/26! and its like, of order 24, are 0.1 at x = 9.6.
-/// There the powers that add up to a matrix are as large as eˣ, and round by as much more.
+/// longer the step at which the defect shows: x²⁶/26! and similar terms, of order 24, are 0.1 at
+/// x = 9.6. There the powers that add up to a matrix are as large as eˣ, and round by as much more.
 pub fn check_denials(method: &dyn AnyMethod, matrix: impl Fn(f64) -> Matrix) -> CheckResult {
     let entry = method.info();
     let ladder =
         || [0.3, 0.6, 1.2, 2.4, 4.8, 9.6].map(|x: f64| (matrix(x), ROUNDING * libm::exp(x)));
-    // What is told from rounding is told: no more than from a step that is far too long, whose
-    // matrix is large.
+    // A defect above rounding counts, but not in the large matrix of a step that is far too long.
     let moderate = |matrix: &Matrix| matrix.as_flattened().iter().all(|x| x.abs() < 2.0);
     let largest = |defect: fn(Matrix) -> f64| {
         let rungs = ladder().into_iter().filter(|(matrix, _)| moderate(matrix));
@@ -111,12 +110,13 @@ pub fn check_denials(method: &dyn AnyMethod, matrix: impl Fn(f64) -> Matrix) -> 
     Ok(())
 }
 
-/// What must hold of the matrix of one step of x, whatever the method; and what must hold of one
-/// known by its name.
+/// Checks the matrix of one step of x: what must hold for any method, and what is known for the
+/// method of this name.
 pub fn check_matrix(method: &dyn AnyMethod, x: f64, matrix: Matrix) -> CheckResult {
     let entry = method.info();
-    // The first term of the exponential that the method need not have, x^(p+1)/(p+1)!, and as much
-    // again or a few times that as its own: symplectic Euler's is twice.
+    // The tolerance covers the first term of the exponential that the method may lack,
+    // x^(p+1)/(p+1)!, and the term it may have instead, a few times that: symplectic Euler's is
+    // twice.
     compare("near the rotation", matrix, rotation(x), libm::pow(x, f64::from(entry.order + 1)))?;
     if entry.symplectic {
         near("det − 1", determinant(matrix) - 1.0, 0.0, ROUNDING)?;
@@ -143,7 +143,7 @@ pub fn check(method: &dyn AnyMethod) -> CheckResult {
     for x in [0.3, 0.7] {
         let one = power(x, 1);
         check_matrix(method, x, one)?;
-        // What a step hands to the next must not show.
+        // What a step carries to the next must not change the result.
         compare("three steps", power(x, 3), product(one, product(one, one)), 4.0 * ROUNDING)?;
     }
     check_denials(method, |x| power(x, 1))

@@ -1,9 +1,8 @@
-//! MethodInfo: what a method must do, each as a check that can be held against any method, right or
-//! wrong.
+//! Properties of methods, each with a check that can be applied to any method, right or wrong.
 //!
-//! A check reads the method's own entry and measures whether it is true. The property's test
-//! applies it to every method of the library, and `tests/verify/discrimination.rs` to a zoo of
-//! impostors: the very same code.
+//! A check reads the entry of the method, its [`MethodInfo`](crate::MethodInfo), and measures
+//! whether it is true. The test of the property applies the check to every method of the library,
+//! and `tests/verify/discrimination.rs` applies the same code to a collection of wrong methods.
 
 pub mod area;
 pub mod clock;
@@ -22,7 +21,7 @@ pub use ladder::Ladder;
 
 use crate::{AnyMethod, Grid, Pendulum, Phase};
 
-/// Why a check refuses a method, if it does.
+/// `Err` with the reason if a check rejects a method.
 pub type CheckResult = Result<(), String>;
 
 /// A property of methods, with the check that decides it.
@@ -30,7 +29,7 @@ pub type CheckResult = Result<(), String>;
 pub struct Property {
     /// Its name.
     pub name: &'static str,
-    /// Holds it against a method.
+    /// Checks a method for it.
     pub check: fn(&dyn AnyMethod) -> CheckResult,
 }
 
@@ -45,7 +44,7 @@ macro_rules! properties {
 properties! {
     /// The slope of the error is the order.
     ORDER: order,
-    /// The error over hᵖ is the constant of theory.
+    /// The error over hᵖ is the constant predicted by theory.
     ERROR_CONSTANT: error_constant,
     /// The matrix of a step at the bottom is the known one.
     LINEAR: linear,
@@ -55,15 +54,15 @@ properties! {
     REVERSAL: reversal,
     /// Störmer–Verlet is symplectic Euler between two half kicks.
     CONJUGACY: conjugacy,
-    /// Mirrored, scaled and turned the motion is the same.
+    /// The motion is the same when mirrored, scaled or shifted by whole turns.
     SYMMETRY: symmetry,
     /// The force is evaluated as often as the entry says.
     WORK: work,
-    /// N steps are seen as N + 1 samples, at the times of the grid.
+    /// The observer receives N steps as N + 1 samples, at the times of the grid.
     CLOCK: clock,
 }
 
-/// g/L = 2.5, L ≠ 1, m ≠ 1: no dimension can hide.
+/// g/L = 2.5, L ≠ 1, m ≠ 1: an error in g, L or m shows.
 pub fn pendulum() -> Pendulum {
     Pendulum::new(5.0, 2.0, 3.0).expect("a pendulum")
 }
@@ -97,12 +96,12 @@ pub fn grid(step: f64, steps: u64) -> Grid {
     Grid::new(step, steps).expect("a positive step")
 }
 
-/// The same point, moving the other way.
+/// The same angle with the velocity reversed.
 pub fn flipped(z: Phase) -> Phase {
     Phase { omega: -z.omega, ..z }
 }
 
-/// Refuses unless `value` is within `tolerance` of `expected`. A NaN is not.
+/// An error unless `value` is within `tolerance` of `expected`; so for a NaN.
 pub fn near(
     what: impl core::fmt::Display,
     value: f64,
@@ -116,12 +115,12 @@ pub fn near(
     }
 }
 
-/// Refuses unless `value` is larger than `bound`. A NaN is not.
+/// An error unless `value` is larger than `bound`; so for a NaN.
 pub fn beyond(what: impl core::fmt::Display, value: f64, bound: f64) -> CheckResult {
     if value > bound { Ok(()) } else { Err(format!("{what} is {value:e}, not above {bound:e}")) }
 }
 
-/// Refuses unless both are equal.
+/// An error unless both are equal.
 pub fn same<T: PartialEq + core::fmt::Debug>(what: &str, value: T, expected: T) -> CheckResult {
     if value == expected { Ok(()) } else { Err(format!("{what}: {value:?} is not {expected:?}")) }
 }

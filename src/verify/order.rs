@@ -1,4 +1,4 @@
-//! Order: the slope of the error against the step, between every two rungs of a ladder.
+//! Order: the slope of the error against the step, between successive rungs of a ladder.
 
 use super::{CheckResult, Ladder, near};
 use crate::AnyMethod;
@@ -10,7 +10,7 @@ use crate::AnyMethod;
 pub fn check(method: &dyn AnyMethod) -> CheckResult {
     let order = method.info().order;
     let slopes: Vec<(f64, f64)> = Ladder::measure(method).slopes_and_windows().collect();
-    // Beyond order 8 the error falls from the first rung to rounding in one, or two.
+    // Beyond order 8 the error falls to rounding within one or two rungs.
     if slopes.len() < if order > 8 { 1 } else { 3 } {
         return Err(format!("too few rungs above the rounding floor: {slopes:?}"));
     }

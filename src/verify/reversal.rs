@@ -1,25 +1,25 @@
-//! Reversal: forward, flip the velocity, forward again, flip. A symmetric method is back where it
-//! began.
+//! Reversal: forward, flip the velocity, forward again, flip. A symmetric method returns to the
+//! start.
 
 use super::{CheckResult, beyond, flipped, near, run};
 use crate::{AnyMethod, Pendulum, Phase};
 
-/// What 10⁵ steps out and 10⁵ back may miss by rounding, which is not undone.
+/// The error of the angle after 10⁵ steps out and 10⁵ back, by rounding, which is not reversible.
 ///
-/// A step rounds q = ω/ω₀ by 1e-16, with either sign: the energy walks by √(2·10⁵) · 1e-16 = 5e-14,
-/// and with it the angle at which the pendulum comes to rest. Störmer–Verlet misses it by 1.5e-14
-/// rad.
+/// A step rounds q = ω/ω₀ by 1e-16, with either sign: the energy makes a random walk of √(2·10⁵) ·
+/// 1e-16 = 5e-14, and with it the angle at which the pendulum comes to rest. Störmer–Verlet is off
+/// by 1.5e-14 rad.
 pub const ANGLE_TOLERANCE: f64 = 1e-13;
 
-/// A swing slows with its energy, by ⅛ of it, so that a walk of the energy adds up in phase, which
-/// ω feels at rest: ⅛ · x · (2·10⁵)^1.5/√3 · 1e-16 = 2e-11, for the larger x = ω₀h, 0.031; with a
-/// margin of 5.
+/// The frequency of a swing falls with its energy, by ⅛ of it, so that the random walk of the
+/// energy adds up in the phase, to which ω is sensitive at rest: ⅛ · x · (2·10⁵)^1.5/√3 · 1e-16 =
+/// 2e-11, for the larger x = ω₀h, 0.031; with a margin of 5.
 pub const VELOCITY_TOLERANCE: f64 = 1e-10;
 
-/// Where every trip begins.
+/// The start of every run.
 pub const START: Phase = Phase::at_rest(1.0);
 
-/// Where 1000 s in steps of 0.01 s and as long a way back lead.
+/// The state after 1000 s in steps of 0.01 s and as long a way back.
 pub fn there_and_back(method: &dyn AnyMethod, pendulum: &Pendulum) -> Phase {
     there_and_back_in(method, pendulum, 0.01, 100_000)
 }
@@ -29,7 +29,7 @@ fn there_and_back_in(method: &dyn AnyMethod, pendulum: &Pendulum, step: f64, ste
     flipped(run(method, pendulum, flipped(there), step, steps))
 }
 
-/// Whether the way back leads to the start, or does not, as the entry says.
+/// Whether the way back leads to the start or not, as the entry says.
 ///
 /// # Errors
 /// Says what is not, and by how much.
@@ -45,9 +45,10 @@ pub fn check(method: &dyn AnyMethod) -> CheckResult {
             near("the miss of the velocity", velocity, 0.0, VELOCITY_TOLERANCE)?;
             continue;
         }
-        // RK4 is the nearest to symmetric of the paper's: it misses by 1e-6 rad, or with g/L = 2.5
-        // by 4e-8. The higher the order, the longer the step with which it shows; of order 24, x =
-        // 1 has local errors of 1e-10 and more. Longer steps are fewer, and round less.
+        // Of the paper's methods RK4 is the closest to symmetric: it misses by 1e-6 rad, or with
+        // g/L = 2.5 by 4e-8. The higher the order, the longer the step at which the miss shows; at
+        // order 24, x = 1 has local errors of 1e-10 and more. Longer steps are fewer, and round
+        // less.
         let steps = (0..).map(|k| (0.01 * f64::from(1 << k), 100_000 >> k));
         let misses = steps.take_while(|(step, _)| step * frequency < 1.1).map(|(step, steps)| {
             misses(there_and_back_in(method, &pendulum, step, steps)).iter().sum::<f64>()

@@ -28,8 +28,8 @@ pub fn check_mirror(method: &dyn AnyMethod) -> CheckResult {
     Ok(())
 }
 
-/// The motion knows g/L, and no mass: with another mass, and with g and L twice as large, the bits
-/// are the same.
+/// The motion depends on g/L, and not on the mass: with another mass, and with g and L twice as
+/// large, the bits are the same.
 pub fn check_mass_and_length(method: &dyn AnyMethod) -> CheckResult {
     for start in STARTS {
         let of = |pendulum: Pendulum| samples(method, &pendulum, start, STEP, STEPS);
@@ -39,16 +39,17 @@ pub fn check_mass_and_length(method: &dyn AnyMethod) -> CheckResult {
     Ok(())
 }
 
-/// Time in another unit: with the same (g/L) h², θ is the same. Powers of two round nothing, so
-/// that the bits agree.
+/// Time in another unit: with the same (g/L) h², θ is the same. Scaling by powers of two is exact,
+/// so that the bits agree.
 pub fn check_time(method: &dyn AnyMethod) -> CheckResult {
     for start in STARTS {
         let slow = samples(method, &pendulum(), start, STEP, STEPS);
         for (unit, tolerance) in [
             (8.0, 0.0),
             (0.25, 0.0),
-            // Roundings differ, by ε/2 of the largest angle a step, 20 rad, and as much in phase;
-            // errors in phase grow linearly with the number of steps, 200, and add up like √200.
+            // Roundings differ, in each step by ε/2 of the largest angle, 20 rad, and as much in
+            // phase; errors in phase grow linearly with the number of steps, 200, and add up like
+            // √200.
             (3.0, 20.0 * 200.0 * 14.0 * f64::EPSILON),
         ] {
             let pendulum = built(5.0 * unit * unit, 2.0, 3.0);
@@ -65,15 +66,15 @@ pub fn check_time(method: &dyn AnyMethod) -> CheckResult {
     Ok(())
 }
 
-/// θ → θ + 2πk: a whole turn higher, and otherwise the same.
+/// θ → θ + 2πk: whole turns higher, and otherwise the same.
 pub fn check_turns(method: &dyn AnyMethod) -> CheckResult {
     for start in STARTS {
         let here = samples(method, &pendulum(), start, STEP, STEPS);
         for turns in [1.0, -3.0, 100.0] {
             let shift = TAU * turns;
             // θ is rounded to the last digit of the sum, 1.1e-13 at 700 rad, in the start and in
-            // each step; that is 200 times at worst, and grows linearly with the 200 steps, of x =
-            // 0.08 each, at most.
+            // each step: 200 times at worst, and each rounding grows at most linearly with the 200
+            // steps of x = 0.08.
             let tolerance = (shift.abs() + 50.0) * f64::EPSILON * 200.0 * (200.0 * 0.08);
             let start = Phase { theta: start.theta + shift, ..start };
             let there = samples(method, &pendulum(), start, STEP, STEPS);
@@ -88,7 +89,7 @@ pub fn check_turns(method: &dyn AnyMethod) -> CheckResult {
     Ok(())
 }
 
-/// Whether the motion keeps the symmetries of the pendulum: mirror, mass and length, unit of time,
+/// Whether the motion has the symmetries of the pendulum: mirror, mass and length, unit of time,
 /// whole turns.
 ///
 /// # Errors

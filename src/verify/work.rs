@@ -17,9 +17,9 @@ pub fn check(method: &dyn AnyMethod) -> CheckResult {
     if !entry.implicit {
         return same("in 1234 steps", counted, STEPS * entry.force_evaluations);
     }
-    // One to begin each step, and whole sweeps. With x = ω₀h = 0.03 every two of them shorten the
-    // distance to the solution by x²/4 or more, to a rounding in nine; a sweep or three go by until
-    // no improvement shows.
+    // One evaluation to begin each step, and whole sweeps. With x = ω₀h = 0.03 every two sweeps
+    // reduce the distance to the solution by a factor of 4/x² or more, to rounding in nine; one to
+    // three more pass until no improvement shows.
     let sweeps = counted - STEPS;
     same("beside whole sweeps", sweeps % entry.force_evaluations, 0)?;
     let mean = sweeps as f64 / (STEPS * entry.force_evaluations) as f64;

@@ -1,8 +1,8 @@
-//! What the tests share: the methods as rstest cases.
+//! Shared by the tests: the methods as rstest cases.
 #![allow(unused_macros, reason = "each test file uses one or the other")]
 
-/// Makes an rstest template of the library's list of methods, so that a new method is under every
-/// test at once.
+/// Makes an rstest template of the library's list of methods, so that every test also runs on a new
+/// method.
 macro_rules! template {
     ($($module:ident::$method:ident,)+) => {
         #[rstest_reuse::template]
@@ -13,7 +13,7 @@ macro_rules! template {
 }
 pendula::for_each_method!(template);
 
-/// The same for those that suit other systems than the pendulum.
+/// The same for the methods that also apply to systems other than the pendulum.
 macro_rules! general_template {
     ($($module:ident::$method:ident,)+) => {
         #[rstest_reuse::template]

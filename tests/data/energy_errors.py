@@ -1,8 +1,11 @@
-"""Largest energy errors of the splitting methods, in arithmetic of 40 digits: writes energy_errors.csv.
+"""Largest energy errors of the splitting methods, in arithmetic of 40 digits: writes
+energy_errors.csv.
 
-The set-up of the paper's Table 4, from rest at π/3 over 50 s with g = 9.81 m/s² and m = L = 1, in steps of 0.025 s: the largest
-|H − H₀| (J) of all samples. The tables are those of error_constants.py. Needs mpmath.
+The set-up of the paper's Table 4, from rest at π/3 over 50 s with g = 9.81 m/s² and m = L = 1, in
+steps of 0.025 s: the largest |H − H₀| (J) of all samples. The tables are those of
+error_constants.py. Needs mpmath.
 """
+
 from mpmath import cos, mp, mpf, pi, sin
 
 from error_constants import METHODS

@@ -1,5 +1,5 @@
 //! The complete elliptic integral K against published values, against quadrature, and where neither
-//! reaches.
+//! is available.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -17,8 +17,8 @@ const TABLE_TOLERANCE: f64 = 5e-16;
 /// margin of 10 over both.
 const QUADRATURE_TOLERANCE: f64 = 1e-12;
 
-/// What the rules are asked for: less than they can reach, so that they stop for want of points and
-/// not of ambition.
+/// The error requested of the rules: less than they can reach, so that they stop because they run
+/// out of points and not before.
 const ASKED: f64 = 1e-15;
 
 fn complement(k: f64) -> f64 {
@@ -56,11 +56,11 @@ fn k_is_the_published_one(#[case] m: f64, #[case] expected: f64) {
     assert_relative_eq!(k, expected, max_relative = TABLE_TOLERANCE);
 }
 
-/// Catches: an algorithm wrong in itself, which a table of a few values may miss: quadrature knows
-/// no mean.
+/// Catches: an algorithm wrong in itself, which a table of a few values may miss: quadrature does
+/// not use the arithmetic–geometric mean.
 ///
-/// What the two rules say of their own error is not believed: the double exponential one, asked for
-/// 1e-15, misses it by 30 times and does not know.
+/// The two rules' own error estimates are not used: the double exponential one, asked for 1e-15,
+/// misses it by a factor of 30 and does not report it.
 #[rstest]
 fn k_is_the_integral(#[values(0.0, 0.1, 0.3, 0.5, 0.7, 0.9, 0.95, 0.99, 0.999)] k: f64) {
     let integrand = |phi: f64| 1.0 / (1.0 - (k * phi.sin()).powi(2)).sqrt();
@@ -83,7 +83,7 @@ fn modulus_and_parameter_are_told_apart() {
     assert_relative_eq!(of_parameter, 1.854_074_677_301_372, max_relative = TABLE_TOLERANCE);
 }
 
-/// Catches: a loop without end, or a number made up, for an argument without K.
+/// Catches: an endless loop, or a finite number, for an argument without K.
 #[test]
 fn outside_its_range_k_is_infinite_or_not_a_number() {
     assert_eq!(complete_elliptic_k(0.0), f64::INFINITY);
@@ -110,7 +110,7 @@ fn trapezoid(k: f64, n: u32) -> f64 {
 /// The integrand has period π, so the rule, with N = 2n points a period, errs only by its harmonics
 /// N, 2N, …: it converges as exp(−2N acosh(1/k)), where acosh(1/k) is how far off the real axis,
 /// above π/2, the integrand is singular (Trefethen & Weideman, *SIAM Review* 56 (2014) 385–458). A
-/// singularity of the kind 1/√ lends the N-th harmonic a factor 1/√N as well.
+/// singularity of the kind 1/√ gives the N-th harmonic a factor 1/√N as well.
 ///
 /// From N to 2N the logarithm of the error must fall by 2N acosh(1/k) + ½ ln 2. The next term of a
 /// harmonic is of relative order 1/(16 N acosh(1/k)), which two of them may add to.
@@ -134,7 +134,7 @@ fn the_trapezoid_rule_converges_geometrically(
 }
 
 /// Near the top 1/acosh(1/k) = 1/k' intervals are needed for each e-fold: with k' = 5e-7 a thousand
-/// are as good as none.
+/// are far too few.
 ///
 /// Catches: the belief that a rule which converges geometrically converges for every k.
 #[test]
@@ -146,9 +146,9 @@ fn the_trapezoid_rule_breaks_at_the_top() {
     assert!(trapezoid((0.5 * (PI - 1e-8)).sin(), 1000).is_infinite());
 }
 
-/// With k = sin(θ₀/2) rounded by ε/4, 1 − k² is k'² = 2.5e-13 ± 5.6e-17, or 2.2e-4 of it, which K ≈
-/// ln(4/k') = 15.9 feels by a half of that over 15.9: 7e-6 at the worst. At π − 1e-8 k rounds to 1,
-/// and K to infinity.
+/// With k = sin(θ₀/2) rounded by ε/4, 1 − k² is k'² = 2.5e-13 ± 5.6e-17, or 2.2e-4 of it, which
+/// changes K ≈ ln(4/k') = 15.9 by half of that over 15.9 relatively: 7e-6 at the worst. At π − 1e-8
+/// k rounds to 1, and K to infinity.
 ///
 /// Catches: the textbook's √(1 − k²) in the library, and a test too far from the top to notice.
 #[rstest]

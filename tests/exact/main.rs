@@ -1,4 +1,4 @@
-//! The exact solution and the sine, against reference values of 50 digits and more.
+//! The exact solution and the sine, against reference values computed with 50 digits and more.
 
 mod elliptic;
 mod motion;

@@ -1,5 +1,5 @@
-//! The exact solution against references of 25 digits and more, and against what any solution must
-//! satisfy.
+//! The exact solution against references of 25 digits and more, and against properties of every
+//! solution.
 
 use approx::assert_relative_eq;
 use pendula::exact::{Swing, complete_elliptic_k, period};
@@ -20,16 +20,16 @@ const MOTIONS: &str = include_str!("../data/motion.csv");
 /// each within ε/2, and arctangent, sine and cosine within ε each. Not more at 10⁵ s than at 0.
 const EVALUATION: f64 = 2e-15;
 
-/// T = 4 K/ω₀ in f64: K, ω₀ and the quotient are rounded by ε/2 each, and k' by ε, of which K feels
-/// at most half, as dK/K = −(E/K − k'²)/k² · dk'/k' falls from ½ at k' = 1 to 1/K beside the top.
-/// In all 2 ε.
+/// T = 4 K/ω₀ in f64: K, ω₀ and the quotient are rounded by ε/2 each, and k' by ε, which changes K
+/// by at most half as much, as dK/K = −(E/K − k'²)/k² · dk'/k' falls from ½ at k' = 1 to 1/K beside
+/// the top. In all 2 ε.
 const PERIOD_TOLERANCE: f64 = 5e-16;
 
 /// A period from a double-double rounds once, ε/2, and so does the reference when it is read.
 const NEAREST: f64 = f64::EPSILON;
 
 /// No reference trajectory comes so near the top that half an ulp in the start is worse than this
-/// after 50 s (rad): a tolerance computed from sensitivity must not become a licence.
+/// after 50 s (rad): a tolerance computed from sensitivity must not become arbitrarily large.
 const WELL_CONDITIONED: f64 = 3e-13;
 
 /// Half a unit in the last place: how far an f64 may be from the number it stands for.
@@ -40,8 +40,8 @@ fn half_ulp(x: f64) -> f64 {
 /// How far an angle and an angular velocity may be off by rounding.
 ///
 /// An angle is measured against the amplitude or one radian, a velocity against the largest one,
-/// 2ω₀ k. Many turns round to their own last digit: once here, and once when the reference is read.
-/// So does a subnormal k.
+/// 2ω₀ k. An angle of many turns is rounded to its own last digit: once here, and once when the
+/// reference is read. So is a subnormal k.
 fn evaluation(pendulum: &Pendulum, motion: &Motion, theta: f64) -> Phase {
     let k = motion.modulus() + f64::from_bits(1);
     Phase {
@@ -108,8 +108,8 @@ fn two_radians_a_second() -> Pendulum {
 /// Catches: a form with 1 − k², which at π − 1e-8 is infinite; K of k for K of k²; T₀ for T.
 ///
 /// The reference takes θ₀ and g as the f64s that are given, so that even beside the top nothing is
-/// lost: that π − 1e-8 as an f64 is another angle, with a period 9e-9 s longer, is no error of the
-/// period.
+/// lost: π − 1e-8 as an f64 is another angle, with a period 9e-9 s longer, which is not an error of
+/// the period.
 #[test]
 fn periods_are_the_references() {
     let pendulum = Pendulum::PAPER;
@@ -178,7 +178,8 @@ fn motions_are_the_references() {
 /// Catches: a gravity, start or time that enters wrongly, with references made by someone else.
 ///
 /// They take 9.81, 0.05 and 6.3 as written. The f64s are up to half an ulp off, and what that does
-/// to the answer is computed: by moving each input one ulp either way, and halving.
+/// to the answer is computed: each input is moved by one ulp either way, and the change scaled to
+/// half an ulp.
 #[test]
 fn trajectories_are_the_references() {
     for row in Row::all(TRAJECTORIES) {
@@ -186,7 +187,8 @@ fn trajectories_are_the_references() {
         let exact = |gravity: f64, start: Phase| {
             let pendulum = Pendulum::new(gravity, 1.0, 1.0).expect("legal");
             let motion = match on_separatrix {
-                // ω₀ follows from g: the f64 that the table shows is beside the separatrix.
+                // The velocity at the start follows from g: the f64 in the table is not exactly on
+                // the separatrix.
                 true => Motion::on_separatrix(&pendulum, start.theta).expect("legal"),
                 false => motion(&pendulum, start),
             };
@@ -225,8 +227,8 @@ fn trajectories_are_the_references() {
 // Special starts
 // -------------------------------------------------------------------------------------------------
 
-/// Catches: a kind decided by 1 − k², which is blind to the last digits; a full oscillation
-/// reported for one turn.
+/// Catches: a kind decided by 1 − k², which loses the last digits; a full oscillation reported for
+/// one turn.
 #[rstest]
 #[case::rest(0.0, 0.0, MotionKind::Rest)]
 #[case::swing(1.0, 0.0, MotionKind::Libration)]
@@ -255,7 +257,7 @@ fn at_rest_it_stays() {
     }
 }
 
-/// Catches: a quarter period from an incomplete integral, whose last digit sets the pendulum going
+/// Catches: a quarter period from an incomplete integral, whose rounding makes the pendulum move
 /// before t = 0.
 #[rstest]
 fn a_release_from_rest_is_at_rest(
@@ -266,7 +268,7 @@ fn a_release_from_rest_is_at_rest(
     assert!((start.theta - theta0).abs() <= 2.0 * half_ulp(theta0), "{start:?}");
 }
 
-/// Catches: a start at π as an f64 taken for the balance at the top, or its 1.2e-16 rad for
+/// Catches: a start at π as an f64 taken for the equilibrium at the top, or its 1.2e-16 rad for
 /// rounding.
 ///
 /// The quarter period is K/ω₀, where K = ln(4/k') and k' is cos(π/2 as an f64),
@@ -279,14 +281,14 @@ fn from_pi_it_takes_twelve_seconds_to_fall() {
     let expected = (4.0 / 6.123_233_995_736_766e-17_f64).ln() / pendulum.small_angle_frequency();
     assert_relative_eq!(fall, expected, max_relative = 4.0 * f64::EPSILON);
     assert!((12.0..12.5).contains(&fall), "{fall}");
-    // The bottom, within what the rounding of the time (16 here) and of the evaluation is at full
-    // speed.
+    // The bottom, to within the rounding of the time (below 16 s) at full speed and of the
+    // evaluation.
     let speed = 2.0 * pendulum.small_angle_frequency();
     assert!(motion.at(fall).theta.abs() <= EVALUATION + half_ulp(16.0) * speed);
 }
 
-/// Catches: an overflow of cosh, an ω that dies as 0 instead of exponentially, and one that turns
-/// back.
+/// Catches: an overflow of cosh, an ω that becomes 0 instead of decaying exponentially, and one
+/// that changes its sign.
 #[rstest]
 fn on_the_separatrix_the_top_is_approached_forever(#[values(-3.0, 0.0, 2.0, 20.0)] theta0: f64) {
     let pendulum = two_radians_a_second();
@@ -297,13 +299,13 @@ fn on_the_separatrix_the_top_is_approached_forever(#[values(-3.0, 0.0, 2.0, 20.0
         let z = motion.at(0.25 * f64::from(n));
         assert!(z.theta >= last.theta, "{n}: {z:?} after {last:?}");
         last = z;
-        // ω = 2ω₀ cos(θ/2) loses its digits at the top as the angle does: there the exponential is
-        // looked at.
+        // ω = 2ω₀ cos(θ/2) loses its digits at the top as the angle does: there ω is compared with
+        // the exponential.
         let u = 2.0 * 0.25 * f64::from(n)
             + (0.5 * (theta0 - std::f64::consts::TAU * turns)).tan().asinh();
         if (18.0..745.0).contains(&u) {
-            // 4ω₀ e⁻ᵘ: what u is rounded by, e⁻ᵘ is off by, relatively; past 708 it is subnormal,
-            // and 8 of it too.
+            // 4ω₀ e⁻ᵘ: the rounding of u is the relative error of e⁻ᵘ; past 708 that is subnormal,
+            // and its last place counts 8 times too.
             let relative = 4.0 * f64::EPSILON * (1.0 + u);
             let expected = 8.0 * (-u).exp();
             assert_relative_eq!(
@@ -324,7 +326,7 @@ fn on_the_separatrix_the_top_is_approached_forever(#[values(-3.0, 0.0, 2.0, 20.0
     assert_eq!(motion.at(f64::MAX).theta, std::f64::consts::PI * (2.0 * turns + 1.0));
 }
 
-/// Catches: a NaN let in, a panic, or a wrong answer where there is no right one.
+/// Catches: an accepted NaN, a panic, or an answer where there is no right one.
 #[rstest]
 #[case(f64::NAN, 0.0)]
 #[case(f64::INFINITY, 0.0)]
@@ -338,8 +340,7 @@ fn what_cannot_be_right_is_refused(#[case] theta: f64, #[case] omega: f64) {
     assert!(matches!(refusal, Err(Error::Parameter { .. })), "{refusal:?}");
 }
 
-/// Catches: an overflow or underflow that the extremes of what is legal bring out, and a horizon
-/// that lies.
+/// Catches: an overflow or underflow at the extremes of the legal range, and a wrong horizon.
 #[rstest]
 fn legal_extremes_have_finite_answers(
     #[values(1e-300, 1e-9, 1.0, 1e300)] frequency_squared: f64,
@@ -409,8 +410,8 @@ proptest! {
         assert_close(motion.at(0.0), start, evaluation(&pendulum, &motion, start.theta), &"at 0");
     }
 
-    /// Catches: a period of the wrong quarter count, a rotation that comes back without a turn
-    /// more, a horizon that is not 2⁵² quarters of an oscillation or half turns.
+    /// Catches: a period with the wrong number of quarters, a rotation that comes back without one
+    /// more turn, a horizon that is not 2⁵² quarters of an oscillation or half turns.
     #[test]
     fn the_period_closes_the_orbit(
         pendulum in any_pendulum(),
@@ -455,8 +456,7 @@ proptest! {
         prop_assert!(difference.abs() <= tolerance, "{difference:e} J, allowed {tolerance:e} J");
     }
 
-    /// Catches: sn, cn, dn of another function than the pendulum's: they satisfy θ' = ω and ω' =
-    /// −(g/L) sin θ.
+    /// Catches: sn, cn, dn that solve equations other than θ' = ω and ω' = −(g/L) sin θ.
     #[test]
     fn it_solves_the_equation(
         pendulum in any_pendulum(),
@@ -466,7 +466,7 @@ proptest! {
         let motion = motion(&pendulum, start);
         // In units of τ, the time of a radian at most, each derivative is of order 1 and the fifth
         // below 60: the five-point difference truncates h⁴/30 of it. Values off by e make it off by
-        // 3e/2 h.
+        // 3e/(2h).
         let tau = 1.0 / (2.0 * pendulum.small_angle_frequency() * motion.modulus().max(0.5));
         let h = 1e-3 * tau;
         let difference = |part: fn(Phase) -> f64| {
@@ -489,7 +489,7 @@ proptest! {
         prop_assert!(omega <= omega_tolerance, "{omega:e}, allowed {omega_tolerance:e}");
     }
 
-    /// Catches: a forward motion and a backward one that are not of one orbit.
+    /// Catches: a forward and a backward motion that are not on the same orbit.
     #[test]
     fn time_reversal_retraces_the_orbit(
         pendulum in any_pendulum(),
@@ -517,8 +517,8 @@ proptest! {
         }
     }
 
-    /// Catches: g, L or ω₀ where it has no business: only ω₀ t and ω/ω₀ matter. Powers of two round
-    /// nothing, so that the bits agree.
+    /// Catches: g, L or ω₀ where it does not belong: only ω₀ t and ω/ω₀ matter. Powers of two cause
+    /// no rounding, so that the bits agree.
     #[test]
     fn time_scales_with_the_root_of_length_over_gravity(
         pendulum in any_pendulum(), start in any_start(), t in -1e3..1e3_f64, power in -60..60,
@@ -531,8 +531,8 @@ proptest! {
         prop_assert_eq!(z, Phase { omega: scaled.omega / scale, ..scaled });
     }
 
-    /// Catches: an evaluation whose cost in digits grows with the time: 10⁵ periods later it is
-    /// where it was.
+    /// Catches: an evaluation that loses digits as the time grows: 10⁵ periods later the pendulum
+    /// is where it was.
     #[test]
     fn after_many_periods_it_is_where_it_was(start in any_start(), exponent in 0..17) {
         // The period is rounded by half an ulp, `count` times.
@@ -560,11 +560,11 @@ proptest! {
 }
 
 /// Near the horizon the phase in quarter periods is an f64 whose last place is a half or a whole,
-/// and all of the motion is in what that leaves over. From mpmath, 80 digits: the release from 1
-/// rad. The rate of the phase is known to 2⁻¹⁰⁴ of itself, so the phase to 2⁻⁵² × π/2 × √9.81 × 2
-/// at the most.
+/// and the motion depends on the remainder alone. From mpmath, 80 digits: the release from 1 rad.
+/// The rate of the phase is known to a relative 2⁻¹⁰⁴, so the phase to 2⁻⁵² × π/2 × √9.81 × 2 at
+/// the most.
 ///
-/// Catches: a quarter period of what is left over that is not carried to the whole ones.
+/// Catches: a remainder of a full quarter period that is not carried to the count of quarters.
 #[rstest]
 #[case(1879331179301274.0, -0.8158890537714706, 1.6862109693977085)]
 #[case(2008179616693827.8, -0.8022912096853608, 1.7425185374503611)]
@@ -588,7 +588,7 @@ fn the_phase_is_kept_up_to_the_horizon(#[case] t: f64, #[case] theta: f64, #[cas
 /// k = sin(θ₀/2), below 1, and below the square root of the smallest f64 as well; and above 1 where
 /// ω²/(2ω₀)² is.
 ///
-/// Catches: a modulus of the enlarged swing in which a tiny one is solved.
+/// Catches: the modulus of the enlarged swing that a tiny one is scaled to.
 #[test]
 fn the_modulus_is_that_of_the_motion() {
     let modulus = |theta, omega| motion(&Pendulum::PAPER, Phase { theta, omega }).modulus();
@@ -598,8 +598,7 @@ fn the_modulus_is_that_of_the_motion() {
     assert_relative_eq!(modulus(0.0, omega), 2.0, max_relative = 4.0 * f64::EPSILON);
 }
 
-/// Catches: an f64::sin or a fused multiply-add that found its way in: the bits are pinned, for
-/// every machine.
+/// Catches: an f64::sin or a fused multiply-add in the code: the bits are fixed, for every machine.
 #[test]
 fn the_bits_are_the_same_everywhere() {
     let mut hash = 0xcbf2_9ce4_8422_2325_u64; // FNV-1a

@@ -11,8 +11,8 @@ fn motion(theta: f64, omega: f64) -> Motion {
     Motion::new(&pendulum(), Phase { theta, omega }).unwrap()
 }
 
-/// Both ways are right to 2e-15: of the amplitude or a radian and of the largest velocity 2ω₀k; and
-/// a rotation to the last digit of the angle that it has come to.
+/// Both are right to 2e-15 of the amplitude or a radian, and of the largest velocity 2ω₀k; and in a
+/// rotation to the last digit of the angle reached.
 ///
 /// Catches: a term of the series missing or without its denominator, a nome whose exponent has lost
 /// digits, a quarter turn too many, a direction lost.
@@ -41,7 +41,8 @@ fn the_series_is_the_motion(#[case] theta: f64, #[case] omega: f64) {
     }
 }
 
-/// Catches: a block of times that is not full, a slot beyond the last, times in another order.
+/// Catches: a block of times that is not full, a write beyond the last slot, times in another
+/// order.
 #[rstest]
 fn many_times_are_done_like_one(#[values(0, 1, 31, 32, 33, 63, 64, 200)] count: u32) {
     let motion = motion(1.0, 0.3);
@@ -54,7 +55,7 @@ fn many_times_are_done_like_one(#[values(0, 1, 31, 32, 33, 63, 64, 200)] count: 
     for (t, z) in times.iter().zip(&states) {
         assert_eq!(series.at(*t), *z, "at {t} s");
     }
-    // The motion itself takes the series from 64 times on.
+    // The motion itself uses the series for 64 times or more.
     motion.at_each(&times, &mut states);
     for (t, z) in times.iter().zip(&states) {
         assert_eq!(if count < 64 { motion.at(*t) } else { series.at(*t) }, *z, "at {t} s");
@@ -66,7 +67,7 @@ fn many_times_are_done_like_one(#[values(0, 1, 31, 32, 33, 63, 64, 200)] count: 
     }
 }
 
-/// Catches: a time that is not one, or whose phase has no digits, answered by a number.
+/// Catches: a finite state for a time that is not finite, or whose phase has no correct digits.
 #[test]
 fn beyond_the_horizon_there_is_no_state() {
     let series = motion(1.0, 0.0).series().unwrap();
@@ -78,14 +79,15 @@ fn beyond_the_horizon_there_is_no_state() {
     }
 }
 
-/// Catches: a series so long that it ends too early; one of a swing whose square underflows.
+/// Catches: a series that is cut off because it would be too long; one of a swing whose square
+/// underflows.
 #[test]
 fn not_every_motion_has_a_series() {
     assert!(motion(0.0, 0.0).series().is_none());
     assert!(motion(3.145, 0.0).series().is_none());
     assert!(motion(1e-100, 0.0).series().is_none());
     assert!(Motion::on_separatrix(&pendulum(), 0.5).unwrap().series().is_none());
-    // And many times have an answer all the same.
+    // Arrays of times are evaluated all the same.
     let (times, mut states) = ([1.5; 100], [Phase::default(); 100]);
     motion(3.145, 0.0).at_each(&times, &mut states);
     assert_eq!(states, [motion(3.145, 0.0).at(1.5); 100]);

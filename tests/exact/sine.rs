@@ -2,7 +2,7 @@
 //!
 //! `tests/data/sine.csv` has 51 binades, the f64s next to multiples of π/2, and among those the
 //! worst up to 2²⁰ quarter turns. A million points a range are measured by `benches/peers`, which
-//! `cargo test` leaves alone.
+//! `cargo test` does not run.
 
 use std::sync::LazyLock;
 
@@ -10,7 +10,7 @@ use pendula::arithmetic::sine::{cos, sin};
 use pendula::{Pendulum, Phase, Separable};
 use rstest::rstest;
 
-/// An f64, the sine and the cosine of it, each with what its rounding left over.
+/// An f64, its sine and its cosine, each with the remainder of its rounding.
 struct Row {
     x: f64,
     sine: [f64; 2],
@@ -37,9 +37,9 @@ fn error(value: f64, [truth, rest]: [f64; 2]) -> f64 {
     ((value - truth) - rest).abs() / ulp(truth)
 }
 
-/// Half an ulp is the rounding of the last sum. The rest of the sum is at most 0.18 of it (r³/6 at
-/// π/4) and is rounded three times, and where it is, head and sum may lie in different binades: 0.8
-/// in all.
+/// Half an ulp is the rounding of the last sum. The other terms of the sum are at most 0.18 of it
+/// (r³/6 at π/4) and are rounded three times, and there head and sum may lie in different binades:
+/// 0.8 in all.
 ///
 /// Catches: a reduction with three parts of π/2, a tail forgotten, a coefficient off by its last
 /// digits, a wrong quadrant.
@@ -57,8 +57,8 @@ fn sine_and_cosine_are_within_0_8_ulp(
     }
 }
 
-/// With g/L = 1 the force is −sin θ, by the shorter way of the time loop. π is known to it in 119
-/// bits, so that a count of n half turns is off by n · 4.5e-37 rad; beside that, 2.5 ulp.
+/// With g/L = 1 the force is −sin θ, by the shorter reduction of the time loop. It uses 119 bits of
+/// π, so that n half turns are off by n · 4.5e-37 rad; apart from that, 2.5 ulp.
 ///
 /// Catches: π in two parts, a sign from the wrong bit of the count, a coefficient off by its last
 /// digits.
@@ -74,9 +74,9 @@ fn the_sine_of_the_force_is_within_2_5_ulp() {
     }
 }
 
-/// Beyond 2²⁰ half turns the force takes the long way, and has the very bits of the sine.
+/// Beyond 2²⁰ half turns the force takes the long way, and has the same bits as [`sin`].
 ///
-/// Catches: the short way where its π has too few digits.
+/// Catches: the short way taken where its π has too few digits.
 #[test]
 fn the_sine_of_a_far_angle_takes_the_long_way() {
     let pendulum = Pendulum::new(1.0, 1.0, 1.0).unwrap();
@@ -85,8 +85,7 @@ fn the_sine_of_a_far_angle_takes_the_long_way() {
     }
 }
 
-/// Catches: −0 that becomes 0, a tiny number that underflows, a NaN or ∞ that is answered by a
-/// number.
+/// Catches: −0 that becomes 0, a tiny number that underflows, a number returned for NaN or ∞.
 #[test]
 fn zeros_tiny_numbers_and_no_numbers() {
     for x in [0.0, 5e-324, 1e-310, 2.2e-308, 1e-9] {

@@ -7,8 +7,8 @@ use rstest_reuse::apply;
 
 use crate::common::each_method;
 
-/// Catches: forward Euler posing as symplectic Euler, and every other step that is not built of
-/// shears.
+/// Catches: forward Euler posing as symplectic Euler, and every other step that is claimed to
+/// preserve area and does not.
 #[apply(each_method)]
 fn symplectic_methods_preserve_area<M: AnyMethod>(#[case] method: M) {
     check(&method).unwrap();
@@ -16,7 +16,7 @@ fn symplectic_methods_preserve_area<M: AnyMethod>(#[case] method: M) {
 
 /// det J = 1 + h² (g/L) cos θ, exactly: the Jacobian is (1, h; −h (g/L) cos θ, 1).
 ///
-/// Catches: a forward Euler that looks at the new angle or velocity anywhere.
+/// Catches: a forward Euler that uses the new angle or velocity anywhere.
 #[test]
 fn forward_euler_grows_area_by_its_exact_defect() {
     for (pendulum, z) in cases() {

@@ -19,10 +19,10 @@ fn the_error_is_the_constant_of_theory<M: AnyMethod>(#[case] method: M) {
 /// Extrapolation from x = 0.2 leaves out x³/8 = 1e-3 of d, with a coefficient of a few.
 const TOLERANCE: f64 = 5e-3;
 
-/// The four series on file, each against single steps. At x = 0.05 RK4's error is 3e-9 and more,
+/// The four tabulated series against single steps. At x = 0.05 RK4's error is at least 3e-9,
 /// rounded by 2e-16.
 ///
-/// Catches: a series that is wrong together with the run that it is held against.
+/// Catches: a series that is wrong in the same way as the run it is compared with.
 #[rstest]
 #[case::forward_euler(ForwardEuler)]
 #[case::symplectic_euler(SymplecticEuler)]

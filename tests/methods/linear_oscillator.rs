@@ -1,5 +1,5 @@
-//! The linear oscillator's own solution, against the pendulum's in a swing so small that the two
-//! are one.
+//! The exact solution of the linear oscillator against the pendulum's, in a swing so small that the
+//! two agree.
 
 use approx::assert_relative_eq;
 use pendula::{LinearOscillator, Motion, Pendulum, Phase};

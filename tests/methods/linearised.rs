@@ -1,4 +1,4 @@
-//! The linearised motion of each system, beside what two neighbours do.
+//! The linearised motion of each system against central differences of its rate.
 
 use pendula::dynamics::Linearised;
 use pendula::systems::{Damped, Driven, Shaken};
@@ -9,9 +9,9 @@ fn pendulum() -> Pendulum {
     Pendulum::new(5.0, 2.0, 3.0).unwrap()
 }
 
-/// The tangent along `v` beside the difference of the rates on both sides, which is off by ε²/6 of
-/// a third derivative of the restoring force, up to 2.5 |v|³ = 6, and by a rounding of that force
-/// over ε: 1e-10 and 1e-11.
+/// Compares the tangent along `v` with the central difference of the rate, which is off by ε²/6
+/// times a third derivative of the restoring force, up to 2.5 |v|³ = 6, and by a rounding of that
+/// force over ε: 1e-10 and 1e-11.
 fn check(system: &impl Linearised<State = Phase>) {
     const EPSILON: f64 = 1e-5;
     for z in [Phase { theta: 0.7, omega: -1.3 }, Phase { theta: 2.6, omega: 0.4 }] {
@@ -26,13 +26,13 @@ fn check(system: &impl Linearised<State = Phase>) {
             }
         }
     }
-    // √(θ² + ω²/ω₀²), where ω²/ω₀² is 4 but for the last digit.
+    // √(θ² + ω²/ω₀²), where ω²/ω₀² is 4 up to rounding.
     let size = system.size(Phase { theta: 1.5, omega: 10.0_f64.sqrt() });
     assert!((size - 2.5).abs() < 1e-15, "{size}");
 }
 
-/// Catches: a term that is missing, a derivative at the wrong place or time, a direction without
-/// its length; a size in other units.
+/// Catches: a missing term, a derivative at the wrong state or time, a tangent that ignores the
+/// length of its direction; a size in other units.
 #[test]
 fn the_tangent_is_the_derivative_of_the_rate() {
     let damped = Damped::new(pendulum(), 0.4).unwrap();

@@ -1,4 +1,4 @@
-//! What every method must do, and what is known of one.
+//! Tests that every method must pass, and tests of single methods.
 
 #[path = "../common/each_method.rs"]
 mod common;

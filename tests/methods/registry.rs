@@ -1,4 +1,4 @@
-//! The list of methods: complete, unambiguous, and true to the files.
+//! The list of methods: complete, unambiguous, and consistent with the files.
 
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -9,10 +9,11 @@ use pendula::{
     method_named,
 };
 
-/// Catches: a method whose file exists but which no test, table or page would ever run.
+/// Catches: a method whose file exists but which is not on the list, so that no test, table or page
+/// runs it.
 #[test]
 fn every_file_of_methods_is_on_the_list() {
-    /// What stands beside the methods in their folders.
+    /// The other files in the folders of the methods.
     const OTHERS: [&str; 4] = ["mod", "table", "tableau", "embedded"];
     let methods = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/methods");
     let inside =
@@ -28,7 +29,7 @@ fn every_file_of_methods_is_on_the_list() {
     assert_eq!(files, names);
 }
 
-/// Catches: two methods of one name, a name that cannot be typed, an entry left half empty.
+/// Catches: two methods of the same name, a name that is hard to type, an incomplete entry.
 #[test]
 fn entries_are_complete_and_distinct() {
     let mut seen = BTreeSet::new();
@@ -45,7 +46,7 @@ fn entries_are_complete_and_distinct() {
     assert_eq!(format!("{:?}", METHODS[0]), METHODS[0].info().name);
 }
 
-/// The table on the documentation's page of the methods, made from their entries.
+/// The table on the documentation page of the methods, generated from their entries.
 fn table() -> String {
     let mut table = String::from(
         "| method | order | symplectic | symmetric | evaluations | source \
@@ -66,9 +67,9 @@ fn table() -> String {
     table
 }
 
-/// To write the table anew, run this test with `INSTA_UPDATE=always`, as for the snapshots.
+/// To regenerate the table, run this test with `INSTA_UPDATE=always`, as for the snapshots.
 ///
-/// Catches: a documentation that says other things of a method than its entry, or leaves one out.
+/// Catches: documentation that contradicts a method's entry, or leaves a method out.
 #[test]
 fn the_documentation_lists_what_the_entries_say() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/methods/table.md");
@@ -78,7 +79,7 @@ fn the_documentation_lists_what_the_entries_say() {
     assert_eq!(std::fs::read_to_string(&path).unwrap(), table(), "{} is stale", path.display());
 }
 
-/// A method that leaves to the list what the list can do.
+/// A method that relies on the default methods of [`AnyMethod`].
 struct Plain;
 
 impl Info for Plain {
@@ -109,9 +110,9 @@ const STARTS: [Phase; 3] = [
     Phase { theta: 0.2, omega: 7.0 },
 ];
 
-/// Watched or not: the same bits.
+/// The same bits with and without an observer.
 ///
-/// Catches: a run that nobody watches and that goes elsewhere.
+/// Catches: a run without an observer that ends in another state.
 #[test]
 fn the_list_runs_what_it_lists() {
     let (pendulum, grid) = (Pendulum::new(9.81, 1.3, 0.7).unwrap(), Grid::new(0.02, 40).unwrap());

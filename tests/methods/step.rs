@@ -1,7 +1,7 @@
-//! One step of each method against the paper's equations, written out once more by hand.
+//! One step of each of the paper's methods against its equations, written out by hand.
 //!
-//! g/L = 2.5, so that neither g for g/L nor a forgotten L can hide, and a large step, so that every
-//! coefficient counts.
+//! g/L = 2.5, so that g in place of g/L or a forgotten L shows, and the step is large, so that
+//! every coefficient counts.
 
 use approx::assert_relative_eq;
 use pendula::methods::{ForwardEuler, Rk4, StormerVerlet, SymplecticEuler};
@@ -52,14 +52,14 @@ fn stormer_verlet_is_equations_10_to_12() {
     assert_same(z, theta, -0.7 + 0.5 * H * (alpha(0.8) + alpha(theta)));
 }
 
-/// Paper, Eqs. 10–12, twice. Catches: a force handed from step to step that is not the force at the
-/// new angle.
+/// Paper, Eqs. 10–12, twice. Catches: a force carried from step to step that is not the force at
+/// the new angle.
 #[test]
 fn stormer_verlet_hands_on_the_right_force() {
     let two = Grid::new(H, 2).unwrap();
     let z = integrate(&pendulum(), &StormerVerlet, Z, &two, &mut ());
     let twice = step(&pendulum(), &StormerVerlet, step(&pendulum(), &StormerVerlet, Z));
-    // In one run two half kicks are one kick: the same numbers but for a rounding.
+    // In one run two half kicks are merged into one kick: the same numbers up to a rounding.
     assert_same(z, twice.theta, twice.omega);
 }
 
@@ -79,7 +79,7 @@ fn rk4_is_algorithm_1() {
 /// On the linear oscillator a step of RK4 is the Taylor polynomial of degree 4 of a rotation by x =
 /// ω₀h.
 ///
-/// Catches: four stages whose errors cancel on one sine but not on a straight line.
+/// Catches: four stages whose errors cancel for the sine at one state but not for a linear force.
 #[test]
 fn rk4_on_the_linear_oscillator_is_a_taylor_polynomial() {
     let linear = LinearOscillator::new(pendulum());

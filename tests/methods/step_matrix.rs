@@ -1,4 +1,4 @@
-//! One step on the linear oscillator is a matrix, and of each method it is known.
+//! One step on the linear oscillator is a matrix, which is known for each method.
 
 use pendula::verify::linear::{
     check, check_denials, check_matrix, determinant, known, matrix_of, trace,
@@ -9,9 +9,9 @@ use rstest_reuse::apply;
 
 use crate::common::each_method;
 
-/// Catches: every wrong coefficient that acts on a straight line, to the last digit: trace,
-/// determinant and each entry; a force that is not what the step before handed on; a symmetry or an
-/// area that is claimed in vain.
+/// Catches: every wrong coefficient that acts on a linear force, to the last digit: trace,
+/// determinant and each element; a carried force that is not that of the step before; symmetry or
+/// area preservation that is wrongly claimed.
 #[apply(each_method)]
 fn the_pendulum_at_the_bottom_has_the_known_matrix<M: AnyMethod>(#[case] method: M) {
     check(&method).unwrap();
@@ -37,7 +37,7 @@ where
 /// At x = 1 the determinants 1 + x², 1, 1 − x⁶/72 + x⁸/576 and 1, and the traces 2, 2 − x², 2 −
 /// x² + x⁴/12 and 2 − x². A few roundings of numbers up to 2.
 ///
-/// Catches: a matrix on file that is wrong together with its method.
+/// Catches: a tabulated matrix that is wrong in the same way as its method.
 #[rstest]
 #[case::forward_euler("forward-euler", 2.0, 2.0)]
 #[case::symplectic_euler("symplectic-euler", 1.0, 1.0)]

@@ -1,4 +1,4 @@
-//! Taylor series of the motion, at other orders than the one on the list.
+//! Taylor series of the motion, at orders other than the one on the list.
 
 use pendula::methods::{ForwardEuler, Rk4};
 use pendula::{
@@ -18,10 +18,10 @@ const STARTS: [Phase; 3] = [
     Phase { theta: 0.5, omega: 9.0 },
 ];
 
-/// The run on which errors are measured (s): no whole number of periods.
+/// The duration of the runs on which errors are measured (s): not a whole number of periods.
 const END: f64 = 2.3;
 
-/// How far `method` is off at most up to [`END`] in so many steps: θ and ω/ω₀ in one (rad).
+/// The largest error of `method` up to [`END`] in `steps` steps: the norm of θ and ω/ω₀ (rad).
 fn largest_error<M: Method<Pendulum>>(method: &M, start: Phase, steps: u64) -> f64 {
     let pendulum = pendulum();
     let frequency = pendulum.small_angle_frequency();
@@ -38,11 +38,11 @@ fn largest_error<M: Method<Pendulum>>(method: &M, start: Phase, steps: u64) -> f
 }
 
 /// The series to the power P is a method of order P. Its steps are halved until rounding, 2e-16 of
-/// 10 rad a step and ten times that, would show in the error; the two finest slopes count. The
-/// second term of the error is smaller than the first by h times a rate of change of the motion: ω₀
-/// where it swings, ω where it turns; at most twice that here.
+/// 10 rad a step with a margin of 10, would show in the error; the two finest slopes are checked.
+/// The second term of the error is smaller than the first by h times a rate of change of the
+/// motion: ω₀ for a swing, ω for a rotation; at most twice that here.
 ///
-/// Catches: a power too few or too many, a factor j or k in the recurrence that is off by one, a
+/// Catches: one power too few or too many, a factor j or k in the recurrence that is off by one, a
 /// sign.
 #[rstest]
 fn the_slope_is_the_power(#[values(0, 1, 2)] start: usize) {
@@ -70,10 +70,11 @@ fn the_slope_is_the_power(#[values(0, 1, 2)] start: usize) {
     }
 }
 
-/// What the series to the power P leaves out is its next term, and then the one after that, smaller
-/// by h: so what one more power adds in a single step is what was missing, to O(h).
+/// The series to the power P leaves out its next term and those after it, each smaller by h: so in
+/// a single step one more power adds what was missing, to O(h).
 ///
-/// Catches: a coefficient that is wrong from some power on, whatever the order of the method says.
+/// Catches: a coefficient that is wrong from some power on, even if the order of the method does
+/// not show it.
 #[rstest]
 fn one_power_more_is_what_was_missing(#[values(0, 1, 2)] start: usize) {
     check::<1, 2>(STARTS[start]);
@@ -95,21 +96,21 @@ fn one_power_more_is_what_was_missing(#[values(0, 1, 2)] start: usize) {
                 |z: Phase, w: Phase| (z.theta - w.theta).hypot((z.omega - w.omega) / frequency);
             (size(truth, high), size(truth, low))
         };
-        // So long that xᴾ⁺¹ or so is 1e-7 at the last power too, far above rounding.
+        // So long that xᴾ⁺¹ is about 1e-7 at the last power too, far above rounding.
         let h = 0.25 / frequency;
         let (left, before) = missing(h);
-        // By symmetry every other power of a start at rest adds to one of θ and ω alone, and the
-        // ratio is x and not less.
+        // From rest, by symmetry, each power adds to only one of θ and ω, and the ratio is x and
+        // not less.
         assert!(left < 2.0 * h * frequency * before + 1e-15, "{left:e} of {before:e} are left");
         assert!(before > 0.0);
     }
 }
 
-/// The first power is forward Euler, which has no more rounding either; to the fourth, and on a
-/// straight line, where only the powers of the matrix count, the series is RK4.
+/// To the first power the series is forward Euler, with the same rounding; to the fourth it is RK4
+/// for a linear force, where only the powers of the matrix count.
 ///
-/// Catches: a step that is not a power series, such as one that takes the angle's last power with
-/// the new velocity.
+/// Catches: a step that is not a power series, such as one that computes the angle's last power
+/// with the new velocity.
 #[test]
 fn the_low_orders_are_known_methods() {
     let (pendulum, grid) = (pendulum(), Grid::new(0.02, 100).unwrap());
@@ -127,8 +128,8 @@ fn the_low_orders_are_known_methods() {
     }
 }
 
-/// With the step as the unit of time the same series takes the same steps, but for rounding; and
-/// each power is counted.
+/// With the step as the unit of time the same series takes the same steps, up to rounding; and each
+/// power counts as one evaluation.
 ///
 /// Catches: a power of h missing in one of the two; a series counted as one evaluation.
 #[test]
@@ -146,9 +147,9 @@ fn the_step_may_be_the_unit_of_time() {
     assert_eq!(counting.evaluations(), 12 * 50);
 }
 
-/// Any system may have a series: of ż = z it is the exponential's.
+/// Any system may have a series: for ż = z it is that of the exponential.
 ///
-/// Catches: a method that knows of pendulums.
+/// Catches: a method that only works for pendulums.
 #[test]
 fn a_series_is_what_its_system_says() {
     struct Growth;

@@ -1,5 +1,5 @@
-//! Reversal: forward, flip the velocity, forward again. Where it ends tells symmetric methods from
-//! the rest.
+//! Reversal: forward, flip the velocity, forward again. The end state tells symmetric methods from
+//! the others.
 
 use pendula::AnyMethod;
 use pendula::verify::reversal::check;
@@ -8,7 +8,7 @@ use rstest_reuse::apply;
 use crate::common::each_method;
 
 /// Catches: symplectic Euler posing as Störmer–Verlet, half a kick lost or doubled on one side,
-/// damping of 1e-12 a step; and an entry that claims a symmetry, or denies it.
+/// damping of 1e-12 a step; and an entry that wrongly claims or denies symmetry.
 #[apply(each_method)]
 fn symmetric_methods_return_and_no_others_do<M: AnyMethod>(#[case] method: M) {
     check(&method).unwrap();

@@ -12,8 +12,8 @@ fn evaluations_are_those_of_the_entry<M: AnyMethod>(#[case] method: M) {
     pendula::verify::work::check(&method).unwrap();
 }
 
-/// Catches: evaluations before the first step that nobody asked for, and a loop that takes a step
-/// on an empty grid.
+/// Catches: unneeded evaluations before the first step, and a loop that takes a step on an empty
+/// grid.
 #[apply(each_method)]
 fn no_step_costs_no_more_than_the_start<M>(#[case] method: M)
 where

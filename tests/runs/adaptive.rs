@@ -1,5 +1,5 @@
-//! Steps whose size follows the motion: what the tolerance promises, dense output, crossings, both
-//! directions of time, refusals.
+//! Adaptive steps: what the tolerance promises, dense output, crossings, both directions of time,
+//! refusals.
 
 use std::f64::consts::PI;
 
@@ -49,16 +49,15 @@ fn minus(x: Phase, y: Phase) -> Phase {
 // Tolerance
 // -------------------------------------------------------------------------------------------------
 
-/// h goes with the tolerance to the power 1/k, and the error of the run with hᵏ, k being the order
-/// of the step and of its estimate alike: error and tolerance fall together.
+/// h is proportional to the tolerance to the power 1/k, and the error of the run to hᵏ, where k is
+/// the order of both the step and its estimate: so the error is proportional to the tolerance.
 ///
-/// How the steps of one run happen to fall changes its error by half a decade, one way or the
-/// other; the mean of 16 runs by an eighth; and the slope over 8 decades by 0.02, twice that at
-/// worst.
+/// Where the steps of one run happen to lie changes its error by half a decade either way; the mean
+/// of 16 runs by an eighth of a decade; and the slope over 8 decades by 0.02, twice that at worst.
 const PROPORTIONALITY: f64 = 0.05;
 
-/// Catches: an error measured against nothing, or against the wrong scale; one with or without its
-/// h; an estimate of the wrong order; a step taken although it was refused.
+/// Catches: an error without a scale, or with the wrong one; an error with an h missing or too
+/// many; an estimate of the wrong order; a step taken although it was refused.
 #[apply(each_pair)]
 fn the_error_falls_with_the_tolerance<M: Embedded>(#[case] method: M) {
     for pendulum in pendulums() {
@@ -82,9 +81,9 @@ fn the_error_falls_with_the_tolerance<M: Embedded>(#[case] method: M) {
     }
 }
 
-/// The method that steps is better than the one that is estimated, by an order: below 1e-7 no step
-/// is off by as much as it may be. But neither is it so much better that the steps are too small: a
-/// step of half the size would be off 2⁹ times less.
+/// The method that steps is better by an order than the one whose error is estimated: below 1e-7 no
+/// step is off by as much as the tolerance allows. But it is not so much better that the steps are
+/// too small: a step of half the size would have an error 2⁹ times smaller.
 ///
 /// Catches: an estimate that is too small, by a factor or for one of the components; one that is
 /// far too large.
@@ -104,8 +103,8 @@ fn no_step_is_off_by_more_than_the_tolerance<M: Embedded>(#[case] method: M) {
     }
 }
 
-/// Catches: the larger tolerance taken for both, one that is not used, a mean that forgets to
-/// divide or to take the root.
+/// Catches: the larger tolerance used for both, a tolerance that is not used, a mean without its
+/// division or its root.
 #[test]
 fn a_displacement_is_measured_in_tolerances() {
     let tolerance = Tolerance::new(0.5, 0.25).unwrap();
@@ -120,10 +119,10 @@ fn a_displacement_is_measured_in_tolerances() {
 // Work
 // -------------------------------------------------------------------------------------------------
 
-/// Two evaluations choose the first step, of which one is its first slope.
+/// Choosing the first step takes two evaluations, one of which is its first slope.
 ///
-/// Catches: a slope evaluated again that is known, in the next step or after a refusal; refused
-/// steps not counted.
+/// Catches: a known slope evaluated again, in the next step or after a refusal; refused steps not
+/// counted.
 #[rstest]
 #[case::dormand_prince(DormandPrince, 6, 6, 0)]
 #[case::dop853(Dop853, 12, 11, 3)]
@@ -149,11 +148,11 @@ fn each_evaluation_is_counted_and_none_is_wasted<M: Embedded>(
     }
 }
 
-/// Where nothing is refused, sixteen times the tolerance makes a step 16^(1/k) times longer, to 2 %
-/// for the ends and the start.
+/// Where nothing is refused, sixteen times the tolerance makes a step 16^(1/k) times longer, up to
+/// 2 % because of the first and last steps.
 ///
-/// Catches: an exponent of the control that goes with another order than the estimate's: the steps
-/// would go to and fro.
+/// Catches: a controller whose exponent does not match the order of the estimate: the steps would
+/// oscillate.
 #[test]
 fn steps_lengthen_with_the_root_of_the_tolerance() {
     let steps = |tol| {
@@ -166,19 +165,18 @@ fn steps_lengthen_with_the_root_of_the_tolerance() {
     assert!((ratio / 16_f64.powf(0.2) - 1.0).abs() < 0.02, "{ratio}");
 }
 
-/// The first step by hand, as Hairer, Nørsett and Wanner have it (Sect. II.4). In units of what is
-/// allowed, 2e-6 of y = 1:
+/// The first step by hand, after Hairer, Nørsett and Wanner (Sect. II.4). In units of the allowed
+/// error, 2e-6 at y = 1:
 ///
 /// * ẏ = −4 y: y is 5e5, ẏ is 2e6, and so 0.01 · 5e5/2e6 s is tried; ẏ changes by 0.01 · 2e6 in it,
 ///   or 8e6 a second; the step is (0.01/8e6)^(1/k).
-/// * ẏ = −4 y³ + 9 t: the same step is tried, and ẏ changes in it as much as the cube and the time
-///   make it.
-/// * ẏ = 1 from 0 says nothing about the time in which y changes: 1e-6 of the duration is tried,
-///   and the step is 100 of that.
-/// * ẏ = 0 says nothing at all: 1e-6 of the duration.
+/// * ẏ = −4 y³ + 9 t: the same step is tried, and the change of ẏ in it comes from both the cube
+///   and the time.
+/// * ẏ = 1 from 0 gives no time scale: 1e-6 of the duration is tried, and the step is 100 times
+///   that.
+/// * ẏ = 0 gives none either: the step is 1e-6 of the duration.
 ///
-/// Catches: any of its numbers, or its units, in another place; one that looks at the end of time
-/// before the start.
+/// Catches: a wrong constant or unit in the rule; a trial step in the wrong direction of time.
 #[rstest]
 #[case::dormand_prince(DormandPrince, 0.2)]
 #[case::dop853(Dop853, 0.125)]
@@ -200,17 +198,17 @@ fn the_first_step_follows_the_state<M: Embedded>(#[case] method: M, #[case] root
             (first(&|_, _| 1.0, 0.0, 10.0 * way), 1e-3),
             (first(&|_, _| 0.0, 0.0, 10.0 * way), 1e-5),
             (first(&|_, _| 0.0, 1.0, 10.0 * way), 1e-5),
-            // No longer than all there is.
+            // No longer than the whole duration.
             (first(&|_, y| -4.0 * way * y, 1.0, 1e-3 * way), 1e-3),
         ] {
-            // A few roundings, and a power from another library.
+            // A few roundings, and another library's power function.
             assert!((size * way / expected - 1.0).abs() < 1e-9, "{size}, not {expected}");
         }
     }
 }
 
-/// The same rule in two components, each in its own tolerances: at the bottom, fast, where the
-/// velocity changes most.
+/// The same rule for two components, each in units of its own tolerance: fast near the bottom,
+/// where the velocity changes most.
 ///
 /// Catches: a sum over the components where their mean is meant, a component left out.
 #[rstest]
@@ -231,22 +229,21 @@ fn the_first_step_weighs_every_component<M: Embedded>(#[case] method: M, #[case]
     let mut walk = adaptive.steps(&pendulum, start, 0.0, 10.0).unwrap();
     let first = walk.next().unwrap().unwrap().size();
     assert_eq!(walk.counts().rejected, 0);
-    // A few roundings of a difference that loses three digits, some 1e-13; a root makes less of
-    // them.
+    // A few roundings of a difference that loses three digits, some 1e-13; the root reduces them.
     let expected = (0.01 / bend).powf(root);
     assert!((first / expected - 1.0).abs() < 1e-12, "{first}, not {expected}");
 }
 
 /// Where nothing changes there is no error, and each step is ten times as long as the last.
 ///
-/// Catches: a step that leaps from calm into what comes after it.
+/// Catches: a step that grows without limit where nothing changes, and jumps over what follows.
 #[apply(each_pair)]
 fn no_step_grows_more_than_tenfold<M: Embedded>(#[case] method: M) {
     let calm = Law(|_, _| 0.0);
     let walk =
         Adaptive::new(method, tolerance(1e-6)).steps(&calm, Number { y: 0.0 }, 0.0, 10.0).unwrap();
     let sizes: Vec<f64> = walk.map(|step| step.unwrap().size()).collect();
-    // All but the last, which ends at the end.
+    // All but the last, which is cut off at the end.
     for pair in sizes[..sizes.len() - 1].windows(2) {
         assert!((pair[1] / pair[0] - 10.0).abs() < 1e-12, "{sizes:?}");
     }
@@ -257,8 +254,8 @@ fn no_step_grows_more_than_tenfold<M: Embedded>(#[case] method: M) {
 // Fixed steps and dense output
 // -------------------------------------------------------------------------------------------------
 
-/// The slopes between runs over 10 s with more and more steps, each √2 times shorter, of the
-/// largest error of the angle.
+/// The slopes of the largest error of the angle, between runs over 10 s with steps √2 times shorter
+/// each time.
 fn slopes_of_runs<M: Method<Pendulum>>(pendulum: &Pendulum, method: &M, steps: f64) -> Vec<f64> {
     let motion = Motion::new(pendulum, START).unwrap();
     let rungs: Vec<(f64, f64)> = (0..4)
@@ -278,11 +275,11 @@ fn slopes_of_runs<M: Method<Pendulum>>(pendulum: &Pendulum, method: &M, steps: f
 /// Dormand and Prince's method of order 5, at 700 to 2000 steps: the next term bends the slope by
 /// 0.08 at the first, and by less thereafter.
 ///
-/// DOP853 is made so that what is left of its error at order 8 is small: as far down as f64 sees,
-/// what it does is better than order 8, and its slopes are between 8 and 9.5. That it is of no
-/// higher order, its trees tell.
+/// DOP853 is built so that the leading term of its error is small: as far down as f64 resolves, it
+/// is better than order 8, and its slopes are between 8 and 9.5. The test of its trees shows that
+/// its order is no higher.
 ///
-/// Catches: as methods of fixed steps, a slope handed on from another state; h used twice.
+/// Catches: with fixed steps, a slope carried over from another state; h used twice.
 #[rstest]
 #[case::dormand_prince(DormandPrince, 700.0, 4.95, 5.09)]
 #[case::dop853(Dop853, 63.0, 8.0, 9.5)]
@@ -298,11 +295,11 @@ fn with_fixed_steps_every_slope_is_the_order<M: Method<Pendulum>>(
     }
 }
 
-/// Within one step dense output of order q is off by O(h^(q+1)): the largest of 40 steps from all
-/// over a swing, each looked at in 4 places.
+/// Within one step dense output of order q is off by O(h^(q+1)): the largest error of 40 steps
+/// spread over a swing, each evaluated at 4 points.
 ///
-/// From one rung to the next, √2 shorter, the place of the largest moves a little: ±0.2 in a slope
-/// at DOP853's long steps; over all rungs it is less.
+/// Where the error is largest moves a little with h: over a factor of √2 that changes a slope by
+/// ±0.2 at DOP853's long steps; over the factor of 4 here it is less.
 ///
 /// Catches: dense output of a lower order, as Hermite's cubic alone would be (of order 3); a
 /// coefficient that only matters in the middle of a step.
@@ -345,8 +342,7 @@ fn one_step<M: Embedded>(
     Dense::new(0.0, h, z, method.dense(pendulum, 0.0, h, z, &stages, slope))
 }
 
-/// Catches: dense output of another step; a time in it that is not the part of the step that is
-/// over.
+/// Catches: dense output of another step; a time not converted to the fraction of the step.
 #[apply(each_pair)]
 fn dense_output_meets_both_ends_of_each_step<M: Embedded>(#[case] method: M) {
     let pendulum = Pendulum::PAPER;
@@ -367,13 +363,13 @@ fn dense_output_meets_both_ends_of_each_step<M: Embedded>(#[case] method: M) {
 // Crossings
 // -------------------------------------------------------------------------------------------------
 
-/// The first fall to the bottom takes a quarter of the period, and four of them are right to what
-/// the tolerance allows of a number of the size of T. That is no law, as errors of steps add up;
-/// but a fall from rest is most sensitive where it is slowest, and there a step is off by least. 4
-/// ε T is the rounding of the four quarters.
+/// The first fall to the bottom takes a quarter of the period, and four times that is right to what
+/// the tolerance allows for a number of the size of T. That is not guaranteed, as the errors of the
+/// steps add up; but a fall from rest is most sensitive where it is slowest, and there the error of
+/// a step is smallest. 4 ε T is the rounding of the four quarters.
 ///
-/// Catches: a crossing at an end of the step, or on a straight line through it; dense output of too
-/// low an order; the time of a step's begin forgotten.
+/// Catches: a crossing put at an end of the step, or found by linear interpolation; dense output of
+/// too low an order; the start time of a step forgotten.
 #[apply(each_pair)]
 fn the_period_is_exact_within_the_tolerance<M: Embedded>(
     #[case] method: M,
@@ -391,8 +387,8 @@ fn the_period_is_exact_within_the_tolerance<M: Embedded>(
     }
 }
 
-/// Over the top and over again. The pendulum turns at 6 rad/s and more; its angle is off by less
-/// than 100 tolerances after 5 s, as is that of the swing in the tests above.
+/// Rotation over the top. The pendulum turns at 6 rad/s or more; its angle is off by less than 100
+/// tolerances after 5 s, as is that of the swing in the tests above.
 ///
 /// Catches: crossings missed, or found twice where one step ends and the next begins; a function of
 /// time alone, or of the state alone.
@@ -418,11 +414,11 @@ fn each_passage_over_the_top_is_found_once<M: Embedded>(#[case] method: M) {
     }
 }
 
-/// A swing falls through the bottom, rises through it, and falls; a clock strikes
-/// twenty times in 3 s, more often than there are steps.
+/// The angle of a swing crosses zero falling, rising, and falling again; a function of time crosses
+/// zero twenty times in 3 s, more often than there are steps.
 ///
-/// Catches: a direction ignored or turned round; a zero at the start taken for a crossing; several
-/// crossings in a step of which only one is seen.
+/// Catches: a direction ignored or reversed; a zero at the start taken for a crossing; several
+/// crossings in a step of which only one is found.
 #[apply(each_pair)]
 fn a_crossing_has_a_direction<M: Embedded>(#[case] method: M) {
     let pendulum = Pendulum::PAPER;
@@ -442,7 +438,7 @@ fn a_crossing_has_a_direction<M: Embedded>(#[case] method: M) {
     near(times(Direction::Rising, 2.2 * period), &[1.0, 2.0]);
     near(times(Direction::Falling, 2.2 * period), &[0.5, 1.5]);
     near(times(Direction::Either, 2.2 * period), &[0.5, 1.0, 1.5, 2.0]);
-    // Back in time what was rising is falling.
+    // Backward in time, rising becomes falling.
     near(times(Direction::Rising, -2.2 * period), &[-0.5, -1.5]);
     near(times(Direction::Falling, -2.2 * period), &[-1.0, -2.0]);
 
@@ -460,11 +456,11 @@ fn a_crossing_has_a_direction<M: Embedded>(#[case] method: M) {
 // Both directions of time, ends, observers
 // -------------------------------------------------------------------------------------------------
 
-/// Forward, and from there back to the start. The way back is no better and no worse than the way
-/// there, which the test of the tolerance has off by less than 1000 of it.
+/// Backward in time, and from there forward to the start. Either run is off by less than 1000
+/// tolerances, as in the test of the tolerance.
 ///
-/// Catches: a sign of the step lost, in the first, in the last or in the limit of growth; an end
-/// that is overshot.
+/// Catches: the sign of the step lost in the first step, in the last or in the limit of growth; an
+/// end that is overshot.
 #[apply(each_pair)]
 fn time_can_run_either_way<M: Embedded>(#[case] method: M) {
     for pendulum in pendulums() {
@@ -475,14 +471,14 @@ fn time_can_run_either_way<M: Embedded>(#[case] method: M) {
         assert!((before.theta - right.theta).abs() < 1e-7, "{before:?}, not {right:?}");
         let (back, again) = adaptive.integrate(&pendulum, before, -8.0, 2.0, &mut ()).unwrap();
         assert!((back.theta - START.theta).abs() < 2e-7, "{back:?}");
-        // The same stretch takes as many steps either way, but for the first few.
+        // The same interval takes as many steps either way, except for the first few.
         let (there, back) = (counts.accepted as f64, again.accepted as f64);
         assert!((there / back - 1.0).abs() < 0.1, "{there} there, {back} back");
     }
 }
 
-/// Catches: a last step past the end, short of it, or split in two; a walk that goes on, or never
-/// starts, at its end.
+/// Catches: a last step past the end, short of it, or split in two; a step taken after the end, or
+/// when the end is the start.
 #[apply(each_pair)]
 fn the_last_step_ends_at_the_end<M: Embedded>(
     #[case] method: M,
@@ -504,8 +500,8 @@ fn the_last_step_ends_at_the_end<M: Embedded>(
     assert_eq!((walk.time(), walk.state()), (3.0, START));
 }
 
-/// Of 1000 ends, one in a hundred would leave less than a hundredth of a step for the last; of it
-/// 0.8 is asked for, as the last would not be just as long as the one before.
+/// Of 1000 end times, one in a hundred would leave less than a hundredth of a step for the last.
+/// The bound is 0.8 of that, as the last step would not be exactly as long as the one before.
 ///
 /// Catches: a sliver of a step at the end.
 #[apply(each_pair)]
@@ -519,8 +515,8 @@ fn no_sliver_is_left_for_the_last_step<M: Embedded>(#[case] method: M) {
     }
 }
 
-/// Catches: a force asked for beyond the end, where it may not be defined; a refusal of the
-/// shortest step there is.
+/// Catches: a force evaluated beyond the end, where it may not be defined; a refusal of the
+/// shortest possible step.
 #[apply(each_pair)]
 fn nothing_is_asked_beyond_the_end<M: Embedded>(#[case] method: M) {
     let latest = std::cell::Cell::new(0.0_f64);
@@ -536,9 +532,9 @@ fn nothing_is_asked_beyond_the_end<M: Embedded>(#[case] method: M) {
     assert_eq!((counts.accepted, latest.get()), (1, 1e6_f64.next_up()));
 }
 
-/// A walk of one step, at whose end a clock strikes.
+/// A single step, with a zero of the function exactly at its end.
 ///
-/// Catches: a zero that is met exactly, and not crossed, taken for none.
+/// Catches: a zero missed because it is reached exactly and not crossed.
 #[apply(each_pair)]
 fn a_zero_on_the_last_instant_is_a_crossing<M: Embedded>(#[case] method: M) {
     let law = Law(|_, y| -4.0 * y);
@@ -552,7 +548,7 @@ fn a_zero_on_the_last_instant_is_a_crossing<M: Embedded>(#[case] method: M) {
     }
 }
 
-/// Catches: a loop that goes on when nobody looks any more.
+/// Catches: a loop that goes on after the observer is satisfied.
 #[apply(each_pair)]
 fn a_satisfied_observer_ends_the_loop<M: Embedded>(#[case] method: M) {
     struct UntilNinth(u64);
@@ -576,7 +572,7 @@ fn a_satisfied_observer_ends_the_loop<M: Embedded>(#[case] method: M) {
 // Refusals
 // -------------------------------------------------------------------------------------------------
 
-/// Catches: a tolerance let in that is NaN, zero, negative, or finer than f64.
+/// Catches: an accepted tolerance that is NaN, zero, negative, or finer than f64.
 #[test]
 fn a_tolerance_that_cannot_be_met_is_refused() {
     for bad in [0.0, -1e-6, f64::NAN, f64::INFINITY] {
@@ -594,8 +590,8 @@ fn a_tolerance_that_cannot_be_met_is_refused() {
     );
 }
 
-/// Catches: a refusal of the finest tolerance that is let in; an error then that is not a few
-/// hundred roundings.
+/// Catches: an accepted tolerance so fine that no step meets it; an error of more than 1000
+/// tolerances there.
 #[apply(each_pair)]
 fn the_finest_tolerance_can_be_met<M: Embedded>(#[case] method: M) {
     let finest = Tolerance::uniform(SMALLEST_RELATIVE).unwrap();
@@ -606,7 +602,7 @@ fn the_finest_tolerance_can_be_met<M: Embedded>(#[case] method: M) {
     assert!((end.theta - right.theta).abs() < 1000.0 * SMALLEST_RELATIVE);
 }
 
-/// Catches: a time that is not one let in.
+/// Catches: an accepted time that is not finite, or an infinite duration.
 #[apply(each_pair)]
 fn a_time_that_is_none_is_refused<M: Embedded>(#[case] method: M) {
     let adaptive = Adaptive::new(method, tolerance(1e-6));
@@ -636,11 +632,12 @@ impl<F: Fn(f64, f64) -> f64> System for Law<F> {
     }
 }
 
-/// ẏ = y² from 1 is 1/(1 − t). A walk into its pole takes shorter and shorter steps, and stops
-/// where they are lost in the time, at 10 ε. Every step is off by a tolerance of 1e-9, and so its
-/// pole lies within a thousand of them.
+/// ẏ = y² from 1 has the solution 1/(1 − t). Towards its pole the steps become shorter and shorter,
+/// and stop where they are lost in the rounding of the time, at 10 ε. Every step is off by a
+/// tolerance of 1e-9, and so the computed pole lies within a thousand tolerances of t = 1.
 ///
-/// Catches: a walk that never ends, or leaps over the pole; an error that hides where it was.
+/// Catches: steps that never end, or jump over the pole; an error without the time at which it
+/// occurred.
 #[apply(each_pair)]
 fn a_pole_is_not_crossed<M: Embedded>(#[case] method: M) {
     let pole = Law(|_, y| y * y);
@@ -655,7 +652,7 @@ fn a_pole_is_not_crossed<M: Embedded>(#[case] method: M) {
     assert!(message.contains("too long for the tolerance") && !message.contains('\n'), "{message}");
 }
 
-/// Catches: a NaN that is accepted, or tried for ever.
+/// Catches: a NaN that is accepted, or retried for ever.
 #[apply(each_pair)]
 fn a_rate_that_is_no_number_is_an_error<M: Embedded>(#[case] method: M) {
     let adaptive = Adaptive::new(method, tolerance(1e-9));
@@ -665,14 +662,15 @@ fn a_rate_that_is_no_number_is_an_error<M: Embedded>(#[case] method: M) {
         let Err(Error::StepTooSmall { t, .. }) = end else { panic!("{end:?}") };
         assert_eq!(t, from);
     }
-    // One that turns bad on the way is found there.
+    // A rate that becomes NaN on the way is found there.
     let law = Law(|t, _| if t < 1.0 { 1.0 } else { f64::NAN });
     let end = adaptive.integrate(&law, Number { y: 1.0 }, 0.0, 2.0, &mut ());
     let Err(Error::StepTooSmall { t, .. }) = end else { panic!("{end:?}") };
     assert!(t < 1.0 && t > 0.999, "{t}");
 }
 
-/// Catches: a limit that is off by one, counts only what is accepted, or ends in silence.
+/// Catches: a limit that is off by one, counts only accepted steps, or ends the run without an
+/// error.
 #[apply(each_pair)]
 fn a_limit_is_kept<M: Embedded>(#[case] method: M) {
     let pendulum = Pendulum::PAPER;
@@ -692,14 +690,14 @@ fn a_limit_is_kept<M: Embedded>(#[case] method: M) {
     assert!(error.to_string().starts_with(&format!("{limit} steps have led no further")));
 }
 
-/// ẏ = −100 y + 100 cos t is calm after its first moment, and then the step is held by stability
-/// alone: |R(−100 h)| ≤ 1 up to h = 0.033 for Dormand and Prince's method of order 5, 0.061 for
-/// DOP853. The control keeps the steps near that bound, and of order 5 it refuses less than one
-/// step in 50 that it takes; of order 8, where a step slightly too long is off by much more, one
-/// in 4.
+/// ẏ = −100 y + 100 cos t is smooth after a short transient, and then the step is limited by
+/// stability alone: |R(−100 h)| ≤ 1 up to h = 0.033 for Dormand and Prince's method of order 5,
+/// 0.061 for DOP853. The controller keeps the steps near that bound. At order 5 it refuses less
+/// than one step for every 50 it takes; at order 8, where a step slightly too long is off by much
+/// more, one for every 4.
 ///
-/// Catches: a control without a memory, whose steps go up and down there; one that lets them grow
-/// after a refusal.
+/// Catches: a controller that ignores the error of the step before, whose steps oscillate there;
+/// one that lets them grow after a refusal.
 #[rstest]
 #[case::dormand_prince(DormandPrince, 0.033, 50)]
 #[case::dop853(Dop853, 0.061, 4)]
@@ -711,7 +709,7 @@ fn at_the_limit_of_stability_few_steps_are_refused<M: Embedded>(
     let law = Law(|t: f64, y: f64| -100.0 * y + 100.0 * t.cos());
     let adaptive = Adaptive::new(method, tolerance(1e-4));
     let (end, counts) = adaptive.integrate(&law, Number { y: 0.0 }, 0.0, 20.0, &mut ()).unwrap();
-    // y = (cos t + 0.01 sin t)/1.0001 once the start is forgotten.
+    // y = (cos t + 0.01 sin t)/1.0001 once the transient has decayed.
     let right = (20_f64.cos() + 0.01 * 20_f64.sin()) / 1.0001;
     assert!((end.y - right).abs() < 1e-3, "{}", end.y);
     assert!(counts.rejected * one_in < counts.accepted, "{counts:?}");

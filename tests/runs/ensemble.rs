@@ -1,5 +1,5 @@
-//! Many pendulums at once: each lane has the bits of its trajectory alone, whatever the processor's
-//! instructions.
+//! Many pendulums at once: each lane has the same bits as its trajectory computed alone, whatever
+//! instructions the processor has.
 
 use std::num::NonZeroU64;
 
@@ -20,7 +20,7 @@ fn family() -> (Vec<Pendulum>, Vec<Phase>) {
 }
 
 /// Catches: a lane that reads another's state or parameters, a branch whose two sides differ in a
-/// bit, a carry not kept, a fused instruction where the processor has one.
+/// bit, a carry not kept, a fused multiply-add where the processor has one.
 #[apply(each_method)]
 fn lanes_have_the_bits_of_a_trajectory_alone<M: InLanes>(#[case] method: M) {
     let (pendulums, starts) = family();
@@ -67,10 +67,11 @@ fn each_observer_of_an_ensemble_sees_its_own_trajectory<M: InLanes>(
     }
 }
 
-/// One start whose units cannot be changed, 1e-150 rad/s, and 1e9 rad whose half turns are too
-/// many: its whole block goes the careful way.
+/// One start whose units cannot be changed, 1e-150 rad/s, and one with too many half turns, 1e9
+/// rad: each trajectory of their block is computed on its own.
 ///
-/// Catches: a careful start that spoils, or is spoilt by, its neighbours.
+/// Catches: a start that cannot be computed in lanes and spoils its neighbours, or is spoilt by
+/// them.
 #[apply(each_method)]
 fn a_start_that_needs_care_gets_it<M: InLanes>(#[case] method: M) {
     let pendulum = Pendulum::PAPER;
@@ -84,14 +85,14 @@ fn a_start_that_needs_care_gets_it<M: InLanes>(#[case] method: M) {
     Ensemble::new(&pendulum, &starts, grid).ends(&method, &mut ends);
     for (start, end) in starts.into_iter().zip(ends) {
         let alone = integrate(&pendulum, &method, start, &grid, &mut ());
-        // 100 steps, each rounding an ulp of the largest number there is.
+        // 100 steps, each with a rounding of an ulp of the largest number.
         assert!((end.theta - alone.theta).abs() <= 100.0 * f64::EPSILON * alone.theta.abs());
         let scale = if start.omega == 1e-150 { 1e-150 } else { 10.0 };
         assert!((end.omega - alone.omega).abs() <= 100.0 * f64::EPSILON * scale);
     }
 }
 
-/// Sees until it has seen so many.
+/// Observes until it has seen three states.
 struct Some3(Vec<Phase>);
 
 impl Observer<Phase> for Some3 {
@@ -104,10 +105,10 @@ impl Observer<Phase> for Some3 {
     }
 }
 
-/// In lanes, and where a neighbour needs care.
+/// In lanes, and beside a start that cannot be computed in lanes.
 ///
-/// Catches: an observer that is shown more than it wants, or nothing; one that ends the run of the
-/// others.
+/// Catches: an observer that receives more samples than it wants, or none; one that ends the run of
+/// the others.
 #[apply(each_method)]
 fn a_satisfied_observer_is_left_alone<M: InLanes>(
     #[case] method: M,
@@ -122,12 +123,12 @@ fn a_satisfied_observer_is_left_alone<M: InLanes>(
         let mut alone = vec![];
         let mut watch = pendula::integrate::Every::new(every, |_, _, z| alone.push(z));
         integrate_fast(&Pendulum::PAPER, &method, *start, &grid, &mut watch);
-        // Beside a start that needs care time is in seconds for that one only.
+        // In such a block, time is in seconds only for the start that requires it.
         assert_eq!(bits(&seen), bits(&alone[..3]));
     }
 }
 
-/// Catches: out-of-bounds lanes, a slot written for no start.
+/// Catches: out-of-bounds lanes, a slot written that has no start.
 #[test]
 #[should_panic(expected = "one slot for each start")]
 fn an_ensemble_wants_a_slot_for_each_start() {

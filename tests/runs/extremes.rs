@@ -1,5 +1,5 @@
-//! Inputs at the edges of f64 and beyond: an error or a right answer, never a hang, and no NaN out
-//! of finite numbers.
+//! Inputs at the limits of f64 and beyond: an error or a right answer, never an endless loop, and
+//! no NaN out of finite numbers.
 
 use std::f64::consts::PI;
 
@@ -15,8 +15,8 @@ use rstest_reuse::apply;
 
 use crate::common::each_method;
 
-/// What a constructor must meet: zeros of both signs, the smallest subnormal, the largest, the
-/// smallest normal number, ordinary ones, the largest, infinities and NaN.
+/// Arguments that every constructor is tested with: zeros of both signs, the smallest and the
+/// largest subnormal, the smallest normal number, ordinary ones, the largest, infinities and NaN.
 const EDGES: [f64; 15] = [
     0.0,
     -0.0,
@@ -39,10 +39,10 @@ const EDGES: [f64; 15] = [
 // Constructors
 // -------------------------------------------------------------------------------------------------
 
-/// All 15³ combinations: what is built is finite and positive in all that is derived of it; what is
-/// refused is refused for a parameter, with a message of one line.
+/// All 15³ combinations: all derived constants of a pendulum that is built are normal and positive;
+/// a refusal is an [`Error::Parameter`] with a message of one line.
 ///
-/// Catches: a derived constant that is zero, infinite or NaN; a panic; a refusal that says nothing.
+/// Catches: a derived constant that is zero, infinite or NaN; a panic; a refusal without a message.
 #[test]
 fn a_pendulum_is_sound_or_refused() {
     let mut built = 0;
@@ -74,9 +74,9 @@ fn a_pendulum_is_sound_or_refused() {
     assert!(built > 20, "only {built} are built");
 }
 
-/// Where m alone is subnormal, or m g or m L on the way to a normal m g L or m L², digits are lost
-/// that the result has room for: the kinetic energy of the first pendulum is zero, the depth of the
-/// second right to four digits.
+/// Where m alone is subnormal, or m g or m L on the way to a normal m g L or m L², a plain product
+/// loses digits that the result has room for: the kinetic energy of the first pendulum would be
+/// zero, and the depth of the second right to four digits.
 ///
 /// Catches: ½ m L² ω² and m g L multiplied in an order that leaves the range of normal numbers.
 #[test]
@@ -89,13 +89,13 @@ fn no_digit_is_lost_on_the_way_to_an_energy() {
     if let Ok(pendulum) = Pendulum::new(1e-20, 1e40, 1e-300) {
         assert!((pendulum.depth() / 1e-280 - 1.0).abs() < 1e-15, "{:e}", pendulum.depth());
     }
-    // The other way round it is refused, although every product that is promised to be checked is
-    // in range.
+    // Conversely, m g overflows on the way, and the pendulum is accepted, as every product that is
+    // checked is in range.
     let refused = Pendulum::new(1e20, 1e-30, 1e300);
     assert!(refused.is_ok(), "m g L = 1e290, m L² = 1e240, g/L = 1e50: {refused:?}");
 }
 
-/// Catches: a start let in that is not finite, or whose energy is not; a good one refused.
+/// Catches: an accepted start that is not finite, or whose energy is not; a good one refused.
 #[test]
 fn a_start_is_sound_or_refused() {
     for pendulum in [Pendulum::PAPER, Pendulum::new(1e-150, 1e-10, 1e-100).unwrap()] {
@@ -119,7 +119,8 @@ fn a_start_is_sound_or_refused() {
     }
 }
 
-/// Catches: a grid of NaN, negative, infinite or no times; a loop that is far longer than asked.
+/// Catches: a grid with times that are NaN, negative or infinite; a loop that is far longer than
+/// asked.
 #[test]
 fn a_grid_is_sound_or_refused() {
     for step in EDGES {
@@ -141,10 +142,10 @@ fn a_grid_is_sound_or_refused() {
     assert_eq!(Grid::with_duration(f64::MAX, f64::MAX).map(|grid| grid.steps()), Ok(1));
 }
 
-/// The closed form from every edge at every edge: refused, or finite within its horizon, and NaN
-/// only beyond it.
+/// The closed form from every extreme start at every extreme time: refused, or finite within its
+/// horizon and NaN beyond it.
 ///
-/// Catches: a kind that no one is sure of, a NaN inside the horizon, an infinity outside.
+/// Catches: a motion wrongly classified as rest, a NaN inside the horizon, an infinity outside.
 #[test]
 fn a_motion_is_sound_or_refused() {
     let soft = Pendulum::new(1e-150, 1e10, 1.0).unwrap();
@@ -194,14 +195,14 @@ fn subnormal_starts_swing<M: AnyMethod>(#[case] method: M) {
         let mut drift = EnergyDrift::new(&Pendulum::PAPER);
         let grid = Grid::new(0.01, 1000).unwrap();
         let end = method.run(&Pendulum::PAPER, Phase::at_rest(theta), &grid, &mut drift);
-        // A kick smaller than half a quantum of 5e-324 is none; else forward Euler grows by
+        // A kick smaller than half a quantum of 5e-324 is lost; otherwise forward Euler grows by
         // e^(x²n/2) = 1.7 at most.
         assert!(end.theta.abs() < 10.0 * theta.abs() && end.omega.is_finite(), "{end:?}");
         assert_eq!(drift.largest(), 0.0);
     }
 }
 
-/// The zeros of both signs are the same rest, and stay zeros.
+/// Zeros of both signs are the same state of rest, and stay zero.
 ///
 /// Catches: a sign taken by division, a −0 that becomes a turn.
 #[apply(each_method)]
@@ -213,10 +214,10 @@ fn negative_zero_is_rest<M: AnyMethod>(#[case] method: M) {
     }
 }
 
-/// A NaN or an infinity that slips past the constructors, as the fields of a state are public, is
-/// never healed: the energy error says NaN, and the run ends.
+/// A NaN or an infinity can bypass the constructors, as the fields of a state are public. It is
+/// never replaced by a finite number: the energy error is NaN, and the run ends.
 ///
-/// Catches: a `max` that drops NaN, a loop that waits for a comparison to come true.
+/// Catches: a `max` that drops NaN, a loop that never ends because a comparison with NaN is false.
 #[apply(each_method)]
 fn nan_and_infinity_are_not_healed<M: AnyMethod>(#[case] method: M) {
     let pendulum = Pendulum::PAPER;
@@ -232,10 +233,10 @@ fn nan_and_infinity_are_not_healed<M: AnyMethod>(#[case] method: M) {
     }
 }
 
-/// How many steps the kicks of one step add up to, or its drifts, or a row of its tableau, counted
-/// forward and backward: one, but for compositions and DOP853, whose ninth row has 96. What a step
-/// changes is bounded by it, however long it is; that of a Taylor series is not, and grows with the
-/// 24th power of the step.
+/// A bound on the sum of the sizes of the kicks of one step, of its drifts, or of a row of its
+/// tableau, in steps: 1, except for compositions and for the methods of Dormand and Prince, where
+/// the ninth row of DOP853 has 96. It bounds the change in a step of any length. The change in a
+/// step of a Taylor series has no such bound, and grows with the 24th power of the step.
 fn reach(method: &dyn AnyMethod) -> f64 {
     let entry = method.info();
     match (entry.order, entry.name) {
@@ -245,10 +246,10 @@ fn reach(method: &dyn AnyMethod) -> f64 {
     }
 }
 
-/// What the library promises of a step too long: that of a method that solves equations has no
-/// numbers, that of a Taylor series any numbers or none, and every other is bounded.
+/// Whether `end` is as the library promises for steps that are too long: NaN or bounded for an
+/// implicit method, anything for a Taylor series, and bounded for every other method.
 ///
-/// Of a state that has been reached in `duration` (s) from `start`, with steps of any length.
+/// `end` has been reached from `start` in `duration` (s), with steps of any length.
 fn is_as_promised(
     method: &dyn AnyMethod,
     pendulum: &Pendulum,
@@ -262,18 +263,19 @@ fn is_as_promised(
     }
     // n roundings of each.
     let (slack, covered) = (1.0 + 1e-12, reach(method) * duration);
-    // Kicks of at most h g/L, and the drifts with them; from 1e15 rad in steps of its own rounding.
+    // Kicks are at most h g/L, and drifts follow from them; at 1e15 rad the angle moves in units of
+    // its own rounding.
     let omega = (start.omega.abs() + covered * pendulum.frequency_squared()) * slack;
     let rounding = 1e-9 + 10.0 * f64::EPSILON * start.theta.abs();
     end.omega.abs() <= omega
         && (end.theta - start.theta).abs() <= covered * omega * slack + rounding
 }
 
-/// The largest angle and steps of a subnormal, a huge and an absurd size.
+/// The largest angle, and steps of subnormal, huge and absurd size.
 ///
-/// Catches: a sine that fails at large arguments; h/2 or h/6 that underflows into something else
-/// than no step; an iteration that does not end, or that passes off what it ends with as a
-/// solution.
+/// Catches: a sine that fails at large arguments; h/2 or h/6 that underflows into something other
+/// than no step; an iteration that does not end, or that returns its last iterate as a solution
+/// without having converged.
 #[apply(each_method)]
 fn absurd_steps_end<M: AnyMethod>(#[case] method: M) {
     let pendulum = Pendulum::PAPER;
@@ -290,7 +292,7 @@ fn absurd_steps_end<M: AnyMethod>(#[case] method: M) {
     }
 }
 
-/// The linear oscillator knows its exact motion from every finite state.
+/// The exact motion of the linear oscillator is finite from every finite state.
 ///
 /// Catches: a product that overflows on the way, an angle lost at t = 0.
 #[test]
@@ -305,11 +307,11 @@ fn the_linear_oscillator_is_exact_at_the_edges() {
 }
 
 // -------------------------------------------------------------------------------------------------
-// Anything in between
+// Random scenes
 // -------------------------------------------------------------------------------------------------
 
-/// A scene by its own measures: angle, q = ω/ω₀, and x = ω₀h; the pendulum's parameters over many
-/// orders of magnitude.
+/// A scene in dimensionless quantities: angle, q = ω/ω₀, and x = ω₀h; the pendulum's parameters
+/// over many orders of magnitude.
 #[derive(Clone, Copy, Debug)]
 struct Scene {
     pendulum: Pendulum,
@@ -332,8 +334,8 @@ fn scenes(theta: f64, q: f64, x: f64, steps: u64) -> impl Strategy<Value = Scene
     })
 }
 
-/// 10ˣ; the scenes need not be the same bits on two machines, as each property holds for all of
-/// them.
+/// 10ˣ; the scenes need not have the same bits on two machines, as each property holds for all
+/// scenes.
 fn power_of_ten(x: f64) -> f64 {
     10.0_f64.powf(x)
 }
@@ -355,7 +357,7 @@ fn run(method: &dyn AnyMethod, scene: &Scene) -> (Phase, f64) {
     (end, drift.largest() / scene.pendulum.depth())
 }
 
-/// To be compared: zeros are alike, and so is what is no number.
+/// The bits for a comparison in which zeros of both signs are equal, and so are all NaNs.
 fn bits<const N: usize>(numbers: [f64; N]) -> [u64; N] {
     numbers.map(|x| if x.is_nan() { f64::NAN.to_bits() } else { (x + 0.0).to_bits() })
 }
@@ -364,8 +366,8 @@ proptest! {
     #![proptest_config(config())]
 
     /// Whatever the step: n steps change ω by n h g/L at most, and θ by what that velocity covers.
-    /// So finite in is finite out, even far beyond every stability limit, but for what is promised
-    /// of Taylor series and of implicit methods.
+    /// So finite in is finite out, even far beyond every stability limit, with the exceptions for
+    /// Taylor series and implicit methods.
     ///
     /// Catches: a NaN or an overflow anywhere in a step; weights of a Runge–Kutta method that do
     /// not add up to one.
@@ -382,10 +384,11 @@ proptest! {
         }
     }
 
-    /// Within their reach Taylor series and implicit methods are finite too: in steps in which the
-    /// pendulum swings by a radian at the most, and turns by as much.
+    /// Taylor series and implicit methods are finite too where they converge: in steps in which the
+    /// pendulum swings or rotates by a radian at the most.
     ///
-    /// Catches: an iteration that gives up, or a series that overflows, where the method is of use.
+    /// Catches: an iteration that does not converge, or a series that overflows, where the method
+    /// is of use.
     #[test]
     fn within_reach_is_finite_out(scene in scenes(1e6, 1.0, 0.5, 300), turn in 0.0..0.5_f64) {
         let omega = turn / scene.grid.step();
@@ -419,10 +422,9 @@ proptest! {
         }
     }
 
-    /// Well inside the stability limit the symplectic methods' energy errors are bounded for as
-    /// long as the run: by twice the largest of their leading terms, x|q s|/2, or x²(q²/12 +
-    /// s²/24), both at the start and at the extreme. The next terms are of relative order x
-    /// (|q| + 1) ≤ 0.2 · 3.
+    /// Well inside the stability limit the symplectic methods' energy errors are bounded for the
+    /// whole run: by twice the largest of their leading terms, x|q s|/2, or x²(q²/12 + s²/24), both
+    /// at the start and at the extreme. The next terms are of relative order x (|q| + 1) ≤ 0.2 · 3.
     ///
     /// Catches: a drift in the energy of a symplectic method at any amplitude, in units of any
     /// pendulum.
@@ -452,7 +454,7 @@ proptest! {
     fn units_do_not_matter(scene in scenes(10.0, 10.0, 1.0, 300), power in -20..20_i32) {
         let scale = 4.0_f64.powi(power);
         let Scene { pendulum, start, grid, .. } = scene;
-        // g/L times scale², so that ω₀ is times scale and h over it.
+        // g/L is multiplied by scale², so that ω₀ is multiplied by scale and h divided by it.
         let faster =
             Pendulum::new(pendulum.gravity() * scale * scale, pendulum.length(), pendulum.mass())
                 .unwrap();

@@ -19,7 +19,7 @@ fn decimals_are_taken_at_their_word(#[case] duration: f64, #[case] step: f64, #[
     assert_eq!((grid.step(), grid.steps(), grid.samples()), (step, steps, steps + 1));
 }
 
-/// Catches: a duration bent to the nearest whole number of steps.
+/// Catches: a duration silently rounded to the nearest whole number of steps.
 #[rstest]
 #[case(1.0, 0.3)]
 #[case(0.05, 0.1)]
@@ -28,8 +28,8 @@ fn part_of_a_step_is_refused(#[case] duration: f64, #[case] step: f64) {
     assert_eq!(Grid::with_duration(step, duration), Err(Error::PartialStep { duration, step }));
 }
 
-/// Three roundings of ε/2 each, doubled: 3 ε beside a whole number is still that number, 4 ε is
-/// not.
+/// Three roundings of ε/2 each, doubled: a number 3 ε from a whole number is taken for it, one 4 ε
+/// away is not.
 ///
 /// Catches: a tolerance that is a bit tighter or looser than the one derived.
 #[test]
@@ -87,8 +87,8 @@ proptest! {
         ..ProptestConfig::with_cases(512)
     })]
 
-    /// Catches: a tolerance for whole numbers that is too tight for some decimal, or too loose for
-    /// a real part of a step.
+    /// Catches: a tolerance for whole numbers that is too tight for some decimal, or so loose that
+    /// a fraction of a step passes.
     #[test]
     fn whole_numbers_of_decimal_steps_are_found(
         thousandths in 1_u32..100_000, steps in 1_u32..10_000_000,

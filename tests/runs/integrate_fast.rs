@@ -25,11 +25,12 @@ fn states(
 }
 
 /// One step differs by the rounding of a dozen operations on numbers of the size of θ, ω and h g/L;
-/// and a regular orbit carries an error of one step on by a factor of at most the number of steps,
-/// so that n steps differ by n² of that at the most.
+/// and on a regular orbit an error of one step grows by a factor of at most the number of steps, so
+/// that n steps differ by n² times that at the most.
 ///
 /// Catches: a factor h lost in the change of units, half turns counted wrongly, a sign of the sine,
-/// a deferred product added twice or never, samples at other times, a start seen rounded.
+/// a deferred product added twice or never, samples at other times, a start that is observed
+/// rounded.
 #[apply(each_method)]
 fn in_steps_is_in_seconds<M>(
     #[case] method: M,
@@ -56,7 +57,7 @@ fn in_steps_is_in_seconds<M>(
     }
 }
 
-/// Catches: an angle that does not survive its half turns, up to a million rad.
+/// Catches: an angle changed by its reduction to half turns and back, up to a million rad.
 #[test]
 fn no_step_leaves_the_start_as_it_is() {
     let none = Grid::new(0.1, 0).unwrap();
@@ -70,7 +71,7 @@ fn no_step_leaves_the_start_as_it_is() {
 }
 
 /// Catches: a change of units that overflows or underflows where seconds would do, and half turns
-/// beyond counting.
+/// too many to count.
 #[rstest]
 #[case::tiny_step(1e-150, 1.0, 1.0)]
 #[case::tiny_velocity(0.01, 0.0, 1e-200)]
@@ -87,11 +88,11 @@ fn where_units_cannot_be_changed_time_is_in_seconds(
     assert_eq!(quick, integrate(&pendulum(), &Rk4, start, &grid, &mut ()));
 }
 
-/// Ten million steps of K = 0.1 can turn a pendulum 10¹³ rad, which is counted; kicks that add up
-/// to 17 steps 290 times as far, which is not.
+/// Ten million steps of K = 0.1 can turn a pendulum by 10¹³ rad, whose half turns can be counted;
+/// kicks that add up to 17 steps can turn it 290 times as far, where they cannot.
 ///
-/// Catches: kicks to and fro that are forgotten in the bound; a bound so wide that a long run of
-/// Verlet is not quick.
+/// Catches: a bound that ignores the kicks that cancel each other; a bound so wide that a long run
+/// of Verlet falls back to seconds.
 #[test]
 fn how_far_a_run_may_lead_depends_on_the_method() {
     let grid = Grid::new(0.2, 10_000_000).unwrap();
@@ -100,7 +101,7 @@ fn how_far_a_run_may_lead_depends_on_the_method() {
     assert!(ScaledPendulum::<true>::new::<Yoshida8>(&pendulum(), &grid, start).is_none());
 }
 
-/// Catches: a run that goes on when nobody looks any more.
+/// Catches: a run that goes on after the observer is satisfied.
 #[test]
 fn a_satisfied_observer_ends_the_swing() {
     struct Three(u64);
@@ -124,7 +125,7 @@ proptest! {
         ..ProptestConfig::with_cases(256)
     })]
 
-    /// Catches: a scene that only the other tests' scenes are not.
+    /// Catches: a failure that the fixed scenes of the other tests do not show.
     #[test]
     fn one_step_in_steps_is_one_in_seconds(
         theta in -50.0..50.0_f64,
@@ -142,7 +143,7 @@ proptest! {
     }
 }
 
-/// Catches: a zero to be added that is +0, which makes +0 of −0.
+/// Catches: a deferred summand of +0, which turns −0 into +0.
 #[test]
 fn a_number_that_is_known_keeps_its_sign() {
     for x in [-0.0, 0.0, 1.5, f64::NEG_INFINITY] {
@@ -153,7 +154,7 @@ fn a_number_that_is_known_keeps_its_sign() {
 /// Symplectic Euler, whose step kicks once: after N steps from θ = 0 at ω it has gone no farther
 /// than N (ωh + N K).
 ///
-/// Catches: a bound that forgets a factor, or that lets in what it names as the first too far.
+/// Catches: a bound that lacks a factor, or that includes its own limit.
 #[test]
 fn time_is_counted_in_steps_up_to_the_bounds_only() {
     let fits = |frequency_squared: f64, step: f64, steps, theta, omega| {
@@ -164,9 +165,9 @@ fn time_is_counted_in_steps_up_to_the_bounds_only() {
     };
     // K = 1e6 and N = 1e4: N² K = 1e14, and ten times as many steps go a hundred times as far.
     assert!(fits(1e6, 1.0, 10_000, 0.0, 0.0) && !fits(1e6, 1.0, 100_000, 0.0, 0.0));
-    // ωh = 1e14 with h = 100, next to which K is nothing: N ωh.
+    // ωh = 1e14 with h = 100, beside which K is negligible: N ωh.
     assert!(fits(1e-90, 100.0, 9, 0.0, 1e12) && !fits(1e-90, 100.0, 100, 0.0, 1e12));
-    // 10¹⁵ itself is too far, and 10⁶ rad at the start.
+    // 10¹⁵ itself is too far, and so is a start at 10⁶ rad.
     assert!(fits(1e-90, 1.0, 1, 0.0, 1e15_f64.next_down()) && !fits(1e-90, 1.0, 1, 0.0, 1e15));
     assert!(fits(1.0, 1.0, 1, -1e6_f64.next_down(), 0.0) && !fits(1.0, 1.0, 1, -1e6, 0.0));
 }

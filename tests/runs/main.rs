@@ -1,4 +1,4 @@
-//! The time loops: grid, observers, lanes, steps that vary; and what happens at the edges.
+//! The time loops: grid, observers, lanes, variable steps; and extreme inputs.
 
 #[path = "../common/each_method.rs"]
 mod common;

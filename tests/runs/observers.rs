@@ -12,7 +12,7 @@ fn grid() -> Grid {
     Grid::new(0.01, 100).unwrap()
 }
 
-/// Catches: a loop that forgets the start or the end, counts from one, or hands out the time of
+/// Catches: a loop that forgets the start or the end, counts from one, or passes the time of
 /// another step.
 #[test]
 fn a_closure_sees_every_sample_with_its_count_and_time() {
@@ -49,8 +49,8 @@ fn every_kth_sample_includes_the_start() {
     }
 }
 
-/// Catches: a loop that goes on when nobody looks any more, ends a step late, or ends at once for
-/// `()`.
+/// Catches: a loop that goes on after the observer is satisfied, ends a step late, or ends at once
+/// for `()`.
 #[test]
 fn a_satisfied_observer_ends_the_loop() {
     struct Until(u64, u64);
@@ -68,7 +68,7 @@ fn a_satisfied_observer_ends_the_loop() {
     assert_eq!(early, integrate(&Pendulum::PAPER, &StormerVerlet, START, &forty, &mut ()));
     assert_eq!(watch.1, 40);
 
-    // Every tenth sample is enough for it to see that it has enough.
+    // The observer receives every tenth sample only, and so is satisfied at the 40th.
     let mut watch = Every::new(NonZeroU64::new(10).unwrap(), Until(35, 0));
     integrate(&Pendulum::PAPER, &StormerVerlet, START, &grid(), &mut watch);
     assert_eq!(watch.into_inner().1, 40);

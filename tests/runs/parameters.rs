@@ -1,9 +1,9 @@
-//! What a pendulum may be made of, and what the refusals say.
+//! Which parameters a pendulum accepts, and the messages of the refusals.
 
 use pendula::{Error, Pendulum};
 use rstest::rstest;
 
-/// Catches: NaN, zero or a negative parameter let in.
+/// Catches: an accepted parameter that is NaN, infinite, zero or negative.
 #[rstest]
 fn a_parameter_out_of_range_is_refused(
     #[values(0.0, -0.0, -9.81, f64::NAN, f64::INFINITY, f64::NEG_INFINITY)] bad: f64,
@@ -15,8 +15,8 @@ fn a_parameter_out_of_range_is_refused(
     }
 }
 
-/// Catches: parameters that are in range one by one, while g/L, m g L or m L² is infinite, zero or
-/// subnormal.
+/// Catches: accepted parameters that are in range one by one, while g/L, m g L or m L² is infinite,
+/// zero or subnormal.
 #[rstest]
 #[case(1e200, 1e-200, 1.0)]
 #[case(1e-200, 1e200, 1.0)]
@@ -32,8 +32,8 @@ fn parameters_out_of_range_together_are_refused(
     assert!(matches!(pendulum, Err(Error::Parameter { .. })), "{pendulum:?}");
 }
 
-/// Catches: a start that is NaN or infinite, an angle whose last digit is larger than a turn, and a
-/// velocity whose energy overflows.
+/// Catches: an accepted start that is NaN or infinite, an angle whose last digit is larger than a
+/// turn, and a velocity whose energy overflows.
 #[test]
 fn a_start_out_of_range_is_refused() {
     let pendulum = Pendulum::PAPER;

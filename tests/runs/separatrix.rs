@@ -1,4 +1,4 @@
-//! At the edge of swinging and turning: releases beside the top, and fast rotation.
+//! Between swinging and rotating: releases beside the top; and fast rotation.
 
 use std::f64::consts::PI;
 
@@ -17,7 +17,7 @@ fn pendulums() -> [Pendulum; 2] {
     [Pendulum::PAPER, Pendulum::new(9.81, 2.5, 0.7).unwrap()]
 }
 
-/// Waits for the first sample past the top on either side, |θ| > π.
+/// Records the time of the first sample past the top on either side, |θ| > π.
 struct OverTheTop(Option<f64>);
 
 impl Observer<Phase> for OverTheTop {
@@ -45,7 +45,7 @@ fn over_the_top(method: &dyn AnyMethod, theta: f64, step: f64, duration: f64) ->
 // The fall from the top
 // -------------------------------------------------------------------------------------------------
 
-/// How late (s) the method is where the exact fall from π − `beside` passes the bottom.
+/// How late (s) the method is when the exact fall from π − `beside` passes the bottom.
 fn delay(method: &dyn AnyMethod, pendulum: &Pendulum, beside: f64, step: f64) -> f64 {
     let start = Phase::at_rest(PI - beside);
     let motion = Motion::new(pendulum, start).unwrap();
@@ -58,7 +58,7 @@ fn delay(method: &dyn AnyMethod, pendulum: &Pendulum, beside: f64, step: f64) ->
 /// The closed form itself: a release at δ beside the top falls in √(L/g) ln(8/δ), to δ² relatively,
 /// as K = ln(4/k') and k' = δ/2. π as an f64 lies 1.2246e-16 below π.
 ///
-/// Catches: a modulus that is rounded to 1, k' from 1 − k², an exact solution that hangs at the
+/// Catches: a modulus that is rounded to 1, k' from 1 − k², an exact solution that stays at the
 /// top.
 #[rstest]
 #[case(PI - 1e-3, 9.999_999_999_998_899e-4, 1e-6)]
@@ -80,12 +80,12 @@ fn the_exact_fall_takes_a_logarithm(
     }
 }
 
-/// Rounding of the angle, half an ulp of π or 2.2e-16, moves the start relatively by that over
-/// 1e-8, and the fall by √(L/g) times as much; a few dozen such steps before it has left the place
-/// count: 1e-7 s.
+/// Rounding of the angle, half an ulp of π or 2.2e-16, changes the distance from the top by that
+/// over 1e-8 relatively, and the time of the fall by √(L/g) times as much; a few dozen such steps
+/// count before the pendulum has left the top: 1e-7 s.
 const ROUNDED_START: f64 = 2e-7;
 
-/// Each method's fall comes late, or early, by its order.
+/// The fall of each method is late, or early, by an error of its order.
 ///
 /// Catches: a start nudged off the top; a method whose order is lost where the force is almost
 /// zero.
@@ -105,7 +105,7 @@ fn the_fall_is_late_by_the_methods_order<M: AnyMethod>(#[case] method: M) {
                 let declared = f64::from(method.info().order);
                 assert!((order - declared).abs() < TOLERANCE, "{order} beside {beside:e}");
             } else {
-                // Then at twice the step there is at most 2ᵖ times as much.
+                // Then the error at twice the step is at most 2ᵖ times as large.
                 let order = method.info().order as i32;
                 let bound = 10.0 * floor * 2.0_f64.powi(order);
                 assert!(order >= 3 && coarse < bound, "{coarse:e}");
@@ -136,8 +136,8 @@ fn symplectic_euler_falls_half_a_step_early() {
 /// From 10⁻³ the gap to the top, g L δ²/2 = 5e-6 J, is 10⁹ roundings of the energy. The symplectic
 /// methods never cross it, as their energies are those of the pendulum at rest; RK4 and
 /// Dormand–Prince lose energy, and what methods of higher order gain or lose at this step, x⁹ of it
-/// and less, is no part of the gap; forward Euler gains energy and goes over at once, and the
-/// others of order 2 do in the end.
+/// and less, is negligible beside the gap; forward Euler gains energy and goes over at once, and
+/// the other methods of order 2 that are not symplectic go over in the end.
 ///
 /// Catches: energy that a symplectic method gains or loses, at the amplitude where it is easiest to
 /// see.
@@ -151,18 +151,18 @@ fn from_a_thousandth_only_low_orders_go_over() {
             assert_eq!(over.is_none(), stays, "{method:?}: {over:?}");
         }
     }
-    // The exact fall takes 2.87 s, and the rise on the other side as long. It gains so much that it
-    // is over in 3.9 s.
+    // The exact fall takes 2.87 s, and the rise on the other side as long. Forward Euler gains so
+    // much that it is over in 3.9 s.
     let over = over_the_top(&ForwardEuler, PI - 1e-3, 0.01, 10.0).unwrap();
     assert!(over > 2.87 && over < 2.0 * 2.87, "{over} s");
 }
 
 /// 32 releases between 1 and 2 · 10⁻⁸ rad beside the top. The gap there is 1e-16 of the energy,
 /// less than its rounding on the way down and up, 650 steps of 1e-16 at random, a few 1e-15: so
-/// rounding decides, about half of them go over, and when they do the clock tells how far rounding
-/// has lifted them: √(L/g) ln(8/δ) to fall, 6.55 to 6.32 s, and √(L/g) ln(4/k') to rise, where k'²
-/// is between 1e-18 (7.1 s) and 3e-14 (5.3 s). Which ones, is a matter of bits that no test here
-/// pins: one changed rounding changes them.
+/// rounding decides, about half of them go over, and the time at which they do shows how far
+/// rounding has lifted them: √(L/g) ln(8/δ) to fall, 6.55 to 6.32 s, and √(L/g) ln(4/k') to rise,
+/// where k'² is between 1e-18 (7.1 s) and 3e-14 (5.3 s). Which of them go over is not tested: one
+/// changed rounding changes it.
 ///
 /// Catches: a bias of the rounding in one direction; a Verlet with any drift of energy above 1e-15,
 /// which would send all of them over, or none.
@@ -176,7 +176,7 @@ fn beside_the_top_rounding_decides(
     let releases = (0..32).map(|j| PI - 1e-8 * (1.0 + f64::from(j) / 32.0));
     let times: Vec<f64> =
         releases.filter_map(|theta| over_the_top(method, theta, h, 20.0)).collect();
-    // A fair coin stays within 16 ± 12 of 32 but for one time in 10⁵.
+    // A fair coin stays within 16 ± 12 of 32 except once in 10⁵ times.
     assert!((4..=28).contains(&times.len()), "{} of 32 go over", times.len());
     for t in times {
         assert!(t > 6.32 + 5.3 && t < 6.55 + 7.1, "over the top at {t} s");
@@ -198,8 +198,8 @@ fn beside_the_top_rk4_always_turns_back() {
     }
 }
 
-/// When θ first is another number than at the start (in steps), and when it first is not above the
-/// bottom (s).
+/// The step at which θ first differs from its start, and the time (s) at which it is first at or
+/// past the bottom.
 #[derive(Default)]
 struct Fall {
     moved: Option<u64>,
@@ -222,11 +222,11 @@ impl Observer<Phase> for Fall {
 }
 
 /// From π as an f64 the exact pendulum falls in 12.36 s. With its angle in one f64 no method can
-/// move: each step adds hα = h (g/L) 1.2246e-16 to ω, and θ = π stays until |ω|h exceeds half an
-/// ulp of π, 2.22e-16. That is at the step 2.2204e-16/(h² g/L · 1.2246e-16), whoever moves the
-/// angle in one piece, as the paper's four do; forward Euler, which looks at the old ω, a step
-/// later. From there it falls like the exact one from ω = ω₀ q, q = 2.22e-16/(hω₀): √(L/g) ln(8/q)
-/// more, as a start at δ = q would.
+/// move at first: each step adds hα = h (g/L) 1.2246e-16 to ω, and θ = π stays until |ω|h exceeds
+/// half an ulp of π, 2.22e-16. That is at the step 2.2204e-16/(h² g/L · 1.2246e-16), for every
+/// method that changes the angle by a single sum, as the paper's four do; for forward Euler, which
+/// uses the old ω, it is a step later. From there it falls like the exact one from ω = ω₀ q, q =
+/// 2.22e-16/(hω₀): √(L/g) ln(8/q) more, as a start at δ = q would.
 ///
 /// Catches: an angle accumulated in another way than the documented one; sin π taken for zero; a
 /// Motion that follows the rounded methods and not the start as given.
@@ -247,24 +247,24 @@ fn from_pi_rounding_holds_the_pendulum_up<M: Method<Pendulum>>(#[case] method: M
         assert!(moved >= held && moved < held + 3.0, "moves at step {moved}, not {held}");
         let q = 2.220_446_049_250_313e-16 / (h * pendulum.small_angle_frequency());
         let law = held * h + (8.0 / q).ln() / pendulum.small_angle_frequency();
-        // Whole ulps of θ, 4.4e-16, beside q = 7e-15: 1/16 at most in its logarithm, 0.02 s;
+        // θ moves by whole ulps, 4.4e-16, beside q = 7e-15: 1/16 at most in its logarithm, 0.02 s;
         // forward Euler is late by its 0.35 s.
         let fallen = fall.fallen.expect("it falls in the end");
         assert!((fallen - law).abs() < 0.4, "falls in {fallen} s, not {law} s");
     }
 }
 
-/// [`integrate_fast`] keeps the angle as half turns and a rest, here −1.2246e-16 rad, and the
+/// [`integrate_fast`] keeps the angle as half turns and a remainder, here −1.2246e-16 rad, and the
 /// pendulum falls when the exact one does.
 ///
-/// Beside the top the rest grows by h²(g/L) of itself in a step of any method, as cosh λt does: the
-/// first two steps are exact to O(h), and the fall is √(L/g) ln(8/δ) long. A method of order p
-/// misses the rate λ by the share E_p h^p and so the time by as much: hλ/2 of it for forward Euler
-/// (the other Euler has the rate of Verlet), (hλ)²/24 for Verlet, plus a tenth for the next terms;
-/// and each is seen a step late at the most.
+/// Beside the top the remainder grows by O(h² g/L) of itself in the first steps of any method, as
+/// cosh λt does: they are exact to O(h), and the fall takes √(L/g) ln(8/δ). A method of order p has
+/// a relative error of E_p h^p in the rate λ, and so in the time: hλ/2 for forward Euler
+/// (symplectic Euler has the rate of Verlet), (hλ)²/24 for Verlet, plus a tenth for the next terms;
+/// and the fall is seen a step late at the most.
 ///
-/// Catches: a rest that is lost when the angle is formed, a reduction of θ with too few digits of
-/// π.
+/// Catches: a remainder that is lost when the angle is formed, a reduction of θ with too few digits
+/// of π.
 #[apply(each_method)]
 fn from_pi_a_rest_of_the_angle_is_not_held_up<M: AnyMethod>(#[case] method: M) {
     let pendulum = Pendulum::PAPER;
@@ -298,8 +298,8 @@ const FAST: Phase = Phase { theta: 0.3, omega: 1e3 };
 /// The mean rate is √(Ω² − 2(g/L) cos θ₀) less 3(g/L)²/(4Ω³), 7.2e-8, to terms of g³/Ω⁵. After n
 /// periods the angle has grown by n turns, to the last digit of n turns.
 ///
-/// Catches: a rotation unwrapped with a turn too many or too few; a rate that is the one at the
-/// start.
+/// Catches: a rotation unwrapped with a turn too many or too few; the rate at the start in place of
+/// the mean.
 #[test]
 fn the_exact_rotation_has_its_mean_rate() {
     for pendulum in pendulums() {
@@ -319,7 +319,7 @@ fn the_exact_rotation_has_its_mean_rate() {
     }
 }
 
-/// Every method follows it, by its order, and counts the 1592 turns of 10 s right.
+/// Every method follows the rotation to its order, and counts the 1592 turns of 10 s correctly.
 ///
 /// Catches: an angle wrapped within the step; an order that holds for a swing only.
 #[apply(each_method)]
@@ -328,16 +328,16 @@ fn every_method_rotates_by_its_order<M: AnyMethod>(#[case] method: M) {
     /// 0.07.
     const TOLERANCE: f64 = 0.1;
     let order = f64::from(method.info().order);
-    // So fast a rotation adds up the force along a straight line, and what the sum misses is, by
-    // Euler and Maclaurin, hᵖ times a derivative of sin θ at the start, of the order p − 1: cos θ
-    // for an even p and sin θ for an odd one. That of Dormand–Prince is small beside the others
-    // even where its sine is not, down to steps of 0.4 rad, which is rounding after a thousand
-    // turns, but not after sixteen.
+    // In so fast a rotation a method sums the force along a straight line, and the error of the sum
+    // is, by Euler and Maclaurin, hᵖ times a derivative of sin θ at the start, of the order p − 1:
+    // cos θ for an even p and sin θ for an odd one. The error of Dormand–Prince is small beside the
+    // others even where that sine is not, down to steps of 0.4 rad, where it is below rounding
+    // after a thousand turns, but not after sixteen.
     let is_dormand_prince = method.info().name == "dormand-prince";
     let (fast, duration) =
         if is_dormand_prince { (Phase { theta: 1.5, omega: 1e2 }, 1.0) } else { (FAST, 10.0) };
-    // Where the step is halved until the slope is the order, its error is above this: 1e4 rad
-    // rounded by 2e-12, or 1e2 by as much less, in each of N steps, at random.
+    // Slopes are taken only from errors above this: 1e4 rad rounded by 2e-12, or 1e2 by as much
+    // less, in each of N steps, at random.
     let rounding = |h: f64| 4.0 * 1.8e-16 * fast.omega * duration * (duration / h).sqrt();
     for pendulum in pendulums() {
         let motion = Motion::new(&pendulum, fast).unwrap();
@@ -352,7 +352,7 @@ fn every_method_rotates_by_its_order<M: AnyMethod>(#[case] method: M) {
             .filter(|(h, e)| e[0] < 1e-3 && e[1] > rounding(h[1]))
             .map(|(_, e)| (e[0] / e[1]).log2())
             .collect();
-        // Beyond order 4 a single octave lies between steps of 3.3 rad, with their next terms, and
+        // Above order 4 a single halving lies between steps of 3.3 rad, with their next terms, and
         // rounding: that tells an even order from the next.
         let tolerance = if order > 4.0 { 0.8 } else { TOLERANCE };
         let is_order = |slope: &f64| (slope - order).abs() < tolerance;
@@ -367,18 +367,18 @@ fn every_method_rotates_by_its_order<M: AnyMethod>(#[case] method: M) {
 }
 
 /// In steps of 10 and of 100 rad no method follows the motion any more, and none breaks down: a
-/// step changes ω by h g/L at most. The symplectic ones of one kick a step stay within the width of
-/// a resonance of the standard map, |Δω| ≤ 4√(g/L), as K = h² g/L ≤ 0.098 is far below the last
-/// torus.
+/// step changes ω by h g/L at most. The symplectic methods with one kick a step stay within the
+/// width of a resonance of the standard map, |Δω| ≤ 4√(g/L), as K = h² g/L ≤ 0.098 is far below the
+/// value at which the last torus breaks.
 ///
-/// A Taylor series is not asked: it knows the motion in the place where the step begins and nowhere
-/// else, and a step of 10 rad is beyond its reach.
+/// Taylor series are left out: they use the motion only at the start of the step, and do not
+/// converge for a step of 10 rad.
 ///
 /// Catches: NaN from a large argument of the sine; energy that grows where a symplectic method
 /// cannot gain any.
 #[apply(each_general_method)]
 fn in_coarse_steps_fast_rotation_stays_finite<M: AnyMethod>(#[case] method: M) {
-    // Yoshida's of order 8 add up to 17 steps.
+    // The kicks of Yoshida's method of order 8 add up to 17 steps.
     let info = method.info();
     let kicks = if info.force_evaluations > 1 { 17.0 } else { 1.0 };
     for pendulum in pendulums() {
@@ -386,7 +386,7 @@ fn in_coarse_steps_fast_rotation_stays_finite<M: AnyMethod>(#[case] method: M) {
             let mut farthest = 0.0_f64;
             let mut watch = |n: u64, t: f64, z: Phase| {
                 let change = (z.omega - FAST.omega).abs();
-                // Sums of n rounded kicks: n ε of 10³. The kicks of a composition go to and fro.
+                // Sums of n rounded kicks: n ε of 10³. The kicks of a composition have both signs.
                 let bound =
                     kicks * t * pendulum.frequency_squared() + n as f64 * 1e3 * f64::EPSILON;
                 assert!(z.theta.is_finite() && change <= bound, "{z:?} after {t} s");

@@ -1,5 +1,5 @@
-//! Linear stability: every method just inside and just outside of its limit, where theory knows the
-//! rate of growth.
+//! Linear stability: each of the paper's methods just inside and just outside its limit, where
+//! theory gives the rate of growth.
 
 use std::f64::consts::SQRT_2;
 
@@ -104,7 +104,7 @@ fn symplectic_growth(pendulum: &Pendulum, h: f64) -> f64 {
 /// Between steps 1000 and 3000 the angle grows by e^(2000 μ) = e^56.6, each step with the other
 /// sign.
 ///
-/// Catches: a limit that is off by more than 1e-4, on the side where the test before is blind; a
+/// Catches: a limit that is off by more than 1e-4, on the side that the test before does not see; a
 /// clamp on the state.
 #[rstest]
 #[case::symplectic_euler(SymplecticEuler)]
@@ -112,8 +112,8 @@ fn symplectic_growth(pendulum: &Pendulum, h: f64) -> f64 {
 fn just_outside_the_symplectic_limit_it_grows_at_the_predicted_rate<M: Method<LinearOscillator>>(
     #[case] method: M,
 ) {
-    /// h is rounded by ε/2, which μ = √(8 · 1e-4) feels as ε/(4e-4), and so does its square root;
-    /// times 56.6: 1e-10.
+    /// h is rounded by ε/2, which changes μ = √(8 · 1e-4) by ε/(4e-4) relatively, and so does the
+    /// rounding of the square root; times 56.6: 1e-10.
     const TOLERANCE: f64 = 1e-9;
     for pendulum in pendulums() {
         let linear = LinearOscillator::new(pendulum);
@@ -157,8 +157,8 @@ fn the_pendulum_beside_the_symplectic_limit<M: Method<Pendulum>>(#[case] method:
 // RK4 and forward Euler
 // -------------------------------------------------------------------------------------------------
 
-/// The logarithm by which the energy of `system` changes in `steps` steps of x, from rest at 1e-6
-/// rad.
+/// The logarithm of the factor by which the energy of `system` changes along `grid`, from rest at
+/// 1e-6 rad.
 fn log_energy_change<S>(system: &S, method: &impl Method<S>, grid: &Grid) -> f64
 where
     S: Hamiltonian + System<State = Phase>,
@@ -190,7 +190,7 @@ fn rk4_damps_and_grows_by_its_polynomial(
     )]
     x: f64,
 ) {
-    // Where the energy falls by 4 a step, so many that it stays a normal number.
+    // Where the energy falls by a factor of 4 a step, so few steps that it stays a normal number.
     let steps = if x == 2.449_489_742_783_178 { 200 } else { 2000 };
     for pendulum in pendulums() {
         let grid = grid(&pendulum, x, steps);
@@ -200,7 +200,7 @@ fn rk4_damps_and_grows_by_its_polynomial(
         let linear = log_energy_change(&LinearOscillator::new(pendulum), &Rk4, &grid);
         assert!((linear - law).abs() < roundings(steps), "{linear} for {law}");
         let swing = log_energy_change(&pendulum, &Rk4, &grid);
-        // Just outside, it grows by e^2.8 = 17 in energy, to θ² = 2e-11: that and a derivative of
+        // Just outside, it grows by e^2.8 = 17 in energy, to θ² = 2e-11: that times a derivative of
         // x⁶/6 < 100.
         let nonlinear = 2e-9 * steps as f64;
         assert!((swing - law).abs() < nonlinear, "{swing} for {law}");
@@ -209,7 +209,7 @@ fn rk4_damps_and_grows_by_its_polynomial(
 
 /// So close to the limit the logarithm is ± x⁶δ/36 = ± 1.422e-3 a step, of either sign.
 ///
-/// Catches: a polynomial in this file that is wrong together with the method.
+/// Catches: a polynomial in this file that is wrong in the same way as the method.
 #[rstest]
 #[case(1.0 - BESIDE, -1.0)]
 #[case(1.0 + BESIDE, 1.0)]
@@ -223,8 +223,8 @@ fn rk4_beside_its_limit(#[case] factor: f64, #[case] sign: f64) {
     }
 }
 
-/// Forward Euler multiplies the energy by 1 + x² at every step, however small: it has no limit to
-/// be below of.
+/// Forward Euler multiplies the energy by 1 + x² at every step, however small: it has no stability
+/// limit.
 ///
 /// Catches: symplectic Euler, or an implicit step, posing as forward Euler; a damping added to hide
 /// the growth.
@@ -237,14 +237,14 @@ fn forward_euler_is_never_stable(#[values(1e-3, 0.03, 1.0, 2.0, RK4_LIMIT, 10.0)
         let linear = log_energy_change(&LinearOscillator::new(pendulum), &ForwardEuler, &grid);
         assert!(law > 0.05 && (linear - law).abs() < roundings(steps), "{linear} for {law}");
         if x < 0.1 {
-            // The pendulum stays below 2e-6 rad: θ² of x² at each step is nothing.
+            // The pendulum stays below 2e-6 rad: θ² of x² at each step is negligible.
             let swing = log_energy_change(&pendulum, &ForwardEuler, &grid);
             assert!((swing - law).abs() < roundings(steps), "{swing} for {law}");
         }
     }
 }
 
-/// A start at rest at the bottom stays there, at any step and for every method.
+/// A start at rest at the bottom stays there, at any step and for each of these methods.
 ///
 /// Catches: a sine that is not zero at zero, a force with an offset.
 #[rstest]

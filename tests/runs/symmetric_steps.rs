@@ -1,5 +1,5 @@
-//! Steps that vary and can be taken back, beside steps that vary and cannot: on Kepler's ellipse
-//! and on a pendulum that almost reaches the top.
+//! Variable steps that are reversible against variable steps that are not: on a Kepler ellipse and
+//! on a pendulum that almost reaches the top.
 
 use std::sync::LazyLock;
 
@@ -16,10 +16,10 @@ use pendula::{
 
 const ECCENTRICITY: f64 = 0.8;
 
-/// μ ≠ 1, so that it shows if it is forgotten.
+/// μ ≠ 1, so that a forgotten μ shows.
 static SUN: LazyLock<Kepler> = LazyLock::new(|| Kepler::new(2.5).unwrap());
 
-/// Nearest to the sun, on an ellipse whose larger half axis is 1.
+/// The perihelion of an ellipse whose semi-major axis is 1.
 fn perihelion() -> PlanePhase {
     let vy = (SUN.attraction() * (1.0 + ECCENTRICITY) / (1.0 - ECCENTRICITY)).sqrt();
     PlanePhase { x: 1.0 - ECCENTRICITY, y: 0.0, vx: 0.0, vy }
@@ -30,7 +30,7 @@ fn year() -> f64 {
     2.0 * std::f64::consts::PI / SUN.attraction().sqrt()
 }
 
-/// For steps in proportion to r^(3/2), the time of free fall from there: d/dt ln σ = (3/2) q·v/r².
+/// For steps proportional to r^(3/2), the free-fall time: d/dt ln σ = (3/2) q·v/r².
 fn of_free_fall(z: PlanePhase) -> f64 {
     -1.5 * (z.x * z.vx + z.y * z.vy) / (z.x * z.x + z.y * z.y)
 }
@@ -46,7 +46,7 @@ fn pendulum() -> Pendulum {
 
 const BESIDE_THE_TOP: Phase = Phase::at_rest(3.1);
 
-/// For steps in proportion to 1/√(ω² + ω₀²): long where it dwells, short where it rushes.
+/// For steps proportional to 1/√(ω² + ω₀²): long where the motion is slow, short where it is fast.
 fn of_speed(pendulum: &Pendulum) -> impl Fn(Phase) -> f64 + Copy + use<'_> {
     move |z| z.omega * pendulum.force(0.0, z) / (z.omega * z.omega + pendulum.frequency_squared())
 }
@@ -55,10 +55,10 @@ fn of_speed(pendulum: &Pendulum) -> impl Fn(Phase) -> f64 + Copy + use<'_> {
 // The naive way
 // -------------------------------------------------------------------------------------------------
 
-/// Störmer–Verlet with the step that its last error estimate asks for, as for any other method. The
-/// estimate is h² times the change of the force in a step, by which its positions differ from those
-/// of a method of order 1; as it goes with h³, the next step is longer by the cube root of
-/// tolerance over estimate.
+/// Störmer–Verlet with the step that follows from its last error estimate, as in any other adaptive
+/// method. The estimate is h² times the change of the force in a step, by which its positions
+/// differ from those of a method of order 1; as it is proportional to h³, the next step is longer
+/// by the cube root of tolerance over estimate.
 fn naive<S: Separable>(
     system: &S,
     mut z: S::State,
@@ -162,14 +162,14 @@ fn naive_drift<S: Hamiltonian + Separable>(
     drift
 }
 
-/// A reversible method's energy error comes and goes, and has been at its worst in the first tenth
-/// of a run already, dozens of swings long: to 1 % where fixed steps meet each swing at other
-/// places, and to 1e-4 where the density makes them meet it at almost the same. A drift is ten
-/// times larger in ten times the time, and half of that at least beside the error that comes and
-/// goes.
+/// A reversible method's energy error oscillates, and reaches its maximum already in the first
+/// tenth of a run, dozens of swings long: to 1 % where fixed steps sample each swing at other
+/// points, and to 1e-4 where the density makes them sample it at almost the same ones. A drift is
+/// ten times larger in ten times the time, and on top of the oscillation the error still grows at
+/// least fivefold.
 ///
-/// Of as many steps, the fixed ones are longer than the others where those are shortest, and their
-/// error should be larger by the square of that; `gain` is half of it.
+/// With the same number of steps, the fixed step is longer than the shortest of the variable ones,
+/// and its error should be larger by the square of that ratio; `gain` is half of that square.
 fn assert_only_the_naive_drifts(symmetric: Drift, fixed: Drift, naive: Drift, gain: f64) {
     let all = format!("symmetric {symmetric:?}, fixed {fixed:?}, naive {naive:?}");
     assert!(symmetric.growth() < 1.0001, "{all}");
@@ -177,12 +177,12 @@ fn assert_only_the_naive_drifts(symmetric: Drift, fixed: Drift, naive: Drift, ga
     assert!(naive.growth() > 5.0, "{all}");
     assert!(fixed.long > gain * symmetric.long, "{all}");
     assert!(naive.long > 10.0 * symmetric.long, "{all}");
-    // The comparison is fair: the naive one has taken as many steps, or more.
+    // The comparison is fair: the naive run has taken at least 9/10 as many steps.
     assert!(naive.steps > symmetric.steps * 9 / 10, "{all}");
 }
 
-/// Catches: a step chosen by what lies behind it posing as a symmetric one; a symmetric one that is
-/// worth nothing.
+/// Catches: a step chosen from the past alone posing as a symmetric one; symmetric steps that are
+/// no better than the others.
 #[test]
 fn on_an_ellipse_only_the_naive_steps_drift() {
     let change = |f0: Planar, f1: Planar| (f1.x - f0.x).hypot(f1.y - f0.y);
@@ -209,9 +209,9 @@ fn beside_the_top_only_the_naive_steps_drift() {
 // The method itself
 // -------------------------------------------------------------------------------------------------
 
-/// With a density that stays, each step is Störmer–Verlet's; its two half kicks between drifts are
-/// one there, which is another rounding. 1000 steps of an ε or two, in a swing that stretches none
-/// of them by more than it lasts: 1e-11.
+/// With a constant density each step is Störmer–Verlet's, which merges the two half kicks between
+/// drifts into one and so rounds differently. 1000 steps with a rounding of an ε or two each, none
+/// of which grows by more than the duration of the swing: 1e-11.
 ///
 /// Catches: a kick or a drift by ε and not by ε/ρ, or by half of it; a stale force; time that is
 /// not the sum of the steps.
@@ -230,13 +230,13 @@ fn with_a_constant_density_it_is_stormer_verlet() {
     assert!((sample.z.omega - end.omega).abs() < 1e-11);
 }
 
-/// 20 years there, 20 back. Rounding alone keeps it from the start: some 4000 steps there and as
-/// many back, of an ε each of numbers up to v = 4.7, and as an error of the energy shifts the
-/// planet along its way for all the time that is left, that is 4000 · 8000 · ε · 4.7 · h at worst,
-/// with steps of a year over 200: 1e-9.
+/// 20 years forward, 20 back. Only rounding keeps the planet from returning to the start exactly:
+/// 4000 steps each way, with an ε each of numbers up to v = 4.7. As an error of the energy shifts
+/// the planet along its orbit for all the time that is left, that is 4000 · 8000 · ε · 4.7 · h at
+/// worst, with steps of 1/200 year: 1e-9.
 ///
-/// Catches: a density that leaps by what lies behind it, or by a whole ε on one side; a way back
-/// that is not the way there.
+/// Catches: a density updated from the past alone, or by a whole ε on one side; a way back that
+/// differs from the way there.
 #[test]
 fn the_way_back_is_the_way_there() {
     let mut there = SymmetricSteps::new(&*SUN, perihelion(), 0.002, of_free_fall).unwrap();
@@ -250,7 +250,8 @@ fn the_way_back_is_the_way_there() {
     assert!(largest < 1e-9, "{largest:e}");
 }
 
-/// Largest energy error, and how far the density is from following σ, over ten years.
+/// The largest energy error, and the largest relative error of the density against 1/σ, over ten
+/// years.
 fn errors_on_the_ellipse(epsilon: f64) -> (f64, f64) {
     let (mut of_energy, mut of_density) = (0.0_f64, 0.0_f64);
     for sample in SymmetricSteps::new(&*SUN, perihelion(), epsilon, of_free_fall).unwrap() {
@@ -267,11 +268,11 @@ fn errors_on_the_ellipse(epsilon: f64) -> (f64, f64) {
     (of_energy, of_density)
 }
 
-/// Both go with ε², and the next term with ε⁴: relatively it is about as large as the density's
-/// error itself, 5e-3, and bends a slope by as much over ln 2.
+/// Both are proportional to ε², with a next term in ε⁴. Relative to the first, that term is about
+/// as large as the density's error itself, 5e-3, and changes a slope by this over ln 2.
 ///
-/// Catches: a method of order 1, as one that takes its density from one side is; a density that
-/// follows something else, or the other way.
+/// Catches: a method of order 1, such as one that takes its density from one side; a density that
+/// follows another function, or the inverse.
 #[test]
 fn energy_and_density_are_off_by_order_two() {
     const TOLERANCE: f64 = 0.02;
@@ -279,8 +280,8 @@ fn energy_and_density_are_off_by_order_two() {
     let slope = |coarse: f64, fine: f64| (coarse / fine).log2();
     assert!((slope(coarse.0, fine.0) - 2.0).abs() < TOLERANCE, "{coarse:?} {fine:?}");
     assert!((slope(coarse.1, fine.1) - 2.0).abs() < TOLERANCE, "{coarse:?} {fine:?}");
-    // In units of the time of free fall where the planet is nearest, √(r³/μ), it is ε² of what is
-    // of order 1.
+    // In units of the free-fall time at perihelion, √(r³/μ), the error of the density is ε² times a
+    // number of order 1.
     let nearest = 1.0 - ECCENTRICITY;
     let scale = 0.002 * 0.002 * SUN.attraction() / (nearest * nearest * nearest);
     assert!(fine.1 < scale && fine.1 > 0.1 * scale, "{fine:?} of {scale}");
@@ -295,8 +296,8 @@ fn it_takes_one_evaluation_a_step() {
     assert_eq!(counting.evaluations(), 101);
 }
 
-/// Catches: a first step that is none let in; a density below zero, with which time would run back,
-/// or a NaN, taken for one.
+/// Catches: an accepted first step that is not finite and positive; an accepted density that is
+/// NaN, or below zero, with which time would run backward.
 #[test]
 fn what_has_no_step_is_refused() {
     for bad in [0.0, -0.01, f64::NAN, f64::INFINITY] {
@@ -314,7 +315,7 @@ fn what_has_no_step_is_refused() {
     }
 }
 
-/// A pivot that shakes: two steps are Störmer–Verlet's, each with the force of its own two ends. A
+/// With a shaken pivot, two steps are Störmer–Verlet's, each with the force at its own two ends. A
 /// few roundings of numbers up to 10.
 ///
 /// Catches: the force at another time than that of the step's end.
@@ -330,11 +331,11 @@ fn the_force_is_asked_for_at_the_end_of_a_step() {
     assert!(off.theta.abs() < 1e-14 && off.omega.abs() < 1e-14, "{off:?}");
 }
 
-/// Catches: a walk that stays where it failed, though it is sent back to where it came from.
+/// Catches: an iterator that stays failed after its direction has been reversed.
 #[test]
 fn there_is_a_way_back_from_where_none_leads_on() {
-    // ρ falls from 1 by half of ε G, which is 0.3, twice a step; the third step would begin below
-    // zero.
+    // ρ falls from 1 by half of ε |G|, which is 0.3, twice a step; the third step would begin with
+    // ρ below zero.
     let mut steps = SymmetricSteps::new(&*SUN, perihelion(), 0.002, |_| -300.0).unwrap();
     assert!(steps.by_ref().take(2).all(|step| step.is_ok()));
     assert!(steps.next().unwrap().is_err() && steps.next().is_none());

@@ -1,4 +1,4 @@
-//! The map for choosing an integrator, held to real runs.
+//! The map for choosing an integrator, checked against real runs.
 
 use std::sync::LazyLock;
 
@@ -14,7 +14,7 @@ static MAP: LazyLock<Vec<Cell>> = LazyLock::new(map);
 static PROFILES: LazyLock<Vec<Profile>> = LazyLock::new(|| profiles(&SCENE));
 
 /// The largest error of the angle (rad) of a real run, against the closed form: at every sample, or
-/// of more than 2 · 10⁴ at so many, spread over all phases.
+/// in runs of more than 2 · 10⁴ steps at about that many samples, spread over all phases.
 fn largest_error(method: &dyn AnyMethod, grid: &Grid) -> f64 {
     let motion = Motion::new(&Pendulum::PAPER, SCENE.start).unwrap();
     let stride = (grid.steps() / 20_000).max(1) | 1;
@@ -27,18 +27,18 @@ fn largest_error(method: &dyn AnyMethod, grid: &Grid) -> f64 {
     largest
 }
 
-/// What the method's curve says of such a run.
+/// The error (rad) that the method's curve predicts for this run.
 fn predicted(advice: &Advice, periods: u64) -> f64 {
     let name = advice.method.info().name;
     let profile = PROFILES.iter().find(|profile| profile.method.info().name == name).unwrap();
     profile.over(periods).error(advice.steps)
 }
 
-/// Steps of a run that a test can afford.
+/// The most steps of a run that a test can afford.
 const AFFORDABLE: u64 = 1_000_000;
 
-/// Cells at random, the same at each call, whose two best methods can be run for real: first within
-/// the runs that the map was taken from, then as many beyond.
+/// Random cells, the same at each call, whose two best methods can be run in full: first those with
+/// runs as short as the measured ones, then as many with longer runs.
 fn some_cells() -> impl Iterator<Item = &'static Cell> {
     const COUNT: usize = 24;
     let within = cells_at_random().filter(|cell| cell.periods <= LONGEST).take(COUNT);
@@ -62,25 +62,25 @@ fn cells_at_random() -> impl Iterator<Item = &'static Cell> {
     position.map(|i| &MAP[i]).filter(runs)
 }
 
-/// A measured error counts if rounding is a tenth of it at most, and that is what an extrapolated
-/// one may be off by. Within an error of 0.1 rad the law's next terms, of relative order e/θ₀, are
-/// as small.
+/// A measured error counts if rounding is at most a tenth of it, so an extrapolated error may be
+/// off by a tenth. For errors up to 0.1 rad the law's next terms, of relative order e/θ₀, are as
+/// small.
 const TOLERANCE: f64 = 0.1;
 
 /// Between two rungs, half an octave apart, the curve is a chord on logarithmic axes. Where two
-/// terms of an error cancel, or one takes over from the other, the slope turns by the order p at
-/// most and the chord lies too high, by p ln(√2)/4 at worst.
+/// terms of an error cancel, or one takes over from the other, the slope changes by at most the
+/// order p, and the chord is too high by at most p ln(√2)/4 (in the logarithm).
 fn chord(order: u32) -> f64 {
     (-f64::from(order) * 2.0_f64.sqrt().ln() / 4.0).exp()
 }
 
-/// With the step that the map advises, the best method and the next keep within the error allowed,
-/// on runs up to many times longer than those it was taken from; and do not fall far below it, so
-/// that the step is no smaller than it need be.
+/// With the step that the map advises, the two best methods stay within the allowed error, also on
+/// runs many times longer than the measured ones; and not far below it, so that the step is no
+/// smaller than necessary.
 ///
-/// Catches: a law of growth without its square, or a square where theory has none; a ladder too
-/// coarse; the error at the end of a run taken for the largest; an error at one phase taken for
-/// all; a rank by steps and not by evaluations.
+/// Catches: a law of growth without its quadratic term, or with one where theory has none; a ladder
+/// too coarse; the error at the end of a run taken for the largest; the error at one phase taken
+/// for that at all phases; a ranking by steps instead of evaluations.
 #[test]
 fn the_advice_is_met_in_real_runs() {
     for Cell { periods, allowed, ranking } in some_cells() {
@@ -100,19 +100,20 @@ fn the_advice_is_met_in_real_runs() {
                 "{error:e} for {law:e} over {periods} periods: {advice:?}"
             );
             let counted = advice.method.count_evaluations(&Pendulum::PAPER, SCENE.start, &grid);
-            // Of an implicit method only a part was counted, and a numerical swing that is late
-            // meets other sweeps.
+            // For an implicit method only a part of the run was counted, and the number of sweeps
+            // depends on the phase, which drifts over the run.
             let tolerance = if info.implicit { counted / 20 } else { 0 };
             assert!(advice.evaluations.abs_diff(counted) <= tolerance, "{counted}: {advice:?}");
         }
     }
 }
 
-/// With as many force evaluations as the best method needs, the next one misses what is allowed,
-/// wherever it is said to need half as many again, in steps fine enough for its order to hold. (An
-/// error of order 1 is then 1.5 times what is allowed, less the chord and the tolerance: 1.24.)
+/// Where the map says that the second-best method needs at least 1.5 times the force evaluations of
+/// the best, it exceeds the allowed error when given only as many as the best, in steps fine enough
+/// for its order to hold. (At order 1 the error is then 1.5 times the allowed one, less the chord
+/// and the tolerance: 1.24.)
 ///
-/// Catches: a winner that wins by an overestimate of the others.
+/// Catches: a winner that wins because the errors of the others are overestimated.
 #[test]
 fn the_second_best_needs_more() {
     let mut compared = 0;
@@ -132,17 +133,17 @@ fn the_second_best_needs_more() {
     assert!(compared >= 3, "{compared} of 48");
 }
 
-/// Where RK4's steps are so small that only rounding is left, its error is a random walk's: below
-/// the bound, two standard deviations of steps that round as much as they can, and not far. Of
-/// twelve largest errors the largest is above 0.1 of the bound: one standard deviation is a half of
-/// it, and RK4, with one rounding a step and not four, makes half of that; twelve walks that all
-/// stay below 0.4 of their deviation are rarer than one in 10⁶.
+/// Where RK4's steps are so small that only rounding is left, its error is a random walk. It stays
+/// below the bound, which is two standard deviations of steps with the largest possible rounding,
+/// but not far below: the largest of twelve runs exceeds 0.1 of the bound. One standard deviation
+/// is half the bound, and RK4, with one rounding a step instead of four, makes half of that; all
+/// of twelve walks stay below 0.4 of their deviation less than once in 10⁶.
 ///
-/// The steps do not divide the period: where they do, and the method errs by less than a rounding
-/// in a period, each period rounds as the one before did, and the walk goes straight.
+/// The steps do not divide the period: if they did, and the method's error in a period were below
+/// one rounding, each period would round like the one before, and the errors would add up linearly.
 ///
-/// Catches: a region lost in rounding that is not, and one that is but is not marked; a walk that
-/// grows as another power of time.
+/// Catches: cells wrongly marked as lost in rounding, and lost cells that are not marked; a walk
+/// that grows as another power of time.
 #[rstest]
 fn rounding_is_as_large_as_the_map_says(#[values(8, 32)] periods: u64) {
     const STEPS: u64 = 16_000;
@@ -157,10 +158,10 @@ fn rounding_is_as_large_as_the_map_says(#[values(8, 32)] periods: u64) {
     assert!(largest < 1.0 && largest > 0.1, "{errors:?} of {bound:e}");
 }
 
-/// The map covers its whole ground, and each cell ranks each method once.
+/// The map has all its cells, and each cell ranks each method at most once.
 ///
-/// Catches: a method forgotten; a cell lost; an error that is easier to meet over a longer run, or
-/// a smaller one with less work.
+/// Catches: a method forgotten; a cell lost; an error that costs less over a longer run, or a
+/// smaller error that costs less work.
 #[test]
 fn more_is_never_cheaper() {
     assert_eq!(MAP.len(), PERIODS.len() * allowed().len());

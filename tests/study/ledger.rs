@@ -1,4 +1,4 @@
-//! The paper's tables, cell by cell: what is measured against what is printed.
+//! The paper's tables, cell by cell: the measured values against the printed ones.
 
 use std::collections::BTreeSet;
 use std::sync::LazyLock;
@@ -10,9 +10,9 @@ use rstest::rstest;
 
 static LEDGER: LazyLock<Ledger> = LazyLock::new(|| Ledger::new(&Study::run(|_| {})));
 
-/// Every printed digit is met: the measured value lies within half a unit of the last one. The one
-/// exception is RK4's energy error at Δt = 0.001 s, 3.2e-12 J ± 10 %, where the paper's second
-/// digit is rounding.
+/// Every printed digit is reproduced: the measured value lies within half a unit of the last one.
+/// The one exception is RK4's energy error at Δt = 0.001 s, 3.2e-12 J ± 10 %, where the paper's
+/// second digit is rounding.
 ///
 /// Catches: a wrong coefficient, constant, metric or step count anywhere behind the tables; a mean
 /// over N samples.
@@ -33,7 +33,7 @@ fn every_printed_digit_is_met(#[values(2, 4, 5, 6, 7, 8)] table: u32) {
     }
 }
 
-/// Catches: a verdict that was true when it was written and is no longer.
+/// Catches: a recorded verdict that the measurements no longer support.
 #[test]
 fn the_verdicts_on_record_are_those_measured() {
     for claim in LEDGER.claims() {
@@ -41,7 +41,7 @@ fn the_verdicts_on_record_are_those_measured() {
     }
 }
 
-/// Catches: a printed cell that nothing measures, and an id that stands for two things.
+/// Catches: a printed cell that is not measured, and an id used twice.
 #[test]
 fn cells_and_claims_correspond() {
     let printed: BTreeSet<&str> = CELLS.iter().map(|cell| cell.id).collect();
@@ -57,9 +57,9 @@ fn cells_and_claims_correspond() {
     }
 }
 
-/// Every claim is judged by a measurement, but for those that nothing can judge.
+/// Every claim is judged by a measurement, except those marked as not checkable.
 ///
-/// Catches: a verdict that rests on no code, and a claim lost from the ledger: the paper makes 165.
+/// Catches: a verdict without a measurement, and a claim lost from the ledger: the paper makes 165.
 #[test]
 fn every_checkable_claim_is_measured() {
     let stated = || LEDGER.claims().iter().filter(|claim| claim.stated.is_some());
@@ -75,7 +75,7 @@ fn every_checkable_claim_is_measured() {
     assert!(stated().filter(|claim| claim.verdict == Verdict::Wrong).count() > 20);
 }
 
-/// The ledger itself can say no: a printed digit changed by one unit no longer holds.
+/// The ledger rejects wrong values: a printed digit changed by one unit no longer holds.
 ///
 /// Catches: a tolerance so wide, or a comparison so lenient, that any value would pass.
 #[rstest]

@@ -1,4 +1,4 @@
-//! The tables, predicted before they are measured.
+//! The cells of the tables, as predicted by theory, against the measured values.
 
 use std::collections::BTreeSet;
 use std::sync::LazyLock;
@@ -17,7 +17,7 @@ use rstest::rstest;
 static LEDGER: LazyLock<Ledger> = LazyLock::new(|| Ledger::new(&Study::run(|_| {})));
 static PREDICTIONS: LazyLock<Vec<Prediction>> = LazyLock::new(predictions);
 
-/// RK4's largest angle error over θ₀ at θ₀ = 1e-4 (Section 6.3), which no table has.
+/// RK4's largest angle error over θ₀ at θ₀ = 1e-4 (Section 6.3), which is in no table.
 const NORMALISED: &str = "P6.3.norm";
 
 fn measured(id: &str) -> f64 {
@@ -40,10 +40,10 @@ fn normalised_angle_error() -> f64 {
 }
 
 /// Each measured cell lies within the tolerance of its law, on either side. The tolerances are
-/// derived in `src/theory/predictions.rs`, from what each law leaves out.
+/// derived in `book/study/src/claims/predictions.rs`, from what each law leaves out.
 ///
-/// Catches: a method, metric, constant or step count that is wrong in a way that still prints the
-/// paper's digits, and one that is wrong together with them: no number here was ever measured.
+/// Catches: a method, metric, constant or step count that is wrong but still prints the paper's
+/// digits, and one that is as wrong as the paper's: the predictions use no measured number.
 #[rstest]
 fn every_cell_is_as_predicted(#[values("T4.", "T5.", "T6.", "T8.", "P6.")] table: &str) {
     let cells: Vec<_> = PREDICTIONS.iter().filter(|cell| cell.id.starts_with(table)).collect();
@@ -55,7 +55,8 @@ fn every_cell_is_as_predicted(#[values("T4.", "T5.", "T6.", "T8.", "P6.")] table
     }
 }
 
-/// 4 methods × (5 steps in Table 4, 5 in Table 6, Tables 5 and 8), and one number of the text.
+/// 4 methods × (5 steps in Table 4, 5 in Table 6, 1 each in Tables 5 and 8), and one number from
+/// the text.
 ///
 /// Catches: a cell forgotten, named twice, or out of the ledger's order, so that a join would lose
 /// it.
@@ -71,8 +72,8 @@ fn every_cell_that_theory_reaches_is_predicted() {
     assert!(positions.is_sorted(), "{ids:?}");
 }
 
-/// What theory.md allows, and less than a unit in the last digit of the paper's tables; RK4's
-/// rounding at 0.001 s apart.
+/// Below 6e-4, less than a unit in the third digit, except where the steps are large (0.1 s) and
+/// where RK4's error is rounding (0.001 s).
 ///
 /// Catches: a tolerance that grew until anything would agree.
 #[test]
@@ -87,7 +88,7 @@ fn tolerances_are_small() {
     }
 }
 
-/// A prediction can say no, and in either direction.
+/// A prediction rejects values that are too large or too small.
 ///
 /// Catches: a comparison without `abs`, or of a NaN.
 #[test]
@@ -97,12 +98,12 @@ fn a_prediction_can_fail() {
     assert!(!cell.agrees_with(2.03) && !cell.agrees_with(1.97) && !cell.agrees_with(f64::NAN));
 }
 
-/// The frozen linear recurrence predicts forward Euler as well, as long as the swing stays small:
-/// its growth depends on the amplitude as 1 − A²/8 or so, which over x ω₀T/2 ≤ 0.5 e-folds is 4e-4
-/// at A = 0.08.
+/// The linear recurrence with frozen coefficients predicts forward Euler too, as long as the swing
+/// stays small: its growth depends on the amplitude as about 1 − A²/8, which over x ω₀T/2 ≤ 0.5
+/// e-folds is 4e-4 at A = 0.08.
 ///
-/// Catches: a growth or a phase of the recurrence that the table's own law, the modified equation,
-/// would not miss.
+/// Catches: a wrong growth or phase of the recurrence, which the law used for the table, the
+/// modified equation, does not contain.
 #[rstest]
 fn forward_euler_is_predicted_twice(#[values(0.01, 0.005, 0.001)] h: f64) {
     let grid = Grid::with_duration(h, small_angle::DURATION).unwrap();
@@ -113,8 +114,8 @@ fn forward_euler_is_predicted_twice(#[values(0.01, 0.005, 0.001)] h: f64) {
     assert_relative_eq!(predicted, measured(&format!("T6.fe.{h}")), max_relative = 4e-4);
 }
 
-/// θ₀³ω₀T/(16√6). It leaves out ⟨t² cos 2ω₀t⟩, which is 3/(2ω₀T) of the mean square at most, half
-/// that of its root; RK4's own x⁴/120 is 5e-5 of θ₀²/16.
+/// The law θ₀³ω₀T/(16√6) leaves out ⟨t² cos 2ω₀t⟩, which is at most 3/(2ω₀T) of the mean square,
+/// half that of its root; RK4's own x⁴/120 is 5e-5 of θ₀²/16.
 ///
 /// Catches: the paper's floor taken for a constant, or for a property of the methods.
 #[rstest]
@@ -131,8 +132,8 @@ fn what_is_left_at_small_steps_is_the_formulas_own_error(#[case] duration: f64) 
     assert_relative_eq!(error.root_mean_square(), floor, max_relative = left_out);
 }
 
-/// At x = θ₀√(3/2) Störmer–Verlet's error and the formula's cancel to the next order: θ₀² and x²
-/// down, each below 0.004, so that a hundredth of the floor is left at most.
+/// At x = θ₀√(3/2) Störmer–Verlet's error and the formula's cancel to the next order, which is
+/// smaller by θ₀² and x², each below 0.004: at most a hundredth of the floor is left.
 ///
 /// Catches: a frequency error of Verlet other than x²/24.
 #[test]
@@ -147,11 +148,11 @@ fn two_errors_cancel_at_the_step_foreseen() {
 }
 
 /// Störmer–Verlet's own error in the small swing is θ₀ω₀T x²/(24√6). That leaves out ⟨t² cos 2ω₀t⟩,
-/// as the floor does, the next term of its phase, 9x²/80 of the first, and θ₀²/8, by which its τ₂
+/// as the floor does; the next term of its phase, 9x²/80 of the first; and θ₀²/8, by which its τ₂
 /// falls with the amplitude.
 ///
-/// Catches: a line of the figure that only looks as if it met the markers; x for x², a period for a
-/// duration.
+/// Catches: a line in the figure that passes near the markers but is not the law; x for x², a
+/// period for a duration.
 #[rstest]
 fn stormer_verlets_own_error_is_that_of_its_phase(
     #[values(0.1, 0.01, 0.001)] h: f64,
@@ -169,9 +170,9 @@ fn stormer_verlets_own_error_is_that_of_its_phase(
     assert_relative_eq!(error.root_mean_square(), law, max_relative = left_out);
 }
 
-/// The lines of the figure are the laws of the table.
+/// The lines in the figure are the laws used for the table.
 ///
-/// Catches: a method drawn with another's law, or one without a law with any.
+/// Catches: a method drawn with another method's law, or a method without a law drawn with one.
 #[test]
 fn a_law_by_name_is_the_one_of_the_table() {
     let ids = [

@@ -1,4 +1,4 @@
-//! The README shows results too: they must be those of the snapshots.
+//! The results that the README shows must equal those of the snapshots.
 
 use std::fs;
 
@@ -10,7 +10,7 @@ fn read(path: &str) -> String {
     fs::read_to_string(format!("{}/../../{path}", env!("CARGO_MANIFEST_DIR"))).expect(path)
 }
 
-/// Catches: a headline table left behind when a number moved.
+/// Catches: a headline table that was not updated when a number changed.
 #[test]
 fn the_headline_table_is_table_5() {
     let ledger = Ledger::new(&Study::run(|_| {}));
@@ -23,10 +23,10 @@ fn the_headline_table_is_table_5() {
     }
 }
 
-/// The picture is Figure 2 in a file of its own, as a README cannot include a snapshot. To write it
-/// anew, run this test with `INSTA_UPDATE=always`, as for the snapshots.
+/// The picture is Figure 2 in a file of its own, as a README cannot include a snapshot. To
+/// regenerate it, run this test with `INSTA_UPDATE=always`, as for the snapshots.
 ///
-/// Catches: a picture left behind when the figure moved.
+/// Catches: a picture that was not updated when the figure changed.
 #[test]
 fn the_picture_is_figure_2() {
     let path = format!("{}/../src/assets/energy-error.svg", env!("CARGO_MANIFEST_DIR"));

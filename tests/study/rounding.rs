@@ -1,5 +1,5 @@
-//! Which printed digits are the methods', and which are the machine's: the tables once more with a
-//! sine that is wrong in its last bit, at random, and with every product and sum fused.
+//! Which printed digits come from the methods, and which from rounding: the tables computed again
+//! with a sine whose last bit is wrong at random, and with fused multiply-adds.
 
 use std::cell::Cell;
 use std::fmt::Debug;
@@ -23,8 +23,8 @@ static LEDGER: LazyLock<Ledger> = LazyLock::new(|| Ledger::new(&Study::run(|_| {
 // A sine off by an ulp
 // -------------------------------------------------------------------------------------------------
 
-/// The paper's pendulum on a machine whose sine and cosine are one ulp too large, right, or one ulp
-/// too small, each as often.
+/// The paper's pendulum on a machine whose sine and cosine are one ulp too large, unchanged, or one
+/// ulp too small, with equal probability.
 struct Sloppy {
     random: Cell<u64>,
 }
@@ -35,7 +35,7 @@ impl Sloppy {
         Self { random: Cell::new(seed) }
     }
 
-    /// Moves `x` by −1, 0 or 1 ulp; xorshift64 (Marsaglia, J. Stat. Software 8 (2003)) decides.
+    /// Moves `x` by −1, 0 or 1 ulp at random: xorshift64 (Marsaglia, J. Stat. Software 8 (2003)).
     fn nudged(&self, x: f64) -> f64 {
         let mut random = self.random.get();
         random ^= random << 13;
@@ -91,11 +91,11 @@ impl Machine for Sloppy {
 // Fused products and sums
 // -------------------------------------------------------------------------------------------------
 
-/// The paper's pendulum compiled by a compiler that contracts a b + c.
+/// The paper's pendulum as compiled by a compiler that contracts a b + c to a fused multiply-add.
 struct Contracted;
 
-/// A state times a factor that is not multiplied out yet: when it is added to another, the product
-/// is fused with the sum.
+/// A state and a factor by which it is not yet multiplied: adding it to another state fuses the
+/// product with the sum.
 #[derive(Clone, Copy, Debug)]
 struct Fused {
     theta: f64,
@@ -189,7 +189,7 @@ trait Machine: Hamiltonian + Separable<State: From<Phase> + Into<Phase> + Debug>
     fn energy_from_pivot(&self, z: Self::State) -> f64;
 }
 
-/// Lets an observer of the pendulum watch this machine's states.
+/// Adapts an observer of [`Phase`] to this machine's states.
 struct AsPhase<O>(O);
 
 impl<Z: Into<Phase>, O: Observer<Phase>> Observer<Z> for AsPhase<O> {
@@ -242,7 +242,7 @@ fn cells<S: Machine, M: Method<S> + Info>(system: &S, method: &M) -> Vec<(CellId
     cells
 }
 
-/// Those of the paper's four methods, in the order of its tables.
+/// The cells of the paper's four methods, in the order of its tables.
 fn all_cells<S: Machine>(system: &S) -> Vec<(CellId, f64)> {
     [
         cells(system, &ForwardEuler),
@@ -253,14 +253,14 @@ fn all_cells<S: Machine>(system: &S) -> Vec<(CellId, f64)> {
     .concat()
 }
 
-/// The claim, had `value` been measured.
+/// The claim with `value` as the measured number.
 fn measured(claim: &Claim, value: f64) -> Claim {
     let Measured::Number(_, format) = claim.measured else { panic!("{claim:?} is no number") };
     Claim { measured: Measured::Number(value, format), ..claim.clone() }
 }
 
-/// Holds the cells of another machine against the ledger: what the paper prints holds or fails as
-/// before, the verdict stands, and each digit that the library's own tables print is the same.
+/// Compares the cells of another machine with the ledger: what the paper prints holds or fails as
+/// before, the verdict is unchanged, and so is each digit that the library's own tables print.
 fn assert_same_digits(cells: &[(CellId, f64)]) {
     assert_eq!(cells.len(), PaperMethod::ALL.len() * (2 * STEPS.len() + 5 + 2));
     for (id, value) in cells {
@@ -272,11 +272,11 @@ fn assert_same_digits(cells: &[(CellId, f64)]) {
     }
 }
 
-/// No digit that is printed moves, be it the paper's or the library's, with a sine that errs by an
-/// ulp. RK4 at 0.001 s is printed with one digit, and the paper's 3.14e-12 held to 3.2e-12 ± 10 %:
-/// its second digit does move.
+/// With a sine that is off by an ulp no printed digit changes, neither the paper's nor the
+/// library's. RK4 at 0.001 s is printed with one digit, and the paper's 3.14e-12 compared with
+/// 3.2e-12 ± 10 %: its second digit does change.
 ///
-/// Catches: a digit printed that only this machine has; a table that depends on cancellation; a
+/// Catches: a printed digit that depends on the machine; a table that depends on cancellation; a
 /// method that amplifies rounding.
 #[rstest]
 fn a_sine_off_by_an_ulp_moves_no_digit(#[values(1, 2, 3, 4, 5, 6, 7, 8)] seed: u64) {
@@ -284,7 +284,7 @@ fn a_sine_off_by_an_ulp_moves_no_digit(#[values(1, 2, 3, 4, 5, 6, 7, 8)] seed: u
     assert_same_digits(&all_cells(&Sloppy::new(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15))));
 }
 
-/// Nor does any with every a b + c of the steps and of the energy fused.
+/// Nor does any digit change when every a b + c of the steps and of the energy is fused.
 ///
 /// Catches: as above, for compilers that contract.
 #[test]
@@ -292,8 +292,8 @@ fn fused_products_move_no_digit() {
     assert_same_digits(&all_cells(&Contracted));
 }
 
-/// The perturbations do perturb: values beyond the printed digits differ, and RK4's at 0.001 s in
-/// its second.
+/// The perturbations have an effect: the values differ beyond the printed digits, and RK4's at
+/// 0.001 s in the second digit.
 ///
 /// Catches: a test that compares the library with itself.
 #[test]
@@ -312,8 +312,8 @@ fn the_other_machines_are_other_machines() {
     }
 }
 
-/// A digit more would not survive everywhere: the formats are as long as they can be defended where
-/// rounding is near.
+/// One digit more would not be the same on every machine: where rounding is near, the formats print
+/// as many digits as are certain.
 ///
 /// Catches: a perturbation too weak to be a test of the digits.
 #[test]

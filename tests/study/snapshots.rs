@@ -1,5 +1,5 @@
-//! The tables and figures of the book, as reviewed: a change shows here row by row before any
-//! reader sees it.
+//! Snapshots of the book's tables and figures: a change shows here row by row, for review, before
+//! it reaches the book.
 
 use std::panic::catch_unwind;
 use std::sync::LazyLock;
@@ -16,7 +16,7 @@ use rstest::rstest;
 static STUDY: LazyLock<Study> = LazyLock::new(|| Study::run(|_| {}));
 static LEDGER: LazyLock<Ledger> = LazyLock::new(|| Ledger::new(&STUDY));
 
-/// Compares with `snapshots/NAME.snap`. The content stands between anchors, so that a chapter can
+/// Compares with `snapshots/NAME.snap`. The content is between anchors, so that a chapter can
 /// include it.
 fn assert_reviewed(name: &str, anchor: &str, content: &str) {
     let text = format!("<!-- ANCHOR: {anchor} -->\n{content}<!-- ANCHOR_END: {anchor} -->\n");
@@ -29,16 +29,15 @@ fn assert_reviewed(name: &str, anchor: &str, content: &str) {
     });
 }
 
-/// Catches: any printed digit of the paper's tables that moves, and any that was measured otherwise
-/// before.
+/// Catches: any digit of the paper's tables, printed or measured, that changes.
 #[rstest]
 fn the_papers_tables(#[values(2, 4, 5, 6, 7, 8)] number: u32) {
     let table = tables::table(&LEDGER, number).expect("a table of the paper");
     assert_reviewed(&format!("table_{number}"), "table", &table.to_markdown());
 }
 
-/// Catches: a slope that moves in its second or third decimal while it stays within the tolerance
-/// of the order test.
+/// Catches: a slope that changes in its second or third decimal, within the tolerance of the order
+/// test.
 #[rstest]
 #[case::of_energy("slopes", tables::energy_slopes(&STUDY))]
 #[case::of_state("orders", tables::state_slopes(&STUDY))]
@@ -46,25 +45,25 @@ fn the_slopes(#[case] name: &str, #[case] table: Table) {
     assert_reviewed(name, "table", &table.to_markdown());
 }
 
-/// Catches: a property of a method that moves, be the method the paper's or not.
+/// Catches: a property of a method that changes, of the paper's methods or any other.
 #[test]
 fn the_methods() {
     assert_reviewed("methods", "table", &tables::methods(&STUDY).to_markdown());
 }
 
-/// Catches: a prediction that moves within its tolerance, and a tolerance that is widened.
+/// Catches: a prediction that changes within its tolerance, and a tolerance that is widened.
 #[test]
 fn the_predictions() {
     assert_reviewed("predictions", "table", &tables::predictions(&LEDGER).to_markdown());
 }
 
-/// Catches: a digit that moves within the tolerance of its own test.
+/// Catches: a digit that changes within the tolerance of its own test.
 #[test]
 fn the_systems_beyond() {
     assert_reviewed("beyond", "table", &tables::beyond().to_markdown());
 }
 
-/// Catches: a verdict or a reason changed in passing.
+/// Catches: a verdict or a reason changed by accident.
 #[rstest]
 #[case::of_cells("ledger_cells", tables::cells(&LEDGER))]
 #[case::of_sentences("ledger_sentences", tables::sentences(&LEDGER))]
@@ -73,10 +72,10 @@ fn the_ledger(#[case] name: &str, #[case] table: Table) {
 }
 
 /// The appendix shows what a change looks like to its reviewer: Table 4 before and after
-/// Störmer–Verlet drifts first and kicks in the middle, which is as good a method, of the same
-/// order.
+/// Störmer–Verlet is replaced by its position form (drift, kick, drift), an equally good method of
+/// the same order.
 ///
-/// Catches: an example in the book that no change would bring forth any more.
+/// Catches: an example in the book that is out of date.
 #[test]
 fn a_change_as_its_reviewer_sees_it() {
     let mut changed = STUDY.clone();
@@ -96,7 +95,7 @@ fn a_change_as_its_reviewer_sees_it() {
 }
 
 /// Catches: a curve that moves by more than a tenth of a pixel, and a label or description that
-/// says something else.
+/// changes.
 #[test]
 fn the_figures() {
     let moved: Vec<_> = figures()
@@ -113,8 +112,8 @@ fn the_figures() {
 // The same bits everywhere
 // -------------------------------------------------------------------------------------------------
 
-/// FNV-1a of every state's bits over four times so many steps: swinging, nearly over the top,
-/// turning, and from many turns, with L ≠ 1 and a step that is no power of two.
+/// FNV-1a of every state's bits over four runs of `steps` steps: swinging, nearly over the top,
+/// rotating, and starting many turns from zero; with L ≠ 1 and a step that is not a power of two.
 fn hash(steps: u64, run: impl Fn(&Pendulum, Phase, &Grid, &mut dyn FnMut(u64, f64, Phase))) -> u64 {
     let pendulum = Pendulum::new(9.81, 1.3, 0.7).unwrap();
     let grid = Grid::new(0.01, steps).unwrap();
@@ -134,7 +133,7 @@ macro_rules! hashes {
         let mut table = String::from("| Method | in steps | in seconds |\n| --- | --- | --- |\n");
         $({
             use pendula::methods::$method;
-            // Without optimisation a million steps of all would take minutes.
+            // Without optimisation a million steps of every method would take minutes.
             let steps = if in_paper(&$method) { 250_000 } else { 25_000 };
             let in_steps = hash(steps, |pendulum, start, grid, mut watch| {
                 integrate_fast(pendulum, &$method, start, grid, &mut watch);
@@ -149,7 +148,7 @@ macro_rules! hashes {
     }};
 }
 
-/// Debug and release, one machine and another give the same bits: `.ci/run` runs this in both, and
+/// Debug and release builds and all machines give the same bits: `.ci/run` runs this in both, and
 /// for another processor.
 ///
 /// Catches: the platform's sine, a fused multiply-add, a constant folded to another bit, a sum in

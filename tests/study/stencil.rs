@@ -1,4 +1,4 @@
-//! The drawings of a step: they show the method itself, part by part, to the last bit.
+//! The drawings of a step show the method's own kicks, drifts and slopes, to the last bit.
 
 use pendula::methods::{ForwardEuler, PositionVerlet, Rk4, StormerVerlet, SymplecticEuler};
 use pendula::{AnyMethod, Grid, Method, Pendulum, Phase, System, integrate};
@@ -21,8 +21,8 @@ fn parts<M: for<'a> Method<Noting<'a>>>(method: &M, start: Phase) -> Vec<Part> {
     stencil(method, &pendulum(), start, STEP).parts
 }
 
-/// Catches: a drawing whose end is not the method's step, with the bits of the time loop; arrows
-/// that do not begin where the one before ends; a kick for the next step drawn into this one.
+/// Catches: a drawing that does not end where the method's step does, to the bit; arrows that do
+/// not begin where the one before ends; a kick of the next step drawn in this one.
 #[rstest]
 #[case::forward_euler(ForwardEuler)]
 #[case::symplectic_euler(SymplecticEuler)]
@@ -49,8 +49,8 @@ where
     }
 }
 
-/// Catches: a part that is lost or counted twice; kick and drift under each other's name; half a
-/// kick called a whole one.
+/// Catches: a part that is lost or counted twice; kick and drift exchanged; half a kick labelled as
+/// a whole one.
 #[test]
 fn the_parts_are_those_of_the_equations() {
     let (kick, drift) = (Kind::Kick, Kind::Drift);
@@ -67,7 +67,7 @@ fn the_parts_are_those_of_the_equations() {
     }
 }
 
-/// Catches: an arrow that leaves from where the slope was not looked at; stages out of order.
+/// Catches: an arrow that does not start where the slope was evaluated; stages out of order.
 #[test]
 fn the_slopes_are_those_of_the_equations() {
     for start in starts() {

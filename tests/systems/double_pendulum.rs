@@ -1,5 +1,5 @@
-//! The double pendulum: its equations from two sides, its modes, its energy, and how soon two of it
-//! part.
+//! The double pendulum: its equations derived in two ways, its modes, its energy, and how fast two
+//! neighbouring motions separate.
 
 use std::f64::consts::{PI, SQRT_2};
 
@@ -12,7 +12,7 @@ use pendula::{Components, Grid, Hamiltonian, Info, Method, RateOf, System, integ
 use pendula_study::experiments::beyond::{equals, separation, swing_frequency};
 use rstest::rstest;
 
-/// All parameters differ, so that none can stand for another.
+/// All parameters differ, so that exchanging two of them shows.
 fn unequal() -> DoublePendulum {
     let (upper, lower) = (Joint { length: 1.3, mass: 0.7 }, Joint { length: 0.6, mass: 1.9 });
     DoublePendulum::new(9.81, upper, lower).unwrap()
@@ -27,7 +27,7 @@ const STATES: [([f64; 2], [f64; 2]); 5] = [
     ([1.0, 1.0 + PI], [0.7, 5.0]),
 ];
 
-/// Kinetic and potential energy from the bobs alone: ½ Σ m v² + Σ m g y, above the rest.
+/// Kinetic and potential energy of the bobs: ½ Σ m v² + Σ m g y, zero when both hang at rest.
 fn energy_of_the_bobs(double: &DoublePendulum, [t1, t2]: [f64; 2], [w1, w2]: [f64; 2]) -> f64 {
     let (upper, lower) = (double.upper(), double.lower());
     let (l1, l2) = (upper.length, lower.length);
@@ -39,10 +39,10 @@ fn energy_of_the_bobs(double: &DoublePendulum, [t1, t2]: [f64; 2], [w1, w2]: [f6
         + double.gravity() * (upper.mass * y1 + lower.mass * y2)
 }
 
-/// The Hamiltonian is the energy of two bobs, and velocities come back out of the momenta.
+/// The Hamiltonian is the energy of the two bobs, and the momenta give back the velocities.
 ///
 /// Catches: m₁ for m₁ + m₂, a cosine of the sum for that of the difference, a factor 2 in the
-/// coupling, a zero of energy that is not the rest.
+/// coupling, an energy that is not zero at rest.
 #[test]
 fn the_hamiltonian_is_the_energy_of_the_bobs() {
     for double in [equals(), unequal()] {
@@ -67,8 +67,8 @@ fn the_hamiltonian_is_the_energy_of_the_bobs() {
 
 /// Hamilton's equations: the rate is the gradient of the energy, by central differences.
 ///
-/// Catches: a sign of the exchange of momentum, angles or momenta exchanged, g·L for g/L, a term
-/// that is missing.
+/// Catches: a wrong sign in the exchange of momentum, angles or momenta exchanged, g·L for g/L, a
+/// missing term.
 #[test]
 fn the_rate_is_the_gradient_of_the_energy() {
     let delta = 1e-4;
@@ -97,7 +97,7 @@ fn the_rate_is_the_gradient_of_the_energy() {
     }
 }
 
-/// Newton's equations for θ₁ and θ₂, without a momentum: (m₁ + m₂)L₁ θ̈₁ + m₂L₂ (θ̈₂ cos Δ + ω₂²
+/// Lagrange's equations for θ₁ and θ₂, without momenta: (m₁ + m₂)L₁ θ̈₁ + m₂L₂ (θ̈₂ cos Δ + ω₂²
 /// sin Δ) + (m₁ + m₂)g sin θ₁ = 0 and L₂ θ̈₂ + L₁ (θ̈₁ cos Δ − ω₁² sin Δ) + g sin θ₂ = 0. The state
 /// is (θ₁, θ₂, ω₁, ω₂) under other names.
 struct Lagrange(DoublePendulum);
@@ -123,9 +123,9 @@ impl System for Lagrange {
     }
 }
 
-/// Lagrange's equations and Hamilton's, integrated side by side, go the same way.
+/// Lagrange's and Hamilton's equations have the same solution.
 ///
-/// Catches: a Hamiltonian and a rate that agree with each other and with no pendulum.
+/// Catches: a Hamiltonian and a rate that agree with each other but do not describe the pendulum.
 #[test]
 fn hamilton_and_lagrange_go_the_same_way() {
     for (theta, omega) in STATES {
@@ -136,8 +136,8 @@ fn hamilton_and_lagrange_go_the_same_way() {
         let start = DoublePhase { theta1: theta[0], theta2: theta[1], p1: omega[0], p2: omega[1] };
         let other = integrate(&Lagrange(double), &Rk4, start, &grid, &mut ());
         let [omega1, omega2] = double.velocities(end);
-        // RK4: h⁴/120 = 5e-16 times fifth derivatives of up to (20/s)⁵ for 1 s, times what
-        // neighbours part in it: 1e-8.
+        // RK4: h⁴/120 = 5e-16 times fifth derivatives of up to (20/s)⁵ for 1 s, times the
+        // divergence of neighbouring motions in that time: 1e-8.
         assert_abs_diff_eq!(end.theta1, other.theta1, epsilon = 1e-8);
         assert_abs_diff_eq!(end.theta2, other.theta2, epsilon = 1e-8);
         assert_abs_diff_eq!(omega1, other.p1, epsilon = 1e-7);
@@ -145,11 +145,11 @@ fn hamilton_and_lagrange_go_the_same_way() {
     }
 }
 
-/// Small swings of equals have ω² = (2 ∓ √2) g/L, with θ₂ = ±√2 θ₁; and a swing begun in that shape
-/// has that frequency.
+/// Small swings with equal joints have ω² = (2 ∓ √2) g/L and θ₂ = ±√2 θ₁; and a swing started in a
+/// mode's shape has its frequency.
 ///
-/// Catches: modes exchanged, g·L for g/L, a shape that excites both, masses or lengths exchanged
-/// where they differ.
+/// Catches: modes exchanged, g·L for g/L, a shape that excites both modes, masses or lengths
+/// exchanged where they differ.
 #[test]
 fn small_swings_are_the_normal_modes() {
     let double = equals();
@@ -166,16 +166,16 @@ fn small_swings_are_the_normal_modes() {
         .map(|(upper, lower)| DoublePendulum::new(3.0, upper, lower).unwrap());
     for double in [double, unequal(), heavy, light] {
         for (mode, shape) in double.normal_modes().into_iter().zip(double.mode_shapes()) {
-            // Angles of 1e-6: the sine is off by 1e-12/6, the lower angle up to ten times as large.
-            // RK4 is off by (ωh)⁴/120 with ω up to 30/s, 7e-9; a crossing by (ωh)⁴/384 of a step at
-            // each end.
+            // Angles of 1e-6: the sine is off by 1e-12/6; the lower angle is up to ten times
+            // larger. RK4 is off by (ωh)⁴/120 with ω up to 30/s, 7e-9; a crossing by (ωh)⁴/384 of a
+            // step at each end.
             let frequency = swing_frequency(&double, 1e-6, shape).unwrap();
             assert_abs_diff_eq!(frequency / mode, 1.0, epsilon = 1e-8);
         }
     }
 }
 
-/// The largest energy error over 10 s of a wild start, with so many steps a second.
+/// The largest energy error over 10 s of a chaotic motion, with `rate` steps a second.
 fn drift<M: Method<DoublePendulum>>(method: &M, rate: u64) -> f64 {
     let double = unequal();
     let grid = Grid::new(1.0 / rate as f64, 10 * rate).unwrap();
@@ -185,15 +185,16 @@ fn drift<M: Method<DoublePendulum>>(method: &M, rate: u64) -> f64 {
     drift.largest()
 }
 
-/// The motion keeps the energy; what RK4 loses falls with its order, and a method of order 1 is
-/// seen for what it is.
+/// The motion conserves the energy: RK4's energy error falls with its order, and that of a method
+/// of order 1 is far larger.
 ///
-/// Catches: a rate that is no Hamiltonian's, a friction, a force that depends on time.
+/// Catches: a rate that does not derive from a Hamiltonian, friction, a force that depends on time.
 #[test]
 fn the_energy_is_kept_to_the_order_of_the_method() {
     let errors = [2000, 4000, 8000].map(|rate| drift(&Rk4, rate));
-    // Order 4, and not 5 as on the pendulum: the start is wild, and the leading term of a step does
-    // not average out. The next term is of the size of a step, 5e-4 s, times a rate of up to 20/s.
+    // Order 4, and not 5 as on the pendulum: the motion is chaotic, and the leading term of a step
+    // does not average out. The next term, relative to the first, is of the size of a step, 5e-4 s,
+    // times a rate of up to 20/s.
     for pair in errors.windows(2) {
         let slope = (pair[0] / pair[1]).log2();
         assert!((3.9..4.1).contains(&slope), "{slope} of {errors:?}");
@@ -203,7 +204,7 @@ fn the_energy_is_kept_to_the_order_of_the_method() {
     assert!(drift(&ForwardEuler, 4000) > 1e3 * errors[0]);
 }
 
-/// All samples of a run of 0.7 s in so many steps.
+/// All samples of a run of 0.7 s in `steps` steps.
 fn path<M: Method<DoublePendulum>>(method: &M, steps: u64) -> Vec<DoublePhase> {
     let start = unequal().start([1.0, -0.5], [0.3, 0.8]).unwrap();
     let grid = Grid::new(0.7 / steps as f64, steps).unwrap();
@@ -224,7 +225,8 @@ where
     M: Method<DoublePendulum> + Info,
 {
     let order = method.info().order;
-    // RK4's own errors are measured against sixteen times as many steps: 16⁻⁴ of the smallest.
+    // RK4's own errors are measured against RK4 in a sixteenth of its finest step: off by 16⁻⁴ of
+    // the smallest error.
     let truth = path(&Rk4, 16_384);
     let coarsest = 4096 >> order;
     let errors = [0, 1, 2].map(|k| {
@@ -237,16 +239,17 @@ where
         off.fold(0.0, f64::max)
     });
     for pair in errors.windows(2) {
-        // The next term of the error is of the relative size of a step, 0.7/256 times a rate of up
-        // to 10/s; its change from one rung to the next bends the slope by 1.44 times half of that.
+        // The next term of the error, relative to the first, is of the size of a step, 0.7/256,
+        // times a rate of up to 10/s; its change from one rung to the next bends the slope by 1.44
+        // times half of that.
         let slope = (pair[0] / pair[1]).log2();
         assert!((slope - f64::from(order)).abs() < 0.05, "{slope} of {errors:?}");
     }
 }
 
-/// Over a tenfold time a symplectic method's energy is off by no more, RK4's by ten times as much.
-/// The release is low, so that the motion is two swings side by side, whose states have all been
-/// near after 100 s, to a hundredth of the error.
+/// Over ten times the time a symplectic method's energy error does not grow, and RK4's grows
+/// tenfold. The release is low, so that the motion is a superposition of two swings, which within
+/// 100 s has come close enough to all its states to fix the largest error to a hundredth.
 ///
 /// Catches: an implicit method whose iteration stops too soon, or that takes a momentum for a
 /// velocity.
@@ -271,7 +274,7 @@ fn only_a_symplectic_method_keeps_the_energy() {
 }
 
 /// The slope of log distance against time between 1e-8 and 1e-3 rad (1/s), by least squares, and
-/// how well a line fits: the share of the variance that it explains.
+/// R², the share of the variance that the line explains.
 fn growth(path: &[(f64, f64)]) -> (f64, f64) {
     let until = path.iter().position(|&(_, d)| d > 1e-3).expect("they part");
     let from = path.iter().position(|&(_, d)| d > 1e-8).unwrap();
@@ -284,11 +287,10 @@ fn growth(path: &[(f64, f64)]) -> (f64, f64) {
     (cross / tt, cross * cross / (tt * yy))
 }
 
-/// Two starts 1e-9 rad apart part exponentially from a high release, and do not from a low one.
+/// Two starts 1e-9 rad apart separate exponentially from a high release, and not from a low one.
 ///
-/// Catches: a distance that grows because of the method's error and not of the motion: it would
-/// from the low release too, and would not scale with the nudge or stay the same with half the
-/// step.
+/// Catches: a distance that grows because of the method's error and not the motion: it would grow
+/// from the low release too, would not scale with the nudge, and would depend on the step.
 #[test]
 fn neighbours_part_exponentially_where_the_motion_is_chaotic() {
     let double = equals();
@@ -298,23 +300,24 @@ fn neighbours_part_exponentially_where_the_motion_is_chaotic() {
     assert!((0.5..5.0).contains(&slope), "{slope} 1/s");
     assert!(fit > 0.9, "a straight line on a logarithmic scale: {fit}");
     assert!(path.iter().any(|&(_, d)| d > 1.0), "nothing in common in the end");
-    // The motion's, not the step's: 5 s, in which they part by a factor of 1000, and ten times the
-    // nudge is ten times the distance. RK4 is off by (5h)⁴ = 1e-8 and what chaos makes of it; the
-    // tangent by the distance, 1e-5.
+    // The growth is the motion's, not the method's: after 5 s, in which the distance grows by a
+    // factor of 1000, it is the same with half the step, and ten times as large with ten times the
+    // nudge. RK4 is off by (5h)⁴ = 1e-8, amplified by chaos; the linearisation by the distance,
+    // 1e-5.
     let at_5 = |path: &[(f64, f64)]| path.iter().find(|p| p.0 >= 5.0 - 1e-9).unwrap().1;
     let one = at_5(&path);
     assert!(one > 1e-7, "{one}");
     assert_abs_diff_eq!(at_5(&high(1e-9, (0.001, 10_000))) / one, 1.0, epsilon = 1e-2);
     assert_abs_diff_eq!(at_5(&high(1e-8, (0.002, 5_000))) / (10.0 * one), 1.0, epsilon = 1e-2);
-    // Low: quasi-periodic, where neighbours part no faster than t.
+    // Low: quasi-periodic, where neighbours separate no faster than t.
     let low = separation(&double, [0.2, 0.25], 1e-9, (0.002, 10_000));
     assert!(low.iter().all(|&(_, d)| d < 1e-8), "regular");
 }
 
-/// DOP853 with its error held to a tolerance, which looks at all four components, beside RK4 in
-/// steps of a millisecond. In a quiet swing of 2 s neither is off by more than 1e-9.
+/// DOP853 with adaptive steps, whose error control uses all four components, against RK4 in steps
+/// of a millisecond. In a regular swing of 2 s neither is off by more than 1e-9.
 ///
-/// Catches: components left out of a comparison: the first step would be the last.
+/// Catches: components left out of the error control: a single step would be accepted.
 #[test]
 fn steps_of_their_own_size_go_the_same_way() {
     let double = unequal();
@@ -336,7 +339,7 @@ fn steps_of_their_own_size_go_the_same_way() {
     assert_eq!(seen, expected);
 }
 
-/// Catches: NaN let in, a mass that vanishes, a refusal that does not say why.
+/// Catches: NaN accepted, a mass that vanishes, an error that does not give the reason.
 #[test]
 fn impossible_pendulums_are_refused() {
     let joint = Joint { length: 1.0, mass: 1.0 };

@@ -1,5 +1,5 @@
-//! Driven systems: when a method evaluates the force; and the driven pendulum, its cycles,
-//! doublings and chaos.
+//! Driven systems: at which times a method evaluates the force; and the driven pendulum, its
+//! cycles, period doublings and chaos.
 
 use pendula::dynamics::floquet::monodromy;
 use pendula::dynamics::lyapunov::Watch;
@@ -17,14 +17,14 @@ use rstest_reuse::apply;
 use crate::common::each_general_method;
 
 /// Catches: stages at the wrong times, a kick with the force of the other end of the step: the
-/// pendulum, which knows no time, sees neither.
+/// pendulum, which is autonomous, shows neither.
 #[apply(each_general_method)]
 fn a_push_that_grows_is_followed_to_the_order<M: Info + Method<Pushed>>(#[case] method: M) {
     check(&method).unwrap();
 }
 
-/// Catches: the force at the end of the step, or half-way: an error in proportion to h, as Euler's
-/// methods have anyway.
+/// Catches: the force at the end of the step, or half-way: an error of order h, which Euler's
+/// methods have anyway, so that an order test does not show it.
 #[test]
 fn eulers_methods_ask_for_the_force_at_the_beginning_of_a_step() {
     check_euler(&ForwardEuler).unwrap();
@@ -35,14 +35,14 @@ fn eulers_methods_ask_for_the_force_at_the_beginning_of_a_step() {
 // The driven pendulum
 // -------------------------------------------------------------------------------------------------
 
-/// g/L = 2.5, L ≠ 1, m ≠ 1, Ω no multiple of ω₀.
+/// g/L = 2.5, L ≠ 1, m ≠ 1, Ω not a multiple of ω₀.
 fn driven(strength: f64) -> Driven {
     let pendulum = Pendulum::new(5.0, 2.0, 3.0).unwrap();
     Driven::new(Damped::new(pendulum, 0.4).unwrap(), strength, 1.1).unwrap()
 }
 
-/// A weak drive's lasting answer is the linear one: A cos Ωt + B sin Ωt with (A + iB) = γω₀²/((ω₀²
-/// − Ω²) − 2iβΩ).
+/// The steady-state response to a weak drive is the linear one: A cos Ωt + B sin Ωt with (A + iB) =
+/// γω₀²/((ω₀² − Ω²) − 2iβΩ).
 ///
 /// Catches: sin for cos in the drive, its sign, γ without ω₀², g·L for g/L, the frequency in Hz,
 /// time not passed to the stages.
@@ -56,10 +56,10 @@ fn a_weak_drive_is_answered_in_amplitude_and_phase() {
     let (a, b) = (scale * stiff, scale * lossy);
     let grid = Grid::new(0.005, 16_000).unwrap();
     integrate(&driven, &Rk4, Phase::default(), &grid, &mut |n, t, z: Phase| {
-        // By 70 s what was there at the start has decayed by exp(−28) = 7e-13.
+        // By 70 s the transient has decayed by exp(−28) = 7e-13.
         if n >= 14_000 {
             let (s, c) = f64::sin_cos(frequency * t);
-            // Relative to γ: of RK4 (ω₀h)⁴/120 · ω₀/β = 1.3e-10; of the sine θ²/6 · ω₀²/2βΩ =
+            // Errors relative to γ: RK4's (ω₀h)⁴/120 · ω₀/β = 1.3e-10; the sine's θ²/6 · ω₀²/2βΩ =
             // 2e-10.
             let tolerance = 1e-9 * gamma;
             near("θ", z.theta, a * c + b * s, tolerance).unwrap();
@@ -68,9 +68,9 @@ fn a_weak_drive_is_answered_in_amplitude_and_phase() {
     });
 }
 
-/// Rate and force tell one story at any time, and both know it.
+/// Rate and force agree at any time, and both depend on it.
 ///
-/// Catches: a drive in one and not in the other, a phase that differs between them.
+/// Catches: a drive in only one of the two, a phase that differs between them.
 #[rstest]
 fn rate_is_force_and_velocity(#[values(0.0, 0.3, 17.0)] t: f64) {
     let driven = driven(1.3);
@@ -86,8 +86,7 @@ fn rate_is_force_and_velocity(#[values(0.0, 0.3, 17.0)] t: f64) {
     assert_eq!(undriven.force(t, z), driven.damped().force(t, z));
 }
 
-/// The tangent is the derivative of the rate, and what it grows into over a period is the
-/// derivative of the map.
+/// The variational equation, integrated over a period, gives the derivative of the map.
 ///
 /// Catches: sin for cos in the derivative, damping with the wrong sign or left out, rows and
 /// columns exchanged.
@@ -99,7 +98,7 @@ fn neighbours_move_as_the_variational_equation_says() {
     let (end, monodromy) = monodromy(&strobe, z, 2);
     assert_eq!(end, strobe.map(strobe.map(z)));
     // A central difference, δ = 1e-5: truncation δ²/6 times a third derivative of order 100, 2e-9;
-    // rounding 2000 ε/δ = 4e-8 at worst, in practice its root.
+    // rounding 2000 ε/δ = 4e-8 at worst, √2000 ε/δ = 1e-9 as a random walk.
     let delta = 1e-5;
     for (column, nudge) in [
         (monodromy.of_theta, Phase { theta: delta, omega: 0.0 }),
@@ -113,10 +112,10 @@ fn neighbours_move_as_the_variational_equation_says() {
 }
 
 /// Liouville's formula: the determinant is exp(−2β · 2π/Ω) on every path, periodic or not. RK4's
-/// map has it to O(h⁴).
+/// map satisfies it to O(h⁴).
 ///
-/// Catches: damping missing from rate or tangent, a period that is not the drive's, a drive that
-/// leaks into the tangent.
+/// Catches: damping missing from rate or tangent, a period that is not the drive's, a drive term in
+/// the tangent.
 #[test]
 fn area_shrinks_by_the_same_factor_on_every_path() {
     let driven = Driven::taylor(1.2).unwrap();
@@ -126,40 +125,42 @@ fn area_shrinks_by_the_same_factor_on_every_path() {
             let (_, monodromy) = monodromy(&seen(&driven, steps), z, 1);
             monodromy.determinant() / driven.contraction() - 1.0
         });
-        // (ω₀h)⁵/120 a step, times 100 steps: 6e-5 at worst; and 16 times smaller with half the
-        // step, give or take the next order.
-        near("RK4's determinant", errors[0], 0.0, 6e-5).unwrap();
+        // (λh)⁵/120 a step for each eigenvalue λ of the linearised equation. They are largest at the
+        // top, β ∓ √(β² + ω₀²) with β = ω₀/4: 3.7 (ω₀h)⁵/120, times 100 steps, 2.3e-5 at worst; and
+        // about 16 times smaller with half the step.
+        near("RK4's determinant", errors[0], 0.0, 2.3e-5).unwrap();
         near("and its order", (errors[0] / errors[1]).abs().log2(), 4.0, 0.5).unwrap();
     }
 }
 
-/// Taylor's pendulum doubles its period where it is known to: γ₁ = 1.066372862 and γ₂ =
-/// 1.079313906, to their last digit.
+/// Taylor's pendulum doubles its period at the known values: γ₁ = 1.066372862 and γ₂ = 1.079313906,
+/// to their last digit.
 ///
-/// Catches: whatever changes the equation of motion in the fifth digit; an orbit taken for another;
-/// a multiplier of another matrix.
+/// Catches: any change of the equation of motion in the fifth digit; the wrong orbit; a multiplier
+/// of another matrix.
 #[test]
 fn periods_double_where_they_should() {
     let [first, second] = doublings();
-    // Half a digit of the reference. RK4 at 1000 steps a period is off by 3e-11.
+    // Half a unit of the reference's last digit. RK4 at 1000 steps a period is off by 3e-11.
     near("γ₁", first.strength, 1.066372862, 6e-10).unwrap();
     near("γ₂", second.strength, 1.079313906, 6e-10).unwrap();
     for (Doubling { strength, orbit }, periods) in [(first, 1), (second, 2)] {
         let driven = Driven::taylor(strength).unwrap();
         let contraction = driven.contraction().powi(periods);
-        // RK4's determinant is off by (ω₀h)⁵/120 a step, times 1000 steps: 6e-9 relative.
-        near("det", orbit.monodromy.determinant() / contraction, 1.0, 2e-8).unwrap();
+        // RK4's determinant is off by 3.7 (ω₀h)⁵/120 a step, as in the test above, times
+        // 1000 steps a period and up to two periods.
+        near("det", orbit.monodromy.determinant() / contraction, 1.0, 4.6e-9).unwrap();
         near("(μ₁ + 1)(μ₂ + 1)", orbit.monodromy.characteristic(-1.0), 0.0, 1e-9).unwrap();
-        // One multiplier is −1, and so the other is −det.
+        // One multiplier is −1, so the other is −det.
         near("μ₁ + μ₂", orbit.monodromy.trace(), -1.0 - contraction, 1e-8).unwrap();
         near("|μ|", orbit.monodromy.largest_modulus(), 1.0, 1e-8).unwrap();
         assert_eq!(orbit.periods, periods as u32);
     }
 }
 
-/// On either side of γ₁ a motion settles on a cycle of one or of two periods.
+/// Below γ₁ a motion settles on a cycle of one period, above it on one of two periods.
 ///
-/// Catches: a Newton search that finds something other than what a motion does.
+/// Catches: a Newton search that finds an orbit other than the attracting one.
 #[test]
 fn the_orbit_that_newton_finds_is_the_one_that_attracts() {
     for (strength, periods, modulus) in [(1.060, 1, 0..1), (1.070, 2, 0..1), (1.070, 1, 1..9)] {
@@ -175,13 +176,13 @@ fn the_orbit_that_newton_finds_is_the_one_that_attracts() {
             near("Newton's θ", orbit.point.theta, settled.theta, 1e-9).unwrap();
             assert!(size < 1.0, "attracts at {strength}: {size}");
         } else {
-            // The cycle of one period is still there, and repels.
+            // The cycle of one period still exists, but repels.
             assert!(size > 1.0, "repels at {strength}: {size}");
             assert!((orbit.point.theta - settled.theta).abs() > 1e-3);
         }
     }
-    // From nowhere it leads nowhere; and where the orbit of one period attracts on both sides, it
-    // does not double.
+    // A NaN start gives no orbit; and where the orbit of one period attracts at both ends of the
+    // bracket, there is no doubling.
     let driven = Driven::taylor(1.06).unwrap();
     assert_eq!(periodic_orbit(&seen(&driven, 100), Phase::at_rest(f64::NAN), 1), None);
     assert!(doubling(1, (1.06, 1.065), 100).is_none());
@@ -190,8 +191,8 @@ fn the_orbit_that_newton_finds_is_the_one_that_attracts() {
 /// On a cycle the largest Lyapunov exponent is the logarithm of its larger multiplier, over the
 /// period.
 ///
-/// Catches: a logarithm of the wrong base, a period forgotten, a neighbour that is not brought
-/// back, a norm's own growth counted.
+/// Catches: a logarithm of the wrong base, a period forgotten, a neighbour that is not rescaled, a
+/// change of the norm itself counted.
 #[rstest]
 #[case::one_period(1.060, 1)]
 #[case::two_periods(1.070, 2)]
@@ -203,13 +204,13 @@ fn the_exponent_of_a_cycle_is_that_of_its_multiplier(#[case] strength: f64, #[ca
     let expected = orbit.monodromy.largest_modulus().ln() / f64::from(periods);
     let watch = Watch { settling: 100, blocks: 4, periods: 10 };
     let exponent = largest_exponent(&strobe, start, watch);
-    // The start is on the cycle to 1e-9 or better, and the modulus is as smooth.
+    // The start is on the cycle to 1e-9 or better, and the modulus depends smoothly on it.
     near("λ", exponent.value, expected, 1e-7).unwrap();
     near("its error", exponent.error, 0.0, 1e-7).unwrap();
 }
 
-/// At γ = 1.105 neighbours part. Two neighbours at a finite distance, without a tangent anywhere,
-/// part as quickly; and the error bar means what it says: four runs scatter as it claims.
+/// At γ = 1.105 the exponent is positive. Two neighbours at a finite distance, without the
+/// variational equation, separate at the same rate; and four runs scatter as the error bars say.
 ///
 /// Catches: an exponent of the wrong sign or unit, an error bar too small by the root of the number
 /// of blocks.
@@ -218,7 +219,8 @@ fn chaos_has_a_positive_exponent_with_an_honest_error_bar() {
     let driven = Driven::taylor(CHAOTIC).unwrap();
     let strobe = seen(&driven, COARSE);
     let watch = Watch { settling: 50, blocks: 20, periods: 25 };
-    // All four on the same attractor, 700 periods apart: from elsewhere there is a quiet one too.
+    // All four on the same attractor, 700 periods apart: there is a regular one too, for other
+    // starts.
     let mut start = attractor(&driven);
     let exponents = [0, 1, 2, 3].map(|_| {
         start = (0..700).fold(start, |z, _| strobe.map(z));
@@ -228,14 +230,14 @@ fn chaos_has_a_positive_exponent_with_an_honest_error_bar() {
     let scatter =
         exponents.iter().map(|exponent| (exponent.value - mean).powi(2)).sum::<f64>() / 3.0;
     let bars = exponents.iter().map(|exponent| exponent.error.powi(2)).sum::<f64>() / 4.0;
-    // χ² of three degrees of freedom is between 0.03 and 16 times a third with 99.8 % each way.
+    // A third of χ² with three degrees of freedom: χ² is above 0.03 and below 16 with 99.8 % each.
     let ratio = scatter / bars;
     assert!((0.01..5.5).contains(&ratio), "scatter {scatter:e}, bars {bars:e}");
     let error = (bars / 4.0).sqrt();
     assert!(mean > 20.0 * error, "{mean} ± {error}");
 
-    // Two neighbours 1e-8 apart, brought back each period: no tangent. 500 periods, and as
-    // uncertain as one run.
+    // Two neighbours, rescaled to a distance of 1e-8 each period: no variational equation. 500
+    // periods, as uncertain as one run.
     let (mut one, mut sum) = (attractor(&driven), 0.0);
     let mut other = one + Phase { theta: 1e-8, omega: 0.0 };
     for _ in 0..500 {
@@ -245,11 +247,11 @@ fn chaos_has_a_positive_exponent_with_an_honest_error_bar() {
         sum += size.ln();
         other = one + apart * (1.0 / size);
     }
-    // Four standard errors of the difference of one run and the mean of four.
+    // Four standard errors of the difference between one run and the mean of four.
     near("λ by neighbours", sum / 500.0, mean, 4.0 * (bars * 1.25).sqrt()).unwrap();
 }
 
-/// Catches: an orbit of the section that is not on the attractor, angles that are not wrapped,
+/// Catches: points of the section that are not on the attractor, angles that are not wrapped,
 /// states between periods.
 #[test]
 fn the_poincare_section_is_a_motion_seen_once_a_period() {
@@ -266,9 +268,9 @@ fn the_poincare_section_is_a_motion_seen_once_a_period() {
     }
 }
 
-/// The secant finds zeros to the last bits, and says no where there is none.
+/// The secant method finds zeros to the last bits, and returns `None` where there is none.
 ///
-/// Catches: a bracket that is lost, a loop that does not end, a sign taken for a zero.
+/// Catches: a bracket that is lost, a loop that does not end, a sign change taken for a zero.
 #[test]
 fn roots_are_found_to_the_last_bits() {
     near("√2", root(|x| Some(x * x - 2.0), 0.0, 2.0).unwrap(), 2.0_f64.sqrt(), 4e-16).unwrap();
@@ -278,7 +280,7 @@ fn roots_are_found_to_the_last_bits() {
     near("flat", root(|x| Some((x - 0.3).powi(9)), -1.0, 5.0).unwrap(), 0.3, 1e-3).unwrap();
     near("a step", root(|x| Some(if x < 0.7 { -1.0 } else { 1e9 }), 0.0, 1.0).unwrap(), 0.7, 4e-16)
         .unwrap();
-    // So low on one side that the secant falls on the end itself, which is no zero.
+    // So low on one side that the secant falls on the end itself, which is not a zero.
     for way in [1.0, -1.0] {
         let low = |x: f64| Some(if way * x < 0.3 { -1.0 } else { 1e-300 });
         near("a low step", root(low, 0.0, way).unwrap(), 0.3 * way, 4e-16).unwrap();
@@ -291,7 +293,7 @@ fn roots_are_found_to_the_last_bits() {
     assert_eq!(root(|x| (x < 0.5).then_some(-1.0), 0.0, 1.0), None);
 }
 
-/// Catches: a search that goes on when nothing is left to find.
+/// Catches: a search that continues after it has converged.
 #[test]
 fn a_root_takes_few_evaluations() {
     let mut asked = 0;
@@ -300,30 +302,30 @@ fn a_root_takes_few_evaluations() {
         Some(x * x - 2.0)
     };
     assert!(root(square, 0.0, 2.0).is_some());
-    // The secant's order is 1.6: eight or nine to sixteen digits, the two ends, one that confirms,
-    // and Illinois' delays.
+    // The secant method's order is 1.6: eight or nine evaluations to sixteen digits, the two ends,
+    // one that confirms, and the extra steps of the Illinois rule.
     assert!((8..16).contains(&asked), "{asked}");
 }
 
-/// Two blocks differ from their mean by half of their difference, and that is its standard error.
+/// Two blocks differ from their mean by half their difference, which is its standard error.
 ///
-/// Catches: an error bar that is off by the root of a block more or less.
+/// Catches: an error bar with the wrong number of blocks under the root.
 #[test]
 fn the_error_bar_of_two_blocks_is_half_their_difference() {
     let driven = Driven::taylor(CHAOTIC).unwrap();
     let (strobe, start) = (seen(&driven, COARSE), attractor(&driven));
     let over = |blocks| largest_exponent(&strobe, start, Watch { settling: 5, blocks, periods: 3 });
     let (one, two) = (over(1).value, over(2));
-    // The second block is what the mean of both has beyond the first. All three are of order 1, and
+    // The mean of both differs from the first by half their difference. All are of order 1, and
     // rounded a few times.
     near("standard error", two.error, (two.value - one).abs(), 1e-14).unwrap();
     assert!(two.error > 1e-3 && over(1).error.is_nan());
 }
 
-/// Störmer–Verlet beside RK4, whose error is nothing here. Its own shifts the phase by (hω₀)²/24 of
-/// ω₀t: 3e-7, of a swing of 1 rad and 1.6 rad/s. With a margin of 10.
+/// Störmer–Verlet against RK4, whose error is negligible here. Verlet's shifts the phase by
+/// (hω₀)²/24 of ω₀t: 3e-7, of a swing of 1 rad and 1.6 rad/s. With a margin of 10.
 ///
-/// Catches: a kick or a drift that forgets the state, or the friction.
+/// Catches: a kick or a drift that ignores the state, or the friction.
 #[test]
 fn kicks_and_drifts_are_the_same_motion() {
     let (driven, grid) = (driven(0.8), Grid::new(0.001, 2000).unwrap());
@@ -334,13 +336,15 @@ fn kicks_and_drifts_are_the_same_motion() {
     assert!(off.theta.abs() < 3e-6 && off.omega.abs() < 5e-6, "{off:?}");
 }
 
-/// Catches: a number that is told and is not the one in use; area that shrinks by another factor.
+/// Catches: a getter that returns another number than the one used; area that shrinks by another
+/// factor.
 #[test]
 fn a_drive_is_what_it_was_made_of() {
     let driven = driven(0.7);
     assert_eq!((driven.strength(), driven.frequency(), driven.damped().damping()), (0.7, 1.1, 0.4));
     let period = 2.0 * std::f64::consts::PI / 1.1;
-    // A quotient is rounded; and e^−4.57 = 0.0104, whose exponent is rounded by 4e-16, to 5e-18.
+    // The quotient is rounded; and so is e^−4.57 = 0.0104, with an exponent rounded by 4e-16:
+    // 5e-18.
     near("period", driven.period(), period, 1e-15 * period).unwrap();
     near("contraction", driven.contraction(), (-0.8 * period).exp(), 1e-16).unwrap();
 }
@@ -349,13 +353,13 @@ fn a_drive_is_what_it_was_made_of() {
 #[test]
 fn a_stroboscope_has_the_period_of_the_drive() {
     let driven = driven(0.8);
-    // A step is the period over their number, rounded, and so many of them are summed in one
-    // product.
+    // The step is the period over the number of steps, rounded; the period is their product,
+    // rounded again.
     near("period", seen(&driven, COARSE).period(), driven.period(), 1e-15 * driven.period())
         .unwrap();
 }
 
-/// Catches: NaN let in, a drive without a period, a refusal that does not say why.
+/// Catches: NaN accepted, a drive without a period, an error that does not give the reason.
 #[test]
 fn impossible_drives_are_refused() {
     let damped = *driven(1.0).damped();

@@ -1,5 +1,4 @@
-//! What is read from the matrix that carries the neighbours of a periodic orbit once round it, on
-//! matrices made by hand.
+//! The quantities computed from the monodromy matrix of a periodic orbit, on matrices made by hand.
 
 use pendula::Phase;
 use pendula::dynamics::{Monodromy, PeriodicOrbit, period_doubling};
@@ -9,15 +8,15 @@ const fn matrix([a, b]: [f64; 2], [c, d]: [f64; 2]) -> Monodromy {
     Monodromy { of_theta: Phase { theta: a, omega: c }, of_omega: Phase { theta: b, omega: d } }
 }
 
-/// Multipliers 3 and 1/2, in a triangle.
+/// An upper triangular matrix with the multipliers 3 and 1/2.
 const SADDLE: Monodromy = matrix([3.0, 5.0], [0.0, 0.5]);
 
-/// A turn by 90° that shrinks lengths by half: ± i/2.
+/// A rotation by 90° that halves lengths: multipliers ± i/2.
 const FOCUS: Monodromy = matrix([0.0, -0.5], [0.5, 0.0]);
 
 /// Powers of two throughout: nothing is rounded.
 ///
-/// Catches: a sign in the determinant, s + s or 1 for s².
+/// Catches: a wrong sign in the determinant, s + s or 1 for s².
 #[test]
 fn the_characteristic_polynomial_vanishes_at_the_multipliers() {
     assert_eq!((SADDLE.trace(), SADDLE.determinant()), (3.5, 1.5));
@@ -26,7 +25,8 @@ fn the_characteristic_polynomial_vanishes_at_the_multipliers() {
     assert_eq!([0.0, 1.0, 2.0].map(|s| FOCUS.characteristic(s)), [0.25, 1.25, 4.25]);
 }
 
-/// Catches: a complex pair without a modulus, the smaller of two, a negative one taken for small.
+/// Catches: no modulus for a complex pair, the smaller of two, a negative multiplier taken for
+/// small.
 #[test]
 fn the_largest_modulus_is_that_of_either_kind() {
     assert_eq!(SADDLE.largest_modulus(), 3.0);
@@ -41,15 +41,15 @@ fn orbit(parameter: f64) -> Option<PeriodicOrbit> {
     Some(PeriodicOrbit { point: Phase::default(), periods: 1, monodromy })
 }
 
-/// Catches: a doubling at either end that is not seen, one that is not there.
+/// Catches: a doubling missed at either end of the bracket, one found where there is none.
 #[test]
 fn a_period_doubles_where_a_multiplier_is_minus_one() {
     let doubling = |low, high| period_doubling(|at, _| orbit(at), Phase::default(), (low, high), 4);
     assert_eq!(doubling(1.0, 2.0), Some(1.0));
     assert_eq!(doubling(0.5, 1.0), Some(1.0));
     assert_eq!(doubling(1.0, 0.5), Some(1.0));
-    // What is brought to zero, 3/2 (1 − `parameter`), is a sum of numbers of order 1, and rounded
-    // as they are.
+    // The function whose root is found, 3/2 (1 − `parameter`), is a sum of numbers of order 1, and
+    // rounded as they are.
     let between = doubling(0.3, 1.9).unwrap();
     assert!((between - 1.0).abs() <= 2.0 * f64::EPSILON, "{between}");
     assert_eq!(doubling(0.3, 0.9), None);

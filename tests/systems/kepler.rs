@@ -1,5 +1,5 @@
-//! A planet: what every method must do on a second Hamiltonian, with an angular momentum beside the
-//! energy.
+//! A planet: every method on a second Hamiltonian, which conserves an angular momentum as well as
+//! the energy.
 
 use std::f64::consts::PI;
 
@@ -16,15 +16,15 @@ use rstest_reuse::apply;
 
 use crate::common::each_general_method;
 
-/// μ ≠ 1, a ≠ 1: no dimension can hide. e is moderate, so that a ladder of even steps is in its
-/// asymptotic regime.
+/// μ ≠ 1, a ≠ 1, so that a missing factor shows. e is moderate, so that a ladder of even steps is
+/// in its asymptotic regime.
 fn planet(e: f64) -> (Kepler, Ellipse) {
     let centre = Kepler::new(2.0).unwrap();
     (centre, Ellipse::new(&centre, 1.3, e).unwrap())
 }
 
-/// The exact motion obeys the equation of motion, keeps what it must, and is where Kepler's laws
-/// put it.
+/// The exact motion conserves energy, angular momentum and the eccentricity vector, and obeys
+/// Kepler's laws.
 ///
 /// Catches: an anomaly that has not converged, e for e², a velocity that is not the position's
 /// derivative.
@@ -44,7 +44,7 @@ fn the_ellipse_is_the_motion(#[values(0.0, 0.3, 0.9, 0.9999)] e: f64) {
         assert_abs_diff_eq!(towards.x, e, epsilon = 1e-14 * loss);
         assert_abs_diff_eq!(towards.y, 0.0, epsilon = 1e-14 * loss);
     }
-    // Kepler's third law, and half a revolution away the apocentre.
+    // Kepler's third law, and the apocentre after half a revolution.
     assert_abs_diff_eq!(
         ellipse.period(),
         2.0 * PI * (1.3_f64.powi(3) / 2.0).sqrt(),
@@ -56,18 +56,18 @@ fn the_ellipse_is_the_motion(#[values(0.0, 0.3, 0.9, 0.9999)] e: f64) {
     assert_eq!(ellipse.at(0.0).y, 0.0);
 }
 
-/// Against the equation of motion itself: a fine RK4 ends where the ellipse does.
+/// The closed form against the equation of motion, integrated by RK4 in fine steps.
 ///
-/// Catches: a closed form and a force that are wrong alike, such as μ for μ²; a planet that goes
-/// the other way round.
+/// Catches: a closed form and a force that disagree, such as μ for μ²; a planet that goes the other
+/// way round.
 #[test]
 fn the_ellipse_solves_the_equation() {
     let (centre, ellipse) = planet(0.3);
     let grid = Grid::new(0.0005, 6000).unwrap();
     let end = integrate(&centre, &Rk4, ellipse.at(0.4), &grid, &mut ());
     let exact = ellipse.at(3.4);
-    // (nh)⁴ = 8e-14 over 120, times e's (1 − e)⁻⁵ = 6 and 3 rad of travel; rounding 6000 ε as a
-    // walk 2e-14.
+    // (nh)⁴ = 5e-14 over 120, times (1 − e)⁻⁵ = 6 for the eccentricity and 3 rad of travel; 6000
+    // roundings of ε as a random walk, 2e-14.
     for (value, exact) in
         [(end.x, exact.x), (end.y, exact.y), (end.vx, exact.vx), (end.vy, exact.vy)]
     {
@@ -75,8 +75,8 @@ fn the_ellipse_solves_the_equation() {
     }
 }
 
-/// The largest distance from the exact motion in a run of `steps` steps, of a duration that is no
-/// part of the period.
+/// The largest distance from the exact motion in a run of `steps` steps, whose duration does not
+/// divide the period.
 fn largest_error<M: Method<Kepler>>(method: &M, steps: u64) -> f64 {
     let (centre, ellipse) = planet(0.2);
     let grid = Grid::new(3.7 / steps as f64, steps).unwrap();
@@ -93,18 +93,18 @@ fn largest_error<M: Method<Kepler>>(method: &M, steps: u64) -> f64 {
 /// 0.03.
 const SLOPE_TOLERANCE: f64 = 0.05;
 
-/// Beyond order 4, of a method that is not symmetric, the second term is this many times x of the
-/// first or less, where x is the step times √(μ/r³) at the pericentre, where that is largest: those
-/// methods are made for a first term that is small. Of DOP853, whose first is the smallest, it is 3
-/// x.
+/// Beyond order 4, for a method that is not symmetric, the second term is at most this many times x
+/// of the first, where x is the step times √(μ/r³) at the pericentre, where that is largest: those
+/// methods are designed for a small first term. For DOP853, whose first term is the smallest, it is
+/// 3 x.
 const SECOND_TERM: f64 = 4.0;
 
-/// Order on a system that is not the pendulum: every method has its own here too. The ladder
-/// descends until rounding shows, by rungs on which the error falls by 16, or by 2 to the power of
-/// the order if that is less; its two finest slopes count.
+/// Every method has its order on this system too. The ladder refines the step until rounding shows,
+/// by rungs on which the error falls by 16, or by 2 to the power of the order if that is less; its
+/// two finest slopes count.
 ///
-/// Beyond order 8 the steps above rounding are not short against the time in which the motion
-/// changes: rungs on which the error falls by 2¹⁶, of which there is one, and errors that are
+/// Beyond order 8 the steps with errors above rounding are not short compared with the time scale
+/// of the motion: the error falls by 2¹⁶ from rung to rung, only one slope counts, and errors are
 /// within a factor of two of their first term.
 ///
 /// Catches: a coefficient that happens to be right for a force in one dimension, or for one that is
@@ -116,10 +116,10 @@ fn each_method_has_its_order<M: Method<Kepler> + Info>(#[case] method: M) {
     let is_fine = info.order > 8;
     let (shortest, powers): (f64, f64) = if is_fine { (3.0, 16.0) } else { (8.0, 4.0) };
     let rung = |k: i32| (shortest * (powers / order).min(1.0).exp2().powi(k)).round();
-    // Each evaluation of a step rounds x, y and two velocities by 2.2e-16 of a few units: at the
-    // worst 4 · 2.2e-16 of each of N steps. Twice that bends a slope by less than a half, and is
-    // met only if all roundings go one way. An implicit method adds to the state once, slopes whose
-    // weights add up to one.
+    // Each evaluation of a step rounds x, y and two velocities by 2.2e-16 of a few units: at worst
+    // 4 · 2.2e-16 in each of N steps. Twice that bends a slope by less than a half, and is reached
+    // only if all roundings have the same sign. An implicit method adds to the state once, slopes
+    // whose weights add up to one.
     let additions = if info.implicit { 1 } else { info.force_evaluations };
     let floor = |n: f64| 8.0 * 2.2e-16 * n * additions as f64;
     let ladder: Vec<(f64, f64)> = (0..)
@@ -159,19 +159,19 @@ fn momentum_drift<M: Method<Kepler>>(method: &M) -> f64 {
 }
 
 /// Kicks along r and drifts along v leave r × v alone, and Gauss's methods keep every conserved
-/// square of the state (Hairer, Lubich, Wanner, *Geometric Numerical Integration*, Theorem IV.2.1):
-/// each symplectic method keeps the angular momentum to rounding, at a step so coarse that
-/// Störmer–Verlet's energy is off by per cents. The others change it at every step.
+/// quadratic form of the state (Hairer, Lubich, Wanner, *Geometric Numerical Integration*, Theorem
+/// IV.2.1): each symplectic method keeps the angular momentum to rounding, at a step so coarse that
+/// Störmer–Verlet's energy is off by several per cent. The others change it at every step.
 ///
-/// Catches: a force that is not central, a kick that moves, a drift that kicks; a method that only
-/// seems to be symplectic.
+/// Catches: a force that is not central, a kick that changes the position, a drift that changes the
+/// velocity; a method wrongly declared symplectic.
 #[apply(each_general_method)]
 fn symplectic_methods_and_no_others_keep_the_angular_momentum<M>(#[case] method: M)
 where
     M: Method<Kepler> + Info,
 {
-    // Each kick and each drift, or each sweep, rounds x v_y by ε of itself a few times: a walk of
-    // 10 000 steps of s stages, 100 √s · 4ε, with a margin of three.
+    // Each kick and each drift, or each sweep, rounds x v_y by ε of itself a few times: a random
+    // walk of 10 000 steps of s stages, 100 √s · 4ε, with a margin of three.
     let info = method.info();
     let rounding =
         3.0 * 100.0 * f64::from(info.force_evaluations as u32).sqrt() * 4.0 * f64::EPSILON;
@@ -179,11 +179,11 @@ where
     assert_eq!(drift < rounding, info.symplectic, "{drift:e}, {rounding:e}");
 }
 
-/// The energy of a symplectic method oscillates between fixed bounds: a hundred revolutions reach
-/// no further than ten.
+/// The energy of a symplectic method oscillates between fixed bounds: its error is no larger over a
+/// hundred revolutions than over ten.
 ///
-/// Catches: forward Euler posing as symplectic, for which a single period would do; a secular
-/// drift.
+/// Catches: forward Euler in place of a symplectic method, which shows in a single period; a
+/// secular drift.
 #[test]
 fn the_energy_is_bounded() {
     let (centre, ellipse) = planet(0.5);
@@ -194,22 +194,20 @@ fn the_energy_is_bounded() {
         drift.largest()
     };
     let (short, long) = (drift(10), drift(100));
-    // The precession of 100 revolutions, 100 · 3.9e-3 rad, moves the samples along the ellipse; the
-    // bound is smooth.
+    // The precession over 100 revolutions, 100 · 3.9e-3 rad, shifts the samples along the ellipse,
+    // where the energy error changes smoothly.
     assert!(long < 1.01 * short, "{short:e} grew to {long:e}");
-    // From the pericentre r: h² (μ v²/12r³ − μ²/24r⁴) = h² μ²(1 + 2e)/(24 r⁴), and little of it
-    // elsewhere.
+    // At the pericentre r: h² (μ v²/12r³ − μ²/24r⁴) = h² μ²(1 + 2e)/(24 r⁴); little elsewhere.
     let r = 1.3 * 0.5;
     let h = ellipse.period() / 200.0;
     let bound = h * h * 4.0 * 2.0 / (24.0 * f64::powi(r, 4));
     assert!((0.8..1.1).contains(&(short / bound)), "{short:e} of {bound:e}");
 }
 
-/// Störmer–Verlet turns the pericentre by −(π/8)(nh)²(4 + e²)/(1 − e²)³ a revolution, but for
-/// O(h⁴).
+/// Störmer–Verlet turns the pericentre by −(π/8)(nh)²(4 + e²)/(1 − e²)³ + O(h⁴) a revolution.
 ///
-/// Catches: the position form, whose law is another; half a kick too much, which leaves energy
-/// bounded and momentum kept.
+/// Catches: the position form, which has another law; half a kick too many, with which energy is
+/// still bounded and momentum kept.
 #[rstest]
 fn verlet_turns_the_ellipse_as_its_law_says(#[values(0.1, 0.4, 0.6)] e: f64) {
     let (centre, ellipse) = planet(e);
@@ -217,14 +215,14 @@ fn verlet_turns_the_ellipse_as_its_law_says(#[values(0.1, 0.4, 0.6)] e: f64) {
         let law = verlet_precession(&ellipse, ellipse.period() / steps as f64);
         precession(&centre, &ellipse, steps) / law - 1.0
     });
-    // The next order is (nh)² times 10 or so times (1 − e²)⁻³ of the first; and falls with the
-    // square of the step.
+    // The next order is about 10 (nh)² (1 − e²)⁻³ of the first, and falls with the square of the
+    // step.
     let next = 4e-5 * 10.0 / (1.0 - e * e).powi(3);
     assert!(errors[0].abs() < next, "{errors:?}");
     assert!(errors[1].abs() < 0.3 * errors[0].abs(), "{errors:?}");
 }
 
-/// Catches: a rate that is not the force and the velocity, a count that misses one of the two.
+/// Catches: a rate that is not the velocity and the force, a count that misses one of the two.
 #[test]
 fn rate_is_force_and_velocity() {
     let (centre, _) = planet(0.0);
@@ -242,7 +240,7 @@ fn rate_is_force_and_velocity() {
     assert!(centre.energy(far).abs() < 1e-299, "zero far away");
 }
 
-/// Catches: a number that is told and is not the one in use.
+/// Catches: a getter that returns another number than the one used.
 #[test]
 fn an_orbit_is_what_it_was_made_of() {
     let centre = Kepler::new(2.5).unwrap();
@@ -251,7 +249,7 @@ fn an_orbit_is_what_it_was_made_of() {
     assert_eq!((ellipse.semi_major(), ellipse.eccentricity()), (1.75, 0.375));
 }
 
-/// Catches: a hyperbola taken for an ellipse, NaN let in, a refusal that does not say why.
+/// Catches: a hyperbola taken for an ellipse, NaN accepted, an error that does not give the reason.
 #[test]
 fn impossible_orbits_are_refused() {
     for attraction in [0.0, -1.0, f64::NAN] {

@@ -1,4 +1,4 @@
-//! The pendulum on a shaken pivot: where it stands on its head, and where it does not.
+//! The pendulum on a shaken pivot: where the upright is stable, and where it is not.
 
 use std::f64::consts::PI;
 
@@ -12,14 +12,14 @@ use pendula_study::experiments::beyond::{Boundary, upright};
 use pendula_study::theory::mathieu::{a0, b1};
 use rstest::rstest;
 
-/// L ≠ 1, m ≠ 1: no dimension can hide.
+/// L ≠ 1, m ≠ 1, so that a missing factor shows.
 fn pendulum() -> Pendulum {
     Pendulum::new(9.81, 0.8, 1.7).unwrap()
 }
 
-/// The series of DLMF 28.6(i), to as many terms as it gives.
+/// The series of DLMF 28.6(i), with all the terms given there.
 ///
-/// Catches: a matrix with a wrong corner, rows too few, an eigenvalue other than the smallest.
+/// Catches: a matrix with a wrong corner, too few rows, an eigenvalue other than the smallest.
 #[rstest]
 fn mathieus_curves_begin_as_their_series(#[values(0.0, 0.05, 0.1, 0.2)] q: f64) {
     let s = q * q;
@@ -29,15 +29,15 @@ fn mathieus_curves_begin_as_their_series(#[values(0.0, 0.05, 0.1, 0.2)] q: f64) 
     assert_abs_diff_eq!(a0(q), even, epsilon = 2e-3 * s.powi(5) + 1e-15);
     let odd = 1.0 - q - s / 8.0 + q * s / 64.0 - s * s / 1536.0 - 11.0 * q * s * s / 36864.0
         + 49.0 * s.powi(3) / 589824.0;
-    // That of b₁, q⁷: its coefficients fall as 16⁻ⁿ or so; 1e-4 is generous.
+    // The next term of b₁ is in q⁷: its coefficients fall about as 16⁻ⁿ; 1e-4 is generous.
     assert_abs_diff_eq!(b1(q), odd, epsilon = 1e-4 * q.powi(7) + 1e-15);
 }
 
-/// RK4 at 1000 steps a period: (2π/1000)⁴/120 · 2π = 8e-11 of Ω in the multipliers, and half a
-/// dozen times that in an amplitude where they depend on it least.
+/// RK4 at 1000 steps a period: (2π/1000)⁴/120 · 2π = 8e-11 of Ω in the multipliers, and up to about
+/// six times that in the amplitude, where they depend on it least.
 const AMPLITUDE: f64 = 1e-9;
 
-/// Both boundaries, found by the monodromy matrix, are Mathieu's, for slow and fast shaking.
+/// Both boundaries, found from the monodromy matrix, are Mathieu's, for slow and fast shaking.
 ///
 /// Catches: aΩ for aΩ², a/L for 2a/L, g·L for g/L, Ωt for Ωt/2, a multiplier of the hanging
 /// pendulum.
@@ -54,8 +54,8 @@ fn the_upright_is_stable_between_mathieus_curves(#[values(20.0, 60.0, 400.0)] fr
 
 /// (aΩ)²/(2gL) → 1: on the curve a = −q²/2 + 7q⁴/128 it is 1 + 7q²/64, where q² = 8g/(LΩ²).
 ///
-/// Catches: the same mistake in the matrix and in the monodromy; Kapitza's condition with gL for
-/// 2gL.
+/// Catches: the same mistake in Mathieu's matrix and in the monodromy; Kapitza's condition with gL
+/// for 2gL.
 #[rstest]
 fn fast_shaking_needs_kapitzas_speed(#[values(100.0, 400.0)] frequency: f64) {
     let pendulum = pendulum();
@@ -68,13 +68,13 @@ fn fast_shaking_needs_kapitzas_speed(#[values(100.0, 400.0)] frequency: f64) {
     assert_abs_diff_eq!(ratio, 1.0 + 7.0 * square / 64.0, epsilon = tolerance);
 }
 
-/// No shaking slower than some Ω holds it: the two curves meet.
+/// Below a certain Ω no amplitude stabilises the upright: the two curves meet.
 #[test]
 fn slow_shaking_never_holds_it() {
     assert_eq!(upright(&pendulum(), 2.0, Boundary::Falling, 1000), None);
 }
 
-/// The farthest from the upright, in 30 s after a release at rest 0.05 rad off it.
+/// The largest angle from the upright (rad) in 30 s after a release at rest 0.05 rad from it.
 fn farthest(shaken: &Shaken) -> f64 {
     let step = shaken.period() / 100.0;
     let grid = Grid::new(step, (30.0 / step) as u64).unwrap();
@@ -85,10 +85,10 @@ fn farthest(shaken: &Shaken) -> f64 {
     farthest
 }
 
-/// The nonlinear pendulum, started near the upright, stays there or leaves, as the linear boundary
-/// says on either side.
+/// On either side of each linear boundary the nonlinear pendulum, started near the upright, stays
+/// there or leaves as predicted.
 ///
-/// Catches: a boundary that only the linearised equation knows; a gravity that points upwards.
+/// Catches: a boundary that holds for the linearised equation only; a gravity that points upwards.
 #[test]
 fn it_stands_on_its_head_between_the_boundaries_only() {
     let frequency = 60.0;
@@ -102,9 +102,10 @@ fn it_stands_on_its_head_between_the_boundaries_only() {
     assert!(farthest(&shaken(0.0)) > 3.0, "falls over without shaking");
 }
 
-/// Undamped it keeps area, RK4's map to its order; and at rest the pivot leaves the pendulum.
+/// Without damping the motion preserves area, RK4's map to its order; and with a pivot at rest it
+/// is the plain pendulum.
 ///
-/// Catches: a friction that crept in; shaking that does not vanish with its amplitude.
+/// Catches: unintended friction; shaking that does not vanish with its amplitude.
 #[test]
 fn area_is_kept_and_a_still_pivot_changes_nothing() {
     let shaken = Shaken::new(pendulum(), 0.1, 60.0).unwrap();
@@ -121,8 +122,8 @@ fn area_is_kept_and_a_still_pivot_changes_nothing() {
 
 /// The force by hand, at two times: the pivot's acceleration is −aΩ² cos Ωt, and it adds to g.
 ///
-/// Catches: a sign of the shaking (which shifts it by half a period), sin for cos, a rate that is
-/// not the force.
+/// Catches: a wrong sign of the shaking (a shift by half a period), sin for cos, a rate that
+/// differs from the force.
 #[rstest]
 fn the_weight_is_gravity_and_the_pivots_acceleration(#[values(0.0, 0.013)] t: f64) {
     let shaken = Shaken::new(pendulum(), 0.1, 60.0).unwrap();
@@ -133,13 +134,13 @@ fn the_weight_is_gravity_and_the_pivots_acceleration(#[values(0.0, 0.013)] t: f6
     assert_eq!(shaken.rate(t, z), Phase { theta: z.omega, omega: shaken.force(t, z) });
     assert_eq!(shaken.kick(z, 2.0, 0.5), Phase { omega: z.omega + 1.0, ..z });
     assert_eq!(shaken.drift(z, 0.5), Phase { theta: 0.7 - 0.65, ..z });
-    // In τ = Ωt/2: 4/Ω² times the frequency_squared about the upright, −g/L + (aΩ²/L) cos 2τ.
+    // In τ = Ωt/2: 4/Ω² times the squared frequency about the upright, −g/L + (aΩ²/L) cos 2τ.
     let Mathieu { a, q } = shaken.mathieu();
     assert_abs_diff_eq!(a, -4.0 * 9.81 / (0.8 * 3600.0), epsilon = 1e-17);
     assert_abs_diff_eq!(q, 0.25, epsilon = 1e-16);
 }
 
-/// Catches: a number that is told and is not the one in use.
+/// Catches: a getter that returns another number than the one used.
 #[test]
 fn a_pivot_is_what_it_was_made_of() {
     let shaken = Shaken::new(pendulum(), 0.03, 70.0).unwrap();
@@ -147,7 +148,7 @@ fn a_pivot_is_what_it_was_made_of() {
     assert_eq!(shaken.pendulum(), &pendulum());
 }
 
-/// Catches: NaN let in, a refusal that does not say why.
+/// Catches: NaN accepted, an error that does not give the reason.
 #[test]
 fn impossible_shaking_is_refused() {
     for (amplitude, frequency, because) in [

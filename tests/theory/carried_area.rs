@@ -1,5 +1,4 @@
-//! What becomes of a square of phase space: its measured area against the determinants of the
-//! steps.
+//! The image of a square of phase space: its measured area against the determinants of the steps.
 
 use pendula::verify::area::{AREA_TOLERANCE as DETERMINANT, area_defect};
 use pendula::{AnyMethod, Grid, METHODS, Pendulum, Phase, method_named};
@@ -32,15 +31,15 @@ fn ratio_of_polygons(method: &str, side: u32, grid: &Grid) -> f64 {
     area(&images[6]) / area(&images[0])
 }
 
-/// The same without what lies between chords and arcs, which falls as the square of the number of
-/// points.
+/// The same, with the area between chords and arcs, which falls as the inverse square of the number
+/// of points, removed by extrapolation.
 fn measured_ratio(method: &str, grid: &Grid) -> f64 {
     let ratio = |side| ratio_of_polygons(method, side, grid);
     let (coarse, fine) = (ratio(SIDE), ratio(2 * SIDE));
     fine + (fine - coarse) / 3.0
 }
 
-/// The mean over the square of the product of the determinants along the way: the area of its image
+/// The product of the determinants along each path, averaged over the square: the area of its image
 /// over its own.
 fn ratio_by_determinants(method: &dyn AnyMethod, grid: &Grid) -> f64 {
     let (pendulum, h) = (pendulum(), grid.step());
@@ -62,17 +61,17 @@ fn ratio_by_determinants(method: &dyn AnyMethod, grid: &Grid) -> f64 {
 }
 
 /// Each of the six determinants is measured to twice `DETERMINANT`, as h² g/L is 0.3 here and not
-/// 0.1, and the product of the others is 3 at the most. What is left of the chords, 1e-7 before,
-/// falls once more as the square.
+/// 0.1, and the product of the others is at most 3. The error of the chords, 1e-7 before the
+/// extrapolation, is then of the next order, its square.
 const TOLERANCE: f64 = 6.0 * 2.0 * 3.0 * DETERMINANT;
 
 /// The smallest change of area of the paper's methods in these six steps is RK4's, a thousandth.
-/// The higher the order, the longer the step that shows one: beyond order 4 it is more than a
-/// hundred times what the measurement can see in six steps of 0.4 s, and of order 24 in six of 0.5
-/// s. The tolerance is the larger as h² g/L is.
+/// The higher the order, the longer the steps needed to show a change: beyond order 4 it is more
+/// than a hundred times the tolerance in six steps of 0.4 s, and at order 24 in six of 0.5 s. The
+/// tolerance grows in proportion to h² g/L.
 ///
-/// Catches: a ratio of another method, of another number of steps, or the wrong way round; a
-/// polygon whose points are out of order; an image taken at the wrong step.
+/// Catches: the ratio of another method or another number of steps, or its inverse; a polygon whose
+/// points are out of order; an image taken at the wrong step.
 #[apply(each_method)]
 fn the_image_of_a_square_is_as_large_as_the_determinants_say<M: AnyMethod>(#[case] method: M) {
     let info = method.info();
@@ -94,14 +93,14 @@ fn the_image_of_a_square_is_as_large_as_the_determinants_say<M: AnyMethod>(#[cas
     }
 }
 
-/// Catches: a sign that the measured determinants have wrong as well.
+/// Catches: a sign that is wrong both in the areas and in the determinants.
 #[test]
 fn forward_euler_grows_and_rk4_shrinks() {
     assert!(measured_ratio("forward-euler", &grid()) > 2.0);
     assert!(measured_ratio("rk4", &grid()) < 0.999);
 }
 
-/// The side is in rad; upwards it is ω₀ times as long, in rad/s. A sum of 4N products of numbers
+/// The side is in rad; along ω it is ω₀ times as long, in rad/s. A sum of 4N products of numbers
 /// below 1: N roundings.
 ///
 /// Catches: a corner counted twice or left out, the closing side forgotten, clockwise for
@@ -120,7 +119,7 @@ fn a_square_has_its_area() {
     }
 }
 
-/// A square and an arm to its left, a polygon that is not convex; and nothing.
+/// A square with an arm to its left, which is not convex; and polygons of fewer than three points.
 ///
 /// Catches: a formula that is right for parallelograms only.
 #[test]
@@ -135,7 +134,7 @@ fn the_area_of_a_polygon_is_that_of_its_triangles() {
     }
 }
 
-/// Catches: an image that is not where the method's own run comes to; images out of step.
+/// Catches: an image that differs from the end of the method's own run; images in the wrong order.
 #[test]
 fn every_point_goes_its_own_way() {
     let outline = SQUARE.outline(&pendulum(), 2);

@@ -1,4 +1,4 @@
-//! Compensated sums: a state that carries what rounding takes away, under every method.
+//! Compensated sums: a state that carries its rounding errors along, with every method.
 
 use pendula::methods::{Rk4, StormerVerlet, SymplecticEuler};
 use pendula::metrics::EnergyDrift;
@@ -13,32 +13,32 @@ use rstest_reuse::apply;
 
 use crate::common::each_method;
 
-/// A sum and what it lost are together what was added, to the last digit of twice the digits.
+/// A sum plus its carried rounding error is exact to twice the precision.
 ///
-/// Catches: a loss with the wrong sign, added twice, or lost itself in the next sum; components
-/// exchanged.
+/// Catches: a rounding error with the wrong sign, added twice, or dropped in the next sum;
+/// components exchanged.
 #[test]
 fn nothing_is_lost_of_a_sum() {
     let tiny = Phase { theta: 1e-17, omega: -3e-18 };
     let mut z = CompensatedPhase::from(Phase { theta: 1.0, omega: -2.0 });
     for _ in 0..1000 {
         z = z + tiny;
-        // Each alone is less than half a unit in the last place of 1 and of 2: without what is
-        // carried nothing would ever move.
+        // Each increment is less than half a unit in the last place of 1 and of 2: without
+        // compensation the sum would never change.
         assert!(z.lost.theta.abs() <= 1.2e-16 && z.lost.omega.abs() <= 2.3e-16, "{z:?}");
     }
     let moved = |rounded: f64, start: f64, lost: f64| (rounded - start) + lost;
-    // The losses are below 1e-16 and rounded by 1e-32, a thousand times.
+    // The carried errors are below 1e-16, and rounded by 1e-32 a thousand times.
     assert!((moved(z.phase.theta, 1.0, z.lost.theta) - 1e-14).abs() < 1e-28, "{z:?}");
     assert!((moved(z.phase.omega, -2.0, z.lost.omega) + 3e-15).abs() < 1e-28, "{z:?}");
 }
 
-/// A pendulum in next to no gravity turns evenly, by the same small angle each step: rounded alike
-/// each time, the errors of 10⁵ sums add up, to a good part of 10⁵ · ε/2 · 10 rad. With what is
-/// carried they do not: what is left is that of the products hω, each to ε/2 of itself, and of the
-/// last sum, ε/2 of 15 rad.
+/// A pendulum in almost no gravity rotates uniformly, by the same small angle each step: the sums
+/// round alike each time, and the errors of 10⁵ sums add up to a good part of 10⁵ · ε/2 · 10 rad.
+/// With compensation they do not: what is left is the rounding of the products hω, each by ε/2 of
+/// itself, and of the last sum, ε/2 of 15 rad.
 ///
-/// Catches: a method whose sums go past what is carried; a drift that forgets it.
+/// Catches: a method with sums that are not compensated; a drift that drops the carried error.
 #[apply(each_method)]
 fn an_even_turn_is_even<M>(#[case] method: M)
 where
@@ -53,15 +53,15 @@ where
     let system = Compensated::new(pendulum);
     let carried = integrate(&system, &method, start.into(), &grid, &mut ());
     let (plain, carried) = (plain.theta - exact, carried.phase.theta - exact);
-    // Eight products of 15 rad in all, and weights of up to 15.
+    // Eight products that add up to 15 rad, and weights of up to 15.
     assert!(carried.abs() < 2e-14, "{carried:e}");
     assert!(plain.abs() > 10.0 * carried.abs(), "{plain:e}, {carried:e}");
 }
 
-/// The same steps, but for their rounding: in 10⁴ of them it adds up to no more than 10⁴ · ε of the
+/// The steps are the same, except for rounding: in 10⁴ steps it adds up to at most 10⁴ · ε of the
 /// state, and to x · 10⁴ times as much in phase.
 ///
-/// Catches: a kick, a drift or a rate that is another system's.
+/// Catches: a kick, a drift or a rate of another system.
 #[apply(each_method)]
 fn the_steps_are_the_methods_own<M>(#[case] method: M)
 where
@@ -81,12 +81,11 @@ where
     }
 }
 
-/// Steps of the walks below (s), and how many.
+/// The step (s) of the random walks below, and the number of steps.
 const STEP: f64 = 0.01;
 const STEPS: u64 = 1_000_000;
 
-/// How far the modified energy has walked from where it began, relative: root mean square over 16
-/// starts.
+/// The relative change of the modified energy over the run: root mean square over 16 starts.
 fn wandered<S>(system: &S, phase: fn(S::State) -> Phase) -> f64
 where
     S: Separable<State: From<Phase>>,
@@ -106,20 +105,20 @@ where
     ((0..16).map(square).sum::<f64>() / 16.0).sqrt()
 }
 
-/// Störmer–Verlet's modified energy walks at random, by what each step rounds. Let u be the
-/// rounding of a number of size 1, root mean square; θ = A cos φ and q = A sin φ.
+/// Störmer–Verlet's modified energy makes a random walk, driven by the rounding of each step. Let u
+/// be the root-mean-square rounding of a number of size 1; θ = A cos φ and q = A sin φ.
 ///
-/// Plain, a step rounds q and θ: δH̃ = qδq + θδθ has the square u²A⁴(sin⁴φ + cos⁴φ), on average ¾
-/// u²A⁴. With what is carried the displacements alone are rounded: xA cos φ of q, four times, in
-/// the angle, in its sine, in the products with g/L and with h; and xA sin φ of θ, once, in the
-/// product with h: u²A⁴x²(4 + 1) sin²φ cos²φ, on average ⅝ u²A⁴x². The walks differ by the root of
-/// the quotient, 1.1/x: thirty-five times, at x = 0.031.
+/// Without compensation a step rounds q and θ: δH̃ = qδq + θδθ has the square u²A⁴(sin⁴φ + cos⁴φ),
+/// on average ¾ u²A⁴. With compensation only the displacements are rounded: that of q, xA cos φ,
+/// four times, in the angle, in its sine, and in the products with g/L and with h; that of θ, xA
+/// sin φ, once, in the product with h: u²A⁴x²(4 + 1) sin²φ cos²φ, on average ⅝ u²A⁴x². The walks
+/// differ by the root of the quotient, 1.1/x: a factor of 35 at x = 0.031.
 ///
-/// Sixteen walks tell it to a quarter; u depends on where in its binade a number is, and the sine
-/// rounds by more or less than an even chance: a factor of two in all.
+/// Sixteen walks determine it to a quarter; u depends on where in its binade a number is, and the
+/// sine's rounding is not exactly uniform: a factor of two in all.
 ///
-/// Catches: a compensation that does nothing, for half of the sums, or for the angle alone; one
-/// that is undone by the next kick.
+/// Catches: a compensation that does nothing, for half of the sums or for the angle alone; one that
+/// is undone by the next kick.
 #[test]
 fn the_modified_energy_wanders_less_by_the_step() {
     let pendulum = Pendulum::PAPER;
@@ -130,12 +129,12 @@ fn the_modified_energy_wanders_less_by_the_step() {
     assert!(gain > 0.5 * law && gain < 2.0 * law, "{plain:e} / {carried:e} = {gain}, not {law}");
 }
 
-/// What the paper prints of the thousand seconds is the methods', and no rounding: with and without
-/// it the digits are the same. It prints four at the most; here six, of energy errors down to 4e-6
-/// of 5 J, which rounding changes by 3e-12.
+/// The digits that the paper prints for the run of 1000 s come from the methods, not from rounding:
+/// they are the same with and without compensation. The paper prints at most four; here six are
+/// compared, of energy errors down to 4e-6 of 5 J, which rounding changes by 3e-12.
 ///
-/// Catches: a compensated run that is another motion; a digit in the tables that only rounding
-/// makes.
+/// Catches: a compensated run that is another motion; a digit in the tables that is due to
+/// rounding.
 #[rstest]
 #[case::symplectic_euler(SymplecticEuler)]
 #[case::stormer_verlet(StormerVerlet)]
@@ -162,8 +161,8 @@ where
     assert_ne!(plain, carried, "and yet it was another rounding");
 }
 
-/// Catches: an energy or a rate of a state that is not the one carried; a drift with the rounded
-/// velocity alone.
+/// Catches: an energy or a rate evaluated at another state; a drift with the rounded velocity
+/// alone.
 #[test]
 fn the_system_is_the_one_within() {
     let pendulum = Pendulum::new(5.0, 2.0, 3.0).unwrap();
@@ -175,7 +174,7 @@ fn the_system_is_the_one_within() {
     let kicked = system.kick(z.into(), 0.3, 0.1);
     assert_eq!(kicked.phase, pendulum.kick(z, 0.3, 0.1));
     assert_eq!(system.drift(z.into(), 0.1).phase, pendulum.drift(z, 0.1));
-    // What the velocity has lost drifts too.
+    // The carried error of the velocity drifts too.
     let lost = Phase { theta: 0.0, omega: 1e-17 };
     let z = CompensatedPhase { phase: Phase { theta: 0.0, omega: 1.0 }, lost };
     let drifted = system.drift(z, 1.0);

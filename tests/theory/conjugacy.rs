@@ -1,4 +1,4 @@
-//! Conjugacy: Störmer–Verlet and symplectic Euler are one method, seen from half a kick apart.
+//! Conjugacy: Störmer–Verlet and symplectic Euler are the same map up to half a kick.
 
 use pendula::methods::{PositionVerlet, StormerVerlet, SymplecticEuler};
 use pendula::verify::conjugacy::check_pair;

@@ -1,4 +1,4 @@
-//! The laws of the energy error, each against the method it is about.
+//! The laws of the energy error, each against its method.
 
 use std::f64::consts::{FRAC_PI_3, PI};
 
@@ -14,7 +14,7 @@ use pendula_study::experiments::convergence;
 use pendula_study::theory::{self, Dimensionless, stormer_verlet, symplectic_euler};
 use rstest::rstest;
 
-/// L ≠ 1, m ≠ 1 and ω₀ ≠ 1: no dimension can hide.
+/// L ≠ 1, m ≠ 1 and ω₀ ≠ 1, so that a missing factor shows.
 fn pendulum() -> Pendulum {
     Pendulum::new(9.81, 2.5, 0.7).unwrap()
 }
@@ -40,11 +40,11 @@ fn slope(coarse: f64, fine: f64) -> f64 {
 // Symplectic methods
 // -------------------------------------------------------------------------------------------------
 
-/// A swing, and a rotation fast enough that the highest powers of q count.
+/// A swing, and a rotation fast enough for the highest powers of q to matter.
 const SWINGING: Phase = Phase { theta: 1.5, omega: 0.4 };
 const ROTATING: Phase = Phase { theta: 0.3, omega: 6.0 };
 
-/// How far H + `correction`, in units of m g L, moves over 40 times √(L/g).
+/// The range of H + `correction`, in units of m g L, over a time of 40 √(L/g).
 fn spread<M: Method<Pendulum>>(
     method: &M,
     start: Phase,
@@ -67,8 +67,8 @@ const SLOPE_TOLERANCE: f64 = 0.12;
 
 /// With its terms up to xᵏ, H̃ is conserved to xᵏ⁺¹, for each k.
 ///
-/// Catches: any coefficient of H̃ that is wrong, at its own order; drift before kick; forward Euler
-/// posing as symplectic Euler.
+/// Catches: any wrong coefficient of H̃, at its own order; drift before kick; forward Euler in
+/// place of symplectic Euler.
 #[rstest]
 fn symplectic_euler_conserves_its_energy_to_each_order(
     #[values(0, 1, 2, 3, 4, 5, 6, 7)] order: usize,
@@ -87,8 +87,8 @@ fn symplectic_euler_conserves_its_energy_to_each_order(
 
 /// Its H̃ to x⁷ is conserved to x⁸, as the odd powers vanish.
 ///
-/// Catches: the position form posing as the velocity form, which to an order test are one; a shift
-/// by a whole kick.
+/// Catches: the position form in place of the velocity form, which an order test cannot tell apart;
+/// a shift by a whole kick.
 #[test]
 fn stormer_verlet_conserves_its_energy_to_the_eighth_order() {
     let of = |x| spread(&StormerVerlet, SWINGING, x, |z| stormer_verlet::correction(z, x));
@@ -100,9 +100,9 @@ fn stormer_verlet_conserves_its_energy_to_the_eighth_order() {
     assert!(other(0.1) > 1e4 * of(0.1), "the two forms cannot be told apart");
 }
 
-/// The same of the position form.
+/// The same for the position form.
 ///
-/// Catches: a law of the position form that is the velocity form's.
+/// Catches: the velocity form's law used for the position form.
 #[test]
 fn the_position_form_conserves_its_own_energy() {
     let of = |x| {
@@ -112,18 +112,18 @@ fn the_position_form_conserves_its_own_energy() {
     assert!((slope - 8.0).abs() < SLOPE_TOLERANCE, "slope {slope}");
 }
 
-/// The highest of the samples lies below the highest point of the curve by x²/2 relatively if each
-/// maximum falls midway between two of them. Spread over 500 maxima it is less than a hundredth of
-/// that.
+/// The highest sample lies below the maximum of the curve by at most x²/2 relatively, where the
+/// maximum falls midway between two samples. Over 500 maxima the smallest gap is less than a
+/// hundredth of that.
 const SAMPLING: f64 = 0.02 * 0.02 / 2.0 / 100.0;
 
-/// Steps of x = 0.02, some 200 swings.
+/// Steps of x = 0.02, over about 200 swings.
 fn long_grid() -> Grid {
     Grid::new(step(0.02), 80_000).unwrap()
 }
 
-/// Catches: m, g or L in the wrong place in the law or the method, a law of π/3 only, kick and
-/// drift exchanged.
+/// Catches: m, g or L in the wrong place in the law or the method, a law valid at π/3 only, kick
+/// and drift exchanged.
 #[rstest]
 fn symplectic_euler_strays_along_its_level_curve(#[values(0.3, 1.0, 2.0, 2.8, -1.0)] theta_0: f64) {
     let measured = largest_energy_error(&SymplecticEuler, theta_0, &long_grid());
@@ -131,7 +131,7 @@ fn symplectic_euler_strays_along_its_level_curve(#[values(0.3, 1.0, 2.0, 2.8, -1
     assert_relative_eq!(measured, law, max_relative = SAMPLING);
 }
 
-/// Catches: as above, and the position form posing as the velocity form.
+/// Catches: as above, and the position form in place of the velocity form.
 #[rstest]
 fn stormer_verlet_strays_as_its_closed_form_says(#[values(0.3, 1.0, 2.0, 2.8, -1.0)] theta_0: f64) {
     let measured = largest_energy_error(&StormerVerlet, theta_0, &long_grid());
@@ -139,7 +139,7 @@ fn stormer_verlet_strays_as_its_closed_form_says(#[values(0.3, 1.0, 2.0, 2.8, -1
     assert_relative_eq!(measured, law, max_relative = SAMPLING);
 }
 
-/// Catches: a closed form of the position form that was never held against it.
+/// Catches: a wrong closed form for the position form.
 #[rstest]
 fn the_position_form_strays_as_its_closed_form_says(#[values(0.3, 1.0, 2.0, 2.8)] theta_0: f64) {
     let measured = largest_energy_error(&PositionVerlet, theta_0, &long_grid());
@@ -147,9 +147,9 @@ fn the_position_form_strays_as_its_closed_form_says(#[values(0.3, 1.0, 2.0, 2.8)
     assert_relative_eq!(measured, law, max_relative = SAMPLING);
 }
 
-/// Two terms are the level curve to order h²: what they miss is h³.
+/// Two terms give the level curve to order h²; the remainder is of order h³.
 ///
-/// Catches: a wrong second coefficient, which a measurement at one small step would hide.
+/// Catches: a wrong second coefficient, which a measurement at one small step would not show.
 #[rstest]
 fn two_terms_are_symplectic_eulers_level_curve(#[values(0.3, FRAC_PI_3, 2.0)] theta_0: f64) {
     let pendulum = pendulum();
@@ -162,8 +162,8 @@ fn two_terms_are_symplectic_eulers_level_curve(#[values(0.3, FRAC_PI_3, 2.0)] th
     assert!((order - 3.0).abs() < SLOPE_TOLERANCE, "slope {order}");
 }
 
-/// Two terms are the level curve to order h⁴: what they miss is x⁶(1 − c₀)³(100 + 33c₀)/30240.
-/// (Below 1.5 rad that is less than the x⁸ which the level curve itself leaves out.)
+/// Two terms give the level curve to order h⁴; the remainder is x⁶(1 − c₀)³(100 + 33c₀)/30240.
+/// (Below 1.5 rad that is less than the terms in x⁸ which the level curve itself leaves out.)
 ///
 /// Catches: a wrong second coefficient.
 #[rstest]
@@ -181,7 +181,7 @@ fn the_closed_form_is_stormer_verlets_level_curve(#[values(2.0, 2.5)] theta_0: f
 // RK4
 // -------------------------------------------------------------------------------------------------
 
-/// The energy change of a single step is the series to x⁸: what is left is x⁹.
+/// The energy change of a single step is the series to x⁸; the remainder is of order x⁹.
 ///
 /// Catches: a wrong coefficient in e₅ … e₈, and any change of RK4 that its order does not show.
 #[rstest]
@@ -206,11 +206,12 @@ fn the_energy_change_of_a_step_is_its_series(#[case] theta: f64, #[case] omega: 
 /// amplitude.
 ///
 /// A hundredth of a period is x = 0.06 at 0.3 rad and 0.14 at 2.8. The next term is x⁴ of the
-/// first, 1e-5 to 4e-4, with a coefficient of order 1; as much comes from periods that x⁴ makes
-/// longer, so that they do not close. Over 10 periods the energy falls by 5e-7 of itself or more,
-/// of which rounding is 1e-8.
+/// first, 1e-5 to 4e-4, with a coefficient of order 1; the numerical period, longer by x⁴, adds as
+/// much, as the swings are not quite complete. Over 10 periods the relative energy loss is at least
+/// 5e-7, of which rounding is 1e-8.
 ///
-/// Catches: an RK4 whose energy error is O(h⁴) in the long run, a law of π/3 only, and dimensions.
+/// Catches: an RK4 whose energy error is O(h⁴) in the long run, a law valid at π/3 only, and wrong
+/// dimensions.
 #[rstest]
 fn rk4_loses_energy_at_the_secular_rate(#[values(0.3, 1.0, 2.0, 2.8)] theta_0: f64) {
     let (pendulum, start) = (pendulum(), Phase::at_rest(theta_0));
@@ -227,7 +228,7 @@ fn rk4_loses_energy_at_the_secular_rate(#[values(0.3, 1.0, 2.0, 2.8)] theta_0: f
 /// |R(ix)|² = 1 − x⁶/72 + x⁸/576: at small angles energy decays by that factor a step. The pendulum
 /// differs by θ₀².
 ///
-/// Catches: averages of e₆ and e₈ that are wrong together with their polynomials.
+/// Catches: averages of e₆ and e₈ that are wrong because their polynomials are.
 #[test]
 fn the_secular_rate_at_small_angles_is_that_of_the_linear_oscillator() {
     let (pendulum, x) = (pendulum(), 0.1);
@@ -240,10 +241,10 @@ fn the_secular_rate_at_small_angles_is_that_of_the_linear_oscillator() {
 // Forward Euler
 // -------------------------------------------------------------------------------------------------
 
-/// The modified equation to x⁵ follows forward Euler to x⁶.
+/// The modified equation to order x⁵ agrees with forward Euler to order x⁶.
 ///
-/// Catches: a wrong coefficient of it at any order, and a solver that is not accurate enough to
-/// follow it.
+/// Catches: a wrong coefficient of the modified equation at any order, and a solver that is not
+/// accurate enough for it.
 #[rstest]
 fn forward_euler_follows_its_modified_equation(#[values(0.3, 1.5, 2.9)] theta_0: f64) {
     let pendulum = pendulum();
@@ -262,10 +263,10 @@ fn forward_euler_follows_its_modified_equation(#[values(0.3, 1.5, 2.9)] theta_0:
     assert!((order - 6.0).abs() < 0.08, "slope {order}");
 }
 
-/// Swinging: (1 + x²)ⁿ is exact on the linear oscillator, rounded n times; on the pendulum, up to
-/// θ² = 4e-4.
+/// Swinging: (1 + x²)ⁿ is exact on the linear oscillator, but for n roundings; on the pendulum it
+/// holds up to θ² = 4e-4.
 ///
-/// Catches: growth by x²/2 or (1 + x)ⁿ; forward Euler whose angle moves with the new velocity.
+/// Catches: growth by x²/2 or (1 + x)ⁿ; a forward Euler whose drift uses the new velocity.
 #[test]
 fn forward_euler_grows_a_small_swing_exponentially() {
     fn growth<S: Hamiltonian<State = Phase>>(system: &S, grid: &Grid) -> f64 {
@@ -280,11 +281,11 @@ fn forward_euler_grows_a_small_swing_exponentially() {
     assert_relative_eq!(growth(&pendulum, &grid), law, max_relative = 4e-4);
 }
 
-/// Swinging far: h ⟨sin²θ⟩ times (g/L)² m L², over one period. What the law leaves out is of
-/// relative order x, and halves with the step: extrapolated it is of order x² ≈ 1e-4, times the
-/// growth of the logarithm of the amplitude near the top.
+/// Wide swings: h ⟨sin²θ⟩ times (g/L)² m L², over one period. What the law leaves out is of
+/// relative order x, and halves with the step: after extrapolation it is of order x² ≈ 1e-4, times
+/// the growth of the logarithm of the amplitude near the top.
 ///
-/// Catches: a rate good for small angles only.
+/// Catches: a rate valid for small angles only.
 #[rstest]
 fn forward_euler_grows_any_swing_by_the_mean_of_sin_squared(#[values(0.5, 1.5, 2.5)] theta_0: f64) {
     let (pendulum, start) = (pendulum(), Phase::at_rest(theta_0));
@@ -299,10 +300,10 @@ fn forward_euler_grows_any_swing_by_the_mean_of_sin_squared(#[values(0.5, 1.5, 2
 }
 
 /// Rotating: the gain from one mean over 2000 steps, a whole number of turns, to the next. The law
-/// leaves out (ω₀/Ω)² = 1/1600, and that the turn of a step grows meanwhile: by 1e-3, to which the
-/// cotangent at a = 2.7 is five times as sensitive.
+/// leaves out (ω₀/Ω)² = 1/1600, and the growth of the angle a per step in the meantime, by 1e-3, to
+/// which the cotangent at a = 2.7 is five times as sensitive.
 ///
-/// Catches: the small-step law, ω₀⁴h/2, taken for all steps: it is 1.5 times too large at a = 1.9
+/// Catches: the small-step law, ω₀⁴h/2, used for all steps: it is 1.5 times too large at a = 1.9
 /// and 3.3 at 2.7.
 #[rstest]
 #[case::turn_0_3(95)]
@@ -324,11 +325,11 @@ fn forward_euler_rotating_gains_less_the_larger_the_turn_of_a_step(#[case] turns
     assert_relative_eq!(rate, law, max_relative = 1e-2);
 }
 
-/// Saturated: at half a turn a step the gain stops. Kicks to and fro make ω ripple by hω₀²/2, and
-/// the energy by x²/π of itself; the potential adds 4x²/π². With x = 0.2 that is 2.9 %, all of it
-/// above the law.
+/// Saturated: at half a turn a step the gain stops. Alternating kicks make ω oscillate by hω₀²/2,
+/// and the energy by x²/π of itself; the potential adds 4x²/π². With x = 0.2 that is 2.9 %, all of
+/// it above the law.
 ///
-/// Catches: energy said to grow without bound; a lock at a whole turn a step.
+/// Catches: energy that grows without bound; a lock at a whole turn a step.
 #[test]
 fn forward_euler_locks_at_half_a_turn_a_step() {
     let (pendulum, h, steps) = (pendulum(), step(0.2), 100_000);
@@ -344,16 +345,15 @@ fn forward_euler_locks_at_half_a_turn_a_step() {
 }
 
 /// The largest energy errors (J) of the splitting methods in the set-up of Table 4 with steps of
-/// 0.025 s, in 40 digits.
+/// 0.025 s, computed with 40 digits.
 const ERRORS: &str = include_str!("../data/energy_errors.csv");
 
-/// Rounding moves the energy by 0.6 ε of itself, 5 J, at each of n force evaluations, n being 34
-/// 000 at most: 0.6 ε · 5 √n J, and no more than twice that. The error of Forest and Ruth's method
-/// is known to nine digits so, that of Yoshida's of order 8 to two; those of the best are all
-/// rounding.
+/// Rounding changes the energy, 5 J, by 0.6 ε of itself at each of n ≤ 34 000 force evaluations:
+/// 0.6 ε · 5 √n J, and at most twice that. So the error of Forest and Ruth's method is tested to
+/// nine digits, that of Yoshida's of order 8 to two; those of the best are all rounding.
 ///
-/// Catches: a table of the right order with a wrong free parameter, which no slope and no order
-/// condition can see.
+/// Catches: a table of coefficients of the right order with a wrong free parameter, which no slope
+/// and no order condition shows.
 #[test]
 fn energy_errors_are_those_of_forty_digits() {
     let rows: Vec<(&str, f64)> = ERRORS
@@ -376,9 +376,9 @@ fn energy_errors_are_those_of_forty_digits() {
     assert_eq!(rows.len(), splits.count());
 }
 
-/// RK4 loses energy on the way there and as much on the way back. The law leaves out x⁴ = 1e-6 of
-/// the rate, and that the energy is not lost in whole swings: one of 500 to 1000 there, and one
-/// back, which mirror each other but for the loss.
+/// RK4 loses as much energy on the way back as on the way there. The law leaves out x⁴ = 1e-6 of
+/// the rate, and the incomplete swing at the end of 500 to 1000 on each way; the two mirror each
+/// other, except for the loss.
 ///
 /// Catches: an RK4 whose loss of energy is reversible, as an error of order h⁴ would be.
 #[rstest]

@@ -1,4 +1,4 @@
-//! The level curves of the energies that the symplectic methods conserve, as they are drawn.
+//! The drawn level curves of the energies that the symplectic methods conserve.
 
 use pendula::{Pendulum, Phase};
 use pendula_study::experiments::level_curves::{THETA_0, orbit, run};
@@ -22,14 +22,14 @@ fn farthest(points: &[Phase], corners: &[Phase]) -> f64 {
     points.iter().map(|z| distance(*z, corners)).fold(0.0, f64::max)
 }
 
-/// A point is on the curve if it is within the line that is drawn, 2.2 units wide on a drawing of
-/// 206 units a radian. What the series of H̃ leaves out from x⁸ on is a fifth of that for
+/// A point is on the curve if it is within the drawn line, 2.2 units wide in a drawing of 206 units
+/// a radian. The terms of H̃ from x⁸ on, which the series leaves out, are a fifth of that for
 /// Störmer–Verlet, and would be all of it at h = 0.35 s.
 const HALF_A_LINE: f64 = 1.1 / 206.0;
 
-/// Catches: a curve of the other method, of drift before kick, or of another step; ω/ω₀ drawn for
-/// ω; points of another start; a step so small that nothing is to be seen, or so large that the
-/// series is no good.
+/// Catches: the curve of the other method, of drift before kick, or of another step; ω/ω₀ drawn for
+/// ω; points of another start; a step so small that the curves look alike, or so large that the
+/// series fails.
 #[test]
 fn the_methods_follow_their_curves_and_not_the_orbit() {
     let rows = run();
@@ -43,11 +43,11 @@ fn the_methods_follow_their_curves_and_not_the_orbit() {
     }
 }
 
-/// H̃ is the same all along, to the rounding of numbers of order 1; the release from rest is on it,
-/// a quarter of the way; and it is closed. With L ≠ 1 and m ≠ 1.
+/// H̃ is the same all along the curve, to the rounding of numbers of order 1; the release from rest
+/// is a quarter of the way along it; and the curve is closed. With L ≠ 1 and m ≠ 1.
 ///
-/// Catches: a fixed point that is left before it is found; a curve through another point; one that
-/// does not close, or is not gone round once; a dimension lost.
+/// Catches: a fixed-point iteration that stops too early; a curve through another point; one that
+/// does not close, or does not go round exactly once; a dimension lost.
 #[test]
 fn the_curve_is_level() {
     let pendulum = Pendulum::new(9.81, 2.5, 0.7).unwrap();

@@ -1,4 +1,4 @@
-//! Ten million steps: what is left of the conserved energy is rounding, and it walks at random.
+//! Ten million steps: the modified energy changes by rounding only, as a random walk.
 
 use pendula::methods::{Rk4, StormerVerlet};
 use pendula::metrics::EnergyDrift;
@@ -15,13 +15,14 @@ fn pendulums() -> [Pendulum; 2] {
 
 /// The energy that Störmer–Verlet conserves, in units of m g L: q²/2 + 1 − cos θ + x²(q²c/12 −
 /// s²/24) + x⁴(…) + x⁶(…). What it leaves out, x⁸, is 1e-12 of it at x = 0.03 with a coefficient of
-/// 1e-6 or so.
+/// about 1e-6.
 fn modified_energy(pendulum: &Pendulum, x: f64, z: Phase) -> f64 {
     let z = Dimensionless::from_phase(pendulum, z);
     z.energy() + stormer_verlet::correction(z, x)
 }
 
-/// The error of the modified energy, relatively, after each of `marks` steps of `h` (s).
+/// The relative error of the modified energy after each number of steps in `marks`, of `h` (s)
+/// each.
 fn errors<const N: usize>(pendulum: &Pendulum, start: Phase, h: f64, marks: [u64; N]) -> [f64; N] {
     let x = pendulum.small_angle_frequency() * h;
     let initial = modified_energy(pendulum, x, start);
@@ -42,7 +43,7 @@ fn errors<const N: usize>(pendulum: &Pendulum, start: Phase, h: f64, marks: [u64
     errors
 }
 
-/// The largest error of the modified energy, relatively, sampled every thousand steps.
+/// The largest relative error of the modified energy, sampled every thousand steps.
 fn largest_error(pendulum: &Pendulum, theta_0: f64, h: f64, steps: u64) -> f64 {
     let x = pendulum.small_angle_frequency() * h;
     let start = Phase::at_rest(theta_0);
@@ -58,27 +59,25 @@ fn largest_error(pendulum: &Pendulum, theta_0: f64, h: f64, steps: u64) -> f64 {
     largest
 }
 
-/// What a step adds to the energy by rounding, relatively, as a multiple of √n ε: θ and ω are each
-/// rounded twice or so, each by ε/√12 to ε/√48 of themselves (half an ulp, uniform), and E answers
-/// by θV'/E ≤ 2 and ω²/E ≤ 2, both of them a half on average over a swing. That is √(4/12…4/48)
-/// times 1, 0.3 to 0.6; measured, 0.4 to 0.6. The bounds leave a factor of 4.
+/// The relative change of the energy by rounding in n steps, as a multiple of √n ε: θ and ω are
+/// each rounded about twice a step, each by ε/√12 to ε/√48 of themselves (half an ulp, uniform),
+/// and E changes with them by factors θV'/E ≤ 2 and ω²/E ≤ 2, both a half on average over a swing.
+/// That is √(4/12…4/48) times 1, 0.3 to 0.6; measured, 0.4 to 0.6. The bounds leave a factor of 4.
 const WALK: [f64; 2] = [0.1, 2.0];
 
-/// How much more than its standard deviation at the end a random walk is at its largest: more than
-/// 4 times one time in 10⁴.
+/// The maximum of a random walk over its standard deviation at the end: it exceeds 4 once in 10⁴.
 const PEAK: f64 = 4.0;
 
-/// Holds the `largest` error of a random walk of `steps` between its bounds.
+/// Asserts that the `largest` error of a random walk of `steps` steps is within its bounds.
 fn assert_walk(largest: f64, steps: u64) {
     let walk = f64::EPSILON * (steps as f64).sqrt();
     assert!(largest < PEAK * 0.6 * walk, "{largest:e} is {} walks", largest / walk);
-    // The largest over the run is below a fifth of its own deviation one time in 10⁵ or more
-    // rarely.
+    // The largest over the run is below a fifth of its own deviation at most once in 10⁵.
     assert!(largest > WALK[0] * 0.2 * walk, "{largest:e}: it does not even round");
 }
 
-/// Ten million steps move Störmer–Verlet's modified energy by 3e-12 J: not more than a random walk
-/// of rounding errors, n of them, and 10⁶ times less than the energy itself oscillates at h = 0.01
+/// Ten million steps change Störmer–Verlet's modified energy by 3e-12 J: no more than a random walk
+/// of n rounding errors, and 10⁶ times less than the oscillation of the energy itself at h = 0.01
 /// s.
 ///
 /// Catches: a secular drift of 1e-19 of the energy a step; time or angle accumulated with a bias; a
@@ -90,9 +89,10 @@ fn the_modified_energy_walks_at_random(#[values(0.01, 0.001)] h: f64) {
     assert_walk(largest, STEPS);
 }
 
-/// The same for a hundred million, where a drift would be ten times easier to tell from a walk.
+/// The same for a hundred million steps, where a drift is √10 times easier to tell from a random
+/// walk.
 ///
-/// Catches: what the test before does, 3 times smaller.
+/// Catches: what the test before catches, 3 times smaller.
 #[test]
 #[ignore = "reason: a hundred million steps, some seconds"]
 fn the_modified_energy_walks_for_a_hundred_million_steps() {
@@ -102,11 +102,11 @@ fn the_modified_energy_walks_for_a_hundred_million_steps() {
 }
 
 /// Brouwer's law: the rounding error of the energy grows as √t. Over 96 starts its mean square
-/// grows as the number of steps, from 4000 to 256 000 by 64, and its mean stays zero to its own
+/// grows as the number of steps, 64-fold from 4000 to 256 000, and its mean is zero within its
 /// scatter.
 ///
 /// Catches: an error that grows as t: a biased rounding, a time or a parameter rounded in the loop,
-/// a lost digit; one that does not grow, as nothing is integrated.
+/// a lost digit; one that does not grow because nothing is integrated.
 #[rstest]
 fn rounding_errors_grow_as_the_square_root_of_time(#[values(0.01, 0.001)] h: f64) {
     const STARTS: u32 = 96;
@@ -134,14 +134,14 @@ fn rounding_errors_grow_as_the_square_root_of_time(#[values(0.01, 0.001)] h: f64
     }
 }
 
-/// The figure of the book: over eight starts and n steps the modified energy moves as √n, from 10³
+/// The figure of the book: over eight starts the modified energy changes as √n in n steps, from 10³
 /// steps to 10⁷.
 ///
-/// Up to 10⁶ steps there are 80 stretches or more, whose root mean square scatters by 1/√160 = 8 %:
+/// Up to 10⁶ steps there are at least 80 stretches, whose root mean square scatters by 1/√160, 8 %:
 /// two of them are within a factor of 1.4, four standard deviations of their ratio. The first
-/// points hold the rounding of the energy itself, ε or two.
+/// points include the rounding of the energy itself, one or two ε.
 ///
-/// Catches: stretches that overlap or are counted from the start only, a movement that is not
+/// Catches: stretches that overlap or are counted from the start only, a change that is not
 /// squared, a biased rounding.
 #[test]
 fn the_walks_of_the_figure_move_as_the_square_root() {
@@ -164,29 +164,29 @@ fn the_walks_of_the_figure_move_as_the_square_root() {
 // RK4 against Störmer–Verlet
 // -------------------------------------------------------------------------------------------------
 
-/// The scene of Table 5.
+/// The set-up of Table 5.
 const THETA_0: f64 = 1.0;
 const STEP: f64 = 0.01;
 
-/// Energy lost by RK4 (J) after `steps` steps and whole swings, near enough: what is left of the
-/// oscillation is 2e-8 J.
+/// Energy lost by RK4 (J) after `steps` steps, close enough to a whole number of swings: what is
+/// left of the oscillation is 2e-8 J.
 fn lost(pendulum: &Pendulum, steps: u64) -> f64 {
     let start = Phase::at_rest(THETA_0);
     let end = integrate(pendulum, &Rk4, start, &Grid::new(STEP, steps).unwrap(), &mut ());
     pendulum.energy(start) - pendulum.energy(end)
 }
 
-/// RK4's energy error is 240 times below Störmer–Verlet's after 1000 s, as it has hardly begun: it
-/// grows with time, and Verlet's does not. From the loss between 1000 and 4000 s it overtakes at
-/// 2.4e5 s, as theory says: Verlet's amplitude over the secular rate.
+/// RK4's energy error is 240 times below Störmer–Verlet's after 1000 s, but it grows with time, and
+/// Verlet's does not. Extrapolated from the loss between 1000 and 4000 s it overtakes at 2.4e5 s,
+/// as theory predicts: Verlet's amplitude over the secular rate.
 ///
-/// Catches: an RK4 whose loss is not secular, or of another power of h; a Verlet whose amplitude
-/// is.
+/// Catches: an RK4 whose loss is not secular, or of another power of h; a Verlet whose energy error
+/// is secular.
 #[test]
 fn rk4_will_overtake_verlet_after_240_000_seconds() {
     let pendulum = Pendulum::PAPER;
     let rate = (lost(&pendulum, 400_000) - lost(&pendulum, 100_000)) / 3000.0;
-    // The oscillation, h⁴ × 1.7 J/s⁴ = 1.7e-8 J, at both ends of 1.3e-5 J: 2.6e-3. It cancels to a
+    // The oscillation, h⁴ × 1.7 J/s⁴ = 1.7e-8 J, at both ends of 1.3e-5 J: 2.6e-3. It cancels in
     // part.
     let law = -theory::rk4::secular_rate(&pendulum, THETA_0, STEP);
     assert!((rate / law - 1.0).abs() < 2.6e-3, "{rate:e} J/s for {law:e} J/s");
@@ -200,11 +200,11 @@ fn rk4_will_overtake_verlet_after_240_000_seconds() {
     assert!((overtakes - 2.40e5).abs() < 0.01e5, "{overtakes} s");
 }
 
-/// The whole of it: RK4's largest error first reaches Verlet's amplitude at 240 118 s, after 24 011
-/// 806 steps. The loss slows with the amplitude, by 1e-3 or so: it comes a little later than the
-/// initial rate says, 240 100 s.
+/// The full run: RK4's largest error first reaches Verlet's amplitude after 24 011 806 steps, at
+/// 240 118 s. The loss slows with the amplitude, by about 1e-3, so this is a little later than the
+/// initial rate predicts, 240 100 s.
 ///
-/// Catches: a loss that stops or runs away on the way.
+/// Catches: a loss that stops or accelerates on the way.
 #[test]
 #[ignore = "reason: 2.4e7 steps of RK4, two seconds"]
 fn rk4_overtakes_verlet_after_240_000_seconds() {

@@ -1,4 +1,4 @@
-//! What theory says of the methods, and the methods, side by side.
+//! The methods against the predictions of theory.
 
 #[path = "../common/each_method.rs"]
 mod common;

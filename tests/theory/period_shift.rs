@@ -30,17 +30,16 @@ fn shift<M: Method<Pendulum>>(method: &M, theta_0: f64, x: f64, periods: f64) ->
 /// asin(x/2)); at larger ones it is of either sign, and 0.0031 at most.
 const NEXT_TERM: f64 = 0.0035;
 
-/// What the reading of the period may be off by, relatively: each of the two outermost crossings by
-/// x³/24 at worst, where symplectic Euler's velocity belongs half a step earlier, in 400 periods of
-/// 2π or more.
+/// The relative error of the measured period: at most x³/24 at each of the two outermost crossings,
+/// where symplectic Euler's velocity belongs half a step earlier, over 400 periods of 2π or more.
 fn reading(x: f64) -> f64 {
     2.0 * x * x * x / 24.0 / (400.0 * 2.0 * PI)
 }
 
-/// At every amplitude the period changes by h²τ₂, and nothing but x⁴ is left.
+/// At every amplitude the period changes by h²τ₂, up to terms in x⁴.
 ///
-/// Catches: a wrong phase error that order tests call second order all the same; the half kick
-/// between the two methods forgotten (their τ₂ differ); L or ω₀ missing.
+/// Catches: a wrong phase error of second order, which order tests accept; the half kick between
+/// the two methods forgotten (their τ₂ differ); L or ω₀ missing.
 #[rstest]
 fn the_period_of_second_order_methods_shifts_as_predicted(
     #[values(0.1, 1.0, 2.0, 3.0)] theta_0: f64,
@@ -61,7 +60,7 @@ fn the_period_of_second_order_methods_shifts_as_predicted(
 
 /// Where τ₂ vanishes the period's error is O(h⁴).
 ///
-/// Catches: a τ₂ that is right at the angles of the test before by luck.
+/// Catches: a τ₂ that is right by chance at the angles of the test before.
 #[rstest]
 fn the_period_is_of_fourth_order_where_two_errors_cancel(#[values(0.2, 0.1)] x: f64) {
     /// Where cos θ₀ = 3⟨cos θ⟩, to ten digits.
@@ -87,13 +86,13 @@ fn the_period_is_of_fourth_order_where_two_errors_cancel(#[values(0.2, 0.1)] x: 
 #[case(3.0, 0.104_494_795_461_015_71)]
 fn the_mean_over_the_orbit_is_the_elliptic_integral(#[case] theta_0: f64, #[case] tau: f64) {
     let mean = of_stormer_verlet(&Pendulum::PAPER, theta_0);
-    // 256 terms of order 1, and three times their mean: 1e-15 or a few, times ω₀²/16.
+    // 256 terms of order 1, and three times their mean: a few 1e-15, times ω₀²/16.
     assert!((mean - tau).abs() < 1e-14, "{mean} for {tau}");
 }
 
-/// RK4's period changes by h⁴τ₄. Steps that divide a quarter period leave nothing to interpolate;
-/// energy lost on the way adds a term in h⁵, which extrapolation from two steps removes. What is
-/// left is of relative order x² < 1e-3, with a coefficient below 1.
+/// RK4's period changes by h⁴τ₄. With steps that divide a quarter period there is nothing to
+/// interpolate; the energy loss adds a term in h⁵, which extrapolation from two steps removes. What
+/// is left is of relative order x² < 1e-3, with a coefficient below 1.
 ///
 /// Catches: an RK4 with a wrong error constant, which is still of order 4.
 #[rstest]
@@ -110,9 +109,9 @@ fn the_period_of_rk4_shifts_as_predicted(#[values(0.1, 1.0, 2.0, 3.0)] theta_0: 
     assert_relative_eq!(2.0 * shift(200) - shift(100), law, max_relative = 1e-3);
 }
 
-/// τ₄ at small angles is ω₀⁴/120, and falls by less than θ₀²/2 of itself.
+/// τ₄ at small angles is ω₀⁴/120, and its relative decrease is less than θ₀²/2.
 ///
-/// Catches: a leading correction to RK4 that is wrong together with a wrong RK4; ω₀² for ω₀⁴.
+/// Catches: a law that is wrong in the same way as RK4 itself; ω₀² for ω₀⁴.
 #[test]
 fn the_shift_of_rk4_at_small_angles_is_that_of_the_linear_oscillator() {
     let pendulum = pendulum();
@@ -122,10 +121,10 @@ fn the_shift_of_rk4_at_small_angles_is_that_of_the_linear_oscillator() {
     assert!(ratio < 1.0 && ratio > 1.0 - 0.5 * theta_0 * theta_0, "{ratio}");
 }
 
-/// On the linear oscillator the period is that of the recurrence: x/φ of the exact one. The reading
-/// is off by x³/24 at worst.
+/// On the linear oscillator the period is that of the recurrence: x/φ times the exact one. Each
+/// crossing is off by at most x³/24.
 ///
-/// Catches: a method with another frequency on a straight line, whatever it does on a sine.
+/// Catches: a method with the wrong frequency on a linear force, whatever it does on the sine.
 #[rstest]
 #[case::forward_euler(ForwardEuler, LinearRecurrence::forward_euler)]
 #[case::symplectic_euler(SymplecticEuler, LinearRecurrence::symplectic_euler)]
@@ -149,10 +148,10 @@ fn the_period_on_the_linear_oscillator_is_that_of_the_recurrence<M>(
     assert!((measured - law).abs() < reading(x), "{measured} for {law}");
 }
 
-/// Frequencies, relatively too high by: forward Euler −x²/3, symplectic Euler and Störmer–Verlet
+/// Relative errors of the frequencies: forward Euler −x²/3, symplectic Euler and Störmer–Verlet
 /// x²/24, RK4 −x⁴/120. The next terms, x⁴/5, 3x⁴/640 and x⁶/336, are less than x² of these.
 ///
-/// Catches: a recurrence that is wrong together with its method.
+/// Catches: a recurrence that is wrong in the same way as its method.
 #[rstest]
 #[case::forward_euler(LinearRecurrence::forward_euler, 2, -1.0 / 3.0)]
 #[case::symplectic_euler(LinearRecurrence::symplectic_euler, 2, 1.0 / 24.0)]

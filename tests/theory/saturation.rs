@@ -1,15 +1,15 @@
-//! Where forward Euler's energy ends: not at infinity, but at half a turn a step.
+//! Forward Euler's energy does not grow without bound: it saturates at half a turn a step.
 //!
-//! At ωh = π a kick at θ is followed by one at θ + π, which takes back what the first gave. For the
-//! map of two steps, from a sample with ω = π/h + ε at the angle δ,
+//! At ωh = π a kick at θ is followed by one at θ + π, which cancels the first. For the map of two
+//! steps, from a sample with ω = π/h + ε at the angle δ,
 //!
 //! ε' = ε − h (g/L) (sin δ − sin(δ + hε')) ≈ ε (1 + x² cos δ), δ' = δ + 2hε − x² sin δ, modulo 2π,
 //! x = ω₀h,
 //!
-//! so that the line ε = 0 maps to itself and is never crossed, but by rounding. The samples between
-//! lie a kick off, at ω = π/h − h (g/L) sin δ. On the line the energy is m L² [½ (π/h − h (g/L) sin
-//! δ)² + (g/L) cos δ], in a band whose extremes are about m L² (π/h)²/2 ± m g L √(π² + 1). At δ = 0
-//! and π it is the two-cycle with (π/h)²/2 ± g/L.
+//! so that the line ε = 0 maps to itself and is never crossed, except by rounding. The samples
+//! between differ by a kick, ω = π/h − h (g/L) sin δ. On the line the energy is m L² [½ (π/h − h
+//! (g/L) sin δ)² + (g/L) cos δ], in a band whose extremes are about m L² (π/h)²/2 ± m g L √(1 +
+//! π²). δ = 0 and π are the two-cycle with the energies m L² [(π/h)²/2 ± g/L].
 
 use std::f64::consts::PI;
 
@@ -41,7 +41,7 @@ fn band(pendulum: &Pendulum, h: f64) -> (f64, f64) {
 
 /// The two-cycle is exact: half a turn a step, no kick at 0 and π. For the paper's pendulum at h =
 /// 0.1 s its energies are 483.7 and 503.3 J, at 0.05 s 1964.1 and 1983.7 J. It is a saddle: the
-/// energy comes close to it again and again, and between times wanders through the band.
+/// motion comes close to it repeatedly, and in between the energy wanders through the band.
 ///
 /// Catches: a saturation energy without m L² or with another zero of the potential.
 #[rstest]
@@ -54,7 +54,7 @@ fn the_lock_is_a_two_cycle(#[case] h: f64, #[case] bottom: f64, #[case] top: f64
         let grid = Grid::new(h, 4).unwrap();
         ForwardEuler.run(&pendulum, start, &grid, &mut |_, _, z: Phase| samples.push(z));
         for (n, z) in samples.iter().enumerate() {
-            // sin π = 1.2e-16 and the roundings of four steps.
+            // sin π is 1.2e-16 in floating point; and four steps round.
             assert!((z.theta - n as f64 * PI).abs() < 1e-14 && (z.omega - PI / h).abs() < 1e-14);
         }
     }
@@ -63,12 +63,12 @@ fn the_lock_is_a_two_cycle(#[case] h: f64, #[case] bottom: f64, #[case] top: f64
     assert!((energy(0.0) - bottom).abs() < 5e-3 && (energy(PI) - top).abs() < 5e-3);
 }
 
-/// Released anywhere, it comes to the band, within 1000 s at h = 0.1 and 10 000 s at 0.05 (the time
-/// goes as h⁻³ (g/L)⁻²), and stays: ω never above π/h + h g/L, the energy in the band, and its mean
-/// is (π/h)²/2.
+/// From any release the energy reaches the band, within 1000 s at h = 0.1 and 10 000 s at 0.05 (the
+/// time goes as h⁻³ (g/L)⁻²), and stays in it: ω never exceeds π/h + h g/L, and the mean energy is
+/// m L² (π/h)²/2.
 ///
-/// Catches: a forward Euler whose kick uses the new angle anywhere, which would not saturate; a
-/// reduction of θ that breaks the phase of kicks; a saturation at another multiple of π/h.
+/// Catches: a forward Euler whose kick uses the new angle, which would not saturate; a reduction of
+/// θ that breaks the phase of kicks; a saturation at another multiple of π/h.
 #[rstest]
 fn energy_saturates_in_a_band(
     #[values((0.1, 100_000), (0.05, 400_000))] scene: (f64, u64),
@@ -92,7 +92,7 @@ fn energy_saturates_in_a_band(
         });
         let mean = sum / (steps - steps / 2) as f64;
         assert!(speed <= fastest, "{speed} rad/s is faster than {fastest}");
-        // ε = 0 is approached, from below, to (hε)² of the width.
+        // ε = 0 is approached from below, to within (hε)² of the width.
         let width = high - low;
         assert!(highest < high + 1e-6 * width, "{highest} J is above {high} J");
         assert!(highest > locked && lowest > low - 1e-3 * width, "{lowest} J is below {low} J");
@@ -106,8 +106,8 @@ fn energy_saturates_in_a_band(
 // Not monotone
 // -------------------------------------------------------------------------------------------------
 
-/// A step of Table 5: the energy change in units of h² (g/L)/2 per m L², what Taylor says of it,
-/// and by how much it may err.
+/// A step of Table 5: the Taylor expansion of its energy change, in units of m L² h² (g/L)/2, and a
+/// bound on the remainder.
 struct Step {
     time: f64,
     /// Before the step.
@@ -115,8 +115,8 @@ struct Step {
     falls: bool,
     /// (g/L) sin²θ + ω² cos θ.
     law: f64,
-    /// The rest of the Taylor series: h|ω³ sin θ|/3 + h²ω⁴/12, by the bounds of cos θ − cos(θ +
-    /// hω).
+    /// A bound on the remainder of the Taylor series of cos θ − cos(θ + hω): h|ω³ sin θ|/3 +
+    /// h²ω⁴/12.
     remainder: f64,
 }
 
@@ -144,24 +144,24 @@ fn table_5() -> Vec<Step> {
     steps
 }
 
-/// As measured, and as in the ledger (X.fe.falls).
+/// The measured number, as in the ledger (X.fe.falls).
 ///
-/// Catches: the claim that its energy grows monotonically, and an energy so rounded that the count
-/// is noise.
+/// Catches: the claim that forward Euler's energy grows monotonically, and an energy rounded so
+/// much that the count is noise.
 #[test]
 fn nearly_half_the_steps_of_table_5_lower_the_energy() {
     let steps = table_5();
     let falls: Vec<&Step> = steps.iter().filter(|step| step.falls).collect();
     assert_eq!((steps.len(), falls.len()), (100_000, 48_626));
-    // The first time over the top, and not before: in a swing (g/L) sin²θ + ω² cos θ = (g/L)(1 + c²
-    // − 2cc₀) > 0.
+    // On the first passage over the top, and not before: in a swing (g/L) sin²θ + ω² cos θ =
+    // (g/L)(1 + c² − 2cc₀) > 0.
     assert!((falls[0].time - 27.60).abs() < 0.005, "{}", falls[0].time);
     let first_turn = steps.iter().find(|step| step.from.theta.abs() > PI).unwrap();
     assert!(falls[0].time < first_turn.time && falls[0].time > first_turn.time - 1.0);
 }
 
-/// Whether a step lowers the energy is the sign of (g/L) sin²θ + ω² cos θ, wherever that exceeds
-/// what Taylor leaves out.
+/// The sign of (g/L) sin²θ + ω² cos θ decides whether a step lowers the energy, wherever its size
+/// exceeds the remainder of the Taylor series.
 ///
 /// Catches: an energy measured with another angle or velocity than the step's own; a kick or a
 /// drift that is off by h.
@@ -175,11 +175,11 @@ fn the_sign_of_each_step_is_taylors() {
     }
 }
 
-/// Energy grows below an angle only. With E = ½ω² − (g/L) cos θ = a g/L a step is neutral where 1 +
-/// c² + 2ac = 0, at c = −a + √(a² − 1): 136° at the first turn, 118° after 5 s of turning, and 90°
-/// in the limit of fast rotation.
+/// Energy grows only below a certain angle. With E = ½ω² − (g/L) cos θ = a g/L a step is neutral
+/// where 1 + c² + 2ac = 0, at c = −a + √(a² − 1): 135° at the first turn, 118° after 5 s of
+/// rotation, and 90° in the limit of fast rotation.
 ///
-/// Catches: the belief that forward Euler adds energy everywhere; a law of the force at the new
+/// Catches: the claim that forward Euler adds energy everywhere; a law with the force at the new
 /// angle.
 #[test]
 fn it_grows_only_below_an_angle_that_shrinks() {
@@ -191,8 +191,8 @@ fn it_grows_only_below_an_angle_that_shrinks() {
         let a = 0.5 * omega * omega / g - theta.cos();
         if step.falls && !last {
             let neutral = (-a + (a * a - 1.0).sqrt()).acos().to_degrees();
-            // The first step to fall lies one drift of hω beyond it at most, and Taylor's next
-            // term, hω sin θ/3, shifts it by half a drift or so.
+            // The first step that lowers the energy is at most one drift hω beyond that angle, and
+            // the next Taylor term, hω sin θ/3, shifts it by about half a drift.
             let angle = theta.cos().acos().to_degrees();
             let drift = (long_run::STEP * omega).abs().to_degrees();
             assert!((angle - neutral).abs() < 2.0 * drift, "{angle}° for {neutral}°");

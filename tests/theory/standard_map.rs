@@ -1,18 +1,19 @@
-//! Beyond small steps: symplectic Euler is the Chirikov standard map, and the map has a last
-//! barrier.
+//! Beyond small steps: symplectic Euler is the Chirikov standard map, whose last barrier breaks at
+//! a critical parameter.
 //!
 //! With u = hω and K = (g/L) h² a step is u' = u − K sin θ, θ' = θ + u' (Chirikov, Physics Reports
 //! 52 (1979)). Below K = 0.971635 (Greene, J. Math. Phys. 20 (1979); MacKay, Physica D 7 (1983))
 //! invariant curves, "KAM tori", wind round the cylinder and no orbit crosses them; the last two to
-//! break turn by the golden mean, 0.381966 or 0.618034 of a turn a step. Beyond, gaps let orbits
-//! through, at K = 1.05 after 10⁵ steps or so, and the momentum diffuses without bound.
+//! break have the golden-mean winding numbers, 0.381966 and 0.618034 of a turn a step. Above it,
+//! orbits pass through gaps, at K = 1.05 after about 10⁵ steps, and the momentum diffuses without
+//! bound.
 //!
 //! How the numbers were chosen. The bundle starts at rest within 0.016 rad of the upper
-//! equilibrium, which is inside the chaotic layer at every K here. Among 16 orbits of 10⁶ steps,
-//! measured, at K = 0.95 and 0.97 none crosses u = 2π (nor the angle that the torus allows), at K =
-//! 1.05 14 do (Verlet: 16), the median after 3 · 10⁵ steps; at K = 1.2 all do within 6 · 10⁴. So 8
-//! orbits of 10⁶ steps tell 0.95 from 1.05 whatever the rounding: these tests do not hang on a
-//! single bit.
+//! equilibrium, which is inside the chaotic layer at every K here. Of 16 measured orbits of 10⁶
+//! steps, none crosses u = 2π (nor exceeds the angle that the torus allows) at K = 0.95 and 0.97;
+//! at K = 1.05, 14 do (Verlet: 16), the median after 3 · 10⁵ steps; at K = 1.2 all do within 6 ·
+//! 10⁴. So 8 orbits of 10⁶ steps distinguish 0.95 from 1.05 whatever the rounding: these tests do
+//! not depend on a single bit.
 
 use std::f64::consts::PI;
 
@@ -25,7 +26,7 @@ use rstest::rstest;
 /// Where the last torus breaks.
 const CRITICAL: f64 = 0.971_635;
 
-/// A step that is a power of two: products with it are exact, so that u = hω loses nothing.
+/// A step that is a power of two: products with it are exact, so that u = hω is not rounded.
 const STEP: f64 = 0.25;
 
 /// A pendulum with the parameter `k` in steps of [`STEP`]; L ≠ 1.
@@ -38,7 +39,7 @@ fn bundle(orbits: u32) -> impl Iterator<Item = Phase> {
     (1..=orbits).map(|j| Phase::at_rest(PI - 1e-3 * f64::from(j)))
 }
 
-/// Catches: a critical step in the book or in a colleague's memory that is another pendulum's.
+/// Catches: a critical step computed for another pendulum.
 #[test]
 fn the_critical_step_of_the_papers_pendulum() {
     let step = (CRITICAL / Pendulum::PAPER.frequency_squared()).sqrt();
@@ -56,14 +57,14 @@ fn standard_map(k: f64, (theta, u): (f64, f64)) -> (f64, f64) {
 }
 
 /// With a step that is a power of two, scaling by it commutes with rounding: 10⁵ steps in the
-/// chaotic layer are the same bits.
+/// chaotic layer give the same bits.
 ///
-/// Catches: drift before kick, the old velocity in the drift, g for g/L, a step with any other
-/// operation in it.
+/// Catches: drift before kick, the old velocity in the drift, g for g/L, a step with any additional
+/// operation.
 #[rstest]
 fn symplectic_euler_is_the_standard_map_to_the_bit(#[values(0.5, 0.95, 1.2, 6.0)] k: f64) {
     let (pendulum, start) = (pendulum(k), Phase { theta: 3.0, omega: 1.0 });
-    // The sine is the force's own, to the bit.
+    // The same sine as in the force, to the bit.
     let kick = |theta| pendulum.force(0.0, Phase::at_rest(theta)) * (STEP * STEP);
     let mut image = (start.theta, start.omega * STEP);
     let mut same = 0;
@@ -79,10 +80,10 @@ fn symplectic_euler_is_the_standard_map_to_the_bit(#[values(0.5, 0.95, 1.2, 6.0)
     assert_eq!(same, grid.samples());
 }
 
-/// With the paper's pendulum and any step they differ by rounding: of K, of u and of the kick, each
-/// ε/2 of numbers below 6.
+/// With the paper's pendulum and any step they differ by the roundings of K, of u and of the kick,
+/// each ε/2 of numbers below 6.
 ///
-/// Catches: as above, where h is no power of two.
+/// Catches: as above, where h is not a power of two.
 #[rstest]
 fn one_step_is_the_standard_map_to_rounding(#[values(0.01, 0.314_71, 0.7)] h: f64) {
     const ROUNDING: f64 = 6.0 * f64::EPSILON;
@@ -121,12 +122,12 @@ fn verlet_is_conjugate_to_the_standard_map() {
 // The last barrier
 // -------------------------------------------------------------------------------------------------
 
-/// Watches an orbit for a crossing of the golden-mean tori, in either direction.
+/// An observer that detects when an orbit crosses the golden-mean tori, in either direction.
 struct Barrier {
     start: Option<f64>,
-    /// The lowest that θ − 2πρn and −θ − 2πρn have been.
+    /// The smallest values so far of ±(θ − θ₀)/2π − ρn (turns).
     low: [f64; 2],
-    /// The most that either has risen since, in turns.
+    /// The largest increase of either since its smallest value (turns).
     rise: f64,
     /// The largest |u|.
     fastest: f64,
@@ -165,17 +166,18 @@ fn watch<M: Method<Pendulum>>(method: &M, k: f64, start: Phase, steps: u64) -> B
     barrier
 }
 
-/// Orbits a test watches, and how long.
+/// The number of orbits in a test, and of steps of each.
 const ORBITS: u32 = 8;
 const STEPS: u64 = 1_000_000;
 
-/// Below the last torus nothing escapes. The map twists: an orbit below an invariant curve falls
-/// behind the point of the curve above it, at each step anew, and the curve keeps the order of its
-/// points. So from any sample on, n steps turn the orbit by less than ρn + 1 turns, ρ = 0.381966.
-/// That holds rigorously while the torus does, for every orbit, and rounding of 10⁶ turns, 2e-10,
-/// cannot break it. And u stays below 2π, where the layer's copy a turn faster lies.
+/// Below the critical parameter no orbit escapes. The map twists: at each step an orbit below an
+/// invariant curve falls behind the point of the curve above it, and the map preserves the order of
+/// the curve's points. So from any sample on, n steps turn the orbit by less than ρn + 1 turns, ρ =
+/// 0.381966. That holds rigorously as long as the torus exists, for every orbit, and rounding of
+/// 10⁶ turns, 2e-10, cannot change it. And u stays below 2π, where the copy of the layer one turn a
+/// step faster lies.
 ///
-/// Catches: a step that is not area-preserving, or that loses its tori to sloppy arithmetic; K
+/// Catches: a step that is not area-preserving, or that loses its tori to inaccurate arithmetic; K
 /// taken for √K.
 #[rstest]
 #[case::symplectic_euler(SymplecticEuler)]
@@ -188,12 +190,13 @@ fn below_the_last_torus_no_orbit_escapes<M: Method<Pendulum>>(#[case] method: M)
         assert_eq!(barrier.crossed, None, "{start:?}");
         fastest = fastest.max(barrier.fastest);
     }
-    // It is the chaotic layer all the same: beyond the separatrix of the pendulum, u = 2√K = 1.95,
-    // by far.
+    // The orbits are in the chaotic layer all the same: they go well beyond the separatrix of the
+    // pendulum, u = 2√K = 1.95.
     assert!(fastest > 2.2, "u = {fastest} is hardly chaos");
 }
 
-/// Just above it most do, and outrun the torus by thousands of turns.
+/// Just above the critical parameter most orbits escape, and get ahead of the torus by thousands of
+/// turns.
 ///
 /// Catches: a critical parameter that is off by more than 8 %; energies that are bounded because
 /// the state is clamped or θ reduced.
@@ -204,17 +207,17 @@ fn above_the_last_torus_orbits_escape<M: Method<Pendulum>>(#[case] method: M) {
     let orbits: Vec<Barrier> =
         bundle(ORBITS).map(|start| watch(&method, 1.05, start, STEPS)).collect();
     let escaped = orbits.iter().filter(|barrier| barrier.crossed.is_some()).count();
-    // Of 32 orbits measured 2 stay. If even one in eight did, six or more of eight would one time
-    // in 10⁴.
+    // Of 32 measured orbits 2 stay. Even if one in eight stayed, six or more of eight would do so
+    // only once in 10⁴.
     assert!(escaped >= 3, "{escaped} of {ORBITS}");
     assert!(orbits.iter().any(|barrier| barrier.rise > 1000.0));
 }
 
 /// At K = 1.2 the mean square of u grows as n: from 2¹⁴ to 2¹⁸ steps 16-fold. (Over 16 orbits it
 /// scatters by √(2/16) = 35 % at either end: a factor of 4 is two standard deviations up at one and
-/// down at the other. Measured: 8.4 and 16.7.) And all have escaped.
+/// down at the other. Measured: 8.4 and 16.7.) And all orbits escape.
 ///
-/// Catches: diffusion that stops, or runs off like n²: a drift, a clamp.
+/// Catches: diffusion that stops, as by a clamp, or that grows as n², as by a drift.
 #[rstest]
 #[case::symplectic_euler(SymplecticEuler)]
 #[case::stormer_verlet(StormerVerlet)]
@@ -238,10 +241,10 @@ fn further_above_momentum_diffuses<M: Method<Pendulum>>(#[case] method: M) {
     assert!(growth > 16.0 / SCATTER && growth < 16.0 * SCATTER, "grew {growth}-fold");
 }
 
-/// Far above, the kicks are as good as random, and u diffuses as K²/2 a step (Chirikov; the next
-/// term is −K² J₂(K)): D = (K²/2)(1 − 2J₂(K)) with J₂(6) = −0.2429, 26.7.
+/// Far above, the kicks are practically random, and u diffuses by K²/2 a step (Chirikov; the next
+/// term is −K² J₂(K)): D = (K²/2)(1 − 2J₂(K)), with J₂(6) = −0.2429: 26.7.
 ///
-/// Catches: a kick of the wrong size that still has the right signs.
+/// Catches: a kick of the wrong size but the right sign.
 #[test]
 fn far_above_the_diffusion_is_that_of_random_kicks() {
     const ORBITS: u32 = 1024;
@@ -266,11 +269,11 @@ fn far_above_the_diffusion_is_that_of_random_kicks() {
 // The portraits
 // -------------------------------------------------------------------------------------------------
 
-/// In the book's portraits nothing escapes below the last torus; above it at least the six orbits
-/// of the chaotic layer do.
+/// In the book's portraits no orbit escapes below the critical parameter; above it at least the six
+/// orbits of the chaotic layer do.
 ///
-/// Catches: a step at which the map has another K; an escape counted where the picture was folded,
-/// or never.
+/// Catches: a step at which the map has another K; folding into the picture counted as an escape,
+/// or an escape never counted.
 #[test]
 fn orbits_escape_in_the_last_portrait_only() {
     let escaped = PARAMETERS.map(|k| orbits(k).iter().filter(|orbit| orbit.escapes).count());
@@ -283,12 +286,13 @@ fn orbits_escape_in_the_last_portrait_only() {
 }
 
 /// On the last curve u is a function of θ, and the map and its inverse, θ' = θ + u − K sin θ and θ
-/// − u, keep the order of the points on it: so the slope of u lies between −(1 + K) and 1. The
-/// golden mean's first 233 points are 2π/233 · √5 apart at most where they lie evenly, 0.06; the
-/// bent curve stretches that by less than 3. An orbit off the curve jumps by more than either.
+/// − u, preserve the order of the points on it: so the slope of u lies between −(1 + K) and 1. The
+/// golden mean's first 233 points are at most 2π/233 · √5 = 0.06 apart where they are spread
+/// evenly; the bent curve stretches that by a factor below 3. An orbit off the curve exceeds both
+/// bounds.
 ///
-/// Catches: a bisection that ends in an island or in the sea; a golden mean of another sign; a
-/// curve drawn where there is none.
+/// Catches: a bisection that ends in an island or in the chaotic sea; a golden mean of the wrong
+/// sign; a curve drawn where there is none.
 #[rstest]
 #[case(0.5, true)]
 #[case(0.97, true)]

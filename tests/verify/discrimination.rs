@@ -3,8 +3,8 @@
 //!
 //! Libraries have shipped a symplectic Euler that was forward Euler, a Verlet with wrong
 //! coefficients and a fourth-order method that was second, under green tests. Here each of them is
-//! set before the very checks that the library's own methods pass, and its case names the checks
-//! that say no. All others let it pass, and that is asserted too: so each line also says which
+//! run through the same checks that the library's own methods pass, and its case names the checks
+//! that it fails. It passes all others, and that is asserted too: so each line also shows which
 //! popular check would not have noticed.
 
 use pendula::arithmetic::sine::sin;
@@ -23,7 +23,7 @@ use crate::zoo::runge_kutta::Tableau;
 use crate::zoo::verlet::Kicks;
 use crate::zoo::{euler, metrics, problem, verlet, wrapped};
 
-/// Catches: a check that has stopped to discriminate, and one that says no to a right method.
+/// Catches: a check that no longer discriminates, and one that refuses a right method.
 #[rstest]
 #[case::forward_euler_posing_as_symplectic_euler(
     euler::Forward, SymplecticEuler,
@@ -172,7 +172,7 @@ use crate::zoo::{euler, metrics, problem, verlet, wrapped};
     problem::Accelerated(|p, theta| 1e-12 - p.frequency_squared() * sin(theta)), StormerVerlet,
     &[LINEAR, CONJUGACY, SYMMETRY],
 )]
-// (It is no palindrome, but so nearly one that REVERSAL sees it by a factor of three.)
+// (It is no palindrome, but so nearly one that REVERSAL detects it by a factor of three only.)
 #[case::triple_jump_too_long_by_1e_6(
     high_order::TripleJumpTooLong, ForestRuth,
     &[ORDER, ERROR_CONSTANT, LINEAR, REVERSAL],
@@ -224,13 +224,13 @@ fn impostors_are_caught<I: AnyMethod, M: AnyMethod>(
     assert_eq!(objecting, expected, "{objections:#?}");
 }
 
-/// Holds a check of a kind of metric against the library's metric and a wrong one.
+/// Asserts that the library's metric passes `check` and a wrong one fails it.
 fn tells_apart<F>(check: impl Fn(F) -> CheckResult, truth: F, impostor: F) {
     check(truth).expect("the library's metric");
     check(impostor).expect_err("a wrong metric passes");
 }
 
-/// Catches: a check of means and maxima that has stopped to discriminate.
+/// Catches: a check of means and maxima that no longer discriminates.
 #[rstest]
 #[case::mean_over_n(check::check_root_mean_square, check::root_mean_square, metrics::mean_over_n)]
 #[case::mean_of_the_last_sample(
@@ -254,7 +254,7 @@ fn wrong_angle_errors_are_caught(
     tells_apart(check, truth, impostor);
 }
 
-/// Catches: a check of the energy drift that has stopped to discriminate.
+/// Catches: a check of the energy drift that no longer discriminates.
 #[rstest]
 #[case::energy_without_the_potential(metrics::drift_without_the_potential)]
 #[case::drift_between_the_ends_only(metrics::drift_between_the_ends)]
@@ -263,7 +263,7 @@ fn wrong_energy_drifts_are_caught(#[case] impostor: fn(&[Phase]) -> f64) {
     tells_apart(check::check_energy_drift, check::energy_drift, impostor);
 }
 
-/// Catches: a check of the energy that has stopped to discriminate.
+/// Catches: a check of the energy that no longer discriminates.
 #[rstest]
 #[case::energy_with_one_minus_cosine(metrics::energy_that_cancels)]
 #[case::energy_without_length(metrics::energy_without_length)]
@@ -271,7 +271,7 @@ fn wrong_energies_are_caught(#[case] impostor: fn(&Pendulum, Phase) -> f64) {
     tells_apart(check::check_energy, check::energy, impostor);
 }
 
-/// Catches: a check of the period that has stopped to discriminate.
+/// Catches: a check of the period that no longer discriminates.
 #[rstest]
 #[case::period_off_by_one_sample(
     check::check_peak,
@@ -292,7 +292,7 @@ fn wrong_periods_are_caught(
     tells_apart(check, truth, impostor);
 }
 
-/// Catches: a check of the exact period that has stopped to discriminate.
+/// Catches: a check of the exact period that no longer discriminates.
 #[rstest]
 #[case::parameter_for_modulus(metrics::ratio_by_the_parameter)]
 #[case::one_minus_k_squared(metrics::ratio_that_cancels)]
@@ -310,10 +310,10 @@ fn wrong_orders_are_caught(#[case] impostor: fn(&dyn AnyMethod) -> f64) {
     near("symplectic Euler's order, so measured", impostor(&SymplecticEuler), 2.0, 0.05).unwrap();
 }
 
-/// The series of which a term is dropped, and the table of which an entry is off, have without that
-/// every property: it is the dropped term that is caught, and the entry.
+/// The series without a dropped term and the table without a wrong entry have every property: so it
+/// is the dropped term and the wrong entry that are caught.
 ///
-/// Catches: an impostor that is wrong for another reason than it says.
+/// Catches: an impostor that is wrong for another reason than the one given.
 #[test]
 fn impostors_with_nothing_wrong_are_right() {
     for property in PROPERTIES {
@@ -325,10 +325,10 @@ fn impostors_with_nothing_wrong_are_right() {
     }
 }
 
-/// The pendulum knows no time, so that none of the properties above can see at what times RK4
-/// evaluates its stages. A driven system can.
+/// The pendulum is autonomous, so that none of the properties above depends on the times at which
+/// RK4 evaluates its stages. A driven system does.
 ///
-/// Catches: stages at the wrong times, which are of order 1 as soon as a pendulum is driven.
+/// Catches: stages at the wrong times, which reduce the order to 1 as soon as a pendulum is driven.
 #[rstest]
 #[case::all_stages_at_the_start(Tableau { c: [0.0; 4], ..Tableau::RIGHT })]
 #[case::middle_stages_at_the_end(Tableau { c: [0.0, 1.0, 1.0, 1.0], ..Tableau::RIGHT })]
@@ -341,10 +341,11 @@ fn wrong_stage_times_are_caught(#[case] impostor: Tableau) {
     }
 }
 
-/// Forward Euler with the force of the end of the step is of order 1 on a driven system, too: only
-/// the very sum that it makes tells it from the right one.
+/// Forward Euler with the force at the time of the step's end is of order 1 on a driven system,
+/// too: only the exact sum of its steps distinguishes it from the right one.
 ///
-/// Catches: a check of when Euler's methods ask for the force that has stopped to discriminate.
+/// Catches: a check of the times at which Euler's methods evaluate the force that no longer
+/// discriminates.
 #[test]
 fn a_force_asked_for_late_is_caught() {
     driven::check_euler(&ForwardEuler).unwrap();

@@ -1,4 +1,4 @@
-//! The error at the end of a run, and what rounding has to do with it.
+//! The error at the end of a run, and the contribution of rounding to it.
 
 use pendula::methods::{BlanesMoan6, Taylor24};
 use pendula::metrics::EndError;
@@ -10,8 +10,8 @@ fn pendulum() -> Pendulum {
     Pendulum::new(9.8, 0.8, 1.7).unwrap()
 }
 
-/// Catches: the smaller of two errors, a sign that lets one pass, an ω without its unit, a NaN
-/// compared away.
+/// Catches: the smaller of the two errors, an error that passes because of its sign, an ω without
+/// its unit, a NaN lost in a comparison.
 #[test]
 fn the_larger_component_counts() {
     let (pendulum, start) = (pendulum(), Phase { theta: 1.0, omega: 0.5 });
@@ -31,9 +31,9 @@ fn the_larger_component_counts() {
     assert!(EndError::new(&pendulum, Phase::at_rest(f64::NAN), 1.0).is_err());
 }
 
-/// By numbers alone: two runs whose starts differ by a millionth of themselves. The second
-/// difference is a part of 1e-6 times the square of the phase that such a run gains, 1e-3 at most,
-/// over the first: 1e-2 with a margin of 10.
+/// By finite differences: two runs whose starts differ by a millionth of themselves. Relative to
+/// the first difference, the second is a fraction of 1e-6 times the square of the phase that such a
+/// run gains, 1e-3 at most: 1e-2 with a margin of 10.
 ///
 /// Catches: a change of the start that does not grow, one of θ alone, a difference lost in
 /// rounding; a sum of roundings without its root.
@@ -56,10 +56,10 @@ fn a_change_of_the_start_grows(#[case] start: Phase, #[case] t: f64) {
     }
 }
 
-/// Steps so short that a series to the 24th power errs by rounding alone: over 30 s from five
-/// starts, the mean of squares. Each rounding is ε/√12 at most and not ε, and those made late grow
-/// little, which takes another √3 away: a sixth of the bound. One run may have luck, five have not
-/// by a factor of 5 either way.
+/// Steps so short that a series to the 24th power errs by rounding alone: the root mean square over
+/// five starts, after 30 s. Each rounding is ε/√12 at most and not ε, and those made late grow
+/// little, which takes another √3 away: a sixth of the bound. One run may be lucky, but five are
+/// not, by a factor of 5 either way.
 ///
 /// Catches: a bound that rounding exceeds, and one that it never comes near.
 #[rstest]

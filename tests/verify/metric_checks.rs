@@ -28,7 +28,7 @@ pub type OfErrors = fn(&[f64]) -> f64;
 /// A period (s), read off samples.
 pub type OfSamples = fn(&[Sample]) -> Option<f64>;
 
-/// Shows `samples` to `observer`, until it is satisfied.
+/// Passes `samples` to `observer`, until it is satisfied.
 pub fn show(samples: &[Sample], observer: &mut impl Observer<Phase>) {
     for (n, &(t, z)) in (0..).zip(samples) {
         if observer.is_satisfied() {
@@ -143,7 +143,7 @@ pub fn check_peak(period: OfSamples) -> CheckResult {
 }
 
 /// The cubic through a crossing of cos πt is off by at most h⁴ max|θ⁽⁴⁾|/384 = h⁴π⁴/384, with a
-/// slope of π there. Errors at two crossings may add up; they share three periods or more.
+/// slope of π there. Errors at two crossings may add up; they are divided by three periods or more.
 pub fn check_crossing(period: OfSamples) -> CheckResult {
     for h in [0.1_f64, 0.03, 0.007] {
         let bound = 2.0 * h.powi(4) * PI.powi(3) / 384.0 / 3.0 + 1e-14;
@@ -165,7 +165,7 @@ pub fn check_period_ratio(ratio: fn(f64) -> f64) -> CheckResult {
     near("T/T₀ − 1 at 0.01", ratio(0.01) - 1.0, 6.25e-6, 1e-9)?;
     let lemniscate = 1.854_074_677_301_372 / FRAC_PI_2;
     near("T/T₀ at a right angle", ratio(FRAC_PI_2), lemniscate, 4.0 * ROUNDING)?;
-    // π − 1e-8 is rounded by 2e-16, 2e-8 of the 1e-8, which ln feels.
+    // π − 1e-8 is rounded by 2e-16, 2e-8 of the 1e-8, which is the error of the logarithm.
     let at_the_top = (4.0 / 5e-9_f64).ln() / FRAC_PI_2;
     near("T/T₀ beside the top", ratio(PI - 1e-8), at_the_top, 1e-7)
 }
@@ -179,7 +179,7 @@ pub fn observed_order(method: &dyn AnyMethod) -> f64 {
     Ladder::measure(method).slopes().last().unwrap_or(f64::NAN)
 }
 
-/// Of methods whose order is not in doubt.
+/// On methods whose order is known.
 pub fn check_observed_order(order: fn(&dyn AnyMethod) -> f64) -> CheckResult {
     near("symplectic Euler's order", order(&SymplecticEuler), 1.0, 0.05)?;
     near("Störmer–Verlet's order", order(&StormerVerlet), 2.0, 0.05)?;

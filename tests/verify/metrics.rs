@@ -8,20 +8,20 @@ use pendula::{Grid, Hamiltonian, LinearOscillator, Observer, Pendulum, Phase, in
 use crate::metric_checks as check;
 
 /// Catches: a mean over N where N + 1 samples were seen, a sum not squared, a largest error that
-/// forgets the sign.
+/// ignores negative ones.
 #[test]
 fn angle_error_is_the_mean_over_all_samples() {
     check::check_root_mean_square(check::root_mean_square).unwrap();
     check::check_largest(check::largest).unwrap();
 }
 
-/// Catches: an energy error against zero, against the last sample, or without its sign removed.
+/// Catches: an energy error against zero, against the last sample, or with its sign.
 #[test]
 fn energy_drift_is_the_largest_deviation_from_the_start() {
     check::check_energy_drift(check::energy_drift).unwrap();
 }
 
-/// Catches: a NaN that is compared away, so that a method which blew up looks perfect.
+/// Catches: a NaN that is lost in a comparison, so that a method which blew up looks perfect.
 #[test]
 fn a_nan_is_kept() {
     let mut watch = (EnergyDrift::new(&Pendulum::PAPER), AngleError::new(|_| 0.0));
@@ -55,8 +55,8 @@ fn a_small_energy_keeps_its_digits() {
 
 /// The highest sample lies within half a step of the peak.
 ///
-/// Forward Euler takes its first step from rest without moving: θ₀, θ₀, and then less. That is no
-/// top.
+/// Forward Euler takes its first step from rest without moving: θ₀, θ₀, and then less. That is not
+/// a peak.
 ///
 /// Catches: a plateau at the start that is taken for the end of the first period; a run that goes
 /// on when the peak has been seen.

@@ -1,13 +1,12 @@
 //! The other crates, each at its best: `differential-equations` is stepped by hand, which keeps no
-//! states; and `ode_solvers` keeps every state, as it cannot do otherwise. Neither has symplectic
-//! Euler.
+//! states; `ode_solvers` always keeps every state. Neither has symplectic Euler.
 
 use differential_equations::methods::{ExplicitRungeKutta, SymplecticIntegrator};
 use differential_equations::ode::{ODE, OrdinaryNumericalMethod};
 use ode_solvers::{OutputType, System, Vector2};
 use pendula::Phase;
 
-/// The paper's pendulum, as the crates want it.
+/// The paper's pendulum, in the form that the crates require.
 struct Equations;
 
 impl System<f64, Vector2<f64>> for Equations {
@@ -23,15 +22,15 @@ impl ODE<f64, [f64; 2]> for Equations {
     }
 }
 
-/// A method of a crate with steps of one size: from a start, so many steps of a length (s).
-pub type ScaledPendulum = fn(Phase, u64, f64) -> Phase;
+/// A method of a crate with fixed steps: the start, the number of steps and their length (s).
+pub type Loop = fn(Phase, u64, f64) -> Phase;
 
-/// A method of a crate with a tolerance: from a start, to a time (s). What fails has no state that
-/// is a number.
+/// A method of a crate with a tolerance: the start, the end time (s), the tolerance. A run that
+/// fails returns NaN.
 pub type Controlled = fn(Phase, f64, f64) -> Phase;
 
-/// The crates' methods that the library has, by the library's name.
-pub const STEPPED: [(&str, &str, ScaledPendulum); 5] = [
+/// The crates' methods that the library has too, by the library's name.
+pub const STEPPED: [(&str, &str, Loop); 5] = [
     ("forward-euler", "differential-equations", euler),
     ("rk4", "ode_solvers", ode_solvers_rk4),
     ("rk4", "differential-equations", rk4),
@@ -39,7 +38,7 @@ pub const STEPPED: [(&str, &str, ScaledPendulum); 5] = [
     ("forest-ruth", "differential-equations", ruth_forest),
 ];
 
-/// The crates' methods that may come to a small error.
+/// The crates' methods that may reach a small error.
 pub const CONTROLLED: [(&str, Controlled); 5] = [
     ("ode_solvers Dopri5", ode_solvers_dopri5),
     ("ode_solvers Dop853", ode_solvers_dop853),
@@ -57,10 +56,10 @@ pub const CONTROLLED: [(&str, Controlled); 5] = [
     }),
 ];
 
-/// Steps that no run needs.
+/// More steps than any run needs.
 const MOST: usize = 1 << 30;
 
-/// No state.
+/// The result of a run that failed.
 const NOWHERE: Phase = Phase { theta: f64::NAN, omega: f64::NAN };
 
 fn ode_solvers_rk4(start: Phase, steps: u64, step: f64) -> Phase {
@@ -124,8 +123,8 @@ fn controlled_by_hand(
 
 macro_rules! controlled_by_ode_solvers {
     ($($name:ident: $stepper:ident, $beta:literal, $smallest:literal, $largest:literal;)+) => {$(
-        /// With the crate's own defaults, but for the number of steps allowed and the output, which
-        /// is every step and nothing between.
+        /// With the crate's own defaults, except for the number of steps allowed and the output,
+        /// which is every step and nothing between.
         fn $name(start: Phase, end: f64, tolerance: f64) -> Phase {
             let z = Vector2::new(start.theta, start.omega);
             let mut stepper = ode_solvers::$stepper::from_param(

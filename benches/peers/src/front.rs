@@ -1,18 +1,18 @@
-//! The front of run time against error: the shortest time in which each program comes to an error,
-//! on three scenes.
+//! The front of run time against error: the shortest time in which each program reaches a given
+//! error, on three scenes.
 //!
-//! The error is max(|Δθ|, |Δω|/ω₀) at the end, against the closed form. Every program has a ladder
-//! of settings, from coarse to fine. Where the steps are of one size, those are all the steps that
-//! are exact and lead exactly to the end, d/2ᵏ s where d divides the duration: a rounded step alone
-//! costs 3e-13 at 1000 s. Where there is a tolerance, there are four to a decade.
+//! The error is max(|Δθ|, |Δω|/ω₀) at the end, against the closed form. Every program has a list of
+//! settings, from coarse to fine. With fixed steps, those are all the steps that are exact in f64
+//! and end exactly at the duration, d/2ᵏ s where d divides the duration: a rounded step alone costs
+//! 3e-13 at 1000 s. With a tolerance, there are four to a decade.
 //!
-//! The first rung within the goal counts, unless it is luck: the next finer must be within the
-//! goal, too, and its error no more than three times as large; or, as where both are rounding, the
-//! one after that within the goal as well. Programs that need more than [`PATIENCE`] for a run on
-//! the way are out, but for the naive loop. Where its roundings keep that from the goal, it stands
-//! with as many steps as its order would ask for, and with the error that it has then. Those left
-//! take turns, round by round, each with its own rung; of its times the shortest counts, and of its
-//! ratios to the naive loop in the same round the median.
+//! The first setting within the goal counts, unless by chance: the next finer one must be within
+//! the goal, too, and either its error is at most three times as large, or, as where both are
+//! rounding, the one after that is within the goal as well. A program that needs more than
+//! [`PATIENCE`] for a run before it reaches the goal is left out, except the naive loop. Where
+//! rounding keeps that from the goal, it is shown with as many steps as its order would need, and
+//! with the error that it then has. The others are timed in rounds, each at its own setting; the
+//! shortest of its times counts, and the median of its ratios to the naive loop in the same round.
 
 use std::hint::black_box;
 
@@ -28,37 +28,37 @@ use crate::crates::{CONTROLLED, STEPPED};
 use crate::machine::{instructions, median, seconds};
 use crate::naive::NAIVE;
 
-/// From where (rad) and for how long (s).
+/// The release angle (rad) and the duration (s).
 const SCENES: [(f64, u32); 3] = [(1.0, 100), (3.0, 30), (1.0, 1000)];
 
 /// The errors asked for.
 const GOALS: [f64; 6] = [1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12];
 
-/// Rounds, in each of which every contender has its turn.
+/// Rounds, in each of which every contender is timed once.
 const ROUNDS: usize = 11;
 
-/// The longest run (s) on the way to a smaller error; and the naive loop's.
+/// The longest run (s) after which a finer setting is still tried; and that of the naive loop.
 const PATIENCE: f64 = 0.1;
 const PATIENCE_WITH_NAIVE: f64 = 1.0;
 
-/// How many times the shortest time a program may take to be timed in rounds.
+/// A program that takes this many times the shortest time is not timed in rounds.
 const BEHIND: f64 = 40.0;
 
-/// Of the library's methods so many are shown, the quickest.
+/// The number of the library's methods that are shown, the fastest ones.
 const SHOWN: usize = 3;
 
-/// From the longest step (s) on, 2^-FINEST of a divisor of the duration is the shortest.
+/// The longest step (s), and k of the shortest, a divisor of the duration times 2⁻ᵏ.
 const LONGEST: f64 = 0.5;
 const FINEST: u32 = 16;
 
-/// Steps of a size: their number, and their length (s).
+/// Fixed steps: their number, and their length (s).
 #[derive(Clone, Copy)]
 struct Steps {
     count: u64,
     length: f64,
 }
 
-/// All steps that are exact and lead exactly to the `end` (s), the longest first.
+/// All steps that are exact in f64 and end exactly at `end` (s), the longest first.
 fn exact_steps(end: u32) -> Vec<Steps> {
     let odd = (1..=end).step_by(2).filter(|d| end.is_multiple_of(*d));
     let mut all: Vec<Steps> = odd
@@ -74,14 +74,15 @@ fn exact_steps(end: u32) -> Vec<Steps> {
     all
 }
 
-/// One who takes part.
+/// A program in the comparison.
 struct Contender {
     name: String,
     kind: Kind,
-    /// From coarse to fine; and how many steps that is, where they are of one size.
+    /// The number of steps of each setting, from coarse to fine; empty where the steps are not
+    /// fixed.
     counts: Vec<u64>,
     settings: Vec<Box<dyn Fn() -> Phase>>,
-    /// What each of them comes to, as far as they have been tried: an error (rad) and a time (s).
+    /// The error (rad) and the time (s) of each setting tried so far.
     tried: Vec<(f64, f64)>,
 }
 
@@ -121,7 +122,7 @@ impl Contender {
         }
     }
 
-    /// The coarsest setting that is within the goal, and not by luck.
+    /// The coarsest setting that is within the goal, and not by chance.
     fn setting_for(&self, goal: f64) -> Option<usize> {
         let is_within = |i: usize| self.tried.get(i).is_some_and(|(error, _)| *error <= goal);
         let is_asymptotic = |i: usize| self.tried[i + 1].0 <= 3.0 * self.tried[i].0;
@@ -129,7 +130,7 @@ impl Contender {
             .find(|&i| is_within(i) && is_within(i + 1) && (is_asymptotic(i) || is_within(i + 2)))
     }
 
-    /// For RK4, whose roundings keep it from the goal: as many steps as its order would ask for.
+    /// For RK4, where rounding keeps it from the goal: as many steps as its order would need.
     fn setting_by_order(&self, goal: f64) -> Option<usize> {
         let reached = GOALS.iter().rev().find_map(|reached| self.setting_for(*reached))?;
         let more = (self.tried[reached].0 / goal).powf(0.25);
@@ -178,7 +179,7 @@ macro_rules! every_method {
 }
 pendula::for_each_method!(every_method);
 
-/// Everyone, the naive RK4 first.
+/// All contenders, the naive RK4 first.
 fn contenders(theta_0: f64, end: u32) -> Vec<Contender> {
     let steps = exact_steps(end);
     let start = Phase::at_rest(theta_0);
@@ -222,7 +223,7 @@ impl Row<'_> {
     }
 }
 
-/// Those who come to the goal in a time that can be compared, timed.
+/// Times the contenders that reach the goal in a comparable time.
 fn race(contenders: &[Contender], goal: f64) -> Vec<Row<'_>> {
     let setting = |contender: &Contender| match contender.kind {
         Kind::Naive => contender.setting_for(goal).or_else(|| contender.setting_by_order(goal)),

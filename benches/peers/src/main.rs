@@ -1,7 +1,8 @@
-//! The library beside other crates, in one run, against the loop that anyone would write first.
+//! The library and other crates, in one run, compared with the naive loop.
 //!
 //! `cargo run --profile peers -p pendula-peers` compares [steps], and with `-- front` run time [for
-//! an error](front). The profile optimises what the crates depend on; the release build does not.
+//! an error](front). The profile optimises the dependencies of the crates; the release build does
+//! not.
 
 mod crates;
 mod front;

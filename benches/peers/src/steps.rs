@@ -12,14 +12,14 @@ const STEPS: u64 = 10_000;
 const STEP: f64 = 0.01;
 const END: f64 = 100.0;
 
-/// Rounds, in each of which every contender has its turn.
+/// Rounds, in each of which every contender is timed once.
 const ROUNDS: usize = 21;
 
-/// How far (rad, rad/s) two programs of the same method may end from each other: after 100 s, that
-/// they round differently has grown to 7e-11. With a margin of 100.
+/// The largest difference (rad, rad/s) between the ends of two programs of the same method: after
+/// 100 s, differences in rounding have grown to 7e-11. With a margin of 100.
 const AGREEMENT: f64 = 1e-8;
 
-/// One who takes part: its name, and the way from the start to the end.
+/// A program: its name, and the function from the start to the end.
 type Contender<'a> = (&'a str, Box<dyn Fn(Phase) -> Phase + 'a>);
 
 macro_rules! every_method {

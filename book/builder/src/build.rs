@@ -1,4 +1,4 @@
-//! Building the book in-process: mdBook's driver with our preprocessor in the place of the command.
+//! Building the book in-process: mdBook's driver with our preprocessor in place of the command.
 
 use std::path::{Path, PathBuf};
 
@@ -14,8 +14,7 @@ use crate::warnings;
 /// returns the path of its first page.
 ///
 /// # Errors
-/// Anything that stops the build, and anything mdBook only warns of: a page that is not quite right
-/// is not right.
+/// Anything that stops the build, and anything mdBook only warns of.
 pub fn book(
     root: &Path,
     destination: Option<&Path>,

@@ -72,7 +72,7 @@ where
 /// What is wrong and what is allowed, in one line.
 fn explain(error: &clap::Error) -> String {
     let folded = fold(&error.to_string());
-    // clap names a similar command, if there is one, but not those there are.
+    // clap names a similar command, if there is one, but does not list the commands.
     if error.kind() == ErrorKind::InvalidSubcommand {
         let cli = Cli::command();
         let names: Vec<_> = cli.get_subcommands().map(clap::Command::get_name).collect();
@@ -81,7 +81,7 @@ fn explain(error: &clap::Error) -> String {
     folded
 }
 
-/// clap explains in paragraphs; a script that reads standard error wants one line.
+/// Folds clap's paragraphs into one line, for scripts that read standard error.
 fn fold(message: &str) -> String {
     let lines = message
         .trim_start_matches("error:")
@@ -119,7 +119,7 @@ mod tests {
         assert!(matches!(command, Command::Book(arguments) if !arguments.open));
     }
 
-    /// Catches: clap's paragraphs passed on as they are.
+    /// Catches: clap's paragraphs passed on unfolded.
     #[test]
     fn a_usage_error_is_one_line() {
         let reason = refusal(&["pendula", "bock"]);
@@ -137,7 +137,7 @@ mod tests {
         }
     }
 
-    /// Catches: a definition of the command line that clap finds wrong only when it is used.
+    /// Catches: an invalid definition of the command line that clap reports only when it is used.
     #[test]
     fn the_definition_is_sound() {
         Cli::command().debug_assert();

@@ -7,9 +7,9 @@ use std::process::ExitCode;
 /// Why a command ended early.
 #[derive(Debug)]
 pub enum Failure {
-    /// The request cannot be met: what was asked, and what is allowed. Exit status 2.
+    /// The request is invalid: what was asked, and what is allowed. Exit status 2.
     Refused(String),
-    /// The request was sound; carrying it out failed. Exit status 1.
+    /// The request was valid, but failed. Exit status 1.
     Failed(anyhow::Error),
     /// The answer is "no", which is not an error: nothing is printed. Exit status 1.
     No,
@@ -18,12 +18,12 @@ pub enum Failure {
 }
 
 impl Failure {
-    /// A refusal, from anything that says what was asked and what is allowed.
+    /// A refusal, with a reason that says what was asked and what is allowed.
     pub fn refused(reason: impl Display) -> Self {
         Self::Refused(reason.to_string())
     }
 
-    /// The one line for standard error, or nothing where silence is right.
+    /// The line for standard error, or `None` if nothing is to be printed.
     pub fn line(&self) -> Option<String> {
         match self {
             Self::Refused(reason) => Some(format!("pendula: {}", one_line(reason))),
@@ -37,7 +37,7 @@ impl Failure {
     pub fn exit_code(&self) -> ExitCode {
         match self {
             Self::Refused(_) => ExitCode::from(2),
-            // `pendula … | head` took what it wanted.
+            // `pendula … | head` has read enough.
             Self::Failed(error) if is_broken_pipe(error) => ExitCode::SUCCESS,
             Self::Failed(_) | Self::No => ExitCode::FAILURE,
             Self::Answered => ExitCode::SUCCESS,
@@ -74,7 +74,7 @@ fn one_line(text: &str) -> String {
 mod tests {
     use super::*;
 
-    /// Catches: an error of several lines printed as it came.
+    /// Catches: an error printed in several lines.
     #[test]
     fn a_failure_is_one_line() {
         let failure = Failure::refused("no such method\n  allowed:\n  rk4");

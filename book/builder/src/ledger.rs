@@ -1,23 +1,23 @@
-//! The seam between the book and the paper's ledger of claims.
+//! The interface between the book and the paper's ledger of claims.
 //!
-//! The directives `{{stated ID}}`, `{{measured ID}}` and `{{verdict ID}}` ask a [`Ledger`] and
-//! nothing else, so that a test can bring its own and the library can change its types. [`Paper`]
-//! is the one adapter to the library.
+//! The directives `{{stated ID}}`, `{{measured ID}}` and `{{verdict ID}}` depend on a [`Ledger`]
+//! only, so that a test can use its own and the library can change its types. [`Paper`] is the only
+//! adapter to the library.
 
 use pendula_study::claims::Measured;
 use pendula_study::experiments::Study;
 
 use crate::progress::Progress;
 
-/// What the ledger says of one claim. A value is text as it is to be read, such as `2.01e-4`,
-/// `5.158 s` or `4`; how it is typeset is decided by the book.
+/// The ledger's entry for one claim. A value is text, such as `2.01e-4`, `5.158 s` or `4`; the book
+/// decides how to typeset it.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Entry {
     /// The value as the paper prints it.
     pub stated: Option<String>,
     /// The value as the library measures it, in digits that hold on every machine.
     pub measured: Option<String>,
-    /// What comparing the two came to.
+    /// The result of comparing the two.
     pub verdict: Option<String>,
 }
 
@@ -33,11 +33,11 @@ impl<F: Fn(&str) -> Option<Entry>> Ledger for F {
     }
 }
 
-/// The library's ledger of the paper's claims: the one adapter.
+/// The library's ledger of the paper's claims.
 pub struct Paper(pendula_study::claims::Ledger);
 
 impl Paper {
-    /// Runs the study and measures every claim; `progress` shows which experiment is at work.
+    /// Runs the study and measures every claim; `progress` shows the current experiment.
     pub fn measure(progress: &Progress) -> Self {
         progress.stage("", Study::EXPERIMENTS as usize);
         let study = Study::run(|experiment| progress.next(experiment));

@@ -3,7 +3,7 @@
 //! In reading order: the command line ([`cli`], [`commands`]), the book on disk ([`locate`]),
 //! building it ([`build`]), and what turns a chapter's source into what mdBook renders
 //! ([`preprocess`], with the paper's values from [`ledger`]). What depends on the reader's machine,
-//! and so on no snapshot, is [`work_precision`].
+//! and so is in no snapshot, is [`work_precision`].
 
 pub mod build;
 pub mod cli;

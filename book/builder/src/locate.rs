@@ -5,10 +5,10 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result};
 
 /// The folder that holds `book.toml`: `book/` in `start` or in the nearest folder above it that has
-/// one, or else the one this binary was compiled beside.
+/// one, or else the one whose source this binary was compiled from.
 ///
 /// # Errors
-/// When there is neither.
+/// If there is none of these.
 pub fn book(start: &Path) -> Result<PathBuf> {
     // The manifest is book/builder/Cargo.toml; its parent folder is the book.
     let beside_the_source = Path::new(env!("CARGO_MANIFEST_DIR")).parent();

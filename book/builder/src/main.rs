@@ -14,7 +14,7 @@ fn main() -> ExitCode {
     match outcome {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
-            // Whatever is still in the buffer would meet the same closed pipe, loudly.
+            // Discards the buffer: flushing it would fail on the same closed pipe.
             let _ = out.into_parts();
             if let Some(line) = failure.line() {
                 // Not eprintln!, which panics when standard error is closed.

@@ -1,20 +1,20 @@
-//! What a person sees while the book is built: one line, and only on a terminal.
+//! Progress while the book is built: one line, and only on a terminal.
 
 use indicatif::{ProgressBar, ProgressStyle};
 
-/// A bar with a name for the stage at hand.
+/// A progress bar with the name of the stage.
 #[derive(Clone, Debug)]
 pub struct Progress(ProgressBar);
 
 impl Progress {
-    /// On standard error if that is a terminal, nowhere if not.
+    /// On standard error if that is a terminal; otherwise hidden.
     pub fn on_terminal() -> Self {
         let style = ProgressStyle::with_template("{msg:24} {bar:32} {pos}/{len}")
             .expect("the template is a constant");
         Self(ProgressBar::new(0).with_style(style))
     }
 
-    /// Nowhere.
+    /// Shows nothing.
     pub fn hidden() -> Self {
         Self(ProgressBar::hidden())
     }
@@ -27,7 +27,7 @@ impl Progress {
         self.0.tick();
     }
 
-    /// The stage's next step has a name of its own.
+    /// Begins the next step of the stage, with its own name.
     pub fn next(&self, name: &'static str) {
         self.0.set_message(name);
         self.0.inc(1);

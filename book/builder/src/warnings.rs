@@ -1,5 +1,5 @@
-//! mdBook reports an unclosed tag or a missing include through `tracing`, and carries on. Here such
-//! reports are collected, so that the build can stop.
+//! mdBook reports an unclosed tag or a missing include through `tracing`, and continues. Such
+//! reports are collected here, so that the build can stop.
 
 use std::fmt::{self, Write};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -33,7 +33,7 @@ impl Subscriber for Collector {
         self.messages.lock().unwrap_or_else(PoisonError::into_inner).push(message.0);
     }
 
-    // Spans carry nothing that is wanted here.
+    // Spans are not needed.
     fn new_span(&self, _: &Attributes<'_>) -> Id {
         Id::from_u64(1)
     }
@@ -58,8 +58,8 @@ impl Visit for Message {
 mod tests {
     use super::*;
 
-    /// Catches: a collector that hears nothing, and one that also hears other crates or mere
-    /// information.
+    /// Catches: a collector that receives nothing, and one that also receives other crates' events
+    /// or mere information.
     #[test]
     fn only_mdbooks_warnings_are_collected() {
         let (result, messages) = collect(|| {

@@ -1,5 +1,5 @@
-//! What the page calls. A place, a method or a quantity that does not exist is answered by zero or
-//! NaN.
+//! The functions that the page calls. For a place, a method or a quantity that does not exist they
+//! return zero or NaN.
 #![expect(unsafe_code, reason = "an export's name is a promise to the linker")]
 
 use core::cell::RefCell;
@@ -9,10 +9,10 @@ use pendula::{Pendulum, Phase};
 use crate::simulation::Simulation;
 use crate::trajectory::{METHODS, Setup, names};
 
-/// As many pendulums as a page shows at once.
+/// The number of pendulums that a page can show at once.
 const PLACES: usize = 8;
 
-/// An `Option` whose nothing is all zeros, which take no room in the file.
+/// An `Option` whose `None` is all zeros, which take no space in the file.
 #[repr(C, u8)]
 #[expect(clippy::large_enum_variant, reason = "a box would have to be allocated")]
 enum Slot {
@@ -27,7 +27,7 @@ unsafe impl Sync for Simulations {}
 
 static SIMULATIONS: Simulations = Simulations(RefCell::new([const { Slot::Empty }; PLACES]));
 
-/// What `ask` says of the pendulum at `place`, or `otherwise` where none stands.
+/// The result of `ask` for the pendulum at `place`, or `otherwise` if there is none.
 fn at<T>(place: u32, otherwise: T, ask: impl FnOnce(&mut Simulation) -> T) -> T {
     match SIMULATIONS.0.try_borrow_mut() {
         Ok(mut places) => match places.get_mut(place as usize) {
@@ -62,14 +62,14 @@ extern "C" fn text_at(method: u32, which: u32) -> *const u8 {
     text(method, which).as_ptr()
 }
 
-/// How many bytes of UTF-8 it has.
+/// The length of the text in bytes of UTF-8.
 #[unsafe(no_mangle)]
 extern "C" fn text_length(method: u32, which: u32) -> u32 {
     text(method, which).len() as u32
 }
 
-/// Sets a pendulum of 1 kg at its start, in place of what stood there; 0 and an empty place where
-/// the library refuses.
+/// Puts a pendulum of 1 kg at its start into a place, and returns 1; returns 0 and empties the
+/// place if the library refuses.
 #[unsafe(no_mangle)]
 extern "C" fn set(
     place: u32,

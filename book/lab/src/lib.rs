@@ -1,12 +1,11 @@
-//! The library as the book's lab runs it: WebAssembly with numbers in and numbers out.
+//! The library as the book's lab runs it: WebAssembly functions from numbers to numbers.
 //!
-//! A few pendulums stand side by side in places that are there from the beginning, so that nothing
-//! is allocated. Each walks by itself, as far as it is told to, and is asked what it sees. The
-//! steps are the library's own, and the list of methods too: this crate adds no arithmetic but that
-//! of its counts.
+//! A few pendulums are kept in static places, so that nothing is allocated. Each is advanced by
+//! itself, and its quantities are read. The steps and the list of methods are the library's own:
+//! this crate adds no arithmetic but counts and extremes.
 //!
-//! `book/lab/build` compiles it for the page, and `book/builder/tests/lab.rs` holds what it
-//! compiled against the library.
+//! `book/lab/build` compiles it for the page, and `book/builder/tests/book/lab.rs` compares the
+//! compiled file with the library.
 #![cfg_attr(target_arch = "wasm32", no_std)]
 
 #[cfg(target_arch = "wasm32")]

@@ -1,6 +1,7 @@
-//! Both systems as one, so that each method is compiled once: a page is short of room, not of time.
+//! Both systems as one type, so that each method is compiled once: the size of the file matters
+//! more than its speed.
 //!
-//! The steps are the library's, and so is all arithmetic; here is only which of two it is.
+//! The steps and all arithmetic are the library's; this file only chooses between the two systems.
 
 use core::ops::{Add, Mul};
 
@@ -8,8 +9,8 @@ use pendula::fast::{ReducedPhase, ReducedRate, ScaledPendulum};
 use pendula::systems::{Components, State, Vector};
 use pendula::{Analytic, Counting, Damped, Phase, RateOf, Separable, System};
 
-/// One of two, each with its own system, state, displacement or force. What belongs to different
-/// systems never meets.
+/// The system, state, displacement or force of one of the two systems. Values of different systems
+/// are never combined.
 #[derive(Clone, Copy, Debug)]
 pub enum Either<S, D> {
     /// The pendulum with its step as the unit of time, as in `pendula::integrate_fast`.
@@ -158,8 +159,8 @@ impl Separable for Shared {
 }
 
 impl Analytic for Shared {
-    /// Of the swing alone: for the damped pendulum the library has no series, and no method that
-    /// asks for one gets it.
+    /// For the undamped pendulum only: the library has no series for the damped one, and the
+    /// methods that need a series do not run on it.
     #[inline(never)]
     fn mean_rate<const P: usize>(&self, h: f64, z: SharedState) -> RateOf<Self> {
         match (self, z) {
@@ -169,7 +170,7 @@ impl Analytic for Shared {
     }
 }
 
-/// What cannot be.
+/// For combinations that cannot occur.
 #[cold]
 fn never() -> ! {
     #[cfg(target_arch = "wasm32")]

@@ -1,18 +1,19 @@
-//! A place for a pendulum, and what is watched there.
+//! A pendulum with its observed energy.
 
 use pendula::{Hamiltonian, Motion, Phase};
 
 use crate::trajectory::{Setup, Trajectory};
 
-/// One pendulum, what it did since it was last looked at, and what it should do.
+/// One pendulum, the extremes of its energy since the last [`look`](Simulation::look), and its
+/// exact motion.
 pub struct Simulation {
     scene: Setup,
     trajectory: Trajectory,
-    /// The exact motion, where there is no damping and so one in closed form.
+    /// The exact motion, in closed form, if there is no damping.
     motion: Option<Motion>,
     /// Energy above the bottom at the start (J).
     initial: f64,
-    /// Energy above the bottom (J), the present one, and its extremes since the last look.
+    /// Energy above the bottom (J), the present one, and its extremes since the last `look`.
     energy: f64,
     lowest: f64,
     highest: f64,
@@ -21,7 +22,7 @@ pub struct Simulation {
 }
 
 impl Simulation {
-    /// The scene at its start; `None` for one that the library refuses.
+    /// The scene at its start; `None` if the library refuses it.
     pub fn new(scene: Setup) -> Option<Self> {
         let trajectory = Trajectory::new(&scene)?;
         let motion = match scene.damping {
@@ -41,8 +42,8 @@ impl Simulation {
         })
     }
 
-    /// Takes up to `count` steps, watches the energy at each, and says how many there were left to
-    /// take.
+    /// Takes up to `count` steps, observes the energy at each, and returns the number of steps
+    /// taken.
     pub fn advance(&mut self, count: u32) -> u32 {
         for n in 0..count {
             if !self.trajectory.step() {
@@ -56,13 +57,12 @@ impl Simulation {
         count
     }
 
-    /// Forgets the extremes of the energy but for the present one.
+    /// Resets the extremes of the energy to the present value.
     pub fn look(&mut self) {
         (self.lowest, self.highest) = (self.energy, self.energy);
     }
 
-    /// What there is to know, by the numbers that the page has for it; NaN for a number that stands
-    /// for nothing.
+    /// The value of a quantity, by its number; NaN for an unknown number.
     pub fn read(&mut self, quantity: u32) -> f64 {
         let Phase { theta, omega } = self.trajectory.phase();
         match quantity {
@@ -84,7 +84,7 @@ impl Simulation {
         }
     }
 
-    /// The exact state at the time `t` (s); NaN where there is none in closed form.
+    /// The exact state at the time `t` (s); NaN if there is no closed form.
     pub fn exact(&self, t: f64) -> Phase {
         state(self.motion, t)
     }

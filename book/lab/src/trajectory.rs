@@ -1,11 +1,11 @@
-//! A method on its way: the state, what the method remembers, and the count of what it took.
+//! A trajectory in progress: the state, the carry of the method, and the counts.
 
 use pendula::fast::ScaledPendulum;
 use pendula::{Damped, Grid, Info, Method, Pendulum, Phase, methods};
 
 use crate::shared::{Shared, SharedState};
 
-/// What is asked for: a pendulum, its start, a method and a step.
+/// A pendulum, its start, a method and a step.
 #[derive(Clone, Copy, Debug)]
 pub struct Setup {
     /// Index of the method in [`METHODS`](pendula::METHODS).
@@ -22,7 +22,7 @@ pub struct Setup {
 
 macro_rules! all {
     ($($module:ident::$method:ident,)+) => {
-        /// Which method it is, and what its last step left for the next.
+        /// The method, and what its last step carries to the next.
         enum Carry {
             $($method(<methods::$method as Method<Shared>>::Carry),)+
         }
@@ -50,8 +50,8 @@ macro_rules! all {
         /// Number of methods.
         pub const METHODS: usize = [$(stringify!($method)),+].len();
 
-        /// Name and title of the method at `index` in the library's list. Asked for one by one, so
-        /// that the rest of what is known of them stays out of the page.
+        /// Name and title of the method at `index` in the library's list. Read one by one, so that
+        /// the rest of their `MethodInfo` is not compiled into the file.
         pub fn names(index: usize) -> Option<[&'static str; 2]> {
             let mut number = 0..;
             $(if number.next() == Some(index) {
@@ -77,14 +77,14 @@ macro_rules! general {
 }
 pendula::for_each_general_method!(general);
 
-/// No method reaches farther than this one.
+/// No method has a larger [`REACH`](Method::REACH).
 type Farthest = methods::Dop853;
 const FARTHEST: f64 = <Farthest as Method<ScaledPendulum>>::REACH;
 
-/// As many steps as an hour of a tenth of a millisecond each: more than anybody waits for.
+/// An hour in steps of a tenth of a millisecond: more than anybody waits for.
 const MOST_STEPS: u64 = 36_000_000;
 
-/// A method on its way through a [`Setup`].
+/// The trajectory of a [`Setup`].
 pub struct Trajectory {
     system: Shared,
     /// In seconds, and in the system's unit of time.
@@ -97,8 +97,8 @@ pub struct Trajectory {
 }
 
 impl Trajectory {
-    /// The beginning of the walk; `None` for a scene that the library refuses, or a method that
-    /// does not suit damping.
+    /// The trajectory at its start; `None` if the library refuses the scene, or if the method does
+    /// not apply to a damped pendulum.
     pub fn new(scene: &Setup) -> Option<Self> {
         let start = scene.pendulum.start(scene.start.theta, scene.start.omega).ok()?;
         let ((system, z), grid, inner) = if scene.damping == 0.0 {
@@ -115,7 +115,7 @@ impl Trajectory {
         Some(Self { system, grid, inner, z, carry, taken: 0, phase: start })
     }
 
-    /// Takes a step, and says whether there was one left: one turn of the loop in
+    /// Takes a step, if one is left, and returns whether it did: one iteration of the loop in
     /// `pendula::integrate`.
     pub fn step(&mut self) -> bool {
         if self.taken == self.grid.steps() {
@@ -138,7 +138,7 @@ impl Trajectory {
         self.taken
     }
 
-    /// The number of steps there are in all.
+    /// The total number of steps.
     pub const fn limit(&self) -> u64 {
         self.grid.steps()
     }
@@ -154,8 +154,8 @@ impl Trajectory {
     }
 }
 
-/// A grid, the longer the better, on which `pendula::integrate_fast` counts time in steps with any
-/// method, and the pendulum that does: on every shorter one it does the same, bit for bit.
+/// The longest grid, up to halving, for which [`ScaledPendulum::new`] accepts every method, and the
+/// scaled pendulum; on shorter grids `pendula::integrate_fast` computes the same, bit for bit.
 fn longest(scene: &Setup, start: Phase) -> Option<(ScaledPendulum, Grid)> {
     let mut steps = MOST_STEPS;
     while steps > 0 {

@@ -15,7 +15,7 @@ pub enum Digits {
 
 impl Digits {
     /// The format in which the literal was printed: `2.01e2` is scientific with three digits,
-    /// `-5.300` fixed with three decimals. `None` for what is no number.
+    /// `-5.300` fixed with three decimals. `None` if it does not parse as a number.
     pub fn of(literal: &str) -> Option<Self> {
         literal.parse::<f64>().ok()?;
         let decimals = |digits: &str| digits.split_once('.').map_or(0, |(_, after)| after.len());
@@ -53,8 +53,8 @@ impl Digits {
     }
 }
 
-/// Whether `value` lies within half a unit in the last place of what is `printed`; `None` where
-/// that is no number.
+/// Whether `value` lies within half a unit in the last place of what is `printed`; `None` if that
+/// does not parse as a number.
 pub fn rounds_to(value: f64, printed: &str) -> Option<bool> {
     let (stated, half) = (printed.parse::<f64>().ok()?, half_unit(printed)?);
     Some((value - stated).abs() <= half)
@@ -93,8 +93,8 @@ mod tests {
     use super::Digits::{self, Fixed, Scientific, Significant};
     use super::{half_unit, rounds_to};
 
-    /// Catches: a digit too many or too few, a plain number that claims digits it has not got, and
-    /// an exponent taken before the rounding that changes it.
+    /// Catches: a digit too many or too few, a plain number that claims digits it does not have,
+    /// and an exponent taken before the rounding that changes it.
     #[rstest]
     #[case(Scientific(3), 200.96, "2.01 × 10²")]
     #[case(Scientific(1), -4.5678e-13, "−5 × 10⁻¹³")]
@@ -137,8 +137,8 @@ mod tests {
         assert_eq!(half_unit(literal), half);
     }
 
-    /// Half a unit of these is a binary fraction, so that the bound itself can be hit, and its
-    /// neighbour missed.
+    /// Half a unit is a binary fraction except in 0.919, so that the bound itself and its
+    /// neighbour can be tested.
     ///
     /// Catches: a bound a little too narrow or too wide, and one that has only one side.
     #[rstest]
@@ -162,7 +162,7 @@ mod tests {
         assert_eq!(rounds_to(value, printed), Some(rounds));
     }
 
-    /// Catches: words that a number is said to meet, or to miss.
+    /// Catches: a comparison with words that returns true or false.
     #[test]
     fn nothing_rounds_to_words() {
         assert_eq!(rounds_to(7.0, "seven"), None);

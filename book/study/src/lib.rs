@@ -1,12 +1,12 @@
-//! The study: the paper's experiments run again, what theory says that they must yield, the paper's
-//! claims judged, and all of it as tables and figures.
+//! The study: the paper's experiments repeated, their results predicted by theory, the paper's
+//! claims judged, and tables and figures of all of it.
 //!
-//! Each module uses those above it alone:
+//! Each module uses only those above it:
 //!
 //! * [`digits`]: how numbers are printed.
-//! * [`theory`]: what follows from the equations, without a step of any method.
+//! * [`theory`]: what follows from the equations, without running a method.
 //! * [`experiments`]: what the methods do, as typed rows.
-//! * [`claims`]: what the paper states, held against the rows; theory's predictions of its cells.
+//! * [`claims`]: the paper's claims compared with the rows; theory's predictions of its cells.
 //! * [`charts`]: series to SVG.
 //! * [`report`]: rows and claims as tables and figures.
 #![warn(clippy::disallowed_methods)]

@@ -1,51 +1,56 @@
-// The lab's numbers as a reader likes them.
+// Formatting of the lab's numbers.
 (theLab => {
-'use strict';
+    'use strict';
 
-function raised(exponent) {
-    return [...String(exponent)].map(sign => '⁰¹²³⁴⁵⁶⁷⁸⁹'[sign] ?? '⁻').join('');
-}
-
-// Thousands apart, and nothing of a number on the next line.
-function count(n) {
-    return String(n).replace(/\B(?=(\d{3})+$)/g, '\u00a0');
-}
-
-// What was timed: two digits.
-function rough(x) {
-    return Number.isFinite(x) ? count(Number(x.toPrecision(2))) : '–';
-}
-
-// A measured number: four significant digits, as in the tables, and never fewer, so that a column stands still.
-function measured(x) {
-    if (!Number.isFinite(x)) return '–';
-    if (x === 0) return '0';
-    const [mantissa, exponent] = x.toExponential(3).split('e');
-    if (exponent >= -3 && exponent < 4) return Number(`${mantissa}e${exponent}`).toPrecision(4).replace('-', '−');
-    return `${mantissa.replace('-', '−')}\u00a0×\u00a010${raised(Number(exponent))}`;
-}
-
-// A number on an axis: as short as it can be.
-function tick(x) {
-    const size = Math.abs(x);
-    if (x === 0 || size >= 1e-3 && size < 1e6) {
-        const short = Number(size.toPrecision(4));
-        return (x < 0 ? '−' : '') + (short >= 1e4 ? count(short) : short);
+    function raised(exponent) {
+        return [...String(exponent)].map(sign => '⁰¹²³⁴⁵⁶⁷⁸⁹'[sign] ?? '⁻').join('');
     }
-    const [mantissa, exponent] = Number(x.toPrecision(4)).toExponential().replace('-', '−').split('e');
-    return `${mantissa}\u00a0×\u00a010${raised(Number(exponent.replace('−', '-')))}`;
-}
 
-// A time (s), with as many decimals as the step has need of.
-function seconds(t, step) {
-    return t.toFixed(Math.min(Math.max(Math.ceil(-Math.log10(step)), 1), 6));
-}
+    // Thousands separated by no-break spaces.
+    function count(n) {
+        return String(n).replace(/\B(?=(\d{3})+$)/g, '\u00a0');
+    }
 
-// 1, 2 or 5 times a power of ten, not below x.
-function roundUp(x) {
-    const power = 10 ** Math.floor(Math.log10(x));
-    return [1, 2, 5, 10].map(m => m * power).find(tick => tick >= x * (1 - 1e-9));
-}
+    // A measured time: two digits.
+    function rough(x) {
+        return Number.isFinite(x) ? count(Number(x.toPrecision(2))) : '–';
+    }
 
-Object.assign(theLab, {count, measured, raised, rough, roundUp, seconds, tick});
-})(globalThis.theLab ??= {});
+    // A measured number: four significant digits, as in the tables, and never fewer, so that the
+    // width of a column does not change.
+    function measured(x) {
+        if (!Number.isFinite(x)) return '–';
+        if (x === 0) return '0';
+        const [mantissa, exponent] = x.toExponential(3).split('e');
+        if (exponent >= -3 && exponent < 4)
+            return Number(`${mantissa}e${exponent}`).toPrecision(4).replace('-', '−');
+        return `${mantissa.replace('-', '−')}\u00a0×\u00a010${raised(Number(exponent))}`;
+    }
+
+    // A number on an axis: as short as it can be.
+    function tick(x) {
+        const size = Math.abs(x);
+        if (x === 0 || (size >= 1e-3 && size < 1e6)) {
+            const short = Number(size.toPrecision(4));
+            return (x < 0 ? '−' : '') + (short >= 1e4 ? count(short) : short);
+        }
+        const [mantissa, exponent] = Number(x.toPrecision(4))
+            .toExponential()
+            .replace('-', '−')
+            .split('e');
+        return `${mantissa}\u00a0×\u00a010${raised(Number(exponent.replace('−', '-')))}`;
+    }
+
+    // A time (s), with as many decimals as the step needs.
+    function seconds(t, step) {
+        return t.toFixed(Math.min(Math.max(Math.ceil(-Math.log10(step)), 1), 6));
+    }
+
+    // 1, 2 or 5 times a power of ten, not below x.
+    function roundUp(x) {
+        const power = 10 ** Math.floor(Math.log10(x));
+        return [1, 2, 5, 10].map(m => m * power).find(tick => tick >= x * (1 - 1e-9));
+    }
+
+    Object.assign(theLab, { count, measured, raised, rough, roundUp, seconds, tick });
+})((globalThis.theLab ??= {}));

@@ -1,5 +1,5 @@
-//! The sine of the time loop: reduced by half turns, so that one odd polynomial does for every
-//! angle and only the sign depends on how many half turns there were.
+//! The sine of the time loop: reduced by half turns, so that one odd polynomial serves every angle
+//! and only the sign depends on the number of half turns.
 
 use core::f64::consts::{FRAC_1_PI, FRAC_PI_2};
 
@@ -8,15 +8,15 @@ use super::ROUNDER;
 /// π in two parts of 33 bits and one of 53: a count below 2²⁰ times either of the first is exact.
 pub const PI_PARTS: [f64; 3] = [3.1415926534682512, 1.2154201012607932e-10, 4.044532497591901e-21];
 
-/// The number of half turns nearest to the angle `x` (rad), and what is left, in [−π/2, π/2] but
-/// for rounding.
+/// The number of half turns nearest to the angle `x` (rad), and the remainder, in [−π/2, π/2] up to
+/// rounding.
 ///
-/// What is left is exact to a rounding of its own size while the count is below 2²⁰, and to a
-/// rounding of `x` up to 2⁵⁰; x itself is known no better.
+/// The remainder is exact to a rounding of its own size while the count is below 2²⁰, and to a
+/// rounding of `x` up to 2⁵⁰; x itself is not known better than that.
 ///
-/// `BRANCH` is whether to return at once where nothing is to be subtracted. A trajectory alone
-/// would wait twenty cycles of each step for the subtractions; lanes have other lanes to go on
-/// with, and no branches. The bits are the same.
+/// `BRANCH` is whether to return at once where nothing is to be subtracted. For a single trajectory
+/// the subtractions add twenty cycles of latency to each step; lanes hide that latency and must not
+/// branch. The bits are the same.
 #[inline(always)]
 pub fn reduce<const BRANCH: bool>(x: f64) -> (f64, f64) {
     if BRANCH && x.abs() <= FRAC_PI_2 {
@@ -29,17 +29,17 @@ pub fn reduce<const BRANCH: bool>(x: f64) -> (f64, f64) {
 /// Up to this size (rad), 2²⁰ half turns, the reduction is exact.
 pub const LARGEST: f64 = 3_294_198.0;
 
-/// sin `x`, `x` in rad: within 2.5 ulp up to [`LARGEST`], but next to a multiple of π; beyond,
+/// sin `x`, `x` in rad: within 2.5 ulp up to [`LARGEST`], except next to a multiple of π; beyond,
 /// [`super::sin`].
 ///
-/// It takes two thirds of the time of [`super::sin`], and its last bit is as good as any in a sum
-/// of a million kicks.
+/// It takes two thirds of the time of [`super::sin`], and in a sum of a million kicks its larger
+/// error does not matter.
 #[inline]
 pub fn sin(x: f64) -> f64 {
     if x.abs() <= LARGEST { sin_within::<true>(x) } else { beyond(x) }
 }
 
-/// Out of the way, so that the rest can stand in a loop without a call.
+/// Not inlined, so that the caller is inlined into the time loop without this code.
 #[cold]
 #[inline(never)]
 fn beyond(x: f64) -> f64 {
@@ -73,7 +73,7 @@ pub fn series(z: f64) -> f64 {
         -7.643043459447549e-13,
         2.7216779243133396e-15,
     ];
-    // Estrin's scheme: the shortest chain of operations that wait for one another.
+    // Estrin's scheme: the shortest chain of dependent operations.
     let zz = z * z;
     let low = (P[0] + P[1] * z) + (P[2] + P[3] * z) * zz;
     let high = (P[4] + P[5] * z) + (P[6] + P[7] * z) * zz;

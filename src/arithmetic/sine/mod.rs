@@ -1,19 +1,20 @@
 //! Sine and cosine with the same bits on every machine.
 //!
 //! `f64::sin` is the platform's, so two machines differ in the last bit, and a trajectory of a
-//! million steps differs in more. These are additions and multiplications in a fixed order, with no
-//! fused ones: without the hardware for it a fused one is a call of a hundred cycles, and with two
-//! definitions there would be two sets of bits.
+//! million steps differs in more. The functions here are additions and multiplications in a fixed
+//! order, without fused multiply-adds: on hardware without it a fused multiply-add is a call of a
+//! hundred cycles, and using it only where it is fast would give two sets of bits.
 //!
 //! Cody and Waite's scheme: subtract the nearest multiple of π/2, given in parts so short that its
-//! products are exact, and put what is left into a polynomial. Muller, *Elementary Functions* (3rd
-//! ed.), Sects. 11.2 and 3.2; the polynomials come from `coefficients.sollya`, beside this file.
+//! products are exact, and evaluate a polynomial of the remainder. Muller, *Elementary Functions*
+//! (3rd ed.), Sects. 11.2 and 3.2; the polynomials come from `coefficients.sollya`, beside this
+//! file.
 
 pub(crate) mod half_turn;
 
 use core::f64::consts::{FRAC_2_PI, FRAC_PI_4};
 
-/// Up to this size (rad), 2²⁰ quarter turns, the reduction is our own.
+/// Up to this size (rad), 2²⁰ quarter turns, the angle is reduced here; beyond, by `libm`.
 const LARGEST: f64 = 1_647_099.0;
 
 /// sin `x`, `x` in rad.
@@ -48,8 +49,8 @@ pub fn cos(x: f64) -> f64 {
     }
 }
 
-/// What is left of an angle after whole quarter turns: `head` in [−π/4, π/4], and `tail` by which
-/// it is off.
+/// The remainder of an angle after whole quarter turns: `head` in [−π/4, π/4], and `tail`, the
+/// rounding error of the head.
 #[derive(Clone, Copy)]
 struct Rest {
     head: f64,
@@ -60,7 +61,8 @@ struct Rest {
 /// in the lowest bits.
 pub(crate) const ROUNDER: f64 = 6_755_399_441_055_744.0;
 
-/// The nearest number of quarter turns, of which the last two bits count, and what is left.
+/// The nearest number of quarter turns, of which only the last two bits are valid, and the
+/// remainder.
 #[inline(always)]
 fn reduce(x: f64) -> (u64, Rest) {
     /// π/2 in three parts of 33 bits and one of 53.
@@ -78,7 +80,7 @@ fn reduce(x: f64) -> (u64, Rest) {
     (rounded.to_bits(), Rest { head, tail: first + (second - n * PARTS[3]) })
 }
 
-/// a − b, rounded, and by how much it is off (Knuth's two-sum).
+/// a − b, rounded, and the rounding error (Knuth's two-sum).
 #[inline(always)]
 fn difference(a: f64, b: f64) -> (f64, f64) {
     let d = a - b;
@@ -86,7 +88,7 @@ fn difference(a: f64, b: f64) -> (f64, f64) {
     (d, (a - (d - v)) - (b + v))
 }
 
-/// The sine of `r` and so many quarter turns.
+/// The sine of `r` plus `quarters` quarter turns.
 #[inline(always)]
 fn turned(quarters: u64, r: Rest) -> f64 {
     let value = if quarters & 1 == 0 { sine(r) } else { cosine(r) };
@@ -94,7 +96,8 @@ fn turned(quarters: u64, r: Rest) -> f64 {
     f64::from_bits(value.to_bits() ^ (quarters & 2) << 62)
 }
 
-/// Sine and cosine of so many quarter turns, of which the last two bits count, and |r| ≤ π/4 (rad).
+/// Sine and cosine of `r` plus `quarters` quarter turns, of which only the last two bits count, for
+/// |r| ≤ π/4 (rad).
 #[inline(always)]
 pub(crate) fn quarter_turns_and(quarters: u64, r: f64) -> (f64, f64) {
     let rest = Rest { head: r, tail: 0.0 };
@@ -119,7 +122,7 @@ fn sine(Rest { head, tail }: Rest) -> f64 {
     let cube = z * head;
     let zz = z * z;
     let q = (S[1] + z * S[2]) + zz * ((S[3] + z * S[4]) + zz * S[5]);
-    // What is added to the head is small: its own rounding hardly counts.
+    // The term added to the head is small, and so is its rounding error.
     head + (cube * S[0] + (z * (cube * q - 0.5 * tail) + tail))
 }
 
@@ -139,6 +142,6 @@ fn cosine(Rest { head, tail }: Rest) -> f64 {
     let q = (C[0] + z * C[1]) + zz * ((C[2] + z * C[3]) + zz * (C[4] + z * C[5]));
     let half = 0.5 * z;
     let w = 1.0 - half;
-    // 1 − z/2 is rounded in w; by how much is known exactly.
+    // The rounding error of w = 1 − z/2 is computed exactly.
     w + (((1.0 - w) - half) + (zz * q - head * tail))
 }

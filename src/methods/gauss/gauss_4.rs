@@ -7,9 +7,10 @@ use crate::systems::{Components, System};
 
 /// The Gauss method of two stages: collocation at the zeros of a Legendre polynomial.
 ///
-/// Order 4, symplectic for every Hamiltonian system, separable or not, symmetric; evaluates the
-/// force at each stage and sweep, and once to begin. Hairer, Lubich, Wanner, *Geometric Numerical
-/// Integration*, Sects. II.1.3 and VIII.6. Also called Gauss–Legendre or Kuntzmann–Butcher.
+/// Order 4, symplectic for every Hamiltonian system, separable or not, symmetric; a step evaluates
+/// the force at each stage in each sweep, and once to begin. Hairer, Lubich, Wanner, *Geometric
+/// Numerical Integration*, Sects. II.1.3 and VIII.6. Also called Gauss–Legendre or
+/// Kuntzmann–Butcher.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Gauss4;
 
@@ -46,7 +47,7 @@ impl<S: System<State: Components>> Method<S> for Gauss4 {
     fn start(&self, _system: &S, _t: f64, _h: f64, _z: S::State) {}
 
     #[inline(always)]
-    fn step(&self, system: &S, t: f64, h: f64, z: S::State, _memo: &mut ()) -> S::State {
+    fn step(&self, system: &S, t: f64, h: f64, z: S::State, _carry: &mut ()) -> S::State {
         Self::TABLEAU.step(system, t, h, z)
     }
 }

@@ -5,11 +5,11 @@ use crate::methods::gauss::ImplicitTableau;
 use crate::methods::{Info, MethodInfo};
 use crate::systems::{Components, System};
 
-/// The implicit midpoint rule: the slope in the middle between the start and the end of the step,
+/// The implicit midpoint rule: the slope at the midpoint between the start and the end of the step,
 /// for the whole step.
 ///
-/// Order 2, symplectic for every Hamiltonian system, separable or not, symmetric; evaluates the
-/// force at each stage and sweep, and once to begin. Hairer, Lubich, Wanner, *Geometric Numerical
+/// Order 2, symplectic for every Hamiltonian system, separable or not, symmetric; a step evaluates
+/// the force once in each sweep, and once to begin. Hairer, Lubich, Wanner, *Geometric Numerical
 /// Integration*, Sects. II.1.3 and VIII.6.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct ImplicitMidpoint;
@@ -43,7 +43,7 @@ impl<S: System<State: Components>> Method<S> for ImplicitMidpoint {
     fn start(&self, _system: &S, _t: f64, _h: f64, _z: S::State) {}
 
     #[inline(always)]
-    fn step(&self, system: &S, t: f64, h: f64, z: S::State, _memo: &mut ()) -> S::State {
+    fn step(&self, system: &S, t: f64, h: f64, z: S::State, _carry: &mut ()) -> S::State {
         Self::TABLEAU.step(system, t, h, z)
     }
 }

@@ -15,12 +15,11 @@ pub struct ImplicitTableau<const S: usize> {
 }
 
 /// Sweeps after which the iteration is given up. Where each leaves 0.7 of the distance to the
-/// solution, so many leave 3e-16 of it; a step that needs more is too long to be of use.
+/// solution, 100 leave 3e-16 of it; a step that needs more is too long to be useful.
 const SWEEPS: u32 = 100;
 
-/// What a sweep that no longer brings an improvement may still change, relative to the state and to
-/// the step: rounding, a few times 1e-16 per stage and component. Where it changes more, there is
-/// still an improvement to wait for.
+/// The largest change by a sweep that counts as rounding, relative to the state and to the step: a
+/// few times 1e-16 per stage and component. A larger change may still be an improvement.
 const ROUNDING: f64 = 1e-14;
 
 impl<const S: usize> ImplicitTableau<S> {
@@ -29,15 +28,15 @@ impl<const S: usize> ImplicitTableau<S> {
     /// The slopes are found by fixed-point iteration from the one at the start of the step, until a
     /// sweep changes them by no more than rounding, and by no less than the sweep before or not at
     /// all (Hairer, Lubich, Wanner, *Geometric Numerical Integration*, Sect. VIII.6). Where the
-    /// step is so long that the iteration does not converge, no component of the state returned is
-    /// a number.
+    /// step is so long that the iteration does not converge, every component of the state returned
+    /// is NaN.
     // ANCHOR: step
     #[inline(always)]
     pub fn step<Sys>(&self, system: &Sys, t: f64, h: f64, z: Sys::State) -> Sys::State
     where
         Sys: System<State: Components>,
     {
-        // Sums and no maxima, which would pass over a NaN.
+        // Sums, not maxima, which would ignore a NaN.
         let size = |slope: RateOf<Sys>| {
             let mut sum = 0.0;
             z.for_each_component(z, slope, |_, _, x| sum += x.abs());
@@ -54,10 +53,10 @@ impl<const S: usize> ImplicitTableau<S> {
                 let new = system.rate(t + self.c[i] * h, z + slope * h);
                 change += size(new + k[i] * -1.0);
                 scale += size(new);
-                // At once, so that the later stages of this sweep have it.
+                // Stored at once, so that the later stages of this sweep use it.
                 k[i] = new;
             }
-            // Below the normal numbers rounding is no longer relative.
+            // Among subnormal numbers rounding is no longer relative.
             let is_rounding = change <= ROUNDING * scale || change <= f64::MIN_POSITIVE;
             if is_rounding && change >= before || change == 0.0 {
                 return z + sum(&self.b, &k) * h;

@@ -47,7 +47,7 @@ impl<S: System> Method<S> for Dop853 {
     fn start(&self, _system: &S, _t: f64, _h: f64, _z: S::State) {}
 
     #[inline(always)]
-    fn step(&self, system: &S, t: f64, h: f64, z: S::State, _memo: &mut ()) -> S::State {
+    fn step(&self, system: &S, t: f64, h: f64, z: S::State, _carry: &mut ()) -> S::State {
         let stages = Stages::evaluate(system, t, h, z, [system.rate(t, z)]);
         z + stages.step() * h
     }
@@ -55,9 +55,8 @@ impl<S: System> Method<S> for Dop853 {
 // ANCHOR_END: step
 
 impl Embedded for Dop853 {
-    /// Of its two estimates the one, of order 6, is divided by √(1 + 0.01 q²), where q is how much
-    /// larger the other is, of order 4. Both together fall with h⁸, as the error of the step does
-    /// with h⁹.
+    /// The first estimate, O(h⁶), is divided by √(1 + 0.01 q²), where q is the ratio of the second,
+    /// O(h⁴), to the first. The quotient is O(h⁸); the error of the step itself is O(h⁹).
     const ESTIMATE_ORDER: u32 = 8;
 
     type Stages<D: Vector> = Stages<D>;
@@ -76,8 +75,8 @@ impl Embedded for Dop853 {
         (z + stages.step() * h, stages)
     }
 
-    /// ‖e₅‖² / √(‖e₅‖² + 0.01 ‖e₃‖²), where e₅ and e₃ are the differences from the methods of order
-    /// 5 and 3 within (Hairer, Nørsett, Wanner, Sect. II.10).
+    /// ‖e₅‖² / √(‖e₅‖² + 0.01 ‖e₃‖²), where e₅ and e₃ are the differences from the embedded methods
+    /// of order 5 and 3 (Hairer, Nørsett, Wanner, Sect. II.10).
     #[inline]
     fn error<D: Vector>(&self, stages: &Stages<D>, size: impl Fn(D) -> f64) -> f64 {
         let fifth = size(stages.fifth());
@@ -205,13 +204,13 @@ tableau! {
             k11: 2.013_654_008_040_303_483_747_765_375_01e-1,
             k12: 4.471_061_572_777_259_051_768_855_690_43e-2,
         }
-        /// The step of the method of order 3 within, over h.
+        /// The step of the embedded method of order 3, over h.
         third => {
             k1: 2.440_944_881_889_763_779_527_559_055_12e-1,
             k9: 7.338_466_882_816_118_573_413_617_415_47e-1,
             k12: 2.205_882_352_941_176_470_588_235_294_12e-2,
         }
-        /// How far the step of the method of order 5 within is off, over h.
+        /// The difference from the step of the embedded method of order 5, over h.
         fifth => {
             k1: 1.312_004_499_419_488_073_250_102_996e-2,
             k6: -1.225_156_446_376_204_440_720_569_753,
@@ -226,7 +225,7 @@ tableau! {
 }
 
 tableau! {
-    /// The three stages more that dense output takes, after k13 = f(t + h, z + h · step), and its
+    /// The three more stages that dense output needs, after k13 = f(t + h, z + h · step), and its
     /// weights.
     More, DENSE, from [k1, k6, k7, k8, k9, k10, k11, k12, k13];
     stages {

@@ -35,7 +35,7 @@ impl Info for DormandPrince {
 
 // ANCHOR: step
 impl<S: System> Method<S> for DormandPrince {
-    /// The slope where the step begins: the last one ended there.
+    /// The slope at the start of the step, evaluated at the end of the last one.
     type Carry = RateOf<S>;
 
     const REACH: f64 = TABLEAU.reach();
@@ -54,7 +54,7 @@ impl<S: System> Method<S> for DormandPrince {
 // ANCHOR_END: step
 
 impl Embedded for DormandPrince {
-    /// The method within has order 4, and its step an error of h⁵.
+    /// The embedded method has order 4, and its step an error of O(h⁵).
     const ESTIMATE_ORDER: u32 = 5;
 
     type Stages<D: Vector> = Stages<D>;
@@ -148,7 +148,7 @@ tableau! {
             k5: -2187.0 / 6784.0,
             k6: 11.0 / 84.0,
         }
-        /// How far the step of the method of order 4 within is off, over h.
+        /// The difference from the step of the embedded method of order 4, over h.
         error => {
             k1: 71.0 / 57_600.0,
             k3: -71.0 / 16_695.0,

@@ -3,9 +3,9 @@
 use crate::systems::{RateOf, System, Vector};
 
 // ANCHOR: embedded
-/// A Runge–Kutta method that estimates its own error and fills in its own steps.
+/// A Runge–Kutta method that estimates its own error and has dense output.
 pub trait Embedded: Copy {
-    /// The order k of the estimate, O(hᵏ): by it the control chooses the next step.
+    /// The order k of the estimate, O(hᵏ): the step size control uses it to choose the next step.
     const ESTIMATE_ORDER: u32;
 
     /// The stages of a step.
@@ -29,7 +29,7 @@ pub trait Embedded: Copy {
     /// h in tolerances.
     fn error<D: Vector>(&self, stages: &Self::Stages<D>, size: impl Fn(D) -> f64) -> f64;
 
-    /// The slope at the state `z` at time `t` (s) to which the step with these `stages` has led.
+    /// The slope at the end of the step with these `stages`, the state `z` at time `t` (s).
     fn end_slope<S: System>(
         &self,
         system: &S,
@@ -38,8 +38,8 @@ pub trait Embedded: Copy {
         stages: &Self::Stages<RateOf<S>>,
     ) -> RateOf<S>;
 
-    /// What [`Dense`](crate::adaptive::Dense) is made of, for a step `h` (s) from `z` at time `t`
-    /// (s) with these `stages`.
+    /// The coefficients of [`Dense`](crate::adaptive::Dense), for a step `h` (s) from `z` at time
+    /// `t` (s) with these `stages`.
     fn dense<S: System>(
         &self,
         system: &S,
@@ -52,8 +52,9 @@ pub trait Embedded: Copy {
 }
 // ANCHOR_END: embedded
 
-/// The first three coefficients of dense output, which make it meet both ends of a step: Hermite's
-/// cubic of the whole displacement `step` with the slopes at both ends, times h.
+/// The first three coefficients of dense output, which match the state and the slope at both ends
+/// of a step: Hermite's cubic of the whole displacement `step` with the slopes at both ends, times
+/// h.
 pub fn hermite<D: Vector>(step: D, start_slope: D, end_slope: D) -> [D; 3] {
     let second = start_slope + step * -1.0;
     let third = step + end_slope * -1.0 + second * -1.0;

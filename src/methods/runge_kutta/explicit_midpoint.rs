@@ -37,7 +37,7 @@ impl<S: System> Method<S> for ExplicitMidpoint {
     fn start(&self, _system: &S, _t: f64, _h: f64, _z: S::State) {}
 
     #[inline(always)]
-    fn step(&self, system: &S, t: f64, h: f64, z: S::State, _memo: &mut ()) -> S::State {
+    fn step(&self, system: &S, t: f64, h: f64, z: S::State, _carry: &mut ()) -> S::State {
         let half = z + system.rate(t, z) * (h / 2.0);
         z + system.rate(t + h / 2.0, half) * h
     }

@@ -37,7 +37,7 @@ impl<S: System> Method<S> for Heun {
     fn start(&self, _system: &S, _t: f64, _h: f64, _z: S::State) {}
 
     #[inline(always)]
-    fn step(&self, system: &S, t: f64, h: f64, z: S::State, _memo: &mut ()) -> S::State {
+    fn step(&self, system: &S, t: f64, h: f64, z: S::State, _carry: &mut ()) -> S::State {
         let k1 = system.rate(t, z);
         let k2 = system.rate(t + h, z + k1 * h);
         z + (k1 + k2) * (h / 2.0)

@@ -1,7 +1,7 @@
-//! Explicit Runge–Kutta methods, of which forward Euler is the one of a single stage.
+//! Explicit Runge–Kutta methods, including forward Euler, which has a single stage.
 //!
-//! The longer ones are a [`tableau`], from which a macro makes the code of their stages; two of
-//! them are [`Embedded`]: they estimate their own error.
+//! The longer ones are given as a [`tableau`], from which a macro generates the code of their
+//! stages; two of them are [`Embedded`]: they estimate their own error.
 
 pub mod dop853;
 pub mod dormand_prince;

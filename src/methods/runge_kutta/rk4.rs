@@ -36,7 +36,7 @@ impl<S: System> Method<S> for Rk4 {
     fn start(&self, _system: &S, _t: f64, _h: f64, _z: S::State) {}
 
     #[inline(always)]
-    fn step(&self, system: &S, t: f64, h: f64, z: S::State, _memo: &mut ()) -> S::State {
+    fn step(&self, system: &S, t: f64, h: f64, z: S::State, _carry: &mut ()) -> S::State {
         let k1 = system.rate(t, z);
         let k2 = system.rate(t + h / 2.0, z + k1 * (h / 2.0));
         let k3 = system.rate(t + h / 2.0, z + k2 * (h / 2.0));

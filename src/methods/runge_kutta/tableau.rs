@@ -1,15 +1,15 @@
 //! Explicit Runge–Kutta methods as tables of coefficients.
 //!
-//! A [`Tableau`] is data. The macro `tableau!` makes of one table both that data, with the digits
-//! as its source has them, and straight code that takes the stages: no loop, no index, no product
-//! with zero.
+//! A [`Tableau`] is data. From one table the macro `tableau!` generates both that data, with the
+//! digits as its source has them, and straight-line code that evaluates the stages: no loop, no
+//! index, no product with zero.
 
-/// A number of a tableau.
+/// A coefficient of a tableau.
 #[derive(Clone, Copy, Debug)]
 pub struct Coefficient {
     /// The nearest f64, which the step uses.
     pub value: f64,
-    /// As the source has it, a fraction or all its digits: for tests of what the f64 has lost.
+    /// As the source has it, a fraction or all its digits: for tests of the rounding of the f64.
     pub written: &'static str,
 }
 
@@ -18,26 +18,26 @@ pub struct Coefficient {
 pub struct Row {
     /// The name of the stage or of the sum.
     pub name: &'static str,
-    /// When a stage is taken, c, in steps; a sum has none.
+    /// The node c of a stage, in steps; a sum has none.
     pub node: Option<Coefficient>,
-    /// The stages that take part, by name, with their coefficients. Those not named have zero.
+    /// The stages with a non-zero coefficient, by name, and that coefficient.
     pub terms: &'static [(&'static str, Coefficient)],
 }
 
 /// The coefficients of an explicit Runge–Kutta method, or of stages added to one.
 #[derive(Clone, Copy, Debug)]
 pub struct Tableau {
-    /// The stages that are known before: k₁ = f(t, z), or those of another tableau.
+    /// The stages that are already known: k₁ = f(t, z), or those of another tableau.
     pub known: &'static [&'static str],
-    /// The stages, in the order in which they are taken.
+    /// The stages, in the order in which they are evaluated.
     pub stages: &'static [Row],
-    /// The sums that are made of them: the step itself, error estimates, dense output.
+    /// The weighted sums of them: the step itself, error estimates, dense output.
     pub sums: &'static [Row],
 }
 
 impl Tableau {
-    /// The largest sum of the sizes of a row's coefficients: how far a stage or a sum leads, in
-    /// steps.
+    /// The largest sum of a row's |coefficients|: a bound on the displacement of a stage or a sum,
+    /// in steps.
     pub(crate) const fn reach(&self) -> f64 {
         Row::longest(self.stages).max(Row::longest(self.sums))
     }
@@ -60,7 +60,7 @@ impl Row {
 }
 
 // ANCHOR: tableau
-/// Makes of a table `struct $Stages`, whose function `evaluate` takes the stages and which has a
+/// Generates from a table the `struct $Stages`, with a function `evaluate` for the stages and a
 /// method for each sum, and the table as data, `$TABLEAU`.
 macro_rules! tableau {
     (
@@ -82,8 +82,8 @@ macro_rules! tableau {
         }
 
         impl<D: $crate::Vector> $Stages<D> {
-            /// Takes the stages of a step `h` (s) from `z` at time `t` (s). The known ones are
-            /// given.
+            /// Evaluates the stages of a step `h` (s) from `z` at time `t` (s), given the known
+            /// ones.
             #[inline(always)]
             #[allow(unused_variables, reason = "where no stage is added, nothing is evaluated")]
             pub fn evaluate<S>(
@@ -152,7 +152,7 @@ pub(crate) use tableau;
 mod tests {
     use super::*;
 
-    /// Catches: coefficients that cancel; a row, or the sums, passed over.
+    /// Catches: coefficients that cancel; a row, or the sums, omitted.
     #[test]
     fn a_table_reaches_as_far_as_its_longest_row() {
         const STAGES: &[Row] = &[

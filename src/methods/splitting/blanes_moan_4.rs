@@ -3,10 +3,10 @@
 use crate::methods::splitting::Splitting;
 use crate::methods::{Info, MethodInfo};
 
-/// Blanes and Moan's method of order 4: six stages where three would do, spent on a small error.
+/// Blanes and Moan's method of order 4: six stages, where three would suffice, for a small error.
 ///
 /// Order 4, symplectic, symmetric, six force evaluations a step. Three parameters are free, and are
-/// chosen so that what is left of the error of order 5 is small. S. Blanes, P. C. Moan: Practical
+/// chosen so that the leading error, of order 5, is small. S. Blanes, P. C. Moan: Practical
 /// symplectic partitioned Runge–Kutta and Runge–Kutta–Nyström methods, *Journal of Computational
 /// and Applied Mathematics* 142 (2002), 313–330, doi:10.1016/S0377-0427(01)00492-7, Table 2, S₆.
 #[derive(Clone, Copy, Debug, Default)]

@@ -5,10 +5,10 @@ use crate::methods::{Info, MethodInfo};
 
 /// Blanes and Moan's method of order 6 for forces that do not depend on the velocity.
 ///
-/// That the kinetic energy is a square makes some of the conditions for order 6 hold by themselves,
-/// which leaves room for a small error. Order 6, symplectic, symmetric, eleven force evaluations a
-/// step. S. Blanes, P. C. Moan: Practical symplectic partitioned Runge–Kutta and
-/// Runge–Kutta–Nyström methods, *Journal of Computational and Applied Mathematics* 142 (2002),
+/// Because the kinetic energy is quadratic, some of the conditions for order 6 hold automatically,
+/// which leaves parameters free to make the error small. Order 6, symplectic, symmetric, eleven
+/// force evaluations a step. S. Blanes, P. C. Moan: Practical symplectic partitioned Runge–Kutta
+/// and Runge–Kutta–Nyström methods, *Journal of Computational and Applied Mathematics* 142 (2002),
 /// 313–330, doi:10.1016/S0377-0427(01)00492-7, Table 3, the eleven-stage method that begins with a
 /// kick.
 #[derive(Clone, Copy, Debug, Default)]

@@ -4,7 +4,7 @@ use crate::methods::splitting::{Splitting, kicks, palindrome};
 use crate::methods::{Info, MethodInfo};
 
 /// Kahan and Li's method of order 8: seventeen short steps of Störmer–Verlet, where fifteen long
-/// ones would do.
+/// ones would suffice.
 ///
 /// Order 8, symplectic, symmetric, seventeen force evaluations a step. W. Kahan, R.-C. Li:
 /// Composition constants for raising the orders of unconventional schemes for ordinary differential

@@ -1,7 +1,8 @@
-//! Splitting methods: the force kicks the velocity, the velocity drifts the position, by turns.
+//! Splitting methods: alternately the force kicks the velocity and the velocity drifts the
+//! position.
 //!
-//! The first three are written out; the others are tables of kicks and drifts, a [`Splitting`]
-//! each.
+//! Symplectic Euler and the two Verlet methods are written out; the others are tables of kicks and
+//! drifts, a [`Splitting`] each.
 
 mod blanes_moan_4;
 mod blanes_moan_6;

@@ -6,7 +6,7 @@ use crate::systems::Separable;
 
 /// Störmer–Verlet in position form: half a drift, a kick, half a drift.
 ///
-/// The half drift that ends a step and the one that begins the next are one drift. Order 2,
+/// The half drift that ends a step and the one that begins the next are merged into one. Order 2,
 /// symplectic, symmetric, one force evaluation a step and none before the first. Also called
 /// drift–kick–drift. Hairer, Lubich, Wanner, *Geometric Numerical Integration*, Sect. I.1.4.
 #[derive(Clone, Copy, Debug, Default)]

@@ -7,9 +7,9 @@ use crate::systems::Separable;
 /// Störmer–Verlet in velocity form: half a kick, a drift, half a kick.
 ///
 /// The force at the end of a step is the force at the start of the next, so it is evaluated once
-/// and handed on. Order 2, symplectic, symmetric, one force evaluation a step and one before the
-/// first. Also called velocity Verlet, leapfrog, kick–drift–kick. Paper, Eqs. 10–12; Hairer,
-/// Lubich, Wanner, *Geometric Numerical Integration*, Sect. I.1.4.
+/// for both. Order 2, symplectic, symmetric, one force evaluation a step and one before the first.
+/// Also called velocity Verlet, leapfrog, kick–drift–kick. Paper, Eqs. 10–12; Hairer, Lubich,
+/// Wanner, *Geometric Numerical Integration*, Sect. I.1.4.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct StormerVerlet;
 
@@ -43,9 +43,9 @@ impl<S: Separable> Method<S> for StormerVerlet {
     fn step(&self, system: &S, t: f64, h: f64, _z: S::State, ahead: &mut S::State) -> S::State {
         let z = system.drift(*ahead, h);
         let force = system.force(t + h, z);
-        // The half kick that ends this step and the one that begins the next are one kick.
+        // The half kick that ends this step and the one that begins the next are merged into one.
         *ahead = system.kick(z, force, h);
-        // This is for whoever looks: where nobody does, the compiler leaves it out.
+        // Only an observer reads this state: without one the compiler removes it.
         system.kick(z, force, 0.5 * h)
     }
 }

@@ -37,7 +37,7 @@ impl<S: Separable> Method<S> for SymplecticEuler {
     fn start(&self, _system: &S, _t: f64, _h: f64, _z: S::State) {}
 
     #[inline(always)]
-    fn step(&self, system: &S, t: f64, h: f64, z: S::State, _memo: &mut ()) -> S::State {
+    fn step(&self, system: &S, t: f64, h: f64, z: S::State, _carry: &mut ()) -> S::State {
         let force = system.force(t, z);
         let z = system.kick(z, force, h);
         system.drift(z, h)

@@ -3,10 +3,11 @@
 use crate::integrate::Method;
 use crate::systems::Separable;
 
-/// A splitting method as data: kicks and drifts by turns, a kick first and a kick last.
+/// A splitting method as data: kicks and drifts alternate, a kick first and a kick last.
 ///
-/// Where the first kick of a step takes the force, the last kick of the step before has just
-/// evaluated it, and the two become one kick. So a step costs as many evaluations as it has drifts.
+/// The first kick of a step needs the force that the last kick of the step before has just
+/// evaluated, so the two are merged into one. A step thus costs as many evaluations as it has
+/// drifts.
 pub trait Splitting {
     /// The kicks, in units of the step: one more than there are drifts. Where the method ends with
     /// a drift, the last is 0.
@@ -43,7 +44,7 @@ impl<M: Splitting, S: Separable> Method<S> for M {
 }
 // ANCHOR_END: step
 
-/// How far the numbers lead, those backwards counted like those forwards: Σ |x|.
+/// The sum of the absolute values, Σ |x|.
 pub const fn length(all: &[f64]) -> f64 {
     let (mut sum, mut i) = (0.0, 0);
     while i < all.len() {
@@ -53,8 +54,8 @@ pub const fn length(all: &[f64]) -> f64 {
     sum
 }
 
-/// The kicks of a composition of Störmer–Verlet steps: between two drifts two half kicks are one,
-/// and the outermost are halves. The drifts are the substeps themselves.
+/// The kicks of a composition of Störmer–Verlet steps: the two half kicks between two drifts are
+/// merged into one, and the outermost are half kicks. The drifts are the substeps themselves.
 pub const fn kicks<const N: usize, const KICKS: usize>(substeps: [f64; N]) -> [f64; KICKS] {
     assert!(KICKS == N + 1);
     let mut kicks = [0.0; KICKS];

@@ -3,13 +3,13 @@
 use crate::methods::splitting::{Splitting, kicks, palindrome};
 use crate::methods::{Info, MethodInfo};
 
-/// Yoshida's method of order 8: fifteen steps of Störmer–Verlet, some of them twice as long as the
-/// whole.
+/// Yoshida's method of order 8: fifteen steps of Störmer–Verlet, some of them almost twice as long
+/// as the whole step.
 ///
 /// Order 8, symplectic, symmetric, fifteen force evaluations a step. H. Yoshida: Construction of
 /// higher order symplectic integrators, *Physics Letters A* 150 (1990), 262–268,
-/// doi:10.1016/0375-9601(90)90092-3, Table 2, solution D. The fifteen digits in circulation are
-/// right to 3·10⁻¹³; these solve the same conditions to the last.
+/// doi:10.1016/0375-9601(90)90092-3, Table 2, solution D. The fifteen-digit values commonly used
+/// are right to 3·10⁻¹³; these solve the same conditions to the last digit.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Yoshida8;
 

@@ -21,7 +21,7 @@ impl<S: Analytic, const P: usize> Method<S> for Taylor<P> {
     fn start(&self, _system: &S, _t: f64, _h: f64, _z: S::State) {}
 
     #[inline(always)]
-    fn step(&self, system: &S, _t: f64, h: f64, z: S::State, _memo: &mut ()) -> S::State {
+    fn step(&self, system: &S, _t: f64, h: f64, z: S::State, _carry: &mut ()) -> S::State {
         z + system.mean_rate::<P>(h, z) * h
     }
 }

@@ -8,13 +8,13 @@ use crate::systems::Analytic;
 /// The Taylor series of the motion itself, to the 24th power of the step: for long steps and all
 /// digits.
 ///
-/// Order 24, neither symplectic nor symmetric but for what rounding hides. A step evaluates one
-/// sine and one cosine; the powers come by recurrence, and each is counted as one evaluation. Its
-/// reach is that of the series, two radians of the motion or so: in longer steps the state grows
-/// with their 24th power, and may overflow. Also called the method of Taylor series, or automatic
-/// differentiation. Hairer, Nørsett, Wanner, *Solving Ordinary Differential Equations I*, Sect.
-/// I.8; À. Jorba, M. Zou, *Experimental Mathematics* 14 (2005), 99–117,
-/// doi:10.1080/10586458.2005.10128904. Any other order is [`Taylor<P>`](Taylor).
+/// Order 24, neither symplectic nor symmetric, though the deviation is often below rounding. A step
+/// evaluates one sine and one cosine; the powers follow by recurrence, and each is counted as one
+/// evaluation. A step is limited by the convergence of the series to about two radians of the
+/// motion: in longer steps the state grows with their 24th power, and may overflow. Also called the
+/// method of Taylor series, or automatic differentiation. Hairer, Nørsett, Wanner, *Solving
+/// Ordinary Differential Equations I*, Sect. I.8; À. Jorba, M. Zou, *Experimental Mathematics* 14
+/// (2005), 99–117, doi:10.1080/10586458.2005.10128904. Any other order is [`Taylor<P>`](Taylor).
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Taylor24;
 

@@ -1,9 +1,11 @@
 """Error constants of the splitting methods, in arithmetic of 50 digits: writes error_constants.csv.
 
-For θ' = q, q' = −sin θ from z₀ to the time 4, in N and 2N steps of length x: (method − exact)/xᵖ, extrapolated to x = 0 with
-the next power that the method's error has (x² further for a symmetric one, x for another). The tables are written out here
-from the papers once more and know nothing of the library. Needs mpmath.
+For θ' = q, q' = −sin θ from z₀ to the time 4, in N and 2N steps of length x: (method − exact)/xᵖ,
+extrapolated to x = 0 with the next power that the method's error has (x² further for a symmetric
+one, x for another). The tables are written out here from the papers once more and know nothing of
+the library. Needs mpmath.
 """
+
 from mpmath import mp, mpf, sin, cbrt, odefun
 
 mp.dps = 50
@@ -27,27 +29,92 @@ def palindrome(half, last):
 OUTER = 1 / (2 - cbrt(mpf(2)))
 P = 1 / (4 - cbrt(mpf(4)))
 METHODS = {
-    "ruth-3": (3, 1, ([mpf(7) / 24, mpf(3) / 4, -mpf(1) / 24, mpf(0)], [mpf(2) / 3, -mpf(2) / 3, mpf(1)])),
+    "ruth-3": (
+        3,
+        1,
+        ([mpf(7) / 24, mpf(3) / 4, -mpf(1) / 24, mpf(0)], [mpf(2) / 3, -mpf(2) / 3, mpf(1)]),
+    ),
     "forest-ruth": (4, 2, verlets([OUTER])),
     "suzuki-4": (4, 2, verlets([P, P])),
-    "blanes-moan-4": (4, 2, (
-        palindrome(["0.0792036964311957", "0.353172906049774", "-0.0420650803577195"], lambda s: [1 - 2 * s]),
-        palindrome(["0.209515106613362", "-0.143851773179818"], lambda s: [mpf(1) / 2 - s] * 2))),
-    "yoshida-6": (6, 2, verlets(
-        ["0.784513610477557263819497633866", "0.235573213359358133684793182979", "-1.177679984178871006946415680964"])),
-    "blanes-moan-6": (6, 2, (
-        palindrome(["0.04146499851826284329878", "0.1981286719180665411367", "-0.04000619210415268688883",
-                    "0.07525398430158034112788", "-0.01151138742068777006244"], lambda s: [mpf(1) / 2 - s] * 2),
-        palindrome(["0.1232297759462711515611", "0.2905537977995582703664", "-0.1270492126254169156625",
-                    "-0.246331761062075404195", "0.3572088727959277526199"], lambda s: [1 - 2 * s]))),
-    "yoshida-8": (8, 2, verlets(
-        ["0.9148442462297915667487935", "0.253693336566211354146146", "-1.444852236860605157694731",
-         "-0.1582406353680501752040668", "1.938139137622525986579186", "-1.960610232975310807607633",
-         "0.1027998493917964406981151"])),
-    "kahan-li-8": (8, 2, verlets(
-        ["0.13020248308889008087881763", "0.56116298177510838456196441", "-0.38947496264484728640807860",
-         "0.15884190655515560089621075", "-0.39590389413323757733623154", "0.18453964097831570709183254",
-         "0.25837438768632204729397911", "0.29501172360931029887096624"])),
+    "blanes-moan-4": (
+        4,
+        2,
+        (
+            palindrome(
+                ["0.0792036964311957", "0.353172906049774", "-0.0420650803577195"],
+                lambda s: [1 - 2 * s],
+            ),
+            palindrome(["0.209515106613362", "-0.143851773179818"], lambda s: [mpf(1) / 2 - s] * 2),
+        ),
+    ),
+    "yoshida-6": (
+        6,
+        2,
+        verlets(
+            [
+                "0.784513610477557263819497633866",
+                "0.235573213359358133684793182979",
+                "-1.177679984178871006946415680964",
+            ]
+        ),
+    ),
+    "blanes-moan-6": (
+        6,
+        2,
+        (
+            palindrome(
+                [
+                    "0.04146499851826284329878",
+                    "0.1981286719180665411367",
+                    "-0.04000619210415268688883",
+                    "0.07525398430158034112788",
+                    "-0.01151138742068777006244",
+                ],
+                lambda s: [mpf(1) / 2 - s] * 2,
+            ),
+            palindrome(
+                [
+                    "0.1232297759462711515611",
+                    "0.2905537977995582703664",
+                    "-0.1270492126254169156625",
+                    "-0.246331761062075404195",
+                    "0.3572088727959277526199",
+                ],
+                lambda s: [1 - 2 * s],
+            ),
+        ),
+    ),
+    "yoshida-8": (
+        8,
+        2,
+        verlets(
+            [
+                "0.9148442462297915667487935",
+                "0.253693336566211354146146",
+                "-1.444852236860605157694731",
+                "-0.1582406353680501752040668",
+                "1.938139137622525986579186",
+                "-1.960610232975310807607633",
+                "0.1027998493917964406981151",
+            ]
+        ),
+    ),
+    "kahan-li-8": (
+        8,
+        2,
+        verlets(
+            [
+                "0.13020248308889008087881763",
+                "0.56116298177510838456196441",
+                "-0.38947496264484728640807860",
+                "0.15884190655515560089621075",
+                "-0.39590389413323757733623154",
+                "0.18453964097831570709183254",
+                "0.25837438768632204729397911",
+                "0.29501172360931029887096624",
+            ]
+        ),
+    ),
 }
 
 
@@ -69,12 +136,20 @@ def main():
             z = tuple(mpf(c) for c in start)
             exact = odefun(lambda _, y: [y[1], -sin(y[0])], 0, z, tol=mpf(10) ** -40)(END)
             for name, (order, further, table) in METHODS.items():
-                error = lambda n: [(a - b) * (n / END) ** order for a, b in zip(run(table, z, n), exact)]
+                error = lambda n: [
+                    (a - b) * (n / END) ** order for a, b in zip(run(table, z, n), exact)
+                ]
                 rungs = [error(n) for n in (100, 200, 400)]
-                once = [[(2**further * b - a) / (2**further - 1) for a, b in zip(e, f)] for e, f in zip(rungs, rungs[1:])]
+                once = [
+                    [(2**further * b - a) / (2**further - 1) for a, b in zip(e, f)]
+                    for e, f in zip(rungs, rungs[1:])
+                ]
                 power = 2 * further
                 twice = [(2**power * b - a) / (2**power - 1) for a, b in zip(*once)]
-                out.write(f"{name},{start[0]},{start[1]},{mp.nstr(twice[0], 10)},{mp.nstr(twice[1], 10)}\n")
+                out.write(
+                    f"{name},{start[0]},{start[1]},"
+                    f"{mp.nstr(twice[0], 10)},{mp.nstr(twice[1], 10)}\n"
+                )
 
 
 if __name__ == "__main__":

@@ -37,9 +37,9 @@ fn legendre(degree: usize, y: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
 }
 
 impl<const S: usize> Gauss<S> {
-    /// By Newton's method from the nodes of `table`, and from there on knowing no table: the
-    /// weights are 1/((1 − y²) P'(y)²), and aᵢⱼ = ∫₀^cᵢ ℓⱼ, which the weights themselves integrate
-    /// exactly.
+    /// Newton's method starts from the nodes of `table`, and nothing else of it is used: the
+    /// weights are 1/((1 − y²) P'(y)²), and aᵢⱼ = ∫₀^cᵢ ℓⱼ, which the quadrature with these weights
+    /// integrates exactly.
     fn near(table: &ImplicitTableau<S>) -> Self {
         let y = table.c.map(|c| {
             let start = DoubleDouble::new(2.0 * c - 1.0);
@@ -64,8 +64,8 @@ impl<const S: usize> Gauss<S> {
         Self { a, b, c }
     }
 
-    /// What is wrong with the simplifying assumptions, at most: B(2s), Σ bᵢ cᵢ^q⁻¹ = 1/q; C(s), Σⱼ
-    /// aᵢⱼ cⱼ^q⁻¹ = cᵢ^q/q; D(s), Σᵢ bᵢ cᵢ^q⁻¹ aᵢⱼ = bⱼ(1 − cⱼ^q)/q. Together they are order 2s
+    /// The largest defect in the simplifying assumptions: B(2s), Σ bᵢ cᵢ^q⁻¹ = 1/q; C(s), Σⱼ aᵢⱼ
+    /// cⱼ^q⁻¹ = cᵢ^q/q; D(s), Σᵢ bᵢ cᵢ^q⁻¹ aᵢⱼ = bⱼ(1 − cⱼ^q)/q. Together they imply order 2s
     /// (Butcher 1964; Hairer, Nørsett, Wanner, *Solving Ordinary Differential Equations I*, Theorem
     /// II.7.4 and Sect. II.7).
     fn worst_defect(&self) -> f64 {
@@ -89,8 +89,8 @@ impl<const S: usize> Gauss<S> {
     }
 }
 
-/// Holds a table against the coefficients with twice the digits, which hold themselves against the
-/// assumptions.
+/// Compares a table with the coefficients with twice the digits, which are themselves checked
+/// against the simplifying assumptions.
 fn check<const S: usize>(table: &ImplicitTableau<S>) {
     let gauss = Gauss::near(table);
     // A thousand roundings of 2⁻¹⁰⁴ = 5e-32, of numbers that nowhere exceed 1 by much.
@@ -117,7 +117,7 @@ fn every_coefficient_is_the_nearest_number() {
     check(&Gauss16::TABLEAU);
 }
 
-/// Catches: assumptions that anything would meet, and digits that nobody looks at.
+/// Catches: conditions that any coefficients would meet, and digits that are not checked.
 #[test]
 fn a_last_digit_off_is_seen() {
     let mut gauss = Gauss::near(&Gauss6::TABLEAU);
@@ -128,9 +128,9 @@ fn a_last_digit_off_is_seen() {
     assert!(std::panic::catch_unwind(|| check(&table)).is_err());
 }
 
-/// Symplectic: bᵢaᵢⱼ + bⱼaⱼᵢ = bᵢbⱼ; symmetric: the table turned by half a turn is bⱼ − aᵢⱼ
-/// (Hairer, Lubich, Wanner, Theorems VI.4.3 and V.2.3). Each number is off by half a unit of its
-/// last place, 5.6e-17 at the most, and so is each product.
+/// Symplectic: bᵢaᵢⱼ + bⱼaⱼᵢ = bᵢbⱼ; symmetric: the table rotated by 180° is bⱼ − aᵢⱼ (Hairer,
+/// Lubich, Wanner, Theorems VI.4.3 and V.2.3). Each number is off by half a unit of its last place,
+/// 5.6e-17 at the most, and so is each product.
 ///
 /// Catches: rows in another order than weights or nodes.
 #[test]

@@ -1,5 +1,5 @@
-//! The coefficients of the methods that are tables, held to the conditions of their order: a file
-//! for each family.
+//! The coefficient tables of the methods against the conditions of their order: a file for each
+//! family.
 
 mod gauss;
 mod runge_kutta;

@@ -3,9 +3,9 @@
 //! code that takes the steps.
 //!
 //! A tree τ with the subtrees τ₁ … τₘ is the equation ẏ_τ = y_τ₁ … y_τₘ. From zero its solution is
-//! tⁿ/γ(τ), for n vertices, and a Runge–Kutta method is of order p if it is right to the last digit
-//! for every tree of up to p vertices (Hairer, Nørsett, Wanner, *Solving Ordinary Differential
-//! Equations I*, Theorem II.2.13).
+//! tⁿ/γ(τ), for n vertices, and a Runge–Kutta method is of order p if it is exact for every tree of
+//! up to p vertices (Hairer, Nørsett, Wanner, *Solving Ordinary Differential Equations I*, Theorem
+//! II.2.13).
 
 use std::collections::BTreeMap;
 use std::ops::{Add, Mul};
@@ -25,7 +25,7 @@ use rstest::rstest;
 
 struct Tree {
     vertices: usize,
-    /// The numbers of the subtrees.
+    /// The indices of the subtrees.
     subtrees: Vec<usize>,
     /// γ.
     density: f64,
@@ -47,8 +47,8 @@ fn trees(most: usize) -> Vec<Tree> {
     trees
 }
 
-/// Every multiset of `trees` before number `before` that has so many `vertices`, after those in
-/// `chosen`.
+/// Finds every multiset of trees with indices below `before` that has `vertices` vertices in all,
+/// and appends each, after those in `chosen`, to `found`.
 fn grow(
     trees: &[Tree],
     vertices: usize,
@@ -67,7 +67,7 @@ fn grow(
     }
 }
 
-/// OEIS A000081. Catches: a tree forgotten or grown twice, and a condition with it.
+/// OEIS A000081. Catches: a tree forgotten or generated twice, and its condition with it.
 #[test]
 fn no_tree_is_forgotten() {
     let trees = trees(9);
@@ -89,8 +89,8 @@ struct Printed {
     half_digit: f64,
 }
 
-/// Fewer digits than this are all there are: 0.0371 is 371/10000. Those that go on are printed to
-/// 28 or more.
+/// A number with fewer digits than this is exact: 0.0371 is 371/10000. The others are printed to 28
+/// digits or more.
 const ALL_DIGITS: usize = 20;
 
 /// Reads a fraction, or a decimal number.
@@ -123,10 +123,10 @@ fn decimal(written: &str) -> Printed {
     Printed { value, half_digit: if exact { 0.0 } else { 0.5 / scale.rounded() } }
 }
 
-/// A sum over stages, by their number.
+/// The weights of a sum over stages, by stage index.
 type Weights = BTreeMap<usize, Printed>;
 
-/// A method as its tables have it.
+/// A method as given by its tables.
 #[derive(Clone)]
 struct Table {
     names: Vec<&'static str>,
@@ -183,7 +183,7 @@ impl Table {
         Self::new().with(step.stages, step.sums).with(&[end], &[]).with(dense.stages, &more)
     }
 
-    /// For each stage and tree the elementary weight, and what it would be if nothing cancelled.
+    /// For each tree and stage the elementary weight, and its size if nothing cancelled.
     fn elementary(&self, trees: &[Tree]) -> Vec<Vec<(DoubleDouble, f64)>> {
         let mut table: Vec<Vec<(DoubleDouble, f64)>> = vec![];
         for tree in trees {
@@ -199,7 +199,7 @@ impl Table {
         table
     }
 
-    /// How coarsely its numbers are printed, relatively.
+    /// The largest relative error of its printed numbers.
     fn coarseness(&self) -> f64 {
         let rows = self.stages.iter().chain(self.sums.values());
         rows.flat_map(|row| row.values())
@@ -207,8 +207,8 @@ impl Table {
             .fold(0.0, f64::max)
     }
 
-    /// The weights of the dense output when the part `s` of the step is over, from the three
-    /// coefficients that make it meet both ends and those `more`.
+    /// The weights of the dense output at the fraction `s` of the step, from the three coefficients
+    /// that match it to both ends and those in `more`.
     fn dense(&self, s: DoubleDouble, end: &str, more: &[&str]) -> Weights {
         let unit = |name: &str| {
             let number = self.names.iter().position(|known| *known == name).unwrap();
@@ -249,20 +249,20 @@ fn total(row: &Weights, of_stages: &[(DoubleDouble, f64)]) -> (DoubleDouble, f64
     })
 }
 
-/// 2⁻¹⁰⁴, to which an operation on double-doubles is right.
+/// 2⁻¹⁰⁴, the relative error of an operation on double-doubles.
 const UNIT: f64 = 4.93e-32;
 
-/// By how much the condition of a tree may fail: each of its vertices brings one printed number,
-/// and a sum over up to 16 stages of a few operations each. The weights themselves may be sums
-/// whose numbers have cancelled, but not what is not printed of them.
+/// By how much the condition of a tree may fail: each of its vertices contributes one printed
+/// number, and a sum over up to 16 stages of a few operations each. The weights themselves may be
+/// sums whose numbers cancel, but whose unprinted digits do not.
 fn allowed(table: &Table, tree: &Tree, row: &Weights, of_stages: &[(DoubleDouble, f64)]) -> f64 {
     let (_, size) = total(row, of_stages);
     let of_weights: f64 = row.iter().map(|(&stage, b)| b.half_digit * of_stages[stage].1).sum();
     tree.vertices as f64 * (table.coarseness() + 50.0 * UNIT) * size + of_weights
 }
 
-/// The order of `row`, which is to be right for tⁿ at t = s: the vertices of the smallest tree that
-/// fails, less one; and by how much that tree does.
+/// The order of `row`, whose sum for each tree should be `right` at t = s: the number of vertices
+/// of the smallest tree that fails, less one; and by how much it fails.
 fn order_and_failure(
     table: &Table,
     row: &Weights,
@@ -282,8 +282,8 @@ fn order_and_failure(
     (9, 0.0)
 }
 
-/// The order of `row`, when no digit of it is wrong: one that fails by less than 1e-9 has a wrong
-/// digit, and no wrong order.
+/// The order of `row`. A failure of less than 1e-9 means a wrong digit and not a lower order, and
+/// panics.
 fn order(
     table: &Table,
     row: &Weights,
@@ -299,7 +299,7 @@ fn solution(tree: &Tree, power: DoubleDouble) -> DoubleDouble {
     power / DoubleDouble::new(tree.density)
 }
 
-/// Catches: any digit wrong of the 28 and more that are printed, in a stage or in the weights; an
+/// Catches: a wrong digit among the 28 or more that are printed, in a stage or in the weights; an
 /// order claimed too high.
 #[rstest]
 #[case::dormand_prince(Table::dormand_prince(), 5)]
@@ -308,10 +308,10 @@ fn the_step_has_its_order_for_every_tree(#[case] table: Table, #[case] expected:
     assert_eq!(order(&table, &table.sums["step"], DoubleDouble::ONE, solution), expected);
 }
 
-/// What a sum estimates is zero for all trees up to the order of the method within.
+/// An error estimate is zero for all trees up to the order of the embedded method.
 ///
-/// Catches: a wrong digit in an estimate; one that is of a higher order, and sees no error, or of a
-/// lower, and sees one everywhere.
+/// Catches: a wrong digit in an estimate; an estimate of too high an order, which misses errors, or
+/// of too low an order, which reports one everywhere.
 #[rstest]
 #[case::dormand_prince(Table::dormand_prince(), "error", 4)]
 #[case::dop853(Table::dop853(), "fifth", 5)]
@@ -331,7 +331,8 @@ fn the_third_order_within_has_it() {
     assert_eq!(order(&table, &table.sums["third"], DoubleDouble::ONE, solution), 3);
 }
 
-/// At more times than a polynomial of its degree has coefficients, it is right for every tree.
+/// Dense output is exact for every tree up to its order, at more times than a polynomial of its
+/// degree has coefficients.
 ///
 /// Catches: a wrong digit in the stages and weights of dense output, in any of its coefficients; an
 /// order claimed too high.
@@ -350,12 +351,11 @@ fn dense_output_has_its_order_at_every_time(
     }
 }
 
-/// Each number in turn is made wrong in its 20th digit, four beyond those of an f64, and a
-/// condition fails: a test of the tests above. (DOP853's are printed to 28 and more; but some count
-/// for little, and many cancel.)
+/// Each number in turn is changed in its 20th digit, four beyond those of an f64, and a condition
+/// must fail: a test of the tests above. (DOP853's numbers are printed to 28 digits or more; but
+/// some have little influence, and many cancel.)
 ///
-/// Catches: tolerances so wide that a digit could hide in them; a number that no condition asks
-/// for.
+/// Catches: tolerances so wide that a wrong digit passes; a number that no condition depends on.
 #[rstest]
 #[case::dormand_prince(Table::dormand_prince(), "k7", &["fourth"], 4)]
 #[case::dop853(Table::dop853(), "k13", &["fourth", "dense fifth", "sixth", "seventh"], 7)]
@@ -389,8 +389,7 @@ fn every_digit_counts(
     }
 }
 
-/// Catches: a time of a stage that is not the sum of its row, which a system without a clock never
-/// asks for.
+/// Catches: a stage time that is not the sum of its row, which an autonomous system never uses.
 #[rstest]
 #[case::dormand_prince(Table::dormand_prince())]
 #[case::dop853(Table::dop853())]
@@ -407,7 +406,7 @@ fn each_stage_is_taken_at_the_sum_of_its_row(#[case] table: Table) {
 // The same through the code
 // -------------------------------------------------------------------------------------------------
 
-/// The trees of up to 8 vertices.
+/// The number of trees of up to 8 vertices.
 const FOREST: usize = 200;
 
 /// A number for each tree.
@@ -432,8 +431,8 @@ impl Mul<f64> for Forest {
 
 impl Vector for Forest {}
 
-/// The equations of all trees at once; that of the bare root by the clock, ẏ = 1, so that a tree
-/// with it says the time.
+/// The equations of all trees at once. The tree of a single vertex, ẏ = 1, is replaced by t itself,
+/// so that the trees that contain it depend on the stage times.
 struct Growth {
     trees: Vec<Tree>,
 }
@@ -449,11 +448,12 @@ impl System for Growth {
     }
 }
 
-/// A step of 0.8, so that an h that is missing shows: with 1 it would not.
+/// A step of 0.8, so that a missing h shows: with 1 it would not.
 const H: f64 = 0.8;
 
-/// Rounding: each of the up to 8 vertices of a tree brings a sum of up to 16 products, an ε each,
-/// of the size that `table` has if nothing cancels; and a step shorter than 1 makes it no larger.
+/// Rounding: each of the up to 8 vertices of a tree contributes a sum of up to 16 products, an ε
+/// each, of the size that they have in `table` if nothing cancels; a step shorter than 1 does not
+/// increase it.
 fn rounding(table: &Table, row: &Weights, trees: &[Tree]) -> Vec<f64> {
     let elementary = table.elementary(trees);
     let bound = |(tree, of_stages): (&Tree, &Vec<(DoubleDouble, f64)>)| {
@@ -470,8 +470,8 @@ fn assert_grown(growth: &Growth, y: Forest, t: f64, order: usize, rounding: &[f6
     }
 }
 
-/// Catches: a coefficient that the code takes from another place than the table has it, a time of a
-/// stage without its h, a stage left out; a slope handed on that is not the last.
+/// Catches: a coefficient that the code takes from the wrong place in the table, a stage time
+/// without its h, a stage left out; a carried slope that is not the last one.
 #[rstest]
 #[case::dormand_prince(DormandPrince, Table::dormand_prince(), 5, &["fourth"], "k7", 4)]
 #[case::dop853(
@@ -519,7 +519,7 @@ fn the_code_grows_every_tree<M>(
     }
 }
 
-/// The weights that dense output has at most, if nothing in its coefficients cancels.
+/// An upper bound of the weights of dense output, if nothing in its coefficients cancels.
 fn absolute(weights: &Weights, table: &Table, more: &[&str]) -> Weights {
     let mut sum = weights.clone();
     for row in more.iter().map(|name| &table.sums[name]).chain([&table.sums["step"]]) {

@@ -45,16 +45,16 @@ fn words<M: Splitting>(degree: usize) -> WordSeries {
 }
 // ANCHOR_END: words
 
-/// What the words of `degree` letters are off by from those of exp(A + B), 1/degree! each.
+/// The difference of the words of `degree` letters from those of exp(A + B), 1/degree! each.
 fn defects<M: Splitting>(degree: usize) -> Vec<DoubleDouble> {
     let factorial = (1..=degree).fold(1.0, |product, k| product * k as f64);
     let exact = DoubleDouble::ONE / DoubleDouble::new(factorial);
     words::<M>(degree).swap_remove(degree).into_iter().map(|word| word - exact).collect()
 }
 
-/// Takes from `defects`, of words of `degree` letters, what vanishes for a kinetic energy that is a
-/// square: multiples of [B, [B, [B, A]]] = BBBA − 3 BBAB + 3 BABB − ABBB, with any letters before
-/// and after.
+/// Removes from `defects`, of words of `degree` letters, the part that vanishes for a quadratic
+/// kinetic energy: multiples of [B, [B, [B, A]]] = BBBA − 3 BBAB + 3 BABB − ABBB, with any letters
+/// before and after.
 fn modulo_the_square(mut defects: Vec<DoubleDouble>, degree: usize) -> Vec<DoubleDouble> {
     const BRACKET: [(usize, f64); 4] =
         [(0b1110, 1.0), (0b1101, -3.0), (0b1011, 3.0), (0b0111, -1.0)];
@@ -80,7 +80,7 @@ fn modulo_the_square(mut defects: Vec<DoubleDouble>, degree: usize) -> Vec<Doubl
     defects
 }
 
-/// `vector` less its part along `row`.
+/// `vector` less its component along `row`.
 fn without(vector: Vec<DoubleDouble>, row: &[DoubleDouble]) -> Vec<DoubleDouble> {
     let dot = |a: &[DoubleDouble], b: &[DoubleDouble]| {
         a.iter().zip(b).fold(DoubleDouble::ZERO, |sum, (x, y)| sum + *x * *y)
@@ -90,8 +90,8 @@ fn without(vector: Vec<DoubleDouble>, row: &[DoubleDouble]) -> Vec<DoubleDouble>
 }
 
 /// Each coefficient is an f64, off by 2⁻⁵³ of itself, or printed in 15 digits; a word of d letters
-/// has at most d of them, each sum of products of size Lᵈ/d!, where L is the sum of all kicks or of
-/// all drifts.
+/// has at most d of them, in a sum of products of size Lᵈ/d!, where L is the sum of the sizes of
+/// all kicks or of all drifts.
 fn tolerance<M: Splitting>(degree: usize) -> f64 {
     let longest = length(M::KICKS).max(length(M::DRIFTS));
     let size = (1..=degree).fold(1.0, |size, k| size * longest / k as f64);
@@ -118,11 +118,11 @@ fn check<M: Splitting + Info>(method: M, kinetic_energy_is_a_square: bool) {
     assert_eq!(M::KICKS.len(), M::DRIFTS.len() + 1);
 }
 
-/// The order conditions of every table, all of them, in double-double: a step agrees with the exact
-/// flow in every word of up to p kicks and drifts, and not in some word of p + 1.
+/// All order conditions of every table, in double-double: a step agrees with the exact flow in
+/// every word of up to p kicks and drifts, and differs in some word of p + 1.
 ///
 /// Catches: a coefficient that is wrong in its fourteenth decimal, or before; a table that is not
-/// held to them, since among the library's methods none but these splits and has an order beyond 2.
+/// checked, since these are all the library's splitting methods of order above 2.
 #[test]
 fn every_table_meets_its_order_conditions() {
     let mut checked = Vec::new();
@@ -147,7 +147,7 @@ fn every_table_meets_its_order_conditions() {
     assert_eq!(checked, splits.map(|of| of.name).collect::<Vec<_>>());
 }
 
-/// Catches: conditions that anything would meet.
+/// Catches: conditions that any coefficients would meet.
 #[test]
 fn a_coefficient_off_by_a_millionth_does_not_meet_them() {
     struct Off;
@@ -159,9 +159,9 @@ fn a_coefficient_off_by_a_millionth_does_not_meet_them() {
     assert!(largest(&defects::<Off>(2)) > 1e3 * tolerance::<Off>(2));
 }
 
-/// Blanes and Moan's method of order 6 is one of order 4 where the kinetic energy is no square.
+/// Blanes and Moan's method of order 6 is of order 4 where the kinetic energy is not quadratic.
 ///
-/// Catches: an ideal so large that it swallows every defect.
+/// Catches: an ideal so large that it removes every defect.
 #[test]
 fn that_the_kinetic_energy_is_a_square_is_needed() {
     assert!(largest(&defects::<BlanesMoan6>(5)) > 1e3 * tolerance::<BlanesMoan6>(5));
@@ -171,8 +171,8 @@ fn that_the_kinetic_energy_is_a_square_is_needed() {
 
 /// By hand: 2w + (2w − 1) for Forest and Ruth's drifts, with w = 1.351; and its kicks are shorter.
 ///
-/// Catches: a backward step counted against the forward ones, so that a run might lose count of its
-/// half turns.
+/// Catches: a backward substep subtracted from the forward ones, so that a run might have more half
+/// turns than can be counted.
 #[test]
 fn steps_backward_count_too() {
     let reach = <ForestRuth as Method<Pendulum>>::REACH;

@@ -27,7 +27,7 @@ impostor! {
     }
 }
 
-/// Forward Euler that asks for the rate of the old state at the new time.
+/// Forward Euler that evaluates the rate of the old state at the new time.
 pub struct Late;
 
 impl Info for Late {
@@ -41,7 +41,7 @@ impl<S: Plain> Method<S> for Late {
 
     fn start(&self, _system: &S, _t: f64, _h: f64, _z: Phase) {}
 
-    fn step(&self, system: &S, t: f64, h: f64, z: Phase, _memo: &mut ()) -> Phase {
+    fn step(&self, system: &S, t: f64, h: f64, z: Phase, _carry: &mut ()) -> Phase {
         z + system.rate(t + h, z) * h
     }
 }

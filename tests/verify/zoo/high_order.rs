@@ -32,21 +32,22 @@ macro_rules! composition {
 }
 
 composition! {
-    /// The triple jump with its first substep too long by a millionth: the three are no whole step.
+    /// The triple jump with its first substep too long by a millionth: the three do not add up to a
+    /// whole step.
     TripleJumpTooLong poses as ForestRuth, 3 substeps,
     [ForestRuth::DRIFTS[0] + 1e-6, ForestRuth::DRIFTS[1], ForestRuth::DRIFTS[2]]
 }
 
 composition! {
-    /// The same off by a millionth on either side, and the middle is what is left. The sum is 1,
-    /// and the sum of cubes nearly 0.
+    /// The triple jump with its outer substeps off by a millionth, and the middle one chosen so
+    /// that the sum is 1; the sum of cubes is nearly 0.
     TripleJumpOff poses as ForestRuth, 3 substeps,
     [ForestRuth::DRIFTS[0] + 1e-6, ForestRuth::DRIFTS[1] - 2e-6, ForestRuth::DRIFTS[2] + 1e-6]
 }
 
 composition! {
-    /// Yoshida's six and a middle, of which the second has the wrong sign; the middle is what is
-    /// left.
+    /// Yoshida's substeps with the wrong sign of the second, and the middle one chosen so that the
+    /// sum is 1.
     SignLost poses as Yoshida6, 7 substeps, {
         let [a, b, c] = [Yoshida6::DRIFTS[0], -Yoshida6::DRIFTS[1], Yoshida6::DRIFTS[2]];
         [a, b, c, 1.0 - 2.0 * (a + b + c), c, b, a]
@@ -54,7 +55,7 @@ composition! {
 }
 
 composition! {
-    /// Yoshida's six in six digits, and the middle is what is left.
+    /// Yoshida's substeps to six digits, and the middle one chosen so that the sum is 1.
     SixDigits poses as Yoshida6, 7 substeps, {
         const fn short(x: f64) -> f64 {
             (x * 1e6) as i64 as f64 / 1e6
@@ -79,7 +80,7 @@ impl<S: Plain> Method<S> for SweptOnce {
 
     fn start(&self, _system: &S, _t: f64, _h: f64, _z: Phase) {}
 
-    fn step(&self, system: &S, t: f64, h: f64, z: Phase, _memo: &mut ()) -> Phase {
+    fn step(&self, system: &S, t: f64, h: f64, z: Phase, _carry: &mut ()) -> Phase {
         let table = Gauss4::TABLEAU;
         let mut k = [system.rate(t, z); 2];
         for i in 0..2 {
@@ -98,7 +99,7 @@ pub struct EntryOff {
     pub row: &'static str,
     /// The stage whose coefficient is off.
     pub term: &'static str,
-    /// By so much.
+    /// By how much.
     pub by: f64,
 }
 
@@ -113,7 +114,7 @@ impl<S: Plain> Method<S> for EntryOff {
 
     fn start(&self, _system: &S, _t: f64, _h: f64, _z: Phase) {}
 
-    fn step(&self, system: &S, t: f64, h: f64, z: Phase, _memo: &mut ()) -> Phase {
+    fn step(&self, system: &S, t: f64, h: f64, z: Phase, _carry: &mut ()) -> Phase {
         let mut slopes = vec![("k1", system.rate(t, z))];
         let row = |name: &str, slopes: &[(&str, Phase)]| {
             let mut rows = dop853::STEP.stages.iter().chain(dop853::STEP.sums);
@@ -135,17 +136,17 @@ impl<S: Plain> Method<S> for EntryOff {
 
 runs_in_seconds!(EntryOff);
 
-/// The Taylor series of order 24, term by term as in a book, without one of the products of one of
-/// its coefficients.
+/// The Taylor series of order 24, term by term as in a book, without one of the products in one
+/// coefficient each of the sine and the cosine.
 pub struct TermDropped {
-    /// The power of the step, of the sine or of the cosine, whose coefficient lacks …
+    /// The power of the step at which the coefficients of sine and cosine lack …
     pub power: usize,
     /// … the product with this power of the angle.
     pub factor: usize,
 }
 
 impl TermDropped {
-    /// Of neither sine nor cosine.
+    /// No term dropped.
     pub const NONE: Self = Self { power: 0, factor: 0 };
 
     fn step(&self, pendulum: &Pendulum, h: f64, z: Phase) -> Phase {

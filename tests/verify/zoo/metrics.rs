@@ -30,7 +30,7 @@ pub fn largest_at_the_end(errors: &[f64]) -> f64 {
     errors[errors.len() - 1].abs()
 }
 
-/// The largest without its sign removed.
+/// The largest error with its sign.
 pub fn largest_with_its_sign(errors: &[f64]) -> f64 {
     errors.iter().fold(0.0, |largest, &error| if error > largest { error } else { largest })
 }
@@ -93,7 +93,7 @@ pub fn half_a_period(samples: &[Sample]) -> Option<f64> {
     Some(second - first)
 }
 
-/// A straight line for the cubic.
+/// A straight line in place of the cubic.
 pub fn straight_crossing(samples: &[Sample]) -> Option<f64> {
     let crossings: Vec<f64> = samples
         .windows(2)
@@ -119,7 +119,7 @@ pub fn ratio_that_cancels(theta_0: f64) -> f64 {
     complete_elliptic_k((1.0 - modulus * modulus).sqrt()) / FRAC_PI_2
 }
 
-/// The whole angle for half of it.
+/// The whole angle in place of half of it.
 pub fn ratio_of_the_whole_angle(theta_0: f64) -> f64 {
     complete_elliptic_k(theta_0.cos().abs()) / FRAC_PI_2
 }

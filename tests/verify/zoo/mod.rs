@@ -15,7 +15,7 @@ pub mod wrapped;
 use pendula::verify::driven::Pushed;
 use pendula::{Counting, Pendulum, Phase, System};
 
-/// A system whose state is θ and ω: all that an impostor knows.
+/// A system whose state is θ and ω: all that an impostor needs.
 pub trait Plain: System<State = Phase> {}
 
 impl Plain for Pendulum {}
@@ -24,9 +24,10 @@ impl<S: Plain> Plain for Counting<S> {}
 
 impl Plain for Pushed {}
 
-/// Lets a list hold an impostor.
+/// Implements `AnyMethod` for an impostor, with time in seconds.
 macro_rules! runs_in_seconds {
-    // One that wraps a right method: that it begins anew after each spoilt state is not counted.
+    // Of an impostor that wraps a right method only the evaluations of that method are counted, and
+    // not its restart after each spoilt state.
     ($type:ty $(, $inner:ident.$field:tt)?) => {
         impl $(<$inner>)? pendula::AnyMethod for $type
         where
@@ -61,7 +62,7 @@ macro_rules! runs_in_seconds {
 }
 pub(crate) use runs_in_seconds;
 
-/// Makes a method of one expression for its step. Its entry is that of the method it poses as.
+/// Makes a method from an expression for its step. Its entry is that of the method it poses as.
 macro_rules! impostor {
     (
         $(#[$doc:meta])*

@@ -45,7 +45,7 @@ impl<S: Plain> Method<S> for Tableau {
 
     fn start(&self, _system: &S, _t: f64, _h: f64, _z: Phase) {}
 
-    fn step(&self, system: &S, t: f64, h: f64, z: Phase, _memo: &mut ()) -> Phase {
+    fn step(&self, system: &S, t: f64, h: f64, z: Phase, _carry: &mut ()) -> Phase {
         let Self { a21, a31, a32, a43, b, c } = *self;
         let k1 = system.rate(t + c[0] * h, z);
         let k2 = system.rate(t + c[1] * h, z + k1 * (a21 * h));

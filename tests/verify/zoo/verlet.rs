@@ -35,7 +35,7 @@ impostor! {
 }
 
 impostor! {
-    /// Leapfrog whose velocities are begun at the start and not half a step before: symplectic
+    /// Leapfrog whose velocities start at the first sample and not half a step before: symplectic
     /// Euler.
     Unstaggered poses as StormerVerlet, |system, h, z| {
         let z = system.kick(z, system.force(0.0, z), h);
@@ -43,15 +43,15 @@ impostor! {
     }
 }
 
-/// Kicks with weights of their own, and a memory of its own.
+/// Störmer–Verlet with any weights of its half kicks, and optionally with a stale force.
 ///
-/// With both weights ½ and a memory that is fresh it is Störmer–Verlet.
+/// With both weights ½ and no stale force it is Störmer–Verlet.
 pub struct Kicks {
     pub first: f64,
     pub second: f64,
     /// Whether the force of the second kick is that before the drift.
     pub stale_kick: bool,
-    /// Whether the force handed on to the next step is that before the drift.
+    /// Whether the force carried to the next step is that before the drift.
     pub stale_memory: bool,
 }
 

@@ -1,4 +1,4 @@
-//! Right methods, spoilt from outside: what is done to a step, and what is done to the loop.
+//! Right methods spoilt from outside, in their step or in the loop.
 
 use std::f64::consts::{PI, TAU};
 
@@ -25,7 +25,7 @@ macro_rules! spoilt_step {
             fn step(&self, system: &S, t: f64, $h: f64, z: Phase, carry: &mut M::Carry) -> Phase {
                 let $z = self.0.step(system, t, $step, z, carry);
                 let z = $after;
-                // What the method remembers is the right state's.
+                // The carry belongs to the spoilt state.
                 *carry = self.0.start(system, t + $h, $step, z);
                 z
             }
@@ -36,8 +36,8 @@ macro_rules! spoilt_step {
 }
 
 spoilt_step! {
-    /// Half the step is passed on, as when h/2 is prepared for the kicks and used for the rest as
-    /// well.
+    /// Half the step is passed on, as when h/2 is prepared for the kicks and then used for
+    /// everything else as well.
     HalfTheStep, |h| 0.5 * h, |z| z
 }
 

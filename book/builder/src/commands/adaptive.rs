@@ -56,7 +56,7 @@ enum Pair {
 ///
 /// # Errors
 /// [`Failure::Refused`] for what the library refuses; a failure if the output cannot be written, if
-/// the user interrupts, or if the steps do not come to the end.
+/// the user interrupts, or if the steps do not reach the end.
 pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
     match arguments.method {
         Pair::DormandPrince => run_with(DormandPrince, arguments, out),
@@ -76,7 +76,7 @@ fn run_with(
     let walk =
         adaptive.steps(&pendulum, start, 0.0, arguments.duration).map_err(Failure::refused)?;
 
-    // Listen before there is a file to remove.
+    // Set the interrupt handler before creating the file.
     let interrupted = interrupts(arguments.output.is_some())?;
     let destination = Destination::open(arguments.output.as_deref(), out)?;
     let columns = ["t", "theta", "omega", "energy"];

@@ -1,4 +1,4 @@
-//! `pendula claims`: the whole ledger, and whether what is measured still supports it.
+//! `pendula claims`: the whole ledger, and whether the measurements still support it.
 
 use std::io::{self, Write};
 
@@ -49,12 +49,12 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
     if upheld { Ok(()) } else { Err(Failure::No) }
 }
 
-/// What the paper claims; the ledger also has what the paper leaves out.
+/// The claims of the paper; the ledger also contains what the paper leaves out.
 fn stated(ledger: &Ledger) -> impl Iterator<Item = &Claim> {
     ledger.claims().iter().filter(|claim| claim.verdict != Verdict::NotStated)
 }
 
-/// Two lines a claim, and at the end how many came to which verdict.
+/// Two lines a claim, and at the end the number of claims with each verdict.
 fn write_text(ledger: &Ledger, out: &mut dyn Write) -> io::Result<()> {
     let mut counts: Vec<(Verdict, u32)> = Vec::new();
     for claim in stated(ledger) {

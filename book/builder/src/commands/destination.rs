@@ -13,11 +13,11 @@ use tempfile::NamedTempFile;
 
 use crate::failure::Failure;
 
-/// A flag that is raised when the user interrupts, so that a file half written can be removed.
-/// Without a file an interrupt ends the program as usual.
+/// A flag that is set when the user interrupts, so that a half-written file can be removed. Without
+/// a file an interrupt ends the program as usual.
 ///
 /// # Errors
-/// If the system lets nobody listen to interrupts.
+/// If the interrupt handler cannot be set.
 pub fn interrupts(file: bool) -> Result<Arc<AtomicBool>, Failure> {
     let flag = Arc::new(AtomicBool::new(false));
     if file {
@@ -28,8 +28,8 @@ pub fn interrupts(file: bool) -> Result<Arc<AtomicBool>, Failure> {
     Ok(flag)
 }
 
-/// What `work` returns; a failure as soon as the flag of [`interrupts`] is raised, and then the
-/// rest of the work is lost with the program.
+/// The result of `work`, or a failure as soon as the flag of [`interrupts`] is set; then `work`
+/// runs on in its thread until the program ends.
 ///
 /// # Errors
 /// If the user interrupts.
@@ -39,7 +39,7 @@ pub fn unless_interrupted<T: Send + 'static>(
 ) -> Result<T, Failure> {
     const LISTEN: Duration = Duration::from_millis(20);
     let (sender, receiver) = mpsc::channel();
-    // If nobody waits for it any more, nobody wants it.
+    // Sending fails only after an interrupt, when the result is not needed.
     let worker = thread::spawn(move || drop(sender.send(work())));
     loop {
         match receiver.recv_timeout(LISTEN) {
@@ -62,12 +62,13 @@ pub enum Destination<'a> {
     Caller(&'a mut dyn Write),
     /// A device or a pipe, which cannot be replaced by another file.
     Direct(BufWriter<fs::File>),
-    /// A file beside the target, renamed onto it at the end. Dropped before, it is removed.
+    /// A temporary file beside the target, renamed onto it at the end, or removed if dropped
+    /// before.
     Beside(BufWriter<NamedTempFile>, PathBuf),
 }
 
 impl<'a> Destination<'a> {
-    /// The file `path` if there is one, `out` if not.
+    /// The file `path` if it is given, `out` if not.
     ///
     /// # Errors
     /// [`Failure::Refused`] if the file cannot be written.
@@ -76,7 +77,7 @@ impl<'a> Destination<'a> {
         let refused = |error: io::Error| {
             Failure::refused(format!("--output {}: cannot be written: {error}", path.display()))
         };
-        // What a link points to is what is meant.
+        // Write to the target of a link, not over the link.
         let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
         match fs::metadata(&path) {
             Ok(found) if found.is_dir() => {
@@ -97,10 +98,10 @@ impl<'a> Destination<'a> {
         }
     }
 
-    /// Writes out what is buffered, and puts a file in its place.
+    /// Flushes the buffer and renames a temporary file to its target.
     ///
     /// # Errors
-    /// If that fails; then the target is as it was before.
+    /// If that fails; a file is then as it was before.
     pub fn finish(self) -> Result<(), Failure> {
         match self {
             Self::Caller(out) => out.flush()?,
@@ -135,8 +136,7 @@ impl Write for Destination<'_> {
     }
 }
 
-/// Temporary files are private by default; a result is an ordinary file, as the user's umask has
-/// it.
+/// Temporary files are private by default; a result is an ordinary file with the user's umask.
 #[cfg(unix)]
 fn readable_by_others<'b>(
     builder: &'b mut tempfile::Builder<'static, 'static>,

@@ -45,8 +45,8 @@ pub struct Arguments {
 }
 
 /// Writes the rows t, theta1, theta2, omega1, omega2, x1, y1, x2, y2, energy: in s, rad, rad/s, m
-/// and J; the bobs' places with the pivot for origin and y upwards, the energy above the rest. The
-/// method is RK4: the system is not separable.
+/// and J; the positions of the bobs with the pivot as origin and y upwards, the energy above that
+/// of the equilibrium. The method is RK4: the system is not separable.
 ///
 /// # Errors
 /// [`Failure::Refused`] for what the library refuses; a failure if the output cannot be written, if

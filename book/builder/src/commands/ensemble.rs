@@ -1,4 +1,4 @@
-//! `pendula ensemble`: where many runs end, from many starts or with many steps.
+//! `pendula ensemble`: the ends of many runs, from many starts or with many steps.
 
 use std::io::Write;
 use std::path::PathBuf;
@@ -26,7 +26,7 @@ pub struct Arguments {
     #[arg(long, value_name = "RAD/S", default_value_t = 0.0, allow_negative_numbers = true)]
     omega0: f64,
     /// Step Δt (s), or a range of them in even ratios, each moved to the nearest whole number of
-    /// steps; of those that meet in one number, one is run
+    /// steps; equal numbers are run once
     #[arg(long, value_name = "S|FROM:TO:COUNT", allow_hyphen_values = true)]
     dt: Sweep,
     /// Duration (s), a whole number of steps
@@ -45,7 +45,8 @@ pub struct Arguments {
     output: Option<PathBuf>,
 }
 
-/// Runs at a time: enough for every core, and few enough to be kept until they are printed.
+/// Runs in a batch: enough for every core, and few enough to be kept in memory until they are
+/// printed.
 const BATCH: usize = 4096;
 
 /// Writes the rows theta0, dt, theta, omega, energy_error: the start (rad), the step (s), the state
@@ -62,7 +63,7 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
     match (arguments.theta0, arguments.dt) {
         (Sweep::Range(theta0), Sweep::One(dt)) => {
             let grid = Grid::with_duration(dt, arguments.duration).map_err(Failure::refused)?;
-            // What is allowed at both ends is allowed between them.
+            // An angle between two allowed angles is allowed.
             for end in [theta0.from, theta0.to] {
                 runner.start(end)?;
             }
@@ -81,7 +82,8 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
     }
 }
 
-/// Computes and prints a row for each of `sweep`, a batch at a time, however many there are.
+/// Computes and prints a row for each item of `sweep`, a batch at a time, so that memory does not
+/// limit their number.
 fn print<T: Clone + Send + 'static>(
     arguments: &Arguments,
     method: MethodInfo,
@@ -89,7 +91,7 @@ fn print<T: Clone + Send + 'static>(
     mut sweep: impl Iterator<Item = T>,
     compute: impl Fn(&[T]) -> Vec<Run> + Clone + Send + 'static,
 ) -> Result<(), Failure> {
-    // Listen before there is a file to remove.
+    // Set the interrupt handler before creating the file.
     let interrupted = interrupts(arguments.output.is_some())?;
     let destination = Destination::open(arguments.output.as_deref(), out)?;
     let columns = ["theta0", "dt", "theta", "omega", "energy_error"];
@@ -106,7 +108,7 @@ fn print<T: Clone + Send + 'static>(
     }
 }
 
-/// The row, if all of it is numbers.
+/// The row, if all its numbers are finite.
 fn finite(run: &Run, method: MethodInfo) -> Result<[f64; 5], Failure> {
     let Run { theta0, dt, end, energy_error } = *run;
     let row = [theta0, dt, end.theta, end.omega, energy_error];

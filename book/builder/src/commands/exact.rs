@@ -33,7 +33,8 @@ pub struct Arguments {
 /// Writes the rows t, theta, omega: in s, rad and rad/s, θ unwrapped.
 ///
 /// # Errors
-/// [`Failure::Refused`] for what the library refuses, and for a time it has no answer for.
+/// [`Failure::Refused`] for what the library refuses, and for a time beyond the horizon of the
+/// closed form.
 pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
     let pendulum = arguments.pendulum.pendulum(Pendulum::PAPER.mass()).map_err(Failure::refused)?;
     let start = arguments.start.start(&pendulum).map_err(Failure::refused)?;

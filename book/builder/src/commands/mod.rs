@@ -1,7 +1,7 @@
-//! One file a command: its arguments, and what it does with them.
+//! One file for each command: its arguments and its code.
 //!
-//! A command writes to the writer it is given, returns a [`Failure`] for anything that goes wrong,
-//! and prints nothing else, so that a closed pipe and bad input are dealt with once, in `main`.
+//! A command writes to the writer it receives, returns a [`Failure`] for anything that goes wrong,
+//! and prints nothing else, so that a closed pipe and bad input are handled once, in `main`.
 
 use std::io::Write;
 

@@ -1,4 +1,4 @@
-//! The arguments that name a pendulum and its start, shared by the commands that move one.
+//! The arguments that define a pendulum and its start, shared by the commands that simulate one.
 
 use clap::Args;
 use clap::builder::PossibleValuesParser;
@@ -6,13 +6,13 @@ use pendula::{Error, METHODS, MethodInfo, Pendulum, Phase};
 
 use crate::failure::Failure;
 
-/// The names that `--method` takes.
+/// The names that `--method` accepts.
 pub fn methods() -> PossibleValuesParser {
     METHODS.iter().map(|method| method.info().name).collect::<Vec<_>>().into()
 }
 
-/// The refusal of a step of `dt` (s) that has led `method` to no number, if the method is one that
-/// solves equations: it does not overflow, it does not find a solution.
+/// The refusal of a step of `dt` (s) that led `method` to a NaN, if the method is implicit: it has
+/// not overflowed, its iteration has not converged.
 pub fn not_solved(method: MethodInfo, dt: f64) -> Option<Failure> {
     method.implicit.then(|| {
         Failure::refused(format!(

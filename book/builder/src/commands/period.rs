@@ -1,4 +1,4 @@
-//! `pendula period`: the exact period of a release from rest, and what it is made of.
+//! `pendula period`: the exact period of a release from rest, and the quantities in its formula.
 
 use std::io::Write;
 
@@ -19,7 +19,7 @@ pub struct Arguments {
     pendulum: PendulumArguments,
 }
 
-/// Writes a line for each: T and T₀ (s), T/T₀, K, the modulus k.
+/// Writes a line for each of T and T₀ (s), T/T₀, K and the modulus k.
 ///
 /// # Errors
 /// [`Failure::Refused`] for what the library refuses.

@@ -18,7 +18,7 @@ pub struct Arguments {
     question: Option<Question>,
 }
 
-/// What mdBook may ask before it sends a book.
+/// Questions that mdBook may ask before it sends a book.
 #[derive(Debug, Subcommand)]
 enum Question {
     /// Exit with status 0 if pages are made for this renderer, 1 if not

@@ -1,5 +1,5 @@
-//! Rows of numbers as CSV or JSON, streamed: each number is printed so that it reads back to the
-//! same f64.
+//! Rows of numbers as CSV or JSON, streamed; each number is printed so that it parses to the same
+//! f64.
 
 use std::io::{self, Write};
 
@@ -34,7 +34,7 @@ impl<W: Write, const N: usize> Rows<W, N> {
         Ok(Self { out, format, columns, rows: 0, digits: ryu::Buffer::new() })
     }
 
-    /// Writes a row. The numbers are finite.
+    /// Writes a row. The numbers must be finite.
     pub fn row(&mut self, values: [f64; N]) -> io::Result<()> {
         if self.format == RowFormat::Json {
             self.out.write_all(if self.rows == 0 { b"\n" } else { b",\n" })?;
@@ -52,7 +52,7 @@ impl<W: Write, const N: usize> Rows<W, N> {
         self.out.write_all(if self.format == RowFormat::Csv { b"\n" } else { b"}" })
     }
 
-    /// Ends the output and hands the writer back.
+    /// Ends the output and returns the writer.
     pub fn end(mut self) -> io::Result<W> {
         if self.format == RowFormat::Json {
             self.out.write_all(b"\n]\n")?;
@@ -87,7 +87,7 @@ mod tests {
         assert_eq!(print(RowFormat::Json, &[]), "[\n]\n");
     }
 
-    /// Catches: digits cut off, so that a number reads back to its neighbour.
+    /// Catches: digits cut off, so that a number parses to its neighbour.
     #[test]
     fn numbers_read_back_to_the_same_bits() {
         let values = [0.1 + 0.2, 1.0 / 3.0, f64::MIN_POSITIVE, 5e-324, f64::MAX, -0.0, 1e16];

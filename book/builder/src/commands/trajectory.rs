@@ -1,5 +1,5 @@
-//! A trajectory as rows, however long, in constant memory: what the commands that print one have in
-//! common.
+//! A trajectory of any length printed as rows in constant memory: shared by the commands that print
+//! one.
 
 use std::io::{self, Write};
 use std::num::NonZeroU64;
@@ -58,9 +58,9 @@ impl TrajectoryArguments {
         grid.map_err(Failure::refused)
     }
 
-    /// Prints what `run` shows to the observer it is given, each state at its time as the `row`
-    /// under the `columns`. Where a number of a row is none, what `lost` makes of the number of
-    /// steps taken is the failure.
+    /// Prints the states that `run` passes to its observer, each as the `row` of its time and state
+    /// under the `columns`. If a number of a row is not finite, the failure is `lost` of the number
+    /// of steps taken.
     ///
     /// # Errors
     /// [`Failure::Refused`] if the output cannot be opened; a failure if it cannot be written, if
@@ -73,7 +73,7 @@ impl TrajectoryArguments {
         lost: impl Fn(u64) -> Failure,
         run: impl FnOnce(&mut dyn Observer<Z>),
     ) -> Result<(), Failure> {
-        // Listen before there is a file to remove.
+        // Set the interrupt handler before creating the file.
         let interrupted = interrupts(self.output.is_some())?;
         let destination = Destination::open(self.output.as_deref(), out)?;
         let rows = Rows::begin(destination, self.format, columns)?;
@@ -88,14 +88,14 @@ impl TrajectoryArguments {
     }
 }
 
-/// What is to be said of a trajectory that overflows.
+/// The failure of a trajectory that overflows.
 pub fn overflow(steps: u64) -> Failure {
     Failure::Failed(anyhow::anyhow!(
         "after {steps} steps the trajectory has left the range of numbers: take a smaller step"
     ))
 }
 
-/// Prints what it observes until something comes between.
+/// Prints what it observes until it is interrupted or fails.
 struct Printer<'a, F, L, W, const N: usize> {
     row: F,
     lost: L,

@@ -67,7 +67,7 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
     Ok(())
 }
 
-/// The folder for the files: known to take them before anything is measured.
+/// The folder for the files, checked to be writable before anything is measured.
 fn folder(asked: Option<&Path>) -> Result<PathBuf, Failure> {
     let folder = match asked {
         Some(folder) => folder.to_path_buf(),

@@ -8,8 +8,8 @@
 //! | `{{test file::function}}` | a link to that test's source in the book |
 //! | `{{work-precision}}` | the figure that `pendula work-precision` made, or a line on how to make it |
 //!
-//! The first two also work inside formulas. Code spans and code blocks stay as they are, but for
-//! the margin of code included from within an item.
+//! The first two also work inside formulas. Code spans and code blocks do not change, except that
+//! code included from within an item loses its common indentation.
 
 use std::ops::Range;
 
@@ -22,19 +22,19 @@ use super::sources::Tests;
 use super::{inert, values};
 use crate::ledger::Ledger;
 
-/// The longest formula, as it is written, that is kept in one piece with the mark after it.
+/// The longest formula (bytes of TeX) that is kept on one line with the punctuation after it.
 const HELD: usize = 24;
 
 /// What a chapter may refer to.
 pub struct Setter<'a> {
     ledger: &'a dyn Ledger,
     tests: &'a Tests,
-    /// What stands for `{{work-precision}}`.
+    /// The replacement of `{{work-precision}}`.
     work_precision: String,
     maths: Maths,
 }
 
-/// Text between `{{` and `}}`, where it stands, and how it reads.
+/// The text between `{{` and `}}`, with its range.
 struct Directive<'t> {
     range: Range<usize>,
     name: &'t str,
@@ -47,8 +47,8 @@ impl<'a> Setter<'a> {
         Self { ledger, tests, work_precision, maths: Maths::default() }
     }
 
-    /// The chapter's text with directives and formulas replaced; `to_root` leads from its page to
-    /// the book's first folder.
+    /// The chapter's text with directives and formulas replaced; `to_root` is the relative path
+    /// from its page to the root of the book.
     ///
     /// # Errors
     /// For an unknown directive, claim or test, and for a formula that cannot be set; the error
@@ -68,8 +68,8 @@ impl<'a> Setter<'a> {
                 Kind::Formula { tex, display } => {
                     let html = self.maths.set(&self.set_tex(&tex)?, display)?;
                     edits.push(match text[passage.range.end..].chars().next() {
-                        // A browser may end a line after any formula, even before a comma. A long
-                        // one may have to be broken.
+                        // A browser may break a line after any formula, even before a comma. A long
+                        // one must stay breakable.
                         Some(mark @ (',' | '.' | ';' | ':' | '!' | '?' | ')'))
                             if !display && tex.len() <= HELD =>
                         {
@@ -154,10 +154,11 @@ impl<'a> Setter<'a> {
     fn link(&self, cited: &str, to_root: &str) -> Result<String> {
         let (file, test) =
             self.tests.find(cited).map_err(|reason| anyhow!("{{{{test {cited}}}}}: {reason}"))?;
-        // As `cargo test` prints it, and takes it for a filter: without the program's own name.
+        // As `cargo test` prints it and accepts it as a filter: without the name of the test
+        // program.
         let path = file.split_once('/').map_or(file, |(_, path)| path);
         let text = inert::text(&format!("{}::{test}", path.replace('/', "::")));
-        // Long names break after an underscore, where they break at all.
+        // Long names may break only after an underscore.
         let text = text.replace("&#95;", "&#95;<wbr>");
         // HTML, not Markdown, so that it also works in a figure's caption.
         Ok(format!("<a href=\"{to_root}tests/{file}.html#{test}\"><code>{text}</code></a>"))
@@ -204,7 +205,7 @@ mod tests {
         Setter::new(&ledger, &tests, "<figure>".to_string()).set(text, "../")
     }
 
-    /// Catches: the stated value where the measured one is asked for, and the other way round.
+    /// Catches: the stated value in place of the measured one, and the other way round.
     #[test]
     fn each_directive_gives_its_own_value() {
         let set =
@@ -217,8 +218,8 @@ mod tests {
         );
     }
 
-    /// Catches: a comma alone at the beginning of a line; a word held back with the formula before
-    /// it.
+    /// Catches: a comma alone at the beginning of a line; a word kept on one line with the formula
+    /// before it.
     #[test]
     fn a_formula_keeps_its_punctuation() {
         let held = |text: &str| set(text).unwrap().matches("<span class=\"held\">").count();
@@ -230,13 +231,13 @@ mod tests {
         );
     }
 
-    /// Catches: a figure left out of its place.
+    /// Catches: a figure left out, or in the wrong place.
     #[test]
     fn what_was_measured_stands_in_its_place() {
         assert_eq!(set("a\n\n{{work-precision}}\n\nb\n").unwrap(), "a\n\n<figure>\n\nb\n");
     }
 
-    /// Catches: a page that explains the directives and shows values instead.
+    /// Catches: directives replaced in a page that explains them.
     #[test]
     fn code_stays_as_it_is() {
         for text in ["`{{stated nothing}}`", "```text\n{{test nothing}} $x$\n```\n"] {
@@ -244,8 +245,7 @@ mod tests {
         }
     }
 
-    /// Catches: a misspelt id or name that leaves an empty place, or the raw directive, in the
-    /// book.
+    /// Catches: a misspelt id or name that leaves a gap, or the raw directive, in the book.
     #[test]
     fn what_is_unknown_stops_the_build_and_is_quoted() {
         for (text, quoted) in [

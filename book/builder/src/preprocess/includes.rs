@@ -1,8 +1,8 @@
-//! Every include leads somewhere.
+//! Checks that every include finds its file and anchor.
 //!
-//! mdBook ends with status 0 when an included file is missing, and shows nothing at all when an
-//! anchor is. So the chapters are read from disk once more, as they were before mdBook's `links`
-//! step, and their includes followed by the same rules.
+//! mdBook exits with status 0 when an included file is missing, and shows nothing at all when an
+//! anchor is. So the chapters are read from disk again, as they were before mdBook's `links` step,
+//! and their includes are resolved by the same rules.
 
 use std::fs;
 use std::path::Path;
@@ -101,8 +101,8 @@ fn lines(text: &str, part: &str) -> Result<String> {
     Ok(text.lines().skip(skipped).take(taken).collect::<Vec<_>>().join("\n"))
 }
 
-/// What stands between `ANCHOR: name` and `ANCHOR_END: name`, or the end of the file; no anchor
-/// line is part of it.
+/// The lines from `ANCHOR: name` to `ANCHOR_END: name`, or to the end of the file, without any
+/// anchor lines.
 fn anchored(text: &str, name: &str) -> Option<String> {
     static ANCHOR: LazyLock<Regex> = LazyLock::new(|| {
         Regex::new(r"ANCHOR(?<end>_END)?:\s*(?<name>[\w-]+)").expect("the pattern is a constant")
@@ -137,7 +137,7 @@ mod tests {
         follow(text, folder.path(), DEPTH)
     }
 
-    /// Catches: a check so strict that it refuses what mdBook accepts.
+    /// Catches: a check that refuses what mdBook accepts.
     #[test]
     fn what_mdbook_includes_is_accepted() {
         for text in [
@@ -172,7 +172,7 @@ mod tests {
         }
     }
 
-    /// Catches: an anchor's lines that reach too far, or that show another anchor.
+    /// Catches: an anchor whose lines extend too far, or include the line of another anchor.
     #[test]
     fn an_anchor_ends_where_it_ends() {
         let text = "ANCHOR: a\n1\nANCHOR: b\n2\nANCHOR_END: b\n3\nANCHOR_END: a\n4\n";

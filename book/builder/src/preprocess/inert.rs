@@ -1,11 +1,11 @@
-//! Text and HTML that Markdown leaves alone.
+//! Text and HTML that Markdown leaves unchanged.
 //!
-//! mdBook parses a chapter again after us, and would read emphasis into `a_1*b_2`, a new cell into
-//! `|` and curly quotes into primes. Character references are never read so.
+//! mdBook parses a chapter again after this preprocessor, and would take `a_1*b_2` for emphasis,
+//! `|` for a new cell and primes for curly quotes. It never does so with character references.
 
 use std::fmt::Write;
 
-/// `text` as HTML in which Markdown finds nothing to act upon.
+/// `text` as HTML without active Markdown characters.
 pub fn text(text: &str) -> String {
     let mut inert = String::with_capacity(text.len());
     push_text(&mut inert, text);
@@ -15,7 +15,8 @@ pub fn text(text: &str) -> String {
 /// `html` with its text made inert, its tags' attributes in alphabetical order and its line breaks
 /// as spaces.
 ///
-/// katex-rs keeps attributes in a hash map, and so writes them in another order in each process.
+/// katex-rs keeps attributes in a hash map, and so writes them in a different order in each
+/// process.
 pub fn html(html: &str) -> String {
     let mut inert = String::with_capacity(html.len() * 2);
     let mut rest = html;

@@ -1,4 +1,4 @@
-//! Listings: code included from within an `impl` stands as far to the left as code that is not.
+//! Listings: code included from within an `impl` begins at the left margin.
 
 /// A fenced block with the common indentation of its lines removed; `None` where there is nothing
 /// to remove.
@@ -20,8 +20,8 @@ pub fn flush_left(block: &str) -> Option<String> {
 mod tests {
     use super::*;
 
-    /// Catches: a method cut out of its `impl` that keeps its margin, and relative indentation that
-    /// is lost.
+    /// Catches: a method taken from its `impl` that keeps its common indentation, and relative
+    /// indentation that is lost.
     #[test]
     fn the_common_margin_goes_and_no_more() {
         let block = "```rust,ignore\n    fn f() {\n        1\n\n    }\n```\n";
@@ -29,7 +29,7 @@ mod tests {
         assert_eq!(flush_left(block).as_deref(), Some(expected));
     }
 
-    /// Catches: blocks that are flush already, or no fenced blocks at all, rewritten.
+    /// Catches: blocks rewritten that are flush left already, or are not fenced.
     #[test]
     fn what_is_flush_stays() {
         assert_eq!(flush_left("```rust\nfn f() {}\n```\n"), None);

@@ -1,4 +1,4 @@
-//! Where in a Markdown text the code and the formulas are.
+//! Finds the code and the formulas in a Markdown text.
 
 use std::ops::Range;
 use std::sync::LazyLock;
@@ -6,7 +6,7 @@ use std::sync::LazyLock;
 use pulldown_cmark::{Event, Options, Parser, Tag};
 use regex::Regex;
 
-/// A stretch of a text that is not prose.
+/// A part of a text that is not prose.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Passage {
     /// Its bytes, delimiters included.
@@ -24,16 +24,17 @@ pub enum Kind {
     Formula {
         /// What stands between the delimiters.
         tex: String,
-        /// Set on its own line?
+        /// Whether it is set on its own line.
         display: bool,
     },
-    /// The exponent of a power of ten such as 10⁻⁴, in small print that few fonts have in full.
+    /// The exponent of a power of ten such as 10⁻⁴, in Unicode superscripts, of which few fonts
+    /// have all.
     Exponent,
     /// The space between a number and its unit, or between the thousands of a number: a line must
     /// not end there.
     Gap,
-    /// A `$` that is part of no formula and not escaped: almost always a formula that Markdown
-    /// could not make out, because a brace is missing, a space follows the `$`, or HTML is around
+    /// A `$` that is not part of a formula and not escaped: almost always a formula that Markdown
+    /// did not recognise, because a brace is missing, a space follows the `$`, or HTML is around
     /// it.
     StrayDollar,
 }
@@ -52,7 +53,7 @@ pub fn passages(text: &str) -> Vec<Passage> {
             Event::Text(_) | Event::Html(_) | Event::InlineHtml(_) if range.start >= code.end => {
                 let stray = stray_dollar(text, range.clone());
                 passages.extend(stray.map(|range| Passage { range, kind: Kind::StrayDollar }));
-                // Not in HTML: a drawing's text knows no <sup>.
+                // Not in HTML: SVG text has no <sup>.
                 if let Event::Text(_) = event {
                     passages.extend(powers_of_ten(text, range.clone()));
                     passages.extend(gaps(text, range));
@@ -86,14 +87,14 @@ fn gaps(text: &str, range: Range<usize>) -> impl Iterator<Item = Passage> {
     spaces.filter(|space| is_gap(text, space)).map(|range| Passage { range, kind: Kind::Gap })
 }
 
-/// `text` with each space that must not end a line made one that cannot.
+/// `text` with a no-break space for each space that must not end a line.
 pub fn held(text: &str) -> String {
     let gaps = gaps(text, 0..text.len()).map(|gap| (gap.range, "\u{a0}".to_string()));
     splice(text, gaps)
 }
 
-/// Does this white space stand between a number (typed, a directive's or a formula's) and a unit,
-/// or between two groups of digits?
+/// Whether this white space is between a number (typed, or from a directive or a formula) and a
+/// unit, or between two groups of digits.
 fn is_gap(text: &str, space: &Range<usize>) -> bool {
     static UNIT: LazyLock<Regex> = LazyLock::new(|| {
         Regex::new(r"^(?:rad/s²?|rad|m/s²?|[µmn]?s|J|kg|m|%)(?:$|[^\w/*])")
@@ -113,7 +114,7 @@ fn stray_dollar(text: &str, range: Range<usize>) -> Option<Range<usize>> {
     (!text[..at].ends_with('\\')).then_some(at..at + 1)
 }
 
-/// mdBook's own extensions, so that both read a chapter alike, and formulas.
+/// mdBook's own extensions, so that both parse a chapter alike, and formulas.
 fn options() -> Options {
     Options::ENABLE_TABLES
         | Options::ENABLE_FOOTNOTES
@@ -151,7 +152,7 @@ mod tests {
         Kind::Formula { tex: tex.to_string(), display }
     }
 
-    /// Catches: a search for dollar signs that does not know code.
+    /// Catches: a search for dollar signs that ignores code.
     #[test]
     fn dollars_in_code_are_no_formulas() {
         let text = "`$a$` and $b$\n\n```sh\necho $HOME $PWD\n```\n";
@@ -165,7 +166,7 @@ mod tests {
         );
     }
 
-    /// Catches: a formula with a slip in it that reaches the page as dollars and backslashes.
+    /// Catches: a formula with a mistake in it that reaches the page as dollars and backslashes.
     #[test]
     fn a_dollar_is_a_formula_or_escaped() {
         let stray = |text: &str| found(text).iter().any(|(_, kind)| *kind == Kind::StrayDollar);
@@ -177,7 +178,7 @@ mod tests {
         }
     }
 
-    /// Catches: small print left in a table's cells, and markup put into a drawing or into code.
+    /// Catches: superscripts left in a table's cells, and markup put into a drawing or into code.
     #[test]
     fn powers_of_ten_are_found_in_prose_only() {
         let text = "| a |\n|---|\n| 2 × 10⁻¹² |\n\n`10³` m²\n\n\
@@ -212,7 +213,7 @@ mod tests {
         }
     }
 
-    /// Catches: the quotation marks of a block quote taken for part of the formula.
+    /// Catches: the `>` of a block quote taken for part of the formula.
     #[test]
     fn a_formula_over_several_lines_of_a_quote_is_whole() {
         let text = "> $$\n> a\n> $$\n";

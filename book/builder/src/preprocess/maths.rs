@@ -1,12 +1,13 @@
-//! Formulas, set by KaTeX in Rust: HTML to be seen, MathML to be heard. No script runs in the
-//! reader's browser.
+//! Formulas, typeset by KaTeX in Rust: HTML for the screen, MathML for screen readers. No script
+//! runs in the reader's browser.
 
 use anyhow::{Result, anyhow, ensure};
 use katex::{KatexContext, OutputFormat, Settings, StrictMode, StrictSetting, render_to_string};
 
 use super::inert;
 
-/// A typesetter; making one takes longer than a formula, so one serves the whole book.
+/// A typesetter; constructing one takes longer than typesetting a formula, so the whole book shares
+/// one.
 #[derive(Default)]
 pub struct Maths(KatexContext);
 
@@ -14,7 +15,7 @@ impl Maths {
     /// The HTML of a formula, safe to stand in Markdown.
     ///
     /// # Errors
-    /// When KaTeX cannot read the formula, or LaTeX would not: the error quotes it.
+    /// When KaTeX cannot parse the formula, or LaTeX would not: the error quotes it.
     pub fn set(&self, tex: &str, display: bool) -> Result<String> {
         let settings = Settings::builder()
             .display_mode(display)
@@ -29,12 +30,13 @@ impl Maths {
     }
 }
 
-/// Whether there is a root of a bare symbol, `\sqrt2`: katex-rs sets its sign on top of it.
+/// Whether there is a root of a bare symbol, `\sqrt2`: katex-rs draws the root sign over it.
 fn has_bare_root(tex: &str) -> bool {
     tex.split(r"\sqrt").skip(1).any(|argument| !argument.trim_start().starts_with(['{', '[']))
 }
 
-/// KaTeX repeats the TeX source in an annotation that nobody sees but the search index.
+/// KaTeX repeats the TeX source in an annotation, which is invisible but gets into the search
+/// index.
 fn without_annotations(html: &str) -> String {
     const OPEN: &str = "<annotation ";
     const CLOSE: &str = "</annotation>";
@@ -69,7 +71,7 @@ mod tests {
         }
     }
 
-    /// Catches: a root sign that covers what it stands before.
+    /// Catches: a root sign that covers its argument.
     #[test]
     fn roots_need_their_braces() {
         let maths = Maths::default();
@@ -101,7 +103,7 @@ mod tests {
         }
     }
 
-    /// Catches: a formula of the book's that the typesetter does not know.
+    /// Catches: a kind of formula in the book that the typesetter does not support.
     #[test]
     fn the_books_kind_of_formula_is_set() {
         for tex in [

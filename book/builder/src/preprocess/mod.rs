@@ -1,11 +1,11 @@
 //! From a chapter's source to what mdBook renders.
 //!
-//! mdBook's own `links` step has put the included text in place by then. In order: every include is
+//! mdBook's own `links` step has inserted the included text before. In order: every include is
 //! checked against the disk ([`includes`]), the pages of the tests are added ([`sources`]), and in
 //! each chapter directives and formulas are replaced ([`chapter`]): values by [`values`], formulas
 //! by [`maths`].
 //!
-//! Nothing here is repaired in silence: what cannot be resolved stops the build and names its
+//! Nothing is repaired silently: what cannot be resolved stops the build, and the error names its
 //! chapter.
 
 use anyhow::{Context, Result};
@@ -30,7 +30,7 @@ pub fn supports(renderer: &str) -> bool {
     renderer == "html"
 }
 
-/// The preprocessor, in-process and behind the command `pendula preprocess` alike.
+/// The preprocessor, both in-process and for the command `pendula preprocess`.
 pub struct Pendula {
     ledger: Box<dyn Ledger>,
     progress: Progress,
@@ -56,7 +56,7 @@ impl Preprocessor for Pendula {
     fn run(&self, context: &PreprocessorContext, mut book: Book) -> Result<Book> {
         includes::check(&context.root.join(&context.config.book.src), &book)?;
 
-        // tests/ stands beside book/.
+        // tests/ is beside book/.
         let tests = sources::Tests::read(&context.root.join("..").join("tests"))?;
         for page in sources::pages(&tests) {
             book.push_item(page);
@@ -65,7 +65,7 @@ impl Preprocessor for Pendula {
         self.progress.stage("setting the chapters", book.chapters().count());
         let setter =
             chapter::Setter::new(self.ledger.as_ref(), &tests, figure::in_the_book(&context.root));
-        // for_each_mut has no way to stop: the first error is kept.
+        // for_each_chapter_mut cannot stop early: the first error is kept.
         let mut outcome = Ok(());
         book.for_each_chapter_mut(|chapter| {
             if outcome.is_ok() {
@@ -87,7 +87,7 @@ fn set(setter: &chapter::Setter<'_>, chapter: &mut Chapter) -> Result<()> {
     Ok(())
 }
 
-/// How errors call a chapter: its file, or its title if it has none.
+/// The name of a chapter in errors: its file, or its title if it has none.
 fn name(chapter: &Chapter) -> String {
     match &chapter.path {
         Some(path) => path.display().to_string(),
@@ -95,7 +95,7 @@ fn name(chapter: &Chapter) -> String {
     }
 }
 
-/// All chapters, also nested ones, that are not drafts.
+/// All chapters that are not drafts, nested ones included.
 fn chapters(book: &Book) -> impl Iterator<Item = &Chapter> {
     book.iter().filter_map(|item| match item {
         BookItem::Chapter(chapter) if !chapter.is_draft_chapter() => Some(chapter),

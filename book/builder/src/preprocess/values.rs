@@ -6,10 +6,10 @@ use regex::{Captures, Regex};
 
 use super::{inert, markdown};
 
-/// What a value is made of.
+/// A part of a value.
 #[derive(Debug, PartialEq)]
 enum Piece<'a> {
-    /// Text, as it is.
+    /// Plain text.
     Text(&'a str),
     /// A minus sign: the hyphen of `-5.3`, not that of `3-4`.
     Minus,
@@ -50,7 +50,7 @@ pub fn tex(value: &str) -> String {
     pieces(value).iter().map(set).collect()
 }
 
-/// As a programmer would type it: the library prints `2.01 × 10⁻⁴` and `−5.3`.
+/// In a program's notation: `2.01e-4` and `-5.3` for the library's `2.01 × 10⁻⁴` and `−5.3`.
 fn plain(value: &str) -> String {
     static TYPESET: LazyLock<Regex> = LazyLock::new(|| {
         Regex::new(r"(?:(?<times>\s*×\s*10)|10)?(?<power>⁻?[⁰¹²³⁴-⁹]+)|−")
@@ -113,7 +113,7 @@ fn pieces(value: &str) -> Vec<Piece<'_>> {
     pieces
 }
 
-/// Is the hyphen at `at` the sign of a number?
+/// Whether the hyphen at `at` is the sign of a number.
 fn is_sign(value: &str, at: usize) -> bool {
     let before = value[..at].chars().next_back();
     let after = value[at + 1..].chars().next();
@@ -143,7 +143,7 @@ fn escaped(text: &str) -> String {
 mod tests {
     use super::*;
 
-    /// What a browser shows: character references resolved, and each space a space.
+    /// What a browser shows: character references resolved, and no-break spaces as spaces.
     fn shown(value: &str) -> String {
         let html = html(value).replace('\u{a0}', " ");
         let mut parts = html.split("&#");
@@ -166,7 +166,8 @@ mod tests {
         assert_eq!(shown("2.36e0"), "2.36");
     }
 
-    /// Catches: what the library prints set otherwise than the same number in a program's notation.
+    /// Catches: a number as the library prints it typeset differently from the same number in a
+    /// program's notation.
     #[test]
     fn what_is_typeset_already_is_set_the_same() {
         assert_eq!(html("2.01 × 10⁻⁴"), html("2.01e-4"));
@@ -183,7 +184,7 @@ mod tests {
         assert_eq!(html("7 of 100 000 steps in 2 s"), "7 of 100\u{a0}000 steps in 2\u{a0}s");
     }
 
-    /// Catches: text that is no number torn apart; a range read as a difference.
+    /// Catches: text that is not a number split up; a range read as a difference.
     #[test]
     fn other_values_stay_as_they_are() {
         for value in ["5.158 s", "1,1,2,4", "3-4", "0.02% / 9090%", "Yes", "rounding-dependent"] {

@@ -21,7 +21,7 @@ pub struct Runner {
     omega0: f64,
 }
 
-/// One run: its start and its steps, where it ends, and the largest energy error on the way (J).
+/// One run: its start, its step, its end and its largest energy error (J).
 pub struct Run {
     /// Angle at the start (rad).
     pub theta0: f64,
@@ -34,10 +34,10 @@ pub struct Run {
 }
 
 impl Runner {
-    /// Runs of the method of that name on `pendulum`, begun with `omega0` (rad/s).
+    /// Runs of the method `name` on `pendulum`, begun with `omega0` (rad/s).
     ///
     /// # Errors
-    /// For a name that no method has.
+    /// If there is no method `name`.
     pub fn new(name: &str, pendulum: Pendulum, omega0: f64) -> Result<Self, Failure> {
         let method = method_named(name)
             .ok_or_else(|| Failure::refused(format!("there is no method {name}")))?;
@@ -49,7 +49,7 @@ impl Runner {
         self.method.info()
     }
 
-    /// The start at an angle (rad), checked.
+    /// The start at the angle `theta0` (rad), checked.
     ///
     /// # Errors
     /// As [`Pendulum::start`].
@@ -78,8 +78,8 @@ impl Runner {
         .collect()
     }
 
-    /// The same start along each of the grids. They differ in their number of steps, which lanes
-    /// cannot.
+    /// The same start along each of the grids. Not in lanes: the grids differ in their number of
+    /// steps.
     pub fn along_each(&self, start: Phase, grids: &[Grid]) -> Vec<Run> {
         let along = |grid: &Grid| {
             let mut drift = EnergyDrift::new(&self.pendulum);
@@ -90,7 +90,7 @@ impl Runner {
     }
 }
 
-/// Watches the energy, and keeps the last state seen.
+/// Observes the energy error and keeps the last state.
 #[derive(Clone)]
 struct DriftAndEnd<'p> {
     drift: EnergyDrift<'p, Pendulum>,
@@ -105,7 +105,7 @@ impl Observer<Phase> for DriftAndEnd<'_> {
     }
 }
 
-/// [`Ensemble::watch`] of every step with the method of that name, one of the library's.
+/// Calls [`Ensemble::watch`] at every step with the library's method `name`.
 fn watch_in_lanes(name: &str, ensemble: &Ensemble<'_>, watches: &mut [DriftAndEnd<'_>]) {
     use pendula::{Info, for_each_method, methods};
     macro_rules! by_name {
@@ -118,27 +118,26 @@ fn watch_in_lanes(name: &str, ensemble: &Ensemble<'_>, watches: &mut [DriftAndEn
     for_each_method!(by_name);
 }
 
-/// The grids over `duration` (s) with steps near those asked for, no two in succession the same.
+/// The grids over `duration` (s) with steps near those asked for, no two successive ones equal.
 ///
 /// # Errors
-/// For an end of the range that does not fit the duration, or that the library refuses.
+/// If an end of the range is longer than the duration, or the library refuses it.
 pub fn grids(duration: f64, dt: Range) -> Result<impl Iterator<Item = Grid>, Failure> {
-    // Where FROM and TO themselves fit, they are taken at their word, as by `simulate`: 0.3/3 is
-    // not 0.1.
+    // Where FROM and TO themselves fit, they are used exactly, as by `simulate`: 0.3/3 is not 0.1.
     let ends = [end(duration, dt.from)?, end(duration, dt.to)?];
     let mut last = 0;
     Ok(dt.geometric().filter_map(move |step| {
         let steps = whole(duration / step);
         let repeated = std::mem::replace(&mut last, steps) == steps;
         let end = ends.into_iter().find(|end| end.steps() == steps);
-        // Between two steps that are allowed every step is.
+        // Every step between two allowed steps is allowed.
         let grid = end.or_else(|| Grid::new(duration / steps as f64, steps).ok());
         grid.filter(|_| !repeated)
     }))
 }
 
 /// The grid for an end of the range: with `step` (s) itself if it fits, or else with the nearest
-/// that does.
+/// step that does.
 fn end(duration: f64, step: f64) -> Result<Grid, Failure> {
     if step > duration {
         return Err(Failure::refused(format!(

@@ -23,13 +23,13 @@ pub struct Range {
 }
 
 impl Range {
-    /// The numbers at even distances; the ends are exact.
+    /// Equally spaced numbers; the ends are exact.
     pub fn linear(self) -> impl Iterator<Item = f64> {
-        // Multiplied before it is divided: of 0:1:11 the fourth is 0.3 and not its neighbour.
+        // Multiplication before division: the fourth of 0:1:11 is 0.3 and not the f64 beside it.
         self.between(move |i, last| self.from + (self.to - self.from) * i / last)
     }
 
-    /// The numbers in even ratios; the ends are exact. Both ends are greater than zero.
+    /// Numbers in equal ratios; the ends are exact, and must be greater than zero.
     pub fn geometric(self) -> impl Iterator<Item = f64> {
         // libm's power, not the platform's: the same numbers on every machine.
         self.between(move |i, last| self.from * libm::pow(self.to / self.from, i / last))
@@ -89,7 +89,7 @@ mod tests {
         assert_eq!(range("-1:1:2").linear().collect::<Vec<_>>(), [-1.0, 1.0]);
     }
 
-    /// Catches: half a range taken for a number, a range of one, NaN.
+    /// Catches: half a range taken for a number, a range of one number, NaN.
     #[test]
     fn what_is_no_range_is_refused() {
         for text in

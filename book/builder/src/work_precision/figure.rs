@@ -1,4 +1,4 @@
-//! The figure of work against precision, and its place in the book.
+//! The work–precision figure, and how the book includes it.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -8,9 +8,9 @@ use pendula_study::charts::{Axis, Chart, Figure, Style};
 
 use super::{Measured, Measurement, Problem, SCENES};
 
-/// The figure's file.
+/// The file of the figure.
 pub const SVG: &str = "work-precision.svg";
-/// The numbers' file.
+/// The file of the numbers.
 pub const CSV: &str = "work-precision.csv";
 
 /// Where the files are kept for the book in the folder `root`: beside the built one.
@@ -20,10 +20,10 @@ pub fn folder(root: &Path) -> PathBuf {
 
 /// The figure with its caption, if it has been measured; otherwise how to get it.
 ///
-/// It is HTML or Markdown for a paragraph of its own.
+/// HTML or Markdown that must stand in its own paragraph.
 pub fn in_the_book(root: &Path) -> String {
     match fs::read_to_string(folder(root).join(SVG)) {
-        // Without a blank line, which would end the HTML in the middle.
+        // It must have no blank line, which would end the HTML.
         Ok(svg) if svg.starts_with("<svg") && !svg.contains("\n\n") => format!(
             "<figure>\n{svg}<figcaption>Run time against error as <code>pendula \
              work&#45;precision</code> found them on this machine. Lower left is \
@@ -34,7 +34,7 @@ pub fn in_the_book(root: &Path) -> String {
     }
 }
 
-/// The figure: a chart for each scene, over the same axis of time.
+/// The figure: a chart for each scene, with the same time axis.
 pub fn svg(measured: &Measured) -> String {
     let times = || measured.curves.iter().flat_map(|curve| &curve.points).map(|p| p.seconds);
     // Room for the markers at both ends.
@@ -71,7 +71,7 @@ fn chart(measured: &Measured, scene: &Problem, time: Axis) -> Chart {
     chart
 }
 
-/// Times and errors, with a gap where steps between two that count do not.
+/// Times and errors, with a gap (NaN) where steps between two points do not count.
 fn with_gaps(points: &[Measurement]) -> Vec<(f64, f64)> {
     let mut line = Vec::new();
     for (i, point) in points.iter().enumerate() {
@@ -103,7 +103,7 @@ mod tests {
     }
 
     /// Catches: a scene or a method left out, a machine not named, a figure that the book cannot
-    /// take in.
+    /// include.
     #[test]
     fn the_figure_shows_every_method_on_every_scene() {
         let svg = svg(&measured());
@@ -125,8 +125,8 @@ mod tests {
         assert!(line[1].0.is_nan());
     }
 
-    /// Catches: a book that wants a measurement to be built, that ignores one, or that is broken by
-    /// another file of that name.
+    /// Catches: a book that cannot be built without a measurement, that ignores one, or that is
+    /// broken by another file of that name.
     #[test]
     fn the_book_shows_what_is_there() {
         let folder = tempfile::tempdir().unwrap();

@@ -1,24 +1,24 @@
-//! Which rungs of a ladder of halved steps say something about the method.
+//! Which rungs of a ladder of halved steps count for the method.
 
 use pendula::metrics::order::{is_asymptotic, is_floor};
 
-/// A larger error (rad) is no approximation: the pendulum may be anywhere.
+/// With a larger error (rad) the result is no approximation.
 const LARGEST: f64 = 1.0;
 
-/// What is known of a rung.
+/// The measurements of a rung.
 #[derive(Clone, Copy, Debug)]
 pub struct Rung {
     /// The error (rad).
     pub error: f64,
     /// How much of it may be rounding (rad).
     pub rounding: f64,
-    /// The time it took (s).
+    /// The time of a run (s).
     pub seconds: f64,
 }
 
-/// For each rung whether it counts: whether its error is small enough to be one, and the next one,
-/// with half the step, finds it credible. The last has no next one and does not count; nor do those
-/// after the first that is on the floor.
+/// For each rung whether it counts: its error must be at most `LARGEST` and agree with that of the
+/// next rung, with half the step. The last rung has no next one and does not count; nor do those
+/// after the first on the rounding floor.
 pub fn counts(rungs: &[Rung], order: u32) -> Vec<bool> {
     let mut ended = false;
     let pairs = rungs.windows(2).map(|pair| {
@@ -33,7 +33,8 @@ pub fn counts(rungs: &[Rung], order: u32) -> Vec<bool> {
     counts
 }
 
-/// Whether no finer rung will count: one on the floor does, or three there do not, by bad luck.
+/// Whether no finer rung will count: a rung on the floor counts already, or there are three on it
+/// that happen not to count.
 pub fn is_done(rungs: &[Rung], order: u32) -> bool {
     let pairs = rungs.windows(2).zip(counts(rungs, order));
     let on_the_floor: Vec<bool> = pairs
@@ -43,14 +44,14 @@ pub fn is_done(rungs: &[Rung], order: u32) -> bool {
     on_the_floor.len() >= 3 || on_the_floor.contains(&true)
 }
 
-/// How many times as long as another a method may take for an error before it is left.
+/// How many times longer than another a method may take for the same error before it is dropped.
 const BEHIND: f64 = 30.0;
 
 /// Whether the next rung would be far behind: with half the step and twice the time a method of
-/// this `order` should come to an error 2ᵖ times smaller, and of `front`, the rungs of all methods,
-/// one has an error as small in so much less time.
+/// this `order` should reach an error 2ᵖ times smaller, but one of `front`, the rungs of all
+/// methods, has an error as small in less than 1/`BEHIND` of the time.
 ///
-/// Of an error that is none yet nothing can be said.
+/// An error above `LARGEST` gives no such prediction.
 pub fn is_far_behind(rung: Rung, order: u32, front: &[Rung]) -> bool {
     let (error, seconds) = (rung.error / f64::from(order).exp2(), 2.0 * rung.seconds);
     rung.error <= LARGEST
@@ -61,12 +62,12 @@ pub fn is_far_behind(rung: Rung, order: u32, front: &[Rung]) -> bool {
 mod tests {
     use super::*;
 
-    /// Rungs of a second each, in which rounding may come to 2e-13.
+    /// Rungs of a second each, in which rounding may be up to 2e-13.
     fn rungs(errors: &[f64]) -> Vec<Rung> {
         errors.iter().map(|error| Rung { error: *error, rounding: 2e-13, seconds: 1.0 }).collect()
     }
 
-    /// Catches: a step whose error happens to cross zero taken for a good one.
+    /// Catches: a step whose error happens to cross zero taken for a good step.
     #[test]
     fn a_lucky_crossing_does_not_count() {
         let errors = [1.6e-2, 4e-3, 1e-6, 2.5e-4, 6.25e-5, 1.6e-5];
@@ -85,15 +86,15 @@ mod tests {
         assert!(counts(&[], 1).is_empty());
     }
 
-    /// Catches: a method whose order takes it to the floor in one step, and that has no rung for
+    /// Catches: a method of high order that reaches the floor in one halving, and gets no rung for
     /// it.
     #[test]
     fn a_high_order_has_its_rungs() {
         assert_eq!(counts(&rungs(&[2e-4, 3e-9, 1e-13, 9e-14]), 24), [false, true, true, false]);
     }
 
-    /// Catches: a ladder left at a lucky crossing, or before its first rung that counts; one
-    /// climbed for ever.
+    /// Catches: a ladder ended at a zero crossing of the error, or before its first rung that
+    /// counts; one that never ends.
     #[test]
     fn a_ladder_ends_on_the_floor() {
         assert!(!is_done(&rungs(&[]), 4) && !is_done(&rungs(&[1e-13]), 4));
@@ -104,8 +105,8 @@ mod tests {
         assert!(!is_done(&unlucky[..4], 4) && is_done(&unlucky, 4));
     }
 
-    /// Catches: a method left for its first rungs, which say nothing of an order of 24; one that is
-    /// not left, or left for what it does itself.
+    /// Catches: a method dropped for its first rungs, which predict nothing at order 24; one that
+    /// is not dropped, or dropped for its own rungs.
     #[test]
     fn a_method_that_is_far_behind_is_left() {
         let front = rungs(&[1e-2, 1e-6]);

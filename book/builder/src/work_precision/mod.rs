@@ -1,8 +1,8 @@
 //! Run time against error, on the reader's machine: every method on three scenes.
 //!
-//! Wall time is no result of the study: it stands in no snapshot, and the book shows it only where
-//! it has been measured. In reading order: what is measured, here; which steps count, in
-//! [`ladder`]; the picture, and its place in the book, in [`figure`].
+//! Wall time is not a result of the study: no snapshot contains it, and the book shows it only
+//! where it has been measured. In reading order: what is measured, here; which steps count, in
+//! [`ladder`]; the figure in the book, in [`figure`].
 
 use std::hint::black_box;
 use std::time::Instant;
@@ -17,7 +17,7 @@ use crate::progress::Progress;
 pub mod figure;
 pub mod ladder;
 
-/// A release from rest, and how long it is followed.
+/// A release from rest, and the duration of the run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Problem {
     /// Angle of release (rad).
@@ -27,7 +27,7 @@ pub struct Problem {
 }
 
 impl Problem {
-    /// The number of steps, of which there are `rate` a second.
+    /// The number of steps at `rate` steps a second.
     fn steps(self, rate: u64) -> u64 {
         u64::from(self.duration) * rate
     }
@@ -40,7 +40,7 @@ pub const SCENES: [Problem; 3] = [
     Problem { theta0: 1.0, duration: 1000 },
 ];
 
-/// A number of steps, what it comes to, and what it costs.
+/// A number of steps, with its error and its cost.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Measurement {
     /// Step Δt (s).
@@ -53,7 +53,7 @@ pub struct Measurement {
     pub seconds: f64,
 }
 
-/// What a method comes to on a scene.
+/// The results of a method on a scene.
 #[derive(Clone, Debug)]
 pub struct Curve {
     /// The scene.
@@ -67,7 +67,7 @@ pub struct Curve {
 /// All that has been measured, and on what.
 #[derive(Clone, Debug)]
 pub struct Measured {
-    /// The machine's instructions: what its time depends on.
+    /// The vector instructions of the machine, on which its time depends.
     pub instructions: &'static str,
     /// A curve for each scene and method, scene by scene.
     pub curves: Vec<Curve>,
@@ -75,10 +75,10 @@ pub struct Measured {
 
 /// Measures for at most about `seconds`.
 ///
-/// On each scene the methods climb their ladders together, a rung at a time. A method stays where
-/// it is at rounding, where the next rung takes more than its share of the time that is left, and
-/// where it is [far behind](ladder::is_far_behind) another: so the time goes to those that are in
-/// front.
+/// On each scene the methods climb their ladders together, a rung at a time. A method stops at the
+/// rounding floor, where the next rung would take more than its share of the remaining time, and
+/// where it is [far behind](ladder::is_far_behind) another: so the time goes to the fastest
+/// methods.
 pub fn measure(seconds: f64, progress: &Progress) -> Measured {
     let count = SCENES.len() * METHODS.len();
     progress.stage("", count);
@@ -93,19 +93,20 @@ pub fn measure(seconds: f64, progress: &Progress) -> Measured {
     Measured { instructions: instructions(), curves }
 }
 
-/// Steps a second on the coarsest rung. It is a power of two, as is their number on all finer ones:
-/// n Δt is exact, and the clock has no part in the error.
+/// Steps a second on the coarsest rung. A power of two, as on all finer rungs: n Δt is exact, so
+/// that rounding of the time adds nothing to the error.
 const COARSEST: u64 = 4;
 
-/// Runs of which the shortest is taken while climbing: a machine that does something else meanwhile
-/// must not decide.
+/// Runs of which the shortest counts while climbing, so that other load on the machine does not
+/// decide.
 const TRIES: usize = 3;
 
 /// Runs of which the median is taken.
 const RUNS: usize = 5;
 
-/// What a ladder costs, in times of its last rung. With every rung the time doubles: all take twice
-/// as long as the last, and those before it as long, of which those that count are timed again.
+/// The cost of a ladder, in runs of its last rung. The time doubles from rung to rung: all rungs
+/// together take twice as long as the last, and those before it as long as the last; of these, the
+/// ones that count are timed again.
 const LADDER: f64 = (2 * TRIES + RUNS) as f64;
 
 /// A shorter run is repeated until it has taken this long (s): a thousand ticks of the clock.
@@ -118,7 +119,7 @@ struct Climber {
     has_ended: bool,
 }
 
-/// Lets all methods climb, in as many `seconds` or so.
+/// Lets all methods climb their ladders, in about `seconds`.
 fn climb(scene: Problem, seconds: f64) -> Vec<Climber> {
     let mut climbers: Vec<Climber> = METHODS
         .iter()
@@ -154,7 +155,7 @@ impl Climber {
         self.rungs[self.rungs.len() - 1]
     }
 
-    /// The rungs that count, timed in earnest.
+    /// The rungs that count, timed more carefully.
     fn timed(&self, scene: Problem) -> Curve {
         let rates = (0..).map(|doubled| COARSEST << doubled);
         let counted = self.rungs.iter().zip(rates).zip(ladder::counts(&self.rungs, self.order()));
@@ -165,7 +166,7 @@ impl Climber {
     }
 }
 
-/// The rung with so many steps a second: its error, and the shortest time of a few runs.
+/// The rung with `rate` steps a second: its error, and the shortest time of a few runs.
 fn climbed(scene: Problem, method: MethodRef, rate: u64) -> Rung {
     let Problem { theta0, duration } = scene;
     let [(end, seconds), others @ ..] = [(); TRIES].map(|()| run(scene, method, rate));
@@ -175,7 +176,7 @@ fn climbed(scene: Problem, method: MethodRef, rate: u64) -> Rung {
     Rung { error: error.of(end), rounding: error.rounding(scene.steps(rate)), seconds }
 }
 
-/// The same with its time measured in earnest.
+/// The same with the median time of several runs.
 fn timed(scene: Problem, method: MethodRef, rung: Rung, rate: u64) -> Measurement {
     let repeats = (SHORTEST / rung.seconds).clamp(1.0, 1e3).ceil();
     let mut times = [(); RUNS].map(|()| {
@@ -190,15 +191,15 @@ fn timed(scene: Problem, method: MethodRef, rung: Rung, rate: u64) -> Measuremen
     Measurement { dt, steps, error: rung.error, seconds: times[RUNS / 2] }
 }
 
-/// The last state of a run, and how long it took (s). Nobody watches: that is the cost of the
-/// method alone.
+/// The last state of a run, and how long it took (s). Without an observer: the cost of the method
+/// alone.
 fn run(scene: Problem, method: MethodRef, rate: u64) -> (Phase, f64) {
     let grid = Grid::new(1.0 / rate as f64, scene.steps(rate)).expect("a ladder of possible grids");
     let start = Phase::at_rest(scene.theta0);
     let clock = Instant::now();
     let end = method.end(&Pendulum::PAPER, black_box(start), black_box(&grid));
     let end = black_box(end);
-    // Nothing takes no time: the clock is coarse.
+    // A coarse clock may show zero.
     (end, clock.elapsed().as_secs_f64().max(1e-9))
 }
 

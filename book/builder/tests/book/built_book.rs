@@ -1,4 +1,4 @@
-//! The book as a reader gets it: built in-process into an empty folder, and its HTML read.
+//! The book as a reader gets it: built in-process into an empty folder, and its HTML parsed.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -10,7 +10,7 @@ use pendula_book::build;
 use pendula_book::ledger::Paper;
 use pendula_book::progress::Progress;
 
-/// Built once for all tests of this file; `Err` is why the build stopped.
+/// Built once for all tests of this file; `Err` is the reason why the build stopped.
 static BOOK: LazyLock<Result<(tempfile::TempDir, Site), String>> = LazyLock::new(|| {
     let folder = tempfile::tempdir().unwrap();
     let paper = Paper::measure(&Progress::hidden());
@@ -31,14 +31,14 @@ fn site() -> &'static Site {
     }
 }
 
-/// Fails with every finding at once, so that a writer can mend them in one go.
+/// Fails with all findings at once, so that they can be fixed in one go.
 #[track_caller]
 fn assert_none(findings: impl IntoIterator<Item = String>) {
     let findings: Vec<_> = findings.into_iter().collect();
     assert!(findings.is_empty(), "\n{}", findings.join("\n"));
 }
 
-/// What `find` finds on each page, with the page's name before it.
+/// What `find` finds on each page, after the page's name.
 fn on_each_page(find: impl Fn(&Path, &Page) -> Vec<String>) -> Vec<String> {
     let pages = site().pages.iter();
     pages
@@ -86,7 +86,7 @@ fn every_file_named_in_a_style_sheet_is_in_the_book() {
 #[test]
 fn nothing_is_loaded_from_elsewhere() {
     assert_none(on_each_page(|_, page| {
-        // A link a reader may click on is no load.
+        // A link loads nothing until a reader clicks on it.
         let loads = page.references.iter().filter(|(tag, _)| tag != "a");
         loads.filter(|(_, url)| is_remote(url)).map(|(tag, url)| format!("<{tag}> {url}")).collect()
     }));
@@ -104,7 +104,7 @@ fn no_source_is_left_in_the_prose() {
     }));
 }
 
-/// Catches: an include that brought nothing.
+/// Catches: an include without text.
 #[test]
 fn no_code_block_is_empty() {
     assert_none(on_each_page(|_, page| {
@@ -121,7 +121,7 @@ fn no_formula_is_in_error() {
     }));
 }
 
-/// Catches: a test's id that a heading has too, so that links lead to the wrong one.
+/// Catches: a test with the id of a heading, so that links lead to the wrong one.
 #[test]
 fn no_id_stands_twice_on_a_page() {
     assert_none(on_each_page(|_, page| {
@@ -190,7 +190,7 @@ fn every_file_of_tests_is_listed_in_its_program() {
         let listed = match stem {
             "main" => manifests.contains(&format!("tests/{}", file.display())),
             "mod" => module(folder.parent()?, folder.file_name()?.to_str()?),
-            // What several programs share is named by its path.
+            // Files shared by several programs are included by `#[path]`.
             _ if folder == Path::new("common") => true,
             _ => module(folder, stem),
         };
@@ -199,7 +199,7 @@ fn every_file_of_tests_is_listed_in_its_program() {
     assert_none(rust_files(&top.join("tests")).iter().filter_map(unlisted));
 }
 
-/// Catches: checks that see nothing, because the reader of pages misses links, ids, code or text.
+/// Catches: checks that find nothing, because the parser of pages misses links, ids, code or text.
 #[test]
 fn the_checks_see_what_is_wrong() {
     let page = Page::parse(

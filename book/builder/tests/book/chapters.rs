@@ -1,4 +1,4 @@
-//! The chapters as they are written: no result is typed into them.
+//! The sources of the chapters: no result is typed into them.
 
 use std::fs;
 use std::path::Path;
@@ -15,8 +15,8 @@ fn prose(chapter: &str) -> String {
     allowed.replace_all(chapter, " ").into_owned()
 }
 
-/// Numbers with an exponent, however it is written, and shares in per cent: what a measurement
-/// looks like.
+/// Numbers with an exponent, however it is written, and shares in per cent: the form of a measured
+/// value.
 fn typed_results(chapter: &str) -> Vec<String> {
     let result = Regex::new(
         r"(?x) [0-9][.0-9]*[eE][-−+]?[0-9]+ | 10[⁰¹²³⁴⁵⁶⁷⁸⁹⁻]+ | 10\^ | [0-9]\s*%
@@ -26,7 +26,7 @@ fn typed_results(chapter: &str) -> Vec<String> {
     result.find_iter(&prose(chapter)).map(|found| found.as_str().to_string()).collect()
 }
 
-/// Catches: a measured number that is typed, and that nothing would correct when it moves.
+/// Catches: a measured number that is typed, and would not change with the measurement.
 #[test]
 fn no_result_is_typed() {
     let chapters = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap().join("src");
@@ -45,6 +45,24 @@ fn no_result_is_typed() {
     }
     assert!(read >= 20, "only {read} chapters");
     assert!(findings.is_empty(), "\n{}", findings.join("\n"));
+}
+
+/// Catches: a chapter whose listings nobody compiles, since it is not on the list of the study's
+/// doctests.
+#[test]
+fn the_listings_of_every_chapter_are_tests() {
+    let book = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap();
+    let list = fs::read_to_string(book.join("study/src/lib.rs")).unwrap();
+    let mut listed = 0;
+    for entry in fs::read_dir(book.join("src")).unwrap() {
+        let path = entry.unwrap().path();
+        let Some(file) = path.file_name().and_then(|name| name.to_str()) else { continue };
+        if file.ends_with(".md") && fs::read_to_string(&path).unwrap().contains("```rust\n") {
+            assert!(list.contains(&format!("\"../../src/{file}\"")), "{file} is not on the list");
+            listed += 1;
+        }
+    }
+    assert!(listed >= 10, "only {listed} chapters with listings");
 }
 
 /// Catches: a pattern that finds nothing, or one that calls a formula, a listing or a directive a

@@ -34,7 +34,7 @@ fn bad_arguments_are_refused_in_one_line() {
     assert_refused(&["preprocess", "supports"], "", "<RENDERER>");
 }
 
-/// Catches: a preprocessor that takes anything for a book.
+/// Catches: a preprocessor that accepts anything as a book.
 #[test]
 fn bad_protocol_input_is_refused_in_one_line() {
     assert_refused(&["preprocess"], "{}", "[context, book]");

@@ -49,8 +49,8 @@ fn run_with<'a>(more: &[&'a str]) -> Vec<&'a str> {
     RUN.iter().copied().chain(more.iter().copied()).collect()
 }
 
-/// Catches: numbers that read back to their neighbours, another energy than Eq. 3, accumulated
-/// time, a lost last row.
+/// Catches: numbers that parse to their neighbours, another energy than Eq. 3, accumulated time, a
+/// lost last row.
 #[test]
 fn simulate_prints_what_the_library_computes() {
     let text = printed(&run_with(&["--duration", "10", "--omega0", "-0.5"]));
@@ -79,7 +79,7 @@ fn every_and_json_select_and_format_the_same_rows() {
     }
 }
 
-/// Catches: g, L, m read into each other's places.
+/// Catches: g, L and m exchanged.
 #[test]
 fn simulate_takes_the_pendulum_it_is_given() {
     let text =
@@ -102,8 +102,8 @@ fn adaptive<'a>(theta0: &'a str, duration: &'a str, tolerance: &'a str) -> [&'a 
     ]
 }
 
-/// Catches: the start or the last step left out, a tolerance or a direction of time that does not
-/// arrive, one method for the other.
+/// Catches: the start or the last step left out, a tolerance or a direction of time that is not
+/// passed on, one method for the other.
 #[test]
 fn adaptive_prints_what_the_library_computes() {
     let pendulum = Pendulum::new(9.81, 2.5, 1.0).unwrap();
@@ -157,7 +157,7 @@ fn the_double_pendulum_is_printed_ready_to_be_drawn() {
     }
 }
 
-/// Catches: bad input that gets through, a panic, a message of several lines, another exit status.
+/// Catches: bad input that is accepted, a panic, a message of several lines, another exit status.
 #[test]
 fn bad_input_is_refused_in_one_line() {
     assert_refused(&["simulate", "--method", "rk5"], "forward-euler");
@@ -206,7 +206,7 @@ fn ensemble<'a>(theta0: &'a str, dt: &'a str, duration: &'a str) -> [&'a str; 9]
     ["ensemble", "--method", "rk4", "--theta0", theta0, "--dt", dt, "--duration", duration]
 }
 
-/// The row of the ensemble that one run of `simulate` comes to.
+/// The row of the ensemble, computed from one run of `simulate`.
 fn row_of_one_run(theta0: f64, dt: f64) -> Vec<f64> {
     let [theta, step] = [theta0, dt].map(|x| x.to_string());
     let arguments = ["--method", "rk4", "--theta0", &theta, "--dt", &step, "--duration", "10"];
@@ -226,7 +226,7 @@ fn a_sweep_over_starts_is_a_run_from_each() {
 }
 
 /// Catches: a step in the rows that is not the one that was taken, rows in the order in which runs
-/// end.
+/// finish.
 #[test]
 fn a_sweep_over_steps_is_a_run_with_each() {
     let rows = numbers(&printed(&ensemble("1", "0.1:0.001:5", "10")));
@@ -235,8 +235,8 @@ fn a_sweep_over_steps_is_a_run_with_each() {
     assert_eq!(rows, steps.iter().map(|dt| row_of_one_run(1.0, *dt)).collect::<Vec<_>>());
 }
 
-/// Catches: a sweep of several batches that loses or repeats one, a file that is not what is
-/// printed, or is left by a sweep that fails.
+/// Catches: a sweep of several batches that loses or repeats one, a file that differs from standard
+/// output, or is left by a sweep that fails.
 #[test]
 fn a_large_sweep_is_whole_in_its_file() {
     let folder = tempfile::tempdir().unwrap();
@@ -256,7 +256,7 @@ fn a_large_sweep_is_whole_in_its_file() {
     assert_eq!(fs::read_to_string(&path).unwrap(), text);
 }
 
-/// Catches: a method or a scene left out, formats that disagree, files that are not there.
+/// Catches: a method or a scene left out, formats that disagree, missing files.
 #[test]
 fn work_against_precision_is_printed_and_drawn() {
     let folder = tempfile::tempdir().unwrap();
@@ -317,7 +317,7 @@ fn output_appears_whole_in_its_file() {
     assert_eq!(files(folder.path()), ["run.csv"]);
 }
 
-/// Catches: a file half written, or the old one destroyed, by a request that is refused or fails.
+/// Catches: a half-written file, or an old one destroyed, by a request that is refused or fails.
 #[test]
 fn a_request_that_fails_leaves_files_alone() {
     let folder = tempfile::tempdir().unwrap();
@@ -337,8 +337,8 @@ fn a_request_that_fails_leaves_files_alone() {
     assert_eq!(fs::read_to_string(path).unwrap(), "old");
 }
 
-/// Catches: NaN printed by a method that finds no solution; a step too long for it called an
-/// overflow, or a failure that no other step would mend; a file left behind.
+/// Catches: NaN printed by a method that finds no solution; a step too long for it reported as an
+/// overflow, or as a failure that no other step would avoid; a file left behind.
 #[test]
 fn a_step_whose_equations_are_not_solved_is_refused() {
     let folder = tempfile::tempdir().unwrap();
@@ -372,7 +372,7 @@ fn an_interrupt_leaves_nothing_behind() {
         .stderr(Stdio::null())
         .spawn()
         .unwrap();
-    // The temporary file shows that the run has begun and listens.
+    // The temporary file shows that the run has begun and its interrupt handler is set.
     while files(folder.path()).is_empty() {
         assert!(run.try_wait().unwrap().is_none(), "it ended by itself");
         std::thread::yield_now();
@@ -383,8 +383,8 @@ fn an_interrupt_leaves_nothing_behind() {
     assert!(files(folder.path()).is_empty());
 }
 
-/// Catches: `pendula simulate … | head` that complains about the closed pipe, or computes on for
-/// hours.
+/// Catches: `pendula simulate … | head` that complains about the closed pipe, or continues to
+/// compute for hours.
 #[test]
 fn a_closed_pipe_ends_it_quietly() {
     let mut run = Command::new(env!("CARGO_BIN_EXE_pendula"))
@@ -399,7 +399,7 @@ fn a_closed_pipe_ends_it_quietly() {
     assert!(output.status.success() && output.stderr.is_empty(), "{output:?}");
 }
 
-/// Catches: times in another order, θ wrapped, arguments that do not reach the closed form.
+/// Catches: times in another order, θ wrapped, arguments that are not passed to the closed form.
 #[test]
 fn exact_prints_the_closed_form() {
     let text = printed(&["exact", "--theta0", "-0.5", "--omega0", "7", "--t", "0,-3,1e3,0.1"]);

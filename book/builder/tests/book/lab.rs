@@ -1,5 +1,5 @@
-//! The lab in the book runs the library: the compiled file that its page loads, in an interpreter,
-//! against the library as it is.
+//! The lab in the book runs the library: the compiled file that its page loads, run in an
+//! interpreter and compared with the library.
 
 use std::fs;
 use std::path::Path;
@@ -11,7 +11,7 @@ use pendula::{
 };
 use wasmi::{Engine, Instance, Linker, Module, Store, TypedFunc, WasmParams, WasmResults};
 
-/// What a page may have to load for it: 40 KB.
+/// The most that a page may load for it: 40 KB.
 const LARGEST_FILE: usize = 40 * 1024;
 
 /// The bytes of the file.
@@ -39,7 +39,7 @@ fn decoded(text: &str) -> Vec<u8> {
     bytes
 }
 
-/// What the page can ask, numbered as in `book/lab/src/bench.rs`.
+/// The quantities that the page can read, numbered as in `book/lab/src/simulation.rs`.
 mod quantity {
     pub const THETA: u32 = 0;
     pub const OMEGA: u32 = 1;
@@ -56,7 +56,7 @@ mod quantity {
     pub const INITIAL: u32 = 12;
 }
 
-/// The lab, as a page has it.
+/// The lab as a page uses it.
 struct Lab {
     store: Store<()>,
     instance: Instance,
@@ -108,7 +108,8 @@ impl Lab {
 
 const STALE: &str = "book/src/assets/lab.wasm.js is stale: run book/lab/build";
 
-/// Compares the bits; but a NaN, of an implicit step that is not solved, has many.
+/// Compares the bits, except for a NaN, of an implicit step that is not solved, which has many bit
+/// patterns.
 #[track_caller]
 fn assert_bits(lab: f64, library: f64, what: impl FnOnce() -> String) {
     assert!(
@@ -118,8 +119,8 @@ fn assert_bits(lab: f64, library: f64, what: impl FnOnce() -> String) {
     );
 }
 
-/// Holds each sample of a trajectory of the library against the lab's pendulum, which is moved
-/// along.
+/// Compares each sample of a trajectory of the library with the lab's pendulum, which takes the
+/// same steps.
 struct Beside<'a> {
     lab: &'a mut Lab,
     pendulum: Pendulum,
@@ -164,7 +165,8 @@ impl Observer<Phase> for Beside<'_> {
     }
 }
 
-/// The pendulums of the page's sliders, their corners and beyond: g, L, β, θ₀, ω₀, Δt.
+/// Pendulums within the range of the page's sliders, at its corners and beyond: g, L, β, θ₀, ω₀,
+/// Δt.
 const PENDULUMS: [(f64, f64, f64, f64, f64, f64); 8] = [
     (9.81, 1.0, 0.0, 1.0, 0.0, 0.01),
     (9.81, 1.0, 0.0, 3.0, 0.0, 0.05),
@@ -181,8 +183,8 @@ const PENDULUMS: [(f64, f64, f64, f64, f64, f64); 8] = [
 /// energy and its error; the closed form; and the counts.
 ///
 /// Catches: a file compiled before the library changed; a compiler that contracts, reorders or
-/// rounds otherwise; a step that is not the one of `integrate_fast` or `integrate`; a carry lost
-/// between two calls.
+/// rounds differently; a step that differs from that of `integrate_fast` or `integrate`; a carry
+/// lost between two calls.
 #[test]
 fn the_committed_file_has_the_bits_of_the_library() {
     let mut lab = Lab::new();
@@ -202,7 +204,8 @@ fn compare(
     (g, length, damping, theta, omega, step): (f64, f64, f64, f64, f64, f64),
     compared: &mut u64,
 ) {
-    // An interpreter takes its time, and most of the million values cost a force evaluation or two.
+    // An interpreter is slow; so most of the million values come from methods with few force
+    // evaluations a step.
     let steps = match method.info() {
         MethodInfo { implicit: true, .. } => 50,
         MethodInfo { force_evaluations: 0..=4, .. } => 2_800,
@@ -233,8 +236,8 @@ fn compare(
     assert!(limit >= 8_192.0, "{name}: only {limit} steps");
     let evaluations = lab.read(0, quantity::EVALUATIONS);
     if damping == 0.0 {
-        // What a method with iterations asks for depends on its rounding, which is another in steps
-        // than in seconds.
+        // The number of iterations of an implicit method depends on its rounding, which differs
+        // between steps and seconds as the unit of time.
         if !method.info().implicit {
             let counted = method.count_evaluations(&pendulum, start, &grid);
             assert_eq!(evaluations, counted as f64, "{name}\n{STALE}");
@@ -248,7 +251,7 @@ fn compare(
 
 macro_rules! damped_run {
     ($($module:ident::$method:ident,)+) => {
-        /// The methods that suit every system, a damped one too.
+        /// The methods for every system, damped ones included.
         static GENERAL: LazyLock<Vec<&str>> = LazyLock::new(|| {
             use pendula::{Info, methods};
             vec![$(methods::$method.info().name,)+]
@@ -275,7 +278,7 @@ macro_rules! damped_run {
 pendula::for_each_general_method!(damped_run);
 
 /// Catches: a list of methods that is not the library's, or in another order; a title cut in the
-/// middle of a letter.
+/// middle of a character.
 #[test]
 fn the_page_offers_the_methods_of_the_library() {
     let mut lab = Lab::new();
@@ -287,8 +290,8 @@ fn the_page_offers_the_methods_of_the_library() {
     assert_eq!(lab.text(count, 0) + &lab.text(0, 2), "");
 }
 
-/// Catches: steps that depend on how many are taken at once; extremes that miss a step or remember
-/// what was looked at.
+/// Catches: steps that depend on how many are taken at once; extremes that miss a step or are not
+/// reset by `look`.
 #[test]
 fn many_steps_at_once_are_the_same_steps() {
     let mut lab = Lab::new();
@@ -297,7 +300,7 @@ fn many_steps_at_once_are_the_same_steps() {
     for _ in 0..50 {
         assert_eq!(lab.advance(0, 20), 20);
         let (mut lowest, mut highest) = (f64::INFINITY, f64::NEG_INFINITY);
-        // What was seen last belongs to the next span too, so that the spans touch.
+        // The last sample belongs to the next span too, so that the spans touch.
         for _ in 0..=20 {
             let error = lab.read(7, quantity::ERROR);
             (lowest, highest) = (lowest.min(error), highest.max(error));
@@ -314,8 +317,8 @@ fn many_steps_at_once_are_the_same_steps() {
     }
 }
 
-/// Catches: a number from the page that lets in a NaN or stops the machine, a place that keeps what
-/// was refused in it, steps beyond the last.
+/// Catches: a number from the page that leads to NaN or a trap, a place that keeps its pendulum
+/// after a refusal, steps beyond the last.
 #[test]
 fn what_the_library_refuses_leaves_an_empty_place() {
     let mut lab = Lab::new();
@@ -338,8 +341,8 @@ fn what_the_library_refuses_leaves_an_empty_place() {
         assert!(lab.read(0, quantity::THETA).is_nan());
     }
     assert!(lab.read(places, quantity::THETA).is_nan());
-    // So many steps a run has, and no more: with kicks this large its half turns soon are too many
-    // to be counted.
+    // A run has `limit` steps and no more: with kicks this large its half turns soon become too
+    // many to count.
     assert!(lab.set(0, (0, 1e7, 1.0, 0.0, 1.0, 0.0, 1.0)));
     let limit = lab.read(0, quantity::LIMIT) as u32;
     assert!((1..1000).contains(&limit), "{limit}");
@@ -347,7 +350,7 @@ fn what_the_library_refuses_leaves_an_empty_place() {
     assert_eq!(lab.advance(0, 1), 0);
 }
 
-/// On the separatrix ω = 2ω₀ cos(θ/2), to a few roundings of the largest ω; and it goes from −π to
+/// On the separatrix ω = 2ω₀ cos(θ/2), to a few roundings of the largest ω; and θ goes from −π to
 /// π.
 ///
 /// Catches: another curve.
@@ -364,7 +367,7 @@ fn the_separatrix_is_the_pendulums() {
     }
 }
 
-/// Catches: a page that grows heavy.
+/// Catches: a page that becomes slow to load.
 #[test]
 fn the_file_is_small() {
     let size = wasm().len();

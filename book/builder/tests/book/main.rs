@@ -1,4 +1,4 @@
-//! The book as it is built, its lab, and the binary `pendula` as its users call it.
+//! The built book, its lab, and the binary `pendula` as its users call it.
 
 mod built_book;
 mod chapters;

@@ -1,5 +1,4 @@
-//! Reading built pages: what each offers (ids), what it asks for (links), and what must not be on
-//! it.
+//! Parsing built pages: their ids, their links, and what must not be on them.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -18,7 +17,7 @@ pub struct Site {
 /// One HTML page.
 #[derive(Debug, Default)]
 pub struct Page {
-    /// Its ids, each as often as it stands there.
+    /// Its ids, with repetitions.
     pub ids: Vec<String>,
     /// Its `href`s and `src`s with the name of the tag: what it leads to or loads.
     pub references: Vec<(String, String)>,
@@ -45,7 +44,7 @@ impl Site {
         Self { pages, files }
     }
 
-    /// Why a reference from `page` leads nowhere, if it does.
+    /// Why a reference from `page` is broken, if it is.
     pub fn broken(&self, page: &Path, reference: &str) -> Option<&'static str> {
         if is_remote(reference) || ["data:", "mailto:"].iter().any(|s| reference.starts_with(s)) {
             return None;
@@ -116,7 +115,7 @@ impl Page {
     }
 }
 
-/// Would following this leave the reader's machine?
+/// Whether following this would leave the reader's machine.
 pub fn is_remote(reference: &str) -> bool {
     !reference.starts_with("data:") && (reference.starts_with("//") || reference.contains("://"))
 }
@@ -133,7 +132,7 @@ fn list(folder: &Path, below: &Path, files: &mut BTreeSet<PathBuf>) {
     }
 }
 
-/// `path` as it is meant on `page`, without `.` and `..`.
+/// `path` resolved relative to `page`, without `.` and `..`.
 fn joined(page: &Path, path: &str) -> PathBuf {
     let mut target = PathBuf::new();
     for component in page.parent().unwrap_or(Path::new("")).join(path).components() {

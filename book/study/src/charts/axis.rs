@@ -44,7 +44,7 @@ impl Axis {
         self.place(value).is_some()
     }
 
-    /// The value where distances are even: its logarithm on a logarithmic axis.
+    /// The coordinate along the axis: the value, or its logarithm on a logarithmic axis.
     fn place(&self, value: f64) -> Option<f64> {
         match self.log {
             _ if !value.is_finite() || value.abs() > 1e300 => None,
@@ -54,7 +54,8 @@ impl Axis {
         }
     }
 
-    /// The scale for these data; with a `count`, a linear one ends at ticks of about that many.
+    /// The scale for these data; with a `count`, a linear one ends at ticks, about that many of
+    /// them.
     pub(super) fn scale(&self, data: impl Iterator<Item = f64>, count: Option<usize>) -> Scale<'_> {
         let ends = match self.range {
             Some((low, high)) => self.place(low).zip(self.place(high)),
@@ -100,7 +101,7 @@ pub(super) struct Tick {
     pub label: Option<String>,
 }
 
-/// An axis with its range, in the space where distances are even.
+/// An axis with its range, in values or in logarithms of them.
 pub(super) struct Scale<'a> {
     axis: &'a Axis,
     low: f64,
@@ -301,9 +302,9 @@ mod tests {
         assert_eq!(ends(linear(), &[5.0]), (4.5, 5.5));
         assert_eq!(ends(linear(), &[-5.0, -5.0]), (-5.5, -4.5));
         assert_eq!(ends(linear(), &[0.0, 5.0]), (0.0, 5.0));
-        // A one alone has a decade on either side. Else less than a third of a decade is widened by
-        // as much, or a tenth of the exponent, on both sides; then by a twentieth of what it is.
-        // Sums of numbers up to 11, rounded a few times.
+        // A single 1 gets a decade on either side. Otherwise a span below 0.3 decades is widened
+        // by as much, or by a tenth of the exponent, on both sides; and every span by a twentieth
+        // of it. Sums of numbers up to 11, rounded a few times.
         let near = |(a, b): (f64, f64), (c, d): (f64, f64)| (a - c).abs() + (b - d).abs() < 1e-12;
         assert!(near(ends(Axis::log("x"), &[1.0]), (-1.1, 1.1)));
         assert!(near(ends(Axis::log("x"), &[1e2]), (1.67, 2.33)));
@@ -321,7 +322,7 @@ mod tests {
             log_ticks(low, high, count).into_iter().filter_map(|tick| tick.label).collect()
         };
         assert_eq!(labels(0.3, 0.6, 4), ["2.0", "2.5", "3.0", "3.5"]);
-        // 0.7 decades are the first that are not short: 1, 2 and 5 of each decade about them.
+        // An axis of 0.7 decades is not short: it has 1, 2 and 5 of each decade.
         assert_eq!(labels(0.0, 0.7, 5)[..3], ["10^{0}", "2×10^{0}", "5×10^{0}"]);
         // 25 decades for three labels: every ninth.
         assert_eq!(labels(-12.0, 12.0, 3), ["10^{−9}", "10^{0}", "10^{9}"]);

@@ -46,7 +46,7 @@ pub struct Figure {
 }
 
 impl Figure {
-    /// An empty figure. Title and description are for those who do not see it: the description
+    /// An empty figure. Title and description are for readers who cannot see it: the description
     /// says in words what the picture shows.
     pub fn new(title: impl Into<String>, description: impl Into<String>) -> Self {
         let (title, description) = (title.into(), description.into());
@@ -215,9 +215,8 @@ impl Chart {
     /// With a series. Those of the same label share an entry of the legend, such as a line of
     /// theory and the markers on it; those with an empty label have none.
     ///
-    /// Points that are not finite (or beyond 1e300), or not positive on a logarithmic axis, leave
-    /// a gap.
-    /// On a line of more than 40 points only a few are marked, and it may have any number.
+    /// Points that are not finite (or beyond 1e300), or not positive on a logarithmic axis, leave a
+    /// gap. A line may have any number of points; of more than 40 only a few are marked.
     pub fn series(
         mut self,
         label: impl Into<String>,
@@ -246,19 +245,19 @@ impl Chart {
         self.horizontal_band(y, y, label)
     }
 
-    /// With the ground shaded from x = `from` to x = `to`, labelled above the plot.
+    /// With the area shaded from x = `from` to x = `to`, labelled above the plot.
     pub fn vertical_band(mut self, from: f64, to: f64, label: impl Into<String>) -> Self {
         self.marks.push(Mark::Vertical { from, to, label: label.into() });
         self
     }
 
-    /// With the ground shaded from y = `from` to y = `to`, labelled where there is most room.
+    /// With the area shaded from y = `from` to y = `to`, labelled where there is most room.
     pub fn horizontal_band(mut self, from: f64, to: f64, label: impl Into<String>) -> Self {
         self.marks.push(Mark::Horizontal { from, to, label: label.into() });
         self
     }
 
-    /// With a word beside the point (`x`, `y`), on the side where there is most room.
+    /// With a text beside the point (`x`, `y`), on the side where there is most room.
     pub fn note(mut self, x: f64, y: f64, text: impl Into<String>) -> Self {
         self.marks.push(Mark::Note { at: (x, y), text: text.into() });
         self
@@ -456,7 +455,7 @@ mod tests {
         assert_eq!(tip(marked), WIDTH - RIGHT - 7.0);
     }
 
-    /// Catches: a shape that is left open, or whose ground is not shaded; a rule that every other
+    /// Catches: a shape that is left open, or whose area is not shaded; a rule that every other
     /// figure has to carry.
     #[test]
     fn a_filled_shape_is_closed() {

@@ -1,4 +1,4 @@
-//! Long series to short paths: what no pixel shows is dropped, what a pixel shows is kept.
+//! Long series to short paths: only what cannot be seen is dropped.
 
 use std::fmt::{self, Display, Write};
 
@@ -63,7 +63,7 @@ fn extremes(stroke: &[Point], left: f64, right: f64) -> Vec<Point> {
         keep.extend((0..run.len()).max_by(order));
         keep.sort_unstable();
         keep.dedup();
-        // At the middle of the column: strokes that are even leave no stripes between them.
+        // At the middle of the column, so that even strokes leave no stripes between them.
         let middle = (column(&run[0]) as f64 + 0.5) * COLUMN;
         kept.extend(keep.into_iter().map(|i| (middle, run[i].1)));
     }
@@ -128,9 +128,9 @@ pub(super) fn polyline<'a>(strokes: impl IntoIterator<Item = &'a Vec<Point>>) ->
 /// Length and half the width of an arrow's head.
 const HEAD: (f64, f64) = (14.0, 5.0);
 
-/// The corners of the head with which the stroke ends as an arrow, its tip first and `short` of
-/// where the stroke ended. The stroke is cut off within it, so that its round end does not blunt
-/// the tip. `None` where the stroke goes nowhere.
+/// The corners of the arrow head at the end of the stroke, the tip first, `short` units before the
+/// end. The stroke is cut off inside the head, so that its round end does not blunt the tip. `None`
+/// where its last segment is too short.
 pub(super) fn head(stroke: &mut [Point], short: f64) -> Option<[Point; 3]> {
     let [.., from, end] = stroke else {
         return None;
@@ -142,7 +142,7 @@ pub(super) fn head(stroke: &mut [Point], short: f64) -> Option<[Point; 3]> {
     }
     let (ux, uy) = (dx / (length + short), dy / (length + short));
     let tip = (end.0 - short * ux, end.1 - short * uy);
-    // A short arrow has a short head, and is not all head.
+    // The head of a short arrow is at most 0.6 of its length.
     let size = (0.6 * length / HEAD.0).min(1.0);
     let (long, wide) = (size * HEAD.0, size * HEAD.1);
     let back = |by: f64, aside: f64| (tip.0 - by * ux - aside * uy, tip.1 - by * uy + aside * ux);
@@ -221,8 +221,8 @@ mod tests {
         assert_eq!(thinned, [(0.0, 0.0), (100.0, 0.0), (10.0, 0.0)]);
     }
 
-    /// Catches: of two points equally far from the line, the later kept: a path that changes where
-    /// nothing moved; a point kept that is no farther than may be.
+    /// Catches: the later of two points equally far from the line kept, so that a path changes
+    /// where nothing moved; a point kept that is within the tolerance.
     #[test]
     fn the_first_of_the_farthest_is_kept() {
         // Once one of the two is kept, the other is at half that height.
@@ -256,8 +256,8 @@ mod tests {
         assert_eq!(head(&mut [(1.0, 1.0)], 0.0), None);
     }
 
-    /// Catches: a dot that is placed from the one before but not the one drawn; one lost with its
-    /// neighbours, or two where a pixel shows one.
+    /// Catches: a dot placed relative to one that is not drawn; one lost with its neighbours, or
+    /// two where a pixel shows one.
     #[test]
     fn dots_are_placed_one_from_the_other() {
         let points = vec![(12.04, 3.0), (1.26, 2.0), (12.9, 3.2), (1.26, 1.0)];
@@ -292,7 +292,7 @@ mod tests {
         }
     }
 
-    /// Catches: an arrow without a head though it goes somewhere.
+    /// Catches: a visible arrow without a head.
     #[test]
     fn the_shortest_arrow_has_a_head() {
         assert!(head(&mut [(0.0, 0.0), (STRAY, 0.0)], 0.0).is_some());

@@ -149,8 +149,8 @@ impl<'a> Plot<'a> {
         series.points.iter().filter(inside).filter_map(|&point| self.pixel(point)).collect()
     }
 
-    /// Where the markers of the chart's `i`-th series go: all its points in the plot, or of many
-    /// on a line a few, not the same ones as of the series before.
+    /// Where the markers of the chart's `i`-th series go: at all its points in the plot, or on a
+    /// line of many points at a few, other ones than for the series before.
     fn marked(&self, series: &Series, i: usize) -> Vec<Point> {
         let points = self.inside(series);
         if points.len() <= MANY || !series.style.has_line() {
@@ -261,7 +261,7 @@ fn same_place(a: Point, b: Point) -> bool {
 }
 
 /// The part of the span from `a` to `b` that is between `low` and `high`; rounding may put it a
-/// little beside them.
+/// little outside them.
 fn visible(a: f64, b: f64, low: f64, high: f64) -> Option<(f64, f64)> {
     let (a, b) = (a.min(b), a.max(b));
     (b > low - 0.01 && a < high + 0.01).then_some((a.clamp(low, high), b.clamp(low, high)))
@@ -369,7 +369,7 @@ fn beside((x, y): Point) -> Vec<Place> {
     ]
 }
 
-/// A few of `count` points, evenly, and of four series in a row not the same ones.
+/// A few of `count` points, evenly spaced, and different ones for four successive series.
 fn few(count: usize, series: usize) -> impl Iterator<Item = usize> {
     (0..FEW).map(move |k| (count - 1) * (4 * k + 1 + series % 4) / (4 * FEW))
 }
@@ -442,7 +442,7 @@ mod tests {
     #[test]
     fn headings_of_a_row_are_ten_apart() {
         let label = "a limit of stability";
-        // Begins from 14 to 16 from the left, where 10 less and 10 more is exact.
+        // It begins between 14 and 16, where subtracting and adding 10 is exact.
         let at = 15.0 - PLACE[1] + (width(label) / 2.0).round();
         let begin = PLACE[1] + at - width(label) / 2.0;
         let rows = |y_label: &str, edge: f64| {
@@ -547,7 +547,7 @@ mod tests {
         }
     }
 
-    /// Catches: a stroke weighed by how far it goes beside the plot, or not weighed up to its edge.
+    /// Catches: a stroke weighed by its length outside the plot, or not weighed up to its edge.
     #[test]
     fn strokes_weigh_by_what_is_in_the_plot() {
         // Each goes from 9 within the edge to far beyond, of which 9 count, and 120 along it: 31

@@ -48,7 +48,8 @@ pub struct Style {
 }
 
 impl Style {
-    /// The exact solution, or what the others are held against: a plain line in the text's colour.
+    /// The exact solution, or what the others are compared with: a plain line in the text's
+    /// colour.
     pub const REFERENCE: Self = Self {
         colour: None,
         line: Some(0),
@@ -62,8 +63,8 @@ impl Style {
     /// A point of the exact solution: a circle in the text's colour.
     pub const TRUE_POINT: Self = Self { line: None, marker: Some(0), ..Self::REFERENCE };
 
-    /// A helping line, thin and dotted: labelled where it is, not in the legend; the automatic
-    /// range of an axis takes no notice of it.
+    /// An auxiliary line, thin and dotted: labelled in the plot, not in the legend, and ignored by
+    /// the automatic range of an axis.
     pub const GUIDE: Self = Self { line: Some(4), guide: true, ..Self::REFERENCE };
 
     /// The style of the method that stands at `index` in the list of methods: line and marker.
@@ -78,8 +79,8 @@ impl Style {
         }
     }
 
-    /// The style of the `index`-th of some series that are no methods, and so have no colour: they
-    /// are told apart by marker and dash.
+    /// The style of the `index`-th of some series that are not methods, and so have no colour:
+    /// they differ in marker and dash.
     ///
     /// The first 8 differ in their marker.
     pub const fn colourless(index: usize) -> Self {
@@ -117,7 +118,7 @@ impl Style {
         Self { arrow: true, ..self.line_only().solid() }
     }
 
-    /// The same with the line closed and the ground within it shaded, and no markers.
+    /// The same with the line closed and the area inside it shaded, and no markers.
     pub const fn filled(self) -> Self {
         Self { filled: true, ..self.line_only() }
     }
@@ -193,7 +194,7 @@ impl Style {
 
 /// The figure's own style sheet: its colours are the book's if the book defines them, and follow
 /// the reader's preference where the figure stands alone. All of it is confined to the class `id`,
-/// and not the id: where a page shows a figure twice, mdBook gives the second another id.
+/// and not to the id: where a page shows a figure twice, mdBook gives the second another id.
 pub(super) fn style_sheet(id: &str, used: &[Style]) -> String {
     let mut colours: Vec<_> = used.iter().filter_map(|style| style.colour).collect();
     colours.sort_unstable();
@@ -281,16 +282,17 @@ mod tests {
     /// beside it.
     #[test]
     fn the_lab_draws_methods_as_the_figures_do() {
-        let script = of_the_book("theme/lab/drawing.js");
+        // How the lists are laid out does not matter.
+        let packed = |text: &str| text.split_whitespace().collect::<String>();
+        let script = packed(&of_the_book("theme/lab/drawing.js"));
+        let has = |list: String| assert!(script.contains(&packed(&list)), "{list}");
         let list = |words: Vec<String>| words.join(", ");
         let colours = list(PALETTE.map(|(name, ..)| format!("'{name}'")).to_vec());
-        assert!(script.contains(&format!("COLOURS = [{colours}];")), "{colours}");
-        let markers = MARKERS.map(|marker| format!("\n    '{marker}',")).concat();
-        assert!(script.contains(&format!("MARKERS = [{markers}\n];")), "{markers}");
+        has(format!("COLOURS = [{colours}];"));
+        has(format!("MARKERS = [{}];", MARKERS.map(|marker| format!("'{marker}',")).concat()));
         // The last is the guides'.
         let dashes = DASHES.split_last().unwrap().1;
-        let dashes =
-            list(dashes.iter().map(|dash| format!("[{}]", dash.replace(' ', ", "))).collect());
-        assert!(script.contains(&format!("DASHES = [{dashes}];")), "{dashes}");
+        let dashes = dashes.iter().map(|dash| format!("[{}]", dash.replace(' ', ",")));
+        has(format!("DASHES = [{}];", list(dashes.collect())));
     }
 }

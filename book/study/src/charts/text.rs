@@ -8,8 +8,7 @@ use super::path::{Num, Point};
 pub(super) const FONT: f64 = 17.0;
 const SMALL: f64 = 0.72;
 
-/// Text that is safe between tags and in attributes, on one line, with the apostrophe that a
-/// printer would set.
+/// Text that is safe between tags and in attributes, on one line, with typographic apostrophes.
 pub(super) fn escape(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
@@ -31,7 +30,7 @@ pub(super) fn minus(text: &str) -> Cow<'_, str> {
     if text.contains('-') { text.replace('-', "−").into() } else { text.into() }
 }
 
-/// Markup cut into pieces, each with how far it is lowered (negative: raised).
+/// Markup cut into pieces, each with the distance by which it is lowered (negative: raised).
 fn pieces(markup: &str) -> Vec<(i32, &str)> {
     let mut pieces = Vec::new();
     let (mut plain, mut from) = (0, 0);
@@ -123,7 +122,7 @@ mod tests {
         );
     }
 
-    /// Catches: a panic or lost text where `^`, `_` or `{` is no markup.
+    /// Catches: a panic or lost text where `^`, `_` or `{` is not markup.
     #[test]
     fn stray_markup_is_plain_text() {
         for plain in ["a_b ^ c", "x^{2", "θ_", "", "}{"] {

@@ -4,8 +4,8 @@ use core::fmt;
 
 use crate::experiments::PaperMethod;
 
-/// A cell of a table of the paper. Printed it is the id that the ledger, the book and the command
-/// line have for it: `T4.rk4.0.01`, `T5.fe.dH`, `T7.Texact`.
+/// A cell of a table of the paper. It prints as the id that the ledger, the book and the command
+/// line use: `T4.rk4.0.01`, `T5.fe.dH`, `T7.Texact`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CellId {
     /// The number of the table.

@@ -111,8 +111,8 @@ fn table_4(study: &Study, claims: &mut Vec<Claim>) {
     }
 }
 
-/// Digits of Table 4 that a sine of another platform, off by one ulp, leaves alone: seven or more
-/// everywhere but in RK4's row, where the energy error nears the rounding of the energy itself.
+/// Digits of Table 4 that do not change with the sine of another platform, off by one ulp: seven
+/// or more except in RK4's row, where the energy error approaches the rounding of the energy.
 fn digits(method: PaperMethod, step: f64) -> usize {
     match (method, step) {
         (PaperMethod::Rk4, 0.005) => 4,
@@ -206,7 +206,8 @@ fn table_8(study: &Study, claims: &mut Vec<Claim>) {
             column(
                 "dH",
                 "largest energy error (J)",
-                // RK4's error is 10⁵ quanta of the energy: five digits are there, four are safe.
+                // RK4's error is 10⁸ units in the last place of the energy, and 1000 steps move it
+                // by about ten of them: four digits are safe.
                 Measured::Number(
                     errors.energy,
                     Scientific(if method == PaperMethod::Rk4 { 4 } else { 6 }),
@@ -274,10 +275,10 @@ mod tests {
     use crate::digits::Digits::Fixed;
     use crate::experiments::PaperMethod::{ForwardEuler, Rk4, StormerVerlet, SymplecticEuler};
 
-    /// The condition that each table is measured under is what its reader needs most: here by a
-    /// word that no other table has.
+    /// Each table states the condition under which it is measured, here tested by words that no
+    /// other table has.
     ///
-    /// Catches: a table whose cells go without a place or a definition, or under those of another.
+    /// Catches: a table whose cells have no place or definition, or those of another table.
     #[rstest]
     #[case(CellId::of_row(2, StormerVerlet, "order"), "Table 2", "slope")]
     #[case(CellId::at_step(4, Rk4, 0.01), "Table 4", "π/3")]
@@ -296,7 +297,7 @@ mod tests {
         assert!(cell.stated.is_some(), "{id} is printed");
     }
 
-    /// Catches: a number of our own that is passed off as one of the paper's.
+    /// Catches: a number of our own presented as one of the paper's.
     #[test]
     fn what_is_not_printed_stands_nowhere() {
         let finding = finding("fe.falls", "", 1.0, Fixed(0));

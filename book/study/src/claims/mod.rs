@@ -33,13 +33,13 @@ pub enum Verdict {
     Wrong,
     /// Nothing to compute.
     NotCheckable,
-    /// Not in the paper: measured here to stand beside what is.
+    /// Not in the paper: measured here for comparison.
     NotStated,
 }
 
 impl Verdict {
-    /// Whether a claim with this verdict has to hold (`true`), has to fail (`false`), or is not
-    /// measured.
+    /// Whether a claim with this verdict has to hold (`true`) or to fail (`false`); `None` where
+    /// it requires no measurement.
     pub const fn demands(self) -> Option<bool> {
         match self {
             Self::Reproduced | Self::ReproducedWithDefinition | Self::DependsOnRounding => {
@@ -81,7 +81,8 @@ pub enum Measured {
 pub enum Tolerance {
     /// Half a unit in the last digit that the paper prints; words have to be the same words.
     PrintedDigits,
-    /// A relative distance from a value that rounding moves more than the paper's last digit.
+    /// A relative distance from a value, for a number that rounding moves by more than the paper's
+    /// last digit.
     Around {
         /// The value that truncation alone would give.
         value: f64,
@@ -109,7 +110,7 @@ pub struct Claim {
     pub measured: Measured,
     /// How close it has to come.
     pub tolerance: Tolerance,
-    /// The verdict on record, which a test holds against the measurement.
+    /// The verdict on record, which a test compares with the measurement.
     pub verdict: Verdict,
     /// One sentence on the verdict; empty where there is nothing to add.
     pub because: &'static str,
@@ -142,7 +143,7 @@ impl Claim {
                     Verdict::Wrong
                 }
             }
-            // What depends on the platform still has to be of the size that the method explains.
+            // A number that depends on the platform still has to be within its tolerance.
             (Some(false), None) => Verdict::Wrong,
             _ => self.verdict,
         }
@@ -234,8 +235,8 @@ mod tests {
         Measured::Text(words.to_string())
     }
 
-    /// The bounds are binary fractions, so that a number can lie on them, and its neighbour beyond.
-    /// A relative distance goes by the value that rounding surrounds, not by what is printed.
+    /// The bounds are binary fractions, so that a number can lie on them, and its neighbour
+    /// beyond. A relative distance is from `value`, not from what is printed.
     ///
     /// Catches: a tolerance wider, narrower or one-sided, and one kind of tolerance taken for
     /// another.
@@ -281,7 +282,7 @@ mod tests {
     /// What each verdict becomes where the measurement holds, where it fails, and where there is
     /// none.
     ///
-    /// Catches: a verdict that demands too much, too little or the opposite, and one that outlives
+    /// Catches: a verdict that demands too much, too little or the opposite, and one kept against
     /// its measurement.
     #[rstest]
     #[case(Verdict::Reproduced, Some(true), Verdict::Reproduced, Verdict::Wrong)]

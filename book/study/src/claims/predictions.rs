@@ -35,10 +35,10 @@ impl Prediction {
     }
 }
 
-/// All of them, 49, in the order of the ledger: Tables 4, 5, 6 and 8, and last `P6.3.norm`, which
-/// is the text's (Section 6.3): RK4's largest angle error over θ₀, at θ₀ = 1e-4.
+/// All 49 predictions, in the order of the ledger: Tables 4, 5, 6 and 8, and last `P6.3.norm` from
+/// the text (Section 6.3): RK4's largest angle error over θ₀, at θ₀ = 1e-4.
 ///
-/// Nothing is stored: each call works them out anew, in half a second.
+/// Nothing is cached: each call computes them again, in half a second.
 pub fn predictions() -> Vec<Prediction> {
     let mut all = Vec::new();
     let (table_4, table_8) = (Run::TABLE_4, Run::TABLE_8);
@@ -63,7 +63,8 @@ pub fn predictions() -> Vec<Prediction> {
 struct Run {
     theta_0: f64,
     duration: f64,
-    /// Whether forward Euler, growing, goes over the top and then round and round.
+    /// Whether forward Euler's error depends on the phase in which it goes over the top, as in the
+    /// long run of Table 5.
     goes_over: bool,
 }
 
@@ -106,7 +107,7 @@ struct EnergyLaw {
     /// The largest energy error (J) from an angle of release (rad), for a step (s) and a number of
     /// steps.
     value: fn(f64, f64, u64) -> f64,
-    /// What the law leaves out, relatively; it is told the value, too.
+    /// What the law leaves out, relatively, for a run, a step (s) and the value.
     left_out: fn(Run, f64, f64) -> f64,
 }
 
@@ -130,9 +131,9 @@ const ENERGY_LAWS: [EnergyLaw; 4] = [
         method: PaperMethod::Rk4,
         law: "the energy changes of single steps, h⁵e₅ + … + h⁸e₈, along the exact orbit",
         value: |theta_0, h, steps| rk4::largest_energy_error(&Pendulum::PAPER, theta_0, h, steps),
-        // The loss goes as E² or so: as the energy falls by ΔH, the rate falls by 2ΔH/E, and by
-        // half that on the mean. The orbit runs out of step by x⁴/120 per radian, which moves the
-        // bounded part only; x⁹e₉ is odd.
+        // The rate of loss is roughly ∝ E²: as the energy falls by ΔH, the rate falls by 2ΔH/E,
+        // and by half that on average. The phase error of x⁴/120 per radian changes the bounded
+        // part only; x⁹e₉ is odd in q.
         left_out: |run, _, error| error / run.energy(),
     },
     EnergyLaw {
@@ -155,13 +156,13 @@ impl EnergyLaw {
     }
 }
 
-/// The highest sample lies below the highest point of the curve, for want of one just there: by
-/// ½(2x δ)² relatively, δ steps away. With the 46 maxima of Table 4 spread evenly between the
-/// samples δ is 1/92, which makes 2.3e-5 at h = 0.1. At smaller steps the spread may be less even,
-/// but the square makes up for it.
+/// A highest sample δ steps away from the maximum of the curve lies below it, by ½(2x δ)²
+/// relatively. With the 46 maxima of Table 4 spread evenly between the samples δ is 1/92, which
+/// gives 2.3e-5 at h = 0.1. At smaller steps the spread may be less even, but x² is smaller by
+/// more.
 const SAMPLING: f64 = 2.5e-5;
 
-/// Largest energy error (J) that the method of that name must make on the paper's pendulum, from
+/// Largest energy error (J) predicted for the method of that name on the paper's pendulum, from
 /// rest at `theta_0` (rad) over `steps` steps of `h` (s): by the law that [`predictions`] applies
 /// to its cells, or `None` for a method without one.
 pub fn largest_energy_error(method: &str, theta_0: f64, h: f64, steps: u64) -> Option<f64> {
@@ -171,12 +172,12 @@ pub fn largest_energy_error(method: &str, theta_0: f64, h: f64, steps: u64) -> O
 
 /// What the modified equation to order h⁵ leaves out, relatively.
 ///
-/// A small swing runs out of step by x⁶/7 and gains energy at a rate wrong by x⁶/4, of the terms of
-/// atan x and ln(1 + x²); over the 160 rad of Table 4 and an energy 20 times larger, the second
-/// makes x⁶ and the first 20 x⁶ rad, which matters to the energy only by its ripple, of order x.
-/// Tenfold x⁶ holds both.
+/// On a small swing the frequency is wrong by x⁶/7 and the rate of the energy gain by x⁶/4, the
+/// next terms of atan x and ln(1 + x²); over the 160 rad of Table 4 and an energy 20 times larger,
+/// the second makes x⁶ and the first 20 x⁶ rad, which matters to the energy only by its ripple, of
+/// order x. 10 x⁶ covers both.
 ///
-/// In Table 5 the phase in which it goes over the top counts, too: 1e-9 × 1/4 × the 140 rad until
+/// In Table 5 the phase in which it goes over the top matters, too: 1e-9 × 1/4 × the 140 rad until
 /// then, in units of the 0.03 of its energy that each swing adds there. With x⁶ and x⁷ included
 /// that error falls from 1.3e-7 to 4e-10.
 fn forward_euler_tolerance(run: Run, h: f64) -> f64 {
@@ -194,8 +195,8 @@ fn forward_euler_tolerance(run: Run, h: f64) -> f64 {
 /// How a method's angle error in the small swing is predicted.
 struct AngleLaw {
     method: PaperMethod,
-    /// What it does to the linear oscillator; `None` for a swing that does not stay small, and is
-    /// left to the modified equation.
+    /// Its recurrence on the linear oscillator; `None` for a swing that does not stay small, where
+    /// the modified equation is used.
     recurrence: Option<fn(&Pendulum, f64) -> LinearRecurrence>,
     /// How much the relative error of its frequency changes with the amplitude, per A², as a
     /// function of x: the cross term that the recurrence with a slower phase leaves out.
@@ -204,8 +205,8 @@ struct AngleLaw {
 
 const ANGLE_LAWS: [AngleLaw; 4] = [
     AngleLaw { method: PaperMethod::ForwardEuler, recurrence: None, cross_term: |_| 0.0 },
-    // τ₂ falls with the amplitude as 1 − θ₀²/8 (theory::period): x²/24 × 1/8. Seen from its own
-    // amplitude symplectic Euler is Verlet.
+    // τ₂ falls with the amplitude as 1 − θ₀²/8 (theory::period): x²/24 × 1/8. In terms of its own
+    // amplitude symplectic Euler equals Verlet.
     AngleLaw {
         method: PaperMethod::SymplecticEuler,
         recurrence: Some(LinearRecurrence::symplectic_euler),
@@ -244,8 +245,7 @@ fn angle(law: &AngleLaw, run: Run, h: f64) -> Prediction {
     let angles = recurrence(pendulum, h).angles(theta_0);
     let (value, _) = errors(pendulum, theta_0, h, steps, angles);
     // A frequency wrong by δ leaves δ θ₀ω₀T/√6 in the root mean square. Left out are the cross term
-    // and A⁴/3072, the next term of the pendulum's own frequency; a third more for the pieces of
-    // the harmonics.
+    // and A⁴/3072, the next term of the pendulum's own frequency; a third more for the harmonics.
     let square = theta_0 * theta_0;
     let frequency = (law.cross_term)(x) * square + square * square / 3072.0;
     let turned = pendulum.small_angle_frequency() * run.duration;

@@ -1,4 +1,4 @@
-//! A square of initial conditions, and what a method makes of it.
+//! A square of initial conditions and its images under a method.
 
 use pendula::{Grid, Pendulum, Phase};
 
@@ -30,7 +30,7 @@ impl Square {
     }
 }
 
-/// What `outline` becomes: after each step of `grid` the points that its points have come to.
+/// The images of the points of `outline` at each sample of `grid`, from the outline itself on.
 pub fn carried(
     method: MethodRef,
     pendulum: &Pendulum,
@@ -47,7 +47,7 @@ pub fn carried(
 
 /// The area (rad²/s) of the polygon with these corners: positive if they go round it anticlockwise.
 pub fn area(corners: &[Phase]) -> f64 {
-    // From the first corner, so that a small polygon far from the origin keeps its digits.
+    // Relative to the first corner, so that a small polygon far from the origin keeps its digits.
     let Some(first) = corners.first() else { return 0.0 };
     let from_first = |z: &Phase| (z.theta - first.theta, z.omega - first.omega);
     let twice = |pair: &[Phase]| {

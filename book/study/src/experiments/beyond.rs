@@ -1,5 +1,5 @@
-//! Beyond the paper: what is found of the damped and driven, shaken and doubled pendulum, and of a
-//! planet.
+//! Beyond the paper: results for the damped and driven, the shaken and the double pendulum, and
+//! for a planet.
 //!
 //! These are experiments of our own. [`Study::run`](super::Study::run) does not include them; each
 //! is a function that takes a fraction of a second.
@@ -26,8 +26,8 @@ use crate::theory::mathieu;
 // The driven pendulum
 // -------------------------------------------------------------------------------------------------
 
-/// Steps a period where an orbit is sought. RK4's error there is O(h⁴), and with twice as many
-/// steps the drives of [`doublings`] move by 3e-11.
+/// Steps a period for finding an orbit. RK4's error there is O(h⁴), and with twice as many steps
+/// the drives of [`doublings`] move by 3e-11.
 pub const FINE: u64 = 1000;
 /// Steps a period where only the statistics of a chaotic motion count.
 pub const COARSE: u64 = 100;
@@ -51,8 +51,8 @@ pub fn doublings() -> [Doubling; 2] {
     })
 }
 
-/// The drive in `bracket` at which the orbit of so many `periods` doubles its period, found with so
-/// many `steps` a period.
+/// The drive in `bracket` at which the orbit of `periods` periods doubles its period, found with
+/// `steps` steps a period.
 pub fn doubling(periods: u32, bracket: (f64, f64), steps: u64) -> Option<Doubling> {
     let near = attractor(&Driven::taylor(bracket.0).ok()?);
     let orbit = |strength, near| {
@@ -69,12 +69,12 @@ pub fn doubling(periods: u32, bracket: (f64, f64), steps: u64) -> Option<Doublin
     Some(Doubling { strength, orbit: orbit(strength, last)? })
 }
 
-/// `driven` seen once a period, each of so many steps of RK4.
+/// `driven` sampled once a period, which has `steps` steps of RK4.
 pub fn seen(driven: &Driven, steps: u64) -> Stroboscope<'_, Driven, Rk4> {
     Stroboscope::new(driven, &Rk4, driven.period(), steps).expect("a period and its steps")
 }
 
-/// Where the pendulum, hung at rest, has got to after 200 periods, with its angle in [−π, π).
+/// The state of the pendulum 200 periods after it hung at rest, with its angle in [−π, π).
 pub fn attractor(driven: &Driven) -> Phase {
     let strobe = seen(driven, COARSE);
     wrapped((0..200).fold(Phase::default(), |z, _| strobe.map(z)))
@@ -96,8 +96,8 @@ pub fn lyapunov() -> Exponent {
     largest_exponent(&seen(&driven, COARSE), Phase::default(), watch)
 }
 
-/// The Poincaré section of Taylor's strange attractor, γ = 1.5 and β = ω₀/8: so many states, one a
-/// period, after the first 100; angles in [−π, π).
+/// The Poincaré section of Taylor's strange attractor, γ = 1.5 and β = ω₀/8: `points` states, one
+/// a period, after the first 100; angles in [−π, π).
 pub fn poincare(points: usize) -> Vec<Phase> {
     let driven = Driven::taylor_damped(1.5, 0.125).expect("a drive");
     let strobe = seen(&driven, COARSE);
@@ -109,7 +109,7 @@ pub fn poincare(points: usize) -> Vec<Phase> {
 // The shaken pendulum
 // -------------------------------------------------------------------------------------------------
 
-/// Of the two boundaries of the stable upright, which.
+/// The two boundaries between which the upright position is stable.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Boundary {
     /// Shaken less, it falls over: a multiplier is 1, the trace 2.
@@ -120,10 +120,11 @@ pub enum Boundary {
 }
 
 /// The amplitude of the pivot (m) at which the upright `pendulum` loses its stability, shaken at
-/// the angular `frequency` Ω (rad/s), with so many `steps` of RK4 a period; `None` below some Ω,
+/// the angular `frequency` Ω (rad/s), with `steps` steps of RK4 a period; `None` below some Ω,
 /// where no shaking holds it.
 ///
-/// It is sought between a fifth of Kapitza's √(2gL)/Ω and 0.4 L, and from there to 0.6 L.
+/// The search is between a fifth of Kapitza's √(2gL)/Ω and 0.4 L for falling, and between 0.4 L
+/// and 0.6 L for rocking.
 pub fn upright(pendulum: &Pendulum, frequency: f64, boundary: Boundary, steps: u64) -> Option<f64> {
     let kapitza = libm::sqrt(2.0 * pendulum.gravity() * pendulum.length()) / frequency;
     let middle = 0.4 * pendulum.length();
@@ -195,9 +196,9 @@ pub fn separation(
 // The planet
 // -------------------------------------------------------------------------------------------------
 
-/// By how much Störmer–Verlet turns the pericentre of `ellipse` about `centre` in a revolution of
-/// `steps` steps (rad): the mean over 20 revolutions, from apocentre to apocentre, where the
-/// direction is steadiest.
+/// The angle (rad) by which Störmer–Verlet turns the pericentre of `ellipse` about `centre` in a
+/// revolution of `steps` steps: the mean over 20 revolutions, from apocentre to apocentre, where
+/// the direction is steadiest.
 pub fn precession(centre: &Kepler, ellipse: &Ellipse, steps: u64) -> f64 {
     let grid = Grid::new(ellipse.period() / steps as f64, 21 * steps).expect("a positive step");
     let mut apocentres = Vec::new();
@@ -218,7 +219,7 @@ pub fn precession(centre: &Kepler, ellipse: &Ellipse, steps: u64) -> f64 {
 // All of it
 // -------------------------------------------------------------------------------------------------
 
-/// A quantity that is found, and what is known of it.
+/// A quantity as found, and its known value.
 #[derive(Clone, Copy, Debug)]
 pub struct Row {
     /// The quantity, with its unit.
@@ -231,7 +232,7 @@ pub struct Row {
     pub error: Option<(f64, Digits)>,
     /// As many digits as can be defended.
     pub format: Digits,
-    /// Who says what is known.
+    /// The source of the known value.
     pub source: &'static str,
 }
 
@@ -289,8 +290,8 @@ pub fn rows() -> Vec<Row> {
             known: None,
             found: exponent.value,
             error: Some((exponent.error, Digits::Fixed(2))),
-            // With another rounding of one sine it would be another motion, whose mean is this only
-            // within the error bar.
+            // Another rounding of one sine leads to another motion, whose mean agrees only within
+            // the error bar.
             format: Digits::Fixed(2),
             source: "positive: chaos",
         },

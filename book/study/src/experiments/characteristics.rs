@@ -40,11 +40,11 @@ impl Row {
 pub enum EnergyBehaviour {
     /// It reaches its bound in the first tenth of the run and never leaves it.
     BoundedOscillation,
-    /// It grows, and is still a small part of the energy at the end.
+    /// It grows, and is less than a hundredth of the energy at the end.
     SlowSecularDrift,
-    /// It grows to more than the energy itself, at every step.
+    /// It grows to a hundredth of the energy or more, and no step lowers the energy.
     MonotonicDrift,
-    /// It grows to more than the energy itself, but many a step takes energy away.
+    /// It grows to a hundredth of the energy or more, but some steps lower the energy.
     DriftWithFalls,
 }
 
@@ -59,7 +59,7 @@ impl fmt::Display for EnergyBehaviour {
     }
 }
 
-/// Measures each method; what its energy does is read off the long run.
+/// Measures each method; what its energy does is taken from the long run.
 pub fn run(long_run: &[long_run::Row]) -> Vec<Row> {
     long_run
         .iter()
@@ -80,14 +80,14 @@ pub fn run(long_run: &[long_run::Row]) -> Vec<Row> {
 
 /// Where Table 2 measures the area.
 const AREA_STATE: Phase = Phase { theta: 1.0, omega: 0.5 };
-/// The step (s) of which the area is measured: [`AREA_STEP`], and four times that beyond order 4,
-/// where so short a step changes area by no more than the measurement can see, whatever the method.
+/// The step (s) over which the area is measured: [`AREA_STEP`], and four times that beyond order
+/// 4, where a shorter step changes area by less than the measurement resolves, whatever the method.
 fn area_step(method: MethodRef) -> f64 {
     if method.info().order > 4 { 4.0 * AREA_STEP } else { AREA_STEP }
 }
 
-/// Evaluations a step: the difference between a run of 1001 steps and one of a single step, so that
-/// what a method does once before it begins does not count.
+/// Evaluations a step: the difference between a run of 1001 steps and one of a single step, so
+/// that evaluations before the first step do not count.
 fn evaluations(method: MethodRef) -> f64 {
     let count = |steps| {
         let grid = Grid::new(0.01, steps).expect("a positive step");
@@ -96,8 +96,8 @@ fn evaluations(method: MethodRef) -> f64 {
     (count(1001) - count(1)) as f64 / 1000.0
 }
 
-/// What rounding makes of the energy in the 10⁵ steps of the long run (J): each rounds some 5 J by
-/// 1e-16 of it or a few, at random, which adds up to 3e-13, and to ten times that if luck is bad.
+/// A bound on the rounding error of the energy in the 10⁵ steps of the long run (J): each rounds
+/// some 5 J by a few 1e-16 of it, at random, which adds up to 3e-13; the bound is ten times that.
 pub const ROUNDING: f64 = 3e-12;
 
 fn energy_behaviour(run: &long_run::Row) -> EnergyBehaviour {

@@ -25,8 +25,8 @@ pub fn last_energy(method: &dyn AnyMethod, theta_0: f64, step: f64, steps: u64) 
     PENDULUM.energy(method.run(&PENDULUM, released(theta_0), &grid, &mut ()))
 }
 
-/// Time (s) of the first step that lowers the energy, from rest at `theta_0` (rad); none in
-/// `duration` (s).
+/// Time (s) of the first step that lowers the energy, from rest at `theta_0` (rad); `None` if no
+/// step within `duration` (s) does.
 pub fn first_fall(method: &dyn AnyMethod, theta_0: f64, step: f64, duration: f64) -> Option<f64> {
     let (mut before, mut fall) = (f64::NEG_INFINITY, None);
     let mut watch = |_, t, z| {
@@ -125,7 +125,7 @@ mod tests {
 
     use super::*;
 
-    /// Catches: a loss with the wrong sign, or one that is no difference.
+    /// Catches: a loss with the wrong sign, or one that is not a difference.
     #[test]
     fn what_an_orbit_loses_is_a_difference() {
         let (_, _, lost) = closure(&Rk4, 2.0);

@@ -1,4 +1,4 @@
-//! The curve that a symplectic method follows, beside the orbit that it ought to.
+//! The curve that a symplectic method follows, beside the exact orbit.
 
 use pendula::exact::Motion;
 use pendula::{Grid, Pendulum, Phase, method_named};
@@ -8,9 +8,9 @@ use crate::theory::{stormer_verlet, symplectic_euler};
 
 /// Released at rest from here (rad).
 pub const THETA_0: f64 = 1.0;
-/// Points on a curve, the first of which stands once more at its end.
+/// Points on a curve; the first is repeated at its end.
 const POINTS: u32 = 400;
-/// Steps of each method: many points, and not yet a crowd.
+/// Steps of each method: many points that can still be told apart.
 const STEPS: u64 = 25;
 
 /// A method with its curve.
@@ -20,7 +20,7 @@ pub struct Row {
     pub method: MethodRef,
     /// Its step (s).
     pub step: f64,
-    /// The level curve of the energy that it conserves, by theory and without a step of it.
+    /// The level curve of the energy that it conserves, computed from theory.
     pub curve: Vec<Phase>,
     /// The points that it visits.
     pub points: Vec<Phase>,
@@ -34,9 +34,9 @@ pub fn orbit() -> Vec<Phase> {
     (0..=POINTS).map(|n| motion.at(period * share(n))).collect()
 }
 
-/// Runs both methods, with steps so large that one sees the curves apart and that a swing is no
-/// whole number of them. Larger ones would show that the series of H̃ is cut off: Störmer–Verlet's
-/// ω₀h is nearly 1.
+/// Runs both methods, with steps large enough to tell the curves apart, of which a swing is not a
+/// whole number. Larger ones would show the truncation of the series of H̃: Störmer–Verlet's ω₀h is
+/// nearly 1.
 pub fn run() -> [Row; 2] {
     let (euler, verlet) = (0.2, 0.29);
     let of_euler = symplectic_euler::level_curve(&Pendulum::PAPER, THETA_0, euler, POINTS);

@@ -1,8 +1,8 @@
 //! The paper's experiments, each as a function that returns typed rows.
 //!
 //! The parameters are the paper's own (its Sections 5.1 and 5.2). Nothing here formats or judges:
-//! rows become tables and figures in [`report`](crate::report), and meet what the paper states in
-//! [`claims`](crate::claims).
+//! rows become tables and figures in [`report`](crate::report), and are compared with what the
+//! paper states in [`claims`](crate::claims).
 
 pub mod area;
 pub mod beyond;
@@ -34,11 +34,11 @@ pub type MethodRef = &'static dyn AnyMethod;
 /// Everything the paper measured, measured again.
 #[derive(Clone, Debug)]
 pub struct Study {
-    /// Table 2, and the same of every other method.
+    /// Table 2, and the same for every other method.
     pub characteristics: Vec<characteristics::Row>,
     /// Table 4 and Figure 2.
     pub convergence: Vec<convergence::Row>,
-    /// Table 5 and Figure 3, and the same of every other method.
+    /// Table 5 and Figure 3, and the same for every other method.
     pub long_run: Vec<long_run::Row>,
     /// Table 6.
     pub small_angle: Vec<small_angle::Row>,
@@ -49,7 +49,7 @@ pub struct Study {
 }
 
 impl Study {
-    /// Runs all experiments; `progress` hears the name of each as it begins.
+    /// Runs all experiments; `progress` receives the name of each as it begins.
     pub fn run(mut progress: impl FnMut(&'static str)) -> Self {
         progress("convergence");
         let convergence = convergence::run();
@@ -120,7 +120,7 @@ impl PaperMethod {
     }
 }
 
-/// Whether the paper knows the method.
+/// Whether the paper compares the method.
 pub fn in_paper(method: MethodRef) -> bool {
     PaperMethod::of(method).is_some()
 }

@@ -1,9 +1,9 @@
 //! The period at a large angle, read off the same samples in five ways, at many steps.
 //!
-//! A step of T/(n + ¼), with n a multiple of four, puts the samples alike at each of them: the one
-//! nearest to the peak a quarter of a step before it, those before the two crossings of zero 1/16
-//! and 5/16 of a step before them. So the errors are pure powers of the step, and the eye need not
-//! average over where the grid happens to fall.
+//! A step of T/(n + ¼), with n a multiple of four, puts the samples at the same places at each of
+//! them: the one nearest to the peak a quarter of a step before it, those before the two crossings
+//! of zero 1/16 and 5/16 of a step before them. So the errors are pure powers of the step, without
+//! scatter from where the grid happens to fall.
 
 use pendula::exact::Motion;
 use pendula::integrate::Observer;
@@ -24,7 +24,7 @@ pub const READINGS: [&str; 5] = [
     "Hénon's step",
 ];
 
-/// What the readings are off by at one step.
+/// The errors of the readings at one step.
 #[derive(Clone, Copy, Debug)]
 pub struct Errors {
     /// The step (s).
@@ -33,11 +33,11 @@ pub struct Errors {
     pub by: [f64; 5],
 }
 
-/// The n of the ladder: eleven octaves of steps from a ninth of a second to a ten-thousandth, for
-/// the paper's pendulum.
+/// The n of the ladder: eleven steps, an octave apart, from a ninth of a second to a
+/// ten-thousandth for the paper's pendulum.
 const RUNGS: [u64; 11] = [48, 96, 192, 384, 768, 1536, 3072, 6144, 12_288, 24_576, 49_152];
 
-/// Of a release of the paper's pendulum at 3 rad, integrated by RK4.
+/// The errors on a release of the paper's pendulum at 3 rad, integrated by RK4.
 pub fn of_rk4() -> Vec<Errors> {
     let pendulum = Pendulum::PAPER;
     let start = released(THETA_0);
@@ -46,7 +46,7 @@ pub fn of_rk4() -> Vec<Errors> {
     })
 }
 
-/// Of the exact motion after the same release: what is left when the method makes no error at all.
+/// The errors on the exact motion after the same release: those of the readings alone.
 pub fn of_the_exact_motion() -> Vec<Errors> {
     ladder(|motion, grid, observer| {
         for n in 0..grid.samples() {
@@ -55,7 +55,7 @@ pub fn of_the_exact_motion() -> Vec<Errors> {
     })
 }
 
-/// The errors on trajectories of a period and a half that `show` shows.
+/// The errors on trajectories of a period and a half that `show` passes to the observer.
 fn ladder(show: impl Fn(&Motion, &Grid, &mut dyn Observer<Phase>)) -> Vec<Errors> {
     let pendulum = Pendulum::PAPER;
     let motion = Motion::new(&pendulum, released(THETA_0)).expect("a finite start");

@@ -22,7 +22,7 @@ pub struct Row {
     pub errors: [Errors; 5],
 }
 
-/// What one run of the experiment is off by.
+/// The errors of one run of the experiment.
 #[derive(Clone, Copy, Debug)]
 pub struct Errors {
     /// Root-mean-square angle error against the small-angle formula θ₀ cos ω₀t (rad): the paper's.
@@ -41,7 +41,7 @@ pub fn run() -> Vec<Row> {
     })
 }
 
-/// Runs a method over `grid` and compares it with both.
+/// Runs a method over `grid` and compares it with the formula and the exact solution.
 pub fn errors(method: MethodRef, grid: &Grid) -> Errors {
     let pendulum = Pendulum::PAPER;
     let start = released(THETA_0);

@@ -1,9 +1,8 @@
-//! Orbits of the standard map, which is what symplectic Euler is when its step is large.
+//! Symplectic Euler as the standard map: its orbits at large steps.
 //!
 //! With u = hω (rad a step) and K = (g/L) h² a step of symplectic Euler is u' = u − K sin θ, θ' =
 //! θ + u' (Chirikov, *Physics Reports* 52 (1979) 263). The map does not change when θ or u grows by
-//! a full turn, so that an orbit on the whole of the phase plane can be looked at folded into one
-//! square.
+//! a full turn, so that an orbit on the whole of the phase plane can be folded into one square.
 
 use core::f64::consts::{PI, TAU};
 
@@ -17,21 +16,20 @@ use super::released;
 /// above.
 pub const PARAMETERS: [f64; 3] = [0.5, 0.97, 1.2];
 
-/// An orbit, and whether it got away.
+/// An orbit, and whether it escapes.
 #[derive(Clone, Debug)]
 pub struct Orbit {
     /// The points (θ, u) (rad, rad a step), each folded into [−π, π].
     pub points: Vec<(f64, f64)>,
-    /// Whether |u| passed 2π within [`STEPS`], where the picture begins again a full turn a step
-    /// faster.
+    /// Whether |u| exceeded 2π, a period of the map in u, within [`STEPS`].
     pub escapes: bool,
 }
 
-/// How long an orbit is followed. Of the orbits that start beside the upper equilibrium at K = 1.2,
-/// all have escaped by then.
+/// Steps of an orbit. All orbits that start beside the upper equilibrium at K = 1.2 escape within
+/// them.
 pub const STEPS: u64 = 60_000;
 
-/// Of so many points one is kept: a prime, so that no chain of islands is seen on one island only.
+/// One point in this many is kept: a prime, so that no chain of islands shows on one island only.
 const KEPT: u64 = 281;
 
 /// Orbits of symplectic Euler with the paper's pendulum, at the step that makes its map the one
@@ -40,13 +38,13 @@ pub fn orbits(k: f64) -> Vec<Orbit> {
     starts().into_iter().map(|start| orbit(k, start, |n| n.is_multiple_of(KEPT))).collect()
 }
 
-/// The golden mean's turns a step, (3 − √5)/2: the winding number of the last curve to break.
+/// The golden mean's winding number (turns a step), (3 − √5)/2: that of the last curve to break.
 const GOLDEN: f64 = 0.381_966_011_250_105_15;
 
-/// The orbit through θ = 0 with the golden mean's turns a step, from left to right: where it stays,
-/// it lies on the last curve to break (Greene, *J. Math. Phys.* 20 (1979) 1183).
+/// The orbit through θ = 0 with the golden mean's winding number, its points sorted by θ: if it
+/// does not escape, it lies on the last curve to break (Greene, *J. Math. Phys.* 20 (1979) 1183).
 ///
-/// The turns of an orbit grow with u, so that its start is found by bisection.
+/// The winding number of an orbit grows with its u, so that the start is found by bisection.
 pub fn golden(k: f64) -> Orbit {
     let wanted = GOLDEN * TAU * STEPS as f64;
     let grid = Grid::new(step(k), STEPS).expect("a positive step");
@@ -58,7 +56,8 @@ pub fn golden(k: f64) -> Orbit {
         let end = SymplecticEuler.end(&Pendulum::PAPER, start, &grid);
         *(if end.theta < wanted { &mut slow } else { &mut fast }) = u;
     }
-    // No points lie more evenly on a curve than the first so many of a golden mean.
+    // The points of a golden-mean orbit are spaced most evenly when their number is a Fibonacci
+    // number.
     let mut orbit = orbit(k, (0.0, 0.5 * (slow + fast)), |n| n < 233);
     orbit.points.sort_by(|a, b| a.0.total_cmp(&b.0));
     orbit
@@ -69,9 +68,9 @@ pub fn step(k: f64) -> f64 {
     libm::sqrt(k / Pendulum::PAPER.frequency_squared())
 }
 
-/// Fourteen through the stable equilibrium's column up to half a turn a step, in either direction,
-/// two about the islands of half a turn a step, and six within the chaotic layer, beside the upper
-/// equilibrium.
+/// Fourteen at θ = 0, through the stable equilibrium, up to half a turn a step in either
+/// direction; two about the islands of half a turn a step; and six within the chaotic layer, beside
+/// the upper equilibrium.
 fn starts() -> Vec<(f64, f64)> {
     let column = (1..=7).map(|j| 0.43 * f64::from(j));
     let islands = [2.6, 2.9].into_iter().map(|u| (PI, u));
@@ -94,7 +93,7 @@ fn orbit(k: f64, (theta, u): (f64, f64), kept: impl Fn(u64) -> bool) -> Orbit {
     orbit
 }
 
-/// The angle less whole turns, between −π and π.
+/// The angle minus whole turns, between −π and π.
 fn folded(angle: f64) -> f64 {
     angle - TAU * libm::rint(angle / TAU)
 }

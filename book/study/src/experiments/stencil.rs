@@ -1,7 +1,7 @@
-//! One step taken apart: what a method asks of the pendulum on its way, written down as it asks.
+//! The parts of one step: the rates, kicks and drifts that a method evaluates, recorded.
 //!
-//! Nothing here knows any method. The pendulum that it is given notes each rate, kick and drift, so
-//! that a drawing of the step is a drawing of the method's own code.
+//! Nothing here depends on a particular method. The pendulum passed to it records each rate, kick
+//! and drift, so that a drawing of the step shows what the method's own code does.
 
 use core::cell::RefCell;
 use core::ops::Add;
@@ -15,10 +15,10 @@ use pendula::{Pendulum, Phase};
 pub struct Stencil {
     /// Where the step ends.
     pub end: Phase,
-    /// The points at which the method asked for the rate of change, each with the answer, in order.
+    /// The points at which the method evaluated the rate of change, each with that rate, in order.
     pub slopes: Vec<(Phase, Phase)>,
-    /// The kicks and drifts that lead from the start to the end, in order. What was done for the
-    /// step after is left out.
+    /// The kicks and drifts that lead from the start to the end, in order. What was computed for
+    /// the next step is left out.
     pub parts: Vec<Part>,
 }
 
@@ -35,7 +35,7 @@ pub struct Part {
     pub to: Phase,
 }
 
-/// What moves a pendulum in parts.
+/// The two kinds of parts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// The force changes the velocity.
@@ -44,7 +44,7 @@ pub enum Kind {
     Drift,
 }
 
-/// Takes one step of `h` (s) from `start` with `method`, and notes its parts.
+/// Takes one step of `h` (s) from `start` with `method`, and records its parts.
 pub fn stencil<M>(method: &M, pendulum: &Pendulum, start: Phase, h: f64) -> Stencil
 where
     M: for<'a> Method<Noting<'a>>,
@@ -61,16 +61,16 @@ where
     Stencil { end: end.z, slopes: noting.slopes.into_inner(), parts }
 }
 
-/// A pendulum that notes what is asked of it.
+/// A pendulum that records its rates, kicks and drifts.
 #[derive(Debug)]
 pub struct Noting<'a> {
     pendulum: &'a Pendulum,
     slopes: RefCell<Vec<(Phase, Phase)>>,
-    /// Each part, and which one led to where it begins.
+    /// Each part, with the index of the part before it.
     parts: RefCell<Vec<(Part, Option<usize>)>>,
 }
 
-/// A state that knows which part of the step led to it.
+/// A state with the index of the part of the step that led to it.
 #[derive(Clone, Copy, Debug)]
 pub struct Noted {
     z: Phase,

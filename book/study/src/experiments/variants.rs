@@ -23,7 +23,7 @@ impl<S: Separable> Method<S> for DriftKick {
     fn start(&self, _system: &S, _t: f64, _h: f64, _z: S::State) {}
 
     #[inline(always)]
-    fn step(&self, system: &S, t: f64, h: f64, z: S::State, _memo: &mut ()) -> S::State {
+    fn step(&self, system: &S, t: f64, h: f64, z: S::State, _carry: &mut ()) -> S::State {
         let z = system.drift(z, h);
         system.kick(z, system.force(t + h, z), h)
     }
@@ -35,8 +35,8 @@ mod tests {
 
     use super::*;
 
-    /// Catches: the force at the beginning of the step, which no system without time can tell; an
-    /// entry under another's name.
+    /// Catches: the force at the time of the step's beginning, which shows only on a system that
+    /// depends on time; an entry under another method's name.
     #[test]
     fn the_kick_follows_the_drift_in_place_and_time() {
         let damped = Damped::new(Pendulum::PAPER, 0.0).unwrap();

@@ -1,4 +1,4 @@
-//! From rows to what is read: tables and figures.
+//! Rows as tables and figures.
 
 pub mod figures;
 pub mod table;

@@ -90,8 +90,8 @@ mod tests {
         table
     }
 
-    /// Catches: columns that do not stand under one another, a rule of another width, blanks at the
-    /// end of a line.
+    /// Catches: columns that are not aligned, a rule of another width, blanks at the end of a
+    /// line.
     #[test]
     fn text_stands_in_columns() {
         let expected = "Method              h  why\n\

@@ -1,4 +1,4 @@
-//! The paper's tables, stated and measured, as the ledger has them.
+//! The paper's tables, stated and measured, from the ledger.
 
 use pendula::metrics::order::slopes;
 
@@ -60,7 +60,7 @@ pub fn table(ledger: &Ledger, number: u32) -> Option<Table> {
 /// decimal of a slope: one cell of Table 4, RK4's at the finest step, 3.2e-12 ± 10 %.
 const ENERGY_FLOOR: f64 = 1e-11;
 
-/// The slopes of Table 4: of the energy error, between each two neighbouring steps.
+/// The slopes of Table 4's energy errors between neighbouring steps.
 pub fn energy_slopes(study: &Study) -> Table {
     let columns = STEPS.windows(2).map(|h| format!("{} → {} s", h[0], h[1]));
     let mut table = Table::new(["Method".to_string()].into_iter().chain(columns));
@@ -86,7 +86,7 @@ pub fn state_slopes(study: &Study) -> Table {
     table
 }
 
-/// Every method of the library: what was measured of it, and not what it declares.
+/// Every method of the library with its measured properties, not the declared ones.
 pub fn methods(study: &Study) -> Table {
     let header =
         ["Method", "order", "symplectic", "evaluations a step", "ΔH over 1000 s (J)", "energy"];
@@ -105,7 +105,7 @@ pub fn methods(study: &Study) -> Table {
     table
 }
 
-/// The slope at the fine end of the ladder, and how uncertain it is where that shows.
+/// The slope at the fine end of the ladder, with its uncertainty where that exceeds ½.
 fn observed_order(row: &crate::experiments::characteristics::Row) -> String {
     match row.ladder.slopes_and_windows().last() {
         Some((slope, window)) if window > 0.5 => {
@@ -115,7 +115,7 @@ fn observed_order(row: &crate::experiments::characteristics::Row) -> String {
     }
 }
 
-/// A long run's energy error (J) to two digits, or that it is made of rounding.
+/// A long run's energy error (J) to two digits, or "rounding" where it is no larger than that.
 fn below_rounding(drift: f64) -> String {
     if drift < ROUNDING { "rounding".to_string() } else { Scientific(2).print(drift) }
 }
@@ -223,9 +223,8 @@ fn by_quantity(ledger: &Ledger, number: u32) -> Table {
     table
 }
 
-/// The measured value; a ≠ before it where it contradicts what is stated. Where it does not there
-/// is room for one, so that a cell that begins to contradict moves its own row and not the width of
-/// the table.
+/// The measured value, after a ≠ where it contradicts what is stated and after a blank elsewhere,
+/// so that a cell whose mark changes does not change the width of the table.
 fn marked(claim: &Claim) -> String {
     let mark = if claim.holds() == Some(false) { '≠' } else { ' ' };
     format!("{mark} {}", claim.measured_text())

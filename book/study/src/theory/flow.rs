@@ -6,10 +6,10 @@ const COLUMNS: usize = 4;
 /// The state a time `step` after `z` along ż = `rate`(z): the midpoint rule with 2, 4, 6 and 8
 /// substeps, extrapolated to infinitely many.
 ///
-/// Gragg's method: the error of the midpoint rule after an even number of substeps goes in even
-/// powers of their length, so that each column of the Aitken–Neville table removes two (Hairer,
-/// Nørsett, Wanner, *Solving Ordinary Differential Equations I* (1993), Sect. II.9). A step that
-/// turns the pendulum by 0.3 rad errs by 1e-10.
+/// Gragg's method: the error of the midpoint rule after an even number of substeps is a series in
+/// even powers of their length, so that each column of the Aitken–Neville table raises the order by
+/// two (Hairer, Nørsett, Wanner, *Solving Ordinary Differential Equations I* (1993), Sect. II.9). A
+/// step that turns the pendulum by 0.3 rad errs by 1e-10.
 pub(super) fn flow<const N: usize>(
     rate: impl Fn([f64; N]) -> [f64; N],
     z: [f64; N],

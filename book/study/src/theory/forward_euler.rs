@@ -1,4 +1,4 @@
-//! Forward Euler: the equation it follows, and the regimes it passes through on its way up.
+//! Forward Euler: the equation it follows, and the regimes it passes through as its energy grows.
 //!
 //! A step z + x f(z), f = (q, −s), is to order x⁵ the flow over the time x of
 //!
@@ -7,7 +7,7 @@
 //! (Hairer, Lubich, Wanner, Sect. IX.1, where the recursion is; it was carried out in exact
 //! rational arithmetic). The series is asymptotic: at x = 0.3 its eighth term makes Table 4 worse.
 //! Where the pendulum rotates fast, the terms of highest power in q are Bernoulli numbers over
-//! factorials, and it converges while a step turns the pendulum by less than a full turn.
+//! factorials, and the series converges while a step turns the pendulum by less than a full turn.
 
 use pendula::Pendulum;
 use pendula::arithmetic::sine::{cos, sin};
@@ -41,8 +41,8 @@ pub fn modified_equation_terms(z: Dimensionless) -> [[f64; 6]; 2] {
 }
 // ANCHOR_END: modified_equation
 
-/// The points that forward Euler visits from rest at `theta_0` (rad), by its modified equation and
-/// without a step of it: at the times 0, h, 2h, … with the step `h` (s).
+/// The points that forward Euler visits from rest at `theta_0` (rad), computed from its modified
+/// equation, at the times 0, h, 2h, … with the step `h` (s).
 pub fn trajectory(
     pendulum: &Pendulum,
     theta_0: f64,
@@ -93,14 +93,13 @@ pub fn swinging_rate(pendulum: &Pendulum, theta_0: f64, h: f64) -> f64 {
 }
 
 /// Rotating: the mean rate at which energy is gained (W) at the angular velocity `spin` (rad/s), to
-/// leading order in (ω₀/Ω)²: dE/dt = m L² (ω₀⁴h/2) (a/2) cot(a/2), where a = Ωh is the turn of a
-/// step.
+/// leading order in (ω₀/Ω)²: dE/dt = m L² (ω₀⁴h/2) (a/2) cot(a/2), where a = Ωh is the angle
+/// turned in a step.
 ///
 /// A kick δω = −hω₀² sin θ changes ω²/2 by ω δω + δω²/2. On θₙ = na sums of kicks are geometric: ω
-/// ripples about Ω by hω₀² cos(θ − a/2)/(2 sin(a/2)), which takes from ⟨ω δω⟩ just what ⟨δω²⟩/2
-/// gives; θ ripples by h²ω₀² sin(θ − a)/(4 sin²(a/2)), which leaves Ω⟨δω⟩ = (h²ω₀⁴/4) a cot(a/2).
-/// For small a the rate is ω₀⁴h/2; at a = π, half a turn a step, it vanishes: there forward Euler
-/// locks.
+/// ripples about Ω by hω₀² cos(θ − a/2)/(2 sin(a/2)), whose part of ⟨ω δω⟩ cancels ⟨δω²⟩/2; θ
+/// ripples by h²ω₀² sin(θ − a)/(4 sin²(a/2)), which leaves Ω⟨δω⟩ = (h²ω₀⁴/4) a cot(a/2). For small
+/// a the rate is ω₀⁴h/2; at a = π, half a turn a step, it vanishes: there forward Euler locks.
 pub fn rotating_rate(pendulum: &Pendulum, spin: f64, h: f64) -> f64 {
     let a = spin * h;
     let half = 0.5 * a;

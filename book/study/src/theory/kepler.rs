@@ -1,22 +1,22 @@
-//! How Störmer–Verlet turns a planet's ellipse.
+//! The precession of a Kepler ellipse under Störmer–Verlet.
 //!
-//! In velocity form it keeps H + h² (v·V″v/12 − |V′|²/24) + O(h⁴) of a particle of unit mass
-//! (Hairer, Lubich, Wanner (2006), Ch. IX), here with V = −μ/r. On an ellipse of energy E = −μ/2a
-//! and angular momentum l that correction is
+//! In velocity form the method conserves H + h² (v·V″v/12 − |V′|²/24) + O(h⁴) for a particle of
+//! unit mass (Hairer, Lubich, Wanner (2006), Ch. IX), here with V = −μ/r. On an ellipse of energy
+//! E = −μ/2a and angular momentum l that correction is
 //!
 //! h² \[−μE/(3r³) − 3μ²/(8r⁴) + μl²/(4r⁵)\],
 //!
 //! and its mean over a revolution, with η = √(1 − e²), is h² (μ²/a⁴) (3η⁻⁵ − η⁻³)/48. The
-//! pericentre turns at the rate of its derivative by l = η √(μa) with a held: first-order
-//! perturbation theory in Delaunay's variables.
+//! pericentre turns at the rate of the derivative of this mean with respect to l = η √(μa) at
+//! constant a: first-order perturbation theory in Delaunay's variables.
 
 use core::f64::consts::PI;
 
 use pendula::systems::Ellipse;
 
 // ANCHOR: precession
-/// By how much Störmer–Verlet with the `step` h (s) turns the pericentre in a revolution (rad):
-/// −(π/8)(nh)² (4 + e²)/(1 − e²)³, against the motion, off by O(h⁴).
+/// The angle (rad) by which Störmer–Verlet with the `step` h (s) turns the pericentre in a
+/// revolution: −(π/8)(nh)² (4 + e²)/(1 − e²)³ + O(h⁴), against the motion.
 pub fn verlet_precession(ellipse: &Ellipse, step: f64) -> f64 {
     let x = ellipse.mean_motion() * step;
     let square = ellipse.eccentricity() * ellipse.eccentricity();

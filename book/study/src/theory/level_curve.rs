@@ -1,13 +1,13 @@
-//! The level curve of the energy that a symplectic method conserves, and how far the pendulum's
-//! energy strays along it.
+//! The level curve of the energy that a symplectic method conserves, and the largest deviation of
+//! the pendulum's energy along it.
 //!
-//! The curve H̃ = H̃₀ through the release from rest at some angle is sought in coordinates in which
-//! H is one of the two: with H = 2κ²,
+//! The curve H̃ = H̃₀ through a release from rest is computed in the coordinates (H, φ), with H =
+//! 2κ²,
 //!
 //! sin(θ/2) = κ sin φ,  q = 2κ cos φ.
 //!
-//! At each φ the energy is the fixed point of H = H̃₀ − (H̃ − H), found in a dozen rounds as the
-//! correction is small. A curve that leaves the well has no such points, and the answer is NaN.
+//! At each φ the energy is the fixed point of H = H̃₀ − (H̃ − H), reached in a dozen iterations as
+//! the correction is small. For a curve that leaves the well the result is NaN.
 
 use pendula::arithmetic::sine::{cos, sin};
 
@@ -20,8 +20,8 @@ pub(super) fn largest_energy_error(theta_0: f64, correction: impl Fn(Dimensionle
     maximum(|phi| libm::fabs(deviation(phi)))
 }
 
-/// The curve through the release from rest at `theta_0` (rad), as `count` points at even phases and
-/// the first once more.
+/// The curve through the release from rest at `theta_0` (rad), as `count` points at evenly spaced
+/// phases, the first repeated at the end.
 pub(super) fn points(
     theta_0: f64,
     correction: impl Fn(Dimensionless) -> f64,
@@ -37,7 +37,7 @@ pub(super) fn points(
 
 /// H − H₀ on the curve, as a function of the phase (rad).
 fn deviation(theta_0: f64, correction: impl Fn(Dimensionless) -> f64) -> impl Fn(f64) -> f64 {
-    /// Enough for corrections whose slope is below ½.
+    /// Enough for corrections with a slope below ½ in H: an iteration gains a bit.
     const ROUNDS: usize = 60;
     let start = Dimensionless::new(theta_0, 0.0);
     let (energy, offset) = (start.energy(), correction(start));
@@ -61,12 +61,13 @@ fn swinging(energy: f64, phi: f64) -> Dimensionless {
     Dimensionless::new(2.0 * libm::asin(kappa * sine), 2.0 * kappa * cosine)
 }
 
-/// The largest value of a smooth function of period 2π: the best of a coarse grid, then golden
-/// sections around it.
+/// The largest value of a smooth function of period 2π: the best of a coarse grid, then a
+/// golden-section search around it.
 fn maximum(f: impl Fn(f64) -> f64) -> f64 {
-    /// A third of the distance between neighbouring extrema of a harmonic of order 20.
+    /// The spacing is a third of the distance between neighbouring extrema of a harmonic of
+    /// order 20.
     const GRID: u32 = 128;
-    /// 0.618³⁸ of the bracket is the root of the rounding, beyond which a maximum is flat.
+    /// 0.618³⁸ of the bracket is below √ε, within which a maximum is flat.
     const SECTIONS: usize = 38;
     let spacing = 2.0 * core::f64::consts::PI / f64::from(GRID);
     let best = (0..GRID)
@@ -90,10 +91,9 @@ fn maximum(f: impl Fn(f64) -> f64) -> f64 {
 mod tests {
     use super::*;
 
-    /// Of six maxima the highest is found, and to the root of the rounding: there a maximum is
-    /// flat.
+    /// The highest of six maxima is found, to rounding.
     ///
-    /// Catches: a grid that misses it, a bracket that is not around it.
+    /// Catches: a grid that misses it, a bracket that does not contain it.
     #[test]
     fn the_highest_of_many_maxima_is_found() {
         for shift in [0.1, 1.3, 2.9, 4.4, 6.1] {

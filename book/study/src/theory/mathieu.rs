@@ -1,4 +1,4 @@
-//! Where Mathieu's equation y″ + (a − 2q cos 2τ) y = 0 turns from stable to unstable.
+//! The stability boundaries of Mathieu's equation y″ + (a − 2q cos 2τ) y = 0.
 //!
 //! On the boundaries it has a periodic solution. The coefficients of that solution's Fourier series
 //! obey three-term recurrences (DLMF 28.4), so that a is an eigenvalue of a symmetric tridiagonal
@@ -12,7 +12,8 @@ const ROWS: usize = 16;
 /// without bound.
 pub fn a0(q: f64) -> f64 {
     let diagonal = |k: usize| (4 * k * k) as f64;
-    // The constant term of the series counts double, which √2 makes symmetric.
+    // The recurrence has a factor 2 at the constant term; scaling that term by √2 makes the matrix
+    // symmetric.
     let squares = |k: usize| if k == 1 { 2.0 * q * q } else { q * q };
     smallest_eigenvalue(diagonal, squares)
 }
@@ -24,8 +25,9 @@ pub fn b1(q: f64) -> f64 {
     smallest_eigenvalue(diagonal, |_| q * q)
 }
 
-/// Of the symmetric tridiagonal matrix with this diagonal and these squares beside it, by
-/// bisection: below the eigenvalue all pivots of the elimination are positive (Sturm).
+/// The smallest eigenvalue of the symmetric tridiagonal matrix with this diagonal and these
+/// squares of the off-diagonal elements, by bisection: below it all pivots of the elimination are
+/// positive (Sturm).
 fn smallest_eigenvalue(diagonal: impl Fn(usize) -> f64, squares: impl Fn(usize) -> f64) -> f64 {
     let is_below = |x: f64| {
         let mut pivot = diagonal(0) - x;
@@ -37,8 +39,8 @@ fn smallest_eigenvalue(diagonal: impl Fn(usize) -> f64, squares: impl Fn(usize) 
         }
         pivot > 0.0
     };
-    // Not above the first diagonal element; and not below it by more than all that stands beside
-    // the diagonal.
+    // At most the first diagonal element, and at least that less the off-diagonal elements √s of a
+    // row (Gershgorin), where √s ≤ ½ + ½s.
     let (mut low, mut high) = (diagonal(0) - 2.0 * (squares(1) + squares(2)) - 1.0, diagonal(0));
     loop {
         let middle = 0.5 * (low + high);

@@ -1,5 +1,5 @@
-//! How much the methods of order two change the period: T̃/T = 1 + h²τ₂ + O(h⁴), for every
-//! amplitude.
+//! How much Störmer–Verlet and symplectic Euler change the period: T̃/T = 1 + h²τ₂ + O(h⁴), for
+//! every amplitude.
 //!
 //! A perturbation H + h²H₂ changes the action J(E) = ∮ω dθ by −h²∮H₂dt at the same energy, and so
 //! the period dJ/dE. For Störmer–Verlet x²H₂ = x²(q²c/12 − s²/24), and ∮q²c dt = ∮s²dt since

@@ -1,10 +1,10 @@
-//! The point in phase space, without dimensions.
+//! Dimensionless points in phase space.
 
 use pendula::arithmetic::sine::{cos, sin};
 use pendula::{Pendulum, Phase};
 
-/// A point in phase space without dimensions, with the sine and cosine that all the formulas are
-/// written in.
+/// A dimensionless point in phase space, with the sine and cosine in which all the formulas are
+/// written.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dimensionless {
     /// θ (rad).

@@ -1,11 +1,11 @@
 //! RK4: the energy that a step loses, and the equation it follows.
 //!
-//! RK4 conserves no energy. One step changes the pendulum's by H(n+1) − H(n) = x⁵e₅ + x⁶e₆ + …, the
-//! Taylor series of H(step(z)) − H(z) in x, expanded in exact rational arithmetic. The lower powers
-//! vanish, as the method is of order 4. Odd in q, e₅ and e₇ cancel over a swing and leave a bounded
-//! oscillation of order h⁴; e₆ and e₈ add up. So the secular energy error is of order h⁵, one
-//! better than the angle's. Backward error analysis of Runge–Kutta methods: Hairer, Lubich, Wanner,
-//! Sect. IX.1–2.
+//! RK4 conserves no energy. One step changes the pendulum's energy by H(n+1) − H(n) = x⁵e₅ +
+//! x⁶e₆ + …, the Taylor series of H(step(z)) − H(z) in x, expanded in exact rational arithmetic.
+//! The lower powers vanish, as the method is of order 4. e₅ and e₇ are odd in q: they cancel over
+//! a swing and leave a bounded oscillation of order h⁴; e₆ and e₈ add up. So the secular energy
+//! error is of order h⁵, one better than the angle's. Backward error analysis of Runge–Kutta
+//! methods: Hairer, Lubich, Wanner, Sect. IX.1–2.
 
 use pendula::exact::Motion;
 use pendula::verify::error_constant;
@@ -46,7 +46,7 @@ fn energy_change(z: Dimensionless, x: f64) -> f64 {
 /// Largest energy error (J) of a release from rest at `theta_0` (rad) over `steps` steps of `h`
 /// (s): the sum of the changes of the single steps along the exact orbit.
 ///
-/// That the method strays from that orbit changes the sum, relatively, by about as much as the
+/// The method's deviation from that orbit changes the sum, relatively, by about as much as the
 /// energy.
 pub fn largest_energy_error(pendulum: &Pendulum, theta_0: f64, h: f64, steps: u64) -> f64 {
     let Ok(motion) = Motion::new(pendulum, Phase::at_rest(theta_0)) else {
@@ -62,7 +62,7 @@ pub fn largest_energy_error(pendulum: &Pendulum, theta_0: f64, h: f64, steps: u6
 }
 
 /// The terms ⟨e₆⟩ and ⟨e₈⟩ of the secular change of energy, averaged over the exact swing from rest
-/// at `theta_0` (rad), in units of m g L. The odd ones average to nothing.
+/// at `theta_0` (rad), in units of m g L. The odd ones average to zero.
 pub fn secular_terms(pendulum: &Pendulum, theta_0: f64) -> [f64; 2] {
     let mean = |k: usize| average(pendulum, theta_0, |z| energy_change_terms(z)[k]);
     [mean(1), mean(3)]
@@ -87,11 +87,11 @@ pub fn leading_correction(z: Dimensionless) -> [f64; 2] {
 /// h⁴ τ₄ + O(h⁵).
 ///
 /// To first order the perturbed orbit is z + x⁴δ with δ' = J(z)δ + f₄(z), J the Jacobian of the
-/// pendulum's equation. It comes to the bottom late by −δθ/q. RK4's even corrections are reversible
-/// in time, as the pendulum is, so that four such quarters make a period (Hairer, Lubich, Wanner,
-/// Sect. V.1, IX.2).
+/// pendulum's equation. It reaches the bottom late by the time −δθ/q. RK4's even corrections are
+/// reversible in time, as the pendulum is, so that four such quarters make a period (Hairer,
+/// Lubich, Wanner, Sect. V.1, IX.2).
 pub fn period_shift(pendulum: &Pendulum, theta_0: f64) -> f64 {
-    /// Even near the top, a step of the solver is then short of 0.02 rad: it errs by rounding.
+    /// Even near the top a step of the solver is then below 0.02 rad, and its error is rounding.
     const STEPS: u32 = 1000;
     let Ok(period) = pendula::exact::period(pendulum, theta_0) else {
         return f64::NAN;
@@ -114,14 +114,14 @@ pub fn period_shift(pendulum: &Pendulum, theta_0: f64) -> f64 {
     frequency_squared * frequency_squared * (-delta_theta / q / quarter)
 }
 
-/// The two terms of what RK4 adds to the period (s), from rest at `theta_0` (rad) in steps of `h`
-/// (s), as seen between the first two downward crossings of zero: h⁴τ₄T, and dT/dE times the energy
-/// lost until the middle between them, 3T/4. They are of opposite sign, and at some step they
+/// The two terms of RK4's period error (s), from rest at `theta_0` (rad) in steps of `h` (s),
+/// measured between the first two downward crossings of zero: h⁴τ₄T, and dT/dE times the energy
+/// lost by the middle between them, at 3T/4. They have opposite signs, and at some step they
 /// cancel.
 ///
 /// Left out are the square of the loss, and x² of each term.
 pub fn period_error_terms(pendulum: &Pendulum, theta_0: f64, h: f64) -> [f64; 2] {
-    /// A central difference: its error is δ² of the slope, or ε/δ.
+    /// For a central difference, whose relative error is of order δ² or ε/δ.
     const DELTA: f64 = 1e-5;
     let period = |theta| pendula::exact::period(pendulum, theta).unwrap_or(f64::NAN);
     let exact = period(theta_0);

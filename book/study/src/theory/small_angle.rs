@@ -1,14 +1,14 @@
-//! The small swing of Table 6: what the angle of each method is off by against θ₀ cos ω₀t.
+//! The small swing of Table 6: the error of each method's angle against θ₀ cos ω₀t.
 //!
-//! Two errors meet. The method has the wrong phase even on the linear oscillator, and the formula
-//! knows nothing of the longer period of a real pendulum. To leading order e(t) = (c₁t + c₀) sin
-//! ω₀t: c₁ is θ₀ω₀(θ₀²/16 − x²/24) for Störmer–Verlet and symplectic Euler and θ₀ω₀(θ₀²/16 +
-//! x⁴/120) for RK4; c₀ is −θ₀x/2 for symplectic Euler and else 0.
+//! Two errors add. The method has the wrong phase even on the linear oscillator, and the formula
+//! ignores the longer period of the pendulum. To leading order e(t) = (c₁t + c₀) sin ω₀t: c₁ is
+//! θ₀ω₀(θ₀²/16 − x²/24) for Störmer–Verlet and symplectic Euler and θ₀ω₀(θ₀²/16 + x⁴/120) for RK4;
+//! c₀ is −θ₀x/2 for symplectic Euler and 0 for the others.
 //!
-//! What is summed here keeps the whole linear recurrence. On the linear oscillator every method
-//! multiplies a complex amplitude by ρ e^{iφ} each step; the pendulum slows φ by the factor 1 −
-//! A²/16 at the amplitude A, and bends the cosine by a third harmonic (Landau & Lifshitz,
-//! *Mechanics* (1976), §28):
+//! The sums here use the whole linear recurrence. On the linear oscillator every method multiplies
+//! a complex amplitude by ρ e^{iφ} each step; the pendulum slows φ by the factor 1 − A²/16 at the
+//! amplitude A, and bends the cosine by a third harmonic (Landau & Lifshitz, *Mechanics* (1976),
+//! §28):
 //!
 //! θ = A cos Φ − (A³/192) (cos 3Φ − cos Φ).
 
@@ -66,7 +66,7 @@ impl LinearRecurrence {
     /// The angles (rad) from rest at `theta_0` (rad), step by step, on the pendulum to order θ₀³.
     pub fn angles(self, theta_0: f64) -> impl Iterator<Item = f64> {
         let mut amplitude = theta_0 / cos(self.lag);
-        // The lag is a piece of a step's advance, and the pendulum slows it like the rest.
+        // The lag is part of a step's advance, and the pendulum slows it too.
         let mut phase = self.lag * slowed(amplitude);
         core::iter::from_fn(move || {
             let bend = amplitude * amplitude / 192.0;
@@ -83,8 +83,8 @@ fn slowed(amplitude: f64) -> f64 {
     1.0 - amplitude * amplitude / 16.0
 }
 
-/// Root mean square over the N + 1 samples of the first `steps` steps of `h` (s), and largest
-/// value, of what `angles` (rad) are off by against θ₀ cos ω₀t (rad).
+/// Root mean square, over the N + 1 samples of the first `steps` steps of `h` (s), and largest
+/// value of the error of `angles` (rad) against θ₀ cos ω₀t (rad).
 pub fn errors(
     pendulum: &Pendulum,
     theta_0: f64,
@@ -110,8 +110,8 @@ pub fn floor(pendulum: &Pendulum, theta_0: f64, duration: f64) -> f64 {
 }
 
 /// The root mean square (rad) of Störmer–Verlet's own error, against the pendulum it integrates,
-/// after the time `duration` (s): θ₀ω₀t x²/(24√6) with the step `h` (s). Its phase runs ahead by
-/// x²/24 of itself, as the formula's does by θ₀²/16.
+/// after the time `duration` (s): θ₀ω₀t x²/(24√6) with the step `h` (s). Its phase is ahead by the
+/// fraction x²/24, as the formula's is by θ₀²/16.
 pub fn own_error_of_stormer_verlet(
     pendulum: &Pendulum,
     theta_0: f64,

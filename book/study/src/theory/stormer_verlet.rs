@@ -1,15 +1,15 @@
-//! Störmer–Verlet: the energy it conserves, and how far the pendulum's strays.
+//! Störmer–Verlet: the energy it conserves, and the error of the pendulum's energy.
 //!
-//! Half a kick, a drift, half a kick: that is symplectic Euler seen from half a kick away, and the
-//! position form, half a drift, a kick, half a drift, is symplectic Euler seen from half a drift
-//! away. In operators, with K for a kick and D for a drift, each of half a step,
+//! The velocity form (half a kick, a drift, half a kick) is conjugate to symplectic Euler by half
+//! a kick, and the position form (half a drift, a kick, half a drift) by half a drift. In
+//! operators, with K for a kick and D for a drift, each of half a step,
 //!
 //! K DD K = K⁻¹ (KK first, then DD) K,  D KK D = D (KK first, then DD) D⁻¹,
 //!
-//! where the step written last is taken last. So all three conserve the same H̃, each at its own
-//! point, and Verlet's needs no polynomials of its own; seen from there the odd powers of h cancel,
-//! as they must for a symmetric method. Hairer, Lubich, Wanner, Sect. VI.3 (conjugacy), IX.2
-//! (symmetric methods), Example IX.3.4.
+//! where the step written last is taken last. So all three conserve the same H̃, each at its
+//! conjugate point, and no further polynomials are needed; in the coordinates of either Verlet form
+//! the odd powers of h cancel, as they must for a symmetric method. Hairer, Lubich, Wanner, Sect.
+//! VI.3 (conjugacy), IX.2 (symmetric methods), Example IX.3.4.
 
 use pendula::arithmetic::sine::{cos, sin};
 use pendula::{Pendulum, Phase};
@@ -19,10 +19,10 @@ use super::{Dimensionless, level_curve, scaled, symplectic_euler};
 /// H̃ − H of the velocity form (kick–drift–kick) at `z`, to order x⁷, in units of m g L:
 /// x²(q²c/12 − s²/24) + x⁴(q⁴c/720 + q²(3c² − 1)/120 − c s²/240) + ….
 pub fn correction(z: Dimensionless, x: f64) -> f64 {
-    // Half a step before symplectic Euler's kick.
+    // The conjugate point: half a kick back.
     let shift = 0.5 * x * z.s;
     let kicked = Dimensionless { q: z.q + shift, ..z };
-    // H there less H here, without subtracting two large numbers.
+    // H there minus H here, without cancellation.
     shift * (z.q + 0.5 * shift) + symplectic_euler::correction(kicked, x)
 }
 
@@ -34,16 +34,16 @@ pub fn correction_of_position_form(z: Dimensionless, x: f64) -> f64 {
 }
 
 /// Largest energy error (J) of the velocity form from rest at `theta_0` (rad) with the step `h`
-/// (s), on the level curve of H̃ to order h⁷. Below 1 rad the [closed form](energy_error) is
-/// closer: all that it leaves out is of third order in 1 − c₀.
+/// (s), on the level curve of H̃ to order h⁷. Below 1 rad the [closed form](energy_error) is more
+/// accurate: what it leaves out is of third order in 1 − c₀.
 pub fn largest_energy_error(pendulum: &Pendulum, theta_0: f64, h: f64) -> f64 {
     let x = scaled(pendulum, h);
     pendulum.depth() * level_curve::largest_energy_error(theta_0, |z| correction(z, x))
 }
 
 /// The level curve of H̃ of the velocity form, to order h⁷, through a release from rest at
-/// `theta_0` (rad) with the step `h` (s): `count` points in phase space and the first once more.
-/// NaN where the curve leaves the well.
+/// `theta_0` (rad) with the step `h` (s): `count` points in phase space, the first repeated at the
+/// end. NaN where the curve leaves the well.
 pub fn level_curve(
     pendulum: &Pendulum,
     theta_0: f64,
@@ -56,11 +56,12 @@ pub fn level_curve(
 }
 
 // ANCHOR: closed_form
-/// The same in closed form (J), m g L (1 − c₀) [x²(5 + c₀)/24 + x⁴(1 − c₀)²/240].
+/// The largest energy error of the velocity form in closed form (J), m g L (1 − c₀) [x²(5 +
+/// c₀)/24 + x⁴(1 − c₀)²/240].
 ///
 /// On the exact orbit q² = 2(c − c₀), so that to order h² H − H₀ = −(x²/24)(5c + c₀)(c − c₀). Its
-/// size is largest at the bottom, c = 1, for every θ₀. There H̃ = H̃₀ is an equation for q² alone;
-/// solved to the next order it gives x⁴, and after that x⁶(1 − c₀)²(100 + 33c₀)/30240.
+/// magnitude is largest at the bottom, c = 1, for every θ₀. There H̃ = H̃₀ is an equation for q²
+/// alone; solved to the next order it gives x⁴, and after that x⁶(1 − c₀)²(100 + 33c₀)/30240.
 pub fn energy_error(pendulum: &Pendulum, theta_0: f64, h: f64) -> f64 {
     let (x, c0) = (scaled(pendulum, h), cos(theta_0));
     let (x2, fall) = (x * x, versine(theta_0));
@@ -71,7 +72,7 @@ pub fn energy_error(pendulum: &Pendulum, theta_0: f64, h: f64) -> f64 {
 /// The position form's largest energy error in closed form (J), m g L (1 − c₀) [x²(2 + c₀)/12 +
 /// x⁴(13 + 9c₀ + 8c₀²)/480].
 ///
-/// There H − H₀ = (x²/12)(2c + c₀)(c − c₀), and the reasoning is the same.
+/// It follows in the same way from H − H₀ = (x²/12)(2c + c₀)(c − c₀).
 pub fn energy_error_of_position_form(pendulum: &Pendulum, theta_0: f64, h: f64) -> f64 {
     let (x, c0) = (scaled(pendulum, h), cos(theta_0));
     let (x2, fall) = (x * x, versine(theta_0));

@@ -1,4 +1,5 @@
-//! Symplectic Euler, kick then drift: the energy it conserves, and how far the pendulum's strays.
+//! Symplectic Euler, kick then drift: the energy it conserves, and the error of the pendulum's
+//! energy.
 //!
 //! A step is exp(xD_V) exp(xD_T), the kick and the drift as flows of V = −c and T = q²/2. By the
 //! Baker–Campbell–Hausdorff formula it is exp(xD_H̃) with
@@ -10,8 +11,8 @@
 //!
 //! The brackets up to x⁷ were expanded in exact rational arithmetic with Varadarajan's recursion
 //! for the formula (ibid., Eq. III.4.11; *Lie Groups, Lie Algebras, and Their Representations*
-//! (1984), Sect. 2.15). That the odd powers vanish in the coordinates of Störmer–Verlet, which is
-//! symmetric, ties each odd term to the even ones before it.
+//! (1984), Sect. 2.15). In the coordinates of Störmer–Verlet, which is symmetric, the odd powers
+//! vanish: so each odd term follows from the even ones before it.
 
 use pendula::arithmetic::sine::cos;
 use pendula::{Pendulum, Phase};
@@ -45,16 +46,15 @@ pub fn correction(z: Dimensionless, x: f64) -> f64 {
 }
 
 /// Largest energy error (J) of a swing released from rest at `theta_0` (rad), with the step `h`
-/// (s): the maximum of
-/// |H − H₀| on the level curve of H̃, to order h⁷.
+/// (s): the maximum of |H − H₀| on the level curve of H̃, to order h⁷.
 pub fn largest_energy_error(pendulum: &Pendulum, theta_0: f64, h: f64) -> f64 {
     let x = scaled(pendulum, h);
     pendulum.depth() * level_curve::largest_energy_error(theta_0, |z| correction(z, x))
 }
 
 /// The level curve of H̃, to order h⁷, through a release from rest at `theta_0` (rad) with the step
-/// `h` (s): `count` points in phase space and the first once more. NaN where the curve leaves the
-/// well.
+/// `h` (s): `count` points in phase space, the first repeated at the end. NaN where the curve
+/// leaves the well.
 pub fn level_curve(
     pendulum: &Pendulum,
     theta_0: f64,
@@ -66,12 +66,12 @@ pub fn level_curve(
     points.map(|z| z.phase(pendulum))
 }
 
-/// The same in two terms, A₁h + A₂h² (J), as the pair [A₁ (J/s), A₂ (J/s²)].
+/// The largest energy error in two terms, A₁h + A₂h² (J), as the pair [A₁ (J/s), A₂ (J/s²)].
 ///
 /// To first order H − H₀ = x q s/2 on the exact orbit, where q² = 2(c − c₀). It is largest where (1
-/// − c²)(c − c₀) is: at c* = (c₀ + √(c₀² + 3))/3. The second order adds, at c*, what H₂ and its
-/// value at the start differ by, and q²'s own change by 2(H − H₀); the shift of the maximum itself
-/// is of third order.
+/// − c²)(c − c₀) is: at c* = (c₀ + √(c₀² + 3))/3. The second order adds, at c*, the difference of
+/// H₂ from its value at the start, and the change of q² by 2(H − H₀); the effect of the maximum's
+/// shift is of third order.
 pub fn energy_error_coefficients(pendulum: &Pendulum, theta_0: f64) -> [f64; 2] {
     let c0 = cos(theta_0);
     let c = (c0 + libm::sqrt(c0 * c0 + 3.0)) / 3.0;

@@ -1,8 +1,7 @@
 //! The tests' sources as pages of the book, so that a chapter's links to them work offline and
-//! cannot rot.
+//! cannot break.
 //!
-//! [`scan`] finds the tests in a file, [`page`] makes its page, and [`Tests`] is what links are
-//! looked up in.
+//! [`scan`] finds the tests in a file, [`page`] makes its page, and [`Tests`] resolves links.
 
 use std::fs;
 use std::path::Path;
@@ -61,7 +60,7 @@ impl Tests {
             let tests =
                 scan::tests(&source).with_context(|| format!("tests/{name}.rs is not Rust"))?;
             for (at, test) in tests.iter().enumerate() {
-                // The name is the id that links lead to.
+                // The name is the id that links point to.
                 ensure!(
                     tests[..at].iter().all(|earlier| earlier.name != test.name),
                     "tests/{name}.rs has two tests called {}: a link could mean either",
@@ -79,11 +78,10 @@ impl Tests {
     }
 
     /// File and function of a test cited as `file::function`, as `cargo test` prints it; the name
-    /// of its program may stand before that, as `program::file::function` or
-    /// `program/file::function`.
+    /// of its program may precede it, as `program::file::function` or `program/file::function`.
     ///
     /// # Errors
-    /// When there is none: says what there is.
+    /// When there is none; the error lists those there are.
     pub fn find(&self, cited: &str) -> Result<(&str, &str)> {
         let Some((file, function)) = cited.rsplit_once("::") else {
             bail!("a test is cited as file::function");
@@ -170,8 +168,8 @@ pub fn pages(tests: &Tests) -> Vec<BookItem> {
 }
 
 impl TestFile {
-    /// The folder below `tests/` that it stands in, which is the name of its program; empty for a
-    /// file beside them.
+    /// The folder below `tests/` that it is in, which is the name of its program; empty for a file
+    /// directly in `tests/`.
     fn folder(&self) -> &str {
         self.name.split_once('/').map_or("", |(folder, _)| folder)
     }
@@ -191,8 +189,8 @@ impl TestFile {
 mod tests {
     use super::*;
 
-    /// Catches: a page for a file that is no Rust, a nested file lost, an order that depends on the
-    /// disk.
+    /// Catches: a page for a file that is not Rust, a nested file lost, an order that depends on
+    /// the disk.
     #[test]
     fn every_rust_file_has_a_page() {
         let folder = tempfile::tempdir().unwrap();
@@ -213,7 +211,7 @@ mod tests {
         assert!(pages(&tests).is_empty());
     }
 
-    /// Catches: a citation resolved by its function alone, and a function that is no test.
+    /// Catches: a citation resolved by its function alone, and a function that is not a test.
     #[test]
     fn a_citation_names_file_and_function() {
         let tests = Tests::from_sources([

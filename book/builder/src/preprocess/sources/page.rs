@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use super::{TestFile, Tests};
 
-/// The overview: every file, what its first line says, and its tests.
+/// The overview: every file with the first paragraph of its header and its tests.
 pub fn overview(tests: &Tests) -> String {
     let mut page = String::from(
         "# All tests\n\nThe sources of the tests, as they were when this book was built. \
@@ -72,7 +72,7 @@ fn header(source: &str) -> (String, usize) {
     (prose, taken)
 }
 
-/// The lines as a code block, unless they are blank or only close what a test stood in.
+/// The lines as a code block, unless they are blank or only close the block around a test.
 fn push_code(page: &mut String, lines: &[&str]) {
     let is_blank = |line: &&str| line.trim().is_empty();
     let Some(first) = lines.iter().position(|line| !is_blank(line)) else { return };
@@ -147,7 +147,7 @@ proptest! {
         }
     }
 
-    /// Catches: source lost in the cutting, documentation shown away from its test.
+    /// Catches: source lost between the parts, documentation separated from its test.
     #[test]
     fn the_source_is_shown_from_top_to_bottom() {
         let page = page();

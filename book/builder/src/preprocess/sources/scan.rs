@@ -1,7 +1,7 @@
 //! Finding the tests in a Rust file.
 //!
 //! The file is read as tokens, not as a syntax tree: a test inside `proptest! { … }` or another
-//! macro, which a parser passes over, looks like any other.
+//! macro, which a parser skips, looks like any other.
 
 use std::ops::Range;
 use std::str::FromStr;
@@ -21,7 +21,7 @@ pub struct Test {
 
 /// Attributes that make a function a test, by the last segment of their path.
 const TEST_ATTRIBUTES: [&str; 3] = ["test", "rstest", "apply"];
-/// An rstest_reuse template is marked `#[rstest]`, but runs only where it is applied.
+/// An rstest_reuse template has `#[rstest]` too, but runs only where it is applied.
 const TEMPLATE_ATTRIBUTE: &str = "template";
 
 /// The tests of a source file, from top to bottom.
@@ -47,7 +47,7 @@ fn is_comment(line: &str) -> bool {
     line.starts_with("//") && !line.starts_with("//!")
 }
 
-/// What has been read of an item before its keyword.
+/// The attributes read before the keyword of an item.
 #[derive(Default)]
 struct Attributes {
     /// The line the first one begins on.
@@ -173,8 +173,8 @@ proptest! {
         assert_eq!(names, ["plain", "applied", "parametrised", "property"]);
     }
 
-    /// Catches: a cut that parts a test from its documentation, its comments, its attributes or its
-    /// last brace.
+    /// Catches: a cut that separates a test from its documentation, its comments, its attributes or
+    /// its last brace.
     #[test]
     fn a_test_is_cut_out_whole() {
         let lines: Vec<&str> = SOURCE.lines().collect();

@@ -1,8 +1,8 @@
-//! What the paper says in its sentences: each claim with how it is measured and what became of it.
+//! The claims in the paper's sentences, each with its measurement and its verdict.
 //!
 //! The ids follow the paper: `A` abstract, `P` a section's number, `T1` and `T3` its tables of
-//! parameters, `F` a figure, `X` what it leaves open and its numbers decide. One file for each part
-//! of the paper.
+//! parameters, `F` a figure, `X` a question that its text leaves open and its numbers decide. One
+//! file for each part of the paper.
 
 mod background;
 mod discussion;
@@ -108,8 +108,8 @@ fn confirms((low, high): (f64, f64), order: f64) -> bool {
     [low, high].into_iter().all(|slope| is_near(slope, order, 0.15))
 }
 
-/// Whether an oscillation has grown no larger, to a thousandth: a longer run samples it nearer to
-/// its top.
+/// Whether an oscillation has not grown, to a thousandth: a longer run samples its maximum more
+/// closely.
 fn has_not_grown(later: f64, earlier: f64) -> bool {
     later <= 1.001 * earlier
 }
@@ -181,7 +181,7 @@ mod tests {
 
     /// The distances are binary fractions, so that a number can lie on the bound.
     ///
-    /// Catches: a distance with one side only, one by ratio, and a bound that is missed or passed.
+    /// Catches: a one-sided distance, a relative one, and a bound that is too narrow or too wide.
     #[rstest]
     #[case(2.5, true)]
     #[case(1.5, true)]
@@ -204,7 +204,7 @@ mod tests {
         assert_eq!(confirms(range, 2.0), confirmed);
     }
 
-    /// Catches: a slow growth that is called none, and another cell's digits.
+    /// Catches: a slow growth that goes undetected, and another cell's digits.
     #[test]
     fn a_growth_shows_and_a_cell_is_met_in_its_own_digits() {
         assert!(has_not_grown(3.0, 3.0) && has_not_grown(3.002, 3.0) && has_not_grown(2.0, 3.0));

@@ -1,4 +1,5 @@
-//! A method's error as a function of the step, and what follows for who wants an error kept.
+//! A method's error as a function of the step, and the steps and evaluations needed for an allowed
+//! error.
 
 use pendula::exact::Motion;
 use pendula::{Grid, Pendulum};
@@ -29,11 +30,11 @@ pub struct Advice {
 }
 
 impl Curve {
-    /// The fewest steps a period, and no luck, with which the error stays below `allowed` (rad),
-    /// rounding included; `None` where rounding alone may exceed it.
+    /// The fewest steps a period from which on the error stays below `allowed` (rad), rounding
+    /// included; `None` where rounding alone may exceed it, or the run would have too many steps.
     pub fn advice(&self, allowed: f64) -> Option<Advice> {
-        /// More steps add rounding, and may so ask for more steps: a few rounds settle it, or
-        /// nothing does.
+        /// More steps add rounding, which may require more steps: this converges in a few
+        /// iterations or never.
         const ROUNDS: usize = 100;
         let mut steps = 1;
         for _ in 0..ROUNDS {
@@ -52,8 +53,8 @@ impl Curve {
     }
 
     /// Force evaluations over the whole run. An implicit method iterates, more often in longer
-    /// steps, and where the motion bends more: it is counted over a period, or over some steps from
-    /// each eighth of one, and carried on.
+    /// steps and where the motion is more curved: its evaluations are counted over a period, or
+    /// over some steps from each eighth of one, and scaled to the run.
     pub(super) fn evaluations(&self, steps: u64) -> u64 {
         const COUNTED: u64 = 1024;
         const EIGHTHS: u64 = 8;
@@ -74,7 +75,8 @@ impl Curve {
         }
     }
 
-    /// The error of the method itself (rad) with so many steps a period; NaN beyond the ladder.
+    /// The error of the method, without rounding (rad), with `steps` steps a period; NaN beyond
+    /// the ends of the curve.
     pub fn error(&self, steps: u64) -> f64 {
         let steps = steps as f64;
         let pair = self.points.windows(2).find(|pair| (pair[0].0..=pair[1].0).contains(&steps));
@@ -84,16 +86,17 @@ impl Curve {
         })
     }
 
-    /// The number of steps a period, a fraction perhaps, at which the error is `wanted` (rad).
+    /// The number of steps a period, not always whole, at which the error is `wanted` (rad).
     pub(super) fn steps_for(&self, wanted: f64) -> Option<f64> {
-        // Of what is not positive the logarithm is no number, or below all others.
+        // NaN or −∞, which no rung reaches, where `wanted` is not positive.
         let wanted = libm::log(wanted);
         self.points.last().filter(|(_, least)| *least <= wanted)?;
-        // From the finest rung upwards: a coarse step whose error is small by chance is not met.
+        // From the finest rung to the coarser, so that a coarse step whose error is small by
+        // chance is skipped.
         let above = self.points.windows(2).rfind(|pair| pair[0].1 > wanted);
         Some(above.map_or(self.points[0].0, |pair| {
             let ((m, e), (finer, less)) = (pair[0], pair[1]);
-            // Between coarse rungs nothing is known: an order of 24 may turn into one of 30 there.
+            // Coarse rungs are not interpolated: between them an order of 24 may become one of 30.
             if m < COARSE as f64 {
                 return finer;
             }

@@ -1,4 +1,4 @@
-//! What a method's angle error does: the law that it follows, measured on a ladder of steps.
+//! The law of a method's angle error, measured on a ladder of steps.
 
 use pendula::exact::Motion;
 use pendula::{METHODS, Pendulum, Phase};
@@ -17,31 +17,31 @@ pub(super) const STEPS: u64 = 1 << 17;
 /// Steps a period on the ladder: two rungs to an octave, from 4 to 16 384.
 pub(super) const RUNGS: core::ops::RangeInclusive<u32> = 0..=24;
 
-/// Rungs below the last that was measured, where the error is extrapolated: as far as thirty
-/// octaves.
+/// Extrapolated rungs, finer than the last that was measured: thirty octaves.
 pub(super) const EXTRAPOLATED: u32 = 60;
 
-/// Of the phases of a period at least so many are looked at. Its highest is missed by a quarter of
-/// their distance on the mean, π/256, and an error of three humps, as these are, by ½(3π/256)²,
-/// less than 0.001 of itself.
+/// At least this many phases of a period are kept, or all if there are fewer. On average the one
+/// nearest to the maximum misses it by a quarter of their spacing, π/256; an error of three humps,
+/// as these are, is then too small by ½(3π/256)², less than 0.001 of itself.
 pub(super) const PHASES: usize = 128;
 
 /// An error (rad) beyond which the coefficients are taken from a shorter run, since the law is one
 /// of small errors.
 pub(super) const LARGE: f64 = 0.03;
 
-/// Steps a period from which the error follows the law; of coarser steps the map knows no more than
-/// it has seen.
+/// Steps a period from which the error follows the law; at coarser steps the map uses only what
+/// was measured.
 ///
-/// Each period meets the same phases again, and what a step does to the action beyond all powers of
-/// h, e^{−c/h}, adds up where it should cancel: with ten steps a period Blanes and Moan's method of
-/// order 6 is a hundred times worse after 5000 periods than its first 256 say.
+/// The samples have the same phases in every period, so that the change of the action beyond all
+/// powers of h, e^{−c/h}, adds up instead of cancelling: with ten steps a period the error of
+/// Blanes and Moan's method of order 6 after 5000 periods is a hundred times what its first 256
+/// predict.
 pub const COARSE: u64 = 24;
 
-/// How many times more than what rounding may have to do with it a measured error must be to count.
+/// A measured error counts if it is more than this many times what rounding may add to it.
 pub(super) const CLEAR: f64 = 10.0;
 
-/// What a method's angle error does on each rung of the ladder.
+/// The law of a method's angle error on each rung of the ladder.
 #[derive(Clone, Debug)]
 pub struct Profile {
     /// The method.
@@ -55,12 +55,12 @@ pub struct Profile {
 pub(super) struct Rung {
     /// Steps a period.
     pub(super) steps: u64,
-    /// The number of periods from which it was taken.
+    /// The number of periods from which it was measured.
     pub(super) periods: u64,
     /// e₀, e₁, e₂ (rad) at each phase.
     pub(super) growth: Vec<[f64; 3]>,
-    /// Where the steps are coarse: the largest error (rad) in the first, the first two … periods,
-    /// as measured.
+    /// Where the steps are coarse: the largest error measured (rad) in the first period, the first
+    /// two, ….
     pub(super) seen: Vec<f64>,
 }
 
@@ -102,8 +102,8 @@ impl Rung {
         Self::fit(&errors, truth.len(), !(info.symplectic || info.symmetric))
     }
 
-    /// The law that the errors (rad) of an odd number of periods follow, each of so many `steps`;
-    /// with e₂ if the action `drifts`.
+    /// Fits the law to the errors (rad) of an odd number of periods of `steps` steps each; with e₂
+    /// if the action `drifts`.
     pub(super) fn fit(errors: &[f64], steps: usize, drifts: bool) -> Self {
         let largest = |largest: &mut f64, period: &[f64]| {
             *largest = period.iter().fold(*largest, |largest, e| libm::fmaximum(largest, e.abs()));
@@ -131,7 +131,7 @@ impl Rung {
         Self { steps: steps as u64, periods: periods as u64, growth, seen }
     }
 
-    /// The largest error (rad) at any phase of any of so many periods.
+    /// The largest error (rad) at any phase of the first `periods` periods.
     pub(super) fn error(&self, periods: u64) -> f64 {
         if let Some(largest) = self.seen.get(periods as usize - 1) {
             return *largest;
@@ -151,8 +151,8 @@ impl Rung {
         self.growth.iter().map(|e| e[2].abs()).fold(0.0, libm::fmaximum)
     }
 
-    /// This rung as it must be where the step is smaller by `factor`, to a whole number of steps,
-    /// if e₂ goes as h to the power `drift`.
+    /// This rung extrapolated to a step smaller by `factor`, to a whole number of steps: e₀ and e₁
+    /// go as h to the power `order`, and e₂ to the power `drift`.
     pub(super) fn refined(&self, factor: f64, order: f64, drift: f64) -> Self {
         let steps = libm::round(self.steps as f64 * factor);
         let factor = steps / self.steps as f64;
@@ -168,24 +168,25 @@ impl Rung {
 }
 
 impl Profile {
-    /// Whether the last rung drowned in rounding, and finer ones would tell nothing.
+    /// Whether the error of the last rung is below rounding, so that finer rungs are useless.
     pub(super) fn is_exhausted(&self) -> bool {
         self.rungs.last().is_some_and(|rung| {
             rung.error(rung.periods) < self.release.rounding(self.method, rung.steps, rung.periods)
         })
     }
 
-    /// The error over a run of so many periods, as a function of the step.
+    /// The error over a run of `periods` periods, as a function of the step.
     pub fn over(&self, periods: u64) -> Curve {
         let clear = |rung: &Rung| {
-            // Rounding at the end of the measured run is carried on as what it is taken for; a
-            // second difference of three errors is four times as uncertain as a first one.
+            // Rounding at the end of the measured run ends up in e₁ or in e₂, and is extrapolated
+            // with it; a second difference of three errors is four times as uncertain as a first
+            // one.
             let rounding = self.release.rounding(self.method, rung.steps, rung.periods);
             let beyond = (periods as f64 / rung.periods as f64).max(1.0);
             let carried = if rung.drift() > 0.0 { 4.0 * beyond * beyond } else { beyond };
             rung.error(periods) > CLEAR * carried * rounding
         };
-        // In long steps an implicit method may find no solution, and its errors are no numbers.
+        // In long steps an implicit method may find no solution, and its errors are not finite.
         let useless = |rung: &&Rung| {
             rung.steps < COARSE && (rung.periods < periods || !rung.error(periods).is_finite())
         };

@@ -1,25 +1,25 @@
-//! Choosing an integrator: for a run so long and an error so small, which method needs the fewest
-//! force evaluations, and at which step?
+//! Choosing an integrator: for a given length of the run and a given allowed error, which method
+//! needs the fewest force evaluations, and at which step?
 //!
 //! Each method is measured on a ladder of steps that divide the period, so that every period has
 //! its samples at the same phases. At each phase the error of the angle is then a slow function of
-//! the number n of periods, and theory says which: the method follows, to all powers of h, an
-//! equation of its own, whose solutions are near those of the pendulum in action and angle. What a
-//! step adds to the action on the mean makes it drift as n; an action that is off changes the
-//! frequency, and the angle by the sum of that. So the error is
+//! the number n of periods, which theory gives: the method follows, to all powers of h, a modified
+//! equation, whose solutions are near those of the pendulum in action and angle. The mean change of
+//! the action in a step makes it drift as n; an error of the action changes the frequency, and the
+//! angle by the sum of that. So the error is
 //!
 //! e(n) = e₀ + e₁n + e₂n²,
 //!
-//! with e₂ = 0 for methods that are symplectic, or symmetric on a reversible motion as this one:
+//! with e₂ = 0 for methods that are symplectic, or symmetric on a reversible motion such as this:
 //! their action does not drift (Hairer, Lubich, Wanner, *Geometric Numerical Integration* (2006),
-//! Theorems X.3.1 and XI.3.1). The coefficients are taken from the first period, the last and the
-//! one half-way of a run of up to [`LONGEST`]; beyond, the error is extrapolated by this law, and
-//! at steps too small to be measured clear of rounding e₀ and e₁ by the method's order, and e₂ by
-//! its order or one more, as measured.
+//! Theorems X.3.1 and XI.3.1). The coefficients are taken from the first, the middle and the last
+//! period of a run of up to [`LONGEST`]; for longer runs the error is extrapolated by this law. At
+//! steps too small to be measured clear of rounding, e₀ and e₁ are extrapolated by the method's
+//! order, and e₂ by its order or one more, as measured.
 //!
-//! The pendulum is released at 1 rad but watched from an eighth of a period on. From rest, at a
-//! point of symmetry, a method that is not symmetric looks better than it is: symplectic Euler
-//! would be of order two there.
+//! The pendulum is released at 1 rad, but each method starts an eighth of a period later. From
+//! rest, at a point of symmetry, a method that is not symmetric looks better than it is: symplectic
+//! Euler would be of order two there.
 
 mod curve;
 mod error_law;
@@ -46,7 +46,8 @@ pub struct Cell {
     pub periods: u64,
     /// Largest error of the angle allowed over the run (rad).
     pub allowed: f64,
-    /// What each method needs that can do it, the one with the fewest force evaluations first.
+    /// What each method that can achieve it needs, the one with the fewest force evaluations
+    /// first.
     pub ranking: Vec<Advice>,
 }
 

@@ -11,21 +11,21 @@ pub const THETA_0: f64 = 1.0;
 /// The swing that every method is measured on.
 #[derive(Clone, Copy, Debug)]
 pub struct Release {
-    /// The start, an eighth of a period after the release.
+    /// Where each method starts: an eighth of a period after the release.
     pub start: Phase,
     /// The period T (s).
     pub period: f64,
     /// The largest angular velocity (rad/s).
     pub(super) fastest: f64,
-    /// d ln T / d ln E, with the energy E above the bottom: how much an energy that is off spoils
-    /// the period.
+    /// d ln T / d ln E, with the energy E above the bottom: the relative error of the period per
+    /// relative error of the energy.
     pub(super) sensitivity: f64,
 }
 
 impl Release {
     /// The paper's pendulum at the amplitude [`THETA_0`].
     pub fn new() -> Self {
-        /// For a central difference: δ² is all it errs by.
+        /// For a central difference, whose error is of order δ².
         const DELTA: f64 = 1e-4;
         let pendulum = Pendulum::PAPER;
         let motion = Motion::new(&pendulum, released(THETA_0)).expect("a finite start");
@@ -53,14 +53,15 @@ impl Release {
     /// standard deviation of two random walks.
     ///
     /// At each rounding of θ and ω, of which there are as many as force evaluations, the energy
-    /// moves by 0.6 ε of itself at most (tests/long_time.rs), and so does the angle. After n
-    /// roundings the energy is off by 0.6 ε√n; the period by d ln T/d ln E of that, and the time by
-    /// the sum over all periods, 1/√3 of what it would be had the last one's error held from the
-    /// start (Brouwer, *Astronomical Journal* 46 (1937) 149).
+    /// changes by 0.6 ε of itself at most (tests/theory/long_time.rs), and so does the angle. After
+    /// n roundings the energy is off by 0.6 ε√n, the period by d ln T/d ln E times that, and the
+    /// time by the sum over all periods: 1/√3 of what the last period's error would add up to if it
+    /// held from the start (Brouwer, *Astronomical Journal* 46 (1937) 149).
     ///
-    /// A method that errs by less than a rounding in a period, in steps that divide the period,
-    /// rounds alike in each, and its walk goes straight. A step a little off walks as it should;
-    /// and where the map looks, the methods err by more.
+    /// If a method's error in a period is below rounding and its step divides the period, every
+    /// period is rounded alike, and the rounding error grows in proportion to n, not as a random
+    /// walk. With a slightly different step it is a random walk; and on the map the methods' errors
+    /// are larger.
     pub fn rounding(&self, method: MethodRef, steps: u64, periods: u64) -> f64 {
         const ROUNDING: f64 = 0.6 * f64::EPSILON;
         let evaluations = method.info().force_evaluations as f64;

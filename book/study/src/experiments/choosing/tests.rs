@@ -1,4 +1,4 @@
-//! The law, the curve and the map, on errors made by hand.
+//! The law, the curve and the map, on constructed errors.
 
 use pendula::exact::Motion;
 use pendula::{Pendulum, Phase, method_named};
@@ -17,7 +17,7 @@ fn rung(steps: u64, growth: [f64; 3]) -> Rung {
 
 /// e₀ + e₁n + e₂n² at both ends of the run, and at its vertex where that lies between.
 ///
-/// Catches: a vertex elsewhere, one beside the run that counts, a sign that hides an error.
+/// Catches: a wrong vertex, one outside the run that counts, a sign that hides an error.
 #[test]
 fn the_largest_error_is_at_an_end_or_at_the_vertex() {
     let hump = rung(64, [0.0, 8.0, -2.0]);
@@ -68,12 +68,12 @@ fn the_law_is_found_in_errors_that_follow_it() {
     }
     let straight = Rung::fit(&lawful(32, 8, [law[0], law[1], 0.0]), 32, false);
     assert_eq!(straight.growth[0], [law[0], law[1], 0.0]);
-    // Without e₂ what bends is taken for its chord from the first period to the last.
+    // Without e₂ a curved law is replaced by its chord from the first period to the last.
     let chord = Rung::fit(&lawful(32, 8, law), 32, false);
     assert_eq!(chord.growth[0], [law[0], law[1] + 16.0 * law[2], 0.0]);
 }
 
-/// Catches: a law taken from errors too large for it; a run cut too short, or to nothing.
+/// Catches: a law fitted to errors too large for it; a run cut too short, or to nothing.
 #[test]
 fn where_the_error_is_large_a_shorter_run_is_taken() {
     let periods = |e1: f64| Rung::fit(&lawful(32, 8, [0.0, e1, 0.0]), 32, false).periods;
@@ -95,8 +95,8 @@ fn in_coarse_steps_the_largest_error_so_far_is_kept() {
     assert_eq!(Rung::fit(&lawful(steps - 1, 1, [0.0; 3]), steps - 1, false).seen, [0.0; 3]);
 }
 
-/// Catches: a method whose action keeps still, by either property, fitted with a drift; one
-/// that loses action without.
+/// Catches: a method whose action does not drift, by either property, fitted with a drift; one
+/// whose action does, fitted without.
 #[test]
 fn only_a_method_without_symmetry_drifts() {
     let release = Release::new();
@@ -109,19 +109,19 @@ fn only_a_method_without_symmetry_drifts() {
     assert_eq!(["symplectic-euler", "stormer-verlet"].map(drift), [0.0, 0.0]);
 }
 
-/// The steps of those of two rungs that RK4's curve over so many periods is made of.
+/// The steps of those of the two rungs that RK4's curve over `periods` periods keeps.
 fn kept(rungs: [Rung; 2], periods: u64) -> Vec<u64> {
     let profile = Profile { method: named("rk4"), release: Release::new(), rungs: rungs.to_vec() };
     let points = profile.over(periods).points;
     points.iter().map(|(steps, _)| *steps as u64).collect()
 }
 
-/// Eight periods of 64 steps, whose error is ten times what rounding adds, and that many times
-/// more as it is carried beyond the run that was measured: in proportion to its length, and
-/// where the action drifts, four times its square.
+/// Eight periods of 64 steps, with an error of ten times what rounding adds. Beyond the measured
+/// run the rounding is extrapolated: in proportion to the length, or, where the action drifts, to
+/// four times its square.
 ///
-/// Catches: an error made of rounding that counts, a clear one that does not, a run cut short
-/// taken for one gone beyond.
+/// Catches: an error made of rounding that counts, a clear one that does not, a shorter run
+/// treated as one beyond the measured.
 #[test]
 fn an_error_counts_where_it_is_clear_of_rounding() {
     let rounding = Release::new().rounding(named("rk4"), 64, 8);
@@ -140,9 +140,9 @@ fn an_error_counts_where_it_is_clear_of_rounding() {
     }
 }
 
-/// Catches: a law taken for granted where steps are too coarse for it, a rung lost that was
-/// seen all along, the run of an implicit method that found no solution, and one in short steps
-/// passed over as if it were coarse.
+/// Catches: a law used where steps are too coarse for it, a rung dropped though its whole run was
+/// measured, the run of an implicit method that found no solution, and one in short steps dropped
+/// as if it were coarse.
 #[test]
 fn of_coarse_steps_the_curve_knows_what_was_seen() {
     let coarse = |steps, last| Rung {
@@ -160,10 +160,10 @@ fn of_coarse_steps_the_curve_knows_what_was_seen() {
     assert_eq!(kept([rung(COARSE, [f64::NAN, 0.0, 0.0]), fine()], 8), []);
 }
 
-/// RK4 with a drift that falls with the fourth power of the step, and with the fifth; four
-/// octaves apart and two.
+/// RK4 with a drift that falls with the fourth power of the step, and with the fifth, on rungs
+/// over two octaves and over four.
 ///
-/// Catches: a power that is not the ladder's own, or not rounded to the order or the next.
+/// Catches: a power that is not the measured one, or not rounded to the order or the next.
 #[test]
 fn a_drift_goes_on_with_its_own_power() {
     for power in [4, 5] {
@@ -188,9 +188,9 @@ fn curve(name: &str, periods: u64, points: &[(f64, f64)]) -> Curve {
     Curve { method: named(name), release: Release::new(), periods, points }
 }
 
-/// Half an octave below 16 steps are 22.6 of them: 23, and their error.
+/// Half an octave beyond 16 steps a period there are 22.6, rounded to 23, with the error of 23.
 ///
-/// Catches: the error of a fraction of a step; e₂ that goes with the power of the others.
+/// Catches: the error of 22.6 steps; e₂ extrapolated with the power of the others.
 #[test]
 fn a_rung_below_the_last_has_whole_steps() {
     let finer = rung(16, [1.0, -0.5, 0.25]).refined(core::f64::consts::SQRT_2, 4.0, 5.0);
@@ -199,8 +199,8 @@ fn a_rung_below_the_last_has_whole_steps() {
     assert_eq!(finer.growth, [[0.0; 3], [by, -0.5 * by, 0.25 * drift]]);
 }
 
-/// Catches: an error read beside its chord, or beyond the curve; steps for an error that the
-/// curve does not reach.
+/// Catches: an error off its chord, or beyond the curve; steps for an error that the curve does
+/// not reach.
 #[test]
 fn between_two_rungs_the_curve_is_a_chord() {
     let curve = curve("rk4", 3, &[(32.0, 1e-2), (64.0, 1e-4), (128.0, 1e-5)]);
@@ -242,14 +242,14 @@ fn a_run_too_long_to_be_counted_is_not_advised() {
     assert!(advice(most + 1).is_none());
 }
 
-/// Catches: evaluations counted once, or by the period; a count of sweeps in other steps than
-/// the run's, or in one place.
+/// Catches: evaluations counted once, or for one period; a count of sweeps in other steps than the
+/// run's, or in one place.
 #[test]
 fn the_force_is_counted_over_the_whole_run() {
     let of = |name, steps| curve(name, 3, &[(32.0, 1.0), (64.0, 0.1)]).evaluations(steps);
     assert_eq!((of("rk4", 50), of("stormer-verlet", 50)), (600, 151));
     let release = Release::new();
-    // From one of its eighths the second is miscounted by 3.8 %.
+    // Counted from only one eighth, the second is off by 3.8 %.
     for (name, steps) in [("gauss-4", 50), ("gauss-6", 3000)] {
         let grid = release.grid(steps, 3);
         let counted = named(name).count_evaluations(&Pendulum::PAPER, release.start, &grid);
@@ -260,7 +260,7 @@ fn the_force_is_counted_over_the_whole_run() {
     }
 }
 
-/// Catches: the angle without its amplitude, or its lag.
+/// Catches: the error of the angle without its amplitude, or without its lag.
 #[test]
 fn rounding_is_the_walks_of_angle_and_time() {
     let (release, method) = (Release::new(), named("rk4"));

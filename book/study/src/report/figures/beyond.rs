@@ -22,7 +22,7 @@ pub(super) const FIGURES: &[Drawing] = &[
     },
 ];
 
-/// States on the section; where two dots would be one to the eye, one is drawn.
+/// States on the section; dots that coincide on the drawing are drawn once.
 const STATES: usize = 24_000;
 
 /// The strange attractor of the driven pendulum.

@@ -14,7 +14,7 @@ pub(super) const FIGURES: &[Drawing] = &[Drawing {
     draw: decision,
 }];
 
-/// Each cell of the map with the mark of the method that does it for least.
+/// Each cell of the map with the marker of the cheapest method.
 fn decision(_: &Study) -> Figure {
     let map = choosing::map();
     let mut chart = Chart::new(

@@ -1,5 +1,5 @@
-//! Figures of evidence: that theory predicts the measurements, and where reading, chaos and
-//! rounding take over.
+//! Figures of evidence: that theory predicts the measurements, and what the reading of the period,
+//! chaos and rounding add to them.
 
 use core::f64::consts::PI;
 
@@ -54,7 +54,7 @@ pub(super) const FIGURES: &[Drawing] = &[
 /// Energy error against step, as measured and as predicted.
 fn energy_predicted(study: &Study) -> Figure {
     let (theta_0, duration) = (convergence::THETA_0, convergence::DURATION);
-    // Forward Euler's law is a differential equation, solved step by step: fewer of the small
+    // Forward Euler's law is a differential equation solved step by step: fewer points at small
     // steps.
     let coarse = (0..8).map(|k| 500.0 * libm::exp10(f64::from(k) / 8.0));
     let fine = (0..=3).map(|k| 5000.0 * libm::exp10(f64::from(k) / 3.0));
@@ -81,7 +81,8 @@ fn energy_predicted(study: &Study) -> Figure {
     .panel(chart)
 }
 
-/// Störmer–Verlet's error and the formula's: where they cancel, the paper's table has its winners.
+/// Störmer–Verlet's error and the formula's: where they cancel, its errors in the paper's table
+/// are smallest.
 fn cancellation(study: &Study) -> Figure {
     let (pendulum, verlet) = (Pendulum::PAPER, named("stormer-verlet"));
     let (theta_0, duration) = (small_angle::THETA_0, small_angle::DURATION);
@@ -114,7 +115,7 @@ fn cancellation(study: &Study) -> Figure {
     .panel(chart)
 }
 
-/// The error of the period by the five ways of reading it, off RK4's samples and off the exact
+/// The error of the period by the five ways of reading it, from RK4's samples and from the exact
 /// motion's.
 fn five_periods(_: &Study) -> Figure {
     let axes = |samples| {
@@ -127,8 +128,7 @@ fn five_periods(_: &Study) -> Figure {
             chart.series(reading, Style::colourless(i), line)
         })
     };
-    // What RK4 makes of the period is known: a term in h⁴, and one in h⁵ from the energy lost on
-    // the way.
+    // RK4's error of the period is known: a term in h⁴, and one in h⁵ from the energy lost.
     let own = (0..=60).map(|k| 2e-4 * libm::exp10(f64::from(k) / 30.0));
     let own = own.map(|h| {
         let terms = theory::rk4::period_error_terms(&Pendulum::PAPER, large_angle::THETA_0, h);
@@ -192,13 +192,12 @@ fn standard_map(_: &Study) -> Figure {
     standard_map::PARAMETERS.into_iter().fold(figure, |figure, k| figure.panel(portrait(k)))
 }
 
-/// The walk of the modified energy by rounding: the walks themselves, and how far they move in n
-/// steps.
+/// The random walk of the modified energy by rounding, and how far it moves in n steps.
 fn rounding_walk(_: &Study) -> Figure {
-    /// A step rounds θ and ω each by ε/√48 to ε/√12 of itself, once or twice, and the energy
-    /// answers by as much again: 0.3 to 0.6 ε (tests/long_time.rs).
+    /// A step rounds θ and ω once or twice each, by ε/√48 to ε/√12 of themselves (standard
+    /// deviation), which changes the energy by 0.3 to 0.6 ε of itself (tests/theory/long_time.rs).
     const SIZE: f64 = 0.5;
-    /// One of so many samples is drawn: they wander, and do not tremble.
+    /// One sample in this many is drawn: the walk changes little between them.
     const DRAWN: usize = 50;
     let verlet = named("stormer-verlet");
     let pendulum = Pendulum::PAPER;

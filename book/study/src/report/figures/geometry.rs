@@ -1,4 +1,4 @@
-//! What a method does in phase space: its step taken apart, the area that it carries, the curve
+//! What a method does in phase space: the parts of its step, the area that it carries, the curve
 //! that it follows.
 
 use pendula::exact::Motion;
@@ -79,15 +79,15 @@ fn truth(start: Phase, duration: f64) -> impl Iterator<Item = (f64, f64)> {
 // One step taken apart
 // -------------------------------------------------------------------------------------------------
 
-/// On the way down to the bottom: neither the velocity nor the force is zero, or as large as it
-/// gets.
+/// On the way down to the bottom: neither the velocity nor the force is zero or at its maximum.
 const START: Phase = Phase { theta: -1.2, omega: 1.0 };
-/// A sixth of a period (s), in which one sees where each part of the step goes.
+/// A sixth of a period (s): long enough to show each part of the step.
 const STEP: f64 = 0.35;
-/// RK4's (s): with the step of the others its end could hardly be told from the truth.
+/// RK4's step (s): with the step of the others its end could hardly be told from the true
+/// motion's.
 const RK4_STEP: f64 = 0.55;
 
-/// The true orbit with the ends of the step, to draw its parts on.
+/// The true orbit and the ends of the step; the parts of the step are drawn over it.
 fn over_the_orbit(method: MethodRef, step: f64, end: Phase) -> Chart {
     Chart::new(Axis::linear("θ (rad)").range(-1.6, 1.6), Axis::linear("ω (rad/s)").range(0.0, 5.0))
         .height(320.0)
@@ -100,7 +100,7 @@ fn over_the_orbit(method: MethodRef, step: f64, end: Phase) -> Chart {
         .series(title(method), style(method).markers_only(), [point(START), point(end)])
 }
 
-/// With an arrow and its name beside it.
+/// The chart with an arrow and its name beside it.
 fn with_arrow(
     chart: Chart,
     method: MethodRef,
@@ -112,7 +112,7 @@ fn with_arrow(
     chart.series("", style(method).arrow(), [from, to].map(point)).note(theta, omega, name)
 }
 
-/// With the kicks and drifts of a step of [`STEP`], as arrows.
+/// The chart with the kicks and drifts of a step of [`STEP`] as arrows.
 fn with_parts(chart: Chart, method: MethodRef, parts: &[Part]) -> Chart {
     parts.iter().fold(chart, |chart, part| {
         let kind = match part.kind {
@@ -200,16 +200,16 @@ fn stencil_rk4(_: &Study) -> Figure {
 // The area that a method carries
 // -------------------------------------------------------------------------------------------------
 
-/// Released at rest, and all those around it.
+/// A release from rest and the states around it.
 const SQUARE: Square = Square { centre: Phase { theta: 1.0, omega: 0.0 }, side: 0.5 };
-/// Points along each of its sides. With twice as many the areas are the same in all printed digits,
-/// and two more.
+/// Points along each of its sides. With twice as many the areas agree in all printed digits and
+/// two more.
 const SIDE: u32 = 500;
-/// It is drawn again each time RK4 has taken a step (s), about a quarter of a period long …
+/// Time between two drawings of the square (s), one step of RK4: about a quarter of a period.
 const SPAN: f64 = 0.56;
-/// … and so often.
+/// Drawings after the first.
 const SPANS: u64 = 3;
-/// Force evaluations in that time, the same for each method.
+/// Force evaluations in a [`SPAN`], the same for each method.
 const EVALUATIONS: u64 = 4;
 
 fn area_carried(_: &Study) -> Figure {
@@ -239,7 +239,7 @@ fn area_carried(_: &Study) -> Figure {
         let grid = Grid::new(SPAN / steps as f64, SPANS * steps).expect("a positive step");
         let images = carried(method, &PENDULUM, &outline, &grid);
         let ratio = area(&images[grid.steps() as usize]) / area(&images[0]);
-        // One radian is about as long as ω₀ rad/s, so that a square is one.
+        // One radian is drawn about as long as ω₀ rad/s, so that the square looks like one.
         let mut chart = Chart::new(
             Axis::linear("θ (rad)").range(-2.8, 1.5),
             Axis::linear("ω (rad/s)").range(-6.0, 7.0),

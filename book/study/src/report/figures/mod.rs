@@ -29,7 +29,7 @@ impl Drawing {
 
     /// The figure with its caption, as a `<figure>` element without a blank line.
     pub fn html(&self, study: &Study) -> String {
-        // Markdown's processor, which sets apostrophes elsewhere, leaves HTML alone.
+        // The Markdown processor makes apostrophes typographic, but not in HTML.
         let (svg, caption) = (self.svg(study), self.caption.replace('\'', "’"));
         format!("<figure>\n{svg}<figcaption>{caption}</figcaption>\n</figure>\n")
     }
@@ -49,8 +49,8 @@ fn style(method: MethodRef) -> Style {
     Style::numbered(index.unwrap_or(0))
 }
 
-/// The rows of the methods that the paper compares: its figures stay its own, however long the list
-/// of methods grows.
+/// The rows of the methods that the paper compares: its figures do not change as the list of
+/// methods grows.
 fn of_the_paper<R>(rows: &[R], method: fn(&R) -> MethodRef) -> impl Iterator<Item = &R> {
     rows.iter().filter(move |row| in_paper(method(row)))
 }

@@ -167,7 +167,7 @@ fn figure_6(study: &Study) -> Figure {
     .panel(chart)
 }
 
-/// Error against force evaluations: against the small-angle formula, and against the truth.
+/// Error over force evaluations: against the small-angle formula, and against the exact solution.
 fn figure_7(study: &Study) -> Figure {
     let work = || Axis::log("force evaluations").range(80.0, 60_000.0);
     let axis = |against| Axis::log(format!("RMS error against {against} (rad)"));

@@ -1,4 +1,4 @@
-//! The steps one by one.
+//! The sequence of adaptive steps.
 
 use super::control::Controller;
 use super::events::{Crossings, Direction};
@@ -7,19 +7,19 @@ use crate::error::Error;
 use crate::methods::runge_kutta::Embedded;
 use crate::systems::{Components, Counting, RateOf, System};
 
-/// What a walk has cost so far.
+/// The cost of a sequence of steps so far.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Counts {
     /// Steps taken.
     pub accepted: u64,
     /// Attempts whose error was too large.
     pub rejected: u64,
-    /// Force evaluations, counted: with those for the first step's size, for refused attempts and
-    /// for dense output.
+    /// Force evaluations, counted, including those for the size of the first step, for rejected
+    /// attempts and for dense output.
     pub evaluations: u64,
 }
 
-/// A step that was taken.
+/// An accepted step.
 #[derive(Clone, Copy, Debug)]
 pub struct Step<Z, K, D> {
     t: f64,
@@ -52,13 +52,13 @@ impl<Z: Copy, K, D> Step<Z, K, D> {
         self.end
     }
 
-    /// Its size h (s): negative on the way back in time.
+    /// Its size h (s): negative backwards in time.
     pub const fn size(&self) -> f64 {
         self.h
     }
 }
 
-/// The step that the method `M` takes of the system `S`.
+/// A step of the method `M` for the system `S`.
 type StepOf<S, M> = Step<<S as System>::State, <M as Embedded>::Stages<RateOf<S>>, RateOf<S>>;
 
 /// Its dense output.
@@ -66,7 +66,7 @@ pub(super) type DenseOf<S, M> = Dense<<S as System>::State, <M as Embedded>::Den
 
 /// An iterator over the steps from one time to another.
 ///
-/// After an error it ends. What the method remembers of one step for the next lives here.
+/// It ends after an error. It also holds what a step carries to the next: the slope at its end.
 pub struct AdaptiveSteps<'a, S: System, M> {
     adaptive: Adaptive<M>,
     system: Counting<&'a S>,
@@ -125,9 +125,9 @@ where
 
     /// The size of the first attempt (s).
     ///
-    /// It looks at how large the state is, how fast it changes, and, with a small step of forward
-    /// Euler, how fast that changes (Hairer, Nørsett, Wanner, *Solving Ordinary Differential
-    /// Equations I*, Sect. II.4).
+    /// It follows from the size of the state, the size of its rate of change, and, with a small
+    /// step of forward Euler, how fast that rate changes (Hairer, Nørsett, Wanner, *Solving
+    /// Ordinary Differential Equations I*, Sect. II.4).
     fn first_step(&self) -> f64 {
         let Self { t, z, slope, .. } = *self;
         let duration = self.until - t;
@@ -137,7 +137,7 @@ where
         let tolerance = &self.adaptive.tolerance;
         let size = |displacement| tolerance.error_norm(z, z, displacement);
         let (state, rate) = (tolerance.state_norm(z, slope), size(slope));
-        // A state or a rate of almost nothing says nothing about the time in which it changes.
+        // A state or a rate close to zero says nothing about the time scale.
         let meaningful = |ratio: f64| ratio >= 1e-5;
         let guess = if meaningful(state) && meaningful(rate) {
             0.01 * (state / rate)
@@ -154,27 +154,27 @@ where
             libm::pow(0.01 / fastest, 1.0 / f64::from(M::ESTIMATE_ORDER))
         };
         let most = libm::fmin(100.0 * guess, libm::fabs(duration));
-        // A system without a finite rate gets the largest step, and is refused it.
+        // A system without a finite rate gets the largest step, which is then rejected.
         libm::copysign(libm::fmin(fits, most), duration)
     }
 
-    /// The time that it has come to (s).
+    /// The present time (s).
     pub const fn time(&self) -> f64 {
         self.t
     }
 
-    /// The state that it has come to.
+    /// The present state.
     pub const fn state(&self) -> S::State {
         self.z
     }
 
-    /// What it has cost so far.
+    /// The cost so far.
     pub fn counts(&self) -> Counts {
         let Self { accepted, rejected, .. } = *self;
         Counts { accepted, rejected, evaluations: self.system.evaluations() }
     }
 
-    /// The dense output of `step`, which may take evaluations of the force.
+    /// The dense output of `step`, which may need more evaluations of the force.
     pub fn dense(&self, step: &StepOf<S, M>) -> DenseOf<S, M> {
         let Step { t, h, z, end_slope, .. } = *step;
         let coefficients =
@@ -182,8 +182,8 @@ where
         Dense::new(t, h, z, coefficients)
     }
 
-    /// An iterator over the times from here on when the function `g` of time (s) and state changes
-    /// its sign in the `direction`, and over the states then.
+    /// An iterator over the crossings from here on: the times (s) and states at which the function
+    /// `g` of time and state changes sign in the `direction`.
     ///
     /// Within a step they are found on its dense output. Two zeros that lie closer than an eighth
     /// of a step can hide each other.
@@ -202,8 +202,8 @@ where
             if self.accepted + self.rejected >= limit {
                 return Err(Error::OutOfSteps { t, limit });
             }
-            // A step that almost ends where the walk does ends there, and leaves no sliver for
-            // another.
+            // A step that would end just short of the end time is stretched to it, so that no tiny
+            // step is left.
             let left = until - t;
             let last = libm::fabs(1.01 * self.h) >= libm::fabs(left);
             let (h, end_time) = if last { (left, until) } else { (self.h, t + self.h) };
