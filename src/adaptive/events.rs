@@ -54,6 +54,24 @@ pub struct Crossings<'w, 'a, S: System, M: Embedded, G> {
     value: f64,
 }
 
+impl<'a, S, M> AdaptiveSteps<'a, S, M>
+where
+    S: System<State: Components>,
+    M: Embedded,
+{
+    /// An iterator over the crossings from here on: the times (s) and states at which the function
+    /// `g` of time and state changes sign in the `direction`.
+    ///
+    /// Within a step they are found on its dense output. Two zeros that lie closer than an eighth
+    /// of a step can hide each other.
+    pub fn crossings<G>(&mut self, direction: Direction, g: G) -> Crossings<'_, 'a, S, M, G>
+    where
+        G: FnMut(f64, S::State) -> f64,
+    {
+        Crossings::new(self, direction, g)
+    }
+}
+
 impl<'w, 'a, S, M, G> Crossings<'w, 'a, S, M, G>
 where
     S: System<State: Components>,

@@ -1,7 +1,6 @@
 //! The sequence of adaptive steps.
 
 use super::control::Controller;
-use super::events::{Crossings, Direction};
 use super::{Adaptive, Dense};
 use crate::error::Error;
 use crate::methods::runge_kutta::Embedded;
@@ -180,18 +179,6 @@ where
         let coefficients =
             self.adaptive.method.dense(&self.system, t, h, z, &step.stages, end_slope);
         Dense::new(t, h, z, coefficients)
-    }
-
-    /// An iterator over the crossings from here on: the times (s) and states at which the function
-    /// `g` of time and state changes sign in the `direction`.
-    ///
-    /// Within a step they are found on its dense output. Two zeros that lie closer than an eighth
-    /// of a step can hide each other.
-    pub fn crossings<G>(&mut self, direction: Direction, g: G) -> Crossings<'_, 'a, S, M, G>
-    where
-        G: FnMut(f64, S::State) -> f64,
-    {
-        Crossings::new(self, direction, g)
     }
 
     // ANCHOR: advance

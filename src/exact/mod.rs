@@ -22,6 +22,7 @@
 
 mod elliptic;
 mod fourier;
+mod half_turns;
 mod motion;
 
 pub use elliptic::complete_elliptic_k;

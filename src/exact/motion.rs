@@ -21,6 +21,7 @@
 
 use super::elliptic::{Jacobi, Values, carlson_rf};
 use super::fourier::FourierSeries;
+use super::half_turns::unwrapped;
 use crate::arithmetic::double_double::{DoubleDouble, reduced_sine_cosine};
 use crate::error::{Error, finite};
 use crate::systems::{Pendulum, Phase, angle};
@@ -452,13 +453,6 @@ impl HalfAngle {
             Self { sine: -cosine, cosine: sine, turns: 0.5 * (quadrant + 1.0) }
         }
     }
-}
-
-/// `half_turns` π + `angle`, rounded as if once: π and its multiple are double-doubles.
-#[inline]
-pub(super) fn unwrapped(half_turns: f64, angle: f64) -> f64 {
-    let turned = DoubleDouble::HALF_PI.scaled(2.0) * DoubleDouble::new(half_turns);
-    turned.rounded() + (turned.remainder() + angle)
 }
 
 /// Whether an integer is even.

@@ -63,50 +63,53 @@ spoilt_step! {
     AngleWrapped, |h| h, |z| Phase { theta: (z.theta + PI).rem_euclid(TAU) - PI, ..z }
 }
 
-/// One step is left out: N points are taken for N steps.
-pub struct OneStepShort<M>(pub M);
+/// Implements a method whose loop is spoilt: what it does with the run of a right one, `$method`.
+macro_rules! spoilt_loop {
+    (
+        $(#[$doc:meta])*
+        $name:ident, |$method:ident, $pendulum:ident, $start:ident, $grid:ident, $observer:ident|
+        $run:block
+    ) => {
+        $(#[$doc])*
+        pub struct $name<M>(pub M);
 
-impl<M: AnyMethod> Info for OneStepShort<M> {
-    fn info(&self) -> MethodInfo {
-        self.0.info()
-    }
+        impl<M: AnyMethod> Info for $name<M> {
+            fn info(&self) -> MethodInfo {
+                self.0.info()
+            }
+        }
+
+        impl<M: AnyMethod> AnyMethod for $name<M> {
+            fn run(
+                &self,
+                $pendulum: &Pendulum,
+                $start: Phase,
+                $grid: &Grid,
+                $observer: &mut dyn Observer<Phase>,
+            ) -> Phase {
+                let $method = &self.0;
+                $run
+            }
+
+            fn count_evaluations(&self, pendulum: &Pendulum, start: Phase, grid: &Grid) -> u64 {
+                self.0.count_evaluations(pendulum, start, grid)
+            }
+        }
+    };
 }
 
-impl<M: AnyMethod> AnyMethod for OneStepShort<M> {
-    fn run(
-        &self,
-        pendulum: &Pendulum,
-        start: Phase,
-        grid: &Grid,
-        observer: &mut dyn Observer<Phase>,
-    ) -> Phase {
+spoilt_loop! {
+    /// One step is left out: N points are taken for N steps.
+    OneStepShort, |method, pendulum, start, grid, observer| {
         let short = Grid::new(grid.step(), grid.steps().saturating_sub(1)).expect("a shorter grid");
-        self.0.run(pendulum, start, &short, observer)
-    }
-
-    fn count_evaluations(&self, pendulum: &Pendulum, start: Phase, grid: &Grid) -> u64 {
-        self.0.count_evaluations(pendulum, start, grid)
+        method.run(pendulum, start, &short, observer)
     }
 }
 
-/// Time is added up, `while t < end { t += h }`: after ten steps of 0.1 it is 0.9999999999999999,
-/// and one more is taken.
-pub struct TimeAccumulated<M>(pub M);
-
-impl<M: AnyMethod> Info for TimeAccumulated<M> {
-    fn info(&self) -> MethodInfo {
-        self.0.info()
-    }
-}
-
-impl<M: AnyMethod> AnyMethod for TimeAccumulated<M> {
-    fn run(
-        &self,
-        pendulum: &Pendulum,
-        start: Phase,
-        grid: &Grid,
-        observer: &mut dyn Observer<Phase>,
-    ) -> Phase {
+spoilt_loop! {
+    /// Time is added up, `while t < end { t += h }`: after ten steps of 0.1 it is 0.9999999999999999,
+    /// and one more is taken.
+    TimeAccumulated, |method, pendulum, start, grid, observer| {
         let (end, mut times) = (grid.time(grid.steps()), vec![0.0]);
         while times[times.len() - 1] < end {
             times.push(times[times.len() - 1] + grid.step());
@@ -114,10 +117,6 @@ impl<M: AnyMethod> AnyMethod for TimeAccumulated<M> {
         let steps = times.len() as u64 - 1;
         let longer = Grid::new(grid.step(), steps).expect("a grid");
         let mut watch = |n: u64, _, z: Phase| observer.observe(n, times[n as usize], z);
-        self.0.run(pendulum, start, &longer, &mut watch)
-    }
-
-    fn count_evaluations(&self, pendulum: &Pendulum, start: Phase, grid: &Grid) -> u64 {
-        self.0.count_evaluations(pendulum, start, grid)
+        method.run(pendulum, start, &longer, &mut watch)
     }
 }

@@ -4,9 +4,17 @@
 use pendula::exact::Motion;
 use pendula::{Grid, Pendulum};
 
-use super::error_law::COARSE;
 use super::release::Release;
 use crate::experiments::MethodRef;
+
+/// Steps a period from which the error follows the law; at coarser steps the map uses only what
+/// was measured.
+///
+/// The samples have the same phases in every period, so that the change of the action beyond all
+/// powers of h, e^{−c/h}, adds up instead of cancelling: with ten steps a period the error of
+/// Blanes and Moan's method of order 6 after 5000 periods is a hundred times what its first 256
+/// predict.
+pub const COARSE: u64 = 24;
 
 /// A method's error over a run of a certain length, as a function of the number of steps a period.
 #[derive(Clone, Debug)]

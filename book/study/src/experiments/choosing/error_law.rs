@@ -3,7 +3,7 @@
 use pendula::exact::Motion;
 use pendula::{METHODS, Pendulum, Phase};
 
-use super::curve::Curve;
+use super::curve::{COARSE, Curve};
 use super::release::Release;
 use crate::experiments::MethodRef;
 
@@ -28,15 +28,6 @@ pub(super) const PHASES: usize = 128;
 /// An error (rad) beyond which the coefficients are taken from a shorter run, since the law is one
 /// of small errors.
 pub(super) const LARGE: f64 = 0.03;
-
-/// Steps a period from which the error follows the law; at coarser steps the map uses only what
-/// was measured.
-///
-/// The samples have the same phases in every period, so that the change of the action beyond all
-/// powers of h, e^{−c/h}, adds up instead of cancelling: with ten steps a period the error of
-/// Blanes and Moan's method of order 6 after 5000 periods is a hundred times what its first 256
-/// predict.
-pub const COARSE: u64 = 24;
 
 /// A measured error counts if it is more than this many times what rounding may add to it.
 pub(super) const CLEAR: f64 = 10.0;

@@ -25,8 +25,8 @@ mod curve;
 mod error_law;
 mod release;
 
-pub use curve::{Advice, Curve};
-pub use error_law::{COARSE, LONGEST, Profile, profiles};
+pub use curve::{Advice, COARSE, Curve};
+pub use error_law::{LONGEST, Profile, profiles};
 pub use release::{Release, THETA_0};
 
 /// Lengths of runs (periods), three to a decade.
