@@ -11,7 +11,7 @@ use std::time::Duration;
 
 use common::NAIVE;
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use pendula::fast::{Ensemble, InLanes, Instructions};
+use pendula::fast::{Avx2, Avx512, Baseline, Best, Ensemble, InLanes};
 use pendula::{Grid, Info, Pendulum, Phase, integrate_fast, methods};
 
 const PENDULUMS: u32 = 10_000;
@@ -56,17 +56,19 @@ fn ensemble_of<M: Info + InLanes>(criterion: &mut Criterion, method: M) {
             black_box(&mut ends);
         });
     });
-    for instructions in
-        [Instructions::Baseline, Instructions::Avx2, Instructions::Avx512, Instructions::Best]
-    {
-        let ensemble = Ensemble::new(&pendulum, &starts, grid).with_instructions(instructions);
-        group.bench_function(format!("lanes, {instructions:?}"), |bencher| {
-            bencher.iter(|| {
-                black_box(&ensemble).ends(&method, &mut ends);
-                black_box(&mut ends);
+    macro_rules! lanes {
+        ($($instructions:ident)+) => {$(
+            let ensemble =
+                Ensemble::new(&pendulum, &starts, grid).with_instructions::<$instructions>();
+            group.bench_function(concat!("lanes, ", stringify!($instructions)), |bencher| {
+                bencher.iter(|| {
+                    black_box(&ensemble).ends(&method, &mut ends);
+                    black_box(&mut ends);
+                });
             });
-        });
+        )+};
     }
+    lanes! { Baseline Avx2 Avx512 Best }
     group.finish();
 }
 

@@ -25,7 +25,8 @@ def look(tab: Tab) -> dict:
     desk = tab.page.viewport_size["width"] == DESK
     # The listings of the print page are those of the chapters.
     seen = probe(tab, listings=desk and tab.here() != "print.html")
-    # axe takes ten times as long as all the rest, and finds much the same on a telephone.
+    # Once a page, as axe takes longer than anything else here. On a telephone it would add only the
+    # boxes that scroll sideways there; each theme has it in reader.py.
     seen["findings"] += (axe.findings(tab) if desk else []) + tab.complaints()
     return seen
 

@@ -4,9 +4,10 @@
 //! vectorises it. So a lane gets the same bits as a trajectory alone, whichever instructions the
 //! processor has.
 
+use core::marker::PhantomData;
 use core::num::NonZeroU64;
 
-use super::lanes::{Block, Instructions, LANES, Lane, ScaledPendulum};
+use super::lanes::{Best, Block, Instructions, LANES, Lane, ScaledPendulum};
 use crate::fast::integrate_fast;
 use crate::integrate::{Every, Grid, Method, Observer};
 use crate::systems::{Pendulum, Phase};
@@ -26,18 +27,18 @@ use crate::systems::{Pendulum, Phase};
 /// # Ok::<(), pendula::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
-pub struct Ensemble<'a> {
+pub struct Ensemble<'a, I = Best> {
     pendulums: &'a [Pendulum],
     starts: &'a [Phase],
     grid: Grid,
-    instructions: Instructions,
+    instructions: PhantomData<I>,
 }
 
 impl<'a> Ensemble<'a> {
     /// One `pendulum`, begun at each of `starts`, along `grid`.
     pub const fn new(pendulum: &'a Pendulum, starts: &'a [Phase], grid: Grid) -> Self {
         let pendulums = core::slice::from_ref(pendulum);
-        Self { pendulums, starts, grid, instructions: Instructions::Best }
+        Self { pendulums, starts, grid, instructions: PhantomData }
     }
 
     /// Each of `pendulums` from its own start, along `grid`.
@@ -50,15 +51,18 @@ impl<'a> Ensemble<'a> {
         grid: Grid,
     ) -> Self {
         assert!(pendulums.len() == starts.len(), "one start for each pendulum");
-        Self { pendulums, starts, grid, instructions: Instructions::Best }
+        Self { pendulums, starts, grid, instructions: PhantomData }
     }
 
-    /// The same, restricted to these `instructions`: to show that the bits are the same.
+    /// The same with the instructions `J` and no others: to show that the bits are the same.
     #[must_use]
-    pub const fn with_instructions(self, instructions: Instructions) -> Self {
-        Self { instructions, ..self }
+    pub const fn with_instructions<J: Instructions>(self) -> Ensemble<'a, J> {
+        let Self { pendulums, starts, grid, .. } = self;
+        Ensemble { pendulums, starts, grid, instructions: PhantomData }
     }
+}
 
+impl<I: Instructions> Ensemble<'_, I> {
     /// Writes the state of each pendulum at the end of the grid to `ends`: a slot for each start.
     ///
     /// # Panics
@@ -67,7 +71,7 @@ impl<'a> Ensemble<'a> {
         let grid = &self.grid;
         self.for_blocks(ends, |first, ends| match self.block(method, first, ends.len()) {
             Some(mut block) => {
-                block.advance(method, grid.steps(), self.instructions);
+                I::advance(&mut block, method, grid.steps());
                 for (lane, end) in ends.iter_mut().enumerate() {
                     *end = block.state(lane);
                 }
@@ -98,7 +102,7 @@ impl<'a> Ensemble<'a> {
                         observer.observe(0, 0.0, self.starts[i]);
                     }
                     for n in (0..=grid.steps()).step_by(every.get() as usize).skip(1) {
-                        block.advance(method, every.get(), self.instructions);
+                        I::advance(&mut block, method, every.get());
                         let mut all_satisfied = true;
                         for (lane, observer) in observers.iter_mut().enumerate() {
                             if !observer.is_satisfied() {

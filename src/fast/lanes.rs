@@ -1,5 +1,7 @@
 //! A block of lanes, and the loop over its steps.
 
+use core::fmt::Debug;
+
 use multiversion::multiversion;
 
 use super::{Deferred, ReducedRate};
@@ -79,17 +81,14 @@ impl Lane for ReducedRate {
     }
 }
 
-/// Which vector instructions the steps are compiled to. The bits are the same; the time is not.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Instructions {
-    /// The best the processor has.
-    Best,
-    /// What the program was compiled for: SSE2 on a plain x86-64.
-    Baseline,
-    /// AVX2 if the processor has it, and otherwise the baseline.
-    Avx2,
-    /// AVX-512 if the processor has it, and otherwise the baseline.
-    Avx512,
+/// Which vector instructions the steps are compiled to. It is a type, so that a program compiles
+/// those that it uses and no others. The bits are the same; the time is not.
+pub trait Instructions: Copy + Debug + Default + Send + Sync {
+    /// Takes `steps` steps in every lane of `block`.
+    #[doc(hidden)]
+    fn advance<M>(block: &mut Block, method: &M, steps: u64)
+    where
+        M: Method<ScaledPendulum, Carry: Lane>;
 }
 
 /// The states of a block of pendulums and the carries of their method. Aligned to cache lines, as a
@@ -119,19 +118,6 @@ impl Block {
         block
     }
 
-    /// Takes `steps` steps in every lane.
-    pub fn advance<M>(&mut self, method: &M, steps: u64, instructions: Instructions)
-    where
-        M: Method<ScaledPendulum, Carry: Lane>,
-    {
-        match instructions {
-            Instructions::Best => best(self, method, steps),
-            Instructions::Baseline => baseline(self, method, steps),
-            Instructions::Avx2 => avx2(self, method, steps),
-            Instructions::Avx512 => avx512(self, method, steps),
-        }
-    }
-
     /// The state of a lane (rad, rad/s).
     #[inline]
     pub fn state(&self, lane: usize) -> Phase {
@@ -140,8 +126,21 @@ impl Block {
     }
 }
 
-macro_rules! advance {
-    ($($name:ident for [$($target:literal),*],)+) => {$(
+macro_rules! instructions {
+    ($($(#[$doc:meta])* $Name:ident, $name:ident for [$($target:literal),*],)+) => {$(
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug, Default)]
+        pub struct $Name;
+
+        impl Instructions for $Name {
+            fn advance<M>(block: &mut Block, method: &M, steps: u64)
+            where
+                M: Method<ScaledPendulum, Carry: Lane>,
+            {
+                $name(block, method, steps);
+            }
+        }
+
         #[multiversion(targets($($target),*))]
         fn $name<M>(block: &mut Block, method: &M, steps: u64)
         where
@@ -151,11 +150,15 @@ macro_rules! advance {
         }
     )+};
 }
-advance! {
-    best for ["x86_64+avx512f+avx512dq+avx512vl", "x86_64+avx2", "x86_64+avx"],
-    baseline for [],
-    avx2 for ["x86_64+avx2"],
-    avx512 for ["x86_64+avx512f+avx512dq+avx512vl"],
+instructions! {
+    /// The best the processor has.
+    Best, best for ["x86_64+avx512f+avx512dq+avx512vl", "x86_64+avx2", "x86_64+avx"],
+    /// What the program was compiled for: SSE2 on a plain x86-64.
+    Baseline, baseline for [],
+    /// AVX2 if the processor has it, and otherwise the baseline.
+    Avx2, avx2 for ["x86_64+avx2"],
+    /// AVX-512 if the processor has it, and otherwise the baseline.
+    Avx512, avx512 for ["x86_64+avx512f+avx512dq+avx512vl"],
 }
 
 #[inline(always)]

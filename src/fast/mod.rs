@@ -12,7 +12,7 @@ pub use deferred::Deferred;
 #[cfg(feature = "ensemble")]
 pub use ensemble::{Ensemble, InLanes};
 #[cfg(feature = "ensemble")]
-pub use lanes::{Instructions, LANES, Lane};
+pub use lanes::{Avx2, Avx512, Baseline, Best, Instructions, LANES, Lane};
 pub use scaled::{ReducedPhase, ReducedRate, ScaledPendulum};
 
 use crate::integrate::{Grid, Method, Observer, integrate};

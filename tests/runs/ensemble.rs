@@ -3,7 +3,7 @@
 
 use std::num::NonZeroU64;
 
-use pendula::fast::{Ensemble, InLanes, Instructions};
+use pendula::fast::{Avx2, Avx512, Baseline, Best, Ensemble, InLanes, Instructions};
 use pendula::integrate::Record;
 use pendula::{Grid, Observer, Pendulum, Phase, integrate, integrate_fast};
 use rstest_reuse::apply;
@@ -31,16 +31,22 @@ fn lanes_have_the_bits_of_a_trajectory_alone<M: InLanes>(#[case] method: M) {
             .zip(&starts)
             .map(|(pendulum, start)| integrate_fast(pendulum, &method, *start, &grid, &mut ()))
             .collect();
-        for instructions in
-            [Instructions::Best, Instructions::Baseline, Instructions::Avx2, Instructions::Avx512]
-        {
-            let mut ends = vec![Phase::default(); starts.len()];
-            let ensemble =
-                Ensemble::with_pendulums(&pendulums, &starts, grid).with_instructions(instructions);
-            ensemble.ends(&method, &mut ends);
-            assert_eq!(bits(&ends), bits(&alone), "{instructions:?}, {steps} steps");
-        }
+        let ensemble = Ensemble::with_pendulums(&pendulums, &starts, grid);
+        assert_ends(&ensemble.with_instructions::<Best>(), &method, &alone);
+        assert_ends(&ensemble.with_instructions::<Baseline>(), &method, &alone);
+        assert_ends(&ensemble.with_instructions::<Avx2>(), &method, &alone);
+        assert_ends(&ensemble.with_instructions::<Avx512>(), &method, &alone);
     }
+}
+
+fn assert_ends<I: Instructions>(
+    ensemble: &Ensemble<'_, I>,
+    method: &impl InLanes,
+    expected: &[Phase],
+) {
+    let mut ends = vec![Phase::default(); expected.len()];
+    ensemble.ends(method, &mut ends);
+    assert_eq!(bits(&ends), bits(expected), "{:?}", I::default());
 }
 
 fn bits(states: &[Phase]) -> Vec<[u64; 2]> {

@@ -3,9 +3,14 @@
 use std::collections::BTreeSet;
 use std::sync::LazyLock;
 
+use pendula::methods::splitting::Splitting;
+use pendula::verify::Ladder;
+use pendula::{Info, MethodInfo, StormerVerlet};
 use pendula_study::claims::cells::{CELLS, Cell};
 use pendula_study::claims::{Ledger, Measured, Verdict};
-use pendula_study::experiments::Study;
+use pendula_study::experiments::{PaperMethod, STEPS, Study, convergence};
+use pendula_study::report::table::Table;
+use pendula_study::report::tables;
 use rstest::rstest;
 
 static LEDGER: LazyLock<Ledger> = LazyLock::new(|| Ledger::new(&Study::run(|_| {})));
@@ -90,4 +95,69 @@ fn a_digit_off_by_one_does_not_hold(#[case] id: &str, #[case] misprint: &'static
     claim.stated = Some(misprint);
     assert_eq!(claim.holds(), Some(false), "{claim:?}");
     assert_eq!(claim.judged(), Verdict::Wrong);
+}
+
+// -------------------------------------------------------------------------------------------------
+// A change of method moves the verdicts that it breaks
+// -------------------------------------------------------------------------------------------------
+
+/// Störmer–Verlet with half kicks of 0.4999 h: of order 1 in the end, and at the paper's steps off
+/// in the third digit.
+struct ShortHalfKicks;
+
+impl Splitting for ShortHalfKicks {
+    const KICKS: &'static [f64] = &[0.4999, 0.4999];
+    const DRIFTS: &'static [f64] = &[1.0];
+}
+
+impl Info for ShortHalfKicks {
+    fn info(&self) -> MethodInfo {
+        StormerVerlet.info()
+    }
+}
+
+/// The study, had Störmer–Verlet been the method above where its energy error and its order are
+/// measured.
+fn study_of_short_half_kicks() -> Study {
+    let mut study = Study::run(|_| {});
+    for row in &mut study.convergence {
+        if PaperMethod::of(row.method) == Some(PaperMethod::StormerVerlet) {
+            row.drift = STEPS.map(|step| convergence::drift(&ShortHalfKicks, step));
+        }
+    }
+    for row in &mut study.characteristics {
+        if PaperMethod::of(row.method) == Some(PaperMethod::StormerVerlet) {
+            row.ladder = Ladder::measure(&ShortHalfKicks);
+        }
+    }
+    study
+}
+
+/// The rows of a table in Markdown that contain `text`.
+fn rows_with(table: &Table, text: &str) -> Vec<String> {
+    let markdown = table.to_markdown();
+    markdown.lines().filter(|line| line.contains(text)).map(str::to_string).collect()
+}
+
+/// Catches: a table that goes on showing the verdict on record beside a number that no longer
+/// supports it: in the ledger, in the predictions, in the orders.
+#[test]
+fn a_change_of_method_moves_the_verdicts_that_it_breaks() {
+    let study = study_of_short_half_kicks();
+    let ledger = Ledger::new(&study);
+    let id = "`T4.vv.0.1`";
+
+    let row = |table: &Table| rows_with(table, id).concat();
+    let cell = row(&tables::cells(&ledger));
+    assert!(cell.contains("≠ **wrong** (on record: reproduced)"), "{cell}");
+    assert!(row(&tables::predictions(&ledger)).contains('≠'), "the prediction is missed");
+    let orders = rows_with(&tables::state_slopes(&study), "Störmer–Verlet").concat();
+    assert!(orders.contains('≠'), "{orders}");
+
+    // What is right is not marked.
+    let unchanged = Ledger::new(&Study::run(|_| {}));
+    for table in [tables::cells(&unchanged), tables::sentences(&unchanged)] {
+        assert_eq!(rows_with(&table, "on record"), Vec::<String>::new());
+    }
+    assert_eq!(rows_with(&tables::predictions(&unchanged), "≠"), Vec::<String>::new());
 }

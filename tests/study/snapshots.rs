@@ -1,74 +1,94 @@
 //! Snapshots of the book's tables and figures: a change shows here row by row, for review, before
 //! it reaches the book.
 
+use std::fs;
 use std::panic::catch_unwind;
+use std::path::Path;
 use std::sync::LazyLock;
 
-use pendula::methods::PositionVerlet;
-use pendula::{Grid, Info, Pendulum, Phase, integrate, integrate_fast};
 use pendula_study::claims::Ledger;
-use pendula_study::experiments::{STEPS, Study, convergence, in_paper};
+use pendula_study::experiments::Study;
 use pendula_study::report::figures::figures;
-use pendula_study::report::table::Table;
-use pendula_study::report::tables;
+use pendula_study::report::snapshots::{self, Snapshot};
 use rstest::rstest;
 
 static STUDY: LazyLock<Study> = LazyLock::new(|| Study::run(|_| {}));
 static LEDGER: LazyLock<Ledger> = LazyLock::new(|| Ledger::new(&STUDY));
 
-/// Compares with `snapshots/NAME.snap`. The content is between anchors, so that a chapter can
-/// include it.
-fn assert_reviewed(name: &str, anchor: &str, content: &str) {
-    let text = format!("<!-- ANCHOR: {anchor} -->\n{content}<!-- ANCHOR_END: {anchor} -->\n");
+/// The chapters, by name, that include the snapshot.
+fn chapters(name: &str) -> Vec<String> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../src");
+    let mut chapters: Vec<String> = fs::read_dir(folder)
+        .expect("the chapters")
+        .map(|entry| entry.expect("a chapter").path())
+        .filter(|path| path.extension().is_some_and(|extension| extension == "md"))
+        .filter(|path| {
+            let text = fs::read_to_string(path).expect("a chapter");
+            text.contains(&format!("snapshots/{name}.snap"))
+        })
+        .filter_map(|path| Some(path.file_stem()?.to_str()?.to_string()))
+        .collect();
+    chapters.sort();
+    chapters
+}
+
+/// Compares with `snapshots/NAME.snap`. What it shows and where stands above the difference that
+/// insta prints.
+fn assert_reviewed(snapshot: &Snapshot) {
+    let chapters = chapters(&snapshot.name);
+    let place = match &chapters[..] {
+        [] => "in no chapter".to_string(),
+        chapters => format!("in {}", chapters.join(", ")),
+    };
     insta::with_settings!({
         snapshot_path => "../../snapshots",
         prepend_module_to_snapshot => false,
         omit_expression => true,
+        description => format!("{}; {place}", snapshot.about),
     }, {
-        insta::assert_snapshot!(name, text);
+        insta::assert_snapshot!(snapshot.name.as_str(), snapshot.text());
     });
 }
 
 /// Catches: any digit of the paper's tables, printed or measured, that changes.
 #[rstest]
 fn the_papers_tables(#[values(2, 4, 5, 6, 7, 8)] number: u32) {
-    let table = tables::table(&LEDGER, number).expect("a table of the paper");
-    assert_reviewed(&format!("table_{number}"), "table", &table.to_markdown());
+    assert_reviewed(&snapshots::of_table(&LEDGER, number));
 }
 
 /// Catches: a slope that changes in its second or third decimal, within the tolerance of the order
 /// test.
 #[rstest]
-#[case::of_energy("slopes", tables::energy_slopes(&STUDY))]
-#[case::of_state("orders", tables::state_slopes(&STUDY))]
-fn the_slopes(#[case] name: &str, #[case] table: Table) {
-    assert_reviewed(name, "table", &table.to_markdown());
+#[case::of_energy(snapshots::of_energy_slopes(&STUDY))]
+#[case::of_state(snapshots::of_state_slopes(&STUDY))]
+fn the_slopes(#[case] snapshot: Snapshot) {
+    assert_reviewed(&snapshot);
 }
 
 /// Catches: a property of a method that changes, of the paper's methods or any other.
 #[test]
 fn the_methods() {
-    assert_reviewed("methods", "table", &tables::methods(&STUDY).to_markdown());
+    assert_reviewed(&snapshots::of_methods(&STUDY));
 }
 
 /// Catches: a prediction that changes within its tolerance, and a tolerance that is widened.
 #[test]
 fn the_predictions() {
-    assert_reviewed("predictions", "table", &tables::predictions(&LEDGER).to_markdown());
+    assert_reviewed(&snapshots::of_predictions(&LEDGER));
 }
 
 /// Catches: a digit that changes within the tolerance of its own test.
 #[test]
 fn the_systems_beyond() {
-    assert_reviewed("beyond", "table", &tables::beyond().to_markdown());
+    assert_reviewed(&snapshots::of_systems());
 }
 
 /// Catches: a verdict or a reason changed by accident.
 #[rstest]
-#[case::of_cells("ledger_cells", tables::cells(&LEDGER))]
-#[case::of_sentences("ledger_sentences", tables::sentences(&LEDGER))]
-fn the_ledger(#[case] name: &str, #[case] table: Table) {
-    assert_reviewed(name, "table", &table.to_markdown());
+#[case::of_cells(snapshots::of_cells(&LEDGER))]
+#[case::of_sentences(snapshots::of_sentences(&LEDGER))]
+fn the_ledger(#[case] snapshot: Snapshot) {
+    assert_reviewed(&snapshot);
 }
 
 /// The appendix shows what a change looks like to its reviewer: Table 4 before and after
@@ -78,20 +98,7 @@ fn the_ledger(#[case] name: &str, #[case] table: Table) {
 /// Catches: an example in the book that is out of date.
 #[test]
 fn a_change_as_its_reviewer_sees_it() {
-    let mut changed = STUDY.clone();
-    for row in &mut changed.convergence {
-        if row.method.info().name == "stormer-verlet" {
-            row.drift = STEPS.map(|step| convergence::drift(&PositionVerlet, step));
-        }
-    }
-    let table = |study| tables::table(&Ledger::new(study), 4).expect("Table 4").to_markdown();
-    let (before, after) = (table(&STUDY), table(&changed));
-    let rows =
-        before.lines().zip(after.lines()).flat_map(|(before, after)| match before == after {
-            true => vec![format!(" {before}\n")],
-            false => vec![format!("-{before}\n"), format!("+{after}\n")],
-        });
-    assert_reviewed("a_change", "diff", &format!("```diff\n{}```\n", rows.collect::<String>()));
+    assert_reviewed(&snapshots::of_a_change(&STUDY));
 }
 
 /// Catches: a curve that moves by more than a tenth of a pixel, and a label or description that
@@ -100,8 +107,8 @@ fn a_change_as_its_reviewer_sees_it() {
 fn the_figures() {
     let moved: Vec<_> = figures()
         .filter(|figure| {
-            let html = figure.html(&STUDY);
-            catch_unwind(|| assert_reviewed(figure.name, "figure", &html)).is_err()
+            let snapshot = snapshots::of_figure(figure, &STUDY);
+            catch_unwind(|| assert_reviewed(&snapshot)).is_err()
         })
         .map(|figure| figure.name)
         .collect();
@@ -112,42 +119,6 @@ fn the_figures() {
 // The same bits everywhere
 // -------------------------------------------------------------------------------------------------
 
-/// FNV-1a of every state's bits over four runs of `steps` steps: swinging, nearly over the top,
-/// rotating, and starting many turns from zero; with L ≠ 1 and a step that is not a power of two.
-fn hash(steps: u64, run: impl Fn(&Pendulum, Phase, &Grid, &mut dyn FnMut(u64, f64, Phase))) -> u64 {
-    let pendulum = Pendulum::new(9.81, 1.3, 0.7).unwrap();
-    let grid = Grid::new(0.01, steps).unwrap();
-    let mut hash = 0xcbf2_9ce4_8422_2325_u64;
-    for (theta, omega) in [(1.0, 0.0), (3.1, 0.2), (-0.3, 12.0), (1000.5, -1.0)] {
-        run(&pendulum, Phase { theta, omega }, &grid, &mut |_, _, z: Phase| {
-            for bits in [z.theta.to_bits(), z.omega.to_bits()] {
-                hash = (hash ^ bits).wrapping_mul(0x0100_0000_01b3);
-            }
-        });
-    }
-    hash
-}
-
-macro_rules! hashes {
-    ($($module:ident::$method:ident,)+) => {{
-        let mut table = String::from("| Method | in steps | in seconds |\n| --- | --- | --- |\n");
-        $({
-            use pendula::methods::$method;
-            // Without optimisation a million steps of every method would take minutes.
-            let steps = if in_paper(&$method) { 250_000 } else { 25_000 };
-            let in_steps = hash(steps, |pendulum, start, grid, mut watch| {
-                integrate_fast(pendulum, &$method, start, grid, &mut watch);
-            });
-            let in_seconds = hash(steps, |pendulum, start, grid, mut watch| {
-                integrate(pendulum, &$method, start, grid, &mut watch);
-            });
-            let title = $method.info().title;
-            table += &format!("| {title} | `{in_steps:016x}` | `{in_seconds:016x}` |\n");
-        })+
-        table
-    }};
-}
-
 /// Debug and release builds and all machines give the same bits: `.ci/run` runs this in both, and
 /// for another processor.
 ///
@@ -155,5 +126,23 @@ macro_rules! hashes {
 /// another order.
 #[test]
 fn the_bits_of_a_million_steps() {
-    assert_reviewed("bits", "table", &pendula::for_each_method!(hashes));
+    assert_reviewed(&snapshots::of_bits());
+}
+
+/// Catches: a snapshot that `pendula review` would not show, and one of that list without a test.
+#[test]
+fn the_list_of_snapshots_is_the_folder() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../snapshots");
+    let mut files: Vec<String> = fs::read_dir(folder)
+        .expect("the snapshots")
+        .map(|entry| entry.expect("a snapshot").path())
+        .filter(|path| path.extension().is_some_and(|extension| extension == "snap"))
+        .filter_map(|path| Some(path.file_stem()?.to_str()?.to_string()))
+        .collect();
+    files.sort();
+    let all = snapshots::all(&STUDY, &LEDGER);
+    assert!(all.is_sorted_by_key(|snapshot| snapshot.kind), "not in the order of review");
+    let mut listed: Vec<String> = all.into_iter().map(|snapshot| snapshot.name).collect();
+    listed.sort();
+    assert_eq!(files, listed);
 }

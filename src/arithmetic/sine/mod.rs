@@ -9,6 +9,10 @@
 //! products are exact, and evaluate a polynomial of the remainder. Muller, *Elementary Functions*
 //! (3rd ed.), Sects. 11.2 and 3.2; the polynomials come from `coefficients.sollya`, beside this
 //! file.
+//!
+//! There are two sines. The one here is for everybody: within 0.8 ulp, with a cosine beside it. The
+//! time loops use the module `half_turn`: one polynomial without a choice between two, two thirds of the
+//! time, within 2.5 ulp, which in a sum of a million kicks makes no difference.
 
 pub(crate) mod half_turn;
 

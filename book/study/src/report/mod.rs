@@ -1,5 +1,7 @@
 //! Rows as tables and figures.
 
+pub mod bits;
 pub mod figures;
+pub mod snapshots;
 pub mod table;
 pub mod tables;

@@ -4,7 +4,7 @@ use pendula::metrics::order::slopes;
 
 use super::table::Table;
 use crate::claims::Column::{self, Quantity};
-use crate::claims::{CellId, Claim, Ledger};
+use crate::claims::{CellId, Claim, Ledger, Measured};
 use crate::digits::Digits::{self, Fixed, Scientific};
 use crate::experiments::characteristics::ROUNDING;
 use crate::experiments::{PaperMethod, STEPS, Study, beyond};
@@ -75,12 +75,25 @@ pub fn energy_slopes(study: &Study) -> Table {
 /// The slopes of the largest error of the state on each method's ladder, from the coarsest rung to
 /// the finest above the rounding floor.
 pub fn state_slopes(study: &Study) -> Table {
-    let mut table = Table::new(["Method", "order", "first step (s)", "slopes", "", "", ""]);
+    let mut table = Table::new([
+        "Method",
+        "order",
+        "first step (s)",
+        "slope 1",
+        "slope 2",
+        "slope 3",
+        "slope 4",
+    ]);
     for row in &study.characteristics {
         let entry = row.method.info();
         let lead =
             [entry.title.to_string(), entry.order.to_string(), Fixed(6).print(row.ladder.steps[0])];
-        let slopes = row.ladder.slopes().map(|slope| Fixed(2).print(slope));
+        let order = f64::from(entry.order);
+        let slopes = row.ladder.slopes_and_windows().map(|(slope, window)| {
+            // A NaN is in no window.
+            let within = (slope - order).abs() <= window;
+            after_mark(!within, &Fixed(2).print(slope))
+        });
         table.push(lead.into_iter().chain(slopes));
     }
     table
@@ -127,11 +140,15 @@ pub fn predictions(ledger: &Ledger) -> Table {
     let mut table = Table::new(header).with_remarks(1);
     for prediction in crate::claims::predictions() {
         let Some(claim) = ledger.get(&prediction.id) else { continue };
+        let agrees = match claim.measured {
+            Measured::Number(measured, _) => prediction.agrees_with(measured),
+            _ => false,
+        };
         table.push([
             format!("`{}`", prediction.id),
             claim.stated_text(),
             Scientific(6).print(prediction.value),
-            claim.measured_text(),
+            after_mark(!agrees, &claim.measured_text()),
             Scientific(1).print(prediction.tolerance),
             prediction.law.to_string(),
         ]);
@@ -187,10 +204,15 @@ fn name(claim: &Claim) -> String {
     format!("`{}` {}", claim.id, claim.gist)
 }
 
+/// The verdict that the measurement supports. The reason on record belongs to the verdict on record:
+/// where the two verdicts differ, the row says so instead.
 fn judgement(claim: &Claim) -> String {
-    match claim.because {
-        "" => claim.verdict.to_string(),
-        because => format!("**{}**. {because}", claim.verdict),
+    match (claim.judged(), claim.because) {
+        (judged, _) if judged != claim.verdict => {
+            format!("≠ **{judged}** (on record: {})", claim.verdict)
+        }
+        (judged, "") => judged.to_string(),
+        (judged, because) => format!("**{judged}**. {because}"),
     }
 }
 
@@ -198,7 +220,7 @@ fn judgement(claim: &Claim) -> String {
 /// has dashes above.
 fn by_method(ledger: &Ledger, number: u32, columns: &[(Column, &str)]) -> Table {
     let titles = columns.iter().map(|(_, title)| title.to_string());
-    let mut table = Table::new(["Method".to_string(), String::new()].into_iter().chain(titles));
+    let mut table = Table::new(["Method", "value"].map(String::from).into_iter().chain(titles));
     for row in PaperMethod::ALL {
         let cells: Vec<Option<&Claim>> = columns
             .iter()
@@ -223,9 +245,13 @@ fn by_quantity(ledger: &Ledger, number: u32) -> Table {
     table
 }
 
-/// The measured value, after a ≠ where it contradicts what is stated and after a blank elsewhere,
-/// so that a cell whose mark changes does not change the width of the table.
+/// The measured value, marked where it contradicts what is stated.
 fn marked(claim: &Claim) -> String {
-    let mark = if claim.holds() == Some(false) { '≠' } else { ' ' };
-    format!("{mark} {}", claim.measured_text())
+    after_mark(claim.holds() == Some(false), &claim.measured_text())
+}
+
+/// A value after a ≠ where it `differs` from what it should be and after a blank elsewhere, so that a
+/// cell whose mark changes does not change the width of the table.
+fn after_mark(differs: bool, value: &str) -> String {
+    format!("{} {value}", if differs { '≠' } else { ' ' })
 }

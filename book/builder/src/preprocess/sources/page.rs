@@ -11,7 +11,8 @@ pub fn overview(tests: &Tests) -> String {
          `cargo test` runs them.\n",
     );
     for file in tests.files() {
-        let _ = write!(page, "\n## [`tests/{0}.rs`]({0}.md)\n\n", file.name);
+        // mdBook makes a link of each heading, which then cannot contain another.
+        let _ = write!(page, "\n## `tests/{}.rs`\n\n", file.name);
         let (prose, _) = header(&file.source);
         let first_paragraph: Vec<_> = prose.lines().take_while(|line| !line.is_empty()).collect();
         if let [first, ..] = first_paragraph[..]
@@ -19,6 +20,7 @@ pub fn overview(tests: &Tests) -> String {
         {
             let _ = writeln!(page, "{}\n", first_paragraph.join("\n"));
         }
+        let _ = writeln!(page, "* [the whole file]({}.md)", file.name);
         for test in &file.tests {
             let _ = writeln!(
                 page,
