@@ -16,7 +16,7 @@ for tool in cargo valgrind; do
     fi
 done
 
-program=$(cargo bench --package pendula-benches --bench instructions --no-run --message-format=json |
+program=$(cargo bench -p pendula-benches --bench instructions --no-run --message-format=json |
     sed -n 's/.*"executable":"\([^"]*\)".*/\1/p' | tail -n 1)
 if [ ! -x "$program" ]; then
     echo "callgrind.sh found no program that cargo built for the bench 'instructions'" >&2

@@ -125,9 +125,9 @@ fn area_shrinks_by_the_same_factor_on_every_path() {
             let (_, monodromy) = monodromy(&seen(&driven, steps), z, 1);
             monodromy.determinant() / driven.contraction() - 1.0
         });
-        // (λh)⁵/120 a step for each eigenvalue λ of the linearised equation. They are largest at the
-        // top, β ∓ √(β² + ω₀²) with β = ω₀/4: 3.7 (ω₀h)⁵/120, times 100 steps, 2.3e-5 at worst; and
-        // about 16 times smaller with half the step.
+        // (λh)⁵/120 a step for each eigenvalue λ of the linearised equation. They are largest at
+        // the top, β ∓ √(β² + ω₀²) with β = ω₀/4: 3.7 (ω₀h)⁵/120, times 100 steps, 2.3e-5 at worst;
+        // and about 16 times smaller with half the step.
         near("RK4's determinant", errors[0], 0.0, 2.3e-5).unwrap();
         near("and its order", (errors[0] / errors[1]).abs().log2(), 4.0, 0.5).unwrap();
     }

@@ -11,8 +11,8 @@
 //! file.
 //!
 //! There are two sines. The one here is for everybody: within 0.8 ulp, with a cosine beside it. The
-//! time loops use the module `half_turn`: one polynomial without a choice between two, two thirds of the
-//! time, within 2.5 ulp, which in a sum of a million kicks makes no difference.
+//! time loops use the module `half_turn`: one polynomial without a choice between two, two thirds
+//! of the time, within 2.5 ulp, which in a sum of a million kicks makes no difference.
 
 pub(crate) mod half_turn;
 

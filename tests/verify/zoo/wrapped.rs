@@ -107,8 +107,8 @@ spoilt_loop! {
 }
 
 spoilt_loop! {
-    /// Time is added up, `while t < end { t += h }`: after ten steps of 0.1 it is 0.9999999999999999,
-    /// and one more is taken.
+    /// Time is added up, `while t < end { t += h }`: after ten steps of 0.1 it is
+    /// 0.9999999999999999, and one more is taken.
     TimeAccumulated, |method, pendulum, start, grid, observer| {
         let (end, mut times) = (grid.time(grid.steps()), vec![0.0]);
         while times[times.len() - 1] < end {

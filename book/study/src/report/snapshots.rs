@@ -40,8 +40,8 @@ impl Snapshot {
         Self { name, kind: Kind::Table, about, content: table.to_markdown() }
     }
 
-    /// The text of the file below insta's header: the content between anchors, so that a chapter can
-    /// include it.
+    /// The text of the file below insta's header: the content between anchors, so that a chapter
+    /// can include it.
     pub fn text(&self) -> String {
         let anchor = match self.kind {
             Kind::Table | Kind::Hashes => "table",

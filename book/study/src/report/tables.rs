@@ -204,8 +204,8 @@ fn name(claim: &Claim) -> String {
     format!("`{}` {}", claim.id, claim.gist)
 }
 
-/// The verdict that the measurement supports. The reason on record belongs to the verdict on record:
-/// where the two verdicts differ, the row says so instead.
+/// The verdict that the measurement supports. The reason on record belongs to the verdict on
+/// record: where the two verdicts differ, the row says so instead.
 fn judgement(claim: &Claim) -> String {
     match (claim.judged(), claim.because) {
         (judged, _) if judged != claim.verdict => {
@@ -250,8 +250,8 @@ fn marked(claim: &Claim) -> String {
     after_mark(claim.holds() == Some(false), &claim.measured_text())
 }
 
-/// A value after a ≠ where it `differs` from what it should be and after a blank elsewhere, so that a
-/// cell whose mark changes does not change the width of the table.
+/// A value after a ≠ where it `differs` from what it should be and after a blank elsewhere, so that
+/// a cell whose mark changes does not change the width of the table.
 fn after_mark(differs: bool, value: &str) -> String {
     format!("{} {value}", if differs { '≠' } else { ' ' })
 }
