@@ -141,6 +141,8 @@ macro_rules! instructions {
             }
         }
 
+        // A program compiled for AVX2 needs no second version for it.
+        #[allow(dead_code)]
         #[multiversion(targets($($target),*))]
         fn $name<M>(block: &mut Block, method: &M, steps: u64)
         where
