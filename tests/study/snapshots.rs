@@ -2,21 +2,22 @@
 //! it reaches the book.
 
 use std::fs;
-use std::panic::catch_unwind;
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::path::Path;
 use std::sync::LazyLock;
 
+use insta::internals::Content;
 use pendula_study::claims::Ledger;
 use pendula_study::experiments::Study;
 use pendula_study::report::figures::figures;
-use pendula_study::report::snapshots::{self, Snapshot};
+use pendula_study::report::snapshots::{self, Kind, Snapshot};
 use rstest::rstest;
 
 static STUDY: LazyLock<Study> = LazyLock::new(|| Study::run(|_| {}));
 static LEDGER: LazyLock<Ledger> = LazyLock::new(|| Ledger::new(&STUDY));
 
 /// The chapters, by name, that include the snapshot.
-fn chapters(name: &str) -> Vec<String> {
+fn chapters(stem: &str) -> Vec<String> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../src");
     let mut chapters: Vec<String> = fs::read_dir(folder)
         .expect("the chapters")
@@ -24,7 +25,7 @@ fn chapters(name: &str) -> Vec<String> {
         .filter(|path| path.extension().is_some_and(|extension| extension == "md"))
         .filter(|path| {
             let text = fs::read_to_string(path).expect("a chapter");
-            text.contains(&format!("snapshots/{name}.snap"))
+            text.contains(&format!("snapshots/{stem}.snap"))
         })
         .filter_map(|path| Some(path.file_stem()?.to_str()?.to_string()))
         .collect();
@@ -32,27 +33,28 @@ fn chapters(name: &str) -> Vec<String> {
     chapters
 }
 
-/// Compares with `snapshots/NAME.snap`. What it shows and where stands above the difference that
-/// insta prints.
+/// Compares with the file in `snapshots/`. What it shows and where it stands is above the
+/// difference that insta prints, and below it how to see all that moved on one page.
 fn assert_reviewed(snapshot: &Snapshot) {
-    let chapters = chapters(&snapshot.name);
-    let place = match &chapters[..] {
-        [] => "in no chapter".to_string(),
-        chapters => format!("in {}", chapters.join(", ")),
-    };
-    insta::with_settings!({
-        snapshot_path => "../../snapshots",
-        prepend_module_to_snapshot => false,
-        omit_expression => true,
-        description => format!("{}; {place}", snapshot.about),
-    }, {
-        insta::assert_snapshot!(snapshot.name.as_str(), snapshot.text());
-    });
+    let stem = snapshot.kind.file_stem(&snapshot.name);
+    let chapters = chapters(&stem).into_iter().map(Content::from).collect();
+    let info = vec![(Content::from("chapters"), Content::Seq(chapters))];
+    let mut settings = insta::Settings::clone_current();
+    settings.set_snapshot_path("../../snapshots");
+    settings.set_prepend_module_to_snapshot(false);
+    settings.set_omit_expression(true);
+    settings.set_description(&snapshot.about);
+    settings.set_raw_info(&Content::Map(info));
+    let compare = || insta::assert_snapshot!(stem.as_str(), snapshot.text());
+    if let Err(panic) = catch_unwind(AssertUnwindSafe(|| settings.bind(compare))) {
+        eprintln!("\nTo see what moved: cargo run --release -- review --open");
+        resume_unwind(panic);
+    }
 }
 
 /// Catches: any digit of the paper's tables, printed or measured, that changes.
 #[rstest]
-fn the_papers_tables(#[values(2, 4, 5, 6, 7, 8)] number: u32) {
+fn each_table_of_the_paper(#[values(2, 4, 5, 6, 7, 8)] number: u32) {
     assert_reviewed(&snapshots::of_table(&LEDGER, number));
 }
 
@@ -61,25 +63,25 @@ fn the_papers_tables(#[values(2, 4, 5, 6, 7, 8)] number: u32) {
 #[rstest]
 #[case::of_energy(snapshots::of_energy_slopes(&STUDY))]
 #[case::of_state(snapshots::of_state_slopes(&STUDY))]
-fn the_slopes(#[case] snapshot: Snapshot) {
+fn each_slope(#[case] snapshot: Snapshot) {
     assert_reviewed(&snapshot);
 }
 
 /// Catches: a property of a method that changes, of the paper's methods or any other.
 #[test]
-fn the_methods() {
+fn each_method() {
     assert_reviewed(&snapshots::of_methods(&STUDY));
 }
 
 /// Catches: a prediction that changes within its tolerance, and a tolerance that is widened.
 #[test]
-fn the_predictions() {
+fn each_prediction() {
     assert_reviewed(&snapshots::of_predictions(&LEDGER));
 }
 
 /// Catches: a digit that changes within the tolerance of its own test.
 #[test]
-fn the_systems_beyond() {
+fn each_system_beyond() {
     assert_reviewed(&snapshots::of_systems());
 }
 
@@ -87,7 +89,7 @@ fn the_systems_beyond() {
 #[rstest]
 #[case::of_cells(snapshots::of_cells(&LEDGER))]
 #[case::of_sentences(snapshots::of_sentences(&LEDGER))]
-fn the_ledger(#[case] snapshot: Snapshot) {
+fn each_verdict(#[case] snapshot: Snapshot) {
     assert_reviewed(&snapshot);
 }
 
@@ -97,14 +99,14 @@ fn the_ledger(#[case] snapshot: Snapshot) {
 ///
 /// Catches: an example in the book that is out of date.
 #[test]
-fn a_change_as_its_reviewer_sees_it() {
+fn the_example_of_a_change() {
     assert_reviewed(&snapshots::of_a_change(&STUDY));
 }
 
 /// Catches: a curve that moves by more than a tenth of a pixel, and a label or description that
 /// changes.
 #[test]
-fn the_figures() {
+fn figures_of_the_book() {
     let moved: Vec<_> = figures()
         .filter(|figure| {
             let snapshot = snapshots::of_figure(figure, &STUDY);
@@ -125,7 +127,7 @@ fn the_figures() {
 /// Catches: the platform's sine, a fused multiply-add, a constant folded to another bit, a sum in
 /// another order.
 #[test]
-fn the_bits_of_a_million_steps() {
+fn hashes_of_the_bits_of_a_million_steps() {
     assert_reviewed(&snapshots::of_bits());
 }
 
@@ -142,7 +144,12 @@ fn the_list_of_snapshots_is_the_folder() {
     files.sort();
     let all = snapshots::all(&STUDY, &LEDGER);
     assert!(all.is_sorted_by_key(|snapshot| snapshot.kind), "not in the order of review");
-    let mut listed: Vec<String> = all.into_iter().map(|snapshot| snapshot.name).collect();
+    let recorded = snapshots::RECORDED.map(|(name, _)| Kind::Recorded.file_stem(name));
+    let mut listed: Vec<String> = all
+        .iter()
+        .map(|snapshot| snapshot.kind.file_stem(&snapshot.name))
+        .chain(recorded)
+        .collect();
     listed.sort();
     assert_eq!(files, listed);
 }

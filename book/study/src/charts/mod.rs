@@ -28,6 +28,7 @@ use axis::Scale;
 use path::{Num, Point};
 use plot::Plot;
 pub use style::Style;
+pub use text::wrapped;
 use text::{draw_text, escape, line, width};
 
 const WIDTH: f64 = 600.0;
@@ -65,7 +66,7 @@ impl Figure {
         Self { columns: count.max(1), ..self }
     }
 
-    /// The `<svg>` element, one element a line, without a blank line.
+    /// The `<svg>` element, without a blank line and in short lines, each element on its own.
     ///
     /// Its id is `fig-{id}`, with all but ASCII letters and digits replaced by hyphens; each figure
     /// of a page needs its own.
@@ -102,13 +103,13 @@ impl Figure {
             top = bottom;
         }
         format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" id=\"{id}\" class=\"pendula {id}\" \
-             width=\"100%\" viewBox=\"0 0 {WIDTH} {}\" role=\"img\" aria-labelledby=\"{id}-title \
-             {id}-desc\">\n<title id=\"{id}-title\">{}</title>\n<desc \
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" id=\"{id}\" class=\"pendula {id}\"\n\
+             width=\"100%\" viewBox=\"0 0 {WIDTH} {}\" role=\"img\"\n\
+             aria-labelledby=\"{id}-title {id}-desc\">\n<title id=\"{id}-title\">{}</title>\n<desc \
              id=\"{id}-desc\">{}</desc>\n{}{body}</svg>\n",
             Num(top.ceil()),
             escape(&self.title),
-            escape(&self.description),
+            wrapped(&escape(&self.description)),
             style::style_sheet(&id, &styles),
         )
     }
@@ -313,6 +314,11 @@ mod tests {
         Figure::new("Title\n\nof <two>", "says \"so\"").panel(chart)
     }
 
+    /// The elements, each of which begins a line.
+    fn elements(svg: &str) -> impl Iterator<Item = &str> {
+        svg.split("\n<")
+    }
+
     /// Catches: a blank line, which ends the HTML block in Markdown; two elements on a line;
     /// unescaped text; a figure that changes from run to run.
     #[test]
@@ -321,7 +327,7 @@ mod tests {
         assert!(svg.lines().all(|line| !line.trim().is_empty()));
         assert!(svg.contains("<title id=\"fig-a-b-title\">Title  of &lt;two&gt;</title>\n"));
         assert!(svg.contains(">a &amp; b</text>") && svg.contains("error &lt;J&gt;"));
-        assert!(svg.contains("role=\"img\" aria-labelledby=\"fig-a-b-title fig-a-b-desc\""));
+        assert!(svg.contains("role=\"img\"\naria-labelledby=\"fig-a-b-title fig-a-b-desc\""));
         assert_eq!(svg, sample().to_svg("a b"));
     }
 
@@ -331,13 +337,12 @@ mod tests {
     fn points_without_a_place_leave_a_gap() {
         let svg = sample().to_svg("gap");
         assert!(!svg.contains("NaN") && !svg.contains("inf"));
-        let strokes: Vec<usize> = svg
-            .lines()
+        let strokes: Vec<usize> = elements(&svg)
             .filter(|line| line.contains("class=\"line") && line.contains("clip-path"))
             .map(|line| line.matches('M').count())
             .collect();
         assert_eq!(strokes, [2, 2]);
-        let dots = svg.lines().rfind(|line| line.contains("class=\"dot")).unwrap();
+        let dots = elements(&svg).filter(|element| element.contains("class=\"dot")).last().unwrap();
         assert_eq!(dots.matches('M').count(), 2);
     }
 
@@ -349,7 +354,7 @@ mod tests {
             Style::numbered(1),
             circle(),
         ));
-        for line in figure.to_svg("x").lines().filter(|line| line.contains(" d=\"")) {
+        for line in elements(&figure.to_svg("x")).filter(|element| element.contains(" d=\"")) {
             let (_, d) = line.split_once(" d=\"").unwrap();
             let (d, _) = d.split_once('"').unwrap();
             for number in d.split(|c: char| !(c.is_ascii_digit() || c == '.' || c == '-')) {
@@ -369,7 +374,8 @@ mod tests {
             Chart::new(Axis::linear("x").range(0.0, 1.0), Axis::linear("y").range(0.0, 1.0))
                 .series("", Style::numbered(0), [(0.5, 0.5), (0.6, 7.0), (1e300, -1e300)]);
         let svg = Figure::new("t", "d").panel(chart).to_svg("x");
-        let dots: Vec<&str> = svg.lines().filter(|line| line.contains("class=\"dot")).collect();
+        let dots: Vec<&str> =
+            elements(&svg).filter(|element| element.contains("class=\"dot")).collect();
         assert_eq!((dots.len(), dots[0].matches('M').count()), (1, 1));
         assert!(
             svg.contains("clip-path=\"url(#fig-x-clip-0)\"") && svg.contains("id=\"fig-x-clip-0\"")
@@ -505,8 +511,10 @@ mod tests {
             .series("cloud", Style::REFERENCE.dots(), points(200));
         let svg = Figure::new("t", "d").panel(chart).to_svg("x");
         assert_eq!(svg.matches(">law</text>").count(), 1);
-        let dots: Vec<usize> =
-            svg.lines().map(|line| line.matches("h0").count()).filter(|n| *n > 0).collect();
+        let dots: Vec<usize> = elements(&svg)
+            .map(|element| element.matches("h0").count())
+            .filter(|n| *n > 0)
+            .collect();
         assert_eq!(dots, [5, 100]);
     }
 

@@ -103,17 +103,47 @@ fn squared_distance(p: Point, a: Point, b: Point) -> f64 {
     dx * dx + dy * dy
 }
 
-/// The attribute `d` for the strokes: relative moves, so that a local change stays a local diff.
-/// A stroke of a single point becomes a dot.
+/// The element `path` with these attributes and this `d`. Long data begins on a line of its own.
+pub(super) fn element(attributes: &str, d: &str) -> String {
+    let begin = if d.contains('\n') { "\n" } else { "" };
+    format!(r#"<path {attributes} d="{begin}{d}"/>"#)
+}
+
+/// Where a line of the text of a path ends, in characters, if it has not ended before.
+const LINE: usize = 90;
+/// Where the path leaves a strip of the drawing as wide as this (tenths of a unit), a line of its
+/// text ends: after a change, the lines of the other strips are as they were.
+const STRIP: i64 = 250;
+
+/// Whether a line of text that began at the byte `begin` of `d` ends between two points.
+fn line_ends(d: &str, begin: usize, (from, to): (i64, i64)) -> bool {
+    d.len() - begin >= LINE || from.div_euclid(STRIP) != to.div_euclid(STRIP)
+}
+
+/// The same path data, each of its strokes on a line of its own if they do not fit on one.
+pub(super) fn stroke_by_stroke(d: &str) -> String {
+    if d.len() < LINE { d.to_string() } else { d[..1].to_string() + &d[1..].replace('M', "\nM") }
+}
+
+/// The attribute `d` for the strokes: relative moves in lines of text strip by strip, so that a
+/// local change stays a local diff. A stroke of a single point becomes a dot.
 pub(super) fn polyline<'a>(strokes: impl IntoIterator<Item = &'a Vec<Point>>) -> String {
     let mut d = String::new();
     for stroke in strokes {
         let mut grid = stroke.iter().map(|p| (tenths(p.0), tenths(p.1)));
         let Some(mut at) = grid.next() else { continue };
+        if !d.is_empty() {
+            d.push('\n');
+        }
+        let mut begin = d.len();
         let _ = write!(d, "M{},{}", Tenths(at.0), Tenths(at.1));
         let mut separator = 'l';
         for to in grid {
             if to != at {
+                if separator == ' ' && line_ends(&d, begin, (at.0, to.0)) {
+                    separator = '\n';
+                    begin = d.len() + 1;
+                }
                 let _ = write!(d, "{separator}{},{}", Tenths(to.0 - at.0), Tenths(to.1 - at.1));
                 (at, separator) = (to, ' ');
             }
@@ -151,15 +181,19 @@ pub(super) fn head(stroke: &mut [Point], short: f64) -> Option<[Point; 3]> {
 }
 
 /// The attribute `d` for dots, one in each square unit at most, column by column: relative moves
-/// between neighbours are short.
+/// between neighbours are short, and lines of text end as those of [`polyline`] do.
 pub(super) fn dots(mut points: Vec<Point>) -> String {
     let cell = |p: &Point| (p.0.floor() as i64, p.1.floor() as i64);
     points.sort_by_key(cell);
     points.dedup_by_key(|p| cell(p));
     let mut d = String::new();
-    let mut at = (0, 0);
+    let (mut at, mut begin) = ((0, 0), 0);
     for (x, y) in points {
         let to = (tenths(x), tenths(y));
+        if !d.is_empty() && line_ends(&d, begin, (at.0, to.0)) {
+            d.push('\n');
+            begin = d.len();
+        }
         let _ = write!(d, "m{},{}h0", Tenths(to.0 - at.0), Tenths(to.1 - at.1));
         at = to;
     }
@@ -262,6 +296,36 @@ mod tests {
     fn dots_are_placed_one_from_the_other() {
         let points = vec![(12.04, 3.0), (1.26, 2.0), (12.9, 3.2), (1.26, 1.0)];
         assert_eq!(dots(points), "m1.3,1h0m0,1h0m10.7,1h0");
+    }
+
+    /// A point that moves changes the lines of text of its own strip, and one more at most, where
+    /// the path enters the next.
+    ///
+    /// Catches: a line longer than a screen; lines that all break elsewhere after a small change.
+    #[test]
+    fn a_local_change_is_a_local_difference() {
+        let wave = |i: u32| (2.3 * f64::from(i), 100.0 + 80.0 * libm::sin(0.3 * f64::from(i)));
+        let mut points: Vec<Point> = (0..200).map(wave).collect();
+        let before = (polyline([&points]), dots(points.clone()));
+        points[100].1 += 37.0;
+        let after = (polyline([&points]), dots(points.clone()));
+        for (before, after) in [(before.0, after.0), (before.1, after.1)] {
+            assert!(before.lines().all(|line| line.len() < 110), "{before}");
+            let moved = after.lines().filter(|line| !before.contains(line)).count();
+            assert!((1..=3).contains(&moved) && before.lines().count() > 15, "{moved}: {after}");
+        }
+    }
+
+    /// Catches: data that begins with a line break where it has one line, a stroke that is lost.
+    #[test]
+    fn long_data_begins_on_a_line_of_its_own() {
+        assert_eq!(element("class=\"axis\"", "M1,2h3"), r#"<path class="axis" d="M1,2h3"/>"#);
+        assert_eq!(element("a", "M1,2h3\nM4,5h6"), "<path a d=\"\nM1,2h3\nM4,5h6\"/>");
+        assert_eq!(stroke_by_stroke("M1,2h3M4,5h6"), "M1,2h3M4,5h6");
+        let long = "M100.1,200.2m-5,0a5,5 0 1,0 10,0z".repeat(3);
+        let lines = stroke_by_stroke(&long);
+        assert_eq!(lines.replace('\n', ""), long);
+        assert_eq!(lines.lines().count(), 3);
     }
 
     /// Catches: a single point between two gaps that vanishes; duplicates that print `0,0`.

@@ -84,10 +84,13 @@ impl<'a> Plot<'a> {
             let clipped = format!(r#" clip-path="url(#{clip})""#);
             let attributes = style.line_attributes();
             let d = match style.is_filled() {
-                true => drawn.iter().map(|stroke| path::polyline([stroke]) + "z").collect(),
+                true => {
+                    let closed = drawn.iter().map(|stroke| path::polyline([stroke]) + "z");
+                    closed.collect::<Vec<_>>().join("\n")
+                }
                 false => path::polyline(&drawn),
             };
-            line(out, format!(r#"<path {attributes}{clipped} d="{d}"/>"#));
+            line(out, path::element(&format!("{attributes}{clipped}"), &d));
             if let Some(corners) = head {
                 line(out, style.head(corners, &clipped));
                 strokes.push(corners.to_vec());
@@ -249,8 +252,9 @@ impl<'a> Plot<'a> {
                 }
             }
         }
-        line(out, format!(r#"<path class="grid" d="{grid}"/>"#));
-        line(out, format!(r#"<path class="axis" d="{axis}"/>"#));
+        for (class, d) in [("grid", grid), ("axis", axis)] {
+            line(out, path::element(&format!(r#"class="{class}""#), &path::stroke_by_stroke(&d)));
+        }
         out.push_str(&labels);
     }
 }

@@ -167,7 +167,7 @@ impl Style {
         for (x, y) in points {
             let _ = write!(d, "M{},{}{shape}", Num(x), Num(y));
         }
-        format!(r#"<path {} d="{d}"/>"#, self.class("dot"))
+        path::element(&self.class("dot"), &path::stroke_by_stroke(&d))
     }
 
     /// The head of an arrow with these corners, with `attributes` of its own.
@@ -181,7 +181,7 @@ impl Style {
 
     /// One path with a dot at each of the points.
     pub(super) fn dotted(self, points: Vec<Point>) -> String {
-        format!(r#"<path {} d="{}"/>"#, self.class("line"), path::dots(points))
+        path::element(&self.class("line"), &path::dots(points))
     }
 
     fn class(self, kind: &str) -> String {

@@ -25,6 +25,25 @@ pub(super) fn escape(text: &str) -> String {
     out
 }
 
+/// `text` with a line break for the blank at which a line would grow longer than a screen is wide.
+/// Where it is shown, a line break is a blank.
+pub fn wrapped(text: &str) -> String {
+    let mut lines = String::with_capacity(text.len());
+    let mut width = 0;
+    for word in text.split(' ') {
+        let longer = width + 1 + word.chars().count();
+        if lines.is_empty() || longer > 100 {
+            lines.push_str(if lines.is_empty() { "" } else { "\n" });
+            width = word.chars().count();
+        } else {
+            lines.push(' ');
+            width = longer;
+        }
+        lines.push_str(word);
+    }
+    lines
+}
+
 /// `text` with the true minus sign instead of the hyphen.
 pub(super) fn minus(text: &str) -> Cow<'_, str> {
     if text.contains('-') { text.replace('-', "−").into() } else { text.into() }
@@ -110,6 +129,17 @@ mod tests {
     #[test]
     fn escapes_what_xml_and_markdown_would_read() {
         assert_eq!(escape("a<b & \"c's\">\n\nd"), "a&lt;b &amp; &quot;c’s&quot;&gt;  d");
+    }
+
+    /// Catches: a line longer than a screen, a word that is cut, a blank that is lost.
+    #[test]
+    fn a_long_text_is_wrapped_between_words() {
+        let text = "a pendulum of length one, released from rest ".repeat(9);
+        let lines = wrapped(&text);
+        assert_eq!(lines.replace('\n', " "), text);
+        assert!(
+            lines.lines().all(|line| (90..=100).contains(&line.len()) || lines.ends_with(line))
+        );
     }
 
     /// Catches: a baseline that stays raised after a superscript; unescaped text in a superscript.

@@ -17,11 +17,34 @@ pub enum Kind {
     Figure,
     /// Hashes of states.
     Hashes,
+    /// A table that takes minutes to make: a command of its own writes it, and no test compares it.
+    Recorded,
     /// A difference of tables, shown to a reader as an example.
     Example,
 }
 
-/// A snapshot: the file `snapshots/NAME.snap`.
+impl Kind {
+    /// The anchor around the content, by which a chapter includes it.
+    pub const fn anchor(self) -> &'static str {
+        match self {
+            Self::Table | Self::Recorded => "table",
+            Self::Figure => "figure",
+            Self::Hashes => "hashes",
+            Self::Example => "diff",
+        }
+    }
+
+    /// The stem of the file in `snapshots/` that holds the snapshot `name`. It begins with a digit,
+    /// since `cargo insta review` goes through the files by name.
+    pub fn file_stem(self, name: &str) -> String {
+        format!("{}_{name}", self as u8 + 1)
+    }
+}
+
+/// The snapshots that no test compares, with the commands that write them.
+pub const RECORDED: [(&str, &str); 0] = [];
+
+/// A snapshot: the file `snapshots/DIGIT_NAME.snap`.
 #[derive(Clone, Debug)]
 pub struct Snapshot {
     /// Its name.
@@ -43,12 +66,7 @@ impl Snapshot {
     /// The text of the file below insta's header: the content between anchors, so that a chapter
     /// can include it.
     pub fn text(&self) -> String {
-        let anchor = match self.kind {
-            Kind::Table | Kind::Hashes => "table",
-            Kind::Figure => "figure",
-            Kind::Example => "diff",
-        };
-        let content = &self.content;
+        let (anchor, content) = (self.kind.anchor(), &self.content);
         format!("<!-- ANCHOR: {anchor} -->\n{content}<!-- ANCHOR_END: {anchor} -->\n")
     }
 }
@@ -158,7 +176,7 @@ pub fn of_a_change(study: &Study) -> Snapshot {
     }
 }
 
-/// All of them, in the order in which they are best reviewed.
+/// All that are computed, in the order in which they are best reviewed.
 pub fn all(study: &Study, ledger: &Ledger) -> Vec<Snapshot> {
     let mut all: Vec<Snapshot> =
         tables::TABLES.into_iter().map(|number| of_table(ledger, number)).collect();

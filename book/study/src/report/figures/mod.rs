@@ -8,7 +8,7 @@ mod paper;
 
 use pendula::{METHODS, method_named};
 
-use crate::charts::{Figure, Style};
+use crate::charts::{Figure, Style, wrapped};
 use crate::experiments::{MethodRef, Study, in_paper};
 
 /// A figure of the book.
@@ -30,7 +30,7 @@ impl Drawing {
     /// The figure with its caption, as a `<figure>` element without a blank line.
     pub fn html(&self, study: &Study) -> String {
         // The Markdown processor makes apostrophes typographic, but not in HTML.
-        let (svg, caption) = (self.svg(study), self.caption.replace('\'', "’"));
+        let (svg, caption) = (self.svg(study), wrapped(&self.caption.replace('\'', "’")));
         format!("<figure>\n{svg}<figcaption>{caption}</figcaption>\n</figure>\n")
     }
 }
