@@ -3,7 +3,7 @@
 
 use std::fs;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
 use insta::internals::Content;
@@ -11,6 +11,7 @@ use pendula_study::claims::Ledger;
 use pendula_study::experiments::Study;
 use pendula_study::report::figures::figures;
 use pendula_study::report::snapshots::{self, Kind, Snapshot};
+use pendula_study::report::table::Table;
 use rstest::rstest;
 
 static STUDY: LazyLock<Study> = LazyLock::new(|| Study::run(|_| {}));
@@ -152,4 +153,77 @@ fn the_list_of_snapshots_is_the_folder() {
         .collect();
     listed.sort();
     assert_eq!(files, listed);
+}
+
+// -------------------------------------------------------------------------------------------------
+// What moves when
+// -------------------------------------------------------------------------------------------------
+
+fn at_root(path: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(path)
+}
+
+/// The changes of the table: the names and texts of their patches.
+fn patches() -> Vec<(String, String)> {
+    let mut paths: Vec<PathBuf> = fs::read_dir(at_root("book/study/what_moves_when"))
+        .expect("the patches")
+        .map(|entry| entry.expect("a patch").path())
+        .filter(|path| path.extension().is_some_and(|extension| extension == "patch"))
+        .collect();
+    paths.sort();
+    let read = |path: PathBuf| {
+        let text = fs::read_to_string(path).expect("a patch");
+        let name = text.split(':').next().unwrap_or_default().to_string();
+        (name, text)
+    };
+    paths.into_iter().map(read).collect()
+}
+
+/// The table is made by turning each knob and computing the study again, which takes minutes: here
+/// its rows and columns are compared with the snapshots and the knobs that there are.
+///
+/// Catches: a snapshot that no knob moves, so that no change would be seen in it; a snapshot or a
+/// knob that is not in the table, or no longer exists.
+#[test]
+fn no_snapshot_is_moved_by_nothing() {
+    let text = fs::read_to_string(at_root("snapshots/4_what_moves_when.snap")).expect("the table");
+    let inner = text.split_once("ANCHOR: table -->\n").expect("an anchor").1;
+    let inner = inner.split_once("<!-- ANCHOR_END").expect("an anchor").0;
+    let table = Table::from_markdown(inner).expect("a table");
+    let columns: Vec<&String> = table.header().iter().skip(1).collect();
+    assert_eq!(columns, patches().iter().map(|(name, _)| name).collect::<Vec<_>>());
+    let mut rows: Vec<String> = table.rows().iter().map(|row| row[0].replace('`', "")).collect();
+    let mut names: Vec<String> =
+        snapshots::all(&STUDY, &LEDGER).into_iter().map(|snapshot| snapshot.name).collect();
+    rows.sort();
+    names.sort();
+    assert_eq!(rows, names);
+    for row in table.rows() {
+        assert!(row[1..].iter().any(|cell| !cell.is_empty()), "{} is moved by nothing", row[0]);
+    }
+    for (column, name) in columns.into_iter().enumerate() {
+        assert!(table.rows().iter().any(|row| row[column + 1] == "●"), "{name} moves nothing");
+    }
+}
+
+/// Catches: a knob whose patch no longer applies, so that the table cannot be made again.
+#[test]
+fn every_knob_still_turns() {
+    for (name, patch) in patches() {
+        let files = patch.split("\n+++ b/").skip(1);
+        for file in files {
+            let (path, hunks) = file.split_once('\n').expect("a path");
+            let source = fs::read_to_string(at_root(path)).expect("the source that it changes");
+            // What stands in the hunk before the change is in the source.
+            for hunk in hunks.split("\n@@ ") {
+                let lines =
+                    hunk.lines().skip(1).take_while(|line| line.starts_with([' ', '-', '+']));
+                let before: String = lines
+                    .filter(|line| !line.starts_with('+'))
+                    .map(|line| format!("{}\n", &line[1..]))
+                    .collect();
+                assert!(source.contains(&before), "{name}: {path} has no\n{before}");
+            }
+        }
+    }
 }

@@ -6,8 +6,8 @@ use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
 
 use crate::commands::{
-    adaptive, book, claims, double_pendulum, ensemble, exact, period, preprocess, simulate, tables,
-    work_precision,
+    adaptive, book, claims, double_pendulum, ensemble, exact, period, preprocess, review, simulate,
+    tables, work_precision,
 };
 use crate::failure::Failure;
 
@@ -30,6 +30,9 @@ pub enum Command {
     /// Print every claim of the paper; exit status 1 if a measurement contradicts its verdict on
     /// record
     Claims(claims::Arguments),
+    /// Show what moved since the tables and figures were reviewed, or since a commit; exit status 1
+    /// if something did
+    Review(review::Arguments),
     /// Integrate and print rows t, theta, omega, energy
     Simulate(simulate::Arguments),
     /// Integrate in steps whose size follows the motion and print rows t, theta, omega, energy

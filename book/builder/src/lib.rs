@@ -2,8 +2,9 @@
 //!
 //! In reading order: the command line ([`cli`], [`commands`]), the book on disk ([`locate`]),
 //! building it ([`build`]), and what turns a chapter's source into what mdBook renders
-//! ([`preprocess`], with the paper's values from [`ledger`]). What depends on the reader's machine,
-//! and so is in no snapshot, is [`work_precision`].
+//! ([`preprocess`], with the paper's values from [`ledger`]). What moved in
+//! the snapshots is [`review`]. What depends on the reader's machine, and so is in no snapshot, is
+//! [`work_precision`].
 
 pub mod build;
 pub mod cli;
@@ -13,6 +14,8 @@ pub mod ledger;
 pub mod locate;
 pub mod preprocess;
 pub mod progress;
+pub mod review;
 pub mod sweep;
 mod warnings;
+mod whole_file;
 pub mod work_precision;

@@ -60,8 +60,8 @@ pub fn rounds_to(value: f64, printed: &str) -> Option<bool> {
     Some((value - stated).abs() <= half)
 }
 
-/// Half a unit in the last printed place of `literal`.
-fn half_unit(literal: &str) -> Option<f64> {
+/// Half a unit in the last printed place of `literal`; `None` if its exponent is no number.
+pub fn half_unit(literal: &str) -> Option<f64> {
     let (mantissa, exponent) = literal.split_once('e').unwrap_or((literal, "0"));
     let decimals = mantissa.split_once('.').map_or(0, |(_, after)| after.len());
     let place = exponent.parse::<i32>().ok()? - i32::try_from(decimals).ok()?;

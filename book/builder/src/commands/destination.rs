@@ -12,6 +12,7 @@ use anyhow::Context;
 use tempfile::NamedTempFile;
 
 use crate::failure::Failure;
+use crate::whole_file;
 
 /// A flag that is set when the user interrupts, so that a half-written file can be removed. Without
 /// a file an interrupt ends the program as usual.
@@ -88,11 +89,7 @@ impl<'a> Destination<'a> {
                 Ok(Self::Direct(BufWriter::new(file)))
             }
             _ => {
-                let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
-                let beside = readable_by_others(&mut tempfile::Builder::new())
-                    .prefix(".pendula-")
-                    .tempfile_in(folder.unwrap_or(Path::new(".")))
-                    .map_err(refused)?;
+                let beside = whole_file::beside(&path).map_err(refused)?;
                 Ok(Self::Beside(BufWriter::new(beside), path))
             }
         }
@@ -108,10 +105,7 @@ impl<'a> Destination<'a> {
             Self::Direct(mut out) => out.flush()?,
             Self::Beside(out, path) => {
                 let file = out.into_inner().map_err(io::IntoInnerError::into_error)?;
-                file.as_file().sync_all()?;
-                file.persist(&path)
-                    .map_err(|error| error.error)
-                    .with_context(|| format!("{} cannot be replaced", path.display()))?;
+                whole_file::replace(file, &path)?;
             }
         }
         Ok(())
@@ -134,20 +128,4 @@ impl Write for Destination<'_> {
             Self::Beside(out, _) => out.flush(),
         }
     }
-}
-
-/// Temporary files are private by default; a result is an ordinary file with the user's umask.
-#[cfg(unix)]
-fn readable_by_others<'b>(
-    builder: &'b mut tempfile::Builder<'static, 'static>,
-) -> &'b mut tempfile::Builder<'static, 'static> {
-    use std::os::unix::fs::PermissionsExt;
-    builder.permissions(fs::Permissions::from_mode(0o666))
-}
-
-#[cfg(not(unix))]
-fn readable_by_others<'b>(
-    builder: &'b mut tempfile::Builder<'static, 'static>,
-) -> &'b mut tempfile::Builder<'static, 'static> {
-    builder
 }

@@ -18,6 +18,7 @@ pub mod exact;
 mod pendulum_arguments;
 pub mod period;
 pub mod preprocess;
+pub mod review;
 mod rows;
 pub mod simulate;
 pub mod tables;
@@ -33,6 +34,7 @@ pub fn run(command: Command, out: &mut dyn Write) -> Result<(), Failure> {
         Command::Book(arguments) => book::run(&arguments, out),
         Command::Tables(arguments) => tables::run(&arguments, out),
         Command::Claims(arguments) => claims::run(&arguments, out),
+        Command::Review(arguments) => review::run(&arguments, out),
         Command::Simulate(arguments) => simulate::run(&arguments, out),
         Command::Adaptive(arguments) => adaptive::run(&arguments, out),
         Command::DoublePendulum(arguments) => double_pendulum::run(&arguments, out),

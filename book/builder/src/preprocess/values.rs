@@ -51,7 +51,7 @@ pub fn tex(value: &str) -> String {
 }
 
 /// In a program's notation: `2.01e-4` and `-5.3` for the library's `2.01 × 10⁻⁴` and `−5.3`.
-fn plain(value: &str) -> String {
+pub fn plain(value: &str) -> String {
     static TYPESET: LazyLock<Regex> = LazyLock::new(|| {
         Regex::new(r"(?:(?<times>\s*×\s*10)|10)?(?<power>⁻?[⁰¹²³⁴-⁹]+)|−")
             .expect("the pattern is a constant")

@@ -1,6 +1,5 @@
 //! The book as a reader gets it: built in-process into an empty folder, and its HTML parsed.
 
-use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
@@ -124,10 +123,7 @@ fn no_formula_is_in_error() {
 /// Catches: a test with the id of a heading, so that links lead to the wrong one.
 #[test]
 fn no_id_stands_twice_on_a_page() {
-    assert_none(on_each_page(|_, page| {
-        let mut seen = BTreeSet::new();
-        page.ids.iter().filter(|id| !seen.insert(*id)).cloned().collect()
-    }));
+    assert_none(on_each_page(|_, page| page.repeated_ids()));
 }
 
 /// Catches: a chapter forgotten in SUMMARY.md, or one that mdBook dropped from it.

@@ -6,3 +6,4 @@ mod command_line;
 mod commands;
 mod lab;
 mod pages;
+mod review;

@@ -83,6 +83,12 @@ impl Page {
         page
     }
 
+    /// The ids that stand more than once.
+    pub fn repeated_ids(&self) -> Vec<String> {
+        let mut seen = BTreeSet::new();
+        self.ids.iter().filter(|id| !seen.insert(*id)).cloned().collect()
+    }
+
     fn visit(&mut self, node: &Node<'_>, parser: &Parser<'_>, in_code: bool) {
         match node {
             Node::Raw(text) if !in_code => self.prose.push_str(&text.as_utf8_str()),

@@ -1,5 +1,8 @@
 //! Every snapshot of the book: what it is, and its content as the code makes it now.
 
+use std::panic::resume_unwind;
+use std::thread;
+
 use pendula::methods::PositionVerlet;
 
 use super::bits::bits;
@@ -42,7 +45,7 @@ impl Kind {
 }
 
 /// The snapshots that no test compares, with the commands that write them.
-pub const RECORDED: [(&str, &str); 0] = [];
+pub const RECORDED: [(&str, &str); 1] = [("what_moves_when", "book/study/what_moves_when/run")];
 
 /// A snapshot: the file `snapshots/DIGIT_NAME.snap`.
 #[derive(Clone, Debug)]
@@ -61,6 +64,11 @@ impl Snapshot {
     fn table(name: &str, about: &str, table: &super::table::Table) -> Self {
         let (name, about) = (name.to_string(), about.to_string());
         Self { name, kind: Kind::Table, about, content: table.to_markdown() }
+    }
+
+    /// The content: a table in Markdown, a figure as HTML, or a difference in a fence.
+    pub fn content(&self) -> &str {
+        &self.content
     }
 
     /// The text of the file below insta's header: the content between anchors, so that a chapter
@@ -121,11 +129,6 @@ pub fn of_sentences(ledger: &Ledger) -> Snapshot {
     Snapshot::table("ledger_sentences", about, &tables::sentences(ledger))
 }
 
-/// The figures.
-pub fn of_figures(study: &Study) -> impl Iterator<Item = Snapshot> + '_ {
-    figures().map(|drawing| of_figure(drawing, study))
-}
-
 /// A figure.
 pub fn of_figure(drawing: &Drawing, study: &Study) -> Snapshot {
     let content = drawing.html(study);
@@ -176,13 +179,32 @@ pub fn of_a_change(study: &Study) -> Snapshot {
     }
 }
 
-/// All that are computed, in the order in which they are best reviewed.
+/// All that are computed, in the order in which they are best reviewed. Each is made in a thread of
+/// its own.
 pub fn all(study: &Study, ledger: &Ledger) -> Vec<Snapshot> {
-    let mut all: Vec<Snapshot> =
-        tables::TABLES.into_iter().map(|number| of_table(ledger, number)).collect();
-    all.extend([of_energy_slopes(study), of_state_slopes(study), of_methods(study)]);
-    all.extend([of_predictions(ledger), of_cells(ledger), of_sentences(ledger), of_systems()]);
-    all.extend(of_figures(study));
-    all.extend([of_bits(), of_a_change(study)]);
-    all
+    type Make<'a> = Box<dyn FnOnce() -> Snapshot + Send + 'a>;
+    let mut makes: Vec<Make<'_>> = Vec::new();
+    for number in tables::TABLES {
+        makes.push(Box::new(move || of_table(ledger, number)));
+    }
+    makes.push(Box::new(|| of_energy_slopes(study)));
+    makes.push(Box::new(|| of_state_slopes(study)));
+    makes.push(Box::new(|| of_methods(study)));
+    makes.push(Box::new(|| of_predictions(ledger)));
+    makes.push(Box::new(|| of_cells(ledger)));
+    makes.push(Box::new(|| of_sentences(ledger)));
+    makes.push(Box::new(of_systems));
+    for drawing in figures() {
+        makes.push(Box::new(|| of_figure(drawing, study)));
+    }
+    makes.push(Box::new(of_bits));
+    makes.push(Box::new(|| of_a_change(study)));
+    thread::scope(|scope| {
+        let threads: Vec<_> = makes.into_iter().map(|make| scope.spawn(make)).collect();
+        let join = |thread: thread::ScopedJoinHandle<'_, Snapshot>| match thread.join() {
+            Ok(snapshot) => snapshot,
+            Err(panic) => resume_unwind(panic),
+        };
+        threads.into_iter().map(join).collect()
+    })
 }

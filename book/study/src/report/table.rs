@@ -32,14 +32,48 @@ impl Table {
 
     /// A Markdown table. Columns are padded, so that it reads as a table in a diff too.
     pub fn to_markdown(&self) -> String {
-        let rule = (0..self.header.len()).map(|column| {
-            let dashes = "-".repeat(self.width(column).max(2));
-            if self.is_value(column) { format!("{}:", &dashes[1..]) } else { dashes }
+        let escaped = |cell: &String| cell.replace('|', "\\|");
+        let table = Self {
+            header: self.header.iter().map(escaped).collect(),
+            rows: self.rows.iter().map(|row| row.iter().map(escaped).collect()).collect(),
+            remarks: self.remarks,
+        };
+        let rule = (0..table.header.len()).map(|column| {
+            let dashes = "-".repeat(table.width(column).max(2));
+            if table.is_value(column) { format!("{}:", &dashes[1..]) } else { dashes }
         });
         let rule: Vec<String> = rule.collect();
-        let line = |cells: &[String]| format!("| {} |\n", self.aligned(cells).join(" | "));
-        let rows = self.rows.iter().map(|row| line(row));
-        [line(&self.header), line(&rule)].into_iter().chain(rows).collect()
+        let line = |cells: &[String]| format!("| {} |\n", table.aligned(cells).join(" | "));
+        let rows = table.rows.iter().map(|row| line(row));
+        [line(&table.header), line(&rule)].into_iter().chain(rows).collect()
+    }
+
+    /// Reads what [`Table::to_markdown`] has written, apart from the alignment: a header, a rule,
+    /// and rows of the same width. `None` for any other text.
+    pub fn from_markdown(text: &str) -> Option<Self> {
+        let cells = |line: &str| -> Option<Vec<String>> {
+            let inner = line.strip_prefix("| ")?.strip_suffix(" |")?;
+            Some(inner.split(" | ").map(|cell| cell.trim().replace("\\|", "|")).collect())
+        };
+        let mut lines = text.lines();
+        let mut table = Self::new(cells(lines.next()?)?);
+        let rule = cells(lines.next()?)?;
+        for row in lines {
+            table.rows.push(cells(row)?);
+        }
+        let is_rule = |cell: &String| cell.len() > 1 && cell.chars().all(|c| "-:".contains(c));
+        let even = table.rows.iter().chain([&rule]).all(|row| row.len() == table.header.len());
+        (even && rule.iter().all(is_rule)).then_some(table)
+    }
+
+    /// The headings.
+    pub fn header(&self) -> &[String] {
+        &self.header
+    }
+
+    /// The rows, as wide as the header.
+    pub fn rows(&self) -> &[Vec<String>] {
+        &self.rows
     }
 
     /// Plain text with aligned columns, for the terminal.
@@ -109,5 +143,22 @@ mod tests {
                         | RK4            | 0.001 | it is quick and needs no memory |\n\
                         | Störmer–Verlet |     1 |     |\n";
         assert_eq!(table().to_markdown(), expected);
+    }
+
+    /// Catches: a bar in a cell, such as that of |H|, that begins a column; a cell that is lost or
+    /// moved on the way to Markdown and back; another text that is taken for a table.
+    #[test]
+    fn markdown_is_read_back() {
+        let mut table = table();
+        table.push(["|H(0)| in % of |H|", "−1 × 10⁻³", ""]);
+        let text = table.to_markdown();
+        assert!(text.contains("| \\|H(0)\\| in % of \\|H\\| |"), "{text}");
+        let read = Table::from_markdown(&text).expect("a table");
+        assert_eq!((read.header(), read.rows()), (table.header(), table.rows()));
+        let first_lines = |n: usize| text.lines().take(n).collect::<Vec<_>>().join("\n");
+        assert!(Table::from_markdown(&first_lines(2)).is_some_and(|table| table.rows.is_empty()));
+        for other in ["", "words", &first_lines(1), &format!("{text}| one |\n"), &text[2..]] {
+            assert_eq!(Table::from_markdown(other), None, "{other}");
+        }
     }
 }

@@ -14,46 +14,43 @@ pub const TABLES: [u32; 6] = [2, 4, 5, 6, 7, 8];
 
 /// Table `number`, or `None` if it is not among [`TABLES`].
 pub fn table(ledger: &Ledger, number: u32) -> Option<Table> {
-    Some(match number {
-        2 => by_method(
-            ledger,
-            2,
-            &[
-                (Quantity("order"), "Order"),
-                (Quantity("sympl"), "Symplectic"),
-                (Quantity("evals"), "Evaluations a step"),
-                (Quantity("behav"), "Energy over 1000 s"),
-            ],
-        ),
-        4 | 6 => {
-            let titles = STEPS.map(|step| format!("Δt = {step} s"));
-            let columns: Vec<(Column, &str)> = (STEPS.map(Column::Step).into_iter())
-                .zip(titles.iter().map(String::as_str))
-                .collect();
-            by_method(ledger, number, &columns)
-        }
-        5 => by_method(
-            ledger,
-            5,
-            &[
-                (Quantity("dH"), "ΔH (J)"),
-                (Quantity("pct"), "ΔH in % of H(0)"),
-                (Quantity("H0"), "H(0) (J)"),
-                (Quantity("Hend"), "H(1000 s) (J)"),
-            ],
-        ),
-        7 => by_quantity(ledger, 7),
-        8 => by_method(
-            ledger,
-            8,
-            &[
-                (Quantity("evals"), "Evaluations"),
-                (Quantity("rms"), "RMS error (rad)"),
-                (Quantity("dH"), "ΔH (J)"),
-            ],
-        ),
-        _ => return None,
-    })
+    match number {
+        7 => Some(by_quantity(ledger, 7)),
+        _ => Some(by_method(ledger, number, &columns(number)?)),
+    }
+}
+
+/// The columns of Table `number`, with their headings; `None` if it has no row for each method.
+fn columns(number: u32) -> Option<Vec<(Column, String)>> {
+    let of = |columns: &[(&'static str, &str)]| {
+        let column = |&(quantity, title): &(_, &str)| (Quantity(quantity), title.to_string());
+        Some(columns.iter().map(column).collect())
+    };
+    match number {
+        2 => of(&[
+            ("order", "Order"),
+            ("sympl", "Symplectic"),
+            ("evals", "Evaluations a step"),
+            ("behav", "Energy over 1000 s"),
+        ]),
+        4 | 6 => Some(STEPS.map(|step| (Column::Step(step), format!("Δt = {step} s"))).to_vec()),
+        5 => of(&[
+            ("dH", "ΔH (J)"),
+            ("pct", "ΔH in % of H(0)"),
+            ("H0", "H(0) (J)"),
+            ("Hend", "H(1000 s) (J)"),
+        ]),
+        8 => of(&[("evals", "Evaluations"), ("rms", "RMS error (rad)"), ("dH", "ΔH (J)")]),
+        _ => None,
+    }
+}
+
+/// The cell of Table `number` in the row of the method with this title, in the column with this
+/// heading.
+pub fn cell_at(number: u32, row: &str, column: &str) -> Option<CellId> {
+    let row = PaperMethod::ALL.into_iter().find(|method| method.title() == row)?;
+    let (column, _) = columns(number)?.into_iter().find(|(_, heading)| heading == column)?;
+    Some(CellId { table: number, row: Some(row), column })
 }
 
 /// Below this, rounding moves the second digit of an energy error (J), and with it the second
@@ -176,7 +173,7 @@ pub fn sentences(ledger: &Ledger) -> Table {
         };
         let row =
             [name(claim), claim.place.to_string(), claim.stated_text(), measured, judgement(claim)];
-        table.push(row.map(|cell| cell.replace('|', "\\|")));
+        table.push(row);
     }
     table
 }
@@ -218,13 +215,15 @@ fn judgement(claim: &Claim) -> String {
 
 /// Two rows for each method, stated above measured; a method or column that the paper leaves out
 /// has dashes above.
-fn by_method(ledger: &Ledger, number: u32, columns: &[(Column, &str)]) -> Table {
-    let titles = columns.iter().map(|(_, title)| title.to_string());
+fn by_method(ledger: &Ledger, number: u32, columns: &[(Column, String)]) -> Table {
+    let titles = columns.iter().map(|(_, title)| title.clone());
     let mut table = Table::new(["Method", "value"].map(String::from).into_iter().chain(titles));
     for row in PaperMethod::ALL {
         let cells: Vec<Option<&Claim>> = columns
             .iter()
-            .map(|&(column, _)| ledger.cell(CellId { table: number, row: Some(row), column }))
+            .map(|(column, _)| {
+                ledger.cell(CellId { table: number, row: Some(row), column: *column })
+            })
             .collect();
         let line = |name: &str, what: &str, text: fn(&Claim) -> String| {
             let cells = cells.iter().map(|cell| cell.map_or_else(String::new, text));

@@ -11,6 +11,7 @@ pub(super) const FIGURES: &[Drawing] = &[
         name: "poincare",
         caption: "The driven pendulum at γ = 1.5, seen once a period. A motion that never repeats \
                   stays on one folded curve, and the folds have folds.",
+        noise: false,
         draw: poincare,
     },
     Drawing {
@@ -18,6 +19,7 @@ pub(super) const FIGURES: &[Drawing] = &[
         caption: "Two double pendulums whose starts differ by 10⁻⁹ rad. Released high, the \
                   distance grows exponentially until they have nothing in common; released low, \
                   they stay together.",
+        noise: false,
         draw: separation,
     },
 ];

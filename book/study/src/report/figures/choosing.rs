@@ -11,6 +11,7 @@ pub(super) const FIGURES: &[Drawing] = &[Drawing {
     caption: "Which method keeps the angle within an error allowed, over a run of a given length, \
               with the fewest force evaluations: its mark stands there. Where there are only dots \
               the rounding of an f64 alone may be larger than what is allowed.",
+    noise: false,
     draw: decision,
 }];
 

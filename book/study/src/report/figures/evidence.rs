@@ -18,6 +18,7 @@ pub(super) const FIGURES: &[Drawing] = &[
         caption: "The energy errors of Figure 2: the markers are measured, the lines are worked \
                   out from theory without a step of any method. Every line goes through its \
                   markers, forward Euler's bend included.",
+        noise: false,
         draw: energy_predicted,
     },
     Drawing {
@@ -25,6 +26,7 @@ pub(super) const FIGURES: &[Drawing] = &[
         caption: "Störmer–Verlet's own error falls with the step; that of the small-angle formula \
                   stays. What the paper measures is their difference, and where the two lines \
                   cross it all but vanishes.",
+        noise: false,
         draw: cancellation,
     },
     Drawing {
@@ -32,6 +34,7 @@ pub(super) const FIGURES: &[Drawing] = &[
         caption: "One trajectory, five periods. Above, two of the readings are good enough to show \
                   RK4's own error, which changes its sign near 2 ms. Below, off the exact motion, \
                   each reading shows its own, down to rounding; a line that ends has reached zero.",
+        noise: false,
         draw: five_periods,
     },
     Drawing {
@@ -40,6 +43,7 @@ pub(super) const FIGURES: &[Drawing] = &[
                   way up. The last to break, drawn here with its mirror image, still holds at K = \
                   0.97; at 1.2 it is gone, and the orbits that began beside the upper equilibrium \
                   are everywhere.",
+        noise: false,
         draw: standard_map,
     },
     Drawing {
@@ -47,6 +51,7 @@ pub(super) const FIGURES: &[Drawing] = &[
         caption: "What is left of Störmer–Verlet's conserved energy is rounding. Above, eight runs \
                   wander to either side; below, they wander twice as far in four times the steps. \
                   A biased rounding would follow the steeper guide.",
+        noise: true,
         draw: rounding_walk,
     },
 ];

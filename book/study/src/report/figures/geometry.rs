@@ -16,18 +16,21 @@ pub(super) const FIGURES: &[Drawing] = &[
         name: "stencil_forward_euler",
         caption: "One step of forward Euler in phase space. The arrow is tangent to the orbit, and \
                   so it leaves it to the outside.",
+        noise: false,
         draw: stencil_forward_euler,
     },
     Drawing {
         name: "stencil_symplectic_euler",
         caption: "One step of symplectic Euler, from the same point as forward Euler's. The kick \
                   leaves the angle alone, the drift the velocity.",
+        noise: false,
         draw: stencil_symplectic_euler,
     },
     Drawing {
         name: "stencil_stormer_verlet",
         caption: "One step of Störmer–Verlet, from the same point as symplectic Euler's. With half \
                   of the kick at either end it lands far closer to the truth.",
+        noise: false,
         draw: stencil_stormer_verlet,
     },
     Drawing {
@@ -35,6 +38,7 @@ pub(super) const FIGURES: &[Drawing] = &[
         caption: "One step of RK4, from the same point as forward Euler's, and longer, as its \
                   error could not be seen otherwise. Each slope is an arrow a quarter of a step \
                   long, where it is looked at; the dotted lines lead there.",
+        noise: false,
         draw: stencil_rk4,
     },
     Drawing {
@@ -43,12 +47,14 @@ pub(super) const FIGURES: &[Drawing] = &[
                   takes steps four times as long, as each costs it four force evaluations. None \
                   keeps the shape, and not even the truth does; the two symplectic methods keep \
                   the area, and so does the truth.",
+        noise: false,
         draw: area_carried,
     },
     Drawing {
         name: "level_curves",
         caption: "Large steps of the two symplectic methods. Their points leave the true orbit at \
                   once, and stay on the level curve of their own energy.",
+        noise: false,
         draw: level_curves,
     },
 ];

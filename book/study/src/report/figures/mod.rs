@@ -18,6 +18,8 @@ pub struct Drawing {
     pub name: &'static str,
     /// What to see in it.
     pub caption: &'static str,
+    /// Whether its lines are sums of rounding errors, which go elsewhere with every last digit.
+    pub noise: bool,
     draw: fn(&Study) -> Figure,
 }
 

@@ -13,33 +13,39 @@ pub(super) const FIGURES: &[Drawing] = &[
         name: "figure_2",
         caption: "The paper's Figure 2, measured. RK4's energy error falls with slope 5, not 4; \
                   forward Euler's has no one slope.",
+        noise: false,
         draw: figure_2,
     },
     Drawing {
         name: "figure_3",
         caption: "The paper's Figure 3, with RK4 added below. Level lines are bounded errors; \
                   rising ones add up.",
+        noise: false,
         draw: figure_3,
     },
     Drawing {
         name: "figure_4",
         caption: "The paper's Figure 4. Forward Euler lands outside the true orbit at every step.",
+        noise: false,
         draw: figure_4,
     },
     Drawing {
         name: "figure_5",
         caption: "The paper's Figure 5, with the separatrix around it. The curves look closed.",
+        noise: false,
         draw: figure_5,
     },
     Drawing {
         name: "figure_6",
         caption: "The paper's Figure 6. Broad crests: near the top the pendulum lingers.",
+        noise: false,
         draw: figure_6,
     },
     Drawing {
         name: "figure_7",
         caption: "The paper's Figure 7 over force evaluations. Above, the floor belongs to the \
                   formula; below, against the truth, there is none.",
+        noise: false,
         draw: figure_7,
     },
 ];

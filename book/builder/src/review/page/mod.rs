@@ -1,0 +1,230 @@
+//! A review as one page that needs nothing but itself: it looks like the book, in all its themes.
+
+use std::fs;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, Result};
+use base64::Engine;
+use base64::prelude::BASE64_STANDARD;
+use handlebars::Handlebars;
+use mdbook_driver::config::HtmlConfig;
+use mdbook_html::theme::Theme;
+use serde_json::{Value, json};
+
+use super::rows::{self, Row};
+use super::verdict::sentences;
+use super::{Figure, Review, Turn};
+use crate::whole_file;
+
+/// The folder of the page, below the top folder of the project.
+const FOLDER: &str = "target/review";
+
+/// Writes the page and returns its path.
+///
+/// # Errors
+/// If it cannot be written; an older page is then as it was.
+pub fn write(review: &Review, root: &Path) -> Result<PathBuf> {
+    let folder = root.join(FOLDER);
+    let index = folder.join("index.html");
+    let refused = || format!("{} cannot be written", index.display());
+    let html = html(review, root)?;
+    fs::create_dir_all(&folder).with_context(refused)?;
+    let mut file = whole_file::beside(&index).with_context(refused)?;
+    file.write_all(html.as_bytes()).with_context(refused)?;
+    whole_file::replace(file, &index)?;
+    Ok(index.canonicalize().unwrap_or(index))
+}
+
+/// The page.
+///
+/// # Errors
+/// If the book's theme cannot be read.
+pub fn html(review: &Review, root: &Path) -> Result<String> {
+    let mut template = Handlebars::new();
+    template.set_strict_mode(true);
+    template.render_template(include_str!("page.hbs"), &data(review, root)?).context("the page")
+}
+
+/// What the template prints.
+fn data(review: &Review, root: &Path) -> Result<Value> {
+    let groups: Vec<Value> =
+        review.groups.iter().enumerate().map(|(i, g)| group(review, i, g)).collect();
+    let (seen, unseen): (Vec<&Figure>, Vec<&Figure>) =
+        review.figures.iter().partition(|figure| figure.is_visible());
+    let figures =
+        |figures: Vec<&Figure>| -> Vec<Value> { figures.into_iter().map(figure).collect() };
+    let names = rows::names(review);
+    let (flips, reasons): (Vec<&Turn>, Vec<&Turn>) =
+        review.claims.iter().partition(|turn| turn.flips());
+    let turns = |turns: Vec<&Turn>| -> Vec<Value> { turns.into_iter().map(turn).collect() };
+    let sentences: Vec<Value> = (sentences(review).into_iter())
+        .map(
+            |sentence| json!({"weight": sentence.weight.name(), "text": with_code(&sentence.text)}),
+        )
+        .collect();
+    Ok(json!({
+        "style": style()?,
+        "script": include_str!("page.js"),
+        "before": review.versions[0],
+        "now": review.versions[1],
+        "warnings": review.warnings,
+        "sentences": sentences,
+        "groups": groups,
+        "figures": figures(seen),
+        "unseen": figures(unseen),
+        "flips": turns(flips),
+        "reasons": turns(reasons),
+        "quotes": quotes(review, root),
+        "bits": review.bits,
+        "empty": review.is_empty(),
+        "acceptable": review.acceptable && !review.is_empty(),
+        "command": rows::command(&names),
+        "changelog": rows::changelog("…", "…", &names),
+    }))
+}
+
+/// Text as HTML, with what stands between backticks as code.
+fn with_code(text: &str) -> String {
+    let escaped = handlebars::html_escape(text);
+    let parts = escaped.split("&#x60;").enumerate();
+    parts
+        .map(|(i, part)| if i % 2 == 1 { format!("<code>{part}</code>") } else { part.into() })
+        .collect()
+}
+
+fn group(review: &Review, index: usize, group: &super::causes::Group) -> Value {
+    let names = group.snapshots();
+    let (title, summary) = (group.cause.title(), rows::summary(group));
+    // A few groups are read at once; of many, those where something is no longer as it should be.
+    let open = review.groups.len() <= 3 || (group.leaves() && index < 3);
+    json!({
+        "title": title,
+        "summary": summary,
+        "open": open,
+        "leaves": group.leaves(),
+        "rows": group.items.iter().map(Row::new).collect::<Vec<_>>(),
+        "snapshots": names,
+        "command": rows::command(&names),
+        "changelog": rows::changelog(&title, &summary, &names),
+    })
+}
+
+fn figure(figure: &Figure) -> Value {
+    let drawing = |index: usize, version: &str| {
+        figure.drawings[index].as_ref().map(|drawing| apart(drawing, &figure.name, version))
+    };
+    let summary = rows::figure(figure);
+    json!({
+        "name": figure.name,
+        "summary": summary,
+        "old": drawing(0, "old"),
+        "new": drawing(1, "new"),
+        "both": figure.drawings.iter().all(Option::is_some),
+        "notes": figure.difference.as_ref().map(|difference| &difference.notes),
+        "command": rows::command(&[&figure.name]),
+        "changelog": rows::changelog(&format!("Figure `{}`", figure.name), &summary, &[&figure.name]),
+    })
+}
+
+/// The drawing with ids and classes of its own, so that two versions of it can stand on one page.
+fn apart(drawing: &str, name: &str, version: &str) -> String {
+    let id = format!("fig-{}", name.replace('_', "-"));
+    drawing.replace(&id, &format!("{version}-{id}"))
+}
+
+fn turn(turn: &Turn) -> Value {
+    json!({
+        "id": turn.id,
+        "gist": turn.gist,
+        "old": turn.old,
+        "new": turn.new,
+        "stated": turn.stated,
+        "measured": turn.measured,
+        "remark": turn.remark,
+    })
+}
+
+/// The quotes, with links to the book if it is built, or else to its source.
+fn quotes(review: &Review, root: &Path) -> Vec<Value> {
+    let link = |chapter: &str, heading: &str| {
+        let page = format!("book/{chapter}.html");
+        if root.join("target").join(&page).exists() {
+            format!("../{page}#{}", anchor(heading))
+        } else {
+            format!("../../book/src/{chapter}.md")
+        }
+    };
+    let quotes = review.quotes.iter().map(|quote| {
+        json!({
+            "link": link(&quote.chapter, &quote.heading),
+            "place": format!("{}, {}", quote.chapter, quote.heading),
+            "line": quote.line,
+            "sentence": quote.sentence,
+            "moved": quote.moved,
+            "typed": quote.typed,
+        })
+    });
+    quotes.collect()
+}
+
+/// The id that mdBook gives a heading.
+fn anchor(heading: &str) -> String {
+    let kept = heading.chars().filter(|c| c.is_alphanumeric() || matches!(c, ' ' | '-' | '_'));
+    kept.map(|c| if c == ' ' { '-' } else { c.to_ascii_lowercase() }).collect()
+}
+
+/// The style of the book, with its fonts, and that of this page.
+fn style() -> Result<String> {
+    let folder = tempfile::tempdir().context("no temporary folder can be made")?;
+    Theme::copy_theme(&HtmlConfig::default(), folder.path())?;
+    let theme = folder.path().join("theme");
+    let read = |file: &str| {
+        fs::read_to_string(theme.join(file))
+            .with_context(|| format!("mdBook's theme has no {file}"))
+    };
+    let mut style = String::new();
+    for (weight, file) in [(400, "regular"), (600, "600")] {
+        let file = format!("fonts/open-sans-v17-all-charsets-{file}.woff2");
+        let font =
+            fs::read(theme.join(&file)).with_context(|| format!("mdBook's theme has no {file}"))?;
+        let font = BASE64_STANDARD.encode(font);
+        style += &format!(
+            "@font-face {{ font-family: \"Open Sans\"; font-weight: {weight}; \
+             src: url(data:font/woff2;base64,{font}); }}\n"
+        );
+    }
+    for sheet in [
+        &read("css/variables.css")?,
+        &read("css/general.css")?,
+        include_str!("../../../../theme/pendula.css"),
+        include_str!("../../../../theme/figures.css"),
+        include_str!("page.css"),
+    ] {
+        style += sheet;
+    }
+    Ok(style)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Catches: a link to a heading that the book has under another id.
+    #[test]
+    fn anchors_are_those_of_the_book() {
+        assert_eq!(anchor("What the paper says"), "what-the-paper-says");
+        assert_eq!(anchor("K(k), and RK4’s order"), "kk-and-rk4s-order");
+    }
+
+    /// Catches: two drawings on a page that share an id or a style.
+    #[test]
+    fn two_versions_of_a_figure_share_nothing() {
+        let drawing = r##"<svg id="fig-five-periods" class="pendula fig-five-periods"/>"##;
+        let old = apart(drawing, "five_periods", "old");
+        assert_eq!(
+            old,
+            r##"<svg id="old-fig-five-periods" class="pendula old-fig-five-periods"/>"##
+        );
+    }
+}

@@ -1,0 +1,240 @@
+//! The versions of the snapshots that can be compared: as reviewed, as `cargo test` left them
+//! beside these for review, as the code makes them now, and as committed.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::panic::{self, AssertUnwindSafe};
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::sync::{Arc, Mutex, PoisonError};
+
+use anyhow::{Context, Result, anyhow, bail, ensure};
+use pendula_study::claims::Ledger;
+use pendula_study::experiments::Study;
+use pendula_study::report::snapshots::{self, Kind, Snapshot};
+
+use crate::progress::Progress;
+
+/// The content of a snapshot, without insta's header.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Content {
+    /// What it consists of.
+    pub kind: Kind,
+    /// What stands between the anchors.
+    pub text: String,
+}
+
+/// All snapshots of a version, by name.
+pub type Version = BTreeMap<String, Content>;
+
+/// A file of insta's: a header in YAML between two lines of dashes, and the content.
+#[derive(Clone, Debug)]
+pub struct File {
+    /// The lines between the dashes.
+    pub header: String,
+    /// What follows.
+    pub content: Content,
+}
+
+impl File {
+    /// Reads the text of a file; `place` is its name in errors.
+    ///
+    /// # Errors
+    /// For a text without a header, or without a known anchor around all of its content.
+    pub fn parse(name: &str, text: &str, place: &str) -> Result<Self> {
+        let broken = |what| format!("{place}: corrupt: {what}");
+        let (header, body) = text
+            .strip_prefix("---\n")
+            .and_then(|rest| rest.split_once("\n---\n"))
+            .with_context(|| broken("no header between two lines of dashes"))?;
+        let inner = body.trim_end().strip_prefix("<!-- ANCHOR: ").and_then(|rest| {
+            let (anchor, rest) = rest.split_once(" -->\n")?;
+            let content = rest.strip_suffix(&format!("<!-- ANCHOR_END: {anchor} -->"))?;
+            Some((anchor, content))
+        });
+        let (anchor, content) = inner.with_context(|| broken("no anchors around its content"))?;
+        let kind = kind(name, anchor).with_context(|| broken("an unknown anchor"))?;
+        Ok(Self {
+            header: header.to_string(),
+            content: Content { kind, text: content.to_string() },
+        })
+    }
+
+    /// The text of the file.
+    pub fn text(&self) -> String {
+        let (Self { header, content }, anchor) = (self, self.content.kind.anchor());
+        format!(
+            "---\n{header}\n---\n<!-- ANCHOR: {anchor} -->\n{}<!-- ANCHOR_END: {anchor} -->\n",
+            content.text
+        )
+    }
+}
+
+/// The kind of the snapshot `name` with this anchor. The hashes once had that of a table.
+fn kind(name: &str, anchor: &str) -> Option<Kind> {
+    let recorded = snapshots::RECORDED.iter().any(|(recorded, _)| *recorded == name);
+    Some(match anchor {
+        "table" if name == "bits" => Kind::Hashes,
+        "table" if recorded => Kind::Recorded,
+        "table" => Kind::Table,
+        "figure" => Kind::Figure,
+        "hashes" => Kind::Hashes,
+        "diff" => Kind::Example,
+        _ => return None,
+    })
+}
+
+/// The name of the snapshot in a file that ends in `suffix`: without the digit that orders it.
+fn name_of<'p>(path: &'p str, suffix: &str) -> Option<&'p str> {
+    let stem = path.rsplit('/').next()?.strip_suffix(suffix)?;
+    match stem.split_once('_') {
+        Some((digit, name)) if digit.len() == 1 && digit.chars().all(|c| c.is_ascii_digit()) => {
+            Some(name)
+        }
+        _ => Some(stem),
+    }
+}
+
+/// A snapshot's file on the disk.
+#[derive(Clone, Debug)]
+pub struct OnDisk {
+    /// Where it is.
+    pub path: PathBuf,
+    /// What it says.
+    pub file: File,
+}
+
+/// The files in `folder` that end in `suffix`, by the name of their snapshot.
+///
+/// # Errors
+/// If the folder or a file cannot be read, or a file is corrupt.
+pub fn on_disk(folder: &Path, suffix: &str) -> Result<BTreeMap<String, OnDisk>> {
+    let entries = fs::read_dir(folder)
+        .with_context(|| format!("{} cannot be read", folder.display()))?
+        .collect::<Result<Vec<_>, _>>()?;
+    let mut files = BTreeMap::new();
+    for path in entries.into_iter().map(|entry| entry.path()) {
+        let Some(name) = path.to_str().and_then(|path| name_of(path, suffix)) else { continue };
+        let text = fs::read_to_string(&path)
+            .with_context(|| format!("{} cannot be read", path.display()))?;
+        let file = File::parse(name, &text, &path.display().to_string())?;
+        let before = files.insert(name.to_string(), OnDisk { path: path.clone(), file });
+        ensure!(before.is_none(), "{}: there are two files of this snapshot", path.display());
+    }
+    Ok(files)
+}
+
+/// What the code makes now.
+///
+/// # Errors
+/// If the study panics: a method may have been changed into one with which an experiment has no
+/// result.
+pub fn computed(progress: &Progress) -> Result<Version> {
+    let snapshots = without_panic(|| {
+        progress.stage("", Study::EXPERIMENTS as usize);
+        let study = Study::run(|experiment| progress.next(experiment));
+        let ledger = Ledger::new(&study);
+        snapshots::all(&study, &ledger)
+    });
+    progress.finish();
+    let named = |snapshot: Snapshot| {
+        let content = Content { kind: snapshot.kind, text: snapshot.content().to_string() };
+        (snapshot.name, content)
+    };
+    Ok(snapshots?.into_iter().map(named).collect())
+}
+
+/// The result of `work`, or where it panicked and what it said.
+fn without_panic<T>(work: impl FnOnce() -> T) -> Result<T> {
+    let said = Arc::new(Mutex::new(None));
+    let first = Arc::clone(&said);
+    let before = panic::take_hook();
+    panic::set_hook(Box::new(move |panic| {
+        let mut said = first.lock().unwrap_or_else(PoisonError::into_inner);
+        said.get_or_insert_with(|| panic.to_string());
+    }));
+    let result = panic::catch_unwind(AssertUnwindSafe(work));
+    panic::set_hook(before);
+    result.map_err(|_| {
+        let said = said.lock().unwrap_or_else(PoisonError::into_inner).take();
+        anyhow!("the study cannot be computed: {}", said.unwrap_or_default())
+    })
+}
+
+/// The snapshots as committed at `revision` in the repository around `root`, and the short hash of
+/// that commit.
+///
+/// # Errors
+/// If there is no git, no such revision, or no snapshot in it.
+pub fn committed(root: &Path, revision: &str) -> Result<(String, Version)> {
+    let git = |arguments: &[&str]| -> Result<String> {
+        let output = Command::new("git")
+            .arg("-C")
+            .arg(root)
+            .args(arguments)
+            .output()
+            .context("--since needs git, which cannot be started")?;
+        if !output.status.success() {
+            let error = String::from_utf8_lossy(&output.stderr);
+            bail!("--since {revision}: git says: {}", error.trim().trim_start_matches("fatal: "));
+        }
+        String::from_utf8(output.stdout).context("git's answer is not UTF-8")
+    };
+    let commit = format!("{revision}^{{commit}}");
+    let commit = git(&["rev-parse", "--verify", "--end-of-options", &commit])?;
+    let (commit, short) = (commit.trim(), git(&["rev-parse", "--short", commit.trim()])?);
+    let paths = git(&["ls-tree", "-r", "--name-only", commit, "--", "snapshots"])?;
+    let mut version = Version::new();
+    for path in paths.lines() {
+        let Some(name) = name_of(path, ".snap") else { continue };
+        let text = git(&["show", &format!("{commit}:./{path}")])?;
+        let place = format!("{path} at {revision}");
+        version.insert(name.to_string(), File::parse(name, &text, &place)?.content);
+    }
+    ensure!(!version.is_empty(), "--since {revision}: no snapshots in that revision");
+    Ok((short.trim().to_string(), version))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Catches: a header or an anchor lost on the way from a file and back, and a name that keeps
+    /// the digit of its file.
+    #[test]
+    fn a_file_is_read_and_written() {
+        let text = "---\nsource: tests\ninfo:\n  a: 1\n---\n<!-- ANCHOR: table -->\n| a | b |\n\
+                    <!-- ANCHOR_END: table -->\n";
+        let file = File::parse("table_4", text, "there").unwrap();
+        assert_eq!((file.content.kind, file.content.text.as_str()), (Kind::Table, "| a | b |\n"));
+        assert_eq!(file.text(), text);
+        assert_eq!(name_of("snapshots/1_table_4.snap", ".snap"), Some("table_4"));
+        assert_eq!(name_of("table_4.snap", ".snap"), Some("table_4"));
+        assert_eq!(name_of("1_table_4.snap.new", ".snap"), None);
+    }
+
+    /// Catches: a panic of the study that ends the program with a stack trace, or whose reason is
+    /// lost.
+    #[test]
+    fn a_panic_is_an_error() {
+        let error = without_panic(|| None::<u8>.expect("a result")).unwrap_err().to_string();
+        assert!(error.contains("a result") && error.contains("versions.rs"), "{error}");
+        assert_eq!(without_panic(|| 7).unwrap(), 7);
+    }
+
+    /// Catches: half a file taken for a whole one.
+    #[test]
+    fn what_is_corrupt_is_refused() {
+        for text in [
+            "",
+            "---\nsource: a\n",
+            "---\na: 1\n---\nwords\n",
+            "---\na: 1\n---\n<!-- ANCHOR: \
+            table -->\n| a |\n",
+            "---\na: 1\n---\n<!-- ANCHOR: x -->\n<!-- ANCHOR_END: x -->\n",
+        ] {
+            let error = File::parse("a", text, "snapshots/a.snap").unwrap_err().to_string();
+            assert!(error.starts_with("snapshots/a.snap: corrupt"), "{error}");
+        }
+    }
+}

@@ -1,0 +1,92 @@
+//! The snapshots of the working tree: those reviewed, those that wait for review, and what the code
+//! gives now.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use anyhow::{Result, bail, ensure};
+use pendula_study::report::snapshots::Kind;
+
+use super::accept;
+use super::versions::{OnDisk, Version, computed, on_disk};
+use crate::progress::Progress;
+
+/// The snapshots of the working tree.
+pub struct WorkingTree {
+    /// `snapshots/*.snap`.
+    pub reviewed: BTreeMap<String, OnDisk>,
+    /// `snapshots/*.snap.new`.
+    pub pending: BTreeMap<String, OnDisk>,
+    /// What the code gives now, and where there is a pending file, what that says.
+    pub now: Version,
+    /// The pending files that the code no longer gives.
+    pub stale: Vec<String>,
+}
+
+impl WorkingTree {
+    /// Reads the folder `snapshots`, and computes what the code gives.
+    ///
+    /// # Errors
+    /// If the folder or a file in it cannot be read, a file is corrupt, or the study panics.
+    pub fn read(snapshots: &Path, progress: &Progress) -> Result<Self> {
+        let reviewed = on_disk(snapshots, ".snap")?;
+        let pending = on_disk(snapshots, ".snap.new")?;
+        let mut now = computed(progress)?;
+        for (name, found) in &reviewed {
+            if found.file.content.kind == Kind::Recorded {
+                now.insert(name.clone(), found.file.content.clone());
+            }
+        }
+        let mut stale = Vec::new();
+        for (name, found) in &pending {
+            let waits = found.file.content.clone();
+            let computed = now.insert(name.clone(), waits.clone());
+            if computed.is_some_and(|computed| computed.text != waits.text) {
+                stale.push(name.clone());
+            }
+        }
+        Ok(Self { reviewed, pending, now, stale })
+    }
+
+    /// The reviewed snapshots.
+    pub fn reviewed(&self) -> Version {
+        contents(&self.reviewed)
+    }
+
+    /// What the newer version is, in words.
+    pub fn label(&self) -> String {
+        match self.pending.len() {
+            0 => "what the code gives".to_string(),
+            1 => "what the code gives, and 1 pending file".to_string(),
+            n => format!("what the code gives, and {n} pending files"),
+        }
+    }
+
+    /// Accepts the snapshots with these names.
+    ///
+    /// # Errors
+    /// If one has not moved or is stale, or if a file cannot be written; then nothing is accepted.
+    pub fn accept(&self, snapshots: &Path, names: &[String]) -> Result<()> {
+        let mut plans = Vec::new();
+        for name in names {
+            let old = self.reviewed.get(name).map(|found| &found.file.content.text);
+            let new = self.now.get(name);
+            ensure!(old.is_some() || new.is_some(), "--accept {name}: no such snapshot");
+            ensure!(!self.stale.contains(name), "--accept {name}: {STALE}");
+            if old == new.map(|content| &content.text) {
+                bail!("--accept {name}: it has not moved");
+            }
+            plans.extend(accept::plan(snapshots, name, new, &self.reviewed, &self.pending));
+        }
+        accept::carry_out(plans)
+    }
+}
+
+/// What to do about a pending file that the code does not give.
+pub const STALE: &str =
+    "its pending file is not what the code gives now; run the tests again, or `cargo insta reject`";
+
+/// The contents of files.
+pub fn contents(files: &BTreeMap<String, OnDisk>) -> Version {
+    files.iter().map(|(name, found)| (name.clone(), found.file.content.clone())).collect()
+}
