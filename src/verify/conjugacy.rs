@@ -2,7 +2,7 @@
 //! a kick.
 //!
 //! (K½ D K½)ⁿ = K½ (D K)ⁿ K½⁻¹. Hairer, Lubich, Wanner, *Geometric Numerical Integration* (2006),
-//! Sect. VI.3.
+//! Sect. VI.8.
 
 use super::{CheckResult, near, pendulum, run};
 use crate::methods::{StormerVerlet, SymplecticEuler};

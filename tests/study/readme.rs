@@ -23,6 +23,15 @@ fn the_headline_table_is_table_5() {
     }
 }
 
+/// Catches: a number of claims that was not updated with the ledger.
+#[test]
+fn the_number_of_claims_is_that_of_the_ledger() {
+    let ledger = Ledger::new(&Study::run(|_| {}));
+    let count = ledger.claims().iter().filter(|claim| claim.is_of_the_paper()).count();
+    let says = format!("all {count} claims of the paper");
+    assert!(read("README.md").contains(&says), "the README does not say {says}");
+}
+
 /// The picture is Figure 2 in a file of its own, as a README cannot include a snapshot. To
 /// regenerate it, run this test with `INSTA_UPDATE=always`, as for the snapshots.
 ///

@@ -49,20 +49,27 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
     if upheld { Ok(()) } else { Err(Failure::No) }
 }
 
-/// The claims of the paper; the ledger also contains what the paper leaves out.
+/// The claims of the paper, and the questions that it leaves open; the ledger also contains what
+/// the paper leaves out.
 fn stated(ledger: &Ledger) -> impl Iterator<Item = &Claim> {
     ledger.claims().iter().filter(|claim| claim.verdict != Verdict::NotStated)
 }
 
-/// Two lines a claim, and at the end the number of claims with each verdict.
+/// Two lines a claim, and at the end the number of the paper's claims with each verdict.
 fn write_text(ledger: &Ledger, out: &mut dyn Write) -> io::Result<()> {
     let mut counts: Vec<(Verdict, u32)> = Vec::new();
+    let (mut claims, mut readings) = (0, 0);
     for claim in stated(ledger) {
         let (stated, measured) = (claim.stated_text(), claim.measured_text());
         let because = if claim.because.is_empty() { "" } else { ". " };
         writeln!(out, "{:<16} {} ({})", claim.id, claim.gist, claim.place)?;
         write!(out, "{:<16} stated {stated}, measured {measured}: ", "")?;
         writeln!(out, "{}{because}{}", claim.judged(), claim.because)?;
+        if !claim.is_of_the_paper() {
+            readings += 1;
+            continue;
+        }
+        claims += 1;
         match counts.iter_mut().find(|(verdict, _)| *verdict == claim.judged()) {
             Some((_, count)) => *count += 1,
             None => counts.push((claim.judged(), 1)),
@@ -70,11 +77,13 @@ fn write_text(ledger: &Ledger, out: &mut dyn Write) -> io::Result<()> {
     }
     let counts: Vec<String> =
         counts.iter().map(|(verdict, count)| format!("{count} {verdict}")).collect();
-    writeln!(out, "\n{} claims: {}", stated(ledger).count(), counts.join(", "))
+    writeln!(out, "\n{claims} claims: {}", counts.join(", "))?;
+    writeln!(out, "{readings} questions that the text leaves open and its numbers decide")
 }
 
 fn object(claim: &Claim) -> Value {
     let mut object = cell(claim);
+    object["kind"] = json!(claim.kind().to_string());
     object["gist"] = json!(claim.gist);
     object["recorded"] = json!(claim.verdict.to_string());
     object["place"] = json!(claim.place);

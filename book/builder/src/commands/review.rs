@@ -11,7 +11,7 @@ use crate::failure::Failure;
 use crate::locate;
 use crate::progress::Progress;
 use crate::review::versions::{committed, on_disk};
-use crate::review::working_tree::{STALE, WorkingTree, contents};
+use crate::review::working_tree::{WorkingTree, contents};
 use crate::review::{Review, markdown, page, text};
 
 /// Arguments of `pendula review`.
@@ -27,7 +27,8 @@ pub struct Arguments {
     #[arg(long, value_name = "REV")]
     since: Option<String>,
     /// Accept what these snapshots are now
-    #[arg(long, value_name = "NAME", num_args = 1.., conflicts_with_all = ["since", "open", "format"])]
+    #[arg(long, value_name = "NAME", num_args = 1..)]
+    #[arg(conflicts_with_all = ["since", "open", "format"])]
     accept: Vec<String>,
 }
 
@@ -78,7 +79,8 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
         }
     }
     out.flush()?;
-    if review.is_empty() { Ok(()) } else { Err(Failure::No) }
+    // What cannot be computed has moved in a way that nobody can review.
+    if review.is_empty() && review.warnings.is_empty() { Ok(()) } else { Err(Failure::No) }
 }
 
 /// The snapshots as reviewed, and what the code gives now.
@@ -87,7 +89,7 @@ fn as_reviewed(root: &Path, book: &Path) -> Result<Review> {
     let versions = ["the snapshots as reviewed".to_string(), tree.label()];
     let mut review = Review::new(versions, &tree.reviewed(), &tree.now, &book.join("src"))?;
     review.acceptable = true;
-    review.warnings = tree.stale.iter().map(|name| format!("{name}: {STALE}.")).collect();
+    review.warnings = tree.warnings();
     Ok(review)
 }
 

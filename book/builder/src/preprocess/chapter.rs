@@ -4,13 +4,15 @@
 //! |---|---|
 //! | `{{measured ID}}` | the value as the library measures it |
 //! | `{{stated ID}}` | the value as the paper prints it |
-//! | `{{verdict ID}}` | what comparing the two came to |
+//! | `{{verdict ID}}` | what comparing the two came to, with a link to its row of the ledger |
 //! | `{{test file::function}}` | a link to that test's source in the book |
+//! | `{{catches file::function}}` | the same, and what wrong code it catches, as the test itself says |
 //! | `{{work-precision}}` | the figure that `pendula work-precision` made, or a line on how to make it |
 //!
 //! The first two also work inside formulas. Code spans and code blocks do not change, except that
 //! code included from within an item loses its common indentation.
 
+use std::collections::BTreeSet;
 use std::ops::Range;
 
 use anyhow::{Context, Result, anyhow, bail};
@@ -55,6 +57,7 @@ impl<'a> Setter<'a> {
     /// quotes it.
     pub fn set(&self, text: &str, to_root: &str) -> Result<String> {
         let mut edits = Vec::new();
+        let mut rows = BTreeSet::new();
         let mut done = 0;
         for passage in passages(text) {
             self.set_prose(text, done..passage.range.start, to_root, &mut edits)?;
@@ -63,6 +66,11 @@ impl<'a> Setter<'a> {
                 Kind::Code => {
                     if let Some(block) = flush_left(&text[passage.range.clone()]) {
                         edits.push((passage.range, block));
+                    } else if let Some(id) = self.row_of_the_ledger(text, &passage.range)
+                        && rows.insert(id)
+                    {
+                        let at = passage.range.start;
+                        edits.push((at..at, format!("<span id=\"{id}\"></span>")));
                     }
                 }
                 Kind::Formula { tex, display } => {
@@ -95,6 +103,14 @@ impl<'a> Setter<'a> {
         Ok(splice(text, edits))
     }
 
+    /// The id of the claim, where a code span at the start of a row of a table is one: links to a
+    /// claim lead there.
+    fn row_of_the_ledger<'t>(&self, text: &'t str, range: &Range<usize>) -> Option<&'t str> {
+        let starts_a_row = text[..range.start].ends_with("\n| ");
+        let id = text[range.clone()].trim_matches('`');
+        (starts_a_row && self.ledger.entry(id).is_some()).then_some(id)
+    }
+
     fn set_prose(
         &self,
         text: &str,
@@ -107,14 +123,25 @@ impl<'a> Setter<'a> {
         for directive in directives(prose) {
             let Directive { range: at, name, argument } = directive?;
             let html = match name {
-                "measured" | "stated" | "verdict" => {
+                "measured" | "stated" => {
                     let value = self.value(name, argument)?;
                     format!("<span class=\"{name}\">{}</span>", values::html(&value))
                 }
+                "verdict" => {
+                    let value = values::html(&self.value(name, argument)?);
+                    let row = format!("{to_root}appendix-claims.html#{argument}");
+                    format!("<a class=\"{name}\" href=\"{row}\">{value}</a>")
+                }
                 "test" => self.link(argument, to_root)?,
+                "catches" => {
+                    let catches = self.tests.catches(argument);
+                    let catches = catches
+                        .map_err(|reason| anyhow!("{{{{catches {argument}}}}}: {reason}"))?;
+                    format!("{} catches {catches}", self.link(argument, to_root)?)
+                }
                 "work-precision" => self.work_precision.clone(),
                 _ => bail!(
-                    "{}: no such directive; there are measured, stated, verdict, test and \
+                    "{}: no such directive; there are measured, stated, verdict, test, catches and \
                      work-precision",
                     &prose[at]
                 ),
@@ -214,8 +241,32 @@ mod tests {
             set.unwrap(),
             "<span class=\"stated\">2&#46;01\u{a0}×\u{a0}10<sup>−4</sup></span>, \
              <span class=\"measured\">3\u{a0}×\u{a0}10<sup>−4</sup></span>, \
-             <span class=\"verdict\">wrong</span>"
+             <a class=\"verdict\" href=\"../appendix-claims.html#T4.rk4.0.01\">wrong</a>"
         );
+    }
+
+    /// Catches: a row of the ledger that links to a claim cannot find; an id that stands twice; an
+    /// id on other code.
+    #[test]
+    fn rows_of_the_ledger_can_be_linked_to() {
+        let set =
+            set("\n| a |\n| - |\n| `T4.rk4.0.01` b |\n| `T9` |\n| `T4.rk4.0.01` |\n").unwrap();
+        let expected = "\n| a |\n| - |\n| <span id=\"T4.rk4.0.01\"></span>`T4.rk4.0.01` b |\n\
+                        | `T9` |\n| `T4.rk4.0.01` |\n";
+        assert_eq!(set, expected);
+    }
+
+    /// Catches: a bullet that says what its test does not, and a test that does not say what it
+    /// catches.
+    #[test]
+    fn what_a_test_catches_is_what_it_says() {
+        let source = "/// Does it.\n///\n/// Catches: one thing,\n/// and another.\n\
+                      #[test]\nfn a() {}\n#[test]\nfn b() {}\n";
+        let tests = Tests::from_sources([("x", source)]).unwrap();
+        let set = |text: &str| Setter::new(&ledger, &tests, String::new()).set(text, "");
+        let bullet = set("* {{catches x::a}}.\n").unwrap();
+        assert!(bullet.ends_with("</a> catches one thing, and another.\n"), "{bullet}");
+        assert!(set("{{catches x::b}}").unwrap_err().to_string().contains("Catches:"));
     }
 
     /// Catches: a comma alone at the beginning of a line; a word kept on one line with the formula

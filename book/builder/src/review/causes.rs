@@ -246,6 +246,7 @@ fn cause_of(cell: &Cell, claim: Option<&str>) -> Cause {
             let of = PaperMethod::ALL.into_iter().find(|method| method.id() == row);
             cause(of.map(|method| method.title().to_string()), quantity(table))
         }
+        (Some(id), _) if id.starts_with("X.") => cause(None, "numbers beside the paper's"),
         (Some(_), _) => cause(None, "sentences of the paper"),
         (_, "slopes") => cause(method(row), quantity("4")),
         (_, "orders") => cause(method(row), "order of the state's error"),
@@ -253,6 +254,8 @@ fn cause_of(cell: &Cell, claim: Option<&str>) -> Cause {
         (_, "methods") => cause(method(row), quantity("2")),
         (_, "beyond") => cause(None, "systems beyond the pendulum"),
         (_, "what_moves_when") => cause(None, "what moves when"),
+        (_, "crossings") => cause(None, "where RK4 overtakes Störmer–Verlet"),
+        (_, "diffusion") => cause(None, "orbits at large steps"),
         _ => match snapshot.strip_prefix("table_") {
             Some("7") => cause(None, quantity("7")),
             Some(table) => cause(method(row), quantity(table)),
@@ -274,12 +277,14 @@ fn label(cell: &Cell, claim: Option<&str>, before: &Claims, now: &Claims) -> Str
         }
         ("ledger_cells" | "ledger_sentences" | "predictions", None) => {
             let id = id_and_gist(row).map_or(row.as_str(), |(id, _)| id);
-            let what = gist(id).map_or_else(|| id.to_string(), |gist| gist);
+            let what = gist(id).unwrap_or_else(|| id.to_string());
             format!("{column}: {what}")
         }
         ("slopes", _) => format!("slope, {column}"),
         ("beyond", _) if column == "found" => row.clone(),
         ("beyond" | "what_moves_when", _) => format!("{row}: {column}"),
+        ("crossings", _) => format!("from {row} rad: {column}"),
+        ("diffusion", _) => format!("K = {row}: {column}"),
         _ if row.ends_with(", stated") => format!("stated, {column}"),
         _ => column.clone(),
     }

@@ -34,6 +34,11 @@ pub struct Value {
 }
 
 impl Value {
+    /// Whether it says nothing: a blank, or the dash for what the paper leaves out.
+    fn is_empty(&self) -> bool {
+        self.text.is_empty() || self.text == "—"
+    }
+
     fn new(cell: &str) -> Self {
         match cell.trim().strip_prefix('≠') {
             Some(text) => Self { text: text.trim().to_string(), marked: true },
@@ -52,7 +57,9 @@ pub fn differences(name: &str, old: Option<&Table>, new: Option<&Table>) -> Vec<
     let mut cells = Vec::new();
     let mut differ = |(row, repetition, column): Place, position, old, new| {
         let snapshot = name.to_string();
-        if old != new {
+        // An empty cell of a row that is new or has gone says nothing.
+        let says = |value: &Option<Value>| value.as_ref().is_some_and(|v| !v.is_empty());
+        if old != new && (says(&old) || says(&new)) {
             cells.push(Cell { snapshot, row, repetition, position, column, old, new });
         }
     };

@@ -34,12 +34,23 @@ pub struct Prediction {
     pub tolerance: f64,
     /// What is measured.
     pub measured: f64,
+    /// How far the two may be from what is printed of them.
+    pub rounding: f64,
+    /// Whether the row is marked: then it lies outside its tolerance, whatever its digits say.
+    pub marked: bool,
 }
 
 impl Prediction {
-    /// The distance of the prediction from the measurement in units of the tolerance.
+    /// The distance of the prediction from the measurement in units of the tolerance: the least
+    /// that their printed digits allow.
     pub fn distance(&self) -> f64 {
-        ((self.value - self.measured) / self.measured).abs() / self.tolerance
+        let apart = ((self.value - self.measured).abs() - self.rounding).max(0.0);
+        apart / self.measured.abs() / self.tolerance
+    }
+
+    /// Whether the measurement lies within the tolerance.
+    pub fn agrees(&self) -> bool {
+        !self.marked && self.distance() <= 1.0
     }
 }
 
@@ -80,9 +91,16 @@ impl Claims {
         if let Some(table) = table(version, "predictions")? {
             for row in table.rows() {
                 let [cell, _, predicted, measured, tolerance, ..] = &row[..] else { continue };
-                let numbers = [predicted, measured, tolerance].map(|cell| value(cell));
-                if let [Some(value), Some(measured), Some(tolerance)] = numbers {
-                    let prediction = Prediction { value, tolerance, measured };
+                let number = |cell: &String| leading(cell.trim_start_matches(['≠', ' ']));
+                let numbers = [predicted, measured, tolerance].map(number);
+                if let [Some(value), Some(found), Some(tolerance)] = numbers {
+                    let prediction = Prediction {
+                        value: value.value,
+                        tolerance: tolerance.value,
+                        measured: found.value,
+                        rounding: value.half_unit + found.half_unit,
+                        marked: measured.contains('≠'),
+                    };
                     read.predictions.insert(cell.trim_matches('`').to_string(), prediction);
                 }
             }
@@ -169,7 +187,9 @@ mod tests {
         assert_eq!(claims.order, ["T4.vv.0.1", "T5.x"]);
         let near = |value: f64, expected: f64| assert!((value - expected).abs() < 1e-9, "{value}");
         near(claims.half_units("T4.vv.0.1").unwrap(), 4.0);
-        near(claims.predictions["T4.vv.0.1"].distance(), 10.0);
+        // (1.10 − 1.00 − 2 · 0.005)/1.00 over 0.01: either may be off by half a unit.
+        near(claims.predictions["T4.vv.0.1"].distance(), 9.0);
+        assert!(!claims.predictions["T4.vv.0.1"].agrees());
     }
 
     /// Catches: a corrupt ledger read as an empty one.

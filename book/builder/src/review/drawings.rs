@@ -235,7 +235,8 @@ mod tests {
     fn figure(d: &str, label: &str) -> String {
         format!(
             "<figure><svg><title>T</title><desc>D</desc><style>s</style><path class=\"line\" \
-             d=\"{d}\"/><text x=\"1\" y=\"2\">{label}</text></svg><figcaption>C</figcaption></figure>"
+             d=\"{d}\"/><text x=\"1\" y=\"2\">{label}</text></svg><figcaption>C</figcaption>\
+             </figure>"
         )
     }
 

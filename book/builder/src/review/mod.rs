@@ -4,8 +4,8 @@
 //! [`versions`] reads the snapshots; [`cells`] compares tables cell by cell and [`causes`] groups
 //! what moved; [`claims`] reads verdicts and predictions, [`drawings`] compares figures, and
 //! [`quotes`] finds what the book says of it. A [`Review`] holds all of it, [`verdict`] sums it up,
-//! and [`text`], [`markdown`] and [`page`] print it in the words of [`rows`]. [`working_tree`] is what
-//! is compared where no commit is named, and [`accept`] accepts.
+//! and [`text`], [`markdown`] and [`page`] print it in the words of [`rows`]. [`working_tree`] is
+//! what is compared where no commit is named, and [`accept`] accepts.
 
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -257,9 +257,8 @@ fn turns(before: &Claims, now: &Claims) -> Vec<Turn> {
 
 /// The predictions that left their tolerance, and those that came back to it.
 fn predictions(before: &Claims, now: &Claims) -> [Vec<String>; 2] {
-    let within = |claims: &Claims, id: &str| {
-        claims.predictions.get(id).map(|prediction| prediction.distance() <= 1.0)
-    };
+    let within =
+        |claims: &Claims, id: &str| claims.predictions.get(id).map(claims::Prediction::agrees);
     let turned = |to: bool| {
         let ids = now
             .order

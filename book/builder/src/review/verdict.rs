@@ -58,13 +58,17 @@ pub fn sentences(review: &Review) -> Vec<Sentence> {
         );
         sentences.push(sentence(Weight::Moved, text));
     }
-    for (index, what) in [(0, "is new"), (1, "has gone")] {
+    for (index, one, more) in [
+        (0, "Snapshot that is new", "Snapshots that are new"),
+        (1, "Snapshot that has gone", "Snapshots that have gone"),
+    ] {
         let names: Vec<String> = (review.snapshots.iter())
             .filter(|change| !change.is_in[index])
             .map(|change| format!("`{}`", change.name))
             .collect();
         if !names.is_empty() {
-            let text = format!("Snapshot that {what}: {}.", listed(&names, 8));
+            let what = if names.len() == 1 { one } else { more };
+            let text = format!("{what}: {}.", listed(&names, 8));
             sentences.push(sentence(Weight::Moved, text));
         }
     }
@@ -186,23 +190,30 @@ fn predictions(review: &Review) -> Sentence {
     Sentence { weight, text: text + &again }
 }
 
-/// Verdicts on other claims than cells.
-fn other_claims(review: &Review) -> Option<Sentence> {
-    let flips: Vec<String> = (review.claims.iter())
-        .filter(|turn| turn.flips() && !is_cell(turn))
-        .map(|turn| {
-            let word = |verdict: &str| match verdict {
-                "" => "none".to_string(),
-                word => word.to_string(),
-            };
-            format!("{} ({} → {})", turn.id, word(&turn.old), word(&turn.new))
-        })
+/// Verdicts on other claims than cells, and claims that are new or have gone.
+fn other_claims(review: &Review) -> Vec<Sentence> {
+    let others = || review.claims.iter().filter(|turn| turn.flips() && !is_cell(turn));
+    let stays = |turn: &&Turn| !turn.old.is_empty() && !turn.new.is_empty();
+    let flips: Vec<String> = others()
+        .filter(stays)
+        .map(|turn| format!("{} ({} → {})", turn.id, turn.old, turn.new))
         .collect();
-    let n = flips.len();
-    (n > 0).then(|| Sentence {
-        weight: Weight::Alarm,
-        text: format!("The verdict on {} turns: {}.", counted(n, "other claim"), listed(&flips, 4)),
-    })
+    let named = |turns: Vec<&Turn>| -> Vec<String> {
+        turns.into_iter().map(|turn| turn.id.clone()).collect()
+    };
+    let new = named(others().filter(|turn| turn.old.is_empty()).collect());
+    let gone = named(others().filter(|turn| turn.new.is_empty()).collect());
+    let mut sentences = Vec::new();
+    let mut say = |weight, ids: &[String], what: &str, verb: &str| {
+        if !ids.is_empty() {
+            let text = format!("{} {verb}: {}.", counted(ids.len(), what), listed(ids, 4));
+            sentences.push(Sentence { weight, text });
+        }
+    };
+    say(Weight::Alarm, &flips, "other verdict", if flips.len() == 1 { "turns" } else { "turn" });
+    say(Weight::Moved, &new, "claim", if new.len() == 1 { "is new" } else { "are new" });
+    say(Weight::Moved, &gone, "claim", if gone.len() == 1 { "has gone" } else { "have gone" });
+    sentences
 }
 
 /// How many cells moved, and by how much.

@@ -1,17 +1,17 @@
 //! The versions of the snapshots that can be compared: as reviewed, as `cargo test` left them
 //! beside these for review, as the code makes them now, and as committed.
 
+use std::any::Any;
 use std::collections::BTreeMap;
-use std::fs;
 use std::panic::{self, AssertUnwindSafe};
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::{fs, thread};
 
 use anyhow::{Context, Result, anyhow, bail, ensure};
 use pendula_study::claims::Ledger;
 use pendula_study::experiments::Study;
-use pendula_study::report::snapshots::{self, Kind, Snapshot};
+use pendula_study::report::snapshots::{self, Kind};
 
 use crate::progress::Progress;
 
@@ -124,41 +124,47 @@ pub fn on_disk(folder: &Path, suffix: &str) -> Result<BTreeMap<String, OnDisk>> 
     Ok(files)
 }
 
-/// What the code makes now.
+/// What the code makes now, and why it does not make what it cannot.
 ///
 /// # Errors
-/// If the study panics: a method may have been changed into one with which an experiment has no
-/// result.
-pub fn computed(progress: &Progress) -> Result<Version> {
-    let snapshots = without_panic(|| {
+/// If the study panics before it comes to the snapshots.
+pub fn computed(progress: &Progress) -> Result<(Version, BTreeMap<String, String>)> {
+    let made = quietly(|| {
         progress.stage("", Study::EXPERIMENTS as usize);
         let study = Study::run(|experiment| progress.next(experiment));
         let ledger = Ledger::new(&study);
         snapshots::all(&study, &ledger)
     });
     progress.finish();
-    let named = |snapshot: Snapshot| {
-        let content = Content { kind: snapshot.kind, text: snapshot.content().to_string() };
-        (snapshot.name, content)
-    };
-    Ok(snapshots?.into_iter().map(named).collect())
+    let made = made.map_err(|panic| anyhow!("the study cannot be computed: {}", said(&*panic)))?;
+    let (mut version, mut failed) = (Version::new(), BTreeMap::new());
+    for (name, made) in made {
+        match made {
+            Ok(snapshot) => {
+                let text = snapshot.content().to_string();
+                version.insert(name, Content { kind: snapshot.kind, text });
+            }
+            Err(panic) => {
+                failed.insert(name, said(&*panic));
+            }
+        }
+    }
+    Ok((version, failed))
 }
 
-/// The result of `work`, or where it panicked and what it said.
-fn without_panic<T>(work: impl FnOnce() -> T) -> Result<T> {
-    let said = Arc::new(Mutex::new(None));
-    let first = Arc::clone(&said);
+/// The result of `work`, in which panics print nothing.
+fn quietly<T>(work: impl FnOnce() -> T) -> thread::Result<T> {
     let before = panic::take_hook();
-    panic::set_hook(Box::new(move |panic| {
-        let mut said = first.lock().unwrap_or_else(PoisonError::into_inner);
-        said.get_or_insert_with(|| panic.to_string());
-    }));
+    panic::set_hook(Box::new(|_| {}));
     let result = panic::catch_unwind(AssertUnwindSafe(work));
     panic::set_hook(before);
-    result.map_err(|_| {
-        let said = said.lock().unwrap_or_else(PoisonError::into_inner).take();
-        anyhow!("the study cannot be computed: {}", said.unwrap_or_default())
-    })
+    result
+}
+
+/// What a panic says.
+fn said(panic: &(dyn Any + Send)) -> String {
+    let text = panic.downcast_ref::<&str>().map(ToString::to_string);
+    text.or_else(|| panic.downcast_ref::<String>().cloned()).unwrap_or_default()
 }
 
 /// The snapshots as committed at `revision` in the repository around `root`, and the short hash of
@@ -217,9 +223,13 @@ mod tests {
     /// lost.
     #[test]
     fn a_panic_is_an_error() {
-        let error = without_panic(|| None::<u8>.expect("a result")).unwrap_err().to_string();
-        assert!(error.contains("a result") && error.contains("versions.rs"), "{error}");
-        assert_eq!(without_panic(|| 7).unwrap(), 7);
+        let reason = |work: fn() -> u8| quietly(work).map_err(|panic| said(&*panic));
+        assert!(
+            reason(|| u8::try_from(300).expect("a result"))
+                .is_err_and(|says| says.starts_with("a result"))
+        );
+        assert_eq!(reason(|| panic!("{} of {}", 3, 7)), Err("3 of 7".to_string()));
+        assert_eq!(reason(|| 7), Ok(7));
     }
 
     /// Catches: half a file taken for a whole one.

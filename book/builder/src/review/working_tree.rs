@@ -21,6 +21,8 @@ pub struct WorkingTree {
     pub now: Version,
     /// The pending files that the code no longer gives.
     pub stale: Vec<String>,
+    /// The snapshots that the code cannot make, and why. For the comparison they are as reviewed.
+    pub failed: BTreeMap<String, String>,
 }
 
 impl WorkingTree {
@@ -31,9 +33,9 @@ impl WorkingTree {
     pub fn read(snapshots: &Path, progress: &Progress) -> Result<Self> {
         let reviewed = on_disk(snapshots, ".snap")?;
         let pending = on_disk(snapshots, ".snap.new")?;
-        let mut now = computed(progress)?;
+        let (mut now, failed) = computed(progress)?;
         for (name, found) in &reviewed {
-            if found.file.content.kind == Kind::Recorded {
+            if found.file.content.kind == Kind::Recorded || failed.contains_key(name) {
                 now.insert(name.clone(), found.file.content.clone());
             }
         }
@@ -41,11 +43,13 @@ impl WorkingTree {
         for (name, found) in &pending {
             let waits = found.file.content.clone();
             let computed = now.insert(name.clone(), waits.clone());
-            if computed.is_some_and(|computed| computed.text != waits.text) {
+            if failed.contains_key(name)
+                || computed.is_some_and(|computed| computed.text != waits.text)
+            {
                 stale.push(name.clone());
             }
         }
-        Ok(Self { reviewed, pending, now, stale })
+        Ok(Self { reviewed, pending, now, stale, failed })
     }
 
     /// The reviewed snapshots.
@@ -60,6 +64,15 @@ impl WorkingTree {
             1 => "what the code gives, and 1 pending file".to_string(),
             n => format!("what the code gives, and {n} pending files"),
         }
+    }
+
+    /// What the reviewer should know of how the comparison was made.
+    pub fn warnings(&self) -> Vec<String> {
+        let stale = self.stale.iter().map(|name| format!("{name}: {STALE}."));
+        let failed = (self.failed.iter()).map(|(name, why)| {
+            format!("`{name}` cannot be computed any more, and is left out: {why}.")
+        });
+        stale.chain(failed).collect()
     }
 
     /// Accepts the snapshots with these names.
@@ -83,7 +96,7 @@ impl WorkingTree {
 }
 
 /// What to do about a pending file that the code does not give.
-pub const STALE: &str =
+const STALE: &str =
     "its pending file is not what the code gives now; run the tests again, or `cargo insta reject`";
 
 /// The contents of files.

@@ -443,12 +443,15 @@ fn tables_have_every_cell_in_every_format() {
 fn claims_are_counted_by_verdict() {
     let text = printed(&["claims"]);
     assert!(!text.contains("**") && !text.contains('`'), "{text}");
-    let summary = text.lines().last().unwrap();
+    let [readings, summary] = [0, 1].map(|line| text.lines().rev().nth(line).unwrap());
     let (total, counts) = summary.split_once(" claims: ").expect("a summary");
     let number = |words: &str| words.split(' ').next().unwrap().parse::<u32>().unwrap();
     assert_eq!(number(total), counts.split(", ").map(number).sum::<u32>());
     let claims = json(&["claims", "--format", "json"]);
-    assert_eq!(claims.as_array().unwrap().len(), number(total) as usize);
+    assert_eq!(claims.as_array().unwrap().len() as u32, number(total) + number(readings));
+    let of_kind = |kind| claims.as_array().unwrap().iter().filter(|c| c["kind"] == kind).count();
+    assert_eq!(of_kind("reading") as u32, number(readings));
+    assert_eq!((of_kind("cell") + of_kind("sentence")) as u32, number(total));
 }
 
 /// Catches: a verdict that does not hold but ends with status 0.

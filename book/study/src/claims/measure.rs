@@ -1,9 +1,13 @@
 //! How each number of the paper is measured: from the rows of the study to claims.
 
+use pendula::methods::{BlanesMoan6, Dop853, ForwardEuler, Rk4};
+
 use super::cells::{CELLS, Cell};
 use super::{CellId, Claim, Measured, Tolerance, Verdict};
 use crate::digits::Digits::{self, Fixed, Scientific, Significant};
-use crate::experiments::{MethodRef, PaperMethod, STEPS, Study, work};
+use crate::experiments::{
+    MethodRef, PaperMethod, STEPS, Study, findings, long_run, small_angle, work,
+};
 
 /// All claims, measured, in the order of the tables.
 pub(super) fn claims(study: &Study) -> Vec<Claim> {
@@ -14,7 +18,7 @@ pub(super) fn claims(study: &Study) -> Vec<Claim> {
     table_6(study, &mut claims);
     table_7(study, &mut claims);
     table_8(study, &mut claims);
-    findings(study, &mut claims);
+    found_besides(study, &mut claims);
     claims
 }
 
@@ -218,16 +222,16 @@ fn table_8(study: &Study, claims: &mut Vec<Claim>) {
 }
 
 /// Numbers that no table of the paper has, but that the chapters quote.
-fn findings(study: &Study, claims: &mut Vec<Claim>) {
-    let long_run = |wanted| {
+fn found_besides(study: &Study, claims: &mut Vec<Claim>) {
+    let row = |wanted| {
         of_the_paper(&study.long_run, |row| row.method).find(|(method, _)| *method == wanted)
     };
     let verlet = of_the_paper(&study.convergence, |row| row.method)
         .find(|(method, _)| *method == PaperMethod::StormerVerlet);
     let (Some((_, fe)), Some((_, rk4)), Some((_, vv)), Some((_, verlet))) = (
-        long_run(PaperMethod::ForwardEuler),
-        long_run(PaperMethod::Rk4),
-        long_run(PaperMethod::StormerVerlet),
+        row(PaperMethod::ForwardEuler),
+        row(PaperMethod::Rk4),
+        row(PaperMethod::StormerVerlet),
         verlet,
     ) else {
         return;
@@ -244,6 +248,49 @@ fn findings(study: &Study, claims: &mut Vec<Claim>) {
             "forward Euler's speed at the end of Table 5 (rad/s)",
             fe.end.omega.abs(),
             Fixed(2),
+        ),
+        finding(
+            "fe.first_fall",
+            "the first step of forward Euler that lowers the energy, from 0.05 rad at 0.01 s (s)",
+            findings::first_fall(
+                &ForwardEuler,
+                small_angle::THETA_0,
+                long_run::STEP,
+                long_run::DURATION,
+            )
+            .unwrap_or(f64::NAN),
+            Fixed(2),
+        ),
+        finding(
+            "rk4.norm_rms",
+            "RK4's RMS angle error against the formula over θ₀, at 1e-4 rad and 0.01 s",
+            findings::normalised_formula_error(&Rk4, 1e-4, 0.01).1,
+            Scientific(2),
+        ),
+        finding(
+            "dop853.loss",
+            "largest energy error of DOP853 over 500 s in steps of 0.2 s from 1 rad (J)",
+            findings::energy_drift(&Dop853, 1.0, 0.2, 2500),
+            Scientific(2),
+        ),
+        finding(
+            "dop853.growth",
+            "the same over 2000 s, over that over 500 s",
+            findings::energy_drift(&Dop853, 1.0, 0.2, 10_000)
+                / findings::energy_drift(&Dop853, 1.0, 0.2, 2500),
+            Fixed(1),
+        ),
+        finding(
+            "resonance.at",
+            "energy error of Blanes–Moan 6 over 4000 swings over that of 20, at 8 steps a swing",
+            findings::growth_over_swings(&BlanesMoan6, 8.0, [20.0, 4000.0]),
+            Fixed(0),
+        ),
+        finding(
+            "resonance.beside",
+            "the same at 7.8 steps a swing",
+            findings::growth_over_swings(&BlanesMoan6, 7.8, [20.0, 4000.0]),
+            Fixed(1),
         ),
         finding(
             "fe.over_vv",

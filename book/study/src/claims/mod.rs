@@ -15,6 +15,7 @@ use core::fmt;
 pub use cell_id::{CellId, Column};
 pub use predictions::{Prediction, largest_energy_error, predictions};
 
+use self::cells::CELLS;
 use crate::digits::{Digits, rounds_to};
 use crate::experiments::Study;
 
@@ -61,6 +62,31 @@ impl fmt::Display for Verdict {
             Self::Wrong => "wrong",
             Self::NotCheckable => "not checkable",
             Self::NotStated => "not stated",
+        })
+    }
+}
+
+/// What a claim is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ClaimKind {
+    /// A cell of a table of results.
+    Cell,
+    /// A sentence of the paper, or a cell of its tables of parameters.
+    Sentence,
+    /// A question that the paper's text leaves open and its numbers decide: no claim of the paper,
+    /// and not counted as one.
+    Reading,
+    /// A number that the paper does not have, and that the book quotes.
+    Finding,
+}
+
+impl fmt::Display for ClaimKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(match self {
+            Self::Cell => "cell",
+            Self::Sentence => "sentence",
+            Self::Reading => "reading",
+            Self::Finding => "finding",
         })
     }
 }
@@ -117,6 +143,21 @@ pub struct Claim {
 }
 
 impl Claim {
+    /// What it is. Its id says so.
+    pub fn kind(&self) -> ClaimKind {
+        match self.stated {
+            None => ClaimKind::Finding,
+            Some(_) if self.id.starts_with("X.") => ClaimKind::Reading,
+            Some(_) if CELLS.iter().any(|cell| cell.id == self.id) => ClaimKind::Cell,
+            Some(_) => ClaimKind::Sentence,
+        }
+    }
+
+    /// Whether the paper makes it.
+    pub fn is_of_the_paper(&self) -> bool {
+        matches!(self.kind(), ClaimKind::Cell | ClaimKind::Sentence)
+    }
+
     /// Whether the measurement agrees with what is stated; `None` where one of them is missing.
     pub fn holds(&self) -> Option<bool> {
         let stated = self.stated?;

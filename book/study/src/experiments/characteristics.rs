@@ -46,6 +46,8 @@ pub enum EnergyBehaviour {
     MonotonicDrift,
     /// It grows to a hundredth of the energy or more, but some steps lower the energy.
     DriftWithFalls,
+    /// It is no larger than rounding, which hides what the method does.
+    Rounding,
 }
 
 impl fmt::Display for EnergyBehaviour {
@@ -55,6 +57,7 @@ impl fmt::Display for EnergyBehaviour {
             Self::SlowSecularDrift => "Slow secular drift",
             Self::MonotonicDrift => "Monotonic drift",
             Self::DriftWithFalls => "Drift with falls",
+            Self::Rounding => "rounding",
         })
     }
 }
@@ -102,7 +105,9 @@ pub const ROUNDING: f64 = 3e-12;
 
 fn energy_behaviour(run: &long_run::Row) -> EnergyBehaviour {
     let energy = run.initial + Pendulum::PAPER.depth();
-    if run.drift <= 1.01 * run.early_drift + ROUNDING {
+    if run.drift < ROUNDING {
+        EnergyBehaviour::Rounding
+    } else if run.drift <= 1.01 * run.early_drift + ROUNDING {
         EnergyBehaviour::BoundedOscillation
     } else if run.drift < 0.01 * energy {
         EnergyBehaviour::SlowSecularDrift

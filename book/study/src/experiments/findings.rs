@@ -1,11 +1,13 @@
 //! Single measurements behind sentences of the paper: each a function of the parameters that the
 //! sentence leaves open.
 
+use pendula::adaptive::{Adaptive, Tolerance};
 use pendula::exact::{Motion, period};
+use pendula::methods::{DormandPrince, Rk4, StormerVerlet};
 use pendula::metrics::order::slopes;
 use pendula::metrics::{AngleError, EnergyDrift};
-use pendula::systems::Hamiltonian;
-use pendula::{AnyMethod, Grid, LinearOscillator, Pendulum, Phase};
+use pendula::systems::{Components, Damped, Ellipse, Hamiltonian, Kepler, PlanePhase, System};
+use pendula::{AnyMethod, Grid, Info, LinearOscillator, Method, Pendulum, Phase, integrate};
 
 use crate::experiments::{MethodRef, grid, released};
 
@@ -62,16 +64,20 @@ pub fn error_for_work(method: MethodRef, evaluations: u64) -> f64 {
     error.root_mean_square()
 }
 
+/// The error of a single step of `step` (s), from 1 rad and 1 rad/s: the larger of |Δθ| (rad) and
+/// |Δω| (rad/s).
+pub fn one_step_error(method: &dyn AnyMethod, step: f64) -> f64 {
+    let start = Phase { theta: 1.0, omega: 1.0 };
+    let truth = Motion::new(&PENDULUM, start).expect("a finite start").at(step);
+    let z = method.run(&PENDULUM, start, &grid(step, step), &mut ());
+    (z.theta - truth.theta).abs().max((z.omega - truth.omega).abs())
+}
+
 /// Slope of the error of a single step against the step: one more than the order. From 1 rad and 1
 /// rad/s, between 0.02 s and 0.01 s.
 pub fn one_step_slope(method: &dyn AnyMethod) -> f64 {
-    let start = Phase { theta: 1.0, omega: 1.0 };
-    let truth = Motion::new(&PENDULUM, start).expect("a finite start");
     let steps = [0.02, 0.01];
-    let errors = steps.map(|h| {
-        let z = method.run(&PENDULUM, start, &grid(h, h), &mut ());
-        (z.theta - truth.at(h).theta).abs().max((z.omega - truth.at(h).omega).abs())
-    });
+    let errors = steps.map(|step| one_step_error(method, step));
     slopes(&steps, &errors, 0.0).flatten().next().unwrap_or(f64::NAN)
 }
 
@@ -117,6 +123,88 @@ pub fn chaotic_speed(method: &dyn AnyMethod, k: f64, steps: u64) -> f64 {
         fastest = fastest.max(z.omega.abs() * step);
     });
     fastest
+}
+
+/// The largest energy error over `long` swings from 1 rad over that of the first `short`, with
+/// `steps` steps a swing: 1 for an oscillation that does not grow.
+pub fn growth_over_swings(method: &dyn AnyMethod, steps: f64, [short, long]: [f64; 2]) -> f64 {
+    let step = period(&PENDULUM, 1.0).expect("a finite angle") / steps;
+    let drift = |swings: f64| energy_drift(method, 1.0, step, (swings * steps) as u64);
+    drift(long) / drift(short)
+}
+
+/// Störmer–Verlet's largest energy error (J/kg) on Kepler's problem without angular momentum, in
+/// steps of `step` (s): from rest at 1 m, with μ = 1 m³/s², over 2 s, in which the body falls
+/// through the centre. A separable Hamiltonian, whose orbit stays in no compact set of the phase
+/// plane.
+pub fn energy_error_of_a_fall(step: f64) -> f64 {
+    let kepler = Kepler::new(1.0).expect("a positive attraction");
+    let start = PlanePhase { x: 1.0, ..PlanePhase::default() };
+    let mut drift = EnergyDrift::new(&kepler);
+    integrate(&kepler, &StormerVerlet, start, &grid(2.0, step), &mut drift);
+    drift.largest()
+}
+
+/// The error at the end in steps that Dormand and Prince's method chooses, over its error in as
+/// many fixed steps as give the same number of evaluations: of the pendulum from 1 rad after 10 s,
+/// and of a planet on an ellipse of eccentricity 0.9 after a revolution.
+pub fn adaptive_over_fixed() -> [f64; 2] {
+    let start = released(1.0);
+    let truth = Motion::new(&PENDULUM, start).expect("a finite start").at(10.0);
+    let away = |z: Phase| (z.theta - truth.theta).abs();
+    let pendulum = gain(&PENDULUM, start, 10.0, 1e-6, away);
+    let centre = Kepler::new(1.0).expect("a positive attraction");
+    let ellipse = Ellipse::new(&centre, 1.0, 0.9).expect("an ellipse");
+    let start = ellipse.at(0.0);
+    let away = |z: PlanePhase| libm::hypot(z.x - start.x, z.y - start.y);
+    [pendulum, gain(&centre, start, ellipse.period(), 1e-6, away)]
+}
+
+/// Störmer–Verlet's root-mean-square angle error over RK4's for 400 evaluations each, from 1 rad
+/// over 10 s: without friction, and with a damping rate β of 0.2/s. The truth is RK4 in steps a
+/// hundred times as short.
+pub fn verlet_over_rk4_damped() -> [f64; 2] {
+    [0.0, 0.2].map(|rate| {
+        let damped = Damped::new(PENDULUM, rate).expect("a rate in range");
+        let fine = Grid::new(10.0 / 40_000.0, 40_000).expect("a positive step");
+        let mut truth = Vec::new();
+        integrate(&damped, &Rk4, released(1.0), &fine, &mut |_, _, z: Phase| truth.push(z.theta));
+        let verlet = error_against(&truth, &damped, &StormerVerlet, 400);
+        verlet / error_against(&truth, &damped, &Rk4, 100)
+    })
+}
+
+/// The root-mean-square difference of the angles of a run of `steps` steps over 10 s from 1 rad
+/// from those of a finer one.
+fn error_against(truth: &[f64], damped: &Damped, method: &impl Method<Damped>, steps: u64) -> f64 {
+    let stride = (truth.len() as u64 - 1) / steps;
+    let grid = Grid::new(10.0 / steps as f64, steps).expect("a positive step");
+    let mut squares = 0.0;
+    integrate(damped, method, released(1.0), &grid, &mut |n: u64, _, z: Phase| {
+        let error = z.theta - truth[(n * stride) as usize];
+        squares += error * error;
+    });
+    libm::sqrt(squares / (steps + 1) as f64)
+}
+
+/// The one error over the other, of steps chosen with a `tolerance` until `end` (s).
+fn gain<S>(
+    system: &S,
+    start: S::State,
+    end: f64,
+    tolerance: f64,
+    error: impl Fn(S::State) -> f64,
+) -> f64
+where
+    S: System<State: Components>,
+{
+    let tolerance = Tolerance::uniform(tolerance).expect("a tolerance in range");
+    let adaptive = Adaptive::new(DormandPrince, tolerance);
+    let (last, counts) =
+        adaptive.integrate(system, start, 0.0, end, &mut ()).expect("a tolerance that can be met");
+    let steps = counts.evaluations / DormandPrince.info().force_evaluations;
+    let grid = Grid::new(end / steps as f64, steps).expect("a positive step");
+    error(last) / error(integrate(system, &DormandPrince, start, &grid, &mut ()))
 }
 
 #[cfg(test)]

@@ -9,6 +9,8 @@ pub mod beyond;
 pub mod characteristics;
 pub mod choosing;
 pub mod convergence;
+pub mod crossings;
+pub mod diffusion;
 pub mod findings;
 pub mod large_angle;
 pub mod level_curves;

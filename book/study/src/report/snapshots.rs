@@ -1,12 +1,12 @@
 //! Every snapshot of the book: what it is, and its content as the code makes it now.
 
-use std::panic::resume_unwind;
 use std::thread;
 
 use pendula::methods::PositionVerlet;
 
 use super::bits::bits;
-use super::figures::{Drawing, figures};
+use super::figures::figures;
+use super::table::Table;
 use super::tables;
 use crate::claims::Ledger;
 use crate::experiments::{PaperMethod, STEPS, Study, convergence};
@@ -61,11 +61,6 @@ pub struct Snapshot {
 }
 
 impl Snapshot {
-    fn table(name: &str, about: &str, table: &super::table::Table) -> Self {
-        let (name, about) = (name.to_string(), about.to_string());
-        Self { name, kind: Kind::Table, about, content: table.to_markdown() }
-    }
-
     /// The content: a table in Markdown, a figure as HTML, or a difference in a fence.
     pub fn content(&self) -> &str {
         &self.content
@@ -79,78 +74,126 @@ impl Snapshot {
     }
 }
 
-/// The paper's Table `number`, stated and measured.
-///
-/// # Panics
-/// For a number that is not among [`tables::TABLES`].
-pub fn of_table(ledger: &Ledger, number: u32) -> Snapshot {
-    let table = tables::table(ledger, number).expect("a table of the paper");
-    let about = format!("The paper's Table {number}, stated and measured");
-    Snapshot::table(&format!("table_{number}"), &about, &table)
+/// How a snapshot is made.
+pub struct Recipe<'a> {
+    /// Its name.
+    pub name: String,
+    /// What it consists of.
+    pub kind: Kind,
+    /// What it shows, and its content.
+    make: Box<dyn Fn() -> (String, String) + Send + Sync + 'a>,
 }
 
-/// The slopes of Table 4's energy errors.
-pub fn of_energy_slopes(study: &Study) -> Snapshot {
-    Snapshot::table("slopes", "Slopes of the energy error (Table 4)", &tables::energy_slopes(study))
+impl<'a> Recipe<'a> {
+    fn table(name: &str, about: &str, table: impl Fn() -> Table + Send + Sync + 'a) -> Self {
+        let (name, about) = (name.to_string(), about.to_string());
+        let make = Box::new(move || (about.clone(), table().to_markdown()));
+        Self { name, kind: Kind::Table, make }
+    }
+
+    /// Makes it.
+    pub fn make(&self) -> Snapshot {
+        let (about, content) = (self.make)();
+        Snapshot { name: self.name.clone(), kind: self.kind, about, content }
+    }
 }
 
-/// The slopes of the error of the state, method by method.
-pub fn of_state_slopes(study: &Study) -> Snapshot {
-    let about = "Slopes of the error of the state, of every method on its ladder of steps";
-    Snapshot::table("orders", about, &tables::state_slopes(study))
+/// The recipes of all that are computed, in the order in which they are best reviewed.
+pub fn recipes<'a>(study: &'a Study, ledger: &'a Ledger) -> Vec<Recipe<'a>> {
+    let of_the_paper = tables::TABLES.map(|number| {
+        let table = move || tables::table(ledger, number).expect("a table of the paper");
+        let about = format!("The paper's Table {number}, stated and measured");
+        Recipe::table(&format!("table_{number}"), &about, table)
+    });
+    let mut recipes = Vec::from(of_the_paper);
+    recipes.extend([
+        Recipe::table("slopes", "Slopes of the energy error (Table 4)", || {
+            tables::energy_slopes(study)
+        }),
+        Recipe::table(
+            "orders",
+            "Slopes of the error of the state, of every method on its ladder of steps",
+            || tables::state_slopes(study),
+        ),
+        Recipe::table("methods", "Every method, as measured", || tables::methods(study)),
+        Recipe::table(
+            "predictions",
+            "What theory predicts for 49 cells, beside what is measured",
+            || tables::predictions(ledger),
+        ),
+        Recipe::table("ledger_cells", "The ledger of the paper's cells, judged", || {
+            tables::cells(ledger)
+        }),
+        Recipe::table("ledger_sentences", "The ledger of the paper's sentences, judged", || {
+            tables::sentences(ledger)
+        }),
+        Recipe::table(
+            "beyond",
+            "Systems beyond the pendulum: what is known and what is found",
+            tables::beyond,
+        ),
+        Recipe::table(
+            "crossings",
+            "From how many evaluations on RK4 is ahead of Störmer–Verlet, by amplitude",
+            tables::crossings,
+        ),
+        Recipe::table(
+            "diffusion",
+            "What becomes of Störmer–Verlet's orbits at large steps",
+            tables::diffusion,
+        ),
+    ]);
+    recipes.extend(figures().map(|drawing| Recipe {
+        name: drawing.name.to_string(),
+        kind: Kind::Figure,
+        make: Box::new(move || {
+            let figure = drawing.html(study);
+            (title(&figure), figure)
+        }),
+    }));
+    recipes.push(Recipe {
+        name: "bits".to_string(),
+        kind: Kind::Hashes,
+        make: Box::new(|| {
+            let about =
+                "Hashes of a million steps of each method of the paper, and fewer of the others";
+            (about.to_string(), bits())
+        }),
+    });
+    recipes.push(Recipe {
+        name: "a_change".to_string(),
+        kind: Kind::Example,
+        make: Box::new(|| {
+            let about = "An example of a difference, for the appendix on changing a method";
+            (about.to_string(), a_change(study))
+        }),
+    });
+    recipes
 }
 
-/// The measured properties of every method.
-pub fn of_methods(study: &Study) -> Snapshot {
-    Snapshot::table("methods", "Every method, as measured", &tables::methods(study))
+/// Makes all of them, each in a thread of its own. A panic is that of one snapshot: a method may
+/// have been changed into one with which an experiment has no result.
+pub fn all(study: &Study, ledger: &Ledger) -> Vec<(String, thread::Result<Snapshot>)> {
+    let recipes = recipes(study, ledger);
+    thread::scope(|scope| {
+        let threads: Vec<_> = recipes.iter().map(|recipe| scope.spawn(|| recipe.make())).collect();
+        let names = recipes.iter().map(|recipe| recipe.name.clone());
+        names.zip(threads.into_iter().map(thread::ScopedJoinHandle::join)).collect()
+    })
 }
 
-/// Theory's predictions beside the measurements.
-pub fn of_predictions(ledger: &Ledger) -> Snapshot {
-    let about = "What theory predicts for 49 cells, beside what is measured";
-    Snapshot::table("predictions", about, &tables::predictions(ledger))
-}
-
-/// The systems beyond the simple pendulum.
-pub fn of_systems() -> Snapshot {
-    let about = "Systems beyond the pendulum: what is known and what is found";
-    Snapshot::table("beyond", about, &tables::beyond())
-}
-
-/// The claims that are cells.
-pub fn of_cells(ledger: &Ledger) -> Snapshot {
-    let about = "The ledger of the paper's cells, judged";
-    Snapshot::table("ledger_cells", about, &tables::cells(ledger))
-}
-
-/// The claims that are sentences.
-pub fn of_sentences(ledger: &Ledger) -> Snapshot {
-    let about = "The ledger of the paper's sentences, judged";
-    Snapshot::table("ledger_sentences", about, &tables::sentences(ledger))
-}
-
-/// A figure.
-pub fn of_figure(drawing: &Drawing, study: &Study) -> Snapshot {
-    let content = drawing.html(study);
-    // An SVG's title is what its element of that name says.
-    let title = content.split_once("<title").and_then(|(_, rest)| {
+/// What the element `title` of a drawing says.
+fn title(figure: &str) -> String {
+    let title = figure.split_once("<title").and_then(|(_, rest)| {
         let (_, title) = rest.split_once('>')?;
         title.split_once("</title>")
     });
-    let about = title.map_or(String::new(), |(title, _)| title.to_string());
-    Snapshot { name: drawing.name.to_string(), kind: Kind::Figure, about, content }
-}
-
-/// The hashes of long runs.
-pub fn of_bits() -> Snapshot {
-    let about = "Hashes of a million steps of each method of the paper, and fewer of the others";
-    let (name, about) = ("bits".to_string(), about.to_string());
-    Snapshot { name, kind: Kind::Hashes, about, content: bits() }
+    title.map_or(String::new(), |(title, _)| title.to_string())
 }
 
 /// What a change looks like to its reviewer: Table 4 before and after Störmer–Verlet drifts first
 /// and kicks in the middle, which is as good a method, of the same order.
-pub fn of_a_change(study: &Study) -> Snapshot {
+fn a_change(study: &Study) -> String {
     let mut changed = study.clone();
     for row in &mut changed.convergence {
         if PaperMethod::of(row.method) == Some(PaperMethod::StormerVerlet) {
@@ -163,7 +206,8 @@ pub fn of_a_change(study: &Study) -> Snapshot {
         [0, 1, 2, 3, 5, 7, 8].map(|column| cells[column]).join("|") + "\n"
     };
     let table = |study| -> String {
-        of_table(&Ledger::new(study), 4).content.lines().map(narrow).collect()
+        let table = tables::table(&Ledger::new(study), 4).expect("a table of the paper");
+        table.to_markdown().lines().map(narrow).collect()
     };
     let (before, after) = (table(study), table(&changed));
     let rows =
@@ -171,40 +215,5 @@ pub fn of_a_change(study: &Study) -> Snapshot {
             true => vec![format!(" {before}\n")],
             false => vec![format!("-{before}\n"), format!("+{after}\n")],
         });
-    Snapshot {
-        name: "a_change".to_string(),
-        kind: Kind::Example,
-        about: "An example of a difference, for the appendix on changing a method".to_string(),
-        content: format!("```diff\n{}```\n", rows.collect::<String>()),
-    }
-}
-
-/// All that are computed, in the order in which they are best reviewed. Each is made in a thread of
-/// its own.
-pub fn all(study: &Study, ledger: &Ledger) -> Vec<Snapshot> {
-    type Make<'a> = Box<dyn FnOnce() -> Snapshot + Send + 'a>;
-    let mut makes: Vec<Make<'_>> = Vec::new();
-    for number in tables::TABLES {
-        makes.push(Box::new(move || of_table(ledger, number)));
-    }
-    makes.push(Box::new(|| of_energy_slopes(study)));
-    makes.push(Box::new(|| of_state_slopes(study)));
-    makes.push(Box::new(|| of_methods(study)));
-    makes.push(Box::new(|| of_predictions(ledger)));
-    makes.push(Box::new(|| of_cells(ledger)));
-    makes.push(Box::new(|| of_sentences(ledger)));
-    makes.push(Box::new(of_systems));
-    for drawing in figures() {
-        makes.push(Box::new(|| of_figure(drawing, study)));
-    }
-    makes.push(Box::new(of_bits));
-    makes.push(Box::new(|| of_a_change(study)));
-    thread::scope(|scope| {
-        let threads: Vec<_> = makes.into_iter().map(|make| scope.spawn(make)).collect();
-        let join = |thread: thread::ScopedJoinHandle<'_, Snapshot>| match thread.join() {
-            Ok(snapshot) => snapshot,
-            Err(panic) => resume_unwind(panic),
-        };
-        threads.into_iter().map(join).collect()
-    })
+    format!("```diff\n{}```\n", rows.collect::<String>())
 }

@@ -6,7 +6,7 @@
 //!
 //! H̃ = T + V + (x/2) [T, V] + (x²/12) ([T, [T, V]] + [V, [V, T]]) + …,
 //!
-//! in Poisson brackets (Hairer, Lubich, Wanner, Sect. IX.4.1, Example IX.3.4). Every bracket is a
+//! in Poisson brackets (Hairer, Lubich, Wanner, Sect. IX.4, Example IX.3.4). Every bracket is a
 //! polynomial in q, s and c.
 //!
 //! The brackets up to x⁷ were expanded in exact rational arithmetic with Varadarajan's recursion

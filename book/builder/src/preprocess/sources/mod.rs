@@ -77,6 +77,21 @@ impl Tests {
         &self.files
     }
 
+    /// What the test cited as `file::function` catches.
+    ///
+    /// # Errors
+    /// When there is no such test, or its documentation does not say.
+    pub fn catches(&self, cited: &str) -> Result<&str> {
+        let (file, function) = self.find(cited)?;
+        let tests = self.files.iter().filter(|known| known.name == file);
+        let catches = tests
+            .flat_map(|file| &file.tests)
+            .find(|test| test.name == function)
+            .map_or("", |test| test.catches.as_str());
+        ensure!(!catches.is_empty(), "the documentation of {function} has no line `Catches:`");
+        Ok(catches)
+    }
+
     /// File and function of a test cited as `file::function`, as `cargo test` prints it; the name
     /// of its program may precede it, as `program::file::function` or `program/file::function`.
     ///

@@ -17,6 +17,9 @@ pub struct Test {
     /// Its lines, counted from 0, with its attributes, its documentation and the comments right
     /// above.
     pub lines: Range<usize>,
+    /// What wrong code it catches, as its documentation says after `Catches:`; empty if it does
+    /// not.
+    pub catches: String,
 }
 
 /// Attributes that make a function a test, by the last segment of their path.
@@ -38,8 +41,20 @@ pub fn tests(source: &str) -> Result<Vec<Test>> {
         while test.lines.start > 0 && is_comment(lines[test.lines.start - 1]) {
             test.lines.start -= 1;
         }
+        test.catches = catches(&lines[test.lines.clone()]);
     }
     Ok(tests)
+}
+
+/// What follows `Catches:` in its paragraph of the documentation, without the full stop.
+fn catches(lines: &[&str]) -> String {
+    let above = lines.iter().map(|line| line.trim()).take_while(|line| !line.starts_with("fn "));
+    let documentation = above.filter_map(|line| line.strip_prefix("///"));
+    let mut paragraph = documentation.map(str::trim);
+    let first = paragraph.by_ref().find_map(|line| Some(line.split_once("Catches:")?.1));
+    let rest = paragraph.take_while(|line| !line.is_empty());
+    let words: Vec<&str> = first.into_iter().chain(rest).flat_map(str::split_whitespace).collect();
+    words.join(" ").trim_end_matches('.').to_string()
 }
 
 fn is_comment(line: &str) -> bool {
@@ -88,7 +103,7 @@ fn walk(tokens: TokenStream, tests: &mut Vec<Test>) {
                 {
                     let start = attributes.start.unwrap_or(keyword.span().start().line - 1);
                     let lines = start..body.span_close().end().line;
-                    tests.push(Test { name: name.to_string(), lines });
+                    tests.push(Test { name: name.to_string(), lines, catches: String::new() });
                 }
                 attributes = Attributes::default();
             }

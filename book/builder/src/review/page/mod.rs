@@ -68,7 +68,7 @@ fn data(review: &Review, root: &Path) -> Result<Value> {
         "script": include_str!("page.js"),
         "before": review.versions[0],
         "now": review.versions[1],
-        "warnings": review.warnings,
+        "warnings": review.warnings.iter().map(|text| with_code(text)).collect::<Vec<_>>(),
         "sentences": sentences,
         "groups": groups,
         "figures": figures(seen),
@@ -115,6 +115,7 @@ fn figure(figure: &Figure) -> Value {
         figure.drawings[index].as_ref().map(|drawing| apart(drawing, &figure.name, version))
     };
     let summary = rows::figure(figure);
+    let what = format!("Figure `{}`", figure.name);
     json!({
         "name": figure.name,
         "summary": summary,
@@ -123,7 +124,7 @@ fn figure(figure: &Figure) -> Value {
         "both": figure.drawings.iter().all(Option::is_some),
         "notes": figure.difference.as_ref().map(|difference| &difference.notes),
         "command": rows::command(&[&figure.name]),
-        "changelog": rows::changelog(&format!("Figure `{}`", figure.name), &summary, &[&figure.name]),
+        "changelog": rows::changelog(&what, &summary, &[&figure.name]),
     })
 }
 

@@ -11,12 +11,13 @@
         select.value = theme;
     };
     let chosen = null;
-    try { chosen = localStorage.getItem('mdbook-theme'); } catch { /* a page from the disk may have no storage */ }
+    // A page from the disk may have no storage; then the choice is not kept.
+    try { chosen = localStorage.getItem('mdbook-theme'); } catch { /* none */ }
     const dark = matchMedia('(prefers-color-scheme: dark)').matches;
     show(themes.includes(chosen) ? chosen : dark ? 'navy' : 'light');
     select.addEventListener('change', () => {
         show(select.value);
-        try { localStorage.setItem('mdbook-theme', select.value); } catch { /* then it is not kept */ }
+        try { localStorage.setItem('mdbook-theme', select.value); } catch { /* none */ }
     });
     for (const slider of document.querySelectorAll('.cut input')) {
         const stage = slider.closest('.compare').querySelector('.stage');

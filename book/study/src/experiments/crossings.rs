@@ -1,0 +1,86 @@
+//! Which of Störmer–Verlet and RK4 is ahead for the same number of force evaluations, by amplitude:
+//! the paper's Figure 7 has one amplitude, and so one crossing.
+
+use pendula::metrics::AngleError;
+use pendula::{Grid, Motion, Pendulum};
+
+use super::{MethodRef, PaperMethod, released};
+
+/// The amplitudes (rad): that of Figure 7, and larger ones.
+pub const AMPLITUDES: [f64; 5] = [0.05, 1.0, 2.0, 2.5, 3.0];
+/// The duration (s), that of Figure 7.
+pub const DURATION: f64 = 10.0;
+
+/// Where the two lines of error against evaluations cross.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Crossing {
+    /// The least number of evaluations from which on RK4 is ahead.
+    pub evaluations: u64,
+    /// RK4's RMS angle error (rad) there, against the exact solution.
+    pub error: f64,
+}
+
+/// The crossing at each amplitude; `None` where RK4 is behind at the finest grid.
+pub fn run() -> Vec<(f64, Option<Crossing>)> {
+    AMPLITUDES.map(|theta_0| (theta_0, crossing(theta_0))).to_vec()
+}
+
+/// The crossing of a release from rest at `theta_0` (rad); `None` if RK4 is behind at the finest
+/// grid.
+///
+/// RK4's error falls with a higher power of the evaluations, so that it is ahead from some number
+/// on; below it the leads may alternate. From the finest grid the search goes down to the first
+/// number for which Störmer–Verlet is ahead.
+pub fn crossing(theta_0: f64) -> Option<Crossing> {
+    let [verlet, rk4] = [PaperMethod::StormerVerlet, PaperMethod::Rk4]
+        .map(|method| pendula::method_named(method.name()).expect("one of the paper's methods"));
+    let is_behind =
+        |evaluations| error(rk4, theta_0, evaluations) > error(verlet, theta_0, evaluations);
+    if is_behind(FINEST) {
+        return None;
+    }
+    // In fours, as RK4 takes four to a step; first in strides of a hundredth.
+    let stride = |evaluations: u64| (evaluations / 400).max(1) * 4;
+    let mut evaluations = FINEST;
+    while evaluations > 40 && !is_behind(evaluations) {
+        evaluations -= stride(evaluations);
+    }
+    while is_behind(evaluations) {
+        evaluations += 4;
+    }
+    Some(Crossing { evaluations, error: error(rk4, theta_0, evaluations) })
+}
+
+/// Four times as many as the largest crossing of the amplitudes.
+const FINEST: u64 = 6000;
+
+/// The RMS angle error (rad) of `method` for `evaluations` of the force, as many as its steps take.
+fn error(method: MethodRef, theta_0: f64, evaluations: u64) -> f64 {
+    let start = released(theta_0);
+    let truth = Motion::new(&Pendulum::PAPER, start).expect("a finite start");
+    let steps = evaluations / method.info().force_evaluations;
+    let grid = Grid::new(DURATION / steps as f64, steps).expect("a positive step");
+    let mut error = AngleError::new(|t| truth.at(t).theta);
+    method.run(&Pendulum::PAPER, start, &grid, &mut error);
+    error.root_mean_square()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Catches: a crossing read from the wrong side, one that holds only nearby, and one at another
+    /// amplitude.
+    #[test]
+    fn from_the_crossing_on_rk4_is_ahead() {
+        let methods = ["stormer-verlet", "rk4"].map(|name| pendula::method_named(name).unwrap());
+        let errors = |evaluations| methods.map(|method| error(method, 1.0, evaluations));
+        let crossing = crossing(1.0).unwrap();
+        for further in [0, 4, 40, 400, 4000] {
+            let [verlet, rk4] = errors(crossing.evaluations + further);
+            assert!(rk4 <= verlet, "{further} further: {rk4:e} against {verlet:e}");
+        }
+        let [verlet, rk4] = errors(crossing.evaluations - 4);
+        assert!(rk4 > verlet, "{rk4:e} against {verlet:e}");
+    }
+}
