@@ -74,10 +74,15 @@ pub fn seen(driven: &Driven, steps: u64) -> Stroboscope<'_, Driven, Rk4> {
     Stroboscope::new(driven, &Rk4, driven.period(), steps).expect("a period and its steps")
 }
 
-/// The state of the pendulum 200 periods after it hung at rest, with its angle in [−π, π).
+/// The state of the pendulum 200 periods after its release at −π/2, with its angle in [−π, π).
+///
+/// From there it comes to the orbits that double their period. From the bottom it may come, at γ =
+/// 1.077, to one of three periods instead (Taylor, Sect. 12.4), and which of the two is a matter of
+/// the last digit.
 pub fn attractor(driven: &Driven) -> Phase {
     let strobe = seen(driven, COARSE);
-    wrapped((0..200).fold(Phase::default(), |z, _| strobe.map(z)))
+    let start = Phase::at_rest(-core::f64::consts::FRAC_PI_2);
+    wrapped((0..200).fold(start, |z, _| strobe.map(z)))
 }
 
 /// The same state with its angle in [−π, π).
