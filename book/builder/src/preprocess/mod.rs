@@ -2,8 +2,8 @@
 //!
 //! mdBook's own `links` step has inserted the included text before. In order: every include is
 //! checked against the disk ([`includes`]), the pages of the tests are added ([`sources`]), and in
-//! each chapter directives and formulas are replaced ([`chapter`]): values by [`values`], formulas
-//! by [`maths`].
+//! each chapter tables get their captions ([`captions`]) and directives and formulas are replaced
+//! ([`chapter`]): values by [`values`], formulas by [`maths`].
 //!
 //! Nothing is repaired silently: what cannot be resolved stops the build, and the error names its
 //! chapter.
@@ -16,6 +16,7 @@ use crate::ledger::Ledger;
 use crate::progress::Progress;
 use crate::work_precision::figure;
 
+pub mod captions;
 pub mod chapter;
 pub mod includes;
 pub mod inert;
@@ -81,8 +82,8 @@ impl Preprocessor for Pendula {
 
 fn set(setter: &chapter::Setter<'_>, chapter: &mut Chapter) -> Result<()> {
     let depth = chapter.path.as_ref().map_or(0, |path| path.components().count().saturating_sub(1));
-    chapter.content = setter
-        .set(&chapter.content, &"../".repeat(depth))
+    chapter.content = captions::set(&chapter.content)
+        .and_then(|content| setter.set(&content, &"../".repeat(depth)))
         .with_context(|| format!("chapter {}", name(chapter)))?;
     Ok(())
 }

@@ -114,6 +114,27 @@ fn chapters_are_called_by_their_numbers() {
     assert!(links > 40, "only {links} links");
 }
 
+/// Catches: a table that does not say what it shows.
+#[test]
+fn every_table_has_a_caption() {
+    let table = Regex::new(r"^(\||\{\{#include \.\./\.\./snapshots/[14]_)").unwrap();
+    let mut captions = 0;
+    for (name, chapter) in chapters() {
+        // Paragraphs, and code as blank ones.
+        let text = Regex::new(r"(?ms)^```.*?^```$").unwrap().replace_all(&chapter, "");
+        let mut before = "";
+        for paragraph in text.split("\n\n") {
+            if table.is_match(paragraph.trim_start()) {
+                let caption = before.trim_start();
+                assert!(caption.starts_with("Table"), "{name}: no caption:\n{paragraph}");
+                captions += 1;
+            }
+            before = paragraph;
+        }
+    }
+    assert!(captions > 40, "only {captions} tables");
+}
+
 /// Catches: a bar in a cell that begins a column of its own, so that the cells after it are lost.
 #[test]
 fn the_rows_of_a_table_are_as_wide_as_its_head() {

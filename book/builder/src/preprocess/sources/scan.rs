@@ -46,7 +46,8 @@ pub fn tests(source: &str) -> Result<Vec<Test>> {
     Ok(tests)
 }
 
-/// What follows `Catches:` in its paragraph of the documentation, without the full stop.
+/// What follows `Catches:` in its paragraph of the documentation, without the full stop, which the
+/// chapter sets.
 fn catches(lines: &[&str]) -> String {
     let above = lines.iter().map(|line| line.trim()).take_while(|line| !line.starts_with("fn "));
     let documentation = above.filter_map(|line| line.strip_prefix("///"));
@@ -54,7 +55,11 @@ fn catches(lines: &[&str]) -> String {
     let first = paragraph.by_ref().find_map(|line| Some(line.split_once("Catches:")?.1));
     let rest = paragraph.take_while(|line| !line.is_empty());
     let words: Vec<&str> = first.into_iter().chain(rest).flat_map(str::split_whitespace).collect();
-    words.join(" ").trim_end_matches('.').to_string()
+    let sentence = words.join(" ");
+    match sentence.strip_suffix(".)") {
+        Some(inside) => format!("{inside})"),
+        None => sentence.trim_end_matches('.').to_string(),
+    }
 }
 
 fn is_comment(line: &str) -> bool {

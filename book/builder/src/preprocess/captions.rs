@@ -1,0 +1,113 @@
+//! Captions of tables.
+//!
+//! A paragraph that begins with `Table:` is the caption of the table below it. `Table[RK4]:` shows
+//! of that table the rows of RK4 alone; several names are separated by commas.
+
+use std::sync::LazyLock;
+
+use anyhow::{Result, ensure};
+use regex::{Captures, Regex};
+
+/// The text with each captioned table as a figure of its own, caption first.
+///
+/// # Errors
+/// For rows that a table does not have, and for a caption without a table.
+pub fn set(text: &str) -> Result<String> {
+    static CAPTION: LazyLock<Regex> = LazyLock::new(|| {
+        Regex::new(
+            r"(?m)^Table(?:\[(?<rows>[^\]\n]+)\])?: (?<caption>(?:.+\n)+)\n(?<table>(?:\|.*\n?)*)",
+        )
+        .expect("the pattern is a constant")
+    });
+    let mut failed = None;
+    let set = CAPTION.replace_all(text, |found: &Captures<'_>| {
+        figure(found).unwrap_or_else(|error| {
+            failed.get_or_insert(error);
+            String::new()
+        })
+    });
+    match failed {
+        Some(error) => Err(error),
+        None => Ok(set.into_owned()),
+    }
+}
+
+fn figure(found: &Captures<'_>) -> Result<String> {
+    let (caption, table) = (found["caption"].trim_end(), &found["table"]);
+    ensure!(!table.is_empty(), "{caption}: this caption has no table below it");
+    let table = match found.name("rows") {
+        Some(rows) => of(table, rows.as_str())?,
+        None => table.to_string(),
+    };
+    // Between blank lines Markdown goes on within HTML.
+    Ok(format!(
+        "<figure class=\"table\">\n<figcaption>\n\n{caption}\n\n</figcaption>\n\n{}\n\n</figure>\n",
+        table.trim_end()
+    ))
+}
+
+/// The head of a table and the rows with these names in the first column, with the rows below that
+/// have none.
+fn of(table: &str, names: &str) -> Result<String> {
+    let mut lines = table.lines();
+    let mut kept: Vec<&str> = lines.by_ref().take(2).collect();
+    let names: Vec<&str> = names.split(',').map(str::trim).collect();
+    let mut known = Vec::new();
+    for line in lines {
+        let name = line.split('|').nth(1).unwrap_or_default().trim();
+        if !name.is_empty() {
+            known.push(name);
+        }
+        if known.last().is_some_and(|name| names.contains(name)) {
+            kept.push(line);
+        }
+    }
+    for name in names {
+        ensure!(
+            known.contains(&name),
+            "Table[{name}]: there is no such row, but {}",
+            known.join(", ")
+        );
+    }
+    Ok(kept.join("\n"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const TABLE: &str = "| Method | value |\n| --- | --: |\n| A | 1 |\n|   | 2 |\n| B | 3 |\n";
+
+    /// Catches: a caption that is not bound to its table, or swallows the text around it.
+    #[test]
+    fn a_caption_and_its_table_are_a_figure() {
+        let set =
+            set(&format!("Before.\n\nTable: Some *values*\n(J).\n\n{TABLE}\nAfter.\n")).unwrap();
+        let expected = format!(
+            "Before.\n\n<figure class=\"table\">\n<figcaption>\n\nSome *values*\n(J).\n\n\
+             </figcaption>\n\n{TABLE}\n</figure>\n\nAfter.\n"
+        );
+        assert_eq!(set, expected);
+        assert_eq!(
+            super::set("Tables: no.\n\nA Table: no.\n").unwrap(),
+            "Tables: no.\n\nA Table: no.\n"
+        );
+    }
+
+    /// Catches: rows of another method, the second row of one lost, a misspelt name that shows an
+    /// empty table.
+    #[test]
+    fn rows_are_chosen_by_name() {
+        let rows = |names: &str| set(&format!("Table[{names}]: Some.\n\n{TABLE}"));
+        let a = rows("A").unwrap();
+        assert!(a.contains("| A | 1 |\n|   | 2 |\n") && !a.contains("| B |"), "{a}");
+        assert!(rows("A, B").unwrap().contains("| B | 3 |"));
+        assert!(rows("C").unwrap_err().to_string().contains("no such row, but A, B"));
+    }
+
+    /// Catches: a caption that is left over when its table was moved.
+    #[test]
+    fn a_caption_without_a_table_is_refused() {
+        assert!(set("Table: Some.\n\nText.\n").unwrap_err().to_string().contains("no table"));
+    }
+}
