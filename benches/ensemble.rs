@@ -48,7 +48,7 @@ fn ensemble_of<M: Info + InLanes>(criterion: &mut Criterion, method: M) {
             });
         });
     }
-    group.bench_function("swing, one by one", |bencher| {
+    group.bench_function("integrate_fast, one by one", |bencher| {
         bencher.iter(|| {
             for (start, end) in black_box(&starts).iter().zip(&mut ends) {
                 *end = integrate_fast(&pendulum, &method, *start, black_box(&grid), &mut ());

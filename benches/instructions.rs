@@ -17,7 +17,7 @@ const STEP: f64 = 0.01;
 macro_rules! every_method {
     ($($module:ident::$method:ident,)+) => {
         /// The library's loop for the method of that name.
-        fn swing_named(name: &str, grid: &Grid) -> Option<Phase> {
+        fn fast_named(name: &str, grid: &Grid) -> Option<Phase> {
             use pendula::Info;
             $(
                 let method = methods::$method;
@@ -40,7 +40,7 @@ fn count(kernel: &str, steps: u64) -> Option<Phase> {
             let (_, naive) = NAIVE.iter().find(|(of, _)| *of == name)?;
             Some(naive(black_box(START), black_box(steps), black_box(STEP)))
         }
-        "swing" => swing_named(name, &black_box(Grid::new(STEP, steps).ok()?)),
+        "integrate_fast" => fast_named(name, &black_box(Grid::new(STEP, steps).ok()?)),
         _ => None,
     }
 }
@@ -59,6 +59,6 @@ fn main() {
         if NAIVE.iter().any(|(of, _)| *of == name) {
             println!("{name}/naive");
         }
-        println!("{name}/swing");
+        println!("{name}/integrate_fast");
     }
 }

@@ -37,7 +37,7 @@ where
     group.bench_function(format!("{name}/integrate"), |bencher| {
         bencher.iter(|| integrate(&pendulum, &method, black_box(start), black_box(&grid), &mut ()));
     });
-    group.bench_function(format!("{name}/swing"), |bencher| {
+    group.bench_function(format!("{name}/integrate_fast"), |bencher| {
         bencher.iter(|| {
             integrate_fast(&pendulum, &method, black_box(start), black_box(&grid), &mut ())
         });

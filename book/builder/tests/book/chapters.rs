@@ -94,6 +94,24 @@ fn what_a_test_catches_is_never_typed() {
     assert!(bullets > 100, "only {bullets} bullets");
 }
 
+/// Catches: a chapter without its summary, or with a line of it missing.
+#[test]
+fn every_chapter_ends_in_three_lines() {
+    let mut summaries = 0;
+    for (name, chapter) in chapters() {
+        if !chapter.contains("\n## Exercises\n") {
+            continue;
+        }
+        let lines = section(&chapter, "In three lines");
+        assert!(chapter.ends_with(lines), "{name} does not end in its summary");
+        for line in ["* **Learned.** ", "* **Formula.** ", "* **Test.** {{test "] {
+            assert!(lines.contains(line), "{name}: {line}");
+        }
+        summaries += 1;
+    }
+    assert!(summaries >= 16, "only {summaries} chapters");
+}
+
 /// Catches: the number of a chapter that moved, in a link to it.
 #[test]
 fn chapters_are_called_by_their_numbers() {
@@ -117,7 +135,7 @@ fn chapters_are_called_by_their_numbers() {
 /// Catches: a table that does not say what it shows.
 #[test]
 fn every_table_has_a_caption() {
-    let table = Regex::new(r"^(\||\{\{#include \.\./\.\./snapshots/[14]_)").unwrap();
+    let table = Regex::new(r"^(\||\{\{#include \.\./\.\./(snapshots/[14]_|benches/))").unwrap();
     let mut captions = 0;
     for (name, chapter) in chapters() {
         // Paragraphs, and code as blank ones.
