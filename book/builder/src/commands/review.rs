@@ -108,6 +108,9 @@ fn accept(root: &Path, names: &[String], out: &mut dyn Write) -> Result<()> {
     let tree = WorkingTree::read(&snapshots, &Progress::on_terminal())?;
     tree.accept(&snapshots, names)?;
     writeln!(out, "accepted: {}", names.join(" "))?;
+    for warning in tree.warnings() {
+        writeln!(out, "! {warning}")?;
+    }
     let reviewed = tree.reviewed();
     let moved = tree.now.iter().filter(|(name, content)| reviewed.get(*name) != Some(content));
     let left: Vec<&str> = (moved.map(|(name, _)| name.as_str()))

@@ -182,7 +182,11 @@ pub fn committed(root: &Path, revision: &str) -> Result<(String, Version)> {
             .context("--since needs git, which cannot be started")?;
         if !output.status.success() {
             let error = String::from_utf8_lossy(&output.stderr);
-            bail!("--since {revision}: git says: {}", error.trim().trim_start_matches("fatal: "));
+            let error = error.trim().trim_start_matches("fatal: ");
+            if error == "Needed a single revision" {
+                bail!("--since {revision}: there is no such revision");
+            }
+            bail!("--since {revision}: git says: {error}");
         }
         String::from_utf8(output.stdout).context("git's answer is not UTF-8")
     };

@@ -78,14 +78,13 @@ impl WorkingTree {
     /// Accepts the snapshots with these names.
     ///
     /// # Errors
-    /// If one has not moved or is stale, or if a file cannot be written; then nothing is accepted.
+    /// If one has not moved, or if a file cannot be written; then nothing is accepted.
     pub fn accept(&self, snapshots: &Path, names: &[String]) -> Result<()> {
         let mut plans = Vec::new();
         for name in names {
             let old = self.reviewed.get(name).map(|found| &found.file.content.text);
             let new = self.now.get(name);
             ensure!(old.is_some() || new.is_some(), "--accept {name}: no such snapshot");
-            ensure!(!self.stale.contains(name), "--accept {name}: {STALE}");
             if old == new.map(|content| &content.text) {
                 bail!("--accept {name}: it has not moved");
             }
