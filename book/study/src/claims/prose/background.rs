@@ -101,7 +101,7 @@ pub(super) const CLAIMS: &[Prose] = &[
         verdict: ReproducedWithDefinition,
         because: "True of small steps. The method is the standard map: beyond K = g Δt²/L = \
                   0.9716, that is 0.3147 s, no curve bars the way of the orbits in the chaotic \
-                  sea, while those on islands, such as a swing from 1 rad, stay.",
+                  sea, while those on islands, such as a swing from 1 rad at K = 3, stay.",
         measure: bounded,
     },
     Prose {
@@ -138,7 +138,7 @@ pub(super) const CLAIMS: &[Prose] = &[
         verdict: ReproducedWithDefinition,
         because: "It does not follow from the paper's tables: in equal steps, and by its own count \
                   of evaluations, RK4 is ahead over this time. By the true count Störmer–Verlet \
-                  is, and in the long run, as RK4's loss goes on growing.",
+                  is ahead, and by any count it is in the end, as RK4's loss goes on growing.",
         measure: |study| {
             let verlet = row!(study.long_run, StormerVerlet).drift;
             let over = |times: f64| {
@@ -222,7 +222,8 @@ pub(super) const CLAIMS: &[Prose] = &[
                      none",
         verdict: Reproduced,
         because: "The time as a function of the angle is an elliptic integral, which is not \
-                  elementary (Liouville). The motion along the separatrix alone is.",
+                  elementary (Liouville), and its inverse, Jacobi's sn, is not either. Only on the \
+                  separatrix, and at rest, is the motion elementary.",
         measure: |_| {
             let third = findings::waveform(3.0).1;
             shows(third, Fixed(4), third > 0.1)

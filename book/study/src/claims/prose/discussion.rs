@@ -209,7 +209,7 @@ pub(super) const CLAIMS: &[Prose] = &[
         id: "P7.5.adaptive",
         place: "Section 7.5",
         gist: "the study has no adaptive methods",
-        stated: "20 of 20",
+        stated: "none",
         definition: "cells of Table 6 that fixed steps meet",
         verdict: Reproduced,
         because: "The paper's own account of its scope.",
@@ -229,12 +229,12 @@ pub(super) const CLAIMS: &[Prose] = &[
         place: "Section 7.5",
         gist: "adaptive steps can be more accurate for the same budget",
         stated: "can",
-        definition: "Dormand and Prince's error in steps that it chooses over that in equal \
-                     steps, for equal evaluations: the pendulum from 1 rad, an ellipse of \
-                     eccentricity 0.9",
+        definition: "the error of Dormand and Prince's method in steps that it chooses over that \
+                     in equal steps, for equal evaluations: the pendulum from 1 rad, an ellipse \
+                     of eccentricity 0.9",
         verdict: ReproducedWithDefinition,
-        because: "Where the motion has more than one pace. A pendulum that does not come near the \
-                  top has not.",
+        because: "Where the motion has more than one pace. A swing of the pendulum has not, or not \
+                  enough to pay for a control.",
         measure: |_| {
             let [pendulum, ellipse] = findings::adaptive_over_fixed();
             let text = [pendulum, ellipse].map(|ratio| Significant(1).print(ratio)).join(" and ");
@@ -313,7 +313,7 @@ pub(super) const CLAIMS: &[Prose] = &[
         stated: "1.6",
         definition: "2.87/1.80 of Table 8, which lies between one evaluation and two",
         verdict: Reproduced,
-        because: "The paper's program evaluates the force twice; it need not.",
+        because: "The paper's program probably evaluates the force twice; it need not.",
         measure: |_| number(2.87 / 1.80, Fixed(2)),
     },
     Prose {

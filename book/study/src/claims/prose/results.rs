@@ -133,7 +133,8 @@ pub(super) const CLAIMS: &[Prose] = &[
         stated: "monotonic",
         definition: "steps of the 1000 s run that lower the energy",
         verdict: Wrong,
-        because: "Above the horizontal a step takes energy away.",
+        because: "Once the pendulum goes over the top, steps above the horizontal take energy \
+                  away.",
         measure: monotonic,
     },
     Prose {
