@@ -31,7 +31,7 @@ async ({letter, index, contrast, paper = false, listings = false}) => {
 
     // Figures: drawn, and described for those who do not see them. axe asks for a name only, and
     // not whether what an attribute names is there.
-    for (const svg of all('figure svg, svg[role=img]')) {
+    for (const svg of all('figure:not(.table) svg, svg[role=img]')) {
         for (const tag of ['title', 'desc']) {
             const says = [...svg.children].some(c => c.localName === tag && c.textContent.trim());
             if (!says) find(`figure without ${tag}`, name(svg));
