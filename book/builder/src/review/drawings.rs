@@ -59,7 +59,13 @@ pub fn compare(old: &str, new: &str, noise: bool) -> Result<Difference> {
             unlike |= !(1.0 / WALKS_DIFFER_BY..=WALKS_DIFFER_BY).contains(&ratio);
         } else if !(noise && key.starts_with("dot")) {
             let pairs = before.iter().zip(after);
-            moved = pairs.map(|(before, after)| displacement(before, after)).fold(moved, f64::max);
+            let by = pairs.map(|(before, after)| displacement(before, after)).fold(0.0, f64::max);
+            if by.is_finite() {
+                moved = moved.max(by);
+            } else {
+                notes.push(format!("{key}: one of the two draws nothing"));
+                unlike = true;
+            }
         }
     }
     for (part, before, after) in [
@@ -270,6 +276,10 @@ mod tests {
         let caption = a.replace(">C<", ">K<");
         assert!(compare(&a, &caption, false).unwrap().visible);
         assert!(compare("<figure>", &a, false).is_err());
+        let nothing = a.replace("M0,0h9", "");
+        let difference = compare(&a, &nothing, false).unwrap();
+        assert_eq!(difference.notes, ["line: one of the two draws nothing"]);
+        assert!(difference.visible && difference.displacement == Some(0.0), "{difference:?}");
     }
 
     /// Catches: a walk of rounding errors reported as a change because it went elsewhere; one that

@@ -1,5 +1,6 @@
 //! What moved, in words, for the terminal, a pull request and the page alike.
 
+use pendula_study::charts::wrapped;
 use serde::Serialize;
 
 use super::Review;
@@ -134,24 +135,8 @@ pub fn command<S: AsRef<str>>(names: &[S]) -> String {
 pub fn changelog(what: &str, summary: &str, names: &[impl AsRef<str>]) -> String {
     let names: Vec<String> = names.iter().map(|name| format!("`{}`", name.as_ref())).collect();
     let entry = format!("* {what}: {summary}, because …. Moved: {}.", names.join(", "));
-    wrapped(&entry)
-}
-
-/// Lines of at most 100 columns, the later ones indented.
-fn wrapped(entry: &str) -> String {
-    let mut lines = vec![String::new()];
-    for word in entry.split(' ') {
-        let last = lines.last_mut().expect("there is a line");
-        if !last.is_empty() && last.chars().count() + 1 + word.chars().count() > 100 {
-            lines.push(format!("  {word}"));
-        } else {
-            if !last.is_empty() {
-                last.push(' ');
-            }
-            last.push_str(word);
-        }
-    }
-    lines.join("\n")
+    // The later lines are part of the same bullet.
+    wrapped(&entry).replace('\n', "\n  ")
 }
 
 /// The names of all snapshots that moved, in the order of review.

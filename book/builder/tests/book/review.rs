@@ -156,6 +156,7 @@ fn the_page_is_whole_and_needs_nothing_else() {
     let mut review = review(&[
         HALF_KICKS[0],
         HALF_KICKS[2],
+        HALF_KICKS[4],
         ("figure_3", "</text>", "!</text>"),
         ("figure_2", "M556.4,171.1l", "M556.4,171.3l"),
     ]);
@@ -172,6 +173,7 @@ fn the_page_is_whole_and_needs_nothing_else() {
         "id=\"new-fig-figure-2\"",
         "review --accept table_4 ledger_cells",
         "* Störmer–Verlet: energy error over 50 s (Table 4): 1 value, +1.32 %",
+        "* Störmer–Verlet: other last digits, because …. Moved: ",
     ] {
         assert!(html.contains(part), "the page lacks {part}");
     }

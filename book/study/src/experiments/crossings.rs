@@ -54,8 +54,9 @@ pub fn crossing(theta_0: f64) -> Option<Crossing> {
 /// Four times as many as the largest crossing of the amplitudes.
 const FINEST: u64 = 6000;
 
-/// The RMS angle error (rad) of `method` for `evaluations` of the force, as many as its steps take.
-fn error(method: MethodRef, theta_0: f64, evaluations: u64) -> f64 {
+/// The RMS angle error (rad) of `method` against the exact solution, from rest at `theta_0` (rad)
+/// over [`DURATION`], for `evaluations` of the force, as many as its steps take.
+pub(super) fn error(method: MethodRef, theta_0: f64, evaluations: u64) -> f64 {
     let start = released(theta_0);
     let truth = Motion::new(&Pendulum::PAPER, start).expect("a finite start");
     let steps = evaluations / method.info().force_evaluations;

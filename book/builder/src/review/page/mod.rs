@@ -77,6 +77,8 @@ fn data(review: &Review, root: &Path) -> Result<Value> {
         "reasons": turns(reasons),
         "quotes": quotes(review, root),
         "bits": review.bits,
+        "bits_command": rows::command(&["bits"]),
+        "bits_changelog": rows::changelog(&review.bits.join(", "), "other last digits", &["bits"]),
         "empty": review.is_empty(),
         "acceptable": review.acceptable && !review.is_empty(),
         "command": rows::command(&names),
