@@ -1,7 +1,7 @@
 //! The cost of each scene and the work it skips, compared with the naive loop: `cargo bench --bench
 //! scenes`.
 //!
-//! Prints the table of the book's chapter on work against error. Every number is a median of one
+//! Prints the table of the book's chapter on what a step costs. Every number is a median of one
 //! run, and only the ratios in it are meaningful: the machine may be busy otherwise.
 
 mod common;

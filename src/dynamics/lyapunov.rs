@@ -28,7 +28,7 @@ pub struct Watch {
 // ANCHOR: exponent
 /// The largest Lyapunov exponent of the motion from `start`: a displacement follows the variational
 /// equation, is rescaled to unit size each period, and the logarithms of its growth are averaged
-/// (Benettin, Galgani, Giorgilli, Strelcyn, *Meccanica* 15 (1980) 9–20).
+/// (Benettin, Galgani, Giorgilli, Strelcyn, *Meccanica* 15 (1980) 21–30).
 ///
 /// The error bar is that of the block averages: successive periods are correlated, long blocks
 /// hardly.

@@ -173,8 +173,8 @@ impl Jacobi {
     /// Tₙ = Tₙ₊₁ / dnₙ₊₁,  dnₙ = (1 + aₙ₊₁ bₙ Tₙ₊₁²) / (1 + aₙ₊₁ aₙ Tₙ₊₁²),
     ///
     /// with every term positive, so that there is no cancellation. The usual recipe, Landen's
-    /// transformation of the amplitude (DLMF 22.20.6), takes arcsines close to 1 where k is near 1,
-    /// and loses half the digits.
+    /// transformation of the amplitude (DLMF 22.20(ii)), takes arcsines close to 1 where k is near
+    /// 1, and loses half the digits.
     #[inline]
     pub(super) fn at(&self, quarters: f64) -> Values {
         let phi = core::f64::consts::FRAC_PI_2 * quarters;

@@ -342,8 +342,8 @@ impl Elliptic {
     /// tan(θ/2) = k sn u / dn u and ω = 2ω₀ k cn u.
     ///
     /// After an odd number of quarter periods sn, cn, dn become cn/dn, −k' sn/dn, k'/dn (DLMF
-    /// 22.4.3): near a turning point they are computed from quantities that are small there. After
-    /// two, sn and cn change sign.
+    /// Table 22.4.3): near a turning point they are computed from quantities that are small there.
+    /// After two, sn and cn change sign.
     // ANCHOR: libration
     #[inline]
     fn libration(&self, t: f64) -> Phase {

@@ -2,7 +2,7 @@
 //! a kick.
 //!
 //! (K½ D K½)ⁿ = K½ (D K)ⁿ K½⁻¹. Hairer, Lubich, Wanner, *Geometric Numerical Integration* (2006),
-//! Sect. VI.8.
+//! Example V.3.6; Sect. VI.8 on conjugate methods in general.
 
 use super::{CheckResult, near, pendulum, run};
 use crate::methods::{StormerVerlet, SymplecticEuler};

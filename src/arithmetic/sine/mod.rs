@@ -7,7 +7,7 @@
 //!
 //! Cody and Waite's scheme: subtract the nearest multiple of π/2, given in parts so short that its
 //! products are exact, and evaluate a polynomial of the remainder. Muller, *Elementary Functions*
-//! (3rd ed.), Sects. 11.2 and 3.2; the polynomials come from `coefficients.sollya`, beside this
+//! (3rd ed.), Sect. 11.2; the polynomials come from `coefficients.sollya`, beside this
 //! file.
 //!
 //! There are two sines. The one here is for everybody: within 0.8 ulp, with a cosine beside it. The

@@ -17,7 +17,7 @@ impl Info for BlanesMoan4 {
         MethodInfo {
             name: "blanes-moan-4",
             title: "Blanes–Moan 4",
-            aliases: &["S₆", "McLachlan’s form of order 4 in six stages"],
+            aliases: &["S₆"],
             order: 4,
             symplectic: true,
             symmetric: true,

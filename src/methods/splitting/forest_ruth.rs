@@ -9,7 +9,7 @@ use crate::methods::{Info, MethodInfo};
 /// which multiplies the leading error, is 0. Order 4, symplectic, symmetric, three force
 /// evaluations a step. Also called Yoshida's method of order 4, or the triple jump. E. Forest, R.
 /// D. Ruth: Fourth-order symplectic integration, *Physica D* 43 (1990), 105–117,
-/// doi:10.1016/0167-2789(90)90019-L; H. Yoshida, *Physics Letters A* 150 (1990), 262–268, Sect. 4.
+/// doi:10.1016/0167-2789(90)90019-L; H. Yoshida, *Physics Letters A* 150 (1990), 262–268.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct ForestRuth;
 

@@ -26,7 +26,7 @@ impl Info for KahanLi8 {
             force_evaluations: 17,
             start_evaluations: 1,
             reference: "W. Kahan, R.-C. Li, Math. Comp. 66 (1997) 1089; Hairer, Lubich, Wanner \
-                        (2006), Eq. V.3.13",
+                        (2006), Eq. V.3.14",
         }
     }
 }

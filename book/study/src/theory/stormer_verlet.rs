@@ -9,7 +9,7 @@
 //! where the step written last is taken last. So all three conserve the same H̃, each at its
 //! conjugate point, and no further polynomials are needed; in the coordinates of either Verlet form
 //! the odd powers of h cancel, as they must for a symmetric method. Hairer, Lubich, Wanner, Sect.
-//! VI.8 (conjugacy), IX.2 (symmetric methods), Example IX.3.4.
+//! V.3.3 (conjugacy), IX.2 (symmetric methods), IX.4 (the energies that splittings conserve).
 
 use pendula::arithmetic::sine::{cos, sin};
 use pendula::{Pendulum, Phase};

@@ -12,7 +12,8 @@
 //!
 //! with e₂ = 0 for methods that are symplectic, or symmetric on a reversible motion such as this:
 //! their action does not drift (Hairer, Lubich, Wanner, *Geometric Numerical Integration* (2006),
-//! Theorems X.3.1 and XI.3.1). The coefficients are taken from the first, the middle and the last
+//! Theorems X.3.1 and XI.3.1, for times up to h⁻ᵖ; for longer ones Sects. X.4 to X.6 and XI.4). The
+//! coefficients are taken from the first, the middle and the last
 //! period of a run of up to [`LONGEST`]; for longer runs the error is extrapolated by this law. At
 //! steps too small to be measured clear of rounding, e₀ and e₁ are extrapolated by the method's
 //! order, and e₂ by its order or one more, as measured.
