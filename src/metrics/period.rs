@@ -8,9 +8,9 @@
 //! | the cubic through a crossing | [`CrossingPeriod::default`], by [`Hermite`] | O(h⁵) |
 //! | a last step that ends on the crossing | [`CrossingPeriod::new`] [`Henon`] | O(h⁵) |
 //!
-//! In general a line and a cubic are accurate to O(h²) and O(h⁴); what they leave out begins with θ̈
-//! and with the fourth derivative of θ. At the bottom of the pendulum both are zero, which makes
-//! each better by one order there.
+//! In general a line and a cubic are accurate to O(h²) and O(h⁴); what they leave out begins with
+//! the second and with the fourth derivative of θ. At the bottom of the pendulum both are zero,
+//! which makes each better by one order there.
 
 use crate::integrate::{Method, Observer};
 use crate::methods::Rk4;

@@ -5,10 +5,10 @@ use std::f64::consts::PI;
 use approx::assert_abs_diff_eq;
 use pendula::dynamics::Stroboscope;
 use pendula::dynamics::floquet::monodromy;
-use pendula::methods::{Rk4, StormerVerlet};
+use pendula::methods::Rk4;
 use pendula::systems::{Mathieu, Shaken};
-use pendula::{Grid, Pendulum, Phase, Separable, System, integrate};
-use pendula_study::experiments::beyond::{Boundary, upright};
+use pendula::{Pendulum, Phase, Separable, System};
+use pendula_study::experiments::beyond::{Boundary, farthest, mathieu_boundary, trials, upright};
 use pendula_study::theory::mathieu::{a0, b1};
 use rstest::rstest;
 
@@ -68,21 +68,11 @@ fn fast_shaking_needs_kapitzas_speed(#[values(100.0, 400.0)] frequency: f64) {
     assert_abs_diff_eq!(ratio, 1.0 + 7.0 * square / 64.0, epsilon = tolerance);
 }
 
-/// Below a certain Ω no amplitude stabilises the upright: the two curves meet.
+/// For slow shaking the two curves lie close together, far above the amplitudes that are searched,
+/// which end at 0.4 L.
 #[test]
 fn slow_shaking_never_holds_it() {
     assert_eq!(upright(&pendulum(), 2.0, Boundary::Falling, 1000), None);
-}
-
-/// The largest angle from the upright (rad) in 30 s after a release at rest 0.05 rad from it.
-fn farthest(shaken: &Shaken) -> f64 {
-    let step = shaken.period() / 100.0;
-    let grid = Grid::new(step, (30.0 / step) as u64).unwrap();
-    let mut farthest = 0.0_f64;
-    integrate(shaken, &StormerVerlet, Phase::at_rest(PI - 0.05), &grid, &mut |_, _, z: Phase| {
-        farthest = farthest.max((z.theta - PI).abs());
-    });
-    farthest
 }
 
 /// On either side of each linear boundary the nonlinear pendulum, started near the upright, stays
@@ -100,6 +90,38 @@ fn it_stands_on_its_head_between_the_boundaries_only() {
     assert!(farthest(&shaken(0.95 * rocking)) < 0.2, "still stands");
     assert!(farthest(&shaken(1.05 * rocking)) > 0.3, "rocks");
     assert!(farthest(&shaken(0.0)) > 3.0, "falls over without shaking");
+}
+
+/// The marks of the book's figure: each stands or leaves as Mathieu's curves say.
+///
+/// Catches: a boundary that holds at one frequency only; a mark on the wrong side of a curve; a
+/// factor of ω₀ or L left out.
+#[test]
+fn every_trial_ends_as_mathieu_says() {
+    let trials = trials();
+    for trial in &trials {
+        let a = -4.0 / (trial.frequency * trial.frequency);
+        let q = 2.0 * trial.amplitude;
+        assert_eq!(trial.stands, a0(q) < a && a < b1(q), "{trial:?}");
+    }
+    assert!((40..60).contains(&trials.iter().filter(|trial| trial.stands).count()));
+}
+
+/// Catches: a boundary drawn in other units than those of [`Shaken::mathieu`], the two exchanged.
+#[rstest]
+#[case(Boundary::Falling, a0)]
+#[case(Boundary::Rocking, b1)]
+fn a_boundary_is_where_its_curve_is(#[case] boundary: Boundary, #[case] curve: fn(f64) -> f64) {
+    let pendulum = pendulum();
+    let (frequency, amplitude) = mathieu_boundary(boundary, 1.1).unwrap();
+    let omega = frequency * pendulum.frequency_squared().sqrt();
+    let shaken = Shaken::new(pendulum, amplitude * pendulum.length(), omega).unwrap();
+    let Mathieu { a, q } = shaken.mathieu();
+    // A few roundings of numbers near 1.
+    assert_abs_diff_eq!(q, 1.1, epsilon = 1e-15);
+    assert_abs_diff_eq!(a, curve(q), epsilon = 4e-15);
+    // At q = 0.9, b₁ is positive still: no shaking is fast enough to reach it.
+    assert_eq!(mathieu_boundary(boundary, 0.9).is_some(), boundary == Boundary::Falling);
 }
 
 /// Without damping the motion preserves area, RK4's map to its order; and with a pivot at rest it

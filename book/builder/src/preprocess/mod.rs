@@ -65,7 +65,7 @@ impl Preprocessor for Pendula {
 
         self.progress.stage("setting the chapters", book.chapters().count());
         let setter =
-            chapter::Setter::new(self.ledger.as_ref(), &tests, figure::in_the_book(&context.root));
+            chapter::Setter::new(self.ledger.as_ref(), &tests, figure::in_the_book(&context.root)?);
         // for_each_chapter_mut cannot stop early: the first error is kept.
         let mut outcome = Ok(());
         book.for_each_chapter_mut(|chapter| {

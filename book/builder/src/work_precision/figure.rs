@@ -3,6 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use anyhow::{Context, ensure};
 use pendula::METHODS;
 use pendula_study::charts::{Axis, Chart, Figure, Style};
 
@@ -18,20 +19,29 @@ pub fn folder(root: &Path) -> PathBuf {
     root.join("../target")
 }
 
-/// The figure with its caption, if it has been measured; otherwise how to get it.
+/// The figure with its caption: as measured on this machine, or else as recorded in `benches/`.
 ///
-/// HTML or Markdown that must stand in its own paragraph.
-pub fn in_the_book(root: &Path) -> String {
-    match fs::read_to_string(folder(root).join(SVG)) {
-        // It must have no blank line, which would end the HTML.
-        Ok(svg) if svg.starts_with("<svg") && !svg.contains("\n\n") => format!(
-            "<figure>\n{svg}<figcaption>Run time against error as <code>pendula \
-             work&#45;precision</code> found them on this machine. Lower left is \
-             better.</figcaption>\n</figure>\n"
-        ),
-        _ => "*(Not measured on this machine yet: run the command, then build the book again.)*"
-            .to_string(),
-    }
+/// HTML that must stand in its own paragraph.
+///
+/// # Errors
+/// For a recorded figure that is missing, or that cannot be a part of a page.
+pub fn in_the_book(root: &Path) -> anyhow::Result<String> {
+    let read = |file: PathBuf| {
+        let svg = fs::read_to_string(&file).with_context(|| file.display().to_string())?;
+        // A blank line would end the HTML.
+        let whole = svg.starts_with("<svg") && !svg.contains("\n\n");
+        ensure!(whole, "{}: no figure", file.display());
+        Ok(svg)
+    };
+    let (svg, whose) = match read(folder(root).join(SVG)) {
+        Ok(svg) => (svg, "this machine"),
+        Err(_) => (read(root.join("../benches").join(SVG))?, "the machine of the other tables"),
+    };
+    Ok(format!(
+        "<figure>\n{svg}<figcaption>Run time against error as <code>pendula \
+         work&#45;precision</code> found them on {whose}. Lower left is \
+         better.</figcaption>\n</figure>\n"
+    ))
 }
 
 /// The figure: a chart for each scene, with the same time axis.
@@ -125,21 +135,25 @@ mod tests {
         assert!(line[1].0.is_nan());
     }
 
-    /// Catches: a book that cannot be built without a measurement, that ignores one, or that is
-    /// broken by another file of that name.
+    /// Catches: a book that cannot be built without a measurement of this machine, that ignores
+    /// one, or that is broken by another file of that name.
     #[test]
     fn the_book_shows_what_is_there() {
-        let folder = tempfile::tempdir().unwrap();
-        let root = folder.path().join("book");
-        fs::create_dir_all(&root).unwrap();
-        fs::create_dir_all(super::folder(&root)).unwrap();
-        assert!(in_the_book(&root).contains("Not measured"));
-        let file = super::folder(&root).join(SVG);
+        let temporary = tempfile::tempdir().unwrap();
+        let root = temporary.path().join("book");
+        for made in [&root, &folder(&root), &root.join("../benches")] {
+            fs::create_dir_all(made).unwrap();
+        }
+        assert!(in_the_book(&root).is_err());
+        fs::write(root.join("../benches").join(SVG), svg(&measured())).unwrap();
+        let recorded = in_the_book(&root).unwrap();
+        assert!(recorded.starts_with("<figure>\n<svg") && recorded.ends_with("</figure>\n"));
+        assert!(!recorded.contains("\n\n") && !recorded.contains("{{"));
+        assert!(recorded.contains("the machine of the other tables"));
+        let file = folder(&root).join(SVG);
         fs::write(&file, "<svg>\n\n</svg>\n").unwrap();
-        assert!(in_the_book(&root).contains("Not measured"));
+        assert_eq!(in_the_book(&root).unwrap(), recorded);
         fs::write(&file, svg(&measured())).unwrap();
-        let html = in_the_book(&root);
-        assert!(html.starts_with("<figure>\n<svg") && html.ends_with("</figure>\n"));
-        assert!(!html.contains("\n\n") && !html.contains("{{"));
+        assert!(in_the_book(&root).unwrap().contains("this machine"));
     }
 }

@@ -112,17 +112,33 @@ fn every_chapter_ends_in_three_lines() {
     assert!(summaries >= 16, "only {summaries} chapters");
 }
 
+/// The chapters in the order of the book.
+fn in_order(chapters: &[(String, String)]) -> Vec<String> {
+    let listed = Regex::new(r"(?m)^- \[[^\]]*\]\(([a-z0-9-]+\.md)\)").unwrap();
+    let (_, summary) = chapters.iter().find(|(name, _)| name == "SUMMARY.md").unwrap();
+    listed.captures_iter(summary).map(|found| found[1].to_string()).collect()
+}
+
+/// Catches: a chapter that sends its reader on to another one than the next.
+#[test]
+fn each_chapter_leads_to_the_next() {
+    let next = Regex::new(r"Next:\s+\[[^\]]*\]\(([a-z0-9-]+\.md)\)").unwrap();
+    let chapters = chapters();
+    for pair in in_order(&chapters).windows(2) {
+        let (_, text) = chapters.iter().find(|(name, _)| *name == pair[0]).unwrap();
+        let said = next.captures(text).map(|found| found[1].to_string());
+        assert_eq!(said.as_ref(), Some(&pair[1]), "{}", pair[0]);
+    }
+}
+
 /// Catches: the number of a chapter that moved, in a link to it; a number without a link, which
 /// nothing would hold to its chapter.
 #[test]
 fn chapters_are_called_by_their_numbers() {
     let link = Regex::new(r"\[(?:[Cc]hapter\s+)?(\d+)\]\(([a-z0-9-]+\.md)").unwrap();
     let bare = Regex::new(r"(?:^|[^\[])[Cc]hapters?\s+\d+").unwrap();
-    let listed = Regex::new(r"(?m)^- \[[^\]]*\]\(([a-z0-9-]+\.md)\)").unwrap();
     let chapters = chapters();
-    let (_, summary) = chapters.iter().find(|(name, _)| name == "SUMMARY.md").unwrap();
-    let files = listed.captures_iter(summary).map(|found| found[1].to_string());
-    let numbers: BTreeMap<String, usize> = files.zip(1..).collect();
+    let numbers: BTreeMap<String, usize> = in_order(&chapters).into_iter().zip(1..).collect();
     let mut links = 0;
     for (name, chapter) in &chapters {
         for found in link.captures_iter(chapter) {

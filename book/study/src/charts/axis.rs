@@ -44,6 +44,11 @@ impl Axis {
         self.place(value).is_some()
     }
 
+    /// The length of the range that was asked for.
+    pub(super) fn span(&self) -> Option<f64> {
+        self.range.map(|(low, high)| high - low)
+    }
+
     /// The coordinate along the axis: the value, or its logarithm on a logarithmic axis.
     fn place(&self, value: f64) -> Option<f64> {
         match self.log {

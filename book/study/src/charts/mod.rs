@@ -78,22 +78,29 @@ impl Figure {
         let mut body = String::new();
         let mut top = self.draw_legend(&mut body);
         let scales: Vec<_> = self.panels.iter().map(Chart::scales).collect();
-        let charts = self.panels.iter().zip(&scales);
-        let labels = charts.clone().flat_map(|(chart, (_, y))| y.ticks(chart.y_ticks()));
+        let charts = self.panels.iter().zip(&scales).filter(|(chart, _)| !chart.sketch);
+        let labels = charts.flat_map(|(chart, (_, y))| y.ticks(chart.y_ticks()));
         let widths = labels.filter_map(|tick| tick.label).map(|label| width(&label));
         let margin = widths.fold(24.0, f64::max) + 14.0;
         let rows = self.panels.chunks(self.columns).zip(scales.chunks(self.columns));
         for (row, (charts, scales)) in rows.enumerate() {
             let repeats = |i: usize| i > 0 && charts[i - 1].y == charts[i].y;
             let margins = (0..self.columns.min(charts.len()))
-                .map(|i| if repeats(i) { 0.0 } else { margin })
+                .map(|i| match () {
+                    () if charts[i].sketch => RIGHT,
+                    () if repeats(i) => 0.0,
+                    () => margin,
+                })
                 .collect::<Vec<_>>();
             let free = WIDTH - margins.iter().sum::<f64>() - RIGHT * self.columns as f64;
             let (mut edge, mut bottom) = (0.0, top);
             for (i, (chart, (x, y))) in charts.iter().zip(scales).enumerate() {
                 let index = row * self.columns + i;
                 let below = self.panels.get(index + self.columns);
-                let written = [below.is_none_or(|next| next.x != chart.x), !repeats(i)];
+                let written = match chart.sketch {
+                    true => [false; 2],
+                    false => [below.is_none_or(|next| next.x != chart.x), !repeats(i)],
+                };
                 let left = edge + margins[i];
                 let right = left + free / self.columns as f64;
                 let plot = Plot::new(chart, [x, y], written, [edge, left, right], top);
@@ -159,11 +166,12 @@ impl Figure {
     }
 }
 
-/// Axes with series and marks.
+/// Axes with series and marks, or a sketch without axes.
 #[derive(Clone, Debug)]
 pub struct Chart {
     x: Axis,
     y: Axis,
+    sketch: bool,
     heading: String,
     height: f64,
     series: Vec<Series>,
@@ -200,7 +208,14 @@ impl Chart {
     /// An empty chart, 300 units high (600 are its width).
     pub const fn new(x: Axis, y: Axis) -> Self {
         let heading = String::new();
-        Self { x, y, heading, height: 300.0, series: Vec::new(), marks: Vec::new() }
+        Self { x, y, sketch: false, heading, height: 300.0, series: Vec::new(), marks: Vec::new() }
+    }
+
+    /// An empty sketch of what lies between these two values of x and of y: it has no axes, and one
+    /// scale for both, so that a circle is round. Its height follows from its width.
+    pub fn sketch(x: (f64, f64), y: (f64, f64)) -> Self {
+        let side = |(low, high)| Axis::linear("").range(low, high);
+        Self { sketch: true, ..Self::new(side(x), side(y)) }
     }
 
     /// With a line of text above all else, to tell the chart from its neighbours.
@@ -208,7 +223,7 @@ impl Chart {
         Self { heading: text.into(), ..self }
     }
 
-    /// The plot is this many units high.
+    /// The plot is this many units high, unless it is a sketch.
     pub fn height(self, units: f64) -> Self {
         Self { height: units, ..self }
     }
@@ -282,6 +297,14 @@ impl Chart {
         let ys = points().filter(|p| x.contains(p.0)).map(|p| p.1);
         let y = self.y.scale(ys.chain(y_lines), Some(self.y_ticks()));
         (x, y)
+    }
+
+    /// How high the plot is if it is `width` wide.
+    fn height_for(&self, width: f64) -> f64 {
+        match (self.sketch, self.x.span().zip(self.y.span())) {
+            (true, Some((x, y))) => width * y / x,
+            _ => self.height,
+        }
     }
 
     fn y_ticks(&self) -> usize {
@@ -443,6 +466,27 @@ mod tests {
             assert_eq!(count("one"), written);
             assert_eq!((count("x"), count("A"), count("B"), count("D")), (2, 1, 1, 1));
         }
+    }
+
+    /// Catches: axes about a sketch, or room left for their labels; a circle that is not round.
+    #[test]
+    fn a_sketch_has_one_scale_and_no_axes() {
+        let sketch = || Chart::sketch((-2.0, 2.0), (-1.0, 1.5));
+        let svg = Figure::new("t", "d")
+            .panel(sketch().series("", Style::REFERENCE, circle()))
+            .to_svg("x");
+        assert!(["\"axis\"", "\"grid\"", "<text"].iter().all(|part| !svg.contains(part)), "{svg}");
+        let (width, top) = (WIDTH - 2.0 * RIGHT, 12.0);
+        let height = width * 2.5 / 4.0;
+        // The clip path stands out by two units on each side.
+        assert_eq!(plots(&svg), [[RIGHT - 2.0, top - 2.0, width + 4.0, height + 4.0]]);
+        assert!(svg.contains(&format!("viewBox=\"0 0 {WIDTH} {}\"", top + height)), "{svg}");
+        // Above a chart it stands as by itself, and its heading above it.
+        let below = Chart::new(Axis::linear("x"), Axis::linear("y"));
+        let both = Figure::new("t", "d").panel(sketch().heading("A")).panel(below).to_svg("x");
+        let top = top + ROW + 10.0;
+        assert_eq!(plots(&both)[0], [RIGHT - 2.0, top - 2.0, width + 4.0, height + 4.0]);
+        assert_eq!([">A</text>", "\"axis\""].map(|part| both.matches(part).count()), [1, 1]);
     }
 
     /// Catches: an arrow's head under the marker at its end, or away from it where there is none.

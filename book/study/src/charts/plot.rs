@@ -45,12 +45,16 @@ impl<'a> Plot<'a> {
         [edge, left, right]: [f64; 3],
         top: f64,
     ) -> Self {
-        Self { chart, x, y, written, edge, left, right, top, bottom: top + chart.height }
+        let bottom = top + chart.height_for(right - left);
+        Self { chart, x, y, written, edge, left, right, top, bottom }
     }
 
     /// Draws the chart and returns where it ends.
     pub fn draw(mut self, out: &mut String, clip: &str) -> f64 {
         let mut headings = self.headings();
+        if self.chart.sketch {
+            headings.retain(|row| row.iter().any(|(_, label)| !label.is_empty()));
+        }
         if !self.chart.heading.is_empty() {
             headings.push(vec![(self.left, &self.chart.heading)]);
         }
@@ -68,7 +72,9 @@ impl<'a> Plot<'a> {
         let rect = format!(r#"<rect x="{x}" y="{y}" width="{w}" height="{h}"/>"#);
         line(out, format!(r#"<clipPath id="{clip}">{rect}</clipPath>"#));
         let mut strokes = self.draw_marks(out);
-        self.draw_axes(out);
+        if !chart.sketch {
+            self.draw_axes(out);
+        }
         let dotted = chart.series.iter().enumerate().filter(|(_, s)| s.style.has_marker());
         let dotted: Vec<_> = dotted.map(|(i, s)| (s.style, self.marked(s, i))).collect();
         let under_marker = |end: &Point| {
@@ -112,7 +118,12 @@ impl<'a> Plot<'a> {
         if self.written[0] {
             draw_text(out, "", ((left + right) / 2.0, bottom + 44.0), "middle", &chart.x.label);
         }
-        bottom + if self.written[0] { 56.0 } else { 28.0 }
+        bottom
+            + match self.written[0] {
+                true => 56.0,
+                false if chart.sketch => 0.0,
+                false => 28.0,
+            }
     }
 
     fn x_pixel(&self, value: f64) -> Option<f64> {

@@ -146,6 +146,55 @@ pub fn upright(pendulum: &Pendulum, frequency: f64, boundary: Boundary, steps: u
     root(distance, low, high)
 }
 
+/// On the boundary where Mathieu's parameter is `q`, in units that fit every pendulum: the angular
+/// frequency Ω/ω₀ and the amplitude a/L; `None` for a `q` at which it is not reached.
+pub fn mathieu_boundary(boundary: Boundary, q: f64) -> Option<(f64, f64)> {
+    // −4g/(LΩ²).
+    let a = match boundary {
+        Boundary::Falling => mathieu::a0(q),
+        Boundary::Rocking => mathieu::b1(q),
+    };
+    (a < 0.0).then(|| (2.0 / libm::sqrt(-a), 0.5 * q))
+}
+
+/// The largest angle from the upright (rad) in 30 s after a release at rest 0.05 rad from it, by
+/// Störmer–Verlet in 100 steps a period of the pivot.
+pub fn farthest(shaken: &Shaken) -> f64 {
+    let step = shaken.period() / 100.0;
+    let grid = Grid::new(step, (30.0 / step) as u64).expect("a positive step");
+    let mut farthest = 0.0_f64;
+    integrate(shaken, &StormerVerlet, Phase::at_rest(PI - 0.05), &grid, &mut |_, _, z: Phase| {
+        farthest = farthest.max((z.theta - PI).abs());
+    });
+    farthest
+}
+
+/// A pendulum set upright on a shaken pivot.
+#[derive(Clone, Copy, Debug)]
+pub struct Trial {
+    /// The angular frequency Ω/ω₀ of the pivot.
+    pub frequency: f64,
+    /// Its amplitude a/L.
+    pub amplitude: f64,
+    /// Whether it remains within 0.2 rad of the upright, four times as far as it begins.
+    pub stands: bool,
+}
+
+/// The paper's pendulum, shaken at ten frequencies from 3 ω₀ to 21 ω₀ by ten amplitudes up to 0.6
+/// L. None is nearer to a boundary than 0.005 L.
+pub fn trials() -> Vec<Trial> {
+    let pendulum = Pendulum::PAPER;
+    let slow = libm::sqrt(pendulum.frequency_squared());
+    let trial = |frequency, amplitude| {
+        let shaken = Shaken::new(pendulum, amplitude * pendulum.length(), frequency * slow);
+        let stands = farthest(&shaken.expect("a shaking")) < 0.2;
+        Trial { frequency, amplitude, stands }
+    };
+    let frequencies = (1..=10).map(|i| f64::from(2 * i + 1));
+    let amplitudes = |frequency| (1..=10).map(move |i| trial(frequency, 0.06 * f64::from(i)));
+    frequencies.flat_map(amplitudes).collect()
+}
+
 // -------------------------------------------------------------------------------------------------
 // The double pendulum
 // -------------------------------------------------------------------------------------------------
@@ -170,31 +219,38 @@ pub fn equals() -> DoublePendulum {
 }
 
 /// The distance √(Δθ₁² + Δθ₂²) (rad) against time (s) of two starts from rest, one at the angles
-/// `theta` (rad) and one with its upper angle larger by `nudge` (rad): every tenth of `steps` steps
-/// of `step` (s) of RK4.
+/// `theta` (rad) and one with its upper angle larger by `nudge` (rad), at the times of [`path`].
 pub fn separation(
     double: &DoublePendulum,
     theta: [f64; 2],
     nudge: f64,
-    (step, steps): (f64, u64),
+    grid: (f64, u64),
 ) -> Vec<(f64, f64)> {
-    let grid = Grid::new(step, steps).expect("a positive step");
-    let path = |theta1| {
-        let start = double.start([theta1, theta[1]], [0.0; 2]).expect("finite angles");
-        let mut path = Vec::new();
-        integrate(double, &Rk4, start, &grid, &mut |n, t, z: DoublePhase| {
-            if n % 10 == 0 {
-                path.push((t, z));
-            }
-        });
-        path
-    };
+    let path = |theta1| path(double, [theta1, theta[1]], grid);
     let (one, other) = (path(theta[0]), path(theta[0] + nudge));
     let apart = |((t, a), (_, b)): ((f64, DoublePhase), (f64, DoublePhase))| {
         let (upper, lower) = (a.theta1 - b.theta1, a.theta2 - b.theta2);
         (t, libm::sqrt(upper * upper + lower * lower))
     };
     one.into_iter().zip(other).map(apart).collect()
+}
+
+/// The motion of `double` from rest at the angles `theta` (rad): every tenth of `steps` steps of
+/// `step` (s) of RK4, each with its time (s).
+pub fn path(
+    double: &DoublePendulum,
+    theta: [f64; 2],
+    (step, steps): (f64, u64),
+) -> Vec<(f64, DoublePhase)> {
+    let grid = Grid::new(step, steps).expect("a positive step");
+    let start = double.start(theta, [0.0; 2]).expect("finite angles");
+    let mut path = Vec::new();
+    integrate(double, &Rk4, start, &grid, &mut |n, t, z: DoublePhase| {
+        if n % 10 == 0 {
+            path.push((t, z));
+        }
+    });
+    path
 }
 
 // -------------------------------------------------------------------------------------------------
@@ -218,6 +274,23 @@ pub fn precession(centre: &Kepler, ellipse: &Ellipse, steps: u64) -> f64 {
         before = receding;
     });
     (apocentres[20] - apocentres[0]) / 20.0
+}
+
+/// `revolutions` revolutions of Störmer–Verlet about `centre`, of `steps` steps each, that begin at
+/// the apocentre of `ellipse`. The energy of its steps is nearly right there, so that it stays as
+/// large as the ellipse.
+pub fn turning(
+    centre: &Kepler,
+    ellipse: &Ellipse,
+    steps: u64,
+    revolutions: u64,
+) -> Vec<PlanePhase> {
+    let period = ellipse.period();
+    let grid = Grid::new(period / steps as f64, steps * revolutions).expect("a positive step");
+    let mut states = Vec::new();
+    let start = ellipse.at(0.5 * period);
+    integrate(centre, &StormerVerlet, start, &grid, &mut |_, _, z| states.push(z));
+    states
 }
 
 // -------------------------------------------------------------------------------------------------

@@ -90,6 +90,19 @@ pub fn energy(method: MethodRef, every: u64) -> Vec<(f64, f64)> {
     series
 }
 
+/// θ (rad), counting turns, at each step from the time `from` to the time `to` (s).
+pub fn angle(method: MethodRef, (from, to): (f64, f64)) -> Vec<(f64, f64)> {
+    let mut series = Vec::new();
+    // Half a step before `from`, since the times are rounded.
+    let mut watch = |_: u64, t: f64, z: Phase| {
+        if t > from - 0.5 * STEP {
+            series.push((t, z.theta));
+        }
+    };
+    method.run(&Pendulum::PAPER, released(THETA_0), &grid(to, STEP), &mut watch);
+    series
+}
+
 /// The largest |H − H(0)| so far (J), once a second, for Figure 3.
 pub fn growth(method: MethodRef) -> Vec<(f64, f64)> {
     let pendulum = Pendulum::PAPER;

@@ -1,10 +1,13 @@
 //! Figures of the systems beyond the simple pendulum.
 
-use core::f64::consts::PI;
+use core::f64::consts::{PI, SQRT_2};
 
-use super::Drawing;
+use pendula::systems::{DoublePhase, Ellipse, Kepler, PlanePhase};
+
+use super::{Drawing, named, style};
 use crate::charts::{Axis, Chart, Figure, Style};
-use crate::experiments::{Study, beyond};
+use crate::experiments::Study;
+use crate::experiments::beyond::{self, Boundary, Trial};
 
 pub(super) const FIGURES: &[Drawing] = &[
     Drawing {
@@ -22,7 +25,42 @@ pub(super) const FIGURES: &[Drawing] = &[
         noise: false,
         draw: separation,
     },
+    Drawing {
+        name: "kapitza",
+        caption: "Where a shaken pendulum stands on its head: Mathieu's curves part the runs of \
+                  30 s that stand from those that do not. On the lower curve, which is Kapitza's \
+                  rule where the shaking is fast, it begins to stand; above the upper one it rocks \
+                  ever wider.",
+        noise: false,
+        draw: kapitza,
+    },
+    Drawing {
+        name: "double_pendulum_trace",
+        caption: "The paths of the lower bobs of two double pendulums in their first 6 s, \
+                  released at rest with the upper rod at 2 or 2.01 rad and the lower one at 2.5 \
+                  rad. For more than two seconds they are one line, and then each goes its own \
+                  way.",
+        noise: false,
+        draw: double_pendulum_trace,
+    },
+    Drawing {
+        name: "turning_ellipse",
+        caption: "A planet under Störmer–Verlet in 100 steps a revolution, a dot each. The true \
+                  ellipse stays where it is; the method's keeps its shape and turns against the \
+                  motion, by an eighth of a turn in thirty revolutions.",
+        noise: false,
+        draw: turning_ellipse,
+    },
 ];
+
+/// How wide a plot is beside labels such as −1.5, in the units of its height.
+const WIDTH: f64 = 525.5;
+
+/// A chart of a plane in which a metre is as long upwards as across.
+fn plane(x: (f64, f64), y: (f64, f64)) -> Chart {
+    Chart::new(Axis::linear("x (m)").range(x.0, x.1), Axis::linear("y (m)").range(y.0, y.1))
+        .height(WIDTH * (y.1 - y.0) / (x.1 - x.0))
+}
 
 /// States on the section; dots that coincide on the drawing are drawn once.
 const STATES: usize = 24_000;
@@ -60,4 +98,120 @@ fn separation(_: &Study) -> Figure {
          several radians, and then levels off. From a low release it stays near where it began.",
     )
     .panel(chart)
+}
+
+/// Where a shaken pendulum stands on its head.
+fn kapitza(_: &Study) -> Figure {
+    // Each curve from beyond one edge of the chart to beyond another.
+    let curve = |boundary, from: f64| {
+        let parameters = (0..=400).map(move |i| from + 0.005 * f64::from(i));
+        parameters.filter_map(move |q| beyond::mathieu_boundary(boundary, q))
+    };
+    let falling: Vec<_> = curve(Boundary::Falling, 0.1).collect();
+    let region = curve(Boundary::Rocking, 0.91).chain(falling.into_iter().rev());
+    let kapitza = (20..=220).map(|i| 0.1 * f64::from(i)).map(|ratio| (ratio, SQRT_2 / ratio));
+    let (stands, leaves): (Vec<_>, Vec<_>) =
+        beyond::trials().into_iter().partition(|trial| trial.stands);
+    let at = |trial: Trial| (trial.frequency, trial.amplitude);
+    let chart = Chart::new(
+        Axis::linear("angular frequency of the pivot, Ω/ω_{0}").range(2.0, 22.0),
+        Axis::linear("amplitude of the pivot, a/L").range(0.0, 0.65),
+    )
+    .height(330.0)
+    .series("stable by Mathieu's curves", Style::REFERENCE.filled(), region)
+    .series("Kapitza's rule, aΩ = √(2gL)", Style::REFERENCE.dashed(), kapitza)
+    .series("stands", Style::numbered(2).markers_only(), stands.into_iter().map(at))
+    .series(
+        "falls over or rocks",
+        Style::numbered(5).markers_only(),
+        leaves.into_iter().map(at),
+    );
+    Figure::new(
+        "Where a shaken pendulum stands on its head",
+        "A chart of amplitude against frequency. A shaded region opens from a narrow tip at the \
+         upper left to the right. Its lower edge falls as one over the frequency, and a dashed \
+         line, Kapitza's rule, lies just below it at the left and on it at the right. Its upper \
+         edge falls to a little less than half the length of the pendulum and stays there. Of a \
+         grid of a hundred marks, those in the region are diamonds, for pendulums that stand, and \
+         those outside it crosses.",
+    )
+    .panel(chart)
+}
+
+/// The paths of the lower bobs of two double pendulums whose starts are neighbours.
+fn double_pendulum_trace(_: &Study) -> Figure {
+    let double = beyond::equals();
+    // With half the step no bob is elsewhere by a hundredth of a millimetre.
+    let path = |upper| beyond::path(&double, [upper, 2.5], (0.001, 6000));
+    let lower = |(_, z): &(f64, DoublePhase)| double.bobs(*z)[1];
+    let (one, other) = (path(2.0), path(2.01));
+    let [joint, bob] = double.bobs(one[0].1);
+    let chart = plane((-2.4, 2.4), (-2.1, 1.5))
+        .series("from 2 rad", Style::numbered(0).line_only(), one.iter().map(lower))
+        .series("from 2.01 rad", Style::numbered(1).line_only(), other.iter().map(lower))
+        .series("rods at the start", Style::REFERENCE, [(0.0, 0.0), joint, bob])
+        .series("", Style::TRUE_POINT, [(0.0, 0.0), joint, bob]);
+    Figure::new(
+        "The paths of two double pendulums",
+        "Two lines in a vertical plane, from the tip of two rods that point upwards to the right. \
+         They swing down and up to the left as one, and part near the pivot on the way back: one \
+         goes on to loops at the bottom and the right, the other to the left and around.",
+    )
+    .panel(chart)
+}
+
+/// Kepler's ellipse, and how Störmer–Verlet turns it.
+fn turning_ellipse(_: &Study) -> Figure {
+    const STEPS: usize = 100;
+    const REVOLUTIONS: usize = 30;
+    const EACH: usize = 3;
+    let centre = Kepler::new(1.0).expect("an attraction");
+    let ellipse = Ellipse::new(&centre, 1.0, 0.6).expect("an ellipse");
+    let states = beyond::turning(&centre, &ellipse, STEPS as u64, REVOLUTIONS as u64);
+    let at = |z: &PlanePhase| (z.x, z.y);
+    let truth: Vec<_> =
+        (0..=400).map(|i| ellipse.at(ellipse.period() * (f64::from(i) / 400.0))).collect();
+    let method = named("stormer-verlet");
+    let ends = (1..=REVOLUTIONS).filter(|n| n % EACH == 0).map(|n| n * STEPS);
+    let dots = ends.flat_map(|end| &states[end - STEPS..end]);
+    // Two steps more than a revolution, since the apocentre comes to meet the planet.
+    let last = &states[(REVOLUTIONS - 1) * STEPS - 2..];
+    let ray = |z: &PlanePhase| [(0.0, 0.0), at(z)];
+    let [first, turned] = [states[0], states[REVOLUTIONS * STEPS]];
+    let towards = centre.eccentricity(turned);
+    let angle = libm::atan2(towards.y, towards.x);
+    let (sine, cosine) = libm::sincos(0.5 * angle);
+    let chart = plane((-1.9, 1.1), (-0.95, 1.35))
+        .series("true ellipse", Style::REFERENCE, truth.iter().map(at))
+        .series("each third revolution", style(method).dots(), dots.map(at))
+        .series("the thirtieth", style(method).line_only().solid(), last.iter().map(at))
+        .series("", Style::GUIDE, ray(&first))
+        .series("", Style::GUIDE, ray(&turned))
+        .series("", Style::TRUE_POINT, [(0.0, 0.0)])
+        .note(-0.6 * cosine, -0.6 * sine, format!("{:.2} rad", angle.abs()));
+    Figure::new(
+        "The ellipse that turns",
+        "A plane with a centre and an ellipse about it, longer than wide, the centre near its \
+         right end. Ten dotted ellipses of the same shape follow each other, each turned clockwise \
+         about the centre from the one before. The last is drawn as a line, and its long axis \
+         points to the upper left, by about an eighth of a turn from where it began.",
+    )
+    .panel(chart)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Catches: a circle that is drawn as an ellipse.
+    #[test]
+    fn a_metre_is_as_long_upwards_as_across() {
+        let chart = plane((-1.0, 2.0), (-1.5, 1.5));
+        let svg = Figure::new("t", "d").panel(chart).to_svg("x");
+        let rect = svg.split_once("<rect ").expect("a plot").1;
+        let mut values = rect.split('"').skip(1).step_by(2).map(str::parse::<f64>);
+        // Past x and y; coordinates have one decimal.
+        let (width, height) = (values.nth(2).unwrap().unwrap(), values.next().unwrap().unwrap());
+        assert!((width - height).abs() < 0.15, "{width} {height}");
+    }
 }

@@ -59,13 +59,13 @@ pub(super) const FIGURES: &[Drawing] = &[
     },
 ];
 
-const PENDULUM: Pendulum = Pendulum::PAPER;
+pub(super) const PENDULUM: Pendulum = Pendulum::PAPER;
 
-fn point(z: Phase) -> (f64, f64) {
+pub(super) fn point(z: Phase) -> (f64, f64) {
     (z.theta, z.omega)
 }
 
-fn true_motion(start: Phase) -> Motion {
+pub(super) fn true_motion(start: Phase) -> Motion {
     Motion::new(&PENDULUM, start).expect("a finite start")
 }
 
@@ -74,7 +74,7 @@ fn period_of(start: Phase) -> f64 {
 }
 
 /// The true motion from `start` for the time `duration` (s), in enough points for a smooth curve.
-fn truth(start: Phase, duration: f64) -> impl Iterator<Item = (f64, f64)> {
+pub(super) fn truth(start: Phase, duration: f64) -> impl Iterator<Item = (f64, f64)> {
     const POINTS: u32 = 400;
     let motion = true_motion(start);
     let time = move |n: u32| duration * (f64::from(n) / f64::from(POINTS));
@@ -86,7 +86,7 @@ fn truth(start: Phase, duration: f64) -> impl Iterator<Item = (f64, f64)> {
 // -------------------------------------------------------------------------------------------------
 
 /// On the way down to the bottom: neither the velocity nor the force is zero or at its maximum.
-const START: Phase = Phase { theta: -1.2, omega: 1.0 };
+pub(super) const START: Phase = Phase { theta: -1.2, omega: 1.0 };
 /// A sixth of a period (s): long enough to show each part of the step.
 const STEP: f64 = 0.35;
 /// RK4's step (s): with the step of the others its end could hardly be told from the true

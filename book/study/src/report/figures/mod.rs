@@ -4,6 +4,8 @@ mod beyond;
 mod choosing;
 mod evidence;
 mod geometry;
+mod higher_order;
+mod opening;
 mod paper;
 
 use pendula::{METHODS, method_named};
@@ -39,9 +41,17 @@ impl Drawing {
 
 /// The figures, file by file.
 pub fn figures() -> impl Iterator<Item = &'static Drawing> {
-    [paper::FIGURES, geometry::FIGURES, evidence::FIGURES, choosing::FIGURES, beyond::FIGURES]
-        .into_iter()
-        .flatten()
+    [
+        opening::FIGURES,
+        paper::FIGURES,
+        geometry::FIGURES,
+        evidence::FIGURES,
+        choosing::FIGURES,
+        higher_order::FIGURES,
+        beyond::FIGURES,
+    ]
+    .into_iter()
+    .flatten()
 }
 
 /// The style of a method, the same in every figure.

@@ -1,0 +1,116 @@
+//! How a step of higher order is put together from steps of order 2.
+
+use pendula::Phase;
+use pendula::methods::{ForestRuth, Splitting, StormerVerlet, Suzuki4};
+
+use super::geometry::{PENDULUM, START, point, true_motion, truth};
+use super::{Drawing, named, style, title};
+use crate::charts::{Axis, Chart, Figure, Style};
+use crate::experiments::Study;
+use crate::experiments::stencil::stencil;
+
+pub(super) const FIGURES: &[Drawing] = &[Drawing {
+    name: "triple_jump",
+    caption: "One step of Forest–Ruth as its three steps of Störmer–Verlet, with the time that \
+              each reaches: the first two end far from the truth at that time (dotted), the third \
+              close to it. Below, the substeps of two methods in time; Suzuki's are shorter than \
+              the step, and none of them leaves it.",
+    noise: false,
+    draw: triple_jump,
+}];
+
+/// About a seventh of a period (s): the errors of the substeps can be seen, and that of the step is
+/// small beside them.
+const STEP: f64 = 0.3;
+
+/// Where steps of Störmer–Verlet by these shares of [`STEP`] lead from [`START`], one after the
+/// other, and at what time (s): the start and the end of each.
+fn ends(shares: &[f64]) -> Vec<(f64, Phase)> {
+    let mut ends = vec![(0.0, START)];
+    let (mut t, mut z) = ends[0];
+    for share in shares {
+        let h = share * STEP;
+        (t, z) = (t + h, stencil(&StormerVerlet, &PENDULUM, z, h).end);
+        ends.push((t, z));
+    }
+    ends
+}
+
+/// A length in steps, with the true minus sign.
+fn in_steps(share: f64) -> String {
+    format!("{share:.2}").replace('-', "−")
+}
+
+/// The substeps of Forest–Ruth in phase space.
+fn jump() -> Chart {
+    let method = named("forest-ruth");
+    let ends = ends(ForestRuth::DRIFTS);
+    let truth_at = |t: f64| true_motion(START).at(t);
+    let mut chart = Chart::new(
+        Axis::linear("θ (rad)").range(-1.9, 0.4),
+        Axis::linear("ω (rad/s)").range(-0.5, 4.0),
+    )
+    .height(300.0)
+    .series("true orbit", Style::REFERENCE, truth(truth_at(-0.45 * STEP), 2.15 * STEP))
+    .series("true motion", Style::TRUE_POINT, ends.iter().map(|(t, _)| point(truth_at(*t))))
+    .series(title(method), style(method).markers_only(), ends.iter().map(|(_, z)| point(*z)));
+    for pair in ends.windows(2) {
+        let ends = [pair[0].1, pair[1].1].map(point);
+        chart = chart.series("", style(method).arrow(), ends);
+    }
+    for (t, z) in ends {
+        let time = match (t / STEP * 100.0).round() / 100.0 {
+            0.0 => "start".into(),
+            1.0 => "h".into(),
+            share => format!("{} h", in_steps(share)),
+        };
+        chart = chart
+            .series("", Style::GUIDE, [truth_at(t), z].map(point))
+            .note(z.theta, z.omega, time);
+    }
+    chart
+}
+
+/// The substeps of two methods in time, one below the other.
+fn lengths() -> Chart {
+    let methods =
+        [(named("forest-ruth"), ForestRuth::DRIFTS), (named("suzuki-4"), Suzuki4::DRIFTS)];
+    let (mut y, mut ticks, mut arrows) = (0.0, Vec::new(), Vec::new());
+    for (method, shares) in methods {
+        let mut t = 0.0;
+        for share in shares {
+            y -= 1.0;
+            ticks.push((y, in_steps(*share)));
+            arrows.push((method, [(t, y), (t + share, y)]));
+            t += share;
+        }
+        // A gap between the methods.
+        y -= 0.5;
+    }
+    let chart = Chart::new(
+        Axis::linear("time (steps)").range(-0.5, 1.5),
+        Axis::linear("substep (steps)").range(y - 0.1, -0.4).ticks(ticks),
+    )
+    .height(210.0)
+    .vertical(0.0, "start")
+    .vertical(1.0, "end");
+    arrows.into_iter().fold(chart, |chart, (method, arrow)| {
+        chart.series(title(method), style(method).arrow(), arrow)
+    })
+}
+
+/// The triple jump in phase space, and in time beside Suzuki's five substeps.
+fn triple_jump(_: &Study) -> Figure {
+    Figure::new(
+        "The triple jump",
+        "Two charts. Above, the left half of a swing's orbit in phase space, an arch. From a point \
+         on its flank a long arrow leads up to the right and ends below the arch, past its top. A \
+         still longer one leads from there back, past the start, and ends to the left of the arch. \
+         A third leads up to the right again and ends close to where the true motion is after the \
+         step. Below, the same three arrows along an axis of time: from 0 to 1.35 steps, back to \
+         −0.35 and forward to 1; and the five arrows of Suzuki's method, two forward, one back, \
+         two forward, all between 0 and 1.",
+    )
+    .panel(jump())
+    .panel(lengths())
+}
