@@ -5,6 +5,7 @@ import sys
 import time
 from pathlib import Path
 
+import claims
 import lab
 import pages
 import pictures
@@ -13,7 +14,7 @@ import spoilt
 from book import Book, NoBook
 from browser import Browser
 
-CHECKS = [pages.every_page, *reader.CHECKS, *lab.CHECKS]
+CHECKS = [pages.every_page, *reader.CHECKS, *claims.CHECKS, *lab.CHECKS]
 
 
 def check(folder: Path) -> bool:

@@ -19,6 +19,8 @@ pub struct Entry {
     pub measured: Option<String>,
     /// The result of comparing the two.
     pub verdict: Option<String>,
+    /// What it is: a cell or a sentence of the paper; a reading or a finding, which are not in it.
+    pub kind: String,
 }
 
 /// Where values come from.
@@ -56,6 +58,7 @@ impl Ledger for Paper {
             stated: claim.stated.map(|_| claim.stated_text()),
             measured,
             verdict: Some(claim.judged().to_string()),
+            kind: claim.kind().to_string(),
         })
     }
 }
@@ -73,6 +76,7 @@ mod tests {
         assert_eq!(entry.stated.as_deref(), Some("2.01 × 10²"));
         assert!(entry.measured.is_some_and(|text| text.starts_with("2.0118")));
         assert_eq!(entry.verdict.as_deref(), Some("reproduced"));
+        assert_eq!(entry.kind, "cell");
         assert_eq!(paper.entry("T4.no.such"), None);
     }
 }

@@ -8,15 +8,17 @@ use std::sync::LazyLock;
 use anyhow::{Result, ensure};
 use regex::{Captures, Regex};
 
-/// The text with each captioned table as a figure of its own, caption first.
+/// The text with each captioned table as a figure of its own, caption first; `{{verdicts}}` will be
+/// a table too.
 ///
 /// # Errors
 /// For rows that a table does not have, and for a caption without a table.
 pub fn set(text: &str) -> Result<String> {
     static CAPTION: LazyLock<Regex> = LazyLock::new(|| {
-        Regex::new(
-            r"(?m)^Table(?:\[(?<rows>[^\]\n]+)\])?: (?<caption>(?:.+\n)+)\n(?<table>(?:\|.*\n?)*)",
-        )
+        Regex::new(concat!(
+            r"(?m)^Table(?:\[(?<rows>[^\]\n]+)\])?: (?<caption>(?:.+\n)+)\n",
+            r"(?<table>\{\{verdicts\}\}|(?:\|.*\n?)*)",
+        ))
         .expect("the pattern is a constant")
     });
     let mut failed = None;

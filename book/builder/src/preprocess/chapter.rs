@@ -8,9 +8,11 @@
 //! | `{{test file::function}}` | a link to that test's source in the book |
 //! | `{{catches file::function}}` | the same, and what wrong code it catches, as the test itself says |
 //! | `{{work-precision}}` | the figure that `pendula work-precision` made, or a line on how to make it |
+//! | `{{verdicts}}` | how many claims got which verdict; see [`claims`](super::claims) |
 //!
-//! The first two also work inside formulas. Code spans and code blocks do not change, except that
-//! code included from within an item loses its common indentation.
+//! The first two also work inside formulas. The first quote of a claim has its id, so that its row
+//! of the ledger can link back. Code spans and code blocks do not change, except that code included
+//! from within an item loses its common indentation.
 
 use std::collections::BTreeSet;
 use std::ops::Range;
@@ -50,31 +52,26 @@ impl<'a> Setter<'a> {
     }
 
     /// The chapter's text with directives and formulas replaced; `to_root` is the relative path
-    /// from its page to the root of the book.
+    /// from its page to the root of the book. `quoted` gets the ids of the claims that it quotes.
     ///
     /// # Errors
     /// For an unknown directive, claim or test, and for a formula that cannot be set; the error
     /// quotes it.
-    pub fn set(&self, text: &str, to_root: &str) -> Result<String> {
+    pub fn set(&self, text: &str, to_root: &str, quoted: &mut BTreeSet<String>) -> Result<String> {
         let mut edits = Vec::new();
-        let mut rows = BTreeSet::new();
         let mut done = 0;
         for passage in passages(text) {
-            self.set_prose(text, done..passage.range.start, to_root, &mut edits)?;
+            self.set_prose(text, done..passage.range.start, to_root, &mut edits, quoted)?;
             done = passage.range.end;
             match passage.kind {
                 Kind::Code => {
                     if let Some(block) = flush_left(&text[passage.range.clone()]) {
                         edits.push((passage.range, block));
-                    } else if let Some(id) = self.row_of_the_ledger(text, &passage.range)
-                        && rows.insert(id)
-                    {
-                        let at = passage.range.start;
-                        edits.push((at..at, format!("<span id=\"{id}\"></span>")));
                     }
                 }
                 Kind::Formula { tex, display } => {
-                    let html = self.maths.set(&self.set_tex(&tex)?, display)?;
+                    let (set, ids) = self.set_tex(&tex, quoted)?;
+                    let html = ids + &self.maths.set(&set, display)?;
                     edits.push(match text[passage.range.end..].chars().next() {
                         // A browser may break a line after any formula, even before a comma. A long
                         // one must stay breakable.
@@ -99,16 +96,8 @@ impl<'a> Setter<'a> {
                 }
             }
         }
-        self.set_prose(text, done..text.len(), to_root, &mut edits)?;
+        self.set_prose(text, done..text.len(), to_root, &mut edits, quoted)?;
         Ok(splice(text, edits))
-    }
-
-    /// The id of the claim, where a code span at the start of a row of a table is one: links to a
-    /// claim lead there.
-    fn row_of_the_ledger<'t>(&self, text: &'t str, range: &Range<usize>) -> Option<&'t str> {
-        let starts_a_row = text[..range.start].ends_with("\n| ");
-        let id = text[range.clone()].trim_matches('`');
-        (starts_a_row && self.ledger.entry(id).is_some()).then_some(id)
     }
 
     fn set_prose(
@@ -117,6 +106,7 @@ impl<'a> Setter<'a> {
         range: Range<usize>,
         to_root: &str,
         edits: &mut Vec<(Range<usize>, String)>,
+        quoted: &mut BTreeSet<String>,
     ) -> Result<()> {
         // A nested footnote or the like may begin before the last passage ended.
         let Some(prose) = text.get(range.clone()) else { return Ok(()) };
@@ -124,13 +114,14 @@ impl<'a> Setter<'a> {
             let Directive { range: at, name, argument } = directive?;
             let html = match name {
                 "measured" | "stated" => {
-                    let value = self.value(name, argument)?;
-                    format!("<span class=\"{name}\">{}</span>", values::html(&value))
+                    let value = values::html(&self.value(name, argument)?);
+                    format!("<span class=\"{name}\"{}>{value}</span>", id(argument, quoted))
                 }
                 "verdict" => {
                     let value = values::html(&self.value(name, argument)?);
                     let row = format!("{to_root}appendix-claims.html#{argument}");
-                    format!("<a class=\"{name}\" href=\"{row}\">{value}</a>")
+                    let id = id(argument, quoted);
+                    format!("<a class=\"{name}\"{id} href=\"{row}\">{value}</a>")
                 }
                 "test" => self.link(argument, to_root)?,
                 "catches" => {
@@ -140,9 +131,11 @@ impl<'a> Setter<'a> {
                     format!("{} catches {catches}", self.link(argument, to_root)?)
                 }
                 "work-precision" => self.work_precision.clone(),
+                // It waits until every chapter has been searched for quotes.
+                "verdicts" => continue,
                 _ => bail!(
-                    "{}: no such directive; there are measured, stated, verdict, test, catches and \
-                     work-precision",
+                    "{}: no such directive; there are measured, stated, verdict, test, catches, \
+                     work-precision and verdicts",
                     &prose[at]
                 ),
             };
@@ -151,16 +144,21 @@ impl<'a> Setter<'a> {
         Ok(())
     }
 
-    /// In TeX `{{a}}` is a group in a group, so that only known names are directives.
-    fn set_tex(&self, tex: &str) -> Result<String> {
-        let mut edits = Vec::new();
+    /// The TeX with its values, and what carries the ids of claims, which a formula cannot. In TeX
+    /// `{{a}}` is a group in a group, so that only known names are directives.
+    fn set_tex(&self, tex: &str, quoted: &mut BTreeSet<String>) -> Result<(String, String)> {
+        let (mut edits, mut ids) = (Vec::new(), String::new());
         for directive in directives(tex).filter_map(Result::ok) {
             if let "measured" | "stated" = directive.name {
                 let value = self.value(directive.name, directive.argument)?;
                 edits.push((directive.range, values::tex(&value)));
+                let id = id(directive.argument, quoted);
+                if !id.is_empty() {
+                    ids += &format!("<span{id}></span>");
+                }
             }
         }
-        Ok(splice(tex, edits))
+        Ok((splice(tex, edits), ids))
     }
 
     fn value(&self, name: &str, id: &str) -> Result<String> {
@@ -192,6 +190,11 @@ impl<'a> Setter<'a> {
     }
 }
 
+/// The attribute for the first quote of a claim in its chapter.
+fn id(claim: &str, quoted: &mut BTreeSet<String>) -> String {
+    if quoted.insert(claim.to_string()) { format!(" id=\"{claim}\"") } else { String::new() }
+}
+
 /// The directives of a text; one that is not closed is an error.
 fn directives(text: &str) -> impl Iterator<Item = Result<Directive<'_>>> {
     let mut from = 0;
@@ -221,6 +224,7 @@ mod tests {
                 stated: value("2.01e-4"),
                 measured: value("3e-4"),
                 verdict: value("wrong"),
+                ..Entry::default()
             }),
             "T9.only" => Some(Entry { verdict: value("not checkable"), ..Entry::default() }),
             _ => None,
@@ -229,7 +233,8 @@ mod tests {
 
     fn set(text: &str) -> Result<String> {
         let tests = Tests::from_sources([("order", "#[test]\nfn every_slope() {}\n")]).unwrap();
-        Setter::new(&ledger, &tests, "<figure>".to_string()).set(text, "../")
+        let setter = Setter::new(&ledger, &tests, "<figure>".to_string());
+        setter.set(text, "../", &mut BTreeSet::new())
     }
 
     /// Catches: the stated value in place of the measured one, and the other way round.
@@ -239,21 +244,27 @@ mod tests {
             set("{{stated T4.rk4.0.01}}, {{ measured T4.rk4.0.01 }}, {{verdict T4.rk4.0.01}}");
         assert_eq!(
             set.unwrap(),
-            "<span class=\"stated\">2&#46;01\u{a0}×\u{a0}10<sup>−4</sup></span>, \
-             <span class=\"measured\">3\u{a0}×\u{a0}10<sup>−4</sup></span>, \
+            "<span class=\"stated\" id=\"T4.rk4.0.01\">2&#46;01\u{a0}×\u{a0}10<sup>−4</sup></span>\
+             , <span class=\"measured\">3\u{a0}×\u{a0}10<sup>−4</sup></span>, \
              <a class=\"verdict\" href=\"../appendix-claims.html#T4.rk4.0.01\">wrong</a>"
         );
     }
 
-    /// Catches: a row of the ledger that links to a claim cannot find; an id that stands twice; an
-    /// id on other code.
+    /// Catches: a quote that cannot be linked to, in a formula too; an id that stands twice; a
+    /// claim that is only named in code taken for a quote.
     #[test]
-    fn rows_of_the_ledger_can_be_linked_to() {
-        let set =
-            set("\n| a |\n| - |\n| `T4.rk4.0.01` b |\n| `T9` |\n| `T4.rk4.0.01` |\n").unwrap();
-        let expected = "\n| a |\n| - |\n| <span id=\"T4.rk4.0.01\"></span>`T4.rk4.0.01` b |\n\
-                        | `T9` |\n| `T4.rk4.0.01` |\n";
-        assert_eq!(set, expected);
+    fn the_first_quote_of_a_claim_has_its_id() {
+        let tests = Tests::default();
+        let setter = Setter::new(&ledger, &tests, String::new());
+        for text in [
+            "{{measured T4.rk4.0.01}} {{verdict T4.rk4.0.01}}",
+            "$a$ and $x = {{stated T4.rk4.0.01}}$, {{stated T4.rk4.0.01}}",
+        ] {
+            let mut quoted = BTreeSet::new();
+            let set = setter.set(&format!("{text} `{{{{verdict T9.only}}}}`"), "", &mut quoted);
+            assert_eq!(set.unwrap().matches("id=\"T4.rk4.0.01\"").count(), 1, "{text}");
+            assert_eq!(quoted, BTreeSet::from(["T4.rk4.0.01".to_string()]));
+        }
     }
 
     /// Catches: a bullet that says what its test does not, and a test that does not say what it
@@ -263,7 +274,9 @@ mod tests {
         let source = "/// Does it.\n///\n/// Catches: one thing,\n/// and another.\n\
                       #[test]\nfn a() {}\n#[test]\nfn b() {}\n";
         let tests = Tests::from_sources([("x", source)]).unwrap();
-        let set = |text: &str| Setter::new(&ledger, &tests, String::new()).set(text, "");
+        let set = |text: &str| {
+            Setter::new(&ledger, &tests, String::new()).set(text, "", &mut BTreeSet::new())
+        };
         let bullet = set("* {{catches x::a}}.\n").unwrap();
         assert!(bullet.ends_with("</a> catches one thing, and another.\n"), "{bullet}");
         assert!(set("{{catches x::b}}").unwrap_err().to_string().contains("Catches:"));

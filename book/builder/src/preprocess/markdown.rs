@@ -115,7 +115,7 @@ fn stray_dollar(text: &str, range: Range<usize>) -> Option<Range<usize>> {
 }
 
 /// mdBook's own extensions, so that both parse a chapter alike, and formulas.
-fn options() -> Options {
+pub fn options() -> Options {
     Options::ENABLE_TABLES
         | Options::ENABLE_FOOTNOTES
         | Options::ENABLE_STRIKETHROUGH

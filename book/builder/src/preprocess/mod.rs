@@ -3,10 +3,13 @@
 //! mdBook's own `links` step has inserted the included text before. In order: every include is
 //! checked against the disk ([`includes`]), the pages of the tests are added ([`sources`]), and in
 //! each chapter tables get their captions ([`captions`]) and directives and formulas are replaced
-//! ([`chapter`]): values by [`values`], formulas by [`maths`].
+//! ([`chapter`]): values by [`values`], formulas by [`maths`]. Then it is known which chapters
+//! quote which claim, and the ledger's tables link back to them ([`claims`]).
 //!
 //! Nothing is repaired silently: what cannot be resolved stops the build, and the error names its
 //! chapter.
+
+use std::collections::BTreeSet;
 
 use anyhow::{Context, Result};
 use mdbook_preprocessor::book::{Book, BookItem, Chapter};
@@ -18,6 +21,7 @@ use crate::work_precision::figure;
 
 pub mod captions;
 pub mod chapter;
+pub mod claims;
 pub mod includes;
 pub mod inert;
 pub mod listing;
@@ -66,26 +70,55 @@ impl Preprocessor for Pendula {
         self.progress.stage("setting the chapters", book.chapters().count());
         let setter =
             chapter::Setter::new(self.ledger.as_ref(), &tests, figure::in_the_book(&context.root)?);
-        // for_each_chapter_mut cannot stop early: the first error is kept.
-        let mut outcome = Ok(());
-        book.for_each_chapter_mut(|chapter| {
-            if outcome.is_ok() {
-                outcome = set(&setter, chapter);
-                self.progress.advance();
-            }
-        });
-        outcome?;
+        let mut quotes = claims::Quotes::new();
+        each(&mut book, |chapter| {
+            self.progress.advance();
+            set(&setter, chapter, &mut quotes)
+        })?;
+        each(&mut book, |chapter| {
+            chapter.content = claims::set(&chapter.content, self.ledger.as_ref(), &quotes)?;
+            Ok(())
+        })?;
         self.progress.stage("writing the pages", 1);
         Ok(book)
     }
 }
 
-fn set(setter: &chapter::Setter<'_>, chapter: &mut Chapter) -> Result<()> {
+/// Does this to each chapter. The error names its chapter.
+fn each(book: &mut Book, mut action: impl FnMut(&mut Chapter) -> Result<()>) -> Result<()> {
+    // for_each_chapter_mut cannot stop early: the first error is kept.
+    let mut outcome = Ok(());
+    book.for_each_chapter_mut(|chapter| {
+        if outcome.is_ok() {
+            outcome = action(chapter).with_context(|| format!("chapter {}", name(chapter)));
+        }
+    });
+    outcome
+}
+
+fn set(
+    setter: &chapter::Setter<'_>,
+    chapter: &mut Chapter,
+    quotes: &mut claims::Quotes,
+) -> Result<()> {
     let depth = chapter.path.as_ref().map_or(0, |path| path.components().count().saturating_sub(1));
-    chapter.content = captions::set(&chapter.content)
-        .and_then(|content| setter.set(&content, &"../".repeat(depth)))
-        .with_context(|| format!("chapter {}", name(chapter)))?;
+    let mut quoted = BTreeSet::new();
+    let content = captions::set(&chapter.content)?;
+    chapter.content = setter.set(&content, &"../".repeat(depth), &mut quoted)?;
+    let page = chapter.path.clone().unwrap_or_default().with_extension("html");
+    for id in quoted {
+        let link = format!("<a href=\"{}#{id}\">{}</a>", page.display(), called(chapter));
+        quotes.entry(id).or_default().push(link);
+    }
     Ok(())
+}
+
+/// What a chapter is called in a link to it: by its number, or its title if it has none.
+fn called(chapter: &Chapter) -> String {
+    match &chapter.number {
+        Some(number) => format!("chapter\u{a0}{}", number.to_string().trim_end_matches('.')),
+        None => chapter.name.clone(),
+    }
 }
 
 /// The name of a chapter in errors: its file, or its title if it has none.

@@ -19,11 +19,17 @@ static BOOK: LazyLock<Result<(tempfile::TempDir, Site), String>> = LazyLock::new
     Ok((folder, site))
 });
 
+/// The HTML of a page.
+pub fn html(page: &str) -> String {
+    let (folder, _) = BOOK.as_ref().unwrap_or_else(|why| panic!("the book cannot be built: {why}"));
+    fs::read_to_string(folder.path().join(page)).unwrap()
+}
+
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap().to_path_buf()
 }
 
-fn site() -> &'static Site {
+pub fn site() -> &'static Site {
     match &*BOOK {
         Ok((_, site)) => site,
         Err(error) => panic!("the book cannot be built: {error}"),

@@ -2,6 +2,7 @@
 
 mod built_book;
 mod chapters;
+mod claims;
 mod command_line;
 mod commands;
 mod lab;
