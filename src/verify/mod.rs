@@ -9,6 +9,7 @@ pub mod clock;
 pub mod conjugacy;
 pub mod driven;
 pub mod error_constant;
+pub mod judge;
 mod ladder;
 pub mod linear;
 pub mod order;
@@ -17,6 +18,7 @@ pub mod symmetry;
 pub mod work;
 
 pub use area::area_defect;
+pub use judge::{Claims, FromFn, Listed, Report, Stranger, Verdict, judge, try_judge};
 pub use ladder::Ladder;
 
 use crate::{AnyMethod, Grid, Pendulum, Phase};

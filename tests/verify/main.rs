@@ -2,7 +2,9 @@
 
 mod discrimination;
 mod end_error;
+mod judged;
 mod metric_checks;
 mod metrics;
 mod slope_estimator;
-mod zoo;
+mod strangers;
+mod wrong_metrics;

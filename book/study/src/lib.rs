@@ -8,6 +8,7 @@
 //! * [`experiments`]: what the methods do, as typed rows.
 //! * [`claims`]: the paper's claims compared with the rows; theory's predictions of its cells.
 //! * [`charts`]: series to SVG.
+//! * [`zoo`]: wrong methods, and what catches each.
 //! * [`report`]: rows and claims as tables and figures.
 #![warn(clippy::disallowed_methods)]
 
@@ -17,6 +18,7 @@ pub mod digits;
 pub mod experiments;
 pub mod report;
 pub mod theory;
+pub mod zoo;
 
 /// The listings of the book's chapters, run as tests.
 #[cfg(doctest)]

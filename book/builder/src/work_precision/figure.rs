@@ -35,7 +35,7 @@ pub fn in_the_book(root: &Path) -> anyhow::Result<String> {
     };
     let (svg, whose) = match read(folder(root).join(SVG)) {
         Ok(svg) => (svg, "this machine"),
-        Err(_) => (read(root.join("../benches").join(SVG))?, "the machine of the other tables"),
+        Err(_) => (read(root.join("../benches").join(SVG))?, "a shared machine, once"),
     };
     Ok(format!(
         "<figure>\n{svg}<figcaption>Run time against error as <code>pendula \
@@ -149,7 +149,7 @@ mod tests {
         let recorded = in_the_book(&root).unwrap();
         assert!(recorded.starts_with("<figure>\n<svg") && recorded.ends_with("</figure>\n"));
         assert!(!recorded.contains("\n\n") && !recorded.contains("{{"));
-        assert!(recorded.contains("the machine of the other tables"));
+        assert!(recorded.contains("a shared machine, once"));
         let file = folder(&root).join(SVG);
         fs::write(&file, "<svg>\n\n</svg>\n").unwrap();
         assert_eq!(in_the_book(&root).unwrap(), recorded);

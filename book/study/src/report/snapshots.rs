@@ -143,6 +143,8 @@ pub fn recipes<'a>(study: &'a Study, ledger: &'a Ledger) -> Vec<Recipe<'a>> {
             tables::diffusion,
         ),
     ]);
+    let about = "Wrong methods, and the properties that catch them";
+    recipes.push(Recipe::table("zoo", about, tables::zoo));
     recipes.extend(figures().map(|drawing| Recipe {
         name: drawing.name.to_string(),
         kind: Kind::Figure,

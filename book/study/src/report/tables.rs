@@ -1,6 +1,7 @@
 //! The paper's tables, stated and measured, from the ledger.
 
 use pendula::metrics::order::slopes;
+use pendula::verify::{PROPERTIES, Property};
 
 use super::table::Table;
 use crate::claims::Column::{self, Quantity};
@@ -8,6 +9,7 @@ use crate::claims::{CellId, Claim, ClaimKind, Ledger, Measured};
 use crate::digits::Digits::{self, Fixed, Scientific, Significant};
 use crate::experiments::characteristics::ROUNDING;
 use crate::experiments::{PaperMethod, STEPS, Study, beyond, crossings, diffusion, standard_map};
+use crate::zoo::{Impostor, impostors};
 
 /// The numbers of the tables that the paper prints and the study measures.
 pub const TABLES: [u32; 6] = [2, 4, 5, 6, 7, 8];
@@ -208,6 +210,30 @@ pub fn crossings() -> Table {
             crossing.map_or_else(dash, |crossing| Scientific(2).print(crossing.error)),
         ]);
     }
+    table
+}
+
+/// The zoo: each wrong method, the method that it poses as, and the properties that catch it; in the
+/// last row how many each of them catches.
+pub fn zoo() -> Table {
+    let mut header = vec!["a wrong method".to_string(), "poses as".to_string()];
+    header.extend(PROPERTIES.iter().map(|property| property.name.replace('_', " ")));
+    let mut table = Table::new(header);
+    let zoo = impostors();
+    let catches = |impostor: &Impostor, property: &Property| {
+        impostor.caught_by.iter().any(|catching| catching.name == property.name)
+    };
+    for impostor in &zoo {
+        let mut row = vec![impostor.title(), impostor.poses_as.title.to_string()];
+        let mark = |property| if catches(impostor, property) { "●" } else { "" };
+        row.extend(PROPERTIES.iter().map(|property| mark(property).to_string()));
+        table.push(row);
+    }
+    let mut last = vec![format!("**of {}, caught**", zoo.len()), String::new()];
+    last.extend(PROPERTIES.iter().map(|property| {
+        zoo.iter().filter(|impostor| catches(impostor, property)).count().to_string()
+    }));
+    table.push(last);
     table
 }
 

@@ -47,7 +47,9 @@ impostor! {
 ///
 /// With both weights ½ and no stale force it is Störmer–Verlet.
 pub struct Kicks {
+    /// The first kick, in kicks.
     pub first: f64,
+    /// The second kick, in kicks.
     pub second: f64,
     /// Whether the force of the second kick is that before the drift.
     pub stale_kick: bool,

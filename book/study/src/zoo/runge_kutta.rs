@@ -8,9 +8,13 @@ use super::{Plain, runs_in_seconds};
 /// Four stages, each built on the one before, the third on the first as well.
 #[derive(Clone, Copy)]
 pub struct Tableau {
+    /// How much of the first slope leads to the second stage.
     pub a21: f64,
+    /// Of the first to the third.
     pub a31: f64,
+    /// Of the second to the third.
     pub a32: f64,
+    /// Of the third to the fourth.
     pub a43: f64,
     /// Weights.
     pub b: [f64; 4],
@@ -29,6 +33,7 @@ impl Tableau {
         c: [0.0, 0.5, 0.5, 1.0],
     };
 
+    /// RK4's stages with the weights `b`.
     pub const fn weighing(b: [f64; 4]) -> Self {
         Self { b, ..Self::RIGHT }
     }

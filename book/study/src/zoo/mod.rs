@@ -1,16 +1,18 @@
-//! A zoo of impostors: wrong methods and wrong metrics, each close to a right one. Most have been
-//! published or shipped.
+//! A zoo of impostors: wrong methods, each close to a right one. Most have been published or
+//! shipped.
 //!
 //! An impostor of a method has the entry of the method that it poses as, and so claims its order,
 //! its symplecticity and its work.
 
 pub mod euler;
 pub mod high_order;
-pub mod metrics;
+mod list;
 pub mod problem;
 pub mod runge_kutta;
 pub mod verlet;
 pub mod wrapped;
+
+pub use list::{Impostor, impostor_named, impostors};
 
 use pendula::verify::driven::Pushed;
 use pendula::{Counting, Pendulum, Phase, System};

@@ -1,0 +1,142 @@
+//! Area in phase space: the determinant of a step, by a ruler whose own error is measured.
+
+use super::probe::{Measured, Probe, Run, Trouble, frequency, step};
+use super::report::Verdict;
+use super::stranger::Stranger;
+use crate::systems::Phase;
+
+/// Below and above the horizontal, moving and at rest.
+const STATES: [Phase; 5] = [
+    Phase { theta: 0.0, omega: 0.0 },
+    Phase { theta: 0.5, omega: 1.5 },
+    Phase { theta: 1.0, omega: -2.5 },
+    Phase { theta: 2.5, omega: 0.4 },
+    Phase { theta: -2.8, omega: 1.0 },
+];
+
+/// x = ω₀h of the steps. A step keeps area at every h or at none; the longer it is, the better a
+/// defect of high order shows.
+const STEPS: [f64; 3] = [0.1, 0.4, 1.0];
+
+/// What the ruler found.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Defect {
+    /// det J − 1.
+    pub value: f64,
+    /// The ruler's own error.
+    pub ruler: f64,
+    /// x = ω₀h of the step.
+    pub x: f64,
+}
+
+/// The images of the corners of a square, with the columns of the Jacobian by differences of fourth
+/// order.
+struct Ruler<'p, 's, S: ?Sized> {
+    probe: &'p Probe<'s, S>,
+    g_over_l: f64,
+    step: f64,
+    steps: u64,
+}
+
+impl<S: Stranger + ?Sized> Ruler<'_, '_, S> {
+    /// det J at `z`, in θ and ω/ω₀, with differences of half width `delta`.
+    fn determinant(&self, z: Phase, delta: f64) -> Measured<f64> {
+        let image = |right: f64, up: f64| -> Measured<[f64; 2]> {
+            let start =
+                Phase { theta: z.theta + right * delta, omega: z.omega + up * delta * frequency() };
+            let run = Run::new(start, self.step, self.steps).with(self.g_over_l);
+            let end = self.probe.end(run)?;
+            Ok([end.theta, end.omega / frequency()])
+        };
+        let along = |right: f64, up: f64| -> Measured<[f64; 2]> {
+            let [a, b] = [image(right, up)?, image(-right, -up)?];
+            let [c, d] = [image(2.0 * right, 2.0 * up)?, image(-2.0 * right, -2.0 * up)?];
+            let slope = |i: usize| (8.0 * (a[i] - b[i]) - (c[i] - d[i])) / (12.0 * delta);
+            Ok([slope(0), slope(1)])
+        };
+        let [[j11, j21], [j12, j22]] = [along(1.0, 0.0)?, along(0.0, 1.0)?];
+        Ok(j11 * j22 - j12 * j21)
+    }
+
+    /// det J − 1 at `z`, with differences of half width `delta` whose ends are rounded by
+    /// `rounding`. The ruler's error is what two widths disagree by, and at least what rounding
+    /// makes: a derivative is off by 3/2 of a rounding over its half width, four of them enter, and
+    /// each is of the size of the Jacobian's entries, at most 2.
+    fn defect(&self, z: Phase, delta: f64, rounding: f64) -> Measured<Defect> {
+        let [fine, coarse] = [self.determinant(z, delta)?, self.determinant(z, 1.5 * delta)?];
+        let ruler = (fine - coarse).abs().max(12.0 * rounding / delta);
+        Ok(Defect { value: fine - 1.0, ruler, x: self.step * frequency() })
+    }
+}
+
+/// The defect of one step that stands out most from the ruler's error.
+pub fn largest<S: Stranger + ?Sized>(probe: &Probe<'_, S>) -> Measured<Defect> {
+    let mut largest: Option<Defect> = None;
+    // Where rounding over δ equals a fifth derivative times δ⁴.
+    let delta = libm::pow(probe.rounding, 0.2);
+    let mut trouble = None;
+    for x in STEPS {
+        let ruler = Ruler { probe, g_over_l: super::probe::G_OVER_L, step: step(x), steps: 1 };
+        for z in STATES {
+            match ruler.defect(z, delta, probe.rounding) {
+                Ok(defect) => {
+                    let weight = |d: &Defect| d.value.abs() / d.ruler;
+                    if largest.is_none_or(|known| weight(&defect) > weight(&known)) {
+                        largest = Some(defect);
+                    }
+                }
+                Err(Trouble::NoAnswer(_) | Trouble::NotFinite) if x > STEPS[0] => {}
+                Err(other) => trouble = Some(other),
+            }
+        }
+    }
+    match (trouble, largest) {
+        (Some(trouble), _) => Err(trouble),
+        (None, Some(largest)) => Ok(largest),
+        (None, None) => Err(Trouble::NotFinite),
+    }
+}
+
+/// ln det J of `steps` steps of x = `x` about the bottom, a step: what a step loses of the area.
+pub fn loss<S: Stranger + ?Sized>(
+    probe: &Probe<'_, S>,
+    x: f64,
+    steps: u64,
+) -> Measured<(f64, f64)> {
+    let ruler = Ruler { probe, g_over_l: super::probe::G_OVER_L, step: step(x), steps };
+    let n = steps as f64;
+    // So small that the frequency hardly differs across the ruler: over n steps the phase shears by
+    // n x δ²/16, and the differences see its square. About the bottom the ends are as small as the
+    // ruler, and round accordingly.
+    let delta = 1e-4;
+    let rounding = probe.rounding * libm::sqrt(n) * delta;
+    let defect = ruler.defect(Phase::default(), delta, rounding)?;
+    Ok((libm::log1p(defect.value) / n, defect.ruler / n))
+}
+
+/// What is to be said of a claim that a step keeps area.
+pub fn judge(defect: &Defect) -> (Verdict, String) {
+    let Defect { value, ruler, x } = *defect;
+    let why = format!(
+        "at x = ω₀h = {x:.1} the area changes by {value:.1e}, where the ruler is right to {ruler:.0e}"
+    );
+    if value.abs() <= 10.0 * ruler {
+        (Verdict::Holds, why)
+    } else if value.abs() > 100.0 * ruler {
+        (Verdict::Fails, why)
+    } else {
+        (Verdict::Unclear, why)
+    }
+}
+
+/// A square and its image, for a report: its centre is (1 rad, 0), its side 0.2.
+pub fn square<S: Stranger + ?Sized>(probe: &Probe<'_, S>) -> Measured<([Phase; 4], [Phase; 4])> {
+    let corner =
+        |right: f64, up: f64| Phase { theta: 1.0 + 0.1 * right, omega: 0.1 * up * frequency() };
+    let corners = [corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0)];
+    let mut images = corners;
+    for image in &mut images {
+        *image = probe.end(Run::new(*image, step(0.7), 1))?;
+    }
+    Ok((corners, images))
+}

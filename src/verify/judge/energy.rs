@@ -1,0 +1,105 @@
+//! The energy: bounded, or drifting, and by which law.
+
+use super::probe::{Measured, Probe, Run, Trouble, step};
+use super::report::Verdict;
+use super::stranger::Stranger;
+use crate::arithmetic::sine::sin;
+use crate::systems::Phase;
+
+/// What became of the energy in a long run.
+#[derive(Clone, Debug)]
+pub struct Energy {
+    /// Time (s) and (H − H₀)/(g/L).
+    pub samples: Vec<(f64, f64)>,
+    /// The largest |H − H₀|/(g/L) in the first tenth, and in the last.
+    pub ends: [f64; 2],
+    /// What rounding may make of it.
+    pub bound: f64,
+    /// x = ω₀h of the steps, and their number.
+    pub x: f64,
+    /// The number of steps.
+    pub steps: u64,
+}
+
+/// Steps at which a drift of each order shows.
+const RUNS: [(f64, u64); 3] = [(0.1, 60_000), (0.3, 20_000), (0.8, 10_000)];
+
+const START: Phase = Phase { theta: 1.0, omega: 0.0 };
+
+/// H/(g/L) above the bottom.
+fn energy(z: Phase) -> f64 {
+    let half = sin(0.5 * z.theta);
+    0.5 * z.omega * z.omega / super::probe::G_OVER_L + 2.0 * half * half
+}
+
+fn run<S: Stranger + ?Sized>(probe: &Probe<'_, S>, x: f64, steps: u64) -> Measured<Energy> {
+    // Not a divisor of the steps of a swing, of which every moment is to be seen.
+    let every = 4;
+    let h = step(x);
+    let states = probe.states(Run::new(START, h, steps).every(every))?;
+    let samples: Vec<(f64, f64)> = (1..)
+        .zip(states)
+        .map(|(k, z)| ((k * every) as f64 * h, energy(z) - energy(START)))
+        .collect();
+    let tenth = samples.len() / 10;
+    let largest = |part: &[(f64, f64)]| part.iter().map(|s| s.1.abs()).fold(0.0, libm::fmaximum);
+    let ends = [largest(&samples[..tenth]), largest(&samples[samples.len() - tenth..])];
+    // A random walk of the energy, and for rounding with a bias as many in one direction.
+    let bound = 10.0 * probe.rounding * libm::sqrt(steps as f64);
+    Ok(Energy { samples, ends, bound, x, steps })
+}
+
+/// The run in which the last tenth exceeds the first by most, of those whose error is more than
+/// rounding. The longest step, at which a resonance may let the energy wander for a while, is taken
+/// only if the error is rounding at all others.
+pub fn worst<S: Stranger + ?Sized>(probe: &Probe<'_, S>) -> Measured<Energy> {
+    let mut worst: Option<Energy> = None;
+    let seen = |e: &Energy| e.ends[0].max(e.ends[1]) > 10.0 * e.bound;
+    for (x, steps) in RUNS {
+        if x > 0.3 && worst.as_ref().is_some_and(seen) {
+            break;
+        }
+        match run(probe, x, steps) {
+            Ok(found) => {
+                let growth = |e: &Energy| (seen(e), e.ends[1] / e.ends[0]);
+                if worst.as_ref().is_none_or(|known| growth(&found) > growth(known)) {
+                    worst = Some(found);
+                }
+            }
+            // A method that runs away.
+            Err(Trouble::NoAnswer(_) | Trouble::NotFinite) if worst.is_some() => {}
+            Err(trouble) => return Err(trouble),
+        }
+    }
+    worst.ok_or(Trouble::NotFinite)
+}
+
+/// What is to be said of a claim that the energy error does not grow.
+pub fn judge(energy: &Energy) -> (Verdict, String) {
+    let Energy { ends: [first, last], bound, x, steps, .. } = energy;
+    let why = format!(
+        "in {steps} steps of x = ω₀h = {x} from 1 rad the largest |ΔH|/(mgL) is {first:.1e} in the \
+         first tenth and {last:.1e} in the last"
+    );
+    if *last < 10.0 * bound && *first < 10.0 * bound {
+        (Verdict::Unclear, format!("{why}: rounding"))
+    } else if *last > 2.0 * first && *last > 20.0 * bound {
+        (Verdict::Fails, why)
+    } else if *last > 1.3 * first + 10.0 * bound {
+        (Verdict::Unclear, why)
+    } else {
+        (Verdict::Holds, why)
+    }
+}
+
+/// What was measured, with its law.
+pub fn line(energy: &Energy) -> String {
+    let [first, last] = energy.ends;
+    let law = match judge(energy).0 {
+        Verdict::Holds => "bounded",
+        Verdict::Fails if last > 5.0 * first && last < 20.0 * first => "grows with time",
+        Verdict::Fails => "grows",
+        _ => "rounding, or nearly",
+    };
+    format!("{first:.1e} at first, {last:.1e} at last: {law}")
+}

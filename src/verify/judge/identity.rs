@@ -1,0 +1,194 @@
+//! What it really is: the step compared with those of the library's methods, at finite steps, to
+//! the rounding.
+
+use core::fmt;
+
+use super::probe::{G_OVER_L, Measured, Probe, Run, Trouble, distance, pendulum, step};
+use super::stranger::Stranger;
+use crate::systems::{Phase, Separable};
+use crate::{AnyMethod, Grid, METHODS, MethodInfo};
+
+/// From where a method is seen: a stranger's states are those of the method, or lie a part of a
+/// kick or a drift before them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Seen {
+    /// Kicks ahead of the method's own states: half a kick makes symplectic Euler Störmer–Verlet.
+    pub kicks: f64,
+    /// Drifts ahead of them.
+    pub drifts: f64,
+}
+
+impl Seen {
+    const DIRECTLY: Self = Self { kicks: 0.0, drifts: 0.0 };
+
+    const ALL: [Self; 9] = [
+        Self::DIRECTLY,
+        Self { kicks: 0.5, drifts: 0.0 },
+        Self { kicks: -0.5, drifts: 0.0 },
+        Self { kicks: 1.0, drifts: 0.0 },
+        Self { kicks: -1.0, drifts: 0.0 },
+        Self { kicks: 0.0, drifts: 0.5 },
+        Self { kicks: 0.0, drifts: -0.5 },
+        Self { kicks: 0.0, drifts: 1.0 },
+        Self { kicks: 0.0, drifts: -1.0 },
+    ];
+
+    fn moved(self, g_over_l: f64, z: Phase, h: f64) -> Phase {
+        let pendulum = pendulum(g_over_l);
+        let z = pendulum.kick(z, pendulum.force(0.0, z), self.kicks * h);
+        pendulum.drift(z, self.drifts * h)
+    }
+
+    /// The method's own state for a state of the stranger.
+    pub fn into_its_own(self, g_over_l: f64, z: Phase, h: f64) -> Phase {
+        Self { kicks: -self.kicks, drifts: -self.drifts }.moved(g_over_l, z, h)
+    }
+
+    /// The stranger's state for one of the method's own.
+    pub fn from_its_own(self, g_over_l: f64, z: Phase, h: f64) -> Phase {
+        self.moved(g_over_l, z, h)
+    }
+}
+
+impl fmt::Display for Seen {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (by, what) =
+            if self.kicks == 0.0 { (self.drifts, "drift") } else { (self.kicks, "kick") };
+        let much = if by.abs() == 1.0 { "a whole" } else { "half a" };
+        write!(f, "{much} {what} {}", if by > 0.0 { "ahead" } else { "behind" })
+    }
+}
+
+/// A method of the library that a stranger is.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Identity {
+    /// The method's name on the command line.
+    pub method: &'static str,
+    /// Its name in text.
+    pub title: &'static str,
+    /// From where it is seen.
+    pub seen: Seen,
+    /// Whether only the angles are the method's, and the velocities are not.
+    pub angles_only: bool,
+    /// By how much a step differs at most (rad).
+    pub apart: f64,
+}
+
+impl Identity {
+    /// Whether the states are those of the method, from where it stands itself.
+    pub fn is_plain(&self) -> bool {
+        self.seen == Seen::DIRECTLY && !self.angles_only
+    }
+}
+
+impl fmt::Display for Identity {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { method, title, seen, angles_only, apart } = self;
+        write!(f, "{title} ({method})")?;
+        if *seen != Seen::DIRECTLY {
+            write!(f, ", seen {seen}")?;
+        }
+        if *angles_only {
+            f.write_str(", by its angles; the velocities are others")?;
+        }
+        write!(f, ", to {apart:.0e} rad in eight steps")
+    }
+}
+
+/// From where the eight steps are compared.
+const STARTS: [Phase; 3] = [
+    Phase { theta: 1.0, omega: 0.7 },
+    Phase { theta: -2.4, omega: 3.0 },
+    Phase { theta: 0.3, omega: -6.0 },
+];
+/// x = ω₀h of the steps: the higher the order, the longer the step at which two methods differ.
+const STEPS: [f64; 4] = [0.05, 0.3, 0.8, 1.1];
+const COUNT: u64 = 8;
+
+/// The stranger's eight states from each start at each step, where it answers.
+type Seenings = Vec<(Phase, f64, Vec<Phase>)>;
+
+fn own_states(method: &dyn AnyMethod, seen: Seen, start: Phase, h: f64) -> Option<Vec<Phase>> {
+    let grid = Grid::new(h, COUNT).ok()?;
+    let mut states = Vec::new();
+    let own = seen.into_its_own(G_OVER_L, start, h);
+    method.run(&pendulum(G_OVER_L), own, &grid, &mut |n: u64, _: f64, z: Phase| {
+        if n > 0 {
+            states.push(seen.from_its_own(G_OVER_L, z, h));
+        }
+    });
+    Some(states)
+}
+
+/// The method of the list that the stranger is, seen directly or from half a kick or drift away,
+/// or by its angles alone. Of several, that of the order which the stranger shows.
+pub fn identify<S: Stranger + ?Sized>(
+    probe: &Probe<'_, S>,
+    shown: Option<u32>,
+) -> Measured<Option<Identity>> {
+    let mut asked: Seenings = Vec::new();
+    for start in STARTS {
+        for x in STEPS {
+            match probe.states(Run::new(start, step(x), COUNT)) {
+                Ok(states) => asked.push((start, step(x), states)),
+                Err(Trouble::NoAnswer(_) | Trouble::NotFinite) if x > STEPS[0] => {}
+                Err(trouble) => return Err(trouble),
+            }
+        }
+    }
+    // Sixteen roundings a step of whoever rounds more coarsely, of an angle of up to 12 rad, and
+    // neighbours that part by a factor of ten at most.
+    let bound = 10.0 * 12.0 * 16.0 * COUNT as f64 * probe.rounding / 8.0;
+    let angle = |a: Phase, b: Phase| (a.theta - b.theta).abs();
+    let of_its_order = |method: &&dyn AnyMethod| Some(method.info().order) == shown;
+    let (first, then): (Vec<_>, Vec<_>) = METHODS.iter().copied().partition(of_its_order);
+    for (angles_only, methods) in [(false, &first), (false, &then), (true, &first), (true, &then)] {
+        let apart = if angles_only { angle } else { distance };
+        for seen in Seen::ALL {
+            // The angles do not show a kick at the end, and a drift is no other method's angle.
+            if angles_only && seen.drifts != 0.0 {
+                continue;
+            }
+            'methods: for method in methods {
+                let mut largest = 0.0_f64;
+                for (start, h, states) in &asked {
+                    let Some(own) = own_states(*method, seen, *start, *h) else {
+                        continue 'methods;
+                    };
+                    // Where an implicit method's own sweeps do not converge, nothing is compared.
+                    if own.iter().any(|z| z.theta.is_nan()) {
+                        continue;
+                    }
+                    let off = own.iter().zip(states).map(|(own, z)| apart(*own, *z));
+                    largest = off.fold(largest, libm::fmaximum);
+                    if largest.is_nan() || largest > bound {
+                        continue 'methods;
+                    }
+                }
+                let MethodInfo { name, title, .. } = method.info();
+                let identity = Identity { method: name, title, seen, angles_only, apart: largest };
+                return Ok(Some(identity));
+            }
+        }
+    }
+    Ok(None)
+}
+
+/// The leading error of a step at (1 rad, 1 ω₀) over h^(order + 1), in θ and in ω/ω₀ with h in
+/// units of 1/ω₀: by a short step, extrapolated with one half as long.
+pub fn leading_error<S: Stranger + ?Sized>(probe: &Probe<'_, S>, order: u32) -> Measured<[f64; 2]> {
+    let frequency = super::probe::frequency();
+    let start = Phase { theta: 1.0, omega: frequency };
+    let truth = super::probe::exact(G_OVER_L, start);
+    // So long that rounding is a thousandth of the error at the half step.
+    let power = f64::from(order + 1);
+    let x = (2.0 * libm::pow(3e4 * probe.rounding, 1.0 / power)).clamp(0.01, 0.6);
+    let error = |x: f64| -> Measured<[f64; 2]> {
+        let h = step(x);
+        let (z, exact) = (probe.end(Run::new(start, h, 1))?, truth.at(h));
+        let over = libm::pow(x, power);
+        Ok([(z.theta - exact.theta) / over, (z.omega - exact.omega) / frequency / over])
+    };
+    let (coarse, fine) = (error(x)?, error(0.5 * x)?);
+    Ok([0, 1].map(|i| 2.0 * fine[i] - coarse[i]))
+}

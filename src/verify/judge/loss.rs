@@ -1,0 +1,116 @@
+//! What a step loses: a factor that no formula of the method has.
+
+use super::area;
+use super::identity::Identity;
+use super::probe::{G_OVER_L, Measured, Probe, Run, step};
+use super::report::Verdict;
+use super::reversal::flipped;
+use super::stranger::Stranger;
+use crate::arithmetic::sine::sin;
+use crate::systems::Phase;
+use crate::{Grid, method_named};
+
+/// A loss a step, with the limit of what can be seen.
+#[derive(Clone, Copy, Debug)]
+pub struct Loss {
+    /// The share that is lost in a step.
+    pub a_step: f64,
+    /// What rounding may make of it.
+    pub bound: f64,
+    /// How it was measured.
+    pub by: &'static str,
+}
+
+const STEPS: u64 = 10_000;
+const X: f64 = 0.05;
+const START: Phase = Phase { theta: 1.2, omega: 0.8 };
+
+/// H/(g/L) above the bottom.
+fn energy(z: Phase) -> f64 {
+    let half = sin(0.5 * z.theta);
+    0.5 * z.omega * z.omega / G_OVER_L + 2.0 * half * half
+}
+
+/// What rounding may make of the energy in `steps` steps, a step: a random walk, the largest of
+/// some thousand.
+fn bound<S: Stranger + ?Sized>(probe: &Probe<'_, S>, steps: u64) -> f64 {
+    10.0 * probe.rounding / libm::sqrt(steps as f64)
+}
+
+/// Of a symmetric method: out, and home with the velocity reversed. What a formula of the method
+/// does to the energy on the way out it undoes on the way home; a loss is lost on both.
+fn by_reversal<S: Stranger + ?Sized>(probe: &Probe<'_, S>) -> Measured<Loss> {
+    let there = probe.end(Run::new(START, step(X), STEPS))?;
+    let back = probe.end(Run::new(flipped(there), step(X), STEPS))?;
+    let a_step = (1.0 - energy(back) / energy(START)) / (2.0 * STEPS as f64);
+    Ok(Loss { a_step, bound: bound(probe, 2 * STEPS), by: "the energy after the way out and home" })
+}
+
+/// Of a method that is on the list: its own energy after as many steps.
+fn by_identity<S: Stranger + ?Sized>(
+    probe: &Probe<'_, S>,
+    identity: &Identity,
+) -> Option<Measured<Loss>> {
+    let method = method_named(identity.method)?;
+    let grid = Grid::new(step(X), STEPS).ok()?;
+    let start = identity.seen.into_its_own(G_OVER_L, START, step(X));
+    let end = method.end(&super::probe::pendulum(G_OVER_L), start, &grid);
+    let own = energy(identity.seen.from_its_own(G_OVER_L, end, step(X)));
+    Some(probe.end(Run::new(START, step(X), STEPS)).map(|end| {
+        // Beside the amplitude the phase differs, and with it where in its oscillation the energy
+        // is: by rounding, times the slope of that oscillation.
+        let phase = probe.bound(STEPS, X) / STEPS as f64;
+        let a_step = (1.0 - energy(end) / own) / STEPS as f64;
+        Loss {
+            a_step,
+            bound: bound(probe, STEPS) + phase,
+            by: "the energy beside its own method's",
+        }
+    }))
+}
+
+/// Of a symplectic method: the area after many steps.
+fn by_area<S: Stranger + ?Sized>(probe: &Probe<'_, S>) -> Measured<Loss> {
+    let (gain, bound) = area::loss(probe, 0.02, STEPS)?;
+    Ok(Loss { a_step: -gain, bound: 10.0 * bound, by: "the area after many steps" })
+}
+
+/// What is lost in a step, by what the method has that would not lose it: its identity, its
+/// symmetry, or its area. `None` if it has none of them.
+pub fn measure<S: Stranger + ?Sized>(
+    probe: &Probe<'_, S>,
+    identity: Option<&Identity>,
+    symmetric: bool,
+    symplectic: bool,
+) -> Option<Measured<Loss>> {
+    let identified = identity.and_then(|identity| by_identity(probe, identity));
+    identified.or_else(|| {
+        if symmetric { Some(by_reversal(probe)) } else { symplectic.then(|| by_area(probe)) }
+    })
+}
+
+impl Loss {
+    /// The verdict, and why.
+    pub fn judge(&self) -> (Verdict, String) {
+        let Self { a_step, bound, by } = *self;
+        let why = format!(
+            "by {by}, {STEPS} steps: {a_step:.1e} a step, where rounding makes {bound:.0e} at most"
+        );
+        if a_step.abs() <= bound {
+            (Verdict::Holds, why)
+        } else if a_step.abs() <= 10.0 * bound {
+            (Verdict::Unclear, why)
+        } else {
+            (Verdict::Fails, why)
+        }
+    }
+
+    /// What was measured.
+    pub fn line(&self) -> String {
+        if self.a_step.abs() <= self.bound {
+            format!("less than {:.0e} a step", self.bound)
+        } else {
+            format!("{:.1e} a step", self.a_step)
+        }
+    }
+}

@@ -1,0 +1,152 @@
+//! Order: the slopes of the error on a ladder of steps, down to the stranger's rounding.
+
+use super::probe::{Measured, Probe, Run, Trouble, distance, exact, frequency};
+use super::report::Verdict;
+use super::stranger::Stranger;
+use crate::systems::Phase;
+
+/// The duration of a run (s): about a swing and a half, and no whole number of half swings, at
+/// which symmetry would hide errors.
+const DURATION: f64 = 2.7;
+
+/// The runs of a rung. The leading term may vanish at one start and not at both.
+const STARTS: [Phase; 2] = [Phase::at_rest(1.0), Phase { theta: -0.6, omega: 4.0 }];
+
+/// Steps, errors and what they show.
+#[derive(Clone, Debug)]
+pub struct Ladder {
+    /// Steps (s), from coarse to fine, and the largest error of the state (rad).
+    pub rungs: Vec<(f64, f64)>,
+    /// The slopes between neighbours, as far as both are truncation and not rounding, each with the
+    /// larger of their two errors.
+    pub slopes: Vec<f64>,
+    /// Where slopes are those of the leading term: from this index on.
+    pub leading: usize,
+}
+
+/// The largest error of a run of so many steps.
+fn error<S: Stranger + ?Sized>(probe: &Probe<'_, S>, steps: u64) -> Measured<f64> {
+    let mut largest = 0.0_f64;
+    for start in STARTS {
+        let h = DURATION / steps as f64;
+        let every = 1.max(steps / 64);
+        let steps = steps - steps % every;
+        let truth = exact(super::probe::G_OVER_L, start);
+        let states = probe.states(Run::new(start, h, steps).every(every))?;
+        for (k, z) in (1..).zip(states) {
+            largest = libm::fmaximum(largest, distance(z, truth.at((k * every) as f64 * h)));
+        }
+    }
+    Ok(largest)
+}
+
+/// Climbs down: steps shorter by a factor that lets an error of order `expected` fall sixteenfold at
+/// most, until the error is rounding or a run would be too long.
+///
+/// An error is taken for truncation while it is at least 30 times what rounding adds up to: a slope
+/// is then bent by less than log₂(1 + 1/30) = 0.05.
+pub fn ladder<S: Stranger + ?Sized>(probe: &Probe<'_, S>, expected: u32) -> Measured<Ladder> {
+    const LONGEST: u64 = 1 << 14;
+    let order = f64::from(expected.max(1));
+    let factor = libm::exp2((4.0 / order).min(1.0));
+    let mut rungs: Vec<(f64, f64)> = Vec::new();
+    let mut steps = if expected > 8 { 4.0 } else { 8.0 };
+    while steps <= LONGEST as f64 {
+        let n = libm::round(steps) as u64;
+        steps *= factor;
+        match error(probe, n) {
+            Ok(error) => rungs.push((DURATION / n as f64, error)),
+            // Too long a step for an implicit method, or for a method that runs away.
+            Err(Trouble::NoAnswer(_) | Trouble::NotFinite) if rungs.is_empty() => continue,
+            Err(trouble) => return Err(trouble),
+        }
+        let (_, last) = rungs[rungs.len() - 1];
+        let x = frequency() * DURATION / n as f64;
+        if last < 3.0 * probe.bound(n, x) {
+            rungs.pop();
+            break;
+        }
+    }
+    let slopes: Vec<f64> = rungs
+        .windows(2)
+        .map(|pair| libm::log(pair[0].1 / pair[1].1) / libm::log(pair[0].0 / pair[1].0))
+        .collect();
+    // The leading term dominates where the next, smaller by a power of x and so by about the p-th
+    // root of the error, is at most a thirtieth.
+    let small = libm::pow(0.03, order).max(if expected > 8 { 1e-5 } else { 1e-7 });
+    let short = |h: f64| frequency() * h < 1.4;
+    let leading = rungs.iter().position(|rung| short(rung.0) && rung.1 < small);
+    let leading = leading.unwrap_or(rungs.len());
+    let leading = leading.min(slopes.len().saturating_sub(2));
+    Ok(Ladder { rungs, slopes, leading })
+}
+
+/// The order that the finest slopes show, if they agree on a whole number.
+pub fn shown(ladder: &Ladder) -> Option<u32> {
+    let finest = &ladder.slopes[ladder.leading..];
+    let last = *finest.last()?;
+    let whole = libm::round(last);
+    let window = if whole > 8.0 { 3.0 } else { 0.3 };
+    (whole >= 0.0 && finest.iter().rev().take(2).all(|slope| (slope - whole).abs() < window))
+        .then_some(whole as u32)
+}
+
+/// What is to be said of a claim of order `claimed`.
+pub fn judge(ladder: &Ladder, claimed: u32) -> (Verdict, String) {
+    let order = f64::from(claimed);
+    let Ladder { rungs, slopes, leading } = ladder;
+    let finest = &slopes[*leading..];
+    if finest.is_empty() {
+        return (Verdict::Unclear, "too few steps lie between coarse and rounding".to_string());
+    }
+    // At steps that are not short against the motion's own time an error is between half and twice
+    // its leading term.
+    if claimed > 8 {
+        let (first, last) = (rungs[*leading], rungs[rungs.len() - 1]);
+        let slope = libm::log(first.1 / last.1) / libm::log(first.0 / last.0);
+        let window = libm::log(4.0) / libm::log(first.0 / last.0);
+        let why = format!(
+            "over all of the ladder the slope is {slope:.1}; steps that show order {claimed} are \
+             long, where a slope is known to ± {window:.1}"
+        );
+        let off = (slope - order).abs();
+        let verdict = if window > order / 4.0 {
+            Verdict::Unclear
+        } else if off <= window {
+            Verdict::Holds
+        } else {
+            Verdict::Fails
+        };
+        return (verdict, why);
+    }
+    let off = |slope: &f64| (slope - order).abs();
+    let last = off(finest.last().expect("there is one"));
+    let nearest = finest.iter().map(off).fold(f64::INFINITY, f64::min);
+    // The next term bends a slope by less with every finer step. A slope that leaves the order
+    // again, by more than rounding can bend it, is that of a lower order which comes to the fore.
+    // Of a method that is not symmetric the next term is smaller by one power of x only, and by no
+    // small factor where the method was designed for a small first term: Dormand and Prince's bends
+    // its slopes by 1.4 x.
+    let x = frequency() * rungs[rungs.len() - 1].0;
+    let bent = if claimed > 4 { 1.5 * x } else { 0.0 };
+    let leaves = last > nearest + 0.1 + bent;
+    let window = 0.2 + bent;
+    if leaves || last > window + 0.2 {
+        let why = if leaves && nearest < 0.1 {
+            format!("the slopes leave {claimed} as the steps become short: a term of lower order")
+        } else {
+            format!("the finest slope is {:.2}", finest.last().expect("there is one"))
+        };
+        return (Verdict::Fails, why);
+    }
+    if last > window {
+        return (Verdict::Unclear, format!("the slopes are on their way to {claimed}, not there"));
+    }
+    (Verdict::Holds, "the slopes tend to it as the steps become short".to_string())
+}
+
+/// The slopes, in a line.
+pub fn line(ladder: &Ladder) -> String {
+    let slopes: Vec<String> = ladder.slopes.iter().map(|slope| format!("{slope:.2}")).collect();
+    if slopes.is_empty() { "no slope".to_string() } else { format!("slopes {}", slopes.join(", ")) }
+}

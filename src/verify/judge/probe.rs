@@ -1,0 +1,192 @@
+//! How a stranger is asked: the requests of the judge, their answers checked, and the size of the
+//! stranger's own roundings.
+
+use super::stranger::{Fault, Reply, Request, Stranger};
+use crate::exact::Motion;
+use crate::systems::{Pendulum, Phase};
+
+/// g/L of most requests (1/s²): not the paper's, and no power of two.
+pub const G_OVER_L: f64 = 12.2625;
+
+/// √(g/L) (rad/s).
+pub fn frequency() -> f64 {
+    libm::sqrt(G_OVER_L)
+}
+
+/// The step (s) of which x = ω₀h is `x`.
+pub fn step(x: f64) -> f64 {
+    x / frequency()
+}
+
+/// Why a measurement was not had.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Trouble {
+    /// The stranger does not answer such a request, and perhaps says why.
+    NoAnswer(String),
+    /// It answered with other than the number of states that was asked for.
+    Count { asked: u64, came: u64 },
+    /// It answered with a state that is not finite.
+    NotFinite,
+    /// It broke the protocol; the judging ends.
+    Broken(String),
+}
+
+impl core::fmt::Display for Trouble {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        match self {
+            Self::NoAnswer(why) => write!(f, "no answer: {why}"),
+            Self::Count { asked, came } => write!(f, "{came} states where {asked} were asked for"),
+            Self::NotFinite => f.write_str("a state is not finite"),
+            Self::Broken(why) => f.write_str(why),
+        }
+    }
+}
+
+/// What came of a measurement.
+pub type Measured<T> = Result<T, Trouble>;
+
+/// A stranger, asked politely.
+pub struct Probe<'s, S: ?Sized> {
+    stranger: &'s S,
+    /// The rounding of a step, relative to a state of order 1, as measured: at least 2⁻⁵².
+    pub rounding: f64,
+}
+
+/// A run of the undamped pendulum with the g/L of most requests.
+#[derive(Clone, Copy, Debug)]
+pub struct Run {
+    /// g/L (1/s²).
+    pub g_over_l: f64,
+    /// The start.
+    pub start: Phase,
+    /// The step (s).
+    pub step: f64,
+    /// The number of steps.
+    pub steps: u64,
+    /// Every so many of which a state is asked for.
+    pub every: u64,
+}
+
+impl Run {
+    /// `steps` steps of `step` (s) from `start`, each state asked for.
+    pub const fn new(start: Phase, step: f64, steps: u64) -> Self {
+        Self { g_over_l: G_OVER_L, start, step, steps, every: 1 }
+    }
+
+    /// Only the end is asked for.
+    pub const fn end(self) -> Self {
+        Self { every: self.steps, ..self }
+    }
+
+    /// Every `every`-th state is asked for.
+    pub const fn every(self, every: u64) -> Self {
+        Self { every, ..self }
+    }
+
+    /// With another g/L (1/s²).
+    pub const fn with(self, g_over_l: f64) -> Self {
+        Self { g_over_l, ..self }
+    }
+}
+
+impl<'s, S: Stranger + ?Sized> Probe<'s, S> {
+    /// Ready to ask; the rounding is measured at once.
+    pub fn new(stranger: &'s S) -> Measured<Self> {
+        let mut probe = Self { stranger, rounding: f64::EPSILON };
+        let measured = probe.measure_rounding();
+        match measured {
+            Ok(rounding) => probe.rounding = rounding.max(f64::EPSILON),
+            Err(Trouble::Broken(why)) => return Err(Trouble::Broken(why)),
+            Err(_) => {}
+        }
+        Ok(probe)
+    }
+
+    /// The answer to a request, as it is.
+    pub fn ask(&self, request: &Request) -> Measured<Reply> {
+        let reply = self.stranger.run(request).map_err(|fault| match fault {
+            Fault::Unsupported => Trouble::NoAnswer("unsupported".to_string()),
+            Fault::Refused(why) => Trouble::NoAnswer(why),
+            Fault::Broken(why) => Trouble::Broken(why),
+        })?;
+        let (asked, came) = (request.states(), reply.states.len() as u64);
+        if came != asked {
+            return Err(Trouble::Count { asked, came });
+        }
+        let finite = |z: &Phase| z.theta.is_finite() && z.omega.is_finite();
+        if !reply.states.iter().all(finite) {
+            return Err(Trouble::NotFinite);
+        }
+        Ok(reply)
+    }
+
+    /// The answer to a run.
+    pub fn reply(&self, run: Run) -> Measured<Reply> {
+        let Run { g_over_l, start, step, steps, every } = run;
+        self.ask(&Request { g_over_l, drive: None, start, step, steps, every })
+    }
+
+    /// The states of a run.
+    pub fn states(&self, run: Run) -> Measured<Vec<Phase>> {
+        Ok(self.reply(run)?.states)
+    }
+
+    /// The last state of a run.
+    pub fn end(&self, run: Run) -> Measured<Phase> {
+        Ok(self.states(run.end())?[0])
+    }
+
+    /// The bound for the rounding (rad) of an angle of order 1 after `steps` steps of x = ω₀h:
+    /// each step rounds by [`Self::rounding`], which adds up like a random walk in the state and,
+    /// since an error of the energy is one of the frequency, like its sum in the phase. The factor
+    /// is what the largest of some thousand such sums may exceed their mean by.
+    pub fn bound(&self, steps: u64, x: f64) -> f64 {
+        let n = steps as f64;
+        10.0 * self.rounding * libm::sqrt(n) * (1.0 + n * x.abs())
+    }
+
+    /// The rounding of a step, relative to a state of order 1.
+    ///
+    /// Along sixteen starts, 2⁻²⁰ apart, the end of a smooth map has third differences of 10⁻²⁰;
+    /// what is found beyond is rounding, of which a third difference has √20 times. A map that
+    /// rounds more coarsely than the starts are apart would show none: so the ends must be apart as
+    /// the derivative says, which a hundredth to either side tells to a thousandth.
+    fn measure_rounding(&self) -> Measured<f64> {
+        const APART: f64 = 1.0 / 1_048_576.0;
+        let h = step(0.1);
+        let mut largest = 0.0_f64;
+        for (theta, omega) in [(0.9, 0.3), (-0.7, 2.1)] {
+            let end = |shift: f64| -> Measured<[f64; 2]> {
+                let z = self.end(Run::new(Phase { theta: theta + shift, omega }, h, 1))?;
+                Ok([z.theta, z.omega / frequency()])
+            };
+            let ends = (0..16).map(|j| end(f64::from(j) * APART)).collect::<Measured<Vec<_>>>()?;
+            let (above, below) = (end(0.01)?, end(-0.01)?);
+            for k in 0..2 {
+                let along: Vec<f64> = ends.iter().map(|end| end[k]).collect();
+                let third = |w: &[f64]| (w[3] - 3.0 * w[2] + 3.0 * w[1] - w[0]).abs();
+                let noise = along.windows(4).map(third).fold(0.0, f64::max);
+                let expected = 15.0 * APART * (above[k] - below[k]) / 0.02;
+                let missing = (along[15] - along[0] - expected).abs();
+                largest =
+                    largest.max(noise / libm::sqrt(20.0)).max(missing - 1e-3 * expected.abs());
+            }
+        }
+        Ok(largest)
+    }
+}
+
+/// The pendulum with this g/L (1/s²).
+pub fn pendulum(g_over_l: f64) -> Pendulum {
+    Pendulum::new(g_over_l, 1.0, 1.0).expect("g/L of a request of ours")
+}
+
+/// The exact motion from `start`.
+pub fn exact(g_over_l: f64, start: Phase) -> Motion {
+    Motion::new(&pendulum(g_over_l), start).expect("a finite start")
+}
+
+/// The distance of two states: max(|Δθ|, |Δω|/ω₀) (rad), NaN if one of them is.
+pub fn distance(a: Phase, b: Phase) -> f64 {
+    libm::fmaximum((a.theta - b.theta).abs(), (a.omega - b.omega).abs() / frequency())
+}

@@ -1,0 +1,96 @@
+//! The way back: as many steps of −h lead home, or do not.
+
+use super::probe::{Measured, Probe, Run, Trouble, distance, step};
+use super::report::Verdict;
+use super::stranger::Stranger;
+use crate::systems::Phase;
+
+/// The way out and back.
+#[derive(Clone, Copy, Debug)]
+pub struct Way {
+    /// By how much the start is missed (rad).
+    pub miss: f64,
+    /// What rounding may make of it (rad).
+    pub bound: f64,
+    /// x = ω₀h of its steps, and their number each way.
+    pub x: f64,
+    /// The number of steps each way.
+    pub steps: u64,
+    /// Whether the stranger went back by itself, with −h; or forward, with the velocity reversed.
+    pub by_itself: bool,
+}
+
+/// Steps whose defect shows at each order: short ones many times, long ones few times.
+const WAYS: [(f64, u64); 3] = [(0.1, 1000), (0.4, 200), (1.0, 50)];
+
+const START: Phase = Phase { theta: 1.2, omega: 0.8 };
+
+/// The same angle with the velocity reversed.
+pub fn flipped(z: Phase) -> Phase {
+    Phase { omega: -z.omega, ..z }
+}
+
+/// Out and back in `steps` steps of x = `x`.
+pub fn way<S: Stranger + ?Sized>(
+    probe: &Probe<'_, S>,
+    x: f64,
+    steps: u64,
+    by_itself: bool,
+) -> Measured<Way> {
+    let there = probe.end(Run::new(START, step(x), steps))?;
+    let back = if by_itself {
+        probe.end(Run::new(there, -step(x), steps))?
+    } else {
+        flipped(probe.end(Run::new(flipped(there), step(x), steps))?)
+    };
+    // Both ways round, and an error on the way out is carried back.
+    let bound = 4.0 * probe.bound(2 * steps, x);
+    Ok(Way { miss: distance(back, START), bound, x, steps, by_itself })
+}
+
+/// The way that misses by most, measured by what rounding may make.
+pub fn worst<S: Stranger + ?Sized>(probe: &Probe<'_, S>) -> Measured<Way> {
+    let mut worst: Option<Way> = None;
+    for (x, steps) in WAYS {
+        let found = match way(probe, x, steps, true) {
+            Err(Trouble::NoAnswer(_)) => way(probe, x, steps, false),
+            found => found,
+        };
+        match found {
+            Ok(way) => {
+                let weight = |way: &Way| way.miss / way.bound;
+                if worst.is_none_or(|known| weight(&way) > weight(&known)) {
+                    worst = Some(way);
+                }
+            }
+            Err(Trouble::NoAnswer(_) | Trouble::NotFinite) if x > WAYS[0].0 => {}
+            Err(trouble) => return Err(trouble),
+        }
+    }
+    worst.ok_or(Trouble::NotFinite)
+}
+
+/// What is to be said of a claim that a step with −h undoes a step with h.
+pub fn judge(way: &Way) -> (Verdict, String) {
+    let Way { miss, bound, x, steps, by_itself } = *way;
+    let back = if by_itself { "back with −h" } else { "back with the velocity reversed" };
+    let why = format!(
+        "{steps} steps of x = ω₀h = {x} and {back} miss the start by {miss:.1e} rad; rounding makes \
+         {bound:.0e} rad at most"
+    );
+    if miss <= bound {
+        (Verdict::Holds, why)
+    } else if miss > 10.0 * bound {
+        (Verdict::Fails, why)
+    } else {
+        (Verdict::Unclear, why)
+    }
+}
+
+/// States of a way out and of the way back, for a report: forty steps of x = 0.4.
+pub fn drawn<S: Stranger + ?Sized>(probe: &Probe<'_, S>) -> Measured<(Vec<Phase>, Vec<Phase>)> {
+    let there = probe.states(Run::new(START, step(0.4), 40))?;
+    let turn = there[there.len() - 1];
+    let back = probe.states(Run::new(flipped(turn), step(0.4), 40))?;
+    Ok((there, back.into_iter().map(flipped).collect()))
+}

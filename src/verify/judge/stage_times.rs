@@ -1,0 +1,98 @@
+//! Stage times: on a driven pendulum a method has its order only if its stages know the time.
+
+use super::probe::{Measured, Probe, Trouble, distance};
+use super::report::Verdict;
+use super::stranger::{Drive, Request, Stranger};
+use crate::integrate;
+use crate::methods::Gauss6;
+use crate::systems::{Damped, Driven, Pendulum, Phase};
+use crate::{Grid, Info};
+
+const G_OVER_L: f64 = 9.81;
+const DRIVE: Drive = Drive { amplitude: 6.0, frequency: 5.0 };
+const START: Phase = Phase { theta: 0.4, omega: 0.5 };
+/// No whole number of the drive's periods.
+const DURATION: f64 = 1.7;
+
+/// The end of the exact motion: by Gauss's method of order 6 in steps so short that its error is
+/// below rounding.
+fn truth() -> Phase {
+    let pendulum = Pendulum::new(G_OVER_L, 1.0, 1.0).expect("a pendulum");
+    let driven = Damped::new(pendulum, 0.0)
+        .and_then(|undamped| Driven::new(undamped, DRIVE.amplitude / G_OVER_L, DRIVE.frequency))
+        .expect("a drive");
+    let steps = 1024;
+    debug_assert_eq!(Gauss6.info().order, 6);
+    let grid = Grid::new(DURATION / steps as f64, steps).expect("a positive step");
+    integrate(&driven, &Gauss6, START, &grid, &mut ())
+}
+
+/// What a drive shows.
+#[derive(Clone, Debug)]
+pub struct Drives {
+    /// Slopes of the error at the end, from one step to a shorter one, as far as they are
+    /// truncation.
+    pub slopes: Vec<f64>,
+    /// The error of the coarsest steps (rad).
+    pub coarsest: f64,
+}
+
+/// The errors of a driven pendulum on a ladder of steps.
+pub fn measure<S: Stranger + ?Sized>(probe: &Probe<'_, S>, order: u32) -> Measured<Drives> {
+    let truth = truth();
+    let mut errors: Vec<f64> = Vec::new();
+    // Beyond order 4 halving the step would lead to rounding at once.
+    let factor = if order > 4 { 1.25 } else { 2.0 };
+    let mut steps = if order > 8 { 5.0 } else { 16.0 };
+    let mut counts: Vec<f64> = Vec::new();
+    let mut coarsest = None;
+    while steps <= 16_384.0 {
+        let n = libm::round(steps);
+        steps *= factor;
+        let request = Request {
+            g_over_l: G_OVER_L,
+            drive: Some(DRIVE),
+            start: START,
+            step: DURATION / n,
+            steps: n as u64,
+            every: n as u64,
+        };
+        let error = match probe.ask(&request) {
+            Ok(reply) => distance(reply.states[0], truth),
+            Err(Trouble::NotFinite | Trouble::NoAnswer(_)) if !counts.is_empty() => continue,
+            Err(trouble) => return Err(trouble),
+        };
+        coarsest.get_or_insert(error);
+        // The reference is off by less than 10⁻¹³, and so is whoever rounds as an f64 does.
+        if error < 30.0 * (probe.bound(n as u64, 3.2 * DURATION / n) + 1e-13) {
+            break;
+        }
+        errors.push(error);
+        counts.push(n);
+    }
+    let pairs = errors.windows(2).zip(counts.windows(2));
+    let slopes = pairs.map(|(e, n)| libm::log(e[0] / e[1]) / libm::log(n[1] / n[0])).collect();
+    Ok(Drives { slopes, coarsest: coarsest.unwrap_or(f64::NAN) })
+}
+
+/// Whether the slopes on the driven pendulum are those of `order`.
+pub fn judge(Drives { slopes, coarsest }: &Drives, order: u32) -> (Verdict, String) {
+    let line: Vec<String> = slopes.iter().map(|slope| format!("{slope:.2}")).collect();
+    let why = format!("with a drive: slopes {}", line.join(", "));
+    // Stages at wrong times would be off by far more in the coarsest steps.
+    if slopes.is_empty() && *coarsest < 1e-10 {
+        return (Verdict::Holds, "with a drive the error of the coarsest steps is rounding".into());
+    }
+    let Some(last) = slopes.last() else {
+        return (Verdict::Unclear, "with a drive: too few steps above rounding".to_string());
+    };
+    let expected = f64::from(order);
+    // Short of the order by half: stages at wrong times leave order 1, or 2 at best.
+    if *last < expected - 0.5 && *last < 0.75 * expected {
+        (Verdict::Fails, why)
+    } else if *last < expected - 0.5 {
+        (Verdict::Unclear, why)
+    } else {
+        (Verdict::Holds, why)
+    }
+}

@@ -1,0 +1,191 @@
+//! What is judged: anything that maps a state to the states some steps later.
+
+use crate::systems::{Counting, Damped, Driven, Phase, System};
+use crate::{AnyMethod, Grid, Method, Pendulum};
+
+/// A cosine drive, θ̈ + (g/L) sin θ = A cos Ωt.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Drive {
+    /// Amplitude A (1/s²).
+    pub amplitude: f64,
+    /// Angular frequency Ω (1/s).
+    pub frequency: f64,
+}
+
+/// A run that a stranger is asked for: θ̈ + (g/L) sin θ = 0, or with a drive, from t = 0.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Request {
+    /// g/L (1/s²).
+    pub g_over_l: f64,
+    /// The drive, if there is one.
+    pub drive: Option<Drive>,
+    /// The state at t = 0 (rad, rad/s).
+    pub start: Phase,
+    /// The step h (s). Negative, it leads back.
+    pub step: f64,
+    /// The number n of steps.
+    pub steps: u64,
+    /// The states after k, 2k, … n steps are asked for; k divides n.
+    pub every: u64,
+}
+
+impl Request {
+    /// The number of states that the answer has.
+    pub const fn states(&self) -> u64 {
+        self.steps / self.every
+    }
+}
+
+/// The line of the protocol that asks for it.
+impl core::fmt::Display for Request {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        let Self { g_over_l, drive, start: Phase { theta, omega }, step, steps, every } = self;
+        match drive {
+            None => write!(f, "pendulum {g_over_l:?}")?,
+            Some(Drive { amplitude, frequency }) => {
+                write!(f, "driven {g_over_l:?} {amplitude:?} {frequency:?}")?;
+            }
+        }
+        write!(f, " {theta:?} {omega:?} {step:?} {steps} {every}")
+    }
+}
+
+/// What a stranger answers.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Reply {
+    /// The states after k, 2k, … n steps (rad, rad/s); θ counts turns.
+    pub states: Vec<Phase>,
+    /// Force evaluations of this request, where somebody counts.
+    pub evaluations: Option<u64>,
+}
+
+/// Why there is no answer.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Fault {
+    /// The stranger does not know this kind of request.
+    Unsupported,
+    /// The stranger refuses this request, and says why.
+    Refused(String),
+    /// The stranger broke the protocol: nothing more can be asked of it.
+    Broken(String),
+}
+
+/// An integrator to be judged. Each request starts afresh.
+pub trait Stranger {
+    /// The states that the request asks for.
+    ///
+    /// # Errors
+    /// A [`Fault`] says why there are none.
+    fn run(&self, request: &Request) -> Result<Reply, Fault>;
+}
+
+/// Every method for the pendulum and the driven pendulum.
+impl<M> Stranger for M
+where
+    M: Method<Pendulum> + Method<Counting<Pendulum>> + Method<Driven>,
+{
+    fn run(&self, request: &Request) -> Result<Reply, Fault> {
+        let pendulum = pendulum(request)?;
+        let Some(drive) = request.drive else {
+            let counting = Counting::new(pendulum);
+            let states = steps(self, &counting, request);
+            return Ok(Reply { states, evaluations: Some(counting.evaluations()) });
+        };
+        let driven = driven(pendulum, drive)?;
+        Ok(Reply { states: steps(self, &driven, request), evaluations: None })
+    }
+}
+
+/// The states that are asked for. The steps may be negative, which a [`Grid`] cannot be.
+fn steps<S: System<State = Phase>, M: Method<S>>(
+    method: &M,
+    system: &S,
+    request: &Request,
+) -> Vec<Phase> {
+    let (h, mut z) = (request.step, request.start);
+    let mut carry = method.start(system, 0.0, h, z);
+    let mut states = Vec::with_capacity(request.states() as usize);
+    for n in 0..request.steps {
+        z = method.step(system, n as f64 * h, h, z, &mut carry);
+        if (n + 1) % request.every == 0 {
+            states.push(z);
+        }
+    }
+    states
+}
+
+fn pendulum(request: &Request) -> Result<Pendulum, Fault> {
+    Pendulum::new(request.g_over_l, 1.0, 1.0).map_err(|error| Fault::Refused(error.to_string()))
+}
+
+fn driven(pendulum: Pendulum, drive: Drive) -> Result<Driven, Fault> {
+    let driven = Damped::new(pendulum, 0.0).and_then(|undamped| {
+        Driven::new(undamped, drive.amplitude / pendulum.frequency_squared(), drive.frequency)
+    });
+    driven.map_err(|error| Fault::Refused(error.to_string()))
+}
+
+/// A method that is known by its entry alone, as those of [`METHODS`](crate::METHODS) are: in the
+/// fast loop, without a drive. For negative steps the velocity is reversed on the way.
+#[derive(Clone, Copy, Debug)]
+pub struct Listed<'a>(pub &'a dyn AnyMethod);
+
+impl Stranger for Listed<'_> {
+    fn run(&self, request: &Request) -> Result<Reply, Fault> {
+        if request.drive.is_some() {
+            return Err(Fault::Unsupported);
+        }
+        let pendulum = pendulum(request)?;
+        let sign = request.step.signum();
+        let along = |z: Phase| Phase { omega: sign * z.omega, ..z };
+        let grid = Grid::new(request.step.abs(), request.steps)
+            .map_err(|error| Fault::Refused(error.to_string()))?;
+        let mut states = Vec::with_capacity(request.states() as usize);
+        let mut seen = 0;
+        self.0.run(&pendulum, along(request.start), &grid, &mut |_: u64, _: f64, z: Phase| {
+            if seen > 0 && seen % request.every == 0 {
+                states.push(along(z));
+            }
+            seen += 1;
+        });
+        let evaluations = self.0.count_evaluations(&pendulum, along(request.start), &grid);
+        Ok(Reply { states, evaluations: Some(evaluations) })
+    }
+}
+
+/// A stranger that is a function of g/L (1/s²), θ (rad), ω (rad/s), h (s) and n, which returns the
+/// pairs (θ, ω) after 1, 2, … n steps.
+///
+/// ```
+/// use pendula::verify::{Claims, FromFn, judge};
+///
+/// let leapfrog = FromFn(|g: f64, mut theta: f64, mut omega: f64, h: f64, n: u64| {
+///     let mut states = Vec::new();
+///     for _ in 0..n {
+///         omega -= 0.5 * h * g * theta.sin();
+///         theta += h * omega;
+///         omega -= 0.5 * h * g * theta.sin();
+///         states.push((theta, omega));
+///     }
+///     states
+/// });
+/// let report = judge(&leapfrog, Claims::order(2).symplectic().symmetric());
+/// report.assert();
+/// assert_eq!(report.identity.unwrap().method, "stormer-verlet");
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct FromFn<F>(pub F);
+
+impl<F: Fn(f64, f64, f64, f64, u64) -> Vec<(f64, f64)>> Stranger for FromFn<F> {
+    fn run(&self, request: &Request) -> Result<Reply, Fault> {
+        if request.drive.is_some() {
+            return Err(Fault::Unsupported);
+        }
+        let Phase { theta, omega } = request.start;
+        let all = (self.0)(request.g_over_l, theta, omega, request.step, request.steps);
+        let every = request.every as usize;
+        let asked = all.iter().skip(every - 1).step_by(every);
+        let states = asked.map(|&(theta, omega)| Phase { theta, omega }).collect();
+        Ok(Reply { states, evaluations: None })
+    }
+}

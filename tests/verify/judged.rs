@@ -1,0 +1,118 @@
+//! The judge, on the library's own methods and on the zoo.
+
+use pendula::methods::Taylor24;
+use pendula::verify::judge::{Fault, Reply, Request};
+use pendula::verify::{Claims, FromFn, Listed, Report, Stranger, Verdict, judge};
+use pendula::{AnyMethod, Phase, for_each_general_method, methods};
+use pendula_study::for_each_impostor;
+use pendula_study::zoo::impostor_named;
+use rstest::rstest;
+
+/// Asserts that all claims of its entry hold, and that it is recognised.
+fn assert_itself(stranger: &impl Stranger, method: &dyn AnyMethod) -> Report {
+    let report = judge(stranger, Claims::of(&method.info()));
+    assert_eq!(report.verdict, Verdict::Holds, "{report}");
+    let identity = report.identity.as_ref().expect("it is on the list");
+    assert!(identity.is_plain() && identity.method == method.info().name, "{report}");
+    report
+}
+
+macro_rules! own {
+    ($($module:ident::$method:ident,)+) => {
+        /// Each with its driven pendulum, and with steps that lead back.
+        ///
+        /// Catches: a judge that refuses a right method, or cannot tell.
+        #[rstest]
+        $(#[case::$module(methods::$method)])+
+        fn our_methods_hold_their_claims<M: Stranger + AnyMethod>(#[case] method: M) {
+            let report = assert_itself(&method, &method);
+            let driven = report.finding("stage-times").unwrap();
+            assert_eq!(driven.verdict, Verdict::Holds, "{report}");
+        }
+    };
+}
+for_each_general_method!(own);
+
+/// Catches: a method that is known by its entry alone judged as another.
+#[test]
+fn what_cannot_be_driven_holds_its_claims() {
+    assert_itself(&Listed(&Taylor24), &Taylor24);
+}
+
+/// Wrong in what depends on g and L apart, or on the mass. The judge sends g/L alone, with which
+/// they are right.
+const RIGHT_BY_G_OVER_L: [&str; 3] = ["g_times_l", "l_forgotten", "mass_in_the_motion"];
+
+macro_rules! impostors {
+    ($($name:ident: $impostor:expr, $truth:expr, [$($caught_by:ident),+];)+) => {
+        /// With the claims of the method that it poses as.
+        ///
+        /// Catches: a judge that lets a wrong method pass.
+        #[rstest]
+        $(#[case::$name(stringify!($name))])+
+        fn impostors_are_refused(#[case] name: &str) {
+            let impostor = impostor_named(name).unwrap();
+            let report = judge(&Listed(&*impostor.method), Claims::of(&impostor.poses_as));
+            let right = RIGHT_BY_G_OVER_L.contains(&name);
+            let expected = if right { Verdict::Holds } else { Verdict::Fails };
+            assert_eq!(report.verdict, expected, "{report}");
+        }
+    };
+}
+for_each_impostor!(impostors);
+
+/// The pendulum cannot see at which times a method evaluates its stages; a drive can.
+///
+/// Catches: a judge that does not ask for it, or refuses right times.
+#[rstest]
+#[case::right_times(1.0, Verdict::Holds)]
+#[case::all_at_the_start(0.0, Verdict::Fails)]
+fn stages_know_the_time(#[case] share: f64, #[case] expected: Verdict) {
+    let report = judge(&Timed { share }, Claims::order(4));
+    let found = report.finding("stage-times").unwrap();
+    assert_eq!((report.verdict, found.verdict), (expected, expected), "{report}");
+}
+
+/// RK4 whose stages are at `share` of their times.
+struct Timed {
+    share: f64,
+}
+
+impl Stranger for Timed {
+    fn run(&self, request: &Request) -> Result<Reply, Fault> {
+        let (g, h) = (request.g_over_l, request.step);
+        let force = |t: f64, theta: f64| {
+            let drive = request.drive.map_or(0.0, |d| d.amplitude * (d.frequency * t).cos());
+            drive - g * theta.sin()
+        };
+        let mut z = request.start;
+        let mut states = Vec::new();
+        for n in 0..request.steps {
+            let rate = |part: f64, z: Phase| Phase {
+                theta: z.omega,
+                omega: force((n as f64 + self.share * part) * h, z.theta),
+            };
+            let k1 = rate(0.0, z);
+            let k2 = rate(0.5, z + k1 * (0.5 * h));
+            let k3 = rate(0.5, z + k2 * (0.5 * h));
+            let k4 = rate(1.0, z + k3 * h);
+            z = z + (k1 + (k2 + k3) * 2.0 + k4) * (h / 6.0);
+            if (n + 1) % request.every == 0 {
+                states.push(z);
+            }
+        }
+        Ok(Reply { states, evaluations: None })
+    }
+}
+
+/// Catches: a stranger that answers too little taken for one that fails nothing, and a judge that
+/// gives up on it.
+#[test]
+fn a_state_too_few_is_a_wrong_clock() {
+    let short = FromFn(|_: f64, theta: f64, omega: f64, _: f64, n: u64| {
+        vec![(theta, omega); n.saturating_sub(1) as usize]
+    });
+    let report = judge(&short, Claims::none());
+    assert!(report.failures().any(|name| name == "clock"), "{report}");
+    assert!(report.to_string().contains("states where"), "{report}");
+}

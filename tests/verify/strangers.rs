@@ -1,0 +1,255 @@
+//! The judge, on integrators written as their users would: closures with the platform's sine, right
+//! ones and wrong ones.
+
+use pendula::verify::{Claims, FromFn, Verdict, judge};
+use rstest::rstest;
+
+/// (θ, ω).
+type State = (f64, f64);
+/// A step of h (s) with g/L (1/s²).
+type Step = fn(f64, State, f64) -> State;
+
+/// A one-step method as a stranger.
+fn stepping(
+    step: impl Fn(f64, State, f64) -> State,
+) -> impl Fn(f64, f64, f64, f64, u64) -> Vec<State> {
+    move |g, theta, omega, h, n| {
+        let mut z = (theta, omega);
+        (0..n)
+            .map(|_| {
+                z = step(g, z, h);
+                z
+            })
+            .collect()
+    }
+}
+
+fn rate(g: f64, (theta, omega): State) -> State {
+    (omega, -g * theta.sin())
+}
+
+fn along(z: State, rate: State, h: f64) -> State {
+    (z.0 + h * rate.0, z.1 + h * rate.1)
+}
+
+/// An explicit Runge–Kutta method from its tableau.
+fn runge_kutta<const S: usize>(a: [[f64; S]; S], b: [f64; S], g: f64, z: State, h: f64) -> State {
+    let mut slopes = [(0.0, 0.0); S];
+    for i in 0..S {
+        let at = (0..i).fold(z, |at, j| along(at, slopes[j], h * a[i][j]));
+        slopes[i] = rate(g, at);
+    }
+    (0..S).fold(z, |at, i| along(at, slopes[i], h * b[i]))
+}
+
+fn verlet(g: f64, (theta, omega): State, h: f64) -> State {
+    let half = omega - 0.5 * h * g * theta.sin();
+    let theta = theta + h * half;
+    (theta, half - 0.5 * h * g * theta.sin())
+}
+
+fn velocity_verlet_by_the_book(g: f64, (theta, omega): State, h: f64) -> State {
+    let a = -g * theta.sin();
+    let next = theta + h * omega + 0.5 * h * h * a;
+    (next, omega + 0.5 * h * (a - g * next.sin()))
+}
+
+fn position_verlet(g: f64, (theta, omega): State, h: f64) -> State {
+    let middle = theta + 0.5 * h * omega;
+    let omega = omega - h * g * middle.sin();
+    (middle + 0.5 * h * omega, omega)
+}
+
+fn semi_implicit(g: f64, (theta, omega): State, h: f64) -> State {
+    let omega = omega - h * g * theta.sin();
+    (theta + h * omega, omega)
+}
+
+fn drift_kick(g: f64, (theta, omega): State, h: f64) -> State {
+    let theta = theta + h * omega;
+    (theta, omega - h * g * theta.sin())
+}
+
+fn forward(g: f64, z: State, h: f64) -> State {
+    along(z, rate(g, z), h)
+}
+
+fn rk4(g: f64, z: State, h: f64) -> State {
+    let a = [[0.0; 4], [0.5, 0.0, 0.0, 0.0], [0.0, 0.5, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]];
+    runge_kutta(a, [1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0], g, z, h)
+}
+
+fn three_eighths(g: f64, z: State, h: f64) -> State {
+    let third = 1.0 / 3.0;
+    let a = [[0.0; 4], [third, 0.0, 0.0, 0.0], [-third, 1.0, 0.0, 0.0], [1.0, -1.0, 1.0, 0.0]];
+    runge_kutta(a, [0.125, 0.375, 0.375, 0.125], g, z, h)
+}
+
+fn ralston(g: f64, z: State, h: f64) -> State {
+    runge_kutta([[0.0, 0.0], [2.0 / 3.0, 0.0]], [0.25, 0.75], g, z, h)
+}
+
+fn heun(g: f64, z: State, h: f64) -> State {
+    runge_kutta([[0.0, 0.0], [1.0, 0.0]], [0.5, 0.5], g, z, h)
+}
+
+/// z' = z + h (f(z) + f(z'))/2, to the last digit.
+fn trapezoidal(g: f64, z: State, h: f64) -> State {
+    let known = along(z, rate(g, z), 0.5 * h);
+    let mut next = forward(g, z, h);
+    for _ in 0..100 {
+        let better = along(known, rate(g, next), 0.5 * h);
+        if better == next {
+            break;
+        }
+        next = better;
+    }
+    next
+}
+
+/// Adams and Bashforth's method of order 2, with a step of Heun's to begin.
+fn adams_bashforth(g: f64, theta: f64, omega: f64, h: f64, n: u64) -> Vec<State> {
+    let (mut before, mut z) = (rate(g, (theta, omega)), heun(g, (theta, omega), h));
+    let mut states = vec![z];
+    for _ in 1..n {
+        let now = rate(g, z);
+        z = along(z, (1.5 * now.0 - 0.5 * before.0, 1.5 * now.1 - 0.5 * before.1), h);
+        before = now;
+        states.push(z);
+    }
+    states
+}
+
+/// Störmer's form, θ₊ = 2θ − θ₋ + h²α, with the velocity by central differences.
+fn stormers_form(g: f64, theta: f64, omega: f64, h: f64, n: u64) -> Vec<State> {
+    let a = |theta: f64| -g * theta.sin();
+    let (mut before, mut now) = (theta, theta + h * omega + 0.5 * h * h * a(theta));
+    let mut states = Vec::new();
+    for _ in 0..n {
+        let next = 2.0 * now - before + h * h * a(now);
+        states.push((now, (next - before) / (2.0 * h)));
+        (before, now) = (now, next);
+    }
+    states
+}
+
+/// Catches: a judge that refuses a right method, whose sine, sums and way of writing are not the
+/// library's; an identity that is not recognised.
+#[rstest]
+#[case::verlet(verlet, Claims::order(2).symplectic().symmetric().bounded_energy(), "stormer-verlet")]
+#[case::velocity_verlet(
+    velocity_verlet_by_the_book, Claims::order(2).symplectic().symmetric(), "stormer-verlet",
+)]
+#[case::position_verlet(position_verlet, Claims::order(2).symplectic().symmetric(), "position-verlet")]
+#[case::semi_implicit(semi_implicit, Claims::order(1).symplectic().bounded_energy(), "symplectic-euler")]
+#[case::drift_kick(drift_kick, Claims::order(1).symplectic(), "symplectic-euler")]
+#[case::forward(forward, Claims::order(1), "forward-euler")]
+#[case::rk4(rk4, Claims::order(4), "rk4")]
+#[case::three_eighths(three_eighths, Claims::order(4), "")]
+#[case::ralston(ralston, Claims::order(2), "")]
+#[case::heun(heun, Claims::order(2), "heun")]
+#[case::trapezoidal(trapezoidal, Claims::order(2).symmetric().bounded_energy(), "")]
+fn right_ones_are_accepted(#[case] step: Step, #[case] claims: Claims, #[case] identity: &str) {
+    let report = judge(&FromFn(stepping(step)), claims);
+    assert_eq!(report.verdict, Verdict::Holds, "{report}");
+    assert_eq!(report.identity.as_ref().map_or("", |found| found.method), identity, "{report}");
+}
+
+/// Catches: a judge that takes what a method keeps of the past for a wrong clock, or refuses
+/// velocities that are differences.
+#[rstest]
+#[case::adams_bashforth(adams_bashforth, Claims::order(2))]
+#[case::stormers_form(stormers_form, Claims::order(2))]
+fn methods_of_several_steps_are_accepted(
+    #[case] run: fn(f64, f64, f64, f64, u64) -> Vec<State>,
+    #[case] claims: Claims,
+) {
+    let report = judge(&FromFn(run), claims);
+    assert_eq!(report.verdict, Verdict::Holds, "{report}");
+}
+
+fn to_seven_digits(z: State) -> State {
+    (f64::from(z.0 as f32), f64::from(z.1 as f32))
+}
+
+/// Catches: a judge that lets a wrong method pass, or refuses it for a reason that is not its own.
+#[rstest]
+#[case::a_half_in_the_fifth_digit(
+    |g: f64, (theta, omega): State, h: f64| {
+        let half = omega - 0.50001 * h * g * theta.sin();
+        let theta = theta + h * half;
+        (theta, half - 0.5 * h * g * theta.sin())
+    },
+    Claims::order(2), "order",
+)]
+#[case::a_stale_force(
+    |g: f64, (theta, omega): State, h: f64| {
+        let a = -g * theta.sin();
+        (theta + h * omega + 0.5 * h * h * a, omega + h * a)
+    },
+    Claims::order(2), "order",
+)]
+#[case::single_precision(
+    |g: f64, z, h: f64| to_seven_digits(verlet(g, z, h)), Claims::order(2), "precision",
+)]
+#[case::a_billionth_lost(
+    |g: f64, z: State, h: f64| {
+        let (theta, omega) = verlet(g, z, h);
+        (theta, omega * (1.0 - 1e-9))
+    },
+    Claims::order(2).symmetric(), "loss",
+)]
+#[case::a_trillionth_lost(
+    |g: f64, z: State, h: f64| {
+        let (theta, omega) = semi_implicit(g, z, h);
+        (theta, omega * (1.0 - 1e-12))
+    },
+    Claims::order(1).symplectic(), "loss",
+)]
+#[case::heun_for_the_midpoint(heun, Claims::order(2).name("explicit-midpoint"), "name")]
+#[case::position_for_velocity_verlet(position_verlet, Claims::order(2).name("stormer-verlet"), "name")]
+#[case::drift_kick_for_kick_drift(drift_kick, Claims::order(1).name("symplectic-euler"), "name")]
+#[case::trapezoidal_claimed_symplectic(trapezoidal, Claims::order(2).symplectic(), "area")]
+#[case::rk4_claimed_symmetric(rk4, Claims::order(4).symmetric(), "reversal")]
+#[case::forward_claimed_bounded(forward, Claims::order(1).bounded_energy(), "energy")]
+#[case::wrapped(
+    |g: f64, z, h: f64| {
+        let (theta, omega) = verlet(g, z, h);
+        ((theta + std::f64::consts::PI).rem_euclid(std::f64::consts::TAU) - std::f64::consts::PI, omega)
+    },
+    Claims::order(2), "turn",
+)]
+#[case::a_torque(
+    |g: f64, z, h: f64| {
+        let (theta, omega) = verlet(g, z, h);
+        (theta, omega + 1e-12 * h)
+    },
+    Claims::order(2), "mirror",
+)]
+#[case::g_of_the_earth(|_, z, h: f64| verlet(9.81, z, h), Claims::order(2), "units")]
+fn wrong_ones_are_refused(#[case] step: Step, #[case] claims: Claims, #[case] by: &str) {
+    let report = judge(&FromFn(stepping(step)), claims);
+    assert_eq!(report.verdict, Verdict::Fails, "{report}");
+    assert!(report.failures().any(|name| name == by), "{report}");
+}
+
+/// Catches: a clock that is off by a step now and then.
+#[rstest]
+#[case::a_step_dropped_in_a_thousand(|n: u64, _: f64| n - n / 1000)]
+#[case::time_added_up(|n: u64, h: f64| {
+    let (mut t, mut steps) = (0.0, 0);
+    while t < n as f64 * h.abs() {
+        t += h.abs();
+        steps += 1;
+    }
+    steps
+})]
+fn wrong_clocks_are_refused(#[case] steps: fn(u64, f64) -> u64) {
+    let run = |g: f64, theta: f64, omega: f64, h: f64, n: u64| {
+        let taken = stepping(verlet)(g, theta, omega, h, steps(n, h));
+        // As many states as are asked for, whenever they are.
+        (1..=n).map(|k| taken[(steps(k, h).max(1) - 1) as usize]).collect()
+    };
+    let report = judge(&FromFn(run), Claims::order(2));
+    assert!(report.failures().any(|name| name == "clock"), "{report}");
+}
