@@ -18,7 +18,10 @@ pub mod symmetry;
 pub mod work;
 
 pub use area::area_defect;
-pub use judge::{Claims, FromFn, Listed, Report, Stranger, Verdict, judge, try_judge};
+pub use judge::{
+    Claims, Drive, Evidence, Fault, Finding, FromFn, Identity, Listed, Reply, Report, Request,
+    Stranger, Verdict, judge, try_judge,
+};
 pub use ladder::Ladder;
 
 use crate::{AnyMethod, Grid, Pendulum, Phase};

@@ -6,8 +6,8 @@ use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
 
 use crate::commands::{
-    adaptive, book, claims, double_pendulum, ensemble, exact, period, preprocess, review, simulate,
-    tables, work_precision,
+    adaptive, book, claims, double_pendulum, ensemble, exact, period, preprocess, review, serve,
+    simulate, tables, verify, work_precision,
 };
 use crate::failure::Failure;
 
@@ -47,6 +47,11 @@ pub enum Command {
     Period(period::Arguments),
     /// Measure run time against error on this machine, for the table, the figure and the book
     WorkPrecision(work_precision::Arguments),
+    /// Judge a program that is not ours against what it claims; exit status 1 if a claim fails, 2 if
+    /// the program is at fault
+    Verify(verify::Arguments),
+    /// Serve a method on standard input and output, as a program that `pendula verify` can judge
+    Serve(serve::Arguments),
     /// Speak mdBook's preprocessor protocol on standard input and output
     Preprocess(preprocess::Arguments),
 }

@@ -3,7 +3,8 @@
 //! In reading order: the command line ([`cli`], [`commands`]), the book on disk ([`locate`]),
 //! building it ([`build`]), and what turns a chapter's source into what mdBook renders
 //! ([`preprocess`], with the paper's values from [`ledger`]). What moved in
-//! the snapshots is [`review`]. What depends on the reader's machine, and so is in no snapshot, is
+//! the snapshots is [`review`], and what the judge says of a program that is not ours is [`verify`];
+//! their pages share [`page`]. What depends on the reader's machine, and so is in no snapshot, is
 //! [`work_precision`].
 
 pub mod build;
@@ -12,10 +13,12 @@ pub mod commands;
 pub mod failure;
 pub mod ledger;
 pub mod locate;
+pub mod page;
 pub mod preprocess;
 pub mod progress;
 pub mod review;
 pub mod sweep;
+pub mod verify;
 mod warnings;
 mod whole_file;
 pub mod work_precision;

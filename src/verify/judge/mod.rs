@@ -301,7 +301,7 @@ impl<S: Stranger + ?Sized> Court<'_, S> {
 
     /// Stages that know the time, where there is a drive.
     fn stage_times(&mut self, shown: Option<u32>) -> Measured<()> {
-        let Some(order) = self.claims.order.or(shown) else {
+        let Some(order) = shown.or(self.claims.order) else {
             let why = "there is no order to hold them to".to_string();
             self.note("stage-times", None, "–".to_string(), (Verdict::Unclaimed, why));
             return Ok(());

@@ -69,14 +69,21 @@ pub enum Destination<'a> {
 }
 
 impl<'a> Destination<'a> {
-    /// The file `path` if it is given, `out` if not.
+    /// The file `path` that `--output` names if it is given, `out` if not.
     ///
     /// # Errors
     /// [`Failure::Refused`] if the file cannot be written.
     pub fn open(path: Option<&Path>, out: &'a mut dyn Write) -> Result<Self, Failure> {
-        let Some(path) = path else { return Ok(Self::Caller(out)) };
+        path.map_or(Ok(Self::Caller(out)), |path| Self::file("--output", path))
+    }
+
+    /// The file `path` that `option` names.
+    ///
+    /// # Errors
+    /// [`Failure::Refused`] if it cannot be written.
+    pub fn file(option: &str, path: &Path) -> Result<Self, Failure> {
         let refused = |error: io::Error| {
-            Failure::refused(format!("--output {}: cannot be written: {error}", path.display()))
+            Failure::refused(format!("{option} {}: cannot be written: {error}", path.display()))
         };
         // Write to the target of a link, not over the link.
         let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());

@@ -20,9 +20,11 @@ pub mod period;
 pub mod preprocess;
 pub mod review;
 mod rows;
+pub mod serve;
 pub mod simulate;
 pub mod tables;
 mod trajectory;
+pub mod verify;
 pub mod work_precision;
 
 /// Runs a command; its output goes to `out`.
@@ -42,6 +44,8 @@ pub fn run(command: Command, out: &mut dyn Write) -> Result<(), Failure> {
         Command::Exact(arguments) => exact::run(&arguments, out),
         Command::Period(arguments) => period::run(&arguments, out),
         Command::WorkPrecision(arguments) => work_precision::run(&arguments, out),
+        Command::Verify(arguments) => verify::run(&arguments, out),
+        Command::Serve(arguments) => serve::run(&arguments, out),
         Command::Preprocess(arguments) => preprocess::run(&arguments, out),
     }
 }

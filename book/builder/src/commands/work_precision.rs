@@ -88,8 +88,7 @@ fn folder(asked: Option<&Path>) -> Result<PathBuf, Failure> {
 }
 
 fn write_file(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
-    let mut nowhere = io::sink();
-    let mut destination = Destination::open(Some(path), &mut nowhere)?;
+    let mut destination = Destination::file("--output", path)?;
     destination.write_all(bytes)?;
     destination.finish()
 }

@@ -1,4 +1,4 @@
-//! The built book, its lab, and the binary `pendula` as its users call it.
+//! The built book, its lab, and the binary `pendula` as its users and other programs call it.
 
 mod built_book;
 mod chapters;
@@ -8,3 +8,4 @@ mod commands;
 mod lab;
 mod pages;
 mod review;
+mod verify;

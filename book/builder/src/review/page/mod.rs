@@ -5,16 +5,12 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result};
-use base64::Engine;
-use base64::prelude::BASE64_STANDARD;
-use handlebars::Handlebars;
-use mdbook_driver::config::HtmlConfig;
-use mdbook_html::theme::Theme;
 use serde_json::{Value, json};
 
 use super::rows::{self, Row};
 use super::verdict::sentences;
 use super::{Figure, Review, Turn};
+use crate::page::{Page, with_code};
 use crate::whole_file;
 
 /// The folder of the page, below the top folder of the project.
@@ -41,13 +37,18 @@ pub fn write(review: &Review, root: &Path) -> Result<PathBuf> {
 /// # Errors
 /// If the book's theme cannot be read.
 pub fn html(review: &Review, root: &Path) -> Result<String> {
-    let mut template = Handlebars::new();
-    template.set_strict_mode(true);
-    template.render_template(include_str!("page.hbs"), &data(review, root)?).context("the page")
+    let page = Page {
+        title: "What moved",
+        lead: &format!("Before: {}. Now: {}.", review.versions[0], review.versions[1]),
+        template: include_str!("page.hbs"),
+        style: include_str!("page.css"),
+        script: include_str!("page.js"),
+    };
+    page.html(&data(review, root))
 }
 
 /// What the template prints.
-fn data(review: &Review, root: &Path) -> Result<Value> {
+fn data(review: &Review, root: &Path) -> Value {
     let groups: Vec<Value> =
         review.groups.iter().enumerate().map(|(i, g)| group(review, i, g)).collect();
     let (seen, unseen): (Vec<&Figure>, Vec<&Figure>) =
@@ -63,11 +64,7 @@ fn data(review: &Review, root: &Path) -> Result<Value> {
             |sentence| json!({"weight": sentence.weight.name(), "text": with_code(&sentence.text)}),
         )
         .collect();
-    Ok(json!({
-        "style": style()?,
-        "script": include_str!("page.js"),
-        "before": review.versions[0],
-        "now": review.versions[1],
+    json!({
         "warnings": review.warnings.iter().map(|text| with_code(text)).collect::<Vec<_>>(),
         "sentences": sentences,
         "groups": groups,
@@ -83,16 +80,7 @@ fn data(review: &Review, root: &Path) -> Result<Value> {
         "acceptable": review.acceptable && !review.is_empty(),
         "command": rows::command(&names),
         "changelog": rows::changelog("…", "…", &names),
-    }))
-}
-
-/// Text as HTML, with what stands between backticks as code.
-fn with_code(text: &str) -> String {
-    let escaped = handlebars::html_escape(text);
-    let parts = escaped.split("&#x60;").enumerate();
-    parts
-        .map(|(i, part)| if i % 2 == 1 { format!("<code>{part}</code>") } else { part.into() })
-        .collect()
+    })
 }
 
 fn group(review: &Review, index: usize, group: &super::causes::Group) -> Value {
@@ -175,38 +163,6 @@ fn quotes(review: &Review, root: &Path) -> Vec<Value> {
 fn anchor(heading: &str) -> String {
     let kept = heading.chars().filter(|c| c.is_alphanumeric() || matches!(c, ' ' | '-' | '_'));
     kept.map(|c| if c == ' ' { '-' } else { c.to_ascii_lowercase() }).collect()
-}
-
-/// The style of the book, with its fonts, and that of this page.
-fn style() -> Result<String> {
-    let folder = tempfile::tempdir().context("no temporary folder can be made")?;
-    Theme::copy_theme(&HtmlConfig::default(), folder.path())?;
-    let theme = folder.path().join("theme");
-    let read = |file: &str| {
-        fs::read_to_string(theme.join(file))
-            .with_context(|| format!("mdBook's theme has no {file}"))
-    };
-    let mut style = String::new();
-    for (weight, file) in [(400, "regular"), (600, "600")] {
-        let file = format!("fonts/open-sans-v17-all-charsets-{file}.woff2");
-        let font =
-            fs::read(theme.join(&file)).with_context(|| format!("mdBook's theme has no {file}"))?;
-        let font = BASE64_STANDARD.encode(font);
-        style += &format!(
-            "@font-face {{ font-family: \"Open Sans\"; font-weight: {weight}; \
-             src: url(data:font/woff2;base64,{font}); }}\n"
-        );
-    }
-    for sheet in [
-        &read("css/variables.css")?,
-        &read("css/general.css")?,
-        include_str!("../../../../theme/pendula.css"),
-        include_str!("../../../../theme/figures.css"),
-        include_str!("page.css"),
-    ] {
-        style += sheet;
-    }
-    Ok(style)
 }
 
 #[cfg(test)]

@@ -1,0 +1,116 @@
+//! `pendula verify`: a program that is not ours, judged against what it claims.
+
+use std::ffi::OsString;
+use std::io::{self, Write};
+use std::path::PathBuf;
+use std::sync::atomic::Ordering;
+use std::time::Duration;
+
+use anyhow::Context;
+use clap::{Args, ValueEnum};
+use pendula::verify::judge::try_judge;
+use pendula::verify::{Claims, Report, Verdict};
+
+use super::destination::{Destination, interrupts};
+use crate::failure::Failure;
+use crate::verify::examples::Language;
+use crate::verify::{Program, json, page};
+
+/// Arguments of `pendula verify`.
+#[derive(Args, Debug)]
+pub struct Arguments {
+    /// What is claimed, separated by blanks: order=P, symplectic, symmetric, evaluations=N (a
+    /// step), bounded-energy, name=METHOD
+    #[arg(long, value_name = "CLAIMS", default_value_t, hide_default_value = true)]
+    claims: Claims,
+    /// How long to wait for an answer (s)
+    #[arg(long, value_name = "S", default_value_t = 10.0, allow_negative_numbers = true)]
+    patience: f64,
+    /// How the report is printed
+    #[arg(long, value_enum, default_value_t)]
+    format: ReportFormat,
+    /// Write the report with its figures to this file too, as a page to read offline
+    #[arg(long, value_name = "FILE")]
+    report: Option<PathBuf>,
+    /// Print an example of a program in this language, and judge nothing
+    #[arg(long, value_name = "LANGUAGE", value_enum)]
+    #[arg(conflicts_with_all = ["claims", "patience", "format", "report", "program"])]
+    example: Option<Language>,
+    /// The program to be judged, and its arguments
+    #[arg(last = true, required_unless_present = "example", value_name = "PROGRAM")]
+    program: Vec<OsString>,
+}
+
+/// How the report is printed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum ReportFormat {
+    /// A table to read
+    #[default]
+    Text,
+    /// An object with verdict, identity and properties
+    Json,
+}
+
+/// Starts the program, judges it, and prints the report.
+///
+/// # Errors
+/// [`Failure::No`] if a claim fails; [`Failure::Refused`] if the program is at fault, if the page
+/// cannot be written, or if the user interrupts.
+pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
+    if let Some(language) = arguments.example {
+        out.write_all(language.program().as_bytes())?;
+        return Ok(());
+    }
+    let seconds = arguments.patience;
+    if !(seconds > 0.0 && seconds <= 86_400.0) {
+        return Err(Failure::refused(format!(
+            "--patience {seconds:?}: it must be greater than zero and at most 86400 s"
+        )));
+    }
+    // Status 1 says that a claim fails, and nothing else.
+    let refused = |error: anyhow::Error| Failure::refused(format!("{error:#}"));
+    // Set the interrupt handler before starting the program, which an interrupt does not reach.
+    let interrupted = interrupts(true)?;
+    let destination = arguments.report.as_deref();
+    let destination = destination.map(|path| Destination::file("--report", path)).transpose()?;
+    let patience = Duration::from_secs_f64(seconds);
+    let program = Program::start(&arguments.program, patience, &interrupted);
+    let judged = program.and_then(|program| {
+        Ok((try_judge(&program, &arguments.claims)?, program.name().to_string()))
+    });
+    // Here the program has been ended.
+    if interrupted.load(Ordering::Relaxed) {
+        return Err(Failure::refused("interrupted"));
+    }
+    let (report, name) = judged.map_err(Failure::Refused)?;
+    if let Some(mut destination) = destination {
+        let words: Vec<_> = arguments.program.iter().map(|word| word.to_string_lossy()).collect();
+        let html = page::html(&report, &arguments.claims, &words.join(" "), &name);
+        let html = html.map_err(refused)?;
+        destination.write_all(html.as_bytes()).context("--report").map_err(refused)?;
+        destination.finish().map_err(|failure| match failure {
+            Failure::Failed(error) => refused(error.context("--report")),
+            other => other,
+        })?;
+    }
+    let printed = print(arguments.format, &report, out);
+    match (report.verdict, printed) {
+        (Verdict::Fails, _) => Err(Failure::No),
+        // A closed pipe is no complaint.
+        (_, Err(error)) if error.kind() == io::ErrorKind::BrokenPipe => Err(error.into()),
+        (_, Err(error)) => Err(Failure::refused(format!("the report cannot be written: {error}"))),
+        (_, Ok(())) => Ok(()),
+    }
+}
+
+/// Prints the report, and all of it: on failure nothing more is.
+fn print(format: ReportFormat, report: &Report, out: &mut dyn Write) -> io::Result<()> {
+    match format {
+        ReportFormat::Text => write!(out, "{report}")?,
+        ReportFormat::Json => {
+            serde_json::to_writer_pretty(&mut *out, &json::value(report))?;
+            writeln!(out)?;
+        }
+    }
+    out.flush()
+}

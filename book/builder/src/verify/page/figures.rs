@@ -1,0 +1,172 @@
+//! What the judge has measured, drawn as the book draws.
+
+use pendula::Phase;
+use pendula::verify::{Claims, Evidence};
+use pendula_study::charts::{Axis, Chart, Figure, Style};
+use serde_json::{Value, json};
+
+/// The figures there is evidence for: an `svg` each, and its `caption`.
+pub fn all(evidence: &Evidence, claims: &Claims) -> Vec<Value> {
+    let figures = [
+        ladder(&evidence.ladder, claims.order),
+        energy(&evidence.energy),
+        evidence.square.as_ref().and_then(square),
+        evidence.way.as_ref().and_then(|(out, back)| way(out, back)),
+    ];
+    figures.into_iter().flatten().collect()
+}
+
+/// The figure with its chart, for the page.
+fn drawn(id: &str, title: &str, caption: &str, chart: Chart) -> Value {
+    let svg = Figure::new(title, caption).panel(chart).to_svg(id);
+    json!({"svg": svg, "caption": caption})
+}
+
+/// What was measured.
+const MEASURED: Style = Style::numbered(0);
+/// What it is compared with.
+const OTHER: Style = Style::numbered(1);
+
+/// Error against step, with the slope that is claimed.
+fn ladder(ladder: &[(f64, f64)], order: Option<u32>) -> Option<Value> {
+    let coarsest = ladder.iter().copied().max_by(|a, b| a.0.total_cmp(&b.0))?;
+    let finest = ladder.iter().copied().min_by(|a, b| a.0.total_cmp(&b.0))?;
+    let mut chart = Chart::new(Axis::log("h (s)"), Axis::log("largest error (rad)")).series(
+        "measured",
+        MEASURED,
+        ladder.iter().copied(),
+    );
+    let claimed = match order {
+        Some(order) => {
+            // From the coarsest step; a claim that is not kept leads away from the points.
+            let label = format!("slope {order}, claimed");
+            chart = chart.slope(f64::from(order), coarsest, finest.0, label);
+            format!("; the dotted line falls with the power {order} that is claimed")
+        }
+        None => String::new(),
+    };
+    let caption = format!(
+        "Largest error against the step, both axes logarithmic. {}{claimed}.",
+        slopes(ladder).map_or("One step alone".to_string(), |slopes| format!(
+            "The slopes between the points are {slopes}"
+        ))
+    );
+    Some(drawn("ladder", "Error against step", &caption, chart))
+}
+
+/// The slopes between neighbours, from the coarsest step to the finest.
+fn slopes(ladder: &[(f64, f64)]) -> Option<String> {
+    let mut points = ladder.to_vec();
+    points.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let slope = |pair: &[(f64, f64)]| {
+        let [(h, error), (shorter, smaller)] = pair else { return String::new() };
+        let slope = libm::log(smaller / error) / libm::log(shorter / h);
+        if slope.is_finite() { format!("{slope:.2}").replace('-', "−") } else { "–".into() }
+    };
+    let slopes: Vec<String> = points.windows(2).map(slope).collect();
+    (!slopes.is_empty()).then(|| slopes.join(", "))
+}
+
+/// Energy error against time.
+fn energy(energy: &[(f64, f64)]) -> Option<Value> {
+    let caption = "Energy error over a long run, in units of m g L: bounded where it swings about \
+                   a constant, a drift where it does not.";
+    let chart = Chart::new(Axis::linear("t (s)"), Axis::linear("(H − H_{0})/(g/L)"))
+        .height(240.0)
+        .series("", MEASURED.line_only().solid(), energy.iter().copied());
+    (!energy.is_empty()).then(|| drawn("energy", "Energy error against time", caption, chart))
+}
+
+/// A square of states and its image after a step.
+fn square((before, after): &([Phase; 4], [Phase; 4])) -> Option<Value> {
+    let ratio = area(after) / area(before);
+    let closed = |corners: &[Phase; 4]| corners.map(|z| (z.theta, z.omega));
+    let chart = plane()
+        .series("before the step", Style::REFERENCE.filled(), closed(before))
+        .series("after it", MEASURED.filled(), closed(after));
+    let caption = format!(
+        "A square of states, and where one step takes its corners. The area within them becomes \
+         {ratio:.9} times as large; a symplectic step keeps that of the smallest squares."
+    );
+    let finite = before.iter().chain(after).all(|z| z.theta.is_finite() && z.omega.is_finite());
+    finite.then(|| drawn("square", "A square and its image", &caption, chart))
+}
+
+/// The area of a quadrilateral, by its diagonals.
+fn area(&[a, b, c, d]: &[Phase; 4]) -> f64 {
+    let ((x, y), (u, v)) =
+        ((c.theta - a.theta, c.omega - a.omega), (d.theta - b.theta, d.omega - b.omega));
+    0.5 * (x * v - y * u).abs()
+}
+
+/// The way out and the way back.
+fn way(out: &[Phase], back: &[Phase]) -> Option<Value> {
+    let points = |states: &[Phase]| -> Vec<(f64, f64)> {
+        states.iter().map(|z| (z.theta, z.omega)).collect()
+    };
+    let (start, end) = (out.first()?, back.last()?);
+    let chart = plane()
+        .series("out", Style::REFERENCE, points(out))
+        .series("back", OTHER.markers_only(), points(back))
+        .series("end of the way back", MEASURED.markers_only(), [(end.theta, end.omega)]);
+    let distance = [end.theta - start.theta, end.omega - start.omega];
+    let [theta, omega] = distance.map(|x| format!("{x:.1e}").replace('-', "−"));
+    let caption = format!(
+        "Steps of h, then as many of −h. The way back ends {theta} rad and {omega} rad/s from the \
+         first state that is drawn of the way out."
+    );
+    Some(drawn("way", "The way out and the way back", &caption, chart))
+}
+
+/// Axes for states.
+fn plane() -> Chart {
+    Chart::new(Axis::linear("θ (rad)"), Axis::linear("ω (rad/s)"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn state(theta: f64, omega: f64) -> Phase {
+        Phase { theta, omega }
+    }
+
+    /// Catches: a figure left out, or drawn from nothing; two that share an id; the slope of
+    /// another order, slopes in the order of the list.
+    #[test]
+    fn what_there_is_evidence_for_is_drawn() {
+        assert!(all(&Evidence::default(), &Claims::order(2)).is_empty());
+        let square = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)].map(|(x, y)| state(x, y));
+        let evidence = Evidence {
+            ladder: vec![(0.1, 1e-2), (0.025, 6.25e-4), (0.05, 2.5e-3), (0.0125, 0.0)],
+            energy: vec![(0.0, 0.0), (1.0, 1e-3)],
+            square: Some((square, square.map(|z| state(z.theta + z.omega, 1.5 * z.omega)))),
+            way: Some((vec![state(1.0, 0.0), state(0.9, -1.0)], vec![state(1.0, 1e-3)])),
+        };
+        let figures = all(&evidence, &Claims::order(2));
+        let [ladder, energy, square, way] = &figures[..] else { panic!("{figures:?}") };
+        let has = |figure: &Value, key: &str, part: &str| {
+            let text = figure[key].as_str().unwrap();
+            assert!(text.contains(part), "{part} is not in {text}");
+        };
+        has(ladder, "caption", "are 2.00, 2.00, –; the dotted line falls with the power 2 ");
+        has(ladder, "svg", "id=\"fig-ladder\"");
+        has(ladder, "svg", "slope 2, claimed");
+        has(energy, "svg", "id=\"fig-energy\"");
+        has(square, "caption", "becomes 1.500000000 times as large");
+        has(way, "caption", "ends 0.0e0 rad and 1.0e−3 rad/s");
+    }
+
+    /// Catches: a panic where the evidence is a single point or none that has a place.
+    #[test]
+    fn poor_evidence_is_drawn_as_well_as_it_can_be() {
+        let evidence = Evidence {
+            ladder: vec![(0.1, f64::NAN)],
+            energy: vec![(0.0, f64::INFINITY)],
+            square: None,
+            way: Some((vec![state(f64::NAN, 0.0)], vec![])),
+        };
+        assert_eq!(all(&evidence, &Claims::none()).len(), 2);
+        assert_eq!(all(&evidence, &Claims::order(4)).len(), 2);
+    }
+}
