@@ -197,8 +197,10 @@ fn no_snapshot_is_moved_by_nothing() {
     assert_eq!(rows, names);
     for row in table.rows() {
         let moved = row[1..].iter().any(|cell| !cell.is_empty());
-        // The list of the zoo is one of declarations, which `discrimination` holds.
-        assert_eq!(moved, row[0] != "`zoo`", "{} is moved by nothing", row[0]);
+        // The zoo's list is one of declarations, which `discrimination` holds. Kapitza's figure is
+        // in units of L and ω₀, and its marks are yes or no: `shaken` holds them to Mathieu's.
+        let still = ["`zoo`", "`kapitza`"].contains(&row[0].as_str());
+        assert_ne!(moved, still, "{} is moved by nothing", row[0]);
     }
     for (column, name) in columns.into_iter().enumerate() {
         assert!(table.rows().iter().any(|row| row[column + 1] == "●"), "{name} moves nothing");

@@ -10,37 +10,30 @@
 use pendula::methods::{ForwardEuler, Rk4, SymplecticEuler};
 use pendula::verify::*;
 use pendula::{AnyMethod, Pendulum, Phase};
-use pendula_study::for_each_impostor;
 use pendula_study::zoo::high_order::{EntryOff, TermDropped};
 use pendula_study::zoo::runge_kutta::Tableau;
 use pendula_study::zoo::{euler, impostor_named};
 use rstest::rstest;
+use rstest_reuse::apply;
 
+use crate::each_impostor::each_impostor;
 use crate::metric_checks as check;
 use crate::metric_checks::{OfErrors, OfSamples};
 use crate::wrong_metrics as metrics;
 
-macro_rules! impostors {
-    ($($name:ident: $impostor:expr, $truth:expr, [$($caught_by:ident),+];)+) => {
-        /// Catches: a check that no longer discriminates.
-        #[rstest]
-        $(#[case::$name(stringify!($name))])+
-        fn impostors_are_caught(#[case] name: &str) {
-            let impostor = impostor_named(name).unwrap();
-            assert_eq!(impostor.method.info(), impostor.poses_as, "it claims to be another");
-            let objections: Vec<(&str, String)> = PROPERTIES
-                .iter()
-                .filter_map(|property| {
-                    Some((property.name, (property.check)(&*impostor.method).err()?))
-                })
-                .collect();
-            let objecting: Vec<&str> = objections.iter().map(|&(name, _)| name).collect();
-            let expected: Vec<&str> = impostor.caught_by.iter().map(|it| it.name).collect();
-            assert_eq!(objecting, expected, "{objections:#?}");
-        }
-    };
+/// Catches: a check that no longer discriminates.
+#[apply(each_impostor)]
+fn impostors_are_caught(name: &str) {
+    let impostor = impostor_named(name).unwrap();
+    assert_eq!(impostor.method.info(), impostor.poses_as, "it claims to be another");
+    let objections: Vec<(&str, String)> = PROPERTIES
+        .iter()
+        .filter_map(|property| Some((property.name, (property.check)(&*impostor.method).err()?)))
+        .collect();
+    let objecting: Vec<&str> = objections.iter().map(|&(name, _)| name).collect();
+    let expected: Vec<&str> = impostor.caught_by.iter().map(|it| it.name).collect();
+    assert_eq!(objecting, expected, "{objections:#?}");
 }
-for_each_impostor!(impostors);
 
 /// Asserts that the library's metric passes `check` and a wrong one fails it.
 fn tells_apart<F>(check: impl Fn(F) -> CheckResult, truth: F, impostor: F) {

@@ -3,10 +3,13 @@
 use pendula::methods::Taylor24;
 use pendula::verify::judge::{Fault, Reply, Request};
 use pendula::verify::{Claims, FromFn, Listed, Report, Stranger, Verdict, judge};
-use pendula::{AnyMethod, Phase, for_each_general_method, methods};
-use pendula_study::for_each_impostor;
+use pendula::{AnyMethod, Phase};
 use pendula_study::zoo::impostor_named;
 use rstest::rstest;
+use rstest_reuse::apply;
+
+use crate::common::each_general_method;
+use crate::each_impostor::each_impostor;
 
 /// Asserts that all claims of its entry hold, and that it is recognised.
 fn assert_itself(stranger: &impl Stranger, method: &dyn AnyMethod) -> Report {
@@ -17,21 +20,15 @@ fn assert_itself(stranger: &impl Stranger, method: &dyn AnyMethod) -> Report {
     report
 }
 
-macro_rules! own {
-    ($($module:ident::$method:ident,)+) => {
-        /// Each with its driven pendulum, and with steps that lead back.
-        ///
-        /// Catches: a judge that refuses a right method, or cannot tell.
-        #[rstest]
-        $(#[case::$module(methods::$method)])+
-        fn our_methods_hold_their_claims<M: Stranger + AnyMethod>(#[case] method: M) {
-            let report = assert_itself(&method, &method);
-            let driven = report.finding("stage-times").unwrap();
-            assert_eq!(driven.verdict, Verdict::Holds, "{report}");
-        }
-    };
+/// Each with its driven pendulum, and with steps that lead back.
+///
+/// Catches: a judge that refuses a right method, or cannot tell.
+#[apply(each_general_method)]
+fn our_methods_hold_their_claims<M: Stranger + AnyMethod>(#[case] method: M) {
+    let report = assert_itself(&method, &method);
+    let driven = report.finding("stage-times").unwrap();
+    assert_eq!(driven.verdict, Verdict::Holds, "{report}");
 }
-for_each_general_method!(own);
 
 /// Catches: a method that is known by its entry alone judged as another.
 #[test]
@@ -43,23 +40,17 @@ fn what_cannot_be_driven_holds_its_claims() {
 /// they are right.
 const RIGHT_BY_G_OVER_L: [&str; 3] = ["g_times_l", "l_forgotten", "mass_in_the_motion"];
 
-macro_rules! impostors {
-    ($($name:ident: $impostor:expr, $truth:expr, [$($caught_by:ident),+];)+) => {
-        /// With the claims of the method that it poses as.
-        ///
-        /// Catches: a judge that lets a wrong method pass.
-        #[rstest]
-        $(#[case::$name(stringify!($name))])+
-        fn impostors_are_refused(#[case] name: &str) {
-            let impostor = impostor_named(name).unwrap();
-            let report = judge(&Listed(&*impostor.method), Claims::of(&impostor.poses_as));
-            let right = RIGHT_BY_G_OVER_L.contains(&name);
-            let expected = if right { Verdict::Holds } else { Verdict::Fails };
-            assert_eq!(report.verdict, expected, "{report}");
-        }
-    };
+/// With the claims of the method that it poses as.
+///
+/// Catches: a judge that lets a wrong method pass.
+#[apply(each_impostor)]
+fn impostors_are_refused(name: &str) {
+    let impostor = impostor_named(name).unwrap();
+    let report = judge(&Listed(&*impostor.method), Claims::of(&impostor.poses_as));
+    let right = RIGHT_BY_G_OVER_L.contains(&name);
+    let expected = if right { Verdict::Holds } else { Verdict::Fails };
+    assert_eq!(report.verdict, expected, "{report}");
 }
-for_each_impostor!(impostors);
 
 /// The pendulum cannot see at which times a method evaluates its stages; a drive can.
 ///

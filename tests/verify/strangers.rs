@@ -1,6 +1,8 @@
 //! The judge, on integrators written as their users would: closures with the platform's sine, right
 //! ones and wrong ones.
 
+use std::f64::consts::{PI, TAU};
+
 use pendula::verify::{Claims, FromFn, Verdict, judge};
 use rstest::rstest;
 
@@ -136,12 +138,18 @@ fn stormers_form(g: f64, theta: f64, omega: f64, h: f64, n: u64) -> Vec<State> {
 /// Catches: a judge that refuses a right method, whose sine, sums and way of writing are not the
 /// library's; an identity that is not recognised.
 #[rstest]
-#[case::verlet(verlet, Claims::order(2).symplectic().symmetric().bounded_energy(), "stormer-verlet")]
+#[case::verlet(
+    verlet, Claims::order(2).symplectic().symmetric().bounded_energy(), "stormer-verlet",
+)]
 #[case::velocity_verlet(
     velocity_verlet_by_the_book, Claims::order(2).symplectic().symmetric(), "stormer-verlet",
 )]
-#[case::position_verlet(position_verlet, Claims::order(2).symplectic().symmetric(), "position-verlet")]
-#[case::semi_implicit(semi_implicit, Claims::order(1).symplectic().bounded_energy(), "symplectic-euler")]
+#[case::position_verlet(
+    position_verlet, Claims::order(2).symplectic().symmetric(), "position-verlet",
+)]
+#[case::semi_implicit(
+    semi_implicit, Claims::order(1).symplectic().bounded_energy(), "symplectic-euler",
+)]
 #[case::drift_kick(drift_kick, Claims::order(1).symplectic(), "symplectic-euler")]
 #[case::forward(forward, Claims::order(1), "forward-euler")]
 #[case::rk4(rk4, Claims::order(4), "rk4")]
@@ -207,7 +215,9 @@ fn to_seven_digits(z: State) -> State {
     Claims::order(1).symplectic(), "loss",
 )]
 #[case::heun_for_the_midpoint(heun, Claims::order(2).name("explicit-midpoint"), "name")]
-#[case::position_for_velocity_verlet(position_verlet, Claims::order(2).name("stormer-verlet"), "name")]
+#[case::position_for_velocity_verlet(
+    position_verlet, Claims::order(2).name("stormer-verlet"), "name",
+)]
 #[case::drift_kick_for_kick_drift(drift_kick, Claims::order(1).name("symplectic-euler"), "name")]
 #[case::trapezoidal_claimed_symplectic(trapezoidal, Claims::order(2).symplectic(), "area")]
 #[case::rk4_claimed_symmetric(rk4, Claims::order(4).symmetric(), "reversal")]
@@ -215,7 +225,7 @@ fn to_seven_digits(z: State) -> State {
 #[case::wrapped(
     |g: f64, z, h: f64| {
         let (theta, omega) = verlet(g, z, h);
-        ((theta + std::f64::consts::PI).rem_euclid(std::f64::consts::TAU) - std::f64::consts::PI, omega)
+        ((theta + PI).rem_euclid(TAU) - PI, omega)
     },
     Claims::order(2), "turn",
 )]

@@ -47,7 +47,8 @@ pub enum Command {
     Period(period::Arguments),
     /// Measure run time against error on this machine, for the table, the figure and the book
     WorkPrecision(work_precision::Arguments),
-    /// Judge a program that is not ours against what it claims; exit status 1 if a claim fails, 2 if
+    /// Judge a program that is not ours against what it claims; exit status 1 if a claim fails, 2
+    /// if
     /// the program is at fault
     Verify(verify::Arguments),
     /// Serve a method on standard input and output, as a program that `pendula verify` can judge

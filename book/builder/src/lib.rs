@@ -3,7 +3,8 @@
 //! In reading order: the command line ([`cli`], [`commands`]), the book on disk ([`locate`]),
 //! building it ([`build`]), and what turns a chapter's source into what mdBook renders
 //! ([`preprocess`], with the paper's values from [`ledger`]). What moved in
-//! the snapshots is [`review`], and what the judge says of a program that is not ours is [`verify`];
+//! the snapshots is [`review`], and what the judge says of a program that is not ours is
+//! [`verify`];
 //! their pages share [`page`]. What depends on the reader's machine, and so is in no snapshot, is
 //! [`work_precision`].
 

@@ -38,6 +38,8 @@ mod listings {
         other_systems: "../../src/other-systems.md",
         choosing: "../../src/choosing.md",
         speed: "../../src/speed.md",
+        zoo: "../../src/zoo.md",
+        judging: "../../src/judging.md",
         forward_euler: "../../src/forward-euler.md",
         symplectic_euler: "../../src/symplectic-euler.md",
         stormer_verlet: "../../src/stormer-verlet.md",

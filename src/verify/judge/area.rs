@@ -118,7 +118,7 @@ pub fn loss<S: Stranger + ?Sized>(
 pub fn judge(defect: &Defect) -> (Verdict, String) {
     let Defect { value, ruler, x } = *defect;
     let why = format!(
-        "at x = ω₀h = {x:.1} the area changes by {value:.1e}, where the ruler is right to {ruler:.0e}"
+        "at x = ω₀h = {x:.1} the area changes by {value:.1e}; the ruler is right to {ruler:.0e}"
     );
     if value.abs() <= 10.0 * ruler {
         (Verdict::Holds, why)

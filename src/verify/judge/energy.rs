@@ -35,6 +35,7 @@ fn energy(z: Phase) -> f64 {
 fn run<S: Stranger + ?Sized>(probe: &Probe<'_, S>, x: f64, steps: u64) -> Measured<Energy> {
     // Not a divisor of the steps of a swing, of which every moment is to be seen.
     let every = 4;
+    let steps = probe.in_time(steps)?;
     let h = step(x);
     let states = probe.states(Run::new(START, h, steps).every(every))?;
     let samples: Vec<(f64, f64)> = (1..)

@@ -40,10 +40,11 @@ fn bound<S: Stranger + ?Sized>(probe: &Probe<'_, S>, steps: u64) -> f64 {
 /// Of a symmetric method: out, and home with the velocity reversed. What a formula of the method
 /// does to the energy on the way out it undoes on the way home; a loss is lost on both.
 fn by_reversal<S: Stranger + ?Sized>(probe: &Probe<'_, S>) -> Measured<Loss> {
-    let there = probe.end(Run::new(START, step(X), STEPS))?;
-    let back = probe.end(Run::new(flipped(there), step(X), STEPS))?;
-    let a_step = (1.0 - energy(back) / energy(START)) / (2.0 * STEPS as f64);
-    Ok(Loss { a_step, bound: bound(probe, 2 * STEPS), by: "the energy after the way out and home" })
+    let steps = probe.in_time(STEPS)?;
+    let there = probe.end(Run::new(START, step(X), steps))?;
+    let back = probe.end(Run::new(flipped(there), step(X), steps))?;
+    let a_step = (1.0 - energy(back) / energy(START)) / (2.0 * steps as f64);
+    Ok(Loss { a_step, bound: bound(probe, 2 * steps), by: "the energy after the way out and home" })
 }
 
 /// Of a method that is on the list: its own energy after as many steps.
@@ -52,18 +53,22 @@ fn by_identity<S: Stranger + ?Sized>(
     identity: &Identity,
 ) -> Option<Measured<Loss>> {
     let method = method_named(identity.method)?;
-    let grid = Grid::new(step(X), STEPS).ok()?;
+    let steps = match probe.in_time(STEPS) {
+        Ok(steps) => steps,
+        Err(trouble) => return Some(Err(trouble)),
+    };
+    let grid = Grid::new(step(X), steps).ok()?;
     let start = identity.seen.into_its_own(G_OVER_L, START, step(X));
     let end = method.end(&super::probe::pendulum(G_OVER_L), start, &grid);
     let own = energy(identity.seen.from_its_own(G_OVER_L, end, step(X)));
-    Some(probe.end(Run::new(START, step(X), STEPS)).map(|end| {
+    Some(probe.end(Run::new(START, step(X), steps)).map(|end| {
         // Beside the amplitude the phase differs, and with it where in its oscillation the energy
         // is: by rounding, times the slope of that oscillation.
-        let phase = probe.bound(STEPS, X) / STEPS as f64;
-        let a_step = (1.0 - energy(end) / own) / STEPS as f64;
+        let phase = probe.bound(steps, X) / steps as f64;
+        let a_step = (1.0 - energy(end) / own) / steps as f64;
         Loss {
             a_step,
-            bound: bound(probe, STEPS) + phase,
+            bound: bound(probe, steps) + phase,
             by: "the energy beside its own method's",
         }
     }))
@@ -71,7 +76,7 @@ fn by_identity<S: Stranger + ?Sized>(
 
 /// Of a symplectic method: the area after many steps.
 fn by_area<S: Stranger + ?Sized>(probe: &Probe<'_, S>) -> Measured<Loss> {
-    let (gain, bound) = area::loss(probe, 0.02, STEPS)?;
+    let (gain, bound) = area::loss(probe, 0.02, probe.in_time(STEPS)?)?;
     Ok(Loss { a_step: -gain, bound: 10.0 * bound, by: "the area after many steps" })
 }
 
@@ -93,9 +98,7 @@ impl Loss {
     /// The verdict, and why.
     pub fn judge(&self) -> (Verdict, String) {
         let Self { a_step, bound, by } = *self;
-        let why = format!(
-            "by {by}, {STEPS} steps: {a_step:.1e} a step, where rounding makes {bound:.0e} at most"
-        );
+        let why = format!("by {by}: {a_step:.1e} a step, where rounding makes {bound:.0e} at most");
         if a_step.abs() <= bound {
             (Verdict::Holds, why)
         } else if a_step.abs() <= 10.0 * bound {

@@ -50,6 +50,8 @@ pub struct Probe<'s, S: ?Sized> {
     stranger: &'s S,
     /// The rounding of a step, relative to a state of order 1, as measured: at least 2⁻⁵².
     pub rounding: f64,
+    /// The most steps of a request that it answers in time.
+    longest: u64,
 }
 
 /// A run of the undamped pendulum with the g/L of most requests.
@@ -92,7 +94,8 @@ impl Run {
 impl<'s, S: Stranger + ?Sized> Probe<'s, S> {
     /// Ready to ask; the rounding is measured at once.
     pub fn new(stranger: &'s S) -> Measured<Self> {
-        let mut probe = Self { stranger, rounding: f64::EPSILON };
+        let longest = stranger.longest_run();
+        let mut probe = Self { stranger, rounding: f64::EPSILON, longest };
         let measured = probe.measure_rounding();
         match measured {
             Ok(rounding) => probe.rounding = rounding.max(f64::EPSILON),
@@ -100,6 +103,19 @@ impl<'s, S: Stranger + ?Sized> Probe<'s, S> {
             Err(_) => {}
         }
         Ok(probe)
+    }
+
+    /// As many of `steps` as it can take in time, in whole twenties.
+    ///
+    /// # Errors
+    /// If these are less than a tenth.
+    pub fn in_time(&self, steps: u64) -> Measured<u64> {
+        let possible = steps.min(self.longest - self.longest % 20);
+        if possible < steps / 10 {
+            let longest = self.longest;
+            return Err(Trouble::NoAnswer(format!("only {longest} steps are possible in time")));
+        }
+        Ok(possible)
     }
 
     /// The answer to a request, as it is.

@@ -75,8 +75,8 @@ pub fn judge(way: &Way) -> (Verdict, String) {
     let Way { miss, bound, x, steps, by_itself } = *way;
     let back = if by_itself { "back with −h" } else { "back with the velocity reversed" };
     let why = format!(
-        "{steps} steps of x = ω₀h = {x} and {back} miss the start by {miss:.1e} rad; rounding makes \
-         {bound:.0e} rad at most"
+        "{steps} steps of x = ω₀h = {x} and {back} miss the start by {miss:.1e} rad; rounding \
+         makes {bound:.0e} rad at most"
     );
     if miss <= bound {
         (Verdict::Holds, why)

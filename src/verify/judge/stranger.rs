@@ -77,6 +77,12 @@ pub trait Stranger {
     /// # Errors
     /// A [`Fault`] says why there are none.
     fn run(&self, request: &Request) -> Result<Reply, Fault>;
+
+    /// The most steps of a request that it answers in time. The judge asks for no longer runs, and
+    /// says what it cannot tell without.
+    fn longest_run(&self) -> u64 {
+        u64::MAX
+    }
 }
 
 /// Every method for the pendulum and the driven pendulum.

@@ -59,7 +59,11 @@ pub fn mirror<S: Stranger + ?Sized>(probe: &Probe<'_, S>) -> Measured<Apart> {
         let back: Vec<Phase> = there.into_iter().map(|z| z * -1.0).collect();
         worst = worst.worse(compared(&here, &back, probe.bound(STEPS, X)));
     }
-    let rest = probe.end(Run::new(Phase::default(), step(X), STEPS))?;
+    let rest = match probe.end(Run::new(Phase::default(), step(X), STEPS)) {
+        // A library that measures errors against the state may refuse to stand still.
+        Err(Trouble::NoAnswer(_) | Trouble::NotFinite) => return Ok(worst),
+        rest => rest?,
+    };
     // There is nothing to be rounded at zero: this is room for a solver that iterates.
     let bound = 1e-6 * probe.rounding;
     Ok(worst.worse(Apart { largest: distance(rest, Phase::default()), bound }))

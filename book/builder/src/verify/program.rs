@@ -9,6 +9,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
+use pendula::Phase;
 use pendula::verify::{Fault, Reply, Request, Stranger};
 
 use super::listen::{self, LONGEST, LastLines, Line};
@@ -111,6 +112,28 @@ impl Program {
 }
 
 impl Stranger for Program {
+    /// As many steps as take a quarter of the patience, by requests that become longer until one
+    /// takes a twentieth of it. The first may have to compile.
+    fn longest_run(&self) -> u64 {
+        let start = Phase { theta: 1.0, omega: 0.0 };
+        let timed = |steps: u64| {
+            let (g_over_l, step) = (9.81, 0.01);
+            let request = Request { g_over_l, drive: None, start, step, steps, every: steps };
+            let begun = Instant::now();
+            // Whatever is wrong with the answer shows when the judge asks.
+            let answered = self.run(&request).is_ok();
+            (answered, begun.elapsed().as_secs_f64())
+        };
+        let patience = self.patience.as_secs_f64();
+        let (mut steps, (mut answered, mut took)) = (200, timed(200));
+        (answered, took) = if answered { timed(200) } else { (answered, took) };
+        while answered && took < 0.05 * patience && steps < 100_000 {
+            steps *= 5;
+            (answered, took) = timed(steps);
+        }
+        ((steps as f64 * 0.25 * patience / took) as u64).max(1)
+    }
+
     fn run(&self, request: &Request) -> Result<Reply, Fault> {
         let states = request.states();
         let answer = self.ask(&request.to_string(), |turn| {

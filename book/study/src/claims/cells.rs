@@ -46,7 +46,7 @@ pub const CELLS: &[Cell] = &[
         "T2.rk4.order",
         "4",
         ReproducedWithDefinition,
-        "The trajectory is of order 4; the energy error that the paper plots is of order 5.",
+        "The trajectory is of order 4; the energy error that the paper plots falls as Δt⁵.",
     ),
     cell("T2.rk4.sympl", "No", Reproduced, ""),
     cell("T2.rk4.evals", "4", Reproduced, ""),

@@ -50,6 +50,13 @@ pub fn run() -> Periods {
     }
 }
 
+/// The period (s) of `method` in the same run, by the paper's reading.
+pub fn period_by_peak(method: &dyn AnyMethod) -> f64 {
+    let mut peak = PeakPeriod::default();
+    method.run(&Pendulum::PAPER, released(THETA_0), &grid(DURATION, STEP), &mut peak);
+    peak.period().expect("30 s hold five periods")
+}
+
 /// RK4's θ(t) (rad), every tenth step to 15 s, for Figure 6.
 pub fn waveform() -> Vec<(f64, f64)> {
     let mut series = Vec::new();

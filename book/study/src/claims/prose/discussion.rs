@@ -171,6 +171,21 @@ pub(super) const CLAIMS: &[Prose] = &[
         },
     },
     Prose {
+        id: "P7.4.caveat",
+        place: "Section 7.4",
+        gist: "with RK4 the drift of the energy over long times must be watched",
+        stated: "must",
+        definition: "its largest energy error in 1000 s from 1 rad in steps of 0.01 s over that in \
+                     100 s",
+        verdict: Reproduced,
+        because: "It grows with time.",
+        measure: |_| {
+            let drift = |steps| findings::energy_drift(&Rk4, 1.0, 0.01, steps);
+            let ratio = drift(100_000) / drift(10_000);
+            shows(ratio, Fixed(2), ratio > 5.0)
+        },
+    },
+    Prose {
         id: "P7.4.fe",
         place: "Section 7.4",
         gist: "forward Euler's energy grows monotonically, and it should never be used for this",
@@ -265,6 +280,24 @@ pub(super) const CLAIMS: &[Prose] = &[
         verdict: Wrong,
         because: "See P1.orders.",
         measure: orders_confirmed,
+    },
+    Prose {
+        id: "P8.validates",
+        place: "Section 8",
+        gist: "that RK4's period is right to 0.001 % validates the integrator's accuracy",
+        stated: "validates",
+        definition: "the period read in the same way, in the same steps, with Störmer–Verlet and \
+                     with symplectic Euler (s)",
+        verdict: Wrong,
+        because: "Methods of order 2 and 1 give the same period to the last digit: the reading \
+                  measures the spacing of the grid.",
+        measure: |study| {
+            let methods: [&dyn AnyMethod; 2] = [&StormerVerlet, &SymplecticEuler];
+            let [vv, se] = methods.map(large_angle::period_by_peak);
+            let text = [vv, se].map(|period| Fixed(3).print(period)).join(" and ");
+            let rk4 = study.large_angle.by_peak;
+            says(text, !is_near(vv, rk4, 1e-9) && !is_near(se, rk4, 1e-9))
+        },
     },
     Prose {
         id: "P8.bounded",

@@ -25,7 +25,7 @@ use crate::experiments::PaperMethod;
 use crate::experiments::characteristics::EnergyBehaviour;
 use crate::experiments::variants::DriftKick;
 use crate::experiments::{
-    STEPS, Study, convergence, findings, long_run, phase_portrait, small_angle, work,
+    STEPS, Study, convergence, findings, large_angle, long_run, phase_portrait, small_angle, work,
 };
 
 /// A sentence of the paper.
