@@ -195,7 +195,9 @@ impl<S: Stranger + ?Sized> Court<'_, S> {
         for (name, check) in checks {
             let apart = check(&self.probe);
             self.note_measured(name, implied(), apart, |apart| {
-                (format!("apart by {:.1e} rad", apart.largest), apart.judge())
+                let mirror = name == "mirror";
+                let judged = if mirror { apart.judge() } else { apart.judge_with_tolerance() };
+                (format!("apart by {:.1e} rad", apart.largest), judged)
             })?;
         }
         let clock = symmetry::clock(&self.probe);

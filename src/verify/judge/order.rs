@@ -141,8 +141,11 @@ pub fn judge(ladder: &Ladder, claimed: u32) -> (Verdict, String) {
     }
     let moved = finest.len() < 2 || (last - finest[finest.len() - 2]).abs() > 0.1;
     let towards = moved && off(&last) < off(&finest[finest.len().saturating_sub(2)]);
-    let elsewhere = shown(ladder).is_some_and(|found| off(&f64::from(found)) > 0.5 && !moved);
-    if elsewhere || (last < order && !towards) {
+    // Settled on another whole number: more than what is claimed is a wrong claim, too.
+    let whole = libm::round(last);
+    let elsewhere = !moved && whole != order && (last - whole).abs() < 0.08;
+    let settled = !moved || finest.iter().rev().take(2).all(|s| *s < order - 0.5 - bent);
+    if elsewhere || (last < order && !towards && settled) {
         (Verdict::Fails, format!("the finest slope is {last:.2}"))
     } else {
         (Verdict::Unclear, format!("the finest slope is {last:.2}, on its way or between orders"))

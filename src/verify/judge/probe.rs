@@ -50,6 +50,9 @@ pub struct Probe<'s, S: ?Sized> {
     stranger: &'s S,
     /// The rounding of a step, relative to a state of order 1, as measured: at least 2⁻⁵².
     pub rounding: f64,
+    /// What a tolerance inside the stranger makes of 200 steps (rad), as that of an iteration: by how
+    /// much they differ in other units of time, where that is too little to be a mistake.
+    tolerance: f64,
     /// The most steps of a request that it answers in time.
     longest: u64,
 }
@@ -95,12 +98,17 @@ impl<'s, S: Stranger + ?Sized> Probe<'s, S> {
     /// Ready to ask; the rounding is measured at once.
     pub fn new(stranger: &'s S) -> Measured<Self> {
         let longest = stranger.longest_run();
-        let mut probe = Self { stranger, rounding: f64::EPSILON, longest };
+        let mut probe = Self { stranger, rounding: f64::EPSILON, tolerance: 0.0, longest };
         let measured = probe.measure_rounding();
         match measured {
             Ok(rounding) => probe.rounding = rounding.max(f64::EPSILON),
             Err(Trouble::Broken(why)) => return Err(Trouble::Broken(why)),
             Err(_) => {}
+        }
+        match super::symmetry::units(&probe) {
+            Ok(units) if units.is_a_tolerance() => probe.tolerance = units.largest,
+            Err(Trouble::Broken(why)) => return Err(Trouble::Broken(why)),
+            _ => {}
         }
         Ok(probe)
     }
@@ -157,6 +165,11 @@ impl<'s, S: Stranger + ?Sized> Probe<'s, S> {
     /// since an error of the energy is one of the frequency, like its sum in the phase. The factor
     /// is what the largest of some thousand such sums may exceed their mean by.
     pub fn bound(&self, steps: u64, x: f64) -> f64 {
+        self.rounding_bound(steps, x) + self.tolerance * (1.0 + steps as f64 / 200.0)
+    }
+
+    /// The same without what a tolerance inside the stranger may add.
+    pub fn rounding_bound(&self, steps: u64, x: f64) -> f64 {
         let n = steps as f64;
         10.0 * self.rounding * libm::sqrt(n) * (1.0 + n * x.abs())
     }

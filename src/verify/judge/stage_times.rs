@@ -46,7 +46,8 @@ pub fn measure<S: Stranger + ?Sized>(probe: &Probe<'_, S>, order: u32) -> Measur
     let mut steps = if order > 8 { 5.0 } else { 16.0 };
     let mut counts: Vec<f64> = Vec::new();
     let mut coarsest = None;
-    while steps <= 16_384.0 {
+    let longest = probe.in_time(16_384).unwrap_or(1638);
+    while steps <= longest as f64 {
         let n = libm::round(steps);
         steps *= factor;
         let request = Request {

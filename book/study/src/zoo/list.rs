@@ -149,8 +149,8 @@ macro_rules! for_each_impostor {
                 problem::Accelerated(|p, theta| -p.frequency_squared() * sin(theta.to_radians())),
                 StormerVerlet,
                 [ORDER, ERROR_CONSTANT, LINEAR, CONJUGACY, SYMMETRY];
-            // (It swings about the top, as wide as 2.1 rad, where rounding alone exceeds what is derived for 1
-            // rad.)
+            // (It swings about the top, as wide as 2.1 rad, where rounding alone exceeds what is
+            // derived for 1 rad.)
             wrong_sign_of_the_force:
                 problem::Accelerated(|p, theta| p.frequency_squared() * sin(theta)), StormerVerlet,
                 [ORDER, ERROR_CONSTANT, LINEAR, REVERSAL, CONJUGACY];
@@ -158,14 +158,17 @@ macro_rules! for_each_impostor {
                 problem::Accelerated(|p, theta| -p.frequency_squared() * theta), StormerVerlet,
                 [ORDER, ERROR_CONSTANT, CONJUGACY, SYMMETRY];
             sine_to_seven_digits:
-                problem::Accelerated(|p, theta| -p.frequency_squared() * f64::from(sin(theta) as f32)),
+                problem::Accelerated(|p, theta| {
+                    -p.frequency_squared() * f64::from(sin(theta) as f32)
+                }),
                 StormerVerlet,
                 [ERROR_CONSTANT, LINEAR, AREA, REVERSAL, CONJUGACY];
             a_torque_of_1e_12:
                 problem::Accelerated(|p, theta| 1e-12 - p.frequency_squared() * sin(theta)),
                 StormerVerlet,
                 [LINEAR, CONJUGACY, SYMMETRY];
-            // (It is no palindrome, but so nearly one that REVERSAL detects it by a factor of three only.)
+            // (It is no palindrome, but so nearly one that REVERSAL detects it by a factor of three
+            // only.)
             triple_jump_too_long_by_1e_6:
                 high_order::TripleJumpTooLong, ForestRuth,
                 [ORDER, ERROR_CONSTANT, LINEAR, REVERSAL];
