@@ -138,7 +138,9 @@ pub fn identify<S: Stranger + ?Sized>(
     }
     // Sixteen roundings a step of whoever rounds more coarsely, of an angle of up to 12 rad, and
     // neighbours that part by a factor of ten at most.
-    let bound = 10.0 * 12.0 * 16.0 * COUNT as f64 * probe.rounding / 8.0;
+    let rounding = 10.0 * 12.0 * 16.0 * COUNT as f64 * probe.rounding / 8.0;
+    // And what a tolerance inside the stranger may add.
+    let bound = rounding + 100.0 * (probe.bound(COUNT, 1.0) - probe.rounding_bound(COUNT, 1.0));
     let angle = |a: Phase, b: Phase| (a.theta - b.theta).abs();
     let of_its_order = |method: &&dyn AnyMethod| Some(method.info().order) == shown;
     let (first, then): (Vec<_>, Vec<_>) = METHODS.iter().copied().partition(of_its_order);

@@ -132,7 +132,7 @@ pub fn judge(ladder: &Ladder, claimed: u32) -> (Verdict, String) {
     let bent = if claimed > 4 { 1.5 * x } else { 0.0 };
     // A slope that leaves the order again, by more than rounding can bend it, is that of a lower
     // order which comes to the fore.
-    if nearest < 0.1 && last < order - nearest - 0.1 - bent {
+    if nearest < 0.05 && last < order - 0.2 - bent {
         let why = "as the steps become short the slopes leave it: a term of lower order";
         return (Verdict::Fails, why.to_string());
     }

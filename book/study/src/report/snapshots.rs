@@ -45,8 +45,12 @@ impl Kind {
 }
 
 /// The snapshots that no test compares, with the commands that write them.
-pub const RECORDED: [(&str, &str); 2] =
-    [("what_moves_when", "book/study/what_moves_when/run"), ("strangers", "book/strangers/run")];
+pub const RECORDED: [(&str, &str); 4] = [
+    ("what_moves_when", "book/study/what_moves_when/run"),
+    ("strangers", "book/strangers/run"),
+    ("strangers_all", "book/strangers/run"),
+    ("strangers_libraries", "book/strangers/run"),
+];
 
 /// A snapshot: the file `snapshots/DIGIT_NAME.snap`.
 #[derive(Clone, Debug)]
