@@ -29,7 +29,8 @@ impl Apart {
         if weight(&other) <= weight(&self) { self } else { other }
     }
 
-    /// Whether it is more than rounding and may be the doing of a tolerance, as that of an iteration.
+    /// Whether it is more than rounding and may be the doing of a tolerance, as that of an
+    /// iteration.
     pub const fn is_a_tolerance(&self) -> bool {
         self.largest > self.bound && self.largest < 1e-7
     }
@@ -62,7 +63,8 @@ fn compared(a: &[Phase], b: &[Phase], bound: f64) -> Apart {
     Apart { largest: apart.fold(0.0, libm::fmaximum), bound }
 }
 
-/// By how much a small difference of the start grows in the runs below. A method of several steps may
+/// By how much a small difference of the start grows in the runs below. A method of several steps
+/// may
 /// be unstable at a step that others take with ease; two runs that round otherwise then part, and
 /// nothing can be said.
 fn growth<S: Stranger + ?Sized>(probe: &Probe<'_, S>) -> Measured<()> {
