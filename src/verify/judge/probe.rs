@@ -50,8 +50,8 @@ pub struct Probe<'s, S: ?Sized> {
     stranger: &'s S,
     /// The rounding of a step, relative to a state of order 1, as measured: at least 2⁻⁵².
     pub rounding: f64,
-    /// What a tolerance inside the stranger, as that of an iteration, makes of 200 steps (rad): by how
-    /// much they differ in other units of time, where that is too little to be a mistake.
+    /// What a tolerance inside the stranger makes of 200 steps (rad): by how much they differ in
+    /// other units of time, where that is too little to be a mistake.
     tolerance: f64,
     /// The most steps of a request that it answers in time.
     longest: u64,
