@@ -4,6 +4,7 @@ mod command;
 mod examples;
 #[cfg(unix)]
 mod faults;
+mod variants;
 
 use std::ffi::OsString;
 use std::process::{Command, Output};
