@@ -24,7 +24,7 @@ use super::started;
 #[case::trapezoidal_as_symplectic("trapezoidal", "order=2 symplectic", "area")]
 fn variants_are_told_apart(#[case] name: &str, #[case] claims: &str, #[case] fails: &str) {
     let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/book/verify/variants.py");
-    let program = started(&["python3", script.to_str().unwrap(), name], 60.0).unwrap();
+    let program = started(["python3", script.to_str().unwrap(), name], 60.0).unwrap();
     let claims: Claims = claims.parse().unwrap();
     let report = try_judge(&program, &claims).unwrap();
     let expected = if fails.is_empty() { Verdict::Holds } else { Verdict::Fails };
