@@ -34,7 +34,8 @@ impl Impostor {
         let words = self.name.split('_').map(|word| {
             PROPER.into_iter().find(|proper| proper.eq_ignore_ascii_case(word)).unwrap_or(word)
         });
-        words.collect::<Vec<_>>().join(" ")
+        // A name has no minus.
+        words.collect::<Vec<_>>().join(" ").replace("1e ", "1e-")
     }
 }
 
