@@ -50,6 +50,10 @@ def single(z):
     return struct.unpack("ff", struct.pack("ff", *z))
 
 
+def damped(z):
+    return z[0], z[1] * (1 - 1e-9)
+
+
 STEPS = {
     "verlet": verlet,
     "position-verlet": position_verlet,
@@ -60,7 +64,7 @@ STEPS = {
     "stale-force": lambda f, t, z, h: verlet(f, t, z, h, stale=True),
     "fifth-digit": lambda f, t, z, h: verlet(f, t, z, h, first=0.50001),
     "single-precision": lambda f, t, z, h: single(verlet(f, t, z, h)),
-    "a-billionth-lost": lambda f, t, z, h: (lambda y: (y[0], y[1] * (1 - 1e-9)))(verlet(f, t, z, h)),
+    "a-billionth-lost": lambda f, t, z, h: damped(verlet(f, t, z, h)),
     "drops-steps": verlet,
 }
 

@@ -7,8 +7,8 @@ use rstest::rstest;
 
 use super::started;
 
-/// Catches: a right method in another language, with another sine, that is refused; a wrong one that
-/// is accepted, or refused for another reason than its own.
+/// Catches: a right method in another language, with another sine, that is refused; a wrong one
+/// that is accepted, or refused for another reason than its own.
 #[rstest]
 #[case::verlet("verlet", "order=2 symplectic symmetric name=stormer-verlet", "")]
 #[case::rk4("rk4", "order=4 name=rk4", "")]
