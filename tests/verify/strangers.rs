@@ -176,6 +176,18 @@ fn methods_of_several_steps_are_accepted(
     assert_eq!(report.verdict, Verdict::Holds, "{report}");
 }
 
+/// Störmer–Verlet under a small torque (1/s²), which no unit of time can explain away.
+fn pushed(torque: f64, g: f64, z: State, h: f64) -> State {
+    let (theta, omega) = verlet(g, z, h);
+    (theta, omega + torque * h)
+}
+
+/// Störmer–Verlet under a small friction (1/s).
+fn rubbed(friction: f64, g: f64, z: State, h: f64) -> State {
+    let (theta, omega) = verlet(g, z, h);
+    (theta, omega * (1.0 - friction * h))
+}
+
 fn to_seven_digits(z: State) -> State {
     (f64::from(z.0 as f32), f64::from(z.1 as f32))
 }
@@ -229,18 +241,28 @@ fn to_seven_digits(z: State) -> State {
     },
     Claims::order(2), "turn",
 )]
-#[case::a_torque(
-    |g: f64, z, h: f64| {
-        let (theta, omega) = verlet(g, z, h);
-        (theta, omega + 1e-12 * h)
-    },
-    Claims::order(2), "mirror",
+#[case::a_torque(|g: f64, z, h: f64| pushed(1e-12, g, z, h), Claims::order(2), "mirror")]
+#[case::a_torque_as_large_as_a_tolerance(
+    |g: f64, z, h: f64| pushed(1e-8, g, z, h), Claims::order(2), "mirror",
 )]
+#[case::a_loss_with_the_step(|g: f64, z, h: f64| rubbed(1e-6, g, z, h), Claims::order(2), "units")]
 #[case::g_of_the_earth(|_, z, h: f64| verlet(9.81, z, h), Claims::order(2), "units")]
 fn wrong_ones_are_refused(#[case] step: Step, #[case] claims: Claims, #[case] by: &str) {
     let report = judge(&FromFn(stepping(step)), claims);
     assert_eq!(report.verdict, Verdict::Fails, "{report}");
     assert!(report.failures().any(|name| name == by), "{report}");
+}
+
+/// So small a friction cannot be told from a solver's tolerance inside a right method.
+///
+/// Catches: a judge that lets what a tolerance may do pass as rounding.
+#[test]
+fn a_loss_as_small_as_a_tolerance_is_unclear() {
+    let step = |g: f64, z, h: f64| rubbed(1e-10, g, z, h);
+    let report = judge(&FromFn(stepping(step)), Claims::order(2).symmetric());
+    assert_eq!(report.verdict, Verdict::Unclear, "{report}");
+    let loss = report.finding("loss").expect("a loss is looked for");
+    assert_eq!(loss.verdict, Verdict::Unclear, "{report}");
 }
 
 /// Catches: a clock that is off by a step now and then.

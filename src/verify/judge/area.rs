@@ -19,7 +19,7 @@ const STATES: [Phase; 5] = [
 const STEPS: [f64; 3] = [0.1, 0.4, 1.0];
 
 /// What the ruler found.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug)]
 pub struct Defect {
     /// det J − 1.
     pub value: f64,
@@ -33,7 +33,6 @@ pub struct Defect {
 /// order.
 struct Ruler<'p, 's, S: ?Sized> {
     probe: &'p Probe<'s, S>,
-    g_over_l: f64,
     step: f64,
     steps: u64,
 }
@@ -44,7 +43,7 @@ impl<S: Stranger + ?Sized> Ruler<'_, '_, S> {
         let image = |right: f64, up: f64| -> Measured<[f64; 2]> {
             let start =
                 Phase { theta: z.theta + right * delta, omega: z.omega + up * delta * frequency() };
-            let run = Run::new(start, self.step, self.steps).with(self.g_over_l);
+            let run = Run::new(start, self.step, self.steps);
             let end = self.probe.end(run)?;
             Ok([end.theta, end.omega / frequency()])
         };
@@ -76,7 +75,7 @@ pub fn largest<S: Stranger + ?Sized>(probe: &Probe<'_, S>) -> Measured<Defect> {
     let delta = libm::pow(probe.rounding, 0.2);
     let mut trouble = None;
     for x in STEPS {
-        let ruler = Ruler { probe, g_over_l: super::probe::G_OVER_L, step: step(x), steps: 1 };
+        let ruler = Ruler { probe, step: step(x), steps: 1 };
         for z in STATES {
             match ruler.defect(z, delta, probe.rounding) {
                 Ok(defect) => {
@@ -97,13 +96,10 @@ pub fn largest<S: Stranger + ?Sized>(probe: &Probe<'_, S>) -> Measured<Defect> {
     }
 }
 
-/// ln det J of `steps` steps of x = `x` about the bottom, a step: what a step loses of the area.
-pub fn loss<S: Stranger + ?Sized>(
-    probe: &Probe<'_, S>,
-    x: f64,
-    steps: u64,
-) -> Measured<(f64, f64)> {
-    let ruler = Ruler { probe, g_over_l: super::probe::G_OVER_L, step: step(x), steps };
+/// ln det J of `steps` steps of x = 0.02 about the bottom, a step, and the ruler's error: what a
+/// step gains of the area.
+pub fn gain<S: Stranger + ?Sized>(probe: &Probe<'_, S>, steps: u64) -> Measured<(f64, f64)> {
+    let ruler = Ruler { probe, step: step(0.02), steps };
     let n = steps as f64;
     // So small that the frequency hardly differs across the ruler: over n steps the phase shears by
     // n x δ²/16, and the differences see its square. About the bottom the ends are as small as the

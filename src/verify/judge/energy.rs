@@ -1,17 +1,16 @@
 //! The energy: bounded, or drifting, and by which law.
 
-use super::probe::{Measured, Probe, Run, Trouble, step};
+use super::probe::{Measured, Probe, Run, Trouble, energy, step};
 use super::report::Verdict;
 use super::stranger::Stranger;
-use crate::arithmetic::sine::sin;
 use crate::systems::Phase;
 
 /// What became of the energy in a long run.
 #[derive(Clone, Debug)]
 pub struct Energy {
-    /// Time (s) and (H − H₀)/(g/L).
+    /// Time (s) and ΔH/(mgL).
     pub samples: Vec<(f64, f64)>,
-    /// The largest |H − H₀|/(g/L) in the first tenth, and in the last.
+    /// The largest |ΔH|/(mgL) in the first tenth, and in the last.
     pub ends: [f64; 2],
     /// What rounding may make of it.
     pub bound: f64,
@@ -26,14 +25,8 @@ const RUNS: [(f64, u64); 3] = [(0.1, 60_000), (0.3, 20_000), (0.8, 10_000)];
 
 const START: Phase = Phase { theta: 1.0, omega: 0.0 };
 
-/// H/(g/L) above the bottom.
-fn energy(z: Phase) -> f64 {
-    let half = sin(0.5 * z.theta);
-    0.5 * z.omega * z.omega / super::probe::G_OVER_L + 2.0 * half * half
-}
-
 fn run<S: Stranger + ?Sized>(probe: &Probe<'_, S>, x: f64, steps: u64) -> Measured<Energy> {
-    // Not a divisor of the steps of a swing, of which every moment is to be seen.
+    // A swing is no multiple of four steps at any x above, so that all of its moments are met.
     let every = 4;
     let steps = probe.in_time(steps)?;
     let h = step(x);
@@ -45,7 +38,7 @@ fn run<S: Stranger + ?Sized>(probe: &Probe<'_, S>, x: f64, steps: u64) -> Measur
     let tenth = samples.len() / 10;
     let largest = |part: &[(f64, f64)]| part.iter().map(|s| s.1.abs()).fold(0.0, libm::fmaximum);
     let ends = [largest(&samples[..tenth]), largest(&samples[samples.len() - tenth..])];
-    // A random walk of the energy, and for rounding with a bias as many in one direction.
+    // A random walk of the energy; the factor is that of the largest of some thousand samples.
     let bound = 10.0 * probe.rounding * libm::sqrt(steps as f64);
     Ok(Energy { samples, ends, bound, x, steps })
 }

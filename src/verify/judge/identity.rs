@@ -3,7 +3,9 @@
 
 use core::fmt;
 
-use super::probe::{G_OVER_L, Measured, Probe, Run, Trouble, distance, pendulum, step};
+use super::probe::{
+    G_OVER_L, Measured, Probe, Run, Trouble, distance, exact, frequency, pendulum, step,
+};
 use super::stranger::Stranger;
 use crate::systems::{Phase, Separable};
 use crate::{AnyMethod, Grid, METHODS, MethodInfo};
@@ -105,11 +107,9 @@ const STARTS: [Phase; 3] = [
 const STEPS: [f64; 4] = [0.05, 0.3, 0.8, 1.1];
 const COUNT: u64 = 8;
 
-/// The stranger's eight states from each start at each step, where it answers.
-type Seenings = Vec<(Phase, f64, Vec<Phase>)>;
-
-fn own_states(method: &dyn AnyMethod, seen: Seen, start: Phase, h: f64) -> Option<Vec<Phase>> {
-    let grid = Grid::new(h, COUNT).ok()?;
+/// The states of a method of the library after 1, 2, … 8 steps, as they are seen from there.
+fn own_states(method: &dyn AnyMethod, seen: Seen, start: Phase, h: f64) -> Vec<Phase> {
+    let grid = Grid::new(h, COUNT).expect("a positive step");
     let mut states = Vec::new();
     let own = seen.into_its_own(G_OVER_L, start, h);
     method.run(&pendulum(G_OVER_L), own, &grid, &mut |n: u64, _: f64, z: Phase| {
@@ -117,7 +117,7 @@ fn own_states(method: &dyn AnyMethod, seen: Seen, start: Phase, h: f64) -> Optio
             states.push(seen.from_its_own(G_OVER_L, z, h));
         }
     });
-    Some(states)
+    states
 }
 
 /// The method of the list that the stranger is, seen directly or from half a kick or drift away,
@@ -126,7 +126,8 @@ pub fn identify<S: Stranger + ?Sized>(
     probe: &Probe<'_, S>,
     shown: Option<u32>,
 ) -> Measured<Option<Identity>> {
-    let mut asked: Seenings = Vec::new();
+    // Start, step (s) and states, where it answers.
+    let mut asked: Vec<(Phase, f64, Vec<Phase>)> = Vec::new();
     for start in STARTS {
         for x in STEPS {
             match probe.states(Run::new(start, step(x), COUNT)) {
@@ -154,9 +155,7 @@ pub fn identify<S: Stranger + ?Sized>(
             'methods: for method in methods {
                 let mut largest = 0.0_f64;
                 for (start, h, states) in &asked {
-                    let Some(own) = own_states(*method, seen, *start, *h) else {
-                        continue 'methods;
-                    };
+                    let own = own_states(*method, seen, *start, *h);
                     // Where an implicit method's own sweeps do not converge, nothing is compared.
                     if own.iter().any(|z| z.theta.is_nan()) {
                         continue;
@@ -179,17 +178,16 @@ pub fn identify<S: Stranger + ?Sized>(
 /// The leading error of a step at (1 rad, 1 ω₀) over h^(order + 1), in θ and in ω/ω₀ with h in
 /// units of 1/ω₀: by a short step, extrapolated with one half as long.
 pub fn leading_error<S: Stranger + ?Sized>(probe: &Probe<'_, S>, order: u32) -> Measured<[f64; 2]> {
-    let frequency = super::probe::frequency();
-    let start = Phase { theta: 1.0, omega: frequency };
-    let truth = super::probe::exact(G_OVER_L, start);
+    let start = Phase { theta: 1.0, omega: frequency() };
+    let truth = exact(G_OVER_L, start);
     // So long that rounding is a thousandth of the error at the half step.
     let power = f64::from(order + 1);
     let x = (2.0 * libm::pow(3e4 * probe.rounding, 1.0 / power)).clamp(0.01, 0.6);
     let error = |x: f64| -> Measured<[f64; 2]> {
         let h = step(x);
-        let (z, exact) = (probe.end(Run::new(start, h, 1))?, truth.at(h));
+        let (z, true_z) = (probe.end(Run::new(start, h, 1))?, truth.at(h));
         let over = libm::pow(x, power);
-        Ok([(z.theta - exact.theta) / over, (z.omega - exact.omega) / frequency / over])
+        Ok([(z.theta - true_z.theta) / over, (z.omega - true_z.omega) / frequency() / over])
     };
     let (coarse, fine) = (error(x)?, error(0.5 * x)?);
     Ok([0, 1].map(|i| 2.0 * fine[i] - coarse[i]))

@@ -28,11 +28,14 @@
 
 mod area;
 mod claims;
+mod clock;
 mod energy;
+mod evaluations;
 mod identity;
 mod loss;
 mod order;
 mod probe;
+mod repeatable;
 mod report;
 mod reversal;
 mod stage_times;
@@ -63,9 +66,9 @@ pub fn judge<S: Stranger + ?Sized>(stranger: &S, claims: Claims) -> Report {
 /// What the stranger did, if it broke the protocol.
 pub fn try_judge<S: Stranger + ?Sized>(stranger: &S, claims: &Claims) -> Result<Report, String> {
     let broken = |trouble: Trouble| trouble.to_string();
-    let mut court = Court { probe: Probe::new(stranger).map_err(broken)?, claims, report: empty() };
-    court.hear().map_err(broken)?;
-    let mut report = court.report;
+    let mut judge = Judge { probe: Probe::new(stranger).map_err(broken)?, claims, report: empty() };
+    judge.take_all().map_err(broken)?;
+    let mut report = judge.report;
     let of = |verdict| report.findings.iter().any(|finding| finding.verdict == verdict);
     report.verdict = if of(Verdict::Fails) {
         Verdict::Fails
@@ -87,10 +90,19 @@ fn empty() -> Report {
     }
 }
 
-struct Court<'s, S: ?Sized> {
+/// The report as it grows.
+struct Judge<'s, S: ?Sized> {
     probe: Probe<'s, S>,
     claims: &'s Claims,
     report: Report,
+}
+
+/// What a failed measurement is to a claim that all make.
+fn unmeasured(trouble: &Trouble) -> (Verdict, String) {
+    match trouble {
+        Trouble::NoAnswer(why) => (Verdict::Unclear, format!("not measured: {why}")),
+        other => (Verdict::Fails, other.to_string()),
+    }
 }
 
 /// A claim that everybody makes.
@@ -98,7 +110,7 @@ fn implied() -> Option<String> {
     Some("implied".to_string())
 }
 
-impl<S: Stranger + ?Sized> Court<'_, S> {
+impl<S: Stranger + ?Sized> Judge<'_, S> {
     /// Notes what was found of the property `name`. What nobody claims is said and not judged.
     fn note(
         &mut self,
@@ -127,14 +139,14 @@ impl<S: Stranger + ?Sized> Court<'_, S> {
             }
             Err(Trouble::Broken(why)) => Err(Trouble::Broken(why)),
             Err(trouble) => {
-                self.note(name, claimed, "–".to_string(), symmetry::unmeasured(&trouble));
+                self.note(name, claimed, "–".to_string(), unmeasured(&trouble));
                 Ok(None)
             }
         }
     }
 
     /// Takes the properties one after the other.
-    fn hear(&mut self) -> Measured<()> {
+    fn take_all(&mut self) -> Measured<()> {
         let claims = self.claims;
         let symplectic = claims.symplectic.then(|| "symplectic".to_string());
         let symmetric = claims.symmetric.then(|| "symmetric".to_string());
@@ -200,13 +212,13 @@ impl<S: Stranger + ?Sized> Court<'_, S> {
                 (format!("apart by {:.1e} rad", apart.largest), judged)
             })?;
         }
-        let clock = symmetry::clock(&self.probe);
+        let clock = clock::clock(&self.probe);
         self.note_measured("clock", implied(), clock, |clock| {
             (format!("{:.2} steps apart", clock.steps_apart), clock.judge())
         })?;
         let claimed = self.claims.evaluations;
         let text = claimed.map(|a_step| format!("{a_step} a step"));
-        let counted = symmetry::evaluations(&self.probe);
+        let counted = evaluations::counted(&self.probe);
         self.note_measured("evaluations", text, counted, |counted| match *counted {
             None => {
                 ("not counted".to_string(), (Verdict::Unclear, "nobody counts them".to_string()))
@@ -217,7 +229,7 @@ impl<S: Stranger + ?Sized> Court<'_, S> {
                 (format!("{counted} a step"), (verdict, "counted over a thousand steps".into()))
             }
         })?;
-        let repeated = symmetry::repeatable(&self.probe);
+        let repeated = repeatable::other_answers(&self.probe);
         self.note_measured("repeatable", implied(), repeated, |wrong| match wrong {
             None => ("the same bits".to_string(), (Verdict::Holds, "to the bit".to_string())),
             Some(wrong) => ("other answers".to_string(), (Verdict::Fails, (*wrong).to_string())),

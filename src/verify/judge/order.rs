@@ -1,6 +1,6 @@
 //! Order: the slopes of the error on a ladder of steps, down to the stranger's rounding.
 
-use super::probe::{Measured, Probe, Run, Trouble, distance, exact, frequency};
+use super::probe::{G_OVER_L, Measured, Probe, Run, Trouble, distance, exact, frequency};
 use super::report::Verdict;
 use super::stranger::Stranger;
 use crate::systems::Phase;
@@ -17,8 +17,7 @@ const STARTS: [Phase; 2] = [Phase::at_rest(1.0), Phase { theta: -0.6, omega: 4.0
 pub struct Ladder {
     /// Steps (s), from coarse to fine, and the largest error of the state (rad).
     pub rungs: Vec<(f64, f64)>,
-    /// The slopes between neighbours, as far as both are truncation and not rounding, each with the
-    /// larger of their two errors.
+    /// The slopes between neighbours, as far as both are truncation and not rounding.
     pub slopes: Vec<f64>,
     /// Where slopes are those of the leading term: from this index on.
     pub leading: usize,
@@ -31,7 +30,7 @@ fn error<S: Stranger + ?Sized>(probe: &Probe<'_, S>, steps: u64) -> Measured<f64
         let h = DURATION / steps as f64;
         let every = 1.max(steps / 64);
         let steps = steps - steps % every;
-        let truth = exact(super::probe::G_OVER_L, start);
+        let truth = exact(G_OVER_L, start);
         let states = probe.states(Run::new(start, h, steps).every(every))?;
         for (k, z) in (1..).zip(states) {
             largest = libm::fmaximum(largest, distance(z, truth.at((k * every) as f64 * h)));
@@ -40,8 +39,7 @@ fn error<S: Stranger + ?Sized>(probe: &Probe<'_, S>, steps: u64) -> Measured<f64
     Ok(largest)
 }
 
-/// Climbs down: steps shorter by a factor that lets an error of order `expected` fall sixteenfold
-/// at
+/// Makes the step shorter, by a factor that lets an error of order `expected` fall sixteenfold at
 /// most, until the error is rounding or a run would be too long.
 ///
 /// An error is taken for truncation while it is at least 30 times what rounding adds up to: a slope

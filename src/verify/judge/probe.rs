@@ -3,7 +3,7 @@
 
 use super::stranger::{Fault, Reply, Request, Stranger};
 use crate::exact::Motion;
-use crate::systems::{Pendulum, Phase};
+use crate::systems::{Hamiltonian, Pendulum, Phase};
 
 /// g/L of most requests (1/s²): not the paper's, and no power of two.
 pub const G_OVER_L: f64 = 12.2625;
@@ -45,7 +45,7 @@ impl core::fmt::Display for Trouble {
 /// What came of a measurement.
 pub type Measured<T> = Result<T, Trouble>;
 
-/// A stranger, asked politely.
+/// A stranger, with what has to be known of it before anything can be asked.
 pub struct Probe<'s, S: ?Sized> {
     stranger: &'s S,
     /// The rounding of a step, relative to a state of order 1, as measured: at least 2⁻⁵².
@@ -165,10 +165,16 @@ impl<'s, S: Stranger + ?Sized> Probe<'s, S> {
     /// since an error of the energy is one of the frequency, like its sum in the phase. The factor
     /// is what the largest of some thousand such sums may exceed their mean by.
     pub fn bound(&self, steps: u64, x: f64) -> f64 {
-        self.rounding_bound(steps, x) + self.tolerance * (1.0 + steps as f64 / 200.0)
+        self.rounding_bound(steps, x) + self.tolerance + steps as f64 * self.tolerance_a_step()
     }
 
-    /// The same without what a tolerance inside the stranger may add.
+    /// What a tolerance inside the stranger may make of the state in a step, relative to a state
+    /// of order 1.
+    pub fn tolerance_a_step(&self) -> f64 {
+        self.tolerance / 200.0
+    }
+
+    /// [`Self::bound`] without what a tolerance inside the stranger may add.
     pub fn rounding_bound(&self, steps: u64, x: f64) -> f64 {
         let n = steps as f64;
         10.0 * self.rounding * libm::sqrt(n) * (1.0 + n * x.abs())
@@ -208,6 +214,11 @@ impl<'s, S: Stranger + ?Sized> Probe<'s, S> {
 /// The pendulum with this g/L (1/s²).
 pub fn pendulum(g_over_l: f64) -> Pendulum {
     Pendulum::new(g_over_l, 1.0, 1.0).expect("g/L of a request of ours")
+}
+
+/// The energy above the bottom, in units of mgL.
+pub fn energy(z: Phase) -> f64 {
+    pendulum(G_OVER_L).energy(z) / G_OVER_L
 }
 
 /// The exact motion from `start`.

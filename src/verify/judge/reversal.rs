@@ -4,6 +4,7 @@ use super::probe::{Measured, Probe, Run, Trouble, distance, step};
 use super::report::Verdict;
 use super::stranger::Stranger;
 use crate::systems::Phase;
+use crate::verify::flipped;
 
 /// The way out and back.
 #[derive(Clone, Copy, Debug)]
@@ -24,11 +25,6 @@ pub struct Way {
 const WAYS: [(f64, u64); 3] = [(0.1, 1000), (0.4, 200), (1.0, 50)];
 
 const START: Phase = Phase { theta: 1.2, omega: 0.8 };
-
-/// The same angle with the velocity reversed.
-pub fn flipped(z: Phase) -> Phase {
-    Phase { omega: -z.omega, ..z }
-}
 
 /// Out and back in `steps` steps of x = `x`.
 pub fn way<S: Stranger + ?Sized>(

@@ -1,12 +1,11 @@
 //! Stage times: on a driven pendulum a method has its order only if its stages know the time.
 
-use super::probe::{Measured, Probe, Trouble, distance};
+use super::probe::{Measured, Probe, Trouble, distance, pendulum};
 use super::report::Verdict;
-use super::stranger::{Drive, Request, Stranger};
-use crate::integrate;
+use super::stranger::{Drive, Request, Stranger, driven};
 use crate::methods::Gauss6;
-use crate::systems::{Damped, Driven, Pendulum, Phase};
-use crate::{Grid, Info};
+use crate::systems::Phase;
+use crate::{Grid, integrate};
 
 const G_OVER_L: f64 = 9.81;
 const DRIVE: Drive = Drive { amplitude: 6.0, frequency: 5.0 };
@@ -17,13 +16,8 @@ const DURATION: f64 = 1.7;
 /// The end of the exact motion: by Gauss's method of order 6 in steps so short that its error is
 /// below rounding.
 fn truth() -> Phase {
-    let pendulum = Pendulum::new(G_OVER_L, 1.0, 1.0).expect("a pendulum");
-    let driven = Damped::new(pendulum, 0.0)
-        .and_then(|undamped| Driven::new(undamped, DRIVE.amplitude / G_OVER_L, DRIVE.frequency))
-        .expect("a drive");
-    let steps = 1024;
-    debug_assert_eq!(Gauss6.info().order, 6);
-    let grid = Grid::new(DURATION / steps as f64, steps).expect("a positive step");
+    let driven = driven(pendulum(G_OVER_L), DRIVE).expect("a drive");
+    let grid = Grid::new(DURATION / 1024.0, 1024).expect("a positive step");
     integrate(&driven, &Gauss6, START, &grid, &mut ())
 }
 

@@ -124,7 +124,8 @@ fn pendulum(request: &Request) -> Result<Pendulum, Fault> {
     Pendulum::new(request.g_over_l, 1.0, 1.0).map_err(|error| Fault::Refused(error.to_string()))
 }
 
-fn driven(pendulum: Pendulum, drive: Drive) -> Result<Driven, Fault> {
+/// `pendulum` without damping, under `drive`.
+pub(super) fn driven(pendulum: Pendulum, drive: Drive) -> Result<Driven, Fault> {
     let driven = Damped::new(pendulum, 0.0).and_then(|undamped| {
         Driven::new(undamped, drive.amplitude / pendulum.frequency_squared(), drive.frequency)
     });

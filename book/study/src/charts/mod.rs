@@ -86,10 +86,14 @@ impl Figure {
         for (row, (charts, scales)) in rows.enumerate() {
             let repeats = |i: usize| i > 0 && charts[i - 1].y == charts[i].y;
             let margins = (0..self.columns.min(charts.len()))
-                .map(|i| match () {
-                    () if charts[i].sketch => RIGHT,
-                    () if repeats(i) => 0.0,
-                    () => margin,
+                .map(|i| {
+                    if charts[i].sketch {
+                        RIGHT
+                    } else if repeats(i) {
+                        0.0
+                    } else {
+                        margin
+                    }
                 })
                 .collect::<Vec<_>>();
             let free = WIDTH - margins.iter().sum::<f64>() - RIGHT * self.columns as f64;

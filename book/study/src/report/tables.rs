@@ -214,8 +214,7 @@ pub fn crossings() -> Table {
 }
 
 /// The zoo: each wrong method, the method that it poses as, and the properties that catch it; in
-/// the
-/// last row how many each of them catches.
+/// the last row how many each of them catches.
 pub fn zoo() -> Table {
     let mut header = vec!["a wrong method".to_string(), "poses as".to_string()];
     header.extend(PROPERTIES.iter().map(|property| property.name.replace('_', " ")));

@@ -1,0 +1,27 @@
+//! The same answer twice, and whatever was asked before.
+
+use super::probe::{Measured, Probe, Run, distance, step};
+use super::stranger::Stranger;
+use crate::systems::Phase;
+
+/// In which way the same request has other answers; `None` if they are the same, to the bit, at once
+/// and after others.
+pub fn other_answers<S: Stranger + ?Sized>(probe: &Probe<'_, S>) -> Measured<Option<&'static str>> {
+    let run = Run::new(Phase { theta: 0.8, omega: -0.9 }, step(0.1), 50);
+    let first = probe.states(run)?;
+    if probe.states(run)? != first {
+        return Ok(Some("the same request has another answer the second time"));
+    }
+    probe.states(Run::new(Phase { theta: -2.0, omega: 5.0 }, step(0.23), 31).with(2.5))?;
+    if probe.states(run)? != first {
+        return Ok(Some("the answer depends on the request before it"));
+    }
+    let every = probe.states(run.every(5))?;
+    let thinned: Vec<Phase> = first.iter().skip(4).step_by(5).copied().collect();
+    // A program that goes from one to the next of them by runs of its own may round otherwise.
+    let apart = every.iter().zip(&thinned).map(|(a, b)| distance(*a, *b)).fold(0.0, f64::max);
+    if apart > probe.bound(50, 0.1) {
+        return Ok(Some("every fifth state of a run is another one if only those are asked for"));
+    }
+    Ok(None)
+}
