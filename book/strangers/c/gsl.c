@@ -1,37 +1,5 @@
 /* GSL 2.7.1 (Debian: libgsl-dev 2.7.1+dfsg-5+deb12u1). The integrator's name is the argument.
    Fixed steps by gsl_odeiv2_step_apply, without control and without evolution. */
-/* Claims, as quoted from that version:
- *   rk2: order=2. “Explicit embedded Runge-Kutta (2, 3) method. … gsl_odeiv2_step_order() = 2” (GSL 2.7
- *     documentation, Ordinary Differential Equations, Stepping Functions (ode-initval.html); libgsl 2.7.1,
- *     asked)
- *   rk4: order=4. “Explicit 4th order (classical) Runge-Kutta. Error estimation is carried out by the step
- *     doubling method. … gsl_odeiv2_step_order() = 4” (GSL 2.7 documentation, Ordinary Differential
- *     Equations, Stepping Functions (ode-initval.html); libgsl 2.7.1, asked)
- *   rkf45: order=5. “Explicit embedded Runge-Kutta-Fehlberg (4, 5) method. This method is a good
- *     general-purpose integrator. … gsl_odeiv2_step_order() = 5” (GSL 2.7 documentation, Ordinary
- *     Differential Equations, Stepping Functions (ode-initval.html); libgsl 2.7.1, asked)
- *   rkck: order=5. “Explicit embedded Runge-Kutta Cash-Karp (4, 5) method. … gsl_odeiv2_step_order() = 5”
- *     (GSL 2.7 documentation, Ordinary Differential Equations, Stepping Functions (ode-initval.html); libgsl
- *     2.7.1, asked)
- *   rk8pd: order=8. “Explicit embedded Runge-Kutta Prince-Dormand (8, 9) method. … gsl_odeiv2_step_order() =
- *     8” (GSL 2.7 documentation, Ordinary Differential Equations, Stepping Functions (ode-initval.html);
- *     libgsl 2.7.1, asked)
- *   rk1imp: order=1. “Implicit Gaussian first order Runge-Kutta. Also known as implicit Euler or backward
- *     Euler method. Error estimation is carried out by the step doubling method. … gsl_odeiv2_step_order() =
- *     1” (GSL 2.7 documentation, Ordinary Differential Equations, Stepping Functions (ode-initval.html);
- *     libgsl 2.7.1, asked)
- *   rk2imp: order=2. “Implicit Gaussian second order Runge-Kutta. Also known as implicit mid-point rule.
- *     Error estimation is carried out by the step doubling method. … gsl_odeiv2_step_order() = 2” (GSL 2.7
- *     documentation, Ordinary Differential Equations, Stepping Functions (ode-initval.html); libgsl 2.7.1,
- *     asked)
- *   rk4imp: order=4. “Implicit Gaussian 4th order Runge-Kutta. Error estimation is carried out by the step
- *     doubling method. … gsl_odeiv2_step_order() = 4” (GSL 2.7 documentation, Ordinary Differential
- *     Equations, Stepping Functions (ode-initval.html); libgsl 2.7.1, asked)
- *   bsimp: order=12. “Implicit Bulirsch-Stoer method of Bader and Deuflhard. The method is generally suitable
- *     for stiff problems. This stepper requires the Jacobian. … gsl_odeiv2_step_order() = 12” (GSL 2.7
- *     documentation, Ordinary Differential Equations, Stepping Functions (ode-initval.html); libgsl 2.7.1,
- *     asked)
- */
 #include "protocol.h"
 
 #include <gsl/gsl_errno.h>

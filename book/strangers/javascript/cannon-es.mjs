@@ -1,7 +1,4 @@
 // cannon-es 0.20.0. One body of mass 1 without damping or gravity; its x is the angle.
-// Claims, as quoted from that version:
-//   World.step: no claim. “Leap frog // vnew = v + h*f/m // xnew = x + h*vnew”
-//     (cannon-es/dist/cannon-es.js:12830)
 import { Body, Vec3, World } from "cannon-es";
 import { serve } from "./protocol.mjs";
 

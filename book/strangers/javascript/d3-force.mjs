@@ -1,9 +1,5 @@
 // d3-force 3.0.1. The simulation's unit of time is one tick, so velocities are per tick (omega h)
 // and the force adds h^2 times the acceleration; no decay, no alpha.
-// Claims, as quoted from that version:
-//   forceSimulation: name=stormer-verlet. “This module implements a velocity Verlet numerical integrator for
-//     simulating physical forces on particles. … Force-directed graph layout using velocity Verlet
-//     integration.” (d3-force/README.md:5; d3-force/package.json:4)
 import { forceSimulation } from "d3-force";
 import { serve } from "./protocol.mjs";
 

@@ -1,9 +1,6 @@
 // matter-js 0.20.0. One body without air friction, collisions or gravity; its x is the angle.
 // The engine counts time in ms; its velocities are per 1000/60 ms. A step that is not positive moves
 // nothing (Engine.update: `delta > 0`), so the way back cannot be asked.
-// Claims, as quoted from that version:
-//   Engine.update: name=stormer-verlet. “update velocity with Verlet integration”
-//     (matter-js/src/body/Body.js:758)
 import Matter from "matter-js";
 import { serve } from "./protocol.mjs";
 

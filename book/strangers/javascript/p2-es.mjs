@@ -1,10 +1,5 @@
 // p2-es 1.2.3. One body of mass 1 without damping or gravity; its x is the angle. The library keeps
 // its vectors in single precision unless the global P2_ARRAY_TYPE is Array before it is loaded.
-// Claims, as quoted from that version:
-//   World.step: no claim. “Move the body forward in time given its current velocity.”
-//     (p2-es/dist/p2-es.js:3406)
-//   World.step/Array: no claim. “If you want to set array type manually, inject it via the global variable
-//     P2_ARRAY_TYPE.” (p2-es/dist/p2-es.js:4)
 import { serve } from "./protocol.mjs";
 
 if (process.argv[2] === "World.step/Array") globalThis.P2_ARRAY_TYPE = Array;

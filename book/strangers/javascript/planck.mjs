@@ -1,8 +1,5 @@
 // planck 1.5.0. One body without damping or gravity; its x is the angle. A step that is not positive
 // does nothing (World.step: `timeStep > 0.0`), so the way back cannot be asked.
-// Claims, as quoted from that version:
-//   World.step: no claim. “Integrate velocities and apply damping. Initialize the body state.”
-//     (planck/src/dynamics/Solver.ts:290)
 import { CircleShape, Settings, Vec2, World } from "planck";
 import { serve } from "./protocol.mjs";
 

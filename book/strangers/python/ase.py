@@ -1,12 +1,6 @@
 r"""ase 3.29.0 as a stranger: python3 ase.py INTEGRATOR
 
 One atom, its x the angle, and a calculator of our own for the force.
-
-What its documentation claims (paths are in site-packages):
-
-* VelocityVerlet: nothing that is judged
-  'MD with NVE ensemble and velocity Verlet time integration.'
-  (ase/md/verlet.py:7)
 """
 import sys
 

@@ -3,20 +3,6 @@ r"""blackjax 1.7.1 as a stranger: python3 blackjax.py INTEGRATOR
 Fixed steps: one_step(state, h) under jax.jit; minus the potential is the log
 density. No time in the force, and nobody counts evaluations in compiled code.
 The fixed-point iteration is asked for 1e-14.
-
-What its documentation claims (paths are in site-packages):
-
-* velocity_verlet: symplectic symmetric
-  'Symplectic, time-reversible, integrators for Hamiltonian trajectories.'
-  (blackjax/mcmc/integrators.py:14)
-* mclachlan: symplectic symmetric
-  (the same words)
-* yoshida: symplectic symmetric
-  (the same words)
-* omelyan: symplectic symmetric
-  (the same words)
-* implicit_midpoint: symplectic symmetric
-  (the same words)
 """
 import sys
 

@@ -3,13 +3,6 @@ r"""galpy 1.12.1 as a stranger: python3 galpy.py INTEGRATOR
 Fixed steps: leapfrog with rtol = atol = 1e9, which makes it take the distance
 of the times, here h. Three evaluations are spent on its estimate. The C
 integrators know their own potentials only, no pendulum.
-
-What its documentation claims (paths are in site-packages):
-
-* leapfrog: symplectic
-  'Leapfrog integration of an ODE [...] symplectic integration needs forces
-  that derive from a potential ['leapfrog' is among symplec_methods]'
-  (galpy/util/symplecticode.py:40; galpy/orbit/Orbits.py:1372 and 1407)
 """
 import sys
 

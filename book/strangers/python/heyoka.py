@@ -3,27 +3,6 @@ r"""heyoka 7.13.2 as a stranger: python3 heyoka.py INTEGRATOR
 Fixed steps: the Taylor series is computed by step(write_tc=True) and summed at
 h by update_d_output; taylor-P is the order P that heyoka takes for a certain
 tolerance. Nobody counts evaluations: there are none.
-
-What its documentation claims (paths are in site-packages):
-
-* taylor2: order=2
-  'taylor_adaptive(...).order == 2 (the Taylor order)'
-  (heyoka.taylor_adaptive_dbl.order, asked of the library at run time)
-* taylor3: order=3
-  'taylor_adaptive(...).order == 3 (the Taylor order)'
-  (heyoka.taylor_adaptive_dbl.order, asked of the library at run time)
-* taylor4: order=4
-  'taylor_adaptive(...).order == 4 (the Taylor order)'
-  (heyoka.taylor_adaptive_dbl.order, asked of the library at run time)
-* taylor6: order=6
-  'taylor_adaptive(...).order == 6 (the Taylor order)'
-  (heyoka.taylor_adaptive_dbl.order, asked of the library at run time)
-* taylor8: order=8
-  'taylor_adaptive(...).order == 8 (the Taylor order)'
-  (heyoka.taylor_adaptive_dbl.order, asked of the library at run time)
-* taylor20: order=20
-  'taylor_adaptive(...).order == 20 (the Taylor order)'
-  (heyoka.taylor_adaptive_dbl.order, asked of the library at run time)
 """
 import sys
 

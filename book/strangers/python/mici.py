@@ -2,40 +2,6 @@ r"""mici 0.4.1 as a stranger: python3 mici.py INTEGRATOR
 
 Fixed steps: integrator.step(state), with the identity as the metric. No time
 in the force. The fixed-point iterations are asked for 1e-14.
-
-What its documentation claims (paths are in site-packages):
-
-* LeapfrogIntegrator: order=2 symplectic symmetric
-  'The Störmer-Verlet 'leapfrog' integrator is the special case corresponding
-  to the unique (symmetric and consistent) '1-stage' [...] integrator. [...]
-  with symmetric consistent methods of at least order two. [...] approximates
-  the flow-map [...] while conserving the properties of being time-reversible
-  and symplectic' (mici/integrators.py:224, 214 and 47)
-* BCSSTwoStageIntegrator: order=2 symplectic symmetric
-  'Two-stage symmetric composition integrator due to Blanes, Casas &
-  Sanz-Serna. [...] with symmetric consistent methods of at least order two.
-  [...] approximates the flow-map [...] while conserving the properties of
-  being time-reversible and symplectic' (mici/integrators.py:279, 214 and 47)
-* BCSSThreeStageIntegrator: order=2 symplectic symmetric
-  'Three-stage symmetric composition integrator due to Blanes, Casas &
-  Sanz-Serna. [...] with symmetric consistent methods of at least order two.
-  [...] approximates the flow-map [...] while conserving the properties of
-  being time-reversible and symplectic' (mici/integrators.py:308, 214 and 47)
-* BCSSFourStageIntegrator: order=2 symplectic symmetric
-  'Four-stage symmetric composition integrator due to Blanes, Casas &
-  Sanz-Serna. [...] with symmetric consistent methods of at least order two.
-  [...] approximates the flow-map [...] while conserving the properties of
-  being time-reversible and symplectic' (mici/integrators.py:344, 214 and 47)
-* ImplicitLeapfrogIntegrator: order=2 symplectic symmetric
-  'Psi(t) = A(t/2) o B(t/2) o C(t/2) o C*(t/2) o B*(t/2) o A*(t/2) [...] The
-  resulting implicit integrator is a symmetric second-order method
-  corresponding to a symplectic partitioned Runge-Kutta method.'
-  (mici/integrators.py:381 and 416)
-* ImplicitMidpointIntegrator: order=2 symplectic symmetric
-  'The resulting implicit integrator is a second-order method corresponding to
-  a symplectic one-stage Runge-Kutta method. [...] approximates the flow-map
-  [...] while conserving the properties of being time-reversible and
-  symplectic' (mici/integrators.py:568 and 47)
 """
 import math
 import sys

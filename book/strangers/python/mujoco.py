@@ -2,34 +2,6 @@ r"""mujoco 4.0.0 as a stranger: python3 mujoco.py INTEGRATOR
 
 A hinge with a point mass, MuJoCo's own joint angle, which is not wrapped;
 contacts and constraints are off. Nobody counts evaluations.
-
-What its documentation claims (paths are in site-packages):
-
-* RK4: order=4
-  'MuJoCo implements the fixed-step 4th-order Runge-Kutta method'
-  (https://mujoco.readthedocs.io/en/stable/computation/index.html,
-  "Integrators"; the source doc/computation/index.rst at commit 01085bd2, which
-  may be older than 4.0.0)
-* Euler: nothing that is judged
-  'Semi-implicit with implicit joint damping (Euler) [...] If the model has no
-  joint damping [...] the semi-implicit update is used [...] v(t+h) = v(t) + h
-  a(t), q(t+h) = q(t) + h v(t+h)'
-  (https://mujoco.readthedocs.io/en/stable/computation/index.html,
-  "Integrators"; the source doc/computation/index.rst at commit 01085bd2, which
-  may be older than 4.0.0)
-* implicit: nothing that is judged
-  'Implicit-in-velocity (implicit): For this method, D includes derivatives of
-  all forces except the constraint forces [...] v(t+h) = v(t) + h a(t), q(t+h)
-  = q(t) + h v(t+h)'
-  (https://mujoco.readthedocs.io/en/stable/computation/index.html,
-  "Integrators"; the source doc/computation/index.rst at commit 01085bd2, which
-  may be older than 4.0.0)
-* implicitfast: nothing that is judged
-  'Fast implicit-in-velocity (implicitfast) [...] v(t+h) = v(t) + h a(t),
-  q(t+h) = q(t) + h v(t+h)'
-  (https://mujoco.readthedocs.io/en/stable/computation/index.html,
-  "Integrators"; the source doc/computation/index.rst at commit 01085bd2, which
-  may be older than 4.0.0)
 """
 import sys
 

@@ -2,15 +2,6 @@ r"""openmm 8.6.1 as a stranger: python3 openmm.py INTEGRATOR
 
 One particle in a CustomExternalForce -g cos(x), on the Reference platform,
 which is in double precision.
-
-What its documentation claims (paths are in site-packages):
-
-* VerletIntegrator: symplectic
-  'VerletIntegrator implements the leap-frog Verlet integration method. The
-  positions and velocities stored in the context are offset from each other by
-  half a time step. [...] Unlike a fixed step size Verlet integrator, variable
-  step size Verlet is not symplectic.' (OpenMM User Guide, "Integrators",
-  docs-source/usersguide/theory/04_integrators.rst at commit 0feae26d)
 """
 import sys
 

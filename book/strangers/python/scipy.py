@@ -3,17 +3,6 @@ r"""scipy 1.17.1 as a stranger: python3 scipy.py INTEGRATOR
 Fixed steps: rtol = atol = infinity, so no error is too large; first_step =
 max_step = |h|, and h_abs is set to |h| before each step. The adapter checks
 the length of every step.
-
-What its documentation claims (paths are in site-packages):
-
-* RK23: order=3
-  'Explicit Runge-Kutta method of order 3(2). [...] steps are taken using the
-  third-order accurate formula' (scipy/integrate/_ivp/rk.py:183)
-* RK45: order=5
-  'Explicit Runge-Kutta method of order 5(4). [...] steps are taken using the
-  fifth-order accurate formula' (scipy/integrate/_ivp/rk.py:293)
-* DOP853: order=8
-  'Explicit Runge-Kutta method of order 8.' (scipy/integrate/_ivp/rk.py:407)
 """
 import sys
 

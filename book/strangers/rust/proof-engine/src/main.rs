@@ -1,51 +1,6 @@
 //! proof-engine 0.3.2: the ODE solver, the numerical module and the steps of its points and bodies.
 //! Where a step is given an acceleration only, that is the one at its start. What works in f32
 //! says so.
-//! Claims, as quoted from that version:
-//!   numerical::euler: name=forward-euler. “Forward Euler method. Returns list of state vectors at
-//!   each
-//!     step.” (proof-engine src/math/numerical.rs:428)
-//!   numerical::rk4: order=4 name=rk4. “Classical 4th-order Runge-Kutta.” (proof-engine
-//!     src/math/numerical.rs:451)
-//!   numerical::adams_bashforth4: no claim. “Adams-Bashforth 4-step method.” (proof-engine
-//!     src/math/numerical.rs:581)
-//!   numerical::verlet: name=stormer-verlet. “Störmer-Verlet integrator for second-order ODE x'' =
-//!   a(x).”
-//!     (proof-engine src/math/numerical.rs:626)
-//!   numerical::leapfrog: symplectic name=stormer-verlet. “Leapfrog (Störmer-Verlet) symplectic
-//!   integrator
-//!     for N-body-style systems.” (proof-engine src/math/numerical.rs:653)
-//!   physics::verlet_step: name=stormer-verlet. “Verlet integration step (position +
-//!   velocity-Verlet). … More
-//!     accurate than Euler for conservative forces. … acc_new would be recalculated from forces at
-//!     new_pos in
-//!     a full verlet” (proof-engine src/physics/mod.rs:614; proof-engine src/physics/mod.rs:615;
-//!     proof-engine
-//!     src/physics/mod.rs:618)
-//!   physics::rk4_2d: name=rk4. “Runge-Kutta 4 for a 2D position given a force function.”
-//!   (proof-engine
-//!     src/physics/mod.rs:623)
-//!   springs::VerletPoint: name=stormer-verlet. “A single Verlet-integrated point with optional
-//!   pin. … Apply
-//!     Verlet integration (assumes `acceleration` includes gravity).” (proof-engine
-//!     src/math/springs.rs:557;
-//!     proof-engine src/math/springs.rs:581)
-//!   cloth_rope::VerletPoint: name=stormer-verlet. “Verlet integration step. … Verlet: x_new = x +
-//!   v + a *
-//!     dt^2 (this used a * dt, so one 16 ms” (proof-engine src/game/cloth_rope.rs:38; proof-engine
-//!     src/game/cloth_rope.rs:45)
-//!   OdeMethod::Euler: name=forward-euler. “Euler,” (proof-engine src/solver/ode.rs:19)
-//!   OdeMethod::RungeKutta4: order=4 name=rk4. “RungeKutta4,” (proof-engine src/solver/ode.rs:20)
-//!   OdeMethod::RungeKutta45: no claim. “RungeKutta45,  // adaptive (Dormand-Prince)” (proof-engine
-//!     src/solver/ode.rs:21)
-//!   OdeMethod::ImplicitEuler: no claim. “ImplicitEuler,” (proof-engine src/solver/ode.rs:22)
-//!   OdeMethod::CrankNicolson: no claim. “CrankNicolson,” (proof-engine src/solver/ode.rs:23)
-//!   OdeMethod::Verlet: symplectic name=stormer-verlet. “Verlet,        // symplectic”
-//!   (proof-engine
-//!     src/solver/ode.rs:24)
-//!   OdeMethod::Leapfrog: symplectic name=stormer-verlet. “Leapfrog,      // symplectic”
-//!   (proof-engine
-//!     src/solver/ode.rs:25)
 
 use glam::{Vec2, Vec3};
 use proof_engine::game::cloth_rope;

@@ -1,14 +1,5 @@
 //! ode_solvers 0.6.2. Dopri5 and Dop853 are held to fixed steps by tolerances that nothing exceeds
 //! and by `h_max`.
-//! Claims, as quoted from that version:
-//!   Rk4: order=4 name=rk4. “| Runge-Kutta 4  | Rk4    | 4     | N/A                  | N/A
-//!           |”
-//!     (ode_solvers README.md:72)
-//!   Dopri5: order=5 name=dormand-prince. “| Dormand-Prince | Dopri5 | 5     | 4
-//!    | 4
-//!     |” (ode_solvers README.md:73)
-//!   Dop853: order=8 name=dop853. “| Dormand-Prince | Dop853 | 8     | (5, 3)               | 7
-//!     |” (ode_solvers README.md:74)
 
 use ode_solvers::dop_shared::OutputType;
 use ode_solvers::{Dop853, Dopri5, Rk4, System, Vector2};

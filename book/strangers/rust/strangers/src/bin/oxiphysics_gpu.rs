@@ -1,26 +1,5 @@
 //! oxiphysics-gpu 0.1.2, its steps on the CPU. One particle of mass 1 whose x is the angle; the
 //! force is evaluated before each step, and where the documentation asks for it, again.
-//! Claims, as quoted from that version:
-//!   verlet_integrate_gpu: name=stormer-verlet. “Velocity-Verlet integration step. … `v += (F/m) *
-//!   dt`, `x +=
-//!     v * dt`.” (oxiphysics-gpu src/gpu_md_solver.rs:180; oxiphysics-gpu src/gpu_md_solver.rs:183)
-//!   gpu_particle_integrate_verlet: name=stormer-verlet. “GPU Verlet integration using the
-//!   previous time-step
-//!     `dt_prev`. … x_new = x + v*dt + 0.5*a*dt^2 (Störmer–Verlet, velocity-explicit variant).”
-//!     (oxiphysics-gpu src/fluid_sim_gpu/functions.rs:566; oxiphysics-gpu
-//!     src/fluid_sim_gpu/functions.rs:568)
-//!   parallel_verlet_step: name=stormer-verlet. “Parallel velocity-Verlet position and velocity
-//!   half-update.
-//!     … `v += 0.5*a*dt` (first half of the Verlet velocity update; call again … after recomputing
-//!     forces for
-//!     the second half).” (oxiphysics-gpu src/parallel/functions.rs:122; oxiphysics-gpu
-//!     src/parallel/functions.rs:125; oxiphysics-gpu src/parallel/functions.rs:126)
-//!   integrate_semi_implicit: symplectic bounded-energy name=symplectic-euler. “Integrate a single
-//!     [`RigidBodyState`] using the semi-implicit Euler method. … This is symplectic,
-//!     energy-preserving in
-//!     the absence of dissipation, and is” (oxiphysics-gpu src/kernels/rigid/functions.rs:579;
-//!     oxiphysics-gpu
-//!     src/kernels/rigid/functions.rs:583)
 
 use oxiphysics_gpu::fluid_sim_gpu::{SphParticle, gpu_particle_integrate_verlet};
 use oxiphysics_gpu::gpu_md_solver::{GpuMdBuffer, verlet_integrate_gpu};

@@ -1,13 +1,6 @@
 //! rapier2d-f64 0.36.1. One body of mass 1 without collider, gravity or damping; its x is the angle
 //! and the force is set before each step. As it comes (four solver iterations a step), and with
 //! one.
-//! Claims, as quoted from that version:
-//!   PhysicsWorld::step: symplectic name=symplectic-euler. “This uses a symplectic Euler
-//!   integration scheme.”
-//!     (rapier2d-f64 src/dynamics/rigid_body_components.rs:170)
-//!   PhysicsWorld::step/1: symplectic name=symplectic-euler. “This uses a symplectic Euler
-//!   integration
-//!     scheme.” (rapier2d-f64 src/dynamics/rigid_body_components.rs:170)
 
 use rapier2d_f64::prelude::*;
 use strangers_protocol::{Integrator, Path, Pendulum, Request, serve};

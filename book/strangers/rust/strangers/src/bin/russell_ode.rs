@@ -1,49 +1,5 @@
 //! russell_ode 5.0.0 with equal steps (`h_equal`). It integrates forwards only. The implicit
 //! methods get their Jacobian by differences, the crate's own default.
-//! Claims, as quoted from that version:
-//!   FwEuler: order=1 name=forward-euler. “Method::FwEuler => "Forward Euler method (explicit,
-//!   order 1)",”
-//!     (russell_ode src/enums.rs:157)
-//!   BwEuler: order=1. “Method::BwEuler => "Backward Euler method (implicit, order 1)",”
-//!   (russell_ode
-//!     src/enums.rs:156)
-//!   Rk2: order=2 name=explicit-midpoint. “Method::Rk2 => "Runge (Kutta) method (mid-point)
-//!   (explicit, order
-//!     2)",” (russell_ode src/enums.rs:158)
-//!   Rk3: order=3. “Method::Rk3 => "Runge (Kutta) method (explicit, order 3)",” (russell_ode
-//!     src/enums.rs:159)
-//!   Heun3: order=3. “Method::Heun3 => "Heun method (explicit, order 3)",” (russell_ode
-//!   src/enums.rs:160)
-//!   Rk4: order=4 name=rk4. “Method::Rk4 => "(The) Runge-Kutta method (explicit, order 4)",”
-//!   (russell_ode
-//!     src/enums.rs:161)
-//!   Rk4alt: order=4. “Method::Rk4alt => "Runge-Kutta method (alternative) (explicit, order 4,
-//!   3/8-Rule)",”
-//!     (russell_ode src/enums.rs:162)
-//!   MdEuler: order=2. “Method::MdEuler => "Modified Euler method (explicit, order 2(1),
-//!   embedded)",”
-//!     (russell_ode src/enums.rs:163)
-//!   Merson4: order=4. “Method::Merson4 => "Merson method (explicit, order 4('5'), embedded)",”
-//!   (russell_ode
-//!     src/enums.rs:164)
-//!   Zonneveld4: order=4. “Method::Zonneveld4 => "Zonneveld method (explicit, order 4(3),
-//!   embedded)",”
-//!     (russell_ode src/enums.rs:165)
-//!   Fehlberg4: order=4. “Method::Fehlberg4 => "Fehlberg method (explicit, order 4(5), embedded)",”
-//!     (russell_ode src/enums.rs:166)
-//!   DoPri5: order=5 name=dormand-prince. “Method::DoPri5 => "Dormand-Prince method (explicit,
-//!   order 5(4),
-//!     embedded)",” (russell_ode src/enums.rs:167)
-//!   Verner6: order=6. “Method::Verner6 => "Verner method (explicit, order 6(5), embedded)",”
-//!   (russell_ode
-//!     src/enums.rs:168)
-//!   Fehlberg7: order=7. “Method::Fehlberg7 => "Fehlberg method (explicit, order 7(8), embedded)",”
-//!     (russell_ode src/enums.rs:169)
-//!   DoPri8: order=8 name=dop853. “Method::DoPri8 => "Dormand-Prince method (explicit, order
-//!   8(5,3),
-//!     embedded)",” (russell_ode src/enums.rs:170)
-//!   Radau5: order=5. “Method::Radau5 => "Radau method (Radau IIA) (implicit, order 5, embedded)",”
-//!     (russell_ode src/enums.rs:155)
 
 use russell_lab::Vector;
 use russell_ode::prelude::{Method, OdeSolver, Output, Params, System};
