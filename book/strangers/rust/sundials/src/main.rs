@@ -1,6 +1,6 @@
 //! SUNDIALS 7.1.1, as the crate sundials-sys 0.6.2 brings it: ARKODE with fixed steps, the
-//! symplectic partitioned methods by SPRKStep and the explicit tables by ERKStep. The bindings leave
-//! both modules out, so they are declared here.
+//! symplectic partitioned methods by SPRKStep and the explicit tables by ERKStep. The bindings
+//! leave both modules out, so they are declared here.
 
 use std::ffi::{CString, c_char, c_int, c_long, c_void};
 use strangers_protocol::{Integrator, Path, Pendulum, Request, serve};
