@@ -42,6 +42,18 @@ pub enum Error {
         /// The number allowed.
         limit: u64,
     },
+    /// A step of an implicit method whose equations have not been solved.
+    NotSolved {
+        /// The number of steps taken before it.
+        n: u64,
+        /// The step Δt (s).
+        step: f64,
+        /// The sweeps of the iteration that were taken.
+        sweeps: u32,
+        /// What the last of them still changed in the slopes, relative to the slopes and to the
+        /// state over the step; NaN if they are not finite.
+        change: f64,
+    },
 }
 
 impl fmt::Display for Error {
@@ -69,6 +81,12 @@ impl fmt::Display for Error {
                 f,
                 "{limit} steps have led no further than to {t:?} s: allow more of them, a larger \
                  tolerance or a shorter run"
+            ),
+            Self::NotSolved { n, step, sweeps, change } => write!(
+                f,
+                "after {n} steps one of {step:?} s is not solved: {sweeps} sweeps still change it \
+                 by {change:.1e} of its size; it must be shorter, a fraction of the time that the \
+                 motion takes for a radian"
             ),
         }
     }
@@ -103,6 +121,15 @@ pub(crate) fn not_negative(name: &'static str, value: f64) -> Result<f64, Error>
         Ok(value)
     } else {
         Err(Error::Parameter { name, value, allowed: "between 0 and 8.9e307" })
+    }
+}
+
+/// Returns the angular frequency `value` (rad/s) if it is greater than zero, and its period finite.
+pub(crate) fn frequency(name: &'static str, value: f64) -> Result<f64, Error> {
+    if value.is_finite() && value > 0.0 && (2.0 * core::f64::consts::PI / value).is_finite() {
+        Ok(value)
+    } else {
+        Err(Error::Parameter { name, value, allowed: "finite and at least 3.5e-308" })
     }
 }
 

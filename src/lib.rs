@@ -85,8 +85,8 @@ pub use error::Error;
 pub use exact::{Motion, MotionKind};
 #[cfg(feature = "ensemble")]
 pub use fast::Ensemble;
-pub use fast::integrate_fast;
-pub use integrate::{Grid, Method, Observer, integrate};
+pub use fast::{integrate_fast, try_integrate_fast};
+pub use integrate::{Grid, Method, Observer, Unsolved, integrate, try_integrate};
 pub use methods::{
     AnyMethod, ForwardEuler, Info, METHODS, MethodInfo, Rk4, StormerVerlet, SymplecticEuler,
     Taylor, method_named,

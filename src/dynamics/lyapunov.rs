@@ -2,6 +2,7 @@
 
 use super::stroboscope::Stroboscope;
 use super::variation::{Bundle, Linearised, Variational};
+use crate::error::Error;
 use crate::integrate::Method;
 use crate::systems::Phase;
 
@@ -17,12 +18,29 @@ pub struct Exponent {
 /// How long to average, in periods.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Watch {
-    /// Periods that do not count, in which transients decay.
-    pub settling: u32,
-    /// Number of blocks to average, 2 or more.
-    pub blocks: u32,
-    /// Periods of a block: long enough that blocks are hardly correlated.
-    pub periods: u32,
+    settling: u32,
+    blocks: u32,
+    periods: u32,
+}
+
+impl Watch {
+    /// The average over a number of `blocks` of some `periods` each, long enough that blocks are
+    /// hardly correlated, after the periods of `settling`, in which transients decay.
+    ///
+    /// # Errors
+    /// [`Error::Parameter`] for fewer than two blocks, which have no scatter, and for blocks
+    /// without a period.
+    pub fn new(settling: u32, blocks: u32, periods: u32) -> Result<Self, Error> {
+        for (name, value, least, allowed) in [
+            ("number of blocks", blocks, 2, "at least 2"),
+            ("periods of a block", periods, 1, "at least 1"),
+        ] {
+            if value < least {
+                return Err(Error::Parameter { name, value: f64::from(value), allowed });
+            }
+        }
+        Ok(Self { settling, blocks, periods })
+    }
 }
 
 // ANCHOR: exponent

@@ -101,6 +101,10 @@ struct Hyperbolic {
 /// 2⁵⁰⁰: beyond this ω/ω₀ the squares leave the range of f64.
 const FASTEST: f64 = 3.273_390_607_896_142e150;
 
+/// Beyond this ω (rad/s) a product of double-doubles, which splits its factors, leaves the range of
+/// f64.
+const LARGEST_VELOCITY: f64 = 1e295;
+
 /// 2⁻¹⁰⁰: in a swing this small, θ and sin θ have the same digits even in double-double.
 const LINEAR: f64 = 1.0 / (1_u128 << 100) as f64;
 
@@ -117,11 +121,14 @@ impl Motion {
     /// double-double.
     ///
     /// # Errors
-    /// [`Error::Parameter`] for a start that is not finite, for |θ| > 1e15, for |ω| > 3e150 ω₀, and
-    /// for a start at θ = 0 with an ω ≠ 0 so small that the amplitude underflows.
+    /// [`Error::Parameter`] for a start that is not finite, for |θ| > 1e15, for |ω| > 3e150 ω₀ or >
+    /// 1e295 rad/s, and for a start at θ = 0 with an ω ≠ 0 so small that the amplitude underflows.
     pub fn new(pendulum: &Pendulum, start: Phase) -> Result<Self, Error> {
         let theta = angle(start.theta)?;
         let omega = finite(VELOCITY, start.omega)?;
+        if libm::fabs(omega) > LARGEST_VELOCITY {
+            return Err(refused(VELOCITY, omega, "at most 1e295 in size"));
+        }
         let time = TimeUnit::new(pendulum);
         if libm::fabs(omega * time.unit) > FASTEST {
             return Err(refused(VELOCITY, omega, "at most 3e150 √(g/L) in size"));

@@ -101,8 +101,11 @@ impl<I: Instructions> Ensemble<'_, I> {
                     for (i, observer) in (first..).zip(&mut *observers) {
                         observer.observe(0, 0.0, self.starts[i]);
                     }
-                    for n in (0..=grid.steps()).step_by(every.get() as usize).skip(1) {
+                    let mut n = 0;
+                    // Counted in u64: a usize may have 32 bits.
+                    while grid.steps() - n >= every.get() {
                         I::advance(&mut block, method, every.get());
+                        n += every.get();
                         let mut all_satisfied = true;
                         for (lane, observer) in observers.iter_mut().enumerate() {
                             if !observer.is_satisfied() {

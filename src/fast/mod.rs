@@ -15,7 +15,8 @@ pub use ensemble::{Ensemble, InLanes};
 pub use lanes::{Avx2, Avx512, Baseline, Best, Instructions, LANES, Lane};
 pub use scaled::{ReducedPhase, ReducedRate, ScaledPendulum};
 
-use crate::integrate::{Grid, Method, Observer, integrate};
+use crate::error::Error;
+use crate::integrate::{Grid, Method, Observer, integrate, try_integrate};
 use crate::systems::{Pendulum, Phase};
 
 /// [`integrate`] for the pendulum in two thirds of the time: with the step as the unit of time.
@@ -37,11 +38,46 @@ where
     let Some(scaled) = ScaledPendulum::new::<M>(pendulum, grid, start) else {
         return integrate(pendulum, method, start, grid, observer);
     };
-    // The start is observed as it was given.
+    // The start is observed as it was given, and returned so if that is enough.
     observer.observe(0, 0.0, start);
+    if observer.is_satisfied() {
+        return start;
+    }
     let mut watch = InSeconds { scaled, grid, observer };
     let end = integrate(&scaled, method, scaled.from_phase(start), &grid.in_steps(), &mut watch);
     scaled.to_phase(end)
+}
+
+/// [`integrate_fast`], ended by the first step that has no solution.
+///
+/// # Errors
+/// As [`try_integrate`].
+pub fn try_integrate_fast<M, O>(
+    pendulum: &Pendulum,
+    method: &M,
+    start: Phase,
+    grid: &Grid,
+    observer: &mut O,
+) -> Result<Phase, Error>
+where
+    M: Method<ScaledPendulum> + Method<Pendulum>,
+    O: Observer<Phase> + ?Sized,
+{
+    let Some(scaled) = ScaledPendulum::new::<M>(pendulum, grid, start) else {
+        return try_integrate(pendulum, method, start, grid, observer);
+    };
+    observer.observe(0, 0.0, start);
+    if observer.is_satisfied() {
+        return Ok(start);
+    }
+    let mut watch = InSeconds { scaled, grid, observer };
+    match try_integrate(&scaled, method, scaled.from_phase(start), &grid.in_steps(), &mut watch) {
+        Ok(end) => Ok(scaled.to_phase(end)),
+        Err(Error::NotSolved { n, sweeps, change, .. }) => {
+            Err(Error::NotSolved { n, step: grid.step(), sweeps, change })
+        }
+        Err(error) => Err(error),
+    }
 }
 
 /// Passes states to an observer, converted from steps to seconds.

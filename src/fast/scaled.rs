@@ -50,7 +50,8 @@ pub struct ReducedRate {
 impl<const BRANCH: bool> ScaledPendulum<BRANCH> {
     /// `pendulum` with its time in steps, for a run of the method `M` along `grid` that begins with
     /// the angle and angular velocity of `start`; `None` where the change of units could overflow
-    /// or underflow, or the half turns could become too many to count.
+    /// or underflow, or the half turns could become too many to count, and for a grid without steps:
+    /// there and back the start would be rounded.
     pub fn new<M: Method<Self>>(pendulum: &Pendulum, grid: &Grid, start: Phase) -> Option<Self> {
         let step = grid.step();
         // K and h, and what is computed from them, stay far from the ends of the range of f64: the
@@ -62,7 +63,8 @@ impl<const BRANCH: bool> ScaledPendulum<BRANCH> {
         let reach = grid.steps() as f64 * M::REACH;
         let fastest = (start.omega * step).abs() + reach * k;
         let farthest = start.theta.abs() + reach * fastest;
-        let fits = moderate(k)
+        let fits = grid.steps() > 0
+            && moderate(k)
             && moderate(step)
             && (start.omega == 0.0 || moderate(start.omega.abs()))
             && start.theta.abs() < 1e6
@@ -126,6 +128,11 @@ impl<const BRANCH: bool> Components for ReducedPhase<BRANCH> {
     ) {
         each(self.rest, other.rest, displacement.angle.value());
         each(self.velocity.value(), other.velocity.value(), displacement.velocity.value());
+    }
+
+    #[inline]
+    fn map_components(self, mut each: impl FnMut(f64) -> f64) -> Self {
+        Self { rest: each(self.rest), velocity: each(self.velocity.value()).into(), ..self }
     }
 }
 

@@ -41,5 +41,32 @@ pub trait Method<S: System> {
     /// Implementations are `#[inline(always)]`: in the time loop `h` and the system are known, and
     /// a call would hide it.
     fn step(&self, system: &S, t: f64, h: f64, z: S::State, carry: &mut Self::Carry) -> S::State;
+
+    /// [`step`](Method::step), or why there is no such state.
+    ///
+    /// # Errors
+    /// [`Unsolved`] for a step of an implicit method whose iteration does not converge, where
+    /// [`step`](Method::step) returns NaN. An explicit step has no equations to solve.
+    #[inline(always)]
+    fn try_step(
+        &self,
+        system: &S,
+        t: f64,
+        h: f64,
+        z: S::State,
+        carry: &mut Self::Carry,
+    ) -> Result<S::State, Unsolved> {
+        Ok(self.step(system, t, h, z, carry))
+    }
 }
 // ANCHOR_END: method
+
+/// Why a step of an implicit method has no solution.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Unsolved {
+    /// The sweeps of the iteration that were taken.
+    pub sweeps: u32,
+    /// What the last of them still changed in the slopes, relative to the slopes and to the state
+    /// over the step; NaN if they are not finite.
+    pub change: f64,
+}

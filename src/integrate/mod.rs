@@ -5,9 +5,10 @@ mod method;
 mod observe;
 
 pub use grid::Grid;
-pub use method::Method;
+pub use method::{Method, Unsolved};
 pub use observe::{Every, Observer, Record};
 
+use crate::error::Error;
 use crate::systems::System;
 
 // ANCHOR: integrate
@@ -44,3 +45,37 @@ where
     z
 }
 // ANCHOR_END: integrate
+
+/// [`integrate()`], ended by the first step that has no solution.
+///
+/// # Errors
+/// [`Error::NotSolved`] at a step of an implicit method whose iteration does not converge. The
+/// `observer` has seen the states before it.
+#[inline]
+pub fn try_integrate<S, M, O>(
+    system: &S,
+    method: &M,
+    start: S::State,
+    grid: &Grid,
+    observer: &mut O,
+) -> Result<S::State, Error>
+where
+    S: System,
+    M: Method<S>,
+    O: Observer<S::State> + ?Sized,
+{
+    let h = grid.step();
+    let mut z = start;
+    let mut carry = method.start(system, grid.time(0), h, z);
+    observer.observe(0, grid.time(0), z);
+    for n in 0..grid.steps() {
+        if observer.is_satisfied() {
+            break;
+        }
+        z = method.try_step(system, grid.time(n), h, z, &mut carry).map_err(
+            |Unsolved { sweeps, change }| Error::NotSolved { n, step: h, sweeps, change },
+        )?;
+        observer.observe(n + 1, grid.time(n + 1), z);
+    }
+    Ok(z)
+}

@@ -2,7 +2,8 @@
 
 use core::fmt;
 
-use crate::fast::{ScaledPendulum, integrate_fast};
+use crate::error::Error;
+use crate::fast::{ScaledPendulum, integrate_fast, try_integrate_fast};
 use crate::integrate::{Grid, Method, Observer, integrate};
 use crate::methods::Info;
 use crate::systems::{Counting, Pendulum, Phase};
@@ -21,6 +22,20 @@ pub trait AnyMethod: Info + Sync {
         grid: &Grid,
         observer: &mut dyn Observer<Phase>,
     ) -> Phase;
+
+    /// [`try_integrate_fast`].
+    ///
+    /// # Errors
+    /// [`Error::NotSolved`] at a step of an implicit method whose iteration does not converge.
+    fn try_run(
+        &self,
+        pendulum: &Pendulum,
+        start: Phase,
+        grid: &Grid,
+        observer: &mut dyn Observer<Phase>,
+    ) -> Result<Phase, Error> {
+        Ok(self.run(pendulum, start, grid, observer))
+    }
 
     /// Force evaluations counted, not declared, over the whole of `grid`.
     fn count_evaluations(&self, pendulum: &Pendulum, start: Phase, grid: &Grid) -> u64;
@@ -43,6 +58,16 @@ where
         observer: &mut dyn Observer<Phase>,
     ) -> Phase {
         integrate_fast(pendulum, self, start, grid, observer)
+    }
+
+    fn try_run(
+        &self,
+        pendulum: &Pendulum,
+        start: Phase,
+        grid: &Grid,
+        observer: &mut dyn Observer<Phase>,
+    ) -> Result<Phase, Error> {
+        try_integrate_fast(pendulum, self, start, grid, observer)
     }
 
     fn count_evaluations(&self, pendulum: &Pendulum, start: Phase, grid: &Grid) -> u64 {

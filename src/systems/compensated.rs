@@ -66,6 +66,12 @@ impl Components for CompensatedPhase {
     fn for_each_component(self, other: Self, displacement: Phase, each: impl FnMut(f64, f64, f64)) {
         self.phase.for_each_component(other.phase, displacement, each);
     }
+
+    /// Replaces the rounded state; what is still to be added to it stays.
+    #[inline]
+    fn map_components(self, each: impl FnMut(f64) -> f64) -> Self {
+        Self { phase: self.phase.map_components(each), ..self }
+    }
 }
 
 impl<S: System<State = Phase>> System for Compensated<S> {

@@ -5,7 +5,7 @@ use core::f64::consts::PI;
 use super::Damped;
 use crate::arithmetic::sine::cos;
 use crate::dynamics::Linearised;
-use crate::error::{Error, finite, positive};
+use crate::error::{self, Error, finite};
 use crate::systems::{Pendulum, Phase, Separable, System};
 
 /// The damped pendulum under a periodic torque, θ̈ + 2β θ̇ + ω₀² sin θ = γ ω₀² cos Ωt.
@@ -29,10 +29,10 @@ impl Driven {
     ///
     /// # Errors
     /// [`Error::Parameter`] for a γ that is not finite or makes γ ω₀² overflow, and for an Ω that
-    /// is not finite and positive.
+    /// is not finite and positive, or so small that its period overflows.
     pub fn new(damped: Damped, strength: f64, frequency: f64) -> Result<Self, Error> {
         let strength = finite("drive strength γ", strength)?;
-        let frequency = positive("drive frequency Ω (rad/s)", frequency)?;
+        let frequency = error::frequency("drive frequency Ω (rad/s)", frequency)?;
         let torque =
             finite("drive γ g/L (rad/s²)", strength * damped.pendulum().frequency_squared())?;
         Ok(Self { damped, strength, frequency, torque })

@@ -91,7 +91,8 @@ impl Ellipse {
     ///
     /// # Errors
     /// [`Error::Parameter`] for an a that is not finite and positive, for an e outside 0 ≤ e < 1,
-    /// and where √(μ/a³) leaves the range of normal numbers.
+    /// and where the period 2π√(a³/μ), or on the orbit r³, μ/r³ or μ/r, leaves the range of normal
+    /// numbers.
     pub fn new(centre: &Kepler, semi_major: f64, eccentricity: f64) -> Result<Self, Error> {
         let semi_major = positive("semi-major axis a (m)", semi_major)?;
         if !(0.0..1.0).contains(&eccentricity) {
@@ -100,6 +101,13 @@ impl Ellipse {
         }
         let ellipse = Self { attraction: centre.attraction, semi_major, eccentricity };
         normal("mean motion √(μ/a³) (rad/s)", ellipse.mean_motion())?;
+        normal("period 2π√(a³/μ) (s)", ellipse.period())?;
+        // From the pericentre to the apocentre; the square of the velocity is below 2μ/r.
+        for r in [semi_major * (1.0 - eccentricity), semi_major * (1.0 + eccentricity)] {
+            let cube = normal("r³ on the orbit (m³)", r * r * r)?;
+            normal("μ/r³ on the orbit (1/s²)", centre.attraction / cube)?;
+            normal("2μ/r on the orbit (m²/s²)", 2.0 * (centre.attraction / r))?;
+        }
         Ok(ellipse)
     }
 

@@ -34,13 +34,15 @@ impl Pendulum {
     ///
     /// # Errors
     /// [`Error::Parameter`] for a parameter that is not finite and positive, or so large or small
-    /// that g/L, m g L or m L² leaves the range of normal numbers.
+    /// that g/L, 2 m g L or m L² leaves the range of normal numbers.
     pub fn new(gravity: f64, length: f64, mass: f64) -> Result<Self, Error> {
         let gravity = positive("gravity g (m/s²)", gravity)?;
         let length = positive("length L (m)", length)?;
         let mass = positive("mass m (kg)", mass)?;
         let frequency_squared = normal("g/L (1/s²)", gravity / length)?;
         let depth = normal("m g L (J)", product([mass, gravity, length]))?;
+        // The energy at the top is twice that.
+        normal("2 m g L (J)", 2.0 * depth)?;
         let inertia = normal("m L² (kg m²)", product([mass, length, length]))?;
         Ok(Self { gravity, length, mass, frequency_squared, inertia, depth })
     }
@@ -49,10 +51,10 @@ impl Pendulum {
     ///
     /// # Errors
     /// [`Error::Parameter`] for a component that is not finite, for |θ| > [`LARGEST_ANGLE`], and
-    /// for an ω whose kinetic energy overflows.
+    /// for an ω whose energy overflows.
     pub fn start(&self, theta: f64, omega: f64) -> Result<Phase, Error> {
         let start = Phase { theta: angle(theta)?, omega };
-        if self.kinetic(start).is_finite() {
+        if self.energy(start).is_finite() {
             Ok(start)
         } else {
             let name = "angular velocity ω (rad/s)";

@@ -4,7 +4,7 @@ use core::f64::consts::PI;
 
 use crate::arithmetic::sine::{cos, half_turn};
 use crate::dynamics::Linearised;
-use crate::error::{Error, finite, not_negative, positive};
+use crate::error::{self, Error, finite, not_negative};
 use crate::systems::{Pendulum, Phase, Separable, System};
 
 /// Kapitza's pendulum: its pivot moves up and down as a cos Ωt, so that the weight feels g − aΩ²
@@ -40,13 +40,18 @@ impl Shaken {
     ///
     /// # Errors
     /// [`Error::Parameter`] for an a that is negative or not finite, an Ω that is not finite and
-    /// positive, and where aΩ²/L overflows.
+    /// positive or so small that its period overflows, and where aΩ²/L or one of Mathieu's
+    /// parameters overflows.
     pub fn new(pendulum: Pendulum, amplitude: f64, frequency: f64) -> Result<Self, Error> {
         let amplitude = not_negative("pivot amplitude a (m)", amplitude)?;
-        let frequency = positive("pivot frequency Ω (rad/s)", frequency)?;
+        let frequency = error::frequency("pivot frequency Ω (rad/s)", frequency)?;
         let shaking = amplitude * frequency * frequency / pendulum.length();
         let shaking = finite("shaking a Ω²/L (1/s²)", shaking)?;
-        Ok(Self { pendulum, amplitude, frequency, shaking })
+        let shaken = Self { pendulum, amplitude, frequency, shaking };
+        let Mathieu { a, q } = shaken.mathieu();
+        finite("Mathieu's −4g/(LΩ²)", a)?;
+        finite("Mathieu's 2a/L", q)?;
+        Ok(shaken)
     }
 
     /// The pendulum on a pivot at rest.
@@ -73,9 +78,15 @@ impl Shaken {
     /// −2a/L with the amplitude a of the pivot; the sign only depends on where in the period the
     /// time begins, so that 2a/L is returned.
     pub fn mathieu(&self) -> Mathieu {
-        let square = self.frequency * self.frequency;
+        let (natural, frequency) = (self.pendulum.frequency_squared(), self.frequency);
+        let square = frequency * frequency;
         Mathieu {
-            a: -4.0 * self.pendulum.frequency_squared() / square,
+            // Where Ω² leaves the range of normal numbers, its quotient need not.
+            a: if square.is_normal() {
+                -4.0 * natural / square
+            } else {
+                -4.0 * (natural / frequency / frequency)
+            },
             q: 2.0 * self.amplitude / self.pendulum.length(),
         }
     }

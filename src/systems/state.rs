@@ -32,6 +32,10 @@ pub trait Components: State {
         displacement: Self::Displacement,
         each: impl FnMut(f64, f64, f64),
     );
+
+    /// The state with each component replaced by what `each` makes of it.
+    #[must_use]
+    fn map_components(self, each: impl FnMut(f64) -> f64) -> Self;
 }
 
 /// Defines a state of named components, each an `f64`: a struct that can be displaced and scaled,
@@ -113,6 +117,11 @@ macro_rules! state {
                 mut each: impl FnMut(f64, f64, f64),
             ) {
                 $(each(self.$component, other.$component, displacement.$component);)+
+            }
+
+            #[inline]
+            fn map_components(self, mut each: impl FnMut(f64) -> f64) -> Self {
+                Self { $($component: each(self.$component),)+ }
             }
         }
     };

@@ -44,7 +44,8 @@ pub trait Separable: System {
 
 /// A system with a conserved energy.
 pub trait Hamiltonian: System {
-    /// Energy above the stable equilibrium (J).
+    /// Energy above the stable equilibrium (J), unless the system says otherwise: where there is no
+    /// equilibrium, or the energy is that of a unit of mass.
     ///
     /// The zero lies at the bottom of the well so that a small motion has a small energy, and its
     /// error is not lost in the rounding of a large constant.

@@ -14,7 +14,7 @@ use pendula::{
 #[test]
 fn every_file_of_methods_is_on_the_list() {
     /// The other files in the folders of the methods.
-    const OTHERS: [&str; 4] = ["mod", "table", "tableau", "embedded"];
+    const OTHERS: [&str; 5] = ["mod", "table", "tableau", "embedded", "iteration"];
     let methods = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/methods");
     let inside =
         |folder: &Path| std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());

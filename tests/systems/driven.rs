@@ -2,12 +2,14 @@
 //! cycles, period doublings and chaos.
 
 use pendula::dynamics::floquet::monodromy;
-use pendula::dynamics::lyapunov::Watch;
-use pendula::dynamics::{Stroboscope, largest_exponent, periodic_orbit, root};
+use pendula::dynamics::lyapunov::{Exponent, Watch};
+use pendula::dynamics::{Bundle, Stroboscope, largest_exponent, periodic_orbit, root};
 use pendula::methods::{ForwardEuler, Rk4, StormerVerlet, SymplecticEuler};
 use pendula::verify::driven::{Pushed, check, check_euler};
 use pendula::verify::near;
-use pendula::{Damped, Driven, Grid, Info, Method, Pendulum, Phase, Separable, System, integrate};
+use pendula::{
+    Damped, Driven, Error, Grid, Info, Method, Pendulum, Phase, Separable, System, integrate,
+};
 use pendula_study::experiments::beyond::{
     CHAOTIC, COARSE, Doubling, attractor, doubling, doublings, poincare, seen,
 };
@@ -202,7 +204,7 @@ fn the_exponent_of_a_cycle_is_that_of_its_multiplier(#[case] strength: f64, #[ca
     let start = attractor(&driven);
     let orbit = periodic_orbit(&strobe, start, periods).unwrap();
     let expected = orbit.monodromy.largest_modulus().ln() / f64::from(periods);
-    let watch = Watch { settling: 100, blocks: 4, periods: 10 };
+    let watch = Watch::new(100, 4, 10).unwrap();
     let exponent = largest_exponent(&strobe, start, watch);
     // The start is on the cycle to 1e-9 or better, and the modulus depends smoothly on it.
     near("λ", exponent.value, expected, 1e-7).unwrap();
@@ -218,7 +220,7 @@ fn the_exponent_of_a_cycle_is_that_of_its_multiplier(#[case] strength: f64, #[ca
 fn chaos_has_a_positive_exponent_with_an_honest_error_bar() {
     let driven = Driven::taylor(CHAOTIC).unwrap();
     let strobe = seen(&driven, COARSE);
-    let watch = Watch { settling: 50, blocks: 20, periods: 25 };
+    let watch = Watch::new(50, 20, 25).unwrap();
     // All four on the same attractor, 700 periods apart: there is a regular one too, for other
     // starts.
     let mut start = attractor(&driven);
@@ -307,19 +309,48 @@ fn a_root_takes_few_evaluations() {
     assert!((8..16).contains(&asked), "{asked}");
 }
 
-/// Two blocks differ from their mean by half their difference, which is its standard error.
+/// Two blocks differ from their mean by half their difference, which is its standard error. The
+/// blocks are taken by hand.
 ///
-/// Catches: an error bar with the wrong number of blocks under the root.
+/// Catches: an error bar with the wrong number of blocks under the root; a block that counts
+/// periods of the settling.
 #[test]
 fn the_error_bar_of_two_blocks_is_half_their_difference() {
     let driven = Driven::taylor(CHAOTIC).unwrap();
     let (strobe, start) = (seen(&driven, COARSE), attractor(&driven));
-    let over = |blocks| largest_exponent(&strobe, start, Watch { settling: 5, blocks, periods: 3 });
-    let (one, two) = (over(1).value, over(2));
-    // The mean of both differs from the first by half their difference. All are of order 1, and
-    // rounded a few times.
-    near("standard error", two.error, (two.value - one).abs(), 1e-14).unwrap();
-    assert!(two.error > 1e-3 && over(1).error.is_nan());
+    let mut neighbour = Bundle { base: start, tangents: [Phase { theta: 1.0, omega: 0.0 }] };
+    let growths: Vec<f64> = (0..11)
+        .map(|_| {
+            neighbour = strobe.map_bundle(neighbour);
+            let [along] = neighbour.tangents;
+            let size =
+                along.theta.hypot(along.omega / driven.damped().pendulum().small_angle_frequency());
+            neighbour.tangents = [along * (1.0 / size)];
+            size.ln()
+        })
+        .collect();
+    // A period is 1 s.
+    let [one, two] = [5, 8].map(|first| growths[first..first + 3].iter().sum::<f64>() / 3.0);
+    let found = largest_exponent(&strobe, start, Watch::new(5, 2, 3).unwrap());
+    // All are of order 1, and rounded a few times; the orbit itself is the same to the bit, and the
+    // displacement is rescaled by a size whose last bit differs.
+    near("mean", found.value, (one + two) / 2.0, 1e-13).unwrap();
+    near("standard error", found.error, (one - two).abs() / 2.0, 1e-13).unwrap();
+    assert!(found.error > 1e-3);
+}
+
+/// Catches: an average over no block, or the scatter of one, that is NaN.
+#[test]
+fn a_watch_has_blocks_that_scatter() {
+    for (blocks, periods) in [(0, 1), (1, 1), (2, 0)] {
+        let refused = Watch::new(0, blocks, periods);
+        assert!(matches!(refused, Err(Error::Parameter { .. })), "{refused:?}");
+    }
+    let driven = Driven::taylor(CHAOTIC).unwrap();
+    let least = Watch::new(0, 2, 1).unwrap();
+    let Exponent { value, error } =
+        largest_exponent(&seen(&driven, COARSE), attractor(&driven), least);
+    assert!(value.is_finite() && error.is_finite() && error > 0.0, "{value} ± {error}");
 }
 
 /// Störmer–Verlet against RK4, whose error is negligible here. Verlet's shifts the phase by

@@ -85,6 +85,14 @@ impl Components for SharedState {
             _ => never(),
         }
     }
+
+    #[inline(never)]
+    fn map_components(self, each: impl FnMut(f64) -> f64) -> Self {
+        match self {
+            S(z) => S(z.map_components(each)),
+            D(z) => D(z.map_components(each)),
+        }
+    }
 }
 
 impl Add for By {

@@ -1,7 +1,7 @@
 //! The Gauss method of three stages.
 
-use crate::integrate::Method;
-use crate::methods::gauss::ImplicitTableau;
+use crate::integrate::{Method, Unsolved};
+use crate::methods::gauss::{ImplicitTableau, Iteration};
 use crate::methods::{Info, MethodInfo};
 use crate::systems::{Components, System};
 
@@ -53,5 +53,17 @@ impl<S: System<State: Components>> Method<S> for Gauss6 {
     #[inline(always)]
     fn step(&self, system: &S, t: f64, h: f64, z: S::State, _carry: &mut ()) -> S::State {
         Self::TABLEAU.step(system, t, h, z)
+    }
+
+    #[inline(always)]
+    fn try_step(
+        &self,
+        system: &S,
+        t: f64,
+        h: f64,
+        z: S::State,
+        _carry: &mut (),
+    ) -> Result<S::State, Unsolved> {
+        Self::TABLEAU.try_step(system, t, h, z, Iteration::TO_ROUNDING)
     }
 }

@@ -1,5 +1,7 @@
 //! Implicit Runge–Kutta methods, solved by iteration.
 
+use super::iteration::{Iteration, ROUNDING};
+use crate::integrate::Unsolved;
 use crate::systems::{Components, RateOf, System, Vector};
 
 /// The coefficients of an implicit Runge–Kutta method of `S` stages: kᵢ = f(t + cᵢ h, z + h Σⱼ aᵢⱼ
@@ -14,13 +16,15 @@ pub struct ImplicitTableau<const S: usize> {
     pub c: [f64; S],
 }
 
-/// Sweeps after which the iteration is given up. Where each leaves 0.7 of the distance to the
-/// solution, 100 leave 3e-16 of it; a step that needs more is too long to be useful.
-const SWEEPS: u32 = 100;
+/// Twice the two roundings, in two successive sweeps, of a stage that lies within a factor of two of
+/// the state: as a multiple of the smallest change that a displacement of the state by 2ε makes.
+const MARGIN: f64 = 4.0;
 
-/// The largest change by a sweep that counts as rounding, relative to the state and to the step: a
-/// few times 1e-16 per stage and component. A larger change may still be an improvement.
-const ROUNDING: f64 = 1e-14;
+/// A step without a solution, and a slope from which a state of NaNs can be made.
+struct Lost<D> {
+    unsolved: Unsolved,
+    slope: D,
+}
 
 impl<const S: usize> ImplicitTableau<S> {
     /// The state one step `h` (s) after `z` at time `t` (s).
@@ -29,43 +33,119 @@ impl<const S: usize> ImplicitTableau<S> {
     /// sweep changes them by no more than rounding, and by no less than the sweep before or not at
     /// all (Hairer, Lubich, Wanner, *Geometric Numerical Integration*, Sect. VIII.6). Where the
     /// step is so long that the iteration does not converge, every component of the state returned
-    /// is NaN.
-    // ANCHOR: step
+    /// is NaN; [`ImplicitTableau::try_step`] says why.
     #[inline(always)]
     pub fn step<Sys>(&self, system: &Sys, t: f64, h: f64, z: Sys::State) -> Sys::State
     where
         Sys: System<State: Components>,
     {
-        // Sums, not maxima, which would ignore a NaN.
-        let size = |slope: RateOf<Sys>| {
-            let mut sum = 0.0;
-            z.for_each_component(z, slope, |_, _, x| sum += x.abs());
-            sum
-        };
+        match self.solve(system, t, h, z, Iteration::TO_ROUNDING) {
+            Ok(end) => end,
+            Err(Lost { slope, .. }) => z + slope * f64::NAN,
+        }
+    }
+
+    /// The same, with an `iteration` that ends as the caller wants.
+    ///
+    /// # Errors
+    /// [`Unsolved`] where the iteration does not converge in the sweeps allowed.
+    #[inline(always)]
+    pub fn try_step<Sys>(
+        &self,
+        system: &Sys,
+        t: f64,
+        h: f64,
+        z: Sys::State,
+        iteration: Iteration,
+    ) -> Result<Sys::State, Unsolved>
+    where
+        Sys: System<State: Components>,
+    {
+        self.solve(system, t, h, z, iteration).map_err(|lost| lost.unsolved)
+    }
+
+    // ANCHOR: step
+    #[inline(always)]
+    fn solve<Sys>(
+        &self,
+        system: &Sys,
+        t: f64,
+        h: f64,
+        z: Sys::State,
+        iteration: Iteration,
+    ) -> Result<Sys::State, Lost<RateOf<Sys>>>
+    where
+        Sys: System<State: Components>,
+    {
         let mut k = [system.rate(t, z); S];
         let mut state = 0.0;
         z.for_each_component(z, k[0], |x, _, _| state += x.abs());
-        let mut before = f64::INFINITY;
-        for _ in 0..SWEEPS {
-            let (mut change, mut scale) = (0.0, state / h.abs());
+        let (mut before, mut scale) = (f64::INFINITY, f64::INFINITY);
+        for _ in 0..iteration.sweeps {
+            let mut change = 0.0;
+            scale = state / h.abs();
             for i in 0..S {
                 let slope = sum(&self.a[i], &k);
                 let new = system.rate(t + self.c[i] * h, z + slope * h);
-                change += size(new + k[i] * -1.0);
-                scale += size(new);
+                change += size(z, new + k[i] * -1.0);
+                scale += size(z, new);
                 // Stored at once, so that the later stages of this sweep use it.
                 k[i] = new;
             }
             // Among subnormal numbers rounding is no longer relative.
             let is_rounding = change <= ROUNDING * scale || change <= f64::MIN_POSITIVE;
-            if is_rounding && change >= before || change == 0.0 {
-                return z + sum(&self.b, &k) * h;
+            let stalls = change >= before;
+            if stalls && (is_rounding || self.is_noise(system, t, h, z, &k, change))
+                || iteration.tolerance > 0.0 && change <= iteration.tolerance * scale
+                || change == 0.0
+            {
+                return Ok(z + sum(&self.b, &k) * h);
             }
             before = change;
         }
-        z + k[0] * f64::NAN
+        let unsolved = Unsolved { sweeps: iteration.sweeps, change: before / scale };
+        Err(Lost { unsolved, slope: k[0] })
     }
     // ANCHOR_END: step
+
+    /// Whether the `change` of the slopes `k` by a sweep is what rounding the state `z` changes in
+    /// them, whatever the units of its components: the sum and the scale in `solve` add numbers of
+    /// different units, and where the time unit is long, a large angle rounds the force by more
+    /// than a part of that scale.
+    #[cold]
+    #[inline(never)]
+    fn is_noise<Sys>(
+        &self,
+        system: &Sys,
+        t: f64,
+        h: f64,
+        z: Sys::State,
+        k: &[RateOf<Sys>; S],
+        change: f64,
+    ) -> bool
+    where
+        Sys: System<State: Components>,
+    {
+        let mut noise = 0.0;
+        for i in 0..S {
+            let displacement = sum(&self.a[i], k) * h;
+            let rate = |z: Sys::State| system.rate(t + self.c[i] * h, z + displacement);
+            let here = rate(z) * -1.0;
+            for beside in [1.0 - 2.0 * f64::EPSILON, 1.0 + 2.0 * f64::EPSILON] {
+                noise += size(z, rate(z.map_components(|x| x * beside)) + here);
+            }
+        }
+        change <= MARGIN * noise
+    }
+}
+
+/// The sum of the sizes of the components of `slope`, at the state `z`. A sum, not a maximum, which
+/// would ignore a NaN.
+#[inline(always)]
+fn size<Z: Components>(z: Z, slope: Z::Displacement) -> f64 {
+    let mut sum = 0.0;
+    z.for_each_component(z, slope, |_, _, x| sum += x.abs());
+    sum
 }
 
 /// Σ weightᵢ kᵢ.

@@ -4,10 +4,10 @@ use std::io::Write;
 use std::path::PathBuf;
 
 use clap::Args;
-use pendula::{Grid, MethodInfo, Pendulum};
+use pendula::{Grid, Pendulum};
 
 use super::destination::{Destination, interrupts, unless_interrupted};
-use super::pendulum_arguments::{PendulumArguments, methods, not_solved};
+use super::pendulum_arguments::{PendulumArguments, methods};
 use super::rows::{RowFormat, Rows};
 use crate::failure::Failure;
 use crate::sweep::range::Sweep;
@@ -59,7 +59,6 @@ const BATCH: usize = 4096;
 pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
     let pendulum = arguments.pendulum.pendulum(arguments.mass).map_err(Failure::refused)?;
     let runner = Runner::new(&arguments.method, pendulum, arguments.omega0)?;
-    let method = runner.info();
     match (arguments.theta0, arguments.dt) {
         (Sweep::Range(theta0), Sweep::One(dt)) => {
             let grid = Grid::with_duration(dt, arguments.duration).map_err(Failure::refused)?;
@@ -68,12 +67,12 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
                 runner.start(end)?;
             }
             let sweep = theta0.linear();
-            print(arguments, method, out, sweep, move |angles| runner.from_each(angles, &grid))
+            print(arguments, runner, out, sweep, move |angles| runner.from_each(angles, &grid))
         }
         (Sweep::One(theta0), Sweep::Range(dt)) => {
             let start = runner.start(theta0)?;
             let sweep = grids(arguments.duration, dt)?;
-            print(arguments, method, out, sweep, move |grids| runner.along_each(start, grids))
+            print(arguments, runner, out, sweep, move |grids| runner.along_each(start, grids))
         }
         _ => Err(Failure::refused(
             "exactly one of --theta0 and --dt must be a range FROM:TO:COUNT; one run is `pendula \
@@ -86,7 +85,7 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
 /// limit their number.
 fn print<T: Clone + Send + 'static>(
     arguments: &Arguments,
-    method: MethodInfo,
+    runner: Runner,
     out: &mut dyn Write,
     mut sweep: impl Iterator<Item = T>,
     compute: impl Fn(&[T]) -> Vec<Run> + Clone + Send + 'static,
@@ -103,19 +102,20 @@ fn print<T: Clone + Send + 'static>(
         }
         let compute = compute.clone();
         for run in unless_interrupted(&interrupted, move || compute(&batch))? {
-            rows.row(finite(&run, method)?)?;
+            rows.row(finite(&run, runner)?)?;
         }
     }
 }
 
 /// The row, if all its numbers are finite.
-fn finite(run: &Run, method: MethodInfo) -> Result<[f64; 5], Failure> {
-    let Run { theta0, dt, end, energy_error } = *run;
+fn finite(run: &Run, runner: Runner) -> Result<[f64; 5], Failure> {
+    let Run { theta0, grid, end, energy_error } = *run;
+    let dt = grid.step();
     let row = [theta0, dt, end.theta, end.omega, energy_error];
     if row.iter().all(|x| x.is_finite()) {
         return Ok(row);
     }
-    Err(not_solved(method, dt).unwrap_or_else(|| {
+    Err(runner.not_solved(run).unwrap_or_else(|| {
         Failure::Failed(anyhow::anyhow!(
             "from {theta0:?} rad with Δt = {dt:?} s the trajectory leaves the range of numbers: \
              take a smaller step"

@@ -15,7 +15,7 @@ mod destination;
 pub mod double_pendulum;
 pub mod ensemble;
 pub mod exact;
-mod pendulum_arguments;
+pub(crate) mod pendulum_arguments;
 pub mod period;
 pub mod preprocess;
 pub mod review;

@@ -2,7 +2,7 @@
 
 use clap::Args;
 use clap::builder::PossibleValuesParser;
-use pendula::{Error, METHODS, MethodInfo, Pendulum, Phase};
+use pendula::{AnyMethod, Error, Grid, METHODS, Pendulum, Phase};
 
 use crate::failure::Failure;
 
@@ -11,16 +11,24 @@ pub fn methods() -> PossibleValuesParser {
     METHODS.iter().map(|method| method.info().name).collect::<Vec<_>>().into()
 }
 
-/// The refusal of a step of `dt` (s) that led `method` to a NaN, if the method is implicit: it has
-/// not overflowed, its iteration has not converged.
-pub fn not_solved(method: MethodInfo, dt: f64) -> Option<Failure> {
-    method.implicit.then(|| {
-        Failure::refused(format!(
-            "a step of {dt:?} s is refused: the iteration of {} does not converge on this motion; \
-             it must be shorter, a fraction of the time that the pendulum takes for a radian",
-            method.name
-        ))
-    })
+/// The refusal of a step along `grid` that led `method` from `start` to a NaN, if the method is
+/// implicit: it has not overflowed, its iteration has not converged. The run is repeated up to that
+/// step, to say how far the iteration was from its end.
+pub fn not_solved(
+    method: &dyn AnyMethod,
+    pendulum: &Pendulum,
+    start: Phase,
+    grid: &Grid,
+) -> Option<Failure> {
+    match method.try_run(pendulum, start, grid, &mut ()) {
+        Err(Error::NotSolved { n, step, sweeps, change }) => Some(Failure::refused(format!(
+            "a step of {step:?} s is refused: the iteration of {} does not converge on this \
+             motion, after {n} steps {sweeps} sweeps still change the next by {change:.1e} of its \
+             size; it must be shorter, a fraction of the time that the pendulum takes for a radian",
+            method.info().name
+        ))),
+        _ => None,
+    }
 }
 
 /// The pendulum.

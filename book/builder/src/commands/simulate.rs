@@ -43,7 +43,7 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
         out,
         ["t", "theta", "omega", "energy"],
         |t, z: Phase| [t, z.theta, z.omega, pendulum.energy_from_pivot(z)],
-        |steps| not_solved(method.info(), grid.step()).unwrap_or_else(|| overflow(steps)),
+        |steps| not_solved(method, &pendulum, start, &grid).unwrap_or_else(|| overflow(steps)),
         |observer| {
             method.run(&pendulum, start, &grid, observer);
         },

@@ -11,6 +11,7 @@ use pendula::{
 use range::Range;
 use rayon::prelude::*;
 
+use crate::commands::pendulum_arguments::not_solved;
 use crate::failure::Failure;
 
 /// What all runs of a sweep have in common.
@@ -25,8 +26,8 @@ pub struct Runner {
 pub struct Run {
     /// Angle at the start (rad).
     pub theta0: f64,
-    /// The step (s).
-    pub dt: f64,
+    /// Its grid of times.
+    pub grid: Grid,
     /// The last state.
     pub end: Phase,
     /// Largest energy error (J).
@@ -57,6 +58,12 @@ impl Runner {
         self.pendulum.start(theta0, self.omega0).map_err(Failure::refused)
     }
 
+    /// [`not_solved`] for one of these runs.
+    pub fn not_solved(&self, run: &Run) -> Option<Failure> {
+        let start = Phase { theta: run.theta0, omega: self.omega0 };
+        not_solved(self.method, &self.pendulum, start, &run.grid)
+    }
+
     /// The same steps from each of the angles, in lanes.
     pub fn from_each(&self, angles: &[f64], grid: &Grid) -> Vec<Run> {
         let starts: Vec<Phase> =
@@ -71,7 +78,7 @@ impl Runner {
         let ends = angles.iter().zip(watches);
         ends.map(|(&theta0, DriftAndEnd { drift, end })| Run {
             theta0,
-            dt: grid.step(),
+            grid: *grid,
             end,
             energy_error: drift.largest(),
         })
@@ -84,7 +91,7 @@ impl Runner {
         let along = |grid: &Grid| {
             let mut drift = EnergyDrift::new(&self.pendulum);
             let end = self.method.run(&self.pendulum, start, grid, &mut drift);
-            Run { theta0: start.theta, dt: grid.step(), end, energy_error: drift.largest() }
+            Run { theta0: start.theta, grid: *grid, end, energy_error: drift.largest() }
         };
         grids.par_iter().with_max_len(1).map(along).collect()
     }

@@ -97,7 +97,7 @@ pub const CHAOTIC: f64 = 1.105;
 /// after the first 100.
 pub fn lyapunov() -> Exponent {
     let driven = Driven::taylor(CHAOTIC).expect("a drive");
-    let watch = Watch { settling: 100, blocks: 40, periods: 50 };
+    let watch = Watch::new(100, 40, 50).expect("blocks");
     largest_exponent(&seen(&driven, COARSE), Phase::default(), watch)
 }
 

@@ -1,0 +1,156 @@
+//! When the iteration of an implicit method ends, and methods for which the caller says so.
+
+use core::num::NonZeroU32;
+
+use crate::error::Error;
+use crate::integrate::{Method, Unsolved};
+use crate::methods::{Info, MethodInfo};
+use crate::systems::{Components, System};
+
+/// The largest change by a sweep that counts as rounding, relative to the state and to the step: a
+/// few times 1e-16 per stage and component. A larger change may still be an improvement.
+pub(super) const ROUNDING: f64 = 1e-14;
+
+/// When the iteration of an implicit method ends.
+///
+/// A sweep computes every slope again from the others. Its change is the sum of the sizes of the
+/// changes of all their components, relative to that of the slopes themselves and of the state over
+/// the step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Iteration {
+    pub(super) tolerance: f64,
+    pub(super) sweeps: u32,
+}
+
+impl Iteration {
+    /// Until only rounding changes, in at most 100 sweeps. Where each leaves 0.7 of the distance to
+    /// the solution, 100 leave 3e-16 of it; a step that needs more is too long to be useful.
+    pub const TO_ROUNDING: Self = Self { tolerance: 0.0, sweeps: 100 };
+
+    /// Ends as soon as a sweep changes the slopes by no more than the relative `tolerance`. Zero,
+    /// the default, goes on until only rounding changes.
+    ///
+    /// An iteration that ends sooner is no longer symplectic and symmetric to the last digit, but
+    /// to about that tolerance a step.
+    ///
+    /// # Errors
+    /// [`Error::Parameter`] for a tolerance that is not at least 0 and below 1.
+    pub fn tolerance(self, tolerance: f64) -> Result<Self, Error> {
+        // A NaN is in no range, and is refused.
+        if (0.0..1.0).contains(&tolerance) {
+            Ok(Self { tolerance, ..self })
+        } else {
+            let name = "relative tolerance of the iteration";
+            Err(Error::Parameter { name, value: tolerance, allowed: "at least 0 and below 1" })
+        }
+    }
+
+    /// Gives up after this number of `sweeps`.
+    #[must_use]
+    pub const fn sweeps(self, sweeps: NonZeroU32) -> Self {
+        Self { sweeps: sweeps.get(), ..self }
+    }
+}
+
+impl Default for Iteration {
+    /// [`Iteration::TO_ROUNDING`].
+    fn default() -> Self {
+        Self::TO_ROUNDING
+    }
+}
+
+/// A method that solves its equations by iteration.
+pub trait Implicit: Info + Sized {
+    /// [`Method::try_step`], with an `iteration` that ends as the caller wants.
+    ///
+    /// # Errors
+    /// [`Unsolved`] where the iteration does not converge in the sweeps allowed.
+    fn try_step_with<S>(
+        &self,
+        system: &S,
+        t: f64,
+        h: f64,
+        z: S::State,
+        iteration: Iteration,
+    ) -> Result<S::State, Unsolved>
+    where
+        S: System<State: Components>;
+
+    /// The same method with another `iteration`.
+    ///
+    /// ```
+    /// use pendula::methods::{Gauss6, Implicit, Iteration};
+    /// use pendula::{Grid, Pendulum, Phase, integrate};
+    ///
+    /// let coarse = Gauss6.with(Iteration::TO_ROUNDING.tolerance(1e-6)?);
+    /// let (start, grid) = (Phase::at_rest(1.0), Grid::new(0.01, 1)?);
+    /// let end = integrate(&Pendulum::PAPER, &Gauss6, start, &grid, &mut ());
+    /// let near = integrate(&Pendulum::PAPER, &coarse, start, &grid, &mut ());
+    /// assert!(end != near && (end.theta - near.theta).abs() < 1e-6);
+    /// # Ok::<(), pendula::Error>(())
+    /// ```
+    fn with(self, iteration: Iteration) -> Iterated<Self> {
+        Iterated { method: self, iteration }
+    }
+}
+
+/// An implicit method with an [`Iteration`] of the caller's: see [`Implicit::with`].
+#[derive(Clone, Copy, Debug)]
+pub struct Iterated<M> {
+    method: M,
+    iteration: Iteration,
+}
+
+impl<M: Info> Info for Iterated<M> {
+    fn info(&self) -> MethodInfo {
+        self.method.info()
+    }
+}
+
+impl<M: Implicit, S: System<State: Components>> Method<S> for Iterated<M> {
+    type Carry = ();
+
+    fn start(&self, _system: &S, _t: f64, _h: f64, _z: S::State) {}
+
+    #[inline(always)]
+    fn step(&self, system: &S, t: f64, h: f64, z: S::State, carry: &mut ()) -> S::State {
+        match self.try_step(system, t, h, z, carry) {
+            Ok(end) => end,
+            Err(_) => z + system.rate(t, z) * f64::NAN,
+        }
+    }
+
+    #[inline(always)]
+    fn try_step(
+        &self,
+        system: &S,
+        t: f64,
+        h: f64,
+        z: S::State,
+        _carry: &mut (),
+    ) -> Result<S::State, Unsolved> {
+        self.method.try_step_with(system, t, h, z, self.iteration)
+    }
+}
+
+macro_rules! implicit {
+    ($($Method:ident,)+) => {$(
+        impl Implicit for super::$Method {
+            #[inline(always)]
+            fn try_step_with<S>(
+                &self,
+                system: &S,
+                t: f64,
+                h: f64,
+                z: S::State,
+                iteration: Iteration,
+            ) -> Result<S::State, Unsolved>
+            where
+                S: System<State: Components>,
+            {
+                Self::TABLEAU.try_step(system, t, h, z, iteration)
+            }
+        }
+    )+};
+}
+implicit!(ImplicitMidpoint, Gauss4, Gauss6, Gauss16,);
