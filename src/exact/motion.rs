@@ -295,11 +295,14 @@ impl Motion {
     }
 
     /// The states at `times` (s), into `states` as far as there are slots: by [`Motion::at`], or
-    /// for many times by [`Motion::series`].
+    /// for many times within its horizon by [`Motion::series`].
     pub fn at_each(&self, times: &[f64], states: &mut [Phase]) {
         /// The number of values from which on the series pays for its preparation.
         const MANY: usize = 64;
-        match self.series().filter(|_| times.len() >= MANY) {
+        let within = |series: &FourierSeries| {
+            times.len() >= MANY && times.iter().all(|t| t.abs() <= series.horizon())
+        };
+        match self.series().filter(within) {
             Some(series) => series.at_each(times, states),
             None => {
                 for (t, z) in times.iter().zip(states) {

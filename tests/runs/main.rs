@@ -3,10 +3,15 @@
 #[path = "../common/each_method.rs"]
 mod common;
 
+#[path = "../common/random.rs"]
+mod random;
+
 mod adaptive;
+mod anything;
 mod ensemble;
 mod extremes;
 mod grid;
+mod implicit;
 mod integrate_fast;
 mod observers;
 mod parameters;

@@ -1,0 +1,302 @@
+//! Implicit methods: where their iteration ends, in any units, and what is said where it does not.
+
+use std::num::{NonZeroU32, NonZeroU64};
+
+use pendula::fast::InLanes;
+use pendula::methods::{
+    Gauss4, Gauss6, Gauss16, Implicit, ImplicitMidpoint, ImplicitTableau, Iteration, Rk4,
+};
+use pendula::systems::{DoublePendulum, Joint};
+use pendula::{
+    AnyMethod, Counting, Ensemble, Error, Grid, Info, METHODS, Method, Pendulum, Phase, Unsolved,
+    integrate, integrate_fast, try_integrate, try_integrate_fast,
+};
+use rstest::rstest;
+use rstest_reuse::{apply, template};
+
+use crate::random::Random;
+
+#[template]
+#[rstest]
+#[case::implicit_midpoint(ImplicitMidpoint, limit(&ImplicitMidpoint::TABLEAU))]
+#[case::gauss_4(Gauss4, limit(&Gauss4::TABLEAU))]
+#[case::gauss_6(Gauss6, limit(&Gauss6::TABLEAU))]
+#[case::gauss_16(Gauss16, limit(&Gauss16::TABLEAU))]
+fn each_implicit<M: Implicit>(#[case] method: M, #[case] limit: f64) {}
+
+/// The largest x = ω₀h at which 100 sweeps leave no more than a rounding of the distance to the
+/// solution, whatever the state: by the sweeps themselves, with θ' = xω and |ω'| ≤ x|θ|, as the
+/// slope of the pendulum's force is nowhere larger, from slopes that are off by one. Where the signs
+/// of the coefficients help, longer steps are solved too.
+fn limit<const S: usize>(tableau: &ImplicitTableau<S>) -> f64 {
+    let left = |x: f64| {
+        let mut k = [[1.0_f64; 2]; S];
+        for _ in 0..100 {
+            for i in 0..S {
+                let [theta, omega] =
+                    [0, 1].map(|c| (0..S).map(|j| tableau.a[i][j].abs() * k[j][c]).sum::<f64>());
+                k[i] = [x * omega, x * theta];
+            }
+        }
+        k.iter().flatten().sum::<f64>()
+    };
+    let (mut low, mut high) = (0.0, 10.0);
+    for _ in 0..40 {
+        let middle = 0.5 * (low + high);
+        if left(middle) <= f64::EPSILON { low = middle } else { high = middle }
+    }
+    low
+}
+
+/// A pendulum with g/L from 1e-12 to 1e12 (1/s²), a start, and a grid whose x = ω₀h is between 1e-6
+/// and 0.9 of `limit`. A quarter of the starts each are within a turn, some hundred turns, 1e7 rad,
+/// and any number of decades; a third are at rest, a third swing or rotate slowly, and a third
+/// rotate up to a hundred times as fast.
+fn scene(random: &mut Random, limit: f64) -> (Pendulum, Phase, Grid) {
+    let [gravity, length] = [random.between(-6.0, 6.0), random.between(-6.0, 6.0)];
+    let pendulum = Pendulum::new(10_f64.powf(gravity), 10_f64.powf(length), 1.0).unwrap();
+    let turned = random.between(-1.0, 1.0);
+    let theta = match random.below(4) {
+        0 => 3.15 * turned,
+        1 => 500.0 * turned,
+        2 => 1e7 * turned,
+        _ => turned * 10_f64.powf(random.between(-15.0, 15.0)),
+    };
+    let q = [0.0, 4.0, 100.0][random.below(3)] * random.between(-1.0, 1.0);
+    let frequency = pendulum.small_angle_frequency();
+    let x = 10_f64.powf(random.between(-6.0, (0.9 * limit).log10()));
+    (pendulum, Phase { theta, omega: q * frequency }, Grid::new(x / frequency, 50).unwrap())
+}
+
+/// Whatever the units, wherever a sweep contracts: in a single trajectory in seconds, in one in
+/// steps, and in lanes.
+///
+/// Catches: an iteration that stops only where its changes are small in the units of the state, and
+/// loses every tenth run of a fast pendulum.
+#[apply(each_implicit)]
+fn every_step_within_the_limit_is_solved<M>(#[case] method: M, #[case] limit: f64)
+where
+    M: Implicit + InLanes,
+{
+    assert!((1.0..3.0).contains(&limit), "{limit}");
+    let mut random = Random::new(17);
+    for n in 0..400 {
+        let (pendulum, start, grid) = scene(&mut random, limit);
+        let end = integrate(&pendulum, &method, start, &grid, &mut ());
+        let case = || format!("scene {n}: {pendulum:?} {start:?} {grid:?}");
+        assert!(end.theta.is_finite() && end.omega.is_finite(), "{}", case());
+        let fast = integrate_fast(&pendulum, &method, start, &grid, &mut ());
+        assert!(fast.theta.is_finite() && fast.omega.is_finite(), "fast, {}", case());
+        let mut ends = [Phase::default()];
+        Ensemble::new(&pendulum, &[start], grid).ends(&method, &mut ends);
+        assert_eq!(bits(ends[0]), bits(fast), "in lanes, {}", case());
+        assert_eq!(try_integrate(&pendulum, &method, start, &grid, &mut ()), Ok(end));
+        assert_eq!(try_integrate_fast(&pendulum, &method, start, &grid, &mut ()), Ok(fast));
+    }
+}
+
+/// The double pendulum is not separable, and its momenta have other units than its angles. With
+/// g/L from 1e-12 to 1e12, steps of x = √(g/L) h up to 0.05, and angles of many turns.
+///
+/// Catches: a test of the pendulum's alone, or one that asks each component to be right to its own
+/// last digit.
+#[apply(each_implicit)]
+fn so_is_every_step_of_a_double_pendulum<M>(#[case] method: M, #[case] limit: f64)
+where
+    M: Implicit + Method<DoublePendulum>,
+{
+    assert!(limit > 0.05);
+    let mut random = Random::new(18);
+    for n in 0..200 {
+        let [gravity, length, mass] =
+            [6.0, 6.0, 3.0].map(|most| 10_f64.powf(random.between(-most, most)));
+        let joint = Joint { length, mass };
+        let double = DoublePendulum::of_equals(gravity, joint).unwrap();
+        let turns = [1.0, 100.0, 1e6][random.below(3)];
+        let theta = [0, 1].map(|_| turns * random.between(-3.0, 3.0));
+        let start = double.start(theta, [0.0; 2]).unwrap();
+        let x = 10_f64.powf(random.between(-5.0, 0.05_f64.log10()));
+        let grid = Grid::new(x / (gravity / length).sqrt(), 50).unwrap();
+        let end = try_integrate(&double, &method, start, &grid, &mut ());
+        assert!(
+            end.is_ok_and(|end| end.p1.is_finite()),
+            "{n}: {double:?} {start:?} {grid:?} {end:?}"
+        );
+    }
+}
+
+fn bits(z: Phase) -> [u64; 2] {
+    [z.theta.to_bits(), z.omega.to_bits()]
+}
+
+/// Steps a little longer than the limit: some runs fail at the first step, some on their way.
+///
+/// Catches: a step counted twice or not at all; a NaN shown to the observer; a failure of a run
+/// that is computed in steps, reported in steps; a run that fails where the one that does not ask
+/// goes on.
+#[apply(each_implicit)]
+fn a_step_that_is_not_solved_says_so<M>(#[case] method: M, #[case] limit: f64)
+where
+    M: Implicit + AnyMethod + Method<Pendulum>,
+{
+    let pendulum = Pendulum::new(9.81, 1.7, 0.6).unwrap();
+    let mut on_the_way = 0;
+    for (i, fast) in (0..60).flat_map(|i| [(i, false), (i, true)]) {
+        let x = limit * [1.05, 1.2, 1.6][i % 3];
+        let start = Phase { theta: 0.05 * i as f64, omega: 0.0 };
+        let grid = Grid::new(x / pendulum.small_angle_frequency(), 100).unwrap();
+        let mut seen = vec![];
+        let mut watch = |n: u64, t: f64, z: Phase| seen.push((n, t, z));
+        let tried = if fast {
+            method.try_run(&pendulum, start, &grid, &mut watch)
+        } else {
+            try_integrate(&pendulum, &method, start, &grid, &mut watch)
+        };
+        // The run that does not ask, and where it is first NaN.
+        let mut lost = None;
+        let mut watch = |n: u64, _: f64, z: Phase| {
+            if z.theta.is_nan() && z.omega.is_nan() && lost.is_none() {
+                lost = Some(n);
+            }
+        };
+        let end = if fast {
+            method.run(&pendulum, start, &grid, &mut watch)
+        } else {
+            integrate(&pendulum, &method, start, &grid, &mut watch)
+        };
+        let steps = match tried {
+            Ok(tried) => {
+                assert_eq!((bits(tried), lost), (bits(end), None));
+                100
+            }
+            Err(Error::NotSolved { n, step, sweeps, change }) => {
+                assert_eq!((lost, step, sweeps), (Some(n + 1), grid.step(), 100));
+                // Its last change was neither rounding nor an overflow.
+                assert!(change > 1e-14 && change < 10.0, "{change:e}");
+                let text = tried.unwrap_err().to_string();
+                let begins = format!("after {n} steps one of {step:?} s is not solved: 100 sweeps");
+                assert!(text.starts_with(&begins), "{text}");
+                on_the_way += u32::from(n > 0);
+                n
+            }
+            Err(other) => panic!("{other}"),
+        };
+        assert_eq!(seen.len() as u64, steps + 1);
+        for (n, (count, t, z)) in (0..).zip(&seen) {
+            assert!(*count == n && *t == grid.time(n) && z.theta.is_finite(), "{n}: {z:?}");
+        }
+    }
+    assert!(on_the_way > 0);
+}
+
+/// Catches: an explicit method that is said to have no solution.
+#[test]
+fn an_explicit_method_has_nothing_to_solve() {
+    let (start, grid) = (Phase { theta: 1.0, omega: f64::NAN }, Grid::new(1e3, 10).unwrap());
+    for method in METHODS.iter().filter(|method| !method.info().implicit) {
+        let end = method.try_run(&Pendulum::PAPER, start, &grid, &mut ());
+        assert!(end.is_ok_and(|end| end.omega.is_nan()), "{method:?}: {end:?}");
+    }
+    let mut asked = 0;
+    let mut watch = |_, _, _: Phase| asked += 1;
+    let end = try_integrate(&Pendulum::PAPER, &Rk4, Phase::at_rest(1.0), &grid, &mut watch);
+    assert_eq!(end, Ok(integrate(&Pendulum::PAPER, &Rk4, Phase::at_rest(1.0), &grid, &mut ())));
+    assert_eq!(asked, 11);
+}
+
+// -------------------------------------------------------------------------------------------------
+// Tolerance and sweeps of the caller's
+// -------------------------------------------------------------------------------------------------
+
+/// Catches: defaults that are not those of the method alone.
+#[apply(each_implicit)]
+fn the_default_iteration_has_the_methods_bits<M>(#[case] method: M, #[case] limit: f64)
+where
+    M: Implicit + Copy + AnyMethod + Method<Pendulum>,
+{
+    let mut random = Random::new(19);
+    for _ in 0..50 {
+        let (pendulum, start, grid) = scene(&mut random, limit);
+        let with = method.with(Iteration::default());
+        assert_eq!(with.info(), method.info());
+        let end = integrate(&pendulum, &method, start, &grid, &mut ());
+        assert_eq!(bits(integrate(&pendulum, &with, start, &grid, &mut ())), bits(end));
+        let end = method.run(&pendulum, start, &grid, &mut ());
+        assert_eq!(bits(with.run(&pendulum, start, &grid, &mut ())), bits(end));
+    }
+}
+
+/// A step of x = 0.2: each sweep leaves at most a fifth of what is missing, so that a tolerance τ
+/// leaves less than τ of the slopes and of the state over the step, and 1e-12 takes more sweeps
+/// than 1e-3.
+///
+/// Catches: a tolerance that is not used, or in other units; sweeps that are not counted.
+#[apply(each_implicit)]
+fn a_tolerance_is_kept_and_saves_sweeps<M>(#[case] method: M, #[case] limit: f64)
+where
+    M: Implicit + Copy + Method<Pendulum> + Method<Counting<Pendulum>>,
+{
+    assert!(limit > 0.2);
+    let pendulum = Pendulum::new(9.81, 1.7, 0.6).unwrap();
+    let (h, start) = (0.2 / pendulum.small_angle_frequency(), Phase { theta: 1.0, omega: 0.7 });
+    let step = Grid::new(h, 1).unwrap();
+    let exact = integrate(&pendulum, &method, start, &step, &mut ());
+    let counting = Counting::new(pendulum);
+    let mut before = 0;
+    let mut evaluations = vec![];
+    for tolerance in [0.1, 1e-3, 1e-6, 1e-9, 1e-12, 0.0] {
+        let with = method.with(Iteration::TO_ROUNDING.tolerance(tolerance).unwrap());
+        let end = integrate(&counting, &with, start, &step, &mut ());
+        evaluations.push(counting.evaluations() - before);
+        before = counting.evaluations();
+        let off = (end.theta - exact.theta).abs() + (end.omega - exact.omega).abs();
+        // The slopes here are below 1 rad/s and 9 rad/s², and the state is 1.7.
+        let stages = method.info().force_evaluations as f64;
+        let allowed = tolerance * (1.7 + 10.0 * h * stages);
+        assert!(off <= allowed, "{tolerance:e}: {off:e}");
+    }
+    assert!(evaluations.is_sorted() && evaluations[0] < evaluations[4], "{evaluations:?}");
+    // One to begin, then one a stage in each sweep.
+    let stages = method.info().force_evaluations;
+    assert!(evaluations.iter().all(|count| (count - 1) % stages == 0), "{evaluations:?}");
+
+    // Two sweeps are not enough for all digits, and are said to be two.
+    let two = method.with(Iteration::TO_ROUNDING.sweeps(NonZeroU32::new(2).unwrap()));
+    let failed = two.try_step(&pendulum, 0.0, h, start, &mut ());
+    let Err(Unsolved { sweeps: 2, change }) = failed else { panic!("{failed:?}") };
+    assert!((1e-6..0.1).contains(&change), "{change:e}");
+    assert!(two.step(&pendulum, 0.0, h, start, &mut ()).theta.is_nan());
+    let coarse = method
+        .with(Iteration::default().tolerance(0.1).unwrap().sweeps(NonZeroU32::new(2).unwrap()));
+    assert!(coarse.try_step(&pendulum, 0.0, h, start, &mut ()).is_ok());
+}
+
+/// Catches: a tolerance that is NaN, negative, or met by any slopes.
+#[test]
+fn a_tolerance_is_at_least_zero_and_below_one() {
+    for tolerance in [-1e-3, 1.0, f64::INFINITY, f64::NAN] {
+        let refused = Iteration::default().tolerance(tolerance);
+        assert!(matches!(refused, Err(Error::Parameter { .. })), "{refused:?}");
+    }
+    assert_eq!(Iteration::default().tolerance(0.0), Ok(Iteration::TO_ROUNDING));
+}
+
+/// An ensemble takes it too.
+///
+/// Catches: a method with another iteration that lanes refuse.
+#[test]
+fn lanes_take_another_iteration() {
+    let method = Gauss6.with(Iteration::default().tolerance(1e-8).unwrap());
+    let starts = [Phase::at_rest(1.0), Phase { theta: 0.3, omega: 2.0 }];
+    let grid = Grid::new(0.05, 30).unwrap();
+    let mut seen = [vec![], vec![]];
+    let [one, two] = &mut seen;
+    let mut watches = [one, two].map(|seen| |_, _, z: Phase| seen.push(bits(z)));
+    Ensemble::new(&Pendulum::PAPER, &starts, grid).watch(&method, NonZeroU64::MIN, &mut watches);
+    for (start, seen) in starts.into_iter().zip(seen) {
+        let mut alone = vec![];
+        let mut watch = |_, _, z: Phase| alone.push(bits(z));
+        integrate_fast(&Pendulum::PAPER, &method, start, &grid, &mut watch);
+        assert_eq!(seen, alone);
+    }
+}
