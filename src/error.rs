@@ -126,10 +126,11 @@ pub(crate) fn not_negative(name: &'static str, value: f64) -> Result<f64, Error>
 
 /// Returns the angular frequency `value` (rad/s) if it is greater than zero, and its period finite.
 pub(crate) fn frequency(name: &'static str, value: f64) -> Result<f64, Error> {
-    if value.is_finite() && value > 0.0 && (2.0 * core::f64::consts::PI / value).is_finite() {
+    let value = positive(name, value)?;
+    if (2.0 * core::f64::consts::PI / value).is_finite() {
         Ok(value)
     } else {
-        Err(Error::Parameter { name, value, allowed: "finite and at least 3.5e-308" })
+        Err(Error::Parameter { name, value, allowed: "at least 3.5e-308: its period is finite" })
     }
 }
 

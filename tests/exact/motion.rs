@@ -150,6 +150,64 @@ fn the_numbers_of_a_swing_are_the_references() {
     }
 }
 
+/// k, k' and K of a release from rest, computed with 60 digits of the f64 θ₀: of either sign, tiny,
+/// beside the top, and beyond a turn. Relatively, so that no digit of a small one may be lost: half
+/// the angle is exact, and sine and cosine are within 0.8 ulp.
+///
+/// Catches: a modulus with the sign of its angle, one that is right only as a part of 1, a k' from
+/// 1 − k².
+#[test]
+fn the_numbers_of_a_swing_are_right_relatively() {
+    for [theta0, k, complement, elliptic_k] in [
+        [-1.0, 0.479425538604203, 0.8775825618903728, 1.6749939160926133],
+        [-3.1, 0.999783764189357, 0.020794827803092428, 5.2598059169883875],
+        [-0.001, 0.0004999999791666669, 0.9999998750000026, 1.5707964249696726],
+        [1e-08, 5e-09, 1.0, 1.5707963267948966],
+        [-1e-160, 5e-161, 1.0, 1.5707963267948966],
+        [2.2250738585072014e-308, 1.1125369292536007e-308, 1.0, 1.5707963267948966],
+        [3.141592643589793, 1.0, 5.000000030844985e-09, 20.500122279463206],
+        [-3.141592653589793, 1.0, 6.123233995736766e-17, 38.718150554388814],
+        [3.5, 0.9839859468739369, 0.17824605564949209, 3.12793329569683],
+        [-7.0, 0.35078322768961984, 0.9364566872907963, 1.622777768438897],
+        [100.0, 0.26237485370392877, 0.9649660284921133, 1.5989296090544474],
+        [-1000000.0, 0.1778312015182589, 0.9840610061203382, 1.5834408989083992],
+    ] {
+        let swing = Swing::released_at(&two_radians_a_second(), theta0).unwrap();
+        assert_relative_eq!(swing.modulus(), k, max_relative = f64::EPSILON);
+        assert_relative_eq!(swing.complementary_modulus(), complement, max_relative = f64::EPSILON);
+        assert_relative_eq!(swing.elliptic_k(), elliptic_k, max_relative = PERIOD_TOLERANCE);
+        assert_relative_eq!(swing.period(), 2.0 * elliptic_k, max_relative = PERIOD_TOLERANCE);
+        let ratio = elliptic_k / std::f64::consts::FRAC_PI_2;
+        assert_relative_eq!(swing.ratio(), ratio, max_relative = PERIOD_TOLERANCE);
+    }
+}
+
+/// Modulus and period of a motion at ω₀ = 2 rad/s, computed with 60 digits: either way, tiny, and
+/// in rotation. Both come from double-doubles, which are rounded once.
+///
+/// Catches: a modulus that is not scaled back after a tiny swing was solved larger, or has the sign
+/// of a velocity; that of rotation upside down; a period of the mirror image.
+#[test]
+fn the_numbers_of_a_motion_are_right_relatively() {
+    for [theta, omega, k, period] in [
+        [-1.0, 0.5, 0.4954531734341099, 3.36661317030618],
+        [-1.0, -0.5, 0.4954531734341099, 3.36661317030618],
+        [0.0, -0.001, 0.00025, 3.14159270267718],
+        [1e-09, -2e-09, 7.071067811865476e-10, 3.141592653589793],
+        [0.0, 1e-300, 2.5e-301, 3.141592653589793],
+        [-1e-200, 3e-200, 9.013878188659973e-201, 3.141592653589793],
+        [2.5, -3.9, 1.360586935029683, 1.388893567774905],
+        [0.0, -4.0000001, 1.000000025, 9.791915659327922],
+        [-3.0, 50.0, 12.539736689751512, 0.12546536741066877],
+        [12.0, -100000.0, 25000.00000156146, 6.283185309300423e-05],
+        [-100000.0, 1.0, 1.0306213677772775, 2.7483970934951047],
+    ] {
+        let motion = motion(&two_radians_a_second(), Phase { theta, omega });
+        assert_relative_eq!(motion.modulus(), k, max_relative = NEAREST);
+        assert_relative_eq!(motion.period().unwrap(), period, max_relative = NEAREST);
+    }
+}
+
 /// Catches: √(g/L) upside down, a full turn for a half, m in the period.
 #[test]
 fn the_period_scales_with_the_root_of_length_over_gravity() {

@@ -1,11 +1,15 @@
-//! One step of each of the paper's methods against its equations, written out by hand.
+//! One step of each of the paper's methods, and of each that shares its order and its cost with
+//! another, against its equations, written out by hand.
 //!
 //! g/L = 2.5, so that g in place of g/L or a forgotten L shows, and the step is large, so that
 //! every coefficient counts.
 
 use approx::assert_relative_eq;
-use pendula::methods::{ForwardEuler, Rk4, StormerVerlet, SymplecticEuler};
-use pendula::{Grid, LinearOscillator, Method, Pendulum, Phase, System, integrate};
+use pendula::methods::{
+    ExplicitMidpoint, ForwardEuler, Heun, ImplicitMidpoint, PositionVerlet, Rk4, StormerVerlet,
+    SymplecticEuler,
+};
+use pendula::{Grid, Info, LinearOscillator, METHODS, Method, Pendulum, Phase, System, integrate};
 
 const H: f64 = 0.3;
 const Z: Phase = Phase { theta: 0.8, omega: -0.7 };
@@ -86,4 +90,72 @@ fn rk4_on_the_linear_oscillator_is_a_taylor_polynomial() {
     let z = step(&linear, &Rk4, Phase::at_rest(1.0));
     let x2 = 2.5 * H * H;
     assert_same(z, 1.0 - x2 / 2.0 + x2 * x2 / 24.0, -2.5 * H * (1.0 - x2 / 6.0));
+}
+
+/// Every method with the order and the cost of another has its step in this file: nothing else tells
+/// them apart but digits.
+///
+/// Catches: such a method added without its step by hand.
+#[test]
+fn methods_of_the_same_order_and_cost_are_all_here() {
+    let here = [
+        ForwardEuler.info(),
+        SymplecticEuler.info(),
+        Rk4.info(),
+        StormerVerlet.info(),
+        Heun.info(),
+        ExplicitMidpoint.info(),
+        PositionVerlet.info(),
+        ImplicitMidpoint.info(),
+    ];
+    let all = || METHODS.iter().map(|method| method.info());
+    for one in all() {
+        let twin = all().find(|other| {
+            other.name != one.name
+                && (other.order, other.force_evaluations) == (one.order, one.force_evaluations)
+        });
+        let is_here = here.iter().any(|info| info.name == one.name);
+        assert!(twin.is_none() || is_here, "{} and {}", one.name, twin.unwrap().name);
+    }
+}
+
+/// Heun (1900). Catches: the explicit midpoint rule under its name, an end by forward Euler that is
+/// not weighted by half.
+#[test]
+fn heun_is_the_mean_of_both_ends() {
+    let (theta, omega) = (0.8 + H * -0.7, -0.7 + H * alpha(0.8));
+    let mean = [(-0.7 + omega) / 2.0, (alpha(0.8) + alpha(theta)) / 2.0];
+    assert_same(step(&pendulum(), &Heun, Z), 0.8 + H * mean[0], -0.7 + H * mean[1]);
+}
+
+/// Runge (1895). Catches: Heun's method under its name, half a step that is a whole one.
+#[test]
+fn the_explicit_midpoint_is_half_a_step_of_euler() {
+    let (theta, omega) = (0.8 + 0.5 * H * -0.7, -0.7 + 0.5 * H * alpha(0.8));
+    assert_same(step(&pendulum(), &ExplicitMidpoint, Z), 0.8 + H * omega, -0.7 + H * alpha(theta));
+}
+
+/// Drift, kick, drift. Catches: Störmer–Verlet under its name, a force at either end.
+#[test]
+fn position_verlet_kicks_in_the_middle() {
+    let omega = -0.7 + H * alpha(0.8 + 0.5 * H * -0.7);
+    let theta = 0.8 + 0.5 * H * (-0.7 + omega);
+    assert_same(step(&pendulum(), &PositionVerlet, Z), theta, omega);
+}
+
+/// Its equation, solved by Newton's method for the angle in the middle: m = θ + (h/2)(ω + (h/2)
+/// α(m)).
+///
+/// Catches: a Verlet or the trapezoidal rule under its name; an iteration that stops early.
+#[test]
+fn the_implicit_midpoint_solves_its_equation() {
+    let half = 0.5 * H;
+    let mut middle = 0.8;
+    for _ in 0..20 {
+        let miss = middle - 0.8 - half * (-0.7 + half * alpha(middle));
+        middle -= miss / (1.0 + half * half * 2.5 * middle.cos());
+    }
+    let omega = -0.7 + H * alpha(middle);
+    let z = step(&pendulum(), &ImplicitMidpoint, Z);
+    assert_same(z, 0.8 + half * (-0.7 + omega), omega);
 }

@@ -15,6 +15,8 @@ use pendula::{
 use rstest::rstest;
 use rstest_reuse::{apply, template};
 
+use crate::random::Random;
+
 #[template]
 #[rstest]
 #[case::dormand_prince(DormandPrince)]
@@ -151,8 +153,8 @@ fn each_evaluation_is_counted_and_none_is_wasted<M: Embedded>(
 /// Where nothing is refused, sixteen times the tolerance makes a step 16^(1/k) times longer, up to
 /// 2 % because of the first and last steps.
 ///
-/// Catches: a controller whose exponent does not match the order of the estimate: the steps would
-/// oscillate.
+/// Catches: an estimate of another order than the method declares. (A wrong exponent of the
+/// controller moves where the steps settle by nothing: the counts below show it.)
 #[test]
 fn steps_lengthen_with_the_root_of_the_tolerance() {
     let steps = |tol| {
@@ -163,6 +165,77 @@ fn steps_lengthen_with_the_root_of_the_tolerance() {
     };
     let ratio = steps(1e-12) / steps(16e-12);
     assert!((ratio / 16_f64.powf(0.2) - 1.0).abs() < 0.02, "{ratio}");
+}
+
+/// The steps that Dormand and Prince's method takes and refuses from (2, 0.3) to 20 s, from
+/// `tests/data/adaptive_counts.py`, which was written from the literature. Its arithmetic is f64
+/// too, in another order: over 1000 steps the last bits of a factor do not change a count.
+///
+/// Catches: a controller with other exponents, limits or memory, an estimate with a wrong
+/// coefficient, another first step: all keep the tolerance, and only the counts show them.
+#[test]
+fn the_counts_are_those_of_an_independent_program() {
+    for (tol, (accepted, rejected)) in [
+        (1e-3, (62, 28)),
+        (1e-4, (89, 16)),
+        (1e-5, (140, 17)),
+        (1e-6, (220, 23)),
+        (1e-7, (343, 22)),
+        (1e-8, (539, 0)),
+        (1e-9, (859, 0)),
+        (1e-10, (1366, 0)),
+        (1e-11, (2168, 0)),
+        (1e-12, (3439, 0)),
+    ] {
+        let mut walk = walk(&Pendulum::PAPER, DormandPrince, tol, 20.0);
+        assert!(walk.by_ref().all(|step| step.is_ok()));
+        let Counts { accepted: taken, rejected: refused, .. } = walk.counts();
+        assert_eq!((taken, refused), (accepted, rejected), "{tol:e}");
+    }
+}
+
+/// Short walks from anywhere to anywhere, either way, with tolerances of 1e-3 to 1e-12: the last
+/// time is the end to the bit, each step begins where the one before ended, and none is a scrap of
+/// the walk. What is left after a step is more than a hundredth of it, so that a last step that was
+/// not refused is no shorter than that.
+///
+/// Catches: a last step that stops short of the end by a rounding, or beyond it; a tiny step left
+/// over for the end, which costs as much as any and is mostly rounding.
+#[apply(each_pair)]
+fn a_walk_ends_where_it_should<M: Embedded>(#[case] method: M) {
+    let mut random = Random::new(7);
+    let mut last_steps = 0;
+    for n in 0..2000 {
+        let from = random.one_of(&[0.0, 1.0, -1e3, 1e6]) * random.between(0.5, 1.0);
+        let until = from + random.between(-3.0, 3.0);
+        let start = Phase { theta: random.between(-4.0, 4.0), omega: random.between(-4.0, 4.0) };
+        let tol = 10_f64.powf(random.between(-12.0, -3.0));
+        let adaptive = Adaptive::new(method, tolerance(tol));
+        let mut walk = adaptive.steps(&Pendulum::PAPER, start, from, until).unwrap();
+        let (mut t, mut z, mut before) = (from, start, None);
+        while let Some(step) = walk.next() {
+            let step = step.unwrap();
+            assert!(step.start_time() == t && step.start() == z, "walk {n}");
+            let rejected = walk.counts().rejected;
+            assert!(
+                step.size().abs() > 1e-12 * (until - from).abs(),
+                "walk {n}: {} s",
+                step.size()
+            );
+            if let Some((size, refused)) = before
+                && step.end_time() == until
+                && rejected == refused
+            {
+                let share: f64 = step.size() / size;
+                assert!(share > 0.0099, "walk {n}: a last step of {share} of the one before");
+                last_steps += 1;
+            }
+            before = Some((step.size(), rejected));
+            (t, z) = (step.end_time(), step.end());
+        }
+        assert!(t == until && walk.time() == until && walk.state() == z, "walk {n}: {t}");
+    }
+    assert!(last_steps > 500, "{last_steps}");
 }
 
 /// The first step by hand, after Hairer, Nørsett and Wanner (Sect. II.4). In units of the allowed

@@ -4,7 +4,7 @@
 use std::num::NonZeroU64;
 
 use pendula::fast::{Avx2, Avx512, Baseline, Best, Ensemble, InLanes, Instructions};
-use pendula::integrate::Record;
+use pendula::integrate::Every;
 use pendula::{Grid, Observer, Pendulum, Phase, integrate, integrate_fast};
 use rstest_reuse::apply;
 
@@ -53,23 +53,49 @@ fn bits(states: &[Phase]) -> Vec<[u64; 2]> {
     states.iter().map(|z| [z.theta.to_bits(), z.omega.to_bits()]).collect()
 }
 
-/// Catches: samples one step late, a sample too few at the end, the start left out.
+/// What an observer is told: the count of steps, the bits of the time and those of the state.
+type Told = (u64, u64, [u64; 2]);
+
+/// Each observer of an ensemble is told the very list that [`Every`] passes on along the single
+/// trajectory: with strides that divide the number of steps and that do not, the last of them
+/// longer than the run; in lanes; and beside a start that needs care, with which no lane is left.
+///
+/// Catches: samples one step late, a sample too few at the end or too many beyond it, the start left
+/// out; a count in samples, a time in steps; another observer's trajectory.
 #[apply(each_method)]
-fn each_observer_of_an_ensemble_sees_its_own_trajectory<M: InLanes>(
+fn each_observer_of_an_ensemble_is_told_what_it_would_be_alone<M: InLanes>(
     #[case] method: M,
-    #[values(1, 7)] every: u64,
+    #[values(1, 7, 10, 99, 100, 101, 1 << 32)] every: u64,
+    #[values(false, true)] with_care: bool,
 ) {
-    let (pendulums, starts) = family();
+    let (pendulums, mut starts) = family();
+    if with_care {
+        for start in starts.iter_mut().step_by(20) {
+            start.theta = 1e9;
+        }
+    }
     let (grid, every) = (Grid::new(0.017, 100).unwrap(), NonZeroU64::new(every).unwrap());
-    let each = (grid.steps() / every + 1) as usize;
-    let mut samples = vec![Phase::default(); each * starts.len()];
-    let mut records: Vec<Record<Phase>> = samples.chunks_mut(each).map(Record::new).collect();
-    Ensemble::with_pendulums(&pendulums, &starts, grid).watch(&method, every, &mut records);
-    for ((pendulum, start), seen) in pendulums.iter().zip(starts).zip(samples.chunks(each)) {
-        let mut alone = vec![];
-        let mut watch = pendula::integrate::Every::new(every, |_, _, z| alone.push(z));
+    let mut told: Vec<Vec<Told>> = vec![vec![]; starts.len()];
+    let mut observers: Vec<_> = told
+        .iter_mut()
+        .map(|told| move |n, t: f64, z| told.push((n, t.to_bits(), bits(&[z])[0])))
+        .collect();
+    Ensemble::with_pendulums(&pendulums, &starts, grid).watch(&method, every, &mut observers);
+    drop(observers);
+    for ((pendulum, start), told) in pendulums.iter().zip(starts).zip(told) {
+        let mut alone: Vec<Told> = vec![];
+        let mut watch =
+            Every::new(every, |n, t: f64, z| alone.push((n, t.to_bits(), bits(&[z])[0])));
         integrate_fast(pendulum, &method, start, &grid, &mut watch);
-        assert_eq!(bits(seen), bits(&alone));
+        assert_eq!(told, alone);
+        // And that list is what it should be.
+        assert_eq!(told.len() as u64, 100 / every + 1);
+        for (i, (n, t, _)) in (0..).zip(&told) {
+            assert_eq!(
+                (*n, f64::from_bits(*t)),
+                (i * every.get(), (i * every.get()) as f64 * 0.017)
+            );
+        }
     }
 }
 
@@ -127,7 +153,7 @@ fn a_satisfied_observer_is_left_alone<M: InLanes>(
     Ensemble::new(&Pendulum::PAPER, &starts, grid).watch(&method, every, &mut watches);
     for (start, Some3(seen)) in starts.iter().zip(watches) {
         let mut alone = vec![];
-        let mut watch = pendula::integrate::Every::new(every, |_, _, z| alone.push(z));
+        let mut watch = Every::new(every, |_, _, z| alone.push(z));
         integrate_fast(&Pendulum::PAPER, &method, *start, &grid, &mut watch);
         // In such a block, time is in seconds only for the start that requires it.
         assert_eq!(bits(&seen), bits(&alone[..3]));

@@ -93,6 +93,63 @@ fn no_digit_is_lost_on_the_way_to_an_energy() {
     assert!(refused.is_ok(), "m g L = 1e290, m L² = 1e240, g/L = 1e50: {refused:?}");
 }
 
+/// The energy at the top is 2 m g L, and must be in range too: up to m g L = 8.9e307 J.
+///
+/// Catches: a pendulum accepted whose energy is infinite upside down, and NaN at the bottom; a start
+/// whose kinetic and potential energy are each in range and their sum is not.
+#[test]
+fn the_energy_at_the_top_is_finite() {
+    for gravity in [9.1e307, 1e308, 1.7e308] {
+        let refused = Pendulum::new(gravity, 1.0, 1.0);
+        assert!(matches!(refused, Err(Error::Parameter { .. })), "{gravity:e}: {refused:?}");
+    }
+    let heavy = Pendulum::new(8.9e307, 1.0, 1.0).unwrap();
+    for theta in [0.0, 1.0, PI, -PI, 3.0 * PI] {
+        let z = heavy.start(theta, 0.0).unwrap();
+        assert!((0.0..=f64::MAX).contains(&heavy.energy(z)), "{theta}: {}", heavy.energy(z));
+    }
+    // ½ m L² ω² = 1.125e308 J.
+    assert!(heavy.start(0.0, 1.5e154).is_ok() && heavy.start(PI, 1.5e154).is_err());
+}
+
+/// ω = 1e302 rad/s is within 3e150 ω₀ of a stiff pendulum, and a product of double-doubles splits its
+/// factors, which overflows.
+///
+/// Catches: a motion accepted that is NaN at its own start.
+#[test]
+fn the_fastest_motion_is_at_its_start() {
+    let stiff = Pendulum::new(1e150, 1e-157, 1e100).unwrap();
+    for omega in [1e296, 1e302, -1e303] {
+        let refused = Motion::new(&stiff, Phase { theta: 1.0, omega });
+        assert!(matches!(refused, Err(Error::Parameter { .. })), "{omega:e}");
+    }
+    for omega in [1e295, -1e295, 1e290] {
+        let motion = Motion::new(&stiff, Phase { theta: 1.0, omega }).unwrap();
+        let z = motion.at(0.0);
+        assert!((z.theta - 1.0).abs() < 4e-15 && (z.omega / omega - 1.0).abs() < 4e-15, "{z:?}");
+    }
+}
+
+/// The series counts quarter periods up to 2⁴⁰, the motion up to 2⁵².
+///
+/// Catches: many times at once refused where each by itself is not.
+#[test]
+fn many_times_reach_as_far_as_one() {
+    let motion = Motion::new(&Pendulum::PAPER, Phase::at_rest(2.0)).unwrap();
+    let series = motion.series().unwrap();
+    let mut times = vec![1.0; 100];
+    let mut states = vec![Phase::default(); 100];
+    motion.at_each(&times, &mut states);
+    assert!(states.iter().all(|z| *z == series.at(1.0)), "the series");
+    times[99] = 2.0 * series.horizon();
+    assert!(times[99] < motion.horizon());
+    motion.at_each(&times, &mut states);
+    for (t, z) in times.iter().zip(states) {
+        assert_eq!(z, motion.at(*t), "{t:e}");
+        assert!(z.theta.is_finite());
+    }
+}
+
 /// Catches: an accepted start that is not finite, or whose energy is not; a good one refused.
 #[test]
 fn a_start_is_sound_or_refused() {

@@ -1,10 +1,14 @@
 //! Observers: what they see, and in which order.
 
+use std::f64::consts::PI;
 use std::num::NonZeroU64;
 
 use pendula::integrate::{Every, Record};
 use pendula::methods::StormerVerlet;
-use pendula::{Grid, Observer, Pendulum, Phase, integrate};
+use pendula::metrics::EnergyDrift;
+use pendula::{Grid, Hamiltonian, Observer, Pendulum, Phase, integrate};
+
+use crate::random::Random;
 
 const START: Phase = Phase { theta: 1.0, omega: -0.25 };
 
@@ -90,4 +94,45 @@ fn a_record_holds_the_samples_that_fit() {
     let mut some = vec![Phase::default(); 10];
     integrate(&Pendulum::PAPER, &StormerVerlet, START, &grid(), &mut Record::new(&mut some));
     assert_eq!(some, all[..10]);
+}
+
+/// Angles within (0, π], where a sine needs no reduction, within (π, 2π], beyond, and mixed, of
+/// either sign and in blocks of any length: the energies of many states are those of each.
+///
+/// Catches: a batch that reduces no angle where one needs it, or beyond π where it must; one that
+/// leaves out the last states of a block, or writes beyond its slots.
+#[test]
+fn energies_have_the_bits_of_each_energy() {
+    let pendulum = Pendulum::new(9.81, 1.7, 0.6).unwrap();
+    let mut random = Random::new(23);
+    let edges = [PI, PI.next_up(), PI.next_down(), 2.0 * PI, 3.0 * PI, 0.0];
+    for (least, most) in [(0.0, PI), (PI, 2.0 * PI), (2.0 * PI, 1e3), (0.0, 10.0), (0.0, 1e7)] {
+        for count in [0, 1, 2, 31, 63, 64, 65, 200] {
+            let mut states: Vec<Phase> = (0..count)
+                .map(|_| Phase {
+                    theta: random.one_of(&[-1.0, 1.0]) * random.between(least, most),
+                    omega: random.between(-5.0, 5.0),
+                })
+                .collect();
+            if let Some(z) = states.first_mut() {
+                let edge = random.one_of(&edges);
+                z.theta = if (least..=most).contains(&edge) { edge } else { z.theta };
+            }
+            let alone: Vec<u64> = states.iter().map(|z| pendulum.energy(*z).to_bits()).collect();
+            for slots in [count, count / 2, count + 3] {
+                let mut energies = vec![-1.0; slots];
+                pendulum.energies(&states, &mut energies);
+                let (of, beyond) = energies.split_at(slots.min(count));
+                assert!(of.iter().zip(&alone).all(|(e, alone)| e.to_bits() == *alone));
+                assert!(beyond.iter().all(|energy| *energy == -1.0));
+            }
+            let mut drift = EnergyDrift::new(&pendulum);
+            let mut largest = 0.0_f64;
+            for (n, z) in (0..).zip(&states) {
+                drift.observe(n, 0.0, *z);
+                largest = largest.max((pendulum.energy(*z) - pendulum.energy(states[0])).abs());
+                assert_eq!(drift.largest().to_bits(), largest.to_bits(), "{n} of {count}");
+            }
+        }
+    }
 }

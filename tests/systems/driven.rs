@@ -295,6 +295,38 @@ fn roots_are_found_to_the_last_bits() {
     assert_eq!(root(|x| (x < 0.5).then_some(-1.0), 0.0, 1.0), None);
 }
 
+/// Brackets of hundreds of decades, in which the secant falls short of its zero by less than a
+/// rounding of itself, and of the latest point.
+///
+/// Catches: a small step of the secant taken for convergence; bisection of a distance, which takes
+/// a thousand halvings from 1e296 to 1e-61.
+#[test]
+fn a_root_is_found_across_all_decades() {
+    for zero in [5e-61, 1e-200, 3.0, 1e-262 * 1.5, 1e280] {
+        for (low, high) in [(1e-262, 6e295), (6e295, 1e-262), (-1e300, 6e295), (0.0, f64::MAX)] {
+            let mut asked = 0;
+            for scale in [1.0, 1e-150] {
+                let line = |x: f64| {
+                    asked += 1;
+                    Some((x - zero) * scale)
+                };
+                let found = root(line, low, high).unwrap();
+                near("a line", found / zero, 1.0, 4e-16).unwrap();
+            }
+            let cube = |x: f64| Some((x / zero).powi(3) - 1.0);
+            near("a cube", root(cube, low, high).unwrap() / zero, 1.0, 4e-16).unwrap();
+            assert!(asked <= 600, "{asked}");
+        }
+    }
+    // A zero at `low` is returned whatever the value at `high`, unless that is none.
+    assert_eq!(root(|x| Some(if x == 1.0 { 0.0 } else { f64::NAN }), 1.0, 2.0), Some(1.0));
+    assert_eq!(root(|x| Some(if x == 1.0 { -0.0 } else { -3.0 }), 1.0, 2.0), Some(1.0));
+    assert_eq!(root(|x| (x == 1.0).then_some(0.0), 1.0, 2.0), None);
+    // Subnormal, and between the zeros.
+    let step = |x: f64| Some(if x < 2e-323 { -1.0 } else { 1.0 });
+    assert!((1.5e-323..2.5e-323).contains(&root(step, -1.0, 1.0).unwrap()));
+}
+
 /// Catches: a search that continues after it has converged.
 #[test]
 fn a_root_takes_few_evaluations() {
@@ -399,10 +431,12 @@ fn impossible_drives_are_refused() {
         (f64::MAX, 1.0, "drive γ g/L"),
         (1.0, 0.0, "greater than zero"),
         (1.0, f64::INFINITY, "drive frequency Ω"),
+        (1.0, 3e-308, "at least 3.5e-308"),
     ] {
         let refused = Driven::new(damped, strength, frequency).unwrap_err().to_string();
         assert!(refused.contains(because), "{refused}");
     }
+    assert!(Driven::new(damped, 1.0, 4e-308).unwrap().period().is_finite());
     let driven = driven(1.0);
     assert!(Stroboscope::new(&driven, &Rk4, driven.period(), 0).is_err());
     assert!(Stroboscope::new(&driven, &Rk4, -1.0, 10).is_err());

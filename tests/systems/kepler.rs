@@ -262,6 +262,9 @@ fn impossible_orbits_are_refused() {
         (1.0, f64::NAN, "eccentricity e"),
         (0.0, 0.5, "semi-major axis a"),
         (1e-300, 0.5, "mean motion"),
+        (1e-110, 0.5, "r³ on the orbit"),
+        (1e104, 0.5, "r³ on the orbit"),
+        (1e-95, 1.0_f64.next_down(), "r³ on the orbit"),
     ] {
         let refused: Error = Ellipse::new(&centre, a, e).unwrap_err();
         assert!(refused.to_string().contains(because), "{refused}");

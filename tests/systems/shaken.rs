@@ -33,6 +33,26 @@ fn mathieus_curves_begin_as_their_series(#[values(0.0, 0.05, 0.1, 0.2)] q: f64) 
     assert_abs_diff_eq!(b1(q), odd, epsilon = 1e-4 * q.powi(7) + 1e-15);
 }
 
+/// At q = 5 the values of Abramowitz and Stegun (1964), Table 20.1; at ½ and 1, where that table has
+/// none, the smallest eigenvalues of 40 rows of DLMF 28.4 with 40 digits, which at 5 are those of the
+/// table.
+///
+/// Catches: the even curve exchanged with the odd one, a row too few where the series of DLMF 28.6
+/// no longer tells, a square root of the wrong off-diagonal element.
+#[rstest]
+#[case(0.5, -0.121_765_544_941_082_7, 0.470_654_354_933_839_1, 4e-16)]
+#[case(1.0, -0.455_138_604_107_413_55, -0.110_248_816_992_095_17, 4e-16)]
+#[case(5.0, -5.800_046_02, -5.790_080_60, 5e-9)]
+fn mathieus_curves_have_their_published_digits(
+    #[case] q: f64,
+    #[case] even: f64,
+    #[case] odd: f64,
+    #[case] tolerance: f64,
+) {
+    assert_abs_diff_eq!(a0(q), even, epsilon = tolerance);
+    assert_abs_diff_eq!(b1(q), odd, epsilon = tolerance);
+}
+
 /// RK4 at 1000 steps a period: (2π/1000)⁴/120 · 2π = 8e-11 of Ω in the multipliers, and up to about
 /// six times that in the amplitude, where they depend on it least.
 const AMPLITUDE: f64 = 1e-9;
@@ -170,7 +190,8 @@ fn a_pivot_is_what_it_was_made_of() {
     assert_eq!(shaken.pendulum(), &pendulum());
 }
 
-/// Catches: NaN accepted, an error that does not give the reason.
+/// Catches: NaN accepted, an error that does not give the reason; shaking so slow that its period or
+/// Mathieu's parameter is infinite.
 #[test]
 fn impossible_shaking_is_refused() {
     for (amplitude, frequency, because) in [
@@ -178,8 +199,15 @@ fn impossible_shaking_is_refused() {
         (f64::NAN, 60.0, "pivot amplitude a"),
         (0.1, 0.0, "greater than zero"),
         (0.1, 1e200, "shaking a Ω²/L"),
+        (0.1, 1e-308, "at least 3.5e-308"),
+        (0.1, 1e-170, "Mathieu's −4g/(LΩ²)"),
+        (8.9e307, 1e-100, "Mathieu's 2a/L"),
     ] {
         let refused = Shaken::new(pendulum(), amplitude, frequency).unwrap_err().to_string();
         assert!(refused.contains(because), "{refused}");
     }
+    // Where Ω² underflows, −4g/(LΩ²) need not.
+    let soft = Pendulum::new(1e-300, 1.0, 1.0).unwrap();
+    let Mathieu { a, q } = Shaken::new(soft, 0.1, 1e-165).unwrap().mathieu();
+    assert!((a / -4e30 - 1.0).abs() < 1e-15 && q == 0.2, "{a:e} {q}");
 }
