@@ -14,6 +14,8 @@ class Book:
 
     def __init__(self, folder: Path, program: Path | None = None, only: list[str] | None = None):
         self.folder = folder.resolve()
+        # What every address of the book begins with.
+        self.root = self.folder.as_uri()
         if not (self.folder / "toc.html").is_file():
             raise NoBook(f"{folder}: no built book here; cargo run --release builds it")
         # Cargo puts the program beside the book, in target/release and target/book.

@@ -3,32 +3,42 @@
 import argparse
 import sys
 import time
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
+import addresses
 import claims
 import lab
 import pages
 import pictures
+import policy
 import reader
 import spoilt
 from book import Book, NoBook
-from browser import Browser
+from browser import Browser, Tab
 
-CHECKS = [pages.every_page, *reader.CHECKS, *claims.CHECKS, *lab.CHECKS]
+CHECKS = [
+    pages.every_page,
+    *reader.CHECKS,
+    *claims.CHECKS,
+    *lab.CHECKS,
+    *addresses.CHECKS,
+    *policy.CHECKS,
+]
 
 
-def check(folder: Path) -> bool:
-    """Runs every check; whether the book passes."""
+def check(folder: Path, checks: list[Callable[[Tab, Book], Iterator[str]]]) -> bool:
+    """Runs the checks; whether the book passes."""
     started, found = time.monotonic(), 0
     book = Book(folder)
     with Browser() as browser:
-        for one in CHECKS:
+        for one in checks:
             findings = browser.findings(one, book)
             found += len(findings)
             for finding in findings:
                 print(finding, flush=True)
     seconds = time.monotonic() - started
-    done = f"{len(book.pages)} pages, {len(CHECKS)} checks, {seconds:.0f} s"
+    done = f"{len(book.pages)} pages, {len(checks)} checks, {seconds:.0f} s"
     print(f"{done}: {found or 'no'} findings")
     return found == 0
 
@@ -48,14 +58,19 @@ def main() -> int:
     instead.add_argument(
         "--pictures", metavar="DIR", type=Path, help="save pictures of the chapters and the lab"
     )
+    instead.add_argument(
+        "--addresses", metavar="N", type=int, help="try so many made-up addresses of the lab"
+    )
     given = arguments.parse_args()
     try:
         if given.self_test:
             passed = spoilt.self_test(given.folder, CHECKS)
         elif given.pictures:
             passed = pictures.save(given.folder, given.pictures)
+        elif given.addresses is not None:
+            passed = check(given.folder, [addresses.made_up_by(given.addresses)])
         else:
-            passed = check(given.folder)
+            passed = check(given.folder, CHECKS)
     except NoBook as missing:
         print(f"check: {missing}", file=sys.stderr)
         return 2

@@ -6,6 +6,7 @@ use anyhow::{Context, Result, bail};
 use mdbook_driver::MDBook;
 
 use crate::ledger::Ledger;
+use crate::policy;
 use crate::preprocess::Pendula;
 use crate::progress::Progress;
 use crate::warnings;
@@ -49,5 +50,7 @@ fn driven(
     // The same name as in book.toml, so that it takes the command's place.
     book.with_preprocessor(Pendula::new(ledger, progress.clone()));
     book.build()?;
-    Ok(book.build_dir_for("html"))
+    let folder = book.build_dir_for("html");
+    policy::impose(&folder)?;
+    Ok(folder)
 }

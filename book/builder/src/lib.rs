@@ -2,7 +2,8 @@
 //!
 //! In reading order: the command line ([`cli`], [`commands`]), the book on disk ([`locate`]),
 //! building it ([`build`]), and what turns a chapter's source into what mdBook renders
-//! ([`preprocess`], with the paper's values from [`ledger`]). What moved in
+//! ([`preprocess`], with the paper's values from [`ledger`]), and what a browser may do on a page
+//! ([`policy`]). What moved in
 //! the snapshots is [`review`], and what the judge says of a program that is not ours is
 //! [`verify`];
 //! their pages share [`page`]. What depends on the reader's machine, and so is in no snapshot, is
@@ -15,6 +16,7 @@ pub mod failure;
 pub mod ledger;
 pub mod locate;
 pub mod page;
+pub mod policy;
 pub mod preprocess;
 pub mod progress;
 pub mod review;

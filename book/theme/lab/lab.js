@@ -17,12 +17,14 @@
         takeHands,
     } = theLab;
     const { compiled, methodsOf, place } = theLab;
-    const { INITIAL, LIMIT } = QUANTITY;
+    const { TIME, STEPS, INITIAL, LIMIT } = QUANTITY;
 
     // The most samples a frame for the closed form and the phase portrait.
     const SAMPLES = 64;
-    // The time for the steps of a frame, out of 1/60 s (ms).
+    // The time for the steps of a frame, out of 1/60 s (ms), and the steps of a first frame, of
+    // which nobody knows yet how long they take.
     const BUDGET = 7;
+    const FIRST = 64;
 
     const calm = matchMedia('(prefers-reduced-motion: reduce)');
 
@@ -41,8 +43,6 @@
             this.preset = spot.dataset.preset;
             this.pendulums = [];
             this.running = this.held = false;
-            // The steps that a frame has time for, and the number of frames so far.
-            this.most = Infinity;
             this.frames = 0;
             this.drawing = new Drawing(this);
             this.page = new Page(this);
@@ -81,10 +81,10 @@
         // ----------------------------------------------------------------------------------- the
         // scene
 
-        // Goes to the scene in the page's address; returns whether there is one.
-        follow() {
+        // Goes to the scene in an address, the page's own; returns whether there is one.
+        follow(hash = location.hash) {
             const scene = addressed(
-                location.hash,
+                hash,
                 this.known.map(method => method.name),
                 this.places,
             );
@@ -134,7 +134,9 @@
                 if (stands) this.pendulums.push(new Pendulum(library, number, method));
                 else refused.push(method.title);
             }
-            this.taken = this.time = this.clock = 0;
+            this.clock = 0;
+            // The steps that a frame has time for: another scene may take longer.
+            this.most = FIRST;
             const last = scene.until ? Math.round(scene.until / scene.dt) : Infinity;
             this.limit = Math.min(last, ...this.pendulums.map(pendulum => pendulum.read(LIMIT)));
             this.running &&= this.pendulums.length > 0;
@@ -148,30 +150,34 @@
             this.drawing.layout();
         }
 
-        // Records the quantities at the present step.
+        // Records the quantities at the present step, which is the one the library says it is.
         sight() {
             const any = this.pendulums.length > 0;
+            this.taken = any ? this.library.read(0, STEPS) : 0;
+            this.time = any ? this.library.read(0, TIME) : 0;
             this.exact = any ? this.library.exact_theta(0, this.time) : NaN;
             // With damping there is no energy error: the energy itself is shown.
             const level = any && this.scene.beta > 0 ? this.library.read(0, INITIAL) : 0;
-            for (const pendulum of this.pendulums) pendulum.note(this.exact, level);
+            for (const pendulum of this.pendulums) pendulum.note(level);
         }
 
-        // Takes up to `n` steps with every method, in pieces small enough to draw; returns whether
-        // it took all `n`.
-        advance(n) {
-            const steps = Math.min(n, this.limit - this.taken);
+        // Takes up to `n` steps with every method, in pieces small enough to draw, for as long as
+        // there is time; returns whether there are more to take.
+        advance(n, deadline = Infinity) {
+            const end = Math.min(this.taken + n, this.limit);
             let piece = 1;
-            while (piece * SAMPLES < steps) piece *= 2;
-            const end = this.taken + steps;
-            while (this.taken < end) {
+            while (this.taken + piece * SAMPLES < end) piece *= 2;
+            while (this.taken < end && performance.now() < deadline) {
                 const next = Math.min(piece - (this.taken % piece), end - this.taken);
-                for (const pendulum of this.pendulums) pendulum.advance(next);
-                this.taken += next;
-                this.time = this.taken * this.scene.dt;
+                const took = this.pendulums.map(pendulum => pendulum.advance(next));
                 this.sight();
+                if (took.some(steps => steps < next)) {
+                    // The library has no more.
+                    this.limit = this.taken;
+                    break;
+                }
             }
-            return steps === n;
+            return this.taken < this.limit;
         }
 
         // ----------------------------------------------------------------------------------------
@@ -227,17 +233,18 @@
                 Math.min(Math.max(now - this.before, 0), calm.matches ? 600 : 100) / 1000;
             this.before = now;
             this.clock += passed * speed;
-            const due = Math.floor(this.clock / dt + 1e-9) - this.taken;
-            const n = Math.max(0, Math.min(due, this.most));
+            const before = this.taken,
+                due = Math.max(0, Math.floor(this.clock / dt + 1e-9) - before);
+            // The budget is an estimate; the deadline holds if steps get longer under way.
+            const more = this.advance(Math.min(due, this.most), began + 2 * BUDGET);
+            const n = this.taken - before,
+                cost = performance.now() - began;
             // Steps for which there is no time are dropped, not caught up.
-            if (due > n) this.clock = (this.taken + n) * dt;
-            const more = this.advance(n);
-            const cost = performance.now() - began;
-            this.most =
-                cost > BUDGET
-                    ? Math.max(1, Math.floor((n * BUDGET) / cost))
-                    : Math.max(this.most * 1.1, 64);
-            this.page.slow.hidden = due <= n;
+            if (due > n) this.clock = this.time;
+            if (cost > BUDGET) this.most = Math.max(1, Math.floor((n * BUDGET) / cost));
+            else if (due > n)
+                this.most = Math.ceil(this.most * (cost < BUDGET / 2 ? 2 : 1.1));
+            this.page.slow.hidden = due <= n || cost < BUDGET / 2;
             if (!more) {
                 this.run(false);
                 return;

@@ -22,7 +22,7 @@
         PERIOD: 11,
         INITIAL: 12,
     };
-    const { THETA, OMEGA, STEPS, LOWEST, HIGHEST } = QUANTITY;
+    const { THETA, OMEGA, TIME, STEPS, LOWEST, HIGHEST } = QUANTITY;
 
     // A trajectory is drawn with at most this many bins; when they are full, pairs are merged.
     const BINS = 512;
@@ -167,15 +167,17 @@
             return this.library.read(this.place, quantity);
         }
 
+        // Takes up to `steps` steps, a whole number, and returns how many the library took.
         advance(steps) {
-            this.library.advance(this.place, steps);
+            return this.library.advance(this.place, steps);
         }
 
-        // Records the angle against the exact one, the extremes of the energy error plus `level`,
-        // and the point in phase space.
-        note(exact, level) {
+        // Records the angle against the exact one at the pendulum's own time, the extremes of the
+        // energy error plus `level`, and the point in phase space.
+        note(level) {
             const steps = this.read(STEPS),
-                theta = this.read(THETA);
+                theta = this.read(THETA),
+                exact = this.library.exact_theta(this.place, this.read(TIME));
             // An implicit method whose equations could not be solved gives NaN from then on.
             this.lost = Number.isNaN(theta);
             if (this.lost) return;

@@ -2,8 +2,8 @@
 (theLab => {
     'use strict';
 
-    const { PAPERS, PRESETS, QUANTITY, ROOT, SLIDERS, SPEEDS, address, look, presetScene, timed } =
-        theLab;
+    const { LONGEST, PAPERS, PRESETS, QUANTITY, ROOT, SLIDERS, SPEEDS } = theLab;
+    const { address, look, presetScene, timed } = theLab;
     const { count, measured, rough, seconds } = theLab;
     const { THETA, OMEGA, TIME, STEPS, EVALUATIONS, ENERGY, ERROR, LARGEST, INITIAL } = QUANTITY;
 
@@ -130,12 +130,13 @@
                 type: 'number',
                 class: 'until',
                 min: 0,
+                max: LONGEST,
                 step: 'any',
                 placeholder: 'never',
                 'aria-label': 'Stop at (s), or empty for never',
                 onchange: () => {
                     const given = this.end.valueAsNumber;
-                    this.lab.change({ until: given > 0 ? given : 0 });
+                    this.lab.change({ until: given > 0 && given <= LONGEST ? given : 0 });
                 },
             });
             return element('label', {}, 'Stop at', this.end, 's');
@@ -352,6 +353,13 @@
             const { scene, pendulums } = this.lab;
             this.every.replaceChildren(
                 ...pendulums.flatMap(pendulum => {
+                    // It has no numbers.
+                    if (pendulum.lost)
+                        return element(
+                            'p',
+                            { class: 'numbers' },
+                            `${pendulum.method.title}: step too long`,
+                        );
                     const value = (name, quantity) => [
                         `${name} = `,
                         element(
@@ -380,7 +388,7 @@
                         ...value('omega', OMEGA),
                         ...value('energy', ENERGY),
                     );
-                    return scene.beta > 0 || pendulum.lost
+                    return scene.beta > 0
                         ? [numbers]
                         : [numbers, element('pre', {}, element('code', {}, command))];
                 }),

@@ -120,6 +120,8 @@
         L: { label: 'Length L', unit: 'm', from: 0.1, to: 5, by: 0.01, least: 0.001, most: 1000 },
         beta: { label: 'Damping β', unit: '1/s', from: 0, to: 2, by: 0.01, least: 0, most: 10 },
     };
+    // The longest run (s): longer than any that the library takes.
+    const LONGEST = 1e9;
     const SPEEDS = [0.1, 0.25, 1, 2, 10, 100, 1000];
 
     function presetScene(name) {
@@ -135,6 +137,12 @@
         return parts.join('&');
     }
 
+    // The number that a text says; NaN for none, also where there is only white space, which
+    // JavaScript takes for zero. Its −0 would not outlive an address.
+    function number(text) {
+        return text?.trim() ? Number(text) + 0 : NaN;
+    }
+
     // The scene of an address, or null if it has none, with known methods only and no more than
     // `places`. Values that it does not name are as in SCENE; invalid ones are ignored.
     function addressed(hash, known, places) {
@@ -148,15 +156,25 @@
             .filter((m, i, all) => known.includes(m) && all.indexOf(m) === i);
         if (methods.length) scene.methods = methods.slice(0, places);
         for (const [key, { least, most }] of Object.entries(SLIDERS)) {
-            const value = given.has(key) ? Number(given.get(key)) : NaN;
+            const value = number(given.get(key));
             if (value >= least && value <= most) scene[key] = value;
         }
-        if (SPEEDS.includes(Number(given.get('speed')))) scene.speed = Number(given.get('speed'));
+        const speed = number(given.get('speed'));
+        if (SPEEDS.includes(speed)) scene.speed = speed;
         if (given.get('scale') === 'log') scene.scale = 'log';
-        const until = Number(given.get('until'));
-        if (until > 0 && until < Infinity) scene.until = until;
+        const until = number(given.get('until'));
+        if (until > 0 && until <= LONGEST) scene.until = until;
         return scene;
     }
 
-    Object.assign(theLab, { PAPERS, PRESETS, SLIDERS, SPEEDS, address, addressed, presetScene });
+    Object.assign(theLab, {
+        LONGEST,
+        PAPERS,
+        PRESETS,
+        SLIDERS,
+        SPEEDS,
+        address,
+        addressed,
+        presetScene,
+    });
 })((globalThis.theLab ??= {}));
