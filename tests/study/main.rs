@@ -7,3 +7,4 @@ mod readme;
 mod rounding;
 mod snapshots;
 mod stencil;
+mod transcription;

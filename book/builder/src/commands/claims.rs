@@ -34,11 +34,18 @@ pub enum LedgerFormat {
 /// # Errors
 /// [`Failure::No`] if a verdict on record is not the one that the measurement supports.
 pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
-    let ledger = Ledger::new(&Study::run(|_| {}));
-    match arguments.format {
-        LedgerFormat::Text => write_text(&ledger, out)?,
+    report(&Ledger::new(&Study::run(|_| {})), arguments.format, out)
+}
+
+/// Writes a ledger.
+///
+/// # Errors
+/// [`Failure::No`] if a verdict on record is not the one that the measurement supports.
+pub fn report(ledger: &Ledger, format: LedgerFormat, out: &mut dyn Write) -> Result<(), Failure> {
+    match format {
+        LedgerFormat::Text => write_text(ledger, out)?,
         LedgerFormat::Json => {
-            let claims: Vec<Value> = stated(&ledger).map(object).collect();
+            let claims: Vec<Value> = stated(ledger).map(object).collect();
             serde_json::to_writer_pretty(&mut *out, &claims)
                 .context("the claims cannot be written")?;
             writeln!(out)?;

@@ -454,7 +454,7 @@ fn claims_are_counted_by_verdict() {
     assert_eq!((of_kind("cell") + of_kind("sentence")) as u32, number(total));
 }
 
-/// Catches: a verdict that does not hold but ends with status 0.
+/// Catches: a verdict that the measurement no longer supports.
 #[test]
 fn every_claim_is_upheld() {
     let claims = json(&["claims", "--format", "json"]);

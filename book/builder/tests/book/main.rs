@@ -6,6 +6,7 @@ mod claims;
 mod command_line;
 mod commands;
 mod lab;
+mod ledger;
 mod pages;
 mod review;
 mod verify;
