@@ -1,6 +1,7 @@
 //! What the book shows: tables, figures, the ledger of claims, predictions.
 
 mod choosing;
+mod figures;
 mod ledger;
 mod predictions;
 mod readme;

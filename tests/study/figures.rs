@@ -1,0 +1,848 @@
+//! The finished figures, read back: what a reader measures off a drawing, by the labels of its
+//! legend, its headings and its ticks, is what the experiments measured.
+//!
+//! Nothing of `charts` is used: a drawing is taken for an SVG of anybody's.
+
+use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::f64::consts::PI;
+use std::sync::LazyLock;
+
+use pendula::systems::{DoublePhase, Ellipse, Kepler, PlanePhase};
+use pendula::{
+    AnyMethod, Grid, Hamiltonian, METHODS, Motion, Pendulum, Phase, exact, method_named,
+};
+use pendula_study::experiments::{
+    STEPS, Study, beyond, choosing, in_paper, level_curves, long_run, phase_portrait, readings,
+    rounding_walk, small_angle, standard_map,
+};
+use pendula_study::report::figures::figures;
+use pendula_study::theory;
+use roxmltree::{Document, Node};
+use rstest::rstest;
+
+static STUDY: LazyLock<Study> = LazyLock::new(|| Study::run(|_| {}));
+
+type Point = (f64, f64);
+
+// -------------------------------------------------------------------------------------------------
+// A drawing
+// -------------------------------------------------------------------------------------------------
+
+/// Coordinates have one decimal, so that a point is off by 0.05 units each way; so are the two
+/// ticks from which an axis is read, which beyond them is off by as much again, and more where they
+/// are close.
+const PLACE: f64 = 0.5;
+/// A line may stray by 0.1 units from what it shows, and where it goes up and down several times
+/// within 2 units, it does so in their middle.
+const LINE: f64 = 1.6;
+/// Dots that are within a square unit are one.
+const DOT: f64 = 1.5;
+/// A line with more points than this has only a few of them marked.
+const MARKED: usize = 40;
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    Line,
+    Marker,
+    Dots,
+}
+use Kind::{Dots, Line, Marker};
+
+/// What tells the series of a drawing apart: class, dash, and shape of the marker.
+#[derive(Clone, Debug, PartialEq)]
+struct Look {
+    kind: Kind,
+    class: String,
+    detail: String,
+}
+
+/// From units to values: two ticks, and whether their values grow by factors.
+#[derive(Clone, Copy, Debug)]
+struct Axis {
+    from: (f64, f64),
+    to: (f64, f64),
+    log: bool,
+}
+
+impl Axis {
+    /// The unit of a value; `None` where it has no place.
+    fn unit(&self, value: f64) -> Option<f64> {
+        let place = |value: f64| if self.log { value.log10() } else { value };
+        let share = (place(value) - place(self.from.1)) / (place(self.to.1) - place(self.from.1));
+        let unit = self.from.0 + share * (self.to.0 - self.from.0);
+        unit.is_finite().then_some(unit)
+    }
+
+    /// Reads an axis off its labelled ticks; each has to be where the two outermost put it.
+    fn read(mut ticks: Vec<(f64, f64, bool)>, name: &str) -> Option<Self> {
+        ticks.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let ((first, last), count) = ((*ticks.first()?, *ticks.last()?), ticks.len());
+        assert!(count >= 2, "{name}: one tick is no axis");
+        // Powers of ten that differ; a linear axis may have one that is common to all.
+        let powers: BTreeSet<i64> =
+            ticks.iter().filter(|t| t.1 > 0.0).map(|t| t.1.log10().floor() as i64).collect();
+        let log = ticks.iter().all(|tick| tick.2) && powers.len() > 1;
+        let axis = Self { from: (first.0, first.1), to: (last.0, last.1), log };
+        for (unit, value, _) in ticks {
+            let there = axis.unit(value).expect("a tick has a place");
+            assert!((there - unit).abs() < 0.25, "{name}: the tick {value} is at {unit}");
+        }
+        Some(axis)
+    }
+}
+
+/// One chart of a drawing.
+#[derive(Debug)]
+struct Panel {
+    /// What stands above it: headings, and what its y axis shows.
+    heading: String,
+    left: f64,
+    top: f64,
+    right: f64,
+    bottom: f64,
+    x: Axis,
+    y: Axis,
+    drawn: Vec<(Look, Vec<Vec<Point>>)>,
+}
+
+/// A figure: its legend and its charts.
+struct Drawing {
+    legend: Vec<(String, Vec<Look>)>,
+    panels: Vec<Panel>,
+}
+
+/// The text of an element, raised and lowered parts in braces.
+fn text(node: Node) -> String {
+    let mut text = String::new();
+    let mut level = 0;
+    for child in node.children() {
+        let shift = child.attribute("dy").map_or(0, |dy| dy.parse::<i32>().unwrap());
+        level += shift;
+        let inner =
+            if child.is_text() { child.text() } else { child.first_child().unwrap().text() };
+        let inner = inner.unwrap_or_default();
+        text += &match level.signum() {
+            -1 => format!("^{{{inner}}}"),
+            1 => format!("_{{{inner}}}"),
+            _ => inner.to_string(),
+        };
+    }
+    text
+}
+
+/// The value of a tick's label, and whether it is a power of ten.
+fn value_of(label: &str) -> Option<(f64, bool)> {
+    let label = label.replace('−', "-");
+    // "top, −π" and the like.
+    let label = label.rsplit(", ").next()?;
+    if let Some((mantissa, exponent)) = label.split_once("10^{") {
+        let exponent: i32 = exponent.trim_end_matches('}').parse().ok()?;
+        let mantissa = match mantissa.trim_end_matches('×') {
+            "" => 1.0,
+            mantissa => mantissa.parse().ok()?,
+        };
+        return Some((mantissa * 10_f64.powi(exponent), true));
+    }
+    if let Some((times, over)) = label.split_once('π') {
+        let times: f64 = match times {
+            "" => 1.0,
+            "-" => -1.0,
+            times => times.parse().ok()?,
+        };
+        let over: f64 = if over.is_empty() { 1.0 } else { over.strip_prefix('/')?.parse().ok()? };
+        return Some((times * PI / over, false));
+    }
+    Some((label.parse().ok()?, false))
+}
+
+/// The commands of a path with their numbers.
+fn commands(d: &str) -> Vec<(char, Vec<f64>)> {
+    let mut commands: Vec<(char, String)> = Vec::new();
+    for c in d.trim().chars() {
+        match c {
+            c if c.is_ascii_alphabetic() => commands.push((c, String::new())),
+            c => commands.last_mut().expect("a command first").1.push(c),
+        }
+    }
+    let numbers = |text: String| {
+        let parts = text.split(|c: char| c == ',' || c.is_whitespace()).filter(|p| !p.is_empty());
+        parts.map(|part| part.parse().unwrap_or_else(|_| panic!("{part}"))).collect()
+    };
+    commands.into_iter().map(|(c, text)| (c, numbers(text))).collect()
+}
+
+/// The strokes of a path: of lines, absolute and relative.
+fn strokes(d: &str) -> Vec<Vec<Point>> {
+    let mut strokes: Vec<Vec<Point>> = Vec::new();
+    let mut at = (0.0, 0.0);
+    for (command, numbers) in commands(d) {
+        let pairs = numbers.chunks(2);
+        match command {
+            'M' => {
+                at = (numbers[0], numbers[1]);
+                strokes.push(vec![at]);
+            }
+            'm' => {
+                at = (at.0 + numbers[0], at.1 + numbers[1]);
+                strokes.push(vec![at]);
+            }
+            'l' => pairs.for_each(|pair| {
+                at = (at.0 + pair[0], at.1 + pair[1]);
+                strokes.last_mut().expect("moved first").push(at);
+            }),
+            'h' if numbers == [0.0] => {}
+            'z' => {
+                let first = strokes.last().expect("moved first")[0];
+                strokes.last_mut().expect("moved first").push(first);
+            }
+            _ => {
+                at = match command {
+                    'h' => (at.0 + numbers[0], at.1),
+                    'v' => (at.0, at.1 + numbers[0]),
+                    'H' => (numbers[0], at.1),
+                    'V' => (at.0, numbers[0]),
+                    'L' => (numbers[0], numbers[1]),
+                    other => panic!("a path with {other}"),
+                };
+                strokes.last_mut().expect("moved first").push(at);
+            }
+        }
+    }
+    strokes
+}
+
+/// What a path shows; `None` for the parts of a chart that are no series.
+fn series(node: Node) -> Option<(Look, Vec<Vec<Point>>)> {
+    let class = node.attribute("class")?;
+    let d = node.attribute("d")?.replace('\n', " ");
+    let (kind, rest) = class.split_once(' ').unwrap_or((class, ""));
+    let look = |kind, detail: &str| Look { kind, class: rest.into(), detail: detail.into() };
+    match kind {
+        "line" if d.trim_start().starts_with('m') => Some((look(Dots, ""), strokes(&d))),
+        "line" => {
+            let dash = node.attribute("stroke-dasharray").unwrap_or_default();
+            Some((look(Line, dash), strokes(&d)))
+        }
+        // Markers: each begins where it stands. The head of an arrow has corners.
+        "dot" if !d.contains('L') => {
+            let marks = d.split('M').skip(1).filter(|mark| !mark.trim().is_empty());
+            let marks = marks.map(|mark| {
+                let (place, shape) = mark.split_once('m').expect("a marker has a shape");
+                let (x, y) = place.trim().split_once(',').expect("a place");
+                (shape.trim().to_string(), (x.parse().unwrap(), y.parse().unwrap()))
+            });
+            let (shapes, places): (Vec<String>, Vec<Point>) = marks.unzip();
+            Some((look(Marker, shapes.first()?), vec![places]))
+        }
+        _ => None,
+    }
+}
+
+impl Drawing {
+    fn of(name: &str) -> Self {
+        let figure = figures().find(|figure| figure.name == name).expect("a figure");
+        Self::read(&figure.svg(&STUDY), name)
+    }
+
+    fn read(svg: &str, name: &str) -> Self {
+        let document = Document::parse(svg).expect("an SVG");
+        let nodes: Vec<Node> =
+            document.root_element().children().filter(Node::is_element).collect();
+        let is_panel = |node: &Node| node.tag_name().name() == "clipPath";
+        let (before, _) = nodes.split_at(nodes.iter().position(is_panel).unwrap_or(nodes.len()));
+        let mut legend: Vec<(String, Vec<Look>)> = Vec::new();
+        let mut looks = Vec::new();
+        let mut after_legend = 0;
+        for (i, node) in before.iter().enumerate() {
+            match node.tag_name().name() {
+                "path" => looks.extend(series(*node).map(|(look, _)| look)),
+                // The texts after the last entry are headings, and have no looks.
+                "text" if !looks.is_empty() => {
+                    legend.push((text(*node), std::mem::take(&mut looks)));
+                    after_legend = i + 1;
+                }
+                _ => {}
+            }
+        }
+        let starts: Vec<usize> = (0..nodes.len()).filter(|i| is_panel(&nodes[*i])).collect();
+        let mut panels: Vec<Panel> = Vec::new();
+        for (i, start) in starts.iter().enumerate() {
+            let end = starts.get(i + 1).copied().unwrap_or(nodes.len());
+            let number = |name: &str| {
+                let rect = nodes[*start].first_element_child().expect("a rectangle");
+                rect.attribute(name).unwrap().parse::<f64>().unwrap()
+            };
+            // The plot and two units around it.
+            let (left, top) = (number("x") + 2.0, number("y") + 2.0);
+            let (right, bottom) = (left + number("width") - 4.0, top + number("height") - 4.0);
+            let inside = &nodes[*start..end];
+            let texts = |nodes: &[Node]| -> Vec<(f64, f64, String, String)> {
+                let texts = nodes.iter().filter(|node| node.tag_name().name() == "text");
+                texts
+                    .map(|node| {
+                        let at = |name| node.attribute(name).unwrap().parse::<f64>().unwrap();
+                        let anchor = node.attribute("text-anchor").unwrap_or("start");
+                        (at("x"), at("y"), anchor.to_string(), text(*node))
+                    })
+                    .collect()
+            };
+            let since = if i == 0 { after_legend } else { starts[i - 1] };
+            let heading = texts(&nodes[since..*start]).into_iter().filter(|(_, y, anchor, _)| {
+                let above = panels.last().filter(|last| last.top < top - 1.0);
+                anchor == "start" && *y < top && above.is_none_or(|last| *y > last.bottom)
+            });
+            let heading = heading.map(|text| text.3).collect::<Vec<_>>().join(" | ");
+            let labels = texts(inside);
+            let label = |near: &dyn Fn(&(f64, f64, String, String)) -> bool| {
+                labels.iter().find(|text| near(text)).and_then(|text| value_of(&text.3))
+            };
+            let axis = inside.iter().find(|node| node.attribute("class") == Some("axis"));
+            let (mut x_ticks, mut y_ticks) = (Vec::new(), Vec::new());
+            let mut at = (0.0, 0.0);
+            for (command, numbers) in axis.map_or(vec![], |a| commands(a.attribute("d").unwrap())) {
+                match (command, &numbers[..]) {
+                    ('M', [x, y]) => at = (*x, *y),
+                    ('v', [6.0]) => {
+                        let near = label(&|(x, y, anchor, _)| {
+                            anchor == "middle"
+                                && (y - bottom - 22.0).abs() < 0.2
+                                && (x - at.0).abs() < 20.0
+                        });
+                        x_ticks.extend(near.map(|(value, power)| (at.0, value, power)));
+                    }
+                    ('h', [-6.0]) => {
+                        let near = label(&|(_, y, anchor, _)| {
+                            anchor == "end" && (y - at.1 - 6.0).abs() < 0.2
+                        });
+                        y_ticks.extend(near.map(|(value, power)| (at.1, value, power)));
+                    }
+                    _ => {}
+                }
+            }
+            let Some(x) = Axis::read(x_ticks, name) else { continue };
+            // A chart whose left neighbour has the same axis does not repeat its numbers.
+            let y = Axis::read(y_ticks, name).or_else(|| panels.last().map(|last| last.y));
+            let drawn = inside.iter().filter_map(|node| series(*node)).collect();
+            let y = y.expect("a y axis");
+            panels.push(Panel { heading, left, top, right, bottom, x, y, drawn });
+        }
+        Self { legend, panels }
+    }
+}
+
+impl Panel {
+    fn contains(&self, (x, y): Point, margin: f64) -> bool {
+        (self.left - margin..=self.right + margin).contains(&x)
+            && (self.top - margin..=self.bottom + margin).contains(&y)
+    }
+
+    /// The values as points of the drawing, as far as they are on it.
+    fn places(&self, values: &[Point], margin: f64) -> Vec<Point> {
+        let place = |&(x, y): &Point| Some((self.x.unit(x)?, self.y.unit(y)?));
+        values.iter().filter_map(place).filter(|place| self.contains(*place, margin)).collect()
+    }
+}
+
+/// Points in squares, to find those near another.
+struct Squares {
+    side: f64,
+    points: HashMap<(i64, i64), Vec<Point>>,
+}
+
+impl Squares {
+    fn new(points: &[Point], side: f64) -> Self {
+        let mut squares = Self { side, points: HashMap::new() };
+        for point in points {
+            squares.points.entry(squares.square(*point)).or_default().push(*point);
+        }
+        squares
+    }
+
+    fn square(&self, (x, y): Point) -> (i64, i64) {
+        ((x / self.side).floor() as i64, (y / self.side).floor() as i64)
+    }
+
+    /// Whether a point is within a side of this one.
+    fn has_near(&self, at: Point) -> bool {
+        let (i, j) = self.square(at);
+        let near = |p: &Point| (p.0 - at.0).hypot(p.1 - at.1) <= self.side;
+        (i - 1..=i + 1).any(|i| {
+            (j - 1..=j + 1)
+                .any(|j| self.points.get(&(i, j)).is_some_and(|points| points.iter().any(near)))
+        })
+    }
+}
+
+/// A stroke as points a quarter of a unit apart.
+fn dense(stroke: &[Point]) -> Vec<Point> {
+    let mut points = stroke[..1].to_vec();
+    for pair in stroke.windows(2) {
+        let (dx, dy) = (pair[1].0 - pair[0].0, pair[1].1 - pair[0].1);
+        // What is far outside the drawing is not followed.
+        let parts = (dx.hypot(dy) * 4.0).ceil().clamp(1.0, 20_000.0);
+        let at = |k: u32| f64::from(k) / parts;
+        points.extend((1..=parts as u32).map(|k| (pair[0].0 + dx * at(k), pair[0].1 + dy * at(k))));
+    }
+    points
+}
+
+// -------------------------------------------------------------------------------------------------
+// What a drawing should show
+// -------------------------------------------------------------------------------------------------
+
+/// A series: words of the heading of its chart, its label in the legend, how it is drawn, and its
+/// values.
+struct Expected {
+    chart: String,
+    label: String,
+    kind: Kind,
+    values: Vec<Point>,
+}
+
+fn expect(
+    chart: impl Into<String>,
+    label: impl Into<String>,
+    kind: Kind,
+    values: impl IntoIterator<Item = Point>,
+) -> Expected {
+    let (chart, label) = (chart.into(), label.into());
+    Expected { chart, label, kind, values: values.into_iter().collect() }
+}
+
+/// Compares a drawing with all that it should show, and with nothing besides.
+fn compare(name: &str, drawing: &Drawing, expected: &[Expected]) {
+    // What is drawn alike is read as one.
+    let mut together: BTreeMap<(usize, &str, String), Vec<&Expected>> = BTreeMap::new();
+    for series in expected {
+        let charts = drawing.panels.iter().enumerate();
+        let charts: Vec<usize> =
+            charts.filter(|(_, p)| p.heading.contains(&series.chart)).map(|(i, _)| i).collect();
+        let [chart] = charts[..] else {
+            let all: Vec<_> = drawing.panels.iter().map(|panel| &panel.heading).collect();
+            panic!("{name}: {:?} is the heading of {charts:?} in {all:?}", series.chart)
+        };
+        let key = (chart, series.label.as_str(), format!("{:?}", series.kind));
+        together.entry(key).or_default().push(series);
+    }
+    for ((chart, label, kind), all) in together {
+        let panel = &drawing.panels[chart];
+        let what = format!("{name}, {:?}, {label:?}, {kind}", panel.heading);
+        let kind = all[0].kind;
+        let looks: Vec<&Look> = match label {
+            // A series without a label is the only one of its kind.
+            "" => {
+                let named = drawing.legend.iter().flat_map(|(_, looks)| looks);
+                let named: Vec<_> = named.collect();
+                let unnamed = panel.drawn.iter().map(|(look, _)| look);
+                unnamed.filter(|look| look.kind == kind && !named.contains(look)).collect()
+            }
+            label => {
+                let entry = drawing.legend.iter().find(|(other, _)| other == label);
+                let (_, looks) = entry.unwrap_or_else(|| panic!("{what}: not in the legend"));
+                looks.iter().filter(|look| look.kind == kind).collect()
+            }
+        };
+        let drawn = panel.drawn.iter().filter(|(look, _)| looks.contains(&look));
+        let strokes: Vec<&Vec<Point>> = drawn.flat_map(|(_, strokes)| strokes).collect();
+        let values: Vec<Point> = all.iter().flat_map(|series| series.values.clone()).collect();
+        let tolerance = match kind {
+            Line => LINE,
+            Marker => PLACE,
+            Dots => DOT,
+        };
+        // Each value is drawn. On a line with many points only a few have a marker.
+        let points: Vec<Point> = match kind {
+            Line => strokes.iter().flat_map(|stroke| dense(stroke)).collect(),
+            _ => strokes.iter().flat_map(|stroke| stroke.iter().copied()).collect(),
+        };
+        let places = panel.places(&values, -0.5);
+        assert!(!places.is_empty(), "{what}: nothing to show");
+        let few = kind == Marker && values.len() > MARKED && all.iter().any(|s| s.kind == Line);
+        let squares = Squares::new(&points, tolerance);
+        let missing: Vec<_> = places.iter().filter(|place| !squares.has_near(**place)).collect();
+        assert!(
+            few || missing.is_empty(),
+            "{what}: {} of {} are not drawn, the first at {:?}",
+            missing.len(),
+            places.len(),
+            missing[0]
+        );
+        // And what is drawn is a value.
+        let places = Squares::new(&panel.places(&values, 3.0), tolerance);
+        let corners = strokes.iter().flat_map(|stroke| stroke.iter());
+        let corners: Vec<_> = corners.filter(|point| panel.contains(**point, 0.0)).collect();
+        let foreign: Vec<_> = corners.iter().filter(|at| !places.has_near(***at)).collect();
+        assert!(
+            foreign.is_empty(),
+            "{what}: {} of {} that are drawn were not measured, the first at {:?}",
+            foreign.len(),
+            corners.len(),
+            foreign[0]
+        );
+    }
+}
+
+type Method = &'static dyn AnyMethod;
+
+fn of(name: &str) -> Method {
+    method_named(name).expect("a method of the library")
+}
+
+fn title(method: Method) -> &'static str {
+    method.info().title
+}
+
+fn papers() -> impl Iterator<Item = Method> {
+    METHODS.iter().copied().filter(|method| in_paper(*method))
+}
+
+/// Every sample of a run from rest: time and state.
+fn run(method: Method, theta_0: f64, step: f64, duration: f64) -> Vec<(f64, Phase)> {
+    let grid = Grid::with_duration(step, duration).unwrap();
+    let mut samples = Vec::new();
+    let mut keep = |_: u64, t: f64, z: Phase| samples.push((t, z));
+    method.run(&Pendulum::PAPER, Phase::at_rest(theta_0), &grid, &mut keep);
+    samples
+}
+
+/// H − H₀ along a run.
+fn energy_error(run: &[(f64, Phase)]) -> impl Iterator<Item = Point> {
+    let initial = Pendulum::PAPER.energy(run[0].1);
+    run.iter().map(move |(t, z)| (*t, Pendulum::PAPER.energy(*z) - initial))
+}
+
+fn plane(z: Phase) -> Point {
+    (z.theta, z.omega)
+}
+
+fn figure_2() -> Vec<Expected> {
+    let rows = STUDY.convergence.iter().flat_map(|row| {
+        let points: Vec<Point> = STEPS.into_iter().zip(row.drift).collect();
+        [Line, Marker].map(|kind| (title(row.method), kind, points.clone()))
+    });
+    rows.map(|(label, kind, points)| expect("energy error", label, kind, points)).collect()
+}
+
+fn figure_3() -> Vec<Expected> {
+    let mut expected = Vec::new();
+    for method in papers() {
+        let samples = run(method, 1.0, 0.01, 1000.0);
+        let error: Vec<Point> = energy_error(&samples).collect();
+        if title(method) != "RK4" {
+            let drawn = error.iter().copied().step_by(50);
+            expected.push(expect("H − H_{0} (J)", title(method), Line, drawn));
+        }
+        let mut largest = 0.0_f64;
+        let so_far = error.iter().enumerate().filter_map(|(n, (t, error))| {
+            largest = largest.max(error.abs());
+            (n > 0 && n % 100 == 0).then_some((*t, largest))
+        });
+        let so_far: Vec<Point> = so_far.collect();
+        let row = STUDY.long_run.iter().find(|row| title(row.method) == title(method)).unwrap();
+        assert_eq!(so_far.last().unwrap().1, row.drift);
+        expected.push(expect("so far (J)", title(method), Line, so_far));
+    }
+    expected
+}
+
+fn figure_4() -> Vec<Expected> {
+    let samples = run(of("forward-euler"), 0.05, 0.01, 10.0);
+    let frequency = 9.81_f64.sqrt();
+    let label = "Forward Euler";
+    vec![
+        expect(
+            "θ (rad)",
+            "θ_{0} cos ω_{0}t",
+            Line,
+            samples.iter().map(|(t, _)| (*t, 0.05 * (frequency * t).cos())),
+        ),
+        expect("θ (rad)", label, Line, samples.iter().map(|(t, z)| (*t, z.theta))),
+        expect("H − H", label, Line, energy_error(&samples)),
+    ]
+}
+
+fn figure_5() -> Vec<Expected> {
+    let orbits = phase_portrait::THETA_0.into_iter().map(|theta_0| {
+        let period = exact::period(&Pendulum::PAPER, theta_0).unwrap();
+        // Once round, and the step that closes it.
+        let orbit = run(of("rk4"), theta_0, 0.01, 0.01 * (period / 0.01).ceil());
+        expect("ω (rad/s)", "RK4", Line, orbit.into_iter().map(|(_, z)| plane(z)))
+    });
+    orbits.collect()
+}
+
+fn figure_6() -> Vec<Expected> {
+    let samples = run(of("rk4"), 3.0, 0.001, 15.0);
+    vec![expect("θ (rad)", "RK4", Line, samples.iter().map(|(t, z)| (*t, z.theta)))]
+}
+
+fn figure_7() -> Vec<Expected> {
+    let mut expected = Vec::new();
+    for row in &STUDY.work {
+        let pick = |pick: fn(&small_angle::Errors) -> f64| {
+            row.points.iter().map(move |(n, errors)| (*n as f64, pick(errors)))
+        };
+        for kind in [Line, Marker] {
+            let label = title(row.method);
+            expected.push(expect("against formula", label, kind, pick(|e| e.formula)));
+            expected.push(expect("against truth", label, kind, pick(|e| e.truth)));
+        }
+    }
+    expected
+}
+
+fn energy_predicted() -> Vec<Expected> {
+    let rows = STUDY.convergence.iter();
+    let markers = rows.map(|row| {
+        expect("energy error", title(row.method), Marker, STEPS.into_iter().zip(row.drift))
+    });
+    markers.collect()
+}
+
+fn cancellation() -> Vec<Expected> {
+    let verlet = of("stormer-verlet");
+    let row = STUDY.small_angle.iter().find(|row| title(row.method) == title(verlet)).unwrap();
+    let truth = STEPS.into_iter().zip(row.errors.map(|errors| errors.truth));
+    let ladder = small_angle::ladder(verlet);
+    let formula = ladder.iter().map(|(h, errors)| (*h, errors.formula));
+    vec![
+        expect("RMS", "measured against the formula", Line, formula),
+        expect("RMS", "measured against the truth", Marker, truth),
+    ]
+}
+
+fn two_eulers() -> Vec<Expected> {
+    let mut expected = Vec::new();
+    for name in ["forward-euler", "symplectic-euler"] {
+        let samples = run(of(name), 1.0, 0.01, 1000.0);
+        for (heading, from) in [("the first second", 0.0), ("the thousandth second", 999.0)] {
+            let second = samples.iter().filter(|(t, _)| (from - 0.005..from + 1.005).contains(t));
+            // The curve of each turn goes a little over the top.
+            let turns = second.flat_map(|(t, z)| {
+                let nearest = (z.theta / (2.0 * PI)).round();
+                [-1.0, 0.0, 1.0].map(|turn| (*t, z.theta - 2.0 * PI * (nearest + turn)))
+            });
+            expected.push(expect(heading, title(of(name)), Line, turns));
+        }
+    }
+    expected
+}
+
+fn level_curves_expected() -> Vec<Expected> {
+    let rows = level_curves::run().into_iter().map(|row| {
+        let label = title(row.method);
+        let points = level_curves::points(row.method, row.step).into_iter().map(plane);
+        expect(format!("{label}, h = {} s", row.step), label, Marker, points)
+    });
+    rows.collect()
+}
+
+fn five_periods() -> Vec<Expected> {
+    let mut expected = Vec::new();
+    for (chart, ladder) in
+        [("of RK4", readings::of_rk4()), ("of the exact motion", readings::of_the_exact_motion())]
+    {
+        for (i, reading) in readings::READINGS.into_iter().enumerate() {
+            let line: Vec<Point> = ladder.iter().map(|e| (e.step, e.by[i])).collect();
+            expected.push(expect(chart, reading.replace('\'', "’"), Line, line));
+        }
+    }
+    expected
+}
+
+fn standard_map_expected() -> Vec<Expected> {
+    let mut expected = Vec::new();
+    for k in standard_map::PARAMETERS {
+        let orbits = standard_map::orbits(k);
+        for (label, escapes) in [("orbits that stay", false), ("orbits that escape", true)] {
+            let some = orbits.iter().filter(|orbit| orbit.escapes == escapes);
+            let points: Vec<Point> = some.flat_map(|orbit| orbit.points.clone()).collect();
+            if !points.is_empty() {
+                expected.push(expect(format!("K = {k},"), label, Dots, points));
+            }
+        }
+    }
+    expected
+}
+
+fn rounding_walk_expected() -> Vec<Expected> {
+    let pendulum = Pendulum::PAPER;
+    let x = pendulum.small_angle_frequency() * rounding_walk::STEP;
+    let walks = rounding_walk::walks(|z| {
+        let z = theory::Dimensionless::from_phase(&pendulum, z);
+        z.energy() + theory::stormer_verlet::correction(z, x)
+    });
+    let label = "Störmer–Verlet";
+    let growth = rounding_walk::growth(&walks).into_iter().map(|(n, moved)| (n as f64, moved));
+    let mut expected = vec![expect("movement in n steps", label, Marker, growth)];
+    for walk in &walks {
+        let steps = |i: usize| (i as u64 * rounding_walk::SAMPLED) as f64;
+        let line = walk.iter().enumerate().step_by(50).map(|(i, error)| (steps(i), *error));
+        expected.push(expect("relative error", label, Line, line));
+    }
+    expected
+}
+
+fn decision() -> Vec<Expected> {
+    let mut cells: BTreeMap<&str, Vec<Point>> = BTreeMap::new();
+    for cell in choosing::map() {
+        if let Some(best) = cell.ranking.first() {
+            let at = (cell.periods as f64, cell.allowed);
+            cells.entry(title(best.method)).or_default().push(at);
+        }
+    }
+    cells.into_iter().map(|(label, at)| expect("angle error", label, Marker, at)).collect()
+}
+
+fn poincare() -> Vec<Expected> {
+    vec![expect("ω (rad/s)", "", Dots, beyond::poincare(24_000).into_iter().map(plane))]
+}
+
+fn separation() -> Vec<Expected> {
+    let double = beyond::equals();
+    let starts = [[2.0, 2.5], [0.2, 0.25]].into_iter();
+    let runs = starts.map(|start| {
+        let label = format!("released at {} and {} rad", start[0], start[1]);
+        let apart = beyond::separation(&double, start, 1e-9, (0.002, 10_000));
+        expect("distance", label, Line, apart)
+    });
+    runs.collect()
+}
+
+fn kapitza() -> Vec<Expected> {
+    let (stands, leaves): (Vec<_>, Vec<_>) =
+        beyond::trials().into_iter().partition(|trial| trial.stands);
+    let at = |trial: beyond::Trial| (trial.frequency, trial.amplitude);
+    vec![
+        expect("amplitude", "stands", Marker, stands.into_iter().map(at)),
+        expect("amplitude", "falls over or rocks", Marker, leaves.into_iter().map(at)),
+    ]
+}
+
+fn double_pendulum_trace() -> Vec<Expected> {
+    let double = beyond::equals();
+    let paths = [2.0, 2.01].into_iter().map(|upper| {
+        let path = beyond::path(&double, [upper, 2.5], (0.001, 6000));
+        let lower = |(_, z): (f64, DoublePhase)| double.bobs(z)[1];
+        expect("y (m)", format!("from {upper} rad"), Line, path.into_iter().map(lower))
+    });
+    paths.collect()
+}
+
+fn turning_ellipse() -> Vec<Expected> {
+    let centre = Kepler::new(1.0).unwrap();
+    let ellipse = Ellipse::new(&centre, 1.0, 0.6).unwrap();
+    let states = beyond::turning(&centre, &ellipse, 100, 30);
+    let at = |z: &PlanePhase| (z.x, z.y);
+    // The 3rd, 6th, … revolution.
+    let thirds = (3..=30).step_by(3).flat_map(|n| states[100 * n - 100..100 * n].iter().map(at));
+    let thirds: Vec<Point> = thirds.collect();
+    vec![
+        expect("y (m)", "each third revolution", Dots, thirds),
+        expect("y (m)", "the thirtieth", Line, states[2898..].iter().map(at)),
+    ]
+}
+
+/// One step from where all the stencils begin: its ends.
+fn stencil(name: &'static str, step: f64) -> Vec<Expected> {
+    let (pendulum, start) = (Pendulum::PAPER, Phase { theta: -1.2, omega: 1.0 });
+    let mut ends = Vec::new();
+    let mut keep = |_: u64, _: f64, z: Phase| ends.push(plane(z));
+    of(name).run(&pendulum, start, &Grid::new(step, 1).unwrap(), &mut keep);
+    let truth = plane(Motion::new(&pendulum, start).unwrap().at(step));
+    vec![
+        expect("ω (rad/s)", title(of(name)), Marker, ends),
+        expect("ω (rad/s)", format!("true motion after {step} s"), Marker, [truth]),
+    ]
+}
+
+fn swings() -> Vec<Expected> {
+    let mut expected = Vec::new();
+    for theta_0 in [0.5, 1.5, 2.5, 3.1] {
+        let label = format!("{theta_0} rad");
+        let motion = Motion::new(&Pendulum::PAPER, Phase::at_rest(theta_0)).unwrap();
+        let curve = (0..=800).map(|k| 0.01 * f64::from(k)).map(|t| (t, motion.at(t).theta));
+        let period = motion.period().unwrap();
+        let ratio = period / (2.0 * PI / 9.81_f64.sqrt());
+        expected.push(expect("angle θ (rad)", &label, Line, curve));
+        expected.push(expect("angle θ (rad)", &label, Marker, [(period, theta_0)]));
+        expected.push(expect("period T/T", &label, Marker, [(theta_0, ratio)]));
+    }
+    expected
+}
+
+/// Of these no series is measured: the forces are drawn as they act, in the triple jump the arrows
+/// are the substeps, and the images of the square have no labels.
+const NOT_MEASURED: [&str; 3] = ["forces", "triple_jump", "area"];
+
+/// Catches: labels or charts exchanged, half of the data, the beginning of a run where its end
+/// should be, the wrong column of a table, a value that is not where its tick says, an axis whose
+/// ticks are elsewhere.
+#[rstest]
+#[case("figure_2", figure_2)]
+#[case("figure_3", figure_3)]
+#[case("figure_4", figure_4)]
+#[case("figure_5", figure_5)]
+#[case("figure_6", figure_6)]
+#[case("figure_7", figure_7)]
+#[case("energy_predicted", energy_predicted)]
+#[case("cancellation", cancellation)]
+#[case("two_eulers", two_eulers)]
+#[case("level_curves", level_curves_expected)]
+#[case("five_periods", five_periods)]
+#[case("standard_map", standard_map_expected)]
+#[case("rounding_walk", rounding_walk_expected)]
+#[case("decision", decision)]
+#[case("poincare", poincare)]
+#[case("separation", separation)]
+#[case("kapitza", kapitza)]
+#[case("double_pendulum_trace", double_pendulum_trace)]
+#[case("turning_ellipse", turning_ellipse)]
+#[case("stencil_forward_euler", || stencil("forward-euler", 0.35))]
+#[case("stencil_symplectic_euler", || stencil("symplectic-euler", 0.35))]
+#[case("stencil_stormer_verlet", || stencil("stormer-verlet", 0.35))]
+#[case("stencil_rk4", || stencil("rk4", 0.55))]
+#[case("swings", swings)]
+fn a_figure_shows_what_was_measured(#[case] name: &str, #[case] expected: fn() -> Vec<Expected>) {
+    compare(name, &Drawing::of(name), &expected());
+}
+
+/// Catches: a figure that nobody reads back.
+#[test]
+fn every_figure_is_read_back() {
+    let source = include_str!("figures.rs");
+    for figure in figures() {
+        let read = source.contains(&format!("#[case(\"{}\", ", figure.name));
+        assert!(read != NOT_MEASURED.contains(&figure.name), "{}", figure.name);
+    }
+}
+
+/// Figure 2 as it is, and spoilt in the ways of those who draw.
+///
+/// Catches: a reader of drawings that sees what it expects.
+#[test]
+fn a_spoilt_figure_is_noticed() {
+    let figure = figures().find(|figure| figure.name == "figure_2").unwrap();
+    let sound = figure.svg(&STUDY);
+    let noticed = |svg: &str, expected: &[Expected]| {
+        let drawing = Drawing::read(svg, "spoilt");
+        let compared = std::panic::AssertUnwindSafe(|| compare("spoilt", &drawing, expected));
+        std::panic::catch_unwind(compared).is_err()
+    };
+    assert!(!noticed(&sound, &figure_2()));
+    let exchanged = sound
+        .replace(">RK4<", ">?<")
+        .replace(">Störmer–Verlet<", ">RK4<")
+        .replace(">?<", ">Störmer–Verlet<");
+    assert!(noticed(&exchanged, &figure_2()), "labels exchanged");
+    let moved = sound.replace("−3</tspan>", "−4</tspan>");
+    assert!(moved != sound, "a tick to move");
+    let result = std::panic::catch_unwind(|| noticed(&moved, &figure_2()));
+    assert!(result.unwrap_or(true), "a tick moved");
+    let mut half = figure_2();
+    half.iter_mut().for_each(|series| series.values.truncate(3));
+    assert!(noticed(&sound, &half), "more drawn than measured");
+    let mut more = figure_2();
+    more.iter_mut().for_each(|series| series.values.push((0.02, 1.0)));
+    assert!(noticed(&sound, &more), "half of the data");
+}
