@@ -124,8 +124,8 @@ fn the_example_of_a_change() {
 // The same bits everywhere
 // -------------------------------------------------------------------------------------------------
 
-/// Debug and release builds and all machines give the same bits: `.ci/run` runs this in both, and
-/// for another processor.
+/// Debug and release builds and all machines give the same bits: `.ci/processors` computes these
+/// hashes in both, and on other processors.
 ///
 /// Catches: the platform's sine, a fused multiply-add, a constant folded to another bit, a sum in
 /// another order.

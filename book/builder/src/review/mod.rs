@@ -52,7 +52,7 @@ pub struct Review {
     pub claims: Vec<Turn>,
     /// Figures: those that moved visibly first.
     pub figures: Vec<Figure>,
-    /// The titles of the methods whose bits moved.
+    /// The names of the results whose bits moved.
     pub bits: Vec<String>,
     /// Sentences of the book.
     pub quotes: Vec<Quote>,

@@ -53,7 +53,7 @@ pub fn sentences(review: &Review) -> Vec<Sentence> {
     if !review.bits.is_empty() {
         let text = format!(
             "The bits of {} moved: {}.",
-            counted(review.bits.len(), "method"),
+            counted(review.bits.len(), "result"),
             listed(&review.bits, 8)
         );
         sentences.push(sentence(Weight::Moved, text));

@@ -79,7 +79,7 @@ fn the_verdict_comes_first() {
         [
             "2 quantities moved, for 2 causes, the largest change +5.50 % (Störmer–Verlet: order \
              of the state's error, slope 4).",
-            "The bits of 1 method moved: Störmer–Verlet.",
+            "The bits of 1 result moved: stormer-verlet in steps.",
         ]
     );
 }

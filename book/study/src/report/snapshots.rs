@@ -162,8 +162,7 @@ pub fn recipes<'a>(study: &'a Study, ledger: &'a Ledger) -> Vec<Recipe<'a>> {
         name: "bits".to_string(),
         kind: Kind::Hashes,
         make: Box::new(|| {
-            let about =
-                "Hashes of a million steps of each method of the paper, and fewer of the others";
+            let about = "Hashes of all that the library computes, the same on every processor";
             (about.to_string(), bits())
         }),
     });

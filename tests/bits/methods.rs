@@ -1,0 +1,121 @@
+//! Long runs of every method, through each of the loops.
+
+use std::num::NonZeroU64;
+
+use pendula::fast::{Avx2, Avx512, Baseline, Best, InLanes, Instructions};
+use pendula::methods::{BlanesMoan6, DormandPrince, Gauss4};
+use pendula::{
+    Compensated, Ensemble, ForwardEuler, Grid, Info, Pendulum, Phase, Rk4, StormerVerlet,
+    SymplecticEuler, integrate, integrate_fast,
+};
+
+use crate::Line;
+use crate::hash::{Hash, Numbers, common};
+
+/// The hash of every state of four runs of `steps` steps: swinging, nearly over the top, rotating,
+/// and starting many turns from zero; with L ≠ 1 and a step that is not a power of two.
+fn hash<Z: Numbers>(
+    steps: u64,
+    run: impl Fn(&Pendulum, Phase, &Grid, &mut dyn FnMut(u64, f64, Z)),
+) -> u64 {
+    let pendulum = Pendulum::new(9.81, 1.3, 0.7).expect("parameters in range");
+    let grid = Grid::new(0.01, steps).expect("a positive step");
+    let mut hash = Hash::new();
+    for (theta, omega) in [(1.0, 0.0), (3.1, 0.2), (-0.3, 12.0), (1000.5, -1.0)] {
+        run(&pendulum, Phase { theta, omega }, &grid, &mut |_, _, z: Z| hash.add(z));
+    }
+    hash.value()
+}
+
+/// The states of a hundred pendulums, each with its own g and L, after every seventh of 300
+/// steps and at the end; in blocks of lanes of which the last is not full. Two starts cannot be
+/// computed in lanes.
+fn of_ensemble<I: Instructions>(method: &impl InLanes) -> u64 {
+    let pendulum = |j| Pendulum::new(9.81 + 0.01 * j, 1.0 + 0.005 * j, 1.0);
+    let start = |j| Phase { theta: -3.3 + 0.066 * j, omega: 0.1 * j - 4.0 };
+    let numbers = || (0..100).map(f64::from);
+    let pendulums: Result<Vec<Pendulum>, _> = numbers().map(pendulum).collect();
+    let pendulums = pendulums.expect("parameters in range");
+    let mut starts: Vec<Phase> = numbers().map(start).collect();
+    starts[40] = Phase { theta: 0.0, omega: 1e-150 };
+    starts[70] = Phase { theta: 1e9, omega: 1.0 };
+    let grid = Grid::new(0.017, 300).expect("a positive step");
+    let ensemble = Ensemble::with_pendulums(&pendulums, &starts, grid).with_instructions::<I>();
+
+    let mut ends = vec![Phase::default(); starts.len()];
+    ensemble.ends(method, &mut ends);
+    let mut hashes = vec![Hash::new(); starts.len()];
+    let mut watches: Vec<_> =
+        hashes.iter_mut().map(|hash| move |_: u64, _: f64, z: Phase| hash.add(z)).collect();
+    ensemble.watch(method, NonZeroU64::new(7).expect("seven"), &mut watches);
+
+    let mut hash = Hash::new();
+    ends.into_iter().for_each(|z| hash.add(z));
+    hashes.into_iter().for_each(|watched| hash.word(watched.value()));
+    hash.value()
+}
+
+/// The hash of the ensemble, whatever the instructions and the number of threads.
+fn in_lanes(method: &impl InLanes) -> u64 {
+    let mut hashes = vec![
+        of_ensemble::<Best>(method),
+        of_ensemble::<Baseline>(method),
+        of_ensemble::<Avx2>(method),
+        of_ensemble::<Avx512>(method),
+    ];
+    hashes.extend(in_threads(method));
+    common(&hashes)
+}
+
+#[cfg(feature = "threads")]
+fn in_threads(method: &impl InLanes) -> impl Iterator<Item = u64> {
+    [1, 2, 7].into_iter().map(|threads| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+        pool.expect("threads").install(|| of_ensemble::<Best>(method))
+    })
+}
+
+#[cfg(not(feature = "threads"))]
+fn in_threads(_method: &impl InLanes) -> impl Iterator<Item = u64> {
+    std::iter::empty()
+}
+
+macro_rules! lines {
+    ($($module:ident::$method:ident,)+) => {{
+        // Without optimisation a million steps of every method would take minutes.
+        let paper =
+            [ForwardEuler.info(), SymplecticEuler.info(), Rk4.info(), StormerVerlet.info()];
+        let mut lines = Vec::new();
+        $({
+            let method = pendula::methods::$method;
+            let name = method.info().name;
+            let in_paper = paper.iter().any(|info| info.name == name);
+            let steps = if in_paper { 250_000 } else { 25_000 };
+            let mut line = |how: &str, hash: u64| lines.push((format!("{name} {how}"), hash));
+            line("in steps", hash(steps, |pendulum, start, grid, mut watch| {
+                integrate_fast(pendulum, &method, start, grid, &mut watch);
+            }));
+            line("in seconds", hash(steps, |pendulum, start, grid, mut watch| {
+                integrate(pendulum, &method, start, grid, &mut watch);
+            }));
+            line("compensated", hash(5_000, |pendulum, start, grid, mut watch| {
+                let system = Compensated::new(*pendulum);
+                integrate(&system, &method, start.into(), grid, &mut watch);
+            }));
+        })+
+        lines
+    }};
+}
+
+/// A line for each method and each of the loops; in lanes, where a method is compiled to many sets
+/// of instructions, for some of each family.
+pub fn lines() -> Vec<Line> {
+    let mut lines = pendula::for_each_method!(lines);
+    macro_rules! in_lanes {
+        ($($method:ident)+) => {
+            $(lines.push((format!("{} in lanes", $method.info().name), in_lanes(&$method)));)+
+        };
+    }
+    in_lanes!(ForwardEuler SymplecticEuler Rk4 StormerVerlet BlanesMoan6 DormandPrince Gauss4);
+    lines
+}
