@@ -2,7 +2,7 @@
 
 use core::ops::{Add, Mul};
 
-use crate::systems::Vector;
+use crate::systems::{Numbers, Vector};
 
 /// The number `sum` + `factor` · `series`, in which `series` is ready last.
 ///
@@ -59,3 +59,16 @@ impl Mul<f64> for Deferred {
 // ANCHOR_END: deferred
 
 impl Vector for Deferred {}
+
+impl Numbers for Deferred {
+    #[inline]
+    fn write(self, write: &mut impl FnMut(f64)) {
+        let Self { sum, factor, series } = self;
+        [sum, factor, series].into_iter().for_each(write);
+    }
+
+    #[inline]
+    fn read(next: &mut impl FnMut() -> f64) -> Self {
+        Self { sum: next(), factor: next(), series: next() }
+    }
+}

@@ -6,6 +6,7 @@ mod deferred;
 mod ensemble;
 #[cfg(feature = "ensemble")]
 mod lanes;
+mod run;
 mod scaled;
 
 pub use deferred::Deferred;
@@ -13,6 +14,7 @@ pub use deferred::Deferred;
 pub use ensemble::{Ensemble, InLanes};
 #[cfg(feature = "ensemble")]
 pub use lanes::{Avx2, Avx512, Baseline, Best, Instructions, LANES, Lane};
+pub use run::{FastRun, Resumable};
 pub use scaled::{ReducedPhase, ReducedRate, ScaledPendulum};
 
 use crate::error::Error;

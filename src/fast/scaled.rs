@@ -13,7 +13,8 @@ use crate::arithmetic::sine::half_turn::{PI_PARTS, reduce, series};
 use crate::arithmetic::sine::{self, ROUNDER};
 use crate::integrate::{Grid, Method};
 use crate::systems::{
-    Analytic, Components, Pendulum, Phase, RateOf, Separable, State, System, Vector, growth,
+    Analytic, Components, Numbers, Pendulum, Phase, RateOf, Separable, State, System, Vector,
+    growth,
 };
 
 /// The pendulum with time in steps.
@@ -133,6 +134,33 @@ impl<const BRANCH: bool> Components for ReducedPhase<BRANCH> {
     #[inline]
     fn map_components(self, mut each: impl FnMut(f64) -> f64) -> Self {
         Self { rest: each(self.rest), velocity: each(self.velocity.value()).into(), ..self }
+    }
+}
+
+impl<const BRANCH: bool> Numbers for ReducedPhase<BRANCH> {
+    #[inline]
+    fn write(self, write: &mut impl FnMut(f64)) {
+        write(self.rest);
+        write(self.turns);
+        self.velocity.write(write);
+    }
+
+    #[inline]
+    fn read(next: &mut impl FnMut() -> f64) -> Self {
+        Self { rest: next(), turns: next(), velocity: Deferred::read(next) }
+    }
+}
+
+impl Numbers for ReducedRate {
+    #[inline]
+    fn write(self, write: &mut impl FnMut(f64)) {
+        self.angle.write(write);
+        self.velocity.write(write);
+    }
+
+    #[inline]
+    fn read(next: &mut impl FnMut() -> f64) -> Self {
+        Self { angle: Deferred::read(next), velocity: Deferred::read(next) }
     }
 }
 

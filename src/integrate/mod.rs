@@ -1,9 +1,11 @@
 //! The time loop: a system, a method, a start, a grid of times, and an observer of what happens.
 
+mod checkpoint;
 mod grid;
 mod method;
 mod observe;
 
+pub use checkpoint::{CHECKPOINT_NUMBERS, Checkpoint};
 pub use grid::Grid;
 pub use method::{Method, Unsolved};
 pub use observe::{Every, Observer, Record};

@@ -91,5 +91,5 @@ pub use linear_oscillator::LinearOscillator;
 pub(crate) use pendulum::angle;
 pub use pendulum::{LARGEST_ANGLE, Pendulum};
 pub use shaken::{Mathieu, Shaken};
-pub use state::{Components, Phase, State, Vector};
+pub use state::{Components, Numbers, Phase, State, Vector};
 pub use system::{Counting, Hamiltonian, RateOf, Separable, System};

@@ -38,6 +38,24 @@ pub trait Components: State {
     fn map_components(self, each: impl FnMut(f64) -> f64) -> Self;
 }
 
+/// What can be taken apart into numbers and put together again with the same bits: a state, or what
+/// a step carries to the next.
+pub trait Numbers: Copy {
+    /// Passes its numbers to `write`, one after the other.
+    fn write(self, write: &mut impl FnMut(f64));
+
+    /// Puts it together from the numbers that [`write`](Numbers::write) passed on, in their order.
+    fn read(next: &mut impl FnMut() -> f64) -> Self;
+}
+
+impl Numbers for () {
+    #[inline]
+    fn write(self, _write: &mut impl FnMut(f64)) {}
+
+    #[inline]
+    fn read(_next: &mut impl FnMut() -> f64) -> Self {}
+}
+
 /// Defines a state of named components, each an `f64`: a struct that can be displaced and scaled,
 /// component by component, so that every method and the control of steps can work with it. A
 /// [`System`](crate::System) of your own then needs only its equations.
@@ -122,6 +140,18 @@ macro_rules! state {
             #[inline]
             fn map_components(self, mut each: impl FnMut(f64) -> f64) -> Self {
                 Self { $($component: each(self.$component),)+ }
+            }
+        }
+
+        impl $crate::systems::Numbers for $State {
+            #[inline]
+            fn write(self, write: &mut impl FnMut(f64)) {
+                $(write(self.$component);)+
+            }
+
+            #[inline]
+            fn read(next: &mut impl FnMut() -> f64) -> Self {
+                Self { $($component: next(),)+ }
             }
         }
     };

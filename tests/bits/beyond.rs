@@ -154,7 +154,7 @@ fn dynamics() -> Result<u64, Error> {
     hash.add(doubling.expect("a doubling"));
     let driven = Driven::taylor(1.105)?;
     let strobe = Stroboscope::new(&driven, &Rk4, driven.period(), STEPS)?;
-    let watch = Watch { settling: 20, blocks: 10, periods: 10 };
+    let watch = Watch::new(20, 10, 10).expect("ten blocks of ten periods");
     let exponent = largest_exponent(&strobe, Phase::at_rest(-1.5), watch);
     hash.add([exponent.value, exponent.error]);
     Ok(hash.value())

@@ -9,7 +9,7 @@ use std::process::ExitCode;
 pub enum Failure {
     /// The request is invalid: what was asked, and what is allowed. Exit status 2.
     Refused(String),
-    /// The request was valid, but failed. Exit status 1.
+    /// The request was valid, but failed. Exit status 2.
     Failed(anyhow::Error),
     /// The answer is "no", which is not an error: nothing is printed. Exit status 1.
     No,
@@ -39,7 +39,8 @@ impl Failure {
             Self::Refused(_) => ExitCode::from(2),
             // `pendula … | head` has read enough.
             Self::Failed(error) if is_broken_pipe(error) => ExitCode::SUCCESS,
-            Self::Failed(_) | Self::No => ExitCode::FAILURE,
+            Self::Failed(_) => ExitCode::from(2),
+            Self::No => ExitCode::FAILURE,
             Self::Answered => ExitCode::SUCCESS,
         }
     }

@@ -13,6 +13,8 @@ pub mod build;
 pub mod cli;
 pub mod commands;
 pub mod failure;
+pub mod interrupt;
+mod kept;
 pub mod ledger;
 pub mod locate;
 pub mod page;

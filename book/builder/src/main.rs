@@ -14,7 +14,9 @@ fn main() -> ExitCode {
     match outcome {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
-            // Discards the buffer: flushing it would fail on the same closed pipe.
+            // What was printed before the failure is printed. Where that is what failed, as on a
+            // closed pipe, it fails again, and the buffer is discarded.
+            let _ = out.flush();
             let _ = out.into_parts();
             if let Some(line) = failure.line() {
                 // Not eprintln!, which panics when standard error is closed.

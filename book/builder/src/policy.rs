@@ -128,6 +128,8 @@ mod tests {
         let page = with_policy(PAGE).unwrap();
         assert!(page.find("Content-Security-Policy") < page.find("<script"));
         assert!(!page.contains("wasm"));
-        assert!(policy(&PAGE.replace("<main>", "<main><div class=\"lab whole\">")).contains("wasm"));
+        assert!(
+            policy(&PAGE.replace("<main>", "<main><div class=\"lab whole\">")).contains("wasm")
+        );
     }
 }

@@ -2,18 +2,23 @@
 
 use std::io::{self, Write};
 use std::path::PathBuf;
-use std::sync::atomic::Ordering;
+use std::time::Instant;
 
 use clap::{Args, ValueEnum};
-use pendula::Pendulum;
-use pendula::adaptive::{Adaptive, Tolerance};
+use pendula::adaptive::{Adaptive, STEP_LIMIT, Tolerance};
 use pendula::methods::runge_kutta::Embedded;
 use pendula::methods::{Dop853, DormandPrince};
+use pendula::metrics::EnergyDrift;
+use pendula::{Error, Hamiltonian, Observer};
 
-use super::destination::{Destination, interrupts};
-use super::pendulum_arguments::{PendulumArguments, StartArguments};
+use super::destination::Destination;
+use super::number::{count, number};
+use super::pendulum_arguments::{MassArgument, PendulumArguments, StartArguments};
 use super::rows::{RowFormat, Rows};
+use super::simulate::end_errors;
+use super::summary::Summary;
 use crate::failure::Failure;
+use crate::interrupt::Lookout;
 
 /// Arguments of `pendula adaptive`.
 #[derive(Args, Debug)]
@@ -24,22 +29,28 @@ pub struct Arguments {
     #[command(flatten)]
     start: StartArguments,
     /// Duration (s); a negative one goes back in time
-    #[arg(long, value_name = "S", allow_negative_numbers = true)]
+    #[arg(long, value_name = "S", value_parser = number, allow_hyphen_values = true)]
     duration: f64,
     /// The error allowed in a step, absolutely (rad, rad/s) and relatively
-    #[arg(long, value_name = "E", allow_negative_numbers = true)]
+    #[arg(long, value_name = "E", value_parser = number, allow_hyphen_values = true)]
     tolerance: f64,
     #[command(flatten)]
     pendulum: PendulumArguments,
-    /// Mass m of the bob (kg)
-    #[arg(long, default_value_t = Pendulum::PAPER.mass(), allow_negative_numbers = true)]
-    mass: f64,
+    #[command(flatten)]
+    mass: MassArgument,
+    /// The most steps to take, rejected ones included
+    #[arg(long, value_name = "N", default_value_t = STEP_LIMIT, value_parser = count,
+        allow_hyphen_values = true)]
+    max_steps: u64,
     /// How rows are printed
     #[arg(long, value_enum, default_value_t)]
     format: RowFormat,
     /// Write to this file, which appears only when it is whole
     #[arg(long, value_name = "FILE")]
     output: Option<PathBuf>,
+    /// Say on standard error what the run has cost, and how large its errors are
+    #[arg(long)]
+    summary: bool,
 }
 
 /// The methods that estimate their error.
@@ -58,37 +69,90 @@ enum Pair {
 /// [`Failure::Refused`] for what the library refuses; a failure if the output cannot be written, if
 /// the user interrupts, or if the steps do not reach the end.
 pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
+    run_until(arguments, [out, &mut io::stderr()], Lookout::for_the_user)
+}
+
+/// The same, with a writer for the summary too, and interrupted as the lookout says.
+///
+/// # Errors
+/// As [`run`].
+pub fn run_until(
+    arguments: &Arguments,
+    out: [&mut dyn Write; 2],
+    lookout: impl FnOnce() -> Lookout,
+) -> Result<(), Failure> {
     match arguments.method {
-        Pair::DormandPrince => run_with(DormandPrince, arguments, out),
-        Pair::Dop853 => run_with(Dop853, arguments, out),
+        Pair::DormandPrince => run_with(DormandPrince, arguments, out, lookout),
+        Pair::Dop853 => run_with(Dop853, arguments, out, lookout),
     }
 }
 
 fn run_with(
     method: impl Embedded,
     arguments: &Arguments,
-    out: &mut dyn Write,
+    [out, err]: [&mut dyn Write; 2],
+    lookout: impl FnOnce() -> Lookout,
 ) -> Result<(), Failure> {
-    let pendulum = arguments.pendulum.pendulum(arguments.mass).map_err(Failure::refused)?;
+    let begun = Instant::now();
+    let pendulum = arguments.pendulum.pendulum(Some(&arguments.mass)).map_err(Failure::refused)?;
     let start = arguments.start.start(&pendulum).map_err(Failure::refused)?;
     let tolerance = Tolerance::uniform(arguments.tolerance).map_err(Failure::refused)?;
-    let adaptive = Adaptive::new(method, tolerance);
-    let walk =
+    let adaptive = Adaptive::new(method, tolerance).max_attempts(arguments.max_steps);
+    let mut walk =
         adaptive.steps(&pendulum, start, 0.0, arguments.duration).map_err(Failure::refused)?;
 
     // Set the interrupt handler before creating the file.
-    let interrupted = interrupts(arguments.output.is_some())?;
+    let lookout = lookout();
     let destination = Destination::open(arguments.output.as_deref(), out)?;
     let columns = ["t", "theta", "omega", "energy"];
     let mut rows = Rows::begin(destination, arguments.format, columns)?;
+    let mut drift = EnergyDrift::new(&pendulum);
+    drift.observe(0, 0.0, start);
     rows.row([0.0, start.theta, start.omega, pendulum.energy_from_pivot(start)])?;
-    for step in walk {
-        if interrupted.load(Ordering::Relaxed) {
-            return Err(io::Error::from(io::ErrorKind::Interrupted).into());
-        }
-        let step = step.map_err(|error| Failure::Failed(error.into()))?;
-        let z = step.end();
-        rows.row([step.end_time(), z.theta, z.omega, pendulum.energy_from_pivot(z)])?;
+    loop {
+        let steps = walk.counts().accepted;
+        let step = if lookout.interrupts(steps) {
+            Err(anyhow::anyhow!(
+                "interrupted after {steps} steps, at {:?} s of {:?} s; steps that vary cannot be \
+                 resumed",
+                walk.time(),
+                arguments.duration
+            ))
+        } else {
+            let Some(step) = walk.next() else { break };
+            step.map_err(explained)
+        };
+        let step = match step {
+            Ok(step) => step,
+            Err(error) => {
+                // The rows so far are whole.
+                rows.end()?.flush()?;
+                return Err(Failure::Failed(error));
+            }
+        };
+        let (t, z) = (step.end_time(), step.end());
+        rows.row([t, z.theta, z.omega, pendulum.energy_from_pivot(z)])?;
+        drift.observe(steps + 1, t, z);
     }
-    rows.end()?.finish()
+    rows.end()?.finish()?;
+    if arguments.summary {
+        let counts = walk.counts();
+        let mut summary = Summary::of_cost(counts.accepted, counts.evaluations, begun.elapsed());
+        summary.line("steps rejected", counts.rejected.to_string());
+        summary.energy_error(drift.largest(), pendulum.energy(start), "");
+        end_errors(&mut summary, &pendulum, start, arguments.duration, walk.state());
+        summary.print(err)?;
+    }
+    Ok(())
+}
+
+/// The error with the names of the options that would help.
+fn explained(error: Error) -> anyhow::Error {
+    match error {
+        Error::OutOfSteps { t, limit } => anyhow::anyhow!(
+            "{limit} steps have led no further than to {t:?} s: allow more of them with \
+             --max-steps, a larger --tolerance or a shorter --duration"
+        ),
+        error => error.into(),
+    }
 }

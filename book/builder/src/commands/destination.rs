@@ -1,61 +1,13 @@
 //! Where output goes: standard output, or a file that appears only when it is whole.
 
+use std::fs;
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::mpsc::RecvTimeoutError;
-use std::sync::{Arc, mpsc};
-use std::time::Duration;
-use std::{fs, panic, thread};
 
-use anyhow::Context;
 use tempfile::NamedTempFile;
 
 use crate::failure::Failure;
 use crate::whole_file;
-
-/// A flag that is set when the user interrupts, so that a half-written file can be removed. Without
-/// a file an interrupt ends the program as usual.
-///
-/// # Errors
-/// If the interrupt handler cannot be set.
-pub fn interrupts(file: bool) -> Result<Arc<AtomicBool>, Failure> {
-    let flag = Arc::new(AtomicBool::new(false));
-    if file {
-        let raised = Arc::clone(&flag);
-        ctrlc::set_handler(move || raised.store(true, Ordering::Relaxed))
-            .context("interrupts cannot be listened to")?;
-    }
-    Ok(flag)
-}
-
-/// The result of `work`, or a failure as soon as the flag of [`interrupts`] is set; then `work`
-/// runs on in its thread until the program ends.
-///
-/// # Errors
-/// If the user interrupts.
-pub fn unless_interrupted<T: Send + 'static>(
-    interrupted: &AtomicBool,
-    work: impl FnOnce() -> T + Send + 'static,
-) -> Result<T, Failure> {
-    const LISTEN: Duration = Duration::from_millis(20);
-    let (sender, receiver) = mpsc::channel();
-    // Sending fails only after an interrupt, when the result is not needed.
-    let worker = thread::spawn(move || drop(sender.send(work())));
-    loop {
-        match receiver.recv_timeout(LISTEN) {
-            Ok(result) => return Ok(result),
-            Err(RecvTimeoutError::Timeout) if interrupted.load(Ordering::Relaxed) => {
-                return Err(io::Error::from(io::ErrorKind::Interrupted).into());
-            }
-            Err(RecvTimeoutError::Timeout) => {}
-            Err(RecvTimeoutError::Disconnected) => match worker.join() {
-                Err(panic) => panic::resume_unwind(panic),
-                Ok(()) => unreachable!("a worker that ends has sent its result"),
-            },
-        }
-    }
-}
 
 /// A writer, and what it takes to finish.
 pub enum Destination<'a> {
@@ -98,6 +50,29 @@ impl<'a> Destination<'a> {
             _ => {
                 let beside = whole_file::beside(&path).map_err(refused)?;
                 Ok(Self::Beside(BufWriter::new(beside), path))
+            }
+        }
+    }
+
+    /// Whether it is a file that appears when it is whole.
+    pub const fn appears_whole(&self) -> bool {
+        matches!(self, Self::Beside(..))
+    }
+
+    /// Renames the temporary file, as far as it is written, to `partial` instead of its target, and
+    /// returns the number of its bytes. Other output is flushed, which makes no file: 0 bytes.
+    ///
+    /// # Errors
+    /// If that fails.
+    pub fn leave(mut self, partial: &Path) -> Result<u64, Failure> {
+        self.flush()?;
+        match self {
+            Self::Caller(_) | Self::Direct(_) => Ok(0),
+            Self::Beside(out, _) => {
+                let file = out.into_inner().map_err(io::IntoInnerError::into_error)?;
+                let bytes = file.as_file().metadata()?.len();
+                whole_file::replace(file, partial)?;
+                Ok(bytes)
             }
         }
     }

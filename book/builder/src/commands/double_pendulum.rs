@@ -1,45 +1,52 @@
 //! `pendula double-pendulum`: a trajectory of the double pendulum as rows, ready to be drawn.
 
-use std::io::Write;
+use std::io::{self, Write};
+use std::num::NonZeroU64;
 
 use clap::Args;
+use pendula::integrate::Checkpoint;
 use pendula::methods::Rk4;
 use pendula::systems::{DoublePhase, Joint};
-use pendula::{DoublePendulum, Hamiltonian, Pendulum, integrate};
+use pendula::{Counting, DoublePendulum, Grid, Hamiltonian, Observer, Pendulum};
 
-use super::trajectory::{TrajectoryArguments, overflow};
+use super::number::number;
+use super::pendulum_arguments::or_default;
+use super::trajectory::{Run, Trajectory, TrajectoryArguments, overflow};
 use crate::failure::Failure;
+use crate::interrupt::Lookout;
 
 /// Arguments of `pendula double-pendulum`.
 #[derive(Args, Debug)]
 pub struct Arguments {
     /// Angle of the upper rod at the start (rad), from the downward vertical
-    #[arg(long, value_name = "RAD", allow_negative_numbers = true)]
-    theta1: f64,
+    #[arg(long, value_name = "RAD", value_parser = number, allow_hyphen_values = true,
+        required_unless_present = "resume")]
+    theta1: Option<f64>,
     /// Angle of the lower rod at the start (rad), from the downward vertical
-    #[arg(long, value_name = "RAD", allow_negative_numbers = true)]
-    theta2: f64,
-    /// Angular velocity of the upper rod at the start (rad/s)
-    #[arg(long, value_name = "RAD/S", default_value_t = 0.0, allow_negative_numbers = true)]
-    omega1: f64,
-    /// Angular velocity of the lower rod at the start (rad/s)
-    #[arg(long, value_name = "RAD/S", default_value_t = 0.0, allow_negative_numbers = true)]
-    omega2: f64,
-    /// Gravitational acceleration g (m/s²)
-    #[arg(long, default_value_t = Pendulum::PAPER.gravity(), allow_negative_numbers = true)]
-    gravity: f64,
-    /// Length of the upper rod (m)
-    #[arg(long, default_value_t = 1.0, allow_negative_numbers = true)]
-    length1: f64,
-    /// Length of the lower rod (m)
-    #[arg(long, default_value_t = 1.0, allow_negative_numbers = true)]
-    length2: f64,
-    /// Mass of the upper bob (kg)
-    #[arg(long, default_value_t = 1.0, allow_negative_numbers = true)]
-    mass1: f64,
-    /// Mass of the lower bob (kg)
-    #[arg(long, default_value_t = 1.0, allow_negative_numbers = true)]
-    mass2: f64,
+    #[arg(long, value_name = "RAD", value_parser = number, allow_hyphen_values = true,
+        required_unless_present = "resume")]
+    theta2: Option<f64>,
+    #[arg(long, value_name = "RAD/S", value_parser = number, allow_hyphen_values = true,
+        help = or_default("Angular velocity of the upper rod at the start (rad/s)", 0.0))]
+    omega1: Option<f64>,
+    #[arg(long, value_name = "RAD/S", value_parser = number, allow_hyphen_values = true,
+        help = or_default("Angular velocity of the lower rod at the start (rad/s)", 0.0))]
+    omega2: Option<f64>,
+    #[arg(long, value_parser = number, allow_hyphen_values = true,
+        help = or_default("Gravitational acceleration g (m/s²)", Pendulum::PAPER.gravity()))]
+    gravity: Option<f64>,
+    #[arg(long, value_parser = number, allow_hyphen_values = true,
+        help = or_default("Length of the upper rod (m)", 1.0))]
+    length1: Option<f64>,
+    #[arg(long, value_parser = number, allow_hyphen_values = true,
+        help = or_default("Length of the lower rod (m)", 1.0))]
+    length2: Option<f64>,
+    #[arg(long, value_parser = number, allow_hyphen_values = true,
+        help = or_default("Mass of the upper bob (kg)", 1.0))]
+    mass1: Option<f64>,
+    #[arg(long, value_parser = number, allow_hyphen_values = true,
+        help = or_default("Mass of the lower bob (kg), at most 1e6 times that of the upper", 1.0))]
+    mass2: Option<f64>,
     #[command(flatten)]
     trajectory: TrajectoryArguments,
 }
@@ -52,24 +59,81 @@ pub struct Arguments {
 /// [`Failure::Refused`] for what the library refuses; a failure if the output cannot be written, if
 /// the user interrupts, or if the trajectory leaves the range of f64.
 pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
-    let upper = Joint { length: arguments.length1, mass: arguments.mass1 };
-    let lower = Joint { length: arguments.length2, mass: arguments.mass2 };
-    let double = DoublePendulum::new(arguments.gravity, upper, lower).map_err(Failure::refused)?;
-    let theta = [arguments.theta1, arguments.theta2];
-    let start =
-        double.start(theta, [arguments.omega1, arguments.omega2]).map_err(Failure::refused)?;
-    let grid = arguments.trajectory.grid()?;
-    arguments.trajectory.print(
-        out,
-        ["t", "theta1", "theta2", "omega1", "omega2", "x1", "y1", "x2", "y2", "energy"],
-        |t, z: DoublePhase| {
+    run_until(arguments, [out, &mut io::stderr()], Lookout::for_the_user)
+}
+
+/// The same, with a writer for the summary too, and interrupted as the lookout says.
+///
+/// # Errors
+/// As [`run`].
+pub fn run_until(
+    arguments: &Arguments,
+    out: [&mut dyn Write; 2],
+    lookout: impl FnOnce() -> Lookout,
+) -> Result<(), Failure> {
+    let (mut settings, grid) = arguments.trajectory.settings("double-pendulum")?;
+    let kept = &mut settings.kept;
+    let upper = Joint {
+        length: kept.argument("length1", arguments.length1, Some(1.0))?,
+        mass: kept.argument("mass1", arguments.mass1, Some(1.0))?,
+    };
+    let lower = Joint {
+        length: kept.argument("length2", arguments.length2, Some(1.0))?,
+        mass: kept.argument("mass2", arguments.mass2, Some(1.0))?,
+    };
+    let gravity = kept.argument("gravity", arguments.gravity, Some(Pendulum::PAPER.gravity()))?;
+    let theta = [
+        kept.argument("theta1", arguments.theta1, None)?,
+        kept.argument("theta2", arguments.theta2, None)?,
+    ];
+    let omega = [
+        kept.argument("omega1", arguments.omega1, Some(0.0))?,
+        kept.argument("omega2", arguments.omega2, Some(0.0))?,
+    ];
+    let double = DoublePendulum::new(gravity, upper, lower).map_err(Failure::refused)?;
+    let start = double.start(theta, omega).map_err(Failure::refused)?;
+    let trajectory = Trajectory {
+        system: &double,
+        start,
+        columns: ["t", "theta1", "theta2", "omega1", "omega2", "x1", "y1", "x2", "y2", "energy"],
+        row: &|t, z: DoublePhase| {
             let [omega1, omega2] = double.velocities(z);
             let [(x1, y1), (x2, y2)] = double.bobs(z);
             [t, z.theta1, z.theta2, omega1, omega2, x1, y1, x2, y2, double.energy(z)]
         },
-        overflow,
-        |observer| {
-            integrate(&double, &Rk4, start, &grid, observer);
-        },
-    )
+        lost: &overflow,
+        // There is no closed form.
+        end_errors: &|_, _| {},
+    };
+    let begin = |at: Option<Checkpoint>| -> Box<dyn Run<DoublePhase>> {
+        let at = at.unwrap_or_else(|| Checkpoint::start(&double, &Rk4, start, &grid));
+        Box::new(InSteps { double: Counting::new(double), grid, at })
+    };
+    settings.print(&trajectory, &grid, begin, out, &lookout())
+}
+
+/// A run of RK4 that counts its evaluations.
+struct InSteps {
+    double: Counting<DoublePendulum>,
+    grid: Grid,
+    at: Checkpoint,
+}
+
+impl Run<DoublePhase> for InSteps {
+    fn checkpoint(&self) -> &Checkpoint {
+        &self.at
+    }
+
+    fn evaluations(&self) -> u64 {
+        self.double.evaluations()
+    }
+
+    fn advance(
+        &mut self,
+        until: u64,
+        every: NonZeroU64,
+        observer: &mut dyn Observer<DoublePhase>,
+    ) -> DoublePhase {
+        self.at.advance(&self.double, &Rk4, &self.grid, until, every, observer)
+    }
 }

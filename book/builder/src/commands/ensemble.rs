@@ -1,15 +1,22 @@
 //! `pendula ensemble`: the ends of many runs, from many starts or with many steps.
 
-use std::io::Write;
-use std::path::PathBuf;
+use std::io::{self, Write};
+use std::mem;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::{Duration, Instant};
 
 use clap::Args;
-use pendula::{Grid, Pendulum};
+use pendula::{Grid, Hamiltonian, MethodInfo, Motion, Pendulum, Phase};
+use serde::{Deserialize, Serialize};
 
-use super::destination::{Destination, interrupts, unless_interrupted};
-use super::pendulum_arguments::{PendulumArguments, methods};
-use super::rows::{RowFormat, Rows};
+use super::number::number;
+use super::pendulum_arguments::{MassArgument, PendulumArguments, methods, or_default};
+use super::rows::RowFormat;
+use super::state::{Bits, Kept, KeptArguments};
+use super::summary::Summary;
 use crate::failure::Failure;
+use crate::interrupt::{Lookout, unless_interrupted};
 use crate::sweep::range::Sweep;
 use crate::sweep::{Run, Runner, grids};
 
@@ -17,37 +24,71 @@ use crate::sweep::{Run, Runner, grids};
 #[derive(Args, Debug)]
 pub struct Arguments {
     /// The method
-    #[arg(long, value_name = "M", value_parser = methods())]
-    method: String,
+    #[arg(long, value_name = "M", value_parser = methods(), required_unless_present = "resume")]
+    method: Option<String>,
     /// Angle at the start (rad), or a range of them at even distances
-    #[arg(long, value_name = "RAD|FROM:TO:COUNT", allow_hyphen_values = true)]
-    theta0: Sweep,
-    /// Angular velocity at the start (rad/s)
-    #[arg(long, value_name = "RAD/S", default_value_t = 0.0, allow_negative_numbers = true)]
-    omega0: f64,
+    #[arg(
+        long,
+        value_name = "RAD|FROM:TO:COUNT",
+        allow_hyphen_values = true,
+        required_unless_present = "resume"
+    )]
+    theta0: Option<Sweep>,
+    #[arg(long, value_name = "RAD/S", value_parser = number, allow_hyphen_values = true,
+        help = or_default("Angular velocity at the start (rad/s)", 0.0))]
+    omega0: Option<f64>,
     /// Step Δt (s), or a range of them in even ratios, each moved to the nearest whole number of
     /// steps; equal numbers are run once
-    #[arg(long, value_name = "S|FROM:TO:COUNT", allow_hyphen_values = true)]
-    dt: Sweep,
+    #[arg(
+        long,
+        value_name = "S|FROM:TO:COUNT",
+        allow_hyphen_values = true,
+        required_unless_present = "resume"
+    )]
+    dt: Option<Sweep>,
     /// Duration (s), a whole number of steps
-    #[arg(long, value_name = "S", allow_negative_numbers = true)]
-    duration: f64,
+    #[arg(long, value_name = "S", value_parser = number, allow_hyphen_values = true,
+        required_unless_present = "resume")]
+    duration: Option<f64>,
     #[command(flatten)]
     pendulum: PendulumArguments,
-    /// Mass m of the bob (kg)
-    #[arg(long, default_value_t = Pendulum::PAPER.mass(), allow_negative_numbers = true)]
-    mass: f64,
-    /// How rows are printed
-    #[arg(long, value_enum, default_value_t)]
-    format: RowFormat,
-    /// Write to this file, which appears only when it is whole
-    #[arg(long, value_name = "FILE")]
-    output: Option<PathBuf>,
+    #[command(flatten)]
+    mass: MassArgument,
+    /// How rows are printed [default: csv]
+    #[arg(long, value_enum)]
+    format: Option<RowFormat>,
+    #[command(flatten)]
+    kept: KeptArguments,
+    /// Say on standard error what the runs have cost, and how large their errors are
+    #[arg(long)]
+    summary: bool,
 }
 
 /// Runs in a batch: enough for every core, and few enough to be kept in memory until they are
 /// printed.
 const BATCH: usize = 4096;
+
+/// How far a sweep has come: besides the rows printed, the runs finished before their turn.
+#[derive(Debug, Default, Deserialize, Serialize)]
+#[serde(deny_unknown_fields)]
+pub struct Progress {
+    ahead: Vec<Ahead>,
+    steps: u64,
+    nanoseconds: u64,
+    /// The largest errors, if a summary was asked for.
+    largest: Option<Largest>,
+}
+
+/// A run finished before its turn.
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Serialize)]
+#[serde(deny_unknown_fields)]
+struct Ahead {
+    /// Its row, counted from the first that is not printed.
+    row: usize,
+    theta: Bits,
+    omega: Bits,
+    energy_error: Bits,
+}
 
 /// Writes the rows theta0, dt, theta, omega, energy_error: the start (rad), the step (s), the state
 /// at the end (rad, rad/s), and the largest energy error over the run (J).
@@ -57,22 +98,50 @@ const BATCH: usize = 4096;
 /// its equations, and unless exactly one of angle and step is a range; a failure if the output
 /// cannot be written, if the user interrupts, or if a trajectory leaves the range of f64.
 pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
-    let pendulum = arguments.pendulum.pendulum(arguments.mass).map_err(Failure::refused)?;
-    let runner = Runner::new(&arguments.method, pendulum, arguments.omega0)?;
-    match (arguments.theta0, arguments.dt) {
+    run_until(arguments, [out, &mut io::stderr()], Lookout::for_the_user)
+}
+
+/// The same, with a writer for the summary too, and interrupted as the lookout says, by the number
+/// of runs finished.
+///
+/// # Errors
+/// As [`run`].
+pub fn run_until(
+    arguments: &Arguments,
+    out: [&mut dyn Write; 2],
+    lookout: impl FnOnce() -> Lookout,
+) -> Result<(), Failure> {
+    let mut kept = Kept::new("ensemble", &arguments.kept)?;
+    let method = kept.argument("method", arguments.method.clone(), None)?;
+    let pendulum = arguments.pendulum.kept(&arguments.mass, &mut kept)?;
+    let theta0 = kept.argument("theta0", arguments.theta0, None)?;
+    let omega0 = kept.argument("omega0", arguments.omega0, Some(0.0))?;
+    let dt = kept.argument("dt", arguments.dt, None)?;
+    let duration = kept.argument("duration", arguments.duration, None)?;
+    let format = kept.argument("format", arguments.format, Some(RowFormat::default()))?;
+    let runner = Runner::new(&method, pendulum, omega0)?;
+    let printer =
+        Printer { runner, pendulum, omega0, duration, format, summary: arguments.summary };
+    match (theta0, dt) {
         (Sweep::Range(theta0), Sweep::One(dt)) => {
-            let grid = Grid::with_duration(dt, arguments.duration).map_err(Failure::refused)?;
+            let grid = Grid::with_duration(dt, duration).map_err(Failure::refused)?;
             // An angle between two allowed angles is allowed.
             for end in [theta0.from, theta0.to] {
                 runner.start(end)?;
             }
-            let sweep = theta0.linear();
-            print(arguments, runner, out, sweep, move |angles| runner.from_each(angles, &grid))
+            let compute = move |angles: &[f64], finished: &(dyn Fn(usize, Run) + Sync)| {
+                runner.from_each(angles, &grid, finished);
+            };
+            let same = move |&theta0: &f64| (theta0, grid);
+            printer.print(kept, out, theta0.linear(), same, compute, lookout)
         }
         (Sweep::One(theta0), Sweep::Range(dt)) => {
             let start = runner.start(theta0)?;
-            let sweep = grids(arguments.duration, dt)?;
-            print(arguments, runner, out, sweep, move |grids| runner.along_each(start, grids))
+            let compute = move |grids: &[Grid], finished: &(dyn Fn(usize, Run) + Sync)| {
+                runner.along_each(start, grids, finished);
+            };
+            let same = move |grid: &Grid| (start.theta, *grid);
+            printer.print(kept, out, grids(duration, dt)?, same, compute, lookout)
         }
         _ => Err(Failure::refused(
             "exactly one of --theta0 and --dt must be a range FROM:TO:COUNT; one run is `pendula \
@@ -81,44 +150,247 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
     }
 }
 
-/// Computes and prints a row for each item of `sweep`, a batch at a time, so that memory does not
-/// limit their number.
-fn print<T: Clone + Send + 'static>(
-    arguments: &Arguments,
+/// What all rows have in common.
+struct Printer {
     runner: Runner,
-    out: &mut dyn Write,
-    mut sweep: impl Iterator<Item = T>,
-    compute: impl Fn(&[T]) -> Vec<Run> + Clone + Send + 'static,
-) -> Result<(), Failure> {
-    // Set the interrupt handler before creating the file.
-    let interrupted = interrupts(arguments.output.is_some())?;
-    let destination = Destination::open(arguments.output.as_deref(), out)?;
-    let columns = ["theta0", "dt", "theta", "omega", "energy_error"];
-    let mut rows = Rows::begin(destination, arguments.format, columns)?;
-    loop {
-        let batch: Vec<T> = sweep.by_ref().take(BATCH).collect();
-        if batch.is_empty() {
-            return rows.end()?.finish();
+    pendulum: Pendulum,
+    omega0: f64,
+    duration: f64,
+    format: RowFormat,
+    summary: bool,
+}
+
+impl Printer {
+    /// Computes and prints a row for each item of `sweep`, a batch at a time, so that memory does
+    /// not limit their number. `of` says angle and grid of an item.
+    fn print<T: Clone + Send + Sync + 'static>(
+        &self,
+        kept: Kept<Progress>,
+        [out, err]: [&mut dyn Write; 2],
+        sweep: impl Iterator<Item = T>,
+        of: impl Fn(&T) -> (f64, Grid),
+        compute: impl Fn(&[T], &(dyn Fn(usize, Run) + Sync)) + Clone + Send + 'static,
+        lookout: impl FnOnce() -> Lookout,
+    ) -> Result<(), Failure> {
+        let begun = Instant::now();
+        let resumed = kept.resumed()?;
+        let printed = resumed.map(|(rows, _)| rows);
+        let (mut ahead, mut steps, before, measured) = match resumed {
+            Some((_, Progress { ahead, steps, nanoseconds, largest })) => {
+                (ahead.clone(), *steps, Duration::from_nanos(*nanoseconds), *largest)
+            }
+            None => (Vec::new(), 0, Duration::ZERO, None),
+        };
+        let from = printed.unwrap_or(0);
+        let mut largest = self
+            .summary
+            .then(|| measured.unwrap_or_else(|| Largest { from, ..Largest::default() }));
+        // Set the interrupt handler before creating the file.
+        let lookout = lookout();
+        let columns = ["theta0", "dt", "theta", "omega", "energy_error"];
+        let mut rows = kept.open(out, self.format, columns, printed)?;
+        let mut sweep = sweep.skip(usize::try_from(from).unwrap_or(usize::MAX));
+        let finished = Arc::new(AtomicU64::new(0));
+        loop {
+            let mut interrupted = lookout.interrupts(finished.load(Ordering::Relaxed));
+            let mut later = mem::take(&mut ahead);
+            if !interrupted {
+                let done = finished.load(Ordering::Relaxed);
+                let most = usize::try_from(lookout.next(done) - done).unwrap_or(usize::MAX);
+                let items: Vec<T> = sweep.by_ref().take(BATCH.min(most)).collect();
+                if items.is_empty() {
+                    break;
+                }
+                let batch = Batch::new(&items, &later, &of, &finished)
+                    .ok_or_else(|| kept.refused("its runs ahead are not of this sweep"))?;
+                let (work, compute) = (batch.clone(), compute.clone());
+                interrupted = unless_interrupted(
+                    || lookout.interrupts(finished.load(Ordering::Relaxed)),
+                    move || work.complete(&items, &compute),
+                )
+                .is_none();
+                let (in_turn, others) = batch.take();
+                later = others;
+                for run in in_turn {
+                    match self.row(&run) {
+                        Ok(row) => rows.row(row)?,
+                        Err(failure) => {
+                            // The rows so far are whole.
+                            rows.end()?.flush()?;
+                            return Err(failure);
+                        }
+                    }
+                    steps += run.grid.steps();
+                    if let Some(largest) = &mut largest {
+                        largest.include(self, &run);
+                    }
+                }
+            }
+            if interrupted {
+                let nanoseconds = (before + begun.elapsed()).as_nanos();
+                let nanoseconds = u64::try_from(nanoseconds).unwrap_or(u64::MAX);
+                let stands = format!("after {} runs", rows.rows());
+                let progress = Progress { ahead: later, steps, nanoseconds, largest };
+                return Err(kept.leave(rows, progress, &stands)?);
+            }
         }
-        let compute = compute.clone();
-        for run in unless_interrupted(&interrupted, move || compute(&batch))? {
-            rows.row(finite(&run, runner)?)?;
+        let runs = rows.rows();
+        kept.finish(rows)?;
+        if let Some(largest) = largest {
+            let MethodInfo { implicit, force_evaluations, start_evaluations, .. } =
+                self.runner.info();
+            let evaluations =
+                steps * u64::from(force_evaluations) + runs * u64::from(start_evaluations);
+            // The sweeps of an iteration are not counted in a sweep of runs: one a step is certain.
+            let least = if implicit { "at least " } else { "" };
+            let evaluations = format!("{least}{evaluations}");
+            let mut summary = Summary::of_cost(steps, evaluations, before + begun.elapsed());
+            summary.line("runs", runs.to_string());
+            largest.add_to(&mut summary, self);
+            summary.print(err)?;
         }
+        Ok(())
+    }
+
+    /// The row, if all its numbers are finite.
+    fn row(&self, run: &Run) -> Result<[f64; 5], Failure> {
+        let Run { theta0, grid, end, energy_error } = *run;
+        let dt = grid.step();
+        let row = [theta0, dt, end.theta, end.omega, energy_error];
+        if row.iter().all(|x| x.is_finite()) {
+            return Ok(row);
+        }
+        Err(self.runner.not_solved(run).unwrap_or_else(|| {
+            Failure::Failed(anyhow::anyhow!(
+                "from {theta0:?} rad with Δt = {dt:?} s the trajectory leaves the range of \
+                 numbers: take a smaller step"
+            ))
+        }))
     }
 }
 
-/// The row, if all its numbers are finite.
-fn finite(run: &Run, runner: Runner) -> Result<[f64; 5], Failure> {
-    let Run { theta0, grid, end, energy_error } = *run;
-    let dt = grid.step();
-    let row = [theta0, dt, end.theta, end.omega, energy_error];
-    if row.iter().all(|x| x.is_finite()) {
-        return Ok(row);
+/// Runs of a batch, each in its place once it is finished.
+#[derive(Clone)]
+struct Batch {
+    runs: Arc<Mutex<Vec<Option<Run>>>>,
+    /// How many are finished, of this batch and those before.
+    finished: Arc<AtomicU64>,
+}
+
+impl Batch {
+    /// A run for each of `items`, those in `ahead` finished; `None` if they are not of these items.
+    fn new<T>(
+        items: &[T],
+        ahead: &[Ahead],
+        of: impl Fn(&T) -> (f64, Grid),
+        finished: &Arc<AtomicU64>,
+    ) -> Option<Self> {
+        let mut runs = vec![None; items.len()];
+        for &Ahead { row, theta, omega, energy_error } in ahead {
+            let (theta0, grid) = of(items.get(row)?);
+            runs[row] = Some(Run {
+                theta0,
+                grid,
+                end: Phase { theta: theta.0, omega: omega.0 },
+                energy_error: energy_error.0,
+            });
+        }
+        Some(Self { runs: Arc::new(Mutex::new(runs)), finished: Arc::clone(finished) })
     }
-    Err(runner.not_solved(run).unwrap_or_else(|| {
-        Failure::Failed(anyhow::anyhow!(
-            "from {theta0:?} rad with Δt = {dt:?} s the trajectory leaves the range of numbers: \
-             take a smaller step"
-        ))
-    }))
+
+    /// Computes the runs that are not finished.
+    fn complete<T: Clone>(
+        &self,
+        items: &[T],
+        compute: &impl Fn(&[T], &(dyn Fn(usize, Run) + Sync)),
+    ) {
+        let missing: Vec<usize> = {
+            let runs = self.runs.lock().unwrap_or_else(PoisonError::into_inner);
+            (0..items.len()).filter(|&row| runs[row].is_none()).collect()
+        };
+        let items: Vec<T> = missing.iter().map(|&row| items[row].clone()).collect();
+        compute(&items, &|i, run| {
+            let mut runs = self.runs.lock().unwrap_or_else(PoisonError::into_inner);
+            // After an interruption nobody asks for it.
+            if let Some(slot) = runs.get_mut(missing[i]) {
+                *slot = Some(run);
+            }
+            self.finished.fetch_add(1, Ordering::Relaxed);
+        });
+    }
+
+    /// The runs whose turn it is to be printed, and those finished before their turn.
+    fn take(&self) -> (Vec<Run>, Vec<Ahead>) {
+        let runs = mem::take(&mut *self.runs.lock().unwrap_or_else(PoisonError::into_inner));
+        let in_turn: Vec<Run> = runs.iter().map_while(|run| *run).collect();
+        let later = runs.iter().skip(in_turn.len()).enumerate();
+        let later = later.filter_map(|(row, run)| {
+            let Run { end, energy_error, .. } = (*run)?;
+            let [theta, omega, energy_error] = [end.theta, end.omega, energy_error].map(Bits);
+            Some(Ahead { row, theta, omega, energy_error })
+        });
+        let later = later.collect();
+        (in_turn, later)
+    }
+}
+
+/// The largest errors of the runs so far, for the summary.
+#[derive(Clone, Copy, Debug, Default, Deserialize, Serialize)]
+#[serde(deny_unknown_fields)]
+struct Largest {
+    /// The run from which on they were measured.
+    from: u64,
+    energy: Option<Worst>,
+    theta: Option<Worst>,
+    omega: Option<Worst>,
+}
+
+/// The largest error of a kind, and the run that has it.
+#[derive(Clone, Copy, Debug, Deserialize, Serialize)]
+#[serde(deny_unknown_fields)]
+struct Worst {
+    error: Bits,
+    theta0: Bits,
+    dt: Bits,
+}
+
+impl Largest {
+    fn include(&mut self, printer: &Printer, run: &Run) {
+        let Run { theta0, grid, end, energy_error } = *run;
+        let dt = grid.step();
+        let include = |worst: &mut Option<Worst>, error: f64| {
+            if worst.is_none_or(|worst| error.abs() > worst.error.0.abs()) {
+                *worst = Some(Worst { error: Bits(error), theta0: Bits(theta0), dt: Bits(dt) });
+            }
+        };
+        include(&mut self.energy, energy_error);
+        let start = Phase { theta: theta0, omega: printer.omega0 };
+        let Ok(motion) = Motion::new(&printer.pendulum, start) else { return };
+        if printer.duration <= motion.horizon() {
+            let exact = motion.at(printer.duration);
+            include(&mut self.theta, end.theta - exact.theta);
+            include(&mut self.omega, end.omega - exact.omega);
+        }
+    }
+
+    fn add_to(&self, summary: &mut Summary, printer: &Printer) {
+        let since =
+            if self.from == 0 { String::new() } else { format!(", after run {}", self.from) };
+        let at = |worst: &Worst| {
+            format!(" at θ₀ = {:?} rad, Δt = {:?} s{since}", worst.theta0.0, worst.dt.0)
+        };
+        if let Some(worst) = &self.energy {
+            let start = Phase { theta: worst.theta0.0, omega: printer.omega0 };
+            let initial = printer.pendulum.energy(start);
+            summary.energy_error(worst.error.0, initial, &at(worst));
+        }
+        for (name, worst, unit) in [
+            ("largest error of θ", &self.theta, "rad"),
+            ("largest error of ω", &self.omega, "rad/s"),
+        ] {
+            if let Some(worst) = worst {
+                summary.line(name, format!("{:.6e} {unit}{}", worst.error.0, at(worst)));
+            }
+        }
+    }
 }

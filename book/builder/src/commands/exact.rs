@@ -3,8 +3,9 @@
 use std::io::Write;
 
 use clap::Args;
-use pendula::{Motion, Pendulum};
+use pendula::Motion;
 
+use super::number::number;
 use super::pendulum_arguments::{PendulumArguments, StartArguments};
 use super::rows::{RowFormat, Rows};
 use crate::failure::Failure;
@@ -20,7 +21,8 @@ pub struct Arguments {
         value_name = "T1,T2,…",
         value_delimiter = ',',
         required = true,
-        allow_negative_numbers = true
+        value_parser = number,
+        allow_hyphen_values = true
     )]
     t: Vec<f64>,
     #[command(flatten)]
@@ -36,7 +38,7 @@ pub struct Arguments {
 /// [`Failure::Refused`] for what the library refuses, and for a time beyond the horizon of the
 /// closed form.
 pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
-    let pendulum = arguments.pendulum.pendulum(Pendulum::PAPER.mass()).map_err(Failure::refused)?;
+    let pendulum = arguments.pendulum.pendulum(None).map_err(Failure::refused)?;
     let start = arguments.start.start(&pendulum).map_err(Failure::refused)?;
     let motion = Motion::new(&pendulum, start).map_err(Failure::refused)?;
     if let Some(t) =
@@ -44,7 +46,8 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
     {
         let horizon = motion.horizon();
         return Err(Failure::refused(format!(
-            "t = {t} s is refused: it must be a number of at most {horizon:e} s in size"
+            "t = {t:?} s is refused: it must be a number of at most {horizon:e} s in size, beyond which \
+             neighbouring f64s are a quarter of a period apart, or more"
         )));
     }
     let mut rows = Rows::begin(out, arguments.format, ["t", "theta", "omega"])?;

@@ -3,7 +3,11 @@
 use clap::Args;
 use clap::builder::PossibleValuesParser;
 use pendula::{AnyMethod, Error, Grid, METHODS, Pendulum, Phase};
+use serde::Serialize;
+use serde::de::DeserializeOwned;
 
+use super::number::number;
+use super::state::Kept;
 use crate::failure::Failure;
 
 /// The names that `--method` accepts.
@@ -31,24 +35,58 @@ pub fn not_solved(
     }
 }
 
+/// A help text with the default of an argument that a state may provide instead.
+pub fn or_default(help: &str, default: f64) -> String {
+    format!("{help} [default: {default}]")
+}
+
 /// The pendulum.
 #[derive(Args, Debug)]
 pub struct PendulumArguments {
-    /// Gravitational acceleration g (m/s²)
-    #[arg(long, default_value_t = Pendulum::PAPER.gravity(), allow_negative_numbers = true)]
-    gravity: f64,
-    /// Length L of the rod (m)
-    #[arg(long, default_value_t = Pendulum::PAPER.length(), allow_negative_numbers = true)]
-    length: f64,
+    #[arg(long, help = or_default("Gravitational acceleration g (m/s²)", Pendulum::PAPER.gravity()),
+        value_parser = number, allow_hyphen_values = true)]
+    gravity: Option<f64>,
+    #[arg(long, help = or_default("Length L of the rod (m)", Pendulum::PAPER.length()),
+        value_parser = number, allow_hyphen_values = true)]
+    length: Option<f64>,
+}
+
+/// Its mass, where that matters.
+#[derive(Args, Debug)]
+pub struct MassArgument {
+    #[arg(long, help = or_default("Mass m of the bob (kg)", Pendulum::PAPER.mass()),
+        value_parser = number, allow_hyphen_values = true)]
+    mass: Option<f64>,
 }
 
 impl PendulumArguments {
-    /// The pendulum of `mass` (kg).
+    /// The pendulum of `mass` (kg), or else of 1 kg.
     ///
     /// # Errors
     /// As [`Pendulum::new`].
-    pub fn pendulum(&self, mass: f64) -> Result<Pendulum, Error> {
-        Pendulum::new(self.gravity, self.length, mass)
+    pub fn pendulum(&self, mass: Option<&MassArgument>) -> Result<Pendulum, Error> {
+        let paper = Pendulum::PAPER;
+        Pendulum::new(
+            self.gravity.unwrap_or(paper.gravity()),
+            self.length.unwrap_or(paper.length()),
+            mass.and_then(|mass| mass.mass).unwrap_or(paper.mass()),
+        )
+    }
+
+    /// The pendulum of a run that may be resumed.
+    ///
+    /// # Errors
+    /// As [`Pendulum::new`] and [`Kept::argument`].
+    pub fn kept<P: DeserializeOwned + Serialize>(
+        &self,
+        mass: &MassArgument,
+        kept: &mut Kept<P>,
+    ) -> Result<Pendulum, Failure> {
+        let paper = Pendulum::PAPER;
+        let gravity = kept.argument("gravity", self.gravity, Some(paper.gravity()))?;
+        let length = kept.argument("length", self.length, Some(paper.length()))?;
+        let mass = kept.argument("mass", mass.mass, Some(paper.mass()))?;
+        Pendulum::new(gravity, length, mass).map_err(Failure::refused)
     }
 }
 
@@ -56,10 +94,11 @@ impl PendulumArguments {
 #[derive(Args, Debug)]
 pub struct StartArguments {
     /// Angle at the start (rad)
-    #[arg(long, value_name = "RAD", allow_negative_numbers = true)]
+    #[arg(long, value_name = "RAD", value_parser = number, allow_hyphen_values = true)]
     theta0: f64,
     /// Angular velocity at the start (rad/s)
-    #[arg(long, value_name = "RAD/S", default_value_t = 0.0, allow_negative_numbers = true)]
+    #[arg(long, value_name = "RAD/S", default_value_t = 0.0, value_parser = number,
+        allow_hyphen_values = true)]
     omega0: f64,
 }
 

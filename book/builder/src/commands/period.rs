@@ -3,9 +3,9 @@
 use std::io::Write;
 
 use clap::Args;
-use pendula::Pendulum;
 use pendula::exact::Swing;
 
+use super::number::number;
 use super::pendulum_arguments::PendulumArguments;
 use crate::failure::Failure;
 
@@ -13,7 +13,7 @@ use crate::failure::Failure;
 #[derive(Args, Debug)]
 pub struct Arguments {
     /// Angle of release (rad)
-    #[arg(long, value_name = "RAD", allow_negative_numbers = true)]
+    #[arg(long, value_name = "RAD", value_parser = number, allow_hyphen_values = true)]
     theta0: f64,
     #[command(flatten)]
     pendulum: PendulumArguments,
@@ -24,7 +24,7 @@ pub struct Arguments {
 /// # Errors
 /// [`Failure::Refused`] for what the library refuses.
 pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
-    let pendulum = arguments.pendulum.pendulum(Pendulum::PAPER.mass()).map_err(Failure::refused)?;
+    let pendulum = arguments.pendulum.pendulum(None).map_err(Failure::refused)?;
     let theta_0 = pendulum.start(arguments.theta0, 0.0).map_err(Failure::refused)?.theta;
     let swing = Swing::released_at(&pendulum, theta_0).map_err(Failure::refused)?;
     writeln!(out, "T       {:?} s", swing.period())?;

@@ -20,7 +20,10 @@ pub struct Rows<W, const N: usize> {
     out: W,
     format: RowFormat,
     columns: [&'static str; N],
+    /// Rows so far, those before a resumption included.
     rows: u64,
+    /// Whether a row was written before, in the same array.
+    separate: bool,
     digits: ryu::Buffer,
 }
 
@@ -31,13 +34,47 @@ impl<W: Write, const N: usize> Rows<W, N> {
             RowFormat::Csv => writeln!(out, "{}", columns.join(","))?,
             RowFormat::Json => out.write_all(b"[")?,
         }
-        Ok(Self { out, format, columns, rows: 0, digits: ryu::Buffer::new() })
+        Ok(Self { separate: false, ..Self::resume(out, format, columns, 0) })
+    }
+
+    /// Continues an output that was left after `rows` rows.
+    pub fn resume(out: W, format: RowFormat, columns: [&'static str; N], rows: u64) -> Self {
+        Self { out, format, columns, rows, separate: rows > 0, digits: ryu::Buffer::new() }
+    }
+
+    /// Continues, after `rows` rows, an output that was ended: lines without a header, or another
+    /// array.
+    pub fn begin_again(
+        mut out: W,
+        format: RowFormat,
+        columns: [&'static str; N],
+        rows: u64,
+    ) -> io::Result<Self> {
+        if format == RowFormat::Json {
+            out.write_all(b"[")?;
+        }
+        Ok(Self { separate: false, ..Self::resume(out, format, columns, rows) })
+    }
+
+    /// Rows so far.
+    pub const fn rows(&self) -> u64 {
+        self.rows
+    }
+
+    /// The writer.
+    pub const fn writer(&self) -> &W {
+        &self.out
+    }
+
+    /// The writer, with the output left as it is.
+    pub fn into_writer(self) -> W {
+        self.out
     }
 
     /// Writes a row. The numbers must be finite.
     pub fn row(&mut self, values: [f64; N]) -> io::Result<()> {
         if self.format == RowFormat::Json {
-            self.out.write_all(if self.rows == 0 { b"\n" } else { b",\n" })?;
+            self.out.write_all(if self.separate { b",\n" } else { b"\n" })?;
         }
         for (column, (name, value)) in self.columns.iter().zip(values).enumerate() {
             match (self.format, column) {
@@ -49,6 +86,7 @@ impl<W: Write, const N: usize> Rows<W, N> {
             self.out.write_all(self.digits.format_finite(value).as_bytes())?;
         }
         self.rows += 1;
+        self.separate = true;
         self.out.write_all(if self.format == RowFormat::Csv { b"\n" } else { b"}" })
     }
 

@@ -1,27 +1,41 @@
 //! `pendula simulate`: a trajectory of the pendulum as rows.
 
-use std::io::Write;
+use std::io::{self, Write};
+use std::num::NonZeroU64;
 
 use clap::Args;
-use pendula::{Pendulum, Phase, method_named};
+use pendula::fast::{FastRun, Resumable};
+use pendula::integrate::Checkpoint;
+use pendula::{
+    Grid, Info, Motion, Observer, Pendulum, Phase, for_each_method, method_named, methods,
+};
 
-use super::pendulum_arguments::{PendulumArguments, StartArguments, methods, not_solved};
-use super::trajectory::{TrajectoryArguments, overflow};
+use super::number::number;
+use super::pendulum_arguments::{
+    MassArgument, PendulumArguments, methods as names, not_solved, or_default,
+};
+use super::summary::Summary;
+use super::trajectory::{Run, Trajectory, TrajectoryArguments, overflow};
 use crate::failure::Failure;
+use crate::interrupt::Lookout;
 
 /// Arguments of `pendula simulate`.
 #[derive(Args, Debug)]
 pub struct Arguments {
     /// The method
-    #[arg(long, value_name = "M", value_parser = methods())]
-    method: String,
-    #[command(flatten)]
-    start: StartArguments,
+    #[arg(long, value_name = "M", value_parser = names(), required_unless_present = "resume")]
+    method: Option<String>,
+    /// Angle at the start (rad)
+    #[arg(long, value_name = "RAD", value_parser = number, allow_hyphen_values = true,
+        required_unless_present = "resume")]
+    theta0: Option<f64>,
+    #[arg(long, value_name = "RAD/S", value_parser = number, allow_hyphen_values = true,
+        help = or_default("Angular velocity at the start (rad/s)", 0.0))]
+    omega0: Option<f64>,
     #[command(flatten)]
     pendulum: PendulumArguments,
-    /// Mass m of the bob (kg)
-    #[arg(long, default_value_t = Pendulum::PAPER.mass(), allow_negative_numbers = true)]
-    mass: f64,
+    #[command(flatten)]
+    mass: MassArgument,
     #[command(flatten)]
     trajectory: TrajectoryArguments,
 }
@@ -34,18 +48,99 @@ pub struct Arguments {
 /// solve its equations; a failure if the output cannot be written, if the user interrupts, or if
 /// the trajectory leaves the range of f64.
 pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
-    let pendulum = arguments.pendulum.pendulum(arguments.mass).map_err(Failure::refused)?;
-    let start = arguments.start.start(&pendulum).map_err(Failure::refused)?;
-    let grid = arguments.trajectory.grid()?;
-    let method = method_named(&arguments.method)
-        .ok_or_else(|| Failure::refused(format!("there is no method {}", arguments.method)))?;
-    arguments.trajectory.print(
-        out,
-        ["t", "theta", "omega", "energy"],
-        |t, z: Phase| [t, z.theta, z.omega, pendulum.energy_from_pivot(z)],
-        |steps| not_solved(method, &pendulum, start, &grid).unwrap_or_else(|| overflow(steps)),
-        |observer| {
-            method.run(&pendulum, start, &grid, observer);
+    run_until(arguments, [out, &mut io::stderr()], Lookout::for_the_user)
+}
+
+/// The same, with a writer for the summary too, and interrupted as the lookout says: it is asked
+/// for after the arguments have been checked.
+///
+/// # Errors
+/// As [`run`].
+pub fn run_until(
+    arguments: &Arguments,
+    out: [&mut dyn Write; 2],
+    lookout: impl FnOnce() -> Lookout,
+) -> Result<(), Failure> {
+    let (mut settings, grid) = arguments.trajectory.settings("simulate")?;
+    let kept = &mut settings.kept;
+    let method = kept.argument("method", arguments.method.clone(), None)?;
+    let pendulum = arguments.pendulum.kept(&arguments.mass, kept)?;
+    let theta0 = kept.argument("theta0", arguments.theta0, None)?;
+    let omega0 = kept.argument("omega0", arguments.omega0, Some(0.0))?;
+    let start = pendulum.start(theta0, omega0).map_err(Failure::refused)?;
+    let method = method_named(&method)
+        .ok_or_else(|| Failure::refused(format!("there is no method {method}")))?;
+    let trajectory = Trajectory {
+        system: &pendulum,
+        start,
+        columns: ["t", "theta", "omega", "energy"],
+        row: &|t, z: Phase| [t, z.theta, z.omega, pendulum.energy_from_pivot(z)],
+        lost: &|steps| {
+            not_solved(method, &pendulum, start, &grid).unwrap_or_else(|| overflow(steps))
         },
-    )
+        end_errors: &|summary, end| {
+            end_errors(summary, &pendulum, start, grid.time(grid.steps()), end);
+        },
+    };
+    let begin = |at| fast_run(method.info().name, &pendulum, start, &grid, at);
+    settings.print(&trajectory, &grid, begin, out, &lookout())
+}
+
+/// Adds the errors of the state `end` at the time `t` (s) to the summary, against the closed form,
+/// if it reaches so far.
+pub(super) fn end_errors(
+    summary: &mut Summary,
+    pendulum: &Pendulum,
+    start: Phase,
+    t: f64,
+    end: Phase,
+) {
+    let Ok(motion) = Motion::new(pendulum, start) else { return };
+    if t.abs() <= motion.horizon() {
+        let exact = motion.at(t);
+        summary.line("error of θ at the end", format!("{:.6e} rad", end.theta - exact.theta));
+        summary.line("error of ω at the end", format!("{:.6e} rad/s", end.omega - exact.omega));
+    }
+}
+
+/// The run of the library's method `name`, from its start, or from `at`.
+fn fast_run(
+    name: &str,
+    pendulum: &Pendulum,
+    start: Phase,
+    grid: &Grid,
+    at: Option<Checkpoint>,
+) -> Box<dyn Run<Phase>> {
+    macro_rules! by_name {
+        ($($module:ident::$method:ident,)+) => {
+            $(if name == methods::$method.info().name {
+                let method = &methods::$method;
+                return Box::new(match at {
+                    Some(at) => FastRun::resume(pendulum, method, start, grid, at),
+                    None => FastRun::start(pendulum, method, start, grid),
+                });
+            })+
+        };
+    }
+    for_each_method!(by_name);
+    unreachable!("{name} is one of the library's methods")
+}
+
+impl<M: Resumable> Run<Phase> for FastRun<M> {
+    fn checkpoint(&self) -> &Checkpoint {
+        FastRun::checkpoint(self)
+    }
+
+    fn evaluations(&self) -> u64 {
+        FastRun::evaluations(self)
+    }
+
+    fn advance(
+        &mut self,
+        until: u64,
+        every: NonZeroU64,
+        observer: &mut dyn Observer<Phase>,
+    ) -> Phase {
+        FastRun::advance(self, until, every, observer)
+    }
 }

@@ -1,90 +1,271 @@
 //! A trajectory of any length printed as rows in constant memory: shared by the commands that print
 //! one.
 
-use std::io::{self, Write};
+use std::io::Write;
 use std::num::NonZeroU64;
-use std::path::PathBuf;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::{Duration, Instant};
 
 use clap::Args;
-use pendula::integrate::Every;
-use pendula::{Grid, Observer};
+use pendula::integrate::{CHECKPOINT_NUMBERS, Checkpoint};
+use pendula::metrics::EnergyDrift;
+use pendula::{Grid, Hamiltonian, Observer};
+use serde::{Deserialize, Serialize};
 
-use super::destination::{Destination, interrupts};
+use super::number::{count, number, positive_count};
 use super::rows::{RowFormat, Rows};
+use super::state::{Bits, Kept, KeptArguments};
+use super::summary::Summary;
 use crate::failure::Failure;
+use crate::interrupt::Lookout;
 
 /// How long a trajectory is, and how it is printed.
 #[derive(Args, Debug)]
 pub struct TrajectoryArguments {
     /// Step Δt (s)
-    #[arg(long, value_name = "S", allow_negative_numbers = true)]
-    dt: f64,
+    #[arg(long, value_name = "S", value_parser = number, allow_hyphen_values = true,
+        required_unless_present = "resume")]
+    dt: Option<f64>,
     #[command(flatten)]
     length: Length,
-    /// Print every K-th sample, beginning with the start
-    #[arg(long, value_name = "K", default_value = "1")]
-    every: NonZeroU64,
-    /// How rows are printed
-    #[arg(long, value_enum, default_value_t)]
-    format: RowFormat,
-    /// Write to this file, which appears only when it is whole
-    #[arg(long, value_name = "FILE")]
-    output: Option<PathBuf>,
+    /// Print every K-th sample, beginning with the start [default: 1]
+    #[arg(long, value_name = "K", value_parser = positive_count, allow_hyphen_values = true)]
+    every: Option<NonZeroU64>,
+    /// How rows are printed [default: csv]
+    #[arg(long, value_enum)]
+    format: Option<RowFormat>,
+    #[command(flatten)]
+    kept: KeptArguments,
+    /// Say on standard error what the run has cost, and how large its errors are
+    #[arg(long)]
+    summary: bool,
 }
 
 /// How long to run.
 #[derive(Args, Debug)]
-#[group(required = true, multiple = false)]
+#[group(multiple = false)]
 struct Length {
     /// Duration (s), a whole number of steps
-    #[arg(long, value_name = "S", allow_negative_numbers = true)]
+    #[arg(long, value_name = "S", value_parser = number, allow_hyphen_values = true,
+        required_unless_present_any = ["steps", "resume"])]
     duration: Option<f64>,
     /// Number of steps
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = count, allow_hyphen_values = true,
+        required_unless_present_any = ["duration", "resume"])]
     steps: Option<u64>,
 }
 
+/// How far a trajectory has come.
+#[derive(Debug, Deserialize, Serialize)]
+#[serde(deny_unknown_fields)]
+pub struct Progress {
+    steps: u64,
+    /// The numbers of its [`Checkpoint`].
+    numbers: Vec<Bits>,
+    evaluations: u64,
+    nanoseconds: u64,
+    /// The largest energy error (J), if a summary was asked for.
+    energy_error: Option<Bits>,
+    /// The step from which on it was measured.
+    measured_from: u64,
+}
+
+/// A run in steps that can be left and resumed.
+pub trait Run<Z> {
+    /// Where it stands.
+    fn checkpoint(&self) -> &Checkpoint;
+
+    /// The force evaluations so far, since it was started or resumed.
+    fn evaluations(&self) -> u64;
+
+    /// Takes the steps up to `until` and passes every k-th sample to `observer`, where k is
+    /// `every`. Returns the last state.
+    fn advance(&mut self, until: u64, every: NonZeroU64, observer: &mut dyn Observer<Z>) -> Z;
+}
+
+/// A trajectory to be printed.
+pub struct Trajectory<'a, S: Hamiltonian, const N: usize> {
+    /// The system.
+    pub system: &'a S,
+    /// The first state.
+    pub start: S::State,
+    /// The names of the columns.
+    pub columns: [&'static str; N],
+    /// The row of a time and a state.
+    pub row: &'a dyn Fn(f64, S::State) -> [f64; N],
+    /// The failure if a number of a row is not finite, after a number of steps.
+    pub lost: &'a dyn Fn(u64) -> Failure,
+    /// Adds the errors of the last state to a summary.
+    pub end_errors: &'a dyn Fn(&mut Summary, S::State),
+}
+
+/// The settings of a trajectory, those of its state included.
+pub struct Settings {
+    /// The arguments, for a command to add its own.
+    pub kept: Kept<Progress>,
+    summary: bool,
+    every: NonZeroU64,
+    format: RowFormat,
+}
+
 impl TrajectoryArguments {
-    /// The grid of times.
+    /// The settings of a run of `command`, and its grid of times.
     ///
     /// # Errors
-    /// [`Failure::Refused`] for what [`Grid`] refuses.
-    pub fn grid(&self) -> Result<Grid, Failure> {
-        let grid = match self.length {
-            Length { duration: Some(duration), .. } => Grid::with_duration(self.dt, duration),
-            Length { steps, .. } => Grid::new(self.dt, steps.unwrap_or(0)),
+    /// [`Failure::Refused`] for what [`Grid`] refuses, and for a state that cannot be read or
+    /// contradicts the arguments.
+    pub fn settings(&self, command: &'static str) -> Result<(Settings, Grid), Failure> {
+        let mut kept = Kept::new(command, &self.kept)?;
+        let dt = kept.argument("dt", self.dt, None)?;
+        let steps = match self.length {
+            Length { duration: Some(duration), .. } => {
+                Some(Grid::with_duration(dt, duration).map_err(Failure::refused)?.steps())
+            }
+            Length { steps, .. } => steps,
         };
-        grid.map_err(Failure::refused)
+        let steps = kept.argument("steps", steps, None)?;
+        let grid = Grid::new(dt, steps).map_err(Failure::refused)?;
+        let every = kept.argument("every", self.every, Some(NonZeroU64::MIN))?;
+        let format = kept.argument("format", self.format, Some(RowFormat::default()))?;
+        Ok((Settings { kept, summary: self.summary, every, format }, grid))
     }
+}
 
-    /// Prints the states that `run` passes to its observer, each as the `row` of its time and state
-    /// under the `columns`. If a number of a row is not finite, the failure is `lost` of the number
-    /// of steps taken.
+impl Settings {
+    /// Prints the rows of `trajectory`, along `grid`. The run is what `run` makes of the checkpoint
+    /// at which it is resumed, if it is.
     ///
     /// # Errors
     /// [`Failure::Refused`] if the output cannot be opened; a failure if it cannot be written, if
     /// the user interrupts, or if the trajectory is lost.
-    pub fn print<Z, const N: usize>(
-        &self,
-        out: &mut dyn Write,
-        columns: [&'static str; N],
-        row: impl Fn(f64, Z) -> [f64; N],
-        lost: impl Fn(u64) -> Failure,
-        run: impl FnOnce(&mut dyn Observer<Z>),
+    pub fn print<S: Hamiltonian<State: Copy>, const N: usize>(
+        self,
+        trajectory: &Trajectory<'_, S, N>,
+        grid: &Grid,
+        run: impl FnOnce(Option<Checkpoint>) -> Box<dyn Run<S::State>>,
+        [out, err]: [&mut dyn Write; 2],
+        lookout: &Lookout,
     ) -> Result<(), Failure> {
-        // Set the interrupt handler before creating the file.
-        let interrupted = interrupts(self.output.is_some())?;
-        let destination = Destination::open(self.output.as_deref(), out)?;
-        let rows = Rows::begin(destination, self.format, columns)?;
-        let printer = Printer { row, lost, rows, interrupted: &interrupted, ended: None };
-        let mut watch = Every::new(self.every, printer);
-        run(&mut watch);
-        let Printer { rows, ended, .. } = watch.into_inner();
-        match ended {
-            Some(failure) => Err(failure),
-            None => rows.end()?.finish(),
+        let Self { kept, summary, every, format } = self;
+        let begun = Instant::now();
+        let before = match kept.resumed()? {
+            Some((rows, progress)) => Some((rows, progress, checkpoint(&kept, progress, grid)?)),
+            None => None,
+        };
+        let mut run = run(before.as_ref().map(|(.., at)| *at));
+        let printed = before.as_ref().map(|(rows, ..)| *rows);
+        let rows = kept.open(out, format, trajectory.columns, printed)?;
+        let printer = Printer { row: trajectory.row, lost: trajectory.lost, rows, ended: None };
+        let next = every.get();
+        let mut watch =
+            Watch { drift: EnergyDrift::new(trajectory.system), printer, every: next, next };
+        watch.drift.observe(0, 0.0, trajectory.start);
+        let mut z = trajectory.start;
+        let before = match before {
+            Some((_, progress, at)) => {
+                watch.next = (at.steps() / next + 1).saturating_mul(next);
+                // The state at which it stands: it takes no step.
+                z = run.advance(at.steps(), every, &mut ());
+                Before::of(progress, summary)
+            }
+            None => {
+                watch.printer.observe(0, grid.time(0), z);
+                Before::default()
+            }
+        };
+        let mut interrupted = false;
+        loop {
+            let steps = run.checkpoint().steps();
+            if watch.printer.ended.is_some() || steps == grid.steps() {
+                break;
+            }
+            interrupted = lookout.interrupts(steps);
+            if interrupted {
+                break;
+            }
+            let until = lookout.next(steps);
+            z = if summary {
+                run.advance(until, NonZeroU64::MIN, &mut watch)
+            } else {
+                run.advance(until, every, &mut watch.printer)
+            };
         }
+        let Watch { drift, printer: Printer { rows, ended, .. }, .. } = watch;
+        let steps = run.checkpoint().steps();
+        let elapsed = before.elapsed + begun.elapsed();
+        let evaluations = before.evaluations + run.evaluations();
+        let energy_error = libm::fmaximum(drift.largest(), before.energy_error);
+        if let Some(failure) = ended {
+            // The rows so far are whole; if the output is what failed, closing it fails again.
+            let _ = rows.end().map(|mut destination| destination.flush());
+            return Err(failure);
+        }
+        if interrupted {
+            let progress = Progress {
+                steps,
+                numbers: run.checkpoint().numbers().iter().copied().map(Bits).collect(),
+                evaluations,
+                nanoseconds: u64::try_from(elapsed.as_nanos()).unwrap_or(u64::MAX),
+                energy_error: summary.then_some(Bits(energy_error)),
+                measured_from: before.measured_from,
+            };
+            let (all, t) = (grid.steps(), grid.time(steps));
+            let stands = format!("after {steps} of {all} steps, at {t:?} s");
+            return Err(kept.leave(rows, progress, &stands)?);
+        }
+        kept.finish(rows)?;
+        if summary {
+            let mut summary = Summary::of_cost(steps, evaluations, elapsed);
+            let of = match before.measured_from {
+                0 => String::new(),
+                from => format!(", after step {from}"),
+            };
+            let initial = trajectory.system.energy(trajectory.start);
+            summary.energy_error(energy_error, initial, &of);
+            (trajectory.end_errors)(&mut summary, z);
+            summary.print(err)?;
+        }
+        Ok(())
+    }
+}
+
+/// The checkpoint of `progress`, if there is one like it on `grid`.
+fn checkpoint(
+    kept: &Kept<Progress>,
+    progress: &Progress,
+    grid: &Grid,
+) -> Result<Checkpoint, Failure> {
+    let mut numbers = [0.0; CHECKPOINT_NUMBERS];
+    if progress.numbers.len() != numbers.len() {
+        return Err(kept.refused(format!("a run has {} numbers", numbers.len())));
+    }
+    if progress.steps > grid.steps() || progress.measured_from > progress.steps {
+        return Err(kept.refused(format!("it is beyond the last of {} steps", grid.steps())));
+    }
+    for (number, Bits(bits)) in numbers.iter_mut().zip(&progress.numbers) {
+        *number = *bits;
+    }
+    Ok(Checkpoint::new(progress.steps, numbers))
+}
+
+/// What a run that is resumed brings along for its summary.
+#[derive(Default)]
+struct Before {
+    elapsed: Duration,
+    evaluations: u64,
+    energy_error: f64,
+    measured_from: u64,
+}
+
+impl Before {
+    fn of(progress: &Progress, summary: bool) -> Self {
+        let elapsed = Duration::from_nanos(progress.nanoseconds);
+        let (energy_error, measured_from) = match progress.energy_error {
+            Some(Bits(energy_error)) => (energy_error, progress.measured_from),
+            // The steps so far were not measured.
+            None if summary => (0.0, progress.steps),
+            None => (0.0, 0),
+        };
+        Self { elapsed, evaluations: progress.evaluations, energy_error, measured_from }
     }
 }
 
@@ -95,34 +276,49 @@ pub fn overflow(steps: u64) -> Failure {
     ))
 }
 
-/// Prints what it observes until it is interrupted or fails.
-struct Printer<'a, F, L, W, const N: usize> {
-    row: F,
-    lost: L,
+/// Prints what it observes until it fails.
+struct Printer<'a, Z, W, const N: usize> {
+    row: &'a dyn Fn(f64, Z) -> [f64; N],
+    lost: &'a dyn Fn(u64) -> Failure,
     rows: Rows<W, N>,
-    interrupted: &'a AtomicBool,
     /// Why it stopped before the end.
     ended: Option<Failure>,
 }
 
-impl<Z, F, L, W, const N: usize> Observer<Z> for Printer<'_, F, L, W, N>
-where
-    F: Fn(f64, Z) -> [f64; N],
-    L: Fn(u64) -> Failure,
-    W: Write,
-{
+impl<Z, W: Write, const N: usize> Observer<Z> for Printer<'_, Z, W, N> {
     fn observe(&mut self, n: u64, t: f64, z: Z) {
         let row = (self.row)(t, z);
-        self.ended = if self.interrupted.load(Ordering::Relaxed) {
-            Some(Failure::Failed(io::Error::from(io::ErrorKind::Interrupted).into()))
-        } else if !row.iter().all(|value| value.is_finite()) {
-            Some((self.lost)(n))
-        } else {
+        self.ended = if row.iter().all(|value| value.is_finite()) {
             self.rows.row(row).err().map(Failure::from)
+        } else {
+            Some((self.lost)(n))
         };
     }
 
     fn is_satisfied(&self) -> bool {
         self.ended.is_some()
+    }
+}
+
+/// Measures the energy error of every sample, and prints every k-th.
+struct Watch<'a, S: Hamiltonian, W, const N: usize> {
+    drift: EnergyDrift<'a, S>,
+    printer: Printer<'a, S::State, W, N>,
+    every: u64,
+    /// The next sample to be printed.
+    next: u64,
+}
+
+impl<S: Hamiltonian, W: Write, const N: usize> Observer<S::State> for Watch<'_, S, W, N> {
+    fn observe(&mut self, n: u64, t: f64, z: S::State) {
+        self.drift.observe(n, t, z);
+        if n == self.next {
+            self.printer.observe(n, t, z);
+            self.next = self.next.saturating_add(self.every);
+        }
+    }
+
+    fn is_satisfied(&self) -> bool {
+        self.printer.ended.is_some()
     }
 }

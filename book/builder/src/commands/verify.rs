@@ -11,8 +11,10 @@ use clap::{Args, ValueEnum};
 use pendula::verify::judge::try_judge;
 use pendula::verify::{Claims, Report, Verdict};
 
-use super::destination::{Destination, interrupts};
+use super::destination::Destination;
+use super::number::number;
 use crate::failure::Failure;
+use crate::interrupt::interrupts;
 use crate::verify::examples::Language;
 use crate::verify::{Program, json, page};
 
@@ -24,7 +26,7 @@ pub struct Arguments {
     #[arg(long, value_name = "CLAIMS", default_value_t, hide_default_value = true)]
     claims: Claims,
     /// How long to wait for an answer (s)
-    #[arg(long, value_name = "S", default_value_t = 10.0, allow_negative_numbers = true)]
+    #[arg(long, value_name = "S", default_value_t = 10.0, value_parser = number, allow_hyphen_values = true)]
     patience: f64,
     /// How the report is printed
     #[arg(long, value_enum, default_value_t)]
@@ -70,7 +72,7 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
     // Status 1 says that a claim fails, and nothing else.
     let refused = |error: anyhow::Error| Failure::refused(format!("{error:#}"));
     // Set the interrupt handler before starting the program, which an interrupt does not reach.
-    let interrupted = interrupts(true)?;
+    let interrupted = interrupts()?;
     let destination = arguments.report.as_deref();
     let destination = destination.map(|path| Destination::file("--report", path)).transpose()?;
     let patience = Duration::from_secs_f64(seconds);

@@ -10,6 +10,7 @@ use pendula_study::report::table::Table;
 use serde_json::{Value, json};
 
 use super::destination::Destination;
+use super::number::number;
 use super::tables::TableFormat;
 use crate::failure::Failure;
 use crate::locate;
@@ -24,7 +25,7 @@ pub struct Arguments {
     #[arg(long, value_enum, default_value_t)]
     format: TableFormat,
     /// Measure for at most about this long (s): the longer, the smaller the smallest errors
-    #[arg(long, value_name = "S", default_value_t = 15.0, allow_negative_numbers = true)]
+    #[arg(long, value_name = "S", default_value_t = 15.0, value_parser = number, allow_hyphen_values = true)]
     seconds: f64,
     /// Write work-precision.svg and work-precision.csv to this folder instead of the one where the
     /// book looks for them

@@ -4,6 +4,7 @@ pub mod range;
 
 use std::num::NonZeroU64;
 
+use pendula::fast::LANES;
 use pendula::metrics::EnergyDrift;
 use pendula::{
     AnyMethod, Ensemble, Error, Grid, MethodInfo, Observer, Pendulum, Phase, method_named,
@@ -23,6 +24,7 @@ pub struct Runner {
 }
 
 /// One run: its start, its step, its end and its largest energy error (J).
+#[derive(Clone, Copy, Debug)]
 pub struct Run {
     /// Angle at the start (rad).
     pub theta0: f64,
@@ -64,8 +66,17 @@ impl Runner {
         not_solved(self.method, &self.pendulum, start, &run.grid)
     }
 
-    /// The same steps from each of the angles, in lanes.
-    pub fn from_each(&self, angles: &[f64], grid: &Grid) -> Vec<Run> {
+    /// The same steps from each of the angles, in lanes. Each run is passed to `finished`, with its
+    /// place among the angles, in the order in which they finish.
+    pub fn from_each(&self, angles: &[f64], grid: &Grid, finished: impl Fn(usize, Run) + Sync) {
+        angles.par_chunks(LANES).enumerate().for_each(|(block, angles)| {
+            for (lane, run) in self.in_lanes(angles, grid).enumerate() {
+                finished(block * LANES + lane, run);
+            }
+        });
+    }
+
+    fn in_lanes(&self, angles: &[f64], grid: &Grid) -> impl Iterator<Item = Run> {
         let starts: Vec<Phase> =
             angles.iter().map(|&theta| Phase { theta, omega: self.omega0 }).collect();
         let mut watches =
@@ -82,18 +93,19 @@ impl Runner {
             end,
             energy_error: drift.largest(),
         })
-        .collect()
+        .collect::<Vec<_>>()
+        .into_iter()
     }
 
     /// The same start along each of the grids. Not in lanes: the grids differ in their number of
-    /// steps.
-    pub fn along_each(&self, start: Phase, grids: &[Grid]) -> Vec<Run> {
-        let along = |grid: &Grid| {
+    /// steps. Each run is passed to `finished`, with its place among the grids.
+    pub fn along_each(&self, start: Phase, grids: &[Grid], finished: impl Fn(usize, Run) + Sync) {
+        grids.par_iter().enumerate().with_max_len(1).for_each(|(i, grid)| {
             let mut drift = EnergyDrift::new(&self.pendulum);
             let end = self.method.run(&self.pendulum, start, grid, &mut drift);
-            Run { theta0: start.theta, grid: *grid, end, energy_error: drift.largest() }
-        };
-        grids.par_iter().with_max_len(1).map(along).collect()
+            let energy_error = drift.largest();
+            finished(i, Run { theta0: start.theta, grid: *grid, end, energy_error });
+        });
     }
 }
 

@@ -1,6 +1,9 @@
 //! A number, or a range of numbers, on the command line: `0.1` or `0.1:3:30`.
 
+use std::fmt;
 use std::str::FromStr;
+
+use crate::commands::number::refusal;
 
 /// One number, or COUNT of them FROM … TO, both ends included.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -45,8 +48,18 @@ impl Range {
     }
 }
 
+impl fmt::Display for Sweep {
+    /// The text that it is read from, with numbers that read back to the same f64.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::One(number) => write!(f, "{number:?}"),
+            Self::Range(Range { from, to, count }) => write!(f, "{from:?}:{to:?}:{count}"),
+        }
+    }
+}
+
 impl FromStr for Sweep {
-    type Err = &'static str;
+    type Err = String;
 
     fn from_str(text: &str) -> Result<Self, Self::Err> {
         const ALLOWED: &str =
@@ -62,7 +75,7 @@ impl FromStr for Sweep {
             }
             _ => None,
         };
-        sweep.ok_or(ALLOWED)
+        sweep.ok_or_else(|| refusal(text, ALLOWED))
     }
 }
 

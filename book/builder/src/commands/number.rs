@@ -1,0 +1,72 @@
+//! Numbers on the command line: any way to write one, negative ones too.
+//!
+//! clap takes what begins with a hyphen for an option, or, if asked, lets pass what it takes for a
+//! negative number; it does not know exponents. So every numeric option allows hyphens, and the
+//! parser here says what a forgotten value led to.
+
+use std::num::NonZeroU64;
+use std::str::FromStr;
+
+/// A number. Whether it may be infinite or negative is for the library to say.
+pub fn number(text: &str) -> Result<f64, String> {
+    value(text, "it must be a number")
+}
+
+/// A count, zero included.
+pub fn count(text: &str) -> Result<u64, String> {
+    value(text, "it must be a whole number, 0 or greater")
+}
+
+/// A count, at least one.
+pub fn positive_count(text: &str) -> Result<NonZeroU64, String> {
+    value(text, "it must be a whole number, 1 or greater")
+}
+
+/// The value that `text` stands for; otherwise `allowed`, or that the value was forgotten.
+pub fn value<T: FromStr>(text: &str, allowed: &str) -> Result<T, String> {
+    text.parse().map_err(|_| refusal(text, allowed))
+}
+
+/// Why `text` is no value: because it is not what is `allowed`, or the value was forgotten.
+pub fn refusal(text: &str, allowed: &str) -> String {
+    if is_an_option(text) {
+        format!("{text} is an option, and the value before it is missing; {allowed}")
+    } else {
+        allowed.to_owned()
+    }
+}
+
+fn is_an_option(text: &str) -> bool {
+    let name = text.trim_start_matches('-');
+    name.len() < text.len() && !name.starts_with(|c: char| c.is_ascii_digit() || c == '.')
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Catches: an exponent or a leading point that is not understood; a forgotten value that is
+    /// not explained, or a wrong number that is called an option.
+    #[test]
+    fn numbers_may_be_written_in_any_way() {
+        for (text, expected) in [
+            ("-1e-3", -1e-3),
+            ("-.5", -0.5),
+            ("+2.", 2.0),
+            ("-1E+3", -1e3),
+            ("-inf", f64::NEG_INFINITY),
+            ("-0", -0.0),
+        ] {
+            assert_eq!(number(text).map(f64::to_bits), Ok(expected.to_bits()), "{text}");
+        }
+        assert!(number("-nan").unwrap().is_nan());
+        for text in ["--dt", "-h", "--", "-"] {
+            assert!(number(text).unwrap_err().contains("is missing"), "{text}");
+        }
+        for text in ["-1e", "1,5", "two", "-.", ""] {
+            assert!(!number(text).unwrap_err().contains("is missing"), "{text}");
+        }
+        assert!(count("-1").unwrap_err().contains("0 or greater"));
+        assert!(positive_count("0").unwrap_err().contains("1 or greater"));
+    }
+}

@@ -1,0 +1,78 @@
+//! The files that an interrupted run leaves, so that it can be resumed: its state, and the rows so
+//! far. Every access to them is here.
+
+use std::fs::{self, File};
+use std::io::{self, Read, Write};
+use std::path::{Path, PathBuf};
+
+use anyhow::Context;
+
+use crate::whole_file;
+
+/// `path` with `.ending` behind its name.
+pub fn beside(path: &Path, ending: &str) -> PathBuf {
+    let mut name = path.as_os_str().to_owned();
+    name.push(".");
+    name.push(ending);
+    name.into()
+}
+
+/// The text of a file.
+///
+/// # Errors
+/// If it cannot be read, or is larger than any state.
+pub fn read(path: &Path) -> io::Result<String> {
+    /// Far more than an ensemble's state: 4096 rows of five numbers.
+    const LARGEST: u64 = 1 << 24;
+    let mut text = String::new();
+    let read = File::open(path)?.take(LARGEST).read_to_string(&mut text)?;
+    if read as u64 == LARGEST {
+        return Err(io::Error::new(io::ErrorKind::InvalidData, "it is too large"));
+    }
+    Ok(text)
+}
+
+/// Writes a file, whole or not at all.
+///
+/// # Errors
+/// If that fails; the file is then as it was before.
+pub fn write(path: &Path, text: &str) -> anyhow::Result<()> {
+    let refused = || format!("{} cannot be written", path.display());
+    let mut file = whole_file::beside(path).with_context(refused)?;
+    file.write_all(text.as_bytes()).with_context(refused)?;
+    whole_file::replace(file, path)
+}
+
+/// Copies the first `bytes` bytes of a file to `out`.
+///
+/// # Errors
+/// If the file has fewer, or that fails.
+pub fn copy(path: &Path, bytes: u64, out: &mut impl Write) -> anyhow::Result<()> {
+    let failed = || path.display().to_string();
+    let file = File::open(path).with_context(failed)?;
+    let copied = io::copy(&mut file.take(bytes), out).with_context(failed)?;
+    anyhow::ensure!(
+        copied == bytes,
+        "{} has {copied} bytes, and the rows so far were {bytes}",
+        path.display()
+    );
+    Ok(())
+}
+
+/// Whether both paths lead to one file.
+pub fn same(a: &Path, b: &Path) -> bool {
+    fs::canonicalize(a).is_ok_and(|a| fs::canonicalize(b).is_ok_and(|b| a == b))
+}
+
+/// Removes a file that is no longer needed.
+///
+/// # Errors
+/// If that fails, except that it is not there.
+pub fn remove(path: &Path) -> anyhow::Result<()> {
+    match fs::remove_file(path) {
+        Err(error) if error.kind() != io::ErrorKind::NotFound => {
+            Err(error).with_context(|| format!("{} cannot be removed", path.display()))
+        }
+        _ => Ok(()),
+    }
+}
