@@ -84,7 +84,7 @@ pub use analytic::Analytic;
 pub(crate) use analytic::growth;
 pub use compensated::{Compensated, CompensatedPhase};
 pub use damped::Damped;
-pub use double_pendulum::{DoublePendulum, DoublePhase, Joint};
+pub use double_pendulum::{DoublePendulum, DoublePhase, Joint, LARGEST_MASS_RATIO};
 pub use driven::Driven;
 pub use kepler::{Ellipse, Kepler, Planar, PlanePhase};
 pub use linear_oscillator::LinearOscillator;

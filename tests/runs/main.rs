@@ -8,6 +8,7 @@ mod random;
 
 mod adaptive;
 mod anything;
+mod checkpoint;
 mod ensemble;
 mod extremes;
 mod grid;

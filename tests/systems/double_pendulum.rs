@@ -7,7 +7,7 @@ use approx::assert_abs_diff_eq;
 use pendula::adaptive::{Adaptive, Tolerance};
 use pendula::methods::{Dop853, ForwardEuler, Gauss4, Gauss6, ImplicitMidpoint, Rk4};
 use pendula::metrics::EnergyDrift;
-use pendula::systems::{DoublePendulum, DoublePhase, Joint};
+use pendula::systems::{DoublePendulum, DoublePhase, Joint, LARGEST_MASS_RATIO};
 use pendula::{Components, Grid, Hamiltonian, Info, Method, RateOf, System, integrate};
 use pendula_study::experiments::beyond::{equals, separation, swing_frequency};
 use rstest::rstest;
@@ -63,6 +63,61 @@ fn the_hamiltonian_is_the_energy_of_the_bobs() {
         }
     }
     assert_eq!(unequal().energy(DoublePhase::default()), 0.0);
+}
+
+/// Velocities that become momenta and velocities again, over all ratios of the masses, with the rods
+/// in line or nearly so, where the momenta are hardest to undo; or a refusal.
+///
+/// With u = ε/2, r = m₂/m₁ and V = L₁|ω₁| + L₂|ω₂|: each momentum is a sum of products of six
+/// factors at most, p₁/L₁ ≤ (m₁ + m₂)V off by 5u of that, and p₂/L₂ ≤ m₂V by 5u; the numerator of a
+/// velocity doubles that and adds 3u for its own products; the denominator, m₁ + m₂ sin² Δ, is off
+/// by 7u(m₁ + m₂), as sin² Δ + cos² Δ = 1 only to rounding; and all is divided by m₁: 32u(1 + r)V at
+/// most. Where m₁ is the larger the same holds without r.
+///
+/// Catches: velocities that are lost in momenta of the other bob, and printed as if they were right
+/// (ω₂ = 0.5058 for 0.5); a limit on the wrong ratio; a conversion that loses more than it must.
+#[test]
+fn velocities_survive_as_momenta() {
+    for exponent in -16..=16 {
+        let ratio = 10_f64.powi(exponent);
+        for (m1, m2, l1, l2) in [
+            (1.0, ratio, 1.0, 1.0),
+            (1.0 / ratio, 1.0, 0.3, 2.0),
+            (3.0 / ratio.sqrt(), 3.0 * ratio.sqrt(), 2.5, 0.1),
+        ] {
+            let joints = [Joint { length: l1, mass: m1 }, Joint { length: l2, mass: m2 }];
+            let double = DoublePendulum::new(9.81, joints[0], joints[1]);
+            // The ratios are off by a few roundings; that of the limit itself may be on either side.
+            if exponent > 6 {
+                let refused = double.unwrap_err().to_string();
+                assert!(refused.contains("m₂/m₁") && refused.contains("at most 1e6"), "{refused}");
+                continue;
+            }
+            if m2 / m1 > LARGEST_MASS_RATIO {
+                continue;
+            }
+            let double = double.unwrap();
+            let tolerance = 16.0 * f64::EPSILON * (1.0 + ratio);
+            assert!(tolerance < 1e-8);
+            for delta in [0.0, 1e-12, 1e-6, 1e-3, 0.3, 1.5, PI - 1e-9, PI] {
+                for omega in [[1.0, 0.5], [1.0, -0.5], [-3.0, 40.0], [0.0, 7.0], [1e-3, 0.0]] {
+                    let start = double.start([0.1 + delta, 0.1], omega).unwrap();
+                    let back = double.velocities(start);
+                    let speed = l1 * omega[0].abs() + l2 * omega[1].abs();
+                    for (length, back, omega) in
+                        [(l1, back[0], omega[0]), (l2, back[1], omega[1])]
+                    {
+                        let off = length * (back - omega).abs() / speed;
+                        assert!(off <= tolerance, "{off:e} at {ratio:e}, Δ = {delta}: {back}");
+                    }
+                }
+            }
+        }
+    }
+    let equal = Joint { length: 1.0, mass: 1.0 };
+    let at_limit = Joint { mass: LARGEST_MASS_RATIO, ..equal };
+    assert!(DoublePendulum::new(9.81, equal, at_limit).is_ok());
+    assert!(DoublePendulum::new(9.81, at_limit, equal).is_ok());
 }
 
 /// Hamilton's equations: the rate is the gradient of the energy, by central differences.

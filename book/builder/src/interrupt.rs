@@ -9,6 +9,7 @@ use std::{panic, process, thread};
 use anyhow::Context;
 
 use crate::failure::Failure;
+use crate::threads;
 
 /// A flag that is set when the user interrupts: by control-C, by ending the process, or by closing
 /// its terminal. Whoever asks for it has to look at it, for the signals no longer end the process.
@@ -83,6 +84,9 @@ pub fn unless_interrupted<T: Send + 'static>(
     work: impl FnOnce() -> T + Clone + Send + 'static,
 ) -> Option<T> {
     const LISTEN: Duration = Duration::from_millis(20);
+    if threads::is_alone() {
+        return Some(work());
+    }
     let (sender, receiver) = mpsc::channel();
     // Sending fails only after an interrupt, when the result is not needed.
     let here = work.clone();

@@ -23,6 +23,7 @@ pub mod preprocess;
 pub mod progress;
 pub mod review;
 pub mod sweep;
+mod threads;
 pub mod verify;
 mod warnings;
 mod whole_file;

@@ -7,6 +7,7 @@ use std::io::Write;
 
 use crate::cli::Command;
 use crate::failure::Failure;
+use crate::threads;
 
 pub mod adaptive;
 pub mod book;
@@ -35,6 +36,9 @@ pub mod work_precision;
 /// # Errors
 /// Whatever the command refuses or fails at.
 pub fn run(command: Command, out: &mut dyn Write) -> Result<(), Failure> {
+    if computes_in_parallel(&command) {
+        threads::start();
+    }
     match command {
         Command::Book(arguments) => book::run(&arguments, out),
         Command::Tables(arguments) => tables::run(&arguments, out),
@@ -50,5 +54,25 @@ pub fn run(command: Command, out: &mut dyn Write) -> Result<(), Failure> {
         Command::Verify(arguments) => verify::run(&arguments, out),
         Command::Serve(arguments) => serve::run(&arguments, out),
         Command::Preprocess(arguments) => preprocess::run(&arguments, out),
+    }
+}
+
+/// Whether a command needs more than a thread for its computations.
+const fn computes_in_parallel(command: &Command) -> bool {
+    match command {
+        Command::Simulate(_)
+        | Command::Adaptive(_)
+        | Command::DoublePendulum(_)
+        | Command::Exact(_)
+        | Command::Period(_)
+        | Command::Serve(_) => false,
+        Command::Book(_)
+        | Command::Tables(_)
+        | Command::Claims(_)
+        | Command::Review(_)
+        | Command::Ensemble(_)
+        | Command::WorkPrecision(_)
+        | Command::Verify(_)
+        | Command::Preprocess(_) => true,
     }
 }

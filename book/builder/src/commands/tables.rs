@@ -9,17 +9,23 @@ use pendula_study::experiments::Study;
 use pendula_study::report::tables::{TABLES, table};
 use serde_json::{Value, json};
 
+use super::number::value;
 use crate::failure::Failure;
 
 /// Arguments of `pendula tables`.
 #[derive(Args, Debug)]
 pub struct Arguments {
     /// Only this table
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = table_number, allow_hyphen_values = true)]
     table: Option<u32>,
     /// How the cells are printed
     #[arg(long, value_enum, default_value_t)]
     format: TableFormat,
+}
+
+/// The number of a table; which ones there are is checked later.
+fn table_number(text: &str) -> Result<u32, String> {
+    value(text, "it must be the number of a table")
 }
 
 /// How the cells are printed.

@@ -1,0 +1,186 @@
+//! Runs that are left and continued: the same samples, with the same bits, as if nothing had
+//! happened.
+
+use std::num::NonZeroU64;
+
+use pendula::fast::{FastRun, Resumable};
+use pendula::integrate::{Checkpoint, Every};
+use pendula::metrics::EnergyDrift;
+use pendula::systems::{DoublePhase, Driven, Joint};
+use pendula::{
+    Counting, DoublePendulum, Grid, Info, Method, Observer, Pendulum, Phase, Rk4, integrate,
+    integrate_fast,
+};
+use rstest_reuse::apply;
+
+use crate::common::{each_general_method, each_method};
+
+const STEPS: u64 = 11;
+
+/// Strides that divide the number of steps, that do not, that reach the end, and that do not.
+const STRIDES: [u64; 6] = [1, 2, 4, 11, 12, u64::MAX];
+
+/// The numbers of a sample as bits, so that a zero differs from a negative zero.
+type Sample = (u64, u64, [u64; 2]);
+
+/// Collects samples.
+#[derive(Default)]
+struct Samples(Vec<Sample>);
+
+impl Observer<Phase> for Samples {
+    fn observe(&mut self, n: u64, t: f64, z: Phase) {
+        self.0.push((n, t.to_bits(), [z.theta.to_bits(), z.omega.to_bits()]));
+    }
+}
+
+/// A checkpoint that went through a file: its numbers alone.
+fn written(at: &Checkpoint) -> Checkpoint {
+    let bits = at.numbers().map(f64::to_bits);
+    Checkpoint::new(at.steps(), bits.map(f64::from_bits))
+}
+
+/// The samples and the end of a run that is left after `leave` steps, with samples every `every`.
+fn in_two_parts<M: Resumable>(
+    method: &M,
+    pendulum: &Pendulum,
+    start: Phase,
+    grid: &Grid,
+    [leave, every]: [u64; 2],
+) -> (Vec<Sample>, Phase) {
+    let every = NonZeroU64::new(every).unwrap();
+    let mut samples = Samples::default();
+    samples.observe(0, 0.0, start);
+    let mut run = FastRun::start(pendulum, method, start, grid);
+    run.advance(leave, every, &mut samples);
+    assert_eq!(run.checkpoint().steps(), leave);
+    let at = written(run.checkpoint());
+    let mut later = FastRun::resume(pendulum, method, start, grid, at);
+    // Beyond the end there is nothing.
+    let end = later.advance(grid.steps() + 5, every, &mut samples);
+    (samples.0, end)
+}
+
+/// For every method, for scenes with time in steps and (where angles are large) in seconds, left
+/// after every number of steps, for every stride.
+///
+/// Catches: a carry that is computed again, which merges half kicks differently; a carry or a
+/// deferred sum that is not kept whole; a time or a stride counted from where the run was resumed;
+/// a sample seen twice or never; another unit of time after the resumption.
+#[apply(each_method)]
+fn a_run_in_parts_is_the_run<M: Resumable>(
+    #[case] method: M,
+    #[values((1.0, 0.0), (-3.0, 9.0), (2e6, 0.3))] start: (f64, f64),
+) {
+    let pendulum = Pendulum::new(5.0, 2.0, 3.0).unwrap();
+    let start = Phase { theta: start.0, omega: start.1 };
+    let grid = Grid::new(0.07, STEPS).unwrap();
+    for every in STRIDES {
+        let mut watch = Every::new(NonZeroU64::new(every).unwrap(), Samples::default());
+        let end = integrate_fast(&pendulum, &method, start, &grid, &mut watch);
+        let whole = watch.into_inner().0;
+        for leave in 0..=STEPS {
+            let parts = in_two_parts(&method, &pendulum, start, &grid, [leave, every]);
+            assert_eq!(parts.0, whole, "left after {leave}, every {every}");
+            assert_eq!(parts.1, end, "left after {leave}, every {every}");
+        }
+    }
+}
+
+/// Under a drive, the force depends on the time; every method for such systems.
+///
+/// Catches: a time that begins anew where a run is resumed, also within a step.
+#[apply(each_general_method)]
+fn a_driven_run_in_parts_is_the_run<M>(#[case] method: M)
+where
+    M: Method<Driven, Carry: pendula::systems::Numbers>,
+{
+    let driven = Driven::taylor(1.07).unwrap();
+    let start = Phase { theta: -0.4, omega: 1.2 };
+    let grid = Grid::new(0.01, STEPS).unwrap();
+    let mut whole = Samples::default();
+    integrate(&driven, &method, start, &grid, &mut whole);
+    for leave in 0..=STEPS {
+        let mut parts = Samples::default();
+        parts.observe(0, 0.0, start);
+        let mut at = Checkpoint::start(&driven, &method, start, &grid);
+        at.advance(&driven, &method, &grid, leave, NonZeroU64::MIN, &mut parts);
+        let mut at = written(&at);
+        at.advance(&driven, &method, &grid, STEPS, NonZeroU64::MIN, &mut parts);
+        assert_eq!(parts.0, whole.0, "left after {leave}");
+    }
+}
+
+/// Four numbers in the state, and no carry.
+///
+/// Catches: components exchanged on their way through a checkpoint.
+#[test]
+fn a_state_of_four_numbers_is_kept_too() {
+    let [upper, lower] =
+        [(1.3, 0.7), (0.6, 1.9)].map(|(length, mass)| Joint { length, mass });
+    let double = DoublePendulum::new(9.81, upper, lower).unwrap();
+    let start = double.start([2.0, -0.5], [0.3, 1.5]).unwrap();
+    let grid = Grid::new(0.01, STEPS).unwrap();
+    let mut at = Checkpoint::start(&double, &Rk4, start, &grid);
+    let there = at.advance(&double, &Rk4, &grid, 4, NonZeroU64::MIN, &mut ());
+    let DoublePhase { theta1, theta2, p1, p2 } = there;
+    assert_eq!(at.numbers()[..4], [theta1, theta2, p1, p2]);
+    let end = written(&at).advance(&double, &Rk4, &grid, STEPS, NonZeroU64::MIN, &mut ());
+    assert_eq!(end, integrate(&double, &Rk4, start, &grid, &mut ()));
+}
+
+/// Catches: a run that goes on although its observer has seen enough, or takes no step where it was
+/// satisfied; an end that is not the state observed last.
+#[test]
+fn a_satisfied_observer_ends_a_part() {
+    struct Three(u64);
+    impl Observer<Phase> for Three {
+        fn observe(&mut self, _n: u64, _t: f64, _z: Phase) {
+            self.0 += 1;
+        }
+        fn is_satisfied(&self) -> bool {
+            self.0 == 3
+        }
+    }
+    let (pendulum, start) = (Pendulum::PAPER, Phase::at_rest(1.0));
+    let grid = Grid::new(0.07, STEPS).unwrap();
+    let mut run = FastRun::start(&pendulum, &Rk4, start, &grid);
+    let two = NonZeroU64::new(2).unwrap();
+    let end = run.advance(STEPS, two, &mut Three(0));
+    assert_eq!(run.checkpoint().steps(), 6);
+    assert_eq!(end, integrate_fast(&pendulum, &Rk4, start, &Grid::new(0.07, 6).unwrap(), &mut ()));
+    assert_eq!(run.advance(STEPS, two, &mut Three(3)), end);
+    assert_eq!(run.checkpoint().steps(), 6);
+}
+
+/// The counts of the parts are those of the whole: with time in seconds the very count of
+/// [`Counting`], for iterations too.
+///
+/// Catches: evaluations before the first step counted again or forgotten, those of the last part
+/// alone.
+#[apply(each_method)]
+fn the_evaluations_of_the_parts_add_up<M>(#[case] method: M)
+where
+    M: Resumable + Info,
+{
+    let pendulum = Pendulum::new(5.0, 2.0, 3.0).unwrap();
+    let grid = Grid::new(0.07, STEPS).unwrap();
+    for (theta, scaled) in [(1.0, true), (2e6, false)] {
+        let start = Phase { theta, omega: 0.3 };
+        let mut run = FastRun::start(&pendulum, &method, start, &grid);
+        run.advance(4, NonZeroU64::MIN, &mut ());
+        let at = *run.checkpoint();
+        let mut later = FastRun::resume(&pendulum, &method, start, &grid, at);
+        later.advance(STEPS, NonZeroU64::MIN, &mut EnergyDrift::new(&pendulum));
+        let counted = run.evaluations() + later.evaluations();
+        let info = method.info();
+        if !info.implicit {
+            let declared = STEPS * u64::from(info.force_evaluations);
+            assert_eq!(counted, declared + u64::from(info.start_evaluations));
+        }
+        if !scaled {
+            let counting = Counting::new(pendulum);
+            integrate(&counting, &method, start, &grid, &mut ());
+            assert_eq!(counted, counting.evaluations());
+        }
+    }
+}
