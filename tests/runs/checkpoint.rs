@@ -115,8 +115,7 @@ where
 /// Catches: components exchanged on their way through a checkpoint.
 #[test]
 fn a_state_of_four_numbers_is_kept_too() {
-    let [upper, lower] =
-        [(1.3, 0.7), (0.6, 1.9)].map(|(length, mass)| Joint { length, mass });
+    let [upper, lower] = [(1.3, 0.7), (0.6, 1.9)].map(|(length, mass)| Joint { length, mass });
     let double = DoublePendulum::new(9.81, upper, lower).unwrap();
     let start = double.start([2.0, -0.5], [0.3, 1.5]).unwrap();
     let grid = Grid::new(0.01, STEPS).unwrap();

@@ -104,8 +104,7 @@ fn velocities_survive_as_momenta() {
                     let start = double.start([0.1 + delta, 0.1], omega).unwrap();
                     let back = double.velocities(start);
                     let speed = l1 * omega[0].abs() + l2 * omega[1].abs();
-                    for (length, back, omega) in
-                        [(l1, back[0], omega[0]), (l2, back[1], omega[1])]
+                    for (length, back, omega) in [(l1, back[0], omega[0]), (l2, back[1], omega[1])]
                     {
                         let off = length * (back - omega).abs() / speed;
                         assert!(off <= tolerance, "{off:e} at {ratio:e}, Δ = {delta}: {back}");

@@ -112,7 +112,10 @@ fn fold(message: &str) -> String {
 
 #[cfg(test)]
 mod tests {
+    use std::any::TypeId;
+
     use super::*;
+    use crate::sweep::range::Sweep;
 
     fn refusal(arguments: &[&str]) -> String {
         match parse(arguments) {
@@ -143,6 +146,120 @@ mod tests {
         let reason = refusal(&["pendula", "x"]);
         for command in Cli::command().get_subcommands() {
             assert!(reason.contains(command.get_name()), "{reason}");
+        }
+    }
+
+    /// A valid line for each command with numbers.
+    const LINES: [&[&str]; 8] = [
+        &["simulate", "--method", "rk4", "--theta0", "1", "--dt", "1", "--duration", "1"],
+        &["adaptive", "--method", "dop853", "--theta0", "1", "--duration", "1", "--tolerance", "1"],
+        &["double-pendulum", "--theta1", "1", "--theta2", "1", "--dt", "1", "--duration", "1"],
+        &["ensemble", "--method", "rk4", "--theta0", "1", "--dt", "1", "--duration", "1"],
+        &["exact", "--theta0", "1", "--t", "1"],
+        &["period", "--theta0", "1"],
+        &["work-precision"],
+        &["verify", "program"],
+    ];
+
+    /// Every option of a command that takes a number: its name, and that of its field.
+    fn numeric_options(command: &str) -> Vec<(String, String)> {
+        let cli = Cli::command();
+        let of = cli.find_subcommand(command).unwrap();
+        let numbers = [TypeId::of::<f64>(), TypeId::of::<Sweep>()];
+        let options = of
+            .get_arguments()
+            .filter(|o| numbers.iter().any(|number| o.get_value_parser().type_id() == *number));
+        options.map(|o| (format!("--{}", o.get_long().unwrap()), o.get_id().to_string())).collect()
+    }
+
+    /// The line with `value` for the option, as one word or as two.
+    fn with(line: &[&str], option: &str, value: &str, one_word: bool) -> Vec<String> {
+        let mut words: Vec<String> = vec!["pendula".to_owned(), line[0].to_owned()];
+        words.extend(if one_word {
+            vec![format!("{option}={value}")]
+        } else {
+            vec![option.to_owned(), value.to_owned()]
+        });
+        let mut rest = line[1..].iter();
+        while let Some(word) = rest.next() {
+            if *word == option {
+                rest.next();
+            } else {
+                words.push((*word).to_owned());
+            }
+        }
+        words
+    }
+
+    /// Numbers from all over the range of f64, by their bits; both zeros, the smallest, the largest.
+    fn all_sorts_of_numbers() -> impl Iterator<Item = f64> {
+        let special = [0.0, 5e-324, f64::MIN_POSITIVE, 0.5, 1e-3, 0.1, 1e16, 1e15, f64::MAX];
+        let mut bits = 1_u64;
+        let any = std::iter::repeat_with(move || {
+            // Knuth's generator, of which every bit pattern is a number.
+            bits = bits
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
+            f64::from_bits(bits)
+        });
+        special.into_iter().chain(any.filter(|x| x.is_finite()).take(40)).flat_map(|x| [x, -x])
+    }
+
+    /// Every number that the program can print is understood by every option that takes one, with
+    /// the same bits.
+    ///
+    /// Catches: a negative number, with or without an exponent, taken for an option; an option that
+    /// was forgotten; digits lost in reading.
+    #[test]
+    fn every_number_is_understood_by_every_option() {
+        let mut options = 0;
+        for line in LINES {
+            for (option, field) in numeric_options(line[0]) {
+                options += 1;
+                for number in all_sorts_of_numbers() {
+                    let text = ryu::Buffer::new().format_finite(number).to_owned();
+                    for one_word in [false, true] {
+                        let words = with(line, &option, &text, one_word);
+                        let command = parse(&words).unwrap_or_else(|e| panic!("{words:?}: {e:?}"));
+                        // `{:?}` prints the shortest number that reads back to the same bits.
+                        let shown = format!("{command:?}");
+                        let is = [
+                            format!("{field}: {number:?}"),
+                            format!("{field}: Some({number:?})"),
+                            format!("{field}: Some(One({number:?}))"),
+                            format!("{field}: [{number:?}]"),
+                        ];
+                        assert!(is.iter().any(|is| shown.contains(is)), "{words:?}: {shown}");
+                    }
+                }
+            }
+        }
+        assert_eq!(options, 34, "the options that take a number");
+        let t = parse(["pendula", "exact", "--theta0", "-1e-3", "--t", "-1,2,-3e-5"]).unwrap();
+        assert!(format!("{t:?}").contains("t: [-1.0, 2.0, -3e-5]"), "{t:?}");
+        for range in ["-1:2:5", "-1e-3:-.5:3"] {
+            assert!(parse(with(LINES[3], "--theta0", range, false)).is_ok(), "{range}");
+        }
+    }
+
+    /// Catches: a line that says of a forgotten value only that the option behind it is no number,
+    /// or that is refused by another option.
+    #[test]
+    fn a_forgotten_value_is_explained() {
+        for line in LINES {
+            for (option, _) in numeric_options(line[0]) {
+                let words = with(line, &option, "--format", false);
+                let words: Vec<&str> = words.iter().map(String::as_str).collect();
+                let reason = refusal(&words);
+                assert!(reason.contains("value before it is missing"), "{words:?}: {reason}");
+                assert!(reason.contains(&option), "{words:?}: {reason}");
+            }
+        }
+        for option in ["--steps", "--every"] {
+            let reason = refusal(&["pendula", "simulate", option, "--dt", "1"]);
+            assert!(reason.contains("value before it is missing"), "{reason}");
+            let reason = refusal(&["pendula", "simulate", option, "-3"]);
+            assert!(reason.contains("'-3'") && reason.contains(option), "{reason}");
         }
     }
 

@@ -306,7 +306,7 @@ impl Batch {
     ) {
         let missing: Vec<usize> = {
             let runs = self.runs.lock().unwrap_or_else(PoisonError::into_inner);
-            (0..items.len()).filter(|&row| runs[row].is_none()).collect()
+            (0..items.len()).filter(|&row| runs.get(row).is_some_and(Option::is_none)).collect()
         };
         let items: Vec<T> = missing.iter().map(|&row| items[row].clone()).collect();
         compute(&items, &|i, run| {
@@ -392,5 +392,63 @@ impl Largest {
                 summary.line(name, format!("{:.6e} {unit}{}", worst.error.0, at(worst)));
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::cell::RefCell;
+
+    use super::*;
+
+    fn run(theta: f64) -> Run {
+        let end = Phase { theta: 10.0 * theta, omega: -theta };
+        Run { theta0: theta, dt: 0.5, steps: 4, end, energy_error: 0.25 * theta }
+    }
+
+    fn of(&theta0: &f64) -> (f64, Grid) {
+        (theta0, Grid::new(0.5, 4).unwrap())
+    }
+
+    fn angles(runs: &[Run]) -> Vec<f64> {
+        runs.iter().map(|run| run.theta0).collect()
+    }
+
+    /// Catches: runs finished before their turn that are lost, computed again, or printed in the
+    /// place of another; a state whose runs are of another sweep.
+    #[test]
+    fn runs_finished_before_their_turn_are_kept() {
+        let finished = Arc::new(AtomicU64::new(0));
+        let items = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0];
+        let batch = Batch::new(&items, &[], of, &finished).unwrap();
+        let taken = RefCell::default();
+        batch.complete(&items, &|items: &[f64], done: &(dyn Fn(usize, Run) + Sync)| {
+            [0, 2, 4, 5].into_iter().for_each(|i| done(i, run(items[i])));
+            *taken.borrow_mut() = batch.take();
+            // It finishes after the interruption: nobody asks for it.
+            done(3, run(items[3]));
+        });
+        let (in_turn, later) = taken.into_inner();
+        assert_eq!(angles(&in_turn), [1.0]);
+        assert_eq!(later.iter().map(|run| run.row).collect::<Vec<_>>(), [1, 3, 4]);
+        // Nor does a computation begin that has not before.
+        batch.complete(&items, &|items, _| assert!(items.is_empty()));
+
+        let items = &items[1..];
+        let batch = Batch::new(items, &later, of, &finished).unwrap();
+        batch.complete(items, &|items: &[f64], done: &(dyn Fn(usize, Run) + Sync)| {
+            assert_eq!(items, [2.0, 4.0]);
+            items.iter().enumerate().for_each(|(i, &theta)| done(i, run(theta)));
+        });
+        let (in_turn, later) = batch.take();
+        assert_eq!(angles(&in_turn), items);
+        for got in in_turn {
+            let Run { dt, steps, end, energy_error, .. } = run(got.theta0);
+            assert_eq!(got.end, end);
+            assert_eq!((got.dt, got.steps, got.energy_error), (dt, steps, energy_error));
+        }
+        assert!(later.is_empty());
+        let beyond = Ahead { row: 5, theta: Bits(0.0), omega: Bits(0.0), energy_error: Bits(0.0) };
+        assert!(Batch::new(items, &[beyond], of, &finished).is_none());
     }
 }

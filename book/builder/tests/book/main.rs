@@ -7,6 +7,7 @@ mod command_line;
 mod commands;
 mod lab;
 mod ledger;
+mod long_runs;
 mod pages;
 mod review;
 mod verify;

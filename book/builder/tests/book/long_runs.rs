@@ -1,0 +1,760 @@
+//! Runs that are interrupted and resumed, and what a summary says of them.
+
+use std::fs;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command as Process, Output, Stdio};
+
+use pendula::metrics::EnergyDrift;
+use pendula::{
+    Grid, Hamiltonian, METHODS, Motion, Pendulum, Phase, Rk4, StormerVerlet, integrate_fast,
+    method_named,
+};
+use pendula_book::cli::{self, Command};
+use pendula_book::commands::{adaptive, double_pendulum, ensemble, simulate};
+use pendula_book::failure::Failure;
+use pendula_book::interrupt::Lookout;
+use serde_json::Value;
+
+/// What a command has printed, and said.
+#[derive(Debug)]
+struct Printed {
+    out: String,
+    err: String,
+    outcome: Result<(), String>,
+}
+
+/// Runs a command line in this process; it is interrupted after so many steps, or runs.
+fn interrupted(arguments: &[&str], after: u64) -> Printed {
+    let (mut out, mut err) = (Vec::new(), Vec::new());
+    let command = cli::parse([&["pendula"], arguments].concat());
+    let outcome = command.and_then(|command| {
+        let out: [&mut dyn Write; 2] = [&mut out, &mut err];
+        let lookout = || Lookout::after(after);
+        match command {
+            Command::Simulate(arguments) => simulate::run_until(&arguments, out, lookout),
+            Command::DoublePendulum(a) => double_pendulum::run_until(&a, out, lookout),
+            Command::Ensemble(arguments) => ensemble::run_until(&arguments, out, lookout),
+            Command::Adaptive(arguments) => adaptive::run_until(&arguments, out, lookout),
+            other => panic!("{other:?} does not run long"),
+        }
+    });
+    let text = |bytes| String::from_utf8(bytes).unwrap();
+    let line = |failure: Failure| failure.line().unwrap();
+    Printed { out: text(out), err: text(err), outcome: outcome.map_err(line) }
+}
+
+/// The same to its end.
+fn whole(arguments: &[&str]) -> Printed {
+    let printed = interrupted(arguments, u64::MAX);
+    assert_eq!(printed.outcome, Ok(()), "{arguments:?}");
+    printed
+}
+
+fn files(folder: &Path) -> Vec<String> {
+    let entries = fs::read_dir(folder).unwrap();
+    let mut names: Vec<String> =
+        entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+    names.sort();
+    names
+}
+
+fn text(path: &Path) -> &str {
+    path.to_str().unwrap()
+}
+
+/// A folder with the paths of a result, of its state and of its rows so far.
+struct Folder {
+    folder: tempfile::TempDir,
+    file: PathBuf,
+    state: PathBuf,
+    partial: PathBuf,
+}
+
+impl Folder {
+    fn new() -> Self {
+        let folder = tempfile::tempdir().unwrap();
+        let [file, state, partial] =
+            ["run.csv", "run.csv.state", "run.csv.partial"].map(|name| folder.path().join(name));
+        Self { folder, file, state, partial }
+    }
+
+    /// Interrupts a run into the file after the first, then after each further of `at`, and lets it
+    /// come to its end; the file is not touched before.
+    fn in_parts(&self, arguments: &[&str], at: &[u64]) -> String {
+        fs::write(&self.file, "old").unwrap();
+        let first = [arguments, &["--output", text(&self.file)]].concat();
+        let resume = [arguments[0], "--resume", text(&self.state)];
+        let mut command = &first[..];
+        for &at in at {
+            let left = interrupted(command, at);
+            let line = left.outcome.unwrap_err();
+            assert!(line.contains(&format!("interrupted after {at} ")), "{line}");
+            assert!(line.contains(&resume.join(" ")), "{line}");
+            assert_eq!((left.out.as_str(), left.err.as_str()), ("", ""));
+            assert_eq!(files(self.folder.path()), ["run.csv", "run.csv.partial", "run.csv.state"]);
+            assert_eq!(fs::read_to_string(&self.file).unwrap(), "old");
+            command = &resume;
+        }
+        whole(command);
+        assert_eq!(files(self.folder.path()), ["run.csv"]);
+        fs::read_to_string(&self.file).unwrap()
+    }
+}
+
+/// The rows that `simulate` printed before it could be interrupted: those of the library's loop.
+fn rows_of_the_loop(method: &str, steps: u64, every: u64) -> String {
+    let pendulum = Pendulum::new(5.0, 2.0, 3.0).unwrap();
+    let start = Phase { theta: -2.5, omega: 0.3 };
+    let mut csv = "t,theta,omega,energy\n".to_owned();
+    let mut watch = |n: u64, t: f64, z: Phase| {
+        if n % every == 0 {
+            let energy = pendulum.energy_from_pivot(z);
+            let row = [t, z.theta, z.omega, energy].map(|x| ryu_text(x)).join(",");
+            csv += &(row + "\n");
+        }
+    };
+    let grid = Grid::new(0.07, steps).unwrap();
+    method_named(method).unwrap().run(&pendulum, start, &grid, &mut watch);
+    csv
+}
+
+fn ryu_text(x: f64) -> String {
+    // As the command prints it, where `{:?}` and ryu agree: in the numbers of these runs.
+    format!("{x:?}")
+}
+
+/// For every method, for strides that divide the number of steps and that do not, interrupted after
+/// every number of steps, and once more later on: the bytes are those of the uninterrupted run, and
+/// those are what the library's loop computes.
+///
+/// Catches: a row lost, printed twice or with another last bit; a stride counted from where the run
+/// was resumed; a header in the middle; an array that is closed too early or has a comma too many;
+/// a file touched before it is whole; a state left when it is no longer needed.
+#[test]
+fn an_interrupted_run_ends_as_if_nothing_had_happened() {
+    const STEPS: u64 = 6;
+    let folder = Folder::new();
+    for method in METHODS {
+        let name = method.info().name;
+        for (every, format) in [(1, "csv"), (2, "json"), (4, "csv"), (7, "csv")] {
+            let (steps, stride) = (STEPS.to_string(), every.to_string());
+            let run = [
+                "simulate",
+                "--method",
+                name,
+                "--theta0",
+                "-2.5",
+                "--omega0",
+                "0.3",
+                "--gravity",
+                "5",
+                "--length",
+                "2",
+                "--mass",
+                "3",
+                "--dt",
+                "0.07",
+                "--steps",
+                &steps,
+                "--every",
+                &stride,
+                "--format",
+                format,
+            ];
+            let expected = whole(&run).out;
+            if format == "csv" {
+                assert_eq!(expected, rows_of_the_loop(name, STEPS, every), "{name}");
+            }
+            for first in 0..STEPS {
+                let second = first + (STEPS - first) / 2;
+                let got = folder.in_parts(&run, &[first, second]);
+                assert_eq!(got, expected, "{name}, every {every}, {first}, {second}");
+            }
+        }
+    }
+}
+
+/// The same for a run with time in seconds, because its angles are large, and with a duration, for
+/// the double pendulum and for both kinds of ensemble.
+///
+/// Catches: a state that is resumed in another unit of time; a command whose state is not kept
+/// whole; a sweep that repeats a run or leaves one out.
+#[test]
+fn every_kind_of_run_can_be_resumed() {
+    let folder = Folder::new();
+    let rest = ["--dt", "0.05", "--duration", "0.3"];
+    let large = ["simulate", "--method", "stormer-verlet", "--theta0", "2e6", "--every", "4"];
+    let double = [
+        "double-pendulum",
+        "--theta1",
+        "2",
+        "--theta2",
+        "-0.5",
+        "--omega2",
+        "1.5",
+        "--mass1",
+        "0.7",
+        "--length2",
+        "0.6",
+        "--gravity",
+        "3",
+    ];
+    let angles = [
+        "ensemble",
+        "--method",
+        "rk4",
+        "--theta0",
+        "-1:2:7",
+        "--omega0",
+        "0.5",
+        "--dt",
+        "0.1",
+        "--duration",
+        "0.4",
+        "--gravity",
+        "5",
+        "--length",
+        "2",
+        "--mass",
+        "3",
+    ];
+    let steps = [
+        "ensemble",
+        "--method",
+        "gauss-4",
+        "--theta0",
+        "1",
+        "--dt",
+        "0.1:0.01:7",
+        "--duration",
+        "0.4",
+        "--format",
+        "json",
+    ];
+    for run in [
+        [&large[..], &rest].concat(),
+        [&double[..], &rest].concat(),
+        angles.to_vec(),
+        steps.to_vec(),
+    ] {
+        let expected = whole(&run).out;
+        assert!(expected.lines().count() > 2, "{expected}");
+        for first in 0..6 {
+            assert_eq!(folder.in_parts(&run, &[first, (first + 6) / 2]), expected, "{run:?}");
+        }
+    }
+}
+
+/// On standard output the parts follow each other: lines of CSV make the whole, and each part of
+/// JSON is an array.
+///
+/// Catches: a header repeated, an array left open, a row lost between the parts, a state that is
+/// not where `--state` says, or is left at the end; a run without a state that says it can be
+/// resumed.
+#[test]
+fn the_parts_on_standard_output_make_the_whole() {
+    let folder = tempfile::tempdir().unwrap();
+    let state = folder.path().join("here");
+    let (keep, resume) = (["--state", text(&state)], ["--resume", text(&state)]);
+    for run in [
+        &["simulate", "--method", "rk4", "--theta0", "1", "--dt", "0.1", "--steps", "9"][..],
+        &["double-pendulum", "--theta1", "1", "--theta2", "2", "--dt", "0.1", "--steps", "9"],
+        &["ensemble", "--method", "rk4", "--theta0", "0:1:9", "--dt", "0.1", "--duration", "1"],
+    ] {
+        for format in ["csv", "json"] {
+            let run = [run, &["--format", format]].concat();
+            let expected = whole(&run).out;
+            for at in 0..8 {
+                let first = interrupted(&[&run[..], &keep].concat(), at);
+                let line = first.outcome.unwrap_err();
+                assert!(line.contains(&resume.join(" ")), "{line}");
+                let second = interrupted(&[&run[..1], &resume].concat(), at + 1);
+                assert!(second.outcome.is_err());
+                let third = whole(&[&run[..1], &resume].concat());
+                let parts = [first.out, second.out, third.out];
+                if format == "csv" {
+                    assert_eq!(parts.concat(), expected, "{run:?} {at}");
+                } else {
+                    let array =
+                        |text: &String| serde_json::from_str::<Vec<Value>>(text).expect("an array");
+                    let rows: Vec<Value> = parts.iter().flat_map(array).collect();
+                    assert_eq!(rows, array(&expected), "{run:?} {at}");
+                }
+                assert!(files(folder.path()).is_empty());
+            }
+            let line = interrupted(&run, 3).outcome.unwrap_err();
+            assert!(line.contains("--state FILE"), "{line}");
+            assert!(!line.contains("--resume"), "{line}");
+        }
+    }
+}
+
+/// A run that was killed while it was being resumed leaves the state and the rows of before, and
+/// perhaps rows more.
+///
+/// Catches: rows after the state's last that are taken for part of it.
+#[test]
+fn rows_beyond_the_state_are_dropped() {
+    let folder = Folder::new();
+    let run = ["simulate", "--method", "yoshida-6", "--theta0", "1", "--dt", "0.1", "--steps", "9"];
+    let expected = whole(&run).out;
+    assert!(
+        interrupted(&[&run[..], &["--output", text(&folder.file)]].concat(), 4).outcome.is_err()
+    );
+    let mut partial = fs::OpenOptions::new().append(true).open(&folder.partial).unwrap();
+    partial.write_all(b"0.5,1.0,2.").unwrap();
+    whole(&["simulate", "--resume", text(&folder.state)]);
+    assert_eq!(fs::read_to_string(&folder.file).unwrap(), expected);
+}
+
+/// Every change of a state by one character is noticed, and every argument that contradicts it; and
+/// then nothing is written.
+///
+/// Catches: a run that goes on from a state with a digit changed, of another version or command,
+/// cut off, with rows that are gone, or with another method than the one asked for; an argument
+/// that agrees and is refused.
+#[test]
+fn a_state_that_is_not_what_it_was_is_refused() {
+    let folder = Folder::new();
+    let run = ["simulate", "--method", "rk4", "--theta0", "-0.001", "--dt", "0.1", "--steps", "9"];
+    let to_file = [&run[..], &["--output", text(&folder.file)]].concat();
+    assert!(interrupted(&to_file, 4).outcome.is_err());
+    let state = fs::read_to_string(&folder.state).unwrap();
+    let resume = ["simulate", "--resume", text(&folder.state)];
+    #[track_caller]
+    fn refused(arguments: &[&str], because: &str) {
+        let printed = interrupted(arguments, u64::MAX);
+        let line = printed.outcome.expect_err(because);
+        assert!(line.contains(because), "{line}");
+        assert_eq!(printed.out, "");
+    }
+    let is = |changed: &str, because: &str| {
+        fs::write(&folder.state, changed).unwrap();
+        refused(&resume, because);
+    };
+    for (i, c) in state.char_indices() {
+        let other = if c == '1' { '2' } else { '1' };
+        let changed: String =
+            state.char_indices().map(|(j, c)| if i == j { other } else { c }).collect();
+        // The first line says of what the file is a state.
+        is(&changed, if i <= "pendula state 1".len() { "state" } else { "checksum" });
+    }
+    is(&state.replacen("state 1", "state 2", 1), "version \"2\"");
+    is("t,theta\n", "does not begin with");
+    is("", "does not begin with");
+    is(&state[..state.len() / 2], "checksum");
+    is(&format!("{state}\n"), "checksum");
+    fs::write(&folder.state, &state).unwrap();
+    for (option, value) in [
+        ("--method", "heun"),
+        ("--theta0", "0.001"),
+        ("--omega0", "1"),
+        ("--gravity", "9.8"),
+        ("--length", "2"),
+        ("--mass", "2"),
+        ("--dt", "0.05"),
+        ("--steps", "10"),
+        ("--duration", "1"),
+        ("--every", "2"),
+        ("--format", "json"),
+    ] {
+        refused(&[&resume[..], &[option, value]].concat(), "contradicts");
+    }
+    refused(&[&resume[..], &["--output", "other.csv"]].concat(), "run.csv and no other");
+    refused(&[&resume[..], &["--state", "other"]].concat(), "its state stays here");
+    let of_other = ["ensemble", "--resume", text(&folder.state)];
+    refused(&of_other, "one of `pendula simulate`");
+    let elsewhere = folder.folder.path().join("elsewhere");
+    refused(&["simulate", "--resume", text(&elsewhere)], "No such file");
+    fs::copy(&folder.state, &elsewhere).unwrap();
+    refused(&["simulate", "--resume", text(&elsewhere)], "FILE.state");
+    let rows = fs::read(&folder.partial).unwrap();
+    fs::write(&folder.partial, &rows[..rows.len() - 1]).unwrap();
+    refused(&resume, "the rows so far were");
+    fs::remove_file(&folder.partial).unwrap();
+    refused(&resume, "run.csv.partial");
+    assert!(!folder.file.exists());
+    // The same arguments, written in another way.
+    fs::write(&folder.partial, &rows).unwrap();
+    let same = ["--theta0", "-1e-3", "--dt", ".1", "--duration", "0.9", "--mass", "1"];
+    whole(&[&resume[..], &same, &to_file[9..]].concat());
+    assert_eq!(fs::read_to_string(&folder.file).unwrap(), whole(&run).out);
+}
+
+/// The value of a line of a summary.
+fn summary_value(err: &str, name: &str) -> f64 {
+    let line = err.lines().find(|line| line.starts_with(name));
+    let line = line.unwrap_or_else(|| panic!("no {name} in {err}"));
+    line[name.len()..].split_whitespace().next().unwrap().parse().unwrap()
+}
+
+/// The numbers of a summary are printed with seven digits.
+#[track_caller]
+fn assert_seven_digits(printed: f64, value: f64) {
+    assert!((printed - value).abs() <= 5.1e-7 * value.abs(), "{printed} {value}");
+}
+
+/// Over all steps, though only every 40th is printed; in one part, and in two.
+///
+/// Catches: an energy error of the printed samples alone, or of the last part; steps or evaluations
+/// of the last part alone; the error of a θ of another time; a summary on standard output.
+#[test]
+fn a_summary_says_what_the_run_was_like() {
+    let pendulum = Pendulum::new(5.0, 2.0, 3.0).unwrap();
+    let start = Phase { theta: 2.0, omega: 0.5 };
+    let grid = Grid::new(0.05, 110).unwrap();
+    let run = [
+        "simulate",
+        "--method",
+        "stormer-verlet",
+        "--theta0",
+        "2",
+        "--omega0",
+        "0.5",
+        "--gravity",
+        "5",
+        "--length",
+        "2",
+        "--mass",
+        "3",
+        "--dt",
+        "0.05",
+        "--steps",
+        "110",
+        "--every",
+        "40",
+    ];
+    let mut drift = EnergyDrift::new(&pendulum);
+    let end = integrate_fast(&pendulum, &StormerVerlet, start, &grid, &mut drift);
+    let exact = Motion::new(&pendulum, start).unwrap().at(110.0 * 0.05);
+    let folder = tempfile::tempdir().unwrap();
+    let state = folder.path().join("state");
+    let summary = ["--summary", "--state", text(&state)];
+    let plain = whole(&run);
+    assert_eq!(plain.err, "");
+    let at_once = whole(&[&run[..], &summary].concat());
+    assert_eq!(at_once.out, plain.out);
+    assert!(interrupted(&[&run[..], &summary].concat(), 97).outcome.is_err());
+    let in_parts = whole(&["simulate", "--resume", text(&state), "--summary"]);
+    for err in [&at_once.err, &in_parts.err] {
+        assert_eq!(summary_value(err, "steps "), 110.0);
+        assert_eq!(summary_value(err, "force evaluations"), 111.0);
+        assert!(summary_value(err, "wall time") >= 0.0);
+        let largest = summary_value(err, "largest energy error");
+        assert_seven_digits(largest, drift.largest());
+        let relative = err.split(" J, ").nth(1).unwrap().split(' ').next().unwrap();
+        assert_seven_digits(relative.parse().unwrap(), drift.largest() / pendulum.energy(start));
+        assert_seven_digits(summary_value(err, "error of θ at the end"), end.theta - exact.theta);
+        assert_seven_digits(summary_value(err, "error of ω at the end"), end.omega - exact.omega);
+        // Aligned: every value begins in the same column.
+        let column = |line: &str| {
+            let chars: Vec<char> = line.chars().collect();
+            let gap = chars.windows(2).position(|pair| pair == [' ', ' ']).unwrap();
+            gap + chars[gap..].iter().position(|c| *c != ' ').unwrap()
+        };
+        let columns: Vec<usize> = err.lines().map(column).collect();
+        assert!(columns.iter().all(|c| *c == columns[0]), "{err}");
+    }
+    // The first part was not measured: it says so.
+    assert!(interrupted(&[&run[..], &summary[1..]].concat(), 97).outcome.is_err());
+    let late = whole(&["simulate", "--resume", text(&state), "--summary"]).err;
+    assert!(late.contains("after step 97"), "{late}");
+    assert_eq!(summary_value(&late, "force evaluations"), 111.0);
+}
+
+/// Catches: the largest of another column or of the last run, a place that is not that of the
+/// largest, a sum that leaves out a run or the runs before the interruption.
+#[test]
+fn a_sweeps_summary_says_where_it_is_worst() {
+    let folder = tempfile::tempdir().unwrap();
+    let state = folder.path().join("state");
+    let run = [
+        "ensemble",
+        "--method",
+        "rk4",
+        "--theta0",
+        "-3:1:5",
+        "--dt",
+        "0.1",
+        "--duration",
+        "5",
+        "--mass",
+        "3",
+        "--omega0",
+        "0.2",
+        "--summary",
+        "--state",
+        text(&state),
+    ];
+    let pendulum = Pendulum::new(9.81, 1.0, 3.0).unwrap();
+    let grid = Grid::with_duration(0.1, 5.0).unwrap();
+    let errors = [-3.0, -2.0, -1.0, 0.0, 1.0].map(|theta| {
+        let start = Phase { theta, omega: 0.2 };
+        let mut drift = EnergyDrift::new(&pendulum);
+        let end = integrate_fast(&pendulum, &Rk4, start, &grid, &mut drift);
+        (drift.largest(), (end.theta - Motion::new(&pendulum, start).unwrap().at(5.0).theta))
+    });
+    let largest = |of: fn(&(f64, f64)) -> f64| {
+        let by_size = |a: &&(f64, f64), b: &&(f64, f64)| of(a).abs().total_cmp(&of(b).abs());
+        of(errors.iter().max_by(by_size).unwrap())
+    };
+    let at_once = whole(&run).err;
+    assert!(interrupted(&run, 3).outcome.is_err());
+    let in_parts = whole(&["ensemble", "--resume", text(&state), "--summary"]).err;
+    for err in [at_once, in_parts] {
+        assert_eq!(summary_value(&err, "runs"), 5.0);
+        assert_eq!(summary_value(&err, "steps "), 250.0);
+        assert_eq!(summary_value(&err, "force evaluations"), 1000.0);
+        assert_seven_digits(summary_value(&err, "largest energy error"), largest(|e| e.0));
+        assert_seven_digits(summary_value(&err, "largest error of θ"), largest(|e| e.1));
+        let energy = err.lines().find(|line| line.contains("energy")).unwrap();
+        assert!(energy.contains("θ₀ = -3.0 rad, Δt = 0.1 s"), "{err}");
+    }
+}
+
+/// Catches: an interruption of steps that vary that leaves a file, an open array or no line.
+#[test]
+fn steps_that_vary_are_interrupted_cleanly() {
+    let folder = Folder::new();
+    let run = [
+        "adaptive",
+        "--method",
+        "dop853",
+        "--theta0",
+        "3",
+        "--duration",
+        "10",
+        "--tolerance",
+        "1e-8",
+        "--format",
+        "json",
+    ];
+    let left = interrupted(&run, 3);
+    assert!(left.outcome.unwrap_err().contains("interrupted after 3 steps"));
+    assert_eq!(serde_json::from_str::<Vec<Value>>(&left.out).unwrap().len(), 4);
+    fs::write(&folder.file, "old").unwrap();
+    let to_file = [&run[..], &["--output", text(&folder.file)]].concat();
+    assert!(interrupted(&to_file, 3).outcome.is_err());
+    assert_eq!(files(folder.folder.path()), ["run.csv"]);
+    assert_eq!(fs::read_to_string(&folder.file).unwrap(), "old");
+}
+
+/// Catches: a limit that is ignored, or not named where it is reached; an energy error or a cost
+/// of other steps.
+#[test]
+fn steps_that_vary_have_a_limit_and_a_summary() {
+    let run = [
+        "adaptive",
+        "--method",
+        "dop853",
+        "--theta0",
+        "3",
+        "--duration",
+        "10",
+        "--tolerance",
+        "1e-8",
+    ];
+    let refused = interrupted(&[&run[..], &["--max-steps", "7"]].concat(), u64::MAX);
+    let line = refused.outcome.unwrap_err();
+    assert!(line.contains("7 steps") && line.contains("--max-steps"), "{line}");
+    assert!(refused.out.lines().count() > 2 && refused.out.ends_with('\n'));
+    let printed = whole(&[&run[..], &["--summary"]].concat());
+    assert_eq!(summary_value(&printed.err, "steps ") as usize, printed.out.lines().count() - 2);
+    let rows = printed.out.lines().skip(1);
+    let rows: Vec<Vec<f64>> =
+        rows.map(|row| row.split(',').map(|x| x.parse().unwrap()).collect()).collect();
+    let energy = |row: &Vec<f64>| Pendulum::PAPER.energy(Phase { theta: row[1], omega: row[2] });
+    let largest = rows.iter().map(|row| (energy(row) - energy(&rows[0])).abs()).fold(0.0, f64::max);
+    assert_seven_digits(summary_value(&printed.err, "largest energy error"), largest);
+    let exact = Motion::new(&Pendulum::PAPER, Phase::at_rest(3.0)).unwrap().at(10.0);
+    let off = rows.last().unwrap()[1] - exact.theta;
+    assert_seven_digits(summary_value(&printed.err, "error of θ at the end"), off);
+}
+
+fn start(arguments: &[&str]) -> Child {
+    Process::new(env!("CARGO_BIN_EXE_pendula"))
+        .args(arguments)
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap()
+}
+
+#[cfg(unix)]
+fn signalled(run: Child, signal: &str) -> Output {
+    let kill = Process::new("kill").args([signal, &run.id().to_string()]).status().unwrap();
+    assert!(kill.success());
+    let output = run.wait_with_output().unwrap();
+    assert_eq!(output.status.code(), Some(2), "{output:?}");
+    let line = String::from_utf8(output.stderr.clone()).unwrap();
+    assert_eq!(line.lines().count(), 1, "{line}");
+    output
+}
+
+/// The progress in a state, without the time it took.
+fn progress(state: &Path) -> Value {
+    let text = fs::read_to_string(state).unwrap();
+    let json = text.lines().skip(1).take_while(|line| !line.starts_with("sha256"));
+    let json: String = json.collect();
+    let mut progress = serde_json::from_str::<Value>(&json).unwrap()["progress"].take();
+    progress.as_object_mut().unwrap().remove("nanoseconds");
+    progress
+}
+
+/// A run of hours with no row between the first and the last, interrupted by each signal, twice;
+/// where it stands is where a run stands that is interrupted there in this process.
+///
+/// Catches: a signal that is heard only at the next row, a file that is touched or left half, a
+/// state with other numbers; an interruption that ends with another status or a second line.
+#[cfg(unix)]
+#[test]
+fn signals_are_heard_between_rows() {
+    let (far, near) = (Folder::new(), Folder::new());
+    let run = [
+        "simulate",
+        "--method",
+        "kahan-li-8",
+        "--theta0",
+        "1",
+        "--dt",
+        "0.01",
+        "--steps",
+        "1000000000",
+        "--every",
+        "1000000000",
+    ];
+    let to = |folder: &Folder| {
+        let run = run.map(str::to_owned).into_iter();
+        run.chain(["--output".to_owned(), text(&folder.file).to_owned()]).collect::<Vec<_>>()
+    };
+    fs::write(&far.file, "old").unwrap();
+    let mut arguments = to(&far);
+    let mut before = 0;
+    for signal in ["-INT", "-TERM", "-HUP"] {
+        let mut process = start(&arguments.iter().map(String::as_str).collect::<Vec<_>>());
+        // The temporary file shows that the run has begun and listens.
+        while !files(far.folder.path()).iter().any(|name| name.starts_with(".pendula-")) {
+            assert!(process.try_wait().unwrap().is_none(), "it ended by itself");
+            std::thread::yield_now();
+        }
+        signalled(process, signal);
+        assert_eq!(files(far.folder.path()), ["run.csv", "run.csv.partial", "run.csv.state"]);
+        assert_eq!(fs::read_to_string(&far.file).unwrap(), "old");
+        let stands = progress(&far.state);
+        let steps = stands["steps"].as_u64().unwrap();
+        assert!(steps >= before && steps < 1_000_000_000, "{steps}");
+        before = steps;
+        let here = to(&near);
+        let here: Vec<&str> = here.iter().map(String::as_str).collect();
+        assert!(interrupted(&here, steps).outcome.is_err());
+        assert_eq!(progress(&near.state), stands);
+        assert_eq!(fs::read(&near.partial).unwrap(), fs::read(&far.partial).unwrap());
+        arguments = ["simulate", "--resume", text(&far.state)].map(str::to_owned).to_vec();
+    }
+}
+
+/// Rows on a pipe, as many as it holds, when the signal comes: the last one is whole, the array is
+/// closed.
+///
+/// Catches: rows in a buffer that are lost, a row cut off, an array left open by a signal.
+#[cfg(unix)]
+#[test]
+fn a_signal_leaves_standard_output_whole() {
+    let run = [
+        "simulate",
+        "--method",
+        "rk4",
+        "--theta0",
+        "1",
+        "--dt",
+        "0.01",
+        "--steps",
+        "1000000000000",
+        "--format",
+        "json",
+    ];
+    let mut process = start(&run);
+    // It prints, so that it listens; and somebody has to read while it ends.
+    let mut pipe = process.stdout.take().unwrap();
+    let mut first = [0; 1000];
+    io::Read::read_exact(&mut pipe, &mut first).unwrap();
+    let reader = std::thread::spawn(move || {
+        let mut rest = first.to_vec();
+        io::Read::read_to_end(&mut pipe, &mut rest).map(|_| rest)
+    });
+    signalled(process, "-INT");
+    let printed = reader.join().unwrap().unwrap();
+    let rows: Vec<Value> = serde_json::from_slice(&printed).expect("an array");
+    assert!(rows.len() > 5);
+}
+
+/// Catches: rows before a failure that are lost in a buffer, a row cut off, an array left open, a
+/// failure that says nothing or has another status.
+#[test]
+fn the_rows_before_a_failure_are_printed() {
+    let falls_apart = [
+        "double-pendulum",
+        "--theta1",
+        "20",
+        "--theta2",
+        "12",
+        "--mass2",
+        "1e6",
+        "--gravity",
+        "3.08",
+        "--dt",
+        "0.01",
+        "--duration",
+        "9.76",
+    ];
+    let overflows =
+        ["simulate", "--method", "forward-euler", "--theta0", "1", "--dt", "1e100", "--steps", "9"];
+    let unsolved =
+        ["simulate", "--method", "gauss-4", "--theta0", "1", "--dt", "5", "--steps", "9"];
+    let limited = [
+        "adaptive",
+        "--method",
+        "dop853",
+        "--theta0",
+        "3",
+        "--duration",
+        "100",
+        "--tolerance",
+        "1e-10",
+        "--max-steps",
+        "200",
+    ];
+    let sweep = [
+        "ensemble",
+        "--method",
+        "forward-euler",
+        "--theta0",
+        "1",
+        "--dt",
+        "1e9:1e150:9",
+        "--duration",
+        "1e150",
+    ];
+    for (run, least) in
+        [(&falls_apart[..], 100), (&overflows, 1), (&unsolved, 1), (&limited, 50), (&sweep, 0)]
+    {
+        for format in ["csv", "json"] {
+            let output = start(&[run, &["--format", format]].concat()).wait_with_output().unwrap();
+            assert_eq!(output.status.code(), Some(2), "{run:?}");
+            let line = String::from_utf8(output.stderr).unwrap();
+            assert_eq!(line.lines().count(), 1, "{line}");
+            let text = String::from_utf8(output.stdout).unwrap();
+            let rows = if format == "json" {
+                serde_json::from_str::<Vec<Value>>(&text).expect("an array").len()
+            } else {
+                assert!(text.ends_with('\n'));
+                let columns = |line: &str| line.split(',').count();
+                let header = columns(text.lines().next().unwrap());
+                assert!(text.lines().all(|line| columns(line) == header));
+                text.lines().count() - 1
+            };
+            assert!(rows >= least, "{rows} of {run:?}");
+        }
+    }
+}
