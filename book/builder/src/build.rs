@@ -1,56 +1,73 @@
 //! Building the book in-process: mdBook's driver with our preprocessor in place of the command.
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Context, Result, bail, ensure};
 use mdbook_driver::MDBook;
 
+use crate::files;
+use crate::files::whole_folder::WholeFolder;
 use crate::ledger::Ledger;
 use crate::policy;
 use crate::preprocess::Pendula;
 use crate::progress::Progress;
 use crate::warnings;
 
-/// Builds the book in the folder `root`, into `destination` or where its `book.toml` says, and
-/// returns the path of its first page.
+/// Builds the book in the folder `root`, into the folder `destination` or the one that its
+/// `book.toml` names, and returns the path of its first page. An older book is replaced when the
+/// new one is whole; files in its folder that are not of the book are kept.
 ///
 /// # Errors
-/// Anything that stops the build, and anything mdBook only warns of.
+/// Anything that stops the build, and anything mdBook only warns of; then the older book is as it
+/// was. A folder that holds other files and no book is refused.
 pub fn book(
     root: &Path,
     destination: Option<&Path>,
     ledger: impl Ledger + 'static,
     progress: Progress,
+    interrupted: &Arc<AtomicBool>,
 ) -> Result<PathBuf> {
-    let (built, warnings) = warnings::collect(|| driven(root, destination, ledger, &progress));
+    let (built, warnings) =
+        warnings::collect(|| driven(root, destination, ledger, &progress, interrupted));
     progress.finish();
-    let folder = built?;
+    let (folder, pages) = built?;
     if let Some((first, others)) = warnings.split_first() {
         match others.len() {
             0 => bail!("mdBook warns: {first}"),
             n => bail!("mdBook warns: {first} (and {n} more)"),
         }
     }
-    let index = folder.join("index.html");
-    index.canonicalize().with_context(|| format!("mdBook made no {}", index.display()))
+    let index = folder.path().join(&pages).join("index.html");
+    let is_there = files::exists(&index).with_context(|| format!("{}", index.display()))?;
+    ensure!(is_there, "mdBook made no {}", index.display());
+    ensure!(!interrupted.load(Ordering::Relaxed), "interrupted");
+    Ok(folder.replace()?.join(pages).join("index.html"))
 }
+
+/// Has mdBook write the pages; returns their folder, and where in it the first page is.
 
 fn driven(
     root: &Path,
     destination: Option<&Path>,
     ledger: impl Ledger + 'static,
     progress: &Progress,
-) -> Result<PathBuf> {
+    interrupted: &Arc<AtomicBool>,
+) -> Result<(WholeFolder, PathBuf)> {
     progress.stage("reading the chapters", 1);
     let mut book = MDBook::load(root)
         .with_context(|| format!("the book in {} cannot be read", root.display()))?;
-    if let Some(folder) = destination {
-        book.config.build.build_dir = folder.to_path_buf();
-    }
+    let destination =
+        destination.map_or_else(|| root.join(&book.config.build.build_dir), Path::to_path_buf);
+    let folder = WholeFolder::beside(&destination)?;
+    book.config.build.build_dir = folder.path();
     // The same name as in book.toml, so that it takes the command's place.
-    book.with_preprocessor(Pendula::new(ledger, progress.clone()));
+    let pendula = Pendula::new(ledger, progress.clone()).until(Arc::clone(interrupted));
+    book.with_preprocessor(pendula);
     book.build()?;
-    let folder = book.build_dir_for("html");
-    policy::impose(&folder)?;
-    Ok(folder)
+    let pages = book.build_dir_for("html");
+    policy::impose(&pages)?;
+    let pages = pages.strip_prefix(folder.path()).map(Path::to_path_buf).unwrap_or_default();
+    Ok((folder, pages))
 }

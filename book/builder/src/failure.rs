@@ -33,16 +33,21 @@ impl Failure {
         }
     }
 
-    /// The exit status.
-    pub fn exit_code(&self) -> ExitCode {
+    /// The exit status, as that of `grep` and `diff`.
+    pub fn status(&self) -> u8 {
         match self {
-            Self::Refused(_) => ExitCode::from(2),
+            Self::Refused(_) => 2,
             // `pendula … | head` has read enough.
-            Self::Failed(error) if is_broken_pipe(error) => ExitCode::SUCCESS,
-            Self::Failed(_) => ExitCode::from(2),
-            Self::No => ExitCode::FAILURE,
-            Self::Answered => ExitCode::SUCCESS,
+            Self::Failed(error) if is_broken_pipe(error) => 0,
+            Self::Failed(_) => 2,
+            Self::No => 1,
+            Self::Answered => 0,
         }
+    }
+
+    /// The exit status, for `main`.
+    pub fn exit_code(&self) -> ExitCode {
+        ExitCode::from(self.status())
     }
 }
 
@@ -86,6 +91,15 @@ mod tests {
     #[test]
     fn a_closed_pipe_is_no_complaint() {
         let pipe = anyhow::Error::from(io::Error::from(io::ErrorKind::BrokenPipe));
-        assert_eq!(Failure::from(pipe.context("writing the table")).line(), None);
+        let failure = Failure::from(pipe.context("writing the table"));
+        assert_eq!((failure.line(), failure.status()), (None, 0));
+    }
+
+    /// Catches: a full disk with the status of a claim that fails, or of a snapshot that moved.
+    #[test]
+    fn only_an_answer_has_status_1() {
+        let full = io::Error::from(io::ErrorKind::StorageFull);
+        let failures = [Failure::No, full.into(), Failure::refused("no"), Failure::Answered];
+        assert_eq!(failures.map(|failure| failure.status()), [1, 2, 2, 0]);
     }
 }

@@ -2,7 +2,7 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::RecvTimeoutError;
-use std::sync::{Arc, mpsc};
+use std::sync::{Arc, Mutex, PoisonError, mpsc};
 use std::time::{Duration, Instant};
 use std::{panic, process, thread};
 
@@ -13,6 +13,7 @@ use crate::threads;
 
 /// A flag that is set when the user interrupts: by control-C, by ending the process, or by closing
 /// its terminal. Whoever asks for it has to look at it, for the signals no longer end the process.
+/// It is the same flag whenever it is asked for.
 ///
 /// A second interruption, more than a second after the first, ends the process at once: it may be
 /// waiting for a reader that does not read.
@@ -22,23 +23,29 @@ use crate::threads;
 pub fn interrupts() -> Result<Arc<AtomicBool>, Failure> {
     /// A terminal that closes sends several signals at once.
     const ONE_INTERRUPTION: Duration = Duration::from_secs(1);
+    static FLAG: Mutex<Option<Arc<AtomicBool>>> = Mutex::new(None);
+    let mut flag = FLAG.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some(flag) = &*flag {
+        return Ok(Arc::clone(flag));
+    }
     // The handler needs a thread. Without one the signals would be caught and heard by nobody.
     thread::Builder::new()
         .spawn(|| {})
         .map_err(anyhow::Error::from)
         .and_then(|thread| thread.join().map_err(|_| anyhow::anyhow!("a thread has panicked")))
         .context("interrupts cannot be listened to")?;
-    let flag = Arc::new(AtomicBool::new(false));
-    let raised = Arc::clone(&flag);
+    let raised = Arc::new(AtomicBool::new(false));
+    *flag = Some(Arc::clone(&raised));
+    let set = Arc::clone(&raised);
     let mut first: Option<Instant> = None;
     ctrlc::set_handler(move || {
-        raised.store(true, Ordering::Relaxed);
+        set.store(true, Ordering::Relaxed);
         if first.get_or_insert_with(Instant::now).elapsed() > ONE_INTERRUPTION {
             process::exit(2);
         }
     })
     .context("interrupts cannot be listened to")?;
-    Ok(flag)
+    Ok(raised)
 }
 
 /// When a run in steps looks whether it is interrupted.

@@ -4,10 +4,17 @@
 //! only, so that a test can use its own and the library can change its types. [`Paper`] is the only
 //! adapter to the library.
 
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use anyhow::{Result, anyhow};
 use pendula_study::claims::Measured;
 use pendula_study::experiments::Study;
 
+use crate::interrupt::unless_interrupted;
 use crate::progress::Progress;
+use crate::review::versions::{Version, made, quietly, said};
 
 /// The ledger's entry for one claim. A value is text, such as `2.01e-4`, `5.158 s` or `4`; the book
 /// decides how to typeset it.
@@ -27,7 +34,19 @@ pub struct Entry {
 pub trait Ledger {
     /// The entry of a claim, such as `T4.rk4.0.01`; `None` if there is no such claim.
     fn entry(&self, id: &str) -> Option<Entry>;
+
+    /// What the code makes of the snapshots with these names now, and why it does not make those
+    /// that it cannot. A ledger that makes none has nothing to be quoted from them.
+    ///
+    /// # Errors
+    /// If the user interrupts.
+    fn snapshots(&self, _: BTreeSet<String>, _: &AtomicBool) -> Result<Made> {
+        Ok(Made::default())
+    }
 }
+
+/// Snapshots by name, and why others cannot be made.
+pub type Made = (Version, BTreeMap<String, String>);
 
 impl<F: Fn(&str) -> Option<Entry>> Ledger for F {
     fn entry(&self, id: &str) -> Option<Entry> {
@@ -36,20 +55,21 @@ impl<F: Fn(&str) -> Option<Entry>> Ledger for F {
 }
 
 /// The library's ledger of the paper's claims.
-pub struct Paper(pendula_study::claims::Ledger);
+pub struct Paper(Arc<(Study, pendula_study::claims::Ledger)>);
 
 impl Paper {
     /// Runs the study and measures every claim; `progress` shows the current experiment.
     pub fn measure(progress: &Progress) -> Self {
         progress.stage("", Study::EXPERIMENTS as usize);
         let study = Study::run(|experiment| progress.next(experiment));
-        Self(pendula_study::claims::Ledger::new(&study))
+        let ledger = pendula_study::claims::Ledger::new(&study);
+        Self(Arc::new((study, ledger)))
     }
 }
 
 impl Ledger for Paper {
     fn entry(&self, id: &str) -> Option<Entry> {
-        let claim = self.0.get(id)?;
+        let claim = self.0.1.get(id)?;
         let measured = match claim.measured {
             Measured::Nothing => None,
             _ => Some(claim.measured_text()),
@@ -60,6 +80,14 @@ impl Ledger for Paper {
             verdict: Some(claim.judged().to_string()),
             kind: claim.kind().to_string(),
         })
+    }
+
+    fn snapshots(&self, names: BTreeSet<String>, interrupted: &AtomicBool) -> Result<Made> {
+        let paper = Arc::clone(&self.0);
+        let made = move || quietly(|| made(&paper.0, &paper.1, |name| names.contains(name)));
+        unless_interrupted(|| interrupted.load(Ordering::Relaxed), made)
+            .ok_or_else(|| anyhow!("interrupted"))?
+            .map_err(|panic| anyhow!("the snapshots cannot be computed: {}", said(&*panic)))
     }
 }
 

@@ -3,18 +3,17 @@
 //! In reading order: the command line ([`cli`], [`commands`]), the book on disk ([`locate`]),
 //! building it ([`build`]), and what turns a chapter's source into what mdBook renders
 //! ([`preprocess`], with the paper's values from [`ledger`]), and what a browser may do on a page
-//! ([`policy`]). What moved in
-//! the snapshots is [`review`], and what the judge says of a program that is not ours is
-//! [`verify`];
-//! their pages share [`page`]. What depends on the reader's machine, and so is in no snapshot, is
+//! ([`policy`]). What moved in the snapshots is [`review`], and what the judge says of a program
+//! that is not ours is [`verify`]; their pages share [`page`]. All that touches a file is
+//! [`files`]. What depends on the reader's machine, and so is in no snapshot, is
 //! [`work_precision`].
 
 pub mod build;
 pub mod cli;
 pub mod commands;
 pub mod failure;
+mod files;
 pub mod interrupt;
-mod kept;
 pub mod ledger;
 pub mod locate;
 pub mod page;
@@ -26,5 +25,6 @@ pub mod sweep;
 mod threads;
 pub mod verify;
 mod warnings;
-mod whole_file;
 pub mod work_precision;
+
+pub use files::report_size_limit;

@@ -2,30 +2,37 @@
 
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, bail};
+
+use crate::files;
 
 /// The folder that holds `book.toml`: `book/` in `start` or in the nearest folder above it that has
 /// one, or else the one whose source this binary was compiled from.
 ///
 /// # Errors
-/// If there is none of these.
+/// If there is none of these, or a `book.toml` on the way cannot be read.
 pub fn book(start: &Path) -> Result<PathBuf> {
     // The manifest is book/builder/Cargo.toml; its parent folder is the book.
     let beside_the_source = Path::new(env!("CARGO_MANIFEST_DIR")).parent();
-    start
-        .ancestors()
-        .map(|folder| folder.join("book"))
-        .chain(beside_the_source.map(Path::to_path_buf))
-        .find(|folder| is_ours(folder))
-        .with_context(|| {
-            format!("no book/book.toml with [preprocessor.pendula] in {} or above", start.display())
-        })
+    let above = start.ancestors().map(|folder| folder.join("book"));
+    for folder in above.chain(beside_the_source.map(Path::to_path_buf)) {
+        if is_ours(&folder)? {
+            return Ok(folder);
+        }
+    }
+    bail!("no book/book.toml with [preprocessor.pendula] in {} or above", start.display())
 }
 
 /// Other projects have a book/book.toml too.
-fn is_ours(folder: &Path) -> bool {
-    std::fs::read_to_string(folder.join("book.toml"))
-        .is_ok_and(|toml| toml.contains("[preprocessor.pendula]"))
+fn is_ours(folder: &Path) -> Result<bool> {
+    let file = folder.join("book.toml");
+    let cannot = || format!("{} cannot be read", file.display());
+    // One that cannot be read may be ours: it is not passed over.
+    if !files::exists(&file).with_context(cannot)? {
+        return Ok(false);
+    }
+    let toml = files::read(&file).with_context(cannot)?;
+    Ok(String::from_utf8_lossy(&toml).contains("[preprocessor.pendula]"))
 }
 
 #[cfg(test)]

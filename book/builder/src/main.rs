@@ -7,6 +7,10 @@ use pendula_book::failure::Failure;
 use pendula_book::{cli, commands};
 
 fn main() -> ExitCode {
+    if let Err(error) = pendula_book::report_size_limit() {
+        let _ = writeln!(io::stderr(), "pendula: signals cannot be handled: {error}");
+        return ExitCode::from(2);
+    }
     let mut out = io::BufWriter::new(io::stdout().lock());
     let outcome = cli::parse(std::env::args_os())
         .and_then(|command| commands::run(command, &mut out))

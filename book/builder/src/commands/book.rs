@@ -7,6 +7,7 @@ use anyhow::Context;
 use clap::Args;
 
 use crate::failure::Failure;
+use crate::interrupt::interrupts;
 use crate::ledger::Paper;
 use crate::progress::Progress;
 use crate::{build, locate};
@@ -22,13 +23,16 @@ pub struct Arguments {
 /// Builds the book into `target/book`, prints the path of its first page, and opens it if asked.
 ///
 /// # Errors
-/// When no book is found, when it cannot be built, or when no browser can be started.
+/// When no book is found, when it cannot be built, when the user interrupts, or when no browser can
+/// be started.
 pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
     let here = env::current_dir().context("the current directory cannot be read")?;
     let root = locate::book(&here)?;
     let progress = Progress::on_terminal();
     let paper = Paper::measure(&progress);
-    let index = build::book(&root, None, paper, progress)?;
+    // From here on there are files that an interrupt must not leave behind.
+    let interrupted = interrupts()?;
+    let index = build::book(&root, None, paper, progress, &interrupted)?;
     writeln!(out, "{}", index.display())?;
     out.flush()?;
     if arguments.open {

@@ -1,23 +1,23 @@
 //! Where output goes: standard output, or a file that appears only when it is whole.
 
-use std::fs;
 use std::io::{self, BufWriter, Write};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-use tempfile::NamedTempFile;
+use anyhow::Context;
 
 use crate::failure::Failure;
-use crate::whole_file;
+use crate::files::whole_file::WholeFile;
+use crate::files::{self, Device};
 
-/// A writer, and what it takes to finish.
+/// A writer, and what it takes to finish. Its errors name the file.
 pub enum Destination<'a> {
     /// The caller's writer.
     Caller(&'a mut dyn Write),
     /// A device or a pipe, which cannot be replaced by another file.
-    Direct(BufWriter<fs::File>),
+    Direct(BufWriter<Device>),
     /// A temporary file beside the target, renamed onto it at the end, or removed if dropped
     /// before.
-    Beside(BufWriter<NamedTempFile>, PathBuf),
+    Beside(BufWriter<WholeFile>),
 }
 
 impl<'a> Destination<'a> {
@@ -29,7 +29,7 @@ impl<'a> Destination<'a> {
         path.map_or(Ok(Self::Caller(out)), |path| Self::file("--output", path))
     }
 
-    /// The file `path` that `option` names.
+    /// The file `path` that `option` names, or where the link `path` leads.
     ///
     /// # Errors
     /// [`Failure::Refused`] if it cannot be written.
@@ -37,26 +37,17 @@ impl<'a> Destination<'a> {
         let refused = |error: io::Error| {
             Failure::refused(format!("{option} {}: cannot be written: {error}", path.display()))
         };
-        // Write to the target of a link, not over the link.
-        let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
-        match fs::metadata(&path) {
-            Ok(found) if found.is_dir() => {
-                Err(refused(io::Error::from(io::ErrorKind::IsADirectory)))
+        match files::metadata(path).map_err(refused)? {
+            Some(found) if !found.is_file() && !found.is_dir() => {
+                Ok(Self::Direct(BufWriter::new(Device::open(path).map_err(refused)?)))
             }
-            Ok(found) if !found.is_file() => {
-                let file = fs::OpenOptions::new().write(true).open(&path).map_err(refused)?;
-                Ok(Self::Direct(BufWriter::new(file)))
-            }
-            _ => {
-                let beside = whole_file::beside(&path).map_err(refused)?;
-                Ok(Self::Beside(BufWriter::new(beside), path))
-            }
+            _ => Ok(Self::Beside(BufWriter::new(WholeFile::beside(path).map_err(refused)?))),
         }
     }
 
     /// Whether it is a file that appears when it is whole.
     pub const fn appears_whole(&self) -> bool {
-        matches!(self, Self::Beside(..))
+        matches!(self, Self::Beside(_))
     }
 
     /// Renames the temporary file, as far as it is written, to `partial` instead of its target, and
@@ -68,11 +59,10 @@ impl<'a> Destination<'a> {
         self.flush()?;
         match self {
             Self::Caller(_) | Self::Direct(_) => Ok(0),
-            Self::Beside(out, _) => {
+            Self::Beside(out) => {
                 let file = out.into_inner().map_err(io::IntoInnerError::into_error)?;
-                let bytes = file.as_file().metadata()?.len();
-                whole_file::replace(file, partial)?;
-                Ok(bytes)
+                let refused = format!("{} cannot be written", partial.display());
+                Ok(file.leave(partial).context(refused)?)
             }
         }
     }
@@ -81,33 +71,35 @@ impl<'a> Destination<'a> {
     ///
     /// # Errors
     /// If that fails; a file is then as it was before.
-    pub fn finish(self) -> Result<(), Failure> {
-        match self {
-            Self::Caller(out) => out.flush()?,
-            Self::Direct(mut out) => out.flush()?,
-            Self::Beside(out, path) => {
-                let file = out.into_inner().map_err(io::IntoInnerError::into_error)?;
-                whole_file::replace(file, &path)?;
-            }
+    pub fn finish(mut self) -> Result<(), Failure> {
+        self.flush()?;
+        if let Self::Beside(out) = self {
+            let file = out.into_inner().map_err(io::IntoInnerError::into_error)?;
+            let refused = format!("{} cannot be replaced", file.target().display());
+            file.replace().context(refused)?;
         }
         Ok(())
+    }
+
+    /// Does this to the writer; an error says which file it is about.
+    fn named<T>(&mut self, action: impl FnOnce(&mut dyn Write) -> io::Result<T>) -> io::Result<T> {
+        let cannot = |path: &Path, error: io::Error| {
+            io::Error::new(error.kind(), format!("{} cannot be written: {error}", path.display()))
+        };
+        match self {
+            Self::Caller(out) => action(out),
+            Self::Direct(out) => action(out).map_err(|error| cannot(out.get_ref().path(), error)),
+            Self::Beside(out) => action(out).map_err(|error| cannot(out.get_ref().target(), error)),
+        }
     }
 }
 
 impl Write for Destination<'_> {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        match self {
-            Self::Caller(out) => out.write(bytes),
-            Self::Direct(out) => out.write(bytes),
-            Self::Beside(out, _) => out.write(bytes),
-        }
+        self.named(|out| out.write(bytes))
     }
 
     fn flush(&mut self) -> io::Result<()> {
-        match self {
-            Self::Caller(out) => out.flush(),
-            Self::Direct(out) => out.flush(),
-            Self::Beside(out, _) => out.flush(),
-        }
+        self.named(|out| out.flush())
     }
 }

@@ -12,7 +12,7 @@ use crate::threads;
 pub mod adaptive;
 pub mod book;
 pub mod claims;
-mod destination;
+pub(crate) mod destination;
 pub mod double_pendulum;
 pub mod ensemble;
 pub mod exact;

@@ -4,10 +4,11 @@ use std::env;
 use std::io::Write;
 use std::path::Path;
 
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, anyhow};
 use clap::{Args, ValueEnum};
 
 use crate::failure::Failure;
+use crate::interrupt::interrupts;
 use crate::locate;
 use crate::progress::Progress;
 use crate::review::versions::{committed, on_disk};
@@ -50,10 +51,19 @@ pub enum ReviewFormat {
 /// [`Failure::No`] if something moved; [`Failure::Refused`] if the versions cannot be compared, the
 /// page cannot be written, or a name is none that moved.
 pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
-    // Not a failure: exit status 1 says that something moved.
+    let here = env::current_dir().context("the current directory cannot be read")?;
+    run_in(&here, arguments, out)
+}
+
+/// The same in the folder `here`.
+pub(crate) fn run_in(
+    here: &Path,
+    arguments: &Arguments,
+    out: &mut dyn Write,
+) -> Result<(), Failure> {
+    // Exit status 1 says that something moved.
     let refused = |error: anyhow::Error| Failure::refused(format!("{error:#}"));
-    let here = env::current_dir().context("the current directory cannot be read");
-    let book = here.and_then(|here| locate::book(&here)).map_err(refused)?;
+    let book = locate::book(here).map_err(refused)?;
     let root = book.parent().unwrap_or(Path::new("."));
     if !arguments.accept.is_empty() {
         return accept(root, &arguments.accept, out).map_err(refused);
@@ -67,7 +77,9 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
         ReviewFormat::Text => text::write(&review, out)?,
         ReviewFormat::Markdown => markdown::write(&review, out)?,
         ReviewFormat::Html => {
-            let index = page::write(&review, root).map_err(refused)?;
+            // From here on there are files that an interrupt must not leave behind.
+            let interrupted = interrupts()?;
+            let index = page::write(&review, root, &interrupted).map_err(refused)?;
             text::verdict(&review, out)?;
             writeln!(out, "{}", index.display())?;
             out.flush()?;
@@ -106,6 +118,8 @@ fn since(root: &Path, book: &Path, revision: &str) -> Result<Review> {
 fn accept(root: &Path, names: &[String], out: &mut dyn Write) -> Result<()> {
     let snapshots = root.join("snapshots");
     let tree = WorkingTree::read(&snapshots, &Progress::on_terminal())?;
+    // What is begun is finished, as it takes no time.
+    interrupts().map_err(|failure| anyhow!("{failure:?}"))?;
     tree.accept(&snapshots, names)?;
     writeln!(out, "accepted: {}", names.join(" "))?;
     for warning in tree.warnings() {

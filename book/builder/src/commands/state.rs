@@ -20,7 +20,7 @@ use sha2::{Digest, Sha256};
 use super::destination::Destination;
 use super::rows::{RowFormat, Rows};
 use crate::failure::Failure;
-use crate::kept;
+use crate::files::kept;
 use crate::sweep::range::Sweep;
 
 /// Where a run is kept when it is interrupted, and whence it is resumed.

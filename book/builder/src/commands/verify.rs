@@ -3,7 +3,8 @@
 use std::ffi::OsString;
 use std::io::{self, Write};
 use std::path::PathBuf;
-use std::sync::atomic::Ordering;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 use anyhow::Context;
@@ -63,6 +64,18 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
         out.write_all(language.program().as_bytes())?;
         return Ok(());
     }
+    run_with(arguments, out, |patience, interrupted| {
+        let program = Program::start(&arguments.program, patience, interrupted)?;
+        Ok((try_judge(&program, &arguments.claims)?, program.name().to_string()))
+    })
+}
+
+/// The same with any judge, who says what the program calls itself.
+pub(crate) fn run_with(
+    arguments: &Arguments,
+    out: &mut dyn Write,
+    judge: impl FnOnce(Duration, &Arc<AtomicBool>) -> Result<(Report, String), String>,
+) -> Result<(), Failure> {
     let seconds = arguments.patience;
     if !(seconds > 0.0 && seconds <= 86_400.0) {
         return Err(Failure::refused(format!(
@@ -75,11 +88,7 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
     let interrupted = interrupts()?;
     let destination = arguments.report.as_deref();
     let destination = destination.map(|path| Destination::file("--report", path)).transpose()?;
-    let patience = Duration::from_secs_f64(seconds);
-    let program = Program::start(&arguments.program, patience, &interrupted);
-    let judged = program.and_then(|program| {
-        Ok((try_judge(&program, &arguments.claims)?, program.name().to_string()))
-    });
+    let judged = judge(Duration::from_secs_f64(seconds), &interrupted);
     // Here the program has been ended.
     if interrupted.load(Ordering::Relaxed) {
         return Err(Failure::refused("interrupted"));

@@ -1,18 +1,20 @@
 //! `pendula work-precision`: run time against error, on this machine.
 
+use std::env;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
-use std::{env, fs};
 
 use anyhow::Context;
 use clap::Args;
 use pendula_study::report::table::Table;
 use serde_json::{Value, json};
 
-use super::destination::Destination;
 use super::number::number;
 use super::tables::TableFormat;
 use crate::failure::Failure;
+use crate::files;
+use crate::files::together::{self, Change};
+use crate::interrupt::interrupts;
 use crate::locate;
 use crate::progress::Progress;
 use crate::work_precision::figure::{self, CSV, SVG};
@@ -47,15 +49,14 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
     }
     let folder = folder(arguments.output.as_deref())?;
     let measured = measure(seconds, &Progress::on_terminal());
-    let mut csv = Vec::new();
-    write_csv(&measured, &mut csv)?;
-    let (svg, csv_file) = (folder.join(SVG), folder.join(CSV));
-    write_file(&svg, figure::svg(&measured).as_bytes())?;
-    write_file(&csv_file, &csv)?;
+    // What is begun is finished, as it takes no time.
+    interrupts()?;
+    let csv = write_files(&folder, &measured)?;
     match arguments.format {
         TableFormat::Text => {
             write_text(&measured, out)?;
-            writeln!(out, "\n{}\n{}", svg.display(), csv_file.display())?;
+            let [svg, csv] = [SVG, CSV].map(|file| folder.join(file));
+            writeln!(out, "\n{}\n{}", svg.display(), csv.display())?;
         }
         TableFormat::Csv => out.write_all(&csv)?,
         TableFormat::Json => {
@@ -68,30 +69,36 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
     Ok(())
 }
 
+/// Writes the figure and the numbers, both or neither; returns the numbers.
+pub(crate) fn write_files(folder: &Path, measured: &Measured) -> Result<Vec<u8>, Failure> {
+    let mut csv = Vec::new();
+    write_csv(measured, &mut csv)?;
+    together::change(&[
+        Change::Written(folder.join(SVG), figure::svg(measured).into_bytes()),
+        Change::Written(folder.join(CSV), csv.clone()),
+    ])?;
+    Ok(csv)
+}
+
 /// The folder for the files, checked to be writable before anything is measured.
-fn folder(asked: Option<&Path>) -> Result<PathBuf, Failure> {
+pub(crate) fn folder(asked: Option<&Path>) -> Result<PathBuf, Failure> {
     let folder = match asked {
         Some(folder) => folder.to_path_buf(),
         None => {
             let here = env::current_dir().context("the current directory cannot be read")?;
             let folder = figure::folder(&locate::book(&here)?);
-            fs::create_dir_all(&folder)?;
-            folder.canonicalize()?
+            let cannot = || format!("{} cannot be made", folder.display());
+            files::create_folder(&folder).with_context(cannot)?;
+            files::canonicalize(&folder).with_context(cannot)?
         }
     };
-    tempfile::tempfile_in(&folder).map_err(|error| {
+    files::probe(&folder).map_err(|error| {
         let folder = folder.display();
         Failure::refused(format!(
             "--output {folder}: it must be a folder that can be written to: {error}"
         ))
     })?;
     Ok(folder)
-}
-
-fn write_file(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
-    let mut destination = Destination::file("--output", path)?;
-    destination.write_all(bytes)?;
-    destination.finish()
 }
 
 fn rows(measured: &Measured) -> impl Iterator<Item = (&Curve, &Measurement)> {

@@ -1,8 +1,6 @@
 //! A page that needs nothing but itself: it looks like the book, in all its themes, and may load
 //! nothing.
 
-use std::fs;
-
 use anyhow::{Context, Result};
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
@@ -10,6 +8,8 @@ use handlebars::Handlebars;
 use mdbook_driver::config::HtmlConfig;
 use mdbook_html::theme::Theme;
 use serde_json::{Value, json};
+
+use crate::files;
 
 /// What is on a page. The styles and the script come after those of every page.
 #[derive(Clone, Copy, Debug)]
@@ -49,18 +49,18 @@ impl Page<'_> {
 
 /// The style of the book, with its fonts, and that of every page.
 fn style() -> Result<String> {
-    let folder = tempfile::tempdir().context("no temporary folder can be made")?;
+    let folder = files::temporary_folder().context("no temporary folder can be made")?;
     Theme::copy_theme(&HtmlConfig::default(), folder.path())?;
     let theme = folder.path().join("theme");
     let read = |file: &str| {
-        fs::read_to_string(theme.join(file))
+        files::read_to_string(&theme.join(file))
             .with_context(|| format!("mdBook's theme has no {file}"))
     };
     let mut style = String::new();
     for (weight, file) in [(400, "regular"), (600, "600")] {
         let file = format!("fonts/open-sans-v17-all-charsets-{file}.woff2");
-        let font =
-            fs::read(theme.join(&file)).with_context(|| format!("mdBook's theme has no {file}"))?;
+        let font = files::read(&theme.join(&file))
+            .with_context(|| format!("mdBook's theme has no {file}"))?;
         let font = BASE64_STANDARD.encode(font);
         style += &format!(
             "@font-face {{ font-family: \"Open Sans\"; font-weight: {weight}; \

@@ -4,8 +4,8 @@
 //! anchor is. So the chapters are read from disk again, as they were before mdBook's `links` step,
 //! and their includes are resolved by the same rules.
 
-use std::fs;
-use std::path::Path;
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
 use anyhow::{Context, Result, bail, ensure};
@@ -13,29 +13,32 @@ use mdbook_preprocessor::book::Book;
 use regex::Regex;
 
 use super::{chapters, name};
+use crate::files;
 
 /// As deep as mdBook follows includes within includes.
 const DEPTH: usize = 10;
 
-/// Checks the includes of every chapter that has a file in the folder `source`.
+/// Checks the includes of every chapter that has a file in the folder `source`, and returns the
+/// files that they name.
 ///
 /// # Errors
 /// For the first include whose file or anchor does not exist, or whose text is empty; the error
 /// names chapter, file and anchor.
-pub fn check(source: &Path, book: &Book) -> Result<()> {
+pub fn check(source: &Path, book: &Book) -> Result<BTreeSet<PathBuf>> {
+    let mut files = BTreeSet::new();
     for chapter in chapters(book) {
         let Some(path) = &chapter.source_path else { continue };
         let file = source.join(path);
-        fs::read_to_string(&file)
+        files::read_to_string(&file)
             .with_context(|| format!("{} cannot be read", file.display()))
-            .and_then(|text| follow(&text, file.parent().unwrap_or(source), DEPTH))
+            .and_then(|text| follow(&text, file.parent().unwrap_or(source), DEPTH, &mut files))
             .with_context(|| format!("chapter {}", name(chapter)))?;
     }
-    Ok(())
+    Ok(files)
 }
 
 /// Follows the includes of a text whose relative paths start from `folder`.
-fn follow(text: &str, folder: &Path, depth: usize) -> Result<()> {
+fn follow(text: &str, folder: &Path, depth: usize, files: &mut BTreeSet<PathBuf>) -> Result<()> {
     // The first alternative is mdBook's escape: everything up to the last braces of the line.
     static LINK: LazyLock<Regex> = LazyLock::new(|| {
         Regex::new(r"\\\{\{#.*\}\}|\{\{\s*#(?<kind>[a-zA-Z0-9_]+)\s+(?<rest>[^}]+)\}\}")
@@ -55,7 +58,8 @@ fn follow(text: &str, folder: &Path, depth: usize) -> Result<()> {
                 included(folder, path, part)
                     .and_then(|text| {
                         let from = folder.join(path);
-                        follow(&text, from.parent().unwrap_or(folder), depth - 1)
+                        files.insert(from.clone());
+                        follow(&text, from.parent().unwrap_or(folder), depth - 1, files)
                     })
                     .with_context(|| link[0].to_string())?;
             }
@@ -68,7 +72,7 @@ fn follow(text: &str, folder: &Path, depth: usize) -> Result<()> {
 /// The text that mdBook will include; never empty.
 fn included(folder: &Path, path: &str, part: &str) -> Result<String> {
     let file = folder.join(path);
-    let text = fs::read_to_string(&file).with_context(|| format!("there is no file {path}"))?;
+    let text = files::read_to_string(&file).with_context(|| format!("there is no file {path}"))?;
     let included = match part.split(':').next().unwrap_or_default() {
         "" => lines(&text, part)?,
         start if start.parse::<usize>().is_ok() => lines(&text, part)?,
@@ -125,6 +129,8 @@ fn anchored(text: &str, name: &str) -> Option<String> {
 
 #[cfg(test)]
 mod tests {
+    use std::fs;
+
     use super::*;
 
     fn followed(text: &str) -> Result<()> {
@@ -134,7 +140,7 @@ mod tests {
         write("empty.rs", "// ANCHOR: step\n\n// ANCHOR_END: step\n");
         write("nested.md", "{{#include step.rs:nothing}}\n");
         write("round.md", "{{#include round.md}}\n");
-        follow(text, folder.path(), DEPTH)
+        follow(text, folder.path(), DEPTH, &mut BTreeSet::new())
     }
 
     /// Catches: a check that refuses what mdBook accepts.

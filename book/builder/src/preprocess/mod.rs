@@ -1,7 +1,8 @@
 //! From a chapter's source to what mdBook renders.
 //!
 //! mdBook's own `links` step has inserted the included text before. In order: every include is
-//! checked against the disk ([`includes`]), the pages of the tests are added ([`sources`]), and in
+//! checked against the disk ([`includes`]), and each snapshot against what the code makes of it now
+//! ([`snapshots`]), the pages of the tests are added ([`sources`]), and in
 //! each chapter tables get their captions ([`captions`]) and directives and formulas are replaced
 //! ([`chapter`]): values by [`values`], formulas by [`maths`]. Then it is known which chapters
 //! quote which claim, and the ledger's tables link back to them ([`claims`]).
@@ -10,8 +11,10 @@
 //! chapter.
 
 use std::collections::BTreeSet;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, ensure};
 use mdbook_preprocessor::book::{Book, BookItem, Chapter};
 use mdbook_preprocessor::{Preprocessor, PreprocessorContext};
 
@@ -27,6 +30,7 @@ pub mod inert;
 pub mod listing;
 pub mod markdown;
 pub mod maths;
+pub mod snapshots;
 pub mod sources;
 pub mod values;
 
@@ -39,12 +43,18 @@ pub fn supports(renderer: &str) -> bool {
 pub struct Pendula {
     ledger: Box<dyn Ledger>,
     progress: Progress,
+    interrupted: Arc<AtomicBool>,
 }
 
 impl Pendula {
     /// A preprocessor that takes its values from `ledger`.
     pub fn new(ledger: impl Ledger + 'static, progress: Progress) -> Self {
-        Self { ledger: Box::new(ledger), progress }
+        Self { ledger: Box::new(ledger), progress, interrupted: Arc::default() }
+    }
+
+    /// The same, stopping with an error as soon as the flag is set.
+    pub fn until(self, interrupted: Arc<AtomicBool>) -> Self {
+        Self { interrupted, ..self }
     }
 }
 
@@ -59,7 +69,9 @@ impl Preprocessor for Pendula {
     }
 
     fn run(&self, context: &PreprocessorContext, mut book: Book) -> Result<Book> {
-        includes::check(&context.root.join(&context.config.book.src), &book)?;
+        let included = includes::check(&context.root.join(&context.config.book.src), &book)?;
+        self.progress.stage("comparing the snapshots", 1);
+        snapshots::check(&included, self.ledger.as_ref(), &self.interrupted)?;
 
         // tests/ is beside book/.
         let tests = sources::Tests::read(&context.root.join("..").join("tests"))?;
@@ -73,6 +85,7 @@ impl Preprocessor for Pendula {
         let mut quotes = claims::Quotes::new();
         each(&mut book, |chapter| {
             self.progress.advance();
+            ensure!(!self.interrupted.load(Ordering::Relaxed), "interrupted");
             set(&setter, chapter, &mut quotes)
         })?;
         each(&mut book, |chapter| {

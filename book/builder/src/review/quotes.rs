@@ -1,6 +1,5 @@
 //! The sentences of the book that quote what moved.
 
-use std::fs;
 use std::path::Path;
 use std::sync::LazyLock;
 
@@ -10,6 +9,7 @@ use regex::{Captures, Regex};
 
 use super::claims::Claims;
 use super::number::{leading, parse};
+use crate::files;
 use crate::preprocess::values::plain;
 
 /// A sentence of the book.
@@ -49,15 +49,12 @@ pub fn quotes(
     now: &Claims,
     numbers: &[Moved],
 ) -> Result<Vec<Quote>> {
-    let chapters = fs::read_dir(folder)
-        .and_then(Iterator::collect::<Result<Vec<_>, _>>)
-        .with_context(|| format!("{} cannot be read", folder.display()))?;
-    let mut paths: Vec<_> = chapters.into_iter().map(|entry| entry.path()).collect();
+    let mut paths =
+        files::list(folder).with_context(|| format!("{} cannot be read", folder.display()))?;
     paths.retain(|path| path.extension().is_some_and(|extension| extension == "md"));
-    paths.sort();
     let mut quotes = Vec::new();
     for path in paths {
-        let text = fs::read_to_string(&path)
+        let text = files::read_to_string(&path)
             .with_context(|| format!("{} cannot be read", path.display()))?;
         let chapter = path.file_stem().unwrap_or_default().to_string_lossy();
         for passage in sentences(&text) {

@@ -6,13 +6,14 @@ use std::collections::BTreeMap;
 use std::panic::{self, AssertUnwindSafe};
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use std::{fs, thread};
+use std::thread;
 
 use anyhow::{Context, Result, anyhow, bail, ensure};
 use pendula_study::claims::Ledger;
 use pendula_study::experiments::Study;
 use pendula_study::report::snapshots::{self, Kind};
 
+use crate::files;
 use crate::progress::Progress;
 
 /// The content of a snapshot, without insta's header.
@@ -85,7 +86,7 @@ fn kind(name: &str, anchor: &str) -> Option<Kind> {
 }
 
 /// The name of the snapshot in a file that ends in `suffix`: without the digit that orders it.
-fn name_of<'p>(path: &'p str, suffix: &str) -> Option<&'p str> {
+pub fn name_of<'p>(path: &'p str, suffix: &str) -> Option<&'p str> {
     let stem = path.rsplit('/').next()?.strip_suffix(suffix)?;
     match stem.split_once('_') {
         Some((digit, name)) if digit.len() == 1 && digit.chars().all(|c| c.is_ascii_digit()) => {
@@ -109,19 +110,18 @@ pub struct OnDisk {
 /// # Errors
 /// If the folder or a file cannot be read, or a file is corrupt.
 pub fn on_disk(folder: &Path, suffix: &str) -> Result<BTreeMap<String, OnDisk>> {
-    let entries = fs::read_dir(folder)
-        .with_context(|| format!("{} cannot be read", folder.display()))?
-        .collect::<Result<Vec<_>, _>>()?;
-    let mut files = BTreeMap::new();
-    for path in entries.into_iter().map(|entry| entry.path()) {
+    let paths =
+        files::list(folder).with_context(|| format!("{} cannot be read", folder.display()))?;
+    let mut found = BTreeMap::new();
+    for path in paths {
         let Some(name) = path.to_str().and_then(|path| name_of(path, suffix)) else { continue };
-        let text = fs::read_to_string(&path)
+        let text = files::read_to_string(&path)
             .with_context(|| format!("{} cannot be read", path.display()))?;
         let file = File::parse(name, &text, &path.display().to_string())?;
-        let before = files.insert(name.to_string(), OnDisk { path: path.clone(), file });
+        let before = found.insert(name.to_string(), OnDisk { path: path.clone(), file });
         ensure!(before.is_none(), "{}: there are two files of this snapshot", path.display());
     }
-    Ok(files)
+    Ok(found)
 }
 
 /// What the code makes now, and why it does not make what it cannot.
@@ -133,10 +133,20 @@ pub fn computed(progress: &Progress) -> Result<(Version, BTreeMap<String, String
         progress.stage("", Study::EXPERIMENTS as usize);
         let study = Study::run(|experiment| progress.next(experiment));
         let ledger = Ledger::new(&study);
-        snapshots::all(&study, &ledger)
+        made(&study, &ledger, |_| true)
     });
     progress.finish();
-    let made = made.map_err(|panic| anyhow!("the study cannot be computed: {}", said(&*panic)))?;
+    made.map_err(|panic| anyhow!("the study cannot be computed: {}", said(&*panic)))
+}
+
+/// Those of the snapshots that are `wanted`, as the code makes them now of a study, and why it does
+/// not make what it cannot.
+pub fn made(
+    study: &Study,
+    ledger: &Ledger,
+    wanted: impl Fn(&str) -> bool,
+) -> (Version, BTreeMap<String, String>) {
+    let made = snapshots::some(study, ledger, wanted);
     let (mut version, mut failed) = (Version::new(), BTreeMap::new());
     for (name, made) in made {
         match made {
@@ -149,11 +159,11 @@ pub fn computed(progress: &Progress) -> Result<(Version, BTreeMap<String, String
             }
         }
     }
-    Ok((version, failed))
+    (version, failed)
 }
 
 /// The result of `work`, in which panics print nothing.
-fn quietly<T>(work: impl FnOnce() -> T) -> thread::Result<T> {
+pub(crate) fn quietly<T>(work: impl FnOnce() -> T) -> thread::Result<T> {
     let before = panic::take_hook();
     panic::set_hook(Box::new(|_| {}));
     let result = panic::catch_unwind(AssertUnwindSafe(work));
@@ -162,7 +172,7 @@ fn quietly<T>(work: impl FnOnce() -> T) -> thread::Result<T> {
 }
 
 /// What a panic says.
-fn said(panic: &(dyn Any + Send)) -> String {
+pub(crate) fn said(panic: &(dyn Any + Send)) -> String {
     let text = panic.downcast_ref::<&str>().map(ToString::to_string);
     text.or_else(|| panic.downcast_ref::<String>().cloned()).unwrap_or_default()
 }

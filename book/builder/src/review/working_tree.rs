@@ -9,6 +9,7 @@ use pendula_study::report::snapshots::Kind;
 
 use super::accept;
 use super::versions::{OnDisk, Version, computed, on_disk};
+use crate::files::together;
 use crate::progress::Progress;
 
 /// The snapshots of the working tree.
@@ -80,17 +81,19 @@ impl WorkingTree {
     /// # Errors
     /// If one has not moved, or if a file cannot be written; then nothing is accepted.
     pub fn accept(&self, snapshots: &Path, names: &[String]) -> Result<()> {
-        let mut plans = Vec::new();
+        let mut changes = Vec::new();
         for name in names {
             let old = self.reviewed.get(name).map(|found| &found.file.content.text);
             let new = self.now.get(name);
             ensure!(old.is_some() || new.is_some(), "--accept {name}: no such snapshot");
-            if old == new.map(|content| &content.text) {
+            // One that was accepted while its pending file stayed is accepted again.
+            let waits = self.pending.contains_key(name);
+            if old == new.map(|content| &content.text) && !waits {
                 bail!("--accept {name}: it has not moved");
             }
-            plans.extend(accept::plan(snapshots, name, new, &self.reviewed, &self.pending));
+            changes.extend(accept::plan(snapshots, name, new, &self.reviewed, &self.pending));
         }
-        accept::carry_out(plans)
+        together::change(&changes)
     }
 }
 

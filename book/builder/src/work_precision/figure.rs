@@ -1,6 +1,5 @@
 //! The work–precision figure, and how the book includes it.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, ensure};
@@ -8,6 +7,7 @@ use pendula::METHODS;
 use pendula_study::charts::{Axis, Chart, Figure, Style};
 
 use super::{Measured, Measurement, Problem, SCENES};
+use crate::files;
 
 /// The file of the figure.
 pub const SVG: &str = "work-precision.svg";
@@ -26,17 +26,20 @@ pub fn folder(root: &Path) -> PathBuf {
 /// # Errors
 /// For a recorded figure that is missing, or that cannot be a part of a page.
 pub fn in_the_book(root: &Path) -> anyhow::Result<String> {
-    let read = |file: PathBuf| {
-        let svg = fs::read_to_string(&file).with_context(|| file.display().to_string())?;
-        // A blank line would end the HTML.
-        let whole = svg.starts_with("<svg") && !svg.contains("\n\n");
-        ensure!(whole, "{}: no figure", file.display());
-        Ok(svg)
+    // A blank line would end the HTML.
+    let is_figure = |svg: &String| svg.starts_with("<svg") && !svg.contains("\n\n");
+    let read = |file: &Path| {
+        files::read_to_string(file).with_context(|| format!("{} cannot be read", file.display()))
     };
-    let (svg, whose) = match read(folder(root).join(SVG)) {
-        Ok(svg) => (svg, "this machine"),
-        Err(_) => (read(root.join("../benches").join(SVG))?, "a shared machine, once"),
+    let (here, recorded) = (folder(root).join(SVG), root.join("../benches").join(SVG));
+    let is_there =
+        files::exists(&here).with_context(|| format!("{} cannot be read", here.display()))?;
+    let measured = if is_there { Some(read(&here)?).filter(is_figure) } else { None };
+    let (svg, whose) = match measured {
+        Some(svg) => (svg, "this machine"),
+        None => (read(&recorded)?, "a shared machine, once"),
     };
+    ensure!(is_figure(&svg), "{}: no figure", recorded.display());
     Ok(format!(
         "<figure>\n{svg}<figcaption>Run time against error as <code>pendula \
          work&#45;precision</code> found them on {whose}. Lower left is \
@@ -95,6 +98,8 @@ fn with_gaps(points: &[Measurement]) -> Vec<(f64, f64)> {
 
 #[cfg(test)]
 mod tests {
+    use std::fs;
+
     use super::super::Curve;
     use super::*;
 

@@ -2,7 +2,7 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::sync::LazyLock;
+use std::sync::{Arc, LazyLock};
 
 use crate::pages::{Page, Site, is_remote};
 use pendula_book::build;
@@ -13,7 +13,7 @@ use pendula_book::progress::Progress;
 static BOOK: LazyLock<Result<(tempfile::TempDir, Site), String>> = LazyLock::new(|| {
     let folder = tempfile::tempdir().unwrap();
     let paper = Paper::measure(&Progress::hidden());
-    build::book(&root(), Some(folder.path()), paper, Progress::hidden())
+    build::book(&root(), Some(folder.path()), paper, Progress::hidden(), &Arc::default())
         .map_err(|error| format!("{error:#}"))?;
     let site = Site::read(folder.path());
     Ok((folder, site))

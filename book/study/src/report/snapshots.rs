@@ -177,10 +177,20 @@ pub fn recipes<'a>(study: &'a Study, ledger: &'a Ledger) -> Vec<Recipe<'a>> {
     recipes
 }
 
-/// Makes all of them, each in a thread of its own. A panic is that of one snapshot: a method may
-/// have been changed into one with which an experiment has no result.
+/// Makes all of them: see [`some`].
 pub fn all(study: &Study, ledger: &Ledger) -> Vec<(String, thread::Result<Snapshot>)> {
-    let recipes = recipes(study, ledger);
+    some(study, ledger, |_| true)
+}
+
+/// Makes those whose names are `wanted`, each in a thread of its own. A panic is that of one
+/// snapshot: a method may have been changed into one with which an experiment has no result.
+pub fn some(
+    study: &Study,
+    ledger: &Ledger,
+    wanted: impl Fn(&str) -> bool,
+) -> Vec<(String, thread::Result<Snapshot>)> {
+    let mut recipes = recipes(study, ledger);
+    recipes.retain(|recipe| wanted(&recipe.name));
     thread::scope(|scope| {
         let threads: Vec<_> = recipes.iter().map(|recipe| scope.spawn(|| recipe.make())).collect();
         let names = recipes.iter().map(|recipe| recipe.name.clone());

@@ -3,11 +3,12 @@
 //!
 //! [`scan`] finds the tests in a file, [`page`] makes its page, and [`Tests`] resolves links.
 
-use std::fs;
 use std::path::Path;
 
 use anyhow::{Context, Result, bail, ensure};
 use mdbook_preprocessor::book::{BookItem, Chapter};
+
+use crate::files;
 
 pub mod page;
 pub mod scan;
@@ -37,7 +38,9 @@ impl Tests {
     /// When a file cannot be read, or is not Rust, or has two tests of one name.
     pub fn read(folder: &Path) -> Result<Self> {
         let mut sources = Vec::new();
-        if folder.is_dir() {
+        if files::is_folder(folder)
+            .with_context(|| format!("{} cannot be read", folder.display()))?
+        {
             collect(folder, "", &mut sources)
                 .with_context(|| format!("{} cannot be read", folder.display()))?;
         }
@@ -127,14 +130,13 @@ impl Tests {
 }
 
 fn collect(folder: &Path, prefix: &str, sources: &mut Vec<(String, String)>) -> Result<()> {
-    for entry in fs::read_dir(folder)? {
-        let path = entry?.path();
+    for path in files::list(folder)? {
         let Some(stem) = path.file_stem().and_then(|stem| stem.to_str()) else { continue };
         let name = format!("{prefix}{stem}");
-        if path.is_dir() {
+        if files::is_folder(&path)? {
             collect(&path, &format!("{name}/"), sources)?;
         } else if path.extension().is_some_and(|extension| extension == "rs") {
-            let source = fs::read_to_string(&path)
+            let source = files::read_to_string(&path)
                 .with_context(|| format!("{} cannot be read", path.display()))?;
             sources.push((name, source));
         }
@@ -202,6 +204,8 @@ impl TestFile {
 
 #[cfg(test)]
 mod tests {
+    use std::fs;
+
     use super::*;
 
     /// Catches: a page for a file that is not Rust, a nested file lost, an order that depends on

@@ -1,17 +1,18 @@
 //! A review as one page that needs nothing but itself: it looks like the book, in all its themes.
 
-use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
 
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, ensure};
 use serde_json::{Value, json};
 
 use super::rows::{self, Row};
 use super::verdict::sentences;
 use super::{Figure, Review, Turn};
+use crate::files::whole_file::WholeFile;
+use crate::files::{canonicalize, create_folder, exists};
 use crate::page::{Page, with_code};
-use crate::whole_file;
 
 /// The folder of the page, below the top folder of the project.
 const FOLDER: &str = "target/review";
@@ -19,17 +20,20 @@ const FOLDER: &str = "target/review";
 /// Writes the page and returns its path.
 ///
 /// # Errors
-/// If it cannot be written; an older page is then as it was.
-pub fn write(review: &Review, root: &Path) -> Result<PathBuf> {
+/// If it cannot be written, or if the user interrupts; an older page is then as it was.
+pub fn write(review: &Review, root: &Path, interrupted: &AtomicBool) -> Result<PathBuf> {
     let folder = root.join(FOLDER);
     let index = folder.join("index.html");
     let refused = || format!("{} cannot be written", index.display());
     let html = html(review, root)?;
-    fs::create_dir_all(&folder).with_context(refused)?;
-    let mut file = whole_file::beside(&index).with_context(refused)?;
+    create_folder(&folder).with_context(refused)?;
+    // The path to print, as long as nothing has changed.
+    let index = canonicalize(&folder).with_context(refused)?.join("index.html");
+    let mut file = WholeFile::beside(&index).with_context(refused)?;
     file.write_all(html.as_bytes()).with_context(refused)?;
-    whole_file::replace(file, &index)?;
-    Ok(index.canonicalize().unwrap_or(index))
+    ensure!(!interrupted.load(Ordering::Relaxed), "interrupted");
+    file.replace().with_context(refused)?;
+    Ok(index)
 }
 
 /// The page.
@@ -44,11 +48,11 @@ pub fn html(review: &Review, root: &Path) -> Result<String> {
         style: include_str!("page.css"),
         script: include_str!("page.js"),
     };
-    page.html(&data(review, root))
+    page.html(&data(review, root)?)
 }
 
 /// What the template prints.
-fn data(review: &Review, root: &Path) -> Value {
+fn data(review: &Review, root: &Path) -> Result<Value> {
     let groups: Vec<Value> =
         review.groups.iter().enumerate().map(|(i, g)| group(review, i, g)).collect();
     let (seen, unseen): (Vec<&Figure>, Vec<&Figure>) =
@@ -64,7 +68,7 @@ fn data(review: &Review, root: &Path) -> Value {
             |sentence| json!({"weight": sentence.weight.name(), "text": with_code(&sentence.text)}),
         )
         .collect();
-    json!({
+    Ok(json!({
         "warnings": review.warnings.iter().map(|text| with_code(text)).collect::<Vec<_>>(),
         "sentences": sentences,
         "groups": groups,
@@ -72,7 +76,7 @@ fn data(review: &Review, root: &Path) -> Value {
         "unseen": figures(unseen),
         "flips": turns(flips),
         "reasons": turns(reasons),
-        "quotes": quotes(review, root),
+        "quotes": quotes(review, root)?,
         "bits": review.bits,
         "bits_command": rows::command(&["bits"]),
         "bits_changelog": rows::changelog(&review.bits.join(", "), "other last digits", &["bits"]),
@@ -80,7 +84,7 @@ fn data(review: &Review, root: &Path) -> Value {
         "acceptable": review.acceptable && !review.is_empty(),
         "command": rows::command(&names),
         "changelog": rows::changelog("…", "…", &names),
-    })
+    }))
 }
 
 fn group(review: &Review, index: usize, group: &super::causes::Group) -> Value {
@@ -137,24 +141,27 @@ fn turn(turn: &Turn) -> Value {
 }
 
 /// The quotes, with links to the book if it is built, or else to its source.
-fn quotes(review: &Review, root: &Path) -> Vec<Value> {
-    let link = |chapter: &str, heading: &str| {
+fn quotes(review: &Review, root: &Path) -> Result<Vec<Value>> {
+    let link = |chapter: &str, heading: &str| -> Result<String> {
         let page = format!("book/{chapter}.html");
-        if root.join("target").join(&page).exists() {
+        let built = root.join("target").join(&page);
+        let is_built =
+            exists(&built).with_context(|| format!("{} cannot be read", built.display()))?;
+        Ok(if is_built {
             format!("../{page}#{}", anchor(heading))
         } else {
             format!("../../book/src/{chapter}.md")
-        }
+        })
     };
     let quotes = review.quotes.iter().map(|quote| {
-        json!({
-            "link": link(&quote.chapter, &quote.heading),
+        Ok(json!({
+            "link": link(&quote.chapter, &quote.heading)?,
             "place": format!("{}, {}", quote.chapter, quote.heading),
             "line": quote.line,
             "sentence": quote.sentence,
             "moved": quote.moved,
             "typed": quote.typed,
-        })
+        }))
     });
     quotes.collect()
 }

@@ -1,13 +1,13 @@
 //! The files that an interrupted run leaves, so that it can be resumed: its state, and the rows so
-//! far. Every access to them is here.
+//! far.
 
-use std::fs::{self, File};
 use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
 
 use anyhow::Context;
 
-use crate::whole_file;
+use super::operations::{self, canonicalize};
+use super::whole_file::WholeFile;
 
 /// `path` with `.ending` behind its name.
 pub fn beside(path: &Path, ending: &str) -> PathBuf {
@@ -25,7 +25,7 @@ pub fn read(path: &Path) -> io::Result<String> {
     /// Far more than an ensemble's state: 4096 rows of five numbers.
     const LARGEST: u64 = 1 << 24;
     let mut text = String::new();
-    let read = File::open(path)?.take(LARGEST).read_to_string(&mut text)?;
+    let read = operations::open(path)?.take(LARGEST).read_to_string(&mut text)?;
     if read as u64 == LARGEST {
         return Err(io::Error::new(io::ErrorKind::InvalidData, "it is too large"));
     }
@@ -38,9 +38,9 @@ pub fn read(path: &Path) -> io::Result<String> {
 /// If that fails; the file is then as it was before.
 pub fn write(path: &Path, text: &str) -> anyhow::Result<()> {
     let refused = || format!("{} cannot be written", path.display());
-    let mut file = whole_file::beside(path).with_context(refused)?;
+    let mut file = WholeFile::beside(path).with_context(refused)?;
     file.write_all(text.as_bytes()).with_context(refused)?;
-    whole_file::replace(file, path)
+    file.replace().with_context(refused)
 }
 
 /// Copies the first `bytes` bytes of a file to `out`.
@@ -49,7 +49,7 @@ pub fn write(path: &Path, text: &str) -> anyhow::Result<()> {
 /// If the file has fewer, or that fails.
 pub fn copy(path: &Path, bytes: u64, out: &mut impl Write) -> anyhow::Result<()> {
     let failed = || path.display().to_string();
-    let file = File::open(path).with_context(failed)?;
+    let file = operations::open(path).with_context(failed)?;
     let copied = io::copy(&mut file.take(bytes), out).with_context(failed)?;
     anyhow::ensure!(
         copied == bytes,
@@ -61,7 +61,7 @@ pub fn copy(path: &Path, bytes: u64, out: &mut impl Write) -> anyhow::Result<()>
 
 /// Whether both paths lead to one file.
 pub fn same(a: &Path, b: &Path) -> bool {
-    fs::canonicalize(a).is_ok_and(|a| fs::canonicalize(b).is_ok_and(|b| a == b))
+    canonicalize(a).is_ok_and(|a| canonicalize(b).is_ok_and(|b| a == b))
 }
 
 /// Removes a file that is no longer needed.
@@ -69,7 +69,7 @@ pub fn same(a: &Path, b: &Path) -> bool {
 /// # Errors
 /// If that fails, except that it is not there.
 pub fn remove(path: &Path) -> anyhow::Result<()> {
-    match fs::remove_file(path) {
+    match operations::remove(path) {
         Err(error) if error.kind() != io::ErrorKind::NotFound => {
             Err(error).with_context(|| format!("{} cannot be removed", path.display()))
         }
