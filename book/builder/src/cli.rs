@@ -158,7 +158,7 @@ mod tests {
         &["exact", "--theta0", "1", "--t", "1"],
         &["period", "--theta0", "1"],
         &["work-precision"],
-        &["verify", "program"],
+        &["verify", "--", "program"],
     ];
 
     /// Every option of a command that takes a number: its name, and that of its field.

@@ -52,7 +52,7 @@ pub fn interrupts() -> Result<Arc<AtomicBool>, Failure> {
 #[derive(Debug)]
 pub struct Lookout {
     flag: Arc<AtomicBool>,
-    /// The step at which it is interrupted in any case.
+    /// The step, or the number of runs finished, at which it is interrupted in any case.
     at: u64,
 }
 

@@ -190,7 +190,7 @@ impl Printer {
         let columns = ["theta0", "dt", "theta", "omega", "energy_error"];
         let mut rows = kept.open(out, self.format, columns, printed)?;
         let mut sweep = sweep.skip(usize::try_from(from).unwrap_or(usize::MAX));
-        let finished = Arc::new(AtomicU64::new(0));
+        let finished = Arc::new(AtomicU64::new(from));
         loop {
             let mut interrupted = lookout.interrupts(finished.load(Ordering::Relaxed));
             let mut later = mem::take(&mut ahead);
@@ -273,7 +273,7 @@ impl Printer {
 #[derive(Clone)]
 struct Batch {
     runs: Arc<Mutex<Vec<Option<Run>>>>,
-    /// How many are finished, of this batch and those before.
+    /// How many are finished, of this batch and those before, or before a resumption.
     finished: Arc<AtomicU64>,
 }
 

@@ -16,6 +16,11 @@ use pendula_book::failure::Failure;
 use pendula_book::interrupt::Lookout;
 use serde_json::Value;
 
+/// The words of a command line.
+fn words(line: &str) -> Vec<&str> {
+    line.split(' ').collect()
+}
+
 /// What a command has printed, and said.
 #[derive(Debug)]
 struct Printed {
@@ -185,53 +190,14 @@ fn every_kind_of_run_can_be_resumed() {
     let folder = Folder::new();
     let rest = ["--dt", "0.05", "--duration", "0.3"];
     let large = ["simulate", "--method", "stormer-verlet", "--theta0", "2e6", "--every", "4"];
-    let double = [
-        "double-pendulum",
-        "--theta1",
-        "2",
-        "--theta2",
-        "-0.5",
-        "--omega2",
-        "1.5",
-        "--mass1",
-        "0.7",
-        "--length2",
-        "0.6",
-        "--gravity",
-        "3",
-    ];
-    let angles = [
-        "ensemble",
-        "--method",
-        "rk4",
-        "--theta0",
-        "-1:2:7",
-        "--omega0",
-        "0.5",
-        "--dt",
-        "0.1",
-        "--duration",
-        "0.4",
-        "--gravity",
-        "5",
-        "--length",
-        "2",
-        "--mass",
-        "3",
-    ];
-    let steps = [
-        "ensemble",
-        "--method",
-        "gauss-4",
-        "--theta0",
-        "1",
-        "--dt",
-        "0.1:0.01:7",
-        "--duration",
-        "0.4",
-        "--format",
-        "json",
-    ];
+    let double = words(
+        "double-pendulum --theta1 2 --theta2 -0.5 --omega2 1.5 --mass1 0.7 --length2 0.6 --gravity 3",
+    );
+    let angles = words(
+        "ensemble --method rk4 --theta0 -1:2:7 --omega0 0.5 --dt 0.1 --duration 0.4 --gravity 5 --length 2 --mass 3",
+    );
+    let steps =
+        words("ensemble --method gauss-4 --theta0 1 --dt 0.1:0.01:7 --duration 0.4 --format json");
     for run in [
         [&large[..], &rest].concat(),
         [&double[..], &rest].concat(),
@@ -297,7 +263,7 @@ fn the_parts_on_standard_output_make_the_whole() {
 #[test]
 fn rows_beyond_the_state_are_dropped() {
     let folder = Folder::new();
-    let run = ["simulate", "--method", "yoshida-6", "--theta0", "1", "--dt", "0.1", "--steps", "9"];
+    let run = words("simulate --method yoshida-6 --theta0 1 --dt 0.1 --steps 9");
     let expected = whole(&run).out;
     assert!(
         interrupted(&[&run[..], &["--output", text(&folder.file)]].concat(), 4).outcome.is_err()
@@ -317,7 +283,7 @@ fn rows_beyond_the_state_are_dropped() {
 #[test]
 fn a_state_that_is_not_what_it_was_is_refused() {
     let folder = Folder::new();
-    let run = ["simulate", "--method", "rk4", "--theta0", "-0.001", "--dt", "0.1", "--steps", "9"];
+    let run = words("simulate --method rk4 --theta0 -0.001 --dt 0.1 --steps 9");
     let to_file = [&run[..], &["--output", text(&folder.file)]].concat();
     assert!(interrupted(&to_file, 4).outcome.is_err());
     let state = fs::read_to_string(&folder.state).unwrap();
@@ -404,27 +370,9 @@ fn a_summary_says_what_the_run_was_like() {
     let pendulum = Pendulum::new(5.0, 2.0, 3.0).unwrap();
     let start = Phase { theta: 2.0, omega: 0.5 };
     let grid = Grid::new(0.05, 110).unwrap();
-    let run = [
-        "simulate",
-        "--method",
-        "stormer-verlet",
-        "--theta0",
-        "2",
-        "--omega0",
-        "0.5",
-        "--gravity",
-        "5",
-        "--length",
-        "2",
-        "--mass",
-        "3",
-        "--dt",
-        "0.05",
-        "--steps",
-        "110",
-        "--every",
-        "40",
-    ];
+    let run = words(
+        "simulate --method stormer-verlet --theta0 2 --omega0 0.5 --gravity 5 --length 2 --mass 3 --dt 0.05 --steps 110 --every 40",
+    );
     let mut drift = EnergyDrift::new(&pendulum);
     let end = integrate_fast(&pendulum, &StormerVerlet, start, &grid, &mut drift);
     let exact = Motion::new(&pendulum, start).unwrap().at(110.0 * 0.05);
@@ -469,35 +417,22 @@ fn a_summary_says_what_the_run_was_like() {
 fn a_sweeps_summary_says_where_it_is_worst() {
     let folder = tempfile::tempdir().unwrap();
     let state = folder.path().join("state");
-    let run = [
-        "ensemble",
-        "--method",
-        "rk4",
-        "--theta0",
-        "-3:1:5",
-        "--dt",
-        "0.1",
-        "--duration",
-        "5",
-        "--mass",
-        "3",
-        "--omega0",
-        "0.2",
-        "--summary",
-        "--state",
-        text(&state),
-    ];
+    let run =
+        words("ensemble --method rk4 --theta0 -3:1:5 --dt 0.1 --duration 5 --mass 3 --omega0 0.2");
+    let run = [&run[..], &["--summary", "--state", text(&state)]].concat();
     let pendulum = Pendulum::new(9.81, 1.0, 3.0).unwrap();
     let grid = Grid::with_duration(0.1, 5.0).unwrap();
+    // The angle, the largest energy error, and the error of the angle at the end.
     let errors = [-3.0, -2.0, -1.0, 0.0, 1.0].map(|theta| {
         let start = Phase { theta, omega: 0.2 };
         let mut drift = EnergyDrift::new(&pendulum);
         let end = integrate_fast(&pendulum, &Rk4, start, &grid, &mut drift);
-        (drift.largest(), (end.theta - Motion::new(&pendulum, start).unwrap().at(5.0).theta))
+        let exact = Motion::new(&pendulum, start).unwrap().at(5.0);
+        [theta, drift.largest(), end.theta - exact.theta]
     });
-    let largest = |of: fn(&(f64, f64)) -> f64| {
-        let by_size = |a: &&(f64, f64), b: &&(f64, f64)| of(a).abs().total_cmp(&of(b).abs());
-        of(errors.iter().max_by(by_size).unwrap())
+    let worst = |column: usize| {
+        let by_size = |a: &[f64; 3], b: &[f64; 3]| a[column].abs().total_cmp(&b[column].abs());
+        errors.into_iter().max_by(by_size).unwrap()
     };
     let at_once = whole(&run).err;
     assert!(interrupted(&run, 3).outcome.is_err());
@@ -506,10 +441,12 @@ fn a_sweeps_summary_says_where_it_is_worst() {
         assert_eq!(summary_value(&err, "runs"), 5.0);
         assert_eq!(summary_value(&err, "steps "), 250.0);
         assert_eq!(summary_value(&err, "force evaluations"), 1000.0);
-        assert_seven_digits(summary_value(&err, "largest energy error"), largest(|e| e.0));
-        assert_seven_digits(summary_value(&err, "largest error of θ"), largest(|e| e.1));
-        let energy = err.lines().find(|line| line.contains("energy")).unwrap();
-        assert!(energy.contains("θ₀ = -3.0 rad, Δt = 0.1 s"), "{err}");
+        for (column, name) in [(1, "largest energy error"), (2, "largest error of θ")] {
+            let worst = worst(column);
+            assert_seven_digits(summary_value(&err, name), worst[column]);
+            let line = err.lines().find(|line| line.starts_with(name)).unwrap();
+            assert!(line.contains(&format!("θ₀ = {:?} rad, Δt = 0.1 s", worst[0])), "{err}");
+        }
     }
 }
 
@@ -517,19 +454,8 @@ fn a_sweeps_summary_says_where_it_is_worst() {
 #[test]
 fn steps_that_vary_are_interrupted_cleanly() {
     let folder = Folder::new();
-    let run = [
-        "adaptive",
-        "--method",
-        "dop853",
-        "--theta0",
-        "3",
-        "--duration",
-        "10",
-        "--tolerance",
-        "1e-8",
-        "--format",
-        "json",
-    ];
+    let run =
+        words("adaptive --method dop853 --theta0 3 --duration 10 --tolerance 1e-8 --format json");
     let left = interrupted(&run, 3);
     assert!(left.outcome.unwrap_err().contains("interrupted after 3 steps"));
     assert_eq!(serde_json::from_str::<Vec<Value>>(&left.out).unwrap().len(), 4);
@@ -544,17 +470,7 @@ fn steps_that_vary_are_interrupted_cleanly() {
 /// of other steps.
 #[test]
 fn steps_that_vary_have_a_limit_and_a_summary() {
-    let run = [
-        "adaptive",
-        "--method",
-        "dop853",
-        "--theta0",
-        "3",
-        "--duration",
-        "10",
-        "--tolerance",
-        "1e-8",
-    ];
+    let run = words("adaptive --method dop853 --theta0 3 --duration 10 --tolerance 1e-8");
     let refused = interrupted(&[&run[..], &["--max-steps", "7"]].concat(), u64::MAX);
     let line = refused.outcome.unwrap_err();
     assert!(line.contains("7 steps") && line.contains("--max-steps"), "{line}");
@@ -611,21 +527,11 @@ fn progress(state: &Path) -> Value {
 #[test]
 fn signals_are_heard_between_rows() {
     let (far, near) = (Folder::new(), Folder::new());
-    let run = [
-        "simulate",
-        "--method",
-        "kahan-li-8",
-        "--theta0",
-        "1",
-        "--dt",
-        "0.01",
-        "--steps",
-        "1000000000",
-        "--every",
-        "1000000000",
-    ];
+    let run = words(
+        "simulate --method kahan-li-8 --theta0 1 --dt 0.01 --steps 1000000000 --every 1000000000",
+    );
     let to = |folder: &Folder| {
-        let run = run.map(str::to_owned).into_iter();
+        let run = run.iter().map(|word| (*word).to_owned());
         run.chain(["--output".to_owned(), text(&folder.file).to_owned()]).collect::<Vec<_>>()
     };
     fs::write(&far.file, "old").unwrap();
@@ -661,19 +567,8 @@ fn signals_are_heard_between_rows() {
 #[cfg(unix)]
 #[test]
 fn a_signal_leaves_standard_output_whole() {
-    let run = [
-        "simulate",
-        "--method",
-        "rk4",
-        "--theta0",
-        "1",
-        "--dt",
-        "0.01",
-        "--steps",
-        "1000000000000",
-        "--format",
-        "json",
-    ];
+    let run =
+        words("simulate --method rk4 --theta0 1 --dt 0.01 --steps 1000000000000 --format json");
     let mut process = start(&run);
     // It prints, so that it listens; and somebody has to read while it ends.
     let mut pipe = process.stdout.take().unwrap();
@@ -693,49 +588,16 @@ fn a_signal_leaves_standard_output_whole() {
 /// failure that says nothing or has another status.
 #[test]
 fn the_rows_before_a_failure_are_printed() {
-    let falls_apart = [
-        "double-pendulum",
-        "--theta1",
-        "20",
-        "--theta2",
-        "12",
-        "--mass2",
-        "1e6",
-        "--gravity",
-        "3.08",
-        "--dt",
-        "0.01",
-        "--duration",
-        "9.76",
-    ];
-    let overflows =
-        ["simulate", "--method", "forward-euler", "--theta0", "1", "--dt", "1e100", "--steps", "9"];
-    let unsolved =
-        ["simulate", "--method", "gauss-4", "--theta0", "1", "--dt", "5", "--steps", "9"];
-    let limited = [
-        "adaptive",
-        "--method",
-        "dop853",
-        "--theta0",
-        "3",
-        "--duration",
-        "100",
-        "--tolerance",
-        "1e-10",
-        "--max-steps",
-        "200",
-    ];
-    let sweep = [
-        "ensemble",
-        "--method",
-        "forward-euler",
-        "--theta0",
-        "1",
-        "--dt",
-        "1e9:1e150:9",
-        "--duration",
-        "1e150",
-    ];
+    let falls_apart = words(
+        "double-pendulum --theta1 20 --theta2 12 --mass2 1e6 --gravity 3.08 --dt 0.01 --duration 9.76",
+    );
+    let overflows = words("simulate --method forward-euler --theta0 1 --dt 1e200 --steps 9");
+    let unsolved = words("simulate --method gauss-4 --theta0 1 --dt 5 --steps 9");
+    let limited = words(
+        "adaptive --method dop853 --theta0 3 --duration 100 --tolerance 1e-10 --max-steps 200",
+    );
+    let sweep =
+        words("ensemble --method forward-euler --theta0 1 --dt 1e9:1e150:9 --duration 1e150");
     for (run, least) in
         [(&falls_apart[..], 100), (&overflows, 1), (&unsolved, 1), (&limited, 50), (&sweep, 0)]
     {
