@@ -12,7 +12,7 @@ use pendula::{
     AnyMethod, Grid, Hamiltonian, METHODS, Motion, Pendulum, Phase, exact, method_named,
 };
 use pendula_study::experiments::{
-    STEPS, Study, beyond, choosing, in_paper, level_curves, long_run, phase_portrait, readings,
+    STEPS, Study, beyond, choosing, in_paper, level_curves, phase_portrait, readings,
     rounding_walk, small_angle, standard_map,
 };
 use pendula_study::report::figures::figures;
@@ -411,7 +411,6 @@ fn expect(
 
 /// Compares a drawing with all that it should show, and with nothing besides.
 fn compare(name: &str, drawing: &Drawing, expected: &[Expected]) {
-    // What is drawn alike is read as one.
     let mut together: BTreeMap<(usize, &str, String), Vec<&Expected>> = BTreeMap::new();
     for series in expected {
         let charts = drawing.panels.iter().enumerate();
@@ -424,25 +423,25 @@ fn compare(name: &str, drawing: &Drawing, expected: &[Expected]) {
         let key = (chart, series.label.as_str(), format!("{:?}", series.kind));
         together.entry(key).or_default().push(series);
     }
-    for ((chart, label, kind), all) in together {
-        let panel = &drawing.panels[chart];
-        let what = format!("{name}, {:?}, {label:?}, {kind}", panel.heading);
-        let kind = all[0].kind;
-        let looks: Vec<&Look> = match label {
+    let looks_of = |panel: &Panel, label: &str, kind: Kind| -> Vec<Look> {
+        let named = || drawing.legend.iter().flat_map(|(_, looks)| looks);
+        let looks: Vec<Look> = match label {
             // A series without a label is the only one of its kind.
-            "" => {
-                let named = drawing.legend.iter().flat_map(|(_, looks)| looks);
-                let named: Vec<_> = named.collect();
-                let unnamed = panel.drawn.iter().map(|(look, _)| look);
-                unnamed.filter(|look| look.kind == kind && !named.contains(look)).collect()
-            }
+            "" => panel.drawn.iter().map(|(look, _)| look.clone()).collect(),
             label => {
                 let entry = drawing.legend.iter().find(|(other, _)| other == label);
-                let (_, looks) = entry.unwrap_or_else(|| panic!("{what}: not in the legend"));
-                looks.iter().filter(|look| look.kind == kind).collect()
+                entry.unwrap_or_else(|| panic!("{name}: {label:?} is not in the legend")).1.clone()
             }
         };
-        let drawn = panel.drawn.iter().filter(|(look, _)| looks.contains(&look));
+        let is_own = |look: &Look| !label.is_empty() || named().all(|other| other != look);
+        looks.into_iter().filter(|look| look.kind == kind && is_own(look)).collect()
+    };
+    for ((chart, label, kind), all) in &together {
+        let panel = &drawing.panels[*chart];
+        let what = format!("{name}, {:?}, {label:?}, {kind}", panel.heading);
+        let kind = all[0].kind;
+        let looks = looks_of(panel, label, kind);
+        let drawn = panel.drawn.iter().filter(|(look, _)| looks.contains(look));
         let strokes: Vec<&Vec<Point>> = drawn.flat_map(|(_, strokes)| strokes).collect();
         let values: Vec<Point> = all.iter().flat_map(|series| series.values.clone()).collect();
         let tolerance = match kind {
@@ -467,7 +466,15 @@ fn compare(name: &str, drawing: &Drawing, expected: &[Expected]) {
             places.len(),
             missing[0]
         );
-        // And what is drawn is a value.
+        // And what is drawn is a value. Lines that differ in their markers alone are read as one.
+        let alike = together.iter().filter(|((other, label, _), series)| {
+            other == chart
+                && series[0].kind == kind
+                && looks_of(panel, label, kind).iter().any(|look| looks.contains(look))
+        });
+        let values: Vec<Point> = alike
+            .flat_map(|(_, all)| all.iter().flat_map(|series| series.values.clone()))
+            .collect();
         let places = Squares::new(&panel.places(&values, 3.0), tolerance);
         let corners = strokes.iter().flat_map(|stroke| stroke.iter());
         let corners: Vec<_> = corners.filter(|point| panel.contains(**point, 0.0)).collect();

@@ -4,6 +4,7 @@ mod choosing;
 mod figures;
 mod ledger;
 mod predictions;
+mod provenance;
 mod readme;
 mod rounding;
 mod snapshots;

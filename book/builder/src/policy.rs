@@ -63,7 +63,8 @@ fn policy(page: &str) -> String {
     // contents are a frame.
     format!(
         "default-src 'none'; script-src {scripts}; style-src 'self' 'unsafe-inline'; \
-         img-src 'self' data:; font-src 'self'; frame-src 'self'; base-uri {base}; form-action 'none'"
+         img-src 'self' data:; font-src 'self'; frame-src 'self'; base-uri {base}; \
+         form-action 'none'"
     )
 }
 

@@ -10,6 +10,7 @@ use mdbook_html::theme::Theme;
 use serde_json::{Value, json};
 
 use crate::files;
+use crate::policy;
 
 /// What is on a page. The styles and the script come after those of every page.
 #[derive(Clone, Copy, Debug)]
@@ -35,11 +36,13 @@ impl Page<'_> {
         let mut templates = Handlebars::new();
         templates.set_strict_mode(true);
         let body = templates.render_template(self.template, data).context("the page")?;
-        let script = [include_str!("theme.js"), self.script].concat();
+        let script = ["\n", include_str!("theme.js"), self.script].concat();
         let frame = json!({
             "title": self.title,
             "lead": self.lead,
             "style": style()? + self.style,
+            // Of all scripts that may come to stand on the page, this one runs.
+            "hash": policy::hash(&script),
             "script": script,
             "body": body,
         });
@@ -86,4 +89,30 @@ pub fn with_code(text: &str) -> String {
     parts
         .map(|(i, part)| if i % 2 == 1 { format!("<code>{part}</code>") } else { part.into() })
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Catches: a policy that names another text than the page's script, which then does not run;
+    /// one that lets other scripts run.
+    #[test]
+    fn the_policy_names_the_script_of_the_page_and_no_other() {
+        let (title, lead, style, script) = ("T", "L", "", "let own = '<';\n");
+        let template = "<script>{{more}}</script>";
+        let page = Page { title, lead, template, style, script };
+        let html = page.html(&json!({ "more": "let b;" })).unwrap();
+        let scripts: Vec<&str> = html
+            .split("<script>")
+            .skip(1)
+            .map(|rest| rest.split_once("</script>").unwrap().0)
+            .collect();
+        assert_eq!(scripts.len(), 2);
+        let policy = html.split("Content-Security-Policy").nth(1).unwrap();
+        let policy = policy.split('>').next().unwrap();
+        assert!(!policy.contains(&policy::hash(scripts[0])), "{policy}");
+        assert!(policy.contains(&policy::hash(scripts[1])), "{policy}");
+        assert!(scripts[1].ends_with(script) && !policy.contains("script-src 'unsafe-inline'"));
+    }
 }

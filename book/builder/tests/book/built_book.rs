@@ -97,6 +97,32 @@ fn nothing_is_loaded_from_elsewhere() {
     }));
 }
 
+/// Catches: a page without a policy, or with one that lets any script run; WebAssembly compiled
+/// where there is no lab.
+#[test]
+fn every_page_has_a_policy() {
+    assert_none(on_each_page(|path, _| {
+        let html = html(&path.display().to_string());
+        let content = html.split_once("http-equiv=\"Content-Security-Policy\" content=\"");
+        let policy = content.and_then(|(_, rest)| rest.split_once('"')).unwrap_or_default().0;
+        let directives: Vec<&str> = policy.split("; ").collect();
+        let scripts = directives.iter().find(|directive| directive.starts_with("script-src "));
+        let scripts = scripts.copied().unwrap_or("script-src 'unsafe-inline'");
+        let is_before = html.find("Content-Security-Policy") < html.find("<script");
+        let sound = [
+            ("loads what it likes", directives[0] == "default-src 'none'"),
+            ("runs any script", !scripts.contains("'unsafe-") && scripts.contains("'self'")),
+            ("has its policy after a script", is_before || !html.contains("<script")),
+            (
+                "compiles, or cannot",
+                scripts.contains("'wasm-unsafe-eval'") == html.contains("class=\"lab"),
+            ),
+        ];
+        let wrong = sound.into_iter().filter(|(_, sound)| !sound);
+        wrong.map(|(what, _)| what.to_string()).collect()
+    }));
+}
+
 /// Catches: a directive or a formula that reached the page as its source.
 #[test]
 fn no_source_is_left_in_the_prose() {

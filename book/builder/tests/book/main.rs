@@ -5,6 +5,7 @@ mod chapters;
 mod claims;
 mod command_line;
 mod commands;
+mod hostile;
 mod lab;
 mod ledger;
 mod long_runs;
