@@ -64,7 +64,7 @@ pub fn rounds_to(value: f64, printed: &str) -> Option<bool> {
 pub fn half_unit(literal: &str) -> Option<f64> {
     let (mantissa, exponent) = literal.split_once('e').unwrap_or((literal, "0"));
     let decimals = mantissa.split_once('.').map_or(0, |(_, after)| after.len());
-    let place = exponent.parse::<i32>().ok()? - i32::try_from(decimals).ok()?;
+    let place = exponent.parse::<i32>().ok()?.checked_sub(i32::try_from(decimals).ok()?)?;
     format!("0.5e{place}").parse().ok()
 }
 

@@ -25,7 +25,8 @@ pub fn leading(cell: &str) -> Option<Number> {
 
 /// A number in a program's notation.
 pub fn parse(literal: &str) -> Option<Number> {
-    let value = literal.parse().ok()?;
+    // "nan" and 1e999 are numbers to Rust.
+    let value = literal.parse().ok().filter(|value: &f64| value.is_finite())?;
     let (mantissa, _) = literal.split_once('e').unwrap_or((literal, ""));
     let digits = mantissa.trim_start_matches(['-', '0', '.']);
     let digits = digits.chars().filter(char::is_ascii_digit).count();
@@ -72,6 +73,8 @@ mod tests {
     #[case("< 200", None)]
     #[case("infinite", None)]
     #[case("nan", None)]
+    #[case("−nan", None)]
+    #[case("1e999", None)]
     #[case("", None)]
     fn the_leading_number_is_read(#[case] cell: &str, #[case] expected: Option<(f64, f64, usize)>) {
         let number = leading(cell).map(|n| (n.value, n.half_unit, n.digits));

@@ -29,7 +29,11 @@ impl Range {
     /// Equally spaced numbers; the ends are exact.
     pub fn linear(self) -> impl Iterator<Item = f64> {
         // Multiplication before division: the fourth of 0:1:11 is 0.3 and not the f64 beside it.
-        self.between(move |i, last| self.from + (self.to - self.from) * i / last)
+        self.between(move |i, last| match (self.to - self.from) * i / last {
+            beyond if beyond.is_finite() => self.from + beyond,
+            // The ends are too far apart for that.
+            _ => self.from * (1.0 - i / last) + self.to * (i / last),
+        })
     }
 
     /// Numbers in equal ratios; the ends are exact, and must be greater than zero.
@@ -100,6 +104,7 @@ mod tests {
         assert_eq!((decades.len(), decades[0], decades[2]), (3, 0.1, 0.001));
         assert!((decades[1] / 0.01 - 1.0).abs() < 1e-15, "{decades:?}");
         assert_eq!(range("-1:1:2").linear().collect::<Vec<_>>(), [-1.0, 1.0]);
+        assert_eq!(range("-1e308:1e308:3").linear().collect::<Vec<_>>(), [-1e308, 0.0, 1e308]);
     }
 
     /// Catches: half a range taken for a number, a range of one number, NaN.

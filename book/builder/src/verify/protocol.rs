@@ -91,6 +91,7 @@ pub fn answer(line: &str) -> Result<Answer, String> {
     let words: Vec<&str> = line.split_whitespace().collect();
     match words[..] {
         ["unsupported"] => Ok(Answer::Unsupported),
+        ["error"] => Ok(Answer::Error("no reason is given".to_string())),
         ["error", ..] => Ok(Answer::Error(words[1..].join(" "))),
         ["done"] => Ok(Answer::Done(None)),
         ["done", evaluations] => match whole(evaluations) {
@@ -190,6 +191,7 @@ mod tests {
         assert_eq!(answer("done"), Ok(Answer::Done(None)));
         assert_eq!(answer("done 1001"), Ok(Answer::Done(Some(1001))));
         assert_eq!(answer("error too  long"), Ok(Answer::Error("too long".to_string())));
+        assert_eq!(answer("error"), Ok(Answer::Error("no reason is given".to_string())));
         assert_eq!(answer("unsupported"), Ok(Answer::Unsupported));
         for (line, because) in [
             ("1.0", "neither"),
