@@ -13,12 +13,16 @@ use crate::failure::Failure;
 
 /// Numerical integrators on the pendulum: build the book, print its tables, simulate.
 #[derive(Debug, Parser)]
-#[command(name = "pendula", version, disable_help_subcommand = true)]
+#[command(name = "pendula", version, disable_help_subcommand = true, after_help = STATUS)]
 struct Cli {
     /// Without a command: `pendula book`.
     #[command(subcommand)]
     command: Option<Command>,
 }
+
+/// What scripts want to know.
+const STATUS: &str =
+    "Exit status: 0 if all is well, 1 if the answer is no, 2 if a request is refused or fails";
 
 /// One variant a command; its arguments and its code are one file of [`crate::commands`].
 #[derive(Debug, Subcommand)]

@@ -6,12 +6,31 @@ use std::process::ExitCode;
 use pendula_book::failure::Failure;
 use pendula_book::{cli, commands};
 
+/// Standard output, whose errors say so.
+struct StandardOutput(io::StdoutLock<'static>);
+
+impl StandardOutput {
+    fn named(error: io::Error) -> io::Error {
+        io::Error::new(error.kind(), format!("standard output cannot be written: {error}"))
+    }
+}
+
+impl Write for StandardOutput {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.0.write(bytes).map_err(Self::named)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.0.flush().map_err(Self::named)
+    }
+}
+
 fn main() -> ExitCode {
     if let Err(error) = pendula_book::report_size_limit() {
         let _ = writeln!(io::stderr(), "pendula: signals cannot be handled: {error}");
         return ExitCode::from(2);
     }
-    let mut out = io::BufWriter::new(io::stdout().lock());
+    let mut out = io::BufWriter::new(StandardOutput(io::stdout().lock()));
     let outcome = cli::parse(std::env::args_os())
         .and_then(|command| commands::run(command, &mut out))
         .and_then(|()| out.flush().map_err(Failure::from));

@@ -119,7 +119,7 @@ fn accept(root: &Path, names: &[String], out: &mut dyn Write) -> Result<()> {
     let snapshots = root.join("snapshots");
     let tree = WorkingTree::read(&snapshots, &Progress::on_terminal())?;
     // What is begun is finished, as it takes no time.
-    interrupts().map_err(|failure| anyhow!("{failure:?}"))?;
+    interrupts().map_err(|failure| anyhow!(failure.line().unwrap_or_default()))?;
     tree.accept(&snapshots, names)?;
     writeln!(out, "accepted: {}", names.join(" "))?;
     for warning in tree.warnings() {

@@ -47,6 +47,18 @@ pub fn with_two_renames<T>(work: impl FnOnce() -> T) -> T {
     result
 }
 
+impl Operation {
+    /// Whether a full disk makes it fail.
+    pub fn takes_room(self) -> bool {
+        matches!(self, Self::Create | Self::Write | Self::Sync)
+    }
+
+    /// Whether something is different after it.
+    pub fn changes(self) -> bool {
+        !matches!(self, Self::Look | Self::Read | Self::List | Self::Sync)
+    }
+}
+
 /// What every fault says.
 pub const SAYS: &str = "a fault for the test";
 
@@ -62,12 +74,10 @@ pub fn allow(operation: Operation, path: &Path) -> io::Result<()> {
     PLAN.with_borrow_mut(|plan| {
         let Some(plan) = plan else { return Ok(()) };
         plan.done.push((operation, path.to_path_buf()));
-        let takes_room =
-            matches!(operation, Operation::Create | Operation::Write | Operation::Sync);
         let fails = match plan.fault {
             Fault::None => false,
             Fault::Once(number) => plan.done.len() == number,
-            Fault::FullFrom(number) => plan.done.len() >= number && takes_room,
+            Fault::FullFrom(number) => plan.done.len() >= number && operation.takes_room(),
             Fault::AllFrom(number) => plan.done.len() >= number,
         };
         if fails { Err(io::Error::other(SAYS)) } else { Ok(()) }

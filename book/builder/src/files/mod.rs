@@ -19,8 +19,6 @@ mod tests;
 
 use std::io;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
 
 pub use operations::{
     Device, canonicalize, create_folder, exists, is_folder, list, metadata, probe, read,
@@ -36,8 +34,8 @@ pub fn report_size_limit() -> io::Result<()> {
     #[cfg(unix)]
     signal_hook::flag::register(
         signal_hook::consts::SIGXFSZ,
-        // The failed write says all there is to say.
-        Arc::new(AtomicBool::new(false)),
+        // Nobody looks at the flag: the write that fails says all there is to say.
+        std::sync::Arc::default(),
     )?;
     Ok(())
 }

@@ -360,6 +360,7 @@ impl Temporary {
             let mode = like.map_or(0o666, |like| like.permissions().mode() & 0o666);
             builder.permissions(fs::Permissions::from_mode(mode));
         }
+        #[cfg(not(unix))]
         let _ = like;
         let file = builder.tempfile_in(super::folder_of(target))?;
         Ok(Self { file, target: target.to_path_buf() })

@@ -82,9 +82,15 @@ impl<P: Fn(&Path), C: Fn(&Path) -> Result<(), Failure>> Trial<P, C> {
         let new = contents(good.path());
         assert!(operations.iter().any(|(what, _)| *what == Operation::Rename), "{operations:?}");
         for number in 1..=operations.len() {
-            self.fails_once(number, &operations[number - 1], &new);
-            self.fills_up(number, &new);
-            self.is_killed(number, &new);
+            let operation = &operations[number - 1];
+            self.fails_once(number, operation, &new);
+            // Where nothing is changed the next operation finds the same.
+            if operation.0.takes_room() {
+                self.fills_up(number, &new);
+            }
+            if operation.0.changes() {
+                self.is_killed(number, &new);
+            }
         }
     }
 
@@ -245,7 +251,7 @@ fn a_measurement_is_written_whole_or_not_at_all() {
 }
 
 /// The snapshots of a project of four.
-const SNAPSHOTS: [&str; 4] = ["1_table_4", "1_slopes", "2_figure_2", "3_bits"];
+const SNAPSHOTS: [&str; 4] = ["1_table_4", "1_slopes", "2_forces", "3_bits"];
 
 /// A project in which a table has moved; with `git`, where a repository is.
 fn project(folder: &Path, git: Option<&Path>) {
@@ -312,7 +318,7 @@ fn snapshots_are_accepted_together_or_not_at_all() {
         content.text = content.text.replace("0.72", "0.73").replace("1.", "2.");
     }
     // One that is new, and one that the code no longer makes.
-    now.insert("figure_9".to_string(), now["figure_2"].clone());
+    now.insert("figure_9".to_string(), now["forces"].clone());
     now.remove("bits");
     let command = |folder: &Path| {
         let snapshots = folder.join("snapshots");

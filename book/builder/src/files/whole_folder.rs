@@ -193,9 +193,12 @@ impl WholeFolder {
 impl Drop for WholeFolder {
     /// Removes what was written, unless that fails: then the next builder does.
     fn drop(&mut self) {
-        if metadata_of_link(&self.work).is_ok_and(|found| found.is_some()) {
-            let _ = self.tidy();
-        }
+        let lock = self.work.join("lock");
+        // Without its lock the folder may be another builder's by now; that one is not empty.
+        let _ = match self.lock.as_ref().map(|ours| ours.is_at(&lock)) {
+            Some(Ok(true)) => self.tidy(),
+            _ => remove_empty_folder(&self.work).map_err(Into::into),
+        };
     }
 }
 
@@ -296,6 +299,7 @@ fn return_foreign(old: &Path, target: &Path, own: &BTreeSet<PathBuf>) -> Result<
     for Entry { path, kind } in foreign(old, own)? {
         let (from, to) = (old.join(&path), target.join(&path));
         match kind {
+            Kind::Folder if metadata_of_link(&to)?.is_some() => {}
             Kind::Folder => create_folder(&to)?,
             Kind::File => {
                 let [here, there] = [metadata_of_link(&from)?, metadata_of_link(&to)?];

@@ -69,3 +69,70 @@ fn restore(name: &str) -> String {
          {name}`"
     )
 }
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+
+    use super::*;
+    use crate::ledger::{Entry, Made};
+    use crate::review::versions::Content;
+
+    const TABLE: &str =
+        "---\na: 1\n---\n<!-- ANCHOR: table -->\n| 1 |\n<!-- ANCHOR_END: table -->\n";
+
+    /// The code makes `orders` as it is in [`TABLE`], and cannot make `zoo`.
+    struct Code;
+
+    impl Ledger for Code {
+        fn entry(&self, _: &str) -> Option<Entry> {
+            None
+        }
+
+        fn snapshots(&self, names: BTreeSet<String>, _: &AtomicBool) -> Result<Made> {
+            let orders = Content { kind: Kind::Table, text: "| 1 |\n".to_string() };
+            let made = [("orders".to_string(), orders)];
+            let failed = [("zoo".to_string(), "no result".to_string())];
+            let made = made.into_iter().filter(|(name, _)| names.contains(name));
+            Ok((made.collect(), failed.into()))
+        }
+    }
+
+    /// The error for a file of this name and text that a chapter includes.
+    fn error(name: &str, text: &str) -> Option<String> {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("snapshots").join(name);
+        fs::create_dir(file.parent().unwrap()).unwrap();
+        fs::write(&file, text).unwrap();
+        let checked = check(&[file].into(), &Code, &AtomicBool::new(false));
+        checked.err().map(|error| format!("{error:#}"))
+    }
+
+    /// Catches: a digit typed over in a table, or a file that was cut off, that is published; an
+    /// error that does not say which or what to do.
+    #[test]
+    fn what_the_code_does_not_give_is_refused() {
+        assert_eq!(error("1_orders.snap", TABLE), None);
+        let refused = |name: &str, text: &str, parts: &[&str]| {
+            let error = error(name, text).unwrap();
+            assert!(parts.iter().all(|part| error.contains(part)), "{error}");
+        };
+        let typed_over = TABLE.replace("| 1 |", "| 2 |");
+        refused("1_orders.snap", &typed_over, &["snapshots/1_orders.snap", "`pendula review`"]);
+        for end in [TABLE.len() - 30, TABLE.len() - 4, 20, 0] {
+            let parts = ["snapshots/1_orders.snap: corrupt", "`pendula review --accept orders`"];
+            refused("1_orders.snap", &TABLE[..end], &parts);
+        }
+        refused("1_zoo.snap", TABLE, &["snapshots/1_zoo.snap", "no result"]);
+        refused("1_none.snap", TABLE, &["snapshots/1_none.snap", "`none`"]);
+    }
+
+    /// Catches: a recorded table, which nothing computes, compared with nothing; one that was cut
+    /// off let pass; another file taken for a snapshot.
+    #[test]
+    fn what_is_recorded_need_only_be_whole() {
+        assert_eq!(error("4_strangers.snap", &TABLE.replace("| 1 |", "| 2 |")), None);
+        assert!(error("4_strangers.snap", &TABLE[..TABLE.len() - 30]).is_some());
+        assert_eq!(error("listing.rs", "fn main() {}\n"), None);
+    }
+}

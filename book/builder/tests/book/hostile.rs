@@ -363,7 +363,8 @@ fn input_that_is_no_book_ends_with_status_2() {
 
 /// Numbers in every notation that programs print, and what only looks like one.
 fn word() -> impl Strategy<Value = String> {
-    let number = prop_oneof![any::<f64>(), (-10.0_f64..10.0).boxed(), Just(0.1 + 0.2), Just(5e-324)];
+    let number =
+        prop_oneof![any::<f64>(), (-10.0_f64..10.0).boxed(), Just(0.1 + 0.2), Just(5e-324)];
     let printed = (number, 0..9_u8, 0..25_usize).prop_map(|(x, how, digits)| match how {
         0 => format!("{x}"),
         1 => format!("{x:?}"),

@@ -1,0 +1,73 @@
+//! The snapshots that the book quotes are what the code gives, or there is no book.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use tempfile::TempDir;
+
+const TABLE: &str = "snapshots/1_table_5.snap";
+
+/// A book of one chapter, which includes the paper's Table 5.
+struct Project(TempDir);
+
+impl Project {
+    fn new() -> Self {
+        let project = Self(tempfile::tempdir().unwrap());
+        let top = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+        for (path, text) in [
+            (
+                "book/book.toml",
+                "[book]\ntitle = \"a\"\n[build]\nbuild-dir = \"../target/book\"\n\
+                 [preprocessor.pendula]\nafter = [\"links\"]\nrenderers = [\"html\"]\n",
+            ),
+            ("book/src/SUMMARY.md", "# Summary\n\n* [One](one.md)\n"),
+            (
+                "book/src/one.md",
+                "# One\n\nTable: Energy errors.\n\n{{#include ../../snapshots/1_table_5.snap:table}}\n",
+            ),
+            ("benches/work-precision.svg", "<svg></svg>\n"),
+            (TABLE, &fs::read_to_string(top.join(TABLE)).unwrap()),
+        ] {
+            let path = project.path(path);
+            fs::create_dir_all(path.parent().unwrap()).unwrap();
+            fs::write(path, text).unwrap();
+        }
+        project
+    }
+
+    fn path(&self, path: &str) -> PathBuf {
+        self.0.path().join(path)
+    }
+
+    /// The exit status of `pendula book`, and what it says on standard error.
+    fn build(&self) -> (Option<i32>, String) {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_pendula"));
+        let output = command.arg("book").current_dir(self.0.path()).output().unwrap();
+        (output.status.code(), String::from_utf8(output.stderr).unwrap())
+    }
+}
+
+/// Catches: a digit typed over in a snapshot, or a snapshot that was cut off, published with status
+/// 0; a book that is lost by it.
+#[test]
+fn a_snapshot_typed_over_is_not_published() {
+    let project = Project::new();
+    assert_eq!(project.build(), (Some(0), String::new()));
+    let page = || fs::read_to_string(project.path("target/book/one.html")).unwrap();
+    let published = page();
+    assert!(published.contains("481.797"), "{published}");
+
+    let text = fs::read_to_string(project.path(TABLE)).unwrap();
+    for (wrong, says) in [
+        (text.replace("481.797", "481.798"), "is not what the code gives: run `pendula review`"),
+        (text[..text.len() - 20].to_string(), "corrupt"),
+    ] {
+        fs::write(project.path(TABLE), wrong).unwrap();
+        let (status, error) = project.build();
+        assert_eq!((status, error.lines().count()), (Some(2), 1), "{error}");
+        assert!(error.contains(TABLE) && error.contains(says), "{error}");
+        assert!(error.contains("`pendula review"), "{error}");
+        assert!(page() == published);
+    }
+}
