@@ -47,7 +47,6 @@ pub fn book(
 }
 
 /// Has mdBook write the pages; returns their folder, and where in it the first page is.
-
 fn driven(
     root: &Path,
     destination: Option<&Path>,

@@ -17,7 +17,7 @@ pub enum Destination<'a> {
     Direct(BufWriter<Device>),
     /// A temporary file beside the target, renamed onto it at the end, or removed if dropped
     /// before.
-    Beside(BufWriter<WholeFile>),
+    Beside(Box<BufWriter<WholeFile>>),
 }
 
 impl<'a> Destination<'a> {
@@ -41,7 +41,10 @@ impl<'a> Destination<'a> {
             Some(found) if !found.is_file() && !found.is_dir() => {
                 Ok(Self::Direct(BufWriter::new(Device::open(path).map_err(refused)?)))
             }
-            _ => Ok(Self::Beside(BufWriter::new(WholeFile::beside(path).map_err(refused)?))),
+            _ => {
+                let beside = WholeFile::beside(path).map_err(refused)?;
+                Ok(Self::Beside(Box::new(BufWriter::new(beside))))
+            }
         }
     }
 

@@ -42,7 +42,7 @@ pub struct WholeFolder {
     target: PathBuf,
     /// Where it is written.
     work: PathBuf,
-    lock: Option<Lock>,
+    lock: Lock,
 }
 
 impl WholeFolder {
@@ -62,7 +62,7 @@ impl WholeFolder {
             [OsStr::new("."), name, OsStr::new(".building")].into_iter().collect::<OsString>();
         let (target, work) = (parent.join(name), parent.join(work));
         let lock = lock(&work, path)?;
-        let folder = Self { target, work, lock: Some(lock) };
+        let folder = Self { target, work, lock };
         folder.clear().with_context(|| format!("{} cannot be cleared", folder.work.display()))?;
         folder.note("").with_context(cannot)?;
         folder.own_files(&folder.target)?;
@@ -183,10 +183,7 @@ impl WholeFolder {
 
     /// Writes a note into the file of the lock.
     fn note(&self, text: &str) -> Result<()> {
-        match &self.lock {
-            Some(lock) => Ok(lock.note(text)?),
-            None => Ok(()),
-        }
+        Ok(self.lock.note(text)?)
     }
 }
 
@@ -195,8 +192,8 @@ impl Drop for WholeFolder {
     fn drop(&mut self) {
         let lock = self.work.join("lock");
         // Without its lock the folder may be another builder's by now; that one is not empty.
-        let _ = match self.lock.as_ref().map(|ours| ours.is_at(&lock)) {
-            Some(Ok(true)) => self.tidy(),
+        let _ = match self.lock.is_at(&lock) {
+            Ok(true) => self.tidy(),
             _ => remove_empty_folder(&self.work).map_err(Into::into),
         };
     }

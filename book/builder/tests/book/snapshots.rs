@@ -24,7 +24,8 @@ impl Project {
             ("book/src/SUMMARY.md", "# Summary\n\n* [One](one.md)\n"),
             (
                 "book/src/one.md",
-                "# One\n\nTable: Energy errors.\n\n{{#include ../../snapshots/1_table_5.snap:table}}\n",
+                "# One\n\nTable: Energy errors.\n\n\
+                 {{#include ../../snapshots/1_table_5.snap:table}}\n",
             ),
             ("benches/work-precision.svg", "<svg></svg>\n"),
             (TABLE, &fs::read_to_string(top.join(TABLE)).unwrap()),
