@@ -83,19 +83,20 @@ impl Checkpoint {
         M: Method<S, Carry: Numbers>,
         O: Observer<S::State> + ?Sized,
     {
-        let (mut n, h) = (self.steps, grid.step());
+        let (mut n, h, every) = (self.steps, grid.step(), every.get());
         let (mut z, mut carry): (S::State, M::Carry) = self.read();
         let until = until.min(grid.steps());
-        let mut next = (n - n % every).checked_add(every.get());
+        // The next sample to be observed. The largest u64 is beyond every grid.
+        let mut next = (n - n % every).saturating_add(every);
         while n < until && !observer.is_satisfied() {
-            let sample = next.filter(|next| *next <= until);
-            for n in n..sample.unwrap_or(until) {
+            let stop = next.min(until);
+            while n < stop {
                 z = method.step(system, grid.time(n), h, z, &mut carry);
+                n += 1;
             }
-            n = sample.unwrap_or(until);
-            if sample.is_some() {
+            if n == next {
                 observer.observe(n, grid.time(n), z);
-                next = n.checked_add(every.get());
+                next = next.saturating_add(every);
             }
         }
         *self = Self::of(n, z, carry);

@@ -6,9 +6,10 @@ use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
 
 use crate::commands::{
-    adaptive, book, claims, double_pendulum, ensemble, exact, period, preprocess, review, serve,
-    simulate, tables, verify, work_precision,
+    adaptive, book, claims, double_pendulum, ensemble, exact, number, period, preprocess, review,
+    serve, simulate, tables, verify, work_precision,
 };
+
 use crate::failure::Failure;
 
 /// Numerical integrators on the pendulum: build the book, print its tables, simulate.
@@ -71,15 +72,33 @@ where
     I: IntoIterator<Item = T>,
     T: Into<OsString> + Clone,
 {
-    match Cli::try_parse_from(arguments) {
+    let words: Vec<OsString> = arguments.into_iter().map(Into::into).collect();
+    match Cli::try_parse_from(&words) {
         Ok(cli) => Ok(cli.command.unwrap_or_else(|| Command::Book(book::Arguments::default()))),
         // Help and version are answers, for standard output.
         Err(answer) if !answer.use_stderr() => {
             answer.print()?;
             Err(Failure::Answered)
         }
-        Err(error) => Err(Failure::Refused(explain(&error))),
+        Err(error) => {
+            Err(Failure::Refused(forgotten_value(&words).unwrap_or_else(|| explain(&error))))
+        }
     }
+}
+
+/// The option whose value was forgotten, if there is one. clap takes the option behind it for the
+/// value, as it might be a negative number, and complains of what comes next.
+fn forgotten_value(words: &[OsString]) -> Option<String> {
+    let cli = Cli::command();
+    let words: Vec<&str> =
+        words.iter().map_while(|word| word.to_str()).take_while(|word| *word != "--").collect();
+    let command = words.iter().find_map(|word| cli.find_subcommand(word))?;
+    words.windows(2).find_map(|pair| {
+        let name = pair[0].strip_prefix("--")?;
+        let option = command.get_arguments().find(|option| option.get_long() == Some(name))?;
+        let forgotten = number::forgotten(pair[1]).filter(|_| option.is_allow_hyphen_values_set());
+        forgotten.map(|forgotten| format!("--{name}: {forgotten}"))
+    })
 }
 
 /// What is wrong and what is allowed, in one line.
@@ -238,7 +257,7 @@ mod tests {
                 }
             }
         }
-        assert_eq!(options, 34, "the options that take a number");
+        assert_eq!(options, 42, "the options that take a number");
         let t = parse(["pendula", "exact", "--theta0", "-1e-3", "--t", "-1,2,-3e-5"]).unwrap();
         assert!(format!("{t:?}").contains("t: [-1.0, 2.0, -3e-5]"), "{t:?}");
         for range in ["-1:2:5", "-1e-3:-.5:3"] {
@@ -252,13 +271,16 @@ mod tests {
     fn a_forgotten_value_is_explained() {
         for line in LINES {
             for (option, _) in numeric_options(line[0]) {
-                let words = with(line, &option, "--format", false);
+                let words = with(line, &option, "--summary", false);
                 let words: Vec<&str> = words.iter().map(String::as_str).collect();
                 let reason = refusal(&words);
                 assert!(reason.contains("value before it is missing"), "{words:?}: {reason}");
                 assert!(reason.contains(&option), "{words:?}: {reason}");
             }
         }
+        // As it is typed: what comes next is the value of the other option.
+        let reason = refusal(&["pendula", "simulate", "--method", "rk4", "--theta0", "--dt", "1"]);
+        assert!(reason.contains("--theta0: --dt is an option, and the value"), "{reason}");
         for option in ["--steps", "--every"] {
             let reason = refusal(&["pendula", "simulate", option, "--dt", "1"]);
             assert!(reason.contains("value before it is missing"), "{reason}");

@@ -29,16 +29,17 @@ pub fn value<T: FromStr>(text: &str, allowed: &str) -> Result<T, String> {
 
 /// Why `text` is no value: because it is not what is `allowed`, or the value was forgotten.
 pub fn refusal(text: &str, allowed: &str) -> String {
-    if is_an_option(text) {
-        format!("{text} is an option, and the value before it is missing; {allowed}")
-    } else {
-        allowed.to_owned()
-    }
+    forgotten(text)
+        .map_or_else(|| allowed.to_owned(), |forgotten| format!("{forgotten}; {allowed}"))
 }
 
-fn is_an_option(text: &str) -> bool {
+/// That a value was forgotten, if `text` is an option and no number.
+pub fn forgotten(text: &str) -> Option<String> {
     let name = text.trim_start_matches('-');
-    name.len() < text.len() && !name.starts_with(|c: char| c.is_ascii_digit() || c == '.')
+    let digits = |c: char| c.is_ascii_digit() || c == '.';
+    let is_number = name.starts_with(digits) || text.parse::<f64>().is_ok();
+    (name.len() < text.len() && !is_number)
+        .then(|| format!("{text} is an option, and the value before it is missing"))
 }
 
 #[cfg(test)]
