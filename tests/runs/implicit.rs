@@ -26,8 +26,8 @@ fn each_implicit<M: Implicit>(#[case] method: M, #[case] limit: f64) {}
 
 /// The largest x = ω₀h at which 100 sweeps leave no more than a rounding of the distance to the
 /// solution, whatever the state: by the sweeps themselves, with θ' = xω and |ω'| ≤ x|θ|, as the
-/// slope of the pendulum's force is nowhere larger, from slopes that are off by one. Where the signs
-/// of the coefficients help, longer steps are solved too.
+/// slope of the pendulum's force is nowhere larger, from slopes that are off by one. Where the
+/// signs of the coefficients help, longer steps are solved too.
 fn limit<const S: usize>(tableau: &ImplicitTableau<S>) -> f64 {
     let left = |x: f64| {
         let mut k = [[1.0_f64; 2]; S];

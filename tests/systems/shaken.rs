@@ -33,9 +33,9 @@ fn mathieus_curves_begin_as_their_series(#[values(0.0, 0.05, 0.1, 0.2)] q: f64) 
     assert_abs_diff_eq!(b1(q), odd, epsilon = 1e-4 * q.powi(7) + 1e-15);
 }
 
-/// At q = 5 the values of Abramowitz and Stegun (1964), Table 20.1; at ½ and 1, where that table has
-/// none, the smallest eigenvalues of 40 rows of DLMF 28.4 with 40 digits, which at 5 are those of the
-/// table.
+/// At q = 5 the values of Abramowitz and Stegun (1964), Table 20.1; at ½ and 1, where that table
+/// has none, the smallest eigenvalues of 40 rows of DLMF 28.4 with 40 digits, which at 5 are those
+/// of the table.
 ///
 /// Catches: the even curve exchanged with the odd one, a row too few where the series of DLMF 28.6
 /// no longer tells, a square root of the wrong off-diagonal element.
@@ -190,8 +190,8 @@ fn a_pivot_is_what_it_was_made_of() {
     assert_eq!(shaken.pendulum(), &pendulum());
 }
 
-/// Catches: NaN accepted, an error that does not give the reason; shaking so slow that its period or
-/// Mathieu's parameter is infinite.
+/// Catches: NaN accepted, an error that does not give the reason; shaking so slow that its period
+/// or Mathieu's parameter is infinite.
 #[test]
 fn impossible_shaking_is_refused() {
     for (amplitude, frequency, because) in [

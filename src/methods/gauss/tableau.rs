@@ -20,6 +20,9 @@ pub struct ImplicitTableau<const S: usize> {
 /// the state: as a multiple of the smallest change that a displacement of the state by 2ε makes.
 const MARGIN: f64 = 4.0;
 
+/// Sweeps that are enough for a step of a usual length.
+const USUAL: u32 = 30;
+
 /// A step without a solution, and a slope from which a state of NaNs can be made.
 struct Lost<D> {
     unsolved: Unsolved,
@@ -78,21 +81,75 @@ impl<const S: usize> ImplicitTableau<S> {
         Sys: System<State: Components>,
     {
         let mut k = [system.rate(t, z); S];
-        let mut state = 0.0;
-        z.for_each_component(z, k[0], |x, _, _| state += x.abs());
-        let (mut before, mut scale) = (f64::INFINITY, f64::INFINITY);
-        for _ in 0..iteration.sweeps {
-            let mut change = 0.0;
-            scale = state / h.abs();
-            for i in 0..S {
-                let slope = sum(&self.a[i], &k);
-                let new = system.rate(t + self.c[i] * h, z + slope * h);
-                change += size(z, new + k[i] * -1.0);
-                scale += size(z, new);
-                // Stored at once, so that the later stages of this sweep use it.
-                k[i] = new;
-            }
+        let state = size(z, k[0], |x, _| x);
+        let (mut before, mut scale) = (f64::INFINITY, 0.0);
+        for _ in 0..iteration.sweeps.min(USUAL) {
+            let change;
+            (change, scale) = self.sweep(system, t, h, z, &mut k, state);
             // Among subnormal numbers rounding is no longer relative.
+            let is_rounding = change <= ROUNDING * scale || change <= f64::MIN_POSITIVE;
+            if is_rounding && change >= before
+                || iteration.tolerance > 0.0 && change <= iteration.tolerance * scale
+                || change == 0.0
+            {
+                return Ok(z + sum(&self.b, &k) * h);
+            }
+            before = change;
+        }
+        self.solve_on(system, t, h, z, iteration, k, [before, scale])
+    }
+
+    /// One sweep over the slopes `k`: the sum of the sizes of their changes, and that of their own
+    /// and of the `state` over the step.
+    #[inline(always)]
+    fn sweep<Sys>(
+        &self,
+        system: &Sys,
+        t: f64,
+        h: f64,
+        z: Sys::State,
+        k: &mut [RateOf<Sys>; S],
+        state: f64,
+    ) -> (f64, f64)
+    where
+        Sys: System<State: Components>,
+    {
+        let (mut change, mut scale) = (0.0, state / h.abs());
+        for i in 0..S {
+            let slope = sum(&self.a[i], k);
+            let new = system.rate(t + self.c[i] * h, z + slope * h);
+            change += size(z, new + k[i] * -1.0, |_, x| x);
+            scale += size(z, new, |_, x| x);
+            // Stored at once, so that the later stages of this sweep use it.
+            k[i] = new;
+        }
+        (change, scale)
+    }
+    // ANCHOR_END: step
+
+    /// The rest of the iteration, where it takes longer than usual: it converges slowly or not at
+    /// all, or does not come to rest although it has converged. Not inlined, so that the usual
+    /// sweeps stay in registers.
+    #[cold]
+    #[inline(never)]
+    #[expect(clippy::too_many_arguments, reason = "the state of the iteration")]
+    fn solve_on<Sys>(
+        &self,
+        system: &Sys,
+        t: f64,
+        h: f64,
+        z: Sys::State,
+        iteration: Iteration,
+        mut k: [RateOf<Sys>; S],
+        [mut before, mut scale]: [f64; 2],
+    ) -> Result<Sys::State, Lost<RateOf<Sys>>>
+    where
+        Sys: System<State: Components>,
+    {
+        let state = size(z, k[0], |x, _| x);
+        for _ in USUAL..iteration.sweeps {
+            let change;
+            (change, scale) = self.sweep(system, t, h, z, &mut k, state);
             let is_rounding = change <= ROUNDING * scale || change <= f64::MIN_POSITIVE;
             let stalls = change >= before;
             if stalls && (is_rounding || self.is_noise(system, t, h, z, &k, change))
@@ -107,17 +164,16 @@ impl<const S: usize> ImplicitTableau<S> {
         if before <= ROUNDING * scale {
             return Ok(z + sum(&self.b, &k) * h);
         }
-        let unsolved = Unsolved { sweeps: iteration.sweeps, change: before / scale };
-        Err(Lost { unsolved, slope: k[0] })
+        Err(Lost {
+            unsolved: Unsolved { sweeps: iteration.sweeps, change: before / scale },
+            slope: k[0],
+        })
     }
-    // ANCHOR_END: step
 
     /// Whether the `change` of the slopes `k` by a sweep is what rounding the state `z` changes in
     /// them, whatever the units of its components: the sum and the scale in `solve` add numbers of
     /// different units, and where the time unit is long, a large angle rounds the force by more
     /// than a part of that scale.
-    #[cold]
-    #[inline(never)]
     fn is_noise<Sys>(
         &self,
         system: &Sys,
@@ -147,7 +203,7 @@ impl<const S: usize> ImplicitTableau<S> {
             let here = rate(z) * -1.0;
             for component in 0..components {
                 for factor in [1.0 - 2.0 * f64::EPSILON, 1.0 + 2.0 * f64::EPSILON] {
-                    noise += size(z, rate(beside(component, factor)) + here);
+                    noise += size(z, rate(beside(component, factor)) + here, |_, x| x);
                 }
             }
         }
@@ -155,12 +211,12 @@ impl<const S: usize> ImplicitTableau<S> {
     }
 }
 
-/// The sum of the sizes of the components of `slope`, at the state `z`. A sum, not a maximum, which
-/// would ignore a NaN.
+/// The sum of the sizes of what `of` takes of each component of the state `z` and the `slope`. A
+/// sum, not a maximum, which would ignore a NaN.
 #[inline(always)]
-fn size<Z: Components>(z: Z, slope: Z::Displacement) -> f64 {
+fn size<Z: Components>(z: Z, slope: Z::Displacement, of: impl Fn(f64, f64) -> f64) -> f64 {
     let mut sum = 0.0;
-    z.for_each_component(z, slope, |_, _, x| sum += x.abs());
+    z.for_each_component(z, slope, |x, _, k| sum += of(x, k).abs());
     sum
 }
 
