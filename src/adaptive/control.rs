@@ -81,8 +81,8 @@ mod tests {
     /// accepted, where the `last` is 1e-4 before the first, and 0.9 error^(−1/k) after one that is
     /// not.
     ///
-    /// Catches: a wrong exponent of either error, or a swapped sign, which leaves the tolerance kept
-    /// and only takes more steps; the order of the method in place of that of its estimate; a
+    /// Catches: a wrong exponent of either error, or a swapped sign, which leaves the tolerance
+    /// kept and only takes more steps; the order of the method in place of that of its estimate; a
     /// memory of the error that was refused.
     #[test]
     fn a_step_is_judged_by_its_error_and_the_one_before() {

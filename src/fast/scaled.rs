@@ -51,8 +51,8 @@ pub struct ReducedRate {
 impl<const BRANCH: bool> ScaledPendulum<BRANCH> {
     /// `pendulum` with its time in steps, for a run of the method `M` along `grid` that begins with
     /// the angle and angular velocity of `start`; `None` where the change of units could overflow
-    /// or underflow, or the half turns could become too many to count, and for a grid without steps:
-    /// there and back the start would be rounded.
+    /// or underflow, or the half turns could become too many to count, and for a grid without
+    /// steps: there and back the start would be rounded.
     pub fn new<M: Method<Self>>(pendulum: &Pendulum, grid: &Grid, start: Phase) -> Option<Self> {
         let step = grid.step();
         // K and h, and what is computed from them, stay far from the ends of the range of f64: the

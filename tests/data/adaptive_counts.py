@@ -1,8 +1,9 @@
-"""How many steps Dormand and Prince's method takes and refuses on the pendulum of the paper, from (2, 0.3) to 20 s.
+"""Counts the steps of Dormand and Prince's method on the paper's pendulum, from (2, 0.3) to 20 s.
 
-An independent derivation of the counts in tests/runs/adaptive.rs: written from Hairer, Nørsett, Wanner, *Solving
-Ordinary Differential Equations I* (1993), Table II.5.2, Eqs. II.4.10-14, and the proportional-integral controller of
-their dopri5.f (beta = 0.04, safety 0.9, factors between 0.2 and 10), not from the library. Run it to print the table.
+An independent derivation of the counts in tests/runs/adaptive.rs: written from Hairer, Nørsett,
+Wanner, *Solving Ordinary Differential Equations I* (1993), Table II.5.2, Eqs. II.4.10-14, and the
+proportional-integral controller of their dopri5.f (beta = 0.04, safety 0.9, factors between 0.2
+and 10), not from the library. Run it to print the table: taken and refused, for each tolerance.
 """
 
 from fractions import Fraction as F

@@ -173,8 +173,10 @@ fn the_numbers_of_a_swing_are_right_relatively() {
         [-1000000.0, 0.1778312015182589, 0.9840610061203382, 1.5834408989083992],
     ] {
         let swing = Swing::released_at(&two_radians_a_second(), theta0).unwrap();
-        assert_relative_eq!(swing.modulus(), k, max_relative = f64::EPSILON);
-        assert_relative_eq!(swing.complementary_modulus(), complement, max_relative = f64::EPSILON);
+        // With the default `epsilon` any two tiny numbers would be equal.
+        assert_relative_eq!(swing.modulus(), k, epsilon = 0.0, max_relative = f64::EPSILON);
+        let found = swing.complementary_modulus();
+        assert_relative_eq!(found, complement, epsilon = 0.0, max_relative = f64::EPSILON);
         assert_relative_eq!(swing.elliptic_k(), elliptic_k, max_relative = PERIOD_TOLERANCE);
         assert_relative_eq!(swing.period(), 2.0 * elliptic_k, max_relative = PERIOD_TOLERANCE);
         let ratio = elliptic_k / std::f64::consts::FRAC_PI_2;
@@ -203,7 +205,7 @@ fn the_numbers_of_a_motion_are_right_relatively() {
         [-100000.0, 1.0, 1.0306213677772775, 2.7483970934951047],
     ] {
         let motion = motion(&two_radians_a_second(), Phase { theta, omega });
-        assert_relative_eq!(motion.modulus(), k, max_relative = NEAREST);
+        assert_relative_eq!(motion.modulus(), k, epsilon = 0.0, max_relative = NEAREST);
         assert_relative_eq!(motion.period().unwrap(), period, max_relative = NEAREST);
     }
 }
@@ -650,10 +652,14 @@ fn the_phase_is_kept_up_to_the_horizon(#[case] t: f64, #[case] theta: f64, #[cas
 #[test]
 fn the_modulus_is_that_of_the_motion() {
     let modulus = |theta, omega| motion(&Pendulum::PAPER, Phase { theta, omega }).modulus();
-    assert_relative_eq!(modulus(1.0, 0.0), 0.5_f64.sin(), max_relative = 4.0 * f64::EPSILON);
-    assert_relative_eq!(modulus(1e-200, 0.0), 0.5e-200, max_relative = 4.0 * f64::EPSILON);
     let omega = 4.0 * 9.81_f64.sqrt();
-    assert_relative_eq!(modulus(0.0, omega), 2.0, max_relative = 4.0 * f64::EPSILON);
+    for (theta, omega, expected) in
+        [(1.0, 0.0, 0.5_f64.sin()), (1e-200, 0.0, 0.5e-200), (0.0, omega, 2.0)]
+    {
+        // With the default `epsilon` any two tiny numbers would be equal.
+        let found = modulus(theta, omega);
+        assert_relative_eq!(found, expected, epsilon = 0.0, max_relative = 4.0 * f64::EPSILON);
+    }
 }
 
 /// Catches: an f64::sin or a fused multiply-add in the code: the bits are fixed, for every machine.

@@ -37,10 +37,10 @@ fn error(value: f64, [truth, rest]: [f64; 2]) -> f64 {
     ((value - truth) - rest).abs() / ulp(truth)
 }
 
-/// Half an ulp is the rounding of the last sum. What is added to the head of a sine is at most 0.081
-/// (r³/6 at π/4), and there an ulp of the sum, 0.71, is 2⁻⁵³: each of its four roundings, of two
-/// products, of the coefficient's and of a sum, is 0.081 ulp at most, and not all four are at their
-/// worst at once: 0.8 in all. A cosine's is at most 0.016 (r⁴/24).
+/// Half an ulp is the rounding of the last sum. What is added to the head of a sine is at most
+/// 0.081 (r³/6 at π/4), and there an ulp of the sum, 0.71, is 2⁻⁵³: each of its four roundings, of
+/// two products, of the coefficient's and of a sum, is 0.081 ulp at most, and not all four are at
+/// their worst at once: 0.8 in all. A cosine's is at most 0.016 (r⁴/24).
 ///
 /// Catches: a reduction with three parts of π/2, a tail forgotten, a coefficient off by its last
 /// digits, a wrong quadrant.

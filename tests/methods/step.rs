@@ -92,8 +92,8 @@ fn rk4_on_the_linear_oscillator_is_a_taylor_polynomial() {
     assert_same(z, 1.0 - x2 / 2.0 + x2 * x2 / 24.0, -2.5 * H * (1.0 - x2 / 6.0));
 }
 
-/// Every method with the order and the cost of another has its step in this file: nothing else tells
-/// them apart but digits.
+/// Every method with the order and the cost of another has its step in this file: nothing else
+/// tells them apart but digits.
 ///
 /// Catches: such a method added without its step by hand.
 #[test]

@@ -60,8 +60,8 @@ type Told = (u64, u64, [u64; 2]);
 /// trajectory: with strides that divide the number of steps and that do not, the last of them
 /// longer than the run; in lanes; and beside a start that needs care, with which no lane is left.
 ///
-/// Catches: samples one step late, a sample too few at the end or too many beyond it, the start left
-/// out; a count in samples, a time in steps; another observer's trajectory.
+/// Catches: samples one step late, a sample too few at the end or too many beyond it, the start
+/// left out; a count in samples, a time in steps; another observer's trajectory.
 #[apply(each_method)]
 fn each_observer_of_an_ensemble_is_told_what_it_would_be_alone<M: InLanes>(
     #[case] method: M,

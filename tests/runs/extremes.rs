@@ -95,8 +95,8 @@ fn no_digit_is_lost_on_the_way_to_an_energy() {
 
 /// The energy at the top is 2 m g L, and must be in range too: up to m g L = 8.9e307 J.
 ///
-/// Catches: a pendulum accepted whose energy is infinite upside down, and NaN at the bottom; a start
-/// whose kinetic and potential energy are each in range and their sum is not.
+/// Catches: a pendulum accepted whose energy is infinite upside down, and NaN at the bottom; a
+/// start whose kinetic and potential energy are each in range and their sum is not.
 #[test]
 fn the_energy_at_the_top_is_finite() {
     for gravity in [9.1e307, 1e308, 1.7e308] {
@@ -112,8 +112,8 @@ fn the_energy_at_the_top_is_finite() {
     assert!(heavy.start(0.0, 1.2e154).is_ok() && heavy.start(PI, 1.2e154).is_err());
 }
 
-/// ω = 1e302 rad/s is within 3e150 ω₀ of a stiff pendulum, and a product of double-doubles splits its
-/// factors, which overflows.
+/// ω = 1e302 rad/s is within 3e150 ω₀ of a stiff pendulum, and a product of double-doubles splits
+/// its factors, which overflows.
 ///
 /// Catches: a motion accepted that is NaN at its own start.
 #[test]

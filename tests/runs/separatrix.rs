@@ -374,8 +374,8 @@ fn a_quadrature_may_be_better_than_its_method() {
 }
 
 /// In so fast a rotation a method sums the force along a straight line, and the error of the sum
-/// is, by Euler and Maclaurin, hᵖ times a derivative of sin θ at the start, of the order p − 1: cos θ
-/// for an even p and sin θ for an odd one. The sum may be a quadrature of an order higher by one
+/// is, by Euler and Maclaurin, hᵖ times a derivative of sin θ at the start, of the order p − 1: cos
+/// θ for an even p and sin θ for an odd one. The sum may be a quadrature of an order higher by one
 /// than the method's, as Ralston's is; what the method itself is off by is then less by g/(LΩ²).
 ///
 /// The error of Dormand–Prince is small beside the others even where that sine is not, down to

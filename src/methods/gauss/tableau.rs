@@ -16,8 +16,8 @@ pub struct ImplicitTableau<const S: usize> {
     pub c: [f64; S],
 }
 
-/// Twice the two roundings, in two successive sweeps, of a stage that lies within a factor of two of
-/// the state: as a multiple of the smallest change that a displacement of the state by 2ε makes.
+/// Twice the two roundings, in two successive sweeps, of a stage that lies within a factor of two
+/// of the state: as a multiple of the smallest change that a displacement of the state by 2ε makes.
 const MARGIN: f64 = 4.0;
 
 /// Sweeps that are enough for a step of a usual length.
