@@ -327,7 +327,9 @@ pub fn is_as_promised(
     let (slack, covered) = (1.0 + 1e-12, reach(method) * duration);
     // Kicks are at most h g/L, and drifts follow from them; at 1e15 rad the angle moves in units of
     // its own rounding.
-    let omega = (start.omega.abs() + covered * pendulum.frequency_squared()) * slack;
+    // Among subnormal numbers each rounding is as large as the kick.
+    let omega =
+        (start.omega.abs() + covered * pendulum.frequency_squared()) * slack + f64::MIN_POSITIVE;
     let rounding = 1e-9 + 10.0 * f64::EPSILON * start.theta.abs();
     end.omega.abs() <= omega
         && (end.theta - start.theta).abs() <= covered * omega * slack + rounding
