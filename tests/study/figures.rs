@@ -824,6 +824,24 @@ fn every_figure_is_read_back() {
     }
 }
 
+/// A method has one colour in all figures, and two methods of one figure differ in theirs.
+///
+/// Catches: the styles of two methods exchanged in a figure, legend and all.
+#[test]
+fn a_method_looks_the_same_in_every_figure() {
+    let mut colours: BTreeMap<String, String> = BTreeMap::new();
+    let titles: BTreeSet<&str> = METHODS.iter().map(|method| title(*method)).collect();
+    for name in ["figure_2", "figure_3", "figure_4", "figure_7", "two_eulers", "level_curves"] {
+        for (label, looks) in Drawing::of(name).legend {
+            if titles.contains(label.as_str()) {
+                let colour = colours.entry(label.clone()).or_insert(looks[0].class.clone());
+                assert_eq!(*colour, looks[0].class, "{name}: {label}");
+            }
+        }
+    }
+    assert_eq!(colours.values().collect::<BTreeSet<_>>().len(), 4, "{colours:?}");
+}
+
 /// Figure 2 as it is, and spoilt in the ways of those who draw.
 ///
 /// Catches: a reader of drawings that sees what it expects.
