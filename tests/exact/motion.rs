@@ -1,6 +1,8 @@
 //! The exact solution against references of 25 digits and more, and against properties of every
 //! solution.
 
+use std::f64::consts::{FRAC_PI_2, PI};
+
 use approx::assert_relative_eq;
 use pendula::exact::{Swing, complete_elliptic_k, period};
 use pendula::{Error, Hamiltonian, Motion, MotionKind, Pendulum, Phase};
@@ -162,11 +164,11 @@ fn the_numbers_of_a_swing_are_right_relatively() {
         [-1.0, 0.479425538604203, 0.8775825618903728, 1.6749939160926133],
         [-3.1, 0.999783764189357, 0.020794827803092428, 5.2598059169883875],
         [-0.001, 0.0004999999791666669, 0.9999998750000026, 1.5707964249696726],
-        [1e-08, 5e-09, 1.0, 1.5707963267948966],
-        [-1e-160, 5e-161, 1.0, 1.5707963267948966],
-        [2.2250738585072014e-308, 1.1125369292536007e-308, 1.0, 1.5707963267948966],
+        [1e-08, 5e-09, 1.0, FRAC_PI_2],
+        [-1e-160, 5e-161, 1.0, FRAC_PI_2],
+        [2.2250738585072014e-308, 1.1125369292536007e-308, 1.0, FRAC_PI_2],
         [3.141592643589793, 1.0, 5.000000030844985e-09, 20.500122279463206],
-        [-3.141592653589793, 1.0, 6.123233995736766e-17, 38.718150554388814],
+        [-PI, 1.0, 6.123233995736766e-17, 38.718150554388814],
         [3.5, 0.9839859468739369, 0.17824605564949209, 3.12793329569683],
         [-7.0, 0.35078322768961984, 0.9364566872907963, 1.622777768438897],
         [100.0, 0.26237485370392877, 0.9649660284921133, 1.5989296090544474],
@@ -179,7 +181,7 @@ fn the_numbers_of_a_swing_are_right_relatively() {
         assert_relative_eq!(found, complement, epsilon = 0.0, max_relative = f64::EPSILON);
         assert_relative_eq!(swing.elliptic_k(), elliptic_k, max_relative = PERIOD_TOLERANCE);
         assert_relative_eq!(swing.period(), 2.0 * elliptic_k, max_relative = PERIOD_TOLERANCE);
-        let ratio = elliptic_k / std::f64::consts::FRAC_PI_2;
+        let ratio = elliptic_k / FRAC_PI_2;
         assert_relative_eq!(swing.ratio(), ratio, max_relative = PERIOD_TOLERANCE);
     }
 }
@@ -195,9 +197,9 @@ fn the_numbers_of_a_motion_are_right_relatively() {
         [-1.0, 0.5, 0.4954531734341099, 3.36661317030618],
         [-1.0, -0.5, 0.4954531734341099, 3.36661317030618],
         [0.0, -0.001, 0.00025, 3.14159270267718],
-        [1e-09, -2e-09, 7.071067811865476e-10, 3.141592653589793],
-        [0.0, 1e-300, 2.5e-301, 3.141592653589793],
-        [-1e-200, 3e-200, 9.013878188659973e-201, 3.141592653589793],
+        [1e-09, -2e-09, 7.071067811865476e-10, PI],
+        [0.0, 1e-300, 2.5e-301, PI],
+        [-1e-200, 3e-200, 9.013878188659973e-201, PI],
         [2.5, -3.9, 1.360586935029683, 1.388893567774905],
         [0.0, -4.0000001, 1.000000025, 9.791915659327922],
         [-3.0, 50.0, 12.539736689751512, 0.12546536741066877],

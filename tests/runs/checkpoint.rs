@@ -173,8 +173,8 @@ where
         let counted = run.evaluations() + later.evaluations();
         let info = method.info();
         if !info.implicit {
-            let declared = STEPS * u64::from(info.force_evaluations);
-            assert_eq!(counted, declared + u64::from(info.start_evaluations));
+            let declared = STEPS * info.force_evaluations;
+            assert_eq!(counted, declared + info.start_evaluations);
         }
         if !scaled {
             let counting = Counting::new(pendulum);

@@ -276,25 +276,17 @@ impl Drawing {
             let (left, top) = (number("x") + 2.0, number("y") + 2.0);
             let (right, bottom) = (left + number("width") - 4.0, top + number("height") - 4.0);
             let inside = &nodes[*start..end];
-            let texts = |nodes: &[Node]| -> Vec<(f64, f64, String, String)> {
-                let texts = nodes.iter().filter(|node| node.tag_name().name() == "text");
-                texts
-                    .map(|node| {
-                        let at = |name| node.attribute(name).unwrap().parse::<f64>().unwrap();
-                        let anchor = node.attribute("text-anchor").unwrap_or("start");
-                        (at("x"), at("y"), anchor.to_string(), text(*node))
-                    })
-                    .collect()
-            };
             let since = if i == 0 { after_legend } else { starts[i - 1] };
-            let heading = texts(&nodes[since..*start]).into_iter().filter(|(_, y, anchor, _)| {
+            let heading = Label::all(&nodes[since..*start]).into_iter().filter(|label| {
                 let above = panels.last().filter(|last| last.top < top - 1.0);
-                anchor == "start" && *y < top && above.is_none_or(|last| *y > last.bottom)
+                label.anchor == "start"
+                    && label.y < top
+                    && above.is_none_or(|last| label.y > last.bottom)
             });
-            let heading = heading.map(|text| text.3).collect::<Vec<_>>().join(" | ");
-            let labels = texts(inside);
-            let label = |near: &dyn Fn(&(f64, f64, String, String)) -> bool| {
-                labels.iter().find(|text| near(text)).and_then(|text| value_of(&text.3))
+            let heading = heading.map(|label| label.text).collect::<Vec<_>>().join(" | ");
+            let labels = Label::all(inside);
+            let label = |near: &dyn Fn(&Label) -> bool| {
+                labels.iter().find(|label| near(label)).and_then(|label| value_of(&label.text))
             };
             let axis = inside.iter().find(|node| node.attribute("class") == Some("axis"));
             let (mut x_ticks, mut y_ticks) = (Vec::new(), Vec::new());
@@ -303,16 +295,16 @@ impl Drawing {
                 match (command, &numbers[..]) {
                     ('M', [x, y]) => at = (*x, *y),
                     ('v', [6.0]) => {
-                        let near = label(&|(x, y, anchor, _)| {
-                            anchor == "middle"
-                                && (y - bottom - 22.0).abs() < 0.2
-                                && (x - at.0).abs() < 20.0
+                        let near = label(&|label| {
+                            label.anchor == "middle"
+                                && (label.y - bottom - 22.0).abs() < 0.2
+                                && (label.x - at.0).abs() < 20.0
                         });
                         x_ticks.extend(near.map(|(value, power)| (at.0, value, power)));
                     }
                     ('h', [-6.0]) => {
-                        let near = label(&|(_, y, anchor, _)| {
-                            anchor == "end" && (y - at.1 - 6.0).abs() < 0.2
+                        let near = label(&|label| {
+                            label.anchor == "end" && (label.y - at.1 - 6.0).abs() < 0.2
                         });
                         y_ticks.extend(near.map(|(value, power)| (at.1, value, power)));
                     }
@@ -327,6 +319,28 @@ impl Drawing {
             panels.push(Panel { heading, left, top, right, bottom, x, y, drawn });
         }
         Self { legend, panels }
+    }
+}
+
+/// A text, and where it stands.
+struct Label {
+    x: f64,
+    y: f64,
+    /// `start`, `middle` or `end`.
+    anchor: String,
+    text: String,
+}
+
+impl Label {
+    fn all(nodes: &[Node]) -> Vec<Self> {
+        let texts = nodes.iter().filter(|node| node.tag_name().name() == "text");
+        texts
+            .map(|node| {
+                let at = |name| node.attribute(name).unwrap().parse().unwrap();
+                let anchor = node.attribute("text-anchor").unwrap_or("start").to_string();
+                Self { x: at("x"), y: at("y"), anchor, text: text(*node) }
+            })
+            .collect()
     }
 }
 

@@ -65,14 +65,14 @@ fn the_hamiltonian_is_the_energy_of_the_bobs() {
     assert_eq!(unequal().energy(DoublePhase::default()), 0.0);
 }
 
-/// Velocities that become momenta and velocities again, over all ratios of the masses, with the rods
-/// in line or nearly so, where the momenta are hardest to undo; or a refusal.
+/// Velocities that become momenta and velocities again, over all ratios of the masses, with the
+/// rods in line or nearly so, where the momenta are hardest to undo; or a refusal.
 ///
 /// With u = ε/2, r = m₂/m₁ and V = L₁|ω₁| + L₂|ω₂|: each momentum is a sum of products of six
 /// factors at most, p₁/L₁ ≤ (m₁ + m₂)V off by 5u of that, and p₂/L₂ ≤ m₂V by 5u; the numerator of a
 /// velocity doubles that and adds 3u for its own products; the denominator, m₁ + m₂ sin² Δ, is off
-/// by 7u(m₁ + m₂), as sin² Δ + cos² Δ = 1 only to rounding; and all is divided by m₁: 32u(1 + r)V at
-/// most. Where m₁ is the larger the same holds without r.
+/// by 7u(m₁ + m₂), as sin² Δ + cos² Δ = 1 only to rounding; and all is divided by m₁: 32u(1 + r)V
+/// at most. Where m₁ is the larger the same holds without r.
 ///
 /// Catches: velocities that are lost in momenta of the other bob, and printed as if they were right
 /// (ω₂ = 0.5058 for 0.5); a limit on the wrong ratio; a conversion that loses more than it must.
@@ -87,7 +87,8 @@ fn velocities_survive_as_momenta() {
         ] {
             let joints = [Joint { length: l1, mass: m1 }, Joint { length: l2, mass: m2 }];
             let double = DoublePendulum::new(9.81, joints[0], joints[1]);
-            // The ratios are off by a few roundings; that of the limit itself may be on either side.
+            // The ratios are off by a few roundings; that of the limit itself may be on either
+            // side.
             if exponent > 6 {
                 let refused = double.unwrap_err().to_string();
                 assert!(refused.contains("m₂/m₁") && refused.contains("at most 1e6"), "{refused}");

@@ -214,7 +214,8 @@ mod tests {
         words
     }
 
-    /// Numbers from all over the range of f64, by their bits; both zeros, the smallest, the largest.
+    /// Numbers from all over the range of f64, by their bits; both zeros, the smallest, the
+    /// largest.
     fn all_sorts_of_numbers() -> impl Iterator<Item = f64> {
         let special = [0.0, 5e-324, f64::MIN_POSITIVE, 0.5, 1e-3, 0.1, 1e16, 1e15, f64::MAX];
         let mut bits = 1_u64;

@@ -1,11 +1,11 @@
 //! What the binary `pendula` does, as a library, so that its integration tests can call it.
 //!
 //! In reading order: the command line ([`cli`], [`commands`]), the book on disk ([`locate`]),
-//! building it ([`build`]), and what turns a chapter's source into what mdBook renders
-//! ([`preprocess`], with the paper's values from [`ledger`]), and what a browser may do on a page
-//! ([`policy`]). What moved in the snapshots is [`review`], and what the judge says of a program
-//! that is not ours is [`verify`]; their pages share [`page`]. What depends on the reader's machine,
-//! and so is in no snapshot, is [`work_precision`]. Whatever touches a file does so through `files`.
+//! building it ([`build`]), what turns a chapter's source into what mdBook renders ([`preprocess`],
+//! with the paper's values from [`ledger`]), and what a browser may do on a page ([`policy`]). What
+//! moved in the snapshots is [`review`], and what the judge says of a program that is not ours is
+//! [`verify`]; their pages share [`page`]. What depends on the reader's machine, and so is in no
+//! snapshot, is [`work_precision`]. Whatever touches a file does so through `files`.
 
 pub mod build;
 pub mod cli;

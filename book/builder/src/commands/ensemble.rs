@@ -239,8 +239,7 @@ impl Printer {
         if let Some(largest) = largest {
             let MethodInfo { implicit, force_evaluations, start_evaluations, .. } =
                 self.runner.info();
-            let evaluations =
-                steps * u64::from(force_evaluations) + runs * u64::from(start_evaluations);
+            let evaluations = steps * force_evaluations + runs * start_evaluations;
             // The sweeps of an iteration are not counted in a sweep of runs: one a step is certain.
             let least = if implicit { "at least " } else { "" };
             let evaluations = format!("{least}{evaluations}");

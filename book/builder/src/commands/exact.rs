@@ -46,8 +46,8 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
     {
         let horizon = motion.horizon();
         return Err(Failure::refused(format!(
-            "t = {t:?} s is refused: it must be a number of at most {horizon:e} s in size, beyond which \
-             neighbouring f64s are a quarter of a period apart, or more"
+            "t = {t:?} s is refused: it must be a number of at most {horizon:e} s in size, beyond \
+             which neighbouring f64s are a quarter of a period apart, or more"
         )));
     }
     let mut rows = Rows::begin(out, arguments.format, ["t", "theta", "omega"])?;

@@ -331,7 +331,8 @@ impl<P: DeserializeOwned + Serialize> Kept<P> {
         };
         let Some(path) = state else {
             return Ok(Failure::Failed(anyhow::anyhow!(
-                "interrupted {stands}; with --output FILE or --state FILE it could have been resumed"
+                "interrupted {stands}; with --output FILE or --state FILE it could have been \
+                 resumed"
             )));
         };
         let command = self.command;

@@ -27,7 +27,8 @@ pub struct Arguments {
     #[arg(long, value_name = "CLAIMS", default_value_t, hide_default_value = true)]
     claims: Claims,
     /// How long to wait for an answer (s)
-    #[arg(long, value_name = "S", default_value_t = 10.0, value_parser = number, allow_hyphen_values = true)]
+    #[arg(long, value_name = "S", default_value_t = 10.0, value_parser = number,
+        allow_hyphen_values = true)]
     patience: f64,
     /// How the report is printed
     #[arg(long, value_enum, default_value_t)]

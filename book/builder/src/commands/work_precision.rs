@@ -27,7 +27,8 @@ pub struct Arguments {
     #[arg(long, value_enum, default_value_t)]
     format: TableFormat,
     /// Measure for at most about this long (s): the longer, the smaller the smallest errors
-    #[arg(long, value_name = "S", default_value_t = 15.0, value_parser = number, allow_hyphen_values = true)]
+    #[arg(long, value_name = "S", default_value_t = 15.0, value_parser = number,
+        allow_hyphen_values = true)]
     seconds: f64,
     /// Write work-precision.svg and work-precision.csv to this folder instead of the one where the
     /// book looks for them

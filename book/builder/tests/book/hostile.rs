@@ -1,5 +1,5 @@
-//! What others wrote: chapters, books and numbers that nobody has looked at. Whatever they are, there
-//! is an answer or a reason in one line, and no panic.
+//! What others wrote: chapters, books and numbers that nobody has looked at. Whatever they are,
+//! there is an answer or a reason in one line, and no panic.
 //!
 //! The cases are the same on each run; those that failed once are kept beside this file, and tried
 //! first. `PROPTEST_CASES=100000 cargo test -p pendula-book --test book hostile` tries more.
@@ -501,7 +501,8 @@ proptest! {
             let said: Vec<_> = words[1..last].iter().map(|word| finite(word)).collect();
             prop_assert_eq!(read, said);
             prop_assert!(steps % every == 0 && every > 0 && step != 0.0);
-            prop_assert_eq!(words[last..].iter().map(|w| w.parse().ok()).collect::<Vec<_>>(), [Some(steps), Some(every)]);
+            let counts: Vec<_> = words[last..].iter().map(|word| word.parse().ok()).collect();
+            prop_assert_eq!(counts, [Some(steps), Some(every)]);
             prop_assert_eq!(question(&request.to_string()), Ok(Question::Run(request)));
         }
     }
@@ -553,7 +554,8 @@ proptest! {
     #[test]
     fn a_cell_is_the_number_that_it_prints(word in word(), remark in "[ ±(a-z)0-9]{0,8}") {
         if let Some(parsed) = number::parse(&word) {
-            prop_assert_eq!(word.parse::<f64>().ok().map(f64::to_bits), Some(parsed.value.to_bits()));
+            let value = word.parse::<f64>().ok();
+            prop_assert_eq!(value.map(f64::to_bits), Some(parsed.value.to_bits()));
             prop_assert!(parsed.half_unit >= 0.0);
         }
         let cell = format!("{} {remark}", word.replace('-', "−"));
@@ -612,7 +614,8 @@ proptest! {
         match program.run(&request) {
             Ok(reply) => {
                 prop_assert_eq!(reply.states.len(), 1);
-                prop_assert!(reply.states[0].theta.is_finite() && reply.states[0].omega.is_finite());
+                let Phase { theta, omega } = reply.states[0];
+                prop_assert!(theta.is_finite() && omega.is_finite());
             }
             Err(Fault::Refused(why) | Fault::Broken(why)) => {
                 prop_assert_eq!(why.lines().count(), 1, "{}", why);

@@ -113,9 +113,9 @@ fn rows_of_the_loop(method: &str, steps: u64, every: u64) -> String {
     let start = Phase { theta: -2.5, omega: 0.3 };
     let mut csv = "t,theta,omega,energy\n".to_owned();
     let mut watch = |n: u64, t: f64, z: Phase| {
-        if n % every == 0 {
+        if n.is_multiple_of(every) {
             let energy = pendulum.energy_from_pivot(z);
-            let row = [t, z.theta, z.omega, energy].map(|x| ryu_text(x)).join(",");
+            let row = [t, z.theta, z.omega, energy].map(ryu_text).join(",");
             csv += &(row + "\n");
         }
     };
@@ -191,10 +191,12 @@ fn every_kind_of_run_can_be_resumed() {
     let rest = ["--dt", "0.05", "--duration", "0.3"];
     let large = ["simulate", "--method", "stormer-verlet", "--theta0", "2e6", "--every", "4"];
     let double = words(
-        "double-pendulum --theta1 2 --theta2 -0.5 --omega2 1.5 --mass1 0.7 --length2 0.6 --gravity 3",
+        "double-pendulum --theta1 2 --theta2 -0.5 --omega2 1.5 --mass1 0.7 --length2 0.6 \
+         --gravity 3",
     );
     let angles = words(
-        "ensemble --method rk4 --theta0 -1:2:7 --omega0 0.5 --dt 0.1 --duration 0.4 --gravity 5 --length 2 --mass 3",
+        "ensemble --method rk4 --theta0 -1:2:7 --omega0 0.5 --dt 0.1 --duration 0.4 --gravity 5 \
+         --length 2 --mass 3",
     );
     let steps =
         words("ensemble --method gauss-4 --theta0 1 --dt 0.1:0.01:7 --duration 0.4 --format json");
@@ -371,7 +373,8 @@ fn a_summary_says_what_the_run_was_like() {
     let start = Phase { theta: 2.0, omega: 0.5 };
     let grid = Grid::new(0.05, 110).unwrap();
     let run = words(
-        "simulate --method stormer-verlet --theta0 2 --omega0 0.5 --gravity 5 --length 2 --mass 3 --dt 0.05 --steps 110 --every 40",
+        "simulate --method stormer-verlet --theta0 2 --omega0 0.5 --gravity 5 --length 2 --mass 3 \
+         --dt 0.05 --steps 110 --every 40",
     );
     let mut drift = EnergyDrift::new(&pendulum);
     let end = integrate_fast(&pendulum, &StormerVerlet, start, &grid, &mut drift);
@@ -589,7 +592,8 @@ fn a_signal_leaves_standard_output_whole() {
 #[test]
 fn the_rows_before_a_failure_are_printed() {
     let falls_apart = words(
-        "double-pendulum --theta1 20 --theta2 12 --mass2 1e6 --gravity 3.08 --dt 0.01 --duration 9.76",
+        "double-pendulum --theta1 20 --theta2 12 --mass2 1e6 --gravity 3.08 --dt 0.01 \
+         --duration 9.76",
     );
     let overflows = words("simulate --method forward-euler --theta0 1 --dt 1e200 --steps 9");
     let unsolved = words("simulate --method gauss-4 --theta0 1 --dt 5 --steps 9");
