@@ -88,15 +88,14 @@ impl Checkpoint {
         let until = until.min(grid.steps());
         // The next sample to be observed. The largest u64 is beyond every grid.
         let mut next = (n - n % every).saturating_add(every);
-        while n < until && !observer.is_satisfied() {
-            let stop = next.min(until);
-            while n < stop {
-                z = method.step(system, grid.time(n), h, z, &mut carry);
-                n += 1;
-            }
+        let mut satisfied = observer.is_satisfied();
+        while n < until && !satisfied {
+            z = method.step(system, grid.time(n), h, z, &mut carry);
+            n += 1;
             if n == next {
                 observer.observe(n, grid.time(n), z);
                 next = next.saturating_add(every);
+                satisfied = observer.is_satisfied();
             }
         }
         *self = Self::of(n, z, carry);
