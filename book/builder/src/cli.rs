@@ -221,9 +221,8 @@ mod tests {
         let mut bits = 1_u64;
         let any = std::iter::repeat_with(move || {
             // Knuth's generator, of which every bit pattern is a number.
-            bits = bits
-                .wrapping_mul(6_364_136_223_846_793_005)
-                .wrapping_add(1_442_695_040_888_963_407);
+            bits = bits.wrapping_mul(6_364_136_223_846_793_005);
+            bits = bits.wrapping_add(1_442_695_040_888_963_407);
             f64::from_bits(bits)
         });
         special.into_iter().chain(any.filter(|x| x.is_finite()).take(40)).flat_map(|x| [x, -x])
