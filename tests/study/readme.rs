@@ -32,6 +32,13 @@ fn the_number_of_claims_is_that_of_the_ledger() {
     assert!(read("README.md").contains(&says), "the README does not say {says}");
 }
 
+/// Catches: a release whose citation names the one before.
+#[test]
+fn the_citation_is_of_this_version() {
+    let says = concat!("\nversion: ", env!("CARGO_PKG_VERSION"), "\n");
+    assert!(read("CITATION.cff").contains(says), "CITATION.cff does not say{says}");
+}
+
 /// The picture is Figure 2 in a file of its own, as a README cannot include a snapshot. To
 /// regenerate it, run this test with `INSTA_UPDATE=always`, as for the snapshots.
 ///

@@ -134,6 +134,31 @@ fn hashes_of_the_bits_of_a_million_steps() {
     assert_reviewed("bits");
 }
 
+/// The table between the anchors of a snapshot's file.
+fn table_of(stem: &str) -> Table {
+    let text = fs::read_to_string(at_root(&format!("snapshots/{stem}.snap"))).expect("a snapshot");
+    let inner = text.split_once(" -->\n").expect("an anchor").1;
+    let inner = inner.split_once("<!-- ANCHOR_END").expect("an anchor").0;
+    Table::from_markdown(inner).expect("a table")
+}
+
+/// The table is made by `.ci/processors --record`, in minutes: here it is compared with the
+/// snapshot whose hashes it counts.
+///
+/// Catches: a processor that computed other bits, or fewer results than there are by now; a table
+/// that was recorded without one of the processors.
+#[test]
+fn every_processor_had_every_hash() {
+    let (processors, hashes) = (table_of("4_processors"), table_of("3_bits").rows().len());
+    for row in processors.rows() {
+        assert_eq!(row.last(), Some(&format!("{hashes} of {hashes}")), "{row:?}");
+    }
+    let names: Vec<&str> = processors.rows().iter().map(|row| row[0].as_str()).collect();
+    let expected = ["x86_64", "x86_64", "x86_64", "x86", "aarch64", "riscv64", "s390x", "wasm32"];
+    assert_eq!(names, expected);
+    assert!(processors.rows().iter().any(|row| row[0] == "s390x" && row[1] == "big"));
+}
+
 /// Catches: a snapshot that `pendula review` would not show, and one of that list without a test.
 #[test]
 fn the_list_of_snapshots_is_the_folder() {
@@ -184,10 +209,7 @@ fn patches() -> Vec<(String, String)> {
 /// knob that is not in the table, or no longer exists.
 #[test]
 fn no_snapshot_is_moved_by_nothing() {
-    let text = fs::read_to_string(at_root("snapshots/4_what_moves_when.snap")).expect("the table");
-    let inner = text.split_once("ANCHOR: table -->\n").expect("an anchor").1;
-    let inner = inner.split_once("<!-- ANCHOR_END").expect("an anchor").0;
-    let table = Table::from_markdown(inner).expect("a table");
+    let table = table_of("4_what_moves_when");
     let columns: Vec<&String> = table.header().iter().skip(1).collect();
     assert_eq!(columns, patches().iter().map(|(name, _)| name).collect::<Vec<_>>());
     let mut rows: Vec<String> = table.rows().iter().map(|row| row[0].replace('`', "")).collect();
