@@ -43,6 +43,8 @@ pub struct WholeFolder {
     /// Where it is written.
     work: PathBuf,
     lock: Lock,
+    /// Whether there is nothing left to remove.
+    is_tidy: bool,
 }
 
 impl WholeFolder {
@@ -62,7 +64,7 @@ impl WholeFolder {
             [OsStr::new("."), name, OsStr::new(".building")].into_iter().collect::<OsString>();
         let (target, work) = (parent.join(name), parent.join(work));
         let lock = lock(&work, path)?;
-        let folder = Self { target, work, lock };
+        let folder = Self { target, work, lock, is_tidy: false };
         folder.clear().with_context(|| format!("{} cannot be cleared", folder.work.display()))?;
         folder.note("").with_context(cannot)?;
         folder.own_files(&folder.target)?;
@@ -79,7 +81,7 @@ impl WholeFolder {
     /// # Errors
     /// If that fails; the old one is then as it was, or the new one is there and only remains of
     /// the old one could not be removed.
-    pub fn replace(self) -> Result<PathBuf> {
+    pub fn replace(mut self) -> Result<PathBuf> {
         let (new, target) = (self.path(), &self.target);
         let cannot = || format!("{} cannot be written", target.display());
         list_files(&new).with_context(cannot)?;
@@ -97,7 +99,8 @@ impl WholeFolder {
         self.tidy().with_context(|| {
             format!("{} is new, but {} cannot be removed", target.display(), self.work.display())
         })?;
-        Ok(target.clone())
+        self.is_tidy = true;
+        Ok(self.target.clone())
     }
 
     /// The new folder and the old one change places.
@@ -190,6 +193,9 @@ impl WholeFolder {
 impl Drop for WholeFolder {
     /// Removes what was written, unless that fails: then the next builder does.
     fn drop(&mut self) {
+        if self.is_tidy {
+            return;
+        }
         let lock = self.work.join("lock");
         // Without its lock the folder may be another builder's by now; that one is not empty.
         let _ = match self.lock.is_at(&lock) {
