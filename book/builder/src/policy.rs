@@ -8,7 +8,6 @@
 //! the cells of a table their alignment, both as attributes, which no hash can name.
 
 use std::collections::BTreeSet;
-use std::fs;
 use std::path::Path;
 
 use anyhow::{Context, Result};
@@ -16,22 +15,24 @@ use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
 use sha2::{Digest, Sha256};
 
+use crate::files;
+
 /// The line after which mdBook's pages have their policy.
 const CHARSET: &str = "<meta charset=\"UTF-8\">";
 
-/// Gives a policy to every page in `folder`.
+/// Gives a policy to every page in `folder`, which nobody reads yet.
 ///
 /// # Errors
 /// If a page cannot be read or written, or has no place for the policy.
 pub fn impose(folder: &Path) -> Result<()> {
-    for entry in fs::read_dir(folder).with_context(|| folder.display().to_string())? {
-        let path = entry?.path();
-        if path.is_dir() {
+    for path in files::list(folder).with_context(|| folder.display().to_string())? {
+        let name = || path.display().to_string();
+        if files::is_folder(&path).with_context(name)? {
             impose(&path)?;
         } else if path.extension().is_some_and(|extension| extension == "html") {
-            let name = || path.display().to_string();
-            let page = fs::read_to_string(&path).with_context(name)?;
-            fs::write(&path, with_policy(&page).with_context(name)?).with_context(name)?;
+            let page = files::read_to_string(&path).with_context(name)?;
+            let page = with_policy(&page).with_context(name)?;
+            files::write_in_private(&path, &page).with_context(name)?;
         }
     }
     Ok(())

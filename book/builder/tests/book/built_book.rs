@@ -210,12 +210,13 @@ fn every_file_of_tests_is_listed_in_its_program() {
         let listed_in = |list: PathBuf, line: &str| read(list).lines().any(|l| l == line);
         let module = |folder: &Path, name: &str| {
             let line = format!("mod {name};");
-            ["main.rs", "mod.rs"].into_iter().any(|list| {
+            ["main.rs", "mod.rs", "lib.rs"].into_iter().any(|list| {
                 let list = top.join("tests").join(folder).join(list);
                 listed_in(list.clone(), &line) || listed_in(list, &format!("pub {line}"))
             })
         };
         let listed = match stem {
+            "main" | "lib" if top.join("tests").join(folder).join("Cargo.toml").exists() => true,
             "main" => manifests.contains(&format!("tests/{}", file.display())),
             "mod" => module(folder.parent()?, folder.file_name()?.to_str()?),
             // Files shared by several programs are included by `#[path]`.

@@ -173,7 +173,7 @@ fn the_page_is_whole_and_needs_nothing_else() {
         "id=\"new-fig-figure-2\"",
         "review --accept table_4 ledger_cells",
         "* Störmer–Verlet: energy error over 50 s (Table 4): 1 value, +1.32 %",
-        "* Störmer–Verlet: other last digits, because …. Moved: ",
+        "* stormer-verlet in steps: other last digits, because …. Moved: ",
     ] {
         assert!(html.contains(part), "the page lacks {part}");
     }
