@@ -72,9 +72,7 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
         TableFormat::Csv => {
             writeln!(out, "id,stated,measured,verdict")?;
             for claim in cells() {
-                let [stated, measured] =
-                    [stated(claim), measured(claim)].map(|value| plain(&value));
-                writeln!(out, "{},{stated},{measured},{}", claim.id, claim.judged())?;
+                writeln!(out, "{}", line(claim))?;
             }
         }
     }
@@ -89,6 +87,12 @@ pub fn cell(claim: &Claim) -> Value {
         "measured": measured(claim),
         "verdict": claim.judged().to_string(),
     })
+}
+
+/// A cell as a line of CSV.
+fn line(claim: &Claim) -> String {
+    let [stated, measured] = [stated(claim), measured(claim)].map(|value| plain(&value));
+    format!("{},{stated},{measured},{}", claim.id, claim.judged())
 }
 
 fn stated(claim: &Claim) -> Value {
@@ -112,5 +116,35 @@ fn plain(value: &Value) -> String {
         Value::Null => String::new(),
         Value::String(text) => text.clone(),
         other => other.to_string(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use pendula_study::claims::{Tolerance, Verdict};
+    use pendula_study::digits::Digits;
+
+    use super::*;
+
+    /// On record it is reproduced; its measurement says that it is not.
+    ///
+    /// Catches: the verdict on record, printed for a claim whose measurement no longer supports it.
+    #[test]
+    fn a_contradicted_cell_is_wrong_in_every_format() {
+        let claim = Claim {
+            id: "T4.rk4.0.01".to_string(),
+            place: "Table 4",
+            gist: String::new(),
+            definition: "",
+            stated: Some("2.5"),
+            measured: Measured::Number(3.5, Digits::Fixed(1)),
+            tolerance: Tolerance::Decided(false),
+            verdict: Verdict::Reproduced,
+            because: "",
+        };
+        let expected =
+            json!({"id": "T4.rk4.0.01", "stated": 2.5, "measured": 3.5, "verdict": "wrong"});
+        assert_eq!(cell(&claim), expected);
+        assert_eq!(line(&claim), "T4.rk4.0.01,2.5,3.5,wrong");
     }
 }
