@@ -239,8 +239,9 @@ mod tests {
         found.filter_map(|s| quote("c", &s, &before, &now, std::slice::from_ref(&moved))).collect()
     }
 
-    /// Catches: a directive whose value moved and is not found, one whose value did not and is, and
-    /// a sentence cut short at a line's end or an abbreviation of numbers.
+    /// Catches: a directive whose value moved and is not found, one whose value did not and is, a
+    /// sentence cut short at a line's end or an abbreviation of numbers, and a heading taken for
+    /// its chapter.
     #[test]
     fn a_directive_quotes_its_claim() {
         let quotes = quoted(
@@ -248,6 +249,7 @@ mod tests {
              Stated is {{stated T4.vv.0.1}}.\n",
         );
         assert_eq!(quotes.len(), 1, "{quotes:?}");
+        assert_eq!(quotes[0].chapter, "c");
         assert_eq!(quotes[0].sentence, "It is 1.2 × 10⁻¹ J, and wrong.");
         assert_eq!(quotes[0].moved, ["1.1 × 10⁻¹ → 1.2 × 10⁻¹", "reproduced → wrong"]);
         assert_eq!(
