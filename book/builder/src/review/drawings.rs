@@ -264,6 +264,27 @@ mod tests {
         assert_eq!(moved("m5,5h0m7,0h0", "M5,5h0M12,6h0"), 1.0);
     }
 
+    /// Shapes that look alike are compared together, in the order of their classes.
+    ///
+    /// Catches: the displacement of the last kind of shape, or of the first, taken for that of the
+    /// whole figure.
+    #[test]
+    fn one_kind_of_shape_that_moves_is_enough() {
+        let drawn = |line: f64, others: f64| {
+            let mut figure = figure(&format!("M0,{line}h20"), "a");
+            for class in ["dot", "mark"] {
+                let path = format!("<path class=\"{class}\" d=\"M50,{others}v9\"/><text");
+                figure = figure.replace("<text", &path);
+            }
+            figure
+        };
+        for after in [drawn(5.0, 0.0), drawn(0.0, 5.0)] {
+            let difference = compare(&drawn(0.0, 0.0), &after, false).unwrap();
+            assert!(difference.visible && difference.notes.is_empty(), "{difference:?}");
+            assert_eq!(difference.displacement, Some(5.0));
+        }
+    }
+
     /// Catches: a label, a caption or a line that appears unseen where no line moves.
     #[test]
     fn what_is_written_is_compared_too() {
