@@ -278,3 +278,61 @@ fn listed(names: &[String], few: usize) -> String {
         more => format!("{shown} and {more} more"),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::causes::{Cause, Group, Item};
+    use super::super::cells::Cell;
+    use super::*;
+
+    /// A group whose numbers change by so much.
+    fn group(changes: &[(&str, f64)]) -> Group {
+        let item = |&(label, change): &(&str, f64)| {
+            let cell = Cell {
+                snapshot: "table_4".to_string(),
+                row: label.to_string(),
+                repetition: 0,
+                position: (0, 1),
+                column: "ΔH (J)".to_string(),
+                old: None,
+                new: None,
+            };
+            Item {
+                label: label.to_string(),
+                claim: None,
+                shown: cell,
+                also: Vec::new(),
+                change: Some(change),
+                theory: None,
+                paper: None,
+            }
+        };
+        let cause = Cause { method: None, quantity: "energy" };
+        Group { cause, items: changes.iter().map(item).collect() }
+    }
+
+    /// Catches: the largest increase taken for the largest change; that of a group's first number,
+    /// or of the first group.
+    #[test]
+    fn the_largest_change_may_be_a_decrease() {
+        let groups = vec![group(&[("first", 0.2)]), group(&[("half", -0.5), ("last", 0.001)])];
+        assert_eq!(groups[1].largest_change(), Some(-0.5));
+        let review = Review {
+            versions: ["then".to_string(), "now".to_string()],
+            count: 1,
+            snapshots: Vec::new(),
+            groups,
+            claims: Vec::new(),
+            figures: Vec::new(),
+            bits: Vec::new(),
+            quotes: Vec::new(),
+            warnings: Vec::new(),
+            predictions: [Vec::new(), Vec::new()],
+            acceptable: false,
+        };
+        let said = cells(&review).unwrap().text;
+        let expected =
+            "3 quantities moved, for 2 causes, the largest change −50.0 % (Energy, half).";
+        assert_eq!(said, expected);
+    }
+}
