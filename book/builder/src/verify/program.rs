@@ -131,7 +131,7 @@ impl Stranger for Program {
             steps *= 5;
             (answered, took) = timed(steps);
         }
-        ((steps as f64 * 0.25 * patience / took) as u64).max(1)
+        longest(steps, took, patience)
     }
 
     fn run(&self, request: &Request) -> Result<Reply, Fault> {
@@ -171,6 +171,12 @@ impl Stranger for Program {
         });
         answer.map_err(Fault::Broken)?
     }
+}
+
+/// As many steps as take a quarter of `patience` (s), where `steps` of them took `took` (s); at
+/// least one.
+fn longest(steps: u64, took: f64, patience: f64) -> u64 {
+    ((steps as f64 * 0.25 * patience / took) as u64).max(1)
 }
 
 /// Why an answer cannot be used.
@@ -366,6 +372,18 @@ fn escaped(c: char) -> impl Iterator<Item = char> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// All numbers are such that each product and quotient is exact.
+    ///
+    /// Catches: a patience that is ignored, so that a longer one lengthens no run and a shorter one
+    /// makes a program late; a time for one step taken for that of all; a run of no step.
+    #[test]
+    fn a_run_takes_a_quarter_of_the_patience() {
+        assert_eq!(longest(200, 1.0, 10.0), 500);
+        assert_eq!([2.0, 20.0].map(|patience| longest(200, 0.5, patience)), [200, 2000]);
+        assert_eq!(longest(100_000, 0.25, 10.0), 1_000_000);
+        assert_eq!(longest(200, 1024.0, 2.0), 1);
+    }
 
     /// Catches: an escape sequence that reaches the terminal, a fault of megabytes, a blank lost.
     #[test]
