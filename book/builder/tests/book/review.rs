@@ -1,5 +1,6 @@
 //! `pendula review`: what it says of changes that are known, and how it fails.
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -12,6 +13,7 @@ use pendula_book::review::working_tree::{WorkingTree, contents};
 use pendula_book::review::{Review, markdown, page, text};
 use tempfile::TempDir;
 
+use crate::chapters::chapters;
 use crate::pages::Page;
 
 fn root() -> PathBuf {
@@ -108,6 +110,33 @@ fn each_quantity_is_shown_once() {
     assert_eq!(also, ["predictions", "ledger_cells"]);
 }
 
+/// Forward Euler's gain in the long run is quoted in several chapters.
+///
+/// Catches: a quote whose place is no file, or a line of it where another sentence stands; a
+/// chapter that quotes what moved and is overlooked.
+#[test]
+fn a_quote_stands_where_it_says() {
+    let review = review(&[("ledger_cells", "481.797 | reproduced |", "482.001 | reproduced |")]);
+    let mut quoting = BTreeSet::new();
+    for quote in &review.quotes {
+        let source = root().join("book/src").join(&quote.chapter).with_extension("md");
+        let source = fs::read_to_string(&source).unwrap_or_else(|_| panic!("no {source:?}"));
+        let heading =
+            source.lines().find(|line| line.starts_with('#') && line.ends_with(&quote.heading));
+        assert!(heading.is_some(), "{quote:?}");
+        // The line where it begins, and the next, without what the quote leaves out.
+        let lines = source.lines().skip(quote.line - 1).take(2).collect::<Vec<_>>().join(" ");
+        let lines = lines.replace(['*', '[', ']'], "");
+        let begins = quote.sentence.split(' ').take(3).collect::<Vec<_>>().join(" ");
+        assert!(lines.contains(&begins), "{quote:?}\n{lines}");
+        quoting.insert(quote.chapter.clone() + ".md");
+    }
+    let quotes = |text: &str| text.contains("{{measured T5.fe.dH}}");
+    let expected = chapters().into_iter().filter(|(_, text)| quotes(text)).map(|(file, _)| file);
+    assert_eq!(quoting, expected.collect());
+    assert!(quoting.len() > 1, "{quoting:?}");
+}
+
 /// Catches: a claim that turns unseen, and one whose reason alone was changed taken for one that
 /// turned.
 #[test]
@@ -149,8 +178,9 @@ fn nothing_moves_by_nothing() {
     assert_eq!(said(&review, Weight::Calm), [nothing]);
 }
 
-/// Catches: a page that is not HTML, loads something, uses an id twice, or leaves out a figure, a
-/// table or a command; text and Markdown that leave out what the page shows.
+/// Catches: a page that is not HTML, loads something, uses an id twice, leaves out a figure, a
+/// table or a command, or shows a drawing in the other's place; text and Markdown that leave out
+/// what the page shows.
 #[test]
 fn the_page_is_whole_and_needs_nothing_else() {
     let mut review = review(&[
@@ -167,6 +197,13 @@ fn the_page_is_whole_and_needs_nothing_else() {
     let loaded = parsed.references.iter().find(|(tag, _)| tag != "a");
     assert!(loaded.is_none() && !html.contains("@import"), "{loaded:?}");
     assert!(html.contains("default-src 'none'"));
+    let drawn = |id: &str| {
+        let (_, drawing) = html.split_once(id).unwrap_or_else(|| panic!("no {id}"));
+        let (drawing, _) = drawing.split_once("</svg>").unwrap();
+        ["M556.4,171.1l", "M556.4,171.3l"].map(|path| drawing.contains(path))
+    };
+    assert_eq!(drawn("id=\"old-fig-figure-2\""), [true, false]);
+    assert_eq!(drawn("id=\"new-fig-figure-2\""), [false, true]);
     for part in [
         "Störmer–Verlet: energy error over 50 s (Table 4)",
         "id=\"old-fig-figure-3\"",
