@@ -130,6 +130,16 @@ mod tests {
         assert!(svg.contains("run time (s), an abacus") && !svg.contains("\n\n"));
     }
 
+    /// The horizontal axis is that of time.
+    ///
+    /// Catches: times and errors on each other's axis.
+    #[test]
+    fn a_point_has_its_time_and_then_its_error() {
+        let points = &measured().curves[0].points;
+        let expected: Vec<(f64, f64)> = points.iter().map(|p| (p.seconds, p.error)).collect();
+        assert_eq!(with_gaps(points), expected);
+    }
+
     /// Catches: a line drawn through steps that do not count.
     #[test]
     fn a_line_ends_where_steps_do_not_count() {
