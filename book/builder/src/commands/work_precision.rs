@@ -164,3 +164,58 @@ fn write_text(measured: &Measured, out: &mut dyn Write) -> io::Result<()> {
     }
     Ok(())
 }
+
+#[cfg(test)]
+mod tests {
+    use pendula::METHODS;
+
+    use super::*;
+
+    /// The two of one measurement.
+    ///
+    /// Catches: a number under another heading, or in another unit than its heading or the file
+    /// says; digits cut off; a line of one that the other lacks.
+    #[test]
+    fn the_table_agrees_with_the_file() {
+        let point = |k: i32| Measurement {
+            dt: 0.25 * 0.5_f64.powi(k),
+            steps: 400 << k,
+            error: 0.3 * 0.25_f64.powi(k),
+            seconds: 1.23456e-6 * 2.0_f64.powi(k),
+        };
+        let points: Vec<Measurement> = (0..5).map(point).collect();
+        let curve = |scene| Curve { scene, method: METHODS[0], points: points.clone() };
+        let measured =
+            Measured { instructions: "an abacus", curves: SCENES.map(curve).into_iter().collect() };
+        let printed = |write: fn(&Measured, &mut dyn Write) -> io::Result<()>| {
+            let mut out = Vec::new();
+            write(&measured, &mut out).unwrap();
+            String::from_utf8(out).unwrap()
+        };
+        let (text, csv) = (printed(write_text), printed(write_csv));
+        let headings = text.lines().find(|line| line.starts_with("Method")).unwrap();
+        let headings = headings.split("  ").map(str::trim).filter(|name| !name.is_empty());
+        assert!(headings.eq(["Method", "steps", "Δt (s)", "error (rad)", "time (s)"]), "{text}");
+        // The last four fields of the lines that have them, as numbers.
+        let cells = text.lines().filter_map(|line| {
+            let mut fields = line.split_whitespace().rev().map(|field| field.parse::<f64>().ok());
+            let [seconds, error, dt, steps] = [(); 4].map(|()| fields.next().flatten());
+            Some([steps?, dt?, error?, seconds?])
+        });
+        let cells: Vec<[f64; 4]> = cells.collect();
+        assert_eq!(csv.lines().next().unwrap().split(',').nth(6), Some("seconds"));
+        let rows = csv.lines().skip(1).map(|line| {
+            let field = |name| line.split(',').nth(name).unwrap().parse::<f64>().unwrap();
+            [4, 3, 5, 6].map(field)
+        });
+        let rows: Vec<[f64; 4]> = rows.collect();
+        assert_eq!((cells.len(), rows.len()), (15, 15));
+        // Half a unit in the last printed digit, of a number whose first digit is 1: 1.00 and 1.0.
+        let within = [0.0, 0.005, 0.05, 0.005];
+        for (cell, row) in cells.iter().zip(&rows) {
+            for ((printed, value), within) in cell.iter().zip(row).zip(within) {
+                assert!((printed / value - 1.0).abs() <= within, "{printed}, {value}\n{text}");
+            }
+        }
+    }
+}
