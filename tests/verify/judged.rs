@@ -1,6 +1,8 @@
 //! The judge, on the library's own methods and on the zoo.
 
-use pendula::methods::Taylor24;
+use std::cell::Cell;
+
+use pendula::methods::{StormerVerlet, Taylor24};
 use pendula::verify::judge::{Fault, Reply, Request};
 use pendula::verify::{Claims, FromFn, Listed, Report, Stranger, Verdict, judge};
 use pendula::{AnyMethod, Phase};
@@ -94,6 +96,39 @@ impl Stranger for Timed {
         }
         Ok(Reply { states, evaluations: None })
     }
+}
+
+/// Catches: a mean where the largest is said, the two ends exchanged, an end of another length.
+#[test]
+fn the_energy_is_told_by_the_largest_error_of_either_end() {
+    let report = judge(&StormerVerlet, Claims::none());
+    let samples = &report.evidence.energy;
+    let tenth = samples.len() / 10;
+    let largest = |part: &[(f64, f64)]| part.iter().map(|s| s.1.abs()).fold(0.0, f64::max);
+    let (first, last) = (largest(&samples[..tenth]), largest(&samples[9 * tenth..]));
+    assert_eq!((samples.len(), tenth > 0), (10 * tenth, true), "whole tenths");
+    let told = &report.finding("energy").expect("it is measured").measured;
+    assert_eq!(*told, format!("{first:.1e} at first, {last:.1e} at last: bounded"));
+}
+
+/// Störmer–Verlet with the g/L of the request before, as from a cache that is never emptied.
+struct Late {
+    g_over_l: Cell<Option<f64>>,
+}
+
+impl Stranger for Late {
+    fn run(&self, request: &Request) -> Result<Reply, Fault> {
+        let known = self.g_over_l.replace(Some(request.g_over_l));
+        let g_over_l = known.unwrap_or(request.g_over_l);
+        Stranger::run(&StormerVerlet, &Request { g_over_l, ..*request })
+    }
+}
+
+/// Catches: a judge that asks for the same pendulum each time when it looks for what is remembered.
+#[test]
+fn what_remembers_the_last_pendulum_is_not_repeatable() {
+    let report = judge(&Late { g_over_l: Cell::new(None) }, Claims::none());
+    assert!(report.failures().any(|name| name == "repeatable"), "{report}");
 }
 
 /// Catches: a stranger that answers too little taken for one that fails nothing, and a judge that
