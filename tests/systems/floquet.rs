@@ -55,3 +55,22 @@ fn a_period_doubles_where_a_multiplier_is_minus_one() {
     assert_eq!(doubling(0.3, 0.9), None);
     assert_eq!(doubling(1.1, 2.0), None);
 }
+
+/// Catches: an orbit that is looked for near the first guess each time and not near the last orbit.
+#[test]
+fn an_orbit_is_looked_for_near_the_last_one() {
+    let near = Phase { theta: -7.0, omega: 0.5 };
+    let mut calls = Vec::new();
+    let find = |parameter, guess| {
+        calls.push((parameter, guess));
+        orbit(parameter).map(|found| PeriodicOrbit { point: Phase::at_rest(parameter), ..found })
+    };
+    assert!(period_doubling(find, near, (0.3, 1.9), 4).is_some());
+    assert_eq!(calls[0], (0.3, near));
+    // Three paces, and some steps of the root finder.
+    assert!(calls.len() > 4, "{calls:?}");
+    for pair in calls.windows(2) {
+        let [(last, _), (_, guess)] = pair else { unreachable!() };
+        assert_eq!(*guess, Phase::at_rest(*last));
+    }
+}
