@@ -79,6 +79,20 @@ fn beyond_the_horizon_there_is_no_state() {
     }
 }
 
+/// A few roundings, of T and of the horizon.
+///
+/// Catches: a horizon in quarter periods, or in units of 1/ω₀, and not in s.
+#[rstest]
+#[case::slow(0.1)]
+#[case::of_the_earth(9.81)]
+fn the_horizon_is_2_to_the_40_quarter_periods(#[case] g_over_l: f64) {
+    let pendulum = Pendulum::new(g_over_l, 1.0, 1.0).unwrap();
+    let motion = Motion::new(&pendulum, Phase::at_rest(1.0)).unwrap();
+    let expected = 2.0_f64.powi(40) * motion.period().unwrap() / 4.0;
+    let horizon = motion.series().unwrap().horizon();
+    assert!((horizon / expected - 1.0).abs() <= 1e-14, "{horizon}, not {expected}");
+}
+
 /// Catches: a series that is cut off because it would be too long; one of a swing whose square
 /// underflows.
 #[test]

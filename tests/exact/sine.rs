@@ -42,8 +42,8 @@ fn error(value: f64, [truth, rest]: [f64; 2]) -> f64 {
 /// two products, of the coefficient's and of a sum, is 0.081 ulp at most, and not all four are at
 /// their worst at once: 0.8 in all. A cosine's is at most 0.016 (r⁴/24).
 ///
-/// Catches: a reduction with three parts of π/2, a tail forgotten, a coefficient off by its last
-/// digits, a wrong quadrant.
+/// Catches: a reduction with three parts of π/2, a tail forgotten, a coefficient wrong in its first
+/// digits, a wrong quadrant. The last digits are the concern of a test beside the coefficients.
 #[rstest]
 #[case::sine(sin, |row: &Row| row.sine)]
 #[case::cosine(cos, |row: &Row| row.cosine)]
@@ -61,8 +61,8 @@ fn sine_and_cosine_are_within_0_8_ulp(
 /// With g/L = 1 the force is −sin θ, by the shorter reduction of the time loop. It uses 119 bits of
 /// π, so that n half turns are off by n · 4.5e-37 rad; apart from that, 2.5 ulp.
 ///
-/// Catches: π in two parts, a sign from the wrong bit of the count, a coefficient off by its last
-/// digits.
+/// Catches: π in two parts, a sign from the wrong bit of the count, a coefficient wrong in its first
+/// digits. The last digits are the concern of a test beside the coefficients.
 #[test]
 fn the_sine_of_the_force_is_within_2_5_ulp() {
     let pendulum = Pendulum::new(1.0, 1.0, 1.0).unwrap();

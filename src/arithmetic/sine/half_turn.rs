@@ -60,19 +60,21 @@ pub fn of_rest(r: f64) -> f64 {
     r + (r * square) * series(square)
 }
 
+/// The coefficients of [`series`].
+pub(super) const P: [f64; 8] = [
+    -0.16666666666666666,
+    0.008333333333333208,
+    -0.00019841269841213368,
+    2.7557319211744386e-6,
+    -2.5052106921613982e-8,
+    1.6058941903313687e-10,
+    -7.643043459447549e-13,
+    2.7216779243133396e-15,
+];
+
 /// P(z) of sin r = r + r³ P(r²), for |r| ≤ π/2 and z = r². Relative error of the sum 2.9e-19.
 #[inline]
 pub fn series(z: f64) -> f64 {
-    const P: [f64; 8] = [
-        -0.16666666666666666,
-        0.008333333333333208,
-        -0.00019841269841213368,
-        2.7557319211744386e-6,
-        -2.5052106921613982e-8,
-        1.6058941903313687e-10,
-        -7.643043459447549e-13,
-        2.7216779243133396e-15,
-    ];
     // Estrin's scheme: the shortest chain of dependent operations.
     let zz = z * z;
     let low = (P[0] + P[1] * z) + (P[2] + P[3] * z) * zz;
