@@ -61,8 +61,8 @@ fn sine_and_cosine_are_within_0_8_ulp(
 /// With g/L = 1 the force is −sin θ, by the shorter reduction of the time loop. It uses 119 bits of
 /// π, so that n half turns are off by n · 4.5e-37 rad; apart from that, 2.5 ulp.
 ///
-/// Catches: π in two parts, a sign from the wrong bit of the count, a coefficient wrong in its first
-/// digits. The last digits are the concern of a test beside the coefficients.
+/// Catches: π in two parts, a sign from the wrong bit of the count, a coefficient wrong in its
+/// first digits. The last digits are the concern of a test beside the coefficients.
 #[test]
 fn the_sine_of_the_force_is_within_2_5_ulp() {
     let pendulum = Pendulum::new(1.0, 1.0, 1.0).unwrap();

@@ -204,8 +204,8 @@ mod tests {
     use crate::verify::error_constant::leading_local_error;
 
     /// The smallest of these errors are RK4's, a fortieth of 1/5!. Step and truth are rounded by ε
-    /// at the quarter step, which there is 1/(3e4 · 5!); times 8/3, its weight in the extrapolation,
-    /// 4e-3 of the error. The extrapolation leaves x³/8 with x = 0.06: 3e-5.
+    /// at the quarter step, which there is 1/(3e4 · 5!); times 8/3, its weight in the
+    /// extrapolation, 4e-3 of the error. The extrapolation leaves x³/8 with x = 0.06: 3e-5.
     ///
     /// Catches: an error that is not extrapolated or drowned in rounding, one of ω in rad/s and not
     /// in ω₀, a power of x too many.
