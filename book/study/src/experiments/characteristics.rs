@@ -117,3 +117,41 @@ fn energy_behaviour(run: &long_run::Row) -> EnergyBehaviour {
         EnergyBehaviour::DriftWithFalls
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rstest::rstest;
+
+    /// Table 5's release has an energy of 9.81 J − 5.300 J = 4.510 J above the bottom. A hundredth
+    /// of it is 0.0451 J; of |H(0)| from the pivot it would be 0.0530 J.
+    ///
+    /// Catches: a drift held against |H(0)|, which depends on where the potential is said to be
+    /// zero; a drift with falls called monotonic; a comparison the wrong way round.
+    #[rstest]
+    #[case(0.0495, 0.001, 0, EnergyBehaviour::MonotonicDrift)]
+    #[case(0.0495, 0.001, 1, EnergyBehaviour::DriftWithFalls)]
+    #[case(0.0450, 0.001, 0, EnergyBehaviour::SlowSecularDrift)]
+    #[case(0.0495, 0.0491, 0, EnergyBehaviour::BoundedOscillation)]
+    #[case(2e-12, 1e-13, 0, EnergyBehaviour::Rounding)]
+    fn a_drift_is_slow_below_a_hundredth_of_the_energy_above_the_bottom(
+        #[case] drift: f64,
+        #[case] early_drift: f64,
+        #[case] falls: u64,
+        #[case] behaviour: EnergyBehaviour,
+    ) {
+        let start = released(long_run::THETA_0);
+        let initial = Pendulum::PAPER.energy_from_pivot(start);
+        assert_eq!(crate::digits::rounds_to(initial, "-5.300"), Some(true));
+        let run = long_run::Row {
+            method: pendula::METHODS[0],
+            drift,
+            early_drift,
+            initial,
+            last: initial,
+            end: start,
+            falls,
+        };
+        assert_eq!(energy_behaviour(&run), behaviour);
+    }
+}
