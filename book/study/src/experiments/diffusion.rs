@@ -57,13 +57,19 @@ fn largest_error(method: &dyn AnyMethod, k: f64, theta_0: f64) -> Option<f64> {
     stays.then_some(largest)
 }
 
+/// The starts (θ, u) of [`spread`]: the middles of `side` × `side` cells of the square of the phase
+/// plane, from 0 to 2π each way.
+fn starts(side: u32) -> impl Iterator<Item = (f64, f64)> {
+    let at = move |i: u32| TAU * (f64::from(i) + 0.5) / f64::from(side);
+    (0..side * side).map(move |i| (at(i / side), at(i % side)))
+}
+
 /// See [`Row::spread`].
 fn spread(k: f64) -> f64 {
     let (steps, side) = SPREAD;
     let h = step(k);
-    let at = |i: u32| TAU * (f64::from(i) + 0.5) / f64::from(side);
     let starts: Vec<Phase> =
-        (0..side * side).map(|i| Phase { theta: at(i / side), omega: at(i % side) / h }).collect();
+        starts(side).map(|(theta, u)| Phase { theta, omega: u / h }).collect();
     let grid = Grid::new(h, steps).expect("a positive step");
     let mut ends = starts.clone();
     Ensemble::new(&Pendulum::PAPER, &starts, grid).ends(&StormerVerlet, &mut ends);
@@ -74,7 +80,30 @@ fn spread(k: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use core::f64::consts::PI;
+
     use super::*;
+
+    /// The mirror of the map, (θ, u) → (−θ, −u), keeps the places where θ and u are multiples of π.
+    /// Among them are the equilibria, which never move. The middles of an even number of cells keep
+    /// half a cell's distance from θ = 0 and π, and from u = 0 and π; 1e-12 is for rounding.
+    ///
+    /// Catches: starts at the corners of the cells, some on the lines of symmetry and at rest.
+    #[test]
+    fn no_start_is_its_own_mirror_image() {
+        let (_, side) = SPREAD;
+        let half_a_cell = PI / f64::from(side);
+        let from_a_multiple_of_pi = |x: f64| (x - PI * (x / PI).round()).abs();
+        let starts: Vec<_> = starts(side).collect();
+        assert_eq!(starts.len(), 10_000);
+        assert_eq!(starts[0], (half_a_cell, half_a_cell));
+        for (theta, u) in starts {
+            for x in [theta, u] {
+                assert!((0.0..TAU).contains(&x), "({theta}, {u})");
+                assert!(from_a_multiple_of_pi(x) > half_a_cell - 1e-12, "({theta}, {u})");
+            }
+        }
+    }
 
     /// Beyond the last curve an orbit on an island stays although its neighbours leave, so that no
     /// sentence on "the energy" at a large step is true of all swings.
