@@ -117,3 +117,31 @@ pub fn growth(method: MethodRef) -> Vec<(f64, f64)> {
     method.run(&pendulum, released(THETA_0), &grid(DURATION, STEP), &mut watch);
     series
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::experiments::PaperMethod;
+
+    /// Catches: a largest error that is noted before the state is looked at, so that it lags by a
+    /// step; one of another run than that of Table 5, of signed errors, or at other times.
+    #[test]
+    fn the_growth_is_the_largest_error_so_far() {
+        let table = run();
+        for known in PaperMethod::ALL {
+            let row = table.iter().find(|row| PaperMethod::of(row.method) == Some(known)).unwrap();
+            let mut largest = 0.0_f64;
+            let so_far = energy(row.method, 1).into_iter().map(|(t, error)| {
+                largest = largest.max(error.abs());
+                (t, largest)
+            });
+            let growth = growth(row.method);
+            for (found, expected) in growth.iter().zip(so_far.step_by(100).skip(1)) {
+                assert_eq!(*found, expected, "{known:?}");
+            }
+            assert_eq!(growth.len(), 1000, "{known:?}");
+            assert_eq!(growth[999], (DURATION, row.drift), "{known:?}");
+            assert_eq!(growth[99], (0.1 * DURATION, row.early_drift), "{known:?}");
+        }
+    }
+}
