@@ -68,8 +68,7 @@ fn starts(side: u32) -> impl Iterator<Item = (f64, f64)> {
 fn spread(k: f64) -> f64 {
     let (steps, side) = SPREAD;
     let h = step(k);
-    let starts: Vec<Phase> =
-        starts(side).map(|(theta, u)| Phase { theta, omega: u / h }).collect();
+    let starts: Vec<Phase> = starts(side).map(|(theta, u)| Phase { theta, omega: u / h }).collect();
     let grid = Grid::new(h, steps).expect("a positive step");
     let mut ends = starts.clone();
     Ensemble::new(&Pendulum::PAPER, &starts, grid).ends(&StormerVerlet, &mut ends);
