@@ -7,13 +7,15 @@ use pendula::methods::splitting::Splitting;
 use pendula::verify::Ladder;
 use pendula::{Info, MethodInfo, StormerVerlet};
 use pendula_study::claims::cells::{CELLS, Cell};
-use pendula_study::claims::{Ledger, Measured, Verdict};
-use pendula_study::experiments::{PaperMethod, STEPS, Study, convergence};
+use pendula_study::claims::{Ledger, Measured, Verdict, predictions};
+use pendula_study::digits::rounds_to;
+use pendula_study::experiments::{PaperMethod, STEPS, Study, characteristics, convergence};
 use pendula_study::report::table::Table;
 use pendula_study::report::tables;
 use rstest::rstest;
 
-static LEDGER: LazyLock<Ledger> = LazyLock::new(|| Ledger::new(&Study::run(|_| {})));
+static STUDY: LazyLock<Study> = LazyLock::new(|| Study::run(|_| {}));
+static LEDGER: LazyLock<Ledger> = LazyLock::new(|| Ledger::new(&STUDY));
 
 /// Every printed digit is reproduced: the measured value lies within half a unit of the last one.
 /// The one exception is RK4's energy error at Δt = 0.001 s, 3.2e-12 J ± 10 %, where the paper's
@@ -168,4 +170,60 @@ fn a_change_of_method_moves_the_verdicts_that_it_breaks() {
         assert_eq!(rows_with(&table, "on record"), Vec::<String>::new());
     }
     assert_eq!(rows_with(&tables::predictions(&unchanged), "≠"), Vec::<String>::new());
+}
+
+// -------------------------------------------------------------------------------------------------
+// Tables read back
+// -------------------------------------------------------------------------------------------------
+
+/// The cells of a column, each with that of the first column.
+fn column<'a>(table: &'a Table, heading: &str) -> Vec<(&'a str, &'a str)> {
+    let at = table.header().iter().position(|other| other == heading).expect("a heading");
+    table.rows().iter().map(|row| (row[0].as_str(), row[at].as_str())).collect()
+}
+
+/// A printed number as Rust writes it: 4.3 × 10⁻⁶ is 4.3e-6.
+fn literal(printed: &str) -> String {
+    let superscripts = "⁰¹²³⁴⁵⁶⁷⁸⁹";
+    let plain = |c| match superscripts.chars().position(|other| other == c) {
+        Some(digit) => digit.to_string(),
+        None => (if "⁻−".contains(c) { '-' } else { c }).to_string(),
+    };
+    printed.replace(" × 10", "e").chars().map(plain).collect()
+}
+
+/// Catches: another column of the long run in the table of methods, such as the error in its first
+/// tenth; another method's row; "rounding" for an error that is larger.
+#[test]
+fn the_table_of_methods_shows_the_drift_of_the_long_run() {
+    let table = tables::methods(&STUDY);
+    let cells = column(&table, "ΔH over 1000 s (J)");
+    assert_eq!(cells.len(), STUDY.long_run.len());
+    for (title, cell) in cells {
+        let run = STUDY.long_run.iter().find(|run| run.method.info().title == title).unwrap();
+        match cell {
+            "rounding" => assert!(run.drift < characteristics::ROUNDING, "{title}: {run:?}"),
+            number => {
+                let is_drift = rounds_to(run.drift, &literal(number));
+                assert_eq!(is_drift, Some(true), "{title}: {cell} for {}", run.drift);
+            }
+        }
+    }
+}
+
+/// Catches: a tolerance in the unit of the cell where the heading and `pendula review` take it for
+/// a relative one; a tolerance or a prediction beside another cell.
+#[test]
+fn the_table_of_predictions_shows_relative_tolerances() {
+    let table = tables::predictions(&LEDGER);
+    let (predicted, within) = (column(&table, "predicted"), column(&table, "to within"));
+    let predictions = predictions();
+    assert_eq!(within.len(), predictions.len());
+    for ((prediction, (id, value)), (_, tolerance)) in predictions.iter().zip(predicted).zip(within)
+    {
+        assert_eq!(id, format!("`{}`", prediction.id));
+        for (known, printed) in [(prediction.value, value), (prediction.tolerance, tolerance)] {
+            assert_eq!(rounds_to(known, &literal(printed)), Some(true), "{id}: {printed}, {known}");
+        }
+    }
 }
