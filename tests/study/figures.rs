@@ -828,6 +828,79 @@ fn a_figure_shows_what_was_measured(#[case] name: &str, #[case] expected: fn() -
     compare(name, &Drawing::of(name), &expected());
 }
 
+/// The two curves of the periods have no entry in the legend but notes beside them. Corners and
+/// ticks have one decimal, so that a corner is within 0.1 units of the axes' value. A unit is a
+/// pixel, ten times that; where the exact curve is steep, from 2.5 rad on, it is not held to it.
+///
+/// Catches: another coefficient than the note says, 1/12 for 1/16; the exact curve dashed and the
+/// correction not.
+#[test]
+fn the_dashed_curve_of_the_periods_is_the_first_correction() {
+    let drawing = Drawing::of("swings");
+    let panel = drawing.panels.iter().find(|panel| panel.heading.contains("period T/T")).unwrap();
+    let corners = |dashed: bool| -> Vec<Point> {
+        let is_it = |look: &Look| look.kind == Line && look.detail.is_empty() != dashed;
+        let series: Vec<_> = panel.drawn.iter().filter(|(look, _)| is_it(look)).collect();
+        let [(_, strokes)] = series[..] else { panic!("{} curves", series.len()) };
+        strokes.concat()
+    };
+    let is_at = |(x, y): Point, theta_0: f64, ratio: f64| {
+        let there = panel.y.unit(ratio).unwrap();
+        assert!((y - there).abs() < 1.0, "{theta_0} rad, {x}: at {y} and not {there}");
+    };
+    let angle = |x: f64| {
+        let share = (x - panel.x.from.0) / (panel.x.to.0 - panel.x.from.0);
+        panel.x.from.1 + share * (panel.x.to.1 - panel.x.from.1)
+    };
+    let correction = corners(true);
+    assert!((correction[0].0 - panel.left).abs() < 1.0);
+    assert!((correction[correction.len() - 1].0 - panel.right).abs() < 1.0);
+    for corner in correction {
+        let theta_0 = angle(corner.0);
+        is_at(corner, theta_0, 1.0 + theta_0 * theta_0 / 16.0);
+    }
+    let small = 2.0 * PI / 9.81_f64.sqrt();
+    for corner in corners(false).into_iter().filter(|corner| angle(corner.0) < 2.5) {
+        let theta_0 = angle(corner.0).max(1e-3);
+        is_at(corner, theta_0, exact::period(&Pendulum::PAPER, theta_0).unwrap() / small);
+    }
+}
+
+/// The unit that belongs to a quantity of an axis, by the symbol or the last word before it.
+fn unit_of(quantity: &str) -> Option<&'static str> {
+    Some(match quantity.rsplit(' ').next()? {
+        "θ" | "θ_{0}" => "rad",
+        "ω" => "rad/s",
+        "t" | "h" | "Δt" => "s",
+        "x" | "y" => "m",
+        "ΔH" | "H_{0}" => "J",
+        _ => return None,
+    })
+}
+
+/// All texts of a figure that end in a unit are axes or what stands above them.
+///
+/// Catches: the units of two axes exchanged, an angle in rad/s.
+#[test]
+fn every_axis_says_the_unit_of_its_quantity() {
+    let mut seen: BTreeMap<&str, usize> = BTreeMap::new();
+    for figure in figures() {
+        let svg = figure.svg(&STUDY);
+        let document = Document::parse(&svg).expect("an SVG");
+        let nodes: Vec<Node> = document.descendants().filter(Node::is_element).collect();
+        for Label { text, .. } in Label::all(&nodes) {
+            let Some((quantity, unit)) = text.rsplit_once(" (") else { continue };
+            let Some(unit) = unit.strip_suffix(')') else { continue };
+            if let Some(own) = unit_of(quantity) {
+                assert_eq!(unit, own, "{}: {text:?}", figure.name);
+                *seen.entry(own).or_default() += 1;
+            }
+        }
+    }
+    assert_eq!(seen.keys().copied().collect::<Vec<_>>(), ["J", "m", "rad", "rad/s", "s"]);
+    assert!(seen["rad"] > 12 && seen["rad/s"] > 8, "{seen:?}");
+}
+
 /// Catches: a figure that nobody reads back.
 #[test]
 fn every_figure_is_read_back() {
