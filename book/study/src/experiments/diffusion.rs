@@ -92,7 +92,7 @@ mod tests {
     fn no_start_is_its_own_mirror_image() {
         let (_, side) = SPREAD;
         let half_a_cell = PI / f64::from(side);
-        let from_a_multiple_of_pi = |x: f64| (x - PI * (x / PI).round()).abs();
+        let from_a_multiple_of_pi = |x: f64| (x - PI * libm::round(x / PI)).abs();
         let starts: Vec<_> = starts(side).collect();
         assert_eq!(starts.len(), 10_000);
         assert_eq!(starts[0], (half_a_cell, half_a_cell));

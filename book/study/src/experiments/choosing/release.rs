@@ -91,7 +91,8 @@ mod tests {
     /// at which the methods start.
     #[test]
     fn the_swing_is_fastest_at_the_bottom() {
-        let bottom = 2.0 * Pendulum::PAPER.small_angle_frequency() * (0.5 * THETA_0).sin();
+        let sine = pendula::arithmetic::sine::sin(0.5 * THETA_0);
+        let bottom = 2.0 * Pendulum::PAPER.small_angle_frequency() * sine;
         assert_relative_eq!(Release::new().fastest, bottom, max_relative = 1e-14);
     }
 }
