@@ -10,3 +10,4 @@ mod rounding;
 mod snapshots;
 mod stencil;
 mod transcription;
+mod typed;

@@ -1,0 +1,217 @@
+//! Numbers that the chapters' sentences state without a directive that fills them in, computed
+//! again.
+
+use std::f64::consts::FRAC_PI_3;
+use std::fs;
+
+use pendula::arithmetic::sine::{cos, sin};
+use pendula::dynamics::root;
+use pendula::methods::SymplecticEuler;
+use pendula::metrics::EnergyDrift;
+use pendula::systems::{Ellipse, Kepler};
+use pendula::{AnyMethod, Grid, Hamiltonian, Motion, Pendulum, Phase, Rk4, StormerVerlet};
+use pendula_study::digits::rounds_to;
+use pendula_study::experiments::{long_run, small_angle, standard_map};
+use pendula_study::theory;
+
+const PAPER: Pendulum = Pendulum::PAPER;
+
+/// A number as typed: the chapter, the words around it (without line breaks), the same number with
+/// the digits that it claims, and what it should be.
+type Typed = (&'static str, &'static str, &'static str, fn() -> f64);
+
+const TYPED: &[Typed] = &[
+    ("introduction", r"9.81\,(1 - \cos 1) \approx 4.5$ J", "4.5", || energy_at_rest(1.0)),
+    ("exact-motion", "a slower one released at 2.1 rad", "2.1", || landen(1)),
+    ("exact-motion", "then one at 0.69,", "0.69", || landen(2)),
+    ("exact-motion", "0.69, at 0.06,", "0.06", || landen(3)),
+    ("exact-motion", "at 0.0004 rad;", "0.0004", || landen(4)),
+    ("exact-motion", "3 rad are $0.93$,", "0.93", || distance(0)),
+    ("exact-motion", "$0.93$, $0.27$,", "0.27", || distance(1)),
+    ("exact-motion", "$0.27$, $0.023$ and", "0.023", || distance(2)),
+    ("exact-motion", "and $0.00017$ apart", "0.00017", || distance(3)),
+    ("exact-motion", "the stop is $0.00017$,", "0.00017", || distance(3)),
+    ("exact-motion", "with $M = 0.389$.", "0.389", || means(4).0),
+    ("exact-period", r"\approx 0.105$ rad", "0.105", || 4.0 / 1440_f64.sqrt()),
+    ("forward-euler", r"-9.81\sin 1 \approx -8.2548$", "-8.2548", || -9.81 * sin(1.0)),
+    ("forward-euler", r"\approx e^{46.8}$", "46.8", || 500.0 * 1.0981_f64.ln()),
+    ("forward-euler", r"x^2 = 0.000981$", "0.000981", || x_squared(0.01)),
+    ("forward-euler", r"= 2.4\cdot10^{-4}$ of the energy", "2.4e-4", || gain(4.0)),
+    ("forward-euler", "0.05 rad is $0.01226$ J", "0.01226", || energy_at_rest(0.05)),
+    ("forward-euler", r"J: $2.95\cdot10^{-6}$ J", "2.95e-6", || gain(4.0) * energy_at_rest(0.05)),
+    ("rk4", "a step of 0.78 s", "0.78", || seconds(6_f64.sqrt())),
+    ("rk4", r"= 8.02\cdot10^{-5}$ of", "8.02e-5", || gain(12.0)),
+    ("rk4", r"which is $9.83\cdot10^{-7}$", "9.83e-7", || gain(12.0) * energy_at_rest(0.05)),
+    ("stormer-verlet", "At 2.745 rad it is zero", "2.745", true_period_of_stormer_verlet),
+    ("choosing", "Near 2.745 rad", "2.745", true_period_of_stormer_verlet),
+    ("choosing", r"\approx 3.1\cdot10^{-4}$ s", "3.1e-4", step_to_a_millionth),
+    ("choosing", "about 280 million", "2.8e2", || 86_400.0 / step_to_a_millionth() / 1e6),
+    ("small-angle", "a step of about 0.01955 s", "0.01955", cancelling_step),
+    ("small-angle", r"$\Delta t$ = 0.01955 s", "0.01955", cancelling_step),
+    ("order", r"$45.2\,h^5\,t$", "45.2", || -loss(FRAC_PI_3)),
+    ("long-run", "is about 240 000 s,", "2.40e5", energy_overtakes),
+    ("long-run", "after about 1070 s.", "1.07e3", angle_overtakes),
+    ("long-run", "some 15 800:", "1.58e4", symplectic_euler_over_rk4),
+    ("long-run", r"$1.6\cdot10^7$ s", "1.6e7", || 1000.0 * symplectic_euler_over_rk4()),
+    ("limits", "that is a step of 0.63855 s", "0.63855", || seconds(2.0)),
+    ("limits", "good up to 0.63855 s", "0.63855", || seconds(2.0)),
+    ("limits", "a step of 0.9030 s", "0.9030", || seconds(8_f64.sqrt())),
+    ("limits", r"h = 0.3147\ \text{s", "0.3147", || standard_map::step(0.971635)),
+    ("limits", r"it is $3.5\cdot10^{-13}$", "3.5e-13", || 0.5 * f64::EPSILON * 1e7_f64.sqrt()),
+    ("limits", r"0.16 \approx 1.57$", "1.57", || x_squared(0.4)),
+    ("limits", "or 120 000, and", "1.2e5", || x_squared(0.4).powi(2) * 1e5 / 2.0),
+    ("higher-order", r"{2}} \approx 1.35,", "1.35", || 1.0 / (2.0 - 2_f64.cbrt())),
+    ("higher-order", r"\approx -1.70.", "-1.70", || 1.0 - 2.0 / (2.0 - 2_f64.cbrt())),
+    ("higher-order", r"\approx 0.41$, and", "0.41", || 1.0 / (4.0 - 4_f64.cbrt())),
+    ("higher-order", "is $-0.66$.", "-0.66", || 1.0 - 4.0 / (4.0 - 4_f64.cbrt())),
+    ("higher-order", r"\approx 0.239$,", "0.239", || 1.0 / (6.0 - 6_f64.cbrt())),
+    ("higher-order", r"\approx -0.434$.", "-0.434", || 1.0 - 6.0 / (6.0 - 6_f64.cbrt())),
+    ("other-systems", r"$h \approx 0.38$ s", "0.38", || {
+        (144.0 * 0.05 / PAPER.frequency_squared().powi(3)).powf(0.2)
+    }),
+    ("other-systems", "gives $0.0258$ rad", "0.0258", precession),
+    ("other-systems", "about 244 revolutions", "244", || std::f64::consts::TAU / precession()),
+];
+
+/// The energy (J) above the bottom of a release from rest at `theta_0` (rad).
+fn energy_at_rest(theta_0: f64) -> f64 {
+    PAPER.energy(Phase::at_rest(theta_0))
+}
+
+/// x² = (ω₀h)².
+fn x_squared(h: f64) -> f64 {
+    PAPER.frequency_squared() * h * h
+}
+
+/// The step (s) at which ω₀h is `x`.
+fn seconds(x: f64) -> f64 {
+    x / PAPER.small_angle_frequency()
+}
+
+/// What x⁴ over the divisor a step adds up to in the thousand steps of Table 8.
+fn gain(divisor: f64) -> f64 {
+    1000.0 * x_squared(0.01).powi(2) / divisor
+}
+
+/// The arithmetic and the geometric mean of 1 and cos 1.5 after some steps.
+fn means(steps: u32) -> (f64, f64) {
+    (0..steps).fold((1.0, cos(1.5)), |(a, b), _| (0.5 * (a + b), (a * b).sqrt()))
+}
+
+fn distance(steps: u32) -> f64 {
+    let (a, b) = means(steps);
+    a - b
+}
+
+/// The amplitude (rad) of the pendulum to which some of Landen's steps lead from 3 rad.
+fn landen(steps: u32) -> f64 {
+    let (a, b) = means(steps);
+    2.0 * (b / a).acos()
+}
+
+/// The amplitude (rad) at which Störmer–Verlet's period errs by a higher power of the step only.
+fn true_period_of_stormer_verlet() -> f64 {
+    root(|theta_0| Some(theory::period::of_stormer_verlet(&PAPER, theta_0)), 2.5, 3.0).unwrap()
+}
+
+/// Störmer–Verlet's step (s) for an energy error of 1e-6 J from 1 rad; the error goes with h².
+fn step_to_a_millionth() -> f64 {
+    let h = 1e-4;
+    h * (1e-6 / theory::stormer_verlet::energy_error(&PAPER, 1.0, h)).sqrt()
+}
+
+fn cancelling_step() -> f64 {
+    theory::small_angle::cancelling_step(&PAPER, small_angle::THETA_0)
+}
+
+/// RK4's change of energy over h⁵ (J/s⁶) from rest at `theta_0` (rad).
+fn loss(theta_0: f64) -> f64 {
+    let h = 0.001_f64;
+    theory::rk4::secular_rate(&PAPER, theta_0, h) / h.powi(5)
+}
+
+/// When (s) RK4's loss reaches Störmer–Verlet's oscillation in equal steps.
+fn energy_overtakes() -> f64 {
+    let (theta_0, h) = (long_run::THETA_0, long_run::STEP);
+    let oscillation = theory::stormer_verlet::energy_error(&PAPER, theta_0, h);
+    oscillation / -theory::rk4::secular_rate(&PAPER, theta_0, h)
+}
+
+/// When (s) RK4's largest angle error becomes the greater one for equal work: steps of 0.04 s
+/// against Störmer–Verlet's of 0.01 s.
+fn angle_overtakes() -> f64 {
+    let start = Phase::at_rest(long_run::THETA_0);
+    let motion = Motion::new(&PAPER, start).unwrap();
+    // The largest error so far, every 0.04 s.
+    let largest = |method: &dyn AnyMethod, every: u64| {
+        let (mut largest, mut series) = (0.0_f64, Vec::new());
+        let grid = Grid::with_duration(0.04 / every as f64, 1200.0).unwrap();
+        method.run(&PAPER, start, &grid, &mut |n: u64, t: f64, z: Phase| {
+            largest = largest.max((z.theta - motion.at(t).theta).abs());
+            if n.is_multiple_of(every) {
+                series.push((t, largest));
+            }
+        });
+        series
+    };
+    let pairs = largest(&StormerVerlet, 4).into_iter().zip(largest(&Rk4, 1));
+    let ahead = pairs.filter(|(verlet, rk4)| verlet.1 >= rk4.1).map(|((t, _), _)| t);
+    ahead.last().unwrap()
+}
+
+/// Symplectic Euler's energy error over RK4's in the long run.
+fn symplectic_euler_over_rk4() -> f64 {
+    let largest = |method: &dyn AnyMethod| {
+        let mut drift = EnergyDrift::new(&PAPER);
+        let grid = Grid::with_duration(long_run::STEP, long_run::DURATION).unwrap();
+        method.run(&PAPER, Phase::at_rest(long_run::THETA_0), &grid, &mut drift);
+        drift.largest()
+    };
+    largest(&SymplecticEuler) / largest(&Rk4)
+}
+
+/// The turn (rad) of an ellipse of eccentricity 0.6 in a revolution of 100 steps.
+fn precession() -> f64 {
+    let ellipse = Ellipse::new(&Kepler::new(1.0).unwrap(), 1.0, 0.6).unwrap();
+    theory::kepler::verlet_precession(&ellipse, ellipse.period() / 100.0).abs()
+}
+
+/// The numbers in a text: 240 000 is one, and so is 2.4\cdot10^{-4}.
+fn numbers(words: &str) -> Vec<f64> {
+    let words: Vec<char> = words.replace(r"\cdot10^", "e").chars().collect();
+    let mut plain = String::new();
+    for (i, c) in words.iter().enumerate() {
+        let digit =
+            |at: Option<usize>| at.and_then(|at| words.get(at)).is_some_and(char::is_ascii_digit);
+        match c {
+            ' ' if digit(i.checked_sub(1)) && digit(Some(i + 1)) => {}
+            '{' if i > 0 && words[i - 1] == 'e' => {}
+            c if c.is_ascii_digit() || ".-e".contains(*c) => plain.push(*c),
+            _ => plain.push(' '),
+        }
+    }
+    let parts = plain.split_whitespace().map(|part| part.trim_end_matches('.'));
+    parts.filter_map(|part| part.parse().ok()).collect()
+}
+
+/// Catches: a number typed from memory, or left from an older run: 1700 s for 1070 s.
+#[test]
+fn a_number_typed_by_hand_is_the_one_computed() {
+    let mut wrong = Vec::new();
+    for (chapter, words, literal, value) in TYPED {
+        let path = format!("{}/../src/{chapter}.md", env!("CARGO_MANIFEST_DIR"));
+        let text = fs::read_to_string(&path).expect("a chapter");
+        let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
+        if !text.contains(words) {
+            wrong.push(format!("{chapter} does not say {words:?}"));
+        }
+        if !numbers(words).contains(&literal.parse().unwrap()) {
+            wrong.push(format!("{chapter}: {literal} is not in {words:?}"));
+        }
+        let value = value();
+        if rounds_to(value, literal) != Some(true) {
+            wrong.push(format!("{chapter}: {words:?} for {value}"));
+        }
+    }
+    assert!(wrong.is_empty(), "{wrong:#?}");
+}
