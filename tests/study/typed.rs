@@ -1,7 +1,7 @@
 //! Numbers that the chapters' sentences state without a directive that fills them in, computed
 //! again.
 
-use std::f64::consts::FRAC_PI_3;
+use std::f64::consts::{FRAC_PI_3, PI, TAU};
 use std::fs;
 
 use pendula::arithmetic::sine::{cos, sin};
@@ -9,7 +9,7 @@ use pendula::dynamics::root;
 use pendula::methods::SymplecticEuler;
 use pendula::metrics::EnergyDrift;
 use pendula::systems::{Ellipse, Kepler};
-use pendula::{AnyMethod, Grid, Hamiltonian, Motion, Pendulum, Phase, Rk4, StormerVerlet};
+use pendula::{AnyMethod, Grid, Hamiltonian, Motion, Pendulum, Phase, Rk4, StormerVerlet, exact};
 use pendula_study::digits::rounds_to;
 use pendula_study::experiments::{long_run, small_angle, standard_map};
 use pendula_study::theory;
@@ -32,6 +32,15 @@ const TYPED: &[Typed] = &[
     ("exact-motion", "and $0.00017$ apart", "0.00017", || distance(3)),
     ("exact-motion", "the stop is $0.00017$,", "0.00017", || distance(3)),
     ("exact-motion", "with $M = 0.389$.", "0.389", || means(4).0),
+    ("exact-motion", r"$1.3\cdot10^{-8}$ with", "1.3e-8", || {
+        (distance(3) / means(4).0 / 4.0).powi(2)
+    }),
+    ("exact-motion", "eighth digit: 5.158066754 became", "5.158066754", || period(3.0)),
+    ("exact-motion", "falls after about 12 s", "12", || 0.25 * period(PI)),
+    ("limits", "falls after 12 s", "12", || 0.25 * period(PI)),
+    ("exact-period", "is $0.005$, which", "0.005", || cos(1.5).powi(2)),
+    ("large-angle", "pendulum is 8° short", "8", || 180.0 - 3_f64.to_degrees()),
+    ("lab", "0.35 s, where $K$ is 1.2,", "1.2", || x_squared(0.35)),
     ("exact-period", r"\approx 0.105$ rad", "0.105", || 4.0 / 1440_f64.sqrt()),
     ("forward-euler", r"-9.81\sin 1 \approx -8.2548$", "-8.2548", || -9.81 * sin(1.0)),
     ("forward-euler", r"\approx e^{46.8}$", "46.8", || 500.0 * 1.0981_f64.ln()),
@@ -46,9 +55,11 @@ const TYPED: &[Typed] = &[
     ("choosing", "Near 2.745 rad", "2.745", true_period_of_stormer_verlet),
     ("choosing", r"\approx 3.1\cdot10^{-4}$ s", "3.1e-4", step_to_a_millionth),
     ("choosing", "about 280 million", "2.8e2", || 86_400.0 / step_to_a_millionth() / 1e6),
+    ("choosing", "about 40 000 periods", "4.0e4", || 86_400.0 / period(1.0)),
     ("small-angle", "a step of about 0.01955 s", "0.01955", cancelling_step),
     ("small-angle", r"$\Delta t$ = 0.01955 s", "0.01955", cancelling_step),
     ("order", r"$45.2\,h^5\,t$", "45.2", || -loss(FRAC_PI_3)),
+    ("order", r"$0.94\,h^4$", "0.94", oscillation),
     ("long-run", "is about 240 000 s,", "2.40e5", energy_overtakes),
     ("long-run", "after about 1070 s.", "1.07e3", angle_overtakes),
     ("long-run", "some 15 800:", "1.58e4", symplectic_euler_over_rk4),
@@ -70,7 +81,7 @@ const TYPED: &[Typed] = &[
         (144.0 * 0.05 / PAPER.frequency_squared().powi(3)).powf(0.2)
     }),
     ("other-systems", "gives $0.0258$ rad", "0.0258", precession),
-    ("other-systems", "about 244 revolutions", "244", || std::f64::consts::TAU / precession()),
+    ("other-systems", "about 244 revolutions", "244", || TAU / precession()),
 ];
 
 /// The energy (J) above the bottom of a release from rest at `theta_0` (rad).
@@ -81,6 +92,10 @@ fn energy_at_rest(theta_0: f64) -> f64 {
 /// x² = (ω₀h)².
 fn x_squared(h: f64) -> f64 {
     PAPER.frequency_squared() * h * h
+}
+
+fn period(theta_0: f64) -> f64 {
+    exact::period(&PAPER, theta_0).unwrap()
 }
 
 /// The step (s) at which ω₀h is `x`.
@@ -130,6 +145,14 @@ fn loss(theta_0: f64) -> f64 {
     theory::rk4::secular_rate(&PAPER, theta_0, h) / h.powi(5)
 }
 
+/// RK4's energy error over h⁴ (J/s⁴) in a swing from rest at π/3, in steps so short that its loss
+/// is below a thousandth of it.
+fn oscillation() -> f64 {
+    let h = 1e-5_f64;
+    let steps = (period(FRAC_PI_3) / h) as u64;
+    theory::rk4::largest_energy_error(&PAPER, FRAC_PI_3, h, steps) / h.powi(4)
+}
+
 /// When (s) RK4's loss reaches Störmer–Verlet's oscillation in equal steps.
 fn energy_overtakes() -> f64 {
     let (theta_0, h) = (long_run::THETA_0, long_run::STEP);
@@ -155,8 +178,8 @@ fn angle_overtakes() -> f64 {
         series
     };
     let pairs = largest(&StormerVerlet, 4).into_iter().zip(largest(&Rk4, 1));
-    let ahead = pairs.filter(|(verlet, rk4)| verlet.1 >= rk4.1).map(|((t, _), _)| t);
-    ahead.last().unwrap()
+    let mut ahead = pairs.filter(|(verlet, rk4)| verlet.1 >= rk4.1).map(|((t, _), _)| t);
+    ahead.next_back().unwrap()
 }
 
 /// Symplectic Euler's energy error over RK4's in the long run.

@@ -84,8 +84,8 @@ mod tests {
 
     use super::*;
 
-    /// At the bottom the energy is all motion: ω²/2 = 2 ω₀² sin²(θ₀/2). The exact motion is right to
-    /// a few ε; the tolerance is 45 ε.
+    /// At the bottom the energy is all motion: ω²/2 = 2 ω₀² sin²(θ₀/2). The exact motion is right
+    /// to a few ε; the tolerance is 45 ε.
     ///
     /// Catches: the angular velocity at another time of the swing, such as the eighth of a period
     /// at which the methods start.
