@@ -1,0 +1,211 @@
+//! The lab's source against the library, compiled for this machine. The compiled file is compared
+//! in `book/builder/tests/book/lab.rs`, which cannot see a source that has moved on from it.
+
+use pendula::{
+    AnyMethod, Damped, Grid, Hamiltonian, METHODS, Motion, Observer, Pendulum, Phase, integrate,
+};
+
+use super::Simulation;
+use crate::trajectory::{self, Setup};
+
+/// Within the range of the page's sliders, at its corners and beyond: g, L, β, θ₀, ω₀, Δt.
+const PENDULUMS: [(f64, f64, f64, f64, f64, f64); 6] = [
+    (9.81, 1.0, 0.0, 1.0, 0.0, 0.01),
+    (1.62, 2.5, 0.0, -0.3, 4.5, 0.001),
+    (24.8, 0.1, 0.0, 0.0, -40.0, 0.0025),
+    // Beyond the limits of stability, where energies reach far.
+    (9.81, 1.0, 0.0, 0.5, 0.0, 1.5),
+    (9.81, 1.0, 0.3, 2.5, 1.0, 0.02),
+    (3.71, 0.7, 2.0, -3.1, 9.0, 0.2),
+];
+
+/// The steps of a run, and after how many of them the page looks.
+const STEPS: u64 = 150;
+const LOOK: u64 = 7;
+
+/// Compares the bits, except for a NaN, of an implicit step that is not solved, which has many bit
+/// patterns.
+#[track_caller]
+fn assert_bits(lab: f64, library: f64, what: impl FnOnce() -> String) {
+    assert!(
+        lab.to_bits() == library.to_bits() || (lab.is_nan() && library.is_nan()),
+        "{}: {lab:e}, and in the library {library:e}",
+        what()
+    );
+}
+
+/// Takes a step for each of the library's, and compares every quantity that the page reads.
+struct Beside {
+    lab: Simulation,
+    pendulum: Pendulum,
+    name: &'static str,
+    initial: f64,
+    lowest: f64,
+    highest: f64,
+    largest: f64,
+}
+
+impl Observer<Phase> for Beside {
+    fn observe(&mut self, n: u64, t: f64, z: Phase) {
+        if n > 0 {
+            assert_eq!(self.lab.advance(1), 1);
+        }
+        let error = self.pendulum.energy(z) - self.initial;
+        self.lowest = self.lowest.min(error);
+        self.highest = self.highest.max(error);
+        self.largest = self.largest.max(error.abs());
+        let expected = [
+            (0, "θ", z.theta),
+            (1, "ω", z.omega),
+            (2, "t", t),
+            (3, "the number of steps", n as f64),
+            (5, "the energy", self.pendulum.energy_from_pivot(z)),
+            (6, "the energy error", error),
+            (7, "the lowest energy error since a look", self.lowest),
+            (8, "the highest energy error since a look", self.highest),
+            (9, "the largest energy error", self.largest),
+            (12, "the energy at the start", self.initial),
+        ];
+        for (quantity, words, expected) in expected {
+            let seen = self.lab.read(quantity);
+            assert_bits(seen, expected, || format!("{}, {words} after {n} steps", self.name));
+        }
+        if n.is_multiple_of(LOOK) {
+            self.lab.look();
+            (self.lowest, self.highest) = (error, error);
+        }
+    }
+}
+
+macro_rules! damped_run {
+    ($($module:ident::$method:ident,)+) => {
+        /// The run of a method that suits every system; `None` if the method is not one of those.
+        fn damped_run(
+            name: &str,
+            system: &Damped,
+            start: Phase,
+            grid: &Grid,
+            observer: &mut impl Observer<Phase>,
+        ) -> Option<Phase> {
+            use pendula::{Info, methods};
+            $(
+                let method = methods::$method;
+                if method.info().name == name {
+                    return Some(integrate(system, &method, start, grid, observer));
+                }
+            )+
+            None
+        }
+    };
+}
+pendula::for_each_general_method!(damped_run);
+
+/// Every method of the library on each of those pendulums, bit for bit after each step.
+///
+/// Catches: source that has changed and was not compiled, such as an energy with another zero, a
+/// largest error that is the largest gain, extremes that `look` does not reset; a method or a
+/// system under another's number; a carry lost between two calls.
+#[test]
+fn the_source_has_the_bits_of_the_library() {
+    assert_eq!(trajectory::METHODS, METHODS.len());
+    let (mut runs, mut damped_runs) = (0, 0);
+    for (index, method) in METHODS.iter().enumerate() {
+        let info = method.info();
+        assert_eq!(trajectory::names(index), Some([info.name, info.title]));
+        for scene in PENDULUMS {
+            match compare(index, *method, scene) {
+                true if scene.2 == 0.0 => runs += 1,
+                true => damped_runs += 1,
+                false => {}
+            }
+        }
+    }
+    assert_eq!(runs, 4 * METHODS.len());
+    assert!(damped_runs > METHODS.len(), "only {damped_runs} runs with damping");
+}
+
+/// Compares a run; whether the method suits the pendulum.
+fn compare(
+    index: usize,
+    method: &dyn AnyMethod,
+    (g, length, damping, theta, omega, step): (f64, f64, f64, f64, f64, f64),
+) -> bool {
+    let name = method.info().name;
+    let pendulum = Pendulum::new(g, length, 1.0).unwrap();
+    let start = pendulum.start(theta, omega).unwrap();
+    let grid = Grid::new(step, STEPS).unwrap();
+    let initial = pendulum.energy(start);
+    let lab = Simulation::new(Setup { method: index, pendulum, damping, start, step });
+    let damped = Damped::new(pendulum, damping).unwrap();
+    let Some(lab) = lab else {
+        assert!(damping > 0.0, "{name} is refused");
+        assert!(damped_run(name, &damped, start, &grid, &mut ()).is_none(), "{name} is refused");
+        return false;
+    };
+    let (lowest, highest, largest) = (0.0, 0.0, 0.0);
+    let mut beside = Beside { lab, pendulum, name, initial, lowest, highest, largest };
+    if damping == 0.0 {
+        method.run(&pendulum, start, &grid, &mut beside);
+        // The number of iterations of an implicit method depends on its rounding, which differs
+        // between steps and seconds as the unit of time.
+        if !method.info().implicit {
+            let counted = method.count_evaluations(&pendulum, start, &grid);
+            assert_eq!(beside.lab.read(4), counted as f64, "{name}");
+        }
+        let motion = Motion::new(&pendulum, start).unwrap();
+        for t in [0.0, 0.37, 40.0] {
+            let (seen, exact) = (beside.lab.exact(t), motion.at(t));
+            assert_bits(seen.theta, exact.theta, || format!("the exact θ at {t} s"));
+            assert_bits(seen.omega, exact.omega, || format!("the exact ω at {t} s"));
+        }
+        assert_bits(beside.lab.read(11), motion.period().unwrap(), || "the period".to_string());
+    } else {
+        let end = damped_run(name, &damped, start, &grid, &mut beside);
+        assert!(end.is_some(), "{name} is for the undamped pendulum, and runs on this one");
+        assert!(beside.lab.read(11).is_nan() && beside.lab.exact(1.0).theta.is_nan());
+    }
+    assert!(beside.lab.read(10) >= 8_192.0 && beside.lab.read(13).is_nan());
+    true
+}
+
+/// On the separatrix ω = 2ω₀ cos(θ/2), to a few roundings of the largest ω, and at the bottom at
+/// t = 0. Here 2ω₀ = 8 rad/s.
+///
+/// Catches: another curve, or one that is at the bottom at another time.
+#[test]
+fn the_separatrix_is_the_pendulums() {
+    let pendulum = Pendulum::new(4.0, 0.25, 1.0).unwrap();
+    let start = Phase::at_rest(1.0);
+    let scene = Setup { method: 0, pendulum, damping: 0.0, start, step: 0.01 };
+    let lab = Simulation::new(scene).unwrap();
+    assert_eq!(lab.separatrix(0.0).theta, 0.0);
+    for i in -40_i32..=40 {
+        let Phase { theta, omega } = lab.separatrix(f64::from(i) * 0.1);
+        assert!((omega - 8.0 * libm::cos(0.5 * theta)).abs() < 8.0 * 1e-15, "{i}: {theta} {omega}");
+    }
+}
+
+/// Catches: more steps than there are, or fewer said than taken; extremes of the last step alone.
+#[test]
+fn many_steps_at_once_are_the_same_steps() {
+    // Symplectic Euler, whose energy error changes its sign.
+    let pendulum = Pendulum::new(9.81, 2.0, 1.0).unwrap();
+    let start = Phase::at_rest(1.0);
+    let scene = Setup { method: 1, pendulum, damping: 0.0, start, step: 0.05 };
+    let (mut one, mut many) = (Simulation::new(scene).unwrap(), Simulation::new(scene).unwrap());
+    for _ in 0..10 {
+        (0..30).for_each(|_| assert_eq!(one.advance(1), 1));
+        assert_eq!(many.advance(30), 30);
+        for quantity in 0..=12 {
+            assert_eq!(one.read(quantity).to_bits(), many.read(quantity).to_bits(), "{quantity}");
+        }
+    }
+    assert!(many.read(7) < 0.0 && many.read(8) > 0.0);
+    // With kicks this large the half turns soon become too many to count, and the run has an end.
+    let pendulum = Pendulum::new(1e7, 1.0, 1.0).unwrap();
+    let mut short = Simulation::new(Setup { pendulum, step: 1.0, ..scene }).unwrap();
+    let limit = short.read(10) as u32;
+    assert!((1..1000).contains(&limit), "{limit}");
+    assert_eq!((short.advance(u32::MAX), short.advance(1)), (limit, 0));
+    assert_eq!(short.read(3), f64::from(limit));
+}
