@@ -14,6 +14,7 @@ import pictures
 import policy
 import reader
 import spoilt
+import table
 from book import Book, NoBook
 from browser import Browser, Tab
 
@@ -22,6 +23,7 @@ CHECKS = [
     *reader.CHECKS,
     *claims.CHECKS,
     *lab.CHECKS,
+    *table.CHECKS,
     *addresses.CHECKS,
     *policy.CHECKS,
 ]

@@ -41,9 +41,12 @@
         return `${mantissa}\u00a0×\u00a010${raised(Number(exponent.replace('−', '-')))}`;
     }
 
-    // A time (s), with as many decimals as the step needs.
+    // A time (s), with as many decimals as the step has, and no more than six.
     function seconds(t, step) {
-        return t.toFixed(Math.min(Math.max(Math.ceil(-Math.log10(step)), 1), 6));
+        // A step may be written 1e-5.
+        const [digits, exponent = 0] = String(step).split('e');
+        const decimals = (digits.split('.')[1] ?? '').length - exponent;
+        return t.toFixed(Math.min(Math.max(decimals, 1), 6));
     }
 
     // 1, 2 or 5 times a power of ten, not below x.

@@ -1,0 +1,267 @@
+"""The lab's table, orbit, lessons and clock: what they show is what the program prints, and what
+their words say."""
+
+import csv
+import io
+import math
+import re
+import subprocess
+from collections.abc import Iterator
+
+from addresses import STEP, slow
+from book import Book
+from browser import Tab
+from lab import LAB, go_to, has_rows, opened, press, texts, value
+
+# The groups of columns and then the columns in them, as the page has them; of a row, the cells.
+HEADS = ["Method", "Energy error (J)", "Angle error (rad)", "Force evaluations", "Time a step (ns)"]
+HEADS += ["now", "largest"] * 2
+ENERGY_NOW, ENERGY_LARGEST, NOW, LARGEST = range(4)
+# Exponents as the page writes them.
+RAISED = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹−", "-0123456789-")
+# How many times a run fills the bins of its curves: 512 of them are merged in pairs four times.
+STEPS = 5000
+
+
+def number(text: str) -> float:
+    """A number as the table writes it, −1.234 × 10⁻⁵."""
+    plain = re.sub(r"\s×\s10", "e", text.translate(RAISED))
+    return float(re.sub(r"\s", "", plain))
+
+
+def says(shown: float, x: float, rounding: float = 0.0) -> bool:
+    """Whether a number shown with four digits is `x`, known up to a rounding."""
+    if abs(x) <= rounding:
+        return abs(shown) <= 2 * rounding
+    unit = 10.0 ** (math.floor(math.log10(abs(x))) - 3)
+    # A little more than half of a unit: its decimal value has itself been rounded.
+    return abs(shown - x) <= 0.5000001 * unit + rounding
+
+
+def rows(book: Book, *words: str) -> list[dict[str, float]]:
+    """The rows that the program prints."""
+    call = [book.program, *words]
+    answer = subprocess.run(call, capture_output=True, text=True, check=True)
+    table = csv.DictReader(io.StringIO(answer.stdout))
+    return [{name: float(number) for name, number in row.items()} for row in table]
+
+
+def errors(
+    book: Book, method: str, scene: dict[str, str], steps: int
+) -> tuple[list[float], list[float]]:
+    """The errors of energy and angle of a method after each step, from the start, as the program
+    prints states and the exact motion."""
+    start = ["--theta0", scene["theta0"], "--gravity", scene["g"], "--length", scene["L"]]
+    run = ["--method", method, "--dt", scene["dt"], "--steps", str(steps), "--every", "1"]
+    states = rows(book, "simulate", *run, *start)
+    exact = []
+    # A command line has room for some thousands of times.
+    for first in range(0, len(states), 1000):
+        times = ",".join(repr(state["t"]) for state in states[first : first + 1000])
+        exact += rows(book, "exact", "--t", times, *start)
+    assert [state["t"] for state in states] == [state["t"] for state in exact]
+    return (
+        [state["energy"] - states[0]["energy"] for state in states],
+        [state["theta"] - there["theta"] for state, there in zip(states, exact)],
+    )
+
+
+def cells(tab: Tab) -> dict[str, list[float]]:
+    """The errors in the table, by method."""
+    columns = f"""{LAB}.lab.pendulums.map((p, i) => [p.method.name,
+        [...{LAB}.querySelectorAll('tbody tr')[i].querySelectorAll('td')].map(c => c.textContent)])"""
+    return {name: [number(cell) for cell in row[:4]] for name, row in tab.run(columns)}
+
+
+# The scenes: the errors of angle of the first go through zero again and again, and reach their
+# largest long before the end.
+SCENES = [
+    {"m": "symplectic-euler,stormer-verlet", "dt": "0.1", "theta0": "2", "g": "3.71", "L": "0.7"},
+    {"m": "rk4,heun", "dt": "0.05", "theta0": "-1.2", "g": "9.81", "L": "1.3"},
+]
+
+
+def table(tab: Tab, book: Book) -> Iterator[str]:
+    """The errors in the table, now and largest, are those of `pendula simulate` against `pendula
+    exact`: after 25 steps, and after a run that fills the bins of the curves several times. In the
+    ring on the dashed rod the exact motion is at the time of the bobs."""
+    if not slow(tab, STEP):
+        yield "lab: does not come"
+        return
+    if texts(tab, "thead th") != HEADS:
+        yield f"lab: the table has other columns: {texts(tab, 'thead th')}"
+        return
+    for scene in SCENES:
+        methods = scene["m"].split(",")
+        until = STEPS * float(scene["dt"])
+        # Some 17 steps a frame, so that each has its sample.
+        speed = "&speed=100" if scene["dt"] == "0.1" else "&speed=10"
+        words = "&".join(f"{key}={text}" for key, text in scene.items())
+        go_to(tab, f"#{words}&until={until:g}{speed}")
+        if not has_rows(tab, len(methods)):
+            yield f"lab: does not show {methods}"
+            return
+        true = {method: errors(book, method, scene, STEPS) for method in methods}
+        tab.run(f"{LAB}.lab.again()")
+        press(tab, "step", 25)
+        yield from held(cells(tab), true, 25)
+        yield from ring(tab, book, scene, 25)
+        # Every frame's table, of the run from here to its end.
+        seen = tab.run(f"""(() => {{
+            const {{lab}} = {LAB}, all = [];
+            lab.run(true);
+            for (let i = 0; i < 2000 && lab.running; i++) {{
+                harness.frame();
+                lab.page.show();
+                const trs = [...{LAB}.querySelectorAll('tbody tr')];
+                all.push(trs.map(tr => [...tr.querySelectorAll('td')].map(c => c.textContent)));
+            }}
+            return all;
+        }})()""")
+        for i, method in enumerate(methods):
+            now = [number(frame[i][NOW]) for frame in seen]
+            largest = [number(frame[i][LARGEST]) for frame in seen]
+            if method == "symplectic-euler" and not min(now) < 0 < max(now):
+                yield f"lab: the angle error of {method} passes no zero, {len(now)} frames"
+            if any(before > after for before, after in zip(largest, largest[1:])):
+                yield f"lab: the largest angle error of {method} falls"
+            if any(abs(x) > most for x, most in zip(now, largest)):
+                yield f"lab: an angle error of {method} exceeds the largest"
+        yield from held(cells(tab), true, STEPS)
+
+
+def held(
+    shown: dict[str, list[float]], true: dict[str, tuple[list[float], list[float]]], steps: int
+) -> Iterator[str]:
+    """Compares the table with the errors after each step."""
+    for method, (energy, angle) in true.items():
+        # The lab's energy is zero at the bottom, the program's at the pivot: their differences
+        # agree to a few roundings of an energy of some joules.
+        for column, quantity, x, rounding in [
+            (ENERGY_NOW, "energy error", energy[steps], 1e-13),
+            (ENERGY_LARGEST, "largest energy error", max(map(abs, energy[: steps + 1])), 1e-13),
+            (NOW, "angle error", angle[steps], 0.0),
+            (LARGEST, "largest angle error", max(map(abs, angle[: steps + 1])), 0.0),
+        ]:
+            if not says(shown[method][column], x, rounding):
+                said = f"shown as {shown[method][column]:g}, and is {x:.5g}"
+                yield f"lab: after {steps} steps the {quantity} of {method} is {said}"
+
+
+def ring(tab: Tab, book: Book, scene: dict[str, str], steps: int) -> Iterator[str]:
+    """The rings are drawn at the exact angle."""
+    drawn = tab.run(f"""(() => {{
+        const {{drawing}} = {LAB}.lab, {{ink}} = drawing.stage, rings = [];
+        ink.arc = function (x, y, radius, ...turn) {{
+            const {{x: px, y: py}} = drawing.pivot(rings.length);
+            if (radius === 10) rings.push(Math.atan2(x - px, y - py));
+            return CanvasRenderingContext2D.prototype.arc.call(this, x, y, radius, ...turn);
+        }};
+        drawing.pendulums();
+        delete ink.arc;
+        return rings;
+    }})()""")
+    t = steps * float(scene["dt"])
+    start = ["--theta0", scene["theta0"], "--gravity", scene["g"], "--length", scene["L"]]
+    exact = rows(book, "exact", "--t", repr(t), *start)[0]["theta"]
+    if len(drawn) != len(scene["m"].split(",")):
+        yield f"lab: {len(drawn)} rings of the exact motion are drawn"
+    for theta in drawn:
+        # A place is some hundred px with sixteen digits; the angle is taken from its tangent.
+        if abs(math.remainder(theta - exact, math.tau)) > 1e-9:
+            yield f"lab: after {steps} steps a ring is at {theta:.6f} rad, and not {exact:.6f}"
+
+
+def orbit(tab: Tab, book: Book) -> Iterator[str]:
+    """The exact orbit is drawn whole: before a run there is ink where it crosses θ = 0, at ω =
+    ±2ω₀ sin(θ₀/2), both signs, and none halfway to there."""
+    if not opened(tab):
+        yield "lab: does not come"
+        return
+    for theta0, g, length in [(1.5, 9.81, 1.0), (-2.2, 3.71, 0.7)]:
+        go_to(tab, f"#m=rk4&theta0={theta0}&g={g}&L={length}")
+        tab.comes(f"{LAB}.lab.scene.theta0 === {theta0}")
+        press(tab, "again")
+        omega = 2 * math.sqrt(g / length) * abs(math.sin(theta0 / 2))
+        for at, wanted in [(omega, True), (-omega, True), (omega / 2, False), (-omega / 2, False)]:
+            inked = tab.run(f"""(omega => {{
+                const {{drawing}} = {LAB}.lab, {{phase}} = drawing, frame = drawing.frame();
+                const [x, y] = [frame.x(0), frame.y(omega)].map(at => at * phase.scale - 2);
+                // A copy, as the browser warns of looking at a canvas that is drawn on.
+                const copy = document.createElement('canvas').getContext('2d');
+                copy.drawImage(phase.canvas, -x, -y);
+                const {{data}} = copy.getImageData(0, 0, 5, 5);
+                return data.some((ink, i) => i % 4 === 3 && ink > 60);
+            }})""", at)
+            if inked != wanted:
+                yield f"lab: the orbit from {theta0} rad {'lacks' if wanted else 'has'} (0, {at:.3f})"
+
+
+def lessons(tab: Tab, book: Book) -> Iterator[str]:
+    """A lesson that names K = g Δt²/L in its title is at that K, to the digits it prints."""
+    if not opened(tab):
+        yield "lab: does not come"
+        return
+    named = 0
+    links = f"[...{LAB}.querySelectorAll('.lessons a')].map(a => [a.hash, a.textContent])"
+    for lesson, title in tab.run(links):
+        stated = re.search(r"\bK = (\d+(?:\.(\d+))?)", title)
+        if not stated:
+            continue
+        named += 1
+        go_to(tab, lesson)
+        tab.comes(f"location.hash === '{lesson}' && {LAB}.lab.taken > 0")
+        dt, g, length = (value(tab, key) for key in ("dt", "g", "L"))
+        k = g * dt**2 / length
+        if not abs(k - float(stated[1])) < 0.5 * 10.0 ** -len(stated[2] or ""):
+            yield f"lab: the lesson {title!r} is at K = {k:.5f}"
+    if not named:
+        yield "lab: no lesson names its K"
+
+
+# A step and how its time is written after one and after seven.
+TIMES = [
+    ("0.05", "0.05", "0.35"),
+    ("0.01", "0.01", "0.07"),
+    ("0.25", "0.25", "1.75"),
+    ("0.3", "0.3", "2.1"),
+    ("0.314455", "0.314455", "2.201185"),
+    ("0.0437", "0.0437", "0.3059"),
+    ("0.00123", "0.00123", "0.00861"),
+    ("1e-5", "0.00001", "0.00007"),
+    ("2", "2.0", "14.0"),
+]
+# Where a run stops, its step, and after how many it does: the quotients of the first are just
+# below a whole number.
+ENDS = [("0.3", "0.1", 3), ("0.7", "0.1", 7), ("2.14", "0.0214", 100), ("3", "0.5", 6)]
+
+
+def clock(tab: Tab, book: Book) -> Iterator[str]:
+    """The time is shown with as many decimals as the step has; a run that is told to stops there;
+    the time of a step is in nanoseconds, on a machine whose steps take as long as we say."""
+    if not slow(tab, STEP):
+        yield "lab: does not come"
+        return
+    for step, *times in TIMES:
+        go_to(tab, f"#m=rk4&dt={step}&theta0=1")
+        tab.comes(f"{LAB}.lab.scene.dt === {step}")
+        press(tab, "again")
+        for steps, t in zip(["1 step", "7 steps"], times):
+            press(tab, "step", 1 if steps == "1 step" else 6)
+            shown = texts(tab, ".time")
+            if shown != [f"t = {t} s, {steps}"]:
+                yield f"lab: after {steps} of {step} s the clock says {shown}"
+    for until, step, steps in ENDS:
+        tab.run(f"harness.visit('m=rk4&until={until}&dt={step}&speed=10', 120)")
+        taken = tab.run(f"{LAB}.lab.pendulums.map(p => p.read(theLab.QUANTITY.STEPS))")
+        if taken != [steps]:
+            yield f"lab: a run until {until} s in steps of {step} s ends after {taken}"
+    tab.run("harness.visit('m=rk4,stormer-verlet&dt=0.01&speed=1', 200)")
+    for cell in texts(tab, "tbody td:last-child"):
+        # Two digits are shown.
+        if not abs(number(cell) / (1e6 * STEP) - 1) <= 0.05:
+            yield f"lab: a step of {1e6 * STEP:g} ns is said to take {cell} ns"
+    yield from (f"lab: {fault}" for fault in tab.run("harness.faults()"))
+
+
+CHECKS = [table, orbit, lessons, clock]
