@@ -219,7 +219,7 @@ SPOILT_FILES = [
      "this.low[i] = Math.min(this.low[2 * i], this.low[j]);\n"
      "                this.high[i] = Math.max(this.high[2 * i], this.high[j]);",
      "this.low[i] = this.low[2 * i]; this.high[i] = this.high[2 * i];",
-     "the largest angle error of"),
+     "after 5000 steps the largest angle error of"),
     ("table", "theme/lab/library.js", "this.library.exact_theta(this.place, this.read(TIME))",
      "this.library.exact_theta(this.place, this.read(TIME) - 0.1)",
      "after 25 steps the angle error"),
