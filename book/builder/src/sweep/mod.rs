@@ -60,7 +60,7 @@ impl Runner {
         self.pendulum.start(theta0, self.omega0).map_err(Failure::refused)
     }
 
-    /// [`not_solved`] for one of these runs.
+    /// The refusal of one of these runs, if its method is implicit and a step was not solved.
     pub fn not_solved(&self, run: &Run) -> Option<Failure> {
         let start = Phase { theta: run.theta0, omega: self.omega0 };
         not_solved(self.method, &self.pendulum, start, &run.grid)
