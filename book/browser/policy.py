@@ -2,6 +2,7 @@
 from a server; what a stranger might have put on a page is."""
 
 import functools
+import sys
 import threading
 from collections.abc import Iterator
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
@@ -61,8 +62,15 @@ class Server:
             def log_message(handler, *_):
                 pass
 
+        class Quiet(ThreadingHTTPServer):
+            """Says nothing of a page that is left before all its files have come."""
+
+            def handle_error(server, *request):
+                if not isinstance(sys.exc_info()[1], ConnectionError):
+                    super().handle_error(*request)
+
         handler = functools.partial(Handler, directory=folder)
-        self.server = ThreadingHTTPServer(("127.0.0.1", 0), handler)
+        self.server = Quiet(("127.0.0.1", 0), handler)
         self.root = f"http://127.0.0.1:{self.server.server_port}"
 
     def __enter__(self):
