@@ -230,6 +230,33 @@ fn small_swings_are_the_normal_modes() {
     }
 }
 
+/// Normal modes are orthogonal in the mass matrix: (m₁ + m₂)L₁² + m₂L₁L₂(s₁ + s₂) + m₂L₂² s₁s₂ = 0,
+/// whatever masses and rods. Each shape is a quotient of sums without cancellation, off by some
+/// eight roundings, and the three terms by as many of their own size.
+///
+/// Catches: a shape that is infinite, or has lost its digits, beside a light lower bob.
+#[test]
+fn mode_shapes_are_orthogonal() {
+    for exponent in -29..=6 {
+        for (l1, l2) in [(1.0, 1.0), (1.0, 1.0 + 1e-9), (0.3, 2.0), (2.0, 0.3), (1e-6, 1e6)] {
+            let (m1, m2) = (1.0, 10_f64.powi(exponent).min(0.999e6));
+            let (upper, lower) = (Joint { length: l1, mass: m1 }, Joint { length: l2, mass: m2 });
+            let double = DoublePendulum::new(9.81, upper, lower).unwrap();
+            let [slow, fast] = double.mode_shapes();
+            assert!(slow > 0.0 && fast < 0.0, "{slow} and {fast}");
+            let terms = [
+                (m1 + m2) * l1 * l1,
+                m2 * l1 * l2 * slow,
+                m2 * l1 * l2 * fast,
+                m2 * l2 * l2 * slow * fast,
+            ];
+            let size = terms.iter().fold(0.0, |size: f64, term| size.max(term.abs()));
+            let sum = terms.iter().sum::<f64>();
+            assert!(sum.abs() <= 64.0 * f64::EPSILON * size, "{m2} {l1} {l2}: {terms:?}");
+        }
+    }
+}
+
 /// The largest energy error over 10 s of a chaotic motion, with `rate` steps a second.
 fn drift<M: Method<DoublePendulum>>(method: &M, rate: u64) -> f64 {
     let double = unequal();
