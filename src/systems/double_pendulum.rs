@@ -175,8 +175,8 @@ impl DoublePendulum {
     /// one, where the bobs swing together, negative in the fast one. For equal rods and bobs it is
     /// ±√2.
     ///
-    /// From the lower bob's equation, L₁ θ̈₁ + L₂ θ̈₂ + g θ₂ = 0, it is L₁/(g/ω² − L₂), where 2g/ω² is
-    /// L₁ + L₂ plus or minus the root of the discriminant.
+    /// From the lower bob's equation, L₁ θ̈₁ + L₂ θ̈₂ + g θ₂ = 0, it is L₁/(g/ω² − L₂), where 2g/ω²
+    /// is L₁ + L₂ plus or minus the root of the discriminant.
     pub fn mode_shapes(&self) -> [f64; 2] {
         let (l1, l2) = (self.upper.length, self.lower.length);
         let lower = self.lower.mass / (self.upper.mass + self.lower.mass);
