@@ -17,6 +17,7 @@ use super::state::{Bits, Kept, KeptArguments};
 use super::summary::Summary;
 use crate::failure::Failure;
 use crate::interrupt::{Lookout, unless_interrupted};
+use crate::sweep::part::Part;
 use crate::sweep::range::Sweep;
 use crate::sweep::{Run, Runner, grids};
 
@@ -57,6 +58,10 @@ pub struct Arguments {
     /// How rows are printed [default: csv]
     #[arg(long, value_enum)]
     format: Option<RowFormat>,
+    /// Compute the K-th of N parts of the sweep alone, as CSV: the parts one after the other are the
+    /// whole, with a header in the first
+    #[arg(long, value_name = "K/N", allow_hyphen_values = true)]
+    part: Option<Part>,
     #[command(flatten)]
     kept: KeptArguments,
     /// Say on standard error what the runs have cost, and how large their errors are
@@ -95,7 +100,7 @@ struct Ahead {
 ///
 /// # Errors
 /// [`Failure::Refused`] for what the library refuses, for a step too long for the method to solve
-/// its equations, and unless exactly one of angle and step is a range; a failure if the output
+/// its equations, for a part as JSON, and unless exactly one of angle and step is a range; a failure if the output
 /// cannot be written, if the user interrupts, or if a trajectory leaves the range of f64.
 pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
     run_until(arguments, [out, &mut io::stderr()], Lookout::for_the_user)
@@ -119,9 +124,16 @@ pub fn run_until(
     let dt = kept.argument("dt", arguments.dt, None)?;
     let duration = kept.argument("duration", arguments.duration, None)?;
     let format = kept.argument("format", arguments.format, Some(RowFormat::default()))?;
+    let part = kept.optional("part", arguments.part)?;
+    if format == RowFormat::Json && part.is_some() {
+        return Err(Failure::refused(
+            "arrays one after the other are no array: --part needs --format csv",
+        ));
+    }
     let runner = Runner::new(&method, pendulum, omega0)?;
     let printer =
-        Printer { runner, pendulum, omega0, duration, format, summary: arguments.summary };
+        Printer { runner, pendulum, omega0, duration, format, part, summary: arguments.summary };
+    let part = part.unwrap_or(Part::WHOLE);
     match (theta0, dt) {
         (Sweep::Range(theta0), Sweep::One(dt)) => {
             let grid = Grid::with_duration(dt, duration).map_err(Failure::refused)?;
@@ -133,7 +145,14 @@ pub fn run_until(
                 runner.from_each(angles, &grid, finished);
             };
             let same = move |&theta0: &f64| (theta0, grid);
-            printer.print(kept, out, theta0.linear(), same, compute, lookout)
+            printer.print(
+                kept,
+                out,
+                theta0.linear(part.among(theta0.count)),
+                same,
+                compute,
+                lookout,
+            )
         }
         (Sweep::One(theta0), Sweep::Range(dt)) => {
             let start = runner.start(theta0)?;
@@ -141,7 +160,8 @@ pub fn run_until(
                 runner.along_each(start, grids, finished);
             };
             let same = move |grid: &Grid| (start.theta, *grid);
-            printer.print(kept, out, grids(duration, dt)?, same, compute, lookout)
+            let grids = grids(duration, dt, part.among(dt.count))?;
+            printer.print(kept, out, grids, same, compute, lookout)
         }
         _ => Err(Failure::refused(
             "exactly one of --theta0 and --dt must be a range FROM:TO:COUNT; one run is `pendula \
@@ -157,6 +177,7 @@ struct Printer {
     omega0: f64,
     duration: f64,
     format: RowFormat,
+    part: Option<Part>,
     summary: bool,
 }
 
@@ -188,7 +209,9 @@ impl Printer {
         // Set the interrupt handler before creating the file.
         let lookout = lookout();
         let columns = ["theta0", "dt", "theta", "omega", "energy_error"];
-        let mut rows = kept.open(out, self.format, columns, printed)?;
+        // The header stands in the first part: the others go on from no row.
+        let headless = self.part.is_some_and(|part| !part.is_first());
+        let mut rows = kept.open(out, self.format, columns, printed.or(headless.then_some(0)))?;
         let mut sweep = sweep.skip(usize::try_from(from).unwrap_or(usize::MAX));
         let finished = Arc::new(AtomicU64::new(from));
         loop {
@@ -229,7 +252,8 @@ impl Printer {
             if interrupted {
                 let nanoseconds = (before + begun.elapsed()).as_nanos();
                 let nanoseconds = u64::try_from(nanoseconds).unwrap_or(u64::MAX);
-                let stands = format!("after {} runs", rows.rows());
+                let of = self.part.map_or_else(String::new, |part| format!(" of part {part}"));
+                let stands = format!("after {} runs{of}", rows.rows());
                 let progress = Progress { ahead: later, steps, nanoseconds, largest };
                 return Err(kept.leave(rows, progress, &stands)?);
             }
@@ -244,6 +268,9 @@ impl Printer {
             let least = if implicit { "at least " } else { "" };
             let evaluations = format!("{least}{evaluations}");
             let mut summary = Summary::of_cost(steps, evaluations, before + begun.elapsed());
+            if let Some(part) = self.part {
+                summary.line("part", part.to_string());
+            }
             summary.line("runs", runs.to_string());
             largest.add_to(&mut summary, self);
             summary.print(err)?;

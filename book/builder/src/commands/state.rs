@@ -21,6 +21,7 @@ use super::destination::Destination;
 use super::rows::{RowFormat, Rows};
 use crate::failure::Failure;
 use crate::files::kept;
+use crate::sweep::part::Part;
 use crate::sweep::range::Sweep;
 
 /// Where a run is kept when it is interrupted, and whence it is resumed.
@@ -158,6 +159,12 @@ impl Argument for Sweep {
     }
 }
 
+impl Argument for Part {
+    fn text(&self) -> String {
+        self.to_string()
+    }
+}
+
 impl FromStr for RowFormat {
     type Err = String;
 
@@ -255,6 +262,26 @@ impl<P: DeserializeOwned + Serialize> Kept<P> {
         };
         self.arguments.insert(name.to_owned(), value.text());
         Ok(value)
+    }
+
+    /// The argument `--name` that not every run has: the one `given`, or that of the state.
+    ///
+    /// # Errors
+    /// As [`argument`](Self::argument); if it is given, and the state has none.
+    pub fn optional<T: Argument>(
+        &mut self,
+        name: &'static str,
+        given: Option<T>,
+    ) -> Result<Option<T>, Failure> {
+        let stored = self.from.as_ref().map(|(path, state)| (path, state.arguments.get(name)));
+        match (stored, given) {
+            (Some((path, None)), Some(given)) => {
+                let given = given.text();
+                Err(refused(path, format!("it has no --{name}, and {given} contradicts that")))
+            }
+            (None | Some((_, None)), None) => Ok(None),
+            (_, given) => self.argument(name, given, None).map(Some),
+        }
     }
 
     /// What the run is resumed from, after all arguments have been asked for: the rows printed, and

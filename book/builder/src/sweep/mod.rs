@@ -1,8 +1,10 @@
 //! Sweeps: many runs of one method, from many angles or with many steps.
 
+pub mod part;
 pub mod range;
 
 use std::num::NonZeroU64;
+use std::ops;
 
 use pendula::fast::LANES;
 use pendula::metrics::EnergyDrift;
@@ -137,22 +139,30 @@ fn watch_in_lanes(name: &str, ensemble: &Ensemble<'_>, watches: &mut [DriftAndEn
     for_each_method!(by_name);
 }
 
-/// The grids over `duration` (s) with steps near those asked for, no two successive ones equal.
+/// The grids over `duration` (s) with steps near those asked for, no two successive ones equal:
+/// of all of them, those for `which` of the steps.
 ///
 /// # Errors
 /// If an end of the range is longer than the duration, or the library refuses it.
-pub fn grids(duration: f64, dt: Range) -> Result<impl Iterator<Item = Grid>, Failure> {
+pub fn grids(
+    duration: f64,
+    dt: Range,
+    which: ops::Range<u64>,
+) -> Result<impl Iterator<Item = Grid>, Failure> {
     // Where FROM and TO themselves fit, they are used exactly, as by `simulate`: 0.3/3 is not 0.1.
     let ends = [end(duration, dt.from)?, end(duration, dt.to)?];
+    // The step before the first, which may be equal, and so of another part.
+    let before = which.start.saturating_sub(1);
     let mut last = 0;
-    Ok(dt.geometric().filter_map(move |step| {
+    let grids = dt.geometric(before..which.end).filter_map(move |step| {
         let steps = whole(duration / step);
         let repeated = std::mem::replace(&mut last, steps) == steps;
         let end = ends.into_iter().find(|end| end.steps() == steps);
         // Every step between two allowed steps is allowed.
         let grid = end.or_else(|| Grid::new(duration / steps as f64, steps).ok());
         grid.filter(|_| !repeated)
-    }))
+    });
+    Ok(grids.skip(usize::from(before < which.start)))
 }
 
 /// The grid for an end of the range: with `step` (s) itself if it fits, or else with the nearest
@@ -185,12 +195,12 @@ mod tests {
     #[test]
     fn steps_fit_the_duration() {
         let range = Range { from: 0.1, to: 0.4, count: 3 };
-        let near: Vec<f64> = grids(1.0, range).unwrap().map(|grid| grid.step()).collect();
+        let near: Vec<f64> = grids(1.0, range, 0..3).unwrap().map(|grid| grid.step()).collect();
         assert_eq!(near, [0.1, 0.2, 1.0 / 3.0]);
         // 0.3/3 is not 0.1, but 0.1 is what was asked for.
         for (from, to, expected) in [(0.1, 0.3, [0.1, 0.15, 0.3]), (0.3, 0.1, [0.3, 0.15, 0.1])] {
             let range = Range { from, to, count: 9 };
-            let near: Vec<f64> = grids(0.3, range).unwrap().map(|grid| grid.step()).collect();
+            let near: Vec<f64> = grids(0.3, range, 0..9).unwrap().map(|grid| grid.step()).collect();
             assert_eq!(near, expected);
         }
     }

@@ -1,6 +1,7 @@
 //! A number, or a range of numbers, on the command line: `0.1` or `0.1:3:30`.
 
 use std::fmt;
+use std::ops;
 use std::str::FromStr;
 
 use crate::commands::number::refusal;
@@ -26,25 +27,30 @@ pub struct Range {
 }
 
 impl Range {
-    /// Equally spaced numbers; the ends are exact.
-    pub fn linear(self) -> impl Iterator<Item = f64> {
+    /// Equally spaced numbers; the ends are exact. Of all of them `which`, counted from zero.
+    pub fn linear(self, which: ops::Range<u64>) -> impl Iterator<Item = f64> {
         // Multiplication before division: the fourth of 0:1:11 is 0.3 and not the f64 beside it.
-        self.between(move |i, last| match (self.to - self.from) * i / last {
+        self.between(which, move |i, last| match (self.to - self.from) * i / last {
             beyond if beyond.is_finite() => self.from + beyond,
             // The ends are too far apart for that.
             _ => self.from * (1.0 - i / last) + self.to * (i / last),
         })
     }
 
-    /// Numbers in equal ratios; the ends are exact, and must be greater than zero.
-    pub fn geometric(self) -> impl Iterator<Item = f64> {
+    /// Numbers in equal ratios; the ends are exact, and must be greater than zero. Of all of
+    /// them `which`, counted from zero.
+    pub fn geometric(self, which: ops::Range<u64>) -> impl Iterator<Item = f64> {
         // libm's power, not the platform's: the same numbers on every machine.
-        self.between(move |i, last| self.from * libm::pow(self.to / self.from, i / last))
+        self.between(which, move |i, last| self.from * libm::pow(self.to / self.from, i / last))
     }
 
-    fn between(self, inner: impl Fn(f64, f64) -> f64) -> impl Iterator<Item = f64> {
+    fn between(
+        self,
+        which: ops::Range<u64>,
+        inner: impl Fn(f64, f64) -> f64,
+    ) -> impl Iterator<Item = f64> {
         let last = self.count - 1;
-        (0..=last).map(move |i| match i {
+        which.map(move |i| match i {
             0 => self.from,
             _ if i == last => self.to,
             _ => inner(i as f64, last as f64),
@@ -98,13 +104,13 @@ mod tests {
     /// nearest to it.
     #[test]
     fn ranges_have_their_ends_and_their_count() {
-        let tenths: Vec<f64> = range("0:1:11").linear().collect();
+        let tenths: Vec<f64> = range("0:1:11").linear(0..11).collect();
         assert_eq!(tenths, [0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0]);
-        let decades: Vec<f64> = range("0.1:0.001:3").geometric().collect();
+        let decades: Vec<f64> = range("0.1:0.001:3").geometric(0..3).collect();
         assert_eq!((decades.len(), decades[0], decades[2]), (3, 0.1, 0.001));
         assert!((decades[1] / 0.01 - 1.0).abs() < 1e-15, "{decades:?}");
-        assert_eq!(range("-1:1:2").linear().collect::<Vec<_>>(), [-1.0, 1.0]);
-        assert_eq!(range("-1e308:1e308:3").linear().collect::<Vec<_>>(), [-1e308, 0.0, 1e308]);
+        assert_eq!(range("-1:1:2").linear(0..2).collect::<Vec<_>>(), [-1.0, 1.0]);
+        assert_eq!(range("-1e308:1e308:3").linear(0..3).collect::<Vec<_>>(), [-1e308, 0.0, 1e308]);
     }
 
     /// Catches: half a range taken for a number, a range of one number, NaN.

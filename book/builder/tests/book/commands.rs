@@ -246,6 +246,16 @@ fn bad_input_is_refused_in_one_line() {
     ] {
         assert_refused(&ensemble(theta0, dt, duration), because);
     }
+    let part = |part, format| {
+        [&ensemble("0:1:5", "0.1", "1")[..], &["--part", part, "--format", format]].concat()
+    };
+    for k in ["3", "0/3", "4/3", "1/0", "a/b", "1/", "-1/3", "1 / 3", "1/99999999999999999999"] {
+        assert_refused(&part(k, "csv"), "K/N, whole numbers with K from 1 to N");
+    }
+    assert_refused(&part("--summary", "csv"), "the value before it is missing");
+    for k in ["1/1", "2/3", "9/9"] {
+        assert_refused(&part(k, "json"), "--part needs --format csv");
+    }
     assert_refused(&adaptive("1", "10", "0"), "greater than zero");
     assert_refused(&adaptive("1", "10", "1e-16"), "2.22e-15");
     assert_refused(&adaptive("1", "inf", "1e-6"), "finite");

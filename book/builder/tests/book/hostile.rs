@@ -538,7 +538,7 @@ proptest! {
     ) {
         let (from, to): (f64, f64) = (from, to);
         if let Ok(Sweep::Range(range)) = format!("{from:?}:{to:?}:{count}").parse() {
-            let numbers: Vec<f64> = range.linear().collect();
+            let numbers: Vec<f64> = range.linear(0..count).collect();
             prop_assert_eq!((numbers.len() as u64, numbers[0]), (count, from));
             prop_assert_eq!(numbers[numbers.len() - 1], to);
             let room = f64::max(from.abs(), to.abs()) * 1e-15;

@@ -258,6 +258,111 @@ fn the_parts_on_standard_output_make_the_whole() {
     }
 }
 
+/// The rows of each of `of` parts of a sweep.
+fn parts(sweep: &[&str], of: u64) -> Vec<String> {
+    let part = |k| whole(&[sweep, &["--part", &format!("{k}/{of}")]].concat()).out;
+    (1..=of).map(part).collect()
+}
+
+/// For sweeps over angles, where lanes are and where they are not, and over steps, where neighbours
+/// are equal; in as many parts as there are runs, in fewer and in more; in one of several batches.
+///
+/// Catches: a start of two parts or of none, a part whose ends are taken for those of the sweep, a
+/// step that is run again because its equal is of the part before, a header in each part or in
+/// none, parts of one and of many starts, a last bit that depends on the neighbours in lanes.
+#[test]
+fn parts_one_after_the_other_are_the_whole() {
+    let angles = words(
+        "ensemble --method rk4 --theta0 -1:2.9:75 --omega0 0.5 --dt 0.1 --duration 0.4 --gravity 5 \
+         --length 2 --mass 3",
+    );
+    // The larger ones cannot be computed in lanes.
+    let large = words("ensemble --method stormer-verlet --theta0 0:9e6:71 --dt 0.1 --duration 0.4");
+    let steps = words("ensemble --method gauss-4 --theta0 1 --dt 0.1:0.02:25 --duration 0.4");
+    let repeated = whole(&steps).out.lines().count() - 1;
+    assert!((6..20).contains(&repeated), "{repeated} of 25 steps differ");
+    for (sweep, runs) in [(&angles, 75), (&large, 71), (&steps, 25)] {
+        let expected = whole(sweep).out;
+        for of in (1..8).chain([runs - 1, runs, runs + 1, runs + 30]) {
+            let parts = parts(sweep, of);
+            assert_eq!(parts.concat(), expected, "{sweep:?} in {of}");
+            assert!(parts[0].starts_with("theta0,dt,theta,omega,energy_error\n"));
+            if sweep != &steps {
+                for (k, part) in parts.iter().enumerate() {
+                    let rows = part.lines().count() as u64 - u64::from(k == 0);
+                    assert!(rows == runs / of || rows == runs / of + 1, "{k} of {of}: {rows}");
+                }
+            }
+        }
+    }
+    let batches =
+        words("ensemble --method forward-euler --theta0 0:1:9001 --dt 0.1 --duration 0.1");
+    assert!(parts(&batches, 2).concat() == whole(&batches).out);
+}
+
+/// The middle of a sweep of 10¹⁵ runs, which would take weeks to count up to.
+///
+/// Catches: a part that generates the sweep up to it, or to its end.
+#[test]
+fn a_part_costs_its_own_runs_alone() {
+    let of = ["--part", "250000000000001/500000000000000"];
+    let angles = words("ensemble --method rk4 --theta0 0:1:1000000000000001 --dt 1 --duration 3");
+    let rows = whole(&[&angles[..], &of].concat()).out;
+    // There are three in the first part, and two in each of the others.
+    let starts: Vec<&str> = rows.lines().map(|row| row.split(',').next().unwrap()).collect();
+    assert_eq!(starts, ["0.500000000000001", "0.500000000000002"]);
+    let steps = words("ensemble --method rk4 --theta0 1 --dt 1:1e-4:1000000000000000 --duration 1");
+    // The neighbours of the root, 100 steps, are equal to it.
+    assert_eq!(whole(&[&steps[..], &of].concat()).out, "");
+}
+
+/// Each part is interrupted and resumed, on a file and on standard output, and says what it is.
+///
+/// Catches: a part that goes on as the whole or as another part, or again from its first start; a
+/// state that does not say of which part it is, or is taken for that of another; a header at the
+/// top of a part that has none; a part without runs that leaves an old file as it was; a summary
+/// that counts the runs of the other parts.
+#[test]
+fn an_interrupted_part_is_resumed_as_that_part() {
+    let folder = Folder::new();
+    let state = folder.folder.path().join("here");
+    let sweep = words("ensemble --method rk4 --theta0 0:3:8 --dt 0.1 --duration 0.4 --mass 3");
+    let expected = parts(&sweep, 3);
+    for (k, (expected, runs)) in (1..).zip(expected.iter().zip([3, 3, 2])) {
+        let name = format!("{k}/3");
+        let part = [&sweep[..], &["--part", &name]].concat();
+        for first in 0..runs {
+            assert_eq!(folder.in_parts(&part, &[first, (first + runs) / 2]), *expected, "{name}");
+            let first = interrupted(&[&part[..], &["--state", text(&state)]].concat(), first);
+            let line = first.outcome.unwrap_err();
+            assert!(line.contains(&format!(" runs of part {name};")), "{line}");
+            let resume = ["ensemble", "--resume", text(&state)];
+            for other in ["1/3", "2/3", "3/3", "1/1", "1/6"].into_iter().filter(|of| *of != name) {
+                let refused = interrupted(&[&resume[..], &["--part", other]].concat(), u64::MAX);
+                let line = refused.outcome.unwrap_err();
+                assert!(line.contains(&format!("its --part is {name}, and {other} ")), "{line}");
+                assert_eq!(refused.out, "");
+            }
+            let rest = whole(&[&resume[..], &["--part", &name, "--summary"]].concat());
+            assert_eq!([first.out, rest.out].concat(), *expected, "{name}");
+            let is = ["part", name.as_str()];
+            assert!(rest.err.lines().any(|line| line.split_whitespace().eq(is)), "{}", rest.err);
+            assert_eq!(summary_value(&rest.err, "runs"), runs as f64);
+            assert_eq!(summary_value(&rest.err, "steps "), 4.0 * runs as f64);
+        }
+    }
+    assert!(interrupted(&[&sweep[..], &["--state", text(&state)]].concat(), 4).outcome.is_err());
+    let refused = interrupted(&["ensemble", "--resume", text(&state), "--part", "1/1"], u64::MAX);
+    let line = refused.outcome.unwrap_err();
+    assert!(line.contains("it has no --part, and 1/1 contradicts"), "{line}");
+
+    fs::write(&folder.file, "old").unwrap();
+    let empty = ["--part", "9/9", "--summary", "--output", text(&folder.file)];
+    let printed = whole(&[&sweep[..], &empty].concat());
+    assert_eq!((printed.out.as_str(), summary_value(&printed.err, "runs")), ("", 0.0));
+    assert_eq!(fs::read_to_string(&folder.file).unwrap(), "");
+}
+
 /// A run that was killed while it was being resumed leaves the state and the rows of before, and
 /// perhaps rows more.
 ///
