@@ -58,8 +58,8 @@ pub struct Arguments {
     /// How rows are printed [default: csv]
     #[arg(long, value_enum)]
     format: Option<RowFormat>,
-    /// Compute the K-th of N parts of the sweep alone, as CSV: the parts one after the other are the
-    /// whole, with a header in the first
+    /// Compute the K-th of N parts of the sweep alone, as CSV: the parts one after the other are
+    /// the whole, with a header in the first
     #[arg(long, value_name = "K/N", allow_hyphen_values = true)]
     part: Option<Part>,
     #[command(flatten)]
@@ -100,8 +100,9 @@ struct Ahead {
 ///
 /// # Errors
 /// [`Failure::Refused`] for what the library refuses, for a step too long for the method to solve
-/// its equations, for a part as JSON, and unless exactly one of angle and step is a range; a failure if the output
-/// cannot be written, if the user interrupts, or if a trajectory leaves the range of f64.
+/// its equations, for a part as JSON, and unless exactly one of angle and step is a range; a
+/// failure if the output cannot be written, if the user interrupts, or if a trajectory leaves the
+/// range of f64.
 pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
     run_until(arguments, [out, &mut io::stderr()], Lookout::for_the_user)
 }

@@ -16,6 +16,7 @@ use pendula::{
 use pendula_study::claims::Verdict;
 use serde_json::Value;
 
+use crate::chapters::chapters;
 use crate::claims::LEDGER;
 
 fn pendula(arguments: &[&str]) -> Output {
@@ -322,6 +323,25 @@ fn a_large_sweep_is_whole_in_its_file() {
     assert_eq!(pendula(&failing).status.code(), Some(FAILED));
     assert_eq!(files(folder.path()), ["sweep.csv"]);
     assert_eq!(fs::read_to_string(&path).unwrap(), text);
+}
+
+/// Catches: rows in the book that the command beside them does not print.
+#[test]
+fn the_book_shows_the_parts_as_they_are_printed() {
+    let chapters = chapters();
+    let (_, page) = chapters.iter().find(|(name, _)| name == "appendix-command-line.md").unwrap();
+    let (_, listing) = page.split_once("$ sweep=\"").unwrap();
+    let (sweep, listing) = listing.split_once("\"\n").unwrap();
+    let (shown, _) = listing.split_once("```").unwrap();
+    let mut shown = shown.split("$ pendula ensemble $sweep ");
+    assert_eq!(shown.next(), Some(""));
+    let mut parts = 0;
+    for (part, rows) in shown.map(|part| part.split_once('\n').unwrap()) {
+        let words = ["ensemble", sweep, part].into_iter().flat_map(|words| words.split(' '));
+        assert_eq!(printed(&words.collect::<Vec<_>>()), rows, "{part}");
+        parts += 1;
+    }
+    assert_eq!(parts, 2);
 }
 
 /// Catches: a method or a scene left out, formats that disagree, missing files.
