@@ -6,6 +6,7 @@ use multiversion::multiversion;
 
 use super::{Deferred, ReducedRate};
 use crate::integrate::Method;
+use crate::methods::Rotating;
 use crate::systems::Phase;
 
 /// The pendulum and its state with branchless reduction of the angle.
@@ -57,6 +58,21 @@ impl Lane for ReducedPhase {
         for (column, x) in columns.iter_mut().zip([self.rest, self.turns, sum, factor, series]) {
             column[lane] = x;
         }
+    }
+}
+
+impl Lane for Rotating<ReducedPhase> {
+    const SUFFICES: bool = true;
+
+    #[inline(always)]
+    fn load(columns: &Columns, lane: usize) -> Self {
+        Self { ahead: ReducedPhase::load(columns, lane), kick: columns[5][lane] }
+    }
+
+    #[inline(always)]
+    fn store(self, columns: &mut Columns, lane: usize) {
+        self.ahead.store(columns, lane);
+        columns[5][lane] = self.kick;
     }
 }
 

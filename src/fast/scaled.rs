@@ -9,12 +9,12 @@
 use core::ops::{Add, Mul};
 
 use super::deferred::Deferred;
-use crate::arithmetic::sine::half_turn::{PI_PARTS, reduce, series};
-use crate::arithmetic::sine::{self, ROUNDER};
+use crate::arithmetic::sine::half_turn::{PI_PARTS, from_the_bottom, reduce, series, sin};
+use crate::arithmetic::sine::{self, ROUNDER, sinc};
 use crate::integrate::{Grid, Method};
 use crate::systems::{
-    Analytic, Components, Numbers, Pendulum, Phase, RateOf, Separable, State, System, Vector,
-    growth,
+    Analytic, Components, MeanForce, NearlyLinear, Numbers, Pendulum, Phase, RateOf, Separable,
+    State, System, Vector, growth,
 };
 
 /// The pendulum with time in steps.
@@ -224,5 +224,26 @@ impl<const BRANCH: bool> Analytic for ScaledPendulum<BRANCH> {
         let (angle, velocity) =
             growth::<P>(-self.minus_k, h, z.velocity.value(), z.sine_and_cosine());
         ReducedRate { angle: Deferred::from(angle), velocity: Deferred::from(velocity) }
+    }
+}
+
+impl<const BRANCH: bool> MeanForce for ScaledPendulum<BRANCH> {
+    #[inline]
+    fn mean_force_rate(&self, middle: ReducedPhase<BRANCH>, h: f64) -> ReducedRate {
+        let half_the_way = 0.5 * h * middle.velocity.value();
+        let velocity = self.force(0.0, middle) * sinc(half_the_way, sin);
+        ReducedRate { angle: middle.velocity, velocity }
+    }
+}
+
+impl<const BRANCH: bool> NearlyLinear for ScaledPendulum<BRANCH> {
+    #[inline]
+    fn linear_frequency_squared(&self) -> f64 {
+        -self.minus_k
+    }
+
+    #[inline]
+    fn linear_force(&self, z: ReducedPhase<BRANCH>) -> Deferred {
+        (self.minus_k * from_the_bottom(z.turns, z.rest)).into()
     }
 }

@@ -46,14 +46,14 @@
 //! A method is added to the library's list in three places: its file, two lines in its family's
 //! `mod.rs`, and a line in [`registry`]. CONTRIBUTING.md has the recipe.
 
-pub mod gauss;
+pub mod implicit;
 mod info;
 pub mod registry;
 pub mod runge_kutta;
 pub mod splitting;
 pub mod taylor;
 
-pub use gauss::*;
+pub use implicit::*;
 pub use info::{Info, MethodInfo};
 pub use registry::{AnyMethod, METHODS, method_named};
 pub use runge_kutta::*;

@@ -112,6 +112,7 @@ macro_rules! for_each_general_method {
             dormand_prince::DormandPrince,
             dop853::Dop853,
             implicit_midpoint::ImplicitMidpoint,
+            trapezoidal::Trapezoidal,
             gauss_4::Gauss4,
             gauss_6::Gauss6,
             gauss_16::Gauss16,
@@ -128,7 +129,12 @@ macro_rules! for_each_general_method {
 #[macro_export]
 macro_rules! for_each_method {
     ($then:ident) => {
-        $crate::for_each_general_method! { $then, taylor_24::Taylor24, }
+        $crate::for_each_general_method! {
+            $then,
+            discrete_gradient::DiscreteGradient,
+            deuflhard::Deuflhard,
+            taylor_24::Taylor24,
+        }
     };
 }
 

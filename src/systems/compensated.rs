@@ -3,7 +3,10 @@
 use core::ops::Add;
 
 use crate::arithmetic::double_double::two_sum;
-use crate::systems::{Analytic, Components, Hamiltonian, Phase, RateOf, Separable, State, System};
+use crate::systems::{
+    Analytic, Components, Hamiltonian, MeanForce, NearlyLinear, Phase, RateOf, Separable, State,
+    System,
+};
 
 /// A wrapper: the same system, with a state that carries its rounding errors, so that every method
 /// that integrates it has compensated sums.
@@ -119,5 +122,24 @@ impl<S: Analytic<State = Phase>> Analytic for Compensated<S> {
     #[inline]
     fn mean_rate<const P: usize>(&self, h: f64, z: CompensatedPhase) -> Phase {
         self.system.mean_rate::<P>(h, z.phase)
+    }
+}
+
+impl<S: MeanForce<State = Phase>> MeanForce for Compensated<S> {
+    #[inline]
+    fn mean_force_rate(&self, middle: CompensatedPhase, h: f64) -> Phase {
+        self.system.mean_force_rate(middle.phase, h)
+    }
+}
+
+impl<S: NearlyLinear<State = Phase> + Hamiltonian> NearlyLinear for Compensated<S> {
+    #[inline]
+    fn linear_frequency_squared(&self) -> f64 {
+        self.system.linear_frequency_squared()
+    }
+
+    #[inline]
+    fn linear_force(&self, z: CompensatedPhase) -> S::Force {
+        self.system.linear_force(z.phase)
     }
 }

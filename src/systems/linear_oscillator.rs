@@ -16,6 +16,11 @@ impl LinearOscillator {
         Self(pendulum)
     }
 
+    /// g/L (1/s²): the square of the angular frequency.
+    pub const fn frequency_squared(&self) -> f64 {
+        self.0.frequency_squared()
+    }
+
     /// The state at time `t` (s) after `start`: the paper's Eq. 4, for any initial velocity.
     pub fn exact(&self, start: Phase, t: f64) -> Phase {
         let frequency = self.0.small_angle_frequency();
@@ -41,7 +46,7 @@ impl Separable for LinearOscillator {
 
     #[inline]
     fn force(&self, _t: f64, z: Phase) -> f64 {
-        -self.0.frequency_squared() * z.theta
+        -self.frequency_squared() * z.theta
     }
 
     #[inline]

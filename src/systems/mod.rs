@@ -75,6 +75,8 @@ mod double_pendulum;
 mod driven;
 mod kepler;
 mod linear_oscillator;
+mod mean_force;
+mod nearly_linear;
 mod pendulum;
 mod shaken;
 mod state;
@@ -88,6 +90,8 @@ pub use double_pendulum::{DoublePendulum, DoublePhase, Joint, LARGEST_MASS_RATIO
 pub use driven::Driven;
 pub use kepler::{Ellipse, Kepler, Planar, PlanePhase};
 pub use linear_oscillator::LinearOscillator;
+pub use mean_force::MeanForce;
+pub use nearly_linear::NearlyLinear;
 pub(crate) use pendulum::angle;
 pub use pendulum::{LARGEST_ANGLE, Pendulum};
 pub use shaken::{Mathieu, Shaken};

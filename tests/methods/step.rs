@@ -6,8 +6,8 @@
 
 use approx::assert_relative_eq;
 use pendula::methods::{
-    ExplicitMidpoint, ForwardEuler, Heun, ImplicitMidpoint, PositionVerlet, Rk4, StormerVerlet,
-    SymplecticEuler,
+    Deuflhard, DiscreteGradient, ExplicitMidpoint, ForwardEuler, Heun, ImplicitMidpoint,
+    PositionVerlet, Rk4, StormerVerlet, SymplecticEuler, Trapezoidal,
 };
 use pendula::{Grid, Info, LinearOscillator, METHODS, Method, Pendulum, Phase, System, integrate};
 
@@ -107,6 +107,9 @@ fn methods_of_the_same_order_and_cost_are_all_here() {
         ExplicitMidpoint.info(),
         PositionVerlet.info(),
         ImplicitMidpoint.info(),
+        Trapezoidal.info(),
+        DiscreteGradient.info(),
+        Deuflhard.info(),
     ];
     let all = || METHODS.iter().map(|method| method.info());
     for one in all() {
@@ -158,4 +161,59 @@ fn the_implicit_midpoint_solves_its_equation() {
     let omega = -0.7 + H * alpha(middle);
     let z = step(&pendulum(), &ImplicitMidpoint, Z);
     assert_same(z, 0.8 + half * (-0.7 + omega), omega);
+}
+
+/// The angle θ' at the end that solves θ' = θ + (h/2)(ω + ω'(θ')), by the secant method, which needs
+/// no derivative.
+fn solved(velocity_at: impl Fn(f64) -> f64) -> (f64, f64) {
+    let miss = |end: f64| end - 0.8 - 0.5 * H * (-0.7 + velocity_at(end));
+    let (mut before, mut end) = (0.5, 0.6);
+    // A last step by less than rounding divides by nothing.
+    while f64::abs(end - before) > 1e-9 {
+        let slope = (miss(end) - miss(before)) / (end - before);
+        (before, end) = (end, end - miss(end) / slope);
+    }
+    (end, velocity_at(end))
+}
+
+/// Its equations. Catches: the midpoint rule under its name; an iteration that stops early; the
+/// slope of either end twice.
+#[test]
+fn the_trapezoidal_rule_is_the_mean_of_both_ends() {
+    let (theta, omega) = solved(|end| -0.7 + 0.5 * H * (alpha(0.8) + alpha(end)));
+    assert_same(step(&pendulum(), &Trapezoidal, Z), theta, omega);
+}
+
+/// Its equations, with the difference quotient of the potential as it stands: the angles are apart
+/// by 0.3, so that it rounds by a few 1e-16, and the velocity by 2.5 h times that.
+///
+/// Catches: the midpoint or the trapezoidal rule under its name, a mean over half or twice the way.
+#[test]
+fn the_discrete_gradient_is_the_quotient_of_the_differences() {
+    let quotient = |end: f64| (0.8_f64.cos() - end.cos()) / (end - 0.8);
+    let (theta, omega) = solved(|end| -0.7 - 2.5 * H * quotient(end));
+    let z = step(&pendulum(), &DiscreteGradient, Z);
+    assert_relative_eq!(z.theta, theta, max_relative = 5.0 * ROUNDING);
+    assert_relative_eq!(z.omega, omega, max_relative = 5.0 * ROUNDING);
+}
+
+/// Half a kick by θ − sin θ, a rotation, half a kick, about the bottom and about one two turns away.
+///
+/// Catches: rotation, kick, rotation; a kick by all of the force; a frequency without its root; an
+/// angle that is not taken from its own bottom.
+#[test]
+fn deuflhard_kicks_rotates_and_kicks() {
+    let (frequency, h) = (2.5_f64.sqrt(), H);
+    let kick = |theta: f64| 0.5 * h * 2.5 * (theta - theta.sin());
+    let omega = -0.7 + kick(0.8);
+    let (sin, cos) = (frequency * h).sin_cos();
+    let theta = 0.8 * cos + omega / frequency * sin;
+    let omega = omega * cos - 0.8 * frequency * sin;
+    let omega = omega + kick(theta);
+    assert_same(step(&pendulum(), &Deuflhard, Z), theta, omega);
+    // The angle is rounded by 1e-15 at the start.
+    let turns = 4.0 * std::f64::consts::PI;
+    let z = step(&pendulum(), &Deuflhard, Phase { theta: 0.8 + turns, ..Z });
+    assert_relative_eq!(z.theta - turns, theta, max_relative = 10.0 * ROUNDING);
+    assert_relative_eq!(z.omega, omega, max_relative = 10.0 * ROUNDING);
 }

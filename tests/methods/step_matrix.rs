@@ -35,7 +35,8 @@ where
 }
 
 /// At x = 1 the determinants 1 + x², 1, 1 − x⁶/72 + x⁸/576 and 1, and the traces 2, 2 − x², 2 −
-/// x² + x⁴/12 and 2 − x². A few roundings of numbers up to 2.
+/// x² + x⁴/12 and 2 − x²; of Cayley's transform 1 and (2 − x²/2)/(1 + x²/4), of the rotation 1 and
+/// 2 cos x. A few roundings of numbers up to 2.
 ///
 /// Catches: a tabulated matrix that is wrong in the same way as its method.
 #[rstest]
@@ -43,6 +44,10 @@ where
 #[case::symplectic_euler("symplectic-euler", 1.0, 1.0)]
 #[case::rk4("rk4", 1.0 - 1.0 / 72.0 + 1.0 / 576.0, 1.0 + 1.0 / 12.0)]
 #[case::stormer_verlet("stormer-verlet", 1.0, 1.0)]
+#[case::implicit_midpoint("implicit-midpoint", 1.0, 1.2)]
+#[case::trapezoidal("trapezoidal", 1.0, 1.2)]
+#[case::discrete_gradient("discrete-gradient", 1.0, 1.2)]
+#[case::deuflhard("deuflhard", 1.0, 1.080_604_611_736_279_4)]
 fn the_matrices_on_file_have_their_invariants(
     #[case] name: &str,
     #[case] determinant_at_one: f64,

@@ -6,7 +6,7 @@
 use core::ops::{Add, Mul};
 
 use pendula::fast::{ReducedPhase, ReducedRate, ScaledPendulum};
-use pendula::systems::{Components, State, Vector};
+use pendula::systems::{Components, MeanForce, NearlyLinear, State, Vector};
 use pendula::{Analytic, Counting, Damped, Phase, RateOf, Separable, System};
 
 /// The system, state, displacement or force of one of the two systems. Values of different systems
@@ -173,6 +173,36 @@ impl Analytic for Shared {
     fn mean_rate<const P: usize>(&self, h: f64, z: SharedState) -> RateOf<Self> {
         match (self, z) {
             (S((_, system)), S(z)) => By(S(system.mean_rate::<P>(h, z))),
+            _ => never(),
+        }
+    }
+}
+
+/// As [`Analytic`], for the undamped pendulum only.
+impl MeanForce for Shared {
+    #[inline(never)]
+    fn mean_force_rate(&self, middle: SharedState, h: f64) -> By {
+        match (self, middle) {
+            (S((_, system)), S(middle)) => By(S(system.mean_force_rate(middle, h))),
+            _ => never(),
+        }
+    }
+}
+
+/// As [`Analytic`], for the undamped pendulum only.
+impl NearlyLinear for Shared {
+    #[inline(never)]
+    fn linear_frequency_squared(&self) -> f64 {
+        match self {
+            S((_, system)) => system.linear_frequency_squared(),
+            D(_) => never(),
+        }
+    }
+
+    #[inline(never)]
+    fn linear_force(&self, z: SharedState) -> Self::Force {
+        match (self, z) {
+            (S((_, system)), S(z)) => S(system.linear_force(z)),
             _ => never(),
         }
     }

@@ -1,7 +1,7 @@
 //! The sine of the time loop: reduced by half turns, so that one odd polynomial serves every angle
 //! and only the sign depends on the number of half turns.
 
-use core::f64::consts::{FRAC_1_PI, FRAC_PI_2};
+use core::f64::consts::{FRAC_1_PI, FRAC_PI_2, PI};
 
 use super::ROUNDER;
 
@@ -24,6 +24,15 @@ pub fn reduce<const BRANCH: bool>(x: f64) -> (f64, f64) {
     }
     let n = (x * FRAC_1_PI + ROUNDER) - ROUNDER;
     (n, ((x - n * PI_PARTS[0]) - n * PI_PARTS[1]) - n * PI_PARTS[2])
+}
+
+/// The angle (rad) of `half_turns` and `rest` from the nearest whole turn, in [−π, π], where
+/// [`ROUNDER`] is added to the number of half turns.
+#[inline(always)]
+pub fn from_the_bottom(half_turns: f64, rest: f64) -> f64 {
+    // 0 for an even number, 1 for an odd one.
+    let odd = 0.5 - 0.5 * f64::from_bits(1.0_f64.to_bits() ^ half_turns.to_bits() << 63);
+    rest - odd * PI.copysign(rest)
 }
 
 /// Up to this size (rad), 2²⁰ half turns, the reduction is exact.

@@ -53,6 +53,14 @@ pub fn cos(x: f64) -> f64 {
     }
 }
 
+/// sin `x` over `x`, by this `sine`; 1 at 0.
+#[inline(always)]
+pub(crate) fn sinc(x: f64, sine: impl Fn(f64) -> f64) -> f64 {
+    // An even function, and below 1e-8 it is 1: the bound only keeps 0 out.
+    let size = x.abs().max(1e-100);
+    sine(size) / size
+}
+
 /// The remainder of an angle after whole quarter turns: `head` in [−π/4, π/4], and `tail`, the
 /// rounding error of the head.
 #[derive(Clone, Copy)]

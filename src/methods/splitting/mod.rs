@@ -6,6 +6,7 @@
 
 mod blanes_moan_4;
 mod blanes_moan_6;
+mod deuflhard;
 mod forest_ruth;
 mod kahan_li_8;
 mod position_verlet;
@@ -19,6 +20,7 @@ mod yoshida_8;
 
 pub use blanes_moan_4::BlanesMoan4;
 pub use blanes_moan_6::BlanesMoan6;
+pub use deuflhard::{Deuflhard, Rotating};
 pub use forest_ruth::ForestRuth;
 pub use kahan_li_8::KahanLi8;
 pub use position_verlet::PositionVerlet;

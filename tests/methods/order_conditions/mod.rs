@@ -1,6 +1,6 @@
 //! The coefficient tables of the methods against the conditions of their order: a file for each
 //! family.
 
-mod gauss;
+mod implicit;
 mod runge_kutta;
 mod splitting;

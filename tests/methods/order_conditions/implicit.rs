@@ -1,10 +1,10 @@
-//! The tables of Gauss's methods against the conditions of their order, in twice the digits of f64.
+//! The tables of the implicit methods: Gauss's against the conditions of their order, in twice the
+//! digits of f64, and the trapezoidal rule's by hand.
 
 use std::array;
 
 use pendula::arithmetic::double_double::DoubleDouble;
-use pendula::methods::gauss::ImplicitTableau;
-use pendula::methods::{Gauss4, Gauss6, Gauss16, ImplicitMidpoint};
+use pendula::methods::{Gauss4, Gauss6, Gauss16, ImplicitMidpoint, ImplicitTableau, Trapezoidal};
 
 /// The coefficients of Gauss's method with twice the digits.
 struct Gauss<const S: usize> {
@@ -150,4 +150,21 @@ fn the_tables_are_symplectic_and_symmetric() {
     check(&Gauss4::TABLEAU);
     check(&Gauss6::TABLEAU);
     check(&Gauss16::TABLEAU);
+}
+
+/// Half of each end; c is the sum of a row, and the table rotated by 180° is bⱼ − aᵢⱼ, so that it is
+/// symmetric. It is not symplectic: b₁a₁₁ + b₁a₁₁ − b₁² = −1/4.
+///
+/// Catches: another weight than a half, a node that is not the end of the step.
+#[test]
+fn the_trapezoidal_rule_is_half_of_each_end() {
+    let ImplicitTableau { a, b, c } = Trapezoidal::TABLEAU;
+    assert_eq!((b, c), ([0.5, 0.5], [0.0, 1.0]));
+    for i in 0..2 {
+        assert_eq!(a[i][0] + a[i][1], c[i]);
+        for j in 0..2 {
+            assert_eq!(a[1 - i][1 - j] + a[i][j], b[j]);
+        }
+    }
+    assert_eq!(2.0 * b[0] * a[0][0] - b[0] * b[0], -0.25);
 }

@@ -153,4 +153,4 @@ macro_rules! implicit {
         }
     )+};
 }
-implicit!(ImplicitMidpoint, Gauss4, Gauss6, Gauss16,);
+implicit!(ImplicitMidpoint, Trapezoidal, Gauss4, Gauss6, Gauss16,);

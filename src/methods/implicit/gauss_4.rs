@@ -1,7 +1,7 @@
 //! The Gauss method of two stages.
 
 use crate::integrate::{Method, Unsolved};
-use crate::methods::gauss::{ImplicitTableau, Iteration};
+use crate::methods::implicit::{ImplicitTableau, Iteration};
 use crate::methods::{Info, MethodInfo};
 use crate::systems::{Components, System};
 

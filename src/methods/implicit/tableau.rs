@@ -42,7 +42,23 @@ impl<const S: usize> ImplicitTableau<S> {
     where
         Sys: System<State: Components>,
     {
-        match self.solve(system, t, h, z, Iteration::TO_ROUNDING) {
+        self.step_from(system, t, h, z, system.rate(t, z))
+    }
+
+    /// The same, from the slopes `first`.
+    #[inline(always)]
+    pub(super) fn step_from<Sys>(
+        &self,
+        system: &Sys,
+        t: f64,
+        h: f64,
+        z: Sys::State,
+        first: RateOf<Sys>,
+    ) -> Sys::State
+    where
+        Sys: System<State: Components>,
+    {
+        match self.solve(system, t, h, z, first, Iteration::TO_ROUNDING) {
             Ok(end) => end,
             Err(Lost { slope, .. }) => z + slope * f64::NAN,
         }
@@ -64,7 +80,31 @@ impl<const S: usize> ImplicitTableau<S> {
     where
         Sys: System<State: Components>,
     {
-        self.solve(system, t, h, z, iteration).map_err(|lost| lost.unsolved)
+        self.try_step_from(system, t, h, z, system.rate(t, z), iteration)
+    }
+
+    /// The same, from the slopes `first`.
+    #[inline(always)]
+    pub(super) fn try_step_from<Sys>(
+        &self,
+        system: &Sys,
+        t: f64,
+        h: f64,
+        z: Sys::State,
+        first: RateOf<Sys>,
+        iteration: Iteration,
+    ) -> Result<Sys::State, Unsolved>
+    where
+        Sys: System<State: Components>,
+    {
+        self.solve(system, t, h, z, first, iteration).map_err(|lost| lost.unsolved)
+    }
+
+    /// Whether stage `i` depends on no slope: it is the start of the step, and its slope the one
+    /// from which the iteration begins.
+    #[inline(always)]
+    fn is_explicit(&self, i: usize) -> bool {
+        self.a[i].iter().all(|a| *a == 0.0)
     }
 
     // ANCHOR: step
@@ -75,12 +115,13 @@ impl<const S: usize> ImplicitTableau<S> {
         t: f64,
         h: f64,
         z: Sys::State,
+        first: RateOf<Sys>,
         iteration: Iteration,
     ) -> Result<Sys::State, Lost<RateOf<Sys>>>
     where
         Sys: System<State: Components>,
     {
-        let mut k = [system.rate(t, z); S];
+        let mut k = [first; S];
         let state = size(z, k[0], |x, _| x);
         let (mut before, mut scale) = (f64::INFINITY, 0.0);
         for _ in 0..iteration.sweeps.min(USUAL) {
@@ -115,7 +156,7 @@ impl<const S: usize> ImplicitTableau<S> {
         Sys: System<State: Components>,
     {
         let (mut change, mut scale) = (0.0, state / h.abs());
-        for i in 0..S {
+        for i in (0..S).filter(|i| !self.is_explicit(*i)) {
             let slope = sum(&self.a[i], k);
             let new = system.rate(t + self.c[i] * h, z + slope * h);
             change += size(z, new + k[i] * -1.0, |_, x| x);
@@ -197,7 +238,7 @@ impl<const S: usize> ImplicitTableau<S> {
             })
         };
         let mut noise = 0.0;
-        for i in 0..S {
+        for i in (0..S).filter(|i| !self.is_explicit(*i)) {
             let displacement = sum(&self.a[i], k) * h;
             let rate = |z: Sys::State| system.rate(t + self.c[i] * h, z + displacement);
             let here = rate(z) * -1.0;

@@ -1,0 +1,66 @@
+//! The trapezoidal rule.
+
+use crate::integrate::{Method, Unsolved};
+use crate::methods::implicit::{ImplicitTableau, Iteration};
+use crate::methods::{Info, MethodInfo};
+use crate::systems::{Components, System};
+
+/// The trapezoidal rule: the mean of the slopes at the start and at the end of the step.
+///
+/// Order 2, symmetric and not symplectic. A step is half a step of forward Euler and then half a
+/// step of backward Euler; the implicit midpoint rule takes the same two in the other order. So the
+/// rule is the midpoint rule seen from half a step of forward Euler away, and keeps what that keeps
+/// there: its energy error stays bounded, and the pendulum's area with the weight 1 + (h²g/4L) cos
+/// θ is conserved exactly. A step evaluates the force once in each sweep, and once to begin. Also
+/// called the Crank–Nicolson method; Lobatto's method IIIA of two stages. Hairer, Lubich, Wanner,
+/// *Geometric Numerical Integration*, Sects. II.1.1 and VI.8.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Trapezoidal;
+
+impl Info for Trapezoidal {
+    fn info(&self) -> MethodInfo {
+        MethodInfo {
+            name: "trapezoidal",
+            title: "Trapezoidal rule",
+            aliases: &["Lobatto IIIA 2", "Crank–Nicolson"],
+            order: 2,
+            symplectic: false,
+            symmetric: true,
+            implicit: true,
+            force_evaluations: 1,
+            start_evaluations: 0,
+            reference: "Hairer, Lubich, Wanner (2006), Sects. II.1.1 and VI.8",
+        }
+    }
+}
+
+impl Trapezoidal {
+    // ANCHOR: tableau
+    /// The coefficients.
+    pub const TABLEAU: ImplicitTableau<2> =
+        ImplicitTableau { a: [[0.0, 0.0], [0.5, 0.5]], b: [0.5, 0.5], c: [0.0, 1.0] };
+    // ANCHOR_END: tableau
+}
+
+impl<S: System<State: Components>> Method<S> for Trapezoidal {
+    type Carry = ();
+
+    fn start(&self, _system: &S, _t: f64, _h: f64, _z: S::State) {}
+
+    #[inline(always)]
+    fn step(&self, system: &S, t: f64, h: f64, z: S::State, _carry: &mut ()) -> S::State {
+        Self::TABLEAU.step(system, t, h, z)
+    }
+
+    #[inline(always)]
+    fn try_step(
+        &self,
+        system: &S,
+        t: f64,
+        h: f64,
+        z: S::State,
+        _carry: &mut (),
+    ) -> Result<S::State, Unsolved> {
+        Self::TABLEAU.try_step(system, t, h, z, Iteration::TO_ROUNDING)
+    }
+}
