@@ -1,5 +1,7 @@
 //! Systems that are nearly the linear oscillator.
 
+use core::f64::consts::PI;
+
 use super::{Counting, LinearOscillator, Pendulum, Phase, Separable};
 use crate::arithmetic::sine::{ROUNDER, half_turn};
 
@@ -23,7 +25,9 @@ impl NearlyLinear for Pendulum {
     #[inline]
     fn linear_force(&self, z: Phase) -> f64 {
         let (half_turns, rest) = half_turn::reduce::<true>(z.theta);
-        -self.frequency_squared() * half_turn::from_the_bottom(ROUNDER + half_turns, rest)
+        let angle = half_turn::from_the_bottom(ROUNDER + half_turns, rest);
+        // Beyond 2⁵¹ half turns the rest is any number.
+        -self.frequency_squared() * angle.clamp(-PI, PI)
     }
 }
 

@@ -8,6 +8,7 @@ pub mod area;
 pub mod clock;
 pub mod conjugacy;
 pub mod driven;
+pub mod energy;
 pub mod error_constant;
 pub mod judge;
 mod ladder;
@@ -57,7 +58,8 @@ properties! {
     AREA: area,
     /// Forward, flip and forward again leads back, or does not.
     REVERSAL: reversal,
-    /// Störmer–Verlet is symplectic Euler between two half kicks.
+    /// Störmer–Verlet is symplectic Euler between two half kicks, and the implicit midpoint rule is
+    /// the trapezoidal rule between two half steps of Euler.
     CONJUGACY: conjugacy,
     /// The motion is the same when mirrored, scaled or shifted by whole turns.
     SYMMETRY: symmetry,

@@ -5,6 +5,7 @@ use std::num::{NonZeroU32, NonZeroU64};
 use pendula::fast::InLanes;
 use pendula::methods::{
     Gauss4, Gauss6, Gauss16, Implicit, ImplicitMidpoint, ImplicitTableau, Iteration, Rk4,
+    Trapezoidal,
 };
 use pendula::systems::{DoublePendulum, Joint};
 use pendula::{
@@ -19,6 +20,7 @@ use crate::random::Random;
 #[template]
 #[rstest]
 #[case::implicit_midpoint(ImplicitMidpoint, limit(&ImplicitMidpoint::TABLEAU))]
+#[case::trapezoidal(Trapezoidal, limit(&Trapezoidal::TABLEAU))]
 #[case::gauss_4(Gauss4, limit(&Gauss4::TABLEAU))]
 #[case::gauss_6(Gauss6, limit(&Gauss6::TABLEAU))]
 #[case::gauss_16(Gauss16, limit(&Gauss16::TABLEAU))]

@@ -88,6 +88,9 @@ const ROUNDED_START: f64 = 2e-7;
 
 /// The fall of each method is late, or early, by an error of its order.
 ///
+/// Deuflhard's method has no order so near the top that its own force there, of πx²/12, is larger
+/// than the pendulum's: that is 6e-5 here.
+///
 /// Catches: a start nudged off the top; a method whose order is lost where the force is almost
 /// zero.
 #[apply(each_method)]
@@ -97,6 +100,9 @@ fn the_fall_is_late_by_the_methods_order<M: AnyMethod>(#[case] method: M) {
     const TOLERANCE: f64 = 0.05;
     for pendulum in pendulums() {
         for (beside, floor) in [(1e-3, 1e-12), (1e-8, ROUNDED_START)] {
+            if method.info().name == "deuflhard" && beside < 1e-4 {
+                continue;
+            }
             let (coarse, fine) = (
                 delay(&method, &pendulum, beside, 0.005).abs(),
                 delay(&method, &pendulum, beside, 0.0025).abs(),
@@ -135,10 +141,11 @@ fn symplectic_euler_falls_half_a_step_early() {
 // -------------------------------------------------------------------------------------------------
 
 /// From 10⁻³ the gap to the top, g L δ²/2 = 5e-6 J, is 10⁹ roundings of the energy. The symplectic
-/// methods never cross it, as their energies are those of the pendulum at rest; RK4 and
+/// methods never cross it, as their energies are those of the pendulum at rest, and no more do the
+/// symmetric ones, whose way down is their way up; RK4 and
 /// Dormand–Prince lose energy, and what methods of higher order gain or lose at this step, x⁹ of it
 /// and less, is negligible beside the gap; forward Euler gains energy and goes over at once, and
-/// the other methods of order 2 that are not symplectic go over in the end.
+/// the other methods of order 2 that are neither go over in the end.
 ///
 /// Catches: energy that a symplectic method gains or loses, at the amplitude where it is easiest to
 /// see.
@@ -148,7 +155,7 @@ fn from_a_thousandth_only_low_orders_go_over() {
         let entry = method.info();
         for step in [0.01, 0.005] {
             let over = over_the_top(method, PI - 1e-3, step, 200.0);
-            let stays = entry.symplectic || entry.order >= 4;
+            let stays = entry.symplectic || entry.symmetric || entry.order >= 4;
             assert_eq!(over.is_none(), stays, "{method:?}: {over:?}");
         }
     }
@@ -262,7 +269,9 @@ fn from_pi_rounding_holds_the_pendulum_up<M: Method<Pendulum>>(#[case] method: M
 /// cosh λt does: they are exact to O(h), and the fall takes √(L/g) ln(8/δ). A method of order p has
 /// a relative error of E_p h^p in the rate λ, and so in the time: hλ/2 for forward Euler
 /// (symplectic Euler has the rate of Verlet), (hλ)²/24 for Verlet, plus a tenth for the next terms;
-/// and the fall is seen a step late at the most.
+/// and the fall is seen a step late at the most. The trapezoidal rule and the discrete gradient
+/// have (hλ)²/12. Deuflhard's method has a force of its own at the top, and falls as the pendulum
+/// does from πx²/12 beside it.
 ///
 /// Catches: a remainder that is lost when the angle is formed, a reduction of θ with too few digits
 /// of π.
@@ -278,14 +287,16 @@ fn from_pi_a_rest_of_the_angle_is_not_held_up<M: AnyMethod>(#[case] method: M) {
         let x = h * pendulum.small_angle_frequency();
         let share = match method.info().order {
             1 => x / 2.0,
+            2 if method.info().implicit => x * x / 12.0,
             2 => x * x / 24.0,
             order => x.powi(order as i32) / 120.0,
         };
         let fallen = fall.fallen.expect("it falls in the end");
-        assert!(
-            (fallen - exact).abs() < 1.1 * share * exact + h,
-            "falls in {fallen} s, not {exact} s"
-        );
+        let law = match method.info().name {
+            "deuflhard" => (8.0 / (PI * x * x / 12.0)).ln() / pendulum.small_angle_frequency(),
+            _ => exact,
+        };
+        assert!((fallen - law).abs() < 1.1 * share * law + h, "falls in {fallen} s, not {law} s");
     }
 }
 

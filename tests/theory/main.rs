@@ -5,6 +5,7 @@ mod common;
 
 mod carried_area;
 mod compensated;
+mod completing;
 mod conjugacy;
 mod energy_law;
 mod level_curves;

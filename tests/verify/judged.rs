@@ -2,7 +2,7 @@
 
 use std::cell::Cell;
 
-use pendula::methods::{StormerVerlet, Taylor24};
+use pendula::methods::{Deuflhard, DiscreteGradient, StormerVerlet, Taylor24};
 use pendula::verify::judge::{Fault, Reply, Request};
 use pendula::verify::{Claims, FromFn, Listed, Report, Stranger, Verdict, judge};
 use pendula::{AnyMethod, Phase};
@@ -36,6 +36,8 @@ fn our_methods_hold_their_claims<M: Stranger + AnyMethod>(#[case] method: M) {
 #[test]
 fn what_cannot_be_driven_holds_its_claims() {
     assert_itself(&Listed(&Taylor24), &Taylor24);
+    assert_itself(&Listed(&DiscreteGradient), &DiscreteGradient);
+    assert_itself(&Listed(&Deuflhard), &Deuflhard);
 }
 
 /// Wrong in what depends on g and L apart, or on the mass. The judge sends g/L alone, with which

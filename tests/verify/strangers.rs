@@ -110,6 +110,56 @@ fn trapezoidal(g: f64, z: State, h: f64) -> State {
     next
 }
 
+/// The midpoint rule with the force times sin δ/δ, where δ is half the way, to the last digit.
+fn discrete_gradient(g: f64, z: State, h: f64) -> State {
+    let mean_rate = |next: State| {
+        let (half, omega) = (0.5 * (next.0 - z.0), 0.5 * (z.1 + next.1));
+        let ratio = if half == 0.0 { 1.0 } else { half.sin() / half };
+        (omega, -g * (z.0 + half).sin() * ratio)
+    };
+    let mut next = forward(g, z, h);
+    for _ in 0..100 {
+        let better = along(z, mean_rate(next), h);
+        if better == next {
+            break;
+        }
+        next = better;
+    }
+    next
+}
+
+/// The bottom that is nearest.
+fn nearest(theta: f64) -> f64 {
+    TAU * (theta / TAU).round()
+}
+
+/// Half a kick by θ − sin θ, a rotation by ω₀h, half a kick: about the nearest bottom; between two
+/// bottoms the rotation is a kick, a drift and a kick.
+fn deuflhard(g: f64, (theta, omega): State, h: f64) -> State {
+    let frequency = g.sqrt();
+    let tangent = (0.5 * frequency * h).tan() / frequency;
+    let kick = |theta: f64| {
+        let rest = theta - nearest(theta);
+        g * (0.5 * h * (rest - theta.sin()) - tangent * rest)
+    };
+    let omega = omega + kick(theta);
+    let theta = theta + omega * (frequency * h).sin() / frequency;
+    (theta, omega + kick(theta))
+}
+
+/// Half a rotation about the `bottom`, a kick by θ − sin θ, half a rotation.
+fn rotation_kick_rotation(g: f64, (theta, omega): State, h: f64, bottom: fn(f64) -> f64) -> State {
+    let frequency = g.sqrt();
+    let turn = |(theta, omega): State| {
+        let (sin, cos) = (0.5 * frequency * h).sin_cos();
+        let rest = theta - bottom(theta);
+        let turned = rest * cos + omega / frequency * sin;
+        (theta + (turned - rest), omega * cos - rest * frequency * sin)
+    };
+    let (theta, omega) = turn((theta, omega));
+    turn((theta, omega + g * h * (theta - bottom(theta) - theta.sin())))
+}
+
 /// Adams and Bashforth's method of order 2, with a step of Heun's to begin.
 fn adams_bashforth(g: f64, theta: f64, omega: f64, h: f64, n: u64) -> Vec<State> {
     let (mut before, mut z) = (rate(g, (theta, omega)), heun(g, (theta, omega), h));
@@ -157,7 +207,18 @@ fn stormers_form(g: f64, theta: f64, omega: f64, h: f64, n: u64) -> Vec<State> {
 #[case::three_eighths(three_eighths, Claims::order(4), "")]
 #[case::ralston(ralston, Claims::order(2), "")]
 #[case::heun(heun, Claims::order(2), "heun")]
-#[case::trapezoidal(trapezoidal, Claims::order(2).symmetric().bounded_energy(), "")]
+#[case::trapezoidal(
+    trapezoidal, Claims::order(2).symmetric().bounded_energy(), "trapezoidal",
+)]
+#[case::discrete_gradient(
+    discrete_gradient, Claims::order(2).symmetric(), "discrete-gradient",
+)]
+#[case::deuflhard(
+    deuflhard, Claims::order(2).symplectic().symmetric().bounded_energy(), "deuflhard",
+)]
+#[case::rotation_kick_rotation(
+    |g, z, h| rotation_kick_rotation(g, z, h, nearest), Claims::order(2).symplectic(), "",
+)]
 fn right_ones_are_accepted(#[case] step: Step, #[case] claims: Claims, #[case] identity: &str) {
     let report = judge(&FromFn(stepping(step)), claims);
     assert_eq!(report.verdict, Verdict::Holds, "{report}");
@@ -251,6 +312,12 @@ fn to_seven_digits(z: State) -> State {
         ((theta + PI).rem_euclid(TAU) - PI, omega)
     },
     Claims::order(2), "turn",
+)]
+#[case::a_rotation_about_one_bottom_alone(
+    |g, z, h| rotation_kick_rotation(g, z, h, |_| 0.0), Claims::order(2).symplectic(), "turn",
+)]
+#[case::trapezoidal_for_the_midpoint(
+    trapezoidal, Claims::order(2).symmetric().name("implicit-midpoint"), "name",
 )]
 #[case::a_pi_of_nine_digits(verlet_with_a_short_pi, Claims::order(2), "turn")]
 #[case::a_torque(|g: f64, z, h: f64| pushed(1e-12, g, z, h), Claims::order(2), "mirror")]

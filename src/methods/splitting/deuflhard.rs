@@ -15,9 +15,10 @@ use crate::systems::{NearlyLinear, Numbers};
 /// Order 2, symplectic, symmetric, exact for the linear oscillator; one force evaluation a step and
 /// one before the first. The error of a step falls with the square of the amplitude, that of the
 /// period with its fourth power. Over the top the nearest bottom is another one, and the linear
-/// force jumps: each time the energy makes a small step at random, of order x³. A step must be
-/// shorter than half a turn of the linear pendulum, x < π, where the first of the tangents has its
-/// pole. Also called the impulse method. P. Deuflhard, *Z. Angew. Math. Phys.* 30 (1979) 177;
+/// force jumps: each time the energy makes a small step at random, of order x³. At the top itself the force does
+/// not vanish: the pendulum falls from there as from πx²/12 beside it. A step must be shorter than
+/// half a turn of the linear pendulum, x < π, where the tangent has its pole; from x = 3 on, nothing
+/// is rotated any more. Also called the impulse method. P. Deuflhard, *Z. Angew. Math. Phys.* 30 (1979) 177;
 /// Hairer, Lubich, Wanner, *Geometric Numerical Integration*, Sects. VIII.4.1 and XIII.1.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Deuflhard;
@@ -62,14 +63,21 @@ impl<Z: Numbers> Numbers for Rotating<Z> {
     }
 }
 
+/// The longest x = ω₀h of a step that rotates.
+const LONGEST: f64 = 3.0;
+
 // ANCHOR: step
 impl<S: NearlyLinear> Method<S> for Deuflhard {
     type Carry = Rotating<S::State>;
+    /// The kick, and at x = 3 another 8.4 steps of the linear force, up to π times as large.
+    const REACH: f64 = 28.0;
 
     fn start(&self, system: &S, t: f64, h: f64, z: S::State) -> Rotating<S::State> {
         let frequency = libm::sqrt(system.linear_frequency_squared());
         let half_turned = 0.5 * frequency * h;
-        let kick = sin(half_turned) / cos(half_turned) / frequency;
+        // Near the pole a kick would be longer than any number of steps.
+        let rotates = half_turned < 0.5 * LONGEST;
+        let kick = if rotates { sin(half_turned) / cos(half_turned) / frequency } else { 0.5 * h };
         let ahead = system.kick(z, system.force(t, z), 0.5 * h);
         Rotating { ahead: system.kick(ahead, system.linear_force(z), kick - 0.5 * h), kick }
     }

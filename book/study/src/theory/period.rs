@@ -18,8 +18,16 @@
 //! Perturbation of the action: Landau & Lifshitz, *Mechanics* (1976), §49–50; DLMF 19.4 for the
 //! derivatives of K and E.
 
+//! The same of methods that are no such composition. The implicit midpoint rule has H₂ = −(q²c +
+//! s²)/24, and from it τ₂ = ω₀² (E/(8K) − (1 + m)/24). The trapezoidal rule is that from half a step
+//! of forward Euler away: from rest at the same angle with the energy higher by x²s₀²/8, which makes
+//! it (ω₀²/24) (3⟨cos θ⟩ − cos θ₀). The discrete gradient follows the exact orbit at 1 − (x²/12) cos
+//! θ times its pace, from f + h²f'f'f/12. Deuflhard's splitting into a rotation and kicks by B = 1 −
+//! cos θ − θ²/2 has H₂ = (D²B + B'²/2)/12, where D is the derivative along the exact motion, as
+//! Störmer–Verlet has with 1 − cos θ for B: ⟨D²B⟩ = 0.
+
 use pendula::Pendulum;
-use pendula::arithmetic::sine::cos;
+use pendula::arithmetic::sine::{cos, sin};
 
 use super::average;
 
@@ -38,4 +46,46 @@ pub fn of_stormer_verlet(pendulum: &Pendulum, theta_0: f64) -> f64 {
 /// at rest half a kick before.
 pub fn of_symplectic_euler(pendulum: &Pendulum, theta_0: f64) -> f64 {
     -pendulum.frequency_squared() * cos(theta_0) / 24.0
+}
+
+/// The trapezoidal rule from rest at `theta_0` (rad): τ₂ = (ω₀²/24) (3⟨cos θ⟩ − cos θ₀) (1/s²),
+/// twice Störmer–Verlet's with the other sign.
+pub fn of_trapezoidal(pendulum: &Pendulum, theta_0: f64) -> f64 {
+    -2.0 * of_stormer_verlet(pendulum, theta_0)
+}
+
+/// The implicit midpoint rule from rest at `theta_0` (rad): τ₂ = (ω₀²/48) (3⟨cos θ⟩ + cos θ₀)
+/// (1/s²).
+pub fn of_implicit_midpoint(pendulum: &Pendulum, theta_0: f64) -> f64 {
+    let mean = average(pendulum, theta_0, |z| z.c);
+    pendulum.frequency_squared() * (3.0 * mean + cos(theta_0)) / 48.0
+}
+
+/// The discrete gradient from rest at `theta_0` (rad): τ₂ = (ω₀²/12) ⟨cos θ⟩ (1/s²). It vanishes at
+/// (2.281 rad, where the cosine's mean over the swing does.
+pub fn of_discrete_gradient(pendulum: &Pendulum, theta_0: f64) -> f64 {
+    pendulum.frequency_squared() * average(pendulum, theta_0, |z| z.c) / 12.0
+}
+
+/// Deuflhard's method from rest at `theta_0` (rad), in 1/s²: with H₂ = (θ₀² − s₀²)/24 at the start
+/// and ⟨(θ − s)²⟩/24 on the way,
+///
+/// τ₂ = (ω₀²/24) ((θ₀² − s₀²) dT/dE − d/dE ∮(θ − s)²dt)/T, where dE = s₀ dθ₀.
+///
+/// For small swings it is −ω₀² θ₀⁴/2304.
+pub fn of_deuflhard(pendulum: &Pendulum, theta_0: f64) -> f64 {
+    let period = |amplitude: f64| pendula::exact::period(pendulum, amplitude).unwrap_or(f64::NAN);
+    let beyond = |amplitude: f64| {
+        let mean = average(pendulum, amplitude, |z| (z.theta - z.s) * (z.theta - z.s));
+        mean * period(amplitude)
+    };
+    // Central differences, extrapolated once: off by η⁴ of the swing or ε/η, 1e-12.
+    let slope = |of: &dyn Fn(f64) -> f64| {
+        let at = |eta: f64| (of(theta_0 * (1.0 + eta)) - of(theta_0 * (1.0 - eta))) / (2.0 * eta);
+        (4.0 * at(1e-3) - at(2e-3)) / (3.0 * theta_0)
+    };
+    let sine = sin(theta_0);
+    let of_the_start = (theta_0 * theta_0 - sine * sine) * slope(&period);
+    let change = (of_the_start - slope(&beyond)) / (sine * period(theta_0));
+    pendulum.frequency_squared() * change / 24.0
 }

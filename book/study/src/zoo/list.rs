@@ -2,7 +2,8 @@
 
 use pendula::arithmetic::sine::sin;
 use pendula::methods::{
-    Dop853, ForestRuth, Gauss4, Rk4, StormerVerlet, SymplecticEuler, Taylor24, Yoshida6,
+    Deuflhard, DiscreteGradient, Dop853, ForestRuth, Gauss4, Rk4, StormerVerlet, SymplecticEuler,
+    Taylor24, Trapezoidal, Yoshida6,
 };
 use pendula::verify::{
     AREA, CLOCK, CONJUGACY, ERROR_CONSTANT, LINEAR, ORDER, Property, REVERSAL, SYMMETRY, WORK,
@@ -12,7 +13,7 @@ use pendula::{AnyMethod, Info, MethodInfo};
 use super::high_order::{self, EntryOff, TermDropped};
 use super::runge_kutta::Tableau;
 use super::verlet::Kicks;
-use super::{euler, problem, verlet, wrapped};
+use super::{completing, euler, problem, verlet, wrapped};
 
 /// A wrong method.
 pub struct Impostor {
@@ -185,6 +186,24 @@ macro_rules! for_each_impostor {
             gauss_4_swept_once:
                 high_order::SweptOnce, Gauss4,
                 [ORDER, ERROR_CONSTANT, LINEAR, AREA, REVERSAL, WORK];
+            midpoint_posing_as_the_trapezoidal_rule:
+                completing::Midpoint(Trapezoidal), Trapezoidal,
+                [ERROR_CONSTANT, AREA, CONJUGACY];
+            trapezoidal_rule_swept_once:
+                completing::SweptOnce, Trapezoidal,
+                [ERROR_CONSTANT, LINEAR, REVERSAL, CONJUGACY, WORK];
+            midpoint_posing_as_the_discrete_gradient:
+                completing::Midpoint(DiscreteGradient), DiscreteGradient,
+                [ERROR_CONSTANT, AREA, WORK];
+            mean_force_over_twice_the_way:
+                completing::TwiceTheWay, DiscreteGradient,
+                [ERROR_CONSTANT];
+            rotation_kick_rotation:
+                completing::RotationFirst, Deuflhard,
+                [ERROR_CONSTANT, WORK];
+            angles_from_one_bottom:
+                completing::OneBottom, Deuflhard,
+                [ERROR_CONSTANT, SYMMETRY, WORK];
             dop853_with_a_stage_off_by_1e_6:
                 EntryOff { row: "k7", term: "k5", by: 1e-6 }, Dop853,
                 [ORDER, ERROR_CONSTANT];

@@ -4,6 +4,7 @@
 //! An impostor of a method has the entry of the method that it poses as, and so claims its order,
 //! its symplecticity and its work.
 
+pub mod completing;
 pub mod euler;
 pub mod high_order;
 mod list;
