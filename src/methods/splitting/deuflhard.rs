@@ -9,8 +9,9 @@ use crate::systems::{NearlyLinear, Numbers};
 /// (g/L) (θ − sin θ); the exact motion of the linear pendulum, a rotation by x = ω₀h; half a kick.
 ///
 /// The rotation is itself a kick, a drift and a kick, of the lengths tan(x/2)/ω₀, sin(x)/ω₀ and
-/// tan(x/2)/ω₀, so that all of it is Störmer–Verlet with other lengths, and no difference of nearly
-/// equal numbers is formed. Each angle is taken from its nearest bottom.
+/// tan(x/2)/ω₀, so that all of it is Störmer–Verlet with other lengths. No difference of nearly equal
+/// numbers is formed, and no rounding makes the rotation grow or shrink, as it does with a matrix of
+/// a rounded sine and cosine. Each angle is taken from its nearest bottom.
 ///
 /// Order 2, symplectic, symmetric, exact for the linear oscillator; one force evaluation a step and
 /// one before the first. The error of a step falls with the square of the amplitude, that of the

@@ -62,7 +62,7 @@ pub fn of_implicit_midpoint(pendulum: &Pendulum, theta_0: f64) -> f64 {
 }
 
 /// The discrete gradient from rest at `theta_0` (rad): τ₂ = (ω₀²/12) ⟨cos θ⟩ (1/s²). It vanishes at
-/// (2.281 rad, where the cosine's mean over the swing does.
+/// 2.2813 rad, where the cosine's mean over the swing does.
 pub fn of_discrete_gradient(pendulum: &Pendulum, theta_0: f64) -> f64 {
     pendulum.frequency_squared() * average(pendulum, theta_0, |z| z.c) / 12.0
 }
