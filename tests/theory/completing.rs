@@ -57,8 +57,8 @@ fn of_the_discrete_gradient(theta: f64, end: f64, x2: f64) -> f64 {
     weight(1.0) / weight(-1.0)
 }
 
-/// The ruler is off by δ²/6 times third derivatives of the step, 1e-9 where x is 0.2 (the derivation
-/// is beside `AREA_TOLERANCE`) and 25 times that at x = 1.
+/// The ruler is off by δ²/6 times third derivatives of the step, 1e-9 where x is 0.2, as derived
+/// beside `AREA_TOLERANCE`, and 25 times that at x = 1.
 ///
 /// Catches: the midpoint rule, which preserves area, under either name; an iteration that stops
 /// early; the law of the one for the other.
@@ -86,8 +86,8 @@ fn area_changes_by_the_ratio_of_two_weights<M: AnyMethod>(
 // Energy
 // -------------------------------------------------------------------------------------------------
 
-/// Catches: a mean of the force that is not the mean, a sine ratio with too few digits; a check that
-/// other methods of order 2 would pass.
+/// Catches: a mean of the force that is not the mean, a ratio of sine and angle with too few digits;
+/// a check that other methods of order 2 would pass.
 #[test]
 fn the_discrete_gradient_conserves_the_energy_in_any_step() {
     use pendula_study::zoo::completing::{Midpoint, TwiceTheWay};
@@ -142,8 +142,8 @@ fn shift<M: Method<Pendulum>>(method: &M, theta_0: f64, x: f64, periods: f64) ->
 /// comes from velocities that are not those of the angles, which for Deuflhard's method differ as
 /// little as the period does: there a hundredth of the law is allowed.
 ///
-/// Catches: a phase error of second order that order tests accept; the law of one of the methods for
-/// another's, each of which is 1/12 for small swings or 0.
+/// Catches: a phase error of second order that order tests accept; the law of one of the methods
+/// for another's, each of which is 1/12 for small swings or 0.
 #[rstest]
 #[case::trapezoidal(Trapezoidal, period::of_trapezoidal)]
 #[case::implicit_midpoint(ImplicitMidpoint, period::of_implicit_midpoint)]
@@ -260,8 +260,8 @@ fn its_steps_may_be_longer_than_verlets(#[values(2.1, 2.5, 2.9)] x: f64) {
 /// kick jumps by 2π(2 tan(x/2) − x) = 2πx³/12. The step meets the top anywhere, evenly: so the
 /// energy that it conserves between two tops changes by that jump times a part of the step, −½ to
 /// ½, times q: at random, without a mean, and by πx³q/(6√12) in the root mean square. Between the
-/// tops the truncated energy varies by some x⁴. Of 800 passages the root mean square is uncertain by
-/// 1/√(2 · 800), the mean by it over √800.
+/// tops the truncated energy varies by some x⁴. Of 800 passages the root mean square is uncertain
+/// by 1/√(2 · 800), the mean by it over √800.
 ///
 /// Catches: angles from one bottom, which do not jump and turn back in the end; a jump with a bias,
 /// which would let the energy of a rotation drift.
