@@ -3,8 +3,9 @@
 //! and n steps of the implicit midpoint rule.
 //!
 //! (K½ D K½)ⁿ = K½ (D K)ⁿ K½⁻¹, where the map on the right is applied first; with E half a step of
-//! forward Euler and I half a step of backward Euler, E (I E)ⁿ = (E I)ⁿ E. Hairer, Lubich, Wanner, *Geometric Numerical Integration* (2006),
-//! Example V.3.6; Sect. VI.8 on conjugate methods in general.
+//! forward Euler and I half a step of backward Euler, E (I E)ⁿ = (E I)ⁿ E. Hairer, Lubich, Wanner,
+//! *Geometric Numerical Integration* (2006), Example V.3.6; Sect. VI.8 on conjugate methods in
+//! general.
 
 use super::{CheckResult, near, pendulum, run};
 use crate::methods::{ImplicitMidpoint, StormerVerlet, SymplecticEuler, Trapezoidal};

@@ -163,8 +163,8 @@ fn the_implicit_midpoint_solves_its_equation() {
     assert_same(z, 0.8 + half * (-0.7 + omega), omega);
 }
 
-/// The angle θ' at the end that solves θ' = θ + (h/2)(ω + ω'(θ')), by the secant method, which needs
-/// no derivative.
+/// The angle θ' at the end that solves θ' = θ + (h/2)(ω + ω'(θ')), by the secant method, which
+/// needs no derivative.
 fn solved(velocity_at: impl Fn(f64) -> f64) -> (f64, f64) {
     let miss = |end: f64| end - 0.8 - 0.5 * H * (-0.7 + velocity_at(end));
     let (mut before, mut end) = (0.5, 0.6);
@@ -197,7 +197,7 @@ fn the_discrete_gradient_is_the_quotient_of_the_differences() {
     assert_relative_eq!(z.omega, omega, max_relative = 5.0 * ROUNDING);
 }
 
-/// Half a kick by θ − sin θ, a rotation, half a kick, about the bottom and about one two turns away.
+/// Half a kick by θ − sin θ, a rotation, half a kick, about the bottom and about one two turns on.
 ///
 /// Catches: rotation, kick, rotation; a kick by all of the force; a frequency without its root; an
 /// angle that is not taken from its own bottom.

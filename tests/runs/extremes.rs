@@ -298,8 +298,8 @@ fn nan_and_infinity_are_not_healed<M: AnyMethod>(#[case] method: M) {
 /// A bound on the sum of the sizes of the kicks of one step, of its drifts, or of a row of its
 /// tableau, in steps: 1, except for compositions, for Deuflhard's method, where the linear force is
 /// the larger one, and for the methods of Dormand and Prince, where the ninth row of DOP853 has 96.
-/// It bounds the change in a step of any length. The change in a step of a Taylor series has no such
-/// bound, and grows with the 24th power of the step.
+/// It bounds the change in a step of any length. The change in a step of a Taylor series has no
+/// such bound, and grows with the 24th power of the step.
 fn reach(method: &dyn AnyMethod) -> f64 {
     let entry = method.info();
     match (entry.order, entry.name) {

@@ -86,8 +86,8 @@ fn area_changes_by_the_ratio_of_two_weights<M: AnyMethod>(
 // Energy
 // -------------------------------------------------------------------------------------------------
 
-/// Catches: a mean of the force that is not the mean, a ratio of sine and angle with too few digits;
-/// a check that other methods of order 2 would pass.
+/// Catches: a mean of the force that is not the mean, a ratio of sine and angle with too few
+/// digits; a check that other methods of order 2 would pass.
 #[test]
 fn the_discrete_gradient_conserves_the_energy_in_any_step() {
     use pendula_study::zoo::completing::{Midpoint, TwiceTheWay};

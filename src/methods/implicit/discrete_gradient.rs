@@ -10,8 +10,8 @@ use crate::systems::{Components, MeanForce, RateOf, System};
 ///
 /// The mean force times the way is the work, so that the kinetic energy grows by what the potential
 /// loses: the energy is conserved in steps of any length, to rounding. Order 2, symmetric, not
-/// symplectic: the motion is on the right curve and late on it. A step evaluates the mean force, two
-/// sines, once in each sweep, and the force once to begin.
+/// symplectic: the motion is on the right curve and late on it. A step evaluates the mean force,
+/// two sines, once in each sweep, and the force once to begin.
 ///
 /// With one degree of freedom the discrete gradients of Gonzalez, *J. Nonlinear Sci.* 6 (1996) 449,
 /// of Itoh and Abe, *J. Comput. Phys.* 76 (1988) 85, and the mean along a straight line are one and

@@ -9,18 +9,19 @@ use crate::systems::{NearlyLinear, Numbers};
 /// (g/L) (θ − sin θ); the exact motion of the linear pendulum, a rotation by x = ω₀h; half a kick.
 ///
 /// The rotation is itself a kick, a drift and a kick, of the lengths tan(x/2)/ω₀, sin(x)/ω₀ and
-/// tan(x/2)/ω₀, so that all of it is Störmer–Verlet with other lengths. No difference of nearly equal
-/// numbers is formed, and no rounding makes the rotation grow or shrink, as it does with a matrix of
-/// a rounded sine and cosine. Each angle is taken from its nearest bottom.
+/// tan(x/2)/ω₀, so that all of it is Störmer–Verlet with other lengths. No difference of nearly
+/// equal numbers is formed, and no rounding makes the rotation grow or shrink, as it does with a
+/// matrix of a rounded sine and cosine. Each angle is taken from its nearest bottom.
 ///
 /// Order 2, symplectic, symmetric, exact for the linear oscillator; one force evaluation a step and
 /// one before the first. The error of a step falls with the square of the amplitude, that of the
 /// period with its fourth power. Over the top the nearest bottom is another one, and the linear
-/// force jumps: each time the energy makes a small step at random, of order x³. At the top itself the force does
-/// not vanish: the pendulum falls from there as from πx²/12 beside it. A step must be shorter than
-/// half a turn of the linear pendulum, x < π, where the tangent has its pole; from x = 3 on, nothing
-/// is rotated any more. Also called the impulse method. P. Deuflhard, *Z. Angew. Math. Phys.* 30 (1979) 177;
-/// Hairer, Lubich, Wanner, *Geometric Numerical Integration*, Sects. VIII.4.1 and XIII.1.
+/// force jumps: each time the energy makes a small step at random, of order x³. At the top itself
+/// the force does not vanish: the pendulum falls from there as from πx²/12 beside it. A step must
+/// be shorter than half a turn of the linear pendulum, x < π, where the tangent has its pole; from
+/// x = 3 on, nothing is rotated any more. Also called the impulse method. P. Deuflhard, *Z. Angew.
+/// Math. Phys.* 30 (1979) 177; Hairer, Lubich, Wanner, *Geometric Numerical Integration*, Sects.
+/// VIII.4.1 and XIII.1.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Deuflhard;
 

@@ -1,10 +1,10 @@
 """Errors in given numbers of steps, in arithmetic of 60 digits: writes long_steps.csv.
 
 For θ' = q, q' = −sin θ from z₀ to the time 4: method − exact, for Runge–Kutta methods explicit and
-implicit, for the discrete gradient, for Deuflhard's method and for Taylor series. Nothing is extrapolated: each row is what the formulas lead to in
-that number of steps. Each method has the first three numbers of steps with which its error is below
-1e-4. The tables are written out here from the sources once more, or computed, and know nothing of
-the library. Needs mpmath.
+implicit, for the discrete gradient, for Deuflhard's method and for Taylor series. Nothing is
+extrapolated: each row is what the formulas lead to in that number of steps. Each method has the
+first three numbers of steps with which its error is below 1e-4. The tables are written out here
+from the sources once more, or computed, and know nothing of the library. Needs mpmath.
 """
 
 from itertools import islice

@@ -152,8 +152,8 @@ fn the_tables_are_symplectic_and_symmetric() {
     check(&Gauss16::TABLEAU);
 }
 
-/// Half of each end; c is the sum of a row, and the table rotated by 180° is bⱼ − aᵢⱼ, so that it is
-/// symmetric. It is not symplectic: b₁a₁₁ + b₁a₁₁ − b₁² = −1/4.
+/// Half of each end; c is the sum of a row, and the table rotated by 180° is bⱼ − aᵢⱼ, so that it
+/// is symmetric. It is not symplectic: b₁a₁₁ + b₁a₁₁ − b₁² = −1/4.
 ///
 /// Catches: another weight than a half, a node that is not the end of the step.
 #[test]

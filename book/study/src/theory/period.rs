@@ -19,12 +19,12 @@
 //! derivatives of K and E.
 
 //! The same of methods that are no such composition. The implicit midpoint rule has H₂ = −(q²c +
-//! s²)/24, and from it τ₂ = ω₀² (E/(8K) − (1 + m)/24). The trapezoidal rule is that from half a step
-//! of forward Euler away: from rest at the same angle with the energy higher by x²s₀²/8, which makes
-//! it (ω₀²/24) (3⟨cos θ⟩ − cos θ₀). The discrete gradient follows the exact orbit at 1 − (x²/12) cos
-//! θ times its pace, from f + h²f'f'f/12. Deuflhard's splitting into a rotation and kicks by B = 1 −
-//! cos θ − θ²/2 has H₂ = (D²B + B'²/2)/12, where D is the derivative along the exact motion, as
-//! Störmer–Verlet has with 1 − cos θ for B: ⟨D²B⟩ = 0.
+//! s²)/24, and from it τ₂ = ω₀² (E/(8K) − (1 + m)/24). The trapezoidal rule is that from half a
+//! step of forward Euler away: from rest at the same angle with the energy higher by x²s₀²/8, which
+//! makes it (ω₀²/24) (3⟨cos θ⟩ − cos θ₀). The discrete gradient follows the exact orbit at 1 −
+//! (x²/12) cos θ times its pace, from f + h²f'f'f/12. Deuflhard's splitting into a rotation and
+//! kicks by B = 1 − cos θ − θ²/2 has H₂ = (D²B + B'²/2)/12, where D is the derivative along the
+//! exact motion, as Störmer–Verlet has with 1 − cos θ for B: ⟨D²B⟩ = 0.
 
 use pendula::Pendulum;
 use pendula::arithmetic::sine::{cos, sin};
