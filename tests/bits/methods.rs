@@ -3,7 +3,7 @@
 use std::num::NonZeroU64;
 
 use pendula::fast::{Baseline, Best, InLanes, Instructions};
-use pendula::methods::{BlanesMoan6, DormandPrince, Gauss4};
+use pendula::methods::{BlanesMoan6, Deuflhard, DormandPrince, Gauss4};
 use pendula::{
     Compensated, Ensemble, ForwardEuler, Grid, Info, Pendulum, Phase, Rk4, StormerVerlet,
     SymplecticEuler, integrate, integrate_fast,
@@ -112,6 +112,8 @@ pub fn lines() -> Vec<Line> {
             $(lines.push((format!("{} in lanes", $method.info().name), in_lanes(&$method)));)+
         };
     }
-    in_lanes!(ForwardEuler SymplecticEuler Rk4 StormerVerlet BlanesMoan6 DormandPrince Gauss4);
+    in_lanes!(
+        ForwardEuler SymplecticEuler Rk4 StormerVerlet BlanesMoan6 DormandPrince Gauss4 Deuflhard
+    );
     lines
 }
