@@ -1,26 +1,39 @@
-//! The cost of a step in an ensemble: ten thousand pendulums one after the other, and in lanes of
-//! vector instructions.
+//! Ten thousand pendulums: `cargo bench --bench ensemble`.
 //!
-//! Only ratios within a group are meaningful. Where the processor lacks the instructions, the
-//! baseline runs, and its time is shown.
+//! The first table is the speed of a step, one trajectory after the other and in lanes, with each
+//! set of vector instructions; where the processor lacks them, the baseline runs, and its speed is
+//! shown. The second is the time in which a method brings every one of the pendulums to an error.
+//! Both are of one core, whatever the library's features.
+//!
+//! `cargo bench --bench ensemble -- NAME` shows the methods whose name contains NAME.
 
-mod common;
+#[path = "common/machine.rs"]
+mod machine;
 
 use std::hint::black_box;
-use std::time::Duration;
 
-use common::NAIVE;
-use criterion::{Criterion, Throughput, criterion_group, criterion_main};
+use machine::{instructions, seconds};
 use pendula::fast::{Avx2, Avx512, Baseline, Best, Ensemble, InLanes};
+use pendula::metrics::EndError;
 use pendula::{Grid, Info, Pendulum, Phase, integrate_fast, methods};
 
-const PENDULUMS: u32 = 10_000;
-const STEPS: u64 = 300;
-const STEP: f64 = 0.01;
+/// A multiple of the number of lanes.
+const PENDULUMS: u32 = 9984;
+
+/// The shortest of this number of runs is taken, which are spread over the time of the bench.
+const ROUNDS: usize = 5;
+
+/// The duration of a run to an error (s).
+const DURATION: f64 = 10.0;
+
+const GOALS: [f64; 5] = [1e-2, 1e-4, 1e-6, 1e-8, 1e-10];
+
+/// A method of which no run to an error comes to it in this number of evaluations takes no part.
+const MOST_EVALUATIONS: u64 = 40_000;
 
 /// Starts spread over θ from −3 to 3 rad and ω from −5 to 5 rad/s, successive ones far apart, so
 /// that no branch can be predicted: the multiples of 1/φ and of √2 fill the unit interval evenly.
-fn starts() -> Vec<Phase> {
+fn spread() -> Vec<Phase> {
     let spread = |j: u32, irrational: f64| 2.0 * (f64::from(j) * irrational).fract() - 1.0;
     (0..PENDULUMS)
         .map(|j| Phase {
@@ -30,65 +43,147 @@ fn starts() -> Vec<Phase> {
         .collect()
 }
 
-fn ensemble_of<M: Info + InLanes>(criterion: &mut Criterion, method: M) {
-    let name = method.info().name;
-    let (pendulum, starts) = (Pendulum::PAPER, starts());
-    let grid = Grid::new(STEP, STEPS).expect("a positive step");
-    let mut ends = vec![Phase::default(); starts.len()];
+/// Releases from 0.01 to 3.1 rad.
+fn releases() -> Vec<Phase> {
+    let last = f64::from(PENDULUMS - 1);
+    (0..PENDULUMS).map(|j| Phase::at_rest(0.01 + 3.09 * f64::from(j) / last)).collect()
+}
 
-    let mut group = criterion.benchmark_group(format!("ensemble, {name}"));
-    group.throughput(Throughput::Elements(u64::from(PENDULUMS) * STEPS));
-    if let Some((_, naive)) = NAIVE.iter().find(|(of, _)| *of == name) {
-        group.bench_function("naive, one by one", |bencher| {
-            bencher.iter(|| {
-                for (start, end) in black_box(&starts).iter().zip(&mut ends) {
-                    *end = naive(*start, black_box(STEPS), black_box(STEP));
-                }
-                black_box(&mut ends);
-            });
-        });
-    }
-    group.bench_function("integrate_fast, one by one", |bencher| {
-        bencher.iter(|| {
+/// Evaluations a step, roughly: an implicit method takes some ten sweeps.
+fn evaluations(method: &impl Info) -> u64 {
+    let info = method.info();
+    info.force_evaluations * if info.implicit { 10 } else { 1 }
+}
+
+/// Millions of steps a second: one after the other, and in lanes of each kind.
+fn speeds<M: Info + InLanes>(method: &M) -> [f64; 4] {
+    let (pendulum, starts) = (Pendulum::PAPER, spread());
+    let steps = 1000 / evaluations(method) + 5;
+    let grid = Grid::new(0.01, steps).expect("a positive step");
+    let mut ends = vec![Phase::default(); starts.len()];
+    let mut shortest = [f64::INFINITY; 4];
+    for _ in 0..ROUNDS {
+        let alone = seconds(|| {
             for (start, end) in black_box(&starts).iter().zip(&mut ends) {
-                *end = integrate_fast(&pendulum, &method, *start, black_box(&grid), &mut ());
+                *end = integrate_fast(&pendulum, method, *start, black_box(&grid), &mut ());
             }
-            black_box(&mut ends);
+            ends[0]
         });
-    });
-    macro_rules! lanes {
-        ($($instructions:ident)+) => {$(
-            let ensemble =
-                Ensemble::new(&pendulum, &starts, grid).with_instructions::<$instructions>();
-            group.bench_function(concat!("lanes, ", stringify!($instructions)), |bencher| {
-                bencher.iter(|| {
-                    black_box(&ensemble).ends(&method, &mut ends);
-                    black_box(&mut ends);
-                });
-            });
-        )+};
+        let mut times = vec![alone];
+        macro_rules! lanes {
+            ($($instructions:ident)+) => {$(
+                let ensemble =
+                    Ensemble::new(&pendulum, &starts, grid).with_instructions::<$instructions>();
+                times.push(seconds(|| {
+                    black_box(&ensemble).ends(method, &mut ends);
+                    ends[0]
+                }));
+            )+};
+        }
+        lanes! { Baseline Avx2 Avx512 }
+        for (shortest, time) in shortest.iter_mut().zip(times) {
+            *shortest = shortest.min(time);
+        }
     }
-    lanes! { Baseline Avx2 Avx512 Best }
-    group.finish();
+    shortest.map(|time| 1e-6 * f64::from(PENDULUMS) * steps as f64 / time)
+}
+
+/// The shortest time (s) in which every pendulum comes to each of the [`GOALS`].
+///
+/// A step counts if the next finer one, shorter by √2, also comes there: an error that happens to
+/// cross zero does not count.
+fn to_errors<M: Info + InLanes>(method: &M, exact: &[EndError], starts: &[Phase]) -> [f64; 5] {
+    let pendulum = Pendulum::PAPER;
+    let mut ends = vec![Phase::default(); starts.len()];
+    let mut run = |steps: u64| {
+        let grid = Grid::new(DURATION / steps as f64, steps).expect("a positive step");
+        let ensemble = Ensemble::new(&pendulum, starts, grid).with_instructions::<Best>();
+        let time = seconds(|| {
+            black_box(&ensemble).ends(method, &mut ends);
+            ends[0]
+        });
+        let error = exact.iter().zip(&ends).map(|(exact, end)| exact.of(*end));
+        // A NaN, of an iteration that does not converge, is the largest error.
+        (time, error.fold(0.0, |largest: f64, x| if x <= largest { largest } else { x }))
+    };
+    let mut shortest = [f64::INFINITY; 5];
+    let mut before = None;
+    for k in 0_i32.. {
+        let steps = (10.0 * f64::powi(std::f64::consts::SQRT_2, k)).round() as u64;
+        if steps * evaluations(method) > MOST_EVALUATIONS {
+            break;
+        }
+        let (_, error) = run(steps);
+        if let Some((coarser, its_error)) = before.replace((steps, error)) {
+            for (goal, shortest) in GOALS.into_iter().zip(&mut shortest) {
+                if its_error <= goal && error <= goal && shortest.is_infinite() {
+                    let times = (0..ROUNDS).map(|_| run(coarser).0);
+                    *shortest = times.fold(f64::INFINITY, f64::min);
+                }
+            }
+        }
+        if shortest.iter().all(|time| time.is_finite()) {
+            break;
+        }
+    }
+    shortest
+}
+
+struct Tables {
+    speeds: Vec<(&'static str, [f64; 4])>,
+    times: Vec<(&'static str, [f64; 5])>,
 }
 
 macro_rules! every_method {
     ($($module:ident::$method:ident,)+) => {
-        fn ensemble(criterion: &mut Criterion) {
-            $(ensemble_of(criterion, methods::$method);)+
+        fn measure(only: &str) -> Tables {
+            let (mut speeds_of, mut times_of) = (Vec::new(), Vec::new());
+            let starts = releases();
+            let exact: Vec<EndError> = starts
+                .iter()
+                .map(|start| EndError::new(&Pendulum::PAPER, *start, DURATION))
+                .collect::<Result<_, _>>()
+                .expect("a pendulum's motion");
+            $(
+                let method = methods::$method;
+                let info = method.info();
+                if info.name.contains(only) {
+                    speeds_of.push((info.title, speeds(&method)));
+                    times_of.push((info.title, to_errors(&method, &exact, &starts)));
+                }
+            )+
+            Tables { speeds: speeds_of, times: times_of }
         }
     };
 }
 pendula::for_each_method!(every_method);
 
-criterion_group! {
-    name = benches;
-    // One iteration is three million steps: ten samples are plenty.
-    config = Criterion::default()
-        .without_plots()
-        .sample_size(10)
-        .warm_up_time(Duration::from_millis(300))
-        .measurement_time(Duration::from_millis(1500));
-    targets = ensemble
+fn main() {
+    let only = std::env::args().skip(1).find(|argument| !argument.starts_with('-'));
+    let Tables { speeds, times } = measure(only.as_deref().unwrap_or(""));
+    println!("{}\n", instructions());
+    println!("Millions of steps a second on one core, and how many times as fast as alone.\n");
+    println!("| Method | alone | SSE2 | | AVX2 | | AVX-512 | |");
+    println!("|---|--:|--:|--:|--:|--:|--:|--:|");
+    for (title, [alone, lanes @ ..]) in &speeds {
+        let cells = lanes.map(|speed| format!("{speed:.3} | {:.1}", speed / alone));
+        println!("| {title} | {alone:.3} | {} |", cells.join(" | "));
+    }
+    println!("\nMilliseconds for {PENDULUMS} pendulums, {DURATION} s, to a largest error of\n");
+    let goals = GOALS.map(|goal| format!("$10^{{{}}}$", goal.log10().round()));
+    println!("| Method | {} |\n|---{}|", goals.join(" | "), "|--:".repeat(GOALS.len()));
+    let quickest: Vec<f64> = (0..GOALS.len())
+        .map(|goal| times.iter().map(|(_, time)| time[goal]).fold(f64::INFINITY, f64::min))
+        .collect();
+    for (title, times) in &times {
+        if times.iter().all(|time| time.is_infinite()) {
+            continue;
+        }
+        let cells = times.iter().zip(&quickest).map(|(time, quickest)| match 1e3 * time {
+            ms if ms.is_infinite() => "–".into(),
+            ms if time == quickest => format!("**{ms:.1}**"),
+            ms => format!("{ms:.1}"),
+        });
+        println!("| {title} | {} |", cells.collect::<Vec<_>>().join(" | "));
+    }
 }
-criterion_main!(benches);

@@ -58,7 +58,7 @@
 //! | feature | default | adds | needs |
 //! |---|---|---|---|
 //! | `verify` | yes | [`verify`] | std |
-//! | `ensemble` | yes | [`Ensemble`] | std, the crate `multiversion` |
+//! | `ensemble` | yes | [`Ensemble`] | std, the crate `fearless_simd` |
 //! | `parallel` | no | ensembles on all cores | std, the crate `rayon` |
 //!
 //! Without any of them the library is `no_std` and depends on `libm` alone.

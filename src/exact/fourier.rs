@@ -17,6 +17,7 @@ use core::f64::consts::{FRAC_PI_2, PI};
 use super::half_turns::unwrapped;
 use crate::arithmetic::double_double::DoubleDouble;
 use crate::arithmetic::sine::{ROUNDER, quarter_turns_and};
+use crate::arithmetic::vectorized;
 use crate::systems::Phase;
 
 /// The number of times that are computed together.
@@ -111,7 +112,10 @@ impl FourierSeries {
 
     /// The states at `times` (s), into `states` as far as there are slots.
     pub fn at_each(&self, times: &[f64], states: &mut [Phase]) {
-        each(self, times, states);
+        vectorized(
+            #[inline(always)]
+            || each(self, times, states),
+        );
     }
 
     /// The states at `N` times, computed together: one loop over them for each operation.
@@ -165,7 +169,7 @@ impl FourierSeries {
     }
 }
 
-#[cfg_attr(feature = "ensemble", multiversion::multiversion(targets("x86_64+avx2")))]
+#[inline(always)]
 fn each(series: &FourierSeries, times: &[f64], states: &mut [Phase]) {
     let mut blocks = times.chunks(LANES).zip(states.chunks_mut(LANES));
     for (times, states) in &mut blocks {

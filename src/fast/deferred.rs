@@ -2,6 +2,7 @@
 
 use core::ops::{Add, Mul};
 
+use crate::arithmetic::number::Number;
 use crate::systems::{Numbers, Vector};
 
 /// The number `sum` + `factor` · `series`, in which `series` is ready last.
@@ -11,46 +12,63 @@ use crate::systems::{Numbers, Vector};
 /// adds once. So a deferred number scales and adds to its known part and its factor, both early,
 /// and adds the late product when its value is read. The code of the methods does not change.
 #[derive(Clone, Copy, Debug)]
-pub struct Deferred {
+pub struct Deferred<N = f64> {
     /// The part that is known early.
-    pub sum: f64,
+    pub sum: N,
     /// The factor of the late part.
-    pub factor: f64,
+    pub factor: N,
     /// The late part.
-    pub series: f64,
+    pub series: N,
 }
 
-impl From<f64> for Deferred {
+impl<N: Number> From<N> for Deferred<N> {
     /// A number known in full. Its late product is −0, and adding −0 changes no number.
-    #[inline]
-    fn from(sum: f64) -> Self {
-        Self { sum, factor: -0.0, series: 0.0 }
+    #[inline(always)]
+    fn from(sum: N) -> Self {
+        Self { sum, factor: sum.splat(-0.0), series: sum.splat(0.0) }
     }
 }
 
 // ANCHOR: deferred
-impl Deferred {
+impl<N: Number> Deferred<N> {
     /// The value, rounded.
-    #[inline]
-    pub fn value(self) -> f64 {
+    #[inline(always)]
+    pub fn value(self) -> N {
         self.sum + self.factor * self.series
+    }
+
+    /// The product with `factor`.
+    #[inline(always)]
+    pub(crate) fn scaled(self, factor: N) -> Self {
+        Self { sum: self.sum * factor, factor: self.factor * factor, ..self }
+    }
+
+    /// `yes` where the mask is true, `no` elsewhere.
+    #[inline(always)]
+    #[cfg(feature = "ensemble")]
+    pub(super) fn select(mask: N::Mask, yes: Self, no: Self) -> Self {
+        Self {
+            sum: N::select(mask, yes.sum, no.sum),
+            factor: N::select(mask, yes.factor, no.factor),
+            series: N::select(mask, yes.series, no.series),
+        }
     }
 }
 
-impl Add for Deferred {
+impl<N: Number> Add for Deferred<N> {
     type Output = Self;
 
     /// Evaluates the first number; the product of the second stays deferred.
-    #[inline]
+    #[inline(always)]
     fn add(self, late: Self) -> Self {
         Self { sum: self.value() + late.sum, ..late }
     }
 }
 
-impl Mul<f64> for Deferred {
+impl<N: Number> Mul<f64> for Deferred<N> {
     type Output = Self;
 
-    #[inline]
+    #[inline(always)]
     fn mul(self, factor: f64) -> Self {
         Self { sum: self.sum * factor, factor: self.factor * factor, ..self }
     }
@@ -58,16 +76,16 @@ impl Mul<f64> for Deferred {
 
 // ANCHOR_END: deferred
 
-impl Vector for Deferred {}
+impl<N: Number> Vector for Deferred<N> {}
 
 impl Numbers for Deferred {
-    #[inline]
+    #[inline(always)]
     fn write(self, write: &mut impl FnMut(f64)) {
         let Self { sum, factor, series } = self;
         [sum, factor, series].into_iter().for_each(write);
     }
 
-    #[inline]
+    #[inline(always)]
     fn read(next: &mut impl FnMut() -> f64) -> Self {
         Self { sum: next(), factor: next(), series: next() }
     }

@@ -6,8 +6,11 @@
 
 use core::marker::PhantomData;
 use core::num::NonZeroU64;
+use core::ops::ControlFlow;
 
-use super::lanes::{Best, Block, Instructions, LANES, Lane, ScaledPendulum};
+use super::block::{Block, LANES};
+use super::instructions::{Best, Instructions, vectors};
+use super::{ReducedPhase, ScaledPendulum};
 use crate::fast::integrate_fast;
 use crate::integrate::{Every, Grid, Method, Observer};
 use crate::systems::{Pendulum, Phase};
@@ -69,12 +72,14 @@ impl<I: Instructions> Ensemble<'_, I> {
     /// If there are not as many slots as starts.
     pub fn ends<M: InLanes>(&self, method: &M, ends: &mut [Phase]) {
         let grid = &self.grid;
-        self.for_blocks(ends, |first, ends| match self.block(method, first, ends.len()) {
-            Some(mut block) => {
-                I::advance(&mut block, method, grid.steps());
-                for (lane, end) in ends.iter_mut().enumerate() {
-                    *end = block.state(lane);
-                }
+        self.for_blocks(ends, |first, ends| match self.starts_of(method, first, ends.len()) {
+            Some(starts) => {
+                let steps = grid.steps();
+                let block = Block { method, starts: &starts[..ends.len()], steps, every: steps };
+                I::run(&block, &mut |_, states| {
+                    ends.copy_from_slice(&states[..ends.len()]);
+                    ControlFlow::Break(())
+                });
             }
             None => {
                 for (i, end) in (first..).zip(ends) {
@@ -96,27 +101,27 @@ impl<I: Instructions> Ensemble<'_, I> {
     {
         let grid = &self.grid;
         self.for_blocks(observers, |first, observers| {
-            match self.block(method, first, observers.len()) {
-                Some(mut block) => {
+            match self.starts_of(method, first, observers.len()) {
+                Some(starts) => {
                     for (i, observer) in (first..).zip(&mut *observers) {
                         observer.observe(0, 0.0, self.starts[i]);
                     }
-                    let mut n = 0;
-                    // Counted in u64: a usize may have 32 bits.
-                    while grid.steps() - n >= every.get() {
-                        I::advance(&mut block, method, every.get());
-                        n += every.get();
+                    let (steps, every) = (grid.steps(), every.get());
+                    let block = Block { method, starts: &starts[..observers.len()], steps, every };
+                    I::run(&block, &mut |n, states| {
                         let mut all_satisfied = true;
-                        for (lane, observer) in observers.iter_mut().enumerate() {
+                        for (state, observer) in states.iter().zip(&mut *observers) {
                             if !observer.is_satisfied() {
                                 all_satisfied = false;
-                                observer.observe(n, grid.time(n), block.state(lane));
+                                observer.observe(n, grid.time(n), *state);
                             }
                         }
                         if all_satisfied {
-                            break;
+                            ControlFlow::Break(())
+                        } else {
+                            ControlFlow::Continue(())
                         }
-                    }
+                    });
                 }
                 None => {
                     for (i, observer) in (first..).zip(observers) {
@@ -145,15 +150,24 @@ impl<I: Instructions> Ensemble<'_, I> {
         slots.chunks_mut(LANES).enumerate().for_each(one);
     }
 
-    /// The `count` starts from `first` on in lanes; `None` if [`ScaledPendulum::new`] refuses one
-    /// of them.
-    fn block<M: InLanes>(&self, method: &M, first: usize, count: usize) -> Option<Block> {
-        let mut starts = [None; LANES];
+    /// The `count` pendulums from `first` on and where they begin, with the step as the unit of
+    /// time; `None` if [`ScaledPendulum::new`] refuses one of them.
+    fn starts_of<M: InLanes>(
+        &self,
+        _method: &M,
+        first: usize,
+        count: usize,
+    ) -> Option<[(ScaledPendulum, ReducedPhase); LANES]> {
+        let scaled = |i: usize| {
+            let (pendulum, start) = (self.pendulum(i), self.starts[i]);
+            let scaled = ScaledPendulum::new::<M>(pendulum, &self.grid, start)?;
+            Some((scaled, scaled.from_phase(start)))
+        };
+        let mut starts = [scaled(first)?; LANES];
         for (i, slot) in (first..first + count).zip(&mut starts) {
-            let start = self.starts[i];
-            *slot = Some((ScaledPendulum::new::<M>(self.pendulum(i), &self.grid, start)?, start));
+            *slot = scaled(i)?;
         }
-        Some(Block::new(method, starts.into_iter().flatten()))
+        Some(starts)
     }
 
     fn pendulum(&self, i: usize) -> &Pendulum {
@@ -161,17 +175,24 @@ impl<I: Instructions> Ensemble<'_, I> {
     }
 }
 
-/// A method whose steps of the pendulum can be taken in lanes: any whose carry can be stored in
-/// columns.
+/// A method whose steps of the pendulum can be taken in lanes: any that is written for all
+/// [numbers](super::Number).
 pub trait InLanes:
-    Method<Pendulum> + Method<super::ScaledPendulum> + Method<ScaledPendulum, Carry: Lane> + Sync
+    Method<Pendulum>
+    + Method<ScaledPendulum>
+    + Method<ScaledPendulum<vectors::OfBaseline>>
+    + Method<ScaledPendulum<vectors::OfAvx2>>
+    + Method<ScaledPendulum<vectors::OfAvx512>>
+    + Sync
 {
 }
 
 impl<M> InLanes for M where
     M: Method<Pendulum>
-        + Method<super::ScaledPendulum>
-        + Method<ScaledPendulum, Carry: Lane>
+        + Method<ScaledPendulum>
+        + Method<ScaledPendulum<vectors::OfBaseline>>
+        + Method<ScaledPendulum<vectors::OfAvx2>>
+        + Method<ScaledPendulum<vectors::OfAvx512>>
         + Sync
 {
 }

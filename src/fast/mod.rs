@@ -1,19 +1,24 @@
 //! The pendulum at full speed: the same methods with the step as the unit of time, for one
 //! trajectory or many at once.
 
+#[cfg(feature = "ensemble")]
+mod block;
 mod deferred;
 #[cfg(feature = "ensemble")]
 mod ensemble;
 #[cfg(feature = "ensemble")]
-mod lanes;
+mod instructions;
 mod run;
 mod scaled;
 
+pub use crate::arithmetic::number::Number;
+#[cfg(feature = "ensemble")]
+pub use block::LANES;
 pub use deferred::Deferred;
 #[cfg(feature = "ensemble")]
 pub use ensemble::{Ensemble, InLanes};
 #[cfg(feature = "ensemble")]
-pub use lanes::{Avx2, Avx512, Baseline, Best, Instructions, LANES, Lane};
+pub use instructions::{Avx2, Avx512, Baseline, Best, Instructions};
 pub use run::{FastRun, Resumable};
 pub use scaled::{ReducedPhase, ReducedRate, ScaledPendulum};
 

@@ -9,22 +9,24 @@
 use core::ops::{Add, Mul};
 
 use super::deferred::Deferred;
-use crate::arithmetic::sine::half_turn::{PI_PARTS, from_the_bottom, reduce, series, sin};
-use crate::arithmetic::sine::{self, ROUNDER, sinc};
+#[cfg(feature = "ensemble")]
+use crate::arithmetic::lanes::Lanes;
+use crate::arithmetic::number::Number;
+use crate::arithmetic::sine::half_turn::{PI_PARTS, from_the_bottom, series};
+use crate::arithmetic::sine::{ROUNDER, sinc};
 use crate::integrate::{Grid, Method};
+#[cfg(feature = "ensemble")]
+use crate::systems::Measurable;
 use crate::systems::{
     Analytic, Components, MeanForce, NearlyLinear, Numbers, Pendulum, Phase, RateOf, Separable,
     State, System, Vector, growth,
 };
 
-/// The pendulum with time in steps.
-///
-/// `BRANCH` says how its angles are reduced: with a branch, for a single trajectory, or without,
-/// for lanes. The bits are the same.
+/// The pendulum with time in steps; or, where a [`Number`] has lanes, a pendulum in each.
 #[derive(Clone, Copy, Debug)]
-pub struct ScaledPendulum<const BRANCH: bool = true> {
+pub struct ScaledPendulum<N = f64> {
     /// −K = −h² g/L.
-    pub(crate) minus_k: f64,
+    pub(crate) minus_k: N,
     /// The step h (s).
     pub(crate) step: f64,
 }
@@ -32,23 +34,23 @@ pub struct ScaledPendulum<const BRANCH: bool = true> {
 /// The state: the angle as a remainder in [−π/2, π/2] and a number of half turns, and the velocity
 /// in rad a step.
 #[derive(Clone, Copy, Debug)]
-pub struct ReducedPhase<const BRANCH: bool = true> {
+pub struct ReducedPhase<N = f64> {
     /// The remainder of the angle (rad).
-    pub(crate) rest: f64,
+    pub(crate) rest: N,
     /// 1.5 · 2⁵² + n for n half turns: the lowest bit is that of n, and says whether the sine
     /// changes sign.
-    pub(crate) turns: f64,
-    pub(crate) velocity: Deferred,
+    pub(crate) turns: N,
+    pub(crate) velocity: Deferred<N>,
 }
 
 /// A displacement of the state, or its rate of change.
 #[derive(Clone, Copy, Debug)]
-pub struct ReducedRate {
-    pub(crate) angle: Deferred,
-    pub(crate) velocity: Deferred,
+pub struct ReducedRate<N = f64> {
+    pub(crate) angle: Deferred<N>,
+    pub(crate) velocity: Deferred<N>,
 }
 
-impl<const BRANCH: bool> ScaledPendulum<BRANCH> {
+impl ScaledPendulum {
     /// `pendulum` with its time in steps, for a run of the method `M` along `grid` that begins with
     /// the angle and angular velocity of `start`; `None` where the change of units could overflow
     /// or underflow, or the half turns could become too many to count, and for a grid without
@@ -74,53 +76,61 @@ impl<const BRANCH: bool> ScaledPendulum<BRANCH> {
     }
 
     /// Converts `z` from rad and rad/s.
-    pub fn from_phase(&self, z: Phase) -> ReducedPhase<BRANCH> {
-        let (n, rest) = reduce::<BRANCH>(z.theta);
+    pub fn from_phase(&self, z: Phase) -> ReducedPhase {
+        let (n, rest) = z.theta.half_turns();
         ReducedPhase { rest, turns: ROUNDER + n, velocity: (z.omega * self.step).into() }
     }
 
     /// Angle (rad) and angular velocity (rad/s) of the state `z`.
     #[inline]
-    pub fn to_phase(&self, z: ReducedPhase<BRANCH>) -> Phase {
-        let n = z.turns - ROUNDER;
-        let theta = n * PI_PARTS[0] + (n * PI_PARTS[1] + (n * PI_PARTS[2] + z.rest));
-        Phase { theta, omega: z.velocity.value() / self.step }
+    pub fn to_phase(&self, z: ReducedPhase) -> Phase {
+        let (theta, omega) = self.angle_and_velocity(z);
+        Phase { theta, omega }
     }
 }
 
-impl<const BRANCH: bool> ReducedPhase<BRANCH> {
+impl<N: Number> ScaledPendulum<N> {
+    /// Angle (rad) and angular velocity (rad/s) of the state `z`.
+    #[inline(always)]
+    pub(crate) fn angle_and_velocity(&self, z: ReducedPhase<N>) -> (N, N) {
+        let n = z.turns - ROUNDER;
+        let angle = n * PI_PARTS[0] + (n * PI_PARTS[1] + (n * PI_PARTS[2] + z.rest));
+        (angle, z.velocity.value() / self.step)
+    }
+}
+
+impl<N: Number> ReducedPhase<N> {
     /// Sine and cosine of the angle. An odd number of half turns changes the sign of both.
-    #[inline]
-    pub(crate) fn sine_and_cosine(self) -> (f64, f64) {
-        let sign = self.turns.to_bits() << 63;
-        let signed = |x: f64| f64::from_bits(x.to_bits() ^ sign);
-        (signed(sine::sin(self.rest)), signed(sine::cos(self.rest)))
+    #[inline(always)]
+    pub(crate) fn sine_and_cosine(self) -> (N, N) {
+        let (sine, cosine) = self.rest.sine_and_cosine();
+        (sine.signed_by(self.turns), cosine.signed_by(self.turns))
     }
 
     /// Moves the angle and reduces it again.
-    #[inline]
-    fn turn(self, by: Deferred) -> Self {
-        let (n, rest) = reduce::<BRANCH>((self.rest + by.sum) + by.factor * by.series);
+    #[inline(always)]
+    fn turn(self, by: Deferred<N>) -> Self {
+        let (n, rest) = ((self.rest + by.sum) + by.factor * by.series).half_turns();
         Self { rest, turns: self.turns + n, ..self }
     }
 }
 
-impl<const BRANCH: bool> Add<ReducedRate> for ReducedPhase<BRANCH> {
+impl<N: Number> Add<ReducedRate<N>> for ReducedPhase<N> {
     type Output = Self;
 
-    #[inline]
-    fn add(self, displacement: ReducedRate) -> Self {
+    #[inline(always)]
+    fn add(self, displacement: ReducedRate<N>) -> Self {
         let velocity = self.velocity + displacement.velocity;
         Self { velocity, ..self.turn(displacement.angle) }
     }
 }
 
-impl<const BRANCH: bool> State for ReducedPhase<BRANCH> {
-    type Displacement = ReducedRate;
+impl<N: Number> State for ReducedPhase<N> {
+    type Displacement = ReducedRate<N>;
 }
 
-impl<const BRANCH: bool> Components for ReducedPhase<BRANCH> {
-    #[inline]
+impl Components for ReducedPhase {
+    #[inline(always)]
     fn for_each_component(
         self,
         other: Self,
@@ -131,119 +141,166 @@ impl<const BRANCH: bool> Components for ReducedPhase<BRANCH> {
         each(self.velocity.value(), other.velocity.value(), displacement.velocity.value());
     }
 
-    #[inline]
+    #[inline(always)]
     fn map_components(self, mut each: impl FnMut(f64) -> f64) -> Self {
         Self { rest: each(self.rest), velocity: each(self.velocity.value()).into(), ..self }
     }
 }
 
-impl<const BRANCH: bool> Numbers for ReducedPhase<BRANCH> {
-    #[inline]
+#[cfg(feature = "ensemble")]
+impl<N: Lanes> Measurable for ReducedPhase<N> {
+    type Number = N;
+
+    #[inline(always)]
+    fn size(self, _displacement: ReducedRate<N>) -> N {
+        self.rest.abs() + self.velocity.value().abs()
+    }
+
+    #[inline(always)]
+    fn size_of(self, displacement: ReducedRate<N>) -> N {
+        displacement.angle.value().abs() + displacement.velocity.value().abs()
+    }
+
+    #[inline(always)]
+    fn select(mask: N::Mask, yes: ReducedRate<N>, no: ReducedRate<N>) -> ReducedRate<N> {
+        ReducedRate {
+            angle: Deferred::select(mask, yes.angle, no.angle),
+            velocity: Deferred::select(mask, yes.velocity, no.velocity),
+        }
+    }
+
+    fn components(self, _displacement: ReducedRate<N>) -> usize {
+        2
+    }
+
+    fn with_scaled(self, component: usize, factor: f64) -> Self {
+        let velocity = self.velocity.value();
+        if component == 0 {
+            Self { rest: self.rest * factor, velocity: velocity.into(), ..self }
+        } else {
+            Self { velocity: (velocity * factor).into(), ..self }
+        }
+    }
+}
+
+impl Numbers for ReducedPhase {
+    #[inline(always)]
     fn write(self, write: &mut impl FnMut(f64)) {
         write(self.rest);
         write(self.turns);
         self.velocity.write(write);
     }
 
-    #[inline]
+    #[inline(always)]
     fn read(next: &mut impl FnMut() -> f64) -> Self {
         Self { rest: next(), turns: next(), velocity: Deferred::read(next) }
     }
 }
 
 impl Numbers for ReducedRate {
-    #[inline]
+    #[inline(always)]
     fn write(self, write: &mut impl FnMut(f64)) {
         self.angle.write(write);
         self.velocity.write(write);
     }
 
-    #[inline]
+    #[inline(always)]
     fn read(next: &mut impl FnMut() -> f64) -> Self {
         Self { angle: Deferred::read(next), velocity: Deferred::read(next) }
     }
 }
 
-impl Add for ReducedRate {
+impl<N: Number> Add for ReducedRate<N> {
     type Output = Self;
 
-    #[inline]
+    #[inline(always)]
     fn add(self, late: Self) -> Self {
         Self { angle: self.angle + late.angle, velocity: self.velocity + late.velocity }
     }
 }
 
-impl Mul<f64> for ReducedRate {
+impl<N: Number> Mul<f64> for ReducedRate<N> {
     type Output = Self;
 
-    #[inline]
+    #[inline(always)]
     fn mul(self, factor: f64) -> Self {
         Self { angle: self.angle * factor, velocity: self.velocity * factor }
     }
 }
 
-impl Vector for ReducedRate {}
+impl<N: Number> Vector for ReducedRate<N> {}
 
-impl<const BRANCH: bool> System for ScaledPendulum<BRANCH> {
-    type State = ReducedPhase<BRANCH>;
+impl<N: Number> System for ScaledPendulum<N> {
+    type State = ReducedPhase<N>;
 
-    #[inline]
-    fn rate(&self, t: f64, z: ReducedPhase<BRANCH>) -> RateOf<Self> {
+    #[inline(always)]
+    fn rate(&self, t: f64, z: ReducedPhase<N>) -> RateOf<Self> {
         ReducedRate { angle: z.velocity, velocity: self.force(t, z) }
     }
 }
 
 // ANCHOR: separable
-impl<const BRANCH: bool> Separable for ScaledPendulum<BRANCH> {
-    type Force = Deferred;
+impl<N: Number> Separable for ScaledPendulum<N> {
+    type Force = Deferred<N>;
 
     /// −K sin θ = ∓K (r + r³ P(r²)), where r is the remainder of θ.
-    #[inline]
-    fn force(&self, _t: f64, z: ReducedPhase<BRANCH>) -> Deferred {
-        let sign = z.turns.to_bits() << 63;
-        let sum = f64::from_bits(self.minus_k.to_bits() ^ sign) * z.rest;
+    #[inline(always)]
+    fn force(&self, _t: f64, z: ReducedPhase<N>) -> Deferred<N> {
+        let sum = self.minus_k.signed_by(z.turns) * z.rest;
         let square = z.rest * z.rest;
         Deferred { sum, factor: sum * square, series: series(square) }
     }
 
-    #[inline]
-    fn kick(&self, z: ReducedPhase<BRANCH>, force: Deferred, h: f64) -> ReducedPhase<BRANCH> {
+    #[inline(always)]
+    fn kick(&self, z: ReducedPhase<N>, force: Deferred<N>, h: f64) -> ReducedPhase<N> {
         ReducedPhase { velocity: z.velocity + force * h, ..z }
     }
 
-    #[inline]
-    fn drift(&self, z: ReducedPhase<BRANCH>, h: f64) -> ReducedPhase<BRANCH> {
+    #[inline(always)]
+    fn drift(&self, z: ReducedPhase<N>, h: f64) -> ReducedPhase<N> {
         z.turn(z.velocity * h)
     }
 }
 // ANCHOR_END: separable
 
-impl<const BRANCH: bool> Analytic for ScaledPendulum<BRANCH> {
-    #[inline]
-    fn mean_rate<const P: usize>(&self, h: f64, z: ReducedPhase<BRANCH>) -> ReducedRate {
+impl<N: Number> Analytic for ScaledPendulum<N> {
+    #[inline(always)]
+    fn mean_rate<const P: usize>(&self, h: f64, z: ReducedPhase<N>) -> ReducedRate<N> {
         let (angle, velocity) =
-            growth::<P>(-self.minus_k, h, z.velocity.value(), z.sine_and_cosine());
+            growth::<P, N>(-self.minus_k, h, z.velocity.value(), z.sine_and_cosine());
         ReducedRate { angle: Deferred::from(angle), velocity: Deferred::from(velocity) }
     }
 }
 
-impl<const BRANCH: bool> MeanForce for ScaledPendulum<BRANCH> {
-    #[inline]
-    fn mean_force_rate(&self, middle: ReducedPhase<BRANCH>, h: f64) -> ReducedRate {
-        let half_the_way = 0.5 * h * middle.velocity.value();
-        let velocity = self.force(0.0, middle) * sinc(half_the_way, sin);
+impl<N: Number> MeanForce for ScaledPendulum<N> {
+    #[inline(always)]
+    fn mean_force_rate(&self, middle: ReducedPhase<N>, h: f64) -> ReducedRate<N> {
+        let half_the_way = middle.velocity.value() * (0.5 * h);
+        let velocity = self.force(0.0, middle).scaled(sinc(half_the_way));
         ReducedRate { angle: middle.velocity, velocity }
     }
 }
 
-impl<const BRANCH: bool> NearlyLinear for ScaledPendulum<BRANCH> {
-    #[inline]
-    fn linear_frequency_squared(&self) -> f64 {
+impl<N: Number> NearlyLinear for ScaledPendulum<N> {
+    type Time = N;
+
+    #[inline(always)]
+    fn linear_frequency_squared(&self) -> N {
         -self.minus_k
     }
 
-    #[inline]
-    fn linear_force(&self, z: ReducedPhase<BRANCH>) -> Deferred {
+    #[inline(always)]
+    fn linear_force(&self, z: ReducedPhase<N>) -> Deferred<N> {
         (self.minus_k * from_the_bottom(z.turns, z.rest)).into()
+    }
+
+    #[inline(always)]
+    fn kick_for(&self, z: ReducedPhase<N>, force: Deferred<N>, time: N) -> ReducedPhase<N> {
+        ReducedPhase { velocity: z.velocity + force.scaled(time), ..z }
+    }
+
+    #[inline(always)]
+    fn drift_for(&self, z: ReducedPhase<N>, time: N) -> ReducedPhase<N> {
+        z.turn(z.velocity.scaled(time))
     }
 }

@@ -1,6 +1,7 @@
 //! Systems whose motion can be expanded in powers of time, by recurrence.
 
 use super::{Counting, LinearOscillator, Pendulum, Phase, RateOf, System};
+use crate::arithmetic::number::Number;
 use crate::arithmetic::sine::{cos, sin};
 
 /// A system whose motion can be expanded in powers of time, by recurrence, to any order.
@@ -20,36 +21,37 @@ pub trait Analytic: System {
 ///
 /// Jorba and Zou, Proposition 2.1.
 // ANCHOR: series
-#[inline]
-pub(crate) fn growth<const P: usize>(
-    frequency_squared: f64,
+#[inline(always)]
+pub(crate) fn growth<const P: usize, N: Number>(
+    frequency_squared: N,
     h: f64,
-    omega: f64,
-    (sin, cos): (f64, f64),
-) -> (f64, f64) {
+    omega: N,
+    (sin, cos): (N, N),
+) -> (N, N) {
     let inverse = const { inverses::<P>() };
     // jθⱼ, the only form in which the sums need θⱼ; c and −s, side by side, since both are
     // multiplied by the same factors.
-    let (mut turning, mut waves) = ([0.0; P], [[0.0; 2]; P]);
-    let (mut theta, mut velocity) = ([0.0; P], [0.0; P]);
+    let zero = omega.splat(0.0);
+    let (mut turning, mut waves) = ([zero; P], [[zero; 2]; P]);
+    let (mut theta, mut velocity) = ([zero; P], [zero; P]);
     // Each product is added to its sum as soon as both factors are known, so that only the last two
     // products of a sum delay it.
-    let mut sums = [[0.0; 2]; P];
+    let mut sums = [[zero; 2]; P];
     let (mut omega_k, mut wave) = (omega, [cos, -sin]);
     for k in 0..P {
-        let turned = h * omega_k;
+        let turned = omega_k * h;
         theta[k] = omega_k * inverse[k];
         velocity[k] = frequency_squared * inverse[k] * wave[1];
-        omega_k = h * velocity[k];
+        omega_k = velocity[k] * h;
         let earlier = waves.iter().zip(&turning[..k]);
         for (sum, (wave_j, turned_j)) in sums[k..].iter_mut().zip(earlier) {
             for i in 0..2 {
-                sum[i] += turned * wave_j[i] + turned_j * wave[i];
+                sum[i] = sum[i] + (turned * wave_j[i] + *turned_j * wave[i]);
             }
         }
         if 2 * k < P {
             for i in 0..2 {
-                sums[2 * k][i] += turned * wave[i];
+                sums[2 * k][i] = sums[2 * k][i] + turned * wave[i];
             }
         }
         (turning[k], waves[k]) = (turned, wave);
@@ -73,20 +75,21 @@ const fn inverses<const P: usize>() -> [f64; P] {
 
 /// The sum of the terms of a series, the smallest first, so that they are not lost to rounding one
 /// by one; in four independent sums.
-#[inline]
-fn smallest_first<const P: usize>(terms: &[f64; P]) -> f64 {
-    let mut sums = [0.0; 4];
+#[inline(always)]
+fn smallest_first<const P: usize, N: Number>(terms: &[N; P]) -> N {
+    let zero = terms[0].splat(0.0);
+    let mut sums = [zero; 4];
     for (k, term) in terms.iter().enumerate().rev() {
-        sums[k % 4] += term;
+        sums[k % 4] = sums[k % 4] + *term;
     }
-    sums.iter().rev().fold(0.0, |sum, part| sum + part)
+    sums.iter().rev().fold(zero, |sum, part| sum + *part)
 }
 
 impl Analytic for Pendulum {
     #[inline]
     fn mean_rate<const P: usize>(&self, h: f64, z: Phase) -> Phase {
         let (theta, omega) =
-            growth::<P>(self.frequency_squared(), h, z.omega, (sin(z.theta), cos(z.theta)));
+            growth::<P, f64>(self.frequency_squared(), h, z.omega, (sin(z.theta), cos(z.theta)));
         Phase { theta, omega }
     }
 }

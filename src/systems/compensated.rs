@@ -132,7 +132,9 @@ impl<S: MeanForce<State = Phase>> MeanForce for Compensated<S> {
     }
 }
 
-impl<S: NearlyLinear<State = Phase> + Hamiltonian> NearlyLinear for Compensated<S> {
+impl<S: NearlyLinear<State = Phase, Time = f64> + Hamiltonian> NearlyLinear for Compensated<S> {
+    type Time = f64;
+
     #[inline]
     fn linear_frequency_squared(&self) -> f64 {
         self.system.linear_frequency_squared()
@@ -141,5 +143,15 @@ impl<S: NearlyLinear<State = Phase> + Hamiltonian> NearlyLinear for Compensated<
     #[inline]
     fn linear_force(&self, z: CompensatedPhase) -> S::Force {
         self.system.linear_force(z.phase)
+    }
+
+    #[inline]
+    fn kick_for(&self, z: CompensatedPhase, force: S::Force, time: f64) -> CompensatedPhase {
+        self.kick(z, force, time)
+    }
+
+    #[inline]
+    fn drift_for(&self, z: CompensatedPhase, time: f64) -> CompensatedPhase {
+        self.drift(z, time)
     }
 }

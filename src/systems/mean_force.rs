@@ -1,7 +1,7 @@
 //! Systems whose force has a potential, and with it a discrete gradient.
 
 use super::{Counting, LinearOscillator, Pendulum, Phase, RateOf, Separable, System};
-use crate::arithmetic::sine::{half_turn, sinc};
+use crate::arithmetic::sine::sinc;
 
 /// A system whose force is the gradient of a potential, of which it knows the mean along a way.
 ///
@@ -20,7 +20,7 @@ impl MeanForce for Pendulum {
     #[inline]
     fn mean_force_rate(&self, middle: Phase, h: f64) -> Phase {
         let half_the_way = 0.5 * h * middle.omega;
-        let force = self.force(0.0, middle) * sinc(half_the_way, half_turn::sin);
+        let force = self.force(0.0, middle) * sinc(half_the_way);
         Phase { theta: middle.omega, omega: force }
     }
 }

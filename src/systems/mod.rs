@@ -95,5 +95,5 @@ pub use nearly_linear::NearlyLinear;
 pub(crate) use pendulum::angle;
 pub use pendulum::{LARGEST_ANGLE, Pendulum};
 pub use shaken::{Mathieu, Shaken};
-pub use state::{Components, Numbers, Phase, State, Vector};
+pub use state::{Components, Measurable, Numbers, Phase, State, Vector};
 pub use system::{Counting, Hamiltonian, RateOf, Separable, System};

@@ -3,6 +3,7 @@
 use core::f64::consts::PI;
 
 use crate::arithmetic::sine::{cos, half_turn};
+use crate::arithmetic::vectorized;
 use crate::error::{Error, normal, positive};
 use crate::systems::{Hamiltonian, Phase, Separable, System};
 
@@ -161,14 +162,20 @@ impl Hamiltonian for Pendulum {
     fn energies(&self, states: &[Phase], energies: &mut [f64]) {
         // `&` and not `&&`: without a branch the compiler can vectorise the loop.
         if states.iter().fold(true, |near, z| near & (z.theta.abs() <= PI)) {
-            energies_with(self, half_turn::of_rest, states, energies);
+            vectorized(
+                #[inline(always)]
+                || energies_with(self, half_turn::of_rest, states, energies),
+            );
         } else {
-            energies_with(self, half_turn::sin, states, energies);
+            vectorized(
+                #[inline(always)]
+                || energies_with(self, half_turn::sin, states, energies),
+            );
         }
     }
 }
 
-#[cfg_attr(feature = "ensemble", multiversion::multiversion(targets("x86_64+avx2")))]
+#[inline(always)]
 fn energies_with(
     pendulum: &Pendulum,
     sine: impl Fn(f64) -> f64,

@@ -2,6 +2,8 @@
 
 use core::ops::{Add, Mul};
 
+use crate::arithmetic::number::Number;
+
 /// A rate of change, or a small displacement: it can be added and scaled.
 ///
 /// A Runge–Kutta method needs no more. Components keep their names in the type that implements this
@@ -36,6 +38,71 @@ pub trait Components: State {
     /// The state with each component replaced by what `each` makes of it.
     #[must_use]
     fn map_components(self, each: impl FnMut(f64) -> f64) -> Self;
+}
+
+/// A state of which sizes can be compared: what the iteration of an implicit method needs. Every
+/// state of named [`Components`] is one, and so are many such states in lanes.
+pub trait Measurable: State {
+    /// A size: one number, or one for each lane.
+    type Number: Number;
+
+    /// The sum of the absolute values of the components; any displacement of the state will do. A
+    /// sum, not a maximum, which would ignore a NaN.
+    fn size(self, displacement: Self::Displacement) -> Self::Number;
+
+    /// The sum of the absolute values of the components of a `displacement` of this state.
+    fn size_of(self, displacement: Self::Displacement) -> Self::Number;
+
+    /// The displacement `yes` where the mask is true, `no` elsewhere.
+    fn select(
+        mask: <Self::Number as Number>::Mask,
+        yes: Self::Displacement,
+        no: Self::Displacement,
+    ) -> Self::Displacement;
+
+    /// The number of components; any displacement of the state will do.
+    fn components(self, displacement: Self::Displacement) -> usize;
+
+    /// The state with one component, counted from 0, multiplied by `factor`.
+    #[must_use]
+    fn with_scaled(self, component: usize, factor: f64) -> Self;
+}
+
+impl<Z: Components> Measurable for Z {
+    type Number = f64;
+
+    #[inline(always)]
+    fn size(self, displacement: Z::Displacement) -> f64 {
+        let mut sum = 0.0;
+        self.for_each_component(self, displacement, |x, _, _| sum += x.abs());
+        sum
+    }
+
+    #[inline(always)]
+    fn size_of(self, displacement: Z::Displacement) -> f64 {
+        let mut sum = 0.0;
+        self.for_each_component(self, displacement, |_, _, x| sum += x.abs());
+        sum
+    }
+
+    #[inline(always)]
+    fn select(mask: bool, yes: Z::Displacement, no: Z::Displacement) -> Z::Displacement {
+        if mask { yes } else { no }
+    }
+
+    fn components(self, displacement: Z::Displacement) -> usize {
+        let mut count = 0;
+        self.for_each_component(self, displacement, |_, _, _| count += 1);
+        count
+    }
+
+    fn with_scaled(self, component: usize, factor: f64) -> Self {
+        let mut index = 0;
+        self.map_components(|x| {
+            index += 1;
+            if index - 1 == component { x * factor } else { x }
+        })
+    }
 }
 
 /// What can be taken apart into numbers and put together again with the same bits: a state, or what

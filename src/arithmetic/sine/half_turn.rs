@@ -1,9 +1,10 @@
 //! The sine of the time loop: reduced by half turns, so that one odd polynomial serves every angle
 //! and only the sign depends on the number of half turns.
 
-use core::f64::consts::{FRAC_1_PI, FRAC_PI_2, PI};
+use core::f64::consts::{FRAC_1_PI, PI};
 
 use super::ROUNDER;
+use crate::arithmetic::number::Number;
 
 /// π in two parts of 33 bits and one of 53: a count below 2²⁰ times either of the first is exact.
 pub const PI_PARTS: [f64; 3] = [3.1415926534682512, 1.2154201012607932e-10, 4.044532497591901e-21];
@@ -13,15 +14,8 @@ pub const PI_PARTS: [f64; 3] = [3.1415926534682512, 1.2154201012607932e-10, 4.04
 ///
 /// The remainder is exact to a rounding of its own size while the count is below 2²⁰, and to a
 /// rounding of `x` up to 2⁵⁰; x itself is not known better than that.
-///
-/// `BRANCH` is whether to return at once where nothing is to be subtracted. For a single trajectory
-/// the subtractions add twenty cycles of latency to each step; lanes hide that latency and must not
-/// branch. The bits are the same.
 #[inline(always)]
-pub fn reduce<const BRANCH: bool>(x: f64) -> (f64, f64) {
-    if BRANCH && x.abs() <= FRAC_PI_2 {
-        return (0.0, x);
-    }
+pub fn reduce<N: Number>(x: N) -> (N, N) {
     let n = (x * FRAC_1_PI + ROUNDER) - ROUNDER;
     (n, ((x - n * PI_PARTS[0]) - n * PI_PARTS[1]) - n * PI_PARTS[2])
 }
@@ -29,10 +23,10 @@ pub fn reduce<const BRANCH: bool>(x: f64) -> (f64, f64) {
 /// The angle (rad) of `half_turns` and `rest` from the nearest whole turn, in [−π, π], where
 /// [`ROUNDER`] is added to the number of half turns.
 #[inline(always)]
-pub fn from_the_bottom(half_turns: f64, rest: f64) -> f64 {
+pub fn from_the_bottom<N: Number>(half_turns: N, rest: N) -> N {
     // 0 for an even number, 1 for an odd one.
-    let odd = 0.5 - 0.5 * f64::from_bits(1.0_f64.to_bits() ^ half_turns.to_bits() << 63);
-    rest - odd * PI.copysign(rest)
+    let odd = rest.splat(1.0).signed_by(half_turns) * -0.5 + 0.5;
+    rest - odd * rest.splat(PI).copysign(rest)
 }
 
 /// Up to this size (rad), 2²⁰ half turns, the reduction is exact.
@@ -45,7 +39,7 @@ pub const LARGEST: f64 = 3_294_198.0;
 /// error does not matter.
 #[inline]
 pub fn sin(x: f64) -> f64 {
-    if x.abs() <= LARGEST { sin_within::<true>(x) } else { beyond(x) }
+    if x.abs() <= LARGEST { sin_within(x) } else { beyond(x) }
 }
 
 /// Not inlined, so that the caller is inlined into the time loop without this code.
@@ -57,14 +51,14 @@ fn beyond(x: f64) -> f64 {
 
 /// [`sin`] within [`LARGEST`].
 #[inline(always)]
-pub fn sin_within<const BRANCH: bool>(x: f64) -> f64 {
-    let (n, r) = reduce::<BRANCH>(x);
-    f64::from_bits(of_rest(r).to_bits() ^ (n + ROUNDER).to_bits() << 63)
+pub fn sin_within<N: Number>(x: N) -> N {
+    let (n, r) = x.half_turns();
+    of_rest(r).signed_by(n + ROUNDER)
 }
 
 /// sin `r` for |r| ≤ π/2, where there is nothing to reduce.
 #[inline(always)]
-pub fn of_rest(r: f64) -> f64 {
+pub fn of_rest<N: Number>(r: N) -> N {
     let square = r * r;
     r + (r * square) * series(square)
 }
@@ -82,11 +76,12 @@ pub(super) const P: [f64; 8] = [
 ];
 
 /// P(z) of sin r = r + r³ P(r²), for |r| ≤ π/2 and z = r². Relative error of the sum 2.9e-19.
-#[inline]
-pub fn series(z: f64) -> f64 {
+#[inline(always)]
+pub fn series<N: Number>(z: N) -> N {
     // Estrin's scheme: the shortest chain of dependent operations.
+    let pair = |i: usize| z * P[i + 1] + P[i];
     let zz = z * z;
-    let low = (P[0] + P[1] * z) + (P[2] + P[3] * z) * zz;
-    let high = (P[4] + P[5] * z) + (P[6] + P[7] * z) * zz;
+    let low = pair(0) + pair(2) * zz;
+    let high = pair(4) + pair(6) * zz;
     low + high * (zz * zz)
 }

@@ -18,8 +18,13 @@ pub(crate) mod half_turn;
 
 use core::f64::consts::{FRAC_2_PI, FRAC_PI_4};
 
+use super::number::Number;
+
 /// Up to this size (rad), 2²⁰ quarter turns, the angle is reduced here; beyond, by `libm`.
 const LARGEST: f64 = 1_647_099.0;
+
+/// 2⁻²⁷ (rad): below, the cube of an angle is less than half an ulp, and −0 keeps its sign.
+const TINY: f64 = 7.450580596923828e-9;
 
 /// sin `x`, `x` in rad.
 ///
@@ -27,8 +32,7 @@ const LARGEST: f64 = 1_647_099.0;
 /// NaN and ±∞ give NaN.
 #[inline]
 pub fn sin(x: f64) -> f64 {
-    // Below 2⁻²⁷ the cube is less than half an ulp; and −0 keeps its sign.
-    if x.abs() < 7.450580596923828e-9 {
+    if x.abs() < TINY {
         return x;
     }
     if x.abs() <= LARGEST {
@@ -53,20 +57,21 @@ pub fn cos(x: f64) -> f64 {
     }
 }
 
-/// sin `x` over `x`, by this `sine`; 1 at 0.
+/// sin `x` over `x`, by the sine of the time loop; 1 at 0.
 #[inline(always)]
-pub(crate) fn sinc(x: f64, sine: impl Fn(f64) -> f64) -> f64 {
+pub(crate) fn sinc<N: Number>(x: N) -> N {
     // An even function, and below 1e-8 it is 1: the bound only keeps 0 out.
-    let size = x.abs().max(1e-100);
-    sine(size) / size
+    let (size, bound) = (x.abs(), x.splat(1e-100));
+    let size = N::select(size.at_most(bound), bound, size);
+    size.sin() / size
 }
 
 /// The remainder of an angle after whole quarter turns: `head` in [−π/4, π/4], and `tail`, the
 /// rounding error of the head.
 #[derive(Clone, Copy)]
-struct Rest {
-    head: f64,
-    tail: f64,
+struct Rest<N = f64> {
+    head: N,
+    tail: N,
 }
 
 /// 1.5 · 2⁵²: a number below 2⁵¹ in size, added to it, is rounded to an integer, which then stands
@@ -77,24 +82,41 @@ pub(crate) const ROUNDER: f64 = 6_755_399_441_055_744.0;
 /// remainder.
 #[inline(always)]
 fn reduce(x: f64) -> (u64, Rest) {
-    /// π/2 in three parts of 33 bits and one of 53.
-    const PARTS: [f64; 4] =
-        [1.5707963267341256, 6.077100506303966e-11, 2.0222662487111665e-21, 8.4784276603689e-32];
     if x.abs() <= FRAC_PI_4 {
         return (0, Rest { head: x, tail: 0.0 });
     }
+    let (quarters, rest) = reduce_always(x);
+    (quarters.to_bits(), rest)
+}
+
+/// The same without a branch, with the same bits; the number of quarter turns stands in the lowest
+/// bits of a number.
+#[inline(always)]
+fn reduce_always<N: Number>(x: N) -> (N, Rest<N>) {
+    /// π/2 in three parts of 33 bits and one of 53.
+    const PARTS: [f64; 4] =
+        [1.5707963267341256, 6.077100506303966e-11, 2.0222662487111665e-21, 8.4784276603689e-32];
     let rounded = x * FRAC_2_PI + ROUNDER;
     let n = rounded - ROUNDER;
     // Every product but the last is exact: 33 bits times at most 20. So is the first difference, of
     // neighbours.
     let (head, first) = difference(x - n * PARTS[0], n * PARTS[1]);
     let (head, second) = difference(head, n * PARTS[2]);
-    (rounded.to_bits(), Rest { head, tail: first + (second - n * PARTS[3]) })
+    (rounded, Rest { head, tail: first + (second - n * PARTS[3]) })
+}
+
+/// The number of quarter turns nearest to the angle `x` (rad) in [−π/2, π/2] up to rounding, which
+/// is −1, 0 or 1, and sine and cosine of the remainder, without a branch.
+#[cfg(feature = "ensemble")]
+#[inline(always)]
+pub(crate) fn of_remainder<N: Number>(x: N) -> (N, [N; 2]) {
+    let (quarters, rest) = reduce_always(x);
+    (quarters - ROUNDER, [sine(rest), cosine(rest)])
 }
 
 /// a − b, rounded, and the rounding error (Knuth's two-sum).
 #[inline(always)]
-fn difference(a: f64, b: f64) -> (f64, f64) {
+fn difference<N: Number>(a: N, b: N) -> (N, N) {
     let d = a - b;
     let v = d - a;
     (d, (a - (d - v)) - (b + v))
@@ -131,13 +153,13 @@ const S: [f64; 6] = [
 
 /// sin r for |r| ≤ π/4: relative error of the polynomial 3.8e-18.
 #[inline(always)]
-fn sine(Rest { head, tail }: Rest) -> f64 {
+fn sine<N: Number>(Rest { head, tail }: Rest<N>) -> N {
     let z = head * head;
     let cube = z * head;
     let zz = z * z;
-    let q = (S[1] + z * S[2]) + zz * ((S[3] + z * S[4]) + zz * S[5]);
+    let q = (z * S[2] + S[1]) + zz * ((z * S[4] + S[3]) + zz * S[5]);
     // The term added to the head is small, and so is its rounding error.
-    head + (cube * S[0] + (z * (cube * q - 0.5 * tail) + tail))
+    head + (cube * S[0] + (z * (cube * q - tail * 0.5) + tail))
 }
 
 /// The coefficients of [`cosine`]: of r⁴, r⁶, … r¹⁴.
@@ -152,14 +174,14 @@ const C: [f64; 6] = [
 
 /// cos r for |r| ≤ π/4: relative error of the polynomial 5.7e-20.
 #[inline(always)]
-fn cosine(Rest { head, tail }: Rest) -> f64 {
+fn cosine<N: Number>(Rest { head, tail }: Rest<N>) -> N {
     let z = head * head;
     let zz = z * z;
-    let q = (C[0] + z * C[1]) + zz * ((C[2] + z * C[3]) + zz * (C[4] + z * C[5]));
-    let half = 0.5 * z;
-    let w = 1.0 - half;
+    let q = (z * C[1] + C[0]) + zz * ((z * C[3] + C[2]) + zz * (z * C[5] + C[4]));
+    let (half, one) = (z * 0.5, z.splat(1.0));
+    let w = one - half;
     // The rounding error of w = 1 − z/2 is computed exactly.
-    w + (((1.0 - w) - half) + (zz * q - head * tail))
+    w + (((one - w) - half) + (zz * q - head * tail))
 }
 
 #[cfg(test)]

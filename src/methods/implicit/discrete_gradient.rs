@@ -3,7 +3,7 @@
 use crate::integrate::{Method, Unsolved};
 use crate::methods::implicit::{ImplicitMidpoint, Iteration};
 use crate::methods::{Info, MethodInfo};
-use crate::systems::{Components, MeanForce, RateOf, System};
+use crate::systems::{MeanForce, Measurable, RateOf, System};
 
 /// The method of the discrete gradient: the implicit midpoint rule with the mean of the force
 /// along the step in place of the force at its middle.
@@ -49,12 +49,13 @@ struct AlongTheStep<'s, S> {
 impl<S: MeanForce> System for AlongTheStep<'_, S> {
     type State = S::State;
 
+    #[inline(always)]
     fn rate(&self, _t: f64, middle: S::State) -> RateOf<S> {
         self.system.mean_force_rate(middle, self.h)
     }
 }
 
-impl<S: MeanForce<State: Components>> Method<S> for DiscreteGradient {
+impl<S: MeanForce<State: Measurable>> Method<S> for DiscreteGradient {
     type Carry = ();
 
     fn start(&self, _system: &S, _t: f64, _h: f64, _z: S::State) {}
@@ -62,7 +63,8 @@ impl<S: MeanForce<State: Components>> Method<S> for DiscreteGradient {
     #[inline(always)]
     fn step(&self, system: &S, t: f64, h: f64, z: S::State, _carry: &mut ()) -> S::State {
         let along = AlongTheStep { system, h };
-        ImplicitMidpoint::TABLEAU.step_from(&along, t, h, z, system.rate(t, z))
+        let (first, iteration) = (system.rate(t, z), Iteration::TO_ROUNDING);
+        ImplicitMidpoint::TABLEAU.step_from(&along, t, h, z, first, iteration)
     }
     // ANCHOR_END: step
 

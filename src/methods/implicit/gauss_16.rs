@@ -3,7 +3,7 @@
 use crate::integrate::{Method, Unsolved};
 use crate::methods::implicit::{ImplicitTableau, Iteration};
 use crate::methods::{Info, MethodInfo};
-use crate::systems::{Components, System};
+use crate::systems::{Measurable, System};
 
 /// The Gauss method of eight stages: collocation at the zeros of a Legendre polynomial.
 ///
@@ -140,7 +140,7 @@ impl Gauss16 {
     };
 }
 
-impl<S: System<State: Components>> Method<S> for Gauss16 {
+impl<S: System<State: Measurable>> Method<S> for Gauss16 {
     type Carry = ();
 
     fn start(&self, _system: &S, _t: f64, _h: f64, _z: S::State) {}

@@ -3,7 +3,7 @@
 use crate::integrate::{Method, Unsolved};
 use crate::methods::implicit::{ImplicitTableau, Iteration};
 use crate::methods::{Info, MethodInfo};
-use crate::systems::{Components, System};
+use crate::systems::{Measurable, System};
 
 /// The Gauss method of two stages: collocation at the zeros of a Legendre polynomial.
 ///
@@ -41,7 +41,7 @@ impl Gauss4 {
     };
 }
 
-impl<S: System<State: Components>> Method<S> for Gauss4 {
+impl<S: System<State: Measurable>> Method<S> for Gauss4 {
     type Carry = ();
 
     fn start(&self, _system: &S, _t: f64, _h: f64, _z: S::State) {}

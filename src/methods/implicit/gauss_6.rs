@@ -3,7 +3,7 @@
 use crate::integrate::{Method, Unsolved};
 use crate::methods::implicit::{ImplicitTableau, Iteration};
 use crate::methods::{Info, MethodInfo};
-use crate::systems::{Components, System};
+use crate::systems::{Measurable, System};
 
 /// The Gauss method of three stages: collocation at the zeros of a Legendre polynomial.
 ///
@@ -45,7 +45,7 @@ impl Gauss6 {
     };
 }
 
-impl<S: System<State: Components>> Method<S> for Gauss6 {
+impl<S: System<State: Measurable>> Method<S> for Gauss6 {
     type Carry = ();
 
     fn start(&self, _system: &S, _t: f64, _h: f64, _z: S::State) {}

@@ -3,7 +3,7 @@
 use crate::integrate::{Method, Unsolved};
 use crate::methods::implicit::{ImplicitTableau, Iteration};
 use crate::methods::{Info, MethodInfo};
-use crate::systems::{Components, System};
+use crate::systems::{Measurable, System};
 
 /// The implicit midpoint rule: the slope at the midpoint between the start and the end of the step,
 /// for the whole step.
@@ -37,7 +37,7 @@ impl ImplicitMidpoint {
     pub const TABLEAU: ImplicitTableau<1> = ImplicitTableau { a: [[0.5]], b: [1.0], c: [0.5] };
 }
 
-impl<S: System<State: Components>> Method<S> for ImplicitMidpoint {
+impl<S: System<State: Measurable>> Method<S> for ImplicitMidpoint {
     type Carry = ();
 
     fn start(&self, _system: &S, _t: f64, _h: f64, _z: S::State) {}

@@ -5,7 +5,7 @@ use core::num::NonZeroU32;
 use crate::error::Error;
 use crate::integrate::{Method, Unsolved};
 use crate::methods::{Info, MethodInfo};
-use crate::systems::{Components, System};
+use crate::systems::{Measurable, System};
 
 /// The largest change by a sweep that counts as rounding, relative to the state and to the step: a
 /// few times 1e-16 per stage and component. A larger change may still be an improvement.
@@ -61,6 +61,18 @@ impl Default for Iteration {
 
 /// A method that solves its equations by iteration.
 pub trait Implicit: Info + Sized {
+    /// [`Method::step`], with an `iteration` that ends as the caller wants.
+    fn step_with<S>(
+        &self,
+        system: &S,
+        t: f64,
+        h: f64,
+        z: S::State,
+        iteration: Iteration,
+    ) -> S::State
+    where
+        S: System<State: Measurable>;
+
     /// [`Method::try_step`], with an `iteration` that ends as the caller wants.
     ///
     /// # Errors
@@ -74,7 +86,7 @@ pub trait Implicit: Info + Sized {
         iteration: Iteration,
     ) -> Result<S::State, Unsolved>
     where
-        S: System<State: Components>;
+        S: System<State: Measurable>;
 
     /// The same method with another `iteration`.
     ///
@@ -107,17 +119,14 @@ impl<M: Info> Info for Iterated<M> {
     }
 }
 
-impl<M: Implicit, S: System<State: Components>> Method<S> for Iterated<M> {
+impl<M: Implicit, S: System<State: Measurable>> Method<S> for Iterated<M> {
     type Carry = ();
 
     fn start(&self, _system: &S, _t: f64, _h: f64, _z: S::State) {}
 
     #[inline(always)]
-    fn step(&self, system: &S, t: f64, h: f64, z: S::State, carry: &mut ()) -> S::State {
-        match self.try_step(system, t, h, z, carry) {
-            Ok(end) => end,
-            Err(_) => z + system.rate(t, z) * f64::NAN,
-        }
+    fn step(&self, system: &S, t: f64, h: f64, z: S::State, _carry: &mut ()) -> S::State {
+        self.method.step_with(system, t, h, z, self.iteration)
     }
 
     #[inline(always)]
@@ -137,6 +146,21 @@ macro_rules! implicit {
     ($($Method:ident,)+) => {$(
         impl Implicit for super::$Method {
             #[inline(always)]
+            fn step_with<S>(
+                &self,
+                system: &S,
+                t: f64,
+                h: f64,
+                z: S::State,
+                iteration: Iteration,
+            ) -> S::State
+            where
+                S: System<State: Measurable>,
+            {
+                Self::TABLEAU.step_with(system, t, h, z, iteration)
+            }
+
+            #[inline(always)]
             fn try_step_with<S>(
                 &self,
                 system: &S,
@@ -146,7 +170,7 @@ macro_rules! implicit {
                 iteration: Iteration,
             ) -> Result<S::State, Unsolved>
             where
-                S: System<State: Components>,
+                S: System<State: Measurable>,
             {
                 Self::TABLEAU.try_step(system, t, h, z, iteration)
             }

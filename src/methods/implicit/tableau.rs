@@ -1,8 +1,9 @@
 //! Implicit Runge–Kutta methods, solved by iteration.
 
 use super::iteration::{Iteration, ROUNDING};
+use crate::arithmetic::number::{Mask, Number};
 use crate::integrate::Unsolved;
-use crate::systems::{Components, RateOf, System, Vector};
+use crate::systems::{Measurable, RateOf, System, Vector};
 
 /// The coefficients of an implicit Runge–Kutta method of `S` stages: kᵢ = f(t + cᵢ h, z + h Σⱼ aᵢⱼ
 /// kⱼ), and the step z + h Σ bᵢ kᵢ.
@@ -23,11 +24,20 @@ const MARGIN: f64 = 4.0;
 /// Sweeps that are enough for a step of a usual length.
 const USUAL: u32 = 30;
 
-/// A step without a solution, and a slope from which a state of NaNs can be made.
-struct Lost<D> {
-    unsolved: Unsolved,
-    slope: D,
+/// The slopes of a step, for each lane if there are any.
+struct Slopes<Sys: System<State: Measurable>, const S: usize> {
+    k: [RateOf<Sys>; S],
+    /// Where they solve the equations.
+    solved: MaskOf<Sys>,
+    /// The sweeps that were taken.
+    sweeps: u32,
+    /// What the last of them changed, and the scale with which that is compared.
+    change: NumberOf<Sys>,
+    scale: NumberOf<Sys>,
 }
+
+type NumberOf<Sys> = <<Sys as System>::State as Measurable>::Number;
+type MaskOf<Sys> = <NumberOf<Sys> as Number>::Mask;
 
 impl<const S: usize> ImplicitTableau<S> {
     /// The state one step `h` (s) after `z` at time `t` (s).
@@ -40,9 +50,25 @@ impl<const S: usize> ImplicitTableau<S> {
     #[inline(always)]
     pub fn step<Sys>(&self, system: &Sys, t: f64, h: f64, z: Sys::State) -> Sys::State
     where
-        Sys: System<State: Components>,
+        Sys: System<State: Measurable>,
     {
-        self.step_from(system, t, h, z, system.rate(t, z))
+        self.step_with(system, t, h, z, Iteration::TO_ROUNDING)
+    }
+
+    /// The same, with an `iteration` that ends as the caller wants.
+    #[inline(always)]
+    pub fn step_with<Sys>(
+        &self,
+        system: &Sys,
+        t: f64,
+        h: f64,
+        z: Sys::State,
+        iteration: Iteration,
+    ) -> Sys::State
+    where
+        Sys: System<State: Measurable>,
+    {
+        self.step_from(system, t, h, z, system.rate(t, z), iteration)
     }
 
     /// The same, from the slopes `first`.
@@ -54,17 +80,21 @@ impl<const S: usize> ImplicitTableau<S> {
         h: f64,
         z: Sys::State,
         first: RateOf<Sys>,
+        iteration: Iteration,
     ) -> Sys::State
     where
-        Sys: System<State: Components>,
+        Sys: System<State: Measurable>,
     {
-        match self.solve(system, t, h, z, first, Iteration::TO_ROUNDING) {
-            Ok(end) => end,
-            Err(Lost { slope, .. }) => z + slope * f64::NAN,
+        let Slopes { k, solved, .. } = self.solve(system, t, h, z, first, iteration);
+        let displacement = sum(&self.b, &k) * h;
+        if solved.all() {
+            z + displacement
+        } else {
+            z + Sys::State::select(solved, displacement, k[0] * f64::NAN)
         }
     }
 
-    /// The same, with an `iteration` that ends as the caller wants.
+    /// [`step_with`](Self::step_with), or why there is no such state.
     ///
     /// # Errors
     /// [`Unsolved`] where the iteration does not converge in the sweeps allowed.
@@ -78,7 +108,7 @@ impl<const S: usize> ImplicitTableau<S> {
         iteration: Iteration,
     ) -> Result<Sys::State, Unsolved>
     where
-        Sys: System<State: Components>,
+        Sys: System<State: Measurable>,
     {
         self.try_step_from(system, t, h, z, system.rate(t, z), iteration)
     }
@@ -95,9 +125,15 @@ impl<const S: usize> ImplicitTableau<S> {
         iteration: Iteration,
     ) -> Result<Sys::State, Unsolved>
     where
-        Sys: System<State: Components>,
+        Sys: System<State: Measurable>,
     {
-        self.solve(system, t, h, z, first, iteration).map_err(|lost| lost.unsolved)
+        let Slopes { k, solved, sweeps, change, scale } =
+            self.solve(system, t, h, z, first, iteration);
+        if solved.all() {
+            Ok(z + sum(&self.b, &k) * h)
+        } else {
+            Err(Unsolved { sweeps, change: (change / scale).largest() })
+        }
     }
 
     /// Whether stage `i` depends on no slope: it is the start of the step, and its slope the one
@@ -117,31 +153,34 @@ impl<const S: usize> ImplicitTableau<S> {
         z: Sys::State,
         first: RateOf<Sys>,
         iteration: Iteration,
-    ) -> Result<Sys::State, Lost<RateOf<Sys>>>
+    ) -> Slopes<Sys, S>
     where
-        Sys: System<State: Components>,
+        Sys: System<State: Measurable>,
     {
-        let mut k = [first; S];
-        let state = size(z, k[0], |x, _| x);
-        let (mut before, mut scale) = (f64::INFINITY, 0.0);
-        for _ in 0..iteration.sweeps.min(USUAL) {
-            let change;
-            (change, scale) = self.sweep(system, t, h, z, &mut k, state);
-            // Among subnormal numbers rounding is no longer relative.
-            let is_rounding = change <= ROUNDING * scale || change <= f64::MIN_POSITIVE;
-            if is_rounding && change >= before
-                || iteration.tolerance > 0.0 && change <= iteration.tolerance * scale
-                || change == 0.0
-            {
-                return Ok(z + sum(&self.b, &k) * h);
+        let state = z.size(first);
+        let (nothing, infinity) = (state.splat(0.0), state.splat(f64::INFINITY));
+        let mut slopes = Slopes {
+            k: [first; S],
+            solved: infinity.at_most(nothing),
+            sweeps: 0,
+            change: infinity,
+            scale: nothing,
+        };
+        while slopes.sweeps < iteration.sweeps.min(USUAL) {
+            let before = slopes.change;
+            self.sweep(system, t, h, z, state, &mut slopes);
+            let Slopes { change, scale, .. } = slopes;
+            let rests = is_rounding(change, scale) & before.at_most(change);
+            slopes.solved = slopes.solved | rests | iteration.suffices(change, scale);
+            if slopes.solved.all() {
+                return slopes;
             }
-            before = change;
         }
-        self.solve_on(system, t, h, z, iteration, k, [before, scale])
+        self.solve_on(system, t, h, z, iteration, slopes)
     }
 
-    /// One sweep over the slopes `k`: the sum of the sizes of their changes, and that of their own
-    /// and of the `state` over the step.
+    /// One sweep over the slopes that are not solved: their change is the sum of the sizes of all
+    /// changes, and the scale that of their own sizes and of the `state` over the step.
     #[inline(always)]
     fn sweep<Sys>(
         &self,
@@ -149,22 +188,22 @@ impl<const S: usize> ImplicitTableau<S> {
         t: f64,
         h: f64,
         z: Sys::State,
-        k: &mut [RateOf<Sys>; S],
-        state: f64,
-    ) -> (f64, f64)
-    where
-        Sys: System<State: Components>,
+        state: NumberOf<Sys>,
+        slopes: &mut Slopes<Sys, S>,
+    ) where
+        Sys: System<State: Measurable>,
     {
-        let (mut change, mut scale) = (0.0, state / h.abs());
+        let Slopes { k, solved, sweeps, change, scale } = slopes;
+        (*change, *scale) = (state.splat(0.0), state / h.abs());
         for i in (0..S).filter(|i| !self.is_explicit(*i)) {
             let slope = sum(&self.a[i], k);
             let new = system.rate(t + self.c[i] * h, z + slope * h);
-            change += size(z, new + k[i] * -1.0, |_, x| x);
-            scale += size(z, new, |_, x| x);
+            *change = *change + z.size_of(new + k[i] * -1.0);
+            *scale = *scale + z.size_of(new);
             // Stored at once, so that the later stages of this sweep use it.
-            k[i] = new;
+            k[i] = Sys::State::select(*solved, k[i], new);
         }
-        (change, scale)
+        *sweeps += 1;
     }
     // ANCHOR_END: step
 
@@ -173,7 +212,6 @@ impl<const S: usize> ImplicitTableau<S> {
     /// sweeps stay in registers.
     #[cold]
     #[inline(never)]
-    #[expect(clippy::too_many_arguments, reason = "the state of the iteration")]
     fn solve_on<Sys>(
         &self,
         system: &Sys,
@@ -181,34 +219,30 @@ impl<const S: usize> ImplicitTableau<S> {
         h: f64,
         z: Sys::State,
         iteration: Iteration,
-        mut k: [RateOf<Sys>; S],
-        [mut before, mut scale]: [f64; 2],
-    ) -> Result<Sys::State, Lost<RateOf<Sys>>>
+        mut slopes: Slopes<Sys, S>,
+    ) -> Slopes<Sys, S>
     where
-        Sys: System<State: Components>,
+        Sys: System<State: Measurable>,
     {
-        let state = size(z, k[0], |x, _| x);
-        for _ in USUAL..iteration.sweeps {
-            let change;
-            (change, scale) = self.sweep(system, t, h, z, &mut k, state);
-            let is_rounding = change <= ROUNDING * scale || change <= f64::MIN_POSITIVE;
-            let stalls = change >= before;
-            if stalls && (is_rounding || self.is_noise(system, t, h, z, &k, change))
-                || iteration.tolerance > 0.0 && change <= iteration.tolerance * scale
-                || change == 0.0
-            {
-                return Ok(z + sum(&self.b, &k) * h);
+        let state = z.size(slopes.k[0]);
+        while slopes.sweeps < iteration.sweeps {
+            let before = slopes.change;
+            self.sweep(system, t, h, z, state, &mut slopes);
+            let Slopes { ref k, solved, change, scale, .. } = slopes;
+            let stalls = before.at_most(change);
+            let mut rests = stalls & is_rounding(change, scale);
+            // Costly, and wanted only where it decides.
+            if !(solved | rests).all() {
+                rests = rests | stalls & self.is_noise(system, t, h, z, k, change);
             }
-            before = change;
+            slopes.solved = solved | rests | iteration.suffices(change, scale);
+            if slopes.solved.all() {
+                return slopes;
+            }
         }
         // It may have come this far without a stall.
-        if before <= ROUNDING * scale {
-            return Ok(z + sum(&self.b, &k) * h);
-        }
-        Err(Lost {
-            unsolved: Unsolved { sweeps: iteration.sweeps, change: before / scale },
-            slope: k[0],
-        })
+        slopes.solved = slopes.solved | slopes.change.at_most(slopes.scale * ROUNDING);
+        slopes
     }
 
     /// Whether the `change` of the slopes `k` by a sweep is what rounding the state `z` changes in
@@ -222,43 +256,41 @@ impl<const S: usize> ImplicitTableau<S> {
         h: f64,
         z: Sys::State,
         k: &[RateOf<Sys>; S],
-        change: f64,
-    ) -> bool
+        change: NumberOf<Sys>,
+    ) -> MaskOf<Sys>
     where
-        Sys: System<State: Components>,
+        Sys: System<State: Measurable>,
     {
-        let mut components = 0;
-        z.for_each_component(z, k[0], |_, _, _| components += 1);
-        // One component at a time: together, their changes could cancel.
-        let beside = |component: usize, factor: f64| {
-            let mut index = 0;
-            z.map_components(|x| {
-                index += 1;
-                if index - 1 == component { x * factor } else { x }
-            })
-        };
-        let mut noise = 0.0;
-        for i in (0..S).filter(|i| !self.is_explicit(*i)) {
+        let mut noise = change.splat(0.0);
+        for i in 0..S {
             let displacement = sum(&self.a[i], k) * h;
             let rate = |z: Sys::State| system.rate(t + self.c[i] * h, z + displacement);
             let here = rate(z) * -1.0;
-            for component in 0..components {
+            // One component at a time: together, their changes could cancel.
+            for component in 0..z.components(here) {
                 for factor in [1.0 - 2.0 * f64::EPSILON, 1.0 + 2.0 * f64::EPSILON] {
-                    noise += size(z, rate(beside(component, factor)) + here, |_, x| x);
+                    noise = noise + z.size_of(rate(z.with_scaled(component, factor)) + here);
                 }
             }
         }
-        change <= MARGIN * noise
+        change.at_most(noise * MARGIN)
     }
 }
 
-/// The sum of the sizes of what `of` takes of each component of the state `z` and the `slope`. A
-/// sum, not a maximum, which would ignore a NaN.
+/// Whether a change is no more than rounding.
 #[inline(always)]
-fn size<Z: Components>(z: Z, slope: Z::Displacement, of: impl Fn(f64, f64) -> f64) -> f64 {
-    let mut sum = 0.0;
-    z.for_each_component(z, slope, |x, _, k| sum += of(x, k).abs());
-    sum
+fn is_rounding<N: Number>(change: N, scale: N) -> N::Mask {
+    // Among subnormal numbers rounding is no longer relative.
+    change.at_most(scale * ROUNDING) | change.at_most(change.splat(f64::MIN_POSITIVE))
+}
+
+impl Iteration {
+    /// Whether nothing has changed, or no more than the tolerance.
+    #[inline(always)]
+    fn suffices<N: Number>(self, change: N, scale: N) -> N::Mask {
+        let bound = if self.tolerance > 0.0 { scale * self.tolerance } else { change.splat(0.0) };
+        change.at_most(bound)
+    }
 }
 
 /// Σ weightᵢ kᵢ.

@@ -3,7 +3,7 @@
 use crate::integrate::{Method, Unsolved};
 use crate::methods::implicit::{ImplicitTableau, Iteration};
 use crate::methods::{Info, MethodInfo};
-use crate::systems::{Components, System};
+use crate::systems::{Measurable, System};
 
 /// The trapezoidal rule: the mean of the slopes at the start and at the end of the step.
 ///
@@ -42,7 +42,7 @@ impl Trapezoidal {
     // ANCHOR_END: tableau
 }
 
-impl<S: System<State: Components>> Method<S> for Trapezoidal {
+impl<S: System<State: Measurable>> Method<S> for Trapezoidal {
     type Carry = ();
 
     fn start(&self, _system: &S, _t: f64, _h: f64, _z: S::State) {}

@@ -1,5 +1,6 @@
 //! Deuflhard's method: the linear pendulum rotates, the rest of the force kicks.
 
+use crate::arithmetic::number::Number;
 use crate::arithmetic::sine::{cos, sin};
 use crate::integrate::Method;
 use crate::methods::{Info, MethodInfo};
@@ -45,11 +46,11 @@ impl Info for Deuflhard {
 
 /// What a step of [`Deuflhard`] hands on.
 #[derive(Clone, Copy, Debug)]
-pub struct Rotating<Z> {
+pub struct Rotating<Z, T = f64> {
     /// The state half a kick ahead.
     pub ahead: Z,
     /// The length tan(ω₀h/2)/ω₀ (s) of the kick with which a rotation begins and ends.
-    pub kick: f64,
+    pub kick: T,
 }
 
 impl<Z: Numbers> Numbers for Rotating<Z> {
@@ -70,18 +71,20 @@ const LONGEST: f64 = 3.0;
 
 // ANCHOR: step
 impl<S: NearlyLinear> Method<S> for Deuflhard {
-    type Carry = Rotating<S::State>;
+    type Carry = Rotating<S::State, S::Time>;
     /// The kick, and at x = 3 another 8.4 steps of the linear force, up to π times as large.
     const REACH: f64 = 28.0;
 
-    fn start(&self, system: &S, t: f64, h: f64, z: S::State) -> Rotating<S::State> {
-        let frequency = libm::sqrt(system.linear_frequency_squared());
-        let half_turned = 0.5 * frequency * h;
-        // Near the pole a kick would be longer than any number of steps.
-        let rotates = half_turned < 0.5 * LONGEST;
-        let kick = if rotates { sin(half_turned) / cos(half_turned) / frequency } else { 0.5 * h };
+    fn start(&self, system: &S, t: f64, h: f64, z: S::State) -> Rotating<S::State, S::Time> {
+        let kick = system.linear_frequency_squared().map(|frequency_squared| {
+            let frequency = libm::sqrt(frequency_squared);
+            let half_turned = 0.5 * frequency * h;
+            // Near the pole a kick would be longer than any number of steps.
+            let rotates = half_turned < 0.5 * LONGEST;
+            if rotates { sin(half_turned) / cos(half_turned) / frequency } else { 0.5 * h }
+        });
         let ahead = system.kick(z, system.force(t, z), 0.5 * h);
-        Rotating { ahead: system.kick(ahead, system.linear_force(z), kick - 0.5 * h), kick }
+        Rotating { ahead: system.kick_for(ahead, system.linear_force(z), kick - 0.5 * h), kick }
     }
 
     #[inline(always)]
@@ -91,16 +94,16 @@ impl<S: NearlyLinear> Method<S> for Deuflhard {
         t: f64,
         h: f64,
         _z: S::State,
-        carry: &mut Rotating<S::State>,
+        carry: &mut Rotating<S::State, S::Time>,
     ) -> S::State {
         let Rotating { ahead, kick } = *carry;
         // sin x from the tangent of x/2.
-        let drift = 2.0 * kick / (1.0 + system.linear_frequency_squared() * kick * kick);
-        let z = system.drift(ahead, drift);
+        let drift = kick * 2.0 / (system.linear_frequency_squared() * kick * kick + 1.0);
+        let z = system.drift_for(ahead, drift);
         let (force, linear) = (system.force(t + h, z), system.linear_force(z));
         // The half kick that ends this step and the one that begins the next are merged into one.
-        carry.ahead = system.kick(system.kick(z, force, h), linear, 2.0 * kick - h);
-        system.kick(system.kick(z, force, 0.5 * h), linear, kick - 0.5 * h)
+        carry.ahead = system.kick_for(system.kick(z, force, h), linear, kick * 2.0 - h);
+        system.kick_for(system.kick(z, force, 0.5 * h), linear, kick - 0.5 * h)
     }
 }
 // ANCHOR_END: step

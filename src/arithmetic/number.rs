@@ -1,0 +1,141 @@
+//! What a time loop calculates with: one number, or one for each lane.
+
+use core::f64::consts::FRAC_PI_2;
+use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Sub};
+
+use super::sine::{self, half_turn};
+
+/// A number, or one for each lane of a vector: the operations are the same, and so are the bits.
+pub trait Number:
+    Copy
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+    + Add<f64, Output = Self>
+    + Sub<f64, Output = Self>
+    + Mul<f64, Output = Self>
+    + Div<f64, Output = Self>
+{
+    /// The result of a comparison.
+    type Mask: Mask;
+
+    /// `x`, in each lane. Of this number only the lanes are used.
+    #[must_use]
+    fn splat(self, x: f64) -> Self;
+
+    /// What `f` makes of the number in each lane, one after the other.
+    #[must_use]
+    fn map(self, f: impl FnMut(f64) -> f64) -> Self;
+
+    /// The largest of the numbers in the lanes, or NaN if there is one.
+    fn largest(self) -> f64 {
+        let mut largest = f64::NEG_INFINITY;
+        let _ = self.map(|x| {
+            largest = libm::fmaximum(largest, x);
+            x
+        });
+        largest
+    }
+
+    /// The absolute value.
+    #[must_use]
+    fn abs(self) -> Self;
+
+    /// The absolute value with the sign of `sign`.
+    #[must_use]
+    fn copysign(self, sign: Self) -> Self;
+
+    /// The number with its sign changed where the lowest bit of `count` is set.
+    #[must_use]
+    fn signed_by(self, count: Self) -> Self;
+
+    /// Whether it is at most `bound`.
+    fn at_most(self, bound: Self) -> Self::Mask;
+
+    /// `yes` where the mask is true, `no` elsewhere.
+    fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
+
+    /// The number of half turns nearest to this angle (rad), and the remainder, in [−π/2, π/2] up
+    /// to rounding.
+    fn half_turns(self) -> (Self, Self);
+
+    /// The sine of this angle (rad), by [`half_turn::sin`].
+    #[must_use]
+    fn sin(self) -> Self;
+
+    /// Sine and cosine of this angle (rad), in [−π/2, π/2] up to rounding, by [`sine::sin`] and
+    /// [`sine::cos`].
+    fn sine_and_cosine(self) -> (Self, Self);
+}
+
+/// Whether something holds: for one number, or for each lane.
+pub trait Mask: Copy + BitAnd<Output = Self> + BitOr<Output = Self> {
+    /// Whether it holds in every lane.
+    fn all(self) -> bool;
+}
+
+impl Mask for bool {
+    #[inline(always)]
+    fn all(self) -> bool {
+        self
+    }
+}
+
+impl Number for f64 {
+    type Mask = bool;
+
+    #[inline(always)]
+    fn splat(self, x: f64) -> Self {
+        x
+    }
+
+    #[inline(always)]
+    fn map(self, mut f: impl FnMut(f64) -> f64) -> Self {
+        f(self)
+    }
+
+    #[inline(always)]
+    fn abs(self) -> Self {
+        self.abs()
+    }
+
+    #[inline(always)]
+    fn copysign(self, sign: Self) -> Self {
+        self.copysign(sign)
+    }
+
+    #[inline(always)]
+    fn signed_by(self, count: Self) -> Self {
+        Self::from_bits(self.to_bits() ^ count.to_bits() << 63)
+    }
+
+    #[inline(always)]
+    fn at_most(self, bound: Self) -> bool {
+        self <= bound
+    }
+
+    #[inline(always)]
+    fn select(mask: bool, yes: Self, no: Self) -> Self {
+        if mask { yes } else { no }
+    }
+
+    /// Where nothing is to be subtracted, it returns at once, with the same bits: for a single
+    /// trajectory the subtractions add twenty cycles of latency to each step. Lanes hide that
+    /// latency and must not branch.
+    #[inline(always)]
+    fn half_turns(self) -> (Self, Self) {
+        if self.abs() <= FRAC_PI_2 { (0.0, self) } else { half_turn::reduce(self) }
+    }
+
+    #[inline(always)]
+    fn sin(self) -> Self {
+        half_turn::sin(self)
+    }
+
+    #[inline(always)]
+    fn sine_and_cosine(self) -> (Self, Self) {
+        (sine::sin(self), sine::cos(self))
+    }
+}

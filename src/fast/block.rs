@@ -1,0 +1,112 @@
+//! A block of pendulums in lanes, and the loop over its steps.
+
+use core::ops::ControlFlow;
+
+use super::{Deferred, ReducedPhase, ScaledPendulum};
+use crate::arithmetic::lanes::Lanes;
+use crate::integrate::Method;
+use crate::systems::Phase;
+
+/// Pendulums in a block: enough for the sines of some to hide the latency of others.
+pub const LANES: usize = 32;
+
+/// Up to [`LANES`] pendulums and the steps that they take together.
+#[derive(Debug)]
+pub struct Block<'a, M> {
+    pub(super) method: &'a M,
+    /// The pendulums and where they begin, at least one; the last of them fills the idle lanes.
+    pub(super) starts: &'a [(ScaledPendulum, ReducedPhase)],
+    /// The number of steps.
+    pub(super) steps: u64,
+    /// Every k-th state is asked for.
+    pub(super) every: u64,
+}
+
+/// What is told the number of steps taken and the states then, and may end the run. Not a generic
+/// type, so that the steps of a method are compiled once, whoever looks at them.
+pub type Each<'a> = dyn FnMut(u64, &[Phase; LANES]) -> ControlFlow<()> + 'a;
+
+/// Pendulums in a vector, and what a step carries to the next.
+#[derive(Clone, Copy)]
+struct Group<N, C> {
+    system: ScaledPendulum<N>,
+    state: ReducedPhase<N>,
+    carry: C,
+}
+
+impl<M> Block<'_, M> {
+    /// Takes the steps and passes the number of steps taken and the states then to `each`, until it
+    /// breaks.
+    ///
+    /// A team of `TEAM` groups takes its steps side by side, so that they overlap.
+    #[inline(always)]
+    pub(super) fn run<N: Lanes, const TEAM: usize>(&self, simd: N::Simd, each: &mut Each<'_>)
+    where
+        M: Method<ScaledPendulum<N>>,
+    {
+        let mut groups = [const { None }; LANES];
+        let used = self.starts.len().div_ceil(N::COUNT * TEAM) * TEAM;
+        for (index, group) in groups[..used].iter_mut().enumerate() {
+            *group = Some(self.group(simd, index * N::COUNT));
+        }
+        let mut phases = [Phase::default(); LANES];
+        let mut n = 0;
+        while self.steps - n >= self.every {
+            for team in groups[..used].chunks_exact_mut(TEAM) {
+                self.advance::<N, TEAM>(team);
+            }
+            n += self.every;
+            for (group, phases) in groups.iter().flatten().zip(phases.chunks_exact_mut(N::COUNT)) {
+                let (theta, omega) = group.system.angle_and_velocity(group.state);
+                for (lane, phase) in phases.iter_mut().enumerate() {
+                    *phase = Phase { theta: theta.lane(lane), omega: omega.lane(lane) };
+                }
+            }
+            if each(n, &phases).is_break() {
+                return;
+            }
+        }
+    }
+
+    /// The pendulums from the one of index `first` on, before the first step.
+    #[inline(always)]
+    fn group<N: Lanes>(&self, simd: N::Simd, first: usize) -> Group<N, M::Carry>
+    where
+        M: Method<ScaledPendulum<N>>,
+    {
+        let last = self.starts.len() - 1;
+        let start = |lane: usize| self.starts[last.min(first + lane)];
+        let column = |of: fn((ScaledPendulum, ReducedPhase)) -> f64| {
+            N::from_lanes(simd, |lane| of(start(lane)))
+        };
+        let system = ScaledPendulum {
+            minus_k: column(|(system, _)| system.minus_k),
+            step: self.starts[0].0.step,
+        };
+        let state = ReducedPhase {
+            rest: column(|(_, z)| z.rest),
+            turns: column(|(_, z)| z.turns),
+            velocity: Deferred::from(column(|(_, z)| z.velocity.value())),
+        };
+        Group { system, state, carry: self.method.start(&system, 0.0, 1.0, state) }
+    }
+
+    /// Takes the steps up to the next state that is asked for.
+    #[inline(always)]
+    fn advance<N: Lanes, const TEAM: usize>(&self, team: &mut [Option<Group<N, M::Carry>>])
+    where
+        M: Method<ScaledPendulum<N>>,
+    {
+        // A copy, which the compiler can keep in registers.
+        let mut groups: [Group<N, M::Carry>; TEAM] =
+            core::array::from_fn(|i| team[i].expect("the groups of a team are all in use"));
+        for _ in 0..self.every {
+            for Group { system, state, carry } in &mut groups {
+                *state = self.method.step(system, 0.0, 1.0, *state, carry);
+            }
+        }
+        for (slot, group) in team.iter_mut().zip(groups) {
+            *slot = Some(group);
+        }
+    }
+}

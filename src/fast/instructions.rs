@@ -1,0 +1,136 @@
+//! Vector instructions, and the vectors that suit them.
+
+use core::fmt::Debug;
+
+use fearless_simd::Simd;
+
+use super::block::{Block, Each};
+use super::ensemble::InLanes;
+
+/// Which vector instructions the steps are compiled to. It is a type, so that a program compiles
+/// those that it uses and no others. The bits are the same; the time is not.
+pub trait Instructions: Copy + Debug + Default + Send + Sync {
+    /// Takes the steps of `block` and passes the number of steps taken and the states then to
+    /// `each`, until it breaks.
+    #[doc(hidden)]
+    fn run<M: InLanes>(block: &Block<'_, M>, each: &mut Each<'_>);
+}
+
+/// What every processor has for which the program was compiled: vectors of two numbers on x86-64
+/// (SSE2) and aarch64 (Neon), single numbers elsewhere.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Baseline;
+
+/// AVX2 if the processor has it, and otherwise the baseline.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Avx2;
+
+/// AVX-512 as of Ice Lake and Zen 4 if the processor has it, and otherwise the baseline.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Avx512;
+
+/// The best that the processor has.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Best;
+
+/// Runs the block with vectors and teams of this size, in code that is compiled for the processors
+/// of which `$simd` is the proof.
+macro_rules! run {
+    ($block:ident, $each:ident, $simd:expr, $Vector:ty, $team:literal) => {
+        $simd.vectorize(
+            #[inline(always)]
+            || $block.run::<$Vector, $team>($simd, $each),
+        )
+    };
+}
+
+impl Instructions for Baseline {
+    fn run<M: InLanes>(block: &Block<'_, M>, each: &mut Each<'_>) {
+        let simd = vectors::baseline();
+        run!(block, each, simd, vectors::OfBaseline, 2);
+    }
+}
+
+#[cfg(all(any(target_arch = "x86", target_arch = "x86_64"), target_feature = "sse2"))]
+pub mod vectors {
+    //! The vectors for each set of instructions: as many numbers as measured best. More would hide
+    //! more latency, and need more registers than the processor has.
+
+    use super::{Avx2, Avx512, Baseline, Best, Block, Each, InLanes, Instructions};
+    use crate::arithmetic::lanes::Pair;
+    use fearless_simd::{Level, Simd, Sse2, f64x4, f64x8};
+
+    pub type OfBaseline = f64x4<Sse2>;
+    pub type OfAvx2 = f64x8<fearless_simd::Avx2>;
+    pub type OfAvx512 = Pair<Pair<f64x8<fearless_simd::Avx512>>>;
+
+    pub fn baseline() -> Sse2 {
+        Level::new().as_sse2().expect("the program was compiled for it")
+    }
+
+    impl Instructions for Avx2 {
+        fn run<M: InLanes>(block: &Block<'_, M>, each: &mut Each<'_>) {
+            match Level::new().as_avx2() {
+                Some(simd) => run!(block, each, simd, OfAvx2, 2),
+                None => Baseline::run(block, each),
+            }
+        }
+    }
+
+    impl Instructions for Avx512 {
+        fn run<M: InLanes>(block: &Block<'_, M>, each: &mut Each<'_>) {
+            match Level::new().as_avx512() {
+                Some(simd) => run!(block, each, simd, OfAvx512, 1),
+                None => Baseline::run(block, each),
+            }
+        }
+    }
+
+    impl Instructions for Best {
+        fn run<M: InLanes>(block: &Block<'_, M>, each: &mut Each<'_>) {
+            if Level::new().as_avx512().is_some() {
+                Avx512::run(block, each);
+            } else {
+                Avx2::run(block, each);
+            }
+        }
+    }
+}
+
+#[cfg(not(all(any(target_arch = "x86", target_arch = "x86_64"), target_feature = "sse2")))]
+pub mod vectors {
+    //! The vectors for the only set of instructions.
+
+    use super::{Avx2, Avx512, Baseline, Best, Block, Each, InLanes, Instructions};
+
+    #[cfg(target_arch = "aarch64")]
+    pub type OfBaseline = fearless_simd::f64x4<fearless_simd::Neon>;
+    #[cfg(not(target_arch = "aarch64"))]
+    pub type OfBaseline = fearless_simd::f64x4<fearless_simd::Fallback>;
+    pub type OfAvx2 = OfBaseline;
+    pub type OfAvx512 = OfBaseline;
+
+    #[cfg(target_arch = "aarch64")]
+    pub fn baseline() -> fearless_simd::Neon {
+        fearless_simd::Level::new().as_neon().expect("the program was compiled for it")
+    }
+
+    #[cfg(not(target_arch = "aarch64"))]
+    pub fn baseline() -> fearless_simd::Fallback {
+        fearless_simd::Fallback::new()
+    }
+
+    macro_rules! the_baseline {
+        ($($Name:ident)+) => {$(
+            impl Instructions for $Name {
+                fn run<M: InLanes>(
+                    block: &Block<'_, M>,
+                    each: &mut Each<'_>,
+                ) {
+                    Baseline::run(block, each);
+                }
+            }
+        )+};
+    }
+    the_baseline!(Avx2 Avx512 Best);
+}
