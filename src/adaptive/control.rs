@@ -6,8 +6,8 @@ const SAFETY: f64 = 0.9;
 
 /// A step is at most 5 times shorter and 10 times longer than the last: an estimate is good for a
 /// neighbouring step, and says little about one far from it. As in dopri5.f.
-const SHRINK: f64 = 0.2;
-const GROW: f64 = 10.0;
+pub(super) const SHRINK: f64 = 0.2;
+pub(super) const GROW: f64 = 10.0;
 
 /// The weight of the estimate before the last, times the order: 0.04 at order 5, as in dopri5.f.
 /// Without it the steps oscillate in a problem that lets them grow to the limit of stability

@@ -1,8 +1,8 @@
 //! Events: when a function of the state crosses zero.
 
+use super::controlled::Controlled;
 use super::steps::{AdaptiveSteps, DenseOf};
 use crate::error::Error;
-use crate::methods::runge_kutta::Embedded;
 use crate::systems::{Components, System};
 
 /// Which changes of sign count as crossings.
@@ -44,7 +44,7 @@ pub struct Crossing<Z> {
 const LOOKS: u32 = 8;
 
 /// An iterator over the crossings in a sequence of steps: see [`AdaptiveSteps::crossings`].
-pub struct Crossings<'w, 'a, S: System, M: Embedded, G> {
+pub struct Crossings<'w, 'a, S: System<State: Components>, M: Controlled<S>, G> {
     walk: &'w mut AdaptiveSteps<'a, S, M>,
     direction: Direction,
     g: G,
@@ -57,7 +57,7 @@ pub struct Crossings<'w, 'a, S: System, M: Embedded, G> {
 impl<'a, S, M> AdaptiveSteps<'a, S, M>
 where
     S: System<State: Components>,
-    M: Embedded,
+    M: Controlled<S>,
 {
     /// An iterator over the crossings from here on: the times (s) and states at which the function
     /// `g` of time and state changes sign in the `direction`.
@@ -75,7 +75,7 @@ where
 impl<'w, 'a, S, M, G> Crossings<'w, 'a, S, M, G>
 where
     S: System<State: Components>,
-    M: Embedded,
+    M: Controlled<S>,
     G: FnMut(f64, S::State) -> f64,
 {
     pub(super) fn new(
@@ -138,7 +138,7 @@ where
 impl<S, M, G> Iterator for Crossings<'_, '_, S, M, G>
 where
     S: System<State: Components>,
-    M: Embedded,
+    M: Controlled<S>,
     G: FnMut(f64, S::State) -> f64,
 {
     type Item = Result<Crossing<S::State>, Error>;

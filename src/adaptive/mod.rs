@@ -1,7 +1,7 @@
 //! Steps whose size follows the motion.
 //!
-//! [`Adaptive`] is an embedded Runge–Kutta method with a [`Tolerance`]. It
-//! [integrates](Adaptive::integrate()) with an observer, or iterates [step by
+//! [`Adaptive`] is an embedded Runge–Kutta method, or the [`TaylorSeries`] of the motion, with a
+//! [`Tolerance`]. It [integrates](Adaptive::integrate()) with an observer, or iterates [step by
 //! step](Adaptive::steps); each step has [dense output](Dense), a state at every time within it, on
 //! which [crossings](AdaptiveSteps::crossings) are found: the period, or the passage over the top.
 //!
@@ -24,21 +24,24 @@
 //! not reversible. One that is chosen symmetrically is: [`SymmetricSteps`].
 
 mod control;
+mod controlled;
 mod dense;
 mod events;
+mod series;
 mod steps;
 mod symmetric;
 mod tolerance;
 
-pub use dense::Dense;
+pub use controlled::{Controlled, Estimated, Times};
+pub use dense::{Dense, Interpolant};
 pub use events::{Crossing, Crossings, Direction};
+pub use series::{Expansion, TaylorSeries, Within};
 pub use steps::{AdaptiveSteps, Counts, Step};
 pub use symmetric::{Sample, SymmetricSteps};
 pub use tolerance::{SMALLEST_RELATIVE, Tolerance};
 
 use crate::error::Error;
 use crate::integrate::Observer;
-use crate::methods::runge_kutta::Embedded;
 use crate::systems::{Components, System};
 
 /// A method whose steps are chosen so that each is off by no more than a tolerance.
@@ -53,7 +56,7 @@ pub struct Adaptive<M> {
 /// explicit method.
 pub const STEP_LIMIT: u64 = 1_000_000;
 
-impl<M: Embedded> Adaptive<M> {
+impl<M: Copy> Adaptive<M> {
     /// `method` with the error of each step within `tolerance`, in at most [`STEP_LIMIT`] attempts.
     pub const fn new(method: M, tolerance: Tolerance) -> Self {
         Self { method, tolerance, limit: STEP_LIMIT }
@@ -78,6 +81,7 @@ impl<M: Embedded> Adaptive<M> {
     ) -> Result<AdaptiveSteps<'a, S, M>, Error>
     where
         S: System<State: Components>,
+        M: Controlled<S>,
     {
         AdaptiveSteps::new(*self, system, start, from, until)
     }
@@ -100,6 +104,7 @@ impl<M: Embedded> Adaptive<M> {
     ) -> Result<(S::State, Counts), Error>
     where
         S: System<State: Components>,
+        M: Controlled<S>,
         O: Observer<S::State> + ?Sized,
     {
         let mut walk = self.steps(system, start, from, until)?;

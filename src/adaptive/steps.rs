@@ -1,10 +1,9 @@
 //! The sequence of adaptive steps.
 
-use super::control::Controller;
+use super::controlled::{Controlled, Times};
 use super::{Adaptive, Dense};
 use crate::error::Error;
-use crate::methods::runge_kutta::Embedded;
-use crate::systems::{Components, Counting, RateOf, System};
+use crate::systems::{Components, Counting, System};
 
 /// The cost of a sequence of steps so far.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -18,22 +17,19 @@ pub struct Counts {
     pub evaluations: u64,
 }
 
-/// An accepted step.
+/// An accepted step, with a record for its dense output.
 #[derive(Clone, Copy, Debug)]
-pub struct Step<Z, K, D> {
-    t: f64,
-    h: f64,
+pub struct Step<Z, R> {
+    times: Times,
     z: Z,
-    end_time: f64,
     end: Z,
-    stages: K,
-    end_slope: D,
+    record: R,
 }
 
-impl<Z: Copy, K, D> Step<Z, K, D> {
+impl<Z: Copy, R> Step<Z, R> {
     /// The time at which it begins (s).
     pub const fn start_time(&self) -> f64 {
-        self.t
+        self.times.start
     }
 
     /// The state from which it begins.
@@ -43,7 +39,7 @@ impl<Z: Copy, K, D> Step<Z, K, D> {
 
     /// The time at which it ends (s).
     pub const fn end_time(&self) -> f64 {
-        self.end_time
+        self.times.end
     }
 
     /// The state to which it leads.
@@ -53,30 +49,27 @@ impl<Z: Copy, K, D> Step<Z, K, D> {
 
     /// Its size h (s): negative backwards in time.
     pub const fn size(&self) -> f64 {
-        self.h
+        self.times.step
     }
 }
 
 /// A step of the method `M` for the system `S`.
-type StepOf<S, M> = Step<<S as System>::State, <M as Embedded>::Stages<RateOf<S>>, RateOf<S>>;
+type StepOf<S, M> = Step<<S as System>::State, <M as Controlled<S>>::Record>;
 
 /// Its dense output.
-pub(super) type DenseOf<S, M> = Dense<<S as System>::State, <M as Embedded>::Dense<RateOf<S>>>;
+pub(super) type DenseOf<S, M> = Dense<<S as System>::State, <M as Controlled<S>>::Dense>;
 
 /// An iterator over the steps from one time to another.
 ///
-/// It ends after an error. It also holds what a step carries to the next: the slope at its end.
-pub struct AdaptiveSteps<'a, S: System, M> {
+/// It ends after an error. It also holds what a step carries to the next: the slope at its end, or
+/// the series there.
+pub struct AdaptiveSteps<'a, S: System<State: Components>, M: Controlled<S>> {
     adaptive: Adaptive<M>,
     system: Counting<&'a S>,
-    controller: Controller,
+    memory: M::Memory,
     t: f64,
     until: f64,
     z: S::State,
-    /// The slope at z.
-    slope: RateOf<S>,
-    /// The size of the next attempt (s).
-    h: f64,
     accepted: u64,
     rejected: u64,
     failed: bool,
@@ -85,7 +78,7 @@ pub struct AdaptiveSteps<'a, S: System, M> {
 impl<'a, S, M> AdaptiveSteps<'a, S, M>
 where
     S: System<State: Components>,
-    M: Embedded,
+    M: Controlled<S>,
 {
     pub(super) fn new(
         adaptive: Adaptive<M>,
@@ -94,67 +87,19 @@ where
         t: f64,
         until: f64,
     ) -> Result<Self, Error> {
+        let duration = until - t;
         for (name, value) in
-            [("start time (s)", t), ("end time (s)", until), ("duration (s)", until - t)]
+            [("start time (s)", t), ("end time (s)", until), ("duration (s)", duration)]
         {
             if !value.is_finite() {
                 return Err(Error::Parameter { name, value, allowed: "finite" });
             }
         }
         let system = Counting::new(system);
-        let slope = system.rate(t, z);
-        let controller = Controller::new(M::ESTIMATE_ORDER);
-        let (h, accepted, rejected, failed) = (0.0, 0, 0, false);
-        let mut walk = Self {
-            adaptive,
-            system,
-            controller,
-            t,
-            until,
-            z,
-            slope,
-            h,
-            accepted,
-            rejected,
-            failed,
-        };
-        walk.h = walk.first_step();
-        Ok(walk)
-    }
-
-    /// The size of the first attempt (s).
-    ///
-    /// It follows from the size of the state, the size of its rate of change, and, with a small
-    /// step of forward Euler, how fast that rate changes (Hairer, Nørsett, Wanner, *Solving
-    /// Ordinary Differential Equations I*, Sect. II.4).
-    fn first_step(&self) -> f64 {
-        let Self { t, z, slope, .. } = *self;
-        let duration = self.until - t;
-        if duration == 0.0 {
-            return 0.0;
-        }
-        let tolerance = &self.adaptive.tolerance;
-        let size = |displacement| tolerance.error_norm(z, z, displacement);
-        let (state, rate) = (tolerance.state_norm(z, slope), size(slope));
-        // A state or a rate close to zero says nothing about the time scale.
-        let meaningful = |ratio: f64| ratio >= 1e-5;
-        let guess = if meaningful(state) && meaningful(rate) {
-            0.01 * (state / rate)
-        } else {
-            1e-6 * libm::fabs(duration)
-        };
-        let euler = libm::copysign(libm::fmin(guess, libm::fabs(duration)), duration);
-        let ahead = self.system.rate(t + euler, z + slope * euler);
-        let bend = size(ahead + slope * -1.0) / libm::fabs(euler);
-        let fastest = libm::fmax(rate, bend);
-        let fits = if fastest <= 1e-15 {
-            libm::fmax(1e-6 * libm::fabs(duration), 1e-3 * guess)
-        } else {
-            libm::pow(0.01 / fastest, 1.0 / f64::from(M::ESTIMATE_ORDER))
-        };
-        let most = libm::fmin(100.0 * guess, libm::fabs(duration));
-        // A system without a finite rate gets the largest step, which is then rejected.
-        libm::copysign(libm::fmin(fits, most), duration)
+        let Adaptive { method, tolerance, .. } = &adaptive;
+        let memory = method.begin(&system, tolerance, t, z, duration);
+        let (accepted, rejected, failed) = (0, 0, false);
+        Ok(Self { adaptive, system, memory, t, until, z, accepted, rejected, failed })
     }
 
     /// The present time (s).
@@ -175,37 +120,35 @@ where
 
     /// The dense output of `step`, which may need more evaluations of the force.
     pub fn dense(&self, step: &StepOf<S, M>) -> DenseOf<S, M> {
-        let Step { t, h, z, end_slope, .. } = *step;
-        let coefficients =
-            self.adaptive.method.dense(&self.system, t, h, z, &step.stages, end_slope);
-        Dense::new(t, h, z, coefficients)
+        let Self { adaptive: Adaptive { method, .. }, system, memory, .. } = self;
+        let Step { times, z, record, .. } = step;
+        let coefficients = method.interpolant(system, memory, *times, *z, record);
+        Dense::new(times.start, times.step, *z, coefficients)
     }
 
     // ANCHOR: advance
     fn advance(&mut self) -> Result<StepOf<S, M>, Error> {
-        let Self { t, z, slope, until, .. } = *self;
+        let Self { t, z, until, .. } = *self;
         let Adaptive { method, tolerance, limit } = self.adaptive;
         loop {
             if self.accepted + self.rejected >= limit {
                 return Err(Error::OutOfSteps { t, limit });
             }
+            let proposed = method.propose(&self.system, &tolerance, &mut self.memory, t, z);
             // A step that would end just short of the end time is stretched to it, so that no tiny
             // step is left.
             let left = until - t;
-            let last = libm::fabs(1.01 * self.h) >= libm::fabs(left);
-            let (h, end_time) = if last { (left, until) } else { (self.h, t + self.h) };
+            let last = libm::fabs(1.01 * proposed) >= libm::fabs(left);
+            let (h, end_time) = if last { (left, until) } else { (proposed, t + proposed) };
             if t + 0.1 * h == t && !last {
                 return Err(Error::StepTooSmall { t, step: h });
             }
-            let (end, stages) = method.attempt(&self.system, t, h, z, slope);
-            let error = method.error(&stages, |rate| tolerance.error_norm(z, end, rate * h));
-            let (accepted, factor) = self.controller.judge(error);
-            self.h = h * factor;
-            if accepted {
+            let times = Times { start: t, step: h, end: end_time };
+            let Self { system, memory, .. } = self;
+            if let Some((end, record)) = method.attempt_step(system, &tolerance, memory, times, z) {
                 self.accepted += 1;
-                let end_slope = method.end_slope(&self.system, end_time, end, &stages);
-                (self.t, self.z, self.slope) = (end_time, end, end_slope);
-                return Ok(Step { t, h, z, end_time, end, stages, end_slope });
+                (self.t, self.z) = (end_time, end);
+                return Ok(Step { times, z, end, record });
             }
             self.rejected += 1;
         }
@@ -216,7 +159,7 @@ where
 impl<S, M> Iterator for AdaptiveSteps<'_, S, M>
 where
     S: System<State: Components>,
-    M: Embedded,
+    M: Controlled<S>,
 {
     type Item = Result<StepOf<S, M>, Error>;
 

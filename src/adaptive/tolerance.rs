@@ -60,15 +60,26 @@ impl Tolerance {
     /// Nørsett, Wanner, *Solving Ordinary Differential Equations I*, Eqs. II.4.10–11).
     #[inline]
     pub fn error_norm<Z: Components>(&self, from: Z, to: Z, displacement: Z::Displacement) -> f64 {
+        libm::sqrt(self.square_norm(from, to, displacement))
+    }
+    // ANCHOR_END: error_norm
+
+    /// Its square.
+    #[inline]
+    pub(super) fn square_norm<Z: Components>(
+        &self,
+        from: Z,
+        to: Z,
+        displacement: Z::Displacement,
+    ) -> f64 {
         let (mut squares, mut count) = (0.0, 0.0);
         from.for_each_component(to, displacement, |x, y, error| {
             let ratio = error / self.allowed(x, y);
             squares += ratio * ratio;
             count += 1.0;
         });
-        libm::sqrt(squares / count)
+        squares / count
     }
-    // ANCHOR_END: error_norm
 
     /// The size of a state itself, in tolerances. The value of `any` displacement is not used.
     pub(super) fn state_norm<Z: Components>(&self, z: Z, any: Z::Displacement) -> f64 {

@@ -19,7 +19,7 @@ use crate::integrate::{Grid, Method};
 use crate::systems::Measurable;
 use crate::systems::{
     Analytic, Components, MeanForce, NearlyLinear, Numbers, Pendulum, Phase, RateOf, Separable,
-    State, System, Vector, growth,
+    State, System, Vector, growth, terms,
 };
 
 /// The pendulum with time in steps; or, where a [`Number`] has lanes, a pendulum in each.
@@ -264,6 +264,12 @@ impl<N: Number> Separable for ScaledPendulum<N> {
 // ANCHOR_END: separable
 
 impl<N: Number> Analytic for ScaledPendulum<N> {
+    #[inline(always)]
+    fn terms<const P: usize>(&self, h: f64, z: ReducedPhase<N>) -> [ReducedRate<N>; P] {
+        terms(-self.minus_k, h, z.velocity.value(), z.sine_and_cosine())
+            .map(|[angle, velocity]| ReducedRate { angle: angle.into(), velocity: velocity.into() })
+    }
+
     #[inline(always)]
     fn mean_rate<const P: usize>(&self, h: f64, z: ReducedPhase<N>) -> ReducedRate<N> {
         let (angle, velocity) =

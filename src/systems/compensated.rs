@@ -120,6 +120,11 @@ impl<S: Hamiltonian<State = Phase>> Hamiltonian for Compensated<S> {
 
 impl<S: Analytic<State = Phase>> Analytic for Compensated<S> {
     #[inline]
+    fn terms<const P: usize>(&self, h: f64, z: CompensatedPhase) -> [Phase; P] {
+        self.system.terms::<P>(h, z.phase)
+    }
+
+    #[inline]
     fn mean_rate<const P: usize>(&self, h: f64, z: CompensatedPhase) -> Phase {
         self.system.mean_rate::<P>(h, z.phase)
     }

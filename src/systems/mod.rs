@@ -83,7 +83,7 @@ mod state;
 mod system;
 
 pub use analytic::Analytic;
-pub(crate) use analytic::growth;
+pub(crate) use analytic::{growth, terms};
 pub use compensated::{Compensated, CompensatedPhase};
 pub use damped::Damped;
 pub use double_pendulum::{DoublePendulum, DoublePhase, Joint, LARGEST_MASS_RATIO};

@@ -2,10 +2,9 @@
 
 use std::f64::consts::PI;
 
-use pendula::adaptive::{Adaptive, Direction, SymmetricSteps, Tolerance};
+use pendula::adaptive::{Adaptive, Controlled, Direction, SymmetricSteps, TaylorSeries, Tolerance};
 use pendula::dynamics::lyapunov::Watch;
 use pendula::dynamics::{Stroboscope, largest_exponent, period_doubling, periodic_orbit};
-use pendula::methods::runge_kutta::Embedded;
 use pendula::methods::{BlanesMoan6, Dop853, DormandPrince, Gauss4};
 use pendula::systems::{Ellipse, Joint, PlanePhase};
 use pendula::{
@@ -87,7 +86,7 @@ fn kepler() -> Result<u64, Error> {
 }
 
 /// The steps of a walk with their dense output, the crossings of another, and what both cost.
-fn adaptive<M: Embedded + Copy>(method: M) -> Result<u64, Error> {
+fn adaptive<M: Controlled<Pendulum>>(method: M) -> Result<u64, Error> {
     let pendulum = pendulum()?;
     let mut hash = Hash::new();
     for tolerance in [1e-6, 1e-11] {
@@ -161,7 +160,7 @@ fn dynamics() -> Result<u64, Error> {
 }
 
 /// A line for each.
-fn all() -> Result<[(&'static str, u64); 10], Error> {
+fn all() -> Result<[(&'static str, u64); 11], Error> {
     let shaken = Shaken::new(pendulum()?, 0.12, 70.0)?;
     let driven = Driven::new(damped()?, 0.9, 2.1)?;
     let linear = LinearOscillator::new(pendulum()?);
@@ -174,12 +173,13 @@ fn all() -> Result<[(&'static str, u64); 10], Error> {
         ("Kepler's problem", kepler()?),
         ("adaptive dormand-prince", adaptive(DormandPrince)?),
         ("adaptive dop853", adaptive(Dop853)?),
+        ("adaptive taylor-series", adaptive(TaylorSeries)?),
         ("symmetric steps", symmetric_steps()?),
         ("periodic orbits and chaos", dynamics()?),
     ])
 }
 
 /// A line for each.
-pub fn lines() -> [(&'static str, u64); 10] {
+pub fn lines() -> [(&'static str, u64); 11] {
     all().expect("parameters in range")
 }

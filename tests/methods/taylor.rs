@@ -160,9 +160,13 @@ fn a_series_is_what_its_system_says() {
         }
     }
     impl Analytic for Growth {
-        fn mean_rate<const P: usize>(&self, h: f64, z: Phase) -> Phase {
-            let sum = (0..P).rev().fold(0.0, |sum, k| 1.0 / (k + 1) as f64 * (1.0 + h * sum));
-            z * sum
+        fn terms<const P: usize>(&self, h: f64, z: Phase) -> [Phase; P] {
+            let mut power = z;
+            std::array::from_fn(|k| {
+                let term = power * (1.0 / (k + 1) as f64);
+                power = term * h;
+                term
+            })
         }
     }
     let start = Phase { theta: 1.0, omega: -2.0 };

@@ -4,7 +4,8 @@
 use std::f64::consts::PI;
 
 use pendula::adaptive::{
-    Adaptive, AdaptiveSteps, Counts, Dense, Direction, SMALLEST_RELATIVE, Tolerance,
+    Adaptive, AdaptiveSteps, Controlled, Counts, Dense, Direction, SMALLEST_RELATIVE, TaylorSeries,
+    Tolerance,
 };
 use pendula::methods::runge_kutta::Embedded;
 use pendula::methods::{Dop853, DormandPrince};
@@ -23,6 +24,13 @@ use crate::random::Random;
 #[case::dop853(Dop853)]
 fn each_pair<M: Embedded>(#[case] method: M) {}
 
+#[template]
+#[rstest]
+#[case::dormand_prince(DormandPrince)]
+#[case::dop853(Dop853)]
+#[case::taylor_series(TaylorSeries)]
+fn each_method<M: Controlled<Pendulum>>(#[case] method: M) {}
+
 /// The paper's, and one with L ≠ 1, m ≠ 1 and another ω₀.
 fn pendulums() -> [Pendulum; 2] {
     [Pendulum::PAPER, Pendulum::new(9.81, 2.5, 0.7).unwrap()]
@@ -34,7 +42,7 @@ fn tolerance(tolerance: f64) -> Tolerance {
     Tolerance::uniform(tolerance).unwrap()
 }
 
-fn walk<M: Embedded>(
+fn walk<M: Controlled<Pendulum>>(
     pendulum: &Pendulum,
     method: M,
     tol: f64,
@@ -60,8 +68,8 @@ const PROPORTIONALITY: f64 = 0.05;
 
 /// Catches: an error without a scale, or with the wrong one; an error with an h missing or too
 /// many; an estimate of the wrong order; a step taken although it was refused.
-#[apply(each_pair)]
-fn the_error_falls_with_the_tolerance<M: Embedded>(#[case] method: M) {
+#[apply(each_method)]
+fn the_error_falls_with_the_tolerance<M: Controlled<Pendulum>>(#[case] method: M) {
     for pendulum in pendulums() {
         let mean_of_logarithms = |tol: f64| {
             let logarithm = |n: u32| {
@@ -89,8 +97,8 @@ fn the_error_falls_with_the_tolerance<M: Embedded>(#[case] method: M) {
 ///
 /// Catches: an estimate that is too small, by a factor or for one of the components; one that is
 /// far too large.
-#[apply(each_pair)]
-fn no_step_is_off_by_more_than_the_tolerance<M: Embedded>(#[case] method: M) {
+#[apply(each_method)]
+fn no_step_is_off_by_more_than_the_tolerance<M: Controlled<Pendulum>>(#[case] method: M) {
     for pendulum in pendulums() {
         for tol in [1e-7, 1e-9, 1e-11] {
             let mut largest = 0.0_f64;
@@ -201,8 +209,8 @@ fn the_counts_are_those_of_an_independent_program() {
 ///
 /// Catches: a last step that stops short of the end by a rounding, or beyond it; a tiny step left
 /// over for the end, which costs as much as any and is mostly rounding.
-#[apply(each_pair)]
-fn a_walk_ends_where_it_should<M: Embedded>(#[case] method: M) {
+#[apply(each_method)]
+fn a_walk_ends_where_it_should<M: Controlled<Pendulum>>(#[case] method: M) {
     let mut random = Random::new(7);
     let mut last_steps = 0;
     for n in 0..2000 {
@@ -416,8 +424,8 @@ fn one_step<M: Embedded>(
 }
 
 /// Catches: dense output of another step; a time not converted to the fraction of the step.
-#[apply(each_pair)]
-fn dense_output_meets_both_ends_of_each_step<M: Embedded>(#[case] method: M) {
+#[apply(each_method)]
+fn dense_output_meets_both_ends_of_each_step<M: Controlled<Pendulum>>(#[case] method: M) {
     let pendulum = Pendulum::PAPER;
     let mut walk = walk(&pendulum, method, 1e-8, 5.0);
     let mut last = (0.0, START);
@@ -443,8 +451,8 @@ fn dense_output_meets_both_ends_of_each_step<M: Embedded>(#[case] method: M) {
 ///
 /// Catches: a crossing put at an end of the step, or found by linear interpolation; dense output of
 /// too low an order; the start time of a step forgotten.
-#[apply(each_pair)]
-fn the_period_is_exact_within_the_tolerance<M: Embedded>(
+#[apply(each_method)]
+fn the_period_is_exact_within_the_tolerance<M: Controlled<Pendulum>>(
     #[case] method: M,
     #[values(0.5, 2.0, 3.0, 3.1)] theta0: f64,
     #[values(1e-6, 1e-8, 1e-10, 1e-12)] tol: f64,
@@ -465,8 +473,8 @@ fn the_period_is_exact_within_the_tolerance<M: Embedded>(
 ///
 /// Catches: crossings missed, or found twice where one step ends and the next begins; a function of
 /// time alone, or of the state alone.
-#[apply(each_pair)]
-fn each_passage_over_the_top_is_found_once<M: Embedded>(#[case] method: M) {
+#[apply(each_method)]
+fn each_passage_over_the_top_is_found_once<M: Controlled<Pendulum>>(#[case] method: M) {
     for pendulum in pendulums() {
         let start = Phase { theta: -0.5, omega: 9.0 };
         let motion = Motion::new(&pendulum, start).unwrap();
@@ -492,8 +500,8 @@ fn each_passage_over_the_top_is_found_once<M: Embedded>(#[case] method: M) {
 ///
 /// Catches: a direction ignored or reversed; a zero at the start taken for a crossing; several
 /// crossings in a step of which only one is found.
-#[apply(each_pair)]
-fn a_crossing_has_a_direction<M: Embedded>(#[case] method: M) {
+#[apply(each_method)]
+fn a_crossing_has_a_direction<M: Controlled<Pendulum>>(#[case] method: M) {
     let pendulum = Pendulum::PAPER;
     let start = Phase { theta: 0.0, omega: 2.0 };
     let period = Motion::new(&pendulum, start).unwrap().period().unwrap();
@@ -534,8 +542,8 @@ fn a_crossing_has_a_direction<M: Embedded>(#[case] method: M) {
 ///
 /// Catches: the sign of the step lost in the first step, in the last or in the limit of growth; an
 /// end that is overshot.
-#[apply(each_pair)]
-fn time_can_run_either_way<M: Embedded>(#[case] method: M) {
+#[apply(each_method)]
+fn time_can_run_either_way<M: Controlled<Pendulum>>(#[case] method: M) {
     for pendulum in pendulums() {
         let motion = Motion::new(&pendulum, START).unwrap();
         let adaptive = Adaptive::new(method, tolerance(1e-10));
@@ -552,8 +560,8 @@ fn time_can_run_either_way<M: Embedded>(#[case] method: M) {
 
 /// Catches: a last step past the end, short of it, or split in two; a step taken after the end, or
 /// when the end is the start.
-#[apply(each_pair)]
-fn the_last_step_ends_at_the_end<M: Embedded>(
+#[apply(each_method)]
+fn the_last_step_ends_at_the_end<M: Controlled<Pendulum>>(
     #[case] method: M,
     #[values(1e-300, 1e-3, 0.7, 5.0, -5.0)] duration: f64,
 ) {
@@ -577,8 +585,8 @@ fn the_last_step_ends_at_the_end<M: Embedded>(
 /// The bound is 0.8 of that, as the last step would not be exactly as long as the one before.
 ///
 /// Catches: a sliver of a step at the end.
-#[apply(each_pair)]
-fn no_sliver_is_left_for_the_last_step<M: Embedded>(#[case] method: M) {
+#[apply(each_method)]
+fn no_sliver_is_left_for_the_last_step<M: Controlled<Pendulum>>(#[case] method: M) {
     for n in 0..1000 {
         let until = 1.0 + f64::from(n) / 1000.0;
         let steps = walk(&Pendulum::PAPER, method, 1e-9, until);
@@ -622,8 +630,8 @@ fn a_zero_on_the_last_instant_is_a_crossing<M: Embedded>(#[case] method: M) {
 }
 
 /// Catches: a loop that goes on after the observer is satisfied.
-#[apply(each_pair)]
-fn a_satisfied_observer_ends_the_loop<M: Embedded>(#[case] method: M) {
+#[apply(each_method)]
+fn a_satisfied_observer_ends_the_loop<M: Controlled<Pendulum>>(#[case] method: M) {
     struct UntilNinth(u64);
     impl Observer<Phase> for UntilNinth {
         fn observe(&mut self, n: u64, _t: f64, _z: Phase) {
@@ -665,8 +673,8 @@ fn a_tolerance_that_cannot_be_met_is_refused() {
 
 /// Catches: an accepted tolerance so fine that no step meets it; an error of more than 1000
 /// tolerances there.
-#[apply(each_pair)]
-fn the_finest_tolerance_can_be_met<M: Embedded>(#[case] method: M) {
+#[apply(each_method)]
+fn the_finest_tolerance_can_be_met<M: Controlled<Pendulum>>(#[case] method: M) {
     let finest = Tolerance::uniform(SMALLEST_RELATIVE).unwrap();
     let adaptive = Adaptive::new(method, finest);
     let (end, _) = adaptive.integrate(&Pendulum::PAPER, START, 0.0, 2.0, &mut ()).unwrap();
@@ -676,8 +684,8 @@ fn the_finest_tolerance_can_be_met<M: Embedded>(#[case] method: M) {
 }
 
 /// Catches: an accepted time that is not finite, or an infinite duration.
-#[apply(each_pair)]
-fn a_time_that_is_none_is_refused<M: Embedded>(#[case] method: M) {
+#[apply(each_method)]
+fn a_time_that_is_none_is_refused<M: Controlled<Pendulum>>(#[case] method: M) {
     let adaptive = Adaptive::new(method, tolerance(1e-6));
     for (from, until) in
         [(f64::NAN, 1.0), (0.0, f64::INFINITY), (f64::NEG_INFINITY, 0.0), (-1e308, 1e308)]
@@ -744,8 +752,8 @@ fn a_rate_that_is_no_number_is_an_error<M: Embedded>(#[case] method: M) {
 
 /// Catches: a limit that is off by one, counts only accepted steps, or ends the run without an
 /// error.
-#[apply(each_pair)]
-fn a_limit_is_kept<M: Embedded>(#[case] method: M) {
+#[apply(each_method)]
+fn a_limit_is_kept<M: Controlled<Pendulum>>(#[case] method: M) {
     let pendulum = Pendulum::PAPER;
     let adaptive = Adaptive::new(method, tolerance(1e-6));
     let (_, Counts { accepted, rejected, .. }) =

@@ -7,7 +7,7 @@
 
 use std::num::NonZeroU64;
 
-use pendula::adaptive::{Adaptive, Direction, SymmetricSteps, Tolerance};
+use pendula::adaptive::{Adaptive, Controlled, Direction, SymmetricSteps, TaylorSeries, Tolerance};
 use pendula::arithmetic::double_double::DoubleDouble;
 use pendula::arithmetic::sine::{cos, sin};
 use pendula::dynamics::floquet::monodromy;
@@ -19,7 +19,6 @@ use pendula::dynamics::{
 use pendula::exact::{Swing, complete_elliptic_k, period};
 use pendula::fast::InLanes;
 use pendula::integrate::Every;
-use pendula::methods::runge_kutta::Embedded;
 use pendula::methods::{Dop853, DormandPrince, Gauss6, Implicit, Iteration, Rk4, StormerVerlet};
 use pendula::metrics::order::{is_asymptotic, is_floor, slopes};
 use pendula::metrics::{
@@ -543,14 +542,14 @@ fn readings(any: &mut Any, tally: &mut Tally) {
 // -------------------------------------------------------------------------------------------------
 
 fn adaptive_steps(any: &mut Any, tally: &mut Tally) {
-    if any.0.below(2) == 0 {
-        walk_of(DormandPrince, any, tally);
-    } else {
-        walk_of(Dop853, any, tally);
+    match any.0.below(3) {
+        0 => walk_of(DormandPrince, any, tally),
+        1 => walk_of(Dop853, any, tally),
+        _ => walk_of(TaylorSeries, any, tally),
     }
 }
 
-fn walk_of<M: Embedded>(method: M, any: &mut Any, tally: &mut Tally) {
+fn walk_of<M: Controlled<Pendulum>>(method: M, any: &mut Any, tally: &mut Tally) {
     let tolerance = tally.accepted(Tolerance::new(any.number(), any.number()));
     let tolerance = tolerance.unwrap_or_else(|| {
         let [absolute, relative] = [0, 1].map(|_| 10_f64.powf(any.0.between(-14.0, -1.0)));

@@ -19,3 +19,4 @@ mod parameters;
 mod separatrix;
 mod stability;
 mod symmetric_steps;
+mod taylor_series;

@@ -16,11 +16,12 @@
 
 use std::hint::black_box;
 
+use pendula::adaptive::{Adaptive, Controlled, TaylorSeries, Tolerance};
 use pendula::fast::ScaledPendulum;
 use pendula::methods::{BlanesMoan6, Taylor24};
 use pendula::metrics::EndError;
 use pendula::{
-    Compensated, CompensatedPhase, Grid, Info, Method, Pendulum, Phase, Taylor, integrate,
+    Compensated, CompensatedPhase, Grid, Info, Method, Motion, Pendulum, Phase, Taylor, integrate,
     integrate_fast, methods,
 };
 
@@ -170,6 +171,32 @@ where
     })
 }
 
+/// A method of the library with a tolerance.
+fn of_adaptive<M>(name: &str, method: M, theta_0: f64, end: u32) -> Contender
+where
+    M: Controlled<Pendulum> + 'static,
+{
+    let settings = tolerances().filter_map(|tolerance| {
+        // The library refuses the finest.
+        let tolerance = Tolerance::uniform(tolerance).ok()?;
+        Some(Box::new(move || {
+            let adaptive = Adaptive::new(method, black_box(tolerance));
+            let start = black_box(Phase::at_rest(theta_0));
+            let run =
+                adaptive.integrate(&Pendulum::PAPER, start, 0.0, black_box(end.into()), &mut ());
+            run.map_or(Phase { theta: f64::NAN, omega: f64::NAN }, |(z, _)| z)
+        }) as Box<dyn Fn() -> Phase>)
+    });
+    let settings = settings.collect();
+    let (name, counts, tried) = (name.into(), Vec::new(), Vec::new());
+    Contender { name, kind: Kind::Library, counts, settings, tried }
+}
+
+/// Four to a decade.
+fn tolerances() -> impl Iterator<Item = f64> {
+    (4..=60).map(|quarters| 10.0_f64.powf(-0.25 * f64::from(quarters)))
+}
+
 macro_rules! every_method {
     ($($module:ident::$method:ident,)+) => {
         fn library(theta_0: f64, steps: &[Steps]) -> Vec<Contender> {
@@ -190,20 +217,19 @@ fn contenders(theta_0: f64, end: u32) -> Vec<Contender> {
     all.push(compensated("blanes-moan-6", BlanesMoan6, theta_0, &steps));
     all.push(compensated("taylor-24", Taylor24, theta_0, &steps));
     all.push(compensated("Taylor<30>", Taylor::<30>, theta_0, &steps));
+    all.push(of_adaptive("Taylor series", TaylorSeries, theta_0, end));
     for (method, name, run) in STEPPED {
         let run = move |count, length| run(black_box(start), count, length);
         let name = format!("{name} {method}");
         all.push(Contender::of_steps(name, Kind::Crate, &steps, run));
     }
-    let tolerances = (4..=60).map(|quarters| 10.0_f64.powf(-0.25 * f64::from(quarters)));
-    let tolerances: Vec<f64> = tolerances.collect();
     for (name, run) in CONTROLLED {
-        let setting = |tolerance: &f64| {
-            let (end, tolerance) = (f64::from(end), *tolerance);
+        let setting = |tolerance: f64| {
+            let end = f64::from(end);
             Box::new(move || run(black_box(start), end, black_box(tolerance)))
                 as Box<dyn Fn() -> Phase>
         };
-        let settings = tolerances.iter().map(setting).collect();
+        let settings = tolerances().map(setting).collect();
         let (name, counts, tried) = (name.into(), Vec::new(), Vec::new());
         all.push(Contender { name, kind: Kind::Crate, counts, settings, tried });
     }
@@ -285,5 +311,26 @@ pub fn compare() {
                 );
             }
         }
+    }
+}
+
+/// The pendulums of the ensemble: their number, the first and last release angle (rad), the
+/// duration (s).
+const ENSEMBLE: (u32, f64, f64, f64) = (9984, 0.01, 3.1, 10.0);
+
+/// Prints the exact end of each scene, and of each pendulum of an ensemble: release angle (rad),
+/// duration (s), angle (rad), angular velocity (rad/s).
+pub fn ends() {
+    let line = |kind: &str, theta_0: f64, end: f64| {
+        let start = Phase::at_rest(theta_0);
+        let z = Motion::new(&Pendulum::PAPER, start).expect("a finite start").at(end);
+        println!("{kind} {theta_0:?} {end:?} {:?} {:?}", z.theta, z.omega);
+    };
+    for (theta_0, end) in SCENES {
+        line("scene", theta_0, end.into());
+    }
+    let (count, first, last, end) = ENSEMBLE;
+    for n in 0..count {
+        line("ensemble", first + (last - first) * f64::from(n) / f64::from(count - 1), end);
     }
 }

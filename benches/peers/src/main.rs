@@ -1,8 +1,9 @@
 //! The library and other crates, in one run, compared with the naive loop.
 //!
 //! `cargo run --profile peers -p pendula-peers` compares [steps], and with `-- front` run time [for
-//! an error](front). The profile optimises the dependencies of the crates; the release build does
-//! not.
+//! an error](front). With `-- ends` it prints the exact motion for `others.py`, which compares
+//! programs that are no crates. The profile optimises the dependencies of the crates; the release
+//! build does not.
 
 mod crates;
 mod front;
@@ -19,8 +20,9 @@ fn main() -> ExitCode {
     match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
         [] => steps::compare(),
         ["front"] => front::compare(),
+        ["ends"] => front::ends(),
         _ => {
-            eprintln!("pendula-peers: nothing, or front");
+            eprintln!("pendula-peers: nothing, front or ends");
             return ExitCode::from(2);
         }
     }

@@ -170,6 +170,14 @@ impl Analytic for Shared {
     /// For the undamped pendulum only: the library has no series for the damped one, and the
     /// methods that need a series do not run on it.
     #[inline(never)]
+    fn terms<const P: usize>(&self, h: f64, z: SharedState) -> [RateOf<Self>; P] {
+        match (self, z) {
+            (S((_, system)), S(z)) => system.terms::<P>(h, z).map(|term| By(S(term))),
+            _ => never(),
+        }
+    }
+
+    #[inline(never)]
     fn mean_rate<const P: usize>(&self, h: f64, z: SharedState) -> RateOf<Self> {
         match (self, z) {
             (S((_, system)), S(z)) => By(S(system.mean_rate::<P>(h, z))),

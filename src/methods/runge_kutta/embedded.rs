@@ -1,5 +1,6 @@
 //! Runge–Kutta methods that estimate their own error.
 
+use crate::adaptive::Interpolant;
 use crate::systems::{RateOf, System, Vector};
 
 // ANCHOR: embedded
@@ -12,7 +13,7 @@ pub trait Embedded: Copy {
     type Stages<D: Vector>: Copy;
 
     /// The coefficients of dense output: as many as its degree.
-    type Dense<D: Vector>: Copy + AsRef<[D]>;
+    type Dense<D: Vector>: Copy + AsRef<[D]> + Interpolant<D>;
 
     /// Tries a step `h` (s) from `z` at time `t` (s), where the slope is `slope`: the state that it
     /// leads to, and its stages.

@@ -5,11 +5,10 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use clap::{Args, ValueEnum};
-use pendula::adaptive::{Adaptive, STEP_LIMIT, Tolerance};
-use pendula::methods::runge_kutta::Embedded;
+use pendula::adaptive::{Adaptive, Controlled, STEP_LIMIT, TaylorSeries, Tolerance};
 use pendula::methods::{Dop853, DormandPrince};
 use pendula::metrics::EnergyDrift;
-use pendula::{Error, Hamiltonian, Observer};
+use pendula::{Error, Hamiltonian, Observer, Pendulum};
 
 use super::destination::Destination;
 use super::number::{count, number};
@@ -25,7 +24,7 @@ use crate::interrupt::Lookout;
 pub struct Arguments {
     /// The method
     #[arg(long, value_name = "M", value_enum)]
-    method: Pair,
+    method: Stepping,
     #[command(flatten)]
     start: StartArguments,
     /// Duration (s); a negative one goes back in time
@@ -53,13 +52,15 @@ pub struct Arguments {
     summary: bool,
 }
 
-/// The methods that estimate their error.
+/// The methods that choose their steps.
 #[derive(Clone, Copy, Debug, ValueEnum)]
-enum Pair {
+enum Stepping {
     /// Dormand–Prince 5(4)
     DormandPrince,
     /// Dormand–Prince 8(5,3)
     Dop853,
+    /// The Taylor series of the motion, to an order that follows from the tolerance
+    TaylorSeries,
 }
 
 /// Writes the rows t, theta, omega, energy, one for the start and one for the end of each step: in
@@ -82,13 +83,14 @@ pub fn run_until(
     lookout: impl FnOnce() -> Lookout,
 ) -> Result<(), Failure> {
     match arguments.method {
-        Pair::DormandPrince => run_with(DormandPrince, arguments, out, lookout),
-        Pair::Dop853 => run_with(Dop853, arguments, out, lookout),
+        Stepping::DormandPrince => run_with(DormandPrince, arguments, out, lookout),
+        Stepping::Dop853 => run_with(Dop853, arguments, out, lookout),
+        Stepping::TaylorSeries => run_with(TaylorSeries, arguments, out, lookout),
     }
 }
 
 fn run_with(
-    method: impl Embedded,
+    method: impl Controlled<Pendulum>,
     arguments: &Arguments,
     [out, err]: [&mut dyn Write; 2],
     lookout: impl FnOnce() -> Lookout,

@@ -6,7 +6,7 @@ use std::io::Read;
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
-use pendula::adaptive::{Adaptive, Tolerance};
+use pendula::adaptive::{Adaptive, TaylorSeries, Tolerance};
 use pendula::methods::{Dop853, Rk4, StormerVerlet};
 use pendula::metrics::EnergyDrift;
 use pendula::systems::Joint;
@@ -166,11 +166,14 @@ fn adaptive_prints_what_the_library_computes() {
     let pendulum = Pendulum::new(3.0, 2.5, 5.0).unwrap();
     let start = Phase { theta: 3.0, omega: -0.25 };
     for duration in [10.0, -10.0] {
-        let mut expected = Vec::new();
-        let control = Adaptive::new(Dop853, Tolerance::uniform(1e-8).unwrap());
-        let mut watch = |_, t, z: Phase| {
-            expected.push(vec![t, z.theta, z.omega, pendulum.energy_from_pivot(z)]);
-        };
+        let tolerance = Tolerance::uniform(1e-8).unwrap();
+        let [mut expected, mut of_series] = [vec![], vec![]];
+        let row = |t, z: Phase| vec![t, z.theta, z.omega, pendulum.energy_from_pivot(z)];
+        let mut watch = |_, t, z| expected.push(row(t, z));
+        let control = Adaptive::new(Dop853, tolerance);
+        control.integrate(&pendulum, start, 0.0, duration, &mut watch).unwrap();
+        let mut watch = |_, t, z| of_series.push(row(t, z));
+        let control = Adaptive::new(TaylorSeries, tolerance);
         control.integrate(&pendulum, start, 0.0, duration, &mut watch).unwrap();
         let duration = duration.to_string();
         let scene = ["--gravity", "3", "--length", "2.5", "--mass", "5", "--omega0", "-0.25"];
@@ -178,9 +181,12 @@ fn adaptive_prints_what_the_library_computes() {
         let text = printed(&arguments.clone().collect::<Vec<_>>());
         assert!(text.starts_with("t,theta,omega,energy\n"));
         assert_eq!(numbers(&text), expected);
-        let other: Vec<_> =
-            arguments.map(|a| if a == "dop853" { "dormand-prince" } else { a }).collect();
-        assert!(numbers(&printed(&other)).len() > expected.len());
+        let with = |method| {
+            let arguments = arguments.clone().map(|a| if a == "dop853" { method } else { a });
+            numbers(&printed(&arguments.collect::<Vec<_>>()))
+        };
+        assert!(with("dormand-prince").len() > expected.len());
+        assert_eq!(with("taylor-series"), of_series);
     }
 }
 
@@ -261,7 +267,7 @@ fn bad_input_is_refused_in_one_line() {
     assert_refused(&adaptive("1", "10", "1e-16"), "2.22e-15");
     assert_refused(&adaptive("1", "inf", "1e-6"), "finite");
     assert_refused(&adaptive("nan", "10", "1e-6"), "angle");
-    assert_refused(&["adaptive", "--method", "rk4"], "dormand-prince, dop853");
+    assert_refused(&["adaptive", "--method", "rk4"], "dormand-prince, dop853, taylor-series");
     assert_refused(&["work-precision", "--seconds", "-1"], "greater than zero");
     assert_refused(&["work-precision", "--output", "/no/such/folder"], "--output");
     assert_refused(&["exact", "--theta0", "1", "--t", "1,two"], "two");
