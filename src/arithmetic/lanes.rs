@@ -264,3 +264,84 @@ impl<M: Mask> Mask for Pair<M> {
         self.0.all() && self.1.all()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use core::f64::consts::{FRAC_PI_2, FRAC_PI_4};
+
+    use super::*;
+    use fearless_simd::Level;
+
+    /// What each function makes of each number, as bits.
+    fn results<N: Number>(x: N, of_lanes: impl Fn(N) -> [u64; 8]) -> [[u64; 8]; 11] {
+        let (half_turns, rest) = x.half_turns();
+        let rest_alone = rest.sine_and_cosine();
+        let half = x.splat(0.5);
+        let smaller = N::select(x.abs().at_most(half), x, half);
+        [
+            (x + half) * x - 0.25,
+            (x / half - 0.5) / 3.0,
+            -x,
+            x.abs(),
+            half.copysign(x),
+            half.signed_by(x),
+            smaller,
+            half_turns,
+            x.sin(),
+            rest_alone.0,
+            rest_alone.1,
+        ]
+        .map(of_lanes)
+    }
+
+    /// The bits of a function of each lane are those of the same function of one number, with all
+    /// the instructions that this machine has: at zeros of both signs, where the reduction changes
+    /// its mind, and beyond the angles that it reduces.
+    ///
+    /// Catches: sine and cosine confused in an odd quarter turn, or a sign of theirs; the sine of −0
+    /// without its sign; a lane beyond the limit reduced as if it were within it; a mask inverted.
+    #[test]
+    fn a_lane_has_the_bits_of_a_number_alone() {
+        let next = |x: f64| [x.next_down(), x, x.next_up()];
+        let edges = [FRAC_PI_4, FRAC_PI_2, 3.0 * FRAC_PI_4, half_turn::LARGEST, 0.5];
+        let mut numbers: Vec<f64> = edges.into_iter().flat_map(next).collect();
+        numbers.extend([0.0, 1e-300, 5e-324, 7.4e-9, 7.5e-9, 1.0, 3.0, 1e4, 4e6, 1e15]);
+        numbers.extend(numbers.clone().into_iter().map(|x| -x));
+        assert_eq!(numbers.len(), 50);
+        for start in 0..numbers.len() {
+            let eight: [f64; 8] = core::array::from_fn(|i| numbers[(start + 7 * i) % 50]);
+            let alone = eight.map(|x| results(x, |x| [x.to_bits(); 8]));
+            let expected: [[u64; 8]; 11] =
+                core::array::from_fn(|of| core::array::from_fn(|lane| alone[lane][of][lane]));
+            fn bits<N: Lanes>(x: N) -> [u64; 8] {
+                core::array::from_fn(|lane| x.lane(lane).to_bits())
+            }
+            fn in_lanes<N: Lanes>(simd: N::Simd, eight: [f64; 8]) -> [[u64; 8]; 11] {
+                results(N::from_lanes(simd, |lane| eight[lane]), bits)
+            }
+            fearless_simd::dispatch!(Level::new(), simd => {
+                assert_eq!(in_lanes::<f64x8<_>>(simd, eight), expected, "{eight:?}");
+                assert_eq!(in_lanes::<Pair<f64x4<_>>>(simd, eight), expected, "{eight:?}");
+            });
+            #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+            if let Some(simd) = Level::new().as_sse2() {
+                assert_eq!(in_lanes::<f64x8<_>>(simd, eight), expected, "{eight:?}");
+            }
+        }
+    }
+
+    /// Catches: a mask that looks at one lane, or at one of a pair.
+    #[test]
+    fn all_is_every_lane() {
+        fn all<N: Lanes>(simd: N::Simd, different: usize) -> bool {
+            let x = N::from_lanes(simd, |lane| if lane == different { 2.0 } else { 1.0 });
+            x.at_most(x.splat(1.5)).all()
+        }
+        fearless_simd::dispatch!(Level::new(), simd => {
+            assert!(all::<f64x8<_>>(simd, 99) && all::<Pair<f64x4<_>>>(simd, 99));
+            for lane in 0..8 {
+                assert!(!all::<f64x8<_>>(simd, lane) && !all::<Pair<f64x4<_>>>(simd, lane));
+            }
+        });
+    }
+}

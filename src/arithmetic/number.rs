@@ -5,6 +5,7 @@ use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Sub};
 
 use super::sine::{self, half_turn};
 
+// ANCHOR: number
 /// A number, or one for each lane of a vector: the operations are the same, and so are the bits.
 pub trait Number:
     Copy
@@ -20,6 +21,7 @@ pub trait Number:
 {
     /// The result of a comparison.
     type Mask: Mask;
+    // ANCHOR_END: number
 
     /// `x`, in each lane. Of this number only the lanes are used.
     #[must_use]
