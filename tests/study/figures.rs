@@ -12,8 +12,8 @@ use pendula::{
     AnyMethod, Grid, Hamiltonian, METHODS, Motion, Pendulum, Phase, exact, method_named,
 };
 use pendula_study::experiments::{
-    STEPS, Study, beyond, choosing, in_paper, level_curves, phase_portrait, readings,
-    rounding_walk, small_angle, standard_map,
+    STEPS, Study, beyond, choosing, enclosure, in_paper, level_curves, phase_portrait, readings,
+    resonance, rounding_walk, small_angle, standard_map,
 };
 use pendula_study::report::figures::figures;
 use pendula_study::theory;
@@ -764,6 +764,20 @@ fn turning_ellipse() -> Vec<Expected> {
     ]
 }
 
+fn resonances() -> Vec<Expected> {
+    let line = |name| {
+        let label = title(of(name));
+        expect(format!("(J), {label}"), label, Line, resonance::line(of(name)))
+    };
+    vec![line("blanes-moan-6"), line("stormer-verlet")]
+}
+
+fn widths() -> Vec<Expected> {
+    use enclosure::{Shape, widths};
+    let shapes = [("rectangles, turned", Shape::Turned), ("boxes", Shape::Box)];
+    shapes.map(|(label, shape)| expect("width", label, Line, widths(shape))).into()
+}
+
 /// One step from where all the stencils begin: its ends.
 fn stencil(name: &'static str, step: f64) -> Vec<Expected> {
     let (pendulum, start) = (Pendulum::PAPER, Phase { theta: -1.2, omega: 1.0 });
@@ -823,6 +837,8 @@ const NOT_MEASURED: [&str; 3] = ["forces", "triple_jump", "area"];
 #[case("stencil_symplectic_euler", || stencil("symplectic-euler", 0.35))]
 #[case("stencil_stormer_verlet", || stencil("stormer-verlet", 0.35))]
 #[case("stencil_rk4", || stencil("rk4", 0.55))]
+#[case("resonances", resonances)]
+#[case("widths", widths)]
 #[case("swings", swings)]
 fn a_figure_shows_what_was_measured(#[case] name: &str, #[case] expected: fn() -> Vec<Expected>) {
     compare(name, &Drawing::of(name), &expected());

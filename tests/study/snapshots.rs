@@ -99,6 +99,12 @@ fn each_dependence(#[values("crossings", "diffusion", "zoo")] name: &str) {
     assert_reviewed(name);
 }
 
+/// Catches: bounds that are wider, and no less right.
+#[test]
+fn each_proved_digit() {
+    assert_reviewed("enclosure");
+}
+
 /// Catches: a curve that moves by more than a tenth of a pixel, and a label or description that
 /// changes.
 #[test]

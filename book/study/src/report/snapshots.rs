@@ -148,6 +148,11 @@ pub fn recipes<'a>(study: &'a Study, ledger: &'a Ledger) -> Vec<Recipe<'a>> {
             "What becomes of Störmer–Verlet's orbits at large steps",
             tables::diffusion,
         ),
+        Recipe::table(
+            "enclosure",
+            "Bounds that are proved of a trajectory, whatever the roundings",
+            tables::enclosure,
+        ),
     ]);
     let about = "Wrong methods, and the properties that catch them";
     recipes.push(Recipe::table("zoo", about, tables::zoo));

@@ -8,7 +8,9 @@ use crate::claims::Column::{self, Quantity};
 use crate::claims::{CellId, Claim, ClaimKind, Ledger, Measured};
 use crate::digits::Digits::{self, Fixed, Scientific, Significant};
 use crate::experiments::characteristics::ROUNDING;
-use crate::experiments::{PaperMethod, STEPS, Study, beyond, crossings, diffusion, standard_map};
+use crate::experiments::{
+    PaperMethod, STEPS, Study, beyond, crossings, diffusion, enclosure, standard_map,
+};
 use crate::zoo::{Impostor, impostors};
 
 /// The numbers of the tables that the paper prints and the study measures.
@@ -253,6 +255,25 @@ pub fn diffusion() -> Table {
             // Another last digit of the sine makes another orbit of each in the chaotic sea: of
             // 10⁴ starts the mean is good to some per cent.
             Significant(1).print(row.spread),
+        ]);
+    }
+    table
+}
+
+/// What is proved of a trajectory, whatever the roundings.
+pub fn enclosure() -> Table {
+    let header =
+        ["t (s)", "θ (rad)", "width (rad)", "ω (rad/s)", "width (rad/s)", "the closed form is"];
+    let mut table = Table::new(header);
+    for row in enclosure::run() {
+        let width = |x: enclosure::Interval| Scientific(2).print(x.width());
+        table.push([
+            row.time.to_string(),
+            enclosure::proved_digits(row.known.theta),
+            width(row.known.theta),
+            enclosure::proved_digits(row.known.omega),
+            width(row.known.omega),
+            (if row.known.contains(row.closed_form) { "within" } else { "without" }).to_string(),
         ]);
     }
     table

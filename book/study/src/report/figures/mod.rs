@@ -7,6 +7,8 @@ mod geometry;
 mod higher_order;
 mod opening;
 mod paper;
+mod resonances;
+mod widths;
 
 use pendula::{METHODS, method_named};
 
@@ -48,6 +50,8 @@ pub fn figures() -> impl Iterator<Item = &'static Drawing> {
         evidence::FIGURES,
         choosing::FIGURES,
         higher_order::FIGURES,
+        resonances::FIGURES,
+        widths::FIGURES,
         beyond::FIGURES,
     ]
     .into_iter()
