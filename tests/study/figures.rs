@@ -13,7 +13,7 @@ use pendula::{
 };
 use pendula_study::experiments::{
     STEPS, Study, beyond, choosing, enclosure, in_paper, level_curves, phase_portrait, readings,
-    resonance, rounding_walk, small_angle, standard_map,
+    resonance, rounding_walk, small_angle, standard_map, truncation,
 };
 use pendula_study::report::figures::figures;
 use pendula_study::theory;
@@ -772,6 +772,21 @@ fn resonances() -> Vec<Expected> {
     vec![line("blanes-moan-6"), line("stormer-verlet")]
 }
 
+fn truncation() -> Vec<Expected> {
+    let mut expected =
+        vec![expect("smallest", "splitting of the separatrix", Marker, truncation::split())];
+    for x in truncation::STEPS {
+        let errors = truncation::errors(1.0, x).into_iter().enumerate();
+        let line: Vec<Point> = errors.map(|(k, error)| (2.0 * k as f64, error)).collect();
+        expected.push(expect("largest change", format!("x = {x}"), Line, line));
+    }
+    for theta_0 in truncation::STARTS {
+        let label = format!("from {theta_0} rad");
+        expected.push(expect("smallest", label, Marker, truncation::least(theta_0)));
+    }
+    expected
+}
+
 fn widths() -> Vec<Expected> {
     use enclosure::{Shape, widths};
     let shapes = [("rectangles, turned", Shape::Turned), ("boxes", Shape::Box)];
@@ -838,6 +853,7 @@ const NOT_MEASURED: [&str; 3] = ["forces", "triple_jump", "area"];
 #[case("stencil_stormer_verlet", || stencil("stormer-verlet", 0.35))]
 #[case("stencil_rk4", || stencil("rk4", 0.55))]
 #[case("resonances", resonances)]
+#[case("truncation", truncation)]
 #[case("widths", widths)]
 #[case("swings", swings)]
 fn a_figure_shows_what_was_measured(#[case] name: &str, #[case] expected: fn() -> Vec<Expected>) {

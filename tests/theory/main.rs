@@ -11,6 +11,7 @@ mod enclosure;
 mod energy_law;
 mod level_curves;
 mod long_time;
+mod modified_series;
 mod period_readings;
 mod period_shift;
 mod resonance;

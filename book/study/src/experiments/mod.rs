@@ -17,12 +17,15 @@ pub mod large_angle;
 pub mod level_curves;
 pub mod long_run;
 pub mod phase_portrait;
+mod precise;
 pub mod readings;
 pub mod resonance;
 pub mod rounding_walk;
 pub mod small_angle;
+pub mod splitting;
 pub mod standard_map;
 pub mod stencil;
+pub mod truncation;
 pub mod variants;
 pub mod work;
 

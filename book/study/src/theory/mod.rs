@@ -31,6 +31,7 @@
 
 mod flow;
 mod level_curve;
+mod modified_series;
 mod orbit;
 mod point;
 
@@ -43,6 +44,7 @@ pub mod small_angle;
 pub mod stormer_verlet;
 pub mod symplectic_euler;
 
+pub use modified_series::ModifiedSeries;
 pub use orbit::average;
 use pendula::Pendulum;
 pub use point::Dimensionless;

@@ -8,6 +8,7 @@ mod higher_order;
 mod opening;
 mod paper;
 mod resonances;
+mod truncation;
 mod widths;
 
 use pendula::{METHODS, method_named};
@@ -51,6 +52,7 @@ pub fn figures() -> impl Iterator<Item = &'static Drawing> {
         choosing::FIGURES,
         higher_order::FIGURES,
         resonances::FIGURES,
+        truncation::FIGURES,
         widths::FIGURES,
         beyond::FIGURES,
     ]

@@ -1,0 +1,118 @@
+//! The series of Störmer–Verlet's modified energy to high powers, where it ends best, and the
+//! splitting of the separatrix.
+
+use std::f64::consts::PI;
+
+use approx::assert_relative_eq;
+use pendula::arithmetic::double_double::DoubleDouble;
+use pendula_study::experiments::{splitting, truncation};
+use pendula_study::theory::{Dimensionless, ModifiedSeries, stormer_verlet};
+use rstest::rstest;
+
+/// H, H₂, H₄, … at q and θ.
+fn values(series: &ModifiedSeries, q: f64, theta: f64) -> Vec<f64> {
+    let values = series.values(DoubleDouble::new(q), DoubleDouble::new(theta.cos()));
+    values.into_iter().map(DoubleDouble::rounded).collect()
+}
+
+/// H₂ and H₄ are the polynomials that the book states, and what the law of the energy error knows
+/// up to x⁷ agrees with H₆: the difference falls as x⁸, and is 1e-12 where rounding is 1e-17.
+///
+/// Catches: a wrong coefficient of a low order; q in place of ω; the position form of the method.
+#[rstest]
+#[case(0.3, 1.2)]
+#[case(1.7, -0.4)]
+#[case(-0.8, 2.9)]
+fn the_first_terms_are_those_that_the_book_states(#[case] q: f64, #[case] theta: f64) {
+    let found = values(&ModifiedSeries::new(6), q, theta);
+    let (s, c) = theta.sin_cos();
+    let (q2, s2) = (q * q, s * s);
+    assert_relative_eq!(found[0], q2 / 2.0 - c, max_relative = 1e-14);
+    assert_relative_eq!(found[1], q2 * c / 12.0 - s2 / 24.0, max_relative = 1e-13);
+    let fourth = q2 * q2 * c / 720.0 + q2 * (3.0 * c * c - 1.0) / 120.0 - c * s2 / 240.0;
+    assert_relative_eq!(found[2], fourth, max_relative = 1e-13);
+    let apart = |x: f64| {
+        let sum: f64 = (1..=3).map(|k| found[k as usize] * x.powi(2 * k)).sum();
+        stormer_verlet::correction(Dimensionless::new(theta, q), x) - sum
+    };
+    let slope = (apart(0.2) / apart(0.1)).log2();
+    assert!((slope - 8.0).abs() < 0.2, "the difference falls with slope {slope}");
+}
+
+/// Every power against two laws in closed form. Near the bottom H̃ is that of the linear
+/// oscillator, f(x) (q² + (1 − x²/4) θ²)/2 with f = (2/x) asin(x/2)/√(1 − x²/4), whose coefficients
+/// are n!²/(2n + 1)!; and what is linear in V is Bₙ/n! of qⁿ times the n-th derivative of −cos θ,
+/// where Bₙ/n! = ∓2ζ(n)/(2π)ⁿ. At q = 1e-5 and 1e6 the next powers of q are a millionth of them or less.
+///
+/// Catches: a wrong factor of y/sinh y; a bracket that is left out; powers of x that are shifted.
+#[test]
+fn all_terms_are_right_where_closed_forms_are_known() {
+    let series = ModifiedSeries::new(truncation::ORDER);
+    let [rest, near] = [0.0, 1e-5].map(|q| series.values(DoubleDouble::new(q), DoubleDouble::ONE));
+    let far = values(&series, 1e6, 0.0);
+    let (mut oscillator, mut zeta_over) = (1.0, 1.0);
+    for (k, (near, rest)) in near.iter().zip(rest).enumerate().skip(1) {
+        let n = k as f64;
+        oscillator *= n * n / ((2.0 * n) * (2.0 * n + 1.0));
+        let found = (*near - rest).rounded() / 0.5e-10;
+        assert_relative_eq!(found, oscillator, max_relative = 1e-5);
+        zeta_over /= 4.0 * PI * PI;
+        let zeta: f64 = (1..60).map(|j| f64::from(j).powf(-2.0 * n)).sum();
+        // The signs of Bₙ and of the derivative: both alternate.
+        let linear = 2.0 * zeta * zeta_over * 1e6_f64.powi(2 * k as i32);
+        // Sums of 1/j² end 1/60 early.
+        let allowed = if k == 1 { 0.02 } else { 1e-5 };
+        assert_relative_eq!(far[k].abs(), linear, max_relative = allowed);
+    }
+}
+
+/// Cut off after xᴺ, H̃ is conserved to xᴺ⁺². The slope bends by what the next term is of the one
+/// measured, about (N/2πK')² x²: 2 % at x = 0.1 for N = 12.
+///
+/// Catches: any wrong coefficient, at its own power of x; digits lost in the sine.
+#[rstest]
+fn each_term_lifts_the_order_by_two(#[values(1.0, 2.5)] theta_0: f64) {
+    let [coarse, fine] = [0.1, 0.05].map(|x| truncation::errors(theta_0, x));
+    for k in 0..=6 {
+        let slope = (coarse[k] / fine[k]).log2();
+        let order = 2.0 * k as f64 + 2.0;
+        assert!((slope - order).abs() < 0.2, "N = {}: {slope}", 2 * k);
+    }
+}
+
+/// The smallest error is 2Θ/x² e^{−2πK'/x} within a factor of 4 either way, over eight decades and
+/// for three angles; up to it each term helps, and beyond it the errors rise.
+///
+/// Catches: π² for 2πK' inside the separatrix (a factor of e^{3.9/x} from 1 rad, 50 and more); a
+/// series that converges, or whose best length is the longest.
+#[rstest]
+fn what_is_left_is_exponentially_small(
+    #[values(1.0, 2.0, 3.0)] theta_0: f64,
+    #[values(1.0, 0.8, 0.6, 0.5, 0.4)] x: f64,
+) {
+    let (power, least) = truncation::best(theta_0, x);
+    let ratio = least / truncation::law(theta_0, x);
+    assert!((0.25..4.0).contains(&ratio), "{ratio} with N = {power}");
+    let errors = truncation::errors(theta_0, x);
+    // Beside the smallest term the errors may go up and down a little.
+    let [falls, rises] = [&errors[..power / 4], &errors[errors.len() - 3..]];
+    assert!(falls.windows(2).all(|pair| pair[1] < pair[0]), "{errors:?}");
+    if power + 8 < truncation::ORDER {
+        assert!(rises.windows(2).all(|pair| pair[1] > pair[0]), "{errors:?}");
+    }
+}
+
+/// As the step goes to zero, what the slopes say of Θ goes to Lazutkin's constant: three of them
+/// with a parabola in x² through them, which leaves out x⁶ with a coefficient of about 1.
+///
+/// Catches: e^{−π²/x} with x for λ; a factor of 2, x or π; a curve that is not the separatrix.
+#[test]
+fn the_separatrix_splits_by_lazutkins_constant() {
+    let at_zero: f64 = [(0.2, 2.4), (0.3, -64.0 / 35.0), (0.4, 3.0 / 7.0)]
+        .into_iter()
+        .map(|(x, weight)| weight * splitting::lazutkin(x))
+        .sum();
+    assert_relative_eq!(at_zero, splitting::LAZUTKIN, max_relative = 1e-4);
+    // The slope itself is far below the rounding of an f64.
+    assert!((1e-17..1e-16).contains(&splitting::slope(0.2)));
+}
