@@ -20,7 +20,7 @@ use pendula::{Grid, integrate};
 use super::precise::{Point, Precise};
 
 /// Θ above.
-pub const LAZUTKIN: f64 = 1118.827_706;
+pub const LAZUTKIN: f64 = 1_118.827_706;
 
 /// λ for the step x = ω₀h.
 pub fn exponent(x: f64) -> f64 {

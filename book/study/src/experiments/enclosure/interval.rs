@@ -242,14 +242,14 @@ mod tests {
                 assert!(c.contains_sum(cosine, cosine_rest), "cos {x}: {c:?}");
                 let allowed = 3.0 * radius + 2e-16 * 10.0_f64.max(8.0 * libm::exp(x.abs()));
                 assert!(s.width() < allowed && c.width() < allowed, "{x}: {s:?} {c:?}");
-                // The ends, whose sines the platform knows to a unit in the last place or so.
+                // The ends, whose sines are known to a unit in the last place or so.
                 for end in [x - radius, x + 0.3 * radius] {
                     let slack = Interval::about_zero(3e-16);
-                    assert!((s + slack).contains(end.sin().into()), "sin {end}: {s:?}");
-                    assert!((c + slack).contains(end.cos().into()), "cos {end}: {c:?}");
+                    assert!((s + slack).contains(libm::sin(end).into()), "sin {end}: {s:?}");
+                    assert!((c + slack).contains(libm::cos(end).into()), "cos {end}: {c:?}");
                 }
             }
         }
-        assert!(seen > 300, "{seen}");
+        assert!(seen > 150, "{seen}");
     }
 }

@@ -16,9 +16,9 @@ use core::ops::{Add, Mul, Neg};
 
 /// The step (s), a power of two: n steps take exactly n times as long.
 pub const STEP: f64 = 0.125;
-/// The highest power of the series. The motion from 1 rad is analytic for 0.70 s either way, and
+/// The highest power of the table's series. The motion from 1 rad is analytic for 0.70 s either way, and
 /// (0.125/0.70)²⁵ is 2e-19.
-const POWERS: usize = 24;
+pub const POWERS: usize = 24;
 
 /// The shape in which a step hands its enclosure on to the next.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -77,7 +77,8 @@ impl Mul for Dual {
     type Output = Self;
 
     fn mul(self, other: Self) -> Self {
-        let by = [0, 1].map(|i| self.by[i] * other.value + self.value * other.by[i]);
+        let values = [self.value, other.value];
+        let by = [0, 1].map(|i| dot([other.by[i], self.by[i]], values));
         Self { value: self.value * other.value, by }
     }
 }
@@ -141,7 +142,7 @@ struct Set {
 }
 
 impl Set {
-    /// The box about it.
+    /// The box about it, in which the middle lies: 0 is in the rest.
     fn hull(&self) -> Vector {
         [0, 1].map(|i| {
             let [a, b] = self.shape[i].map(Interval::from);
@@ -151,16 +152,22 @@ impl Set {
 }
 
 /// The enclosures of the motion of `pendulum` from rest at the f64 `theta_0` (rad, at most 3) after
-/// each of `steps` steps, the start first. The pendulum is the one whose g/L is the f64 of
-/// [`Pendulum::frequency_squared`].
-pub fn enclosures(pendulum: &Pendulum, theta_0: f64, steps: usize, shape: Shape) -> Vec<Known> {
+/// each of `steps` steps, the start first, by series up to t to the power `powers`. The pendulum is
+/// the one whose g/L is the f64 of [`Pendulum::frequency_squared`]. An enclosure that is wider than
+/// a tenth is the last one.
+pub fn enclosures(
+    pendulum: &Pendulum,
+    theta_0: f64,
+    steps: usize,
+    powers: usize,
+    shape: Shape,
+) -> Vec<Known> {
     let g_over_l = Interval::from(pendulum.frequency_squared());
     let start =
         Set { middle: [theta_0, 0.0], shape: [[1.0, 0.0], [0.0, 1.0]], rest: [Interval::ZERO; 2] };
     let sets = core::iter::successors(Some(start), |set| {
-        // An enclosure that has grown beyond use ends the run.
         let wide = set.hull().iter().any(|x| x.width() > 0.1);
-        (!wide).then(|| step(g_over_l, set, shape))
+        (!wide).then(|| step(g_over_l, set, powers, shape))
     });
     let known = |set: Set| {
         let [theta, omega] = set.hull();
@@ -171,19 +178,19 @@ pub fn enclosures(pendulum: &Pendulum, theta_0: f64, steps: usize, shape: Shape)
 
 /// One step, for every state of the set.
 // ANCHOR: step
-fn step(g_over_l: Interval, set: &Set, shape: Shape) -> Set {
+fn step(g_over_l: Interval, set: &Set, powers: usize, shape: Shape) -> Set {
     let waves = |[theta, omega]: Vector| {
         let (sine, cosine) = theta.sine_cosine();
         [theta, omega, sine, cosine]
     };
     let all = set.hull();
     // The series at the middle, and its remainder: the next coefficient at some time in the step.
-    let middle = at_the_end(&series(g_over_l, waves(set.middle.map(Interval::from)), POWERS));
-    let beyond = series(g_over_l, waves(during(g_over_l, all)), POWERS + 1)[POWERS + 1];
-    let power = (0..=POWERS).fold(Interval::from(1.0), |power, _| power * Interval::from(STEP));
+    let middle = at_the_end(&series(g_over_l, waves(set.middle.map(Interval::from)), powers));
+    let beyond = series(g_over_l, waves(during(g_over_l, all)), powers + 1)[powers + 1];
+    let power = (0..=powers).fold(Interval::from(1.0), |power, _| power * Interval::from(STEP));
     let middle = [0, 1].map(|i| middle[i] + beyond[i] * power);
     // How the series' value moves with its start, somewhere in the set.
-    let jacobian = at_the_end(&series(g_over_l, with_derivatives(waves(all)), POWERS));
+    let jacobian = at_the_end(&series(g_over_l, with_derivatives(waves(all)), powers));
     let turned = jacobian.map(|row| product(row.by, set.shape));
     // The next shape, and what is left in its coordinates.
     let shape = match shape {
@@ -289,7 +296,7 @@ pub struct Row {
 pub fn run() -> Vec<Row> {
     let pendulum = Pendulum::PAPER;
     let steps = |time: u32| (f64::from(time) / STEP) as usize;
-    let all = enclosures(&pendulum, THETA_0, steps(TIMES[TIMES.len() - 1]), Shape::Turned);
+    let all = enclosures(&pendulum, THETA_0, steps(TIMES[TIMES.len() - 1]), POWERS, Shape::Turned);
     let motion = Motion::new(&pendulum, Phase::at_rest(THETA_0)).expect("a finite start");
     let row = |time: u32| {
         let closed_form = motion.at(f64::from(time));
@@ -302,7 +309,7 @@ pub fn run() -> Vec<Row> {
 /// steps of a quarter of a second.
 pub fn widths(shape: Shape) -> Vec<(f64, f64)> {
     let last = f64::from(TIMES[TIMES.len() - 1]);
-    let all = enclosures(&Pendulum::PAPER, THETA_0, (last / STEP) as usize, shape);
+    let all = enclosures(&Pendulum::PAPER, THETA_0, (last / STEP) as usize, POWERS, shape);
     let at = |(n, known): (usize, Known)| (n as f64 * STEP, known.theta.width());
     all.into_iter().enumerate().skip(2).step_by(2).map(at).collect()
 }
