@@ -1,8 +1,8 @@
 """The exact motion from rest at 1 rad at every eighth of a second up to 20 s: writes enclosed.csv.
 
 The inputs are f64s, g/L the f64 nearest to 9.81. In arithmetic of 50 digits, with the formula of
-Byrd and Friedman, *Handbook of Elliptic Integrals* (1971), for sin(theta/2) in the function sn, from
-a quarter of a period before the start. Needs mpmath.
+DLMF 22.19(i) for sin(theta/2) in the function sn, from a quarter of a period before the start.
+Needs mpmath.
 """
 
 from mpmath import asin, ellipfun, ellipk, mp, mpf, nstr, sin, sqrt

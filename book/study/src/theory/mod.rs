@@ -6,7 +6,7 @@
 //! corrections of one method, or for one quantity:
 //!
 //! * [`symplectic_euler`], [`stormer_verlet`]: the energy that the method conserves instead of the
-//!   pendulum's;
+//!   pendulum's; [`ModifiedSeries`]: Störmer–Verlet's to any order;
 //! * [`rk4`]: the energy that a step loses; [`forward_euler`]: its modified equation and its
 //!   regimes;
 //! * [`period`]: the relative change of the period; [`small_angle`]: the angle in the small swing

@@ -13,8 +13,8 @@
 //! Each order of Z' needs only lower ones of Z. The coefficients are rational numbers, here in
 //! double-double.
 //!
-//! With T = q²/2 and V = −cos θ a bracket of a T's and b V's is q to the power a − b + 1 times a sum
-//! of e^{imθ}, with |m| ≤ b and m − b even. In r = −iq and u = e^{iθ} everything is real:
+//! With T = q²/2 and V = −cos θ a bracket of a T's and b V's is q to the power a − b + 1 times a
+//! sum of e^{imθ}, with |m| ≤ b and m − b even. In r = −iq and u = e^{iθ} everything is real:
 //! T = −r²/2, V = −(u + 1/u)/2, and the bracket of uᵐrᵖ with uⁿrᵏ is (mk − pn) uᵐ⁺ⁿrᵖ⁺ᵏ⁻¹.
 
 use pendula::arithmetic::double_double::DoubleDouble;
@@ -153,7 +153,6 @@ pub struct ModifiedSeries {
 
 impl ModifiedSeries {
     /// H, H₂, …, up to the coefficient of xⁿ with n = `order`, an even number.
-    // ANCHOR: recursion
     pub fn new(order: usize) -> Self {
         let even = logarithmic_derivative(order + 1);
         let factors = over_sinh(order / 2 + 1);
@@ -178,7 +177,6 @@ impl ModifiedSeries {
         }
         Self { terms }
     }
-    // ANCHOR_END: recursion
 
     /// The values of H, H₂, H₄, … in units of m g L, where q = ω/ω₀; H from the height of the
     /// pivot.

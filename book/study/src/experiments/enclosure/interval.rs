@@ -3,8 +3,8 @@
 //!
 //! The f64 nearest to a sum or product is within half a unit in the last place of it, so the next
 //! f64 below is a lower bound and the next above an upper one. No rounding mode is switched, and
-//! the bits are the same everywhere (Rump, Ogita, Oishi, *Acta Numerica* 19 (2010) 287, Sect. 5, on
-//! arithmetic in rounding to nearest alone).
+//! the bits are the same everywhere (Rump, Zimmermann, Boldo, Melquiond: Computing predecessor and
+//! successor in rounding to nearest, *BIT* 49 (2009) 419).
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 

@@ -16,8 +16,8 @@ use core::ops::{Add, Mul, Neg};
 
 /// The step (s), a power of two: n steps take exactly n times as long.
 pub const STEP: f64 = 0.125;
-/// The highest power of the table's series. The motion from 1 rad is analytic for 0.70 s either way, and
-/// (0.125/0.70)²⁵ is 2e-19.
+/// The highest power of the table's series. The motion from 1 rad is analytic for 0.70 s either
+/// way, and (0.125/0.70)²⁵ is 2e-19.
 pub const POWERS: usize = 24;
 
 /// The shape in which a step hands its enclosure on to the next.
@@ -101,7 +101,6 @@ impl Number for Dual {
 ///
 /// (k + 1) θₖ₊₁ = ωₖ, (k + 1) ωₖ₊₁ = −(g/L) sₖ, and from s' = cω and c' = −sω the sums for the sine
 /// and the cosine.
-// ANCHOR: series
 fn series<N: Number>(g_over_l: Interval, start: [N; 4], powers: usize) -> Vec<[N; 2]> {
     let [theta, omega, sine, cosine] = start;
     let (mut angle, mut speed) = (vec![theta], vec![omega]);
@@ -120,7 +119,6 @@ fn series<N: Number>(g_over_l: Interval, start: [N; 4], powers: usize) -> Vec<[N
     }
     angle.into_iter().zip(speed).map(<[N; 2]>::from).collect()
 }
-// ANCHOR_END: series
 
 /// The series at the time [`STEP`], the highest power first.
 fn at_the_end<N: Number>(coefficients: &[[N; 2]]) -> [N; 2] {
@@ -151,20 +149,23 @@ impl Set {
     }
 }
 
-/// The enclosures of the motion of `pendulum` from rest at the f64 `theta_0` (rad, at most 3) after
-/// each of `steps` steps, the start first, by series up to t to the power `powers`. The pendulum is
-/// the one whose g/L is the f64 of [`Pendulum::frequency_squared`]. An enclosure that is wider than
-/// a tenth is the last one.
+/// The enclosures of all motions of `pendulum` from rest at an angle in `start` (rad, at most 3),
+/// after each of `steps` steps, the start first, by series up to t to the power `powers`. The
+/// pendulum is the one whose g/L is the f64 of [`Pendulum::frequency_squared`]. An enclosure that
+/// is wider than a tenth is the last one.
 pub fn enclosures(
     pendulum: &Pendulum,
-    theta_0: f64,
+    start: Interval,
     steps: usize,
     powers: usize,
     shape: Shape,
 ) -> Vec<Known> {
     let g_over_l = Interval::from(pendulum.frequency_squared());
-    let start =
-        Set { middle: [theta_0, 0.0], shape: [[1.0, 0.0], [0.0, 1.0]], rest: [Interval::ZERO; 2] };
+    let start = Set {
+        middle: [start.middle(), 0.0],
+        shape: [[1.0, 0.0], [0.0, 1.0]],
+        rest: [start - start.middle().into(), Interval::ZERO],
+    };
     let sets = core::iter::successors(Some(start), |set| {
         let wide = set.hull().iter().any(|x| x.width() > 0.1);
         (!wide).then(|| step(g_over_l, set, powers, shape))
@@ -296,7 +297,8 @@ pub struct Row {
 pub fn run() -> Vec<Row> {
     let pendulum = Pendulum::PAPER;
     let steps = |time: u32| (f64::from(time) / STEP) as usize;
-    let all = enclosures(&pendulum, THETA_0, steps(TIMES[TIMES.len() - 1]), POWERS, Shape::Turned);
+    let all =
+        enclosures(&pendulum, THETA_0.into(), steps(TIMES[TIMES.len() - 1]), POWERS, Shape::Turned);
     let motion = Motion::new(&pendulum, Phase::at_rest(THETA_0)).expect("a finite start");
     let row = |time: u32| {
         let closed_form = motion.at(f64::from(time));
@@ -309,7 +311,7 @@ pub fn run() -> Vec<Row> {
 /// steps of a quarter of a second.
 pub fn widths(shape: Shape) -> Vec<(f64, f64)> {
     let last = f64::from(TIMES[TIMES.len() - 1]);
-    let all = enclosures(&Pendulum::PAPER, THETA_0, (last / STEP) as usize, POWERS, shape);
+    let all = enclosures(&Pendulum::PAPER, THETA_0.into(), (last / STEP) as usize, POWERS, shape);
     let at = |(n, known): (usize, Known)| (n as f64 * STEP, known.theta.width());
     all.into_iter().enumerate().skip(2).step_by(2).map(at).collect()
 }

@@ -9,8 +9,8 @@ pub(super) const FIGURES: &[Drawing] = &[Drawing {
     caption: "The largest energy error over 400 swings from 1 rad, against the number of \
               steps to a period. Dashed is where theory has a numerical swing of just 6, 8, 10 or \
               12 steps: Blanes–Moan 6 has peaks there, up to tens of times as high as its error \
-              beside them, and none at odd numbers. Störmer–Verlet's error hides all but the \
-              first.",
+              beside them, and none at odd numbers. Of Störmer–Verlet's only the first stands out \
+              of an error that is large anyway.",
     noise: false,
     draw: resonances,
 }];
@@ -34,11 +34,12 @@ fn resonances(_: &Study) -> Figure {
     Figure::new(
         "Step-size resonances",
         "Two charts of the largest energy error, on a logarithmic axis, against the number of \
-         steps to a period, from 5 to 12.5. Above, Blanes and Moan's method of order 6 falls from \
-         10⁻⁵ to 10⁻⁸ joules, with sharp peaks at 6, 8 and 10 steps and a small one at 12, each on \
-         a dashed line; exactly on the line there is a narrow notch. Below, Störmer–Verlet falls \
-         smoothly from two joules to three tenths, but for one peak near 6.26 steps, on the dashed \
-         line of a swing of six steps.",
+         steps to a period, from 5 to 12.5. Above, the line of Blanes and Moan's method of order 6 \
+         falls from 10⁻⁴ to 10⁻⁸ joules, with sharp peaks at 6, 8 and 10 steps and a small one at \
+         12, each on a dashed line; exactly on the line there is a narrow notch. Below, \
+         Störmer–Verlet's falls smoothly from two joules to three tenths, but for two narrow peaks \
+         with a notch between them, on the dashed line of a swing of six steps near 6.26, and a \
+         small notch on that of ten.",
     )
     .panel(chart("blanes-moan-6"))
     .panel(chart("stormer-verlet"))
