@@ -129,6 +129,12 @@ fn to_errors<M: Info + InLanes>(method: &M, exact: &[EndError], starts: &[Phase]
     shortest
 }
 
+/// Three digits of a number.
+fn digits(x: f64) -> String {
+    let decimals = (2.0 - x.log10().floor()).max(0.0) as usize;
+    format!("{x:.decimals$}")
+}
+
 struct Tables {
     speeds: Vec<(&'static str, [f64; 4])>,
     times: Vec<(&'static str, [f64; 5])>,
@@ -166,8 +172,8 @@ fn main() {
     println!("| Method | alone | SSE2 | | AVX2 | | AVX-512 | |");
     println!("|---|--:|--:|--:|--:|--:|--:|--:|");
     for (title, [alone, lanes @ ..]) in &speeds {
-        let cells = lanes.map(|speed| format!("{speed:.3} | {:.1}", speed / alone));
-        println!("| {title} | {alone:.3} | {} |", cells.join(" | "));
+        let cells = lanes.map(|speed| format!("{} | {:.1}", digits(speed), speed / alone));
+        println!("| {title} | {} | {} |", digits(*alone), cells.join(" | "));
     }
     println!("\nMilliseconds for {PENDULUMS} pendulums, {DURATION} s, to a largest error of\n");
     let goals = GOALS.map(|goal| format!("$10^{{{}}}$", goal.log10().round()));

@@ -47,6 +47,7 @@ pub fn seconds<T>(work: impl FnOnce() -> T) -> f64 {
 }
 
 /// The median of an odd number of values.
+#[allow(dead_code, reason = "some benches take the shortest time")]
 pub fn median(mut values: Vec<f64>) -> f64 {
     values.sort_by(f64::total_cmp);
     values[values.len() / 2]
