@@ -307,8 +307,8 @@ fn lanes_take_another_iteration() {
 /// units in steps of x up to 0.9, and in longer ones it says where it is not. Its mean force is
 /// nowhere steeper than the force by more than a half, so that a sweep leaves 0.9²/4 · 3/2 at most.
 ///
-/// Catches: a ratio of sine and angle that is not a number at rest; a failure that is not said, or a
-/// state that is not NaN.
+/// Catches: a ratio of sine and angle that is not a number at rest; a failure that is not said, or
+/// a state that is not NaN.
 #[test]
 fn the_discrete_gradient_is_solved_or_says_so() {
     let mut random = Random::new(23);
