@@ -93,8 +93,8 @@ pub use methods::{
 };
 pub use systems::{
     Analytic, Compensated, CompensatedPhase, Components, Counting, Damped, DoublePendulum, Driven,
-    Hamiltonian, Kepler, LinearOscillator, Pendulum, Phase, RateOf, Separable, Shaken, State,
-    System, Vector,
+    ForceGradient, Hamiltonian, Kepler, LinearOscillator, Pendulum, Phase, RateOf, Separable,
+    Shaken, State, System, Vector,
 };
 
 /// The README's listings, run as tests.

@@ -6,20 +6,23 @@
 //! the methods: the unit of time, the angle stored as half turns and a remainder, so that a sine
 //! needs no reduction, and [deferred sums](Deferred).
 
+use core::f64::consts::TAU;
 use core::ops::{Add, Mul};
 
 use super::deferred::Deferred;
 #[cfg(feature = "ensemble")]
 use crate::arithmetic::lanes::Lanes;
 use crate::arithmetic::number::Number;
-use crate::arithmetic::sine::half_turn::{PI_PARTS, from_the_bottom, series};
+use crate::arithmetic::sine::half_turn::{
+    PI_PARTS, cosine_of_rest, cosine_series, from_the_bottom, of_rest, series,
+};
 use crate::arithmetic::sine::{ROUNDER, sinc};
 use crate::integrate::{Grid, Method};
 #[cfg(feature = "ensemble")]
 use crate::systems::Measurable;
 use crate::systems::{
-    Analytic, Components, MeanForce, NearlyLinear, Numbers, Pendulum, Phase, RateOf, Separable,
-    State, System, Vector, growth, terms,
+    Analytic, Components, ForceGradient, MeanForce, NearlyLinear, Numbers, Pendulum, Phase,
+    Processor, RateOf, Separable, State, System, Vector, growth, terms,
 };
 
 /// The pendulum with time in steps; or, where a [`Number`] has lanes, a pendulum in each.
@@ -64,10 +67,16 @@ impl ScaledPendulum {
         // The rounder counts 2⁵¹ half turns; the angle at the start is reduced exactly below 2²⁰,
         // and kept to half a rounding.
         let reach = grid.steps() as f64 * M::REACH;
-        let fastest = (start.omega * step).abs() + reach * k;
+        let kick = k * (1.0 + M::GRADIENT * k);
+        let fastest = (start.omega * step).abs() + reach * kick;
         let farthest = start.theta.abs() + reach * fastest;
+        // In longer steps, or by rotations of more than a turn in each, the change of variables of
+        // a processed method is not near the identity, and its displacements have no bound.
+        let turn = (start.omega * step).abs();
+        let has_inverse = M::GRADIENT == 0.0 || (M::GRADIENT * k <= 1.0 && turn <= TAU);
         let fits = grid.steps() > 0
             && moderate(k)
+            && has_inverse
             && moderate(step)
             && (start.omega == 0.0 || moderate(start.omega.abs()))
             && start.theta.abs() < 1e6
@@ -310,3 +319,41 @@ impl<N: Number> NearlyLinear for ScaledPendulum<N> {
         z.turn(z.velocity.scaled(time))
     }
 }
+
+// ANCHOR: gradient
+impl<N: Number> ScaledPendulum<N> {
+    /// The derivatives of V = −K cos θ.
+    #[inline(always)]
+    fn derivatives(&self, z: ReducedPhase<N>) -> [N; 4] {
+        let minus_k = self.minus_k.signed_by(z.turns);
+        let (v1, v2) = (-minus_k * of_rest(z.rest), -minus_k * cosine_of_rest(z.rest));
+        [v1, v2, -v1, -v2]
+    }
+}
+
+impl<N: Number> ForceGradient for ScaledPendulum<N> {
+    /// The force times 1 ∓ cK cos r, as a product that is deferred: sine and cosine are ready at
+    /// the same time, and all that does not wait for them comes before.
+    #[inline(always)]
+    fn force_with_gradient(&self, t: f64, z: ReducedPhase<N>, c: f64) -> Deferred<N> {
+        let minus_ck = self.minus_k.signed_by(z.turns) * c;
+        let square = z.rest * z.rest;
+        let early = minus_ck * (-square * 0.5 + 1.0) + 1.0;
+        let late = (minus_ck * (square * square)) * cosine_series(square);
+        Deferred { sum: square.splat(-0.0), factor: self.force(t, z).value(), series: early + late }
+    }
+
+    #[inline(always)]
+    fn processing(&self, z: ReducedPhase<N>, by: &Processor) -> ReducedRate<N> {
+        let (angle, velocity) = by.displacement(self.derivatives(z), z.velocity.value());
+        ReducedRate { angle: angle.into(), velocity: velocity.into() }
+    }
+
+    #[inline(always)]
+    fn unprocessing(&self, z: ReducedPhase<N>, by: &Processor) -> ReducedRate<N> {
+        let (angle, velocity) =
+            by.inverse(|by| self.derivatives(z.turn(by.into())), z.velocity.value());
+        ReducedRate { angle: angle.into(), velocity: velocity.into() }
+    }
+}
+// ANCHOR_END: gradient

@@ -32,6 +32,10 @@ pub trait Method<S: System> {
     /// where it converges.
     const REACH: f64 = 1.0;
 
+    /// What stands before h² times the gradient of the force in a kick, at most: a kick is longer
+    /// by h² g/L times that. Without a gradient, 0.
+    const GRADIENT: f64 = 0.0;
+
     /// Prepares the carry for a trajectory of steps `h` (s) that begins at `z` at time `t` (s).
     fn start(&self, system: &S, t: f64, h: f64, z: S::State) -> Self::Carry;
 

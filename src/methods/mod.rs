@@ -48,6 +48,7 @@
 
 pub mod implicit;
 mod info;
+pub mod processed;
 pub mod registry;
 pub mod runge_kutta;
 pub mod splitting;
@@ -55,6 +56,7 @@ pub mod taylor;
 
 pub use implicit::*;
 pub use info::{Info, MethodInfo};
+pub use processed::*;
 pub use registry::{AnyMethod, METHODS, method_named};
 pub use runge_kutta::*;
 pub use splitting::*;

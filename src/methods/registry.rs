@@ -133,6 +133,8 @@ macro_rules! for_each_method {
             $then,
             discrete_gradient::DiscreteGradient,
             deuflhard::Deuflhard,
+            processed_4::Processed4,
+            processed_6::Processed6,
             taylor_24::Taylor24,
         }
     };

@@ -4,8 +4,8 @@ use core::ops::Add;
 
 use crate::arithmetic::double_double::two_sum;
 use crate::systems::{
-    Analytic, Components, Hamiltonian, MeanForce, NearlyLinear, Phase, RateOf, Separable, State,
-    System,
+    Analytic, Components, ForceGradient, Hamiltonian, MeanForce, NearlyLinear, Phase, Processor,
+    RateOf, Separable, State, System,
 };
 
 /// A wrapper: the same system, with a state that carries its rounding errors, so that every method
@@ -158,5 +158,22 @@ impl<S: NearlyLinear<State = Phase, Time = f64> + Hamiltonian> NearlyLinear for 
     #[inline]
     fn drift_for(&self, z: CompensatedPhase, time: f64) -> CompensatedPhase {
         self.drift(z, time)
+    }
+}
+
+impl<S: ForceGradient<State = Phase> + Hamiltonian> ForceGradient for Compensated<S> {
+    #[inline]
+    fn force_with_gradient(&self, t: f64, z: CompensatedPhase, c: f64) -> S::Force {
+        self.system.force_with_gradient(t, z.phase, c)
+    }
+
+    #[inline]
+    fn processing(&self, z: CompensatedPhase, by: &Processor) -> Phase {
+        self.system.processing(z.phase, by)
+    }
+
+    #[inline]
+    fn unprocessing(&self, z: CompensatedPhase, by: &Processor) -> Phase {
+        self.system.unprocessing(z.phase, by)
     }
 }

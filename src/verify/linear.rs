@@ -27,6 +27,13 @@ pub fn known(name: &str, x: f64) -> Option<Matrix> {
         "symplectic-euler" => [[1.0 - x2, x], [-x, 1.0]],
         // Half a kick, a drift, half a kick.
         "stormer-verlet" => [[1.0 - 0.5 * x2, x], [-x * (1.0 - 0.25 * x2), 1.0 - 0.5 * x2]],
+        // Half a drift, a kick of x − x³/12, half a drift, with θ in units of 1 + x²/24 and q in
+        // its reciprocal.
+        "processed-4" => {
+            let (kick, unit) = (x * (1.0 - x2 / 12.0), 1.0 + x2 / 24.0);
+            let (c, s) = (1.0 - 0.5 * x * kick, x - 0.25 * x2 * kick);
+            [[c, s * (unit * unit)], [-kick / (unit * unit), c]]
+        }
         // I + xA + (xA)²/2 + (xA)³/6 + (xA)⁴/24 with A² = −I.
         "rk4" => {
             let (c, s) = (1.0 - x2 / 2.0 + x2 * x2 / 24.0, x - x * x2 / 6.0);

@@ -6,8 +6,8 @@
 
 use approx::assert_relative_eq;
 use pendula::methods::{
-    Deuflhard, DiscreteGradient, ExplicitMidpoint, ForwardEuler, Heun, ImplicitMidpoint,
-    PositionVerlet, Rk4, StormerVerlet, SymplecticEuler, Trapezoidal,
+    Deuflhard, DiscreteGradient, ExplicitMidpoint, ForwardEuler, Gauss4, Heun, ImplicitMidpoint,
+    PositionVerlet, Processed4, Rk4, StormerVerlet, SymplecticEuler, Trapezoidal,
 };
 use pendula::{Grid, Info, LinearOscillator, METHODS, Method, Pendulum, Phase, System, integrate};
 
@@ -110,6 +110,8 @@ fn methods_of_the_same_order_and_cost_are_all_here() {
         Trapezoidal.info(),
         DiscreteGradient.info(),
         Deuflhard.info(),
+        Gauss4.info(),
+        Processed4.info(),
     ];
     let all = || METHODS.iter().map(|method| method.info());
     for one in all() {
@@ -216,4 +218,43 @@ fn deuflhard_kicks_rotates_and_kicks() {
     let z = step(&pendulum(), &Deuflhard, Phase { theta: 0.8 + turns, ..Z });
     assert_relative_eq!(z.theta - turns, theta, max_relative = 10.0 * ROUNDING);
     assert_relative_eq!(z.omega, omega, max_relative = 10.0 * ROUNDING);
+}
+
+/// Its equations with the nodes ½ ∓ √3/6, solved by sweeps, each of which leaves a fifth or less.
+///
+/// Catches: the processed method under its name; a node on the wrong side; weights that are not
+/// equal.
+#[test]
+fn gauss_4_solves_its_equations() {
+    let off = 3.0_f64.sqrt() / 6.0;
+    let a = [[0.25, 0.25 - off], [0.25 + off, 0.25]];
+    let mut k = [[-0.7, alpha(0.8)]; 2];
+    for _ in 0..60 {
+        k = a.map(|row| {
+            let along = |i: usize| H * (row[0] * k[0][i] + row[1] * k[1][i]);
+            [-0.7 + along(1), alpha(0.8 + along(0))]
+        });
+    }
+    let mean = |i: usize| 0.5 * (k[0][i] + k[1][i]);
+    assert_same(step(&pendulum(), &Gauss4, Z), 0.8 + H * mean(0), -0.7 + H * mean(1));
+}
+
+/// The change of variables solved by sweeps, half a drift, a kick with the gradient, half a drift,
+/// and the change undone.
+///
+/// Catches: Gauss's method under its name; a gradient or a change of variables with another sign or
+/// factor, in either direction.
+#[test]
+fn processed_4_is_position_verlet_with_the_gradient_between_changes_of_variables() {
+    let (shift, stretch) =
+        (|y: f64| -H * H / 24.0 * alpha(y), |y: f64| 1.0 + H * H / 24.0 * 2.5 * y.cos());
+    let mut theta = 0.8;
+    for _ in 0..40 {
+        theta = 0.8 - shift(theta);
+    }
+    let mut omega = -0.7 * stretch(theta);
+    theta += 0.5 * H * omega;
+    omega += H * alpha(theta) * (1.0 - H * H / 12.0 * 2.5 * theta.cos());
+    theta += 0.5 * H * omega;
+    assert_same(step(&pendulum(), &Processed4, Z), theta + shift(theta), omega / stretch(theta));
 }

@@ -12,7 +12,7 @@ use pendula::verify::*;
 use pendula::{AnyMethod, Pendulum, Phase};
 use pendula_study::zoo::high_order::{EntryOff, TermDropped};
 use pendula_study::zoo::runge_kutta::Tableau;
-use pendula_study::zoo::{euler, impostor_named};
+use pendula_study::zoo::{euler, impostor_named, processed};
 use rstest::rstest;
 use rstest_reuse::apply;
 
@@ -121,8 +121,9 @@ fn wrong_orders_are_caught(#[case] impostor: fn(&dyn AnyMethod) -> f64) {
     near("symplectic Euler's order, so measured", impostor(&SymplecticEuler), 2.0, 0.05).unwrap();
 }
 
-/// The series without a dropped term and the table without a wrong entry have every property: so it
-/// is the dropped term and the wrong entry that are caught.
+/// The series without a dropped term, the table without a wrong entry and the kernels with their
+/// own processors have every property: so it is the dropped term, the wrong entry and the wrong
+/// processor that are caught.
 ///
 /// Catches: an impostor that is wrong for another reason than the one given.
 #[test]
@@ -133,6 +134,10 @@ fn impostors_with_nothing_wrong_are_right() {
     let table = EntryOff { row: "step", term: "k9", by: 0.0 };
     for property in PROPERTIES {
         (property.check)(&table).expect(property.name);
+    }
+    for property in PROPERTIES {
+        (property.check)(&processed::RIGHT_4).expect(property.name);
+        (property.check)(&processed::RIGHT_6).expect(property.name);
     }
 }
 

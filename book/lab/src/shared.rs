@@ -6,8 +6,8 @@
 use core::ops::{Add, Mul};
 
 use pendula::fast::{ReducedPhase, ReducedRate, ScaledPendulum};
-use pendula::systems::{Components, MeanForce, NearlyLinear, State, Vector};
-use pendula::{Analytic, Counting, Damped, Phase, RateOf, Separable, System};
+use pendula::systems::{Components, MeanForce, NearlyLinear, Processor, State, Vector};
+use pendula::{Analytic, Counting, Damped, ForceGradient, Phase, RateOf, Separable, System};
 
 /// The system, state, displacement or force of one of the two systems. Values of different systems
 /// are never combined.
@@ -199,6 +199,8 @@ impl MeanForce for Shared {
 
 /// As [`Analytic`], for the undamped pendulum only.
 impl NearlyLinear for Shared {
+    type Time = f64;
+
     #[inline(never)]
     fn linear_frequency_squared(&self) -> f64 {
         match self {
@@ -211,6 +213,41 @@ impl NearlyLinear for Shared {
     fn linear_force(&self, z: SharedState) -> Self::Force {
         match (self, z) {
             (S((_, system)), S(z)) => S(system.linear_force(z)),
+            _ => never(),
+        }
+    }
+
+    fn kick_for(&self, z: SharedState, force: Self::Force, time: f64) -> SharedState {
+        self.kick(z, force, time)
+    }
+
+    fn drift_for(&self, z: SharedState, time: f64) -> SharedState {
+        self.drift(z, time)
+    }
+}
+
+/// As [`Analytic`], for the undamped pendulum only.
+impl ForceGradient for Shared {
+    #[inline(never)]
+    fn force_with_gradient(&self, t: f64, z: SharedState, c: f64) -> Self::Force {
+        match (self, z) {
+            (S((_, system)), S(z)) => S(system.force_with_gradient(t, z, c)),
+            _ => never(),
+        }
+    }
+
+    #[inline(never)]
+    fn processing(&self, z: SharedState, by: &Processor) -> RateOf<Self> {
+        match (self, z) {
+            (S((_, system)), S(z)) => By(S(system.processing(z, by))),
+            _ => never(),
+        }
+    }
+
+    #[inline(never)]
+    fn unprocessing(&self, z: SharedState, by: &Processor) -> RateOf<Self> {
+        match (self, z) {
+            (S((_, system)), S(z)) => By(S(system.unprocessing(z, by))),
             _ => never(),
         }
     }

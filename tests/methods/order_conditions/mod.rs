@@ -2,5 +2,6 @@
 //! family.
 
 mod implicit;
+mod processed;
 mod runge_kutta;
 mod splitting;

@@ -8,9 +8,11 @@ use pendula::methods::{
 };
 use pendula::{Info, METHODS, Method, Pendulum};
 
+use super::processed;
+
 /// A step as a series in words of the operators A (drift, bit 0) and B (kick, bit 1):
 /// `series[d][w]` is the coefficient of the word of d letters whose bits are w.
-type WordSeries = Vec<Vec<DoubleDouble>>;
+pub type WordSeries = Vec<Vec<DoubleDouble>>;
 
 // ANCHOR: words
 /// The product of exp(bᵢ B) and exp(aᵢ A), to words of `degree` letters.
@@ -55,7 +57,7 @@ fn defects<M: Splitting>(degree: usize) -> Vec<DoubleDouble> {
 /// Removes from `defects`, of words of `degree` letters, the part that vanishes for a quadratic
 /// kinetic energy: multiples of [B, [B, [B, A]]] = BBBA − 3 BBAB + 3 BABB − ABBB, with any letters
 /// before and after.
-fn modulo_the_square(mut defects: Vec<DoubleDouble>, degree: usize) -> Vec<DoubleDouble> {
+pub fn modulo_the_square(mut defects: Vec<DoubleDouble>, degree: usize) -> Vec<DoubleDouble> {
     const BRACKET: [(usize, f64); 4] =
         [(0b1110, 1.0), (0b1101, -3.0), (0b1011, 3.0), (0b0111, -1.0)];
     let mut ideal: Vec<Vec<DoubleDouble>> = Vec::new();
@@ -98,7 +100,7 @@ fn tolerance<M: Splitting>(degree: usize) -> f64 {
     2.0 * degree as f64 * 2.2e-16 * size
 }
 
-fn largest(defects: &[DoubleDouble]) -> f64 {
+pub fn largest(defects: &[DoubleDouble]) -> f64 {
     defects.iter().map(|x| x.rounded().abs()).fold(0.0, f64::max)
 }
 
@@ -122,7 +124,8 @@ fn check<M: Splitting + Info>(method: M, kinetic_energy_is_a_square: bool) {
 /// every word of up to p kicks and drifts, and differs in some word of p + 1.
 ///
 /// Catches: a coefficient that is wrong in its fourteenth decimal, or before; a table that is not
-/// checked, since these are all the library's splitting methods of order above 2.
+/// checked, since these and the processed ones are all the library's splitting methods of order
+/// above 2.
 #[test]
 fn every_table_meets_its_order_conditions() {
     let mut checked = Vec::new();
@@ -142,6 +145,7 @@ fn every_table_meets_its_order_conditions() {
         Yoshida8, false;
         KahanLi8, false;
     }
+    checked.extend(processed::CHECKED);
     let all = METHODS.iter().map(|method| method.info());
     let splits = all.filter(|of| of.symplectic && !of.implicit && of.order > 2);
     assert_eq!(checked, splits.map(|of| of.name).collect::<Vec<_>>());

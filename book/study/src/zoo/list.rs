@@ -2,8 +2,8 @@
 
 use pendula::arithmetic::sine::sin;
 use pendula::methods::{
-    Deuflhard, DiscreteGradient, Dop853, ForestRuth, Gauss4, Rk4, StormerVerlet, SymplecticEuler,
-    Taylor24, Trapezoidal, Yoshida6,
+    Deuflhard, DiscreteGradient, Dop853, ForestRuth, Gauss4, Processed4, Processed6, Rk4,
+    StormerVerlet, SymplecticEuler, Taylor24, Trapezoidal, Yoshida6,
 };
 use pendula::verify::{
     AREA, CLOCK, CONJUGACY, ERROR_CONSTANT, LINEAR, ORDER, Property, REVERSAL, SYMMETRY, WORK,
@@ -13,7 +13,7 @@ use pendula::{AnyMethod, Info, MethodInfo};
 use super::high_order::{self, EntryOff, TermDropped};
 use super::runge_kutta::Tableau;
 use super::verlet::Kicks;
-use super::{completing, euler, problem, verlet, wrapped};
+use super::{completing, euler, problem, processed, verlet, wrapped};
 
 /// A wrong method.
 pub struct Impostor {
@@ -218,6 +218,21 @@ macro_rules! for_each_impostor {
             taylor_24_with_a_term_dropped_late:
                 TermDropped { power: 20, factor: 7 }, Taylor24,
                 [ORDER, ERROR_CONSTANT];
+            processed_4_without_its_processor:
+                processed::ALONE, Processed4,
+                [ORDER, ERROR_CONSTANT, LINEAR, CONJUGACY];
+            processed_4_with_half_the_gradient:
+                processed::HALF_THE_GRADIENT, Processed4,
+                [ORDER, ERROR_CONSTANT, LINEAR, CONJUGACY];
+            processed_4_undone_by_its_first_term:
+                processed::FIRST_TERM, Processed4,
+                [ERROR_CONSTANT, LINEAR, AREA, REVERSAL, CONJUGACY];
+            processed_6_processed_to_the_second_power:
+                processed::SECOND_POWER, Processed6,
+                [ORDER, ERROR_CONSTANT, CONJUGACY];
+            processed_6_with_a_gradient_of_five_digits:
+                processed::FIVE_DIGITS, Processed6,
+                [ORDER, ERROR_CONSTANT, CONJUGACY];
         }
     };
 }

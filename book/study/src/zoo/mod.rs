@@ -9,6 +9,7 @@ pub mod euler;
 pub mod high_order;
 mod list;
 pub mod problem;
+pub mod processed;
 pub mod runge_kutta;
 pub mod verlet;
 pub mod wrapped;
