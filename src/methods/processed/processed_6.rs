@@ -38,16 +38,16 @@ impl Info for Processed6 {
 
 impl Processed6 {
     /// The outer kicks, in steps; the inner ones are what is left of a half.
-    pub const KICK: f64 = 0.237_887_064_748_297_19;
+    pub const KICK: f64 = 0.237_887_064_748_297_18;
     /// The outer drifts, in steps; the inner one is what is left of the whole, and leads back.
     pub const DRIFT: f64 = 0.568_261_038_391_863;
     /// What stands before h² f f' in the outer kicks.
-    pub const GRADIENT: f64 = 0.068_944_954_335_503_55;
+    pub const GRADIENT: f64 = 0.068_944_954_335_503_56;
     /// What the processor adds.
     pub const PROCESSOR: Processor = Processor::new(
         -0.019_026_432_922_978_27,
-        0.003_053_019_527_983_182_6,
-        7.413_200_225_139_535e-5,
+        0.003_053_019_527_983_182_5,
+        7.413_200_225_139_536e-5,
     );
 }
 

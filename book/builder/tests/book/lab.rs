@@ -11,8 +11,8 @@ use pendula::{
 };
 use wasmi::{Engine, Instance, Linker, Module, Store, TypedFunc, WasmParams, WasmResults};
 
-/// The most that a page may load for it: 48 KB.
-const LARGEST_FILE: usize = 48 * 1024;
+/// The most that a page may load for it: 64 KB.
+const LARGEST_FILE: usize = 64 * 1024;
 
 /// The bytes of the file.
 fn wasm() -> Vec<u8> {

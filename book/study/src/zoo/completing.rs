@@ -84,7 +84,7 @@ fn from_the_nearest(theta: f64) -> f64 {
 
 /// `z` after the linear pendulum has turned for the time `h` (s), where `rest` (rad) is its angle
 /// from the bottom.
-fn turned(system: &impl NearlyLinear, h: f64, z: Phase, rest: f64) -> Phase {
+fn turned(system: &impl NearlyLinear<Time = f64>, h: f64, z: Phase, rest: f64) -> Phase {
     let frequency = system.linear_frequency_squared().sqrt();
     let (sin, cos) = (sin(frequency * h), cos(frequency * h));
     let moved = rest * cos + z.omega / frequency * sin - rest;
@@ -102,7 +102,7 @@ macro_rules! rotating {
             }
         }
 
-        impl<S: Plain + NearlyLinear<Force = f64>> Method<S> for $name {
+        impl<S: Plain + NearlyLinear<Force = f64, Time = f64>> Method<S> for $name {
             type Carry = ();
 
             fn start(&self, _system: &S, _t: f64, _h: f64, _z: Phase) {}
