@@ -90,8 +90,12 @@ impl Checkpoint {
         let mut next = (n - n % every).saturating_add(every);
         let mut satisfied = observer.is_satisfied();
         while n < until && !satisfied {
-            z = method.step(system, grid.time(n), h, z, &mut carry);
-            n += 1;
+            // Of the states before the last nobody sees anything.
+            for before in n..next.min(until) - 1 {
+                z = method.step(system, grid.time(before), h, z, &mut carry);
+            }
+            n = next.min(until);
+            z = method.step(system, grid.time(n - 1), h, z, &mut carry);
             if n == next {
                 observer.observe(n, grid.time(n), z);
                 next = next.saturating_add(every);
