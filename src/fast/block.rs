@@ -97,16 +97,30 @@ impl<M> Block<'_, M> {
     where
         M: Method<ScaledPendulum<N>>,
     {
-        // A copy, which the compiler can keep in registers.
-        let mut groups: [Group<N, M::Carry>; TEAM] =
-            core::array::from_fn(|i| team[i].expect("the groups of a team are all in use"));
-        for _ in 0..self.every {
-            for Group { system, state, carry } in &mut groups {
-                *state = self.method.step(system, 0.0, 1.0, *state, carry);
+        const { assert!(TEAM == 1 || TEAM == 2) };
+        let used = "the groups of a team are all in use";
+        // Copies, which the compiler can keep in registers, and of which it removes what nobody
+        // reads; in an array of two it would not.
+        let mut first = team[0].expect(used);
+        if TEAM == 1 {
+            for _ in 0..self.every {
+                first.step(self.method);
             }
+        } else {
+            let mut second = team[1].expect(used);
+            for _ in 0..self.every {
+                first.step(self.method);
+                second.step(self.method);
+            }
+            team[1] = Some(second);
         }
-        for (slot, group) in team.iter_mut().zip(groups) {
-            *slot = Some(group);
-        }
+        team[0] = Some(first);
+    }
+}
+
+impl<N: Lanes, C: Copy> Group<N, C> {
+    #[inline(always)]
+    fn step<M: Method<ScaledPendulum<N>, Carry = C>>(&mut self, method: &M) {
+        self.state = method.step(&self.system, 0.0, 1.0, self.state, &mut self.carry);
     }
 }

@@ -61,6 +61,18 @@ macro_rules! all {
             None
         }
 
+        /// [`ScaledPendulum::new`] for the method at `index`, or one that reaches farther.
+        fn scaled(index: usize, scene: &Setup, grid: &Grid, start: Phase) -> Option<ScaledPendulum> {
+            let mut number = 0..;
+            // A constant: the others are not compiled into the file.
+            $(if number.next() == Some(index)
+                && <methods::$method as Method<ScaledPendulum>>::GRADIENT > 0.0
+            {
+                return ScaledPendulum::new::<methods::$method>(&scene.pendulum, grid, start);
+            })+
+            ScaledPendulum::new::<Farthest>(&scene.pendulum, grid, start)
+        }
+
         $(const _: () = assert!(
             <methods::$method as Method<ScaledPendulum>>::REACH <= FARTHEST,
             "`longest` has to ask for a method that reaches as far",
@@ -98,7 +110,7 @@ pub struct Trajectory {
 
 impl Trajectory {
     /// The trajectory at its start; `None` if the library refuses the scene, or if the method does
-    /// not apply to a damped pendulum.
+    /// not apply to a damped pendulum or to steps so long.
     pub fn new(scene: &Setup) -> Option<Self> {
         let start = scene.pendulum.start(scene.start.theta, scene.start.omega).ok()?;
         let ((system, z), grid, inner) = if scene.damping == 0.0 {
@@ -154,13 +166,14 @@ impl Trajectory {
     }
 }
 
-/// The longest grid, up to halving, for which [`ScaledPendulum::new`] accepts every method, and the
-/// scaled pendulum; on shorter grids `pendula::integrate_fast` computes the same, bit for bit.
+/// The longest grid, up to halving, for which [`ScaledPendulum::new`] accepts the method, and the
+/// scaled pendulum; on shorter grids `pendula::integrate_fast` computes the same, bit for bit. None
+/// for steps in which a processed method has no inverse change of variables.
 fn longest(scene: &Setup, start: Phase) -> Option<(ScaledPendulum, Grid)> {
     let mut steps = MOST_STEPS;
     while steps > 0 {
         let grid = Grid::new(scene.step, steps).ok()?;
-        if let Some(scaled) = ScaledPendulum::new::<Farthest>(&scene.pendulum, &grid, start) {
+        if let Some(scaled) = scaled(scene.method, scene, &grid, start) {
             return Some((scaled, grid));
         }
         steps /= 2;

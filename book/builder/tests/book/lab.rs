@@ -219,7 +219,11 @@ fn compare(
     let grid = Grid::new(step, steps).unwrap();
     let is_general = GENERAL.contains(&method.info().name);
     let stands = lab.set(0, (index, g, length, damping, theta, omega, step));
-    assert_eq!(stands, damping == 0.0 || is_general, "{STALE}");
+    // In steps of x² > 12 the library takes a processed method's steps in seconds; the lab has none
+    // such.
+    let is_too_long =
+        method.info().name.starts_with("processed") && g / length * step * step > 12.0;
+    assert_eq!(stands, damping == 0.0 && !is_too_long || is_general, "{STALE}");
     if !stands {
         return;
     }
