@@ -8,7 +8,7 @@
 use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Sub};
 
 use fearless_simd::prelude::*;
-use fearless_simd::{f64x4, f64x8, mask64x4, mask64x8, u64x4, u64x8};
+use fearless_simd::{f64x2, f64x4, f64x8, mask64x2, mask64x4, mask64x8, u64x2, u64x4, u64x8};
 
 use super::number::{Mask, Number};
 use super::sine::{self, half_turn};
@@ -120,6 +120,7 @@ macro_rules! lanes {
     )+};
 }
 lanes! {
+    f64x2 of 2, u64x2, mask64x2;
     f64x4 of 4, u64x4, mask64x4;
     f64x8 of 8, u64x8, mask64x8;
 }
@@ -298,8 +299,9 @@ mod tests {
     /// the instructions that this machine has: at zeros of both signs, where the reduction changes
     /// its mind, and beyond the angles that it reduces.
     ///
-    /// Catches: sine and cosine confused in an odd quarter turn, or a sign of theirs; the sine of −0
-    /// without its sign; a lane beyond the limit reduced as if it were within it; a mask inverted.
+    /// Catches: sine and cosine confused in an odd quarter turn, or a sign of theirs; the sine of
+    /// −0 without its sign; a lane beyond the limit reduced as if it were within it; a mask
+    /// inverted.
     #[test]
     fn a_lane_has_the_bits_of_a_number_alone() {
         let next = |x: f64| [x.next_down(), x, x.next_up()];

@@ -7,8 +7,8 @@ pub mod lanes;
 pub mod number;
 pub mod sine;
 
-/// Calls `f`, which is `#[inline(always)]`, in code for AVX2 where the processor has it, so that the
-/// compiler can vectorise its loops for it. The bits are the same.
+/// Calls `f`, which is `#[inline(always)]`, in code for AVX2 where the processor has it, so that
+/// the compiler can vectorise its loops for it. The bits are the same.
 #[inline(always)]
 pub(crate) fn vectorized<R>(f: impl FnOnce() -> R) -> R {
     #[cfg(all(feature = "ensemble", any(target_arch = "x86", target_arch = "x86_64")))]

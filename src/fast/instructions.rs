@@ -36,7 +36,7 @@ pub struct Best;
 /// Runs the block with vectors and teams of this size, in code that is compiled for the processors
 /// of which `$simd` is the proof.
 macro_rules! run {
-    ($block:ident, $each:ident, $simd:expr, $Vector:ty, $team:literal) => {
+    ($block:ident, $each:ident, $simd:expr, $Vector:ty, $team:tt) => {
         $simd.vectorize(
             #[inline(always)]
             || $block.run::<$Vector, $team>($simd, $each),
@@ -47,7 +47,7 @@ macro_rules! run {
 impl Instructions for Baseline {
     fn run<M: InLanes>(block: &Block<'_, M>, each: &mut Each<'_>) {
         let simd = vectors::baseline();
-        run!(block, each, simd, vectors::OfBaseline, 2);
+        run!(block, each, simd, vectors::OfBaseline, { vectors::TEAM });
     }
 }
 
@@ -61,6 +61,7 @@ pub mod vectors {
     use fearless_simd::{Level, Simd, Sse2, f64x4, f64x8};
 
     pub type OfBaseline = f64x4<Sse2>;
+    pub const TEAM: usize = 2;
     pub type OfAvx2 = f64x8<fearless_simd::Avx2>;
     pub type OfAvx512 = Pair<Pair<f64x8<fearless_simd::Avx512>>>;
 
@@ -105,8 +106,10 @@ pub mod vectors {
 
     #[cfg(target_arch = "aarch64")]
     pub type OfBaseline = fearless_simd::f64x4<fearless_simd::Neon>;
+    /// Single numbers, two of which overlap.
     #[cfg(not(target_arch = "aarch64"))]
-    pub type OfBaseline = fearless_simd::f64x4<fearless_simd::Fallback>;
+    pub type OfBaseline = fearless_simd::f64x2<fearless_simd::Fallback>;
+    pub const TEAM: usize = if cfg!(target_arch = "aarch64") { 2 } else { 1 };
     pub type OfAvx2 = OfBaseline;
     pub type OfAvx512 = OfBaseline;
 

@@ -59,8 +59,8 @@ properties! {
     /// Forward, flip and forward again leads back, or does not.
     REVERSAL: reversal,
     /// Störmer–Verlet is symplectic Euler between two half kicks, the implicit midpoint rule is the
-    /// trapezoidal rule between two half steps of Euler, and a processed method its kernel between a
-    /// change of variables and its inverse.
+    /// trapezoidal rule between two half steps of Euler, and a processed method its kernel between
+    /// a change of variables and its inverse.
     CONJUGACY: conjugacy,
     /// The motion is the same when mirrored, scaled or shifted by whole turns.
     SYMMETRY: symmetry,

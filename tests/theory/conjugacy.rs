@@ -1,6 +1,6 @@
-//! Conjugacy: Störmer–Verlet and symplectic Euler are the same map up to half a kick, the trapezoidal
-//! rule and the implicit midpoint rule up to half a step of forward Euler, and a processed method is
-//! its kernel up to a change of variables.
+//! Conjugacy: Störmer–Verlet and symplectic Euler are the same map up to half a kick, the
+//! trapezoidal rule and the implicit midpoint rule up to half a step of forward Euler, and a
+//! processed method is its kernel up to a change of variables.
 
 use pendula::methods::{
     DiscreteGradient, ImplicitMidpoint, PositionVerlet, Processed4, Processed6, StormerVerlet,

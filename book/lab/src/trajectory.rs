@@ -62,7 +62,12 @@ macro_rules! all {
         }
 
         /// [`ScaledPendulum::new`] for the method at `index`, or one that reaches farther.
-        fn scaled(index: usize, scene: &Setup, grid: &Grid, start: Phase) -> Option<ScaledPendulum> {
+        fn scaled(
+            index: usize,
+            scene: &Setup,
+            grid: &Grid,
+            start: Phase,
+        ) -> Option<ScaledPendulum> {
             let mut number = 0..;
             // A constant: the others are not compiled into the file.
             $(if number.next() == Some(index)
