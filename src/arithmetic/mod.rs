@@ -11,7 +11,7 @@ pub mod sine;
 /// the compiler can vectorise its loops for it. The bits are the same.
 #[inline(always)]
 pub(crate) fn vectorized<R>(f: impl FnOnce() -> R) -> R {
-    #[cfg(all(feature = "ensemble", any(target_arch = "x86", target_arch = "x86_64")))]
+    #[cfg(all(feature = "ensemble", target_arch = "x86_64"))]
     if let Some(simd) = fearless_simd::Level::new().as_avx2() {
         return fearless_simd::Simd::vectorize(simd, f);
     }

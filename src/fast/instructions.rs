@@ -51,19 +51,41 @@ impl Instructions for Baseline {
     }
 }
 
-#[cfg(all(any(target_arch = "x86", target_arch = "x86_64"), target_feature = "sse2"))]
+#[cfg(target_arch = "x86_64")]
 pub mod vectors {
     //! The vectors for each set of instructions: as many numbers as measured best. More would hide
     //! more latency, and need more registers than the processor has.
 
-    use super::{Avx2, Avx512, Baseline, Best, Block, Each, InLanes, Instructions};
-    use crate::arithmetic::lanes::Pair;
-    use fearless_simd::{Level, Simd, Sse2, f64x4, f64x8};
+    use fearless_simd::{Level, Simd, Sse2};
 
-    pub type OfBaseline = f64x4<Sse2>;
-    pub const TEAM: usize = 2;
-    pub type OfAvx2 = f64x8<fearless_simd::Avx2>;
-    pub type OfAvx512 = Pair<Pair<f64x8<fearless_simd::Avx512>>>;
+    use super::{Avx2, Avx512, Baseline, Best, Block, Each, InLanes, Instructions};
+
+    #[cfg(not(debug_assertions))]
+    mod numbers {
+        use fearless_simd::{Avx2, Avx512, Sse2, f64x4, f64x8};
+
+        use crate::arithmetic::lanes::Pair;
+
+        pub type OfBaseline = f64x4<Sse2>;
+        pub type OfAvx2 = f64x8<Avx2>;
+        pub type OfAvx512 = Pair<Pair<f64x8<Avx512>>>;
+        /// Of the first two.
+        pub const TEAM: usize = 2;
+    }
+
+    /// Without optimisation each operation has its own place on the stack, and DOP853 would need 8
+    /// MB of it for the vectors above; a thread has 2.
+    #[cfg(debug_assertions)]
+    mod numbers {
+        use fearless_simd::{Avx2, Avx512, Sse2, f64x2};
+
+        pub type OfBaseline = f64x2<Sse2>;
+        pub type OfAvx2 = f64x2<Avx2>;
+        pub type OfAvx512 = f64x2<Avx512>;
+        pub const TEAM: usize = 1;
+    }
+
+    pub use numbers::{OfAvx2, OfAvx512, OfBaseline, TEAM};
 
     pub fn baseline() -> Sse2 {
         Level::new().as_sse2().expect("the program was compiled for it")
@@ -72,7 +94,7 @@ pub mod vectors {
     impl Instructions for Avx2 {
         fn run<M: InLanes>(block: &Block<'_, M>, each: &mut Each<'_>) {
             match Level::new().as_avx2() {
-                Some(simd) => run!(block, each, simd, OfAvx2, 2),
+                Some(simd) => run!(block, each, simd, OfAvx2, { TEAM }),
                 None => Baseline::run(block, each),
             }
         }
@@ -98,38 +120,56 @@ pub mod vectors {
     }
 }
 
-#[cfg(not(all(any(target_arch = "x86", target_arch = "x86_64"), target_feature = "sse2")))]
+#[cfg(not(target_arch = "x86_64"))]
 pub mod vectors {
-    //! The vectors for the only set of instructions.
+    //! The vectors for the only set of instructions. On 32-bit x86 that is SSE2: eight registers are
+    //! too few for more, and with AVX-512 the compiler confuses masks there.
 
     use super::{Avx2, Avx512, Baseline, Best, Block, Each, InLanes, Instructions};
 
     #[cfg(target_arch = "aarch64")]
-    pub type OfBaseline = fearless_simd::f64x4<fearless_simd::Neon>;
-    /// Single numbers, two of which overlap.
-    #[cfg(not(target_arch = "aarch64"))]
-    pub type OfBaseline = fearless_simd::f64x2<fearless_simd::Fallback>;
-    pub const TEAM: usize = if cfg!(target_arch = "aarch64") { 2 } else { 1 };
+    mod numbers {
+        #[cfg(not(debug_assertions))]
+        pub type OfBaseline = fearless_simd::f64x4<fearless_simd::Neon>;
+        /// Without optimisation, for the sake of the stack.
+        #[cfg(debug_assertions)]
+        pub type OfBaseline = fearless_simd::f64x2<fearless_simd::Neon>;
+        pub const TEAM: usize = if cfg!(debug_assertions) { 1 } else { 2 };
+
+        pub fn baseline() -> fearless_simd::Neon {
+            fearless_simd::Level::new().as_neon().expect("the program was compiled for it")
+        }
+    }
+
+    #[cfg(all(target_arch = "x86", target_feature = "sse2"))]
+    mod numbers {
+        pub type OfBaseline = fearless_simd::f64x2<fearless_simd::Sse2>;
+        pub const TEAM: usize = 2;
+
+        pub fn baseline() -> fearless_simd::Sse2 {
+            fearless_simd::Level::new().as_sse2().expect("the program was compiled for it")
+        }
+    }
+
+    #[cfg(not(any(target_arch = "aarch64", all(target_arch = "x86", target_feature = "sse2"))))]
+    mod numbers {
+        /// Two single numbers, whose operations overlap.
+        pub type OfBaseline = fearless_simd::f64x2<fearless_simd::Fallback>;
+        pub const TEAM: usize = 1;
+
+        pub fn baseline() -> fearless_simd::Fallback {
+            fearless_simd::Fallback::new()
+        }
+    }
+
+    pub use numbers::{OfBaseline, TEAM, baseline};
     pub type OfAvx2 = OfBaseline;
     pub type OfAvx512 = OfBaseline;
-
-    #[cfg(target_arch = "aarch64")]
-    pub fn baseline() -> fearless_simd::Neon {
-        fearless_simd::Level::new().as_neon().expect("the program was compiled for it")
-    }
-
-    #[cfg(not(target_arch = "aarch64"))]
-    pub fn baseline() -> fearless_simd::Fallback {
-        fearless_simd::Fallback::new()
-    }
 
     macro_rules! the_baseline {
         ($($Name:ident)+) => {$(
             impl Instructions for $Name {
-                fn run<M: InLanes>(
-                    block: &Block<'_, M>,
-                    each: &mut Each<'_>,
-                ) {
+                fn run<M: InLanes>(block: &Block<'_, M>, each: &mut Each<'_>) {
                     Baseline::run(block, each);
                 }
             }
