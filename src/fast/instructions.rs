@@ -122,8 +122,8 @@ pub mod vectors {
 
 #[cfg(not(target_arch = "x86_64"))]
 pub mod vectors {
-    //! The vectors for the only set of instructions. On 32-bit x86 that is SSE2: eight registers are
-    //! too few for more, and with AVX-512 the compiler confuses masks there.
+    //! The vectors for the only set of instructions. On 32-bit x86 that is SSE2: eight registers
+    //! are too few for more, and with AVX-512 the compiler confuses masks there.
 
     use super::{Avx2, Avx512, Baseline, Best, Block, Each, InLanes, Instructions};
 
