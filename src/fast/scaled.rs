@@ -178,6 +178,11 @@ impl<N: Lanes> Measurable for ReducedPhase<N> {
         }
     }
 
+    #[inline(always)]
+    fn unless(mask: N::Mask, old: ReducedRate<N>, new: ReducedRate<N>) -> ReducedRate<N> {
+        Self::select(mask, old, new)
+    }
+
     fn components(self, _displacement: ReducedRate<N>) -> usize {
         2
     }

@@ -60,6 +60,14 @@ pub trait Measurable: State {
         no: Self::Displacement,
     ) -> Self::Displacement;
 
+    /// The displacement `new`, or in lanes `old` where the mask is true. A single state is asked
+    /// for only while its mask is false, and takes the new one without looking.
+    fn unless(
+        mask: <Self::Number as Number>::Mask,
+        old: Self::Displacement,
+        new: Self::Displacement,
+    ) -> Self::Displacement;
+
     /// The number of components; any displacement of the state will do.
     fn components(self, displacement: Self::Displacement) -> usize;
 
@@ -88,6 +96,11 @@ impl<Z: Components> Measurable for Z {
     #[inline(always)]
     fn select(mask: bool, yes: Z::Displacement, no: Z::Displacement) -> Z::Displacement {
         if mask { yes } else { no }
+    }
+
+    #[inline(always)]
+    fn unless(_mask: bool, _old: Z::Displacement, new: Z::Displacement) -> Z::Displacement {
+        new
     }
 
     fn components(self, displacement: Z::Displacement) -> usize {

@@ -201,7 +201,7 @@ impl<const S: usize> ImplicitTableau<S> {
             *change = *change + z.size_of(new + k[i] * -1.0);
             *scale = *scale + z.size_of(new);
             // Stored at once, so that the later stages of this sweep use it.
-            k[i] = Sys::State::select(*solved, k[i], new);
+            k[i] = Sys::State::unless(*solved, k[i], new);
         }
         *sweeps += 1;
     }
