@@ -43,7 +43,8 @@ pub trait Method<S: System> {
     /// last step left for this `z`, and may contain all that the method needs.
     ///
     /// Implementations are `#[inline(always)]`: in the time loop `h` and the system are known, and
-    /// a call would hide it.
+    /// a call would hide it. In lanes a call would also lack their vector instructions, and take
+    /// ten times as long.
     fn step(&self, system: &S, t: f64, h: f64, z: S::State, carry: &mut Self::Carry) -> S::State;
 
     /// [`step`](Method::step), or why there is no such state.
