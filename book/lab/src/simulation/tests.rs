@@ -120,7 +120,8 @@ fn the_source_has_the_bits_of_the_library() {
             }
         }
     }
-    assert_eq!(runs, 4 * METHODS.len());
+    // One of the four has steps too long for the two processed methods.
+    assert_eq!(runs, 4 * METHODS.len() - 2);
     assert!(damped_runs > METHODS.len(), "only {damped_runs} runs with damping");
 }
 
@@ -138,8 +139,14 @@ fn compare(
     let lab = Simulation::new(Setup { method: index, pendulum, damping, start, step });
     let damped = Damped::new(pendulum, damping).unwrap();
     let Some(lab) = lab else {
-        assert!(damping > 0.0, "{name} is refused");
-        assert!(damped_run(name, &damped, start, &grid, &mut ()).is_none(), "{name} is refused");
+        // In steps of x² > 12 the library takes a processed method's steps in seconds.
+        if damping == 0.0 {
+            let is_too_long = name.starts_with("processed") && g / length * step * step > 12.0;
+            assert!(is_too_long, "{name} is refused");
+        } else {
+            let none = damped_run(name, &damped, start, &grid, &mut ()).is_none();
+            assert!(none, "{name} is refused");
+        }
         return false;
     };
     let (lowest, highest, largest) = (0.0, 0.0, 0.0);
