@@ -63,7 +63,7 @@ pub trait Number:
     /// to rounding.
     fn half_turns(self) -> (Self, Self);
 
-    /// The sine of this angle (rad), by [`half_turn::sin`].
+    /// The sine of this angle (rad), by the polynomial of the time loop.
     #[must_use]
     fn sin(self) -> Self;
 
