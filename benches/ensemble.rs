@@ -169,7 +169,7 @@ fn main() {
     let Tables { speeds, times } = measure(only.as_deref().unwrap_or(""));
     println!("{}\n", instructions());
     println!("Millions of steps a second on one core, and how many times as fast as alone.\n");
-    println!("| Method | alone | SSE2 | | AVX2 | | AVX-512 | |");
+    println!("| Method | alone | SSE2 | × | AVX2 | × | AVX-512 | × |");
     println!("|---|--:|--:|--:|--:|--:|--:|--:|");
     for (title, [alone, lanes @ ..]) in &speeds {
         let cells = lanes.map(|speed| format!("{} | {:.1}", digits(speed), speed / alone));
