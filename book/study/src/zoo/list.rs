@@ -186,13 +186,13 @@ macro_rules! for_each_impostor {
             gauss_4_swept_once:
                 high_order::SweptOnce, Gauss4,
                 [ORDER, ERROR_CONSTANT, LINEAR, AREA, REVERSAL, WORK];
-            midpoint_posing_as_the_trapezoidal_rule:
+            midpoint_for_the_trapezoidal_rule:
                 completing::Midpoint(Trapezoidal), Trapezoidal,
                 [ERROR_CONSTANT, AREA, CONJUGACY];
             trapezoidal_rule_swept_once:
                 completing::SweptOnce, Trapezoidal,
                 [ERROR_CONSTANT, LINEAR, REVERSAL, CONJUGACY, WORK];
-            midpoint_posing_as_the_discrete_gradient:
+            midpoint_for_the_discrete_gradient:
                 completing::Midpoint(DiscreteGradient), DiscreteGradient,
                 [ERROR_CONSTANT, AREA, WORK];
             mean_force_over_twice_the_way:
@@ -227,10 +227,10 @@ macro_rules! for_each_impostor {
             processed_4_undone_by_its_first_term:
                 processed::FIRST_TERM, Processed4,
                 [ERROR_CONSTANT, LINEAR, AREA, REVERSAL, CONJUGACY];
-            processed_6_processed_to_the_second_power:
+            processed_6_to_the_second_power:
                 processed::SECOND_POWER, Processed6,
                 [ORDER, ERROR_CONSTANT, CONJUGACY];
-            processed_6_with_a_gradient_of_five_digits:
+            processed_6_gradient_in_five_digits:
                 processed::FIVE_DIGITS, Processed6,
                 [ORDER, ERROR_CONSTANT, CONJUGACY];
         }
