@@ -75,7 +75,7 @@ macro_rules! lanes {
             }
 
             #[inline(always)]
-            fn sin(self) -> Self {
+            fn sine(self) -> Self {
                 let bound = Number::splat(self, half_turn::LARGEST);
                 if Number::abs(self).at_most(bound).all() {
                     half_turn::sin_within(self)
@@ -213,8 +213,8 @@ impl<N: Number> Number for Pair<N> {
     }
 
     #[inline(always)]
-    fn sin(self) -> Self {
-        Self(self.0.sin(), self.1.sin())
+    fn sine(self) -> Self {
+        Self(self.0.sine(), self.1.sine())
     }
 
     #[inline(always)]
@@ -288,7 +288,7 @@ mod tests {
             half.signed_by(x),
             smaller,
             half_turns,
-            x.sin(),
+            x.sine(),
             rest_alone.0,
             rest_alone.1,
         ]

@@ -64,8 +64,9 @@ pub trait Number:
     fn half_turns(self) -> (Self, Self);
 
     /// The sine of this angle (rad), by the polynomial of the time loop.
+    /// Not `sin`, which for an f64 would be the platform's.
     #[must_use]
-    fn sin(self) -> Self;
+    fn sine(self) -> Self;
 
     /// Sine and cosine of this angle (rad), in [−π/2, π/2] up to rounding, by [`sine::sin`] and
     /// [`sine::cos`].
@@ -132,7 +133,7 @@ impl Number for f64 {
     }
 
     #[inline(always)]
-    fn sin(self) -> Self {
+    fn sine(self) -> Self {
         half_turn::sin(self)
     }
 

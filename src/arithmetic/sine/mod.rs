@@ -63,7 +63,7 @@ pub(crate) fn sinc<N: Number>(x: N) -> N {
     // An even function, and below 1e-8 it is 1: the bound only keeps 0 out.
     let (size, bound) = (x.abs(), x.splat(1e-100));
     let size = N::select(size.at_most(bound), bound, size);
-    size.sin() / size
+    size.sine() / size
 }
 
 /// The remainder of an angle after whole quarter turns: `head` in [−π/4, π/4], and `tail`, the

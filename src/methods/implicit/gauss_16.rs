@@ -1,9 +1,7 @@
 //! The Gauss method of eight stages.
 
-use crate::integrate::{Method, Unsolved};
-use crate::methods::implicit::{ImplicitTableau, Iteration};
+use crate::methods::implicit::ImplicitTableau;
 use crate::methods::{Info, MethodInfo};
-use crate::systems::{Measurable, System};
 
 /// The Gauss method of eight stages: collocation at the zeros of a Legendre polynomial.
 ///
@@ -138,27 +136,4 @@ impl Gauss16 {
             0.980_144_928_248_768_1,
         ],
     };
-}
-
-impl<S: System<State: Measurable>> Method<S> for Gauss16 {
-    type Carry = ();
-
-    fn start(&self, _system: &S, _t: f64, _h: f64, _z: S::State) {}
-
-    #[inline(always)]
-    fn step(&self, system: &S, t: f64, h: f64, z: S::State, _carry: &mut ()) -> S::State {
-        Self::TABLEAU.step(system, t, h, z)
-    }
-
-    #[inline(always)]
-    fn try_step(
-        &self,
-        system: &S,
-        t: f64,
-        h: f64,
-        z: S::State,
-        _carry: &mut (),
-    ) -> Result<S::State, Unsolved> {
-        Self::TABLEAU.try_step(system, t, h, z, Iteration::TO_ROUNDING)
-    }
 }

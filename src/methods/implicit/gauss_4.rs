@@ -1,9 +1,7 @@
 //! The Gauss method of two stages.
 
-use crate::integrate::{Method, Unsolved};
-use crate::methods::implicit::{ImplicitTableau, Iteration};
+use crate::methods::implicit::ImplicitTableau;
 use crate::methods::{Info, MethodInfo};
-use crate::systems::{Measurable, System};
 
 /// The Gauss method of two stages: collocation at the zeros of a Legendre polynomial.
 ///
@@ -39,27 +37,4 @@ impl Gauss4 {
         b: [0.5, 0.5],
         c: [0.211_324_865_405_187_1, 0.788_675_134_594_812_9],
     };
-}
-
-impl<S: System<State: Measurable>> Method<S> for Gauss4 {
-    type Carry = ();
-
-    fn start(&self, _system: &S, _t: f64, _h: f64, _z: S::State) {}
-
-    #[inline(always)]
-    fn step(&self, system: &S, t: f64, h: f64, z: S::State, _carry: &mut ()) -> S::State {
-        Self::TABLEAU.step(system, t, h, z)
-    }
-
-    #[inline(always)]
-    fn try_step(
-        &self,
-        system: &S,
-        t: f64,
-        h: f64,
-        z: S::State,
-        _carry: &mut (),
-    ) -> Result<S::State, Unsolved> {
-        Self::TABLEAU.try_step(system, t, h, z, Iteration::TO_ROUNDING)
-    }
 }

@@ -1,9 +1,7 @@
 //! The Gauss method of three stages.
 
-use crate::integrate::{Method, Unsolved};
-use crate::methods::implicit::{ImplicitTableau, Iteration};
+use crate::methods::implicit::ImplicitTableau;
 use crate::methods::{Info, MethodInfo};
-use crate::systems::{Measurable, System};
 
 /// The Gauss method of three stages: collocation at the zeros of a Legendre polynomial.
 ///
@@ -43,27 +41,4 @@ impl Gauss6 {
         b: [0.277_777_777_777_777_8, 0.444_444_444_444_444_4, 0.277_777_777_777_777_8],
         c: [0.112_701_665_379_258_31, 0.5, 0.887_298_334_620_741_7],
     };
-}
-
-impl<S: System<State: Measurable>> Method<S> for Gauss6 {
-    type Carry = ();
-
-    fn start(&self, _system: &S, _t: f64, _h: f64, _z: S::State) {}
-
-    #[inline(always)]
-    fn step(&self, system: &S, t: f64, h: f64, z: S::State, _carry: &mut ()) -> S::State {
-        Self::TABLEAU.step(system, t, h, z)
-    }
-
-    #[inline(always)]
-    fn try_step(
-        &self,
-        system: &S,
-        t: f64,
-        h: f64,
-        z: S::State,
-        _carry: &mut (),
-    ) -> Result<S::State, Unsolved> {
-        Self::TABLEAU.try_step(system, t, h, z, Iteration::TO_ROUNDING)
-    }
 }

@@ -1,9 +1,7 @@
 //! The implicit midpoint rule.
 
-use crate::integrate::{Method, Unsolved};
-use crate::methods::implicit::{ImplicitTableau, Iteration};
+use crate::methods::implicit::ImplicitTableau;
 use crate::methods::{Info, MethodInfo};
-use crate::systems::{Measurable, System};
 
 /// The implicit midpoint rule: the slope at the midpoint between the start and the end of the step,
 /// for the whole step.
@@ -35,27 +33,4 @@ impl ImplicitMidpoint {
     /// The coefficients, computed with 60 digits from the zeros of the Legendre polynomial of
     /// degree 1.
     pub const TABLEAU: ImplicitTableau<1> = ImplicitTableau { a: [[0.5]], b: [1.0], c: [0.5] };
-}
-
-impl<S: System<State: Measurable>> Method<S> for ImplicitMidpoint {
-    type Carry = ();
-
-    fn start(&self, _system: &S, _t: f64, _h: f64, _z: S::State) {}
-
-    #[inline(always)]
-    fn step(&self, system: &S, t: f64, h: f64, z: S::State, _carry: &mut ()) -> S::State {
-        Self::TABLEAU.step(system, t, h, z)
-    }
-
-    #[inline(always)]
-    fn try_step(
-        &self,
-        system: &S,
-        t: f64,
-        h: f64,
-        z: S::State,
-        _carry: &mut (),
-    ) -> Result<S::State, Unsolved> {
-        Self::TABLEAU.try_step(system, t, h, z, Iteration::TO_ROUNDING)
-    }
 }

@@ -142,8 +142,32 @@ impl<M: Implicit, S: System<State: Measurable>> Method<S> for Iterated<M> {
     }
 }
 
+/// Implements the methods that are a table of coefficients, `TABLEAU`, and nothing else.
 macro_rules! implicit {
     ($($Method:ident,)+) => {$(
+        impl<S: System<State: Measurable>> Method<S> for super::$Method {
+            type Carry = ();
+
+            fn start(&self, _system: &S, _t: f64, _h: f64, _z: S::State) {}
+
+            #[inline(always)]
+            fn step(&self, system: &S, t: f64, h: f64, z: S::State, _carry: &mut ()) -> S::State {
+                self.step_with(system, t, h, z, Iteration::TO_ROUNDING)
+            }
+
+            #[inline(always)]
+            fn try_step(
+                &self,
+                system: &S,
+                t: f64,
+                h: f64,
+                z: S::State,
+                _carry: &mut (),
+            ) -> Result<S::State, Unsolved> {
+                self.try_step_with(system, t, h, z, Iteration::TO_ROUNDING)
+            }
+        }
+
         impl Implicit for super::$Method {
             #[inline(always)]
             fn step_with<S>(

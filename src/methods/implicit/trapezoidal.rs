@@ -1,9 +1,7 @@
 //! The trapezoidal rule.
 
-use crate::integrate::{Method, Unsolved};
-use crate::methods::implicit::{ImplicitTableau, Iteration};
+use crate::methods::implicit::ImplicitTableau;
 use crate::methods::{Info, MethodInfo};
-use crate::systems::{Measurable, System};
 
 /// The trapezoidal rule: the mean of the slopes at the start and at the end of the step.
 ///
@@ -40,27 +38,4 @@ impl Trapezoidal {
     pub const TABLEAU: ImplicitTableau<2> =
         ImplicitTableau { a: [[0.0, 0.0], [0.5, 0.5]], b: [0.5, 0.5], c: [0.0, 1.0] };
     // ANCHOR_END: tableau
-}
-
-impl<S: System<State: Measurable>> Method<S> for Trapezoidal {
-    type Carry = ();
-
-    fn start(&self, _system: &S, _t: f64, _h: f64, _z: S::State) {}
-
-    #[inline(always)]
-    fn step(&self, system: &S, t: f64, h: f64, z: S::State, _carry: &mut ()) -> S::State {
-        Self::TABLEAU.step(system, t, h, z)
-    }
-
-    #[inline(always)]
-    fn try_step(
-        &self,
-        system: &S,
-        t: f64,
-        h: f64,
-        z: S::State,
-        _carry: &mut (),
-    ) -> Result<S::State, Unsolved> {
-        Self::TABLEAU.try_step(system, t, h, z, Iteration::TO_ROUNDING)
-    }
 }
