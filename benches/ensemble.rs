@@ -176,7 +176,7 @@ fn main() {
         println!("| {title} | {} | {} |", digits(*alone), cells.join(" | "));
     }
     println!("\nMilliseconds for {PENDULUMS} pendulums, {DURATION} s, to a largest error of\n");
-    let goals = GOALS.map(|goal| format!("$10^{{{}}}$", goal.log10().round()));
+    let goals = GOALS.map(|goal| format!("to $10^{{{}}}$", goal.log10().round()));
     println!("| Method | {} |\n|---{}|", goals.join(" | "), "|--:".repeat(GOALS.len()));
     let quickest: Vec<f64> = (0..GOALS.len())
         .map(|goal| times.iter().map(|(_, time)| time[goal]).fold(f64::INFINITY, f64::min))
