@@ -12,14 +12,12 @@ use fearless_simd::{f64x2, f64x4, f64x8, mask64x2, mask64x4, mask64x8, u64x2, u6
 
 use super::number::{Mask, Number};
 use super::sine::{self, half_turn};
+use super::two::Apart;
 
 /// A number for each lane.
 pub trait Lanes: Number {
     /// The proof that the processor has the instructions.
     type Simd: Simd;
-
-    /// The number of lanes.
-    const COUNT: usize;
 
     /// The numbers that `lane` has for the lanes.
     fn from_lanes(simd: Self::Simd, lane: impl FnMut(usize) -> f64) -> Self;
@@ -32,6 +30,9 @@ macro_rules! lanes {
     ($($Vector:ident of $count:literal, $Bits:ident, $Mask:ident;)+) => {$(
         impl<S: Simd> Number for $Vector<S> {
             type Mask = $Mask<S>;
+            type Two = Apart<Self>;
+
+            const COUNT: usize = $count;
 
             #[inline(always)]
             fn splat(self, x: f64) -> Self {
@@ -97,8 +98,6 @@ macro_rules! lanes {
 
         impl<S: Simd> Lanes for $Vector<S> {
             type Simd = S;
-
-            const COUNT: usize = $count;
 
             #[inline(always)]
             fn from_lanes(simd: S, lane: impl FnMut(usize) -> f64) -> Self {
@@ -170,6 +169,9 @@ impl<N: Number> Neg for Pair<N> {
 
 impl<N: Number> Number for Pair<N> {
     type Mask = Pair<N::Mask>;
+    type Two = Apart<Self>;
+
+    const COUNT: usize = 2 * N::COUNT;
 
     #[inline(always)]
     fn splat(self, x: f64) -> Self {
@@ -226,8 +228,6 @@ impl<N: Number> Number for Pair<N> {
 
 impl<N: Lanes> Lanes for Pair<N> {
     type Simd = N::Simd;
-
-    const COUNT: usize = 2 * N::COUNT;
 
     #[inline(always)]
     fn from_lanes(simd: N::Simd, mut lane: impl FnMut(usize) -> f64) -> Self {

@@ -6,6 +6,7 @@ pub mod double_double;
 pub mod lanes;
 pub mod number;
 pub mod sine;
+pub mod two;
 
 /// Calls `f`, which is `#[inline(always)]`, in code for AVX2 where the processor has it, so that
 /// the compiler can vectorise its loops for it. The bits are the same.

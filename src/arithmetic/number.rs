@@ -4,6 +4,7 @@ use core::f64::consts::FRAC_PI_2;
 use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Sub};
 
 use super::sine::{self, half_turn};
+use super::two::{self, Two};
 
 // ANCHOR: number
 /// A number, or one for each lane of a vector: the operations are the same, and so are the bits.
@@ -22,6 +23,12 @@ pub trait Number:
     /// The result of a comparison.
     type Mask: Mask;
     // ANCHOR_END: number
+
+    /// Two of them.
+    type Two: Two<Self>;
+
+    /// The number of lanes.
+    const COUNT: usize;
 
     /// `x`, in each lane. Of this number only the lanes are used.
     #[must_use]
@@ -88,6 +95,9 @@ impl Mask for bool {
 
 impl Number for f64 {
     type Mask = bool;
+    type Two = two::OfF64;
+
+    const COUNT: usize = 1;
 
     #[inline(always)]
     fn splat(self, x: f64) -> Self {
