@@ -114,7 +114,7 @@ impl<D: Vector> Expansion<D> {
         let is_finite = one + other + square(self.order) < f64::INFINITY;
         // (‖zₚ‖²)^(−1/2p)
         let root = |square: f64, p: usize| log2(square) * (-0.5 / p as f64);
-        is_finite.then(|| exp2(libm::fmin(root(one, last), root(other, last - 1))))
+        is_finite.then(|| exp2(root(one, last).min(root(other, last - 1))))
     }
     // ANCHOR_END: longest
 }
@@ -155,7 +155,7 @@ impl<S: Analytic<State: Components>> Controlled<S> for TaylorSeries {
         loop {
             series.expand(system, z);
             if let Some(longest) = series.longest(tolerance, z) {
-                return series.unit * libm::fmin(longest, GROW);
+                return series.unit * longest.min(GROW);
             }
             // No step is short enough, which the walk reports.
             if t + 0.1 * series.unit == t {
@@ -170,7 +170,7 @@ impl<S: Analytic<State: Components>> Controlled<S> for TaylorSeries {
     fn attempt_step(
         &self,
         _system: &Counting<&S>,
-        tolerance: &Tolerance,
+        _tolerance: &Tolerance,
         series: &mut Self::Memory,
         Times { step, .. }: Times,
         z: S::State,
@@ -178,7 +178,8 @@ impl<S: Analytic<State: Components>> Controlled<S> for TaylorSeries {
         let displacement = series.displacement(step);
         let end = z + displacement;
         // Only a state that overflows is refused.
-        let is_finite = tolerance.state_norm(end, displacement).is_finite();
+        let mut is_finite = true;
+        end.for_each_component(end, displacement, |x, _, _| is_finite &= x.is_finite());
         series.next_unit = if is_finite { step } else { SHRINK / GROW * step };
         is_finite.then_some((end, series.unit))
     }

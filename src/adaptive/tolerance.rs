@@ -95,6 +95,6 @@ impl Tolerance {
     /// The error allowed in a component in a step from `x` to `y`.
     #[inline]
     fn allowed(&self, x: f64, y: f64) -> f64 {
-        self.absolute + self.relative * libm::fmax(libm::fabs(x), libm::fabs(y))
+        self.absolute + self.relative * x.abs().max(y.abs())
     }
 }

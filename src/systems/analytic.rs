@@ -34,8 +34,14 @@ impl<S: Analytic> Analytic for &S {
 impl Analytic for Pendulum {
     #[inline]
     fn terms<const P: usize>(&self, h: f64, z: Phase) -> [Phase; P] {
-        terms(self.frequency_squared(), h, z.omega, (sin(z.theta), cos(z.theta)))
-            .map(|[theta, omega]| Phase { theta, omega })
+        let terms: [_; P] =
+            terms(self.frequency_squared(), h, z.omega, (sin(z.theta), cos(z.theta)));
+        // In a loop: `map` is a call of a function where it is not compiled with this crate.
+        let mut phases = [Phase { theta: 0.0, omega: 0.0 }; P];
+        for (phase, [theta, omega]) in phases.iter_mut().zip(terms) {
+            *phase = Phase { theta, omega };
+        }
+        phases
     }
 
     #[inline]
