@@ -10,12 +10,12 @@ use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Sub};
 use fearless_simd::prelude::*;
 use fearless_simd::{f64x2, f64x4, f64x8, mask64x2, mask64x4, mask64x8, u64x2, u64x4, u64x8};
 
-use super::number::{Mask, Number};
-use super::sine::{self, half_turn};
+use super::number::{Many, Mask, Number};
+use super::sine::half_turn;
 use super::two::Apart;
 
 /// A number for each lane.
-pub trait Lanes: Number {
+pub trait Lanes: Many {
     /// The proof that the processor has the instructions.
     type Simd: Simd;
 
@@ -71,11 +71,6 @@ macro_rules! lanes {
             }
 
             #[inline(always)]
-            fn half_turns(self) -> (Self, Self) {
-                half_turn::reduce(self)
-            }
-
-            #[inline(always)]
             fn sine(self) -> Self {
                 let bound = Number::splat(self, half_turn::LARGEST);
                 if Number::abs(self).at_most(bound).all() {
@@ -84,17 +79,9 @@ macro_rules! lanes {
                     self.map(half_turn::sin)
                 }
             }
-
-            #[inline(always)]
-            fn sine_and_cosine(self) -> (Self, Self) {
-                let (n, [sine, cosine]) = sine::of_remainder(self);
-                // sin (r ± π/2) = ± cos r, and cos (r ± π/2) = ∓ sin r.
-                let is_odd = n.simd_ne(0.0);
-                let sin = is_odd.select(cosine * n, sine);
-                // The sine of −0 is −0.
-                (<Self as SimdFloat<S>>::copysign(sin, self), is_odd.select(-(sine * n), cosine))
-            }
         }
+
+        impl<S: Simd> Many for $Vector<S> {}
 
         impl<S: Simd> Lanes for $Vector<S> {
             type Simd = S;
@@ -225,6 +212,8 @@ impl<N: Number> Number for Pair<N> {
         (Self(s, sine), Self(c, cosine))
     }
 }
+
+impl<N: Number> Many for Pair<N> {}
 
 impl<N: Lanes> Lanes for Pair<N> {
     type Simd = N::Simd;

@@ -68,7 +68,10 @@ pub trait Number:
 
     /// The number of half turns nearest to this angle (rad), and the remainder, in [−π/2, π/2] up
     /// to rounding.
-    fn half_turns(self) -> (Self, Self);
+    #[inline(always)]
+    fn half_turns(self) -> (Self, Self) {
+        half_turn::reduce(self)
+    }
 
     /// The sine of this angle (rad), by the polynomial of the time loop.
     /// Not `sin`, which for an f64 would be the platform's.
@@ -77,8 +80,19 @@ pub trait Number:
 
     /// Sine and cosine of this angle (rad), in [−π/2, π/2] up to rounding, by [`sine::sin`] and
     /// [`sine::cos`].
-    fn sine_and_cosine(self) -> (Self, Self);
+    #[inline(always)]
+    fn sine_and_cosine(self) -> (Self, Self) {
+        let (n, [sine, cosine]) = sine::of_remainder(self);
+        // sin (r ± π/2) = ± cos r, and cos (r ± π/2) = ∓ sin r, for n = ±1.
+        let is_even = n.abs().at_most(n.splat(0.5));
+        let sin = Self::select(is_even, sine, cosine * n);
+        // The sine of −0 is −0.
+        (sin.copysign(self), Self::select(is_even, cosine, -(sine * n)))
+    }
 }
+
+/// A [`Number`] other than f64: it stands for as many as there are lanes.
+pub trait Many: Number {}
 
 /// Whether something holds: for one number, or for each lane.
 pub trait Mask: Copy + BitAnd<Output = Self> + BitOr<Output = Self> {

@@ -45,7 +45,6 @@ impl<N: Number> Deferred<N> {
 
     /// `yes` where the mask is true, `no` elsewhere.
     #[inline(always)]
-    #[cfg(feature = "ensemble")]
     pub(super) fn select(mask: N::Mask, yes: Self, no: Self) -> Self {
         Self {
             sum: N::select(mask, yes.sum, no.sum),
@@ -78,15 +77,15 @@ impl<N: Number> Mul<f64> for Deferred<N> {
 
 impl<N: Number> Vector for Deferred<N> {}
 
-impl Numbers for Deferred {
+impl<N: Number> Numbers<N> for Deferred<N> {
     #[inline(always)]
-    fn write(self, write: &mut impl FnMut(f64)) {
+    fn write(self, write: &mut impl FnMut(N)) {
         let Self { sum, factor, series } = self;
         [sum, factor, series].into_iter().for_each(write);
     }
 
     #[inline(always)]
-    fn read(next: &mut impl FnMut() -> f64) -> Self {
+    fn read(next: &mut impl FnMut() -> N) -> Self {
         Self { sum: next(), factor: next(), series: next() }
     }
 }

@@ -66,6 +66,16 @@ impl<'a> Ensemble<'a> {
 }
 
 impl<I: Instructions> Ensemble<'_, I> {
+    /// Where the pendulums begin.
+    pub const fn starts(&self) -> &[Phase] {
+        self.starts
+    }
+
+    /// The times.
+    pub const fn grid(&self) -> &Grid {
+        &self.grid
+    }
+
     /// Writes the state of each pendulum at the end of the grid to `ends`: a slot for each start.
     ///
     /// # Panics
@@ -170,7 +180,11 @@ impl<I: Instructions> Ensemble<'_, I> {
         Some(starts)
     }
 
-    fn pendulum(&self, i: usize) -> &Pendulum {
+    /// The pendulum of the start `i`.
+    ///
+    /// # Panics
+    /// If there is no such start.
+    pub fn pendulum(&self, i: usize) -> &Pendulum {
         if let [one] = self.pendulums { one } else { &self.pendulums[i] }
     }
 }

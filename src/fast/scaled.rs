@@ -10,19 +10,15 @@ use core::f64::consts::TAU;
 use core::ops::{Add, Mul};
 
 use super::deferred::Deferred;
-#[cfg(feature = "ensemble")]
-use crate::arithmetic::lanes::Lanes;
-use crate::arithmetic::number::Number;
+use crate::arithmetic::number::{Many, Number};
 use crate::arithmetic::sine::half_turn::{
     PI_PARTS, cosine_of_rest, cosine_series, from_the_bottom, of_rest, series,
 };
 use crate::arithmetic::sine::{ROUNDER, sinc};
 use crate::integrate::{Grid, Method};
-#[cfg(feature = "ensemble")]
-use crate::systems::Measurable;
 use crate::systems::{
-    Analytic, Components, ForceGradient, MeanForce, NearlyLinear, Numbers, Pendulum, Phase,
-    Processor, RateOf, Separable, State, System, Vector, growth, terms,
+    Analytic, Components, ForceGradient, MeanForce, Measurable, NearlyLinear, Numbers, Pendulum,
+    Phase, Processor, RateOf, Separable, State, System, Vector, growth, terms,
 };
 
 /// The pendulum with time in steps; or, where a [`Number`] has lanes, a pendulum in each.
@@ -99,16 +95,39 @@ impl ScaledPendulum {
 }
 
 impl<N: Number> ScaledPendulum<N> {
+    /// The pendulum with this −K = −h² g/L and the step h (s).
+    #[inline(always)]
+    pub fn from_parameter(minus_k: N, step: f64) -> Self {
+        Self { minus_k, step }
+    }
+
+    /// −K = −h² g/L.
+    #[inline(always)]
+    pub fn minus_k(&self) -> N {
+        self.minus_k
+    }
+
     /// Angle (rad) and angular velocity (rad/s) of the state `z`.
     #[inline(always)]
     pub(crate) fn angle_and_velocity(&self, z: ReducedPhase<N>) -> (N, N) {
-        let n = z.turns - ROUNDER;
-        let angle = n * PI_PARTS[0] + (n * PI_PARTS[1] + (n * PI_PARTS[2] + z.rest));
-        (angle, z.velocity.value() / self.step)
+        (z.angle(), z.velocity() / self.step)
     }
 }
 
 impl<N: Number> ReducedPhase<N> {
+    /// The angle (rad).
+    #[inline(always)]
+    pub fn angle(self) -> N {
+        let n = self.turns - ROUNDER;
+        n * PI_PARTS[0] + (n * PI_PARTS[1] + (n * PI_PARTS[2] + self.rest))
+    }
+
+    /// The angular velocity (rad a step).
+    #[inline(always)]
+    pub fn velocity(self) -> N {
+        self.velocity.value()
+    }
+
     /// Sine and cosine of the angle. An odd number of half turns changes the sign of both.
     #[inline(always)]
     pub(crate) fn sine_and_cosine(self) -> (N, N) {
@@ -156,8 +175,7 @@ impl Components for ReducedPhase {
     }
 }
 
-#[cfg(feature = "ensemble")]
-impl<N: Lanes> Measurable for ReducedPhase<N> {
+impl<N: Many> Measurable for ReducedPhase<N> {
     type Number = N;
 
     #[inline(always)]
@@ -197,29 +215,29 @@ impl<N: Lanes> Measurable for ReducedPhase<N> {
     }
 }
 
-impl Numbers for ReducedPhase {
+impl<N: Number> Numbers<N> for ReducedPhase<N> {
     #[inline(always)]
-    fn write(self, write: &mut impl FnMut(f64)) {
+    fn write(self, write: &mut impl FnMut(N)) {
         write(self.rest);
         write(self.turns);
         self.velocity.write(write);
     }
 
     #[inline(always)]
-    fn read(next: &mut impl FnMut() -> f64) -> Self {
+    fn read(next: &mut impl FnMut() -> N) -> Self {
         Self { rest: next(), turns: next(), velocity: Deferred::read(next) }
     }
 }
 
-impl Numbers for ReducedRate {
+impl<N: Number> Numbers<N> for ReducedRate<N> {
     #[inline(always)]
-    fn write(self, write: &mut impl FnMut(f64)) {
+    fn write(self, write: &mut impl FnMut(N)) {
         self.angle.write(write);
         self.velocity.write(write);
     }
 
     #[inline(always)]
-    fn read(next: &mut impl FnMut() -> f64) -> Self {
+    fn read(next: &mut impl FnMut() -> N) -> Self {
         Self { angle: Deferred::read(next), velocity: Deferred::read(next) }
     }
 }

@@ -95,7 +95,7 @@ pub use linear_oscillator::LinearOscillator;
 pub use mean_force::MeanForce;
 pub use nearly_linear::NearlyLinear;
 pub(crate) use pendulum::angle;
-pub use pendulum::{LARGEST_ANGLE, Pendulum};
+pub use pendulum::{LARGEST_ANGLE, Pendulum, energy_in_lanes};
 pub(crate) use pendulum_series::{growth, terms};
 pub use shaken::{Mathieu, Shaken};
 pub use state::{Components, Measurable, Numbers, Phase, State, Vector};

@@ -2,6 +2,7 @@
 
 use core::f64::consts::PI;
 
+use crate::arithmetic::number::Number;
 use crate::arithmetic::sine::{cos, half_turn};
 use crate::arithmetic::vectorized;
 use crate::error::{Error, normal, positive};
@@ -108,6 +109,12 @@ impl Pendulum {
         self.depth
     }
 
+    /// Moment of inertia m L² (kg m²).
+    #[inline]
+    pub const fn inertia(&self) -> f64 {
+        self.inertia
+    }
+
     // ANCHOR: energy
     #[inline]
     fn energy_with(&self, sine_of_half: f64, z: Phase) -> f64 {
@@ -185,6 +192,14 @@ fn energies_with(
     for (z, energy) in states.iter().zip(energies) {
         *energy = pendulum.energy_with(sine(0.5 * z.theta), *z);
     }
+}
+
+/// [`Hamiltonian::energy`] of a pendulum of this moment of inertia (kg m²) and depth (J), or of one
+/// in each lane, for angles (rad) up to twice [`half_turn::LARGEST`].
+#[inline(always)]
+pub fn energy_in_lanes<N: Number>([inertia, depth]: [N; 2], theta: N, omega: N) -> N {
+    let sine = half_turn::sin_within(theta * 0.5);
+    (inertia * omega * omega) * 0.5 + depth * 2.0 * sine * sine
 }
 
 /// Beyond this angle (rad) neighbouring f64s are 1/8 rad apart, and an angle means little.

@@ -120,20 +120,20 @@ impl<Z: Components> Measurable for Z {
 
 /// What can be taken apart into numbers and put together again with the same bits: a state, or what
 /// a step carries to the next.
-pub trait Numbers: Copy {
+pub trait Numbers<N = f64>: Copy {
     /// Passes its numbers to `write`, one after the other.
-    fn write(self, write: &mut impl FnMut(f64));
+    fn write(self, write: &mut impl FnMut(N));
 
     /// Puts it together from the numbers that [`write`](Numbers::write) passed on, in their order.
-    fn read(next: &mut impl FnMut() -> f64) -> Self;
+    fn read(next: &mut impl FnMut() -> N) -> Self;
 }
 
-impl Numbers for () {
+impl<N> Numbers<N> for () {
     #[inline]
-    fn write(self, _write: &mut impl FnMut(f64)) {}
+    fn write(self, _write: &mut impl FnMut(N)) {}
 
     #[inline]
-    fn read(_next: &mut impl FnMut() -> f64) -> Self {}
+    fn read(_next: &mut impl FnMut() -> N) -> Self {}
 }
 
 /// Defines a state of named components, each an `f64`: a struct that can be displaced and scaled,

@@ -14,7 +14,7 @@
 //! time loops use the module `half_turn`: one polynomial without a choice between two, two thirds
 //! of the time, within 2.5 ulp, which in a sum of a million kicks makes no difference.
 
-pub(crate) mod half_turn;
+pub mod half_turn;
 
 use core::f64::consts::{FRAC_2_PI, FRAC_PI_4};
 
@@ -107,7 +107,6 @@ fn reduce_always<N: Number>(x: N) -> (N, Rest<N>) {
 
 /// The number of quarter turns nearest to the angle `x` (rad) in [−π/2, π/2] up to rounding, which
 /// is −1, 0 or 1, and sine and cosine of the remainder, without a branch.
-#[cfg(feature = "ensemble")]
 #[inline(always)]
 pub(crate) fn of_remainder<N: Number>(x: N) -> (N, [N; 2]) {
     let (quarters, rest) = reduce_always(x);

@@ -53,15 +53,15 @@ pub struct Rotating<Z, T = f64> {
     pub kick: T,
 }
 
-impl<Z: Numbers> Numbers for Rotating<Z> {
+impl<N: Copy, Z: Numbers<N>> Numbers<N> for Rotating<Z, N> {
     #[inline]
-    fn write(self, write: &mut impl FnMut(f64)) {
+    fn write(self, write: &mut impl FnMut(N)) {
         self.ahead.write(write);
         write(self.kick);
     }
 
     #[inline]
-    fn read(next: &mut impl FnMut() -> f64) -> Self {
+    fn read(next: &mut impl FnMut() -> N) -> Self {
         Self { ahead: Z::read(next), kick: next() }
     }
 }

@@ -1,0 +1,278 @@
+//! Ensembles on a device.
+
+use std::num::NonZeroU64;
+
+use pendula::arithmetic::sine::half_turn;
+use pendula::fast::Instructions;
+use pendula::integrate::Every;
+use pendula::metrics::EnergyDrift;
+use pendula::{AnyMethod, Ensemble, Grid, Observer, Pendulum, Phase, for_each_method, methods};
+
+use crate::kernel::{self, Begun, CONSTANTS, Program, Recordable};
+use crate::opencl::{Device, Session, Watch};
+use crate::{Error, opencl};
+
+/// A method whose steps may run on a device. Every one of the library is one; whether it can be
+/// recorded, [`program`](OnDevice::program) says.
+pub trait OnDevice: AnyMethod {
+    /// [`kernel::program`].
+    fn program(&self) -> Option<Program>;
+
+    /// [`kernel::begin`].
+    fn begin(&self, pendulum: &Pendulum, start: Phase, grid: &Grid) -> Option<Begun>;
+}
+
+impl<M: AnyMethod + Recordable> OnDevice for M {
+    fn program(&self) -> Option<Program> {
+        kernel::program(self)
+    }
+
+    fn begin(&self, pendulum: &Pendulum, start: Phase, grid: &Grid) -> Option<Begun> {
+        kernel::begin(self, pendulum, start, grid)
+    }
+}
+
+macro_rules! collect {
+    ($($module:ident::$method:ident,)+) => {
+        /// Every method of the library, in its order.
+        pub static METHODS: &[&dyn OnDevice] = &[$(&methods::$method,)+];
+    };
+}
+for_each_method!(collect);
+
+/// The method of the library with this name.
+pub fn method_named(name: &str) -> Option<&'static dyn OnDevice> {
+    METHODS.iter().find(|method| method.info().name == name).copied()
+}
+
+/// Pendulums that are on the device at once, at most: enough for every core of a large card. It
+/// bounds the memory here, whatever the number of starts.
+const MOST: usize = 1 << 18;
+
+/// Steps in a launch, at most: a driver may take a program that runs for seconds for one that
+/// hangs.
+const LAUNCH: u64 = 1 << 12;
+
+impl Device {
+    /// Writes the state of each pendulum at the end of the grid to `ends`, as [`Ensemble::ends`]
+    /// does.
+    ///
+    /// # Errors
+    /// [`Error::Method`] for a method that cannot be recorded; [`Error::NoDouble`],
+    /// [`Error::Build`], [`Error::Memory`], [`Error::Driver`].
+    ///
+    /// # Panics
+    /// If there are not as many slots as starts.
+    pub fn ends<I: Instructions>(
+        &self,
+        ensemble: &Ensemble<'_, I>,
+        method: &dyn OnDevice,
+        ends: &mut [Phase],
+    ) -> Result<(), Error> {
+        let run = Run::new(self, ensemble, method, ends.len())?;
+        let steps = ensemble.grid().steps();
+        run.in_batches(
+            ends,
+            |session, batch, ends| {
+                run.advance(session, Watch::End, batch.len(), steps)?;
+                let phases = session.phases(self, batch.len())?;
+                for (column, &i) in batch.iter().enumerate() {
+                    ends[i] = phase(&phases, column);
+                }
+                Ok(())
+            },
+            |i, end| {
+                *end = method.end(ensemble.pendulum(i), ensemble.starts()[i], ensemble.grid());
+            },
+        )
+    }
+
+    /// The same, and to each end the largest energy error (J) of all steps, as [`EnergyDrift`] has
+    /// it.
+    ///
+    /// # Errors
+    /// As [`Device::ends`].
+    ///
+    /// # Panics
+    /// If there are not as many slots as starts.
+    pub fn ends_and_energy_errors<I: Instructions>(
+        &self,
+        ensemble: &Ensemble<'_, I>,
+        method: &dyn OnDevice,
+        ends: &mut [(Phase, f64)],
+    ) -> Result<(), Error> {
+        let run = Run::new(self, ensemble, method, ends.len())?;
+        let steps = ensemble.grid().steps();
+        let alone = |i: usize, slot: &mut (Phase, f64)| {
+            let pendulum = ensemble.pendulum(i);
+            let mut drift = EnergyDrift::new(pendulum);
+            let end = method.run(pendulum, ensemble.starts()[i], ensemble.grid(), &mut drift);
+            *slot = (end, drift.largest());
+        };
+        run.in_batches(
+            ends,
+            |session, batch, ends| {
+                run.advance(session, Watch::Energy, batch.len(), steps)?;
+                let phases = session.phases(self, batch.len())?;
+                let watched = session.watched(self, batch.len())?;
+                let (errors, angles) = watched.split_at(batch.len());
+                for (column, &i) in batch.iter().enumerate() {
+                    // Beyond, the library's sine is another one.
+                    if angles[column] <= 2.0 * half_turn::LARGEST {
+                        ends[i] = (phase(&phases, column), errors[column]);
+                    } else {
+                        alone(i, &mut ends[i]);
+                    }
+                }
+                Ok(())
+            },
+            alone,
+        )
+    }
+
+    /// Passes every k-th state of each start, from the start on, to the observer of that start, as
+    /// [`Ensemble::watch`] does.
+    ///
+    /// # Errors
+    /// As [`Device::ends`].
+    ///
+    /// # Panics
+    /// If there are not as many observers as starts.
+    pub fn watch<I: Instructions, O: Observer<Phase>>(
+        &self,
+        ensemble: &Ensemble<'_, I>,
+        method: &dyn OnDevice,
+        every: NonZeroU64,
+        observers: &mut [O],
+    ) -> Result<(), Error> {
+        let run = Run::new(self, ensemble, method, observers.len())?;
+        let grid = ensemble.grid();
+        run.in_batches(
+            observers,
+            |session, batch, observers| {
+                for &i in batch {
+                    observers[i].observe(0, 0.0, ensemble.starts()[i]);
+                }
+                let mut n = 0;
+                while grid.steps() - n >= every.get()
+                    && batch.iter().any(|&i| !observers[i].is_satisfied())
+                {
+                    run.advance(session, Watch::End, batch.len(), every.get())?;
+                    n += every.get();
+                    let phases = session.phases(self, batch.len())?;
+                    for (column, &i) in batch.iter().enumerate() {
+                        if !observers[i].is_satisfied() {
+                            observers[i].observe(n, grid.time(n), phase(&phases, column));
+                        }
+                    }
+                }
+                Ok(())
+            },
+            |i, observer| {
+                let mut watch = Every::new(every, |n, t, z| {
+                    if !observer.is_satisfied() {
+                        observer.observe(n, t, z);
+                    }
+                });
+                let _ = method.run(ensemble.pendulum(i), ensemble.starts()[i], grid, &mut watch);
+            },
+        )
+    }
+}
+
+/// What all batches of a run have in common.
+struct Run<'a, I> {
+    device: &'a Device,
+    ensemble: &'a Ensemble<'a, I>,
+    method: &'a dyn OnDevice,
+    program: Program,
+    /// Pendulums in a batch.
+    capacity: usize,
+}
+
+impl<'a, I: Instructions> Run<'a, I> {
+    fn new(
+        device: &'a Device,
+        ensemble: &'a Ensemble<'a, I>,
+        method: &'a dyn OnDevice,
+        slots: usize,
+    ) -> Result<Self, Error> {
+        assert_eq!(slots, ensemble.starts().len(), "one slot for each start");
+        if !device.is_double {
+            return Err(Error::NoDouble { device: device.name.clone() });
+        }
+        let name = method.info().name;
+        let program = method.program().ok_or(Error::Method { method: name })?;
+        // A quarter of the memory, in buffers that are allowed.
+        let row = 8 * (program.numbers + CONSTANTS.len() + 4) as u64;
+        let room = u64::min(device.memory / 4 / row, device.largest_buffer / row);
+        let capacity = usize::try_from(room).unwrap_or(usize::MAX).min(MOST).min(slots.max(1));
+        if capacity == 0 {
+            return Err(Error::Memory { device: device.name.clone() });
+        }
+        Ok(Self { device, ensemble, method, program, capacity })
+    }
+
+    /// Calls `on_device` for each batch of pendulums, with a session in which they stand at the
+    /// start, their indices and all slots; and `alone` for each pendulum that the library does not
+    /// run in steps either.
+    fn in_batches<T>(
+        &self,
+        slots: &mut [T],
+        mut on_device: impl FnMut(&mut Session, &[usize], &mut [T]) -> Result<(), Error>,
+        mut alone: impl FnMut(usize, &mut T),
+    ) -> Result<(), Error> {
+        let mut session = opencl::Session::new(self.device, &self.program, self.capacity)?;
+        let mut batch = Vec::with_capacity(self.capacity);
+        let mut begun = Vec::with_capacity(self.capacity);
+        for (i, start) in self.ensemble.starts().iter().enumerate() {
+            match self.method.begin(self.ensemble.pendulum(i), *start, self.ensemble.grid()) {
+                Some(pendulum) => {
+                    batch.push(i);
+                    begun.push(pendulum);
+                }
+                None => alone(i, &mut slots[i]),
+            }
+            let is_last = i + 1 == self.ensemble.starts().len();
+            if !batch.is_empty() && (is_last || batch.len() == self.capacity) {
+                let constants = rows(&begun, CONSTANTS.len(), |pendulum| &pendulum.constants);
+                let numbers = rows(&begun, self.program.numbers, |pendulum| &pendulum.numbers);
+                session.write(self.device, batch.len(), &constants, &numbers)?;
+                on_device(&mut session, &batch, slots)?;
+                batch.clear();
+                begun.clear();
+            }
+        }
+        Ok(())
+    }
+
+    /// Takes `steps` steps, in launches that a driver lets finish.
+    fn advance(
+        &self,
+        session: &Session,
+        watch: Watch,
+        pendulums: usize,
+        steps: u64,
+    ) -> Result<(), Error> {
+        let mut left = steps;
+        while left > 0 {
+            let now = left.min(LAUNCH);
+            session.advance(self.device, watch, pendulums, now, self.ensemble.grid().step())?;
+            left -= now;
+        }
+        Ok(())
+    }
+}
+
+/// The numbers of all pendulums in rows: the first of each, then the second of each.
+fn rows(begun: &[Begun], width: usize, of: impl Fn(&Begun) -> &[f64]) -> Vec<f64> {
+    (0..width)
+        .flat_map(|row| begun.iter().map(move |pendulum| (row, pendulum)))
+        .map(|(row, pendulum)| of(pendulum)[row])
+        .collect()
+}
+
+/// The state in a column of angles and then angular velocities.
+fn phase(phases: &[f64], column: usize) -> Phase {
+    Phase { theta: phases[column], omega: phases[phases.len() / 2 + column] }
+}
