@@ -1,9 +1,15 @@
-//! The device has the bits of the library. Where there is no device, the tests say so, and do not
-//! run.
+//! A device has the bits of the library. Where there is none, the tests that need one say so, and
+//! do not run.
 
+mod contracted;
+mod recorded;
+
+use core::num::NonZeroU64;
+
+use pendula::integrate::Every;
 use pendula::metrics::EnergyDrift;
-use pendula::{Ensemble, Grid, Pendulum, Phase};
-use pendula_device::{Device, METHODS, OnDevice, devices};
+use pendula::{Ensemble, Grid, Observer, Pendulum, Phase};
+use pendula_device::{Device, METHODS, OnDevice, devices, method_named};
 
 /// The devices with double precision.
 fn usable() -> Vec<Device> {
@@ -35,9 +41,9 @@ fn starts() -> Vec<Phase> {
 fn scenes() -> [(Pendulum, Grid); 4] {
     let moon = Pendulum::new(1.62, 0.3, 2.0).expect("positive");
     [
-        (Pendulum::PAPER, Grid::new(0.01, 300).expect("positive")),
-        (Pendulum::PAPER, Grid::new(0.3, 100).expect("positive")),
-        (moon, Grid::new(0.05, 200).expect("positive")),
+        (Pendulum::PAPER, Grid::new(0.01, 120).expect("positive")),
+        (Pendulum::PAPER, Grid::new(0.3, 60).expect("positive")),
+        (moon, Grid::new(0.05, 80).expect("positive")),
         (Pendulum::PAPER, Grid::new(0.02, 1).expect("positive")),
     ]
 }
@@ -80,6 +86,64 @@ fn every_method_has_the_bits_of_a_trajectory_alone() {
             if method.program().is_some() {
                 compare(&device, *method);
             }
+        }
+    }
+}
+
+/// Each k-th state of two batches, from a grid that is no whole number of them; and a pendulum that
+/// the library does not run in steps of its own, whose angle is too large for it.
+///
+/// Catches: a batch that goes on where the last one ended, states of the wrong pendulum, a step too
+/// many or too few between two of them, a start that is left out.
+#[test]
+fn every_kth_state_is_that_of_a_trajectory_alone() {
+    let mut starts = starts();
+    starts.truncate(100);
+    starts.push(Phase::at_rest(1e7));
+    let grid = Grid::new(0.01, 1000).expect("positive");
+    let ensemble = Ensemble::new(&Pendulum::PAPER, &starts, grid);
+    let every = NonZeroU64::new(300).expect("positive");
+    let method = method_named("blanes-moan-6").expect("it is one of the library's");
+    for device in usable() {
+        let mut seen = vec![Record::default(); starts.len()];
+        device.watch(&ensemble, method, every, &mut seen).expect("a device that works");
+        for (start, seen) in starts.iter().zip(seen) {
+            let mut alone = Record::default();
+            let mut watch = Every::new(every, |n, t, z| alone.observe(n, t, z));
+            let _ = method.run(&Pendulum::PAPER, *start, &grid, &mut watch);
+            assert_eq!(seen.0.len(), 4, "{start:?}");
+            assert_eq!(seen.0, alone.0, "{start:?}");
+        }
+    }
+}
+
+/// Step, time and state of each sample.
+#[derive(Clone, Default)]
+struct Record(Vec<(u64, u64, [u64; 2])>);
+
+impl Observer<Phase> for Record {
+    fn observe(&mut self, n: u64, t: f64, z: Phase) {
+        self.0.push((n, t.to_bits(), bits(z)));
+    }
+}
+
+/// Catches: an implicit method whose sweeps are recorded as if they were always two.
+#[test]
+fn a_method_that_looks_at_its_numbers_is_refused() {
+    let implicit = METHODS.iter().filter(|method| method.info().implicit);
+    assert_eq!(implicit.clone().count(), 6);
+    for method in METHODS {
+        assert_eq!(method.program().is_none(), method.info().implicit, "{:?}", method.info().name);
+    }
+    for device in usable() {
+        let starts = [Phase::at_rest(1.0)];
+        let grid = Grid::new(0.1, 1).expect("positive");
+        let ensemble = Ensemble::new(&Pendulum::PAPER, &starts, grid);
+        for method in implicit.clone() {
+            let refused = device.ends(&ensemble, *method, &mut [Phase::default()]).unwrap_err();
+            let expected =
+                "does not run on a device: how many operations a step has depends on the numbers";
+            assert_eq!(refused.to_string(), format!("{} {expected}", method.info().name));
         }
     }
 }

@@ -36,6 +36,8 @@ pub struct Program {
     pub source: String,
     /// The numbers of a state and what a step carries to the next.
     pub numbers: usize,
+    /// The additions, subtractions, multiplications and divisions of a step that is not looked at.
+    pub operations: usize,
 }
 
 /// A pendulum where it begins: its [`CONSTANTS`], and the numbers of its state and its carry.
@@ -90,7 +92,8 @@ pub fn program<M: Recordable>(method: &M) -> Option<Program> {
     );
     recording.write_steps(&mut source);
     recording.write_watched_steps(&mut source);
-    Some(Program { source, numbers: recording.next.len() })
+    let (numbers, operations) = (recording.next.len(), recording.operations());
+    Some(Program { source, numbers, operations })
 }
 
 impl Recording {
@@ -153,17 +156,28 @@ impl Recording {
         self.write_values(out, &places, "        ");
         self.write_angle_and_velocity(out);
         // A NaN stays.
-        let _ = writeln!(
-            out,
-            "        const double error = fabs({} - initial);\n        largest = error > largest || \
-             isnan(error) ? error : largest;\n        farthest = fabs(theta) > farthest ? \
-             fabs(theta) : farthest;",
-            self.term(self.energy)
-        );
+        out.push_str("        const double error = fabs(");
+        out.push_str(&self.term(self.energy));
+        out.push_str(" - initial);\n");
+        out.push_str("        largest = error > largest || isnan(error) ? error : largest;\n");
+        out.push_str("        farthest = fabs(theta) > farthest ? fabs(theta) : farthest;\n");
         let all: Vec<usize> = (0..self.next.len()).collect();
         self.write_moves(out, &all, "        ");
         out.push_str("    }\n    watched[i] = largest;\n    watched[pendulums + i] = farthest;\n");
         self.write_stores(out);
+    }
+
+    /// The additions, subtractions, multiplications and divisions of a step before the last one.
+    fn operations(&self) -> usize {
+        let next: Vec<Place> =
+            self.read_by_later_steps().into_iter().map(|i| self.next[i]).collect();
+        let is_operation = |place: &Place| {
+            matches!(
+                self.value(*place),
+                Value::Sum(..) | Value::Difference(..) | Value::Product(..) | Value::Quotient(..)
+            )
+        };
+        self.live(&next).iter().filter(|place| is_operation(place)).count()
     }
 
     /// What the last step of all leaves: the numbers, angle and angular velocity.
@@ -209,7 +223,7 @@ impl Recording {
         loop {
             let before = read.len();
             read.extend(self.live(&places).into_iter().filter_map(
-                |place| match self.tape.values()[place] {
+                |place| match self.value(place) {
                     Value::Variable(index) => index.checked_sub(self.variable(0)),
                     _ => None,
                 },
@@ -226,7 +240,7 @@ impl Recording {
         let (mut live, mut waiting) = (BTreeSet::new(), places.to_vec());
         while let Some(place) = waiting.pop() {
             if live.insert(place) {
-                waiting.extend(made_of(self.tape.values()[place]));
+                waiting.extend(made_of(self.value(place)));
             }
         }
         live
@@ -235,7 +249,7 @@ impl Recording {
     /// Declares all values that those at `places` are made of.
     fn write_values(&self, out: &mut String, places: &[Place], indent: &str) {
         for place in self.live(places) {
-            let value = self.tape.values()[place];
+            let value = self.value(place);
             if !matches!(value, Value::Variable(_) | Value::Constant(_)) {
                 let is_mask =
                     matches!(value, Value::AtMost(..) | Value::Both(..) | Value::Either(..));
@@ -245,32 +259,26 @@ impl Recording {
         }
     }
 
-    /// Gives the numbers `which` their next values, all at once.
+    /// Gives the numbers `which` their next values, all at once: one may be the value that another
+    /// had before the step.
     fn write_moves(&self, out: &mut String, which: &[usize], indent: &str) {
-        let name = |&i: &usize| &self.names[self.variable(i)];
-        // One may be the value of another before the step.
-        let is_variable = |i: &usize| matches!(self.tape.values()[self.next[*i]], Value::Variable(index) if index != self.variable(*i));
-        for i in which.iter().filter(|i| is_variable(i)) {
-            let _ = writeln!(out, "{indent}const double old{i} = {};", self.term(self.next[*i]));
+        let is_variable = |i: usize| matches!(self.value(self.next[i]), Value::Variable(_));
+        for &i in which.iter().filter(|i| is_variable(**i)) {
+            let _ = writeln!(out, "{indent}const double old{i} = {};", self.term(self.next[i]));
         }
-        for i in which {
-            if is_variable(i) {
-                let _ = writeln!(out, "{indent}{} = old{i};", name(i));
-            } else if self.next[*i] != self.place_of_variable(*i) {
-                let _ = writeln!(out, "{indent}{} = {};", name(i), self.term(self.next[*i]));
-            }
+        for &i in which {
+            let next = if is_variable(i) { format!("old{i}") } else { self.term(self.next[i]) };
+            let _ = writeln!(out, "{indent}{} = {next};", self.names[self.variable(i)]);
         }
     }
 
-    /// Where the number `i` before the step stands; no place if nobody has read it.
-    fn place_of_variable(&self, i: usize) -> Place {
-        let value = Value::Variable(self.variable(i));
-        self.tape.values().iter().position(|&other| other == value).unwrap_or(Place::MAX)
+    fn value(&self, place: Place) -> Value {
+        self.tape.values()[place]
     }
 
     /// The value at a place, where it is used.
     fn term(&self, place: Place) -> String {
-        match self.tape.values()[place] {
+        match self.value(place) {
             Value::Variable(index) => self.names[index].clone(),
             Value::Constant(bits) => constant(f64::from_bits(bits)),
             _ => format!("v{place}"),

@@ -120,7 +120,8 @@ fn push(value: Value) -> Place {
     TAPE.with_borrow_mut(|tape| tape.push(value))
 }
 
-/// The place of the result of an operation on `a` and `b`: computed now if both are constants.
+/// The place of the result of an operation on `a` and `b`: computed now if both are constants, and
+/// `a` itself where it is multiplied by 1.
 fn operation(
     a: Place,
     b: Place,
@@ -130,6 +131,7 @@ fn operation(
     TAPE.with_borrow_mut(|tape| {
         let value = match (tape.constant(a), tape.constant(b)) {
             (Some(a), Some(b)) => Value::Constant(now(a, b).to_bits()),
+            (None, Some(1.0)) if matches!(value(a, b), Value::Product(..)) => return Traced(a),
             _ => value(a, b),
         };
         Traced(tape.push(value))

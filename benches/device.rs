@@ -1,0 +1,108 @@
+//! Pendulums on a device: `cargo bench --bench device -- [NAME]`.
+//!
+//! Millions of steps a second on each OpenCL device, or on those with NAME in their names, beside
+//! the library's lanes on one core and on all; and the additions, subtractions, multiplications and
+//! divisions that the device does a second. Its bound is what it does without fusing products with
+//! sums, which would change the bits: half of the figure on its data sheet.
+
+#[path = "common/machine.rs"]
+mod machine;
+
+use std::hint::black_box;
+use std::num::NonZero;
+use std::thread::{available_parallelism, scope};
+
+use machine::{instructions, seconds};
+use pendula::fast::InLanes;
+use pendula::{Ensemble, Grid, Info, Pendulum, Phase, methods};
+use pendula_device::{Device, OnDevice, devices};
+
+/// Enough for each core of a large card to have several.
+const PENDULUMS: u32 = 1 << 18;
+
+/// A run takes at least this long (s): starts are prepared on this side and brought to the device,
+/// which must not count.
+const LONG: f64 = 0.5;
+
+/// The shortest of this number of runs is taken.
+const ROUNDS: usize = 3;
+
+/// Releases from 0.01 to 3.1 rad.
+fn releases() -> Vec<Phase> {
+    let last = f64::from(PENDULUMS - 1);
+    (0..PENDULUMS).map(|j| Phase::at_rest(0.01 + 3.09 * f64::from(j) / last)).collect()
+}
+
+/// Steps a second of `run`, which takes this number of steps with each pendulum.
+fn speed(mut run: impl FnMut(Grid) -> Phase) -> f64 {
+    let grid = |steps| Grid::new(0.01, steps).expect("a positive step");
+    let mut steps = 16;
+    // The first run on a device compiles the steps.
+    run(grid(steps));
+    while seconds(|| run(grid(steps))) < LONG {
+        steps *= 2;
+    }
+    let times = (0..ROUNDS).map(|_| seconds(|| run(grid(steps))));
+    steps as f64 * f64::from(PENDULUMS) / times.fold(f64::INFINITY, f64::min)
+}
+
+/// The same in lanes, with this number of threads.
+fn in_lanes<M: InLanes>(method: &M, starts: &[Phase], threads: usize) -> f64 {
+    let mut ends = vec![Phase::default(); starts.len()];
+    let part = starts.len().div_ceil(threads);
+    speed(|grid| {
+        scope(|scope| {
+            for (starts, ends) in starts.chunks(part).zip(ends.chunks_mut(part)) {
+                scope.spawn(move || {
+                    Ensemble::new(&Pendulum::PAPER, black_box(starts), grid).ends(method, ends);
+                });
+            }
+        });
+        ends[0]
+    })
+}
+
+fn row<M: OnDevice + InLanes>(method: &M, devices: &[Device], threads: usize) {
+    let starts = releases();
+    let mega = |speed: f64| format!("{:.0}", speed * 1e-6);
+    let program = method.program().expect("a method that runs on devices");
+    let mut cells = vec![Info::info(method).title.to_string(), program.operations.to_string()];
+    cells.extend([1, threads].map(|threads| mega(in_lanes(method, &starts, threads))));
+    for device in devices {
+        let mut ends = vec![Phase::default(); starts.len()];
+        let speed = speed(|grid| {
+            let ensemble = Ensemble::new(&Pendulum::PAPER, &starts, grid);
+            device.ends(&ensemble, method, &mut ends).expect("a device that works");
+            ends[0]
+        });
+        let operations = program.operations as f64 * speed * 1e-9;
+        cells.extend([mega(speed), format!("{operations:.1}")]);
+    }
+    println!("| {} |", cells.join(" | "));
+}
+
+fn main() {
+    let name = std::env::args().skip(1).find(|word| !word.starts_with('-')).unwrap_or_default();
+    let devices = match devices() {
+        Ok(devices) => devices,
+        Err(error) => {
+            println!("nothing measured: {error}");
+            return;
+        }
+    };
+    let devices: Vec<Device> = devices
+        .into_iter()
+        .filter(|device| device.is_double && device.name.contains(&name))
+        .collect();
+    let threads = available_parallelism().map_or(1, NonZero::get);
+    println!("{}\n", instructions());
+    println!("Millions of steps a second of {PENDULUMS} pendulums, and 10⁹ operations a second.\n");
+    let columns = devices.iter().map(|device| format!(" {} | 10⁹/s |", device.name));
+    let columns: String = columns.collect();
+    println!("| Method | operations a step | one core | {threads} cores |{columns}");
+    println!("|---|--:|--:|--:|{}", "--:|--:|".repeat(devices.len()));
+    macro_rules! rows {
+        ($($method:ident)+) => {$(row(&methods::$method, &devices, threads);)+};
+    }
+    rows!(SymplecticEuler StormerVerlet Rk4 BlanesMoan6 Dop853 Processed6 Taylor24);
+}
