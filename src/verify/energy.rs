@@ -3,7 +3,7 @@
 //! Hairer, Lubich, Wanner, *Geometric Numerical Integration* (2006), Sect. V.5.
 
 use super::{CheckResult, near, pendulum, samples};
-use crate::{AnyMethod, Hamiltonian, Phase};
+use crate::{AnyMethod, Hamiltonian, MethodInfo, Phase};
 
 const STEPS: u64 = 2000;
 
@@ -11,13 +11,18 @@ const STEPS: u64 = 2000;
 /// velocity and of an equation solved to the last digits, each of half an ε or one.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
+/// Whether the method is one that conserves the energy, in steps of any length.
+pub fn is_conserved_by(method: &MethodInfo) -> bool {
+    method.name == "discrete-gradient"
+}
+
 /// Whether a method that conserves the energy does so, to and fro and over the top, in steps of x =
 /// ω₀h from short ones to those that are hardly solved. It accepts all other methods.
 ///
 /// # Errors
 /// Says by how much it does not.
 pub fn check(method: &dyn AnyMethod) -> CheckResult {
-    if method.info().name != "discrete-gradient" {
+    if !is_conserved_by(&method.info()) {
         return Ok(());
     }
     let pendulum = pendulum();

@@ -6,8 +6,8 @@ use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
 
 use crate::commands::{
-    adaptive, book, claims, double_pendulum, ensemble, exact, number, period, preprocess, review,
-    serve, simulate, tables, verify, work_precision,
+    adaptive, book, claims, double_pendulum, ensemble, exact, methods, number, period, preprocess,
+    review, serve, simulate, tables, verify, work_precision,
 };
 
 use crate::failure::Failure;
@@ -32,6 +32,8 @@ pub enum Command {
     Book(book::Arguments),
     /// Print the paper's tables: stated, measured, verdict
     Tables(tables::Arguments),
+    /// Print the methods: order, what each keeps, what a step costs, and where the book has it
+    Methods(methods::Arguments),
     /// Print every claim of the paper; exit status 1 if a measurement contradicts its verdict on
     /// record
     Claims(claims::Arguments),

@@ -9,6 +9,7 @@ use pendula::methods::Rk4;
 use pendula::systems::{DoublePhase, Joint};
 use pendula::{Counting, DoublePendulum, Grid, Hamiltonian, Observer, Pendulum};
 
+use super::angle::angle;
 use super::number::number;
 use super::pendulum_arguments::or_default;
 use super::trajectory::{Run, Trajectory, TrajectoryArguments, overflow};
@@ -18,12 +19,12 @@ use crate::interrupt::Lookout;
 /// Arguments of `pendula double-pendulum`.
 #[derive(Args, Debug)]
 pub struct Arguments {
-    /// Angle of the upper rod at the start (rad), from the downward vertical
-    #[arg(long, value_name = "RAD", value_parser = number, allow_hyphen_values = true,
+    /// Angle of the upper rod at the start, from the downward vertical: radians, or as pi/3, 60deg
+    #[arg(long, value_name = "ANGLE", value_parser = angle, allow_hyphen_values = true,
         required_unless_present = "resume")]
     theta1: Option<f64>,
-    /// Angle of the lower rod at the start (rad), from the downward vertical
-    #[arg(long, value_name = "RAD", value_parser = number, allow_hyphen_values = true,
+    /// Angle of the lower rod at the start, from the downward vertical: radians, or as pi/3, 60deg
+    #[arg(long, value_name = "ANGLE", value_parser = angle, allow_hyphen_values = true,
         required_unless_present = "resume")]
     theta2: Option<f64>,
     #[arg(long, value_name = "RAD/S", value_parser = number, allow_hyphen_values = true,

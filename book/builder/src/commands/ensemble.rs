@@ -10,6 +10,7 @@ use clap::Args;
 use pendula::{Grid, Hamiltonian, MethodInfo, Motion, Pendulum, Phase};
 use serde::{Deserialize, Serialize};
 
+use super::angle::angles;
 use super::number::number;
 use super::pendulum_arguments::{MassArgument, PendulumArguments, methods, or_default};
 use super::rows::RowFormat;
@@ -27,10 +28,11 @@ pub struct Arguments {
     /// The method
     #[arg(long, value_name = "M", value_parser = methods(), required_unless_present = "resume")]
     method: Option<String>,
-    /// Angle at the start (rad), or a range of them at even distances
+    /// Angle at the start, in radians or as pi/3, 60deg; or a range of them at even distances
     #[arg(
         long,
-        value_name = "RAD|FROM:TO:COUNT",
+        value_name = "ANGLE|FROM:TO:COUNT",
+        value_parser = angles,
         allow_hyphen_values = true,
         required_unless_present = "resume"
     )]

@@ -10,12 +10,14 @@ use crate::failure::Failure;
 use crate::threads;
 
 pub mod adaptive;
+pub mod angle;
 pub mod book;
 pub mod claims;
 pub(crate) mod destination;
 pub mod double_pendulum;
 pub mod ensemble;
 pub mod exact;
+pub mod methods;
 pub mod number;
 pub(crate) mod pendulum_arguments;
 pub mod period;
@@ -42,6 +44,7 @@ pub fn run(command: Command, out: &mut dyn Write) -> Result<(), Failure> {
     match command {
         Command::Book(arguments) => book::run(&arguments, out),
         Command::Tables(arguments) => tables::run(&arguments, out),
+        Command::Methods(arguments) => methods::run(&arguments, out),
         Command::Claims(arguments) => claims::run(&arguments, out),
         Command::Review(arguments) => review::run(&arguments, out),
         Command::Simulate(arguments) => simulate::run(&arguments, out),
@@ -65,6 +68,7 @@ const fn computes_in_parallel(command: &Command) -> bool {
         | Command::DoublePendulum(_)
         | Command::Exact(_)
         | Command::Period(_)
+        | Command::Methods(_)
         | Command::Serve(_) => false,
         Command::Book(_)
         | Command::Tables(_)

@@ -7,6 +7,8 @@
 use std::num::NonZeroU64;
 use std::str::FromStr;
 
+use super::angle;
+
 /// A number. Whether it may be infinite or negative is for the library to say.
 pub fn number(text: &str) -> Result<f64, String> {
     value(text, "it must be a number")
@@ -37,7 +39,7 @@ pub fn refusal(text: &str, allowed: &str) -> String {
 pub fn forgotten(text: &str) -> Option<String> {
     let name = text.trim_start_matches('-');
     let digits = |c: char| c.is_ascii_digit() || c == '.';
-    let is_number = name.starts_with(digits) || text.parse::<f64>().is_ok();
+    let is_number = name.starts_with(digits) || angle::is_angle(text);
     (name.len() < text.len() && !is_number)
         .then(|| format!("{text} is an option, and the value before it is missing"))
 }

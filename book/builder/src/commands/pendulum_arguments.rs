@@ -6,6 +6,7 @@ use pendula::{AnyMethod, Error, Grid, METHODS, Pendulum, Phase};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
+use super::angle::angle;
 use super::number::number;
 use super::state::Kept;
 use crate::failure::Failure;
@@ -93,8 +94,8 @@ impl PendulumArguments {
 /// The start.
 #[derive(Args, Debug)]
 pub struct StartArguments {
-    /// Angle at the start (rad)
-    #[arg(long, value_name = "RAD", value_parser = number, allow_hyphen_values = true)]
+    /// Angle at the start: radians, or as pi/3, 60deg
+    #[arg(long, value_name = "ANGLE", value_parser = angle, allow_hyphen_values = true)]
     theta0: f64,
     /// Angular velocity at the start (rad/s)
     #[arg(long, value_name = "RAD/S", default_value_t = 0.0, value_parser = number,

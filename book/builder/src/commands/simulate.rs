@@ -10,6 +10,7 @@ use pendula::{
     Grid, Info, Motion, Observer, Pendulum, Phase, for_each_method, method_named, methods,
 };
 
+use super::angle::angle;
 use super::number::number;
 use super::pendulum_arguments::{
     MassArgument, PendulumArguments, methods as names, not_solved, or_default,
@@ -25,8 +26,8 @@ pub struct Arguments {
     /// The method
     #[arg(long, value_name = "M", value_parser = names(), required_unless_present = "resume")]
     method: Option<String>,
-    /// Angle at the start (rad)
-    #[arg(long, value_name = "RAD", value_parser = number, allow_hyphen_values = true,
+    /// Angle at the start: radians, or as pi/3, 60deg
+    #[arg(long, value_name = "ANGLE", value_parser = angle, allow_hyphen_values = true,
         required_unless_present = "resume")]
     theta0: Option<f64>,
     #[arg(long, value_name = "RAD/S", value_parser = number, allow_hyphen_values = true,

@@ -26,6 +26,32 @@ pub struct Range {
     pub count: u64,
 }
 
+impl Sweep {
+    /// What `text` stands for, with `number` for each number in it.
+    ///
+    /// # Errors
+    /// What `number` says of one number; for anything else, what is allowed.
+    pub fn of(text: &str, number: impl Fn(&str) -> Result<f64, String>) -> Result<Self, String> {
+        const ALLOWED: &str = "or a range FROM:TO:COUNT with a COUNT of 2 or more";
+        let or_range = |reason: String| format!("{reason}, {ALLOWED}");
+        let parts: Vec<&str> = text.split(':').collect();
+        match parts[..] {
+            [one] => number(one).map(Self::One).map_err(or_range),
+            [from, to, count] => {
+                let [from, to] = [number(from), number(to)];
+                let count = count.parse().ok().filter(|count| *count >= 2);
+                let count = count.ok_or_else(|| "it must be a number".to_owned());
+                Ok(Self::Range(Range {
+                    from: from.map_err(or_range)?,
+                    to: to.map_err(or_range)?,
+                    count: count.map_err(or_range)?,
+                }))
+            }
+            _ => Err(or_range("it must be a number".to_owned())),
+        }
+    }
+}
+
 impl Range {
     /// Equally spaced numbers; the ends are exact. Of all of them `which`, counted from zero.
     pub fn linear(self, which: ops::Range<u64>) -> impl Iterator<Item = f64> {
@@ -72,20 +98,9 @@ impl FromStr for Sweep {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, Self::Err> {
-        const ALLOWED: &str =
-            "it must be a number, or a range FROM:TO:COUNT with a COUNT of 2 or more";
+        const ALLOWED: &str = "it must be a number";
         let number = |text: &str| text.parse::<f64>().ok().filter(|x| x.is_finite());
-        let parts: Vec<&str> = text.split(':').collect();
-        let sweep = match parts[..] {
-            [one] => number(one).map(Self::One),
-            [from, to, count] => {
-                let count = count.parse().ok().filter(|count| *count >= 2);
-                let ends = number(from).zip(number(to)).zip(count);
-                ends.map(|((from, to), count)| Self::Range(Range { from, to, count }))
-            }
-            _ => None,
-        };
-        sweep.ok_or_else(|| refusal(text, ALLOWED))
+        Self::of(text, |end| number(end).ok_or_else(|| refusal(end, ALLOWED)))
     }
 }
 

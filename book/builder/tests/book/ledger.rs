@@ -2,7 +2,7 @@
 
 use std::process::ExitCode;
 
-use pendula_book::commands::claims::{self, LedgerFormat};
+use pendula_book::commands::claims::{self, Filter, LedgerFormat};
 use pendula_book::failure::Failure;
 use pendula_study::claims::Ledger;
 use pendula_study::experiments::Study;
@@ -22,7 +22,7 @@ fn a_contradicted_claim_ends_with_status_1(
     forged.convergence[0].drift[0] *= 1.01;
     let report = |study: &Study| {
         let mut out = Vec::new();
-        let outcome = claims::report(&Ledger::new(study), format, &mut out);
+        let outcome = claims::report(&Ledger::new(study), &Filter::default(), format, &mut out);
         (outcome, String::from_utf8(out).unwrap())
     };
     let (outcome, honest) = report(&honest);

@@ -1,0 +1,264 @@
+//! Angles on the command line: radians, multiples of π, degrees.
+//!
+//! `1.5`, `pi/3`, `-2pi/3`, `0.5pi`, `60deg`. π/3 is no number of f64, and neither is 60 degrees:
+//! what is meant is the f64 nearest to the real angle, and it is found with integers, since π as an
+//! f64 divided by three is not always that number.
+
+use crate::sweep::range::Sweep;
+
+use super::number::refusal;
+
+/// What an angle may be.
+const ALLOWED: &str =
+    "it must be an angle: radians as 1.5, multiples of π as -2pi/3 or 0.5pi, degrees as 60deg";
+
+/// An angle (rad). Whether it may be infinite is for the library to say.
+///
+/// # Errors
+/// One line that says what is allowed, with what was probably meant.
+pub fn angle(text: &str) -> Result<f64, String> {
+    if let Ok(number) = text.parse() {
+        return Ok(number);
+    }
+    multiple_of_pi(text).ok_or_else(|| match meant(text) {
+        Some(meant) => format!("{ALLOWED}; is it {meant}?"),
+        None => refusal(text, ALLOWED),
+    })
+}
+
+/// An angle, or a range of them.
+///
+/// # Errors
+/// As [`angle`].
+pub fn angles(text: &str) -> Result<Sweep, String> {
+    Sweep::of(text, |end| match angle(end)? {
+        finite if finite.is_finite() => Ok(finite),
+        _ => Err(ALLOWED.to_owned()),
+    })
+}
+
+/// `2pi/3` or `60deg`.
+fn multiple_of_pi(text: &str) -> Option<f64> {
+    let text = text.trim().to_lowercase();
+    let (sign, text) = match text.strip_prefix('-') {
+        Some(rest) => (-1.0, rest),
+        None => (1.0, text.strip_prefix('+').unwrap_or(&text)),
+    };
+    let share = match text.strip_suffix("deg").or_else(|| text.strip_suffix('°')) {
+        Some(degrees) => Fraction::decimal(degrees.trim_end())?.over(Fraction::whole(180)?)?,
+        None => {
+            let (factor, rest) = text.split_once("pi").or_else(|| text.split_once('π'))?;
+            let factor = factor.trim_end().strip_suffix('*').unwrap_or(factor).trim_end();
+            let factor = match factor {
+                "" => Fraction::whole(1)?,
+                digits => Fraction::decimal(digits)?,
+            };
+            match rest {
+                "" => factor,
+                rest => factor.over(Fraction::decimal(rest.strip_prefix('/')?)?)?,
+            }
+        }
+    };
+    Some(sign * share.of_pi())
+}
+
+/// What was probably meant by a text that is no angle.
+fn meant(text: &str) -> Option<String> {
+    let text = text.trim().to_lowercase();
+    let factor = |text: &str| if text == "1" { String::new() } else { text.to_owned() };
+    let mut candidates = Vec::new();
+    // 1/3pi, pi*2/3, pi2/3, 2/3*pi
+    if let Some((before, after)) = text.split_once("pi").or_else(|| text.split_once('π')) {
+        let (sign, before) = match before.strip_prefix('-') {
+            Some(rest) => ("-", rest),
+            None => ("", before),
+        };
+        let share = format!("{before}{after}").replace(['*', '(', ')', ' '], "");
+        candidates.push(match share.split_once('/') {
+            Some((above, below)) => format!("{sign}{}pi/{below}", factor(above)),
+            None => format!("{sign}{}pi", factor(&share)),
+        });
+    }
+    // 60d, 60 degrees
+    if let Some(at) = text.find('d') {
+        candidates.push(format!("{}deg", text[..at].trim()));
+    }
+    // 1.5rad
+    if let Some(at) = text.find('r') {
+        candidates.push(text[..at].trim().to_owned());
+    }
+    // 1,5
+    candidates.push(text.replace(',', "."));
+    candidates.into_iter().find(|candidate| *candidate != text && is_angle(candidate))
+}
+
+/// Whether `text` is an angle.
+pub fn is_angle(text: &str) -> bool {
+    text.parse::<f64>().is_ok() || multiple_of_pi(text).is_some()
+}
+
+/// A fraction of whole numbers, each of one word.
+#[derive(Clone, Copy)]
+struct Fraction {
+    above: u64,
+    below: u64,
+}
+
+impl Fraction {
+    const fn whole(number: u64) -> Option<Self> {
+        Some(Self { above: number, below: 1 })
+    }
+
+    /// A decimal number without sign, exactly; up to 19 digits.
+    fn decimal(text: &str) -> Option<Self> {
+        let (digits, exponent) = match text.split_once('e') {
+            Some((digits, exponent)) => (digits, exponent.parse::<i32>().ok()?),
+            None => (text, 0),
+        };
+        let (whole, part) = digits.split_once('.').unwrap_or((digits, ""));
+        let all = format!("{whole}{part}");
+        if all.is_empty() || !all.bytes().all(|byte| byte.is_ascii_digit()) {
+            return None;
+        }
+        let power = exponent.checked_sub(i32::try_from(part.len()).ok()?)?;
+        let ten = 10_u64.checked_pow(power.unsigned_abs())?;
+        let number: u64 = all.parse().ok()?;
+        Some(match power >= 0 {
+            true => Self { above: number.checked_mul(ten)?, below: 1 },
+            false => Self { above: number, below: ten },
+        })
+    }
+
+    /// The quotient; none if `other` is zero, or one of its numbers is too long for a word.
+    fn over(self, other: Self) -> Option<Self> {
+        let [a, b] = [(self.above, other.above), (other.below, self.below)].map(|(x, y)| {
+            let common = common_divisor(x, y).max(1);
+            (x / common, y / common)
+        });
+        let above = a.0.checked_mul(b.0)?;
+        let below = a.1.checked_mul(b.1)?;
+        (below != 0).then_some(Self { above, below })
+    }
+
+    /// The f64 nearest to π times the fraction.
+    fn of_pi(self) -> f64 {
+        if self.above == 0 {
+            return 0.0;
+        }
+        // Long multiplication and division, a word at a time, as on paper.
+        let mut words = [0_u64; WORDS + 1];
+        let mut carry = 0_u128;
+        for (word, pi) in words[1..].iter_mut().zip(PI).rev() {
+            carry += u128::from(pi) * u128::from(self.above);
+            (*word, carry) = (carry as u64, carry >> 64);
+        }
+        words[0] = carry as u64;
+        let mut rest = 0_u128;
+        for word in &mut words {
+            let dividend = rest << 64 | u128::from(*word);
+            *word = (dividend / u128::from(self.below)) as u64;
+            rest = dividend % u128::from(self.below);
+        }
+        // The 64 leading bits; one of the others, all of which follow those of an f64, is enough to
+        // tell the number from a tie, and as π is irrational there is always one.
+        let first = words.iter().position(|word| *word != 0).unwrap_or(WORDS);
+        let next = words.get(first + 1).copied().unwrap_or(0);
+        let empty = words[first].leading_zeros();
+        let pair = (u128::from(words[first]) << 64 | u128::from(next)) << empty;
+        let leading = (pair >> 64) as u64 | 1;
+        // words[1] holds the whole part.
+        let exponent = 64 * (1 - first as i32) - empty as i32;
+        libm::ldexp(leading as f64, exponent)
+    }
+}
+
+fn common_divisor(a: u64, b: u64) -> u64 {
+    if b == 0 { a } else { common_divisor(b, a % b) }
+}
+
+const WORDS: usize = 6;
+
+/// π: its whole part, and 320 bits. A quotient of words takes away at most 128 of them.
+const PI: [u64; WORDS] = [
+    3,
+    0x243f_6a88_85a3_08d3,
+    0x1319_8a2e_0370_7344,
+    0xa409_3822_299f_31d0,
+    0x082e_fa98_ec4e_6c89,
+    0x4528_21e6_38d0_1377,
+];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The nearest f64 by π to 120 digits, from Machin's formula in integers of Python; π as an f64
+    /// gives another for each of the first, in either order of operations.
+    ///
+    /// Catches: π/3 as the quotient of two f64; degrees turned to radians by a factor that is
+    /// rounded; a quotient cut off instead of rounded; a sign, a factor or a divisor that is lost.
+    #[test]
+    fn an_angle_is_the_nearest_f64() {
+        for (text, bits) in [
+            ("pi/3", 0x3ff0_c152_382d_7366),
+            ("60deg", 0x3ff0_c152_382d_7366),
+            ("2pi/3", 0x4000_c152_382d_7366),
+            ("pi/6", 0x3fe0_c152_382d_7366),
+            ("11pi/12", 0x4007_09d1_0d3e_7eac),
+            ("59deg", 0x3ff0_79d5_1da4_28f1),
+            ("61deg", 0x3ff1_08cf_52b6_bdda),
+            ("65°", 0x3ff2_26c3_bcdb_e7ae),
+            ("1e0 deg", 0x3f91_df46_a252_9d39),
+            ("5*PI/6", 0x4004_f1a6_c638_d03f),
+            ("0.5pi", std::f64::consts::FRAC_PI_2.to_bits()),
+            ("π/2.5e-1", (4.0 * std::f64::consts::PI).to_bits()),
+            ("180deg", std::f64::consts::PI.to_bits()),
+            ("+pi", std::f64::consts::PI.to_bits()),
+            ("0pi", 0.0_f64.to_bits()),
+            ("1048576pi", (1_048_576.0 * std::f64::consts::PI).to_bits()),
+            (
+                "9223372036854775808pi",
+                (9_223_372_036_854_775_808.0 * std::f64::consts::PI).to_bits(),
+            ),
+        ] {
+            assert_eq!(angle(text).map(f64::to_bits), Ok(bits), "{text}");
+            if !text.starts_with('+') {
+                let negative = angle(&format!("-{text}"));
+                assert_eq!(negative.map(f64::to_bits), Ok(bits | 1 << 63), "-{text}");
+            }
+        }
+        assert_eq!(
+            angles("-pi/3:60deg:3"),
+            format!("{:?}:{:?}:3", -1.0471975511965979, 1.0471975511965979).parse()
+        );
+    }
+
+    /// Catches: nonsense that is taken for a number; a suggestion that is missing, or is itself
+    /// refused.
+    #[test]
+    fn what_is_no_angle_is_refused_with_what_was_meant() {
+        for (text, suggestion) in [
+            ("1/3pi", "is it pi/3?"),
+            ("-2/3*pi", "is it -2pi/3?"),
+            ("pi*2/3", "is it 2pi/3?"),
+            ("60d", "is it 60deg?"),
+            ("60 degrees", "is it 60deg?"),
+            ("1.5rad", "is it 1.5?"),
+            ("1,5", "is it 1.5?"),
+        ] {
+            let reason = angle(text).unwrap_err();
+            assert!(reason.ends_with(suggestion), "{text}: {reason}");
+            let meant = suggestion.trim_start_matches("is it ").trim_end_matches('?');
+            assert!(angle(meant).is_ok(), "{meant}");
+        }
+        for text in ["pi/0", "deg", "pi/", "pi/3/4", "2pi3x", "--pi", "six", "", "1e40pi", "pi/-3"]
+        {
+            let reason = angle(text).unwrap_err();
+            assert!(reason.contains("2pi/3 or 0.5pi, degrees as 60deg"), "{text}: {reason}");
+            assert!(!reason.contains('\n'));
+        }
+        assert!(angles("inf").is_err() && angles("0:pi:1").is_err() && angles("0:pi").is_err());
+        assert!(angle("--dt").unwrap_err().contains("is missing"));
+        assert!(!angle("-pi/x").unwrap_err().is_empty());
+    }
+}
