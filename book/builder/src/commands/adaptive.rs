@@ -8,13 +8,14 @@ use clap::{Args, ValueEnum};
 use pendula::adaptive::{Adaptive, Controlled, STEP_LIMIT, TaylorSeries, Tolerance};
 use pendula::methods::{Dop853, DormandPrince};
 use pendula::metrics::EnergyDrift;
-use pendula::{Error, Hamiltonian, Observer, Pendulum};
+use pendula::{Error, Hamiltonian, Info, Observer, Pendulum, Phase};
 
 use super::destination::Destination;
 use super::number::{count, number};
 use super::pendulum_arguments::{MassArgument, PendulumArguments, StartArguments};
+use super::plot::{Plot, PlotArguments};
 use super::rows::{RowFormat, Rows};
-use super::simulate::end_errors;
+use super::simulate::{PANELS, end_errors};
 use super::summary::Summary;
 use crate::failure::Failure;
 use crate::interrupt::Lookout;
@@ -50,6 +51,8 @@ pub struct Arguments {
     /// Say on standard error what the run has cost, and how large its errors are
     #[arg(long)]
     summary: bool,
+    #[command(flatten)]
+    plot: PlotArguments,
 }
 
 /// The methods that choose their steps.
@@ -105,12 +108,24 @@ fn run_with(
 
     // Set the interrupt handler before creating the file.
     let lookout = lookout();
-    let destination = Destination::open(arguments.output.as_deref(), out)?;
+    let mut plot = arguments.plot.target().map(|to| Plot::new(to, &PANELS)).transpose()?;
+    let mut nowhere = io::sink();
+    // A plot on standard output stands there instead of the rows.
+    let instead = plot.as_ref().is_some_and(Plot::is_in_the_terminal);
+    let rows_out: &mut dyn Write = if instead { &mut nowhere } else { &mut *out };
+    let destination = Destination::open(arguments.output.as_deref(), rows_out)?;
     let columns = ["t", "theta", "omega", "energy"];
     let mut rows = Rows::begin(destination, arguments.format, columns)?;
     let mut drift = EnergyDrift::new(&pendulum);
     drift.observe(0, 0.0, start);
-    rows.row([0.0, start.theta, start.omega, pendulum.energy_from_pivot(start)])?;
+    let mut print = |t: f64, z: Phase| -> io::Result<()> {
+        let row = [t, z.theta, z.omega, pendulum.energy_from_pivot(z)];
+        if let Some(plot) = &mut plot {
+            plot.add(&row);
+        }
+        rows.row(row)
+    };
+    print(0.0, start)?;
     loop {
         let steps = walk.counts().accepted;
         let step = if lookout.interrupts(steps) {
@@ -133,10 +148,16 @@ fn run_with(
             }
         };
         let (t, z) = (step.end_time(), step.end());
-        rows.row([t, z.theta, z.omega, pendulum.energy_from_pivot(z)])?;
+        print(t, z)?;
         drift.observe(steps + 1, t, z);
     }
     rows.end()?.finish()?;
+    if let Some(plot) = plot {
+        plot.finish(
+            &format!("{}, tolerance {:?}", title(arguments.method), arguments.tolerance),
+            out,
+        )?;
+    }
     if arguments.summary {
         let counts = walk.counts();
         let mut summary = Summary::of_cost(counts.accepted, counts.evaluations, begun.elapsed());
@@ -146,6 +167,15 @@ fn run_with(
         summary.print(err)?;
     }
     Ok(())
+}
+
+/// The name of the method in words.
+fn title(method: Stepping) -> &'static str {
+    match method {
+        Stepping::DormandPrince => DormandPrince.info().title,
+        Stepping::Dop853 => Dop853.info().title,
+        Stepping::TaylorSeries => "Taylor series",
+    }
 }
 
 /// The error with the names of the options that would help.

@@ -1,24 +1,28 @@
 //! `pendula double-pendulum`: a trajectory of the double pendulum as rows, ready to be drawn.
 
 use std::io::{self, Write};
-use std::num::NonZeroU64;
 
 use clap::Args;
-use pendula::integrate::Checkpoint;
-use pendula::methods::Rk4;
+use clap::builder::{PossibleValue, PossibleValuesParser};
+use pendula::metrics::EnergyDrift;
 use pendula::systems::{DoublePhase, Joint};
-use pendula::{Counting, DoublePendulum, Grid, Hamiltonian, Observer, Pendulum};
+use pendula::{DoublePendulum, Hamiltonian, Info, METHODS, Pendulum, Rk4, method_named};
 
 use super::angle::angle;
 use super::number::number;
-use super::pendulum_arguments::or_default;
-use super::trajectory::{Run, Trajectory, TrajectoryArguments, overflow};
+use super::pendulum_arguments::{or_default, unsolved};
+use super::plot::Panel;
+use super::suited::{Suited, check};
+use super::trajectory::{Trajectory, TrajectoryArguments, overflow};
 use crate::failure::Failure;
 use crate::interrupt::Lookout;
 
 /// Arguments of `pendula double-pendulum`.
 #[derive(Args, Debug)]
 pub struct Arguments {
+    #[arg(long, value_name = "M", value_parser = methods(),
+        help = format!("The method [default: {}]", Rk4.info().name))]
+    method: Option<String>,
     /// Angle of the upper rod at the start, from the downward vertical: radians, or as pi/3, 60deg
     #[arg(long, value_name = "ANGLE", value_parser = angle, allow_hyphen_values = true,
         required_unless_present = "resume")]
@@ -54,7 +58,7 @@ pub struct Arguments {
 
 /// Writes the rows t, theta1, theta2, omega1, omega2, x1, y1, x2, y2, energy: in s, rad, rad/s, m
 /// and J; the positions of the bobs with the pivot as origin and y upwards, the energy above that
-/// of the equilibrium. The method is RK4: the system is not separable.
+/// of the equilibrium. The system is not separable, and splitting methods are refused.
 ///
 /// # Errors
 /// [`Failure::Refused`] for what the library refuses; a failure if the output cannot be written, if
@@ -74,6 +78,7 @@ pub fn run_until(
 ) -> Result<(), Failure> {
     let (mut settings, grid) = arguments.trajectory.settings("double-pendulum")?;
     let kept = &mut settings.kept;
+    let method = kept.optional("method", arguments.method.clone())?;
     let upper = Joint {
         length: kept.argument("length1", arguments.length1, Some(1.0))?,
         mass: kept.argument("mass1", arguments.mass1, Some(1.0))?,
@@ -93,48 +98,40 @@ pub fn run_until(
     ];
     let double = DoublePendulum::new(gravity, upper, lower).map_err(Failure::refused)?;
     let start = double.start(theta, omega).map_err(Failure::refused)?;
+    let method = method.as_deref().unwrap_or(Rk4.info().name);
+    check::<DoublePendulum>(method)?;
+    let title = method_named(method).map_or(method, |method| method.info().title);
     let trajectory = Trajectory {
-        system: &double,
+        title: format!("Double pendulum, {title}, Δt = {:?} s", grid.step()),
         start,
+        energy: double.energy(start),
+        panels: &PANELS,
         columns: ["t", "theta1", "theta2", "omega1", "omega2", "x1", "y1", "x2", "y2", "energy"],
         row: &|t, z: DoublePhase| {
             let [omega1, omega2] = double.velocities(z);
             let [(x1, y1), (x2, y2)] = double.bobs(z);
             [t, z.theta1, z.theta2, omega1, omega2, x1, y1, x2, y2, double.energy(z)]
         },
-        lost: &overflow,
+        lost: &|steps| {
+            let error = double.unsolved(method, start, &grid);
+            error.and_then(|error| unsolved(method, &error)).unwrap_or_else(|| overflow(steps))
+        },
         // There is no closed form.
         end_errors: &|_, _| {},
     };
-    let begin = |at: Option<Checkpoint>| -> Box<dyn Run<DoublePhase>> {
-        let at = at.unwrap_or_else(|| Checkpoint::start(&double, &Rk4, start, &grid));
-        Box::new(InSteps { double: Counting::new(double), grid, at })
-    };
-    settings.print(&trajectory, &grid, begin, out, &lookout())
+    let begin = |at| double.begin(method, start, &grid, at).expect("a method that suits");
+    settings.print(&trajectory, EnergyDrift::new(&double), &grid, begin, out, &lookout())
 }
 
-/// A run of RK4 that counts its evaluations.
-struct InSteps {
-    double: Counting<DoublePendulum>,
-    grid: Grid,
-    at: Checkpoint,
-}
+/// What a plot shows.
+const PANELS: [Panel; 2] = [
+    Panel::new("angle (rad)", &[(1, "upper rod, θ_{1}"), (2, "lower rod, θ_{2}")]),
+    Panel::new("energy change (J)", &[(9, "")]).since_the_start(),
+];
 
-impl Run<DoublePhase> for InSteps {
-    fn checkpoint(&self) -> &Checkpoint {
-        &self.at
-    }
-
-    fn evaluations(&self) -> u64 {
-        self.double.evaluations()
-    }
-
-    fn advance(
-        &mut self,
-        until: u64,
-        every: NonZeroU64,
-        observer: &mut dyn Observer<DoublePhase>,
-    ) -> DoublePhase {
-        self.at.advance(&self.double, &Rk4, &self.grid, until, every, observer)
-    }
+/// All methods, those that do not suit hidden: they are refused later, with the reason.
+fn methods() -> PossibleValuesParser {
+    let names = METHODS.iter().map(|method| method.info().name);
+    let values = names.map(|name| PossibleValue::new(name).hide(!DoublePendulum::suits(name)));
+    PossibleValuesParser::new(values)
 }

@@ -7,12 +7,13 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 use clap::Args;
-use pendula::{Grid, Hamiltonian, MethodInfo, Motion, Pendulum, Phase};
+use pendula::{Grid, Hamiltonian, MethodInfo, Motion, Pendulum, Phase, method_named};
 use serde::{Deserialize, Serialize};
 
 use super::angle::angles;
 use super::number::number;
 use super::pendulum_arguments::{MassArgument, PendulumArguments, methods, or_default};
+use super::plot::{Across, Panel, Plot, PlotArguments, Target};
 use super::rows::RowFormat;
 use super::state::{Bits, Kept, KeptArguments};
 use super::summary::Summary;
@@ -69,7 +70,12 @@ pub struct Arguments {
     /// Say on standard error what the runs have cost, and how large their errors are
     #[arg(long)]
     summary: bool,
+    #[command(flatten)]
+    plot: PlotArguments,
 }
+
+/// What a plot shows.
+const PANELS: [Panel; 1] = [Panel::new("largest energy error (J)", &[(4, "")]).logarithmic()];
 
 /// Runs in a batch: enough for every core, and few enough to be kept in memory until they are
 /// printed.
@@ -134,6 +140,17 @@ pub fn run_until(
         ));
     }
     let runner = Runner::new(&method, pendulum, omega0)?;
+    let across = match theta0 {
+        Sweep::Range(_) => Across { column: 0, label: "θ_{0} (rad)", log: false },
+        Sweep::One(_) => Across { column: 1, label: "Δt (s)", log: true },
+    };
+    let title = method_named(&method).map_or(method.as_str(), |method| method.info().title);
+    let fixed = match theta0 {
+        Sweep::Range(_) => format!("Δt = {dt} s"),
+        Sweep::One(theta0) => format!("θ₀ = {theta0:?} rad"),
+    };
+    let title = format!("{title}, {fixed}, {duration:?} s");
+    let plot = arguments.plot.target().map(|to| (to, across, title));
     let printer =
         Printer { runner, pendulum, omega0, duration, format, part, summary: arguments.summary };
     let part = part.unwrap_or(Part::WHOLE);
@@ -150,6 +167,7 @@ pub fn run_until(
             let same = move |&theta0: &f64| (theta0, grid);
             printer.print(
                 kept,
+                plot,
                 out,
                 theta0.linear(part.among(theta0.count)),
                 same,
@@ -164,7 +182,7 @@ pub fn run_until(
             };
             let same = move |grid: &Grid| (start.theta, *grid);
             let grids = grids(duration, dt, part.among(dt.count))?;
-            printer.print(kept, out, grids, same, compute, lookout)
+            printer.print(kept, plot, out, grids, same, compute, lookout)
         }
         _ => Err(Failure::refused(
             "exactly one of --theta0 and --dt must be a range FROM:TO:COUNT; one run is `pendula \
@@ -190,6 +208,7 @@ impl Printer {
     fn print<T: Clone + Send + Sync + 'static>(
         &self,
         kept: Kept<Progress>,
+        plot: Option<(Target, Across, String)>,
         [out, err]: [&mut dyn Write; 2],
         sweep: impl Iterator<Item = T>,
         of: impl Fn(&T) -> (f64, Grid),
@@ -214,7 +233,15 @@ impl Printer {
         let columns = ["theta0", "dt", "theta", "omega", "energy_error"];
         // The header stands in the first part: the others go on from no row.
         let headless = self.part.is_some_and(|part| !part.is_first());
-        let mut rows = kept.open(out, self.format, columns, printed.or(headless.then_some(0)))?;
+        let plot = plot
+            .map(|(to, across, title)| Plot::over(across, to, &PANELS).map(|plot| (plot, title)));
+        let mut plot = plot.transpose()?;
+        let mut nowhere = io::sink();
+        // A plot on standard output stands there instead of the rows.
+        let instead = plot.as_ref().is_some_and(|(plot, _)| plot.is_in_the_terminal());
+        let rows_out: &mut dyn Write = if instead { &mut nowhere } else { &mut *out };
+        let mut rows =
+            kept.open(rows_out, self.format, columns, printed.or(headless.then_some(0)))?;
         let mut sweep = sweep.skip(usize::try_from(from).unwrap_or(usize::MAX));
         let finished = Arc::new(AtomicU64::new(from));
         loop {
@@ -239,7 +266,12 @@ impl Printer {
                 later = others;
                 for run in in_turn {
                     match self.row(&run) {
-                        Ok(row) => rows.row(row)?,
+                        Ok(row) => {
+                            rows.row(row)?;
+                            if let Some((plot, _)) = &mut plot {
+                                plot.add(&row);
+                            }
+                        }
                         Err(failure) => {
                             // The rows so far are whole.
                             rows.end()?.flush()?;
@@ -263,6 +295,9 @@ impl Printer {
         }
         let runs = rows.rows();
         kept.finish(rows)?;
+        if let Some((plot, title)) = plot {
+            plot.finish(&title, out)?;
+        }
         if let Some(largest) = largest {
             let MethodInfo { implicit, force_evaluations, start_evaluations, .. } =
                 self.runner.info();

@@ -25,12 +25,18 @@ pub fn not_solved(
     start: Phase,
     grid: &Grid,
 ) -> Option<Failure> {
-    match method.try_run(pendulum, start, grid, &mut ()) {
-        Err(Error::NotSolved { n, step, sweeps, change }) => Some(Failure::refused(format!(
-            "a step of {step:?} s is refused: the iteration of {} does not converge on this \
+    let error = method.try_run(pendulum, start, grid, &mut ()).err()?;
+    unsolved(method.info().name, &error)
+}
+
+/// The refusal of the step at which the iteration of the method `name` has not converged, if that is
+/// the error.
+pub fn unsolved(name: &str, error: &Error) -> Option<Failure> {
+    match error {
+        Error::NotSolved { n, step, sweeps, change } => Some(Failure::refused(format!(
+            "a step of {step:?} s is refused: the iteration of {name} does not converge on this \
              motion, after {n} steps {sweeps} sweeps still change the next by {change:.1e} of its \
-             size; it must be shorter, a fraction of the time that the pendulum takes for a radian",
-            method.info().name
+             size; it must be shorter, a fraction of the time that the pendulum takes for a radian"
         ))),
         _ => None,
     }

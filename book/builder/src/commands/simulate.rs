@@ -6,17 +6,22 @@ use std::num::NonZeroU64;
 use clap::Args;
 use pendula::fast::{FastRun, Resumable};
 use pendula::integrate::Checkpoint;
+use pendula::metrics::EnergyDrift;
 use pendula::{
-    Grid, Info, Motion, Observer, Pendulum, Phase, for_each_method, method_named, methods,
+    AnyMethod, Grid, Hamiltonian, Info, Motion, Observer, Pendulum, Phase, for_each_method,
+    method_named, methods,
 };
 
 use super::angle::angle;
 use super::number::number;
 use super::pendulum_arguments::{
-    MassArgument, PendulumArguments, methods as names, not_solved, or_default,
+    MassArgument, PendulumArguments, methods as names, not_solved, or_default, unsolved,
 };
+use super::plot::Panel;
+use super::suited::{Suited, check};
 use super::summary::Summary;
-use super::trajectory::{Run, Trajectory, TrajectoryArguments, overflow};
+use super::systems::{Chosen, SystemArguments};
+use super::trajectory::{NotConserved, Run, Settings, Trajectory, TrajectoryArguments, overflow};
 use crate::failure::Failure;
 use crate::interrupt::Lookout;
 
@@ -34,6 +39,8 @@ pub struct Arguments {
         help = or_default("Angular velocity at the start (rad/s)", 0.0))]
     omega0: Option<f64>,
     #[command(flatten)]
+    system: SystemArguments,
+    #[command(flatten)]
     pendulum: PendulumArguments,
     #[command(flatten)]
     mass: MassArgument,
@@ -42,7 +49,7 @@ pub struct Arguments {
 }
 
 /// Writes the rows t, theta, omega, energy: in s, rad, rad/s and J, the energy as in the paper's
-/// Eq. 3.
+/// Eq. 3; of a system that conserves none, that of the pendulum in it.
 ///
 /// # Errors
 /// [`Failure::Refused`] for what the library refuses, and for a step too long for the method to
@@ -71,20 +78,96 @@ pub fn run_until(
     let start = pendulum.start(theta0, omega0).map_err(Failure::refused)?;
     let method = method_named(&method)
         .ok_or_else(|| Failure::refused(format!("there is no method {method}")))?;
-    let trajectory = Trajectory {
-        system: &pendulum,
-        start,
-        columns: ["t", "theta", "omega", "energy"],
-        row: &|t, z: Phase| [t, z.theta, z.omega, pendulum.energy_from_pivot(z)],
-        lost: &|steps| {
-            not_solved(method, &pendulum, start, &grid).unwrap_or_else(|| overflow(steps))
-        },
-        end_errors: &|summary, end| {
-            end_errors(summary, &pendulum, start, grid.time(grid.steps()), end);
-        },
-    };
-    let begin = |at| fast_run(method.info().name, &pendulum, start, &grid, at);
-    settings.print(&trajectory, &grid, begin, out, &lookout())
+    let chosen = arguments.system.kept(pendulum, kept)?;
+    let scene = Scene { pendulum, method, start, grid };
+    match chosen {
+        Chosen::Pendulum => scene.swing(settings, out, lookout),
+        Chosen::Damped(damped) => scene.other(&damped, settings, out, lookout),
+        Chosen::Driven(driven) => scene.other(&driven, settings, out, lookout),
+        Chosen::Shaken(shaken) => scene.other(&shaken, settings, out, lookout),
+    }
+}
+
+/// What is integrated, how, and whence.
+struct Scene {
+    pendulum: Pendulum,
+    method: &'static dyn AnyMethod,
+    start: Phase,
+    grid: Grid,
+}
+
+/// The columns of the rows.
+const COLUMNS: [&str; 4] = ["t", "theta", "omega", "energy"];
+
+/// What a plot shows of them.
+pub(super) const PANELS: [Panel; 2] = [
+    Panel::new("angle θ (rad)", &[(1, "")]),
+    Panel::new("energy change (J)", &[(3, "")]).since_the_start(),
+];
+
+impl Scene {
+    fn title(&self, of: &str) -> String {
+        format!("{of}{}, Δt = {:?} s", self.method.info().title, self.grid.step())
+    }
+
+    /// The pendulum itself.
+    fn swing(
+        &self,
+        settings: Settings,
+        out: [&mut dyn Write; 2],
+        lookout: impl FnOnce() -> Lookout,
+    ) -> Result<(), Failure> {
+        let &Self { pendulum, method, start, grid } = self;
+        let trajectory = Trajectory {
+            title: self.title(""),
+            start,
+            energy: pendulum.energy(start),
+            columns: COLUMNS,
+            row: &|t, z: Phase| [t, z.theta, z.omega, pendulum.energy_from_pivot(z)],
+            panels: &PANELS,
+            lost: &|steps| {
+                not_solved(method, &pendulum, start, &grid).unwrap_or_else(|| overflow(steps))
+            },
+            end_errors: &|summary, end| {
+                end_errors(summary, &pendulum, start, grid.time(grid.steps()), end);
+            },
+        };
+        let begin = |at| fast_run(method.info().name, &pendulum, start, &grid, at);
+        settings.print(&trajectory, EnergyDrift::new(&pendulum), &grid, begin, out, &lookout())
+    }
+
+    /// A system that is made of it, and conserves no energy.
+    fn other<S: Suited<State = Phase>>(
+        &self,
+        system: &S,
+        settings: Settings,
+        out: [&mut dyn Write; 2],
+        lookout: impl FnOnce() -> Lookout,
+    ) -> Result<(), Failure> {
+        let &Self { pendulum, method, start, grid } = self;
+        let name = method.info().name;
+        check::<S>(name)?;
+        let energy = pendulum.energy(start);
+        let trajectory = Trajectory {
+            title: self.title(&format!("{}, ", S::NAME)),
+            start,
+            energy,
+            columns: COLUMNS,
+            row: &|t, z: Phase| [t, z.theta, z.omega, pendulum.energy_from_pivot(z)],
+            panels: &PANELS,
+            lost: &|steps| {
+                let error = system.unsolved(name, start, &grid);
+                error.and_then(|error| unsolved(name, &error)).unwrap_or_else(|| overflow(steps))
+            },
+            // There is no closed form.
+            end_errors: &|summary, end| {
+                let at_the_end = pendulum.energy(end);
+                summary.line("energy at the end", format!("{at_the_end:.6e} J, of {energy:.6e} J"));
+            },
+        };
+        let begin = |at| system.begin(name, start, &grid, at).expect("a method that suits");
+        settings.print(&trajectory, NotConserved, &grid, begin, out, &lookout())
+    }
 }
 
 /// Adds the errors of the state `end` at the time `t` (s) to the summary, against the closed form,

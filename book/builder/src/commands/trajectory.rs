@@ -1,7 +1,7 @@
 //! A trajectory of any length printed as rows in constant memory: shared by the commands that print
 //! one.
 
-use std::io::Write;
+use std::io::{self, Write};
 use std::num::NonZeroU64;
 use std::time::{Duration, Instant};
 
@@ -12,6 +12,7 @@ use pendula::{Grid, Hamiltonian, Observer};
 use serde::{Deserialize, Serialize};
 
 use super::number::{count, number, positive_count};
+use super::plot::{Panel, Plot, PlotArguments, Target};
 use super::rows::{RowFormat, Rows};
 use super::state::{Bits, Kept, KeptArguments};
 use super::summary::Summary;
@@ -38,6 +39,8 @@ pub struct TrajectoryArguments {
     /// Say on standard error what the run has cost, and how large its errors are
     #[arg(long)]
     summary: bool,
+    #[command(flatten)]
+    plot: PlotArguments,
 }
 
 /// How long to run.
@@ -82,26 +85,56 @@ pub trait Run<Z> {
     fn advance(&mut self, until: u64, every: NonZeroU64, observer: &mut dyn Observer<Z>) -> Z;
 }
 
+/// What is measured of the energy at every sample, if it ought to stay the same.
+pub trait Drift<Z>: Observer<Z> {
+    /// The largest error (J); none where the system conserves no energy.
+    fn largest(&self) -> Option<f64>;
+}
+
+impl<S: Hamiltonian> Drift<S::State> for EnergyDrift<'_, S> {
+    fn largest(&self) -> Option<f64> {
+        Some(EnergyDrift::largest(self))
+    }
+}
+
+/// The drift of a system that conserves no energy: nothing is an error.
+pub struct NotConserved;
+
+impl<Z> Observer<Z> for NotConserved {
+    fn observe(&mut self, _: u64, _: f64, _: Z) {}
+}
+
+impl<Z> Drift<Z> for NotConserved {
+    fn largest(&self) -> Option<f64> {
+        None
+    }
+}
+
 /// A trajectory to be printed.
-pub struct Trajectory<'a, S: Hamiltonian, const N: usize> {
-    /// The system.
-    pub system: &'a S,
+pub struct Trajectory<'a, Z, const N: usize> {
+    /// What it is, for the title of a plot.
+    pub title: String,
     /// The first state.
-    pub start: S::State,
+    pub start: Z,
+    /// Its energy above that of rest (J).
+    pub energy: f64,
     /// The names of the columns.
     pub columns: [&'static str; N],
     /// The row of a time and a state.
-    pub row: &'a dyn Fn(f64, S::State) -> [f64; N],
+    pub row: &'a dyn Fn(f64, Z) -> [f64; N],
+    /// What a plot shows of the rows.
+    pub panels: &'static [Panel],
     /// The failure if a number of a row is not finite, after a number of steps.
     pub lost: &'a dyn Fn(u64) -> Failure,
     /// Adds the errors of the last state to a summary.
-    pub end_errors: &'a dyn Fn(&mut Summary, S::State),
+    pub end_errors: &'a dyn Fn(&mut Summary, Z),
 }
 
 /// The settings of a trajectory, those of its state included.
 pub struct Settings {
     /// The arguments, for a command to add its own.
     pub kept: Kept<Progress>,
+    plot: Option<Target>,
     summary: bool,
     every: NonZeroU64,
     format: RowFormat,
@@ -126,7 +159,8 @@ impl TrajectoryArguments {
         let grid = Grid::new(dt, steps).map_err(Failure::refused)?;
         let every = kept.argument("every", self.every, Some(NonZeroU64::MIN))?;
         let format = kept.argument("format", self.format, Some(RowFormat::default()))?;
-        Ok((Settings { kept, summary: self.summary, every, format }, grid))
+        let plot = self.plot.target();
+        Ok((Settings { kept, plot, summary: self.summary, every, format }, grid))
     }
 }
 
@@ -137,15 +171,16 @@ impl Settings {
     /// # Errors
     /// [`Failure::Refused`] if the output cannot be opened; a failure if it cannot be written, if
     /// the user interrupts, or if the trajectory is lost.
-    pub fn print<S: Hamiltonian<State: Copy>, const N: usize>(
+    pub fn print<Z: Copy, const N: usize>(
         self,
-        trajectory: &Trajectory<'_, S, N>,
+        trajectory: &Trajectory<'_, Z, N>,
+        drift: impl Drift<Z>,
         grid: &Grid,
-        run: impl FnOnce(Option<Checkpoint>) -> Box<dyn Run<S::State>>,
+        run: impl FnOnce(Option<Checkpoint>) -> Box<dyn Run<Z>>,
         [out, err]: [&mut dyn Write; 2],
         lookout: &Lookout,
     ) -> Result<(), Failure> {
-        let Self { kept, summary, every, format } = self;
+        let Self { kept, plot, summary, every, format } = self;
         let begun = Instant::now();
         let before = match kept.resumed()? {
             Some((rows, progress)) => Some((rows, progress, checkpoint(&kept, progress, grid)?)),
@@ -153,11 +188,17 @@ impl Settings {
         };
         let mut run = run(before.as_ref().map(|(.., at)| *at));
         let printed = before.as_ref().map(|(rows, ..)| *rows);
-        let rows = kept.open(out, format, trajectory.columns, printed)?;
-        let printer = Printer { row: trajectory.row, lost: trajectory.lost, rows, ended: None };
+        let mut drawn = plot.map(|target| Plot::new(target, trajectory.panels)).transpose()?;
+        let mut nowhere = io::sink();
+        // A plot on standard output stands there instead of the rows.
+        let instead = drawn.as_ref().is_some_and(Plot::is_in_the_terminal);
+        let rows_out: &mut dyn Write = if instead { &mut nowhere } else { &mut *out };
+        let rows = kept.open(rows_out, format, trajectory.columns, printed)?;
+        let plot = drawn.as_mut();
+        let (row, lost) = (trajectory.row, trajectory.lost);
+        let printer = Printer { row, lost, plot, rows, ended: None };
         let next = every.get();
-        let mut watch =
-            Watch { drift: EnergyDrift::new(trajectory.system), printer, every: next, next };
+        let mut watch = Watch { drift, printer, every: next, next };
         watch.drift.observe(0, 0.0, trajectory.start);
         let mut z = trajectory.start;
         let before = match before {
@@ -172,6 +213,7 @@ impl Settings {
                 Before::default()
             }
         };
+        let measured = summary && watch.drift.largest().is_some();
         let mut interrupted = false;
         loop {
             let steps = run.checkpoint().steps();
@@ -183,7 +225,7 @@ impl Settings {
                 break;
             }
             let until = lookout.next(steps);
-            z = if summary {
+            z = if measured {
                 run.advance(until, NonZeroU64::MIN, &mut watch)
             } else {
                 run.advance(until, every, &mut watch.printer)
@@ -193,7 +235,7 @@ impl Settings {
         let steps = run.checkpoint().steps();
         let elapsed = before.elapsed + begun.elapsed();
         let evaluations = before.evaluations + run.evaluations();
-        let energy_error = libm::fmaximum(drift.largest(), before.energy_error);
+        let energy_error = drift.largest().map(|l| libm::fmaximum(l, before.energy_error));
         if let Some(failure) = ended {
             // The rows so far are whole; if the output is what failed, closing it fails again.
             let _ = rows.end().map(|mut destination| destination.flush());
@@ -205,7 +247,7 @@ impl Settings {
                 numbers: run.checkpoint().numbers().iter().copied().map(Bits).collect(),
                 evaluations,
                 nanoseconds: u64::try_from(elapsed.as_nanos()).unwrap_or(u64::MAX),
-                energy_error: summary.then_some(Bits(energy_error)),
+                energy_error: energy_error.filter(|_| summary).map(Bits),
                 measured_from: before.measured_from,
             };
             let (all, t) = (grid.steps(), grid.time(steps));
@@ -213,14 +255,18 @@ impl Settings {
             return Err(kept.leave(rows, progress, &stands)?);
         }
         kept.finish(rows)?;
+        if let Some(plot) = drawn {
+            plot.finish(&trajectory.title, out)?;
+        }
         if summary {
             let mut summary = Summary::of_cost(steps, evaluations, elapsed);
             let of = match before.measured_from {
                 0 => String::new(),
                 from => format!(", after step {from}"),
             };
-            let initial = trajectory.system.energy(trajectory.start);
-            summary.energy_error(energy_error, initial, &of);
+            if let Some(energy_error) = energy_error {
+                summary.energy_error(energy_error, trajectory.energy, &of);
+            }
             (trajectory.end_errors)(&mut summary, z);
             summary.print(err)?;
         }
@@ -280,6 +326,7 @@ pub fn overflow(steps: u64) -> Failure {
 struct Printer<'a, Z, W, const N: usize> {
     row: &'a dyn Fn(f64, Z) -> [f64; N],
     lost: &'a dyn Fn(u64) -> Failure,
+    plot: Option<&'a mut Plot>,
     rows: Rows<W, N>,
     /// Why it stopped before the end.
     ended: Option<Failure>,
@@ -289,6 +336,9 @@ impl<Z, W: Write, const N: usize> Observer<Z> for Printer<'_, Z, W, N> {
     fn observe(&mut self, n: u64, t: f64, z: Z) {
         let row = (self.row)(t, z);
         self.ended = if row.iter().all(|value| value.is_finite()) {
+            if let Some(plot) = &mut self.plot {
+                plot.add(&row);
+            }
             self.rows.row(row).err().map(Failure::from)
         } else {
             Some((self.lost)(n))
@@ -301,16 +351,16 @@ impl<Z, W: Write, const N: usize> Observer<Z> for Printer<'_, Z, W, N> {
 }
 
 /// Measures the energy error of every sample, and prints every k-th.
-struct Watch<'a, S: Hamiltonian, W, const N: usize> {
-    drift: EnergyDrift<'a, S>,
-    printer: Printer<'a, S::State, W, N>,
+struct Watch<'a, Z, D, W, const N: usize> {
+    drift: D,
+    printer: Printer<'a, Z, W, N>,
     every: u64,
     /// The next sample to be printed.
     next: u64,
 }
 
-impl<S: Hamiltonian, W: Write, const N: usize> Observer<S::State> for Watch<'_, S, W, N> {
-    fn observe(&mut self, n: u64, t: f64, z: S::State) {
+impl<Z: Copy, D: Drift<Z>, W: Write, const N: usize> Observer<Z> for Watch<'_, Z, D, W, N> {
+    fn observe(&mut self, n: u64, t: f64, z: Z) {
         self.drift.observe(n, t, z);
         if n == self.next {
             self.printer.observe(n, t, z);

@@ -36,6 +36,9 @@ const WIDTH: f64 = 600.0;
 const RIGHT: f64 = 20.0;
 /// Height of a line of text.
 const ROW: f64 = 25.0;
+/// Around a figure that is a file of its own, and the height of its title.
+const MARGIN: f64 = 16.0;
+const HEAD: f64 = 1.5 * ROW;
 
 /// A picture: one chart, or several below or beside each other with one legend.
 #[derive(Clone, Debug)]
@@ -71,6 +74,16 @@ impl Figure {
     /// Its id is `fig-{id}`, with all but ASCII letters and digits replaced by hyphens; each figure
     /// of a page needs its own.
     pub fn to_svg(&self, id: &str) -> String {
+        self.drawn(id, false)
+    }
+
+    /// The same as a file of its own: under its title, with a margin, on paper that is light or
+    /// dark as the reader prefers.
+    pub fn to_file(&self, id: &str) -> String {
+        self.drawn(id, true)
+    }
+
+    fn drawn(&self, id: &str, alone: bool) -> String {
         let plain = |c: char| if c.is_ascii_alphanumeric() { c } else { '-' };
         let id = format!("fig-{}", id.chars().map(plain).collect::<String>());
         let styles: Vec<Style> =
@@ -113,15 +126,28 @@ impl Figure {
             }
             top = bottom;
         }
+        let height = top.ceil();
+        let (frame, above) = if alone {
+            let mut above = String::new();
+            let [left, top, width, height] =
+                [-MARGIN, -MARGIN - HEAD, WIDTH + 2.0 * MARGIN, height + 2.0 * MARGIN + HEAD];
+            let place = format!(r#"x="{left}" y="{top}" width="{width}" height="{height}""#);
+            line(&mut above, format!(r#"<rect class="paper" {place}/>"#));
+            draw_text(&mut above, "", (0.0, -ROW), "start", &self.title);
+            let frame = format!(
+                "width=\"{width}\" height=\"{height}\" viewBox=\"{left} {top} {width} {height}\""
+            );
+            (frame, above)
+        } else {
+            (format!("width=\"100%\" viewBox=\"0 0 {WIDTH} {}\"", Num(height)), String::new())
+        };
         format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" id=\"{id}\" class=\"pendula {id}\"\n\
-             width=\"100%\" viewBox=\"0 0 {WIDTH} {}\" role=\"img\"\n\
-             aria-labelledby=\"{id}-title {id}-desc\">\n<title id=\"{id}-title\">{}</title>\n<desc \
-             id=\"{id}-desc\">{}</desc>\n{}{body}</svg>\n",
-            Num(top.ceil()),
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" id=\"{id}\" class=\"pendula {id}\"\n{frame} \
+             role=\"img\"\naria-labelledby=\"{id}-title {id}-desc\">\n<title \
+             id=\"{id}-title\">{}</title>\n<desc id=\"{id}-desc\">{}</desc>\n{}{above}{body}</svg>\n",
             escape(&self.title),
             wrapped(&escape(&self.description)),
-            style::style_sheet(&id, &styles),
+            style::style_sheet(&id, &styles, alone),
         )
     }
 
@@ -356,6 +382,31 @@ mod tests {
         assert!(svg.contains(">a &amp; b</text>") && svg.contains("error &lt;J&gt;"));
         assert!(svg.contains("role=\"img\"\naria-labelledby=\"fig-a-b-title fig-a-b-desc\""));
         assert_eq!(svg, sample().to_svg("a b"));
+    }
+
+    /// Catches: a file whose text is light on the white of a browser, or cut off at its edges;
+    /// without its title; paper in the figures of the book, whose themes have their own.
+    #[test]
+    fn a_file_of_its_own_has_paper() {
+        let (file, part) = (sample().to_file("f"), sample().to_svg("f"));
+        assert_eq!(file.matches("class=\"paper\"").count(), 1);
+        assert_eq!(file.matches(".fig-f .paper {fill:var(--pendula-paper,").count(), 2);
+        assert!(!part.contains("paper\"") && !part.contains(".paper"));
+        let quoted = |name: &str, of: &str| -> String {
+            let (_, rest) = of.split_once(&format!("{name}=\"")).unwrap();
+            rest.split_once('"').unwrap().0.to_string()
+        };
+        let inner: Vec<f64> =
+            quoted("viewBox", &part).split(' ').map(|x| x.parse().unwrap()).collect();
+        let outer: Vec<f64> =
+            quoted("viewBox", &file).split(' ').map(|x| x.parse().unwrap()).collect();
+        assert!(outer[0] < 0.0 && outer[1] < 0.0, "{outer:?}");
+        assert!(outer[0] + outer[2] > inner[2] && outer[1] + outer[3] > inner[3], "{outer:?}");
+        let paper = &file[file.find("<rect").unwrap()..];
+        let place = ["x", "y", "width", "height"].map(|name| quoted(&format!(" {name}"), paper));
+        assert_eq!(place.join(" "), quoted("viewBox", &file));
+        assert!(file.contains(">Title  of &lt;two&gt;</text>"), "{file}");
+        roxmltree::Document::parse(&file).expect("well-formed XML");
     }
 
     /// Catches: NaN, infinity or a logarithm of zero in a coordinate; a line drawn across the gap

@@ -195,7 +195,7 @@ impl Style {
 /// The figure's own style sheet: its colours are the book's if the book defines them, and follow
 /// the reader's preference where the figure stands alone. All of it is confined to the class `id`,
 /// and not to the id: where a page shows a figure twice, mdBook gives the second another id.
-pub(super) fn style_sheet(id: &str, used: &[Style]) -> String {
+pub(super) fn style_sheet(id: &str, used: &[Style], alone: bool) -> String {
     let mut colours: Vec<_> = used.iter().filter_map(|style| style.colour).collect();
     colours.sort_unstable();
     colours.dedup();
@@ -203,6 +203,9 @@ pub(super) fn style_sheet(id: &str, used: &[Style]) -> String {
         let var = |c: (&'static str, _, _)| format!("var(--pendula-{},{})", c.0, pick(c));
         let mut css = format!(".{id} {{color:{}}}\n", var(INK));
         css += &format!(".{id} .dot,.{id} .halo {{stroke:{}}}\n", var(PAPER));
+        if alone {
+            css += &format!(".{id} .paper {{fill:{}}}\n", var(PAPER));
+        }
         for &i in &colours {
             css += &format!(".{id} .{} {{color:{}}}\n", PALETTE[i].0, var(PALETTE[i]));
         }
@@ -253,7 +256,7 @@ mod tests {
     /// preprocessors would read.
     #[test]
     fn every_rule_is_confined_to_its_figure() {
-        let css = style_sheet("fig-a", &[Style::numbered(0), Style::REFERENCE.filled()]);
+        let css = style_sheet("fig-a", &[Style::numbered(0), Style::REFERENCE.filled()], false);
         for rule in css.lines().filter(|line| line.ends_with('}') && line.len() > 1) {
             let (selectors, _) = rule.split_once('{').unwrap();
             assert!(selectors.split(',').all(|s| s.starts_with(".fig-a ")), "{rule}");
