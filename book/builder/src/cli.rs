@@ -2,12 +2,13 @@
 
 use std::ffi::OsString;
 
+use clap::builder::{StyledStr, Styles};
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
 
 use crate::commands::{
-    adaptive, book, claims, double_pendulum, ensemble, exact, methods, number, period, preprocess,
-    review, serve, simulate, tables, verify, work_precision,
+    adaptive, book, claims, completions, double_pendulum, ensemble, exact, man, methods, number,
+    period, preprocess, review, serve, simulate, tables, verify, work_precision,
 };
 
 use crate::failure::Failure;
@@ -29,39 +30,123 @@ const STATUS: &str =
 #[derive(Debug, Subcommand)]
 pub enum Command {
     /// Build the whole book, offline, and print where it is
+    #[command(after_help = examples(&[
+        "pendula",
+        "pendula book",
+    ]))]
     Book(book::Arguments),
     /// Print the paper's tables: stated, measured, verdict
+    #[command(after_help = examples(&[
+        "pendula tables --table 4",
+        "pendula tables --format csv > cells.csv",
+    ]))]
     Tables(tables::Arguments),
     /// Print the methods: order, what each keeps, what a step costs, and where the book has it
+    #[command(after_help = examples(&[
+        "pendula methods",
+        "pendula methods --format csv > methods.csv",
+    ]))]
     Methods(methods::Arguments),
     /// Print every claim of the paper; exit status 1 if a measurement contradicts its verdict on
     /// record
+    #[command(after_help = examples(&[
+        "pendula claims T4.rk4.0.01",
+        "pendula claims --section 7 --verdict wrong",
+        "pendula claims --table 5 --format json",
+    ]))]
     Claims(claims::Arguments),
     /// Show what moved since the tables and figures were reviewed, or since a commit; exit status 1
     /// if something did
+    #[command(after_help = examples(&[
+        "pendula review",
+        "pendula review --format markdown",
+    ]))]
     Review(review::Arguments),
     /// Integrate and print rows t, theta, omega, energy
+    #[command(after_help = examples(&[
+        "pendula simulate --method stormer-verlet --theta0 pi/3 --dt 0.01 --steps 1000 --summary",
+        "pendula simulate --method rk4 --theta0 170deg --dt 0.01 --duration 10 --plot -",
+        "pendula simulate --method rk4 --theta0 1 --dt 0.01 --steps 900 --plot a.svg > a.csv",
+        "pendula simulate --system damped --damping 0.2 --method rk4 --theta0 1 --dt 0.1 --steps 9",
+    ]))]
     Simulate(simulate::Arguments),
     /// Integrate in steps whose size follows the motion and print rows t, theta, omega, energy
+    #[command(after_help = examples(&[
+        "pendula adaptive --method dop853 --theta0 3 --duration 10 --tolerance 1e-9 --summary",
+        "pendula adaptive --method taylor-series --theta0 3 --duration 9 --tolerance 1e-9 --plot -",
+    ]))]
     Adaptive(adaptive::Arguments),
-    /// Integrate the double pendulum with RK4 and print rows with the places of its bobs
+    /// Integrate the double pendulum and print rows with the places of its bobs
+    #[command(after_help = examples(&[
+        "pendula double-pendulum --theta1 2pi/3 --theta2 90deg --dt 0.01 --duration 9 --every 9",
+        "pendula double-pendulum --theta1 2 --theta2 1 --dt .1 --steps 99 --method dop853 --plot -",
+    ]))]
     DoublePendulum(double_pendulum::Arguments),
     /// Integrate from many starts, or with many steps, and print where each ends
+    #[command(after_help = examples(&[
+        "pendula ensemble --method rk4 --theta0 0.1:3.1:31 --dt 0.01 --duration 10",
+        "pendula ensemble --method rk4 --theta0 pi/3 --dt 0.1:0.001:9 --duration 9 --plot -",
+    ]))]
     Ensemble(ensemble::Arguments),
     /// Print the exact state at given times
+    #[command(after_help = examples(&[
+        "pendula exact --theta0 pi/3 --t 1,10,100",
+        "pendula exact --theta0 0 --omega0 7 --t 1 --format json",
+    ]))]
     Exact(exact::Arguments),
     /// Print the exact period of a release from rest
+    #[command(after_help = examples(&[
+        "pendula period --theta0 pi/3",
+        "pendula period --theta0 0 --omega0 7",
+    ]))]
     Period(period::Arguments),
     /// Measure run time against error on this machine, for the table, the figure and the book
+    #[command(after_help = examples(&[
+        "pendula work-precision --seconds 1 --output .",
+    ]))]
     WorkPrecision(work_precision::Arguments),
     /// Judge a program that is not ours against what it claims; exit status 1 if a claim fails, 2
-    /// if
-    /// the program is at fault
+    /// if the program is at fault
+    #[command(after_help = examples(&[
+        "pendula verify --claims \"order=2 symplectic\" -- pendula serve stormer-verlet",
+        "pendula verify --example python > verlet.py",
+    ]))]
     Verify(verify::Arguments),
     /// Serve a method on standard input and output, as a program that `pendula verify` can judge
+    #[command(after_help = examples(&[
+        "pendula verify -- pendula serve rk4",
+    ]))]
     Serve(serve::Arguments),
+    /// Print a script that completes this command line in a shell
+    #[command(after_help = examples(&[
+        "pendula completions bash > pendula.bash",
+        "pendula completions zsh > _pendula",
+    ]))]
+    Completions(completions::Arguments),
+    /// Print the manual page, or write those of all commands
+    #[command(after_help = examples(&[
+        "pendula man > pendula.1",
+        "pendula man --output man",
+    ]))]
+    Man(man::Arguments),
     /// Speak mdBook's preprocessor protocol on standard input and output
+    #[command(after_help = examples(&[
+        "pendula preprocess supports html",
+    ]))]
     Preprocess(preprocess::Arguments),
+}
+
+/// The definition of the command line.
+pub fn definition() -> clap::Command {
+    Cli::command()
+}
+
+/// Examples for the end of a help text. A test runs each of them, in an empty folder.
+fn examples(lines: &[&str]) -> StyledStr {
+    let styles = Styles::default();
+    let head = styles.get_header();
+    let lines: String = lines.iter().map(|line| format!("\n  {line}")).collect();
+    format!("{head}Examples:{head:#}{lines}").into()
 }
 
 /// Reads the command line.
@@ -259,7 +344,7 @@ mod tests {
                 }
             }
         }
-        assert_eq!(options, 42, "the options that take a number");
+        assert_eq!(options, 48, "the options that take a number");
         let t = parse(["pendula", "exact", "--theta0", "-1e-3", "--t", "-1,2,-3e-5"]).unwrap();
         assert!(format!("{t:?}").contains("t: [-1.0, 2.0, -3e-5]"), "{t:?}");
         for range in ["-1:2:5", "-1e-3:-.5:3"] {

@@ -9,6 +9,7 @@
 
 pub mod build;
 pub mod cli;
+pub mod colour;
 pub mod commands;
 pub mod failure;
 mod files;

@@ -4,7 +4,7 @@ use std::io::{self, Write};
 use std::process::ExitCode;
 
 use pendula_book::failure::Failure;
-use pendula_book::{cli, commands};
+use pendula_book::{cli, colour, commands};
 
 /// Standard output, whose errors say so.
 struct StandardOutput(io::StdoutLock<'static>);
@@ -26,6 +26,7 @@ impl Write for StandardOutput {
 }
 
 fn main() -> ExitCode {
+    colour::detect();
     if let Err(error) = pendula_book::report_size_limit() {
         let _ = writeln!(io::stderr(), "pendula: signals cannot be handled: {error}");
         return ExitCode::from(2);
@@ -43,7 +44,9 @@ fn main() -> ExitCode {
             let _ = out.into_parts();
             if let Some(line) = failure.line() {
                 // Not eprintln!, which panics when standard error is closed.
-                let _ = writeln!(io::stderr(), "{line}");
+                let (name, reason) = line.split_once(' ').unwrap_or((&line, ""));
+                let name = colour::error(colour::BAD, name);
+                let _ = writeln!(io::stderr(), "{name} {reason}");
             }
             failure.exit_code()
         }

@@ -10,6 +10,7 @@ use pendula_study::experiments::Study;
 use serde_json::{Value, json};
 
 use super::tables::cell;
+use crate::colour;
 use crate::failure::Failure;
 
 /// Arguments of `pendula claims`.
@@ -237,9 +238,10 @@ fn write_text(shown: &[&Claim], out: &mut dyn Write) -> io::Result<()> {
     for claim in shown {
         let (stated, measured) = (claim.stated_text(), claim.measured_text());
         let because = if claim.because.is_empty() { "" } else { ". " };
-        writeln!(out, "{:<16} {} ({})", claim.id, claim.gist, claim.place)?;
+        let id = colour::output(colour::HEAD, format!("{:<16}", claim.id));
+        writeln!(out, "{id} {} ({})", claim.gist, claim.place)?;
         write!(out, "{:<16} stated {stated}, measured {measured}: ", "")?;
-        writeln!(out, "{}{because}{}", claim.judged(), claim.because)?;
+        writeln!(out, "{}{because}{}", coloured(claim.judged()), claim.because)?;
         if !claim.is_of_the_paper() {
             readings += 1;
             continue;
@@ -255,6 +257,19 @@ fn write_text(shown: &[&Claim], out: &mut dyn Write) -> io::Result<()> {
     let colon = if counts.is_empty() { "" } else { ": " };
     writeln!(out, "\n{claims} claims{colon}{}", counts.join(", "))?;
     writeln!(out, "{readings} questions that the text leaves open and its numbers decide")
+}
+
+/// The verdict in its colour.
+fn coloured(verdict: Verdict) -> String {
+    let style = match verdict {
+        Verdict::Reproduced => colour::GOOD,
+        Verdict::ReproducedWithDefinition
+        | Verdict::DependsOnRounding
+        | Verdict::DependsOnPlatform => colour::DOUBTFUL,
+        Verdict::Wrong => colour::BAD,
+        Verdict::NotCheckable | Verdict::NotStated => colour::FAINT,
+    };
+    colour::output(style, verdict)
 }
 
 fn object(claim: &Claim) -> Value {

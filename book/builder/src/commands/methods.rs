@@ -10,6 +10,7 @@ use pendula_study::experiments::PaperMethod;
 use serde_json::{Value, json};
 
 use super::tables::TableFormat;
+use crate::colour;
 use crate::failure::Failure;
 
 /// Arguments of `pendula methods`.
@@ -47,16 +48,16 @@ fn write_text(out: &mut dyn Write) -> io::Result<()> {
         cells.map(|cell| cell.chars().count()).max().unwrap_or(0)
     };
     let widths: Vec<usize> = (0..headings.len()).map(width).collect();
-    let mut line = |cells: [&str; 6]| {
+    let line = |cells: [&str; 6]| {
         let padded = cells.iter().zip(&widths).enumerate().map(|(column, (cell, width))| {
             let is_number = headings[column] == "order";
             if is_number { format!("{cell:>width$}") } else { format!("{cell:<width$}") }
         });
-        writeln!(out, "{}", padded.collect::<Vec<_>>().join("  ").trim_end())
+        padded.collect::<Vec<_>>().join("  ").trim_end().to_owned()
     };
-    line(headings)?;
+    writeln!(out, "{}", colour::output(colour::HEAD, line(headings)))?;
     for row in &rows {
-        line(row.each_ref().map(String::as_str))?;
+        writeln!(out, "{}", line(row.each_ref().map(String::as_str)))?;
     }
     writeln!(out, "\nevaluations of the force a step; of an implicit method, a sweep")
 }

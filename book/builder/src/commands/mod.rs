@@ -13,10 +13,12 @@ pub mod adaptive;
 pub mod angle;
 pub mod book;
 pub mod claims;
+pub mod completions;
 pub(crate) mod destination;
 pub mod double_pendulum;
 pub mod ensemble;
 pub mod exact;
+pub mod man;
 pub mod methods;
 pub mod number;
 pub(crate) mod pendulum_arguments;
@@ -59,6 +61,8 @@ pub fn run(command: Command, out: &mut dyn Write) -> Result<(), Failure> {
         Command::WorkPrecision(arguments) => work_precision::run(&arguments, out),
         Command::Verify(arguments) => verify::run(&arguments, out),
         Command::Serve(arguments) => serve::run(&arguments, out),
+        Command::Completions(arguments) => completions::run(&arguments, out),
+        Command::Man(arguments) => man::run(&arguments, out),
         Command::Preprocess(arguments) => preprocess::run(&arguments, out),
     }
 }
@@ -72,6 +76,8 @@ const fn computes_in_parallel(command: &Command) -> bool {
         | Command::Exact(_)
         | Command::Period(_)
         | Command::Methods(_)
+        | Command::Completions(_)
+        | Command::Man(_)
         | Command::Serve(_) => false,
         Command::Book(_)
         | Command::Tables(_)

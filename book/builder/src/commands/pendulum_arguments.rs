@@ -29,8 +29,8 @@ pub fn not_solved(
     unsolved(method.info().name, &error)
 }
 
-/// The refusal of the step at which the iteration of the method `name` has not converged, if that is
-/// the error.
+/// The refusal of the step at which the iteration of the method `name` has not converged, if that
+/// is the error.
 pub fn unsolved(name: &str, error: &Error) -> Option<Failure> {
     match error {
         Error::NotSolved { n, step, sweeps, change } => Some(Failure::refused(format!(

@@ -7,6 +7,7 @@ use clap::Args;
 use pendula_study::charts::{Axis, Chart, Figure, Style};
 
 use super::destination::Destination;
+use crate::colour;
 use crate::failure::Failure;
 
 mod braille;
@@ -19,7 +20,7 @@ use thinned::Thinned;
 pub struct PlotArguments {
     /// Draw the rows too, as an SVG in this file; as - in the terminal, where they are then not
     /// printed
-    #[arg(long, value_name = "FILE.svg|-", conflicts_with = "resume")]
+    #[arg(long, value_name = "FILE.svg|-")]
     plot: Option<PathBuf>,
 }
 
@@ -191,7 +192,7 @@ impl Plot {
     }
 
     fn write_text(&self, title: &str, out: &mut dyn Write) -> io::Result<()> {
-        writeln!(out, "{title}")?;
+        writeln!(out, "{}", colour::output(colour::HEAD, title))?;
         let Across { label, log, .. } = self.across;
         for (panel, lines) in self.drawn() {
             for ((_, name), line) in panel.columns.iter().zip(lines) {

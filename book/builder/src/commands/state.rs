@@ -36,7 +36,7 @@ pub struct KeptArguments {
     state: Option<PathBuf>,
     /// Resume the run whose state this file keeps; all other arguments are in it, and may be left
     /// out
-    #[arg(long, value_name = "STATE")]
+    #[arg(long, value_name = "STATE", conflicts_with = "plot")]
     resume: Option<PathBuf>,
 }
 

@@ -10,6 +10,7 @@ use pendula_study::report::tables::{TABLES, table};
 use serde_json::{Value, json};
 
 use super::number::value;
+use crate::colour;
 use crate::failure::Failure;
 
 /// Arguments of `pendula tables`.
@@ -60,7 +61,10 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
             for (index, &number) in numbers.iter().enumerate() {
                 let gap = if index == 0 { "" } else { "\n" };
                 let text = table(&ledger, number).map(|table| table.to_text()).unwrap_or_default();
-                write!(out, "{gap}Table {number}\n{text}")?;
+                let title = colour::output(colour::HEAD, format!("Table {number}"));
+                let (head, rows) = text.split_once('\n').unwrap_or((&text, ""));
+                let head = colour::output(colour::HEAD, head);
+                write!(out, "{gap}{title}\n{head}\n{rows}")?;
             }
         }
         TableFormat::Json => {

@@ -46,7 +46,7 @@ pub fn assert_refused(arguments: &[&str], because: &str) {
     assert!(output.stdout.is_empty());
 }
 
-fn numbers(csv: &str) -> Vec<Vec<f64>> {
+pub fn numbers(csv: &str) -> Vec<Vec<f64>> {
     let rows = csv.lines().skip(1);
     rows.map(|row| row.split(',').map(|field| field.parse().expect("a number")).collect()).collect()
 }
@@ -509,9 +509,9 @@ fn exact_refuses_a_time_beyond_its_digits() {
     assert_eq!(numbers(&printed(&["exact", "--theta0", "3", "--t", &at_limit])).len(), 2);
 }
 
-/// The first five against the arithmetic–geometric mean, in f64: K = π/(2 agm(1, k')), which converges
-/// quadratically, with sine and cosine of the platform. Each value is a few operations from numbers
-/// that are off by at most an ε; 1e-15 is five of them.
+/// The first five against the arithmetic–geometric mean, in f64: K = π/(2 agm(1, k')), which
+/// converges quadratically, with sine and cosine of the platform. Each value is a few operations
+/// from numbers that are off by at most an ε; 1e-15 is five of them.
 ///
 /// Catches: a quantity missing or under another name, the parameter k² or the complementary modulus
 /// for the modulus, T₀/T for T/T₀, g and L exchanged or ignored.

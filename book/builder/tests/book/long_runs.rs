@@ -23,14 +23,14 @@ fn words(line: &str) -> Vec<&str> {
 
 /// What a command has printed, and said.
 #[derive(Debug)]
-struct Printed {
-    out: String,
-    err: String,
-    outcome: Result<(), String>,
+pub struct Printed {
+    pub out: String,
+    pub err: String,
+    pub outcome: Result<(), String>,
 }
 
 /// Runs a command line in this process; it is interrupted after so many steps, or runs.
-fn interrupted(arguments: &[&str], after: u64) -> Printed {
+pub fn interrupted(arguments: &[&str], after: u64) -> Printed {
     let (mut out, mut err) = (Vec::new(), Vec::new());
     let command = cli::parse([&["pendula"], arguments].concat());
     let outcome = command.and_then(|command| {
@@ -50,7 +50,7 @@ fn interrupted(arguments: &[&str], after: u64) -> Printed {
 }
 
 /// The same to its end.
-fn whole(arguments: &[&str]) -> Printed {
+pub fn whole(arguments: &[&str]) -> Printed {
     let printed = interrupted(arguments, u64::MAX);
     assert_eq!(printed.outcome, Ok(()), "{arguments:?}");
     printed

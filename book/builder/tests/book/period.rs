@@ -12,8 +12,8 @@ fn motion(arguments: &[&str]) -> (String, Option<f64>) {
     (line("motion  ").expect("a line on the motion").to_owned(), period)
 }
 
-/// Catches: an angle beyond π taken for one of rotation, or answered with the angle within a turn;
-/// turns counted in the wrong direction; a rotation whose T is two turns; a T where nothing repeats.
+/// Catches: an angle beyond π taken for rotation, or answered with the angle within a turn; turns
+/// counted in the wrong direction; a rotation whose T is two turns; a T where nothing repeats.
 #[test]
 fn the_motion_has_its_name() {
     let (said, _) = motion(&["--theta0", "3"]);

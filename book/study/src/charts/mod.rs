@@ -144,7 +144,8 @@ impl Figure {
         format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" id=\"{id}\" class=\"pendula {id}\"\n{frame} \
              role=\"img\"\naria-labelledby=\"{id}-title {id}-desc\">\n<title \
-             id=\"{id}-title\">{}</title>\n<desc id=\"{id}-desc\">{}</desc>\n{}{above}{body}</svg>\n",
+             id=\"{id}-title\">{}</title>\n<desc \
+             id=\"{id}-desc\">{}</desc>\n{}{above}{body}</svg>\n",
             escape(&self.title),
             wrapped(&escape(&self.description)),
             style::style_sheet(&id, &styles, alone),

@@ -1,0 +1,172 @@
+//! What helps with the command line: its examples, completions and manual pages, and its colours.
+
+use std::fs;
+use std::process::{Command, Output};
+
+use pendula_book::cli;
+use tempfile::TempDir;
+
+use crate::commands::{assert_refused, printed};
+
+/// The examples in the help of each command, by its name.
+fn examples() -> Vec<(String, Vec<String>)> {
+    let definition = cli::definition();
+    let of = |command: &clap::Command| {
+        let help = command.get_after_help().map(ToString::to_string).unwrap_or_default();
+        let lines = help.lines().filter_map(|line| line.strip_prefix("  "));
+        lines.map(str::to_owned).collect()
+    };
+    definition.get_subcommands().map(|c| (c.get_name().to_owned(), of(c))).collect()
+}
+
+/// A folder in which each command finds what it needs of the project, by links.
+#[cfg(unix)]
+fn project() -> TempDir {
+    use std::os::unix::fs::symlink;
+    use std::path::Path;
+
+    let folder = tempfile::tempdir().unwrap();
+    let link = |from: &Path, to: &Path| {
+        for entry in fs::read_dir(from).unwrap().map(Result::unwrap) {
+            let name = entry.file_name();
+            if ["book", "target", ".git"].iter().all(|kept| name != *kept) {
+                symlink(entry.path(), to.join(name)).unwrap();
+            }
+        }
+    };
+    let book = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap();
+    link(book.parent().unwrap(), folder.path());
+    fs::create_dir(folder.path().join("book")).unwrap();
+    link(book, &folder.path().join("book"));
+    folder
+}
+
+/// Catches: a command without an example; an example that is refused, fails, prints nothing, or
+/// names an option that is gone.
+#[test]
+#[cfg(unix)]
+fn every_example_runs() {
+    let folder = project();
+    let program = std::path::Path::new(env!("CARGO_BIN_EXE_pendula")).parent().unwrap();
+    let path = std::env::join_paths(
+        [program.to_path_buf()]
+            .into_iter()
+            .chain(std::env::split_paths(&std::env::var_os("PATH").unwrap())),
+    );
+    let path = path.unwrap();
+    for (command, examples) in examples() {
+        assert!(!examples.is_empty(), "{command} has no example");
+        let help = printed(&[&command, "--help"]);
+        for example in examples {
+            assert!(help.contains(&format!("\n  {example}\n")), "{help}");
+            assert!(example.split_whitespace().any(|word| word == command), "{command}: {example}");
+            let mut shell = Command::new("sh");
+            let shell = shell.args(["-c", &example]).current_dir(folder.path()).env("PATH", &path);
+            let Output { status, stdout, stderr } = shell.output().unwrap();
+            assert!(status.success(), "{example}: {status}: {}", String::from_utf8_lossy(&stderr));
+            let mut words = example.split_whitespace();
+            // What it writes: the file behind > or --plot, the folder behind --output.
+            let written = |option| {
+                let value = words.clone().skip_while(|word| *word != option).nth(1);
+                value.filter(|file| *file != "-").map(|file| folder.path().join(file))
+            };
+            let files = [">", "--plot", "--output"].map(written);
+            for file in files.iter().flatten() {
+                let found = fs::metadata(file).unwrap_or_else(|_| panic!("{example}: {file:?}"));
+                assert!(found.is_dir() || found.len() > 0, "{example}: {file:?} is empty");
+            }
+            let silent = words.any(|word| word == "supports") || files.iter().any(Option::is_some);
+            assert!(silent || !stdout.is_empty(), "{example} prints nothing");
+        }
+    }
+}
+
+/// Catches: a shell whose script does not know a command, or an option; a page that is missing, or
+/// is that of another command, or has lost its examples.
+#[test]
+fn completions_and_pages_have_every_command() {
+    let definition = cli::definition();
+    let names: Vec<&str> = definition.get_subcommands().map(clap::Command::get_name).collect();
+    for shell in ["bash", "elvish", "fish", "powershell", "zsh"] {
+        let script = printed(&["completions", shell]);
+        for name in &names {
+            assert!(script.contains(name), "{name} for {shell}");
+        }
+        assert!(script.contains("drive-strength"), "{shell}");
+    }
+    assert_refused(&["completions", "csh"], "bash, elvish, fish, powershell, zsh");
+
+    let folder = tempfile::tempdir().unwrap();
+    let man = folder.path().join("man");
+    assert_eq!(printed(&["man", "--output", man.to_str().unwrap()]), "");
+    let page = |file: String| fs::read_to_string(man.join(file)).unwrap().replace("\\-", "-");
+    let main = page("pendula.1".to_owned());
+    assert_eq!(printed(&["man"]).replace("\\-", "-"), main);
+    for (name, examples) in examples() {
+        assert!(main.contains(&format!("pendula-{name}(1)")), "{name}");
+        let page = page(format!("pendula-{name}.1"));
+        assert!(page.contains(&format!("pendula {name}")), "{page}");
+        assert!(examples.iter().all(|example| page.contains(example)), "{page}");
+    }
+    assert_eq!(fs::read_dir(&man).unwrap().count(), names.len() + 1);
+    let file = man.join("pendula.1");
+    assert_refused(&["man", "--output", file.to_str().unwrap()], "--output");
+}
+
+/// What a command prints and says, with these variables of the environment and no others that are
+/// about colour.
+fn with(variables: &[(&str, &str)], arguments: &[&str]) -> [String; 2] {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_pendula"));
+    for name in ["NO_COLOR", "CLICOLOR", "CLICOLOR_FORCE"] {
+        command.env_remove(name);
+    }
+    let Output { stdout, stderr, .. } =
+        command.args(arguments).envs(variables.iter().copied()).output().unwrap();
+    [stdout, stderr].map(|bytes| String::from_utf8(bytes).unwrap())
+}
+
+/// Catches: colour in a pipe; NO_COLOR ignored, also where colour is forced; CLICOLOR_FORCE ignored
+/// by a table, a verdict, a help text or an error; colour that changes a word, or that is in rows;
+/// one that is not ended.
+#[test]
+fn colour_is_for_terminals() {
+    let row = ["simulate", "--method", "rk4", "--theta0", "1", "--dt", "1", "--steps", "2"];
+    for (arguments, coloured) in [
+        (&["methods"][..], true),
+        (&["tables", "--table", "4"], true),
+        (&["claims", "--section", "7"], true),
+        (&["period", "--help"], true),
+        (&["period", "--theta0", "x"], true),
+        (&["tables", "--format", "csv"], false),
+        (&["claims", "--section", "7", "--format", "json"], false),
+        (&["methods", "--format", "csv"], false),
+        (&row, false),
+    ] {
+        let piped = with(&[], arguments);
+        assert!(piped.iter().all(|text| !text.contains('\u{1b}')), "{piped:?}");
+        let forced = ("CLICOLOR_FORCE", "1");
+        assert_eq!(with(&[("NO_COLOR", "1"), forced], arguments), piped);
+        let forced = with(&[forced], arguments);
+        assert_eq!(forced.iter().any(|text| text.contains('\u{1b}')), coloured, "{forced:?}");
+        let plain = forced.map(|text| {
+            let mut parts = text.split('\u{1b}');
+            let first = parts.next().unwrap().to_owned();
+            let mut open = false;
+            let rest: String = parts
+                .map(|part| {
+                    let (code, text) = part.split_once('m').unwrap();
+                    open = code != "[0";
+                    text
+                })
+                .collect();
+            assert!(!open, "{text}");
+            first + &rest
+        });
+        assert_eq!(plain, piped, "{arguments:?}");
+    }
+    let [text, _] = with(&[("CLICOLOR_FORCE", "1")], &["claims", "--verdict", "wrong"]);
+    // Bold and red, whichever comes first.
+    assert!(text.contains("\u{1b}[31mwrong\u{1b}[0m"), "{text}");
+    let [_, error] = with(&[("CLICOLOR_FORCE", "1")], &["period", "--theta0", "x"]);
+    assert!(error.starts_with("\u{1b}[1m\u{1b}[31mpendula:\u{1b}[0m "), "{error}");
+}

@@ -1,0 +1,121 @@
+//! `--plot`: pictures in files and in the terminal.
+
+use std::fs;
+
+use roxmltree::Document;
+
+use crate::commands::{assert_refused, numbers, pendula, printed};
+
+const RUN: [&str; 9] =
+    ["simulate", "--method", "rk4", "--theta0", "pi/3", "--dt", "0.1", "--duration", "20"];
+
+/// The least and the largest.
+fn ends(values: impl Iterator<Item = f64>) -> [f64; 2] {
+    values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| [low.min(x), high.max(x)])
+}
+
+/// The two numbers behind `label` in a description.
+fn said(description: &str, label: &str) -> [f64; 2] {
+    let (_, rest) = description.split_once(label).unwrap_or_else(|| panic!("{description}"));
+    let mut words = rest.split([' ', ';', ':']).filter(|word| !word.is_empty());
+    [1, 1].map(|n| words.nth(n).unwrap().trim_end_matches('.').parse().unwrap())
+}
+
+/// Four decimals, or four digits.
+fn close([a, b]: [f64; 2], [c, d]: [f64; 2]) -> bool {
+    let close = |a: f64, b: f64| (a - b).abs() <= 0.5e-4_f64.max(0.5e-3 * b.abs());
+    close(a, c) && close(b, d)
+}
+
+/// Catches: rows lost or changed by the picture; a file that is no SVG, or without title,
+/// description, unit or paper; columns exchanged; energies for changes of energy; a file left
+/// beside it.
+#[test]
+fn a_plot_shows_the_rows() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("swing.svg");
+    let text = printed(&[&RUN[..], &["--plot", path.to_str().unwrap()]].concat());
+    assert_eq!(text, printed(&RUN));
+    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+    let svg = fs::read_to_string(&path).unwrap();
+    let document = Document::parse(&svg).unwrap();
+    let text = |name: &str| {
+        let node = document.descendants().find(|node| node.has_tag_name(name)).unwrap();
+        node.text().unwrap().split_whitespace().collect::<Vec<_>>().join(" ")
+    };
+    assert_eq!(text("title"), "RK4, Δt = 0.1 s");
+    let labels: String = document
+        .descendants()
+        .filter(|node| node.has_tag_name("text"))
+        .flat_map(|node| node.descendants().filter_map(|node| node.text()))
+        .collect();
+    for label in ["t (s)", "angle θ (rad)", "energy change (J)", "RK4"] {
+        assert!(labels.contains(label), "{labels}");
+    }
+    assert!(svg.contains("class=\"paper\"") && svg.contains("prefers-color-scheme:dark"));
+    let (rows, description) = (numbers(&printed(&RUN)), text("desc"));
+    let column = |i: usize| rows.iter().map(move |row| row[i]);
+    assert!(close(said(&description, "t (s)"), [0.0, 20.0]), "{description}");
+    assert!(close(said(&description, "angle θ (rad)"), ends(column(1))), "{description}");
+    let changes = column(3).map(|energy| energy - rows[0][3]);
+    assert!(close(said(&description, "energy change (J)"), ends(changes)), "{description}");
+}
+
+/// Catches: a plot that a command does not draw, or not of its rows: a sweep over steps on a linear
+/// axis, or one over angles against the step; one of two rods left out.
+#[test]
+fn each_command_that_integrates_draws() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("plot.svg");
+    let drawn = |line: &str| {
+        let words: Vec<&str> = line.split(' ').chain(["--plot", path.to_str().unwrap()]).collect();
+        let rows = numbers(&printed(&words));
+        let svg = fs::read_to_string(&path).unwrap();
+        let (_, rest) = svg.split_once("-desc\">").unwrap();
+        let description = rest.split_once("</desc>").unwrap().0.replace('\n', " ");
+        (rows, svg, description)
+    };
+    let adaptive = "adaptive --method dop853 --theta0 3 --duration -5 --tolerance 1e-6";
+    let (rows, _, said_of_it) = drawn(adaptive);
+    let angles = ends(rows.iter().map(|row| row[1]));
+    assert!(close(said(&said_of_it, "angle θ (rad)"), angles), "{said_of_it}");
+    let sweep = "ensemble --method rk4 --duration 1";
+    let (rows, _, of_angles) = drawn(&format!("{sweep} --theta0 1:2:5 --dt 0.1"));
+    let errors = ends(rows.iter().map(|row| row[4]));
+    assert!(of_angles.contains("Over θ_{0} (rad) from 1 to 2"), "{of_angles}");
+    assert!(close(said(&of_angles, "largest energy error (J)"), errors), "{of_angles}");
+    let (_, _, of_steps) = drawn(&format!("{sweep} --theta0 1 --dt 0.1:0.001:5"));
+    assert!(
+        of_steps.contains("Over Δt (s) from 1.000e-3 to 0.1")
+            || of_steps.contains("from 0.001 to 0.1"),
+        "{of_steps}"
+    );
+    let (rows, svg, of_rods) = drawn("double-pendulum --theta1 2 --theta2 1 --dt 0.01 --steps 300");
+    let both = ends(rows.iter().flat_map(|row| [row[1], row[2]]));
+    assert!(close(said(&of_rods, "angle (rad)"), both), "{of_rods}");
+    assert!(svg.contains(">upper rod, θ") && svg.contains(">lower rod, θ"));
+}
+
+/// Catches: rows printed among the dots, or lost where there is a file for them; a picture without
+/// its axes; a resumed run whose picture lacks its beginning; a picture left by a run that fails.
+#[test]
+fn a_plot_in_the_terminal_stands_for_the_rows() {
+    let text = printed(&[&RUN[..], &["--plot", "-"]].concat());
+    assert!(text.starts_with("RK4, Δt = 0.1 s\n\nangle θ (rad)\n"), "{text}");
+    assert!(text.ends_with("\nt (s) from 0 to 20\n") && !text.contains("t,theta"), "{text}");
+    let braille = |c: char| ('\u{2801}'..='\u{28ff}').contains(&c);
+    assert!(text.chars().filter(|c| braille(*c)).count() > 100, "{text}");
+    assert!(text.contains("1.0472 ┤"), "{text}");
+    let folder = tempfile::tempdir().unwrap();
+    let [rows, plot] = ["rows.csv", "plot.svg"].map(|name| folder.path().join(name));
+    let to_file = [&RUN[..], &["--plot", "-", "--output", rows.to_str().unwrap()]].concat();
+    assert_eq!(printed(&to_file), text);
+    assert_eq!(fs::read_to_string(&rows).unwrap(), printed(&RUN));
+
+    let failing = ["simulate", "--method", "forward-euler", "--theta0", "1", "--dt", "1e200"];
+    let to_plot = ["--steps", "9", "--plot", plot.to_str().unwrap()];
+    assert_eq!(pendula(&[&failing[..], &to_plot].concat()).status.code(), Some(2));
+    assert!(!plot.exists());
+    assert_refused(&[&RUN[..], &["--plot", "/no/such/folder/x.svg"]].concat(), "--plot /no/such");
+    assert_refused(&["simulate", "--resume", "a.state", "--plot", "-"], "cannot be used with");
+}
