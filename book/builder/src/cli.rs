@@ -30,10 +30,7 @@ const STATUS: &str =
 #[derive(Debug, Subcommand)]
 pub enum Command {
     /// Build the whole book, offline, and print where it is
-    #[command(after_help = examples(&[
-        "pendula",
-        "pendula book",
-    ]))]
+    #[command(after_help = examples(&["pendula book"]))]
     Book(book::Arguments),
     /// Print the paper's tables: stated, measured, verdict
     #[command(after_help = examples(&[

@@ -14,6 +14,7 @@ use pendula::verify::{Claims, Report, Verdict};
 
 use super::destination::Destination;
 use super::number::number;
+use crate::colour;
 use crate::failure::Failure;
 use crate::interrupt::interrupts;
 use crate::verify::examples::Language;
@@ -118,7 +119,19 @@ pub(crate) fn run_with(
 /// Prints the report, and all of it: on failure nothing more is.
 fn print(format: ReportFormat, report: &Report, out: &mut dyn Write) -> io::Result<()> {
     match format {
-        ReportFormat::Text => write!(out, "{report}")?,
+        ReportFormat::Text => {
+            let text = report.to_string();
+            let (head, rest) = text.split_once('\n').unwrap_or((&text, ""));
+            let (rows, last) = rest.trim_end().rsplit_once('\n').unwrap_or(("", rest));
+            let style = match report.verdict {
+                Verdict::Fails => colour::BAD,
+                Verdict::Unclear => colour::DOUBTFUL,
+                _ => colour::GOOD,
+            };
+            let [head, last] = [(colour::HEAD, head), (style, last)]
+                .map(|(style, line)| colour::output(style, line));
+            write!(out, "{head}\n{rows}\n{last}\n")?;
+        }
         ReportFormat::Json => {
             serde_json::to_writer_pretty(&mut *out, &json::value(report))?;
             writeln!(out)?;

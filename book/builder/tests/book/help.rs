@@ -136,6 +136,7 @@ fn colour_is_for_terminals() {
         (&["tables", "--table", "4"], true),
         (&["claims", "--section", "7"], true),
         (&["period", "--help"], true),
+        (&["verify", "--", env!("CARGO_BIN_EXE_pendula"), "serve", "heun"], true),
         (&["period", "--theta0", "x"], true),
         (&["tables", "--format", "csv"], false),
         (&["claims", "--section", "7", "--format", "json"], false),
