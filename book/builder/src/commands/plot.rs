@@ -180,7 +180,7 @@ impl Plot {
 
     /// What the picture shows, in words.
     fn description(&self) -> String {
-        let across = self.across.label;
+        let across = plain(self.across.label);
         let panels = self.drawn().map(|(panel, lines)| {
             let (low, high) = ends(lines.iter().flat_map(Thinned::points).map(|point| point.1));
             format!("{} between {} and {}", plain(panel.label), short(low), short(high))

@@ -82,14 +82,10 @@ fn each_command_that_integrates_draws() {
     let sweep = "ensemble --method rk4 --duration 1";
     let (rows, _, of_angles) = drawn(&format!("{sweep} --theta0 1:2:5 --dt 0.1"));
     let errors = ends(rows.iter().map(|row| row[4]));
-    assert!(of_angles.contains("Over θ_{0} (rad) from 1 to 2"), "{of_angles}");
+    assert!(of_angles.contains("Over θ₀ (rad) from 1 to 2"), "{of_angles}");
     assert!(close(said(&of_angles, "largest energy error (J)"), errors), "{of_angles}");
     let (_, _, of_steps) = drawn(&format!("{sweep} --theta0 1 --dt 0.1:0.001:5"));
-    assert!(
-        of_steps.contains("Over Δt (s) from 1.000e-3 to 0.1")
-            || of_steps.contains("from 0.001 to 0.1"),
-        "{of_steps}"
-    );
+    assert!(of_steps.contains("Over Δt (s) from 0.001 to 0.1"), "{of_steps}");
     let (rows, svg, of_rods) = drawn("double-pendulum --theta1 2 --theta2 1 --dt 0.01 --steps 300");
     let both = ends(rows.iter().flat_map(|row| [row[1], row[2]]));
     assert!(close(said(&of_rods, "angle (rad)"), both), "{of_rods}");
