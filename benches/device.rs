@@ -37,8 +37,6 @@ fn releases() -> Vec<Phase> {
 fn speed(mut run: impl FnMut(Grid) -> Phase) -> f64 {
     let grid = |steps| Grid::new(0.01, steps).expect("a positive step");
     let mut steps = 16;
-    // The first run on a device compiles the steps.
-    run(grid(steps));
     while seconds(|| run(grid(steps))) < LONG {
         steps *= 2;
     }
@@ -62,7 +60,7 @@ fn in_lanes<M: InLanes>(method: &M, starts: &[Phase], threads: usize) -> f64 {
     })
 }
 
-fn row<M: OnDevice + InLanes>(method: &M, devices: &[Device], threads: usize) {
+fn row<M: OnDevice + InLanes>(method: &'static M, devices: &[Device], threads: usize) {
     let starts = releases();
     let mega = |speed: f64| format!("{:.0}", speed * 1e-6);
     let program = method.program().expect("a method that runs on devices");
@@ -70,9 +68,10 @@ fn row<M: OnDevice + InLanes>(method: &M, devices: &[Device], threads: usize) {
     cells.extend([1, threads].map(|threads| mega(in_lanes(method, &starts, threads))));
     for device in devices {
         let mut ends = vec![Phase::default(); starts.len()];
+        let mut compiled = device.compile(method).expect("a device that works");
         let speed = speed(|grid| {
             let ensemble = Ensemble::new(&Pendulum::PAPER, &starts, grid);
-            device.ends(&ensemble, method, &mut ends).expect("a device that works");
+            compiled.ends(&ensemble, &mut ends).expect("a device that works");
             ends[0]
         });
         let operations = program.operations as f64 * speed * 1e-9;

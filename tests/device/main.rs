@@ -8,7 +8,8 @@ use core::num::NonZeroU64;
 
 use pendula::integrate::Every;
 use pendula::metrics::EnergyDrift;
-use pendula::{Ensemble, Grid, Observer, Pendulum, Phase};
+use pendula::{AnyMethod, Ensemble, Grid, Info, MethodInfo, Observer, Pendulum, Phase, Rk4};
+use pendula_device::kernel::{Begun, Program};
 use pendula_device::{Device, METHODS, OnDevice, devices, method_named};
 
 /// The devices with double precision.
@@ -53,15 +54,16 @@ fn bits(z: Phase) -> [u64; 2] {
     [z.theta, z.omega].map(|x| if x.is_nan() { u64::MAX } else { x.to_bits() })
 }
 
-fn compare(device: &Device, method: &dyn OnDevice) {
+fn compare(device: &Device, method: &'static dyn OnDevice) {
+    let mut compiled = device.compile(method).expect("a device that works");
     let name = method.info().name;
     let starts = starts();
     for (pendulum, grid) in &scenes() {
         let ensemble = Ensemble::new(pendulum, &starts, *grid);
         let mut ends = vec![Phase::default(); starts.len()];
-        device.ends(&ensemble, method, &mut ends).expect("a device that works");
+        compiled.ends(&ensemble, &mut ends).expect("a device that works");
         let mut watched = vec![(Phase::default(), 0.0); starts.len()];
-        device.ends_and_energy_errors(&ensemble, method, &mut watched).expect("the same");
+        compiled.ends_and_energy_errors(&ensemble, &mut watched).expect("the same");
         for ((start, end), (watched_end, error)) in starts.iter().zip(ends).zip(watched) {
             let scene = format!("{name} on {} from {start:?}, {grid:?}", device.name);
             // Lanes have the bits of a trajectory alone; that is tested elsewhere.
@@ -106,7 +108,8 @@ fn every_kth_state_is_that_of_a_trajectory_alone() {
     let method = method_named("blanes-moan-6").expect("it is one of the library's");
     for device in usable() {
         let mut seen = vec![Record::default(); starts.len()];
-        device.watch(&ensemble, method, every, &mut seen).expect("a device that works");
+        let mut compiled = device.compile(method).expect("a device that works");
+        compiled.watch(&ensemble, every, &mut seen).expect("a device that works");
         for (start, seen) in starts.iter().zip(seen) {
             let mut alone = Record::default();
             let mut watch = Every::new(every, |n, t, z| alone.observe(n, t, z));
@@ -136,14 +139,80 @@ fn a_method_that_looks_at_its_numbers_is_refused() {
         assert_eq!(method.program().is_none(), method.info().implicit, "{:?}", method.info().name);
     }
     for device in usable() {
-        let starts = [Phase::at_rest(1.0)];
-        let grid = Grid::new(0.1, 1).expect("positive");
-        let ensemble = Ensemble::new(&Pendulum::PAPER, &starts, grid);
         for method in implicit.clone() {
-            let refused = device.ends(&ensemble, *method, &mut [Phase::default()]).unwrap_err();
+            let refused = device.compile(*method).err().expect("it is refused");
             let expected =
                 "does not run on a device: how many operations a step has depends on the numbers";
             assert_eq!(refused.to_string(), format!("{} {expected}", method.info().name));
         }
+    }
+}
+
+/// A method whose program is not what it says.
+struct Broken(fn(&mut Program));
+
+impl Info for Broken {
+    fn info(&self) -> MethodInfo {
+        Rk4.info()
+    }
+}
+
+impl AnyMethod for Broken {
+    fn run(
+        &self,
+        p: &Pendulum,
+        z: Phase,
+        grid: &Grid,
+        observer: &mut dyn Observer<Phase>,
+    ) -> Phase {
+        Rk4.run(p, z, grid, observer)
+    }
+
+    fn count_evaluations(&self, pendulum: &Pendulum, start: Phase, grid: &Grid) -> u64 {
+        Rk4.count_evaluations(pendulum, start, grid)
+    }
+}
+
+impl OnDevice for Broken {
+    fn program(&self) -> Option<Program> {
+        let mut program = OnDevice::program(&Rk4)?;
+        self.0(&mut program);
+        Some(program)
+    }
+
+    fn begin(&self, pendulum: &Pendulum, start: Phase, grid: &Grid) -> Option<Begun> {
+        OnDevice::begin(&Rk4, pendulum, start, grid)
+    }
+}
+
+/// Catches: a refusal of the driver that is a panic, goes unnoticed, or is said in many lines.
+#[test]
+fn what_a_device_refuses_is_said() {
+    static SPOILT: Broken = Broken(|program| program.source.push_str("\nno such line;\n"));
+    static NAMELESS: Broken =
+        Broken(|program| program.source = program.source.replace("steps", "stairs"));
+    static TOO_LARGE: Broken = Broken(|program| program.numbers = 1 << 45);
+    let starts = [Phase::at_rest(1.0)];
+    let ensemble = Ensemble::new(&Pendulum::PAPER, &starts, Grid::new(0.1, 1).expect("positive"));
+    for mut device in usable() {
+        let why = |device: &Device, method: &'static dyn OnDevice| {
+            let compiled = device.compile(method);
+            let run =
+                compiled.and_then(|mut compiled| compiled.ends(&ensemble, &mut [Phase::default()]));
+            run.expect_err("it is refused").to_string()
+        };
+        let name = device.name.clone();
+        let spoilt = why(&device, &SPOILT);
+        assert!(spoilt.starts_with(&format!("the driver of {name} does not compile")), "{spoilt}");
+        assert_eq!(spoilt.lines().count(), 1);
+        let nameless = why(&device, &NAMELESS);
+        assert!(nameless.ends_with("CL_INVALID_KERNEL_NAME (-46)"), "{nameless}");
+        let too_little = format!("{name} has too little memory");
+        (device.memory, device.largest_buffer) = (100, 100);
+        assert_eq!(why(&device, &Rk4), too_little);
+        (device.memory, device.largest_buffer) = (u64::MAX, u64::MAX);
+        assert_eq!(why(&device, &TOO_LARGE), too_little);
+        device.is_double = false;
+        assert_eq!(why(&device, &Rk4), format!("{name} has no double precision"));
     }
 }

@@ -8,9 +8,9 @@ use pendula::integrate::Every;
 use pendula::metrics::EnergyDrift;
 use pendula::{AnyMethod, Ensemble, Grid, Observer, Pendulum, Phase, for_each_method, methods};
 
+use crate::Error;
 use crate::kernel::{self, Begun, CONSTANTS, Program, Recordable};
 use crate::opencl::{Device, Session, Watch};
-use crate::{Error, opencl};
 
 /// A method whose steps may run on a device. Every one of the library is one; whether it can be
 /// recorded, [`program`](OnDevice::program) says.
@@ -53,29 +53,53 @@ const MOST: usize = 1 << 18;
 /// hangs.
 const LAUNCH: u64 = 1 << 12;
 
+/// The steps of a method, compiled for a device.
+pub struct Compiled<'d> {
+    device: &'d Device,
+    method: &'static dyn OnDevice,
+    program: Program,
+    session: Session,
+}
+
 impl Device {
+    /// Compiles the steps of `method`.
+    ///
+    /// # Errors
+    /// [`Error::Method`] for a method that cannot be recorded; [`Error::NoDouble`],
+    /// [`Error::Build`], [`Error::Driver`].
+    pub fn compile(&self, method: &'static dyn OnDevice) -> Result<Compiled<'_>, Error> {
+        if !self.is_double {
+            return Err(Error::NoDouble { device: self.name.clone() });
+        }
+        let name = method.info().name;
+        let program = method.program().ok_or(Error::Method { method: name })?;
+        let session = Session::new(self, &program)?;
+        Ok(Compiled { device: self, method, program, session })
+    }
+}
+
+impl Compiled<'_> {
     /// Writes the state of each pendulum at the end of the grid to `ends`, as [`Ensemble::ends`]
     /// does.
     ///
     /// # Errors
-    /// [`Error::Method`] for a method that cannot be recorded; [`Error::NoDouble`],
-    /// [`Error::Build`], [`Error::Memory`], [`Error::Driver`].
+    /// [`Error::Memory`], [`Error::Driver`].
     ///
     /// # Panics
     /// If there are not as many slots as starts.
     pub fn ends<I: Instructions>(
-        &self,
+        &mut self,
         ensemble: &Ensemble<'_, I>,
-        method: &dyn OnDevice,
         ends: &mut [Phase],
     ) -> Result<(), Error> {
-        let run = Run::new(self, ensemble, method, ends.len())?;
+        let (device, method) = (self.device, self.method);
         let steps = ensemble.grid().steps();
-        run.in_batches(
+        self.in_batches(
+            ensemble,
             ends,
             |session, batch, ends| {
-                run.advance(session, Watch::End, batch.len(), steps)?;
-                let phases = session.phases(self, batch.len())?;
+                advance(session, device, ensemble.grid(), Watch::End, batch.len(), steps)?;
+                let phases = session.phases(device, batch.len())?;
                 for (column, &i) in batch.iter().enumerate() {
                     ends[i] = phase(&phases, column);
                 }
@@ -91,17 +115,16 @@ impl Device {
     /// it.
     ///
     /// # Errors
-    /// As [`Device::ends`].
+    /// As [`Compiled::ends`].
     ///
     /// # Panics
     /// If there are not as many slots as starts.
     pub fn ends_and_energy_errors<I: Instructions>(
-        &self,
+        &mut self,
         ensemble: &Ensemble<'_, I>,
-        method: &dyn OnDevice,
         ends: &mut [(Phase, f64)],
     ) -> Result<(), Error> {
-        let run = Run::new(self, ensemble, method, ends.len())?;
+        let (device, method) = (self.device, self.method);
         let steps = ensemble.grid().steps();
         let alone = |i: usize, slot: &mut (Phase, f64)| {
             let pendulum = ensemble.pendulum(i);
@@ -109,12 +132,13 @@ impl Device {
             let end = method.run(pendulum, ensemble.starts()[i], ensemble.grid(), &mut drift);
             *slot = (end, drift.largest());
         };
-        run.in_batches(
+        self.in_batches(
+            ensemble,
             ends,
             |session, batch, ends| {
-                run.advance(session, Watch::Energy, batch.len(), steps)?;
-                let phases = session.phases(self, batch.len())?;
-                let watched = session.watched(self, batch.len())?;
+                advance(session, device, ensemble.grid(), Watch::Energy, batch.len(), steps)?;
+                let phases = session.phases(device, batch.len())?;
+                let watched = session.watched(device, batch.len())?;
                 let (errors, angles) = watched.split_at(batch.len());
                 for (column, &i) in batch.iter().enumerate() {
                     // Beyond, the library's sine is another one.
@@ -134,20 +158,20 @@ impl Device {
     /// [`Ensemble::watch`] does.
     ///
     /// # Errors
-    /// As [`Device::ends`].
+    /// As [`Compiled::ends`].
     ///
     /// # Panics
     /// If there are not as many observers as starts.
     pub fn watch<I: Instructions, O: Observer<Phase>>(
-        &self,
+        &mut self,
         ensemble: &Ensemble<'_, I>,
-        method: &dyn OnDevice,
         every: NonZeroU64,
         observers: &mut [O],
     ) -> Result<(), Error> {
-        let run = Run::new(self, ensemble, method, observers.len())?;
+        let (device, method) = (self.device, self.method);
         let grid = ensemble.grid();
-        run.in_batches(
+        self.in_batches(
+            ensemble,
             observers,
             |session, batch, observers| {
                 for &i in batch {
@@ -157,9 +181,16 @@ impl Device {
                 while grid.steps() - n >= every.get()
                     && batch.iter().any(|&i| !observers[i].is_satisfied())
                 {
-                    run.advance(session, Watch::End, batch.len(), every.get())?;
+                    advance(
+                        session,
+                        device,
+                        ensemble.grid(),
+                        Watch::End,
+                        batch.len(),
+                        every.get(),
+                    )?;
                     n += every.get();
-                    let phases = session.phases(self, batch.len())?;
+                    let phases = session.phases(device, batch.len())?;
                     for (column, &i) in batch.iter().enumerate() {
                         if !observers[i].is_satisfied() {
                             observers[i].observe(n, grid.time(n), phase(&phases, column));
@@ -180,88 +211,73 @@ impl Device {
     }
 }
 
-/// What all batches of a run have in common.
-struct Run<'a, I> {
-    device: &'a Device,
-    ensemble: &'a Ensemble<'a, I>,
-    method: &'a dyn OnDevice,
-    program: Program,
-    /// Pendulums in a batch.
-    capacity: usize,
-}
-
-impl<'a, I: Instructions> Run<'a, I> {
-    fn new(
-        device: &'a Device,
-        ensemble: &'a Ensemble<'a, I>,
-        method: &'a dyn OnDevice,
-        slots: usize,
-    ) -> Result<Self, Error> {
-        assert_eq!(slots, ensemble.starts().len(), "one slot for each start");
-        if !device.is_double {
-            return Err(Error::NoDouble { device: device.name.clone() });
+impl Compiled<'_> {
+    /// Pendulums in a batch of this number in all: a quarter of the memory, in buffers that are
+    /// allowed.
+    fn capacity(&self, all: usize) -> Result<usize, Error> {
+        let Device { memory, largest_buffer, .. } = *self.device;
+        let row = 8 * (self.program.numbers + CONSTANTS.len() + 4) as u64;
+        let room = u64::min(memory / 4 / row, largest_buffer / row);
+        let capacity = usize::try_from(room).unwrap_or(usize::MAX).min(MOST).min(all);
+        if capacity == 0 && all > 0 {
+            return Err(Error::Memory { device: self.device.name.clone() });
         }
-        let name = method.info().name;
-        let program = method.program().ok_or(Error::Method { method: name })?;
-        // A quarter of the memory, in buffers that are allowed.
-        let row = 8 * (program.numbers + CONSTANTS.len() + 4) as u64;
-        let room = u64::min(device.memory / 4 / row, device.largest_buffer / row);
-        let capacity = usize::try_from(room).unwrap_or(usize::MAX).min(MOST).min(slots.max(1));
-        if capacity == 0 {
-            return Err(Error::Memory { device: device.name.clone() });
-        }
-        Ok(Self { device, ensemble, method, program, capacity })
+        Ok(capacity)
     }
 
     /// Calls `on_device` for each batch of pendulums, with a session in which they stand at the
     /// start, their indices and all slots; and `alone` for each pendulum that the library does not
     /// run in steps either.
-    fn in_batches<T>(
-        &self,
+    fn in_batches<I: Instructions, T>(
+        &mut self,
+        ensemble: &Ensemble<'_, I>,
         slots: &mut [T],
-        mut on_device: impl FnMut(&mut Session, &[usize], &mut [T]) -> Result<(), Error>,
+        mut on_device: impl FnMut(&Session, &[usize], &mut [T]) -> Result<(), Error>,
         mut alone: impl FnMut(usize, &mut T),
     ) -> Result<(), Error> {
-        let mut session = opencl::Session::new(self.device, &self.program, self.capacity)?;
-        let mut batch = Vec::with_capacity(self.capacity);
-        let mut begun = Vec::with_capacity(self.capacity);
-        for (i, start) in self.ensemble.starts().iter().enumerate() {
-            match self.method.begin(self.ensemble.pendulum(i), *start, self.ensemble.grid()) {
+        assert_eq!(slots.len(), ensemble.starts().len(), "one slot for each start");
+        let capacity = self.capacity(slots.len())?;
+        self.session.reserve(self.device, capacity)?;
+        let mut batch = Vec::with_capacity(capacity);
+        let mut begun = Vec::with_capacity(capacity);
+        for (i, start) in ensemble.starts().iter().enumerate() {
+            match self.method.begin(ensemble.pendulum(i), *start, ensemble.grid()) {
                 Some(pendulum) => {
                     batch.push(i);
                     begun.push(pendulum);
                 }
                 None => alone(i, &mut slots[i]),
             }
-            let is_last = i + 1 == self.ensemble.starts().len();
-            if !batch.is_empty() && (is_last || batch.len() == self.capacity) {
+            let is_last = i + 1 == ensemble.starts().len();
+            if !batch.is_empty() && (is_last || batch.len() == capacity) {
                 let constants = rows(&begun, CONSTANTS.len(), |pendulum| &pendulum.constants);
                 let numbers = rows(&begun, self.program.numbers, |pendulum| &pendulum.numbers);
-                session.write(self.device, batch.len(), &constants, &numbers)?;
-                on_device(&mut session, &batch, slots)?;
+                self.session.write(self.device, batch.len(), &constants, &numbers)?;
+                on_device(&self.session, &batch, slots)?;
                 batch.clear();
                 begun.clear();
             }
         }
         Ok(())
     }
+}
 
-    /// Takes `steps` steps, in launches that a driver lets finish.
-    fn advance(
-        &self,
-        session: &Session,
-        watch: Watch,
-        pendulums: usize,
-        steps: u64,
-    ) -> Result<(), Error> {
-        let mut left = steps;
-        while left > 0 {
-            let now = left.min(LAUNCH);
-            session.advance(self.device, watch, pendulums, now, self.ensemble.grid().step())?;
-            left -= now;
-        }
-        Ok(())
+/// Takes `steps` steps along `grid`, in launches that a driver lets finish.
+fn advance(
+    session: &Session,
+    device: &Device,
+    grid: &Grid,
+    watch: Watch,
+    pendulums: usize,
+    steps: u64,
+) -> Result<(), Error> {
+    let mut left = steps;
+    while left > 0 {
+        let now = left.min(LAUNCH);
+        session.advance(device, watch, pendulums, now, grid.step())?;
+        left -= now;
     }
+    Ok(())
 }
 
 /// The numbers of all pendulums in rows: the first of each, then the second of each.

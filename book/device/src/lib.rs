@@ -15,7 +15,7 @@ pub mod kernel;
 mod opencl;
 pub mod trace;
 
-pub use ensemble::{METHODS, OnDevice, method_named};
+pub use ensemble::{Compiled, METHODS, OnDevice, method_named};
 pub use error::Error;
 pub use opencl::{Device, devices};
 

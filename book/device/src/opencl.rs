@@ -71,19 +71,24 @@ pub fn devices() -> Result<Vec<Device>, Error> {
     Ok(devices)
 }
 
-/// A program on a device, with the memory for a number of pendulums.
+/// A program on a device, and memory for a number of pendulums.
 pub struct Session {
+    context: Context,
     queue: CommandQueue,
     steps: Kernel,
     watched_steps: Kernel,
+    /// The numbers of each pendulum.
+    width: usize,
+    room: Option<Room>,
+}
+
+/// Memory for a number of pendulums.
+struct Room {
+    capacity: usize,
     constants: Buffer<cl_double>,
     numbers: Buffer<cl_double>,
     phases: Buffer<cl_double>,
     watched: Buffer<cl_double>,
-    /// The pendulums that there is room for.
-    capacity: usize,
-    /// The numbers of each.
-    width: usize,
 }
 
 /// What a launch is to look at.
@@ -102,12 +107,12 @@ const GROUP: usize = 64;
 const WATCHED: usize = 2;
 
 impl Session {
-    /// Builds `program` for `device`, with room for `capacity` pendulums.
+    /// Builds `program` for `device`.
     ///
     /// # Errors
-    /// [`Error::Build`] with what the driver's compiler says, [`Error::Memory`] if there is too
-    /// little, and [`Error::Driver`] for whatever else it refuses.
-    pub fn new(device: &Device, program: &Program, capacity: usize) -> Result<Self, Error> {
+    /// [`Error::Build`] with what the driver's compiler says, and [`Error::Driver`] for whatever
+    /// else it refuses.
+    pub fn new(device: &Device, program: &Program) -> Result<Self, Error> {
         let refused = |error| refusal(device, error);
         let context = Context::from_device(&device.handle).map_err(refused)?;
         // Deprecated since OpenCL 2.0, and the one call that every version has.
@@ -120,24 +125,33 @@ impl Session {
         );
         let built = built.map_err(|log| Error::Build { device: device.name.clone(), log })?;
         let kernel = |name| Kernel::create(&built, name).map_err(refused);
+        let (steps, watched_steps) = (kernel("steps")?, kernel("watched_steps")?);
+        Ok(Self { context, queue, steps, watched_steps, width: program.numbers, room: None })
+    }
+
+    /// Makes room for `capacity` pendulums, if there is not so much.
+    ///
+    /// # Errors
+    /// [`Error::Memory`] if the device has too little, and [`Error::Driver`].
+    pub fn reserve(&mut self, device: &Device, capacity: usize) -> Result<(), Error> {
+        if self.room.as_ref().is_some_and(|room| room.capacity >= capacity) {
+            return Ok(());
+        }
+        self.room = None;
         let buffer = |rows: usize| {
+            let flags = CL_MEM_READ_WRITE;
             // SAFETY: No memory of this side is handed over.
-            unsafe {
-                Buffer::create(&context, CL_MEM_READ_WRITE, rows * capacity, core::ptr::null_mut())
-            }
-            .map_err(refused)
+            unsafe { Buffer::create(&self.context, flags, rows * capacity, core::ptr::null_mut()) }
+                .map_err(|error| refusal(device, error))
         };
-        Ok(Self {
-            steps: kernel("steps")?,
-            watched_steps: kernel("watched_steps")?,
+        self.room = Some(Room {
+            capacity,
             constants: buffer(CONSTANTS.len())?,
-            numbers: buffer(program.numbers)?,
+            numbers: buffer(self.width)?,
             phases: buffer(2)?,
             watched: buffer(WATCHED)?,
-            queue,
-            capacity,
-            width: program.numbers,
-        })
+        });
+        Ok(())
     }
 
     /// Brings `pendulums` of them to the device: their constants and numbers in rows, with one
@@ -147,7 +161,7 @@ impl Session {
     /// As the driver says.
     ///
     /// # Panics
-    /// If there are more than it has room for, or the rows do not have this length.
+    /// If there is no room for them, or the rows do not have this length.
     pub fn write(
         &mut self,
         device: &Device,
@@ -155,14 +169,15 @@ impl Session {
         constants: &[f64],
         numbers: &[f64],
     ) -> Result<(), Error> {
-        assert!(pendulums <= self.capacity, "there is no room for so many");
+        let room = self.room.as_mut().filter(|room| pendulums <= room.capacity);
+        let room = room.expect("there is room for them");
         assert_eq!(constants.len(), CONSTANTS.len() * pendulums, "a column for each pendulum");
         assert_eq!(numbers.len(), self.width * pendulums, "a column for each pendulum");
         let zeros = vec![0.0; WATCHED * pendulums];
         let rows: [(&mut Buffer<cl_double>, &[f64]); 3] = [
-            (&mut self.constants, constants),
-            (&mut self.numbers, numbers),
-            (&mut self.watched, &zeros),
+            (&mut room.constants, constants),
+            (&mut room.numbers, numbers),
+            (&mut room.watched, &zeros),
         ];
         for (buffer, values) in rows {
             // SAFETY: The buffer is at least as long, and the call returns when all is copied.
@@ -185,7 +200,8 @@ impl Session {
         steps: u64,
         h: f64,
     ) -> Result<(), Error> {
-        assert!(pendulums <= self.capacity && steps > 0, "there is work for every item");
+        let room = self.room(pendulums);
+        assert!(steps > 0, "there are steps to take");
         let columns = pendulums as cl_ulong;
         let kernel = match watch {
             Watch::End => &self.steps,
@@ -199,11 +215,11 @@ impl Session {
                 kernel.set_arg(0, &columns)?;
                 kernel.set_arg(1, &steps)?;
                 kernel.set_arg(2, &h)?;
-                kernel.set_arg(3, &self.constants)?;
-                kernel.set_arg(4, &self.numbers)?;
-                kernel.set_arg(5, &self.phases)?;
+                kernel.set_arg(3, &room.constants)?;
+                kernel.set_arg(4, &room.numbers)?;
+                kernel.set_arg(5, &room.phases)?;
                 if watch == Watch::Energy {
-                    kernel.set_arg(6, &self.watched)?;
+                    kernel.set_arg(6, &room.watched)?;
                 }
                 self.queue.enqueue_nd_range_kernel(
                     kernel.get(),
@@ -225,7 +241,7 @@ impl Session {
     /// # Errors
     /// As the driver says.
     pub fn phases(&self, device: &Device, pendulums: usize) -> Result<Vec<f64>, Error> {
-        self.read(device, &self.phases, 2 * pendulums)
+        self.read(device, &self.room(pendulums).phases, 2 * pendulums)
     }
 
     /// Largest energy errors (J) and then largest angles (rad) of `pendulums` of them over all
@@ -234,16 +250,22 @@ impl Session {
     /// # Errors
     /// As the driver says.
     pub fn watched(&self, device: &Device, pendulums: usize) -> Result<Vec<f64>, Error> {
-        self.read(device, &self.watched, WATCHED * pendulums)
+        self.read(device, &self.room(pendulums).watched, WATCHED * pendulums)
     }
 
+    /// The room, with a column for each of `pendulums`.
+    fn room(&self, pendulums: usize) -> &Room {
+        let room = self.room.as_ref().filter(|room| pendulums <= room.capacity);
+        room.expect("there is room for them")
+    }
+
+    /// The first `count` numbers of a buffer, which has as many.
     fn read(
         &self,
         device: &Device,
         buffer: &Buffer<cl_double>,
         count: usize,
     ) -> Result<Vec<f64>, Error> {
-        assert!(count <= 2 * self.capacity, "the buffer is as long");
         let mut values = vec![0.0; count];
         // SAFETY: The buffer is at least as long, and the call returns when all is copied.
         unsafe { self.queue.enqueue_read_buffer(buffer, CL_TRUE, 0, &mut values, &[]) }

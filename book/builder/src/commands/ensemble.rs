@@ -65,6 +65,9 @@ pub struct Arguments {
     /// the whole, with a header in the first
     #[arg(long, value_name = "K/N", allow_hyphen_values = true)]
     part: Option<Part>,
+    /// Run on the OpenCL device with NAME in its name, see `pendula devices`: the same bits
+    #[arg(long, value_name = "NAME")]
+    device: Option<String>,
     #[command(flatten)]
     kept: KeptArguments,
     /// Say on standard error what the runs have cost, and how large their errors are
@@ -76,10 +79,6 @@ pub struct Arguments {
 
 /// What a plot shows.
 const PANELS: [Panel; 1] = [Panel::new("largest energy error (J)", &[(4, "")]).logarithmic()];
-
-/// Runs in a batch: enough for every core, and few enough to be kept in memory until they are
-/// printed.
-const BATCH: usize = 4096;
 
 /// How far a sweep has come: besides the rows printed, the runs finished before their turn.
 #[derive(Debug, Default, Deserialize, Serialize)]
@@ -139,7 +138,15 @@ pub fn run_until(
             "arrays one after the other are no array: --part needs --format csv",
         ));
     }
-    let runner = Runner::new(&method, pendulum, omega0)?;
+    let mut runner = Runner::new(&method, pendulum, omega0)?;
+    if let Some(device) = &arguments.device {
+        if matches!(theta0, Sweep::One(_)) {
+            return Err(Failure::refused(
+                "a device takes the same steps from many angles: --device needs a range --theta0",
+            ));
+        }
+        runner = runner.on_device(device)?;
+    }
     let across = match theta0 {
         Sweep::Range(_) => Across { column: 0, label: "θ_{0} (rad)", log: false },
         Sweep::One(_) => Across { column: 1, label: "Δt (s)", log: true },
@@ -250,7 +257,7 @@ impl Printer {
             if !interrupted {
                 let done = finished.load(Ordering::Relaxed);
                 let most = usize::try_from(lookout.next(done) - done).unwrap_or(usize::MAX);
-                let items: Vec<T> = sweep.by_ref().take(BATCH.min(most)).collect();
+                let items: Vec<T> = sweep.by_ref().take(self.runner.batch().min(most)).collect();
                 if items.is_empty() {
                     break;
                 }
@@ -262,6 +269,11 @@ impl Printer {
                     move || work.complete(&items, &compute),
                 )
                 .is_none();
+                if let Some(failure) = self.runner.device_failure() {
+                    // The rows so far are whole.
+                    rows.end()?.flush()?;
+                    return Err(failure);
+                }
                 let (in_turn, others) = batch.take();
                 later = others;
                 for run in in_turn {

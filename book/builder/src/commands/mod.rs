@@ -15,6 +15,7 @@ pub mod book;
 pub mod claims;
 pub mod completions;
 pub(crate) mod destination;
+pub mod devices;
 pub mod double_pendulum;
 pub mod ensemble;
 pub mod exact;
@@ -49,6 +50,7 @@ pub fn run(command: Command, out: &mut dyn Write) -> Result<(), Failure> {
     match command {
         Command::Book(arguments) => book::run(&arguments, out),
         Command::Tables(arguments) => tables::run(&arguments, out),
+        Command::Devices(arguments) => devices::run(&arguments, out),
         Command::Methods(arguments) => methods::run(&arguments, out),
         Command::Claims(arguments) => claims::run(&arguments, out),
         Command::Review(arguments) => review::run(&arguments, out),
@@ -75,6 +77,7 @@ const fn computes_in_parallel(command: &Command) -> bool {
         | Command::DoublePendulum(_)
         | Command::Exact(_)
         | Command::Period(_)
+        | Command::Devices(_)
         | Command::Methods(_)
         | Command::Completions(_)
         | Command::Man(_)

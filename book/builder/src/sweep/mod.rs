@@ -1,11 +1,13 @@
 //! Sweeps: many runs of one method, from many angles or with many steps.
 
+pub mod device;
 pub mod part;
 pub mod range;
 
 use std::num::NonZeroU64;
 use std::ops;
 
+use device::OnDevice;
 use pendula::fast::LANES;
 use pendula::metrics::EnergyDrift;
 use pendula::{
@@ -23,6 +25,7 @@ pub struct Runner {
     method: &'static dyn AnyMethod,
     pendulum: Pendulum,
     omega0: f64,
+    device: Option<&'static OnDevice>,
 }
 
 /// One run: its start, its step, its end and its largest energy error (J).
@@ -46,7 +49,27 @@ impl Runner {
     pub fn new(name: &str, pendulum: Pendulum, omega0: f64) -> Result<Self, Failure> {
         let method = method_named(name)
             .ok_or_else(|| Failure::refused(format!("there is no method {name}")))?;
-        Ok(Self { method, pendulum, omega0 })
+        Ok(Self { method, pendulum, omega0, device: None })
+    }
+
+    /// The same runs on the device with `name` in its name.
+    ///
+    /// # Errors
+    /// As [`OnDevice::open`].
+    pub fn on_device(self, name: &str) -> Result<Self, Failure> {
+        let device = Some(OnDevice::open(name, self.info().name)?);
+        Ok(Self { device, ..self })
+    }
+
+    /// The runs of a batch: enough for every core, and few enough to be kept in memory until they
+    /// are printed.
+    pub fn batch(&self) -> usize {
+        if self.device.is_some() { 1 << 16 } else { 1 << 12 }
+    }
+
+    /// Why the device did not go on, if it did not.
+    pub fn device_failure(&self) -> Option<Failure> {
+        self.device.and_then(OnDevice::failure)
     }
 
     /// What is known of the method.
@@ -64,13 +87,22 @@ impl Runner {
 
     /// The refusal of one of these runs, if its method is implicit and a step was not solved.
     pub fn not_solved(&self, run: &Run) -> Option<Failure> {
-        let start = Phase { theta: run.theta0, omega: self.omega0 };
+        let start = self.phase(run.theta0);
         not_solved(self.method, &self.pendulum, start, &run.grid)
     }
 
-    /// The same steps from each of the angles, in lanes. Each run is passed to `finished`, with its
+    /// The same steps from each of the angles, in lanes or on the device. Each run is passed to `finished`, with its
     /// place among the angles, in the order in which they finish.
     pub fn from_each(&self, angles: &[f64], grid: &Grid, finished: impl Fn(usize, Run) + Sync) {
+        if let Some(device) = self.device {
+            let starts: Vec<Phase> = angles.iter().map(|&theta| self.phase(theta)).collect();
+            let ends = device.ends(&Ensemble::new(&self.pendulum, &starts, *grid));
+            let runs = angles.iter().zip(ends).enumerate();
+            for (i, (&theta0, (end, energy_error))) in runs {
+                finished(i, Run { theta0, grid: *grid, end, energy_error });
+            }
+            return;
+        }
         angles.par_chunks(LANES).enumerate().for_each(|(block, angles)| {
             for (lane, run) in self.in_lanes(angles, grid).enumerate() {
                 finished(block * LANES + lane, run);
@@ -78,9 +110,12 @@ impl Runner {
         });
     }
 
+    fn phase(&self, theta: f64) -> Phase {
+        Phase { theta, omega: self.omega0 }
+    }
+
     fn in_lanes(&self, angles: &[f64], grid: &Grid) -> impl Iterator<Item = Run> {
-        let starts: Vec<Phase> =
-            angles.iter().map(|&theta| Phase { theta, omega: self.omega0 }).collect();
+        let starts: Vec<Phase> = angles.iter().map(|&theta| self.phase(theta)).collect();
         let mut watches =
             vec![
                 DriftAndEnd { drift: EnergyDrift::new(&self.pendulum), end: Phase::default() };

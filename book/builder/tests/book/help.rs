@@ -63,6 +63,10 @@ fn every_example_runs() {
             let mut shell = Command::new("sh");
             let shell = shell.args(["-c", &example]).current_dir(folder.path()).env("PATH", &path);
             let Output { status, stdout, stderr } = shell.output().unwrap();
+            if command == "devices" && pendula_device::devices().is_err() {
+                println!("not run: there is no device to print");
+                continue;
+            }
             assert!(status.success(), "{example}: {status}: {}", String::from_utf8_lossy(&stderr));
             let mut words = example.split_whitespace();
             // What it writes: the file behind > or --plot, the folder behind --output.

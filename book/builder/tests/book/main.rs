@@ -5,6 +5,7 @@ mod chapters;
 mod claims;
 mod command_line;
 mod commands;
+mod devices;
 mod files;
 mod help;
 mod hostile;

@@ -1,0 +1,74 @@
+//! `pendula devices` and `pendula ensemble --device`. Where there is no device, the tests that need
+//! one say so, and do not run.
+
+use std::process::{Command, Output};
+
+use pendula_device::{METHODS, OnDevice};
+
+use crate::commands::{assert_refused, printed};
+
+/// Distinct names of the devices, as they are printed.
+fn names() -> Vec<String> {
+    if let Err(error) = pendula_device::devices() {
+        println!("not run: {error}");
+        return Vec::new();
+    }
+    let lines = printed(&["devices"]);
+    let of = |line: &str| line.split("  ").next().map(str::to_owned);
+    lines.lines().map(|line| of(line).expect("a name")).collect()
+}
+
+/// Catches: a device that has other bits than the lanes, for any method; another order of the rows;
+/// an energy error of other samples.
+#[test]
+fn a_sweep_on_a_device_is_the_same_to_the_byte() {
+    for name in names() {
+        // Half a name, in the other case.
+        let half: String = name.chars().take(name.chars().count() / 2).collect();
+        for method in METHODS.iter().filter(|method| method.program().is_some()) {
+            let sweep = ["--theta0", "-3.1:3.14:4096", "--dt", "0.05", "--duration", "2"];
+            let lanes = [&["ensemble", "--method", method.info().name], &sweep[..]].concat();
+            let upper = half.to_uppercase();
+            let on_device = [&lanes[..], &["--device", &upper]].concat();
+            assert_eq!(printed(&on_device), printed(&lanes), "{} on {name}", method.info().name);
+        }
+    }
+}
+
+/// Catches: a sweep that runs in lanes after all; a file that is begun before the device is known.
+#[test]
+fn what_a_device_cannot_do_is_refused() {
+    let sweep = ["ensemble", "--theta0", "0:3:9", "--dt", "0.1", "--duration", "1", "--method"];
+    let with = |more: &[&'static str]| [&sweep[..], more].concat();
+    for name in names().first() {
+        assert_refused(&with(&["gauss-4", "--device", "p"]), "gauss-4 does not run on a device");
+        assert_refused(&with(&["rk4", "--device", "no such"]), name);
+        let one = ["ensemble", "--method", "rk4", "--theta0", "1", "--dt", "0.1:1:3"];
+        let one = [&one[..], &["--duration", "1", "--device", "p"]].concat();
+        assert_refused(&one, "--device needs a range --theta0");
+    }
+}
+
+/// Catches: a program that cannot start where there is no driver, that panics, or that runs in
+/// lanes.
+#[test]
+#[cfg(target_os = "linux")]
+fn where_there_is_no_platform_one_line_says_so() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("rows.csv");
+    let sweep =
+        ["ensemble", "--method", "rk4", "--theta0", "0:3:9", "--dt", "0.1", "--duration", "1"];
+    let output = ["--device", "x", "--output", file.to_str().expect("UTF-8")];
+    for arguments in [vec!["devices"], [&sweep[..], &output].concat()] {
+        let Output { status, stdout, stderr } = Command::new(env!("CARGO_BIN_EXE_pendula"))
+            .args(&arguments)
+            .env("OCL_ICD_VENDORS", folder.path())
+            .output()
+            .expect("it starts");
+        assert_eq!(status.code(), Some(2));
+        let expected =
+            "pendula: there is no OpenCL platform on this machine, or no driver for one\n";
+        assert_eq!(String::from_utf8_lossy(&stderr), expected);
+        assert!(stdout.is_empty() && !file.exists());
+    }
+}
