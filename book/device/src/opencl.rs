@@ -7,6 +7,8 @@
 //! side is used after it is gone.
 #![allow(unsafe_code)]
 
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
 use opencl3::command_queue::CommandQueue;
 use opencl3::context::Context;
 use opencl3::device::{CL_DEVICE_TYPE_ALL, Device as Handle};
@@ -35,11 +37,20 @@ pub struct Device {
     pub is_double: bool,
 }
 
+/// Held while a driver is asked what there is, or compiles: OpenCL lets threads do so at once, and
+/// PoCL 3.1 crashes if they begin at the same time.
+static ONE_AT_A_TIME: Mutex<()> = Mutex::new(());
+
+fn one_at_a_time() -> MutexGuard<'static, ()> {
+    ONE_AT_A_TIME.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
 /// All devices of all platforms; of those with the same name the second and later are numbered.
 ///
 /// # Errors
 /// [`Error::NoPlatform`] if there is none, or no library that would know it.
 pub fn devices() -> Result<Vec<Device>, Error> {
+    let _alone = one_at_a_time();
     let platforms = get_platforms().unwrap_or_default();
     if platforms.is_empty() {
         return Err(Error::NoPlatform);
@@ -113,6 +124,7 @@ impl Session {
     /// [`Error::Build`] with what the driver's compiler says, and [`Error::Driver`] for whatever
     /// else it refuses.
     pub fn new(device: &Device, program: &Program) -> Result<Self, Error> {
+        let _alone = one_at_a_time();
         let refused = |error| refusal(device, error);
         let context = Context::from_device(&device.handle).map_err(refused)?;
         // Deprecated since OpenCL 2.0, and the one call that every version has.

@@ -91,8 +91,8 @@ impl Runner {
         not_solved(self.method, &self.pendulum, start, &run.grid)
     }
 
-    /// The same steps from each of the angles, in lanes or on the device. Each run is passed to `finished`, with its
-    /// place among the angles, in the order in which they finish.
+    /// The same steps from each of the angles, in lanes or on the device. Each run is passed to
+    /// `finished`, with its place among the angles, in the order in which they finish.
     pub fn from_each(&self, angles: &[f64], grid: &Grid, finished: impl Fn(usize, Run) + Sync) {
         if let Some(device) = self.device {
             let starts: Vec<Phase> = angles.iter().map(|&theta| self.phase(theta)).collect();

@@ -3,7 +3,7 @@
 
 use std::process::{Command, Output};
 
-use pendula_device::{METHODS, OnDevice};
+use pendula_device::METHODS;
 
 use crate::commands::{assert_refused, printed};
 
@@ -40,7 +40,7 @@ fn a_sweep_on_a_device_is_the_same_to_the_byte() {
 fn what_a_device_cannot_do_is_refused() {
     let sweep = ["ensemble", "--theta0", "0:3:9", "--dt", "0.1", "--duration", "1", "--method"];
     let with = |more: &[&'static str]| [&sweep[..], more].concat();
-    for name in names().first() {
+    if let Some(name) = names().first() {
         assert_refused(&with(&["gauss-4", "--device", "p"]), "gauss-4 does not run on a device");
         assert_refused(&with(&["rk4", "--device", "no such"]), name);
         let one = ["ensemble", "--method", "rk4", "--theta0", "1", "--dt", "0.1:1:3"];
