@@ -71,7 +71,7 @@ cost => {
         // Compares what the page shows with what the library says.
         look() {
             lab.page.show();
-            lab.page.spell();
+            lab.page.numbers.spell();
             const text = lab.page.live.textContent;
             const at = text.search(NONSENSE);
             if (at >= 0) faults.add(`shows ${text.slice(Math.max(at - 30, 0), at + 10)}`);
@@ -110,12 +110,7 @@ cost => {
                 if (!lab.follow(hash)) return 0;
                 const scene = { ...lab.scene };
                 const own = theLab.address(scene);
-                const names = lab.known.map(method => method.name);
-                const again = theLab.addressed(
-                    new URL(`#${own}`, location.href).hash,
-                    names,
-                    lab.places,
-                );
+                const again = lab.addresses.scene(new URL(`#${own}`, location.href).hash);
                 if (JSON.stringify(again) !== JSON.stringify(scene)) {
                     faults.add(`its address ${own} is another scene`);
                 }
@@ -140,7 +135,7 @@ cost => {
     lab.library = slow(lab.library);
     lab.stopwatch = slow(lab.stopwatch);
     lab.begin();
-    lab.page.spell();
+    lab.page.numbers.spell();
     // What there is without an address.
     const sound = kinds();
     globalThis.harness = harness;

@@ -24,8 +24,8 @@ STEPS = 5000
 
 
 def number(text: str) -> float:
-    """A number as the table writes it, −1.234 × 10⁻⁵."""
-    plain = re.sub(r"\s×\s10", "e", text.translate(RAISED))
+    """A number as the table writes it, −1.234 × 10⁻⁵, or at least that."""
+    plain = re.sub(r"\s×\s10", "e", text.translate(RAISED).lstrip("≥"))
     return float(re.sub(r"\s", "", plain))
 
 
@@ -69,7 +69,7 @@ def errors(
 def cells(tab: Tab) -> dict[str, list[float]]:
     """The errors in the table, by method."""
     read = f"""{LAB}.lab.pendulums.map((pendulum, i) => [pendulum.method.name,
-        [...{LAB}.lab.page.rows.rows[i].querySelectorAll('td')].map(cell => cell.textContent)])"""
+        [...{LAB}.lab.page.numbers.rows.rows[i].querySelectorAll('td')].map(cell => cell.textContent)])"""
     return {name: [number(cell) for cell in row[:4]] for name, row in tab.run(read)}
 
 
@@ -153,11 +153,11 @@ def ring(tab: Tab, book: Book, scene: dict[str, str], steps: int) -> Iterator[st
     drawn = tab.run(f"""(() => {{
         const {{drawing}} = {LAB}.lab, {{ink}} = drawing.stage, rings = [];
         ink.arc = function (x, y, radius, ...turn) {{
-            const {{x: px, y: py}} = drawing.pivot(rings.length);
+            const {{x: px, y: py}} = drawing.stage.pivot(rings.length);
             if (radius === 10) rings.push(Math.atan2(x - px, y - py));
             return CanvasRenderingContext2D.prototype.arc.call(this, x, y, radius, ...turn);
         }};
-        drawing.pendulums();
+        drawing.stage.draw();
         delete ink.arc;
         return rings;
     }})()""")
@@ -185,7 +185,7 @@ def orbit(tab: Tab, book: Book) -> Iterator[str]:
         omega = 2 * math.sqrt(g / length) * abs(math.sin(theta0 / 2))
         for at, wanted in [(omega, True), (-omega, True), (omega / 2, False), (-omega / 2, False)]:
             inked = tab.run(f"""(omega => {{
-                const {{drawing}} = {LAB}.lab, {{phase}} = drawing, frame = drawing.frame();
+                const {{drawing}} = {LAB}.lab, {{phase}} = drawing, frame = phase.frame();
                 const [x, y] = [frame.x(0), frame.y(omega)].map(at => at * phase.scale - 2);
                 // A copy, as the browser warns of looking at a canvas that is drawn on.
                 const copy = document.createElement('canvas').getContext('2d');

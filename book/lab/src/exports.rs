@@ -7,7 +7,7 @@ use core::cell::RefCell;
 use pendula::{Pendulum, Phase};
 
 use crate::simulation::Simulation;
-use crate::trajectory::{METHODS, Setup, names};
+use crate::trajectory::{Kind, METHODS, Setup, names};
 
 /// The number of pendulums that a page can show at once.
 const PLACES: usize = 8;
@@ -70,9 +70,14 @@ extern "C" fn text_length(method: u32, which: u32) -> u32 {
 
 /// Puts a pendulum of 1 kg at its start into a place, and returns 1; returns 0 and empties the
 /// place if the library refuses.
+///
+/// `kind` is 0 for the pendulum, 1 for the driven, 2 for the shaken and 3 for the double pendulum;
+/// `p` and `q` are the strength γ or the amplitude a (m) and the frequency Ω (rad/s), or the angle
+/// and velocity of the lower bob.
 #[unsafe(no_mangle)]
 extern "C" fn set(
     place: u32,
+    kind: u32,
     method: u32,
     gravity: f64,
     length: f64,
@@ -80,15 +85,20 @@ extern "C" fn set(
     theta: f64,
     omega: f64,
     step: f64,
+    p: f64,
+    q: f64,
 ) -> u32 {
-    let start = Phase { theta, omega };
-    let scene = Pendulum::new(gravity, length, 1.0).ok().map(|pendulum| Setup {
-        method: method as usize,
-        pendulum,
-        damping,
-        start,
-        step,
-    });
+    let kind = match kind {
+        0 => Some(Kind::Damped(damping)),
+        1 => Some(Kind::Driven(damping, p, q)),
+        2 => Some(Kind::Shaken(p, q)),
+        3 => Some(Kind::Double(p, q)),
+        _ => None,
+    };
+    let (start, method) = (Phase { theta, omega }, method as usize);
+    let pendulum = Pendulum::new(gravity, length, 1.0).ok();
+    let scene =
+        pendulum.zip(kind).map(|(pendulum, kind)| Setup { method, pendulum, kind, start, step });
     let Ok(mut places) = SIMULATIONS.0.try_borrow_mut() else { return 0 };
     let Some(place) = places.get_mut(place as usize) else { return 0 };
     match scene.and_then(Simulation::new) {

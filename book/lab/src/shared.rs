@@ -1,34 +1,95 @@
-//! Both systems as one type, so that each method is compiled once: the size of the file matters
-//! more than its speed.
+//! All systems as one type, so that each method is compiled once: the size of the file matters more
+//! than its speed.
 //!
-//! The steps and all arithmetic are the library's; this file only chooses between the two systems.
+//! The steps and all arithmetic are the library's; this file only chooses between the systems.
 
 use core::ops::{Add, Mul};
 
 use pendula::fast::{ReducedPhase, ReducedRate, ScaledPendulum};
-use pendula::systems::{Components, MeanForce, NearlyLinear, Processor, State, Vector};
-use pendula::{Analytic, Counting, Damped, ForceGradient, Phase, RateOf, Separable, System};
+use pendula::systems::{
+    Components, DoublePhase, Driven, MeanForce, NearlyLinear, Processor, Shaken, State, Vector,
+};
+use pendula::{
+    Analytic, Counting, Damped, DoublePendulum, ForceGradient, Phase, RateOf, Separable, System,
+};
 
-/// The system, state, displacement or force of one of the two systems. Values of different systems
-/// are never combined.
+/// The system, state, displacement or force of one of the systems. Values of different systems are
+/// never combined.
 #[derive(Clone, Copy, Debug)]
-pub enum Either<S, D> {
+pub enum One<S, F, D> {
     /// The pendulum with its step as the unit of time, as in `pendula::integrate_fast`.
     Scaled(S),
-    /// The damped pendulum.
-    Damped(D),
+    /// A pendulum that is damped, driven or shaken.
+    Forced(F),
+    /// The double pendulum.
+    Double(D),
 }
-use Either::{Damped as D, Scaled as S};
+use One::{Double as D, Forced as F, Scaled as S};
+
+/// A pendulum to which something is done: angle and velocity are in rad and rad/s.
+#[derive(Clone, Copy, Debug)]
+pub enum Forced {
+    /// By friction.
+    Damped(Damped),
+    /// By a torque, and by friction.
+    Driven(Driven),
+    /// By its pivot.
+    Shaken(Shaken),
+}
+
+impl System for Forced {
+    type State = Phase;
+
+    fn rate(&self, t: f64, z: Phase) -> Phase {
+        match self {
+            Self::Damped(system) => system.rate(t, z),
+            Self::Driven(system) => system.rate(t, z),
+            Self::Shaken(system) => system.rate(t, z),
+        }
+    }
+}
+
+impl Separable for Forced {
+    type Force = f64;
+
+    fn force(&self, t: f64, z: Phase) -> f64 {
+        match self {
+            Self::Damped(system) => system.force(t, z),
+            Self::Driven(system) => system.force(t, z),
+            Self::Shaken(system) => system.force(t, z),
+        }
+    }
+
+    fn kick(&self, z: Phase, alpha: f64, h: f64) -> Phase {
+        match self {
+            Self::Damped(system) => system.kick(z, alpha, h),
+            Self::Driven(system) => system.kick(z, alpha, h),
+            Self::Shaken(system) => system.kick(z, alpha, h),
+        }
+    }
+
+    fn drift(&self, z: Phase, h: f64) -> Phase {
+        match self {
+            Self::Damped(system) => system.drift(z, h),
+            Self::Driven(system) => system.drift(z, h),
+            Self::Shaken(system) => system.drift(z, h),
+        }
+    }
+}
 
 /// The system, which counts its force evaluations.
-pub type Shared = Either<(ScaledPendulum, Counting<ScaledPendulum>), Counting<Damped>>;
+pub type Shared = One<
+    (ScaledPendulum, Counting<ScaledPendulum>),
+    Counting<Forced>,
+    (DoublePendulum, Counting<DoublePendulum>),
+>;
 
 /// Its state.
-pub type SharedState = Either<ReducedPhase, Phase>;
+pub type SharedState = One<ReducedPhase, Phase, DoublePhase>;
 
 /// A displacement of its state.
 #[derive(Clone, Copy, Debug)]
-pub struct By(Either<ReducedRate, Phase>);
+pub struct By(One<ReducedRate, Phase, DoublePhase>);
 
 impl Shared {
     /// The pendulum in steps, and its state at `start`.
@@ -36,25 +97,22 @@ impl Shared {
         (S((scaled, Counting::new(scaled))), S(scaled.from_phase(start)))
     }
 
-    /// The damped pendulum, and its state at `start`.
-    pub const fn damped(damped: Damped, start: Phase) -> (Self, SharedState) {
-        (D(Counting::new(damped)), D(start))
+    /// A pendulum to which something is done, and its state at `start`.
+    pub const fn forced(forced: Forced, start: Phase) -> (Self, SharedState) {
+        (F(Counting::new(forced)), F(start))
     }
 
-    /// Angle (rad) and angular velocity (rad/s) of the state `z`.
-    pub fn phase(&self, z: SharedState) -> Phase {
-        match (self, z) {
-            (S((scaled, _)), S(z)) => scaled.to_phase(z),
-            (D(_), D(z)) => z,
-            _ => never(),
-        }
+    /// The double pendulum, and its state at `start`.
+    pub const fn double(double: DoublePendulum, start: DoublePhase) -> (Self, SharedState) {
+        (D((double, Counting::new(double))), D(start))
     }
 
     /// Force evaluations so far.
     pub fn evaluations(&self) -> u64 {
         match self {
             S((_, counting)) => counting.evaluations(),
-            D(counting) => counting.evaluations(),
+            F(counting) => counting.evaluations(),
+            D((_, counting)) => counting.evaluations(),
         }
     }
 }
@@ -66,6 +124,7 @@ impl Add<By> for SharedState {
     fn add(self, by: By) -> Self {
         match (self, by.0) {
             (S(z), S(by)) => S(z + by),
+            (F(z), F(by)) => F(z + by),
             (D(z), D(by)) => D(z + by),
             _ => never(),
         }
@@ -81,6 +140,7 @@ impl Components for SharedState {
     fn for_each_component(self, other: Self, by: By, each: impl FnMut(f64, f64, f64)) {
         match (self, other, by.0) {
             (S(z), S(other), S(by)) => z.for_each_component(other, by, each),
+            (F(z), F(other), F(by)) => z.for_each_component(other, by, each),
             (D(z), D(other), D(by)) => z.for_each_component(other, by, each),
             _ => never(),
         }
@@ -90,6 +150,7 @@ impl Components for SharedState {
     fn map_components(self, each: impl FnMut(f64) -> f64) -> Self {
         match self {
             S(z) => S(z.map_components(each)),
+            F(z) => F(z.map_components(each)),
             D(z) => D(z.map_components(each)),
         }
     }
@@ -102,6 +163,7 @@ impl Add for By {
     fn add(self, other: Self) -> Self {
         match (self.0, other.0) {
             (S(a), S(b)) => Self(S(a + b)),
+            (F(a), F(b)) => Self(F(a + b)),
             (D(a), D(b)) => Self(D(a + b)),
             _ => never(),
         }
@@ -115,6 +177,7 @@ impl Mul<f64> for By {
     fn mul(self, factor: f64) -> Self {
         match self.0 {
             S(by) => Self(S(by * factor)),
+            F(by) => Self(F(by * factor)),
             D(by) => Self(D(by * factor)),
         }
     }
@@ -129,20 +192,22 @@ impl System for Shared {
     fn rate(&self, t: f64, z: SharedState) -> By {
         match (self, z) {
             (S((_, system)), S(z)) => By(S(system.rate(t, z))),
-            (D(system), D(z)) => By(D(system.rate(t, z))),
+            (F(system), F(z)) => By(F(system.rate(t, z))),
+            (D((_, system)), D(z)) => By(D(system.rate(t, z))),
             _ => never(),
         }
     }
 }
 
+/// Of the double pendulum there is none: the methods that ask for it do not run on it.
 impl Separable for Shared {
-    type Force = Either<<ScaledPendulum as Separable>::Force, <Damped as Separable>::Force>;
+    type Force = One<<ScaledPendulum as Separable>::Force, f64, ()>;
 
     #[inline(never)]
     fn force(&self, t: f64, z: SharedState) -> Self::Force {
         match (self, z) {
             (S((_, system)), S(z)) => S(system.force(t, z)),
-            (D(system), D(z)) => D(system.force(t, z)),
+            (F(system), F(z)) => F(system.force(t, z)),
             _ => never(),
         }
     }
@@ -151,7 +216,7 @@ impl Separable for Shared {
     fn kick(&self, z: SharedState, force: Self::Force, h: f64) -> SharedState {
         match (self, z, force) {
             (S((_, system)), S(z), S(force)) => S(system.kick(z, force, h)),
-            (D(system), D(z), D(force)) => D(system.kick(z, force, h)),
+            (F(system), F(z), F(force)) => F(system.kick(z, force, h)),
             _ => never(),
         }
     }
@@ -160,15 +225,15 @@ impl Separable for Shared {
     fn drift(&self, z: SharedState, h: f64) -> SharedState {
         match (self, z) {
             (S((_, system)), S(z)) => S(system.drift(z, h)),
-            (D(system), D(z)) => D(system.drift(z, h)),
+            (F(system), F(z)) => F(system.drift(z, h)),
             _ => never(),
         }
     }
 }
 
 impl Analytic for Shared {
-    /// For the undamped pendulum only: the library has no series for the damped one, and the
-    /// methods that need a series do not run on it.
+    /// For the plain pendulum only: the library has no series for the others, and the methods that
+    /// need a series do not run on them.
     #[inline(never)]
     fn terms<const P: usize>(&self, h: f64, z: SharedState) -> [RateOf<Self>; P] {
         match (self, z) {
@@ -186,7 +251,7 @@ impl Analytic for Shared {
     }
 }
 
-/// As [`Analytic`], for the undamped pendulum only.
+/// As [`Analytic`], for the plain pendulum only.
 impl MeanForce for Shared {
     #[inline(never)]
     fn mean_force_rate(&self, middle: SharedState, h: f64) -> By {
@@ -197,7 +262,7 @@ impl MeanForce for Shared {
     }
 }
 
-/// As [`Analytic`], for the undamped pendulum only.
+/// As [`Analytic`], for the plain pendulum only.
 impl NearlyLinear for Shared {
     type Time = f64;
 
@@ -205,7 +270,7 @@ impl NearlyLinear for Shared {
     fn linear_frequency_squared(&self) -> f64 {
         match self {
             S((_, system)) => system.linear_frequency_squared(),
-            D(_) => never(),
+            _ => never(),
         }
     }
 
@@ -226,7 +291,7 @@ impl NearlyLinear for Shared {
     }
 }
 
-/// As [`Analytic`], for the undamped pendulum only.
+/// As [`Analytic`], for the plain pendulum only.
 impl ForceGradient for Shared {
     #[inline(never)]
     fn force_with_gradient(&self, t: f64, z: SharedState, c: f64) -> Self::Force {

@@ -1,15 +1,15 @@
 //! A pendulum with its observed energy.
 
-use pendula::{Hamiltonian, Motion, Phase};
+use pendula::{Motion, Phase};
 
-use crate::trajectory::{Setup, Trajectory};
+use crate::trajectory::{Kind, Setup, Trajectory};
 
 /// One pendulum, the extremes of its energy since the last [`look`](Simulation::look), and its
 /// exact motion.
 pub struct Simulation {
     scene: Setup,
     trajectory: Trajectory,
-    /// The exact motion, in closed form, if there is no damping.
+    /// The exact motion, in closed form, if there is one.
     motion: Option<Motion>,
     /// Energy above the bottom at the start (J).
     initial: f64,
@@ -25,11 +25,11 @@ impl Simulation {
     /// The scene at its start; `None` if the library refuses it.
     pub fn new(scene: Setup) -> Option<Self> {
         let trajectory = Trajectory::new(&scene)?;
-        let motion = match scene.damping {
-            0.0 => Some(Motion::new(&scene.pendulum, scene.start).ok()?),
+        let motion = match scene.kind {
+            Kind::Damped(0.0) => Some(Motion::new(&scene.pendulum, scene.start).ok()?),
             _ => None,
         };
-        let energy = scene.pendulum.energy(scene.start);
+        let energy = trajectory.energy();
         Some(Self {
             scene,
             trajectory,
@@ -49,7 +49,7 @@ impl Simulation {
             if !self.trajectory.step() {
                 return n;
             }
-            self.energy = self.scene.pendulum.energy(self.trajectory.phase());
+            self.energy = self.trajectory.energy();
             self.lowest = self.lowest.min(self.energy);
             self.highest = self.highest.max(self.energy);
             self.largest = self.largest.max((self.energy - self.initial).abs());
@@ -64,15 +64,14 @@ impl Simulation {
 
     /// The value of a quantity, by its number; NaN for an unknown number.
     pub fn read(&mut self, quantity: u32) -> f64 {
-        let Phase { theta, omega } = self.trajectory.phase();
+        let [Phase { theta, omega }, lower] = self.trajectory.bobs();
         match quantity {
             0 => theta,
             1 => omega,
             2 => self.trajectory.time(),
             3 => self.trajectory.taken() as f64,
             4 => self.trajectory.evaluations() as f64,
-            // As `pendula simulate` prints it: zero at the height of the pivot.
-            5 => self.scene.pendulum.energy_from_pivot(self.trajectory.phase()),
+            5 => self.trajectory.energy_as_printed(),
             6 => self.energy - self.initial,
             7 => self.lowest - self.initial,
             8 => self.highest - self.initial,
@@ -80,6 +79,8 @@ impl Simulation {
             10 => self.trajectory.limit() as f64,
             11 => self.motion.and_then(|motion| motion.period()).unwrap_or(f64::NAN),
             12 => self.initial,
+            13 => lower.theta,
+            14 => lower.omega,
             _ => f64::NAN,
         }
     }

@@ -1,9 +1,25 @@
 //! A trajectory in progress: the state, the carry of the method, and the counts.
 
 use pendula::fast::ScaledPendulum;
-use pendula::{Damped, Grid, Info, Method, Pendulum, Phase, methods};
+use pendula::systems::{Driven, Joint, Shaken};
+use pendula::{Damped, DoublePendulum, Grid, Hamiltonian, Info, Method, Pendulum, Phase, methods};
 
-use crate::shared::{Shared, SharedState};
+use crate::shared::{Forced, One, Shared, SharedState};
+
+/// What moves, besides a [`Pendulum`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Kind {
+    /// The pendulum with the damping β (1/s), zero for none.
+    Damped(f64),
+    /// The pendulum with the damping β (1/s), driven with the strength γ at the frequency Ω
+    /// (rad/s).
+    Driven(f64, f64, f64),
+    /// The pendulum on a pivot shaken by the amplitude a (m) at the frequency Ω (rad/s).
+    Shaken(f64, f64),
+    /// Two pendulums of the same length and mass, one hung from the other, of which the lower one
+    /// starts with the angle θ₂ (rad) and the velocity ω₂ (rad/s).
+    Double(f64, f64),
+}
 
 /// A pendulum, its start, a method and a step.
 #[derive(Clone, Copy, Debug)]
@@ -12,9 +28,9 @@ pub struct Setup {
     pub method: usize,
     /// The pendulum.
     pub pendulum: Pendulum,
-    /// Damping β (1/s); zero for none.
-    pub damping: f64,
-    /// The start.
+    /// What is done to it, or hung from it.
+    pub kind: Kind,
+    /// The start, of the upper bob if there are two.
     pub start: Phase,
     /// The step Δt (s).
     pub step: f64,
@@ -88,11 +104,25 @@ pendula::for_each_method!(all);
 
 macro_rules! general {
     ($($module:ident::$method:ident,)+) => {
-        /// Number of methods that suit every system; they are the first in the list.
-        const GENERAL: usize = [$(stringify!($method)),+].len();
+        /// Whether each of the methods that suit every separable system suits the double pendulum
+        /// too; they are the first in the list.
+        const SUIT_DOUBLE: &[bool] = &[$(Asked::<methods::$method>::SUITS_DOUBLE),+];
     };
 }
 pendula::for_each_general_method!(general);
+
+/// Asks a method what it suits: its own constant goes before that of the trait.
+struct Asked<M>(M);
+
+impl<M: Method<DoublePendulum>> Asked<M> {
+    const SUITS_DOUBLE: bool = true;
+}
+
+trait Otherwise {
+    const SUITS_DOUBLE: bool = false;
+}
+
+impl<M> Otherwise for Asked<M> {}
 
 /// No method has a larger [`REACH`](Method::REACH).
 type Farthest = methods::Dop853;
@@ -101,8 +131,12 @@ const FARTHEST: f64 = <Farthest as Method<ScaledPendulum>>::REACH;
 /// An hour in steps of a tenth of a millisecond: more than anybody waits for.
 const MOST_STEPS: u64 = 36_000_000;
 
+/// For a bob that there is not.
+const NONE: Phase = Phase { theta: f64::NAN, omega: f64::NAN };
+
 /// The trajectory of a [`Setup`].
 pub struct Trajectory {
+    pendulum: Pendulum,
     system: Shared,
     /// In seconds, and in the system's unit of time.
     grid: Grid,
@@ -110,26 +144,53 @@ pub struct Trajectory {
     z: SharedState,
     carry: Carry,
     taken: u64,
-    phase: Phase,
+    bobs: [Phase; 2],
 }
 
 impl Trajectory {
     /// The trajectory at its start; `None` if the library refuses the scene, or if the method does
-    /// not apply to a damped pendulum or to steps so long.
+    /// not apply to the system or to steps so long.
     pub fn new(scene: &Setup) -> Option<Self> {
-        let start = scene.pendulum.start(scene.start.theta, scene.start.omega).ok()?;
-        let ((system, z), grid, inner) = if scene.damping == 0.0 {
-            let (scaled, grid) = longest(scene, start)?;
-            (Shared::scaled(scaled, start), grid, grid.in_steps())
-        } else if scene.method < GENERAL {
-            let damped = Damped::new(scene.pendulum, scene.damping).ok()?;
-            let grid = Grid::new(scene.step, MOST_STEPS).ok()?;
-            (Shared::damped(damped, start), grid, grid)
-        } else {
-            return None;
+        let Setup { method, pendulum, kind, step, .. } = *scene;
+        let start = pendulum.start(scene.start.theta, scene.start.omega).ok()?;
+        let grid = Grid::new(step, MOST_STEPS).ok()?;
+        let suits_double = SUIT_DOUBLE.get(method);
+        let damped = |beta| Damped::new(pendulum, beta).ok();
+        let forced = match kind {
+            Kind::Damped(0.0) | Kind::Double(..) => None,
+            _ if suits_double.is_none() => return None,
+            Kind::Damped(beta) => Some(Forced::Damped(damped(beta)?)),
+            Kind::Driven(beta, strength, frequency) => {
+                Some(Forced::Driven(Driven::new(damped(beta)?, strength, frequency).ok()?))
+            }
+            Kind::Shaken(amplitude, frequency) => {
+                Some(Forced::Shaken(Shaken::new(pendulum, amplitude, frequency).ok()?))
+            }
         };
-        let carry = Carry::start(scene.method, &system, inner.step(), z)?;
-        Some(Self { system, grid, inner, z, carry, taken: 0, phase: start })
+        let ((system, z), grid, inner) = match (kind, forced) {
+            (_, Some(forced)) => (Shared::forced(forced, start), grid, grid),
+            (Kind::Double(theta2, omega2), _) => {
+                if suits_double != Some(&true) {
+                    return None;
+                }
+                let joint = Joint { length: pendulum.length(), mass: pendulum.mass() };
+                let double = DoublePendulum::of_equals(pendulum.gravity(), joint).ok()?;
+                let z = double.start([start.theta, theta2], [start.omega, omega2]).ok()?;
+                (Shared::double(double, z), grid, grid)
+            }
+            _ => {
+                let (scaled, grid) = longest(scene, start)?;
+                (Shared::scaled(scaled, start), grid, grid.in_steps())
+            }
+        };
+        let carry = Carry::start(method, &system, inner.step(), z)?;
+        let mut new =
+            Self { pendulum, system, grid, inner, z, carry, taken: 0, bobs: [start, NONE] };
+        if let One::Double(_) = z {
+            // Velocities have become momenta: what is shown is what these say.
+            new.bobs = new.seen();
+        }
+        Some(new)
     }
 
     /// Takes a step, if one is left, and returns whether it did: one iteration of the loop in
@@ -140,14 +201,45 @@ impl Trajectory {
         }
         let (t, h) = (self.inner.time(self.taken), self.inner.step());
         self.z = self.carry.step(&self.system, t, h, self.z);
-        self.phase = self.system.phase(self.z);
+        self.bobs = self.seen();
         self.taken += 1;
         true
     }
 
-    /// The state: at first the start as it was given.
-    pub const fn phase(&self) -> Phase {
-        self.phase
+    /// Angles (rad) and angular velocities (rad/s): at first the start as it was given. NaN for a
+    /// bob that there is not.
+    pub const fn bobs(&self) -> [Phase; 2] {
+        self.bobs
+    }
+
+    /// Those of the state.
+    fn seen(&self) -> [Phase; 2] {
+        match (&self.system, self.z) {
+            (One::Scaled((scaled, _)), One::Scaled(z)) => [scaled.to_phase(z), NONE],
+            (One::Forced(_), One::Forced(z)) => [z, NONE],
+            (One::Double((double, _)), One::Double(z)) => {
+                let [upper, lower] = double.velocities(z);
+                [Phase { theta: z.theta1, omega: upper }, Phase { theta: z.theta2, omega: lower }]
+            }
+            _ => [NONE; 2],
+        }
+    }
+
+    /// The energy (J), zero where all hangs at rest; seen from the pivot if it is shaken.
+    pub fn energy(&self) -> f64 {
+        match (&self.system, self.z) {
+            (One::Double((double, _)), One::Double(z)) => double.energy(z),
+            _ => self.pendulum.energy(self.bobs[0]),
+        }
+    }
+
+    /// The same, as `pendula simulate` and `pendula double-pendulum` print it: for one bob, zero at
+    /// the height of the pivot.
+    pub fn energy_as_printed(&self) -> f64 {
+        match self.system {
+            One::Double(_) => self.energy(),
+            _ => self.pendulum.energy_from_pivot(self.bobs[0]),
+        }
     }
 
     /// The number of steps taken.

@@ -3,7 +3,7 @@
     'use strict';
 
     const {
-        QUANTITY: { THETA },
+        QUANTITY: { THETA, LOWER_THETA },
         wrapped,
     } = theLab;
     // How far a touch may be from what it drags (px); a mouse drags what is nearest.
@@ -54,29 +54,31 @@
             lab,
             drawing.stage.canvas,
             (x, y, reach) => {
-                const bobs = lab.pendulums.map((pendulum, i) => {
-                    const pivot = drawing.pivot(i),
-                        theta = pendulum.read(THETA);
-                    const away = Math.hypot(
-                        x - pivot.x - pivot.rod * Math.sin(theta),
-                        y - pivot.y - pivot.rod * Math.cos(theta),
-                    );
-                    return { ...pivot, away, within: Math.abs(x - pivot.x) <= drawing.cell / 2 };
+                const { stage } = drawing;
+                const bobs = lab.pendulums.flatMap((pendulum, i) => {
+                    const pivot = stage.pivot(i),
+                        within = Math.abs(x - pivot.x) <= stage.cell / 2;
+                    const all = stage.bobs(pivot, pendulum.read(THETA), pendulum.read(LOWER_THETA));
+                    return all.map(([bx, by], which) => {
+                        // The lower bob turns about the upper one.
+                        const about = which ? { x: all[0][0], y: all[0][1] } : pivot;
+                        return { which, about, away: Math.hypot(x - bx, y - by), within };
+                    });
                 });
                 // A pointer in a cell drags only that cell's pendulum.
                 const own = bobs.filter(bob => bob.within).sort((a, b) => a.away - b.away)[0];
-                return own && own.away <= Math.min(reach, 0.6 * drawing.cell) ? own : null;
+                return own && own.away <= Math.min(reach, 0.6 * drawing.stage.cell) ? own : null;
             },
-            (pivot, x, y) => {
-                const theta0 = Math.round(1000 * Math.atan2(x - pivot.x, y - pivot.y)) / 1000;
-                lab.change({ theta0, omega0: 0 }, true);
+            ({ which, about }, x, y) => {
+                const theta = Math.round(1000 * Math.atan2(x - about.x, y - about.y)) / 1000;
+                lab.change(which ? { theta2: theta, omega2: 0 } : { theta0: theta, omega0: 0 }, true);
             },
         );
         draggable(
             lab,
             drawing.phase.canvas,
             (x, y, reach) => {
-                const frame = drawing.frame(),
+                const frame = drawing.phase.frame(),
                     { left, right, top, bottom } = frame;
                 const away = Math.hypot(
                     x - frame.x(wrapped(lab.scene.theta0)),
@@ -89,7 +91,7 @@
             (frame, x, y) => {
                 const clamp = (value, most) => Math.min(Math.max(value, -most), most);
                 const theta0 = Math.round(1000 * clamp(frame.theta(x), Math.PI)) / 1000;
-                const omega0 = Math.round(100 * clamp(frame.omega(y), drawing.reach)) / 100;
+                const omega0 = Math.round(100 * clamp(frame.omega(y), drawing.phase.reach)) / 100;
                 lab.change({ theta0, omega0 }, true);
             },
         );

@@ -5,22 +5,9 @@
 (theLab => {
     'use strict';
 
-    const {
-        Drawing,
-        Page,
-        Pendulum,
-        PRESETS,
-        QUANTITY,
-        address,
-        addressed,
-        presetScene,
-        takeHands,
-    } = theLab;
-    const { compiled, methodsOf, place } = theLab;
-    const { TIME, STEPS, INITIAL, LIMIT } = QUANTITY;
+    const { Addresses, Drawing, Page, Pin, PRESETS, Run } = theLab;
+    const { address, compiled, conserves, lessonsOf, methodsOf, takeHands } = theLab;
 
-    // The most samples a frame for the closed form and the phase portrait.
-    const SAMPLES = 64;
     // The time for the steps of a frame, out of 1/60 s (ms), and the steps of a first frame, of
     // which nobody knows yet how long they take.
     const BUDGET = 7;
@@ -28,27 +15,30 @@
 
     const calm = matchMedia('(prefers-reduced-motion: reduce)');
 
-    class Lab {
-        constructor(spot, library, stopwatch) {
-            // The stopwatch is another instance of the library, on which steps are timed.
-            Object.assign(this, {
-                spot,
-                library,
-                stopwatch,
-                places: library.places(),
-                known: methodsOf(library),
-            });
+    // A run with a clock, on a page.
+    class Lab extends Run {
+        // Further instances of the library are for timing steps, for what is pinned, and for the
+        // numbers that are saved.
+        constructor(spot, library, stopwatch, pinned, spare) {
+            super(library, methodsOf(library));
+            Object.assign(this, { spot, stopwatch, spare, places: library.places() });
+            this.lessons = lessonsOf(document);
+            const names = this.known.map(method => method.name);
+            this.addresses = new Addresses(names, this.places, this.lessons);
             // A lab on its own page has all controls; one within a chapter shows its lesson.
             this.whole = spot.classList.contains('whole');
             this.preset = spot.dataset.preset;
-            this.pendulums = [];
             this.running = this.held = false;
             this.frames = 0;
+            // The step that is read out, and its time (s).
+            this.cursor = null;
+            this.pin = new Pin(this, pinned);
             this.drawing = new Drawing(this);
+            this.drawing.stage.trails = !calm.matches;
             this.page = new Page(this);
             spot.append(this.page.live);
             takeHands(this);
-            this.scene = presetScene(this.preset);
+            this.scene = this.addresses.step(this.preset, 1);
             if (this.whole) {
                 this.arrived = this.follow();
                 addEventListener('hashchange', () => {
@@ -83,19 +73,25 @@
 
         // Goes to the scene in an address, the page's own; returns whether there is one.
         follow(hash = location.hash) {
-            const scene = addressed(
-                hash,
-                this.known.map(method => method.name),
-                this.places,
-            );
+            const scene = this.addresses.scene(hash);
             if (scene) this.begin(scene);
             return Boolean(scene);
         }
 
-        lesson(name) {
-            history.replaceState(null, '', `#${name}`);
-            this.begin(presetScene(name));
+        // Goes to a step of a lesson; what the reader pinned stays, unless the step has its own.
+        lesson(name, step) {
+            const scene = this.addresses.step(name, step);
+            if (name === this.scene.lesson) scene.pin ||= this.scene.pin;
+            this.begin(scene);
+            this.write();
             this.go();
+        }
+
+        // Whether the scene is that of its step.
+        isStep() {
+            const { lesson, step } = this.scene;
+            const own = this.addresses.step(lesson, step);
+            return address({ ...own, pin: '' }) === address({ ...this.scene, pin: '' });
         }
 
         // Changes some of the scene and restarts it.
@@ -116,68 +112,36 @@
         remember() {
             if (!this.whole) return;
             clearTimeout(this.pending);
-            this.pending = setTimeout(() => {
-                history.replaceState(null, '', `#${address(this.scene)}`);
-            }, 200);
+            this.pending = setTimeout(() => this.write(), 200);
+        }
+
+        // A step of a lesson has a short address.
+        write() {
+            clearTimeout(this.pending);
+            const { lesson, step } = this.scene;
+            const own = this.addresses.step(lesson, step);
+            const short = step > 1 ? `${lesson}/${step}` : lesson;
+            const same = address(own) === address(this.scene);
+            history.replaceState(null, '', `#${same ? short : address(this.scene)}`);
         }
 
         // Sets every pendulum to its start.
         begin(scene = this.scene) {
-            const { library } = this;
-            this.scene = scene;
-            this.pendulums = [];
-            const refused = [];
-            for (const name of scene.methods) {
-                const method = this.known.find(known => known.name === name),
-                    number = this.pendulums.length;
-                const stands = place(library, number, method, scene);
-                if (stands) this.pendulums.push(new Pendulum(library, number, method));
-                else refused.push(method.title);
-            }
+            const refused = this.set(scene).map(method => method.title);
             this.clock = 0;
             // The steps that a frame has time for: another scene may take longer.
             this.most = FIRST;
-            const last = scene.until ? Math.round(scene.until / scene.dt) : Infinity;
-            this.limit = Math.min(last, ...this.pendulums.map(pendulum => pendulum.read(LIMIT)));
             this.running &&= this.pendulums.length > 0;
-            const why =
-                scene.beta > 0 ? 'Not for a damped pendulum' : 'Beyond what can be computed';
+            this.cursor = null;
+            const why = conserves(scene)
+                ? 'Beyond what can be computed'
+                : 'Not for this system, or beyond what can be computed';
             this.notice = refused.length ? `${why}: ${refused.join(', ')}.` : '';
-            this.sight();
             this.page.say('');
             this.page.settle();
             this.page.show();
+            this.page.reading.put(null);
             this.drawing.layout();
-        }
-
-        // Records the quantities at the present step, which is the one the library says it is.
-        sight() {
-            const any = this.pendulums.length > 0;
-            this.taken = any ? this.library.read(0, STEPS) : 0;
-            this.time = any ? this.library.read(0, TIME) : 0;
-            this.exact = any ? this.library.exact_theta(0, this.time) : NaN;
-            // With damping there is no energy error: the energy itself is shown.
-            const level = any && this.scene.beta > 0 ? this.library.read(0, INITIAL) : 0;
-            for (const pendulum of this.pendulums) pendulum.note(level);
-        }
-
-        // Takes up to `n` steps with every method, in pieces small enough to draw, for as long as
-        // there is time; returns whether there are more to take.
-        advance(n, deadline = Infinity) {
-            const end = Math.min(this.taken + n, this.limit);
-            let piece = 1;
-            while (this.taken + piece * SAMPLES < end) piece *= 2;
-            while (this.taken < end && performance.now() < deadline) {
-                const next = Math.min(piece - (this.taken % piece), end - this.taken);
-                const took = this.pendulums.map(pendulum => pendulum.advance(next));
-                this.sight();
-                if (took.some(steps => steps < next)) {
-                    // The library has no more.
-                    this.limit = this.taken;
-                    break;
-                }
-            }
-            return this.taken < this.limit;
         }
 
         // ----------------------------------------------------------------------------------------
@@ -249,13 +213,16 @@
                 this.run(false);
                 return;
             }
-            this.drawing.pendulums();
-            this.drawing.portrait();
+            this.drawing.stage.draw();
+            this.drawing.phase.draw();
             // Curves and numbers are updated less often, as nobody can read them sixty times a
             // second.
             this.frames++;
             if (calm.matches || this.frames % 3 === 0) this.drawing.plots();
-            if (calm.matches || this.frames % 12 === 0) this.page.show();
+            if (calm.matches || this.frames % 12 === 0) {
+                this.page.show();
+                this.page.reading.show();
+            }
             this.next();
         }
     }
@@ -272,11 +239,10 @@
                 for (const spot of spots) {
                     if (!Object.hasOwn(PRESETS, spot.dataset.preset))
                         throw new Error(`no preset ${spot.dataset.preset}`);
-                    const [library, stopwatch] = [
-                        await WebAssembly.instantiate(module),
-                        await WebAssembly.instantiate(module),
-                    ];
-                    spot.lab = new Lab(spot, library.exports, stopwatch.exports);
+                    const instances = [];
+                    for (let i = 0; i < (spot.classList.contains('whole') ? 4 : 2); i++)
+                        instances.push((await WebAssembly.instantiate(module)).exports);
+                    spot.lab = new Lab(spot, ...instances);
                     // When the browser scrolled to the address, the lab was not on the page yet.
                     if (spot.lab.arrived) spot.scrollIntoView({ block: 'start' });
                 }

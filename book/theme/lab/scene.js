@@ -4,8 +4,34 @@
     'use strict';
 
     const PAPERS = ['forward-euler', 'symplectic-euler', 'rk4', 'stormer-verlet'];
-    // `until` is where the run stops (s), or zero for never.
+    // What moves: its number in book/lab/src/exports.rs, its own sliders, of which the last two are
+    // the library's p and q, and where it starts.
+    const SYSTEMS = {
+        pendulum: { number: 0, title: 'Pendulum', keys: ['beta'], given: {} },
+        driven: {
+            number: 1,
+            title: 'Driven pendulum',
+            keys: ['beta', 'gamma', 'Omega'],
+            given: { theta0: 0, beta: 0.783, gamma: 1.15, Omega: 2.088 },
+        },
+        shaken: {
+            number: 2,
+            title: 'Shaken pendulum',
+            keys: ['a', 'Omega'],
+            given: { theta0: 3, dt: 0.002, a: 0.1, Omega: 60 },
+        },
+        double: {
+            number: 3,
+            title: 'Double pendulum',
+            keys: ['theta2', 'omega2'],
+            given: { methods: ['rk4', 'dop853'], theta0: 2, theta2: 2 },
+        },
+    };
+    const OWN = [...new Set(Object.values(SYSTEMS).flatMap(({ keys }) => keys))];
+    // `until` is where the run stops (s), or zero for never. `lesson` and `step` say whose words
+    // stand beside the picture; `pin` is the address of the run that is compared with.
     const SCENE = {
+        system: 'pendulum',
         methods: PAPERS,
         theta0: 1,
         omega0: 0,
@@ -13,9 +39,17 @@
         g: 9.81,
         L: 1,
         beta: 0,
+        gamma: 0,
+        Omega: 1,
+        a: 0,
+        theta2: 0,
+        omega2: 0,
         speed: 1,
         scale: 'linear',
         until: 0,
+        lesson: 'over-the-top',
+        step: 1,
+        pin: '',
     };
     // The lessons of lab.md, by the ids of their headings, and the plot that a small lab in a
     // chapter shows.
@@ -76,6 +110,37 @@
             scale: 'log',
             shows: 'energy',
         },
+        friction: {
+            title: 'Friction',
+            methods: ['forward-euler', 'symplectic-euler', 'rk4'],
+            theta0: 2,
+            dt: 0.1,
+            beta: 0.2,
+            shows: 'energy',
+        },
+        driven: {
+            title: 'Driven into chaos',
+            system: 'driven',
+            methods: ['rk4', 'stormer-verlet', 'dop853'],
+            dt: 0.02,
+            gamma: 0.9,
+            speed: 10,
+            shows: 'energy',
+        },
+        upright: {
+            title: 'Upright, if shaken',
+            system: 'shaken',
+            methods: ['stormer-verlet', 'rk4'],
+            theta0: 2.8,
+            shows: 'energy',
+        },
+        'two-bobs': {
+            title: 'Two bobs',
+            system: 'double',
+            methods: ['rk4', 'gauss-6', 'dop853'],
+            dt: 0.02,
+            shows: 'energy',
+        },
     };
     // Label, unit, range and step of the slider, range of the typed value; the step Δt is
     // logarithmic.
@@ -119,23 +184,86 @@
         },
         L: { label: 'Length L', unit: 'm', from: 0.1, to: 5, by: 0.01, least: 0.001, most: 1000 },
         beta: { label: 'Damping β', unit: '1/s', from: 0, to: 2, by: 0.01, least: 0, most: 10 },
+        gamma: { label: 'Drive γ', unit: 'm g L', from: 0, to: 3, by: 0.01, least: -100, most: 100 },
+        a: { label: 'Amplitude a', unit: 'm', from: 0, to: 0.5, by: 0.01, least: 0, most: 10 },
+        Omega: {
+            label: 'Frequency Ω',
+            unit: 'rad/s',
+            from: -1,
+            to: 2.3,
+            by: 0.01,
+            least: 0.001,
+            most: 1000,
+            logarithmic: true,
+        },
+        theta2: {
+            label: 'Lower angle θ₂',
+            unit: 'rad',
+            from: -3.14,
+            to: 3.14,
+            by: 0.01,
+            least: -100,
+            most: 100,
+        },
+        omega2: {
+            label: 'Lower velocity ω₂',
+            unit: 'rad/s',
+            from: -15,
+            to: 15,
+            by: 0.05,
+            least: -1000,
+            most: 1000,
+        },
     };
     // The longest run (s): longer than any that the library takes.
     const LONGEST = 1e9;
     const SPEEDS = [0.1, 0.25, 1, 2, 10, 100, 1000];
 
+    // The longest run (steps) that the library takes.
+    const MOST_STEPS = 36e6;
+
+    function startOf(system) {
+        return { ...SCENE, ...SYSTEMS[system].given, system };
+    }
+
+    // The sliders of a system.
+    function keysOf(system) {
+        return Object.keys(SLIDERS).filter(
+            key => !OWN.includes(key) || SYSTEMS[system].keys.includes(key),
+        );
+    }
+
+    // Whether the energy is conserved, so that there is an error, and whether there is a closed
+    // form.
+    const conserves = ({ system, beta }) =>
+        system === 'double' || (system === 'pendulum' && beta === 0);
+    const isClosed = ({ system, beta }) => system === 'pendulum' && beta === 0;
+
+    // The first step of a lesson.
     function presetScene(name) {
         const { title, shows, ...given } = PRESETS[name];
-        return { ...SCENE, ...given };
+        return { ...startOf(given.system ?? 'pendulum'), ...given, lesson: name };
+    }
+
+    // What is moved, by which methods and in which steps.
+    function physics(scene) {
+        const parts = [`m=${scene.methods.join(',')}`];
+        if (scene.system !== 'pendulum') parts.push(`system=${scene.system}`);
+        for (const key of keysOf(scene.system)) parts.push(`${key}=${scene[key]}`);
+        return parts;
     }
 
     function address(scene) {
-        const parts = [`m=${scene.methods.join(',')}`];
-        for (const key of Object.keys(SLIDERS)) parts.push(`${key}=${scene[key]}`);
-        parts.push(`speed=${scene.speed}`, `scale=${scene.scale}`);
+        const parts = [...physics(scene), `speed=${scene.speed}`, `scale=${scene.scale}`];
         if (scene.until) parts.push(`until=${scene.until}`);
+        if (scene.lesson !== SCENE.lesson) parts.push(`lesson=${scene.lesson}`);
+        if (scene.step > 1) parts.push(`step=${scene.step}`);
+        if (scene.pin) parts.push(`pin=${encodeURIComponent(scene.pin)}`);
         return parts.join('&');
     }
+
+    // What a pinned run is recomputed from.
+    const pinOf = (scene, steps) => [...physics(scene), `steps=${steps}`].join('&');
 
     // The number that a text says; NaN for none, also where there is only white space, which
     // JavaScript takes for zero. Its −0 would not outlive an address.
@@ -143,38 +271,90 @@
         return text?.trim() ? Number(text) + 0 : NaN;
     }
 
-    // The scene of an address, or null if it has none, with known methods only and no more than
-    // `places`. Values that it does not name are as in SCENE; invalid ones are ignored.
-    function addressed(hash, known, places) {
-        const name = hash.replace(/^#/, '');
-        if (Object.hasOwn(PRESETS, name)) return presetScene(name);
-        if (!name.includes('=')) return null;
-        const given = new URLSearchParams(name);
-        const scene = { ...SCENE };
-        const methods = (given.get('m') ?? '')
-            .split(',')
-            .filter((m, i, all) => known.includes(m) && all.indexOf(m) === i);
-        if (methods.length) scene.methods = methods.slice(0, places);
-        for (const [key, { least, most }] of Object.entries(SLIDERS)) {
-            const value = number(given.get(key));
-            if (value >= least && value <= most) scene[key] = value;
+    const isCount = (x, most) => Number.isInteger(x) && x >= 1 && x <= most;
+
+    // Reads addresses: with known methods only, no more than `places`, and steps that the
+    // `lessons`, by name, have.
+    class Addresses {
+        constructor(known, places, lessons) {
+            Object.assign(this, { known, places, lessons });
         }
-        const speed = number(given.get('speed'));
-        if (SPEEDS.includes(speed)) scene.speed = speed;
-        if (given.get('scale') === 'log') scene.scale = 'log';
-        const until = number(given.get('until'));
-        if (until > 0 && until <= LONGEST) scene.until = until;
-        return scene;
+
+        // The scene of an address, or null if it has none. Values that it does not name are as at
+        // the start of its system; invalid ones are ignored.
+        scene(hash) {
+            const name = hash.replace(/^#/, '');
+            const [lesson, step = '1'] = name.split('/');
+            if (Object.hasOwn(PRESETS, lesson)) return this.step(lesson, number(step));
+            if (!name.includes('=')) return null;
+            const given = new URLSearchParams(name);
+            const system = given.get('system');
+            return this.changed(startOf(Object.hasOwn(SYSTEMS, system) ? system : 'pendulum'), given);
+        }
+
+        // A scene with the values that are given.
+        changed(before, given) {
+            const scene = { ...before };
+            const methods = (given.get('m') ?? '')
+                .split(',')
+                .filter((m, i, all) => this.known.includes(m) && all.indexOf(m) === i);
+            if (methods.length) scene.methods = methods.slice(0, this.places);
+            for (const key of keysOf(scene.system)) {
+                const value = number(given.get(key)),
+                    { least, most } = SLIDERS[key];
+                if (value >= least && value <= most) scene[key] = value;
+            }
+            const speed = number(given.get('speed'));
+            if (SPEEDS.includes(speed)) scene.speed = speed;
+            if (given.has('scale')) scene.scale = given.get('scale') === 'log' ? 'log' : 'linear';
+            const until = number(given.get('until'));
+            if (until >= 0 && until <= LONGEST) scene.until = until;
+            const lesson = given.get('lesson'),
+                step = number(given.get('step'));
+            if (Object.hasOwn(PRESETS, lesson)) scene.lesson = lesson;
+            if (isCount(step, this.lessons[scene.lesson]?.length ?? 1)) scene.step = step;
+            const pinned = this.pinned(given.get('pin') ?? '');
+            if (pinned) scene.pin = pinOf(pinned.scene, pinned.steps);
+            return scene;
+        }
+
+        // The scene and the steps of a pinned run, or null.
+        pinned(text) {
+            const steps = number(new URLSearchParams(text).get('steps'));
+            const scene = isCount(steps, MOST_STEPS) && this.scene(text);
+            return scene ? { scene, steps } : null;
+        }
+
+        // A step of a lesson: the first is its preset, and each other says what it changes of that,
+        // and for how long (s) it goes on with the one before, to be compared with.
+        step(lesson, step) {
+            const scene = presetScene(lesson),
+                steps = this.lessons[lesson] ?? [];
+            if (!isCount(step, steps.length)) return scene;
+            const at = this.changed(scene, new URLSearchParams(steps[step - 1].changes));
+            const { compares } = steps[step - 1];
+            if (compares && step > 1) {
+                const before = this.step(lesson, step - 1);
+                at.pin = pinOf(before, Math.round(compares / before.dt));
+            }
+            return { ...at, lesson, step };
+        }
     }
 
     Object.assign(theLab, {
+        Addresses,
         LONGEST,
         PAPERS,
         PRESETS,
         SLIDERS,
         SPEEDS,
+        SYSTEMS,
         address,
-        addressed,
+        conserves,
+        isClosed,
+        keysOf,
+        pinOf,
         presetScene,
+        startOf,
     });
 })((globalThis.theLab ??= {}));

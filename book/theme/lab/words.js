@@ -55,5 +55,19 @@
         return [1, 2, 5, 10].map(m => m * power).find(tick => tick >= x * (1 - 1e-9));
     }
 
-    Object.assign(theLab, { count, measured, raised, rough, roundUp, seconds, tick });
+    // A number that reads back to the same, as the command line writes it in its rows.
+    function printed(x) {
+        if (Object.is(x, -0)) return '-0.0';
+        const [mantissa, exponent] = x.toExponential().split('e');
+        const digits = mantissa.replace(/[-.]/g, ''),
+            sign = x < 0 ? '-' : '',
+            point = Number(exponent) + 1;
+        if (point >= digits.length && point <= 16) return `${sign}${digits.padEnd(point, '0')}.0`;
+        if (point > 0 && point <= 16)
+            return `${sign}${digits.slice(0, point)}.${digits.slice(point)}`;
+        if (point > -5 && point <= 0) return `${sign}0.${'0'.repeat(-point)}${digits}`;
+        return `${mantissa}e${Number(exponent)}`;
+    }
+
+    Object.assign(theLab, { count, measured, printed, raised, rough, roundUp, seconds, tick });
 })((globalThis.theLab ??= {}));

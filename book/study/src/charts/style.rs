@@ -287,7 +287,7 @@ mod tests {
     fn the_lab_draws_methods_as_the_figures_do() {
         // How the lists are laid out does not matter.
         let packed = |text: &str| text.split_whitespace().collect::<String>();
-        let script = packed(&of_the_book("theme/lab/drawing.js"));
+        let script = packed(&of_the_book("theme/lab/sheet.js"));
         let has = |list: String| assert!(script.contains(&packed(&list)), "{list}");
         let list = |words: Vec<String>| words.join(", ");
         let colours = list(PALETTE.map(|(name, ..)| format!("'{name}'")).to_vec());

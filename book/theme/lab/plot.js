@@ -1,0 +1,198 @@
+// The plots of a lab: one quantity of every pendulum over time.
+(theLab => {
+    'use strict';
+
+    const { FONT, Sheet, mark, raised, roundUp, tick } = theLab;
+
+    // The vertical axis of a plot: the position of a value, and the ticks.
+    function logarithmicAxis(all, { top, bottom }) {
+        const sizes = all.map(series => series.largest),
+            largest = Math.max(...sizes, 0) || 1;
+        const high = Math.ceil(Math.log10(largest) + 0.05);
+        // Room for the smallest error to grow.
+        const smallest = Math.min(...sizes.filter(size => size > 0), largest);
+        const low = Math.min(Math.floor(Math.log10(smallest)) - 2, high - 4);
+        const every = Math.ceil((high - low) / 6);
+        const powers = Array.from({ length: high - low + 1 }, (_, i) => high - i).filter(
+            (_, i) => i % every === 0,
+        );
+        return {
+            y: value =>
+                bottom - ((Math.log10(Math.abs(value)) - low) / (high - low)) * (bottom - top),
+            ticks: powers.map(power => [
+                10 ** power,
+                power === 0 ? '1' : power === 1 ? '10' : `10${raised(power)}`,
+            ]),
+        };
+    }
+
+    function linearAxis(all, { top, bottom }) {
+        const edge = size => (size > 0 ? roundUp(size) : 0);
+        let least = -edge(Math.max(...all.map(series => -series.lowest), 0));
+        let most = edge(Math.max(...all.map(series => series.highest), 0));
+        if (least === most) [least, most] = [-1, 1];
+        const y = value => bottom - ((value - least) / (most - least)) * (bottom - top);
+        // Zero first, then the ends, then the halves, as far as there is room (px).
+        const ticks = [0];
+        for (const value of [most, least, most / 2, least / 2]) {
+            if (ticks.every(other => Math.abs(y(value) - y(other)) >= 24)) ticks.push(value);
+        }
+        return { y, ticks: ticks.map(value => [value, tick(value)]) };
+    }
+
+    class Plot extends Sheet {
+        // `seriesOf` is the record of a pendulum.
+        constructor(lab, seriesOf) {
+            super();
+            Object.assign(this, { lab, seriesOf, span: 0 });
+        }
+
+        // The frame in pixels.
+        frame() {
+            return { left: 66, right: this.width - 12, top: 24, bottom: this.height - 34 };
+        }
+
+        // The time (s) at a place on the canvas.
+        time(x) {
+            const { left, right } = this.frame();
+            return ((x - left) / (right - left)) * this.span;
+        }
+
+        // Says why there is nothing to draw.
+        none(words) {
+            if (!this.width) return;
+            const { ink } = this;
+            this.clear();
+            ink.fillStyle = this.lab.drawing.ink;
+            ink.font = FONT;
+            ink.textAlign = 'center';
+            ink.textBaseline = 'middle';
+            ink.fillText(words, this.width / 2, this.height / 2, this.width - 20);
+        }
+
+        draw(title) {
+            if (!this.width) return;
+            const { lab, ink, seriesOf } = this;
+            const f = this.frame();
+            const logarithmic = lab.scene.scale === 'log';
+            const own = lab.pendulums.map(pendulum => {
+                return { series: seriesOf(pendulum), method: pendulum.method, dt: lab.scene.dt };
+            });
+            const pinned = lab.pin.shown().map(pendulum => {
+                return { series: seriesOf(pendulum), method: pendulum.method, dt: lab.pin.dt };
+            });
+            const all = [...own, ...pinned].map(({ series }) => series);
+            const last = Math.max(lab.time, pinned.length ? lab.pin.time : 0);
+            this.span = lab.scene.until || roundUp(Math.max(last, 10 * lab.scene.dt, 5));
+            const x = t => f.left + (t / this.span) * (f.right - f.left);
+            const { y, ticks } = logarithmic ? logarithmicAxis(all, f) : linearAxis(all, f);
+            this.clear();
+            ink.strokeStyle = ink.fillStyle = lab.drawing.ink;
+            ink.lineWidth = 1;
+            ink.font = FONT;
+            ink.textBaseline = 'middle';
+            ink.textAlign = 'right';
+            for (const [value, label] of ticks) {
+                ink.fillText(label, f.left - 6, y(value), f.left - 8);
+                ink.globalAlpha = 0.2;
+                ink.fillRect(f.left, Math.round(y(value)), f.right - f.left, 1);
+                ink.globalAlpha = 1;
+            }
+            ink.strokeRect(f.left, f.top, f.right - f.left, f.bottom - f.top);
+            ink.textAlign = 'left';
+            ink.fillText(title, f.left, 12);
+            if (pinned.length) {
+                ink.textAlign = 'right';
+                ink.fillText('dotted: pinned', f.right, 12);
+            }
+            ink.textBaseline = 'top';
+            for (const [t, align] of [
+                [0, 'left'],
+                [this.span / 2, 'center'],
+                [this.span, 'right'],
+            ]) {
+                ink.textAlign = align;
+                ink.fillText(tick(t), x(t), f.bottom + 4);
+            }
+            ink.textAlign = 'center';
+            ink.fillText('t (s)', x(this.span / 2), f.bottom + 17);
+            ink.save();
+            ink.beginPath();
+            ink.rect(f.left, f.top, f.right - f.left, f.bottom - f.top);
+            ink.clip();
+            this.curves(own, x, y, logarithmic);
+            for (const one of pinned) this.ghost(one, x, y, logarithmic);
+            if (lab.cursor) {
+                ink.strokeStyle = lab.drawing.ink;
+                ink.lineWidth = 1;
+                ink.beginPath();
+                ink.moveTo(x(lab.cursor.time), f.top);
+                ink.lineTo(x(lab.cursor.time), f.bottom);
+                ink.stroke();
+            }
+            ink.restore();
+        }
+
+        // The places of a curve: of its bins the largest errors, or both extremes.
+        trace({ series, dt }, x, y, logarithmic) {
+            const { ink, lab } = this;
+            ink.beginPath();
+            for (let i = 0; i < series.length; i++) {
+                const at = x(Math.min((i + 1) * series.width, series.steps) * dt);
+                if (logarithmic) {
+                    const size = Math.max(Math.abs(series.low[i]), Math.abs(series.high[i]));
+                    if (size > 0) ink.lineTo(at, y(size));
+                } else {
+                    // The band between the extremes, as one stroke up and down.
+                    ink.lineTo(at, y(series.low[i]));
+                    ink.lineTo(at, y(series.high[i]));
+                }
+            }
+            ink.stroke();
+        }
+
+        // The largest first, so that none lies below a larger one.
+        curves(own, x, y, logarithmic) {
+            const { ink, lab } = this;
+            const order = own
+                .map((one, place) => ({ ...one, place, largest: one.series.largest }))
+                .sort((a, b) => b.largest - a.largest);
+            for (const one of order) {
+                const { colour, dash } = lab.drawing.looks.get(one.method.number);
+                ink.strokeStyle = colour;
+                ink.lineWidth = 1.8;
+                ink.setLineDash(logarithmic ? dash : []);
+                this.trace(one, x, y, logarithmic);
+                ink.setLineDash([]);
+            }
+            // Markers distinguish the lines without colours, above all of them; those of different
+            // methods are offset, so that none hides another.
+            for (const { series, dt, method, place } of order) {
+                const { colour, path } = lab.drawing.looks.get(method.number);
+                for (let third = 0; third < 3; third++) {
+                    const i = Math.floor(
+                        (series.length * (third + (place + 0.5) / own.length)) / 3,
+                    );
+                    const size = Math.max(Math.abs(series.low[i]), Math.abs(series.high[i]));
+                    if (series.length < 3 || (logarithmic && size === 0)) continue;
+                    const t = Math.min((i + 1) * series.width, series.steps) * dt;
+                    mark(ink, path, x(t), y(logarithmic ? size : series.high[i]), 0.9, colour);
+                }
+            }
+        }
+
+        // A pinned curve: thin and dotted.
+        ghost(one, x, y, logarithmic) {
+            const { ink } = this;
+            ink.strokeStyle = this.lab.drawing.looks.get(one.method.number).colour;
+            ink.lineWidth = 1;
+            ink.globalAlpha = 0.8;
+            ink.setLineDash([1.5, 2.5]);
+            this.trace(one, x, y, logarithmic);
+            ink.setLineDash([]);
+            ink.globalAlpha = 1;
+        }
+    }
+
+    theLab.Plot = Plot;
+})((globalThis.theLab ??= {}));

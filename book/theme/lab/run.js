@@ -1,0 +1,221 @@
+// Runs of the library, and what is kept of them to be drawn.
+(theLab => {
+    'use strict';
+
+    const { QUANTITY, isClosed, conserves, place } = theLab;
+    const { THETA, OMEGA, TIME, STEPS, LOWEST, HIGHEST, INITIAL, LIMIT, LOWER_THETA } = QUANTITY;
+
+    // A trajectory is drawn with at most this many bins; when they are full, pairs are merged.
+    const BINS = 512;
+    // The number of points of a trajectory that are kept, each of so many numbers.
+    const TRAIL = 4096;
+    const POINT = 4;
+    // The most samples a frame for the closed form and the phase portrait.
+    const SAMPLES = 64;
+
+    const wrapped = theta => theta - 2 * Math.PI * Math.round(theta / (2 * Math.PI));
+
+    // The record of one quantity: its extremes in bins of `width` steps.
+    class Series {
+        constructor() {
+            this.low = new Float64Array(BINS);
+            this.high = new Float64Array(BINS);
+            this.width = 1;
+            this.length = 0;
+            this.steps = 0;
+        }
+
+        // Adds the sample after `steps` steps, with the extremes since the last one.
+        add(steps, low, high) {
+            this.steps = steps;
+            let bin = Math.floor(Math.max(steps - 1, 0) / this.width);
+            while (bin >= BINS) {
+                this.widen();
+                bin = Math.floor(Math.max(steps - 1, 0) / this.width);
+            }
+            if (bin < this.length) {
+                this.low[bin] = Math.min(this.low[bin], low);
+                this.high[bin] = Math.max(this.high[bin], high);
+                return;
+            }
+            this.low[bin] = low;
+            this.high[bin] = high;
+            this.length = bin + 1;
+        }
+
+        widen() {
+            const half = Math.ceil(this.length / 2);
+            for (let i = 0; i < half; i++) {
+                const j = Math.min(2 * i + 1, this.length - 1);
+                this.low[i] = Math.min(this.low[2 * i], this.low[j]);
+                this.high[i] = Math.max(this.high[2 * i], this.high[j]);
+            }
+            this.length = half;
+            this.width *= 2;
+        }
+
+        // The same record, whatever comes later.
+        copy() {
+            return Object.assign(new Series(), this, {
+                low: this.low.slice(),
+                high: this.high.slice(),
+            });
+        }
+
+        // The extremes at the time of a step, and the steps that they cover; null if there are none.
+        at(step) {
+            const bin = Math.min(Math.floor(Math.max(step - 1, 0) / this.width), this.length - 1);
+            return bin < 0 ? null : [this.low[bin], this.high[bin]];
+        }
+
+        get lowest() {
+            return this.low.subarray(0, this.length).reduce((a, b) => Math.min(a, b), 0);
+        }
+
+        get highest() {
+            return this.high.subarray(0, this.length).reduce((a, b) => Math.max(a, b), 0);
+        }
+
+        // The largest absolute value recorded.
+        get largest() {
+            return Math.max(this.highest, -this.lowest);
+        }
+    }
+
+    // The pendulum of one method, in one place of the library.
+    class Pendulum {
+        constructor(library, place, method) {
+            Object.assign(this, {
+                library,
+                place,
+                method,
+                energy: new Series(),
+                angle: new Series(),
+                lapse: 0,
+            });
+            // The measured times of a step (ns).
+            this.times = [];
+            // Steps, θ wrapped, ω, and θ of the lower bob, of each point.
+            this.trail = new Float64Array(POINT * TRAIL);
+            this.points = 0;
+        }
+
+        read(quantity) {
+            return this.library.read(this.place, quantity);
+        }
+
+        // Takes up to `steps` steps, a whole number, and returns how many the library took.
+        advance(steps) {
+            return this.library.advance(this.place, steps);
+        }
+
+        // Records the angle against the exact one at the pendulum's own time, the extremes of the
+        // energy error plus `level`, and the point in phase space.
+        note(level) {
+            const steps = this.read(STEPS),
+                theta = this.read(THETA),
+                exact = this.library.exact_theta(this.place, this.read(TIME));
+            // An implicit method whose equations could not be solved gives NaN from then on.
+            this.lost = Number.isNaN(theta);
+            if (this.lost) return;
+            this.energy.add(steps, level + this.read(LOWEST), level + this.read(HIGHEST));
+            this.library.look(this.place);
+            if (!Number.isNaN(exact)) {
+                this.lapse = theta - exact;
+                this.angle.add(steps, this.lapse, this.lapse);
+            }
+            const at = POINT * (this.points++ % TRAIL);
+            this.trail[at] = steps;
+            this.trail[at + 1] = wrapped(theta);
+            this.trail[at + 2] = this.read(OMEGA);
+            this.trail[at + 3] = this.read(LOWER_THETA);
+        }
+
+        // The k-th point of all that there were, if it is kept.
+        point(k) {
+            const at = POINT * (k % TRAIL);
+            const [steps, theta, omega, lower] = this.trail.subarray(at, at + POINT);
+            return { steps, theta, omega, lower };
+        }
+
+        // The first point that is kept.
+        get oldest() {
+            return Math.max(0, this.points - TRAIL);
+        }
+
+        // The point nearest to a step, or null.
+        near(step) {
+            let [low, high] = [this.oldest, this.points - 1];
+            if (high < low) return null;
+            while (low < high) {
+                const middle = (low + high) >> 1;
+                if (this.point(middle).steps < step) low = middle + 1;
+                else high = middle;
+            }
+            const after = this.point(low);
+            if (low === this.oldest) return after;
+            const before = this.point(low - 1);
+            return step - before.steps < after.steps - step ? before : after;
+        }
+    }
+
+    // The pendulums of a scene, which take their steps together.
+    class Run {
+        constructor(library, known) {
+            Object.assign(this, { library, known, pendulums: [], taken: 0, time: 0 });
+        }
+
+        // Sets every pendulum to its start; returns the methods that the library refuses.
+        set(scene) {
+            const refused = [];
+            this.scene = scene;
+            this.pendulums = [];
+            for (const name of scene.methods) {
+                const method = this.known.find(known => known.name === name),
+                    number = this.pendulums.length;
+                const stands = place(this.library, number, method, scene);
+                if (stands) this.pendulums.push(new Pendulum(this.library, number, method));
+                else refused.push(method);
+            }
+            const last = scene.until ? Math.round(scene.until / scene.dt) : Infinity;
+            this.limit = Math.min(last, ...this.pendulums.map(pendulum => pendulum.read(LIMIT)));
+            // Whether there were steps at which the angle was not looked at.
+            this.sampled = false;
+            this.sight();
+            return refused;
+        }
+
+        // Records the quantities at the present step, which is the one the library says it is.
+        sight() {
+            const any = this.pendulums.length > 0;
+            this.taken = any ? this.library.read(0, STEPS) : 0;
+            this.time = any ? this.library.read(0, TIME) : 0;
+            this.exact = any && isClosed(this.scene) ? this.library.exact_theta(0, this.time) : NaN;
+            // Where the energy is not conserved it has no error: it is shown itself.
+            const level = any && !conserves(this.scene) ? this.library.read(0, INITIAL) : 0;
+            for (const pendulum of this.pendulums) pendulum.note(level);
+        }
+
+        // Takes up to `n` steps with every method, in pieces small enough to draw, for as long as
+        // there is time; returns whether there are more to take.
+        advance(n, deadline = Infinity) {
+            const end = Math.min(this.taken + n, this.limit);
+            let piece = 1;
+            while (this.taken + piece * SAMPLES < end) piece *= 2;
+            while (this.taken < end && performance.now() < deadline) {
+                const next = Math.min(piece - (this.taken % piece), end - this.taken);
+                if (next > 1) this.sampled = true;
+                const took = this.pendulums.map(pendulum => pendulum.advance(next));
+                this.sight();
+                if (took.some(steps => steps < next)) {
+                    // The library has no more.
+                    this.limit = this.taken;
+                    break;
+                }
+            }
+            return this.taken < this.limit;
+        }
+    }
+
+    Object.assign(theLab, { Run, wrapped });
+})((globalThis.theLab ??= {}));

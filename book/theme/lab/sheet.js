@@ -1,0 +1,78 @@
+// A canvas to draw on, and what the lab's drawings have in common: the colour, marker and dash of a
+// method.
+(theLab => {
+    'use strict';
+
+    // As in the figures: a method's colour, marker and dash follow from its index in the library's
+    // list. A test in book/study/src/charts/style.rs checks that both agree.
+    const COLOURS = ['vermilion', 'blue', 'green', 'purple', 'ochre', 'sky'];
+    const MARKERS = [
+        'm-5,0a5,5 0 1,0 10,0a5,5 0 1,0 -10,0z',
+        'm-4.6,-4.6h9.2v9.2h-9.2z',
+        'm0,-6.4l6.4,6.4 -6.4,6.4 -6.4,-6.4z',
+        'm0,-6.4l6,10.4h-12z',
+        'm-2,-6h4v4h4v4h-4v4h-4v-4h-4v-4h4z',
+        'm0,-2.6l3.4,-3.4 2.6,2.6 -3.4,3.4 3.4,3.4 -2.6,2.6 -3.4,-3.4 -3.4,3.4 -2.6,-2.6 3.4,-3.4 -3.4,-3.4 2.6,-2.6z',
+        'm0,6.4l6,-10.4h-12z',
+        'm-5.4,-5.4h10.8l-10.8,10.8h10.8z',
+    ];
+    const DASHES = [[], [14, 5], [14, 4, 2, 4], [7, 4]];
+    const FONT = '13px "Open Sans", system-ui, sans-serif';
+    const TURN = 2 * Math.PI;
+
+    // A canvas at the resolution of the screen, drawn in CSS pixels.
+    class Sheet {
+        constructor() {
+            this.canvas = document.createElement('canvas');
+            this.canvas.setAttribute('role', 'img');
+            this.width = this.height = 0;
+            this.ink = this.canvas.getContext('2d');
+        }
+
+        fit(width, height) {
+            const scale = Math.min(devicePixelRatio || 1, 2);
+            const [w, h] = [Math.round(width * scale), Math.round(height * scale)];
+            if (this.canvas.width !== w || this.canvas.height !== h) {
+                Object.assign(this.canvas, { width: w, height: h });
+                this.canvas.style.height = `${height}px`;
+            }
+            Object.assign(this, { width, height, scale });
+            this.ink.setTransform(scale, 0, 0, scale, 0, 0);
+        }
+
+        clear() {
+            this.ink.clearRect(0, 0, this.width, this.height);
+        }
+    }
+
+    function mark(ink, path, x, y, size, colour) {
+        ink.save();
+        ink.translate(x, y);
+        ink.scale(size, size);
+        ink.fillStyle = colour;
+        ink.fill(path);
+        ink.restore();
+    }
+
+    // The same, as an outline, so that it shows what is below.
+    function hollow(ink, path, x, y, size, colour) {
+        ink.save();
+        ink.translate(x, y);
+        ink.scale(size, size);
+        ink.strokeStyle = colour;
+        ink.lineWidth = 2 / size;
+        ink.stroke(path);
+        ink.restore();
+    }
+
+    // The colour, the marker and the dash of a method.
+    function look({ number }) {
+        return {
+            colour: `--pendula-${COLOURS[number % COLOURS.length]}`,
+            marker: MARKERS[number % MARKERS.length],
+            dash: DASHES[number % DASHES.length],
+        };
+    }
+
+    Object.assign(theLab, { FONT, Sheet, TURN, hollow, look, mark });
+})((globalThis.theLab ??= {}));
