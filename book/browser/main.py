@@ -8,12 +8,16 @@ from pathlib import Path
 
 import addresses
 import claims
+import keeping
 import lab
+import lessons
 import pages
 import pictures
 import policy
 import reader
+import reading
 import spoilt
+import systems
 import table
 from book import Book, NoBook
 from browser import Browser, Tab
@@ -24,6 +28,10 @@ CHECKS = [
     *claims.CHECKS,
     *lab.CHECKS,
     *table.CHECKS,
+    *lessons.CHECKS,
+    *keeping.CHECKS,
+    *reading.CHECKS,
+    *systems.CHECKS,
     *addresses.CHECKS,
     *policy.CHECKS,
 ]

@@ -41,7 +41,11 @@
                 const own = width(sheet);
                 const height = Math.round(Math.min(Math.max(own * 0.62, 200), 300));
                 // Beside the two plots it is as high as both.
-                const tall = sheet === phase && lab.whole && own < 0.6 * stage.width;
+                const tall =
+                    sheet === phase &&
+                    lab.whole &&
+                    isClosed(lab.scene) &&
+                    own < 0.6 * stage.width;
                 if (own) sheet.fit(own, tall ? 2 * height - 12 : height);
             }
             // During a drag the axis keeps its scale; otherwise the point under the pointer would
@@ -61,7 +65,6 @@
             const { scene } = this.lab;
             this.energy.draw(conserves(scene) ? 'energy error (J)' : 'energy (J)');
             if (isClosed(scene)) this.angle.draw('angle error (rad)');
-            else this.angle.none('for this system there is no closed form to compare with');
         }
 
         // Text alternatives for the drawings.
@@ -85,10 +88,7 @@
                 [this.energy, `${energy} over time of ${names}; arrow keys read it out.`],
                 [
                     this.angle,
-                    exact
-                        ? `Angle error against the closed form, of ${names}; ` +
-                          'arrow keys read it out.'
-                        : 'Angle error: for this system there is no closed form.',
+                    `Angle error against the closed form, of ${names}; arrow keys read it out.`,
                 ],
             ])
                 sheet.canvas.setAttribute('aria-label', words);

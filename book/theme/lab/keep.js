@@ -111,12 +111,14 @@
                 { drawing, scene, time, taken } = lab,
                 name = this.name();
             const plots = [drawing.phase, drawing.energy, ...(isClosed(scene) ? [drawing.angle] : [])];
-            const width = Math.max(drawing.stage.width, 3 * drawing.energy.width * (2 / 3));
-            const across = Math.max(1, Math.floor((width + GAP) / (drawing.energy.width + GAP)));
-            const rows = Math.ceil(plots.length / across);
-            const high = Math.max(...plots.map(plot => plot.height));
+            // The plots as they stand on the page.
+            const boxes = plots.map(plot => plot.canvas.getBoundingClientRect());
+            const [left, top] = ['x', 'y'].map(side => Math.min(...boxes.map(box => box[side])));
+            const width = Math.max(drawing.stage.width, ...boxes.map(box => box.right - left));
             const words = this.words(scene, `t = ${seconds(time, scene.dt)} s, ${taken} steps`);
-            const height = drawing.stage.height + rows * (high + GAP) + (words.length + 1) * LINE;
+            const below = drawing.stage.height + GAP;
+            const end = below + Math.max(...boxes.map(box => box.bottom - top));
+            const height = end + GAP + words.length * LINE;
             const canvas = element('canvas', {
                 width: Math.round(2 * (width + 2 * GAP)),
                 height: Math.round(2 * (height + 2 * GAP)),
@@ -128,14 +130,11 @@
             const put = (sheet, x, y) =>
                 ink.drawImage(sheet.canvas, GAP + x, GAP + y, sheet.width, sheet.height);
             put(drawing.stage, (width - drawing.stage.width) / 2, 0);
-            plots.forEach((plot, i) => {
-                const x = (i % across) * (plots[1].width + GAP);
-                put(plot, x, drawing.stage.height + GAP + Math.floor(i / across) * (high + GAP));
-            });
+            boxes.forEach(({ x, y }, i) => put(plots[i], x - left, below + y - top));
             ink.fillStyle = drawing.ink;
             ink.font = FONT;
             words.forEach((line, i) => {
-                ink.fillText(line, GAP, GAP + height - (words.length - i - 0.5) * LINE, width);
+                ink.fillText(line, GAP, GAP + end + (i + 1) * LINE, width);
             });
             const blob = await new Promise(done => canvas.toBlob(done, 'image/png'));
             this.save(blob, `${name}.png`);

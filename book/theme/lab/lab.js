@@ -81,7 +81,9 @@
         // Goes to a step of a lesson; what the reader pinned stays, unless the step has its own.
         lesson(name, step) {
             const scene = this.addresses.step(name, step);
-            if (name === this.scene.lesson) scene.pin ||= this.scene.pin;
+            const { lesson, step: last, pin } = this.scene;
+            if (name === lesson && pin !== this.addresses.step(lesson, last).pin)
+                scene.pin ||= pin;
             this.begin(scene);
             this.write();
             this.go();

@@ -55,6 +55,10 @@
                     ),
                     ...(whole ? [lab.pin.live] : []),
                     ...this.controls.live,
+                ),
+                element(
+                    'div',
+                    { class: 'below' },
                     this.numbers.table,
                     ...(whole ? [this.numbers.digits(), new Keep(lab).live] : [this.onward()]),
                     this.said,
@@ -87,6 +91,9 @@
             ]
                 .filter(Boolean)
                 .join('; ');
+            // There is nothing to compare an angle with.
+            const { parentElement } = this.lab.drawing.angle.canvas;
+            if (parentElement) parentElement.hidden = !isClosed(scene);
             this.numbers.caption();
             this.lab.pin.settle();
         }

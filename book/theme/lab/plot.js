@@ -58,18 +58,6 @@
             return ((x - left) / (right - left)) * this.span;
         }
 
-        // Says why there is nothing to draw.
-        none(words) {
-            if (!this.width) return;
-            const { ink } = this;
-            this.clear();
-            ink.fillStyle = this.lab.drawing.ink;
-            ink.font = FONT;
-            ink.textAlign = 'center';
-            ink.textBaseline = 'middle';
-            ink.fillText(words, this.width / 2, this.height / 2, this.width - 20);
-        }
-
         draw(title) {
             if (!this.width) return;
             const { lab, ink, seriesOf } = this;
@@ -135,7 +123,7 @@
 
         // The places of a curve: of its bins the largest errors, or both extremes.
         trace({ series, dt }, x, y, logarithmic) {
-            const { ink, lab } = this;
+            const { ink } = this;
             ink.beginPath();
             for (let i = 0; i < series.length; i++) {
                 const at = x(Math.min((i + 1) * series.width, series.steps) * dt);

@@ -2,7 +2,7 @@
 (theLab => {
     'use strict';
 
-    const { conserves, element, isClosed, measured, seconds } = theLab;
+    const { element, measured, seconds } = theLab;
 
     // How near a pointer has to be to a point of the phase portrait (px).
     const NEAR = 14;
@@ -72,7 +72,8 @@
                 lab.cursor = null;
                 this.box.hidden = true;
             } else {
-                const step = Math.min(Math.max(Math.round(time / dt), 0), lab.taken);
+                // At the start there is no error to read.
+                const step = Math.min(Math.max(Math.round(time / dt), 1), lab.taken);
                 lab.cursor = { step, time: step * dt };
                 this.sheet = sheet;
             }
@@ -110,24 +111,27 @@
                 { canvas } = sheet,
                 place = canvas.parentElement;
             const portrait = sheet === lab.drawing.phase;
-            const { left, right, top } = sheet.frame();
+            const { left, right, top, bottom } = sheet.frame();
             const far = !portrait && lab.cursor.time < sheet.span / 2;
             const x = far || portrait ? right - box.offsetWidth - 4 : left + 4;
             box.style.left = `${place.offsetLeft + Math.max(x, 0)}px`;
-            box.style.top = `${place.offsetTop + top + 4}px`;
+            // In the portrait where the point is not.
+            const point = portrait && lab.pendulums[0]?.near(lab.cursor.step);
+            const above = point && point.omega > 0;
+            const y = above ? bottom - box.offsetHeight - 4 : top + 4;
+            box.style.top = `${place.offsetTop + y}px`;
         }
 
         // What each method has at the cursor, and each that is pinned.
         rows(sheet) {
             const { lab } = this,
-                { scene, cursor, drawing } = lab;
+                { cursor, drawing } = lab;
             if (sheet === drawing.phase) {
                 return lab.pendulums.map(pendulum => {
                     const point = pendulum.near(cursor.step);
                     return [pendulum.method.title, point ? this.state(point) : '–'];
                 });
             }
-            if (sheet === drawing.angle && !isClosed(scene)) return [['', 'no closed form']];
             const unit = sheet === drawing.angle ? 'rad' : 'J';
             const words = (pendulum, step) => {
                 const bin = sheet.seriesOf(pendulum).at(step);

@@ -3,7 +3,8 @@
     'use strict';
 
     const { QUANTITY, isClosed, conserves, place } = theLab;
-    const { THETA, OMEGA, TIME, STEPS, LOWEST, HIGHEST, INITIAL, LIMIT, LOWER_THETA } = QUANTITY;
+    const { THETA, OMEGA, TIME, STEPS, ERROR, LOWEST, HIGHEST, INITIAL, LIMIT } = QUANTITY;
+    const { LOWER_THETA } = QUANTITY;
 
     // A trajectory is drawn with at most this many bins; when they are full, pairs are merged.
     const BINS = 512;
@@ -20,19 +21,21 @@
         constructor() {
             this.low = new Float64Array(BINS);
             this.high = new Float64Array(BINS);
+            this.last = new Float64Array(BINS);
             this.width = 1;
             this.length = 0;
             this.steps = 0;
         }
 
-        // Adds the sample after `steps` steps, with the extremes since the last one.
-        add(steps, low, high) {
+        // Adds the sample after `steps` steps, with the extremes from the one before to this.
+        add(steps, value, low = value, high = value) {
             this.steps = steps;
             let bin = Math.floor(Math.max(steps - 1, 0) / this.width);
             while (bin >= BINS) {
                 this.widen();
                 bin = Math.floor(Math.max(steps - 1, 0) / this.width);
             }
+            this.last[bin] = value;
             if (bin < this.length) {
                 this.low[bin] = Math.min(this.low[bin], low);
                 this.high[bin] = Math.max(this.high[bin], high);
@@ -49,6 +52,7 @@
                 const j = Math.min(2 * i + 1, this.length - 1);
                 this.low[i] = Math.min(this.low[2 * i], this.low[j]);
                 this.high[i] = Math.max(this.high[2 * i], this.high[j]);
+                this.last[i] = this.last[j];
             }
             this.length = half;
             this.width *= 2;
@@ -59,13 +63,18 @@
             return Object.assign(new Series(), this, {
                 low: this.low.slice(),
                 high: this.high.slice(),
+                last: this.last.slice(),
             });
         }
 
-        // The extremes at the time of a step, and the steps that they cover; null if there are none.
+        // The value after a step, twice, or the extremes of the several steps that are one bin; null
+        // if there is none.
         at(step) {
             const bin = Math.min(Math.floor(Math.max(step - 1, 0) / this.width), this.length - 1);
-            return bin < 0 ? null : [this.low[bin], this.high[bin]];
+            if (bin < 0) return null;
+            return this.width === 1
+                ? [this.last[bin], this.last[bin]]
+                : [this.low[bin], this.high[bin]];
         }
 
         get lowest() {
@@ -118,11 +127,14 @@
             // An implicit method whose equations could not be solved gives NaN from then on.
             this.lost = Number.isNaN(theta);
             if (this.lost) return;
-            this.energy.add(steps, level + this.read(LOWEST), level + this.read(HIGHEST));
+            const [error, lowest, highest] = [ERROR, LOWEST, HIGHEST].map(
+                quantity => level + this.read(quantity),
+            );
+            this.energy.add(steps, error, lowest, highest);
             this.library.look(this.place);
             if (!Number.isNaN(exact)) {
                 this.lapse = theta - exact;
-                this.angle.add(steps, this.lapse, this.lapse);
+                this.angle.add(steps, this.lapse);
             }
             const at = POINT * (this.points++ % TRAIL);
             this.trail[at] = steps;

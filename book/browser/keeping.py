@@ -1,0 +1,135 @@
+"""What a reader takes along from the lab: a link, the run's numbers, its picture."""
+
+import base64
+import csv
+import io
+import subprocess
+from collections.abc import Iterator
+from pathlib import Path
+
+from book import Book
+from browser import Tab
+from lab import LAB, PAGE, go_to, has_rows, opened, press, stop
+
+
+def link(tab: Tab, book: Book) -> Iterator[str]:
+    """The link is copied, and leads to the scene; where a page may not copy, it is selected."""
+    tab.context.grant_permissions(["clipboard-read", "clipboard-write"])
+    if not opened(tab):
+        yield "lab: does not come"
+        return
+    # Copied before the address is written by itself.
+    tab.run(f"{LAB}.lab.change({{theta0: 1.25, dt: 0.04}})")
+    press(tab, "copy")
+    tab.comes(f"{LAB}.querySelector('.said').textContent.includes('link')")
+    copied = tab.run("navigator.clipboard.readText()")
+    if "theta0=1.25" not in copied or "dt=0.04" not in copied:
+        yield f"link: {copied!r} is copied"
+    tab.open("order.html")
+    tab.page.goto(copied)
+    tab.comes(f"{LAB}?.classList.contains('on')")
+    if tab.run(f"[{LAB}.lab.scene.theta0, {LAB}.lab.scene.dt]") != [1.25, 0.04]:
+        yield "link: leads to another scene"
+    tab.run("void (navigator.clipboard.writeText = () => Promise.reject(new Error('no')))")
+    press(tab, "copy")
+    tab.comes(f"!{LAB}.querySelector('.link').hidden")
+    shown = tab.run(f"{LAB}.querySelector('.link').value")
+    if shown != tab.run("location.href") or "theta0=1.25" not in shown:
+        yield f"link: where it is not copied, {shown!r} is shown"
+
+
+def saved(tab: Tab, button: str) -> tuple[str, bytes]:
+    """The name and the content of the file that a button saves."""
+    with tab.page.expect_download(timeout=20_000) as download:
+        press(tab, button)
+    path = download.value.path()
+    return download.value.suggested_filename, Path(path).read_bytes()
+
+
+def printed(book: Book, *words: str) -> list[str]:
+    answer = subprocess.run([book.program, *words], capture_output=True, text=True, check=True)
+    return answer.stdout.splitlines()
+
+
+def numbers_saved(tab: Tab, book: Book) -> Iterator[str]:
+    """The file of numbers has, digit for digit, the rows of `pendula simulate`, of `exact` and of
+    `double-pendulum`; a long run has each so-many-th step."""
+    if not opened(tab):
+        yield "lab: does not come"
+        return
+    start = ["--theta0", "2.5", "--omega0", "-0.3", "--gravity", "3.71", "--length", "0.7"]
+    for dt, steps, every in [("0.03", 40, 1), ("1e-5", 25000, 3)]:
+        go_to(tab, f"#m=rk4,symplectic-euler&dt={dt}&theta0=2.5&omega0=-0.3&g=3.71&L=0.7")
+        has_rows(tab, 2)
+        tab.comes(f"{LAB}.lab.scene.g === 3.71 && {LAB}.lab.scene.dt === {dt}")
+        stop(tab)
+        press(tab, "again")
+        tab.run(f"{LAB}.lab.advance({steps})")
+        name, content = saved(tab, "csv")
+        if not (name.startswith("pendula-") and name.endswith(f"-{steps}-steps.csv")):
+            yield f"csv: the file is called {name}"
+        head, *lines = content.decode().splitlines()
+        if head != "method,t,theta,omega,energy,exact_theta,exact_omega":
+            yield f"csv: its columns are {head}"
+        for method in ["rk4", "symplectic-euler"]:
+            run = ["--method", method, "--dt", dt, "--steps", str(steps), "--every", str(every)]
+            _, *there = printed(book, "simulate", *run, *start)
+            rows = [line.split(",") for line in lines if line.startswith(f"{method},")]
+            here = [",".join(row[1:5]) for row in rows]
+            if here != there:
+                differ = [pair for pair in zip(here, there) if pair[0] != pair[1]][:1]
+                yield f"csv: {method}: {len(here)} and {len(there)} rows, {differ}"
+            times = ",".join(row[1] for row in rows[:40])
+            exact = csv.DictReader(io.StringIO("\n".join(printed(book, "exact", "--t", times, *start))))
+            for row, true in zip(rows, exact):
+                if row[5:] != [true["theta"], true["omega"]]:
+                    yield f"csv: at {row[1]} s the exact motion is {row[5:]}"
+                    break
+    go_to(tab, "#system=double&m=rk4&theta0=2&theta2=-1.2&omega2=0.4&dt=0.01")
+    tab.comes(f"{LAB}.lab.scene.system === 'double'")
+    stop(tab)
+    press(tab, "again")
+    tab.run(f"{LAB}.lab.advance(30)")
+    head, *lines = saved(tab, "csv")[1].decode().splitlines()
+    run = ["--theta1", "2", "--theta2", "-1.2", "--omega2", "0.4", "--dt", "0.01", "--steps", "30"]
+    there = list(csv.DictReader(io.StringIO("\n".join(printed(book, "double-pendulum", *run)))))
+    here = list(csv.DictReader(io.StringIO("\n".join([head, *lines]))))
+    names = ["t", "theta1", "theta2", "omega1", "omega2", "energy"]
+    if [[row[n] for n in names] for row in here] != [[row[n] for n in names] for row in there]:
+        yield f"csv: the double pendulum's {len(here)} rows are not the program's {len(there)}"
+
+
+def picture_saved(tab: Tab, book: Book) -> Iterator[str]:
+    """The picture has all drawings on the theme's own ground."""
+    if not opened(tab):
+        yield "lab: does not come"
+        return
+    tab.theme("navy")
+    press(tab, "step", 60)
+    name, content = saved(tab, "png")
+    if not name.endswith("-60-steps.png"):
+        yield f"png: the file is called {name}"
+    data = base64.b64encode(content).decode()
+    width, height, ground, inked = tab.run("""async data => {
+        const image = new Image();
+        image.src = `data:image/png;base64,${data}`;
+        await image.decode();
+        const {width, height} = image, ink = new OffscreenCanvas(width, height).getContext('2d');
+        ink.drawImage(image, 0, 0);
+        const pixels = new Uint32Array(ink.getImageData(0, 0, width, height).data.buffer);
+        const ground = pixels[0];
+        // Of the four quarters of the picture, the parts with ink.
+        const inked = [0, 0, 0, 0];
+        pixels.forEach((pixel, i) => {
+            if (pixel !== ground)
+                inked[2 * (Math.floor(i / width) > height / 2) + (i % width > width / 2)]++;
+        });
+        return [width, height, ground, inked.map(n => n / pixels.length)];
+    }""", data)
+    if not (width > 1000 and height > 600):
+        yield f"png: the picture is {width} by {height}"
+    if ground & 0xFFFFFF == 0xFFFFFF or min(inked) < 0.001:
+        yield f"png: the ground is {ground & 0xFFFFFF:06x}, and of its quarters {inked} are drawn"
+
+
+CHECKS = [link, numbers_saved, picture_saved]

@@ -1,0 +1,151 @@
+"""The lab's other systems: driven, shaken and double, against equations written here."""
+
+from collections.abc import Callable, Iterator
+from math import cos, sin
+
+from book import Book
+from browser import TELEPHONE, Tab
+from lab import LAB, go_to, has_rows, opened, press, running, stop, texts
+
+State = list[float]
+
+
+def rk4(rate: Callable[[float, State], State], z: State, h: float, steps: int) -> State:
+    """The classical method, the time counted."""
+    for n in range(steps):
+        t = n * h
+
+        def by(k: State, c: float) -> State:
+            return [x + c * h * dx for x, dx in zip(z, k)]
+
+        a = rate(t, z)
+        b = rate(t + h / 2, by(a, 0.5))
+        c = rate(t + h / 2, by(b, 0.5))
+        d = rate(t + h, by(c, 1.0))
+        z = [x + h / 6 * sum(k) for x, *k in zip(z, a, b, b, c, c, d)]
+    return z
+
+
+G, L = 9.81, 1.3
+
+
+def driven(t: float, z: State) -> State:
+    theta, omega = z
+    return [omega, -G / L * sin(theta) - 2 * 0.3 * omega + 1.2 * G / L * cos(2.5 * t)]
+
+
+def shaken(t: float, z: State) -> State:
+    theta, omega = z
+    return [omega, -(G - 0.15 * 31**2 * cos(31 * t)) / L * sin(theta)]
+
+
+def double(t: float, z: State) -> State:
+    """Lagrange's equations of two equal pendulums, solved for the accelerations: other than the
+    library's, which are Hamilton's."""
+    a, b, u, v = z
+    c, s = cos(a - b), sin(a - b)
+    # 2 u̇ + c v̇ = p, c u̇ + v̇ = q.
+    p = -s * v * v - 2 * G / L * sin(a)
+    q = s * u * u - G / L * sin(b)
+    return [u, v, (p - c * q) / (2 - c * c), (2 * q - c * p) / (2 - c * c)]
+
+
+# The address, the equations, the start, the step, and how near the lab has to be: the same method in
+# other variables has another error, of order 4 in the step.
+SYSTEMS = [
+    ("driven", "beta=0.3&gamma=1.2&Omega=2.5&theta0=2.1&omega0=0.7", driven, [2.1, 0.7], 1e-10),
+    ("shaken", "a=0.15&Omega=31&theta0=2.1&omega0=0.7", shaken, [2.1, 0.7], 1e-10),
+    ("double", "theta0=2.1&omega0=0.7&theta2=-0.4&omega2=1.9", double, [2.1, -0.4, 0.7, 1.9], 1e-5),
+]
+STEPS, STEP = 200, 0.004
+
+
+def systems(tab: Tab, book: Book) -> Iterator[str]:
+    """Each system moves as its equations say, from its address and from the list; it has no ring of
+    an exact motion and no angle error; methods that do not suit are not offered."""
+    if not opened(tab):
+        yield "lab: does not come"
+        return
+    everything = tab.run(f"{LAB}.lab.known.length")
+    for name, words, rate, start, near in SYSTEMS:
+        address = f"m=rk4&system={name}&g={G}&L={L}&dt={STEP}&{words}"
+        go_to(tab, f"#{address}")
+        tab.comes(f"{LAB}.lab.scene.system === '{name}'")
+        stop(tab)
+        press(tab, "again")
+        press(tab, "step", STEPS)
+        seen = tab.run(f"""(({{THETA, OMEGA, LOWER_THETA, LOWER_OMEGA}}) => {{
+            const [p] = {LAB}.lab.pendulums;
+            return [THETA, LOWER_THETA, OMEGA, LOWER_OMEGA].map(q => p.read(q));
+        }})(theLab.QUANTITY)""")
+        seen = [x for x in seen if x == x]
+        true = rk4(rate, start, STEP, STEPS)
+        if len(seen) != len(true) or max(abs(x - y) for x, y in zip(seen, true)) > near:
+            yield f"systems: {name} is at {seen}, not at {true}"
+        if tab.run(f"Number.isFinite({LAB}.lab.exact)"):
+            yield f"systems: {name} has an exact motion"
+        if tab.run(f"{LAB}.lab.drawing.angle.canvas.checkVisibility()"):
+            yield f"systems: {name} has an angle error"
+        heads = " ".join(texts(tab, "thead th"))
+        if "Angle" in heads or ("error" in heads) != (name == "double"):
+            yield f"systems: {name} has the columns {heads}"
+        offered = tab.run(f"""[...{LAB}.querySelectorAll('.methods label')]
+            .filter(label => !label.hidden).map(label => label.textContent)""")
+        if name == "double" and ("Störmer–Verlet" in offered or "RK4" not in offered):
+            yield f"systems: {name} offers {offered}"
+        if not 10 < len(offered) < everything:
+            yield f"systems: {name} offers {len(offered)} methods"
+        own = tab.run(f"{LAB}.lab.write(), location.hash")
+        if not all(part in own for part in [f"system={name}", *words.split("&")]):
+            yield f"systems: {name} has the address {own}"
+        # From the list, with its own start.
+        go_to(tab, "#m=rk4,stormer-verlet&theta0=1")
+        tab.comes(f"{LAB}.lab.scene.system === 'pendulum'")
+        stop(tab)
+        tab.page.select_option(".lab.whole select.system", name)
+        rows = 1 if name == "double" else 2
+        if not (has_rows(tab, rows) and tab.run(f"{LAB}.lab.scene.system") == name):
+            yield f"systems: {name} does not come from the list"
+        shown = tab.run(f"""[...{LAB}.querySelectorAll('.slider input[type=range]')]
+            .filter(input => input.checkVisibility()).map(input => input.className)""")
+        if not set(part.split("=")[0] for part in words.split("&")) <= set(shown):
+            yield f"systems: {name} has the sliders {shown}"
+        press(tab, "run")
+        if not running(tab):
+            yield f"systems: {name} does not run"
+        stop(tab)
+
+
+def telephone(tab: Tab, book: Book) -> Iterator[str]:
+    """On a telephone every control and every number of the table is on the screen, and none is
+    beside it; a sampled angle error is said to be at least that."""
+    tab.screen(TELEPHONE)
+    if not opened(tab):
+        yield "lab: does not come"
+        return
+    go_to(tab, "#m=rk4,symplectic-euler,stormer-verlet&dt=0.0001&speed=100")
+    has_rows(tab, 3)
+    stop(tab)
+    press(tab, "again")
+    tab.run(f"{LAB}.lab.advance(50), {LAB}.lab.show()")
+    largest = f"""[...{LAB}.querySelectorAll('td[data-label="Angle error (rad), largest"]')]
+        .map(cell => cell.textContent)"""
+    if any("≥" in cell for cell in tab.run(largest)):
+        yield "table: an angle error of every step is said to be a sample"
+    tab.run(f"{LAB}.lab.advance(5000), {LAB}.lab.show()")
+    if not all("≥" in cell for cell in tab.run(largest)) or len(tab.run(largest)) != 3:
+        yield f"table: samples of the angle error are said to be the largest: {tab.run(largest)}"
+    out = tab.run(f"""[...{LAB}.querySelectorAll('.live :is(button, input, select, canvas, td, a)')]
+        .filter(e => e.checkVisibility()).filter(e => {{
+            const {{left, right}} = e.getBoundingClientRect();
+            return left < 0 || right > innerWidth;
+        }}).map(e => e.outerHTML.slice(0, 60))""")
+    if out:
+        yield f"telephone: beside the screen: {out[:3]}"
+    labels = tab.run(f"""[...{LAB}.querySelectorAll('tbody td')].filter(cell =>
+        getComputedStyle(cell, '::before').content !== `"${{cell.dataset.label}}"`).length""")
+    if labels:
+        yield f"telephone: {labels} numbers do not say what they are"
+
+
+CHECKS = [systems, telephone]
