@@ -77,8 +77,9 @@ def kept() -> list[str]:
 
 VALUES = """0 -0 1 -1 1e-5 1e-3 3 3.0000000000000004 1e-323 5e-324 1e308 -1e308 1e309 NaN Infinity
 0.1 100 100.00000000000001 1000 0.001 3.141592653589793 1e3 1e999 0x1f 1,5 .5 5. +1 ++1 1e 1e+
-0.25 log linear rk4 gauss-16 taylor-24""".split()
-KEYS = "m dt theta0 omega0 g L beta speed scale until M Dt __proto__ constructor".split()
+0.25 log linear rk4 gauss-16 taylor-24 driven shaken double bounded 2 m=rk4%26steps=3""".split()
+KEYS = """m dt theta0 omega0 g L beta speed scale until M Dt __proto__ constructor
+system gamma Omega a theta2 omega2 lesson step pin""".split()
 LETTERS = "&=#,;%+ -.0123456789eExX<>\"'`/\\{}[]()$\0\t\n\u00a0\u2028é١π🙂"
 
 

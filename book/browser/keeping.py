@@ -2,7 +2,6 @@
 
 import base64
 import csv
-import io
 import subprocess
 from collections.abc import Iterator
 from pathlib import Path
@@ -80,7 +79,7 @@ def numbers_saved(tab: Tab, book: Book) -> Iterator[str]:
                 differ = [pair for pair in zip(here, there) if pair[0] != pair[1]][:1]
                 yield f"csv: {method}: {len(here)} and {len(there)} rows, {differ}"
             times = ",".join(row[1] for row in rows[:40])
-            exact = csv.DictReader(io.StringIO("\n".join(printed(book, "exact", "--t", times, *start))))
+            exact = csv.DictReader(printed(book, "exact", "--t", times, *start))
             for row, true in zip(rows, exact):
                 if row[5:] != [true["theta"], true["omega"]]:
                     yield f"csv: at {row[1]} s the exact motion is {row[5:]}"
@@ -92,8 +91,8 @@ def numbers_saved(tab: Tab, book: Book) -> Iterator[str]:
     tab.run(f"{LAB}.lab.advance(30)")
     head, *lines = saved(tab, "csv")[1].decode().splitlines()
     run = ["--theta1", "2", "--theta2", "-1.2", "--omega2", "0.4", "--dt", "0.01", "--steps", "30"]
-    there = list(csv.DictReader(io.StringIO("\n".join(printed(book, "double-pendulum", *run)))))
-    here = list(csv.DictReader(io.StringIO("\n".join([head, *lines]))))
+    there = list(csv.DictReader(printed(book, "double-pendulum", *run)))
+    here = list(csv.DictReader([head, *lines]))
     names = ["t", "theta1", "theta2", "omega1", "omega2", "energy"]
     if [[row[n] for n in names] for row in here] != [[row[n] for n in names] for row in there]:
         yield f"csv: the double pendulum's {len(here)} rows are not the program's {len(there)}"

@@ -102,7 +102,7 @@ def beside(tab: Tab, book: Book) -> Iterator[str]:
     (_, top, right, _), (x, y, _, _), _ = tab.run(boxes)
     if not (x >= right and abs(y - top) < 60):
         yield f"lessons: on a desk the words are at {x:.0f}, {y:.0f}, and not beside the picture"
-    tab.run(f"{LAB}.querySelector('.sheets').scrollIntoView({{block: 'end', behavior: 'instant'}})")
+    tab.run(f"{LAB}.querySelector('.sliders').scrollIntoView({{behavior: 'instant'}})")
     _, (_, y, _, bottom), _ = tab.run(boxes)
     if not 0 <= y < bottom <= 900:
         yield "lessons: the words are scrolled out of sight"

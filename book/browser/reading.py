@@ -63,7 +63,8 @@ def read_out(tab: Tab, book: Book) -> Iterator[str]:
     for plot, which in [("energy", 0), ("angle", 1), ("phase", None)]:
         canvas = f"{LAB}.lab.drawing.{plot}.canvas"
         tab.run(f"{canvas}.focus()")
-        tab.press("Home")
+        for key in ["ArrowLeft", "ArrowRight", "ArrowRight", "Home"]:
+            tab.press(key)
         for _ in range(3):
             tab.press("Shift+ArrowRight")
         if tab.here() != PAGE:
@@ -116,6 +117,9 @@ def pin(tab: Tab, book: Book) -> Iterator[str]:
         yield "pin: something is dotted before anything is pinned"
     press(tab, "pin")
     before = tab.run(KEPT)
+    press(tab, "step", 5)
+    if tab.run(KEPT) != before:
+        yield "pin: what is pinned goes on"
     tab.run(f"{LAB}.lab.change({{dt: 0.025}})")
     press(tab, "step", 10)
     if tab.run(KEPT) != before or tab.run(DOTTED) != 2:

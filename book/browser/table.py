@@ -69,7 +69,8 @@ def errors(
 def cells(tab: Tab) -> dict[str, list[float]]:
     """The errors in the table, by method."""
     read = f"""{LAB}.lab.pendulums.map((pendulum, i) => [pendulum.method.name,
-        [...{LAB}.lab.page.numbers.rows.rows[i].querySelectorAll('td')].map(cell => cell.textContent)])"""
+        [...{LAB}.lab.page.numbers.rows.rows[i].querySelectorAll('td')]
+            .map(cell => cell.textContent)])"""
     return {name: [number(cell) for cell in row[:4]] for name, row in tab.run(read)}
 
 

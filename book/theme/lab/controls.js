@@ -149,9 +149,13 @@
                 typed.value = now;
             };
             const name = element('span', {}, `${label} (${unit})`);
-            const row = element('div', { class: 'slider' }, element('label', {}, name, range), typed);
-            this.rows[key] = row;
-            return row;
+            this.rows[key] = element(
+                'div',
+                { class: 'slider' },
+                element('label', {}, name, range),
+                typed,
+            );
+            return this.rows[key];
         }
 
         choice() {

@@ -82,7 +82,8 @@
                 ],
                 [
                     this.phase,
-                    `Phase portrait of ${names}${exact ? ', over exact orbit and separatrix' : ''}. ` +
+                    `Phase portrait of ${names}` +
+                        (exact ? ', over exact orbit and separatrix. ' : '. ') +
                         'Drag to set θ₀ and ω₀; arrow keys read it out.',
                 ],
                 [this.energy, `${energy} over time of ${names}; arrow keys read it out.`],

@@ -71,7 +71,9 @@
             },
             ({ which, about }, x, y) => {
                 const theta = Math.round(1000 * Math.atan2(x - about.x, y - about.y)) / 1000;
-                lab.change(which ? { theta2: theta, omega2: 0 } : { theta0: theta, omega0: 0 }, true);
+                const lower = { theta2: theta, omega2: 0 },
+                    upper = { theta0: theta, omega0: 0 };
+                lab.change(which ? lower : upper, true);
             },
         );
         draggable(

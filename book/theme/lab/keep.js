@@ -110,7 +110,8 @@
             const { lab } = this,
                 { drawing, scene, time, taken } = lab,
                 name = this.name();
-            const plots = [drawing.phase, drawing.energy, ...(isClosed(scene) ? [drawing.angle] : [])];
+            const angle = isClosed(scene) ? [drawing.angle] : [];
+            const plots = [drawing.phase, drawing.energy, ...angle];
             // The plots as they stand on the page.
             const boxes = plots.map(plot => plot.canvas.getBoundingClientRect());
             const [left, top] = ['x', 'y'].map(side => Math.min(...boxes.map(box => box[side])));

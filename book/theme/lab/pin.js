@@ -88,7 +88,10 @@
             kept.time = run.time;
             const cost = performance.now() - began;
             if (cost > SLICE) this.most = Math.max(1, Math.floor((n * SLICE) / cost));
-            else this.most = Math.min(2 * this.most, Math.max(FIRST, Math.ceil(kept.steps / PIECES)));
+            else {
+                const most = Math.max(FIRST, Math.ceil(kept.steps / PIECES));
+                this.most = Math.min(2 * this.most, most);
+            }
             if (more && run.taken < kept.steps) {
                 this.waiting = setTimeout(() => this.goOn());
                 return;

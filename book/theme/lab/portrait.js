@@ -170,7 +170,7 @@
             });
         }
 
-        // The point that is nearest to a place on the canvas, no farther than `reach` (px), or null.
+        // The point that is nearest to a place on the canvas, nearer than `reach` (px), or null.
         nearest(x, y, reach) {
             const f = this.frame();
             let best = null;

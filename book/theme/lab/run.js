@@ -67,8 +67,8 @@
             });
         }
 
-        // The value after a step, twice, or the extremes of the several steps that are one bin; null
-        // if there is none.
+        // The value after a step, twice, or the extremes of the several steps that are one bin;
+        // null if there is none.
         at(step) {
             const bin = Math.min(Math.floor(Math.max(step - 1, 0) / this.width), this.length - 1);
             if (bin < 0) return null;

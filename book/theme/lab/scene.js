@@ -184,7 +184,15 @@
         },
         L: { label: 'Length L', unit: 'm', from: 0.1, to: 5, by: 0.01, least: 0.001, most: 1000 },
         beta: { label: 'Damping β', unit: '1/s', from: 0, to: 2, by: 0.01, least: 0, most: 10 },
-        gamma: { label: 'Drive γ', unit: 'm g L', from: 0, to: 3, by: 0.01, least: -100, most: 100 },
+        gamma: {
+            label: 'Drive γ',
+            unit: 'm g L',
+            from: 0,
+            to: 3,
+            by: 0.01,
+            least: -100,
+            most: 100,
+        },
         a: { label: 'Amplitude a', unit: 'm', from: 0, to: 0.5, by: 0.01, least: 0, most: 10 },
         Omega: {
             label: 'Frequency Ω',
@@ -288,8 +296,9 @@
             if (Object.hasOwn(PRESETS, lesson)) return this.step(lesson, number(step));
             if (!name.includes('=')) return null;
             const given = new URLSearchParams(name);
-            const system = given.get('system');
-            return this.changed(startOf(Object.hasOwn(SYSTEMS, system) ? system : 'pendulum'), given);
+            const named = given.get('system');
+            const system = Object.hasOwn(SYSTEMS, named) ? named : 'pendulum';
+            return this.changed(startOf(system), given);
         }
 
         // A scene with the values that are given.
