@@ -142,6 +142,9 @@ def telephone(tab: Tab, book: Book) -> Iterator[str]:
             const {{left, right}} = e.getBoundingClientRect();
             return left < 0 || right > innerWidth;
         }}).map(e => e.outerHTML.slice(0, 60))""")
+    wide = tab.run("document.documentElement.scrollWidth")
+    if wide > TELEPHONE:
+        yield f"telephone: the page is {wide} px wide"
     if out:
         yield f"telephone: beside the screen: {out[:3]}"
     labels = tab.run(f"""[...{LAB}.querySelectorAll('tbody td')].filter(cell =>

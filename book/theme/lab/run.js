@@ -2,7 +2,7 @@
 (theLab => {
     'use strict';
 
-    const { QUANTITY, isClosed, conserves, place } = theLab;
+    const { QUANTITY, conserves, place } = theLab;
     const { THETA, OMEGA, TIME, STEPS, ERROR, LOWEST, HIGHEST, INITIAL, LIMIT } = QUANTITY;
     const { LOWER_THETA } = QUANTITY;
 
@@ -202,7 +202,7 @@
             const any = this.pendulums.length > 0;
             this.taken = any ? this.library.read(0, STEPS) : 0;
             this.time = any ? this.library.read(0, TIME) : 0;
-            this.exact = any && isClosed(this.scene) ? this.library.exact_theta(0, this.time) : NaN;
+            this.exact = any ? this.library.exact_theta(0, this.time) : NaN;
             // Where the energy is not conserved it has no error: it is shown itself.
             const level = any && !conserves(this.scene) ? this.library.read(0, INITIAL) : 0;
             for (const pendulum of this.pendulums) pendulum.note(level);
