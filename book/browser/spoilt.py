@@ -321,6 +321,8 @@ SPOILT_FILES = [
     ("systems", "theme/lab/scene.js", "number: 2,", "number: 1,", "systems: shaken is at"),
     ("systems", "theme/lab/run.js", "any ? this.library.exact_theta(0, this.time)",
      "any ? 1", "systems: driven has an exact motion"),
+    ("systems", "theme/lab/run.js", "let i = this.length; i <= bin", "let i = bin; i <= bin",
+     "shaken has its lowest energy at"),
     ("systems", "theme/lab/page.js", "parentElement.hidden = !isClosed(scene);", "",
      "has an angle error"),
     ("systems", "theme/lab/numbers.js", "const angle = isClosed(lab.scene)", "const angle = true",

@@ -41,8 +41,12 @@
                 this.high[bin] = Math.max(this.high[bin], high);
                 return;
             }
-            this.low[bin] = low;
-            this.high[bin] = high;
+            // The steps since the last sample are those of the bins between, too.
+            for (let i = this.length; i <= bin; i++) {
+                this.low[i] = low;
+                this.high[i] = high;
+                this.last[i] = value;
+            }
             this.length = bin + 1;
         }
 
