@@ -29,15 +29,21 @@ fn project() -> TempDir {
     let link = |from: &Path, to: &Path| {
         for entry in fs::read_dir(from).unwrap().map(Result::unwrap) {
             let name = entry.file_name();
-            if ["book", "target", ".git"].iter().all(|kept| name != *kept) {
+            // insta's own files beside a snapshot are not what the project is.
+            let pending = name.to_string_lossy().ends_with(".snap.new");
+            if !pending && ["book", "target", ".git", "snapshots"].iter().all(|kept| name != *kept)
+            {
                 symlink(entry.path(), to.join(name)).unwrap();
             }
         }
     };
     let book = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap();
     link(book.parent().unwrap(), folder.path());
-    fs::create_dir(folder.path().join("book")).unwrap();
-    link(book, &folder.path().join("book"));
+    for inner in ["book", "snapshots"] {
+        let to = folder.path().join(inner);
+        fs::create_dir(&to).unwrap();
+        link(&book.parent().unwrap().join(inner), &to);
+    }
     folder
 }
 
