@@ -158,8 +158,16 @@ pub fn run_until(
     };
     let title = format!("{title}, {fixed}, {duration:?} s");
     let plot = arguments.plot.target().map(|to| (to, across, title));
-    let printer =
-        Printer { runner, pendulum, omega0, duration, format, part, summary: arguments.summary };
+    let printer = Printer {
+        runner,
+        pendulum,
+        omega0,
+        duration,
+        format,
+        part,
+        summary: arguments.summary,
+        plot,
+    };
     let part = part.unwrap_or(Part::WHOLE);
     match (theta0, dt) {
         (Sweep::Range(theta0), Sweep::One(dt)) => {
@@ -174,7 +182,6 @@ pub fn run_until(
             let same = move |&theta0: &f64| (theta0, grid);
             printer.print(
                 kept,
-                plot,
                 out,
                 theta0.linear(part.among(theta0.count)),
                 same,
@@ -189,7 +196,7 @@ pub fn run_until(
             };
             let same = move |grid: &Grid| (start.theta, *grid);
             let grids = grids(duration, dt, part.among(dt.count))?;
-            printer.print(kept, plot, out, grids, same, compute, lookout)
+            printer.print(kept, out, grids, same, compute, lookout)
         }
         _ => Err(Failure::refused(
             "exactly one of --theta0 and --dt must be a range FROM:TO:COUNT; one run is `pendula \
@@ -207,6 +214,8 @@ struct Printer {
     format: RowFormat,
     part: Option<Part>,
     summary: bool,
+    /// Where a plot goes, what is on its x axis, and its title.
+    plot: Option<(Target, Across, String)>,
 }
 
 impl Printer {
@@ -215,7 +224,6 @@ impl Printer {
     fn print<T: Clone + Send + Sync + 'static>(
         &self,
         kept: Kept<Progress>,
-        plot: Option<(Target, Across, String)>,
         [out, err]: [&mut dyn Write; 2],
         sweep: impl Iterator<Item = T>,
         of: impl Fn(&T) -> (f64, Grid),
@@ -240,7 +248,9 @@ impl Printer {
         let columns = ["theta0", "dt", "theta", "omega", "energy_error"];
         // The header stands in the first part: the others go on from no row.
         let headless = self.part.is_some_and(|part| !part.is_first());
-        let plot = plot
+        let plot = self
+            .plot
+            .clone()
             .map(|(to, across, title)| Plot::over(across, to, &PANELS).map(|plot| (plot, title)));
         let mut plot = plot.transpose()?;
         let mut nowhere = io::sink();

@@ -25,6 +25,7 @@ pub struct PlotArguments {
 }
 
 /// Where a plot goes.
+#[derive(Clone)]
 pub enum Target {
     /// To standard output, as text.
     Terminal,

@@ -44,7 +44,7 @@ impl Thinned {
         let point = Point { n: self.count, x, y };
         let group = Group { low: point, high: point };
         self.size = self.size.max(1);
-        if self.count % self.size == 0 {
+        if self.count.is_multiple_of(self.size) {
             if self.groups.len() == MOST {
                 let pairs = self.groups.chunks(2);
                 self.groups = pairs.map(|pair| pair[0].with(pair[pair.len() - 1])).collect();
