@@ -11,6 +11,7 @@ import claims
 import keeping
 import lab
 import lessons
+import moved
 import pages
 import pictures
 import policy
@@ -27,6 +28,7 @@ CHECKS = [
     *reader.CHECKS,
     *claims.CHECKS,
     *lab.CHECKS,
+    *moved.CHECKS,
     *table.CHECKS,
     *lessons.CHECKS,
     *keeping.CHECKS,

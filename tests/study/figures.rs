@@ -13,7 +13,7 @@ use pendula::{
 };
 use pendula_study::experiments::{
     STEPS, Study, beyond, choosing, enclosure, in_paper, level_curves, phase_portrait, readings,
-    resonance, rounding_walk, small_angle, standard_map, truncation,
+    resonance, rounding_walk, small_angle, standard_map, tilted_curve, truncation,
 };
 use pendula_study::report::figures::figures;
 use pendula_study::theory;
@@ -658,6 +658,22 @@ fn level_curves_expected() -> Vec<Expected> {
     rows.collect()
 }
 
+fn tilted_curve_expected() -> Vec<Expected> {
+    let tilted_curve::Run { method, step, points, curves } = tilted_curve::run();
+    let label = format!("{}, h = {step} s", title(method));
+    let mut expected = vec![expect("ω (rad/s)", label, Marker, points.into_iter().map(plane))];
+    for (order, curve) in curves {
+        // The curve with one term has its name beside it and not in the legend.
+        let label = match order {
+            0 => "true orbit, H",
+            7 => "H̃, 7 terms",
+            _ => continue,
+        };
+        expected.push(expect("ω (rad/s)", label, Line, curve.into_iter().map(plane)));
+    }
+    expected
+}
+
 fn five_periods() -> Vec<Expected> {
     let mut expected = Vec::new();
     for (chart, ladder) in
@@ -822,8 +838,8 @@ fn swings() -> Vec<Expected> {
 }
 
 /// Of these no series is measured: the forces are drawn as they act, in the triple jump the arrows
-/// are the substeps, and the images of the square have no labels.
-const NOT_MEASURED: [&str; 3] = ["forces", "triple_jump", "area"];
+/// are the substeps, and the images of the square and of the cat have no labels.
+const NOT_MEASURED: [&str; 4] = ["forces", "triple_jump", "area", "cat"];
 
 /// Catches: labels or charts exchanged, half of the data, the beginning of a run where its end
 /// should be, the wrong column of a table, a value that is not where its tick says, an axis whose
@@ -839,6 +855,7 @@ const NOT_MEASURED: [&str; 3] = ["forces", "triple_jump", "area"];
 #[case("cancellation", cancellation)]
 #[case("two_eulers", two_eulers)]
 #[case("level_curves", level_curves_expected)]
+#[case("tilted_curve", tilted_curve_expected)]
 #[case("five_periods", five_periods)]
 #[case("standard_map", standard_map_expected)]
 #[case("rounding_walk", rounding_walk_expected)]

@@ -54,7 +54,8 @@ fn policy(page: &str) -> String {
     for hash in hashes {
         scripts += &format!(" {hash}");
     }
-    // The lab is compiled in the browser, which is allowed on its pages alone.
+    // The lab and the figures that it moves, of class "lab-figure", are compiled in the browser,
+    // which is allowed on their pages alone.
     if page.contains("class=\"lab") {
         scripts += " 'wasm-unsafe-eval'";
     }

@@ -77,6 +77,9 @@ impl Separable for Forced {
     }
 }
 
+/// For a bob that there is not.
+pub const NONE: Phase = Phase { theta: f64::NAN, omega: f64::NAN };
+
 /// The system, which counts its force evaluations.
 pub type Shared = One<
     (ScaledPendulum, Counting<ScaledPendulum>),
@@ -105,6 +108,20 @@ impl Shared {
     /// The double pendulum, and its state at `start`.
     pub const fn double(double: DoublePendulum, start: DoublePhase) -> (Self, SharedState) {
         (D((double, Counting::new(double))), D(start))
+    }
+
+    /// Angles (rad) and angular velocities (rad/s) of its state `z`; NaN for a bob that there is
+    /// not.
+    pub fn bobs(&self, z: SharedState) -> [Phase; 2] {
+        match (self, z) {
+            (S((scaled, _)), S(z)) => [scaled.to_phase(z), NONE],
+            (F(_), F(z)) => [z, NONE],
+            (D((double, _)), D(z)) => {
+                let [upper, lower] = double.velocities(z);
+                [Phase { theta: z.theta1, omega: upper }, Phase { theta: z.theta2, omega: lower }]
+            }
+            _ => [NONE; 2],
+        }
     }
 
     /// Force evaluations so far.

@@ -4,7 +4,7 @@ use pendula::fast::ScaledPendulum;
 use pendula::systems::{Driven, Joint, Shaken};
 use pendula::{Damped, DoublePendulum, Grid, Hamiltonian, Info, Method, Pendulum, Phase, methods};
 
-use crate::shared::{Forced, One, Shared, SharedState};
+use crate::shared::{Forced, NONE, One, Shared, SharedState};
 
 /// What moves, besides a [`Pendulum`].
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -131,9 +131,6 @@ const FARTHEST: f64 = <Farthest as Method<ScaledPendulum>>::REACH;
 /// An hour in steps of a tenth of a millisecond: more than anybody waits for.
 const MOST_STEPS: u64 = 36_000_000;
 
-/// For a bob that there is not.
-const NONE: Phase = Phase { theta: f64::NAN, omega: f64::NAN };
-
 /// The trajectory of a [`Setup`].
 pub struct Trajectory {
     pendulum: Pendulum,
@@ -151,9 +148,14 @@ impl Trajectory {
     /// The trajectory at its start; `None` if the library refuses the scene, or if the method does
     /// not apply to the system or to steps so long.
     pub fn new(scene: &Setup) -> Option<Self> {
+        Self::of(scene, MOST_STEPS)
+    }
+
+    /// As [`new`](Self::new), for at most `most` steps.
+    pub fn of(scene: &Setup, most: u64) -> Option<Self> {
         let Setup { method, pendulum, kind, step, .. } = *scene;
         let start = pendulum.start(scene.start.theta, scene.start.omega).ok()?;
-        let grid = Grid::new(step, MOST_STEPS).ok()?;
+        let grid = Grid::new(step, most).ok()?;
         let suits_double = SUIT_DOUBLE.get(method);
         let damped = |beta| Damped::new(pendulum, beta).ok();
         let forced = match kind {
@@ -179,7 +181,7 @@ impl Trajectory {
                 (Shared::double(double, z), grid, grid)
             }
             _ => {
-                let (scaled, grid) = longest(scene, start)?;
+                let (scaled, grid) = longest(scene, start, most)?;
                 (Shared::scaled(scaled, start), grid, grid.in_steps())
             }
         };
@@ -188,7 +190,7 @@ impl Trajectory {
             Self { pendulum, system, grid, inner, z, carry, taken: 0, bobs: [start, NONE] };
         if let One::Double(_) = z {
             // Velocities have become momenta: what is shown is what these say.
-            new.bobs = new.seen();
+            new.bobs = new.system.bobs(z);
         }
         Some(new)
     }
@@ -201,7 +203,7 @@ impl Trajectory {
         }
         let (t, h) = (self.inner.time(self.taken), self.inner.step());
         self.z = self.carry.step(&self.system, t, h, self.z);
-        self.bobs = self.seen();
+        self.bobs = self.system.bobs(self.z);
         self.taken += 1;
         true
     }
@@ -210,19 +212,6 @@ impl Trajectory {
     /// bob that there is not.
     pub const fn bobs(&self) -> [Phase; 2] {
         self.bobs
-    }
-
-    /// Those of the state.
-    fn seen(&self) -> [Phase; 2] {
-        match (&self.system, self.z) {
-            (One::Scaled((scaled, _)), One::Scaled(z)) => [scaled.to_phase(z), NONE],
-            (One::Forced(_), One::Forced(z)) => [z, NONE],
-            (One::Double((double, _)), One::Double(z)) => {
-                let [upper, lower] = double.velocities(z);
-                [Phase { theta: z.theta1, omega: upper }, Phase { theta: z.theta2, omega: lower }]
-            }
-            _ => [NONE; 2],
-        }
     }
 
     /// The energy (J), zero where all hangs at rest; seen from the pivot if it is shaken.
@@ -257,17 +246,22 @@ impl Trajectory {
         self.grid.time(self.taken)
     }
 
+    /// The system as the methods see it, and the state of it that comes next.
+    pub fn into_system(self) -> (Shared, SharedState) {
+        (self.system, self.z)
+    }
+
     /// Force evaluations so far, counted.
     pub fn evaluations(&self) -> u64 {
         self.system.evaluations()
     }
 }
 
-/// The longest grid, up to halving, for which [`ScaledPendulum::new`] accepts the method, and the
-/// scaled pendulum; on shorter grids `pendula::integrate_fast` computes the same, bit for bit. None
-/// for steps in which a processed method has no inverse change of variables.
-fn longest(scene: &Setup, start: Phase) -> Option<(ScaledPendulum, Grid)> {
-    let mut steps = MOST_STEPS;
+/// The longest grid, `most` steps or fewer by halves, for which [`ScaledPendulum::new`] accepts the
+/// method, and the scaled pendulum; on shorter grids `pendula::integrate_fast` computes the same,
+/// bit for bit. None for steps in which a processed method has no inverse change of variables.
+fn longest(scene: &Setup, start: Phase, most: u64) -> Option<(ScaledPendulum, Grid)> {
+    let mut steps = most;
     while steps > 0 {
         let grid = Grid::new(scene.step, steps).ok()?;
         if let Some(scaled) = scaled(scene.method, scene, &grid, start) {

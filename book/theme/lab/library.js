@@ -27,8 +27,10 @@
     };
 
     // The compiled module, loaded by a script: a page opened from disk cannot fetch files.
+    // Once for all that is on a page.
+    let once;
     function compiled() {
-        return new Promise((resolve, reject) => {
+        once ??= new Promise((resolve, reject) => {
             const script = document.createElement('script');
             script.src = new URL('assets/lab.wasm.js', ROOT);
             script.addEventListener('load', () => {
@@ -40,6 +42,7 @@
             script.addEventListener('error', () => reject(new Error('lab.wasm.js is missing')));
             document.head.append(script);
         });
+        return once;
     }
 
     // The methods of the library: number, name, title.

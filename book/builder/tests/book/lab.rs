@@ -60,9 +60,9 @@ mod quantity {
 }
 
 /// The lab as a page uses it.
-struct Lab {
-    store: Store<()>,
-    instance: Instance,
+pub struct Lab {
+    pub store: Store<()>,
+    pub instance: Instance,
     read: TypedFunc<(u32, u32), f64>,
     advance: TypedFunc<(u32, u32), u32>,
 }
@@ -75,7 +75,7 @@ type Kind = (u32, f64, f64);
 const PLAIN: Kind = (0, 0.0, 0.0);
 
 impl Lab {
-    fn new() -> Self {
+    pub fn new() -> Self {
         let engine = Engine::default();
         let module = Module::new(&engine, wasm()).unwrap();
         assert_eq!(module.imports().count(), 0, "it would ask something of the page");
@@ -86,7 +86,7 @@ impl Lab {
         Self { store, instance, read, advance }
     }
 
-    fn call<P: WasmParams, R: WasmResults>(&mut self, name: &str, parameters: P) -> R {
+    pub fn call<P: WasmParams, R: WasmResults>(&mut self, name: &str, parameters: P) -> R {
         let function = self.instance.get_typed_func(&self.store, name).unwrap();
         function.call(&mut self.store, parameters).unwrap()
     }
@@ -123,7 +123,7 @@ const STALE: &str = "book/src/assets/lab.wasm.js is stale: run book/lab/build";
 /// Compares the bits, except for a NaN, of an implicit step that is not solved, which has many bit
 /// patterns.
 #[track_caller]
-fn assert_bits(lab: f64, library: f64, what: impl FnOnce() -> String) {
+pub fn assert_bits(lab: f64, library: f64, what: impl FnOnce() -> String) {
     assert!(
         lab.to_bits() == library.to_bits() || (lab.is_nan() && library.is_nan()),
         "{}: {lab:e}, and in the library {library:e}\n{STALE}",

@@ -10,6 +10,7 @@ mod files;
 mod help;
 mod hostile;
 mod lab;
+mod lab_figures;
 mod ledger;
 mod listed;
 mod long_runs;

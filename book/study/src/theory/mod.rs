@@ -46,15 +46,6 @@ pub mod symplectic_euler;
 
 pub use modified_series::ModifiedSeries;
 pub use orbit::average;
-use pendula::Pendulum;
 pub use point::Dimensionless;
-
-/// x = ω₀h: the `step` (s) without dimension.
-pub(crate) fn scaled(pendulum: &Pendulum, step: f64) -> f64 {
-    pendulum.small_angle_frequency() * step
-}
-
-/// The polynomial with these coefficients, the constant first, at `x`.
-fn polynomial(x: f64, coefficients: &[f64]) -> f64 {
-    coefficients.iter().rev().fold(0.0, |sum, coefficient| sum * x + coefficient)
-}
+use point::polynomial;
+pub(crate) use point::scaled;

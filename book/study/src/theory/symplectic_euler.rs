@@ -42,7 +42,13 @@ pub fn modified_hamiltonian_terms(z: Dimensionless) -> [f64; 7] {
 
 /// H̃ − H at `z` for the step `x`, to order x⁷, in units of m g L.
 pub fn correction(z: Dimensionless, x: f64) -> f64 {
-    x * polynomial(x, &modified_hamiltonian_terms(z))
+    correction_to_order(7, z, x)
+}
+
+/// H̃ − H at `z` for the step `x`, to the given order in x, at most 7, in units of m g L.
+pub fn correction_to_order(order: usize, z: Dimensionless, x: f64) -> f64 {
+    let terms = modified_hamiltonian_terms(z);
+    x * polynomial(x, terms.get(..order).unwrap_or(&terms))
 }
 
 /// Largest energy error (J) of a swing released from rest at `theta_0` (rad), with the step `h`
@@ -61,9 +67,20 @@ pub fn level_curve(
     h: f64,
     count: u32,
 ) -> impl Iterator<Item = Phase> {
+    level_curve_to_order(7, pendulum, theta_0, h, count)
+}
+
+/// [`level_curve()`] to the given order in h, at most 7; to order 0 it is the true orbit.
+pub fn level_curve_to_order(
+    order: usize,
+    pendulum: &Pendulum,
+    theta_0: f64,
+    h: f64,
+    count: u32,
+) -> impl Iterator<Item = Phase> {
     let x = scaled(pendulum, h);
-    let points = level_curve::points(theta_0, move |z| correction(z, x), count);
-    points.map(|z| z.phase(pendulum))
+    let correction = move |z| correction_to_order(order, z, x);
+    level_curve::points(theta_0, correction, count).map(|z| z.phase(pendulum))
 }
 
 /// The largest energy error in two terms, A₁h + A₂h² (J), as the pair [A₁ (J/s), A₂ (J/s²)].

@@ -7,9 +7,10 @@ use pendula::{Grid, METHODS, Pendulum, Phase};
 
 use super::{Drawing, named, style, title};
 use crate::charts::{Axis, Chart, Figure, Style};
-use crate::experiments::area::{Square, area, carried};
+use crate::experiments::area::carried;
+use crate::experiments::shapes::{CAT, Place, Polygon, SQUARE, area};
 use crate::experiments::stencil::{Kind, Part, Stencil, stencil};
-use crate::experiments::{MethodRef, Study, in_paper, level_curves};
+use crate::experiments::{MethodRef, Study, in_paper, level_curves, tilted_curve};
 
 pub(super) const FIGURES: &[Drawing] = &[
     Drawing {
@@ -49,6 +50,24 @@ pub(super) const FIGURES: &[Drawing] = &[
                   the area, and so does the truth.",
         noise: false,
         draw: area_carried,
+    },
+    Drawing {
+        name: "cat",
+        caption: "A cat in phase space, made of nearly a thousand starts, carried round the bottom \
+                  by each method. RK4 takes steps four times as long, as each costs it four force \
+                  evaluations. With forward Euler the cat grows to more than twice its area, with \
+                  RK4 it loses a third; with the symplectic methods it is bent as by the true \
+                  motion, and stays as large as it was.",
+        noise: false,
+        draw: cat,
+    },
+    Drawing {
+        name: "tilted_curve",
+        caption: "Symplectic Euler from rest at 1 rad, in steps of 0.25 s: its points, the true \
+                  orbit, and the level curve of H̃ built from more and more terms of its series. \
+                  The first term tilts the curve; the others bring it onto the points.",
+        noise: false,
+        draw: tilted,
     },
     Drawing {
         name: "level_curves",
@@ -207,30 +226,83 @@ fn stencil_rk4(_: &Study) -> Figure {
 // -------------------------------------------------------------------------------------------------
 
 /// A release from rest and the states around it.
-const SQUARE: Square = Square { centre: Phase { theta: 1.0, omega: 0.0 }, side: 0.5 };
+const SQUARE_AT: Place = Place { centre: Phase { theta: 1.0, omega: 0.0 }, size: 0.5 };
 /// Points along each of its sides. With twice as many the areas agree in all printed digits and
 /// two more.
 const SIDE: u32 = 500;
-/// Time between two drawings of the square (s), one step of RK4: about a quarter of a period.
+/// Time between two drawings of a shape (s), one step of RK4: about a quarter of a period.
 const SPAN: f64 = 0.56;
 /// Drawings after the first.
 const SPANS: u64 = 3;
 /// Force evaluations in a [`SPAN`], the same for each method.
 const EVALUATIONS: u64 = 4;
 
+/// A shape of which the first polygon has the others in it, and the axes on which it is carried.
+struct Carried<'a> {
+    shape: &'a [Polygon],
+    place: Place,
+    /// Points on the way from each corner to the next.
+    pieces: u32,
+    /// One radian is drawn about as long as ω₀ rad/s, so that a square looks like one.
+    theta: (f64, f64),
+    omega: (f64, f64),
+}
+
+impl Carried<'_> {
+    /// The figure with a chart for each of the paper's methods.
+    fn by_each(&self, figure: Figure) -> Figure {
+        let mut methods = METHODS.iter().copied().filter(|method| in_paper(*method));
+        methods
+            .try_fold(figure.columns(2), |figure, method| Some(figure.panel(self.by(method)?)))
+            .expect("the shape has an outline")
+    }
+
+    /// The shape and its images, each beside what the true motion makes of its outline; `None` for
+    /// a shape without one.
+    fn by(&self, method: MethodRef) -> Option<Chart> {
+        let steps = EVALUATIONS / method.info().force_evaluations;
+        let grid = Grid::new(SPAN / steps as f64, SPANS * steps).expect("a positive step");
+        let polygon = |polygon: &Polygon| -> Vec<_> {
+            self.place.outline(polygon, &PENDULUM, self.pieces).collect()
+        };
+        let starts: Vec<Vec<_>> = self.shape.iter().map(polygon).collect();
+        let outline = starts.first()?;
+        let images: Vec<_> =
+            starts.iter().map(|start| carried(method, &PENDULUM, start, &grid)).collect();
+        let area = |n: u64| area(images[0][n as usize].iter().copied());
+        let heading = format!("{}: area × {:.2}", title(method), area(grid.steps()) / area(0));
+        let axes = (
+            Axis::linear("θ (rad)").range(self.theta.0, self.theta.1),
+            Axis::linear("ω (rad/s)").range(self.omega.0, self.omega.1),
+        );
+        let mut chart = Chart::new(axes.0, axes.1).height(260.0).heading(heading);
+        for start in &starts {
+            let points = start.iter().copied().map(point);
+            chart = chart.series("start", Style::REFERENCE.filled(), points);
+        }
+        for n in 1..=SPANS {
+            for image in &images {
+                let points = image[(n * steps) as usize].iter().copied().map(point);
+                chart = chart.series("", style(method).filled().solid(), points);
+            }
+            let time = n as f64 * SPAN;
+            let truth = outline.iter().chain(&outline[..1]);
+            let truth = truth.map(|z| point(true_motion(*z).at(time)));
+            chart = chart.series("true motion", Style::REFERENCE, truth);
+        }
+        Some(chart)
+    }
+}
+
 fn area_carried(_: &Study) -> Figure {
-    let outline = SQUARE.outline(&PENDULUM, SIDE);
-    let span = |n: u64| n as f64 * SPAN;
-    let truth: Vec<Vec<_>> = (1..=SPANS)
-        .map(|n| {
-            outline
-                .iter()
-                .chain(&outline[..1])
-                .map(|z| point(true_motion(*z).at(span(n))))
-                .collect()
-        })
-        .collect();
-    let mut figure = Figure::new(
+    let square = Carried {
+        shape: &[SQUARE],
+        place: SQUARE_AT,
+        pieces: SIDE,
+        theta: (-2.8, 1.5),
+        omega: (-6.0, 7.0),
+    };
+    square.by_each(Figure::new(
         "The area that a method carries",
         "Four charts of phase space, one a method. In each a square to the right of the middle is \
          carried clockwise around it, and drawn three more times, together with the outline of \
@@ -238,29 +310,31 @@ fn area_carried(_: &Study) -> Figure {
          area in the end, drawn out to a long crescent. With RK4 it moves inwards and shrinks to \
          two thirds. With symplectic Euler it lags or leads and is slanted, with Störmer–Verlet it \
          hardly differs from the truth; both keep its area.",
-    )
-    .columns(2);
-    for method in METHODS.iter().copied().filter(|method| in_paper(*method)) {
-        let steps = EVALUATIONS / method.info().force_evaluations;
-        let grid = Grid::new(SPAN / steps as f64, SPANS * steps).expect("a positive step");
-        let images = carried(method, &PENDULUM, &outline, &grid);
-        let ratio = area(&images[grid.steps() as usize]) / area(&images[0]);
-        // One radian is drawn about as long as ω₀ rad/s, so that the square looks like one.
-        let mut chart = Chart::new(
-            Axis::linear("θ (rad)").range(-2.8, 1.5),
-            Axis::linear("ω (rad/s)").range(-6.0, 7.0),
-        )
-        .height(260.0)
-        .heading(format!("{}: area × {ratio:.2}", title(method)))
-        .series("start", Style::REFERENCE.filled(), images[0].iter().copied().map(point));
-        for (image, truth) in images.iter().step_by(steps as usize).skip(1).zip(&truth) {
-            chart = chart
-                .series("", style(method).filled().solid(), image.iter().copied().map(point))
-                .series("true motion", Style::REFERENCE, truth.iter().copied());
-        }
-        figure = figure.panel(chart);
-    }
-    figure
+    ))
+}
+
+/// Where the cat sits, also in the figure that the reader moves.
+const CAT_AT: Place = Place { centre: Phase { theta: 0.9, omega: 0.0 }, size: 0.5 };
+/// Points on the way from each of its corners to the next: with twice as many the areas agree in
+/// all printed digits and one more.
+const CAT_PIECES: u32 = 8;
+
+fn cat(_: &Study) -> Figure {
+    let cat = Carried {
+        shape: CAT,
+        place: CAT_AT,
+        pieces: CAT_PIECES,
+        theta: (-3.2, 3.2),
+        omega: (-7.5, 7.5),
+    };
+    cat.by_each(Figure::new(
+        "A cat that four methods carry through phase space",
+        "Four charts of phase space, one a method. In each a cat sits to the right of the middle, \
+         is carried clockwise around it, and is drawn three more times, bent more and more, \
+         together with the outline of what the true motion makes of it. With forward Euler it \
+         moves outwards and grows. With RK4 it moves inwards and shrinks. With symplectic Euler \
+         it is slanted, with Störmer–Verlet it hardly differs from the truth; both keep its area.",
+    ))
 }
 
 // -------------------------------------------------------------------------------------------------
@@ -290,4 +364,34 @@ fn level_curves(_: &Study) -> Figure {
         .series(title(method), style(method).markers_only(), points.into_iter().map(point));
         figure.panel(chart)
     })
+}
+
+/// Symplectic Euler's points, and the level curve of H̃ to the orders 0, 1 and 7.
+fn tilted(_: &Study) -> Figure {
+    let tilted_curve::Run { method, step, points, curves } = tilted_curve::run();
+    let styles = [Style::REFERENCE, Style::GUIDE, Style::REFERENCE.dashed()];
+    let chart = Chart::new(
+        Axis::linear("θ (rad)").range(-1.3, 1.3),
+        Axis::linear("ω (rad/s)").range(-3.6, 3.6),
+    )
+    .height(330.0);
+    let curves = curves.into_iter().zip(styles);
+    let chart = curves.fold(chart, |chart, ((order, curve), style)| {
+        let label = match order {
+            0 => "true orbit, H".to_string(),
+            1 => "H̃, one term".to_string(),
+            _ => format!("H̃, {order} terms"),
+        };
+        chart.series(label, style, curve.into_iter().map(point))
+    });
+    let label = format!("{}, h = {step} s", title(method));
+    let points = points.into_iter().map(point);
+    Figure::new(
+        "The tilted curve of symplectic Euler",
+        "A chart of phase space with three ovals about the middle and many points. The true orbit \
+         is upright. The points lie on an oval that is slanted to the upper right and lower left: \
+         that of H̃ with seven terms. With one term alone the oval is slanted in the same way, and \
+         stands a little off the points.",
+    )
+    .panel(chart.series(label, style(method).markers_only(), points))
 }

@@ -1,0 +1,376 @@
+"""The figures that a reader moves: they begin as the still ones, give way to hand and key, and show
+the library's numbers."""
+
+import csv
+import io
+import math
+import re
+import subprocess
+from collections.abc import Iterator
+
+from book import Book
+from browser import DESK, SHEET, TELEPHONE, Tab
+
+# The chapters with a step to move, and its method.
+STENCILS = {
+    "forward-euler.html": "forward-euler",
+    "symplectic-euler.html": "symplectic-euler",
+    "stormer-verlet.html": "stormer-verlet",
+    "rk4.html": "rk4",
+}
+TILTED, CAT = "symplectic-euler.html", "phase-space.html"
+SYMPLECTIC = {"symplectic-euler", "stormer-verlet"}
+
+
+def figure(kind: str) -> str:
+    return f"""document.querySelector('.lab-figure[data-figure="{kind}"]')"""
+
+
+def opened(tab: Tab, page: str, kind: str) -> bool:
+    """Opens a page; whether its figure comes to life."""
+    tab.open(page)
+    return tab.comes(f"{figure(kind)}?.classList.contains('on')")
+
+
+def simulate(book: Book, words: list[str]) -> list[dict[str, float]]:
+    """The rows that the program prints."""
+    answer = subprocess.run(
+        [book.program, "simulate", *words], capture_output=True, text=True, check=True
+    )
+    rows = csv.DictReader(io.StringIO(answer.stdout))
+    return [{name: float(value) for name, value in row.items()} for row in rows]
+
+
+def text(tab: Tab, kind: str, selector: str) -> str:
+    return tab.run(f"{figure(kind)}.querySelector('{selector}').textContent")
+
+
+def plain(number: str) -> float:
+    """A number as the page writes it."""
+    power = re.search(r"×\s*10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)", number)
+    exponent = power[1].translate(str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")) if power else "0"
+    return float(number.split()[0].replace("−", "-")) * 10 ** int(exponent)
+
+
+def compared(tab: Tab, book: Book, when: str) -> Iterator[str]:
+    """The end of the step on the page against that of the program, to the last bit, and the table
+    against it."""
+    stencil = figure("stencil")
+    digits = f"[...{stencil}.querySelectorAll('data')]"
+    shown = dict(tab.run(f"{digits}.map(d => [d.dataset.of, d.value])"))
+    words = text(tab, "stencil", ".digits code").split()
+    end = simulate(book, words[2:])[-1]
+    for name in ["theta", "omega"]:
+        if float(shown.get(name, "nan")) != end[name]:
+            yield f"moved: {when}: {name} is {shown.get(name)}, not {end[name]!r}"
+    cells = tab.run(f"[...{stencil}.querySelectorAll('td')].map(c => c.textContent).slice(1)")
+    given = {option: float(words[words.index(option) + 1]) for option in ("--theta0", "--omega0")}
+    for cell, number in zip(cells, [*given.values(), end["theta"], end["omega"]]):
+        if not abs(plain(cell) - number) <= 0.5001e-4:
+            yield f"moved: {when}: the table says {cell} for {number!r}"
+
+
+def scene(tab: Tab) -> tuple[float, float, float]:
+    """Where the step begins and how long it is, as the command has it."""
+    words = text(tab, "stencil", ".digits code").split()
+    return tuple(float(words[words.index(name) + 1]) for name in ("--theta0", "--omega0", "--dt"))
+
+
+def handle(tab: Tab) -> tuple[float, float]:
+    """The middle of the handle on the screen."""
+    return tab.run(f"""(() => {{
+        const ring = {figure("stencil")}.querySelector('.ring');
+        ring.scrollIntoView({{block: 'center', behavior: 'instant'}});
+        const {{x, y, width, height}} = ring.getBoundingClientRect();
+        return [x + width / 2, y + height / 2];
+    }})()""")
+
+
+def stencils(tab: Tab, book: Book) -> Iterator[str]:
+    """The start of each step is moved by mouse, touch and key, its length by the slider; its end is
+    the program's."""
+    for page, method in STENCILS.items():
+        if not opened(tab, page, "stencil"):
+            yield f"moved: does not come in {page}"
+            continue
+        first = scene(tab)
+        still = tab.run(f"{figure('stencil')}.querySelector('figure > svg').textContent")
+        if f"true motion after {first[2]:g} s" not in still:
+            yield f"moved: {page}: begins with another step than the still figure: {first[2]} s"
+        yield from compared(tab, book, f"{page}, at the start")
+        tab.run(f"{figure('stencil')}.querySelector('.handle').focus()")
+        for key in ["ArrowRight", "ArrowUp", "ArrowUp", "Shift+ArrowLeft"]:
+            tab.press(key)
+        if tab.here() != page:
+            yield f"moved: {page}: an arrow on the handle turns the page"
+            return
+        seen = scene(tab)
+        wanted = (first[0] + 0.05 - 0.005, first[1] + 0.2)
+        if not (abs(seen[0] - wanted[0]) < 2e-3 and abs(seen[1] - wanted[1]) < 2e-3):
+            yield f"moved: {page}: the keys lead to {seen[:2]}, not {wanted}"
+        yield from compared(tab, book, f"{page}, after the keys")
+
+        x, y = handle(tab)
+        box = tab.run(f"(({{width}}) => width)({figure('stencil')}.querySelector('.axis')"
+                      ".getBoundingClientRect())")
+        # A quarter of the axis, which is 3.2 rad long, with its ticks on the left beyond it.
+        tab.drag((x, y), (x + box / 4, y))
+        theta = scene(tab)[0]
+        if not abs(theta - seen[0] - 0.8) < 0.03:
+            yield f"moved: {page}: dragged by 0.8 rad, from {seen[0]} to {theta}"
+        if not abs(scene(tab)[1] - seen[1]) < 0.02:
+            yield f"moved: {page}: dragged across, and the velocity is {scene(tab)[1]}"
+        yield from compared(tab, book, f"{page}, after the mouse")
+        yield from touched(tab, page)
+        yield from compared(tab, book, f"{page}, after a touch")
+
+        tab.run(f"{figure('stencil')}.querySelector('input.h').focus()")
+        before = scene(tab)[2]
+        for _ in range(3):
+            tab.press("ArrowLeft")
+        if not abs(before - scene(tab)[2] - 0.03) < 1e-9:
+            yield f"moved: {page}: the slider leads from {before} to {scene(tab)[2]} s"
+        yield from compared(tab, book, f"{page}, after the slider")
+        tab.run(f"{figure('stencil')}.querySelector('button.reset').click()")
+        if scene(tab) != first:
+            yield f"moved: {page}: reset leads to {scene(tab)}, not {first}"
+        ratio = float(re.search(r"([\d.]+) times", text(tab, "stencil", ".area"))[1])
+        keeps = abs(ratio - 1) < 5e-4
+        if keeps != (method in SYMPLECTIC):
+            yield f"moved: {page}: the area of the square is × {ratio}"
+        yield from names(tab, page, method)
+
+
+# What is written beside the arrows.
+PARTS = {
+    "forward-euler": ["tangent"],
+    "symplectic-euler": ["kick", "drift"],
+    "stormer-verlet": ["½ kick", "drift", "½ kick"],
+    "rk4": ["k1", "k2", "k3", "k4"],
+}
+
+
+def names(tab: Tab, page: str, method: str) -> Iterator[str]:
+    """The parts of the step are named as in the still figure."""
+    halos = f"[...{figure('stencil')}.querySelectorAll('svg.moved .halo')].map(t => t.textContent)"
+    seen = [name for name in tab.run(halos) if not name.startswith("area")]
+    if seen != PARTS[method]:
+        yield f"moved: {page}: its parts are {seen}"
+
+
+def touched(tab: Tab, page: str) -> Iterator[str]:
+    """A finger moves the handle, and the page stays where it is."""
+    x, y = handle(tab)
+    before, height = scene(tab), tab.run("scrollY")
+    touch = tab.context.new_cdp_session(tab.page)
+    touch.send("Emulation.setTouchEmulationEnabled", {"enabled": True})
+    points = [(x + 10, y + 10), (x + 5, y - 20), (x, y - 50)]
+    for kind, at in zip(["touchStart", "touchMove", "touchMove"], points):
+        where = [{"x": at[0], "y": at[1]}]
+        touch.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": where})
+    touch.send("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
+    touch.send("Emulation.setTouchEmulationEnabled", {"enabled": False})
+    touch.detach()
+    after = scene(tab)
+    if not (after[1] > before[1] + 0.5 and after[0] < before[0]):
+        yield f"moved: {page}: a finger moves the start from {before[:2]} to {after[:2]}"
+    if tab.run("scrollY") != height:
+        yield f"moved: {page}: a finger on the handle scrolls the page"
+
+
+def tilted(tab: Tab, book: Book) -> Iterator[str]:
+    """The curve of H̃ is built by its slider: each term brings it nearer to the points, which are
+    the program's."""
+    if not opened(tab, TILTED, "tilted"):
+        yield f"moved: the tilted curve does not come in {TILTED}"
+        return
+
+    def slide(key: str, to: float):
+        tab.run(
+            f"""to => {{
+                const slider = {figure("tilted")}.querySelector('input.{key}');
+                slider.value = to;
+                slider.dispatchEvent(new Event('input'));
+            }}""",
+            to,
+        )
+
+    def strays() -> list[float]:
+        said = text(tab, "tilted", ".strays")
+        return [plain(number) for number in re.findall(r"up to (\S+(?:\s×\s10\S+)?) J", said)]
+
+    # As far as H is from its start in the run that the program prints; a J of 1 kg on 1 m.
+    slide("h", 0.1)
+    slide("steps", 40)
+    options = "--method symplectic-euler --theta0 1 --dt 0.1 --steps 40 --every 1".split()
+    energies = [row["energy"] for row in simulate(book, options)]
+    expected = max(abs(energy - energies[0]) for energy in energies)
+    before = math.inf
+    for order in range(8):
+        slide("order", order)
+        seen = strays()
+        if not abs(seen[0] / expected - 1) < 1e-3:
+            yield f"moved: H strays by {seen[0]} J, not {expected}"
+        # In pairs, as an odd term changes its sign where the velocity does, and may fit by chance.
+        if order in (1, 3, 5, 7):
+            if not seen[1] < 0.5 * before:
+                yield f"moved: with {order} terms H̃ strays by {seen[1]} J, before by {before}"
+            before = seen[1]
+    count = f"[...{figure('tilted')}.querySelectorAll('[clip-path] .dot')].at(-1)" \
+            ".getAttribute('d').split('M').length - 1"
+    if tab.run(count) != 41:
+        yield f"moved: 40 steps are {tab.run(count)} points"
+    press(tab, "tilted", "step")
+    if tab.run(count) != 42:
+        yield f"moved: after one step more there are {tab.run(count)} points"
+    # Where the points are, the curve is: in the drawing, within a unit.
+    worst = tab.run(f"""(() => {{
+        const plane = {figure("tilted")};
+        const dashed = plane.querySelector('[clip-path] path[stroke-dasharray="7 4"]');
+        const dots = [...plane.querySelectorAll('[clip-path] .dot')].at(-1).getAttribute('d');
+        const length = dashed.getTotalLength(), curve = [];
+        for (let i = 0; i <= 4000; i++) curve.push(dashed.getPointAtLength(length * i / 4000));
+        const away = ([x, y]) => Math.min(...curve.map(p => Math.hypot(p.x - x, p.y - y)));
+        return Math.max(...[...dots.matchAll(/M([-\\d.]+),([-\\d.]+)/g)]
+            .map(m => away([Number(m[1]), Number(m[2])])));
+    }})()""")
+    if not worst < 1:
+        yield f"moved: a point is {worst} units from the curve of H̃"
+    press(tab, "tilted", "reset")
+    if "h = 0.25 s" not in text(tab, "tilted", "svg.moved"):
+        yield "moved: reset does not bring the first step back"
+
+
+def press(tab: Tab, kind: str, button: str, times: int = 1):
+    tab.run(
+        f"for (let i = 0; i < {times}; i++) "
+        f"{figure(kind)}.querySelector('button.{button}').click()"
+    )
+
+
+def areas(tab: Tab) -> dict[str, float]:
+    """The headings of the charts: the methods with their areas."""
+    texts = f"[...{figure('cat')}.querySelectorAll('svg.moved > text')]"
+    seen = tab.run(f"{texts}.map(t => t.textContent)")
+    found = [re.fullmatch(r"(.+): area × (.+)", heading) for heading in seen]
+    return {match[1]: plain(match[2]) for match in found if match}
+
+
+def cat(tab: Tab, book: Book) -> Iterator[str]:
+    """The cat is carried by the methods that are chosen, with its area, and only when asked."""
+    if not opened(tab, CAT, "cat"):
+        yield f"moved: the cat does not come in {CAT}"
+        return
+    tab.page.wait_for_timeout(400)
+    if "t = 0.00 s" not in text(tab, "cat", ".time"):
+        yield "moved: the cat runs unasked"
+    press(tab, "cat", "step", 12)
+    # As in the still figure, at the same time.
+    said = tab.run(f"{figure('cat')}.querySelector('figure > svg').textContent")
+    still = {name: float(area) for name, area in re.findall(r"\n([^\n:]+): area × ([\d.]+)", said)}
+    seen = areas(tab)
+    for method, area in still.items():
+        if not abs(seen.get(method, math.nan) - area) <= 0.0051:
+            yield f"moved: after 1.68 s the area of {method} is {seen.get(method)}, not {area}"
+    if len(still) != 4:
+        yield f"moved: the still cat has {len(still)} areas"
+    # A point of forward Euler's outline, which begins at the cat's first corner; each step of the
+    # page begins anew, and its start is rounded.
+    corner, end = tab.run(
+        f"(({{moved}}) => [[...moved.cat.slice(0, 2)], [...moved.charts[0].cat.slice(0, 2)]])"
+        f"({figure('cat')})"
+    )
+    options = f"--method forward-euler --theta0={corner[0]!r} --omega0={corner[1]!r} --dt 0.14"
+    row = simulate(book, [*options.split(), "--steps", "12", "--every", "12"])[-1]
+    for name, number in zip(["theta", "omega"], end):
+        if not abs(number - row[name]) < 1e-12:
+            yield f"moved: the {name} of the cat's first point is {number!r}, not {row[name]!r}"
+    # Several periods: what keeps area keeps it to a thousandth, by the polygon that is shown.
+    press(tab, "cat", "step", 60)
+    for method, area in areas(tab).items():
+        if method in ("Symplectic Euler", "Störmer–Verlet") and not abs(area - 1) < 1.1e-3:
+            yield f"moved: after five periods the area of {method} is {area}"
+    # Another method in the first chart.
+    tab.run(f"""(() => {{
+        const select = {figure("cat")}.querySelector('select');
+        select.value = 'gauss-4';
+        select.dispatchEvent(new Event('change'));
+    }})()""")
+    press(tab, "cat", "step", 3)
+    if len(areas(tab)) != 4 or "Forward Euler" in areas(tab):
+        yield f"moved: another method is not carried: {areas(tab)}"
+    press(tab, "cat", "reset")
+    press(tab, "cat", "run")
+    if not tab.comes(f"{figure('cat')}.moved.taken > 3"):
+        yield "moved: the cat does not run"
+    press(tab, "cat", "run")
+    taken = tab.run(f"{figure('cat')}.moved.taken")
+    tab.page.wait_for_timeout(500)
+    if tab.run(f"{figure('cat')}.moved.taken") != taken:
+        yield "moved: the cat does not stop"
+    # A step a second for who asks for little motion.
+    tab.page.emulate_media(reduced_motion="reduce")
+    press(tab, "cat", "reset")
+    press(tab, "cat", "run")
+    tab.page.wait_for_timeout(2500)
+    taken = tab.run(f"{figure('cat')}.moved.taken")
+    if not 2 <= taken <= 4:
+        yield f"moved: {taken} steps in two seconds and a half where little motion is asked for"
+
+
+ALL = "[...document.querySelectorAll('.lab-figure')]"
+# Whether the still figure of each is on the screen, and whether the moved one is.
+STILL = """[...document.querySelectorAll('.lab-figure > figure > svg')].map(
+    svg => svg.checkVisibility() && svg.getBoundingClientRect().height > 100)"""
+LIVE = """[...document.querySelectorAll('.lab-figure')].map(
+    spot => spot.querySelector('.live')?.checkVisibility() ?? false)"""
+# The height of each, as it is and as it was before its library came, once the contents beside the
+# page have gone where they go.
+HEIGHTS = """document.getAnimations().forEach(animation => animation.finish()),
+[...document.querySelectorAll('.lab-figure')].map(spot => {
+    const height = () => spot.getBoundingClientRect().height, now = height();
+    const live = spot.querySelector('.live');
+    live.remove();
+    spot.classList.remove('on');
+    const before = height();
+    spot.prepend(live);
+    spot.classList.add('on');
+    return [before, now];
+})"""
+
+
+def still(tab: Tab, book: Book) -> Iterator[str]:
+    """On paper, in the book as one page and without scripts there is the still figure; and when the
+    moved one comes, the page stands still."""
+    pages = sorted({*STENCILS, TILTED, CAT})
+    for page in pages:
+        tab.open(page)
+        if not tab.comes(f"{ALL}.every(spot => spot.matches('.on'))"):
+            yield f"moved: does not come in {page}"
+            continue
+        if any(tab.run(STILL)) or not all(tab.run(LIVE)):
+            yield f"moved: {page} shows a figure twice, or not at all"
+        for width in (DESK, 640, TELEPHONE):
+            tab.screen(width)
+            for before, now in tab.run(HEIGHTS):
+                if abs(before - now) > 1:
+                    yield f"moved: {page} shifts at {width} px, from {before} to {now} px"
+        tab.screen(SHEET)
+        tab.page.emulate_media(media="print")
+        if not all(tab.run(STILL)) or any(tab.run(LIVE)):
+            yield f"moved: no still figure on paper, {page}"
+        tab.page.emulate_media(media="screen")
+        tab.screen(DESK)
+    with tab.without_scripts() as bare:
+        for page in pages:
+            bare.open(page)
+            if not all(bare.run(STILL)):
+                yield f"moved: no still figure without scripts, {page}"
+    tab.open("print.html")
+    tab.comes("document.querySelector('.lab-figure.off')")
+    seen = tab.run(STILL)
+    if len(seen) != len(STENCILS) + 2 or not all(seen):
+        yield f"moved: no still figures in print.html: {seen}"
+
+
+CHECKS = [stencils, tilted, cat, still]

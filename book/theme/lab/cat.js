@@ -1,0 +1,253 @@
+// A cat in phase space, carried by up to four methods beside the exact motion: what becomes of its
+// area.
+(theLab => {
+    'use strict';
+
+    const { Moved, Plane, element, figures, words } = theLab;
+    // As in the still figure: where the cat sits, its size (rad), the pieces between its corners.
+    const PLACE = { theta: 0.9, omega: 0 };
+    const SIZE = 0.5;
+    const PIECES = 8;
+    const AXES = { theta: [-3.2, 3.2], omega: [-7.5, 7.5] };
+    const HIGH = 260;
+    const FIRST = {
+        h: 0.14,
+        fair: true,
+        methods: ['forward-euler', 'symplectic-euler', 'rk4', 'stormer-verlet'],
+    };
+    // Between two steps where little motion is asked for, and at least at other times (ms).
+    const SLOW = 1000;
+    const LEAST = 60;
+
+    const calm = matchMedia('(prefers-reduced-motion: reduce)');
+
+    figures.cat = class extends Moved {
+        constructor(spot, library, number) {
+            super(spot, library, number);
+            const { svg, width, height } = this;
+            const middle = width / 2,
+                low = height - 56;
+            svg.append(
+                this.legend([
+                    ['start', 'M4,-7h28v14h-28z', 'line fill thin'],
+                    ['true motion', 'M0,0h36', 'line'],
+                ]),
+            );
+            this.charts = [0, 1, 2, 3].map(i => {
+                const [left, right] = i % 2 ? [middle + 30, width - 20] : [38, middle + 8];
+                const bottom = i < 2 ? 106 + HIGH : low;
+                const heading = words('', { x: left, y: bottom - HIGH - 42 });
+                const box = [left, bottom - HIGH, right, bottom];
+                if (i % 2 === 0)
+                    svg.append(words('ω (rad/s)', { x: 0, y: bottom - HIGH - 17 }));
+                if (i > 1)
+                    svg.append(
+                        words('θ (rad)', {
+                            x: (left + right) / 2,
+                            y: height - 12,
+                            'text-anchor': 'middle',
+                        }),
+                    );
+                svg.append(heading);
+                const plane = new Plane(svg, `${this.name}-${i}`, box, AXES);
+                return { plane, heading };
+            });
+            this.scene = { ...FIRST };
+            this.lay();
+            this.begin();
+        }
+
+        lay() {
+            const { library } = this;
+            this.run = this.button('run', 'Play', () => this.play(!this.waiting));
+            this.h = this.slider('h', 'Step h', 's', { from: 0.01, to: 0.3, by: 0.01 }, h =>
+                this.again({ h }),
+            );
+            this.fair = element('input', {
+                type: 'checkbox',
+                class: 'fair',
+                onchange: () => this.again({ fair: this.fair.checked }),
+            });
+            this.time = element('output', { class: 'note time' });
+            this.selects = this.charts.map((chart, i) => {
+                const select = element(
+                    'select',
+                    {
+                        onchange: () => {
+                            const methods = [...this.scene.methods];
+                            methods[i] = select.value;
+                            this.again({ methods });
+                        },
+                    },
+                    element('option', { value: '' }, 'no method'),
+                    ...library.methods.map(({ name, title }) =>
+                        element('option', { value: name }, title),
+                    ),
+                );
+                return select;
+            });
+            this.controls.append(
+                element(
+                    'div',
+                    { class: 'buttons' },
+                    this.run,
+                    this.button('step', 'One step', () => {
+                        this.play(false);
+                        this.advance();
+                    }),
+                    this.button('reset', 'Reset', () => this.again(FIRST)),
+                    this.time,
+                ),
+                element(
+                    'div',
+                    { class: 'buttons' },
+                    this.h.part,
+                    element(
+                        'label',
+                        {},
+                        this.fair,
+                        'Equal work: with k force evaluations a step, steps of k\u00a0h',
+                    ),
+                ),
+                element(
+                    'div',
+                    { class: 'choices' },
+                    ...this.selects.map((select, i) =>
+                        element('label', {}, element('span', {}, `Chart ${i + 1}`), select),
+                    ),
+                ),
+                this.said,
+            );
+        }
+
+        // How many steps of h a step of the method takes, so that all cost the same.
+        times(method) {
+            if (!this.scene.fair) return 1;
+            const { exports } = this.library,
+                { g, L } = theLab.PENDULUM;
+            const { EVALUATIONS } = theLab.QUANTITY;
+            const evaluations = [1, 2].map(steps => {
+                exports.set(0, method.number, g, L, 0, PLACE.theta, PLACE.omega, this.scene.h);
+                exports.advance(0, steps);
+                return exports.read(0, EVALUATIONS);
+            });
+            return Math.max(evaluations[1] - evaluations[0], 1) || 1;
+        }
+
+        // The cat at its place, its outline first, as one row of points.
+        begin() {
+            const { library, scene } = this;
+            library.scene(library.methods[0], { ...PLACE, h: scene.h });
+            const parts = [];
+            for (let which = 1; ; which++) {
+                const part = library.shape(which, SIZE, which === 1 ? PIECES : 2);
+                if (!part.length) break;
+                parts.push(part);
+            }
+            // Where each part ends.
+            let end = 0;
+            this.ends = parts.map(part => (end += part.length));
+            this.cat = new Float64Array(end);
+            parts.forEach((part, i) => this.cat.set(part, this.ends[i] - part.length));
+            this.size = library.area(this.outline(this.cat));
+            this.taken = 0;
+            for (const [i, chart] of this.charts.entries()) {
+                const name = scene.methods[i];
+                const method = name ? library.method(name) : null;
+                const every = method ? this.times(method) : 1;
+                Object.assign(chart, { method, every, cat: this.cat, at: 0 });
+            }
+        }
+
+        outline(cat) {
+            return cat.subarray(0, this.ends[0]);
+        }
+
+        again(some) {
+            this.play(false);
+            Object.assign(this.scene, some);
+            this.begin();
+            this.show();
+        }
+
+        // Takes the steps of the charts whose time has come.
+        advance() {
+            const { library, scene } = this;
+            const charts = this.charts.filter(chart => chart.method);
+            if (!charts.length) return;
+            const due = () => charts.filter(({ every }) => this.taken % every === 0);
+            // One that lets something be seen.
+            do this.taken++;
+            while (!due().length);
+            for (const chart of due()) {
+                const { every, method } = chart;
+                library.scene(method, { ...PLACE, h: scene.h * every });
+                chart.cat = library.carried(chart.cat, 1);
+                chart.at = this.taken;
+            }
+            this.show();
+        }
+
+        play(on) {
+            clearTimeout(this.waiting);
+            this.waiting = 0;
+            if (on) {
+                this.advance();
+                const pause = Math.max(1000 * this.scene.h, LEAST);
+                this.waiting = setTimeout(() => this.play(true), calm.matches ? SLOW : pause);
+            }
+            this.run.textContent = on ? 'Pause' : 'Play';
+            if (!on && this.taken) this.say(this.summary());
+        }
+
+        summary() {
+            const areas = this.charts
+                .filter(({ method }) => method)
+                .map(({ method, ratio }) => `${method.title} ${ratio}`);
+            return `The cat’s area, in units of its first: ${areas.join(', ')}.`;
+        }
+
+        show() {
+            const { library, scene } = this;
+            this.h.set(scene.h);
+            this.fair.checked = scene.fair;
+            let worst = 0;
+            for (const [i, chart] of this.charts.entries()) {
+                const { cat, every, heading, method, plane } = chart;
+                this.selects[i].value = method?.name ?? '';
+                plane.clear();
+                this.draw(plane, this.cat, null);
+                if (!method) {
+                    heading.replaceChildren('no method');
+                    continue;
+                }
+                library.scene(method, { ...PLACE, h: scene.h });
+                const truth = library.followed(this.outline(this.cat), scene.h * chart.at);
+                worst = Math.max(worst, Math.abs(library.area(truth) / this.size - 1));
+                chart.ratio = theLab.ratio(library.area(this.outline(cat)) / this.size);
+                if (chart.at) {
+                    this.draw(plane, cat, method);
+                    plane.curve([...truth, ...truth.subarray(0, 2)]);
+                }
+                heading.replaceChildren(`${method.title}: area × ${chart.ratio}`);
+            }
+            const steps = `t = ${(scene.h * this.taken).toFixed(2)} s`;
+            const error = worst < 5e-5 ? 'less than 0.01' : (100 * worst).toFixed(2);
+            this.time.textContent = this.taken
+                ? `${steps}; ${this.cat.length / 2} points, whose polygon errs by ${error} %`
+                : `${steps}; ${this.cat.length / 2} points`;
+        }
+
+        draw(plane, cat, method) {
+            let from = 0;
+            for (const end of this.ends) {
+                plane.curve(cat.subarray(from, end), { method, filled: true, thin: true });
+                from = end;
+            }
+        }
+    };
+
+    // A ratio of areas: to a thousandth, or in four digits where it is large.
+    theLab.ratio = x =>
+        !Number.isFinite(x) ? '–' : Math.abs(x) < 10 ? x.toFixed(3) : theLab.measured(x);
+})((globalThis.theLab ??= {}));

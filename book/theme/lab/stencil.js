@@ -1,0 +1,227 @@
+// One step of a method taken apart, in chapters 4 to 7: the reader moves the start and the step,
+// and sees the parts of the step, its end beside the true motion's, and what becomes of a square.
+(theLab => {
+    'use strict';
+
+    const { Moved, PENDULUM, Plane, element, figures, handle, words } = theLab;
+    // Numbered as in book/lab/src/parts.rs.
+    const SLOPE = 0;
+    const NAMES = ['slope', 'kick', 'drift'];
+    // The axes of the still figure, and those of the whole plane.
+    const NEAR = { theta: [-1.6, 1.6], omega: [0, 5] };
+    const WIDE = { theta: [-3.5, 3.5], omega: [-9, 9] };
+    const START = { theta: -1.2, omega: 1 };
+    // The side of the square (rad), and the pieces of each of its sides.
+    const SIDE = 0.3;
+    const PIECES = 24;
+    // RK4's slopes are drawn a quarter of a step long, as the still figure has them.
+    const SHARE = 0.25;
+
+    const signed = (x, digits) => x.toFixed(digits).replace('-', '−');
+
+    figures.stencil = class extends Moved {
+        constructor(spot, library, number) {
+            super(spot, library, number);
+            this.method = library.method(spot.dataset.method);
+            this.first = { ...START, h: Number(spot.dataset.step) };
+            this.scene = { ...this.first };
+            const { svg, width, height } = this;
+            this.top = this.legend([]);
+            svg.append(this.top);
+            const box = [38, 93, width - 20, height - 56];
+            svg.append(words('ω (rad/s)', { x: 0, y: 76 }));
+            svg.append(
+                words('θ (rad)', {
+                    x: (box[0] + box[2]) / 2,
+                    y: height - 12,
+                    'text-anchor': 'middle',
+                }),
+            );
+            this.plane = new Plane(svg, this.name, box, NEAR);
+            this.start = handle(
+                this.plane,
+                'Start of the step: the arrow keys move it',
+                [0.05, 0.1],
+                (theta, omega) =>
+                    this.change({
+                        theta: Math.round(1000 * theta) / 1000,
+                        omega: Math.round(1000 * omega) / 1000,
+                    }),
+            );
+            this.lay();
+        }
+
+        lay() {
+            const range = { from: 0.01, to: 1, by: 0.01 };
+            this.h = this.slider('h', 'Step h', 's', range, h => this.change({ h }));
+            this.wide = this.button('wide', 'Whole plane', () => {
+                const pressed = this.wide.getAttribute('aria-pressed') !== 'true';
+                this.view(pressed);
+                this.show();
+            });
+            this.rows = ['start', 'end of the step', 'true motion'].map(name => {
+                const cells = [element('td'), element('td')];
+                const head = element('th', { scope: 'row' }, name);
+                return { cells, row: element('tr', {}, head, ...cells) };
+            });
+            this.area = element('output', { class: 'area' });
+            this.every = element('div');
+            const head = name => element('th', { scope: 'col' }, name);
+            this.controls.append(
+                element(
+                    'div',
+                    { class: 'buttons' },
+                    this.h.part,
+                    this.button('reset', 'Reset', () => {
+                        this.view(false);
+                        this.change(this.first);
+                    }),
+                    this.wide,
+                ),
+                element(
+                    'table',
+                    {},
+                    element(
+                        'thead',
+                        {},
+                        element('tr', {}, element('td'), head('θ (rad)'), head('ω (rad/s)')),
+                    ),
+                    element('tbody', {}, ...this.rows.map(({ row }) => row)),
+                ),
+                element('p', { class: 'note' }, this.area),
+                element(
+                    'details',
+                    { class: 'digits' },
+                    element('summary', {}, 'Every digit, and the same on the command line'),
+                    this.every,
+                ),
+            );
+            this.view(false);
+        }
+
+        view(wide) {
+            this.wide.setAttribute('aria-pressed', wide);
+            const { theta, omega } = wide ? WIDE : NEAR;
+            this.plane.frame(theta, omega);
+            // The start has to be in sight.
+            const { scene, plane } = this;
+            const [x, y] = [plane.x(scene.theta), plane.y(scene.omega)];
+            [scene.theta, scene.omega] = plane.at(x, y).map(v => Math.round(1000 * v) / 1000);
+        }
+
+        change(some) {
+            Object.assign(this.scene, some);
+            this.show();
+        }
+
+        // The parts of the step: what each is, its share of the step, from where to where.
+        parts() {
+            const count = this.library.exports.step_parts();
+            const numbers = this.library.points(3 * count);
+            return Array.from({ length: count }, (_, i) => {
+                const [kind, share, ...ends] = numbers.subarray(6 * i, 6 * i + 6);
+                return { kind, share, from: ends.slice(0, 2), to: ends.slice(2) };
+            });
+        }
+
+        show() {
+            const { library, method, plane, scene } = this;
+            library.scene(method, scene);
+            const start = Float64Array.of(scene.theta, scene.omega);
+            const parts = this.parts();
+            const end = library.carried(start, 1),
+                truth = library.followed(start, scene.h);
+            const square = library.shape(0, SIDE, PIECES),
+                image = library.carried(square, 1);
+            const ratio = library.area(image) / library.area(square);
+            const orbit = library.orbit(scene, 401);
+            plane.clear();
+            plane.curve(orbit);
+            plane.curve(square, { filled: true, thin: true });
+            plane.curve(image, { method, filled: true, thin: true });
+            this.draw(parts, start, truth);
+            this.tell(image, ratio);
+            plane.markers(truth);
+            plane.markers([...start, ...end], method);
+            const point = `θ ${signed(start[0], 3)} rad, ω ${signed(start[1], 3)} rad/s`;
+            this.start.put(start[0], start[1], point);
+            this.h.set(scene.h);
+            this.top.replaceWith((this.top = this.entries()));
+            [start, end, truth].forEach((z, i) => {
+                z.forEach((value, k) => {
+                    this.rows[i].cells[k].textContent = signed(value, 4);
+                });
+            });
+            this.area.textContent =
+                `The step makes a square of ${SIDE} rad × ${SIDE}\u00a0ω₀ about the start ` +
+                `${ratio.toFixed(4)} times as large: the areas of both as polygons of ` +
+                `${image.length / 2} points.`;
+            this.spell(end);
+        }
+
+        entries() {
+            const { method, scene } = this;
+            const { colour, marker } = theLab.look(method);
+            const own = colour.replace('--pendula-', '');
+            const ring = 'M18,0m-5,0a5,5 0 1,0 10,0a5,5 0 1,0 -10,0z';
+            return this.legend([
+                ['true orbit', 'M0,0h36', 'line'],
+                [method.title, `M18,0${marker}`, `dot ${own}`],
+                [`true motion after ${scene.h} s`, ring, 'dot'],
+                ['a square, and its image', 'M4,-7h28v14h-28z', `line fill thin ${own}`],
+            ]);
+        }
+
+        // Above the square's image, how large it is.
+        tell(image, ratio) {
+            const { plane } = this;
+            const [xs, ys] = [0, 1].map(k => image.filter((_, i) => i % 2 === k));
+            const x = plane.x((Math.min(...xs) + Math.max(...xs)) / 2),
+                y = plane.y(Math.max(...ys)) - 8;
+            if (x > plane.left && x < plane.right && y < plane.bottom)
+                plane.note(x, Math.max(y, plane.top + 16), `area × ${ratio.toFixed(3)}`, 'middle');
+        }
+
+        draw(parts, start, truth) {
+            const { method, plane } = this;
+            const slopes = parts.filter(({ kind }) => kind === SLOPE).length;
+            parts.forEach(({ kind, share, from, to }, i) => {
+                if (kind !== SLOPE) {
+                    const part = { 1: '', 0.5: '½ ' }[share] ?? `${share.toFixed(2)} `;
+                    plane.arrow(from, to, method, part + NAMES[kind], truth[0]);
+                } else if (slopes === 1) {
+                    plane.arrow(from, to, method, 'tangent', truth[0]);
+                } else {
+                    if (i > 0) plane.curve([...start, ...from], { dash: '2 4', thin: true });
+                    const tip = from.map((value, k) => value + SHARE * (to[k] - value));
+                    plane.arrow(from, tip, method, `k_{${i + 1}}`, truth[0]);
+                }
+            });
+        }
+
+        // Every digit, with the command that prints the same.
+        spell(end) {
+            const { method, scene } = this,
+                { g, L } = PENDULUM;
+            const value = (name, number) => [
+                `${name} = `,
+                element('data', { value: number, 'data-of': name }, number),
+                '  ',
+            ];
+            const command =
+                `pendula simulate --method ${method.name} --theta0 ${scene.theta} ` +
+                `--omega0 ${scene.omega} --gravity ${g} --length ${L} --dt ${scene.h} ` +
+                `--steps 1 --every 1`;
+            this.every.replaceChildren(
+                element(
+                    'p',
+                    { class: 'numbers' },
+                    'The step ends at ',
+                    ...value('theta', end[0]),
+                    ...value('omega', end[1]),
+                ),
+                element('pre', {}, element('code', {}, command)),
+            );
+        }
+    };
+})((globalThis.theLab ??= {}));
