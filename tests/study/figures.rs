@@ -11,6 +11,7 @@ use pendula::systems::{DoublePhase, Ellipse, Kepler, PlanePhase};
 use pendula::{
     AnyMethod, Grid, Hamiltonian, METHODS, Motion, Pendulum, Phase, exact, method_named,
 };
+use pendula_study::claims::predictions;
 use pendula_study::experiments::{
     STEPS, Study, beyond, choosing, enclosure, in_paper, level_curves, phase_portrait, readings,
     resonance, rounding_walk, small_angle, standard_map, tilted_curve, truncation,
@@ -56,18 +57,31 @@ struct Look {
     detail: String,
 }
 
-/// From units to values: two ticks, and whether their values grow by factors.
+/// How values are spread along an axis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Scale {
+    Linear,
+    Log,
+    /// By factors to either side of zero, where it is linear up to a millionth.
+    Signed,
+}
+
+/// From units to values: two ticks, and how values grow between them.
 #[derive(Clone, Copy, Debug)]
 struct Axis {
     from: (f64, f64),
     to: (f64, f64),
-    log: bool,
+    scale: Scale,
 }
 
 impl Axis {
     /// The unit of a value; `None` where it has no place.
     fn unit(&self, value: f64) -> Option<f64> {
-        let place = |value: f64| if self.log { value.log10() } else { value };
+        let place = |value: f64| match self.scale {
+            Scale::Linear => value,
+            Scale::Log => value.log10(),
+            Scale::Signed => value.signum() * (1.0 + value.abs() / 1e-6).log10(),
+        };
         let share = (place(value) - place(self.from.1)) / (place(self.to.1) - place(self.from.1));
         let unit = self.from.0 + share * (self.to.0 - self.from.0);
         unit.is_finite().then_some(unit)
@@ -81,8 +95,14 @@ impl Axis {
         // Powers of ten that differ; a linear axis may have one that is common to all.
         let powers: BTreeSet<i64> =
             ticks.iter().filter(|t| t.1 > 0.0).map(|t| t.1.log10().floor() as i64).collect();
-        let log = ticks.iter().all(|tick| tick.2) && powers.len() > 1;
-        let axis = Self { from: (first.0, first.1), to: (last.0, last.1), log };
+        let is_power =
+            |value: f64| (value.abs().log10() - value.abs().log10().round()).abs() < 1e-9;
+        let scale = match powers.len() > 1 {
+            true if ticks.iter().all(|tick| tick.2) => Scale::Log,
+            true if ticks.iter().all(|tick| tick.1 == 0.0 || is_power(tick.1)) => Scale::Signed,
+            _ => Scale::Linear,
+        };
+        let axis = Self { from: (first.0, first.1), to: (last.0, last.1), scale };
         for (unit, value, _) in ticks {
             let there = axis.unit(value).expect("a tick has a place");
             assert!((there - unit).abs() < 0.25, "{name}: the tick {value} is at {unit}");
@@ -139,6 +159,7 @@ fn value_of(label: &str) -> Option<(f64, bool)> {
         let exponent: i32 = exponent.trim_end_matches('}').parse().ok()?;
         let mantissa = match mantissa.trim_end_matches('×') {
             "" => 1.0,
+            "-" => -1.0,
             mantissa => mantissa.parse().ok()?,
         };
         return Some((mantissa * 10_f64.powi(exponent), true));
@@ -219,7 +240,8 @@ fn series(node: Node) -> Option<(Look, Vec<Vec<Point>>)> {
     let look = |kind, detail: &str| Look { kind, class: rest.into(), detail: detail.into() };
     match kind {
         "line" if d.trim_start().starts_with('m') => Some((look(Dots, ""), strokes(&d))),
-        "line" => {
+        // Thin from the end of a line to its label.
+        "line" | "lead" => {
             let dash = node.attribute("stroke-dasharray").unwrap_or_default();
             Some((look(Line, dash), strokes(&d)))
         }
@@ -249,19 +271,17 @@ impl Drawing {
         let nodes: Vec<Node> =
             document.root_element().children().filter(Node::is_element).collect();
         let is_panel = |node: &Node| node.tag_name().name() == "clipPath";
-        let (before, _) = nodes.split_at(nodes.iter().position(is_panel).unwrap_or(nodes.len()));
+        // Of legends, and the labels at the ends of lines.
         let mut legend: Vec<(String, Vec<Look>)> = Vec::new();
-        let mut looks = Vec::new();
-        let mut after_legend = 0;
-        for (i, node) in before.iter().enumerate() {
-            match node.tag_name().name() {
-                "path" => looks.extend(series(*node).map(|(look, _)| look)),
-                // The texts after the last entry are headings, and have no looks.
-                "text" if !looks.is_empty() => {
-                    legend.push((text(*node), std::mem::take(&mut looks)));
-                    after_legend = i + 1;
-                }
-                _ => {}
+        for entry in nodes.iter().filter(|node| node.attribute("class") == Some("entry")) {
+            let parts: Vec<Node> = entry.children().filter(Node::is_element).collect();
+            let [samples @ .., label] = &parts[..] else { panic!("{name}: an empty entry") };
+            assert_eq!(label.tag_name().name(), "text", "{name}: an entry without a label");
+            let looks = samples.iter().filter_map(|node| series(*node)).map(|(look, _)| look);
+            let label = text(*label);
+            match legend.iter_mut().find(|(known, _)| *known == label) {
+                Some((_, known)) => known.extend(looks),
+                None => legend.push((label, looks.collect())),
             }
         }
         let starts: Vec<usize> = (0..nodes.len()).filter(|i| is_panel(&nodes[*i])).collect();
@@ -276,7 +296,7 @@ impl Drawing {
             let (left, top) = (number("x") + 2.0, number("y") + 2.0);
             let (right, bottom) = (left + number("width") - 4.0, top + number("height") - 4.0);
             let inside = &nodes[*start..end];
-            let since = if i == 0 { after_legend } else { starts[i - 1] };
+            let since = if i == 0 { 0 } else { starts[i - 1] };
             let heading = Label::all(&nodes[since..*start]).into_iter().filter(|label| {
                 let above = panels.last().filter(|last| last.top < top - 1.0);
                 label.anchor == "start"
@@ -613,11 +633,16 @@ fn figure_7() -> Vec<Expected> {
 }
 
 fn energy_predicted() -> Vec<Expected> {
-    let rows = STUDY.convergence.iter();
-    let markers = rows.map(|row| {
-        expect("energy error", title(row.method), Marker, STEPS.into_iter().zip(row.drift))
+    let all = predictions();
+    let ids = ["fe", "se", "rk4", "vv"];
+    let rows = STUDY.convergence.iter().zip(ids).map(|(row, id)| {
+        let ratios = STEPS.into_iter().zip(row.drift).map(|(h, drift)| {
+            let cell = all.iter().find(|cell| cell.id == format!("T4.{id}.{h}")).unwrap();
+            (h, drift / cell.value - 1.0)
+        });
+        expect(title(row.method), "", Marker, ratios)
     });
-    markers.collect()
+    rows.collect()
 }
 
 fn cancellation() -> Vec<Expected> {
@@ -720,17 +745,6 @@ fn rounding_walk_expected() -> Vec<Expected> {
     expected
 }
 
-fn decision() -> Vec<Expected> {
-    let mut cells: BTreeMap<&str, Vec<Point>> = BTreeMap::new();
-    for cell in choosing::map() {
-        if let Some(best) = cell.ranking.first() {
-            let at = (cell.periods as f64, cell.allowed);
-            cells.entry(title(best.method)).or_default().push(at);
-        }
-    }
-    cells.into_iter().map(|(label, at)| expect("angle error", label, Marker, at)).collect()
-}
-
 fn poincare() -> Vec<Expected> {
     vec![expect("ω (rad/s)", "", Dots, beyond::poincare(24_000).into_iter().map(plane))]
 }
@@ -783,7 +797,7 @@ fn turning_ellipse() -> Vec<Expected> {
 fn resonances() -> Vec<Expected> {
     let line = |name| {
         let label = title(of(name));
-        expect(format!("(J), {label}"), label, Line, resonance::line(of(name)))
+        expect(format!("(J), {label}"), "", Line, resonance::line(of(name)))
     };
     vec![line("blanes-moan-6"), line("stormer-verlet")]
 }
@@ -859,7 +873,6 @@ const NOT_MEASURED: [&str; 4] = ["forces", "triple_jump", "area", "cat"];
 #[case("five_periods", five_periods)]
 #[case("standard_map", standard_map_expected)]
 #[case("rounding_walk", rounding_walk_expected)]
-#[case("decision", decision)]
 #[case("poincare", poincare)]
 #[case("separation", separation)]
 #[case("kapitza", kapitza)]
@@ -875,6 +888,43 @@ const NOT_MEASURED: [&str; 4] = ["forces", "triple_jump", "area", "cat"];
 #[case("swings", swings)]
 fn a_figure_shows_what_was_measured(#[case] name: &str, #[case] expected: fn() -> Vec<Expected>) {
     compare(name, &Drawing::of(name), &expected());
+}
+
+/// The band of each chart is read back at the steps of the table, and so is where its markers are.
+///
+/// Catches: a marker outside of its band, a band of another method, one that is too wide by the
+/// factor of ten that makes every theory true.
+#[test]
+fn what_is_predicted_lies_in_its_band() {
+    let (drawing, all) = (Drawing::of("energy_predicted"), predictions());
+    for (method, id) in papers().zip(["fe", "se", "rk4", "vv"]) {
+        let panel =
+            drawing.panels.iter().find(|panel| panel.heading.contains(title(method))).unwrap();
+        let is_band = |look: &Look| look.kind == Line && look.class == "fill";
+        let (_, band) = panel.drawn.iter().find(|(look, _)| is_band(look)).expect("a band");
+        let (_, marks) = panel.drawn.iter().find(|(look, _)| look.kind == Marker).unwrap();
+        for (h, (x, y)) in STEPS.into_iter().zip(&marks[0]) {
+            let cell = all.iter().find(|cell| cell.id == format!("T4.{id}.{h}")).unwrap();
+            let at = panel.x.unit(h).unwrap();
+            assert!((at - x).abs() < 0.5, "{id}: {h}");
+            // Where a side of the polygon passes over the step.
+            let sides = band[0].windows(2).filter(|side| {
+                (side[0].0.min(side[1].0) - 0.06..=side[0].0.max(side[1].0) + 0.06).contains(&at)
+            });
+            let heights = sides.map(|side| {
+                let share = ((at - side[0].0) / (side[1].0 - side[0].0)).clamp(0.0, 1.0);
+                let share = if share.is_finite() { share } else { 0.0 };
+                side[0].1 + share * (side[1].1 - side[0].1)
+            });
+            let (top, bottom) =
+                heights.fold((f64::MAX, f64::MIN), |(l, h), y| (l.min(y), h.max(y)));
+            for (drawn, sign) in [(top, 1.0), (bottom, -1.0)] {
+                let there = panel.y.unit(sign * cell.tolerance).unwrap();
+                assert!((drawn - there).abs() < 1.0, "{id}, {h}: {drawn}, not {there}");
+            }
+            assert!((top - 0.1..=bottom + 0.1).contains(y), "{id}, {h}: {y}");
+        }
+    }
 }
 
 /// The two curves of the periods have no entry in the legend but notes beside them. Corners and
@@ -912,6 +962,83 @@ fn the_dashed_curve_of_the_periods_is_the_first_correction() {
     for corner in corners(false).into_iter().filter(|corner| angle(corner.0) < 2.5) {
         let theta_0 = angle(corner.0).max(1e-3);
         is_at(corner, theta_0, exact::period(&Pendulum::PAPER, theta_0).unwrap() / small);
+    }
+}
+
+/// The share of opacity by how many more evaluations the second best needs, in hundredths.
+fn opacity_of(lead: f64) -> &'static str {
+    match lead {
+        lead if lead < 5.0 => "0.25",
+        lead if lead < 25.0 => "0.5",
+        lead if lead < 60.0 => "0.75",
+        _ => "1",
+    }
+}
+
+/// Each cell is read off the axes: it lies where its length and its error are, in the colour that
+/// the legend gives the cheapest method, as opaque as its lead says; the text that a mouse shows
+/// has its numbers.
+///
+/// Catches: rows exchanged for columns, a cell in the colour of the second best, a lead of the
+/// wrong pair, a cell that is missing or drawn twice, the steps of another method.
+#[test]
+fn the_decision_map_shows_each_winner_in_its_cell() {
+    let figure = figures().find(|figure| figure.name == "decision").expect("the figure");
+    let svg = figure.svg(&STUDY);
+    let document = Document::parse(&svg).expect("an SVG");
+    let panel = &Drawing::read(&svg, "decision").panels[0];
+    let is_cell = |node: &Node| node.attribute("class").is_some_and(|c| c.starts_with("cell"));
+    let cells: Vec<Node> =
+        document.root_element().children().filter(Node::is_element).filter(is_cell).collect();
+    let entries = document.descendants().filter(|node| node.attribute("class") == Some("entry"));
+    let mut legend: BTreeMap<String, String> = BTreeMap::new();
+    for entry in entries {
+        let sample = entry.children().find(is_cell).expect("a sample");
+        let label = entry.children().rfind(|node| node.tag_name().name() == "text");
+        let class = sample.attribute("class").unwrap().to_string();
+        legend.insert(text(label.expect("a label")), class);
+    }
+    let map = choosing::map();
+    assert_eq!(cells.len(), map.len());
+    for cell in &map {
+        let (x, y) =
+            (panel.x.unit(cell.periods as f64).unwrap(), panel.y.unit(cell.allowed).unwrap());
+        let there = |node: &&Node| {
+            let corners = strokes(node.attribute("d").unwrap()).concat();
+            let spans = |pick: fn(&Point) -> f64, at: f64| {
+                let values = corners.iter().map(pick);
+                let (low, high) =
+                    values.fold((f64::MAX, f64::MIN), |(l, h), v| (l.min(v), h.max(v)));
+                (low..high).contains(&at)
+            };
+            spans(|p| p.0, x) && spans(|p| p.1, y)
+        };
+        let mut found = cells.iter().filter(there);
+        let (Some(drawn), None) = (found.next(), found.next()) else {
+            panic!("not one cell at {} periods, {}", cell.periods, cell.allowed)
+        };
+        let hover = text(drawn.first_element_child().expect("a text for the mouse"));
+        assert!(hover.starts_with(&format!("{} period", cell.periods)), "{hover}");
+        let (class, opacity) =
+            (drawn.attribute("class").unwrap(), drawn.attribute("fill-opacity").unwrap());
+        let Some(best) = cell.ranking.first() else {
+            assert!(class == "cell" && opacity == "0" && hover.contains("rounding"), "{hover}");
+            continue;
+        };
+        assert_eq!(legend[title(best.method)], class, "{hover}");
+        let of_best = format!(
+            ": {}, {} steps a period, {} evaluations; ",
+            title(best.method),
+            best.steps,
+            best.evaluations
+        );
+        assert!(hover.contains(&of_best), "{hover}, not {of_best}");
+        if let Some(second) = cell.ranking.get(1) {
+            let lead = (second.evaluations as f64 / best.evaluations as f64 - 1.0) * 100.0;
+            assert_eq!(opacity, opacity_of(lead), "{hover}");
+            let of_second = format!("; {} needs {lead:.0} % more", title(second.method));
+            assert!(hover.ends_with(&of_second), "{hover}, not {of_second}");
+        }
     }
 }
 
@@ -955,7 +1082,8 @@ fn every_axis_says_the_unit_of_its_quantity() {
 fn every_figure_is_read_back() {
     let source = include_str!("figures.rs");
     for figure in figures() {
-        let read = source.contains(&format!("#[case(\"{}\", ", figure.name));
+        let read =
+            figure.name == "decision" || source.contains(&format!("#[case(\"{}\", ", figure.name));
         assert!(read != NOT_MEASURED.contains(&figure.name), "{}", figure.name);
     }
 }

@@ -6,7 +6,7 @@ use anyhow::{Context, ensure};
 use pendula::METHODS;
 use pendula_study::charts::{Axis, Chart, Figure, Style};
 
-use super::{Measured, Measurement, Problem, SCENES};
+use super::{Curve, Measured, Measurement, Problem, SCENES, front};
 use crate::files;
 
 /// The file of the figure.
@@ -43,23 +43,26 @@ pub fn in_the_book(root: &Path) -> anyhow::Result<String> {
     Ok(format!(
         "<figure>\n{svg}<figcaption>Run time against error as <code>pendula \
          work&#45;precision</code> found them on {whose}. Lower left is \
-         better.</figcaption>\n</figure>\n"
+         better: coloured is where a method is ahead of all others, whose lines are grey and name \
+         themselves where a mouse rests on them.</figcaption>\n</figure>\n"
     ))
 }
 
 /// The figure: a chart for each scene, with the same time axis.
 pub fn svg(measured: &Measured) -> String {
     let times = || measured.curves.iter().flat_map(|curve| &curve.points).map(|p| p.seconds);
-    // Room for the markers at both ends.
-    let shortest = times().fold(f64::INFINITY, f64::min) / 1.5;
+    // Room for the names of those that lead, which stand to the left of them.
+    let shortest = times().fold(f64::INFINITY, f64::min) / 8.0;
     let longest = times().fold(0.0, f64::max) * 1.5;
     let label = format!("run time (s), {}", measured.instructions);
     let figure = Figure::new(
         "Run time against error",
         format!(
             "A chart for each of three scenes, both axes logarithmic: the error at the end over \
-             the time a run took, a line of markers for each method, on {}. The higher a method's \
-             order, the more steeply its line falls.",
+             the time a run took, on {}. A thin grey line for each method; wide coloured ones with \
+             names along the lower left edge of all lines, where no method reaches an error \
+             sooner. The higher a method's order, the more steeply its line falls, so that those \
+             of higher order lead towards smaller errors.",
             measured.instructions
         ),
     );
@@ -72,14 +75,21 @@ pub fn svg(measured: &Measured) -> String {
 fn chart(measured: &Measured, scene: &Problem, time: Axis) -> Chart {
     let Problem { theta0, duration } = scene;
     let error = Axis::log(format!("error (rad) after {duration} s from {theta0} rad"));
-    let mut chart = Chart::new(time, error).height(240.0);
-    for (index, method) in METHODS.iter().enumerate() {
-        let title = method.info().title;
-        let curves = measured.curves.iter().filter(|curve| curve.scene == *scene);
-        let points = curves
-            .filter(|curve| curve.method.info().title == title)
-            .flat_map(|curve| with_gaps(&curve.points));
-        chart = chart.series(title, Style::numbered(index), points);
+    let mut chart = Chart::new(time, error).height(270.0);
+    let curves: Vec<&Curve> =
+        measured.curves.iter().filter(|curve| curve.scene == *scene).collect();
+    for curve in &curves {
+        chart = chart.background(curve.method.info().title, with_gaps(&curve.points));
+    }
+    for part in front::of(&curves) {
+        let title = part.method.info().title;
+        let index = METHODS.iter().position(|method| method.info().title == title);
+        let style = Style::numbered(index.unwrap_or(0)).line_only().solid().bold();
+        let middle = part.middle();
+        chart = chart.series("", style, part.points);
+        if let Some((seconds, error)) = middle {
+            chart = chart.note(seconds, error, title);
+        }
     }
     chart
 }

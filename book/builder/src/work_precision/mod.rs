@@ -2,7 +2,7 @@
 //!
 //! Wall time is not a result of the study: no snapshot contains it, and the book shows it only
 //! where it has been measured. In reading order: what is measured, here; which steps count, in
-//! [`ladder`]; the figure in the book, in [`figure`].
+//! [`ladder`]; who leads, in [`front`]; the figure in the book, in [`figure`].
 
 use std::hint::black_box;
 use std::time::Instant;
@@ -15,6 +15,7 @@ use pendula_study::experiments::MethodRef;
 use crate::progress::Progress;
 
 pub mod figure;
+pub mod front;
 pub mod ladder;
 
 /// A release from rest, and the duration of the run.

@@ -6,9 +6,18 @@ use super::text::minus;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Axis {
     pub(super) label: String,
-    log: bool,
+    kind: Kind,
     range: Option<(f64, f64)>,
     ticks: Option<Vec<Tick>>,
+}
+
+/// How values are spread along an axis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Kind {
+    Linear,
+    Log,
+    /// Logarithmic to both sides of zero, and linear up to about this value.
+    Signed(f64),
 }
 
 impl Axis {
@@ -16,12 +25,19 @@ impl Axis {
     ///
     /// Labels everywhere may hold `^{superscripts}` and `_{subscripts}`.
     pub fn linear(label: impl Into<String>) -> Self {
-        Self { label: label.into(), log: false, range: None, ticks: None }
+        Self { label: label.into(), kind: Kind::Linear, range: None, ticks: None }
     }
 
     /// A logarithmic axis. Values that are not positive have no place on it and leave a gap.
     pub fn log(label: impl Into<String>) -> Self {
-        Self { log: true, ..Self::linear(label) }
+        Self { kind: Kind::Log, ..Self::linear(label) }
+    }
+
+    /// An axis for values of either sign and of many magnitudes: v stands at ± lg(1 + |v|/`unit`).
+    /// So it is linear as long as v is small beside the `unit` (positive), and then logarithmic to
+    /// either side.
+    pub fn signed_log(label: impl Into<String>, unit: f64) -> Self {
+        Self { kind: Kind::Signed(unit), ..Self::linear(label) }
     }
 
     /// From `low` to `high` instead of what the data need.
@@ -49,13 +65,16 @@ impl Axis {
         self.range.map(|(low, high)| high - low)
     }
 
-    /// The coordinate along the axis: the value, or its logarithm on a logarithmic axis.
+    /// The coordinate along the axis, on which it is even.
     fn place(&self, value: f64) -> Option<f64> {
-        match self.log {
+        match self.kind {
             _ if !value.is_finite() || value.abs() > 1e300 => None,
-            true if value <= 0.0 => None,
-            true => Some(libm::log10(value)),
-            false => Some(value),
+            Kind::Log if value <= 0.0 => None,
+            Kind::Log => Some(libm::log10(value)),
+            Kind::Signed(unit) => {
+                Some(libm::copysign(libm::log10(1.0 + value.abs() / unit), value))
+            }
+            Kind::Linear => Some(value),
         }
     }
 
@@ -80,14 +99,15 @@ impl Axis {
         if low > high {
             return (0.0, 1.0);
         }
-        let least = if self.log { 0.3 } else { 1e-9 * low.abs().max(high.abs()) };
+        let is_linear = self.kind == Kind::Linear;
+        let least = if is_linear { 1e-9 * low.abs().max(high.abs()) } else { 0.3 };
         let (low, high) = match high - low {
             span if span > least => (low, high),
             _ if low == 0.0 && high == 0.0 => (-1.0, 1.0),
             _ => (low - least.max(0.1 * low.abs()), high + least.max(0.1 * high.abs())),
         };
         match count {
-            _ if self.log => (low - 0.05 * (high - low), high + 0.05 * (high - low)),
+            _ if !is_linear => (low - 0.05 * (high - low), high + 0.05 * (high - low)),
             None => (low, high),
             // Twice, since the wider range may ask for wider steps.
             Some(count) => (0..2).fold((low, high), |(low, high), _| {
@@ -125,10 +145,11 @@ impl Scale<'_> {
 
     /// At most about `count` labelled ticks.
     pub fn ticks(&self, count: usize) -> Vec<Tick> {
-        let mut ticks = match &self.axis.ticks {
-            Some(ticks) => ticks.clone(),
-            None if self.axis.log => log_ticks(self.low, self.high, count),
-            None => linear_ticks(self.low, self.high, count),
+        let mut ticks = match (&self.axis.ticks, self.axis.kind) {
+            (Some(ticks), _) => ticks.clone(),
+            (None, Kind::Log) => log_ticks(self.low, self.high, count),
+            (None, Kind::Signed(unit)) => signed_ticks(unit, self.low, self.high, count),
+            (None, Kind::Linear) => linear_ticks(self.low, self.high, count),
         };
         ticks.retain(|tick| self.contains(tick.value));
         ticks
@@ -167,9 +188,13 @@ fn linear_ticks(low: f64, high: f64, count: usize) -> Vec<Tick> {
         ((low / step.value(1.0) - 1e-9).ceil(), (high / step.value(1.0) + 1e-9).floor());
     let largest = step.value(first.abs().max(last.abs()));
     // 1e5 and more, or all below 1e-3: one power of ten for all labels.
+    // It is the step's, if the labels then have two digits at most: 5×10⁻⁶, and not 0.5×10⁻⁵.
     let power = match largest {
         v if (1e-3..1e5).contains(&v) => 0,
-        v => libm::log10(v * (1.0 + 1e-9)).floor() as i32,
+        v => {
+            let power = libm::log10(v * (1.0 + 1e-9)).floor() as i32;
+            if power - step.exponent <= 1 { step.exponent } else { power }
+        }
     };
     let decimals = (power - step.exponent).clamp(0, 17) as usize;
     let scale = libm::pow(10.0, f64::from(power.abs()));
@@ -214,6 +239,23 @@ fn log_ticks(low: f64, high: f64, count: usize) -> Vec<Tick> {
     ticks
 }
 
+/// Zero, and every few decades to either side of it, from ten units on.
+fn signed_ticks(unit: f64, low: f64, high: f64, count: usize) -> Vec<Tick> {
+    let farthest = low.abs().max(high.abs());
+    let last = libm::floor(libm::log10(unit) + farthest + 1e-9) as i32;
+    let first = libm::ceil(libm::log10(unit) + 1.0 - 1e-9) as i32;
+    let decades = (last - first + 1).max(1) as usize;
+    let stride = decades.div_ceil((3 * count / 4).max(1));
+    let mut ticks = vec![Tick { value: 0.0, label: Some("0".into()) }];
+    for k in (first..=last).rev().step_by(stride) {
+        let power = format!("10^{{{}}}", minus(&k.to_string()));
+        let value = libm::pow(10.0, f64::from(k));
+        ticks.push(Tick { value, label: Some(power.clone()) });
+        ticks.push(Tick { value: -value, label: Some(format!("−{power}")) });
+    }
+    ticks
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -244,9 +286,12 @@ mod tests {
         let axis = Axis::linear("x");
         assert_eq!(
             labels(&axis, &[0.0, 2e-5], 4),
-            ["0", "0.5×10^{−5}", "1.0×10^{−5}", "1.5×10^{−5}", "2.0×10^{−5}"]
+            ["0", "5×10^{−6}", "10×10^{−6}", "15×10^{−6}", "20×10^{−6}"]
         );
         assert_eq!(labels(&axis, &[0.0, 2e6], 2), ["0", "1×10^{6}", "2×10^{6}"]);
+        assert_eq!(labels(&axis, &[0.0, 1e7], 2), ["0", "5×10^{6}", "10×10^{6}"]);
+        let far = [1e6, 1e6 + 2e4];
+        assert_eq!(labels(&axis, &far, 2), ["1.00×10^{6}", "1.01×10^{6}", "1.02×10^{6}"]);
     }
 
     /// Catches: powers of ten with a hyphen, or one label for each of fourteen decades.
@@ -331,5 +376,25 @@ mod tests {
         assert_eq!(labels(0.0, 0.7, 5)[..3], ["10^{0}", "2×10^{0}", "5×10^{0}"]);
         // 25 decades for three labels: every ninth.
         assert_eq!(labels(-12.0, 12.0, 3), ["10^{−9}", "10^{0}", "10^{9}"]);
+    }
+
+    /// Catches: a value beside its place, signs exchanged, a tick that is not where its value is,
+    /// labels for each of many decades.
+    #[test]
+    fn a_signed_axis_is_even_about_zero() {
+        let axis = Axis::signed_log("x", 1e-6).range(-1e-1, 1e-1);
+        let scale = axis.scale(std::iter::empty(), None);
+        let end = libm::log10(1.0 + 1e5);
+        for (value, place) in [(0.0, 0.0), (9e-6, 1.0), (-9e-6, -1.0), (1e-1, end), (-1e-1, -end)] {
+            let expected = 0.5 + 0.5 * place / end;
+            assert!((scale.fraction(value).unwrap() - expected).abs() < 1e-15, "{value}");
+        }
+        assert!(scale.fraction(f64::NAN).is_none() && !scale.contains(0.11));
+        let labels = |count| -> Vec<String> {
+            scale.ticks(count).into_iter().filter_map(|tick| tick.label).collect()
+        };
+        assert_eq!(labels(2), ["0", "10^{−1}", "−10^{−1}"]);
+        let five = ["0", "10^{−1}", "−10^{−1}", "10^{−3}", "−10^{−3}", "10^{−5}", "−10^{−5}"];
+        assert_eq!(labels(4), five);
     }
 }

@@ -18,15 +18,19 @@
 //! ```
 
 mod axis;
+mod ends;
 mod path;
 mod plot;
+mod regions;
 mod style;
 mod text;
 
 pub use axis::Axis;
 use axis::Scale;
+use ends::End;
 use path::{Num, Point};
 use plot::Plot;
+pub use regions::{Cell, Map, Name};
 pub use style::Style;
 pub use text::wrapped;
 use text::{draw_text, escape, line, width};
@@ -88,15 +92,30 @@ impl Figure {
         let id = format!("fig-{}", id.chars().map(plain).collect::<String>());
         let styles: Vec<Style> =
             self.panels.iter().flat_map(|chart| &chart.series).map(|series| series.style).collect();
-        let mut body = String::new();
-        let mut top = self.draw_legend(&mut body);
+        let maps = self.panels.iter().filter_map(|chart| chart.map.as_ref());
+        let areas = maps.flat_map(|map| map.names.iter().filter_map(|name| name.colour)).collect();
         let scales: Vec<_> = self.panels.iter().map(Chart::scales).collect();
+        let ends = match self.columns {
+            1 => ends::of(&self.panels, &scales),
+            _ => self.panels.iter().map(|_| Vec::new()).collect(),
+        };
+        let beside = RIGHT.max(ends::room(&ends));
+        let mut known: Vec<Entry> = ends.iter().flatten().map(End::entry).collect();
+        let (mut body, mut top) = (String::new(), 0.0);
         let charts = self.panels.iter().zip(&scales).filter(|(chart, _)| !chart.sketch);
         let labels = charts.flat_map(|(chart, (_, y))| y.ticks(chart.y_ticks()));
         let widths = labels.filter_map(|tick| tick.label).map(|label| width(&label));
         let margin = widths.fold(24.0, f64::max) + 14.0;
         let rows = self.panels.chunks(self.columns).zip(scales.chunks(self.columns));
         for (row, (charts, scales)) in rows.enumerate() {
+            let entries = entries(charts);
+            let is_known = |(label, styles): &Entry| {
+                let mut known = known.iter().filter(|entry| entry.0 == *label);
+                known.any(|entry| styles.iter().all(|style| entry.1.contains(style)))
+            };
+            let unknown: Vec<Entry> = entries.into_iter().filter(|e| !is_known(e)).collect();
+            top += draw_legend(&mut body, &unknown, top);
+            known.extend(unknown);
             let repeats = |i: usize| i > 0 && charts[i - 1].y == charts[i].y;
             let margins = (0..self.columns.min(charts.len()))
                 .map(|i| {
@@ -109,7 +128,7 @@ impl Figure {
                     }
                 })
                 .collect::<Vec<_>>();
-            let free = WIDTH - margins.iter().sum::<f64>() - RIGHT * self.columns as f64;
+            let free = WIDTH - margins.iter().sum::<f64>() - beside * self.columns as f64;
             let (mut edge, mut bottom) = (0.0, top);
             for (i, (chart, (x, y))) in charts.iter().zip(scales).enumerate() {
                 let index = row * self.columns + i;
@@ -121,8 +140,9 @@ impl Figure {
                 let left = edge + margins[i];
                 let right = left + free / self.columns as f64;
                 let plot = Plot::new(chart, [x, y], written, [edge, left, right], top);
-                bottom = plot.draw(&mut body, &format!("{id}-clip-{index}")).max(bottom);
-                edge = right + RIGHT;
+                let clip = format!("{id}-clip-{index}");
+                bottom = plot.draw(&mut body, &clip, &ends[index]).max(bottom);
+                edge = right + beside;
             }
             top = bottom;
         }
@@ -148,52 +168,68 @@ impl Figure {
              id=\"{id}-desc\">{}</desc>\n{}{above}{body}</svg>\n",
             escape(&self.title),
             wrapped(&escape(&self.description)),
-            style::style_sheet(&id, &styles, alone),
+            style::style_sheet(&id, &styles, areas, alone),
         )
     }
+}
 
-    /// Draws the legend in even columns and returns where it ends.
-    fn draw_legend(&self, out: &mut String) -> f64 {
-        const SWATCH: f64 = 46.0;
-        let mut entries: Vec<(&str, Vec<Style>)> = Vec::new();
-        for Series { label, style, .. } in self.panels.iter().flat_map(|chart| &chart.series) {
-            if label.is_empty() || style.is_guide() {
-                continue;
-            }
-            match entries.iter_mut().find(|(known, _)| known == label) {
-                Some((_, styles)) if styles.contains(style) => {}
-                Some((_, styles)) => styles.push(*style),
-                None => entries.push((label, vec![*style])),
-            }
+/// A label and how what it names is drawn.
+type Entry<'a> = (&'a str, Vec<Style>);
+
+/// What these charts show.
+fn entries(charts: &[Chart]) -> Vec<Entry<'_>> {
+    let mut entries: Vec<Entry> = Vec::new();
+    let all = charts.iter().flat_map(|chart| &chart.series);
+    for Series { label, style, .. } in all.filter(|series| series.has_label()) {
+        match entries.iter_mut().find(|(known, _)| known == label) {
+            Some((_, styles)) if styles.contains(style) => {}
+            Some((_, styles)) => styles.push(*style),
+            None => entries.push((label, vec![*style])),
         }
-        let widest = entries.iter().map(|e| width(e.0)).fold(0.0, f64::max) + SWATCH + 18.0;
-        let columns = ((WIDTH / widest).floor() as usize).clamp(1, 4);
-        let rows = entries.len().div_ceil(columns);
-        for (i, (label, styles)) in entries.into_iter().enumerate() {
-            // Down the columns, so that the order of the list is kept within each.
-            let (x, y) = ((i / rows) as f64 * widest, (i % rows) as f64 * ROW + 13.0);
-            for style in styles.iter().filter(|style| style.has_line()) {
-                let mut ends = [(x + 1.0, y), (x + 37.0, y)];
-                let head = style.is_arrow().then(|| path::head(&mut ends, 0.0)).flatten();
-                let d = match style.is_filled() {
-                    true => format!("M{},{}h36v14h-36z", Num(x + 1.0), Num(y - 7.0)),
-                    false => format!("M{},{}h{}", Num(x + 1.0), Num(y), Num(ends[1].0 - ends[0].0)),
-                };
-                line(out, format!(r#"<path {} d="{d}"/>"#, style.line_attributes()));
-                if let Some(head) = head {
-                    line(out, style.head(head, ""));
-                }
-            }
-            for style in styles.iter().filter(|style| style.is_dots()) {
-                let sprinkle = [(4.0, -2.0), (10.0, 4.0), (19.0, 0.0), (27.0, -4.0), (33.0, 3.0)];
-                line(out, style.dotted(sprinkle.map(|(dx, dy)| (x + dx, y + dy)).to_vec()));
-            }
-            for style in styles.iter().filter(|style| style.has_marker()) {
-                line(out, style.markers([(x + 19.0, y)]));
-            }
-            draw_text(out, "", (x + SWATCH, y + 6.0), "start", label);
+    }
+    entries
+}
+
+/// Draws a legend in even columns below `top`, and returns how high it is.
+fn draw_legend(out: &mut String, entries: &[Entry], top: f64) -> f64 {
+    const SWATCH: f64 = 46.0;
+    let widest = entries.iter().map(|e| width(e.0)).fold(0.0, f64::max) + SWATCH + 18.0;
+    let columns = ((WIDTH / widest).floor() as usize).clamp(1, 4);
+    let rows = entries.len().div_ceil(columns);
+    for (i, (label, styles)) in entries.iter().enumerate() {
+        // Down the columns, so that the order of the list is kept within each.
+        let (x, y) = ((i / rows) as f64 * widest, top + (i % rows) as f64 * ROW + 13.0);
+        line(out, ENTRY.into());
+        key(out, styles, (x + 1.0, y), 36.0);
+        draw_text(out, "", (x + SWATCH, y + 6.0), "start", label);
+        line(out, "</g>".into());
+    }
+    if rows == 0 { 0.0 } else { rows as f64 * ROW + 6.0 }
+}
+
+/// An entry of a legend, or the label at the end of a line: samples and their text.
+const ENTRY: &str = r#"<g class="entry">"#;
+
+/// Draws a sample of each of the styles, `length` long from (`x`, `y`) to the right.
+fn key(out: &mut String, styles: &[Style], (x, y): Point, length: f64) {
+    for style in styles.iter().filter(|style| style.has_line()) {
+        let mut ends = [(x, y), (x + length, y)];
+        let head = style.is_arrow().then(|| path::head(&mut ends, 0.0)).flatten();
+        let d = match style.is_filled() {
+            true => format!("M{},{}h{length}v14h-{length}z", Num(x), Num(y - 7.0)),
+            false => format!("M{},{}h{}", Num(x), Num(y), Num(ends[1].0 - x)),
+        };
+        line(out, format!(r#"<path {} d="{d}"/>"#, style.line_attributes()));
+        if let Some(head) = head {
+            line(out, style.head(head, ""));
         }
-        if rows == 0 { 0.0 } else { rows as f64 * ROW + 6.0 }
+    }
+    for style in styles.iter().filter(|style| style.is_dots()) {
+        let sprinkle = [(3.0, -2.0), (9.0, 4.0), (18.0, 0.0), (26.0, -4.0), (32.0, 3.0)];
+        line(out, style.dotted(sprinkle.map(|(dx, dy)| (x + dx, y + dy)).to_vec()));
+    }
+    for style in styles.iter().filter(|style| style.has_marker()) {
+        line(out, style.markers([(x + length / 2.0, y)]));
     }
 }
 
@@ -207,13 +243,23 @@ pub struct Chart {
     height: f64,
     series: Vec<Series>,
     marks: Vec<Mark>,
+    map: Option<Map>,
 }
 
 #[derive(Clone, Debug)]
 struct Series {
     label: String,
+    /// Shown where a mouse rests on the line.
+    hover: String,
     style: Style,
     points: Vec<Point>,
+}
+
+impl Series {
+    /// Whether it is named, in a legend or at its end.
+    fn has_label(&self) -> bool {
+        !self.label.is_empty() && !self.style.is_guide() && !self.points.is_empty()
+    }
 }
 
 #[derive(Clone, Debug)]
@@ -238,8 +284,16 @@ enum Mark {
 impl Chart {
     /// An empty chart, 300 units high (600 are its width).
     pub const fn new(x: Axis, y: Axis) -> Self {
-        let heading = String::new();
-        Self { x, y, sketch: false, heading, height: 300.0, series: Vec::new(), marks: Vec::new() }
+        Self {
+            x,
+            y,
+            sketch: false,
+            heading: String::new(),
+            height: 300.0,
+            series: Vec::new(),
+            marks: Vec::new(),
+            map: None,
+        }
     }
 
     /// An empty sketch of what lies between these two values of x and of y: it has no axes, and one
@@ -271,7 +325,20 @@ impl Chart {
         points: impl IntoIterator<Item = (f64, f64)>,
     ) -> Self {
         let points = points.into_iter().collect();
-        self.series.push(Series { label: label.into(), style, points });
+        self.series.push(Series { label: label.into(), hover: String::new(), style, points });
+        self
+    }
+
+    /// With a thin line in the background that has no label, but names itself where a mouse rests
+    /// on it.
+    pub fn background(
+        mut self,
+        name: impl Into<String>,
+        points: impl IntoIterator<Item = (f64, f64)>,
+    ) -> Self {
+        let (label, hover) = (String::new(), name.into());
+        let points = points.into_iter().collect();
+        self.series.push(Series { label, hover, style: Style::BACKGROUND, points });
         self
     }
 
@@ -302,6 +369,11 @@ impl Chart {
     pub fn horizontal_band(mut self, from: f64, to: f64, label: impl Into<String>) -> Self {
         self.marks.push(Mark::Horizontal { from, to, label: label.into() });
         self
+    }
+
+    /// With a map, whose regions are named in it, and a legend of it below.
+    pub fn map(self, map: Map) -> Self {
+        Self { map: Some(map), ..self }
     }
 
     /// With a text beside the point (`x`, `y`), on the side where there is most room.
@@ -421,7 +493,7 @@ mod tests {
             .map(|line| line.matches('M').count())
             .collect();
         assert_eq!(strokes, [2, 2]);
-        let dots = elements(&svg).filter(|element| element.contains("class=\"dot")).last().unwrap();
+        let dots = elements(&svg).find(|element| element.contains("class=\"dot")).unwrap();
         assert_eq!(dots.matches('M').count(), 2);
     }
 
@@ -616,6 +688,23 @@ mod tests {
             .filter(|n| *n > 0)
             .collect();
         assert_eq!(dots, [5, 100]);
+    }
+
+    /// Catches: a line of the background that does not name itself, that has a label or is as wide
+    /// as the others; a line made bold that is not; a rule that every other figure has to carry.
+    #[test]
+    fn the_background_is_thin_and_names_itself() {
+        let line = [(0.0, 0.0), (1.0, 1.0)];
+        let plain = Chart::new(Axis::linear("x"), Axis::linear("y"));
+        let of = |chart: Chart| Figure::new("t", "d").panel(chart).to_svg("x");
+        let bold = Style::numbered(1).line_only().solid().bold();
+        let svg = of(plain.clone().background("a & b", line).series("", bold, line));
+        assert_eq!(svg.matches("<title>a &amp; b</title></path>").count(), 1);
+        assert_eq!(svg.matches("a &amp; b").count(), 1);
+        let count = |class: &str| svg.matches(&format!("<path class=\"{class}\" ")).count();
+        assert_eq!((count("line thin"), count("line bold blue")), (1, 1));
+        assert!(svg.contains(" .thin {") && !svg.contains(ENTRY));
+        assert!(!of(plain.series("", Style::numbered(1), line)).contains(".bold"));
     }
 
     /// Catches: an empty figure or chart that panics.

@@ -2,9 +2,11 @@
 
 use std::fmt::Write;
 
+use super::ends::{self, End};
 use super::path::{self, Num, Point};
-use super::text::{draw_text, line, width};
-use super::{Chart, Mark, RIGHT, ROW, Scale, Series};
+use super::regions::{self, Map, Name};
+use super::text::{draw_text, escape, line, width};
+use super::{Chart, ENTRY, Mark, RIGHT, ROW, Scale, Series};
 
 /// Above this many points a line has only [`FEW`] of them marked.
 const MANY: usize = 40;
@@ -49,8 +51,8 @@ impl<'a> Plot<'a> {
         Self { chart, x, y, written, edge, left, right, top, bottom }
     }
 
-    /// Draws the chart and returns where it ends.
-    pub fn draw(mut self, out: &mut String, clip: &str) -> f64 {
+    /// Draws the chart, with labels at the `ends` of its lines, and returns where it ends.
+    pub fn draw(mut self, out: &mut String, clip: &str, ends: &[End]) -> f64 {
         let mut headings = self.headings();
         if self.chart.sketch {
             headings.retain(|row| row.iter().any(|(_, label)| !label.is_empty()));
@@ -75,12 +77,17 @@ impl<'a> Plot<'a> {
         if !chart.sketch {
             self.draw_axes(out);
         }
+        if let Some(map) = &chart.map {
+            self.draw_map(out, map);
+        }
         let dotted = chart.series.iter().enumerate().filter(|(_, s)| s.style.has_marker());
         let dotted: Vec<_> = dotted.map(|(i, s)| (s.style, self.marked(s, i))).collect();
         let under_marker = |end: &Point| {
             dotted.iter().any(|(_, marked)| marked.iter().any(|&p| same_place(p, *end)))
         };
-        for Series { points, style, .. } in chart.series.iter().filter(|s| s.style.has_line()) {
+        for Series { points, style, hover, .. } in
+            chart.series.iter().filter(|s| s.style.has_line())
+        {
             let mut drawn = self.strokes(points);
             let last = drawn.last_mut().filter(|_| style.is_arrow());
             let head = last.and_then(|stroke| {
@@ -96,7 +103,14 @@ impl<'a> Plot<'a> {
                 }
                 false => path::polyline(&drawn),
             };
-            line(out, path::element(&format!("{attributes}{clipped}"), &d));
+            let element = path::element(&format!("{attributes}{clipped}"), &d);
+            match hover.as_str() {
+                "" => line(out, element),
+                name => {
+                    line(out, element.replace("/>", ">"));
+                    line(out, format!("<title>{}</title></path>", escape(name)));
+                }
+            }
             if let Some(corners) = head {
                 line(out, style.head(corners, &clipped));
                 strokes.push(corners.to_vec());
@@ -115,15 +129,85 @@ impl<'a> Plot<'a> {
             strokes.extend(marked.into_iter().map(|point| vec![point]));
         }
         Labels { plot: &self, strokes, taken: Vec::new() }.draw(out);
+        ends::draw(out, ends, [left, right, top]);
         if self.written[0] {
             draw_text(out, "", ((left + right) / 2.0, bottom + 44.0), "middle", &chart.x.label);
         }
-        bottom
+        let end = bottom
             + match self.written[0] {
                 true => 56.0,
                 false if chart.sketch => 0.0,
                 false => 28.0,
+            };
+        end + chart.map.as_ref().map_or(0.0, |map| self.draw_map_key(out, map, end))
+    }
+
+    /// Draws the cells of a map, the outlines of its regions, and their names where there is room.
+    fn draw_map(&self, out: &mut String, map: &Map) {
+        let edges = |values: &[f64], to: &dyn Fn(f64) -> Option<f64>, low: f64, high: f64| {
+            let pixels = values.iter().map(|v| to(*v).unwrap_or(low).clamp(low, high));
+            pixels.collect::<Vec<f64>>()
+        };
+        let x = edges(&map.x, &|v| self.x_pixel(v), self.left, self.right);
+        let y = edges(&map.y, &|v| self.y_pixel(v), self.top, self.bottom);
+        for (i, cell) in map.cells.iter().enumerate() {
+            let (column, row) = (i / map.rows(), i % map.rows());
+            let (a, b) = (Num(x[column]), Num(y[row]));
+            let d = format!("M{a},{b}H{}V{}H{a}z", Num(x[column + 1]), Num(y[row + 1]));
+            line(out, format!("<path {} d=\"{d}\">", map.look(cell)));
+            line(out, format!("<title>{}</title></path>", escape(&cell.hover)));
+        }
+        let regions = map.regions();
+        for region in &regions {
+            let d = regions::closed(&region.outlines(), &x, &y);
+            line(out, path::element(r#"class="edge""#, &d));
+        }
+        for region in &regions {
+            let Name { title, short, .. } = &map.names[region.name];
+            let place = |text| region.place(&x, &y, (width(text) + 8.0, 19.0));
+            let long = place(title).map(|at| (at, title));
+            // A line of text stands on its base line.
+            if let Some(((x, y), text)) = long.or_else(|| Some((place(short)?, short))) {
+                draw_text(out, "halo", (x, y + 6.0), "middle", text);
             }
+        }
+    }
+
+    /// Draws the legend of a map from `top` on, and returns how high it is.
+    fn draw_map_key(&self, out: &mut String, map: &Map, top: f64) -> f64 {
+        const BOX: (f64, f64) = (30.0, 18.0);
+        let mut row = |top: f64, entries: &[(String, &str, &str)]| {
+            let wide = |label: &str| BOX.0 + 8.0 + width(label) + 16.0;
+            let (mut x, mut y) = (self.edge, top + 16.0);
+            for (look, short, label) in entries {
+                if x + wide(label) > self.right + RIGHT && x > self.edge {
+                    (x, y) = (self.edge, y + ROW);
+                }
+                line(out, ENTRY.into());
+                let (w, h) = (Num(BOX.0), Num(BOX.1));
+                let d = format!("M{},{}h{w}v{h}h-{w}z", Num(x), Num(y - 9.0));
+                line(out, format!("<path {look} d=\"{d}\"/>"));
+                line(out, format!("<path class=\"edge\" d=\"{d}\"/>"));
+                if !short.is_empty() {
+                    draw_text(out, "halo", (x + BOX.0 / 2.0, y + 6.0), "middle", short);
+                }
+                draw_text(out, "", (x + BOX.0 + 8.0, y + 6.0), "start", label);
+                line(out, "</g>".into());
+                x += wide(label);
+            }
+            y + 14.0
+        };
+        let names = map.names.iter().filter(|name| !name.short.is_empty());
+        let names: Vec<_> = names
+            .map(|name| (map.colour(name.colour, 1.0), name.short.as_str(), name.title.as_str()))
+            .collect();
+        let shades: Vec<_> = map
+            .shades
+            .iter()
+            .map(|(opacity, label)| (map.colour(None, *opacity), "", label.as_str()))
+            .collect();
+        let end = row(top, &names);
+        if shades.is_empty() { end - top } else { row(end, &shades) - top }
     }
 
     fn x_pixel(&self, value: f64) -> Option<f64> {

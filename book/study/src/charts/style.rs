@@ -15,6 +15,19 @@ const PALETTE: [(&str, &str, &str); 6] = [
     ("ochre", "#9a6a00", "#f5d04a"),
     ("sky", "#3a86b4", "#a5d8ff"),
 ];
+/// The colours of areas, `(on light, on dark)`, under text in the colour of the page's. As seen by
+/// readers without one of the three cones, too, each pair of them is 20 or more apart in CIELAB;
+/// they are given as `area-0` and so on. None is a line's, so that no area is taken for a method
+/// whose line has its colour.
+const AREAS: [(&str, &str); 7] = [
+    ("#d4e9bf", "#aaaad4"),
+    ("#6ae9ff", "#5594e9"),
+    ("#ffd47f", "#d4aa55"),
+    ("#9494e9", "#555594"),
+    ("#3faa7f", "#6a5500"),
+    ("#bf7f3f", "#943f55"),
+    ("#aa7faa", "#e97f7f"),
+];
 const INK: (&str, &str, &str) = ("ink", "#24292f", "#d5dae0");
 const PAPER: (&str, &str, &str) = ("paper", "#ffffff", "#0d1117");
 
@@ -33,6 +46,14 @@ const MARKERS: [&str; 8] = [
 
 const DASHES: [&str; 5] = ["", "14 5", "14 4 2 4", "7 4", "2 4"];
 
+/// How wide a line is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Weight {
+    Thin,
+    Plain,
+    Bold,
+}
+
 /// How a series is drawn.
 ///
 /// Colour, marker and dash all tell it apart, so that no one has to rely on colour alone.
@@ -45,6 +66,7 @@ pub struct Style {
     arrow: bool,
     filled: bool,
     dots: bool,
+    weight: Weight,
 }
 
 impl Style {
@@ -58,6 +80,7 @@ impl Style {
         arrow: false,
         filled: false,
         dots: false,
+        weight: Weight::Plain,
     };
 
     /// A point of the exact solution: a circle in the text's colour.
@@ -66,6 +89,9 @@ impl Style {
     /// An auxiliary line, thin and dotted: labelled in the plot, not in the legend, and ignored by
     /// the automatic range of an axis.
     pub const GUIDE: Self = Self { line: Some(4), guide: true, ..Self::REFERENCE };
+
+    /// What is there beside what matters: a thin, faint line.
+    pub const BACKGROUND: Self = Self { weight: Weight::Thin, ..Self::REFERENCE };
 
     /// The style of the method that stands at `index` in the list of methods: line and marker.
     ///
@@ -79,12 +105,18 @@ impl Style {
         }
     }
 
-    /// The style of the `index`-th of some series that are not methods, and so have no colour:
-    /// they differ in marker and dash.
+    /// The style of the `index`-th of some series that are not methods.
     ///
-    /// The first 8 differ in their marker.
-    pub const fn colourless(index: usize) -> Self {
-        Self { colour: None, ..Self::numbered(index) }
+    /// The first 6 differ in colour, and in marker; neighbours in their dash, too. None is that of
+    /// one of the paper's four methods, which are the first of [`numbered`](Self::numbered).
+    pub const fn series(index: usize) -> Self {
+        const COLOURS: [usize; 6] = [5, 4, 1, 0, 3, 2];
+        Self {
+            colour: Some(COLOURS[index % COLOURS.len()]),
+            line: Some(index % (DASHES.len() - 1)),
+            marker: Some(index % MARKERS.len()),
+            ..Self::REFERENCE
+        }
     }
 
     /// The same without markers.
@@ -108,9 +140,14 @@ impl Style {
         Self { line: Some(0), ..self }
     }
 
+    /// The same with a line that is as wide as two, for what matters most.
+    pub const fn bold(self) -> Self {
+        Self { weight: Weight::Bold, ..self }
+    }
+
     /// The same with a dashed line.
     pub const fn dashed(self) -> Self {
-        Self { line: Some(3), ..self }
+        Self { line: Some(1), ..self }
     }
 
     /// The same as an arrow: an unbroken line with a head where it ends, and no markers.
@@ -149,11 +186,22 @@ impl Style {
 
     /// The attributes of the line.
     pub(super) fn line_attributes(self) -> String {
-        let class = self.class(match self {
+        self.dashed_as(match self {
             Self { guide: true, .. } => "guide",
             Self { filled: true, .. } => "line fill",
+            Self { weight: Weight::Thin, .. } => "line thin",
+            Self { weight: Weight::Bold, .. } => "line bold",
             _ => "line",
-        });
+        })
+    }
+
+    /// The attributes of the thin line from the line's end to its label.
+    pub(super) fn lead(self) -> String {
+        self.dashed_as("lead")
+    }
+
+    fn dashed_as(self, kind: &str) -> String {
+        let class = self.class(kind);
         match DASHES[self.line.unwrap_or(0)] {
             "" => class,
             dash => format!(r#"{class} stroke-dasharray="{dash}""#),
@@ -192,10 +240,17 @@ impl Style {
     }
 }
 
+/// The class of the `index`-th colour of areas. There are as many as [`AREAS`].
+pub(super) fn area(index: usize) -> String {
+    format!("area-{}", index % AREAS.len())
+}
+
 /// The figure's own style sheet: its colours are the book's if the book defines them, and follow
 /// the reader's preference where the figure stands alone. All of it is confined to the class `id`,
 /// and not to the id: where a page shows a figure twice, mdBook gives the second another id.
-pub(super) fn style_sheet(id: &str, used: &[Style], alone: bool) -> String {
+pub(super) fn style_sheet(id: &str, used: &[Style], mut areas: Vec<usize>, alone: bool) -> String {
+    areas.sort_unstable();
+    areas.dedup();
     let mut colours: Vec<_> = used.iter().filter_map(|style| style.colour).collect();
     colours.sort_unstable();
     colours.dedup();
@@ -208,6 +263,11 @@ pub(super) fn style_sheet(id: &str, used: &[Style], alone: bool) -> String {
         }
         for &i in &colours {
             css += &format!(".{id} .{} {{color:{}}}\n", PALETTE[i].0, var(PALETTE[i]));
+        }
+        for &i in &areas {
+            let (name, (light, dark)) = (area(i), AREAS[i % AREAS.len()]);
+            let colour = pick((light, light, dark));
+            css += &format!(".{id} .{name} {{color:var(--pendula-{name},{colour})}}\n");
         }
         css
     };
@@ -222,6 +282,7 @@ pub(super) fn style_sheet(id: &str, used: &[Style], alone: bool) -> String {
         (" .mark", "stroke-width:1.6;stroke-dasharray:7 4"),
         (" .band", "fill:currentColor;stroke:none;opacity:.1"),
         (" .dot", "fill:currentColor;stroke-width:1"),
+        (" .lead", "stroke-width:1.1;opacity:.75"),
     ];
     let mut css = format!(
         ".{id} {{font:{}px var(--pendula-font,system-ui,sans-serif)}}\n\
@@ -230,6 +291,14 @@ pub(super) fn style_sheet(id: &str, used: &[Style], alone: bool) -> String {
     );
     for (selector, rules) in shapes {
         css += &format!(".{id}{selector} {{{rules}}}\n");
+    }
+    if !areas.is_empty() {
+        css += &format!(".{id} .cell {{fill:currentColor;stroke:none}}\n");
+        css += &format!(".{id} .edge {{stroke-width:1.8}}\n");
+    }
+    if used.iter().any(|style| style.weight != Weight::Plain) {
+        css += &format!(".{id} .thin {{stroke-width:1.2;opacity:.35}}\n");
+        css += &format!(".{id} .bold {{stroke-width:4.4}}\n");
     }
     if used.iter().any(|style| style.filled) {
         css += &format!(".{id} .fill {{fill:currentColor;fill-opacity:.2}}\n");
@@ -256,7 +325,8 @@ mod tests {
     /// preprocessors would read.
     #[test]
     fn every_rule_is_confined_to_its_figure() {
-        let css = style_sheet("fig-a", &[Style::numbered(0), Style::REFERENCE.filled()], false);
+        let css =
+            style_sheet("fig-a", &[Style::numbered(0), Style::REFERENCE.filled()], vec![3], false);
         for rule in css.lines().filter(|line| line.ends_with('}') && line.len() > 1) {
             let (selectors, _) = rule.split_once('{').unwrap();
             assert!(selectors.split(',').all(|s| s.starts_with(".fig-a ")), "{rule}");
@@ -277,6 +347,103 @@ mod tests {
         for (name, light, dark) in PALETTE {
             for colour in [light, dark] {
                 assert!(css.contains(&format!("--pendula-{name}: {colour};")), "{name} {colour}");
+            }
+        }
+        for (i, (light, dark)) in AREAS.into_iter().enumerate() {
+            // By itself and printed; dark by choice and by preference.
+            for colour in [light, dark] {
+                let rule = format!("--pendula-{}: {colour};", area(i));
+                assert_eq!(css.matches(&rule).count(), 2, "{rule}");
+            }
+        }
+    }
+
+    /// From sRGB to linear light, as IEC 61966-2-1 has it.
+    fn linear(colour: &str) -> [f64; 3] {
+        core::array::from_fn(|i| {
+            let byte = u8::from_str_radix(&colour[2 * i + 1..2 * i + 3], 16).unwrap();
+            let c = f64::from(byte) / 255.0;
+            if c <= 0.04045 { c / 12.92 } else { libm::pow((c + 0.055) / 1.055, 2.4) }
+        })
+    }
+
+    fn times(matrix: [[f64; 3]; 3], v: [f64; 3]) -> [f64; 3] {
+        matrix.map(|row| row[0] * v[0] + row[1] * v[1] + row[2] * v[2])
+    }
+
+    /// CIELAB with the white of D65.
+    fn lab(light: [f64; 3]) -> [f64; 3] {
+        const XYZ: [[f64; 3]; 3] = [
+            [0.4124564, 0.3575761, 0.1804375],
+            [0.2126729, 0.7151522, 0.072175],
+            [0.0193339, 0.119192, 0.9503041],
+        ];
+        let (xyz, white) = (times(XYZ, light.map(|c| c.clamp(0.0, 1.0))), times(XYZ, [1.0; 3]));
+        let [x, y, z] = core::array::from_fn(|i| {
+            let t = xyz[i] / white[i];
+            if t > 216.0 / 24_389.0 { libm::cbrt(t) } else { (24_389.0 / 27.0 * t + 16.0) / 116.0 }
+        });
+        [116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)]
+    }
+
+    /// What a reader sees of linear light: with all cones, without those for long waves, for middle
+    /// ones, for short ones (Machado, Oliveira and Fernandes, *IEEE Transactions on Visualization
+    /// and Computer Graphics* 15 (2009) 1291, severity 1).
+    const VISIONS: [[[f64; 3]; 3]; 4] = [
+        [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+        [
+            [0.152286, 1.052583, -0.204868],
+            [0.114503, 0.786281, 0.099216],
+            [-0.003882, -0.048116, 1.051998],
+        ],
+        [
+            [0.367322, 0.860646, -0.227968],
+            [0.280085, 0.672501, 0.047413],
+            [-0.01182, 0.04294, 0.968881],
+        ],
+        [
+            [1.255528, -0.076749, -0.178779],
+            [-0.078411, 0.930809, 0.147602],
+            [0.004733, 0.691367, 0.3039],
+        ],
+    ];
+
+    /// Side by side a difference of about 2 can be seen. The palest shade is a quarter of a colour,
+    /// so that 20 leaves about 5.
+    ///
+    /// Catches: two areas that a reader who lacks a kind of cones takes for one, such as the green
+    /// and the vermilion of the lines.
+    #[test]
+    fn areas_differ_for_every_reader() {
+        let nearest = |colours: &[&str]| {
+            let mut nearest = f64::INFINITY;
+            for vision in VISIONS {
+                let seen: Vec<_> = colours.iter().map(|c| lab(times(vision, linear(c)))).collect();
+                for (i, a) in seen.iter().enumerate() {
+                    for b in &seen[..i] {
+                        let square = |k: usize| (a[k] - b[k]) * (a[k] - b[k]);
+                        nearest = nearest.min(libm::sqrt(square(0) + square(1) + square(2)));
+                    }
+                }
+            }
+            nearest
+        };
+        let (light, dark) = (AREAS.map(|area| area.0), AREAS.map(|area| area.1));
+        assert!(nearest(&light) > 20.0 && nearest(&dark) > 20.0);
+        assert!(nearest(&PALETTE.map(|colour| colour.1)) < 10.0, "colours made for lines");
+    }
+
+    /// Catches: series that share a colour or a marker, or the look of one of the paper's methods.
+    #[test]
+    fn series_differ_from_each_other_and_from_methods() {
+        for i in 0..6 {
+            let a = Style::series(i);
+            for j in 0..i {
+                let b = Style::series(j);
+                assert!(a.colour != b.colour && a.marker != b.marker, "{i} and {j}");
+            }
+            for j in 0..4 {
+                assert_ne!(a, Style::numbered(j), "{i} and the method {j}");
             }
         }
     }

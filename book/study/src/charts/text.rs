@@ -69,19 +69,36 @@ fn pieces(markup: &str) -> Vec<(i32, &str)> {
     pieces
 }
 
+/// A tilde over the letter before it, U+0303, which many fonts put through a capital.
+const TILDE: char = '\u{303}';
+
 /// The inside of a `<text>` element.
 pub(super) fn spans(markup: &str) -> String {
+    /// The tilde by itself is put over a capital H, as wide as in most fonts: so far to the left
+    /// and up, and then so far to the right.
+    const BACK: (f64, i32, f64) = (-10.4, -3, 2.0);
     let mut out = String::new();
-    let mut height = 0;
+    let (mut height, mut aside) = (0, 0.0);
     for (level, text) in pieces(markup) {
-        let text = escape(text);
-        let (shift, small) = (level - height, (FONT * SMALL).round());
-        out += &match (shift, level) {
-            (0, 0) => text,
-            (_, 0) => format!(r#"<tspan dy="{shift}">{text}</tspan>"#),
-            _ => format!(r#"<tspan dy="{shift}" font-size="{small}">{text}</tspan>"#),
-        };
-        height = level;
+        for (i, part) in text.split(TILDE).enumerate() {
+            if i > 0 {
+                let (dx, up, forward) = BACK;
+                let dy = level + up - height;
+                out += &format!(r#"<tspan dx="{dx}" dy="{dy}">˜</tspan>"#);
+                (height, aside) = (level + up, forward);
+            }
+            if part.is_empty() {
+                continue;
+            }
+            let (part, shift, small) = (escape(part), level - height, (FONT * SMALL).round());
+            let dx = if aside == 0.0 { String::new() } else { format!(r#" dx="{aside}""#) };
+            out += &match (shift, level) {
+                (0, 0) => part,
+                (_, 0) => format!(r#"<tspan{dx} dy="{shift}">{part}</tspan>"#),
+                _ => format!(r#"<tspan{dx} dy="{shift}" font-size="{small}">{part}</tspan>"#),
+            };
+            (height, aside) = (level, 0.0);
+        }
     }
     out
 }
@@ -89,6 +106,7 @@ pub(super) fn spans(markup: &str) -> String {
 /// About how wide the markup is drawn; a little generous, since the reader's font is unknown.
 pub(super) fn width(markup: &str) -> f64 {
     let em = |c: char| match c {
+        TILDE => 0.0,
         'i' | 'j' | 'l' | 'I' | '.' | ',' | ':' | ';' | '\'' | '|' | ' ' => 0.3,
         'f' | 'r' | 't' | '(' | ')' | '/' | '-' => 0.4,
         'm' | 'w' | 'M' | 'W' => 0.95,
@@ -150,6 +168,22 @@ mod tests {
             "10<tspan dy=\"-6\" font-size=\"12\">−3</tspan><tspan dy=\"6\"> J</tspan>\
              <tspan dy=\"5\" font-size=\"12\">&lt;0</tspan>"
         );
+    }
+
+    /// Catches: a tilde through its letter, text after it that stays raised or stands on it.
+    #[test]
+    fn a_tilde_stands_over_its_letter() {
+        let tilde = "<tspan dx=\"-10.4\" dy=\"-3\">˜</tspan>";
+        assert_eq!(spans("of H\u{303}"), format!("of H{tilde}"));
+        assert_eq!(
+            spans("H\u{303}_{N} (J)"),
+            format!(
+                "H{tilde}<tspan dx=\"2\" dy=\"8\" font-size=\"12\">N</tspan>\
+                 <tspan dy=\"-5\"> (J)</tspan>"
+            )
+        );
+        assert_eq!(spans("H\u{303}b"), format!("H{tilde}<tspan dx=\"2\" dy=\"3\">b</tspan>"));
+        assert_eq!(width("H\u{303}"), width("H"));
     }
 
     /// Catches: a panic or lost text where `^`, `_` or `{` is not markup.

@@ -16,13 +16,8 @@ use super::large_angle::THETA_0;
 use super::released;
 
 /// The five readings, in the order of [`Errors::by`].
-pub const READINGS: [&str; 5] = [
-    "highest sample",
-    "parabola through the peak",
-    "straight line",
-    "Hermite's cubic",
-    "Hénon's step",
-];
+pub const READINGS: [&str; 5] =
+    ["highest sample", "parabola", "straight line", "Hermite's cubic", "Hénon's step"];
 
 /// The errors of the readings at one step.
 #[derive(Clone, Copy, Debug)]

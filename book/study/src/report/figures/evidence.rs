@@ -15,9 +15,11 @@ use crate::theory;
 pub(super) const FIGURES: &[Drawing] = &[
     Drawing {
         name: "energy_predicted",
-        caption: "The energy errors of Figure 2: the markers are measured, the lines are worked \
-                  out from theory without a step of any method. Every line goes through its \
-                  markers, forward Euler's bend included.",
+        caption: "The energy errors of Figure 2, divided by those that theory predicts without a \
+                  step of any method: on the dotted line the two agree, above and below it the \
+                  axis is logarithmic. Shaded is how far they may be apart, by what each theory \
+                  leaves out and by rounding. Every marker is in its band, forward Euler's \
+                  included.",
         noise: false,
         draw: energy_predicted,
     },
@@ -56,34 +58,53 @@ pub(super) const FIGURES: &[Drawing] = &[
     },
 ];
 
-/// Energy error against step, as measured and as predicted.
+/// How far the measured energy errors are from those predicted, relatively, against step.
 fn energy_predicted(study: &Study) -> Figure {
-    let (theta_0, duration) = (convergence::THETA_0, convergence::DURATION);
+    /// A relative difference far below this cannot be told from none.
+    const UNIT: f64 = 1e-6;
+    /// The largest difference that has a place.
+    const FARTHEST: f64 = 0.2;
     // Forward Euler's law is a differential equation solved step by step: fewer points at small
     // steps.
     let coarse = (0..8).map(|k| 500.0 * libm::exp10(f64::from(k) / 8.0));
     let fine = (0..=3).map(|k| 5000.0 * libm::exp10(f64::from(k) / 3.0));
-    let ladder: Vec<f64> = coarse.chain(fine).map(libm::round).collect();
-    let mut chart = Chart::new(Axis::log("Δt (s)"), Axis::log("largest energy error ΔH (J)"));
-    for convergence::Row { method, drift } in &study.convergence {
-        let (name, style) = (method.info().name, style(*method));
-        let law = ladder.iter().filter_map(|&steps| {
-            let h = duration / steps;
-            Some((h, crate::claims::largest_energy_error(name, theta_0, h, steps as u64)?))
-        });
-        chart = chart.series(title(*method), style.line_only(), law).series(
-            title(*method),
-            style.markers_only(),
-            STEPS.into_iter().zip(*drift),
-        );
-    }
-    Figure::new(
-        "Energy error against step, predicted and measured",
-        "Lines and markers on doubly logarithmic axes. Each of the four methods of the paper has a \
-         line, predicted, and five markers, measured, which lie on the line from a tenth to a \
-         thousandth of a second. Forward Euler's line bends twice; the others are nearly straight.",
+    // And those of the markers.
+    let ladder = coarse.chain(fine).chain(STEPS.map(|h| convergence::DURATION / h));
+    let mut ladder: Vec<f64> = ladder.map(libm::round).collect();
+    ladder.sort_by(f64::total_cmp);
+    ladder.dedup();
+    let figure = Figure::new(
+        "Energy error, measured over predicted",
+        "Four charts, one for each method of the paper, of how far the measured energy error is \
+         from the predicted one, relatively, against the step. The axis is logarithmic to both \
+         sides of zero. Five markers lie on zero or close to it, from a tenth to a thousandth of a \
+         second, all within a shaded band: for forward Euler a funnel that is open at large steps, \
+         for the two symplectic methods a narrow strip, for RK4 narrow in the middle, and wider at \
+         large steps and, by rounding, at the smallest.",
     )
-    .panel(chart)
+    .columns(2);
+    study.convergence.iter().fold(figure, |figure, convergence::Row { method, drift }| {
+        let law = |h| crate::claims::energy_error_of_table_4(method.info().name, h);
+        let tolerances = ladder.iter().map(|steps| convergence::DURATION / steps);
+        let tolerances: Vec<_> = tolerances.filter_map(|h| Some((h, law(h)?.1))).collect();
+        let below = tolerances.iter().rev().map(|(h, tolerance)| (*h, -tolerance));
+        let measured = STEPS.into_iter().zip(*drift);
+        let ratios = measured.filter_map(|(h, drift)| Some((h, drift / law(h)?.0 - 1.0)));
+        let chart = Chart::new(
+            Axis::log("Δt (s)").range(6e-4, 0.17),
+            Axis::signed_log("measured/predicted − 1", UNIT).range(-FARTHEST, FARTHEST),
+        )
+        .height(230.0)
+        .heading(title(*method))
+        .series(
+            "what the theory leaves out",
+            Style::REFERENCE.filled(),
+            tolerances.iter().copied().chain(below),
+        )
+        .series("", Style::GUIDE, [(1e-3, 0.0), (0.1, 0.0)])
+        .series("", style(*method).markers_only(), ratios);
+        figure.panel(chart)
+    })
 }
 
 /// Störmer–Verlet's error and the formula's: where they cancel, its errors in the paper's table
@@ -130,7 +151,7 @@ fn five_periods(_: &Study) -> Figure {
     let draw = |chart: Chart, ladder: &[readings::Errors]| {
         readings::READINGS.into_iter().enumerate().fold(chart, |chart, (i, reading)| {
             let line = ladder.iter().map(|errors| (errors.step, errors.by[i]));
-            chart.series(reading, Style::colourless(i), line)
+            chart.series(reading, Style::series(i), line)
         })
     };
     // RK4's error of the period is known: a term in h⁴, and one in h⁵ from the energy lost.
@@ -139,7 +160,13 @@ fn five_periods(_: &Study) -> Figure {
         let terms = theory::rk4::period_error_terms(&Pendulum::PAPER, large_angle::THETA_0, h);
         (h, terms.iter().sum::<f64>().abs())
     });
-    let rk4 = axes("of RK4").series("RK4's own, by theory", style(named("rk4")).line_only(), own);
+    let own: Vec<_> = own.collect();
+    let beginning = own[0];
+    let rk4 = axes("of RK4").series("", style(named("rk4")).line_only(), own).note(
+        beginning.0,
+        beginning.1,
+        "RK4’s own, by theory",
+    );
     let exact = axes("of the exact motion")
         .slope(1.0, (0.1, 0.2), 1e-4, "slope 1")
         .slope(3.0, (0.1, 1e-2), 2e-4, "slope 3")
@@ -149,9 +176,9 @@ fn five_periods(_: &Study) -> Figure {
         "Two charts of the error of the period against the step, on logarithmic axes, with a line \
          for each of five readings. In both, the highest sample falls with slope 1, and parabola \
          and straight line with slope 3 at small steps. Above, where RK4 made the samples, \
-         Hermite's cubic and Hénon's step lie on the one line that theory predicts for RK4, with a \
-         dip near two thousandths of a second; below, off the exact motion, each falls with slope \
-         5 until rounding holds it up.",
+         Hermite's cubic and Hénon's step lie on the one line, without markers, that theory \
+         predicts for RK4, with a dip near two thousandths of a second; below, off the exact \
+         motion, each falls with slope 5 until rounding holds it up.",
     )
     .panel(draw(rk4, &readings::of_rk4()))
     .panel(draw(exact, &readings::of_the_exact_motion()))

@@ -189,7 +189,7 @@ fn swings(_: &Study) -> Figure {
     .series("", Style::REFERENCE, angles().map(ratio));
     for (i, theta_0) in RELEASES.into_iter().enumerate() {
         let label = format!("{theta_0} rad");
-        let (line, mark) = (Style::colourless(i).line_only(), Style::colourless(i).markers_only());
+        let (line, mark) = (Style::series(i).line_only(), Style::series(i).markers_only());
         let motion = Motion::new(&PENDULUM, Phase::at_rest(theta_0)).expect("a finite start");
         let curve = spread(0.0, SWINGING, 800).map(|t| (t, motion.at(t).theta));
         let back = period(&PENDULUM, theta_0).expect("a finite angle");

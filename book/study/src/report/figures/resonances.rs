@@ -25,7 +25,7 @@ fn resonances(_: &Study) -> Figure {
             Axis::log(format!("largest energy error ΔH (J), {}", title(method))),
         )
         .height(240.0)
-        .series(title(method), style(method).line_only().solid(), resonance::line(method));
+        .series("", style(method).line_only().solid(), resonance::line(method));
         resonance::EVEN.into_iter().fold(chart, |chart, count| {
             let place = resonance::place(count, resonance::tau(method));
             chart.vertical(place, format!("{count} a swing"))

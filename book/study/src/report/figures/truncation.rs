@@ -28,7 +28,7 @@ fn truncation(_: &Study) -> Figure {
     .height(260.0);
     let lengths = truncation::STEPS.iter().enumerate().fold(lengths, |chart, (i, x)| {
         let errors = truncation::errors(truncation::THETA_0, *x);
-        chart.series(format!("x = {x}"), Style::colourless(i), powers(errors))
+        chart.series(format!("x = {x}"), Style::series(i), powers(errors))
     });
     let least = Chart::new(
         Axis::linear("1/x").range(1.0, 5.0),
@@ -36,7 +36,7 @@ fn truncation(_: &Study) -> Figure {
     )
     .height(260.0);
     let least = truncation::STARTS.iter().enumerate().fold(least, |chart, (i, theta_0)| {
-        let (label, style) = (format!("from {theta_0} rad"), Style::colourless(3 + i));
+        let (label, style) = (format!("from {theta_0} rad"), Style::series(3 + i));
         let law = (0..=40).map(|k| 1.0 + 0.1 * f64::from(k));
         let law = law.map(|inverse| (inverse, truncation::law(*theta_0, 1.0 / inverse)));
         chart.series("theory", Style::REFERENCE, law).series(
@@ -45,7 +45,7 @@ fn truncation(_: &Study) -> Figure {
             truncation::least(*theta_0),
         )
     });
-    let split = Style::colourless(5).markers_only();
+    let split = Style::series(5).markers_only();
     let least = least.series("splitting of the separatrix", split, truncation::split());
     Figure::new(
         "Optimal truncation",

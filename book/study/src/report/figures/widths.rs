@@ -22,8 +22,8 @@ fn widths(_: &Study) -> Figure {
         Axis::log("t (s)").range(0.2, 60.0),
         Axis::log("width of the bounds of θ (rad)"),
     )
-    .series("rectangles, turned", Style::colourless(0).line_only(), series(Shape::Turned))
-    .series("boxes", Style::colourless(1).line_only(), series(Shape::Box))
+    .series("rectangles, turned", Style::series(0).line_only(), series(Shape::Turned))
+    .series("boxes", Style::series(1).line_only(), series(Shape::Box))
     .slope(2.0, (2.0, 1e-12), 40.0, "slope 2");
     Figure::new(
         "The width of an enclosure",

@@ -1,0 +1,352 @@
+//! A map: cells of a grid, of which those of one name that touch make up a region.
+
+use super::path::{Num, Point};
+use super::style::area;
+
+/// A map on the axes of a chart.
+#[derive(Clone, Debug)]
+pub struct Map {
+    pub(super) x: Vec<f64>,
+    pub(super) y: Vec<f64>,
+    pub(super) names: Vec<Name>,
+    /// Column by column, each from the first row on.
+    pub(super) cells: Vec<Cell>,
+    pub(super) shades: Vec<(f64, String)>,
+}
+
+/// What the cells of a region have in common.
+#[derive(Clone, Debug)]
+pub struct Name {
+    /// Written in the region where there is room.
+    pub title: String,
+    /// Written in small regions instead; the legend says what it stands for.
+    pub short: String,
+    /// Which of the areas' colours; `None` for cells that are left as the paper is.
+    pub colour: Option<usize>,
+}
+
+/// A cell of a map.
+#[derive(Clone, Debug)]
+pub struct Cell {
+    /// Its place in the list of names.
+    pub name: usize,
+    /// Its place in the list of shades.
+    pub shade: usize,
+    /// Shown where a mouse rests on the cell.
+    pub hover: String,
+}
+
+impl Map {
+    /// A map of the columns between neighbours of `x` and the rows between neighbours of `y`, in
+    /// values of the axes. The `cells` stand column by column, in each from the first of `y` on.
+    ///
+    /// # Panics
+    /// If there are not as many cells as places, or if a cell has a name that is not in the list.
+    pub fn new(
+        x: impl IntoIterator<Item = f64>,
+        y: impl IntoIterator<Item = f64>,
+        names: impl IntoIterator<Item = Name>,
+        cells: impl IntoIterator<Item = Cell>,
+    ) -> Self {
+        let (x, y): (Vec<f64>, Vec<f64>) = (x.into_iter().collect(), y.into_iter().collect());
+        let (names, cells): (Vec<_>, Vec<Cell>) =
+            (names.into_iter().collect(), cells.into_iter().collect());
+        let places = x.len().saturating_sub(1) * y.len().saturating_sub(1);
+        assert_eq!(cells.len(), places, "a cell for each place");
+        assert!(cells.iter().all(|cell| cell.name < names.len()), "a name for each cell");
+        Self { x, y, names, cells, shades: Vec::new() }
+    }
+
+    /// With shades: how opaque each is, and what a legend says of it.
+    pub fn shades(self, shades: impl IntoIterator<Item = (f64, String)>) -> Self {
+        Self { shades: shades.into_iter().collect(), ..self }
+    }
+
+    pub(super) fn rows(&self) -> usize {
+        self.y.len().saturating_sub(1)
+    }
+
+    pub(super) fn columns(&self) -> usize {
+        self.x.len().saturating_sub(1)
+    }
+
+    /// The attributes of a cell.
+    pub(super) fn look(&self, cell: &Cell) -> String {
+        let opacity = self.shades.get(cell.shade).map_or(1.0, |(opacity, _)| *opacity);
+        let colour = self.names[cell.name].colour;
+        self.colour(colour, if colour.is_none() { 0.0 } else { opacity })
+    }
+
+    /// The attributes of an area in the colour of that number, or in that of the text.
+    pub(super) fn colour(&self, colour: Option<usize>, opacity: f64) -> String {
+        let class = colour.map_or(String::new(), |i| format!(" {}", area(i)));
+        format!(r#"class="cell{class}" fill-opacity="{opacity}""#)
+    }
+
+    /// Its regions, in the order of their first cells.
+    pub(super) fn regions(&self) -> Vec<Region> {
+        let rows = self.rows();
+        let mut regions: Vec<Region> = Vec::new();
+        let mut taken = vec![false; self.cells.len()];
+        for first in 0..self.cells.len() {
+            if taken[first] {
+                continue;
+            }
+            let name = self.cells[first].name;
+            let (mut cells, mut open) = (Vec::new(), vec![first]);
+            taken[first] = true;
+            while let Some(cell) = open.pop() {
+                cells.push((cell / rows, cell % rows));
+                let (column, row) = (cell / rows, cell % rows);
+                let neighbours = [
+                    (column > 0).then(|| cell - rows),
+                    (column + 1 < self.columns()).then(|| cell + rows),
+                    (row > 0).then(|| cell - 1),
+                    (row + 1 < rows).then(|| cell + 1),
+                ];
+                for other in neighbours.into_iter().flatten() {
+                    if !taken[other] && self.cells[other].name == name {
+                        taken[other] = true;
+                        open.push(other);
+                    }
+                }
+            }
+            cells.sort_unstable();
+            regions.push(Region { name, cells });
+        }
+        regions
+    }
+}
+
+/// Cells of one name that touch along their sides.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Region {
+    /// Its place in the list of names.
+    pub name: usize,
+    /// Column and row of each, sorted.
+    pub cells: Vec<(usize, usize)>,
+}
+
+/// A corner of the grid: column and row of the cell above and to the right of it.
+type Corner = (usize, usize);
+
+impl Region {
+    fn has(&self, column: usize, row: usize) -> bool {
+        self.cells.binary_search(&(column, row)).is_ok()
+    }
+
+    /// Its outlines: the outer one and those of holes, each with the region on its left, and
+    /// without its first corner at the end again.
+    pub fn outlines(&self) -> Vec<Vec<Corner>> {
+        // The sides that it shares with no cell of its own.
+        let mut sides: Vec<(Corner, Corner)> = Vec::new();
+        for &(i, j) in &self.cells {
+            let below = j > 0 && self.has(i, j - 1);
+            let before = i > 0 && self.has(i - 1, j);
+            let all = [
+                (below, (i, j), (i + 1, j)),
+                (self.has(i + 1, j), (i + 1, j), (i + 1, j + 1)),
+                (self.has(i, j + 1), (i + 1, j + 1), (i, j + 1)),
+                (before, (i, j + 1), (i, j)),
+            ];
+            sides.extend(all.into_iter().filter(|side| !side.0).map(|(_, from, to)| (from, to)));
+        }
+        sides.sort_unstable();
+        let mut outlines = Vec::new();
+        while let Some(&(first, mut at)) = sides.first() {
+            sides.remove(0);
+            let mut corners = vec![first];
+            let mut from = first;
+            while at != first {
+                // Where two of its corners touch, the outline keeps to its own cell: it turns left.
+                let next = sides.iter().enumerate().filter(|(_, side)| side.0 == at);
+                let next = next.min_by_key(|(_, side)| turn(from, at, side.1));
+                let (index, &(_, to)) = next.expect("an outline is closed");
+                sides.remove(index);
+                if turn(from, at, to) != 0 {
+                    corners.push(at);
+                }
+                (from, at) = (at, to);
+            }
+            outlines.push(corners);
+        }
+        outlines
+    }
+
+    /// The widest and highest place for a text that is `width` wide and `height` high: the middle
+    /// of the largest rectangle of cells that has room for it, whose edges are at `x` and `y`
+    /// (units of the drawing).
+    pub fn place(&self, x: &[f64], y: &[f64], (width, height): Point) -> Option<Point> {
+        let mut best: Option<(f64, Point)> = None;
+        for &(i, j) in &self.cells {
+            let mut top = usize::MAX;
+            for right in i.. {
+                let mut end = j;
+                while end < top && self.has(right, end) {
+                    end += 1;
+                }
+                top = end;
+                if top == j {
+                    break;
+                }
+                let (w, h) = ((x[right + 1] - x[i]).abs(), (y[top] - y[j]).abs());
+                let middle = (0.5 * (x[right + 1] + x[i]), 0.5 * (y[top] + y[j]));
+                if w >= width && h >= height && best.is_none_or(|(area, _)| w * h > area) {
+                    best = Some((w * h, middle));
+                }
+            }
+        }
+        best.map(|(_, middle)| middle)
+    }
+}
+
+/// Negative for a turn to the left, zero straight on, positive for one to the right.
+fn turn(from: Corner, at: Corner, to: Corner) -> i64 {
+    let less = |a: usize, b: usize| a as i64 - b as i64;
+    let (dx, dy) = (less(at.0, from.0), less(at.1, from.1));
+    let (ex, ey) = (less(to.0, at.0), less(to.1, at.1));
+    dy * ex - dx * ey
+}
+
+/// The attribute `d` of closed lines through these corners.
+pub(super) fn closed(outlines: &[Vec<Corner>], x: &[f64], y: &[f64]) -> String {
+    let mut d = Vec::new();
+    for corners in outlines {
+        let point = |c: &Corner| format!("{},{}", Num(x[c.0]), Num(y[c.1]));
+        let points: Vec<String> = corners.iter().map(point).collect();
+        d.push(format!("M{}z", points.join("L")));
+    }
+    d.join("\n")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Axis, Chart, Figure};
+    use super::*;
+
+    /// The map of a picture of letters, whose first line is its highest row; cells are one wide
+    /// and one high.
+    fn map(picture: &[&str]) -> Map {
+        let rows: Vec<&[u8]> = picture.iter().rev().map(|line| line.as_bytes()).collect();
+        let letter = |column: usize| rows.iter().map(move |row| row[column]);
+        let letters: Vec<u8> = (0..rows[0].len()).flat_map(letter).collect();
+        let mut known = letters.clone();
+        known.sort_unstable();
+        known.dedup();
+        let name = |letter: &u8| known.iter().position(|other| other == letter).unwrap();
+        let cell = |letter| Cell { name: name(letter), shade: 0, hover: String::new() };
+        let names = known.iter().enumerate().map(|(i, letter)| Name {
+            title: format!("the region {}", char::from(*letter)),
+            short: char::from(*letter).to_string(),
+            colour: Some(i),
+        });
+        let edges = |count: usize| (0..=count).map(|k| k as f64);
+        Map::new(edges(rows[0].len()), edges(rows.len()), names, letters.iter().map(cell))
+    }
+
+    /// The area that outlines enclose: holes, which are followed the other way round, count less.
+    fn area_of(outlines: &[Vec<Corner>]) -> f64 {
+        let of = |corners: &Vec<Corner>| {
+            let next = corners.iter().cycle().skip(1);
+            let double = corners
+                .iter()
+                .zip(next)
+                .map(|(a, b)| a.0 as f64 * b.1 as f64 - b.0 as f64 * a.1 as f64);
+            0.5 * double.sum::<f64>()
+        };
+        outlines.iter().map(of).sum()
+    }
+
+    const PICTURES: [&[&str]; 5] = [
+        &["aaaa", "abba", "abba", "aaaa"],
+        &["ab", "ba"],
+        &["aab", "aba", "baa"],
+        &["abcabc", "abcbca", "ccccaa", "abbbbb"],
+        &["aaaaa", "abaca", "aaaaa", "adaea", "aaaaa"],
+    ];
+
+    /// Catches: a cell in two regions, in none, or in one of another name; regions joined at a
+    /// corner; one that is cut in two.
+    #[test]
+    fn each_cell_is_in_exactly_one_region() {
+        for picture in PICTURES {
+            let map = map(picture);
+            let regions = map.regions();
+            let mut all: Vec<_> = regions.iter().flat_map(|region| region.cells.clone()).collect();
+            all.sort_unstable();
+            let places = (0..map.columns()).flat_map(|i| (0..map.rows()).map(move |j| (i, j)));
+            assert_eq!(all, places.collect::<Vec<_>>());
+            for region in &regions {
+                for (i, j) in &region.cells {
+                    assert_eq!(map.cells[i * map.rows() + j].name, region.name);
+                }
+            }
+        }
+        let counts = PICTURES.map(|picture| map(picture).regions().len());
+        assert_eq!(counts, [2, 4, 5, 11, 5]);
+    }
+
+    /// Catches: an outline that goes astray where two corners touch, one without its holes, a side
+    /// that is followed twice.
+    #[test]
+    fn an_outline_encloses_the_area_of_its_cells() {
+        for picture in PICTURES {
+            for region in map(picture).regions() {
+                let outlines = region.outlines();
+                assert_eq!(area_of(&outlines), region.cells.len() as f64, "{outlines:?}");
+                for corners in &outlines {
+                    // Only corners, and none twice in a row.
+                    for k in 0..corners.len() {
+                        let [a, b, c] = [0, 1, 2].map(|by| corners[(k + by) % corners.len()]);
+                        assert!(turn(a, b, c) != 0, "{corners:?}");
+                    }
+                }
+            }
+        }
+        let ring = &map(PICTURES[0]).regions()[0];
+        assert_eq!(ring.outlines()[0], [(0, 0), (4, 0), (4, 4), (0, 4)]);
+        assert_eq!(ring.outlines()[1].len(), 4);
+    }
+
+    /// Catches: a name written over the edge of its region, or not where there is most room.
+    #[test]
+    fn a_name_has_the_largest_place() {
+        let map = map(&["aaab", "abbb", "abbb"]);
+        let edges = [0.0, 10.0, 20.0, 30.0, 40.0];
+        let [a, b] = &map.regions()[..] else { panic!("two regions") };
+        let place = |region: &Region, size| region.place(&edges, &edges[..4], size);
+        assert_eq!(place(b, (5.0, 5.0)), Some((25.0, 10.0)));
+        assert_eq!(place(b, (30.0, 20.0)), Some((25.0, 10.0)));
+        assert_eq!(place(b, (30.1, 5.0)), None);
+        assert_eq!(place(b, (5.0, 30.0)), Some((35.0, 15.0)));
+        assert_eq!(
+            [place(a, (30.0, 10.0)), place(a, (10.0, 30.0))],
+            [Some((15.0, 25.0)), Some((5.0, 15.0))]
+        );
+        assert_eq!(place(a, (20.0, 20.0)), None);
+    }
+
+    /// Catches: a region without a name, a short name where there is room for the whole, one that
+    /// the legend does not explain, a cell without its text, a shade mixed up.
+    #[test]
+    fn a_map_is_written_in_its_regions() {
+        let mut map = map(&["aaaab", "aaaaa", "aaaac"]).shades([(0.5, "half".into())]);
+        map.cells[3].hover = "here & now".into();
+        map.names[2].colour = None;
+        let axis = |end| Axis::linear("").range(0.0, end);
+        let chart = Chart::new(axis(5.0), axis(3.0)).map(map);
+        let svg = Figure::new("t", "d").panel(chart).to_svg("x");
+        let count = |text: &str| svg.matches(text).count();
+        // The large one in itself and in the legend; small ones shortly, and there in full.
+        assert_eq!(["a", "b", "c"].map(|c| count(&format!(">the region {c}<"))), [2, 1, 1]);
+        assert_eq!(["a", "b", "c"].map(|c| count(&format!(">{c}<"))), [1, 2, 2]);
+        assert_eq!(count("<title>here &amp; now</title>"), 1);
+        // Fifteen cells; three names and a shade in the legend.
+        assert_eq!((count("class=\"cell"), count("class=\"edge")), (19, 7));
+        let cells: Vec<_> = svg.split("\n<path ").filter(|part| part.contains("<title>")).collect();
+        let with = |look: &str| cells.iter().filter(|cell| cell.contains(look)).count();
+        assert_eq!(with("class=\"cell area-0\" fill-opacity=\"0.5\""), 13);
+        assert_eq!(with("class=\"cell\" fill-opacity=\"0\""), 1);
+        assert!(svg.contains(".area-1 {") && !svg.contains(".area-2 {"));
+    }
+}
