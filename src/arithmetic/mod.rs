@@ -1,5 +1,14 @@
 //! The arithmetic of the library: sine and cosine with the same bits on every machine, and
 //! double-double numbers.
+//!
+//! ```
+//! use pendula::arithmetic::sine::{cos, sin};
+//!
+//! assert_eq!(sin(0.0), 0.0);
+//! // Whatever the machine: the double nearest to sin 1.
+//! assert_eq!(sin(1.0).to_bits(), 0x3fea_ed54_8f09_0cee);
+//! assert!((sin(1.0) * sin(1.0) + cos(1.0) * cos(1.0) - 1.0).abs() <= f64::EPSILON);
+//! ```
 
 pub mod double_double;
 #[cfg(feature = "ensemble")]

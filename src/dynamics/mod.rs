@@ -10,6 +10,21 @@
 //!
 //! None of it is tied to one method: a method that can step the system can step the system with its
 //! neighbours.
+//!
+//! ```
+//! use pendula::dynamics::{Stroboscope, periodic_orbit};
+//! use pendula::{Driven, Phase, Rk4};
+//!
+//! // Driven a little, a damped pendulum ends up swinging with the drive.
+//! let driven = Driven::taylor(0.5)?;
+//! let strobe = Stroboscope::new(&driven, &Rk4, driven.period(), 200)?;
+//! let settled = (0..30).fold(Phase::at_rest(0.0), |z, _| strobe.map(z));
+//! // Newton finds the same orbit, and says that it attracts.
+//! let orbit = periodic_orbit(&strobe, settled, 1).expect("one near where it settled");
+//! assert!((orbit.point.theta - settled.theta).abs() < 1e-12);
+//! assert!(orbit.monodromy.largest_modulus() < 1.0);
+//! # Ok::<(), pendula::Error>(())
+//! ```
 
 pub mod floquet;
 pub mod lyapunov;

@@ -6,6 +6,17 @@ use crate::error::{Error, MAX_STEPS, positive};
 ///
 /// Time is the product of count and step, never a sum: adding 0.1 ten thousand times misses 1000 s
 /// and, tested with `t < end`, can take a step too many.
+///
+/// ```
+/// use pendula::Grid;
+///
+/// let grid = Grid::with_duration(0.1, 1000.0)?;
+/// assert_eq!((grid.steps(), grid.samples()), (10_000, 10_001));
+/// assert_eq!(grid.time(3), 0.1 * 3.0);
+/// // A duration that is not a whole number of steps is refused.
+/// assert!(Grid::with_duration(0.3, 1.0).is_err());
+/// # Ok::<(), pendula::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Grid {
     step: f64,

@@ -6,6 +6,27 @@ use core::num::NonZeroU64;
 ///
 /// Observers are generic parameters of [`integrate`](crate::integrate()): `()` observes nothing and
 /// leaves the bare loop, a closure `|n, t, z| …` is an observer, and a tuple combines several.
+///
+/// ```
+/// use pendula::metrics::EnergyDrift;
+/// use pendula::{Grid, Pendulum, Phase, StormerVerlet, integrate};
+///
+/// let (pendulum, grid) = (Pendulum::PAPER, Grid::with_duration(0.01, 10.0)?);
+/// let mut turns = Vec::new();
+/// let mut before = 0.0;
+/// let note_turns = |_n: u64, t: f64, z: Phase| {
+///     if before * z.omega < 0.0 {
+///         turns.push(t);
+///     }
+///     before = z.omega;
+/// };
+/// let mut watch = (EnergyDrift::new(&pendulum), note_turns);
+/// integrate(&pendulum, &StormerVerlet, Phase::at_rest(1.0), &grid, &mut watch);
+/// assert!(watch.0.largest() < 1.1e-3);
+/// // A swing takes 2.14 s, and turns twice.
+/// assert_eq!(turns.len(), 9);
+/// # Ok::<(), pendula::Error>(())
+/// ```
 pub trait Observer<Z> {
     /// Receives the state `z` after `n` steps, at time `t` (s).
     fn observe(&mut self, n: u64, t: f64, z: Z);

@@ -22,6 +22,7 @@ use roxmltree::{Document, Node};
 use rstest::rstest;
 
 static STUDY: LazyLock<Study> = LazyLock::new(|| Study::run(|_| {}));
+static MAP: LazyLock<Vec<choosing::Cell>> = LazyLock::new(choosing::map);
 
 type Point = (f64, f64);
 
@@ -122,6 +123,9 @@ struct Panel {
     bottom: f64,
     x: Axis,
     y: Axis,
+    /// What its rows are, from the bottom, where its y axis has names for numbers. The lowest row
+    /// is at 0.5.
+    rows: Vec<String>,
     drawn: Vec<(Look, Vec<Vec<Point>>)>,
 }
 
@@ -305,9 +309,11 @@ impl Drawing {
             });
             let heading = heading.map(|label| label.text).collect::<Vec<_>>().join(" | ");
             let labels = Label::all(inside);
+            let label_of = |near: &dyn Fn(&Label) -> bool| labels.iter().find(|label| near(label));
             let label = |near: &dyn Fn(&Label) -> bool| {
-                labels.iter().find(|label| near(label)).and_then(|label| value_of(&label.text))
+                label_of(near).and_then(|label| value_of(&label.text))
             };
+            let mut names: Vec<(f64, String)> = Vec::new();
             let axis = inside.iter().find(|node| node.attribute("class") == Some("axis"));
             let (mut x_ticks, mut y_ticks) = (Vec::new(), Vec::new());
             let mut at = (0.0, 0.0);
@@ -323,20 +329,28 @@ impl Drawing {
                         x_ticks.extend(near.map(|(value, power)| (at.0, value, power)));
                     }
                     ('h', [-6.0]) => {
-                        let near = label(&|label| {
+                        let near = label_of(&|label| {
                             label.anchor == "end" && (label.y - at.1 - 6.0).abs() < 0.2
                         });
-                        y_ticks.extend(near.map(|(value, power)| (at.1, value, power)));
+                        match near.map(|label| (value_of(&label.text), &label.text)) {
+                            Some((Some((value, power)), _)) => y_ticks.push((at.1, value, power)),
+                            Some((None, text)) => names.push((at.1, text.clone())),
+                            None => {}
+                        }
                     }
                     _ => {}
                 }
             }
             let Some(x) = Axis::read(x_ticks, name) else { continue };
+            names.sort_by(|a, b| b.0.total_cmp(&a.0));
+            let rows = names.iter().zip(0..);
+            y_ticks.extend(rows.map(|((unit, _), row)| (*unit, f64::from(row) + 0.5, false)));
+            let rows = names.into_iter().map(|(_, name)| name).collect();
             // A chart whose left neighbour has the same axis does not repeat its numbers.
             let y = Axis::read(y_ticks, name).or_else(|| panels.last().map(|last| last.y));
             let drawn = inside.iter().filter_map(|node| series(*node)).collect();
             let y = y.expect("a y axis");
-            panels.push(Panel { heading, left, top, right, bottom, x, y, drawn });
+            panels.push(Panel { heading, left, top, right, bottom, x, y, rows, drawn });
         }
         Self { legend, panels }
     }
@@ -569,10 +583,9 @@ fn figure_3() -> Vec<Expected> {
     for method in papers() {
         let samples = run(method, 1.0, 0.01, 1000.0);
         let error: Vec<Point> = energy_error(&samples).collect();
-        if title(method) != "RK4" {
-            let drawn = error.iter().copied().step_by(50);
-            expected.push(expect("H − H_{0} (J)", title(method), Line, drawn));
-        }
+        let drawn = error.iter().copied().step_by(50);
+        let heading = format!("{}, H − H_{{0}} (J)", title(method));
+        expected.push(expect(heading, title(method), Line, drawn));
         let mut largest = 0.0_f64;
         let so_far = error.iter().enumerate().filter_map(|(n, (t, error))| {
             largest = largest.max(error.abs());
@@ -745,6 +758,54 @@ fn rounding_walk_expected() -> Vec<Expected> {
     expected
 }
 
+/// The methods of a figure of costs, from the top.
+fn compared(name: &str) -> Vec<&'static str> {
+    let higher: &[&str] = match name {
+        "cost_higher_order" => &["forest-ruth", "gauss-6", "blanes-moan-6", "processed-6"],
+        _ => &[],
+    };
+    [&["forward-euler", "symplectic-euler", "rk4", "stormer-verlet"], higher].concat()
+}
+
+/// A hundred swings to a thousandth of a radian: a cell of the map.
+fn cost(name: &str) -> Vec<Expected> {
+    let mut cells = MAP.iter().filter(|cell| cell.periods == 100);
+    let cell = cells.find(|cell| (cell.allowed / 1e-3 - 1.0).abs() < 1e-9).expect("a cell");
+    let rows = compared(name).into_iter().rev().zip(0..);
+    let markers = rows.map(|(method, row)| {
+        let advice = cell.ranking.iter().find(|advice| advice.method.info().name == method);
+        (advice.expect("an advice").evaluations as f64, f64::from(row) + 0.5)
+    });
+    vec![expect("", "", Marker, markers)]
+}
+
+/// Catches: a name at the row of another method; a chapter whose bar is that of another method.
+#[rstest]
+#[case("cost_forward_euler", &["forward-euler"])]
+#[case("cost_symplectic_euler", &["symplectic-euler"])]
+#[case("cost_stormer_verlet", &["stormer-verlet"])]
+#[case("cost_rk4", &["rk4"])]
+#[case("cost_higher_order", &["forest-ruth", "gauss-6", "blanes-moan-6", "processed-6"])]
+fn the_bars_are_those_of_the_chapter(#[case] name: &str, #[case] bars: &[&str]) {
+    let panel = &Drawing::of(name).panels[0];
+    let methods = compared(name);
+    let titles: Vec<&str> = methods.iter().rev().map(|method| title(of(method))).collect();
+    assert_eq!(panel.rows, titles);
+    for (row, method) in methods.iter().rev().enumerate() {
+        let there = panel.y.unit(row as f64 + 0.5).unwrap();
+        let (mut lines, mut areas) = (0, 0);
+        for (look, strokes) in panel.drawn.iter().filter(|(look, _)| look.kind == Line) {
+            let middle = strokes[0].iter().map(|point| point.1);
+            let (low, high) = middle.fold((f64::MAX, f64::MIN), |(l, h), y| (l.min(y), h.max(y)));
+            if ((low + high) / 2.0 - there).abs() < 1.0 {
+                *(if look.class.contains("fill") { &mut areas } else { &mut lines }) += 1;
+            }
+        }
+        let is_own = bars.contains(method);
+        assert_eq!((lines, areas), (usize::from(!is_own), usize::from(is_own)), "{method}");
+    }
+}
+
 fn poincare() -> Vec<Expected> {
     vec![expect("ω (rad/s)", "", Dots, beyond::poincare(24_000).into_iter().map(plane))]
 }
@@ -873,6 +934,11 @@ const NOT_MEASURED: [&str; 4] = ["forces", "triple_jump", "area", "cat"];
 #[case("five_periods", five_periods)]
 #[case("standard_map", standard_map_expected)]
 #[case("rounding_walk", rounding_walk_expected)]
+#[case("cost_forward_euler", || cost("cost_forward_euler"))]
+#[case("cost_symplectic_euler", || cost("cost_symplectic_euler"))]
+#[case("cost_stormer_verlet", || cost("cost_stormer_verlet"))]
+#[case("cost_rk4", || cost("cost_rk4"))]
+#[case("cost_higher_order", || cost("cost_higher_order"))]
 #[case("poincare", poincare)]
 #[case("separation", separation)]
 #[case("kapitza", kapitza)]

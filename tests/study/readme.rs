@@ -2,9 +2,11 @@
 
 use std::fs;
 
+use pendula::exact::Motion;
+use pendula::{Grid, Pendulum, Phase, method_named};
 use pendula_study::claims::{CellId, Ledger};
 use pendula_study::experiments::{PaperMethod, Study};
-use pendula_study::report::figures::figures;
+use pendula_study::report::readme::{Picture, pictures};
 
 fn read(path: &str) -> String {
     fs::read_to_string(format!("{}/../../{path}", env!("CARGO_MANIFEST_DIR"))).expect(path)
@@ -39,20 +41,120 @@ fn the_citation_is_of_this_version() {
     assert!(read("CITATION.cff").contains(says), "CITATION.cff does not say{says}");
 }
 
-/// The picture is Figure 2 in a file of its own, as a README cannot include a snapshot. To
-/// regenerate it, run this test with `INSTA_UPDATE=always`, as for the snapshots.
+fn at_root(path: &str) -> String {
+    format!("{}/../../{path}", env!("CARGO_MANIFEST_DIR"))
+}
+
+/// To make the files again, run this test with `INSTA_UPDATE=always`, as for the snapshots.
 ///
-/// Catches: a picture that was not updated when the figure changed.
+/// Catches: a picture that was not made again when what it shows changed, and a badge of the
+/// version before.
 #[test]
-fn the_picture_is_figure_2() {
-    let path = format!("{}/../src/assets/energy-error.svg", env!("CARGO_MANIFEST_DIR"));
-    let figure = figures().find(|figure| figure.name == "figure_2").expect("the paper's Figure 2");
-    let svg = figure.svg(&Study::run(|_| {}));
-    if std::env::var("INSTA_UPDATE").is_ok_and(|update| update == "always") {
-        fs::write(&path, &svg).expect("the assets folder exists");
+fn the_pictures_are_what_the_study_draws() {
+    let mut old = Vec::new();
+    for Picture { path, svg } in pictures(&Study::run(|_| {})) {
+        let file = at_root(&path);
+        if std::env::var("INSTA_UPDATE").is_ok_and(|update| update == "always") {
+            fs::write(&file, &svg).expect("the folder exists");
+        }
+        if !fs::read_to_string(&file).is_ok_and(|picture| picture == svg) {
+            old.push(path);
+        }
     }
-    assert!(
-        fs::read_to_string(&path).is_ok_and(|picture| picture == svg),
-        "{path} is not Figure 2"
-    );
+    assert!(old.is_empty(), "not what the study draws: {old:?}");
+}
+
+/// The last of the values that the drawing's elements `name` take, in the order of the document.
+fn last_values<'a>(drawing: &'a roxmltree::Document, name: &'a str) -> Vec<f64> {
+    let elements = drawing.descendants().filter(|node| node.has_tag_name(name));
+    let last = |node: roxmltree::Node| {
+        let values = node.attribute("values").expect("values");
+        values.rsplit(';').next().and_then(|value| value.parse().ok()).expect("a number")
+    };
+    elements.map(last).collect()
+}
+
+/// Angles are printed to a tenth of a degree.
+///
+/// Catches: pendulums that turn the wrong way; a ring that is not the exact motion, a rod of
+/// another method's, a step or a length of the run that is not the one that is written.
+#[test]
+fn the_moving_picture_ends_where_the_library_does() {
+    let svg = read("book/readme/four-pendulums.svg");
+    let drawing = roxmltree::Document::parse(&svg).expect("an SVG");
+    let (pendulum, start) = (Pendulum::PAPER, Phase::at_rest(-1.0));
+    let exact = Motion::new(&pendulum, start).expect("a finite angle").at(12.0);
+    let mut expected = Vec::new();
+    for method in PaperMethod::ALL.map(|method| method_named(method.name()).expect("a method")) {
+        let step = if method.info().name == "rk4" { 0.4 } else { 0.1 };
+        let grid = Grid::with_duration(step, 12.0).expect("a whole number of steps");
+        let end = method.run(&pendulum, start, &grid, &mut ());
+        // An SVG's angles grow clockwise.
+        expected.extend([-exact.theta.to_degrees(), -end.theta.to_degrees()]);
+    }
+    let found = last_values(&drawing, "animateTransform");
+    assert_eq!(found.len(), expected.len());
+    for (found, expected) in found.iter().zip(&expected) {
+        assert!((found - expected).abs() <= 0.050_000_1, "{found} for {expected}");
+    }
+    // Who wants no motion sees the same, and nothing that moves.
+    let svg = read("book/readme/four-pendulums-at-rest.svg");
+    let at_rest = roxmltree::Document::parse(&svg).expect("an SVG");
+    let turned = at_rest.descendants().filter_map(|node| node.attribute("transform"));
+    let angle = |turn: &str| turn.strip_prefix("rotate(")?.strip_suffix(')')?.parse().ok();
+    assert_eq!(turned.filter_map(angle).collect::<Vec<f64>>(), found);
+    assert!(!svg.contains("<animate"));
+}
+
+/// Catches: a picture that makes the README slow to open; one whose movement cannot be stopped by
+/// a reader's system; a first image that is another.
+#[test]
+fn the_moving_picture_is_light_and_can_be_stopped() {
+    const AT_MOST: usize = 60_000;
+    let (readme, svg) = (read("README.md"), read("book/readme/four-pendulums.svg"));
+    assert!(svg.len() <= AT_MOST, "{} bytes", svg.len());
+    assert!(svg.contains("@media (prefers-reduced-motion:reduce)"));
+    let first = readme.split_once("<picture>").expect("a picture").1;
+    let calm = "media=\"(prefers-reduced-motion: reduce)\" \
+                srcset=\"book/readme/four-pendulums-at-rest.svg\"";
+    assert!(first.contains(calm) && first.contains("src=\"book/readme/four-pendulums.svg\""));
+    let images = readme.lines().filter(|line| line.starts_with("![") || line.contains("<img"));
+    assert!(images.take(1).all(|line| line.contains("four-pendulums.svg")));
+}
+
+/// Catches: a badge that names another version, licence or version of Rust than the manifest that
+/// Cargo reads, and one that the README does not show.
+#[test]
+fn the_badges_are_those_of_the_manifest() {
+    let (manifest, readme) = (read("Cargo.toml"), read("README.md"));
+    for (badge, key, more) in [
+        ("version", "version", ""),
+        ("licence", "license", ""),
+        ("rust", "rust-version", " or newer"),
+    ] {
+        let line = manifest.lines().find_map(|line| line.strip_prefix(&format!("{key} = \"")));
+        let value = line.and_then(|rest| rest.strip_suffix('"')).expect(key);
+        let path = format!("book/readme/{badge}.svg");
+        let says = format!(">{value}{more}</text>");
+        assert!(read(&path).contains(&says), "{path} does not say {value}");
+        assert!(readme.contains(&format!("]({path})")), "the README does not show {path}");
+        assert!(
+            readme.contains(&format!("{value}{more}]")),
+            "nor does it say {value} to who cannot see"
+        );
+    }
+}
+
+/// A forge shows a README about this many columns of code wide.
+///
+/// Catches: a command or its comment that is cut off there.
+#[test]
+fn no_line_of_code_is_cut_off() {
+    const COLUMNS: usize = 80;
+    let readme = read("README.md");
+    let blocks: Vec<&str> = readme.split("\n```").collect();
+    assert!(blocks.len() > 10, "blocks of code and what stands between");
+    for line in blocks.iter().skip(1).step_by(2).flat_map(|block| block.lines().skip(1)) {
+        assert!(line.chars().count() <= COLUMNS, "wider than {COLUMNS}: {line}");
+    }
 }

@@ -9,10 +9,11 @@
 //! | `{{catches file::function}}` | the same, and what wrong code it catches, as the test itself says |
 //! | `{{work-precision}}` | the figure that `pendula work-precision` made, or a line on how to make it |
 //! | `{{verdicts}}` | how many claims got which verdict; see [`claims`](super::claims) |
+//! | `doi:…` | a link to the work |
 //!
 //! The first two also work inside formulas. The first quote of a claim has its id, so that its row
 //! of the ledger can link back. Code spans and code blocks do not change, except that code included
-//! from within an item loses its common indentation.
+//! from within an item loses its common indentation, and that a word with a hyphen is kept whole.
 
 use std::collections::BTreeSet;
 use std::ops::Range;
@@ -65,8 +66,9 @@ impl<'a> Setter<'a> {
             done = passage.range.end;
             match passage.kind {
                 Kind::Code => {
-                    if let Some(block) = flush_left(&text[passage.range.clone()]) {
-                        edits.push((passage.range, block));
+                    let code = &text[passage.range.clone()];
+                    if let Some(html) = flush_left(code).or_else(|| with_whole_options(code)) {
+                        edits.push((passage.range, html));
                     }
                 }
                 Kind::Formula { tex, display } => {
@@ -141,6 +143,11 @@ impl<'a> Setter<'a> {
             };
             edits.push((range.start + at.start..range.start + at.end, html));
         }
+        for doi in dois(prose) {
+            let (at, text) = (range.start + doi.start..range.start + doi.end, &prose[doi]);
+            let address = inert::text(&text.replacen("doi:", "https://doi.org/", 1));
+            edits.push((at, format!("<a href=\"{address}\">{}</a>", inert::text(text))));
+        }
         Ok(())
     }
 
@@ -209,6 +216,35 @@ fn directives(text: &str) -> impl Iterator<Item = Result<Directive<'_>>> {
         let inside = text[start + 2..start + length].trim();
         let (name, argument) = inside.split_once(char::is_whitespace).unwrap_or((inside, ""));
         Some(Ok(Directive { range: start..from, name, argument: argument.trim() }))
+    })
+}
+
+/// The code span as HTML in which no line ends after a hyphen of an option such as `--every`; none
+/// if there is no such word in it.
+fn with_whole_options(code: &str) -> Option<String> {
+    /// A longer word must stay breakable on a phone.
+    const WHOLE: usize = 24;
+    let inner = code.strip_prefix('`')?.strip_suffix('`')?;
+    if inner.contains('`') {
+        return None;
+    }
+    let is_option = |word: &str| word.contains('-') && (2..=WHOLE).contains(&word.len());
+    let set = |word: &str| match is_option(word) {
+        true => format!("<span class=\"held\">{}</span>", inert::text(word)),
+        false => inert::text(word),
+    };
+    let words: Vec<&str> = inner.split_whitespace().collect();
+    let any = words.iter().any(|word| is_option(word));
+    let html = words.into_iter().map(set).collect::<Vec<_>>().join(" ");
+    any.then(|| format!("<code>{html}</code>"))
+}
+
+/// Where a text has DOIs, each without the punctuation after it.
+fn dois(text: &str) -> impl Iterator<Item = Range<usize>> {
+    text.match_indices("doi:10.").map(|(start, _)| {
+        let rest = &text[start..];
+        let word = &rest[..rest.find(char::is_whitespace).unwrap_or(rest.len())];
+        start..start + word.trim_end_matches(['.', ',', ';', ':']).len()
     })
 }
 
@@ -309,6 +345,21 @@ mod tests {
         }
     }
 
+    /// Catches: a line that ends in the middle of `--test`; a word held that is too long for a
+    /// phone.
+    #[test]
+    fn an_option_is_kept_whole() {
+        let plain = |html: String| html.replace("&#45;", "-").replace("&#46;", ".");
+        let held = |word| format!("<span class=\"held\">{word}</span>");
+        assert_eq!(
+            plain(set("`cargo test --test\nstudy -- x`").unwrap()),
+            format!("<code>cargo test {} study {} x</code>", held("--test"), held("--"))
+        );
+        for text in ["`a - b`", "`a-very-long-name-with-many-hyphens.rs`", "`` a--b ` ``"] {
+            assert_eq!(set(text).unwrap(), text);
+        }
+    }
+
     /// Catches: a misspelt id or name that leaves a gap, or the raw directive, in the book.
     #[test]
     fn what_is_unknown_stops_the_build_and_is_quoted() {
@@ -335,6 +386,20 @@ mod tests {
             set("{{test order::every_slope}}").unwrap(),
             "<a href=\"../tests/order.html#every_slope\">\
              <code>order&#58;&#58;every&#95;<wbr>slope</code></a>"
+        );
+    }
+
+    /// Catches: a DOI that is no link, or whose link takes the full stop with it and so leads
+    /// nowhere; one in code.
+    #[test]
+    fn a_doi_is_a_link_to_the_work() {
+        let html = set("*Physica D* 43. doi:10.1016/0167-2789(90)90019-L. And `doi:10.1/x`.");
+        let plain = html.unwrap().replace("&#58;", ":").replace("&#46;", ".").replace("&#47;", "/");
+        let plain = plain.replace("&#40;", "(").replace("&#41;", ")").replace("&#45;", "-");
+        assert_eq!(
+            plain,
+            "*Physica D* 43. <a href=\"https://doi.org/10.1016/0167-2789(90)90019-L\">\
+             doi:10.1016/0167-2789(90)90019-L</a>. And `doi:10.1/x`."
         );
     }
 

@@ -28,7 +28,7 @@ pub enum Kind {
         display: bool,
     },
     /// The exponent of a power of ten such as 10⁻⁴, in Unicode superscripts, of which few fonts
-    /// have all.
+    /// have all; or a number as programs write it, 3.2e-4.
     Exponent,
     /// The space between a number and its unit, or between the thousands of a number: a line must
     /// not end there.
@@ -73,11 +73,15 @@ pub fn passages(text: &str) -> Vec<Passage> {
 }
 
 fn powers_of_ten(text: &str, range: Range<usize>) -> impl Iterator<Item = Passage> {
-    static POWER: LazyLock<Regex> =
-        LazyLock::new(|| Regex::new("10(⁻?[⁰¹²³⁴-⁹]+)").expect("the pattern is a constant"));
+    static POWER: LazyLock<Regex> = LazyLock::new(|| {
+        Regex::new(r"10(⁻?[⁰¹²³⁴-⁹]+)|\b(\d+(?:\.\d+)?e-?\d+)\b")
+            .expect("the pattern is a constant")
+    });
     let start = range.start;
-    POWER.captures_iter(&text[range]).filter_map(|found| found.get(1)).map(move |exponent| {
-        Passage { range: start + exponent.start()..start + exponent.end(), kind: Kind::Exponent }
+    let found = POWER.captures_iter(&text[range]);
+    found.filter_map(|found| found.get(1).or(found.get(2))).map(move |exponent| Passage {
+        range: start + exponent.start()..start + exponent.end(),
+        kind: Kind::Exponent,
     })
 }
 
@@ -181,11 +185,11 @@ mod tests {
     /// Catches: superscripts left in a table's cells, and markup put into a drawing or into code.
     #[test]
     fn powers_of_ten_are_found_in_prose_only() {
-        let text = "| a |\n|---|\n| 2 × 10⁻¹² |\n\n`10³` m²\n\n\
+        let text = "| a |\n|---|\n| 2 × 10⁻¹² |\n\n`10³` m² 3e-4, x2e5, 0.5e, `1e-6`\n\n\
                     <figure><svg>10³</svg></figure>\n";
         let exponents: Vec<_> =
             found(text).into_iter().filter(|(_, kind)| *kind == Kind::Exponent).collect();
-        assert_eq!(exponents, [("⁻¹²", Kind::Exponent)]);
+        assert_eq!(exponents, [("⁻¹²", Kind::Exponent), ("3e-4", Kind::Exponent)]);
     }
 
     /// Catches: a line that ends between 1000 and s; words after a number taken for units, years

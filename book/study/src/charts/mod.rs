@@ -28,12 +28,13 @@ mod text;
 pub use axis::Axis;
 use axis::Scale;
 use ends::End;
-use path::{Num, Point};
+pub(crate) use path::{Num, Point};
 use plot::Plot;
 pub use regions::{Cell, Map, Name};
 pub use style::Style;
+pub(crate) use style::style_sheet;
 pub use text::wrapped;
-use text::{draw_text, escape, line, width};
+pub(crate) use text::{draw_text, escape, line, width};
 
 const WIDTH: f64 = 600.0;
 /// Room to the right of a plot, for half a tick label.
@@ -128,7 +129,9 @@ impl Figure {
                     }
                 })
                 .collect::<Vec<_>>();
-            let free = WIDTH - margins.iter().sum::<f64>() - beside * self.columns as f64;
+            // A chart that is alone in its row has all of its width.
+            let count = charts.len() as f64;
+            let free = WIDTH - margins.iter().sum::<f64>() - beside * count;
             let (mut edge, mut bottom) = (0.0, top);
             for (i, (chart, (x, y))) in charts.iter().zip(scales).enumerate() {
                 let index = row * self.columns + i;
@@ -138,7 +141,7 @@ impl Figure {
                     false => [below.is_none_or(|next| next.x != chart.x), !repeats(i)],
                 };
                 let left = edge + margins[i];
-                let right = left + free / self.columns as f64;
+                let right = left + free / count;
                 let plot = Plot::new(chart, [x, y], written, [edge, left, right], top);
                 let clip = format!("{id}-clip-{index}");
                 bottom = plot.draw(&mut body, &clip, &ends[index]).max(bottom);
@@ -168,7 +171,7 @@ impl Figure {
              id=\"{id}-desc\">{}</desc>\n{}{above}{body}</svg>\n",
             escape(&self.title),
             wrapped(&escape(&self.description)),
-            style::style_sheet(&id, &styles, areas, alone),
+            style_sheet(&id, &styles, areas, alone),
         )
     }
 }

@@ -22,6 +22,7 @@ pub mod readings;
 pub mod resonance;
 pub mod rounding_walk;
 pub mod shapes;
+pub mod side_by_side;
 pub mod small_angle;
 pub mod splitting;
 pub mod standard_map;

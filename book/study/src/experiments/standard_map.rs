@@ -12,9 +12,9 @@ use pendula::{Grid, Pendulum, Phase};
 
 use super::released;
 
-/// The parameters K of the portraits: well below the last barrier at 0.971635, just below it, and
-/// above.
-pub const PARAMETERS: [f64; 3] = [0.5, 0.97, 1.2];
+/// The parameters K of the portraits: well below the last barrier at 0.971635, just below it, above
+/// it, and far above.
+pub const PARAMETERS: [f64; 4] = [0.5, 0.97, 1.2, 2.0];
 
 /// An orbit, and whether it escapes.
 #[derive(Clone, Debug)]

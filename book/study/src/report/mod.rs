@@ -2,6 +2,7 @@
 
 pub mod bits;
 pub mod figures;
+pub mod readme;
 pub mod snapshots;
 pub mod table;
 pub mod tables;

@@ -57,8 +57,13 @@ pub(super) struct Rung {
 
 /// Measures every method of the library.
 pub fn profiles(release: &Release) -> Vec<Profile> {
+    profiles_of(&METHODS, release)
+}
+
+/// Measures these methods.
+pub(super) fn profiles_of(methods: &[MethodRef], release: &Release) -> Vec<Profile> {
     let motion = Motion::new(&Pendulum::PAPER, release.start).expect("a finite start");
-    let mut profiles: Vec<Profile> = METHODS
+    let mut profiles: Vec<Profile> = methods
         .iter()
         .map(|method| Profile { method: *method, release: *release, rungs: Vec::new() })
         .collect();

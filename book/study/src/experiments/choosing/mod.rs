@@ -22,6 +22,7 @@
 //! rest, at a point of symmetry, a method that is not symmetric looks better than it is: symplectic
 //! Euler would be of order two there.
 
+pub mod cost;
 mod curve;
 mod error_law;
 mod release;

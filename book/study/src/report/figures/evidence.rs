@@ -41,10 +41,10 @@ pub(super) const FIGURES: &[Drawing] = &[
     },
     Drawing {
         name: "standard_map",
-        caption: "Symplectic Euler at three large steps. A curve that crosses the picture bars the \
+        caption: "Symplectic Euler at four large steps. A curve that crosses the picture bars the \
                   way up. The last to break, drawn here with its mirror image, still holds at K = \
                   0.97; at 1.2 it is gone, and the orbits that began beside the upper equilibrium \
-                  are everywhere.",
+                  are everywhere but in the islands, which shrink as K grows.",
         noise: false,
         draw: standard_map,
     },
@@ -191,10 +191,9 @@ fn standard_map(_: &Study) -> Figure {
         Axis::linear(label).range(-PI, PI).ticks([(-PI, "−π"), (0.0, "0"), (PI, "π")])
     };
     let portrait = |k: f64| {
-        let mut chart = Chart::new(
-            turn("θ (rad)".into()),
-            turn(format!("u = hω (rad a step), K = {k}, h = {:.3} s", standard_map::step(k))),
-        );
+        let mut chart = Chart::new(turn("θ (rad)".into()), turn("u = hω (rad a step)".into()))
+            .height(250.0)
+            .heading(format!("K = {k}, h = {:.3} s", standard_map::step(k)));
         let golden = standard_map::golden(k);
         if !golden.escapes {
             let mirrored = golden.points.iter().map(|(theta, u)| (-theta, -u));
@@ -214,13 +213,14 @@ fn standard_map(_: &Study) -> Figure {
     };
     let figure = Figure::new(
         "Symplectic Euler as the standard map",
-        "Three phase portraits of dots, angle across and turn a step upwards. At K = 0.5 the dots \
+        "Four phase portraits of dots, angle across and turn a step upwards. At K = 0.5 the dots \
          lie on closed curves around the middle and on curves that cross the picture from left to \
          right, above and below. At K = 0.97 there are chains of islands, and a cloud of dots \
          around the middle, held in by one last curve above and its mirror image below. At K = 1.2 \
          there is no such curve: dots of orbits that have escaped fill all but some islands \
-         evenly.",
-    );
+         evenly. At K = 2 the islands are smaller.",
+    )
+    .columns(2);
     standard_map::PARAMETERS.into_iter().fold(figure, |figure, k| figure.panel(portrait(k)))
 }
 

@@ -2,6 +2,7 @@
 
 mod beyond;
 mod choosing;
+mod cost;
 mod evidence;
 mod geometry;
 mod higher_order;
@@ -50,6 +51,7 @@ pub fn figures() -> impl Iterator<Item = &'static Drawing> {
         geometry::FIGURES,
         evidence::FIGURES,
         choosing::FIGURES,
+        cost::FIGURES,
         higher_order::FIGURES,
         resonances::FIGURES,
         truncation::FIGURES,
@@ -61,7 +63,7 @@ pub fn figures() -> impl Iterator<Item = &'static Drawing> {
 }
 
 /// The style of a method, the same in every figure.
-fn style(method: MethodRef) -> Style {
+pub(super) fn style(method: MethodRef) -> Style {
     let name = method.info().name;
     let index = METHODS.iter().position(|other| other.info().name == name);
     Style::numbered(index.unwrap_or(0))
@@ -73,7 +75,7 @@ fn of_the_paper<R>(rows: &[R], method: fn(&R) -> MethodRef) -> impl Iterator<Ite
     rows.iter().filter(move |row| in_paper(method(row)))
 }
 
-fn title(method: MethodRef) -> &'static str {
+pub(super) fn title(method: MethodRef) -> &'static str {
     method.info().title
 }
 

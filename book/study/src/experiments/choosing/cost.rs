@@ -1,0 +1,15 @@
+//! What an answer costs: a row of the map, for the chapters of the methods.
+
+use super::{Advice, Release, error_law};
+use crate::experiments::MethodRef;
+
+/// Length of the run (periods) …
+pub const PERIODS: u64 = 100;
+/// … and the largest error of the angle allowed over it (rad).
+pub const ALLOWED: f64 = 1e-3;
+
+/// What each of the methods needs; none where a method cannot achieve it.
+pub fn costs(methods: &[MethodRef]) -> Vec<Option<Advice>> {
+    let profiles = error_law::profiles_of(methods, &Release::new());
+    profiles.iter().map(|profile| profile.over(PERIODS).advice(ALLOWED)).collect()
+}

@@ -1,0 +1,92 @@
+//! Four pendulums from the same start, each with the same number of force evaluations a second: the
+//! moving picture at the top of the README.
+
+use pendula::exact::Motion;
+use pendula::{Grid, Pendulum, Phase, System};
+
+use super::{MethodRef, each_of_the_paper, released};
+
+/// Released at rest from here (rad). It is the paper's angle to the other side, so that forward
+/// Euler goes over the top with a positive angular velocity.
+pub const THETA_0: f64 = -1.0;
+/// The run lasts so long (s).
+pub const DURATION: f64 = 12.0;
+/// Time for an evaluation of the force (s): a method with four of them takes steps four times as
+/// long. At a step of ten to the second each method shows how it errs within a few swings.
+pub const EVALUATION: f64 = 0.1;
+/// Samples after the first, one for each evaluation.
+const SAMPLES: u64 = 120;
+
+/// A method and where its pendulum is.
+#[derive(Clone, Debug)]
+pub struct Row {
+    /// The method.
+    pub method: MethodRef,
+    /// Its step (s).
+    pub step: f64,
+    /// Its states, [`EVALUATION`] apart. Within a step of several evaluations they lie on the
+    /// cubic through both ends with the rates there.
+    pub samples: Vec<Phase>,
+}
+
+/// Runs the methods of the paper.
+pub fn run() -> Vec<Row> {
+    each_of_the_paper(|method| {
+        let evaluations = method.info().force_evaluations;
+        let step = EVALUATION * evaluations as f64;
+        let grid = Grid::with_duration(step, DURATION).expect("a whole number of steps");
+        let mut states = Vec::new();
+        let start = released(THETA_0);
+        method.run(&Pendulum::PAPER, start, &grid, &mut |_, _, z: Phase| states.push(z));
+        let within = states.windows(2).flat_map(|ends| {
+            (0..evaluations).map(|n| cubic(step, ends[0], ends[1], n as f64 / evaluations as f64))
+        });
+        let samples = within.chain(states.last().copied()).collect();
+        Row { method, step, samples }
+    })
+}
+
+/// The exact motion at the same times.
+pub fn truth() -> Vec<Phase> {
+    let motion = Motion::new(&Pendulum::PAPER, released(THETA_0)).expect("a finite angle");
+    (0..=SAMPLES).map(|n| motion.at(DURATION * (n as f64 / SAMPLES as f64))).collect()
+}
+
+/// The cubic of Hermite between the ends of a step, after the fraction `s` of it.
+fn cubic(step: f64, from: Phase, to: Phase, s: f64) -> Phase {
+    let rate = |z: Phase| Pendulum::PAPER.rate(0.0, z) * step;
+    let (ahead, back) = (s * s * (3.0 - 2.0 * s), s * (1.0 - s));
+    let across = Phase { theta: to.theta - from.theta, omega: to.omega - from.omega };
+    let (begin, end) = (rate(from), rate(to));
+    let along =
+        |across: f64, begin: f64, end: f64| across * ahead + back * ((1.0 - s) * begin - s * end);
+    Phase {
+        theta: from.theta + along(across.theta, begin.theta, end.theta),
+        omega: from.omega + along(across.omega, begin.omega, end.omega),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Catches: a run of another length for one of the methods; a cubic that is not between its
+    /// ends or whose slopes are those of other times, which would be off by a third of a radian.
+    #[test]
+    fn every_track_is_at_the_same_times() {
+        let truth = truth();
+        assert_eq!(truth.len() as u64, SAMPLES + 1);
+        for Row { method, step, samples } in run() {
+            assert_eq!(samples.len(), truth.len(), "{}", method.info().name);
+            let evaluations = (step / EVALUATION).round() as usize;
+            assert_eq!(evaluations as u64, method.info().force_evaluations);
+            // θ of the cubic after a quarter of RK4's step differs from the truth by the error of
+            // the interpolation, (ω₀h)⁴/384 ≈ 0.006 of an amplitude of 1 rad, and the step's own
+            // error, of which (ω₀h)⁵/120 ≈ 0.03 is a generous bound.
+            for n in 1..evaluations {
+                let error = (samples[n].theta - truth[n].theta).abs();
+                assert!(error < 0.04, "{} after {n} evaluations: {error}", method.info().name);
+            }
+        }
+    }
+}
