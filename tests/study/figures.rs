@@ -704,7 +704,8 @@ fn tilted_curve_expected() -> Vec<Expected> {
         // The curve with one term has its name beside it and not in the legend.
         let label = match order {
             0 => "true orbit, H",
-            7 => "H̃, 7 terms",
+            // The tilde is drawn above its letter.
+            7 => "H˜, 7 terms",
             _ => continue,
         };
         expected.push(expect("ω (rad/s)", label, Line, curve.into_iter().map(plane)));

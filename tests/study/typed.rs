@@ -40,7 +40,7 @@ const TYPED: &[Typed] = &[
     ("limits", "falls after 12 s", "12", || 0.25 * period(PI)),
     ("exact-period", "is $0.005$, which", "0.005", || cos(1.5).powi(2)),
     ("large-angle", "pendulum is 8° short", "8", || 180.0 - 3_f64.to_degrees()),
-    ("lab", "0.35 s, where $K$ is 1.2,", "1.2", || x_squared(0.35)),
+    ("lab", "0.35 s, where $K$ is 1.2:", "1.2", || x_squared(0.35)),
     ("exact-period", r"\approx 0.105$ rad", "0.105", || 4.0 / 1440_f64.sqrt()),
     ("forward-euler", r"-9.81\sin 1 \approx -8.2548$", "-8.2548", || -9.81 * sin(1.0)),
     ("forward-euler", r"\approx e^{46.8}$", "46.8", || 500.0 * 1.0981_f64.ln()),
