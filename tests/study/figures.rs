@@ -146,6 +146,8 @@ fn text(node: Node) -> String {
             if child.is_text() { child.text() } else { child.first_child().unwrap().text() };
         let inner = inner.unwrap_or_default();
         text += &match level.signum() {
+            // Above its letter, as one writes it.
+            -1 if inner == "˜" => "\u{303}".to_string(),
             -1 => format!("^{{{inner}}}"),
             1 => format!("_{{{inner}}}"),
             _ => inner.to_string(),
@@ -704,8 +706,7 @@ fn tilted_curve_expected() -> Vec<Expected> {
         // The curve with one term has its name beside it and not in the legend.
         let label = match order {
             0 => "true orbit, H",
-            // The tilde is drawn above its letter.
-            7 => "H˜, 7 terms",
+            7 => "H̃, 7 terms",
             _ => continue,
         };
         expected.push(expect("ω (rad/s)", label, Line, curve.into_iter().map(plane)));
