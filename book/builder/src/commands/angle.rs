@@ -227,10 +227,7 @@ mod tests {
                 assert_eq!(negative.map(f64::to_bits), Ok(bits | 1 << 63), "-{text}");
             }
         }
-        assert_eq!(
-            angles("-pi/3:60deg:3"),
-            format!("{:?}:{:?}:3", -1.0471975511965979, 1.0471975511965979).parse()
-        );
+        assert_eq!(angles("-pi/3:60deg:3"), "-1.0471975511965979:1.0471975511965979:3".parse());
     }
 
     /// Catches: nonsense that is taken for a number; a suggestion that is missing, or is itself

@@ -57,7 +57,7 @@ pub(super) struct Rung {
 
 /// Measures every method of the library.
 pub fn profiles(release: &Release) -> Vec<Profile> {
-    profiles_of(&METHODS, release)
+    profiles_of(METHODS, release)
 }
 
 /// Measures these methods.
