@@ -55,7 +55,6 @@ pub enum Command {
     /// Show what moved since the tables and figures were reviewed, or since a commit; exit status 1
     /// if something did
     #[command(after_help = examples(&[
-        "pendula review",
         "pendula review --format markdown",
     ]))]
     Review(review::Arguments),

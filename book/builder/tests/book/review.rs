@@ -158,7 +158,7 @@ fn claims_that_turn_are_told_from_new_reasons() {
 #[test]
 fn figures_are_shown_if_one_can_see_the_difference() {
     let review = review(&[
-        ("figure_2", "M556.4,171.1l", "M556.4,171.3l"),
+        ("figure_2", "M397.2,97.8l", "M397.2,97.6l"),
         ("figure_3", "</text>", "!</text>"),
         ("area", "M", " M"),
     ]);
@@ -188,7 +188,7 @@ fn the_page_is_whole_and_needs_nothing_else() {
         HALF_KICKS[2],
         HALF_KICKS[4],
         ("figure_3", "</text>", "!</text>"),
-        ("figure_2", "M556.4,171.1l", "M556.4,171.3l"),
+        ("figure_2", "M397.2,97.8l", "M397.2,97.6l"),
     ]);
     review.acceptable = true;
     let html = page::html(&review, &root()).unwrap();
@@ -200,7 +200,7 @@ fn the_page_is_whole_and_needs_nothing_else() {
     let drawn = |id: &str| {
         let (_, drawing) = html.split_once(id).unwrap_or_else(|| panic!("no {id}"));
         let (drawing, _) = drawing.split_once("</svg>").unwrap();
-        ["M556.4,171.1l", "M556.4,171.3l"].map(|path| drawing.contains(path))
+        ["M397.2,97.8l", "M397.2,97.6l"].map(|path| drawing.contains(path))
     };
     assert_eq!(drawn("id=\"old-fig-figure-2\""), [true, false]);
     assert_eq!(drawn("id=\"new-fig-figure-2\""), [false, true]);
