@@ -15,6 +15,7 @@ use pendula::arithmetic::two::Apart;
 /// The place of a value on the tape.
 pub type Place = usize;
 
+// ANCHOR: value
 /// A value: a number, or for the last three what a comparison says.
 #[derive(Clone, Copy, Debug, Eq, Hash, PartialEq)]
 pub enum Value {
@@ -47,6 +48,7 @@ pub enum Value {
     /// a or b
     Either(Place, Place),
 }
+// ANCHOR_END: value
 
 /// What has been recorded: each value once, after those that it is made of.
 #[derive(Debug, Default)]
