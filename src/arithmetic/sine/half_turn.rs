@@ -21,7 +21,7 @@ pub fn reduce<N: Number>(x: N) -> (N, N) {
 }
 
 /// The angle (rad) of `half_turns` and `rest` from the nearest whole turn, in [−π, π], where
-/// [`ROUNDER`] is added to the number of half turns.
+/// 1.5 · 2⁵² is added to the number of half turns.
 #[inline(always)]
 pub fn from_the_bottom<N: Number>(half_turns: N, rest: N) -> N {
     // 0 for an even number, 1 for an odd one.
