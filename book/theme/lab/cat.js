@@ -127,7 +127,9 @@
                 { g, L } = theLab.PENDULUM;
             const { EVALUATIONS } = theLab.QUANTITY;
             const evaluations = [1, 2].map(steps => {
-                exports.set(0, method.number, g, L, 0, PLACE.theta, PLACE.omega, this.scene.h);
+                // The plain pendulum, without damping.
+                const { theta, omega } = PLACE;
+                exports.set(0, 0, method.number, g, L, 0, theta, omega, this.scene.h, 0, 0);
                 exports.advance(0, steps);
                 return exports.read(0, EVALUATIONS);
             });

@@ -71,7 +71,7 @@
         orbit({ theta, omega }, count) {
             const { g, L } = PENDULUM,
                 { exports } = this;
-            exports.set(0, 0, g, L, 0, theta, omega, 0.01);
+            exports.set(0, 0, 0, g, L, 0, theta, omega, 0.01, 0, 0);
             const period = exports.read(0, theLab.QUANTITY.PERIOD);
             const points = new Float64Array(2 * count);
             for (let i = 0; i < count; i++) {

@@ -1,0 +1,215 @@
+//! A device has the bits of the library. Where there is none, the tests that need one say so, and
+//! do not run.
+
+use core::num::NonZeroU64;
+
+use pendula::integrate::Every;
+use pendula::metrics::EnergyDrift;
+use pendula::{AnyMethod, Ensemble, Grid, Info, MethodInfo, Observer, Pendulum, Phase, Rk4};
+use pendula_device::kernel::{Begun, Program};
+use pendula_device::{Device, METHODS, OnDevice, devices, method_named};
+
+/// The devices with double precision.
+fn usable() -> Vec<Device> {
+    match devices() {
+        Ok(devices) => devices.into_iter().filter(|device| device.is_double).collect(),
+        Err(error) => {
+            println!("not run: {error}");
+            Vec::new()
+        }
+    }
+}
+
+/// Starts of each kind, 4096 in all.
+fn starts() -> Vec<Phase> {
+    let mut starts = Vec::new();
+    for i in 0..1024 {
+        let part = f64::from(i) / 1023.0;
+        // Swings, from tiny ones on; rotations of both senses; beside the separatrix; many turns
+        // away.
+        starts.push(Phase::at_rest(3.1 * part + 1e-9));
+        starts.push(Phase { theta: 6.0 * part - 3.0, omega: 7.0 + 5.0 * part });
+        starts.push(Phase { theta: core::f64::consts::PI - 1e-3 * part * part, omega: -1e-9 });
+        starts.push(Phase { theta: 2e5 * (part - 0.5), omega: -8.0 * part });
+    }
+    starts
+}
+
+/// Pendulum, step (s) and number of steps.
+fn scenes() -> [(Pendulum, Grid); 4] {
+    let moon = Pendulum::new(1.62, 0.3, 2.0).expect("positive");
+    [
+        (Pendulum::PAPER, Grid::new(0.01, 120).expect("positive")),
+        (Pendulum::PAPER, Grid::new(0.3, 60).expect("positive")),
+        (moon, Grid::new(0.05, 80).expect("positive")),
+        (Pendulum::PAPER, Grid::new(0.02, 1).expect("positive")),
+    ]
+}
+
+fn bits(z: Phase) -> [u64; 2] {
+    // The payload of a NaN is no result.
+    [z.theta, z.omega].map(|x| if x.is_nan() { u64::MAX } else { x.to_bits() })
+}
+
+fn compare(device: &Device, method: &'static dyn OnDevice) {
+    let mut compiled = device.compile(method).expect("a device that works");
+    let name = method.info().name;
+    let starts = starts();
+    for (pendulum, grid) in &scenes() {
+        let ensemble = Ensemble::new(pendulum, &starts, *grid);
+        let mut ends = vec![Phase::default(); starts.len()];
+        compiled.ends(&ensemble, &mut ends).expect("a device that works");
+        let mut watched = vec![(Phase::default(), 0.0); starts.len()];
+        compiled.ends_and_energy_errors(&ensemble, &mut watched).expect("the same");
+        for ((start, end), (watched_end, error)) in starts.iter().zip(ends).zip(watched) {
+            let scene = format!("{name} on {} from {start:?}, {grid:?}", device.name);
+            // Lanes have the bits of a trajectory alone; that is tested elsewhere.
+            let mut drift = EnergyDrift::new(pendulum);
+            let alone = method.run(pendulum, *start, grid, &mut drift);
+            assert_eq!(bits(end), bits(alone), "{scene}");
+            assert_eq!(bits(watched_end), bits(alone), "{scene}, watched");
+            let [error, expected] = [error, drift.largest()];
+            let same = error.to_bits() == expected.to_bits() || error.is_nan() && expected.is_nan();
+            assert!(same, "{scene}: {error:e} J on the device, and not {expected:e}");
+        }
+    }
+}
+
+/// Catches: a product fused with a sum; a reduction by another multiple of π; a sign that does not
+/// follow the half turns; an order of the sums of its own; a carry that is not handed on between
+/// launches, or one from before the last step; the energy of a state half a kick away.
+#[test]
+fn every_method_has_the_bits_of_a_trajectory_alone() {
+    for device in usable() {
+        for method in METHODS {
+            if method.program().is_some() {
+                compare(&device, *method);
+            }
+        }
+    }
+}
+
+/// Each k-th state of two batches, from a grid that is no whole number of them; and a pendulum that
+/// the library does not run in steps of its own, whose angle is too large for it.
+///
+/// Catches: a batch that goes on where the last one ended, states of the wrong pendulum, a step too
+/// many or too few between two of them, a start that is left out.
+#[test]
+fn every_kth_state_is_that_of_a_trajectory_alone() {
+    let mut starts = starts();
+    starts.truncate(100);
+    starts.push(Phase::at_rest(1e7));
+    let grid = Grid::new(0.01, 1000).expect("positive");
+    let ensemble = Ensemble::new(&Pendulum::PAPER, &starts, grid);
+    let every = NonZeroU64::new(300).expect("positive");
+    let method = method_named("blanes-moan-6").expect("it is one of the library's");
+    for device in usable() {
+        let mut seen = vec![Record::default(); starts.len()];
+        let mut compiled = device.compile(method).expect("a device that works");
+        compiled.watch(&ensemble, every, &mut seen).expect("a device that works");
+        for (start, seen) in starts.iter().zip(seen) {
+            let mut alone = Record::default();
+            let mut watch = Every::new(every, |n, t, z| alone.observe(n, t, z));
+            let _ = method.run(&Pendulum::PAPER, *start, &grid, &mut watch);
+            assert_eq!(seen.0.len(), 4, "{start:?}");
+            assert_eq!(seen.0, alone.0, "{start:?}");
+        }
+    }
+}
+
+/// Step, time and state of each sample.
+#[derive(Clone, Default)]
+struct Record(Vec<(u64, u64, [u64; 2])>);
+
+impl Observer<Phase> for Record {
+    fn observe(&mut self, n: u64, t: f64, z: Phase) {
+        self.0.push((n, t.to_bits(), bits(z)));
+    }
+}
+
+/// Catches: an implicit method whose sweeps are recorded as if they were always two.
+#[test]
+fn a_method_that_looks_at_its_numbers_is_refused() {
+    let implicit = METHODS.iter().filter(|method| method.info().implicit);
+    assert_eq!(implicit.clone().count(), 6);
+    for method in METHODS {
+        assert_eq!(method.program().is_none(), method.info().implicit, "{:?}", method.info().name);
+    }
+    for device in usable() {
+        for method in implicit.clone() {
+            let refused = device.compile(*method).err().expect("it is refused");
+            let expected =
+                "does not run on a device: how many operations a step has depends on the numbers";
+            assert_eq!(refused.to_string(), format!("{} {expected}", method.info().name));
+        }
+    }
+}
+
+/// A method whose program is not what it says.
+struct Broken(fn(&mut Program));
+
+impl Info for Broken {
+    fn info(&self) -> MethodInfo {
+        Rk4.info()
+    }
+}
+
+impl AnyMethod for Broken {
+    fn run(
+        &self,
+        p: &Pendulum,
+        z: Phase,
+        grid: &Grid,
+        observer: &mut dyn Observer<Phase>,
+    ) -> Phase {
+        Rk4.run(p, z, grid, observer)
+    }
+
+    fn count_evaluations(&self, pendulum: &Pendulum, start: Phase, grid: &Grid) -> u64 {
+        Rk4.count_evaluations(pendulum, start, grid)
+    }
+}
+
+impl OnDevice for Broken {
+    fn program(&self) -> Option<Program> {
+        let mut program = OnDevice::program(&Rk4)?;
+        self.0(&mut program);
+        Some(program)
+    }
+
+    fn begin(&self, pendulum: &Pendulum, start: Phase, grid: &Grid) -> Option<Begun> {
+        OnDevice::begin(&Rk4, pendulum, start, grid)
+    }
+}
+
+/// Catches: a refusal of the driver that is a panic, goes unnoticed, or is said in many lines.
+#[test]
+fn what_a_device_refuses_is_said() {
+    static SPOILT: Broken = Broken(|program| program.source.push_str("\nno such line;\n"));
+    static NAMELESS: Broken =
+        Broken(|program| program.source = program.source.replace("steps", "stairs"));
+    static TOO_LARGE: Broken = Broken(|program| program.numbers = 1 << 45);
+    let starts = [Phase::at_rest(1.0)];
+    let ensemble = Ensemble::new(&Pendulum::PAPER, &starts, Grid::new(0.1, 1).expect("positive"));
+    for mut device in usable() {
+        let why = |device: &Device, method: &'static dyn OnDevice| {
+            let compiled = device.compile(method);
+            let run =
+                compiled.and_then(|mut compiled| compiled.ends(&ensemble, &mut [Phase::default()]));
+            run.expect_err("it is refused").to_string()
+        };
+        let name = device.name.clone();
+        let spoilt = why(&device, &SPOILT);
+        assert!(spoilt.starts_with(&format!("the driver of {name} does not compile")), "{spoilt}");
+        assert_eq!(spoilt.lines().count(), 1);
+        let nameless = why(&device, &NAMELESS);
+        assert!(nameless.ends_with("CL_INVALID_KERNEL_NAME (-46)"), "{nameless}");
+        let too_little = format!("{name} has too little memory");
+        (device.memory, device.largest_buffer) = (100, 100);
+        assert_eq!(why(&device, &Rk4), too_little);
+        (device.memory, device.largest_buffer) = (u64::MAX, u64::MAX);
+        assert_eq!(why(&device, &TOO_LARGE), too_little);
+        device.is_double = false;
+        assert_eq!(why(&device, &Rk4), format!("{name} has no double precision"));
+    }
+}
