@@ -118,12 +118,12 @@ impl Pendulum {
     // ANCHOR: energy
     #[inline]
     fn energy_with(&self, sine_of_half: f64, z: Phase) -> f64 {
-        self.kinetic(z) + 2.0 * self.depth() * sine_of_half * sine_of_half
+        energy_of([self.inertia, self.depth], sine_of_half, z.omega)
     }
 
     #[inline]
     pub(super) fn kinetic(&self, z: Phase) -> f64 {
-        0.5 * (self.inertia * z.omega * z.omega)
+        kinetic_of(self.inertia, z.omega)
     }
     // ANCHOR_END: energy
 }
@@ -198,8 +198,18 @@ fn energies_with(
 /// in each lane, for angles (rad) up to twice [`half_turn::LARGEST`].
 #[inline(always)]
 pub fn energy_in_lanes<N: Number>([inertia, depth]: [N; 2], theta: N, omega: N) -> N {
-    let sine = half_turn::sin_within(theta * 0.5);
-    (inertia * omega * omega) * 0.5 + depth * 2.0 * sine * sine
+    energy_of([inertia, depth], half_turn::sin_within(theta * 0.5), omega)
+}
+
+/// ½ m L² ω² + 2 m g L sin²(θ/2) (J), from the sine of half the angle.
+#[inline(always)]
+fn energy_of<N: Number>([inertia, depth]: [N; 2], sine_of_half: N, omega: N) -> N {
+    kinetic_of(inertia, omega) + depth * 2.0 * sine_of_half * sine_of_half
+}
+
+#[inline(always)]
+fn kinetic_of<N: Number>(inertia: N, omega: N) -> N {
+    inertia * omega * omega * 0.5
 }
 
 /// Beyond this angle (rad) neighbouring f64s are 1/8 rad apart, and an angle means little.
