@@ -81,10 +81,19 @@ pub fn law(theta_0: f64, x: f64) -> f64 {
     2.0 * splitting::LAZUTKIN / (x * x) * libm::exp(-exponent(theta_0) / x)
 }
 
+/// The values of 1/x, from 1 to [`FINEST`].
+pub fn inverse_steps() -> impl Iterator<Item = f64> {
+    (0..=40).map(|i| 1.0 + 0.1 * f64::from(i))
+}
+
+/// The largest 1/x.
+pub const FINEST: f64 = 5.0;
+
 /// Pairs of 1/x and the smallest error at the step x, from rest at `theta_0` (rad), as far as the
-/// series with the smallest error is not the longest one.
+/// series with the smallest error is not the longest one. A method that is not symplectic has no
+/// such series, and the shortest is best at every step.
 pub fn least(theta_0: f64) -> Vec<(f64, f64)> {
-    let inverse = (0..).map(|i| 1.0 + 0.1 * f64::from(i));
+    let inverse = inverse_steps();
     let points = inverse.map(|inverse| (inverse, best(theta_0, 1.0 / inverse)));
     let short = points.take_while(|(_, (power, _))| *power < ORDER);
     short.map(|(inverse, (_, error))| (inverse, error)).collect()

@@ -31,13 +31,13 @@ fn truncation(_: &Study) -> Figure {
         chart.series(format!("x = {x}"), Style::series(i), powers(errors))
     });
     let least = Chart::new(
-        Axis::linear("1/x").range(1.0, 5.0),
+        Axis::linear("1/x").range(1.0, truncation::FINEST),
         Axis::log("smallest change, of the best N (m g L)").range(1e-18, 1.0),
     )
     .height(260.0);
     let least = truncation::STARTS.iter().enumerate().fold(least, |chart, (i, theta_0)| {
         let (label, style) = (format!("from {theta_0} rad"), Style::series(3 + i));
-        let law = (0..=40).map(|k| 1.0 + 0.1 * f64::from(k));
+        let law = truncation::inverse_steps();
         let law = law.map(|inverse| (inverse, truncation::law(*theta_0, 1.0 / inverse)));
         chart.series("theory", Style::REFERENCE, law).series(
             label,
