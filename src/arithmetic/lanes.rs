@@ -11,7 +11,7 @@ use fearless_simd::prelude::*;
 use fearless_simd::{f64x2, f64x4, f64x8, mask64x2, mask64x4, mask64x8, u64x2, u64x4, u64x8};
 
 use super::number::{Many, Mask, Number};
-use super::sine::half_turn;
+use super::sine::{self, half_turn};
 use super::two::Apart;
 
 /// A number for each lane.
@@ -77,6 +77,16 @@ macro_rules! lanes {
                     half_turn::sin_within(self)
                 } else {
                     self.map(half_turn::sin)
+                }
+            }
+
+            #[inline(always)]
+            fn sin_and_cos(self) -> (Self, Self) {
+                let bound = Number::splat(self, sine::LARGEST);
+                if Number::abs(self).at_most(bound).all() {
+                    sine::sin_and_cos_within(self)
+                } else {
+                    (self.map(sine::sin), self.map(sine::cos))
                 }
             }
         }
@@ -207,6 +217,12 @@ impl<N: Number> Number for Pair<N> {
     }
 
     #[inline(always)]
+    fn sin_and_cos(self) -> (Self, Self) {
+        let ((s, c), (sine, cosine)) = (self.0.sin_and_cos(), self.1.sin_and_cos());
+        (Self(s, sine), Self(c, cosine))
+    }
+
+    #[inline(always)]
     fn sine_and_cosine(self) -> (Self, Self) {
         let ((s, c), (sine, cosine)) = (self.0.sine_and_cosine(), self.1.sine_and_cosine());
         (Self(s, sine), Self(c, cosine))
@@ -263,9 +279,9 @@ mod tests {
     use fearless_simd::Level;
 
     /// What each function makes of each number, as bits.
-    fn results<N: Number>(x: N, of_lanes: impl Fn(N) -> [u64; 8]) -> [[u64; 8]; 11] {
+    fn results<N: Number>(x: N, of_lanes: impl Fn(N) -> [u64; 8]) -> [[u64; 8]; 13] {
         let (half_turns, rest) = x.half_turns();
-        let rest_alone = rest.sine_and_cosine();
+        let (rest_alone, any) = (rest.sine_and_cosine(), x.sin_and_cos());
         let half = x.splat(0.5);
         let smaller = N::select(x.abs().at_most(half), x, half);
         [
@@ -280,6 +296,8 @@ mod tests {
             x.sine(),
             rest_alone.0,
             rest_alone.1,
+            any.0,
+            any.1,
         ]
         .map(of_lanes)
     }
@@ -288,26 +306,26 @@ mod tests {
     /// the instructions that this machine has: at zeros of both signs, where the reduction changes
     /// its mind, and beyond the angles that it reduces.
     ///
-    /// Catches: sine and cosine confused in an odd quarter turn, or a sign of theirs; the sine of
-    /// −0 without its sign; a lane beyond the limit reduced as if it were within it; a mask
+    /// Catches: sine and cosine confused in an odd quarter turn, or a sign of theirs in any quarter;
+    /// the sine of −0 without its sign; a lane beyond the limit reduced as if it were within it; a mask
     /// inverted.
     #[test]
     fn a_lane_has_the_bits_of_a_number_alone() {
         let next = |x: f64| [x.next_down(), x, x.next_up()];
-        let edges = [FRAC_PI_4, FRAC_PI_2, 3.0 * FRAC_PI_4, half_turn::LARGEST, 0.5];
+        let edges = [FRAC_PI_4, FRAC_PI_2, 3.0 * FRAC_PI_4, half_turn::LARGEST, 0.5, sine::TINY];
         let mut numbers: Vec<f64> = edges.into_iter().flat_map(next).collect();
-        numbers.extend([0.0, 1e-300, 5e-324, 7.4e-9, 7.5e-9, 1.0, 3.0, 1e4, 4e6, 1e15]);
+        numbers.extend([0.0, 1e-300, 5e-324, 1.0, 3.0, 4.0, 5.0, 1e4, 1e6, 4e6, 1e15]);
         numbers.extend(numbers.clone().into_iter().map(|x| -x));
-        assert_eq!(numbers.len(), 50);
+        let count = numbers.len();
         for start in 0..numbers.len() {
-            let eight: [f64; 8] = core::array::from_fn(|i| numbers[(start + 7 * i) % 50]);
+            let eight: [f64; 8] = core::array::from_fn(|i| numbers[(start + 7 * i) % count]);
             let alone = eight.map(|x| results(x, |x| [x.to_bits(); 8]));
-            let expected: [[u64; 8]; 11] =
+            let expected: [[u64; 8]; 13] =
                 core::array::from_fn(|of| core::array::from_fn(|lane| alone[lane][of][lane]));
             fn bits<N: Lanes>(x: N) -> [u64; 8] {
                 core::array::from_fn(|lane| x.lane(lane).to_bits())
             }
-            fn in_lanes<N: Lanes>(simd: N::Simd, eight: [f64; 8]) -> [[u64; 8]; 11] {
+            fn in_lanes<N: Lanes>(simd: N::Simd, eight: [f64; 8]) -> [[u64; 8]; 13] {
                 results(N::from_lanes(simd, |lane| eight[lane]), bits)
             }
             fearless_simd::dispatch!(Level::new(), simd => {

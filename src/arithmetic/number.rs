@@ -78,6 +78,10 @@ pub trait Number:
     #[must_use]
     fn sine(self) -> Self;
 
+    /// Sine and cosine of this angle (rad), by [`sine::sin`] and [`sine::cos`].
+    #[must_use]
+    fn sin_and_cos(self) -> (Self, Self);
+
     /// Sine and cosine of this angle (rad), in [−π/2, π/2] up to rounding, by [`sine::sin`] and
     /// [`sine::cos`].
     #[inline(always)]
@@ -162,7 +166,12 @@ impl Number for f64 {
     }
 
     #[inline(always)]
-    fn sine_and_cosine(self) -> (Self, Self) {
+    fn sin_and_cos(self) -> (Self, Self) {
         (sine::sin(self), sine::cos(self))
+    }
+
+    #[inline(always)]
+    fn sine_and_cosine(self) -> (Self, Self) {
+        self.sin_and_cos()
     }
 }

@@ -2,6 +2,7 @@
 
 use core::ops::ControlFlow;
 
+use super::instructions::Work;
 use super::{Deferred, ReducedPhase, ScaledPendulum};
 use crate::arithmetic::lanes::Lanes;
 use crate::integrate::Method;
@@ -11,7 +12,6 @@ use crate::systems::Phase;
 pub const LANES: usize = 32;
 
 /// Up to [`LANES`] pendulums and the steps that they take together.
-#[derive(Debug)]
 pub struct Block<'a, M> {
     pub(super) method: &'a M,
     /// The pendulums and where they begin, at least one; the last of them fills the idle lanes.
@@ -20,6 +20,7 @@ pub struct Block<'a, M> {
     pub(super) steps: u64,
     /// Every k-th state is asked for.
     pub(super) every: u64,
+    pub(super) each: &'a mut Each<'a>,
 }
 
 /// What is told the number of steps taken and the states then, and may end the run. Not a generic
@@ -34,16 +35,13 @@ struct Group<N, C> {
     carry: C,
 }
 
-impl<M> Block<'_, M> {
+impl<N: Lanes, M: Method<ScaledPendulum<N>>> Work<N> for Block<'_, M> {
     /// Takes the steps and passes the number of steps taken and the states then to `each`, until it
     /// breaks.
     ///
     /// A team of `TEAM` groups takes its steps side by side, so that they overlap.
     #[inline(always)]
-    pub(super) fn run<N: Lanes, const TEAM: usize>(&self, simd: N::Simd, each: &mut Each<'_>)
-    where
-        M: Method<ScaledPendulum<N>>,
-    {
+    fn run<const TEAM: usize>(self, simd: N::Simd) {
         let mut groups = [const { None }; LANES];
         let used = self.starts.len().div_ceil(N::COUNT * TEAM) * TEAM;
         for (index, group) in groups[..used].iter_mut().enumerate() {
@@ -62,12 +60,14 @@ impl<M> Block<'_, M> {
                     *phase = Phase { theta: theta.lane(lane), omega: omega.lane(lane) };
                 }
             }
-            if each(n, &phases).is_break() {
+            if (self.each)(n, &phases).is_break() {
                 return;
             }
         }
     }
+}
 
+impl<M> Block<'_, M> {
     /// The pendulums from the one of index `first` on, before the first step.
     #[inline(always)]
     fn group<N: Lanes>(&self, simd: N::Simd, first: usize) -> Group<N, M::Carry>

@@ -8,7 +8,7 @@ use core::marker::PhantomData;
 use core::num::NonZeroU64;
 use core::ops::ControlFlow;
 
-use super::block::{Block, LANES};
+use super::block::{Block, Each, LANES};
 use super::instructions::{Best, Instructions, vectors};
 use super::{ReducedPhase, ScaledPendulum};
 use crate::fast::integrate_fast;
@@ -84,12 +84,12 @@ impl<I: Instructions> Ensemble<'_, I> {
         let grid = &self.grid;
         self.for_blocks(ends, |first, ends| match self.starts_of(method, first, ends.len()) {
             Some(starts) => {
-                let steps = grid.steps();
-                let block = Block { method, starts: &starts[..ends.len()], steps, every: steps };
-                I::run(&block, &mut |_, states| {
+                let (steps, starts) = (grid.steps(), &starts[..ends.len()]);
+                let each: &mut Each<'_> = &mut |_, states| {
                     ends.copy_from_slice(&states[..ends.len()]);
                     ControlFlow::Break(())
-                });
+                };
+                I::run(Block { method, starts, steps, every: steps, each });
             }
             None => {
                 for (i, end) in (first..).zip(ends) {
@@ -117,8 +117,8 @@ impl<I: Instructions> Ensemble<'_, I> {
                         observer.observe(0, 0.0, self.starts[i]);
                     }
                     let (steps, every) = (grid.steps(), every.get());
-                    let block = Block { method, starts: &starts[..observers.len()], steps, every };
-                    I::run(&block, &mut |n, states| {
+                    let starts = &starts[..observers.len()];
+                    let each: &mut Each<'_> = &mut |n, states| {
                         let mut all_satisfied = true;
                         for (state, observer) in states.iter().zip(&mut *observers) {
                             if !observer.is_satisfied() {
@@ -131,7 +131,8 @@ impl<I: Instructions> Ensemble<'_, I> {
                         } else {
                             ControlFlow::Continue(())
                         }
-                    });
+                    };
+                    I::run(Block { method, starts, steps, every, each });
                 }
                 None => {
                     for (i, observer) in (first..).zip(observers) {

@@ -4,16 +4,32 @@ use core::fmt::Debug;
 
 use fearless_simd::Simd;
 
-use super::block::{Block, Each};
-use super::ensemble::InLanes;
+use crate::arithmetic::lanes::Lanes;
+
+/// What can be done in lanes of the vectors `N`, `TEAM` of them side by side.
+pub trait Work<N: Lanes> {
+    /// Does it, in code that is compiled for the processors of which `simd` is the proof: the
+    /// implementation is `#[inline(always)]`.
+    fn run<const TEAM: usize>(self, simd: N::Simd);
+}
+
+/// What can be done in the lanes of any of the library's vectors.
+pub trait InVectors:
+    Work<vectors::OfBaseline> + Work<vectors::OfAvx2> + Work<vectors::OfAvx512>
+{
+}
+
+impl<W> InVectors for W where
+    W: Work<vectors::OfBaseline> + Work<vectors::OfAvx2> + Work<vectors::OfAvx512>
+{
+}
 
 /// Which vector instructions the steps are compiled to. It is a type, so that a program compiles
 /// those that it uses and no others. The bits are the same; the time is not.
 pub trait Instructions: Copy + Debug + Default + Send + Sync {
-    /// Takes the steps of `block` and passes the number of steps taken and the states then to
-    /// `each`, until it breaks.
+    /// Does the `work`.
     #[doc(hidden)]
-    fn run<M: InLanes>(block: &Block<'_, M>, each: &mut Each<'_>);
+    fn run<W: InVectors>(work: W);
 }
 
 /// What every processor has for which the program was compiled: vectors of two numbers on x86-64
@@ -33,21 +49,21 @@ pub struct Avx512;
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Best;
 
-/// Runs the block with vectors and teams of this size, in code that is compiled for the processors
+/// Does the work with vectors and teams of this size, in code that is compiled for the processors
 /// of which `$simd` is the proof.
 macro_rules! run {
-    ($block:ident, $each:ident, $simd:expr, $Vector:ty, $team:tt) => {
+    ($work:ident, $simd:expr, $Vector:ty, $team:tt) => {
         $simd.vectorize(
             #[inline(always)]
-            || $block.run::<$Vector, $team>($simd, $each),
+            || Work::<$Vector>::run::<$team>($work, $simd),
         )
     };
 }
 
 impl Instructions for Baseline {
-    fn run<M: InLanes>(block: &Block<'_, M>, each: &mut Each<'_>) {
+    fn run<W: InVectors>(work: W) {
         let simd = vectors::baseline();
-        run!(block, each, simd, vectors::OfBaseline, { vectors::TEAM });
+        run!(work, simd, vectors::OfBaseline, { vectors::TEAM });
     }
 }
 
@@ -58,7 +74,7 @@ pub mod vectors {
 
     use fearless_simd::{Level, Simd, Sse2};
 
-    use super::{Avx2, Avx512, Baseline, Best, Block, Each, InLanes, Instructions};
+    use super::{Avx2, Avx512, Baseline, Best, InVectors, Instructions, Work};
 
     #[cfg(not(debug_assertions))]
     mod numbers {
@@ -92,29 +108,29 @@ pub mod vectors {
     }
 
     impl Instructions for Avx2 {
-        fn run<M: InLanes>(block: &Block<'_, M>, each: &mut Each<'_>) {
+        fn run<W: InVectors>(work: W) {
             match Level::new().as_avx2() {
-                Some(simd) => run!(block, each, simd, OfAvx2, { TEAM }),
-                None => Baseline::run(block, each),
+                Some(simd) => run!(work, simd, OfAvx2, { TEAM }),
+                None => Baseline::run(work),
             }
         }
     }
 
     impl Instructions for Avx512 {
-        fn run<M: InLanes>(block: &Block<'_, M>, each: &mut Each<'_>) {
+        fn run<W: InVectors>(work: W) {
             match Level::new().as_avx512() {
-                Some(simd) => run!(block, each, simd, OfAvx512, 1),
-                None => Baseline::run(block, each),
+                Some(simd) => run!(work, simd, OfAvx512, 1),
+                None => Baseline::run(work),
             }
         }
     }
 
     impl Instructions for Best {
-        fn run<M: InLanes>(block: &Block<'_, M>, each: &mut Each<'_>) {
+        fn run<W: InVectors>(work: W) {
             if Level::new().as_avx512().is_some() {
-                Avx512::run(block, each);
+                Avx512::run(work);
             } else {
-                Avx2::run(block, each);
+                Avx2::run(work);
             }
         }
     }
@@ -125,7 +141,7 @@ pub mod vectors {
     //! The vectors for the only set of instructions. On 32-bit x86 that is SSE2: eight registers
     //! are too few for more, and with AVX-512 the compiler confuses masks there.
 
-    use super::{Avx2, Avx512, Baseline, Best, Block, Each, InLanes, Instructions};
+    use super::{Avx2, Avx512, Baseline, Best, InVectors, Instructions};
 
     #[cfg(target_arch = "aarch64")]
     mod numbers {
@@ -169,8 +185,8 @@ pub mod vectors {
     macro_rules! the_baseline {
         ($($Name:ident)+) => {$(
             impl Instructions for $Name {
-                fn run<M: InLanes>(block: &Block<'_, M>, each: &mut Each<'_>) {
-                    Baseline::run(block, each);
+                fn run<W: InVectors>(work: W) {
+                    Baseline::run(work);
                 }
             }
         )+};

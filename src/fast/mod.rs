@@ -7,6 +7,8 @@ mod deferred;
 #[cfg(feature = "ensemble")]
 mod ensemble;
 #[cfg(feature = "ensemble")]
+mod flips;
+#[cfg(feature = "ensemble")]
 mod instructions;
 mod run;
 mod scaled;
@@ -17,6 +19,10 @@ pub use block::LANES;
 pub use deferred::Deferred;
 #[cfg(feature = "ensemble")]
 pub use ensemble::{Ensemble, InLanes};
+#[cfg(feature = "ensemble")]
+pub use flips::{
+    DoubleInLanes, DoublePendulums, DoublePhases, first_flips, first_flips_with, is_below,
+};
 #[cfg(feature = "ensemble")]
 pub use instructions::{Avx2, Avx512, Baseline, Best, Instructions};
 pub use run::{FastRun, Resumable};

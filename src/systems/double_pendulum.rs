@@ -1,5 +1,6 @@
 //! The double pendulum.
 
+use crate::arithmetic::number::Number;
 use crate::arithmetic::sine::{cos, sin};
 use crate::error::{Error, finite, positive};
 use crate::state;
@@ -140,15 +141,47 @@ impl DoublePendulum {
     /// The angular velocities (ω₁, ω₂) = (∂H/∂p₁, ∂H/∂p₂) (rad/s) in the state `z`.
     #[inline]
     pub fn velocities(&self, z: DoublePhase) -> [f64; 2] {
+        let (s, c) = (z.theta1 - z.theta2).sin_and_cos();
+        self.velocities_at([s, c], [z.p1, z.p2])
+    }
+
+    /// The same from sine and cosine of θ₁ − θ₂ and the momenta.
+    #[inline(always)]
+    fn velocities_at<N: Number>(&self, [s, c]: [N; 2], [p1, p2]: [N; 2]) -> [N; 2] {
         let (Joint { length: l1, mass: m1 }, Joint { length: l2, mass: m2 }) =
             (self.upper, self.lower);
-        let (s, c) = (sin(z.theta1 - z.theta2), cos(z.theta1 - z.theta2));
-        let effective = m1 + m2 * s * s;
-        let omega1 = (l2 * z.p1 - l1 * c * z.p2) / (l1 * l1 * l2 * effective);
-        let omega2 = ((m1 + m2) * l1 * z.p2 - m2 * l2 * c * z.p1) / (m2 * l1 * l2 * l2 * effective);
+        let effective = s * m2 * s + m1;
+        let omega1 = (p1 * l2 - c * l1 * p2) / (effective * (l1 * l1 * l2));
+        let omega2 =
+            (p2 * ((m1 + m2) * l1) - c * (m2 * l2) * p1) / (effective * (m2 * l1 * l2 * l2));
         [omega1, omega2]
     }
     // ANCHOR_END: velocities
+
+    // ANCHOR: rate
+    /// The rates of change of θ₁, θ₂ (rad/s), p₁ and p₂ (kg m²/s²): of one double pendulum, or of
+    /// one in each lane.
+    #[inline(always)]
+    pub fn rates<N: Number>(&self, [theta1, theta2, p1, p2]: [N; 4]) -> [N; 4] {
+        let (Joint { length: l1, mass: m1 }, Joint { length: l2, mass: m2 }) =
+            (self.upper, self.lower);
+        let (s, c) = (theta1 - theta2).sin_and_cos();
+        let [omega1, omega2] = self.velocities_at([s, c], [p1, p2]);
+        // ∂T/∂Δ at fixed momenta: the torque that the rods exert on each other.
+        let exchange = omega1 * (m2 * l1 * l2) * omega2 * s;
+        let ((sin1, _), (sin2, _)) = (theta1.sin_and_cos(), theta2.sin_and_cos());
+        let (weight1, weight2) = ((m1 + m2) * self.gravity * l1, m2 * self.gravity * l2);
+        [omega1, omega2, -exchange - sin1 * weight1, exchange - sin2 * weight2]
+    }
+    // ANCHOR_END: rate
+
+    /// The least energy (J) with which a rod can pass the upward vertical: that of the lower rod up
+    /// and the upper one hanging, or of the upper one up and the lower one hanging from it.
+    pub fn least_flip_energy(&self) -> f64 {
+        let both = self.upper.mass + self.lower.mass;
+        let lower = 2.0 * self.gravity * self.lower.mass * self.lower.length;
+        f64::min(lower, 2.0 * self.gravity * both * self.upper.length)
+    }
 
     /// The bobs' positions (x, y) (m), upper before lower, with the pivot for origin and y upwards.
     pub fn bobs(&self, z: DoublePhase) -> [(f64, f64); 2] {
@@ -208,22 +241,11 @@ fn moderate(name: &'static str, value: f64) -> Result<f64, Error> {
 impl System for DoublePendulum {
     type State = DoublePhase;
 
-    // ANCHOR: rate
     #[inline]
     fn rate(&self, _t: f64, z: DoublePhase) -> DoublePhase {
-        let (Joint { length: l1, mass: m1 }, Joint { length: l2, mass: m2 }) =
-            (self.upper, self.lower);
-        let [omega1, omega2] = self.velocities(z);
-        // ∂T/∂Δ at fixed momenta: the torque that the rods exert on each other.
-        let exchange = m2 * l1 * l2 * omega1 * omega2 * sin(z.theta1 - z.theta2);
-        DoublePhase {
-            theta1: omega1,
-            theta2: omega2,
-            p1: -exchange - (m1 + m2) * self.gravity * l1 * sin(z.theta1),
-            p2: exchange - m2 * self.gravity * l2 * sin(z.theta2),
-        }
+        let [theta1, theta2, p1, p2] = self.rates([z.theta1, z.theta2, z.p1, z.p2]);
+        DoublePhase { theta1, theta2, p1, p2 }
     }
-    // ANCHOR_END: rate
 }
 
 impl Hamiltonian for DoublePendulum {

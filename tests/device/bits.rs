@@ -6,11 +6,12 @@ use core::num::NonZeroU64;
 use pendula::integrate::Every;
 use pendula::metrics::EnergyDrift;
 use pendula::{AnyMethod, Ensemble, Grid, Info, MethodInfo, Observer, Pendulum, Phase, Rk4};
-use pendula_device::kernel::{Begun, Program};
+use pendula_device::kernel::Program;
+use pendula_device::kernel::steps::Begun;
 use pendula_device::{Device, METHODS, OnDevice, devices, method_named};
 
 /// The devices with double precision.
-fn usable() -> Vec<Device> {
+pub fn usable() -> Vec<Device> {
     match devices() {
         Ok(devices) => devices.into_iter().filter(|device| device.is_double).collect(),
         Err(error) => {

@@ -2,4 +2,5 @@
 
 mod bits;
 mod contracted;
+mod flips;
 mod recorded;

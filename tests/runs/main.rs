@@ -11,6 +11,7 @@ mod anything;
 mod checkpoint;
 mod ensemble;
 mod extremes;
+mod flips;
 mod grid;
 mod implicit;
 mod integrate_fast;

@@ -3,7 +3,7 @@
 
 use std::f64::consts::{PI, SQRT_2};
 
-use approx::assert_abs_diff_eq;
+use approx::{assert_abs_diff_eq, assert_relative_eq};
 use pendula::adaptive::{Adaptive, Tolerance};
 use pendula::methods::{Dop853, ForwardEuler, Gauss4, Gauss6, ImplicitMidpoint, Rk4};
 use pendula::metrics::EnergyDrift;
@@ -419,6 +419,29 @@ fn steps_of_their_own_size_go_the_same_way() {
     let expected: Vec<_> =
         (0..4).map(|i| [columns(start)[i], columns(end)[i], columns(off)[i]]).collect();
     assert_eq!(seen, expected);
+}
+
+/// The lowest energy at rest with one rod upright, over all angles of the other, is the least with
+/// which a rod can pass the upward vertical.
+///
+/// Catches: a mass or a length left out or confused with the other rod's; the higher of the two.
+#[test]
+fn the_least_energy_of_a_flip_is_the_lowest_pass() {
+    let joint = |length, mass| Joint { length, mass };
+    for (upper, lower) in [
+        (joint(1.0, 1.0), joint(1.0, 1.0)),
+        (joint(1.3, 0.7), joint(0.9, 2.1)),
+        (joint(0.2, 1.5), joint(1.1, 4.0)),
+    ] {
+        let double = DoublePendulum::new(3.7, upper, lower).unwrap();
+        let energy = |theta| double.energy(double.start(theta, [0.0; 2]).unwrap());
+        let angles = (-300..=300).map(|i| PI * f64::from(i) / 300.0);
+        let lowest = angles
+            .map(|other| energy([other, PI]).min(energy([PI, other])))
+            .fold(f64::INFINITY, f64::min);
+        // Both are sums of a few products, rounded a few times each.
+        assert_relative_eq!(double.least_flip_energy(), lowest, max_relative = 1e-15);
+    }
 }
 
 /// Catches: NaN accepted, a mass that vanishes, an error that does not give the reason.

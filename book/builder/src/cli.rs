@@ -7,8 +7,8 @@ use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
 
 use crate::commands::{
-    adaptive, book, claims, completions, devices, double_pendulum, ensemble, exact, man, methods,
-    number, period, preprocess, review, serve, simulate, tables, verify, work_precision,
+    adaptive, book, claims, completions, devices, double_pendulum, ensemble, exact, flips, man,
+    methods, number, period, preprocess, review, serve, simulate, tables, verify, work_precision,
 };
 
 use crate::failure::Failure;
@@ -78,6 +78,12 @@ pub enum Command {
         "pendula double-pendulum --theta1 2 --theta2 1 --dt .1 --steps 99 --method dop853 --plot -",
     ]))]
     DoublePendulum(double_pendulum::Arguments),
+    /// Print when a double pendulum first turns over, for every release from rest
+    #[command(after_help = examples(&[
+        "pendula flips --size 40 --duration 5 > flips.csv",
+        "pendula flips --size 60 --duration 9 --picture flips.png --output flips.csv",
+    ]))]
+    Flips(flips::Arguments),
     /// Integrate from many starts, or with many steps, and print where each ends
     #[command(after_help = examples(&[
         "pendula ensemble --method rk4 --theta0 0.1:3.1:31 --dt 0.01 --duration 10",

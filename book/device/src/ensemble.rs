@@ -9,26 +9,27 @@ use pendula::metrics::EnergyDrift;
 use pendula::{AnyMethod, Ensemble, Grid, Observer, Pendulum, Phase, for_each_method, methods};
 
 use crate::Error;
-use crate::kernel::{self, Begun, CONSTANTS, Program, Recordable};
-use crate::opencl::{Device, Session, Watch};
+use crate::kernel::Program;
+use crate::kernel::steps::{self, Begun, CONSTANTS, Recordable};
+use crate::opencl::{Device, Session};
 
 /// A method whose steps may run on a device. Every one of the library is one; whether it can be
 /// recorded, [`program`](OnDevice::program) says.
 pub trait OnDevice: AnyMethod {
-    /// [`kernel::program`].
+    /// [`steps::program`].
     fn program(&self) -> Option<Program>;
 
-    /// [`kernel::begin`].
+    /// [`steps::begin`].
     fn begin(&self, pendulum: &Pendulum, start: Phase, grid: &Grid) -> Option<Begun>;
 }
 
 impl<M: AnyMethod + Recordable> OnDevice for M {
     fn program(&self) -> Option<Program> {
-        kernel::program(self)
+        steps::program(self)
     }
 
     fn begin(&self, pendulum: &Pendulum, start: Phase, grid: &Grid) -> Option<Begun> {
-        kernel::begin(self, pendulum, start, grid)
+        steps::begin(self, pendulum, start, grid)
     }
 }
 
@@ -47,11 +48,26 @@ pub fn method_named(name: &str) -> Option<&'static dyn OnDevice> {
 
 /// Pendulums that are on the device at once, at most: enough for every core of a large card. It
 /// bounds the memory here, whatever the number of starts.
-const MOST: usize = 1 << 18;
+pub const MOST: usize = 1 << 18;
 
 /// Steps in a launch, at most: a driver may take a program that runs for seconds for one that
 /// hangs.
-const LAUNCH: u64 = 1 << 12;
+pub const LAUNCH: u64 = 1 << 12;
+
+/// The buffers, by their indices in [`steps::rows`].
+const CONSTANTS_OF: usize = 0;
+const NUMBERS: usize = 1;
+const PHASES: usize = 2;
+const WATCHED: usize = 3;
+
+/// What a launch looks at; its number is that of the kernel.
+#[derive(Clone, Copy)]
+enum Watch {
+    /// The last state only.
+    End = 0,
+    /// The energy after each step, too.
+    Energy = 1,
+}
 
 /// The steps of a method, compiled for a device.
 pub struct Compiled<'d> {
@@ -68,12 +84,10 @@ impl Device {
     /// [`Error::Method`] for a method that cannot be recorded; [`Error::NoDouble`],
     /// [`Error::Build`], [`Error::Driver`].
     pub fn compile(&self, method: &'static dyn OnDevice) -> Result<Compiled<'_>, Error> {
-        if !self.is_double {
-            return Err(Error::NoDouble { device: self.name.clone() });
-        }
         let name = method.info().name;
         let program = method.program().ok_or(Error::Method { method: name })?;
-        let session = Session::new(self, &program)?;
+        let rows = steps::rows(program.numbers);
+        let session = Session::new(self, &program.source, &steps::KERNELS, &rows)?;
         Ok(Compiled { device: self, method, program, session })
     }
 }
@@ -99,7 +113,7 @@ impl Compiled<'_> {
             ends,
             |session, batch, ends| {
                 advance(session, device, ensemble.grid(), Watch::End, batch.len(), steps)?;
-                let phases = session.phases(device, batch.len())?;
+                let phases = session.read(device, PHASES, batch.len())?;
                 for (column, &i) in batch.iter().enumerate() {
                     ends[i] = phase(&phases, column);
                 }
@@ -137,8 +151,8 @@ impl Compiled<'_> {
             ends,
             |session, batch, ends| {
                 advance(session, device, ensemble.grid(), Watch::Energy, batch.len(), steps)?;
-                let phases = session.phases(device, batch.len())?;
-                let watched = session.watched(device, batch.len())?;
+                let phases = session.read(device, PHASES, batch.len())?;
+                let watched = session.read(device, WATCHED, batch.len())?;
                 let (errors, angles) = watched.split_at(batch.len());
                 for (column, &i) in batch.iter().enumerate() {
                     // Beyond, the library's sine is another one.
@@ -190,7 +204,7 @@ impl Compiled<'_> {
                         every.get(),
                     )?;
                     n += every.get();
-                    let phases = session.phases(device, batch.len())?;
+                    let phases = session.read(device, PHASES, batch.len())?;
                     for (column, &i) in batch.iter().enumerate() {
                         if !observers[i].is_satisfied() {
                             observers[i].observe(n, grid.time(n), phase(&phases, column));
@@ -212,19 +226,6 @@ impl Compiled<'_> {
 }
 
 impl Compiled<'_> {
-    /// Pendulums in a batch of this number in all: a quarter of the memory, in buffers that are
-    /// allowed.
-    fn capacity(&self, all: usize) -> Result<usize, Error> {
-        let Device { memory, largest_buffer, .. } = *self.device;
-        let row = 8 * (self.program.numbers + CONSTANTS.len() + 4) as u64;
-        let room = u64::min(memory / 4 / row, largest_buffer / row);
-        let capacity = usize::try_from(room).unwrap_or(usize::MAX).min(MOST).min(all);
-        if capacity == 0 && all > 0 {
-            return Err(Error::Memory { device: self.device.name.clone() });
-        }
-        Ok(capacity)
-    }
-
     /// Calls `on_device` for each batch of pendulums, with a session in which they stand at the
     /// start, their indices and all slots; and `alone` for each pendulum that the library does not
     /// run in steps either.
@@ -236,8 +237,7 @@ impl Compiled<'_> {
         mut alone: impl FnMut(usize, &mut T),
     ) -> Result<(), Error> {
         assert_eq!(slots.len(), ensemble.starts().len(), "one slot for each start");
-        let capacity = self.capacity(slots.len())?;
-        self.session.reserve(self.device, capacity)?;
+        let capacity = self.session.reserve(self.device, slots.len(), MOST)?;
         let mut batch = Vec::with_capacity(capacity);
         let mut begun = Vec::with_capacity(capacity);
         for (i, start) in ensemble.starts().iter().enumerate() {
@@ -252,7 +252,12 @@ impl Compiled<'_> {
             if !batch.is_empty() && (is_last || batch.len() == capacity) {
                 let constants = rows(&begun, CONSTANTS.len(), |pendulum| &pendulum.constants);
                 let numbers = rows(&begun, self.program.numbers, |pendulum| &pendulum.numbers);
-                self.session.write(self.device, batch.len(), &constants, &numbers)?;
+                let watched = vec![0.0; 2 * batch.len()];
+                let buffers =
+                    [(CONSTANTS_OF, &constants), (NUMBERS, &numbers), (WATCHED, &watched)];
+                for (buffer, values) in buffers {
+                    self.session.write(self.device, buffer, batch.len(), values)?;
+                }
                 on_device(&self.session, &batch, slots)?;
                 batch.clear();
                 begun.clear();
@@ -274,17 +279,17 @@ fn advance(
     let mut left = steps;
     while left > 0 {
         let now = left.min(LAUNCH);
-        session.advance(device, watch, pendulums, now, grid.step())?;
+        session.run(device, watch as usize, pendulums, now, &[grid.step()])?;
         left -= now;
     }
     Ok(())
 }
 
-/// The numbers of all pendulums in rows: the first of each, then the second of each.
-fn rows(begun: &[Begun], width: usize, of: impl Fn(&Begun) -> &[f64]) -> Vec<f64> {
+/// What all pendulums have, in rows: the first number of each, then the second of each.
+pub fn rows<T>(pendulums: &[T], width: usize, of: impl Fn(&T) -> &[f64]) -> Vec<f64> {
     (0..width)
-        .flat_map(|row| begun.iter().map(move |pendulum| (row, pendulum)))
-        .map(|(row, pendulum)| of(pendulum)[row])
+        .flat_map(|row| pendulums.iter().map(move |one| (row, one)))
+        .map(|(row, one)| of(one)[row])
         .collect()
 }
 

@@ -11,6 +11,7 @@
 
 mod ensemble;
 mod error;
+mod flips;
 pub mod kernel;
 mod opencl;
 pub mod trace;

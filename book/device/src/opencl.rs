@@ -1,6 +1,6 @@
 //! What is asked of the driver. All `unsafe` code of the project is here.
 //!
-//! Three things make the calls sound. A [`Session`] makes its buffers with the lengths that its
+//! Three things make the calls sound. A [`Session`] makes its buffers with the rows that its
 //! kernels, made by [`kernel`](crate::kernel), index, and no kernel writes beyond them: each work
 //! item has its own column, and returns if there is none. Each argument has the type that the
 //! kernel declares. And every call waits until the device has finished, so that no memory of this
@@ -21,7 +21,6 @@ use opencl3::platform::get_platforms;
 use opencl3::types::{CL_TRUE, cl_double, cl_ulong};
 
 use crate::Error;
-use crate::kernel::{CONSTANTS, Program};
 
 /// A device, and what is known of it.
 #[derive(Debug)]
@@ -86,44 +85,34 @@ pub fn devices() -> Result<Vec<Device>, Error> {
 pub struct Session {
     context: Context,
     queue: CommandQueue,
-    steps: Kernel,
-    watched_steps: Kernel,
-    /// The numbers of each pendulum.
-    width: usize,
-    room: Option<Room>,
-}
-
-/// Memory for a number of pendulums.
-struct Room {
+    /// Each kernel, and how many of the buffers it is given.
+    kernels: Vec<(Kernel, usize)>,
+    /// The rows of each buffer.
+    rows: Vec<usize>,
+    /// The columns that there is room for, and the buffers.
     capacity: usize,
-    constants: Buffer<cl_double>,
-    numbers: Buffer<cl_double>,
-    phases: Buffer<cl_double>,
-    watched: Buffer<cl_double>,
-}
-
-/// What a launch is to look at.
-#[derive(Clone, Copy, Debug, Eq, PartialEq)]
-pub enum Watch {
-    /// The last state only.
-    End,
-    /// The energy after each step, too.
-    Energy,
+    buffers: Vec<Buffer<cl_double>>,
 }
 
 /// Work items in a group: a kernel gets a whole number of groups.
 const GROUP: usize = 64;
 
-/// The largest energy error (J) and the largest angle (rad) of each pendulum, in two rows.
-const WATCHED: usize = 2;
-
 impl Session {
-    /// Builds `program` for `device`.
+    /// Builds `source` for `device`, with its `kernels` and how many of the buffers each is given;
+    /// `rows` says how many rows each buffer has.
     ///
     /// # Errors
-    /// [`Error::Build`] with what the driver's compiler says, and [`Error::Driver`] for whatever
-    /// else it refuses.
-    pub fn new(device: &Device, program: &Program) -> Result<Self, Error> {
+    /// [`Error::NoDouble`] for a device that cannot have the bits, [`Error::Build`] with what the
+    /// driver's compiler says, and [`Error::Driver`] for whatever else it refuses.
+    pub fn new(
+        device: &Device,
+        source: &str,
+        kernels: &[(&str, usize)],
+        rows: &[usize],
+    ) -> Result<Self, Error> {
+        if !device.is_double {
+            return Err(Error::NoDouble { device: device.name.clone() });
+        }
         let _alone = one_at_a_time();
         let refused = |error| refusal(device, error);
         let context = Context::from_device(&device.handle).map_err(refused)?;
@@ -132,42 +121,45 @@ impl Session {
         let queue = CommandQueue::create_default(&context, 0).map_err(refused)?;
         let built = opencl3::program::Program::create_and_build_from_source(
             &context,
-            &program.source,
+            source,
             "-cl-std=CL1.2",
         );
         let built = built.map_err(|log| Error::Build { device: device.name.clone(), log })?;
-        let kernel = |name| Kernel::create(&built, name).map_err(refused);
-        let (steps, watched_steps) = (kernel("steps")?, kernel("watched_steps")?);
-        Ok(Self { context, queue, steps, watched_steps, width: program.numbers, room: None })
+        let kernel = |&(name, buffers): &(&str, usize)| {
+            Ok((Kernel::create(&built, name).map_err(refused)?, buffers))
+        };
+        let kernels = kernels.iter().map(kernel).collect::<Result<_, _>>()?;
+        Ok(Self { context, queue, kernels, rows: rows.into(), capacity: 0, buffers: Vec::new() })
     }
 
-    /// Makes room for `capacity` pendulums, if there is not so much.
+    /// The pendulums of `all` that are on the device at once: a quarter of its memory, in buffers
+    /// that it allows, and no more than `most`. There is then room for them.
     ///
     /// # Errors
-    /// [`Error::Memory`] if the device has too little, and [`Error::Driver`].
-    pub fn reserve(&mut self, device: &Device, capacity: usize) -> Result<(), Error> {
-        if self.room.as_ref().is_some_and(|room| room.capacity >= capacity) {
-            return Ok(());
+    /// [`Error::Memory`] if it has too little, and [`Error::Driver`].
+    pub fn reserve(&mut self, device: &Device, all: usize, most: usize) -> Result<usize, Error> {
+        let column = 8 * self.rows.iter().sum::<usize>() as u64;
+        let room = u64::min(device.memory / 4, device.largest_buffer) / column;
+        let capacity = usize::try_from(room).unwrap_or(usize::MAX).min(most).min(all);
+        if capacity == 0 && all > 0 {
+            return Err(Error::Memory { device: device.name.clone() });
         }
-        self.room = None;
-        let buffer = |rows: usize| {
-            let flags = CL_MEM_READ_WRITE;
-            // SAFETY: No memory of this side is handed over.
-            unsafe { Buffer::create(&self.context, flags, rows * capacity, core::ptr::null_mut()) }
-                .map_err(|error| refusal(device, error))
-        };
-        self.room = Some(Room {
-            capacity,
-            constants: buffer(CONSTANTS.len())?,
-            numbers: buffer(self.width)?,
-            phases: buffer(2)?,
-            watched: buffer(WATCHED)?,
-        });
-        Ok(())
+        if capacity > self.capacity {
+            self.capacity = 0;
+            self.buffers.clear();
+            let buffer = |&rows: &usize| {
+                let (flags, length) = (CL_MEM_READ_WRITE, rows * capacity);
+                // SAFETY: No memory of this side is handed over.
+                unsafe { Buffer::create(&self.context, flags, length, core::ptr::null_mut()) }
+                    .map_err(|error| refusal(device, error))
+            };
+            self.buffers = self.rows.iter().map(buffer).collect::<Result<_, _>>()?;
+            self.capacity = capacity;
+        }
+        Ok(capacity)
     }
 
-    /// Brings `pendulums` of them to the device: their constants and numbers in rows, with one
-    /// column for each.
+    /// Brings to a buffer the values of `pendulums` of them, in rows with one column for each.
     ///
     /// # Errors
     /// As the driver says.
@@ -177,61 +169,52 @@ impl Session {
     pub fn write(
         &mut self,
         device: &Device,
+        buffer: usize,
         pendulums: usize,
-        constants: &[f64],
-        numbers: &[f64],
+        values: &[f64],
     ) -> Result<(), Error> {
-        let room = self.room.as_mut().filter(|room| pendulums <= room.capacity);
-        let room = room.expect("there is room for them");
-        assert_eq!(constants.len(), CONSTANTS.len() * pendulums, "a column for each pendulum");
-        assert_eq!(numbers.len(), self.width * pendulums, "a column for each pendulum");
-        let zeros = vec![0.0; WATCHED * pendulums];
-        let rows: [(&mut Buffer<cl_double>, &[f64]); 3] = [
-            (&mut room.constants, constants),
-            (&mut room.numbers, numbers),
-            (&mut room.watched, &zeros),
-        ];
-        for (buffer, values) in rows {
-            // SAFETY: The buffer is at least as long, and the call returns when all is copied.
-            unsafe { self.queue.enqueue_write_buffer(buffer, CL_TRUE, 0, values, &[]) }
-                .map_err(|error| refusal(device, error))?;
-        }
+        assert!(pendulums <= self.capacity, "there is room for them");
+        assert_eq!(values.len(), self.rows[buffer] * pendulums, "a column for each pendulum");
+        let buffer = &mut self.buffers[buffer];
+        // SAFETY: The buffer is at least as long, and the call returns when all is copied.
+        unsafe { self.queue.enqueue_write_buffer(buffer, CL_TRUE, 0, values, &[]) }
+            .map_err(|error| refusal(device, error))?;
         Ok(())
     }
 
-    /// Takes `steps` steps of `h` (s), at least one, with the pendulums that are there, and waits
-    /// for them.
+    /// Runs a kernel over the `pendulums` that are there, for `steps` steps, at least one, and
+    /// waits for it. `scalars` are its arguments between the number of steps and the buffers.
     ///
     /// # Errors
     /// As the driver says.
-    pub fn advance(
+    ///
+    /// # Panics
+    /// If there is no room for them.
+    pub fn run(
         &self,
         device: &Device,
-        watch: Watch,
+        kernel: usize,
         pendulums: usize,
         steps: u64,
-        h: f64,
+        scalars: &[f64],
     ) -> Result<(), Error> {
-        let room = self.room(pendulums);
+        assert!(pendulums <= self.capacity, "there is room for them");
         assert!(steps > 0, "there are steps to take");
         let columns = pendulums as cl_ulong;
-        let kernel = match watch {
-            Watch::End => &self.steps,
-            Watch::Energy => &self.watched_steps,
-        };
+        let (kernel, buffers) = &self.kernels[kernel];
         let (items, group) = ([pendulums.next_multiple_of(GROUP)], [GROUP]);
         let launch = || {
-            // SAFETY: The arguments are those that `kernel::write_head` declares, in order; the
-            // buffers have a column for each of the pendulums, and an item beyond them returns.
+            // SAFETY: The arguments are those that the programs in `kernel` declare, in order: two
+            // counts, numbers, buffers. The buffers have a column for each of the pendulums, and an
+            // item beyond them returns.
             unsafe {
                 kernel.set_arg(0, &columns)?;
                 kernel.set_arg(1, &steps)?;
-                kernel.set_arg(2, &h)?;
-                kernel.set_arg(3, &room.constants)?;
-                kernel.set_arg(4, &room.numbers)?;
-                kernel.set_arg(5, &room.phases)?;
-                if watch == Watch::Energy {
-                    kernel.set_arg(6, &room.watched)?;
+                for (index, scalar) in (2..).zip(scalars) {
+                    kernel.set_arg(index, scalar)?;
+                }
+                for (index, buffer) in (2 + scalars.len() as u32..).zip(&self.buffers[..*buffers]) {
+                    kernel.set_arg(index, buffer)?;
                 }
                 self.queue.enqueue_nd_range_kernel(
                     kernel.get(),
@@ -247,41 +230,26 @@ impl Session {
         launch().map_err(|error| refusal(device, error))
     }
 
-    /// Angles (rad) and then angular velocities (rad/s) of `pendulums` of them after the last
-    /// steps.
+    /// The values of a buffer for the first `pendulums` columns, row after row.
     ///
     /// # Errors
     /// As the driver says.
-    pub fn phases(&self, device: &Device, pendulums: usize) -> Result<Vec<f64>, Error> {
-        self.read(device, &self.room(pendulums).phases, 2 * pendulums)
-    }
-
-    /// Largest energy errors (J) and then largest angles (rad) of `pendulums` of them over all
-    /// watched steps.
     ///
-    /// # Errors
-    /// As the driver says.
-    pub fn watched(&self, device: &Device, pendulums: usize) -> Result<Vec<f64>, Error> {
-        self.read(device, &self.room(pendulums).watched, WATCHED * pendulums)
-    }
-
-    /// The room, with a column for each of `pendulums`.
-    fn room(&self, pendulums: usize) -> &Room {
-        let room = self.room.as_ref().filter(|room| pendulums <= room.capacity);
-        room.expect("there is room for them")
-    }
-
-    /// The first `count` numbers of a buffer, which has as many.
-    fn read(
+    /// # Panics
+    /// If there is no room for them.
+    pub fn read(
         &self,
         device: &Device,
-        buffer: &Buffer<cl_double>,
-        count: usize,
+        buffer: usize,
+        pendulums: usize,
     ) -> Result<Vec<f64>, Error> {
-        let mut values = vec![0.0; count];
+        assert!(pendulums <= self.capacity, "there is room for them");
+        let mut values = vec![0.0; self.rows[buffer] * pendulums];
         // SAFETY: The buffer is at least as long, and the call returns when all is copied.
-        unsafe { self.queue.enqueue_read_buffer(buffer, CL_TRUE, 0, &mut values, &[]) }
-            .map_err(|error| refusal(device, error))?;
+        unsafe {
+            self.queue.enqueue_read_buffer(&self.buffers[buffer], CL_TRUE, 0, &mut values, &[])
+        }
+        .map_err(|error| refusal(device, error))?;
         Ok(values)
     }
 }

@@ -10,6 +10,7 @@ use std::collections::HashMap;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Sub};
 
 use pendula::arithmetic::number::{Many, Mask, Number};
+use pendula::arithmetic::sine::sin_and_cos_within;
 use pendula::arithmetic::two::Apart;
 
 /// The place of a value on the tape.
@@ -214,6 +215,11 @@ impl Number for Traced {
     fn sine(self) -> Self {
         self.map(|x| x)
     }
+
+    /// Within 2²⁰ quarter turns: whoever records it keeps the angle there.
+    fn sin_and_cos(self) -> (Self, Self) {
+        sin_and_cos_within(self)
+    }
 }
 
 impl Many for Traced {}
@@ -231,6 +237,13 @@ impl BitOr for TracedMask {
 
     fn bitor(self, other: Self) -> Self {
         Self(push(Value::Either(self.0, other.0)))
+    }
+}
+
+impl TracedMask {
+    /// Where it stands on the tape.
+    pub fn place(self) -> Place {
+        self.0
     }
 }
 

@@ -21,10 +21,10 @@ use core::f64::consts::{FRAC_2_PI, FRAC_PI_4};
 use super::number::Number;
 
 /// Up to this size (rad), 2²⁰ quarter turns, the angle is reduced here; beyond, by `libm`.
-const LARGEST: f64 = 1_647_099.0;
+pub(crate) const LARGEST: f64 = 1_647_099.0;
 
 /// 2⁻²⁷ (rad): below, the cube of an angle is less than half an ulp, and −0 keeps its sign.
-const TINY: f64 = 7.450580596923828e-9;
+pub(crate) const TINY: f64 = 7.450580596923828e-9;
 
 /// sin `x`, `x` in rad.
 ///
@@ -103,6 +103,22 @@ fn reduce_always<N: Number>(x: N) -> (N, Rest<N>) {
     let (head, first) = difference(x - n * PARTS[0], n * PARTS[1]);
     let (head, second) = difference(head, n * PARTS[2]);
     (rounded, Rest { head, tail: first + (second - n * PARTS[3]) })
+}
+
+/// [`sin`] and [`cos`] of `x` (rad) up to 2²⁰ quarter turns, without a branch, with the same bits.
+#[inline(always)]
+pub fn sin_and_cos_within<N: Number>(x: N) -> (N, N) {
+    let (quarters, rest) = reduce_always(x);
+    let (sine, cosine) = (sine(rest), cosine(rest));
+    let (zero, one) = (x.splat(0.0), x.splat(1.0));
+    let is_odd = one.signed_by(quarters).at_most(zero);
+    // The second bit of n is the last of ⌊n/2⌋, and that of n + 1 the last of ⌊(n + 1)/2⌋: rounded
+    // to integers, n/2 − 1/4 and n/2 + 1/4.
+    let half = (quarters - ROUNDER) * 0.5;
+    let sin = N::select(is_odd, cosine, sine).signed_by((half - 0.25) + ROUNDER);
+    let cos = N::select(is_odd, sine, cosine).signed_by((half + 0.25) + ROUNDER);
+    let is_tiny = x.abs().at_most(x.splat(TINY.next_down()));
+    (N::select(is_tiny, x, sin), cos)
 }
 
 /// The number of quarter turns nearest to the angle `x` (rad) in [−π/2, π/2] up to rounding, which

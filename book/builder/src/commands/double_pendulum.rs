@@ -5,10 +5,11 @@ use std::io::{self, Write};
 use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser};
 use pendula::metrics::EnergyDrift;
-use pendula::systems::{DoublePhase, Joint};
-use pendula::{DoublePendulum, Hamiltonian, Info, METHODS, Pendulum, Rk4, method_named};
+use pendula::systems::DoublePhase;
+use pendula::{DoublePendulum, Hamiltonian, Info, METHODS, Rk4, method_named};
 
 use super::angle::angle;
+use super::double_arguments::DoubleArguments;
 use super::number::number;
 use super::pendulum_arguments::{or_default, unsolved};
 use super::plot::Panel;
@@ -37,21 +38,8 @@ pub struct Arguments {
     #[arg(long, value_name = "RAD/S", value_parser = number, allow_hyphen_values = true,
         help = or_default("Angular velocity of the lower rod at the start (rad/s)", 0.0))]
     omega2: Option<f64>,
-    #[arg(long, value_parser = number, allow_hyphen_values = true,
-        help = or_default("Gravitational acceleration g (m/s²)", Pendulum::PAPER.gravity()))]
-    gravity: Option<f64>,
-    #[arg(long, value_parser = number, allow_hyphen_values = true,
-        help = or_default("Length of the upper rod (m)", 1.0))]
-    length1: Option<f64>,
-    #[arg(long, value_parser = number, allow_hyphen_values = true,
-        help = or_default("Length of the lower rod (m)", 1.0))]
-    length2: Option<f64>,
-    #[arg(long, value_parser = number, allow_hyphen_values = true,
-        help = or_default("Mass of the upper bob (kg)", 1.0))]
-    mass1: Option<f64>,
-    #[arg(long, value_parser = number, allow_hyphen_values = true,
-        help = or_default("Mass of the lower bob (kg), at most 1e6 times that of the upper", 1.0))]
-    mass2: Option<f64>,
+    #[command(flatten)]
+    double: DoubleArguments,
     #[command(flatten)]
     trajectory: TrajectoryArguments,
 }
@@ -79,15 +67,7 @@ pub fn run_until(
     let (mut settings, grid) = arguments.trajectory.settings("double-pendulum")?;
     let kept = &mut settings.kept;
     let method = kept.optional("method", arguments.method.clone())?;
-    let upper = Joint {
-        length: kept.argument("length1", arguments.length1, Some(1.0))?,
-        mass: kept.argument("mass1", arguments.mass1, Some(1.0))?,
-    };
-    let lower = Joint {
-        length: kept.argument("length2", arguments.length2, Some(1.0))?,
-        mass: kept.argument("mass2", arguments.mass2, Some(1.0))?,
-    };
-    let gravity = kept.argument("gravity", arguments.gravity, Some(Pendulum::PAPER.gravity()))?;
+    let double = arguments.double.kept(kept)?;
     let theta = [
         kept.argument("theta1", arguments.theta1, None)?,
         kept.argument("theta2", arguments.theta2, None)?,
@@ -96,7 +76,6 @@ pub fn run_until(
         kept.argument("omega1", arguments.omega1, Some(0.0))?,
         kept.argument("omega2", arguments.omega2, Some(0.0))?,
     ];
-    let double = DoublePendulum::new(gravity, upper, lower).map_err(Failure::refused)?;
     let start = double.start(theta, omega).map_err(Failure::refused)?;
     let method = method.as_deref().unwrap_or(Rk4.info().name);
     check::<DoublePendulum>(method)?;

@@ -16,9 +16,11 @@ pub mod claims;
 pub mod completions;
 pub(crate) mod destination;
 pub mod devices;
+mod double_arguments;
 pub mod double_pendulum;
 pub mod ensemble;
 pub mod exact;
+pub mod flips;
 pub mod man;
 pub mod methods;
 pub mod number;
@@ -57,6 +59,7 @@ pub fn run(command: Command, out: &mut dyn Write) -> Result<(), Failure> {
         Command::Simulate(arguments) => simulate::run(&arguments, out),
         Command::Adaptive(arguments) => adaptive::run(&arguments, out),
         Command::DoublePendulum(arguments) => double_pendulum::run(&arguments, out),
+        Command::Flips(arguments) => flips::run(&arguments, out),
         Command::Ensemble(arguments) => ensemble::run(&arguments, out),
         Command::Exact(arguments) => exact::run(&arguments, out),
         Command::Period(arguments) => period::run(&arguments, out),
@@ -87,6 +90,7 @@ const fn computes_in_parallel(command: &Command) -> bool {
         | Command::Claims(_)
         | Command::Review(_)
         | Command::Ensemble(_)
+        | Command::Flips(_)
         | Command::WorkPrecision(_)
         | Command::Verify(_)
         | Command::Preprocess(_) => true,

@@ -7,6 +7,7 @@ mod command_line;
 mod commands;
 mod devices;
 mod files;
+mod flips;
 mod help;
 mod hostile;
 mod lab;

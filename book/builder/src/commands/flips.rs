@@ -1,0 +1,153 @@
+//! `pendula flips`: when a double pendulum first turns over, for every release from rest.
+
+use std::io::{self, Write};
+use std::num::NonZeroU64;
+use std::path::PathBuf;
+use std::time::Instant;
+
+use clap::Args;
+use pendula::fast::first_flips;
+use pendula::systems::DoublePhase;
+use pendula::{DoublePendulum, Grid, Hamiltonian, Rk4};
+use pendula_device::Device;
+
+use super::destination::Destination;
+use super::double_arguments::DoubleArguments;
+use super::number::number;
+use super::summary::Summary;
+use crate::failure::Failure;
+use crate::picture::Bands;
+
+/// Arguments of `pendula flips`.
+#[derive(Args, Debug)]
+pub struct Arguments {
+    /// Releases in a row and in a column, an even number: angles between −π and π, at even
+    /// distances
+    #[arg(long, value_name = "N", default_value_t = 100)]
+    size: usize,
+    /// Step Δt (s) of RK4
+    #[arg(long, value_name = "S", default_value_t = 0.01, value_parser = number,
+        allow_hyphen_values = true)]
+    dt: f64,
+    /// Duration (s), a whole number of steps
+    #[arg(long, value_name = "S", default_value_t = 20.0, value_parser = number,
+        allow_hyphen_values = true)]
+    duration: f64,
+    #[command(flatten)]
+    double: DoubleArguments,
+    /// Draw the times as a picture: θ₁ from left to right, θ₂ upwards, the later the darker
+    #[arg(long, value_name = "FILE.png")]
+    picture: Option<PathBuf>,
+    /// Run on the OpenCL device with NAME in its name, see `pendula devices`: the same bits
+    #[arg(long, value_name = "NAME")]
+    device: Option<String>,
+    /// Write to FILE, which appears when it is whole
+    #[arg(long, value_name = "FILE")]
+    output: Option<PathBuf>,
+    /// Say on standard error what it has cost
+    #[arg(long)]
+    summary: bool,
+}
+
+/// The most releases in a row: the rows of as many need a gigabyte.
+const LARGEST: usize = 4096;
+
+/// Writes the rows theta1, theta2, t: the angles at the release (rad), and the time (s) of the
+/// first step after which a rod is past the upward vertical, empty if there is none.
+///
+/// # Errors
+/// [`Failure::Refused`] for what the library or the device refuses; a failure if something cannot
+/// be written, or if the device does not go on.
+pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
+    let size = arguments.size;
+    if size == 0 || size % 2 == 1 || size > LARGEST {
+        return Err(Failure::refused(format!(
+            "--size {size}: must be an even number, from 2 to {LARGEST}"
+        )));
+    }
+    let double = arguments.double.double()?;
+    let grid = Grid::with_duration(arguments.dt, arguments.duration).map_err(Failure::refused)?;
+    let device = arguments.device.as_deref().map(Device::named);
+    let device = device.transpose().map_err(Failure::refused)?;
+    let picture = arguments.picture.as_deref();
+    let picture = picture.map(|path| Destination::file("--picture", path)).transpose()?;
+    let mut out = Destination::open(arguments.output.as_deref(), out)?;
+    let begin = Instant::now();
+    let flips = Releases { double, size }.first_flips(device.as_ref(), &grid)?;
+    let elapsed = begin.elapsed();
+    write!(out, "theta1,theta2,t\n")?;
+    for (index, flip) in flips.iter().enumerate() {
+        let (theta1, theta2) = (angle(index % size, size), angle(index / size, size));
+        match flip {
+            Some(n) => writeln!(out, "{theta1:?},{theta2:?},{:?}", grid.time(n.get()))?,
+            None => writeln!(out, "{theta1:?},{theta2:?},")?,
+        }
+    }
+    if let Some(mut file) = picture {
+        // Upwards is upwards.
+        let rows = flips.chunks(size).rev().flatten();
+        let steps: Vec<_> = rows.map(|flip| flip.map(NonZeroU64::get)).collect();
+        Bands::of(grid.steps()).write(&steps, size, &mut file)?;
+        file.finish()?;
+    }
+    out.finish()?;
+    if arguments.summary {
+        let mut summary = Summary::default();
+        summary.line("releases", (size * size).to_string());
+        summary.line("turn over", flips.iter().flatten().count().to_string());
+        summary.line("wall time", format!("{:.3} s", elapsed.as_secs_f64()));
+        summary.print(&mut io::stderr())?;
+    }
+    Ok(())
+}
+
+/// Releases from rest of a double pendulum.
+struct Releases {
+    double: DoublePendulum,
+    /// In a row and in a column.
+    size: usize,
+}
+
+impl Releases {
+    /// The first flip of each, row after row from below, those of a row from left to right.
+    ///
+    /// Mirrored in the vertical, a motion takes the same steps, so that half of them are enough;
+    /// and no step is taken where the energy does not suffice for a flip.
+    fn first_flips(
+        &self,
+        device: Option<&Device>,
+        grid: &Grid,
+    ) -> Result<Vec<Option<NonZeroU64>>, Failure> {
+        let Self { double, size } = self;
+        let count = size * size;
+        let least = double.least_flip_energy();
+        let (mut places, mut starts) = (Vec::new(), Vec::<DoublePhase>::new());
+        for index in 0..count / 2 {
+            let theta = [angle(index % size, *size), angle(index / size, *size)];
+            let start = double.start(theta, [0.0; 2]).map_err(Failure::refused)?;
+            if double.energy(start) >= least {
+                places.push(index);
+                starts.push(start);
+            }
+        }
+        let mut found = vec![None; starts.len()];
+        match device {
+            Some(device) => device
+                .first_flips(double, &Rk4, &starts, grid, &mut found)
+                .map_err(|error| Failure::Failed(error.into()))?,
+            None => first_flips(double, &Rk4, &starts, grid, &mut found),
+        }
+        let mut flips = vec![None; count];
+        for (place, flip) in places.into_iter().zip(found) {
+            flips[place] = flip;
+            flips[count - 1 - place] = flip;
+        }
+        Ok(flips)
+    }
+}
+
+/// The angle (rad) of the release `index` of `size`: the middles of as many parts of a turn.
+fn angle(index: usize, size: usize) -> f64 {
+    let odd = 2 * index as i64 + 1 - size as i64;
+    std::f64::consts::PI * odd as f64 / size as f64
+}
