@@ -306,9 +306,9 @@ mod tests {
     /// the instructions that this machine has: at zeros of both signs, where the reduction changes
     /// its mind, and beyond the angles that it reduces.
     ///
-    /// Catches: sine and cosine confused in an odd quarter turn, or a sign of theirs in any quarter;
-    /// the sine of −0 without its sign; a lane beyond the limit reduced as if it were within it; a mask
-    /// inverted.
+    /// Catches: sine and cosine confused in an odd quarter turn, or a sign of theirs in any of the
+    /// quarters; the sine of −0 without its sign; a lane beyond the limit reduced as if it were
+    /// within it; a mask inverted.
     #[test]
     fn a_lane_has_the_bits_of_a_number_alone() {
         let next = |x: f64| [x.next_down(), x, x.next_up()];

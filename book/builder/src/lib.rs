@@ -5,7 +5,8 @@
 //! with the paper's values from [`ledger`]), and what a browser may do on a page ([`policy`]). What
 //! moved in the snapshots is [`review`], and what the judge says of a program that is not ours is
 //! [`verify`]; their pages share [`page`]. What depends on the reader's machine, and so is in no
-//! snapshot, is [`work_precision`]; a [`picture`] is what `pendula flips` draws. Whatever touches a file does so through `files`.
+//! snapshot, is [`work_precision`]. A [`picture`] is what `pendula flips` draws. Whatever touches a
+//! file does so through `files`.
 
 pub mod build;
 pub mod cli;

@@ -68,9 +68,9 @@ pub fn begin<M: Recordable>(
     Some(Begun { constants, numbers })
 }
 
-/// The program for `method`, with the kernels `steps` and `watched_steps`, which looks at the energy
-/// after each; `None` if its steps depend on values, as those of an implicit method do, which
-/// sweeps until its equations are solved.
+/// The program for `method`, with the kernels `steps` and `watched_steps`; the second looks at the
+/// energy after each step. `None` if the steps depend on values, as those of an implicit method do,
+/// which sweeps until its equations are solved.
 pub fn program<M: Recordable>(method: &M) -> Option<Program> {
     let [minus_k, inertia, depth, initial] = CONSTANTS;
     let parameters = [minus_k, inertia, depth, initial, STEP];
