@@ -1,10 +1,12 @@
 //! Systems beyond the pendulum, steps that vary, and the dynamics of a driven pendulum.
 
 use std::f64::consts::PI;
+use std::num::NonZeroU64;
 
 use pendula::adaptive::{Adaptive, Controlled, Direction, SymmetricSteps, TaylorSeries, Tolerance};
 use pendula::dynamics::lyapunov::Watch;
 use pendula::dynamics::{Stroboscope, largest_exponent, period_doubling, periodic_orbit};
+use pendula::fast::{Baseline, Best, first_flips_with};
 use pendula::methods::{BlanesMoan6, Dop853, DormandPrince, Gauss4};
 use pendula::systems::{Ellipse, Joint, PlanePhase};
 use pendula::{
@@ -12,7 +14,7 @@ use pendula::{
     Rk4, Separable, Shaken, StormerVerlet, System, integrate,
 };
 
-use crate::hash::{Hash, Numbers};
+use crate::hash::{Hash, Numbers, common};
 
 /// Adds every state of `steps` steps to `hash`.
 fn run<S, M>(hash: &mut Hash, system: &S, method: &M, start: S::State, (step, steps): (f64, u64))
@@ -74,6 +76,26 @@ fn double_pendulum() -> Result<u64, Error> {
     hash.add(double.normal_modes());
     hash.add(double.mode_shapes());
     Ok(hash.value())
+}
+
+/// When a hundred of them first turn over, with the best instructions that there are and with those
+/// that every processor of its kind has.
+fn double_pendulums() -> Result<u64, Error> {
+    let double = DoublePendulum::of_equals(9.81, Joint { length: 1.0, mass: 1.0 })?;
+    let start = |i: u32| {
+        let [a, b] = [f64::from(i % 10), f64::from(i / 10)];
+        double.start([0.3 + 0.3 * a, 0.6 * b - 3.0], [0.1 * b, -0.2])
+    };
+    let starts = (0..100).map(start).collect::<Result<Vec<_>, _>>()?;
+    let grid = Grid::new(0.01, 1_000)?;
+    let mut all = [vec![None; starts.len()], vec![None; starts.len()]];
+    first_flips_with::<Best, _>(&double, &Rk4, &starts, &grid, &mut all[0]);
+    first_flips_with::<Baseline, _>(&double, &Rk4, &starts, &grid, &mut all[1]);
+    Ok(common(&all.map(|flips| {
+        let mut hash = Hash::new();
+        flips.iter().for_each(|flip| hash.word(flip.map_or(0, NonZeroU64::get)));
+        hash.value()
+    })))
 }
 
 fn kepler() -> Result<u64, Error> {
@@ -160,7 +182,7 @@ fn dynamics() -> Result<u64, Error> {
 }
 
 /// A line for each.
-fn all() -> Result<[(&'static str, u64); 11], Error> {
+fn all() -> Result<[(&'static str, u64); 12], Error> {
     let shaken = Shaken::new(pendulum()?, 0.12, 70.0)?;
     let driven = Driven::new(damped()?, 0.9, 2.1)?;
     let linear = LinearOscillator::new(pendulum()?);
@@ -170,6 +192,7 @@ fn all() -> Result<[(&'static str, u64); 11], Error> {
         ("driven pendulum", of_separable(&driven, START, ALONG)),
         ("shaken pendulum", of_separable(&shaken, START, (0.001, 20_000))),
         ("double pendulum", double_pendulum()?),
+        ("double pendulums in lanes", double_pendulums()?),
         ("Kepler's problem", kepler()?),
         ("adaptive dormand-prince", adaptive(DormandPrince)?),
         ("adaptive dop853", adaptive(Dop853)?),
@@ -180,6 +203,6 @@ fn all() -> Result<[(&'static str, u64); 11], Error> {
 }
 
 /// A line for each.
-pub fn lines() -> [(&'static str, u64); 11] {
+pub fn lines() -> [(&'static str, u64); 12] {
     all().expect("parameters in range")
 }

@@ -17,7 +17,7 @@ fn compare<M: DoubleInLanes + Info + Recordable>(device: &mut Device, method: &M
     let double = DoublePendulum::new(9.81, upper, lower).expect("positive");
     let start = |i: u32| {
         let [a, b] = [f64::from(i % 64), f64::from(i / 64)];
-        let speed = if i % 4 == 0 { 0.3 * b - 9.0 } else { 0.0 };
+        let speed = if i.is_multiple_of(4) { 0.3 * b - 9.0 } else { 0.0 };
         let theta = [0.1 * a - 3.13, 0.097 * b - 3.1];
         double.start(theta, [speed, -0.5 * speed]).expect("finite")
     };

@@ -34,7 +34,7 @@ fn unequal() -> DoublePendulum {
 fn starts(double: &DoublePendulum) -> Vec<DoublePhase> {
     let start = |i: u32| {
         let [a, b] = [f64::from(i % 13), f64::from(i / 13)];
-        let speed = if i % 4 == 0 { 2.0 * b - 9.0 } else { 0.0 };
+        let speed = if i.is_multiple_of(4) { 2.0 * b - 9.0 } else { 0.0 };
         double.start([0.5 * a - 3.0, 0.6 * b - 3.1], [speed, -0.5 * speed]).unwrap()
     };
     (0..143).map(start).collect()

@@ -75,7 +75,7 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
     let begin = Instant::now();
     let flips = Releases { double, size }.first_flips(device.as_ref(), &grid)?;
     let elapsed = begin.elapsed();
-    write!(out, "theta1,theta2,t\n")?;
+    writeln!(out, "theta1,theta2,t")?;
     for (index, flip) in flips.iter().enumerate() {
         let (theta1, theta2) = (angle(index % size, size), angle(index / size, size));
         match flip {
