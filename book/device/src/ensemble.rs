@@ -50,10 +50,6 @@ pub fn method_named(name: &str) -> Option<&'static dyn OnDevice> {
 /// bounds the memory here, whatever the number of starts.
 pub const MOST: usize = 1 << 18;
 
-/// Steps in a launch, at most: a driver may take a program that runs for seconds for one that
-/// hangs.
-pub const LAUNCH: u64 = 1 << 12;
-
 /// The buffers, by their indices in [`steps::rows`].
 const CONSTANTS_OF: usize = 0;
 const NUMBERS: usize = 1;
@@ -107,12 +103,12 @@ impl Compiled<'_> {
         ends: &mut [Phase],
     ) -> Result<(), Error> {
         let (device, method) = (self.device, self.method);
-        let steps = ensemble.grid().steps();
+        let (steps, h) = (ensemble.grid().steps(), ensemble.grid().step());
         self.in_batches(
             ensemble,
             ends,
             |session, batch, ends| {
-                advance(session, device, ensemble.grid(), Watch::End, batch.len(), steps)?;
+                session.run(device, Watch::End as usize, batch.len(), steps, &[h])?;
                 let phases = session.read(device, PHASES, batch.len())?;
                 for (column, &i) in batch.iter().enumerate() {
                     ends[i] = phase(&phases, column);
@@ -139,7 +135,7 @@ impl Compiled<'_> {
         ends: &mut [(Phase, f64)],
     ) -> Result<(), Error> {
         let (device, method) = (self.device, self.method);
-        let steps = ensemble.grid().steps();
+        let (steps, h) = (ensemble.grid().steps(), ensemble.grid().step());
         let alone = |i: usize, slot: &mut (Phase, f64)| {
             let pendulum = ensemble.pendulum(i);
             let mut drift = EnergyDrift::new(pendulum);
@@ -150,7 +146,7 @@ impl Compiled<'_> {
             ensemble,
             ends,
             |session, batch, ends| {
-                advance(session, device, ensemble.grid(), Watch::Energy, batch.len(), steps)?;
+                session.run(device, Watch::Energy as usize, batch.len(), steps, &[h])?;
                 let phases = session.read(device, PHASES, batch.len())?;
                 let watched = session.read(device, WATCHED, batch.len())?;
                 let (errors, angles) = watched.split_at(batch.len());
@@ -183,7 +179,7 @@ impl Compiled<'_> {
         observers: &mut [O],
     ) -> Result<(), Error> {
         let (device, method) = (self.device, self.method);
-        let grid = ensemble.grid();
+        let (grid, h) = (ensemble.grid(), ensemble.grid().step());
         self.in_batches(
             ensemble,
             observers,
@@ -195,14 +191,7 @@ impl Compiled<'_> {
                 while grid.steps() - n >= every.get()
                     && batch.iter().any(|&i| !observers[i].is_satisfied())
                 {
-                    advance(
-                        session,
-                        device,
-                        ensemble.grid(),
-                        Watch::End,
-                        batch.len(),
-                        every.get(),
-                    )?;
+                    session.run(device, Watch::End as usize, batch.len(), every.get(), &[h])?;
                     n += every.get();
                     let phases = session.read(device, PHASES, batch.len())?;
                     for (column, &i) in batch.iter().enumerate() {
@@ -265,24 +254,6 @@ impl Compiled<'_> {
         }
         Ok(())
     }
-}
-
-/// Takes `steps` steps along `grid`, in launches that a driver lets finish.
-fn advance(
-    session: &Session,
-    device: &Device,
-    grid: &Grid,
-    watch: Watch,
-    pendulums: usize,
-    steps: u64,
-) -> Result<(), Error> {
-    let mut left = steps;
-    while left > 0 {
-        let now = left.min(LAUNCH);
-        session.run(device, watch as usize, pendulums, now, &[grid.step()])?;
-        left -= now;
-    }
-    Ok(())
 }
 
 /// What all pendulums have, in rows: the first number of each, then the second of each.

@@ -6,7 +6,7 @@ use pendula::systems::DoublePhase;
 use pendula::{DoublePendulum, Grid, Info};
 
 use crate::Error;
-use crate::ensemble::{LAUNCH, MOST, rows};
+use crate::ensemble::{MOST, rows};
 use crate::kernel::flips::{self, Recordable};
 use crate::opencl::{Device, Session};
 
@@ -45,12 +45,7 @@ impl Device {
             // No step taken, and both rods below.
             let zeros_and_ones = [vec![0.0; starts.len()], vec![1.0; starts.len()]].concat();
             session.write(self, FLIPS, starts.len(), &zeros_and_ones)?;
-            let mut left = grid.steps();
-            while left > 0 {
-                let now = left.min(LAUNCH);
-                session.run(self, 0, starts.len(), now, &[])?;
-                left -= now;
-            }
+            session.run(self, 0, starts.len(), grid.steps(), &[])?;
             let taken = session.read(self, FLIPS, starts.len())?;
             for (flip, taken) in flips.iter_mut().zip(taken) {
                 let taken = taken as u64;

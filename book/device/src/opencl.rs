@@ -97,6 +97,10 @@ pub struct Session {
 /// Work items in a group: a kernel gets a whole number of groups.
 const GROUP: usize = 64;
 
+/// Steps in a launch, at most: a driver may take a program that runs for seconds for one that
+/// hangs.
+const LAUNCH: cl_ulong = 1 << 12;
+
 impl Session {
     /// Builds `source` for `device`, with its `kernels` and how many of the buffers each is given;
     /// `rows` says how many rows each buffer has.
@@ -182,8 +186,9 @@ impl Session {
         Ok(())
     }
 
-    /// Runs a kernel over the `pendulums` that are there, for `steps` steps, at least one, and
-    /// waits for it. `scalars` are its arguments between the number of steps and the buffers.
+    /// Runs a kernel over the `pendulums` that are there, for `steps` steps in launches of at most
+    /// [`LAUNCH`], and waits for them. `scalars` are its arguments between the number of steps and
+    /// the buffers.
     ///
     /// # Errors
     /// As the driver says.
@@ -199,11 +204,10 @@ impl Session {
         scalars: &[f64],
     ) -> Result<(), Error> {
         assert!(pendulums <= self.capacity, "there is room for them");
-        assert!(steps > 0, "there are steps to take");
         let columns = pendulums as cl_ulong;
         let (kernel, buffers) = &self.kernels[kernel];
         let (items, group) = ([pendulums.next_multiple_of(GROUP)], [GROUP]);
-        let launch = || {
+        let launch = |steps: cl_ulong| {
             // SAFETY: The arguments are those that the programs in `kernel` declare, in order: two
             // counts, numbers, buffers. The buffers have a column for each of the pendulums, and an
             // item beyond them returns.
@@ -227,7 +231,13 @@ impl Session {
             }
             self.queue.finish()
         };
-        launch().map_err(|error| refusal(device, error))
+        let mut left = steps;
+        while left > 0 {
+            let now = left.min(LAUNCH);
+            launch(now).map_err(|error| refusal(device, error))?;
+            left -= now;
+        }
+        Ok(())
     }
 
     /// The values of a buffer for the first `pendulums` columns, row after row.
