@@ -93,6 +93,23 @@ async ({letter, index, contrast, paper = false, listings = false}) => {
         for (const details of folded) details.open = false;
     }
 
+    // Letters of a figure: none beyond the edge of a box that cuts off, or scrolls, what leaves it.
+    // Paper has no such boxes.
+    for (const text of paper ? [] : all('figure svg text, svg.moved text').filter(t => shown(t))) {
+        const {left, right} = text.getBoundingClientRect();
+        const cuts = box => {
+            const edge = box.getBoundingClientRect();
+            const cut = getComputedStyle(box).overflowX !== 'visible';
+            return cut && (left < edge.left - 1 || right > edge.right + 1);
+        };
+        let box = text.closest('svg').parentElement;
+        while (box && !cuts(box)) box = box.parentElement;
+        if (box) {
+            find('letters of a figure cut off', `${brief(text.textContent)} at ${box.localName}`);
+            break;
+        }
+    }
+
     // Letters of a figure: as large on the screen as they have to be to be read.
     for (const text of all('figure svg text, figure svg tspan').filter(t => shown(t))) {
         if (![...text.childNodes].some(node => node.nodeType === 3 && node.data.trim())) continue;

@@ -43,6 +43,8 @@ SPOILT_PAGES = [
     (FIGURE.replace("<svg", "<svg aria-labelledby=spoilt"), "figure described by nothing: spoilt"),
     (FIGURE.replace('width="100%"', 'width="0"'), "figure not drawn"),
     (FIGURE.replace('"20"', '"12"'), "400 px, navy: small letters in a figure"),
+    ("<style>.content {overflow: auto}</style>" + FIGURE.replace("<svg", "<svg class=pendula"),
+     "400 px, navy: letters of a figure cut off"),
     (FIGURE.replace("<text", "<text style='fill: #777'"), "faint"),
     ("<img src=favicon.svg>", "image without alt"),
     ("<img src=favicon.svg alt=''>", "image without alt"),
