@@ -44,8 +44,49 @@ fn figure(found: &Captures<'_>) -> Result<String> {
     // Between blank lines Markdown goes on within HTML.
     Ok(format!(
         "<figure class=\"table\">\n<figcaption>\n\n{caption}\n\n</figcaption>\n\n{}\n\n</figure>\n",
-        table.trim_end()
+        aligned(table.trim_end())
     ))
+}
+
+/// The table with each column as its cells are read: marks below each other in the middle, numbers
+/// flush right, words flush left. A computed table has all but its first column flush right, for
+/// the terminal. The first column stays as it is, and so does one of words and numbers.
+fn aligned(table: &str) -> String {
+    let cells = |line: &str| -> Vec<String> {
+        let line = line.trim().trim_start_matches('|').trim_end_matches('|').replace("\\|", "/");
+        line.split('|').map(|cell| cell.trim().to_string()).collect()
+    };
+    let lines: Vec<&str> = table.lines().collect();
+    let [head, rule, rows @ ..] = &lines[..] else { return table.into() };
+    let rows: Vec<Vec<String>> = rows.iter().map(|row| cells(row)).collect();
+    let rule = cells(rule).into_iter().enumerate().map(|(column, rule)| {
+        let column_of = rows.iter().filter_map(|row| row.get(column));
+        let found: Vec<&str> =
+            column_of.map(String::as_str).filter(|cell| !is_blank(cell)).collect();
+        let numbers = found.iter().filter(|cell| is_number(cell)).count();
+        match column {
+            0 => rule,
+            _ if found.iter().any(|cell| ["●", "○"].contains(cell)) => ":-:".into(),
+            _ if found.is_empty() => rule,
+            _ if numbers == found.len() => "--:".into(),
+            _ if numbers == 0 => "---".into(),
+            _ => rule,
+        }
+    });
+    let rule = format!("| {} |", rule.collect::<Vec<_>>().join(" | "));
+    [&[*head, &rule], &lines[2..]].concat().join("\n")
+}
+
+/// Whether nothing is said in the cell.
+fn is_blank(cell: &str) -> bool {
+    cell.chars().all(|c| "–—…".contains(c))
+}
+
+/// Whether the cell is a number as they are printed: `−5.300`, `≠ 1.02 × 10^{−3}`, `15 ± 2`.
+fn is_number(cell: &str) -> bool {
+    let cell = cell.trim_start_matches("≠ ").trim_matches('*');
+    let begins = cell.trim_start_matches(['−', '-', '±']).starts_with(|c: char| c.is_ascii_digit());
+    begins && cell.chars().all(|c| c.is_ascii_digit() || "., ±×^{}−-+…⁰¹²³⁴⁵⁶⁷⁸⁹⁻".contains(c))
 }
 
 /// The head of a table and the rows with these names in the first column, with the rows below that
@@ -94,6 +135,28 @@ mod tests {
             super::set("Tables: no.\n\nA Table: no.\n").unwrap(),
             "Tables: no.\n\nA Table: no.\n"
         );
+    }
+
+    /// Catches: words that stand flush right as in the terminal, numbers that do not; marks beside the
+    /// middle of their column; a rule that is lost where words and numbers are mixed.
+    #[test]
+    fn columns_stand_as_they_are_read() {
+        let rule = |cells: &[&str]| {
+            let rows: Vec<String> = cells.iter().map(|cell| format!("| A | {cell} |\n")).collect();
+            let set = set(&format!("Table: T.\n\n| M | v |\n| --- | -: |\n{}", rows.concat()));
+            let set = set.unwrap();
+            let rule = set.lines().find(|line| line.starts_with("| --- |")).unwrap().to_string();
+            rule.split('|').nth(2).unwrap().trim().to_string()
+        };
+        assert_eq!(rule(&["stated", "measured"]), "---");
+        assert_eq!(rule(&["RK4", "DOP853", "–"]), "---");
+        assert_eq!(rule(&["≠ 1.02 × 10^{−3}", "−5.300", "15 ± 2", "—", "**328**"]), "--:");
+        assert_eq!(rule(&["●", "", "38"]), ":-:");
+        // As it was: words and numbers, units, nothing.
+        for cells in [&["0.03", "escapes"][..], &["1/s", "3"], &["", "…"]] {
+            assert_eq!(rule(cells), "-:", "{cells:?}");
+        }
+        assert_eq!(rule(&["a \\| 1", "b"]), "---");
     }
 
     /// Catches: rows of another method, the second row of one lost, a misspelt name that shows an
