@@ -50,6 +50,17 @@ async ({letter, index, contrast, paper = false, listings = false}) => {
         if (!img.naturalWidth) find('image not drawn', img.src);
     }
 
+    // Paper: no picture and no listing that a page has no room for. Letter paper is 980 px high
+    // between margins. The pages of the tests, whose names are code, are whole files.
+    let isTest = false;
+    for (const whole of paper ? all('h1, img, svg[role=img], pre') : []) {
+        if (whole.localName === 'h1') isTest = whole.querySelector('code') !== null;
+        const {height} = whole.getBoundingClientRect();
+        if (!isTest && height > 980) {
+            find('higher than a sheet', `${Math.round(height)} px, ${name(whole)}`);
+        }
+    }
+
     // Headings: one of each, so that the contents lead to one place.
     if (!/\/(print|toc)\.html$/.test(location.pathname)) {
         const heads = all('h1, h2, h3, h4').map(h => brief(h.textContent));

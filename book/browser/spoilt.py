@@ -79,6 +79,8 @@ SPOILT_FILES = [
      "on paper: wider than the window"),
     ("every_page", "theme/pendula.css", "content-visibility: visible;", "",
      "on paper: a solution is folded away"),
+    ("every_page", "theme/pendula.css", "max-block-size: 23cm;", "min-block-size: 30cm;",
+     "on paper: higher than a sheet"),
     ("every_page", "theme/pendula.css", "--fg: #000000;", "--fg: #eeeeee;", "on paper: faint"),
     ("search", "searchindex.js", "JSON.parse", "JSON.spoilt",
      "search: 'separatrix' finds nothing"),
