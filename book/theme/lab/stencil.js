@@ -172,14 +172,16 @@
             ]);
         }
 
-        // Above the square's image, how large it is.
+        // Above the square's image, or below it where there is no room, how large it is.
         tell(image, ratio) {
             const { plane } = this;
             const [xs, ys] = [0, 1].map(k => image.filter((_, i) => i % 2 === k));
-            const x = plane.x((Math.min(...xs) + Math.max(...xs)) / 2),
-                y = plane.y(Math.max(...ys)) - 8;
-            if (x > plane.left && x < plane.right && y < plane.bottom)
-                plane.note(x, Math.max(y, plane.top + 16), `area × ${ratio.toFixed(3)}`, 'middle');
+            const x = plane.x((Math.min(...xs) + Math.max(...xs)) / 2);
+            const above = plane.y(Math.max(...ys)) - 8,
+                below = plane.y(Math.min(...ys)) + 22;
+            const y = above > plane.top + 16 ? above : below;
+            if (x > plane.left && x < plane.right && y > plane.top && y < plane.bottom)
+                plane.note(x, y, `area × ${ratio.toFixed(3)}`, 'middle');
         }
 
         draw(parts, start, truth) {
