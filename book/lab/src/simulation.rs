@@ -85,9 +85,13 @@ impl Simulation {
         }
     }
 
-    /// The exact state at the time `t` (s); NaN if there is no closed form.
+    /// The exact state at the time `t` (s); NaN if there is no closed form. At t = 0 it is the
+    /// start, which the closed form rounds: nobody is wrong before the first step.
     pub fn exact(&self, t: f64) -> Phase {
-        state(self.motion, t)
+        match t {
+            0.0 if self.motion.is_some() => self.scene.start,
+            _ => state(self.motion, t),
+        }
     }
 
     /// The state at `t` (s) on the separatrix of this pendulum, which is at the bottom at t = 0.

@@ -106,7 +106,7 @@ pendula::for_each_general_method!(damped_run);
 ///
 /// Catches: source that has changed and was not compiled, such as an energy with another zero, a
 /// largest error that is the largest gain, extremes that `look` does not reset; a method or a
-/// system under another's number; a carry lost between two calls.
+/// system under another's number; a carry lost between two calls; an error before the first step.
 #[test]
 fn the_source_has_the_bits_of_the_library() {
     assert_eq!(trajectory::METHODS, METHODS.len());
@@ -168,7 +168,10 @@ fn compare(
             assert_eq!(beside.lab.read(4), counted as f64, "{name}");
         }
         let motion = Motion::new(&pendulum, start).unwrap();
-        for t in [0.0, 0.37, 40.0] {
+        let begun = beside.lab.exact(0.0);
+        assert_bits(begun.theta, start.theta, || "the exact θ at the start".to_string());
+        assert_bits(begun.omega, start.omega, || "the exact ω at the start".to_string());
+        for t in [0.37, 40.0] {
             let (seen, exact) = (beside.lab.exact(t), motion.at(t));
             assert_bits(seen.theta, exact.theta, || format!("the exact θ at {t} s"));
             assert_bits(seen.omega, exact.omega, || format!("the exact ω at {t} s"));
