@@ -41,6 +41,8 @@ const WIDTH: f64 = 600.0;
 const RIGHT: f64 = 20.0;
 /// Height of a line of text.
 const ROW: f64 = 25.0;
+/// Between a chart and what stands above it, where that is another chart.
+const GAP: f64 = 10.0;
 /// Around a figure that is a file of its own, and the height of its title.
 const MARGIN: f64 = 16.0;
 const HEAD: f64 = 1.5 * ROW;
@@ -96,11 +98,11 @@ impl Figure {
         let maps = self.panels.iter().filter_map(|chart| chart.map.as_ref());
         let areas = maps.flat_map(|map| map.names.iter().filter_map(|name| name.colour)).collect();
         let scales: Vec<_> = self.panels.iter().map(Chart::scales).collect();
-        let ends = match self.columns {
-            1 => ends::of(&self.panels, &scales),
-            _ => self.panels.iter().map(|_| Vec::new()).collect(),
-        };
-        let beside = RIGHT.max(ends::room(&ends));
+        // Labels beside a chart need it to be alone in its row.
+        let mut ends = ends::of(&self.panels, &scales);
+        for row in ends.chunks_mut(self.columns).filter(|row| row.len() > 1) {
+            row.iter_mut().for_each(Vec::clear);
+        }
         let mut known: Vec<Entry> = ends.iter().flatten().map(End::entry).collect();
         let (mut body, mut top) = (String::new(), 0.0);
         let charts = self.panels.iter().zip(&scales).filter(|(chart, _)| !chart.sketch);
@@ -109,14 +111,28 @@ impl Figure {
         let margin = widths.fold(24.0, f64::max) + 14.0;
         let rows = self.panels.chunks(self.columns).zip(scales.chunks(self.columns));
         for (row, (charts, scales)) in rows.enumerate() {
-            let entries = entries(charts);
+            // Charts side by side have one legend, above them all.
+            let entries = match (self.columns, row) {
+                (1, _) => entries(charts),
+                (_, 0) => entries(&self.panels),
+                _ => Vec::new(),
+            };
             let is_known = |(label, styles): &Entry| {
                 let mut known = known.iter().filter(|entry| entry.0 == *label);
                 known.any(|entry| styles.iter().all(|style| entry.1.contains(style)))
             };
             let unknown: Vec<Entry> = entries.into_iter().filter(|e| !is_known(e)).collect();
+            // Where nothing else stands between two charts.
+            if row > 0 && (!unknown.is_empty() || charts.iter().all(|c| c.heading.is_empty())) {
+                top += GAP;
+            }
             top += draw_legend(&mut body, &unknown, top);
             known.extend(unknown);
+            // Charts below each other end below each other.
+            let first = row * self.columns;
+            let in_line =
+                if self.columns == 1 { 0..ends.len() } else { first..first + charts.len() };
+            let beside = RIGHT.max(ends::room(&ends[in_line]));
             let repeats = |i: usize| i > 0 && charts[i - 1].y == charts[i].y;
             let margins = (0..self.columns.min(charts.len()))
                 .map(|i| {
@@ -193,15 +209,22 @@ fn entries(charts: &[Chart]) -> Vec<Entry<'_>> {
     entries
 }
 
-/// Draws a legend in even columns below `top`, and returns how high it is.
+/// Draws a legend below `top`, in even columns, or in two uneven ones if a single one would do
+/// otherwise, and returns how high it is.
 fn draw_legend(out: &mut String, entries: &[Entry], top: f64) -> f64 {
     const SWATCH: f64 = 46.0;
-    let widest = entries.iter().map(|e| width(e.0)).fold(0.0, f64::max) + SWATCH + 18.0;
-    let columns = ((WIDTH / widest).floor() as usize).clamp(1, 4);
+    let needed =
+        |entries: &[Entry]| entries.iter().map(|e| width(e.0)).fold(0.0, f64::max) + SWATCH + 18.0;
+    let widest = needed(entries);
+    let (first, second) = entries.split_at(entries.len().div_ceil(2));
+    let (columns, step) = match ((WIDTH / widest).floor() as usize).clamp(1, 4) {
+        1 if needed(first) + needed(second) - 18.0 <= WIDTH => (2, needed(first)),
+        columns => (columns, widest),
+    };
     let rows = entries.len().div_ceil(columns);
     for (i, (label, styles)) in entries.iter().enumerate() {
         // Down the columns, so that the order of the list is kept within each.
-        let (x, y) = ((i / rows) as f64 * widest, top + (i % rows) as f64 * ROW + 13.0);
+        let (x, y) = ((i / rows) as f64 * step, top + (i % rows) as f64 * ROW + 13.0);
         line(out, ENTRY.into());
         key(out, styles, (x + 1.0, y), 36.0);
         draw_text(out, "", (x + SWATCH, y + 6.0), "start", label);
@@ -691,6 +714,79 @@ mod tests {
             .filter(|n| *n > 0)
             .collect();
         assert_eq!(dots, [5, 100]);
+    }
+
+    /// Where each entry of the legends, and each label at the end of a line, stands.
+    fn entries_of(svg: &str) -> Vec<(f64, f64, &str)> {
+        let entry = |text: &str| text.contains("class=\"entry\"");
+        let parts: Vec<&str> = elements(svg).collect();
+        let begins = (0..parts.len()).filter(|i| entry(parts[*i]));
+        let texts = begins.filter_map(|i| parts[i..].iter().find(|part| part.starts_with("text")));
+        let place = |text: &'_ str, name: &str| -> f64 {
+            let value = text.split_once(&format!(" {name}=\"")).expect(name).1;
+            value.split_once('"').expect("it ends").0.parse().expect("a number")
+        };
+        let label = |text: &'_ str| text.split_once('>').map_or("", |(_, rest)| rest).len();
+        texts
+            .map(|text| {
+                let words = &text[text.len() - label(text)..];
+                (place(text, "x"), place(text, "y"), words.trim_end_matches("</text>"))
+            })
+            .collect()
+    }
+
+    /// Catches: a legend in one column where two of their own widths have room; one of two columns
+    /// that overlap, or leave the drawing.
+    #[test]
+    fn a_legend_has_two_uneven_columns_where_even_ones_have_no_room() {
+        let labels = ["as long a label as has to stand here", "short", "brief", "last"];
+        let of = |labels: &[&str]| {
+            let chart = Chart::new(Axis::linear("x"), Axis::linear("y"));
+            let fill = |chart: Chart, (i, label): (usize, &&str)| {
+                let style = Style::numbered(i).filled();
+                chart.series(*label, style, [(0.0, 0.0), (1.0, 1.0), (1.0, 0.0)])
+            };
+            let chart = labels.iter().enumerate().fold(chart, fill);
+            let svg = Figure::new("t", "d").panel(chart).to_svg("x");
+            entries_of(&svg).iter().map(|(x, y, _)| (*x, *y)).collect::<Vec<_>>()
+        };
+        let places = of(&labels);
+        let second = 46.0 + 18.0 + width(labels[0]) + 46.0;
+        assert!(2.0 * (second - 46.0) > WIDTH, "even columns have room: the test says nothing");
+        let expected = [(46.0, 19.0), (46.0, 44.0), (second, 19.0), (second, 44.0)];
+        let near = |(a, b): (&(f64, f64), &(f64, f64))| {
+            (a.0 - b.0).abs() < 0.06 && (a.1 - b.1).abs() < 0.06
+        };
+        assert!(places.iter().zip(&expected).all(near), "{places:?} for {expected:?}");
+        // Two that are longer still have no room beside each other.
+        let longer =
+            ["a label that is longer than half of the drawing", "and one that is longer too"];
+        let long = [longer[0], labels[1], longer[1], labels[3]];
+        assert!(of(&long).iter().all(|place| place.0 == 46.0));
+    }
+
+    /// Catches: a second legend between rows of charts; labels at the ends of lines beside which
+    /// another chart stands, or a legend for those of a chart that is alone in its row.
+    #[test]
+    fn charts_side_by_side_have_one_legend_above_them_all() {
+        let axis = |label| Axis::linear(label).range(0.0, 1.0);
+        let level = |label: &str, y: f64| {
+            let line = [(0.0, y), (1.0, y)];
+            Chart::new(axis("x"), axis("y")).series(label, Style::numbered(0), line)
+        };
+        let figure = |panels: &[(&str, f64)]| {
+            let figure = Figure::new("t", "d").columns(2);
+            panels.iter().fold(figure, |figure, (label, y)| figure.panel(level(label, *y)))
+        };
+        let four = figure(&[("a", 0.1), ("b", 0.2), ("c", 0.3), ("d", 0.4)]).to_svg("x");
+        let labels: Vec<_> = entries_of(&four).iter().map(|(_, y, label)| (*y, *label)).collect();
+        assert_eq!(labels, [(19.0, "a"), (19.0, "b"), (19.0, "c"), (19.0, "d")]);
+        // The last is alone: its label stands at the end of its line.
+        let three = figure(&[("a", 0.1), ("b", 0.2), ("c", 0.5)]).to_svg("x");
+        let labels = entries_of(&three);
+        let [a, b, c] = labels[..] else { panic!("{labels:?}") };
+        assert_eq!([a.1, b.1, a.0], [19.0, 19.0, 46.0]);
+        assert!(c.0 > 500.0 && c.1 > 400.0, "{c:?}");
     }
 
     /// Catches: a line of the background that does not name itself, that has a label or is as wide

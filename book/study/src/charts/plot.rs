@@ -6,15 +6,13 @@ use super::ends::{self, End};
 use super::path::{self, Num, Point};
 use super::regions::{self, Map, Name};
 use super::text::{draw_text, escape, line, width};
-use super::{Chart, ENTRY, Mark, RIGHT, ROW, Scale, Series};
+use super::{Chart, ENTRY, GAP, Mark, RIGHT, ROW, Scale, Series};
 
 /// Above this many points a line has only [`FEW`] of them marked.
 const MANY: usize = 40;
 const FEW: usize = 7;
 /// An arrow that ends at a marker stops this far from its middle.
 const MARKER: f64 = 7.0;
-/// Between a heading and the chart above.
-const GAP: f64 = 10.0;
 /// Coordinates beyond this are of no use to a browser.
 const FAR: f64 = 1e6;
 

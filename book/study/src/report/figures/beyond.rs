@@ -28,9 +28,9 @@ pub(super) const FIGURES: &[Drawing] = &[
     Drawing {
         name: "kapitza",
         caption: "Where a shaken pendulum stands on its head: Mathieu's curves part the runs of \
-                  30 s that stand from those that do not. On the lower curve, which is Kapitza's \
-                  rule where the shaking is fast, it begins to stand; above the upper one it rocks \
-                  ever wider.",
+                  30\u{a0}s that stand from those that do not. On the lower curve, which is \
+                  Kapitza's rule where the shaking is fast, it begins to stand; above the upper \
+                  one it rocks ever wider.",
         noise: false,
         draw: kapitza,
     },

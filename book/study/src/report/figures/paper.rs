@@ -90,8 +90,9 @@ fn figure_3(study: &Study) -> Figure {
         let thirds = [0.0, 500.0, 1000.0].map(|t| (t, t.to_string()));
         let error = Axis::linear(format!("{title}, H − H_{{0}} (J)"));
         let energy = Chart::new(time().ticks(thirds), error).height(140.0);
-        figure =
-            figure.panel(energy.series(title, style.solid(), long_run::energy(row.method, 50)));
+        // Above each is named by its axis, and below at its end: no dashes have to tell them apart.
+        let style = style.solid();
+        figure = figure.panel(energy.series(title, style, long_run::energy(row.method, 50)));
         growth = growth.series(title, style, long_run::growth(row.method));
     }
     figure.panel(growth)

@@ -28,6 +28,9 @@ const BOB: f64 = 9.0;
 const PORTRAIT: (f64, f64) = (462.0, 252.0);
 const OMEGA: (f64, f64) = (-6.0, 12.0);
 const PORTRAIT_WIDTH: f64 = 186.0;
+/// Portraits of methods that stay near the exact motion are drawn so many times as large, about
+/// their middle: a swing up to [`THETA_0`] would be a small ring in them otherwise.
+const ENLARGED: f64 = 2.0;
 /// The line of time, at this height.
 const CLOCK: f64 = 492.0;
 /// At the end everything stands still so long (s), and then it begins again.
@@ -41,11 +44,12 @@ pub(super) fn svgs() -> [String; 2] {
     let styles: Vec<Style> = rows.iter().map(|row| style(row.method)).collect();
     let (mut fixed, mut moving, mut still) = (String::new(), String::new(), String::new());
     for (row, left) in rows.iter().zip((0..).map(|i| COLUMN * f64::from(i))) {
-        draw_fixed(&mut fixed, row, left);
+        let portrait = Portrait::of(row, left);
+        draw_fixed(&mut fixed, row, left, portrait);
         for (out, moves) in [(&mut moving, true), (&mut still, false)] {
             draw_pendulum(out, Style::REFERENCE, &truth, left, moves);
             draw_pendulum(out, style(row.method), &row.samples, left, moves);
-            draw_orbit(out, row, left, moves);
+            draw_orbit(out, row, portrait, moves);
         }
     }
     draw_clock(&mut fixed, &mut moving, &mut still);
@@ -68,9 +72,10 @@ const TITLE: &str = "Four pendulums from the same start, one for each method";
 fn description() -> String {
     format!(
         "Each evaluates the force {} times a second, for {DURATION} seconds; a ring on a \
-         dashed rod is the exact motion. Below each its orbit in phase space grows. Forward Euler \
-         goes over the top and turns ever faster; symplectic Euler and Störmer–Verlet keep \
-         swinging close to the exact motion; RK4 runs down.",
+         dashed rod is the exact motion. Below each its orbit in phase space grows, drawn \
+         {ENLARGED} times as large where it is small. Forward Euler goes over the top and turns \
+         ever faster; symplectic Euler and Störmer–Verlet keep swinging close to the exact motion; \
+         RK4 runs down.",
         1.0 / EVALUATION
     )
 }
@@ -97,7 +102,7 @@ fn calm_rules() -> String {
 }
 
 /// What does not move: names, supports, axes and the exact orbit.
-fn draw_fixed(out: &mut String, row: &Row, left: f64) {
+fn draw_fixed(out: &mut String, row: &Row, left: f64, portrait: Portrait) {
     let middle = left + COLUMN / 2.0;
     draw_text(out, "title", (middle, 20.0), "middle", title(row.method));
     let step = format!("step {} s", row.step);
@@ -106,18 +111,23 @@ fn draw_fixed(out: &mut String, row: &Row, left: f64) {
     line(out, format!(r#"<path class="axis" d="M{x},{y}m-14,0h28"/>"#));
     // The axes of the portrait, and the exact orbit.
     let ([a, b], [bottom, top]) = (
-        [-PI, PI].map(|theta| Num(place(left, (theta, 0.0)).0)),
+        [-0.5, 0.5].map(|share| Num(middle + share * PORTRAIT_WIDTH)),
         [PORTRAIT.0, PORTRAIT.1].map(Num),
     );
-    let zero = Num(place(left, (0.0, 0.0)).1);
+    let zero = portrait.place((0.0, 0.0)).1;
+    let zero_line = Num(zero);
     line(out, format!(r#"<path class="grid" d="M{a},{bottom}H{b}V{top}H{a}z"/>"#));
-    line(out, format!(r#"<path class="axis" d="M{a},{zero}H{b}M{x},{bottom}V{top}"/>"#));
-    draw_text(out, "small", place(left, (2.85, 0.4)), "middle", "θ");
-    draw_text(out, "small", place(left, (0.3, 11.0)), "middle", "ω");
+    line(out, format!(r#"<path class="axis" d="M{a},{zero_line}H{b}M{x},{bottom}V{top}"/>"#));
+    draw_text(out, "small", (middle + 0.45 * PORTRAIT_WIDTH, zero - 5.0), "middle", "θ");
+    draw_text(out, "small", (middle + 9.0, PORTRAIT.1 + 12.0), "middle", "ω");
+    if portrait.enlarged > 1.0 {
+        let corner = (middle - 0.5 * PORTRAIT_WIDTH + 6.0, PORTRAIT.1 + 16.0);
+        draw_text(out, "small", corner, "start", &format!("{} ×", portrait.enlarged));
+    }
     let motion = Motion::new(&Pendulum::PAPER, Phase::at_rest(THETA_0)).expect("a finite angle");
     let period = motion.period().expect("it swings");
     let orbit = (0..60).map(|n| motion.at(period * f64::from(n) / 60.0));
-    let orbit = orbit.map(|z| place(left, (z.theta, z.omega)));
+    let orbit = orbit.map(|z| portrait.place((z.theta, z.omega)));
     line(out, format!(r#"<path class="line true" d="{}z"/>"#, polyline(orbit)));
 }
 
@@ -156,11 +166,11 @@ fn draw_pendulum(out: &mut String, style: Style, samples: &[Phase], left: f64, m
 type Dated = (f64, Point);
 
 /// The orbit in phase space as far as the time has come, and a dot where it is now.
-fn draw_orbit(out: &mut String, row: &Row, left: f64, moves: bool) {
+fn draw_orbit(out: &mut String, row: &Row, portrait: Portrait, moves: bool) {
     let style = style(row.method);
     let turns = turns(&row.samples);
     for turn in &turns {
-        let places: Vec<Point> = turn.iter().map(|&(_, point)| place(left, point)).collect();
+        let places: Vec<Point> = turn.iter().map(|&(_, point)| portrait.place(point)).collect();
         let d = polyline(places.iter().copied());
         let class = style.class("track line");
         if !moves {
@@ -189,7 +199,7 @@ fn draw_orbit(out: &mut String, row: &Row, left: f64, moves: bool) {
     }
     let all: Vec<Dated> = turns.into_iter().flatten().collect();
     let times: Vec<f64> = all.iter().map(|dated| dated.0).collect();
-    let places: Vec<Point> = all.iter().map(|dated| place(left, dated.1)).collect();
+    let places: Vec<Point> = all.iter().map(|dated| portrait.place(dated.1)).collect();
     let end = places.last().expect("a sample");
     let (x, y) = (Num(end.0), Num(end.1));
     let dot = format!(r#"<circle {} cx="{x}" cy="{y}" r="5""#, style.class("dot"));
@@ -276,13 +286,36 @@ fn turns(samples: &[Phase]) -> Vec<Vec<Dated>> {
     turns
 }
 
-/// Where a point (θ, ω) of phase space is on the drawing, in the column that begins at `left`.
-fn place(left: f64, (theta, omega): (f64, f64)) -> Point {
-    let up = (omega - OMEGA.0) / (OMEGA.1 - OMEGA.0);
-    (
-        left + COLUMN / 2.0 + theta / (2.0 * PI) * PORTRAIT_WIDTH,
-        PORTRAIT.0 + up * (PORTRAIT.1 - PORTRAIT.0),
-    )
+/// A phase portrait: its middle, how much larger than [`PORTRAIT`] says it is drawn, and the ω
+/// (rad/s) at its bottom.
+#[derive(Clone, Copy)]
+struct Portrait {
+    middle: f64,
+    enlarged: f64,
+    bottom: f64,
+}
+
+impl Portrait {
+    /// Of the method in the column that begins at `left`.
+    fn of(row: &Row, left: f64) -> Self {
+        let fits = |z: &Phase| {
+            z.theta.abs() < PI / ENLARGED && z.omega.abs() < 0.5 * (OMEGA.1 - OMEGA.0) / ENLARGED
+        };
+        let (enlarged, bottom) = match row.samples.iter().all(fits) {
+            true => (ENLARGED, -0.5 * (OMEGA.1 - OMEGA.0) / ENLARGED),
+            false => (1.0, OMEGA.0),
+        };
+        Self { middle: left + COLUMN / 2.0, enlarged, bottom }
+    }
+
+    /// Where a point (θ, ω) of phase space is on the drawing.
+    fn place(self, (theta, omega): (f64, f64)) -> Point {
+        let up = (omega - self.bottom) * self.enlarged / (OMEGA.1 - OMEGA.0);
+        (
+            self.middle + self.enlarged * theta / (2.0 * PI) * PORTRAIT_WIDTH,
+            PORTRAIT.0 + up * (PORTRAIT.1 - PORTRAIT.0),
+        )
+    }
 }
 
 /// The attribute `d` of the line through the points.
