@@ -15,6 +15,9 @@
         fair: true,
         methods: ['forward-euler', 'symplectic-euler', 'rk4', 'stormer-verlet'],
     };
+    // How far the still figure carries it (s), and this one before anything is asked of it: at the
+    // start all charts are alike.
+    const SHOWN = 1.68;
     // Between two steps where little motion is asked for, and at least at other times (ms).
     const SLOW = 1000;
     const LEAST = 60;
@@ -54,7 +57,7 @@
             });
             this.scene = { ...FIRST };
             this.lay();
-            this.begin();
+            this.foresee();
         }
 
         lay() {
@@ -168,15 +171,29 @@
         again(some) {
             this.play(false);
             Object.assign(this.scene, some);
-            this.begin();
+            this.foresee();
             this.show();
         }
 
-        // Takes the steps of the charts whose time has come.
+        // Carries it as far as the still figure does. What is played begins at the start.
+        foresee() {
+            this.begin();
+            const { h } = this.scene;
+            while (h * (this.taken + 0.5) < SHOWN && this.carry());
+            this.foreseen = true;
+        }
+
         advance() {
+            if (this.foreseen) this.begin();
+            this.foreseen = false;
+            if (this.carry()) this.show();
+        }
+
+        // Takes the steps of the charts whose time has come; whether there are any.
+        carry() {
             const { library, scene } = this;
             const charts = this.charts.filter(chart => chart.method);
-            if (!charts.length) return;
+            if (!charts.length) return false;
             const due = () => charts.filter(({ every }) => this.taken % every === 0);
             // One that lets something be seen.
             do this.taken++;
@@ -187,7 +204,7 @@
                 chart.cat = library.carried(chart.cat, 1);
                 chart.at = this.taken;
             }
-            this.show();
+            return true;
         }
 
         play(on) {
@@ -199,7 +216,7 @@
                 this.waiting = setTimeout(() => this.play(true), calm.matches ? SLOW : pause);
             }
             this.run.textContent = on ? 'Pause' : 'Play';
-            if (!on && this.taken) this.say(this.summary());
+            if (!on && this.taken && !this.foreseen) this.say(this.summary());
         }
 
         summary() {
