@@ -286,7 +286,7 @@ fn a_sine_off_by_an_ulp_moves_no_digit(#[values(1, 2, 3, 4, 5, 6, 7, 8)] seed: u
 
 /// Nor does any digit change when every a b + c of the steps and of the energy is fused.
 ///
-/// Catches: as above, for compilers that contract.
+/// Catches: a printed digit that depends on whether a compiler fuses products with sums.
 #[test]
 fn fused_products_move_no_digit() {
     assert_same_digits(&all_cells(&Contracted));

@@ -87,8 +87,8 @@ fn each_term_lifts_the_order_by_two(#[values(1.0, 2.5)] theta_0: f64) {
 /// The smallest error is 2Θ/x² e^{−2πK'/x} within a factor of 4 either way, over eight decades and
 /// for three angles; up to it each term helps, and beyond it the errors rise.
 ///
-/// Catches: π² for 2πK' inside the separatrix (a factor of e^{3.9/x} from 1 rad, 50 and more); a
-/// series that converges, or whose best length is the longest.
+/// Catches: π² for 2πK' inside the separatrix, a factor of 50 and more; a series that converges, or
+/// whose best length is the longest.
 #[rstest]
 fn what_is_left_is_exponentially_small(
     #[values(1.0, 2.0, 3.0)] theta_0: f64,

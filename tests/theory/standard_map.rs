@@ -83,7 +83,8 @@ fn symplectic_euler_is_the_standard_map_to_the_bit(#[values(0.5, 0.95, 1.2, 6.0)
 /// With the paper's pendulum and any step they differ by the roundings of K, of u and of the kick,
 /// each ε/2 of numbers below 6.
 ///
-/// Catches: as above, where h is not a power of two.
+/// Catches: drift before kick, g for g/L, a factor h lost or squared, which a step that is a power
+/// of two would only shift.
 #[rstest]
 fn one_step_is_the_standard_map_to_rounding(#[values(0.01, 0.314_71, 0.7)] h: f64) {
     const ROUNDING: f64 = 6.0 * f64::EPSILON;
@@ -198,7 +199,7 @@ fn below_the_last_torus_no_orbit_escapes<M: Method<Pendulum>>(#[case] method: M)
 /// Just above the critical parameter most orbits escape, and get ahead of the torus by thousands of
 /// turns.
 ///
-/// Catches: a critical parameter that is off by more than 8 %; energies that are bounded because
+/// Catches: a critical parameter that is off by more than a twelfth; energies that are bounded because
 /// the state is clamped or θ reduced.
 #[rstest]
 #[case::symplectic_euler(SymplecticEuler)]
