@@ -131,7 +131,7 @@ fn symplectic_euler_strays_along_its_level_curve(#[values(0.3, 1.0, 2.0, 2.8, -1
     assert_relative_eq!(measured, law, max_relative = SAMPLING);
 }
 
-/// Catches: m, g or L in the wrong place in the law or the method, half kicks that are not, the
+/// Catches: m, g or L in the wrong place in the law or the method, a half kick taken whole, the
 /// position form in place of the velocity form.
 #[rstest]
 fn stormer_verlet_strays_as_its_closed_form_says(#[values(0.3, 1.0, 2.0, 2.8, -1.0)] theta_0: f64) {

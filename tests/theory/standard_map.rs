@@ -199,8 +199,8 @@ fn below_the_last_torus_no_orbit_escapes<M: Method<Pendulum>>(#[case] method: M)
 /// Just above the critical parameter most orbits escape, and get ahead of the torus by thousands of
 /// turns.
 ///
-/// Catches: a critical parameter that is off by more than a twelfth; energies that are bounded because
-/// the state is clamped or θ reduced.
+/// Catches: a critical parameter that is off by more than a twelfth; energies that are bounded
+/// because the state is clamped or θ reduced.
 #[rstest]
 #[case::symplectic_euler(SymplecticEuler)]
 #[case::stormer_verlet(StormerVerlet)]
