@@ -5,13 +5,12 @@ use std::sync::LazyLock;
 use pendula::methods::Rk4;
 use pendula::{AnyMethod, Grid, METHODS, Motion, Pendulum, Phase};
 use pendula_study::experiments::choosing::{
-    Advice, COARSE, Cell, LONGEST, PERIODS, Profile, Release, allowed, map, profiles,
+    Advice, COARSE, Cell, LONGEST, PERIODS, Release, allowed, map, profiles,
 };
 use rstest::rstest;
 
 static SCENE: LazyLock<Release> = LazyLock::new(Release::new);
-static MAP: LazyLock<Vec<Cell>> = LazyLock::new(map);
-static PROFILES: LazyLock<Vec<Profile>> = LazyLock::new(|| profiles(&SCENE));
+pub static MAP: LazyLock<Vec<Cell>> = LazyLock::new(map);
 
 /// The largest error of the angle (rad) of a real run, against the closed form: at every sample, or
 /// in runs of more than 2 · 10⁴ steps at about that many samples, spread over all phases.
@@ -30,7 +29,7 @@ fn largest_error(method: &dyn AnyMethod, grid: &Grid) -> f64 {
 /// The error (rad) that the method's curve predicts for this run.
 fn predicted(advice: &Advice, periods: u64) -> f64 {
     let name = advice.method.info().name;
-    let profile = PROFILES.iter().find(|profile| profile.method.info().name == name).unwrap();
+    let profile = profiles().find(|profile| profile.method.info().name == name).unwrap();
     profile.over(periods).error(advice.steps)
 }
 

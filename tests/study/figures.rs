@@ -5,7 +5,7 @@
 
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::f64::consts::PI;
-use std::sync::LazyLock;
+use std::sync::{LazyLock, OnceLock};
 
 use pendula::systems::{DoublePhase, Ellipse, Kepler, PlanePhase};
 use pendula::{
@@ -13,16 +13,25 @@ use pendula::{
 };
 use pendula_study::claims::predictions;
 use pendula_study::experiments::{
-    STEPS, Study, beyond, choosing, enclosure, in_paper, level_curves, phase_portrait, readings,
-    resonance, rounding_walk, small_angle, standard_map, tilted_curve, truncation,
+    STEPS, beyond, enclosure, in_paper, level_curves, phase_portrait, readings, resonance,
+    rounding_walk, small_angle, standard_map, tilted_curve, truncation,
 };
 use pendula_study::report::figures::figures;
 use pendula_study::theory;
 use roxmltree::{Document, Node};
 use rstest::rstest;
 
-static STUDY: LazyLock<Study> = LazyLock::new(|| Study::run(|_| {}));
-static MAP: LazyLock<Vec<choosing::Cell>> = LazyLock::new(choosing::map);
+use crate::STUDY;
+use crate::choosing::MAP;
+
+/// The figures, each drawn once for all tests.
+static DRAWN: LazyLock<BTreeMap<&str, OnceLock<String>>> =
+    LazyLock::new(|| figures().map(|figure| (figure.name, OnceLock::new())).collect());
+
+fn svg(name: &str) -> &'static str {
+    let figure = figures().find(|figure| figure.name == name).expect("a figure");
+    DRAWN[name].get_or_init(|| figure.svg(&STUDY))
+}
 
 type Point = (f64, f64);
 
@@ -268,8 +277,7 @@ fn series(node: Node) -> Option<(Look, Vec<Vec<Point>>)> {
 
 impl Drawing {
     fn of(name: &str) -> Self {
-        let figure = figures().find(|figure| figure.name == name).expect("a figure");
-        Self::read(&figure.svg(&STUDY), name)
+        Self::read(svg(name), name)
     }
 
     fn read(svg: &str, name: &str) -> Self {
@@ -1051,10 +1059,8 @@ fn opacity_of(lead: f64) -> &'static str {
 /// wrong pair, a cell that is missing or drawn twice, the steps of another method.
 #[test]
 fn the_decision_map_shows_each_winner_in_its_cell() {
-    let figure = figures().find(|figure| figure.name == "decision").expect("the figure");
-    let svg = figure.svg(&STUDY);
-    let document = Document::parse(&svg).expect("an SVG");
-    let panel = &Drawing::read(&svg, "decision").panels[0];
+    let document = Document::parse(svg("decision")).expect("an SVG");
+    let panel = &Drawing::of("decision").panels[0];
     let is_cell = |node: &Node| node.attribute("class").is_some_and(|c| c.starts_with("cell"));
     let cells: Vec<Node> =
         document.root_element().children().filter(Node::is_element).filter(is_cell).collect();
@@ -1066,9 +1072,8 @@ fn the_decision_map_shows_each_winner_in_its_cell() {
         let class = sample.attribute("class").unwrap().to_string();
         legend.insert(text(label.expect("a label")), class);
     }
-    let map = choosing::map();
-    assert_eq!(cells.len(), map.len());
-    for cell in &map {
+    assert_eq!(cells.len(), MAP.len());
+    for cell in MAP.iter() {
         let (x, y) =
             (panel.x.unit(cell.periods as f64).unwrap(), panel.y.unit(cell.allowed).unwrap());
         let there = |node: &&Node| {
@@ -1129,8 +1134,7 @@ fn unit_of(quantity: &str) -> Option<&'static str> {
 fn every_axis_says_the_unit_of_its_quantity() {
     let mut seen: BTreeMap<&str, usize> = BTreeMap::new();
     for figure in figures() {
-        let svg = figure.svg(&STUDY);
-        let document = Document::parse(&svg).expect("an SVG");
+        let document = Document::parse(svg(figure.name)).expect("an SVG");
         let nodes: Vec<Node> = document.descendants().filter(Node::is_element).collect();
         for Label { text, .. } in Label::all(&nodes) {
             let Some((quantity, unit)) = text.rsplit_once(" (") else { continue };
@@ -1179,14 +1183,13 @@ fn a_method_looks_the_same_in_every_figure() {
 /// Catches: a reader of drawings that sees what it expects.
 #[test]
 fn a_spoilt_figure_is_noticed() {
-    let figure = figures().find(|figure| figure.name == "figure_2").unwrap();
-    let sound = figure.svg(&STUDY);
+    let sound = svg("figure_2");
     let noticed = |svg: &str, expected: &[Expected]| {
         let drawing = Drawing::read(svg, "spoilt");
         let compared = std::panic::AssertUnwindSafe(|| compare("spoilt", &drawing, expected));
         std::panic::catch_unwind(compared).is_err()
     };
-    assert!(!noticed(&sound, &figure_2()));
+    assert!(!noticed(sound, &figure_2()));
     let exchanged = sound
         .replace(">RK4<", ">?<")
         .replace(">Störmer–Verlet<", ">RK4<")
@@ -1198,8 +1201,8 @@ fn a_spoilt_figure_is_noticed() {
     assert!(result.unwrap_or(true), "a tick moved");
     let mut half = figure_2();
     half.iter_mut().for_each(|series| series.values.truncate(3));
-    assert!(noticed(&sound, &half), "more drawn than measured");
+    assert!(noticed(sound, &half), "more drawn than measured");
     let mut more = figure_2();
     more.iter_mut().for_each(|series| series.values.push((0.02, 1.0)));
-    assert!(noticed(&sound, &more), "half of the data");
+    assert!(noticed(sound, &more), "half of the data");
 }

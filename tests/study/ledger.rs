@@ -1,7 +1,6 @@
 //! The paper's tables, cell by cell: the measured values against the printed ones.
 
 use std::collections::BTreeSet;
-use std::sync::LazyLock;
 
 use pendula::methods::splitting::Splitting;
 use pendula::verify::Ladder;
@@ -14,8 +13,7 @@ use pendula_study::report::table::Table;
 use pendula_study::report::tables;
 use rstest::rstest;
 
-static STUDY: LazyLock<Study> = LazyLock::new(|| Study::run(|_| {}));
-static LEDGER: LazyLock<Ledger> = LazyLock::new(|| Ledger::new(&STUDY));
+use crate::{LEDGER, STUDY};
 
 /// Every printed digit is reproduced: the measured value lies within half a unit of the last one.
 /// The one exception is RK4's energy error at Δt = 0.001 s, 3.2e-12 J ± 10 %, where the paper's
@@ -129,7 +127,7 @@ impl Info for ShortHalfKicks {
 /// The study, had Störmer–Verlet been the method above where its energy error and its order are
 /// measured.
 fn study_of_short_half_kicks() -> Study {
-    let mut study = Study::run(|_| {});
+    let mut study = STUDY.clone();
     for row in &mut study.convergence {
         if PaperMethod::of(row.method) == Some(PaperMethod::StormerVerlet) {
             row.drift = STEPS.map(|step| convergence::drift(&ShortHalfKicks, step));
@@ -165,11 +163,11 @@ fn a_change_of_method_moves_the_verdicts_that_it_breaks() {
     assert!(orders.contains('≠'), "{orders}");
 
     // What is right is not marked.
-    let unchanged = Ledger::new(&Study::run(|_| {}));
-    for table in [tables::cells(&unchanged), tables::sentences(&unchanged)] {
+    let unchanged = &*LEDGER;
+    for table in [tables::cells(unchanged), tables::sentences(unchanged)] {
         assert_eq!(rows_with(&table, "on record"), Vec::<String>::new());
     }
-    assert_eq!(rows_with(&tables::predictions(&unchanged), "≠"), Vec::<String>::new());
+    assert_eq!(rows_with(&tables::predictions(unchanged), "≠"), Vec::<String>::new());
 }
 
 // -------------------------------------------------------------------------------------------------

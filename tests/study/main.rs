@@ -1,5 +1,10 @@
 //! What the book shows: tables, figures, the ledger of claims, predictions.
 
+use std::sync::LazyLock;
+
+use pendula_study::claims::Ledger;
+use pendula_study::experiments::Study;
+
 mod choosing;
 mod figures;
 mod ledger;
@@ -11,3 +16,7 @@ mod snapshots;
 mod stencil;
 mod transcription;
 mod typed;
+
+/// The experiments, run once for all tests.
+static STUDY: LazyLock<Study> = LazyLock::new(|| Study::run(|_| {}));
+static LEDGER: LazyLock<Ledger> = LazyLock::new(|| Ledger::new(&STUDY));

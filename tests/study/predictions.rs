@@ -1,21 +1,19 @@
 //! The cells of the tables, as predicted by theory, against the measured values.
 
 use std::collections::BTreeSet;
-use std::sync::LazyLock;
 
 use approx::assert_relative_eq;
 use pendula::methods::{ForwardEuler, Rk4, StormerVerlet};
 use pendula::metrics::AngleError;
 use pendula::{Grid, LinearOscillator, Motion, Pendulum, Phase, integrate};
-use pendula_study::claims::{Ledger, Measured, Prediction, energy_error_of_table_4, predictions};
-use pendula_study::experiments::{PaperMethod, STEPS, Study, convergence, small_angle};
+use pendula_study::claims::{Measured, Prediction, energy_error_of_table_4, predictions};
+use pendula_study::experiments::{PaperMethod, STEPS, convergence, small_angle};
 use pendula_study::theory::small_angle::{
     LinearRecurrence, cancelling_step, errors, floor, own_error_of_stormer_verlet,
 };
 use rstest::rstest;
 
-static LEDGER: LazyLock<Ledger> = LazyLock::new(|| Ledger::new(&Study::run(|_| {})));
-static PREDICTIONS: LazyLock<Vec<Prediction>> = LazyLock::new(predictions);
+use crate::LEDGER;
 
 /// RK4's largest angle error over θ₀ at θ₀ = 1e-4 (Section 6.3), which is in no table.
 const NORMALISED: &str = "P6.3.norm";
@@ -46,7 +44,7 @@ fn normalised_angle_error() -> f64 {
 /// digits, and one that is as wrong as the paper's: the predictions use no measured number.
 #[rstest]
 fn every_cell_is_as_predicted(#[values("T4.", "T5.", "T6.", "T8.", "P6.")] table: &str) {
-    let cells: Vec<_> = PREDICTIONS.iter().filter(|cell| cell.id.starts_with(table)).collect();
+    let cells: Vec<_> = predictions().iter().filter(|cell| cell.id.starts_with(table)).collect();
     assert!(!cells.is_empty());
     for cell in cells {
         let measured = measured(&cell.id);
@@ -62,7 +60,7 @@ fn every_cell_is_as_predicted(#[values("T4.", "T5.", "T6.", "T8.", "P6.")] table
 /// it.
 #[test]
 fn every_cell_that_theory_reaches_is_predicted() {
-    let ids: Vec<&str> = PREDICTIONS.iter().map(|cell| cell.id.as_str()).collect();
+    let ids: Vec<&str> = predictions().iter().map(|cell| cell.id.as_str()).collect();
     assert_eq!(ids.len(), PaperMethod::ALL.len() * (2 * STEPS.len() + 2) + 1);
     assert_eq!(ids.iter().collect::<BTreeSet<_>>().len(), ids.len(), "an id stands twice");
     let position = |id: &str| LEDGER.claims().iter().position(|claim| claim.id == id);
@@ -78,7 +76,7 @@ fn every_cell_that_theory_reaches_is_predicted() {
 /// Catches: a tolerance that grew until anything would agree.
 #[test]
 fn tolerances_are_small() {
-    for cell in PREDICTIONS.iter() {
+    for cell in predictions().iter() {
         let largest = match cell.id.as_str() {
             "T4.rk4.0.001" => 0.1,
             "T4.fe.0.1" | "T6.fe.0.1" | "T4.rk4.0.1" => 1e-2,
@@ -185,7 +183,7 @@ fn a_law_by_name_is_the_one_of_the_table() {
     for (row, name) in ids {
         for h in STEPS {
             let id = format!("T4.{row}.{h}");
-            let cell = PREDICTIONS.iter().find(|cell| cell.id == id).unwrap();
+            let cell = predictions().iter().find(|cell| cell.id == id).unwrap();
             assert_eq!(
                 energy_error_of_table_4(name, h),
                 Some((cell.value, cell.tolerance)),

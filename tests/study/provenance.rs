@@ -12,7 +12,7 @@ use pendula_study::experiments::characteristics::EnergyBehaviour;
 use pendula_study::experiments::{PaperMethod, Study, small_angle};
 use rstest::rstest;
 
-static STUDY: LazyLock<Study> = LazyLock::new(|| Study::run(|_| {}));
+use crate::{LEDGER, STUDY};
 
 /// The study with the rows of `method` in one of its experiments changed: all numbers, each by a
 /// factor or a term of its own, so that no ratio or slope of them stays.
@@ -128,7 +128,7 @@ fn same(a: &Claim, b: &Claim) -> bool {
 /// What each claim is measured on: experiment and method, or `rank` and method where only the order
 /// of the methods counts.
 static MEASURED_ON: LazyLock<BTreeMap<String, String>> = LazyLock::new(|| {
-    let honest = Ledger::new(&STUDY);
+    let honest = &*LEDGER;
     let mut found: BTreeMap<String, BTreeSet<String>> =
         honest.claims().iter().map(|claim| (claim.id.clone(), BTreeSet::new())).collect();
     let mut note = |study: &Study, on: String, only_new: bool| {
@@ -348,7 +348,6 @@ fn worst(errors: &[f64]) -> f64 {
 #[case("X.resonance.at", || over_swings(8.0))]
 #[case("X.resonance.beside", || over_swings(7.8))]
 fn a_sentence_is_measured_as_it_says(#[case] id: &str, #[case] again: fn() -> f64) {
-    static LEDGER: LazyLock<Ledger> = LazyLock::new(|| Ledger::new(&STUDY));
     let Measured::Number(measured, _) = LEDGER.get(id).unwrap().measured else {
         panic!("{id} is no number")
     };

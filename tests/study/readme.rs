@@ -4,9 +4,11 @@ use std::fs;
 
 use pendula::exact::Motion;
 use pendula::{Grid, Pendulum, Phase, method_named};
-use pendula_study::claims::{CellId, Ledger};
-use pendula_study::experiments::{PaperMethod, Study};
+use pendula_study::claims::CellId;
+use pendula_study::experiments::PaperMethod;
 use pendula_study::report::readme::{Picture, pictures};
+
+use crate::{LEDGER, STUDY};
 
 fn read(path: &str) -> String {
     fs::read_to_string(format!("{}/../../{path}", env!("CARGO_MANIFEST_DIR"))).expect(path)
@@ -15,10 +17,9 @@ fn read(path: &str) -> String {
 /// Catches: a headline table that was not updated when a number changed.
 #[test]
 fn the_headline_table_is_table_5() {
-    let ledger = Ledger::new(&Study::run(|_| {}));
     let readme = read("README.md");
     for method in PaperMethod::ALL {
-        let claim = ledger.cell(CellId::of_row(5, method, "dH")).expect("every method has a row");
+        let claim = LEDGER.cell(CellId::of_row(5, method, "dH")).expect("every method has a row");
         let (stated, measured) = (claim.stated_text(), claim.measured_text());
         let row = format!("| {:<16} | {stated:>10} | {measured:>14} |", method.title());
         assert!(readme.contains(&row), "the README lacks\n{row}");
@@ -28,8 +29,7 @@ fn the_headline_table_is_table_5() {
 /// Catches: a number of claims that was not updated with the ledger.
 #[test]
 fn the_number_of_claims_is_that_of_the_ledger() {
-    let ledger = Ledger::new(&Study::run(|_| {}));
-    let count = ledger.claims().iter().filter(|claim| claim.is_of_the_paper()).count();
+    let count = LEDGER.claims().iter().filter(|claim| claim.is_of_the_paper()).count();
     let says = format!("all {count} claims of the paper");
     assert!(read("README.md").contains(&says), "the README does not say {says}");
 }
@@ -52,7 +52,7 @@ fn at_root(path: &str) -> String {
 #[test]
 fn the_pictures_are_what_the_study_draws() {
     let mut old = Vec::new();
-    for Picture { path, svg } in pictures(&Study::run(|_| {})) {
+    for Picture { path, svg } in pictures(&STUDY) {
         let file = at_root(&path);
         if std::env::var("INSTA_UPDATE").is_ok_and(|update| update == "always") {
             fs::write(&file, &svg).expect("the folder exists");

@@ -4,7 +4,6 @@
 use std::cell::Cell;
 use std::fmt::Debug;
 use std::ops::{Add, Mul};
-use std::sync::LazyLock;
 
 use pendula::arithmetic::sine::{cos, sin};
 use pendula::methods::{ForwardEuler, Rk4, StormerVerlet, SymplecticEuler};
@@ -13,11 +12,11 @@ use pendula::{
     Grid, Hamiltonian, Info, LinearOscillator, METHODS, Method, Observer, Pendulum, Phase,
     Separable, System, Vector, integrate,
 };
-use pendula_study::claims::{CellId, Claim, Ledger, Measured};
-use pendula_study::experiments::{PaperMethod, STEPS, Study, convergence, long_run, small_angle};
+use pendula_study::claims::{CellId, Claim, Measured};
+use pendula_study::experiments::{PaperMethod, STEPS, convergence, long_run, small_angle};
 use rstest::rstest;
 
-static LEDGER: LazyLock<Ledger> = LazyLock::new(|| Ledger::new(&Study::run(|_| {})));
+use crate::LEDGER;
 
 // -------------------------------------------------------------------------------------------------
 // A sine off by an ulp

@@ -7,14 +7,12 @@ use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
 use insta::internals::Content;
-use pendula_study::claims::Ledger;
-use pendula_study::experiments::Study;
 use pendula_study::report::snapshots::{Kind, RECORDED, Recipe, recipes};
 use pendula_study::report::table::Table;
 use rstest::rstest;
 
-static STUDY: LazyLock<Study> = LazyLock::new(|| Study::run(|_| {}));
-static LEDGER: LazyLock<Ledger> = LazyLock::new(|| Ledger::new(&STUDY));
+use crate::{LEDGER, STUDY};
+
 static RECIPES: LazyLock<Vec<Recipe<'static>>> = LazyLock::new(|| recipes(&STUDY, &LEDGER));
 
 /// The chapters, by name, that include the snapshot.

@@ -1,12 +1,10 @@
 //! The paper's numbers as they were read off its text a second time, against those of the ledger.
 
 use std::collections::BTreeSet;
-use std::sync::LazyLock;
 
-use pendula_study::claims::{Claim, ClaimKind, Ledger};
-use pendula_study::experiments::Study;
+use pendula_study::claims::{Claim, ClaimKind};
 
-static LEDGER: LazyLock<Ledger> = LazyLock::new(|| Ledger::new(&Study::run(|_| {})));
+use crate::LEDGER;
 
 /// A cell of a table or a number of a sentence.
 #[derive(Debug)]

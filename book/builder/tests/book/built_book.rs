@@ -1,39 +1,73 @@
-//! The book as a reader gets it: built in-process into an empty folder, and its HTML parsed.
+//! The book as a reader gets it: built into an empty folder, and its HTML parsed.
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, LazyLock};
+#[cfg(unix)]
+use std::process::{Command, Output};
+use std::sync::LazyLock;
+
+use tempfile::TempDir;
 
 use crate::pages::{Page, Site, is_remote};
-use pendula_book::build;
-use pendula_book::ledger::Paper;
-use pendula_book::progress::Progress;
 
-/// Built once for all tests of this file; `Err` is the reason why the build stopped.
-static BOOK: LazyLock<Result<(tempfile::TempDir, Site), String>> = LazyLock::new(|| {
+/// Built once for all tests: the folder that is removed at the end, that of the book, and its pages.
+/// `Err` is the reason why the build stopped.
+static BOOK: LazyLock<Result<(TempDir, PathBuf, Site), String>> = LazyLock::new(|| {
+    let (folder, book) = built()?;
+    let site = Site::read(&book);
+    Ok((folder, book, site))
+});
+
+/// The book that `pendula book`, without a word more, builds in a copy of the project.
+#[cfg(unix)]
+fn built() -> Result<(TempDir, PathBuf), String> {
+    let folder = crate::help::project();
+    let mut command = Command::new(env!("CARGO_BIN_EXE_pendula"));
+    let Output { status, stdout, stderr } =
+        command.arg("book").current_dir(folder.path()).output().unwrap();
+    if !status.success() {
+        return Err(String::from_utf8_lossy(&stderr).into_owned());
+    }
+    let book = folder.path().join("target/book");
+    let printed = String::from_utf8(stdout).unwrap();
+    assert!(printed.ends_with("/target/book/index.html\n") && stderr.is_empty(), "{printed}");
+    Ok((folder, book))
+}
+
+/// Where a link needs a permission, the same within this process.
+#[cfg(not(unix))]
+fn built() -> Result<(TempDir, PathBuf), String> {
+    use pendula_book::build;
+    use pendula_book::ledger::Paper;
+    use pendula_book::progress::Progress;
+
     let folder = tempfile::tempdir().unwrap();
     let paper = Paper::measure(&Progress::hidden());
-    build::book(&root(), Some(folder.path()), paper, Progress::hidden(), &Arc::default())
+    build::book(&root(), Some(folder.path()), paper, Progress::hidden(), &Default::default())
         .map_err(|error| format!("{error:#}"))?;
-    let site = Site::read(folder.path());
-    Ok((folder, site))
-});
+    let book = folder.path().to_path_buf();
+    Ok((folder, book))
+}
 
 /// The HTML of a page.
 pub fn html(page: &str) -> String {
-    let (folder, _) = BOOK.as_ref().unwrap_or_else(|why| panic!("the book cannot be built: {why}"));
-    fs::read_to_string(folder.path().join(page)).unwrap()
+    fs::read_to_string(book().0.join(page)).unwrap()
 }
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap().to_path_buf()
 }
 
-pub fn site() -> &'static Site {
+/// The folder of the book and its pages.
+fn book() -> (&'static Path, &'static Site) {
     match &*BOOK {
-        Ok((_, site)) => site,
+        Ok((_, book, site)) => (book, site),
         Err(error) => panic!("the book cannot be built: {error}"),
     }
+}
+
+pub fn site() -> &'static Site {
+    book().1
 }
 
 /// Fails with all findings at once, so that they can be fixed in one go.
@@ -70,8 +104,7 @@ fn every_internal_link_resolves() {
 /// elsewhere.
 #[test]
 fn every_file_named_in_a_style_sheet_is_in_the_book() {
-    let site = site();
-    let folder = BOOK.as_ref().unwrap().0.path();
+    let (folder, site) = book();
     let sheets = site.files.iter().filter(|file| file.extension().is_some_and(|e| e == "css"));
     assert_none(sheets.flat_map(|sheet| {
         let css = fs::read_to_string(folder.join(sheet)).unwrap();

@@ -15,7 +15,8 @@ use crate::chapters::chapters;
 
 const PAGE: &str = "appendix-claims.html";
 
-pub static LEDGER: LazyLock<Ledger> = LazyLock::new(|| Ledger::new(&Study::run(|_| {})));
+pub static STUDY: LazyLock<Study> = LazyLock::new(|| Study::run(|_| {}));
+pub static LEDGER: LazyLock<Ledger> = LazyLock::new(|| Ledger::new(&STUDY));
 
 /// What `select` finds on a page.
 fn each<'d>(page: &'d VDom<'d>, select: &'d str) -> impl Iterator<Item = &'d HTMLTag<'d>> {

@@ -21,7 +21,7 @@ fn examples() -> Vec<(String, Vec<String>)> {
 
 /// A folder in which each command finds what it needs of the project, by links.
 #[cfg(unix)]
-fn project() -> TempDir {
+pub fn project() -> TempDir {
     use std::os::unix::fs::symlink;
     use std::path::Path;
 
@@ -66,6 +66,21 @@ fn every_example_runs() {
         for example in examples {
             assert!(help.contains(&format!("\n  {example}\n")), "{help}");
             assert!(example.split_whitespace().any(|word| word == command), "{command}: {example}");
+            match command.as_str() {
+                // The book that the tests read is the one that this example builds.
+                "book" => {
+                    assert_eq!(example, "pendula book");
+                    assert!(!crate::built_book::site().pages.is_empty());
+                    continue;
+                }
+                // It measures all again, as do the tests of the study: `.ci/run` runs it.
+                "review" => {
+                    let parsed = cli::definition().try_get_matches_from(example.split(' '));
+                    assert!(parsed.is_ok(), "{parsed:?}");
+                    continue;
+                }
+                _ => {}
+            }
             let mut shell = Command::new("sh");
             let shell = shell.args(["-c", &example]).current_dir(folder.path()).env("PATH", &path);
             let Output { status, stdout, stderr } = shell.output().unwrap();

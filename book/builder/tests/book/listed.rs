@@ -2,7 +2,10 @@
 
 use std::collections::BTreeSet;
 
+use clap::FromArgMatches;
 use pendula::METHODS;
+use pendula_book::cli;
+use pendula_book::commands::claims::{self, Filter, LedgerFormat};
 use pendula_study::claims::{Claim, Verdict};
 use serde_json::Value;
 
@@ -55,9 +58,16 @@ fn every_method_is_listed_with_its_facts() {
     }
 }
 
-/// The ids that are printed, in both formats.
+/// The ids that are printed to who asks so. The command is read and answered in this process, which
+/// has measured the claims.
 fn ids(asked: &[&str]) -> Vec<String> {
-    let all = json(&[&["claims", "--format", "json"], asked].concat());
+    let words = [&["pendula", "claims", "--format", "json"], asked].concat();
+    let matches = cli::definition().try_get_matches_from(words).unwrap();
+    let matches = matches.subcommand_matches("claims").unwrap();
+    let filter = Filter::from_arg_matches(matches).unwrap();
+    let mut out = Vec::new();
+    claims::report(&LEDGER, &filter, LedgerFormat::Json, &mut out).unwrap();
+    let all: Value = serde_json::from_slice(&out).unwrap();
     let ids = all.as_array().unwrap().iter().map(|claim| claim["id"].as_str().unwrap().to_owned());
     ids.collect()
 }

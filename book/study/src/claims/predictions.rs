@@ -1,5 +1,7 @@
 //! The cells of the paper's tables that theory predicts.
 
+use std::sync::LazyLock;
+
 use pendula::{Grid, Pendulum};
 
 use super::CellId;
@@ -38,8 +40,13 @@ impl Prediction {
 /// All 49 predictions, in the order of the ledger: Tables 4, 5, 6 and 8, and last `P6.3.norm` from
 /// the text (Section 6.3): RK4's largest angle error over θ₀, at θ₀ = 1e-4.
 ///
-/// Nothing is cached: each call computes them again, in half a second.
-pub fn predictions() -> Vec<Prediction> {
+/// They are computed at the first call, in half a second.
+pub fn predictions() -> &'static [Prediction] {
+    static ALL: LazyLock<Vec<Prediction>> = LazyLock::new(computed);
+    &ALL
+}
+
+fn computed() -> Vec<Prediction> {
     let mut all = Vec::new();
     let (table_4, table_8) = (Run::TABLE_4, Run::TABLE_8);
     for law in ENERGY_LAWS {

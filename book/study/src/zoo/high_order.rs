@@ -109,28 +109,48 @@ impl Info for EntryOff {
     }
 }
 
+impl EntryOff {
+    /// The stages of DOP853, the first of which is the rate at the start.
+    const STAGES: usize = 12;
+
+    /// The rows of the stages after the first, and of the step, each with what the stages before it
+    /// are multiplied by.
+    fn rows(&self) -> [[f64; Self::STAGES]; Self::STAGES] {
+        let stages = dop853::STEP.stages;
+        let names: Vec<&str> = ["k1"].into_iter().chain(stages.iter().map(|it| it.name)).collect();
+        let step = dop853::STEP.sums.iter().find(|row| row.name == "step");
+        let mut rows = stages.iter().chain(step);
+        core::array::from_fn(|_| {
+            let (mut factors, row) = ([0.0; Self::STAGES], rows.next().expect("a row for each"));
+            for (term, a) in row.terms {
+                let off = if (row.name, *term) == (self.row, self.term) { self.by } else { 0.0 };
+                let stage = names.iter().position(|name| name == term).expect("an earlier stage");
+                factors[stage] = a.value + off;
+            }
+            factors
+        })
+    }
+}
+
 impl<S: Plain> Method<S> for EntryOff {
-    type Carry = ();
+    type Carry = [[f64; Self::STAGES]; Self::STAGES];
 
-    fn start(&self, _system: &S, _t: f64, _h: f64, _z: Phase) {}
+    fn start(&self, _system: &S, _t: f64, _h: f64, _z: Phase) -> Self::Carry {
+        self.rows()
+    }
 
-    fn step(&self, system: &S, t: f64, h: f64, z: Phase, _carry: &mut ()) -> Phase {
-        let mut slopes = vec![("k1", system.rate(t, z))];
-        let row = |name: &str, slopes: &[(&str, Phase)]| {
-            let mut rows = dop853::STEP.stages.iter().chain(dop853::STEP.sums);
-            let row = rows.find(|row| row.name == name).expect("a row of the table");
-            let terms = row.terms.iter().map(|(term, a)| {
-                let off = if (name, *term) == (self.row, self.term) { self.by } else { 0.0 };
-                let (_, k) = slopes.iter().find(|(k, _)| k == term).expect("an earlier stage");
-                *k * (a.value + off)
-            });
+    fn step(&self, system: &S, t: f64, h: f64, z: Phase, rows: &mut Self::Carry) -> Phase {
+        let mut slopes = [Phase::default(); Self::STAGES];
+        let sum = |row: &[f64; Self::STAGES], slopes: &[Phase]| {
+            let terms = slopes.iter().zip(row).map(|(slope, factor)| *slope * *factor);
             terms.reduce(|sum, term| sum + term).expect("a term at least")
         };
-        for stage in dop853::STEP.stages {
+        slopes[0] = system.rate(t, z);
+        for (i, stage) in dop853::STEP.stages.iter().enumerate() {
             let c = stage.node.expect("a stage's time").value;
-            slopes.push((stage.name, system.rate(t + c * h, z + row(stage.name, &slopes) * h)));
+            slopes[i + 1] = system.rate(t + c * h, z + sum(&rows[i], &slopes[..=i]) * h);
         }
-        z + row("step", &slopes) * h
+        z + sum(&rows[Self::STAGES - 1], &slopes) * h
     }
 }
 
@@ -159,9 +179,12 @@ impl TermDropped {
             theta[k] = h * omega[k - 1] / power;
             omega[k] = -h * pendulum.frequency_squared() * s[k - 1] / power;
             for j in (1..=k).filter(|j| (k, *j) != (self.power, self.factor)) {
-                s[k] += j as f64 * theta[j] * c[k - j] / power;
-                c[k] -= j as f64 * theta[j] * s[k - j] / power;
+                let factor = j as f64 * theta[j];
+                s[k] += factor * c[k - j];
+                c[k] -= factor * s[k - j];
             }
+            s[k] /= power;
+            c[k] /= power;
         }
         let sum = |terms: [f64; P + 1]| terms.iter().rev().sum();
         Phase { theta: sum(theta), omega: sum(omega) }

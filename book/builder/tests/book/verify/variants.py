@@ -18,31 +18,38 @@ def position_verlet(force, t, z, h):
     return middle + 0.5 * h * omega, omega
 
 
-def runge_kutta(force, t, z, h, a, b, c):
-    slopes = []
-    for row, time in zip(a, c):
-        at = [z[i] + h * sum(x * k[i] for x, k in zip(row, slopes)) for i in (0, 1)]
-        slopes.append((at[1], force(t + time * h, at[0])))
-    return tuple(z[i] + h * sum(x * k[i] for x, k in zip(b, slopes)) for i in (0, 1))
-
-
-def rk4(force, t, z, h, c=(0, 0.5, 0.5, 1)):
-    a = [[], [0.5], [0, 0.5], [0, 0, 1]]
-    return runge_kutta(force, t, z, h, a, [1 / 6, 1 / 3, 1 / 3, 1 / 6], c)
+def rk4(force, t, z, h, middle=0.5, end=1):
+    theta, omega = z
+    first = force(t, theta)
+    omega_2 = omega + h / 2 * first
+    second = force(t + middle * h, theta + h / 2 * omega)
+    omega_3 = omega + h / 2 * second
+    third = force(t + middle * h, theta + h / 2 * omega_2)
+    omega_4 = omega + h * third
+    fourth = force(t + end * h, theta + h * omega_3)
+    return (
+        theta + h / 6 * (omega + 2 * omega_2 + 2 * omega_3 + omega_4),
+        omega + h / 6 * (first + 2 * second + 2 * third + fourth),
+    )
 
 
 def heun(force, t, z, h):
-    return runge_kutta(force, t, z, h, [[], [1]], [0.5, 0.5], [0, 1])
+    theta, omega = z
+    first = force(t, theta)
+    predicted = omega + h * first
+    second = force(t + h, theta + h * omega)
+    return theta + h / 2 * (omega + predicted), omega + h / 2 * (first + second)
 
 
 def trapezoidal(force, t, z, h):
     start = force(t, z[0])
+    known = z[0] + h / 2 * z[1], z[1] + h / 2 * start
     theta, omega = z[0] + h * z[1], z[1] + h * start
     for _ in range(100):
-        again = z[0] + h / 2 * (z[1] + omega), z[1] + h / 2 * (start + force(t + h, theta))
-        if again == (theta, omega):
+        before = theta, omega
+        theta, omega = known[0] + h / 2 * omega, known[1] + h / 2 * force(t + h, theta)
+        if before == (theta, omega):
             break
-        theta, omega = again
     return theta, omega
 
 
@@ -60,7 +67,7 @@ STEPS = {
     "rk4": rk4,
     "heun": heun,
     "trapezoidal": trapezoidal,
-    "wrong-stage-times": lambda f, t, z, h: rk4(f, t, z, h, (0, 0, 0, 0)),
+    "wrong-stage-times": lambda f, t, z, h: rk4(f, t, z, h, 0, 0),
     "stale-force": lambda f, t, z, h: verlet(f, t, z, h, stale=True),
     "fifth-digit": lambda f, t, z, h: verlet(f, t, z, h, first=0.50001),
     "single-precision": lambda f, t, z, h: single(verlet(f, t, z, h)),
@@ -79,11 +86,15 @@ for line in sys.stdin:
         a, w = (rest.pop(0), rest.pop(0)) if driven else (0.0, 0.0)
         theta, omega, h = rest
         n, k = int(numbers[-2]), int(numbers[-1])
-        force = lambda t, x: a * cos(w * t) - g * sin(x)
+        if driven:
+            force = lambda t, x: a * cos(w * t) - g * sin(x)
+        else:
+            force = lambda t, x: -g * sin(x)
         z = theta, omega
+        one = STEPS[name]
         for step in range(n):
             if not (name == "drops-steps" and step % 1000 == 999):
-                z = STEPS[name](force, step * h, z, h)
+                z = one(force, step * h, z, h)
             if (step + 1) % k == 0:
                 print(*z)
         print("done")

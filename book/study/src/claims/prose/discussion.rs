@@ -1,6 +1,8 @@
 //! Discussion and conclusion, Sections 7 and 8; the figures; and what the numbers decide where the
 //! text leaves it open.
 
+use std::sync::LazyLock;
+
 use super::*;
 
 pub(super) const CLAIMS: &[Prose] = &[
@@ -53,9 +55,11 @@ pub(super) const CLAIMS: &[Prose] = &[
         verdict: ReproducedWithDefinition,
         because: "It depends on the step: what a step loses goes as its sixth power.",
         measure: |_| {
-            let start = Pendulum::PAPER.energy(pendula::Phase::at_rest(1.0));
-            let left = |step| findings::last_energy(&Rk4, 1.0, step, 1_000_000) / start;
-            let [coarse, fine] = [0.1, 0.01].map(left);
+            static LEFT: LazyLock<[f64; 2]> = LazyLock::new(|| {
+                let start = Pendulum::PAPER.energy(pendula::Phase::at_rest(1.0));
+                [0.1, 0.01].map(|step| findings::last_energy(&Rk4, 1.0, step, 1_000_000) / start)
+            });
+            let [coarse, fine] = *LEFT;
             says(std::format!("{coarse:.3} and {fine:.5}"), coarse < 0.5 && fine > 0.99)
         },
     },
@@ -135,12 +139,14 @@ pub(super) const CLAIMS: &[Prose] = &[
                 row!(study.small_angle, ForwardEuler).errors[4].formula,
                 row!(study.small_angle, SymplecticEuler).errors[4].formula,
             ];
-            let limit = |method: &dyn AnyMethod| {
-                let error = findings::normalised_formula_error(method, small_angle::THETA_0, 1e-5);
-                error.1 * small_angle::THETA_0
-            };
-            let fine = [limit(&ForwardEuler), limit(&SymplecticEuler)];
-            let [[a, b], [c, d]] = [coarse, fine].map(|errors| errors.map(|error| error / rk4));
+            static FINE: LazyLock<[f64; 2]> = LazyLock::new(|| {
+                let methods: [&dyn AnyMethod; 2] = [&ForwardEuler, &SymplecticEuler];
+                methods.map(|method| {
+                    let theta_0 = small_angle::THETA_0;
+                    findings::normalised_formula_error(method, theta_0, 1e-5).1 * theta_0
+                })
+            });
+            let [[a, b], [c, d]] = [coarse, *FINE].map(|errors| errors.map(|error| error / rk4));
             let near = [c, d].into_iter().all(|ratio| is_near(ratio, 1.0, 0.02));
             says(std::format!("{a:.1} and {b:.2}; {c:.3} and {d:.3}"), near)
         },

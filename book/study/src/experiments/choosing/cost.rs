@@ -1,6 +1,6 @@
 //! What an answer costs: a row of the map, for the chapters of the methods.
 
-use super::{Advice, Release, error_law};
+use super::{Advice, error_law};
 use crate::experiments::MethodRef;
 
 /// Length of the run (periods) …
@@ -10,6 +10,6 @@ pub const ALLOWED: f64 = 1e-3;
 
 /// What each of the methods needs; none where a method cannot achieve it.
 pub fn costs(methods: &[MethodRef]) -> Vec<Option<Advice>> {
-    let profiles = error_law::profiles_of(methods, &Release::new());
-    profiles.iter().map(|profile| profile.over(PERIODS).advice(ALLOWED)).collect()
+    let advice = |method: &MethodRef| error_law::profile_of(*method).over(PERIODS).advice(ALLOWED);
+    methods.iter().map(advice).collect()
 }

@@ -1,5 +1,7 @@
 //! The law of a method's angle error, measured on a ladder of steps.
 
+use std::sync::{LazyLock, OnceLock};
+
 use pendula::exact::Motion;
 use pendula::{METHODS, Pendulum, Phase};
 
@@ -55,29 +57,39 @@ pub(super) struct Rung {
     pub(super) seen: Vec<f64>,
 }
 
-/// Measures every method of the library.
-pub fn profiles(release: &Release) -> Vec<Profile> {
-    profiles_of(METHODS, release)
+/// The law of every method of the library, each measured when it is first asked for.
+pub fn profiles() -> impl Iterator<Item = &'static Profile> {
+    (0..METHODS.len()).map(profile)
 }
 
-/// Measures these methods.
-pub(super) fn profiles_of(methods: &[MethodRef], release: &Release) -> Vec<Profile> {
-    let motion = Motion::new(&Pendulum::PAPER, release.start).expect("a finite start");
-    let mut profiles: Vec<Profile> = methods
-        .iter()
-        .map(|method| Profile { method: *method, release: *release, rungs: Vec::new() })
-        .collect();
-    for rung in RUNGS {
-        let steps = libm::round(4.0 * libm::exp2(0.5 * f64::from(rung))) as u64;
-        let grid = release.grid(steps, 1);
-        let times: Vec<f64> = (1..=steps).map(|n| grid.time(n)).collect();
-        let mut truth = vec![Phase::default(); times.len()];
-        motion.at_each(&times, &mut truth);
-        for profile in profiles.iter_mut().filter(|profile| !profile.is_exhausted()) {
-            profile.rungs.push(Rung::measure(profile.method, release, &truth));
-        }
-    }
-    profiles
+/// The law of a method of the library.
+pub(super) fn profile_of(method: MethodRef) -> &'static Profile {
+    let is_it = |other: &MethodRef| other.info().name == method.info().name;
+    profile(METHODS.iter().position(is_it).expect("one of the library's methods"))
+}
+
+fn profile(index: usize) -> &'static Profile {
+    static PROFILES: [OnceLock<Profile>; METHODS.len()] =
+        [const { OnceLock::new() }; METHODS.len()];
+    PROFILES[index].get_or_init(|| Profile::measure(METHODS[index]))
+}
+
+/// For each rung the exact motion over a period.
+fn truth() -> impl Iterator<Item = &'static [Phase]> {
+    static TRUTH: LazyLock<Vec<Vec<Phase>>> = LazyLock::new(|| {
+        let release = Release::new();
+        let motion = Motion::new(&Pendulum::PAPER, release.start).expect("a finite start");
+        let states = RUNGS.map(|rung| {
+            let steps = libm::round(4.0 * libm::exp2(0.5 * f64::from(rung))) as u64;
+            let grid = release.grid(steps, 1);
+            let times: Vec<f64> = (1..=steps).map(|n| grid.time(n)).collect();
+            let mut truth = vec![Phase::default(); times.len()];
+            motion.at_each(&times, &mut truth);
+            truth
+        });
+        states.collect()
+    });
+    TRUTH.iter().map(Vec::as_slice)
 }
 
 impl Rung {
@@ -164,6 +176,18 @@ impl Rung {
 }
 
 impl Profile {
+    fn measure(method: MethodRef) -> Self {
+        let release = Release::new();
+        let mut profile = Self { method, release, rungs: Vec::new() };
+        for truth in truth() {
+            if profile.is_exhausted() {
+                break;
+            }
+            profile.rungs.push(Rung::measure(method, &release, truth));
+        }
+        profile
+    }
+
     /// Whether the error of the last rung is below rounding, so that finer rungs are useless.
     pub(super) fn is_exhausted(&self) -> bool {
         self.rungs.last().is_some_and(|rung| {

@@ -56,10 +56,9 @@ pub struct Cell {
 // ANCHOR: map
 /// The whole map, for all methods of the library.
 pub fn map() -> Vec<Cell> {
-    let profiles = profiles(&Release::new());
     let mut map = Vec::new();
     for periods in PERIODS {
-        let curves: Vec<Curve> = profiles.iter().map(|profile| profile.over(periods)).collect();
+        let curves: Vec<Curve> = profiles().map(|profile| profile.over(periods)).collect();
         for allowed in allowed() {
             let advice = curves.iter().filter_map(|curve| curve.advice(allowed));
             let mut ranking: Vec<Advice> = advice.collect();
