@@ -173,18 +173,26 @@ impl TermDropped {
         const P: usize = 24;
         let (mut theta, mut omega) = ([0.0; P + 1], [0.0; P + 1]);
         let (mut s, mut c) = ([0.0; P + 1], [0.0; P + 1]);
+        // The coefficients of θ, each times its power.
+        let mut slopes = [0.0; P + 1];
         (theta[0], omega[0], s[0], c[0]) = (z.theta, z.omega, sin(z.theta), cos(z.theta));
         for k in 1..=P {
             let power = k as f64;
-            theta[k] = h * omega[k - 1] / power;
+            slopes[k] = h * omega[k - 1];
+            theta[k] = slopes[k] / power;
             omega[k] = -h * pendulum.frequency_squared() * s[k - 1] / power;
-            for j in (1..=k).filter(|j| (k, *j) != (self.power, self.factor)) {
-                let factor = j as f64 * theta[j];
-                s[k] += factor * c[k - j];
-                c[k] -= factor * s[k - j];
+            let mut factors = slopes;
+            if k == self.power {
+                factors[self.factor] = 0.0;
             }
-            s[k] /= power;
-            c[k] /= power;
+            let (mut sine, mut cosine) = (0.0, 0.0);
+            for ((factor, s), c) in
+                factors[1..=k].iter().zip(s[..k].iter().rev()).zip(c[..k].iter().rev())
+            {
+                sine += factor * c;
+                cosine -= factor * s;
+            }
+            (s[k], c[k]) = (sine / power, cosine / power);
         }
         let sum = |terms: [f64; P + 1]| terms.iter().rev().sum();
         Phase { theta: sum(theta), omega: sum(omega) }
