@@ -14,6 +14,7 @@ mod readme;
 mod rounding;
 mod snapshots;
 mod stencil;
+mod tilted_curve;
 mod transcription;
 mod typed;
 

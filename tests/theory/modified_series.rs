@@ -98,11 +98,29 @@ fn what_is_left_is_exponentially_small(
     let ratio = least / truncation::law(theta_0, x);
     assert!((0.25..4.0).contains(&ratio), "{ratio} with N = {power}");
     let errors = truncation::errors(theta_0, x);
+    assert_eq!(errors[power / 2], least, "the sum with x to the power {power}");
     // Beside the smallest term the errors may go up and down a little.
     let [falls, rises] = [&errors[..power / 4], &errors[errors.len() - 3..]];
     assert!(falls.windows(2).all(|pair| pair[1] < pair[0]), "{errors:?}");
     if power + 8 < truncation::ORDER {
         assert!(rises.windows(2).all(|pair| pair[1] > pair[0]), "{errors:?}");
+    }
+}
+
+/// The points of the figure end before the first step whose series would go on falling beyond the
+/// powers that are known.
+///
+/// Catches: a point that is the longest series known and not the best one; points that end early.
+#[test]
+fn the_smallest_errors_end_where_the_series_is_too_short() {
+    for theta_0 in truncation::STARTS {
+        let best = |inverse: f64| truncation::best(theta_0, 1.0 / inverse).0;
+        let points = truncation::least(theta_0);
+        let all: Vec<f64> = truncation::inverse_steps().collect();
+        assert!(best(points[points.len() - 1].0) < truncation::ORDER, "{theta_0}");
+        if points.len() < all.len() {
+            assert_eq!(best(all[points.len()]), truncation::ORDER, "{theta_0}");
+        }
     }
 }
 

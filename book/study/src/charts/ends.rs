@@ -269,6 +269,28 @@ mod tests {
         assert!(short([(0.0, 0.2), (1.0, 0.2)]) && !short([(0.6, 0.2), (1.0, 0.9)]));
     }
 
+    /// Catches: segments taken for the lines through them, the one or the other.
+    #[test]
+    fn segments_cross_where_both_are() {
+        let (across, falling) = ([(0.0, 0.0), (2.0, 2.0)], [(0.0, 2.0), (2.0, 0.0)]);
+        assert!(cross(across, falling) && cross(falling, across));
+        let beyond = [(3.0, 4.0), (4.0, 3.0)];
+        assert!(!cross(across, beyond) && !cross(beyond, across));
+    }
+
+    /// Numbers have one decimal.
+    ///
+    /// Catches: a thin line that begins on the plot's edge, or elsewhere than by the end of its
+    /// line; one that does not lead to its label.
+    #[test]
+    fn a_thin_line_leads_from_the_end_to_the_label() {
+        let chart = chart().series("a", Style::numbered(0), [(0.0, 0.5), (0.8, 0.5)]);
+        let mut svg = String::new();
+        draw(&mut svg, &of_chart(&chart, &chart.scales()).unwrap(), [50.0, 450.0, 20.0]);
+        // 50 + 0.8 · 400 + 6, and 20 + half of the height of 300; then 16 beyond the plot.
+        assert!(svg.contains("d=\"M376,170L466,170\""), "{svg}");
+    }
+
     /// Catches: labels that reach beyond the drawing, that stand on the plot, or on each other; a
     /// legend that repeats them.
     #[test]

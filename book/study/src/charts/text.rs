@@ -186,6 +186,15 @@ mod tests {
         assert_eq!(width("H\u{303}"), width("H"));
     }
 
+    /// Catches: raised and lowered letters that take as much room as others, marks that take any.
+    #[test]
+    fn small_letters_are_narrower() {
+        for markup in ["θ_{n}", "θ^{n}"] {
+            let expected = width("θ") + SMALL * width("n");
+            assert!((width(markup) - expected).abs() < 1e-9, "{markup}: {}", width(markup));
+        }
+    }
+
     /// Catches: a panic or lost text where `^`, `_` or `{` is not markup.
     #[test]
     fn stray_markup_is_plain_text() {
