@@ -10,8 +10,8 @@ use tempfile::TempDir;
 
 use crate::pages::{Page, Site, is_remote};
 
-/// Built once for all tests: the folder that is removed at the end, that of the book, and its pages.
-/// `Err` is the reason why the build stopped.
+/// Built once for all tests: the folder that is removed at the end, that of the book, and its
+/// pages. `Err` is the reason why the build stopped.
 static BOOK: LazyLock<Result<(TempDir, PathBuf, Site), String>> = LazyLock::new(|| {
     let (folder, book) = built()?;
     let site = Site::read(&book);
