@@ -115,9 +115,9 @@ fn nothing_turns_over_without_the_energy_for_it() {
     }
 }
 
-/// Of 150 × 150 releases, those that turn over within 5 s do so at the same time with half the step,
-/// but for one in a hundred beside the threads; of those after 15 s, hardly more than half do. Of a
-/// million it is one in a thousand, and 58 in a hundred.
+/// Of 150 × 150 releases, those that turn over within 5 s do so at the same time with half the
+/// step, but for one in a hundred beside the threads; of those after 15 s hardly more than half do.
+/// Of a million it is one in a thousand, and 58 in a hundred.
 ///
 /// Catches: steps too long for the smooth parts of the picture; a step that is not halved, with
 /// which all would agree; a motion that is not chaotic.
