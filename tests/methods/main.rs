@@ -4,6 +4,7 @@
 mod common;
 
 mod area;
+mod changes_of_variables;
 mod error_constant;
 mod linear_oscillator;
 mod linearised;
