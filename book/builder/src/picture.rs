@@ -17,7 +17,7 @@ const COUNT: usize = 15;
 const FIRST: f64 = 1.0 / 40.0;
 
 /// The colours of the first band, of the last, and of those at even distances between them: red,
-/// green and blue. The lightness falls, in CIELAB from 89 to 31.
+/// green and blue. The lightness falls, in CIELAB from 89 to 28.
 const COLOURS: [[f64; 3]; 4] =
     [[253.0, 222.0, 150.0], [232.0, 138.0, 90.0], [172.0, 66.0, 122.0], [70.0, 50.0, 140.0]];
 
