@@ -3,8 +3,10 @@
 use std::io::{self, Write};
 use std::num::NonZeroU64;
 use std::path::PathBuf;
+use std::sync::Arc;
 use std::time::Instant;
 
+use anyhow::anyhow;
 use clap::Args;
 use pendula::fast::first_flips;
 use pendula::systems::DoublePhase;
@@ -16,6 +18,7 @@ use super::double_arguments::DoubleArguments;
 use super::number::number;
 use super::summary::Summary;
 use crate::failure::Failure;
+use crate::interrupt::{Lookout, unless_interrupted};
 use crate::picture::Bands;
 
 /// Arguments of `pendula flips`.
@@ -57,7 +60,7 @@ const LARGEST: usize = 4096;
 ///
 /// # Errors
 /// [`Failure::Refused`] for what the library or the device refuses; a failure if something cannot
-/// be written, or if the device does not go on.
+/// be written, if the user interrupts, or if the device does not go on.
 pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
     let size = arguments.size;
     if size == 0 || size % 2 == 1 || size > LARGEST {
@@ -69,14 +72,22 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
     let grid = Grid::with_duration(arguments.dt, arguments.duration).map_err(Failure::refused)?;
     let device = arguments.device.as_deref().map(Device::named);
     let device = device.transpose().map_err(Failure::refused)?;
+    // Set the interrupt handler before creating a file.
+    let lookout = Lookout::for_the_user();
+    let interrupted = || Failure::Failed(anyhow!("interrupted"));
     let picture = arguments.picture.as_deref();
     let picture = picture.map(|path| Destination::file("--picture", path)).transpose()?;
     let mut out = Destination::open(arguments.output.as_deref(), out)?;
     let begin = Instant::now();
-    let flips = Releases { double, size }.first_flips(device.as_ref(), &grid)?;
+    let (releases, device) = (Releases { double, size }, device.map(Arc::new));
+    let work = move || releases.first_flips(device.as_deref(), &grid);
+    let flips = unless_interrupted(|| lookout.interrupts(0), work).ok_or_else(interrupted)??;
     let elapsed = begin.elapsed();
     writeln!(out, "theta1,theta2,t")?;
     for (index, flip) in flips.iter().enumerate() {
+        if lookout.interrupts(0) {
+            return Err(interrupted());
+        }
         let (theta1, theta2) = (angle(index % size, size), angle(index / size, size));
         match flip {
             Some(n) => writeln!(out, "{theta1:?},{theta2:?},{:?}", grid.time(n.get()))?,
@@ -102,6 +113,7 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
 }
 
 /// Releases from rest of a double pendulum.
+#[derive(Clone)]
 struct Releases {
     double: DoublePendulum,
     /// In a row and in a column.
