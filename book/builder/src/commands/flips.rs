@@ -62,6 +62,18 @@ const LARGEST: usize = 4096;
 /// [`Failure::Refused`] for what the library or the device refuses; a failure if something cannot
 /// be written, if the user interrupts, or if the device does not go on.
 pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
+    run_until(arguments, [out, &mut io::stderr()], Lookout::for_the_user)
+}
+
+/// The same with another standard error, until the `lookout` interrupts, which counts rows.
+///
+/// # Errors
+/// As [`run`].
+pub fn run_until(
+    arguments: &Arguments,
+    [out, err]: [&mut dyn Write; 2],
+    lookout: impl FnOnce() -> Lookout,
+) -> Result<(), Failure> {
     let size = arguments.size;
     if size == 0 || size % 2 == 1 || size > LARGEST {
         return Err(Failure::refused(format!(
@@ -73,7 +85,7 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
     let device = arguments.device.as_deref().map(Device::named);
     let device = device.transpose().map_err(Failure::refused)?;
     // Set the interrupt handler before creating a file.
-    let lookout = Lookout::for_the_user();
+    let lookout = lookout();
     let interrupted = || Failure::Failed(anyhow!("interrupted"));
     let picture = arguments.picture.as_deref();
     let picture = picture.map(|path| Destination::file("--picture", path)).transpose()?;
@@ -85,7 +97,7 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
     let elapsed = begin.elapsed();
     writeln!(out, "theta1,theta2,t")?;
     for (index, flip) in flips.iter().enumerate() {
-        if lookout.interrupts(0) {
+        if lookout.interrupts(index as u64) {
             return Err(interrupted());
         }
         let (theta1, theta2) = (angle(index % size, size), angle(index / size, size));
@@ -107,7 +119,7 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
         summary.line("releases", (size * size).to_string());
         summary.line("turn over", flips.iter().flatten().count().to_string());
         summary.line("wall time", format!("{:.3} s", elapsed.as_secs_f64()));
-        summary.print(&mut io::stderr())?;
+        summary.print(err)?;
     }
     Ok(())
 }

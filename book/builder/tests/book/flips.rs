@@ -13,6 +13,7 @@ use pendula::systems::{DoublePhase, Joint};
 use pendula::{DoublePendulum, Grid, Rk4, integrate};
 
 use crate::commands::{assert_refused, printed};
+use crate::long_runs::interrupted;
 
 /// The dots of a picture, row after row from the top: red, green, blue, opacity.
 fn dots(png: &[u8]) -> (usize, Vec<[u8; 4]>) {
@@ -138,4 +139,27 @@ fn bad_input_is_refused_in_one_line() {
     assert_refused(&["flips", "--dt", "0.3", "--duration", "1"], "steps");
     assert_refused(&["flips", "--length1", "0"], "length L₁");
     assert_refused(&["flips", "--size", "2", "--picture", "no/folder/a.png"], "cannot be written");
+}
+
+/// Interrupted after any number of rows, it leaves the old files, and nothing beside them.
+///
+/// Catches: a file touched, or a temporary one left, by a search that is interrupted; a row count
+/// that is not looked at.
+#[test]
+fn an_interrupted_search_leaves_the_old_files() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let files = ["a.csv", "a.png"].map(|name| folder.path().join(name));
+    let [csv, png] = files.each_ref().map(|path| path.to_str().expect("UTF-8"));
+    let flips = ["flips", "--size", "4", "--output", csv, "--picture", png];
+    for rows in [0, 1, 15] {
+        for path in &files {
+            fs::write(path, "old").expect("it can be written");
+        }
+        let left = interrupted(&flips, rows);
+        assert_eq!(left.outcome.unwrap_err(), "pendula: interrupted", "after {rows}");
+        assert!(files.iter().all(|path| fs::read(path).expect("a file") == b"old"));
+        assert_eq!(fs::read_dir(folder.path()).expect("a folder").count(), 2);
+    }
+    interrupted(&flips, 16).outcome.expect("whole");
+    assert!(files.iter().all(|path| fs::read(path).expect("a file") != b"old"));
 }

@@ -11,7 +11,7 @@ use pendula::{
     method_named,
 };
 use pendula_book::cli::{self, Command};
-use pendula_book::commands::{adaptive, double_pendulum, ensemble, simulate};
+use pendula_book::commands::{adaptive, double_pendulum, ensemble, flips, simulate};
 use pendula_book::failure::Failure;
 use pendula_book::interrupt::Lookout;
 use serde_json::Value;
@@ -41,6 +41,7 @@ pub fn interrupted(arguments: &[&str], after: u64) -> Printed {
             Command::DoublePendulum(a) => double_pendulum::run_until(&a, out, lookout),
             Command::Ensemble(arguments) => ensemble::run_until(&arguments, out, lookout),
             Command::Adaptive(arguments) => adaptive::run_until(&arguments, out, lookout),
+            Command::Flips(arguments) => flips::run_until(&arguments, out, lookout),
             other => panic!("{other:?} does not run long"),
         }
     });
