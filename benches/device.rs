@@ -15,7 +15,7 @@ use std::thread::{available_parallelism, scope};
 use machine::{instructions, seconds};
 use pendula::fast::InLanes;
 use pendula::{Ensemble, Grid, Info, Pendulum, Phase, methods};
-use pendula_device::{Device, OnDevice, devices};
+use pendula_device::{Device, devices, method_named};
 
 /// Enough for each core of a large card to have several.
 const PENDULUMS: u32 = 1 << 18;
@@ -60,15 +60,17 @@ fn in_lanes<M: InLanes>(method: &M, starts: &[Phase], threads: usize) -> f64 {
     })
 }
 
-fn row<M: OnDevice + InLanes>(method: &'static M, devices: &[Device], threads: usize) {
+fn row<M: Info + InLanes>(method: &M, devices: &[Device], threads: usize) {
     let starts = releases();
+    let info = method.info();
+    let on_device = method_named(info.name).expect("one of the library's");
     let mega = |speed: f64| format!("{:.0}", speed * 1e-6);
-    let program = method.program().expect("a method that runs on devices");
-    let mut cells = vec![Info::info(method).title.to_string(), program.operations.to_string()];
+    let program = (on_device.program)().expect("a method that runs on devices");
+    let mut cells = vec![info.title.to_string(), program.operations.to_string()];
     cells.extend([1, threads].map(|threads| mega(in_lanes(method, &starts, threads))));
     for device in devices {
         let mut ends = vec![Phase::default(); starts.len()];
-        let mut compiled = device.compile(method).expect("a device that works");
+        let mut compiled = device.compile(on_device).expect("a device that works");
         let speed = speed(|grid| {
             let ensemble = Ensemble::new(&Pendulum::PAPER, &starts, grid);
             compiled.ends(&ensemble, &mut ends).expect("a device that works");

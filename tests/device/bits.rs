@@ -5,10 +5,9 @@ use core::num::NonZeroU64;
 
 use pendula::integrate::Every;
 use pendula::metrics::EnergyDrift;
-use pendula::{AnyMethod, Ensemble, Grid, Info, MethodInfo, Observer, Pendulum, Phase, Rk4};
+use pendula::{Ensemble, Grid, Observer, Pendulum, Phase};
 use pendula_device::kernel::Program;
-use pendula_device::kernel::steps::Begun;
-use pendula_device::{Device, METHODS, OnDevice, devices, method_named};
+use pendula_device::{Device, OnDevice, devices, method_named, methods};
 
 /// The devices with double precision.
 pub fn usable() -> Vec<Device> {
@@ -56,9 +55,10 @@ fn bits(z: Phase) -> [u64; 2] {
     [z.theta, z.omega].map(|x| if x.is_nan() { u64::MAX } else { x.to_bits() })
 }
 
-fn compare(device: &Device, method: &'static dyn OnDevice) {
+fn compare(device: &Device, method: OnDevice) {
     let mut compiled = device.compile(method).expect("a device that works");
-    let name = method.info().name;
+    let host = method.host;
+    let name = host.info().name;
     let starts = starts();
     for (pendulum, grid) in &scenes() {
         let ensemble = Ensemble::new(pendulum, &starts, *grid);
@@ -70,7 +70,7 @@ fn compare(device: &Device, method: &'static dyn OnDevice) {
             let scene = format!("{name} on {} from {start:?}, {grid:?}", device.name);
             // Lanes have the bits of a trajectory alone; that is tested elsewhere.
             let mut drift = EnergyDrift::new(pendulum);
-            let alone = method.run(pendulum, *start, grid, &mut drift);
+            let alone = host.run(pendulum, *start, grid, &mut drift);
             assert_eq!(bits(end), bits(alone), "{scene}");
             assert_eq!(bits(watched_end), bits(alone), "{scene}, watched");
             let [error, expected] = [error, drift.largest()];
@@ -86,10 +86,8 @@ fn compare(device: &Device, method: &'static dyn OnDevice) {
 #[test]
 fn every_method_has_the_bits_of_a_trajectory_alone() {
     for device in usable() {
-        for method in METHODS {
-            if method.program().is_some() {
-                compare(&device, *method);
-            }
+        for method in methods().filter(|one| (one.program)().is_some()) {
+            compare(&device, method);
         }
     }
 }
@@ -118,7 +116,7 @@ fn every_kth_state_is_that_of_a_trajectory_alone() {
         for (start, seen) in starts.iter().zip(seen) {
             let mut alone = Record::default();
             let mut watch = Every::new(every, |n, t, z| alone.observe(n, t, z));
-            let _ = method.run(&Pendulum::PAPER, *start, &grid, &mut watch);
+            let _ = method.host.run(&Pendulum::PAPER, *start, &grid, &mut watch);
             assert_eq!(seen.0.len(), 4, "{start:?}");
             assert_eq!(seen.0, alone.0, "{start:?}");
         }
@@ -138,86 +136,64 @@ impl Observer<Phase> for Record {
 /// Catches: an implicit method whose sweeps are recorded as if they were always two.
 #[test]
 fn a_method_that_looks_at_its_numbers_is_refused() {
-    let implicit = METHODS.iter().filter(|method| method.info().implicit);
-    assert_eq!(implicit.clone().count(), 6);
-    for method in METHODS {
-        assert_eq!(method.program().is_none(), method.info().implicit, "{:?}", method.info().name);
+    let implicit: Vec<_> = methods().filter(|one| one.host.info().implicit).collect();
+    assert_eq!(implicit.len(), 6);
+    for OnDevice { host, program, .. } in methods() {
+        assert_eq!(program().is_none(), host.info().implicit, "{host:?}");
     }
     for device in usable() {
-        for method in implicit.clone() {
-            let refused = device.compile(*method).err().expect("it is refused");
+        for &method in &implicit {
+            let refused = device.compile(method).err().expect("it is refused");
             let expected =
                 "does not run on a device: how many operations a step has depends on the numbers";
-            assert_eq!(refused.to_string(), format!("{} {expected}", method.info().name));
+            assert_eq!(refused.to_string(), format!("{:?} {expected}", method.host));
         }
     }
 }
 
-/// A method whose program is not what it says.
-struct Broken(fn(&mut Program));
-
-impl Info for Broken {
-    fn info(&self) -> MethodInfo {
-        Rk4.info()
-    }
+fn rk4() -> OnDevice {
+    method_named("rk4").expect("it is one of the library's")
 }
 
-impl AnyMethod for Broken {
-    fn run(
-        &self,
-        p: &Pendulum,
-        z: Phase,
-        grid: &Grid,
-        observer: &mut dyn Observer<Phase>,
-    ) -> Phase {
-        Rk4.run(p, z, grid, observer)
-    }
-
-    fn count_evaluations(&self, pendulum: &Pendulum, start: Phase, grid: &Grid) -> u64 {
-        Rk4.count_evaluations(pendulum, start, grid)
-    }
-}
-
-impl OnDevice for Broken {
-    fn program(&self) -> Option<Program> {
-        let mut program = OnDevice::program(&Rk4)?;
-        self.0(&mut program);
-        Some(program)
-    }
-
-    fn begin(&self, pendulum: &Pendulum, start: Phase, grid: &Grid) -> Option<Begun> {
-        OnDevice::begin(&Rk4, pendulum, start, grid)
-    }
+/// The program of RK4, spoilt.
+fn spoilt(spoil: impl FnOnce(&mut Program)) -> Option<Program> {
+    let mut program = (rk4().program)()?;
+    spoil(&mut program);
+    Some(program)
 }
 
 /// Catches: a refusal of the driver that is a panic, goes unnoticed, or is said in many lines.
 #[test]
 fn what_a_device_refuses_is_said() {
-    static SPOILT: Broken = Broken(|program| program.source.push_str("\nno such line;\n"));
-    static NAMELESS: Broken =
-        Broken(|program| program.source = program.source.replace("steps", "stairs"));
-    static TOO_LARGE: Broken = Broken(|program| program.numbers = 1 << 45);
+    let with = |program| OnDevice { program, ..rk4() };
+    let unknown = with(|| spoilt(|program| program.source.push_str("\nno such line;\n")));
+    let nameless =
+        with(|| spoilt(|program| program.source = program.source.replace("steps", "stairs")));
+    let too_large = with(|| spoilt(|program| program.numbers = 1 << 45));
     let starts = [Phase::at_rest(1.0)];
     let ensemble = Ensemble::new(&Pendulum::PAPER, &starts, Grid::new(0.1, 1).expect("positive"));
     for mut device in usable() {
-        let why = |device: &Device, method: &'static dyn OnDevice| {
+        let why = |device: &Device, method: OnDevice| {
             let compiled = device.compile(method);
             let run =
                 compiled.and_then(|mut compiled| compiled.ends(&ensemble, &mut [Phase::default()]));
             run.expect_err("it is refused").to_string()
         };
         let name = device.name.clone();
-        let spoilt = why(&device, &SPOILT);
-        assert!(spoilt.starts_with(&format!("the driver of {name} does not compile")), "{spoilt}");
-        assert_eq!(spoilt.lines().count(), 1);
-        let nameless = why(&device, &NAMELESS);
+        let unknown = why(&device, unknown);
+        assert!(
+            unknown.starts_with(&format!("the driver of {name} does not compile")),
+            "{unknown}"
+        );
+        assert_eq!(unknown.lines().count(), 1);
+        let nameless = why(&device, nameless);
         assert!(nameless.ends_with("CL_INVALID_KERNEL_NAME (-46)"), "{nameless}");
         let too_little = format!("{name} has too little memory");
         (device.memory, device.largest_buffer) = (100, 100);
-        assert_eq!(why(&device, &Rk4), too_little);
+        assert_eq!(why(&device, rk4()), too_little);
         (device.memory, device.largest_buffer) = (u64::MAX, u64::MAX);
-        assert_eq!(why(&device, &TOO_LARGE), too_little);
+        assert_eq!(why(&device, too_large), too_little);
         device.is_double = false;
-        assert_eq!(why(&device, &Rk4), format!("{name} has no double precision"));
+        assert_eq!(why(&device, rk4()), format!("{name} has no double precision"));
     }
 }

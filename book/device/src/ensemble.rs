@@ -6,55 +6,54 @@ use pendula::arithmetic::sine::half_turn;
 use pendula::fast::Instructions;
 use pendula::integrate::Every;
 use pendula::metrics::EnergyDrift;
-use pendula::{AnyMethod, Ensemble, Grid, Observer, Pendulum, Phase, for_each_method, methods};
+use pendula::{
+    AnyMethod, Ensemble, Grid, METHODS, Observer, Pendulum, Phase, for_each_method, methods,
+};
 
 use crate::Error;
 use crate::kernel::Program;
-use crate::kernel::steps::{self, Begun, CONSTANTS, Recordable};
+use crate::kernel::steps::{self, Begun, CONSTANTS, buffer};
 use crate::opencl::{Device, Session};
 
-/// A method whose steps may run on a device. Every one of the library is one; whether it can be
-/// recorded, [`program`](OnDevice::program) says.
-pub trait OnDevice: AnyMethod {
-    /// [`steps::program`].
-    fn program(&self) -> Option<Program>;
-
-    /// [`steps::begin`].
-    fn begin(&self, pendulum: &Pendulum, start: Phase, grid: &Grid) -> Option<Begun>;
+/// A method of the library on a device.
+#[derive(Clone, Copy, Debug)]
+pub struct OnDevice {
+    /// The method on the host, which takes the steps that the device does not.
+    pub host: &'static dyn AnyMethod,
+    /// [`steps::program`] for it.
+    pub program: fn() -> Option<Program>,
+    /// [`steps::begin`] for it.
+    pub begin: fn(&Pendulum, Phase, &Grid) -> Option<Begun>,
 }
 
-impl<M: AnyMethod + Recordable> OnDevice for M {
-    fn program(&self) -> Option<Program> {
-        steps::program(self)
-    }
-
-    fn begin(&self, pendulum: &Pendulum, start: Phase, grid: &Grid) -> Option<Begun> {
-        steps::begin(self, pendulum, start, grid)
-    }
-}
+/// Program and begin of a method.
+type Steps = (fn() -> Option<Program>, fn(&Pendulum, Phase, &Grid) -> Option<Begun>);
 
 macro_rules! collect {
     ($($module:ident::$method:ident,)+) => {
-        /// Every method of the library, in its order.
-        pub static METHODS: &[&dyn OnDevice] = &[$(&methods::$method,)+];
+        const STEPS: &[Steps] = &[$((
+            || steps::program(&methods::$method),
+            |pendulum, start, grid| steps::begin(&methods::$method, pendulum, start, grid),
+        ),)+];
     };
 }
 for_each_method!(collect);
 
+/// Every method of the library, in its order; whether its steps run on a device, its program says.
+pub fn methods() -> impl Iterator<Item = OnDevice> {
+    // From the library's list: a trait object made here would compile each time loop once more.
+    let pairs = METHODS.iter().zip(STEPS);
+    pairs.map(|(&host, &(program, begin))| OnDevice { host, program, begin })
+}
+
 /// The method of the library with this name.
-pub fn method_named(name: &str) -> Option<&'static dyn OnDevice> {
-    METHODS.iter().find(|method| method.info().name == name).copied()
+pub fn method_named(name: &str) -> Option<OnDevice> {
+    methods().find(|one| one.host.info().name == name)
 }
 
 /// Pendulums that are on the device at once, at most: enough for every core of a large card. It
 /// bounds the memory here, whatever the number of starts.
 pub const MOST: usize = 1 << 18;
-
-/// The buffers, by their indices in [`steps::rows`].
-const CONSTANTS_OF: usize = 0;
-const NUMBERS: usize = 1;
-const PHASES: usize = 2;
-const WATCHED: usize = 3;
 
 /// What a launch looks at; its number is that of the kernel.
 #[derive(Clone, Copy)]
@@ -68,7 +67,7 @@ enum Watch {
 /// The steps of a method, compiled for a device.
 pub struct Compiled<'d> {
     device: &'d Device,
-    method: &'static dyn OnDevice,
+    method: OnDevice,
     program: Program,
     session: Session,
 }
@@ -79,9 +78,9 @@ impl Device {
     /// # Errors
     /// [`Error::Method`] for a method that cannot be recorded; [`Error::NoDouble`],
     /// [`Error::Build`], [`Error::Driver`].
-    pub fn compile(&self, method: &'static dyn OnDevice) -> Result<Compiled<'_>, Error> {
-        let name = method.info().name;
-        let program = method.program().ok_or(Error::Method { method: name })?;
+    pub fn compile(&self, method: OnDevice) -> Result<Compiled<'_>, Error> {
+        let name = method.host.info().name;
+        let program = (method.program)().ok_or(Error::Method { method: name })?;
         let rows = steps::rows(program.numbers);
         let session = Session::new(self, &program.source, &steps::KERNELS, &rows)?;
         Ok(Compiled { device: self, method, program, session })
@@ -102,21 +101,21 @@ impl Compiled<'_> {
         ensemble: &Ensemble<'_, I>,
         ends: &mut [Phase],
     ) -> Result<(), Error> {
-        let (device, method) = (self.device, self.method);
+        let (device, host) = (self.device, self.method.host);
         let (steps, h) = (ensemble.grid().steps(), ensemble.grid().step());
         self.in_batches(
             ensemble,
             ends,
             |session, batch, ends| {
                 session.run(device, Watch::End as usize, batch.len(), steps, &[h])?;
-                let phases = session.read(device, PHASES, batch.len())?;
+                let phases = session.read(device, buffer::PHASES, batch.len())?;
                 for (column, &i) in batch.iter().enumerate() {
                     ends[i] = phase(&phases, column);
                 }
                 Ok(())
             },
             |i, end| {
-                *end = method.end(ensemble.pendulum(i), ensemble.starts()[i], ensemble.grid());
+                *end = host.end(ensemble.pendulum(i), ensemble.starts()[i], ensemble.grid());
             },
         )
     }
@@ -134,12 +133,12 @@ impl Compiled<'_> {
         ensemble: &Ensemble<'_, I>,
         ends: &mut [(Phase, f64)],
     ) -> Result<(), Error> {
-        let (device, method) = (self.device, self.method);
+        let (device, host) = (self.device, self.method.host);
         let (steps, h) = (ensemble.grid().steps(), ensemble.grid().step());
         let alone = |i: usize, slot: &mut (Phase, f64)| {
             let pendulum = ensemble.pendulum(i);
             let mut drift = EnergyDrift::new(pendulum);
-            let end = method.run(pendulum, ensemble.starts()[i], ensemble.grid(), &mut drift);
+            let end = host.run(pendulum, ensemble.starts()[i], ensemble.grid(), &mut drift);
             *slot = (end, drift.largest());
         };
         self.in_batches(
@@ -147,8 +146,8 @@ impl Compiled<'_> {
             ends,
             |session, batch, ends| {
                 session.run(device, Watch::Energy as usize, batch.len(), steps, &[h])?;
-                let phases = session.read(device, PHASES, batch.len())?;
-                let watched = session.read(device, WATCHED, batch.len())?;
+                let phases = session.read(device, buffer::PHASES, batch.len())?;
+                let watched = session.read(device, buffer::WATCHED, batch.len())?;
                 let (errors, angles) = watched.split_at(batch.len());
                 for (column, &i) in batch.iter().enumerate() {
                     // Beyond, the library's sine is another one.
@@ -178,7 +177,7 @@ impl Compiled<'_> {
         every: NonZeroU64,
         observers: &mut [O],
     ) -> Result<(), Error> {
-        let (device, method) = (self.device, self.method);
+        let (device, host) = (self.device, self.method.host);
         let (grid, h) = (ensemble.grid(), ensemble.grid().step());
         self.in_batches(
             ensemble,
@@ -193,7 +192,7 @@ impl Compiled<'_> {
                 {
                     session.run(device, Watch::End as usize, batch.len(), every.get(), &[h])?;
                     n += every.get();
-                    let phases = session.read(device, PHASES, batch.len())?;
+                    let phases = session.read(device, buffer::PHASES, batch.len())?;
                     for (column, &i) in batch.iter().enumerate() {
                         if !observers[i].is_satisfied() {
                             observers[i].observe(n, grid.time(n), phase(&phases, column));
@@ -208,7 +207,7 @@ impl Compiled<'_> {
                         observer.observe(n, t, z);
                     }
                 });
-                let _ = method.run(ensemble.pendulum(i), ensemble.starts()[i], grid, &mut watch);
+                let _ = host.run(ensemble.pendulum(i), ensemble.starts()[i], grid, &mut watch);
             },
         )
     }
@@ -230,7 +229,7 @@ impl Compiled<'_> {
         let mut batch = Vec::with_capacity(capacity);
         let mut begun = Vec::with_capacity(capacity);
         for (i, start) in ensemble.starts().iter().enumerate() {
-            match self.method.begin(ensemble.pendulum(i), *start, ensemble.grid()) {
+            match (self.method.begin)(ensemble.pendulum(i), *start, ensemble.grid()) {
                 Some(pendulum) => {
                     batch.push(i);
                     begun.push(pendulum);
@@ -242,10 +241,13 @@ impl Compiled<'_> {
                 let constants = rows(&begun, CONSTANTS.len(), |pendulum| &pendulum.constants);
                 let numbers = rows(&begun, self.program.numbers, |pendulum| &pendulum.numbers);
                 let watched = vec![0.0; 2 * batch.len()];
-                let buffers =
-                    [(CONSTANTS_OF, &constants), (NUMBERS, &numbers), (WATCHED, &watched)];
-                for (buffer, values) in buffers {
-                    self.session.write(self.device, buffer, batch.len(), values)?;
+                let buffers = [
+                    (buffer::CONSTANTS, &constants),
+                    (buffer::NUMBERS, &numbers),
+                    (buffer::WATCHED, &watched),
+                ];
+                for (index, values) in buffers {
+                    self.session.write(self.device, index, batch.len(), values)?;
                 }
                 on_device(&self.session, &batch, slots)?;
                 batch.clear();

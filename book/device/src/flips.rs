@@ -7,7 +7,7 @@ use pendula::{DoublePendulum, Grid, Info};
 
 use crate::Error;
 use crate::ensemble::{MOST, rows};
-use crate::kernel::flips::{self, Recordable};
+use crate::kernel::flips::{self, Recordable, buffer};
 use crate::opencl::{Device, Session};
 
 impl Device {
@@ -41,12 +41,17 @@ impl Device {
             let begin =
                 |z: &DoublePhase| flips::begin(method, double, [z.theta1, z.theta2, z.p1, z.p2], h);
             let begun: Vec<_> = starts.iter().map(begin).collect();
-            session.write(self, NUMBERS, starts.len(), &rows(&begun, program.numbers, |z| z))?;
+            session.write(
+                self,
+                buffer::NUMBERS,
+                starts.len(),
+                &rows(&begun, program.numbers, |z| z),
+            )?;
             // No step taken, and both rods below.
             let zeros_and_ones = [vec![0.0; starts.len()], vec![1.0; starts.len()]].concat();
-            session.write(self, FLIPS, starts.len(), &zeros_and_ones)?;
+            session.write(self, buffer::FLIPS, starts.len(), &zeros_and_ones)?;
             session.run(self, 0, starts.len(), grid.steps(), &[])?;
-            let taken = session.read(self, FLIPS, starts.len())?;
+            let taken = session.read(self, buffer::FLIPS, starts.len())?;
             for (flip, taken) in flips.iter_mut().zip(taken) {
                 let taken = taken as u64;
                 *flip = if taken < grid.steps() { NonZeroU64::new(taken + 1) } else { None };
@@ -55,7 +60,3 @@ impl Device {
         Ok(())
     }
 }
-
-/// The buffers, by their indices in [`flips::rows`].
-const NUMBERS: usize = 0;
-const FLIPS: usize = 1;

@@ -16,7 +16,7 @@ pub mod kernel;
 mod opencl;
 pub mod trace;
 
-pub use ensemble::{Compiled, METHODS, OnDevice, method_named};
+pub use ensemble::{Compiled, OnDevice, method_named, methods};
 pub use error::Error;
 pub use opencl::{Device, devices};
 

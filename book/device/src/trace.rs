@@ -119,12 +119,16 @@ impl Traced {
     }
 }
 
+// Inlined, it would be compiled for each operation of each method.
+#[inline(never)]
 fn push(value: Value) -> Place {
     TAPE.with_borrow_mut(|tape| tape.push(value))
 }
 
 /// The place of the result of an operation on `a` and `b`: computed now if both are constants, and
 /// `a` itself where it is multiplied by 1.
+// Not inlined, as `push`.
+#[inline(never)]
 fn operation(
     a: Place,
     b: Place,

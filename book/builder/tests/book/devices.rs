@@ -3,7 +3,7 @@
 
 use std::process::{Command, Output};
 
-use pendula_device::METHODS;
+use pendula_device::methods;
 
 use crate::commands::{assert_refused, printed};
 
@@ -25,12 +25,13 @@ fn a_sweep_on_a_device_is_the_same_to_the_byte() {
     for name in names() {
         // Half a name, in the other case.
         let half: String = name.chars().take(name.chars().count() / 2).collect();
-        for method in METHODS.iter().filter(|method| method.program().is_some()) {
+        for method in methods().filter(|method| (method.program)().is_some()) {
+            let method = method.host.info().name;
             let sweep = ["--theta0", "-3.1:3.14:4096", "--dt", "0.05", "--duration", "2"];
-            let lanes = [&["ensemble", "--method", method.info().name], &sweep[..]].concat();
+            let lanes = [&["ensemble", "--method", method], &sweep[..]].concat();
             let upper = half.to_uppercase();
             let on_device = [&lanes[..], &["--device", &upper]].concat();
-            assert_eq!(printed(&on_device), printed(&lanes), "{} on {name}", method.info().name);
+            assert_eq!(printed(&on_device), printed(&lanes), "{method} on {name}");
         }
     }
 }

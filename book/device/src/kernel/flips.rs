@@ -11,6 +11,14 @@ use crate::trace::Traced;
 /// The kernel, and how many of the buffers it is given.
 pub const KERNELS: [(&str, usize); 1] = [("flips", 2)];
 
+/// The buffers, by their indices in [`rows`].
+pub mod buffer {
+    /// States and carries, between launches.
+    pub const NUMBERS: usize = 0;
+    /// Steps taken, and whether both rods are still below.
+    pub const FLIPS: usize = 1;
+}
+
 /// The rows of each buffer, of as many columns as pendulums: the numbers, and the steps after which
 /// both rods were below the upward vertical beside a 1, which is 0 from the first flip on.
 pub const fn rows(numbers: usize) -> [usize; 2] {

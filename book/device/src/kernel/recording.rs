@@ -19,6 +19,11 @@ pub struct Recording<const LOOKS: usize> {
     pub looks: [Place; LOOKS],
 }
 
+/// A step that is given parameters and the next of its variables, as often as it asks for one, and
+/// returns the numbers after it and what is looked at.
+type Numbered<'a, const LOOKS: usize> =
+    dyn FnOnce(&[Traced], &mut dyn FnMut() -> Traced) -> (Vec<Place>, [Place; LOOKS]) + 'a;
+
 impl<const LOOKS: usize> Recording<LOOKS> {
     /// Records `step`, which is given the variables with the names `parameters`, a state and a
     /// carry, and returns the state after the step, its carry, and what is looked at; `None` if it
@@ -27,16 +32,26 @@ impl<const LOOKS: usize> Recording<LOOKS> {
         parameters: &[&str],
         step: impl FnOnce(&[Traced], Z, C) -> (Z, C, [Place; LOOKS]),
     ) -> Option<Self> {
+        Self::of_numbers(
+            parameters,
+            Box::new(|parameters, mut variable| {
+                let (z, carry) = (Z::read(&mut variable), C::read(&mut variable));
+                let (z, carry, looks) = step(parameters, z, carry);
+                let mut next = Vec::new();
+                let mut write = |x: Traced| next.push(x.place());
+                z.write(&mut write);
+                carry.write(&mut write);
+                (next, looks)
+            }),
+        )
+    }
+
+    /// The same for a step of numbers, compiled once for all methods.
+    fn of_numbers(parameters: &[&str], step: Box<Numbered<'_, LOOKS>>) -> Option<Self> {
         let (tape, (next, looks)) = record(|| {
             let mut variables = (0..).map(Traced::variable);
             let parameters: Vec<Traced> = variables.by_ref().take(parameters.len()).collect();
-            let mut variable = || variables.next().expect("there is no end");
-            let (z, carry) = (Z::read(&mut variable), C::read(&mut variable));
-            let (z, carry, looks) = step(&parameters, z, carry);
-            let mut next = Vec::new();
-            z.write(&mut |x: Traced| next.push(x.place()));
-            carry.write(&mut |x: Traced| next.push(x.place()));
-            (next, looks)
+            step(&parameters, &mut || variables.next().expect("there is no end"))
         })?;
         let numbers = (0..next.len()).map(|i| format!("z{i}"));
         let names = parameters.iter().map(|name| (*name).to_string()).chain(numbers).collect();

@@ -13,6 +13,18 @@ use crate::trace::{Place, Traced};
 /// The kernels, and how many of the buffers each is given.
 pub const KERNELS: [(&str, usize); 2] = [("steps", 3), ("watched_steps", 4)];
 
+/// The buffers, by their indices in [`rows`].
+pub mod buffer {
+    /// Of [`CONSTANTS`](super::CONSTANTS).
+    pub const CONSTANTS: usize = 0;
+    /// States and carries, between launches.
+    pub const NUMBERS: usize = 1;
+    /// Angles and angular velocities.
+    pub const PHASES: usize = 2;
+    /// Largest energy errors and angles.
+    pub const WATCHED: usize = 3;
+}
+
 /// The rows of each buffer, of as many columns as pendulums: constants, numbers, the angle (rad)
 /// and angular velocity (rad/s) after the last step, the largest energy error (J) and the largest
 /// angle (rad) after any step.
@@ -75,22 +87,30 @@ pub fn program<M: Recordable>(method: &M) -> Option<Program> {
     let [minus_k, inertia, depth, initial] = CONSTANTS;
     let parameters = [minus_k, inertia, depth, initial, STEP];
     let recording = Recording::of(&parameters, |variables, z: ReducedPhase<Traced>, mut carry| {
-        let [minus_k, inertia, depth, _, h] = [0, 1, 2, 3, 4].map(|i| variables[i]);
-        let system = ScaledPendulum::from_parameter(minus_k, f64::NAN);
+        let system = ScaledPendulum::from_parameter(variables[0], f64::NAN);
         let z = method.step(&system, 0.0, 1.0, z, &mut carry);
-        let (theta, omega) = (z.angle(), z.velocity() / h);
-        let energy = energy_in_lanes([inertia, depth], theta, omega);
-        (z, carry, [theta, omega, energy].map(Traced::place))
+        (z, carry, looks(variables, z))
     })?;
-    let mut source = String::from(HEAD);
-    write_steps(&recording, &mut source);
-    write_watched_steps(&recording, &mut source);
-    let (numbers, operations) = (recording.next.len(), recording.operations());
-    Some(Program { source, numbers, operations })
+    Some(written(&recording))
 }
 
 /// A step after which angle, angular velocity and energy can be looked at.
 type Step = Recording<3>;
+
+/// The angle (rad), the angular velocity (rad/s) and the energy (J) of a state.
+fn looks(variables: &[Traced], z: ReducedPhase<Traced>) -> [Place; 3] {
+    let [_, inertia, depth, _, h] = *variables else { unreachable!("the constants and the step") };
+    let (theta, omega) = (z.angle(), z.velocity() / h);
+    let energy = energy_in_lanes([inertia, depth], theta, omega);
+    [theta, omega, energy].map(Traced::place)
+}
+
+fn written(step: &Step) -> Program {
+    let mut source = String::from(HEAD);
+    write_steps(step, &mut source);
+    write_watched_steps(step, &mut source);
+    Program { source, numbers: step.next.len(), operations: step.operations() }
+}
 
 /// Writes the steps, without a look at them: before the last one only what later steps need.
 fn write_steps(step: &Step, out: &mut String) {
