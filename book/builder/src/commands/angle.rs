@@ -196,7 +196,8 @@ mod tests {
     /// gives another for each of the first, in either order of operations.
     ///
     /// Catches: π/3 as the quotient of two f64; degrees turned to radians by a factor that is
-    /// rounded; a quotient cut off instead of rounded; a sign, a factor or a divisor that is lost.
+    /// rounded; a quotient cut off instead of rounded, or rounded from its first
+    /// 64 bits; a sign, a factor or a divisor that is lost.
     #[test]
     fn an_angle_is_the_nearest_f64() {
         for (text, bits) in [
@@ -216,6 +217,8 @@ mod tests {
             ("+pi", std::f64::consts::PI.to_bits()),
             ("0pi", 0.0_f64.to_bits()),
             ("1048576pi", (1_048_576.0 * std::f64::consts::PI).to_bits()),
+            // Its leading 64 bits alone are a tie.
+            ("10767pi", 0x40e0_8430_e634_7d93),
             (
                 "9223372036854775808pi",
                 (9_223_372_036_854_775_808.0 * std::f64::consts::PI).to_bits(),

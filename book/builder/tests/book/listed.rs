@@ -39,18 +39,23 @@ fn every_method_is_listed_with_its_facts() {
         }
         for (name, fact) in [
             ("name", Value::from(info.name)),
+            ("aliases", info.aliases.into()),
             ("order", info.order.into()),
             ("symplectic", info.symplectic.into()),
             ("reversible", info.symmetric.into()),
             ("energy", (info.name == "discrete-gradient").into()),
             ("evaluations", info.force_evaluations.into()),
+            ("start_evaluations", info.start_evaluations.into()),
+            ("reference", info.reference.into()),
         ] {
             assert_eq!(object[name], fact, "{name} of {}", info.name);
         }
         assert!(row.starts_with(&format!("{} ", info.name)), "{row}");
         let at = |word| row.chars().skip(place(word)).collect::<String>();
         assert_eq!(at("keeps").contains("symplectic"), info.symplectic, "{row}");
-        assert!(at("evaluations").starts_with(&info.force_evaluations.to_string()), "{row}");
+        let evaluations =
+            format!("{}{}", info.force_evaluations, if info.implicit { " a sweep" } else { "" });
+        assert!(at("evaluations").starts_with(&format!("{evaluations}  ")), "{row}");
         let chapter = object["chapter"].as_str().unwrap();
         assert!(row.ends_with(chapter) && at("chapter") == chapter, "{row}");
         let page = html(object["page"].as_str().unwrap());

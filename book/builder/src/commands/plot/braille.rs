@@ -104,7 +104,8 @@ mod tests {
     }
 
     /// Catches: a picture upside down or mirrored, dots of a character in the wrong places, gaps in
-    /// a line, an end outside the picture, an axis that is not logarithmic.
+    /// a line, an end outside the picture, an axis that is not logarithmic, the ends of the other
+    /// axis.
     #[test]
     fn a_line_goes_from_corner_to_corner() {
         let lines = drawn(&[(0.0, -1.0), (1.0, 1.0)], [false; 2]);
@@ -123,5 +124,10 @@ mod tests {
         let gap = dots(&drawn(&[(1.0, 1.0), (2.0, 0.0), (3.0, 1.0)], [false, true]));
         assert_eq!(gap.iter().map(|dot| dot.0).collect::<Vec<_>>(), [0, 127]);
         assert!(dots(&drawn(&[], [false; 2])).is_empty());
+        // The ends are those of the y axis, whatever the other one is.
+        for log in [[false, true], [true, false]] {
+            let lines = drawn(&[(2.0, 0.01), (3.0, 10.0)], log);
+            assert!(lines[0].starts_with("  10 ┤") && lines[9].starts_with("0.01 ┤"), "{lines:?}");
+        }
     }
 }
