@@ -13,7 +13,8 @@ fn motion(arguments: &[&str]) -> (String, Option<f64>) {
 }
 
 /// Catches: an angle beyond π taken for rotation, or answered with the angle within a turn; turns
-/// counted in the wrong direction; a rotation whose T is two turns; a T where nothing repeats.
+/// counted in the wrong direction; a rotation whose T is two turns; a T where nothing repeats;
+/// T₀/T for T/T₀.
 #[test]
 fn the_motion_has_its_name() {
     let (said, _) = motion(&["--theta0", "3"]);
@@ -39,6 +40,12 @@ fn the_motion_has_its_name() {
     // 7 rad/s times an ε of the period, and the error of the closed form.
     assert!((after.theta - (0.5 - 2.0 * std::f64::consts::PI)).abs() < 1e-14, "{after:?}");
     assert_eq!(motion(&["--theta0", "1", "--omega0", "1"]).0, "libration");
+    // With a velocity the ratio is that of the two numbers above it, rounded once.
+    let text = printed(&["period", "--theta0", "1", "--omega0", "1"]);
+    let values = text.lines().take(3).map(|line| line.split_whitespace().nth(1)?.parse().ok());
+    let values: Option<Vec<f64>> = values.collect();
+    let [period, small, ratio] = values.unwrap()[..] else { panic!("three numbers: {text}") };
+    assert!(ratio > 1.0 && ratio == period / small, "{text}");
     // ω² = 4 g/L at the bottom, exactly.
     let (said, period) = motion(&["--theta0", "0", "--omega0", "4", "--gravity", "4"]);
     assert!(said.starts_with("separatrix") && period.is_none(), "{said} {period:?}");

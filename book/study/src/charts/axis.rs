@@ -223,14 +223,22 @@ fn log_ticks(low: f64, high: f64, count: usize) -> Vec<Tick> {
     let whole = (high.floor() - low.ceil()) as i32 + 1;
     let stride = [1, 2, 3, 4, 5].into_iter().find(|stride| whole <= stride * count as i32);
     let stride = stride.unwrap_or(whole / count.max(1) as i32 + 1);
+    // Below two decades of ordinary numbers: 0.5, 1, 2.
+    let plain = whole < 2 && first >= -2 && last <= 4;
+    let label = |digit: i32, k: i32| match digit {
+        _ if plain => format!("{:.*}", (-k).max(0) as usize, f64::from(digit) * power(k)),
+        1 => format!("10^{{{}}}", minus(&k.to_string())),
+        _ => format!("{digit}×10^{{{}}}", minus(&k.to_string())),
+    };
     let mut ticks = Vec::new();
     for k in first..=last {
         for digit in 1..=9 {
-            let label = match digit {
-                1 if k % stride == 0 => Some(format!("10^{{{}}}", minus(&k.to_string()))),
-                2 | 5 if whole < 2 => Some(format!("{digit}×10^{{{}}}", minus(&k.to_string()))),
-                _ => None,
+            let is_labelled = match digit {
+                1 => k % stride == 0,
+                2 | 5 => whole < 2,
+                _ => false,
             };
+            let label = is_labelled.then(|| label(digit, k));
             if label.is_some() || digit == 1 || whole <= 7 {
                 ticks.push(Tick { value: f64::from(digit) * power(k), label });
             }
@@ -303,7 +311,10 @@ mod tests {
             labels(&axis, &[3e-12, 201.0], 6),
             ["10^{−12}", "10^{−9}", "10^{−6}", "10^{−3}", "10^{0}"]
         );
-        assert_eq!(labels(&axis, &[2.5, 80.0], 6), ["5×10^{0}", "10^{1}", "2×10^{1}", "5×10^{1}"]);
+        assert_eq!(labels(&axis, &[2.5, 80.0], 6), ["5", "10", "20", "50"]);
+        assert_eq!(labels(&axis, &[0.3, 3.0], 6), ["0.5", "1", "2"]);
+        let small = ["2×10^{−6}", "5×10^{−6}", "10^{−5}", "2×10^{−5}"];
+        assert_eq!(labels(&axis, &[1.5e-6, 4e-5], 6), small);
         assert!(labels(&axis, &[3.1, 3.9], 6).len() >= 2);
     }
 
@@ -373,7 +384,7 @@ mod tests {
         };
         assert_eq!(labels(0.3, 0.6, 4), ["2.0", "2.5", "3.0", "3.5"]);
         // An axis of 0.7 decades is not short: it has 1, 2 and 5 of each decade.
-        assert_eq!(labels(0.0, 0.7, 5)[..3], ["10^{0}", "2×10^{0}", "5×10^{0}"]);
+        assert_eq!(labels(0.0, 0.7, 5)[..3], ["1", "2", "5"]);
         // 25 decades for three labels: every ninth.
         assert_eq!(labels(-12.0, 12.0, 3), ["10^{−9}", "10^{0}", "10^{9}"]);
     }
