@@ -110,6 +110,8 @@ impl Axis {
         let scale = match powers.len() > 1 {
             true if ticks.iter().all(|tick| tick.2) => Scale::Log,
             true if ticks.iter().all(|tick| tick.1 == 0.0 || is_power(tick.1)) => Scale::Signed,
+            // Linear ticks are even; 1, 2, 5 are not.
+            _ if ticks.iter().all(|tick| tick.1 > 0.0) && !are_even(&ticks) => Scale::Log,
             _ => Scale::Linear,
         };
         let axis = Self { from: (first.0, first.1), to: (last.0, last.1), scale };
@@ -119,6 +121,14 @@ impl Axis {
         }
         Some(axis)
     }
+}
+
+/// Whether the values of neighbouring ticks are equally far apart.
+fn are_even(ticks: &[(f64, f64, bool)]) -> bool {
+    let step = |pair: &[(f64, f64, bool)]| pair[1].1 - pair[0].1;
+    let mean = (ticks[ticks.len() - 1].1 - ticks[0].1) / (ticks.len() - 1) as f64;
+    // The labels are rounded to their last digit.
+    ticks.windows(2).all(|pair| (step(pair) / mean - 1.0).abs() < 0.01)
 }
 
 /// One chart of a drawing.

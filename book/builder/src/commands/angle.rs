@@ -196,8 +196,8 @@ mod tests {
     /// gives another for each of the first, in either order of operations.
     ///
     /// Catches: π/3 as the quotient of two f64; degrees turned to radians by a factor that is
-    /// rounded; a quotient cut off instead of rounded, or rounded from its first
-    /// 64 bits; a sign, a factor or a divisor that is lost.
+    /// rounded; a quotient cut off instead of rounded, or rounded from its first 64 bits; a sign, a
+    /// factor or a divisor that is lost.
     #[test]
     fn an_angle_is_the_nearest_f64() {
         for (text, bits) in [

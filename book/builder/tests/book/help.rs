@@ -106,14 +106,21 @@ fn every_example_runs() {
     }
 }
 
-/// Catches: a shell whose script does not know a command, or an option; a page that is missing, or
-/// is that of another command, or has lost its examples.
+/// Catches: a script for a program of another name, or that does not know a command, or an option;
+/// a page that is missing, or is that of another command, or has lost its examples.
 #[test]
 fn completions_and_pages_have_every_command() {
     let definition = cli::definition();
     let names: Vec<&str> = definition.get_subcommands().map(clap::Command::get_name).collect();
-    for shell in ["bash", "elvish", "fish", "powershell", "zsh"] {
+    for (shell, of_the_program) in [
+        ("bash", "-o default pendula\n"),
+        ("elvish", "arg-completer[pendula]"),
+        ("fish", "complete -c pendula "),
+        ("powershell", "-CommandName 'pendula'"),
+        ("zsh", "#compdef pendula\n"),
+    ] {
         let script = printed(&["completions", shell]);
+        assert!(script.contains(of_the_program), "{shell}");
         for name in &names {
             assert!(script.contains(name), "{name} for {shell}");
         }
