@@ -193,7 +193,7 @@ pub enum LedgerFormat {
 /// [`Failure::Refused`] for an id, section or table that no claim has; [`Failure::No`] if one of
 /// the claims asked for has a verdict on record that is not the one that the measurement supports.
 pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
-    report(&Ledger::new(&Study::run(|_| {})), &arguments.filter, arguments.format, out)
+    report(&Ledger::new(&Study::of_the_paper()), &arguments.filter, arguments.format, out)
 }
 
 /// Writes the claims of `ledger` that `filter` asks for.

@@ -15,7 +15,7 @@ use crate::chapters::chapters;
 
 const PAGE: &str = "appendix-claims.html";
 
-pub static STUDY: LazyLock<Study> = LazyLock::new(|| Study::run(|_| {}));
+pub static STUDY: LazyLock<Study> = LazyLock::new(Study::of_the_paper);
 pub static LEDGER: LazyLock<Ledger> = LazyLock::new(|| Ledger::new(&STUDY));
 
 /// What `select` finds on a page.

@@ -5,7 +5,7 @@ use pendula::metrics::EnergyDrift;
 use pendula::systems::Hamiltonian;
 use pendula::{Pendulum, Phase};
 
-use super::{MethodRef, each_method, grid, released};
+use super::{MethodRef, each_method, each_of_the_paper, grid, released};
 
 /// Released at 1 rad …
 pub const THETA_0: f64 = 1.0;
@@ -47,32 +47,40 @@ impl Row {
     }
 }
 
-// ANCHOR: run
-/// Runs each method.
+/// Runs each method of the library.
 pub fn run() -> Vec<Row> {
-    each_method(|method| {
-        let pendulum = Pendulum::PAPER;
-        let start = released(THETA_0);
-        let (mut falls, mut before) = (0, f64::NAN);
-        let mut watch = (EnergyDrift::new(&pendulum), |_, _, z| {
-            let energy = pendulum.energy(z);
-            falls += u64::from(energy < before);
-            before = energy;
-        });
-        let end = method.run(&pendulum, start, &grid(DURATION, STEP), &mut watch);
-        let drift = watch.0.largest();
-        let mut early = EnergyDrift::new(&pendulum);
-        method.run(&pendulum, start, &grid(0.1 * DURATION, STEP), &mut early);
-        Row {
-            method,
-            drift,
-            early_drift: early.largest(),
-            initial: pendulum.energy_from_pivot(start),
-            last: pendulum.energy_from_pivot(end),
-            end,
-            falls,
-        }
-    })
+    each_method(row)
+}
+
+/// Runs each method of the paper.
+pub fn of_the_paper() -> Vec<Row> {
+    each_of_the_paper(row)
+}
+
+// ANCHOR: run
+/// Runs a method.
+fn row(method: MethodRef) -> Row {
+    let pendulum = Pendulum::PAPER;
+    let start = released(THETA_0);
+    let (mut falls, mut before) = (0, f64::NAN);
+    let mut watch = (EnergyDrift::new(&pendulum), |_, _, z| {
+        let energy = pendulum.energy(z);
+        falls += u64::from(energy < before);
+        before = energy;
+    });
+    let end = method.run(&pendulum, start, &grid(DURATION, STEP), &mut watch);
+    let drift = watch.0.largest();
+    let mut early = EnergyDrift::new(&pendulum);
+    method.run(&pendulum, start, &grid(0.1 * DURATION, STEP), &mut early);
+    Row {
+        method,
+        drift,
+        early_drift: early.largest(),
+        initial: pendulum.energy_from_pivot(start),
+        last: pendulum.energy_from_pivot(end),
+        end,
+        falls,
+    }
 }
 // ANCHOR_END: run
 
