@@ -302,7 +302,7 @@ enum Mark {
         label: String,
     },
     Note {
-        at: (f64, f64),
+        beside: Vec<(f64, f64)>,
         text: String,
     },
 }
@@ -403,8 +403,13 @@ impl Chart {
     }
 
     /// With a text beside the point (`x`, `y`), on the side where there is most room.
-    pub fn note(mut self, x: f64, y: f64, text: impl Into<String>) -> Self {
-        self.marks.push(Mark::Note { at: (x, y), text: text.into() });
+    pub fn note(self, x: f64, y: f64, text: impl Into<String>) -> Self {
+        self.note_beside(vec![(x, y)], text)
+    }
+
+    /// With a text beside that of the points (x, y) where there is most room, the first of equals.
+    pub fn note_beside(mut self, points: Vec<(f64, f64)>, text: impl Into<String>) -> Self {
+        self.marks.push(Mark::Note { beside: points, text: text.into() });
         self
     }
 

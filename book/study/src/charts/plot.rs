@@ -387,9 +387,9 @@ impl Labels<'_> {
         }
         for mark in &plot.chart.marks {
             match mark {
-                Mark::Note { at, text } => {
-                    let places = plot.pixel(*at).map(beside).unwrap_or_default();
-                    self.place(out, text, &places);
+                Mark::Note { beside: points, text } => {
+                    let pixels = points.iter().filter_map(|&point| plot.pixel(point));
+                    self.place(out, text, &pixels.flat_map(beside).collect::<Vec<_>>());
                 }
                 Mark::Horizontal { from, to, label } => {
                     let Some((a, b)) = plot.y_extent(*from, *to) else {

@@ -292,9 +292,11 @@ impl Carried<'_> {
             let truth: Vec<_> = truth.map(|z| point(true_motion(*z).at(time))).collect();
             let outermost = |a: &&(f64, f64), b: &&(f64, f64)| a.1.abs().total_cmp(&b.1.abs());
             if self.says_times
-                && let Some(&(theta, omega)) = truth.iter().max_by(outermost)
+                && let Some(&outermost) = truth.iter().max_by(outermost)
             {
-                chart = chart.note(theta, omega, format!("{time:.2} s"));
+                let corners = truth.iter().copied().step_by(self.pieces as usize);
+                let beside = [outermost].into_iter().chain(corners).collect();
+                chart = chart.note_beside(beside, format!("{time:.2} s"));
             }
             chart = chart.series("true motion", Style::REFERENCE, truth);
         }
