@@ -162,7 +162,8 @@ fn spoilt(spoil: impl FnOnce(&mut Program)) -> Option<Program> {
     Some(program)
 }
 
-/// Catches: a refusal of the driver that is a panic, goes unnoticed, or is said in many lines.
+/// Catches: a refusal of the driver that is a panic, goes unnoticed, or is said in many lines; a
+/// memory, or a largest buffer, that is not asked for.
 #[test]
 fn what_a_device_refuses_is_said() {
     let with = |program| OnDevice { program, ..rk4() };
@@ -189,8 +190,13 @@ fn what_a_device_refuses_is_said() {
         let nameless = why(&device, nameless);
         assert!(nameless.ends_with("CL_INVALID_KERNEL_NAME (-46)"), "{nameless}");
         let too_little = format!("{name} has too little memory");
-        (device.memory, device.largest_buffer) = (100, 100);
-        assert_eq!(why(&device, rk4()), too_little);
+        // Either is too little.
+        for sizes in [(100, device.largest_buffer), (device.memory, 100)] {
+            let known = (device.memory, device.largest_buffer);
+            (device.memory, device.largest_buffer) = sizes;
+            assert_eq!(why(&device, rk4()), too_little);
+            (device.memory, device.largest_buffer) = known;
+        }
         (device.memory, device.largest_buffer) = (u64::MAX, u64::MAX);
         assert_eq!(why(&device, too_large), too_little);
         device.is_double = false;
