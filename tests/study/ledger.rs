@@ -210,12 +210,16 @@ fn the_table_of_methods_shows_the_drift_of_the_long_run() {
 }
 
 /// Catches: a claim that is measured on a method that the paper does not have, or that changes with
-/// what else is run; a study of the paper that runs more.
+/// what else is run; a study of the paper that runs more, a ledger of the tables that leaves out a
+/// cell.
 #[test]
 fn the_papers_methods_are_enough_for_its_claims() {
     let study = Study::of_the_paper();
     assert_eq!(study.long_run.len(), PaperMethod::ALL.len());
     assert_eq!(Ledger::new(&study), *LEDGER);
+    let cells = Ledger::of_the_tables(&study);
+    assert!(LEDGER.claims().starts_with(cells.claims()));
+    assert!(CELLS.iter().all(|cell| cells.get(cell.id).is_some()));
 }
 
 /// Catches: a tolerance in the unit of the cell where the heading and `pendula review` take it for

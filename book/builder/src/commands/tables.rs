@@ -54,7 +54,7 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
             return Err(Failure::refused(format!("--table {number}: the tables are {known}")));
         }
     };
-    let ledger = Ledger::new(&Study::of_the_paper());
+    let ledger = Ledger::of_the_tables(&Study::of_the_paper());
     let cells = || numbers.iter().flat_map(|&number| ledger.table(number));
     match arguments.format {
         TableFormat::Text => {

@@ -228,7 +228,7 @@ fn a_change(study: &Study) -> String {
         [0, 1, 2, 3, 5, 7, 8].map(|column| cells[column]).join("|") + "\n"
     };
     let table = |study| -> String {
-        let table = tables::table(&Ledger::new(study), 4).expect("a table of the paper");
+        let table = tables::table(&Ledger::of_the_tables(study), 4).expect("a table of the paper");
         table.to_markdown().lines().map(narrow).collect()
     };
     let (before, after) = (table(study), table(&changed));
