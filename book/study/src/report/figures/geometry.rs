@@ -290,9 +290,9 @@ impl Carried<'_> {
             let time = n as f64 * SPAN;
             let truth = outline.iter().chain(&outline[..1]);
             let truth: Vec<_> = truth.map(|z| point(true_motion(*z).at(time))).collect();
-            let outermost = |a: &&(f64, f64), b: &&(f64, f64)| a.1.abs().total_cmp(&b.1.abs());
+            let by_height = |a: &&(f64, f64), b: &&(f64, f64)| a.1.abs().total_cmp(&b.1.abs());
             if self.says_times
-                && let Some(&outermost) = truth.iter().max_by(outermost)
+                && let Some(&outermost) = truth.iter().max_by(by_height)
             {
                 let corners = truth.iter().copied().step_by(self.pieces as usize);
                 let beside = [outermost].into_iter().chain(corners).collect();
