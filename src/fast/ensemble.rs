@@ -4,15 +4,13 @@
 //! vectorises it. So a lane gets the same bits as a trajectory alone, whichever instructions the
 //! processor has.
 
-use core::marker::PhantomData;
 use core::num::NonZeroU64;
 use core::ops::ControlFlow;
 
-use super::block::{Block, Each, LANES};
-use super::instructions::{Best, Instructions, vectors};
-use super::{ReducedPhase, ScaledPendulum};
-use crate::fast::integrate_fast;
-use crate::integrate::{Every, Grid, Method, Observer};
+use super::block::{Block, Each, LANES, Taking};
+use super::instructions::{Instructions, vectors};
+use super::{FastRun, PendulumSteps, ReducedPhase, ScaledPendulum};
+use crate::integrate::{Grid, Method, Observer};
 use crate::systems::{Pendulum, Phase};
 
 /// Pendulums with their starts and the grid of times: one pendulum for all starts, or one for each.
@@ -30,18 +28,18 @@ use crate::systems::{Pendulum, Phase};
 /// # Ok::<(), pendula::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
-pub struct Ensemble<'a, I = Best> {
+pub struct Ensemble<'a> {
     pendulums: &'a [Pendulum],
     starts: &'a [Phase],
     grid: Grid,
-    instructions: PhantomData<I>,
+    instructions: Instructions,
 }
 
 impl<'a> Ensemble<'a> {
     /// One `pendulum`, begun at each of `starts`, along `grid`.
     pub const fn new(pendulum: &'a Pendulum, starts: &'a [Phase], grid: Grid) -> Self {
         let pendulums = core::slice::from_ref(pendulum);
-        Self { pendulums, starts, grid, instructions: PhantomData }
+        Self { pendulums, starts, grid, instructions: Instructions::Best }
     }
 
     /// Each of `pendulums` from its own start, along `grid`.
@@ -54,18 +52,15 @@ impl<'a> Ensemble<'a> {
         grid: Grid,
     ) -> Self {
         assert!(pendulums.len() == starts.len(), "one start for each pendulum");
-        Self { pendulums, starts, grid, instructions: PhantomData }
+        Self { pendulums, starts, grid, instructions: Instructions::Best }
     }
 
-    /// The same with the instructions `J` and no others: to show that the bits are the same.
+    /// The same with these instructions: to show that the bits are the same.
     #[must_use]
-    pub const fn with_instructions<J: Instructions>(self) -> Ensemble<'a, J> {
-        let Self { pendulums, starts, grid, .. } = self;
-        Ensemble { pendulums, starts, grid, instructions: PhantomData }
+    pub const fn with_instructions(self, instructions: Instructions) -> Self {
+        Self { instructions, ..self }
     }
-}
 
-impl<I: Instructions> Ensemble<'_, I> {
     /// Where the pendulums begin.
     pub const fn starts(&self) -> &[Phase] {
         self.starts
@@ -80,7 +75,7 @@ impl<I: Instructions> Ensemble<'_, I> {
     ///
     /// # Panics
     /// If there are not as many slots as starts.
-    pub fn ends<M: InLanes>(&self, method: &M, ends: &mut [Phase]) {
+    pub fn ends<M: InLanes + ?Sized>(&self, method: &M, ends: &mut [Phase]) {
         let grid = &self.grid;
         self.for_blocks(ends, |first, ends| match self.starts_of(method, first, ends.len()) {
             Some(starts) => {
@@ -89,11 +84,11 @@ impl<I: Instructions> Ensemble<'_, I> {
                     ends.copy_from_slice(&states[..ends.len()]);
                     ControlFlow::Break(())
                 };
-                I::run(Block { method, starts, steps, every: steps, each });
+                method.take_block(self.instructions, Block { starts, steps, every: steps, each });
             }
             None => {
                 for (i, end) in (first..).zip(ends) {
-                    *end = integrate_fast(self.pendulum(i), method, self.starts[i], grid, &mut ());
+                    *end = self.alone(method, i, NonZeroU64::MAX, &mut ());
                 }
             }
         });
@@ -105,7 +100,7 @@ impl<I: Instructions> Ensemble<'_, I> {
     ///
     /// # Panics
     /// If there are not as many observers as starts.
-    pub fn watch<M: InLanes, O>(&self, method: &M, every: NonZeroU64, observers: &mut [O])
+    pub fn watch<M: InLanes + ?Sized, O>(&self, method: &M, every: NonZeroU64, observers: &mut [O])
     where
         O: Observer<Phase> + Send,
     {
@@ -132,16 +127,11 @@ impl<I: Instructions> Ensemble<'_, I> {
                             ControlFlow::Continue(())
                         }
                     };
-                    I::run(Block { method, starts, steps, every, each });
+                    method.take_block(self.instructions, Block { starts, steps, every, each });
                 }
                 None => {
                     for (i, observer) in (first..).zip(observers) {
-                        let mut watch = Every::new(every, |n, t, z| {
-                            if !observer.is_satisfied() {
-                                observer.observe(n, t, z);
-                            }
-                        });
-                        integrate_fast(self.pendulum(i), method, self.starts[i], grid, &mut watch);
+                        self.alone(method, i, every, observer);
                     }
                 }
             }
@@ -163,15 +153,15 @@ impl<I: Instructions> Ensemble<'_, I> {
 
     /// The `count` pendulums from `first` on and where they begin, with the step as the unit of
     /// time; `None` if [`ScaledPendulum::new`] refuses one of them.
-    fn starts_of<M: InLanes>(
+    fn starts_of<M: InLanes + ?Sized>(
         &self,
-        _method: &M,
+        method: &M,
         first: usize,
         count: usize,
     ) -> Option<[(ScaledPendulum, ReducedPhase); LANES]> {
         let scaled = |i: usize| {
             let (pendulum, start) = (self.pendulum(i), self.starts[i]);
-            let scaled = ScaledPendulum::new::<M>(pendulum, &self.grid, start)?;
+            let scaled = method.scaled(pendulum, &self.grid, start)?;
             Some((scaled, scaled.from_phase(start)))
         };
         let mut starts = [scaled(first)?; LANES];
@@ -179,6 +169,19 @@ impl<I: Instructions> Ensemble<'_, I> {
             *slot = scaled(i)?;
         }
         Some(starts)
+    }
+
+    /// The last state of the pendulum of index `i`, run by itself.
+    fn alone<M: InLanes + ?Sized>(
+        &self,
+        method: &M,
+        i: usize,
+        every: NonZeroU64,
+        observer: &mut dyn Observer<Phase>,
+    ) -> Phase {
+        let start = self.starts[i];
+        let run = FastRun::start(self.pendulum(i), method.by_pointer(), start, &self.grid);
+        run.to_end(start, every, observer)
     }
 
     /// The pendulum of the start `i`.
@@ -190,24 +193,34 @@ impl<I: Instructions> Ensemble<'_, I> {
     }
 }
 
-/// A method whose steps of the pendulum can be taken in lanes: any that is written for all
-/// [numbers](super::Number).
-pub trait InLanes:
-    Method<Pendulum>
-    + Method<ScaledPendulum>
-    + Method<ScaledPendulum<vectors::OfBaseline>>
-    + Method<ScaledPendulum<vectors::OfAvx2>>
-    + Method<ScaledPendulum<vectors::OfAvx512>>
-    + Sync
-{
+/// A method whose steps of the pendulum can be taken in lanes, behind a pointer: any that is written
+/// for all [numbers](super::Number).
+///
+/// Whoever calls [`Ensemble::ends`] with a method by its type compiles its steps, for each set of
+/// instructions. With the feature `table` the library has them compiled already: see
+/// [`in_lanes`](crate::methods::table::in_lanes).
+pub trait InLanes: PendulumSteps {
+    /// Takes the steps of the block with these instructions.
+    #[doc(hidden)]
+    fn take_block(&self, instructions: Instructions, block: Block<'_>);
+
+    /// The same method, for one trajectory.
+    #[doc(hidden)]
+    fn by_pointer(&self) -> &dyn PendulumSteps;
 }
 
-impl<M> InLanes for M where
-    M: Method<Pendulum>
-        + Method<ScaledPendulum>
+impl<M> InLanes for M
+where
+    M: PendulumSteps
         + Method<ScaledPendulum<vectors::OfBaseline>>
         + Method<ScaledPendulum<vectors::OfAvx2>>
-        + Method<ScaledPendulum<vectors::OfAvx512>>
-        + Sync
+        + Method<ScaledPendulum<vectors::OfAvx512>>,
 {
+    fn take_block(&self, instructions: Instructions, block: Block<'_>) {
+        instructions.run(Taking(self, block));
+    }
+
+    fn by_pointer(&self) -> &dyn PendulumSteps {
+        self
+    }
 }

@@ -6,7 +6,7 @@ use core::num::NonZeroU64;
 use core::ops::{Add, Mul};
 
 use super::block::LANES;
-use super::instructions::{Best, Instructions, Work, vectors};
+use super::instructions::{Instructions, Work, vectors};
 use crate::arithmetic::lanes::Lanes;
 use crate::arithmetic::number::Number;
 use crate::integrate::{Grid, Method};
@@ -77,22 +77,27 @@ pub fn is_below<N: Number>(DoublePhases([theta1, theta2, ..]): DoublePhases<N>) 
     theta1.abs().at_most(pi) & theta2.abs().at_most(pi)
 }
 
-/// A method whose steps of the double pendulum can be taken in lanes: an explicit Runge–Kutta
-/// method.
-pub trait DoubleInLanes:
-    Method<DoublePendulums<vectors::OfBaseline>>
-    + Method<DoublePendulums<vectors::OfAvx2>>
-    + Method<DoublePendulums<vectors::OfAvx512>>
-    + Sync
-{
+/// A method whose steps of the double pendulum can be taken in lanes, behind a pointer: an explicit
+/// Runge–Kutta method.
+///
+/// With the feature `table` the library has those of RK4 compiled:
+/// [`RK4_IN_LANES`](crate::methods::table::RK4_IN_LANES).
+pub trait DoubleInLanes: Sync {
+    /// Takes the steps with these instructions.
+    #[doc(hidden)]
+    fn find_flips(&self, instructions: Instructions, flips: Flips<'_>);
 }
 
-impl<M> DoubleInLanes for M where
+impl<M> DoubleInLanes for M
+where
     M: Method<DoublePendulums<vectors::OfBaseline>>
         + Method<DoublePendulums<vectors::OfAvx2>>
         + Method<DoublePendulums<vectors::OfAvx512>>
-        + Sync
+        + Sync,
 {
+    fn find_flips(&self, instructions: Instructions, flips: Flips<'_>) {
+        instructions.run(Taking(self, flips));
+    }
 }
 
 /// Writes for each of `starts` to `flips` the number of the first step of `method` along `grid`
@@ -119,21 +124,22 @@ impl<M> DoubleInLanes for M where
 ///
 /// # Panics
 /// If there are not as many slots as starts.
-pub fn first_flips<M: DoubleInLanes>(
+pub fn first_flips<M: DoubleInLanes + ?Sized>(
     double: &DoublePendulum,
     method: &M,
     starts: &[DoublePhase],
     grid: &Grid,
     flips: &mut [Option<NonZeroU64>],
 ) {
-    first_flips_with::<Best, M>(double, method, starts, grid, flips);
+    first_flips_with(Instructions::Best, double, method, starts, grid, flips);
 }
 
-/// The same with the instructions `I` and no others: to show that the bits are the same.
+/// The same with these instructions: to show that the bits are the same.
 ///
 /// # Panics
 /// As [`first_flips`].
-pub fn first_flips_with<I: Instructions, M: DoubleInLanes>(
+pub fn first_flips_with<M: DoubleInLanes + ?Sized>(
+    instructions: Instructions,
     double: &DoublePendulum,
     method: &M,
     starts: &[DoublePhase],
@@ -142,7 +148,7 @@ pub fn first_flips_with<I: Instructions, M: DoubleInLanes>(
 ) {
     assert_eq!(flips.len(), starts.len(), "one slot for each start");
     let one = |(starts, flips): (&[DoublePhase], &mut [Option<NonZeroU64>])| {
-        I::run(Flips { double: *double, method, starts, grid, flips });
+        method.find_flips(instructions, Flips { double: *double, starts, grid, flips });
     };
     #[cfg(feature = "parallel")]
     {
@@ -160,9 +166,9 @@ const CHUNK: usize = 4096;
 const BLOCK: u64 = 64;
 
 /// What [`first_flips`] is asked for.
-struct Flips<'a, M> {
+#[derive(Debug)]
+pub struct Flips<'a> {
     double: DoublePendulum,
-    method: &'a M,
     starts: &'a [DoublePhase],
     grid: &'a Grid,
     flips: &'a mut [Option<NonZeroU64>],
@@ -176,11 +182,15 @@ struct Lane {
     taken: u64,
 }
 
-impl<N: Lanes, M: Method<DoublePendulums<N>>> Work<N> for Flips<'_, M> {
+/// What is asked for, and the method that takes the steps.
+struct Taking<'a, 'b, M>(&'a M, Flips<'b>);
+
+impl<N: Lanes, M: Method<DoublePendulums<N>>> Work<N> for Taking<'_, '_, M> {
     #[inline(always)]
     fn run<const TEAM: usize>(self, simd: N::Simd) {
-        let (system, h) = (DoublePendulums::<N>::new(self.double), self.grid.step());
-        let mut starts = self.starts.iter().enumerate();
+        let Self(method, Flips { double, starts, grid, flips }) = self;
+        let (system, h) = (DoublePendulums::<N>::new(double), grid.step());
+        let mut starts = starts.iter().enumerate();
         let mut lanes = [None; LANES];
         loop {
             for lane in lanes[..N::COUNT].iter_mut().filter(|lane| lane.is_none()) {
@@ -196,13 +206,13 @@ impl<N: Lanes, M: Method<DoublePendulums<N>>> Work<N> for Flips<'_, M> {
                 N::from_lanes(simd, |lane| lanes[lane].map_or(0.0, |lane: Lane| lane.state[of]))
             };
             let mut z = DoublePhases(core::array::from_fn(column));
-            let mut carry = self.method.start(&system, 0.0, h, z);
+            let mut carry = method.start(&system, 0.0, h, z);
             // 1 while both rods are below, 0 from the first flip on; and the number of steps after
             // which they were.
             let zero = z.0[0].splat(0.0);
             let (mut below, mut steps) = (zero + 1.0, zero);
             for _ in 0..BLOCK {
-                z = self.method.step(&system, 0.0, h, z, &mut carry);
+                z = method.step(&system, 0.0, h, z, &mut carry);
                 below = N::select(is_below(z), below, zero);
                 steps = steps + below;
             }
@@ -210,10 +220,10 @@ impl<N: Lanes, M: Method<DoublePendulums<N>>> Work<N> for Flips<'_, M> {
                 let Some(lane) = slot else { continue };
                 lane.state = z.0.map(|column| column.lane(index));
                 lane.taken += steps.lane(index) as u64;
-                let is_over = lane.taken >= self.grid.steps();
+                let is_over = lane.taken >= grid.steps();
                 if is_over || below.lane(index) == 0.0 {
                     let flip = NonZeroU64::new(lane.taken + 1).filter(|_| !is_over);
-                    self.flips[lane.start] = flip;
+                    flips[lane.start] = flip;
                     *slot = None;
                 }
             }

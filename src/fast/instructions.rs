@@ -1,7 +1,5 @@
 //! Vector instructions, and the vectors that suit them.
 
-use core::fmt::Debug;
-
 use fearless_simd::Simd;
 
 use crate::arithmetic::lanes::Lanes;
@@ -24,30 +22,20 @@ impl<W> InVectors for W where
 {
 }
 
-/// Which vector instructions the steps are compiled to. It is a type, so that a program compiles
-/// those that it uses and no others. The bits are the same; the time is not.
-pub trait Instructions: Copy + Debug + Default + Send + Sync {
-    /// Does the `work`.
-    #[doc(hidden)]
-    fn run<W: InVectors>(work: W);
+/// Which vector instructions steps in lanes are taken with. The bits are the same; the time is not.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Instructions {
+    /// The best that the processor has.
+    #[default]
+    Best,
+    /// AVX-512 as of Ice Lake and Zen 4 if the processor has it, and otherwise the baseline.
+    Avx512,
+    /// AVX2 if the processor has it, and otherwise the baseline.
+    Avx2,
+    /// What every processor has for which the program was compiled: vectors of two numbers on
+    /// x86-64 (SSE2) and aarch64 (Neon), single numbers elsewhere.
+    Baseline,
 }
-
-/// What every processor has for which the program was compiled: vectors of two numbers on x86-64
-/// (SSE2) and aarch64 (Neon), single numbers elsewhere.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Baseline;
-
-/// AVX2 if the processor has it, and otherwise the baseline.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Avx2;
-
-/// AVX-512 as of Ice Lake and Zen 4 if the processor has it, and otherwise the baseline.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Avx512;
-
-/// The best that the processor has.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Best;
 
 /// Does the work with vectors and teams of this size, in code that is compiled for the processors
 /// of which `$simd` is the proof.
@@ -60,8 +48,31 @@ macro_rules! run {
     };
 }
 
-impl Instructions for Baseline {
-    fn run<W: InVectors>(work: W) {
+impl Instructions {
+    /// Every choice.
+    pub const ALL: [Self; 4] = [Self::Best, Self::Avx512, Self::Avx2, Self::Baseline];
+
+    /// Does the `work`.
+    #[cfg(target_arch = "x86_64")]
+    pub(super) fn run<W: InVectors>(self, work: W) {
+        let level = fearless_simd::Level::new();
+        if matches!(self, Self::Best | Self::Avx512)
+            && let Some(simd) = level.as_avx512()
+        {
+            return run!(work, simd, vectors::OfAvx512, 1);
+        }
+        if matches!(self, Self::Best | Self::Avx2)
+            && let Some(simd) = level.as_avx2()
+        {
+            return run!(work, simd, vectors::OfAvx2, { vectors::TEAM });
+        }
+        let simd = vectors::baseline();
+        run!(work, simd, vectors::OfBaseline, { vectors::TEAM });
+    }
+
+    /// Does the `work`: there is one set of instructions.
+    #[cfg(not(target_arch = "x86_64"))]
+    pub(super) fn run<W: InVectors>(self, work: W) {
         let simd = vectors::baseline();
         run!(work, simd, vectors::OfBaseline, { vectors::TEAM });
     }
@@ -72,9 +83,7 @@ pub mod vectors {
     //! The vectors for each set of instructions: as many numbers as measured best. More would hide
     //! more latency, and need more registers than the processor has.
 
-    use fearless_simd::{Level, Simd, Sse2};
-
-    use super::{Avx2, Avx512, Baseline, Best, InVectors, Instructions, Work};
+    use fearless_simd::{Level, Sse2};
 
     #[cfg(not(debug_assertions))]
     mod numbers {
@@ -106,42 +115,12 @@ pub mod vectors {
     pub fn baseline() -> Sse2 {
         Level::new().as_sse2().expect("the program was compiled for it")
     }
-
-    impl Instructions for Avx2 {
-        fn run<W: InVectors>(work: W) {
-            match Level::new().as_avx2() {
-                Some(simd) => run!(work, simd, OfAvx2, { TEAM }),
-                None => Baseline::run(work),
-            }
-        }
-    }
-
-    impl Instructions for Avx512 {
-        fn run<W: InVectors>(work: W) {
-            match Level::new().as_avx512() {
-                Some(simd) => run!(work, simd, OfAvx512, 1),
-                None => Baseline::run(work),
-            }
-        }
-    }
-
-    impl Instructions for Best {
-        fn run<W: InVectors>(work: W) {
-            if Level::new().as_avx512().is_some() {
-                Avx512::run(work);
-            } else {
-                Avx2::run(work);
-            }
-        }
-    }
 }
 
 #[cfg(not(target_arch = "x86_64"))]
 pub mod vectors {
     //! The vectors for the only set of instructions. On 32-bit x86 that is SSE2: eight registers
     //! are too few for more, and with AVX-512 the compiler confuses masks there.
-
-    use super::{Avx2, Avx512, Baseline, Best, InVectors, Instructions};
 
     #[cfg(target_arch = "aarch64")]
     mod numbers {
@@ -181,15 +160,4 @@ pub mod vectors {
     pub use numbers::{OfBaseline, TEAM, baseline};
     pub type OfAvx2 = OfBaseline;
     pub type OfAvx512 = OfBaseline;
-
-    macro_rules! the_baseline {
-        ($($Name:ident)+) => {$(
-            impl Instructions for $Name {
-                fn run<W: InVectors>(work: W) {
-                    Baseline::run(work);
-                }
-            }
-        )+};
-    }
-    the_baseline!(Avx2 Avx512 Best);
 }

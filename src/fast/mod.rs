@@ -15,7 +15,7 @@ mod scaled;
 
 pub use crate::arithmetic::number::Number;
 #[cfg(feature = "ensemble")]
-pub use block::LANES;
+pub use block::{Block, LANES};
 pub use deferred::Deferred;
 #[cfg(feature = "ensemble")]
 pub use ensemble::{Ensemble, InLanes};
@@ -24,8 +24,9 @@ pub use flips::{
     DoubleInLanes, DoublePendulums, DoublePhases, first_flips, first_flips_with, is_below,
 };
 #[cfg(feature = "ensemble")]
-pub use instructions::{Avx2, Avx512, Baseline, Best, Instructions};
-pub use run::{FastRun, Resumable};
+pub use instructions::Instructions;
+use run::in_seconds;
+pub use run::{FastRun, PendulumSteps};
 pub use scaled::{ReducedPhase, ReducedRate, ScaledPendulum};
 
 use crate::error::Error;
@@ -97,13 +98,9 @@ where
         return Ok(start);
     }
     let mut watch = InSeconds { scaled, grid, observer };
-    match try_integrate(&scaled, method, scaled.from_phase(start), &grid.in_steps(), &mut watch) {
-        Ok(end) => Ok(scaled.to_phase(end)),
-        Err(Error::NotSolved { n, sweeps, change, .. }) => {
-            Err(Error::NotSolved { n, step: grid.step(), sweeps, change })
-        }
-        Err(error) => Err(error),
-    }
+    let (z, steps) = (scaled.from_phase(start), grid.in_steps());
+    let end = try_integrate(&scaled, method, z, &steps, &mut watch);
+    end.map(|end| scaled.to_phase(end)).map_err(|error| in_seconds(error, grid))
 }
 
 /// Passes states to an observer, converted from steps to seconds.

@@ -4,11 +4,13 @@ mod checkpoint;
 mod grid;
 mod method;
 mod observe;
+mod run;
 
 pub use checkpoint::{CHECKPOINT_NUMBERS, Checkpoint};
 pub use grid::Grid;
 pub use method::{Method, Unsolved};
 pub use observe::{Every, Observer, Record};
+pub use run::{Run, Steps, Taken};
 
 use crate::error::Error;
 use crate::systems::System;

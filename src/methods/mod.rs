@@ -52,6 +52,8 @@ pub mod processed;
 pub mod registry;
 pub mod runge_kutta;
 pub mod splitting;
+#[cfg(feature = "table")]
+pub mod table;
 pub mod taylor;
 
 pub use implicit::*;

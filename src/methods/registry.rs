@@ -1,20 +1,21 @@
 //! [`METHODS`], the one list that tests, tables, benches and book use.
 
 use core::fmt;
+use core::num::NonZeroU64;
 
 use crate::error::Error;
-use crate::fast::{ScaledPendulum, integrate_fast, try_integrate_fast};
-use crate::integrate::{Grid, Method, Observer, integrate};
+use crate::fast::{FastRun, PendulumSteps};
+use crate::integrate::{Grid, Observer, Run};
 use crate::methods::Info;
-use crate::systems::{Counting, Pendulum, Phase};
+use crate::systems::{Pendulum, Phase};
 
 /// A type-erased method, so that a list can hold it, over which tables, book and command line
 /// iterate.
 ///
-/// Every [`Info`] method of the pendulum is one. The time loop is compiled for its method; only the
-/// observer is called through a pointer.
+/// Every [`Info`] method of the pendulum is one. Its [steps](PendulumSteps) are compiled for it, and
+/// the rest once for all.
 pub trait AnyMethod: Info + Sync {
-    /// [`integrate_fast`].
+    /// [`integrate_fast`](crate::integrate_fast()).
     fn run(
         &self,
         pendulum: &Pendulum,
@@ -23,7 +24,7 @@ pub trait AnyMethod: Info + Sync {
         observer: &mut dyn Observer<Phase>,
     ) -> Phase;
 
-    /// [`try_integrate_fast`].
+    /// [`try_integrate_fast`](crate::try_integrate_fast).
     ///
     /// # Errors
     /// [`Error::NotSolved`] at a step of an implicit method whose iteration does not converge.
@@ -44,12 +45,14 @@ pub trait AnyMethod: Info + Sync {
     fn end(&self, pendulum: &Pendulum, start: Phase, grid: &Grid) -> Phase {
         self.run(pendulum, start, grid, &mut ())
     }
+
+    /// Its steps, for a [`FastRun`]; none of a method that is known by its runs alone.
+    fn steps(&self) -> Option<&dyn PendulumSteps> {
+        None
+    }
 }
 
-impl<M> AnyMethod for M
-where
-    M: Info + Method<Pendulum> + Method<ScaledPendulum> + Method<Counting<Pendulum>> + Sync,
-{
+impl<M: Info + PendulumSteps> AnyMethod for M {
     fn run(
         &self,
         pendulum: &Pendulum,
@@ -57,7 +60,7 @@ where
         grid: &Grid,
         observer: &mut dyn Observer<Phase>,
     ) -> Phase {
-        integrate_fast(pendulum, self, start, grid, observer)
+        FastRun::start(pendulum, self, start, grid).to_end(start, NonZeroU64::MIN, observer)
     }
 
     fn try_run(
@@ -67,17 +70,27 @@ where
         grid: &Grid,
         observer: &mut dyn Observer<Phase>,
     ) -> Result<Phase, Error> {
-        try_integrate_fast(pendulum, self, start, grid, observer)
+        observer.observe(0, 0.0, start);
+        if grid.steps() == 0 || observer.is_satisfied() {
+            return Ok(start);
+        }
+        let mut run = FastRun::start(pendulum, self, start, grid);
+        run.advance(grid.steps(), NonZeroU64::MIN, observer)
     }
 
     fn count_evaluations(&self, pendulum: &Pendulum, start: Phase, grid: &Grid) -> u64 {
-        let counting = Counting::new(*pendulum);
-        integrate(&counting, self, start, grid, &mut ());
-        counting.evaluations()
+        let mut run = Run::start(pendulum, self, start, grid);
+        // Whether it comes to the end or not: what it has cost is counted.
+        let _ = run.advance(grid.steps(), NonZeroU64::MAX, &mut ());
+        run.evaluations()
     }
 
     fn end(&self, pendulum: &Pendulum, start: Phase, grid: &Grid) -> Phase {
-        integrate_fast(pendulum, self, start, grid, &mut ())
+        FastRun::start(pendulum, self, start, grid).to_end(start, NonZeroU64::MAX, &mut ())
+    }
+
+    fn steps(&self) -> Option<&dyn PendulumSteps> {
+        Some(self)
     }
 }
 

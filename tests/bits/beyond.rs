@@ -6,7 +6,8 @@ use std::num::NonZeroU64;
 use pendula::adaptive::{Adaptive, Controlled, Direction, SymmetricSteps, TaylorSeries, Tolerance};
 use pendula::dynamics::lyapunov::Watch;
 use pendula::dynamics::{Stroboscope, largest_exponent, period_doubling, periodic_orbit};
-use pendula::fast::{Baseline, Best, first_flips_with};
+use pendula::fast::{Instructions, first_flips_with};
+use pendula::methods::table::RK4_IN_LANES;
 use pendula::methods::{BlanesMoan6, Dop853, DormandPrince, Gauss4};
 use pendula::systems::{Ellipse, Joint, PlanePhase};
 use pendula::{
@@ -89,8 +90,8 @@ fn double_pendulums() -> Result<u64, Error> {
     let starts = (0..100).map(start).collect::<Result<Vec<_>, _>>()?;
     let grid = Grid::new(0.01, 1_000)?;
     let mut all = [vec![None; starts.len()], vec![None; starts.len()]];
-    first_flips_with::<Best, _>(&double, &Rk4, &starts, &grid, &mut all[0]);
-    first_flips_with::<Baseline, _>(&double, &Rk4, &starts, &grid, &mut all[1]);
+    first_flips_with(Instructions::Best, &double, RK4_IN_LANES, &starts, &grid, &mut all[0]);
+    first_flips_with(Instructions::Baseline, &double, RK4_IN_LANES, &starts, &grid, &mut all[1]);
     Ok(common(&all.map(|flips| {
         let mut hash = Hash::new();
         flips.iter().for_each(|flip| hash.word(flip.map_or(0, NonZeroU64::get)));

@@ -2,11 +2,12 @@
 
 use std::num::NonZeroU64;
 
-use pendula::fast::{Baseline, Best, InLanes, Instructions};
-use pendula::methods::{BlanesMoan6, Deuflhard, DormandPrince, Gauss4};
+use pendula::fast::{InLanes, Instructions};
+use pendula::integrate::{Run, Steps};
+use pendula::methods::table::{Listed, in_lanes};
 use pendula::{
-    Compensated, Ensemble, ForwardEuler, Grid, Info, Pendulum, Phase, Rk4, StormerVerlet,
-    SymplecticEuler, integrate, integrate_fast,
+    Compensated, CompensatedPhase, Ensemble, Grid, METHODS, Observer, Pendulum, Phase, System,
+    systems,
 };
 
 use crate::Line;
@@ -30,7 +31,7 @@ fn hash<Z: Numbers>(
 /// The states of a hundred pendulums, each with its own g and L, after every seventh of 300
 /// steps and at the end; in blocks of lanes of which the last is not full. Two starts cannot be
 /// computed in lanes.
-fn of_ensemble<I: Instructions>(method: &impl InLanes) -> u64 {
+fn of_ensemble(method: &dyn InLanes, instructions: Instructions) -> u64 {
     let pendulum = |j| Pendulum::new(9.81 + 0.01 * j, 1.0 + 0.005 * j, 1.0);
     let start = |j| Phase { theta: -3.3 + 0.066 * j, omega: 0.1 * j - 4.0 };
     let numbers = || (0..100).map(f64::from);
@@ -40,7 +41,8 @@ fn of_ensemble<I: Instructions>(method: &impl InLanes) -> u64 {
     starts[40] = Phase { theta: 0.0, omega: 1e-150 };
     starts[70] = Phase { theta: 1e9, omega: 1.0 };
     let grid = Grid::new(0.017, 300).expect("a positive step");
-    let ensemble = Ensemble::with_pendulums(&pendulums, &starts, grid).with_instructions::<I>();
+    let ensemble = Ensemble::with_pendulums(&pendulums, &starts, grid);
+    let ensemble = ensemble.with_instructions(instructions);
 
     let mut ends = vec![Phase::default(); starts.len()];
     ensemble.ends(method, &mut ends);
@@ -57,63 +59,85 @@ fn of_ensemble<I: Instructions>(method: &impl InLanes) -> u64 {
 
 /// The hash of the ensemble, with the best instructions that there are and with those that every
 /// processor of its kind has, in whatever number of threads.
-fn in_lanes(method: &impl InLanes) -> u64 {
-    let mut hashes = vec![of_ensemble::<Best>(method), of_ensemble::<Baseline>(method)];
+fn of_lanes(method: &dyn InLanes) -> u64 {
+    let [best, baseline] =
+        [Instructions::Best, Instructions::Baseline].map(|with| of_ensemble(method, with));
+    let mut hashes = vec![best, baseline];
     hashes.extend(in_threads(method));
     common(&hashes)
 }
 
 #[cfg(feature = "threads")]
-fn in_threads(method: &impl InLanes) -> impl Iterator<Item = u64> {
+fn in_threads(method: &dyn InLanes) -> impl Iterator<Item = u64> {
     [1, 2, 7].into_iter().map(|threads| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
-        pool.expect("threads").install(|| of_ensemble::<Best>(method))
+        pool.expect("threads").install(|| of_ensemble(method, Instructions::Best))
     })
 }
 
 #[cfg(not(feature = "threads"))]
-fn in_threads(_method: &impl InLanes) -> impl Iterator<Item = u64> {
+fn in_threads(_method: &dyn InLanes) -> impl Iterator<Item = u64> {
     std::iter::empty()
 }
 
-macro_rules! lines {
-    ($($module:ident::$method:ident,)+) => {{
-        // Without optimisation a million steps of every method would take minutes.
-        let paper =
-            [ForwardEuler.info(), SymplecticEuler.info(), Rk4.info(), StormerVerlet.info()];
-        let mut lines = Vec::new();
-        $({
-            let method = pendula::methods::$method;
-            let name = method.info().name;
-            let in_paper = paper.iter().any(|info| info.name == name);
-            let steps = if in_paper { 250_000 } else { 25_000 };
-            let mut line = |how: &str, hash: u64| lines.push((format!("{name} {how}"), hash));
-            line("in steps", hash(steps, |pendulum, start, grid, mut watch| {
-                integrate_fast(pendulum, &method, start, grid, &mut watch);
-            }));
-            line("in seconds", hash(steps, |pendulum, start, grid, mut watch| {
-                integrate(pendulum, &method, start, grid, &mut watch);
-            }));
-            line("compensated", hash(5_000, |pendulum, start, grid, mut watch| {
-                let system = Compensated::new(*pendulum);
-                integrate(&system, &method, start.into(), grid, &mut watch);
-            }));
-        })+
-        lines
-    }};
+/// Passes every state of a run of `method` on `system` to `watch`, the start included.
+fn run<S>(
+    system: &S,
+    method: &dyn Steps<S>,
+    start: S::State,
+    grid: &Grid,
+    watch: &mut dyn Observer<S::State>,
+) where
+    S: System<State: systems::Numbers> + Copy,
+{
+    watch.observe(0, 0.0, start);
+    let end = Run::start(system, method, start, grid).advance(grid.steps(), NonZeroU64::MIN, watch);
+    end.expect("steps short enough for every method");
 }
 
-/// A line for each method and each of the loops; in lanes, where a method is compiled to many sets
-/// of instructions, for some of each family.
+/// A line for each method and each of the loops; in lanes for some of each family.
 pub fn lines() -> Vec<Line> {
-    let mut lines = pendula::for_each_method!(lines);
-    macro_rules! in_lanes {
-        ($($method:ident)+) => {
-            $(lines.push((format!("{} in lanes", $method.info().name), in_lanes(&$method)));)+
-        };
+    let mut lines = Vec::new();
+    for (index, method) in METHODS.iter().enumerate() {
+        let name = method.info().name;
+        // Without optimisation a million steps of every method would take minutes: so many are for
+        // the paper's four.
+        let steps = if index < 4 { 250_000 } else { 25_000 };
+        let mut line = |how: &str, hash: u64| lines.push((format!("{name} {how}"), hash));
+        line(
+            "in steps",
+            hash(steps, |pendulum, start, grid, mut watch| {
+                method.run(pendulum, start, grid, &mut watch);
+            }),
+        );
+        let in_seconds = method.steps().expect("a method of the library has steps");
+        line(
+            "in seconds",
+            hash(steps, |pendulum, start, grid, mut watch| {
+                run(pendulum, in_seconds, start, grid, &mut watch);
+            }),
+        );
+        let compensated = Compensated::<Pendulum>::steps(name).expect("every method");
+        line(
+            "compensated",
+            hash(5_000, |pendulum, start, grid, mut watch| {
+                let start = CompensatedPhase::from(start);
+                run(&Compensated::new(*pendulum), compensated, start, grid, &mut watch);
+            }),
+        );
     }
-    in_lanes!(
-        ForwardEuler SymplecticEuler Rk4 StormerVerlet BlanesMoan6 DormandPrince Gauss4 Deuflhard
-    );
+    for name in [
+        "forward-euler",
+        "symplectic-euler",
+        "rk4",
+        "stormer-verlet",
+        "blanes-moan-6",
+        "dormand-prince",
+        "gauss-4",
+        "deuflhard",
+    ] {
+        let method = in_lanes(name).expect("a method of the library");
+        lines.push((format!("{name} in lanes"), of_lanes(method)));
+    }
     lines
 }

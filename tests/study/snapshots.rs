@@ -13,7 +13,23 @@ use rstest::rstest;
 
 use crate::{LEDGER, STUDY};
 
-static RECIPES: LazyLock<Vec<Recipe<'static>>> = LazyLock::new(|| recipes(&STUDY, &LEDGER));
+static RECIPES: LazyLock<Vec<Recipe<'static>>> = LazyLock::new(|| {
+    let mut all = recipes(&STUDY, &LEDGER);
+    let about = "Hashes of all that the library computes, the same on every processor";
+    all.push(Recipe::new("bits", Kind::Hashes, about, bits));
+    all.sort_by_key(|recipe| recipe.kind);
+    all
+});
+
+/// A row for each result: its name and the hash of its bits. `.ci/processors` compares these rows
+/// with what other processors compute.
+fn bits() -> String {
+    let mut table = String::from("| Result | Hash |\n| --- | --- |\n");
+    for (name, hash) in pendula_bits::lines() {
+        table += &format!("| {name} | `{hash:016x}` |\n");
+    }
+    table
+}
 
 /// The chapters, by name, that include the snapshot.
 fn chapters(stem: &str) -> Vec<String> {

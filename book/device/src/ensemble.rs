@@ -3,7 +3,6 @@
 use std::num::NonZeroU64;
 
 use pendula::arithmetic::sine::half_turn;
-use pendula::fast::Instructions;
 use pendula::integrate::Every;
 use pendula::metrics::EnergyDrift;
 use pendula::{
@@ -96,11 +95,7 @@ impl Compiled<'_> {
     ///
     /// # Panics
     /// If there are not as many slots as starts.
-    pub fn ends<I: Instructions>(
-        &mut self,
-        ensemble: &Ensemble<'_, I>,
-        ends: &mut [Phase],
-    ) -> Result<(), Error> {
+    pub fn ends(&mut self, ensemble: &Ensemble<'_>, ends: &mut [Phase]) -> Result<(), Error> {
         let (device, host) = (self.device, self.method.host);
         let (steps, h) = (ensemble.grid().steps(), ensemble.grid().step());
         self.in_batches(
@@ -128,9 +123,9 @@ impl Compiled<'_> {
     ///
     /// # Panics
     /// If there are not as many slots as starts.
-    pub fn ends_and_energy_errors<I: Instructions>(
+    pub fn ends_and_energy_errors(
         &mut self,
-        ensemble: &Ensemble<'_, I>,
+        ensemble: &Ensemble<'_>,
         ends: &mut [(Phase, f64)],
     ) -> Result<(), Error> {
         let (device, host) = (self.device, self.method.host);
@@ -171,9 +166,9 @@ impl Compiled<'_> {
     ///
     /// # Panics
     /// If there are not as many observers as starts.
-    pub fn watch<I: Instructions, O: Observer<Phase>>(
+    pub fn watch<O: Observer<Phase>>(
         &mut self,
-        ensemble: &Ensemble<'_, I>,
+        ensemble: &Ensemble<'_>,
         every: NonZeroU64,
         observers: &mut [O],
     ) -> Result<(), Error> {
@@ -217,9 +212,9 @@ impl Compiled<'_> {
     /// Calls `on_device` for each batch of pendulums, with a session in which they stand at the
     /// start, their indices and all slots; and `alone` for each pendulum that the library does not
     /// run in steps either.
-    fn in_batches<I: Instructions, T>(
+    fn in_batches<T>(
         &mut self,
-        ensemble: &Ensemble<'_, I>,
+        ensemble: &Ensemble<'_>,
         slots: &mut [T],
         mut on_device: impl FnMut(&Session, &[usize], &mut [T]) -> Result<(), Error>,
         mut alone: impl FnMut(usize, &mut T),

@@ -46,7 +46,7 @@ pub use claims::Claims;
 pub use identity::{Identity, Seen};
 use probe::{Measured, Probe, Trouble};
 pub use report::{Evidence, Finding, Report, Verdict};
-pub use stranger::{Drive, Fault, FromFn, Listed, Reply, Request, Stranger};
+pub use stranger::{ByPointer, Drive, Fault, FromFn, Listed, Reply, Request, Stranger};
 
 /// Judges `stranger` by its `claims`.
 ///

@@ -1,7 +1,10 @@
 //! What is judged: anything that maps a state to the states some steps later.
 
-use crate::systems::{Counting, Damped, Driven, Phase, System};
-use crate::{AnyMethod, Grid, Method, Pendulum};
+use core::num::NonZeroU64;
+
+use crate::integrate::Steps;
+use crate::systems::{Damped, Driven, Phase, System};
+use crate::{AnyMethod, Grid, Pendulum};
 
 /// A cosine drive, θ̈ + (g/L) sin θ = A cos Ωt.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -86,38 +89,46 @@ pub trait Stranger {
 }
 
 /// Every method for the pendulum and the driven pendulum.
-impl<M> Stranger for M
-where
-    M: Method<Pendulum> + Method<Counting<Pendulum>> + Method<Driven>,
-{
+impl<M: Steps<Pendulum> + Steps<Driven>> Stranger for M {
     fn run(&self, request: &Request) -> Result<Reply, Fault> {
-        let pendulum = pendulum(request)?;
-        let Some(drive) = request.drive else {
-            let counting = Counting::new(pendulum);
-            let states = steps(self, &counting, request);
-            return Ok(Reply { states, evaluations: Some(counting.evaluations()) });
-        };
-        let driven = driven(pendulum, drive)?;
-        Ok(Reply { states: steps(self, &driven, request), evaluations: None })
+        ByPointer { pendulum: self, driven: self }.run(request)
     }
 }
 
-/// The states that are asked for. The steps may be negative, which a [`Grid`] cannot be.
-fn steps<S: System<State = Phase>, M: Method<S>>(
-    method: &M,
+/// A method that is known by its steps alone, on the pendulum and on the driven pendulum.
+#[derive(Clone, Copy)]
+pub struct ByPointer<'a> {
+    /// On the pendulum.
+    pub pendulum: &'a dyn Steps<Pendulum>,
+    /// On the driven pendulum.
+    pub driven: &'a dyn Steps<Driven>,
+}
+
+impl Stranger for ByPointer<'_> {
+    fn run(&self, request: &Request) -> Result<Reply, Fault> {
+        let pendulum = pendulum(request)?;
+        let Some(drive) = request.drive else {
+            let (states, evaluations) = states(self.pendulum, &pendulum, request);
+            return Ok(Reply { states, evaluations: Some(evaluations) });
+        };
+        let (states, _) = states(self.driven, &driven(pendulum, drive)?, request);
+        Ok(Reply { states, evaluations: None })
+    }
+}
+
+/// The states that are asked for, and the force evaluations. The steps may be negative, which a
+/// [`Grid`] cannot be. After a step that has no solution there are no numbers.
+fn states<S: System<State = Phase>>(
+    method: &dyn Steps<S>,
     system: &S,
     request: &Request,
-) -> Vec<Phase> {
-    let (h, mut z) = (request.step, request.start);
-    let mut carry = method.start(system, 0.0, h, z);
-    let mut states = Vec::with_capacity(request.states() as usize);
-    for n in 0..request.steps {
-        z = method.step(system, n as f64 * h, h, z, &mut carry);
-        if (n + 1) % request.every == 0 {
-            states.push(z);
-        }
-    }
-    states
+) -> (Vec<Phase>, u64) {
+    let (mut at, before) = method.start(system, request.step, request.start);
+    let nothing = Phase { theta: f64::NAN, omega: f64::NAN };
+    let mut states = vec![nothing; request.states() as usize];
+    let Some(every) = NonZeroU64::new(request.every) else { return (states, before) };
+    let taken = method.take(system, request.step, &mut at, every, &mut states);
+    (states, before + taken.evaluations)
 }
 
 fn pendulum(request: &Request) -> Result<Pendulum, Fault> {

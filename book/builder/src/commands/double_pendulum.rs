@@ -4,6 +4,7 @@ use std::io::{self, Write};
 
 use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser};
+use pendula::integrate::{self, Checkpoint};
 use pendula::metrics::EnergyDrift;
 use pendula::systems::DoublePhase;
 use pendula::{DoublePendulum, Hamiltonian, Info, METHODS, Rk4, method_named};
@@ -11,10 +12,10 @@ use pendula::{DoublePendulum, Hamiltonian, Info, METHODS, Rk4, method_named};
 use super::angle::angle;
 use super::double_arguments::DoubleArguments;
 use super::number::number;
-use super::pendulum_arguments::{or_default, unsolved};
+use super::pendulum_arguments::or_default;
 use super::plot::Panel;
-use super::suited::{Suited, check};
-use super::trajectory::{Trajectory, TrajectoryArguments, overflow};
+use super::suited::{Suited, steps};
+use super::trajectory::{Run, Trajectory, TrajectoryArguments};
 use crate::failure::Failure;
 use crate::interrupt::Lookout;
 
@@ -78,7 +79,7 @@ pub fn run_until(
     ];
     let start = double.start(theta, omega).map_err(Failure::refused)?;
     let method = method.as_deref().unwrap_or(Rk4.info().name);
-    check::<DoublePendulum>(method)?;
+    let steps = steps::<DoublePendulum>(method)?;
     let title = method_named(method).map_or(method, |method| method.info().title);
     let trajectory = Trajectory {
         title: format!("Double pendulum, {title}, Δt = {:?} s", grid.step()),
@@ -91,14 +92,16 @@ pub fn run_until(
             let [(x1, y1), (x2, y2)] = double.bobs(z);
             [t, z.theta1, z.theta2, omega1, omega2, x1, y1, x2, y2, double.energy(z)]
         },
-        lost: &|steps| {
-            let error = double.unsolved(method, start, &grid);
-            error.and_then(|error| unsolved(method, &error)).unwrap_or_else(|| overflow(steps))
-        },
+        method,
         // There is no closed form.
         end_errors: &|_, _| {},
     };
-    let begin = |at| double.begin(method, start, &grid, at).expect("a method that suits");
+    let begin = |at: Option<Checkpoint>| -> Box<dyn Run<DoublePhase>> {
+        Box::new(match at {
+            Some(at) => integrate::Run::resume(&double, steps, &grid, at),
+            None => integrate::Run::start(&double, steps, start, &grid),
+        })
+    };
     settings.print(&trajectory, EnergyDrift::new(&double), &grid, begin, out, &lookout())
 }
 

@@ -9,6 +9,7 @@ use std::time::Instant;
 use anyhow::anyhow;
 use clap::Args;
 use pendula::fast::first_flips;
+use pendula::methods::table::RK4_IN_LANES;
 use pendula::systems::DoublePhase;
 use pendula::{DoublePendulum, Grid, Hamiltonian, Rk4};
 use pendula_device::Device;
@@ -159,7 +160,7 @@ impl Releases {
             Some(device) => device
                 .first_flips(double, &Rk4, &starts, grid, &mut found)
                 .map_err(|error| Failure::Failed(error.into()))?,
-            None => first_flips(double, &Rk4, &starts, grid, &mut found),
+            None => first_flips(double, RK4_IN_LANES, &starts, grid, &mut found),
         }
         let mut flips = vec![None; count];
         for (place, flip) in places.into_iter().zip(found) {

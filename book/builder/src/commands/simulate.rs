@@ -1,27 +1,21 @@
 //! `pendula simulate`: a trajectory of the pendulum as rows.
 
 use std::io::{self, Write};
-use std::num::NonZeroU64;
 
 use clap::Args;
-use pendula::fast::{FastRun, Resumable};
-use pendula::integrate::Checkpoint;
+use pendula::fast::FastRun;
+use pendula::integrate::{self, Checkpoint};
 use pendula::metrics::EnergyDrift;
-use pendula::{
-    AnyMethod, Grid, Hamiltonian, Info, Motion, Observer, Pendulum, Phase, for_each_method,
-    method_named, methods,
-};
+use pendula::{AnyMethod, Grid, Hamiltonian, Motion, Pendulum, Phase, method_named};
 
 use super::angle::angle;
 use super::number::number;
-use super::pendulum_arguments::{
-    MassArgument, PendulumArguments, methods as names, not_solved, or_default, unsolved,
-};
+use super::pendulum_arguments::{MassArgument, PendulumArguments, methods as names, or_default};
 use super::plot::Panel;
-use super::suited::{Suited, check};
+use super::suited::{Suited, steps};
 use super::summary::Summary;
 use super::systems::{Chosen, SystemArguments};
-use super::trajectory::{NotConserved, Run, Settings, Trajectory, TrajectoryArguments, overflow};
+use super::trajectory::{NotConserved, Run, Settings, Trajectory, TrajectoryArguments};
 use crate::failure::Failure;
 use crate::interrupt::Lookout;
 
@@ -125,14 +119,18 @@ impl Scene {
             columns: COLUMNS,
             row: &|t, z: Phase| [t, z.theta, z.omega, pendulum.energy_from_pivot(z)],
             panels: &PANELS,
-            lost: &|steps| {
-                not_solved(method, &pendulum, start, &grid).unwrap_or_else(|| overflow(steps))
-            },
+            method: method.info().name,
             end_errors: &|summary, end| {
                 end_errors(summary, &pendulum, start, grid.time(grid.steps()), end);
             },
         };
-        let begin = |at| fast_run(method.info().name, &pendulum, start, &grid, at);
+        let steps = method.steps().expect("a method of the library has steps");
+        let begin = |at: Option<Checkpoint>| -> Box<dyn Run<Phase>> {
+            Box::new(match at {
+                Some(at) => FastRun::resume(&pendulum, steps, start, &grid, at),
+                None => FastRun::start(&pendulum, steps, start, &grid),
+            })
+        };
         settings.print(&trajectory, EnergyDrift::new(&pendulum), &grid, begin, out, &lookout())
     }
 
@@ -146,7 +144,7 @@ impl Scene {
     ) -> Result<(), Failure> {
         let &Self { pendulum, method, start, grid } = self;
         let name = method.info().name;
-        check::<S>(name)?;
+        let steps = steps::<S>(name)?;
         let energy = pendulum.energy(start);
         let trajectory = Trajectory {
             title: self.title(&format!("{}, ", S::NAME)),
@@ -155,17 +153,19 @@ impl Scene {
             columns: COLUMNS,
             row: &|t, z: Phase| [t, z.theta, z.omega, pendulum.energy_from_pivot(z)],
             panels: &PANELS,
-            lost: &|steps| {
-                let error = system.unsolved(name, start, &grid);
-                error.and_then(|error| unsolved(name, &error)).unwrap_or_else(|| overflow(steps))
-            },
+            method: name,
             // There is no closed form.
             end_errors: &|summary, end| {
                 let at_the_end = pendulum.energy(end);
                 summary.line("energy at the end", format!("{at_the_end:.6e} J, of {energy:.6e} J"));
             },
         };
-        let begin = |at| system.begin(name, start, &grid, at).expect("a method that suits");
+        let begin = |at: Option<Checkpoint>| -> Box<dyn Run<Phase>> {
+            Box::new(match at {
+                Some(at) => integrate::Run::resume(system, steps, &grid, at),
+                None => integrate::Run::start(system, steps, start, &grid),
+            })
+        };
         settings.print(&trajectory, NotConserved, &grid, begin, out, &lookout())
     }
 }
@@ -184,47 +184,5 @@ pub(super) fn end_errors(
         let exact = motion.at(t);
         summary.line("error of θ at the end", format!("{:.6e} rad", end.theta - exact.theta));
         summary.line("error of ω at the end", format!("{:.6e} rad/s", end.omega - exact.omega));
-    }
-}
-
-/// The run of the library's method `name`, from its start, or from `at`.
-fn fast_run(
-    name: &str,
-    pendulum: &Pendulum,
-    start: Phase,
-    grid: &Grid,
-    at: Option<Checkpoint>,
-) -> Box<dyn Run<Phase>> {
-    macro_rules! by_name {
-        ($($module:ident::$method:ident,)+) => {
-            $(if name == methods::$method.info().name {
-                let method = &methods::$method;
-                return Box::new(match at {
-                    Some(at) => FastRun::resume(pendulum, method, start, grid, at),
-                    None => FastRun::start(pendulum, method, start, grid),
-                });
-            })+
-        };
-    }
-    for_each_method!(by_name);
-    unreachable!("{name} is one of the library's methods")
-}
-
-impl<M: Resumable> Run<Phase> for FastRun<M> {
-    fn checkpoint(&self) -> &Checkpoint {
-        FastRun::checkpoint(self)
-    }
-
-    fn evaluations(&self) -> u64 {
-        FastRun::evaluations(self)
-    }
-
-    fn advance(
-        &mut self,
-        until: u64,
-        every: NonZeroU64,
-        observer: &mut dyn Observer<Phase>,
-    ) -> Phase {
-        FastRun::advance(self, until, every, observer)
     }
 }

@@ -6,12 +6,15 @@ use std::num::NonZeroU64;
 use std::time::{Duration, Instant};
 
 use clap::Args;
-use pendula::integrate::{CHECKPOINT_NUMBERS, Checkpoint};
+use pendula::fast::FastRun;
+use pendula::integrate::{self, CHECKPOINT_NUMBERS, Checkpoint};
 use pendula::metrics::EnergyDrift;
-use pendula::{Grid, Hamiltonian, Observer};
+use pendula::systems::Numbers;
+use pendula::{Error, Grid, Hamiltonian, Observer, Phase, System};
 use serde::{Deserialize, Serialize};
 
 use super::number::{count, number, positive_count};
+use super::pendulum_arguments::unsolved;
 use super::plot::{Panel, Plot, PlotArguments, Target};
 use super::rows::{RowFormat, Rows};
 use super::state::{Bits, Kept, KeptArguments};
@@ -82,7 +85,53 @@ pub trait Run<Z> {
 
     /// Takes the steps up to `until` and passes every k-th sample to `observer`, where k is
     /// `every`. Returns the last state.
-    fn advance(&mut self, until: u64, every: NonZeroU64, observer: &mut dyn Observer<Z>) -> Z;
+    ///
+    /// # Errors
+    /// [`Error::NotSolved`], as [`integrate::Run::advance`].
+    fn advance(
+        &mut self,
+        until: u64,
+        every: NonZeroU64,
+        observer: &mut dyn Observer<Z>,
+    ) -> Result<Z, Error>;
+}
+
+impl<S: System<State: Numbers> + Copy> Run<S::State> for integrate::Run<'_, S> {
+    fn checkpoint(&self) -> &Checkpoint {
+        Self::checkpoint(self)
+    }
+
+    fn evaluations(&self) -> u64 {
+        Self::evaluations(self)
+    }
+
+    fn advance(
+        &mut self,
+        until: u64,
+        every: NonZeroU64,
+        observer: &mut dyn Observer<S::State>,
+    ) -> Result<S::State, Error> {
+        Self::advance(self, until, every, observer)
+    }
+}
+
+impl Run<Phase> for FastRun<'_> {
+    fn checkpoint(&self) -> &Checkpoint {
+        Self::checkpoint(self)
+    }
+
+    fn evaluations(&self) -> u64 {
+        Self::evaluations(self)
+    }
+
+    fn advance(
+        &mut self,
+        until: u64,
+        every: NonZeroU64,
+        observer: &mut dyn Observer<Phase>,
+    ) -> Result<Phase, Error> {
+        Self::advance(self, until, every, observer)
+    }
 }
 
 /// What is measured of the energy at every sample, if it ought to stay the same.
@@ -124,8 +173,8 @@ pub struct Trajectory<'a, Z, const N: usize> {
     pub row: &'a dyn Fn(f64, Z) -> [f64; N],
     /// What a plot shows of the rows.
     pub panels: &'static [Panel],
-    /// The failure if a number of a row is not finite, after a number of steps.
-    pub lost: &'a dyn Fn(u64) -> Failure,
+    /// The name of the method.
+    pub method: &'a str,
     /// Adds the errors of the last state to a summary.
     pub end_errors: &'a dyn Fn(&mut Summary, Z),
 }
@@ -195,8 +244,7 @@ impl Settings {
         let rows_out: &mut dyn Write = if instead { &mut nowhere } else { &mut *out };
         let rows = kept.open(rows_out, format, trajectory.columns, printed)?;
         let plot = drawn.as_mut();
-        let (row, lost) = (trajectory.row, trajectory.lost);
-        let printer = Printer { row, lost, plot, rows, ended: None };
+        let printer = Printer { row: trajectory.row, plot, rows, ended: None };
         let next = every.get();
         let mut watch = Watch { drift, printer, every: next, next };
         watch.drift.observe(0, 0.0, trajectory.start);
@@ -205,7 +253,7 @@ impl Settings {
             Some((_, progress, at)) => {
                 watch.next = (at.steps() / next + 1).saturating_mul(next);
                 // The state at which it stands: it takes no step.
-                z = run.advance(at.steps(), every, &mut ());
+                z = run.advance(at.steps(), every, &mut ()).map_err(Failure::refused)?;
                 Before::of(progress, summary)
             }
             None => {
@@ -225,11 +273,15 @@ impl Settings {
                 break;
             }
             let until = lookout.next(steps);
-            z = if measured {
+            let end = if measured {
                 run.advance(until, NonZeroU64::MIN, &mut watch)
             } else {
                 run.advance(until, every, &mut watch.printer)
             };
+            match end {
+                Ok(end) => z = end,
+                Err(error) => watch.printer.ended = Some(lost(trajectory.method, &error)),
+            }
         }
         let Watch { drift, printer: Printer { rows, ended, .. }, .. } = watch;
         let steps = run.checkpoint().steps();
@@ -315,8 +367,13 @@ impl Before {
     }
 }
 
+/// The failure of a run that ended with an error.
+fn lost(method: &str, error: &Error) -> Failure {
+    unsolved(method, error).unwrap_or_else(|| Failure::refused(error))
+}
+
 /// The failure of a trajectory that overflows.
-pub fn overflow(steps: u64) -> Failure {
+fn overflow(steps: u64) -> Failure {
     Failure::Failed(anyhow::anyhow!(
         "after {steps} steps the trajectory has left the range of numbers: take a smaller step"
     ))
@@ -325,7 +382,6 @@ pub fn overflow(steps: u64) -> Failure {
 /// Prints what it observes until it fails.
 struct Printer<'a, Z, W, const N: usize> {
     row: &'a dyn Fn(f64, Z) -> [f64; N],
-    lost: &'a dyn Fn(u64) -> Failure,
     plot: Option<&'a mut Plot>,
     rows: Rows<W, N>,
     /// Why it stopped before the end.
@@ -341,7 +397,7 @@ impl<Z, W: Write, const N: usize> Observer<Z> for Printer<'_, Z, W, N> {
             }
             self.rows.row(row).err().map(Failure::from)
         } else {
-            Some((self.lost)(n))
+            Some(overflow(n))
         };
     }
 

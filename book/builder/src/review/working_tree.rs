@@ -36,7 +36,8 @@ impl WorkingTree {
         let pending = on_disk(snapshots, ".snap.new")?;
         let (mut now, failed) = computed(progress)?;
         for (name, found) in &reviewed {
-            if found.file.content.kind == Kind::Recorded || failed.contains_key(name) {
+            let is_computed = !matches!(found.file.content.kind, Kind::Recorded | Kind::Hashes);
+            if !is_computed || failed.contains_key(name) {
                 now.insert(name.clone(), found.file.content.clone());
             }
         }
@@ -44,8 +45,9 @@ impl WorkingTree {
         for (name, found) in &pending {
             let waits = found.file.content.clone();
             let computed = now.insert(name.clone(), waits.clone());
+            let is_computed = waits.kind != Kind::Hashes;
             if failed.contains_key(name)
-                || computed.is_some_and(|computed| computed.text != waits.text)
+                || is_computed && computed.is_some_and(|computed| computed.text != waits.text)
             {
                 stale.push(name.clone());
             }

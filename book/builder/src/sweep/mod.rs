@@ -8,7 +8,8 @@ use std::num::NonZeroU64;
 use std::ops;
 
 use device::OnDevice;
-use pendula::fast::LANES;
+use pendula::fast::{InLanes, LANES};
+use pendula::methods::table::in_lanes;
 use pendula::metrics::EnergyDrift;
 use pendula::{
     AnyMethod, Ensemble, Error, Grid, MethodInfo, Observer, Pendulum, Phase, method_named,
@@ -23,6 +24,7 @@ use crate::failure::Failure;
 #[derive(Clone, Copy)]
 pub struct Runner {
     method: &'static dyn AnyMethod,
+    lanes: &'static dyn InLanes,
     pendulum: Pendulum,
     omega0: f64,
     device: Option<&'static OnDevice>,
@@ -47,9 +49,10 @@ impl Runner {
     /// # Errors
     /// If there is no method `name`.
     pub fn new(name: &str, pendulum: Pendulum, omega0: f64) -> Result<Self, Failure> {
-        let method = method_named(name)
+        let (method, lanes) = method_named(name)
+            .zip(in_lanes(name))
             .ok_or_else(|| Failure::refused(format!("there is no method {name}")))?;
-        Ok(Self { method, pendulum, omega0, device: None })
+        Ok(Self { method, lanes, pendulum, omega0, device: None })
     }
 
     /// The same runs on the device with `name` in its name.
@@ -122,7 +125,7 @@ impl Runner {
                 starts.len()
             ];
         let ensemble = Ensemble::new(&self.pendulum, &starts, *grid);
-        watch_in_lanes(self.info().name, &ensemble, &mut watches);
+        ensemble.watch(self.lanes, NonZeroU64::MIN, &mut watches);
         let ends = angles.iter().zip(watches);
         ends.map(|(&theta0, DriftAndEnd { drift, end })| Run {
             theta0,
@@ -159,19 +162,6 @@ impl Observer<Phase> for DriftAndEnd<'_> {
         self.drift.observe(n, t, z);
         self.end = z;
     }
-}
-
-/// Calls [`Ensemble::watch`] at every step with the library's method `name`.
-fn watch_in_lanes(name: &str, ensemble: &Ensemble<'_>, watches: &mut [DriftAndEnd<'_>]) {
-    use pendula::{Info, for_each_method, methods};
-    macro_rules! by_name {
-        ($($module:ident::$method:ident,)+) => {
-            $(if name == methods::$method.info().name {
-                return ensemble.watch(&methods::$method, NonZeroU64::MIN, watches);
-            })+
-        };
-    }
-    for_each_method!(by_name);
 }
 
 /// The grids over `duration` (s) with steps near those asked for, no two successive ones equal:

@@ -2,8 +2,10 @@
 
 use std::io::{self, BufRead, Write};
 
+use pendula::methods::table;
+use pendula::verify::judge::ByPointer;
 use pendula::verify::{Fault, Listed, Request, Stranger};
-use pendula::{AnyMethod, Info, methods};
+use pendula::{AnyMethod, Driven};
 
 use super::protocol::{Objection, Question, question};
 
@@ -69,16 +71,10 @@ fn answer(
 
 /// The method as a stranger: with a drive if it suits every system.
 fn stranger(method: &'static dyn AnyMethod) -> Box<dyn Stranger> {
-    let name = method.info().name;
-    macro_rules! general {
-        ($($module:ident::$method:ident,)+) => {
-            $(if methods::$method.info().name == name {
-                return Box::new(methods::$method);
-            })+
-        };
+    match (method.steps(), <Driven as table::Listed>::steps(method.info().name)) {
+        (Some(pendulum), Some(driven)) => Box::new(ByPointer { pendulum, driven }),
+        _ => Box::new(Listed(method)),
     }
-    pendula::for_each_general_method!(general);
-    Box::new(Listed(method))
 }
 
 #[cfg(test)]

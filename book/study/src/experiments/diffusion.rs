@@ -4,8 +4,9 @@
 use core::f64::consts::TAU;
 
 use pendula::methods::StormerVerlet;
+use pendula::methods::table::in_lanes;
 use pendula::metrics::EnergyDrift;
-use pendula::{AnyMethod, Ensemble, Grid, Pendulum, Phase};
+use pendula::{AnyMethod, Ensemble, Grid, Info, Pendulum, Phase};
 
 use super::released;
 use super::standard_map::step;
@@ -71,7 +72,8 @@ fn spread(k: f64) -> f64 {
     let starts: Vec<Phase> = starts(side).map(|(theta, u)| Phase { theta, omega: u / h }).collect();
     let grid = Grid::new(h, steps).expect("a positive step");
     let mut ends = starts.clone();
-    Ensemble::new(&Pendulum::PAPER, &starts, grid).ends(&StormerVerlet, &mut ends);
+    let method = in_lanes(StormerVerlet.info().name).expect("a method of the library");
+    Ensemble::new(&Pendulum::PAPER, &starts, grid).ends(method, &mut ends);
     let change = |(z, end): (&Phase, &Phase)| (end.omega - z.omega) * h;
     let squares: f64 = starts.iter().zip(&ends).map(change).map(|du| du * du).sum();
     squares / (starts.len() as f64 * 0.5 * k * k * steps as f64)

@@ -1,6 +1,5 @@
 //! Rows as tables and figures.
 
-pub mod bits;
 pub mod figures;
 pub mod readme;
 pub mod snapshots;

@@ -4,7 +4,6 @@ use std::thread;
 
 use pendula::methods::PositionVerlet;
 
-use super::bits::bits;
 use super::figures::figures;
 use super::table::Table;
 use super::tables;
@@ -18,7 +17,8 @@ pub enum Kind {
     Table,
     /// A drawing.
     Figure,
-    /// Hashes of states.
+    /// Hashes of states, made by the crate `pendula-bits` and compared by a test: what builds the
+    /// book need not compile it.
     Hashes,
     /// A table that takes minutes to make: a command of its own writes it, and no test compares it.
     Recorded,
@@ -92,9 +92,18 @@ pub struct Recipe<'a> {
 
 impl<'a> Recipe<'a> {
     fn table(name: &str, about: &str, table: impl Fn() -> Table + Send + Sync + 'a) -> Self {
+        Self::new(name, Kind::Table, about, move || table().to_markdown())
+    }
+
+    /// The snapshot `name`, which shows what `about` says, with the content that `make` gives.
+    pub fn new(
+        name: &str,
+        kind: Kind,
+        about: &str,
+        content: impl Fn() -> String + Send + Sync + 'a,
+    ) -> Self {
         let (name, about) = (name.to_string(), about.to_string());
-        let make = Box::new(move || (about.clone(), table().to_markdown()));
-        Self { name, kind: Kind::Table, make }
+        Self { name, kind, make: Box::new(move || (about.clone(), content())) }
     }
 
     /// Makes it.
@@ -164,22 +173,8 @@ pub fn recipes<'a>(study: &'a Study, ledger: &'a Ledger) -> Vec<Recipe<'a>> {
             (title(&figure), figure)
         }),
     }));
-    recipes.push(Recipe {
-        name: "bits".to_string(),
-        kind: Kind::Hashes,
-        make: Box::new(|| {
-            let about = "Hashes of all that the library computes, the same on every processor";
-            (about.to_string(), bits())
-        }),
-    });
-    recipes.push(Recipe {
-        name: "a_change".to_string(),
-        kind: Kind::Example,
-        make: Box::new(|| {
-            let about = "An example of a difference, for the appendix on changing a method";
-            (about.to_string(), a_change(study))
-        }),
-    });
+    let about = "An example of a difference, for the appendix on changing a method";
+    recipes.push(Recipe::new("a_change", Kind::Example, about, || a_change(study)));
     recipes
 }
 

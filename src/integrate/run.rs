@@ -1,0 +1,204 @@
+//! Runs of a method behind a pointer: in parts, with every k-th state observed.
+//!
+//! [`integrate`](crate::integrate()) is compiled anew for each method, system and observer that a
+//! program names. Whoever knows a method by its name alone takes it behind a pointer, to [`Steps`];
+//! of that nothing is compiled for a method and a system but "take k steps", and everything else is
+//! written once, in [`Run`].
+
+use core::num::NonZeroU64;
+
+use super::{Checkpoint, Grid, Method, Observer, Unsolved};
+use crate::error::Error;
+use crate::systems::{Counting, Numbers, System};
+
+/// The steps of a method on the system `S`, behind a pointer.
+pub trait Steps<S: System>: Sync {
+    /// The checkpoint before the first step `h` (s) from `z`, and the force evaluations that it
+    /// cost.
+    fn start(&self, system: &S, h: f64, z: S::State) -> (Checkpoint, u64);
+
+    /// Takes `every` steps `h` (s) for each of the slots of `states`, and writes the state after
+    /// them into it. Between these states nothing is computed that only an observer reads.
+    fn take(
+        &self,
+        system: &S,
+        h: f64,
+        at: &mut Checkpoint,
+        every: NonZeroU64,
+        states: &mut [S::State],
+    ) -> Taken;
+}
+
+/// What [`Steps::take`] has done.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Taken {
+    /// Slots that were written: all, or those before a step that has no solution.
+    pub states: usize,
+    /// Force evaluations, counted.
+    pub evaluations: u64,
+    /// Why the step after the checkpoint has no solution, if it has none.
+    pub unsolved: Option<Unsolved>,
+}
+
+impl<S, M> Steps<S> for M
+where
+    S: System<State: Numbers> + Copy,
+    M: Method<Counting<S>, Carry: Numbers> + Sync,
+{
+    fn start(&self, system: &S, h: f64, z: S::State) -> (Checkpoint, u64) {
+        let system = Counting::new(*system);
+        let carry = Method::start(self, &system, 0.0, h, z);
+        (Checkpoint::of(0, z, carry), system.evaluations())
+    }
+
+    // ANCHOR: take
+    fn take(
+        &self,
+        system: &S,
+        h: f64,
+        at: &mut Checkpoint,
+        every: NonZeroU64,
+        states: &mut [S::State],
+    ) -> Taken {
+        let system = Counting::new(*system);
+        let (mut n, (mut z, mut carry)) = (at.steps(), at.read());
+        let (mut written, mut unsolved) = (0, None);
+        'states: for state in states {
+            let next = n + every.get();
+            // Of the states before the last nobody sees anything.
+            while n + 1 < next {
+                match self.try_step(&system, n as f64 * h, h, z, &mut carry) {
+                    Ok(after) => (n, z) = (n + 1, after),
+                    Err(why) => {
+                        unsolved = Some(why);
+                        break 'states;
+                    }
+                }
+            }
+            match self.try_step(&system, n as f64 * h, h, z, &mut carry) {
+                Ok(after) => (n, z) = (n + 1, after),
+                Err(why) => {
+                    unsolved = Some(why);
+                    break 'states;
+                }
+            }
+            *state = z;
+            written += 1;
+        }
+        *at = Checkpoint::of(n, z, carry);
+        Taken { states: written, evaluations: system.evaluations(), unsolved }
+    }
+    // ANCHOR_END: take
+}
+
+/// A run that can be left at any step and continued later with the same bits. Its force evaluations
+/// are counted, which costs nothing.
+///
+/// ```
+/// use core::num::NonZeroU64;
+/// use pendula::integrate::Run;
+/// use pendula::{Driven, Grid, Phase, Rk4, integrate};
+///
+/// let (driven, start) = (Driven::taylor(1.07)?, Phase::at_rest(1.0));
+/// let grid = Grid::new(0.01, 1000)?;
+/// let mut run = Run::start(&driven, &Rk4, start, &grid);
+/// run.advance(300, NonZeroU64::MIN, &mut ())?;
+/// let mut later = Run::resume(&driven, &Rk4, &grid, *run.checkpoint());
+/// let end = later.advance(1000, NonZeroU64::MIN, &mut ())?;
+/// assert_eq!(end, integrate(&driven, &Rk4, start, &grid, &mut ()));
+/// assert_eq!(run.evaluations() + later.evaluations(), 4 * 1000);
+/// # Ok::<(), pendula::Error>(())
+/// ```
+#[derive(Clone, Copy)]
+pub struct Run<'m, S: System> {
+    system: S,
+    method: &'m dyn Steps<S>,
+    grid: Grid,
+    at: Checkpoint,
+    evaluations: u64,
+}
+
+/// States that are computed before the observer sees them: enough to make the call of
+/// [`Steps::take`] cheap, few enough to stay in the cache.
+const BLOCK: usize = 64;
+
+impl<'m, S: System<State: Numbers> + Copy> Run<'m, S> {
+    /// A run of `method` on `system` from `start` along `grid`, before its first step.
+    pub fn start(system: &S, method: &'m dyn Steps<S>, start: S::State, grid: &Grid) -> Self {
+        let (at, evaluations) = method.start(system, grid.step(), start);
+        Self { system: *system, method, grid: *grid, at, evaluations }
+    }
+
+    /// The run of `method` on `system` along `grid` that was left at the checkpoint `at`.
+    pub const fn resume(system: &S, method: &'m dyn Steps<S>, grid: &Grid, at: Checkpoint) -> Self {
+        Self { system: *system, method, grid: *grid, at, evaluations: 0 }
+    }
+
+    /// Where the run stands.
+    pub const fn checkpoint(&self) -> &Checkpoint {
+        &self.at
+    }
+
+    /// The force evaluations that this part of the run has cost, one before the first step
+    /// included.
+    pub const fn evaluations(&self) -> u64 {
+        self.evaluations
+    }
+
+    /// Takes the steps up to `until` and passes every k-th state of the whole run to `observer`,
+    /// where k is `every`; not the one at which it stands. Returns the last state: the one at
+    /// `until` or at the end of the grid, or the one that satisfied the observer.
+    ///
+    /// # Errors
+    /// [`Error::NotSolved`] at a step of an implicit method whose iteration does not converge. The
+    /// observer has seen the states before it.
+    pub fn advance<O: Observer<S::State> + ?Sized>(
+        &mut self,
+        until: u64,
+        every: NonZeroU64,
+        observer: &mut O,
+    ) -> Result<S::State, Error> {
+        let until = until.min(self.grid.steps());
+        let (mut z, ()) = self.at.read();
+        let mut block = [z; BLOCK];
+        while self.at.steps() < until && !observer.is_satisfied() {
+            let (before, n) = (*self, self.at.steps());
+            // To the next state that is observed; from there on, many at once.
+            let gap = NonZeroU64::new((every.get() - n % every).min(until - n)).unwrap_or(every);
+            let states = if gap == every { (until - n) / every } else { 1 };
+            let states = &mut block[..states.min(BLOCK as u64) as usize];
+            let is_observed = (n + gap.get()) % every == 0;
+            let Taken { states: taken, unsolved, .. } = self.take(gap, states);
+            for (i, &state) in (1..).zip(&states[..taken]) {
+                z = state;
+                if !is_observed {
+                    continue;
+                }
+                let at = n + i * gap.get();
+                observer.observe(at, self.grid.time(at), z);
+                if observer.is_satisfied() {
+                    if at < self.at.steps() {
+                        // It is satisfied in the midst of the block: back, and here again.
+                        *self = before;
+                        self.take(
+                            gap.saturating_mul(NonZeroU64::MIN.saturating_add(i - 1)),
+                            &mut block[..1],
+                        );
+                    }
+                    return Ok(z);
+                }
+            }
+            if let Some(Unsolved { sweeps, change }) = unsolved {
+                let (n, step) = (self.at.steps(), self.grid.step());
+                return Err(Error::NotSolved { n, step, sweeps, change });
+            }
+        }
+        Ok(z)
+    }
+
+    fn take(&mut self, every: NonZeroU64, states: &mut [S::State]) -> Taken {
+        let taken = self.method.take(&self.system, self.grid.step(), &mut self.at, every, states);
+        self.evaluations += taken.evaluations;
+        taken
+    }
+}
