@@ -11,6 +11,8 @@ use super::block::{Block, Each, LANES, Taking};
 use super::instructions::{Instructions, vectors};
 use super::{FastRun, PendulumSteps, ReducedPhase, ScaledPendulum};
 use crate::integrate::{Grid, Method, Observer};
+#[cfg(feature = "table")]
+use crate::methods::{Splitting, splitting::KicksAndDrifts};
 use crate::systems::{Pendulum, Phase};
 
 /// Pendulums with their starts and the grid of times: one pendulum for all starts, or one for each.
@@ -161,7 +163,7 @@ impl<'a> Ensemble<'a> {
     ) -> Option<[(ScaledPendulum, ReducedPhase); LANES]> {
         let scaled = |i: usize| {
             let (pendulum, start) = (self.pendulum(i), self.starts[i]);
-            let scaled = method.scaled(pendulum, &self.grid, start)?;
+            let scaled = method.by_pointer().scaled(pendulum, &self.grid, start)?;
             Some((scaled, scaled.from_phase(start)))
         };
         let mut starts = [scaled(first)?; LANES];
@@ -199,7 +201,7 @@ impl<'a> Ensemble<'a> {
 /// Whoever calls [`Ensemble::ends`] with a method by its type compiles its steps, for each set of
 /// instructions. With the feature `table` the library has them compiled already: see
 /// [`in_lanes`](crate::methods::table::in_lanes).
-pub trait InLanes: PendulumSteps {
+pub trait InLanes: Sync {
     /// Takes the steps of the block with these instructions.
     #[doc(hidden)]
     fn take_block(&self, instructions: Instructions, block: Block<'_>);
@@ -222,5 +224,21 @@ where
 
     fn by_pointer(&self) -> &dyn PendulumSteps {
         self
+    }
+}
+
+/// A [`Splitting`] whose steps in lanes are those of its table: of all such methods they are
+/// compiled once, with coefficients that are read while they are taken.
+#[cfg(feature = "table")]
+pub(crate) struct ByItsTable<M>(pub M);
+
+#[cfg(feature = "table")]
+impl<M: Splitting + PendulumSteps> InLanes for ByItsTable<M> {
+    fn take_block(&self, instructions: Instructions, block: Block<'_>) {
+        InLanes::take_block(&KicksAndDrifts::of::<M>(), instructions, block);
+    }
+
+    fn by_pointer(&self) -> &dyn PendulumSteps {
+        &self.0
     }
 }

@@ -17,6 +17,8 @@ pub use crate::arithmetic::number::Number;
 #[cfg(feature = "ensemble")]
 pub use block::{Block, LANES};
 pub use deferred::Deferred;
+#[cfg(feature = "table")]
+pub(crate) use ensemble::ByItsTable;
 #[cfg(feature = "ensemble")]
 pub use ensemble::{Ensemble, InLanes};
 #[cfg(feature = "ensemble")]

@@ -19,10 +19,10 @@
 
 use core::marker::PhantomData;
 
-use crate::fast::{DoubleInLanes, InLanes};
+use crate::fast::{ByItsTable, DoubleInLanes, InLanes, PendulumSteps};
 use crate::for_each_method;
 use crate::integrate::Steps;
-use crate::methods::{Info, Rk4};
+use crate::methods::{Info, Rk4, Splitting};
 use crate::systems::{
     Compensated, Damped, DoublePendulum, Driven, Numbers, Pendulum, Shaken, System,
 };
@@ -37,11 +37,12 @@ pub trait Listed: System<State: Numbers> + Copy + 'static {
     fn steps(method: &str) -> Option<&'static dyn Steps<Self>>;
 }
 
-/// A method, asked whether it steps the system `S`. The compiler prefers what holds for the method
-/// itself ([`Suits`]) to what holds for a reference to it ([`SuitsNot`]), so that the types say
-/// which methods suit, and no list could be wrong.
+/// A method, asked for more than it has in common with all others. The compiler prefers what holds
+/// for the method itself ([`Suits`], [`HasTable`]) to what holds for a reference to it
+/// ([`SuitsNot`], [`HasNone`]), so that the types say what a method is, and no list could be wrong.
 struct Asked<M: 'static, S>(&'static M, PhantomData<S>);
 
+/// A method that steps the system `S`.
 trait Suits<S: System> {
     fn steps(&self) -> Option<&'static dyn Steps<S>>;
 }
@@ -59,6 +60,27 @@ trait SuitsNot<S: System> {
 }
 
 impl<M, S: System> SuitsNot<S> for &Asked<M, S> {}
+
+/// A method that is a table of kicks and drifts.
+trait HasTable {
+    fn in_lanes(&self) -> &'static dyn InLanes;
+}
+
+impl<M: Splitting + PendulumSteps> HasTable for Asked<ByItsTable<M>, ()> {
+    fn in_lanes(&self) -> &'static dyn InLanes {
+        self.0
+    }
+}
+
+trait HasNone {
+    fn in_lanes(&self) -> &'static dyn InLanes;
+}
+
+impl<M: InLanes> HasNone for &Asked<ByItsTable<M>, ()> {
+    fn in_lanes(&self) -> &'static dyn InLanes {
+        &self.0.0
+    }
+}
 
 macro_rules! listed {
     ([$($method:ident)+]) => {};
@@ -81,12 +103,15 @@ macro_rules! table {
         /// The steps in lanes of the method of that [name](super::MethodInfo::name).
         pub fn in_lanes(method: &str) -> Option<&'static dyn InLanes> {
             $(if method == super::$method.info().name {
-                return Some(&super::$method);
+                static METHOD: ByItsTable<super::$method> = ByItsTable(super::$method);
+                return Some((&Asked(&METHOD, PhantomData::<()>)).in_lanes());
             })+
             None
         }
 
-        listed! { [$($method)+] Damped, Driven, Shaken, DoublePendulum, Compensated<Pendulum>, }
+        listed! {
+            [$($method)+] Damped, Driven, Shaken, DoublePendulum, Compensated<Pendulum>,
+        }
     };
 }
 for_each_method!(table);

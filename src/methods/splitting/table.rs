@@ -16,33 +16,63 @@ pub trait Splitting {
     const DRIFTS: &'static [f64];
 }
 
+/// The kicks and drifts of a [`Splitting`] as a value: in lanes, all of them share the code that
+/// takes its steps.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct KicksAndDrifts {
+    kicks: &'static [f64],
+    drifts: &'static [f64],
+}
+
+impl KicksAndDrifts {
+    /// Those of the method `M`.
+    pub(crate) const fn of<M: Splitting>() -> Self {
+        assert!(M::KICKS.len() == M::DRIFTS.len() + 1);
+        Self { kicks: M::KICKS, drifts: M::DRIFTS }
+    }
+}
+
 // ANCHOR: step
-impl<M: Splitting, S: Separable> Method<S> for M {
+impl<S: Separable> Method<S> for KicksAndDrifts {
     /// The state one kick ahead.
+    type Carry = S::State;
+
+    fn start(&self, system: &S, t: f64, h: f64, z: S::State) -> S::State {
+        system.kick(z, system.force(t, z), self.kicks[0] * h)
+    }
+
+    #[inline(always)]
+    fn step(&self, system: &S, t: f64, h: f64, _z: S::State, ahead: &mut S::State) -> S::State {
+        let Self { kicks, drifts } = *self;
+        let last = drifts.len() - 1;
+        let (mut z, mut elapsed) = (*ahead, 0.0);
+        for i in 0..last {
+            z = system.drift(z, drifts[i] * h);
+            elapsed += drifts[i];
+            z = system.kick(z, system.force(t + elapsed * h, z), kicks[i + 1] * h);
+        }
+        z = system.drift(z, drifts[last] * h);
+        let force = system.force(t + h, z);
+        *ahead = system.kick(z, force, (kicks[last + 1] + kicks[0]) * h);
+        system.kick(z, force, kicks[last + 1] * h)
+    }
+}
+// ANCHOR_END: step
+
+impl<M: Splitting, S: Separable> Method<S> for M {
     type Carry = S::State;
 
     const REACH: f64 = length(M::KICKS).max(length(M::DRIFTS));
 
     fn start(&self, system: &S, t: f64, h: f64, z: S::State) -> S::State {
-        system.kick(z, system.force(t, z), M::KICKS[0] * h)
+        KicksAndDrifts::of::<M>().start(system, t, h, z)
     }
 
     #[inline(always)]
-    fn step(&self, system: &S, t: f64, h: f64, _z: S::State, ahead: &mut S::State) -> S::State {
-        let last = M::DRIFTS.len() - 1;
-        let (mut z, mut elapsed) = (*ahead, 0.0);
-        for i in 0..last {
-            z = system.drift(z, M::DRIFTS[i] * h);
-            elapsed += M::DRIFTS[i];
-            z = system.kick(z, system.force(t + elapsed * h, z), M::KICKS[i + 1] * h);
-        }
-        z = system.drift(z, M::DRIFTS[last] * h);
-        let force = system.force(t + h, z);
-        *ahead = system.kick(z, force, (M::KICKS[last + 1] + M::KICKS[0]) * h);
-        system.kick(z, force, M::KICKS[last + 1] * h)
+    fn step(&self, system: &S, t: f64, h: f64, z: S::State, ahead: &mut S::State) -> S::State {
+        const { KicksAndDrifts::of::<M>() }.step(system, t, h, z, ahead)
     }
 }
-// ANCHOR_END: step
 
 /// The sum of the absolute values, Σ |x|.
 pub const fn length(all: &[f64]) -> f64 {
