@@ -59,9 +59,26 @@
 //! |---|---|---|---|
 //! | `verify` | yes | [`verify`] | std |
 //! | `ensemble` | yes | [`Ensemble`] | std, the crate `fearless_simd` |
+//! | `table` | no | [`methods::table`]: the methods by name in ensembles and on other systems | std; half a minute to compile |
 //! | `parallel` | no | ensembles on all cores | std, the crate `rayon` |
 //!
 //! Without any of them the library is `no_std` and depends on `libm` alone.
+//!
+//! # What is compiled where
+//!
+//! [`integrate()`], [`integrate_fast()`] and [`Ensemble`] with a method that is named by its type are
+//! compiled in your crate, at its level of optimisation: in lanes that is seconds for a method, and
+//! in an unoptimised build they are two hundred times as slow. A method that is found by its name is
+//! compiled with this library: [`METHODS`] for one trajectory, and with the feature `table` the same
+//! for [ensembles](methods::table::in_lanes) and for [other systems](methods::table::Listed). So that
+//! your dev build runs at full speed, optimise the library in your `Cargo.toml`:
+//!
+//! ```toml
+//! [profile.dev.package.pendula]
+//! opt-level = 3
+//! # With them, vectors are narrow: see `Instructions`.
+//! debug-assertions = false
+//! ```
 //!
 //! Every result comes from additions, multiplications, divisions and square roots in a fixed
 //! order, so that debug and release, and one machine and another, give the same bits.

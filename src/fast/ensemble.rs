@@ -214,12 +214,18 @@ pub trait InLanes: Sync {
 impl<M> InLanes for M
 where
     M: PendulumSteps
+        + Method<ScaledPendulum>
         + Method<ScaledPendulum<vectors::OfBaseline>>
         + Method<ScaledPendulum<vectors::OfAvx2>>
-        + Method<ScaledPendulum<vectors::OfAvx512>>,
+        + Method<ScaledPendulum<vectors::OfAvx512>>
+        + Method<ScaledPendulum<vectors::OfAvx512InLongSteps>>,
 {
     fn take_block(&self, instructions: Instructions, block: Block<'_>) {
-        instructions.run(Taking(self, block));
+        if const { <M as Method<ScaledPendulum>>::IS_LONG } {
+            instructions.run::<true, _>(Taking(self, block));
+        } else {
+            instructions.run::<false, _>(Taking(self, block));
+        }
     }
 
     fn by_pointer(&self) -> &dyn PendulumSteps {

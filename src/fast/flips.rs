@@ -93,10 +93,11 @@ where
     M: Method<DoublePendulums<vectors::OfBaseline>>
         + Method<DoublePendulums<vectors::OfAvx2>>
         + Method<DoublePendulums<vectors::OfAvx512>>
+        + Method<DoublePendulums<vectors::OfAvx512InLongSteps>>
         + Sync,
 {
     fn find_flips(&self, instructions: Instructions, flips: Flips<'_>) {
-        instructions.run(Taking(self, flips));
+        instructions.run::<false, _>(Taking(self, flips));
     }
 }
 

@@ -13,12 +13,18 @@ pub trait Work<N: Lanes> {
 
 /// What can be done in the lanes of any of the library's vectors.
 pub trait InVectors:
-    Work<vectors::OfBaseline> + Work<vectors::OfAvx2> + Work<vectors::OfAvx512>
+    Work<vectors::OfBaseline>
+    + Work<vectors::OfAvx2>
+    + Work<vectors::OfAvx512>
+    + Work<vectors::OfAvx512InLongSteps>
 {
 }
 
 impl<W> InVectors for W where
-    W: Work<vectors::OfBaseline> + Work<vectors::OfAvx2> + Work<vectors::OfAvx512>
+    W: Work<vectors::OfBaseline>
+        + Work<vectors::OfAvx2>
+        + Work<vectors::OfAvx512>
+        + Work<vectors::OfAvx512InLongSteps>
 {
 }
 
@@ -52,13 +58,16 @@ impl Instructions {
     /// Every choice.
     pub const ALL: [Self; 4] = [Self::Best, Self::Avx512, Self::Avx2, Self::Baseline];
 
-    /// Does the `work`.
+    /// Does the `work`, of which the steps may be [long](crate::Method::IS_LONG).
     #[cfg(target_arch = "x86_64")]
-    pub(super) fn run<W: InVectors>(self, work: W) {
+    pub(super) fn run<const IS_LONG: bool, W: InVectors>(self, work: W) {
         let level = fearless_simd::Level::new();
         if matches!(self, Self::Best | Self::Avx512)
             && let Some(simd) = level.as_avx512()
         {
+            if IS_LONG {
+                return run!(work, simd, vectors::OfAvx512InLongSteps, { vectors::TEAM });
+            }
             return run!(work, simd, vectors::OfAvx512, 1);
         }
         if matches!(self, Self::Best | Self::Avx2)
@@ -72,7 +81,7 @@ impl Instructions {
 
     /// Does the `work`: there is one set of instructions.
     #[cfg(not(target_arch = "x86_64"))]
-    pub(super) fn run<W: InVectors>(self, work: W) {
+    pub(super) fn run<const IS_LONG: bool, W: InVectors>(self, work: W) {
         let simd = vectors::baseline();
         run!(work, simd, vectors::OfBaseline, { vectors::TEAM });
     }
@@ -93,8 +102,9 @@ pub mod vectors {
 
         pub type OfBaseline = f64x4<Sse2>;
         pub type OfAvx2 = f64x8<Avx2>;
-        pub type OfAvx512 = Pair<Pair<f64x8<Avx512>>>;
-        /// Of the first two.
+        pub type OfAvx512 = Pair<OfAvx512InLongSteps>;
+        pub type OfAvx512InLongSteps = Pair<f64x8<Avx512>>;
+        /// Of all but the widest.
         pub const TEAM: usize = 2;
     }
 
@@ -107,10 +117,11 @@ pub mod vectors {
         pub type OfBaseline = f64x2<Sse2>;
         pub type OfAvx2 = f64x2<Avx2>;
         pub type OfAvx512 = f64x2<Avx512>;
+        pub type OfAvx512InLongSteps = OfAvx512;
         pub const TEAM: usize = 1;
     }
 
-    pub use numbers::{OfAvx2, OfAvx512, OfBaseline, TEAM};
+    pub use numbers::{OfAvx2, OfAvx512, OfAvx512InLongSteps, OfBaseline, TEAM};
 
     pub fn baseline() -> Sse2 {
         Level::new().as_sse2().expect("the program was compiled for it")
@@ -160,4 +171,5 @@ pub mod vectors {
     pub use numbers::{OfBaseline, TEAM, baseline};
     pub type OfAvx2 = OfBaseline;
     pub type OfAvx512 = OfBaseline;
+    pub type OfAvx512InLongSteps = OfBaseline;
 }

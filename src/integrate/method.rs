@@ -36,6 +36,10 @@ pub trait Method<S: System> {
     /// by h² g/L times that. Without a gradient, 0.
     const GRADIENT: f64 = 0.0;
 
+    /// Whether a step is so long that in lanes half as many numbers hide its latency: then the code
+    /// for the widest vectors is half as long, and no slower.
+    const IS_LONG: bool = false;
+
     /// Prepares the carry for a trajectory of steps `h` (s) that begins at `z` at time `t` (s).
     fn start(&self, system: &S, t: f64, h: f64, z: S::State) -> Self::Carry;
 

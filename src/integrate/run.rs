@@ -62,29 +62,22 @@ where
     ) -> Taken {
         let system = Counting::new(*system);
         let (mut n, (mut z, mut carry)) = (at.steps(), at.read());
-        let (mut written, mut unsolved) = (0, None);
-        'states: for state in states {
-            let next = n + every.get();
-            // Of the states before the last nobody sees anything.
-            while n + 1 < next {
-                match self.try_step(&system, n as f64 * h, h, z, &mut carry) {
-                    Ok(after) => (n, z) = (n + 1, after),
-                    Err(why) => {
-                        unsolved = Some(why);
-                        break 'states;
-                    }
+        let mut written = 0;
+        let take = || {
+            for state in states {
+                // Of the states before the last nobody sees anything.
+                for _ in 1..every.get() {
+                    z = self.try_step(&system, n as f64 * h, h, z, &mut carry)?;
+                    n += 1;
                 }
+                z = self.try_step(&system, n as f64 * h, h, z, &mut carry)?;
+                n += 1;
+                *state = z;
+                written += 1;
             }
-            match self.try_step(&system, n as f64 * h, h, z, &mut carry) {
-                Ok(after) => (n, z) = (n + 1, after),
-                Err(why) => {
-                    unsolved = Some(why);
-                    break 'states;
-                }
-            }
-            *state = z;
-            written += 1;
-        }
+            Ok(())
+        };
+        let unsolved = take().err();
         *at = Checkpoint::of(n, z, carry);
         Taken { states: written, evaluations: system.evaluations(), unsolved }
     }

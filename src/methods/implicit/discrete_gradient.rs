@@ -58,6 +58,8 @@ impl<S: MeanForce> System for AlongTheStep<'_, S> {
 impl<S: MeanForce<State: Measurable>> Method<S> for DiscreteGradient {
     type Carry = ();
 
+    const IS_LONG: bool = true;
+
     fn start(&self, _system: &S, _t: f64, _h: f64, _z: S::State) {}
 
     #[inline(always)]

@@ -148,6 +148,8 @@ macro_rules! implicit {
         impl<S: System<State: Measurable>> Method<S> for super::$Method {
             type Carry = ();
 
+            const IS_LONG: bool = true;
+
             fn start(&self, _system: &S, _t: f64, _h: f64, _z: S::State) {}
 
             #[inline(always)]

@@ -38,6 +38,8 @@ impl Info for Taylor24 {
 impl<S: Analytic> Method<S> for Taylor24 {
     type Carry = ();
 
+    const IS_LONG: bool = true;
+
     fn start(&self, _system: &S, _t: f64, _h: f64, _z: S::State) {}
 
     #[inline(always)]
