@@ -14,8 +14,20 @@ use std::thread::{available_parallelism, scope};
 
 use machine::{instructions, seconds};
 use pendula::fast::InLanes;
-use pendula::{Ensemble, Grid, Info, Pendulum, Phase, methods};
+use pendula::methods::table;
+use pendula::{Ensemble, Grid, Pendulum, Phase};
 use pendula_device::{Device, devices, method_named};
+
+/// The methods shown.
+const SHOWN: [&str; 7] = [
+    "symplectic-euler",
+    "stormer-verlet",
+    "rk4",
+    "blanes-moan-6",
+    "dop853",
+    "processed-6",
+    "taylor-24",
+];
 
 /// Enough for each core of a large card to have several.
 const PENDULUMS: u32 = 1 << 18;
@@ -45,7 +57,7 @@ fn speed(mut run: impl FnMut(Grid) -> Phase) -> f64 {
 }
 
 /// The same in lanes, with this number of threads.
-fn in_lanes<M: InLanes>(method: &M, starts: &[Phase], threads: usize) -> f64 {
+fn in_lanes(method: &dyn InLanes, starts: &[Phase], threads: usize) -> f64 {
     let mut ends = vec![Phase::default(); starts.len()];
     let part = starts.len().div_ceil(threads);
     speed(|grid| {
@@ -60,14 +72,15 @@ fn in_lanes<M: InLanes>(method: &M, starts: &[Phase], threads: usize) -> f64 {
     })
 }
 
-fn row<M: Info + InLanes>(method: &M, devices: &[Device], threads: usize) {
+fn row(name: &str, devices: &[Device], threads: usize) {
     let starts = releases();
-    let info = method.info();
-    let on_device = method_named(info.name).expect("one of the library's");
+    let lanes = table::in_lanes(name).expect("one of the library's");
+    let on_device = method_named(name).expect("one of the library's");
+    let info = on_device.host.info();
     let mega = |speed: f64| format!("{:.0}", speed * 1e-6);
     let program = (on_device.program)().expect("a method that runs on devices");
     let mut cells = vec![info.title.to_string(), program.operations.to_string()];
-    cells.extend([1, threads].map(|threads| mega(in_lanes(method, &starts, threads))));
+    cells.extend([1, threads].map(|threads| mega(in_lanes(lanes, &starts, threads))));
     for device in devices {
         let mut ends = vec![Phase::default(); starts.len()];
         let mut compiled = device.compile(on_device).expect("a device that works");
@@ -102,8 +115,7 @@ fn main() {
     let columns: String = columns.collect();
     println!("| Method | operations a step | one core | {threads} cores |{columns}");
     println!("|---|--:|--:|--:|{}", "--:|--:|".repeat(devices.len()));
-    macro_rules! rows {
-        ($($method:ident)+) => {$(row(&methods::$method, &devices, threads);)+};
+    for name in SHOWN {
+        row(name, &devices, threads);
     }
-    rows!(SymplecticEuler StormerVerlet Rk4 BlanesMoan6 Dop853 Processed6 Taylor24);
 }

@@ -13,9 +13,10 @@ mod machine;
 use std::hint::black_box;
 
 use machine::{instructions, seconds};
-use pendula::fast::{Avx2, Avx512, Baseline, Best, Ensemble, InLanes};
+use pendula::fast::{Ensemble, InLanes, Instructions};
+use pendula::methods::table::in_lanes;
 use pendula::metrics::EndError;
-use pendula::{Grid, Info, Pendulum, Phase, integrate_fast, methods};
+use pendula::{AnyMethod, Grid, METHODS, MethodInfo, Pendulum, Phase};
 
 /// A multiple of the number of lanes.
 const PENDULUMS: u32 = 9984;
@@ -50,37 +51,32 @@ fn releases() -> Vec<Phase> {
 }
 
 /// Evaluations a step, roughly: an implicit method takes some ten sweeps.
-fn evaluations(method: &impl Info) -> u64 {
-    let info = method.info();
+fn evaluations(info: &MethodInfo) -> u64 {
     info.force_evaluations * if info.implicit { 10 } else { 1 }
 }
 
 /// Millions of steps a second: one after the other, and in lanes of each kind.
-fn speeds<M: Info + InLanes>(method: &M) -> [f64; 4] {
+fn speeds(method: &dyn AnyMethod, lanes: &dyn InLanes) -> [f64; 4] {
     let (pendulum, starts) = (Pendulum::PAPER, spread());
-    let steps = 1000 / evaluations(method) + 5;
+    let steps = 1000 / evaluations(&method.info()) + 5;
     let grid = Grid::new(0.01, steps).expect("a positive step");
     let mut ends = vec![Phase::default(); starts.len()];
     let mut shortest = [f64::INFINITY; 4];
     for _ in 0..ROUNDS {
         let alone = seconds(|| {
             for (start, end) in black_box(&starts).iter().zip(&mut ends) {
-                *end = integrate_fast(&pendulum, method, *start, black_box(&grid), &mut ());
+                *end = method.end(&pendulum, *start, black_box(&grid));
             }
             ends[0]
         });
         let mut times = vec![alone];
-        macro_rules! lanes {
-            ($($instructions:ident)+) => {$(
-                let ensemble =
-                    Ensemble::new(&pendulum, &starts, grid).with_instructions::<$instructions>();
-                times.push(seconds(|| {
-                    black_box(&ensemble).ends(method, &mut ends);
-                    ends[0]
-                }));
-            )+};
+        for instructions in [Instructions::Baseline, Instructions::Avx2, Instructions::Avx512] {
+            let ensemble = Ensemble::new(&pendulum, &starts, grid).with_instructions(instructions);
+            times.push(seconds(|| {
+                black_box(&ensemble).ends(lanes, &mut ends);
+                ends[0]
+            }));
         }
-        lanes! { Baseline Avx2 Avx512 }
         for (shortest, time) in shortest.iter_mut().zip(times) {
             *shortest = shortest.min(time);
         }
@@ -92,14 +88,19 @@ fn speeds<M: Info + InLanes>(method: &M) -> [f64; 4] {
 ///
 /// A step counts if the next finer one, shorter by √2, also comes there: an error that happens to
 /// cross zero does not count.
-fn to_errors<M: Info + InLanes>(method: &M, exact: &[EndError], starts: &[Phase]) -> [f64; 5] {
+fn to_errors(
+    info: &MethodInfo,
+    lanes: &dyn InLanes,
+    exact: &[EndError],
+    starts: &[Phase],
+) -> [f64; 5] {
     let pendulum = Pendulum::PAPER;
     let mut ends = vec![Phase::default(); starts.len()];
     let mut run = |steps: u64| {
         let grid = Grid::new(DURATION / steps as f64, steps).expect("a positive step");
-        let ensemble = Ensemble::new(&pendulum, starts, grid).with_instructions::<Best>();
+        let ensemble = Ensemble::new(&pendulum, starts, grid);
         let time = seconds(|| {
-            black_box(&ensemble).ends(method, &mut ends);
+            black_box(&ensemble).ends(lanes, &mut ends);
             ends[0]
         });
         let error = exact.iter().zip(&ends).map(|(exact, end)| exact.of(*end));
@@ -110,7 +111,7 @@ fn to_errors<M: Info + InLanes>(method: &M, exact: &[EndError], starts: &[Phase]
     let mut before = None;
     for k in 0_i32.. {
         let steps = (10.0 * f64::powi(std::f64::consts::SQRT_2, k)).round() as u64;
-        if steps * evaluations(method) > MOST_EVALUATIONS {
+        if steps * evaluations(info) > MOST_EVALUATIONS {
             break;
         }
         let (_, error) = run(steps);
@@ -140,29 +141,24 @@ struct Tables {
     times: Vec<(&'static str, [f64; 5])>,
 }
 
-macro_rules! every_method {
-    ($($module:ident::$method:ident,)+) => {
-        fn measure(only: &str) -> Tables {
-            let (mut speeds_of, mut times_of) = (Vec::new(), Vec::new());
-            let starts = releases();
-            let exact: Vec<EndError> = starts
-                .iter()
-                .map(|start| EndError::new(&Pendulum::PAPER, *start, DURATION))
-                .collect::<Result<_, _>>()
-                .expect("a pendulum's motion");
-            $(
-                let method = methods::$method;
-                let info = method.info();
-                if info.name.contains(only) {
-                    speeds_of.push((info.title, speeds(&method)));
-                    times_of.push((info.title, to_errors(&method, &exact, &starts)));
-                }
-            )+
-            Tables { speeds: speeds_of, times: times_of }
+fn measure(only: &str) -> Tables {
+    let mut tables = Tables { speeds: Vec::new(), times: Vec::new() };
+    let starts = releases();
+    let exact: Vec<EndError> = starts
+        .iter()
+        .map(|start| EndError::new(&Pendulum::PAPER, *start, DURATION))
+        .collect::<Result<_, _>>()
+        .expect("a pendulum's motion");
+    for &method in METHODS {
+        let info = method.info();
+        if info.name.contains(only) {
+            let lanes = in_lanes(info.name).expect("one of the library's");
+            tables.speeds.push((info.title, speeds(method, lanes)));
+            tables.times.push((info.title, to_errors(&info, lanes, &exact, &starts)));
         }
-    };
+    }
+    tables
 }
-pendula::for_each_method!(every_method);
 
 fn main() {
     let only = std::env::args().skip(1).find(|argument| !argument.starts_with('-'));

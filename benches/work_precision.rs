@@ -22,10 +22,9 @@ use std::hint::black_box;
 
 use machine::{instructions, median, seconds};
 use naive::NAIVE;
-use pendula::fast::ScaledPendulum;
 use pendula::metrics::EndError;
 use pendula::metrics::order::{is_asymptotic, is_floor};
-use pendula::{Grid, Info, Method, Pendulum, Phase, integrate_fast, methods};
+use pendula::{AnyMethod, Grid, METHODS, Pendulum, Phase};
 
 /// The release angle (rad) and the duration (s).
 const SCENES: [(f64, u32); 3] = [(1.0, 100), (3.0, 30), (1.0, 1000)];
@@ -86,15 +85,12 @@ impl Problem {
 }
 
 /// The naive loop, if there is one, and the library's.
-fn compare<M>(scene: &Problem, method: M, start: Phase) -> Vec<(String, Vec<Row>)>
-where
-    M: Info + Method<Pendulum> + Method<ScaledPendulum>,
-{
+fn compare(scene: &Problem, method: &dyn AnyMethod, start: Phase) -> Vec<(String, Vec<Row>)> {
     let info = method.info();
     let (name, order) = (info.name, info.order);
     let library = |steps, step| {
         let grid = Grid::new(black_box(step), black_box(steps)).expect("a positive step");
-        integrate_fast(&Pendulum::PAPER, &method, black_box(start), &grid, &mut ())
+        method.end(&Pendulum::PAPER, black_box(start), &grid)
     };
     let mut contenders = vec![Contender { name: name.into(), order, run: &library }];
     let naive = NAIVE.iter().find(|(of, _)| *of == name).map(|(_, naive)| {
@@ -105,17 +101,6 @@ where
     }
     contenders.into_iter().map(|of| (of.name.clone(), scene.rows(&of))).collect()
 }
-
-macro_rules! every_method {
-    ($($module:ident::$method:ident,)+) => {
-        fn compare_all(scene: &Problem, start: Phase) -> Vec<(String, Vec<Row>)> {
-            let mut all = Vec::new();
-            $(all.extend(compare(scene, methods::$method, start));)+
-            all
-        }
-    };
-}
-pendula::for_each_method!(every_method);
 
 fn main() {
     let runs = if std::env::args().any(|argument| argument == "--bench") { 9 } else { 1 };
@@ -128,7 +113,8 @@ fn main() {
         let error = EndError::new(&Pendulum::PAPER, start, f64::from(duration))
             .expect("a pendulum's motion");
         let title = format!("{theta_0} rad to {duration} s");
-        for (name, rows) in compare_all(&Problem { error, duration, runs }, start) {
+        let scene = Problem { error, duration, runs };
+        for (name, rows) in METHODS.iter().flat_map(|method| compare(&scene, *method, start)) {
             for Row { steps, error, microseconds } in &rows {
                 println!(
                     "{title:<20} | {name:<24} | {steps:>8} | {error:>8.1e} | {microseconds:>10.1}"

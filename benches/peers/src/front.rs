@@ -17,12 +17,11 @@
 use std::hint::black_box;
 
 use pendula::adaptive::{Adaptive, Controlled, TaylorSeries, Tolerance};
-use pendula::fast::ScaledPendulum;
 use pendula::methods::{BlanesMoan6, Taylor24};
 use pendula::metrics::EndError;
 use pendula::{
-    Compensated, CompensatedPhase, Grid, Info, Method, Motion, Pendulum, Phase, Taylor, integrate,
-    integrate_fast, methods,
+    AnyMethod, Compensated, CompensatedPhase, Grid, METHODS, Method, Motion, Pendulum, Phase,
+    Taylor, integrate,
 };
 
 use crate::crates::{CONTROLLED, STEPPED};
@@ -141,20 +140,11 @@ impl Contender {
 }
 
 /// A method of the library, from `theta_0`.
-fn of_library<M>(method: M, theta_0: f64, steps: &[Steps]) -> Contender
-where
-    M: Info + Method<Pendulum> + Method<ScaledPendulum> + Copy + 'static,
-{
+fn of_library(method: &'static dyn AnyMethod, theta_0: f64, steps: &[Steps]) -> Contender {
     let name = method.info().name;
     Contender::of_steps(name, Kind::Library, steps, move |count, length| {
         let grid = Grid::new(length, count).expect("a positive step");
-        integrate_fast(
-            &Pendulum::PAPER,
-            &method,
-            black_box(Phase::at_rest(theta_0)),
-            &grid,
-            &mut (),
-        )
+        method.end(&Pendulum::PAPER, black_box(Phase::at_rest(theta_0)), &grid)
     })
 }
 
@@ -197,15 +187,6 @@ fn tolerances() -> impl Iterator<Item = f64> {
     (4..=60).map(|quarters| 10.0_f64.powf(-0.25 * f64::from(quarters)))
 }
 
-macro_rules! every_method {
-    ($($module:ident::$method:ident,)+) => {
-        fn library(theta_0: f64, steps: &[Steps]) -> Vec<Contender> {
-            vec![$(of_library(methods::$method, theta_0, steps),)+]
-        }
-    };
-}
-pendula::for_each_method!(every_method);
-
 /// All contenders, the naive RK4 first.
 fn contenders(theta_0: f64, end: u32) -> Vec<Contender> {
     let steps = exact_steps(end);
@@ -213,7 +194,7 @@ fn contenders(theta_0: f64, end: u32) -> Vec<Contender> {
     let (_, rk4) = *NAIVE.iter().find(|(name, _)| *name == "rk4").expect("a naive RK4");
     let naive = move |count, length| rk4(black_box(start), count, length);
     let mut all = vec![Contender::of_steps("rk4, naive", Kind::Naive, &steps, naive)];
-    all.extend(library(theta_0, &steps));
+    all.extend(METHODS.iter().map(|method| of_library(*method, theta_0, &steps)));
     all.push(compensated("blanes-moan-6", BlanesMoan6, theta_0, &steps));
     all.push(compensated("taylor-24", Taylor24, theta_0, &steps));
     all.push(compensated("Taylor<30>", Taylor::<30>, theta_0, &steps));

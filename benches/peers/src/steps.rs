@@ -2,7 +2,7 @@
 
 use std::hint::black_box;
 
-use pendula::{Grid, Info, METHODS, Pendulum, Phase, integrate_fast, methods};
+use pendula::{AnyMethod, Grid, METHODS, Pendulum, Phase};
 
 use crate::crates::STEPPED;
 use crate::machine::{instructions, median, seconds};
@@ -22,30 +22,14 @@ const AGREEMENT: f64 = 1e-8;
 /// A program: its name, and the function from the start to the end.
 type Contender<'a> = (&'a str, Box<dyn Fn(Phase) -> Phase + 'a>);
 
-macro_rules! every_method {
-    ($($module:ident::$method:ident,)+) => {
-        /// The library's loop for the method of that name.
-        fn library<'a>(name: &str, grid: &'a Grid) -> Option<Contender<'a>> {
-            $(
-                let method = methods::$method;
-                if method.info().name == name {
-                    let run = move |start| {
-                        integrate_fast(&Pendulum::PAPER, &method, start, black_box(grid), &mut ())
-                    };
-                    return Some(("pendula", Box::new(run)));
-                }
-            )+
-            None
-        }
-    };
-}
-pendula::for_each_method!(every_method);
-
 /// The naive loop first, then the library, then the crates.
-fn contenders<'a>(name: &str, grid: &'a Grid) -> Option<Vec<Contender<'a>>> {
+fn contenders<'a>(method: &'a dyn AnyMethod, grid: &'a Grid) -> Option<Vec<Contender<'a>>> {
+    let name = method.info().name;
     let (_, naive) = NAIVE.iter().find(|(of, _)| *of == name)?;
     let naive = |start| naive(start, black_box(STEPS), black_box(STEP));
-    let mut all: Vec<Contender<'a>> = vec![("naive", Box::new(naive)), library(name, grid)?];
+    let library = move |start| method.end(&Pendulum::PAPER, start, black_box(grid));
+    let mut all: Vec<Contender<'a>> =
+        vec![("naive", Box::new(naive)), ("pendula", Box::new(library))];
     for (_, peer, run) in STEPPED.iter().filter(|(of, ..)| *of == name) {
         all.push((peer, Box::new(|start| run(start, black_box(STEPS), black_box(STEP)))));
     }
@@ -64,9 +48,9 @@ pub fn compare() {
     );
     for theta_0 in [1.0, 3.0] {
         let start = Phase::at_rest(theta_0);
-        for method in METHODS {
+        for &method in METHODS {
             let name = method.info().name;
-            let Some(contenders) = contenders(name, &grid) else { continue };
+            let Some(contenders) = contenders(method, &grid) else { continue };
             let ends: Vec<Phase> = contenders.iter().map(|(_, run)| run(start)).collect();
             for ((program, _), end) in contenders.iter().zip(&ends) {
                 let apart =
