@@ -2,7 +2,7 @@
 
 use pendula::Phase;
 use pendula::verify::{Claims, Evidence};
-use pendula_study::charts::{Axis, Chart, Figure, Style};
+use pendula_charts::{Axis, Chart, Figure, Style};
 use serde_json::{Value, json};
 
 /// The figures there is evidence for: an `svg` each, and its `caption`.
