@@ -36,6 +36,7 @@ mod state;
 mod suited;
 mod summary;
 mod systems;
+mod table_format;
 pub mod tables;
 mod trajectory;
 pub mod verify;

@@ -10,7 +10,7 @@ use pendula_study::report::table::Table;
 use serde_json::{Value, json};
 
 use super::number::number;
-use super::tables::TableFormat;
+use super::table_format::TableFormat;
 use crate::failure::Failure;
 use crate::files;
 use crate::files::together::{self, Change};
