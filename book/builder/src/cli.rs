@@ -7,8 +7,8 @@ use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
 
 use crate::commands::{
-    adaptive, book, claims, completions, devices, double_pendulum, ensemble, exact, flips, man,
-    methods, number, period, preprocess, review, serve, simulate, tables, verify, work_precision,
+    adaptive, book, claims, completions, double_pendulum, ensemble, exact, flips, man, methods,
+    number, period, preprocess, review, serve, simulate, tables, verify, work_precision,
 };
 
 use crate::failure::Failure;
@@ -91,10 +91,11 @@ pub enum Command {
     ]))]
     Ensemble(ensemble::Arguments),
     /// Print the OpenCL devices of this machine, for `ensemble --device`
+    #[cfg(feature = "device")]
     #[command(after_help = examples(&[
         "pendula devices",
     ]))]
-    Devices(devices::Arguments),
+    Devices(crate::commands::devices::Arguments),
     /// Print the exact state at given times
     #[command(after_help = examples(&[
         "pendula exact --theta0 pi/3 --t 1,10,100",

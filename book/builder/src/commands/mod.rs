@@ -15,6 +15,8 @@ pub mod book;
 pub mod claims;
 pub mod completions;
 pub(crate) mod destination;
+mod device_argument;
+#[cfg(feature = "device")]
 pub mod devices;
 mod double_arguments;
 pub mod double_pendulum;
@@ -53,6 +55,7 @@ pub fn run(command: Command, out: &mut dyn Write) -> Result<(), Failure> {
     match command {
         Command::Book(arguments) => book::run(&arguments, out),
         Command::Tables(arguments) => tables::run(&arguments, out),
+        #[cfg(feature = "device")]
         Command::Devices(arguments) => devices::run(&arguments, out),
         Command::Methods(arguments) => methods::run(&arguments, out),
         Command::Claims(arguments) => claims::run(&arguments, out),
@@ -81,11 +84,12 @@ const fn computes_in_parallel(command: &Command) -> bool {
         | Command::DoublePendulum(_)
         | Command::Exact(_)
         | Command::Period(_)
-        | Command::Devices(_)
         | Command::Methods(_)
         | Command::Completions(_)
         | Command::Man(_)
         | Command::Serve(_) => false,
+        #[cfg(feature = "device")]
+        Command::Devices(_) => false,
         Command::Book(_)
         | Command::Tables(_)
         | Command::Claims(_)
