@@ -6,6 +6,7 @@ use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
 use sha2::{Digest, Sha256};
 
+#[cfg_attr(not(feature = "book"), path = "plain.rs")]
 mod theme;
 
 /// What is on a page. The styles and the script come after those of every page.

@@ -9,9 +9,9 @@ use pendula_study::experiments::Study;
 use pendula_study::report::tables::{TABLES, table};
 use serde_json::{Value, json};
 
-use super::number::value;
-use super::table_format::TableFormat;
 use crate::colour;
+use crate::commands::number::value;
+use crate::commands::table_format::TableFormat;
 use crate::failure::Failure;
 
 /// Arguments of `pendula tables`.
