@@ -7,20 +7,25 @@ use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
 
 use crate::commands::{
-    adaptive, book, claims, completions, devices, double_pendulum, ensemble, exact, flips, man,
-    methods, number, period, preprocess, review, serve, simulate, tables, verify, work_precision,
+    adaptive, completions, double_pendulum, ensemble, exact, flips, man, methods, number, period,
+    serve, simulate, verify,
 };
-
 use crate::failure::Failure;
 
-/// Numerical integrators on the pendulum: build the book, print its tables, simulate.
 #[derive(Debug, Parser)]
-#[command(name = "pendula", version, disable_help_subcommand = true, after_help = STATUS)]
+#[command(name = "pendula", version, about = ABOUT)]
+#[command(disable_help_subcommand = true, after_help = STATUS)]
 struct Cli {
-    /// Without a command: `pendula book`.
     #[command(subcommand)]
     command: Option<Command>,
 }
+
+/// What the program does.
+const ABOUT: &str = if cfg!(feature = "book") {
+    "Numerical integrators on the pendulum: build the book, print its tables, simulate"
+} else {
+    "Numerical integrators on the pendulum: simulate, and judge other integrators"
+};
 
 /// What scripts want to know.
 const STATUS: &str =
@@ -29,35 +34,16 @@ const STATUS: &str =
 /// One variant a command; its arguments and its code are one file of [`crate::commands`].
 #[derive(Debug, Subcommand)]
 pub enum Command {
-    /// Build the whole book, offline, and print where it is
-    #[command(after_help = examples(&["pendula book"]))]
-    Book(book::Arguments),
-    /// Print the paper's tables: stated, measured, verdict
-    #[command(after_help = examples(&[
-        "pendula tables --table 4",
-        "pendula tables --format csv > cells.csv",
-    ]))]
-    Tables(tables::Arguments),
+    /// Those that need the study
+    #[cfg(feature = "book")]
+    #[command(flatten)]
+    Study(crate::commands::study::Command),
     /// Print the methods: order, what each keeps, what a step costs, and where the book has it
     #[command(after_help = examples(&[
         "pendula methods",
         "pendula methods --format csv > methods.csv",
     ]))]
     Methods(methods::Arguments),
-    /// Print every claim of the paper; exit status 1 if a measurement contradicts its verdict on
-    /// record
-    #[command(after_help = examples(&[
-        "pendula claims T4.rk4.0.01",
-        "pendula claims --section 7 --verdict wrong",
-        "pendula claims --table 5 --format json",
-    ]))]
-    Claims(claims::Arguments),
-    /// Show what moved since the tables and figures were reviewed, or since a commit; exit status 1
-    /// if something did
-    #[command(after_help = examples(&[
-        "pendula review --format markdown",
-    ]))]
-    Review(review::Arguments),
     /// Integrate and print rows t, theta, omega, energy
     #[command(after_help = examples(&[
         "pendula simulate --method stormer-verlet --theta0 pi/3 --dt 0.01 --steps 1000 --summary",
@@ -91,10 +77,11 @@ pub enum Command {
     ]))]
     Ensemble(ensemble::Arguments),
     /// Print the OpenCL devices of this machine, for `ensemble --device`
+    #[cfg(feature = "device")]
     #[command(after_help = examples(&[
         "pendula devices",
     ]))]
-    Devices(devices::Arguments),
+    Devices(crate::commands::devices::Arguments),
     /// Print the exact state at given times
     #[command(after_help = examples(&[
         "pendula exact --theta0 pi/3 --t 1,10,100",
@@ -107,11 +94,6 @@ pub enum Command {
         "pendula period --theta0 0 --omega0 7",
     ]))]
     Period(period::Arguments),
-    /// Measure run time against error on this machine, for the table, the figure and the book
-    #[command(after_help = examples(&[
-        "pendula work-precision --seconds 1 --output .",
-    ]))]
-    WorkPrecision(work_precision::Arguments),
     /// Judge a program that is not ours against what it claims; exit status 1 if a claim fails, 2
     /// if the program is at fault
     #[command(after_help = examples(&[
@@ -136,11 +118,6 @@ pub enum Command {
         "pendula man --output man",
     ]))]
     Man(man::Arguments),
-    /// Speak mdBook's preprocessor protocol on standard input and output
-    #[command(after_help = examples(&[
-        "pendula preprocess supports html",
-    ]))]
-    Preprocess(preprocess::Arguments),
 }
 
 /// The definition of the command line.
@@ -149,7 +126,7 @@ pub fn definition() -> clap::Command {
 }
 
 /// Examples for the end of a help text. A test runs each of them, in an empty folder.
-fn examples(lines: &[&str]) -> StyledStr {
+pub(crate) fn examples(lines: &[&str]) -> StyledStr {
     let styles = Styles::default();
     let head = styles.get_header();
     let lines: String = lines.iter().map(|line| format!("\n  {line}")).collect();
@@ -168,7 +145,7 @@ where
 {
     let words: Vec<OsString> = arguments.into_iter().map(Into::into).collect();
     match Cli::try_parse_from(&words) {
-        Ok(cli) => Ok(cli.command.unwrap_or_else(|| Command::Book(book::Arguments::default()))),
+        Ok(cli) => cli.command.map_or_else(without_a_command, Ok),
         // Help and version are answers, for standard output.
         Err(answer) if !answer.use_stderr() => {
             answer.print()?;
@@ -178,6 +155,20 @@ where
             Err(Failure::Refused(forgotten_value(&words).unwrap_or_else(|| explain(&error))))
         }
     }
+}
+
+/// The book.
+#[cfg(feature = "book")]
+fn without_a_command() -> Result<Command, Failure> {
+    use crate::commands::study;
+    Ok(Command::Study(study::Command::Book(study::book::Arguments::default())))
+}
+
+/// Help, where there is no book.
+#[cfg(not(feature = "book"))]
+fn without_a_command() -> Result<Command, Failure> {
+    Cli::command().print_help()?;
+    Err(Failure::Answered)
 }
 
 /// The option whose value was forgotten, if there is one. clap takes the option behind it for the
@@ -243,17 +234,26 @@ mod tests {
 
     /// Catches: a bare `pendula` that prints help instead of building the book.
     #[test]
+    #[cfg(feature = "book")]
     fn no_command_means_the_book() {
+        use crate::commands::study::Command::Book;
         let command = parse(["pendula"]).unwrap();
-        assert!(matches!(command, Command::Book(arguments) if !arguments.open));
+        assert!(matches!(command, Command::Study(Book(arguments)) if !arguments.open));
+    }
+
+    /// Catches: a bare `pendula` without the book that is refused, or does something.
+    #[test]
+    #[cfg(not(feature = "book"))]
+    fn no_command_means_help() {
+        assert!(matches!(parse(["pendula"]), Err(Failure::Answered)));
     }
 
     /// Catches: clap's paragraphs passed on unfolded.
     #[test]
     fn a_usage_error_is_one_line() {
-        let reason = refusal(&["pendula", "bock"]);
+        let reason = refusal(&["pendula", "vorify"]);
         assert!(!reason.contains('\n'), "{reason}");
-        assert!(reason.contains("'bock'") && reason.contains("'book'"), "{reason}");
+        assert!(reason.contains("'vorify'") && reason.contains("'verify'"), "{reason}");
         assert!(!reason.contains("For more information"), "{reason}");
     }
 
@@ -267,15 +267,16 @@ mod tests {
     }
 
     /// A valid line for each command with numbers.
-    const LINES: [&[&str]; 8] = [
+    const LINES: &[&[&str]] = &[
         &["simulate", "--method", "rk4", "--theta0", "1", "--dt", "1", "--duration", "1"],
         &["adaptive", "--method", "dop853", "--theta0", "1", "--duration", "1", "--tolerance", "1"],
         &["double-pendulum", "--theta1", "1", "--theta2", "1", "--dt", "1", "--duration", "1"],
         &["ensemble", "--method", "rk4", "--theta0", "1", "--dt", "1", "--duration", "1"],
         &["exact", "--theta0", "1", "--t", "1"],
         &["period", "--theta0", "1"],
-        &["work-precision"],
         &["verify", "--", "program"],
+        #[cfg(feature = "book")]
+        &["work-precision"],
     ];
 
     /// Every option of a command that takes a number: its name, and that of its field.
@@ -351,7 +352,11 @@ mod tests {
                 }
             }
         }
-        assert_eq!(options, 48, "the options that take a number");
+        assert_eq!(
+            options,
+            47 + usize::from(cfg!(feature = "book")),
+            "the options that take a number"
+        );
         let t = parse(["pendula", "exact", "--theta0", "-1e-3", "--t", "-1,2,-3e-5"]).unwrap();
         assert!(format!("{t:?}").contains("t: [-1.0, 2.0, -3e-5]"), "{t:?}");
         for range in ["-1:2:5", "-1e-3:-.5:3"] {

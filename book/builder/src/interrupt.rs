@@ -3,13 +3,26 @@
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::RecvTimeoutError;
 use std::sync::{Arc, Mutex, PoisonError, mpsc};
-use std::time::{Duration, Instant};
-use std::{panic, process, thread};
+use std::time::Duration;
+use std::{panic, thread};
 
 use anyhow::Context;
+use signal_hook::consts::{SIGINT, SIGTERM};
+use signal_hook::flag::{register, register_conditional_shutdown};
 
 use crate::failure::Failure;
 use crate::threads;
+
+/// The signals that interrupt.
+const SIGNALS: &[i32] = &[
+    SIGINT,
+    SIGTERM,
+    #[cfg(unix)]
+    signal_hook::consts::SIGHUP,
+];
+
+/// Between two looks of a thread that waits.
+const LISTEN: Duration = Duration::from_millis(20);
 
 /// A flag that is set when the user interrupts: by control-C, by ending the process, or by closing
 /// its terminal. Whoever asks for it has to look at it, for the signals no longer end the process.
@@ -28,23 +41,24 @@ pub fn interrupts() -> Result<Arc<AtomicBool>, Failure> {
     if let Some(flag) = &*flag {
         return Ok(Arc::clone(flag));
     }
-    // The handler needs a thread. Without one the signals would be caught and heard by nobody.
-    thread::Builder::new()
-        .spawn(|| {})
-        .map_err(anyhow::Error::from)
-        .and_then(|thread| thread.join().map_err(|_| anyhow::anyhow!("a thread has panicked")))
-        .context("interrupts cannot be listened to")?;
-    let raised = Arc::new(AtomicBool::new(false));
-    *flag = Some(Arc::clone(&raised));
-    let set = Arc::clone(&raised);
-    let mut first: Option<Instant> = None;
-    ctrlc::set_handler(move || {
-        set.store(true, Ordering::Relaxed);
-        if first.get_or_insert_with(Instant::now).elapsed() > ONE_INTERRUPTION {
-            process::exit(2);
+    let (raised, ends) = (Arc::new(AtomicBool::new(false)), Arc::new(AtomicBool::new(false)));
+    let (heard, then) = (Arc::clone(&raised), Arc::clone(&ends));
+    let wait = move || {
+        while !heard.load(Ordering::Relaxed) {
+            thread::sleep(LISTEN);
         }
-    })
-    .context("interrupts cannot be listened to")?;
+        thread::sleep(ONE_INTERRUPTION);
+        then.store(true, Ordering::Relaxed);
+    };
+    // Without the thread no second interruption would end the process.
+    let spawned = thread::Builder::new().spawn(wait);
+    spawned.context("interrupts cannot be listened to")?;
+    for &signal in SIGNALS {
+        register_conditional_shutdown(signal, 2, Arc::clone(&ends))
+            .and_then(|_| register(signal, Arc::clone(&raised)))
+            .context("interrupts cannot be listened to")?;
+    }
+    *flag = Some(Arc::clone(&raised));
     Ok(raised)
 }
 
@@ -90,7 +104,6 @@ pub fn unless_interrupted<T: Send + 'static>(
     interrupted: impl Fn() -> bool,
     work: impl FnOnce() -> T + Clone + Send + 'static,
 ) -> Option<T> {
-    const LISTEN: Duration = Duration::from_millis(20);
     if threads::is_alone() {
         return Some(work());
     }

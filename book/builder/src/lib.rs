@@ -7,26 +7,40 @@
 //! [`verify`]; their pages share [`page`]. What depends on the reader's machine, and so is in no
 //! snapshot, is [`work_precision`]. A [`picture`] is what `pendula flips` draws. Whatever touches a
 //! file does so through `files`.
+//!
+//! Without the feature `book` there are the simulations and the judge alone; without `device`, no
+//! OpenCL.
 
+#[cfg(feature = "book")]
 pub mod build;
 pub mod cli;
 pub mod colour;
 pub mod commands;
 pub mod failure;
+// Some of it is of use to the book alone.
+#[cfg_attr(not(feature = "book"), allow(dead_code, unused_imports))]
 mod files;
 pub mod interrupt;
+#[cfg(feature = "book")]
 pub mod ledger;
+#[cfg(feature = "book")]
 pub mod locate;
 pub mod page;
 pub mod picture;
+#[cfg(feature = "book")]
 pub mod policy;
+#[cfg(feature = "book")]
 pub mod preprocess;
+#[cfg(feature = "book")]
 pub mod progress;
+#[cfg(feature = "book")]
 pub mod review;
 pub mod sweep;
 mod threads;
 pub mod verify;
+#[cfg(feature = "book")]
 mod warnings;
+#[cfg(feature = "book")]
 pub mod work_precision;
 
 pub use files::report_size_limit;

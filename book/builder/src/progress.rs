@@ -1,45 +1,124 @@
 //! Progress while the book is built: one line, and only on a terminal.
 
-use indicatif::{ProgressBar, ProgressStyle};
+use std::io::{self, IsTerminal, Write};
+use std::mem;
+use std::sync::{Arc, Mutex, PoisonError};
 
-/// A progress bar with the name of the stage.
+use anstream::AutoStream;
+
+/// A progress bar with the name of the stage. It is cleared when it is dropped.
 #[derive(Clone, Debug)]
-pub struct Progress(ProgressBar);
+pub struct Progress(Option<Arc<Mutex<Bar>>>);
 
 impl Progress {
     /// On standard error if that is a terminal; otherwise hidden.
     pub fn on_terminal() -> Self {
-        let style = ProgressStyle::with_template("{msg:24} {bar:32} {pos}/{len}")
-            .expect("the template is a constant");
-        Self(ProgressBar::new(0).with_style(style))
+        let is_terminal = io::stderr().is_terminal();
+        if is_terminal {
+            // Asks Windows to understand what moves the cursor; others do.
+            let _ = AutoStream::always_ansi(io::stderr());
+        }
+        Self(is_terminal.then(Arc::default))
     }
 
     /// Shows nothing.
     pub fn hidden() -> Self {
-        Self(ProgressBar::hidden())
+        Self(None)
     }
 
     /// Begins a stage of `steps` steps.
     pub fn stage(&self, name: &'static str, steps: usize) {
-        self.0.set_length(steps as u64);
-        self.0.set_position(0);
-        self.0.set_message(name);
-        self.0.tick();
+        self.draw(|bar| (bar.name, bar.done, bar.steps) = (name, 0, steps));
     }
 
     /// Begins the next step of the stage, with its own name.
     pub fn next(&self, name: &'static str) {
-        self.0.set_message(name);
-        self.0.inc(1);
+        self.draw(|bar| (bar.name, bar.done) = (name, bar.done + 1));
     }
 
     /// One step of the stage is done.
     pub fn advance(&self) {
-        self.0.inc(1);
+        self.draw(|bar| bar.done += 1);
     }
 
     /// Clears the line.
     pub fn finish(&self) {
-        self.0.finish_and_clear();
+        self.change(Bar::clear);
+    }
+
+    fn draw(&self, change: impl FnOnce(&mut Bar)) {
+        self.change(|bar| {
+            change(bar);
+            bar.is_shown = true;
+            // Where the terminal is narrower, the line is cut off instead of going on in the next.
+            write(&format!("{CLEAR}\x1b[?7l{}\x1b[?7h", bar.line()));
+        });
+    }
+
+    fn change(&self, change: impl FnOnce(&mut Bar)) {
+        if let Some(bar) = &self.0 {
+            change(&mut bar.lock().unwrap_or_else(PoisonError::into_inner));
+        }
+    }
+}
+
+/// Goes to the beginning of the line and clears it.
+const CLEAR: &str = "\r\x1b[2K";
+
+/// A terminal that has gone is no reason to stop.
+fn write(text: &str) {
+    let _ = io::stderr().write_all(text.as_bytes());
+}
+
+#[derive(Debug, Default)]
+struct Bar {
+    name: &'static str,
+    done: usize,
+    steps: usize,
+    is_shown: bool,
+}
+
+impl Bar {
+    fn line(&self) -> String {
+        const WIDTH: usize = 32;
+        let Self { name, done, steps, .. } = self;
+        let full = WIDTH * done.min(steps) / steps.max(&1);
+        let bar = ["█".repeat(full), "░".repeat(WIDTH - full)].concat();
+        format!("{name:24} {bar} {done}/{steps}")
+    }
+
+    fn clear(&mut self) {
+        if mem::take(&mut self.is_shown) {
+            write(CLEAR);
+        }
+    }
+}
+
+impl Drop for Bar {
+    fn drop(&mut self) {
+        self.clear();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Catches: a bar that is full before the last step is done, or not then; a count, a name or a
+    /// step that is another; a panic of a stage without steps, or with more than it said.
+    #[test]
+    fn the_bar_is_as_full_as_the_stage() {
+        let line = |done, steps| Bar { name: "reading", done, steps, is_shown: false }.line();
+        let full = |done, steps| line(done, steps).matches('█').count();
+        assert_eq!([full(0, 9), full(4, 9), full(8, 9), full(9, 9)], [0, 14, 28, 32]);
+        assert_eq!([full(0, 0), full(3, 2)], [0, 32]);
+        for done in 0..=9 {
+            let line = line(done, 9);
+            assert_eq!(line.chars().count(), 24 + 1 + 32 + 1 + 3);
+            assert!(
+                line.starts_with("reading ") && line.ends_with(&format!(" {done}/9")),
+                "{line}"
+            );
+        }
     }
 }

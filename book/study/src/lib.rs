@@ -7,18 +7,19 @@
 //! * [`theory`]: what follows from the equations, without running a method.
 //! * [`experiments`]: what the methods do, as typed rows.
 //! * [`claims`]: the paper's claims compared with the rows; theory's predictions of its cells.
-//! * [`charts`]: series to SVG.
+//! * [`charts`]: series to SVG, in a crate of their own.
 //! * [`zoo`]: wrong methods, and what catches each.
 //! * [`report`]: rows and claims as tables and figures.
 #![warn(clippy::disallowed_methods)]
 
-pub mod charts;
 pub mod claims;
 pub mod digits;
 pub mod experiments;
 pub mod report;
 pub mod theory;
 pub mod zoo;
+
+pub use pendula_charts as charts;
 
 /// The listings of the book's chapters, run as tests.
 #[cfg(doctest)]

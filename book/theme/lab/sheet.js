@@ -4,7 +4,7 @@
     'use strict';
 
     // As in the figures: a method's colour, marker and dash follow from its index in the library's
-    // list. A test in book/study/src/charts/style.rs checks that both agree.
+    // list. A test in book/charts/src/style.rs checks that both agree.
     const COLOURS = ['vermilion', 'blue', 'green', 'purple', 'ochre', 'sky'];
     const MARKERS = [
         'm-5,0a5,5 0 1,0 10,0a5,5 0 1,0 -10,0z',

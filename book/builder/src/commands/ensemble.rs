@@ -11,6 +11,7 @@ use pendula::{Grid, Hamiltonian, MethodInfo, Motion, Pendulum, Phase, method_nam
 use serde::{Deserialize, Serialize};
 
 use super::angle::angles;
+use super::device_argument::DeviceArgument;
 use super::number::number;
 use super::pendulum_arguments::{MassArgument, PendulumArguments, methods, or_default};
 use super::plot::{Across, Panel, Plot, PlotArguments, Target};
@@ -65,9 +66,8 @@ pub struct Arguments {
     /// the whole, with a header in the first
     #[arg(long, value_name = "K/N", allow_hyphen_values = true)]
     part: Option<Part>,
-    /// Run on the OpenCL device with NAME in its name, see `pendula devices`: the same bits
-    #[arg(long, value_name = "NAME")]
-    device: Option<String>,
+    #[command(flatten)]
+    device: DeviceArgument,
     #[command(flatten)]
     kept: KeptArguments,
     /// Say on standard error what the runs have cost, and how large their errors are
@@ -139,7 +139,7 @@ pub fn run_until(
         ));
     }
     let mut runner = Runner::new(&method, pendulum, omega0)?;
-    if let Some(device) = &arguments.device {
+    if let Some(device) = arguments.device.name() {
         if matches!(theta0, Sweep::One(_)) {
             return Err(Failure::refused(
                 "a device takes the same steps from many angles: --device needs a range --theta0",

@@ -12,15 +12,16 @@ use pendula::fast::first_flips;
 use pendula::methods::table::RK4_IN_LANES;
 use pendula::systems::DoublePhase;
 use pendula::{DoublePendulum, Grid, Hamiltonian, Rk4};
-use pendula_device::Device;
 
 use super::destination::Destination;
+use super::device_argument::DeviceArgument;
 use super::double_arguments::DoubleArguments;
 use super::number::number;
 use super::summary::Summary;
 use crate::failure::Failure;
 use crate::interrupt::{Lookout, unless_interrupted};
 use crate::picture::Bands;
+use crate::sweep::device::Device;
 
 /// Arguments of `pendula flips`.
 #[derive(Args, Debug)]
@@ -42,9 +43,8 @@ pub struct Arguments {
     /// Draw the times as a picture: θ₁ from left to right, θ₂ upwards, the later the darker
     #[arg(long, value_name = "FILE.png")]
     picture: Option<PathBuf>,
-    /// Run on the OpenCL device with NAME in its name, see `pendula devices`: the same bits
-    #[arg(long, value_name = "NAME")]
-    device: Option<String>,
+    #[command(flatten)]
+    device: DeviceArgument,
     /// Write to FILE, which appears when it is whole
     #[arg(long, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -83,7 +83,7 @@ pub fn run_until(
     }
     let double = arguments.double.double()?;
     let grid = Grid::with_duration(arguments.dt, arguments.duration).map_err(Failure::refused)?;
-    let device = arguments.device.as_deref().map(Device::named);
+    let device = arguments.device.name().map(Device::named);
     let device = device.transpose().map_err(Failure::refused)?;
     // Set the interrupt handler before creating a file.
     let lookout = lookout();

@@ -15,7 +15,7 @@ use crate::files::together::{self, Change};
 /// Arguments of `pendula man`.
 #[derive(Args, Debug)]
 pub struct Arguments {
-    /// Write the pages of all commands to this folder, pendula.1, pendula-book.1 and so on,
+    /// Write the pages of all commands to this folder, pendula.1, pendula-verify.1 and so on,
     /// instead of printing that of pendula itself
     #[arg(long, value_name = "FOLDER")]
     output: Option<PathBuf>,

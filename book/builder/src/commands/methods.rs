@@ -6,10 +6,9 @@ use anyhow::Context;
 use clap::Args;
 use pendula::verify::energy::is_conserved_by;
 use pendula::{AnyMethod, METHODS, MethodInfo};
-use pendula_study::experiments::PaperMethod;
 use serde_json::{Value, json};
 
-use super::tables::TableFormat;
+use super::table_format::TableFormat;
 use crate::colour;
 use crate::failure::Failure;
 
@@ -127,13 +126,16 @@ struct Chapter {
 /// The chapter that has the method: the paper's methods have one each, of the same name; all others
 /// are in "Higher order".
 fn chapter(method: &'static dyn AnyMethod) -> Chapter {
-    let own = PaperMethod::of(method).map_or("higher-order", PaperMethod::name);
-    let chapters = CONTENTS.lines().filter_map(|line| {
-        let (title, file) = line.trim().strip_prefix("- [")?.strip_suffix(')')?.split_once("](")?;
-        Some(Chapter { title, file })
-    });
-    let mut found = chapters.filter(|chapter| chapter.file.strip_suffix(".md") == Some(own));
-    found.next().expect("a chapter in the table of contents")
+    let named = |name: &str| {
+        let mut chapters = CONTENTS.lines().filter_map(|line| {
+            let entry = line.trim().strip_prefix("- [")?.strip_suffix(')')?;
+            let (title, file) = entry.split_once("](")?;
+            Some(Chapter { title, file })
+        });
+        chapters.find(|chapter| chapter.file.strip_suffix(".md") == Some(name))
+    };
+    let own = named(method.info().name);
+    own.or_else(|| named("higher-order")).expect("a chapter in the table of contents")
 }
 
 /// The book's table of contents.

@@ -11,10 +11,10 @@ use crate::threads;
 
 pub mod adaptive;
 pub mod angle;
-pub mod book;
-pub mod claims;
 pub mod completions;
 pub(crate) mod destination;
+mod device_argument;
+#[cfg(feature = "device")]
 pub mod devices;
 mod double_arguments;
 pub mod double_pendulum;
@@ -27,19 +27,18 @@ pub mod number;
 pub(crate) mod pendulum_arguments;
 pub mod period;
 mod plot;
-pub mod preprocess;
-pub mod review;
 mod rows;
 pub mod serve;
 pub mod simulate;
 mod state;
+#[cfg(feature = "book")]
+pub mod study;
 mod suited;
 mod summary;
 mod systems;
-pub mod tables;
+mod table_format;
 mod trajectory;
 pub mod verify;
-pub mod work_precision;
 
 /// Runs a command; its output goes to `out`.
 ///
@@ -50,12 +49,11 @@ pub fn run(command: Command, out: &mut dyn Write) -> Result<(), Failure> {
         threads::start();
     }
     match command {
-        Command::Book(arguments) => book::run(&arguments, out),
-        Command::Tables(arguments) => tables::run(&arguments, out),
+        #[cfg(feature = "book")]
+        Command::Study(command) => study::run(command, out),
+        #[cfg(feature = "device")]
         Command::Devices(arguments) => devices::run(&arguments, out),
         Command::Methods(arguments) => methods::run(&arguments, out),
-        Command::Claims(arguments) => claims::run(&arguments, out),
-        Command::Review(arguments) => review::run(&arguments, out),
         Command::Simulate(arguments) => simulate::run(&arguments, out),
         Command::Adaptive(arguments) => adaptive::run(&arguments, out),
         Command::DoublePendulum(arguments) => double_pendulum::run(&arguments, out),
@@ -63,12 +61,10 @@ pub fn run(command: Command, out: &mut dyn Write) -> Result<(), Failure> {
         Command::Ensemble(arguments) => ensemble::run(&arguments, out),
         Command::Exact(arguments) => exact::run(&arguments, out),
         Command::Period(arguments) => period::run(&arguments, out),
-        Command::WorkPrecision(arguments) => work_precision::run(&arguments, out),
         Command::Verify(arguments) => verify::run(&arguments, out),
         Command::Serve(arguments) => serve::run(&arguments, out),
         Command::Completions(arguments) => completions::run(&arguments, out),
         Command::Man(arguments) => man::run(&arguments, out),
-        Command::Preprocess(arguments) => preprocess::run(&arguments, out),
     }
 }
 
@@ -80,19 +76,14 @@ const fn computes_in_parallel(command: &Command) -> bool {
         | Command::DoublePendulum(_)
         | Command::Exact(_)
         | Command::Period(_)
-        | Command::Devices(_)
         | Command::Methods(_)
         | Command::Completions(_)
         | Command::Man(_)
         | Command::Serve(_) => false,
-        Command::Book(_)
-        | Command::Tables(_)
-        | Command::Claims(_)
-        | Command::Review(_)
-        | Command::Ensemble(_)
-        | Command::Flips(_)
-        | Command::WorkPrecision(_)
-        | Command::Verify(_)
-        | Command::Preprocess(_) => true,
+        #[cfg(feature = "device")]
+        Command::Devices(_) => false,
+        Command::Ensemble(_) | Command::Flips(_) | Command::Verify(_) => true,
+        #[cfg(feature = "book")]
+        Command::Study(_) => true,
     }
 }

@@ -4,7 +4,7 @@ use std::io::{self, Write};
 use std::path::PathBuf;
 
 use clap::Args;
-use pendula_study::charts::{Axis, Chart, Figure, Style};
+use pendula_charts::{Axis, Chart, Figure, Style};
 
 use super::destination::Destination;
 use crate::colour;

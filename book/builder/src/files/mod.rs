@@ -10,11 +10,12 @@ pub mod kept;
 mod operations;
 pub mod together;
 pub mod whole_file;
+#[cfg(feature = "book")]
 pub mod whole_folder;
 
 #[cfg(test)]
 mod faults;
-#[cfg(test)]
+#[cfg(all(test, feature = "book"))]
 mod tests;
 
 use std::io;

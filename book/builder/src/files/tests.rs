@@ -17,7 +17,7 @@ use super::faults::{Fault, SAYS, with, with_two_renames};
 use super::operations::Operation;
 use super::whole_folder::{HEADER, LIST, WholeFolder};
 use crate::cli::{self, Command};
-use crate::commands;
+use crate::commands::{self, study};
 use crate::failure::Failure;
 use crate::ledger::{Entry, Ledger};
 use crate::progress::Progress;
@@ -241,8 +241,8 @@ fn a_measurement_is_written_whole_or_not_at_all() {
     let curve = Curve { scene: SCENES[0], method: METHODS[0], points: vec![point(10), point(20)] };
     let measured = Measured { instructions: "none", curves: vec![curve] };
     let command = |folder: &Path| {
-        let folder = commands::work_precision::folder(Some(folder))?;
-        commands::work_precision::write_files(&folder, &measured).map(drop)
+        let folder = study::work_precision::folder(Some(folder))?;
+        study::work_precision::write_files(&folder, &measured).map(drop)
     };
     let prepare = |folder: &Path| {
         write(folder, &[("work-precision.svg", "old"), ("work-precision.csv", "old")]);
@@ -289,10 +289,12 @@ fn a_review_is_written_whole_or_not_at_all() {
         assert!(git.status().unwrap().success());
     }
     let command = |folder: &Path| {
-        let Command::Review(arguments) = parsed(folder, "review --since HEAD") else {
+        let Command::Study(study::Command::Review(arguments)) =
+            parsed(folder, "review --since HEAD")
+        else {
             panic!("another command")
         };
-        commands::review::run_in(folder, &arguments, &mut Vec::new())
+        study::review::run_in(folder, &arguments, &mut Vec::new())
     };
     let git = committed.path().join(".git");
     let prepare = |folder: &Path| project(folder, Some(&git));

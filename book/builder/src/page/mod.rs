@@ -1,16 +1,13 @@
 //! A page that needs nothing but itself: it looks like the book, in all its themes, and may load
 //! nothing.
 
-use anyhow::{Context, Result};
+use anyhow::Result;
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
-use handlebars::Handlebars;
-use mdbook_driver::config::HtmlConfig;
-use mdbook_html::theme::Theme;
-use serde_json::{Value, json};
+use sha2::{Digest, Sha256};
 
-use crate::files;
-use crate::policy;
+#[cfg_attr(not(feature = "book"), path = "plain.rs")]
+mod theme;
 
 /// What is on a page. The styles and the script come after those of every page.
 #[derive(Clone, Copy, Debug)]
@@ -19,8 +16,8 @@ pub struct Page<'a> {
     pub title: &'a str,
     /// What stands below the heading.
     pub lead: &'a str,
-    /// The template of what follows, which has a section `verdict`.
-    pub template: &'a str,
+    /// What follows, as HTML, with a section `verdict`.
+    pub body: &'a str,
     /// Its own styles.
     pub style: &'a str,
     /// Its own script, which may be empty.
@@ -28,51 +25,29 @@ pub struct Page<'a> {
 }
 
 impl Page<'_> {
-    /// The page, its template filled with `data`.
+    /// The page.
     ///
     /// # Errors
-    /// If the book's theme cannot be read, or the template asks for what `data` does not have.
-    pub fn html(&self, data: &Value) -> Result<String> {
-        let mut templates = Handlebars::new();
-        templates.set_strict_mode(true);
-        let body = templates.render_template(self.template, data).context("the page")?;
+    /// If the book's theme cannot be read.
+    pub fn html(&self) -> Result<String> {
         let script = ["\n", include_str!("theme.js"), self.script].concat();
-        let frame = json!({
-            "title": self.title,
-            "lead": self.lead,
-            "style": style()? + self.style,
+        Ok(format!(
+            include_str!("frame.html"),
+            title = escaped(self.title),
+            lead = escaped(self.lead),
+            style = style()? + self.style,
             // Of all scripts that may come to stand on the page, this one runs.
-            "hash": policy::hash(&script),
-            "script": script,
-            "body": body,
-        });
-        templates.render_template(include_str!("frame.hbs"), &frame).context("the page's frame")
+            hash = hash(&script),
+            script = script,
+            body = self.body,
+        ))
     }
 }
 
-/// The style of the book, with its fonts, and that of every page.
+/// The style of the book, and that of every page.
 fn style() -> Result<String> {
-    let folder = files::temporary_folder().context("no temporary folder can be made")?;
-    Theme::copy_theme(&HtmlConfig::default(), folder.path())?;
-    let theme = folder.path().join("theme");
-    let read = |file: &str| {
-        files::read_to_string(&theme.join(file))
-            .with_context(|| format!("mdBook's theme has no {file}"))
-    };
-    let mut style = String::new();
-    for (weight, file) in [(400, "regular"), (600, "600")] {
-        let file = format!("fonts/open-sans-v17-all-charsets-{file}.woff2");
-        let font = files::read(&theme.join(&file))
-            .with_context(|| format!("mdBook's theme has no {file}"))?;
-        let font = BASE64_STANDARD.encode(font);
-        style += &format!(
-            "@font-face {{ font-family: \"Open Sans\"; font-weight: {weight}; \
-             src: url(data:font/woff2;base64,{font}); }}\n"
-        );
-    }
+    let mut style = theme::style()?;
     for sheet in [
-        &read("css/variables.css")?,
-        &read("css/general.css")?,
         include_str!("../../../theme/pendula.css"),
         include_str!("../../../theme/figures.css"),
         include_str!("frame.css"),
@@ -82,10 +57,21 @@ fn style() -> Result<String> {
     Ok(style)
 }
 
+/// The name of a script in a policy.
+pub fn hash(script: &str) -> String {
+    format!("'sha256-{}'", BASE64_STANDARD.encode(Sha256::digest(script)))
+}
+
+/// Text as HTML.
+pub fn escaped(text: &str) -> String {
+    let text = text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
+    text.replace('"', "&quot;").replace('\'', "&#x27;")
+}
+
 /// Text as HTML, with what stands between backticks as code.
 pub fn with_code(text: &str) -> String {
-    let escaped = handlebars::html_escape(text);
-    let parts = escaped.split("&#x60;").enumerate();
+    let escaped = escaped(text);
+    let parts = escaped.split('`').enumerate();
     parts
         .map(|(i, part)| if i % 2 == 1 { format!("<code>{part}</code>") } else { part.into() })
         .collect()
@@ -95,14 +81,23 @@ pub fn with_code(text: &str) -> String {
 mod tests {
     use super::*;
 
+    /// The hash is that of an example of the specification (CSP 3, 6.7.2.3: `alert('Hello,
+    /// world.');`).
+    ///
+    /// Catches: a digest of something else than the script's text; base64 for addresses.
+    #[test]
+    fn a_hash_is_the_specifications() {
+        let hello = "'sha256-qznLcsROx4GACP2dm0UCKCzCG+HiZ1guq6ZZDob/Tng='";
+        assert_eq!(hash("alert('Hello, world.');"), hello);
+    }
+
     /// Catches: a policy that names another text than the page's script, which then does not run;
     /// one that lets other scripts run.
     #[test]
     fn the_policy_names_the_script_of_the_page_and_no_other() {
         let (title, lead, style, script) = ("T", "L", "", "let own = '<';\n");
-        let template = "<script>{{more}}</script>";
-        let page = Page { title, lead, template, style, script };
-        let html = page.html(&json!({ "more": "let b;" })).unwrap();
+        let page = Page { title, lead, body: "<script>let b;</script>", style, script };
+        let html = page.html().unwrap();
         let scripts: Vec<&str> = html
             .split("<script>")
             .skip(1)
@@ -111,8 +106,18 @@ mod tests {
         assert_eq!(scripts.len(), 2);
         let policy = html.split("Content-Security-Policy").nth(1).unwrap();
         let policy = policy.split('>').next().unwrap();
-        assert!(!policy.contains(&policy::hash(scripts[0])), "{policy}");
-        assert!(policy.contains(&policy::hash(scripts[1])), "{policy}");
+        assert!(!policy.contains(&hash(scripts[0])), "{policy}");
+        assert!(policy.contains(&hash(scripts[1])), "{policy}");
         assert!(scripts[1].ends_with(script) && !policy.contains("script-src 'unsafe-inline'"));
+    }
+
+    /// Catches: a name or a claim whose markup becomes that of the page.
+    #[test]
+    fn text_is_no_markup() {
+        let page = Page { title: "<i>", lead: "\"a\" & 'b'", body: "", style: "", script: "" };
+        let html = page.html().unwrap();
+        assert!(html.contains("<h1>&lt;i&gt;</h1>") && html.contains("<title>&lt;i&gt; · pendula"));
+        assert!(html.contains("<p class=\"lead\">&quot;a&quot; &amp; &#x27;b&#x27;</p>"));
+        assert_eq!(with_code("a `b<` c `d"), "a <code>b&lt;</code> c <code>d</code>");
     }
 }

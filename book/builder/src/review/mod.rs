@@ -2,10 +2,10 @@
 //! each quantity once, figures as they are seen, and how to accept each.
 //!
 //! [`versions`] reads the snapshots; [`cells`] compares tables cell by cell and [`causes`] groups
-//! what moved; [`claims`] reads verdicts and predictions, [`drawings`] compares figures, and
-//! [`quotes`] finds what the book says of it. A [`Review`] holds all of it, [`verdict`] sums it up,
-//! and [`text`], [`markdown`] and [`page`] print it in the words of [`rows`]. [`working_tree`] is
-//! what is compared where no commit is named, and [`accept`] accepts.
+//! what moved; [`claims`] reads verdicts and predictions, [`drawings`] compares figures, which
+//! `svg` reads, and [`quotes`] finds what the book says of it. A [`Review`] holds all of it,
+//! [`verdict`] sums it up, and [`text`], [`markdown`] and [`page`] print it in the words of
+//! [`rows`]. [`working_tree`] is what is compared where no commit is named, and [`accept`] accepts.
 
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -32,6 +32,7 @@ pub mod number;
 pub mod page;
 pub mod quotes;
 pub mod rows;
+mod svg;
 pub mod text;
 pub mod verdict;
 pub mod versions;

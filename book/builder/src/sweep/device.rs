@@ -3,7 +3,8 @@
 use std::sync::{Mutex, PoisonError};
 
 use pendula::{Ensemble, Phase};
-use pendula_device::{Compiled, Device, Error, method_named};
+pub use pendula_device::Device;
+use pendula_device::{Compiled, Error, method_named};
 
 use crate::failure::Failure;
 

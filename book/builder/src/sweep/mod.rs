@@ -1,5 +1,6 @@
 //! Sweeps: many runs of one method, from many angles or with many steps.
 
+#[cfg_attr(not(feature = "device"), path = "no_device.rs")]
 pub mod device;
 pub mod part;
 pub mod range;

@@ -2,7 +2,7 @@
 
 use std::process::ExitCode;
 
-use pendula_book::commands::claims::{self, Filter, LedgerFormat};
+use pendula_book::commands::study::claims::{self, Filter, LedgerFormat};
 use pendula_book::failure::Failure;
 use pendula_study::claims::Ledger;
 use pendula_study::experiments::Study;

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use clap::FromArgMatches;
 use pendula::METHODS;
 use pendula_book::cli;
-use pendula_book::commands::claims::{self, Filter, LedgerFormat};
+use pendula_book::commands::study::claims::{self, Filter, LedgerFormat};
 use pendula_study::claims::{Claim, Verdict};
 use serde_json::Value;
 

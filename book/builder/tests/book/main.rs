@@ -10,6 +10,8 @@ mod files;
 mod flips;
 mod help;
 mod hostile;
+#[cfg(unix)]
+mod interrupts;
 mod lab;
 mod lab_figures;
 mod ledger;

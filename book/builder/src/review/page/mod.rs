@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use anyhow::{Context, Result, ensure};
+use handlebars::Handlebars;
 use serde_json::{Value, json};
 
 use super::rows::{self, Row};
@@ -41,14 +42,17 @@ pub fn write(review: &Review, root: &Path, interrupted: &AtomicBool) -> Result<P
 /// # Errors
 /// If the book's theme cannot be read.
 pub fn html(review: &Review, root: &Path) -> Result<String> {
+    let mut templates = Handlebars::new();
+    templates.set_strict_mode(true);
+    let body = templates.render_template(include_str!("page.hbs"), &data(review, root)?);
     let page = Page {
         title: "What moved",
         lead: &format!("Before: {}. Now: {}.", review.versions[0], review.versions[1]),
-        template: include_str!("page.hbs"),
+        body: &body.context("the page")?,
         style: include_str!("page.css"),
         script: include_str!("page.js"),
     };
-    page.html(&data(review, root)?)
+    page.html()
 }
 
 /// What the template prints.

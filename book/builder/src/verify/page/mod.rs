@@ -4,15 +4,15 @@ mod figures;
 
 use anyhow::Result;
 use pendula::verify::{Claims, Finding, Report, Verdict};
-use serde_json::{Value, json};
 
-use crate::page::{Page, with_code};
+use self::figures::Drawn;
+use crate::page::{Page, escaped, with_code};
 
 /// The page: what the judge found of `command`, which calls itself `name`, and of which this is
 /// claimed.
 ///
 /// # Errors
-/// If mdBook's theme cannot be read.
+/// If the book's theme cannot be read.
 pub fn html(report: &Report, claims: &Claims, command: &str, name: &str) -> Result<String> {
     let claimed = match claims.to_string() {
         none if none.is_empty() => "nothing but what everybody claims".to_string(),
@@ -22,15 +22,14 @@ pub fn html(report: &Report, claims: &Claims, command: &str, name: &str) -> Resu
     let page = Page {
         title: "An integrator, judged",
         lead: &format!("Claimed: {claimed}. The program: {command}{named}."),
-        template: include_str!("page.hbs"),
+        body: &[verdict(report), properties(report), drawings(report, claims)].concat(),
         style: include_str!("page.css"),
         script: "",
     };
-    page.html(&data(report, claims))
+    page.html()
 }
 
-/// What the template prints.
-fn data(report: &Report, claims: &Claims) -> Value {
+fn verdict(report: &Report) -> String {
     let is = match &report.identity {
         Some(identity) => identity.to_string(),
         None => report.description.clone(),
@@ -41,22 +40,64 @@ fn data(report: &Report, claims: &Claims) -> Value {
         Verdict::Unclear => "No claim fails; some cannot be told.".to_string(),
         _ => "Every claim holds.".to_string(),
     };
-    json!({
-        "sentence": sentence,
-        "weight": if report.verdict == Verdict::Fails { "alarm" } else { "moved" },
-        "is": with_code(&is),
-        "findings": report.findings.iter().map(finding).collect::<Vec<_>>(),
-        "figures": figures::all(&report.evidence, claims),
-    })
+    let weight = if report.verdict == Verdict::Fails { "alarm" } else { "moved" };
+    format!(
+        r#"<section id="verdict" aria-labelledby="verdict-title">
+<h2 id="verdict-title">The verdict</h2>
+<ul class="sentences">
+<li class="{weight}">{}</li>
+<li>What it is: {}.</li>
+</ul>
+</section>
+"#,
+        escaped(&sentence),
+        with_code(&is)
+    )
 }
 
-fn finding(finding: &Finding) -> Value {
-    json!({
-        "name": finding.name,
-        "claimed": finding.claimed.as_deref().unwrap_or("–"),
-        "verdict": finding.verdict.name(),
-        "fails": finding.verdict == Verdict::Fails,
-        "measured": with_code(&finding.measured),
-        "why": with_code(&finding.why),
-    })
+fn properties(report: &Report) -> String {
+    let rows: String = report.findings.iter().map(row).collect();
+    format!(
+        r#"
+<section aria-labelledby="properties-title">
+<h2 id="properties-title">Property by property</h2>
+<div class="table-wrapper" tabindex="0" role="region" aria-label="Property by property">
+<table class="properties">
+<thead><tr><th scope="col">Property</th><th scope="col">claimed</th><th scope="col">verdict</th>
+<th scope="col">measured, and what follows</th></tr></thead>
+<tbody>
+{rows}</tbody></table></div>
+</section>
+"#
+    )
+}
+
+fn row(finding: &Finding) -> String {
+    let class = if finding.verdict == Verdict::Fails { r#" class="alarm""# } else { "" };
+    let [name, claimed, verdict] =
+        [finding.name, finding.claimed.as_deref().unwrap_or("–"), finding.verdict.name()]
+            .map(escaped);
+    let [measured, why] = [&finding.measured, &finding.why].map(|text| with_code(text));
+    format!(
+        r#"<tr{class}><th scope="row">{name}</th><td>{claimed}</td><td>{verdict}</td>
+<td>{measured}<p class="how">{why}</p></td></tr>
+"#
+    )
+}
+
+fn drawings(report: &Report, claims: &Claims) -> String {
+    let figure = |Drawn { svg, caption }: &Drawn| {
+        format!("<figure>\n{svg}<figcaption>{}</figcaption>\n</figure>\n", escaped(caption))
+    };
+    let figures: String = figures::all(&report.evidence, claims).iter().map(figure).collect();
+    if figures.is_empty() {
+        return figures;
+    }
+    format!(
+        r#"
+<section aria-labelledby="figures-title">
+<h2 id="figures-title">What decides</h2>
+{figures}</section>
+"#
+    )
 }

@@ -9,8 +9,8 @@ use clap::Args;
 use pendula_study::report::table::Table;
 use serde_json::{Value, json};
 
-use super::number::number;
-use super::tables::TableFormat;
+use crate::commands::number::number;
+use crate::commands::table_format::TableFormat;
 use crate::failure::Failure;
 use crate::files;
 use crate::files::together::{self, Change};

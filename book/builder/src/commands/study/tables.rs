@@ -3,14 +3,15 @@
 use std::io::Write;
 
 use anyhow::Context;
-use clap::{Args, ValueEnum};
+use clap::Args;
 use pendula_study::claims::{Claim, Ledger, Measured};
 use pendula_study::experiments::Study;
 use pendula_study::report::tables::{TABLES, table};
 use serde_json::{Value, json};
 
-use super::number::value;
 use crate::colour;
+use crate::commands::number::value;
+use crate::commands::table_format::TableFormat;
 use crate::failure::Failure;
 
 /// Arguments of `pendula tables`.
@@ -27,18 +28,6 @@ pub struct Arguments {
 /// The number of a table; which ones there are is checked later.
 fn table_number(text: &str) -> Result<u32, String> {
     value(text, "it must be the number of a table")
-}
-
-/// How the cells are printed.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-pub enum TableFormat {
-    /// Tables to read
-    #[default]
-    Text,
-    /// An array with an object for each cell
-    Json,
-    /// A line for each cell
-    Csv,
 }
 
 /// Runs the study and writes its tables.

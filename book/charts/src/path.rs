@@ -3,10 +3,10 @@
 use std::fmt::{self, Display, Write};
 
 /// A point on the drawing, in units of the view box; y points down.
-pub(crate) type Point = (f64, f64);
+pub type Point = (f64, f64);
 
 /// A coordinate, printed with at most one decimal and never as `-0`.
-pub(crate) struct Num(pub f64);
+pub struct Num(pub f64);
 
 impl Display for Num {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -9,7 +9,7 @@ pub(super) const FONT: f64 = 17.0;
 const SMALL: f64 = 0.72;
 
 /// Text that is safe between tags and in attributes, on one line, with typographic apostrophes.
-pub(crate) fn escape(text: &str) -> String {
+pub fn escape(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
         match c {
@@ -104,7 +104,7 @@ pub(super) fn spans(markup: &str) -> String {
 }
 
 /// About how wide the markup is drawn; a little generous, since the reader's font is unknown.
-pub(crate) fn width(markup: &str) -> f64 {
+pub fn width(markup: &str) -> f64 {
     let em = |c: char| match c {
         TILDE => 0.0,
         'i' | 'j' | 'l' | 'I' | '.' | ',' | ':' | ';' | '\'' | '|' | ' ' => 0.3,
@@ -122,13 +122,13 @@ pub(crate) fn width(markup: &str) -> f64 {
 }
 
 /// Adds an element, on its own line.
-pub(crate) fn line(out: &mut String, element: String) {
+pub fn line(out: &mut String, element: String) {
     out.push_str(&element);
     out.push('\n');
 }
 
 /// Adds a text; `anchor` says which part of it is at the point.
-pub(crate) fn draw_text(out: &mut String, class: &str, at: Point, anchor: &str, markup: &str) {
+pub fn draw_text(out: &mut String, class: &str, at: Point, anchor: &str, markup: &str) {
     let attribute = |name: &str, value: &str, default: &str| match value {
         value if value == default => String::new(),
         value => format!(r#" {name}="{value}""#),

@@ -5,7 +5,7 @@
 //! alone.
 //!
 //! ```
-//! use pendula_study::charts::{Axis, Chart, Figure, Style};
+//! use pendula_charts::{Axis, Chart, Figure, Style};
 //!
 //! let errors = [(0.1, 1.1e-1), (0.01, 1.1e-3), (0.001, 1.1e-5)];
 //! let chart = Chart::new(Axis::log("Δt (s)"), Axis::log("energy error (J)"))
@@ -16,6 +16,7 @@
 //!     .to_svg("convergence");
 //! assert!(svg.starts_with("<svg") && !svg.contains("\n\n"));
 //! ```
+#![warn(clippy::disallowed_methods)]
 
 mod axis;
 mod ends;
@@ -28,13 +29,11 @@ mod text;
 pub use axis::Axis;
 use axis::Scale;
 use ends::End;
-pub(crate) use path::{Num, Point};
+pub use path::{Num, Point};
 use plot::Plot;
 pub use regions::{Cell, Map, Name};
-pub use style::Style;
-pub(crate) use style::style_sheet;
-pub use text::wrapped;
-pub(crate) use text::{draw_text, escape, line, width};
+pub use style::{Style, style_sheet};
+pub use text::{draw_text, escape, line, width, wrapped};
 
 const WIDTH: f64 = 600.0;
 /// Room to the right of a plot, for half a tick label.

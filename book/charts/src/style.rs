@@ -232,7 +232,8 @@ impl Style {
         path::element(&self.class("line"), &path::dots(points))
     }
 
-    pub(crate) fn class(self, kind: &str) -> String {
+    /// The attribute `class` of what is of this `kind`.
+    pub fn class(self, kind: &str) -> String {
         match self.colour {
             Some(i) => format!(r#"class="{kind} {}""#, PALETTE[i].0),
             None => format!(r#"class="{kind}""#),
@@ -248,7 +249,7 @@ pub(super) fn area(index: usize) -> String {
 /// The figure's own style sheet: its colours are the book's if the book defines them, and follow
 /// the reader's preference where the figure stands alone. All of it is confined to the class `id`,
 /// and not to the id: where a page shows a figure twice, mdBook gives the second another id.
-pub(crate) fn style_sheet(id: &str, used: &[Style], mut areas: Vec<usize>, alone: bool) -> String {
+pub fn style_sheet(id: &str, used: &[Style], mut areas: Vec<usize>, alone: bool) -> String {
     areas.sort_unstable();
     areas.dedup();
     let mut colours: Vec<_> = used.iter().filter_map(|style| style.colour).collect();

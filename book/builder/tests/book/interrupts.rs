@@ -1,0 +1,65 @@
+//! What the signals that interrupt do to a run.
+
+use std::io::Read;
+use std::process::{Child, Command, Stdio};
+use std::thread;
+use std::time::{Duration, Instant};
+
+use rustix::process::{Pid, Signal, kill_process};
+
+/// A run of hours that has begun to print, and so listens.
+fn run() -> Child {
+    let steps = ["--dt", "0.001", "--steps", "1000000000"];
+    let mut child = Command::new(env!("CARGO_BIN_EXE_pendula"))
+        .args(["simulate", "--method", "rk4", "--theta0", "1"])
+        .args(steps)
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("it starts");
+    child.stdout.as_mut().expect("a pipe").read_exact(&mut [0]).expect("a header");
+    child
+}
+
+fn send(signal: Signal, to: &Child) {
+    kill_process(Pid::from_child(to), signal).expect("it runs");
+}
+
+/// Catches: a signal that is not listened to, or that ends the process where it stands.
+#[test]
+fn each_signal_interrupts() {
+    for signal in [Signal::INT, Signal::TERM, Signal::HUP] {
+        let child = run();
+        send(signal, &child);
+        let output = child.wait_with_output().expect("it ends");
+        let line = String::from_utf8(output.stderr).expect("UTF-8");
+        assert_eq!(output.status.code(), Some(2), "{signal:?}: {line}");
+        assert!(line.contains("interrupted after"), "{signal:?}: {line}");
+        assert_eq!(output.stdout.last(), Some(&b'\n'), "half a row");
+    }
+}
+
+/// The run waits for a reader that does not read.
+///
+/// Catches: several signals at once, as a closing terminal sends them, that end the process; a
+/// later one that does not.
+#[test]
+fn a_later_signal_ends_the_process_at_once() {
+    let mut child = run();
+    // Time to fill the pipe.
+    thread::sleep(Duration::from_millis(500));
+    let first = Instant::now();
+    for signal in [Signal::HUP, Signal::TERM, Signal::INT] {
+        send(signal, &child);
+        thread::sleep(Duration::from_millis(100));
+    }
+    thread::sleep(Duration::from_millis(1500).saturating_sub(first.elapsed()));
+    assert_eq!(child.try_wait().expect("its status"), None);
+    send(Signal::INT, &child);
+    let status = (0..100).find_map(|_| {
+        thread::sleep(Duration::from_millis(100));
+        child.try_wait().expect("its status")
+    });
+    child.kill().expect("it can be ended");
+    assert_eq!(status.and_then(|status| status.code()), Some(2));
+}
