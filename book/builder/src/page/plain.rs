@@ -1,5 +1,5 @@
-//! A style like the book's, for a program that was built without it: the reader's own fonts, and the
-//! colours of the book's themes.
+//! A style like the book's, for a program that was built without it: the reader's own fonts, and
+//! the colours of the book's themes.
 
 use anyhow::Result;
 
