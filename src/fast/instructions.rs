@@ -61,22 +61,32 @@ impl Instructions {
     /// Does the `work`, of which the steps may be [long](crate::Method::IS_LONG).
     #[cfg(target_arch = "x86_64")]
     pub(super) fn run<const IS_LONG: bool, W: InVectors>(self, work: W) {
+        use vectors::{OfAvx2, OfAvx512, OfAvx512InLongSteps, OfBaseline, TEAM};
         let level = fearless_simd::Level::new();
         if matches!(self, Self::Best | Self::Avx512)
             && let Some(simd) = level.as_avx512()
         {
             if IS_LONG {
-                return run!(work, simd, vectors::OfAvx512InLongSteps, { vectors::TEAM });
+                run!(work, simd, OfAvx512InLongSteps, 1);
+            } else {
+                run!(work, simd, OfAvx512, 1);
             }
-            return run!(work, simd, vectors::OfAvx512, 1);
-        }
-        if matches!(self, Self::Best | Self::Avx2)
+        } else if matches!(self, Self::Best | Self::Avx2)
             && let Some(simd) = level.as_avx2()
         {
-            return run!(work, simd, vectors::OfAvx2, { vectors::TEAM });
+            if IS_LONG {
+                run!(work, simd, OfAvx2, 1);
+            } else {
+                run!(work, simd, OfAvx2, { TEAM });
+            }
+        } else {
+            let simd = vectors::baseline();
+            if IS_LONG {
+                run!(work, simd, OfBaseline, 1);
+            } else {
+                run!(work, simd, OfBaseline, { TEAM });
+            }
         }
-        let simd = vectors::baseline();
-        run!(work, simd, vectors::OfBaseline, { vectors::TEAM });
     }
 
     /// Does the `work`: there is one set of instructions.

@@ -36,8 +36,8 @@ pub trait Method<S: System> {
     /// by h² g/L times that. Without a gradient, 0.
     const GRADIENT: f64 = 0.0;
 
-    /// Whether a step is so long that in lanes half as many numbers hide its latency: then the code
-    /// for the widest vectors is half as long, and no slower.
+    /// Whether in lanes fewer numbers at a time are as fast: those of a long step hide its latency
+    /// by themselves, and the code for many would not fit into the processor's cache.
     const IS_LONG: bool = false;
 
     /// Prepares the carry for a trajectory of steps `h` (s) that begins at `z` at time `t` (s).

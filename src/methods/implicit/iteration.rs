@@ -142,13 +142,14 @@ impl<M: Implicit, S: System<State: Measurable>> Method<S> for Iterated<M> {
     }
 }
 
-/// Implements the methods that are a table of coefficients, `TABLEAU`, and nothing else.
+/// Implements the methods that are a table of coefficients, `TABLEAU`, and nothing else. Which of
+/// them are long is measured.
 macro_rules! implicit {
-    ($($Method:ident,)+) => {$(
+    ($($Method:ident is long: $is_long:literal,)+) => {$(
         impl<S: System<State: Measurable>> Method<S> for super::$Method {
             type Carry = ();
 
-            const IS_LONG: bool = true;
+            const IS_LONG: bool = $is_long;
 
             fn start(&self, _system: &S, _t: f64, _h: f64, _z: S::State) {}
 
@@ -203,4 +204,10 @@ macro_rules! implicit {
         }
     )+};
 }
-implicit!(ImplicitMidpoint, Trapezoidal, Gauss4, Gauss6, Gauss16,);
+implicit! {
+    ImplicitMidpoint is long: true,
+    Trapezoidal is long: true,
+    Gauss4 is long: false,
+    Gauss6 is long: false,
+    Gauss16 is long: true,
+}

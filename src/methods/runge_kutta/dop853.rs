@@ -43,6 +43,7 @@ impl<S: System> Method<S> for Dop853 {
     type Carry = ();
 
     const REACH: f64 = STEP.reach();
+    const IS_LONG: bool = true;
 
     fn start(&self, _system: &S, _t: f64, _h: f64, _z: S::State) {}
 

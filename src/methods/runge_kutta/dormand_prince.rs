@@ -39,6 +39,7 @@ impl<S: System> Method<S> for DormandPrince {
     type Carry = RateOf<S>;
 
     const REACH: f64 = TABLEAU.reach();
+    const IS_LONG: bool = true;
 
     fn start(&self, system: &S, t: f64, _h: f64, z: S::State) -> RateOf<S> {
         system.rate(t, z)
