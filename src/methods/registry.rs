@@ -135,13 +135,13 @@ macro_rules! for_each_general_method {
 }
 
 /// Passes the list of methods to the macro `$then`: the [general ones](for_each_general_method),
-/// and those that need more of a system.
+/// and those that need more of a system. Further arguments follow them.
 ///
 /// This is the list. [`METHODS`] is made from it, and so is every test that needs the type of each
 /// method.
 #[macro_export]
 macro_rules! for_each_method {
-    ($then:ident) => {
+    ($then:ident $(, $($more:tt)+)?) => {
         $crate::for_each_general_method! {
             $then,
             discrete_gradient::DiscreteGradient,
@@ -149,6 +149,7 @@ macro_rules! for_each_method {
             processed_4::Processed4,
             processed_6::Processed6,
             taylor_24::Taylor24,
+            $($($more)+)?
         }
     };
 }

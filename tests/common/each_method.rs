@@ -1,25 +1,103 @@
-//! Shared by the tests: the methods as rstest cases.
-#![allow(unused_macros, reason = "each test file uses one or the other")]
+//! Shared by the tests: a function as a test for each method, and its steps behind a pointer.
+//!
+//! A test takes a method as `&dyn AnyMethod`, and looks up what else it needs of it by its name, so
+//! that the loops of all methods are compiled once, with the library, and not with each program of
+//! tests again.
+#![allow(dead_code, unused_macros, reason = "not every program of tests needs all")]
 
-/// Makes an rstest template of the library's list of methods, so that every test also runs on a new
-/// method.
-macro_rules! template {
-    ($($module:ident::$method:ident,)+) => {
-        #[rstest_reuse::template]
-        #[rstest::rstest]
-        $(#[case::$module(pendula::methods::$method)])+
-        pub fn each_method(#[case] method: M) {}
+use std::num::NonZeroU64;
+
+use pendula::fast::{InLanes, PendulumSteps};
+use pendula::integrate::{Run, Steps};
+use pendula::methods::table::{Listed, in_lanes};
+use pendula::systems::Numbers;
+use pendula::{AnyMethod, Error, Grid, Observer, System, method_named};
+
+/// Makes of the function `$test` a test for each case, in a module of the same name: with the
+/// arguments of the case it is `the_function::the_case`.
+macro_rules! cases {
+    ($test:ident: $($case:ident($($argument:expr),+),)+) => {
+        mod $test {
+            #[allow(unused_imports, reason = "arguments may need none of it")]
+            use super::*;
+
+            $(#[test]
+            fn $case() {
+                super::$test($($argument),+);
+            })+
+        }
     };
 }
-pendula::for_each_method!(template);
+
+/// Makes of the function `$test` a test for each method of the library's list, so that every test
+/// also runs on a new method.
+macro_rules! each_method {
+    ($test:ident) => {
+        pendula::for_each_method! { by_name, => $test }
+    };
+}
 
 /// The same for the methods that also apply to systems other than the pendulum.
-macro_rules! general_template {
-    ($($module:ident::$method:ident,)+) => {
-        #[rstest_reuse::template]
-        #[rstest::rstest]
-        $(#[case::$module(pendula::methods::$method)])+
-        pub fn each_general_method(#[case] method: M) {}
+macro_rules! each_general_method {
+    ($test:ident) => {
+        pendula::for_each_general_method! { by_name, => $test }
     };
 }
-pendula::for_each_general_method!(general_template);
+
+/// The same with the type of each method, for a system that the library's table leaves out. This
+/// compiles a loop for each.
+macro_rules! each_method_type {
+    ($test:ident) => {
+        pendula::for_each_method! { by_type, => $test }
+    };
+}
+
+macro_rules! each_general_method_type {
+    ($test:ident) => {
+        pendula::for_each_general_method! { by_type, => $test }
+    };
+}
+
+macro_rules! by_type {
+    ($($module:ident::$method:ident,)+ => $test:ident) => {
+        cases! { $test: $($module(&pendula::methods::$method),)+ }
+    };
+}
+
+macro_rules! by_name {
+    ($($module:ident::$method:ident,)+ => $test:ident) => {
+        cases! { $test: $($module(crate::common::method(stringify!($module))),)+ }
+    };
+}
+
+/// The method in the file `module`.rs.
+pub fn method(module: &str) -> &'static dyn AnyMethod {
+    method_named(&module.replace('_', "-")).expect("a file has the name of its method")
+}
+
+/// The steps of the method on the pendulum.
+pub fn steps(method: &dyn AnyMethod) -> &dyn PendulumSteps {
+    method.steps().expect("a method of the library")
+}
+
+/// The steps of the method on another system.
+pub fn steps_on<S: Listed>(method: &dyn AnyMethod) -> &'static dyn Steps<S> {
+    S::steps(method.info().name).expect("a method that suits the system")
+}
+
+/// The steps of the method in lanes.
+pub fn lanes(method: &dyn AnyMethod) -> &'static dyn InLanes {
+    in_lanes(method.info().name).expect("a method of the library")
+}
+
+/// [`pendula::try_integrate`] with the method behind a pointer.
+pub fn try_integrate<S: System<State: Numbers> + Copy>(
+    system: &S,
+    method: &dyn Steps<S>,
+    start: S::State,
+    grid: &Grid,
+    observer: &mut dyn Observer<S::State>,
+) -> Result<S::State, Error> {
+    observer.observe(0, 0.0, start);
+    Run::start(system, method, start, grid).advance(grid.steps(), NonZeroU64::MIN, observer)
+}

@@ -1,9 +1,12 @@
-//! Double pendulums turn over on a device at the very step at which they do so in lanes. Where
+//! Double pendulums turn over on a device at the very step at which they do so here. Where
 //! there is no device, the test says so, and does not run.
 
+use core::f64::consts::PI;
 use core::num::NonZeroU64;
 
-use pendula::fast::{DoubleInLanes, first_flips};
+use pendula::fast::first_flips;
+use pendula::integrate::Run;
+use pendula::methods::table::{Listed, RK4_IN_LANES};
 use pendula::methods::{DormandPrince, Rk4};
 use pendula::systems::{DoublePhase, Joint};
 use pendula::{DoublePendulum, Grid, Info};
@@ -12,7 +15,15 @@ use pendula_device::kernel::flips::{Recordable, program};
 
 use crate::bits::usable;
 
-fn compare<M: DoubleInLanes + Info + Recordable>(device: &mut Device, method: &M, grid: &Grid) {
+type Flips = Vec<Option<NonZeroU64>>;
+
+/// Compares the device's first flips with what `library` says of them.
+fn compare<M: Info + Recordable>(
+    device: &mut Device,
+    method: &M,
+    grid: &Grid,
+    library: fn(&DoublePendulum, &[DoublePhase], &Grid) -> Flips,
+) {
     let (upper, lower) = (Joint { length: 1.0, mass: 2.0 }, Joint { length: 0.7, mass: 0.9 });
     let double = DoublePendulum::new(9.81, upper, lower).expect("positive");
     let start = |i: u32| {
@@ -25,13 +36,36 @@ fn compare<M: DoubleInLanes + Info + Recordable>(device: &mut Device, method: &M
     let width = program(method, &double, grid.step()).expect("it is explicit").numbers;
     // Room for 1500 pendulums: two numbers are looked at.
     device.largest_buffer = 1500 * 8 * (width as u64 + 2);
-    let mut expected = vec![None; starts.len()];
-    first_flips(&double, method, &starts, grid, &mut expected);
+    let expected = library(&double, &starts, grid);
     let mut flips = vec![NonZeroU64::new(7); starts.len()];
     device.first_flips(&double, method, &starts, grid, &mut flips).expect("a device that works");
     assert!(flips == expected, "{} on {}, {grid:?}", method.info().name, device.name);
     let count = flips.iter().flatten().count();
     assert!(grid.steps() < 700 || (1000..4000).contains(&count), "{count}");
+}
+
+/// RK4's, in lanes.
+fn in_lanes(double: &DoublePendulum, starts: &[DoublePhase], grid: &Grid) -> Flips {
+    let mut flips = vec![None; starts.len()];
+    first_flips(double, RK4_IN_LANES, starts, grid, &mut flips);
+    flips
+}
+
+/// Those of Dormand and Prince's method, each alone.
+fn alone(double: &DoublePendulum, starts: &[DoublePhase], grid: &Grid) -> Flips {
+    let steps = DoublePendulum::steps(DormandPrince.info().name).expect("it suits");
+    let flip = |start: &DoublePhase| {
+        let mut flip = None;
+        let mut watch = |n, _, z: DoublePhase| {
+            if !(z.theta1.abs() <= PI && z.theta2.abs() <= PI) {
+                flip = flip.or(NonZeroU64::new(n));
+            }
+        };
+        let mut run = Run::start(double, steps, *start, grid);
+        run.advance(grid.steps(), NonZeroU64::MIN, &mut watch).expect("it is explicit");
+        flip
+    };
+    starts.iter().map(flip).collect()
 }
 
 /// Releases and throws in three batches, along a long grid, which takes two launches, and along
@@ -44,8 +78,9 @@ fn compare<M: DoubleInLanes + Info + Recordable>(device: &mut Device, method: &M
 fn each_first_flip_is_that_in_lanes() {
     for mut device in usable() {
         for (h, steps) in [(0.01, 700), (0.002, 4500), (0.01, 1), (0.01, 0)] {
-            compare(&mut device, &Rk4, &Grid::new(h, steps).expect("positive"));
+            compare(&mut device, &Rk4, &Grid::new(h, steps).expect("positive"), in_lanes);
         }
-        compare(&mut device, &DormandPrince, &Grid::new(0.01, 700).expect("positive"));
+        let grid = Grid::new(0.01, 700).expect("positive");
+        compare(&mut device, &DormandPrince, &grid, alone);
     }
 }

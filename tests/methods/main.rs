@@ -1,5 +1,6 @@
 //! Tests that every method must pass, and tests of single methods.
 
+#[macro_use]
 #[path = "../common/each_method.rs"]
 mod common;
 

@@ -2,33 +2,30 @@
 
 use pendula::AnyMethod;
 use pendula::verify::symmetry::{check_mass_and_length, check_mirror, check_time, check_turns};
-use rstest_reuse::apply;
-
-use crate::common::each_method;
 
 /// Catches: a preferred direction, such as a constant torque of 1e-12, and a sine that is not odd
 /// to the last bit.
-#[apply(each_method)]
-fn the_mirror_image_has_the_same_bits<M: AnyMethod>(#[case] method: M) {
-    check_mirror(&method).unwrap();
+fn the_mirror_image_has_the_same_bits(method: &dyn AnyMethod) {
+    check_mirror(method).unwrap();
 }
+each_method!(the_mirror_image_has_the_same_bits);
 
 /// Catches: g·L for g/L, a forgotten L, a mass in the motion.
-#[apply(each_method)]
-fn only_gravity_over_length_counts<M: AnyMethod>(#[case] method: M) {
-    check_mass_and_length(&method).unwrap();
+fn only_gravity_over_length_counts(method: &dyn AnyMethod) {
+    check_mass_and_length(method).unwrap();
 }
+each_method!(only_gravity_over_length_counts);
 
 /// Catches: a step, a frequency or a time that enters with a wrong power; a constant with a hidden
 /// unit.
-#[apply(each_method)]
-fn the_unit_of_time_does_not_count<M: AnyMethod>(#[case] method: M) {
-    check_time(&method).unwrap();
+fn the_unit_of_time_does_not_count(method: &dyn AnyMethod) {
+    check_time(method).unwrap();
 }
+each_method!(the_unit_of_time_does_not_count);
 
 /// Catches: the linearised sine, degrees for radians, an angle that is wrapped, a sine that loses
 /// digits at large angles.
-#[apply(each_method)]
-fn a_whole_turn_changes_nothing<M: AnyMethod>(#[case] method: M) {
-    check_turns(&method).unwrap();
+fn a_whole_turn_changes_nothing(method: &dyn AnyMethod) {
+    check_turns(method).unwrap();
 }
+each_method!(a_whole_turn_changes_nothing);

@@ -14,22 +14,27 @@ use pendula::{
     Counting, Error, Grid, Method, Motion, Observer, Pendulum, Phase, System, exact, integrate,
 };
 use rstest::rstest;
-use rstest_reuse::{apply, template};
 
 use crate::random::Random;
 
-#[template]
-#[rstest]
-#[case::dormand_prince(DormandPrince)]
-#[case::dop853(Dop853)]
-fn each_pair<M: Embedded>(#[case] method: M) {}
+/// Makes of the function `$test` a test for each embedded pair.
+macro_rules! each_pair {
+    ($test:ident) => {
+        cases! { $test: dormand_prince(DormandPrince), dop853(Dop853), }
+    };
+}
 
-#[template]
-#[rstest]
-#[case::dormand_prince(DormandPrince)]
-#[case::dop853(Dop853)]
-#[case::taylor_series(TaylorSeries)]
-fn each_method<M: Controlled<Pendulum>>(#[case] method: M) {}
+/// Makes of the function `$test` a test for each method that estimates its error.
+macro_rules! each_controlled {
+    ($test:ident) => {
+        cases! {
+            $test:
+            dormand_prince(DormandPrince),
+            dop853(Dop853),
+            taylor_series(TaylorSeries),
+        }
+    };
+}
 
 /// The paper's, and one with L ≠ 1, m ≠ 1 and another ω₀.
 fn pendulums() -> [Pendulum; 2] {
@@ -68,8 +73,7 @@ const PROPORTIONALITY: f64 = 0.05;
 
 /// Catches: an error without a scale, or with the wrong one; an error with an h missing or too
 /// many; an estimate of the wrong order; a step taken although it was refused.
-#[apply(each_method)]
-fn the_error_falls_with_the_tolerance<M: Controlled<Pendulum>>(#[case] method: M) {
+fn the_error_falls_with_the_tolerance<M: Controlled<Pendulum>>(method: M) {
     for pendulum in pendulums() {
         let mean_of_logarithms = |tol: f64| {
             let logarithm = |n: u32| {
@@ -90,6 +94,7 @@ fn the_error_falls_with_the_tolerance<M: Controlled<Pendulum>>(#[case] method: M
         assert!((slope - 1.0).abs() < PROPORTIONALITY, "{slope}");
     }
 }
+each_controlled!(the_error_falls_with_the_tolerance);
 
 /// The method that steps is better by an order than the one whose error is estimated: below 1e-7 no
 /// step is off by as much as the tolerance allows. But it is not so much better that the steps are
@@ -97,8 +102,7 @@ fn the_error_falls_with_the_tolerance<M: Controlled<Pendulum>>(#[case] method: M
 ///
 /// Catches: an estimate that is too small, by a factor or for one of the components; one that is
 /// far too large.
-#[apply(each_method)]
-fn no_step_is_off_by_more_than_the_tolerance<M: Controlled<Pendulum>>(#[case] method: M) {
+fn no_step_is_off_by_more_than_the_tolerance<M: Controlled<Pendulum>>(method: M) {
     for pendulum in pendulums() {
         for tol in [1e-7, 1e-9, 1e-11] {
             let mut largest = 0.0_f64;
@@ -112,6 +116,7 @@ fn no_step_is_off_by_more_than_the_tolerance<M: Controlled<Pendulum>>(#[case] me
         }
     }
 }
+each_controlled!(no_step_is_off_by_more_than_the_tolerance);
 
 /// Catches: the larger tolerance used for both, a tolerance that is not used, a mean without its
 /// division or its root.
@@ -209,8 +214,7 @@ fn the_counts_are_those_of_an_independent_program() {
 ///
 /// Catches: a last step that stops short of the end by a rounding, or beyond it; a tiny step left
 /// over for the end, which costs as much as any and is mostly rounding.
-#[apply(each_method)]
-fn a_walk_ends_where_it_should<M: Controlled<Pendulum>>(#[case] method: M) {
+fn a_walk_ends_where_it_should<M: Controlled<Pendulum>>(method: M) {
     let mut random = Random::new(7);
     let mut last_steps = 0;
     for n in 0..2000 {
@@ -245,6 +249,7 @@ fn a_walk_ends_where_it_should<M: Controlled<Pendulum>>(#[case] method: M) {
     }
     assert!(last_steps > 500, "{last_steps}");
 }
+each_controlled!(a_walk_ends_where_it_should);
 
 /// The first step by hand, after Hairer, Nørsett and Wanner (Sect. II.4). In units of the allowed
 /// error, 2e-6 at y = 1:
@@ -318,8 +323,7 @@ fn the_first_step_weighs_every_component<M: Embedded>(#[case] method: M, #[case]
 /// Where nothing changes there is no error, and each step is ten times as long as the last.
 ///
 /// Catches: a step that grows without limit where nothing changes, and jumps over what follows.
-#[apply(each_pair)]
-fn no_step_grows_more_than_tenfold<M: Embedded>(#[case] method: M) {
+fn no_step_grows_more_than_tenfold<M: Embedded>(method: M) {
     let calm = Law(|_, _| 0.0);
     let walk =
         Adaptive::new(method, tolerance(1e-6)).steps(&calm, Number { y: 0.0 }, 0.0, 10.0).unwrap();
@@ -330,6 +334,7 @@ fn no_step_grows_more_than_tenfold<M: Embedded>(#[case] method: M) {
     }
     assert_eq!(sizes.len(), 7);
 }
+each_pair!(no_step_grows_more_than_tenfold);
 
 // -------------------------------------------------------------------------------------------------
 // Fixed steps and dense output
@@ -424,8 +429,7 @@ fn one_step<M: Embedded>(
 }
 
 /// Catches: dense output of another step; a time not converted to the fraction of the step.
-#[apply(each_method)]
-fn dense_output_meets_both_ends_of_each_step<M: Controlled<Pendulum>>(#[case] method: M) {
+fn dense_output_meets_both_ends_of_each_step<M: Controlled<Pendulum>>(method: M) {
     let pendulum = Pendulum::PAPER;
     let mut walk = walk(&pendulum, method, 1e-8, 5.0);
     let mut last = (0.0, START);
@@ -439,6 +443,7 @@ fn dense_output_meets_both_ends_of_each_step<M: Controlled<Pendulum>>(#[case] me
         assert!((dense.time(1.0) - step.end_time()).abs() <= f64::EPSILON * step.end_time());
     }
 }
+each_controlled!(dense_output_meets_both_ends_of_each_step);
 
 // -------------------------------------------------------------------------------------------------
 // Crossings
@@ -451,30 +456,31 @@ fn dense_output_meets_both_ends_of_each_step<M: Controlled<Pendulum>>(#[case] me
 ///
 /// Catches: a crossing put at an end of the step, or found by linear interpolation; dense output of
 /// too low an order; the start time of a step forgotten.
-#[apply(each_method)]
-fn the_period_is_exact_within_the_tolerance<M: Controlled<Pendulum>>(
-    #[case] method: M,
-    #[values(0.5, 2.0, 3.0, 3.1)] theta0: f64,
-    #[values(1e-6, 1e-8, 1e-10, 1e-12)] tol: f64,
-) {
-    for pendulum in pendulums() {
-        let period = exact::period(&pendulum, theta0).unwrap();
+fn the_period_is_exact_within_the_tolerance<M: Controlled<Pendulum>>(method: M) {
+    let one = |pendulum: &Pendulum, theta0: f64, tol: f64| {
+        let period = exact::period(pendulum, theta0).unwrap();
         let adaptive = Adaptive::new(method, tolerance(tol));
-        let mut walk = adaptive.steps(&pendulum, Phase::at_rest(theta0), 0.0, period).unwrap();
+        let mut walk = adaptive.steps(pendulum, Phase::at_rest(theta0), 0.0, period).unwrap();
         let bottom = walk.crossings(Direction::Falling, |_, z| z.theta).next().unwrap().unwrap();
         let off = (4.0 * bottom.t - period).abs();
-        assert!(off <= tol * (1.0 + period) + 4.0 * f64::EPSILON * period, "{off:e} s");
-        assert!(bottom.z.theta.abs() <= 1e-15, "{:?}", bottom.z);
+        let allowed = tol * (1.0 + period) + 4.0 * f64::EPSILON * period;
+        assert!(off <= allowed, "{off:e} s, from {theta0} with {tol:e}");
+        assert!(bottom.z.theta.abs() <= 1e-15, "{:?}, from {theta0} with {tol:e}", bottom.z);
+    };
+    for pendulum in pendulums() {
+        for theta0 in [0.5, 2.0, 3.0, 3.1] {
+            [1e-6, 1e-8, 1e-10, 1e-12].iter().for_each(|tol| one(&pendulum, theta0, *tol));
+        }
     }
 }
+each_controlled!(the_period_is_exact_within_the_tolerance);
 
 /// Rotation over the top. The pendulum turns at 6 rad/s or more; its angle is off by less than 100
 /// tolerances after 5 s, as is that of the swing in the tests above.
 ///
 /// Catches: crossings missed, or found twice where one step ends and the next begins; a function of
 /// time alone, or of the state alone.
-#[apply(each_method)]
-fn each_passage_over_the_top_is_found_once<M: Controlled<Pendulum>>(#[case] method: M) {
+fn each_passage_over_the_top_is_found_once<M: Controlled<Pendulum>>(method: M) {
     for pendulum in pendulums() {
         let start = Phase { theta: -0.5, omega: 9.0 };
         let motion = Motion::new(&pendulum, start).unwrap();
@@ -494,14 +500,14 @@ fn each_passage_over_the_top_is_found_once<M: Controlled<Pendulum>>(#[case] meth
         }
     }
 }
+each_controlled!(each_passage_over_the_top_is_found_once);
 
 /// The angle of a swing crosses zero falling, rising, and falling again; a function of time crosses
 /// zero twenty times in 3 s, more often than there are steps.
 ///
 /// Catches: a direction ignored or reversed; a zero at the start taken for a crossing; several
 /// crossings in a step of which only one is found.
-#[apply(each_method)]
-fn a_crossing_has_a_direction<M: Controlled<Pendulum>>(#[case] method: M) {
+fn a_crossing_has_a_direction<M: Controlled<Pendulum>>(method: M) {
     let pendulum = Pendulum::PAPER;
     let start = Phase { theta: 0.0, omega: 2.0 };
     let period = Motion::new(&pendulum, start).unwrap().period().unwrap();
@@ -532,6 +538,7 @@ fn a_crossing_has_a_direction<M: Controlled<Pendulum>>(#[case] method: M) {
     let late = |(n, t): (usize, &f64)| (t - 0.15 * n as f64 - 0.075).abs();
     assert!(strikes.iter().enumerate().map(late).all(|late| late < 1e-14));
 }
+each_controlled!(a_crossing_has_a_direction);
 
 // -------------------------------------------------------------------------------------------------
 // Both directions of time, ends, observers
@@ -542,8 +549,7 @@ fn a_crossing_has_a_direction<M: Controlled<Pendulum>>(#[case] method: M) {
 ///
 /// Catches: the sign of the step lost in the first step, in the last or in the limit of growth; an
 /// end that is overshot.
-#[apply(each_method)]
-fn time_can_run_either_way<M: Controlled<Pendulum>>(#[case] method: M) {
+fn time_can_run_either_way<M: Controlled<Pendulum>>(method: M) {
     for pendulum in pendulums() {
         let motion = Motion::new(&pendulum, START).unwrap();
         let adaptive = Adaptive::new(method, tolerance(1e-10));
@@ -557,36 +563,35 @@ fn time_can_run_either_way<M: Controlled<Pendulum>>(#[case] method: M) {
         assert!((there / back - 1.0).abs() < 0.1, "{there} there, {back} back");
     }
 }
+each_controlled!(time_can_run_either_way);
 
 /// Catches: a last step past the end, short of it, or split in two; a step taken after the end, or
 /// when the end is the start.
-#[apply(each_method)]
-fn the_last_step_ends_at_the_end<M: Controlled<Pendulum>>(
-    #[case] method: M,
-    #[values(1e-300, 1e-3, 0.7, 5.0, -5.0)] duration: f64,
-) {
+fn the_last_step_ends_at_the_end<M: Controlled<Pendulum>>(method: M) {
     let pendulum = Pendulum::PAPER;
-    let mut times = vec![];
-    let mut watch = |n, t, z: Phase| times.push((n, t, z));
     let adaptive = Adaptive::new(method, tolerance(1e-9));
-    let (end, counts) = adaptive.integrate(&pendulum, START, 0.0, duration, &mut watch).unwrap();
-    assert_eq!(times[0], (0, 0.0, START));
-    assert_eq!(times.last(), Some(&(counts.accepted, duration, end)));
-    assert!(times.iter().enumerate().all(|(n, time)| time.0 == n as u64));
-    assert!(times.windows(2).all(|pair| pair[0].1 != pair[1].1));
-    assert!(times.windows(2).all(|pair| (pair[1].1 - pair[0].1).signum() == duration.signum()));
+    for end in [1e-300, 1e-3, 0.7, 5.0, -5.0] {
+        let mut times = vec![];
+        let mut watch = |n, t, z: Phase| times.push((n, t, z));
+        let (last, counts) = adaptive.integrate(&pendulum, START, 0.0, end, &mut watch).unwrap();
+        assert_eq!(times[0], (0, 0.0, START));
+        assert_eq!(times.last(), Some(&(counts.accepted, end, last)));
+        assert!(times.iter().enumerate().all(|(n, time)| time.0 == n as u64));
+        assert!(times.windows(2).all(|pair| pair[0].1 != pair[1].1));
+        assert!(times.windows(2).all(|pair| (pair[1].1 - pair[0].1).signum() == end.signum()));
+    }
 
     let mut walk = adaptive.steps(&pendulum, START, 3.0, 3.0).unwrap();
     assert!(walk.next().is_none() && walk.next().is_none());
     assert_eq!((walk.time(), walk.state()), (3.0, START));
 }
+each_controlled!(the_last_step_ends_at_the_end);
 
 /// Of 1000 end times, one in a hundred would leave less than a hundredth of a step for the last.
 /// The bound is 0.8 of that, as the last step would not be exactly as long as the one before.
 ///
 /// Catches: a sliver of a step at the end.
-#[apply(each_method)]
-fn no_sliver_is_left_for_the_last_step<M: Controlled<Pendulum>>(#[case] method: M) {
+fn no_sliver_is_left_for_the_last_step<M: Controlled<Pendulum>>(method: M) {
     for n in 0..1000 {
         let until = 1.0 + f64::from(n) / 1000.0;
         let steps = walk(&Pendulum::PAPER, method, 1e-9, until);
@@ -595,11 +600,11 @@ fn no_sliver_is_left_for_the_last_step<M: Controlled<Pendulum>>(#[case] method: 
         assert!(last > 0.008 * before, "{last:e} after {before:e} to {until}");
     }
 }
+each_controlled!(no_sliver_is_left_for_the_last_step);
 
 /// Catches: a force evaluated beyond the end, where it may not be defined; a refusal of the
 /// shortest possible step.
-#[apply(each_pair)]
-fn nothing_is_asked_beyond_the_end<M: Embedded>(#[case] method: M) {
+fn nothing_is_asked_beyond_the_end<M: Embedded>(method: M) {
     let latest = std::cell::Cell::new(0.0_f64);
     let law = Law(|t: f64, y: f64| {
         latest.set(latest.get().max(t));
@@ -612,12 +617,12 @@ fn nothing_is_asked_beyond_the_end<M: Embedded>(#[case] method: M) {
         adaptive.integrate(&law, Number { y: 1.0 }, 1e6, 1e6_f64.next_up(), &mut ()).unwrap();
     assert_eq!((counts.accepted, latest.get()), (1, 1e6_f64.next_up()));
 }
+each_pair!(nothing_is_asked_beyond_the_end);
 
 /// A single step, with a zero of the function exactly at its end.
 ///
 /// Catches: a zero missed because it is reached exactly and not crossed.
-#[apply(each_pair)]
-fn a_zero_on_the_last_instant_is_a_crossing<M: Embedded>(#[case] method: M) {
+fn a_zero_on_the_last_instant_is_a_crossing<M: Embedded>(method: M) {
     let law = Law(|_, y| -4.0 * y);
     let adaptive = Adaptive::new(method, tolerance(1e-6));
     let end = 1.0 / 1024.0;
@@ -628,10 +633,10 @@ fn a_zero_on_the_last_instant_is_a_crossing<M: Embedded>(#[case] method: M) {
         assert_eq!(times, [end]);
     }
 }
+each_pair!(a_zero_on_the_last_instant_is_a_crossing);
 
 /// Catches: a loop that goes on after the observer is satisfied.
-#[apply(each_method)]
-fn a_satisfied_observer_ends_the_loop<M: Controlled<Pendulum>>(#[case] method: M) {
+fn a_satisfied_observer_ends_the_loop<M: Controlled<Pendulum>>(method: M) {
     struct UntilNinth(u64);
     impl Observer<Phase> for UntilNinth {
         fn observe(&mut self, n: u64, _t: f64, _z: Phase) {
@@ -648,6 +653,7 @@ fn a_satisfied_observer_ends_the_loop<M: Controlled<Pendulum>>(#[case] method: M
     let ninth = walk(&Pendulum::PAPER, method, 1e-9, 5.0).nth(8).unwrap().unwrap();
     assert_eq!(end, ninth.end());
 }
+each_controlled!(a_satisfied_observer_ends_the_loop);
 
 // -------------------------------------------------------------------------------------------------
 // Refusals
@@ -673,8 +679,7 @@ fn a_tolerance_that_cannot_be_met_is_refused() {
 
 /// Catches: an accepted tolerance so fine that no step meets it; an error of more than 1000
 /// tolerances there.
-#[apply(each_method)]
-fn the_finest_tolerance_can_be_met<M: Controlled<Pendulum>>(#[case] method: M) {
+fn the_finest_tolerance_can_be_met<M: Controlled<Pendulum>>(method: M) {
     let finest = Tolerance::uniform(SMALLEST_RELATIVE).unwrap();
     let adaptive = Adaptive::new(method, finest);
     let (end, _) = adaptive.integrate(&Pendulum::PAPER, START, 0.0, 2.0, &mut ()).unwrap();
@@ -682,10 +687,10 @@ fn the_finest_tolerance_can_be_met<M: Controlled<Pendulum>>(#[case] method: M) {
     // As everywhere here, less than 1000 tolerances.
     assert!((end.theta - right.theta).abs() < 1000.0 * SMALLEST_RELATIVE);
 }
+each_controlled!(the_finest_tolerance_can_be_met);
 
 /// Catches: an accepted time that is not finite, or an infinite duration.
-#[apply(each_method)]
-fn a_time_that_is_none_is_refused<M: Controlled<Pendulum>>(#[case] method: M) {
+fn a_time_that_is_none_is_refused<M: Controlled<Pendulum>>(method: M) {
     let adaptive = Adaptive::new(method, tolerance(1e-6));
     for (from, until) in
         [(f64::NAN, 1.0), (0.0, f64::INFINITY), (f64::NEG_INFINITY, 0.0), (-1e308, 1e308)]
@@ -694,6 +699,7 @@ fn a_time_that_is_none_is_refused<M: Controlled<Pendulum>>(#[case] method: M) {
         assert!(matches!(walk.err(), Some(Error::Parameter { .. })), "{from} to {until}");
     }
 }
+each_controlled!(a_time_that_is_none_is_refused);
 
 state! {
     /// A number as a state.
@@ -719,8 +725,7 @@ impl<F: Fn(f64, f64) -> f64> System for Law<F> {
 ///
 /// Catches: steps that never end, or jump over the pole; an error without the time at which it
 /// occurred.
-#[apply(each_pair)]
-fn a_pole_is_not_crossed<M: Embedded>(#[case] method: M) {
+fn a_pole_is_not_crossed<M: Embedded>(method: M) {
     let pole = Law(|_, y| y * y);
     let adaptive = Adaptive::new(method, tolerance(1e-9));
     let mut walk = adaptive.steps(&pole, Number { y: 1.0 }, 0.0, 2.0).unwrap();
@@ -732,10 +737,10 @@ fn a_pole_is_not_crossed<M: Embedded>(#[case] method: M) {
     let message = error.unwrap().to_string();
     assert!(message.contains("too long for the tolerance") && !message.contains('\n'), "{message}");
 }
+each_pair!(a_pole_is_not_crossed);
 
 /// Catches: a NaN that is accepted, or retried for ever.
-#[apply(each_pair)]
-fn a_rate_that_is_no_number_is_an_error<M: Embedded>(#[case] method: M) {
+fn a_rate_that_is_no_number_is_an_error<M: Embedded>(method: M) {
     let adaptive = Adaptive::new(method, tolerance(1e-9));
     for (law, from) in [(f64::NAN, 0.0), (f64::INFINITY, 0.0), (f64::NAN, 1.0)] {
         let law = Law(move |_, _| law);
@@ -749,11 +754,11 @@ fn a_rate_that_is_no_number_is_an_error<M: Embedded>(#[case] method: M) {
     let Err(Error::StepTooSmall { t, .. }) = end else { panic!("{end:?}") };
     assert!(t < 1.0 && t > 0.999, "{t}");
 }
+each_pair!(a_rate_that_is_no_number_is_an_error);
 
 /// Catches: a limit that is off by one, counts only accepted steps, or ends the run without an
 /// error.
-#[apply(each_method)]
-fn a_limit_is_kept<M: Controlled<Pendulum>>(#[case] method: M) {
+fn a_limit_is_kept<M: Controlled<Pendulum>>(method: M) {
     let pendulum = Pendulum::PAPER;
     let adaptive = Adaptive::new(method, tolerance(1e-6));
     let (_, Counts { accepted, rejected, .. }) =
@@ -770,6 +775,7 @@ fn a_limit_is_kept<M: Controlled<Pendulum>>(#[case] method: M) {
     assert!(limit == attempts - 1 && t > 15.0 && t < 20.0, "{error}");
     assert!(error.to_string().starts_with(&format!("{limit} steps have led no further")));
 }
+each_controlled!(a_limit_is_kept);
 
 /// ẏ = −100 y + 100 cos t is smooth after a short transient, and then the step is limited by
 /// stability alone: |R(−100 h)| ≤ 1 up to h = 0.033 for Dormand and Prince's method of order 5,

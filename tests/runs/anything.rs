@@ -17,8 +17,8 @@ use pendula::dynamics::{
     periodic_orbit, root,
 };
 use pendula::exact::{Swing, complete_elliptic_k, period};
-use pendula::fast::InLanes;
-use pendula::integrate::Every;
+use pendula::fast::{InLanes, ScaledPendulum};
+use pendula::integrate::{Every, Steps};
 use pendula::methods::{Dop853, DormandPrince, Gauss6, Implicit, Iteration, Rk4, StormerVerlet};
 use pendula::metrics::order::{is_asymptotic, is_floor, slopes};
 use pendula::metrics::{
@@ -31,11 +31,12 @@ use pendula::systems::{
 use pendula::verify::judge::{Fault, Reply, Request, try_judge};
 use pendula::verify::{Claims, Stranger};
 use pendula::{
-    Compensated, Damped, Driven, Ensemble, Error, Grid, Hamiltonian, Info, LinearOscillator,
-    Method, Motion, MotionKind, Observer, Pendulum, Phase, Separable, System, integrate,
-    integrate_fast, try_integrate,
+    AnyMethod, Compensated, Counting, Damped, Driven, Ensemble, Error, Grid, Hamiltonian,
+    LinearOscillator, METHODS, Method, Motion, MotionKind, Observer, Pendulum, Phase, Separable,
+    System, integrate, integrate_fast, method_named, try_integrate_fast,
 };
 
+use crate::common::{lanes, steps, steps_on, try_integrate};
 use crate::extremes::{is_as_promised, is_bounded};
 use crate::random::Random;
 
@@ -288,58 +289,54 @@ fn a_grid(any: &mut Any, tally: &mut Tally) {
 // Every method
 // -------------------------------------------------------------------------------------------------
 
-/// A method of the list: generic, fast, in lanes, watched, with compensated sums, asked why.
+/// A method behind pointers, to what is compiled once.
+#[derive(Clone, Copy)]
+struct ByPointer<'a> {
+    method: &'a dyn AnyMethod,
+    lanes: &'a dyn InLanes,
+    compensated: &'a dyn Steps<Compensated<Pendulum>>,
+}
+
+/// A method of the list: in seconds, in steps, in lanes, watched, with compensated sums, asked why.
 fn a_run(any: &mut Any, tally: &mut Tally) {
-    macro_rules! one_of {
-        ($($module:ident::$method:ident,)+) => {{
-            let methods: &[fn(&mut Any, &mut Tally)] =
-                &[$(|any, tally| run_of(&pendula::methods::$method, any, tally)),+];
-            any.0.one_of(methods)(any, tally);
-        }};
-    }
     if any.0.below(20) == 0 {
         let tolerance = Iteration::default().tolerance(any.number());
-        let iteration = tally.accepted(tolerance).unwrap_or_default();
-        run_of(&Gauss6.with(iteration), any, tally);
+        let gauss = &Gauss6.with(tally.accepted(tolerance).unwrap_or_default());
+        run_of(ByPointer { method: gauss, lanes: gauss, compensated: gauss }, any, tally);
     } else {
-        pendula::for_each_method!(one_of);
+        let method = any.0.one_of(METHODS);
+        let (lanes, compensated) = (lanes(method), steps_on(method));
+        run_of(ByPointer { method, lanes, compensated }, any, tally);
     }
 }
 
-fn run_of<M>(method: &M, any: &mut Any, tally: &mut Tally)
-where
-    M: InLanes + Info + Method<Compensated<Pendulum>> + pendula::AnyMethod,
-{
+fn run_of(by_pointer: ByPointer<'_>, any: &mut Any, tally: &mut Tally) {
+    let ByPointer { method, lanes, compensated } = by_pointer;
     let pendulum = any.pendulum();
     let grid = any.grid(&pendulum, 12);
     let count = 1 + any.0.below(4) * any.0.below(12);
-    let frequency = pendulum.small_angle_frequency();
-    let wild = any.0.below(2) == 0;
-    let starts: Vec<Phase> = (0..count)
-        .map(|_| {
-            if wild {
-                return any.phase();
-            }
-            let q = any.0.between(-5.0, 5.0);
-            Phase { theta: any.0.between(-10.0, 10.0), omega: q * frequency }
-        })
-        .collect();
+    let starts = starts(any, &pendulum, count);
     let case = |z: Phase| format!("{} {pendulum:?} {grid:?} {z:?}", method.info().name);
 
     let duration = grid.time(grid.steps());
     for start in &starts[..count.min(3)] {
         tally.computed += 1;
         let mut last = *start;
-        let end = integrate(&pendulum, method, *start, &grid, &mut |_, _, z| last = z);
-        assert_eq!(bits_of(last), bits_of(end), "{}", case(*start));
-        let fast = integrate_fast(&pendulum, method, *start, &grid, &mut ());
-        match try_integrate(&pendulum, method, *start, &grid, &mut ()) {
-            Ok(tried) => assert_eq!(bits_of(tried), bits_of(end), "{}", case(*start)),
-            Err(Error::NotSolved { n, .. }) => {
-                assert!(n < grid.steps() && end.theta.is_nan() && end.omega.is_nan());
-            }
+        let fast = method.run(&pendulum, *start, &grid, &mut |_, _, z| last = z);
+        assert_eq!(bits_of(last), bits_of(fast), "{}", case(*start));
+        let is_nan = |z: Phase| z.theta.is_nan() && z.omega.is_nan();
+        match method.try_run(&pendulum, *start, &grid, &mut ()) {
+            Ok(tried) => assert_eq!(bits_of(tried), bits_of(fast), "{}", case(*start)),
+            Err(Error::NotSolved { n, .. }) => assert!(n < grid.steps() && is_nan(fast)),
             Err(other) => panic!("{other}"),
         }
+        let end = match try_integrate(&pendulum, steps(method), *start, &grid, &mut ()) {
+            Ok(end) => end,
+            Err(Error::NotSolved { n, .. }) if n < grid.steps() => {
+                Phase { theta: f64::NAN, omega: f64::NAN }
+            }
+            Err(other) => panic!("{other}"),
+        };
         if grid.steps() == 0 {
             assert_eq!([bits_of(end), bits_of(fast)], [bits_of(*start); 2], "{}", case(*start));
         }
@@ -355,28 +352,99 @@ where
                 assert!(kept, "{end:?}: {}", case(*start));
             }
         }
-        let compensated = Compensated::new(pendulum);
-        let summed =
-            integrate(&compensated, method, CompensatedPhase::from(*start), &grid, &mut ());
+        let from = CompensatedPhase::from(*start);
+        let summed = try_integrate(&Compensated::new(pendulum), compensated, from, &grid, &mut ());
         let bounded = is_bounded(method, &pendulum, *start, grid.step());
         if moderate && !method.info().implicit && bounded {
-            assert!(is_finite(summed.phase), "compensated: {}", case(*start));
+            let finite = summed.is_ok_and(|end| is_finite(end.phase));
+            assert!(finite, "compensated: {}", case(*start));
         }
     }
 
     let mut ends = vec![Phase::default(); count];
-    Ensemble::new(&pendulum, &starts, grid).ends(method, &mut ends);
+    Ensemble::new(&pendulum, &starts, grid).ends(lanes, &mut ends);
     let every = any.0.one_of(&[1, 2, 3, 5, 1 << 32, u64::MAX]);
     let every = NonZeroU64::new(every).unwrap();
     let mut seen = vec![Samples::default(); count];
-    Ensemble::new(&pendulum, &starts, grid).watch(method, every, &mut seen);
+    Ensemble::new(&pendulum, &starts, grid).watch(lanes, every, &mut seen);
     for ((start, end), seen) in starts.iter().zip(ends).zip(seen) {
         let mut watch = Every::new(every, Samples::default());
-        let alone = integrate_fast(&pendulum, method, *start, &grid, &mut watch);
+        let alone = method.run(&pendulum, *start, &grid, &mut watch);
         assert_eq!(bits_of(end), bits_of(alone), "{}", case(*start));
         assert_eq!(seen.0, watch.into_inner().0, "{}", case(*start));
     }
 }
+
+/// Starts of that pendulum: any, or such as swing and rotate.
+fn starts(any: &mut Any, pendulum: &Pendulum, count: usize) -> Vec<Phase> {
+    let frequency = pendulum.small_angle_frequency();
+    let wild = any.0.below(2) == 0;
+    let mut start = || {
+        if wild {
+            return any.phase();
+        }
+        let q = any.0.between(-5.0, 5.0);
+        Phase { theta: any.0.between(-10.0, 10.0), omega: q * frequency }
+    };
+    (0..count).map(|_| start()).collect()
+}
+
+// -------------------------------------------------------------------------------------------------
+// The generic loops
+// -------------------------------------------------------------------------------------------------
+
+/// The loops that are compiled with the type of a method are those behind its pointers: the same
+/// samples with the same bits, the same count, the same step that has no solution.
+///
+/// Here alone every method is named by its type: it compiles all loops again. All other tests ask
+/// the pointers, and what they find is so true of the generic loops too.
+///
+/// Catches: a pointer to another method; a block of states that is left a step early or seen twice,
+/// a carry lost between two of them; a time of another step; NaN where the other loop has an end.
+fn loops_agree<M>(method: &M)
+where
+    M: AnyMethod + Method<ScaledPendulum> + Method<Pendulum> + Method<Counting<Pendulum>>,
+{
+    let listed = method_named(method.info().name).unwrap();
+    let mut any = Any(Random::new(29));
+    for n in 0..200 {
+        let pendulum = any.pendulum();
+        // More than one block of states, now and then.
+        let grid = any.grid(&pendulum, if n % 10 == 0 { 150 } else { 12 });
+        let [start] = starts(&mut any, &pendulum, 1)[..] else { unreachable!() };
+        let case = format!("{pendulum:?} {grid:?} {start:?}");
+        let mut watches = [const { Samples(Vec::new()) }; 6];
+        let [one, two, three, four, five, six] = &mut watches;
+        let end = integrate_fast(&pendulum, method, start, &grid, one);
+        assert_eq!(bits_of(listed.run(&pendulum, start, &grid, two)), bits_of(end), "{case}");
+        let tried = try_integrate_fast(&pendulum, method, start, &grid, three);
+        let listed_tried = listed.try_run(&pendulum, start, &grid, four);
+        assert_eq!(format!("{listed_tried:?}"), format!("{tried:?}"), "{case}");
+        let counting = Counting::new(pendulum);
+        let in_seconds = pendula::try_integrate(&counting, method, start, &grid, five);
+        let listed_in_seconds = try_integrate(&pendulum, steps(listed), start, &grid, six);
+        assert_eq!(format!("{listed_in_seconds:?}"), format!("{in_seconds:?}"), "{case}");
+        let counted = listed.count_evaluations(&pendulum, start, &grid);
+        assert_eq!(counted, counting.evaluations(), "{case}");
+        for (at, pair) in watches.chunks(2).enumerate() {
+            assert_eq!(pair[0].0, pair[1].0, "{at}: {case}");
+        }
+    }
+}
+each_method_type!(loops_agree);
+
+/// The same under a drive, which depends on the time.
+///
+/// Catches: a time that begins anew with each block of states.
+fn loops_agree_on_the_time<M: AnyMethod + Method<Driven>>(method: &M) {
+    let driven = Driven::taylor(1.07).unwrap();
+    let (start, grid) = (Phase { theta: -0.4, omega: 1.2 }, Grid::new(0.01, 150).unwrap());
+    let (mut seen, mut listed) = (Samples::default(), Samples::default());
+    let end = integrate(&driven, method, start, &grid, &mut seen);
+    assert_eq!(try_integrate(&driven, steps_on(method), start, &grid, &mut listed), Ok(end));
+    assert_eq!(seen.0, listed.0);
+}
+each_general_method_type!(loops_agree_on_the_time);
 
 /// n, t and state of every sample, as bits.
 #[derive(Clone, Default)]
@@ -775,7 +843,7 @@ impl Stranger for Garbage {
         let evaluations = self.counts.then(|| any.0.bits() >> any.0.below(64));
         let states = request.states() as usize;
         if self.spoils > 0 {
-            let mut reply = StormerVerlet.run(request)?;
+            let mut reply = Stranger::run(&StormerVerlet, request)?;
             if any.0.below(self.spoils) == 0 && states > 0 {
                 let at = any.0.below(states);
                 reply.states[at] = any.phase();

@@ -3,17 +3,15 @@
 
 use std::num::NonZeroU64;
 
-use pendula::fast::{FastRun, Resumable};
-use pendula::integrate::{Checkpoint, Every};
+use pendula::fast::FastRun;
+use pendula::integrate::{Checkpoint, Every, Run};
 use pendula::metrics::EnergyDrift;
 use pendula::systems::{DoublePhase, Driven, Joint};
 use pendula::{
-    Counting, DoublePendulum, Grid, Info, Method, Observer, Pendulum, Phase, Rk4, integrate,
-    integrate_fast,
+    AnyMethod, DoublePendulum, Grid, Observer, Pendulum, Phase, Rk4, integrate, integrate_fast,
 };
-use rstest_reuse::apply;
 
-use crate::common::{each_general_method, each_method};
+use crate::common::{steps, steps_on, try_integrate};
 
 const STEPS: u64 = 11;
 
@@ -40,8 +38,8 @@ fn written(at: &Checkpoint) -> Checkpoint {
 }
 
 /// The samples and the end of a run that is left after `leave` steps, with samples every `every`.
-fn in_two_parts<M: Resumable>(
-    method: &M,
+fn in_two_parts(
+    method: &dyn AnyMethod,
     pendulum: &Pendulum,
     start: Phase,
     grid: &Grid,
@@ -50,14 +48,14 @@ fn in_two_parts<M: Resumable>(
     let every = NonZeroU64::new(every).unwrap();
     let mut samples = Samples::default();
     samples.observe(0, 0.0, start);
-    let mut run = FastRun::start(pendulum, method, start, grid);
-    run.advance(leave, every, &mut samples);
+    let mut run = FastRun::start(pendulum, steps(method), start, grid);
+    run.advance(leave, every, &mut samples).unwrap();
     assert_eq!(run.checkpoint().steps(), leave);
     let at = written(run.checkpoint());
-    let mut later = FastRun::resume(pendulum, method, start, grid, at);
+    let mut later = FastRun::resume(pendulum, steps(method), start, grid, at);
     // Beyond the end there is nothing.
     let end = later.advance(grid.steps() + 5, every, &mut samples);
-    (samples.0, end)
+    (samples.0, end.unwrap())
 }
 
 /// For every method, for scenes with time in steps and (where angles are large) in seconds, left
@@ -66,49 +64,46 @@ fn in_two_parts<M: Resumable>(
 /// Catches: a carry that is computed again, which merges half kicks differently; a carry or a
 /// deferred sum that is not kept whole; a time or a stride counted from where the run was resumed;
 /// a sample seen twice or never; another unit of time after the resumption.
-#[apply(each_method)]
-fn a_run_in_parts_is_the_run<M: Resumable>(
-    #[case] method: M,
-    #[values((1.0, 0.0), (-3.0, 9.0), (2e6, 0.3))] start: (f64, f64),
-) {
+fn a_run_in_parts_is_the_run(method: &dyn AnyMethod) {
     let pendulum = Pendulum::new(5.0, 2.0, 3.0).unwrap();
-    let start = Phase { theta: start.0, omega: start.1 };
     let grid = Grid::new(0.07, STEPS).unwrap();
-    for every in STRIDES {
-        let mut watch = Every::new(NonZeroU64::new(every).unwrap(), Samples::default());
-        let end = integrate_fast(&pendulum, &method, start, &grid, &mut watch);
-        let whole = watch.into_inner().0;
-        for leave in 0..=STEPS {
-            let parts = in_two_parts(&method, &pendulum, start, &grid, [leave, every]);
-            assert_eq!(parts.0, whole, "left after {leave}, every {every}");
-            assert_eq!(parts.1, end, "left after {leave}, every {every}");
+    for (theta, omega) in [(1.0, 0.0), (-3.0, 9.0), (2e6, 0.3)] {
+        let start = Phase { theta, omega };
+        for every in STRIDES {
+            let mut watch = Every::new(NonZeroU64::new(every).unwrap(), Samples::default());
+            let end = method.run(&pendulum, start, &grid, &mut watch);
+            let whole = watch.into_inner().0;
+            for leave in 0..=STEPS {
+                let parts = in_two_parts(method, &pendulum, start, &grid, [leave, every]);
+                let case = format!("from {start:?}, left after {leave}, every {every}");
+                assert_eq!(parts, (whole.clone(), end), "{case}");
+            }
         }
     }
 }
+each_method!(a_run_in_parts_is_the_run);
 
 /// Under a drive, the force depends on the time; every method for such systems.
 ///
 /// Catches: a time that begins anew where a run is resumed, also within a step.
-#[apply(each_general_method)]
-fn a_driven_run_in_parts_is_the_run<M>(#[case] method: M)
-where
-    M: Method<Driven, Carry: pendula::systems::Numbers>,
-{
+fn a_driven_run_in_parts_is_the_run(method: &dyn AnyMethod) {
     let driven = Driven::taylor(1.07).unwrap();
     let start = Phase { theta: -0.4, omega: 1.2 };
     let grid = Grid::new(0.01, STEPS).unwrap();
+    let method = steps_on(method);
     let mut whole = Samples::default();
-    integrate(&driven, &method, start, &grid, &mut whole);
+    let end = try_integrate(&driven, method, start, &grid, &mut whole);
     for leave in 0..=STEPS {
         let mut parts = Samples::default();
         parts.observe(0, 0.0, start);
-        let mut at = Checkpoint::start(&driven, &method, start, &grid);
-        at.advance(&driven, &method, &grid, leave, NonZeroU64::MIN, &mut parts);
-        let mut at = written(&at);
-        at.advance(&driven, &method, &grid, STEPS, NonZeroU64::MIN, &mut parts);
+        let mut run = Run::start(&driven, method, start, &grid);
+        run.advance(leave, NonZeroU64::MIN, &mut parts).unwrap();
+        let mut later = Run::resume(&driven, method, &grid, written(run.checkpoint()));
+        assert_eq!(later.advance(STEPS, NonZeroU64::MIN, &mut parts), end);
         assert_eq!(parts.0, whole.0, "left after {leave}");
     }
 }
+each_general_method!(a_driven_run_in_parts_is_the_run);
 
 /// Four numbers in the state, and no carry.
 ///
@@ -119,12 +114,13 @@ fn a_state_of_four_numbers_is_kept_too() {
     let double = DoublePendulum::new(9.81, upper, lower).unwrap();
     let start = double.start([2.0, -0.5], [0.3, 1.5]).unwrap();
     let grid = Grid::new(0.01, STEPS).unwrap();
-    let mut at = Checkpoint::start(&double, &Rk4, start, &grid);
-    let there = at.advance(&double, &Rk4, &grid, 4, NonZeroU64::MIN, &mut ());
+    let mut run = Run::start(&double, &Rk4, start, &grid);
+    let there = run.advance(4, NonZeroU64::MIN, &mut ()).unwrap();
     let DoublePhase { theta1, theta2, p1, p2 } = there;
-    assert_eq!(at.numbers()[..4], [theta1, theta2, p1, p2]);
-    let end = written(&at).advance(&double, &Rk4, &grid, STEPS, NonZeroU64::MIN, &mut ());
-    assert_eq!(end, integrate(&double, &Rk4, start, &grid, &mut ()));
+    assert_eq!(run.checkpoint().numbers()[..4], [theta1, theta2, p1, p2]);
+    let mut later = Run::resume(&double, &Rk4, &grid, written(run.checkpoint()));
+    let end = later.advance(STEPS, NonZeroU64::MIN, &mut ());
+    assert_eq!(end, Ok(integrate(&double, &Rk4, start, &grid, &mut ())));
 }
 
 /// Catches: a run that goes on although its observer has seen enough, or takes no step where it was
@@ -144,32 +140,28 @@ fn a_satisfied_observer_ends_a_part() {
     let grid = Grid::new(0.07, STEPS).unwrap();
     let mut run = FastRun::start(&pendulum, &Rk4, start, &grid);
     let two = NonZeroU64::new(2).unwrap();
-    let end = run.advance(STEPS, two, &mut Three(0));
+    let end = run.advance(STEPS, two, &mut Three(0)).unwrap();
     assert_eq!(run.checkpoint().steps(), 6);
     assert_eq!(end, integrate_fast(&pendulum, &Rk4, start, &Grid::new(0.07, 6).unwrap(), &mut ()));
-    assert_eq!(run.advance(STEPS, two, &mut Three(3)), end);
+    assert_eq!(run.advance(STEPS, two, &mut Three(3)), Ok(end));
     assert_eq!(run.checkpoint().steps(), 6);
 }
 
-/// The counts of the parts are those of the whole: with time in seconds the very count of
-/// [`Counting`], for iterations too.
+/// The counts of the parts are those of the whole: with time in seconds the very count of the
+/// whole run in seconds, for iterations too.
 ///
 /// Catches: evaluations before the first step counted again or forgotten, those of the last part
 /// alone.
-#[apply(each_method)]
-fn the_evaluations_of_the_parts_add_up<M>(#[case] method: M)
-where
-    M: Resumable + Info,
-{
+fn the_evaluations_of_the_parts_add_up(method: &dyn AnyMethod) {
     let pendulum = Pendulum::new(5.0, 2.0, 3.0).unwrap();
     let grid = Grid::new(0.07, STEPS).unwrap();
     for (theta, scaled) in [(1.0, true), (2e6, false)] {
         let start = Phase { theta, omega: 0.3 };
-        let mut run = FastRun::start(&pendulum, &method, start, &grid);
-        run.advance(4, NonZeroU64::MIN, &mut ());
+        let mut run = FastRun::start(&pendulum, steps(method), start, &grid);
+        run.advance(4, NonZeroU64::MIN, &mut ()).unwrap();
         let at = *run.checkpoint();
-        let mut later = FastRun::resume(&pendulum, &method, start, &grid, at);
-        later.advance(STEPS, NonZeroU64::MIN, &mut EnergyDrift::new(&pendulum));
+        let mut later = FastRun::resume(&pendulum, steps(method), start, &grid, at);
+        later.advance(STEPS, NonZeroU64::MIN, &mut EnergyDrift::new(&pendulum)).unwrap();
         let counted = run.evaluations() + later.evaluations();
         let info = method.info();
         if !info.implicit {
@@ -177,9 +169,8 @@ where
             assert_eq!(counted, declared + info.start_evaluations);
         }
         if !scaled {
-            let counting = Counting::new(pendulum);
-            integrate(&counting, &method, start, &grid, &mut ());
-            assert_eq!(counted, counting.evaluations());
+            assert_eq!(counted, method.count_evaluations(&pendulum, start, &grid));
         }
     }
 }
+each_method!(the_evaluations_of_the_parts_add_up);

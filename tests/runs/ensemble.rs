@@ -3,12 +3,12 @@
 
 use std::num::NonZeroU64;
 
-use pendula::fast::{Avx2, Avx512, Baseline, Best, Ensemble, InLanes, Instructions};
+use pendula::fast::{Ensemble, Instructions};
 use pendula::integrate::Every;
-use pendula::{Grid, Observer, Pendulum, Phase, integrate, integrate_fast};
-use rstest_reuse::apply;
+use pendula::methods::table::in_lanes;
+use pendula::{AnyMethod, Grid, Observer, Pendulum, Phase};
 
-use crate::common::each_method;
+use crate::common::{lanes, steps, try_integrate};
 
 /// A hundred pendulums, each with its own g and L, in blocks of lanes of which the last is not
 /// full.
@@ -21,33 +21,24 @@ fn family() -> (Vec<Pendulum>, Vec<Phase>) {
 
 /// Catches: a lane that reads another's state or parameters, a branch whose two sides differ in a
 /// bit, a carry not kept, a fused multiply-add where the processor has one.
-#[apply(each_method)]
-fn lanes_have_the_bits_of_a_trajectory_alone<M: InLanes>(#[case] method: M) {
+fn lanes_have_the_bits_of_a_trajectory_alone(method: &dyn AnyMethod) {
     let (pendulums, starts) = family();
     for steps in [0, 1, 2, 1000] {
         let grid = Grid::new(0.017, steps).unwrap();
         let alone: Vec<Phase> = pendulums
             .iter()
             .zip(&starts)
-            .map(|(pendulum, start)| integrate_fast(pendulum, &method, *start, &grid, &mut ()))
+            .map(|(pendulum, start)| method.end(pendulum, *start, &grid))
             .collect();
         let ensemble = Ensemble::with_pendulums(&pendulums, &starts, grid);
-        assert_ends(&ensemble.with_instructions::<Best>(), &method, &alone);
-        assert_ends(&ensemble.with_instructions::<Baseline>(), &method, &alone);
-        assert_ends(&ensemble.with_instructions::<Avx2>(), &method, &alone);
-        assert_ends(&ensemble.with_instructions::<Avx512>(), &method, &alone);
+        for instructions in Instructions::ALL {
+            let mut ends = vec![Phase::default(); alone.len()];
+            ensemble.with_instructions(instructions).ends(lanes(method), &mut ends);
+            assert_eq!(bits(&ends), bits(&alone), "{instructions:?}, {steps} steps");
+        }
     }
 }
-
-fn assert_ends<I: Instructions>(
-    ensemble: &Ensemble<'_, I>,
-    method: &impl InLanes,
-    expected: &[Phase],
-) {
-    let mut ends = vec![Phase::default(); expected.len()];
-    ensemble.ends(method, &mut ends);
-    assert_eq!(bits(&ends), bits(expected), "{:?}", I::default());
-}
+each_method!(lanes_have_the_bits_of_a_trajectory_alone);
 
 fn bits(states: &[Phase]) -> Vec<[u64; 2]> {
     states.iter().map(|z| [z.theta.to_bits(), z.omega.to_bits()]).collect()
@@ -56,41 +47,25 @@ fn bits(states: &[Phase]) -> Vec<[u64; 2]> {
 /// What an observer is told: the count of steps, the bits of the time and those of the state.
 type Told = (u64, u64, [u64; 2]);
 
-/// Each observer of an ensemble is told the very list that [`Every`] passes on along the single
-/// trajectory: with strides that divide the number of steps and that do not, the last of them
-/// longer than the run; in lanes; and beside a start that needs care, with which no lane is left.
-///
-/// Catches: samples one step late, a sample too few at the end or too many beyond it, the start
-/// left out; a count in samples, a time in steps; another observer's trajectory.
-#[apply(each_method)]
-fn each_observer_of_an_ensemble_is_told_what_it_would_be_alone<M: InLanes>(
-    #[case] method: M,
-    #[values(1, 7, 10, 99, 100, 101, 1 << 32)] every: u64,
-    #[values(false, true)] with_care: bool,
-) {
-    let (pendulums, mut starts) = family();
-    if with_care {
-        for start in starts.iter_mut().step_by(20) {
-            start.theta = 1e9;
-        }
-    }
-    let (grid, every) = (Grid::new(0.017, 100).unwrap(), NonZeroU64::new(every).unwrap());
+/// Asserts it of each pendulum of the ensemble.
+fn told_as_alone(method: &dyn AnyMethod, ensemble: &Ensemble<'_>, every: NonZeroU64) {
+    let (starts, grid) = (ensemble.starts(), ensemble.grid());
     let mut told: Vec<Vec<Told>> = vec![vec![]; starts.len()];
     let mut observers: Vec<_> = told
         .iter_mut()
         .map(|told| move |n, t: f64, z| told.push((n, t.to_bits(), bits(&[z])[0])))
         .collect();
-    Ensemble::with_pendulums(&pendulums, &starts, grid).watch(&method, every, &mut observers);
+    ensemble.watch(lanes(method), every, &mut observers);
     drop(observers);
-    for ((pendulum, start), told) in pendulums.iter().zip(starts).zip(told) {
+    for (i, told) in told.iter().enumerate() {
         let mut alone: Vec<Told> = vec![];
         let mut watch =
             Every::new(every, |n, t: f64, z| alone.push((n, t.to_bits(), bits(&[z])[0])));
-        integrate_fast(pendulum, &method, start, &grid, &mut watch);
-        assert_eq!(told, alone);
+        method.run(ensemble.pendulum(i), starts[i], grid, &mut watch);
+        assert_eq!(*told, alone, "every {every}");
         // And that list is what it should be.
         assert_eq!(told.len() as u64, 100 / every + 1);
-        for (i, (n, t, _)) in (0..).zip(&told) {
+        for (i, (n, t, _)) in (0..).zip(told) {
             assert_eq!(
                 (*n, f64::from_bits(*t)),
                 (i * every.get(), (i * every.get()) as f64 * 0.017)
@@ -99,13 +74,34 @@ fn each_observer_of_an_ensemble_is_told_what_it_would_be_alone<M: InLanes>(
     }
 }
 
+/// Each observer of an ensemble is told the very list that [`Every`] passes on along the single
+/// trajectory: with strides that divide the number of steps and that do not, the last of them
+/// longer than the run; in lanes; and beside a start that needs care, with which no lane is left.
+///
+/// Catches: samples one step late, a sample too few at the end or too many beyond it, the start
+/// left out; a count in samples, a time in steps; another observer's trajectory.
+fn each_observer_of_an_ensemble_is_told_what_it_would_be_alone(method: &dyn AnyMethod) {
+    let (pendulums, starts) = family();
+    let mut with_care = starts.clone();
+    for start in with_care.iter_mut().step_by(20) {
+        start.theta = 1e9;
+    }
+    let grid = Grid::new(0.017, 100).unwrap();
+    for every in [1, 7, 10, 99, 100, 101, 1 << 32].map(|every| NonZeroU64::new(every).unwrap()) {
+        for starts in [&starts, &with_care] {
+            let ensemble = Ensemble::with_pendulums(&pendulums, starts, grid);
+            told_as_alone(method, &ensemble, every);
+        }
+    }
+}
+each_method!(each_observer_of_an_ensemble_is_told_what_it_would_be_alone);
+
 /// One start whose units cannot be changed, 1e-150 rad/s, and one with too many half turns, 1e9
 /// rad: each trajectory of their block is computed on its own.
 ///
 /// Catches: a start that cannot be computed in lanes and spoils its neighbours, or is spoilt by
 /// them.
-#[apply(each_method)]
-fn a_start_that_needs_care_gets_it<M: InLanes>(#[case] method: M) {
+fn a_start_that_needs_care_gets_it(method: &dyn AnyMethod) {
     let pendulum = Pendulum::PAPER;
     let starts = [
         Phase::at_rest(1.0),
@@ -114,15 +110,16 @@ fn a_start_that_needs_care_gets_it<M: InLanes>(#[case] method: M) {
     ];
     let grid = Grid::new(0.01, 100).unwrap();
     let mut ends = [Phase::default(); 3];
-    Ensemble::new(&pendulum, &starts, grid).ends(&method, &mut ends);
+    Ensemble::new(&pendulum, &starts, grid).ends(lanes(method), &mut ends);
     for (start, end) in starts.into_iter().zip(ends) {
-        let alone = integrate(&pendulum, &method, start, &grid, &mut ());
+        let alone = try_integrate(&pendulum, steps(method), start, &grid, &mut ()).unwrap();
         // 100 steps, each with a rounding of an ulp of the largest number.
         assert!((end.theta - alone.theta).abs() <= 100.0 * f64::EPSILON * alone.theta.abs());
         let scale = if start.omega == 1e-150 { 1e-150 } else { 10.0 };
         assert!((end.omega - alone.omega).abs() <= 100.0 * f64::EPSILON * scale);
     }
 }
+each_method!(a_start_that_needs_care_gets_it);
 
 /// Observes until it has seen three states.
 struct Some3(Vec<Phase>);
@@ -141,24 +138,23 @@ impl Observer<Phase> for Some3 {
 ///
 /// Catches: an observer that receives more samples than it wants, or none; one that ends the run of
 /// the others.
-#[apply(each_method)]
-fn a_satisfied_observer_is_left_alone<M: InLanes>(
-    #[case] method: M,
-    #[values(1.0, 1e9)] neighbour: f64,
-) {
-    let starts = [Phase::at_rest(0.5), Phase { theta: neighbour, omega: 1.0 }];
-    let grid = Grid::new(0.01, 10).unwrap();
-    let mut watches = [Some3(vec![]), Some3(vec![])];
-    let every = NonZeroU64::new(2).unwrap();
-    Ensemble::new(&Pendulum::PAPER, &starts, grid).watch(&method, every, &mut watches);
-    for (start, Some3(seen)) in starts.iter().zip(watches) {
-        let mut alone = vec![];
-        let mut watch = Every::new(every, |_, _, z| alone.push(z));
-        integrate_fast(&Pendulum::PAPER, &method, *start, &grid, &mut watch);
-        // In such a block, time is in seconds only for the start that requires it.
-        assert_eq!(bits(&seen), bits(&alone[..3]));
+fn a_satisfied_observer_is_left_alone(method: &dyn AnyMethod) {
+    let (grid, every) = (Grid::new(0.01, 10).unwrap(), NonZeroU64::new(2).unwrap());
+    for neighbour in [1.0, 1e9] {
+        let starts = [Phase::at_rest(0.5), Phase { theta: neighbour, omega: 1.0 }];
+        let mut watches = [Some3(vec![]), Some3(vec![])];
+        let ensemble = Ensemble::new(&Pendulum::PAPER, &starts, grid);
+        ensemble.watch(lanes(method), every, &mut watches);
+        for (start, Some3(seen)) in starts.iter().zip(watches) {
+            let mut alone = vec![];
+            let mut watch = Every::new(every, |_, _, z| alone.push(z));
+            method.run(&Pendulum::PAPER, *start, &grid, &mut watch);
+            // In such a block, time is in seconds only for the start that requires it.
+            assert_eq!(bits(&seen), bits(&alone[..3]));
+        }
     }
 }
+each_method!(a_satisfied_observer_is_left_alone);
 
 /// Catches: out-of-bounds lanes, a slot written that has no start.
 #[test]
@@ -166,6 +162,6 @@ fn a_satisfied_observer_is_left_alone<M: InLanes>(
 fn an_ensemble_wants_a_slot_for_each_start() {
     let starts = [Phase::at_rest(1.0); 2];
     let grid = Grid::new(0.01, 1).unwrap();
-    let method = pendula::methods::Rk4;
-    Ensemble::new(&Pendulum::PAPER, &starts, grid).ends(&method, &mut [Phase::default(); 3]);
+    let rk4 = in_lanes("rk4").unwrap();
+    Ensemble::new(&Pendulum::PAPER, &starts, grid).ends(rk4, &mut [Phase::default(); 3]);
 }

@@ -11,9 +11,6 @@ use pendula::{
 };
 use proptest::prelude::*;
 use proptest::test_runner::{FileFailurePersistence, RngSeed};
-use rstest_reuse::apply;
-
-use crate::common::each_method;
 
 /// Arguments that every constructor is tested with: zeros of both signs, the smallest and the
 /// largest subnormal, the smallest normal number, ordinary ones, the largest, infinities and NaN.
@@ -251,8 +248,7 @@ fn a_period_is_sound_or_refused() {
 /// happens.
 ///
 /// Catches: a division by the angle or by the energy, a NaN from 0/0.
-#[apply(each_method)]
-fn subnormal_starts_swing<M: AnyMethod>(#[case] method: M) {
+fn subnormal_starts_swing(method: &dyn AnyMethod) {
     for theta in [5e-324, -5e-324, 1e-310, f64::MIN_POSITIVE] {
         let mut drift = EnergyDrift::new(&Pendulum::PAPER);
         let grid = Grid::new(0.01, 1000).unwrap();
@@ -263,25 +259,25 @@ fn subnormal_starts_swing<M: AnyMethod>(#[case] method: M) {
         assert_eq!(drift.largest(), 0.0);
     }
 }
+each_method!(subnormal_starts_swing);
 
 /// Zeros of both signs are the same state of rest, and stay zero.
 ///
 /// Catches: a sign taken by division, a −0 that becomes a turn.
-#[apply(each_method)]
-fn negative_zero_is_rest<M: AnyMethod>(#[case] method: M) {
+fn negative_zero_is_rest(method: &dyn AnyMethod) {
     for (theta, omega) in [(0.0, -0.0), (-0.0, 0.0), (-0.0, -0.0)] {
         let grid = Grid::new(0.1, 100).unwrap();
         let end = method.run(&Pendulum::PAPER, Phase { theta, omega }, &grid, &mut ());
         assert_eq!(end, Phase::default());
     }
 }
+each_method!(negative_zero_is_rest);
 
 /// A NaN or an infinity can bypass the constructors, as the fields of a state are public. It is
 /// never replaced by a finite number: the energy error is NaN, and the run ends.
 ///
 /// Catches: a `max` that drops NaN, a loop that never ends because a comparison with NaN is false.
-#[apply(each_method)]
-fn nan_and_infinity_are_not_healed<M: AnyMethod>(#[case] method: M) {
+fn nan_and_infinity_are_not_healed(method: &dyn AnyMethod) {
     let pendulum = Pendulum::PAPER;
     for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         for start in [Phase { theta: bad, omega: 0.0 }, Phase { theta: 1.0, omega: bad }] {
@@ -294,6 +290,7 @@ fn nan_and_infinity_are_not_healed<M: AnyMethod>(#[case] method: M) {
         }
     }
 }
+each_method!(nan_and_infinity_are_not_healed);
 
 /// A bound on the sum of the sizes of the kicks of one step, of its drifts, or of a row of its
 /// tableau, in steps: 1, except for compositions, for Deuflhard's method, where the linear force is
@@ -352,14 +349,13 @@ pub fn is_as_promised(
 /// Catches: a sine that fails at large arguments; h/2 or h/6 that underflows into something other
 /// than no step; an iteration that does not end, or that returns its last iterate as a solution
 /// without having converged.
-#[apply(each_method)]
-fn absurd_steps_end<M: AnyMethod>(#[case] method: M) {
+fn absurd_steps_end(method: &dyn AnyMethod) {
     let pendulum = Pendulum::PAPER;
     for (theta, h) in [(1e15, 0.01), (1.0, 5e-324), (1.0, 1e-300), (1.0, 1e10), (1.0, 1e70)] {
         let start = pendulum.start(theta, 1.0).unwrap();
         let grid = Grid::new(h, 10).unwrap();
         let end = method.run(&pendulum, start, &grid, &mut ());
-        assert!(is_as_promised(&method, &pendulum, start, end, &grid), "{end:?}");
+        assert!(is_as_promised(method, &pendulum, start, end, &grid), "{end:?}");
         if h < 1e-200 {
             assert_eq!(end.theta, theta);
         }
@@ -368,6 +364,7 @@ fn absurd_steps_end<M: AnyMethod>(#[case] method: M) {
         }
     }
 }
+each_method!(absurd_steps_end);
 
 /// The exact motion of the linear oscillator is finite from every finite state.
 ///

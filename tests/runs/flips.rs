@@ -3,7 +3,8 @@
 use std::f64::consts::PI;
 use std::num::NonZeroU64;
 
-use pendula::fast::{Avx2, Avx512, Baseline, Best, DoubleInLanes, Instructions, first_flips_with};
+use pendula::fast::{DoubleInLanes, Instructions, first_flips, first_flips_with};
+use pendula::methods::table::RK4_IN_LANES;
 use pendula::methods::{DormandPrince, Rk4};
 use pendula::systems::{DoublePhase, Joint};
 use pendula::{DoublePendulum, Grid, Observer, integrate};
@@ -40,11 +41,15 @@ fn starts(double: &DoublePendulum) -> Vec<DoublePhase> {
     (0..143).map(start).collect()
 }
 
-/// The first flips with the instructions `I`.
-fn in_lanes<I: Instructions, M: DoubleInLanes>(method: &M, grid: &Grid) -> Vec<Option<NonZeroU64>> {
+/// The first flips with these instructions.
+fn in_lanes(
+    instructions: Instructions,
+    method: &dyn DoubleInLanes,
+    grid: &Grid,
+) -> Vec<Option<NonZeroU64>> {
     let (double, starts) = (unequal(), starts(&unequal()));
     let mut flips = vec![NonZeroU64::new(7); starts.len()];
-    first_flips_with::<I, M>(&double, method, &starts, grid, &mut flips);
+    first_flips_with(instructions, &double, method, &starts, grid, &mut flips);
     flips
 }
 
@@ -75,11 +80,10 @@ fn each_first_flip_is_that_of_a_run_alone() {
             assert!(expected.0.iter().filter(late).count() >= 5, "{expected:?}");
             assert!(expected.0.iter().filter(|flip| flip.is_none()).count() >= 30, "{expected:?}");
         }
-        assert_eq!(in_lanes::<Best, _>(&Rk4, &grid), expected.0, "{grid:?}");
-        assert_eq!(in_lanes::<Baseline, _>(&Rk4, &grid), expected.0, "{grid:?}");
-        assert_eq!(in_lanes::<Avx2, _>(&Rk4, &grid), expected.0, "{grid:?}");
-        assert_eq!(in_lanes::<Avx512, _>(&Rk4, &grid), expected.0, "{grid:?}");
-        assert_eq!(in_lanes::<Baseline, _>(&DormandPrince, &grid), expected.1, "{grid:?}");
+        for with in Instructions::ALL {
+            assert_eq!(in_lanes(with, RK4_IN_LANES, &grid), expected.0, "{with:?}, {grid:?}");
+            assert_eq!(in_lanes(with, &DormandPrince, &grid), expected.1, "{with:?}, {grid:?}");
+        }
     }
 }
 
@@ -107,7 +111,7 @@ fn nothing_turns_over_without_the_energy_for_it() {
         let grid = Grid::with_duration(0.005, 15.0).unwrap();
         let turned_over = |starts: &[DoublePhase]| {
             let mut flips = vec![None; starts.len()];
-            first_flips_with::<Best, _>(&double, &Rk4, starts, &grid, &mut flips);
+            first_flips(&double, RK4_IN_LANES, starts, &grid, &mut flips);
             flips.iter().flatten().count()
         };
         assert_eq!(turned_over(&low), 0);
@@ -132,7 +136,7 @@ fn only_the_early_flips_are_the_motions_own() {
     let [long, short] = [0.01, 0.005].map(|h| {
         let mut flips = vec![None; starts.len()];
         let grid = Grid::with_duration(h, 20.0).unwrap();
-        first_flips_with::<Best, _>(&double, &Rk4, &starts, &grid, &mut flips);
+        first_flips(&double, RK4_IN_LANES, &starts, &grid, &mut flips);
         flips.into_iter().map(|flip| flip.map(|n| grid.time(n.get()))).collect::<Vec<_>>()
     });
     let share = |from: f64, to: f64| {

@@ -2,7 +2,7 @@
 
 use std::num::{NonZeroU32, NonZeroU64};
 
-use pendula::fast::InLanes;
+use pendula::fast::ScaledPendulum;
 use pendula::methods::{
     DiscreteGradient, Gauss4, Gauss6, Gauss16, Implicit, ImplicitMidpoint, ImplicitTableau,
     Iteration, Rk4, Trapezoidal,
@@ -10,21 +10,39 @@ use pendula::methods::{
 use pendula::systems::{DoublePendulum, Joint};
 use pendula::{
     AnyMethod, Counting, Ensemble, Error, Grid, Info, METHODS, Method, Pendulum, Phase, Unsolved,
-    integrate, integrate_fast, try_integrate, try_integrate_fast,
+    integrate, integrate_fast, method_named,
 };
-use rstest::rstest;
-use rstest_reuse::{apply, template};
 
+use crate::common::{lanes, method, steps, steps_on, try_integrate};
 use crate::random::Random;
 
-#[template]
-#[rstest]
-#[case::implicit_midpoint(ImplicitMidpoint, limit(&ImplicitMidpoint::TABLEAU))]
-#[case::trapezoidal(Trapezoidal, limit(&Trapezoidal::TABLEAU))]
-#[case::gauss_4(Gauss4, limit(&Gauss4::TABLEAU))]
-#[case::gauss_6(Gauss6, limit(&Gauss6::TABLEAU))]
-#[case::gauss_16(Gauss16, limit(&Gauss16::TABLEAU))]
-fn each_implicit<M: Implicit>(#[case] method: M, #[case] limit: f64) {}
+/// Makes of the function `$test` a test for each implicit method with a tableau, and its limit.
+macro_rules! each_implicit {
+    ($test:ident) => {
+        cases! {
+            $test:
+            implicit_midpoint(method("implicit_midpoint"), limit(&ImplicitMidpoint::TABLEAU)),
+            trapezoidal(method("trapezoidal"), limit(&Trapezoidal::TABLEAU)),
+            gauss_4(method("gauss_4"), limit(&Gauss4::TABLEAU)),
+            gauss_6(method("gauss_6"), limit(&Gauss6::TABLEAU)),
+            gauss_16(method("gauss_16"), limit(&Gauss16::TABLEAU)),
+        }
+    };
+}
+
+/// The same with the type of each, for another iteration than its own.
+macro_rules! each_implicit_type {
+    ($test:ident) => {
+        cases! {
+            $test:
+            implicit_midpoint(ImplicitMidpoint, limit(&ImplicitMidpoint::TABLEAU)),
+            trapezoidal(Trapezoidal, limit(&Trapezoidal::TABLEAU)),
+            gauss_4(Gauss4, limit(&Gauss4::TABLEAU)),
+            gauss_6(Gauss6, limit(&Gauss6::TABLEAU)),
+            gauss_16(Gauss16, limit(&Gauss16::TABLEAU)),
+        }
+    };
+}
 
 /// The largest x = ω₀h at which 100 sweeps leave no more than a rounding of the distance to the
 /// solution, whatever the state: by the sweeps themselves, with θ' = xω and |ω'| ≤ x|θ|, as the
@@ -75,38 +93,31 @@ fn scene(random: &mut Random, limit: f64) -> (Pendulum, Phase, Grid) {
 ///
 /// Catches: an iteration that stops only where its changes are small in the units of the state, and
 /// loses every tenth run of a fast pendulum.
-#[apply(each_implicit)]
-fn every_step_within_the_limit_is_solved<M>(#[case] method: M, #[case] limit: f64)
-where
-    M: Implicit + InLanes,
-{
+fn every_step_within_the_limit_is_solved(method: &dyn AnyMethod, limit: f64) {
     assert!((1.0..3.0).contains(&limit), "{limit}");
     let mut random = Random::new(17);
     for n in 0..400 {
         let (pendulum, start, grid) = scene(&mut random, limit);
-        let end = integrate(&pendulum, &method, start, &grid, &mut ());
         let case = || format!("scene {n}: {pendulum:?} {start:?} {grid:?}");
-        assert!(end.theta.is_finite() && end.omega.is_finite(), "{}", case());
-        let fast = integrate_fast(&pendulum, &method, start, &grid, &mut ());
+        let end = try_integrate(&pendulum, steps(method), start, &grid, &mut ());
+        let finite = end.is_ok_and(|end| end.theta.is_finite() && end.omega.is_finite());
+        assert!(finite, "{end:?}, {}", case());
+        let fast = method.end(&pendulum, start, &grid);
         assert!(fast.theta.is_finite() && fast.omega.is_finite(), "fast, {}", case());
         let mut ends = [Phase::default()];
-        Ensemble::new(&pendulum, &[start], grid).ends(&method, &mut ends);
+        Ensemble::new(&pendulum, &[start], grid).ends(lanes(method), &mut ends);
         assert_eq!(bits(ends[0]), bits(fast), "in lanes, {}", case());
-        assert_eq!(try_integrate(&pendulum, &method, start, &grid, &mut ()), Ok(end));
-        assert_eq!(try_integrate_fast(&pendulum, &method, start, &grid, &mut ()), Ok(fast));
+        assert_eq!(method.try_run(&pendulum, start, &grid, &mut ()), Ok(fast));
     }
 }
+each_implicit!(every_step_within_the_limit_is_solved);
 
 /// The double pendulum is not separable, and its momenta have other units than its angles. With
 /// g/L from 1e-12 to 1e12, steps of x = √(g/L) h up to 0.05, and angles of many turns.
 ///
 /// Catches: a test of the pendulum's alone, or one that asks each component to be right to its own
 /// last digit.
-#[apply(each_implicit)]
-fn so_is_every_step_of_a_double_pendulum<M>(#[case] method: M, #[case] limit: f64)
-where
-    M: Implicit + Method<DoublePendulum>,
-{
+fn so_is_every_step_of_a_double_pendulum(method: &dyn AnyMethod, limit: f64) {
     assert!(limit > 0.05);
     let mut random = Random::new(18);
     for n in 0..200 {
@@ -119,13 +130,14 @@ where
         let start = double.start(theta, [0.0; 2]).unwrap();
         let x = 10_f64.powf(random.between(-5.0, 0.05_f64.log10()));
         let grid = Grid::new(x / (gravity / length).sqrt(), 50).unwrap();
-        let end = try_integrate(&double, &method, start, &grid, &mut ());
+        let end = try_integrate(&double, steps_on(method), start, &grid, &mut ());
         assert!(
             end.is_ok_and(|end| end.p1.is_finite()),
             "{n}: {double:?} {start:?} {grid:?} {end:?}"
         );
     }
 }
+each_implicit!(so_is_every_step_of_a_double_pendulum);
 
 fn bits(z: Phase) -> [u64; 2] {
     [z.theta.to_bits(), z.omega.to_bits()]
@@ -136,11 +148,11 @@ fn bits(z: Phase) -> [u64; 2] {
 /// Catches: a step counted twice or not at all; a NaN shown to the observer; a failure of a run
 /// that is computed in steps, reported in steps; a run that fails where the one that does not ask
 /// goes on.
-#[apply(each_implicit)]
-fn a_step_that_is_not_solved_says_so<M>(#[case] method: M, #[case] limit: f64)
+fn a_step_that_is_not_solved_says_so<M>(method: M, limit: f64)
 where
-    M: Implicit + AnyMethod + Method<Pendulum>,
+    M: Implicit + Method<Pendulum>,
 {
+    let listed = method_named(method.info().name).unwrap();
     let pendulum = Pendulum::new(9.81, 1.7, 0.6).unwrap();
     let mut on_the_way = 0;
     for (i, fast) in (0..60).flat_map(|i| [(i, false), (i, true)]) {
@@ -150,9 +162,9 @@ where
         let mut seen = vec![];
         let mut watch = |n: u64, t: f64, z: Phase| seen.push((n, t, z));
         let tried = if fast {
-            method.try_run(&pendulum, start, &grid, &mut watch)
+            listed.try_run(&pendulum, start, &grid, &mut watch)
         } else {
-            try_integrate(&pendulum, &method, start, &grid, &mut watch)
+            pendula::try_integrate(&pendulum, &method, start, &grid, &mut watch)
         };
         // The run that does not ask, and where it is first NaN.
         let mut lost = None;
@@ -162,7 +174,7 @@ where
             }
         };
         let end = if fast {
-            method.run(&pendulum, start, &grid, &mut watch)
+            listed.run(&pendulum, start, &grid, &mut watch)
         } else {
             integrate(&pendulum, &method, start, &grid, &mut watch)
         };
@@ -190,6 +202,7 @@ where
     }
     assert!(on_the_way > 0);
 }
+each_implicit_type!(a_step_that_is_not_solved_says_so);
 
 /// Catches: an explicit method that is said to have no solution.
 #[test]
@@ -201,8 +214,9 @@ fn an_explicit_method_has_nothing_to_solve() {
     }
     let mut asked = 0;
     let mut watch = |_, _, _: Phase| asked += 1;
-    let end = try_integrate(&Pendulum::PAPER, &Rk4, Phase::at_rest(1.0), &grid, &mut watch);
-    assert_eq!(end, Ok(integrate(&Pendulum::PAPER, &Rk4, Phase::at_rest(1.0), &grid, &mut ())));
+    let start = Phase::at_rest(1.0);
+    let end = pendula::try_integrate(&Pendulum::PAPER, &Rk4, start, &grid, &mut watch);
+    assert_eq!(end, Ok(integrate(&Pendulum::PAPER, &Rk4, start, &grid, &mut ())));
     assert_eq!(asked, 11);
 }
 
@@ -211,30 +225,30 @@ fn an_explicit_method_has_nothing_to_solve() {
 // -------------------------------------------------------------------------------------------------
 
 /// Catches: defaults that are not those of the method alone.
-#[apply(each_implicit)]
-fn the_default_iteration_has_the_methods_bits<M>(#[case] method: M, #[case] limit: f64)
+fn the_default_iteration_has_the_methods_bits<M>(method: M, limit: f64)
 where
-    M: Implicit + Copy + AnyMethod + Method<Pendulum>,
+    M: Implicit + Copy + Method<Pendulum> + Method<ScaledPendulum>,
 {
+    let listed = method_named(method.info().name).unwrap();
+    let with = method.with(Iteration::default());
+    assert_eq!(with.info(), method.info());
     let mut random = Random::new(19);
     for _ in 0..50 {
         let (pendulum, start, grid) = scene(&mut random, limit);
-        let with = method.with(Iteration::default());
-        assert_eq!(with.info(), method.info());
-        let end = integrate(&pendulum, &method, start, &grid, &mut ());
+        let end = try_integrate(&pendulum, steps(listed), start, &grid, &mut ()).unwrap();
         assert_eq!(bits(integrate(&pendulum, &with, start, &grid, &mut ())), bits(end));
-        let end = method.run(&pendulum, start, &grid, &mut ());
-        assert_eq!(bits(with.run(&pendulum, start, &grid, &mut ())), bits(end));
+        let end = listed.end(&pendulum, start, &grid);
+        assert_eq!(bits(integrate_fast(&pendulum, &with, start, &grid, &mut ())), bits(end));
     }
 }
+each_implicit_type!(the_default_iteration_has_the_methods_bits);
 
 /// A step of x = 0.2: each sweep leaves at most a fifth of what is missing, so that a tolerance τ
 /// leaves less than τ of the slopes and of the state over the step, and 1e-12 takes more sweeps
 /// than 1e-3.
 ///
 /// Catches: a tolerance that is not used, or in other units; sweeps that are not counted.
-#[apply(each_implicit)]
-fn a_tolerance_is_kept_and_saves_sweeps<M>(#[case] method: M, #[case] limit: f64)
+fn a_tolerance_is_kept_and_saves_sweeps<M>(method: M, limit: f64)
 where
     M: Implicit + Copy + Method<Pendulum> + Method<Counting<Pendulum>>,
 {
@@ -272,6 +286,7 @@ where
         .with(Iteration::default().tolerance(0.1).unwrap().sweeps(NonZeroU32::new(2).unwrap()));
     assert!(coarse.try_step(&pendulum, 0.0, h, start, &mut ()).is_ok());
 }
+each_implicit_type!(a_tolerance_is_kept_and_saves_sweeps);
 
 /// Catches: a tolerance that is NaN, negative, or met by any slopes.
 #[test]
@@ -320,12 +335,12 @@ fn the_discrete_gradient_is_solved_or_says_so() {
         for end in [end, fast] {
             assert!(end.theta.is_finite() && end.omega.is_finite(), "{}", case());
         }
-        let tried = try_integrate(&pendulum, &DiscreteGradient, start, &grid, &mut ());
+        let tried = pendula::try_integrate(&pendulum, &DiscreteGradient, start, &grid, &mut ());
         assert_eq!(tried, Ok(end), "{}", case());
     }
     let long = Grid::new(4.0 / Pendulum::PAPER.small_angle_frequency(), 10).unwrap();
     let start = Phase::at_rest(1.0);
-    let tried = try_integrate(&Pendulum::PAPER, &DiscreteGradient, start, &long, &mut ());
+    let tried = pendula::try_integrate(&Pendulum::PAPER, &DiscreteGradient, start, &long, &mut ());
     assert!(matches!(tried, Err(Error::NotSolved { n: 0, sweeps: 100, .. })), "{tried:?}");
     let end = integrate(&Pendulum::PAPER, &DiscreteGradient, start, &long, &mut ());
     assert!(end.theta.is_nan() && end.omega.is_nan(), "{end:?}");

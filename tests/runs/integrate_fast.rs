@@ -2,16 +2,13 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use pendula::fast::{Deferred, InLanes, ScaledPendulum};
+use pendula::fast::{Deferred, ScaledPendulum};
 use pendula::methods::{Rk4, StormerVerlet, SymplecticEuler, Yoshida8};
-use pendula::{
-    AnyMethod, Ensemble, Grid, Method, Observer, Pendulum, Phase, integrate, integrate_fast,
-};
+use pendula::{AnyMethod, Ensemble, Grid, Observer, Pendulum, Phase, integrate, integrate_fast};
 use proptest::prelude::*;
 use rstest::rstest;
-use rstest_reuse::apply;
 
-use crate::common::each_method;
+use crate::common::{lanes, steps, try_integrate};
 use crate::random::Random;
 
 fn pendulum() -> Pendulum {
@@ -19,9 +16,7 @@ fn pendulum() -> Pendulum {
 }
 
 /// The states of one run.
-fn states(
-    run: impl FnOnce(&mut dyn FnMut(u64, f64, Phase)) -> Phase,
-) -> (Vec<(u64, f64, Phase)>, Phase) {
+fn states(run: impl FnOnce(&mut dyn Observer<Phase>) -> Phase) -> (Vec<(u64, f64, Phase)>, Phase) {
     let mut seen = vec![];
     let end = run(&mut |n, t, z| seen.push((n, t, z)));
     (seen, end)
@@ -34,31 +29,31 @@ fn states(
 /// Catches: a factor h lost in the change of units, half turns counted wrongly, a sign of the sine,
 /// a deferred product added twice or never, samples at other times, a start that is observed
 /// rounded.
-#[apply(each_method)]
-fn in_steps_is_in_seconds<M>(
-    #[case] method: M,
-    #[values(0.01, 0.1, 0.37)] h: f64,
-    #[values((1.0, 0.0), (3.0, 0.1), (-0.3, 9.0), (100.0, -7.0), (0.0, 0.0))] start: (f64, f64),
-) where
-    M: Method<Pendulum> + Method<ScaledPendulum>,
-{
-    let (pendulum, start) = (pendulum(), Phase { theta: start.0, omega: start.1 });
-    let grid = Grid::new(h, 50).unwrap();
-    let (quick, end) =
-        states(|mut watch| integrate_fast(&pendulum, &method, start, &grid, &mut watch));
-    let (plain, _) = states(|mut watch| integrate(&pendulum, &method, start, &grid, &mut watch));
-    assert_eq!(quick.len(), plain.len());
-    assert_eq!(quick[0], (0, 0.0, start));
-    assert_eq!(quick[50].2, end);
-    for ((n, t, z), (m, s, w)) in quick.into_iter().zip(plain) {
-        assert_eq!((n, t), (m, s));
-        let rounding = 12.0 * f64::EPSILON * ((n * n) as f64 + 1.0);
-        let theta = rounding * (w.theta.abs() + h * w.omega.abs() + 1.0);
-        assert!((z.theta - w.theta).abs() <= theta, "θ after {n} steps: {z:?} {w:?}");
-        let omega = rounding * (w.omega.abs() + 2.5 * h + theta / h);
-        assert!((z.omega - w.omega).abs() <= omega, "ω after {n} steps: {z:?} {w:?}");
+fn in_steps_is_in_seconds(method: &dyn AnyMethod) {
+    let pendulum = pendulum();
+    for h in [0.01, 0.1, 0.37] {
+        let grid = Grid::new(h, 50).unwrap();
+        for (theta, omega) in [(1.0, 0.0), (3.0, 0.1), (-0.3, 9.0), (100.0, -7.0), (0.0, 0.0)] {
+            let start = Phase { theta, omega };
+            let (quick, end) = states(|watch| method.run(&pendulum, start, &grid, watch));
+            let (plain, _) = states(|watch| {
+                try_integrate(&pendulum, steps(method), start, &grid, watch).unwrap()
+            });
+            assert_eq!(quick.len(), plain.len());
+            assert_eq!(quick[0], (0, 0.0, start));
+            assert_eq!(quick[50].2, end);
+            for ((n, t, z), (m, s, w)) in quick.into_iter().zip(plain) {
+                assert_eq!((n, t), (m, s));
+                let rounding = 12.0 * f64::EPSILON * ((n * n) as f64 + 1.0);
+                let theta = rounding * (w.theta.abs() + h * w.omega.abs() + 1.0);
+                assert!((z.theta - w.theta).abs() <= theta, "θ after {n} of {h}: {z:?} {w:?}");
+                let omega = rounding * (w.omega.abs() + 2.5 * h + theta / h);
+                assert!((z.omega - w.omega).abs() <= omega, "ω after {n} of {h}: {z:?} {w:?}");
+            }
+        }
     }
 }
+each_method!(in_steps_is_in_seconds);
 
 /// Observes the start, and needs no more.
 struct Start;
@@ -75,8 +70,7 @@ impl Observer<Phase> for Start {
 /// the bit: also where the velocity in rad a step, or the angle in half turns, would be rounded.
 ///
 /// Catches: a state that is converted there and back, by which one in four changes its last bit.
-#[apply(each_method)]
-fn no_step_changes_no_bit<M: InLanes + AnyMethod>(#[case] method: M) {
+fn no_step_changes_no_bit(method: &dyn AnyMethod) {
     let mut random = Random::new(5);
     let starts: Vec<Phase> = (0..100)
         .map(|_| Phase { theta: random.between(-1e3, 1e3), omega: random.between(-9.0, 9.0) })
@@ -84,17 +78,18 @@ fn no_step_changes_no_bit<M: InLanes + AnyMethod>(#[case] method: M) {
     let bits = |z: Phase| [z.theta.to_bits(), z.omega.to_bits()];
     let [none, ten] = [0, 10].map(|steps| Grid::new(0.017, steps).unwrap());
     let mut ends = vec![Phase::default(); starts.len()];
-    Ensemble::new(&pendulum(), &starts, none).ends(&method, &mut ends);
+    Ensemble::new(&pendulum(), &starts, none).ends(lanes(method), &mut ends);
     for (start, end) in starts.into_iter().zip(ends) {
         assert_eq!(bits(end), bits(start), "in lanes");
-        let end = integrate_fast(&pendulum(), &method, start, &none, &mut ());
+        let end = method.end(&pendulum(), start, &none);
         assert_eq!(bits(end), bits(start), "no steps");
-        let end = integrate_fast(&pendulum(), &method, start, &ten, &mut Start);
+        let end = method.run(&pendulum(), start, &ten, &mut Start);
         assert_eq!(bits(end), bits(start), "ended at once");
         let end = method.try_run(&pendulum(), start, &ten, &mut Start).unwrap();
         assert_eq!(bits(end), bits(start), "ended at once, and asked why");
     }
 }
+each_method!(no_step_changes_no_bit);
 
 /// A step of 1e-20 s moves nothing by as much as a rounding, but the state goes there and back.
 ///

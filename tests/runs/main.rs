@@ -1,5 +1,6 @@
 //! The time loops: grid, observers, lanes, variable steps; and extreme inputs.
 
+#[macro_use]
 #[path = "../common/each_method.rs"]
 mod common;
 

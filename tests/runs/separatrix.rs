@@ -9,9 +9,6 @@ use pendula::{
     Phase, System, integrate,
 };
 use rstest::rstest;
-use rstest_reuse::apply;
-
-use crate::common::{each_general_method, each_method};
 
 /// The paper's, and one with L ≠ 1, m ≠ 1 and another ω₀.
 fn pendulums() -> [Pendulum; 2] {
@@ -93,8 +90,7 @@ const ROUNDED_START: f64 = 2e-7;
 ///
 /// Catches: a start nudged off the top; a method whose order is lost where the force is almost
 /// zero.
-#[apply(each_method)]
-fn the_fall_is_late_by_the_methods_order<M: AnyMethod>(#[case] method: M) {
+fn the_fall_is_late_by_the_methods_order(method: &dyn AnyMethod) {
     /// The next term is of relative order h: it bends the slopes of the Euler methods by 0.02 at
     /// most, and RK4's by as much.
     const TOLERANCE: f64 = 0.05;
@@ -104,8 +100,8 @@ fn the_fall_is_late_by_the_methods_order<M: AnyMethod>(#[case] method: M) {
                 continue;
             }
             let (coarse, fine) = (
-                delay(&method, &pendulum, beside, 0.005).abs(),
-                delay(&method, &pendulum, beside, 0.0025).abs(),
+                delay(method, &pendulum, beside, 0.005).abs(),
+                delay(method, &pendulum, beside, 0.0025).abs(),
             );
             if fine > 10.0 * floor {
                 let order = (coarse / fine).log2();
@@ -120,6 +116,7 @@ fn the_fall_is_late_by_the_methods_order<M: AnyMethod>(#[case] method: M) {
         }
     }
 }
+each_method!(the_fall_is_late_by_the_methods_order);
 
 /// Symplectic Euler is Störmer–Verlet half a step on: it is early by h/2, to order h².
 ///
@@ -275,8 +272,7 @@ fn from_pi_rounding_holds_the_pendulum_up<M: Method<Pendulum>>(#[case] method: M
 ///
 /// Catches: a remainder that is lost when the angle is formed, a reduction of θ with too few digits
 /// of π.
-#[apply(each_method)]
-fn from_pi_a_rest_of_the_angle_is_not_held_up<M: AnyMethod>(#[case] method: M) {
+fn from_pi_a_rest_of_the_angle_is_not_held_up(method: &dyn AnyMethod) {
     let pendulum = Pendulum::PAPER;
     let exact = 0.25 * Motion::new(&pendulum, Phase::at_rest(PI)).unwrap().period().unwrap();
     assert!((exact - 12.361_754_1).abs() < 1e-7, "{exact} s");
@@ -299,6 +295,7 @@ fn from_pi_a_rest_of_the_angle_is_not_held_up<M: AnyMethod>(#[case] method: M) {
         assert!((fallen - law).abs() < 1.1 * share * law + h, "falls in {fallen} s, not {law} s");
     }
 }
+each_method!(from_pi_a_rest_of_the_angle_is_not_held_up);
 
 // -------------------------------------------------------------------------------------------------
 // Fast rotation
@@ -334,10 +331,10 @@ fn the_exact_rotation_has_its_mean_rate() {
 /// Every method follows the rotation to its order, and counts the 1592 turns of 10 s correctly.
 ///
 /// Catches: an angle wrapped within the step; an order that holds for a swing only.
-#[apply(each_method)]
-fn every_method_rotates_by_its_order<M: AnyMethod>(#[case] method: M) {
-    rotates_by_its_order(&method).unwrap();
+fn every_method_rotates_by_its_order(method: &dyn AnyMethod) {
+    rotates_by_its_order(method).unwrap();
 }
+each_method!(every_method_rotates_by_its_order);
 
 /// Ralston's method, of order 2, whose weights are a quadrature of order 3; or what poses as it.
 struct Ralston {
@@ -444,8 +441,7 @@ fn rotates_by_its_order(method: &dyn AnyMethod) -> Result<(), String> {
 ///
 /// Catches: NaN from a large argument of the sine; energy that grows where a symplectic method
 /// cannot gain any.
-#[apply(each_general_method)]
-fn in_coarse_steps_fast_rotation_stays_finite<M: AnyMethod>(#[case] method: M) {
+fn in_coarse_steps_fast_rotation_stays_finite(method: &dyn AnyMethod) {
     // The kicks of Yoshida's method of order 8 add up to 17 steps.
     let info = method.info();
     let kicks = if info.force_evaluations > 1 { 17.0 } else { 1.0 };
@@ -467,3 +463,4 @@ fn in_coarse_steps_fast_rotation_stays_finite<M: AnyMethod>(#[case] method: M) {
         }
     }
 }
+each_general_method!(in_coarse_steps_fast_rotation_stays_finite);

@@ -14,16 +14,13 @@ use pendula_study::experiments::beyond::{
     CHAOTIC, COARSE, Doubling, attractor, doubling, doublings, poincare, seen,
 };
 use rstest::rstest;
-use rstest_reuse::apply;
-
-use crate::common::each_general_method;
 
 /// Catches: stages at the wrong times, a kick with the force of the other end of the step: the
 /// pendulum, which is autonomous, shows neither.
-#[apply(each_general_method)]
-fn a_push_that_grows_is_followed_to_the_order<M: Info + Method<Pushed>>(#[case] method: M) {
-    check(&method).unwrap();
+fn a_push_that_grows_is_followed_to_the_order<M: Info + Method<Pushed>>(method: &M) {
+    check(method).unwrap();
 }
+each_general_method_type!(a_push_that_grows_is_followed_to_the_order);
 
 /// Catches: the force at the end of the step, or half-way: an error of order h, which Euler's
 /// methods have anyway, so that an order test does not show it.

@@ -12,9 +12,6 @@ use pendula::{Counting, Error, Grid, Hamiltonian, Info, Method, Separable, Syste
 use pendula_study::experiments::beyond::precession;
 use pendula_study::theory::kepler::verlet_precession;
 use rstest::rstest;
-use rstest_reuse::apply;
-
-use crate::common::each_general_method;
 
 /// μ ≠ 1, a ≠ 1, so that a missing factor shows. e is moderate, so that a ladder of even steps is
 /// in its asymptotic regime.
@@ -109,8 +106,7 @@ const SECOND_TERM: f64 = 4.0;
 ///
 /// Catches: a coefficient that happens to be right for a force in one dimension, or for one that is
 /// nearly linear.
-#[apply(each_general_method)]
-fn each_method_has_its_order<M: Method<Kepler> + Info>(#[case] method: M) {
+fn each_method_has_its_order<M: Method<Kepler> + Info>(method: &M) {
     let info = method.info();
     let order = f64::from(info.order);
     let is_fine = info.order > 8;
@@ -125,7 +121,7 @@ fn each_method_has_its_order<M: Method<Kepler> + Info>(#[case] method: M) {
     let ladder: Vec<(f64, f64)> = (0..)
         .map(rung)
         .take_while(|n| *n <= 40_000.0)
-        .map(|n| (n, largest_error(&method, n as u64)))
+        .map(|n| (n, largest_error(method, n as u64)))
         .take_while(|(n, error)| *error > floor(*n))
         .collect();
     let (steps, errors): (Vec<f64>, Vec<f64>) =
@@ -145,6 +141,7 @@ fn each_method_has_its_order<M: Method<Kepler> + Info>(#[case] method: M) {
         assert!((slopes[k] - order).abs() < window, "{slopes:?} of {errors:?}");
     }
 }
+each_general_method_type!(each_method_has_its_order);
 
 /// The largest change of the angular momentum over a hundred revolutions in coarse steps, relative.
 fn momentum_drift<M: Method<Kepler>>(method: &M) -> f64 {
@@ -165,8 +162,7 @@ fn momentum_drift<M: Method<Kepler>>(method: &M) -> f64 {
 ///
 /// Catches: a force that is not central, a kick that changes the position, a drift that changes the
 /// velocity; a method wrongly declared symplectic.
-#[apply(each_general_method)]
-fn symplectic_methods_and_no_others_keep_the_angular_momentum<M>(#[case] method: M)
+fn symplectic_methods_and_no_others_keep_the_angular_momentum<M>(method: &M)
 where
     M: Method<Kepler> + Info,
 {
@@ -175,9 +171,10 @@ where
     let info = method.info();
     let rounding =
         3.0 * 100.0 * f64::from(info.force_evaluations as u32).sqrt() * 4.0 * f64::EPSILON;
-    let drift = momentum_drift(&method);
+    let drift = momentum_drift(method);
     assert_eq!(drift < rounding, info.symplectic, "{drift:e}, {rounding:e}");
 }
+each_general_method_type!(symplectic_methods_and_no_others_keep_the_angular_momentum);
 
 /// The energy of a symplectic method oscillates between fixed bounds: its error is no larger over a
 /// hundred revolutions than over ten.

@@ -1,5 +1,6 @@
 //! Systems beyond the simple pendulum.
 
+#[macro_use]
 #[path = "../common/each_method.rs"]
 mod common;
 

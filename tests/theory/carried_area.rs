@@ -5,9 +5,6 @@ use pendula::{AnyMethod, Grid, METHODS, Motion, Pendulum, Phase, method_named};
 use pendula_study::experiments::area::carried;
 use pendula_study::experiments::shapes::{self, CAT, Place};
 use quadrature::clenshaw_curtis::integrate;
-use rstest_reuse::apply;
-
-use crate::common::each_method;
 
 /// L ≠ 1 and ω₀ ≠ 1.
 fn pendulum() -> Pendulum {
@@ -78,13 +75,12 @@ const TOLERANCE: f64 = 6.0 * 2.0 * 3.0 * DETERMINANT;
 ///
 /// Catches: the ratio of another method or another number of steps, or its inverse; a polygon whose
 /// points are out of order; an image taken at the wrong step.
-#[apply(each_method)]
-fn the_image_of_a_square_is_as_large_as_the_determinants_say<M: AnyMethod>(#[case] method: M) {
+fn the_image_of_a_square_is_as_large_as_the_determinants_say(method: &dyn AnyMethod) {
     let info = method.info();
     let changed = |step: f64| {
         let (grid, tolerance) = (grid_of(step), TOLERANCE * (step / 0.2).powi(2));
         let (measured, expected) =
-            (measured_ratio(info.name, &grid), ratio_by_determinants(&method, &grid));
+            (measured_ratio(info.name, &grid), ratio_by_determinants(method, &grid));
         assert!((measured - expected).abs() < tolerance, "{measured} for {expected}");
         (measured - 1.0).abs() / tolerance
     };
@@ -98,6 +94,7 @@ fn the_image_of_a_square_is_as_large_as_the_determinants_say<M: AnyMethod>(#[cas
         assert!(changed(long) > 100.0);
     }
 }
+each_method!(the_image_of_a_square_is_as_large_as_the_determinants_say);
 
 /// Catches: a sign that is wrong both in the areas and in the determinants.
 #[test]

@@ -1,5 +1,6 @@
 //! The methods against the predictions of theory.
 
+#[macro_use]
 #[path = "../common/each_method.rs"]
 mod common;
 

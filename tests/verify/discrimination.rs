@@ -14,15 +14,12 @@ use pendula_study::zoo::high_order::{EntryOff, TermDropped};
 use pendula_study::zoo::runge_kutta::Tableau;
 use pendula_study::zoo::{euler, impostor_named, processed};
 use rstest::rstest;
-use rstest_reuse::apply;
 
-use crate::each_impostor::each_impostor;
 use crate::metric_checks as check;
 use crate::metric_checks::{OfErrors, OfSamples};
 use crate::wrong_metrics as metrics;
 
 /// Catches: a check that no longer discriminates.
-#[apply(each_impostor)]
 fn impostors_are_caught(name: &str) {
     let impostor = impostor_named(name).unwrap();
     assert_eq!(impostor.method.info(), impostor.poses_as, "it claims to be another");
@@ -34,6 +31,7 @@ fn impostors_are_caught(name: &str) {
     let expected: Vec<&str> = impostor.caught_by.iter().map(|it| it.name).collect();
     assert_eq!(objecting, expected, "{objections:#?}");
 }
+each_impostor!(impostors_are_caught);
 
 /// Asserts that the library's metric passes `check` and a wrong one fails it.
 fn tells_apart<F>(check: impl Fn(F) -> CheckResult, truth: F, impostor: F) {

@@ -1,12 +1,14 @@
-//! Shared by the tests: the zoo of wrong methods as rstest cases.
+//! A function as a test for each wrong method of the zoo, by its name.
 
-/// Makes an rstest template of the zoo's list, by name.
-macro_rules! zoo_template {
-    ($($name:ident: $impostor:expr, $truth:expr, [$($caught_by:ident),+];)+) => {
-        #[rstest_reuse::template]
-        #[rstest::rstest]
-        $(#[case::$name(stringify!($name))])+
-        pub fn each_impostor(#[case] name: &str) {}
+/// Makes of the function `$test` a test for each wrong method.
+macro_rules! each_impostor {
+    ($test:ident) => {
+        pendula_study::for_each_impostor! { impostors, => $test }
     };
 }
-pendula_study::for_each_impostor!(zoo_template);
+
+macro_rules! impostors {
+    ($($name:ident: $impostor:expr, $truth:expr, [$($caught_by:ident),+];)+ => $test:ident) => {
+        cases! { $test: $($name(stringify!($name)),)+ }
+    };
+}

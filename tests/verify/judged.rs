@@ -2,16 +2,14 @@
 
 use std::cell::Cell;
 
-use pendula::methods::{Deuflhard, DiscreteGradient, StormerVerlet, Taylor24};
-use pendula::verify::judge::{Fault, Reply, Request};
+use pendula::methods::StormerVerlet;
+use pendula::verify::judge::{ByPointer, Fault, Reply, Request};
 use pendula::verify::{Claims, FromFn, Listed, Report, Stranger, Verdict, judge};
-use pendula::{AnyMethod, Phase};
+use pendula::{AnyMethod, Phase, method_named};
 use pendula_study::zoo::impostor_named;
 use rstest::rstest;
-use rstest_reuse::apply;
 
-use crate::common::each_general_method;
-use crate::each_impostor::each_impostor;
+use crate::common::{steps, steps_on};
 
 /// Asserts that all claims of its entry hold, and that it is recognised.
 fn assert_itself(stranger: &impl Stranger, method: &dyn AnyMethod) -> Report {
@@ -25,19 +23,21 @@ fn assert_itself(stranger: &impl Stranger, method: &dyn AnyMethod) -> Report {
 /// Each with its driven pendulum, and with steps that lead back.
 ///
 /// Catches: a judge that refuses a right method, or cannot tell.
-#[apply(each_general_method)]
-fn our_methods_hold_their_claims<M: Stranger + AnyMethod>(#[case] method: M) {
-    let report = assert_itself(&method, &method);
+fn our_methods_hold_their_claims(method: &dyn AnyMethod) {
+    let by_pointer = ByPointer { pendulum: steps(method), driven: steps_on(method) };
+    let report = assert_itself(&by_pointer, method);
     let driven = report.finding("stage-times").unwrap();
     assert_eq!(driven.verdict, Verdict::Holds, "{report}");
 }
+each_general_method!(our_methods_hold_their_claims);
 
 /// Catches: a method that is known by its entry alone judged as another.
 #[test]
 fn what_cannot_be_driven_holds_its_claims() {
-    assert_itself(&Listed(&Taylor24), &Taylor24);
-    assert_itself(&Listed(&DiscreteGradient), &DiscreteGradient);
-    assert_itself(&Listed(&Deuflhard), &Deuflhard);
+    for method in ["taylor-24", "discrete-gradient", "deuflhard"] {
+        let method = method_named(method).unwrap();
+        assert_itself(&Listed(method), method);
+    }
 }
 
 /// Wrong in what depends on g and L apart, or on the mass. The judge sends g/L alone, with which
@@ -47,7 +47,6 @@ const RIGHT_BY_G_OVER_L: [&str; 3] = ["g_times_l", "l_forgotten", "mass_in_the_m
 /// With the claims of the method that it poses as.
 ///
 /// Catches: a judge that lets a wrong method pass.
-#[apply(each_impostor)]
 fn impostors_are_refused(name: &str) {
     let impostor = impostor_named(name).unwrap();
     let report = judge(&Listed(&*impostor.method), Claims::of(&impostor.poses_as));
@@ -55,6 +54,7 @@ fn impostors_are_refused(name: &str) {
     let expected = if right { Verdict::Holds } else { Verdict::Fails };
     assert_eq!(report.verdict, expected, "{report}");
 }
+each_impostor!(impostors_are_refused);
 
 /// The pendulum cannot see at which times a method evaluates its stages; a drive can.
 ///

@@ -1,10 +1,13 @@
 //! The suite against itself: wrong methods and wrong metrics have to be caught.
 
+#[macro_use]
 #[path = "../common/each_method.rs"]
 mod common;
 
-mod discrimination;
+#[macro_use]
 mod each_impostor;
+
+mod discrimination;
 mod end_error;
 mod judged;
 mod metric_checks;

@@ -41,10 +41,10 @@ impl Impostor {
 }
 
 /// Passes the list to the macro `$then`, each case as `name: impostor, the method that it poses as,
-/// [the properties that catch it];`.
+/// [the properties that catch it];`. Further arguments follow them.
 #[macro_export]
 macro_rules! for_each_impostor {
-    ($then:ident) => {
+    ($then:ident $(, $($more:tt)+)?) => {
         $then! {
             forward_euler_posing_as_symplectic_euler:
                 euler::Forward, SymplecticEuler,
@@ -233,6 +233,7 @@ macro_rules! for_each_impostor {
             processed_6_gradient_in_five_digits:
                 processed::FIVE_DIGITS, Processed6,
                 [ORDER, ERROR_CONSTANT, CONJUGACY];
+            $($($more)+)?
         }
     };
 }

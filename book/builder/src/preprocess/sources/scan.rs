@@ -23,9 +23,10 @@ pub struct Test {
 }
 
 /// Attributes that make a function a test, by the last segment of their path.
-const TEST_ATTRIBUTES: [&str; 3] = ["test", "rstest", "apply"];
-/// An rstest_reuse template has `#[rstest]` too, but runs only where it is applied.
-const TEMPLATE_ATTRIBUTE: &str = "template";
+const TEST_ATTRIBUTES: [&str; 2] = ["test", "rstest"];
+/// What the names of macros begin with that make tests of a function: `each_method!(slopes);` below
+/// the function `slopes` makes one for each method.
+const EACH: &str = "each_";
 
 /// The tests of a source file, from top to bottom.
 ///
@@ -34,8 +35,10 @@ const TEMPLATE_ATTRIBUTE: &str = "template";
 pub fn tests(source: &str) -> Result<Vec<Test>> {
     let tokens = TokenStream::from_str(source)
         .map_err(|error| anyhow!("{error} in line {}", error.span().start().line))?;
-    let mut tests = Vec::new();
-    walk(tokens, &mut tests);
+    let mut functions = Vec::new();
+    walk(tokens, &mut functions);
+    let tests = functions.into_iter().filter(|function| function.is_test);
+    let mut tests: Vec<Test> = tests.map(|function| function.test).collect();
     let lines: Vec<&str> = source.lines().collect();
     for test in &mut tests {
         while test.lines.start > 0 && is_comment(lines[test.lines.start - 1]) {
@@ -77,12 +80,17 @@ struct Attributes {
 
 impl Attributes {
     fn make_a_test(&self) -> bool {
-        let any = |wanted: &[&str]| self.names.iter().any(|name| wanted.contains(&name.as_str()));
-        any(&TEST_ATTRIBUTES) && !any(&[TEMPLATE_ATTRIBUTE])
+        self.names.iter().any(|name| TEST_ATTRIBUTES.contains(&name.as_str()))
     }
 }
 
-fn walk(tokens: TokenStream, tests: &mut Vec<Test>) {
+/// A function, which may be a test.
+struct Function {
+    test: Test,
+    is_test: bool,
+}
+
+fn walk(tokens: TokenStream, functions: &mut Vec<Function>) {
     let mut tokens = tokens.into_iter().peekable();
     let mut attributes = Attributes::default();
     while let Some(token) = tokens.next() {
@@ -103,12 +111,23 @@ fn walk(tokens: TokenStream, tests: &mut Vec<Test>) {
                     TokenTree::Group(group) if group.delimiter() == Delimiter::Brace => Some(group),
                     _ => None,
                 });
-                if let (Some(TokenTree::Ident(name)), Some(body), true) =
-                    (name, body, attributes.make_a_test())
-                {
+                if let (Some(TokenTree::Ident(name)), Some(body)) = (name, body) {
                     let start = attributes.start.unwrap_or(keyword.span().start().line - 1);
                     let lines = start..body.span_close().end().line;
-                    tests.push(Test { name: name.to_string(), lines, catches: String::new() });
+                    let test = Test { name: name.to_string(), lines, catches: String::new() };
+                    functions.push(Function { test, is_test: attributes.make_a_test() });
+                }
+                attributes = Attributes::default();
+            }
+            TokenTree::Ident(each) if each.to_string().starts_with(EACH) => {
+                let called = tokens.next_if(|token| token.to_string() == "!");
+                if let (Some(_), Some(TokenTree::Group(arguments))) = (called, tokens.peek()) {
+                    let name = arguments.stream().to_string();
+                    let of = functions.iter_mut().rfind(|function| function.test.name == name);
+                    if let Some(function) = of {
+                        function.is_test = true;
+                        function.test.lines.end = arguments.span_close().end().line;
+                    }
                 }
                 attributes = Attributes::default();
             }
@@ -117,7 +136,7 @@ fn walk(tokens: TokenStream, tests: &mut Vec<Test>) {
                 if ["pub", "async", "const", "unsafe", "extern"].iter().any(|q| word == q) => {}
             TokenTree::Group(group) if group.delimiter() == Delimiter::Parenthesis => {}
             TokenTree::Group(group) => {
-                walk(group.stream(), tests);
+                walk(group.stream(), functions);
                 attributes = Attributes::default();
             }
             _ => attributes = Attributes::default(),
@@ -125,7 +144,7 @@ fn walk(tokens: TokenStream, tests: &mut Vec<Test>) {
     }
 }
 
-/// `test` for `#[test]`, `apply` for `#[rstest_reuse::apply(every_method)]`.
+/// `test` for `#[test]`, `rstest` for `#[rstest::rstest]`.
 fn attribute_name(attribute: &Group) -> Option<String> {
     let mut name = None;
     for token in attribute.stream() {
@@ -144,13 +163,6 @@ mod unit {
 
     const SOURCE: &str = r#"//! Header.
 
-use rstest_reuse::{apply, template};
-
-#[template]
-#[rstest]
-#[case::rk4(Rk4)]
-fn every_method(#[case] method: Method) {}
-
 /// Catches: one thing.
 #[test]
 fn plain() {
@@ -158,12 +170,14 @@ fn plain() {
 }
 
 // Why: a plain comment.
-#[apply(every_method)]
-#[ignore]
-pub(crate) fn applied<const N: usize>(#[case] method: Method) -> [u8; 3] {
+#[track_caller]
+pub(crate) fn applied<const N: usize>(method: &dyn Method) -> [u8; 3] {
+    each_method!(helper);
     [0; { 3 }]
 }
+each_method!(applied);
 
+each_method! { collect }
 fn helper() {}
 
 mod inner {
@@ -185,8 +199,7 @@ proptest! {
 }
 "#;
 
-    /// Catches: a scan that misses a kind of test, or takes a helper, a template or a string for
-    /// one.
+    /// Catches: a scan that misses a kind of test, or takes a helper or a string for one.
     #[test]
     fn every_kind_of_test_is_found_and_nothing_else() {
         let names: Vec<_> = tests(SOURCE).unwrap().into_iter().map(|test| test.name).collect();
@@ -202,7 +215,7 @@ proptest! {
             tests(SOURCE).unwrap().into_iter().map(|test| &lines[test.lines]).collect();
         let ends = |at: usize| (cut[at][0].trim(), *cut[at].last().unwrap());
         assert_eq!(ends(0), ("/// Catches: one thing.", "}"));
-        assert_eq!(ends(1), ("// Why: a plain comment.", "}"));
+        assert_eq!(ends(1), ("// Why: a plain comment.", "each_method!(applied);"));
         assert_eq!(ends(2), ("#[rstest::rstest]", "    async fn parametrised(#[case] n: i32) {}"));
         assert_eq!(ends(3), ("/// Catches: another thing.", "    }"));
     }
