@@ -97,7 +97,7 @@ where
         + Sync,
 {
     fn find_flips(&self, instructions: Instructions, flips: Flips<'_>) {
-        instructions.run::<false, _>(Taking(self, flips));
+        instructions.run::<true, _>(Taking(self, flips));
     }
 }
 
