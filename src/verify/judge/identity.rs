@@ -6,7 +6,6 @@ use core::fmt;
 use super::probe::{
     G_OVER_L, Measured, Probe, Run, Trouble, distance, exact, frequency, pendulum, step,
 };
-use super::stranger::Stranger;
 use crate::systems::{Phase, Separable};
 use crate::verify::error_constant::extrapolated;
 use crate::{AnyMethod, Grid, METHODS, MethodInfo};
@@ -123,10 +122,7 @@ fn own_states(method: &dyn AnyMethod, seen: Seen, start: Phase, h: f64) -> Vec<P
 
 /// The method of the list that the stranger is, seen directly or from half a kick or drift away,
 /// or by its angles alone. Of several, that of the order which the stranger shows.
-pub fn identify<S: Stranger + ?Sized>(
-    probe: &Probe<'_, S>,
-    shown: Option<u32>,
-) -> Measured<Option<Identity>> {
+pub fn identify(probe: &Probe<'_>, shown: Option<u32>) -> Measured<Option<Identity>> {
     // Start, step (s) and states, where it answers.
     let mut asked: Vec<(Phase, f64, Vec<Phase>)> = Vec::new();
     for start in STARTS {
@@ -178,7 +174,7 @@ pub fn identify<S: Stranger + ?Sized>(
 
 /// The leading error of a step at (1 rad, 1 ω₀) over h^(order + 1), in θ and in ω/ω₀ with h in
 /// units of 1/ω₀: by a short step, extrapolated with a half and a quarter of it.
-pub fn leading_error<S: Stranger + ?Sized>(probe: &Probe<'_, S>, order: u32) -> Measured<[f64; 2]> {
+pub fn leading_error(probe: &Probe<'_>, order: u32) -> Measured<[f64; 2]> {
     let start = Phase { theta: 1.0, omega: frequency() };
     let truth = exact(G_OVER_L, start);
     // A coefficient of the error is about 1/(order + 1)!, as in a Taylor series, or some tens of
@@ -201,6 +197,7 @@ pub fn leading_error<S: Stranger + ?Sized>(probe: &Probe<'_, S>, order: u32) -> 
 mod tests {
     use super::*;
     use crate::methods::{ForwardEuler, Rk4, StormerVerlet, SymplecticEuler};
+    use crate::verify::Stranger;
     use crate::verify::error_constant::leading_local_error;
 
     /// The smallest of these errors are RK4's, a fortieth of 1/5!. Step and truth are rounded by ε
