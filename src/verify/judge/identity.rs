@@ -192,37 +192,3 @@ pub fn leading_error(probe: &Probe<'_>, order: u32) -> Measured<[f64; 2]> {
     let errors = [error(x)?, error(0.5 * x)?, error(0.25 * x)?];
     Ok([0, 1].map(|i| extrapolated(errors.map(|error| error[i]))))
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::methods::{ForwardEuler, Rk4, StormerVerlet, SymplecticEuler};
-    use crate::verify::Stranger;
-    use crate::verify::error_constant::leading_local_error;
-
-    /// The smallest of these errors are RK4's, a fortieth of 1/5!. Step and truth are rounded by ε
-    /// at the quarter step, which there is 1/(3e4 · 5!); times 8/3, its weight in the
-    /// extrapolation, 4e-3 of the error. The extrapolation leaves x³/8 with x = 0.06: 3e-5.
-    ///
-    /// Catches: an error that is not extrapolated or drowned in rounding, one of ω in rad/s and not
-    /// in ω₀, a power of x too many.
-    #[test]
-    fn the_leading_error_is_that_of_theory() {
-        let methods: [(&dyn AnyMethod, &dyn Stranger, u32); 4] = [
-            (&ForwardEuler, &ForwardEuler, 1),
-            (&SymplecticEuler, &SymplecticEuler, 1),
-            (&StormerVerlet, &StormerVerlet, 2),
-            (&Rk4, &Rk4, 4),
-        ];
-        for (method, stranger, order) in methods {
-            let name = method.info().name;
-            let law = leading_local_error(name, [1.0, 1.0]).unwrap();
-            let probe = Probe::new(stranger).unwrap();
-            let found = leading_error(&probe, order).unwrap();
-            for i in 0..2 {
-                let allowed = 4e-3 * law[i].abs();
-                assert!((found[i] - law[i]).abs() <= allowed, "{name}: {found:?}, not {law:?}");
-            }
-        }
-    }
-}

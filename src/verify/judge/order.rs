@@ -154,16 +154,3 @@ pub fn line(ladder: &Ladder) -> String {
     let slopes: Vec<String> = ladder.slopes.iter().map(|slope| format!("{slope:.2}")).collect();
     if slopes.is_empty() { "no slope".to_string() } else { format!("slopes {}", slopes.join(", ")) }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Catches: an order shown by the finest slope alone.
-    #[test]
-    fn two_slopes_show_an_order() {
-        let ladder = |slopes: &[f64]| Ladder { rungs: vec![], slopes: slopes.to_vec(), leading: 0 };
-        assert_eq!(shown(&ladder(&[1.4, 1.6, 3.05])), None);
-        assert_eq!(shown(&ladder(&[2.9, 3.05])), Some(3));
-    }
-}
