@@ -114,6 +114,20 @@ pub use systems::{
     Shaken, State, System, Vector,
 };
 
+/// What the tests look at beside the interface. No part of it: it may change at any time.
+#[doc(hidden)]
+pub mod internals {
+    pub use crate::adaptive::control::Controller;
+    pub use crate::adaptive::series::{exp2, log2, order};
+    pub use crate::exact::elliptic::{arithmetic_geometric_mean, carlson_rf};
+    #[cfg(feature = "verify")]
+    pub use crate::verify::judge::identity::leading_error;
+    #[cfg(feature = "verify")]
+    pub use crate::verify::judge::order::{Ladder, shown};
+    #[cfg(feature = "verify")]
+    pub use crate::verify::judge::probe::Probe;
+}
+
 /// The README's listings, run as tests.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]

@@ -23,11 +23,11 @@
 //! None of this is symplectic, and over long runs its energy drifts. A step chosen from the past is
 //! not reversible. One that is chosen symmetrically is: [`SymmetricSteps`].
 
-mod control;
+pub(crate) mod control;
 mod controlled;
 mod dense;
 mod events;
-mod series;
+pub(crate) mod series;
 mod steps;
 mod symmetric;
 mod tolerance;

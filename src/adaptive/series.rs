@@ -42,7 +42,7 @@ const MOST: usize = 36;
 
 // ANCHOR: order
 /// The order for this tolerance.
-fn order(tolerance: &Tolerance) -> usize {
+pub fn order(tolerance: &Tolerance) -> usize {
     let powers = -libm::log(tolerance.relative()) + SPARE as f64;
     let blocks = libm::ceil(powers / BLOCK as f64) as usize;
     blocks.clamp(1, MOST / BLOCK) * BLOCK
@@ -221,61 +221,17 @@ impl<D: Vector> Interpolant<D> for Within<D> {
 ///
 /// The root of a size need not be exact: 0.1 changes the size itself by 7 %.
 #[inline]
-fn log2(x: f64) -> f64 {
+pub fn log2(x: f64) -> f64 {
     // As an i64, whose conversion is one instruction; divided by 2⁵².
     x.to_bits() as i64 as f64 * f64::EPSILON - 1023.0
 }
 
 /// 2ʸ within 1 % for |y| < 1000.
 #[inline]
-fn exp2(y: f64) -> f64 {
+pub fn exp2(y: f64) -> f64 {
     let rounded = y + ROUNDER;
     let f = y - (rounded - ROUNDER);
     // The integer stands in the lowest bits, and moves into the exponent.
     let power = f64::from_bits((rounded.to_bits().wrapping_add(1023)) << 52);
     power * (1.0 + f * (0.693 + f * 0.24))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// From the exponents at both ends and the mantissas between: log₂(1 + f) − f is at most
-    /// 0.0861, at f = 1/ln 2 − 1; and 2ᶠ, for |f| ≤ ½, is within 0.9 % of its parabola.
-    ///
-    /// Catches: an exponent off by one, a mantissa that is not in it, a fraction rounded the wrong
-    /// way: steps that are wrong by up to 9 %, which the tolerance would hide.
-    #[test]
-    fn roots_are_good_to_a_hundredth() {
-        for n in 0..40_000 {
-            let y = f64::from(n - 20_000) / 20.0 + 0.013;
-            let power = libm::exp2(y);
-            let short = y - log2(power);
-            assert!((-1e-9..0.0861).contains(&short), "{y}: {short}");
-            assert!((exp2(y) / power - 1.0).abs() < 0.0095, "{y}: {}", exp2(y));
-        }
-        assert_eq!((log2(0.0), log2(1.0), exp2(0.0), exp2(-3.0)), (-1023.0, 0.0, 1.0, 0.125));
-    }
-
-    /// ⌈(2 − ln ε)/4⌉ blocks of four, by hand: 2 − ln 1e-12 = 29.6.
-    ///
-    /// Catches: Jorba and Zou's order, half of it; a decimal or binary logarithm; an order that
-    /// there are no terms for.
-    #[test]
-    fn the_order_follows_from_the_tolerance() {
-        for (relative, expected) in [
-            (super::super::SMALLEST_RELATIVE, 36),
-            (1e-14, 36),
-            (1e-12, 32),
-            (1e-10, 28),
-            (1e-8, 24),
-            (1e-6, 16),
-            (1e-4, 12),
-            (1e-2, 8),
-            (0.5, 4),
-            (1.0_f64.next_down(), 4),
-        ] {
-            assert_eq!(order(&Tolerance::new(1.0, relative).unwrap()), expected, "{relative}");
-        }
-    }
 }

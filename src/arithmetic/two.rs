@@ -136,32 +136,3 @@ mod together {
         }
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Catches: halves of a register confused; the sign of the wrong one changed, or that of a zero
-    /// or a NaN left; a factor that multiplies one half.
-    #[test]
-    fn a_register_holds_what_two_numbers_would() {
-        fn bits<T: Two<f64>>(a: f64, b: f64) -> [u64; 6] {
-            let two = T::new(a, b);
-            let turned = (two + T::new(0.1, 0.2)).times(T::factor(0.3)).turned();
-            [two, two.turned(), turned]
-                .map(|two| [two.second(), two.turned().turned().turned().second()])
-                .as_flattened()
-                .iter()
-                .map(|x| x.to_bits())
-                .collect::<Vec<_>>()
-                .try_into()
-                .unwrap()
-        }
-        for (a, b) in [(1.5, -2.5), (0.0, -0.0), (-0.0, 0.0), (5e-324, -f64::MAX)] {
-            assert_eq!(bits::<OfF64>(a, b), bits::<Apart<f64>>(a, b), "{a}, {b}");
-        }
-        let (a, b) = (1.5, -2.5);
-        let [second, first, minus_first, ..] = bits::<OfF64>(a, b);
-        assert_eq!([second, first, minus_first], [b, a, -a].map(f64::to_bits));
-    }
-}

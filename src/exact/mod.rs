@@ -20,7 +20,7 @@
 //! # Ok::<(), pendula::Error>(())
 //! ```
 
-mod elliptic;
+pub(crate) mod elliptic;
 mod fourier;
 mod half_turns;
 mod motion;

@@ -4,7 +4,9 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use approx::assert_relative_eq;
+use pendula::arithmetic::double_double::DoubleDouble;
 use pendula::exact::complete_elliptic_k;
+use pendula::internals::{arithmetic_geometric_mean, carlson_rf};
 use quadrature::{clenshaw_curtis, double_exponential};
 use rstest::rstest;
 
@@ -164,4 +166,21 @@ fn forms_that_cancel_fail_at_the_top(#[case] complement: fn(f64) -> f64) {
     assert_eq!(error(PI - 1e-8), f64::INFINITY);
     // Elsewhere they are as good as any.
     assert!(error(2.0) < 1e-15);
+}
+
+/// Catches: a term of the series missing or wrong that affects only digits beyond those of a
+/// motion.
+///
+/// K = R_F(0, k'², 1) (DLMF 19.25.1), which the mean gives independently. The tolerance: about
+/// twenty duplications and roots of 2⁻¹⁰⁴ each.
+#[test]
+fn carlson_and_the_mean_agree_on_k() {
+    const TOLERANCE: f64 = 1e-30;
+    for complementary_modulus in [1.0, 0.9, 0.5, 1e-3, 5e-9] {
+        let k = DoubleDouble::new(complementary_modulus);
+        let carlson = carlson_rf(DoubleDouble::ZERO, k.squared(), DoubleDouble::ONE);
+        let mean = DoubleDouble::HALF_PI / arithmetic_geometric_mean(k, |_, _, _| {});
+        let difference = ((carlson - mean) / mean).rounded();
+        assert!(difference.abs() <= TOLERANCE, "{complementary_modulus}: {difference:e}");
+    }
 }

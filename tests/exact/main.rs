@@ -1,6 +1,9 @@
-//! The exact solution and the sine, against reference values computed with 50 digits and more.
+//! The exact solution, the sine and the arithmetic below them, against reference values computed
+//! with 50 digits and more.
 
+mod arithmetic;
 mod elliptic;
 mod motion;
+mod polynomials;
 mod series;
 mod sine;

@@ -20,5 +20,6 @@ mod observers;
 mod parameters;
 mod separatrix;
 mod stability;
+mod step_size;
 mod symmetric_steps;
 mod taylor_series;

@@ -10,6 +10,7 @@ mod each_impostor;
 mod discrimination;
 mod end_error;
 mod judged;
+mod leading_error;
 mod metric_checks;
 mod metrics;
 mod slope_estimator;

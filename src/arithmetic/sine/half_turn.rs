@@ -83,7 +83,8 @@ pub fn of_rest<N: Number>(r: N) -> N {
 }
 
 /// The coefficients of [`series`].
-pub(super) const P: [f64; 8] = [
+#[doc(hidden)]
+pub const P: [f64; 8] = [
     -0.16666666666666666,
     0.008333333333333208,
     -0.00019841269841213368,
@@ -106,7 +107,8 @@ pub fn series<N: Number>(z: N) -> N {
 }
 
 /// The coefficients of [`cosine_series`]: of r⁴, r⁶, … r¹⁶.
-pub(super) const C: [f64; 7] = [
+#[doc(hidden)]
+pub const C: [f64; 7] = [
     0.04166666666666583,
     -0.0013888888888829974,
     2.4801587285766966e-5,

@@ -38,7 +38,7 @@ pub struct Tableau {
 impl Tableau {
     /// The largest sum of a row's |coefficients|: a bound on the displacement of a stage or a sum,
     /// in steps.
-    pub(crate) const fn reach(&self) -> f64 {
+    pub const fn reach(&self) -> f64 {
         Row::longest(self.stages).max(Row::longest(self.sums))
     }
 }
@@ -147,26 +147,3 @@ macro_rules! coefficient {
 pub(crate) use coefficient;
 pub(crate) use row;
 pub(crate) use tableau;
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Catches: coefficients that cancel; a row, or the sums, omitted.
-    #[test]
-    fn a_table_reaches_as_far_as_its_longest_row() {
-        const STAGES: &[Row] = &[
-            row!(k2, None, k1: 1.0,),
-            row!(k3, None, k1: -4.0, k2: 3.5,),
-            row!(k4, None, k1: 1.0, k2: 1.0, k3: -1.0,),
-        ];
-        const SUMS: &[Row] = &[row!(step, None, k1: 0.5, k4: 0.25,)];
-        let reach = |stages, sums| Tableau { known: &["k1"], stages, sums }.reach();
-        assert_eq!(reach(STAGES, SUMS), 7.5);
-        assert_eq!(reach(SUMS, STAGES), 7.5);
-        assert_eq!(reach(&[], SUMS), 0.75);
-        // Its fifth stage: 19372/6561 + 25360/2187 + 64448/6561 + 212/729.
-        let dormand_prince = crate::methods::runge_kutta::dormand_prince::TABLEAU.reach();
-        assert!((dormand_prince - 161_808.0 / 6561.0).abs() < 1e-14, "{dormand_prince}");
-    }
-}

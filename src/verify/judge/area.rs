@@ -2,7 +2,6 @@
 
 use super::probe::{Measured, Probe, Run, Trouble, frequency, step};
 use super::report::Verdict;
-use super::stranger::Stranger;
 use crate::systems::Phase;
 
 /// Below and above the horizontal, moving and at rest.
@@ -31,13 +30,13 @@ pub struct Defect {
 
 /// The images of the corners of a square, with the columns of the Jacobian by differences of fourth
 /// order.
-struct Ruler<'p, 's, S: ?Sized> {
-    probe: &'p Probe<'s, S>,
+struct Ruler<'p, 's> {
+    probe: &'p Probe<'s>,
     step: f64,
     steps: u64,
 }
 
-impl<S: Stranger + ?Sized> Ruler<'_, '_, S> {
+impl Ruler<'_, '_> {
     /// det J at `z`, in θ and ω/ω₀, with differences of half width `delta`.
     fn determinant(&self, z: Phase, delta: f64) -> Measured<f64> {
         let image = |right: f64, up: f64| -> Measured<[f64; 2]> {
@@ -69,7 +68,7 @@ impl<S: Stranger + ?Sized> Ruler<'_, '_, S> {
 }
 
 /// The defect of one step that stands out most from the ruler's error.
-pub fn largest<S: Stranger + ?Sized>(probe: &Probe<'_, S>) -> Measured<Defect> {
+pub fn largest(probe: &Probe<'_>) -> Measured<Defect> {
     let mut largest: Option<Defect> = None;
     // Where rounding over δ equals a fifth derivative times δ⁴.
     let delta = libm::pow(probe.rounding, 0.2);
@@ -98,7 +97,7 @@ pub fn largest<S: Stranger + ?Sized>(probe: &Probe<'_, S>) -> Measured<Defect> {
 
 /// ln det J of `steps` steps of x = 0.02 about the bottom, a step, and the ruler's error: what a
 /// step gains of the area.
-pub fn gain<S: Stranger + ?Sized>(probe: &Probe<'_, S>, steps: u64) -> Measured<(f64, f64)> {
+pub fn gain(probe: &Probe<'_>, steps: u64) -> Measured<(f64, f64)> {
     let ruler = Ruler { probe, step: step(0.02), steps };
     let n = steps as f64;
     // So small that the frequency hardly differs across the ruler: over n steps the phase shears by
@@ -126,7 +125,7 @@ pub fn judge(defect: &Defect) -> (Verdict, String) {
 }
 
 /// A square and its image, for a report: its centre is (1 rad, 0), its side 0.2.
-pub fn square<S: Stranger + ?Sized>(probe: &Probe<'_, S>) -> Measured<([Phase; 4], [Phase; 4])> {
+pub fn square(probe: &Probe<'_>) -> Measured<([Phase; 4], [Phase; 4])> {
     let corner =
         |right: f64, up: f64| Phase { theta: 1.0 + 0.1 * right, omega: 0.1 * up * frequency() };
     let corners = [corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0)];

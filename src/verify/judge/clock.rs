@@ -2,7 +2,6 @@
 
 use super::probe::{Measured, Probe, Run};
 use super::report::Verdict;
-use super::stranger::Stranger;
 use crate::systems::Phase;
 
 /// A run in one piece and in several: by how many steps' worth they are apart.
@@ -18,7 +17,7 @@ pub struct Clock {
 
 /// n steps are n·h: in one piece as in several, each begun where the last ended. A clock that adds
 /// up h, or drops a step now and then, does so in one and not in the other.
-pub fn clock<S: Stranger + ?Sized>(probe: &Probe<'_, S>) -> Measured<Clock> {
+pub fn clock(probe: &Probe<'_>) -> Measured<Clock> {
     let mut worst = Clock { steps_apart: 0.0, bound: 1.0, steps: 1000 };
     // Steps of 0.1 and 0.01 s are no f64, and short against a slow pendulum: what a method of
     // several steps does not know at the start of a piece is then far less than a step's worth.

@@ -2,7 +2,6 @@
 
 use super::probe::{Measured, Probe, Run, Trouble, energy, step};
 use super::report::Verdict;
-use super::stranger::Stranger;
 use crate::systems::Phase;
 
 /// What became of the energy in a long run.
@@ -25,7 +24,7 @@ const RUNS: [(f64, u64); 3] = [(0.1, 60_000), (0.3, 20_000), (0.8, 10_000)];
 
 const START: Phase = Phase { theta: 1.0, omega: 0.0 };
 
-fn run<S: Stranger + ?Sized>(probe: &Probe<'_, S>, x: f64, steps: u64) -> Measured<Energy> {
+fn run(probe: &Probe<'_>, x: f64, steps: u64) -> Measured<Energy> {
     // A swing is no multiple of four steps at any x above, so that all of its moments are met.
     let every = 4;
     let steps = probe.in_time(steps)?;
@@ -46,7 +45,7 @@ fn run<S: Stranger + ?Sized>(probe: &Probe<'_, S>, x: f64, steps: u64) -> Measur
 /// The run in which the last tenth exceeds the first by most, of those whose error is more than
 /// rounding. The longest step, at which a resonance may let the energy wander for a while, is taken
 /// only if the error is rounding at all others.
-pub fn worst<S: Stranger + ?Sized>(probe: &Probe<'_, S>) -> Measured<Energy> {
+pub fn worst(probe: &Probe<'_>) -> Measured<Energy> {
     let mut worst: Option<Energy> = None;
     let seen = |e: &Energy| e.ends[0].max(e.ends[1]) > 10.0 * e.bound;
     for (x, steps) in RUNS {

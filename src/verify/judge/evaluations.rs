@@ -1,11 +1,10 @@
 //! Force evaluations, counted by the stranger.
 
 use super::probe::{Measured, Probe, Run, step};
-use super::stranger::Stranger;
 use crate::systems::Phase;
 
 /// Force evaluations a step, when many are taken; `None` if nobody counts.
-pub fn counted<S: Stranger + ?Sized>(probe: &Probe<'_, S>) -> Measured<Option<f64>> {
+pub fn counted(probe: &Probe<'_>) -> Measured<Option<f64>> {
     let start = Phase { theta: 1.0, omega: 0.0 };
     let count = |steps| -> Measured<Option<u64>> {
         Ok(probe.reply(Run::new(start, step(0.1), steps).end())?.evaluations)

@@ -4,7 +4,6 @@ use super::area;
 use super::identity::Identity;
 use super::probe::{G_OVER_L, Measured, Probe, Run, energy, pendulum, step};
 use super::report::Verdict;
-use super::stranger::Stranger;
 use crate::systems::Phase;
 use crate::verify::flipped;
 use crate::{Grid, method_named};
@@ -28,13 +27,13 @@ const START: Phase = Phase { theta: 1.2, omega: 0.8 };
 
 /// What rounding may make of the energy in `steps` steps, a step: a random walk, the largest of
 /// some thousand.
-fn bound<S: Stranger + ?Sized>(probe: &Probe<'_, S>, steps: u64) -> f64 {
+fn bound(probe: &Probe<'_>, steps: u64) -> f64 {
     10.0 * probe.rounding / libm::sqrt(steps as f64)
 }
 
 /// Of a symmetric method: out, and home with the velocity reversed. What a formula of the method
 /// does to the energy on the way out it undoes on the way home; a loss is lost on both.
-fn by_reversal<S: Stranger + ?Sized>(probe: &Probe<'_, S>) -> Measured<Loss> {
+fn by_reversal(probe: &Probe<'_>) -> Measured<Loss> {
     let steps = probe.in_time(STEPS)?;
     let there = probe.end(Run::new(START, step(X), steps))?;
     let back = probe.end(Run::new(flipped(there), step(X), steps))?;
@@ -48,10 +47,7 @@ fn by_reversal<S: Stranger + ?Sized>(probe: &Probe<'_, S>) -> Measured<Loss> {
 }
 
 /// Of a method that is on the list: its own energy after as many steps.
-fn by_identity<S: Stranger + ?Sized>(
-    probe: &Probe<'_, S>,
-    identity: &Identity,
-) -> Option<Measured<Loss>> {
+fn by_identity(probe: &Probe<'_>, identity: &Identity) -> Option<Measured<Loss>> {
     let method = method_named(identity.method)?;
     let steps = match probe.in_time(STEPS) {
         Ok(steps) => steps,
@@ -76,7 +72,7 @@ fn by_identity<S: Stranger + ?Sized>(
 }
 
 /// Of a symplectic method: the area after many steps.
-fn by_area<S: Stranger + ?Sized>(probe: &Probe<'_, S>) -> Measured<Loss> {
+fn by_area(probe: &Probe<'_>) -> Measured<Loss> {
     let (gain, bound) = area::gain(probe, probe.in_time(STEPS)?)?;
     Ok(Loss {
         a_step: -gain,
@@ -88,8 +84,8 @@ fn by_area<S: Stranger + ?Sized>(probe: &Probe<'_, S>) -> Measured<Loss> {
 
 /// What is lost in a step, by what the method has that would not lose it: its identity, its
 /// symmetry, or its area. `None` if it has none of them.
-pub fn measure<S: Stranger + ?Sized>(
-    probe: &Probe<'_, S>,
+pub fn measure(
+    probe: &Probe<'_>,
     identity: Option<&Identity>,
     symmetric: bool,
     symplectic: bool,

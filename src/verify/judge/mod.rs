@@ -31,10 +31,10 @@ mod claims;
 mod clock;
 mod energy;
 mod evaluations;
-mod identity;
+pub(crate) mod identity;
 mod loss;
-mod order;
-mod probe;
+pub(crate) mod order;
+pub(crate) mod probe;
 mod repeatable;
 mod report;
 mod reversal;
@@ -53,7 +53,7 @@ pub use stranger::{ByPointer, Drive, Fault, FromFn, Listed, Reply, Request, Stra
 /// # Panics
 /// If the stranger breaks the protocol, which a program may do; see [`try_judge`].
 #[track_caller]
-pub fn judge<S: Stranger + ?Sized>(stranger: &S, claims: Claims) -> Report {
+pub fn judge(stranger: &dyn Stranger, claims: Claims) -> Report {
     match try_judge(stranger, &claims) {
         Ok(report) => report,
         Err(fault) => panic!("{fault}"),
@@ -64,7 +64,7 @@ pub fn judge<S: Stranger + ?Sized>(stranger: &S, claims: Claims) -> Report {
 ///
 /// # Errors
 /// What the stranger did, if it broke the protocol.
-pub fn try_judge<S: Stranger + ?Sized>(stranger: &S, claims: &Claims) -> Result<Report, String> {
+pub fn try_judge(stranger: &dyn Stranger, claims: &Claims) -> Result<Report, String> {
     let broken = |trouble: Trouble| trouble.to_string();
     let mut judge = Judge { probe: Probe::new(stranger).map_err(broken)?, claims, report: empty() };
     judge.take_all().map_err(broken)?;
@@ -91,8 +91,8 @@ fn empty() -> Report {
 }
 
 /// The report as it grows.
-struct Judge<'s, S: ?Sized> {
-    probe: Probe<'s, S>,
+struct Judge<'s> {
+    probe: Probe<'s>,
     claims: &'s Claims,
     report: Report,
 }
@@ -110,7 +110,7 @@ fn implied() -> Option<String> {
     Some("implied".to_string())
 }
 
-impl<S: Stranger + ?Sized> Judge<'_, S> {
+impl Judge<'_> {
     /// Notes what was found of the property `name`. What nobody claims is said and not judged.
     fn note(
         &mut self,
@@ -201,8 +201,8 @@ impl<S: Stranger + ?Sized> Judge<'_, S> {
 
     /// What everybody claims.
     fn symmetries(&mut self) -> Measured<()> {
-        type Check<'s, S> = fn(&Probe<'s, S>) -> Measured<symmetry::Apart>;
-        let checks: [(&'static str, Check<'_, S>); 3] =
+        type Check<'s> = fn(&Probe<'s>) -> Measured<symmetry::Apart>;
+        let checks: [(&'static str, Check<'_>); 3] =
             [("mirror", symmetry::mirror), ("units", symmetry::units), ("turn", symmetry::turn)];
         for (name, check) in checks {
             let apart = check(&self.probe);

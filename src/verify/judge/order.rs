@@ -2,7 +2,6 @@
 
 use super::probe::{G_OVER_L, Measured, Probe, Run, Trouble, distance, exact, frequency};
 use super::report::Verdict;
-use super::stranger::Stranger;
 use crate::systems::Phase;
 
 /// The duration of a run (s): about a swing and a half, and no whole number of half swings, at
@@ -24,7 +23,7 @@ pub struct Ladder {
 }
 
 /// The largest error of a run of so many steps.
-fn error<S: Stranger + ?Sized>(probe: &Probe<'_, S>, steps: u64) -> Measured<f64> {
+fn error(probe: &Probe<'_>, steps: u64) -> Measured<f64> {
     let mut largest = 0.0_f64;
     for start in STARTS {
         let h = DURATION / steps as f64;
@@ -44,7 +43,7 @@ fn error<S: Stranger + ?Sized>(probe: &Probe<'_, S>, steps: u64) -> Measured<f64
 ///
 /// An error is taken for truncation while it is at least 30 times what rounding adds up to: a slope
 /// is then bent by less than log₂(1 + 1/30) = 0.05.
-pub fn ladder<S: Stranger + ?Sized>(probe: &Probe<'_, S>, expected: u32) -> Measured<Ladder> {
+pub fn ladder(probe: &Probe<'_>, expected: u32) -> Measured<Ladder> {
     const LONGEST: u64 = 1 << 14;
     let order = f64::from(expected.max(1));
     let factor = libm::exp2((4.0 / order).min(1.0));
@@ -154,17 +153,4 @@ pub fn judge(ladder: &Ladder, claimed: u32) -> (Verdict, String) {
 pub fn line(ladder: &Ladder) -> String {
     let slopes: Vec<String> = ladder.slopes.iter().map(|slope| format!("{slope:.2}")).collect();
     if slopes.is_empty() { "no slope".to_string() } else { format!("slopes {}", slopes.join(", ")) }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Catches: an order shown by the finest slope alone.
-    #[test]
-    fn two_slopes_show_an_order() {
-        let ladder = |slopes: &[f64]| Ladder { rungs: vec![], slopes: slopes.to_vec(), leading: 0 };
-        assert_eq!(shown(&ladder(&[1.4, 1.6, 3.05])), None);
-        assert_eq!(shown(&ladder(&[2.9, 3.05])), Some(3));
-    }
 }

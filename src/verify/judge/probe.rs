@@ -46,8 +46,8 @@ impl core::fmt::Display for Trouble {
 pub type Measured<T> = Result<T, Trouble>;
 
 /// A stranger, with what has to be known of it before anything can be asked.
-pub struct Probe<'s, S: ?Sized> {
-    stranger: &'s S,
+pub struct Probe<'s> {
+    stranger: &'s dyn Stranger,
     /// The rounding of a step, relative to a state of order 1, as measured: at least 2⁻⁵².
     pub rounding: f64,
     /// What a tolerance inside the stranger makes of 200 steps (rad): by how much they differ in
@@ -94,9 +94,9 @@ impl Run {
     }
 }
 
-impl<'s, S: Stranger + ?Sized> Probe<'s, S> {
+impl<'s> Probe<'s> {
     /// Ready to ask; the rounding is measured at once.
-    pub fn new(stranger: &'s S) -> Measured<Self> {
+    pub fn new(stranger: &'s dyn Stranger) -> Measured<Self> {
         let longest = stranger.longest_run();
         let mut probe = Self { stranger, rounding: f64::EPSILON, tolerance: 0.0, longest };
         let measured = probe.measure_rounding();

@@ -1,12 +1,11 @@
 //! The same answer twice, and whatever was asked before.
 
 use super::probe::{Measured, Probe, Run, distance, step};
-use super::stranger::Stranger;
 use crate::systems::Phase;
 
 /// In which way the same request has other answers; `None` if they are the same, to the bit, at
 /// once and after others.
-pub fn other_answers<S: Stranger + ?Sized>(probe: &Probe<'_, S>) -> Measured<Option<&'static str>> {
+pub fn other_answers(probe: &Probe<'_>) -> Measured<Option<&'static str>> {
     let run = Run::new(Phase { theta: 0.8, omega: -0.9 }, step(0.1), 50);
     let first = probe.states(run)?;
     if probe.states(run)? != first {

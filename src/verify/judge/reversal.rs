@@ -2,7 +2,6 @@
 
 use super::probe::{Measured, Probe, Run, Trouble, distance, step};
 use super::report::Verdict;
-use super::stranger::Stranger;
 use crate::systems::Phase;
 use crate::verify::flipped;
 
@@ -27,12 +26,7 @@ const WAYS: [(f64, u64); 3] = [(0.1, 1000), (0.4, 200), (1.0, 50)];
 const START: Phase = Phase { theta: 1.2, omega: 0.8 };
 
 /// Out and back in `steps` steps of x = `x`.
-pub fn way<S: Stranger + ?Sized>(
-    probe: &Probe<'_, S>,
-    x: f64,
-    steps: u64,
-    by_itself: bool,
-) -> Measured<Way> {
+pub fn way(probe: &Probe<'_>, x: f64, steps: u64, by_itself: bool) -> Measured<Way> {
     let there = probe.end(Run::new(START, step(x), steps))?;
     let back = if by_itself {
         probe.end(Run::new(there, -step(x), steps))?
@@ -45,7 +39,7 @@ pub fn way<S: Stranger + ?Sized>(
 }
 
 /// The way that misses by most, measured by what rounding may make.
-pub fn worst<S: Stranger + ?Sized>(probe: &Probe<'_, S>) -> Measured<Way> {
+pub fn worst(probe: &Probe<'_>) -> Measured<Way> {
     let mut worst: Option<Way> = None;
     for (x, steps) in WAYS {
         let found = match way(probe, x, steps, true) {
@@ -84,7 +78,7 @@ pub fn judge(way: &Way) -> (Verdict, String) {
 }
 
 /// States of a way out and of the way back, for a report: forty steps of x = 0.4.
-pub fn drawn<S: Stranger + ?Sized>(probe: &Probe<'_, S>) -> Measured<(Vec<Phase>, Vec<Phase>)> {
+pub fn drawn(probe: &Probe<'_>) -> Measured<(Vec<Phase>, Vec<Phase>)> {
     let there = probe.states(Run::new(START, step(0.4), 40))?;
     let turn = there[there.len() - 1];
     let back = probe.states(Run::new(flipped(turn), step(0.4), 40))?;

@@ -2,7 +2,7 @@
 
 use super::probe::{Measured, Probe, Trouble, distance, pendulum};
 use super::report::Verdict;
-use super::stranger::{Drive, Request, Stranger, driven};
+use super::stranger::{Drive, Request, driven};
 use crate::methods::Gauss6;
 use crate::systems::Phase;
 use crate::{Grid, integrate};
@@ -32,7 +32,7 @@ pub struct Drives {
 }
 
 /// The errors of a driven pendulum on a ladder of steps.
-pub fn measure<S: Stranger + ?Sized>(probe: &Probe<'_, S>, order: u32) -> Measured<Drives> {
+pub fn measure(probe: &Probe<'_>, order: u32) -> Measured<Drives> {
     let truth = truth();
     let mut errors: Vec<f64> = Vec::new();
     // Beyond order 4 halving the step would lead to rounding at once.

@@ -5,7 +5,6 @@ use core::f64::consts::TAU;
 
 use super::probe::{G_OVER_L, Measured, Probe, Run, Trouble, distance, step};
 use super::report::Verdict;
-use super::stranger::Stranger;
 use crate::systems::Phase;
 
 /// To and fro, and over the top.
@@ -66,7 +65,7 @@ fn compared(a: &[Phase], b: &[Phase], bound: f64) -> Apart {
 /// Nothing can be said where a small difference of the start grows a thousandfold in the runs
 /// below: a method of several steps may be unstable at a step that others take with ease, and two
 /// of its runs that round otherwise then part.
-fn stable<S: Stranger + ?Sized>(probe: &Probe<'_, S>) -> Measured<()> {
+fn stable(probe: &Probe<'_>) -> Measured<()> {
     let apart = 1e3 * probe.rounding;
     for start in STARTS {
         let here = probe.states(Run::new(start, step(X), STEPS))?;
@@ -84,7 +83,7 @@ fn stable<S: Stranger + ?Sized>(probe: &Probe<'_, S>) -> Measured<()> {
 /// θ, ω → −θ, −ω; and a pendulum at rest at the bottom stays there. A sine is odd in every last
 /// digit, and so is every sum: only what is not odd can make a difference, but for compilers that
 /// treat the two signs differently, which is a rounding.
-pub fn mirror<S: Stranger + ?Sized>(probe: &Probe<'_, S>) -> Measured<Apart> {
+pub fn mirror(probe: &Probe<'_>) -> Measured<Apart> {
     let mut worst = Apart { largest: 0.0, bound: probe.bound(STEPS, X) };
     for start in STARTS {
         let here = probe.states(Run::new(start, step(X), STEPS))?;
@@ -103,7 +102,7 @@ pub fn mirror<S: Stranger + ?Sized>(probe: &Probe<'_, S>) -> Measured<Apart> {
 }
 
 /// g/L and h scaled together: the same angles.
-pub fn units<S: Stranger + ?Sized>(probe: &Probe<'_, S>) -> Measured<Apart> {
+pub fn units(probe: &Probe<'_>) -> Measured<Apart> {
     stable(probe)?;
     let mut worst = Apart { largest: 0.0, bound: 20.0 * probe.rounding_bound(STEPS, X) };
     for start in STARTS {
@@ -122,7 +121,7 @@ pub fn units<S: Stranger + ?Sized>(probe: &Probe<'_, S>) -> Measured<Apart> {
 }
 
 /// θ → θ + 2π: the same motion, some turns higher.
-pub fn turn<S: Stranger + ?Sized>(probe: &Probe<'_, S>) -> Measured<Apart> {
+pub fn turn(probe: &Probe<'_>) -> Measured<Apart> {
     stable(probe)?;
     let mut worst = Apart { largest: 0.0, bound: probe.rounding_bound(STEPS, X) };
     for start in STARTS {

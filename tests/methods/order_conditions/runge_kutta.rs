@@ -15,7 +15,7 @@ use pendula::arithmetic::double_double::DoubleDouble;
 use pendula::methods::runge_kutta::Embedded;
 use pendula::methods::runge_kutta::dop853::{self, Dop853};
 use pendula::methods::runge_kutta::dormand_prince::{self, DormandPrince};
-use pendula::methods::runge_kutta::tableau::{Coefficient, Row};
+use pendula::methods::runge_kutta::tableau::{Coefficient, Row, Tableau};
 use pendula::{Method, System, Vector};
 use rstest::rstest;
 
@@ -531,4 +531,32 @@ fn absolute(weights: &Weights, table: &Table, more: &[&str]) -> Weights {
         }
     }
     sum
+}
+
+// -------------------------------------------------------------------------------------------------
+// How far a table reaches
+// -------------------------------------------------------------------------------------------------
+
+/// Catches: coefficients that cancel; a row, or the sums, omitted.
+#[test]
+fn a_table_reaches_as_far_as_its_longest_row() {
+    const fn of(value: f64) -> Coefficient {
+        Coefficient { value, written: "" }
+    }
+    const fn row(terms: &'static [(&'static str, Coefficient)]) -> Row {
+        Row { name: "", node: None, terms }
+    }
+    const STAGES: &[Row] = &[
+        row(&[("k1", of(1.0))]),
+        row(&[("k1", of(-4.0)), ("k2", of(3.5))]),
+        row(&[("k1", of(1.0)), ("k2", of(1.0)), ("k3", of(-1.0))]),
+    ];
+    const SUMS: &[Row] = &[row(&[("k1", of(0.5)), ("k4", of(0.25))])];
+    let reach = |stages, sums| Tableau { known: &["k1"], stages, sums }.reach();
+    assert_eq!(reach(STAGES, SUMS), 7.5);
+    assert_eq!(reach(SUMS, STAGES), 7.5);
+    assert_eq!(reach(&[], SUMS), 0.75);
+    // Its fifth stage: 19372/6561 + 25360/2187 + 64448/6561 + 212/729.
+    let dormand_prince = dormand_prince::TABLEAU.reach();
+    assert!((dormand_prince - 161_808.0 / 6561.0).abs() < 1e-14, "{dormand_prince}");
 }
