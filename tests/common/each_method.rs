@@ -13,8 +13,8 @@ use pendula::methods::table::{Listed, in_lanes};
 use pendula::systems::Numbers;
 use pendula::{AnyMethod, Error, Grid, Observer, System, method_named};
 
-/// Makes of the function `$test` a test for each case, in a module of the same name: with the
-/// arguments of the case it is `the_function::the_case`.
+/// Makes of the function `$test` a test for each case, of whatever types its arguments are, in a
+/// module of the same name: `the_function::the_case`.
 macro_rules! cases {
     ($test:ident: $($case:ident($($argument:expr),+),)+) => {
         mod $test {
@@ -29,8 +29,8 @@ macro_rules! cases {
     };
 }
 
-/// Makes of the function `$test` a test for each method of the library's list, so that every test
-/// also runs on a new method.
+/// Makes of the function `$test` a test with a case for each method of the library's list, so that
+/// every test also runs on a new method: `the_function::of::case_03_rk4`.
 macro_rules! each_method {
     ($test:ident) => {
         pendula::for_each_method! { by_name, => $test }
@@ -66,7 +66,13 @@ macro_rules! by_type {
 
 macro_rules! by_name {
     ($($module:ident::$method:ident,)+ => $test:ident) => {
-        cases! { $test: $($module(crate::common::method(stringify!($module))),)+ }
+        mod $test {
+            #[rstest::rstest]
+            $(#[case::$module(crate::common::method(stringify!($module)))])+
+            fn of(#[case] method: &'static dyn pendula::AnyMethod) {
+                super::$test(method);
+            }
+        }
     };
 }
 
