@@ -59,24 +59,25 @@
 //! |---|---|---|---|
 //! | `verify` | yes | [`verify`] | std |
 //! | `ensemble` | yes | [`Ensemble`] | std, the crate `fearless_simd` |
-//! | `table` | no | [`methods::table`]: the methods by name in ensembles and on other systems | std; half a minute to compile |
+//! | `table` | no | `methods::table`: methods by name in ensembles and on other systems | std; a minute to compile |
 //! | `parallel` | no | ensembles on all cores | std, the crate `rayon` |
 //!
 //! Without any of them the library is `no_std` and depends on `libm` alone.
 //!
 //! # What is compiled where
 //!
-//! [`integrate()`], [`integrate_fast()`] and [`Ensemble`] with a method that is named by its type are
-//! compiled in your crate, at its level of optimisation: in lanes that is seconds for a method, and
-//! in an unoptimised build they are two hundred times as slow. A method that is found by its name is
-//! compiled with this library: [`METHODS`] for one trajectory, and with the feature `table` the same
-//! for [ensembles](methods::table::in_lanes) and for [other systems](methods::table::Listed). So that
-//! your dev build runs at full speed, optimise the library in your `Cargo.toml`:
+//! [`integrate()`], [`integrate_fast()`] and [`Ensemble`] with a method that is named by its type
+//! are compiled in your crate, at its level of optimisation: in lanes that is seconds for a method,
+//! and in an unoptimised build they are two hundred times as slow. A method that is found by its
+//! name is compiled with this library: [`METHODS`] for one trajectory, and with the feature `table`
+//! the same in ensembles and on other systems (`methods::table`). So that these run at full speed
+//! in your dev build, optimise the library in your `Cargo.toml`:
 //!
 //! ```toml
 //! [profile.dev.package.pendula]
 //! opt-level = 3
-//! # With them, vectors are narrow: see `Instructions`.
+//! debug = false
+//! # With them the vectors are narrow, and an ensemble takes four times as long.
 //! debug-assertions = false
 //! ```
 //!

@@ -195,12 +195,12 @@ impl<'a> Ensemble<'a> {
     }
 }
 
-/// A method whose steps of the pendulum can be taken in lanes, behind a pointer: any that is written
-/// for all [numbers](super::Number).
+/// A method whose steps of the pendulum can be taken in lanes, behind a pointer: any that is
+/// written for all [numbers](super::Number).
 ///
 /// Whoever calls [`Ensemble::ends`] with a method by its type compiles its steps, for each set of
-/// instructions. With the feature `table` the library has them compiled already: see
-/// [`in_lanes`](crate::methods::table::in_lanes).
+/// instructions. With the feature `table` the library has them compiled already:
+/// `methods::table::in_lanes`.
 pub trait InLanes: Sync {
     /// Takes the steps of the block with these instructions.
     #[doc(hidden)]

@@ -80,8 +80,7 @@ pub fn is_below<N: Number>(DoublePhases([theta1, theta2, ..]): DoublePhases<N>) 
 /// A method whose steps of the double pendulum can be taken in lanes, behind a pointer: an explicit
 /// Runge–Kutta method.
 ///
-/// With the feature `table` the library has those of RK4 compiled:
-/// [`RK4_IN_LANES`](crate::methods::table::RK4_IN_LANES).
+/// With the feature `table` the library has those of RK4 compiled: `methods::table::RK4_IN_LANES`.
 pub trait DoubleInLanes: Sync {
     /// Takes the steps with these instructions.
     #[doc(hidden)]

@@ -12,8 +12,8 @@ use crate::systems::{Pendulum, Phase};
 /// A type-erased method, so that a list can hold it, over which tables, book and command line
 /// iterate.
 ///
-/// Every [`Info`] method of the pendulum is one. Its [steps](PendulumSteps) are compiled for it, and
-/// the rest once for all.
+/// Every [`Info`] method of the pendulum is one. Its [steps](PendulumSteps) are compiled for it,
+/// and the rest once for all.
 pub trait AnyMethod: Info + Sync {
     /// [`integrate_fast`](crate::integrate_fast()).
     fn run(

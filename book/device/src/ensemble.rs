@@ -28,6 +28,7 @@ pub struct OnDevice {
 /// Program and begin of a method.
 type Steps = (fn() -> Option<Program>, fn(&Pendulum, Phase, &Grid) -> Option<Begun>);
 
+// By their types: what is recorded is a method's own code, with a number of another type.
 macro_rules! collect {
     ($($module:ident::$method:ident,)+) => {
         const STEPS: &[Steps] = &[$((

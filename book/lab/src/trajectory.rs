@@ -36,6 +36,7 @@ pub struct Setup {
     pub step: f64,
 }
 
+// By their types: for all systems as one, which the library does not have, and without a heap.
 macro_rules! all {
     ($($module:ident::$method:ident,)+) => {
         /// The method, and what its last step carries to the next.
@@ -102,6 +103,8 @@ macro_rules! all {
 }
 pendula::for_each_method!(all);
 
+// By their types, which say whether a method suits the double pendulum; the library's own answer,
+// `Listed`, would compile its steps into the file.
 macro_rules! general {
     ($($module:ident::$method:ident,)+) => {
         /// Whether each of the methods that suit every separable system suits the double pendulum

@@ -288,6 +288,12 @@ impl Settings {
         let elapsed = before.elapsed + begun.elapsed();
         let evaluations = before.evaluations + run.evaluations();
         let energy_error = drift.largest().map(|l| libm::fmaximum(l, before.energy_error));
+        let at_the_end = (trajectory.row)(grid.time(steps), z);
+        // It may have been lost after the last row.
+        let ended = match at_the_end.iter().all(|value| value.is_finite()) {
+            true => ended,
+            false => ended.or_else(|| Some(overflow(steps))),
+        };
         if let Some(failure) = ended {
             // The rows so far are whole; if the output is what failed, closing it fails again.
             let _ = rows.end().map(|mut destination| destination.flush());

@@ -135,6 +135,27 @@ fn the_double_pendulum_takes_the_methods_that_suit() {
     assert!(reason.contains("the iteration of gauss-4 does not converge"), "{reason}");
 }
 
+/// Where a run is lost does not depend on which of its rows are printed: by an iteration that does
+/// not converge, and by numbers that overflow, both after the last of the rows.
+///
+/// Catches: a run of which only the printed rows are looked at.
+#[test]
+fn a_run_that_is_lost_after_its_last_row_is_refused() {
+    let scenes = [
+        ("simulate --method gauss-4 --theta0 3 --omega0 6 --dt 0.7 --steps 399", "not converge"),
+        ("double-pendulum --theta1 10 --theta2 16 --omega2 20 --dt 2 --steps 390", "the range"),
+    ];
+    for (scene, because) in scenes {
+        for every in ["1", "100", "4068"] {
+            let line = format!("{scene} --every {every}");
+            let lost = pendula(&line.split(' ').collect::<Vec<_>>());
+            let reason = String::from_utf8(lost.stderr).unwrap();
+            assert_eq!(lost.status.code(), Some(2), "{line}: {reason}");
+            assert!(reason.contains(because), "{line}: {reason}");
+        }
+    }
+}
+
 /// Catches: a parameter of another system that is ignored; one that is missing; a method that does
 /// not suit, refused without those that do.
 #[test]
