@@ -16,10 +16,7 @@ each_method!(the_pendulum_at_the_bottom_has_the_known_matrix);
 
 /// Catches: a linear oscillator that is not the linearisation of its pendulum; a method written for
 /// one system only.
-fn the_linear_oscillator_has_the_same_matrix<M: Method<LinearOscillator>>(method: &M)
-where
-    M: AnyMethod,
-{
+fn the_linear_oscillator_has_the_same_matrix<M: AnyMethod + Method<LinearOscillator>>(method: &M) {
     let pendulum = pendula::verify::pendulum();
     let (system, frequency) = (LinearOscillator::new(pendulum), pendulum.small_angle_frequency());
     let matrix = |x: f64| {
