@@ -28,7 +28,9 @@ pub use ruth_3::Ruth3;
 pub use stormer_verlet::StormerVerlet;
 pub use suzuki_4::Suzuki4;
 pub use symplectic_euler::SymplecticEuler;
-pub(crate) use table::{KicksAndDrifts, palindrome};
+#[cfg(feature = "table")]
+pub(crate) use table::KicksAndDrifts;
+pub(crate) use table::palindrome;
 pub use table::{Splitting, kicks, length};
 pub use yoshida_6::Yoshida6;
 pub use yoshida_8::Yoshida8;
