@@ -125,11 +125,16 @@ def keyboard(tab: Tab, book: Book) -> Iterator[str]:
     if not tab.run("document.querySelector('main > details')"):
         yield f"keyboard: {CHAPTER} has nothing folded to try"
     reached, opened = [], 0
-    while True:
+    # Where Tab begins is for the browser to say: from the end of the page it goes on at its head.
+    ends = 0
+    while ends < 2:
         tab.press("Tab")
         at = tab.run(FOCUS)
+        if at is None:
+            ends += 1
+            continue
         # Once round.
-        if at is None or at["number"] < len(reached):
+        if at["number"] < len(reached):
             break
         reached.append(at["name"])
         if not at["shown"]:
