@@ -127,6 +127,20 @@ pub mod internals {
     pub use crate::verify::judge::order::{Ladder, shown};
     #[cfg(feature = "verify")]
     pub use crate::verify::judge::probe::Probe;
+    /// The judge's verdicts, as functions of what was measured.
+    #[cfg(feature = "verify")]
+    pub mod verdicts {
+        pub use crate::verify::judge::area::{Defect, judge as area};
+        pub use crate::verify::judge::clock::Clock;
+        pub use crate::verify::judge::energy::verdict as energy;
+        pub use crate::verify::judge::expansion::{Deviation, deviation_with};
+        pub use crate::verify::judge::loss::Loss;
+        pub use crate::verify::judge::order::verdict as order;
+        pub use crate::verify::judge::precision::judge as precision;
+        pub use crate::verify::judge::reversal::{Way, judge as reversal};
+        pub use crate::verify::judge::stage_times::verdict as stage_times;
+        pub use crate::verify::judge::symmetry::Apart;
+    }
 }
 
 /// The README's listings, run as tests.

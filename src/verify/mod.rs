@@ -21,7 +21,8 @@ pub mod work;
 pub use area::area_defect;
 pub use judge::{
     Claims, Drive, Evidence, Fault, Finding, FromFn, Identity, Listed, Reply, Report, Request,
-    Stranger, Verdict, judge, try_judge,
+    Scientific, Stranger, Suspect, Verdict, judge, scientific, sign_of_slopes, try_judge,
+    try_judge_among,
 };
 pub use ladder::Ladder;
 

@@ -91,7 +91,7 @@ fn area_changes_by_the_ratio_of_two_weights<M: AnyMethod>(
 /// digits; a check that other methods of order 2 would pass.
 #[test]
 fn the_discrete_gradient_conserves_the_energy_in_any_step() {
-    use pendula_study::zoo::completing::{Midpoint, TwiceTheWay};
+    use pendula_zoo::completing::{Midpoint, TwiceTheWay};
     energy::check(&DiscreteGradient).unwrap();
     assert!(energy::check(&TwiceTheWay).is_err());
     assert!(energy::check(&Midpoint(DiscreteGradient)).is_err());

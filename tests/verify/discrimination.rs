@@ -10,9 +10,9 @@
 use pendula::methods::{ForwardEuler, Rk4, SymplecticEuler};
 use pendula::verify::*;
 use pendula::{AnyMethod, Pendulum, Phase};
-use pendula_study::zoo::high_order::{EntryOff, TermDropped};
-use pendula_study::zoo::runge_kutta::Tableau;
-use pendula_study::zoo::{euler, impostor_named, processed};
+use pendula_zoo::high_order::{EntryOff, TermDropped};
+use pendula_zoo::runge_kutta::Tableau;
+use pendula_zoo::{euler, impostor_named, processed};
 use rstest::rstest;
 
 use crate::metric_checks as check;

@@ -3,7 +3,7 @@
 /// Makes of the function `$test` a test for each wrong method.
 macro_rules! each_impostor {
     ($test:ident) => {
-        pendula_study::for_each_impostor! { impostors, => $test }
+        pendula_zoo::for_each_impostor! { impostors, => $test }
     };
 }
 

@@ -336,7 +336,7 @@ fn wrong_ones_are_refused(#[case] step: Step, #[case] claims: Claims, #[case] by
 /// period, the share 2s⟨K⟩/E of the energy E. At the judge's start, (1.2 rad, 0.8 rad/s) with
 /// g/L = 12.2625/s², that is 0.95 s: half the energy of a small swing is kinetic, and a little less
 /// of a wide one. The way of 79 periods out, and as many home, ends within a period: by 1 % of the
-/// mean at most. It is told in two digits, to 0.5 %; and by the end E itself has fallen by 2e-5.
+/// mean at most; and by the end E itself has fallen by 2e-5.
 ///
 /// Catches: the loss of the way out and home taken for that of the steps of one way.
 #[test]
@@ -354,9 +354,8 @@ fn a_loss_is_told_in_its_size() {
     let step = |g: f64, z, h: f64| losing(SHARE, g, z, h);
     let report = judge(&FromFn(stepping(step)), Claims::order(2).symmetric());
     let loss = report.finding("loss").expect("a loss is looked for");
-    let told = loss.measured.strip_suffix(" a step").expect("it is a share");
-    let told: f64 = told.parse().unwrap();
-    assert!((told / expected - 1.0).abs() <= 0.02, "{told:e}, not {expected:e}");
+    let [told] = loss.values[..] else { panic!("{report}") };
+    assert!((told / expected - 1.0).abs() <= 0.015, "{told:e}, not {expected:e}");
 }
 
 /// So small a friction cannot be told from a solver's tolerance inside a right method.
@@ -386,7 +385,7 @@ fn wrong_clocks_are_refused(#[case] steps: fn(u64, f64) -> u64) {
     let run = |g: f64, theta: f64, omega: f64, h: f64, n: u64| {
         let taken = stepping(verlet)(g, theta, omega, h, steps(n, h));
         // As many states as are asked for, whenever they are.
-        (1..=n).map(|k| taken[(steps(k, h).max(1) - 1) as usize]).collect()
+        (1..=n).map(move |k| taken[(steps(k, h).max(1) - 1) as usize])
     };
     let report = judge(&FromFn(run), Claims::order(2));
     assert!(report.failures().any(|name| name == "clock"), "{report}");

@@ -8,7 +8,6 @@
 //! * [`experiments`]: what the methods do, as typed rows.
 //! * [`claims`]: the paper's claims compared with the rows; theory's predictions of its cells.
 //! * [`charts`]: series to SVG, in a crate of their own.
-//! * [`zoo`]: wrong methods, and what catches each.
 //! * [`report`]: rows and claims as tables and figures.
 #![warn(clippy::disallowed_methods)]
 
@@ -17,7 +16,6 @@ pub mod digits;
 pub mod experiments;
 pub mod report;
 pub mod theory;
-pub mod zoo;
 
 pub use pendula_charts as charts;
 

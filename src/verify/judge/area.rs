@@ -1,7 +1,8 @@
 //! Area in phase space: the determinant of a step, by a ruler whose own error is measured.
 
+use super::number::{about, scientific};
 use super::probe::{Measured, Probe, Run, Trouble, frequency, step};
-use super::report::Verdict;
+use super::report::{Told, Verdict};
 use crate::systems::Phase;
 
 /// Below and above the horizontal, moving and at rest.
@@ -110,17 +111,16 @@ pub fn gain(probe: &Probe<'_>, steps: u64) -> Measured<(f64, f64)> {
 }
 
 /// What is to be said of a claim that a step keeps area.
-pub fn judge(defect: &Defect) -> (Verdict, String) {
-    let Defect { value, ruler, x } = *defect;
-    let why = format!(
-        "at x = ω₀h = {x:.1} the area changes by {value:.1e}; the ruler is right to {ruler:.0e}"
-    );
-    if value.abs() <= 10.0 * ruler {
-        (Verdict::Holds, why)
-    } else if value.abs() > 100.0 * ruler {
-        (Verdict::Fails, why)
-    } else {
-        (Verdict::Unclear, why)
+pub fn judge(&Defect { value, ruler, x }: &Defect) -> Told {
+    let verdict = Verdict::of(value.abs(), 10.0 * ruler, 100.0 * ruler);
+    Told {
+        measured: format!("det J − 1 = {} at x = {x:.1}", scientific(value)),
+        why: format!(
+            "at x = ω₀h = {x:.1} the area changes by {}; the ruler is right to {}",
+            scientific(value),
+            about(ruler)
+        ),
+        ..Told::number(value, "", 10.0 * ruler, verdict)
     }
 }
 

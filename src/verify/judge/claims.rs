@@ -3,8 +3,9 @@
 use core::fmt;
 use core::str::FromStr;
 
-/// What is claimed of an integrator. Nothing is, unless said; what everybody claims by implication
-/// (mirror, turn, units, clock, repeatable, precision) is not listed here.
+/// What is claimed of an integrator. Nothing is, unless said. What comes with any claim (mirror,
+/// turn, units, clock, repeatable, precision, and stage times where there is a drive) is not listed
+/// here.
 ///
 /// ```
 /// use pendula::verify::Claims;
@@ -30,9 +31,14 @@ pub struct Claims {
 }
 
 impl Claims {
-    /// Nothing but what everybody claims.
+    /// No claims: it is said what the stranger is, and nothing is judged.
     pub fn none() -> Self {
         Self::default()
+    }
+
+    /// Whether no claims are made.
+    pub fn are_none(&self) -> bool {
+        *self == Self::default()
     }
 
     /// That the error of the state falls with the power `order` of the step.

@@ -1,8 +1,11 @@
 //! The clock: n steps of h are n·h.
 
 use super::probe::{Measured, Probe, Run};
-use super::report::Verdict;
+use super::report::{Told, Verdict};
 use crate::systems::Phase;
+
+/// What a method of several steps may forget when a run is begun anew, in steps.
+const KEPT: f64 = 0.05;
 
 /// A run in one piece and in several: by how many steps' worth they are apart.
 #[derive(Clone, Copy, Debug)]
@@ -51,21 +54,23 @@ pub fn clock(probe: &Probe<'_>) -> Measured<Clock> {
 }
 
 impl Clock {
-    /// The verdict, and why. A method of several steps begins anew in each piece, which costs it
-    /// less than its error of a step; a clock is wrong by whole steps.
-    pub fn judge(&self) -> (Verdict, String) {
+    /// What is to be said of a claim that n steps are n·h. A method of several steps begins anew in
+    /// each piece, which costs it less than its error of a step; a clock is wrong by whole steps.
+    pub fn judge(&self) -> Told {
         let Self { steps_apart, bound, steps } = *self;
-        let why = format!(
-            "{steps} steps in one piece and in several differ by {steps_apart:.2} steps' worth"
-        );
-        if steps_apart <= bound {
-            (Verdict::Holds, format!("{why}: rounding"))
-        } else if steps_apart < 0.05 {
-            (Verdict::Holds, format!("{why}: what it keeps of the past is of no more weight"))
-        } else if steps_apart < 0.5 {
-            (Verdict::Unclear, why)
-        } else {
-            (Verdict::Fails, why)
+        let verdict = Verdict::of(steps_apart, bound.max(KEPT), 0.5);
+        let what = match verdict {
+            Verdict::Holds if steps_apart <= bound => ": rounding",
+            Verdict::Holds => ": what it keeps of the past is of no more weight",
+            _ => "",
+        };
+        Told {
+            measured: format!("{steps_apart:.2} steps apart"),
+            why: format!(
+                "{steps} steps in one piece and in several differ by {steps_apart:.2} steps' \
+                 worth{what}"
+            ),
+            ..Told::number(steps_apart, "steps", bound.max(KEPT), verdict)
         }
     }
 }

@@ -1,7 +1,8 @@
 //! The energy: bounded, or drifting, and by which law.
 
+use super::number::scientific;
 use super::probe::{Measured, Probe, Run, Trouble, energy, step};
-use super::report::Verdict;
+use super::report::{Told, Verdict};
 use crate::systems::Phase;
 
 /// What became of the energy in a long run.
@@ -68,31 +69,37 @@ pub fn worst(probe: &Probe<'_>) -> Measured<Energy> {
 }
 
 /// What is to be said of a claim that the energy error does not grow.
-pub fn judge(energy: &Energy) -> (Verdict, String) {
-    let Energy { ends: [first, last], bound, x, steps, .. } = energy;
+pub fn judge(energy: &Energy) -> Told {
+    let &Energy { ends: [first, last], bound, x, steps, .. } = energy;
     let why = format!(
-        "in {steps} steps of x = ω₀h = {x} from 1 rad the largest |ΔH|/(mgL) is {first:.1e} in the \
-         first tenth and {last:.1e} in the last"
+        "in {steps} steps of x = ω₀h = {x} from 1 rad the largest |ΔH|/(mgL) is {} in the first \
+         tenth and {} in the last",
+        scientific(first),
+        scientific(last)
     );
-    if *last < 10.0 * bound && *first < 10.0 * bound {
-        (Verdict::Unclear, format!("{why}: rounding"))
-    } else if *last > 2.0 * first && *last > 20.0 * bound {
-        (Verdict::Fails, why)
-    } else if *last > 1.3 * first + 10.0 * bound {
-        (Verdict::Unclear, why)
-    } else {
-        (Verdict::Holds, why)
+    let (verdict, law) = verdict(first, last, bound);
+    Told {
+        measured: format!("{} at first, {} at last: {law}", scientific(first), scientific(last)),
+        values: vec![first, last],
+        unit: "m g L",
+        bound: Some(1.3 * first + 10.0 * bound),
+        why: if verdict == Verdict::Unclear { format!("{why}: {law}") } else { why },
+        verdict,
     }
 }
 
-/// What was measured, with its law.
-pub fn line(energy: &Energy) -> String {
-    let [first, last] = energy.ends;
-    let law = match judge(energy).0 {
-        Verdict::Holds => "bounded",
-        Verdict::Fails if last > 5.0 * first && last < 20.0 * first => "grows with time",
-        Verdict::Fails => "grows",
-        _ => "rounding, or nearly",
-    };
-    format!("{first:.1e} at first, {last:.1e} at last: {law}")
+/// The verdict on the largest energy errors of the `first` tenth and of the `last`, of which
+/// rounding may make `bound`; and the law that they show.
+pub fn verdict(first: f64, last: f64, bound: f64) -> (Verdict, &'static str) {
+    if last < 10.0 * bound && first < 10.0 * bound {
+        (Verdict::Unclear, "rounding")
+    } else if last > 2.0 * first && last > 20.0 * bound {
+        // Ten times as much after ten times the time.
+        let with_time = (5.0 * first..20.0 * first).contains(&last);
+        (Verdict::Fails, if with_time { "grows with time" } else { "grows" })
+    } else if last > 1.3 * first + 10.0 * bound {
+        (Verdict::Unclear, "grows a little, or wanders")
+    } else {
+        (Verdict::Holds, "bounded")
+    }
 }

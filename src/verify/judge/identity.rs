@@ -3,9 +3,11 @@
 
 use core::fmt;
 
+use super::number::{Scientific, about, raised};
 use super::probe::{
     G_OVER_L, Measured, Probe, Run, Trouble, distance, exact, frequency, pendulum, step,
 };
+use super::report::{Told, Verdict};
 use crate::systems::{Phase, Separable};
 use crate::verify::error_constant::extrapolated;
 use crate::{AnyMethod, Grid, METHODS, MethodInfo};
@@ -21,9 +23,9 @@ pub struct Seen {
 }
 
 impl Seen {
-    const DIRECTLY: Self = Self { kicks: 0.0, drifts: 0.0 };
+    pub(super) const DIRECTLY: Self = Self { kicks: 0.0, drifts: 0.0 };
 
-    const ALL: [Self; 9] = [
+    pub(super) const ALL: [Self; 9] = [
         Self::DIRECTLY,
         Self { kicks: 0.5, drifts: 0.0 },
         Self { kicks: -0.5, drifts: 0.0 },
@@ -93,7 +95,10 @@ impl fmt::Display for Identity {
         if *angles_only {
             f.write_str(", by its angles; the velocities are others")?;
         }
-        write!(f, ", to {apart:.0e} rad in eight steps")
+        match *apart {
+            0.0 => f.write_str(", to the bit in eight steps"),
+            apart => write!(f, ", to {} rad in eight steps", about(apart)),
+        }
     }
 }
 
@@ -107,9 +112,9 @@ const STARTS: [Phase; 3] = [
 const STEPS: [f64; 4] = [0.05, 0.3, 0.8, 1.1];
 const COUNT: u64 = 8;
 
-/// The states of a method of the library after 1, 2, … 8 steps, as they are seen from there.
-fn own_states(method: &dyn AnyMethod, seen: Seen, start: Phase, h: f64) -> Vec<Phase> {
-    let grid = Grid::new(h, COUNT).expect("a positive step");
+/// The states of a method of the library after 1, 2, … steps, as they are seen from there.
+fn own_states(method: &dyn AnyMethod, seen: Seen, start: Phase, h: f64, count: u64) -> Vec<Phase> {
+    let grid = Grid::new(h, count).expect("a positive step");
     let mut states = Vec::new();
     let own = seen.into_its_own(G_OVER_L, start, h);
     method.run(&pendulum(G_OVER_L), own, &grid, &mut |n: u64, _: f64, z: Phase| {
@@ -120,25 +125,75 @@ fn own_states(method: &dyn AnyMethod, seen: Seen, start: Phase, h: f64) -> Vec<P
     states
 }
 
+/// The stranger's states in a few runs of eight steps, with which known methods are compared.
+pub struct Asked {
+    /// Start, step (s) and states, where it answers.
+    runs: Vec<(Phase, f64, Vec<Phase>)>,
+    /// What rounding, and a tolerance inside it, may make of them (rad).
+    bound: f64,
+}
+
+impl Asked {
+    /// Asks.
+    pub fn of(probe: &Probe<'_>) -> Measured<Self> {
+        let mut runs = Vec::new();
+        for start in STARTS {
+            for x in STEPS {
+                match probe.states(Run::new(start, step(x), COUNT)) {
+                    Ok(states) => runs.push((start, step(x), states)),
+                    Err(Trouble::NoAnswer(_) | Trouble::NotFinite) if x > STEPS[0] => {}
+                    Err(trouble) => return Err(trouble),
+                }
+            }
+        }
+        // Sixteen roundings a step of whoever rounds more coarsely, of an angle of up to 12 rad,
+        // and neighbours that part by a factor of ten at most.
+        let rounding = 10.0 * 12.0 * 16.0 * COUNT as f64 * probe.rounding / 8.0;
+        // And what a tolerance inside the stranger may add.
+        let tolerance = probe.bound(COUNT, 1.0) - probe.rounding_bound(COUNT, 1.0);
+        Ok(Self { runs, bound: rounding + 100.0 * tolerance })
+    }
+
+    /// By how much its states differ from those of `method`, as `apart` measures it (rad); `None`
+    /// if by more than the bound, or `at_least` if that is more. Where a method has no solution,
+    /// nothing is compared.
+    fn apart(
+        &self,
+        at_least: f64,
+        apart: fn(Phase, Phase) -> f64,
+        method: impl Fn(Phase, f64, u64) -> Option<Vec<Phase>>,
+    ) -> Option<f64> {
+        let (mut largest, mut compared) = (0.0_f64, false);
+        for (start, h, states) in &self.runs {
+            let own = method(*start, *h, COUNT)?;
+            if own.iter().any(|z| z.theta.is_nan()) {
+                continue;
+            }
+            compared = true;
+            let off = own.iter().zip(states).map(|(own, z)| apart(*own, *z));
+            largest = off.fold(largest, libm::fmaximum);
+            if largest.is_nan() || largest > self.bound.max(at_least) {
+                return None;
+            }
+        }
+        compared.then_some(largest)
+    }
+
+    /// Whether its states are those of `method`.
+    pub fn are(
+        &self,
+        at_least: f64,
+        apart: fn(Phase, Phase) -> f64,
+        method: impl Fn(Phase, f64, u64) -> Option<Vec<Phase>>,
+    ) -> bool {
+        self.apart(at_least, apart, method).is_some()
+    }
+}
+
 /// The method of the list that the stranger is, seen directly or from half a kick or drift away,
 /// or by its angles alone. Of several, that of the order which the stranger shows.
 pub fn identify(probe: &Probe<'_>, shown: Option<u32>) -> Measured<Option<Identity>> {
-    // Start, step (s) and states, where it answers.
-    let mut asked: Vec<(Phase, f64, Vec<Phase>)> = Vec::new();
-    for start in STARTS {
-        for x in STEPS {
-            match probe.states(Run::new(start, step(x), COUNT)) {
-                Ok(states) => asked.push((start, step(x), states)),
-                Err(Trouble::NoAnswer(_) | Trouble::NotFinite) if x > STEPS[0] => {}
-                Err(trouble) => return Err(trouble),
-            }
-        }
-    }
-    // Sixteen roundings a step of whoever rounds more coarsely, of an angle of up to 12 rad, and
-    // neighbours that part by a factor of ten at most.
-    let rounding = 10.0 * 12.0 * 16.0 * COUNT as f64 * probe.rounding / 8.0;
-    // And what a tolerance inside the stranger may add.
-    let bound = rounding + 100.0 * (probe.bound(COUNT, 1.0) - probe.rounding_bound(COUNT, 1.0));
+    let asked = Asked::of(probe)?;
     let angle = |a: Phase, b: Phase| (a.theta - b.theta).abs();
     let of_its_order = |method: &&dyn AnyMethod| Some(method.info().order) == shown;
     let (first, then): (Vec<_>, Vec<_>) = METHODS.iter().copied().partition(of_its_order);
@@ -149,27 +204,31 @@ pub fn identify(probe: &Probe<'_>, shown: Option<u32>) -> Measured<Option<Identi
             if angles_only && seen.drifts != 0.0 {
                 continue;
             }
-            'methods: for method in methods {
-                let mut largest = 0.0_f64;
-                for (start, h, states) in &asked {
-                    let own = own_states(*method, seen, *start, *h);
-                    // Where an implicit method's own sweeps do not converge, nothing is compared.
-                    if own.iter().any(|z| z.theta.is_nan()) {
-                        continue;
-                    }
-                    let off = own.iter().zip(states).map(|(own, z)| apart(*own, *z));
-                    largest = off.fold(largest, libm::fmaximum);
-                    if largest.is_nan() || largest > bound {
-                        continue 'methods;
-                    }
+            for method in methods {
+                let own = |start, h, count| Some(own_states(*method, seen, start, h, count));
+                if let Some(apart) = asked.apart(0.0, apart, own) {
+                    let MethodInfo { name, title, .. } = method.info();
+                    let identity = Identity { method: name, title, seen, angles_only, apart };
+                    return Ok(Some(identity));
                 }
-                let MethodInfo { name, title, .. } = method.info();
-                let identity = Identity { method: name, title, seen, angles_only, apart: largest };
-                return Ok(Some(identity));
             }
         }
     }
     Ok(None)
+}
+
+/// What is to be said of a claim to be the method `name`.
+pub fn judge(identity: Option<&Identity>, name: Option<&str>) -> Told {
+    let (verdict, why) = match identity {
+        Some(identity) if identity.is_plain() && Some(identity.method) == name => {
+            (Verdict::Holds, "its steps are those of the method".to_string())
+        }
+        Some(identity) => (Verdict::Fails, format!("it is {identity}")),
+        None => (Verdict::Fails, "its steps are those of no method on the list".to_string()),
+    };
+    let measured = identity.map_or("none on the list", |identity| identity.method).to_string();
+    let values = identity.map(|identity| identity.apart).into_iter().collect();
+    Told { measured, values, unit: "rad", bound: None, verdict, why }
 }
 
 /// The leading error of a step at (1 rad, 1 ω₀) over h^(order + 1), in θ and in ω/ω₀ with h in
@@ -191,4 +250,11 @@ pub fn leading_error(probe: &Probe<'_>, order: u32) -> Measured<[f64; 2]> {
     };
     let errors = [error(x)?, error(0.5 * x)?, error(0.25 * x)?];
     Ok([0, 1].map(|i| extrapolated(errors.map(|error| error[i]))))
+}
+
+/// The same in words.
+pub fn error_in_words(probe: &Probe<'_>, order: u32) -> Measured<String> {
+    let [theta, omega] = leading_error(probe, order)?.map(|error| Scientific(error, 3));
+    let power = raised(order as usize + 1);
+    Ok(format!("the error of a step at (1 rad, ω₀) is ({theta}, {omega}) x{power} in θ and ω/ω₀"))
 }

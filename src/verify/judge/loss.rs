@@ -2,8 +2,9 @@
 
 use super::area;
 use super::identity::Identity;
+use super::number::{about, scientific};
 use super::probe::{G_OVER_L, Measured, Probe, Run, energy, pendulum, step};
-use super::report::Verdict;
+use super::report::{Told, Verdict};
 use crate::systems::Phase;
 use crate::verify::flipped;
 use crate::{Grid, method_named};
@@ -97,27 +98,24 @@ pub fn measure(
 }
 
 impl Loss {
-    /// The verdict, and why.
-    pub fn judge(&self) -> (Verdict, String) {
+    /// What is to be said of a claim that nothing is lost.
+    pub fn judge(&self) -> Told {
         let Self { a_step, bound, tolerance, by } = *self;
-        let why = format!("by {by}: {a_step:.1e} a step, where rounding makes {bound:.0e} at most");
-        if a_step.abs() <= bound {
-            (Verdict::Holds, why)
-        } else if a_step.abs() <= 10.0 * bound {
-            (Verdict::Unclear, why)
-        } else if a_step.abs() <= tolerance {
-            (Verdict::Unclear, format!("{why}; a tolerance inside it may do so"))
-        } else {
-            (Verdict::Fails, why)
+        let mut why = format!(
+            "by {by}: {} a step, where rounding makes {} at most",
+            scientific(a_step),
+            about(bound)
+        );
+        let mut verdict = Verdict::of(a_step.abs(), bound, 10.0 * bound);
+        if verdict == Verdict::Fails && a_step.abs() <= tolerance {
+            verdict = Verdict::Unclear;
+            why.push_str("; a tolerance inside it may do so");
         }
-    }
-
-    /// What was measured.
-    pub fn line(&self) -> String {
-        if self.a_step.abs() <= self.bound {
-            format!("less than {:.0e} a step", self.bound)
+        let measured = if a_step.abs() <= bound {
+            format!("less than {} a step", about(bound))
         } else {
-            format!("{:.1e} a step", self.a_step)
-        }
+            format!("{} a step", scientific(a_step))
+        };
+        Told { measured, why, ..Told::number(a_step, "a step", bound, verdict) }
     }
 }

@@ -1,7 +1,8 @@
 //! Order: the slopes of the error on a ladder of steps, down to the stranger's rounding.
 
+use super::number::slopes;
 use super::probe::{G_OVER_L, Measured, Probe, Run, Trouble, distance, exact, frequency};
-use super::report::Verdict;
+use super::report::{Told, Verdict};
 use crate::systems::Phase;
 
 /// The duration of a run (s): about a swing and a half, and no whole number of half swings, at
@@ -90,37 +91,29 @@ pub fn shown(ladder: &Ladder) -> Option<u32> {
         .then_some(whole as u32)
 }
 
-/// What is to be said of a claim of order `claimed`.
-pub fn judge(ladder: &Ladder, claimed: u32) -> (Verdict, String) {
+/// What is to be said of a claim of order `claimed`; without one, what was measured.
+pub fn judge(ladder: &Ladder, claimed: Option<u32>) -> Told {
+    let (verdict, why) = match claimed {
+        Some(order) => verdict(ladder, order),
+        None => (Verdict::Unclaimed, String::new()),
+    };
+    let line = slopes(&ladder.slopes);
+    let measured = if line.is_empty() { "no slope".into() } else { format!("slopes {line}") };
+    Told { measured, values: ladder.slopes.clone(), unit: "", bound: None, verdict, why }
+}
+
+/// The verdict on a claim of order `claimed`, and why.
+pub fn verdict(ladder: &Ladder, claimed: u32) -> (Verdict, String) {
     let order = f64::from(claimed);
     let Ladder { rungs, slopes, leading } = ladder;
     let finest = &slopes[*leading..];
-    if finest.is_empty() {
+    let Some(&last) = finest.last() else {
         return (Verdict::Unclear, "too few steps lie between coarse and rounding".to_string());
-    }
-    // At steps that are not short against the motion's own time an error is between half and twice
-    // its leading term, and a slope over the factor f in the step is uncertain by ln 4 / ln f.
+    };
     if claimed > 8 {
-        let last = rungs[rungs.len() - 1];
-        let first = rungs[(*leading).max(rungs.len().saturating_sub(4))];
-        let factor = libm::log(first.0 / last.0);
-        let (slope, window) = (libm::log(first.1 / last.1) / factor, libm::log(4.0) / factor);
-        let why = format!(
-            "over the finest steps the slope is {slope:.1}; steps that show order {claimed} are \
-             long, where a slope is known to ± {window:.1}"
-        );
-        let off = (slope - order).abs();
-        let verdict = if window > order / 4.0 || (window..=2.0 * window).contains(&off) {
-            Verdict::Unclear
-        } else if off < window {
-            Verdict::Holds
-        } else {
-            Verdict::Fails
-        };
-        return (verdict, why);
+        return high(ladder, order);
     }
     let off = |slope: &f64| (slope - order).abs();
-    let last = *finest.last().expect("there is one");
     let nearest = finest.iter().map(off).fold(f64::INFINITY, f64::min);
     // The next term bends a slope by less with every finer step. Of a method that is not symmetric
     // it is smaller by one power of x only, and by no small factor where the method was designed
@@ -142,15 +135,31 @@ pub fn judge(ladder: &Ladder, claimed: u32) -> (Verdict, String) {
     let whole = libm::round(last);
     let elsewhere = !moved && whole != order && (last - whole).abs() < 0.08;
     let settled = !moved || finest.iter().rev().take(2).all(|s| *s < order - 0.5 - bent);
+    let told = format!("{last:.2}").replace('-', "−");
     if elsewhere || (last < order && !towards && settled) {
-        (Verdict::Fails, format!("the finest slope is {last:.2}"))
+        (Verdict::Fails, format!("the finest slope is {told}"))
     } else {
-        (Verdict::Unclear, format!("the finest slope is {last:.2}, on its way or between orders"))
+        (Verdict::Unclear, format!("the finest slope is {told}, on its way or between orders"))
     }
 }
 
-/// The slopes, in a line.
-pub fn line(ladder: &Ladder) -> String {
-    let slopes: Vec<String> = ladder.slopes.iter().map(|slope| format!("{slope:.2}")).collect();
-    if slopes.is_empty() { "no slope".to_string() } else { format!("slopes {}", slopes.join(", ")) }
+/// The same beyond order 8. At steps that are not short against the motion's own time an error is
+/// between half and twice its leading term, and a slope over the factor f in the step is uncertain
+/// by ln 4 / ln f.
+fn high(Ladder { rungs, leading, .. }: &Ladder, order: f64) -> (Verdict, String) {
+    let last = rungs[rungs.len() - 1];
+    let first = rungs[(*leading).max(rungs.len().saturating_sub(4))];
+    let factor = libm::log(first.0 / last.0);
+    let (slope, window) = (libm::log(first.1 / last.1) / factor, libm::log(4.0) / factor);
+    let why = format!(
+        "over the finest steps the slope is {slope:.1}; steps that show order {order} are long, \
+         where a slope is known to ± {window:.1}"
+    );
+    let off = (slope - order).abs();
+    let verdict = if window > order / 4.0 {
+        Verdict::Unclear
+    } else {
+        Verdict::of(off, window, 2.0 * window)
+    };
+    (verdict, why)
 }

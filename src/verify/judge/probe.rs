@@ -48,8 +48,10 @@ pub type Measured<T> = Result<T, Trouble>;
 /// A stranger, with what has to be known of it before anything can be asked.
 pub struct Probe<'s> {
     stranger: &'s dyn Stranger,
-    /// The rounding of a step, relative to a state of order 1, as measured: at least 2⁻⁵².
+    /// The rounding of a step, relative to a state of order 1: as measured, and at least 2⁻⁵².
     pub rounding: f64,
+    /// The same, if it could be measured.
+    pub measured_rounding: Measured<f64>,
     /// What a tolerance inside the stranger makes of 200 steps (rad): by how much they differ in
     /// other units of time, where that is too little to be a mistake.
     tolerance: f64,
@@ -98,13 +100,16 @@ impl<'s> Probe<'s> {
     /// Ready to ask; the rounding is measured at once.
     pub fn new(stranger: &'s dyn Stranger) -> Measured<Self> {
         let longest = stranger.longest_run();
-        let mut probe = Self { stranger, rounding: f64::EPSILON, tolerance: 0.0, longest };
-        let measured = probe.measure_rounding();
-        match measured {
-            Ok(rounding) => probe.rounding = rounding.max(f64::EPSILON),
+        let measured_rounding = Ok(f64::EPSILON);
+        let rounding = f64::EPSILON;
+        let mut probe = Self { stranger, rounding, measured_rounding, tolerance: 0.0, longest };
+        match probe.measure_rounding() {
             Err(Trouble::Broken(why)) => return Err(Trouble::Broken(why)),
-            Err(_) => {}
+            measured => {
+                probe.measured_rounding = measured.map(|rounding| rounding.max(f64::EPSILON));
+            }
         }
+        probe.rounding = probe.measured_rounding.clone().unwrap_or(f64::EPSILON);
         match super::symmetry::units(&probe) {
             Ok(units) if units.is_a_tolerance() => probe.tolerance = units.largest,
             Err(Trouble::Broken(why)) => return Err(Trouble::Broken(why)),

@@ -1,6 +1,7 @@
 //! The same answer twice, and whatever was asked before.
 
 use super::probe::{Measured, Probe, Run, distance, step};
+use super::report::{Told, Verdict};
 use crate::systems::Phase;
 
 /// In which way the same request has other answers; `None` if they are the same, to the bit, at
@@ -23,4 +24,20 @@ pub fn other_answers(probe: &Probe<'_>) -> Measured<Option<&'static str>> {
         return Ok(Some("every fifth state of a run is another one if only those are asked for"));
     }
     Ok(None)
+}
+
+/// What is to be said of a claim that answers can be repeated.
+pub fn judge(other: Option<&'static str>) -> Told {
+    let (measured, verdict, why) = match other {
+        None => ("the same bits", Verdict::Holds, "to the bit"),
+        Some(why) => ("other answers", Verdict::Fails, why),
+    };
+    Told {
+        measured: measured.to_string(),
+        values: vec![f64::from(u8::from(other.is_some()))],
+        unit: "differences",
+        bound: Some(0.0),
+        verdict,
+        why: why.to_string(),
+    }
 }

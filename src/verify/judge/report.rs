@@ -3,17 +3,20 @@
 use core::fmt;
 
 use super::identity::Identity;
+use super::probe::Trouble;
 use crate::systems::Phase;
 
-/// What is to be said of a claim.
+/// What is to be said of a claim, or of all of them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
-    /// It holds.
+    /// It was measured and holds.
     Holds,
-    /// It does not.
+    /// It was measured and does not hold.
     Fails,
-    /// It cannot be told, as from rounding.
+    /// It was measured, and cannot be told: from rounding, or between two bounds.
     Unclear,
+    /// It was not measured: the stranger does not answer, or not in time.
+    NotMeasured,
     /// Nobody claims it; what was measured is said all the same.
     Unclaimed,
 }
@@ -25,7 +28,20 @@ impl Verdict {
             Self::Holds => "holds",
             Self::Fails => "fails",
             Self::Unclear => "unclear",
+            Self::NotMeasured => "not measured",
             Self::Unclaimed => "unclaimed",
+        }
+    }
+
+    /// That `value` is at most `holds`: it fails beyond `fails`, and between the two nothing can be
+    /// told. A NaN fails.
+    pub fn of(value: f64, holds: f64, fails: f64) -> Self {
+        if value <= holds {
+            Self::Holds
+        } else if value <= fails {
+            Self::Unclear
+        } else {
+            Self::Fails
         }
     }
 }
@@ -35,14 +51,59 @@ impl Verdict {
 pub struct Finding {
     /// The property.
     pub name: &'static str,
-    /// What is claimed; "implied" for what everybody claims.
+    /// What is claimed; "implied" for what everybody claims as soon as anything is claimed.
     pub claimed: Option<String>,
-    /// What was measured.
+    /// What was measured, in words.
     pub measured: String,
+    /// The numbers of it, in [`unit`](Self::unit); none if it was not measured.
+    pub values: Vec<f64>,
+    /// The unit of the numbers: "rad", "a step"; empty for pure numbers.
+    pub unit: &'static str,
+    /// What the value may be at most where the claim holds, if one number decides.
+    pub bound: Option<f64>,
     /// What is to be said of the claim.
     pub verdict: Verdict,
-    /// The bound, where it comes from, and what follows.
+    /// The bound, where it comes from, and what follows; or why it was not measured.
     pub why: String,
+}
+
+/// What a measurement says of the property that it is for, whether or not it is claimed.
+#[derive(Clone, Debug)]
+pub struct Told {
+    pub measured: String,
+    pub values: Vec<f64>,
+    pub unit: &'static str,
+    pub bound: Option<f64>,
+    pub verdict: Verdict,
+    pub why: String,
+}
+
+impl Told {
+    /// One number, which `bound` decides.
+    pub fn number(value: f64, unit: &'static str, bound: f64, verdict: Verdict) -> Self {
+        let (measured, why) = Default::default();
+        Self { measured, values: vec![value], unit, bound: Some(bound), verdict, why }
+    }
+
+    /// What a property is of which nothing is known, and why.
+    pub fn nothing(why: String) -> Self {
+        let (values, measured) = (Vec::new(), "–".to_string());
+        Self { measured, values, unit: "", bound: None, verdict: Verdict::NotMeasured, why }
+    }
+}
+
+/// What a measurement that was not had says: a stranger without an answer was not measured, one
+/// with a wrong answer fails.
+impl From<Trouble> for Told {
+    fn from(trouble: Trouble) -> Self {
+        match trouble {
+            Trouble::NoAnswer(why) => Self::nothing(why),
+            other => {
+                let why = other.to_string();
+                Self { verdict: Verdict::Fails, measured: why.clone(), ..Self::nothing(why) }
+            }
+        }
+    }
 }
 
 /// Measurements that a report can draw.
@@ -54,19 +115,22 @@ pub struct Evidence {
     pub energy: Vec<(f64, f64)>,
     /// The corners of a square, its images after one step, and the centre of both.
     pub square: Option<([Phase; 4], [Phase; 4])>,
-    /// States on a way out, and of the way back.
+    /// States on a way out from the start on, and of the way back.
     pub way: Option<(Vec<Phase>, Vec<Phase>)>,
 }
 
 /// What the judge found.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Report {
-    /// `Fails` if a claim does, else `Unclear` if one is, else `Holds`.
+    /// Of all claims: `Fails` if one does; else `NotMeasured` or `Unclear` if one is; else `Holds`.
+    /// Without claims `Unclaimed`, or `NotMeasured` if nothing could be measured at all.
     pub verdict: Verdict,
     /// The method of the library that it really is, if it is one.
     pub identity: Option<Identity>,
     /// What is to be said of its step where it is none: order, symmetry and leading error.
     pub description: String,
+    /// What to look at to mend it: at most three sentences, the cause first.
+    pub look_at: Vec<String>,
     /// Property by property.
     pub findings: Vec<Finding>,
     /// What a report can draw.
@@ -79,19 +143,76 @@ impl Report {
         self.findings.iter().find(|finding| finding.name == name)
     }
 
-    /// Names of the properties whose claims fail.
-    pub fn failures(&self) -> impl Iterator<Item = &'static str> {
-        let failed = self.findings.iter().filter(|finding| finding.verdict == Verdict::Fails);
-        failed.map(|finding| finding.name)
+    /// Names of the claimed properties with this verdict.
+    fn claimed(&self, verdict: Verdict) -> impl Iterator<Item = &'static str> {
+        let those = self.findings.iter().filter(|finding| finding.claimed.is_some());
+        those.filter(move |finding| finding.verdict == verdict).map(|finding| finding.name)
     }
 
-    /// Panics with the report if a claim fails.
+    /// Names of the properties whose claims fail.
+    pub fn failures(&self) -> impl Iterator<Item = &'static str> {
+        self.claimed(Verdict::Fails)
+    }
+
+    /// Notes the verdict on all claims, or on none.
+    pub(super) fn conclude(&mut self, none_made: bool) {
+        let of = |verdict| self.claimed(verdict).next().is_some();
+        let measured = |finding: &Finding| !finding.values.is_empty();
+        let worst = [Verdict::Fails, Verdict::NotMeasured, Verdict::Unclear];
+        self.verdict = if none_made {
+            let any = self.findings.iter().any(measured);
+            if any { Verdict::Unclaimed } else { Verdict::NotMeasured }
+        } else {
+            worst.into_iter().find(|verdict| of(*verdict)).unwrap_or(Verdict::Holds)
+        };
+    }
+
+    /// What it is, in words without a full stop.
+    pub fn what_it_is(&self) -> String {
+        match &self.identity {
+            Some(identity) => identity.to_string(),
+            None => self.description.clone(),
+        }
+    }
+
+    /// Whether claims were made.
+    fn anything_claimed(&self) -> bool {
+        self.findings.iter().any(|finding| finding.claimed.is_some())
+    }
+
+    /// The verdict in a sentence.
+    pub fn summary(&self) -> String {
+        if !self.anything_claimed() {
+            return match self.verdict {
+                Verdict::NotMeasured => "No claims made, and nothing was measured.".to_string(),
+                _ => format!("No claims made. It is {}.", self.what_it_is()),
+            };
+        }
+        let named = |verdict, before: &str| {
+            let names: Vec<&str> = self.claimed(verdict).collect();
+            (!names.is_empty()).then(|| format!("{before}{}", names.join(", ")))
+        };
+        let many = self.failures().nth(1).is_some();
+        let parts = [
+            named(Verdict::Fails, if many { "Claims fail: " } else { "A claim fails: " }),
+            named(Verdict::NotMeasured, "not measured: "),
+            named(Verdict::Unclear, "unclear: "),
+        ];
+        let parts: Vec<String> = parts.into_iter().flatten().collect();
+        match self.verdict {
+            Verdict::Holds => "Every claim holds.".to_string(),
+            Verdict::Fails => format!("{}.", parts.join("; ")),
+            _ => format!("No claim fails, but not every one is shown; {}.", parts.join("; ")),
+        }
+    }
+
+    /// Panics with the report unless every claim was measured and holds.
     ///
     /// # Panics
     /// That is what it is for, in a test.
     #[track_caller]
     pub fn assert(&self) {
-        assert!(self.verdict != Verdict::Fails, "\n{self}");
+        assert!(self.verdict == Verdict::Holds, "\n{self}");
     }
 }
 
@@ -115,23 +236,25 @@ impl fmt::Display for Report {
         };
         writeln!(f, "{}measured", padded(head))?;
         for (finding, row) in self.findings.iter().zip(rows()) {
-            writeln!(f, "{}{}", padded(row), finding.measured)?;
-            if matches!(finding.verdict, Verdict::Fails | Verdict::Unclear) {
-                writeln!(f, "    {}: {}", finding.verdict.name(), finding.why)?;
+            let Finding { measured, verdict, why, .. } = finding;
+            match verdict {
+                Verdict::NotMeasured => writeln!(f, "{}{why}", padded(row))?,
+                _ => writeln!(f, "{}{measured}", padded(row))?,
+            }
+            if matches!(verdict, Verdict::Fails | Verdict::Unclear) {
+                writeln!(f, "    {}: {why}", verdict.name())?;
             }
         }
-        let is = match &self.identity {
-            Some(identity) => identity.to_string(),
-            None => self.description.clone(),
-        };
-        writeln!(f, "\nWhat it is: {is}.")?;
-        match self.verdict {
-            Verdict::Fails => {
-                let failed: Vec<&str> = self.failures().collect();
-                writeln!(f, "A claim fails: {}.", failed.join(", "))
+        if !self.look_at.is_empty() {
+            writeln!(f, "\nWhat to look at:")?;
+            for line in &self.look_at {
+                writeln!(f, "  • {line}")?;
             }
-            Verdict::Unclear => writeln!(f, "No claim fails; some cannot be told."),
-            _ => writeln!(f, "Every claim holds."),
         }
+        writeln!(f)?;
+        if self.anything_claimed() {
+            writeln!(f, "What it is: {}.", self.what_it_is())?;
+        }
+        writeln!(f, "{}", self.summary())
     }
 }

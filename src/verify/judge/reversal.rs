@@ -1,7 +1,8 @@
 //! The way back: as many steps of −h lead home, or do not.
 
+use super::number::{about, scientific};
 use super::probe::{Measured, Probe, Run, Trouble, distance, step};
-use super::report::Verdict;
+use super::report::{Told, Verdict};
 use crate::systems::Phase;
 use crate::verify::flipped;
 
@@ -61,25 +62,24 @@ pub fn worst(probe: &Probe<'_>) -> Measured<Way> {
 }
 
 /// What is to be said of a claim that a step with −h undoes a step with h.
-pub fn judge(way: &Way) -> (Verdict, String) {
-    let Way { miss, bound, x, steps, by_itself } = *way;
+pub fn judge(&Way { miss, bound, x, steps, by_itself }: &Way) -> Told {
     let back = if by_itself { "back with −h" } else { "back with the velocity reversed" };
-    let why = format!(
-        "{steps} steps of x = ω₀h = {x} and {back} miss the start by {miss:.1e} rad; rounding \
-         makes {bound:.0e} rad at most"
-    );
-    if miss <= bound {
-        (Verdict::Holds, why)
-    } else if miss > 10.0 * bound {
-        (Verdict::Fails, why)
-    } else {
-        (Verdict::Unclear, why)
+    Told {
+        measured: format!("misses the start by {} rad", scientific(miss)),
+        why: format!(
+            "{steps} steps of x = ω₀h = {x} and {back} miss the start by {} rad; rounding makes {} \
+             rad at most",
+            scientific(miss),
+            about(bound)
+        ),
+        ..Told::number(miss, "rad", bound, Verdict::of(miss, bound, 10.0 * bound))
     }
 }
 
-/// States of a way out and of the way back, for a report: forty steps of x = 0.4.
+/// States of a way out, the start first, and of the way back, for a report: forty steps of x = 0.4.
 pub fn drawn(probe: &Probe<'_>) -> Measured<(Vec<Phase>, Vec<Phase>)> {
-    let there = probe.states(Run::new(START, step(0.4), 40))?;
+    let mut there = probe.states(Run::new(START, step(0.4), 40))?;
+    there.insert(0, START);
     let turn = there[there.len() - 1];
     let back = probe.states(Run::new(flipped(turn), step(0.4), 40))?;
     Ok((there, back.into_iter().map(flipped).collect()))

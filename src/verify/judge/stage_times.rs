@@ -1,7 +1,8 @@
 //! Stage times: on a driven pendulum a method has its order only if its stages know the time.
 
+use super::number::slopes;
 use super::probe::{Measured, Probe, Trouble, distance, pendulum};
-use super::report::Verdict;
+use super::report::{Told, Verdict};
 use super::stranger::{Drive, Request, driven};
 use crate::methods::Gauss6;
 use crate::systems::Phase;
@@ -70,24 +71,34 @@ pub fn measure(probe: &Probe<'_>, order: u32) -> Measured<Drives> {
     Ok(Drives { slopes, coarsest: coarsest.unwrap_or(f64::NAN) })
 }
 
-/// Whether the slopes on the driven pendulum are those of `order`.
-pub fn judge(Drives { slopes, coarsest }: &Drives, order: u32) -> (Verdict, String) {
-    let line: Vec<String> = slopes.iter().map(|slope| format!("{slope:.2}")).collect();
-    let why = format!("with a drive: slopes {}", line.join(", "));
-    // Stages at wrong times would be off by far more in the coarsest steps.
-    if slopes.is_empty() && *coarsest < 1e-10 {
-        return (Verdict::Holds, "with a drive the error of the coarsest steps is rounding".into());
-    }
-    let Some(last) = slopes.last() else {
-        return (Verdict::Unclear, "with a drive: too few steps above rounding".to_string());
+/// What is to be said of a claim that stages know the time: that the slopes on the driven pendulum
+/// are those of `order`.
+pub fn judge(Drives { slopes: all, coarsest }: &Drives, order: u32) -> Told {
+    let line = slopes(all);
+    let measured = if line.is_empty() { "rounding".into() } else { format!("slopes {line}") };
+    let why = match all.last() {
+        Some(_) => format!("with a drive: slopes {line}, where order {order} is claimed"),
+        None if *coarsest < ROUNDING => "the error of the coarsest steps is rounding".to_string(),
+        None => "too few steps above rounding".to_string(),
     };
+    let verdict = verdict(all.last().copied(), *coarsest, order);
+    let (values, measured) = (all.clone(), format!("with a drive: {measured}"));
+    Told { measured, values, unit: "", bound: None, verdict, why }
+}
+
+/// The error (rad) of the coarsest steps below which stages at wrong times would have been seen.
+const ROUNDING: f64 = 1e-10;
+
+/// The verdict on the last slope, if there is one, and on the error of the coarsest steps (rad).
+pub fn verdict(last: Option<f64>, coarsest: f64, order: u32) -> Verdict {
     let expected = f64::from(order);
-    // Short of the order by half: stages at wrong times leave order 1, or 2 at best.
-    if *last < expected - 0.5 && *last < 0.75 * expected {
-        (Verdict::Fails, why)
-    } else if *last < expected - 0.5 {
-        (Verdict::Unclear, why)
-    } else {
-        (Verdict::Holds, why)
+    match last {
+        None if coarsest < ROUNDING => Verdict::Holds,
+        None => Verdict::Unclear,
+        // Stages at wrong times leave order 1, or 2 at best; half an order may still be missing
+        // where steps are long.
+        Some(last) if last >= expected - 0.5 => Verdict::Holds,
+        Some(last) if last >= 0.75 * expected => Verdict::Unclear,
+        Some(_) => Verdict::Fails,
     }
 }

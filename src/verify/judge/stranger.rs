@@ -172,20 +172,18 @@ impl Stranger for Listed<'_> {
 }
 
 /// A stranger that is a function of g/L (1/s²), θ (rad), ω (rad/s), h (s) and n, which returns the
-/// pairs (θ, ω) after 1, 2, … n steps.
+/// pairs (θ, ω) after 1, 2, … n steps: in a vector, or one after the other.
 ///
 /// ```
 /// use pendula::verify::{Claims, FromFn, judge};
 ///
-/// let leapfrog = FromFn(|g: f64, mut theta: f64, mut omega: f64, h: f64, n: u64| {
-///     let mut states = Vec::new();
-///     for _ in 0..n {
-///         omega -= 0.5 * h * g * theta.sin();
+/// let leapfrog = FromFn(|g_over_l: f64, mut theta: f64, mut omega: f64, h: f64, n: u64| {
+///     (0..n).map(move |_| {
+///         omega -= 0.5 * h * g_over_l * theta.sin();
 ///         theta += h * omega;
-///         omega -= 0.5 * h * g * theta.sin();
-///         states.push((theta, omega));
-///     }
-///     states
+///         omega -= 0.5 * h * g_over_l * theta.sin();
+///         (theta, omega)
+///     })
 /// });
 /// let report = judge(&leapfrog, Claims::order(2).symplectic().symmetric());
 /// report.assert();
@@ -194,7 +192,11 @@ impl Stranger for Listed<'_> {
 #[derive(Clone, Copy, Debug)]
 pub struct FromFn<F>(pub F);
 
-impl<F: Fn(f64, f64, f64, f64, u64) -> Vec<(f64, f64)>> Stranger for FromFn<F> {
+impl<F, I> Stranger for FromFn<F>
+where
+    F: Fn(f64, f64, f64, f64, u64) -> I,
+    I: IntoIterator<Item = (f64, f64)>,
+{
     fn run(&self, request: &Request) -> Result<Reply, Fault> {
         if request.drive.is_some() {
             return Err(Fault::Unsupported);
@@ -202,8 +204,8 @@ impl<F: Fn(f64, f64, f64, f64, u64) -> Vec<(f64, f64)>> Stranger for FromFn<F> {
         let Phase { theta, omega } = request.start;
         let all = (self.0)(request.g_over_l, theta, omega, request.step, request.steps);
         let every = request.every as usize;
-        let asked = all.iter().skip(every - 1).step_by(every);
-        let states = asked.map(|&(theta, omega)| Phase { theta, omega }).collect();
+        let asked = all.into_iter().skip(every - 1).step_by(every);
+        let states = asked.map(|(theta, omega)| Phase { theta, omega }).collect();
         Ok(Reply { states, evaluations: None })
     }
 }

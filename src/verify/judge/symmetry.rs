@@ -3,8 +3,9 @@
 
 use core::f64::consts::TAU;
 
+use super::number::{about, scientific};
 use super::probe::{G_OVER_L, Measured, Probe, Run, Trouble, distance, step};
-use super::report::Verdict;
+use super::report::{Told, Verdict};
 use crate::systems::Phase;
 
 /// To and fro, and over the top.
@@ -34,26 +35,22 @@ impl Apart {
         self.largest > self.bound && self.largest < 1e-7
     }
 
-    /// The verdict on a property that a tolerance inside the stranger, which is no mistake, spoils.
-    pub fn judge_with_tolerance(&self) -> (Verdict, String) {
-        let (verdict, why) = self.judge();
-        if verdict == Verdict::Fails && self.is_a_tolerance() {
-            return (Verdict::Unclear, format!("{why}; a tolerance inside it may do so"));
-        }
-        (verdict, why)
-    }
-
-    /// The verdict, and why.
-    pub fn judge(&self) -> (Verdict, String) {
+    /// What is to be said of it, where a tolerance inside the stranger, which is no mistake, would
+    /// spoil the property (`spoilt`) or not.
+    pub fn judge(&self, spoilt: bool) -> Told {
         let Self { largest, bound } = *self;
-        let why = format!("apart by {largest:.1e} rad, where rounding makes {bound:.0e} at most");
-        if largest <= bound {
-            (Verdict::Holds, why)
-        } else if largest <= 10.0 * bound {
-            (Verdict::Unclear, why)
-        } else {
-            (Verdict::Fails, why)
+        let mut verdict = Verdict::of(largest, bound, 10.0 * bound);
+        let mut why = format!(
+            "apart by {} rad, where rounding makes {} at most",
+            scientific(largest),
+            about(bound)
+        );
+        if verdict == Verdict::Fails && spoilt && self.is_a_tolerance() {
+            verdict = Verdict::Unclear;
+            why.push_str("; a tolerance inside it may do so");
         }
+        let measured = format!("apart by {} rad", scientific(largest));
+        Told { measured, why, ..Told::number(largest, "rad", bound, verdict) }
     }
 }
 

@@ -9,8 +9,7 @@ use std::time::Duration;
 
 use anyhow::Context;
 use clap::{Args, ValueEnum};
-use pendula::verify::judge::try_judge;
-use pendula::verify::{Claims, Report, Verdict};
+use pendula::verify::{Claims, Report, Suspect, Verdict, try_judge_among};
 
 use super::destination::Destination;
 use super::number::number;
@@ -18,7 +17,7 @@ use crate::colour;
 use crate::failure::Failure;
 use crate::interrupt::interrupts;
 use crate::verify::examples::Language;
-use crate::verify::{Program, json, page};
+use crate::verify::{Judged, Program, json, junit, markdown, page};
 
 /// Arguments of `pendula verify`.
 #[derive(Args, Debug)]
@@ -34,12 +33,15 @@ pub struct Arguments {
     /// How the report is printed
     #[arg(long, value_enum, default_value_t)]
     format: ReportFormat,
+    /// Exit with 0 unless a claim fails, even if one could not be measured or told
+    #[arg(long)]
+    lenient: bool,
     /// Write the report with its figures to this file too, as a page to read offline
     #[arg(long, value_name = "FILE")]
     report: Option<PathBuf>,
     /// Print an example of a program in this language, and judge nothing
     #[arg(long, value_name = "LANGUAGE", value_enum)]
-    #[arg(conflicts_with_all = ["claims", "patience", "format", "report", "program"])]
+    #[arg(conflicts_with_all = ["claims", "patience", "format", "lenient", "report", "program"])]
     example: Option<Language>,
     /// The program to be judged, and its arguments
     #[arg(last = true, required_unless_present = "example", value_name = "PROGRAM")]
@@ -52,14 +54,18 @@ pub enum ReportFormat {
     /// A table to read
     #[default]
     Text,
-    /// An object with verdict, identity and properties
+    /// An object with the verdict, the properties and their numbers
     Json,
+    /// JUnit XML, for servers that run tests
+    Junit,
+    /// A table and a sentence, for a pull request
+    Markdown,
 }
 
 /// Starts the program, judges it, and prints the report.
 ///
 /// # Errors
-/// [`Failure::No`] if a claim fails; [`Failure::Refused`] if the program is at fault, if the page
+/// [`Failure::No`] if a claim does not hold, or was not shown to; [`Failure::Refused`] if the program is at fault, if the page
 /// cannot be written, or if the user interrupts.
 pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
     if let Some(language) = arguments.example {
@@ -68,7 +74,8 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
     }
     run_with(arguments, out, |patience, interrupted| {
         let program = Program::start(&arguments.program, patience, interrupted)?;
-        Ok((try_judge(&program, &arguments.claims)?, program.name().to_string()))
+        let report = among_the_zoo(&program, &arguments.claims)?;
+        Ok((report, program.name().to_string()))
     })
 }
 
@@ -96,19 +103,26 @@ pub(crate) fn run_with(
         return Err(Failure::refused("interrupted"));
     }
     let (report, name) = judged.map_err(Failure::Refused)?;
+    let words: Vec<_> = arguments.program.iter().map(|word| word.to_string_lossy()).collect();
+    let command = words.join(" ");
+    let judged =
+        Judged { command: &command, name: &name, claims: &arguments.claims, report: &report };
     if let Some(mut destination) = destination {
-        let words: Vec<_> = arguments.program.iter().map(|word| word.to_string_lossy()).collect();
-        let html = page::html(&report, &arguments.claims, &words.join(" "), &name);
-        let html = html.map_err(refused)?;
+        let html = page::html(&judged).map_err(refused)?;
         destination.write_all(html.as_bytes()).context("--report").map_err(refused)?;
         destination.finish().map_err(|failure| match failure {
             Failure::Failed(error) => refused(error.context("--report")),
             other => other,
         })?;
     }
-    let printed = print(arguments.format, &report, out);
-    match (report.verdict, printed) {
-        (Verdict::Fails, _) => Err(Failure::No),
+    let printed = print(arguments, &judged, out);
+    let shown = match report.verdict {
+        Verdict::Holds | Verdict::Unclaimed => true,
+        Verdict::Fails => false,
+        Verdict::Unclear | Verdict::NotMeasured => arguments.lenient,
+    };
+    match (shown, printed) {
+        (false, _) => Err(Failure::No),
         // A closed pipe is no complaint.
         (_, Err(error)) if error.kind() == io::ErrorKind::BrokenPipe => Err(error.into()),
         (_, Err(error)) => Err(Failure::refused(format!("the report cannot be written: {error}"))),
@@ -116,26 +130,44 @@ pub(crate) fn run_with(
     }
 }
 
+/// The program judged; where a claim fails it is compared with the wrong methods of the zoo, too.
+fn among_the_zoo(program: &Program, claims: &Claims) -> Result<Report, String> {
+    let zoo = pendula_zoo::impostors();
+    let titles: Vec<String> = zoo.iter().map(pendula_zoo::Impostor::title).collect();
+    let suspects: Vec<Suspect<'_>> = zoo
+        .iter()
+        .zip(&titles)
+        .map(|(animal, title)| Suspect { title, link: ZOO, method: &*animal.method })
+        .collect();
+    try_judge_among(program, claims, &suspects)
+}
+
+/// Where the wrong methods are described.
+const ZOO: &str = "the book's chapter \"The zoo\"";
+
 /// Prints the report, and all of it: on failure nothing more is.
-fn print(format: ReportFormat, report: &Report, out: &mut dyn Write) -> io::Result<()> {
-    match format {
+fn print(arguments: &Arguments, judged: &Judged<'_>, out: &mut dyn Write) -> io::Result<()> {
+    let report = judged.report;
+    match arguments.format {
         ReportFormat::Text => {
             let text = report.to_string();
             let (head, rest) = text.split_once('\n').unwrap_or((&text, ""));
             let (rows, last) = rest.trim_end().rsplit_once('\n').unwrap_or(("", rest));
             let style = match report.verdict {
                 Verdict::Fails => colour::BAD,
-                Verdict::Unclear => colour::DOUBTFUL,
-                _ => colour::GOOD,
+                Verdict::Holds | Verdict::Unclaimed => colour::GOOD,
+                Verdict::Unclear | Verdict::NotMeasured => colour::DOUBTFUL,
             };
             let [head, last] = [(colour::HEAD, head), (style, last)]
                 .map(|(style, line)| colour::output(style, line));
             write!(out, "{head}\n{rows}\n{last}\n")?;
         }
         ReportFormat::Json => {
-            serde_json::to_writer_pretty(&mut *out, &json::value(report))?;
+            serde_json::to_writer_pretty(&mut *out, &json::value(judged))?;
             writeln!(out)?;
         }
+        ReportFormat::Junit => out.write_all(junit::text(judged, arguments.lenient).as_bytes())?,
+        ReportFormat::Markdown => out.write_all(markdown::text(judged).as_bytes())?,
     }
     out.flush()
 }

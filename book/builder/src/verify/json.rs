@@ -1,52 +1,46 @@
-//! The report of the judge as JSON, whose fields programs may rely on.
+//! The report of the judge as JSON, whose fields programs may rely on: `report.schema.json` says
+//! which there are.
 
-use pendula::verify::{Finding, Report};
+use pendula::verify::Finding;
 use serde_json::{Value, json};
 
-/// The report: `verdict`, `identity` and `properties`.
-pub fn value(report: &Report) -> Value {
+use super::Judged;
+
+/// The number of the schema: another one where a field changes its meaning or goes.
+pub const SCHEMA: u32 = 1;
+
+/// The report.
+pub fn value(judged: &Judged<'_>) -> Value {
+    let Judged { command, name, claims, report } = judged;
     json!({
+        "schema": SCHEMA,
+        "version": env!("CARGO_PKG_VERSION"),
+        "program": { "command": command, "name": name },
+        "claims": claims.to_string(),
         "verdict": report.verdict.name(),
+        "summary": report.summary(),
         "identity": report.identity.as_ref().map(|identity| identity.method),
+        "what_it_is": report.what_it_is(),
+        "what_to_look_at": report.look_at,
         "properties": report.findings.iter().map(property).collect::<Vec<_>>(),
     })
 }
 
+/// A property: its value is a number or, where several were measured, all of them.
 fn property(finding: &Finding) -> Value {
+    let value = match &finding.values[..] {
+        [] => Value::Null,
+        [one] => json!(one),
+        several => json!(several),
+    };
     json!({
         "name": finding.name,
         "claimed": finding.claimed,
-        "measured": finding.measured,
         "verdict": finding.verdict.name(),
+        "measured": finding.measured,
+        "value": value,
+        "unit": finding.unit,
+        "bound": finding.bound,
         "why": finding.why,
     })
-}
-
-#[cfg(test)]
-mod tests {
-    use pendula::verify::{Evidence, Verdict};
-
-    use super::*;
-
-    /// Catches: a field that is missing or has another name, a null that is a text.
-    #[test]
-    fn every_field_has_its_name() {
-        let finding = Finding {
-            name: "order",
-            claimed: None,
-            measured: "2.00".to_string(),
-            verdict: Verdict::Unclaimed,
-            why: "three slopes".to_string(),
-        };
-        let report = Report {
-            verdict: Verdict::Unclear,
-            identity: None,
-            description: "nothing on the list".to_string(),
-            findings: vec![finding],
-            evidence: Evidence::default(),
-        };
-        let expected = r#"{"verdict": "unclear", "identity": null, "properties": [{"name": "order",
-            "claimed": null, "measured": "2.00", "verdict": "unclaimed", "why": "three slopes"}]}"#;
-        assert_eq!(value(&report), serde_json::from_str::<Value>(expected).unwrap());
-    }
 }

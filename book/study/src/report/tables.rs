@@ -2,6 +2,7 @@
 
 use pendula::metrics::order::slopes;
 use pendula::verify::{PROPERTIES, Property};
+use pendula_zoo::{Impostor, impostors};
 
 use super::table::Table;
 use crate::claims::Column::{self, Quantity};
@@ -11,7 +12,6 @@ use crate::experiments::characteristics::ROUNDING;
 use crate::experiments::{
     PaperMethod, STEPS, Study, beyond, crossings, diffusion, enclosure, standard_map,
 };
-use crate::zoo::{Impostor, impostors};
 
 /// The numbers of the tables that the paper prints and the study measures.
 pub const TABLES: [u32; 6] = [2, 4, 5, 6, 7, 8];

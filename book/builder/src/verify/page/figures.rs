@@ -1,7 +1,7 @@
 //! What the judge has measured, drawn as the book draws.
 
 use pendula::Phase;
-use pendula::verify::{Claims, Evidence};
+use pendula::verify::{Claims, Evidence, scientific};
 use pendula_charts::{Axis, Chart, Figure, Style};
 
 /// A figure for the page.
@@ -118,10 +118,10 @@ fn way(out: &[Phase], back: &[Phase]) -> Option<Drawn> {
         .series("back", OTHER.markers_only(), points(back))
         .series("end of the way back", MEASURED.markers_only(), [(end.theta, end.omega)]);
     let distance = [end.theta - start.theta, end.omega - start.omega];
-    let [theta, omega] = distance.map(|x| format!("{x:.1e}").replace('-', "−"));
+    let [theta, omega] = distance.map(scientific);
     let caption = format!(
-        "Steps of h, then as many of −h. The way back ends {theta} rad and {omega} rad/s from the \
-         first state that is drawn of the way out."
+        "Steps of h from the start, then as many of −h. The way back ends {theta} rad and {omega} \
+         rad/s from the start."
     );
     Some(drawn("way", "The way out and the way back", &caption, chart))
 }
@@ -161,7 +161,7 @@ mod tests {
         has(&ladder.svg, "slope 2, claimed");
         has(&energy.svg, "id=\"fig-energy\"");
         has(&square.caption, "becomes 1.500000000 times as large");
-        has(&way.caption, "ends 0.0e0 rad and 1.0e−3 rad/s");
+        has(&way.caption, "ends 0 rad and 1.0 × 10⁻³ rad/s");
     }
 
     /// Catches: a panic where the evidence is a single point or none that has a place.

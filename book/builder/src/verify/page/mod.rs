@@ -6,18 +6,16 @@ use anyhow::Result;
 use pendula::verify::{Claims, Finding, Report, Verdict};
 
 use self::figures::Drawn;
+use super::Judged;
 use crate::page::{Page, escaped, with_code};
 
-/// The page: what the judge found of `command`, which calls itself `name`, and of which this is
-/// claimed.
+/// The page.
 ///
 /// # Errors
 /// If the book's theme cannot be read.
-pub fn html(report: &Report, claims: &Claims, command: &str, name: &str) -> Result<String> {
-    let claimed = match claims.to_string() {
-        none if none.is_empty() => "nothing but what everybody claims".to_string(),
-        claimed => claimed,
-    };
+pub fn html(judged: &Judged<'_>) -> Result<String> {
+    let Judged { command, name, claims, report } = *judged;
+    let claimed = judged.claimed();
     let named = if name.is_empty() { String::new() } else { format!(" ({name})") };
     let page = Page {
         title: "An integrator, judged",
@@ -30,28 +28,26 @@ pub fn html(report: &Report, claims: &Claims, command: &str, name: &str) -> Resu
 }
 
 fn verdict(report: &Report) -> String {
-    let is = match &report.identity {
-        Some(identity) => identity.to_string(),
-        None => report.description.clone(),
+    let weight = match report.verdict {
+        Verdict::Holds | Verdict::Unclaimed => "moved",
+        _ => "alarm",
     };
-    let failures: Vec<&str> = report.failures().collect();
-    let sentence = match report.verdict {
-        Verdict::Fails => format!("A claim fails: {}.", failures.join(", ")),
-        Verdict::Unclear => "No claim fails; some cannot be told.".to_string(),
-        _ => "Every claim holds.".to_string(),
-    };
-    let weight = if report.verdict == Verdict::Fails { "alarm" } else { "moved" };
+    let look_at: String = report
+        .look_at
+        .iter()
+        .map(|line| format!("<li>What to look at: {}</li>\n", with_code(line)))
+        .collect();
     format!(
         r#"<section id="verdict" aria-labelledby="verdict-title">
 <h2 id="verdict-title">The verdict</h2>
 <ul class="sentences">
 <li class="{weight}">{}</li>
-<li>What it is: {}.</li>
+{look_at}<li>What it is: {}.</li>
 </ul>
 </section>
 "#,
-        escaped(&sentence),
-        with_code(&is)
+        escaped(&report.summary()),
+        with_code(&report.what_it_is())
     )
 }
 

@@ -81,7 +81,7 @@ macro_rules! impostor {
             }
         }
 
-        impl<S: $crate::zoo::Plain + pendula::Separable<Force = f64>> pendula::Method<S> for $name {
+        impl<S: $crate::Plain + pendula::Separable<Force = f64>> pendula::Method<S> for $name {
             type Carry = ();
 
             fn start(&self, _system: &S, _t: f64, _h: f64, _z: pendula::Phase) {}
@@ -98,7 +98,7 @@ macro_rules! impostor {
             }
         }
 
-        $crate::zoo::runs_in_seconds!($name);
+        $crate::runs_in_seconds!($name);
     };
 }
 pub(crate) use impostor;

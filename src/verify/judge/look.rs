@@ -1,0 +1,262 @@
+//! What to look at where a claim fails: a cause, from what was measured, and what follows from it.
+
+use super::Claims;
+use super::expansion::{self, Deviation};
+use super::number::{about, raised};
+use super::probe::{G_OVER_L, Measured, Probe, Trouble};
+use super::report::{Finding, Report, Verdict};
+use super::resemblance::{self, Resemblance, Suspect};
+
+/// A cause, and the properties that fail by it.
+struct Cause {
+    text: String,
+    explains: &'static [&'static str],
+}
+
+/// The most that is said.
+const MOST: usize = 3;
+
+/// What to look at, the cause of most failures first: nothing where every claim holds.
+pub fn at(
+    probe: &Probe<'_>,
+    claims: &Claims,
+    report: &Report,
+    suspects: &[Suspect<'_>],
+) -> Measured<Vec<String>> {
+    let failed: Vec<&'static str> = report.failures().collect();
+    let known = claims.are_none() && report.identity.is_some();
+    if known || (failed.is_empty() && !claims.are_none()) || report.verdict == Verdict::NotMeasured
+    {
+        return Ok(Vec::new());
+    }
+    // What cannot be measured tells nothing; only a broken protocol ends the judging.
+    let deviation = told(expansion::deviation(probe))?.flatten();
+    let lost = deviation.filter(|found| {
+        let claimed = claims.order.unwrap_or(1);
+        found.power <= claimed as usize
+    });
+    let scaled = match &lost {
+        Some(found) if found.power == 1 => told(Scaled::of(probe, found))?.flatten(),
+        _ => None,
+    };
+    let alike = told(resemblance::find(probe, claims, report, suspects, scaled.as_ref()))?;
+    let alike = alike.flatten();
+    let mut causes: Vec<Cause> = Vec::new();
+    causes.extend(alike.as_ref().map(resembles));
+    let named_scale = alike.as_ref().is_some_and(Resemblance::names_the_scale);
+    match (&lost, scaled) {
+        (_, Some(scaled)) if !named_scale => causes.push(scaled.cause()),
+        (Some(found), None) => causes.push(order_condition(found, claims.order)),
+        _ => {}
+    }
+    if lost.is_none() {
+        causes.extend(report.finding("order").and_then(|order| falling(order, claims)));
+    }
+    causes.extend(report.finding("stage-times").and_then(|found| drive(found, report)));
+    causes.extend(report.finding("precision").and_then(precision));
+    if causes.is_empty() && report.identity.is_none() && !claims.are_none() {
+        let nearest = told(resemblance::nearest(probe))?.flatten();
+        causes.extend(nearest.map(|text| Cause { text, explains: &[] }));
+    }
+    Ok(in_words(causes, &failed))
+}
+
+/// `None` for what could not be measured.
+fn told<T>(found: Measured<T>) -> Measured<Option<T>> {
+    match found {
+        Ok(found) => Ok(Some(found)),
+        Err(Trouble::Broken(why)) => Err(Trouble::Broken(why)),
+        Err(_) => Ok(None),
+    }
+}
+
+/// The sentences: each failure with the first cause that explains it.
+fn in_words(causes: Vec<Cause>, failed: &[&'static str]) -> Vec<String> {
+    let mut left = failed.to_vec();
+    let mut lines = Vec::new();
+    for Cause { text, explains } in causes.into_iter().take(MOST) {
+        let (follow, others): (Vec<_>, Vec<_>) =
+            left.into_iter().partition(|name| explains.contains(name));
+        left = others;
+        lines.push(match &follow[..] {
+            [] => format!("{text}."),
+            names => format!("{text}. From this follows what fails in {}.", listed(names)),
+        });
+    }
+    lines
+}
+
+/// "order", "order and loss", "order, loss and name".
+fn listed(names: &[&str]) -> String {
+    match names {
+        [first @ .., last] if !first.is_empty() => format!("{} and {last}", first.join(", ")),
+        _ => names.concat(),
+    }
+}
+
+fn resembles(found: &Resemblance) -> Cause {
+    let explains = &[
+        "order",
+        "area",
+        "reversal",
+        "energy",
+        "mirror",
+        "units",
+        "turn",
+        "clock",
+        "loss",
+        "name",
+        "stage-times",
+    ];
+    Cause { text: found.to_string(), explains }
+}
+
+/// A step that goes another distance, or solves another equation, than is asked for.
+#[derive(Clone, Copy, Debug)]
+pub enum Scaled {
+    /// The step is this many times as long.
+    Step(f64),
+    /// g/L is this many times as large.
+    Gravity(f64),
+    /// g/L is this (1/s²), whatever is asked for.
+    Fixed(f64),
+}
+
+impl Scaled {
+    /// By the factors of h: those of ω in θ and of α in ω.
+    fn of(probe: &Probe<'_>, found: &Deviation) -> Measured<Option<Self>> {
+        let [drift, kick] = [found.excess[0], found.excess[1]];
+        let small = |x: f64, beside: f64| x.abs() <= 1e-3 * beside.abs() + found.known_to;
+        if small(drift - kick, drift) {
+            return Ok(Some(Self::Step(1.0 + drift)));
+        }
+        if !small(drift, kick) {
+            return Ok(None);
+        }
+        // Asked for twice as much, is it twice as much?
+        let solved = G_OVER_L * (1.0 + kick);
+        let twice = expansion::deviation_with(probe, 2.0 * G_OVER_L, expansion::STARTS)?;
+        let other = twice.filter(|twice| twice.power == 1).map_or(0.0, |twice| twice.excess[1]);
+        let other = 2.0 * G_OVER_L * (1.0 + other);
+        let fixed = (other - solved).abs() <= 1e-3 * solved.abs();
+        Ok(Some(if fixed { Self::Fixed(solved) } else { Self::Gravity(1.0 + kick) }))
+    }
+
+    fn cause(self) -> Cause {
+        let explains: &[&str] = &["order", "stage-times"];
+        match self {
+            Self::Step(times) if (times + 1.0).abs() < 1e-6 => {
+                Cause { text: "It runs backwards: its step is −h".to_string(), explains }
+            }
+            Self::Step(times) => {
+                let text = format!("Its step is {} h{}", times_in_words(times), right_to(times));
+                Cause { text, explains: &["order", "stage-times", "units", "clock"] }
+            }
+            Self::Gravity(times) => Cause {
+                text: format!(
+                    "It solves another equation: its kicks add up to {} of what g/L asks for{}",
+                    times_in_words(times),
+                    right_to(times)
+                ),
+                explains,
+            },
+            Self::Fixed(g_over_l) => Cause {
+                text: format!(
+                    "It solves another equation: g/L is {g_over_l:.6} 1/s², whatever is asked for"
+                ),
+                explains: &["order", "stage-times", "units", "loss"],
+            },
+        }
+    }
+}
+
+/// A factor near 1 with the digits that it needs: 1.00001.
+fn times_in_words(times: f64) -> String {
+    let digits = (2.0 - libm::log10((times - 1.0).abs())).clamp(2.0, 12.0) as usize;
+    let text = format!("{times:.digits$}").replace('-', "−");
+    text.trim_end_matches('0').trim_end_matches('.').to_string()
+}
+
+/// To how many digits a factor is 1, where that looks like a coefficient with too few of them.
+fn right_to(times: f64) -> String {
+    let off = (times - 1.0).abs();
+    if off >= 1e-2 {
+        return String::new();
+    }
+    format!(", right to {} digits: a coefficient, or g or L, has too few", -libm::log10(off) as u32)
+}
+
+/// An error of a step that begins too early.
+fn order_condition(found: &Deviation, claimed: Option<u32>) -> Cause {
+    let (_, _, parts) = found.worst();
+    let reason = found.in_words();
+    let text = if parts < 1e-2 {
+        let digits = -libm::log10(parts) as u32;
+        format!("A coefficient has too few digits, about {digits}: {reason}")
+    } else {
+        let power = found.power;
+        let claimed = claimed.map(|order| format!(", not {order}")).unwrap_or_default();
+        let begins = format!("the error of a step begins with h{}", raised(power));
+        format!("Its order is {}{claimed}: {begins}, where {reason}", power - 1)
+    };
+    Cause { text, explains: &["order", "stage-times"] }
+}
+
+/// What slopes that leave the claimed order, as steps become short, are a sign of; `None` if they
+/// do not leave it.
+pub fn sign_of_slopes(claimed: u32, slopes: &[f64]) -> Option<&'static str> {
+    let order = f64::from(claimed);
+    let (first, last) = (*slopes.first()?, *slopes.last()?);
+    // From the order, or from near it, downwards: a bend at steps that are too long, or rounding,
+    // does neither.
+    let begins = (first - order).abs() < 0.5;
+    let falls = slopes.windows(2).all(|pair| pair[1] < pair[0] + 0.05) && last < order - 0.5;
+    if !(begins && falls) {
+        None
+    } else if last < 0.5 {
+        Some("it solves another equation, of which a coefficient differs slightly")
+    } else {
+        Some("a coefficient has too few digits")
+    }
+}
+
+/// Slopes that fall, where the series of a step tells no more.
+fn falling(order: &Finding, claims: &Claims) -> Option<Cause> {
+    let claimed = claims.order.filter(|_| order.verdict == Verdict::Fails)?;
+    let slopes = &order.values;
+    // The ladder begins with steps that are too long to show an order.
+    let near = |slope: &f64| (slope - f64::from(claimed)).abs() < 0.3;
+    let from = slopes.iter().position(near)?;
+    let sign = sign_of_slopes(claimed, &slopes[from..])?;
+    let text = format!(
+        "The slopes fall from {claimed} to {:.2} as the steps become short: {sign}",
+        slopes[slopes.len() - 1]
+    );
+    Some(Cause { text, explains: &["order", "stage-times"] })
+}
+
+/// An order that is there without a drive, and too low with one.
+fn drive(found: &Finding, report: &Report) -> Option<Cause> {
+    let last = found.values.last().filter(|_| found.verdict == Verdict::Fails)?;
+    let alone = report.finding("order").is_some_and(|order| order.verdict == Verdict::Holds);
+    alone.then(|| Cause {
+        text: format!(
+            "Only with a drive is the order {last:.0}: stages take the drive at a wrong time, \
+             as at the step's start"
+        ),
+        explains: &["stage-times"],
+    })
+}
+
+/// Single precision on the way.
+fn precision(found: &Finding) -> Option<Cause> {
+    let rounding = found.values.first().filter(|_| found.verdict == Verdict::Fails)?;
+    let single = (1e-9..1e-6).contains(rounding);
+    single.then(|| Cause {
+        text: format!(
+            "A step rounds by {}: single precision, in the states or on the way",
+            about(*rounding)
+        ),
+        explains: &["precision"],
+    })
+}

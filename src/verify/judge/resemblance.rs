@@ -1,0 +1,282 @@
+//! What a stranger nearly is: a known method, right or wrong, but for one thing.
+
+use core::fmt;
+
+use super::Claims;
+use super::identity::{Asked, Identity, Seen};
+use super::look::Scaled;
+use super::number::{Scientific, raised};
+use super::probe::{G_OVER_L, Measured, Probe, Run, distance, frequency, pendulum, step};
+use super::report::Report;
+use crate::systems::Phase;
+use crate::{AnyMethod, Grid, METHODS, Pendulum};
+
+/// A wrong method that is known, with which a stranger is compared.
+#[derive(Clone, Copy)]
+pub struct Suspect<'a> {
+    /// What is wrong with it, in a few words.
+    pub title: &'a str,
+    /// Where it is described.
+    pub link: &'a str,
+    /// Its steps on the pendulum. Its entry is that of the method that it poses as.
+    pub method: &'a dyn AnyMethod,
+}
+
+/// The one thing in which a run differs from that of a known method.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum But {
+    /// Nothing.
+    Nothing,
+    /// It is seen from elsewhere, at the start as at the end: half a kick behind, and the like.
+    Seen(Seen),
+    /// Its states are reported from elsewhere, and it starts where it is told.
+    Reported(Seen),
+    /// It starts elsewhere than it is told, and reports the states that it has.
+    Begun(Seen),
+    /// Each step lacks its first half kick.
+    WithoutFirstHalfKick,
+    /// Each step lacks its last half kick.
+    WithoutLastHalfKick,
+    /// Its steps are this many times as long; −1 is backwards.
+    Step(f64),
+    /// g/L is this (1/s²).
+    Gravity(f64),
+}
+
+/// The known method that a stranger is but for one thing.
+#[derive(Clone, Debug)]
+pub struct Resemblance {
+    title: String,
+    /// Where a wrong method is described.
+    link: Option<String>,
+    but: But,
+}
+
+impl Resemblance {
+    /// Whether it says by how much the step or g/L is off.
+    pub fn names_the_scale(&self) -> bool {
+        matches!(self.but, But::Step(_) | But::Gravity(_))
+    }
+}
+
+impl fmt::Display for Resemblance {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { title, link, but } = self;
+        match link {
+            Some(_) => write!(f, "It is a wrong method of the zoo, \"{title}\"")?,
+            None => write!(f, "It is {title}")?,
+        }
+        match but {
+            But::Nothing => {}
+            But::Seen(seen) if seen.drifts == 0.0 => write!(
+                f,
+                " seen {seen}: the velocities that it starts from, and those that it reports, \
+                 lie beside the angles' times"
+            )?,
+            But::Seen(seen) => {
+                write!(f, " seen {seen}: its angles lie beside the velocities' times")?
+            }
+            But::Reported(seen) => {
+                write!(f, ", but the states that it reports are {seen} of its own")?;
+                if seen.kicks.abs() == 0.5 {
+                    write!(f, ": velocities at half steps")?;
+                }
+            }
+            But::Begun(seen) => write!(f, ", but begun {seen} of the state that it is given")?,
+            But::WithoutFirstHalfKick => write!(f, ", but each step lacks its first half kick")?,
+            But::WithoutLastHalfKick => write!(f, ", but each step lacks its last half kick")?,
+            But::Step(times) if *times == -1.0 => write!(f, ", but run backwards")?,
+            But::Step(times) => write!(f, ", but its step is {times:.6} h")?,
+            But::Gravity(g_over_l) => {
+                write!(f, ", but its g/L is {g_over_l:.6} 1/s² where {G_OVER_L} is asked for")?;
+            }
+        }
+        match link {
+            Some(link) => write!(f, "; see {link}"),
+            None => Ok(()),
+        }
+    }
+}
+
+/// Kicks and drifts from which a method may be seen.
+fn elsewhere() -> impl Iterator<Item = Seen> {
+    Seen::ALL.into_iter().filter(|seen| *seen != Seen::DIRECTLY)
+}
+
+/// Every one thing, with the scale that the first terms of the step show.
+fn every(scaled: Option<&Scaled>) -> Vec<But> {
+    let mut all: Vec<But> = elsewhere().map(But::Seen).collect();
+    all.extend(elsewhere().map(But::Reported));
+    all.extend(elsewhere().map(But::Begun));
+    all.extend([But::WithoutFirstHalfKick, But::WithoutLastHalfKick]);
+    all.extend(scaled.map(|scaled| match *scaled {
+        Scaled::Step(times) if (times + 1.0).abs() < 1e-6 => But::Step(-1.0),
+        Scaled::Step(times) => But::Step(times),
+        Scaled::Gravity(times) => But::Gravity(G_OVER_L * times),
+        Scaled::Fixed(g_over_l) => But::Gravity(g_over_l),
+    }));
+    all
+}
+
+/// The states of a known method after 1, 2, … `count` steps, but for one thing; none if it has
+/// none.
+fn states(
+    method: &dyn AnyMethod,
+    but: But,
+    start: Phase,
+    h: f64,
+    count: u64,
+) -> Option<Vec<Phase>> {
+    let ordinary = pendulum(G_OVER_L);
+    let kick = |z: Phase, kicks: f64| Seen { kicks, drifts: 0.0 }.from_its_own(G_OVER_L, z, h);
+    let run = |pendulum: &Pendulum, start: Phase, h: f64, count: u64| {
+        // A negative step is one of the mirrored motion.
+        let along = |z: Phase| Phase { omega: h.signum() * z.omega, ..z };
+        let grid = Grid::new(h.abs(), count).ok()?;
+        let mut seen = Vec::new();
+        method.run(pendulum, along(start), &grid, &mut |n: u64, _: f64, z: Phase| {
+            if n > 0 {
+                seen.push(along(z));
+            }
+        });
+        Some(seen)
+    };
+    let moved = |states: Vec<Phase>, seen: Seen| -> Vec<Phase> {
+        states.into_iter().map(|z| seen.from_its_own(G_OVER_L, z, h)).collect()
+    };
+    match but {
+        But::Nothing => run(&ordinary, start, h, count),
+        But::Seen(seen) => {
+            let own = seen.into_its_own(G_OVER_L, start, h);
+            Some(moved(run(&ordinary, own, h, count)?, seen))
+        }
+        But::Reported(seen) => Some(moved(run(&ordinary, start, h, count)?, seen)),
+        But::Begun(seen) => run(&ordinary, seen.from_its_own(G_OVER_L, start, h), h, count),
+        But::WithoutFirstHalfKick | But::WithoutLastHalfKick => {
+            let first = but == But::WithoutFirstHalfKick;
+            let mut z = start;
+            (0..count)
+                .map(|_| {
+                    let before = if first { kick(z, -0.5) } else { z };
+                    let after = *run(&ordinary, before, h, 1)?.last()?;
+                    z = if first { after } else { kick(after, -0.5) };
+                    Some(z)
+                })
+                .collect()
+        }
+        But::Step(times) => run(&ordinary, start, times * h, count),
+        But::Gravity(g_over_l) => run(&Pendulum::new(g_over_l, 1.0, 1.0).ok()?, start, h, count),
+    }
+}
+
+/// Whether the stranger's states are those.
+fn is(asked: &Asked, method: &dyn AnyMethod, but: But) -> bool {
+    // The scale is known from the first terms of a step, to less than a state is.
+    let bound = if matches!(but, But::Step(_) | But::Gravity(_)) { 1e-9 } else { 0.0 };
+    asked.are(bound, distance, |start, h, count| states(method, but, start, h, count))
+}
+
+/// Whether the entry of a method has what is claimed.
+fn fits(method: &dyn AnyMethod, claims: &Claims) -> bool {
+    let entry = method.info();
+    claims.order.is_none_or(|order| order == entry.order)
+        && (!claims.symplectic || entry.symplectic)
+        && (!claims.symmetric || entry.symmetric)
+        && claims.name.as_ref().is_none_or(|name| *name == entry.name)
+}
+
+/// What the stranger is but for one thing: first a suspect as it is, then a method of the library
+/// that has what is claimed, then any other method, then a suspect.
+pub fn find(
+    probe: &Probe<'_>,
+    claims: &Claims,
+    report: &Report,
+    suspects: &[Suspect<'_>],
+    scaled: Option<&Scaled>,
+) -> Measured<Option<Resemblance>> {
+    let plain = report.identity.as_ref().filter(|identity| identity.is_plain());
+    let is_itself = |identity: &Identity| {
+        METHODS.iter().any(|method| method.info().name == identity.method && fits(*method, claims))
+    };
+    if plain.is_some_and(is_itself) {
+        return Ok(None);
+    }
+    let asked = Asked::of(probe)?;
+    let every = every(scaled);
+    let (fitting, others): (Vec<_>, Vec<_>) =
+        METHODS.iter().copied().partition(|method| fits(*method, claims));
+    let resembling = |methods: &[&dyn AnyMethod]| {
+        let pairs = every.iter().flat_map(|but| methods.iter().map(move |method| (*but, *method)));
+        let mut those = pairs.filter(|(but, method)| is(&asked, *method, *but));
+        those.next().map(|(but, method)| {
+            let title = method.info().title.to_string();
+            Resemblance { title, link: None, but }
+        })
+    };
+    // Two wrong methods may be one on this equation: first those of what is claimed.
+    let (mut known, more): (Vec<Suspect<'_>>, Vec<_>) =
+        suspects.iter().copied().partition(|suspect| fits(suspect.method, claims));
+    known.extend(more);
+    let suspect = |buts: &[But]| {
+        let pairs = buts.iter().flat_map(|but| known.iter().map(move |known| (*but, *known)));
+        let mut those = pairs.filter(|(but, known)| is(&asked, known.method, *but));
+        those.next().map(|(but, known)| Resemblance {
+            title: known.title.to_string(),
+            link: Some(known.link.to_string()),
+            but,
+        })
+    };
+    // What is on the list has its name already; there only the method that is claimed helps.
+    let anything_fits = claims.order.is_some() || claims.name.is_some();
+    let fitting = if anything_fits { fitting } else { Vec::new() };
+    if report.identity.is_some() {
+        return Ok(resembling(&fitting));
+    }
+    let found = suspect(&[But::Nothing]).or_else(|| resembling(&fitting));
+    Ok(found.or_else(|| resembling(&others)).or_else(|| suspect(&every)))
+}
+
+/// The method of the library from which a short step parts least, and by how much, in words;
+/// `None` if no method is near.
+pub fn nearest(probe: &Probe<'_>) -> Measured<Option<String>> {
+    const STARTS: [Phase; 3] = [
+        Phase { theta: 1.0, omega: 1.5 },
+        Phase { theta: -2.2, omega: 0.8 },
+        Phase { theta: 0.4, omega: -4.0 },
+    ];
+    // So long that rounding is small beside what most methods part by, so short that the leading
+    // power shows.
+    const X: [f64; 2] = [0.1, 0.05];
+    let mut ends = [[Phase::default(); 3]; 2];
+    for (row, x) in ends.iter_mut().zip(X) {
+        for (end, start) in row.iter_mut().zip(STARTS) {
+            *end = probe.end(Run::new(start, step(x), 1))?;
+        }
+    }
+    let apart = |method: &dyn AnyMethod, row: usize| -> Option<f64> {
+        let mut largest = 0.0;
+        for (end, start) in ends[row].iter().zip(STARTS) {
+            let own = states(method, But::Nothing, start, step(X[row]), 1)?;
+            largest = libm::fmaximum(largest, distance(*end, own[0]));
+        }
+        Some(largest)
+    };
+    let all = METHODS.iter().filter_map(|method| {
+        let [long, short] = [apart(*method, 0)?, apart(*method, 1)?];
+        (short > 30.0 * probe.rounding).then_some((method.info().title, long, short))
+    });
+    let Some((title, long, short)) = all.min_by(|a, b| a.2.total_cmp(&b.2)) else {
+        return Ok(None);
+    };
+    let power = libm::round(libm::log2(long / short));
+    if !(1.0..=9.0).contains(&power) || short > 0.01 {
+        return Ok(None);
+    }
+    let factor = Scientific(short / libm::pow(X[1], power), 1);
+    Ok(Some(format!(
+        "The nearest method of the list is {title}: a step parts from it by about {factor} x{}, x = \
+         h √(g/L) = h · {:.1}/s",
+        raised(power as usize),
+        frequency()
+    )))
+}
