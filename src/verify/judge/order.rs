@@ -51,21 +51,29 @@ pub fn ladder(probe: &Probe<'_>, expected: u32) -> Measured<Ladder> {
     let mut rungs: Vec<(f64, f64)> = Vec::new();
     let mut steps = if expected > 8 { 6.0 } else { 8.0 };
     let longest = LONGEST.min(probe.in_time(LONGEST).unwrap_or(LONGEST / 10));
+    let mut unanswered = None;
     while steps <= longest as f64 {
         let n = libm::round(steps) as u64;
         steps *= factor;
         match error(probe, n) {
             Ok(error) => rungs.push((DURATION / n as f64, error)),
             // Too long a step for an implicit method, or for a method that runs away.
-            Err(Trouble::NoAnswer(_) | Trouble::NotFinite) if rungs.is_empty() => continue,
+            Err(trouble @ (Trouble::NoAnswer(_) | Trouble::NotFinite)) if rungs.is_empty() => {
+                unanswered = Some(trouble);
+                continue;
+            }
             Err(trouble) => return Err(trouble),
         }
+        unanswered = None;
         let (_, last) = rungs[rungs.len() - 1];
         let x = frequency() * DURATION / n as f64;
         if last < 3.0 * probe.bound(n, x) {
             rungs.pop();
             break;
         }
+    }
+    if let Some(trouble) = unanswered {
+        return Err(trouble);
     }
     let slopes: Vec<f64> = rungs
         .windows(2)

@@ -8,7 +8,7 @@ use pendula::methods::StormerVerlet;
 use pendula::verify::{Drive, Stranger};
 use serde_json::Value;
 
-use super::{PENDULA, pendula, refused, request, started};
+use super::{PENDULA, judged, pendula, refused, request, started};
 use crate::pages::Page;
 
 /// Arguments of `verify` for one of our own methods as the stranger.
@@ -36,9 +36,9 @@ fn what_is_served_is_what_the_library_computes() {
 #[test]
 fn the_exit_status_is_the_verdict() {
     let claims = "order=2 symplectic symmetric evaluations=1 name=stormer-verlet";
-    let holds = pendula(verify(&["--claims", claims, "--format", "json"], "stormer-verlet"));
-    assert_eq!(holds.status.code(), Some(0), "{holds:?}");
-    let report: Value = serde_json::from_slice(&holds.stdout).unwrap();
+    let serve = [PENDULA, "serve", "stormer-verlet"];
+    let (status, report) = judged(&["--claims", claims], &serve);
+    assert_eq!(status, 0, "{report:#}");
     assert_eq!(report["verdict"], "holds");
     assert_eq!(report["identity"], "stormer-verlet");
     let order = |report: &Value| {
@@ -47,14 +47,16 @@ fn the_exit_status_is_the_verdict() {
     };
     assert_eq!(order(&report)["verdict"], "holds");
 
-    let fails = pendula(verify(&["--claims", "order=4", "--format", "json"], "stormer-verlet"));
-    assert!(fails.status.code() == Some(1) && fails.stderr.is_empty(), "{fails:?}");
-    let report: Value = serde_json::from_slice(&fails.stdout).unwrap();
+    let (status, report) = judged(&["--claims", "order=4"], &serve);
+    assert_eq!(status, 1, "{report:#}");
     assert_eq!([&report["verdict"], &order(&report)["verdict"]], ["fails", "fails"]);
     let text = pendula(verify(&["--claims", "order=4"], "stormer-verlet"));
     assert_eq!(text.status.code(), Some(1));
     let text = String::from_utf8(text.stdout).unwrap();
-    assert!(text.starts_with("property ") && text.ends_with("A claim fails: order.\n"), "{text}");
+    assert!(
+        text.starts_with("property ") && text.ends_with("Claims fail: order, stage-times.\n"),
+        "{text}"
+    );
 }
 
 /// Catches: a page that is not HTML, loads something, uses an id twice, has no figures, or takes a
@@ -74,7 +76,14 @@ fn the_report_is_a_page_that_needs_nothing_else() {
     assert_eq!(page.repeated_ids(), [""; 0]);
     let loaded = page.references.iter().find(|(tag, _)| tag != "a");
     assert!(loaded.is_none() && !html.contains("@import"), "{loaded:?}");
-    for part in ["default-src 'none'", "font-face", "A claim fails", "&lt;i&gt;&amp;", "order=4"] {
+    for part in [
+        "default-src 'none'",
+        "font-face",
+        "Claims fail",
+        "What to look at: ",
+        "&lt;i&gt;&amp;",
+        "order=4",
+    ] {
         assert!(html.contains(part), "the page lacks {part}");
     }
     for figure in ["ladder", "energy", "square", "way"] {

@@ -7,22 +7,13 @@ use std::process::Command;
 use pendula::methods::StormerVerlet;
 use pendula::verify::{Drive, Fault, Request, Stranger};
 
-use super::{pendula, request, started};
+use super::{pendula, request, started, there_is};
 
 /// The example in this language, as the command prints it.
 fn printed(language: &str) -> String {
     let output = pendula(["verify", "--example", language]);
     assert!(output.status.success(), "{output:?}");
     String::from_utf8(output.stdout).unwrap()
-}
-
-/// Whether there is such a tool; says so if there is none.
-fn there_is(tool: &str) -> bool {
-    let there = Command::new(tool).arg("--version").output().is_ok_and(|out| out.status.success());
-    if !there {
-        println!("{tool} is not here: its example is not run");
-    }
-    there
 }
 
 /// Holds the program of these words against the library's Störmer–Verlet.

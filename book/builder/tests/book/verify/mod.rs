@@ -4,6 +4,8 @@ mod command;
 mod examples;
 #[cfg(unix)]
 mod faults;
+mod formats;
+mod schema;
 mod variants;
 
 use std::ffi::OsString;
@@ -15,6 +17,7 @@ use std::time::Duration;
 use pendula::Phase;
 use pendula::verify::Request;
 use pendula_book::verify::Program;
+use serde_json::Value;
 
 /// The binary that is tested.
 const PENDULA: &str = env!("CARGO_BIN_EXE_pendula");
@@ -31,6 +34,28 @@ fn refused(output: &Output) -> String {
     assert!(message.lines().count() == 1 && output.stdout.is_empty(), "{message}");
     assert!(!message.trim_end().contains(char::is_control), "{message:?}");
     message
+}
+
+/// Whether there is such a tool; says so if there is none.
+fn there_is(tool: &str) -> bool {
+    let there = Command::new(tool).arg("--version").output().is_ok_and(|out| out.status.success());
+    if !there {
+        println!("{tool} is not here: what needs it is not run");
+    }
+    there
+}
+
+/// Exit status and report, as JSON that is valid by its schema, of `program`, judged with these
+/// options.
+#[track_caller]
+fn judged(options: &[&str], program: &[&str]) -> (i32, Value) {
+    let words = [&["verify", "--format", "json"], options, &["--"], program].concat();
+    let output = pendula(words);
+    let status = output.status.code().expect("it is not killed");
+    let report: Value = serde_json::from_slice(&output.stdout)
+        .unwrap_or_else(|error| panic!("{error}: {output:?}"));
+    schema::assert_valid(&report);
+    (status, report)
 }
 
 /// The program of these words, started, with this patience (s).
