@@ -237,10 +237,11 @@ fn fitted(terms: &[Term], starts: [[f64; 2]; 6], measured: &[f64]) -> Vec<f64> {
     }
     // Positive definite: no pivoting.
     for i in 0..n {
-        for j in i + 1..n {
-            let factor = rows[j][i] / rows[i][i];
-            for k in i..=n {
-                rows[j][k] -= factor * rows[i][k];
+        let (above, below) = rows.split_at_mut(i + 1);
+        for row in below {
+            let factor = row[i] / above[i][i];
+            for (entry, by) in row[i..].iter_mut().zip(&above[i][i..]) {
+                *entry -= factor * by;
             }
         }
     }
@@ -315,7 +316,12 @@ impl Deviation {
             }
             _ => {
                 let of = ["θ", "ω"][term.of];
-                let [is, exact] = [term.exact + excess, term.exact].map(|x| self.number(x));
+                let is = self.number(term.exact + excess);
+                // Every factor is one over a whole number.
+                let exact = match libm::round(1.0 / term.exact) {
+                    1.0 => "1".to_string(),
+                    whole => format!("1/{whole}"),
+                };
                 format!("in {of} the term {} has the factor {is}, not {exact}", term.name)
             }
         }

@@ -43,11 +43,12 @@ pub fn at(
     let alike = alike.flatten();
     let mut causes: Vec<Cause> = Vec::new();
     causes.extend(alike.as_ref().map(resembles));
-    let named_scale = alike.as_ref().is_some_and(Resemblance::names_the_scale);
     match (&lost, scaled) {
-        (_, Some(scaled)) if !named_scale => causes.push(scaled.cause()),
+        // What it resembles says why the first term is wrong.
+        (Some(found), _) if found.power == 1 && alike.is_some() => {}
+        (_, Some(scaled)) => causes.push(scaled.cause()),
         (Some(found), None) => causes.push(order_condition(found, claims.order)),
-        _ => {}
+        (None, None) => {}
     }
     if lost.is_none() {
         causes.extend(report.finding("order").and_then(|order| falling(order, claims)));

@@ -52,13 +52,6 @@ pub struct Resemblance {
     but: But,
 }
 
-impl Resemblance {
-    /// Whether it says by how much the step or g/L is off.
-    pub fn names_the_scale(&self) -> bool {
-        matches!(self.but, But::Step(_) | But::Gravity(_))
-    }
-}
-
 impl fmt::Display for Resemblance {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { title, link, but } = self;

@@ -77,7 +77,7 @@ pub fn judge(Drives { slopes: all, coarsest }: &Drives, order: u32) -> Told {
     let line = slopes(all);
     let measured = if line.is_empty() { "rounding".into() } else { format!("slopes {line}") };
     let why = match all.last() {
-        Some(_) => format!("with a drive: slopes {line}, where order {order} is claimed"),
+        Some(last) => format!("the slope ends at {}, not {order}", slopes(&[*last])),
         None if *coarsest < ROUNDING => "the error of the coarsest steps is rounding".to_string(),
         None => "too few steps above rounding".to_string(),
     };

@@ -51,7 +51,8 @@ fn junit_is_read_by_a_parser_of_xml() {
     assert_eq!(failed.unwrap().attribute("name"), Some("area: symplectic"));
 
     // What cannot be told is an error, or skipped.
-    let hostile = "read -r l; printf 'hello 1 <i>&\"\\001\n'; while read -r l; do echo 'error ]]><b>'; done";
+    let hostile =
+        "read -r l; printf 'hello 1 <i>&\"\\001\n'; while read -r l; do echo 'error ]]><b>'; done";
     for (lenient, tag) in [(false, "error"), (true, "skipped")] {
         let mut words = vec!["verify", "--claims", "order=2", "--format", "junit"];
         words.extend(lenient.then_some("--lenient"));
@@ -78,7 +79,8 @@ fn markdown_is_a_table() {
         let bars = row.replace("\\|", "").matches('|').count();
         assert_eq!(bars, 5, "{row}");
     }
-    let hostile = "read -r l; echo 'hello 1 <script>|*x*'; while read -r l; do echo 'error a | b'; done";
+    let hostile =
+        "read -r l; echo 'hello 1 <script>|*x*'; while read -r l; do echo 'error a | b'; done";
     let words = ["verify", "--format", "markdown", "--", "sh", "-c", hostile];
     let text = String::from_utf8(pendula(words).stdout).unwrap();
     assert!(text.contains("### \\<script\\>\\|\\*x\\*\n"), "{text}");
