@@ -2,17 +2,33 @@
 //!
 //! Any integrator can be judged, in any language: all that is asked of it is a map from (g/L, θ, ω,
 //! h, n) to states. Each property is measured with a tolerance that is derived from the stranger's
-//! own rounding, which is measured first; and the verdict on a claim is one of three, as a
-//! measurement may be too coarse to tell.
+//! own rounding, which is measured first; and a claim that a measurement is too coarse
+//! to tell, or that was not measured, is said to be so.
+//!
+//! A test of an integrator of one's own:
 //!
 //! ```
-//! use pendula::methods::StormerVerlet;
-//! use pendula::verify::{Claims, judge};
+//! use pendula::verify::{Claims, FromFn, judge};
 //!
-//! let report = judge(&StormerVerlet, Claims::order(2).symplectic().symmetric().evaluations(1));
-//! report.assert();
+//! // Here stands the integrator: the states (θ, ω) after 1, 2, … n steps of h.
+//! fn symplectic_euler(g_over_l: f64, theta: f64, omega: f64, h: f64, n: u64) -> Vec<(f64, f64)> {
+//!     let (mut theta, mut omega) = (theta, omega);
+//!     let mut step = || {
+//!         omega -= h * g_over_l * theta.sin();
+//!         theta += h * omega;
+//!         (theta, omega)
+//!     };
+//!     (0..n).map(|_| step()).collect()
+//! }
+//!
+//! # fn main() {
+//! // And here its test.
+//! let mine = FromFn(|g_over_l, theta, omega, h, n| symplectic_euler(g_over_l, theta, omega, h, n));
+//! judge(&mine, Claims::order(1).symplectic()).assert();
+//! # }
 //! ```
 //!
+//! A method of the library, or one that implements [`Method`](crate::Method), is judged as it is.
 //! A wrong claim is refused:
 //!
 //! ```should_panic
