@@ -8,8 +8,8 @@
 //! [`parts`] of a step. Shapes, their areas and the energy that symplectic Euler conserves are
 //! computed by files of the study, which are compiled here a second time.
 //!
-//! `book/lab/build` compiles it for the page, and `book/builder/tests/book/lab.rs` and
-//! `lab_figures.rs` compare the compiled file with the library.
+//! `book/lab/build` compiles it for the page, and `tests/compiled` compares the
+//! compiled file with the library.
 #![cfg_attr(target_arch = "wasm32", no_std)]
 
 #[cfg(target_arch = "wasm32")]

@@ -12,8 +12,6 @@ mod help;
 mod hostile;
 #[cfg(unix)]
 mod interrupts;
-mod lab;
-mod lab_figures;
 mod ledger;
 mod listed;
 mod long_runs;

@@ -1,5 +1,5 @@
 //! The source against the library, compiled for this machine. The compiled file is compared in
-//! `book/builder/tests/book/lab_figures.rs`, which cannot see a source that has moved on from it.
+//! `book/lab/tests/compiled/figures.rs`, which cannot see a source that has moved on from it.
 
 use pendula::{Grid, METHODS};
 

@@ -1,5 +1,5 @@
 //! The lab's source against the library, compiled for this machine. The compiled file is compared
-//! in `book/builder/tests/book/lab.rs`, which cannot see a source that has moved on from it.
+//! in `book/lab/tests/compiled/lab.rs`, which cannot see a source that has moved on from it.
 
 use pendula::systems::{DoublePhase, Driven, Joint, Shaken};
 use pendula::{
