@@ -1,6 +1,8 @@
 //! What to look at where a claim fails: a cause, from what was measured, and what follows from it.
 
 use super::Claims;
+use core::fmt;
+
 use super::expansion::{self, Deviation};
 use super::number::{about, raised};
 use super::probe::{G_OVER_L, Measured, Probe, Trouble};
@@ -113,7 +115,7 @@ fn resembles(found: &Resemblance) -> Cause {
 }
 
 /// A step that goes another distance, or solves another equation, than is asked for.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Scaled {
     /// The step is this many times as long.
     Step(f64),
@@ -144,36 +146,43 @@ impl Scaled {
     }
 
     fn cause(self) -> Cause {
-        let explains: &[&str] = &["order", "stage-times"];
-        match self {
-            Self::Step(times) if (times + 1.0).abs() < 1e-6 => {
-                Cause { text: "It runs backwards: its step is −h".to_string(), explains }
-            }
+        let explains: &[&str] = match self {
+            Self::Step(_) => &["order", "stage-times", "units", "clock"],
+            Self::Gravity(_) => &["order", "stage-times"],
+            Self::Fixed(_) => &["order", "stage-times", "units", "loss"],
+        };
+        let text = match self {
+            Self::Step(_) => format!("It takes other steps: {self}"),
+            _ => format!("It solves another equation: {self}"),
+        };
+        Cause { text, explains }
+    }
+}
+
+impl fmt::Display for Scaled {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::Step(times) if (times + 1.0).abs() < 1e-6 => f.write_str("run backwards"),
             Self::Step(times) => {
-                let text = format!("Its step is {} h{}", times_in_words(times), right_to(times));
-                Cause { text, explains: &["order", "stage-times", "units", "clock"] }
+                write!(f, "its step is {} h{}", times_in_words(times), right_to(times))
             }
-            Self::Gravity(times) => Cause {
-                text: format!(
-                    "It solves another equation: its kicks add up to {} of what g/L asks for{}",
-                    times_in_words(times),
-                    right_to(times)
-                ),
-                explains,
-            },
-            Self::Fixed(g_over_l) => Cause {
-                text: format!(
-                    "It solves another equation: g/L is {g_over_l:.6} 1/s², whatever is asked for"
-                ),
-                explains: &["order", "stage-times", "units", "loss"],
-            },
+            Self::Gravity(times) => {
+                let (times, right) = (times_in_words(times), right_to(times));
+                write!(f, "its kicks add up to {times} times the g/L that is asked for{right}")
+            }
+            Self::Fixed(g_over_l) => {
+                let text = format!("{g_over_l:.6}");
+                let text = text.trim_end_matches('0').trim_end_matches('.');
+                write!(f, "its g/L is {text} 1/s², whatever is asked for")
+            }
         }
     }
 }
 
 /// A factor near 1 with the digits that it needs: 1.00001.
 fn times_in_words(times: f64) -> String {
-    let digits = (2.0 - libm::log10((times - 1.0).abs())).clamp(2.0, 12.0) as usize;
+    let digits = libm::ceil(2.0 - libm::log10((times - 1.0).abs()));
+    let digits = digits.clamp(2.0, 12.0) as usize;
     let text = format!("{times:.digits$}").replace('-', "−");
     text.trim_end_matches('0').trim_end_matches('.').to_string()
 }
@@ -184,7 +193,8 @@ fn right_to(times: f64) -> String {
     if off >= 1e-2 {
         return String::new();
     }
-    format!(", right to {} digits: a coefficient, or g or L, has too few", -libm::log10(off) as u32)
+    let digits = libm::round(-libm::log10(off));
+    format!(", right to {digits} digits: a coefficient, or g or L, has too few")
 }
 
 /// An error of a step that begins too early.
@@ -192,7 +202,7 @@ fn order_condition(found: &Deviation, claimed: Option<u32>) -> Cause {
     let (_, _, parts) = found.worst();
     let reason = found.in_words();
     let text = if parts < 1e-2 {
-        let digits = -libm::log10(parts) as u32;
+        let digits = libm::round(-libm::log10(parts));
         format!("A coefficient has too few digits, about {digits}: {reason}")
     } else {
         let power = found.power;

@@ -37,10 +37,8 @@ enum But {
     WithoutFirstHalfKick,
     /// Each step lacks its last half kick.
     WithoutLastHalfKick,
-    /// Its steps are this many times as long; −1 is backwards.
-    Step(f64),
-    /// g/L is this (1/s²).
-    Gravity(f64),
+    /// Its step or its g/L is another.
+    Scaled(Scaled),
 }
 
 /// The known method that a stranger is but for one thing.
@@ -78,11 +76,7 @@ impl fmt::Display for Resemblance {
             But::Begun(seen) => write!(f, ", but begun {seen} of the state that it is given")?,
             But::WithoutFirstHalfKick => write!(f, ", but each step lacks its first half kick")?,
             But::WithoutLastHalfKick => write!(f, ", but each step lacks its last half kick")?,
-            But::Step(times) if *times == -1.0 => write!(f, ", but run backwards")?,
-            But::Step(times) => write!(f, ", but its step is {times:.6} h")?,
-            But::Gravity(g_over_l) => {
-                write!(f, ", but its g/L is {g_over_l:.6} 1/s² where {G_OVER_L} is asked for")?;
-            }
+            But::Scaled(scaled) => write!(f, ", but {scaled}")?,
         }
         match link {
             Some(link) => write!(f, "; see {link}"),
@@ -102,12 +96,7 @@ fn every(scaled: Option<&Scaled>) -> Vec<But> {
     all.extend(elsewhere().map(But::Reported));
     all.extend(elsewhere().map(But::Begun));
     all.extend([But::WithoutFirstHalfKick, But::WithoutLastHalfKick]);
-    all.extend(scaled.map(|scaled| match *scaled {
-        Scaled::Step(times) if (times + 1.0).abs() < 1e-6 => But::Step(-1.0),
-        Scaled::Step(times) => But::Step(times),
-        Scaled::Gravity(times) => But::Gravity(G_OVER_L * times),
-        Scaled::Fixed(g_over_l) => But::Gravity(g_over_l),
-    }));
+    all.extend(scaled.map(|scaled| But::Scaled(*scaled)));
     all
 }
 
@@ -134,6 +123,7 @@ fn states(
         });
         Some(seen)
     };
+    let with = |g_over_l| Pendulum::new(g_over_l, 1.0, 1.0).ok();
     let moved = |states: Vec<Phase>, seen: Seen| -> Vec<Phase> {
         states.into_iter().map(|z| seen.from_its_own(G_OVER_L, z, h)).collect()
     };
@@ -157,15 +147,16 @@ fn states(
                 })
                 .collect()
         }
-        But::Step(times) => run(&ordinary, start, times * h, count),
-        But::Gravity(g_over_l) => run(&Pendulum::new(g_over_l, 1.0, 1.0).ok()?, start, h, count),
+        But::Scaled(Scaled::Step(times)) => run(&ordinary, start, times * h, count),
+        But::Scaled(Scaled::Gravity(times)) => run(&with(times * G_OVER_L)?, start, h, count),
+        But::Scaled(Scaled::Fixed(g_over_l)) => run(&with(g_over_l)?, start, h, count),
     }
 }
 
 /// Whether the stranger's states are those.
 fn is(asked: &Asked, method: &dyn AnyMethod, but: But) -> bool {
     // The scale is known from the first terms of a step, to less than a state is.
-    let bound = if matches!(but, But::Step(_) | But::Gravity(_)) { 1e-9 } else { 0.0 };
+    let bound = if matches!(but, But::Scaled(_)) { 1e-9 } else { 0.0 };
     asked.are(bound, distance, |start, h, count| states(method, but, start, h, count))
 }
 
