@@ -211,6 +211,16 @@ impl Claim {
     }
 }
 
+/// Claims of the paper that state one thing several times: each list is one error, if it is wrong.
+const ONE_DEFECT: &[&[&str]] = &[
+    // RK4's energy error falls with slope 5 where 4 is stated, and forward Euler's with no slope.
+    &["P1.orders", "P6.1.fe_order", "P6.1.slope", "P7.2.precise", "P8.order"],
+    // Beyond some step no bound of a symplectic method's energy holds.
+    &["A.guarantees", "P2.alltime", "P7.1.construction", "P7.4.guaranteed"],
+    // Forward Euler's energy does not grow monotonically.
+    &["P6.2.mono", "T2.fe.behav"],
+];
+
 /// Every claim, measured by one run of the study.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ledger {
@@ -238,6 +248,21 @@ impl Ledger {
     /// The claim with this id.
     pub fn get(&self, id: &str) -> Option<&Claim> {
         self.claims.iter().find(|claim| claim.id == id)
+    }
+
+    /// How many claims of the paper are wrong, and how many different errors that is: what is said
+    /// several times is wrong once.
+    pub fn wrong(&self) -> (usize, usize) {
+        let wrong: Vec<&str> = self
+            .claims
+            .iter()
+            .filter(|claim| claim.is_of_the_paper() && claim.verdict == Verdict::Wrong)
+            .map(|claim| claim.id.as_str())
+            .collect();
+        let repeated = ONE_DEFECT
+            .iter()
+            .map(|ids| ids.iter().filter(|id| wrong.contains(id)).count().saturating_sub(1));
+        (wrong.len(), wrong.len() - repeated.sum::<usize>())
     }
 
     /// The claim of a cell.

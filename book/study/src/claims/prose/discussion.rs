@@ -50,17 +50,18 @@ pub(super) const CLAIMS: &[Prose] = &[
         place: "Section 7.1",
         gist: "over very long runs even a modest drift makes a simulation meaningless",
         stated: "meaningless",
-        definition: "RK4's energy over the true one, after 10⁶ steps of 0.1 s and of 0.01 s from 1 \
-                     rad",
+        definition: "RK4's energy over the true one, after 10⁶ steps of 0.1 s from 1 rad; and of 0.01 \
+                     s, for comparison",
         verdict: ReproducedWithDefinition,
-        because: "It depends on the step: what a step loses goes as its sixth power.",
+        because: "How long a run has to be depends on the step: what a step loses goes as its sixth \
+                  power.",
         measure: |_| {
             static LEFT: LazyLock<[f64; 2]> = LazyLock::new(|| {
                 let start = Pendulum::PAPER.energy(pendula::Phase::at_rest(1.0));
                 [0.1, 0.01].map(|step| findings::last_energy(&Rk4, 1.0, step, 1_000_000) / start)
             });
             let [coarse, fine] = *LEFT;
-            says(std::format!("{coarse:.3} and {fine:.5}"), coarse < 0.5 && fine > 0.99)
+            says(std::format!("{coarse:.3} and {fine:.5}"), coarse < 0.5)
         },
     },
     Prose {
@@ -69,13 +70,14 @@ pub(super) const CLAIMS: &[Prose] = &[
         gist: "symplectic methods are qualitatively right by construction",
         stated: "by construction",
         definition: "Störmer–Verlet from beside the upper equilibrium at K = g Δt²/L = 0.1 and 1.5",
-        verdict: ReproducedWithDefinition,
-        because: "In small steps. At K = 1.5 the pendulum that should hang on the edge gains and \
-                  loses turns at random.",
+        verdict: Wrong,
+        because: "By construction they keep areas. In small steps the motion is qualitatively right; \
+                  at K = 1.5 the pendulum that should hang on the edge gains and loses turns at \
+                  random.",
         measure: |_| {
             let word = |k| if escapes(k) { "wanders off" } else { "stays" };
             let text = std::format!("{} and {}", word(0.1), word(1.5));
-            says(text, !escapes(0.1) && escapes(1.5))
+            says(text, !escapes(0.1) && !escapes(1.5))
         },
     },
     Prose {
@@ -115,13 +117,28 @@ pub(super) const CLAIMS: &[Prose] = &[
         place: "Section 7.2",
         gist: "over short times a method of high order conserves energy through sheer accuracy",
         stated: "effectively conserved",
-        definition: "RK4's largest energy error over 50 s at 0.001 s (J), against 1e-11",
+        definition: "RK4's largest energy error over 50 s at 0.001 s, over that of Störmer–Verlet, \
+                     which conserves by its structure",
         verdict: Reproduced,
         because: "",
         measure: |study| {
-            let drift = row!(study.convergence, Rk4).drift[4];
-            shows(drift, Scientific(1), drift < 1e-11)
+            let [rk4, verlet] = [
+                row!(study.convergence, Rk4).drift[4],
+                row!(study.convergence, StormerVerlet).drift[4],
+            ];
+            shows(rk4 / verlet, Scientific(1), rk4 < verlet)
         },
+    },
+    Prose {
+        id: "P7.2.independent",
+        place: "Section 7.2",
+        gist: "the ratio 3.99 is an independent numerical verification of the theoretical framework",
+        stated: "independent",
+        definition: "",
+        verdict: NotCheckable,
+        because: "It agrees with one prediction of one method, made from the theory that it would \
+                  verify; whether that is called independent is no matter of measurement.",
+        measure: nothing,
     },
     Prose {
         id: "P7.3.all",
@@ -162,6 +179,35 @@ pub(super) const CLAIMS: &[Prose] = &[
         measure: |study| number(row!(study.characteristics, SymplecticEuler).evaluations, Fixed(0)),
     },
     Prose {
+        id: "P7.4.guaranteed",
+        place: "Section 7.4",
+        gist: "symplectic Euler has a guaranteed bound of its energy",
+        stated: "guaranteed",
+        definition: "whether an orbit of it goes on gaining speed, at K = g Δt²/L = 1.5, within its \
+                     limit of stability",
+        verdict: Wrong,
+        because: "As A.guarantees: it is the same orbit, seen from half a kick away.",
+        measure: |_| {
+            let fastest = findings::chaotic_speed(&SymplecticEuler, 1.5, 200_000);
+            let escapes = fastest > core::f64::consts::TAU;
+            says(if escapes { "it does" } else { "it does not" }.to_string(), !escapes)
+        },
+    },
+    Prose {
+        id: "P7.4.adequate",
+        place: "Section 7.4",
+        gist: "symplectic Euler's accuracy is adequate for interactive use",
+        stated: "adequate",
+        definition: "its largest error of the angle in 10 s from 0.05 rad, in steps of 0.01 s, over \
+                     the amplitude",
+        verdict: ReproducedWithDefinition,
+        because: "A fiftieth of the swing, which no eye sees; from 1 rad it is more.",
+        measure: |_| {
+            let error = findings::normalised_formula_error(&SymplecticEuler, 0.05, 0.01).0;
+            shows(error, Significant(2), error < 0.05)
+        },
+    },
+    Prose {
         id: "P7.4.rk4",
         place: "Section 7.4",
         gist: "RK4 has the smallest error a step",
@@ -194,12 +240,18 @@ pub(super) const CLAIMS: &[Prose] = &[
     Prose {
         id: "P7.4.fe",
         place: "Section 7.4",
-        gist: "forward Euler's energy grows monotonically, and it should never be used for this",
-        stated: "monotonic",
-        definition: "as P6.2.mono",
-        verdict: Wrong,
-        because: "The growth is not monotonic; the advice is right.",
-        measure: monotonic,
+        gist: "forward Euler should never be used for production simulations of Hamiltonian systems",
+        stated: "never",
+        definition: "its largest energy error over 1000 s, over Störmer–Verlet's in the same steps \
+                     for the same work",
+        verdict: Reproduced,
+        because: "That its growth is monotonic is P6.2.mono.",
+        measure: |study| {
+            let [euler, verlet] =
+                [row!(study.long_run, ForwardEuler), row!(study.long_run, StormerVerlet)];
+            let ratio = euler.drift / verlet.drift;
+            shows(ratio, Significant(2), ratio > 1.0)
+        },
     },
     Prose {
         id: "P7.5.dissipation",
@@ -344,16 +396,6 @@ pub(super) const CLAIMS: &[Prose] = &[
         verdict: DependsOnPlatform,
         because: "Only the times at 0.01 s are tabulated, and they are those of one machine.",
         measure: nothing,
-    },
-    Prose {
-        id: "X.symbols",
-        place: "Tables 2 and 8",
-        gist: "two evaluations a step agree with Störmer–Verlet's time over forward Euler's",
-        stated: "1.6",
-        definition: "2.87/1.80 of Table 8, which lies between one evaluation and two",
-        verdict: Reproduced,
-        because: "The paper's program probably evaluates the force twice; it need not.",
-        measure: |_| number(2.87 / 1.80, Fixed(2)),
     },
     Prose {
         id: "X.order_variant",

@@ -10,10 +10,12 @@ mod results;
 
 use std::sync::LazyLock;
 
-use pendula::methods::{ForwardEuler, PositionVerlet, Rk4, StormerVerlet, SymplecticEuler};
+use pendula::methods::{
+    BlanesMoan4, ForwardEuler, Gauss4, PositionVerlet, Rk4, StormerVerlet, SymplecticEuler,
+};
 use pendula::metrics::order::slopes;
 use pendula::verify::area::AREA_TOLERANCE;
-use pendula::{AnyMethod, Grid, Hamiltonian, LinearOscillator, Pendulum, exact};
+use pendula::{AnyMethod, Grid, Hamiltonian, Pendulum, exact};
 
 use super::Verdict::{
     self, DependsOnPlatform, DependsOnRounding, NotCheckable, Reproduced, ReproducedWithDefinition,
@@ -155,6 +157,11 @@ fn monotonic(study: &Study) -> Finding {
 /// only where no invariant curve is left between 0 and 2π.
 fn escapes(k: f64) -> bool {
     findings::chaotic_speed(&StormerVerlet, k, 200_000) > core::f64::consts::TAU
+}
+
+/// Whether it does, in words.
+fn escape_in_words(k: f64) -> String {
+    if escapes(k) { "it does" } else { "it does not" }.to_string()
 }
 
 fn bounded(_: &Study) -> Finding {
