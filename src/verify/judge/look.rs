@@ -57,6 +57,11 @@ pub fn at(
     }
     causes.extend(report.finding("stage-times").and_then(|found| drive(found, report)));
     causes.extend(report.finding("precision").and_then(precision));
+    // What is lost on the way out and home is lost by the way back.
+    if failed.contains(&"reversal") && failed.contains(&"loss") && alike.is_none() {
+        let text = "A step with −h does not undo a step with h".to_string();
+        causes.push(Cause { text, explains: &["reversal", "loss"] });
+    }
     if causes.is_empty() && report.identity.is_none() && !claims.are_none() {
         let nearest = told(resemblance::nearest(probe))?.flatten();
         causes.extend(nearest.map(|text| Cause { text, explains: &[] }));
