@@ -75,8 +75,8 @@ mod tests {
     use std::fs;
 
     use super::*;
-    use crate::ledger::{Entry, Made};
-    use crate::review::versions::Content;
+    use crate::ledger::Entry;
+    use crate::review::versions::{Content, Made};
 
     const TABLE: &str =
         "---\na: 1\n---\n<!-- ANCHOR: table -->\n| 1 |\n<!-- ANCHOR_END: table -->\n";
