@@ -14,7 +14,7 @@ use pendula_study::experiments::Study;
 
 use crate::interrupt::unless_interrupted;
 use crate::progress::Progress;
-use crate::review::versions::{Made, made, quietly, said};
+use crate::versions::{Made, made, quietly, said};
 
 /// The ledger's entry for one claim. A value is text, such as `2.01e-4`, `5.158 s` or `4`; the book
 /// decides how to typeset it.

@@ -21,8 +21,8 @@ use crate::commands::{self, study};
 use crate::failure::Failure;
 use crate::ledger::{Entry, Ledger};
 use crate::progress::Progress;
-use crate::review::versions::{Version, on_disk};
 use crate::review::working_tree::WorkingTree;
+use crate::versions::{Version, on_disk};
 use crate::work_precision::{Curve, Measured, Measurement, SCENES};
 
 /// All that is in a folder: the files with their bytes, and the permissions where there are any.

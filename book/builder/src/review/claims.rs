@@ -7,7 +7,7 @@ use pendula_study::report::table::Table;
 
 use super::cells::Value;
 use super::number::{Number, leading};
-use super::versions::Version;
+use crate::versions::Version;
 
 /// A claim, as the ledger of a version has it.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -125,8 +125,8 @@ fn verdict(cell: &str) -> (String, String) {
 mod tests {
     use pendula_study::report::snapshots::Kind;
 
-    use super::super::versions::Content;
     use super::*;
+    use crate::versions::Content;
 
     /// Catches: a verdict with its mark or its reason in it, a prediction whose columns are mixed
     /// up, half a unit taken for a whole one; a corrupt ledger read as an empty one.

@@ -47,13 +47,6 @@ impl Document {
         let mut document = Self::default();
         let said = sentences(review);
         document.headline = said.first().map(|(_, text)| text.clone()).unwrap_or_default();
-        let [before, now] = &review.versions;
-        document.paragraph(&prose(&format!("Before: {before}. Now: {now}.")));
-        if !review.recorded.is_empty() {
-            let names = code(&review.recorded);
-            let text = "Not computed, but compared as their files stand:";
-            document.paragraph(&format!("{text} {names}."));
-        }
         for warning in &review.warnings {
             document.paragraph(&format!("**{}**", prose(warning)));
         }
@@ -62,6 +55,13 @@ impl Document {
             let text = prose(&said.1);
             if said.0 == Weight::Alarm { format!("**{text}.**") } else { format!("{text}.") }
         }));
+        let [before, now] = &review.versions;
+        document.paragraph(&prose(&format!("Before: {before}. Now: {now}.")));
+        if !review.recorded.is_empty() {
+            let names = code(&review.recorded);
+            let text = "Not computed, but compared as their files stand:";
+            document.paragraph(&format!("{text} {names}."));
+        }
         document.changes(review)?;
         document.claims(&review.claims);
         document.figures(&review.figures);
@@ -148,10 +148,11 @@ impl Document {
             };
             let file = code.file_of(title)?;
             let is_changed = file.is_some_and(|file| changed.iter().any(|name| name == file));
-            let is_worst = code.since().is_none() && group.leaves();
-            match is_changed || is_worst || groups.len() <= 3 {
+            // Without a change to point at each method stands for itself, if there are few.
+            let is_few = groups.len() <= 3 || code.since().is_none() && group.leaves();
+            match is_changed || changed.is_empty() && is_few {
                 true => told.push((!is_changed, title, file, group)),
-                false => others.push(group),
+                false => others.push((file, group)),
             }
         }
         changed.retain(|name| !told.iter().any(|(_, _, file, _)| *file == Some(name)));
@@ -164,9 +165,12 @@ impl Document {
         }
         self.elsewhere(review, &changed)?;
         if !others.is_empty() {
-            let merged = Group::merged(&others);
-            let n = counted(others.len(), "method");
+            let (files, groups): (Vec<_>, Vec<_>) = others.into_iter().unzip();
+            let merged = Group::merged(&groups);
+            let n = counted(groups.len(), "method");
             self.heading(2, &format!("{n}, their files as they were: {}", summary(&merged)));
+            let files: Vec<String> = files.into_iter().flatten().map(link).collect();
+            self.paragraph(&files.join(", "));
             self.group(&merged);
         }
         for group in of_none {
@@ -250,15 +254,16 @@ impl Document {
 
     /// The slopes, before and now, with their steps.
     fn slopes(&mut self, slopes: &Slopes, quantity: &str) {
-        let steps = slopes.steps();
-        let header: Vec<&str> = [""].into_iter().chain(steps.iter().map(String::as_str)).collect();
-        let row = |name: &str, side: &[Slope]| {
-            let of = |step: &String| side.iter().find(|slope| slope.steps == *step);
-            let said = |step| of(step).map_or_else(String::new, |at| shown(&Some(at.said.clone())));
-            [name.to_string()].into_iter().chain(steps.iter().map(said)).collect::<Vec<_>>()
+        let of = |step: &str, side: &[Slope]| {
+            let slope = side.iter().find(|slope| slope.steps == step);
+            slope.map_or_else(String::new, |slope| shown(&Some(slope.said.clone())))
         };
-        let [before, now] = &slopes.versions;
-        self.table(&header, &[row("before", before), row("now", now)]);
+        let sides = |step: &String| slopes.versions.each_ref().map(|side| of(step, side));
+        let rows = slopes.steps().into_iter().map(|step| {
+            let [before, now] = sides(&step);
+            vec![step, before, now]
+        });
+        self.table(&["from step to step", "before", "now"], &rows.collect::<Vec<_>>());
         if let Some(sign) = slopes.sign() {
             self.paragraph(&format!("**{}.**", prose(&capital(sign))));
         }

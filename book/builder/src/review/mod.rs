@@ -1,12 +1,12 @@
 //! What moved between two versions of the snapshots, as one wants to review it: the worst first,
 //! each quantity once, figures as they are seen, and how to accept each.
 //!
-//! [`versions`] reads the snapshots, and [`working_tree`] those that one works on, which it also
-//! accepts; [`cells`] compares tables cell by cell and [`causes`] groups what moved, with the
-//! [`slopes`] of a method whole; [`claims`] reads verdicts and predictions, [`drawings`] compares
-//! figures, [`quotes`] finds what the book says of it, and [`source`] what changed in the code. A
-//! [`Review`] holds all of it, [`verdict`] sums it up, [`markdown`] writes it in `words`, and
-//! [`render`] makes a page or plain text of that.
+//! [`working_tree`] has the snapshots that one works on, and accepts them; [`cells`] compares
+//! tables cell by cell and [`causes`] groups what moved, with the [`slopes`] of a method whole;
+//! [`claims`] reads verdicts and predictions, [`drawings`] compares figures, [`quotes`] finds what
+//! the book says of it, and [`source`] what changed in the code. A [`Review`] holds all of it,
+//! [`verdict`] sums it up, [`markdown`] writes it in `words`, and [`render`] makes a page or plain
+//! text of that.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -23,7 +23,7 @@ use self::number::leading;
 use self::quotes::{Moved, Quote};
 use self::slopes::Slopes;
 use self::source::Code;
-use self::versions::Version;
+use crate::versions::Version;
 
 pub mod causes;
 pub mod cells;
@@ -36,7 +36,6 @@ pub mod render;
 pub mod slopes;
 pub mod source;
 pub mod verdict;
-pub mod versions;
 mod words;
 pub mod working_tree;
 
@@ -215,12 +214,9 @@ fn changes(old: &Version, new: &Version) -> Vec<Change> {
 
 /// The numbers that moved and that a line of the book may have copied.
 fn moved_numbers(cells: &[Cell]) -> Vec<Moved> {
-    let text = |value: &Option<cells::Value>| {
-        let text = &value.as_ref()?.text;
-        leading(text).is_some().then(|| text.clone())
-    };
-    let pairs = cells.iter().filter_map(|cell| Some((text(&cell.old)?, text(&cell.new)?)));
-    pairs.map(|(old, new)| Moved { old, new }).collect()
+    let texts = |cell: &Cell| Some((cell.old.clone()?.text, cell.new.clone()?.text));
+    let pairs = cells.iter().filter_map(texts);
+    pairs.filter(|(old, new)| leading(old).is_some() && leading(new).is_some()).collect()
 }
 
 /// Where a slope of a method moved, all of them.

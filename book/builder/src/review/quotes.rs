@@ -27,14 +27,8 @@ pub struct Quote {
     pub typed: bool,
 }
 
-/// A number that moved, with all its digits.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Moved {
-    /// As it was printed.
-    pub old: String,
-    /// As it is printed now.
-    pub new: String,
-}
+/// A number that moved, with all its digits: as it was printed, and as it is.
+pub type Moved = (String, String);
 
 /// The lines in the chapters of `folder` that quote one of the numbers, by a directive or typed, or
 /// the verdict on a claim that has another one now.
@@ -139,10 +133,9 @@ fn typed(line: &str, numbers: &[Moved]) -> Vec<String> {
     });
     let moved = |literal: &str| {
         let agrees = |number: &str| rounds_to(leading(number)?.value, literal);
-        let number = numbers.iter().find(|number| {
-            agrees(&number.old) == Some(true) && agrees(&number.new) == Some(false)
-        })?;
-        Some(format!("“{literal}”: {} → {}", number.old, number.new))
+        let is_it = |(old, new): &&Moved| agrees(old) == Some(true) && agrees(new) == Some(false);
+        let (old, new) = numbers.iter().find(is_it)?;
+        Some(format!("“{literal}”: {old} → {new}"))
     };
     literals.filter_map(moved).collect()
 }
@@ -166,7 +159,7 @@ mod tests {
         };
         let (before, now) = (claims("1.1 × 10⁻¹", "reproduced"), claims("1.2 × 10⁻¹", "wrong"));
         let (old, new) = ("1.10271 × 10⁻⁵".to_string(), "1.11730 × 10⁻⁵".to_string());
-        of_chapter("c", chapter, &before, &now, &[Moved { old, new }])
+        of_chapter("c", chapter, &before, &now, &[(old, new)])
     }
 
     /// Catches: a directive whose value moved and is not found, one whose value did not and is, or

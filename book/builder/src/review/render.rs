@@ -160,15 +160,13 @@ pub fn figure(figure: &Figure) -> String {
     if drawn.len() < 2 {
         return stage;
     }
-    let mode = |mode: &str, words: &str, checked: &str| {
-        format!(
-            "<label><input type=\"radio\" name=\"{name}\" value=\"{mode}\"{checked}> {words}</label> "
-        )
+    let mode = |mode: &str, words: &str, is: &str| {
+        let input = format!("<input type=\"radio\" name=\"{name}\" value=\"{mode}\"{is}>");
+        format!("<label>{input} {words}</label> ")
     };
-    let (beside, over) = (mode("beside", "side by side", " checked"), mode("over", "overlaid", ""));
-    format!(
-        "<div class=\"compare\"><fieldset><legend>{name}</legend>{beside}{over}</fieldset>{stage}</div>\n"
-    )
+    let modes = mode("beside", "side by side", " checked") + &mode("over", "overlaid", "");
+    let modes = format!("<fieldset><legend>{name}</legend>{modes}</fieldset>");
+    format!("<div class=\"compare\">{modes}{stage}</div>\n")
 }
 
 /// The drawing with ids and classes of its own, so that two versions of it can stand on one page.

@@ -6,7 +6,7 @@ use pendula_charts::{Axis, Chart, Figure, Style};
 use super::cells::Value;
 use super::claims::table;
 use super::number::{leading, parse};
-use super::versions::Version;
+use crate::versions::Version;
 
 /// The slopes of a method in two versions.
 #[derive(Clone, Debug, PartialEq)]
@@ -94,9 +94,10 @@ impl Slopes {
         let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
             (low.min(value), high.max(value))
         });
-        // The names of both steps would run into each other.
+        // Names of both steps, or of more than five, would run into each other.
         let longer = |step: &String| step.split(" →").next().unwrap_or_default().to_string();
-        let ticks = steps.iter().enumerate().map(|(place, step)| (place as f64, longer(step)));
+        let ticks = steps.iter().enumerate().step_by(steps.len().div_ceil(5).max(1));
+        let ticks = ticks.map(|(place, step)| (place as f64, longer(step)));
         let x = Axis::linear("the longer step (s)").range(-0.4, steps.len() as f64 - 0.6);
         let x = x.ticks(ticks);
         let y = Axis::linear("slope").range(low - 0.3, high + 0.3);
@@ -144,4 +145,43 @@ fn sign_of_slopes(claimed: u32, slopes: &[f64]) -> Option<&'static str> {
         "as the steps become short the slopes leave the claimed order: a coefficient has too few \
          digits",
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use pendula::method_named;
+    use pendula::verify::Ladder;
+
+    use super::*;
+
+    /// Catches: a slope between other steps than those where the library measures it.
+    #[test]
+    fn the_steps_are_those_of_the_library() {
+        for name in ["stormer-verlet", "gauss-6", "taylor-24"] {
+            let method = method_named(name).unwrap();
+            let order = method.info().order;
+            let steps = Ladder::measure(method).steps;
+            let first = format!("{:.6}", steps[0]);
+            let row = ["", "", &first, "1", "2", "3", "4"].map(str::to_string);
+            let read = ladder(order, &row).unwrap();
+            let read: Vec<String> = read.into_iter().map(|slope| slope.steps).collect();
+            let expected = steps.windows(2).map(|pair| named([pair[0], pair[1]]));
+            assert_eq!(read, expected.collect::<Vec<_>>(), "{name}");
+        }
+    }
+
+    /// Catches: steps out of order, or twice, where a ladder begins elsewhere than it did.
+    #[test]
+    fn steps_fall_from_version_to_version() {
+        let slopes = |steps: &[&str]| {
+            let slope = |steps: &&str| Slope { steps: steps.to_string(), said: Value::new("1") };
+            steps.iter().map(slope).collect::<Vec<_>>()
+        };
+        let (long, short) = (["4 → 2 s", "2 → 1 s"], ["2 → 1 s", "1 → 0.5 s"]);
+        for versions in [[&long, &short], [&short, &long]] {
+            let versions = versions.map(|steps| slopes(steps));
+            let steps = Slopes { claimed: None, versions }.steps();
+            assert_eq!(steps, ["4 → 2 s", "2 → 1 s", "1 → 0.5 s"]);
+        }
+    }
 }

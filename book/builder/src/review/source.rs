@@ -1,12 +1,12 @@
 //! What changed in the code: the file of a method, and the difference in it.
 
 use std::path::{Path, PathBuf};
-use std::process::Command;
 use std::time::SystemTime;
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Context, Result};
 
 use crate::files;
+use crate::versions::git;
 
 /// The folders that the snapshots are made of, and that of the methods.
 const FOLDERS: [&str; 3] = ["src", "book/study/src", "book/charts/src"];
@@ -165,21 +165,6 @@ impl Code {
 fn changed_at(path: &Path) -> Result<Option<SystemTime>> {
     let about = files::metadata(path).and_then(|about| about.map(|a| a.modified()).transpose());
     about.with_context(|| format!("{} cannot be read", path.display()))
-}
-
-/// What git answers.
-///
-/// # Errors
-/// If it cannot be started, says no, or answers with something else than text.
-pub fn git(root: &Path, arguments: &[&str]) -> Result<String> {
-    let output = Command::new("git").arg("-C").arg(root).args(arguments).output();
-    let output = output.context("git cannot be started")?;
-    if !output.status.success() {
-        let error = String::from_utf8_lossy(&output.stderr).replace('\n', " ");
-        let error = error.replace("Needed a single revision", "there is no such revision");
-        bail!("git says: {}", error.trim().trim_start_matches("fatal: "));
-    }
-    String::from_utf8(output.stdout).context("git's answer is not UTF-8")
 }
 
 #[cfg(test)]

@@ -13,9 +13,9 @@ use crate::locate;
 use crate::progress::Progress;
 use crate::review::markdown::Document;
 use crate::review::source::Code;
-use crate::review::versions::{Made, committed, computed};
 use crate::review::working_tree::WorkingTree;
 use crate::review::{Review, render};
+use crate::versions::{Made, committed, computed};
 
 /// Arguments of `pendula review`.
 #[derive(Args, Debug)]

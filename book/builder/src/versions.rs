@@ -5,14 +5,14 @@ use std::any::Any;
 use std::collections::BTreeMap;
 use std::panic::{self, AssertUnwindSafe};
 use std::path::{Path, PathBuf};
+use std::process::Command;
 use std::thread;
 
-use anyhow::{Context, Result, anyhow, ensure};
+use anyhow::{Context, Result, anyhow, bail, ensure};
 use pendula_study::claims::Ledger;
 use pendula_study::experiments::Study;
 use pendula_study::report::snapshots::{self, Kind};
 
-use super::source::git;
 use crate::files;
 use crate::progress::Progress;
 
@@ -197,6 +197,21 @@ pub fn committed(root: &Path, revision: &str) -> Result<(String, Version)> {
     }
     ensure!(!version.is_empty(), "--since {revision}: no snapshots in that revision");
     Ok((commit.to_string(), version))
+}
+
+/// What git answers.
+///
+/// # Errors
+/// If it cannot be started, says no, or answers with something else than text.
+pub fn git(root: &Path, arguments: &[&str]) -> Result<String> {
+    let output = Command::new("git").arg("-C").arg(root).args(arguments).output();
+    let output = output.context("git cannot be started")?;
+    if !output.status.success() {
+        let error = String::from_utf8_lossy(&output.stderr).replace('\n', " ");
+        let error = error.replace("Needed a single revision", "there is no such revision");
+        bail!("git says: {}", error.trim().trim_start_matches("fatal: "));
+    }
+    String::from_utf8(output.stdout).context("git's answer is not UTF-8")
 }
 
 #[cfg(test)]
