@@ -38,7 +38,7 @@ impl Item {
         [&self.shown].into_iter().chain(&self.also)
     }
 
-    /// Whether it is the order of a method.
+    /// Whether it is the order of a method, as measured or as claimed.
     pub fn is_order(&self) -> bool {
         self.shown.column.eq_ignore_ascii_case("order")
             || self.claim.as_ref().is_some_and(|id| id.starts_with("T2.") && id.ends_with(".order"))
@@ -283,6 +283,7 @@ fn label(cell: &Cell, claim: Option<&str>, before: &Claims, now: &Claims) -> Str
         ("beyond", _) if column == "found" => row.clone(),
         ("crossings", _) => format!("from {row} rad: {column}"),
         ("diffusion", _) => format!("K = {row}: {column}"),
+        ("orders", _) if column == "order" => "claimed order".to_string(),
         ("methods" | "orders", _) => column.clone(),
         _ if row.ends_with(", stated") => format!("stated, {column}"),
         _ if row.ends_with(", measured") => column.clone(),

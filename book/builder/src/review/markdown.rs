@@ -47,9 +47,6 @@ impl Document {
         let mut document = Self::default();
         let said = sentences(review);
         document.headline = said.first().map(|(_, text)| text.clone()).unwrap_or_default();
-        for warning in &review.warnings {
-            document.paragraph(&format!("**{}**", prose(warning)));
-        }
         let rest = said.iter().skip(1);
         document.list(rest.clone().filter(|(weight, _)| *weight != Weight::Calm).map(|said| {
             let text = prose(&said.1);
@@ -205,7 +202,11 @@ impl Document {
                 self.code("diff", &shown);
             }
             Change::Untracked(text) => {
-                self.paragraph(&format!("{}, of which git has no earlier version:", link(name)));
+                let why = match since {
+                    Some(_) => "which git does not know yet",
+                    None => "all of it, as git does not say what changed in it",
+                };
+                self.paragraph(&format!("{}, {why}:", link(name)));
                 self.fold(FOLDS[1], |document| document.code("rust", text));
             }
         }

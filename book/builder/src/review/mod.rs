@@ -65,6 +65,8 @@ pub struct Review {
     pub recorded: Vec<String>,
     /// The snapshots that cannot be computed any more, and why.
     pub failed: BTreeMap<String, String>,
+    /// Why what is computed may not be what the code gives: then nothing else is sure.
+    pub outdated: Option<String>,
     /// What else the reviewer should know of how the comparison was made.
     pub warnings: Vec<String>,
     /// The code, to show what changed in it.

@@ -105,8 +105,8 @@ impl Code {
             files::read_to_string(&path).map(Change::Untracked).map(Some).with_context(cannot)
         };
         let Some((commit, _)) = &self.since else { return all() };
-        let diff = ["diff", "--no-color", "--no-ext-diff", "--relative", commit, "--", name];
-        let diff = git(&self.root, &diff)?;
+        let plain = ["diff", "--no-color", "--no-ext-diff", "--no-textconv", "--relative"];
+        let diff = git(&self.root, &[&plain[..], &[commit, "--", name]].concat())?;
         if !diff.is_empty() {
             return Ok(Some(Change::Difference(diff)));
         }

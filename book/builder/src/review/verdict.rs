@@ -23,13 +23,14 @@ pub type Sentence = (Weight, String);
 
 /// The sentences. The first is the headline.
 pub fn sentences(review: &Review) -> Vec<Sentence> {
-    let mut said: Vec<Sentence> = (review.failed.iter())
-        .map(|(name, why)| {
-            (Alarm, format!("`{name}` cannot be computed any more, and is left out: {why}"))
-        })
-        .collect();
+    let alarm = |text: &String| (Alarm, text.clone());
+    let mut said: Vec<Sentence> = review.outdated.iter().map(alarm).collect();
+    said.extend(review.failed.iter().map(|(name, why)| {
+        (Alarm, format!("`{name}` cannot be computed any more, and is left out: {why}"))
+    }));
     if review.is_empty() {
         let nothing = format!("Nothing moved: all {} snapshots are the same", review.count);
+        said.extend(review.warnings.iter().map(alarm));
         said.extend(review.failed.is_empty().then_some((Calm, nothing)));
         return said;
     }
@@ -42,6 +43,7 @@ pub fn sentences(review: &Review) -> Vec<Sentence> {
     let typed = review.quotes.iter().filter(|quote| quote.typed).count();
     let typed = (typed > 0).then(|| counted(typed, "line"));
     said.extend(typed.map(|n| (Alarm, format!("Numbers that moved are typed in {n} of the book"))));
+    said.extend(review.warnings.iter().map(alarm));
     said.extend(quantities(review));
     let visible = review.figures.iter().filter(|figure| figure.is_visible());
     let visible: Vec<String> = visible.map(|figure| format!("`{}`", figure.name)).collect();
@@ -93,7 +95,8 @@ fn both(item: &Item) -> String {
 /// Orders that were lost, and those that are there again.
 fn orders(review: &Review) -> Vec<Sentence> {
     let (mut lost, mut found) = (Vec::new(), Vec::new());
-    for (method, group, item) in items(review).filter(|(.., item)| item.is_order()) {
+    let measured = |item: &Item| item.is_order() && item.shown.snapshot != "orders";
+    for (method, group, item) in items(review).filter(|(.., item)| measured(item)) {
         let number = |value: &Option<Value>| leading(text(value)).map(|number| number.value);
         let claimed = group.parts.iter().find_map(|part| part.slopes.as_ref()?.claimed);
         let claimed = claimed.map(f64::from).or_else(|| number(&item.shown.old));

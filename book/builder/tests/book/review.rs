@@ -138,6 +138,11 @@ fn an_order_that_is_lost_is_the_headline() {
     let [.., good, last] = &body.split("\n## ").collect::<Vec<_>>()[..] else { panic!("{body}") };
     assert!(good.contains("1 order there again: Suzuki 4 (2 → 4)"), "{body}");
     assert!(last.starts_with("Accept\n\nA snapshot"), "{body}");
+    // Another claim is no other order.
+    let claims = [("orders", "| Suzuki 4          |     4 |", "| Suzuki 4          |     2 |")];
+    let claims = Document::new(&self::review(&claims)).unwrap();
+    assert_eq!(claims.headline, "1 value moved");
+    assert!(claims.body.contains("| claimed order | 4 | 2 |"), "{}", claims.body);
 }
 
 /// Catches: a row that is shown once for each table it is in, with digits that its first table
@@ -285,6 +290,7 @@ fn no_text_becomes_markup() {
         ]);
         review.versions[0] = hostile.to_string();
         review.warnings = vec![hostile.to_string()];
+        review.outdated = Some(hostile.to_string());
         review.bits = vec![hostile.to_string()];
         review.acceptable = vec![hostile.to_string()];
         review.failed = [(hostile.to_string(), hostile.to_string())].into();
@@ -608,7 +614,7 @@ fn a_group_shows_the_change_in_its_file() {
     write("title: \"Forward Euler\", // one\n");
     let untracked = body("");
     let link = format!("[`{file}`]({file})");
-    let text = format!("{link}, of which git has no earlier version:");
+    let text = format!("{link}, which git does not know yet:");
     assert!(untracked.contains(&text) && untracked.contains("// one\n```"), "{untracked}");
     project.commit();
     // Nothing is left to commit, and no snapshot came with it.
@@ -621,14 +627,21 @@ fn a_group_shows_the_change_in_its_file() {
         let changed = body(words);
         let text = "-title: \"Forward Euler\", // one\n+title: \"Forward Euler\", // two\n```";
         assert!(changed.contains(&link) && changed.contains(text), "{changed}");
-        assert!(changed.contains("This program was not compiled from the code in"), "{changed}");
+        let outdated = "### This program was not compiled from the code in";
+        assert!(changed.starts_with(outdated), "{changed}");
     }
     fs::write(project.path("src/methods/other.rs"), "fn other() {}\n").unwrap();
+    let accept = Call::parse_from(["review", "--accept", "slopes"]);
+    let compute = || panic!("nothing to compute");
+    let refused = run_in(project.0.path(), &accept.arguments, &compute, &mut Vec::new());
+    let refused = refused.unwrap_err();
+    assert!(refused.line().unwrap().contains("was not compiled from"), "{refused:?}");
     let changed = body("");
     let (_, elsewhere) = changed.split_once("## What else changed in the code").unwrap();
     assert!(elsewhere.contains("src/methods/other.rs") && !elsewhere.contains(file), "{changed}");
     fs::remove_dir_all(project.path(".git")).unwrap();
-    assert!(body("").contains(&format!("{link}, of which git has no earlier version:")));
+    let text = format!("{link}, all of it, as git does not say what changed in it:");
+    assert!(body("").contains(&text), "{}", body(""));
 }
 
 /// Catches: bad input that is not refused, in more than a line, or with the status that says that

@@ -4,7 +4,7 @@ use std::env;
 use std::io::Write;
 use std::path::Path;
 
-use anyhow::{Context, Result, anyhow};
+use anyhow::{Context, Result, anyhow, bail};
 use clap::{Args, ValueEnum};
 
 use crate::failure::Failure;
@@ -95,7 +95,8 @@ pub fn run_in(
     out.flush()?;
     // What cannot be computed has moved in a way that nobody can review.
     let is_sure = review.failed.is_empty() && review.warnings.is_empty();
-    if review.is_empty() && is_sure { Ok(()) } else { Err(Failure::No) }
+    let is_same = review.is_empty() && is_sure && review.outdated.is_none();
+    if is_same { Ok(()) } else { Err(Failure::No) }
 }
 
 /// What the code gives now, compared with the snapshots as reviewed, or as committed at a revision.
@@ -127,10 +128,10 @@ fn compared(
         None => review.acceptable = review.snapshots.iter().map(|c| c.name.clone()).collect(),
         Some(_) => review.waiting = tree.moved().into_iter().map(str::to_string).collect(),
     }
-    review.warnings = tree.stale.iter().map(|name| format!("`{name}`: {STALE}.")).collect();
-    if let Some(file) = code.not_compiled()? {
-        review.warnings.insert(0, format!("This program was not compiled from {file}: {RUN}."));
-    }
+    review.warnings = tree.stale.iter().map(|name| format!("`{name}`: {STALE}")).collect();
+    let outdated = code.not_compiled()?;
+    review.outdated =
+        outdated.map(|file| format!("This program was not compiled from {file}: {RUN}"));
     (review.recorded, review.failed, review.code) = (tree.recorded, tree.failed, code);
     Ok(review)
 }
@@ -149,6 +150,9 @@ fn accept(
     compute: &dyn Fn() -> Result<Made>,
     out: &mut dyn Write,
 ) -> Result<()> {
+    if let Some(file) = Code::read(root, None)?.not_compiled()? {
+        bail!("--accept: this program was not compiled from {file}: {RUN}");
+    }
     let snapshots = root.join("snapshots");
     let tree = WorkingTree::read(&snapshots, compute)?;
     // What is begun is finished, as it takes no time.
