@@ -116,7 +116,10 @@ impl Group {
             let method = group.method.as_deref().unwrap_or_default();
             for part in &group.parts {
                 for item in &part.items {
-                    let label = format!("{method}: {}", item.label);
+                    let label = match item.label.contains(method) {
+                        true => item.label.clone(),
+                        false => format!("{method}: {}", item.label),
+                    };
                     merged.push(part.quantity, Item { label, ..item.clone() });
                 }
             }

@@ -30,8 +30,8 @@ pub struct Prediction {
     /// The distance of the prediction from the measurement in units of the tolerance: the least
     /// that their printed digits allow.
     pub distance: f64,
-    /// Whether the measurement lies within the tolerance. A row that is marked does not, whatever
-    /// its digits say.
+    /// Whether the measurement lies within the tolerance: then the row has no mark, whatever the
+    /// printed digits say, which are few of a tolerance.
     pub agrees: bool,
 }
 
@@ -93,7 +93,7 @@ fn prediction(predicted: &str, measured: &str, tolerance: &str) -> Option<Predic
     };
     let apart = (value.value - found.value).abs() - (value.half_unit + found.half_unit);
     let distance = apart.max(0.0) / found.value.abs() / leading(tolerance)?.value;
-    Some(Prediction { distance, agrees: !measured.marked && distance <= 1.0 })
+    Some(Prediction { distance, agrees: !measured.marked })
 }
 
 /// The table of a snapshot; `None` if the version has no such snapshot.

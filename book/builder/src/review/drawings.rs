@@ -97,14 +97,6 @@ pub fn compare(old: &str, new: &str, noise: bool) -> Result<Difference> {
     Ok(Difference { displacement, notes, visible: unlike || moved >= VISIBLE })
 }
 
-/// That a text is one figure, of nothing but what our charts write.
-///
-/// # Errors
-/// If it is anything else.
-pub fn check(figure: &str) -> Result<()> {
-    Picture::read(figure).map(|_| ())
-}
-
 impl Picture {
     fn read(figure: &str) -> Result<Self> {
         // A text with its tags, another tag, or what stands between tags.
@@ -186,23 +178,21 @@ fn parts(old: &[String], new: &[String]) -> Vec<String> {
             counts.entry(part).or_default()[version] += 1;
         }
     }
-    let differ = counts.into_iter().filter(|(_, [before, now])| before != now);
-    differ
-        .map(|(part, counts)| {
-            // The text of it, or else all of it.
-            let words = part.split('<').filter_map(|piece| piece.split('>').next_back());
-            let what = match words.collect::<String>() {
-                _ if part.starts_with("<style") => "its style".to_string(),
-                words if words.is_empty() || part.starts_with("<path") => part.to_string(),
-                words => format!("“{words}”"),
-            };
-            match counts {
-                [0, _] => format!("{what} is new"),
-                [_, 0] => format!("{what} has gone"),
-                [before, now] => format!("{what}: {before} before, {now} now"),
-            }
-        })
-        .collect()
+    let note = |(part, counts): (&str, [usize; 2])| {
+        // The text of it, or else all of it.
+        let words = part.split('<').filter_map(|piece| piece.split('>').next_back());
+        let what = match words.collect::<String>() {
+            _ if part.starts_with("<style") => "its style".to_string(),
+            words if words.is_empty() || part.starts_with("<path") => part.to_string(),
+            words => format!("“{words}”"),
+        };
+        match counts {
+            [0, _] => format!("{what} is new"),
+            [_, 0] => format!("{what} has gone"),
+            [before, now] => format!("{what}: {before} before, {now} now"),
+        }
+    };
+    counts.into_iter().filter(|(_, [before, now])| before != now).map(note).collect()
 }
 
 /// The strokes of path data, and what its arcs are beside their ends. Nothing of data that our
@@ -271,11 +261,9 @@ fn one_way(a: &[Stroke], b: &[Stroke]) -> f64 {
 
 /// The distance from `p` to the nearest point of the strokes.
 fn distance(p: Point, strokes: &[Stroke]) -> f64 {
-    let to_stroke = |stroke: &Stroke| match stroke[..] {
-        [dot] => to_segment(p, dot, dot),
-        _ => stroke.windows(2).map(|s| to_segment(p, s[0], s[1])).fold(f64::INFINITY, f64::min),
-    };
-    strokes.iter().map(to_stroke).fold(f64::INFINITY, f64::min)
+    // The last point is a segment too, as a dot has no other.
+    let segments = strokes.iter().flat_map(|s| s.iter().zip(s.iter().skip(1).chain(s.last())));
+    segments.map(|(a, b)| to_segment(p, *a, *b)).fold(f64::INFINITY, f64::min)
 }
 
 /// The distance from `p` to the segment from `a` to `b`.
@@ -331,16 +319,13 @@ mod tests {
         assert_eq!(compare(&first, &label, false).unwrap().displacement, Some(7.0));
     }
 
-    /// Each change of a figure whose lines stay as they are, with what is said of it.
-    ///
     /// Catches: what covers, hides, moves or adds to a drawing without a change of its lines,
     /// called invisible; a path or a label that is passed over.
     #[test]
     fn whatever_is_not_understood_is_visible() {
-        let drawn = figure("M0,0h9m1,1a5,5 0 1,0 10,0z", "a<tspan dy=\"5\">b e</tspan>c").replace(
-            "\"/><text",
-            "\"><title>H</title></path><path class=\"dot\" d=\"M9,9v1\"/><text",
-        );
+        let more = "\"><title>H</title></path><path class=\"dot\" d=\"M9,9v1\"/><text";
+        let drawn = figure("M0,0h9m1,1a5,5 0 1,0 10,0z", "a<tspan dy=\"5\">b e</tspan>c");
+        let drawn = drawn.replace("\"/><text", more);
         for (from, to, says) in [
             ("</svg>", "<rect fill=\"red\"/></svg>", "<rect fill=\"red\"/> is new"),
             (" 9 9\"", " 90 90\"", "<svg viewBox=\"0 0 90 90\"> is new"),
@@ -373,6 +358,7 @@ mod tests {
     /// in part, where the rest is what our charts do not write.
     #[test]
     fn what_our_charts_do_not_write_is_an_error() {
+        let check = |figure: &str| compare(figure, figure, false);
         let drawn = figure("M0,0", "a");
         assert!(check(&drawn).is_ok());
         for (from, to) in [
@@ -388,9 +374,7 @@ mod tests {
         ] {
             assert!(check(&drawn.replace(from, to)).is_err(), "{to}");
         }
-        for path in
-            ["L1,2", "z", "M", "M1", "M1,2,3", "1,2", "M0,0c1,1 2,2 3,3", "M0,0z1", "M0,0l1-2"]
-        {
+        for path in ["L1,2", "z", "M", "M1,2,3", "1,2", "M0,0c1,1 2,2 3,3", "M0,0z1", "M0,0l1-2"] {
             assert!(check(&figure(path, "a")).is_err(), "{path}");
         }
         assert!(check("").is_err() && check("words").is_err());
