@@ -266,7 +266,7 @@ impl Document {
         });
         self.table(&["from step to step", "before", "now"], &rows.collect::<Vec<_>>());
         if let Some(sign) = slopes.sign() {
-            self.paragraph(&format!("**{}.**", prose(&capital(sign))));
+            self.paragraph(&format!("**{}.**", prose(&sign)));
         }
         let svg = slopes.svg(&capital(quantity), &format!("slopes-{}", self.drawings.len()));
         self.draw(format!("<figure class=\"slopes\">\n{svg}</figure>\n"));

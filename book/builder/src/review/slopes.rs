@@ -61,11 +61,16 @@ impl Slopes {
         Ok(Self { claimed, versions: read })
     }
 
-    /// What slopes that fall away from the claimed order are a sign of.
-    pub fn sign(&self) -> Option<&'static str> {
+    /// What slopes that fall away from the claimed order are a sign of, as the judge says it.
+    pub fn sign(&self) -> Option<String> {
         let now: Vec<f64> = self.versions[1].iter().filter_map(Slope::value).collect();
         let leaves = self.versions[1].iter().any(|slope| slope.said.marked);
-        sign_of_slopes(self.claimed.filter(|_| leaves)?, &now)
+        let claimed = self.claimed.filter(|_| leaves)?;
+        let sign = sign_of_slopes(claimed, &now)?;
+        let last = now.last()?;
+        Some(format!(
+            "The slopes fall from {claimed} to {last:.2} as the steps become short: {sign}"
+        ))
     }
 
     /// All steps, from long ones to short ones: a ladder may begin elsewhere than before.
@@ -138,13 +143,14 @@ fn ladder(order: u32, row: &[String]) -> Option<Vec<Slope>> {
 
 /// PLACEHOLDER for `pendula::verify::sign_of_slopes`, to be replaced by it.
 fn sign_of_slopes(claimed: u32, slopes: &[f64]) -> Option<&'static str> {
-    let falls = slopes.len() > 1 && slopes.windows(2).all(|pair| pair[1] < pair[0]);
-    let (first, last) = (slopes.first()?, slopes.last()?);
-    let begins = (first - f64::from(claimed)).abs() < 1.0;
-    (falls && begins && first - last > 0.3).then_some(
-        "as the steps become short the slopes leave the claimed order: a coefficient has too few \
-         digits",
-    )
+    let order = f64::from(claimed);
+    let (first, last) = (*slopes.first()?, *slopes.last()?);
+    let begins = (first - order).abs() < 0.5;
+    let falls = slopes.windows(2).all(|pair| pair[1] < pair[0] + 0.05) && last < order - 0.5;
+    (begins && falls).then_some(match last {
+        ..0.5 => "it solves another equation, of which a coefficient differs slightly",
+        _ => "a coefficient has too few digits",
+    })
 }
 
 #[cfg(test)]
