@@ -145,9 +145,10 @@ impl Document {
             };
             let file = code.file_of(title)?;
             let is_changed = file.is_some_and(|file| changed.iter().any(|name| name == file));
-            // Without a change to point at each method stands for itself, if there are few.
+            // What nothing in its file explains is shown together, if there is much of it.
+            let is_lost = group.items().any(|item| item.is_slope() && item.leaves());
             let is_few = groups.len() <= 3 || code.since().is_none() && group.leaves();
-            match is_changed || changed.is_empty() && is_few {
+            match is_changed || is_few && (is_lost || changed.is_empty()) {
                 true => told.push((!is_changed, title, file, group)),
                 false => others.push((file, group)),
             }
@@ -155,9 +156,13 @@ impl Document {
         changed.retain(|name| !told.iter().any(|(_, _, file, _)| *file == Some(name)));
         // What has its reason in its own file comes first.
         told.sort_by_key(|(is_same, ..)| *is_same);
-        for (_, title, file, group) in told {
+        let own = told.iter().filter(|(is_same, ..)| !is_same).count();
+        for (number, (_, title, file, group)) in told.iter().enumerate() {
+            if number == own {
+                self.elsewhere(review, &std::mem::take(&mut changed))?;
+            }
             self.heading(2, &format!("{title}: {}", summary(group)));
-            self.file(review, file)?;
+            self.file(review, *file)?;
             self.group(group);
         }
         self.elsewhere(review, &changed)?;
@@ -165,7 +170,7 @@ impl Document {
             let (files, groups): (Vec<_>, Vec<_>) = others.into_iter().unzip();
             let merged = Group::merged(&groups);
             let n = counted(groups.len(), "method");
-            self.heading(2, &format!("{n}, their files as they were: {}", summary(&merged)));
+            self.heading(2, &format!("{n} of unchanged files: {}", summary(&merged)));
             let files: Vec<String> = files.into_iter().flatten().map(link).collect();
             self.paragraph(&files.join(", "));
             self.group(&merged);

@@ -184,6 +184,11 @@ fn a_group_shows_the_change_in_its_file() {
     let changed = body("");
     let (_, elsewhere) = changed.split_once("## What else changed in the code").unwrap();
     assert!(elsewhere.contains("src/methods/other.rs") && !elsewhere.contains(file), "{changed}");
+    write("title: \"Forward Euler\", // one\n");
+    let shared = body("");
+    let (_, after) = shared.split_once("## What changed in the code").unwrap();
+    assert!(after.contains("## 1 method of unchanged files: 1 value"), "{shared}");
+    assert!(after.contains(&format!("\n{link}\n")), "{shared}");
     fs::remove_dir_all(project.path(".git")).unwrap();
     let text = format!("{link}, all of it, as git does not say what changed in it:");
     assert!(body("").contains(&text), "{}", body(""));
