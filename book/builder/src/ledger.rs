@@ -4,7 +4,7 @@
 //! only, so that a test can use its own and the library can change its types. [`Paper`] is the only
 //! adapter to the library.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -14,7 +14,7 @@ use pendula_study::experiments::Study;
 
 use crate::interrupt::unless_interrupted;
 use crate::progress::Progress;
-use crate::review::versions::{Version, made, quietly, said};
+use crate::versions::{Made, made, quietly, said};
 
 /// The ledger's entry for one claim. A value is text, such as `2.01e-4`, `5.158 s` or `4`; the book
 /// decides how to typeset it.
@@ -44,9 +44,6 @@ pub trait Ledger {
         Ok(Made::default())
     }
 }
-
-/// Snapshots by name, and why others cannot be made.
-pub type Made = (Version, BTreeMap<String, String>);
 
 impl<F: Fn(&str) -> Option<Entry>> Ledger for F {
     fn entry(&self, id: &str) -> Option<Entry> {

@@ -3,10 +3,10 @@
 //! In reading order: the command line ([`cli`], [`commands`]), the book on disk ([`locate`]),
 //! building it ([`build`]), what turns a chapter's source into what mdBook renders ([`preprocess`],
 //! with the paper's values from [`ledger`]), and what a browser may do on a page ([`policy`]). What
-//! moved in the snapshots is [`review`], and what the judge says of a program that is not ours is
-//! [`verify`]; their pages share [`page`]. What depends on the reader's machine, and so is in no
-//! snapshot, is [`work_precision`]. A [`picture`] is what `pendula flips` draws. Whatever touches a
-//! file does so through `files`.
+//! moved from one of the [`versions`] of the snapshots to another is [`review`], and what the judge
+//! says of a program that is not ours is [`verify`]; their pages share [`page`]. What depends on
+//! the reader's machine, and so is in no snapshot, is [`work_precision`]. A [`picture`] is what
+//! `pendula flips` draws. Whatever touches a file does so through `files`.
 //!
 //! Without the feature `book` there are the simulations and the judge alone; without `device`, no
 //! OpenCL.
@@ -38,6 +38,8 @@ pub mod review;
 pub mod sweep;
 mod threads;
 pub mod verify;
+#[cfg(feature = "book")]
+pub mod versions;
 #[cfg(feature = "book")]
 mod warnings;
 #[cfg(feature = "book")]

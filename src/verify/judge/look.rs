@@ -218,22 +218,22 @@ fn order_condition(found: &Deviation, claimed: Option<u32>) -> Cause {
     Cause { text, explains: &["order", "stage-times"] }
 }
 
-/// What slopes that leave the claimed order, as steps become short, are a sign of; `None` if they
-/// do not leave it.
-pub fn sign_of_slopes(claimed: u32, slopes: &[f64]) -> Option<&'static str> {
+/// What slopes that leave the claimed order, as steps become short, are a sign of, in a sentence
+/// without a full stop; `None` if they do not leave it.
+pub fn sign_of_slopes(claimed: u32, slopes: &[f64]) -> Option<String> {
     let order = f64::from(claimed);
     let (first, last) = (*slopes.first()?, *slopes.last()?);
     // From the order, or from near it, downwards: a bend at steps that are too long, or rounding,
     // does neither.
     let begins = (first - order).abs() < 0.5;
     let falls = slopes.windows(2).all(|pair| pair[1] < pair[0] + 0.05) && last < order - 0.5;
-    if !(begins && falls) {
-        None
-    } else if last < 0.5 {
-        Some("it solves another equation, of which a coefficient differs slightly")
-    } else {
-        Some("a coefficient has too few digits")
-    }
+    let sign = match last {
+        ..0.5 => "it solves another equation, of which a coefficient differs slightly",
+        _ => "a coefficient has too few digits",
+    };
+    (begins && falls).then(|| {
+        format!("The slopes fall from {claimed} to {last:.2} as the steps become short: {sign}")
+    })
 }
 
 /// Slopes that fall, where the series of a step tells no more.
@@ -243,11 +243,7 @@ fn falling(order: &Finding, claims: &Claims) -> Option<Cause> {
     // The ladder begins with steps that are too long to show an order.
     let near = |slope: &f64| (slope - f64::from(claimed)).abs() < 0.3;
     let from = slopes.iter().position(near)?;
-    let sign = sign_of_slopes(claimed, &slopes[from..])?;
-    let text = format!(
-        "The slopes fall from {claimed} to {:.2} as the steps become short: {sign}",
-        slopes[slopes.len() - 1]
-    );
+    let text = sign_of_slopes(claimed, &slopes[from..])?;
     Some(Cause { text, explains: &["order", "stage-times"] })
 }
 

@@ -23,7 +23,7 @@ use std::path::{Path, PathBuf};
 
 pub use operations::{
     Device, canonicalize, create_folder, exists, is_folder, list, metadata, probe, read,
-    read_to_string, temporary_folder, write_in_private,
+    read_to_string, temporary_folder, tree, write_in_private,
 };
 
 /// Lets a write beyond the limit on the size of a file (`ulimit -f`) fail like one to a full disk.

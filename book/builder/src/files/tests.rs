@@ -21,8 +21,8 @@ use crate::commands::{self, study};
 use crate::failure::Failure;
 use crate::ledger::{Entry, Ledger};
 use crate::progress::Progress;
-use crate::review::versions::{Version, on_disk};
 use crate::review::working_tree::WorkingTree;
+use crate::versions::{Version, on_disk};
 use crate::work_precision::{Curve, Measured, Measurement, SCENES};
 
 /// All that is in a folder: the files with their bytes, and the permissions where there are any.
@@ -288,13 +288,20 @@ fn a_review_is_written_whole_or_not_at_all() {
         git.arg("-C").arg(committed.path()).args(arguments);
         assert!(git.status().unwrap().success());
     }
+    let reviewed = on_disk(&committed.path().join("snapshots"), ".snap").unwrap();
+    let mut made = crate::review::working_tree::contents(&reviewed);
+    made.remove("bits");
+    let slopes = made.get_mut("slopes").unwrap();
+    slopes.text = slopes.text.replace("0.72", "0.73");
     let command = |folder: &Path| {
         let Command::Study(study::Command::Review(arguments)) =
             parsed(folder, "review --since HEAD")
         else {
             panic!("another command")
         };
-        study::review::run_in(folder, &arguments, &mut Vec::new())
+        // What the code gives is what stands in the files that are no hashes.
+        let compute = || Ok((made.clone(), BTreeMap::new()));
+        study::review::run_in(folder, &arguments, &compute, &mut Vec::new())
     };
     let git = committed.path().join(".git");
     let prepare = |folder: &Path| project(folder, Some(&git));
@@ -329,6 +336,7 @@ fn snapshots_are_accepted_together_or_not_at_all() {
             reviewed: reviewed?,
             pending: pending?,
             now: now.clone(),
+            recorded: Vec::new(),
             stale: Vec::new(),
             failed: BTreeMap::new(),
         };

@@ -13,7 +13,7 @@ use pendula_study::report::snapshots::Kind;
 
 use crate::files;
 use crate::ledger::Ledger;
-use crate::review::versions::{File, name_of};
+use crate::versions::{File, name_of};
 
 /// Compares each snapshot among the included files with what `ledger` makes of it. Those that are
 /// recorded cannot be compared.
@@ -75,8 +75,8 @@ mod tests {
     use std::fs;
 
     use super::*;
-    use crate::ledger::{Entry, Made};
-    use crate::review::versions::Content;
+    use crate::ledger::Entry;
+    use crate::versions::{Content, Made};
 
     const TABLE: &str =
         "---\na: 1\n---\n<!-- ANCHOR: table -->\n| 1 |\n<!-- ANCHOR_END: table -->\n";

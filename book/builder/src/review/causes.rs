@@ -1,6 +1,4 @@
-//! The cells that moved, each quantity once, grouped by method and quantity.
-
-use std::collections::BTreeMap;
+//! The cells that moved, each quantity once, by method and then by what they have in common.
 
 use pendula_study::experiments::PaperMethod;
 use pendula_study::report::tables::cell_at;
@@ -8,33 +6,12 @@ use pendula_study::report::tables::cell_at;
 use super::cells::{Cell, Value};
 use super::claims::{Claims, id_and_gist};
 use super::number::{change, leading};
-
-/// What moved: a quantity, of a method if it is of one.
-#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub struct Cause {
-    /// The title of the method.
-    pub method: Option<String>,
-    /// The quantity.
-    pub quantity: &'static str,
-}
-
-impl Cause {
-    /// Both in words.
-    pub fn title(&self) -> String {
-        match &self.method {
-            Some(method) => format!("{method}: {}", self.quantity),
-            None => {
-                let (first, rest) = self.quantity.split_at(1);
-                first.to_uppercase() + rest
-            }
-        }
-    }
-}
+use super::slopes::Slopes;
 
 /// A quantity that moved, wherever it stands.
 #[derive(Clone, Debug)]
 pub struct Item {
-    /// What it is, within its group.
+    /// What it is, within its part.
     pub label: String,
     /// The id of its claim.
     pub claim: Option<String>,
@@ -42,7 +19,7 @@ pub struct Item {
     pub shown: Cell,
     /// Where else it stands.
     pub also: Vec<Cell>,
-    /// The relative change, of a number.
+    /// The relative change, of a number that is no order.
     pub change: Option<f64>,
     /// The distance from theory's prediction in units of its tolerance, before and now.
     pub theory: Option<[f64; 2]>,
@@ -53,89 +30,24 @@ pub struct Item {
 impl Item {
     /// Whether it did not differ from what it should be, and now does.
     pub fn leaves(&self) -> bool {
-        let marked = |value: &Option<Value>| value.as_ref().is_some_and(|value| value.marked);
-        [&self.shown].into_iter().chain(&self.also).any(|c| marked(&c.new) && !marked(&c.old))
+        self.cells().any(Cell::leaves)
     }
 
     /// The cells in which it stands.
     pub fn cells(&self) -> impl Iterator<Item = &Cell> {
         [&self.shown].into_iter().chain(&self.also)
     }
-}
 
-/// The quantities with one cause.
-#[derive(Clone, Debug)]
-pub struct Group {
-    /// The cause.
-    pub cause: Cause,
-    /// What moved by it, in the order of the tables.
-    pub items: Vec<Item>,
-}
-
-impl Group {
-    /// The largest relative change in it.
-    pub fn largest_change(&self) -> Option<f64> {
-        let changes = self.items.iter().filter_map(|item| item.change);
-        changes.max_by(|a, b| a.abs().total_cmp(&b.abs()))
+    /// Whether it is the order of a method, as measured or as claimed.
+    pub fn is_order(&self) -> bool {
+        self.shown.column.eq_ignore_ascii_case("order")
+            || self.claim.as_ref().is_some_and(|id| id.starts_with("T2.") && id.ends_with(".order"))
     }
 
-    /// The names of the snapshots in which it shows, in the order of review.
-    pub fn snapshots(&self) -> Vec<&str> {
-        let mut names = Vec::new();
-        for cell in self.items.iter().flat_map(Item::cells) {
-            if !names.contains(&cell.snapshot.as_str()) {
-                names.push(cell.snapshot.as_str());
-            }
-        }
-        names
-    }
-
-    /// Whether a number in it no longer is what it should be.
-    pub fn leaves(&self) -> bool {
-        self.items.iter().any(Item::leaves)
-    }
-}
-
-/// Puts the cells that moved into groups: those with something that no longer is what it should be
-/// first, then by the largest change. `before` and `now` are the ledgers of the two versions.
-pub fn groups(cells: Vec<Cell>, before: &Claims, now: &Claims) -> Vec<Group> {
-    let mut items: Vec<(Key, Cause, Item)> = Vec::new();
-    for cell in cells {
-        let claim = claim_of(&cell, before, now);
-        let key = Key::of(&cell, claim.as_deref());
-        if let Some((.., item)) = items.iter_mut().find(|(known, ..)| *known == key) {
-            item.also.push(cell);
-            continue;
-        }
-        // A sentence repeats a number of a table.
-        let repeats = items.iter_mut().find(|(.., item)| {
-            cell.snapshot == "ledger_sentences" && same_numbers(&item.shown, &cell)
-        });
-        if let Some((.., item)) = repeats {
-            item.also.push(cell);
-            continue;
-        }
-        let cause = cause_of(&cell, claim.as_deref());
-        let label = label(&cell, claim.as_deref(), before, now);
-        items.push((key, cause, Item::new(cell, label, claim)));
-    }
-    let mut groups: BTreeMap<Cause, Group> = BTreeMap::new();
-    for (_, cause, mut item) in items {
-        item.judge(before, now);
-        let group = Group { cause: cause.clone(), items: Vec::new() };
-        groups.entry(cause).or_insert(group).items.push(item);
-    }
-    let mut groups: Vec<Group> = groups.into_values().collect();
-    groups.sort_by(|a, b| {
-        let size = |group: &Group| group.largest_change().map_or(0.0, f64::abs);
-        b.leaves().cmp(&a.leaves()).then(size(b).total_cmp(&size(a)))
-    });
-    groups
-}
-
-impl Item {
-    fn new(shown: Cell, label: String, claim: Option<String>) -> Self {
-        Self { label, claim, shown, also: Vec::new(), change: None, theory: None, paper: None }
+    /// Whether it is a slope, in a table of slopes by method.
+    pub fn is_slope(&self) -> bool {
+        let Cell { snapshot, column, .. } = &self.shown;
+        snapshot == "slopes" || snapshot == "orders" && column.starts_with("slope ")
     }
 
     /// Fills in what there is to say of it.
@@ -150,53 +62,144 @@ impl Item {
         }
         let number = |value: &Option<Value>| leading(&value.as_ref()?.text).map(|n| n.value);
         let numbers = number(&self.shown.old).zip(number(&self.shown.new));
+        let numbers = numbers.filter(|_| !self.is_order() && !self.is_slope());
         self.change = numbers.and_then(|(old, new)| change(old, new));
         let Some(claim) = &self.claim else { return };
-        let distance = |claims: &Claims| Some(claims.predictions.get(claim)?.distance());
+        let distance = |claims: &Claims| Some(claims.predictions.get(claim)?.distance);
         self.theory = distance(before).zip(distance(now)).map(<[f64; 2]>::from);
         let distances = before.half_units(claim).zip(now.half_units(claim));
-        self.paper = distances.map(<[f64; 2]>::from);
+        self.paper = distances.filter(|_| !self.is_order()).map(<[f64; 2]>::from);
     }
 }
 
-/// What makes two cells the same quantity.
-#[derive(Clone, Debug, PartialEq, Eq)]
-enum Key {
-    /// The measurement of a claim.
-    Claim(String),
-    /// Another cell.
-    Place(String, String, usize, String),
+/// What moved of one kind of quantity.
+#[derive(Clone, Debug)]
+pub struct Part {
+    /// The kind.
+    pub quantity: &'static str,
+    /// In the order of the tables.
+    pub items: Vec<Item>,
+    /// Slopes, whole, those that stayed among them.
+    pub slopes: Option<Slopes>,
 }
 
-impl Key {
-    fn of(cell: &Cell, claim: Option<&str>) -> Self {
-        match claim {
-            Some(id) => Self::Claim(id.to_string()),
-            None => Self::Place(
-                cell.snapshot.clone(),
-                cell.row.clone(),
-                cell.repetition,
-                cell.column.clone(),
-            ),
+/// What moved of a method; or of none.
+#[derive(Clone, Debug)]
+pub struct Group {
+    /// The title of the method.
+    pub method: Option<String>,
+    /// By kind, in the order of the tables.
+    pub parts: Vec<Part>,
+}
+
+impl Group {
+    /// All that moved in it.
+    pub fn items(&self) -> impl Iterator<Item = &Item> {
+        self.parts.iter().flat_map(|part| &part.items)
+    }
+
+    /// The largest relative change in it.
+    pub fn largest_change(&self) -> Option<f64> {
+        let changes = self.items().filter_map(|item| item.change);
+        changes.max_by(|a, b| a.abs().total_cmp(&b.abs()))
+    }
+
+    /// Whether a number in it no longer is what it should be.
+    pub fn leaves(&self) -> bool {
+        self.items().any(Item::leaves)
+    }
+
+    /// What moved of several methods, by kind; each item begins with its method.
+    pub fn merged(groups: &[&Self]) -> Self {
+        let mut merged = Self { method: None, parts: Vec::new() };
+        for group in groups {
+            let method = group.method.as_deref().unwrap_or_default();
+            for part in &group.parts {
+                for item in &part.items {
+                    let label = match item.label.contains(method) {
+                        true => item.label.clone(),
+                        false => format!("{method}: {}", item.label),
+                    };
+                    merged.push(part.quantity, Item { label, ..item.clone() });
+                }
+            }
+        }
+        merged
+    }
+
+    fn push(&mut self, quantity: &'static str, item: Item) {
+        match self.parts.iter_mut().find(|part| part.quantity == quantity) {
+            Some(part) => part.items.push(item),
+            None => self.parts.push(Part { quantity, items: vec![item], slopes: None }),
         }
     }
+}
+
+/// Groups the cells that moved, each in one item: methods of which something no longer is what it
+/// should be first, then by the largest change; what is of no method last. `before` and `now` are
+/// the ledgers of the two versions.
+pub fn groups(cells: Vec<Cell>, before: &Claims, now: &Claims) -> Vec<Group> {
+    let mut items: Vec<Item> = Vec::new();
+    for cell in cells {
+        let claim = claim_of(&cell, before, now);
+        // Two cells of one claim are one quantity.
+        let known = items.iter().position(|known| claim.is_some() && known.claim == claim);
+        if let Some(known) = known.or_else(|| repeated(&items, &cell)) {
+            items[known].also.push(cell);
+            continue;
+        }
+        let label = label(&cell, claim.as_deref(), before, now);
+        let (change, theory, paper) = (None, None, None);
+        items.push(Item { label, claim, shown: cell, also: Vec::new(), change, theory, paper });
+    }
+    let mut groups: Vec<Group> = Vec::new();
+    for mut item in items {
+        let (method, quantity) = cause_of(&item.shown, item.claim.as_deref());
+        item.judge(before, now);
+        let known = groups.iter().position(|group| group.method == method);
+        let group = known.unwrap_or_else(|| {
+            groups.push(Group { method, parts: Vec::new() });
+            groups.len() - 1
+        });
+        groups[group].push(quantity, item);
+    }
+    groups.sort_by(|a, b| {
+        let size = |group: &Group| group.largest_change().map_or(0.0, f64::abs);
+        (a.method.is_none().cmp(&b.method.is_none()))
+            .then(b.leaves().cmp(&a.leaves()))
+            .then(size(b).total_cmp(&size(a)))
+    });
+    groups
+}
+
+/// The one number of a table that a sentence of the ledger repeats. Of two that agree either may be
+/// meant, and of numbers of few digits many do: the sentence then stands by itself.
+fn repeated(items: &[Item], cell: &Cell) -> Option<usize> {
+    let number =
+        |value: &Option<Value>| leading(&value.as_ref()?.text).map(|n| (n.value, n.digits));
+    let numbers = |cell: &Cell| number(&cell.old).zip(number(&cell.new));
+    let ((_, old), (_, new)) = numbers(cell).filter(|_| cell.snapshot == "ledger_sentences")?;
+    let is_same = |item: &Item| {
+        item.shown.snapshot != "ledger_sentences" && numbers(&item.shown) == numbers(cell)
+    };
+    let mut same = (0..items.len()).filter(|&i| is_same(&items[i]));
+    let only = same.next().filter(|_| same.next().is_none());
+    only.filter(|_| old > 3 && new > 3)
 }
 
 /// The claim that a cell has the measurement of.
 fn claim_of(cell: &Cell, before: &Claims, now: &Claims) -> Option<String> {
-    let Cell { snapshot, row, column, .. } = cell;
+    let Cell { snapshot, row, column, printed, .. } = cell;
     match (snapshot.as_str(), column.as_str()) {
         ("ledger_cells" | "ledger_sentences" | "predictions", "measured") => {
-            let (id, _) = id_and_gist(row)?;
-            Some(id.to_string())
+            id_and_gist(&printed.0).map(|(id, _)| id.to_string())
         }
         ("table_7", "measured") => {
-            // Its rows are those of the ledger, in the same order.
-            let of_table = |claims: &Claims| {
-                let mut ids = claims.order.iter().filter(|id| id.starts_with("T7."));
-                ids.nth(cell.position.0).cloned()
-            };
-            of_table(now).or_else(|| of_table(before))
+            // Its rows are named as the ledger names them, of its own version.
+            let claims = if cell.new.is_some() { now } else { before };
+            let is_named = |id: &&String| claims.claims[*id].gist == printed.0;
+            let of_table = claims.order.iter().filter(|id| id.starts_with("T7."));
+            of_table.filter(is_named).nth(printed.1).cloned()
         }
         ("methods", _) => {
             let (number, heading) = IN_METHODS.iter().find(|(heading, ..)| heading == column)?.1;
@@ -222,49 +225,48 @@ const IN_METHODS: [(&str, (u32, &str)); 5] = [
 /// The quantity that a table of the paper is about.
 fn quantity(table: &str) -> &'static str {
     match table {
-        "2" => "properties (Table 2)",
-        "4" => "energy error over 50 s (Table 4)",
-        "5" => "energy over 1000 s (Table 5)",
-        "6" => "angle error at a small angle (Table 6)",
-        "7" => "period at 3 rad (Table 7)",
-        "8" => "errors over 10 s (Table 8)",
+        "2" => "properties",
+        "4" => "energy error over 50 s",
+        "5" => "energy over 1000 s",
+        "6" => "angle error at a small angle",
+        "7" => "period at 3 rad",
+        "8" => "errors over 10 s",
         _ => "constants of the paper",
     }
 }
 
-fn cause_of(cell: &Cell, claim: Option<&str>) -> Cause {
-    let method = |row: &str| Some(row.split(", ").next().unwrap_or(row).to_string());
-    let cause = |method, quantity| Cause { method, quantity };
-    let (snapshot, row) = (cell.snapshot.as_str(), cell.row.as_str());
+/// The title of the method, if it is of one, and the kind of quantity.
+fn cause_of(cell: &Cell, claim: Option<&str>) -> (Option<String>, &'static str) {
+    let (snapshot, row) = (cell.snapshot.as_str(), cell.printed.0.as_str());
+    let method = || Some(row.split(", ").next().unwrap_or(row).to_string());
     // The row of a ledger, whether or not its measurement moved.
     let id = claim.or_else(|| id_and_gist(row).map(|(id, _)| id));
     match (id, snapshot) {
         (Some(id), _) if id.starts_with('T') => {
             let mut parts = id[1..].split('.');
-            let table = parts.next().unwrap_or_default();
-            let row = parts.next().unwrap_or_default();
+            let [table, row] = [(); 2].map(|()| parts.next().unwrap_or_default());
             let of = PaperMethod::ALL.into_iter().find(|method| method.id() == row);
-            cause(of.map(|method| method.title().to_string()), quantity(table))
+            (of.map(|method| method.title().to_string()), quantity(table))
         }
-        (Some(id), _) if id.starts_with("X.") => cause(None, "numbers beside the paper's"),
-        (Some(_), _) => cause(None, "sentences of the paper"),
-        (_, "slopes") => cause(method(row), quantity("4")),
-        (_, "orders") => cause(method(row), "order of the state's error"),
-        (_, "methods") if cell.column.starts_with("ΔH") => cause(method(row), quantity("5")),
-        (_, "methods") => cause(method(row), quantity("2")),
-        (_, "beyond") => cause(None, "systems beyond the pendulum"),
-        (_, "what_moves_when") => cause(None, "what moves when"),
-        (_, "crossings") => cause(None, "where RK4 overtakes Störmer–Verlet"),
-        (_, "diffusion") => cause(None, "orbits at large steps"),
+        (Some(id), _) if id.starts_with("X.") => (None, "numbers beside the paper's"),
+        (Some(_), _) => (None, "sentences of the paper"),
+        (_, "slopes") => (method(), "slopes of the energy error over 50 s"),
+        (_, "orders") => (method(), "slopes of the state's error"),
+        (_, "methods") if cell.column.starts_with("ΔH") => (method(), quantity("5")),
+        (_, "methods") => (method(), quantity("2")),
+        (_, "beyond") => (None, "systems beyond the pendulum"),
+        (_, "what_moves_when") => (None, "what moves when"),
+        (_, "crossings") => (None, "where RK4 overtakes Störmer–Verlet"),
+        (_, "diffusion") => (None, "orbits at large steps"),
         _ => match snapshot.strip_prefix("table_") {
-            Some("7") => cause(None, quantity("7")),
-            Some(table) => cause(method(row), quantity(table)),
-            None => cause(None, "other tables"),
+            Some("7") => (None, quantity("7")),
+            Some(table) => (method(), quantity(table)),
+            None => (None, "other tables"),
         },
     }
 }
 
-/// What a quantity is called within its group.
+/// What a quantity is called within its part.
 fn label(cell: &Cell, claim: Option<&str>, before: &Claims, now: &Claims) -> String {
     let Cell { snapshot, row, column, .. } = cell;
     let gist = |id: &str| {
@@ -282,19 +284,12 @@ fn label(cell: &Cell, claim: Option<&str>, before: &Claims, now: &Claims) -> Str
         }
         ("slopes", _) => format!("slope, {column}"),
         ("beyond", _) if column == "found" => row.clone(),
-        ("beyond" | "what_moves_when", _) => format!("{row}: {column}"),
         ("crossings", _) => format!("from {row} rad: {column}"),
         ("diffusion", _) => format!("K = {row}: {column}"),
+        ("orders", _) if column == "order" => "claimed order".to_string(),
+        ("methods" | "orders", _) => column.clone(),
         _ if row.ends_with(", stated") => format!("stated, {column}"),
-        _ => column.clone(),
+        _ if row.ends_with(", measured") => column.clone(),
+        _ => format!("{row}: {column}"),
     }
-}
-
-/// Whether two cells begin with the same numbers, before and now.
-fn same_numbers(a: &Cell, b: &Cell) -> bool {
-    let number =
-        |value: &Option<Value>| leading(&value.as_ref()?.text).map(|n| (n.value, n.digits));
-    let numbers = |cell: &Cell| number(&cell.old).zip(number(&cell.new));
-    let exact = |((_, old), (_, new)): &((f64, usize), (f64, usize))| *old > 2 && *new > 2;
-    numbers(a).is_some_and(|n| exact(&n) && numbers(b) == Some(n))
 }

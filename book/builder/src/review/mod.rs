@@ -1,45 +1,46 @@
-//! What moved between two versions of the snapshots, as one wants to review it: the verdict first,
+//! What moved between two versions of the snapshots, as one wants to review it: the worst first,
 //! each quantity once, figures as they are seen, and how to accept each.
 //!
-//! [`versions`] reads the snapshots; [`cells`] compares tables cell by cell and [`causes`] groups
-//! what moved; [`claims`] reads verdicts and predictions, [`drawings`] compares figures, which
-//! `svg` reads, and [`quotes`] finds what the book says of it. A [`Review`] holds all of it,
-//! [`verdict`] sums it up, and [`text`], [`markdown`] and [`page`] print it in the words of
-//! [`rows`]. [`working_tree`] is what is compared where no commit is named, and [`accept`] accepts.
+//! [`working_tree`] has the snapshots that one works on, and accepts them; [`cells`] compares
+//! tables cell by cell and [`causes`] groups what moved, with the [`slopes`] of a method whole;
+//! [`claims`] reads verdicts and predictions, [`drawings`] compares figures, [`quotes`] finds what
+//! the book says of it, and [`source`] what changed in the code. A [`Review`] holds all of it,
+//! [`verdict`] sums it up, [`markdown`] writes it in `words`, and [`render`] makes a page or plain
+//! text of that.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 use anyhow::{Context, Result};
 use pendula_study::report::figures::figures;
 use pendula_study::report::snapshots::Kind;
 
-use self::causes::Group;
+use self::causes::{Group, Item};
 use self::cells::{Cell, differences};
-use self::claims::Claims;
+use self::claims::{Claim, Claims};
 use self::drawings::Difference;
 use self::number::leading;
 use self::quotes::{Moved, Quote};
-use self::versions::Version;
+use self::slopes::Slopes;
+use self::source::Code;
+use crate::versions::Version;
 
-pub mod accept;
 pub mod causes;
 pub mod cells;
 pub mod claims;
 pub mod drawings;
 pub mod markdown;
 pub mod number;
-pub mod page;
 pub mod quotes;
-pub mod rows;
-mod svg;
-pub mod text;
+pub mod render;
+pub mod slopes;
+pub mod source;
 pub mod verdict;
-pub mod versions;
+mod words;
 pub mod working_tree;
 
 /// What moved.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Review {
     /// What is compared, before and now, in words.
     pub versions: [String; 2],
@@ -47,7 +48,7 @@ pub struct Review {
     pub count: usize,
     /// Those that moved, in the order of review.
     pub snapshots: Vec<Change>,
-    /// Numbers and words of tables, by cause.
+    /// Numbers and words of tables, by method.
     pub groups: Vec<Group>,
     /// Claims with another verdict, or with another reason for it.
     pub claims: Vec<Turn>,
@@ -55,16 +56,25 @@ pub struct Review {
     pub figures: Vec<Figure>,
     /// The names of the results whose bits moved.
     pub bits: Vec<String>,
-    /// Sentences of the book.
+    /// Lines of the book.
     pub quotes: Vec<Quote>,
-    /// What the reviewer should know of how the comparison was made.
-    pub warnings: Vec<String>,
     /// The predictions that were within their tolerance and no longer are, and those that are
     /// again, by the ids of their claims.
     pub predictions: [Vec<String>; 2],
-    /// Whether the files accepted are those of the working tree, so that there is something to
-    /// accept.
-    pub acceptable: bool,
+    /// The snapshots that are not computed now, but compared as their files stand.
+    pub recorded: Vec<String>,
+    /// The snapshots that cannot be computed any more, and why.
+    pub failed: BTreeMap<String, String>,
+    /// Why what is computed may not be what the code gives: then nothing else is sure.
+    pub outdated: Option<String>,
+    /// What else the reviewer should know of how the comparison was made.
+    pub warnings: Vec<String>,
+    /// The code, to show what changed in it.
+    pub code: Code,
+    /// Those that moved since they were reviewed, to be accepted here.
+    pub acceptable: Vec<String>,
+    /// The same where another version is compared.
+    pub waiting: Vec<String>,
 }
 
 /// A snapshot that moved.
@@ -102,6 +112,11 @@ impl Turn {
     pub fn flips(&self) -> bool {
         self.old != self.new
     }
+
+    /// Whether the claim is a cell of a table of results.
+    pub fn is_cell(&self) -> bool {
+        self.id.starts_with('T')
+    }
 }
 
 /// A figure that moved.
@@ -136,62 +151,54 @@ impl Review {
         let (before, now) = (Claims::read(old)?, Claims::read(new)?);
         let snapshots = changes(old, new);
         let of_kind = |kind: Kind| snapshots.iter().filter(move |change| change.kind == kind);
-        let mut cells = Vec::new();
-        for change in of_kind(Kind::Table).chain(of_kind(Kind::Recorded)) {
-            let [before, after] = [old, new].map(|version| claims::table(version, &change.name));
-            cells.extend(differences(&change.name, before?.as_ref(), after?.as_ref()));
-        }
-        let verdicts =
-            |cell: &Cell| cell.column == "verdict" && cell.snapshot.starts_with("ledger_");
-        cells.retain(|cell| !verdicts(cell));
-        let numbers = moved_numbers(&cells);
-        let groups = causes::groups(cells, &before, &now);
-        let mut figures = of_kind(Kind::Figure)
-            .map(|change| figure(&change.name, old, new))
-            .collect::<Result<Vec<_>>>()?;
-        figures.sort_by_key(|figure| !figure.is_visible());
-        let mut bits: Vec<String> = Vec::new();
-        for change in of_kind(Kind::Hashes) {
-            let [before, after] = [old, new].map(|version| claims::table(version, &change.name));
-            for cell in differences(&change.name, before?.as_ref(), after?.as_ref()) {
-                if !bits.contains(&cell.row) {
-                    bits.push(cell.row);
-                }
+        let cells_of = |kind: Kind| -> Result<Vec<Cell>> {
+            let mut cells = Vec::new();
+            for Change { name, .. } in of_kind(kind) {
+                let [before, after] = [old, new].map(|version| claims::table(version, name));
+                cells.extend(differences(name, before?.as_ref(), after?.as_ref()));
             }
-        }
+            Ok(cells)
+        };
+        let mut cells = cells_of(Kind::Table)?;
+        cells.extend(cells_of(Kind::Recorded)?);
+        // Verdicts are shown with their claims.
+        cells.retain(|cell| cell.column != "verdict" || !cell.snapshot.starts_with("ledger_"));
+        let mut bits: Vec<String> =
+            cells_of(Kind::Hashes)?.into_iter().map(|cell| cell.row).collect();
+        bits.dedup();
+        let quotes = quotes::quotes(chapters, &before, &now, &moved_numbers(&cells))?;
+        let mut groups = causes::groups(cells, &before, &now);
+        with_slopes(&mut groups, [old, new])?;
+        let figures = of_kind(Kind::Figure).map(|change| figure(&change.name, old, new));
+        let mut figures = figures.collect::<Result<Vec<_>>>()?;
+        figures.sort_by_key(|figure| !figure.is_visible());
+        let (count, claims) = (new.len(), turns(&before, &now));
         let predictions = predictions(&before, &now);
         Ok(Self {
             versions,
-            count: new.len(),
+            count,
+            snapshots,
             groups,
-            claims: turns(&before, &now),
+            claims,
             figures,
             bits,
-            quotes: quotes::quotes(chapters, &before, &now, &numbers)?,
-            warnings: Vec::new(),
+            quotes,
             predictions,
-            snapshots,
-            acceptable: false,
+            ..Self::default()
         })
     }
 
-    /// Whether anything moved.
+    /// Whether nothing moved, as far as it can be computed.
     pub fn is_empty(&self) -> bool {
         self.snapshots.is_empty()
     }
 }
 
-/// The place of a snapshot in the order of review: the tables of the paper before what is made of
-/// them.
-fn place(name: &str) -> (usize, String) {
+/// The snapshots whose content differs, in the order of review: the tables of the paper before what
+/// is made of them.
+fn changes(old: &Version, new: &Version) -> Vec<Change> {
     const TABLES: [&str; 7] =
         ["table", "slopes", "orders", "methods", "predictions", "ledger_cells", "ledger_sentences"];
-    let known = TABLES.iter().position(|table| name.starts_with(table));
-    (known.unwrap_or(TABLES.len()), name.to_string())
-}
-
-/// The snapshots whose content differs, in the order of review.
-fn changes(old: &Version, new: &Version) -> Vec<Change> {
     let names: BTreeSet<&String> = old.keys().chain(new.keys()).collect();
     let mut changes: Vec<Change> = names
         .into_iter()
@@ -202,29 +209,45 @@ fn changes(old: &Version, new: &Version) -> Vec<Change> {
             Some(Change { name: name.clone(), kind, is_in })
         })
         .collect();
-    changes.sort_by_key(|change| (change.kind, place(&change.name)));
+    let place = |name: &str| TABLES.iter().position(|table| name.starts_with(table));
+    changes.sort_by_key(|change| (change.kind, place(&change.name).unwrap_or(TABLES.len())));
     changes
 }
 
-/// The numbers that moved and that a sentence may have copied.
+/// The numbers that moved and that a line of the book may have copied.
 fn moved_numbers(cells: &[Cell]) -> Vec<Moved> {
-    let text = |value: &Option<cells::Value>| {
-        let text = &value.as_ref()?.text;
-        leading(text).is_some().then(|| text.clone())
-    };
-    let pairs = cells.iter().filter_map(|cell| Some((text(&cell.old)?, text(&cell.new)?)));
-    pairs.map(|(old, new)| Moved { old, new }).collect()
+    let texts = |cell: &Cell| Some((cell.old.clone()?.text, cell.new.clone()?.text));
+    let pairs = cells.iter().filter_map(texts);
+    pairs.filter(|(old, new)| leading(old).is_some() && leading(new).is_some()).collect()
+}
+
+/// Where a slope of a method moved, all of them.
+fn with_slopes(groups: &mut [Group], versions: [&Version; 2]) -> Result<()> {
+    for group in groups {
+        let Some(method) = &group.method else { continue };
+        for part in &mut group.parts {
+            let slope = part.items.iter().find(|item| Item::is_slope(item));
+            if let Some(Item { shown, .. }) = slope {
+                part.slopes = Some(Slopes::read(versions, &shown.snapshot, method)?);
+            }
+        }
+    }
+    Ok(())
 }
 
 fn figure(name: &str, old: &Version, new: &Version) -> Result<Figure> {
     let drawings = [old, new].map(|version| version.get(name).map(|content| content.text.clone()));
     let noise = figures().any(|drawing| drawing.name == name && drawing.noise);
+    let corrupt = || format!("{name}: corrupt");
     let difference = match &drawings {
-        [Some(old), Some(new)] => {
-            let compared = drawings::compare(old, new, noise);
-            Some(compared.with_context(|| format!("{name}: corrupt"))?)
+        [Some(old), Some(new)] => Some(drawings::compare(old, new, noise).with_context(corrupt)?),
+        [one, other] => {
+            // That it is a figure.
+            for alone in one.iter().chain(other) {
+                drawings::compare(alone, alone, noise).with_context(corrupt)?;
+            }
+            None
         }
-        _ => None,
     };
     Ok(Figure { name: name.to_string(), drawings, difference })
 }
@@ -235,21 +258,12 @@ fn turns(before: &Claims, now: &Claims) -> Vec<Turn> {
     let mut turns = Vec::new();
     for id in now.order.iter().chain(gone) {
         let (old, new) = (before.claims.get(id), now.claims.get(id));
-        let verdict = |claim: Option<&claims::Claim>| {
-            claim.map_or_else(String::new, |claim| claim.verdict.clone())
-        };
+        let verdict = |claim: Option<&Claim>| claim.map_or("", |claim| &claim.verdict).to_string();
         let differs = old.map(|c| (&c.verdict, &c.remark)) != new.map(|c| (&c.verdict, &c.remark));
         if let (true, Some(claim)) = (differs, new.or(old)) {
-            let claim = claim.clone();
-            turns.push(Turn {
-                id: id.clone(),
-                gist: claim.gist,
-                old: verdict(old),
-                new: verdict(new),
-                stated: claim.stated,
-                measured: claim.measured,
-                remark: claim.remark,
-            });
+            let Claim { gist, stated, measured, remark, .. } = claim.clone();
+            let (old, new) = (verdict(old), verdict(new));
+            turns.push(Turn { id: id.clone(), gist, old, new, stated, measured, remark });
         }
     }
     turns.sort_by_key(|turn| !turn.flips());
@@ -258,14 +272,9 @@ fn turns(before: &Claims, now: &Claims) -> Vec<Turn> {
 
 /// The predictions that left their tolerance, and those that came back to it.
 fn predictions(before: &Claims, now: &Claims) -> [Vec<String>; 2] {
-    let within =
-        |claims: &Claims, id: &str| claims.predictions.get(id).map(claims::Prediction::agrees);
-    let turned = |to: bool| {
-        let ids = now
-            .order
-            .iter()
-            .filter(|id| within(before, id) == Some(!to) && within(now, id) == Some(to));
-        ids.cloned().collect::<Vec<_>>()
-    };
-    [turned(false), turned(true)]
+    let agrees = |claims: &Claims, id: &str| Some(claims.predictions.get(id)?.agrees);
+    [false, true].map(|to| {
+        let turned = |id: &&String| agrees(before, id) == Some(!to) && agrees(now, id) == Some(to);
+        now.order.iter().filter(turned).cloned().collect()
+    })
 }

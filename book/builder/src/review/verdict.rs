@@ -1,273 +1,214 @@
-//! The verdict of a review, in sentences.
+//! The verdict of a review, in sentences: the worst that happened first, good news last.
 
-use pendula_study::report::snapshots::Kind;
-
-use super::number::change_text;
+use super::causes::{Group, Item};
+use super::cells::Value;
+use super::number::{change_text, leading};
 use super::{Review, Turn};
 
 /// How much a sentence matters.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Weight {
     /// Something no longer is as it should be.
     Alarm,
     /// Something moved.
     Moved,
-    /// Nothing moved, or nothing that matters.
+    /// Something is still or again as it should be.
     Calm,
 }
 
-impl Weight {
-    /// A word for it.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Alarm => "alarm",
-            Self::Moved => "moved",
-            Self::Calm => "calm",
-        }
-    }
-}
+use Weight::{Alarm, Calm, Moved};
 
-/// A sentence of the verdict.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Sentence {
-    /// How much it matters.
-    pub weight: Weight,
-    /// The sentence.
-    pub text: String,
-}
+/// A sentence, without its full stop.
+pub type Sentence = (Weight, String);
 
-/// The sentences, in the order in which one wants to know.
+/// The sentences. The first is the headline.
 pub fn sentences(review: &Review) -> Vec<Sentence> {
-    let sentence = |weight, text: String| Sentence { weight, text };
+    let alarm = |text: &String| (Alarm, text.clone());
+    let mut said: Vec<Sentence> = review.outdated.iter().map(alarm).collect();
+    said.extend(review.failed.iter().map(|(name, why)| {
+        (Alarm, format!("`{name}` cannot be computed any more, and is left out: {why}"))
+    }));
     if review.is_empty() {
-        let text = format!("Nothing moved: all {} snapshots are the same.", review.count);
-        return vec![sentence(Weight::Calm, text)];
+        let nothing = format!("Nothing moved: all {} snapshots are the same", review.count);
+        said.extend(review.warnings.iter().map(alarm));
+        said.extend(review.failed.is_empty().then_some((Calm, nothing)));
+        return said;
     }
-    let mut sentences = Vec::new();
-    sentences.extend(cells_and_paper(review));
-    sentences.push(orders(review));
-    sentences.push(predictions(review));
-    sentences.extend(other_claims(review));
-    sentences.extend(cells(review));
-    sentences.extend(figures(review));
-    if !review.bits.is_empty() {
-        let text = format!(
-            "The bits of {} moved: {}.",
-            counted(review.bits.len(), "result"),
-            listed(&review.bits, 8)
-        );
-        sentences.push(sentence(Weight::Moved, text));
-    }
-    for (index, one, more) in [
-        (0, "Snapshot that is new", "Snapshots that are new"),
-        (1, "Snapshot that has gone", "Snapshots that have gone"),
-    ] {
-        let names: Vec<String> = (review.snapshots.iter())
-            .filter(|change| !change.is_in[index])
-            .map(|change| format!("`{}`", change.name))
-            .collect();
-        if !names.is_empty() {
-            let what = if names.len() == 1 { one } else { more };
-            let text = format!("{what}: {}.", listed(&names, 8));
-            sentences.push(sentence(Weight::Moved, text));
-        }
-    }
-    if review.snapshots.iter().any(|change| change.kind == Kind::Example) {
-        let text = "The example `a_change`, which is made of Table 4, moved with it.".to_string();
-        sentences.push(sentence(Weight::Calm, text));
-    }
+    said.extend(orders(review));
+    said.push(slopes(review));
+    said.extend(properties(review));
+    said.extend(cells(review));
+    said.extend(predictions(review));
+    said.extend(claims(review));
     let typed = review.quotes.iter().filter(|quote| quote.typed).count();
-    if typed > 0 {
-        let text = format!("The book quotes numbers that moved in {}.", counted(typed, "sentence"));
-        sentences.push(sentence(Weight::Alarm, text));
+    let typed = (typed > 0).then(|| counted(typed, "line"));
+    said.extend(typed.map(|n| (Alarm, format!("Numbers that moved are typed in {n} of the book"))));
+    said.extend(review.warnings.iter().map(alarm));
+    said.extend(quantities(review));
+    let visible = review.figures.iter().filter(|figure| figure.is_visible());
+    let visible: Vec<String> = visible.map(|figure| format!("`{}`", figure.name)).collect();
+    said.extend(several(Moved, "figure", "moved visibly", &visible, 6));
+    said.extend(several(Moved, "result", "with other bits", &review.bits, 8));
+    for (version, which) in [(0, "new"), (1, "gone")] {
+        let names = review.snapshots.iter().filter(|change| !change.is_in[version]);
+        let names: Vec<String> = names.map(|change| format!("`{}`", change.name)).collect();
+        said.extend(several(Moved, "snapshot", which, &names, 8));
     }
-    sentences
+    said.sort_by_key(|(weight, _)| *weight);
+    if said.iter().all(|(weight, _)| *weight == Calm) {
+        let n = counted(review.snapshots.len(), "snapshot");
+        said.insert(
+            0,
+            (Moved, format!("{n} written otherwise: no number moved, and nothing one sees")),
+        );
+    }
+    said
 }
 
-/// Whether the claim is a cell of a table of results.
-fn is_cell(turn: &Turn) -> bool {
-    turn.id.starts_with('T')
+/// So many things, which, and the names of some; nothing of none.
+fn several(
+    weight: Weight,
+    what: &str,
+    which: &str,
+    names: &[String],
+    few: usize,
+) -> Option<Sentence> {
+    let n = counted(names.len(), what);
+    (!names.is_empty()).then(|| (weight, format!("{n} {which}: {}", listed(names, few))))
 }
 
-/// Cells that no longer meet the paper, and those that do again.
-fn cells_and_paper(review: &Review) -> Vec<Sentence> {
-    let flips = || review.claims.iter().filter(|turn| turn.flips() && is_cell(turn));
-    let named = |turns: Vec<&Turn>| {
-        let cells: Vec<String> = turns
-            .iter()
-            .map(|turn| format!("{} (stated {}, now {})", turn.id, turn.stated, turn.measured))
-            .collect();
-        listed(&cells, 3)
+/// The methods with what moved of them.
+fn items(review: &Review) -> impl Iterator<Item = (&str, &Group, &Item)> {
+    let methods = review.groups.iter().filter_map(|group| Some((group.method.as_deref()?, group)));
+    methods.flat_map(|(method, group)| group.items().map(move |item| (method, group, item)))
+}
+
+fn text(value: &Option<Value>) -> &str {
+    value.as_ref().map_or("—", |value| value.text.as_str())
+}
+
+/// Before → now.
+fn both(item: &Item) -> String {
+    format!("({} → {})", text(&item.shown.old), text(&item.shown.new))
+}
+
+/// Orders that were lost, and those that are there again.
+fn orders(review: &Review) -> Vec<Sentence> {
+    let (mut lost, mut found) = (Vec::new(), Vec::new());
+    let measured = |item: &Item| item.is_order() && item.shown.snapshot != "orders";
+    for (method, group, item) in items(review).filter(|(.., item)| measured(item)) {
+        let number = |value: &Option<Value>| leading(text(value)).map(|number| number.value);
+        let claimed = group.parts.iter().find_map(|part| part.slopes.as_ref()?.claimed);
+        let claimed = claimed.map(f64::from).or_else(|| number(&item.shown.old));
+        // What is no number is no order.
+        let off = |value: &Option<Value>| {
+            number(value).zip(claimed).map_or(f64::INFINITY, |(is, claimed)| (is - claimed).abs())
+        };
+        let is_lost = off(&item.shown.old) < off(&item.shown.new);
+        if is_lost { &mut lost } else { &mut found }.push((method, both(item)));
+    }
+    let named = |(method, change): &(&str, String)| format!("{method} {change}");
+    let mut said = Vec::new();
+    if let Some(((method, change), others)) = lost.split_first() {
+        let others: Vec<String> = others.iter().map(named).collect();
+        let others = match listed(&others, 2) {
+            none if none.is_empty() => none,
+            others => format!(", as did {others}"),
+        };
+        said.push((Alarm, format!("{method} lost its order {change}{others}")));
+    }
+    let found: Vec<String> = found.iter().map(named).collect();
+    said.extend(several(Calm, "order", "there again", &found, 3));
+    said
+}
+
+/// The methods of which slopes left the window around their order.
+fn slopes(review: &Review) -> Sentence {
+    // Of each the last, between the shortest steps.
+    let mut left: Vec<(&str, String)> = Vec::new();
+    for (method, _, item) in items(review).filter(|(.., item)| item.is_slope() && item.leaves()) {
+        left.retain(|(known, _)| *known != method);
+        left.push((method, format!("{method} {}", both(item))));
+    }
+    let left: Vec<String> = left.into_iter().map(|(_, said)| said).collect();
+    let slopes = several(Alarm, "method", "with slopes that leave the order", &left, 4);
+    slopes.unwrap_or((Calm, "No slope left the window around its order".to_string()))
+}
+
+/// Whether a method is symplectic, and what its energy does.
+fn properties(review: &Review) -> Vec<Sentence> {
+    let say = |(method, _, item): (&str, &Group, &Item)| {
+        let of_claim = item.claim.as_deref().and_then(|id| id.rsplit('.').next()).unwrap_or("");
+        match (item.shown.column.as_str(), of_claim) {
+            ("symplectic", _) | (_, "sympl") => {
+                let is_lost = text(&item.shown.new).eq_ignore_ascii_case("no");
+                let weight = if is_lost { Alarm } else { Calm };
+                Some((weight, format!("{method}: symplectic {}", both(item))))
+            }
+            ("energy", _) | (_, "behav") => {
+                Some((Alarm, format!("{method}: its energy {}", both(item))))
+            }
+            _ => None,
+        }
     };
-    let lost: Vec<&Turn> = flips().filter(|turn| turn.new == "wrong").collect();
-    let found: Vec<&Turn> = flips().filter(|turn| turn.old == "wrong").collect();
-    let mut sentences = Vec::new();
-    sentences.push(match lost.len() {
-        0 => Sentence {
-            weight: Weight::Calm,
-            text: "Every cell that met the paper still does.".to_string(),
-        },
-        n => Sentence {
-            weight: Weight::Alarm,
-            text: format!(
-                "{} no longer meet{} the paper: {}.",
-                counted(n, "cell"),
-                s(n),
-                named(lost)
-            ),
-        },
-    });
-    if !found.is_empty() {
-        let n = found.len();
-        let text = format!("{} now meet{} the paper: {}.", counted(n, "cell"), s(n), named(found));
-        sentences.push(Sentence { weight: Weight::Moved, text });
-    }
-    sentences
+    items(review).filter_map(say).collect()
 }
 
-/// Orders that left their window.
-fn orders(review: &Review) -> Sentence {
-    let items = review.groups.iter().flat_map(|group| {
-        group.items.iter().map(move |item| (group.cause.method.as_deref().unwrap_or(""), item))
-    });
-    let left: Vec<String> = items
-        .filter(|(_, item)| item.shown.snapshot == "orders" && item.leaves())
-        .map(|(method, item)| {
-            let text = |value: &Option<super::cells::Value>| {
-                value.as_ref().map_or("—".to_string(), |value| value.text.clone())
-            };
-            format!(
-                "{method}, {} ({} → {})",
-                item.label,
-                text(&item.shown.old),
-                text(&item.shown.new)
-            )
-        })
-        .collect();
-    match left.len() {
-        0 => Sentence {
-            weight: Weight::Calm,
-            text: "No slope left the window around its order.".to_string(),
-        },
-        n => Sentence {
-            weight: Weight::Alarm,
-            text: format!(
-                "{} left the window around the order: {}.",
-                counted(n, "slope"),
-                listed(&left, 4)
-            ),
-        },
-    }
+/// Cells that no longer are what the paper prints, and those that are again.
+fn cells(review: &Review) -> Vec<Sentence> {
+    let named = |wrong: fn(&Turn) -> &str| -> Vec<String> {
+        let turned = review.claims.iter().filter(|turn| turn.flips() && wrong(turn) == "wrong");
+        let say =
+            |turn: &Turn| format!("{} (stated {}, now {})", turn.id, turn.stated, turn.measured);
+        turned.filter(|turn| turn.is_cell()).map(say).collect()
+    };
+    let (lost, found) = (named(|turn| &turn.new), named(|turn| &turn.old));
+    let lost = several(Alarm, "cell", "no longer as the paper prints", &lost, 3);
+    let lost = lost.unwrap_or((Calm, "Every cell that met the paper still does".to_string()));
+    let found = several(Calm, "cell", "now as the paper prints", &found, 3);
+    [lost].into_iter().chain(found).collect()
 }
 
-/// Predictions outside their tolerance.
-fn predictions(review: &Review) -> Sentence {
+/// Predictions that are not met any more, and those that are again.
+fn predictions(review: &Review) -> Vec<Sentence> {
     let [out, back] = &review.predictions;
-    let moved = review.groups.iter().flat_map(|group| &group.items);
-    let moved = moved.filter(|item| item.theory.is_some()).count();
-    let (weight, text) = match (out.len(), moved) {
-        (0, 0) => (Weight::Calm, "No cell that theory predicts moved.".to_string()),
-        (0, n) => {
-            let text = format!(
-                "{} that theory predicts moved, none out of the tolerance.",
-                counted(n, "cell")
-            );
-            (Weight::Moved, text)
-        }
-        (out_of, n) => {
-            let text = format!(
-                "{} that theory predicts moved, {out_of} out of the tolerance: {}.",
-                counted(n, "cell"),
-                listed(out, 4)
-            );
-            (Weight::Alarm, text)
-        }
-    };
-    let again = match back.len() {
-        0 => String::new(),
-        n => format!(" {} came back into it.", counted(n, "cell")),
-    };
-    Sentence { weight, text: text + &again }
+    let out = several(Alarm, "prediction", "of theory not met any more", out, 4);
+    let out = out.unwrap_or((Calm, "Every prediction of theory that was met still is".to_string()));
+    let back = several(Calm, "prediction", "of theory met again", back, 4);
+    [out].into_iter().chain(back).collect()
 }
 
 /// Verdicts on other claims than cells, and claims that are new or have gone.
-fn other_claims(review: &Review) -> Vec<Sentence> {
-    let others = || review.claims.iter().filter(|turn| turn.flips() && !is_cell(turn));
-    let stays = |turn: &&Turn| !turn.old.is_empty() && !turn.new.is_empty();
-    let flips: Vec<String> = others()
-        .filter(stays)
-        .map(|turn| format!("{} ({} → {})", turn.id, turn.old, turn.new))
-        .collect();
-    let named = |turns: Vec<&Turn>| -> Vec<String> {
-        turns.into_iter().map(|turn| turn.id.clone()).collect()
-    };
-    let new = named(others().filter(|turn| turn.old.is_empty()).collect());
-    let gone = named(others().filter(|turn| turn.new.is_empty()).collect());
-    let mut sentences = Vec::new();
-    let mut say = |weight, ids: &[String], what: &str, verb: &str| {
-        if !ids.is_empty() {
-            let text = format!("{} {verb}: {}.", counted(ids.len(), what), listed(ids, 4));
-            sentences.push(Sentence { weight, text });
+fn claims(review: &Review) -> Vec<Sentence> {
+    let mut kinds: [Vec<String>; 3] = Default::default();
+    for turn in review.claims.iter().filter(|turn| turn.flips()) {
+        match (turn.old.as_str(), turn.new.as_str()) {
+            ("", _) => kinds[1].push(turn.id.clone()),
+            (_, "") => kinds[2].push(turn.id.clone()),
+            _ if turn.is_cell() => {}
+            (old, new) => kinds[0].push(format!("{} ({old} → {new})", turn.id)),
         }
-    };
-    say(Weight::Alarm, &flips, "other verdict", if flips.len() == 1 { "turns" } else { "turn" });
-    say(Weight::Moved, &new, "claim", if new.len() == 1 { "is new" } else { "are new" });
-    say(Weight::Moved, &gone, "claim", if gone.len() == 1 { "has gone" } else { "have gone" });
-    sentences
+    }
+    let words = [(Alarm, "with another verdict"), (Moved, "new"), (Moved, "gone")];
+    let said = words.into_iter().zip(&kinds);
+    said.filter_map(|((weight, which), ids)| several(weight, "claim", which, ids, 4)).collect()
 }
 
-/// How many cells moved, and by how much.
-fn cells(review: &Review) -> Option<Sentence> {
-    let items = || {
-        let groups = review.groups.iter();
-        groups.flat_map(|group| group.items.iter().map(move |item| (group, item)))
-    };
-    let n = items().count();
-    let changes = items().filter_map(|(group, item)| Some((item.change?, group, item)));
-    let largest = changes.max_by(|a, b| a.0.abs().total_cmp(&b.0.abs()));
-    let largest = largest.map_or_else(String::new, |(change, group, item)| {
-        let what = format!("{}, {}", group.cause.title(), item.label);
-        format!(", the largest change {} ({what})", change_text(change))
+/// How many quantities moved, and by how much.
+fn quantities(review: &Review) -> Option<Sentence> {
+    let n = review.groups.iter().flat_map(Group::items).count();
+    let largest = review.groups.iter().filter_map(|group| Some((group.largest_change()?, group)));
+    let largest = largest.max_by(|a, b| a.0.abs().total_cmp(&b.0.abs()));
+    let largest = largest.map_or_else(String::new, |(change, group)| {
+        let of = group.method.as_ref().map_or_else(String::new, |method| format!(" of {method}"));
+        format!(", by up to {}{of}", change_text(change))
     });
-    (n > 0).then(|| Sentence {
-        weight: Weight::Moved,
-        text: format!(
-            "{} moved, for {}{largest}.",
-            counted(n, "quantity").replace("quantitys", "quantities"),
-            counted(review.groups.len(), "cause")
-        ),
-    })
-}
-
-/// Figures that moved visibly, and how many did not.
-fn figures(review: &Review) -> Option<Sentence> {
-    let visible: Vec<String> = (review.figures.iter())
-        .filter(|figure| figure.is_visible())
-        .map(|figure| format!("`{}`", figure.name))
-        .collect();
-    let (n, all) = (visible.len(), review.figures.len());
-    (all > 0).then(|| {
-        let text = match n {
-            0 => format!("{} differ{}, none visibly.", counted(all, "figure"), s(all)),
-            n if n == all => {
-                format!("{} moved visibly: {}.", counted(n, "figure"), listed(&visible, 6))
-            }
-            n => {
-                format!("Of {all} figures that differ {n} moved visibly: {}.", listed(&visible, 6))
-            }
-        };
-        Sentence { weight: if n == 0 { Weight::Calm } else { Weight::Moved }, text }
-    })
+    (n > 0).then(|| (Moved, format!("{} moved{largest}", counted(n, "value"))))
 }
 
 /// `1 cell`, `2 cells`.
 pub fn counted(n: usize, what: &str) -> String {
     format!("{n} {what}{}", if n == 1 { "" } else { "s" })
-}
-
-/// The ending of a verb after `n` things.
-const fn s(n: usize) -> &'static str {
-    if n == 1 { "s" } else { "" }
 }
 
 /// The first few, and how many more there are.
@@ -276,63 +217,5 @@ fn listed(names: &[String], few: usize) -> String {
     match names.len().saturating_sub(few) {
         0 => shown,
         more => format!("{shown} and {more} more"),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::super::causes::{Cause, Group, Item};
-    use super::super::cells::Cell;
-    use super::*;
-
-    /// A group whose numbers change by so much.
-    fn group(changes: &[(&str, f64)]) -> Group {
-        let item = |&(label, change): &(&str, f64)| {
-            let cell = Cell {
-                snapshot: "table_4".to_string(),
-                row: label.to_string(),
-                repetition: 0,
-                position: (0, 1),
-                column: "ΔH (J)".to_string(),
-                old: None,
-                new: None,
-            };
-            Item {
-                label: label.to_string(),
-                claim: None,
-                shown: cell,
-                also: Vec::new(),
-                change: Some(change),
-                theory: None,
-                paper: None,
-            }
-        };
-        let cause = Cause { method: None, quantity: "energy" };
-        Group { cause, items: changes.iter().map(item).collect() }
-    }
-
-    /// Catches: the largest increase taken for the largest change; that of a group's first number,
-    /// or of the first group.
-    #[test]
-    fn the_largest_change_may_be_a_decrease() {
-        let groups = vec![group(&[("first", 0.2)]), group(&[("half", -0.5), ("last", 0.001)])];
-        assert_eq!(groups[1].largest_change(), Some(-0.5));
-        let review = Review {
-            versions: ["then".to_string(), "now".to_string()],
-            count: 1,
-            snapshots: Vec::new(),
-            groups,
-            claims: Vec::new(),
-            figures: Vec::new(),
-            bits: Vec::new(),
-            quotes: Vec::new(),
-            warnings: Vec::new(),
-            predictions: [Vec::new(), Vec::new()],
-            acceptable: false,
-        };
-        let said = cells(&review).unwrap().text;
-        let expected =
-            "3 quantities moved, for 2 causes, the largest change −50.0 % (Energy, half).";
-        assert_eq!(said, expected);
     }
 }

@@ -1,5 +1,5 @@
 //! The snapshots of the working tree: those reviewed, those that wait for review, and what the code
-//! gives now.
+//! gives now; and accepting them.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -7,10 +7,8 @@ use std::path::Path;
 use anyhow::{Result, bail, ensure};
 use pendula_study::report::snapshots::Kind;
 
-use super::accept;
-use super::versions::{OnDisk, Version, computed, on_disk};
-use crate::files::together;
-use crate::progress::Progress;
+use crate::files::together::{self, Change};
+use crate::versions::{Content, File, Made, OnDisk, Version, on_disk};
 
 /// The snapshots of the working tree.
 pub struct WorkingTree {
@@ -18,8 +16,10 @@ pub struct WorkingTree {
     pub reviewed: BTreeMap<String, OnDisk>,
     /// `snapshots/*.snap.new`.
     pub pending: BTreeMap<String, OnDisk>,
-    /// What the code gives now, and where there is a pending file, what that says.
+    /// What the code gives now; of what is not computed the pending file, or else the reviewed one.
     pub now: Version,
+    /// Those that are not computed, as a command or a test of their own makes them.
+    pub recorded: Vec<String>,
     /// The pending files that the code no longer gives.
     pub stale: Vec<String>,
     /// The snapshots that the code cannot make, and why. For the comparison they are as reviewed.
@@ -27,32 +27,33 @@ pub struct WorkingTree {
 }
 
 impl WorkingTree {
-    /// Reads the folder `snapshots`, and computes what the code gives.
+    /// Reads the folder `snapshots`; then `compute` says what the code gives.
     ///
     /// # Errors
     /// If the folder or a file in it cannot be read, a file is corrupt, or the study panics.
-    pub fn read(snapshots: &Path, progress: &Progress) -> Result<Self> {
+    pub fn read(snapshots: &Path, compute: impl FnOnce() -> Result<Made>) -> Result<Self> {
         let reviewed = on_disk(snapshots, ".snap")?;
         let pending = on_disk(snapshots, ".snap.new")?;
-        let (mut now, failed) = computed(progress)?;
+        let (mut now, failed) = compute()?;
+        let (mut recorded, mut stale) = (Vec::new(), Vec::new());
         for (name, found) in &reviewed {
-            let is_computed = !matches!(found.file.content.kind, Kind::Recorded | Kind::Hashes);
-            if !is_computed || failed.contains_key(name) {
+            let is_recorded = matches!(found.file.content.kind, Kind::Recorded | Kind::Hashes);
+            if is_recorded || failed.contains_key(name) {
                 now.insert(name.clone(), found.file.content.clone());
             }
+            recorded.extend(is_recorded.then(|| name.clone()));
         }
-        let mut stale = Vec::new();
         for (name, found) in &pending {
-            let waits = found.file.content.clone();
-            let computed = now.insert(name.clone(), waits.clone());
-            let is_computed = waits.kind != Kind::Hashes;
-            if failed.contains_key(name)
-                || is_computed && computed.is_some_and(|computed| computed.text != waits.text)
-            {
+            let waits = &found.file.content;
+            let gives = now.get(name).filter(|_| !failed.contains_key(name));
+            if matches!(waits.kind, Kind::Recorded | Kind::Hashes) {
+                now.insert(name.clone(), waits.clone());
+                recorded.extend((!recorded.contains(name)).then(|| name.clone()));
+            } else if gives.is_none_or(|gives| gives.text != waits.text) {
                 stale.push(name.clone());
             }
         }
-        Ok(Self { reviewed, pending, now, stale, failed })
+        Ok(Self { reviewed, pending, now, recorded, stale, failed })
     }
 
     /// The reviewed snapshots.
@@ -60,22 +61,12 @@ impl WorkingTree {
         contents(&self.reviewed)
     }
 
-    /// What the newer version is, in words.
-    pub fn label(&self) -> String {
-        match self.pending.len() {
-            0 => "what the code gives".to_string(),
-            1 => "what the code gives, and 1 pending file".to_string(),
-            n => format!("what the code gives, and {n} pending files"),
-        }
-    }
-
-    /// What the reviewer should know of how the comparison was made.
-    pub fn warnings(&self) -> Vec<String> {
-        let stale = self.stale.iter().map(|name| format!("{name}: {STALE}."));
-        let failed = (self.failed.iter()).map(|(name, why)| {
-            format!("`{name}` cannot be computed any more, and is left out: {why}.")
-        });
-        stale.chain(failed).collect()
+    /// The names of those that are not what was reviewed.
+    pub fn moved(&self) -> Vec<&str> {
+        let names =
+            self.now.keys().chain(self.reviewed.keys().filter(|k| !self.now.contains_key(*k)));
+        let was = |name: &String| self.reviewed.get(name).map(|found| &found.file.content);
+        names.filter(|name| was(name) != self.now.get(*name)).map(String::as_str).collect()
     }
 
     /// Accepts the snapshots with these names.
@@ -93,15 +84,39 @@ impl WorkingTree {
             if old == new.map(|content| &content.text) && !waits {
                 bail!("--accept {name}: it has not moved");
             }
-            changes.extend(accept::plan(snapshots, name, new, &self.reviewed, &self.pending));
+            changes.extend(self.accepting(snapshots, name, new));
         }
         together::change(&changes)
     }
-}
 
-/// What to do about a pending file that the code does not give.
-const STALE: &str =
-    "its pending file is not what the code gives now; run the tests again, or `cargo insta reject`";
+    /// What accepting `name` does, where `new` is the newer content, if there is one: its file is
+    /// written, and a pending one removed; the file of a snapshot that the code no longer makes is
+    /// removed.
+    fn accepting(&self, folder: &Path, name: &str, new: Option<&Content>) -> Vec<Change> {
+        let (before, beside) = (self.reviewed.get(name), self.pending.get(name));
+        let Some(content) = new else {
+            return before.map(|file| Change::Removed(file.path.clone())).into_iter().collect();
+        };
+        let header = match (beside, before) {
+            (Some(pending), _) => {
+                // A pending file also says in which line of the test it arose.
+                let lines = pending.file.header.lines();
+                let kept = lines.filter(|line| !line.starts_with("assertion_line:"));
+                kept.collect::<Vec<_>>().join("\n")
+            }
+            (None, Some(before)) => before.file.header.clone(),
+            (None, None) => "source: book/study/../../tests/study/snapshots.rs".to_string(),
+        };
+        let file = File { header, content: content.clone() };
+        let path = before.map_or_else(
+            || folder.join(format!("{}.snap", content.kind.file_stem(name))),
+            |before| before.path.clone(),
+        );
+        let written = Change::Written(path, file.text().into_bytes());
+        let removed = beside.map(|pending| Change::Removed(pending.path.clone()));
+        [written].into_iter().chain(removed).collect()
+    }
+}
 
 /// The contents of files.
 pub fn contents(files: &BTreeMap<String, OnDisk>) -> Version {

@@ -4,16 +4,18 @@ use std::env;
 use std::io::Write;
 use std::path::Path;
 
-use anyhow::{Context, Result, anyhow};
+use anyhow::{Context, Result, anyhow, bail};
 use clap::{Args, ValueEnum};
 
 use crate::failure::Failure;
 use crate::interrupt::interrupts;
 use crate::locate;
 use crate::progress::Progress;
-use crate::review::versions::{committed, on_disk};
-use crate::review::working_tree::{WorkingTree, contents};
-use crate::review::{Review, markdown, page, text};
+use crate::review::markdown::Document;
+use crate::review::source::Code;
+use crate::review::working_tree::WorkingTree;
+use crate::review::{Review, render};
+use crate::versions::{Made, committed, computed};
 
 /// Arguments of `pendula review`.
 #[derive(Args, Debug)]
@@ -24,7 +26,7 @@ pub struct Arguments {
     /// Open the page in the browser
     #[arg(long, conflicts_with = "format")]
     open: bool,
-    /// Compare the snapshots committed at this revision with those of the working tree
+    /// Compare the snapshots committed at this revision with what the working tree gives
     #[arg(long, value_name = "REV")]
     since: Option<String>,
     /// Accept what these snapshots are now
@@ -52,13 +54,17 @@ pub enum ReviewFormat {
 /// page cannot be written, or a name is none that moved.
 pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
     let here = env::current_dir().context("the current directory cannot be read")?;
-    run_in(&here, arguments, out)
+    run_in(&here, arguments, &|| computed(&Progress::on_terminal()), out)
 }
 
-/// The same in the folder `here`.
-pub(crate) fn run_in(
+/// The same in the folder `here`, where `compute` says what the code gives.
+///
+/// # Errors
+/// As [`run`].
+pub fn run_in(
     here: &Path,
     arguments: &Arguments,
+    compute: &dyn Fn() -> Result<Made>,
     out: &mut dyn Write,
 ) -> Result<(), Failure> {
     // Exit status 1 says that something moved.
@@ -66,22 +72,18 @@ pub(crate) fn run_in(
     let book = locate::book(here).map_err(refused)?;
     let root = book.parent().unwrap_or(Path::new("."));
     if !arguments.accept.is_empty() {
-        return accept(root, &arguments.accept, out).map_err(refused);
+        return accept(root, &arguments.accept, compute, out).map_err(refused);
     }
-    let review = match &arguments.since {
-        Some(revision) => since(root, &book, revision),
-        None => as_reviewed(root, &book),
-    };
-    let review = review.map_err(refused)?;
+    let review = compared(root, &book, arguments.since.as_deref(), compute).map_err(refused)?;
+    let document = Document::new(&review).map_err(refused)?;
     match arguments.format {
-        ReviewFormat::Text => text::write(&review, out)?,
-        ReviewFormat::Markdown => markdown::write(&review, out)?,
+        ReviewFormat::Text => out.write_all(render::text(&document).as_bytes())?,
+        ReviewFormat::Markdown => out.write_all(document.to_markdown().as_bytes())?,
         ReviewFormat::Html => {
             // From here on there are files that an interrupt must not leave behind.
             let interrupted = interrupts()?;
-            let index = page::write(&review, root, &interrupted).map_err(refused)?;
-            text::verdict(&review, out)?;
-            writeln!(out, "{}", index.display())?;
+            let index = render::write(&document, root, &interrupted).map_err(refused)?;
+            writeln!(out, "{}\n{}", document.headline, index.display())?;
             out.flush()?;
             if arguments.open {
                 let no_program =
@@ -92,44 +94,74 @@ pub(crate) fn run_in(
     }
     out.flush()?;
     // What cannot be computed has moved in a way that nobody can review.
-    if review.is_empty() && review.warnings.is_empty() { Ok(()) } else { Err(Failure::No) }
+    let is_sure = review.failed.is_empty() && review.warnings.is_empty();
+    let is_same = review.is_empty() && is_sure && review.outdated.is_none();
+    if is_same { Ok(()) } else { Err(Failure::No) }
 }
 
-/// The snapshots as reviewed, and what the code gives now.
-fn as_reviewed(root: &Path, book: &Path) -> Result<Review> {
-    let tree = WorkingTree::read(&root.join("snapshots"), &Progress::on_terminal())?;
-    let versions = ["the snapshots as reviewed".to_string(), tree.label()];
-    let mut review = Review::new(versions, &tree.reviewed(), &tree.now, &book.join("src"))?;
-    review.acceptable = true;
-    review.warnings = tree.warnings();
+/// What the code gives now, compared with the snapshots as reviewed, or as committed at a revision.
+fn compared(
+    root: &Path,
+    book: &Path,
+    revision: Option<&str>,
+    compute: &dyn Fn() -> Result<Made>,
+) -> Result<Review> {
+    let committed = revision.map(|revision| committed(root, revision)).transpose()?;
+    let tree = WorkingTree::read(&root.join("snapshots"), compute)?;
+    let code = Code::read(root, committed.as_ref().map(|(commit, _)| commit.as_str()))?;
+    let (before, mut old) = match (committed, revision) {
+        (Some((commit, version)), Some(revision)) => {
+            let short = commit.get(..9).unwrap_or(&commit);
+            (format!("the snapshots committed at {revision} ({short})"), version)
+        }
+        _ => ("the snapshots as reviewed".to_string(), tree.reviewed()),
+    };
+    let mut now = tree.now.clone();
+    // What cannot be computed is compared with nothing.
+    for name in tree.failed.keys() {
+        old.remove(name);
+        now.remove(name);
+    }
+    let versions = [before, "what the code of the working tree gives".to_string()];
+    let mut review = Review::new(versions, &old, &now, &book.join("src"))?;
+    match revision {
+        None => review.acceptable = review.snapshots.iter().map(|c| c.name.clone()).collect(),
+        Some(_) => review.waiting = tree.moved().into_iter().map(str::to_string).collect(),
+    }
+    review.warnings = tree.stale.iter().map(|name| format!("`{name}`: {STALE}")).collect();
+    let outdated = code.not_compiled()?;
+    review.outdated =
+        outdated.map(|file| format!("This program was not compiled from {file}: {RUN}"));
+    (review.recorded, review.failed, review.code) = (tree.recorded, tree.failed, code);
     Ok(review)
 }
 
-/// The snapshots committed at a revision, and those of the working tree.
-fn since(root: &Path, book: &Path, revision: &str) -> Result<Review> {
-    let (commit, old) = committed(root, revision)?;
-    let new = contents(&on_disk(&root.join("snapshots"), ".snap")?);
-    let before = format!("the snapshots committed at {revision} ({commit})");
-    let versions = [before, "the snapshots of the working tree".to_string()];
-    Review::new(versions, &old, &new, &book.join("src"))
-}
+/// What to do about a pending file that the code does not give.
+const STALE: &str =
+    "its pending file is not what the code gives now; run the tests again, or `cargo insta reject`";
+/// What to do about a program that is older than its source.
+const RUN: &str =
+    "what it computes may be something else; `cargo run --release -- review` compiles it";
 
 /// Accepts, and says what is left to review.
-fn accept(root: &Path, names: &[String], out: &mut dyn Write) -> Result<()> {
+fn accept(
+    root: &Path,
+    names: &[String],
+    compute: &dyn Fn() -> Result<Made>,
+    out: &mut dyn Write,
+) -> Result<()> {
+    if let Some(file) = Code::read(root, None)?.not_compiled()? {
+        bail!("--accept: this program was not compiled from {file}: {RUN}");
+    }
     let snapshots = root.join("snapshots");
-    let tree = WorkingTree::read(&snapshots, &Progress::on_terminal())?;
+    let tree = WorkingTree::read(&snapshots, compute)?;
     // What is begun is finished, as it takes no time.
     interrupts().map_err(|failure| anyhow!(failure.line().unwrap_or_default()))?;
     tree.accept(&snapshots, names)?;
     writeln!(out, "accepted: {}", names.join(" "))?;
-    for warning in tree.warnings() {
-        writeln!(out, "! {warning}")?;
-    }
-    let reviewed = tree.reviewed();
-    let moved = tree.now.iter().filter(|(name, content)| reviewed.get(*name) != Some(content));
-    let left: Vec<&str> = (moved.map(|(name, _)| name.as_str()))
-        .filter(|name| !names.iter().any(|accepted| accepted == name))
-        .collect();
+    let left: Vec<&str> = tree.moved();
+    let left: Vec<&str> =
+        left.into_iter().filter(|name| !names.iter().any(|accepted| accepted == name)).collect();
     if !left.is_empty() {
         writeln!(out, "still to review: {}", left.join(" "))?;
     }

@@ -28,6 +28,9 @@ pub struct Content {
 /// All snapshots of a version, by name.
 pub type Version = BTreeMap<String, Content>;
 
+/// What the code makes, and why it does not make what it cannot.
+pub type Made = (Version, BTreeMap<String, String>);
+
 /// A file of insta's: a header in YAML between two lines of dashes, and the content.
 #[derive(Clone, Debug)]
 pub struct File {
@@ -128,7 +131,7 @@ pub fn on_disk(folder: &Path, suffix: &str) -> Result<BTreeMap<String, OnDisk>> 
 ///
 /// # Errors
 /// If the study panics before it comes to the snapshots.
-pub fn computed(progress: &Progress) -> Result<(Version, BTreeMap<String, String>)> {
+pub fn computed(progress: &Progress) -> Result<Made> {
     let made = quietly(|| {
         progress.stage("", Study::EXPERIMENTS as usize);
         let study = Study::run(|experiment| progress.next(experiment));
@@ -141,11 +144,7 @@ pub fn computed(progress: &Progress) -> Result<(Version, BTreeMap<String, String
 
 /// Those of the snapshots that are `wanted`, as the code makes them now of a study, and why it does
 /// not make what it cannot.
-pub fn made(
-    study: &Study,
-    ledger: &Ledger,
-    wanted: impl Fn(&str) -> bool,
-) -> (Version, BTreeMap<String, String>) {
+pub fn made(study: &Study, ledger: &Ledger, wanted: impl Fn(&str) -> bool) -> Made {
     let made = snapshots::some(study, ledger, wanted);
     let (mut version, mut failed) = (Version::new(), BTreeMap::new());
     for (name, made) in made {
@@ -177,32 +176,17 @@ pub(crate) fn said(panic: &(dyn Any + Send)) -> String {
     text.or_else(|| panic.downcast_ref::<String>().cloned()).unwrap_or_default()
 }
 
-/// The snapshots as committed at `revision` in the repository around `root`, and the short hash of
-/// that commit.
+/// The snapshots as committed at `revision` in the repository around `root`, and the hash of that
+/// commit.
 ///
 /// # Errors
 /// If there is no git, no such revision, or no snapshot in it.
 pub fn committed(root: &Path, revision: &str) -> Result<(String, Version)> {
-    let git = |arguments: &[&str]| -> Result<String> {
-        let output = Command::new("git")
-            .arg("-C")
-            .arg(root)
-            .args(arguments)
-            .output()
-            .context("--since needs git, which cannot be started")?;
-        if !output.status.success() {
-            let error = String::from_utf8_lossy(&output.stderr);
-            let error = error.trim().trim_start_matches("fatal: ");
-            if error == "Needed a single revision" {
-                bail!("--since {revision}: there is no such revision");
-            }
-            bail!("--since {revision}: git says: {error}");
-        }
-        String::from_utf8(output.stdout).context("git's answer is not UTF-8")
-    };
+    let git =
+        |arguments: &[&str]| git(root, arguments).with_context(|| format!("--since {revision}"));
     let commit = format!("{revision}^{{commit}}");
     let commit = git(&["rev-parse", "--verify", "--end-of-options", &commit])?;
-    let (commit, short) = (commit.trim(), git(&["rev-parse", "--short", commit.trim()])?);
+    let commit = commit.trim();
     let paths = git(&["ls-tree", "-r", "--name-only", commit, "--", "snapshots"])?;
     let mut version = Version::new();
     for path in paths.lines() {
@@ -212,7 +196,22 @@ pub fn committed(root: &Path, revision: &str) -> Result<(String, Version)> {
         version.insert(name.to_string(), File::parse(name, &text, &place)?.content);
     }
     ensure!(!version.is_empty(), "--since {revision}: no snapshots in that revision");
-    Ok((short.trim().to_string(), version))
+    Ok((commit.to_string(), version))
+}
+
+/// What git answers.
+///
+/// # Errors
+/// If it cannot be started, says no, or answers with something else than text.
+pub fn git(root: &Path, arguments: &[&str]) -> Result<String> {
+    let output = Command::new("git").arg("-C").arg(root).args(arguments).output();
+    let output = output.context("git cannot be started")?;
+    if !output.status.success() {
+        let error = String::from_utf8_lossy(&output.stderr).replace('\n', " ");
+        let error = error.replace("Needed a single revision", "there is no such revision");
+        bail!("git says: {}", error.trim().trim_start_matches("fatal: "));
+    }
+    String::from_utf8(output.stdout).context("git's answer is not UTF-8")
 }
 
 #[cfg(test)]
@@ -253,8 +252,7 @@ mod tests {
             "",
             "---\nsource: a\n",
             "---\na: 1\n---\nwords\n",
-            "---\na: 1\n---\n<!-- ANCHOR: \
-            table -->\n| a |\n",
+            "---\na: 1\n---\n<!-- ANCHOR: table -->\n| a |\n",
             "---\na: 1\n---\n<!-- ANCHOR: x -->\n<!-- ANCHOR_END: x -->\n",
         ] {
             let error = File::parse("a", text, "snapshots/a.snap").unwrap_err().to_string();

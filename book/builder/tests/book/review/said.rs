@@ -1,0 +1,274 @@
+//! What is said of changes that are known.
+
+use std::collections::BTreeSet;
+use std::fs;
+
+use pendula_book::review::markdown::Document;
+use pendula_book::review::verdict::{Weight, sentences};
+use pendula_book::review::{Review, drawings, render};
+use pendula_study::report::snapshots::Kind;
+
+use super::{REVIEWED, changed, review, root};
+use crate::chapters::chapters;
+use crate::pages::Page;
+
+/// What half kicks of 0.4999 h do to one of Störmer–Verlet's cells, wherever it stands, and to a
+/// slope.
+const HALF_KICKS: [(&str, &str, &str); 5] = [
+    ("table_4", "  1.10271 × 10⁻⁵", "≠ 1.11730 × 10⁻⁵"),
+    ("predictions", "1.10271 × 10⁻⁵ |   1.10271 × 10⁻⁵ |", "1.10271 × 10⁻⁵ | ≠ 1.11730 × 10⁻⁵ |"),
+    (
+        "ledger_cells",
+        "1.10271 × 10⁻⁵ | reproduced |",
+        "1.11730 × 10⁻⁵ | ≠ **wrong** (on record: reproduced) |",
+    ),
+    (
+        "orders",
+        "| Störmer–Verlet    |     2 |       0.010547 |    2.00 |    2.00 |    2.00 |    2.00 |",
+        "| Störmer–Verlet    |     2 |       0.010547 |    2.00 |    2.00 |    2.00 |  ≠ 2.11 |",
+    ),
+    ("bits", "c2c47d4665baff4a", "c2c47d4665baff4b"),
+];
+
+fn said(review: &Review, weight: Weight) -> Vec<String> {
+    let sentences = sentences(review).into_iter().filter(|sentence| sentence.0 == weight);
+    sentences.map(|(_, text)| text).collect()
+}
+
+/// Catches: a verdict that leaves out what no longer is as it should be, or counts a cell for each
+/// table that repeats it; good news before bad.
+#[test]
+fn the_worst_comes_first() {
+    let review = review(&HALF_KICKS);
+    assert_eq!(
+        said(&review, Weight::Alarm),
+        [
+            "1 method with slopes that leave the order: Störmer–Verlet (2.00 → 2.11)",
+            "1 cell no longer as the paper prints: T4.vv.0.001 (stated 1.10 × 10⁻⁵, now 1.11730 × \
+             10⁻⁵)",
+            "1 prediction of theory not met any more: T4.vv.0.001",
+        ]
+    );
+    assert_eq!(
+        said(&review, Weight::Moved),
+        [
+            "2 values moved, by up to +1.32 % of Störmer–Verlet",
+            "1 result with other bits: stormer-verlet in steps",
+        ]
+    );
+    let weights: Vec<Weight> = sentences(&review).into_iter().map(|(weight, _)| weight).collect();
+    assert!(weights.is_sorted(), "{weights:?}");
+}
+
+/// What two digits exchanged in Suzuki's cube root of 4 do.
+const SUZUKI: [(&str, &str, &str); 2] = [
+    (
+        "orders",
+        "| Suzuki 4          |     4 |       0.021094 |    4.00 |    4.00 |    4.00 |    4.00 |",
+        "| Suzuki 4          |     4 |       0.021094 |  ≠ 3.82 |  ≠ 3.45 |  ≠ 2.82 |  ≠ 2.28 |",
+    ),
+    ("methods", "| Suzuki 4          |      4 |", "| Suzuki 4          |      2 |"),
+];
+
+/// Catches: a headline of anything less than an order that is lost; an order with a percentage;
+/// slopes without their steps, or without what they are a sign of; a column in which nothing
+/// stands; an acceptance without a warning under a failure, or one that does not come last.
+#[test]
+fn an_order_that_is_lost_is_the_headline() {
+    let mut review = review(&SUZUKI);
+    review.acceptable = vec!["orders".to_string()];
+    let document = Document::new(&review).unwrap();
+    assert_eq!(document.headline, "Suzuki 4 lost its order (4 → 2)");
+    let body = &document.body;
+    let slopes = "| from step to step | before | now |\n| --- | --: | --: |\n\
+                  | 0.021 → 0.011 s | 4.00 | ≠ 3.82 |\n| 0.011 → 0.0053 s | 4.00 | ≠ 3.45 |\n";
+    assert!(body.contains(slopes), "{body}");
+    let sign = "The slopes fall from 4 to 2.28 as the steps become short: a coefficient has too \
+                few digits.";
+    assert!(body.contains(sign), "{body}");
+    // Neither theory nor the paper knows of it.
+    assert!(
+        body.contains("|  | before | now |\n| --- | --: | --: |\n| order | 4 | 2 |\n"),
+        "{body}"
+    );
+    assert!(!body.contains('%'), "{body}");
+    let last = body.rsplit("\n## ").next().unwrap();
+    assert!(last.starts_with("Accept\n\n**Take care"), "{body}");
+    // The other way round it is good news, and the last before the acceptance.
+    let changed = changed(&SUZUKI);
+    let versions = ["then".to_string(), "now".to_string()];
+    let chapters = root().join("book/src");
+    let mut repaired = Review::new(versions, &changed, &REVIEWED, &chapters).unwrap();
+    repaired.acceptable = vec!["orders".to_string()];
+    let body = Document::new(&repaired).unwrap().body;
+    let [.., good, last] = &body.split("\n## ").collect::<Vec<_>>()[..] else { panic!("{body}") };
+    assert!(good.contains("1 order there again: Suzuki 4 (2 → 4)"), "{body}");
+    assert!(last.starts_with("Accept\n\nA snapshot"), "{body}");
+    // Another claim is no other order.
+    let claims = [("orders", "| Suzuki 4          |     4 |", "| Suzuki 4          |     2 |")];
+    let claims = Document::new(&super::review(&claims)).unwrap();
+    assert_eq!(claims.headline, "1 value moved");
+    assert!(claims.body.contains("| claimed order | 4 | 2 |"), "{}", claims.body);
+}
+
+/// Catches: a row that is shown once for each table it is in, with digits that its first table
+/// rounds away, or without what theory and the paper say of it.
+#[test]
+fn each_quantity_is_shown_once() {
+    let review = review(&HALF_KICKS);
+    let [group] = &review.groups[..] else { panic!("{:?}", review.groups) };
+    assert_eq!(group.method.as_deref(), Some("Störmer–Verlet"));
+    let quantities: Vec<_> = group.parts.iter().map(|part| part.quantity).collect();
+    assert_eq!(quantities, ["energy error over 50 s", "slopes of the state's error"]);
+    let [item] = &group.parts[0].items[..] else { panic!("{group:?}") };
+    let also: Vec<&str> = item.also.iter().map(|place| place.snapshot.as_str()).collect();
+    assert_eq!(also, ["predictions", "ledger_cells"]);
+    // (1.11730 − 1.10271)/1.11730 is 435 times 3e-5; 1.11730 is 3.46 halves of 0.01 from 1.10.
+    let row = "| Δt = 0.001 s `T4.vv.0.001` | 1.10271 × 10⁻⁵ | ≠ 1.11730 × 10⁻⁵ | +1.32 % | \
+               0 → 435 | 0.54 → 3.46 |";
+    let body = Document::new(&review).unwrap().body;
+    assert!(body.contains(row), "{body}");
+}
+
+/// Forward Euler's gain in the long run is quoted in several chapters.
+///
+/// Catches: a quote whose place is no file, or a line of it where something else stands; a chapter
+/// that quotes what moved and is overlooked.
+#[test]
+fn a_quote_stands_where_it_says() {
+    let review = review(&[("ledger_cells", "481.797 | reproduced |", "482.001 | reproduced |")]);
+    let mut quoting = BTreeSet::new();
+    for quote in &review.quotes {
+        let source = root().join("book/src").join(&quote.chapter).with_extension("md");
+        let source = fs::read_to_string(&source).unwrap_or_else(|_| panic!("no {source:?}"));
+        let line = source.lines().nth(quote.line - 1).unwrap();
+        let quotes = line.contains("{{measured T5.fe.dH}}") || line.contains("481.797");
+        assert!(quotes, "{quote:?}: {line}");
+        quoting.insert(quote.chapter.clone() + ".md");
+    }
+    let quotes = |text: &str| text.contains("{{measured T5.fe.dH}}");
+    let expected = chapters().into_iter().filter(|(_, text)| quotes(text)).map(|(file, _)| file);
+    assert_eq!(quoting, expected.collect());
+    assert!(quoting.len() > 1, "{quoting:?}");
+}
+
+/// Catches: a claim that turns unseen, and one whose reason alone was changed taken for one that
+/// turned.
+#[test]
+fn claims_that_turn_are_told_from_new_reasons() {
+    let review = review(&[
+        (
+            "ledger_sentences",
+            "**not checkable**. The code is not supplied, and Section 8",
+            "**wrong**. The code, says Section 8,",
+        ),
+        ("ledger_sentences", "Table 3 has the same.", "So has Table 3."),
+    ]);
+    let turns: Vec<_> = review.claims.iter().map(|t| (t.id.as_str(), t.flips())).collect();
+    assert_eq!(turns, [("P1.lines200", true), ("T1.g", false)]);
+}
+
+/// Catches: a figure that moved by less than one can see shown among those that did, and a figure
+/// whose label is another taken for one that did not move.
+#[test]
+fn figures_are_shown_if_one_can_see_the_difference() {
+    let review = review(&[
+        ("figure_2", "M397.2,97.8l", "M397.2,97.6l"),
+        ("figure_3", "</text>", "!</text>"),
+        ("area", "M", " M"),
+    ]);
+    let seen: Vec<_> = review.figures.iter().map(|f| (f.name.as_str(), f.is_visible())).collect();
+    assert_eq!(seen, [("figure_3", true), ("area", false), ("figure_2", false)]);
+    assert_eq!(said(&review, Weight::Moved), ["1 figure moved visibly: `figure_3`"]);
+    for (name, content) in REVIEWED.iter().filter(|(_, content)| content.kind == Kind::Figure) {
+        let same = drawings::compare(&content.text, &content.text, false);
+        assert!(!same.unwrap_or_else(|error| panic!("{name}: {error:#}")).visible);
+    }
+    let text = render::text(&Document::new(&review).unwrap());
+    assert!(text.contains("\nNot visibly: area, figure_2.\n"), "{text}");
+}
+
+/// Catches: a review of nothing that finds something, or says that it does.
+#[test]
+fn nothing_moves_by_nothing() {
+    let review = review(&[]);
+    assert!(review.is_empty() && review.quotes.is_empty());
+    let nothing = format!("Nothing moved: all {} snapshots are the same", REVIEWED.len());
+    assert_eq!(said(&review, Weight::Calm), [nothing]);
+}
+
+/// Catches: a page that is not HTML, loads something, uses an id twice, leaves out a figure, a
+/// table or a command, or shows a drawing in the other's place; text and Markdown that leave out
+/// what the page shows.
+#[test]
+fn the_page_is_whole_and_needs_nothing_else() {
+    let mut review = review(&[
+        HALF_KICKS[0],
+        HALF_KICKS[2],
+        HALF_KICKS[3],
+        HALF_KICKS[4],
+        ("figure_3", "</text>", "!</text>"),
+        ("figure_2", "M397.2,97.8l", "M397.2,117.8l"),
+    ]);
+    review.acceptable = vec!["table_4".to_string()];
+    let document = Document::new(&review).unwrap();
+    let html = render::html(&document).unwrap();
+    let parsed = Page::parse(&html);
+    assert_eq!(parsed.repeated_ids(), [""; 0]);
+    let loaded = parsed.references.iter().find(|(tag, _)| tag != "a");
+    assert!(loaded.is_none() && !html.contains("@import"), "{loaded:?}");
+    assert!(html.contains("default-src 'none'"));
+    let drawn = |id: &str| {
+        let (_, drawing) = html.split_once(id).unwrap_or_else(|| panic!("no {id}"));
+        let (drawing, _) = drawing.split_once("</svg>").unwrap();
+        ["M397.2,97.8l", "M397.2,117.8l"].map(|path| drawing.contains(path))
+    };
+    assert_eq!(drawn("id=\"old-fig-figure-2\""), [true, false]);
+    assert_eq!(drawn("id=\"new-fig-figure-2\""), [false, true]);
+    assert!(html.contains("id=\"old-fig-figure-3\"") && html.contains("id=\"fig-slopes-0\""));
+    let texts = [html, document.to_markdown(), render::text(&document)];
+    for text in texts {
+        for part in ["T4.vv.0.001", "1.11730 × 10⁻⁵", "+1.32 %", "figure_3", "review --accept"]
+        {
+            assert!(text.contains(part), "{part} is not in {text}");
+        }
+    }
+}
+
+/// Catches: a word of a snapshot, of a file or of git that becomes markup, of Markdown or of the
+/// page.
+#[test]
+fn no_text_becomes_markup() {
+    const HOSTILE: [&str; 9] = [
+        "<b>x</b>",
+        "<!-- drawing 0 -->",
+        "</details>",
+        "`</code><i>y</i>",
+        "``` <u>z</u>",
+        "[a](javascript:b)",
+        "![a](b)",
+        "**c** _d_ # e",
+        "&lt;i&gt; \\<s>",
+    ];
+    for hostile in HOSTILE {
+        let mut review = review(&[
+            ("methods", "| Suzuki 4          |      4 |", &format!("| {hostile} | 7 {hostile} |")),
+            ("ledger_sentences", "Table 3 has the same.", hostile),
+        ]);
+        review.versions[0] = hostile.to_string();
+        review.warnings = vec![hostile.to_string()];
+        review.outdated = Some(hostile.to_string());
+        review.bits = vec![hostile.to_string()];
+        review.acceptable = vec![hostile.to_string()];
+        review.failed = [(hostile.to_string(), hostile.to_string())].into();
+        let document = Document::new(&review).unwrap();
+        assert!(document.drawings.is_empty());
+        let html = render::html(&document).unwrap();
+        let (_, body) = html.split_once("<h1>").unwrap();
+        for tag in ["<b>", "<i>", "<u>", "<s>", "<img", "<em>", "<!--", "javascript:b\""] {
+            assert!(!body.contains(tag), "{hostile}: {tag} in {body}");
+        }
+        let folds = body.matches("<details>").count();
+        assert_eq!(body.matches("</details>").count(), folds, "{hostile}: {body}");
+    }
+}
