@@ -17,7 +17,7 @@ use crate::files::{canonicalize, create_folder};
 use crate::page::{Page, escaped};
 
 /// The folder of the page, below the top folder of the project.
-const FOLDER: &str = "target/review";
+pub const FOLDER: &str = "target/review";
 /// The way back from there.
 const TOP: &str = "../../";
 

@@ -1,8 +1,8 @@
 //! `pendula review`: what moved since the snapshots were reviewed, or since a commit.
 
-use std::env;
 use std::io::Write;
 use std::path::Path;
+use std::{env, fs};
 
 use anyhow::{Context, Result, anyhow, bail};
 use clap::{Args, ValueEnum};
@@ -73,6 +73,12 @@ pub fn run_in(
     let root = book.parent().unwrap_or(Path::new("."));
     if !arguments.accept.is_empty() {
         return accept(root, &arguments.accept, compute, out).map_err(refused);
+    }
+    if arguments.format == ReviewFormat::Html {
+        // Before anything is computed, which takes seconds.
+        let folder = root.join(render::FOLDER);
+        let no_page = || format!("{} cannot be written", folder.join("index.html").display());
+        fs::create_dir_all(&folder).with_context(no_page).map_err(refused)?;
     }
     let review = compared(root, &book, arguments.since.as_deref(), compute).map_err(refused)?;
     let document = Document::new(&review).map_err(refused)?;
