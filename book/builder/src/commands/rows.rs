@@ -4,6 +4,7 @@
 use std::io::{self, Write};
 
 use clap::ValueEnum;
+use pendula_rows::{Line, Look};
 
 /// How rows are printed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
@@ -19,12 +20,11 @@ pub enum RowFormat {
 pub struct Rows<W, const N: usize> {
     out: W,
     format: RowFormat,
-    columns: [&'static str; N],
     /// Rows so far, those before a resumption included.
     rows: u64,
     /// Whether a row was written before, in the same array.
     separate: bool,
-    digits: ryu::Buffer,
+    line: Line,
 }
 
 impl<W: Write, const N: usize> Rows<W, N> {
@@ -39,7 +39,12 @@ impl<W: Write, const N: usize> Rows<W, N> {
 
     /// Continues an output that was left after `rows` rows.
     pub fn resume(out: W, format: RowFormat, columns: [&'static str; N], rows: u64) -> Self {
-        Self { out, format, columns, rows, separate: rows > 0, digits: ryu::Buffer::new() }
+        let look = match format {
+            RowFormat::Csv => Look::Csv,
+            RowFormat::Json => Look::Json,
+        };
+        let line = Line::new(look, &columns);
+        Self { out, format, rows, separate: rows > 0, line }
     }
 
     /// Continues, after `rows` rows, an output that was ended: lines without a header, or another
@@ -76,18 +81,9 @@ impl<W: Write, const N: usize> Rows<W, N> {
         if self.format == RowFormat::Json {
             self.out.write_all(if self.separate { b",\n" } else { b"\n" })?;
         }
-        for (column, (name, value)) in self.columns.iter().zip(values).enumerate() {
-            match (self.format, column) {
-                (RowFormat::Csv, 0) => {}
-                (RowFormat::Csv, _) => self.out.write_all(b",")?,
-                (RowFormat::Json, 0) => write!(self.out, "{{\"{name}\":")?,
-                (RowFormat::Json, _) => write!(self.out, ",\"{name}\":")?,
-            }
-            self.out.write_all(self.digits.format_finite(value).as_bytes())?;
-        }
         self.rows += 1;
         self.separate = true;
-        self.out.write_all(if self.format == RowFormat::Csv { b"\n" } else { b"}" })
+        self.out.write_all(self.line.row(&values))
     }
 
     /// Ends the output and returns the writer.
