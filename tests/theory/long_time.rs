@@ -68,8 +68,8 @@ const WALK: [f64; 2] = [0.1, 2.0];
 /// The maximum of a random walk over its standard deviation at the end: it exceeds 4 once in 10⁴.
 const PEAK: f64 = 4.0;
 
-/// Asserts that the `largest` error of a random walk of `steps` steps is within its bounds, and that
-/// a drift of `smallest_drift` a step would not be.
+/// Asserts that the `largest` error of a random walk of `steps` steps is within its bounds, and
+/// that a drift of `smallest_drift` a step would not be.
 fn assert_walk(largest: f64, steps: u64, smallest_drift: f64) {
     let walk = f64::EPSILON * (steps as f64).sqrt();
     assert!(largest < PEAK * 0.6 * walk, "{largest:e} is {} walks", largest / walk);
@@ -84,8 +84,9 @@ fn assert_walk(largest: f64, steps: u64, smallest_drift: f64) {
 /// of n rounding errors, and 10⁶ times less than the oscillation of the energy itself at h = 0.01
 /// s.
 ///
-/// Catches: a secular drift of 4e-19 of the energy a step (of less, the test of Brouwer's law); time or angle accumulated with a bias; a
-/// modified energy wrong in its x⁴ term, which at h = 0.01 s would show as 1e-8.
+/// Catches: a secular drift of 4e-19 of the energy a step (of less, the test of Brouwer's law);
+/// time or angle accumulated with a bias; a modified energy wrong in its x⁴ term, which at h = 0.01
+/// s would show as 1e-8.
 #[rstest]
 fn the_modified_energy_walks_at_random(#[values(0.01, 0.001)] h: f64) {
     const STEPS: u64 = 10_000_000;

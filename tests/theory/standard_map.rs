@@ -243,8 +243,8 @@ fn further_above_momentum_diffuses<M: Method<Pendulum>>(#[case] method: M) {
 }
 
 /// Far above, u diffuses. Random kicks would make it K²/2 a step, 18; each kick remembers the one
-/// two steps before, which makes it (K²/2)(1 − 2J₂(1 − J₂) − 2J₁² + 2J₃²) (Rechester and White, Phys.
-/// Rev. Lett. 44 (1980) 1586): with J₁, J₂, J₃ of 6 = −0.2767, −0.2429, 0.1148 that is 26.6.
+/// two steps before, which makes it (K²/2)(1 − 2J₂(1 − J₂) − 2J₁² + 2J₃²) (Rechester and White,
+/// Phys. Rev. Lett. 44 (1980) 1586): with J₁, J₂, J₃ of 6 = −0.2767, −0.2429, 0.1148 that is 26.6.
 ///
 /// Catches: kicks that are random, or twice as large, or of another angle than the step's.
 #[test]

@@ -1,5 +1,5 @@
-//! What the judge says is to be looked at, of programs that commit exactly one mistake, and of right
-//! ones.
+//! What the judge says is to be looked at, of programs that commit exactly one mistake, and of
+//! right ones.
 
 use pendula::Phase;
 use pendula::verify::judge::{Fault, Reply, Request};
@@ -254,7 +254,8 @@ fn single_precision(f: Force<'_>, z: Phase, h: f64, n: u64) -> Vec<Phase> {
 #[case::the_fourth_stage_from_the_second_slope(
     the_fourth_stage_from_the_second_slope, told,
     Claims::order(4), &["order"],
-    "Its order is 3, not 4: the error of a step begins with h⁴, where Σ bᵢ aᵢⱼ aⱼₖ cₖ is 0, not 1/24",
+    "Its order is 3, not 4: the error of a step begins with h⁴, where Σ bᵢ aᵢⱼ aⱼₖ cₖ is 0, not \
+     1/24",
 )]
 #[case::the_drive_at_the_steps_start(
     the_drive_at_the_steps_start, told,
@@ -264,7 +265,8 @@ fn single_precision(f: Force<'_>, z: Phase, h: f64, n: u64) -> Vec<Phase> {
 #[case::a_kick_in_the_fifth_digit(
     a_kick_in_the_fifth_digit, told,
     leapfrog(), &["order", "reversal"],
-    "It solves another equation: its kicks add up to 1.00001 times the g/L that is asked for, right to 5 digits",
+    "It solves another equation: its kicks add up to 1.00001 times the g/L that is asked for, \
+     right to 5 digits",
 )]
 #[case::a_kick_missing_in_each_step(
     a_kick_missing_in_each_step, told,
@@ -287,8 +289,8 @@ fn single_precision(f: Force<'_>, z: Phase, h: f64, n: u64) -> Vec<Phase> {
 #[case::a_splitting_of_few_digits(
     a_splitting_of_few_digits, told,
     Claims::order(4).symplectic().symmetric(), &["stage-times"],
-    "A coefficient has too few digits, about 4: the commutators [T, [T, V]] and [V, [T, V]] of drifts and \
-     kicks do not cancel",
+    "A coefficient has too few digits, about 4: the commutators [T, [T, V]] and [V, [T, V]] of \
+     drifts and kicks do not cancel",
 )]
 #[case::single_precision(
     single_precision, told,

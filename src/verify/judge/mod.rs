@@ -23,8 +23,8 @@
 //!
 //! # fn main() {
 //! // And here its test.
-//! let mine = FromFn(|g_over_l, theta, omega, h, n| symplectic_euler(g_over_l, theta, omega, h, n));
-//! judge(&mine, Claims::order(1).symplectic()).assert();
+//! let mine = FromFn(|g_over_l, theta, omega, h, n| symplectic_euler(g_over_l, theta, omega, h,
+//! n)); judge(&mine, Claims::order(1).symplectic()).assert();
 //! # }
 //! ```
 //!

@@ -61,8 +61,8 @@ impl fmt::Display for Resemblance {
             But::Nothing => {}
             But::Seen(seen) if seen.drifts == 0.0 => write!(
                 f,
-                " seen {seen}: the velocities that it starts from, and those that it reports, \
-                 lie beside the angles' times"
+                "seen {seen}: the velocities that it starts from, and those that it reports, lie \
+                 beside the angles' times"
             )?,
             But::Seen(seen) => {
                 write!(f, " seen {seen}: its angles lie beside the velocities' times")?
@@ -258,8 +258,8 @@ pub fn nearest(probe: &Probe<'_>) -> Measured<Option<String>> {
     }
     let factor = Scientific(short / libm::pow(X[1], power), 1);
     Ok(Some(format!(
-        "The nearest method of the list is {title}: a step parts from it by about {factor} x{}, x = \
-         h √(g/L) = h · {:.1}/s",
+        "The nearest method of the list is {title}: a step parts from it by about {factor} x{}, x \
+         = h √(g/L) = h · {:.1}/s",
         raised(power as usize),
         frequency()
     )))

@@ -65,8 +65,8 @@ pub enum ReportFormat {
 /// Starts the program, judges it, and prints the report.
 ///
 /// # Errors
-/// [`Failure::No`] if a claim does not hold, or was not shown to; [`Failure::Refused`] if the program is at fault, if the page
-/// cannot be written, or if the user interrupts.
+/// [`Failure::No`] if a claim does not hold, or was not shown to; [`Failure::Refused`] if the
+/// program is at fault, if the page cannot be written, or if the user interrupts.
 pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
     if let Some(language) = arguments.example {
         out.write_all(language.program().as_bytes())?;

@@ -5,8 +5,8 @@ use pendula::verify::{Finding, Verdict};
 
 use super::Judged;
 
-/// The report. A claim that fails is a failure; one that was not measured or is unclear is an error,
-/// or skipped where that is allowed (`lenient`).
+/// The report. A claim that fails is a failure; one that was not measured or is unclear is an
+/// error, or skipped where that is allowed (`lenient`).
 pub fn text(judged: &Judged<'_>, lenient: bool) -> String {
     let claimed: Vec<&Finding> =
         judged.report.findings.iter().filter(|finding| finding.claimed.is_some()).collect();

@@ -17,7 +17,8 @@ function rungeKutta(a, b, times = 1) {
     return (force, t, z, h) => {
         const slopes = [];
         for (const row of a) {
-            const at = [0, 1].map((i) => z[i] + h * row.reduce((s, x, j) => s + x * slopes[j][i], 0));
+            const sum = (i) => row.reduce((s, x, j) => s + x * slopes[j][i], 0);
+            const at = [0, 1].map((i) => z[i] + h * sum(i));
             const node = row.reduce((s, x) => s + x, 0);
             slopes.push([at[1], force(t + times * node * h, at[0])]);
         }

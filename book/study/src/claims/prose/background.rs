@@ -140,9 +140,9 @@ pub(super) const CLAIMS: &[Prose] = &[
                      rad for equal evaluations: of RK4, 4 a step; of Blanes and Moan's method of \
                      order 4, 6 a step",
         verdict: Wrong,
-        because: "Of the paper's four it is the best in the energy, for equal work as it is counted \
-                  here; by the paper's count, 2 a step, and in equal steps, RK4 is ahead over this \
-                  time. Among symplectic methods there are far better ones.",
+        because: "Of the paper's four it is the best in the energy, for equal work as it is \
+                  counted here; by the paper's count, 2 a step, and in equal steps, RK4 is ahead \
+                  over this time. Among symplectic methods there are far better ones.",
         measure: |study| {
             let verlet = row!(study.long_run, StormerVerlet).drift;
             let over = |method: &dyn AnyMethod, evaluations: f64| {
@@ -160,8 +160,8 @@ pub(super) const CLAIMS: &[Prose] = &[
         place: "Abstract",
         gist: "Störmer–Verlet has rigorous guarantees of energy conservation",
         stated: "guarantees",
-        definition: "whether an orbit of it on the pendulum goes on gaining speed, at K = g Δt²/L = \
-                     1.5, within its limit of stability",
+        definition: "whether an orbit of it on the pendulum goes on gaining speed, at K = g Δt²/L \
+                     = 1.5, within its limit of stability",
         verdict: Wrong,
         because: "What is guaranteed is the area, and of the energy a bound for steps that are \
                   short enough; how short, the guarantee does not say.",
@@ -170,14 +170,14 @@ pub(super) const CLAIMS: &[Prose] = &[
     Prose {
         id: "P1.systematic",
         place: "Section 1",
-        gist: "standard methods such as forward Euler and Runge–Kutta introduce a systematic drift of \
-               the energy",
+        gist: "standard methods such as forward Euler and Runge–Kutta introduce a systematic drift \
+               of the energy",
         stated: "systematic drift",
-        definition: "largest energy error in 10⁵ steps of 0.01 s over that in 10⁴, from 1 rad: forward \
-                     Euler, RK4, and the Runge–Kutta method of Gauss of order 4",
+        definition: "largest energy error in 10⁵ steps of 0.01 s over that in 10⁴, from 1 rad: \
+                     forward Euler, RK4, and the Runge–Kutta method of Gauss of order 4",
         verdict: ReproducedWithDefinition,
-        because: "True of the two that the paper runs. Gauss's methods are Runge–Kutta methods, too, \
-                  and do not drift.",
+        because: "True of the two that the paper runs. Gauss's methods are Runge–Kutta methods, \
+                  too, and do not drift.",
         measure: |_| {
             static GROWTH: LazyLock<[f64; 3]> = LazyLock::new(|| {
                 let methods: [&dyn AnyMethod; 3] = [&ForwardEuler, &Rk4, &Gauss4];
@@ -274,9 +274,9 @@ pub(super) const CLAIMS: &[Prose] = &[
         place: "Section 2",
         gist: "of any separable Hamiltonian, energy errors of order Δtᵖ for all time",
         stated: "all time",
-        definition: "whether an orbit of Störmer–Verlet on the pendulum goes on gaining speed at K = \
-                     g Δt²/L = 1.5; and its energy error at 0.0001 s over that at 0.01 s of a body \
-                     that falls into Kepler's centre, where order 2 would give 0.0001",
+        definition: "whether an orbit of Störmer–Verlet on the pendulum goes on gaining speed at K \
+                     = g Δt²/L = 1.5; and its energy error at 0.0001 s over that at 0.01 s of a \
+                     body that falls into Kepler's centre, where order 2 would give 0.0001",
         verdict: Wrong,
         because: "The theorem (Hairer, Lubich, Wanner, Thm IX.8.1) asks for an analytic \
                   Hamiltonian, an orbit that stays in a compact set, and small steps, and gives \
@@ -310,8 +310,8 @@ pub(super) const CLAIMS: &[Prose] = &[
         place: "Section 3.3",
         gist: "θ₀ cos ω₀t solves the linear oscillator",
         stated: "Eq. 4",
-        definition: "what is left of θ̈ + (g/L)θ, over (g/L)θ₀, at a hundred moments of 10 s, with θ̈ \
-                     by differences over 1 ms",
+        definition: "what is left of θ̈ + (g/L)θ, over (g/L)θ₀, at a hundred moments of 10 s, with \
+                     θ̈ by differences over 1 ms",
         verdict: Reproduced,
         because: "It holds for a release from rest only.",
         measure: |_| {

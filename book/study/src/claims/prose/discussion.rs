@@ -50,11 +50,11 @@ pub(super) const CLAIMS: &[Prose] = &[
         place: "Section 7.1",
         gist: "over very long runs even a modest drift makes a simulation meaningless",
         stated: "meaningless",
-        definition: "RK4's energy over the true one, after 10⁶ steps of 0.1 s from 1 rad; and of 0.01 \
-                     s, for comparison",
+        definition: "RK4's energy over the true one, after 10⁶ steps of 0.1 s from 1 rad; and of \
+                     0.01 s, for comparison",
         verdict: ReproducedWithDefinition,
-        because: "How long a run has to be depends on the step: what a step loses goes as its sixth \
-                  power.",
+        because: "How long a run has to be depends on the step: what a step loses goes as its \
+                  sixth power.",
         measure: |_| {
             static LEFT: LazyLock<[f64; 2]> = LazyLock::new(|| {
                 let start = Pendulum::PAPER.energy(pendula::Phase::at_rest(1.0));
@@ -71,9 +71,9 @@ pub(super) const CLAIMS: &[Prose] = &[
         stated: "by construction",
         definition: "Störmer–Verlet from beside the upper equilibrium at K = g Δt²/L = 0.1 and 1.5",
         verdict: Wrong,
-        because: "By construction they keep areas. In small steps the motion is qualitatively right; \
-                  at K = 1.5 the pendulum that should hang on the edge gains and loses turns at \
-                  random.",
+        because: "By construction they keep areas. In small steps the motion is qualitatively \
+                  right; at K = 1.5 the pendulum that should hang on the edge gains and loses \
+                  turns at random.",
         measure: |_| {
             let word = |k| if escapes(k) { "wanders off" } else { "stays" };
             let text = std::format!("{} and {}", word(0.1), word(1.5));
@@ -132,7 +132,8 @@ pub(super) const CLAIMS: &[Prose] = &[
     Prose {
         id: "P7.2.independent",
         place: "Section 7.2",
-        gist: "the ratio 3.99 is an independent numerical verification of the theoretical framework",
+        gist: "the ratio 3.99 is an independent numerical verification of the theoretical \
+               framework",
         stated: "independent",
         definition: "",
         verdict: NotCheckable,
@@ -183,8 +184,8 @@ pub(super) const CLAIMS: &[Prose] = &[
         place: "Section 7.4",
         gist: "symplectic Euler has a guaranteed bound of its energy",
         stated: "guaranteed",
-        definition: "whether an orbit of it goes on gaining speed, at K = g Δt²/L = 1.5, within its \
-                     limit of stability",
+        definition: "whether an orbit of it goes on gaining speed, at K = g Δt²/L = 1.5, within \
+                     its limit of stability",
         verdict: Wrong,
         because: "As A.guarantees: it is the same orbit, seen from half a kick away.",
         measure: |_| {
@@ -198,8 +199,8 @@ pub(super) const CLAIMS: &[Prose] = &[
         place: "Section 7.4",
         gist: "symplectic Euler's accuracy is adequate for interactive use",
         stated: "adequate",
-        definition: "its largest error of the angle in 10 s from 0.05 rad, in steps of 0.01 s, over \
-                     the amplitude",
+        definition: "its largest error of the angle in 10 s from 0.05 rad, in steps of 0.01 s, \
+                     over the amplitude",
         verdict: ReproducedWithDefinition,
         because: "A fiftieth of the swing, which no eye sees; from 1 rad it is more.",
         measure: |_| {
@@ -240,7 +241,8 @@ pub(super) const CLAIMS: &[Prose] = &[
     Prose {
         id: "P7.4.fe",
         place: "Section 7.4",
-        gist: "forward Euler should never be used for production simulations of Hamiltonian systems",
+        gist: "forward Euler should never be used for production simulations of Hamiltonian \
+               systems",
         stated: "never",
         definition: "its largest energy error over 1000 s, over Störmer–Verlet's in the same steps \
                      for the same work",
@@ -303,8 +305,8 @@ pub(super) const CLAIMS: &[Prose] = &[
         gist: "adaptive steps can be more accurate for the same budget",
         stated: "can",
         definition: "the error of Dormand and Prince's method in steps that it chooses over that \
-                     in equal steps, for equal evaluations: the pendulum from 1 rad, an ellipse \
-                     of eccentricity 0.9",
+                     in equal steps, for equal evaluations: the pendulum from 1 rad, an ellipse of \
+                     eccentricity 0.9",
         verdict: ReproducedWithDefinition,
         because: "Where the motion has more than one pace. A swing of the pendulum has not, or not \
                   enough to pay for a control.",

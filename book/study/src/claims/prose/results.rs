@@ -118,8 +118,8 @@ pub(super) const CLAIMS: &[Prose] = &[
         place: "Section 6.2",
         gist: "RK4's energy error over 1000 s is negligible",
         stated: "negligible",
-        definition: "in per cent of |H(0)|; with the two digits after the point that the others have \
-                     it would be printed as 0.00",
+        definition: "in per cent of |H(0)|; with the two digits after the point that the others \
+                     have it would be printed as 0.00",
         verdict: Reproduced,
         because: "True, and it hides that RK4 is the best method of this experiment.",
         measure: |study| {
@@ -335,8 +335,8 @@ pub(super) const CLAIMS: &[Prose] = &[
         definition: "Störmer–Verlet's RMS angle error over RK4's, from 1 rad over 10 s against the \
                      exact solution: for 100 evaluations each, and for 400",
         verdict: Wrong,
-        because: "It depends on the budget: true from some number of evaluations on, which depends on \
-                  the amplitude.",
+        because: "It depends on the budget: true from some number of evaluations on, which depends \
+                  on the amplitude.",
         measure: |study| {
             let methods = [row!(study.work, StormerVerlet).method, row!(study.work, Rk4).method];
             let ratio = |evaluations| {
