@@ -143,7 +143,7 @@ pub fn verdict(ladder: &Ladder, claimed: u32) -> (Verdict, String) {
     let whole = libm::round(last);
     let elsewhere = !moved && whole != order && (last - whole).abs() < 0.08;
     let settled = !moved || finest.iter().rev().take(2).all(|s| *s < order - 0.5 - bent);
-    let told = format!("{last:.2}").replace('-', "−");
+    let told = super::number::slopes(&[last]);
     if elsewhere || (last < order && !towards && settled) {
         (Verdict::Fails, format!("the finest slope is {told}"))
     } else {
