@@ -61,8 +61,8 @@ impl fmt::Display for Resemblance {
             But::Nothing => {}
             But::Seen(seen) if seen.drifts == 0.0 => write!(
                 f,
-                "seen {seen}: the velocities that it starts from, and those that it reports, lie \
-                 beside the angles' times"
+                " seen {seen}: the velocities that it starts from, and those that it reports, \
+                 lie beside the angles' times"
             )?,
             But::Seen(seen) => {
                 write!(f, " seen {seen}: its angles lie beside the velocities' times")?
