@@ -1,13 +1,14 @@
 //! `pendula review`: what moved since the snapshots were reviewed, or since a commit.
 
+use std::env;
 use std::io::Write;
 use std::path::Path;
-use std::{env, fs};
 
 use anyhow::{Context, Result, anyhow, bail};
 use clap::{Args, ValueEnum};
 
 use crate::failure::Failure;
+use crate::files;
 use crate::interrupt::interrupts;
 use crate::locate;
 use crate::progress::Progress;
@@ -78,7 +79,7 @@ pub fn run_in(
         // Before anything is computed, which takes seconds.
         let folder = root.join(render::FOLDER);
         let no_page = || format!("{} cannot be written", folder.join("index.html").display());
-        fs::create_dir_all(&folder).with_context(no_page).map_err(refused)?;
+        files::create_folder(&folder).with_context(no_page).map_err(refused)?;
     }
     let review = compared(root, &book, arguments.since.as_deref(), compute).map_err(refused)?;
     let document = Document::new(&review).map_err(refused)?;
