@@ -83,7 +83,7 @@ fn rk4_is_algorithm_1() {
 /// On the linear oscillator a step of RK4 is the Taylor polynomial of degree 4 of a rotation by x =
 /// ω₀h.
 ///
-/// Catches: four stages whose errors cancel for the sine at one state but not for a linear force.
+/// Catches: a stage from another one than the algorithm's, a weight off by a rounding's few units.
 #[test]
 fn rk4_on_the_linear_oscillator_is_a_taylor_polynomial() {
     let linear = LinearOscillator::new(pendulum());

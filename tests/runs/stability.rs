@@ -105,7 +105,7 @@ fn symplectic_growth(pendulum: &Pendulum, h: f64) -> f64 {
 /// sign.
 ///
 /// Catches: a limit that is off by more than 1e-4, on the side that the test before does not see; a
-/// clamp on the state.
+/// method without a limit.
 #[rstest]
 #[case::symplectic_euler(SymplecticEuler)]
 #[case::stormer_verlet(StormerVerlet)]
@@ -209,7 +209,8 @@ fn rk4_damps_and_grows_by_its_polynomial(
 
 /// So close to the limit the logarithm is ± x⁶δ/36 = ± 1.422e-3 a step, of either sign.
 ///
-/// Catches: a polynomial in this file that is wrong in the same way as the method.
+/// Catches: a method with another polynomial, and, as the limit is a number, a polynomial in this
+/// file that is wrong in the same way as the method.
 #[rstest]
 #[case(1.0 - BESIDE, -1.0)]
 #[case(1.0 + BESIDE, 1.0)]

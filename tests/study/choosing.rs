@@ -2,8 +2,7 @@
 
 use std::sync::LazyLock;
 
-use pendula::methods::Rk4;
-use pendula::{AnyMethod, Grid, METHODS, Motion, Pendulum, Phase};
+use pendula::{AnyMethod, Grid, METHODS, Motion, Pendulum, Phase, method_named};
 use pendula_study::experiments::choosing::{
     Advice, COARSE, Cell, LONGEST, PERIODS, Release, allowed, map, profiles,
 };
@@ -79,7 +78,7 @@ fn chord(order: u32) -> f64 {
 ///
 /// Catches: a law of growth without its quadratic term, or with one where theory has none; a ladder
 /// too coarse; the error at the end of a run taken for the largest; the error at one phase taken
-/// for that at all phases; a ranking by steps instead of evaluations.
+/// for that at all phases.
 #[test]
 fn the_advice_is_met_in_real_runs() {
     for Cell { periods, allowed, ranking } in some_cells() {
@@ -107,36 +106,39 @@ fn the_advice_is_met_in_real_runs() {
     }
 }
 
-/// Where the map says that the second-best method needs at least 1.5 times the force evaluations of
-/// the best, it exceeds the allowed error when given only as many as the best, in steps fine enough
-/// for its order to hold. (At order 1 the error is then 1.5 times the allowed one, less the chord
-/// and the tolerance: 1.24.)
+/// Given only as many force evaluations as the best method, the second-best exceeds the allowed
+/// error: at every cell where the run can be afforded, and where its error is so large by its curve
+/// that the tolerance and the chord cannot make up for it.
 ///
 /// Catches: a winner that wins because the errors of the others are overestimated.
 #[test]
 fn the_second_best_needs_more() {
     let mut compared = 0;
-    for Cell { periods, allowed, ranking } in some_cells() {
-        let [best, next, ..] = &ranking[..] else { unreachable!("two methods at least") };
-        if 2 * next.evaluations < 3 * best.evaluations {
+    for Cell { periods, allowed, ranking } in MAP.iter() {
+        let [best, next, ..] = &ranking[..] else { continue };
+        let info = next.method.info();
+        let steps = best.evaluations / (info.force_evaluations * periods);
+        if steps < COARSE || steps * periods > AFFORDABLE {
             continue;
         }
-        let steps = best.evaluations / (next.method.info().force_evaluations * periods);
-        if steps < COARSE {
+        let law = predicted(&Advice { steps, ..*next }, *periods);
+        // Over long runs a curve may begin at finer steps: there it says nothing.
+        if law.is_nan() || (1.0 - TOLERANCE) * chord(info.order) * law < *allowed {
             continue;
         }
         compared += 1;
         let error = largest_error(next.method, &SCENE.grid(steps, *periods));
         assert!(error > *allowed, "{error:e} of {allowed:e} over {periods} periods: {next:?}");
     }
-    assert!(compared >= 3, "{compared} of 48");
+    // A seventh of the map: elsewhere the two best are too close, or their runs too long.
+    assert!(compared > MAP.len() / 8, "{compared} of {} cells", MAP.len());
 }
 
-/// Where RK4's steps are so small that only rounding is left, its error is a random walk. It stays
-/// below the bound, which is two standard deviations of steps with the largest possible rounding,
-/// but not far below: the largest of twelve runs exceeds 0.1 of the bound. One standard deviation
-/// is half the bound, and RK4, with one rounding a step instead of four, makes half of that; all
-/// of twelve walks stay below 0.4 of their deviation less than once in 10⁶.
+/// Where steps are so small that only rounding is left, the error is a random walk. It stays below
+/// the bound, which is two standard deviations of steps with the largest possible rounding; how far
+/// below depends on how often a step rounds: `part` is the root mean square of the largest error of
+/// twelve runs, measured with steps four times as long and four times as short, from which it
+/// scatters by a fifth, and here by a factor of 2 at most.
 ///
 /// The steps do not divide the period: if they did, and the method's error in a period were below
 /// one rounding, each period would round like the one before, and the errors would add up linearly.
@@ -144,17 +146,29 @@ fn the_second_best_needs_more() {
 /// Catches: cells wrongly marked as lost in rounding, and lost cells that are not marked; a walk
 /// that grows as another power of time.
 #[rstest]
-fn rounding_is_as_large_as_the_map_says(#[values(8, 32)] periods: u64) {
+#[case::rk4("rk4", 0.17)]
+#[case::kicks_and_drifts("blanes-moan-6", 0.32)]
+#[case::many_kicks("yoshida-8", 0.33)]
+#[case::twelve_stages("dop853", 0.107)]
+#[case::a_series("taylor-24", 0.056)]
+#[case::implicit("gauss-6", 0.20)]
+fn rounding_is_as_large_as_the_map_says(
+    #[case] name: &str,
+    #[case] part: f64,
+    #[values(8, 32)] periods: u64,
+) {
+    // RK4's own error is then a hundredth of the bound.
     const STEPS: u64 = 16_000;
-    let bound = SCENE.rounding(&Rk4, STEPS, periods);
+    let method = method_named(name).unwrap();
+    let bound = SCENE.rounding(method, STEPS, periods);
     let errors = (0..12_u32).map(|j| {
         let step = SCENE.period / (STEPS as f64 + 0.618 + 3.3 * f64::from(j));
-        // The method's own error is a hundredth of the bound.
-        largest_error(&Rk4, &Grid::new(step, STEPS * periods).unwrap()) / bound
+        largest_error(method, &Grid::new(step, STEPS * periods).unwrap()) / bound
     });
     let errors: Vec<f64> = errors.collect();
-    let largest = errors.iter().copied().fold(0.0, f64::max);
-    assert!(largest < 1.0 && largest > 0.1, "{errors:?} of {bound:e}");
+    assert!(errors.iter().all(|error| *error < 1.0), "{errors:?} of {bound:e}");
+    let mean = (errors.iter().map(|error| error * error).sum::<f64>() / 12.0).sqrt();
+    assert!(mean > 0.5 * part && mean < 2.0 * part, "{mean} of {bound:e}, not {part}");
 }
 
 /// The map has all its cells, and each cell ranks each method at most once.

@@ -104,8 +104,7 @@ const SECOND_TERM: f64 = 4.0;
 /// of the motion: the error falls by 2¹⁶ from rung to rung, only one slope counts, and errors are
 /// within a factor of two of their first term.
 ///
-/// Catches: a coefficient that happens to be right for a force in one dimension, or for one that is
-/// nearly linear.
+/// Catches: a coefficient that is wrong, even if it is right for a force that is nearly linear.
 fn each_method_has_its_order<M: Method<Kepler> + Info>(method: &M) {
     let info = method.info();
     let order = f64::from(info.order);
@@ -203,8 +202,7 @@ fn the_energy_is_bounded() {
 
 /// Störmer–Verlet turns the pericentre by −(π/8)(nh)²(4 + e²)/(1 − e²)³ + O(h⁴) a revolution.
 ///
-/// Catches: the position form, which has another law; half a kick too many, with which energy is
-/// still bounded and momentum kept.
+/// Catches: kicks half as long again, with which energy is still bounded and momentum kept.
 #[rstest]
 fn verlet_turns_the_ellipse_as_its_law_says(#[values(0.1, 0.4, 0.6)] e: f64) {
     let (centre, ellipse) = planet(e);

@@ -49,7 +49,7 @@ fn the_exact_motion_is_within_at_each_step(
 /// The closed form of the library is within, too, over the 50 s of the table and from other
 /// angles: its own error, some 1e-14 there, is far less than the width.
 ///
-/// Catches: an enclosure of another pendulum, g/L rounded otherwise; a closed form that is wrong in
+/// Catches: an enclosure of another pendulum; a closed form that is wrong in
 /// the tenth digit.
 #[rstest]
 #[case(Pendulum::PAPER, 1.0, 50.0)]
@@ -140,7 +140,9 @@ fn the_width_of_turned_rectangles_grows_slowly() {
     };
     let turned = enclosures(&Pendulum::PAPER, 1.0.into(), 400, POWERS, Shape::Turned);
     let growth = widest(&turned, 50.0) / widest(&turned, 12.5);
-    assert!((8.0..32.0).contains(&growth), "in four times the time {growth}");
+    // The square of four, less what grows in proportion to time: the rounding of each step by
+    // itself, a sixteenth of it or less. Powers of time from 1.9 to 2 remain.
+    assert!((14.0..16.0).contains(&growth), "in four times the time {growth}");
     let boxes = enclosures(&Pendulum::PAPER, 1.0.into(), 400, POWERS, Shape::Box);
     assert!(boxes.len() < 160, "of no use after {} steps", boxes.len());
 }

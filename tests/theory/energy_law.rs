@@ -122,8 +122,7 @@ fn long_grid() -> Grid {
     Grid::new(step(0.02), 80_000).unwrap()
 }
 
-/// Catches: m, g or L in the wrong place in the law or the method, a law valid at π/3 only, kick
-/// and drift exchanged.
+/// Catches: m, g or L in the wrong place in the law or the method, a law valid at π/3 only.
 #[rstest]
 fn symplectic_euler_strays_along_its_level_curve(#[values(0.3, 1.0, 2.0, 2.8, -1.0)] theta_0: f64) {
     let measured = largest_energy_error(&SymplecticEuler, theta_0, &long_grid());
@@ -211,7 +210,7 @@ fn the_energy_change_of_a_step_is_its_series(#[case] theta: f64, #[case] omega: 
 /// much, as the swings are not quite complete. Over 10 periods the relative energy loss is at least
 /// 5e-7, of which rounding is 1e-8.
 ///
-/// Catches: an RK4 whose energy error is O(h⁴) in the long run, a law valid at π/3 only, and wrong
+/// Catches: an RK4 that loses energy at another rate, a law valid at π/3 only, and wrong
 /// dimensions.
 #[rstest]
 fn rk4_loses_energy_at_the_secular_rate(#[values(0.3, 1.0, 2.0, 2.8)] theta_0: f64) {

@@ -85,7 +85,7 @@ fn assert_walk(largest: f64, steps: u64, smallest_drift: f64) {
 /// s.
 ///
 /// Catches: a secular drift of 4e-19 of the energy a step (of less, the test of Brouwer's law);
-/// time or angle accumulated with a bias; a modified energy wrong in its x⁴ term, which at h = 0.01
+/// an angle that is cut and not rounded; a modified energy wrong in its x⁴ term, which at h = 0.01
 /// s would show as 1e-8.
 #[rstest]
 fn the_modified_energy_walks_at_random(#[values(0.01, 0.001)] h: f64) {
@@ -110,8 +110,8 @@ fn the_modified_energy_walks_for_a_hundred_million_steps() {
 /// grows as the number of steps, 64-fold from 4000 to 256 000, and its mean is zero within its
 /// scatter.
 ///
-/// Catches: an error that grows as t: a biased rounding, a time or a parameter rounded in the loop,
-/// a lost digit; one that does not grow because nothing is integrated.
+/// Catches: an error that grows as t: a biased rounding, a lost digit; one that does not grow
+/// because nothing is integrated.
 #[rstest]
 fn rounding_errors_grow_as_the_square_root_of_time(#[values(0.01, 0.001)] h: f64) {
     const STARTS: u32 = 96;

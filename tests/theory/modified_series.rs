@@ -84,8 +84,9 @@ fn each_term_lifts_the_order_by_two(#[values(1.0, 2.5)] theta_0: f64) {
     }
 }
 
-/// The smallest error is 2Θ/x² e^{−2πK'/x} within a factor of 4 either way, over eight decades and
-/// for three angles; up to it each term helps, and beyond it the errors rise.
+/// The smallest error is 2Θ/x² e^{−2πK'/x}, within a third in fine steps and a factor of 3.3 in
+/// coarse ones, over eight decades and for three angles; up to it each term helps, and beyond it
+/// the errors rise.
 ///
 /// Catches: π² for 2πK' inside the separatrix, a factor of 50 and more; a series that converges, or
 /// whose best length is the longest.
@@ -96,7 +97,11 @@ fn what_is_left_is_exponentially_small(
 ) {
     let (power, least) = truncation::best(theta_0, x);
     let ratio = least / truncation::law(theta_0, x);
-    assert!((0.25..4.0).contains(&ratio), "{ratio} with N = {power}");
+    // Where the series may end in one power or the next, the law is off by what one term more would
+    // take away, e^{2x/(2πK'/x)} or so and a sign: measured, 0.85 to 1.28 in the three or four
+    // finest steps, and up to 3.1 in the coarse ones, whose series have few terms.
+    let above = if x < 0.55 { 1.35 } else { 3.3 };
+    assert!((0.75..above).contains(&ratio), "{ratio} with N = {power}");
     let errors = truncation::errors(theta_0, x);
     assert_eq!(errors[power / 2], least, "the sum with x to the power {power}");
     // Beside the smallest term the errors may go up and down a little.

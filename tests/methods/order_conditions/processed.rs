@@ -149,8 +149,7 @@ fn check((kernel, processor): (Kernel, Processor), order: usize) {
 
 /// Every word of up to p kicks and drifts is that of the exact flow, and some word of p + 1 is not.
 ///
-/// Catches: a coefficient of kernel or processor that is wrong in its fourteenth decimal, or
-/// before.
+/// Catches: a coefficient of kernel or processor that is off by 2e-13.
 #[test]
 fn kernel_and_processor_meet_their_order_conditions() {
     check(of_order_4(), 4);
@@ -168,6 +167,7 @@ fn every_coefficient_counts() {
     assert_eq!(order(&of_order_4().0, alone), 2);
     assert_eq!(order(&of_order_6().0, alone), 2);
     let (kernel, processor) = of_order_6();
+    assert_eq!(order(&kernel, processor), 6);
     let [linear, mixed, cubic] = processor.coefficients();
     assert_eq!(order(&kernel, Processor::new(linear + 1e-9, mixed, cubic)), 2);
     assert_eq!(order(&kernel, Processor::new(linear, mixed + 1e-9, cubic)), 4);

@@ -123,7 +123,7 @@ fn check<M: Splitting + Info>(method: M, kinetic_energy_is_a_square: bool) {
 /// All order conditions of every table, in double-double: a step agrees with the exact flow in
 /// every word of up to p kicks and drifts, and differs in some word of p + 1.
 ///
-/// Catches: a coefficient that is wrong in its fourteenth decimal, or before; a table that is not
+/// Catches: a coefficient that is off by 2e-13; a table that is not
 /// checked, since these and the processed ones are all the library's splitting methods of order
 /// above 2.
 #[test]
