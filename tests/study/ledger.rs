@@ -15,14 +15,15 @@ use rstest::rstest;
 
 use crate::{LEDGER, STUDY};
 
-/// Every printed digit is reproduced: the measured value lies within half a unit of the last one.
-/// The one exception is RK4's energy error at Δt = 0.001 s, 3.2e-12 J ± 10 %, where the paper's
-/// second digit is rounding.
+/// Every measured value lies within half a unit of the last digit that the paper prints, except
+/// where the verdict on record is that it does not: a cell called wrong has to miss it, and run
+/// times, which depend on the platform, are not measured. RK4's energy error at Δt = 0.001 s is
+/// held to 3.2e-12 J ± 10 %, as the paper's second digit is rounding.
 ///
 /// Catches: a wrong coefficient, constant, metric or step count anywhere behind the tables; a mean
 /// over N samples.
 #[rstest]
-fn every_printed_digit_is_met(#[values(2, 4, 5, 6, 7, 8)] table: u32) {
+fn each_printed_cell_is_as_its_verdict_says(#[values(2, 4, 5, 6, 7, 8)] table: u32) {
     let prefix = format!("T{table}.");
     let cells: Vec<&Cell> = CELLS.iter().filter(|cell| cell.id.starts_with(&prefix)).collect();
     assert!(!cells.is_empty());
@@ -62,8 +63,8 @@ fn cells_and_claims_correspond() {
     }
 }
 
-/// What the paper claims: 88 cells and 89 sentences.
-const CLAIMS_OF_THE_PAPER: usize = 177;
+/// What the paper claims: 87 cells, and rows for 111 sentences or parts of them.
+const CLAIMS_OF_THE_PAPER: usize = 198;
 
 /// Every claim is judged by a measurement, except those marked as not checkable.
 ///
@@ -76,7 +77,7 @@ fn every_checkable_claim_is_measured() {
         LEDGER.claims().iter().filter(|claim| claim.is_of_the_paper()).count(),
         CLAIMS_OF_THE_PAPER
     );
-    assert_eq!(stated().count(), CLAIMS_OF_THE_PAPER + 2);
+    assert_eq!(stated().count(), CLAIMS_OF_THE_PAPER + 3);
     for claim in stated() {
         match claim.verdict {
             Verdict::NotCheckable => assert_eq!(claim.holds(), None, "{claim:?}"),
@@ -91,9 +92,12 @@ fn every_checkable_claim_is_measured() {
 #[test]
 fn the_errors_are_counted_once() {
     let (claims, errors) = LEDGER.wrong();
-    assert_eq!((claims, errors), (20, 12));
+    assert_eq!((claims, errors), (26, 18));
     let page = include_str!("../../book/src/appendix-claims.md");
     assert!(page.contains(&format!("the {claims} wrong claims are {errors} different errors")));
+    let sentences = CLAIMS_OF_THE_PAPER - CELLS.len();
+    let says = format!("{} cells and {sentences} rows for sentences", CELLS.len());
+    assert!(page.contains(&says), "{says}");
 }
 
 /// The ledger rejects wrong values: a printed digit changed by one unit no longer holds.

@@ -177,8 +177,6 @@ fn a_cell_is_measured_on_the_run_of_its_row() {
             (Some(_), Some(_)) if id.ends_with(".ms") => String::new(),
             (Some((_, experiment)), Some(method)) => format!("{experiment}.{}", method.id()),
             (None, None) if id.starts_with("T7.") => "large_angle.periods".to_string(),
-            // The best of those that the paper shows.
-            _ if id == "T5.best" => "rank.fe rank.se rank.vv".to_string(),
             // The pendulum itself.
             _ if id.starts_with("T1.") || id.starts_with("T3.") => String::new(),
             other => panic!("{id}: {other:?}"),
@@ -193,50 +191,59 @@ fn a_cell_is_measured_on_the_run_of_its_row() {
 /// the sentence names.
 const SENTENCES: &[(&str, &str)] = &[
     ("A.dt2", "convergence.vv"),
+    ("A.dts", "small_angle.fe small_angle.rk4 small_angle.se small_angle.vv"),
     ("A.optimal", "long_run.vv"),
     ("A.period", "large_angle.periods"),
     ("A.rk4_order", "characteristics.rk4"),
+    ("A.tspan", "long_run.fe"),
     ("A.verlet_pct", "long_run.vv"),
+    ("F4b", "long_run.fe long_run.rk4"),
     ("P1.orders", "convergence.fe convergence.rk4"),
-    ("P1.three_orders", "long_run.fe long_run.se"),
+    ("P1.qualitative", "long_run.fe"),
+    ("P1.three_orders", "long_run.fe long_run.se long_run.vv"),
     ("P4.fe_nonsymp", "characteristics.fe"),
     ("P4.rk4_evals", "characteristics.rk4"),
-    ("P4.se_symp", "characteristics.se"),
+    ("P4.se_change", "characteristics.fe characteristics.se"),
     ("P4.vv_evals", "characteristics.vv"),
-    ("P4.vv_twoform", "characteristics.vv"),
-    ("P5.metric_pct", "long_run.fe"),
-    ("P5.metric_rms", "small_angle.fe"),
-    ("P6.1.best", "rank.fe rank.rk4 rank.se rank.vv"),
+    ("P5.metric_pct", "long_run.fe long_run.se long_run.vv"),
+    ("P5.metric_rms", "small_angle.fe small_angle.rk4 small_angle.se small_angle.vv"),
+    ("P6.1.bounded", "characteristics.se characteristics.vv convergence.se convergence.vv"),
+    ("P6.1.exact", "convergence.vv"),
     ("P6.1.fe200", "convergence.fe"),
     ("P6.1.fe_order", "convergence.fe"),
-    ("P6.1.highest", "rank.fe rank.rk4 rank.se rank.vv"),
+    ("P6.1.highest", "convergence.rk4 convergence.vv rank.fe rank.se"),
     ("P6.1.machine", "rank.rk4"),
     ("P6.1.ratio", "convergence.vv"),
     ("P6.1.slope", "convergence.rk4"),
+    ("P6.2.corresponds", "long_run.fe"),
     ("P6.2.escape", "long_run.fe"),
     ("P6.2.final", "long_run.fe"),
     ("P6.2.five_orders", "long_run.fe long_run.vv"),
     ("P6.2.mono", "long_run.fe"),
-    ("P6.2.omit", "long_run.rk4"),
+    ("P6.2.omit", "long_run.rk4 long_run.vv"),
     ("P6.2.se_pct", "long_run.se"),
-    ("P6.3.best", "rank.fe rank.rk4 small_angle.se small_angle.vv"),
+    (
+        "P6.2.stark",
+        "characteristics.fe characteristics.rk4 characteristics.se \
+         long_run.rk4 long_run.se rank.vv",
+    ),
     ("P6.3.converge", "small_angle.rk4 small_angle.vv"),
-    ("P6.3.floor", "small_angle.rk4"),
     ("P6.5.T", "large_angle.periods"),
     ("P6.5.ratio", "large_angle.periods"),
+    ("P6.5.within", "large_angle.periods"),
     ("P6.6.120", "work.fe work.rk4"),
     ("P7.1.fe1000", "long_run.fe"),
     ("P7.1.kin", "long_run.fe"),
-    ("P7.1.surface", "long_run.se"),
+    ("P7.1.surface", "long_run.se long_run.vv"),
     ("P7.2.accuracy", "convergence.rk4 convergence.vv"),
     ("P7.2.precise", "convergence.fe convergence.rk4"),
-    ("P7.3.all", "small_angle.fe small_angle.rk4 small_angle.se"),
-    ("P7.4.fe", "long_run.fe long_run.vv"),
+    ("P7.3.all", "small_angle.fe small_angle.se"),
     ("P7.4.se", "characteristics.se"),
-    ("P7.5.adaptive", "small_angle.fe small_angle.rk4 small_angle.se small_angle.vv"),
     ("P7.5.primary", "characteristics.fe characteristics.se"),
+    ("P8.equations", "large_angle.periods"),
     ("P8.order", "convergence.fe convergence.rk4"),
     ("P8.validates", "large_angle.periods"),
+    ("X.bold", "rank.fe rank.rk4 small_angle.se small_angle.vv"),
     ("X.fe.falls", "long_run.fe"),
     ("X.fe.omega", "long_run.fe"),
     ("X.fe.over_vv", "long_run.fe long_run.vv"),
@@ -294,18 +301,36 @@ fn against_the_formula(method: &str) -> Vec<f64> {
 }
 
 fn one_step_error(method: &str, step: f64) -> f64 {
-    let start = Phase { theta: 1.0, omega: 1.0 };
+    error_of_a_step(method, (1.0, 1.0), step)
+}
+
+fn error_of_a_step(method: &str, (theta, omega): (f64, f64), step: f64) -> f64 {
+    let start = Phase { theta, omega };
     let truth = Motion::new(&Pendulum::PAPER, start).unwrap().at(step);
     let end = run(method, start, step, 1)[1].1;
     (end.theta - truth.theta).abs().max((end.omega - truth.omega).abs())
 }
 
-/// How far a release misses its start after one exact period.
+/// RK4's error of a step over the smallest of the paper's other methods, at its largest.
+fn rk4_over_the_next() -> f64 {
+    let mut largest = 0.0_f64;
+    for z in [(0.05, 0.1), (1.0, 1.0), (2.0, -1.0), (3.0, 2.0)] {
+        for step in [0.1, 0.01, 0.001] {
+            let [rk4, others @ ..] = ["rk4", "forward-euler", "symplectic-euler", "stormer-verlet"]
+                .map(|method| error_of_a_step(method, z, step));
+            largest = largest.max(rk4 / others.into_iter().fold(f64::INFINITY, f64::min));
+        }
+    }
+    largest
+}
+
+/// How far a release misses its start after one exact period, in angle or velocity.
 fn missed(method: &str, theta_0: f64) -> f64 {
     let period = exact::period(&Pendulum::PAPER, theta_0).unwrap();
     let steps = (period / 0.01).round();
     let samples = run(method, Phase::at_rest(theta_0), period / steps, steps as u64);
-    (samples.last().unwrap().1.theta - theta_0).abs()
+    let end = samples.last().unwrap().1;
+    (end.theta - theta_0).abs().max(end.omega.abs())
 }
 
 fn first_fall(method: &str) -> f64 {
@@ -338,7 +363,7 @@ fn worst(errors: &[f64]) -> f64 {
 })]
 #[case("P6.6.best", || against_the_truth("stormer-verlet", 400) / against_the_truth("rk4", 100))]
 #[case("P6.6.high", || against_the_truth("stormer-verlet", 4000) / against_the_truth("rk4", 1000))]
-#[case("P7.4.rk4", || one_step_error("rk4", 0.01))]
+#[case("P7.4.rk4", rk4_over_the_next)]
 #[case("P7.4.caveat", || drift("rk4", 0.01, 100_000) / drift("rk4", 0.01, 10_000))]
 #[case("X.dop853.loss", || drift("dop853", 0.2, 2500))]
 #[case("X.dop853.growth", || drift("dop853", 0.2, 10_000) / drift("dop853", 0.2, 2500))]

@@ -129,7 +129,7 @@ fn claims_are_printed_that_were_asked_for() {
 fn what_no_claim_has_is_refused_with_what_is_near() {
     assert_refused(&["claims", "T4.rk.0.01"], "near: T4.rk4.0.01");
     assert_refused(&["claims", "t4.vv"], "near: T4.vv.");
-    assert_refused(&["claims", "--section", "9"], "there are 1, 2, 3.3");
+    assert_refused(&["claims", "--section", "9"], "there are 1, 2, 3.1");
     assert_refused(&["claims", "--table", "3.1"], "--table 3.1");
     assert_refused(&["claims", "--verdict", "right"], "reproduced, definition, rounding");
     let help = printed(&["claims", "--help"]);

@@ -146,13 +146,6 @@ fn table_5(study: &Study, claims: &mut Vec<Claim>) {
             ),
         ]);
     }
-    // The paper leaves RK4 out.
-    let shown = of_the_paper(&study.long_run, |row| row.method)
-        .filter(|(method, _)| *method != PaperMethod::Rk4);
-    let best = shown.min_by(|(_, a), (_, b)| a.drift.total_cmp(&b.drift));
-    let title = best.map_or("", |(method, _)| method.title());
-    let gist = "the best of the rows shown".to_string();
-    claims.push(text(CellId::of_table(5, "best"), gist, title));
 }
 
 fn table_6(study: &Study, claims: &mut Vec<Claim>) {
