@@ -7,10 +7,10 @@ use pendula::methods::{
     DiscreteGradient, Gauss4, Gauss6, Gauss16, Implicit, ImplicitMidpoint, ImplicitTableau,
     Iteration, Rk4, Trapezoidal,
 };
-use pendula::systems::{DoublePendulum, Joint};
+use pendula::systems::{DoublePendulum, DoublePhase, Joint, LinearOscillator};
 use pendula::{
-    AnyMethod, Counting, Ensemble, Error, Grid, Info, METHODS, Method, Pendulum, Phase, Unsolved,
-    integrate, integrate_fast, method_named,
+    AnyMethod, Counting, Ensemble, Error, Grid, Hamiltonian, Info, METHODS, Method, Pendulum,
+    Phase, Unsolved, integrate, integrate_fast, method_named,
 };
 
 use crate::common::{lanes, method, steps, steps_on, try_integrate};
@@ -138,6 +138,54 @@ fn so_is_every_step_of_a_double_pendulum(method: &dyn AnyMethod, limit: f64) {
     }
 }
 each_implicit!(so_is_every_step_of_a_double_pendulum);
+
+/// In steps from far within the limit to far beyond it, a step that is said to be solved is solved:
+/// on the linear oscillator these methods turn the state and keep its energy, in any step; and the
+/// double pendulum has kept its numbers.
+///
+/// Catches: an iteration that comes to rest at infinity, where a change of ∞ is small beside ∞.
+fn what_is_solved_is_a_solution<M>(method: M, limit: f64)
+where
+    M: Method<LinearOscillator> + Method<DoublePendulum> + Info,
+{
+    let mut random = Random::new(41);
+    let oscillator = LinearOscillator::new(Pendulum::PAPER);
+    let double = DoublePendulum::of_equals(9.81, Joint { length: 1.0, mass: 1.0 }).unwrap();
+    let (mut solved, mut refused) = (0, 0);
+    for n in 0..1000 {
+        let x = 10_f64.powf(random.between(-1.0, 7.0));
+        let h = x / Pendulum::PAPER.small_angle_frequency();
+        let (start, grid) = (Phase::at_rest(1.0), Grid::new(h, 1).unwrap());
+        match pendula::try_integrate(&oscillator, &method, start, &grid, &mut ()) {
+            Ok(end) => {
+                let energy = oscillator.energy(end) / oscillator.energy(start);
+                // What is left of 100 sweeps, 1e-14 of the slopes, is a part of x times that.
+                assert!((energy - 1.0).abs() < 1e-12 * (1.0 + x), "{n}: x = {x}: {end:?}");
+                solved += 1;
+            }
+            Err(_) => refused += 1,
+        }
+        let theta = [0, 1].map(|_| random.between(-3.0, 3.0));
+        let start = double.start(theta, [0, 1].map(|_| random.between(-10.0, 10.0))).unwrap();
+        let grid = Grid::new(10_f64.powf(random.between(-3.0, 3.0)), 1).unwrap();
+        if let Ok(end) = pendula::try_integrate(&double, &method, start, &grid, &mut ()) {
+            assert!(end.p1.abs() < 1e6 && end.p2.abs() < 1e6, "{n}: {grid:?}: {end:?}");
+        }
+    }
+    assert!(solved > 0 && refused > 500, "{solved} solved, {refused} refused within {limit}");
+    // A start from which the midpoint rule's slopes once rested at 1e308.
+    let start = DoublePhase {
+        theta1: -1.8632240930882658,
+        theta2: -1.2775290795807699,
+        p1: 5.064716782934567,
+        p2: 1.2072459724857802,
+    };
+    let grid = Grid::new(1.051486937166502, 1).unwrap();
+    if let Ok(end) = pendula::try_integrate(&double, &method, start, &grid, &mut ()) {
+        assert!(end.p1.abs() < 1e6, "{end:?}");
+    }
+}
+each_implicit_type!(what_is_solved_is_a_solution);
 
 fn bits(z: Phase) -> [u64; 2] {
     [z.theta.to_bits(), z.omega.to_bits()]

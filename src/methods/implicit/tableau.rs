@@ -203,6 +203,8 @@ impl<const S: usize> ImplicitTableau<S> {
             // Stored at once, so that the later stages of this sweep use it.
             k[i] = Sys::State::unless(*solved, k[i], new);
         }
+        // NaN where it is infinite: beside slopes that are infinite, too, it must not be small.
+        *change = *change + *change * 0.0;
         *sweeps += 1;
     }
     // ANCHOR_END: step
