@@ -19,7 +19,7 @@
 
 use core::marker::PhantomData;
 
-use crate::fast::{ByItsTable, DoubleInLanes, InLanes, PendulumSteps};
+use crate::fast::{ByItsTable, DoubleInLanes, InLanes};
 use crate::for_each_method;
 use crate::integrate::Steps;
 use crate::methods::{Info, Rk4, Splitting};
@@ -66,9 +66,10 @@ trait HasTable {
     fn in_lanes(&self) -> &'static dyn InLanes;
 }
 
-impl<M: Splitting + PendulumSteps> HasTable for Asked<ByItsTable<M>, ()> {
+impl<M: Splitting + InLanes> HasTable for Asked<ByItsTable<M>, ()> {
     fn in_lanes(&self) -> &'static dyn InLanes {
-        self.0
+        // In short tables a fifth of the time would go to reading them.
+        if const { M::KICKS.len() > 5 } { self.0 } else { &self.0.0 }
     }
 }
 
