@@ -7,7 +7,7 @@ use pendula::internals::{Ladder, Probe};
 use pendula::methods::StormerVerlet;
 use pendula::verify::Verdict::{self, Fails, Holds, Unclear};
 use pendula::verify::judge::{Fault, Reply, Request};
-use pendula::verify::{Claims, Report, Stranger, judge};
+use pendula::verify::{Claims, Finding, Report, Stranger, judge};
 use pendula::{METHODS, Phase};
 use rstest::rstest;
 
@@ -296,5 +296,63 @@ fn a_right_step_has_no_wrong_term() {
             let power = found.map(|found| found.power);
             assert!(power.is_none_or(|power| power > order), "{name} {power:?} {starts:?}");
         }
+    }
+}
+
+/// Of every combination of verdicts on three claims the worst is that on all, and each that is not
+/// *holds* is named once, the failures first.
+///
+/// Catches: what was not measured hiding a failure, or something unclear hiding that it was not
+/// measured; a claim that is not named, or under another verdict; one failure in the plural.
+#[test]
+fn the_verdict_on_all_claims_is_the_worst() {
+    use Verdict::NotMeasured;
+    let finding = |name, verdict| Finding {
+        name,
+        claimed: Some(String::new()),
+        measured: String::new(),
+        values: vec![1.0],
+        unit: "",
+        bound: None,
+        verdict,
+        why: String::new(),
+    };
+    let all = [Holds, Unclear, NotMeasured, Fails];
+    for i in 0..64_usize {
+        let verdicts = [all[i % 4], all[i / 4 % 4], all[i / 16]];
+        let findings = ["area", "clock", "order"].into_iter().zip(verdicts);
+        let findings = findings.map(|(name, verdict)| finding(name, verdict)).collect();
+        let mut report = Report {
+            verdict: Holds,
+            identity: None,
+            description: String::new(),
+            look_at: Vec::new(),
+            findings,
+            evidence: Default::default(),
+        };
+        report.conclude(false);
+        let rank = |verdict: &Verdict| all.iter().position(|known| known == verdict);
+        let worst = verdicts.into_iter().max_by_key(rank).unwrap();
+        assert_eq!(report.verdict, worst, "{verdicts:?}");
+        let summary = report.summary();
+        let of = |verdict| {
+            let names = ["area", "clock", "order"].into_iter().zip(verdicts);
+            names.filter(|(_, v)| *v == verdict).map(|(name, _)| name).collect::<Vec<_>>()
+        };
+        let (fails, lost, unclear) = (of(Fails), of(NotMeasured), of(Unclear));
+        let mut said = Vec::new();
+        if !fails.is_empty() {
+            let begin = if fails.len() > 1 { "Claims fail: " } else { "A claim fails: " };
+            said.push(format!("{begin}{}", fails.join(", ")));
+        }
+        said.extend((!lost.is_empty()).then(|| format!("not measured: {}", lost.join(", "))));
+        said.extend((!unclear.is_empty()).then(|| format!("unclear: {}", unclear.join(", "))));
+        let said = said.join("; ");
+        let expected = match worst {
+            Holds => "Every claim holds.".to_string(),
+            Fails => format!("{said}."),
+            _ => format!("No claim fails, but not every one is shown; {said}."),
+        };
+        assert_eq!(summary, expected, "{verdicts:?}");
     }
 }

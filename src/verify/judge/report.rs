@@ -155,7 +155,8 @@ impl Report {
     }
 
     /// Notes the verdict on all claims, or on none.
-    pub(super) fn conclude(&mut self, none_made: bool) {
+    #[doc(hidden)]
+    pub fn conclude(&mut self, none_made: bool) {
         let of = |verdict| self.claimed(verdict).next().is_some();
         let measured = |finding: &Finding| !finding.values.is_empty();
         let worst = [Verdict::Fails, Verdict::NotMeasured, Verdict::Unclear];
