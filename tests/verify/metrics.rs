@@ -86,6 +86,26 @@ fn a_peak_is_right_to_half_a_step() {
     check::check_peak(check::peak_period).unwrap();
 }
 
+/// A peak halfway between two samples, which are then equal: it is at the first of them, and the
+/// parabola is right. In the first three samples or later, whatever follows.
+///
+/// Catches: a peak that has to be higher than the sample after it, or that is looked for from the
+/// fourth sample on.
+#[test]
+fn a_peak_may_be_of_two_equal_samples() {
+    for before in 1..4 {
+        let angles = (0..before).map(|n| f64::from(n) - f64::from(before)).chain([0.0, 0.0, -1.0]);
+        let (mut sample, mut parabola) = (PeakPeriod::default(), PeakPeriod::parabola());
+        for (n, theta) in (0_u32..).zip(angles) {
+            let z = Phase { theta, omega: 0.0 };
+            sample.observe(n.into(), 0.5 * f64::from(n), z);
+            parabola.observe(n.into(), 0.5 * f64::from(n), z);
+        }
+        let at = 0.5 * f64::from(before);
+        assert_eq!((sample.period(), parabola.period()), (Some(at), Some(at + 0.25)));
+    }
+}
+
 /// The cubic through a crossing of cos πt is right to h⁴, and its bound is known.
 ///
 /// Catches: linear interpolation (off by 1e-5 at h = 0.03), an upward crossing counted, half a
