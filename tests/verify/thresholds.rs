@@ -43,6 +43,14 @@ fn of_the_way_back() {
     assert_eq!(of(f64::NAN), Fails);
 }
 
+/// Catches: a way with a large miss and a large bound preferred to one that misses by more than
+/// rounding can make.
+#[test]
+fn ways_are_compared_by_what_rounding_may_make() {
+    let way = |miss, bound| Way { miss, bound, x: 0.1, steps: 1000, by_itself: true };
+    assert!(way(1e-10, 2e-11).in_roundings() > way(2e-10, 1e-9).in_roundings());
+}
+
 /// Catches: a threshold of mirror, units or turn that is moved; a tolerance that excuses the
 /// mirror, or more than 10⁻⁷.
 #[test]

@@ -21,6 +21,14 @@ pub struct Way {
     pub by_itself: bool,
 }
 
+impl Way {
+    /// What it misses by, over what rounding may make of it: ways of different steps are compared
+    /// by this.
+    pub fn in_roundings(&self) -> f64 {
+        self.miss / self.bound
+    }
+}
+
 /// Steps whose defect shows at each order: short ones many times, long ones few times.
 const WAYS: [(f64, u64); 3] = [(0.1, 1000), (0.4, 200), (1.0, 50)];
 
@@ -49,8 +57,7 @@ pub fn worst(probe: &Probe<'_>) -> Measured<Way> {
         };
         match found {
             Ok(way) => {
-                let weight = |way: &Way| way.miss / way.bound;
-                if worst.is_none_or(|known| weight(&way) > weight(&known)) {
+                if worst.is_none_or(|known| way.in_roundings() > known.in_roundings()) {
                     worst = Some(way);
                 }
             }

@@ -56,7 +56,8 @@ mod tests {
     use super::*;
 
     /// Catches: milliseconds called seconds, seconds a step called steps a second, an energy error
-    /// over itself instead of the first energy; a division by zero that is printed.
+    /// over itself, or over the size of the first energy, instead of that energy; a division by
+    /// zero that is printed.
     #[test]
     fn a_cost_has_its_units() {
         let text = |summary: Summary| {
@@ -65,13 +66,13 @@ mod tests {
             String::from_utf8(out).expect("UTF-8")
         };
         let mut summary = Summary::of_cost(3000, 3001, Duration::from_millis(1500));
-        summary.energy_error(0.5, 2.0, " at the end");
+        summary.energy_error(0.5, -2.0, " at the end");
         let expected = "\
 steps                 3000
 force evaluations     3001
 wall time             1.500 s
 steps per second      2.000e3
-largest energy error  5.000000e-1 J, 2.500000e-1 of the first at the end
+largest energy error  5.000000e-1 J, -2.500000e-1 of the first at the end
 ";
         assert_eq!(text(summary), expected);
         let mut summary = Summary::of_cost(0, 0, Duration::ZERO);

@@ -284,7 +284,7 @@ mod tests {
     use rstest::rstest;
 
     use super::Tolerance::{Around, Decided, PrintedDigits};
-    use super::{Claim, Digits, Measured, Tolerance, Verdict};
+    use super::{Claim, Digits, Ledger, Measured, Tolerance, Verdict};
 
     fn claim(stated: &'static str, measured: Measured, tolerance: Tolerance) -> Claim {
         Claim {
@@ -382,5 +382,19 @@ mod tests {
         assert_eq!(judged(number(3.0), Decided(true)), where_it_holds);
         assert_eq!(judged(number(3.0), Decided(false)), where_it_fails);
         assert_eq!(judged(Measured::Nothing, PrintedDigits), verdict);
+    }
+
+    /// Catches: a question of ours counted among the errors of the paper; what it says twice
+    /// counted as two errors, or two errors as one.
+    #[test]
+    fn errors_are_those_of_the_paper_and_counted_once() {
+        let wrong = |id: &str| {
+            let claim = claim("1", number(2.0), PrintedDigits);
+            Claim { id: id.to_string(), verdict: Verdict::Wrong, ..claim }
+        };
+        let of = |ids: &[&str]| Ledger { claims: ids.iter().map(|id| wrong(id)).collect() }.wrong();
+        assert_eq!(of(&["P1.orders", "X.bold"]), (1, 1));
+        assert_eq!(of(&["P1.orders", "P8.order"]), (2, 1));
+        assert_eq!(of(&["P1.orders", "P6.2.mono", "T2.fe.behav"]), (3, 2));
     }
 }

@@ -104,6 +104,10 @@ fn an_order_that_is_lost_is_the_headline() {
     let [.., good, last] = &body.split("\n## ").collect::<Vec<_>>()[..] else { panic!("{body}") };
     assert!(good.contains("1 order there again: Suzuki 4 (2 → 4)"), "{body}");
     assert!(last.starts_with("Accept\n\nA snapshot"), "{body}");
+    // A higher order than claimed is none that the method should have, either.
+    let higher = [("methods", "| Heun              |      2 |", "| Heun              |      3 |")];
+    let higher = Document::new(&super::review(&higher)).unwrap();
+    assert_eq!(higher.headline, "Heun lost its order (2 → 3)");
     // Another claim is no other order.
     let claims = [("orders", "| Suzuki 4          |     4 |", "| Suzuki 4          |     2 |")];
     let claims = Document::new(&super::review(&claims)).unwrap();
