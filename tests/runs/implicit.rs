@@ -295,7 +295,8 @@ each_implicit_type!(the_default_iteration_has_the_methods_bits);
 /// leaves less than τ of the slopes and of the state over the step, and 1e-12 takes more sweeps
 /// than 1e-3.
 ///
-/// Catches: a tolerance that is not used, or in other units; sweeps that are not counted.
+/// Catches: a tolerance that is not used, or in other units; an iteration that goes on to a tenth
+/// of it, or far beyond rounding; sweeps that are not counted.
 fn a_tolerance_is_kept_and_saves_sweeps<M>(method: M, limit: f64)
 where
     M: Implicit + Copy + Method<Pendulum> + Method<Counting<Pendulum>>,
@@ -319,10 +320,24 @@ where
         let allowed = tolerance * (1.7 + 10.0 * h * stages);
         assert!(off <= allowed, "{tolerance:e}: {off:e}");
     }
-    assert!(evaluations.is_sorted() && evaluations[0] < evaluations[4], "{evaluations:?}");
+    // What each sweep changes, down to 1e-14: the first within the tolerance is the last.
+    let after = |n| {
+        let with = method.with(Iteration::TO_ROUNDING.sweeps(NonZeroU32::new(n)?));
+        with.try_step(&pendulum, 0.0, h, start, &mut ()).err().map(|unsolved| unsolved.change)
+    };
+    let changes: Vec<f64> = (1..).map_while(after).collect();
+    let needed = |tolerance: f64| 1 + changes.iter().filter(|change| **change > tolerance).count();
+    let expected = [0.1, 1e-3, 1e-6, 1e-9, 1e-12].map(|tolerance| needed(tolerance) as u64);
     // One to begin, then one a stage in each sweep.
     let stages = method.info().force_evaluations;
     assert!(evaluations.iter().all(|count| (count - 1) % stages == 0), "{evaluations:?}");
+    let sweeps: Vec<u64> = evaluations.iter().map(|count| (count - 1) / stages).collect();
+    assert_eq!(sweeps[..5], expected, "{changes:?}");
+    // Two sweeps leave x²/4 of a change or less; after 1e-14, two lead to rounding, and up to two
+    // more show no improvement.
+    assert!(changes.windows(3).all(|c| c[2] < 0.01 * c[0]), "{changes:?}");
+    let further = sweeps[5] - needed(1e-14) as u64;
+    assert!((2..=4).contains(&further), "{sweeps:?} {changes:?}");
 
     // Two sweeps are not enough for all digits, and are said to be two.
     let two = method.with(Iteration::TO_ROUNDING.sweeps(NonZeroU32::new(2).unwrap()));

@@ -109,11 +109,11 @@ impl Axis {
         match count {
             _ if !is_linear => (low - 0.05 * (high - low), high + 0.05 * (high - low)),
             None => (low, high),
-            // Twice, since the wider range may ask for wider steps.
-            Some(count) => (0..2).fold((low, high), |(low, high), _| {
+            // Three times, since the wider range may ask for wider steps, and so may that.
+            Some(count) => (0..3).fold((low, high), |(low, high), _| {
                 let step = Step::new(high - low, count);
                 let size = step.value(1.0);
-                (step.value((low / size).floor()), step.value((high / size).ceil()))
+                (step.value((low / size + 1e-9).floor()), step.value((high / size - 1e-9).ceil()))
             }),
         }
     }
@@ -190,7 +190,7 @@ fn linear_ticks(low: f64, high: f64, count: usize) -> Vec<Tick> {
     // 1e5 and more, or all below 1e-3: one power of ten for all labels.
     // It is the step's, if the labels then have two digits at most: 5×10⁻⁶, and not 0.5×10⁻⁵.
     let power = match largest {
-        v if (1e-3..1e5).contains(&v) => 0,
+        v if v == 0.0 || (1e-3..1e5).contains(&v) => 0,
         v => {
             let power = libm::log10(v * (1.0 + 1e-9)).floor() as i32;
             if power - step.exponent <= 1 { step.exponent } else { power }
@@ -221,8 +221,7 @@ fn log_ticks(low: f64, high: f64, count: usize) -> Vec<Tick> {
         return linear_ticks(libm::pow(10.0, low), libm::pow(10.0, high), count.min(4));
     }
     let whole = (high.floor() - low.ceil()) as i32 + 1;
-    let stride = [1, 2, 3, 4, 5].into_iter().find(|stride| whole <= stride * count as i32);
-    let stride = stride.unwrap_or(whole / count.max(1) as i32 + 1);
+    let stride = (whole.max(1) as usize).div_ceil(count.max(1)) as i32;
     // Below two decades of ordinary numbers: 0.5, 1, 2.
     let plain = whole < 2 && first >= -2 && last <= 4;
     let label = |digit: i32, k: i32| match digit {
@@ -387,6 +386,82 @@ mod tests {
         assert_eq!(labels(0.0, 0.7, 5)[..3], ["1", "2", "5"]);
         // 25 decades for three labels: every ninth.
         assert_eq!(labels(-12.0, 12.0, 3), ["10^{−9}", "10^{0}", "10^{9}"]);
+    }
+
+    /// The number that a label says.
+    fn said(label: &str) -> f64 {
+        let text = label.replace('−', "-").replace('}', "");
+        let (mantissa, power) = match text.split_once("10^{") {
+            Some((mantissa, power)) => (mantissa.replace('×', ""), power),
+            None => (text.clone(), "0"),
+        };
+        let mantissa = if ["", "-"].contains(&&*mantissa) { mantissa + "1" } else { mantissa };
+        format!("{mantissa}e{power}").parse().expect(label)
+    }
+
+    /// All kinds of axes, with ranges of all sizes, at zero, about it and far from it, asked for or
+    /// from data, for as many ticks as a chart asks for and twice as many.
+    ///
+    /// Catches: an axis that ends before its last tick or loses it to rounding, a tick too many at
+    /// its end; digits of the step before last; a stride of decades that is too short, or
+    /// longer than the axis; the logarithm of a single tick at zero.
+    #[test]
+    fn ticks_are_within_in_order_and_where_they_say() {
+        let power = |k: f64| libm::pow(10.0, k);
+        for (i, low) in [0.0, 1.0, -1.0, -0.3, 7.0, -123.0, 0.997].into_iter().enumerate() {
+            for (j, span) in [0.0123, 0.5, 1.0, 1.7, 3.3, 8.9, 40.0].into_iter().enumerate() {
+                let unit = power((i as f64 - 3.0) * 5.0 + (j % 3) as f64);
+                for (axis, low, high) in [
+                    (Axis::linear("x"), low * unit, (low + span) * unit),
+                    (Axis::log("x"), power(low), power(low + span)),
+                    (Axis::signed_log("x", unit), -unit * power(0.3 * span), unit * power(span)),
+                ] {
+                    let asked = axis.clone().range(low, high);
+                    for count in 1..=12 {
+                        let round = Some(count).filter(|count| *count > 1);
+                        for (axis, ends) in [(&axis, round), (&axis, None), (&asked, None)] {
+                            let scale = axis.scale([low, high].into_iter(), ends);
+                            assert!(scale.contains(low) && scale.contains(high));
+                            assert_ticks(&scale, count, ends.is_some());
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    /// A step is at least ¾ of what fits the count and less than 5/2 of that; a decade has at most
+    /// three labels; a signed axis has ¾ of the count to either side, and zero. A linear axis with
+    /// `round` ends has a tick at either.
+    fn assert_ticks(scale: &Scale<'_>, count: usize, round: bool) {
+        let ticks = scale.ticks(count);
+        let mut places: Vec<_> = ticks.iter().filter_map(|t| scale.fraction(t.value)).collect();
+        let (least, most) = match scale.axis.kind {
+            Kind::Linear if round => {
+                assert!(
+                    places[0] < 1e-9 && places[places.len() - 1] > 1.0 - 1e-9,
+                    "{} {} {count} {ticks:?}",
+                    scale.low,
+                    scale.high
+                );
+                (2, count * 4 / 3 + 1)
+            }
+            Kind::Linear => (count * 8 / 15, count * 4 / 3 + 1),
+            Kind::Log if scale.high - scale.low < 0.7 => (count.min(4) * 8 / 15, 6),
+            Kind::Log => (1.max(count.min(4) / 2), count.max(5)),
+            Kind::Signed(_) => (1, 1 + 2 * (count * 3 / 4).max(1)),
+        };
+        if matches!(scale.axis.kind, Kind::Signed(_)) {
+            places.sort_by(f64::total_cmp);
+        }
+        let labels = ticks.iter().filter_map(|tick| tick.label.as_deref().zip(Some(tick.value)));
+        let case = format!("{:?} {:?}, {count}: {ticks:?}", scale.axis, (scale.low, scale.high));
+        assert!((least..=most).contains(&labels.clone().count()), "{case}");
+        assert!(places.iter().all(|at| (-1e-9..=1.0 + 1e-9).contains(at)), "{case}");
+        assert!(places.windows(2).all(|pair| pair[1] - pair[0] > 1e-5), "{case}");
+        for (label, value) in labels {
+            assert!((said(label) - value).abs() <= 1e-12 * value.abs(), "{label}: {case}");
+        }
     }
 
     /// Catches: a value beside its place, signs exchanged, a tick that is not where its value is,

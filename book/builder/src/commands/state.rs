@@ -67,7 +67,7 @@ impl<P: Serialize> State<P> {
     }
 }
 
-impl<P: DeserializeOwned> State<P> {
+impl<P: DeserializeOwned + Serialize> State<P> {
     fn parse(text: &str, command: &str) -> Result<Self, String> {
         let first = text.lines().next().unwrap_or_default();
         if first != FIRST_LINE {
@@ -89,7 +89,9 @@ impl<P: DeserializeOwned> State<P> {
         if of.command != command {
             return Err(format!("it is one of `pendula {}`", of.command));
         }
-        serde_json::from_str(json).map_err(|error| error.to_string())
+        let state: Self = serde_json::from_str(json).map_err(|error| error.to_string())?;
+        // Of an argument that is there twice JSON keeps the second.
+        if state.text() == text { Ok(state) } else { Err("it is not as it is written".to_owned()) }
     }
 }
 

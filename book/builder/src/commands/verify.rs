@@ -171,3 +171,58 @@ fn print(arguments: &Arguments, judged: &Judged<'_>, out: &mut dyn Write) -> io:
     }
     out.flush()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::Parser;
+    use pendula::verify::Evidence;
+
+    #[derive(Parser)]
+    struct Call {
+        #[command(flatten)]
+        arguments: Arguments,
+    }
+
+    /// Catches: a verdict between yes and no with the status of yes, or with that of no where it
+    /// was to be lenient; a program at fault with status 1; a claim that fails with status 0
+    /// because nobody reads on.
+    #[test]
+    fn each_verdict_has_its_status() {
+        struct Closed;
+        impl Write for Closed {
+            fn write(&mut self, _: &[u8]) -> io::Result<usize> {
+                Err(io::ErrorKind::BrokenPipe.into())
+            }
+            fn flush(&mut self) -> io::Result<()> {
+                Err(io::ErrorKind::BrokenPipe.into())
+            }
+        }
+        let status = |options: &[&str], out: &mut dyn Write, judged: Result<Verdict, String>| {
+            let call = Call::parse_from([&["verify"], options, &["--", "x"]].concat());
+            let judged = judged.map(|verdict| {
+                let (findings, look_at, description) = (vec![], vec![], String::new());
+                let (identity, evidence) = (None, Evidence::default());
+                let report = Report { verdict, identity, description, look_at, findings, evidence };
+                (report, String::new())
+            });
+            let outcome = run_with(&call.arguments, out, |_, _| judged);
+            outcome.map_or_else(|failure| failure.status(), |()| 0)
+        };
+        for (verdict, expected) in [
+            (Verdict::Holds, [0, 0]),
+            (Verdict::Unclaimed, [0, 0]),
+            (Verdict::Fails, [1, 1]),
+            (Verdict::Unclear, [1, 0]),
+            (Verdict::NotMeasured, [1, 0]),
+        ] {
+            for (options, expected) in [&[][..], &["--lenient"]].into_iter().zip(expected) {
+                let got = status(options, &mut Vec::new(), Ok(verdict));
+                assert_eq!(got, expected, "{verdict:?} {options:?}");
+                assert_eq!(status(options, &mut Closed, Ok(verdict)), expected, "{verdict:?}");
+            }
+        }
+        assert_eq!(status(&[], &mut Vec::new(), Err("it does not answer".to_owned())), 2);
+        assert_eq!(status(&["--patience", "0"], &mut Vec::new(), Ok(Verdict::Holds)), 2);
+    }
+}

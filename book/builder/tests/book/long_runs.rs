@@ -5,16 +5,21 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command as Process, Output, Stdio};
 
+use pendula::adaptive::{Adaptive, Tolerance};
+use pendula::methods::Dop853;
 use pendula::metrics::EnergyDrift;
 use pendula::{
-    Grid, Hamiltonian, METHODS, Motion, Pendulum, Phase, Rk4, StormerVerlet, integrate_fast,
-    method_named,
+    Grid, Hamiltonian, METHODS, Motion, Observer, Pendulum, Phase, Rk4, StormerVerlet,
+    integrate_fast, method_named,
 };
 use pendula_book::cli::{self, Command};
 use pendula_book::commands::{adaptive, double_pendulum, ensemble, flips, simulate};
 use pendula_book::failure::Failure;
 use pendula_book::interrupt::Lookout;
+use proptest::prelude::*;
+use proptest::test_runner::RngSeed;
 use serde_json::Value;
+use sha2::{Digest, Sha256};
 
 /// The words of a command line.
 fn words(line: &str) -> Vec<&str> {
@@ -464,6 +469,64 @@ fn a_state_that_is_not_what_it_was_is_refused() {
     assert_eq!(fs::read_to_string(&folder.file).unwrap(), whole(&run).out);
 }
 
+/// States with a checksum that is right and contents that are not, as a program of another version
+/// or by another hand may write them.
+///
+/// Catches: an argument that is missing, there twice, unknown or not a number of its kind, taken
+/// for its default; a place beyond the end; a panic where there is no refusal.
+#[test]
+fn a_state_with_other_contents_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let state = folder.path().join("here");
+    let resume = ["simulate", "--resume", text(&state)];
+    let run = words("simulate --method rk4 --theta0 1 --dt 0.1 --steps 9 --summary");
+    assert!(interrupted(&[&run[..], &["--state", text(&state)]].concat(), 4).outcome.is_err());
+    let written = fs::read_to_string(&state).unwrap();
+    let (body, _) = written.split_once("sha256 ").unwrap();
+    let argument = |name: &str| {
+        let at = body.find(&format!("\"{name}\": ")).unwrap();
+        body[at..].lines().next().unwrap().trim_end_matches(',').to_owned()
+    };
+    let twice = "not as it is written".to_owned();
+    let mut wrong: Vec<(String, String, String)> = vec![];
+    for name in ["dt", "every", "format", "gravity", "length", "mass", "omega0", "steps", "theta0"]
+    {
+        let (line, has_none) = (argument(name), format!("it has no --{name}"));
+        wrong.push((line.clone(), line.replace(name, &format!("{name}x")), has_none.clone()));
+        wrong.push((line.clone(), format!("\"{name}\": \"1x\""), has_none));
+        wrong.push((line.clone(), format!("{line},\n{line}"), twice.clone()));
+    }
+    let theta0 = argument("theta0");
+    let numbers_of = "\"numbers\": [\n";
+    let stands = "\"progress\": {\n    \"steps\": 4";
+    for (from, to, because) in [
+        (&*theta0, "\"theta0\": \"1.0\",\n    \"x\": \"1\"", "there is no --x"),
+        (&theta0, "\"theta0\": 1", "expected a string"),
+        ("\"rk4\"", "\"rk5\"", "there is no method rk5"),
+        ("\"rows\": 5", "\"rows\": -5", "expected u64"),
+        ("\"rows\": 5", "\"rows\": 5,\n\"rows\": 5", "duplicate field `rows`"),
+        ("\"rows\"", "\"lines\"", "unknown field `lines`"),
+        (stands, &stands.replace('4', "10"), "beyond the last of 9"),
+        (stands, &stands.replace("steps", "step"), "unknown field `step`"),
+        ("\"measured_from\": 0", "\"measured_from\": 5", "beyond the last"),
+        (numbers_of, &[numbers_of, "      \"0000000000000000\",\n"].concat(), "a run has"),
+        ("\"numbers\": [", "\"numbers\": [\"+000000000000000\",", "16 hexadecimal digits"),
+    ] {
+        wrong.push((from.to_owned(), to.to_owned(), because.to_owned()));
+    }
+    for (from, to, because) in wrong {
+        assert!(body.contains(&from), "{from}: {body}");
+        let changed = body.replacen(&from, &to, 1);
+        let sum: String = Sha256::digest(&changed).iter().map(|b| format!("{b:02x}")).collect();
+        fs::write(&state, format!("{changed}sha256 {sum}\n")).unwrap();
+        let printed = interrupted(&resume, u64::MAX);
+        let line = printed.outcome.expect_err(&to);
+        assert!(line.contains(&because) && printed.out.is_empty(), "{to}: {line}");
+    }
+    fs::write(&state, written).unwrap();
+    assert_eq!(numbers(&whole(&resume).out).len(), 4);
+}
+
 /// The value of a line of a summary.
 fn summary_value(err: &str, name: &str) -> f64 {
     let line = err.lines().find(|line| line.starts_with(name));
@@ -528,6 +591,161 @@ fn a_summary_says_what_the_run_was_like() {
     assert_eq!(summary_value(&late, "force evaluations"), 111.0);
 }
 
+/// The lines of a summary that do not tell the time it took, nor begin with one of these names.
+fn lines<'a>(err: &'a str, without: &[&str]) -> Vec<&'a str> {
+    let times = ["wall time", "steps per second"];
+    let is_other = |line: &&str| !times.iter().chain(without).any(|name| line.starts_with(name));
+    err.lines().filter(is_other).collect()
+}
+
+/// Runs it in parts, each with or without a summary, that end at these steps, and to its end;
+/// returns all rows and the last summary.
+fn in_parts(run: &[&str], parts: &[(u64, bool)], last: bool, to_file: bool) -> (String, String) {
+    let folder = Folder::new();
+    let keep = ["--output", text(&folder.file)];
+    let keep = if to_file { keep } else { ["--state", text(&folder.state)] };
+    let mut command = [run, &keep].concat();
+    let mut rows = String::new();
+    for &(at, summary) in parts {
+        command.extend(summary.then_some("--summary"));
+        let left = interrupted(&command, at);
+        assert!(left.outcome.is_err() && left.err.is_empty(), "{left:?}");
+        rows += &left.out;
+        command = vec![run[0], "--resume", text(&folder.state)];
+    }
+    command.extend(last.then_some("--summary"));
+    let end = whole(&command);
+    rows += &end.out;
+    if to_file {
+        assert_eq!(rows, "");
+        rows = fs::read_to_string(&folder.file).unwrap();
+    }
+    (rows, end.err)
+}
+
+/// The numbers of all rows.
+fn numbers(csv: &str) -> Vec<Vec<f64>> {
+    let rows = csv.lines().skip(1);
+    rows.map(|row| row.split(',').map(|x| x.parse().unwrap()).collect()).collect()
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig {
+        rng_seed: RngSeed::Fixed(0x0051_3A17),
+        failure_persistence: None,
+        ..ProptestConfig::with_cases(80)
+    })]
+
+    /// All rows and all of the summary, in parts and at once, are what the library computes: for
+    /// any method, pendulum, start, stride and parts, of which some are measured and some not.
+    ///
+    /// Catches: a largest error, or the step from which on it is one, lost or kept by a part
+    /// without a summary; a stride that begins again, or decides what is measured; a sign lost.
+    #[test]
+    fn any_run_in_parts_is_the_run_at_once(
+        (which, steps, every) in (0..METHODS.len(), 0..40_u64, 1..9_u64),
+        (theta, omega) in (-3.0..3.0, -4.0..4.0),
+        (gravity, length, mass, dt) in (1.0..9.0, 0.6..3.0, 0.2..5.0, 0.01..0.2),
+        cuts in prop::collection::vec((0..40_u64, any::<bool>()), 0..4),
+        (last, to_file) in any::<(bool, bool)>(),
+    ) {
+        let method = METHODS[which];
+        let pendulum = Pendulum::new(gravity, length, mass).unwrap();
+        let (start, grid) = (Phase { theta, omega }, Grid::new(dt, steps).unwrap());
+        let mut parts: Vec<_> = cuts.into_iter().filter(|(at, _)| *at < steps).collect();
+        parts.sort_unstable();
+        // The steps after which the last parts were measured without a gap.
+        let from = parts.iter().filter(|(_, summary)| !summary).map(|(at, _)| *at).max();
+        let mut expected = vec![];
+        let mut drift = EnergyDrift::new(&pendulum);
+        let mut watch = |n: u64, t: f64, z: Phase| {
+            if n.is_multiple_of(every) {
+                expected.push(vec![t, z.theta, z.omega, pendulum.energy_from_pivot(z)]);
+            }
+            if n == 0 || n > from.unwrap_or(0) {
+                drift.observe(n, t, z);
+            }
+        };
+        let end = method.run(&pendulum, start, &grid, &mut watch);
+        let line = format!(
+            "simulate --method {} --theta0 {theta:?} --omega0 {omega:?} --gravity {gravity:?} \
+             --length {length:?} --mass {mass:?} --dt {dt:?} --steps {steps} --every {every}",
+            method.info().name,
+        );
+        let run = words(&line);
+        let at_once = whole(&[&run[..], &["--summary"]].concat());
+        let (rows, err) = in_parts(&run, &parts, last, to_file);
+        prop_assert_eq!(&rows, &at_once.out);
+        prop_assert_eq!(numbers(&rows), expected);
+        if !last {
+            prop_assert_eq!(err, "");
+            return Ok(());
+        }
+        let largest = ["largest energy error"];
+        prop_assert_eq!(lines(&err, &largest), lines(&at_once.err, &largest));
+        let value = |name| summary_value(&err, name);
+        prop_assert_eq!(value("steps "), steps as f64);
+        if !method.info().implicit {
+            let evaluations = method.count_evaluations(&pendulum, start, &grid);
+            prop_assert_eq!(value("force evaluations"), evaluations as f64);
+        }
+        let (of, energy) = (drift.largest(), pendulum.energy(start));
+        let since = from.filter(|n| *n > 0).map_or(String::new(), |n| format!(", after step {n}"));
+        let said = format!("{of:.6e} J, {:.6e} of the first{since}", of / energy);
+        prop_assert!(err.contains(&said), "{err}: {said}");
+        let exact = Motion::new(&pendulum, start).unwrap().at(steps as f64 * dt);
+        assert_seven_digits(value("error of θ at the end"), end.theta - exact.theta);
+        assert_seven_digits(value("error of ω at the end"), end.omega - exact.omega);
+    }
+
+    /// The same for sweeps, of angles and of steps, whole and in part.
+    ///
+    /// Catches: a row, a run of the summary or its largest error lost where a sweep goes on; the
+    /// place of another run; a start or a velocity without its sign.
+    #[test]
+    fn any_sweep_in_parts_is_the_sweep_at_once(
+        (which, count, angles) in (0..METHODS.len(), 2..40_u64, any::<bool>()),
+        (theta, span, omega) in (-3.0..0.0, 0.1..3.0, -4.0..4.0),
+        (gravity, length, mass, dt) in (1.0..9.0, 0.6..3.0, 0.2..5.0, 0.01..0.1),
+        cuts in prop::collection::vec(0..40_u64, 0..3),
+        (k, of, to_file) in (1..4_u64, 1..4_u64, any::<bool>()),
+    ) {
+        let name = METHODS[which].info().name;
+        let duration = 4.0 * dt;
+        let sweep = match angles {
+            true => format!("--theta0 {theta:?}:{:?}:{count} --dt {dt:?}", theta + span),
+            false => format!("--theta0 {theta:?} --dt {dt:?}:{:?}:{count}", 0.1 * dt),
+        };
+        let line = format!(
+            "ensemble --method {name} {sweep} --duration {duration:?} --omega0 {omega:?} \
+             --gravity {gravity:?} --length {length:?} --mass {mass:?} --part {}/{of}",
+            k.min(of),
+        );
+        let run = words(&line);
+        let at_once = whole(&[&run[..], &["--summary"]].concat());
+        let rows: Vec<_> = at_once.out.lines().filter(|row| !row.starts_with('t')).collect();
+        let mut parts: Vec<_> = cuts.into_iter().filter(|at| *at < rows.len() as u64).collect();
+        parts.sort_unstable();
+        let parts: Vec<_> = parts.into_iter().map(|at| (at, true)).collect();
+        let (out, err) = in_parts(&run, &parts, true, to_file);
+        prop_assert_eq!(&out, &at_once.out);
+        prop_assert_eq!(lines(&err, &[]), lines(&at_once.err, &[]));
+        // Each row is a run by itself.
+        let pendulum = Pendulum::new(gravity, length, mass).unwrap();
+        let mut worst = 0.0_f64;
+        for row in rows {
+            let row: Vec<f64> = row.split(',').map(|x| x.parse().unwrap()).collect();
+            let grid = Grid::with_duration(row[1], duration).unwrap();
+            let mut drift = EnergyDrift::new(&pendulum);
+            let start = Phase { theta: row[0], omega };
+            let end = METHODS[which].run(&pendulum, start, &grid, &mut drift);
+            prop_assert_eq!(&row[2..], [end.theta, end.omega, drift.largest()]);
+            worst = worst.max(drift.largest());
+        }
+        assert_seven_digits(summary_value(&err, "largest energy error"), worst);
+    }
+}
+
 /// Catches: the largest of another column or of the last run, a place that is not that of the
 /// largest, a sum that leaves out a run or the runs before the interruption.
 #[test]
@@ -584,25 +802,44 @@ fn steps_that_vary_are_interrupted_cleanly() {
 }
 
 /// Catches: a limit that is ignored, or not named where it is reached; an energy error or a cost
-/// of other steps.
+/// of other steps; the error at the end of a walk back in time against the motion forwards.
 #[test]
 fn steps_that_vary_have_a_limit_and_a_summary() {
-    let run = words("adaptive --method dop853 --theta0 3 --duration 10 --tolerance 1e-8");
-    let refused = interrupted(&[&run[..], &["--max-steps", "7"]].concat(), u64::MAX);
-    let line = refused.outcome.unwrap_err();
-    assert!(line.contains("7 steps") && line.contains("--max-steps"), "{line}");
-    assert!(refused.out.lines().count() > 2 && refused.out.ends_with('\n'));
-    let printed = whole(&[&run[..], &["--summary"]].concat());
-    assert_eq!(summary_value(&printed.err, "steps ") as usize, printed.out.lines().count() - 2);
-    let rows = printed.out.lines().skip(1);
-    let rows: Vec<Vec<f64>> =
-        rows.map(|row| row.split(',').map(|x| x.parse().unwrap()).collect()).collect();
-    let energy = |row: &Vec<f64>| Pendulum::PAPER.energy(Phase { theta: row[1], omega: row[2] });
-    let largest = rows.iter().map(|row| (energy(row) - energy(&rows[0])).abs()).fold(0.0, f64::max);
-    assert_seven_digits(summary_value(&printed.err, "largest energy error"), largest);
-    let exact = Motion::new(&Pendulum::PAPER, Phase::at_rest(3.0)).unwrap().at(10.0);
-    let off = rows.last().unwrap()[1] - exact.theta;
-    assert_seven_digits(summary_value(&printed.err, "error of θ at the end"), off);
+    let run = words(
+        "adaptive --method dop853 --theta0 -2.9 --omega0 0.3 --gravity 3 --length 2.5 --mass 5 \
+         --tolerance 1e-5 --duration",
+    );
+    let pendulum = Pendulum::new(3.0, 2.5, 5.0).unwrap();
+    let start = Phase { theta: -2.9, omega: 0.3 };
+    for duration in ["25", "-25"] {
+        let run = [&run[..], &[duration]].concat();
+        let refused = interrupted(&[&run[..], &["--max-steps", "7"]].concat(), u64::MAX);
+        let line = refused.outcome.unwrap_err();
+        assert!(line.contains("7 steps") && line.contains("--max-steps"), "{line}");
+        assert!(refused.out.lines().count() > 2 && refused.out.ends_with('\n'));
+        let duration: f64 = duration.parse().unwrap();
+        let control = Adaptive::new(Dop853, Tolerance::uniform(1e-5).unwrap());
+        let mut walk = control.steps(&pendulum, start, 0.0, duration).unwrap();
+        let mut drift = EnergyDrift::new(&pendulum);
+        drift.observe(0, 0.0, start);
+        for (n, step) in (1..).zip(&mut walk) {
+            let step = step.unwrap();
+            drift.observe(n, step.end_time(), step.end());
+        }
+        let err = whole(&[&run[..], &["--summary"]].concat()).err;
+        let counts = walk.counts();
+        let count = |name| summary_value(&err, name) as u64;
+        assert_eq!([count("steps "), count("steps rejected")], [counts.accepted, counts.rejected]);
+        assert!(counts.rejected > 0 && count("force evaluations") == counts.evaluations);
+        let (of, energy) = (drift.largest(), pendulum.energy(start));
+        assert!(err.contains(&format!("{of:.6e} J, {:.6e} of the first\n", of / energy)), "{err}");
+        let (end, exact) = (walk.state(), Motion::new(&pendulum, start).unwrap().at(duration));
+        for (name, off) in
+            [("error of θ", end.theta - exact.theta), ("error of ω", end.omega - exact.omega)]
+        {
+            assert_seven_digits(summary_value(&err, &format!("{name} at the end")), off);
+        }
+    }
 }
 
 fn start(arguments: &[&str]) -> Child {

@@ -121,6 +121,15 @@ fn a_change_is_seen_since_a_commit_whether_or_not_it_is_accepted() {
     project.edit("snapshots/3_bits.snap", "c2c47d4665baff4a", "c2c47d4665baff4b");
     let (status, out) = since("HEAD", "0.73");
     assert!(status == 1 && out.starts_with("1 result with other bits"), "{out}");
+    // Nothing moved, but one cannot be computed.
+    let mut out = Vec::new();
+    let mut version = changed(&[("slopes", "0.72", "0.73")]);
+    version.retain(|name, _| ["table_4", "figure_2"].contains(&name.as_str()));
+    let failed = BTreeMap::from([("slopes".to_owned(), "a panic".to_owned())]);
+    let call = Call::parse_from(["review", "--format", "text"]);
+    let compute = || Ok((version.clone(), failed.clone()));
+    let unsure = run_in(project.0.path(), &call.arguments, &compute, &mut out).unwrap_err();
+    assert_eq!(unsure.status(), 1, "{unsure:?}");
     let (status, page) = project.gives("--since HEAD~1", "0.73");
     assert!(status == 1 && page.ends_with("target/review/index.html\n"), "{page}");
     let page = fs::read_to_string(project.path("target/review/index.html")).unwrap();
@@ -174,6 +183,8 @@ fn a_group_shows_the_change_in_its_file() {
         assert!(changed.contains(&link) && changed.contains(text), "{changed}");
         let outdated = "### This program was not compiled from the code in";
         assert!(changed.starts_with(outdated), "{changed}");
+        let (status, same) = project.gives(&format!("{words} --format markdown"), "0.72");
+        assert!(status == 1 && same.starts_with(outdated), "{same}");
     }
     fs::write(project.path("src/methods/other.rs"), "fn other() {}\n").unwrap();
     let accept = Call::parse_from(["review", "--accept", "slopes"]);
