@@ -1,6 +1,10 @@
 """The steps, each written as its source writes it: stages, kicks and drifts, series."""
 
-from arithmetic import dot
+import functools
+
+import mpmath
+
+from arithmetic import DIGITS, dot, mpf
 from tables import Reader, alternation
 
 
@@ -57,9 +61,13 @@ class Method:
         self.explicit = self.explicit and not table.get("implicit")
 
     def tableau(self, which="a"):
+        if "collocation" in self.table:
+            return collocation(self.table["collocation"])[:2]
         return self.reader.rows(self.table[which])
 
     def row(self, which):
+        if which == "b" and "collocation" in self.table:
+            return collocation(self.table["collocation"])[2]
         return self.reader.row(self.table[which])
 
     def run(self, n, scene, steps):
@@ -78,6 +86,21 @@ class Method:
         return states, memory
 
 
+@functools.lru_cache(None)
+@mpmath.workdps(DIGITS + 20)
+def collocation(size):
+    """Gauss's method: nodes, a and weights, from the zeros of Legendre's polynomial and the moments."""
+    guesses = [mpmath.cos(mpmath.pi * (size - i - mpf(1) / 4) / (size + mpf(1) / 2)) for i in range(size)]
+    zeros = [mpmath.findroot(lambda x: mpmath.legendre(size, x), (guess, guess + mpf(1) / 1000)) for guess in guesses]
+    nodes = [(1 + x) / 2 for x in zeros]
+    powers = mpmath.matrix([[c**k for c in nodes] for k in range(size)])
+
+    def weights(end):
+        return list(mpmath.lu_solve(powers, mpmath.matrix([end ** (k + 1) / (k + 1) for k in range(size)])))
+
+    return nodes, [weights(c) for c in nodes], weights(mpf(1))
+
+
 class Coefficients:
     """The coefficients of a method as numbers of one kind; 0 is None, and its terms are left out."""
 
@@ -87,13 +110,13 @@ class Coefficients:
         def row(xs):
             return [n.constant(x) if x != 0 else None for x in xs]
 
-        if "a" in table:
+        if "a" in table or "collocation" in table:
             nodes, a = method.tableau()
             self.a, self.explicit = [row(xs) for xs in a], method.explicit
             self.c = [n.constant(x) for x in (method.row("times") if "times" in table else nodes)]
             self.a_theta = [row(xs) for xs in method.tableau("a_theta")[1]] if "a_theta" in table else self.a
             for name in ("b", "b_embedded", "b_theta"):
-                if name in table:
+                if name in table or (name == "b" and "collocation" in table):
                     setattr(self, name, row(method.row(name)))
             self.b_theta = getattr(self, "b_theta", getattr(self, "b", None))
             if "interpolant" in table:
