@@ -29,6 +29,8 @@ SCENES = {
 WHOLE = {name: {"g_over_l": "1", "amplitude": "0", "frequency": "0", **scene} for name, scene in SCENES.items()}
 # How many steps the answers are after.
 STEPS = {"swinging": [1, 2, 8], "over-the-top": [8], "driven": [1, 2, 8], "driven-later": [2], "backwards": [2], "coarse": [1, 2]}
+# What a mistake does not take over from its method.
+OF_METHODS = ("also", "order", "keeps", "source", "digits")
 FIELDS = ["name", "of", "also", "what", "effect", "seen", "order", "keeps", "same_as", "digits", "source", "note"]
 
 
@@ -119,7 +121,7 @@ def extra(method, n, scene, states, memory):
 
 def entry(table):
     method = Method(table)
-    head = {key: table[key] for key in FIELDS if key in table}
+    head = {key: table[key] for key in FIELDS if key in table and not ("of" in table and key in OF_METHODS)}
     return head, answers(method)
 
 

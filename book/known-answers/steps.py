@@ -75,13 +75,15 @@ class Method:
         start = (n.number(scene["t"]), n.number(scene["theta"]), n.number(scene["omega"]), n.number(scene["h"]))
         t, q, p, h = start
         pendulum = Pendulum(n, scene, self.table.get("force"))
-        memory = {"c": Coefficients(self, n), "before": [(n.number(a), n.number(b)) for a, b in scene.get("before", [])]}
+        memory = {"c": Coefficients(self, n), "before": [(n.constant(a), n.constant(b)) for a, b in scene.get("before", [])]}
         states = []
         for i in range(steps):
             now = t + h * n.number(i)
             if self.table.get("time") == "never":
                 now = t
             q, p = self.step(n, pendulum, memory, now, q, p, h)
+            if self.table.get("wrap") and n.plain(q) > 3.141592653589793:
+                q = q - n.number(2) * n.constant(PI)
             states.append((q, p))
         return states, memory
 
@@ -159,11 +161,11 @@ def runge_kutta(n, system, memory, t, q, p, h):
     if c.explicit:
         v, f = [], []
         for i in range(size):
-            stage_q = q + dot(n, c.a[i], v, h) if i else q
+            stage_q = q + dot(n, c.a_theta[i], v, h) if i else q
             v.append(p + dot(n, c.a[i], f, h) if i else p)
             f.append(system.force(t + c.c[i] * h, stage_q))
             if c.table.get("reuse_first") and i == 0 and "slope" in memory:
-                f[0] = memory["slope"]
+                v[0], f[0] = memory["slope"]
     else:
 
         def improve(f):
@@ -173,7 +175,7 @@ def runge_kutta(n, system, memory, t, q, p, h):
         f = solve(n, [system.force(t, q)] * size, improve, c.table.get("sweeps"))
         v = [p + dot(n, row, f, h) for row in c.a]
     memory["slopes"] = (v, f)
-    memory["slope"] = f[-1]
+    memory["slope"] = v[-1], f[-1]
     return q + dot(n, c.b_theta, v, h), p + dot(n, c.b, f, h)
 
 
@@ -250,9 +252,11 @@ def taylor(n, system, memory, t, q, p, h, order=None):
 
 def discrete_gradient(n, system, memory, t, q, p, h):
     x, half = memory["c"].x, n.number(0.5)
-    if memory["c"].table.get("exact_when_small"):
+    exact = memory["c"].table.get("exact_when_small")
+    if exact:
         w = system.linear_frequency
-        h = n.number(2) / w * n.tan(w * h * half)
+        bend, w = (n.tan, w) if exact is True else (n.sin, w) if exact == "sine" else (n.tan, n.number(1))
+        h = n.number(2) / w * bend(w * h * half)
     way = n.number(float(memory["c"].table.get("way", 1)))
 
     def improve(guess):
@@ -334,9 +338,11 @@ def multistep(n, system, memory, t, q, p, h):
     c = memory["c"]
     if past is None:
         past = memory["past"] = [(q, p, p, system.force(t, q))]
+        if c.table.get("euler_before"):
+            memory["before"] = [(q - h * p, p - h * past[0][3])]
         for i, (a, b) in enumerate(memory["before"], 1):
             past.append((a, b, b, system.force(t - h * n.number(i), a)))
-    explicit, implicit = c.lists["explicit"], c.lists.get("implicit")
+    explicit, implicit = c.lists.get("explicit"), c.lists.get("implicit")
     values = c.lists.get("values", [n.number(1)])
 
     def sums(weights, offset):
