@@ -80,10 +80,8 @@ class Rough:
 class Spread:
     """The operations of `Rough` numbers, in one order of them or another."""
 
-    sweeps = 24
-
     def __init__(self, backwards, h_inside):
-        self.backwards, self.h_inside = backwards, h_inside
+        self.backwards, self.h_inside, self.sweeps = backwards, h_inside, 24
 
     def number(self, x):
         """An input: exact."""
@@ -110,7 +108,7 @@ for _name in ("sin", "cos", "tan", "sqrt"):
 class Plain:
     """What a program computes with: doubles, or single precision."""
 
-    sweeps = 24
+    sweeps = 60
     backwards = h_inside = False
 
     def __init__(self, real):

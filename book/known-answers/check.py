@@ -120,7 +120,7 @@ def slope(method, driven):
     digits = min(table.get("digits", 60) - 6, 50)
     halvings = 1 if order > 20 else max(2, min(18, int(digits * 3.32 / (order * 1.2 + 3))))
     scene = generate.inputs("driven" if driven else "swinging")
-    scene.update(t=mpf("0.4"), theta=mpf("0.7"), omega=mpf("1.1"))
+    scene.update(t=mpf("0.4"), theta=mpf("2.5"), omega=mpf("1.9"))
     errors = []
     for e in (halvings, halvings + 1):
         scene["h"] = mpf(2) ** -e

@@ -194,13 +194,27 @@ def deuflhard(table, forces, t, q, p, h):
 def processed(table, forces, q, p, h, steps):
     """All steps: only the first sees the processor undone, and each is seen through it."""
     kernel, reader = Nystrom(table), Reader(table, FUNCTIONS)
-    linear = reader.expression(table["parameters"]["linear"]) * h**2 * forces.g
-    theta = root(lambda x: x + linear * x.sin() - q, q)
-    omega = p * (1 + linear * theta.cos())
-    states = []
+    x = {key: reader.expression(value) for key, value in table["parameters"].items()}
+    linear, mixed, cubic = (x.get(key, arb(0)) * h**power for key, power in (("linear", 2), ("mixed", 4), ("cubic", 4)))
+
+    def potential(q):
+        """The first four derivatives of V = -g cos q."""
+        return forces.g * q.sin(), forces.g * q.cos(), -forces.g * q.sin(), -forces.g * q.cos()
+
+    def seen_angle(q, w):
+        v1, v2, v3, _ = potential(q)
+        return q + linear * v1 + mixed * v1 * v2 + 3 * cubic * w**2 * v3
+
+    def kernel_velocity(q, w):
+        v1, v2, v3, v4 = potential(q)
+        return w + linear * w * v2 + mixed * w * (v2**2 + v1 * v3) + cubic * w**3 * v4
+
+    theta = root(lambda x: seen_angle(x, p) - q, q)
+    omega, states = kernel_velocity(theta, p), []
     for _ in range(steps):
         theta, omega = kernel.step(forces, arb(0), theta, omega, h)
-        states.append((theta + linear * theta.sin(), omega / (1 + linear * theta.cos())))
+        seen = root(lambda w, q=theta, p=omega: kernel_velocity(q, w) - p, omega)
+        states.append((seen_angle(theta, seen), seen))
     return states
 
 
