@@ -1,4 +1,4 @@
-"""The numbers that the steps are computed with: 60 digits, or doubles with a random error in every operation."""
+"""The numbers of the steps: 60 digits, or doubles with a random error in every operation."""
 
 import functools
 
@@ -35,8 +35,9 @@ class Digits:
 class Rough:
     """Doubles, TRIALS of them at once; every operation is wrong by a random part of UNIT.
 
-    UNIT is so large that the rounding of the doubles themselves does not matter, and so small that the effect is linear:
-    what comes out, divided by UNIT, is the effect of a random error of up to one ε in every operation, in any precision.
+    UNIT is so large that the rounding of the doubles themselves does not matter, and so small that
+    the effect is linear: what comes out, divided by UNIT, is the effect of a random error of up to
+    one ε in every operation, in any precision.
     """
 
     UNIT = 2.0**-30
@@ -54,16 +55,16 @@ class Rough:
         return Rough(v * Rough.pool[Rough.used])
 
     def __add__(self, other):
-        return Rough.spoilt(self.v + other.v) if isinstance(other, Rough) else Rough.spoilt(self.v + other)
+        return Rough.spoilt(self.v + value(other))
 
     def __sub__(self, other):
-        return Rough.spoilt(self.v - other.v) if isinstance(other, Rough) else Rough.spoilt(self.v - other)
+        return Rough.spoilt(self.v - value(other))
 
     def __mul__(self, other):
-        return Rough.spoilt(self.v * other.v) if isinstance(other, Rough) else Rough.spoilt(self.v * other)
+        return Rough.spoilt(self.v * value(other))
 
     def __truediv__(self, other):
-        return Rough.spoilt(self.v / other.v) if isinstance(other, Rough) else Rough.spoilt(self.v / other)
+        return Rough.spoilt(self.v / value(other))
 
     def __rsub__(self, other):
         return Rough.spoilt(other - self.v)
@@ -75,6 +76,10 @@ class Rough:
         return Rough(-self.v)
 
     __radd__, __rmul__ = __add__, __mul__
+
+
+def value(x):
+    return x.v if isinstance(x, Rough) else x
 
 
 class Spread:
@@ -90,7 +95,11 @@ class Spread:
     def constant(self, x):
         """A coefficient: rounded, unless a few binary digits are all of it."""
         x = float(x)
-        return self.number(x) if x * 1024 == int(x * 1024) else Rough.spoilt(numpy.full(Rough.TRIALS, x))
+        return (
+            self.number(x)
+            if x * 1024 == int(x * 1024)
+            else Rough.spoilt(numpy.full(Rough.TRIALS, x))
+        )
 
     @staticmethod
     def plain(x):

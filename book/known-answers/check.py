@@ -6,6 +6,7 @@
 import functools
 import itertools
 import json
+import re
 import sys
 import time
 
@@ -80,13 +81,16 @@ def order_defects(a, weights, order):
 
     defects = []
     for n in range(1, order + 1):
-        sums = (abs(sum(b * x for b, x in zip(weights, stage(tree))) - 1 / density(tree)) for tree in trees(n))
+        sums = (
+            abs(sum(b * x for b, x in zip(weights, stage(tree))) - 1 / density(tree))
+            for tree in trees(n)
+        )
         defects.append(max(sums))
     return defects
 
 
 def check_conditions(table, method):
-    """All order conditions of a Runge-Kutta table, of its interpolant and of its estimating formula; the nodes."""
+    """All order conditions of a Runge-Kutta table, its interpolant, its estimate; its nodes."""
     printed = mpf(10) ** (2 - table.get("digits", 100)) + NOTHING
     nodes, a = method.tableau()
     if "a_theta" not in table and table["name"] != "lobatto-iiib-2":
@@ -126,7 +130,13 @@ def slope(method, driven):
         scene["h"] = mpf(2) ** -e
         scene["before"] = generate.exact_before(scene, table.get("before", 0))
         found = method.run(Digits, scene, 1)[0][0]
-        true = taylor(Digits, Pendulum(Digits, scene), None, *(scene[k] for k in ("t", "theta", "omega", "h")), order=80)
+        true = taylor(
+            Digits,
+            Pendulum(Digits, scene),
+            None,
+            *(scene[k] for k in ("t", "theta", "omega", "h")),
+            order=80,
+        )
         errors.append(max(abs(a - b) for a, b in zip(found, true)))
     return mpmath.log(errors[0] / errors[1], 2) - 1
 
@@ -140,14 +150,18 @@ def kept(method):
 
     q, p = mpf("0.7"), mpf("1.3")
     (a, b), (c, d) = [
-        [(x - y) / (2 * small) for x, y in zip(go(q + u, p + v), go(q - u, p - v))] for u, v in ((small, 0), (0, small))
+        [(x - y) / (2 * small) for x, y in zip(go(q + u, p + v), go(q - u, p - v))]
+        for u, v in ((small, 0), (0, small))
     ]
     if abs(a * d - b * c - 1) < mpf(10) ** -36:
         found.append("symplectic")
     there = go(q, p)
     if max(abs(x - y) for x, y in zip(go(*there, h="-0.25"), (q, p))) < NOTHING:
         found.append("symmetric")
-    if abs((there[1] ** 2 - p**2) / 2 - mpf("2.25") * (mpmath.cos(there[0]) - mpmath.cos(q))) < NOTHING:
+    if (
+        abs((there[1] ** 2 - p**2) / 2 - mpf("2.25") * (mpmath.cos(there[0]) - mpmath.cos(q)))
+        < NOTHING
+    ):
         found.append("energy")
     return found
 
@@ -165,14 +179,18 @@ def check_tables(methods):
                 fail(name, "order", mpmath.nstr(found, 4), "driven" if driven else "")
         if method.kind != "multistep" and kept(method) != table.get("keeps", []):
             fail(name, "keeps", kept(method))
-    print(f"tables: {len(methods)}, {conditions} order conditions, slopes, determinants and ways back")
+    print(
+        f"tables: {len(methods)}, {conditions} order conditions, slopes, determinants and ways back"
+    )
 
 
 def check_answers(entries):
-    """Against the second computation, and against plain programs; the answers by name, as they stand in the file."""
+    """Against the second computation and plain programs; the answers by name, from the file."""
     worst, numbers, alone, strayed = mpf(0), 0, [], {"double": (0, ""), "single": (0, "")}
     written = json.loads(generate.OUTPUT.read_text())
-    written = {entry["name"]: entry["answers"] for entry in written["methods"] + written["mistakes"]}
+    written = {
+        entry["name"]: entry["answers"] for entry in written["methods"] + written["mistakes"]
+    }
     if list(written) != list(entries):
         fail("the file has other entries than the tables")
     for name, table in entries.items():
@@ -194,16 +212,32 @@ def check_answers(entries):
                 else:
                     numbers += 2
                     for a, b in zip(exact, other[steps - 1]):
-                        difference = abs(a - mpf(b.mid().str(70, radius=False))) + mpf(b.rad().str(20, radius=False))
+                        difference = abs(a - mpf(b.mid().str(70, radius=False))) + mpf(
+                            b.rad().str(20, radius=False)
+                        )
                         worst = max(worst, difference)
                         if difference > SECOND * max(1, abs(a)):
-                            fail(name, scene, steps, "the second computation differs by", mpmath.nstr(difference, 3))
+                            fail(
+                                name,
+                                scene,
+                                steps,
+                                "the second computation differs by",
+                                mpmath.nstr(difference, 3),
+                            )
                 for kind, epsilon in EPSILON.items():
                     size = max(abs(x) for x in exact) * epsilon * int(row["tolerance"])
-                    far = max(abs(x - mpf(float(y))) for x, y in zip(exact, plain[kind][steps - 1])) / size
+                    far = (
+                        max(abs(x - mpf(float(y))) for x, y in zip(exact, plain[kind][steps - 1]))
+                        / size
+                    )
                     strayed[kind] = max(strayed[kind], (float(far), f"{name}, {scene}, {steps}"))
                     if far > 1:
-                        fail(name, scene, steps, f"a plain program in {kind} precision is off by {mpmath.nstr(far, 3)} tolerances")
+                        fail(
+                            name,
+                            scene,
+                            steps,
+                            f"a plain program in {kind} precision is {mpmath.nstr(far, 3)} tolerances off",
+                        )
     print(f"second computation: {numbers} numbers, largest difference {mpmath.nstr(worst, 2)}")
     print(f"  not known to it: {', '.join(dict.fromkeys(alone))}")
     for kind, (far, where) in strayed.items():
@@ -211,14 +245,71 @@ def check_answers(entries):
     return written
 
 
+def check_extras(methods, written):
+    """The estimates and interpolants, by the second computation with other weights."""
+    checked = 0
+    for name, table in methods.items():
+        for row in written[name]:
+            scene = generate.WHOLE[row["scene"]]
+
+            def step(weights, scene=scene, table=table):
+                return second.run(table | {"b": table[weights]}, scene, 1)[0]
+
+            found = {}
+            if "estimate" in row:
+                found["estimate"] = [x - y for x, y in zip(step("b"), step("b_embedded"))]
+            if "at_0.3" in row:
+                found["at_0.3"] = step("interpolant")
+            for key, values in found.items():
+                checked += 1
+                texts = [row[key]["theta"], row[key]["omega"]]
+                for text, value in zip(texts, values):
+                    if (
+                        abs(mpf(text) - mpf(value.mid().str(70, radius=False)))
+                        > abs(mpf(text)) * mpf(10) ** -24
+                    ):
+                        fail(name, row["scene"], key, text, value)
+    print(f"estimates and interpolants: {checked}")
+
+
+def check_effects(mistakes):
+    """The order that the effect of a mistake speaks of, from the error after two small steps."""
+    checked = 0
+    for name, table in mistakes.items():
+        said = re.search(r"(?<!velocity of )order (\d)", table["effect"])
+        # The seventeen digits of this one hide it.
+        if not said or table["of"] == "dormand-prince-8":
+            continue
+        errors = []
+        for halvings in (11, 12):
+            scene = generate.inputs("driven" if "driven" in table["effect"] else "swinging")
+            scene.update(t=mpf("0.4"), theta=mpf("0.7"), omega=mpf("1.1"), h=mpf(2) ** -halvings)
+            scene["before"] = generate.exact_before(scene, table.get("before", 0))
+            system, true = Pendulum(Digits, scene), (scene["theta"], scene["omega"])
+            for i in range(2):
+                true = taylor(
+                    Digits, system, None, scene["t"] + i * scene["h"], *true, scene["h"], order=30
+                )
+            found = Method(table).run(Digits, scene, 2)[0][1]
+            errors.append(max(abs(a - b) for a, b in zip(found, true)))
+        order = mpmath.log(errors[0] / errors[1], 2) - 1
+        checked += 1
+        if abs(order - int(said[1])) > 0.1:
+            fail(name, "says", said[0], "and shows", mpmath.nstr(order, 3))
+    print(f"effects: the order of {checked} mistakes")
+
+
 def check_distances(written, entries):
-    """How far the nearest entries are from each other: the largest distance over the scenes that both have."""
+    """How near entries are: the largest distance over the scenes that both have."""
     points = {}
     for name, rows in written.items():
         points[name] = {
-            (r["scene"], r["steps"]): (mpf(r["theta"]), mpf(r["omega"]), int(r["tolerance"])) for r in rows
+            (r["scene"], r["steps"]): (mpf(r["theta"]), mpf(r["omega"]), int(r["tolerance"]))
+            for r in rows
         }
-        points[name] = {key: tuple(float(v) for v in value) + value[:2] for key, value in points[name].items()}
+        points[name] = {
+            key: tuple(float(v) for v in value) + value[:2] for key, value in points[name].items()
+        }
     pairs, apart = [], 0
     for (a, first), (b, other) in itertools.combinations(points.items(), 2):
         shared = first.keys() & other.keys()
@@ -228,15 +319,22 @@ def check_distances(written, entries):
         far = max(distance(first[key], other[key]) for key in shared)
         pairs.append((far, a, b))
     pairs.sort()
-    same = {frozenset((name, other)) for name, table in entries.items() for other in table.get("same_as", [])}
+    same = {
+        frozenset((name, other))
+        for name, table in entries.items()
+        for other in table.get("same_as", [])
+    }
     for far, a, b in pairs:
         if far < APART and not {a, b} in same:
             fail(a, "and", b, f"are {far:.2g} tolerances apart")
-    print(f"distances: {len(pairs)} pairs, {apart} without a common answer; the nearest, in tolerances of doubles:")
+    print(
+        f"distances: {len(pairs)} pairs, {apart} without a common answer; in tolerances of doubles:"
+    )
     for far, a, b in pairs[:15]:
         print(f"  {far:9.3g}  {a}, {b}")
     single = float(EPSILON["single"] / EPSILON["double"]) * APART
-    print(f"  in single precision {sum(far < single for far, _, _ in pairs)} pairs are nearer than {APART} tolerances")
+    near = sum(far < single for far, _, _ in pairs)
+    print(f"  in single precision {near} pairs are nearer than {APART} tolerances")
 
 
 def distance(x, y):
@@ -262,7 +360,10 @@ if __name__ == "__main__":
     methods, mistakes = tables.read()
     check_tables(methods)
     entries = {**methods, **mistakes}
-    check_distances(check_answers(entries), mistakes | {n: t for n, t in methods.items()})
+    written = check_answers(entries)
+    check_extras(methods, written)
+    check_effects(mistakes)
+    check_distances(written, entries)
     check_file()
     print(f"{len(FAILURES)} wrong, {time.time() - start:.0f} s")
     sys.exit(bool(FAILURES))

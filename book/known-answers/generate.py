@@ -9,7 +9,7 @@ import mpmath
 
 import tables
 from arithmetic import Digits, Rough, Spread, mpf
-from steps import Method, Pendulum, taylor
+from steps import Method, Pendulum, combination, taylor
 
 OUTPUT = pathlib.Path(__file__).parents[2] / "snapshots" / "known-answers.json"
 SHOWN = 25
@@ -21,17 +21,54 @@ ORDERS_OF_OPERATIONS = [Spread(False, False), Spread(True, True)]
 SCENES = {
     "swinging": {"t": "0", "theta": "1", "omega": "0.5", "h": "0.125"},
     "over-the-top": {"g_over_l": "2.25", "t": "0", "theta": "2.75", "omega": "2", "h": "0.125"},
-    "driven": {"amplitude": "0.5", "frequency": "2", "t": "0", "theta": "1", "omega": "0.5", "h": "0.125"},
-    "driven-later": {"amplitude": "0.75", "frequency": "1.5", "t": "0.75", "theta": "-0.5", "omega": "1.25", "h": "0.125"},
+    "driven": {
+        "amplitude": "0.5",
+        "frequency": "2",
+        "t": "0",
+        "theta": "1",
+        "omega": "0.5",
+        "h": "0.125",
+    },
+    "driven-later": {
+        "amplitude": "0.75",
+        "frequency": "1.5",
+        "t": "0.75",
+        "theta": "-0.5",
+        "omega": "1.25",
+        "h": "0.125",
+    },
     "backwards": {"t": "0", "theta": "-1.25", "omega": "0.75", "h": "-0.125"},
     "coarse": {"t": "0", "theta": "1.5", "omega": "1", "h": "1"},
 }
-WHOLE = {name: {"g_over_l": "1", "amplitude": "0", "frequency": "0", **scene} for name, scene in SCENES.items()}
+WHOLE = {
+    name: {"g_over_l": "1", "amplitude": "0", "frequency": "0", **scene}
+    for name, scene in SCENES.items()
+}
 # How many steps the answers are after.
-STEPS = {"swinging": [1, 2, 8], "over-the-top": [8], "driven": [1, 2, 8], "driven-later": [2], "backwards": [2], "coarse": [1, 2]}
+STEPS = {
+    "swinging": [1, 2, 8],
+    "over-the-top": [8],
+    "driven": [1, 2, 8],
+    "driven-later": [2],
+    "backwards": [2],
+    "coarse": [1, 2],
+}
 # What a mistake does not take over from its method.
 OF_METHODS = ("also", "order", "keeps", "source", "digits")
-FIELDS = ["name", "of", "also", "what", "effect", "seen", "order", "keeps", "same_as", "digits", "source", "note"]
+FIELDS = [
+    "name",
+    "of",
+    "also",
+    "what",
+    "effect",
+    "seen",
+    "order",
+    "keeps",
+    "same_as",
+    "digits",
+    "source",
+    "note",
+]
 
 
 def inputs(name, before=0):
@@ -45,7 +82,9 @@ def exact_before(scene, count):
     states, (q, p) = [], (scene["theta"], scene["omega"])
     system = Pendulum(Digits, scene)
     for i in range(count):
-        q, p = taylor(Digits, system, None, scene["t"] - i * scene["h"], q, p, -scene["h"], order=70)
+        q, p = taylor(
+            Digits, system, None, scene["t"] - i * scene["h"], q, p, -scene["h"], order=70
+        )
         states.append((q, p))
     return states
 
@@ -54,7 +93,9 @@ def scenes_of(method):
     """Where the method has one answer: an implicit one may have several after a large step."""
     table = method.table
     if "scenes" in table:
-        return {name: STEPS[name] if not steps else steps for name, steps in table["scenes"].items()}
+        return {
+            name: STEPS[name] if not steps else steps for name, steps in table["scenes"].items()
+        }
     if method.kind == "multistep":
         return {"swinging": [1, 2], "driven": [1, 2]}
     left_out = [] if is_unique(method) else ["coarse"]
@@ -64,7 +105,7 @@ def scenes_of(method):
 
 
 def is_unique(method):
-    """Whether a step of h = 1 with g/L = 1 has one answer: in Nyström's form its stages are a contraction."""
+    """Whether a step of 1 with g/L = 1 has one answer: its stages in Nyström's form contract."""
     if method.explicit or method.kind == "discrete-gradient":
         # That of the discrete gradient has the derivative δ²/4 at most, δ < 1.1.
         return True
@@ -89,6 +130,8 @@ def answers(method):
     for name, counts in scenes_of(method).items():
         scene = inputs(name, method.table.get("before", 0))
         states, memory = method.run(Digits, scene, max(counts))
+        # The same errors for the same entry, whatever stands before it.
+        Rough.used = 0
         for n in ORDERS_OF_OPERATIONS:
             n.sweeps = 60 if name == "coarse" else 24
         rough = [method.run(n, scene, max(counts)) for n in ORDERS_OF_OPERATIONS]
@@ -97,7 +140,12 @@ def answers(method):
             size = max(abs(x) for x in exact)
             worst = max(spread(exact, run[0][steps - 1]) for run in rough)
             tolerance = math.ceil(max(LEAST, MARGIN * worst / float(size)))
-            answer = {"scene": name, "steps": steps, "theta": shown(exact[0]), "omega": shown(exact[1])}
+            answer = {
+                "scene": name,
+                "steps": steps,
+                "theta": shown(exact[0]),
+                "omega": shown(exact[1]),
+            }
             found.append({**answer, "tolerance": str(tolerance)})
         if name in ("swinging", "driven"):
             found[-len(counts)].update(extras(method, scene))
@@ -106,6 +154,7 @@ def answers(method):
 
 def extras(method, scene):
     """After the first step: the embedded estimate and the interpolant, where the table has them."""
+    Rough.used = 0
     runs = [(n, *method.run(n, scene, 1)) for n in [Digits, *ORDERS_OF_OPERATIONS]]
     sets = [extra(method, n, scene, states, memory) for n, states, memory in runs]
     size = float(max(abs(x) for x in runs[0][1][0]))
@@ -113,13 +162,15 @@ def extras(method, scene):
     for key, exact in sets[0].items():
         worst = max(spread(exact, rough[key]) for rough in sets[1:])
         tolerance = math.ceil(max(LEAST, MARGIN * worst / size))
-        result[key] = {"theta": shown(exact[0]), "omega": shown(exact[1]), "tolerance": str(tolerance)}
+        result[key] = {
+            "theta": shown(exact[0]),
+            "omega": shown(exact[1]),
+            "tolerance": str(tolerance),
+        }
     return result
 
 
 def extra(method, n, scene, states, memory):
-    from steps import combination
-
     c, h = memory["c"], n.number(scene["h"])
     found = {}
     if hasattr(c, "b_embedded"):
@@ -135,7 +186,11 @@ def extra(method, n, scene, states, memory):
 
 def entry(table):
     method = Method(table)
-    head = {key: table[key] for key in FIELDS if key in table and not ("of" in table and key in OF_METHODS)}
+    head = {
+        key: table[key]
+        for key in FIELDS
+        if key in table and not ("of" in table and key in OF_METHODS)
+    }
     return head, answers(method)
 
 
@@ -166,8 +221,9 @@ def document():
 
 
 ABOUT = (
-    "What one, two or eight steps of a named integrator of the pendulum, θ'' = -(g/L) sin θ + A cos(Ωt), lead to. "
-    "Inputs are exact in binary, answers right to 25 digits; a program agrees if neither θ nor ω is further off than "
+    "What one, two or eight steps of a named integrator of the pendulum, "
+    "θ'' = -(g/L) sin θ + A cos(Ωt), lead to. Inputs are exact in binary, answers right to 25 "
+    "digits; a program agrees if neither θ nor ω is further off than "
     "tolerance × ε × max(|θ|, |ω|), with the ε of its type. See book/known-answers/README.md."
 )
 

@@ -1,4 +1,7 @@
-"""The answers once more: with Arb's balls in place of mpmath, every table in Nyström's form, implicit steps by Newton's method."""
+"""The answers once more: by Arb's balls in place of mpmath, every table in Nyström's form.
+
+Implicit steps are solved by Newton's method.
+"""
 
 import flint
 from flint import arb, arb_mat, arb_series
@@ -6,7 +9,12 @@ from flint import arb, arb_mat, arb_series
 from tables import Reader, alternation
 
 flint.ctx.prec = 256
-FUNCTIONS = {"number": arb, "sqrt": lambda x: arb(x).sqrt(), "cos": lambda x: arb(x).cos(), "pi": arb.pi()}
+FUNCTIONS = {
+    "number": arb,
+    "sqrt": lambda x: arb(x).sqrt(),
+    "cos": lambda x: arb(x).cos(),
+    "pi": arb.pi(),
+}
 LEFT_OUT = ("mistake", "reuse_first", "wrap", "euler_before", "first_term")
 
 
@@ -24,7 +32,7 @@ class Forces:
             "sign": lambda: g * q.sin(),
             "linear": lambda: -g * q,
             "cosine": lambda: -g * q.cos(),
-            "squared": lambda: -g**2 * q.sin(),
+            "squared": lambda: -(g**2) * q.sin(),
             "one": lambda: -q.sin(),
             "degrees": lambda: -g * (q * arb.pi() / 180).sin(),
             "cubic": lambda: -g * q * (1 - q**2 / 6),
@@ -50,12 +58,16 @@ def root(function, guess):
     return b
 
 
+def dot(a, b):
+    return sum((x * y for x, y in zip(a, b)), arb(0))
+
+
 def product(a, b):
-    return [[sum((x * y for x, y in zip(row, column)), arb(0)) for column in zip(*b)] for row in a]
+    return [[dot(row, column) for column in zip(*b)] for row in a]
 
 
 class Nystrom:
-    """θᵢ = θ + h rᵢ ω + h² Σ aᵢⱼ fⱼ at the times cᵢ; θ' = θ + h r ω + h² Σ b̄ f, ω' = ω + h Σ b f."""
+    """θᵢ = θ + h rᵢ ω + h² Σ aᵢⱼ fⱼ, θ' = θ + h r ω + h² Σ b̄ f, ω' = ω + h Σ b f; times cᵢ."""
 
     def __init__(self, table):
         reader = Reader(table, FUNCTIONS)
@@ -74,7 +86,12 @@ class Nystrom:
         if "times" in table:
             self.c = reader.row(table["times"])
         if table["kind"] == "rkn":
-            self.r, self.a, self.b_angle, self.whole = self.c, a, reader.row(table["b_theta"]), arb(1)
+            self.r, self.a, self.b_angle, self.whole = (
+                self.c,
+                a,
+                reader.row(table["b_theta"]),
+                arb(1),
+            )
             return
         angle = reader.rows(table["a_theta"])[1] if "a_theta" in table else a
         weights = reader.row(table["b_theta"]) if "b_theta" in table else self.b
@@ -92,7 +109,10 @@ class Nystrom:
                 gradients.append(gradient)
         self.c = self.r = at
         self.whole = elapsed
-        self.a = [[k * (x - y) if j < i else arb(0) for j, (k, y) in enumerate(zip(self.b, at))] for i, x in enumerate(at)]
+        self.a = []
+        for i, x in enumerate(at):
+            before = [k * (x - y) for k, y in zip(self.b[:i], at)]
+            self.a.append(before + [arb(0)] * (len(at) - i))
         self.b_angle = [k * (elapsed - y) for k, y in zip(self.b, at)]
         if any(x is not None and x != 0 for x in gradients):
             self.gradients = gradients
@@ -104,19 +124,22 @@ class Nystrom:
         f = []
         if explicit:
             for i in range(size):
-                f.append(self.force(forces, i, t, h, start[i] + h**2 * sum((a * x for a, x in zip(self.a[i], f)), arb(0))))
+                stage = start[i] + h**2 * dot(self.a[i], f)
+                f.append(self.force(forces, i, t, h, stage))
         else:
             stages = start
             for _ in range(9):
                 f = [self.force(forces, i, t, h, x) for i, x in enumerate(stages)]
-                rest = [x - s - h**2 * sum((a * y for a, y in zip(row, f)), arb(0)) for x, s, row in zip(stages, start, self.a)]
-                slopes = [forces.slope(x) for x in stages]
-                jacobian = [[int(i == j) - h**2 * row[j] * slopes[j] for j in range(size)] for i, row in enumerate(self.a)]
+                rest = [x - s - h**2 * dot(row, f) for x, s, row in zip(stages, start, self.a)]
+                slopes = [h**2 * forces.slope(x) for x in stages]
+                jacobian = [[-a * slope for a, slope in zip(row, slopes)] for row in self.a]
+                for i in range(size):
+                    jacobian[i][i] += 1
                 change = arb_mat(jacobian).solve(arb_mat(size, 1, rest))
                 stages = [middle(x - change[i, 0]) for i, x in enumerate(stages)]
             f = [self.force(forces, i, t, h, x) for i, x in enumerate(stages)]
-        angle = q + h * self.whole * p + h**2 * sum((b * x for b, x in zip(self.b_angle, f)), arb(0))
-        return angle, p + h * sum((b * x for b, x in zip(self.b, f)), arb(0))
+        angle = q + h * self.whole * p + h**2 * dot(self.b_angle, f)
+        return angle, p + h * dot(self.b, f)
 
     def force(self, forces, i, t, h, q):
         f = forces.value(t + self.c[i] * h, q)
@@ -195,7 +218,9 @@ def processed(table, forces, q, p, h, steps):
     """All steps: only the first sees the processor undone, and each is seen through it."""
     kernel, reader = Nystrom(table), Reader(table, FUNCTIONS)
     x = {key: reader.expression(value) for key, value in table["parameters"].items()}
-    linear, mixed, cubic = (x.get(key, arb(0)) * h**power for key, power in (("linear", 2), ("mixed", 4), ("cubic", 4)))
+    linear, mixed, cubic = (
+        x.get(key, arb(0)) * h**power for key, power in (("linear", 2), ("mixed", 4), ("cubic", 4))
+    )
 
     def potential(q):
         """The first four derivatives of V = -g cos q."""
@@ -220,7 +245,9 @@ def processed(table, forces, q, p, h, steps):
 
 def multistep(table, forces, t, q, p, h, steps):
     reader = Reader(table, FUNCTIONS)
-    values, explicit, implicit = (reader.row(table.get(key, "")) for key in ("values", "explicit", "implicit"))
+    values, explicit, implicit = (
+        reader.row(table.get(key, "")) for key in ("values", "explicit", "implicit")
+    )
     past, states = [(q, p, forces.value(t, q))], []
     for i in range(table["before"]):
         a, b = series(forces, t - i * h, past[-1][0], past[-1][1], -h, 70)
@@ -230,7 +257,10 @@ def multistep(table, forces, t, q, p, h, steps):
         bases = [sum((v * x[k] for v, x in zip(values or [arb(1)], past)), arb(0)) for k in (0, 1)]
 
         def moved(weights, bases=bases, past=tuple(past)):
-            return [bases[k] + h * sum((w * x[k + 1] for w, x in zip(weights, past)), arb(0)) for k in (0, 1)]
+            return [
+                bases[k] + h * sum((w * x[k + 1] for w, x in zip(weights, past)), arb(0))
+                for k in (0, 1)
+            ]
 
         if explicit:
             q, p = moved(explicit)
@@ -248,7 +278,7 @@ def multistep(table, forces, t, q, p, h, steps):
 
 
 def run(table, scene, steps):
-    """The states after each of so many steps, or nothing where this file does not know the mistake."""
+    """The states after each step, or nothing where this file does not know the mistake."""
     if any(key in table for key in LEFT_OUT):
         return None
     forces = Forces(scene, table.get("force"))

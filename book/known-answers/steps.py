@@ -9,7 +9,7 @@ from tables import Reader, alternation
 
 
 class Pendulum:
-    """θ̈ = −(g/L) sin θ + A cos Ωt, and its disfigurements: `force` names the mistake in it, if there is one."""
+    """θ̈ = −(g/L) sin θ + A cos Ωt; `force` names the mistake in it, if there is one."""
 
     def __init__(self, n, scene, force=None):
         self.n, self.mistake = n, force
@@ -71,11 +71,11 @@ class Method:
         return self.reader.row(self.table[which])
 
     def run(self, n, scene, steps):
-        """The states after each of so many steps, and what the last step leaves: slopes and stages."""
-        start = (n.number(scene["t"]), n.number(scene["theta"]), n.number(scene["omega"]), n.number(scene["h"]))
-        t, q, p, h = start
+        """The states after each of so many steps, and what the last one leaves: its slopes."""
+        t, q, p, h = (n.number(scene[key]) for key in ("t", "theta", "omega", "h"))
         pendulum = Pendulum(n, scene, self.table.get("force"))
-        memory = {"c": Coefficients(self, n), "before": [(n.constant(a), n.constant(b)) for a, b in scene.get("before", [])]}
+        before = [(n.constant(a), n.constant(b)) for a, b in scene.get("before", [])]
+        memory = {"c": Coefficients(self, n), "before": before}
         states = []
         for i in range(steps):
             now = t + h * n.number(i)
@@ -91,20 +91,27 @@ class Method:
 @functools.lru_cache(None)
 @mpmath.workdps(DIGITS + 20)
 def collocation(size):
-    """Gauss's method: nodes, a and weights, from the zeros of Legendre's polynomial and the moments."""
-    guesses = [mpmath.cos(mpmath.pi * (size - i - mpf(1) / 4) / (size + mpf(1) / 2)) for i in range(size)]
-    zeros = [mpmath.findroot(lambda x: mpmath.legendre(size, x), (guess, guess + mpf(1) / 1000)) for guess in guesses]
+    """Gauss's method: nodes, a, weights, by the zeros of Legendre's polynomial and moments."""
+    guesses = [
+        mpmath.cos(mpmath.pi * (size - i - mpf(1) / 4) / (size + mpf(1) / 2)) for i in range(size)
+    ]
+    zeros = [
+        mpmath.findroot(lambda x: mpmath.legendre(size, x), (guess, guess + mpf(1) / 1000))
+        for guess in guesses
+    ]
     nodes = [(1 + x) / 2 for x in zeros]
     powers = mpmath.matrix([[c**k for c in nodes] for k in range(size)])
 
     def weights(end):
-        return list(mpmath.lu_solve(powers, mpmath.matrix([end ** (k + 1) / (k + 1) for k in range(size)])))
+        return list(
+            mpmath.lu_solve(powers, mpmath.matrix([end ** (k + 1) / (k + 1) for k in range(size)]))
+        )
 
     return nodes, [weights(c) for c in nodes], weights(mpf(1))
 
 
 class Coefficients:
-    """The coefficients of a method as numbers of one kind; 0 is None, and its terms are left out."""
+    """The coefficients of a method as numbers of one kind; 0 is None: its terms are left out."""
 
     def __init__(self, method, n):
         table, self.table = method.table, method.table
@@ -116,28 +123,43 @@ class Coefficients:
             nodes, a = method.tableau()
             self.a, self.explicit = [row(xs) for xs in a], method.explicit
             self.c = [n.constant(x) for x in (method.row("times") if "times" in table else nodes)]
-            self.a_theta = [row(xs) for xs in method.tableau("a_theta")[1]] if "a_theta" in table else self.a
+            self.a_theta = (
+                [row(xs) for xs in method.tableau("a_theta")[1]] if "a_theta" in table else self.a
+            )
             for name in ("b", "b_embedded", "b_theta"):
                 if name in table or (name == "b" and "collocation" in table):
                     setattr(self, name, row(method.row(name)))
             self.b_theta = getattr(self, "b_theta", getattr(self, "b", None))
             if "interpolant" in table:
                 self.interpolant = row(method.row("interpolant"))
-        self.lists = {k: row(method.row(k)) for k in ("explicit", "implicit", "values") if k in table and table[k]}
+        self.lists = {
+            k: row(method.row(k))
+            for k in ("explicit", "implicit", "values")
+            if k in table and table[k]
+        }
         if "lengths" in table or "substeps" in table:
             self.ops, elapsed, at = [], 0, []
             for what, length, gradient in alternation(table, method.reader):
                 if what == "drift":
                     elapsed = elapsed + length
                 if length != 0:
-                    self.ops.append((what == "kick", n.constant(length), n.constant(gradient) if gradient else None))
+                    self.ops.append(
+                        (
+                            what == "kick",
+                            n.constant(length),
+                            n.constant(gradient) if gradient else None,
+                        )
+                    )
                     at.append(n.constant(elapsed) if elapsed != 0 else n.number(0))
             kicks = [i for i, op in enumerate(self.ops) if op[0]]
             if "times" in table:
                 for i, time in zip(kicks, method.row("times"), strict=True):
                     at[i] = n.constant(time)
             self.at = at
-        self.x = {k: n.constant(method.reader.expression(v)) for k, v in table.get("parameters", {}).items()}
+        self.x = {
+            k: n.constant(method.reader.expression(v))
+            for k, v in table.get("parameters", {}).items()
+        }
 
 
 def is_explicit(a):
@@ -170,7 +192,9 @@ def runge_kutta(n, system, memory, t, q, p, h):
 
         def improve(f):
             v = [p + dot(n, row, f, h) for row in c.a]
-            return [system.force(t + c.c[i] * h, q + dot(n, c.a_theta[i], v, h)) for i in range(size)]
+            return [
+                system.force(t + c.c[i] * h, q + dot(n, c.a_theta[i], v, h)) for i in range(size)
+            ]
 
         f = solve(n, [system.force(t, q)] * size, improve, c.table.get("sweeps"))
         v = [p + dot(n, row, f, h) for row in c.a]
@@ -197,7 +221,12 @@ def nystrom(n, system, memory, t, q, p, h):
         for i in range(size):
             f.append(stage(i, f))
     else:
-        f = solve(n, [system.force(t, q)] * size, lambda f: [stage(i, f) for i in range(size)], c.table.get("sweeps"))
+        f = solve(
+            n,
+            [system.force(t, q)] * size,
+            lambda f: [stage(i, f) for i in range(size)],
+            c.table.get("sweeps"),
+        )
     return q + h * p + dot(n, c.b_theta, f, h) * h, p + dot(n, c.b, f, h)
 
 
@@ -255,7 +284,9 @@ def discrete_gradient(n, system, memory, t, q, p, h):
     exact = memory["c"].table.get("exact_when_small")
     if exact:
         w = system.linear_frequency
-        bend, w = (n.tan, w) if exact is True else (n.sin, w) if exact == "sine" else (n.tan, n.number(1))
+        bend, w = (
+            (n.tan, w) if exact is True else (n.sin, w) if exact == "sine" else (n.tan, n.number(1))
+        )
         h = n.number(2) / w * bend(w * h * half)
     way = n.number(float(memory["c"].table.get("way", 1)))
 
@@ -297,7 +328,7 @@ PI = "3.141592653589793238462643383279502884197169399375105820974944592307816406
 
 
 def shifted(n, system, x, theta, omega, h):
-    """Where the generating function of the processor takes the kernel's angle and the seen velocity."""
+    """What the processor adds to the kernel's angle, and by what it multiplies the seen velocity."""
     g, h2, one = system.g, h * h, n.number(1)
     v1, v2 = g * n.sin(theta), g * n.cos(theta)
     shift, stretch = x["linear"] * h2 * v1, x["linear"] * h2 * v2
@@ -305,7 +336,9 @@ def shifted(n, system, x, theta, omega, h):
         h4 = h2 * h2
         # V''' is −V', and V'''' is −V''.
         shift = shift + h4 * v1 * (x["mixed"] * v2 - x["cubic"] * n.number(3) * omega * omega)
-        stretch = stretch + h4 * (x["mixed"] * (v2 * v2 - v1 * v1) - x["cubic"] * v2 * omega * omega)
+        stretch = stretch + h4 * (
+            x["mixed"] * (v2 * v2 - v1 * v1) - x["cubic"] * v2 * omega * omega
+        )
     return shift, one + stretch
 
 
@@ -317,7 +350,11 @@ def processed(n, system, memory, t, q, p, h):
         def improve(guess):
             return [q - shifted(n, system, x, guess[0], p, h)[0]]
 
-        theta = solve(n, [q], improve)[0] if not memory["c"].table.get("first_term") else improve([q])[0]
+        theta = (
+            solve(n, [q], improve)[0]
+            if not memory["c"].table.get("first_term")
+            else improve([q])[0]
+        )
         at = q if memory["c"].table.get("first_term") else theta
         kernel = theta, p * shifted(n, system, x, at, p, h)[1]
     theta, omega = memory["kernel"] = splitting(n, system, memory, t, *kernel, h)
@@ -333,7 +370,7 @@ def processed(n, system, memory, t, q, p, h):
 
 
 def multistep(n, system, memory, t, q, p, h):
-    """Σ values · (θ, ω) = h Σ slopes · (ω, f), newest first; the older states are the exact solution's."""
+    """Weighted sums of older states and slopes, newest first; the oldest are the exact solution's."""
     past = memory.setdefault("past", None)
     c = memory["c"]
     if past is None:
@@ -360,7 +397,10 @@ def multistep(n, system, memory, t, q, p, h):
 
         def improve(guess):
             a, b = guess
-            return [old[0] + dq + implicit[0] * h * b, old[1] + dp + implicit[0] * h * system.force(ahead, a)]
+            return [
+                old[0] + dq + implicit[0] * h * b,
+                old[1] + dp + implicit[0] * h * system.force(ahead, a),
+            ]
 
         if explicit:
             new_q, new_p = improve((new_q, new_p))

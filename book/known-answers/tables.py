@@ -9,7 +9,6 @@ import mpmath
 HERE = pathlib.Path(__file__).parent
 NUMBER = re.compile(r"(?<![\w.])(\d+\.?\d*(?:e[-+]?\d+)?|\.\d+(?:e[-+]?\d+)?)")
 MPMATH = {"number": mpmath.mpf, "sqrt": mpmath.sqrt, "cos": mpmath.cos, "pi": mpmath.pi}
-LISTS = ("b", "b_embedded", "b_theta", "lengths", "substeps", "gradients", "times", "interpolant")
 
 
 class Reader:
@@ -22,18 +21,22 @@ class Reader:
 
     def expression(self, text):
         # The tables are part of this repository: nothing from outside is evaluated.
-        return eval(NUMBER.sub(r"number('\1')", text), {"__builtins__": {}}, self.names) + self.names["number"](0)
+        return eval(
+            NUMBER.sub(r"number('\1')", text), {"__builtins__": {}}, self.names
+        ) + self.names["number"](0)
 
     def row(self, text):
         return [self.expression(token) for token in text.split()]
 
     def rows(self, text):
-        """The rows of a Butcher tableau, "c : a a a", filled up with zeros; c, if left out, is the sum of the row."""
+        """Nodes and rows of "c : a a a", filled up with zeros; c may be left out: the sum of the row."""
         nodes, rows = [], []
         for line in text.strip().splitlines():
             node, colon, entries = line.rpartition(":")
             rows.append(self.row(entries))
-            nodes.append(self.expression(node.strip()) if colon else sum(rows[-1], self.names["number"](0)))
+            nodes.append(
+                self.expression(node.strip()) if colon else sum(rows[-1], self.names["number"](0))
+            )
         size = len(rows)
         return nodes, [row + [self.names["number"](0)] * (size - len(row)) for row in rows]
 
@@ -48,18 +51,24 @@ def read():
     mistakes = {}
     for table in found["mistake"]:
         base = methods[table["of"]]
-        merged = {k: v for k, v in base.items() if k not in ("name", "also", "same_as", "b_embedded", "interpolant")}
+        merged = {
+            k: v
+            for k, v in base.items()
+            if k not in ("name", "also", "same_as", "b_embedded", "interpolant")
+        }
         merged["let"] = {**base.get("let", {}), **table.get("let", {})}
         merged.update({k: v for k, v in table.items() if k not in ("let", "change")})
         for change in table.get("change", []):
             exchange(merged, change)
         mistakes[table["name"]] = merged
-    assert len(methods) == len(found["method"]) and len(mistakes) == len(found["mistake"]), "a name twice"
+    assert len(methods) == len(found["method"]) and len(mistakes) == len(
+        found["mistake"]
+    ), "a name twice"
     return methods, mistakes
 
 
 def exchange(table, change):
-    """Replaces an entry of a table: "a 4 3 = 1/2", "c 3 = 1", "b 2 = 0", "lengths 1 = 0.3"; counted from 1."""
+    """Replaces an entry of a table, counted from 1: "a 4 3 = 1/2", "c 3 = 1", "b 2 = 0"."""
     where, value = (side.strip() for side in change.split("="))
     field, *indices = where.split()
     if field in ("a", "c"):
@@ -84,7 +93,7 @@ def exchange(table, change):
 
 
 def alternation(table, reader):
-    """Kicks and drifts of a splitting: a list of ("kick" or "drift", length, gradient), zeros left out."""
+    """Kicks and drifts of a splitting: a list of ("kick" or "drift", length, gradient)."""
     first = table.get("first", "kick")
     if "substeps" in table:
         steps = reader.row(table["substeps"])
