@@ -81,11 +81,8 @@ def order_defects(a, weights, order):
 
     defects = []
     for n in range(1, order + 1):
-        sums = (
-            abs(sum(b * x for b, x in zip(weights, stage(tree))) - 1 / density(tree))
-            for tree in trees(n)
-        )
-        defects.append(max(sums))
+        sums = [(sum(b * x for b, x in zip(weights, stage(t))), 1 / density(t)) for t in trees(n)]
+        defects.append(max(abs(x - y) for x, y in sums))
     return defects
 
 
@@ -130,13 +127,8 @@ def slope(method, driven):
         scene["h"] = mpf(2) ** -e
         scene["before"] = generate.exact_before(scene, table.get("before", 0))
         found = method.run(Digits, scene, 1)[0][0]
-        true = taylor(
-            Digits,
-            Pendulum(Digits, scene),
-            None,
-            *(scene[k] for k in ("t", "theta", "omega", "h")),
-            order=80,
-        )
+        system, start = Pendulum(Digits, scene), [scene[k] for k in ("t", "theta", "omega", "h")]
+        true = taylor(Digits, system, None, *start, order=80)
         errors.append(max(abs(a - b) for a, b in zip(found, true)))
     return mpmath.log(errors[0] / errors[1], 2) - 1
 
@@ -158,10 +150,8 @@ def kept(method):
     there = go(q, p)
     if max(abs(x - y) for x, y in zip(go(*there, h="-0.25"), (q, p))) < NOTHING:
         found.append("symmetric")
-    if (
-        abs((there[1] ** 2 - p**2) / 2 - mpf("2.25") * (mpmath.cos(there[0]) - mpmath.cos(q)))
-        < NOTHING
-    ):
+    gained = mpmath.cos(there[0]) - mpmath.cos(q)
+    if abs((there[1] ** 2 - p**2) / 2 - mpf("2.25") * gained) < NOTHING:
         found.append("energy")
     return found
 
@@ -179,18 +169,18 @@ def check_tables(methods):
                 fail(name, "order", mpmath.nstr(found, 4), "driven" if driven else "")
         if method.kind != "multistep" and kept(method) != table.get("keeps", []):
             fail(name, "keeps", kept(method))
-    print(
-        f"tables: {len(methods)}, {conditions} order conditions, slopes, determinants and ways back"
-    )
+    print(f"tables: {len(methods)}, {conditions} order conditions; slopes, determinants, ways back")
+
+
+def plain_number(ball):
+    return mpf(ball.mid().str(70, radius=False))
 
 
 def check_answers(entries):
     """Against the second computation and plain programs; the answers by name, from the file."""
     worst, numbers, alone, strayed = mpf(0), 0, [], {"double": (0, ""), "single": (0, "")}
     written = json.loads(generate.OUTPUT.read_text())
-    written = {
-        entry["name"]: entry["answers"] for entry in written["methods"] + written["mistakes"]
-    }
+    written = {e["name"]: e["answers"] for e in written["methods"] + written["mistakes"]}
     if list(written) != list(entries):
         fail("the file has other entries than the tables")
     for name, table in entries.items():
@@ -212,32 +202,17 @@ def check_answers(entries):
                 else:
                     numbers += 2
                     for a, b in zip(exact, other[steps - 1]):
-                        difference = abs(a - mpf(b.mid().str(70, radius=False))) + mpf(
-                            b.rad().str(20, radius=False)
-                        )
+                        difference = abs(a - plain_number(b)) + plain_number(b.rad())
                         worst = max(worst, difference)
                         if difference > SECOND * max(1, abs(a)):
-                            fail(
-                                name,
-                                scene,
-                                steps,
-                                "the second computation differs by",
-                                mpmath.nstr(difference, 3),
-                            )
+                            fail(name, scene, steps, "the second differs by", difference)
                 for kind, epsilon in EPSILON.items():
                     size = max(abs(x) for x in exact) * epsilon * int(row["tolerance"])
-                    far = (
-                        max(abs(x - mpf(float(y))) for x, y in zip(exact, plain[kind][steps - 1]))
-                        / size
-                    )
+                    both = zip(exact, plain[kind][steps - 1])
+                    far = max(abs(x - mpf(float(y))) for x, y in both) / size
                     strayed[kind] = max(strayed[kind], (float(far), f"{name}, {scene}, {steps}"))
                     if far > 1:
-                        fail(
-                            name,
-                            scene,
-                            steps,
-                            f"a plain program in {kind} precision is {mpmath.nstr(far, 3)} tolerances off",
-                        )
+                        fail(name, scene, steps, f"in plain {kind} precision off by {float(far)}")
     print(f"second computation: {numbers} numbers, largest difference {mpmath.nstr(worst, 2)}")
     print(f"  not known to it: {', '.join(dict.fromkeys(alone))}")
     for kind, (far, where) in strayed.items():
@@ -264,10 +239,7 @@ def check_extras(methods, written):
                 checked += 1
                 texts = [row[key]["theta"], row[key]["omega"]]
                 for text, value in zip(texts, values):
-                    if (
-                        abs(mpf(text) - mpf(value.mid().str(70, radius=False)))
-                        > abs(mpf(text)) * mpf(10) ** -24
-                    ):
+                    if abs(mpf(text) - plain_number(value)) > abs(mpf(text)) * mpf(10) ** -24:
                         fail(name, row["scene"], key, text, value)
     print(f"estimates and interpolants: {checked}")
 
@@ -287,9 +259,8 @@ def check_effects(mistakes):
             scene["before"] = generate.exact_before(scene, table.get("before", 0))
             system, true = Pendulum(Digits, scene), (scene["theta"], scene["omega"])
             for i in range(2):
-                true = taylor(
-                    Digits, system, None, scene["t"] + i * scene["h"], *true, scene["h"], order=30
-                )
+                now = scene["t"] + i * scene["h"]
+                true = taylor(Digits, system, None, now, *true, scene["h"], order=30)
             found = Method(table).run(Digits, scene, 2)[0][1]
             errors.append(max(abs(a - b) for a, b in zip(found, true)))
         order = mpmath.log(errors[0] / errors[1], 2) - 1
@@ -319,17 +290,11 @@ def check_distances(written, entries):
         far = max(distance(first[key], other[key]) for key in shared)
         pairs.append((far, a, b))
     pairs.sort()
-    same = {
-        frozenset((name, other))
-        for name, table in entries.items()
-        for other in table.get("same_as", [])
-    }
+    same = {frozenset((n, other)) for n, t in entries.items() for other in t.get("same_as", [])}
     for far, a, b in pairs:
         if far < APART and not {a, b} in same:
             fail(a, "and", b, f"are {far:.2g} tolerances apart")
-    print(
-        f"distances: {len(pairs)} pairs, {apart} without a common answer; in tolerances of doubles:"
-    )
+    print(f"distances: {len(pairs)} pairs, {apart} without a common answer; tolerances of doubles:")
     for far, a, b in pairs[:15]:
         print(f"  {far:9.3g}  {a}, {b}")
     single = float(EPSILON["single"] / EPSILON["double"]) * APART
@@ -348,6 +313,9 @@ def distance(x, y):
 def check_file():
     import jsonschema
 
+    for value in {x for scene in generate.WHOLE.values() for x in scene.values()}:
+        if mpf(float(numpy.float32(value))) != mpf(value):
+            fail("not exact in single precision:", value)
     text = generate.OUTPUT.read_text()
     schema = json.loads(generate.OUTPUT.with_name("known-answers.schema.json").read_text())
     jsonschema.validate(json.loads(text), schema)

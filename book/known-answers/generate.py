@@ -4,6 +4,7 @@ import json
 import math
 import pathlib
 import time
+import tomllib
 
 import mpmath
 
@@ -17,58 +18,14 @@ MARGIN = 2
 LEAST = 4
 ORDERS_OF_OPERATIONS = [Spread(False, False), Spread(True, True)]
 
-# All inputs are exact in binary, in single precision too.
-SCENES = {
-    "swinging": {"t": "0", "theta": "1", "omega": "0.5", "h": "0.125"},
-    "over-the-top": {"g_over_l": "2.25", "t": "0", "theta": "2.75", "omega": "2", "h": "0.125"},
-    "driven": {
-        "amplitude": "0.5",
-        "frequency": "2",
-        "t": "0",
-        "theta": "1",
-        "omega": "0.5",
-        "h": "0.125",
-    },
-    "driven-later": {
-        "amplitude": "0.75",
-        "frequency": "1.5",
-        "t": "0.75",
-        "theta": "-0.5",
-        "omega": "1.25",
-        "h": "0.125",
-    },
-    "backwards": {"t": "0", "theta": "-1.25", "omega": "0.75", "h": "-0.125"},
-    "coarse": {"t": "0", "theta": "1.5", "omega": "1", "h": "1"},
-}
-WHOLE = {
-    name: {"g_over_l": "1", "amplitude": "0", "frequency": "0", **scene}
-    for name, scene in SCENES.items()
-}
-# How many steps the answers are after.
-STEPS = {
-    "swinging": [1, 2, 8],
-    "over-the-top": [8],
-    "driven": [1, 2, 8],
-    "driven-later": [2],
-    "backwards": [2],
-    "coarse": [1, 2],
-}
+SCENES = tomllib.loads((tables.HERE / "tables" / "scenes.toml").read_text())
+AT_REST = {"g_over_l": "1", "amplitude": "0", "frequency": "0"}
+# After how many steps the answers are.
+STEPS = {name: scene.pop("steps") for name, scene in SCENES.items()}
+WHOLE = {name: AT_REST | scene for name, scene in SCENES.items()}
 # What a mistake does not take over from its method.
 OF_METHODS = ("also", "order", "keeps", "source", "digits")
-FIELDS = [
-    "name",
-    "of",
-    "also",
-    "what",
-    "effect",
-    "seen",
-    "order",
-    "keeps",
-    "same_as",
-    "digits",
-    "source",
-    "note",
-]
+FIELDS = "name of also what effect seen order keeps same_as digits source note".split()
 
 
 def inputs(name, before=0):
@@ -82,9 +39,8 @@ def exact_before(scene, count):
     states, (q, p) = [], (scene["theta"], scene["omega"])
     system = Pendulum(Digits, scene)
     for i in range(count):
-        q, p = taylor(
-            Digits, system, None, scene["t"] - i * scene["h"], q, p, -scene["h"], order=70
-        )
+        now = scene["t"] - i * scene["h"]
+        q, p = taylor(Digits, system, None, now, q, p, -scene["h"], order=70)
         states.append((q, p))
     return states
 
@@ -93,9 +49,7 @@ def scenes_of(method):
     """Where the method has one answer: an implicit one may have several after a large step."""
     table = method.table
     if "scenes" in table:
-        return {
-            name: STEPS[name] if not steps else steps for name, steps in table["scenes"].items()
-        }
+        return {name: steps or STEPS[name] for name, steps in table["scenes"].items()}
     if method.kind == "multistep":
         return {"swinging": [1, 2], "driven": [1, 2]}
     left_out = [] if is_unique(method) else ["coarse"]
@@ -120,6 +74,10 @@ def shown(x):
     return mpmath.nstr(x, SHOWN, strip_zeros=False, min_fixed=-40, max_fixed=40)
 
 
+def state(exact):
+    return {"theta": shown(exact[0]), "omega": shown(exact[1])}
+
+
 def spread(exact, rough):
     """By how much rough numbers miss the exact ones, in units."""
     return max(abs(r.v - float(e)).max() for e, r in zip(exact, rough)) / Rough.UNIT
@@ -140,12 +98,7 @@ def answers(method):
             size = max(abs(x) for x in exact)
             worst = max(spread(exact, run[0][steps - 1]) for run in rough)
             tolerance = math.ceil(max(LEAST, MARGIN * worst / float(size)))
-            answer = {
-                "scene": name,
-                "steps": steps,
-                "theta": shown(exact[0]),
-                "omega": shown(exact[1]),
-            }
+            answer = {"scene": name, "steps": steps} | state(exact)
             found.append({**answer, "tolerance": str(tolerance)})
         if name in ("swinging", "driven"):
             found[-len(counts)].update(extras(method, scene))
@@ -162,11 +115,7 @@ def extras(method, scene):
     for key, exact in sets[0].items():
         worst = max(spread(exact, rough[key]) for rough in sets[1:])
         tolerance = math.ceil(max(LEAST, MARGIN * worst / size))
-        result[key] = {
-            "theta": shown(exact[0]),
-            "omega": shown(exact[1]),
-            "tolerance": str(tolerance),
-        }
+        result[key] = state(exact) | {"tolerance": str(tolerance)}
     return result
 
 
@@ -186,11 +135,8 @@ def extra(method, n, scene, states, memory):
 
 def entry(table):
     method = Method(table)
-    head = {
-        key: table[key]
-        for key in FIELDS
-        if key in table and not ("of" in table and key in OF_METHODS)
-    }
+    left_out = OF_METHODS if "of" in table else ()
+    head = {key: table[key] for key in FIELDS if key in table and key not in left_out}
     return head, answers(method)
 
 
@@ -207,7 +153,7 @@ def document():
         more = {}
         if name in ("swinging", "driven"):
             before = inputs(name, 4)["before"]
-            more["before"] = [{"theta": shown(q), "omega": shown(p)} for q, p in before]
+            more["before"] = [state(z) for z in before]
         rows.append(f"{line(name)}: {line({**scene, **more})}")
     out.append(",\n".join(rows) + "},")
     for kind, entries in (("methods", methods), ("mistakes", mistakes)):

@@ -92,20 +92,16 @@ class Method:
 @mpmath.workdps(DIGITS + 20)
 def collocation(size):
     """Gauss's method: nodes, a, weights, by the zeros of Legendre's polynomial and moments."""
-    guesses = [
-        mpmath.cos(mpmath.pi * (size - i - mpf(1) / 4) / (size + mpf(1) / 2)) for i in range(size)
-    ]
-    zeros = [
-        mpmath.findroot(lambda x: mpmath.legendre(size, x), (guess, guess + mpf(1) / 1000))
-        for guess in guesses
-    ]
-    nodes = [(1 + x) / 2 for x in zeros]
+    nodes = []
+    for i in reversed(range(size)):
+        guess = mpmath.cos(mpmath.pi * (4 * i + 3) / (4 * size + 2))
+        zero = mpmath.findroot(lambda x: mpmath.legendre(size, x), (guess, guess + mpf(1) / 1000))
+        nodes.append((1 + zero) / 2)
     powers = mpmath.matrix([[c**k for c in nodes] for k in range(size)])
 
     def weights(end):
-        return list(
-            mpmath.lu_solve(powers, mpmath.matrix([end ** (k + 1) / (k + 1) for k in range(size)]))
-        )
+        moments = mpmath.matrix([end ** (k + 1) / (k + 1) for k in range(size)])
+        return list(mpmath.lu_solve(powers, moments))
 
     return nodes, [weights(c) for c in nodes], weights(mpf(1))
 
@@ -143,23 +139,16 @@ class Coefficients:
                 if what == "drift":
                     elapsed = elapsed + length
                 if length != 0:
-                    self.ops.append(
-                        (
-                            what == "kick",
-                            n.constant(length),
-                            n.constant(gradient) if gradient else None,
-                        )
-                    )
+                    by = n.constant(gradient) if gradient else None
+                    self.ops.append((what == "kick", n.constant(length), by))
                     at.append(n.constant(elapsed) if elapsed != 0 else n.number(0))
             kicks = [i for i, op in enumerate(self.ops) if op[0]]
             if "times" in table:
                 for i, time in zip(kicks, method.row("times"), strict=True):
                     at[i] = n.constant(time)
             self.at = at
-        self.x = {
-            k: n.constant(method.reader.expression(v))
-            for k, v in table.get("parameters", {}).items()
-        }
+        parameters = table.get("parameters", {})
+        self.x = {k: n.constant(method.reader.expression(v)) for k, v in parameters.items()}
 
 
 def is_explicit(a):

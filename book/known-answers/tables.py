@@ -46,7 +46,8 @@ def read():
     found = {"method": [], "mistake": []}
     for path in sorted((HERE / "tables").glob("*.toml")):
         for kind, entries in tomllib.loads(path.read_text()).items():
-            found[kind] += entries
+            if kind in found:
+                found[kind] += entries
     methods = {table["name"]: table for table in found["method"]}
     mistakes = {}
     for table in found["mistake"]:
