@@ -317,7 +317,7 @@ PI = "3.141592653589793238462643383279502884197169399375105820974944592307816406
 
 
 def shifted(n, system, x, theta, omega, h):
-    """What the processor adds to the kernel's angle, and by what it multiplies the seen velocity."""
+    """What the processor adds to the kernel's angle, and the factor of the seen velocity."""
     g, h2, one = system.g, h * h, n.number(1)
     v1, v2 = g * n.sin(theta), g * n.cos(theta)
     shift, stretch = x["linear"] * h2 * v1, x["linear"] * h2 * v2
@@ -359,7 +359,7 @@ def processed(n, system, memory, t, q, p, h):
 
 
 def multistep(n, system, memory, t, q, p, h):
-    """Weighted sums of older states and slopes, newest first; the oldest are the exact solution's."""
+    """Weighted sums of older states and slopes, newest first; the oldest are exact."""
     past = memory.setdefault("past", None)
     c = memory["c"]
     if past is None:

@@ -29,7 +29,7 @@ class Reader:
         return [self.expression(token) for token in text.split()]
 
     def rows(self, text):
-        """Nodes and rows of "c : a a a", filled up with zeros; c may be left out: the sum of the row."""
+        """Nodes and rows of "c : a a a", filled up with zeros; without c, the sum of the row."""
         nodes, rows = [], []
         for line in text.strip().splitlines():
             node, colon, entries = line.rpartition(":")
