@@ -1,0 +1,180 @@
+"""Writes snapshots/known-answers.json: python3 generate.py"""
+
+import json
+import math
+import pathlib
+import time
+import tomllib
+
+import mpmath
+
+import tables
+from arithmetic import Digits, Rough, Spread, mpf
+from steps import Method, Pendulum, combination, taylor
+
+OUTPUT = pathlib.Path(__file__).parents[2] / "snapshots" / "known-answers.json"
+SHOWN = 25
+MARGIN = 2
+LEAST = 4
+ORDERS_OF_OPERATIONS = [Spread(False, False), Spread(True, True)]
+
+SCENES = tomllib.loads((tables.HERE / "tables" / "scenes.toml").read_text())
+AT_REST = {"g_over_l": "1", "amplitude": "0", "frequency": "0"}
+# After how many steps the answers are.
+STEPS = {name: scene.pop("steps") for name, scene in SCENES.items()}
+WHOLE = {name: AT_REST | scene for name, scene in SCENES.items()}
+# What a mistake does not take over from its method.
+OF_METHODS = ("also", "order", "keeps", "source", "digits")
+FIELDS = "name of also what effect seen order keeps same_as digits source note".split()
+
+
+def inputs(name, before=0):
+    """The numbers of a scene, and of so many exact states before it."""
+    scene = {key: mpf(value) for key, value in WHOLE[name].items()}
+    scene["before"] = exact_before(scene, before)
+    return scene
+
+
+def exact_before(scene, count):
+    states, (q, p) = [], (scene["theta"], scene["omega"])
+    system = Pendulum(Digits, scene)
+    for i in range(count):
+        now = scene["t"] - i * scene["h"]
+        q, p = taylor(Digits, system, None, now, q, p, -scene["h"], order=70)
+        states.append((q, p))
+    return states
+
+
+def scenes_of(method):
+    """Where the method has one answer: an implicit one may have several after a large step."""
+    table = method.table
+    if "scenes" in table:
+        return {name: steps or STEPS[name] for name, steps in table["scenes"].items()}
+    if method.kind == "multistep":
+        return {"swinging": [1, 2], "driven": [1, 2]}
+    left_out = [] if is_unique(method) else ["coarse"]
+    if method.kind in ("discrete-gradient", "processed") or "gradients" in table:
+        left_out += ["driven", "driven-later"]
+    return {name: steps for name, steps in STEPS.items() if name not in left_out}
+
+
+def is_unique(method):
+    """Whether a step of 1 with g/L = 1 has one answer: its stages in Nyström's form contract."""
+    if method.explicit or method.kind == "discrete-gradient":
+        # That of the discrete gradient has the derivative δ²/4 at most, δ < 1.1.
+        return True
+    a = method.tableau()[1]
+    if method.kind == "rk":
+        angle = method.tableau("a_theta")[1] if "a_theta" in method.table else a
+        a = (mpmath.matrix(angle) * mpmath.matrix(a)).tolist()
+    return max(sum(abs(x) for x in row) for row in a) < 0.7
+
+
+def shown(x):
+    return mpmath.nstr(x, SHOWN, strip_zeros=False, min_fixed=-40, max_fixed=40)
+
+
+def state(exact):
+    return {"theta": shown(exact[0]), "omega": shown(exact[1])}
+
+
+def spread(exact, rough):
+    """By how much rough numbers miss the exact ones, in units."""
+    return max(abs(r.v - float(e)).max() for e, r in zip(exact, rough)) / Rough.UNIT
+
+
+def answers(method):
+    found = []
+    for name, counts in scenes_of(method).items():
+        scene = inputs(name, method.table.get("before", 0))
+        states, memory = method.run(Digits, scene, max(counts))
+        # The same errors for the same entry, whatever stands before it.
+        Rough.used = 0
+        for n in ORDERS_OF_OPERATIONS:
+            n.sweeps = 60 if name == "coarse" else 24
+        rough = [method.run(n, scene, max(counts)) for n in ORDERS_OF_OPERATIONS]
+        for steps in counts:
+            exact = states[steps - 1]
+            size = max(abs(x) for x in exact)
+            worst = max(spread(exact, run[0][steps - 1]) for run in rough)
+            tolerance = math.ceil(max(LEAST, MARGIN * worst / float(size)))
+            answer = {"scene": name, "steps": steps} | state(exact)
+            found.append({**answer, "tolerance": str(tolerance)})
+        if name in ("swinging", "driven"):
+            found[-len(counts)].update(extras(method, scene))
+    return found
+
+
+def extras(method, scene):
+    """After the first step: the embedded estimate and the interpolant, where the table has them."""
+    Rough.used = 0
+    runs = [(n, *method.run(n, scene, 1)) for n in [Digits, *ORDERS_OF_OPERATIONS]]
+    sets = [extra(method, n, scene, states, memory) for n, states, memory in runs]
+    size = float(max(abs(x) for x in runs[0][1][0]))
+    result = {}
+    for key, exact in sets[0].items():
+        worst = max(spread(exact, rough[key]) for rough in sets[1:])
+        tolerance = math.ceil(max(LEAST, MARGIN * worst / size))
+        result[key] = state(exact) | {"tolerance": str(tolerance)}
+    return result
+
+
+def extra(method, n, scene, states, memory):
+    c, h = memory["c"], n.number(scene["h"])
+    found = {}
+    if hasattr(c, "b_embedded"):
+        size = range(len(c.b))
+        zero = n.number(0)
+        differences = [(c.b[i] or zero) - (c.b_embedded[i] or zero) for i in size]
+        found["estimate"] = combination(n, differences, memory, h)
+    if hasattr(c, "interpolant"):
+        dq, dp = combination(n, c.interpolant, memory, h)
+        found["at_0.3"] = n.number(scene["theta"]) + dq, n.number(scene["omega"]) + dp
+    return found
+
+
+def entry(table):
+    method = Method(table)
+    left_out = OF_METHODS if "of" in table else ()
+    head = {key: table[key] for key in FIELDS if key in table and key not in left_out}
+    return head, answers(method)
+
+
+def line(value):
+    return json.dumps(value, ensure_ascii=False)
+
+
+def document():
+    """The whole file as text: an answer a line."""
+    methods, mistakes = tables.read()
+    out = ["{", '"schema": 1,', '"about": ' + line(ABOUT) + ",", '"scenes": {']
+    rows = []
+    for name, scene in WHOLE.items():
+        more = {}
+        if name in ("swinging", "driven"):
+            before = inputs(name, 4)["before"]
+            more["before"] = [state(z) for z in before]
+        rows.append(f"{line(name)}: {line({**scene, **more})}")
+    out.append(",\n".join(rows) + "},")
+    for kind, entries in (("methods", methods), ("mistakes", mistakes)):
+        texts = []
+        for table in entries.values():
+            head, found = entry(table)
+            body = line(head)[:-1] + ', "answers": [\n'
+            texts.append(body + ",\n".join(line(answer) for answer in found) + "]}")
+        out.append(f"{line(kind)}: [\n" + ",\n".join(texts) + ("]," if kind == "methods" else "]"))
+    return "\n".join(out) + "}\n"
+
+
+ABOUT = (
+    "What one, two or eight steps of a named integrator of the pendulum, "
+    "θ'' = -(g/L) sin θ + A cos(Ωt), lead to. Inputs are exact in binary, answers right to 25 "
+    "digits; a program agrees if neither θ nor ω is further off than "
+    "tolerance × ε × max(|θ|, |ω|), with the ε of its type. See book/known-answers/README.md."
+)
+
+if __name__ == "__main__":
+    start = time.time()
+    text = document()
+    OUTPUT.write_text(text)
+    print(f"{len(text.encode())} bytes, {time.time() - start:.1f} s")

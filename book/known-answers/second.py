@@ -1,0 +1,303 @@
+"""The answers once more: by Arb's balls in place of mpmath, every table in Nyström's form.
+
+Implicit steps are solved by Newton's method.
+"""
+
+import flint
+from flint import arb, arb_mat, arb_series
+
+from tables import Reader, alternation
+
+flint.ctx.prec = 256
+FUNCTIONS = {
+    "number": arb,
+    "sqrt": lambda x: arb(x).sqrt(),
+    "cos": lambda x: arb(x).cos(),
+    "pi": arb.pi(),
+}
+LEFT_OUT = ("mistake", "reuse_first", "wrap", "euler_before", "first_term")
+
+
+class Forces:
+    """The force and its derivative by the angle."""
+
+    def __init__(self, scene, mistake):
+        self.g, self.a, self.w = (arb(scene[key]) for key in ("g_over_l", "amplitude", "frequency"))
+        self.mistake = mistake
+
+    def value(self, t, q):
+        g, mistake = self.g, self.mistake
+        drive = (self.w * t).sin() if mistake == "drive-sine" else (self.w * t).cos()
+        plain = {
+            "sign": lambda: g * q.sin(),
+            "linear": lambda: -g * q,
+            "cosine": lambda: -g * q.cos(),
+            "squared": lambda: -(g**2) * q.sin(),
+            "one": lambda: -q.sin(),
+            "degrees": lambda: -g * (q * arb.pi() / 180).sin(),
+            "cubic": lambda: -g * q * (1 - q**2 / 6),
+        }.get(mistake, lambda: -g * q.sin())()
+        return plain + self.a * drive
+
+    def slope(self, q):
+        return -self.g * q.cos()
+
+
+def middle(x):
+    return x.mid()
+
+
+def root(function, guess):
+    """A zero by the secant method."""
+    a, b = guess, guess + arb(2) ** -40
+    for _ in range(12):
+        fa, fb = function(a), function(b)
+        if middle(fa - fb) == 0:
+            break
+        a, b = b, middle(b - fb * (b - a) / middle(fb - fa))
+    return b
+
+
+def dot(a, b):
+    return sum((x * y for x, y in zip(a, b)), arb(0))
+
+
+def product(a, b):
+    return [[dot(row, column) for column in zip(*b)] for row in a]
+
+
+class Nystrom:
+    """θᵢ = θ + h rᵢ ω + h² Σ aᵢⱼ fⱼ, θ' = θ + h r ω + h² Σ b̄ f, ω' = ω + h Σ b f; times cᵢ."""
+
+    def __init__(self, table):
+        reader = Reader(table, FUNCTIONS)
+        self.gradients = None
+        if table["kind"] in ("splitting", "processed"):
+            self.from_splitting(alternation(table, reader))
+            if "times" in table:
+                self.c = reader.row(table["times"])
+            return
+        if "collocation" in table:
+            self.c, a = gauss(table["collocation"])
+            self.b = a.pop()
+        else:
+            self.c, a = reader.rows(table["a"])
+            self.b = reader.row(table["b"])
+        if "times" in table:
+            self.c = reader.row(table["times"])
+        if table["kind"] == "rkn":
+            self.r, self.a, self.b_angle, self.whole = (
+                self.c,
+                a,
+                reader.row(table["b_theta"]),
+                arb(1),
+            )
+            return
+        angle = reader.rows(table["a_theta"])[1] if "a_theta" in table else a
+        weights = reader.row(table["b_theta"]) if "b_theta" in table else self.b
+        self.r, self.whole = [sum(row, arb(0)) for row in angle], sum(weights, arb(0))
+        self.a, self.b_angle = product(angle, a), product([weights], a)[0]
+
+    def from_splitting(self, ops):
+        elapsed, at, self.b, gradients = arb(0), [], [], []
+        for what, length, gradient in ops:
+            if what == "drift":
+                elapsed += length
+            elif length != 0:
+                at.append(elapsed)
+                self.b.append(length)
+                gradients.append(gradient)
+        self.c = self.r = at
+        self.whole = elapsed
+        self.a = []
+        for i, x in enumerate(at):
+            before = [k * (x - y) for k, y in zip(self.b[:i], at)]
+            self.a.append(before + [arb(0)] * (len(at) - i))
+        self.b_angle = [k * (elapsed - y) for k, y in zip(self.b, at)]
+        if any(x is not None and x != 0 for x in gradients):
+            self.gradients = gradients
+
+    def step(self, forces, t, q, p, h):
+        size = len(self.c)
+        explicit = all(x == 0 for i, row in enumerate(self.a) for x in row[i:])
+        start = [q + h * r * p for r in self.r]
+        f = []
+        if explicit:
+            for i in range(size):
+                stage = start[i] + h**2 * dot(self.a[i], f)
+                f.append(self.force(forces, i, t, h, stage))
+        else:
+            stages = start
+            for _ in range(9):
+                f = [self.force(forces, i, t, h, x) for i, x in enumerate(stages)]
+                rest = [x - s - h**2 * dot(row, f) for x, s, row in zip(stages, start, self.a)]
+                slopes = [h**2 * forces.slope(x) for x in stages]
+                jacobian = [[-a * slope for a, slope in zip(row, slopes)] for row in self.a]
+                for i in range(size):
+                    jacobian[i][i] += 1
+                change = arb_mat(jacobian).solve(arb_mat(size, 1, rest))
+                stages = [middle(x - change[i, 0]) for i, x in enumerate(stages)]
+            f = [self.force(forces, i, t, h, x) for i, x in enumerate(stages)]
+        angle = q + h * self.whole * p + h**2 * dot(self.b_angle, f)
+        return angle, p + h * dot(self.b, f)
+
+    def force(self, forces, i, t, h, q):
+        f = forces.value(t + self.c[i] * h, q)
+        return f + self.gradients[i] * h**2 * f * forces.slope(q) if self.gradients else f
+
+
+def gauss(size):
+    """Nodes, and a with the weights as its last row, by integrating Lagrange's polynomials."""
+    nodes = [(1 + arb.legendre_p_root(size, i)) / 2 for i in reversed(range(size))]
+    rows = [[] for _ in range(size + 1)]
+    for j, node in enumerate(nodes):
+        polynomial, scale = flint.arb_poly([1]), arb(1)
+        for i, other in enumerate(nodes):
+            if i != j:
+                polynomial, scale = polynomial * flint.arb_poly([-other, 1]), scale * (node - other)
+        integral = polynomial.integral()
+        for row, end in zip(rows, [*nodes, arb(1)]):
+            row.append(integral(end) / scale)
+    return nodes, rows
+
+
+def series(forces, t, q, p, h, order):
+    """Taylor's series of this order, by Picard's iteration."""
+    flint.ctx.cap = order + 1
+    x = arb_series([0, 1])
+    theta = omega = None
+    theta, omega = arb_series([q]), arb_series([p])
+    for _ in range(order + 1):
+        force = -forces.g * theta.sin() + forces.a * (forces.w * (t + x)).cos()
+        omega = force.integral() + p
+        theta = omega.integral() + q
+    return tuple(sum((z[k] * h**k for k in range(order + 1)), arb(0)) for z in (theta, omega))
+
+
+def discrete_gradient(table, forces, t, q, p, h):
+    w, exact, way = forces.g.sqrt(), table.get("exact_when_small"), table.get("way", 1)
+    if exact:
+        w = arb(1) if exact == "one" else w
+        x = w * h / 2
+        h = 2 / w * (x.sin() if exact == "sine" else x.sin() / x.cos())
+
+    def mean(new):
+        m, s = (new + q) / 2, way * (new - q) / 2
+        return forces.g * ((m + s).cos() - (m - s).cos()) / (2 * s)
+
+    new = root(lambda x: x - q - h * p - h**2 / 2 * mean(x), q + h * p)
+    return new, p + h * mean(new)
+
+
+def deuflhard(table, forces, t, q, p, h):
+    w = forces.g.sqrt()
+
+    def rest(q):
+        turns = 0 if table.get("one_bottom") else round(float(q) / 6.283185307179586)
+        return q - 2 * arb.pi() * turns
+
+    def kick(t, q, p, h):
+        return p + h * (forces.value(t, q) + forces.g * rest(q))
+
+    def turned(q, p, h):
+        # The rotation as a kick, a drift and a kick.
+        length, drift = (w * h / 2).tan() / w, (w * h).sin() / w
+        base = q - rest(q)
+        p = p - length * forces.g * (q - base)
+        q = q + drift * p
+        return q, p - length * forces.g * (q - base)
+
+    if table.get("rotation_first"):
+        q, p = turned(q, p, h / 2)
+        return turned(q, kick(t + h / 2, q, p, h), h / 2)
+    q, p = turned(q, kick(t, q, p, h / 2), h)
+    return q, kick(t + h, q, p, h / 2)
+
+
+def processed(table, forces, q, p, h, steps):
+    """All steps: only the first sees the processor undone, and each is seen through it."""
+    kernel, reader = Nystrom(table), Reader(table, FUNCTIONS)
+    x = {key: reader.expression(value) for key, value in table["parameters"].items()}
+    linear, mixed, cubic = (
+        x.get(key, arb(0)) * h**power for key, power in (("linear", 2), ("mixed", 4), ("cubic", 4))
+    )
+
+    def potential(q):
+        """The first four derivatives of V = -g cos q."""
+        return forces.g * q.sin(), forces.g * q.cos(), -forces.g * q.sin(), -forces.g * q.cos()
+
+    def seen_angle(q, w):
+        v1, v2, v3, _ = potential(q)
+        return q + linear * v1 + mixed * v1 * v2 + 3 * cubic * w**2 * v3
+
+    def kernel_velocity(q, w):
+        v1, v2, v3, v4 = potential(q)
+        return w + linear * w * v2 + mixed * w * (v2**2 + v1 * v3) + cubic * w**3 * v4
+
+    theta = root(lambda x: seen_angle(x, p) - q, q)
+    omega, states = kernel_velocity(theta, p), []
+    for _ in range(steps):
+        theta, omega = kernel.step(forces, arb(0), theta, omega, h)
+        seen = root(lambda w, q=theta, p=omega: kernel_velocity(q, w) - p, omega)
+        states.append((seen_angle(theta, seen), seen))
+    return states
+
+
+def multistep(table, forces, t, q, p, h, steps):
+    reader = Reader(table, FUNCTIONS)
+    values, explicit, implicit = (
+        reader.row(table.get(key, "")) for key in ("values", "explicit", "implicit")
+    )
+    past, states = [(q, p, forces.value(t, q))], []
+    for i in range(table["before"]):
+        a, b = series(forces, t - i * h, past[-1][0], past[-1][1], -h, 70)
+        past.append((a, b, forces.value(t - (i + 1) * h, a)))
+    for step in range(steps):
+        now = t + (step + 1) * h
+        bases = [sum((v * x[k] for v, x in zip(values or [arb(1)], past)), arb(0)) for k in (0, 1)]
+
+        def moved(weights, bases=bases, past=tuple(past)):
+            return [
+                bases[k] + h * sum((w * x[k + 1] for w, x in zip(weights, past)), arb(0))
+                for k in (0, 1)
+            ]
+
+        if explicit:
+            q, p = moved(explicit)
+        if implicit:
+            a, b = moved(implicit[1:])
+            beta = h * implicit[0]
+            if explicit:
+                q, p = a + beta * p, b + beta * forces.value(now, q)
+            else:
+                q = root(lambda x: x - a - beta * (b + beta * forces.value(now, x)), q + h * p)
+                p = b + beta * forces.value(now, q)
+        past.insert(0, (q, p, forces.value(now, q)))
+        states.append((q, p))
+    return states
+
+
+def run(table, scene, steps):
+    """The states after each step, or nothing where this file does not know the mistake."""
+    if any(key in table for key in LEFT_OUT):
+        return None
+    forces = Forces(scene, table.get("force"))
+    t, q, p, h = (arb(scene[key]) for key in ("t", "theta", "omega", "h"))
+    kind, states = table["kind"], []
+    if kind == "processed":
+        return processed(table, forces, q, p, h, steps)
+    if kind == "multistep":
+        return multistep(table, forces, t, q, p, h, steps)
+    tableau = Nystrom(table) if kind in ("rk", "rkn", "splitting") else None
+    for i in range(steps):
+        now = t if table.get("time") == "never" else t + i * h
+        if tableau:
+            q, p = tableau.step(forces, now, q, p, h)
+        elif kind == "taylor":
+            q, p = series(forces, now, q, p, h, table["order"])
+        elif kind == "deuflhard":
+            q, p = deuflhard(table, forces, now, q, p, h)
+        else:
+            q, p = discrete_gradient(table, forces, now, q, p, h)
+        states.append((q, p))
+    return states

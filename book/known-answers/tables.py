@@ -1,0 +1,114 @@
+"""Reads the tables: names, sources and coefficients, the latter as expressions or decimals."""
+
+import pathlib
+import re
+import tomllib
+
+import mpmath
+
+HERE = pathlib.Path(__file__).parent
+NUMBER = re.compile(r"(?<![\w.])(\d+\.?\d*(?:e[-+]?\d+)?|\.\d+(?:e[-+]?\d+)?)")
+MPMATH = {"number": mpmath.mpf, "sqrt": mpmath.sqrt, "cos": mpmath.cos, "pi": mpmath.pi}
+
+
+class Reader:
+    """Reads the expressions of one table with one library of numbers."""
+
+    def __init__(self, table, functions=MPMATH):
+        self.names = dict(functions)
+        for name, text in table.get("let", {}).items():
+            self.names[name] = self.expression(text)
+
+    def expression(self, text):
+        # The tables are part of this repository: nothing from outside is evaluated.
+        return eval(
+            NUMBER.sub(r"number('\1')", text), {"__builtins__": {}}, self.names
+        ) + self.names["number"](0)
+
+    def row(self, text):
+        return [self.expression(token) for token in text.split()]
+
+    def rows(self, text):
+        """Nodes and rows of "c : a a a", filled up with zeros; without c, the sum of the row."""
+        nodes, rows = [], []
+        for line in text.strip().splitlines():
+            node, colon, entries = line.rpartition(":")
+            rows.append(self.row(entries))
+            nodes.append(
+                self.expression(node.strip()) if colon else sum(rows[-1], self.names["number"](0))
+            )
+        size = len(rows)
+        return nodes, [row + [self.names["number"](0)] * (size - len(row)) for row in rows]
+
+
+def read():
+    """All tables by name, and the names in the order of the files: (methods, mistakes)."""
+    found = {"method": [], "mistake": []}
+    for path in sorted((HERE / "tables").glob("*.toml")):
+        for kind, entries in tomllib.loads(path.read_text()).items():
+            if kind in found:
+                found[kind] += entries
+    methods = {table["name"]: table for table in found["method"]}
+    mistakes = {}
+    for table in found["mistake"]:
+        base = methods[table["of"]]
+        merged = {
+            k: v
+            for k, v in base.items()
+            if k not in ("name", "also", "same_as", "b_embedded", "interpolant")
+        }
+        merged["let"] = {**base.get("let", {}), **table.get("let", {})}
+        merged.update({k: v for k, v in table.items() if k not in ("let", "change")})
+        for change in table.get("change", []):
+            exchange(merged, change)
+        mistakes[table["name"]] = merged
+    assert len(methods) == len(found["method"]) and len(mistakes) == len(
+        found["mistake"]
+    ), "a name twice"
+    return methods, mistakes
+
+
+def exchange(table, change):
+    """Replaces an entry of a table, counted from 1: "a 4 3 = 1/2", "c 3 = 1", "b 2 = 0"."""
+    where, value = (side.strip() for side in change.split("="))
+    field, *indices = where.split()
+    if field in ("a", "c"):
+        lines = [line.strip() for line in table["a"].strip().splitlines()]
+        i = int(indices[0]) - 1
+        node, colon, entries = lines[i].rpartition(":")
+        # The node stays what it was: the change of an entry changes nothing else.
+        node = node.strip() if colon else "+".join(f"({e})" for e in entries.split())
+        entries = entries.split()
+        if field == "c":
+            node = value
+        else:
+            j = int(indices[1]) - 1
+            entries += ["0"] * (j + 1 - len(entries))
+            entries[j] = value
+        lines[i] = f"{node} : {' '.join(entries)}"
+        table["a"] = "\n".join(lines)
+    else:
+        entries = table[field].split()
+        entries[int(indices[0]) - 1] = value
+        table[field] = " ".join(entries)
+
+
+def alternation(table, reader):
+    """Kicks and drifts of a splitting: a list of ("kick" or "drift", length, gradient)."""
+    first = table.get("first", "kick")
+    if "substeps" in table:
+        steps = reader.row(table["substeps"])
+        if table.get("mirror"):
+            steps = steps + steps[-2::-1]
+        lengths = [steps[0] / 2] + [x for a, b in zip(steps, steps[1:]) for x in (a, (a + b) / 2)]
+        lengths += [steps[-1], steps[-1] / 2]
+    else:
+        lengths = reader.row(table["lengths"])
+        if table.get("mirror"):
+            lengths = lengths + lengths[-2::-1]
+    gradients = reader.row(table["gradients"]) if "gradients" in table else []
+    names = ("kick", "drift") if first == "kick" else ("drift", "kick")
+    return [
+        (names[i % 2], length, gradients[i] if gradients else None)
+        for i, length in enumerate(lengths)
+    ]
