@@ -200,12 +200,11 @@ def deuflhard(table, forces, t, q, p, h):
         return p + h * (forces.value(t, q) + forces.g * rest(q))
 
     def turned(q, p, h):
-        # The rotation as a kick, a drift and a kick.
-        length, drift = (w * h / 2).tan() / w, (w * h).sin() / w
-        base = q - rest(q)
-        p = p - length * forces.g * (q - base)
-        q = q + drift * p
-        return q, p - length * forces.g * (q - base)
+        # A rotation, whose last kick is from the bottom that is nearest then.
+        s, c, r = (w * h).sin(), (w * h).cos(), rest(q)
+        end = q - r + r * c + p / w * s
+        moved = end - (q - r) - rest(end)
+        return end, p * c - r * w * s + (w * h / 2).tan() / w * forces.g * moved
 
     if table.get("rotation_first"):
         q, p = turned(q, p, h / 2)

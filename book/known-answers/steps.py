@@ -302,8 +302,11 @@ def deuflhard(n, system, memory, t, q, p, h):
         return p + length * (system.force(t, q) + system.g * rest(q))
 
     def turned(q, p, h):
-        s, c, r = n.sin(w * h), n.cos(w * h), rest(q)
-        return q + (r * c + p / w * s - r), p * c - r * w * s
+        # Kick, drift and kick, each from its nearest bottom: over the top, too, it is symmetric.
+        length, drift = n.tan(w * h * half) / w, n.sin(w * h) / w
+        p = p - length * (system.g * rest(q))
+        q = q + drift * p
+        return q, p - length * (system.g * rest(q))
 
     if rotation_first:
         q, p = turned(q, p, h * half)
