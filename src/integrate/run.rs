@@ -13,9 +13,9 @@ use crate::systems::{Counting, Numbers, System};
 
 /// The steps of a method on the system `S`, behind a pointer.
 pub trait Steps<S: System>: Sync {
-    /// The checkpoint before the first step `h` (s) from `z`, and the force evaluations that it
-    /// cost.
-    fn start(&self, system: &S, h: f64, z: S::State) -> (Checkpoint, u64);
+    /// The checkpoint after `n` steps `h` (s) that have led to `z`, at the time nh, and the force
+    /// evaluations that it cost.
+    fn start(&self, system: &S, n: u64, h: f64, z: S::State) -> (Checkpoint, u64);
 
     /// Takes `every` steps `h` (s) for each of the slots of `states`, and writes the state after
     /// them into it. Between these states nothing is computed that only an observer reads.
@@ -45,10 +45,10 @@ where
     S: System<State: Numbers> + Copy,
     M: Method<Counting<S>, Carry: Numbers> + Sync,
 {
-    fn start(&self, system: &S, h: f64, z: S::State) -> (Checkpoint, u64) {
+    fn start(&self, system: &S, n: u64, h: f64, z: S::State) -> (Checkpoint, u64) {
         let system = Counting::new(*system);
-        let carry = Method::start(self, &system, 0.0, h, z);
-        (Checkpoint::of(0, z, carry), system.evaluations())
+        let carry = Method::start(self, &system, n as f64 * h, h, z);
+        (Checkpoint::of(n, z, carry), system.evaluations())
     }
 
     // ANCHOR: take
@@ -118,7 +118,7 @@ const BLOCK: usize = 64;
 impl<'m, S: System<State: Numbers> + Copy> Run<'m, S> {
     /// A run of `method` on `system` from `start` along `grid`, before its first step.
     pub fn start(system: &S, method: &'m dyn Steps<S>, start: S::State, grid: &Grid) -> Self {
-        let (at, evaluations) = method.start(system, grid.step(), start);
+        let (at, evaluations) = method.start(system, 0, grid.step(), start);
         Self { system: *system, method, grid: *grid, at, evaluations }
     }
 

@@ -11,6 +11,7 @@ pub mod driven;
 pub mod energy;
 pub mod error_constant;
 pub mod judge;
+pub mod known_answers;
 mod ladder;
 pub mod linear;
 pub mod order;
@@ -21,8 +22,7 @@ pub mod work;
 pub use area::area_defect;
 pub use judge::{
     Claims, Drive, Evidence, Fault, Finding, FromFn, Identity, Listed, Reply, Report, Request,
-    Scientific, Stranger, Suspect, Verdict, judge, scientific, sign_of_slopes, try_judge,
-    try_judge_among,
+    Scientific, Stranger, Verdict, judge, scientific, sign_of_slopes, try_judge,
 };
 pub use ladder::Ladder;
 

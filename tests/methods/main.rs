@@ -7,6 +7,7 @@ mod common;
 mod area;
 mod changes_of_variables;
 mod error_constant;
+mod known_answers;
 mod linear_oscillator;
 mod linearised;
 mod order;

@@ -201,11 +201,11 @@ fn stormers_form(g: f64, theta: f64, omega: f64, h: f64, n: u64) -> Vec<State> {
 #[case::semi_implicit(
     semi_implicit, Claims::order(1).symplectic().bounded_energy(), "symplectic-euler",
 )]
-#[case::drift_kick(drift_kick, Claims::order(1).symplectic(), "symplectic-euler")]
+#[case::drift_kick(drift_kick, Claims::order(1).symplectic(), "symplectic-euler-drift-first")]
 #[case::forward(forward, Claims::order(1), "forward-euler")]
 #[case::rk4(rk4, Claims::order(4), "rk4")]
-#[case::three_eighths(three_eighths, Claims::order(4), "")]
-#[case::ralston(ralston, Claims::order(2), "")]
+#[case::three_eighths(three_eighths, Claims::order(4), "three-eighths")]
+#[case::ralston(ralston, Claims::order(2), "ralston-2")]
 #[case::heun(heun, Claims::order(2), "heun")]
 #[case::trapezoidal(
     trapezoidal, Claims::order(2).symmetric().bounded_energy(), "trapezoidal",

@@ -333,6 +333,7 @@ fn the_verdict_on_all_claims_is_the_worst() {
         let mut report = Report {
             verdict: Holds,
             identity: None,
+            mistake: None,
             description: String::new(),
             look_at: Vec::new(),
             findings,

@@ -3,6 +3,8 @@
 use core::fmt;
 use core::str::FromStr;
 
+use crate::verify::known_answers::{self, Known};
+
 /// What is claimed of an integrator. Nothing is, unless said. What comes with any claim (mirror,
 /// turn, units, clock, repeatable, precision, and stage times where there is a drive) is not listed
 /// here.
@@ -26,7 +28,7 @@ pub struct Claims {
     pub bounded_energy: bool,
     /// Force evaluations a step, when many are taken.
     pub evaluations: Option<u64>,
-    /// The method that it is, by its name on the command line.
+    /// The method that it is, by a name of the [known answers](crate::verify::known_answers).
     pub name: Option<String>,
 }
 
@@ -66,9 +68,21 @@ impl Claims {
         Self { evaluations: Some(a_step), ..self }
     }
 
-    /// And that it is the method of this [name](crate::MethodInfo::name).
+    /// And that it is the method of this [name](crate::MethodInfo::name), or of one of the
+    /// [known answers](crate::verify::known_answers).
     pub fn name(self, name: impl Into<String>) -> Self {
         Self { name: Some(name.into()), ..self }
+    }
+
+    /// The method that is claimed.
+    pub(super) fn method(&self) -> Option<&'static Known> {
+        self.name.as_deref().and_then(known_answers::method)
+    }
+
+    /// Whether the method that is claimed has this name.
+    pub(super) fn is_named(&self, name: &str) -> bool {
+        let entry = known_answers::method(name).map(|known| &known.name);
+        entry.is_some() && entry == self.method().map(|known| &known.name)
     }
 
     /// The claims of an entry of the library, its name among them. An implicit method claims no
@@ -84,6 +98,21 @@ impl Claims {
             name: Some(entry.name.to_string()),
         }
     }
+}
+
+/// That there is no method of this name, and which have one like it.
+fn unknown(name: &str) -> String {
+    let begins = |known: &&Known| {
+        let beginning = name.get(..3).unwrap_or(name);
+        !beginning.is_empty() && known.name.starts_with(&beginning.to_ascii_lowercase())
+    };
+    let like = known_answers::methods().iter().filter(begins).map(|known| known.name.as_str());
+    let like: Vec<&str> = like.collect();
+    let like = if like.is_empty() { vec!["rk4", "stormer-verlet", "…"] } else { like };
+    format!(
+        "name={name}: no method of snapshots/known-answers.json has this name; there are {}",
+        like.join(", ")
+    )
 }
 
 /// The words of a claim, separated by blanks: `order=2 symplectic symmetric bounded-energy
@@ -104,11 +133,8 @@ impl FromStr for Claims {
                 "order" => claims.order.replace(number()? as u32).is_some(),
                 "evaluations" => claims.evaluations.replace(number()?).is_some(),
                 "name" => {
-                    let name = value.filter(|name| crate::method_named(name).is_some());
-                    let name = name.ok_or_else(|| {
-                        let known = crate::METHODS.iter().map(|method| method.info().name);
-                        format!("{word}: the names are {}", known.collect::<Vec<_>>().join(", "))
-                    })?;
+                    let name = value.unwrap_or_default();
+                    known_answers::method(name).ok_or_else(|| unknown(name))?;
                     claims.name.replace(name.to_string()).is_some()
                 }
                 "symplectic" | "symmetric" | "bounded-energy" if value.is_some() => {

@@ -3,6 +3,8 @@
 
 use core::fmt;
 
+use super::Claims;
+use super::answers::Match;
 use super::number::{Scientific, about, raised};
 use super::probe::{
     G_OVER_L, Measured, Probe, Run, Trouble, distance, exact, frequency, pendulum, step,
@@ -10,6 +12,7 @@ use super::probe::{
 use super::report::{Told, Verdict};
 use crate::systems::{Phase, Separable};
 use crate::verify::error_constant::extrapolated;
+use crate::verify::known_answers;
 use crate::{AnyMethod, Grid, METHODS, MethodInfo};
 
 /// From where a method is seen: a stranger's states are those of the method, or lie a part of a
@@ -37,6 +40,11 @@ impl Seen {
         Self { kicks: 0.0, drifts: -1.0 },
     ];
 
+    /// All but [`Self::DIRECTLY`].
+    pub(super) fn elsewhere() -> impl Iterator<Item = Self> {
+        Self::ALL.into_iter().filter(|seen| *seen != Self::DIRECTLY)
+    }
+
     fn moved(self, g_over_l: f64, z: Phase, h: f64) -> Phase {
         let pendulum = pendulum(g_over_l);
         let z = pendulum.kick(z, pendulum.force(0.0, z), self.kicks * h);
@@ -63,10 +71,11 @@ impl fmt::Display for Seen {
     }
 }
 
-/// A method of the library that a stranger is.
+/// A known method that a stranger is.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Identity {
-    /// The method's name on the command line.
+    /// The method's name on the command line, or that of the
+    /// [known answers](crate::verify::known_answers) if it is not of the library.
     pub method: &'static str,
     /// Its name in text.
     pub title: &'static str,
@@ -85,10 +94,27 @@ impl Identity {
     }
 }
 
+/// What is in the library has its names there.
+impl From<Match> for Identity {
+    fn from(Match { known, apart, .. }: Match) -> Self {
+        let of_the_library = METHODS.iter().map(|method| method.info()).find(|info| {
+            known_answers::method(info.name).is_some_and(|entry| entry.name == known.name)
+        });
+        let (method, title) = match of_the_library {
+            Some(info) => (info.name, info.title),
+            None => (known.name.as_str(), known.also.first().unwrap_or(&known.name).as_str()),
+        };
+        Self { method, title, seen: Seen::DIRECTLY, angles_only: false, apart }
+    }
+}
+
 impl fmt::Display for Identity {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { method, title, seen, angles_only, apart } = self;
-        write!(f, "{title} ({method})")?;
+        f.write_str(title)?;
+        if title != method {
+            write!(f, " ({method})")?;
+        }
         if *seen != Seen::DIRECTLY {
             write!(f, ", seen {seen}")?;
         }
@@ -190,9 +216,16 @@ impl Asked {
     }
 }
 
-/// The method of the list that the stranger is, seen directly or from half a kick or drift away,
-/// or by its angles alone. Of several, that of the order which the stranger shows.
-pub fn identify(probe: &Probe<'_>, shown: Option<u32>) -> Measured<Option<Identity>> {
+/// The known method that the stranger is, seen directly; else that of the library, seen from half a
+/// kick or drift away or by its angles alone, and of several that of the order `shown`.
+pub fn identify(
+    probe: &Probe<'_>,
+    known: Option<Match>,
+    shown: Option<u32>,
+) -> Measured<Option<Identity>> {
+    if let Some(found) = known {
+        return Ok(Some(Identity::from(found)));
+    }
     let asked = Asked::of(probe)?;
     let angle = |a: Phase, b: Phase| (a.theta - b.theta).abs();
     let of_its_order = |method: &&dyn AnyMethod| Some(method.info().order) == shown;
@@ -201,7 +234,7 @@ pub fn identify(probe: &Probe<'_>, shown: Option<u32>) -> Measured<Option<Identi
         let apart = if angles_only { angle } else { distance };
         for seen in Seen::ALL {
             // The angles do not show a kick at the end, and a drift is no other method's angle.
-            if angles_only && seen.drifts != 0.0 {
+            if if angles_only { seen.drifts != 0.0 } else { seen == Seen::DIRECTLY } {
                 continue;
             }
             for method in methods {
@@ -218,15 +251,15 @@ pub fn identify(probe: &Probe<'_>, shown: Option<u32>) -> Measured<Option<Identi
 }
 
 /// What is to be said of a claim to be the method `name`.
-pub fn judge(identity: Option<&Identity>, name: Option<&str>) -> Told {
+pub fn judge(identity: Option<&Identity>, claims: &Claims) -> Told {
     let (verdict, why) = match identity {
-        Some(identity) if identity.is_plain() && Some(identity.method) == name => {
+        Some(identity) if identity.is_plain() && claims.is_named(identity.method) => {
             (Verdict::Holds, "its steps are those of the method".to_string())
         }
         Some(identity) => (Verdict::Fails, format!("it is {identity}")),
-        None => (Verdict::Fails, "its steps are those of no method on the list".to_string()),
+        None => (Verdict::Fails, "its steps are those of no known method".to_string()),
     };
-    let measured = identity.map_or("none on the list", |identity| identity.method).to_string();
+    let measured = identity.map_or("none that is known", |identity| identity.method).to_string();
     let values = identity.map(|identity| identity.apart).into_iter().collect();
     Told { measured, values, unit: "rad", bound: None, verdict, why }
 }

@@ -1,8 +1,8 @@
 //! Property by property, from the order to what to look at.
 
+use super::answers::Answers;
 use super::probe::{Measured, Probe, Trouble};
 use super::report::{Evidence, Finding, Report, Told, Verdict};
-use super::resemblance::Suspect;
 use super::stranger::Stranger;
 use super::{
     Claims, area, clock, energy, evaluations, identity, look, loss, order, precision, repeatable,
@@ -10,29 +10,32 @@ use super::{
 };
 
 /// What is found of `stranger`.
-pub fn report(
-    stranger: &dyn Stranger,
-    claims: &Claims,
-    suspects: &[Suspect<'_>],
-) -> Measured<Report> {
+pub fn report(stranger: &dyn Stranger, claims: &Claims) -> Measured<Report> {
     let empty = Report {
         verdict: Verdict::NotMeasured,
         identity: None,
+        mistake: None,
         description: String::new(),
         look_at: Vec::new(),
         findings: Vec::new(),
         evidence: Evidence::default(),
     };
-    let mut judge = Judge { probe: Probe::new(stranger)?, claims, report: empty };
+    let probe = Probe::new(stranger)?;
+    let answers = Answers::of(&probe)?;
+    let mut judge = Judge { probe, answers, claims, report: empty };
     judge.take_all()?;
     judge.report.conclude(claims.are_none());
-    judge.report.look_at = look::at(&judge.probe, claims, &judge.report, suspects)?;
+    if claims.are_none() || judge.report.failures().next().is_some() {
+        judge.report.mistake = judge.answers.mistake(claims);
+    }
+    judge.report.look_at = look::at(&judge.probe, claims, &judge.report)?;
     Ok(judge.report)
 }
 
 /// The report as it grows.
 struct Judge<'s> {
     probe: Probe<'s>,
+    answers: Answers,
     claims: &'s Claims,
     report: Report,
 }
@@ -136,20 +139,23 @@ impl Judge<'_> {
 
     /// What it is, and what follows from it: loss and name.
     fn identity(&mut self, shown: Shown) -> Measured<()> {
-        let identity = match identity::identify(&self.probe, shown.order) {
+        let named = self.answers.method(self.claims);
+        let identity = match identity::identify(&self.probe, named, shown.order) {
             Err(Trouble::Broken(why)) => return Err(Trouble::Broken(why)),
             identity => identity,
         };
         let known = identity.as_ref().ok().and_then(Option::as_ref).cloned();
         let claims = self.claims;
+        // Only of what the library has can the energy be compared.
+        let listed = known.as_ref().filter(|known| crate::method_named(known.method).is_some());
         let is = |verdict| verdict == Verdict::Holds;
         let loss = loss::measure(
             &self.probe,
-            known.as_ref(),
+            listed,
             claims.symmetric || (!claims.symplectic && is(shown.reversal)),
             claims.symplectic || is(shown.area),
         );
-        let judged = claims.symplectic || claims.symmetric || known.is_some();
+        let judged = claims.symplectic || claims.symmetric || listed.is_some();
         let claimed = if judged { self.implied() } else { None };
         let loss = loss.unwrap_or_else(|| {
             Err(Trouble::NoAnswer("it has nothing that would not lose".to_string()))
@@ -157,7 +163,7 @@ impl Judge<'_> {
         self.note("loss", claimed, loss, loss::Loss::judge)?;
         let name = claims.name.clone();
         self.note("name", name.clone(), identity, |identity| {
-            identity::judge(identity.as_ref(), name.as_deref())
+            identity::judge(identity.as_ref(), claims)
         })?;
         self.description(shown);
         self.report.identity = known;
@@ -188,7 +194,7 @@ impl Judge<'_> {
             "not known, as nothing that would tell was measured".to_string()
         } else {
             let error = error.map(|error| format!("; {error}")).unwrap_or_default();
-            format!("none of the methods on the list: {}{error}", properties.join(", "))
+            format!("none of the known methods: {}{error}", properties.join(", "))
         };
     }
 

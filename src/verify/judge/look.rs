@@ -7,7 +7,8 @@ use super::expansion::{self, Deviation};
 use super::number::{about, raised};
 use super::probe::{G_OVER_L, Measured, Probe, Trouble};
 use super::report::{Finding, Report, Verdict};
-use super::resemblance::{self, Resemblance, Suspect};
+use super::resemblance;
+use crate::verify::known_answers::{Known, Mistake};
 
 /// A cause, and the properties that fail by it.
 struct Cause {
@@ -19,14 +20,9 @@ struct Cause {
 const MOST: usize = 3;
 
 /// What to look at, the cause of most failures first: nothing where every claim holds.
-pub fn at(
-    probe: &Probe<'_>,
-    claims: &Claims,
-    report: &Report,
-    suspects: &[Suspect<'_>],
-) -> Measured<Vec<String>> {
+pub fn at(probe: &Probe<'_>, claims: &Claims, report: &Report) -> Measured<Vec<String>> {
     let failed: Vec<&'static str> = report.failures().collect();
-    let known = claims.are_none() && report.identity.is_some();
+    let known = claims.are_none() && report.identity.is_some() && report.mistake.is_none();
     if known || (failed.is_empty() && !claims.are_none()) || report.verdict == Verdict::NotMeasured
     {
         return Ok(Vec::new());
@@ -41,10 +37,14 @@ pub fn at(
         Some(found) if found.power == 1 => told(Scaled::of(probe, found))?.flatten(),
         _ => None,
     };
-    let alike = told(resemblance::find(probe, claims, report, suspects, scaled.as_ref()))?;
-    let alike = alike.flatten();
+    let alike = match report.mistake {
+        Some(mistake) => Some(in_a_sentence(mistake)),
+        None => told(resemblance::find(probe, claims, report, scaled.as_ref()))?
+            .flatten()
+            .map(|found| found.to_string()),
+    };
     let mut causes: Vec<Cause> = Vec::new();
-    causes.extend(alike.as_ref().map(resembles));
+    causes.extend(alike.clone().map(resembles));
     match (&lost, scaled) {
         // What it resembles says why the first term is wrong.
         (Some(found), _) if found.power == 1 && alike.is_some() => {}
@@ -102,7 +102,16 @@ fn listed(names: &[&str]) -> String {
     }
 }
 
-fn resembles(found: &Resemblance) -> Cause {
+/// A known mistake: its name, what was done, what comes of it, and where it was seen.
+fn in_a_sentence(known: &Known) -> String {
+    let Known { name, mistake, .. } = known;
+    let Some(Mistake { of, what, effect, seen }) = mistake else { return name.clone() };
+    let seen = if seen == "usual" { String::new() } else { format!("; seen in {seen}") };
+    format!("It is a known mistake in {of}, {name}: {what} ({effect}{seen})")
+}
+
+/// What it is but for one thing.
+fn resembles(text: String) -> Cause {
     let explains = &[
         "order",
         "area",
@@ -116,7 +125,7 @@ fn resembles(found: &Resemblance) -> Cause {
         "name",
         "stage-times",
     ];
-    Cause { text: found.to_string(), explains }
+    Cause { text, explains }
 }
 
 /// A step that goes another distance, or solves another equation, than is asked for.

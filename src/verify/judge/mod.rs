@@ -43,6 +43,7 @@
 //! that it computes in double precision, and that its stages know the time, if it can be driven.
 //! Without claims it is said what it is, and nothing is judged.
 
+mod answers;
 pub(crate) mod area;
 mod claims;
 pub(crate) mod clock;
@@ -70,7 +71,6 @@ pub use identity::{Identity, Seen};
 pub use look::sign_of_slopes;
 pub use number::{Scientific, scientific};
 pub use report::{Evidence, Finding, Report, Verdict};
-pub use resemblance::Suspect;
 pub use stranger::{ByPointer, Drive, Fault, FromFn, Listed, Reply, Request, Stranger};
 
 /// Judges `stranger` by its `claims`.
@@ -90,18 +90,5 @@ pub fn judge(stranger: &dyn Stranger, claims: Claims) -> Report {
 /// # Errors
 /// What the stranger did, if it broke the protocol.
 pub fn try_judge(stranger: &dyn Stranger, claims: &Claims) -> Result<Report, String> {
-    try_judge_among(stranger, claims, &[])
-}
-
-/// Judges `stranger` by its `claims`; if it fails, it is compared with these `suspects` besides the
-/// methods of the library.
-///
-/// # Errors
-/// What the stranger did, if it broke the protocol.
-pub fn try_judge_among(
-    stranger: &dyn Stranger,
-    claims: &Claims,
-    suspects: &[Suspect<'_>],
-) -> Result<Report, String> {
-    judging::report(stranger, claims, suspects).map_err(|trouble| trouble.to_string())
+    judging::report(stranger, claims).map_err(|trouble| trouble.to_string())
 }

@@ -5,6 +5,7 @@ use core::fmt;
 use super::identity::Identity;
 use super::probe::Trouble;
 use crate::systems::Phase;
+use crate::verify::known_answers::Known;
 
 /// What is to be said of a claim, or of all of them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -125,8 +126,10 @@ pub struct Report {
     /// Of all claims: `Fails` if one does; else `NotMeasured` or `Unclear` if one is; else `Holds`.
     /// Without claims `Unclaimed`, or `NotMeasured` if nothing could be measured at all.
     pub verdict: Verdict,
-    /// The method of the library that it really is, if it is one.
+    /// The known method that it really is, if it is one.
     pub identity: Option<Identity>,
+    /// The known mistake that it makes, if a claim fails or none is made.
+    pub mistake: Option<&'static Known>,
     /// What is to be said of its step where it is none: order, symmetry and leading error.
     pub description: String,
     /// What to look at to mend it: at most three sentences, the cause first.

@@ -11,17 +11,6 @@ use super::report::Report;
 use crate::systems::Phase;
 use crate::{AnyMethod, Grid, METHODS, Pendulum};
 
-/// A wrong method that is known, with which a stranger is compared.
-#[derive(Clone, Copy)]
-pub struct Suspect<'a> {
-    /// What is wrong with it, in a few words.
-    pub title: &'a str,
-    /// Where it is described.
-    pub link: &'a str,
-    /// Its steps on the pendulum. Its entry is that of the method that it poses as.
-    pub method: &'a dyn AnyMethod,
-}
-
 /// The one thing in which a run differs from that of a known method.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum But {
@@ -44,57 +33,44 @@ enum But {
 /// The known method that a stranger is but for one thing.
 #[derive(Clone, Debug)]
 pub struct Resemblance {
-    title: String,
-    /// Where a wrong method is described.
-    link: Option<String>,
+    title: &'static str,
     but: But,
 }
 
 impl fmt::Display for Resemblance {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { title, link, but } = self;
-        match link {
-            Some(_) => write!(f, "It is a wrong method of the zoo, \"{title}\"")?,
-            None => write!(f, "It is {title}")?,
-        }
+        let Self { title, but } = self;
+        write!(f, "It is {title}")?;
         match but {
-            But::Nothing => {}
+            But::Nothing => Ok(()),
             But::Seen(seen) if seen.drifts == 0.0 => write!(
                 f,
                 " seen {seen}: the velocities that it starts from, and those that it reports, \
                  lie beside the angles' times"
-            )?,
+            ),
             But::Seen(seen) => {
-                write!(f, " seen {seen}: its angles lie beside the velocities' times")?
+                write!(f, " seen {seen}: its angles lie beside the velocities' times")
             }
             But::Reported(seen) => {
                 write!(f, ", but the states that it reports are {seen} of its own")?;
                 if seen.kicks.abs() == 0.5 {
                     write!(f, ": velocities at half steps")?;
                 }
+                Ok(())
             }
-            But::Begun(seen) => write!(f, ", but begun {seen} of the state that it is given")?,
-            But::WithoutFirstHalfKick => write!(f, ", but each step lacks its first half kick")?,
-            But::WithoutLastHalfKick => write!(f, ", but each step lacks its last half kick")?,
-            But::Scaled(scaled) => write!(f, ", but {scaled}")?,
-        }
-        match link {
-            Some(link) => write!(f, "; see {link}"),
-            None => Ok(()),
+            But::Begun(seen) => write!(f, ", but begun {seen} of the state that it is given"),
+            But::WithoutFirstHalfKick => write!(f, ", but each step lacks its first half kick"),
+            But::WithoutLastHalfKick => write!(f, ", but each step lacks its last half kick"),
+            But::Scaled(scaled) => write!(f, ", but {scaled}"),
         }
     }
 }
 
-/// Kicks and drifts from which a method may be seen.
-fn elsewhere() -> impl Iterator<Item = Seen> {
-    Seen::ALL.into_iter().filter(|seen| *seen != Seen::DIRECTLY)
-}
-
 /// Every one thing, with the scale that the first terms of the step show.
 fn every(scaled: Option<&Scaled>) -> Vec<But> {
-    let mut all: Vec<But> = elsewhere().map(But::Seen).collect();
-    all.extend(elsewhere().map(But::Reported));
-    all.extend(elsewhere().map(But::Begun));
+    let mut all: Vec<But> = Seen::elsewhere().map(But::Seen).collect();
+    all.extend(Seen::elsewhere().map(But::Reported));
+    all.extend(Seen::elsewhere().map(But::Begun));
     all.extend([But::WithoutFirstHalfKick, But::WithoutLastHalfKick]);
     all.extend(scaled.map(|scaled| But::Scaled(*scaled)));
     all
@@ -166,16 +142,15 @@ fn fits(method: &dyn AnyMethod, claims: &Claims) -> bool {
     claims.order.is_none_or(|order| order == entry.order)
         && (!claims.symplectic || entry.symplectic)
         && (!claims.symmetric || entry.symmetric)
-        && claims.name.as_ref().is_none_or(|name| *name == entry.name)
+        && (claims.name.is_none() || claims.is_named(entry.name))
 }
 
-/// What the stranger is but for one thing: first a suspect as it is, then a method of the library
-/// that has what is claimed, then any other method, then a suspect.
+/// What the stranger is but for one thing: first a method of the library that has what is claimed,
+/// then any other.
 pub fn find(
     probe: &Probe<'_>,
     claims: &Claims,
     report: &Report,
-    suspects: &[Suspect<'_>],
     scaled: Option<&Scaled>,
 ) -> Measured<Option<Resemblance>> {
     let plain = report.identity.as_ref().filter(|identity| identity.is_plain());
@@ -193,21 +168,8 @@ pub fn find(
         let pairs = every.iter().flat_map(|but| methods.iter().map(move |method| (*but, *method)));
         let mut those = pairs.filter(|(but, method)| is(&asked, *method, *but));
         those.next().map(|(but, method)| {
-            let title = method.info().title.to_string();
-            Resemblance { title, link: None, but }
-        })
-    };
-    // Two wrong methods may be one on this equation: first those of what is claimed.
-    let (mut known, more): (Vec<Suspect<'_>>, Vec<_>) =
-        suspects.iter().copied().partition(|suspect| fits(suspect.method, claims));
-    known.extend(more);
-    let suspect = |buts: &[But]| {
-        let pairs = buts.iter().flat_map(|but| known.iter().map(move |known| (*but, *known)));
-        let mut those = pairs.filter(|(but, known)| is(&asked, known.method, *but));
-        those.next().map(|(but, known)| Resemblance {
-            title: known.title.to_string(),
-            link: Some(known.link.to_string()),
-            but,
+            let title = method.info().title;
+            Resemblance { title, but }
         })
     };
     // What is on the list has its name already; there only the method that is claimed helps.
@@ -216,8 +178,7 @@ pub fn find(
     if report.identity.is_some() {
         return Ok(resembling(&fitting));
     }
-    let found = suspect(&[But::Nothing]).or_else(|| resembling(&fitting));
-    Ok(found.or_else(|| resembling(&others)).or_else(|| suspect(&every)))
+    Ok(resembling(&fitting).or_else(|| resembling(&others)))
 }
 
 /// The method of the library from which a short step parts least, and by how much, in words;

@@ -123,7 +123,7 @@ fn states<S: System<State = Phase>>(
     system: &S,
     request: &Request,
 ) -> (Vec<Phase>, u64) {
-    let (mut at, before) = method.start(system, request.step, request.start);
+    let (mut at, before) = method.start(system, 0, request.step, request.start);
     let nothing = Phase { theta: f64::NAN, omega: f64::NAN };
     let mut states = vec![nothing; request.states() as usize];
     let Some(every) = NonZeroU64::new(request.every) else { return (states, before) };

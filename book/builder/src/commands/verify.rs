@@ -9,7 +9,7 @@ use std::time::Duration;
 
 use anyhow::Context;
 use clap::{Args, ValueEnum};
-use pendula::verify::{Claims, Report, Suspect, Verdict, try_judge_among};
+use pendula::verify::{Claims, Verdict, try_judge};
 
 use super::destination::Destination;
 use super::number::number;
@@ -74,7 +74,7 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
     }
     run_with(arguments, out, |patience, interrupted| {
         let program = Program::start(&arguments.program, patience, interrupted)?;
-        let report = among_the_zoo(&program, &arguments.claims)?;
+        let report = try_judge(&program, &arguments.claims)?;
         Ok((report, program.name().to_string()))
     })
 }
@@ -129,21 +129,6 @@ pub(crate) fn run_with(
         (_, Ok(())) => Ok(()),
     }
 }
-
-/// The program judged; where a claim fails it is compared with the wrong methods of the zoo, too.
-fn among_the_zoo(program: &Program, claims: &Claims) -> Result<Report, String> {
-    let zoo = pendula_zoo::impostors();
-    let titles: Vec<String> = zoo.iter().map(pendula_zoo::Impostor::title).collect();
-    let suspects: Vec<Suspect<'_>> = zoo
-        .iter()
-        .zip(&titles)
-        .map(|(animal, title)| Suspect { title, link: ZOO, method: &*animal.method })
-        .collect();
-    try_judge_among(program, claims, &suspects)
-}
-
-/// Where the wrong methods are described.
-const ZOO: &str = "the book's chapter \"The zoo\"";
 
 /// Prints the report, and all of it: on failure nothing more is.
 fn print(arguments: &Arguments, judged: &Judged<'_>, out: &mut dyn Write) -> io::Result<()> {

@@ -20,6 +20,7 @@ pub fn value(judged: &Judged<'_>) -> Value {
         "verdict": report.verdict.name(),
         "summary": report.summary(),
         "identity": report.identity.as_ref().map(|identity| identity.method),
+        "mistake": report.mistake.map(|mistake| &mistake.name),
         "what_it_is": report.what_it_is(),
         "what_to_look_at": report.look_at,
         "properties": report.findings.iter().map(property).collect::<Vec<_>>(),

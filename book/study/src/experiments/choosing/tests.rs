@@ -157,7 +157,7 @@ fn of_coarse_steps_the_curve_knows_what_was_seen() {
         assert_eq!(kept([coarse(COARSE - 1, lost), fine()], 7), [COARSE - 1, 64]);
         assert_eq!(kept([coarse(COARSE - 1, lost), fine()], 8), [64]);
     }
-    assert_eq!(kept([rung(COARSE, [f64::NAN, 0.0, 0.0]), fine()], 8), []);
+    assert!(kept([rung(COARSE, [f64::NAN, 0.0, 0.0]), fine()], 8).is_empty());
 }
 
 /// RK4 with a drift that falls with the fourth power of the step, and with the fifth, on rungs
