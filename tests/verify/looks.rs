@@ -257,8 +257,8 @@ fn single_precision(f: Force<'_>, z: Phase, h: f64, n: u64) -> Vec<Phase> {
     the_fourth_stage_from_the_second_slope, told,
     Claims::order(4), &["order"],
     "It is a known mistake in rk4, rk4-fourth-stage-from-second-slope: k4 is built on k2, not on \
-     k3 (order 3). From this follows what fails in order.|Its order is 3, not 4: the error of a step \
-     begins with h⁴, where Σ bᵢ aᵢⱼ aⱼₖ cₖ is 0, not 1/24",
+     k3 (order 3). From this follows what fails in order.|Its order is 3, not 4: the error of a \
+     step begins with h⁴, where Σ bᵢ aᵢⱼ aⱼₖ cₖ is 0, not 1/24",
 )]
 #[case::the_drive_at_the_steps_start(
     the_drive_at_the_steps_start, told,

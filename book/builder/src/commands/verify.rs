@@ -9,7 +9,7 @@ use std::time::Duration;
 
 use anyhow::Context;
 use clap::{Args, ValueEnum};
-use pendula::verify::{Claims, Verdict, try_judge};
+use pendula::verify::{Claims, Report, Verdict, try_judge};
 
 use super::destination::Destination;
 use super::number::number;
@@ -188,7 +188,15 @@ mod tests {
             let judged = judged.map(|verdict| {
                 let (findings, look_at, description) = (vec![], vec![], String::new());
                 let (identity, evidence) = (None, Evidence::default());
-                let report = Report { verdict, identity, description, look_at, findings, evidence };
+                let report = Report {
+                    verdict,
+                    identity,
+                    mistake: None,
+                    description,
+                    look_at,
+                    findings,
+                    evidence,
+                };
                 (report, String::new())
             });
             let outcome = run_with(&call.arguments, out, |_, _| judged);
