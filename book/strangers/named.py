@@ -1,0 +1,133 @@
+"""Holds the integrators of strangers.toml against snapshots/known-answers.json.
+
+    book/strangers/run --named
+
+Each is asked for the scenes of the file, through its adapter, and compared with every method and
+every mistake. `named` in strangers.toml is the method that its documentation says it is, by its
+name in the file: several, where the documentation can mean either. `precision = "single"` says
+that the documentation says so. The protocol begins at t = 0, and with one state: scenes that
+begin later are left out, and methods of several steps begin in their own way.
+"""
+
+import collections
+import concurrent.futures
+import decimal
+import json
+import os
+import re
+import subprocess
+import sys
+import tomllib
+from decimal import Decimal
+
+# Seconds for all answers of an integrator.
+LIMIT = 240
+EPSILON = {"double": Decimal(2) ** -52, "single": Decimal(2) ** -23}
+DRIVEN = "driven"
+# How far an integrator is from an answer: in ε, and in tolerances.
+Distance = collections.namedtuple("Distance", "scene steps epsilons tolerances")
+
+decimal.getcontext().prec = 40
+
+
+class Answers:
+    """The file of known answers."""
+
+    def __init__(self, root):
+        known = json.loads((root / "snapshots" / "known-answers.json").read_text())
+        self.scenes = {n: s for n, s in known["scenes"].items() if s["t"] == "0"}
+        self.entries = {e["name"]: e for e in known["methods"] + known["mistakes"]}
+        self.mistakes = {e["name"] for e in known["mistakes"]}
+        tables = root / "book" / "known-answers" / "tables" / "multistep.toml"
+        several = tomllib.loads(tables.read_text())["method"]
+        self.of_several_steps = {table["name"] for table in several}
+        self.steps = {scene: 0 for scene in self.scenes}
+        for entry in self.entries.values():
+            for a in entry["answers"]:
+                if a["scene"] in self.steps:
+                    self.steps[a["scene"]] = max(self.steps[a["scene"]], a["steps"])
+
+    def request(self, name):
+        s, n = self.scenes[name], self.steps[name]
+        drive = [s["amplitude"], s["frequency"]] if s["amplitude"] != "0" else []
+        words = [DRIVEN if drive else "pendulum", s["g_over_l"], *drive]
+        return " ".join([*words, s["theta"], s["omega"], s["h"], str(n), "1"])
+
+    def distances(self, name, states, epsilon):
+        """From the entry of that name, in every scene that both have."""
+        for a in self.entries[name]["answers"]:
+            if a["scene"] in states:
+                right = Decimal(a["theta"]), Decimal(a["omega"])
+                said = states[a["scene"]][a["steps"] - 1]
+                size = epsilon * max(map(abs, right))
+                far = max(abs(x - y) for x, y in zip(said, right)) / size
+                # A number that is none is nowhere.
+                far = far if far.is_finite() else Decimal("Infinity")
+                yield Distance(a["scene"], a["steps"], far, far / Decimal(a["tolerance"]))
+
+
+def ask(answers, library, integrator, work, kept):
+    """The states of an integrator by scene; those that it does not answer are missing."""
+    name = re.sub(r"[^\w.+-]+", "_", f"{library['name']}-{library['version']}-{integrator['name']}")
+    kept = kept / f"{name}.txt"
+    if not kept.exists():
+        lines = ["hello 1", *map(answers.request, answers.scenes), "bye", ""]
+        command = [*library["run"], integrator["name"]]
+        try:
+            told = subprocess.run(command, cwd=work, input="\n".join(lines), capture_output=True,
+                                  text=True, timeout=LIMIT).stdout
+        except subprocess.TimeoutExpired as late:
+            told = (late.stdout or b"").decode()
+        kept.write_text(told)
+        print(library["name"], integrator["name"], file=sys.stderr)
+    replies, states = [[]], {}
+    for line in kept.read_text().splitlines()[1:]:
+        if line.split()[0] in ("done", "unsupported", "error"):
+            replies.append([])
+        else:
+            replies[-1].append(tuple(map(Decimal, line.split())))
+    for scene, reply in zip(answers.scenes, replies):
+        if len(reply) == answers.steps[scene]:
+            states[scene] = reply
+    return states
+
+
+def told(d, name=None):
+    number = f"{d.epsilons:.1f}" if d.epsilons < 1000 else f"{d.epsilons:.0e}".replace("+", "")
+    where = f"{d.scene}, {d.steps} step{'s' * (d.steps > 1)}"
+    return f"{number} ε ({d.tolerances:.2g} tolerances; {where})" if name is None else where
+
+
+def row(answers, library, integrator, states):
+    """A row of the table, and the verdict."""
+    epsilon = EPSILON[integrator.get("precision", "double")]
+    far = {name: list(answers.distances(name, states, epsilon)) for name in answers.entries}
+    worst = {n: max(d, key=lambda x: x.tolerances) for n, d in far.items() if d}
+    found = [n for n, d in worst.items() if d.tolerances <= 1]
+    at_rest = {n: [x for x in d if x.scene != DRIVEN] for n, d in far.items()}
+    undriven = [n for n, d in at_rest.items() if d and max(x.tolerances for x in d) <= 1]
+    what = ", ".join(found) or ", ".join(f"{n} without drive" for n in undriven) or "–"
+    largest = max((max(x.epsilons for x in far[n]) for n in found), default=None)
+    named = [n for n in integrator.get("named", "").split()]
+    verdict, distance = "–", f"{largest:.1f} ε" if found else "–"
+    if not states:
+        verdict = "no answer"
+    elif named and set(named) <= answers.of_several_steps:
+        verdict = "begins in its own way"
+    elif named:
+        nearest = min((worst[n] for n in named), key=lambda x: x.tolerances)
+        verdict = "within" if nearest.tolerances <= 1 else "outside"
+        distance = told(nearest)
+    why = integrator.get("outside", "")
+    return [library["name"], f"`{integrator['name']}`", " or ".join(named) or "–", verdict,
+            distance, what, why]
+
+
+def rows(libraries, root, work):
+    answers = Answers(root)
+    kept = work / "answers"
+    kept.mkdir(exist_ok=True)
+    jobs = [(library, integrator) for library in libraries for integrator in library["integrator"]]
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        states = pool.map(lambda job: ask(answers, *job, work, kept), jobs)
+        return [row(answers, *job, s) for job, s in zip(jobs, states)]
