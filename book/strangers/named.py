@@ -24,6 +24,8 @@ from decimal import Decimal
 LIMIT = 240
 EPSILON = {"double": Decimal(2) ** -52, "single": Decimal(2) ** -23}
 DRIVEN = "driven"
+# No two entries of the file are nearer than ten tolerances: up to five there is one name at most.
+NEARLY = 5
 # How far an integrator is from an answer: in ε, and in tolerances.
 Distance = collections.namedtuple("Distance", "scene steps epsilons tolerances")
 
@@ -92,10 +94,10 @@ def ask(answers, library, integrator, work, kept):
     return states
 
 
-def told(d, name=None):
+def told(d):
     number = f"{d.epsilons:.1f}" if d.epsilons < 1000 else f"{d.epsilons:.0e}".replace("+", "")
-    where = f"{d.scene}, {d.steps} step{'s' * (d.steps > 1)}"
-    return f"{number} ε ({d.tolerances:.2g} tolerances; {where})" if name is None else where
+    parts = f"{d.tolerances:.2f}" if d.tolerances < 100 else f"{d.tolerances:.0e}".replace("+", "")
+    return f"{number} ε, {parts} of the tolerance: {d.scene} {d.steps}"
 
 
 def row(answers, library, integrator, states):
@@ -104,12 +106,13 @@ def row(answers, library, integrator, states):
     far = {name: list(answers.distances(name, states, epsilon)) for name in answers.entries}
     worst = {n: max(d, key=lambda x: x.tolerances) for n, d in far.items() if d}
     found = [n for n, d in worst.items() if d.tolerances <= 1]
+    nearly = [f"nearly {n}" for n, d in worst.items() if 1 < d.tolerances <= NEARLY]
     at_rest = {n: [x for x in d if x.scene != DRIVEN] for n, d in far.items()}
-    undriven = [n for n, d in at_rest.items() if d and max(x.tolerances for x in d) <= 1]
-    what = ", ".join(found) or ", ".join(f"{n} without drive" for n in undriven) or "–"
-    largest = max((max(x.epsilons for x in far[n]) for n in found), default=None)
-    named = [n for n in integrator.get("named", "").split()]
-    verdict, distance = "–", f"{largest:.1f} ε" if found else "–"
+    undriven = [f"{n} without drive" for n, d in at_rest.items()
+                if d and max(x.tolerances for x in d) <= 1]
+    what = ", ".join(found or nearly or undriven) or "–"
+    named = integrator.get("named", "").split()
+    verdict, distance = "–", ", ".join(told(worst[n]) for n in found) or "–"
     if not states:
         verdict = "no answer"
     elif named and set(named) <= answers.of_several_steps:
