@@ -68,22 +68,23 @@ class Answers:
                 yield Distance(a["scene"], a["steps"], far, far / Decimal(a["tolerance"]))
 
 
-def ask(answers, library, integrator, work, kept):
+def ask(answers, library, integrator, work, found):
     """The states of an integrator by scene; those that it does not answer are missing."""
     name = re.sub(r"[^\w.+-]+", "_", f"{library['name']}-{library['version']}-{integrator['name']}")
-    kept = kept / f"{name}.txt"
-    if not kept.exists():
-        lines = ["hello 1", *map(answers.request, answers.scenes), "bye", ""]
+    kept = found / f"{name}.txt"
+    lines = "\n".join(["hello 1", *map(answers.request, answers.scenes), "bye", ""])
+    # What was said is kept below what was asked.
+    if not kept.exists() or not kept.read_text().startswith(lines):
         command = [*library["run"], integrator["name"]]
         try:
-            told = subprocess.run(command, cwd=work, input="\n".join(lines), capture_output=True,
-                                  text=True, timeout=LIMIT).stdout
+            said = subprocess.run(command, cwd=work, input=lines, capture_output=True, text=True,
+                                  timeout=LIMIT).stdout
         except subprocess.TimeoutExpired as late:
-            told = (late.stdout or b"").decode()
-        kept.write_text(told)
+            said = (late.stdout or b"").decode()
+        kept.write_text(lines + said)
         print(library["name"], integrator["name"], file=sys.stderr)
     replies, states = [[]], {}
-    for line in kept.read_text().splitlines()[1:]:
+    for line in kept.read_text().removeprefix(lines).splitlines()[1:]:
         if line.split()[0] in ("done", "unsupported", "error"):
             replies.append([])
         else:
@@ -126,11 +127,10 @@ def row(answers, library, integrator, states):
             distance, what, why]
 
 
-def rows(libraries, root, work):
+def rows(libraries, root, work, found):
     answers = Answers(root)
-    kept = work / "answers"
-    kept.mkdir(exist_ok=True)
+    libraries = sorted(libraries, key=lambda library: library["name"].lower())
     jobs = [(library, integrator) for library in libraries for integrator in library["integrator"]]
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        states = pool.map(lambda job: ask(answers, *job, work, kept), jobs)
+        states = pool.map(lambda job: ask(answers, *job, work, found), jobs)
         return [row(answers, *job, s) for job, s in zip(jobs, states)]
