@@ -45,11 +45,12 @@ impl Kind {
 }
 
 /// The snapshots that no test compares, with the commands that write them.
-pub const RECORDED: [(&str, &str); 5] = [
+pub const RECORDED: [(&str, &str); 6] = [
     ("what_moves_when", "book/study/what_moves_when/run"),
     ("strangers", "book/strangers/run"),
     ("strangers_all", "book/strangers/run"),
     ("strangers_libraries", "book/strangers/run"),
+    ("strangers_named", "book/strangers/run"),
     ("processors", ".ci/processors --record"),
 ];
 
