@@ -19,7 +19,7 @@
     const larger = (x, y) => (x > y ? x : y);
 
     // A decimal as it was typed or printed: its value, the unit of its last place, how many digits
-    // it has. A sentence if it is none.
+    // it has, whether it may be one in single precision. A sentence if it is none.
     function decimal(typed) {
         const text = typed
             .replace(/\b(?:np\.)?float(?:32|64)?\(|_?f(?:32|64)\s*$|[\s()[\]]|[,;]$/g, '')
@@ -27,7 +27,7 @@
             .replace(/^([-+]?\d*),(\d*)$/, '$1.$2')
             .replace(/d/i, 'e');
         if (!text) return 'is empty';
-        if (/^[-+]?(nan|inf)/i.test(text)) return 'is no number: the step overflowed';
+        if (/^[-+]?(nan|inf)/i.test(text)) return 'is not finite: the step overflowed';
         const parts = /^([-+]?)(\d*)\.?(\d*)(?:e([-+]?\d{1,4}))?$/i.exec(text);
         if (!parts?.[2] && !parts?.[3]) return `is no decimal number: “${typed.trim()}”`;
         const [, sign, whole, fraction, exponent = 0] = parts;
@@ -37,7 +37,8 @@
             scaled = x => (last < 0 ? x / scale : x * scale),
             value = scaled(BigInt(`${sign}${whole}${fraction}`.replace(/^\+/, '')));
         const digits = `${whole}${fraction}`.replace(/^0+/, '').length;
-        return { value, unit: scaled(1n), digits, text };
+        const isSingle = digits <= PRECISIONS.single.digits || Math.fround(text) === Number(text);
+        return { value, unit: scaled(1n), digits, isSingle, text };
     }
 
     // Two numbers in one field, as a program prints them; null if there are not two.
@@ -90,19 +91,22 @@
             return this.entries.find(entry => entry.name === name);
         }
 
-        // All entries with an answer to this, the nearest first.
-        ranked(key, pair, bits, among = this.entries) {
+        // All entries with an answer to this.
+        beside(key, pair, bits, among = this.entries) {
             return among
                 .filter(({ answers }) => answers.has(key))
-                .map(entry => ({ entry, ...beside(entry.answers.get(key), pair, bits) }))
-                .sort((a, b) => a.epsilons - b.epsilons);
+                .map(entry => ({ entry, ...beside(entry.answers.get(key), pair, bits) }));
+        }
+
+        nearest(key, pair, bits) {
+            return this.beside(key, pair, bits).reduce((a, b) => (b.epsilons < a.epsilons ? b : a));
         }
 
         // Those that agree; if there are none, those that agree as far as the numbers were typed.
         fits(key, pair, bits, among) {
-            const ranked = this.ranked(key, pair, bits, among),
-                agree = ranked.filter(found => found.agrees);
-            return agree.length ? agree : ranked.filter(found => found.soFar);
+            const all = this.beside(key, pair, bits, among),
+                agree = all.filter(found => found.agrees);
+            return agree.length ? agree : all.filter(found => found.soFar);
         }
 
         // Whether two entries are further apart there than their tolerances.
@@ -150,21 +154,26 @@
                 // Its own rounding, and that of π/180.
                 unit: unit / 57n + (size(value) >> (bits + 4n)),
             }));
-            const others = this.keys.filter(other => other !== key);
+            // A few digits are those of many entries.
+            const isRough = pair.every(x => x.digits < 6);
+            const others = this.keys.filter(other => other !== key && !isRough);
+            const isSingle = pair.every(x => x.isSingle);
             return [
-                ['single', this.fits(key, pair, PRECISIONS.single.bits)],
+                ['single', isSingle ? this.fits(key, pair, PRECISIONS.single.bits) : []],
                 ...others.map(other => ['scene', this.fits(other, pair, bits), other]),
                 ['swapped', this.fits(key, [...pair].reverse(), bits)],
                 ['degrees', this.fits(key, degrees, bits)],
             ].filter(([, fits]) => fits.length);
         }
 
-        // The step and the g/L with which a first pair would do, roughly: from the mean velocity,
-        // and from the force in the middle.
+        // The g/L, or the step, with which a first pair would do, roughly: from the force in the
+        // middle, if the angle has gone as far as the velocities say.
         guessed(pair) {
             const [x, v] = pair.map(({ value }) => Number(value) / Number(ONE)),
-                h = (2 * (x - 1)) / (v + 0.5);
-            return [h, (0.5 - v) / (h * Math.sin((x + 1) / 2))];
+                kick = (0.5 - v) / Math.sin((x + 1) / 2);
+            const goes = h => Math.abs(x - 1 - (h * (v + 0.5)) / 2) < 0.51 * h * Math.abs(v - 0.5);
+            if (goes(1 / 8)) return ['g/L', 8 * kick];
+            return kick > 0 && goes(kick) ? ['h', kick] : null;
         }
     }
 

@@ -29,6 +29,12 @@
     const list = items => element('ul', {}, ...items.map(item => element('li', {}, ...item)));
     const texts = pair => pair.map(({ text }) => text);
     const isMistake = entry => Boolean(entry.of);
+    const both = values =>
+        element(
+            'span',
+            { class: 'both' },
+            ...values.map((value, i) => element('span', {}, `${NAMES[i]} ${minus(value)}`)),
+        );
     const titled = name => (CHAPTERS.includes(name) ? link(`${name}.html`, name) : name);
 
     // The address of this input.
@@ -43,8 +49,8 @@
             drive = driven ? ` + ${amplitude} cos ${frequency}t, from t = ${t}` : '';
         return minus(
             `${steps} step${steps > 1 ? 's' : ''} of h = ${h} from θ = ${theta}, ω = ${omega}; ` +
-                `θ̈ = −${g === '1' ? '' : `${g} `}sin θ${drive}`,
-        );
+                `θ″ = −${g === '1' ? '' : `${g} `}sin θ${drive}`,
+        ).replaceAll(' = ', '\u00a0=\u00a0');
     }
 
     class Page {
@@ -53,9 +59,9 @@
             this.rounds = [];
             this.form = element('form', { 'aria-label': 'Which integrator is this?' });
             this.form.innerHTML = `
-                <fieldset class="precision"><legend>Computed in</legend>
+                <fieldset class="precision"><legend>Precision</legend>
                 <label><input type="radio" name="in" value="double" checked> double</label>
-                <label><input type="radio" name="in" value="single"> single precision</label>
+                <label><input type="radio" name="in" value="single"> single</label>
                 </fieldset><p><button>Which is it?</button></p><p class="examples">Try </p>
                 <output aria-live="polite"></output><div class="result"></div>`;
             [this.said] = this.form.getElementsByTagName('output');
@@ -142,7 +148,7 @@
                 if (!wrong.length) pairs.push([key, pairOf(...read)]);
             }
             if (wrong.length) {
-                this.say(`${wrong.join(' ')} Two numbers like 1.0552 and −0.39e-3 are needed.`);
+                this.say(`${wrong.join(' ')} Enter numbers like 1.0558 or 3.9e-1.`);
                 return;
             }
             const typed = pairs.map(([key, pair]) => [key, texts(pair)]);
@@ -153,8 +159,10 @@
             if (!focused.isConnected) this.rounds.at(-1).inputs[0].focus();
         }
 
-        say(words, ...result) {
-            this.said.value = words;
+        // The answer, what helps with it, and what is shown below.
+        say(words, hints = [], ...result) {
+            const helps = hints.map(hint => element('span', {}, ...hint));
+            this.said.replaceChildren(element('strong', {}, words), ...helps);
             this.result.replaceChildren(...result);
             spot.classList.add('answered');
         }
@@ -163,50 +171,51 @@
             const { bits, digits } = PRECISIONS[this.precision],
                 left = this.known.left(pairs, bits),
                 { found, at } = left;
+            const [, [theta, omega]] = pairs[0];
+            if (Number(theta.text) === 1 && Number(omega.text) === 0.5) {
+                this.say('These are the numbers at the start: no step was taken.');
+                return;
+            }
             if (at !== undefined) {
                 this.none(found, pairs[at], at, bits);
                 return;
             }
-            const most = Math.max(...pairs.flatMap(([, pair]) => pair.map(x => x.digits))),
+            const numbers = pairs.flatMap(([, pair]) => pair),
+                most = Math.max(...numbers.map(x => x.digits)),
                 few = most < digits - 2 && !found.some(({ agrees }) => agrees),
-                tell = few ? `As far as ${most} digits tell, ` : '',
-                [{ entry }] = found;
-            const one = isMistake(entry) ? `${entry.of} with a mistake` : entry.name,
+                tell = `As far as ${most} digit${most > 1 ? 's' : ''} tell, `,
+                [{ entry }] = found,
+                one = isMistake(entry) ? `${entry.of} with a mistake` : entry.name,
                 it = found.length > 1 ? `${count(found.length)} entries fit` : `it is ${one}`,
-                words = `${tell}${it}.${few ? ` Print all ${digits} digits of the numbers.` : ''}`;
+                words = few ? `${tell}${it}. Print all ${digits} digits of the numbers.` : `${it}.`;
+            const hints = [];
+            if (this.precision === 'single' && !numbers.every(x => x.isSingle))
+                hints.push([
+                    'Single precision has no number with these digits. ',
+                    link(address('double', typed), 'Compare them in double precision'),
+                ]);
             const parts = found.length > IN_FULL ? this.names(found) : found.map(this.card(pairs));
-            const isFloat = ({ text }) => Math.fround(Number(text)) === Number(text);
-            if (this.precision === 'single' && most > 11 && !pairs[0][1].every(isFloat))
-                parts.unshift(
-                    line(
-                        'These numbers have more digits than single precision. ',
-                        link(address('double', typed), 'Compare them in double precision'),
-                        '.',
-                    ),
-                );
-            this.say(words.replace(/^i/, 'I'), ...parts);
+            this.say(words[0].toUpperCase() + words.slice(1), hints, ...parts);
             if (!few) this.further(left, pairs, bits);
         }
 
         // What to compute next, if it tells more.
         further(left, pairs, bits) {
             const { found, hidden } = left,
-                next = this.known.question(
-                    left,
-                    pairs.map(([key]) => key),
-                    bits,
-                );
-            if (!next && found.length > 1)
-                this.result.append(line('Nothing in the file tells these apart.'));
+                asked = pairs.map(([key]) => key),
+                next = this.known.question(left, asked, bits),
+                isOne = found.length === 1;
+            if (!next && !isOne) this.result.append(line('Nothing in the file tells these apart.'));
             if (!next) return;
-            if (found.length === 1)
-                this.result.append(
-                    line(`What these numbers do not show of ${found[0].entry.name}, if it is so:`),
-                    list(hidden.map(({ what }) => [what])),
-                );
             this.round(next);
             this.result.append(
-                line(found.length > 1 ? 'To tell more of them apart:' : 'To see that, too:'),
+                ...(isOne
+                    ? [
+                          line('What would not show in these numbers, if it were so:'),
+                          list(hidden.map(({ what }) => [what])),
+                      ]
+                    : []),
+                line(`To ${isOne ? 'see that' : 'tell them apart'}, enter these numbers as well.`),
                 this.rounds.at(-1).box,
                 line(element('button', {}, 'And now?')),
             );
@@ -214,159 +223,126 @@
 
         // Nothing fits: what is near, and what the numbers may be instead.
         none(found, [key, pair], at, bits) {
-            const { known, precision } = this,
-                [nearest] = known.ranked(key, pair, bits),
+            const nearest = this.known.nearest(key, pair, bits),
                 { entry, epsilons, allowed } = nearest,
-                start = known.scenes[key.replace(/-\d+$/, '')],
-                isStart = pair.every(
-                    (x, i) => x.value === decimal(start[['theta', 'omega'][i]]).value,
-                ),
-                isFar = Math.max(...nearest.off) > 0.03,
-                hints = known.instead(key, pair, bits).map(hint => this.hint(hint, key, pair));
-            if (isStart) hints.unshift(['They are the numbers at the start: no step was taken.']);
-            if (isFar && !at && !hints.length) hints.push(...this.guess(pair));
-            if (epsilons < 1e3 * allowed)
+                share = epsilons * 2 ** -Number(bits),
+                hints = this.known.instead(key, pair, bits).map(hint => this.hint(hint, key, pair)),
+                isOther = hints.length > 0;
+            if (share > 0.01 && !at && !isOther) hints.push(...this.guess(pair));
+            if (share < 1e-5 && !isOther)
                 hints.push([
-                    'Too far for rounding, but near: is a coefficient or a sine cut short?',
+                    `It is near: ${-Math.ceil(Math.log10(share))} digits are right. ` +
+                        'Has a coefficient, or a part of the program, fewer digits than the rest?',
                 ]);
-            const silent = found.filter(one => !one.entry.answers.has(key));
-            const before = silent.length ? silent : found;
+            const silent = found.filter(one => !one.entry.answers.has(key)),
+                before = silent.length ? silent : found;
             if (at)
                 hints.unshift([
-                    silent.length
-                        ? 'The file has no answer to the last two numbers for '
-                        : 'Without the last two numbers it was ',
-                    ...before.map((one, i) => [i ? ', ' : '', one.entry.name].join('')),
-                    '.',
+                    `Without the last two numbers it was ${this.some(before)}`,
+                    silent.length ? ', for which the file has no answer to them.' : '.',
                 ]);
             this.say(
-                `No entry fits${at ? ' all of them' : ''}. The nearest${at ? ' to the last' : ''} is ` +
-                    `${entry.name}, ${about(epsilons)} ε away; ${about(allowed)} ε are allowed.`,
-                ...(hints.length ? [list(hints)] : []),
-                ...(isFar ? [] : [this.card([[key, pair]], true)(nearest)]),
+                `No entry fits${at ? ' all of the numbers' : ''}` +
+                    (share > 0.01
+                        ? ', and none is near.'
+                        : `. The nearest is ${entry.name}, ${about(epsilons)} ε away; ` +
+                          `${Math.round(allowed)} ε are allowed.`),
+                hints,
+                ...(share > 0.01 || isOther ? [] : [this.card([[key, pair]], true)(nearest)]),
             );
         }
 
+        some(found) {
+            if (found.length > IN_FULL) return `one of ${count(found.length)} entries`;
+            return found.map(({ entry }) => entry.name).join(' or ');
+        }
+
         hint([what, fits, other], key, pair) {
-            const names = fits
-                    .slice(0, 3)
-                    .map(({ entry }) => entry.name)
-                    .join(', '),
-                more = fits.length > 3 ? ` and ${count(fits.length - 3)} more` : '',
-                those = `they are those of ${names}${more}`;
-            const { precision } = this;
+            const those = `they are those of ${this.some(fits)}`,
+                typed = texts(pair),
+                { precision } = this;
             return {
-                single: [
+                single: () => [
                     `In single precision ${those}. `,
-                    link(address('single', [[key, texts(pair)]]), 'Compare them so'),
+                    link(address('single', [[key, typed]]), 'Compare them so'),
                 ],
-                scene: [
-                    `They may be those of ${names}${more} for ${other && task(this.known.scenes, other)}.`,
-                ],
-                swapped: [
+                scene: () => [`For ${task(this.known.scenes, other)}, ${those}.`],
+                swapped: () => [
                     `With θ and ω exchanged ${those}. `,
-                    link(address(precision, [[key, texts(pair).reverse()]]), 'Exchange them'),
+                    link(address(precision, [[key, typed.reverse()]]), 'Exchange them'),
                 ],
-                degrees: [`In degrees ${those}. A radian has 57.29578 of them.`],
-            }[what];
+                degrees: () => [`In degrees ${those}. A radian has 57.29578 of them.`],
+            }[what]();
         }
 
         // Of numbers that are far from all.
         guess(pair) {
-            const [h, g] = this.known.guessed(pair);
             if (Math.abs(Number(pair[0].text)) > 7) return [['Are these degrees?']];
-            const isLikely = h > 1e-4 && h < 3 && g > 0.1 && g < 1e3;
-            return isLikely
-                ? [[`A step of ${about(h)} with g/L = ${about(g)} would give about this.`]]
-                : [];
+            const guessed = this.known.guessed(pair);
+            if (!guessed) return [];
+            const [name, value] = guessed;
+            return [[`They would do for ${name} = ${minus(about(value))}, or nearly.`]];
         }
 
         // Names alone.
         names(found) {
-            const kinds = [false, true].map(are =>
-                found.filter(({ entry }) => isMistake(entry) === are),
-            );
-            const lines = kinds.map((some, i) =>
-                line(
-                    `${i ? 'Mistakes' : 'Methods'}: ${some.map(x => x.entry.name).join(', ') || 'none'}.`,
-                ),
-            );
+            const lines = ['Methods', 'Mistakes'].flatMap((title, i) => {
+                const some = found.filter(({ entry }) => isMistake(entry) === i > 0),
+                    names = some.map((x, j) =>
+                        element('span', {}, `${x.entry.name}${j < some.length - 1 ? ',' : '.'}`),
+                    );
+                return some.length ? [line(`${title}: `, ...names.flatMap(x => [x, ' ']))] : [];
+            });
             const all = element('details', {}, element('summary', {}, 'Their names'), ...lines);
             all.open = found.length <= OPEN;
             return [all];
         }
 
-        // An entry in full: what it is, and the numbers side by side.
+        // An entry in full: what it is, and for what is wrong the numbers beside the right ones.
         card(pairs, isNearest = false) {
-            return ({ entry, epsilons, allowed }) => {
-                const { bits } = PRECISIONS[this.precision],
-                    [key, pair] = pairs.findLast(([key]) => entry.answers.has(key));
-                const rows = isMistake(entry)
-                    ? [
-                          ['what', entry.what],
-                          ['effect', entry.effect],
-                          ['a mistake in', titled(entry.of)],
-                          [
-                              'seen in',
-                              /zoo$/.test(entry.seen) ? link('zoo.html', entry.seen) : entry.seen,
-                          ],
-                      ]
-                    : [
-                          ['also', entry.also?.join('; ')],
-                          ['order', entry.order],
-                          ['keeps', entry.keeps?.join(', ') ?? 'nothing'],
-                          ['source', entry.source],
-                      ];
-                rows.push(['how', entry.note]);
-                if (!isNearest)
-                    rows.push(['off by', `${about(epsilons)} ε of ${about(allowed)} ε allowed`]);
-                const right = isMistake(entry) && !isNearest ? this.known.named(entry.of) : entry;
-                const isCompared = (isNearest || isMistake(entry)) && right.answers.has(key);
-                const table = () => this.table(right.answers.get(key), pair, bits, isNearest);
+            return ({ entry, agrees, epsilons, allowed }) => {
+                const [key, pair] = pairs.findLast(([key]) => entry.answers.has(key)),
+                    right = isMistake(entry) && !isNearest ? this.known.named(entry.of) : entry,
+                    answer = right !== entry || isNearest ? right.answers.get(key) : null,
+                    [seen, zoo] = entry.seen?.split(/(this book's zoo)$/) ?? [];
+                const rows = [
+                    ['also', entry.also?.join('; ')],
+                    ['order', entry.order],
+                    ['keeps', isMistake(entry) ? null : (entry.keeps?.join(', ') ?? 'nothing')],
+                    ['source', entry.source],
+                    ['what was done', entry.what],
+                    ['effect', entry.effect],
+                    ['a mistake in', isMistake(entry) && titled(entry.of)],
+                    ['seen', zoo ? element('span', {}, seen, link('zoo.html', zoo)) : seen],
+                    ['how', entry.note],
+                    [
+                        'off by',
+                        agrees && `${about(epsilons)} ε; ${Math.round(allowed)} ε are allowed`,
+                    ],
+                    ['yours', answer && both(texts(pair))],
+                    [
+                        'right',
+                        answer &&
+                            both(answer.texts.map((text, i) => text.slice(0, pair[i].text.length))),
+                    ],
+                    ['apart', answer && both(this.apart(answer, pair))],
+                ].filter(([, value]) => value);
+                const each = ([name, value]) => [element('dt', {}, name), element('dd', {}, value)];
                 return element(
                     'section',
                     { 'aria-label': entry.name },
                     line(element('strong', {}, titled(entry.name))),
-                    element(
-                        'dl',
-                        {},
-                        ...rows
-                            .filter(([, value]) => value)
-                            .flatMap(([name, value]) => [
-                                element('dt', {}, name),
-                                element('dd', {}, value),
-                            ]),
-                    ),
-                    ...(isCompared ? [table()] : []),
+                    element('dl', {}, ...rows.flatMap(each)),
                 );
             };
         }
 
-        // The numbers beside those of the file; what differs is marked.
-        table(answer, pair, bits, isNearest) {
-            const { off } = beside(answer, pair, bits),
-                yours = texts(pair),
-                theirs = answer.texts.map((text, i) => text.slice(0, Math.max(yours[i].length, 8)));
-            const marked = yours.map((text, i) => {
-                let same = 0;
-                while (same < text.length && text[same] === theirs[i][same]) same++;
-                return [minus(text.slice(0, same)), element('mark', {}, minus(text.slice(same)))];
-            });
-            const rows = [
-                ['yours', ...marked],
-                [isNearest ? 'nearest' : 'right', ...theirs.map(text => [minus(text)])],
-                ['apart', ...off.map((x, i) => [`${about(x)} ${UNITS[i]}`])],
-            ].map(([name, ...cells]) =>
-                element(
-                    'tr',
-                    {},
-                    element('th', { scope: 'row' }, name),
-                    ...cells.map(cell => element('td', {}, ...cell)),
-                ),
+        apart(answer, pair) {
+            const { bits } = PRECISIONS[this.precision],
+                rounding = 2 ** (2 - Number(bits));
+            return beside(answer, pair, bits).off.map((x, i) =>
+                x < rounding ? 'rounding' : `${about(x)} ${UNITS[i]}`,
             );
-            const heads = ['', ...NAMES].map(name => element('th', { scope: 'col' }, name));
-            const table = element('table', {}, element('tr', {}, ...heads), ...rows);
-            return element('div', { class: 'table-wrapper' }, table);
         }
     }
 
