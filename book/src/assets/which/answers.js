@@ -166,14 +166,17 @@
             ].filter(([, fits]) => fits.length);
         }
 
-        // The g/L, or the step, with which a first pair would do, roughly: from the force in the
-        // middle, if the angle has gone as far as the velocities say.
+        // The g/L, and the step, with which a first pair would do, roughly: from the force in the
+        // middle, if the angle has gone as far as one of the velocities says.
         guessed(pair) {
             const [x, v] = pair.map(({ value }) => Number(value) / Number(ONE)),
                 kick = (0.5 - v) / Math.sin((x + 1) / 2);
-            const goes = h => Math.abs(x - 1 - (h * (v + 0.5)) / 2) < 0.51 * h * Math.abs(v - 0.5);
-            if (goes(1 / 8)) return ['g/L', 8 * kick];
-            return kick > 0 && goes(kick) ? ['h', kick] : null;
+            const strays = h => Math.abs((x - 1) / h - (v + 0.5) / 2) / Math.abs(v - 0.5);
+            const ways = [
+                ['g/L', 8 * kick, 1 / 8],
+                ['h', kick, kick],
+            ];
+            return kick > 0 ? ways.filter(([, , h]) => strays(h) < 0.6) : [];
         }
     }
 

@@ -228,7 +228,7 @@
                 share = epsilons * 2 ** -Number(bits),
                 hints = this.known.instead(key, pair, bits).map(hint => this.hint(hint, key, pair)),
                 isOther = hints.length > 0;
-            if (share > 0.01 && !at && !isOther) hints.push(...this.guess(pair));
+            if (share > 1e-3 && !at && !isOther) hints.push(...this.guess(pair));
             if (share < 1e-5 && !isOther)
                 hints.push([
                     `It is near: ${-Math.ceil(Math.log10(share))} digits are right. ` +
@@ -243,12 +243,12 @@
                 ]);
             this.say(
                 `No entry fits${at ? ' all of the numbers' : ''}` +
-                    (share > 0.01
+                    (share > 1e-3
                         ? ', and none is near.'
                         : `. The nearest is ${entry.name}, ${about(epsilons)} ε away; ` +
                           `${Math.round(allowed)} ε are allowed.`),
                 hints,
-                ...(share > 0.01 || isOther ? [] : [this.card([[key, pair]], true)(nearest)]),
+                ...(share > 1e-3 || isOther ? [] : [this.card([[key, pair]], true)(nearest)]),
             );
         }
 
@@ -278,10 +278,8 @@
         // Of numbers that are far from all.
         guess(pair) {
             if (Math.abs(Number(pair[0].text)) > 7) return [['Are these degrees?']];
-            const guessed = this.known.guessed(pair);
-            if (!guessed) return [];
-            const [name, value] = guessed;
-            return [[`They would do for ${name} = ${minus(about(value))}, or nearly.`]];
+            const guessed = this.known.guessed(pair).map(([name, x]) => `${name} ≈ ${about(x)}`);
+            return guessed.length ? [[`They would do for ${guessed.join(' or ')}.`]] : [];
         }
 
         // Names alone.
