@@ -176,7 +176,8 @@
                 ['g/L', 8 * kick, 1 / 8],
                 ['h', kick, kick],
             ];
-            return kick > 0 ? ways.filter(([, , h]) => strays(h) < 0.6) : [];
+            const isRight = Math.abs(8 * kick - 1) < 0.1;
+            return kick > 0 && !isRight ? ways.filter(([, , h]) => strays(h) < 0.6) : [];
         }
     }
 

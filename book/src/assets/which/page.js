@@ -70,7 +70,9 @@
                 const { texts } = known.named(name).answers.get(FIRST);
                 return link(address('double', [[FIRST, texts.map(Number)]]), words);
             });
-            this.form.querySelector('.examples').append(ways[0], ' or ', ways[1], '.');
+            this.form
+                .querySelector('.examples')
+                .append(ways[0], ' or ', ways[1], '. The address holds it, to be sent.');
             this.round(FIRST);
             this.form.addEventListener('change', () => this.changed());
             this.form.addEventListener('submit', event => {
