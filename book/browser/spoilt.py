@@ -226,6 +226,8 @@ SPOILT_FILES = [
     ("typed", "assets/which/page.js", "['order', entry.order]", "['order', 0]",
      "does not say the order"),
     ("typed", "assets/which/page.js", "pair?.forEach(", "[].forEach(", "wrong times it says"),
+    ("typed", "assets/which/page.js", "if (this.result.contains(box))", "if (false)",
+     "fields or focus are lost"),
     ("typed", "assets/which/page.js", "entry.seen?.split", "''.split",
      "where the mistake was seen"),
     ("typed", "assets/which/page.js", "history.replaceState(null, '', address(", "void (address(",

@@ -81,6 +81,9 @@ def typed(tab: Tab, book: Book) -> Iterator[str]:
     tab.press("Enter")
     if tab.run(SAID) != "It is stormer-verlet with a mistake.":
         yield f"which: of its kicks at wrong times it says {tab.run(SAID)!r}"
+    inside = "document.activeElement.closest('.which form')"
+    if not tab.run(f"{inside}?.querySelectorAll('.pair input').length === 4"):
+        yield "which: fields or focus are lost"
     if "SUNDIALS" not in tab.run(RESULT):
         yield "which: it does not say where the mistake was seen"
     with Tab(tab.browser, book) as other:

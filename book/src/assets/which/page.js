@@ -63,7 +63,7 @@
                 <label><input type="radio" name="in" value="double" checked> double</label>
                 <label><input type="radio" name="in" value="single"> single</label>
                 </fieldset><p><button>Which is it?</button></p><p class="examples">Try </p>
-                <output aria-live="polite"></output><div class="result"></div>`;
+                <output tabindex="-1" aria-live="polite"></output><div class="result"></div>`;
             [this.said] = this.form.getElementsByTagName('output');
             this.result = this.form.querySelector('.result');
             const ways = EXAMPLES.map(([words, name]) => {
@@ -157,8 +157,12 @@
             history.replaceState(null, '', address(this.precision, typed));
             const focused = document.activeElement;
             this.cut(pairs.length);
+            // Fields of the result that are answered join the others.
+            for (const { box } of this.rounds)
+                if (this.result.contains(box)) this.form.querySelector('.precision').before(box);
             this.judge(pairs, typed);
-            if (!focused.isConnected) this.rounds.at(-1).inputs[0].focus();
+            if (focused !== document.activeElement)
+                (focused.isConnected ? focused : this.said).focus();
         }
 
         // The answer, what helps with it, and what is shown below.
