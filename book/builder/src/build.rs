@@ -76,7 +76,8 @@ fn driven(
 /// as a script, since a page that is opened from a disk cannot fetch a file.
 fn known_answers(root: &Path, pages: &Path) -> Result<()> {
     let assets = pages.join("assets");
-    if !files::exists(&assets.join("which")).unwrap_or(false) {
+    let page = assets.join("which");
+    if !files::exists(&page).with_context(|| page.display().to_string())? {
         return Ok(());
     }
     let file = root.join("../snapshots/known-answers.json");
