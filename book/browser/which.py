@@ -22,6 +22,8 @@ FOLLOWED = """async address => {
     location.hash = `${address}&anew=${Math.random()}`;
     await told;
 }"""
+# What is said a moment later.
+LATER = f"new Promise(done => setTimeout(() => done({SAID}), 200))"
 # Those of the entries that are not named when their numbers are the address.
 LOST = f"""async entries => {{
     const lost = [];
@@ -76,6 +78,11 @@ def typed(tab: Tab, book: Book) -> Iterator[str]:
     if "order\n2\n" not in tab.run(RESULT):
         yield "which: it does not say the order of Störmer–Verlet"
     tab.run("document.querySelector('.which .result input').focus()")
+    tab.page.keyboard.type("x")
+    tab.press("Enter")
+    if "“x”" not in tab.run(SAID):
+        yield "which: an x in the second pair is taken for a number"
+    tab.press("Backspace")
     wrong = answer(book, "stormer-verlet-times-of-kicks", "driven", 2)
     tab.page.keyboard.type(" ".join(map(repr, wrong)))
     tab.press("Enter")
@@ -111,6 +118,7 @@ def told(tab: Tab, book: Book) -> Iterator[str]:
         ("2 steps of", linked(tab, answer(book, "rk4", "swinging", 2))),
         ("With θ and ω exchanged", linked(tab, rk4[::-1])),
         ("In single precision", linked(tab, single)),
+        ("entries fit.", tab.run(f"document.querySelector('.which output a').click(), {LATER}")),
         ("entries fit.", linked(tab, single, "single")),
         ("As far as 6 digits tell", linked(tab, [f"{x:.6g}" for x in rk4])),
         ("As far as 10 digits tell, it is rk4.", linked(tab, [f"{x:.10g}" for x in rk4])),

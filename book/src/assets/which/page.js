@@ -137,32 +137,37 @@
         // Reads the fields, puts them into the address, and says what they are.
         answer() {
             this.spread();
-            const pairs = [],
-                wrong = [];
-            for (const { key, inputs } of this.rounds) {
-                if (pairs.length && inputs.every(input => !input.value.trim())) break;
+            const focused = document.activeElement,
+                isBlank = ({ inputs }) => inputs.every(input => !input.value.trim()),
+                blank = this.rounds.findIndex((round, i) => i > 0 && isBlank(round));
+            if (blank > 0) this.cut(blank);
+            // What was asked below the result and is answered joins the other fields.
+            for (const { box } of this.rounds)
+                if (this.result.contains(box)) this.form.querySelector('.precision').before(box);
+            const wrong = [];
+            const pairs = this.rounds.map(({ key, inputs }) => {
                 const read = inputs.map(input => decimal(input.value));
                 inputs.forEach((input, i) => {
                     const isBad = typeof read[i] === 'string';
                     input.setAttribute('aria-invalid', isBad);
                     if (isBad) wrong.push(`${NAMES[i]} ${read[i]}.`);
                 });
-                if (!wrong.length) pairs.push([key, pairOf(...read)]);
+                return [key, read];
+            });
+            if (wrong.length) this.say(`${wrong.join(' ')} Enter numbers like 1.0558 or 3.9e-1.`);
+            else {
+                this.typed = pairs.map(([key, pair]) => [key, texts(pair)]);
+                history.replaceState(null, '', address(this.precision, this.typed));
+                this.judge(pairs.map(([key, pair]) => [key, pairOf(...pair)]));
             }
-            if (wrong.length) {
-                this.say(`${wrong.join(' ')} Enter numbers like 1.0558 or 3.9e-1.`);
-                return;
-            }
-            const typed = pairs.map(([key, pair]) => [key, texts(pair)]);
-            history.replaceState(null, '', address(this.precision, typed));
-            const focused = document.activeElement;
-            this.cut(pairs.length);
-            // Fields of the result that are answered join the others.
-            for (const { box } of this.rounds)
-                if (this.result.contains(box)) this.form.querySelector('.precision').before(box);
-            this.judge(pairs, typed);
             if (focused !== document.activeElement)
                 (focused.isConnected ? focused : this.said).focus();
+        }
+
+        // A link to the same numbers, but for one pair of them.
+        same(precision, words, key, pair) {
+            const typed = this.typed.map(([at, own]) => [at, at === key ? pair : own]);
+            return link(address(precision, typed), words);
         }
 
         // The answer, what helps with it, and what is shown below.
@@ -173,7 +178,7 @@
             spot.classList.add('answered');
         }
 
-        judge(pairs, typed) {
+        judge(pairs) {
             const { bits, digits } = PRECISIONS[this.precision],
                 left = this.known.left(pairs, bits),
                 { found, at } = left;
@@ -198,7 +203,7 @@
             if (this.precision === 'single' && !numbers.every(x => x.isSingle))
                 hints.push([
                     'Single precision has no number with these digits. ',
-                    link(address('double', typed), 'Compare them in double precision'),
+                    this.same('double', 'Compare them in double precision'),
                 ]);
             const parts = found.length > IN_FULL ? this.names(found) : found.map(this.card(pairs));
             this.say(words[0].toUpperCase() + words.slice(1), hints, ...parts);
@@ -265,17 +270,17 @@
 
         hint([what, fits, other], key, pair) {
             const those = `they are those of ${this.some(fits)}`,
-                typed = texts(pair),
+                swapped = texts(pair).reverse(),
                 { precision } = this;
             return {
                 single: () => [
                     `In single precision ${those}. `,
-                    link(address('single', [[key, typed]]), 'Compare them so'),
+                    this.same('single', 'Compare them so'),
                 ],
                 scene: () => [`For ${task(this.known.scenes, other)}, ${those}.`],
                 swapped: () => [
                     `With θ and ω exchanged ${those}. `,
-                    link(address(precision, [[key, typed.reverse()]]), 'Exchange them'),
+                    this.same(precision, 'Exchange them', key, swapped),
                 ],
                 degrees: () => [`In degrees ${those}. A radian has 57.29578 of them.`],
             }[what]();
