@@ -20,6 +20,7 @@ import reading
 import spoilt
 import systems
 import table
+import which
 from book import Book, NoBook
 from browser import Browser, Tab
 
@@ -34,6 +35,7 @@ CHECKS = [
     *keeping.CHECKS,
     *reading.CHECKS,
     *systems.CHECKS,
+    *which.CHECKS,
     *addresses.CHECKS,
     *policy.CHECKS,
 ]

@@ -12,6 +12,7 @@ from urllib.parse import unquote, urlsplit
 import claims
 import lab
 import reader
+import which
 from book import Book
 from browser import Tab
 
@@ -128,7 +129,8 @@ def served(tab: Tab, book: Book) -> Iterator[str]:
     chapter misses anything."""
     with Server(book.folder) as server:
         there = Served(book, server.root)
-        for check in [reader.search, reader.contents, theme, claims.filters, lab.address]:
+        checks = [reader.search, reader.contents, theme, claims.filters, lab.address, which.typed]
+        for check in checks:
             for finding in tab.browser.findings(check, there):
                 yield f"served: {finding}"
         with Tab(tab.browser, there) as other:

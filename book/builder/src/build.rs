@@ -67,6 +67,25 @@ fn driven(
     book.build()?;
     let pages = book.build_dir_for("html");
     policy::impose(&pages)?;
+    known_answers(root, &pages)?;
     let pages = pages.strip_prefix(folder.path()).map(Path::to_path_buf).unwrap_or_default();
     Ok((folder, pages))
+}
+
+/// Adds the known answers to a book that has the page for them: as they are, to be taken along, and
+/// as a script, since a page that is opened from a disk cannot fetch a file.
+fn known_answers(root: &Path, pages: &Path) -> Result<()> {
+    let assets = pages.join("assets");
+    let page = assets.join("which");
+    if !files::exists(&page).with_context(|| page.display().to_string())? {
+        return Ok(());
+    }
+    let file = root.join("../snapshots/known-answers.json");
+    let json = files::read_to_string(&file).with_context(|| file.display().to_string())?;
+    let script = format!("globalThis.knownAnswers = {};\n", json.trim_end());
+    for (name, text) in [("known-answers.json", &json), ("known-answers.js", &script)] {
+        let to = assets.join(name);
+        files::write_in_private(&to, text).with_context(|| to.display().to_string())?;
+    }
+    Ok(())
 }

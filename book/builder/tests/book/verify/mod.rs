@@ -5,6 +5,7 @@ mod examples;
 #[cfg(unix)]
 mod faults;
 mod formats;
+mod known_answers;
 mod schema;
 mod variants;
 

@@ -1,0 +1,161 @@
+"""The page "Which integrator is this?": typed numbers lead to a name, by keyboard too; what is not
+right gets a sentence; a link holds the input; nothing is left out without scripts."""
+
+import gzip
+import json
+import math
+import struct
+from collections.abc import Iterator
+
+from book import Book
+from browser import TELEPHONE, Tab
+from pages import probe
+from reader import THEMES
+
+PAGE = "which-integrator.html"
+HERE = "!!document.querySelector('.which.on')"
+SAID = "document.querySelector('.which output').textContent"
+RESULT = "document.querySelector('.which .result').innerText"
+FILES = ["which/answers.js", "which/page.js", "which/which.css", "known-answers.js"]
+FOLLOWED = """async address => {
+    const told = new Promise(done => addEventListener('hashchange', done, {once: true}));
+    location.hash = `${address}&anew=${Math.random()}`;
+    await told;
+}"""
+# What is said a moment later.
+LATER = f"new Promise(done => setTimeout(() => done({SAID}), 200))"
+# Those of the entries that are not named when their numbers are the address.
+LOST = f"""async entries => {{
+    const lost = [];
+    for (const [name, theta, omega] of entries) {{
+        await ({FOLLOWED})(`#in=double&swinging-1=${{theta}},${{omega}}`);
+        const [form] = document.querySelectorAll('.which form');
+        if (!form.textContent.includes(name) || /No entry/.test(form.textContent)) lost.push(name);
+    }}
+    return lost;
+}}"""
+# At most so many bytes come with the page.
+LIMIT = 100_000
+
+
+def known(book: Book) -> dict:
+    return json.loads(book.text("assets/known-answers.json"))
+
+
+def answer(book: Book, name: str, scene: str = "swinging", steps: int = 1) -> list[float]:
+    file = known(book)
+    entry = next(e for e in file["methods"] + file["mistakes"] if e["name"] == name)
+    one = next(a for a in entry["answers"] if (a["scene"], a["steps"]) == (scene, steps))
+    return [float(one["theta"]), float(one["omega"])]
+
+
+def opened(tab: Tab, address: str = "") -> bool:
+    # An address on the same page would not load it anew.
+    tab.page.goto("about:blank")
+    tab.page.goto(tab.book.url(PAGE) + address)
+    return tab.comes(HERE)
+
+
+def linked(tab: Tab, numbers: list, precision: str = "double", more: str = "") -> str:
+    """What is said when a link with these numbers is followed."""
+    theta, omega = numbers
+    tab.run(FOLLOWED, f"#in={precision}&swinging-1={theta},{omega}{more}")
+    return tab.run(SAID)
+
+
+def typed(tab: Tab, book: Book) -> Iterator[str]:
+    """With the keyboard alone: two numbers lead to a name, the next two to a mistake, and the
+    address leads to both."""
+    if not opened(tab):
+        yield "which: the form does not come"
+        return
+    tab.run("document.querySelector('.which input').focus()")
+    for number in answer(book, "stormer-verlet"):
+        tab.page.keyboard.type(repr(number))
+        tab.press("Tab")
+    if tab.run(SAID) != "It is stormer-verlet.":
+        yield f"which: of Störmer–Verlet it says {tab.run(SAID)!r}"
+    if "order\n2\n" not in tab.run(RESULT):
+        yield "which: it does not say the order of Störmer–Verlet"
+    tab.run("document.querySelector('.which .result input').focus()")
+    tab.page.keyboard.type("x")
+    tab.press("Enter")
+    if "“x”" not in tab.run(SAID):
+        yield "which: an x in the second pair is taken for a number"
+    tab.press("Backspace")
+    wrong = answer(book, "stormer-verlet-times-of-kicks", "driven", 2)
+    tab.page.keyboard.type(" ".join(map(repr, wrong)))
+    tab.press("Enter")
+    if tab.run(SAID) != "It is stormer-verlet with a mistake.":
+        yield f"which: of its kicks at wrong times it says {tab.run(SAID)!r}"
+    inside = "document.activeElement.closest('.which form')"
+    if not tab.run(f"{inside}?.querySelectorAll('.pair input').length === 4"):
+        yield "which: fields or focus are lost"
+    if "SUNDIALS" not in tab.run(RESULT):
+        yield "which: it does not say where the mistake was seen"
+    with Tab(tab.browser, book) as other:
+        other.page.goto(tab.page.url)
+        if not other.comes(HERE) or other.run(SAID) != tab.run(SAID):
+            yield "which: the address does not lead to the same"
+    size = sum(len(gzip.compress((book.folder / "assets" / file).read_bytes())) for file in FILES)
+    if size > LIMIT:
+        yield f"which: {size} bytes come with the page"
+
+
+def told(tab: Tab, book: Book) -> Iterator[str]:
+    """Each entry that shows in the first step is found from its own numbers; what is no answer is
+    told what it is."""
+    file = known(book)
+    rk4 = answer(book, "rk4")
+    opened(tab)
+    single = [struct.unpack("f", struct.pack("f", x))[0] for x in rk4]
+    for wanted, said in [
+        ("θ is empty.", linked(tab, ["", ""])),
+        ("θ is no decimal number: “banana”.", linked(tab, ["banana", "0.4"])),
+        ("ω is not finite", linked(tab, [1.05, "nan"])),
+        ("no step was taken", linked(tab, [1, 0.5])),
+        ("In degrees they are those of rk4.", linked(tab, [math.degrees(x) for x in rk4])),
+        ("2 steps of", linked(tab, answer(book, "rk4", "swinging", 2))),
+        ("With θ and ω exchanged", linked(tab, rk4[::-1])),
+        ("In single precision", linked(tab, single)),
+        ("entries fit.", tab.run(f"document.querySelector('.which output a').click(), {LATER}")),
+        ("entries fit.", linked(tab, single, "single")),
+        ("As far as 6 digits tell", linked(tab, [f"{x:.6g}" for x in rk4])),
+        ("As far as 10 digits tell, it is rk4.", linked(tab, [f"{x:.10g}" for x in rk4])),
+        ("The nearest is rk4,", linked(tab, [rk4[0] + 1e-10, rk4[1]])),
+        ("No entry fits all", linked(tab, rk4, more="&driven-1=1.0593,0.4533")),
+    ]:
+        if wanted not in said.replace("\u00a0", " "):
+            yield f"which: not {wanted!r} but {said!r}"
+    entries = [
+        [entry["name"], *answer(book, entry["name"])]
+        for entry in file["methods"] + file["mistakes"]
+        if ("swinging", 1) in [(a["scene"], a["steps"]) for a in entry["answers"]]
+    ]
+    for name in tab.run(LOST, entries):
+        yield f"which: {name} is not found from its own numbers"
+
+
+def bare(tab: Tab, book: Book) -> Iterator[str]:
+    """On a telephone, in every theme, on paper and without scripts it can be read."""
+    tab.screen(TELEPHONE)
+    opened(tab)
+    linked(tab, answer(book, "stormer-verlet-old-force-twice"))
+    for theme in THEMES:
+        tab.theme(theme)
+        for finding in probe(tab)["findings"]:
+            yield f"which, {theme}: {finding}"
+    if tab.run("document.documentElement.scrollWidth > innerWidth"):
+        yield "which: it scrolls sideways"
+    text = "[...document.querySelectorAll('.which > :not(form)')].some(e => e.checkVisibility())"
+    opened(tab)
+    tab.page.emulate_media(media="print")
+    if not tab.run(text) or tab.run("document.querySelector('.which form').checkVisibility()"):
+        yield "which: on paper stands an empty form"
+    with tab.without_scripts() as tab:
+        tab.open(PAGE)
+        if not tab.run(text) or tab.run("!!document.querySelector('main :is(form, input)')"):
+            yield "which, no scripts: nothing stands in the place of the form"
+
+
+CHECKS = [typed, told, bare]

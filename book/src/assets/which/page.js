@@ -1,0 +1,368 @@
+// The form of "Which integrator is this?", and what it answers. Its input stands in the address, as
+// in #in=double&swinging-1=1.05,0.39. Without scripts, in print.html and where a browser has no
+// whole numbers of any length, what stands in its place is shown.
+(which => {
+    'use strict';
+
+    const spot = document.querySelector('.which');
+    if (!spot || !which || /\/print\.html$/.test(location.pathname)) return;
+
+    const { FIRST, Known, PRECISIONS, beside, decimal, pairOf, two } = which,
+        { count, element, tick } = globalThis.theLab,
+        FILE = new URL('../known-answers.js', document.currentScript.src),
+        NAMES = ['θ', 'ω'],
+        UNITS = ['rad', 'rad/s'],
+        // The chapters of methods that have one.
+        CHAPTERS = ['forward-euler', 'symplectic-euler', 'stormer-verlet', 'rk4'],
+        EXAMPLES = [
+            ['a right RK4', 'rk4'],
+            ['a leapfrog with the old force twice', 'stormer-verlet-old-force-twice'],
+        ],
+        // More are listed by name alone, and more still are folded.
+        IN_FULL = 3,
+        OPEN = 16;
+
+    const minus = text => String(text).replace(/-(?=[\d.])/g, '−');
+    const about = x => (x < 9.95 && x >= 0.05 ? x.toFixed(1) : tick(Number(x.toPrecision(2))));
+    const line = (...words) => element('p', {}, ...words);
+    const link = (href, ...words) => element('a', { href }, ...words);
+    const list = items => element('ul', {}, ...items.map(item => element('li', {}, ...item)));
+    const texts = pair => pair.map(({ text }) => text);
+    const isMistake = entry => Boolean(entry.of);
+    const both = values =>
+        element(
+            'span',
+            { class: 'both' },
+            ...values.map((value, i) => element('span', {}, `${NAMES[i]} ${minus(value)}`)),
+        );
+    const titled = name => (CHAPTERS.includes(name) ? link(`${name}.html`, name) : name);
+
+    // The address of this input.
+    const address = (precision, pairs) =>
+        `#in=${precision}${pairs.map(([key, pair]) => `&${key}=${pair.join(',')}`).join('')}`;
+
+    // What an answer is the answer to: "2 steps of h = 0.125 from …".
+    function task(scenes, key) {
+        const [, scene, steps] = /^(.*)-(\d+)$/.exec(key),
+            { g_over_l: g, amplitude, frequency, t, theta, omega, h } = scenes[scene],
+            driven = Number(amplitude) > 0,
+            drive = driven ? ` + ${amplitude} cos ${frequency}t, from t = ${t}` : '';
+        return minus(
+            `${steps} step${steps > 1 ? 's' : ''} of h = ${h} from θ = ${theta}, ω = ${omega}; ` +
+                `θ″ = −${g === '1' ? '' : `${g} `}sin θ${drive}`,
+        ).replaceAll(' = ', '\u00a0=\u00a0');
+    }
+
+    class Page {
+        constructor(known) {
+            this.known = known;
+            this.rounds = [];
+            this.form = element('form', { 'aria-label': 'Which integrator is this?' });
+            this.form.innerHTML = `
+                <fieldset class="precision"><legend>Precision</legend>
+                <label><input type="radio" name="in" value="double" checked> double</label>
+                <label><input type="radio" name="in" value="single"> single</label>
+                </fieldset><p><button>Which is it?</button></p><p class="examples">Try </p>
+                <output tabindex="-1" aria-live="polite"></output><div class="result"></div>`;
+            [this.said] = this.form.getElementsByTagName('output');
+            this.result = this.form.querySelector('.result');
+            const ways = EXAMPLES.map(([words, name]) => {
+                const { texts } = known.named(name).answers.get(FIRST);
+                return link(address('double', [[FIRST, texts.map(Number)]]), words);
+            });
+            this.form
+                .querySelector('.examples')
+                .append(ways[0], ' or ', ways[1], '. The address holds it, to be sent.');
+            this.round(FIRST);
+            this.form.addEventListener('change', () => this.changed());
+            this.form.addEventListener('submit', event => {
+                event.preventDefault();
+                this.answer();
+            });
+            addEventListener('hashchange', () => this.follow());
+        }
+
+        get precision() {
+            return this.form.elements.in.value;
+        }
+
+        // Fields for a pair of numbers, before those of the precision.
+        round(key) {
+            const field = (name, i) => {
+                const input = element('input', { autocomplete: 'off', spellcheck: 'false' });
+                return element('label', {}, element('span', {}, `${name} (${UNITS[i]})`), input);
+            };
+            const legend = element('legend', {}, task(this.known.scenes, key)),
+                box = element('fieldset', { class: 'pair' }, legend, ...NAMES.map(field)),
+                inputs = [...box.querySelectorAll('input')];
+            this.form.querySelector('.precision').before(box);
+            this.rounds.push({ key, box, inputs });
+            return inputs;
+        }
+
+        // Leaves these many pairs.
+        cut(length) {
+            for (const { box } of this.rounds.splice(length)) box.remove();
+        }
+
+        // From the address to the fields.
+        follow() {
+            const asked = new URLSearchParams(location.hash.slice(1));
+            if (!asked.has(FIRST)) return;
+            this.form.elements.in.value = asked.get('in') === 'single' ? 'single' : 'double';
+            this.cut(0);
+            for (const [key, pair] of asked) {
+                if (!this.known.keys.includes(key)) continue;
+                const typed = pair.split(',');
+                this.round(key).forEach((input, i) => (input.value = typed[i] ?? ''));
+            }
+            this.answer();
+        }
+
+        // Answers once every pair that was begun is whole.
+        changed() {
+            this.spread();
+            const begun = this.rounds.filter(({ inputs }, i) => !i || inputs.some(x => x.value));
+            if (begun.every(({ inputs }) => inputs.every(x => x.value))) this.answer();
+        }
+
+        // Two numbers in one field, as a program prints them.
+        spread() {
+            for (const { inputs } of this.rounds) {
+                const pair = inputs[1].value ? null : two(inputs[0].value);
+                pair?.forEach((value, i) => (inputs[i].value = value));
+            }
+        }
+
+        // Reads the fields, puts them into the address, and says what they are.
+        answer() {
+            this.spread();
+            const focused = document.activeElement,
+                isBlank = ({ inputs }) => inputs.every(input => !input.value.trim()),
+                blank = this.rounds.findIndex((round, i) => i > 0 && isBlank(round));
+            if (blank > 0) this.cut(blank);
+            // What was asked below the result and is answered joins the other fields.
+            for (const { box } of this.rounds)
+                if (this.result.contains(box)) this.form.querySelector('.precision').before(box);
+            const wrong = [];
+            const pairs = this.rounds.map(({ key, inputs }) => {
+                const read = inputs.map(input => decimal(input.value));
+                inputs.forEach((input, i) => {
+                    const isBad = typeof read[i] === 'string';
+                    input.setAttribute('aria-invalid', isBad);
+                    if (isBad) wrong.push(`${NAMES[i]} ${read[i]}.`);
+                });
+                return [key, read];
+            });
+            if (wrong.length) this.say(`${wrong.join(' ')} Enter numbers like 1.0558 or 3.9e-1.`);
+            else {
+                this.typed = pairs.map(([key, pair]) => [key, texts(pair)]);
+                history.replaceState(null, '', address(this.precision, this.typed));
+                this.judge(pairs.map(([key, pair]) => [key, pairOf(...pair)]));
+            }
+            if (focused !== document.activeElement)
+                (focused.isConnected ? focused : this.said).focus();
+        }
+
+        // A link to the same numbers, but for one pair of them.
+        same(precision, words, key, pair) {
+            const typed = this.typed.map(([at, own]) => [at, at === key ? pair : own]);
+            return link(address(precision, typed), words);
+        }
+
+        // The answer, what helps with it, and what is shown below.
+        say(words, hints = [], ...result) {
+            const helps = hints.map(hint => element('span', {}, ...hint));
+            this.said.replaceChildren(element('strong', {}, words), ...helps);
+            this.result.replaceChildren(...result);
+            spot.classList.add('answered');
+        }
+
+        judge(pairs) {
+            const { bits, digits } = PRECISIONS[this.precision],
+                left = this.known.left(pairs, bits),
+                { found, at } = left;
+            const [, [theta, omega]] = pairs[0];
+            if (Number(theta.text) === 1 && Number(omega.text) === 0.5) {
+                this.say('These are the numbers at the start: no step was taken.');
+                return;
+            }
+            if (at !== undefined) {
+                this.none(found, pairs[at], at, bits);
+                return;
+            }
+            const numbers = pairs.flatMap(([, pair]) => pair),
+                most = Math.max(...numbers.map(x => x.digits)),
+                few = most < digits - 2 && !found.some(({ agrees }) => agrees),
+                tell = `As far as ${most} digit${most > 1 ? 's' : ''} tell, `,
+                [{ entry }] = found,
+                one = isMistake(entry) ? `${entry.of} with a mistake` : entry.name,
+                it = found.length > 1 ? `${count(found.length)} entries fit` : `it is ${one}`,
+                words = few ? `${tell}${it}. Print all ${digits} digits of the numbers.` : `${it}.`;
+            const hints = [];
+            if (this.precision === 'single' && !numbers.every(x => x.isSingle))
+                hints.push([
+                    'Single precision has no number with these digits. ',
+                    this.same('double', 'Compare them in double precision'),
+                ]);
+            const parts = found.length > IN_FULL ? this.names(found) : found.map(this.card(pairs));
+            this.say(words[0].toUpperCase() + words.slice(1), hints, ...parts);
+            if (!few) this.further(left, pairs, bits);
+        }
+
+        // What to compute next, if it tells more.
+        further(left, pairs, bits) {
+            const { found, hidden } = left,
+                asked = pairs.map(([key]) => key),
+                next = this.known.question(left, asked, bits),
+                isOne = found.length === 1;
+            if (!next && !isOne) this.result.append(line('Nothing in the file tells these apart.'));
+            if (!next) return;
+            this.round(next);
+            this.result.append(
+                ...(isOne
+                    ? [
+                          line('What would not show in these numbers, if it were so:'),
+                          list(hidden.map(({ what }) => [what])),
+                      ]
+                    : []),
+                line(`To ${isOne ? 'see that' : 'tell them apart'}, enter these numbers as well.`),
+                this.rounds.at(-1).box,
+                line(element('button', {}, 'And now?')),
+            );
+        }
+
+        // Nothing fits: what is near, and what the numbers may be instead.
+        none(found, [key, pair], at, bits) {
+            const nearest = this.known.nearest(key, pair, bits),
+                { entry, epsilons, allowed } = nearest,
+                share = epsilons * 2 ** -Number(bits),
+                hints = this.known.instead(key, pair, bits).map(hint => this.hint(hint, key, pair)),
+                isOther = hints.length > 0;
+            if (share > 1e-3 && !at && !isOther) hints.push(...this.guess(pair));
+            if (share < 1e-5 && !isOther)
+                hints.push([
+                    `It is near: ${-Math.ceil(Math.log10(share))} digits are right. ` +
+                        'Has a coefficient, or a part of the program, fewer digits than the rest?',
+                ]);
+            const silent = found.filter(one => !one.entry.answers.has(key)),
+                before = silent.length ? silent : found;
+            if (at)
+                hints.unshift([
+                    `Without the last two numbers it was ${this.some(before)}`,
+                    silent.length ? ', for which the file has no answer to them.' : '.',
+                ]);
+            this.say(
+                `No entry fits${at ? ' all of the numbers' : ''}` +
+                    (share > 1e-3
+                        ? ', and none is near.'
+                        : `. The nearest is ${entry.name}, ${about(epsilons)} ε away; ` +
+                          `${Math.round(allowed)} ε are allowed.`),
+                hints,
+                ...(share > 1e-3 || isOther ? [] : [this.card([[key, pair]], true)(nearest)]),
+            );
+        }
+
+        some(found) {
+            if (found.length > IN_FULL) return `one of ${count(found.length)} entries`;
+            return found.map(({ entry }) => entry.name).join(' or ');
+        }
+
+        hint([what, fits, other], key, pair) {
+            const those = `they are those of ${this.some(fits)}`,
+                swapped = texts(pair).reverse(),
+                { precision } = this;
+            return {
+                single: () => [
+                    `In single precision ${those}. `,
+                    this.same('single', 'Compare them so'),
+                ],
+                scene: () => [`For ${task(this.known.scenes, other)}, ${those}.`],
+                swapped: () => [
+                    `With θ and ω exchanged ${those}. `,
+                    this.same(precision, 'Exchange them', key, swapped),
+                ],
+                degrees: () => [`In degrees ${those}. A radian has 57.29578 of them.`],
+            }[what]();
+        }
+
+        // Of numbers that are far from all.
+        guess(pair) {
+            if (Math.abs(Number(pair[0].text)) > 7) return [['Are these degrees?']];
+            const guessed = this.known.guessed(pair).map(([name, x]) => `${name} ≈ ${about(x)}`);
+            return guessed.length ? [[`They would do for ${guessed.join(' or ')}.`]] : [];
+        }
+
+        // Names alone.
+        names(found) {
+            const lines = ['Methods', 'Mistakes'].flatMap((title, i) => {
+                const some = found.filter(({ entry }) => isMistake(entry) === i > 0),
+                    names = some.map((x, j) =>
+                        element('span', {}, `${x.entry.name}${j < some.length - 1 ? ',' : '.'}`),
+                    );
+                return some.length ? [line(`${title}: `, ...names.flatMap(x => [x, ' ']))] : [];
+            });
+            const all = element('details', {}, element('summary', {}, 'Their names'), ...lines);
+            all.open = found.length <= OPEN;
+            return [all];
+        }
+
+        // An entry in full: what it is, and for what is wrong the numbers beside the right ones.
+        card(pairs, isNearest = false) {
+            return ({ entry, agrees, epsilons, allowed }) => {
+                const [key, pair] = pairs.findLast(([key]) => entry.answers.has(key)),
+                    right = isMistake(entry) && !isNearest ? this.known.named(entry.of) : entry,
+                    answer = right !== entry || isNearest ? right.answers.get(key) : null,
+                    [seen, zoo] = entry.seen?.split(/(this book's zoo)$/) ?? [];
+                const rows = [
+                    ['also', entry.also?.join('; ')],
+                    ['order', entry.order],
+                    ['keeps', isMistake(entry) ? null : (entry.keeps?.join(', ') ?? 'nothing')],
+                    ['source', entry.source],
+                    ['what was done', entry.what],
+                    ['effect', entry.effect],
+                    ['a mistake in', isMistake(entry) && titled(entry.of)],
+                    ['seen', zoo ? element('span', {}, seen, link('zoo.html', zoo)) : seen],
+                    ['how', entry.note],
+                    [
+                        'off by',
+                        agrees && `${about(epsilons)} ε; ${Math.round(allowed)} ε are allowed`,
+                    ],
+                    ['yours', answer && both(texts(pair))],
+                    [
+                        'right',
+                        answer &&
+                            both(answer.texts.map((text, i) => text.slice(0, pair[i].text.length))),
+                    ],
+                    ['apart', answer && both(this.apart(answer, pair))],
+                ].filter(([, value]) => value);
+                const each = ([name, value]) => [element('dt', {}, name), element('dd', {}, value)];
+                return element(
+                    'section',
+                    { 'aria-label': entry.name },
+                    line(element('strong', {}, titled(entry.name))),
+                    element('dl', {}, ...rows.flatMap(each)),
+                );
+            };
+        }
+
+        apart(answer, pair) {
+            const { bits } = PRECISIONS[this.precision],
+                rounding = 2 ** (2 - Number(bits));
+            return beside(answer, pair, bits).off.map((x, i) =>
+                x < rounding ? 'rounding' : `${about(x)} ${UNITS[i]}`,
+            );
+        }
+    }
+
+    // The answers come by a script: a page that is opened from a disk cannot fetch a file.
+    const script = element('script', { src: FILE });
+    script.addEventListener('load', () => {
+        const page = new Page(new Known(globalThis.knownAnswers));
+        spot.prepend(page.form);
+        spot.classList.add('on');
+        page.follow();
+    });
+    script.addEventListener('error', () => console.error('which: known-answers.js is missing'));
+    document.head.append(script);
+})(globalThis.which);
