@@ -45,12 +45,14 @@ impl Kind {
 }
 
 /// The snapshots that no test compares, with the commands that write them.
-pub const RECORDED: [(&str, &str); 6] = [
+pub const RECORDED: [(&str, &str); 8] = [
     ("what_moves_when", "book/study/what_moves_when/run"),
     ("strangers", "book/strangers/run"),
     ("strangers_all", "book/strangers/run"),
+    ("strangers_defects", "book/strangers/run"),
     ("strangers_libraries", "book/strangers/run"),
     ("strangers_named", "book/strangers/run"),
+    ("strangers_observed", "book/strangers/run"),
     ("processors", ".ci/processors --record"),
 ];
 
