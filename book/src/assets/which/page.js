@@ -72,7 +72,12 @@
             });
             this.form
                 .querySelector('.examples')
-                .append(ways[0], ' or ', ways[1], '. The address holds it, to be sent.');
+                .append(
+                    ways[0],
+                    ' or ',
+                    ways[1],
+                    '. The address of the page holds what you enter.',
+                );
             this.round(FIRST);
             this.form.addEventListener('change', () => this.changed());
             this.form.addEventListener('submit', event => {
@@ -222,11 +227,11 @@
             this.result.append(
                 ...(isOne
                     ? [
-                          line('What would not show in these numbers, if it were so:'),
+                          line('Mistakes that these numbers would not show:'),
                           list(hidden.map(({ what }) => [what])),
                       ]
                     : []),
-                line(`To ${isOne ? 'see that' : 'tell them apart'}, enter these numbers as well.`),
+                line(`To ${isOne ? 'see them' : 'tell them apart'}, enter these numbers as well.`),
                 this.rounds.at(-1).box,
                 line(element('button', {}, 'And now?')),
             );
