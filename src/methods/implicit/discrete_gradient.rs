@@ -1,5 +1,6 @@
 //! The method of the discrete gradient.
 
+use crate::arithmetic::number::Number;
 use crate::integrate::{Method, Unsolved};
 use crate::methods::implicit::{ImplicitMidpoint, Iteration};
 use crate::methods::{Info, MethodInfo};
@@ -41,9 +42,9 @@ impl Info for DiscreteGradient {
 
 // ANCHOR: step
 /// A system with the mean of its force along a step of `h` (s) for its force.
-struct AlongTheStep<'s, S> {
+struct AlongTheStep<'s, S: MeanForce> {
     system: &'s S,
-    h: f64,
+    h: <S::State as Measurable>::Number,
 }
 
 impl<S: MeanForce> System for AlongTheStep<'_, S> {
@@ -55,7 +56,7 @@ impl<S: MeanForce> System for AlongTheStep<'_, S> {
     }
 }
 
-impl<S: MeanForce<State: Measurable>> Method<S> for DiscreteGradient {
+impl<S: MeanForce> Method<S> for DiscreteGradient {
     type Carry = ();
 
     const IS_LONG: bool = true;
@@ -64,8 +65,8 @@ impl<S: MeanForce<State: Measurable>> Method<S> for DiscreteGradient {
 
     #[inline(always)]
     fn step(&self, system: &S, t: f64, h: f64, z: S::State, _carry: &mut ()) -> S::State {
-        let along = AlongTheStep { system, h };
         let (first, iteration) = (system.rate(t, z), Iteration::TO_ROUNDING);
+        let along = AlongTheStep { system, h: z.size(first).splat(h) };
         ImplicitMidpoint::TABLEAU.step_from(&along, t, h, z, first, iteration)
     }
     // ANCHOR_END: step
@@ -79,8 +80,8 @@ impl<S: MeanForce<State: Measurable>> Method<S> for DiscreteGradient {
         z: S::State,
         _carry: &mut (),
     ) -> Result<S::State, Unsolved> {
-        let (along, first) = (AlongTheStep { system, h }, system.rate(t, z));
-        let iteration = Iteration::TO_ROUNDING;
+        let (first, iteration) = (system.rate(t, z), Iteration::TO_ROUNDING);
+        let along = AlongTheStep { system, h: z.size(first).splat(h) };
         ImplicitMidpoint::TABLEAU.try_step_from(&along, t, h, z, first, iteration)
     }
 }
