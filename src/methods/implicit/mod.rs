@@ -1,6 +1,5 @@
 //! Implicit methods: Gauss's Runge–Kutta methods, collocation at the zeros of Legendre polynomials;
-//! the trapezoidal rule; and a discrete gradient, which conserves the energy itself, with steps of
-//! two lengths.
+//! the trapezoidal rule; and two methods with a discrete gradient, which conserve the energy itself.
 
 mod cieslinski_ratkiewicz;
 mod discrete_gradient;
