@@ -189,6 +189,12 @@ impl<N: Many> Measurable for ReducedPhase<N> {
     }
 
     #[inline(always)]
+    fn times(displacement: ReducedRate<N>, factor: N) -> ReducedRate<N> {
+        let ReducedRate { angle, velocity } = displacement;
+        ReducedRate { angle: angle.scaled(factor), velocity: velocity.scaled(factor) }
+    }
+
+    #[inline(always)]
     fn select(mask: N::Mask, yes: ReducedRate<N>, no: ReducedRate<N>) -> ReducedRate<N> {
         ReducedRate {
             angle: Deferred::select(mask, yes.angle, no.angle),
@@ -310,10 +316,13 @@ impl<N: Number> Analytic for ScaledPendulum<N> {
     }
 }
 
-impl<N: Number> MeanForce for ScaledPendulum<N> {
+impl<N: Number> MeanForce for ScaledPendulum<N>
+where
+    ReducedPhase<N>: Measurable<Number = N, Displacement = ReducedRate<N>>,
+{
     #[inline(always)]
-    fn mean_force_rate(&self, middle: ReducedPhase<N>, h: f64) -> ReducedRate<N> {
-        let half_the_way = middle.velocity.value() * (0.5 * h);
+    fn mean_force_rate(&self, middle: ReducedPhase<N>, h: N) -> ReducedRate<N> {
+        let half_the_way = middle.velocity.value() * (h * 0.5);
         let velocity = self.force(0.0, middle).scaled(sinc(half_the_way));
         ReducedRate { angle: middle.velocity, velocity }
     }

@@ -145,6 +145,7 @@ macro_rules! for_each_method {
         $crate::for_each_general_method! {
             $then,
             discrete_gradient::DiscreteGradient,
+            cieslinski_ratkiewicz::CieslinskiRatkiewicz,
             deuflhard::Deuflhard,
             processed_4::Processed4,
             processed_6::Processed6,

@@ -66,6 +66,10 @@ impl Processor {
     pub const fn over(self, h: f64) -> Self {
         let square = h * h;
         let Self { linear, mixed, cubic } = self;
+        if mixed == 0.0 && cubic == 0.0 {
+            // h⁴ may overflow, and 0 times it be no number.
+            return Self { linear: linear * square, ..self };
+        }
         Self {
             linear: linear * square,
             mixed: mixed * (square * square),

@@ -1,16 +1,21 @@
 //! Systems whose force has a potential, and with it a discrete gradient.
 
-use super::{Counting, LinearOscillator, Pendulum, Phase, RateOf, Separable, System};
+use super::{Counting, LinearOscillator, Measurable, Pendulum, Phase, RateOf, Separable, System};
 use crate::arithmetic::sine::sinc;
 
 /// A system whose force is the gradient of a potential, of which it knows the mean along a way.
 ///
 /// The mean force times the way is the work: with the sign changed, it is a discrete gradient of
 /// the potential.
-pub trait MeanForce: System {
+pub trait MeanForce: System<State: Measurable> {
     /// The rate of change in the state `middle`, with the mean of the force over a drift of the
-    /// time `h` (s), of which `middle` is the middle, in place of the force there.
-    fn mean_force_rate(&self, middle: Self::State, h: f64) -> RateOf<Self>;
+    /// time `h` (s), or one for each lane, of which `middle` is the middle, in place of the force
+    /// there.
+    fn mean_force_rate(
+        &self,
+        middle: Self::State,
+        h: <Self::State as Measurable>::Number,
+    ) -> RateOf<Self>;
 }
 
 // ANCHOR: mean_force
@@ -36,7 +41,7 @@ impl MeanForce for LinearOscillator {
 
 impl<S: MeanForce> MeanForce for Counting<S> {
     /// Counts as two evaluations: for the pendulum it takes two sines.
-    fn mean_force_rate(&self, middle: S::State, h: f64) -> RateOf<S> {
+    fn mean_force_rate(&self, middle: S::State, h: <S::State as Measurable>::Number) -> RateOf<S> {
         self.count(2);
         self.system().mean_force_rate(middle, h)
     }

@@ -53,6 +53,9 @@ pub trait Measurable: State {
     /// The sum of the absolute values of the components of a `displacement` of this state.
     fn size_of(self, displacement: Self::Displacement) -> Self::Number;
 
+    /// A `displacement` of this state times `factor`, in each lane its own.
+    fn times(displacement: Self::Displacement, factor: Self::Number) -> Self::Displacement;
+
     /// The displacement `yes` where the mask is true, `no` elsewhere.
     fn select(
         mask: <Self::Number as Number>::Mask,
@@ -91,6 +94,11 @@ impl<Z: Components> Measurable for Z {
         let mut sum = 0.0;
         self.for_each_component(self, displacement, |_, _, x| sum += x.abs());
         sum
+    }
+
+    #[inline(always)]
+    fn times(displacement: Z::Displacement, factor: f64) -> Z::Displacement {
+        displacement * factor
     }
 
     #[inline(always)]
@@ -134,6 +142,18 @@ impl<N> Numbers<N> for () {
 
     #[inline]
     fn read(_next: &mut impl FnMut() -> N) -> Self {}
+}
+
+impl<N: Number> Numbers<N> for N {
+    #[inline(always)]
+    fn write(self, write: &mut impl FnMut(N)) {
+        write(self);
+    }
+
+    #[inline(always)]
+    fn read(next: &mut impl FnMut() -> N) -> Self {
+        next()
+    }
 }
 
 /// Defines a state of named components, each an `f64`: a struct that can be displaced and scaled,

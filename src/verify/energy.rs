@@ -1,4 +1,4 @@
-//! The energy itself: the method of the discrete gradient conserves it in steps of any length.
+//! The energy itself: the methods of the discrete gradient conserve it in steps of any length.
 //!
 //! Hairer, Lubich, Wanner, *Geometric Numerical Integration* (2006), Sect. V.5.
 
@@ -13,7 +13,7 @@ const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
 /// Whether the method is one that conserves the energy, in steps of any length.
 pub fn is_conserved_by(method: &MethodInfo) -> bool {
-    method.name == "discrete-gradient"
+    matches!(method.name, "discrete-gradient" | "cieslinski-ratkiewicz")
 }
 
 /// Whether a method that conserves the energy does so, to and fro and over the top, in steps of x =

@@ -33,6 +33,8 @@ pub fn leading_local_error(name: &str, [theta, q]: Pair) -> Option<Pair> {
         // step a quarter of the first and, like the flow, a sixth of the second.
         "trapezoidal" => [-c * q / 12.0, (c * s + s * q * q) / 12.0],
         "discrete-gradient" => [-c * q / 12.0, c * s / 12.0],
+        // The same in steps longer by x³/12.
+        "cieslinski-ratkiewicz" => [(1.0 - c) * q / 12.0, (c - 1.0) * s / 12.0],
         // Störmer–Verlet's less that on the linear oscillator, which rotates exactly.
         "deuflhard" => {
             let rest = theta - TAU * libm::round(theta / TAU);

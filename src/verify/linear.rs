@@ -44,7 +44,7 @@ pub fn known(name: &str, x: f64) -> Option<Matrix> {
             let (c, s) = ((1.0 - x2 / 4.0) / (1.0 + x2 / 4.0), x / (1.0 + x2 / 4.0));
             [[c, s], [-s, c]]
         }
-        "deuflhard" => rotation(x),
+        "deuflhard" | "cieslinski-ratkiewicz" => rotation(x),
         _ => return None,
     })
 }

@@ -14,8 +14,9 @@ fn the_error_is_the_constant_of_theory(method: &dyn AnyMethod) {
 }
 each_method!(the_error_is_the_constant_of_theory);
 
-/// Extrapolation from x = 0.2 leaves out x³/8 = 1e-3 of d, with a coefficient of a few.
-const TOLERANCE: f64 = 5e-3;
+/// Extrapolation from x = 0.2 leaves out x³/8 = 1e-3 of d, with a coefficient of a few; of eight
+/// for Cieśliński's and Ratkiewicz's method, whose d of small swings is almost nothing.
+const TOLERANCE: f64 = 1e-2;
 
 /// The tabulated series against single steps. At x = 0.05 RK4's error is at least 3e-9,
 /// rounded by 2e-16.
@@ -28,6 +29,7 @@ const TOLERANCE: f64 = 5e-3;
 #[case::stormer_verlet(method("stormer_verlet"))]
 #[case::trapezoidal(method("trapezoidal"))]
 #[case::discrete_gradient(method("discrete_gradient"))]
+#[case::cieslinski_ratkiewicz(method("cieslinski_ratkiewicz"))]
 #[case::deuflhard(method("deuflhard"))]
 fn a_single_step_misses_by_its_taylor_series(
     #[case] method: &dyn AnyMethod,

@@ -6,8 +6,9 @@
 
 use approx::assert_relative_eq;
 use pendula::methods::{
-    Deuflhard, DiscreteGradient, ExplicitMidpoint, ForwardEuler, Gauss4, Heun, ImplicitMidpoint,
-    PositionVerlet, Processed4, Rk4, StormerVerlet, SymplecticEuler, Trapezoidal,
+    CieslinskiRatkiewicz, Deuflhard, DiscreteGradient, ExplicitMidpoint, ForwardEuler, Gauss4,
+    Heun, ImplicitMidpoint, PositionVerlet, Processed4, Rk4, StormerVerlet, SymplecticEuler,
+    Trapezoidal,
 };
 use pendula::{Grid, Info, LinearOscillator, METHODS, Method, Pendulum, Phase, System, integrate};
 
@@ -109,6 +110,7 @@ fn methods_of_the_same_order_and_cost_are_all_here() {
         ImplicitMidpoint.info(),
         Trapezoidal.info(),
         DiscreteGradient.info(),
+        CieslinskiRatkiewicz.info(),
         Deuflhard.info(),
         Gauss4.info(),
         Processed4.info(),
@@ -167,8 +169,8 @@ fn the_implicit_midpoint_solves_its_equation() {
 
 /// The angle θ' at the end that solves θ' = θ + (h/2)(ω + ω'(θ')), by the secant method, which
 /// needs no derivative.
-fn solved(velocity_at: impl Fn(f64) -> f64) -> (f64, f64) {
-    let miss = |end: f64| end - 0.8 - 0.5 * H * (-0.7 + velocity_at(end));
+fn solved(h: f64, velocity_at: impl Fn(f64) -> f64) -> (f64, f64) {
+    let miss = |end: f64| end - 0.8 - 0.5 * h * (-0.7 + velocity_at(end));
     let (mut before, mut end) = (0.5, 0.6);
     // A last step by less than rounding divides by nothing.
     while f64::abs(end - before) > 1e-9 {
@@ -182,21 +184,40 @@ fn solved(velocity_at: impl Fn(f64) -> f64) -> (f64, f64) {
 /// slope of either end twice.
 #[test]
 fn the_trapezoidal_rule_is_the_mean_of_both_ends() {
-    let (theta, omega) = solved(|end| -0.7 + 0.5 * H * (alpha(0.8) + alpha(end)));
+    let (theta, omega) = solved(H, |end| -0.7 + 0.5 * H * (alpha(0.8) + alpha(end)));
     assert_same(step(&pendulum(), &Trapezoidal, Z), theta, omega);
 }
 
-/// Its equations, with the difference quotient of the potential as it stands: the angles are apart
-/// by 0.3, so that it rounds by a few 1e-16, and the velocity by 2.5 h times that.
+/// A step of the length h of the discrete gradient, with the difference quotient of the potential
+/// as it stands: the angles are apart by 0.3, so that it rounds by a few 1e-16, and the velocity by
+/// 2.5 h times that.
+fn assert_along_the_gradient(z: Phase, h: f64) {
+    let quotient = |end: f64| (0.8_f64.cos() - end.cos()) / (end - 0.8);
+    let (theta, omega) = solved(h, |end| -0.7 - 2.5 * h * quotient(end));
+    assert_relative_eq!(z.theta, theta, max_relative = 5.0 * ROUNDING);
+    assert_relative_eq!(z.omega, omega, max_relative = 5.0 * ROUNDING);
+}
+
+/// Its equations.
 ///
 /// Catches: the midpoint or the trapezoidal rule under its name, a mean over half or twice the way.
 #[test]
 fn the_discrete_gradient_is_the_quotient_of_the_differences() {
-    let quotient = |end: f64| (0.8_f64.cos() - end.cos()) / (end - 0.8);
-    let (theta, omega) = solved(|end| -0.7 - 2.5 * H * quotient(end));
-    let z = step(&pendulum(), &DiscreteGradient, Z);
-    assert_relative_eq!(z.theta, theta, max_relative = 5.0 * ROUNDING);
-    assert_relative_eq!(z.omega, omega, max_relative = 5.0 * ROUNDING);
+    assert_along_the_gradient(step(&pendulum(), &DiscreteGradient, Z), H);
+}
+
+/// The same in a step of (2/ω₀) tan(ω₀h/2), and back.
+///
+/// Catches: the discrete gradient under its name; a frequency without its root; a tangent of the
+/// whole angle; a length that takes no sign.
+#[test]
+fn cieslinski_and_ratkiewicz_take_a_longer_step() {
+    let length = |h: f64| (0.5 * 2.5_f64.sqrt() * h).tan() / (0.5 * 2.5_f64.sqrt());
+    let z = step(&pendulum(), &CieslinskiRatkiewicz, Z);
+    assert_along_the_gradient(z, length(H));
+    let mut pace = CieslinskiRatkiewicz.start(&pendulum(), 0.0, -H, z);
+    let back = CieslinskiRatkiewicz.step(&pendulum(), 0.0, -H, z, &mut pace);
+    assert_same(back, Z.theta, Z.omega);
 }
 
 /// Half a kick by θ − sin θ, a rotation, half a kick, about the bottom and about one two turns on.

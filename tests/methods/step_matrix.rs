@@ -44,6 +44,7 @@ each_method_type!(the_linear_oscillator_has_the_same_matrix);
 #[case::trapezoidal("trapezoidal", 1.0, 1.2)]
 #[case::discrete_gradient("discrete-gradient", 1.0, 1.2)]
 #[case::deuflhard("deuflhard", 1.0, 1.080_604_611_736_279_4)]
+#[case::cieslinski_ratkiewicz("cieslinski-ratkiewicz", 1.0, 1.080_604_611_736_279_4)]
 fn the_matrices_on_file_have_their_invariants(
     #[case] name: &str,
     #[case] determinant_at_one: f64,

@@ -294,14 +294,15 @@ each_method!(nan_and_infinity_are_not_healed);
 
 /// A bound on the sum of the sizes of the kicks of one step, of its drifts, or of a row of its
 /// tableau, in steps: 1, except for compositions, for Deuflhard's method, where the linear force is
-/// the larger one, and for the methods of Dormand and Prince, where the ninth row of DOP853 has 96.
-/// It bounds the change in a step of any length. The change in a step of a Taylor series has no
-/// such bound, and grows with the 24th power of the step.
+/// the larger one, for Cieśliński's and Ratkiewicz's, whose steps are longer, and for the methods
+/// of Dormand and Prince, where the ninth row of DOP853 has 96. It bounds the change in a step of
+/// any length. The change in a step of a Taylor series has no such bound, and grows with the 24th
+/// power of the step.
 fn reach(method: &dyn AnyMethod) -> f64 {
     let entry = method.info();
     match (entry.order, entry.name) {
         (_, "taylor-24") => f64::INFINITY,
-        (_, "deuflhard") => 100.0,
+        (_, "deuflhard" | "cieslinski-ratkiewicz") => 100.0,
         (0..=2, _) | (_, "rk4") => 1.0,
         _ => 100.0,
     }

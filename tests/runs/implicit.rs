@@ -2,16 +2,17 @@
 
 use std::num::{NonZeroU32, NonZeroU64};
 
-use pendula::fast::ScaledPendulum;
+use pendula::fast::{PendulumSteps, ScaledPendulum};
 use pendula::methods::{
-    DiscreteGradient, Gauss4, Gauss6, Gauss16, Implicit, ImplicitMidpoint, ImplicitTableau,
-    Iteration, Rk4, Trapezoidal,
+    CieslinskiRatkiewicz, DiscreteGradient, Gauss4, Gauss6, Gauss16, Implicit, ImplicitMidpoint,
+    ImplicitTableau, Iteration, Rk4, Trapezoidal,
 };
 use pendula::systems::{DoublePendulum, DoublePhase, Joint, LinearOscillator};
 use pendula::{
     AnyMethod, Counting, Ensemble, Error, Grid, Hamiltonian, Info, METHODS, Method, Pendulum,
     Phase, Unsolved, integrate, integrate_fast, method_named,
 };
+use rstest::rstest;
 
 use crate::common::{lanes, method, steps, steps_on, try_integrate};
 use crate::random::Random;
@@ -383,28 +384,68 @@ fn lanes_take_another_iteration() {
 
 /// The discrete gradient takes no iteration of the caller's, and is solved as well: in whatever
 /// units in steps of x up to 0.9, and in longer ones it says where it is not. Its mean force is
-/// nowhere steeper than the force by more than a half, so that a sweep leaves 0.9²/4 · 3/2 at most.
+/// nowhere steeper than the force by more than a half, so that two sweeps leave 0.9²/4 · 3/2 at
+/// most, and where steps are longer tan²(0.45) · 3/2.
 ///
 /// Catches: a ratio of sine and angle that is not a number at rest; a failure that is not said, or
 /// a state that is not NaN.
-#[test]
-fn the_discrete_gradient_is_solved_or_says_so() {
+#[rstest]
+#[case::itself(DiscreteGradient)]
+#[case::in_longer_steps(CieslinskiRatkiewicz)]
+fn the_discrete_gradient_is_solved_or_says_so<M>(#[case] method: M)
+where
+    M: PendulumSteps + Method<Pendulum> + Method<ScaledPendulum>,
+{
     let mut random = Random::new(23);
     for n in 0..400 {
         let (pendulum, start, grid) = scene(&mut random, 1.0);
-        let end = integrate(&pendulum, &DiscreteGradient, start, &grid, &mut ());
-        let fast = integrate_fast(&pendulum, &DiscreteGradient, start, &grid, &mut ());
+        let end = integrate(&pendulum, &method, start, &grid, &mut ());
+        let fast = integrate_fast(&pendulum, &method, start, &grid, &mut ());
         let case = || format!("scene {n}: {pendulum:?} {start:?} {grid:?}");
         for end in [end, fast] {
             assert!(end.theta.is_finite() && end.omega.is_finite(), "{}", case());
         }
-        let tried = pendula::try_integrate(&pendulum, &DiscreteGradient, start, &grid, &mut ());
+        let tried = pendula::try_integrate(&pendulum, &method, start, &grid, &mut ());
         assert_eq!(tried, Ok(end), "{}", case());
     }
     let long = Grid::new(4.0 / Pendulum::PAPER.small_angle_frequency(), 10).unwrap();
     let start = Phase::at_rest(1.0);
-    let tried = pendula::try_integrate(&Pendulum::PAPER, &DiscreteGradient, start, &long, &mut ());
+    let tried = pendula::try_integrate(&Pendulum::PAPER, &method, start, &long, &mut ());
     assert!(matches!(tried, Err(Error::NotSolved { n: 0, sweeps: 100, .. })), "{tried:?}");
-    let end = integrate(&Pendulum::PAPER, &DiscreteGradient, start, &long, &mut ());
+    let end = integrate(&Pendulum::PAPER, &method, start, &long, &mut ());
     assert!(end.theta.is_nan() && end.omega.is_nan(), "{end:?}");
+}
+
+/// The tangent that lengthens the steps has its pole at x = π; beyond, it is negative, and from 2π
+/// on small once more, so that a step of its length would be solved, and be another one. Small
+/// swings end at x = 1.25, where a hundred sweeps leave tan¹⁰⁰(x/2) = 1e-14.
+///
+/// Catches: a step that goes back, or is too short, where the run should end; lanes that do not see
+/// it; a long step in the other direction.
+#[test]
+fn steps_of_half_a_turn_are_refused() {
+    let (pendulum, method) = (Pendulum::new(9.0, 1.0, 1.0).unwrap(), &CieslinskiRatkiewicz);
+    let start = Phase::at_rest(0.1);
+    let is_nan = |z: Phase| z.theta.is_nan() && z.omega.is_nan();
+    let grid = |x: f64| Grid::new(x / 3.0, 10).unwrap();
+    for x in [1.3, 2.0, 2.9, 3.0, 3.1, 3.141_592, 3.2, 4.0, 6.0, 6.28, 6.3, 6.5, 9.0, 12.6, 1e9] {
+        let tried = pendula::try_integrate(&pendulum, method, start, &grid(x), &mut ());
+        assert!(matches!(tried, Err(Error::NotSolved { n: 0, .. })), "{x}: {tried:?}");
+        let tried = AnyMethod::try_run(method, &pendulum, start, &grid(x), &mut ());
+        assert!(matches!(tried, Err(Error::NotSolved { n: 0, .. })), "{x}: {tried:?}");
+        assert!(is_nan(integrate(&pendulum, method, start, &grid(x), &mut ())), "{x}");
+        assert!(is_nan(integrate_fast(&pendulum, method, start, &grid(x), &mut ())), "{x}");
+        let mut pace = method.start(&pendulum, 0.0, -x / 3.0, start);
+        assert!(is_nan(method.step(&pendulum, 0.0, -x / 3.0, start, &mut pace)), "{x}");
+        // A slower pendulum in the next lane does not mind.
+        let pendulums = [pendulum, Pendulum::new(9e-20, 1.0, 1.0).unwrap()];
+        let mut ends = [Phase::default(); 2];
+        let starts = [start; 2];
+        let ensemble = Ensemble::with_pendulums(&pendulums, &starts, grid(x));
+        ensemble.ends(lanes(method), &mut ends);
+        assert!(is_nan(ends[0]) && ends[1].theta.is_finite(), "{x}: {ends:?}");
+    }
+    for x in [1e-9, 0.5, 1.2] {
+        assert!(!is_nan(integrate_fast(&pendulum, method, start, &grid(x), &mut ())), "{x}");
+    }
 }

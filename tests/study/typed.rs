@@ -52,6 +52,7 @@ const TYPED: &[Typed] = &[
     ("rk4", r"= 8.02\cdot10^{-5}$ of", "8.02e-5", || gain(12.0)),
     ("rk4", r"which is $9.83\cdot10^{-7}$", "9.83e-7", || gain(12.0) * energy_at_rest(0.05)),
     ("stormer-verlet", "At 2.745 rad it is zero", "2.745", true_period_of_stormer_verlet),
+    ("higher-order", "up to 1.50 rad", "1.50", as_far_as_the_discrete_gradient),
     ("choosing", "Near 2.745 rad", "2.745", true_period_of_stormer_verlet),
     ("choosing", r"\approx 3.1\cdot10^{-4}$ s", "3.1e-4", step_to_a_millionth),
     ("choosing", "about 280 million", "2.8e2", || 86_400.0 / step_to_a_millionth() / 1e6),
@@ -127,6 +128,14 @@ fn landen(steps: u32) -> f64 {
 /// The amplitude (rad) at which Störmer–Verlet's period errs by a higher power of the step only.
 fn true_period_of_stormer_verlet() -> f64 {
     root(|theta_0| Some(theory::period::of_stormer_verlet(&PAPER, theta_0)), 2.5, 3.0).unwrap()
+}
+
+/// The amplitude (rad) at which Cieśliński's and Ratkiewicz's period is as far off as the discrete
+/// gradient's, to the other side.
+fn as_far_as_the_discrete_gradient() -> f64 {
+    let [longer, shorter] =
+        [theory::period::of_discrete_gradient, theory::period::of_cieslinski_ratkiewicz];
+    root(|theta_0| Some(longer(&PAPER, theta_0) + shorter(&PAPER, theta_0)), 1.0, 2.0).unwrap()
 }
 
 /// Störmer–Verlet's step (s) for an energy error of 1e-6 J from 1 rad; the error goes with h².

@@ -1,9 +1,11 @@
-//! The laws of the trapezoidal rule, of the discrete gradient and of Deuflhard's method.
+//! The laws of the trapezoidal rule, of the discrete gradient, in its own steps and in Cieśliński's
+//! and Ratkiewicz's, and of Deuflhard's method.
 
 use std::f64::consts::PI;
 
 use pendula::methods::{
-    Deuflhard, DiscreteGradient, ImplicitMidpoint, PositionVerlet, StormerVerlet, Trapezoidal,
+    CieslinskiRatkiewicz, Deuflhard, DiscreteGradient, ImplicitMidpoint, PositionVerlet,
+    StormerVerlet, Trapezoidal,
 };
 use pendula::metrics::CrossingPeriod;
 use pendula::verify::{area_defect, energy};
@@ -58,6 +60,11 @@ fn of_the_discrete_gradient(theta: f64, end: f64, x2: f64) -> f64 {
     weight(1.0) / weight(-1.0)
 }
 
+/// The same in steps of 2 tan(x/2).
+fn of_cieslinski_ratkiewicz(theta: f64, end: f64, x2: f64) -> f64 {
+    of_the_discrete_gradient(theta, end, 4.0 * (0.5 * x2.sqrt()).tan().powi(2))
+}
+
 /// The ruler is off by δ²/6 times third derivatives of the step, 1e-9 where x is 0.2, as derived
 /// beside `AREA_TOLERANCE`, and 25 times that at x = 1.
 ///
@@ -66,6 +73,7 @@ fn of_the_discrete_gradient(theta: f64, end: f64, x2: f64) -> f64 {
 #[rstest]
 #[case::trapezoidal(Trapezoidal, of_the_trapezoidal_rule)]
 #[case::discrete_gradient(DiscreteGradient, of_the_discrete_gradient)]
+#[case::cieslinski_ratkiewicz(CieslinskiRatkiewicz, of_cieslinski_ratkiewicz)]
 fn area_changes_by_the_ratio_of_two_weights<M: AnyMethod>(
     #[case] method: M,
     #[case] law: fn(f64, f64, f64) -> f64,
@@ -93,6 +101,7 @@ fn area_changes_by_the_ratio_of_two_weights<M: AnyMethod>(
 fn the_discrete_gradient_conserves_the_energy_in_any_step() {
     use pendula_zoo::completing::{Midpoint, TwiceTheWay};
     energy::check(&DiscreteGradient).unwrap();
+    energy::check(&CieslinskiRatkiewicz).unwrap();
     assert!(energy::check(&TwiceTheWay).is_err());
     assert!(energy::check(&Midpoint(DiscreteGradient)).is_err());
 }
@@ -140,8 +149,8 @@ fn shift<M: Method<Pendulum>>(method: &M, theta_0: f64, x: f64, periods: f64) ->
 
 /// The law leaves out x⁴, which is extrapolated from x and x/2. What is left is the reading of the
 /// crossings, at most x³/24 at either end of 200 swings of 2π and more: over x² that is 7e-6. It
-/// comes from velocities that are not those of the angles, which for Deuflhard's method differ as
-/// little as the period does: there a hundredth of the law is allowed.
+/// comes from velocities that are not those of the angles, which for the two methods that are exact
+/// in small swings differ as little as the period does: there a hundredth of the law is allowed.
 ///
 /// Catches: a phase error of second order that order tests accept; the law of one of the methods
 /// for another's, each of which is 1/12 for small swings or 0.
@@ -149,6 +158,7 @@ fn shift<M: Method<Pendulum>>(method: &M, theta_0: f64, x: f64, periods: f64) ->
 #[case::trapezoidal(Trapezoidal, period::of_trapezoidal)]
 #[case::implicit_midpoint(ImplicitMidpoint, period::of_implicit_midpoint)]
 #[case::discrete_gradient(DiscreteGradient, period::of_discrete_gradient)]
+#[case::cieslinski_ratkiewicz(CieslinskiRatkiewicz, period::of_cieslinski_ratkiewicz)]
 #[case::deuflhard(Deuflhard, period::of_deuflhard)]
 fn the_period_shifts_as_predicted<M: Method<Pendulum>>(
     #[case] method: M,
@@ -173,6 +183,35 @@ fn the_discrete_gradient_keeps_time_at_one_amplitude() {
     assert!(period::of_discrete_gradient(&pendulum(), ZERO).abs() < 1e-8);
     let left = shift(&DiscreteGradient, ZERO, 0.1, 200.0);
     assert!(left.abs() < 0.1 * 1e-4, "{left:e}");
+}
+
+// -------------------------------------------------------------------------------------------------
+// Cieśliński's and Ratkiewicz's method
+// -------------------------------------------------------------------------------------------------
+
+/// Whatever the step, small swings have the right period, to the last digits. After n steps the
+/// angle on the linear oscillator is exact but for rounding: ω₀, h and the tangent round the phase
+/// by an ε each, and each step the state by ten, as the iteration leaves it, at random. A pendulum
+/// that swings by 2⁻⁴⁰ rad is one.
+///
+/// Catches: a step of another length, by a billionth; an iteration that ends early and lets the
+/// energy drift.
+#[rstest]
+fn small_swings_have_the_exact_period(#[values(0.01, 0.7, 1.2)] x: f64) {
+    const STEPS: u64 = 100_000;
+    let (linear, start) = (LinearOscillator::new(pendulum()), Phase { theta: 1.0, omega: 0.7 });
+    let grid = grid(x, STEPS);
+    let end = integrate(&linear, &CieslinskiRatkiewicz, start, &grid, &mut ());
+    let exact = linear.exact(start, grid.time(STEPS));
+    let rounding = 20.0 * f64::EPSILON * x * STEPS as f64 + 200.0 * f64::EPSILON * 316.0;
+    assert!((end.theta - exact.theta).abs() < rounding, "{:e}", end.theta - exact.theta);
+    let drift = linear.energy(end) / linear.energy(start) - 1.0;
+    assert!(drift.abs() < rounding, "{drift:e}");
+    // In units of its size, which is a power of two, the pendulum has the same end.
+    let tiny = 2.0_f64.powi(-40);
+    let small = Phase { theta: start.theta * tiny, omega: start.omega * tiny };
+    let end = integrate(&pendulum(), &CieslinskiRatkiewicz, small, &grid, &mut ());
+    assert!((end.theta / tiny - exact.theta).abs() < rounding, "{end:?}");
 }
 
 // -------------------------------------------------------------------------------------------------

@@ -34,7 +34,7 @@ each_general_method!(our_methods_hold_their_claims);
 /// Catches: a method that is known by its entry alone judged as another.
 #[test]
 fn what_cannot_be_driven_holds_its_claims() {
-    for method in ["taylor-24", "discrete-gradient", "deuflhard"] {
+    for method in ["taylor-24", "discrete-gradient", "cieslinski-ratkiewicz", "deuflhard"] {
         let method = method_named(method).unwrap();
         assert_itself(&Listed(method), method);
     }

@@ -128,6 +128,12 @@ fn discrete_gradient(g: f64, z: State, h: f64) -> State {
     next
 }
 
+/// The same in steps of (2/ω₀) tan(ω₀h/2).
+fn cieslinski_ratkiewicz(g: f64, z: State, h: f64) -> State {
+    let half = 0.5 * g.sqrt();
+    discrete_gradient(g, z, (half * h).tan() / half)
+}
+
 /// The bottom that is nearest.
 fn nearest(theta: f64) -> f64 {
     TAU * (theta / TAU).round()
@@ -212,6 +218,9 @@ fn stormers_form(g: f64, theta: f64, omega: f64, h: f64, n: u64) -> Vec<State> {
 )]
 #[case::discrete_gradient(
     discrete_gradient, Claims::order(2).symmetric(), "discrete-gradient",
+)]
+#[case::cieslinski_ratkiewicz(
+    cieslinski_ratkiewicz, Claims::order(2).symmetric(), "cieslinski-ratkiewicz",
 )]
 #[case::deuflhard(
     deuflhard, Claims::order(2).symplectic().symmetric().bounded_energy(), "deuflhard",

@@ -51,7 +51,7 @@ struct AlongTwice<'s, S> {
     h: f64,
 }
 
-impl<S: MeanForce> System for AlongTwice<'_, S> {
+impl<S: Plain + MeanForce> System for AlongTwice<'_, S> {
     type State = S::State;
 
     fn rate(&self, _t: f64, middle: S::State) -> RateOf<S> {

@@ -1,6 +1,8 @@
 //! The method of the discrete gradient.
 
+use crate::arithmetic::number::Number;
 use crate::integrate::{Method, Unsolved};
+use crate::methods::implicit::tableau::NumberOf;
 use crate::methods::implicit::{ImplicitMidpoint, Iteration};
 use crate::methods::{Info, MethodInfo};
 use crate::systems::{MeanForce, Measurable, RateOf, System};
@@ -40,10 +42,12 @@ impl Info for DiscreteGradient {
 }
 
 // ANCHOR: step
-/// A system with the mean of its force along a step of `h` (s) for its force.
-struct AlongTheStep<'s, S> {
+/// A system with the mean of its force along a step of `h` (s) for its force, and its time `pace`
+/// times as fast.
+struct AlongTheStep<'s, S: MeanForce> {
     system: &'s S,
-    h: f64,
+    h: NumberOf<S>,
+    pace: NumberOf<S>,
 }
 
 impl<S: MeanForce> System for AlongTheStep<'_, S> {
@@ -51,11 +55,41 @@ impl<S: MeanForce> System for AlongTheStep<'_, S> {
 
     #[inline(always)]
     fn rate(&self, _t: f64, middle: S::State) -> RateOf<S> {
-        self.system.mean_force_rate(middle, self.h)
+        S::State::times(self.system.mean_force_rate(middle, self.h), self.pace)
     }
 }
 
-impl<S: MeanForce<State: Measurable>> Method<S> for DiscreteGradient {
+impl DiscreteGradient {
+    /// A step of `pace` times `h` (s), which may differ from lane to lane, from the slope `first`.
+    #[inline(always)]
+    pub(super) fn step_at<S: MeanForce>(
+        system: &S,
+        t: f64,
+        h: f64,
+        z: S::State,
+        first: RateOf<S>,
+        pace: NumberOf<S>,
+    ) -> S::State {
+        let along = AlongTheStep { system, h: pace * h, pace };
+        ImplicitMidpoint::TABLEAU.step_from(&along, t, h, z, first, Iteration::TO_ROUNDING)
+    }
+
+    /// The same, or why there is no such state.
+    #[inline(always)]
+    pub(super) fn try_step_at<S: MeanForce>(
+        system: &S,
+        t: f64,
+        h: f64,
+        z: S::State,
+        first: RateOf<S>,
+        pace: NumberOf<S>,
+    ) -> Result<S::State, Unsolved> {
+        let along = AlongTheStep { system, h: pace * h, pace };
+        ImplicitMidpoint::TABLEAU.try_step_from(&along, t, h, z, first, Iteration::TO_ROUNDING)
+    }
+}
+
+impl<S: MeanForce> Method<S> for DiscreteGradient {
     type Carry = ();
 
     const IS_LONG: bool = true;
@@ -64,9 +98,8 @@ impl<S: MeanForce<State: Measurable>> Method<S> for DiscreteGradient {
 
     #[inline(always)]
     fn step(&self, system: &S, t: f64, h: f64, z: S::State, _carry: &mut ()) -> S::State {
-        let along = AlongTheStep { system, h };
-        let (first, iteration) = (system.rate(t, z), Iteration::TO_ROUNDING);
-        ImplicitMidpoint::TABLEAU.step_from(&along, t, h, z, first, iteration)
+        let first = system.rate(t, z);
+        Self::step_at(system, t, h, z, first, z.size(first).splat(1.0))
     }
     // ANCHOR_END: step
 
@@ -79,8 +112,7 @@ impl<S: MeanForce<State: Measurable>> Method<S> for DiscreteGradient {
         z: S::State,
         _carry: &mut (),
     ) -> Result<S::State, Unsolved> {
-        let (along, first) = (AlongTheStep { system, h }, system.rate(t, z));
-        let iteration = Iteration::TO_ROUNDING;
-        ImplicitMidpoint::TABLEAU.try_step_from(&along, t, h, z, first, iteration)
+        let first = system.rate(t, z);
+        Self::try_step_at(system, t, h, z, first, z.size(first).splat(1.0))
     }
 }

@@ -1,6 +1,7 @@
 //! Implicit methods: Gauss's Runge–Kutta methods, collocation at the zeros of Legendre polynomials;
-//! the trapezoidal rule; and a discrete gradient, which conserves the energy itself.
+//! the trapezoidal rule; and two methods with a discrete gradient, which conserve the energy itself.
 
+mod cieslinski_ratkiewicz;
 mod discrete_gradient;
 mod gauss_16;
 mod gauss_4;
@@ -10,6 +11,7 @@ mod iteration;
 mod tableau;
 mod trapezoidal;
 
+pub use cieslinski_ratkiewicz::CieslinskiRatkiewicz;
 pub use discrete_gradient::DiscreteGradient;
 pub use gauss_4::Gauss4;
 pub use gauss_6::Gauss6;

@@ -36,7 +36,8 @@ struct Slopes<Sys: System<State: Measurable>, const S: usize> {
     scale: NumberOf<Sys>,
 }
 
-type NumberOf<Sys> = <<Sys as System>::State as Measurable>::Number;
+/// The [size](Measurable) of a state.
+pub(super) type NumberOf<Sys> = <<Sys as System>::State as Measurable>::Number;
 type MaskOf<Sys> = <NumberOf<Sys> as Number>::Mask;
 
 impl<const S: usize> ImplicitTableau<S> {

@@ -111,7 +111,12 @@ mod tests {
 
             let driven = answers(name, "driven 9.81 0.5 2 1 0 0.01 10 10\n");
             match name {
-                "taylor-24" | "discrete-gradient" | "deuflhard" | "processed-4" | "processed-6" => {
+                "taylor-24"
+                | "discrete-gradient"
+                | "cieslinski-ratkiewicz"
+                | "deuflhard"
+                | "processed-4"
+                | "processed-6" => {
                     assert_eq!(driven, ["unsupported"]);
                 }
                 _ => assert_eq!((driven.len(), &driven[1][..]), (2, "done"), "{name}"),
