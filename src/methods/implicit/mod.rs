@@ -1,5 +1,5 @@
 //! Implicit methods: Gauss's Runge–Kutta methods, collocation at the zeros of Legendre polynomials;
-//! the trapezoidal rule; and two methods with a discrete gradient, which conserve the energy itself.
+//! the trapezoidal rule; and two methods with a discrete gradient, which conserve the energy.
 
 mod cieslinski_ratkiewicz;
 mod discrete_gradient;

@@ -24,8 +24,10 @@ const HALF_KICKS: [(&str, &str, &str); 5] = [
     ),
     (
         "orders",
-        "| Störmer–Verlet    |     2 |       0.010547 |    2.00 |    2.00 |    2.00 |    2.00 |",
-        "| Störmer–Verlet    |     2 |       0.010547 |    2.00 |    2.00 |    2.00 |  ≠ 2.11 |",
+        "| Störmer–Verlet        |     2 |       0.010547 \
+         |    2.00 |    2.00 |    2.00 |    2.00 |",
+        "| Störmer–Verlet        |     2 |       0.010547 \
+         |    2.00 |    2.00 |    2.00 |  ≠ 2.11 |",
     ),
     ("bits", "c2c47d4665baff4a", "c2c47d4665baff4b"),
 ];
@@ -64,10 +66,12 @@ fn the_worst_comes_first() {
 const SUZUKI: [(&str, &str, &str); 2] = [
     (
         "orders",
-        "| Suzuki 4          |     4 |       0.021094 |    4.00 |    4.00 |    4.00 |    4.00 |",
-        "| Suzuki 4          |     4 |       0.021094 |  ≠ 3.82 |  ≠ 3.45 |  ≠ 2.82 |  ≠ 2.28 |",
+        "| Suzuki 4              |     4 |       0.021094 \
+         |    4.00 |    4.00 |    4.00 |    4.00 |",
+        "| Suzuki 4              |     4 |       0.021094 \
+         |  ≠ 3.82 |  ≠ 3.45 |  ≠ 2.82 |  ≠ 2.28 |",
     ),
-    ("methods", "| Suzuki 4          |      4 |", "| Suzuki 4          |      2 |"),
+    ("methods", "| Suzuki 4              |      4 |", "| Suzuki 4              |      2 |"),
 ];
 
 /// Catches: a headline of anything less than an order that is lost; an order with a percentage;
@@ -105,11 +109,13 @@ fn an_order_that_is_lost_is_the_headline() {
     assert!(good.contains("1 order there again: Suzuki 4 (2 → 4)"), "{body}");
     assert!(last.starts_with("Accept\n\nA snapshot"), "{body}");
     // A higher order than claimed is none that the method should have, either.
-    let higher = [("methods", "| Heun              |      2 |", "| Heun              |      3 |")];
+    let [second, third] = [2, 3].map(|order| format!("| Heun                  |      {order} |"));
+    let higher = [("methods", second.as_str(), third.as_str())];
     let higher = Document::new(&super::review(&higher)).unwrap();
     assert_eq!(higher.headline, "Heun lost its order (2 → 3)");
     // Another claim is no other order.
-    let claims = [("orders", "| Suzuki 4          |     4 |", "| Suzuki 4          |     2 |")];
+    let [fourth, second] = [4, 2].map(|order| format!("| Suzuki 4              |     {order} |"));
+    let claims = [("orders", fourth.as_str(), second.as_str())];
     let claims = Document::new(&super::review(&claims)).unwrap();
     assert_eq!(claims.headline, "1 value moved");
     assert!(claims.body.contains("| claimed order | 4 | 2 |"), "{}", claims.body);
@@ -256,7 +262,11 @@ fn no_text_becomes_markup() {
     ];
     for hostile in HOSTILE {
         let mut review = review(&[
-            ("methods", "| Suzuki 4          |      4 |", &format!("| {hostile} | 7 {hostile} |")),
+            (
+                "methods",
+                "| Suzuki 4              |      4 |",
+                &format!("| {hostile} | 7 {hostile} |"),
+            ),
             ("ledger_sentences", "Table 3 has the same.", hostile),
         ]);
         review.versions[0] = hostile.to_string();
