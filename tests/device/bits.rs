@@ -137,7 +137,7 @@ impl Observer<Phase> for Record {
 #[test]
 fn a_method_that_looks_at_its_numbers_is_refused() {
     let implicit: Vec<_> = methods().filter(|one| one.host.info().implicit).collect();
-    assert_eq!(implicit.len(), 6);
+    assert_eq!(implicit.len(), 7);
     for OnDevice { host, program, .. } in methods() {
         assert_eq!(program().is_none(), host.info().implicit, "{host:?}");
     }
