@@ -250,3 +250,44 @@ fn the_table_of_predictions_shows_relative_tolerances() {
         }
     }
 }
+
+/// A measured cell and the stated one above it, or beside it, as printed.
+fn pairs(table: &Table) -> Vec<(&str, &str)> {
+    let rows = table.rows();
+    match table.header()[0].as_str() {
+        "Quantity" => rows.iter().map(|row| (row[1].as_str(), row[2].as_str())).collect(),
+        _ => {
+            let lines = rows.chunks(2).flat_map(|two| two[0][2..].iter().zip(&two[1][2..]));
+            lines.map(|(stated, measured)| (stated.as_str(), measured.as_str())).collect()
+        }
+    }
+}
+
+/// Read back from the tables as printed, once with a method that is wrong.
+///
+/// Catches: a mark where the digits agree, or none where they do not; the mark of another row.
+#[test]
+fn a_measured_cell_is_marked_if_and_only_if_its_digits_differ() {
+    let plain = |text: &str| literal(text.trim_start_matches('≠').trim());
+    let number = |text: &str| plain(text).parse::<f64>().ok();
+    let mut marks = [0; 2];
+    for (which, study) in [&STUDY.clone(), &study_of_short_half_kicks()].into_iter().enumerate() {
+        let ledger = Ledger::new(study);
+        for table in [4, 5, 6, 7, 8].map(|number| tables::table(&ledger, number).unwrap()) {
+            for (stated, measured) in pairs(&table) {
+                let (Some(value), Some(said)) = (number(measured), number(stated)) else {
+                    continue;
+                };
+                let is_marked = measured.starts_with('≠');
+                // One cell has fewer digits than the paper prints: the others are rounding.
+                let digits = [(value, stated), (said, measured)];
+                let differs =
+                    !digits.iter().any(|(x, text)| rounds_to(*x, &plain(text)) == Some(true));
+                assert_eq!(is_marked, differs, "stated {stated}, measured {measured}");
+                marks[which] += usize::from(is_marked);
+            }
+        }
+    }
+    // The wrong method misses its row of Table 4, at each step.
+    assert_eq!(marks, [0, STEPS.len()]);
+}
