@@ -24,7 +24,7 @@ pub struct Match {
     tolerances: f64,
     /// In rad or rad/s, at most.
     pub apart: f64,
-    /// Whether it is so in driven scenes, too, as far as it can be driven.
+    /// Whether it is so in driven scenes, too.
     pub driven: bool,
 }
 
@@ -84,20 +84,13 @@ impl Answers {
         let claimed = claims.method().map(|known| known.name.as_str());
         let all = known_answers::methods().iter().filter_map(|known| {
             let (tolerances, apart) = self.off(known, |scene| scene.drive.is_none())?;
-            let driven = self.is_driven_as(known);
+            let driven = self.off(known, |scene| scene.drive.is_some()).is_some();
             Some(Match { known, tolerances, apart, driven })
         });
         all.min_by(|a, b| {
             let rank = |x: &Match| (!x.driven, Some(x.known.name.as_str()) != claimed);
             rank(a).cmp(&rank(b)).then(a.tolerances.total_cmp(&b.tolerances))
         })
-    }
-
-    /// Whether it answers driven scenes as `known` does, or not at all.
-    fn is_driven_as(&self, known: &Known) -> bool {
-        let driven = |scene: &Scene| scene.drive.is_some();
-        let asked = self.runs.iter().any(|(scene, _)| driven(scene));
-        !asked || self.off(known, driven).is_some()
     }
 
     /// The mistake that it makes, if it is not right in all scenes: the nearest, first of those in

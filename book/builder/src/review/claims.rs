@@ -88,7 +88,7 @@ impl Claims {
 fn prediction(predicted: &str, measured: &str, tolerance: &str) -> Option<Prediction> {
     let (value, measured) = (leading(&Value::new(predicted).text)?, Value::new(measured));
     let Some(found) = leading(&measured.text) else {
-        // What is measured is no number any more.
+        // NaN, or a dash.
         return Some(Prediction { distance: f64::INFINITY, agrees: false });
     };
     let apart = (value.value - found.value).abs() - (value.half_unit + found.half_unit);
@@ -129,7 +129,8 @@ mod tests {
     use crate::versions::Content;
 
     /// Catches: a verdict with its mark or its reason in it, a prediction whose columns are mixed
-    /// up, half a unit taken for a whole one; a corrupt ledger read as an empty one.
+    /// up, half a unit taken for a whole one; a NaN that agrees; a corrupt ledger read as an empty
+    /// one.
     #[test]
     fn a_ledger_is_read() {
         let content = |text: &str| Content { kind: Kind::Table, text: text.to_string() };
@@ -138,7 +139,8 @@ mod tests {
                       reproduced) |\n| `T5.x` else | 2 | 2 | **wrong**. Because. |\n";
         let predictions = "| Cell | stated | predicted | measured | to within | law |\n\
                            | --- | --- | --- | --- | --- | --- |\n\
-                           | `T4.vv.0.1` | 1 | 1.10 × 10⁻¹ | ≠ 1.00 × 10⁻¹ | 1 × 10⁻² | a law |\n";
+                           | `T4.vv.0.1` | 1 | 1.10 × 10⁻¹ | ≠ 1.00 × 10⁻¹ | 1 × 10⁻² | a law |\n\
+                           | `T4.vv.0.2` | 1 | 1.10 × 10⁻¹ | NaN | 1 × 10⁻² | a law |\n";
         let mut version = Version::new();
         version.insert("ledger_cells".to_string(), content(ledger));
         version.insert("predictions".to_string(), content(predictions));
@@ -151,6 +153,10 @@ mod tests {
         // (1.10 − 1.00 − 2 · 0.005)/1.00 over 0.01: either may be off by half a unit.
         near(claims.predictions["T4.vv.0.1"].distance, 9.0);
         assert!(!claims.predictions["T4.vv.0.1"].agrees);
+        assert!(
+            !claims.predictions["T4.vv.0.2"].agrees,
+            "what is not a number agrees with nothing"
+        );
         version.insert("predictions".to_string(), content("| a |\nb\n"));
         assert!(Claims::read(&version).is_err());
     }

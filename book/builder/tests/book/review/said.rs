@@ -75,7 +75,8 @@ const SUZUKI: [(&str, &str, &str); 2] = [
 ];
 
 /// Catches: a headline of anything less than an order that is lost; an order with a percentage;
-/// slopes without their steps, or without what they are a sign of; a column in which nothing
+/// slopes without their steps, or without what they are a sign of; a slope
+/// between long steps for that between the shortest; a column in which nothing
 /// stands; an acceptance without a warning under a failure, or one that does not come last.
 #[test]
 fn an_order_that_is_lost_is_the_headline() {
@@ -84,6 +85,8 @@ fn an_order_that_is_lost_is_the_headline() {
     let document = Document::new(&review).unwrap();
     assert_eq!(document.headline, "Suzuki 4 lost its order (4 → 2)");
     let body = &document.body;
+    // Of its four slopes the last, between the shortest steps.
+    assert!(body.contains("slopes that leave the order: Suzuki 4 (4.00 → 2.28)"), "{body}");
     let slopes = "| from step to step | before | now |\n| --- | --: | --: |\n\
                   | 0.021 → 0.011 s | 4.00 | ≠ 3.82 |\n| 0.011 → 0.0053 s | 4.00 | ≠ 3.45 |\n";
     assert!(body.contains(slopes), "{body}");
