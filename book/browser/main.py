@@ -8,6 +8,7 @@ from pathlib import Path
 
 import addresses
 import claims
+import covered
 import keeping
 import lab
 import lessons
@@ -38,6 +39,7 @@ CHECKS = [
     *which.CHECKS,
     *addresses.CHECKS,
     *policy.CHECKS,
+    *covered.CHECKS,
 ]
 
 

@@ -490,6 +490,8 @@ SPOILT_FILES = [
      "violates the following Content Security Policy"),
     ("one_policed", CHAPTER, "const default_light_theme", "const  default_light_theme",
      "violates the following Content Security Policy"),
+    ("nothing_over_controls", "lab.html", "</main>",
+     "</main><nav style='position: fixed; inset: 0'></nav>", "lab.html, 320 px, contents closed"),
     ("every_page", "small-angle.html", "</main>", "<button></button></main>",
      "small-angle.html, 1280 px, light: axe button-name"),
 ]
