@@ -9,11 +9,14 @@
 //! * [`claims`]: the paper's claims compared with the rows; theory's predictions of its cells.
 //! * [`charts`]: series to SVG, in a crate of their own.
 //! * [`report`]: rows and claims as tables and figures.
+//!
+//! Apart from these, [`listing`] holds the book's listings to the output that stands below them.
 #![warn(clippy::disallowed_methods)]
 
 pub mod claims;
 pub mod digits;
 pub mod experiments;
+pub mod listing;
 pub mod report;
 pub mod theory;
 

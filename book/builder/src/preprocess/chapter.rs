@@ -12,15 +12,16 @@
 //! | `doi:…` | a link to the work |
 //!
 //! The first two also work inside formulas. The first quote of a claim has its id, so that its row
-//! of the ledger can link back. Code spans and code blocks do not change, except that code included
-//! from within an item loses its common indentation, and that a word with a hyphen is kept whole.
+//! of the ledger can link back. Code spans and code blocks do not change, with three exceptions:
+//! code included from within an item loses its common indentation, what a listing prints stands
+//! below it, and a word with a hyphen is kept whole.
 
 use std::collections::BTreeSet;
 use std::ops::Range;
 
 use anyhow::{Context, Result, anyhow, bail};
 
-use super::listing::flush_left;
+use super::listing::{flush_left, with_output};
 use super::markdown::{Kind, passages, splice};
 use super::maths::Maths;
 use super::sources::Tests;
@@ -67,7 +68,10 @@ impl<'a> Setter<'a> {
             match passage.kind {
                 Kind::Code => {
                     let code = &text[passage.range.clone()];
-                    if let Some(html) = flush_left(code).or_else(|| with_whole_options(code)) {
+                    if let Some(html) = flush_left(code)
+                        .or_else(|| with_output(code))
+                        .or_else(|| with_whole_options(code))
+                    {
                         edits.push((passage.range, html));
                     }
                 }
