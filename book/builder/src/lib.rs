@@ -31,6 +31,7 @@ pub mod picture;
 pub mod policy;
 #[cfg(feature = "book")]
 pub mod preprocess;
+mod printable;
 #[cfg(feature = "book")]
 pub mod progress;
 #[cfg(feature = "book")]

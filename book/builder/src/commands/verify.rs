@@ -26,7 +26,7 @@ pub struct Arguments {
     /// step), bounded-energy, name=METHOD
     #[arg(long, value_name = "CLAIMS", default_value_t, hide_default_value = true)]
     claims: Claims,
-    /// How long to wait for an answer (s)
+    /// How long to wait for an answer (s); for all of them, 120 times as long
     #[arg(long, value_name = "S", default_value_t = 10.0, value_parser = number,
         allow_hyphen_values = true)]
     patience: f64,

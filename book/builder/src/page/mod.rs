@@ -6,6 +6,8 @@ use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
 use sha2::{Digest, Sha256};
 
+use crate::printable::printable;
+
 #[cfg_attr(not(feature = "book"), path = "plain.rs")]
 mod theme;
 
@@ -26,9 +28,6 @@ pub struct Page<'a> {
 
 impl Page<'_> {
     /// The page.
-    ///
-    /// # Errors
-    /// If the book's theme cannot be read.
     pub fn html(&self) -> Result<String> {
         let script = ["\n", include_str!("theme.js"), self.script].concat();
         Ok(format!(
@@ -64,6 +63,7 @@ pub fn hash(script: &str) -> String {
 
 /// Text as HTML.
 pub fn escaped(text: &str) -> String {
+    let text = printable(text);
     let text = text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
     text.replace('"', "&quot;").replace('\'', "&#x27;")
 }
@@ -111,12 +111,14 @@ mod tests {
         assert!(scripts[1].ends_with(script) && !policy.contains("script-src 'unsafe-inline'"));
     }
 
-    /// Catches: a name or a claim whose markup becomes that of the page.
+    /// Catches: a name or a claim whose markup becomes that of the page, or that turns it around.
     #[test]
     fn text_is_no_markup() {
-        let page = Page { title: "<i>", lead: "\"a\" & 'b'", body: "", style: "", script: "" };
+        let page =
+            Page { title: "<i>\u{202e}", lead: "\"a\" & 'b'", body: "", style: "", script: "" };
         let html = page.html().unwrap();
-        assert!(html.contains("<h1>&lt;i&gt;</h1>") && html.contains("<title>&lt;i&gt; · pendula"));
+        assert!(html.contains("<h1>&lt;i&gt;\\u{202e}</h1>"));
+        assert!(html.contains("<title>&lt;i&gt;\\u{202e} · pendula"));
         assert!(html.contains("<p class=\"lead\">&quot;a&quot; &amp; &#x27;b&#x27;</p>"));
         assert_eq!(with_code("a `b<` c `d"), "a <code>b&lt;</code> c <code>d</code>");
     }

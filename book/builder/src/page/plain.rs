@@ -4,9 +4,6 @@
 use anyhow::Result;
 
 /// The style sheet.
-///
-/// # Errors
-/// None.
 pub fn style() -> Result<String> {
     Ok(include_str!("plain.css").to_string())
 }

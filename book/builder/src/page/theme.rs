@@ -9,9 +9,6 @@ use mdbook_html::theme::Theme;
 use crate::files;
 
 /// The style sheet.
-///
-/// # Errors
-/// If mdBook's theme cannot be read.
 pub fn style() -> Result<String> {
     let folder = files::temporary_folder().context("no temporary folder can be made")?;
     Theme::copy_theme(&HtmlConfig::default(), folder.path())?;

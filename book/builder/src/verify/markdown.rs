@@ -3,6 +3,7 @@
 use pendula::verify::Verdict;
 
 use super::Judged;
+use crate::printable::printable;
 
 /// The report: the verdict, what to look at, and a table.
 pub fn text(judged: &Judged<'_>) -> String {
@@ -40,12 +41,12 @@ pub fn text(judged: &Judged<'_>) -> String {
 /// Text in which nothing is markup: a program's own words may be anything.
 fn escaped(text: &str) -> String {
     let mut escaped = String::new();
-    for c in text.chars() {
+    for c in printable(text).chars() {
         if c.is_ascii_punctuation() && !matches!(c, '.' | ',' | ':' | ';' | '/' | '=' | '\'' | '%')
         {
             escaped.push('\\');
         }
-        escaped.push(if c.is_control() { ' ' } else { c });
+        escaped.push(if c.is_whitespace() { ' ' } else { c });
     }
     escaped
 }

@@ -17,9 +17,6 @@ pub struct Group {
 
 impl Group {
     /// Starts the command.
-    ///
-    /// # Errors
-    /// If it cannot be started.
     pub fn start(command: &mut Command) -> io::Result<Self> {
         #[cfg(unix)]
         std::os::unix::process::CommandExt::process_group(command, 0);
@@ -37,9 +34,6 @@ impl Group {
     }
 
     /// Ends what is left of them and returns how the process itself ended.
-    ///
-    /// # Errors
-    /// If it cannot be waited for.
     pub fn end(&mut self) -> io::Result<ExitStatus> {
         if let Some(status) = self.status {
             return Ok(status);

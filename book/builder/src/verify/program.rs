@@ -15,6 +15,11 @@ use pendula::verify::{Fault, Reply, Request, Stranger};
 use super::listen::{self, LONGEST, LastLines, Line};
 use super::process::Group;
 use super::protocol::{Answer, BYE, HELLO, answer, greeting};
+use crate::printable::printable;
+
+/// How many times as long as for an answer a program is waited for in all. Some 400 questions are
+/// asked, most of which take a small part of the patience: see [`Program::longest_run`].
+const ALL: u32 = 120;
 
 /// How long a program that was told `bye` may take to end.
 const GRACE: Duration = Duration::from_millis(500);
@@ -29,6 +34,8 @@ pub struct Program {
     command: String,
     name: String,
     patience: Duration,
+    /// When all answers have to be there.
+    end: Instant,
     interrupted: Arc<AtomicBool>,
     talk: Mutex<Talk>,
 }
@@ -43,7 +50,8 @@ enum Talk {
 
 impl Program {
     /// Starts `command`, its name and its arguments, and greets it. It has `patience` for each
-    /// answer; once `interrupted` is set, it is waited for no longer.
+    /// answer, and [`ALL`] times as long for all; once `interrupted` is set, it is waited for no
+    /// longer.
     ///
     /// # Errors
     /// One line that says why it cannot be started, or how it answered.
@@ -60,6 +68,7 @@ impl Program {
             command: shown,
             name: String::new(),
             patience,
+            end: Instant::now() + ALL * patience,
             interrupted: Arc::clone(interrupted),
             talk: Mutex::new(Talk::Open(conversation)),
         };
@@ -88,7 +97,7 @@ impl Program {
         };
         let mut turn = Turn {
             answers: &conversation.answers,
-            deadline: Instant::now() + self.patience,
+            deadline: self.end.min(Instant::now() + self.patience),
             interrupted: &self.interrupted,
         };
         // A program may greet before it is greeted.
@@ -102,7 +111,11 @@ impl Program {
             Ok(answer) => return Ok(answer),
             Err(Trouble::Interrupted) => "interrupted".to_string(),
             Err(trouble) => {
-                let happened = conversation.inquest(trouble, self.patience);
+                let waited = match Instant::now() < self.end {
+                    true => format!("{} s", self.patience.as_secs_f64()),
+                    false => format!("{} s of questions", (ALL * self.patience).as_secs_f64()),
+                };
+                let happened = conversation.inquest(trouble, &waited);
                 format!("{}: asked \"{question}\": {happened}", self.command)
             }
         };
@@ -290,7 +303,7 @@ impl Conversation {
     }
 
     /// Ends the program, and says what happened and what it wrote on standard error.
-    fn inquest(&mut self, trouble: Trouble, patience: Duration) -> String {
+    fn inquest(&mut self, trouble: Trouble, waited: &str) -> String {
         if matches!(trouble, Trouble::Ended(_)) {
             self.wait_for_end(GRACE);
         }
@@ -307,8 +320,7 @@ impl Conversation {
                 format!("it ended ({status}), but not what it had started, {so_far}")
             }
             (Trouble::Late(so_far), _) => {
-                let seconds = patience.as_secs_f64();
-                format!("given up after {seconds} s, {so_far} (are its answers flushed?)")
+                format!("given up after {waited}, {so_far} (are its answers flushed?)")
             }
             (Trouble::Interrupted, _) => "interrupted".to_string(),
         };
@@ -352,21 +364,14 @@ fn shortened(text: &str, most: usize) -> String {
     let mut short = String::new();
     let mut length = 0;
     for c in text.chars() {
-        let escaped: String = escaped(c).collect();
-        length += escaped.chars().count();
+        let shown = printable(c.encode_utf8(&mut [0; 4]));
+        length += shown.chars().count();
         if length > most {
             return short + "…";
         }
-        short += &escaped;
+        short += &shown;
     }
     short
-}
-
-/// The character, escaped if it cannot be printed. Quotation marks can.
-fn escaped(c: char) -> impl Iterator<Item = char> {
-    let plain = matches!(c, '"' | '\'' | '\\');
-    let (as_is, escaped) = if plain { (Some(c), None) } else { (None, Some(c.escape_debug())) };
-    as_is.into_iter().chain(escaped.into_iter().flatten())
 }
 
 #[cfg(test)]
@@ -385,11 +390,26 @@ mod tests {
         assert_eq!(longest(200, 1024.0, 2.0), 1);
     }
 
+    /// Catches: a program that answers each question just in time, and so keeps its judge for an
+    /// hour.
+    #[cfg(unix)]
+    #[test]
+    fn there_is_an_end_to_all_answers() {
+        let words = ["sh", "-c", "read x; echo hello 1; while read x; do echo done 0; done"];
+        let patience = Duration::from_secs(1000);
+        let mut program =
+            Program::start(&words.map(OsString::from), patience, &Arc::default()).unwrap();
+        assert!(program.end > Instant::now() + 100 * patience);
+        program.end = Instant::now();
+        let late = program.ask("pendulum", |turn| turn.line(String::new)).unwrap_err();
+        assert!(late.contains("given up after 120000 s of questions"), "{late}");
+    }
+
     /// Catches: an escape sequence that reaches the terminal, a fault of megabytes, a blank lost.
     #[test]
     fn what_came_is_quoted_in_a_short_line() {
         assert_eq!(shortened("θ is \"1\"", 60), "θ is \"1\"");
-        assert_eq!(shortened("a\u{1b}[31m\tb\u{202e}", 60), "a\\u{1b}[31m\\tb\\u{202e}");
+        assert_eq!(shortened("a\u{1b}[31m b\u{202e}", 60), "a\\u{1b}[31m b\\u{202e}");
         assert_eq!(shortened(&"x".repeat(60), 60), "x".repeat(60));
         assert_eq!(shortened(&"x".repeat(1_000_000), 60), "x".repeat(60) + "…");
         assert_eq!(shortened(&"\u{1}".repeat(1000), 60), "\\u{1}".repeat(12) + "…");

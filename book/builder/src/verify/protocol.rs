@@ -29,9 +29,6 @@ pub enum Objection {
 }
 
 /// Reads a line of `pendula`.
-///
-/// # Errors
-/// An [`Objection`] if it is not one.
 pub fn question(line: &str) -> Result<Question, Objection> {
     let words: Vec<&str> = line.split_whitespace().collect();
     match words.split_first() {
@@ -84,9 +81,6 @@ pub enum Answer {
 }
 
 /// Reads a line of an answer.
-///
-/// # Errors
-/// The reason why it is none.
 pub fn answer(line: &str) -> Result<Answer, String> {
     let words: Vec<&str> = line.split_whitespace().collect();
     match words[..] {
@@ -107,9 +101,6 @@ pub fn answer(line: &str) -> Result<Answer, String> {
 }
 
 /// Reads the answer to [`HELLO`]: the name that the program gives itself, which may be empty.
-///
-/// # Errors
-/// The reason why it is no answer to it.
 pub fn greeting(line: &str) -> Result<String, String> {
     let mut words = line.split_whitespace();
     match (words.next(), words.next()) {

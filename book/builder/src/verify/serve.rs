@@ -13,9 +13,6 @@ use super::protocol::{Objection, Question, question};
 const MOST: u64 = 10_000_000;
 
 /// Answers the lines of `input` by `method` until `bye`, or until they end.
-///
-/// # Errors
-/// If a line cannot be read, or an answer not written.
 pub fn serve(
     method: &'static dyn AnyMethod,
     mut input: impl BufRead,

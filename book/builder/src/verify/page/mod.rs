@@ -10,9 +10,6 @@ use super::Judged;
 use crate::page::{Page, escaped, with_code};
 
 /// The page.
-///
-/// # Errors
-/// If the book's theme cannot be read.
 pub fn html(judged: &Judged<'_>) -> Result<String> {
     let Judged { command, name, claims, report } = *judged;
     let claimed = judged.claimed();
