@@ -25,6 +25,8 @@ pub mod interrupt;
 pub mod ledger;
 #[cfg(feature = "book")]
 pub mod locate;
+#[cfg(feature = "book")]
+pub mod number;
 pub mod page;
 pub mod picture;
 #[cfg(feature = "book")]

@@ -42,9 +42,6 @@ pub struct File {
 
 impl File {
     /// Reads the text of a file; `place` is its name in errors.
-    ///
-    /// # Errors
-    /// For a text without a header, or without a known anchor around all of its content.
     pub fn parse(name: &str, text: &str, place: &str) -> Result<Self> {
         let broken = |what| format!("{place}: corrupt: {what}");
         let (header, body) = text
@@ -108,29 +105,32 @@ pub struct OnDisk {
     pub file: File,
 }
 
+/// No snapshot has so many bytes.
+const LARGEST: u64 = 16 << 20;
+
 /// The files in `folder` that end in `suffix`, by the name of their snapshot.
-///
-/// # Errors
-/// If the folder or a file cannot be read, or a file is corrupt.
 pub fn on_disk(folder: &Path, suffix: &str) -> Result<BTreeMap<String, OnDisk>> {
     let paths =
         files::list(folder).with_context(|| format!("{} cannot be read", folder.display()))?;
     let mut found = BTreeMap::new();
     for path in paths {
-        let Some(name) = path.to_str().and_then(|path| name_of(path, suffix)) else { continue };
-        let text = files::read_to_string(&path)
-            .with_context(|| format!("{} cannot be read", path.display()))?;
-        let file = File::parse(name, &text, &path.display().to_string())?;
+        let shown = path.display().to_string();
+        let Some(name) = name_of(&shown, suffix) else { continue };
+        ensure!(path.to_str().is_some(), "{shown}: corrupt: its name is not UTF-8");
+        let cannot = || format!("{shown} cannot be read");
+        // Where a link leads there may be no end, and at a FIFO nobody.
+        let about = files::metadata(&path).with_context(cannot)?.filter(|about| about.is_file());
+        let size = about.with_context(|| format!("{shown}: corrupt: it is no file"))?.len();
+        ensure!(size <= LARGEST, "{shown}: corrupt: it has {size} bytes");
+        let text = files::read_to_string(&path).with_context(cannot)?;
+        let file = File::parse(name, &text, &shown)?;
         let before = found.insert(name.to_string(), OnDisk { path: path.clone(), file });
-        ensure!(before.is_none(), "{}: there are two files of this snapshot", path.display());
+        ensure!(before.is_none(), "{shown}: there are two files of this snapshot");
     }
     Ok(found)
 }
 
 /// What the code makes now, and why it does not make what it cannot.
-///
-/// # Errors
-/// If the study panics before it comes to the snapshots.
 pub fn computed(progress: &Progress) -> Result<Made> {
     let made = quietly(|| {
         progress.stage("", Study::EXPERIMENTS as usize);
@@ -178,18 +178,15 @@ pub(crate) fn said(panic: &(dyn Any + Send)) -> String {
 
 /// The snapshots as committed at `revision` in the repository around `root`, and the hash of that
 /// commit.
-///
-/// # Errors
-/// If there is no git, no such revision, or no snapshot in it.
 pub fn committed(root: &Path, revision: &str) -> Result<(String, Version)> {
     let git =
         |arguments: &[&str]| git(root, arguments).with_context(|| format!("--since {revision}"));
     let commit = format!("{revision}^{{commit}}");
     let commit = git(&["rev-parse", "--verify", "--end-of-options", &commit])?;
     let commit = commit.trim();
-    let paths = git(&["ls-tree", "-r", "--name-only", commit, "--", "snapshots"])?;
+    let paths = git(&["ls-tree", "-r", "-z", "--name-only", commit, "--", "snapshots"])?;
     let mut version = Version::new();
-    for path in paths.lines() {
+    for path in paths.split_terminator('\0') {
         let Some(name) = name_of(path, ".snap") else { continue };
         let text = git(&["show", &format!("{commit}:./{path}")])?;
         let place = format!("{path} at {revision}");
@@ -200,9 +197,6 @@ pub fn committed(root: &Path, revision: &str) -> Result<(String, Version)> {
 }
 
 /// What git answers.
-///
-/// # Errors
-/// If it cannot be started, says no, or answers with something else than text.
 pub fn git(root: &Path, arguments: &[&str]) -> Result<String> {
     let output = Command::new("git").arg("-C").arg(root).args(arguments).output();
     let output = output.context("git cannot be started")?;

@@ -2,9 +2,10 @@
 
 use std::sync::LazyLock;
 
-use regex::{Captures, Regex};
+use regex::Regex;
 
 use super::{inert, markdown};
+use crate::number::plain;
 
 /// A part of a value.
 #[derive(Debug, PartialEq)]
@@ -48,36 +49,6 @@ pub fn tex(value: &str) -> String {
         Piece::Power(exponent) => format!("^{{{exponent}}}"),
     };
     pieces(value).iter().map(set).collect()
-}
-
-/// In a program's notation: `2.01e-4` and `-5.3` for the library's `2.01 × 10⁻⁴` and `−5.3`.
-pub fn plain(value: &str) -> String {
-    static TYPESET: LazyLock<Regex> = LazyLock::new(|| {
-        Regex::new(r"(?:(?<times>\s*×\s*10)|10)?(?<power>⁻?[⁰¹²³⁴-⁹]+)|−")
-            .expect("the pattern is a constant")
-    });
-    let typed = TYPESET.replace_all(value, |found: &Captures<'_>| match found.name("power") {
-        None => "-".to_string(),
-        Some(power) => {
-            let digits: String = power.as_str().chars().map(ascii).collect();
-            let before = match (found.name("times"), found[0].starts_with("10")) {
-                (Some(_), _) => "e",
-                (None, true) => "10^",
-                (None, false) => "^",
-            };
-            format!("{before}{digits}")
-        }
-    });
-    typed.into_owned()
-}
-
-/// `-` for `⁻`, `4` for `⁴`.
-fn ascii(superscript: char) -> char {
-    const DIGITS: &str = "⁰¹²³⁴⁵⁶⁷⁸⁹";
-    match DIGITS.chars().position(|digit| digit == superscript) {
-        Some(digit) => char::from(b"0123456789"[digit]),
-        None => '-',
-    }
 }
 
 fn pieces(value: &str) -> Vec<Piece<'_>> {

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use pendula_study::report::table::Table;
 
 /// A cell that moved, appeared or vanished.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Cell {
     /// The name of its snapshot.
     pub snapshot: String,
@@ -13,12 +13,10 @@ pub struct Cell {
     /// above; where several rows have that name, also the nearest row above that has one of its
     /// own. `its error` is the error of what stands above it.
     pub row: String,
-    /// The name as it is printed, and how many rows of the same version have it above this one.
-    pub printed: (String, usize),
-    /// The positions of its row and its column in the table, from 0.
-    pub position: (usize, usize),
     /// The heading of its column.
     pub column: String,
+    /// Whether its row is that of a method.
+    pub is_of_method: bool,
     /// What it said; `None` if it is new.
     pub old: Option<Value>,
     /// What it says; `None` if it has gone.
@@ -56,87 +54,78 @@ impl Value {
     }
 }
 
-/// What a cell is known by in both versions: the name of its row and the heading of its column, and
-/// which of those of that name.
-type Place = ((String, usize), (String, usize));
+/// What a cell is known by in both versions: the name of its row and the heading of its column.
+type Place = (String, String);
 
-/// A row of a table, with its number.
-struct Row<'t> {
-    line: usize,
-    printed: (String, usize),
-    cells: Vec<(usize, &'t String, &'t String)>,
-}
-
-/// The cells of the snapshot `name` that differ; a version without the table is an empty one.
+/// The cells of the snapshot `name` that differ, those that have gone last; a version without the
+/// table is an empty one.
 pub fn differences(name: &str, old: Option<&Table>, new: Option<&Table>) -> Vec<Cell> {
     let versions = [old, new].map(|table| table.map(rows).unwrap_or_default());
-    let repeated = versions.iter().flatten().filter(|row| row.printed.1 > 0);
-    let repeated: BTreeSet<String> = repeated.map(|row| row.printed.0.clone()).collect();
-    let [mut old, new] = versions.map(|rows| cells(name, rows, &repeated));
-    let mut all = Vec::new();
-    for (place, mut cell) in new {
-        cell.old = old.remove(&place).and_then(|before| before.new);
-        all.push(cell);
+    let mut repeated = BTreeSet::new();
+    for rows in &versions {
+        let mut known = BTreeSet::new();
+        repeated.extend(rows.iter().map(|(name, _)| name).filter(|name| !known.insert(*name)));
     }
-    all.extend(old.into_values().map(|cell| Cell { old: cell.new, new: None, ..cell }));
+    let is_of_method = [old, new].into_iter().flatten().any(|t| t.header()[0] == "Method");
+    let [old_cells, new_cells] = versions.each_ref().map(|rows| named(rows, &repeated));
+    let mut before: BTreeMap<&Place, &Value> =
+        old_cells.iter().map(|(place, value)| (place, value)).collect();
+    let cell = |(row, column): &Place, old: Option<&Value>, new: Option<&Value>| Cell {
+        snapshot: name.to_string(),
+        row: row.clone(),
+        column: column.clone(),
+        old: old.cloned(),
+        new: new.cloned(),
+        is_of_method,
+    };
+    let now = new_cells.iter().map(|(place, value)| cell(place, before.remove(place), Some(value)));
+    let mut all: Vec<Cell> = now.collect();
+    let gone = old_cells.iter().filter(|(place, _)| before.contains_key(place));
+    all.extend(gone.map(|(place, value)| cell(place, Some(value), None)));
     // An empty cell of a row that is new or has gone says nothing.
     let says = |value: &Option<Value>| value.as_ref().is_some_and(|value| !value.is_empty());
     all.retain(|cell| cell.old != cell.new && (says(&cell.old) || says(&cell.new)));
-    all.sort_by_key(|cell| cell.position);
     all
 }
 
+/// A row's name, and the cells under their headings.
+type Row<'t> = (String, Vec<(&'t String, &'t String)>);
+
 fn rows(table: &Table) -> Vec<Row<'_>> {
-    let (mut known, mut above) = (BTreeMap::<String, usize>::new(), String::new());
+    let mut above = "";
     let mut rows = Vec::new();
-    for (line, row) in table.rows().iter().enumerate() {
+    for row in table.rows() {
         if !row[0].is_empty() {
-            above.clone_from(&row[0]);
+            above = &row[0];
         }
         // Where a method has a row for what is stated and one for what is measured.
         let (name, first) = match table.header().get(1).map(String::as_str) {
             Some("value") => (format!("{above}, {}", row[1]), 2),
-            _ => (above.clone(), 1),
+            _ => (above.to_string(), 1),
         };
-        let before = known.entry(name.clone()).or_insert(0);
-        let cells = table.header().iter().zip(row).enumerate().skip(first);
-        let cells = cells.map(|(column, (heading, cell))| (column, heading, cell)).collect();
-        rows.push(Row { line, printed: (name, *before), cells });
-        *before += 1;
+        rows.push((name, table.header().iter().zip(row).skip(first).collect()));
     }
     rows
 }
 
-/// The cells of a version, as new ones; `repeated` are the names of several rows.
-fn cells(name: &str, rows: Vec<Row<'_>>, repeated: &BTreeSet<String>) -> BTreeMap<Place, Cell> {
-    let mut cells = BTreeMap::new();
-    let (mut known, mut above) = (BTreeMap::<String, usize>::new(), None);
-    for Row { line, printed, cells: row } in rows {
-        let own = match &above {
-            Some(above) if repeated.contains(&printed.0) => format!("{}, of {above}", printed.0),
-            _ => printed.0.clone(),
+/// The cells of all rows, each under a name of its own; `repeated` are the names of several rows.
+fn named(rows: &[Row<'_>], repeated: &BTreeSet<&String>) -> Vec<(Place, Value)> {
+    let (mut above, mut known, mut cells) = (None, BTreeMap::new(), Vec::new());
+    for (name, row) in rows {
+        let own = match above {
+            _ if !repeated.contains(name) => {
+                above = Some(name);
+                name.clone()
+            }
+            Some(above) => format!("{name}, of {above}"),
+            None => name.clone(),
         };
-        if !repeated.contains(&printed.0) {
-            above = Some(printed.0.clone());
+        for (heading, cell) in row {
+            let nth: &mut u32 = known.entry((own.clone(), *heading)).or_default();
+            *nth += 1;
+            let row = if *nth > 1 { format!("{own} ({nth})") } else { own.clone() };
+            cells.push(((row, heading.to_string()), Value::new(cell)));
         }
-        let nth = known.entry(own.clone()).or_insert(0);
-        let mut headings = BTreeMap::<&String, usize>::new();
-        for (column, heading, cell) in row {
-            let heading_before = headings.entry(heading).or_insert(0);
-            let place = ((own.clone(), *nth), (heading.clone(), *heading_before));
-            *heading_before += 1;
-            let cell = Cell {
-                snapshot: name.to_string(),
-                row: own.clone(),
-                printed: printed.clone(),
-                position: (line, column),
-                column: heading.clone(),
-                old: None,
-                new: Some(Value::new(cell)),
-            };
-            cells.insert(place, cell);
-        }
-        *nth += 1;
     }
     cells
 }

@@ -1,4 +1,5 @@
-//! The claims and the predictions of a version, read from its snapshots.
+//! The claims and the predictions of a version, read from its snapshots: of one that is committed
+//! there is nothing else.
 
 use std::collections::BTreeMap;
 
@@ -6,7 +7,7 @@ use anyhow::{Context, Result};
 use pendula_study::report::table::Table;
 
 use super::cells::Value;
-use super::number::{Number, leading};
+use crate::number::leading;
 use crate::versions::Version;
 
 /// A claim, as the ledger of a version has it.
@@ -24,17 +25,6 @@ pub struct Claim {
     pub remark: String,
 }
 
-/// What theory predicts for a claim.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Prediction {
-    /// The distance of the prediction from the measurement in units of the tolerance: the least
-    /// that their printed digits allow.
-    pub distance: f64,
-    /// Whether the measurement lies within the tolerance: then the row has no mark, whatever the
-    /// printed digits say, which are few of a tolerance.
-    pub agrees: bool,
-}
-
 /// The claims and predictions of a version.
 #[derive(Clone, Debug, Default)]
 pub struct Claims {
@@ -42,15 +32,13 @@ pub struct Claims {
     pub claims: BTreeMap<String, Claim>,
     /// The ids in the order of the ledger.
     pub order: Vec<String>,
-    /// Each prediction by the id of its claim.
-    pub predictions: BTreeMap<String, Prediction>,
+    /// Whether the measurement lies within the tolerance of theory's prediction, by the id of the
+    /// claim: its cell then has no mark.
+    pub agrees: BTreeMap<String, bool>,
 }
 
 impl Claims {
     /// Reads them; a version may lack a ledger.
-    ///
-    /// # Errors
-    /// If a ledger or the predictions are no table.
     pub fn read(version: &Version) -> Result<Self> {
         let mut read = Self::default();
         for name in ["ledger_cells", "ledger_sentences"] {
@@ -69,37 +57,17 @@ impl Claims {
             }
         }
         for row in table(version, "predictions")?.iter().flat_map(Table::rows) {
-            let [cell, _, predicted, measured, tolerance, ..] = &row[..] else { continue };
-            let id = cell.trim_matches('`').to_string();
-            read.predictions.extend(prediction(predicted, measured, tolerance).map(|p| (id, p)));
+            let [cell, _, _, measured, ..] = &row[..] else { continue };
+            let measured = Value::new(measured);
+            // NaN, or a dash, agrees with nothing.
+            let agrees = !measured.marked && leading(&measured.text).is_some();
+            read.agrees.insert(cell.trim_matches('`').to_string(), agrees);
         }
         Ok(read)
     }
-
-    /// The distance of a claim's measurement from what the paper prints, in half units of its last
-    /// digit.
-    pub fn half_units(&self, id: &str) -> Option<f64> {
-        let claim = self.claims.get(id)?;
-        let Number { value: stated, half_unit, .. } = leading(&claim.stated)?;
-        Some((leading(&Value::new(&claim.measured).text)?.value - stated).abs() / half_unit)
-    }
-}
-
-fn prediction(predicted: &str, measured: &str, tolerance: &str) -> Option<Prediction> {
-    let (value, measured) = (leading(&Value::new(predicted).text)?, Value::new(measured));
-    let Some(found) = leading(&measured.text) else {
-        // NaN, or a dash.
-        return Some(Prediction { distance: f64::INFINITY, agrees: false });
-    };
-    let apart = (value.value - found.value).abs() - (value.half_unit + found.half_unit);
-    let distance = apart.max(0.0) / found.value.abs() / leading(tolerance)?.value;
-    Some(Prediction { distance, agrees: !measured.marked })
 }
 
 /// The table of a snapshot; `None` if the version has no such snapshot.
-///
-/// # Errors
-/// If it is no table.
 pub fn table(version: &Version, name: &str) -> Result<Option<Table>> {
     let Some(content) = version.get(name) else { return Ok(None) };
     let table = Table::from_markdown(&content.text);
@@ -129,8 +97,7 @@ mod tests {
     use crate::versions::Content;
 
     /// Catches: a verdict with its mark or its reason in it, a prediction whose columns are mixed
-    /// up, half a unit taken for a whole one; a NaN that agrees; a corrupt ledger read as an empty
-    /// one.
+    /// up; a NaN that agrees; a corrupt ledger read as an empty one.
     #[test]
     fn a_ledger_is_read() {
         let content = |text: &str| Content { kind: Kind::Table, text: text.to_string() };
@@ -140,7 +107,8 @@ mod tests {
         let predictions = "| Cell | stated | predicted | measured | to within | law |\n\
                            | --- | --- | --- | --- | --- | --- |\n\
                            | `T4.vv.0.1` | 1 | 1.10 × 10⁻¹ | ≠ 1.00 × 10⁻¹ | 1 × 10⁻² | a law |\n\
-                           | `T4.vv.0.2` | 1 | 1.10 × 10⁻¹ | NaN | 1 × 10⁻² | a law |\n";
+                           | `T4.vv.0.2` | 1 | 1.10 × 10⁻¹ | NaN | 1 × 10⁻² | a law |\n\
+                           | `T4.vv.0.3` | 1 | ≠ 1.1 | 1.0 | 1 × 10⁻² | a law |\n";
         let mut version = Version::new();
         version.insert("ledger_cells".to_string(), content(ledger));
         version.insert("predictions".to_string(), content(predictions));
@@ -148,15 +116,7 @@ mod tests {
         assert_eq!(claims.claims["T4.vv.0.1"].verdict, "wrong");
         assert_eq!(claims.claims["T5.x"].remark, "Because.");
         assert_eq!(claims.order, ["T4.vv.0.1", "T5.x"]);
-        let near = |value: f64, expected: f64| assert!((value - expected).abs() < 1e-9, "{value}");
-        near(claims.half_units("T4.vv.0.1").unwrap(), 4.0);
-        // (1.10 − 1.00 − 2 · 0.005)/1.00 over 0.01: either may be off by half a unit.
-        near(claims.predictions["T4.vv.0.1"].distance, 9.0);
-        assert!(!claims.predictions["T4.vv.0.1"].agrees);
-        assert!(
-            !claims.predictions["T4.vv.0.2"].agrees,
-            "what is not a number agrees with nothing"
-        );
+        assert_eq!(claims.agrees.into_values().collect::<Vec<_>>(), [false, false, true]);
         version.insert("predictions".to_string(), content("| a |\nb\n"));
         assert!(Claims::read(&version).is_err());
     }

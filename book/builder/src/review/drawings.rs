@@ -59,9 +59,6 @@ struct Picture {
 }
 
 /// Compares two figures; one that is `noise` has lines that are sums of rounding errors.
-///
-/// # Errors
-/// If one of them is not a figure as our charts write it.
 pub fn compare(old: &str, new: &str, noise: bool) -> Result<Difference> {
     let [old, new] = [Picture::read(old)?, Picture::read(new)?];
     let mut notes = parts(&old.parts, &new.parts);
@@ -97,68 +94,70 @@ pub fn compare(old: &str, new: &str, noise: bool) -> Result<Difference> {
     Ok(Difference { displacement, notes, visible: unlike || moved >= VISIBLE })
 }
 
+/// The elements that are read as they are written, with all that stands in them.
+const WORDS: [&str; 5] = ["figcaption", "title", "desc", "style", "text"];
+
 impl Picture {
+    /// Reads one element, in which every element begins and ends as it should and is one of
+    /// [`ELEMENTS`], and none does anything.
     fn read(figure: &str) -> Result<Self> {
-        // A text with its tags, another tag, or what stands between tags.
-        static PIECES: LazyLock<Regex> = LazyLock::new(|| {
-            let texts = ["text", "title", "desc", "style", "figcaption"];
-            let texts = texts.map(|name| format!(r"<{name}\b.*?</{name}>")).join("|");
-            Regex::new(&format!("(?s){texts}|<[^<>]*>|[^<]+")).expect("the pattern is a constant")
+        static TAG: LazyLock<Regex> = LazyLock::new(|| {
+            let pattern = r#"<(/?)([A-Za-z]+)((?:\s+[A-Za-z:-]+="[^"<>]*")*)\s*(/?)>"#;
+            Regex::new(pattern).expect("the pattern is a constant")
         });
-        ensure!(is_whole(figure), "a figure is not written as our charts write it");
-        let mut picture = Self::default();
-        for piece in PIECES.find_iter(figure).map(|piece| piece.as_str()) {
-            let mut part = piece.split_whitespace().collect::<Vec<_>>().join(" ");
-            let read = if part.starts_with("<path ") {
-                strokes(&cut(&mut part, " d=\"").unwrap_or_default()).map(|(strokes, arcs)| {
-                    part += &arcs;
-                    strokes
-                })
-            } else if part.starts_with("<text ") {
-                let at = [" x=\"", " y=\""].map(|name| number(&cut(&mut part, name)?));
-                at[0].zip(at[1]).map(|at| vec![vec![at]])
-            } else {
-                picture.parts.extend((!part.is_empty()).then_some(part));
-                continue;
+        let (mut picture, mut open, mut end) = (Self::default(), Vec::new(), 0);
+        let (figure, mut part) = (figure.trim(), String::new());
+        for tag in TAG.captures_iter(figure) {
+            let whole = tag.get(0).expect("all of it is a group");
+            let name = tag.get(2).map_or("", |name| name.as_str());
+            let is_words = |open: &[&str]| open.iter().any(|name| WORDS.contains(name));
+            let text = &figure[end..whole.start()];
+            let is_text =
+                if is_words(&open) { !text.contains(['<', '>']) } else { text.trim() == "" };
+            // Outside of the first element there is nothing.
+            let is_inside = open.is_empty() == (whole.start() == 0);
+            let does = tag[3].split_whitespace().any(|word| word.starts_with("on"));
+            let ends = match (&tag[1], &tag[4]) {
+                ("/", _) => open.pop() == Some(name),
+                (_, "/") => true,
+                _ => {
+                    open.push(name);
+                    true
+                }
             };
-            let read = read.with_context(|| format!("a figure is broken: {piece}"))?;
-            picture.strokes.entry(part.clone()).or_default().push(read);
-            picture.parts.push(part);
+            let is_known = ELEMENTS.contains(&name) && is_text && is_inside && ends && !does;
+            ensure!(is_known, "a figure is not written as our charts write it: {}", whole.as_str());
+            part += text;
+            part += whole.as_str();
+            end = whole.end();
+            if !is_words(&open) {
+                picture.push(&part).with_context(|| format!("a figure is broken: {part}"))?;
+                part.clear();
+            }
         }
+        ensure!(open.is_empty() && end == figure.len() && end > 0, "a figure is not one element");
         Ok(picture)
     }
-}
 
-/// Whether the text is one element, every element in it begins and ends as it should and is one of
-/// [`ELEMENTS`], and none does anything.
-fn is_whole(figure: &str) -> bool {
-    static TAG: LazyLock<Regex> = LazyLock::new(|| {
-        let pattern = r#"<(/?)([A-Za-z]+)((?:\s+[A-Za-z:-]+="[^"<>]*")*)\s*(/?)>"#;
-        Regex::new(pattern).expect("the pattern is a constant")
-    });
-    let (mut open, mut end) = (Vec::new(), 0);
-    let figure = figure.trim();
-    for tag in TAG.captures_iter(figure) {
-        let whole = tag.get(0).expect("all of it is a group");
-        let text = &figure[end..whole.start()];
-        let does = tag[3].split_whitespace().any(|word| word.starts_with("on"));
-        // Outside of the first element, and as what looks like a tag, there is nothing.
-        let is_first = whole.start() == 0;
-        if text.contains(['<', '>']) || open.is_empty() != is_first || does {
-            return false;
+    /// Adds a tag, or words with their tags; nothing of a path or a label that has no place.
+    fn push(&mut self, part: &str) -> Option<()> {
+        let mut part = part.split_whitespace().collect::<Vec<_>>().join(" ");
+        let strokes = if part.starts_with("<path ") {
+            let (strokes, arcs) = strokes(&cut(&mut part, " d=\"").unwrap_or_default())?;
+            part += &arcs;
+            Some(strokes)
+        } else if part.starts_with("<text ") {
+            let mut at = |name| number(&cut(&mut part, name)?);
+            Some(vec![vec![at(" x=\"").zip(at(" y=\""))?]])
+        } else {
+            None
+        };
+        if let Some(strokes) = strokes {
+            self.strokes.entry(part.clone()).or_default().push(strokes);
         }
-        let name = tag.get(2).map_or("", |name| name.as_str());
-        match (&tag[1], &tag[4]) {
-            ("/", _) if open.pop() != Some(name) => return false,
-            ("", "") => open.push(name),
-            _ => {}
-        }
-        if !ELEMENTS.contains(&name) {
-            return false;
-        }
-        end = whole.end();
+        self.parts.push(part);
+        Some(())
     }
-    open.is_empty() && end == figure.len() && end > 0
 }
 
 /// Takes the value of an attribute out of the first tag.

@@ -4,12 +4,14 @@
 use anyhow::Result;
 use pendula_study::charts::wrapped;
 
-use super::causes::{Group, Item};
+use super::claims::Claim;
+use super::groups::{Group, Item, Part};
 use super::slopes::{Slope, Slopes};
 use super::source::Change;
 use super::verdict::{Weight, counted, sentences};
-use super::words::{capital, code, difference, link, prose, row, shown, summary};
+use super::words::{code, difference, link, prose, row, shown, summary};
 use super::{Figure, Review, Turn};
+use crate::printable::printable;
 
 /// A review, written.
 #[derive(Clone, Debug, Default)]
@@ -22,31 +24,15 @@ pub struct Document {
     pub drawings: Vec<String>,
 }
 
-/// What folds the text up to [`UNFOLD`], under these words.
-pub const FOLDS: [&str; 2] = [
-    "<details><summary>Where else these stand</summary>",
-    "<details><summary>The whole file</summary>",
-];
-/// Where it ends.
-pub const UNFOLD: &str = "</details>";
-
-/// What two of the columns are.
-const DISTANCES: &str = "Theory: the distance from the predicted value in units of the \
-                         prediction’s tolerance. Paper: that from what the paper prints, in half \
-                         units of its last digit. Up to 1 it agrees.";
-
-/// How many lines of a difference are shown.
+/// How many lines of a file or of a change in it are shown.
 const LINES: usize = 80;
 
 impl Document {
     /// Writes a review.
-    ///
-    /// # Errors
-    /// If the code cannot be read, or git does not say what changed.
     pub fn new(review: &Review) -> Result<Self> {
         let mut document = Self::default();
         let said = sentences(review);
-        document.headline = said.first().map(|(_, text)| text.clone()).unwrap_or_default();
+        document.headline = said.first().map(|(_, text)| printable(text)).unwrap_or_default();
         let rest = said.iter().skip(1);
         document.list(rest.clone().filter(|(weight, _)| *weight != Weight::Calm).map(|said| {
             let text = prose(&said.1);
@@ -115,17 +101,12 @@ impl Document {
         self.paragraph(table.trim_end());
     }
 
-    fn fold(&mut self, words: &str, inside: impl FnOnce(&mut Self)) {
-        self.paragraph(words);
-        inside(self);
-        self.paragraph(UNFOLD);
-    }
-
     /// Code, in a fence longer than any in it.
     fn code(&mut self, language: &str, text: &str) {
         let longest = text.split(|c| c != '`').map(str::len).max().unwrap_or(0);
         let fence = "`".repeat((longest + 1).max(3));
-        self.paragraph(&format!("{fence}{language}\n{}\n{fence}", text.trim_end()));
+        let text = printable(text.trim_end());
+        self.paragraph(&format!("{fence}{language}\n{text}\n{fence}"));
     }
 
     fn draw(&mut self, drawing: String) {
@@ -133,88 +114,86 @@ impl Document {
         self.drawings.push(drawing);
     }
 
-    /// What moved, by method, with the change in its file; then what changed elsewhere.
+    /// What moved, by method, with the change in its file; then what changed elsewhere, and the
+    /// methods of which nothing in their own files explains what moved: together, if they are many.
     fn changes(&mut self, review: &Review) -> Result<()> {
-        let Review { groups, code, .. } = review;
-        let mut changed = code.changed()?;
-        let (mut told, mut others, mut of_none) = (Vec::new(), Vec::new(), Vec::new());
-        for group in groups {
-            let Some(title) = group.method.as_deref() else {
-                of_none.push(group);
+        const FEW: usize = 3;
+        let mut changed = review.code.changed()?;
+        let (mut own, mut others, mut of_none) = (Vec::new(), Vec::new(), None);
+        for group in &review.groups {
+            let Some(title) = &group.method else {
+                of_none = Some(group);
                 continue;
             };
-            let file = code.file_of(title)?;
+            let file = review.code.file_of(title)?;
             let is_changed = file.is_some_and(|file| changed.iter().any(|name| name == file));
-            // What nothing in its file explains is shown together, if there is much of it.
-            let is_lost = group.items().any(|item| item.is_slope() && item.leaves());
-            let is_few = groups.len() <= 3 || code.since().is_none() && group.leaves();
-            match is_changed || is_few && (is_lost || changed.is_empty()) {
-                true => told.push((!is_changed, title, file, group)),
-                false => others.push((file, group)),
-            }
+            if is_changed { &mut own } else { &mut others }.push((title, file, group));
         }
-        changed.retain(|name| !told.iter().any(|(_, _, file, _)| *file == Some(name)));
-        // What has its reason in its own file comes first.
-        told.sort_by_key(|(is_same, ..)| *is_same);
-        let own = told.iter().filter(|(is_same, ..)| !is_same).count();
-        for (number, (_, title, file, group)) in told.iter().enumerate() {
-            if number == own {
-                self.elsewhere(review, &std::mem::take(&mut changed))?;
-            }
-            self.heading(2, &format!("{title}: {}", summary(group)));
-            self.file(review, *file)?;
-            self.group(group);
+        changed.retain(|name| !own.iter().any(|(_, file, _)| *file == Some(name)));
+        for (title, file, group) in own {
+            self.method(review, title, file, group)?;
         }
         self.elsewhere(review, &changed)?;
-        if !others.is_empty() {
-            let (files, groups): (Vec<_>, Vec<_>) = others.into_iter().unzip();
-            let merged = Group::merged(&groups);
-            let n = counted(groups.len(), "method");
+        if others.len() > FEW {
+            let merged = Group::merged(others.iter().map(|(.., group)| *group));
+            let n = counted(others.len(), "method");
             self.heading(2, &format!("{n} of unchanged files: {}", summary(&merged)));
-            let files: Vec<String> = files.into_iter().flatten().map(link).collect();
+            let files: Vec<String> = others.iter().filter_map(|other| other.1).map(link).collect();
             self.paragraph(&files.join(", "));
             self.group(&merged);
+        } else {
+            for (title, file, group) in others {
+                self.method(review, title, file, group)?;
+            }
         }
-        for group in of_none {
+        if let Some(group) = of_none {
             self.heading(2, &format!("Of no one method: {}", summary(group)));
             self.group(group);
         }
         Ok(())
     }
 
-    /// The file of a method, and the change in it.
-    fn file(&mut self, review: &Review, name: Option<&str>) -> Result<()> {
-        let Some(name) = name else { return Ok(()) };
-        match review.code.change(name)? {
-            None => self.paragraph(&format!("Its file {} is as it was.", link(name))),
-            Some(change) => self.change(name, &change, review.code.since()),
+    /// A method: the change in its file, and what moved.
+    fn method(
+        &mut self,
+        review: &Review,
+        title: &str,
+        file: Option<&str>,
+        group: &Group,
+    ) -> Result<()> {
+        self.heading(2, &format!("{title}: {}", summary(group)));
+        if let Some(name) = file {
+            match review.code.change(name)? {
+                None => self.paragraph(&format!("Its file {} is as it was.", link(name))),
+                Some(change) => self.change(name, &change, review.code.since()),
+            }
         }
+        self.group(group);
         Ok(())
     }
 
     fn change(&mut self, name: &str, change: &Change, since: Option<&str>) {
-        match change {
+        let (language, why, text) = match change {
+            // The names of the files stand above.
             Change::Difference(text) => {
-                let since = prose(since.unwrap_or_default());
-                self.paragraph(&format!("{}, since {since}:", link(name)));
-                // The names of the files stand above.
                 let from = text.find("\n@@").map_or(0, |at| at + 1);
-                let lines: Vec<&str> = text[from..].lines().collect();
-                let mut shown = lines[..lines.len().min(LINES)].join("\n");
-                if lines.len() > LINES {
-                    shown += &format!("\n… {} more", counted(lines.len() - LINES, "line"));
-                }
-                self.code("diff", &shown);
+                ("diff", format!("since {}", prose(since.unwrap_or_default())), &text[from..])
             }
             Change::Untracked(text) => {
                 let why = match since {
                     Some(_) => "which git does not know yet",
                     None => "all of it, as git does not say what changed in it",
                 };
-                self.paragraph(&format!("{}, {why}:", link(name)));
-                self.fold(FOLDS[1], |document| document.code("rust", text));
+                ("rust", why.to_string(), &text[..])
             }
+        };
+        self.paragraph(&format!("{}, {why}:", link(name)));
+        let lines: Vec<&str> = text.lines().collect();
+        let mut shown = lines[..lines.len().min(LINES)].join("\n");
+        if lines.len() > LINES {
+            shown += &format!("\n… {} more", counted(lines.len() - LINES, "line"));
         }
+        self.code(language, &shown);
     }
 
     /// What changed in the code, apart from the files of methods that moved.
@@ -240,26 +219,35 @@ impl Document {
     }
 
     fn group(&mut self, group: &Group) {
-        for part in &group.parts {
-            self.heading(3, &capital(part.quantity));
-            if let Some(slopes) = &part.slopes {
-                self.slopes(slopes, part.quantity);
+        let row_of = |item: &Item| match item.method() {
+            // Where they are of several.
+            Some(method) if group.method.is_none() => {
+                row(format!("{method}: {}", item.label()), item)
             }
-            let is_shown = |item: &&Item| part.slopes.is_none() || !item.is_slope();
-            let rows: Vec<_> = part.items.iter().filter(is_shown).map(row).collect();
+            _ => row(item.label(), item),
+        };
+        for Part { snapshot, items, slopes } in &group.parts {
+            self.heading(3, &format!("In `{snapshot}`"));
+            if let Some(slopes) = slopes {
+                self.slopes(slopes, snapshot);
+            }
+            let is_shown = |item: &&Item| slopes.is_none() || !item.is_slope();
+            let rows: Vec<_> = items.iter().filter(is_shown).map(row_of).collect();
             if !rows.is_empty() {
-                self.table(&["", "before", "now", "change", "theory", "paper"], &rows);
+                self.table(&["", "before", "now", "change"], &rows);
             }
-            let has_distances = part.items.iter().any(|i| i.theory.is_some() || i.paper.is_some());
-            if has_distances && !self.body.contains(DISTANCES) {
-                self.paragraph(DISTANCES);
+            let mut also: Vec<&str> =
+                items.iter().flat_map(|i| &i.also).map(|cell| cell.snapshot.as_str()).collect();
+            also.sort_unstable();
+            also.dedup();
+            if !also.is_empty() {
+                self.paragraph(&format!("Also in {}.", code(&also)));
             }
         }
-        self.also(group);
     }
 
     /// The slopes, before and now, with their steps.
-    fn slopes(&mut self, slopes: &Slopes, quantity: &str) {
+    fn slopes(&mut self, slopes: &Slopes, snapshot: &str) {
         let of = |step: &str, side: &[Slope]| {
             let slope = side.iter().find(|slope| slope.steps == step);
             slope.map_or_else(String::new, |slope| shown(&Some(slope.said.clone())))
@@ -273,31 +261,9 @@ impl Document {
         if let Some(sign) = slopes.sign() {
             self.paragraph(&format!("**{}.**", prose(&sign)));
         }
-        let svg = slopes.svg(&capital(quantity), &format!("slopes-{}", self.drawings.len()));
+        let svg = slopes
+            .svg(&format!("Slopes in {snapshot}"), &format!("slopes-{}", self.drawings.len()));
         self.draw(format!("<figure class=\"slopes\">\n{svg}</figure>\n"));
-    }
-
-    /// Where the quantities of a group stand.
-    fn also(&mut self, group: &Group) {
-        let mut names: Vec<&str> = Vec::new();
-        for cell in group.items().flat_map(Item::cells) {
-            if !names.contains(&cell.snapshot.as_str()) {
-                names.push(&cell.snapshot);
-            }
-        }
-        self.paragraph(&format!("In {}.", code(&names)));
-        let also = group.items().flat_map(|item| item.also.iter().map(move |cell| (item, cell)));
-        let also: Vec<String> = also
-            .map(|(item, cell)| {
-                let place = format!("{}, {}", cell.row.replace('`', ""), cell.column);
-                let both = format!("{} → {}", shown(&cell.old), shown(&cell.new));
-                let label = prose(&item.label);
-                format!("{label}: {}, {}: {}", code(&[&cell.snapshot]), prose(&place), prose(&both))
-            })
-            .collect();
-        if !also.is_empty() {
-            self.fold(FOLDS[0], |document| document.list(also));
-        }
     }
 
     fn claims(&mut self, claims: &[Turn]) {
@@ -306,7 +272,8 @@ impl Document {
         }
         self.heading(2, "Claims");
         self.list(claims.iter().map(|turn| {
-            let Turn { id, gist, old, new, stated, measured, remark } = turn;
+            let Turn { id, old, new, claim } = turn;
+            let Claim { gist, stated, measured, remark, .. } = claim;
             let word =
                 |verdict: &String| if verdict.is_empty() { "none".into() } else { prose(verdict) };
             let verdict = match turn.flips() {

@@ -2,7 +2,7 @@
 //! each quantity once, figures as they are seen, and how to accept each.
 //!
 //! [`working_tree`] has the snapshots that one works on, and accepts them; [`cells`] compares
-//! tables cell by cell and [`causes`] groups what moved, with the [`slopes`] of a method whole;
+//! tables cell by cell and [`groups`] groups what moved, with the [`slopes`] of a method whole;
 //! [`claims`] reads verdicts and predictions, [`drawings`] compares figures, [`quotes`] finds what
 //! the book says of it, and [`source`] what changed in the code. A [`Review`] holds all of it,
 //! [`verdict`] sums it up, [`markdown`] writes it in `words`, and [`render`] makes a page or plain
@@ -15,22 +15,21 @@ use anyhow::{Context, Result};
 use pendula_study::report::figures::figures;
 use pendula_study::report::snapshots::Kind;
 
-use self::causes::{Group, Item};
 use self::cells::{Cell, differences};
 use self::claims::{Claim, Claims};
 use self::drawings::Difference;
-use self::number::leading;
+use self::groups::{Group, Item};
 use self::quotes::{Moved, Quote};
 use self::slopes::Slopes;
 use self::source::Code;
+use crate::number::leading;
 use crate::versions::Version;
 
-pub mod causes;
 pub mod cells;
 pub mod claims;
 pub mod drawings;
+pub mod groups;
 pub mod markdown;
-pub mod number;
 pub mod quotes;
 pub mod render;
 pub mod slopes;
@@ -93,18 +92,12 @@ pub struct Change {
 pub struct Turn {
     /// Its id.
     pub id: String,
-    /// What is claimed.
-    pub gist: String,
     /// The verdict before; empty for a claim that is new.
     pub old: String,
     /// The verdict now; empty for a claim that has gone.
     pub new: String,
-    /// What the paper prints.
-    pub stated: String,
-    /// What is measured now.
-    pub measured: String,
-    /// The remark on the verdict now.
-    pub remark: String,
+    /// The claim now, or as it was if it has gone.
+    pub claim: Claim,
 }
 
 impl Turn {
@@ -139,9 +132,6 @@ impl Figure {
 
 impl Review {
     /// Compares two versions; `chapters` is the folder with the sources of the book.
-    ///
-    /// # Errors
-    /// If a snapshot is corrupt or a chapter cannot be read.
     pub fn new(
         versions: [String; 2],
         old: &Version,
@@ -167,7 +157,7 @@ impl Review {
             cells_of(Kind::Hashes)?.into_iter().map(|cell| cell.row).collect();
         bits.dedup();
         let quotes = quotes::quotes(chapters, &before, &now, &moved_numbers(&cells))?;
-        let mut groups = causes::groups(cells, &before, &now);
+        let mut groups = groups::groups(cells);
         with_slopes(&mut groups, [old, new])?;
         let figures = of_kind(Kind::Figure).map(|change| figure(&change.name, old, new));
         let mut figures = figures.collect::<Result<Vec<_>>>()?;
@@ -261,9 +251,8 @@ fn turns(before: &Claims, now: &Claims) -> Vec<Turn> {
         let verdict = |claim: Option<&Claim>| claim.map_or("", |claim| &claim.verdict).to_string();
         let differs = old.map(|c| (&c.verdict, &c.remark)) != new.map(|c| (&c.verdict, &c.remark));
         if let (true, Some(claim)) = (differs, new.or(old)) {
-            let Claim { gist, stated, measured, remark, .. } = claim.clone();
             let (old, new) = (verdict(old), verdict(new));
-            turns.push(Turn { id: id.clone(), gist, old, new, stated, measured, remark });
+            turns.push(Turn { id: id.clone(), old, new, claim: claim.clone() });
         }
     }
     turns.sort_by_key(|turn| !turn.flips());
@@ -272,7 +261,7 @@ fn turns(before: &Claims, now: &Claims) -> Vec<Turn> {
 
 /// The predictions that left their tolerance, and those that came back to it.
 fn predictions(before: &Claims, now: &Claims) -> [Vec<String>; 2] {
-    let agrees = |claims: &Claims, id: &str| Some(claims.predictions.get(id)?.agrees);
+    let agrees = |claims: &Claims, id: &str| claims.agrees.get(id).copied();
     [false, true].map(|to| {
         let turned = |id: &&String| agrees(before, id) == Some(!to) && agrees(now, id) == Some(to);
         now.order.iter().filter(turned).cloned().collect()

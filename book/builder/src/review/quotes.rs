@@ -8,9 +8,8 @@ use pendula_study::digits::rounds_to;
 use regex::{Captures, Regex};
 
 use super::claims::Claims;
-use super::number::{leading, parse};
 use crate::files;
-use crate::preprocess::values::plain;
+use crate::number::{leading, parse, plain};
 
 /// A line of the book.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -32,9 +31,6 @@ pub type Moved = (String, String);
 
 /// The lines in the chapters of `folder` that quote one of the numbers, by a directive or typed, or
 /// the verdict on a claim that has another one now.
-///
-/// # Errors
-/// If a chapter cannot be read.
 pub fn quotes(
     folder: &Path,
     before: &Claims,

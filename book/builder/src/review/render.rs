@@ -11,7 +11,7 @@ use pulldown_cmark::html::push_html;
 use pulldown_cmark::{CodeBlockKind, Event, Options, Parser, Tag, TagEnd};
 
 use super::Figure;
-use super::markdown::{Document, FOLDS, UNFOLD};
+use super::markdown::Document;
 use crate::files::whole_file::WholeFile;
 use crate::files::{canonicalize, create_folder};
 use crate::page::{Page, escaped};
@@ -50,14 +50,12 @@ fn events(markdown: &str) -> Parser<'_> {
 /// If the book's theme cannot be read.
 pub fn html(document: &Document) -> Result<String> {
     let mut body = "<section id=\"verdict\">\n".to_string();
-    let known = |html: &str| FOLDS.contains(&html) || html == UNFOLD;
     let mut is_difference = false;
     let events = events(&document.body).map(|event| match event {
         Event::Html(html) | Event::InlineHtml(html) => {
             let place = |number: &usize| Document::place(*number) == html.trim();
             match (0..document.drawings.len()).find(place) {
                 Some(number) => Event::Html(document.drawings[number].clone().into()),
-                None if known(html.trim()) => Event::Html(html),
                 // Markup that we did not write is text.
                 None => Event::Text(html),
             }
@@ -91,15 +89,12 @@ fn plain(text: &str) -> String {
     text.replace('`', "")
 }
 
-/// The review for a terminal: what is not folded, in columns.
+/// The review for a terminal, in columns.
 pub fn text(document: &Document) -> String {
     let mut out = format!("{}\n\n", plain(&document.headline));
-    let (mut line, mut folded, mut rows) = (String::new(), false, Vec::<Vec<String>>::new());
+    let (mut line, mut rows) = (String::new(), Vec::<Vec<String>>::new());
     for event in events(&document.body) {
         match event {
-            Event::Html(html) if FOLDS.contains(&html.trim()) => folded = true,
-            Event::Html(html) if html.trim() == UNFOLD => folded = false,
-            _ if folded => {}
             Event::Text(text) | Event::Code(text) => line += &text,
             Event::HardBreak => line += "\n    ",
             Event::SoftBreak => line.push(' '),

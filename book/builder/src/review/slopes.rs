@@ -6,7 +6,7 @@ use pendula_charts::{Axis, Chart, Figure, Style};
 
 use super::cells::Value;
 use super::claims::table;
-use super::number::{leading, parse};
+use crate::number::{leading, parse};
 use crate::versions::Version;
 
 /// The slopes of a method in two versions.
@@ -35,9 +35,6 @@ impl Slope {
 
 impl Slopes {
     /// The slopes of `method` in the snapshot `name` of both versions; a version may lack them.
-    ///
-    /// # Errors
-    /// If the snapshot is not a table of slopes as the study writes it.
     pub fn read(versions: [&Version; 2], name: &str, method: &str) -> Result<Self> {
         let (mut claimed, mut read) = (None, [Vec::new(), Vec::new()]);
         for (version, slopes) in versions.into_iter().zip(&mut read) {
@@ -72,14 +69,12 @@ impl Slopes {
 
     /// All steps, from long ones to short ones: a ladder may begin elsewhere than before.
     pub fn steps(&self) -> Vec<String> {
-        let [before, now] = &self.versions;
-        let is_longer = |slope: &&Slope| now.iter().all(|now| now.steps != slope.steps);
-        let only: Vec<&Slope> = before.iter().filter(is_longer).collect();
-        let first = |slopes: &[Slope]| slopes.first().and_then(|slope| leading(&slope.steps));
-        let is_before = first(before).map(|step| step.value) > first(now).map(|step| step.value);
-        let now: Vec<&Slope> = now.iter().collect();
-        let all = if is_before { [only, now] } else { [now, only] };
-        all.concat().into_iter().map(|slope| slope.steps.clone()).collect()
+        let steps = self.versions.iter().flatten().map(|slope| slope.steps.clone());
+        let mut steps: Vec<String> = steps.collect();
+        let longer = |step: &String| leading(step).map_or(0.0, |number| number.value);
+        steps.sort_by(|a, b| longer(b).total_cmp(&longer(a)));
+        steps.dedup();
+        steps
     }
 
     /// Both versions side by side in one small figure, in the order of the steps.

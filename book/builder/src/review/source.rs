@@ -35,9 +35,6 @@ pub enum Change {
 impl Code {
     /// The code below `root`, which changed since `commit`, or else since the reviewed snapshots
     /// were last committed.
-    ///
-    /// # Errors
-    /// If a folder of it cannot be listed.
     pub fn read(root: &Path, commit: Option<&str>) -> Result<Self> {
         let mut code = Self { root: root.to_path_buf(), ..Self::default() };
         for folder in FOLDERS.map(|folder| root.join(folder)) {
@@ -79,9 +76,6 @@ impl Code {
     }
 
     /// The file of the method with this title.
-    ///
-    /// # Errors
-    /// If a file of the methods cannot be read.
     pub fn file_of(&self, title: &str) -> Result<Option<&str>> {
         let own = format!("title: \"{title}\"");
         for (name, path) in self.files.iter().filter(|(name, _)| name.starts_with(METHODS)) {
@@ -95,9 +89,6 @@ impl Code {
     }
 
     /// How a file changed; nothing if it did not.
-    ///
-    /// # Errors
-    /// If git or the file cannot be read.
     pub fn change(&self, name: &str) -> Result<Option<Change>> {
         let path = self.root.join(name);
         let all = || {
@@ -115,9 +106,6 @@ impl Code {
     }
 
     /// The files that changed, by name.
-    ///
-    /// # Errors
-    /// If git cannot say.
     pub fn changed(&self) -> Result<Vec<String>> {
         let Some((commit, _)) = &self.since else { return Ok(Vec::new()) };
         let with_folders = |words: &[&str]| {
@@ -132,9 +120,6 @@ impl Code {
 
     /// A file that changed after this program was compiled, or that it was not compiled from: what
     /// it computes is not what the file says.
-    ///
-    /// # Errors
-    /// If a file or the program cannot be looked at.
     pub fn not_compiled(&self) -> Result<Option<String>> {
         if self.files.is_empty() {
             return Ok(None);

@@ -1,9 +1,10 @@
 //! The verdict of a review, in sentences: the worst that happened first, good news last.
 
-use super::causes::{Group, Item};
 use super::cells::Value;
-use super::number::{change_text, leading};
+use super::groups::{Group, Item};
+use super::words::change_text;
 use super::{Review, Turn};
+use crate::number::leading;
 
 /// How much a sentence matters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -138,18 +139,14 @@ fn slopes(review: &Review) -> Sentence {
 /// Whether a method is symplectic, and what its energy does.
 fn properties(review: &Review) -> Vec<Sentence> {
     let say = |(method, _, item): (&str, &Group, &Item)| {
-        let of_claim = item.claim.as_deref().and_then(|id| id.rsplit('.').next()).unwrap_or("");
-        match (item.shown.column.as_str(), of_claim) {
-            ("symplectic", _) | (_, "sympl") => {
-                let is_lost = text(&item.shown.new).eq_ignore_ascii_case("no");
-                let weight = if is_lost { Alarm } else { Calm };
-                Some((weight, format!("{method}: symplectic {}", both(item))))
-            }
-            ("energy", _) | (_, "behav") => {
-                Some((Alarm, format!("{method}: its energy {}", both(item))))
-            }
-            _ => None,
+        let column = item.shown.column.to_lowercase();
+        if column == "symplectic" {
+            let is_lost = text(&item.shown.new).eq_ignore_ascii_case("no");
+            let weight = if is_lost { Alarm } else { Calm };
+            return Some((weight, format!("{method}: symplectic {}", both(item))));
         }
+        let is_energy = column.starts_with("energy");
+        is_energy.then(|| (Alarm, format!("{method}: its energy {}", both(item))))
     };
     items(review).filter_map(say).collect()
 }
@@ -158,8 +155,9 @@ fn properties(review: &Review) -> Vec<Sentence> {
 fn cells(review: &Review) -> Vec<Sentence> {
     let named = |wrong: fn(&Turn) -> &str| -> Vec<String> {
         let turned = review.claims.iter().filter(|turn| turn.flips() && wrong(turn) == "wrong");
-        let say =
-            |turn: &Turn| format!("{} (stated {}, now {})", turn.id, turn.stated, turn.measured);
+        let say = |Turn { id, claim, .. }: &Turn| {
+            format!("{id} (stated {}, now {})", claim.stated, claim.measured)
+        };
         turned.filter(|turn| turn.is_cell()).map(say).collect()
     };
     let (lost, found) = (named(|turn| &turn.new), named(|turn| &turn.old));

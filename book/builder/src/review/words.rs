@@ -1,24 +1,15 @@
 //! What moved, in words, and words in Markdown.
 
-use super::Figure;
-use super::causes::{Group, Item};
-use super::cells::Value;
-use super::number::change_text;
-use super::verdict::counted;
+use pendula_study::digits::Digits;
 
-/// What an item is called, with the id of its claim.
-fn labelled(item: &Item) -> String {
-    match &item.claim {
-        Some(id) if !item.label.contains(id.as_str()) => format!("{} `{id}`", item.label),
-        _ => item.label.clone(),
-    }
-}
+use super::Figure;
+use super::cells::Value;
+use super::groups::{Group, Item};
+use super::verdict::counted;
+use crate::printable::printable;
 
 /// A row of a table: what it is, before, now, and how far these are apart.
-pub fn row(item: &Item) -> Vec<String> {
-    let both = |distances: Option<[f64; 2]>| {
-        distances.map_or_else(String::new, |[old, new]| format!("{} → {}", short(old), short(new)))
-    };
+pub fn row(label: String, item: &Item) -> Vec<String> {
     let (mut old, mut new) = (shown(&item.shown.old), shown(&item.shown.new));
     // Two values of a sentence without the definition in parentheses that both end with.
     if let (Some((a, definition)), Some((b, same))) = (old.split_once(" ("), new.split_once(" ("))
@@ -26,8 +17,7 @@ pub fn row(item: &Item) -> Vec<String> {
     {
         (old, new) = (a.to_string(), b.to_string());
     }
-    let change = item.change.map_or_else(String::new, change_text);
-    vec![labelled(item), old, new, change, both(item.theory), both(item.paper)]
+    vec![label, old, new, item.change().map_or_else(String::new, change_text)]
 }
 
 /// A cell's text with its mark; a dash for none.
@@ -39,13 +29,26 @@ pub fn shown(value: &Option<Value>) -> String {
     }
 }
 
-/// A distance in units of a tolerance: two digits are enough.
-fn short(distance: f64) -> String {
-    match distance {
-        d if d < 0.005 => "0".to_string(),
-        d if d < 10.0 => format!("{d:.2}"),
-        d if d < 1e5 => format!("{d:.0}"),
-        d => format!("{d:.1e}"),
+/// The relative change from `old` to `new`; `None` from zero, and where there is none.
+pub fn change(old: f64, new: f64) -> Option<f64> {
+    let change = (new - old) / old.abs();
+    (change.is_finite() && change != 0.0).then_some(change)
+}
+
+/// A relative change as text: a factor from a doubling on, per cent, or parts per million.
+pub fn change_text(change: f64) -> String {
+    let signed = |value: f64, unit: &str| {
+        let decimals = match value.abs() {
+            size if size >= 100.0 => 0,
+            size if size >= 10.0 => 1,
+            _ => 2,
+        };
+        format!("{value:+.decimals$} {unit}").replace('-', "−")
+    };
+    match change.abs() {
+        size if size >= 1.0 => format!("× {}", Digits::Significant(3).print(1.0 + change)),
+        size if size >= 1e-4 => signed(100.0 * change, "%"),
+        _ => signed(1e6 * change, "ppm"),
     }
 }
 
@@ -80,14 +83,6 @@ pub fn difference(figure: &Figure) -> String {
     parts.join("; ")
 }
 
-/// With a capital.
-pub fn capital(text: &str) -> String {
-    let mut letters = text.chars();
-    letters.next().map_or_else(String::new, |first| {
-        first.to_uppercase().collect::<String>() + letters.as_str()
-    })
-}
-
 /// Names as code, with commas.
 pub fn code<S: AsRef<str>>(names: &[S]) -> String {
     names.iter().map(|name| span(name.as_ref())).collect::<Vec<_>>().join(", ")
@@ -95,7 +90,7 @@ pub fn code<S: AsRef<str>>(names: &[S]) -> String {
 
 /// A span of code: between more backticks than it has.
 fn span(text: &str) -> String {
-    let text = text.replace(['\n', '\r'], " ").replace('|', "\\|");
+    let text = printable(&text.replace(['\n', '\t'], " ")).replace('|', "\\|");
     let longest = text.split(|c| c != '`').map(str::len).max().unwrap_or(0);
     let fence = "`".repeat(longest + 1);
     // A blank on either side is not part of it, but keeps it from the fence.
@@ -137,11 +132,37 @@ pub fn prose(text: &str) -> String {
 
 fn escaped(text: &str) -> String {
     let mut out = String::new();
-    for c in text.chars() {
+    for c in printable(text).chars() {
         if "\\*_[]<>&|~$#@".contains(c) {
             out.push('\\');
         }
-        out.push(if c.is_control() { ' ' } else { c });
+        out.push(if c.is_whitespace() { ' ' } else { c });
     }
     out
+}
+
+#[cfg(test)]
+mod tests {
+    use rstest::rstest;
+
+    use super::*;
+
+    /// Catches: a change in the wrong unit, without a sign, or taken from the new value.
+    #[rstest]
+    #[case(1.0, 1.0132, "+1.32 %")]
+    #[case(-2.0, -1.0, "+50.0 %")]
+    #[case(1.0, 1.00002, "+20.0 ppm")]
+    #[case(1.0, 0.5, "−50.0 %")]
+    #[case(1.0, 12.0, "× 12.0")]
+    #[case(1.0, 1.2e7, "× 1.20 × 10⁷")]
+    fn a_change_has_its_unit(#[case] old: f64, #[case] new: f64, #[case] text: &str) {
+        assert_eq!(change_text(change(old, new).unwrap()), text);
+    }
+
+    /// Catches: an infinite change.
+    #[test]
+    fn from_zero_there_is_no_relative_change() {
+        assert_eq!(change(0.0, 1.0), None);
+        assert_eq!(change(2.0, 2.0), None);
+    }
 }

@@ -28,9 +28,6 @@ pub struct WorkingTree {
 
 impl WorkingTree {
     /// Reads the folder `snapshots`; then `compute` says what the code gives.
-    ///
-    /// # Errors
-    /// If the folder or a file in it cannot be read, a file is corrupt, or the study panics.
     pub fn read(snapshots: &Path, compute: impl FnOnce() -> Result<Made>) -> Result<Self> {
         let reviewed = on_disk(snapshots, ".snap")?;
         let pending = on_disk(snapshots, ".snap.new")?;

@@ -15,7 +15,8 @@ fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").canonicalize().unwrap()
 }
 
-static REVIEWED: LazyLock<Version> =
+/// The snapshots as reviewed.
+pub static REVIEWED: LazyLock<Version> =
     LazyLock::new(|| contents(&on_disk(&root().join("snapshots"), ".snap").unwrap()));
 
 /// The reviewed snapshots with other texts in some of them.

@@ -1,8 +1,9 @@
-//! Numbers as the snapshots print them.
+//! Numbers as the study prints them, read.
 
-use pendula_study::digits::{Digits, half_unit};
+use std::sync::LazyLock;
 
-use crate::preprocess::values::plain;
+use pendula_study::digits::half_unit;
+use regex::{Captures, Regex};
 
 /// A printed number.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,26 +34,33 @@ pub fn parse(literal: &str) -> Option<Number> {
     Some(Number { value, half_unit: half_unit(literal)?, digits })
 }
 
-/// The relative change from `old` to `new`; `None` from zero, and where there is none.
-pub fn change(old: f64, new: f64) -> Option<f64> {
-    let change = (new - old) / old.abs();
-    (change.is_finite() && change != 0.0).then_some(change)
+/// In a program's notation: `2.01e-4` and `-5.3` for the library's `2.01 × 10⁻⁴` and `−5.3`.
+pub fn plain(value: &str) -> String {
+    static TYPESET: LazyLock<Regex> = LazyLock::new(|| {
+        Regex::new(r"(?:(?<times>\s*×\s*10)|10)?(?<power>⁻?[⁰¹²³⁴-⁹]+)|−")
+            .expect("the pattern is a constant")
+    });
+    let typed = TYPESET.replace_all(value, |found: &Captures<'_>| match found.name("power") {
+        None => "-".to_string(),
+        Some(power) => {
+            let digits: String = power.as_str().chars().map(ascii).collect();
+            let before = match (found.name("times"), found[0].starts_with("10")) {
+                (Some(_), _) => "e",
+                (None, true) => "10^",
+                (None, false) => "^",
+            };
+            format!("{before}{digits}")
+        }
+    });
+    typed.into_owned()
 }
 
-/// A relative change as text: a factor from a doubling on, per cent, or parts per million.
-pub fn change_text(change: f64) -> String {
-    let signed = |value: f64, unit: &str| {
-        let decimals = match value.abs() {
-            size if size >= 100.0 => 0,
-            size if size >= 10.0 => 1,
-            _ => 2,
-        };
-        format!("{value:+.decimals$} {unit}").replace('-', "−")
-    };
-    match change.abs() {
-        size if size >= 1.0 => format!("× {}", Digits::Significant(3).print(1.0 + change)),
-        size if size >= 1e-4 => signed(100.0 * change, "%"),
-        _ => signed(1e6 * change, "ppm"),
+/// `-` for `⁻`, `4` for `⁴`.
+fn ascii(superscript: char) -> char {
+    const DIGITS: &str = "⁰¹²³⁴⁵⁶⁷⁸⁹";
+    match DIGITS.chars().position(|digit| digit == superscript) {
+        Some(digit) => char::from(b"0123456789"[digit]),
+        None => '-',
     }
 }
 
@@ -79,24 +87,5 @@ mod tests {
     fn the_leading_number_is_read(#[case] cell: &str, #[case] expected: Option<(f64, f64, usize)>) {
         let number = leading(cell).map(|n| (n.value, n.half_unit, n.digits));
         assert_eq!(number, expected);
-    }
-
-    /// Catches: a change in the wrong unit, without a sign, or taken from the new value.
-    #[rstest]
-    #[case(1.0, 1.0132, "+1.32 %")]
-    #[case(-2.0, -1.0, "+50.0 %")]
-    #[case(1.0, 1.00002, "+20.0 ppm")]
-    #[case(1.0, 0.5, "−50.0 %")]
-    #[case(1.0, 12.0, "× 12.0")]
-    #[case(1.0, 1.2e7, "× 1.20 × 10⁷")]
-    fn a_change_has_its_unit(#[case] old: f64, #[case] new: f64, #[case] text: &str) {
-        assert_eq!(change_text(change(old, new).unwrap()), text);
-    }
-
-    /// Catches: an infinite change.
-    #[test]
-    fn from_zero_there_is_no_relative_change() {
-        assert_eq!(change(0.0, 1.0), None);
-        assert_eq!(change(2.0, 2.0), None);
     }
 }
