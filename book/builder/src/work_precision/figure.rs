@@ -22,9 +22,6 @@ pub fn folder(root: &Path) -> PathBuf {
 /// The figure with its caption: as measured on this machine, or else as recorded in `benches/`.
 ///
 /// HTML that must stand in its own paragraph.
-///
-/// # Errors
-/// For a recorded figure that is missing, or that cannot be a part of a page.
 pub fn in_the_book(root: &Path) -> anyhow::Result<String> {
     // A blank line would end the HTML.
     let is_figure = |svg: &String| svg.starts_with("<svg") && !svg.contains("\n\n");

@@ -44,20 +44,6 @@ pub fn is_done(rungs: &[Rung], order: u32) -> bool {
     on_the_floor.len() >= 3 || on_the_floor.contains(&true)
 }
 
-/// How many times longer than another a method may take for the same error before it is dropped.
-const BEHIND: f64 = 30.0;
-
-/// Whether the next rung would be far behind: with half the step and twice the time a method of
-/// this `order` should reach an error 2ᵖ times smaller, but one of `front`, the rungs of all
-/// methods, has an error as small in less than 1/`BEHIND` of the time.
-///
-/// An error above `LARGEST` gives no such prediction.
-pub fn is_far_behind(rung: Rung, order: u32, front: &[Rung]) -> bool {
-    let (error, seconds) = (rung.error / f64::from(order).exp2(), 2.0 * rung.seconds);
-    rung.error <= LARGEST
-        && front.iter().any(|other| other.error <= error && BEHIND * other.seconds < seconds)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -103,18 +89,5 @@ mod tests {
         assert!(is_done(&rungs(&[1e-3, 6e-5, 1e-13, 2e-13]), 4));
         let unlucky = rungs(&[1e-3, 1e-14, 4e-14, 1.5e-13, 6e-13]);
         assert!(!is_done(&unlucky[..4], 4) && is_done(&unlucky, 4));
-    }
-
-    /// Catches: a method dropped for its first rungs, which predict nothing at order 24; one that
-    /// is not dropped, or dropped for its own rungs.
-    #[test]
-    fn a_method_that_is_far_behind_is_left() {
-        let front = rungs(&[1e-2, 1e-6]);
-        let slow = |error, seconds| Rung { error, seconds, ..front[0] };
-        assert!(is_far_behind(slow(1e-2, 15.1), 1, &front));
-        assert!(!is_far_behind(slow(1e-2, 14.9), 1, &front));
-        assert!(!is_far_behind(slow(1e-2, 1e3), 24, &front), "the next may be anywhere");
-        assert!(!is_far_behind(slow(2.0, 1e3), 1, &front) && !is_far_behind(front[0], 1, &front));
-        assert!(!is_far_behind(slow(f64::NAN, 1e3), 1, &front));
     }
 }

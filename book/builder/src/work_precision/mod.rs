@@ -74,21 +74,19 @@ pub struct Measured {
     pub curves: Vec<Curve>,
 }
 
-/// Measures for at most about `seconds`.
-///
-/// On each scene the methods climb their ladders together, a rung at a time. A method stops at the
-/// rounding floor, where the next rung would take more than its share of the remaining time, and
-/// where it is [far behind](ladder::is_far_behind) another: so the time goes to the fastest
-/// methods.
+/// Measures for at most about `seconds`, of which each method has its share on each scene, and of
+/// what those before it have left.
 pub fn measure(seconds: f64, progress: &Progress) -> Measured {
-    let count = SCENES.len() * METHODS.len();
-    progress.stage("", count);
+    let all = SCENES.iter().flat_map(|scene| METHODS.iter().map(move |method| (*scene, *method)));
+    let mut left = SCENES.len() * METHODS.len();
+    progress.stage("", left);
+    let clock = Instant::now();
     let mut curves = Vec::new();
-    for scene in SCENES {
-        for climber in climb(scene, seconds / SCENES.len() as f64) {
-            progress.next(climber.method.info().title);
-            curves.push(climber.timed(scene));
-        }
+    for (scene, method) in all {
+        progress.next(method.info().title);
+        let share = (seconds - clock.elapsed().as_secs_f64()) / left as f64;
+        curves.push(curve(scene, method, share));
+        left -= 1;
     }
     progress.finish();
     Measured { instructions: instructions(), curves }
@@ -113,58 +111,24 @@ const LADDER: f64 = (2 * TRIES + RUNS) as f64;
 /// A shorter run is repeated until it has taken this long (s): a thousand ticks of the clock.
 const SHORTEST: f64 = 1e-4;
 
-/// A method on its ladder.
-struct Climber {
-    method: MethodRef,
-    rungs: Vec<Rung>,
-    has_ended: bool,
-}
-
-/// Lets all methods climb their ladders, in about `seconds`.
-fn climb(scene: Problem, seconds: f64) -> Vec<Climber> {
-    let mut climbers: Vec<Climber> = METHODS
-        .iter()
-        .map(|method| Climber { method: *method, rungs: Vec::new(), has_ended: false })
-        .collect();
-    let mut rate = COARSEST;
-    while climbers.iter().any(|climber| !climber.has_ended) {
-        for climber in climbers.iter_mut().filter(|climber| !climber.has_ended) {
-            climber.rungs.push(climbed(scene, climber.method, rate));
+/// Climbs the ladder up to the rounding floor, or for about `seconds`, and times the rungs that
+/// count more carefully.
+fn curve(scene: Problem, method: MethodRef, seconds: f64) -> Curve {
+    let order = method.info().order;
+    let rates = || (0..).map(|doubled| COARSEST << doubled);
+    let mut rungs: Vec<Rung> = Vec::new();
+    for rate in rates() {
+        let rung = climbed(scene, method, rate);
+        rungs.push(rung);
+        if 2.0 * rung.seconds > seconds / LADDER || ladder::is_done(&rungs, order) {
+            break;
         }
-        let front: Vec<Rung> =
-            climbers.iter().flat_map(|climber| &climber.rungs).copied().collect();
-        let (ended, climbing): (Vec<_>, Vec<_>) = climbers.iter().partition(|c| c.has_ended);
-        let spent: f64 = ended.iter().map(|climber| LADDER * climber.last().seconds).sum();
-        let affordable = (seconds - spent) / climbing.len() as f64 / LADDER;
-        for climber in climbers.iter_mut().filter(|climber| !climber.has_ended) {
-            let last = climber.last();
-            climber.has_ended = 2.0 * last.seconds > affordable
-                || ladder::is_done(&climber.rungs, climber.order())
-                || ladder::is_far_behind(last, climber.order(), &front);
-        }
-        rate *= 2;
     }
-    climbers
-}
-
-impl Climber {
-    fn order(&self) -> u32 {
-        self.method.info().order
-    }
-
-    fn last(&self) -> Rung {
-        self.rungs[self.rungs.len() - 1]
-    }
-
-    /// The rungs that count, timed more carefully.
-    fn timed(&self, scene: Problem) -> Curve {
-        let rates = (0..).map(|doubled| COARSEST << doubled);
-        let counted = self.rungs.iter().zip(rates).zip(ladder::counts(&self.rungs, self.order()));
-        let points = counted
-            .filter(|(_, counts)| *counts)
-            .map(|((rung, rate), _)| timed(scene, self.method, *rung, rate));
-        Curve { scene, method: self.method, points: points.collect() }
-    }
+    let counted = rungs.iter().zip(rates()).zip(ladder::counts(&rungs, order));
+    let points = counted
+        .filter(|(_, counts)| *counts)
+        .map(|((rung, rate), _)| timed(scene, method, *rung, rate));
+    Curve { scene, method, points: points.collect() }
 }
 
 /// The rung with `rate` steps a second: its error, and the shortest time of a few runs.
