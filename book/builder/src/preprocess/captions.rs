@@ -10,9 +10,6 @@ use regex::{Captures, Regex};
 
 /// The text with each captioned table as a figure of its own, caption first; `{{verdicts}}` will be
 /// a table too.
-///
-/// # Errors
-/// For rows that a table does not have, and for a caption without a table.
 pub fn set(text: &str) -> Result<String> {
     static CAPTION: LazyLock<Regex> = LazyLock::new(|| {
         Regex::new(concat!(

@@ -55,10 +55,6 @@ impl<'a> Setter<'a> {
 
     /// The chapter's text with directives and formulas replaced; `to_root` is the relative path
     /// from its page to the root of the book. `quoted` gets the ids of the claims that it quotes.
-    ///
-    /// # Errors
-    /// For an unknown directive, claim or test, and for a formula that cannot be set; the error
-    /// quotes it.
     pub fn set(&self, text: &str, to_root: &str, quoted: &mut BTreeSet<String>) -> Result<String> {
         let mut edits = Vec::new();
         let mut done = 0;

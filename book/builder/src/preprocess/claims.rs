@@ -44,9 +44,6 @@ struct Judged {
 }
 
 /// The text with each table of claims, which has that heading above its first column, as HTML.
-///
-/// # Errors
-/// For a row that is no claim of the ledger.
 pub fn set(text: &str, ledger: &dyn Ledger, quotes: &Quotes) -> Result<String> {
     if !text.contains("| Claim ") {
         return Ok(text.to_string());

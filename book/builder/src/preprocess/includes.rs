@@ -20,10 +20,6 @@ const DEPTH: usize = 10;
 
 /// Checks the includes of every chapter that has a file in the folder `source`, and returns the
 /// files that they name.
-///
-/// # Errors
-/// For the first include whose file or anchor does not exist, or whose text is empty; the error
-/// names chapter, file and anchor.
 pub fn check(source: &Path, book: &Book) -> Result<BTreeSet<PathBuf>> {
     let mut files = BTreeSet::new();
     for chapter in chapters(book) {
@@ -49,13 +45,10 @@ fn follow(text: &str, folder: &Path, depth: usize, files: &mut BTreeSet<PathBuf>
         let argument = rest.as_str().split_whitespace().next().unwrap_or_default();
         match kind.as_str() {
             "title" => {}
-            "include" | "rustdoc_include" | "playground" => {
-                let (path, part) = match argument.split_once(':') {
-                    Some((path, part)) if kind.as_str() != "playground" => (path, part),
-                    _ => (argument, ""),
-                };
+            "include" => {
+                let (path, anchor) = argument.split_once(':').unwrap_or((argument, ""));
                 ensure!(depth > 0, "{}: includes include each other", &link[0]);
-                included(folder, path, part)
+                included(folder, path, anchor)
                     .and_then(|text| {
                         let from = folder.join(path);
                         files.insert(from.clone());
@@ -63,46 +56,23 @@ fn follow(text: &str, folder: &Path, depth: usize, files: &mut BTreeSet<PathBuf>
                     })
                     .with_context(|| link[0].to_string())?;
             }
-            other => bail!("{}: mdBook has no {other}; it has include", &link[0]),
+            other => bail!("{}: there is no {other}; there is include", &link[0]),
         }
     }
     Ok(())
 }
 
-/// The text that mdBook will include; never empty.
-fn included(folder: &Path, path: &str, part: &str) -> Result<String> {
+/// The text that mdBook will include; never empty. By numbers of lines, which move, nothing is.
+fn included(folder: &Path, path: &str, anchor: &str) -> Result<String> {
     let file = folder.join(path);
     let text = files::read_to_string(&file).with_context(|| format!("there is no file {path}"))?;
-    let included = match part.split(':').next().unwrap_or_default() {
-        "" => lines(&text, part)?,
-        start if start.parse::<usize>().is_ok() => lines(&text, part)?,
-        anchor => anchored(&text, anchor)
+    let included = match anchor {
+        "" => text,
+        _ => anchored(&text, anchor)
             .with_context(|| format!("{path} has no line with ANCHOR: {anchor}"))?,
     };
-    ensure!(!included.trim().is_empty(), "{path} has nothing between these lines or anchors");
+    ensure!(!included.trim().is_empty(), "{path} has nothing between these anchors");
     Ok(included)
-}
-
-/// Lines `a`, `a:`, `:b` or `a:b`, counted from 1 and inclusive.
-fn lines(text: &str, part: &str) -> Result<String> {
-    let mut bounds = part.split(':');
-    let mut bound = || -> Result<Option<Option<usize>>> {
-        Ok(match bounds.next() {
-            None => None,
-            Some("") => Some(None),
-            Some(number) => Some(Some(
-                number.parse().with_context(|| format!("{number} is no number of a line"))?,
-            )),
-        })
-    };
-    let (first, last) = match (bound()?.flatten(), bound()?) {
-        (first, Some(last)) => (first.unwrap_or(1), last.unwrap_or(usize::MAX)),
-        (Some(only), None) => (only, only),
-        (None, None) => (1, usize::MAX),
-    };
-    let skipped = first.saturating_sub(1);
-    let taken = last.saturating_sub(skipped);
-    Ok(text.lines().skip(skipped).take(taken).collect::<Vec<_>>().join("\n"))
 }
 
 /// The lines from `ANCHOR: name` to `ANCHOR_END: name`, or to the end of the file, without any
@@ -143,16 +113,13 @@ mod tests {
         follow(text, folder.path(), DEPTH, &mut BTreeSet::new())
     }
 
-    /// Catches: a check that refuses what mdBook accepts.
+    /// Catches: a check that refuses what mdBook includes.
     #[test]
     fn what_mdbook_includes_is_accepted() {
         for text in [
             "{{#include step.rs}}",
             "{{#include step.rs:step}}",
-            "{{ #include step.rs:2:3 }}",
-            "{{#include step.rs::3}}",
-            "{{#include step.rs:5}}",
-            "{{#rustdoc_include step.rs:step}}",
+            "{{ #include step.rs:step }}",
             "{{#title A title}}",
             "\\{{#include no/such/file.rs}}",
             "no include",
@@ -168,7 +135,8 @@ mod tests {
             ("{{#include steps.rs}}", "steps.rs"),
             ("{{#include step.rs:stop}}", "ANCHOR: stop"),
             ("{{#include empty.rs:step}}", "nothing between"),
-            ("{{#include step.rs:90:99}}", "nothing between"),
+            ("{{#include step.rs:2:3}}", "ANCHOR: 2:3"),
+            ("{{#rustdoc_include step.rs:step}}", "there is include"),
             ("{{#include nested.md}}", "ANCHOR: nothing"),
             ("{{#include round.md}}", "include each other"),
             ("{{#inlcude step.rs}}", "inlcude"),

@@ -13,9 +13,6 @@ pub struct Maths(KatexContext);
 
 impl Maths {
     /// The HTML of a formula, safe to stand in Markdown.
-    ///
-    /// # Errors
-    /// When KaTeX cannot parse the formula, or LaTeX would not: the error quotes it.
     pub fn set(&self, tex: &str, display: bool) -> Result<String> {
         let settings = Settings::builder()
             .display_mode(display)

@@ -17,9 +17,6 @@ use crate::versions::{File, name_of};
 
 /// Compares each snapshot among the included files with what `ledger` makes of it. Those that are
 /// recorded cannot be compared.
-///
-/// # Errors
-/// If one is corrupt, cannot be made, or is another; the error names it and says what to run.
 pub fn check(
     included: &BTreeSet<PathBuf>,
     ledger: &dyn Ledger,

@@ -33,9 +33,6 @@ pub struct TestFile {
 
 impl Tests {
     /// Reads the folder `tests/`; a folder that does not exist has no tests.
-    ///
-    /// # Errors
-    /// When a file cannot be read, or is not Rust, or has two tests of one name.
     pub fn read(folder: &Path) -> Result<Self> {
         let mut sources = Vec::new();
         if files::is_folder(folder)
@@ -49,9 +46,6 @@ impl Tests {
     }
 
     /// The tests of files given as name and text.
-    ///
-    /// # Errors
-    /// When one is not Rust, or has two tests of one name.
     pub fn from_sources<N, S>(sources: impl IntoIterator<Item = (N, S)>) -> Result<Self>
     where
         N: Into<String>,
@@ -61,7 +55,7 @@ impl Tests {
         for (name, source) in sources {
             let (name, source) = (name.into(), source.into());
             let tests =
-                scan::tests(&source).with_context(|| format!("tests/{name}.rs is not Rust"))?;
+                scan::tests(&source).with_context(|| format!("tests/{name}.rs is broken"))?;
             for (at, test) in tests.iter().enumerate() {
                 // The name is the id that links point to.
                 ensure!(
@@ -81,9 +75,6 @@ impl Tests {
     }
 
     /// What the test cited as `file::function` catches.
-    ///
-    /// # Errors
-    /// When there is no such test, or its documentation does not say.
     pub fn catches(&self, cited: &str) -> Result<&str> {
         let (file, function) = self.find(cited)?;
         let tests = self.files.iter().filter(|known| known.name == file);
@@ -97,9 +88,6 @@ impl Tests {
 
     /// File and function of a test cited as `file::function`, as `cargo test` prints it; the name
     /// of its program may precede it, as `program::file::function` or `program/file::function`.
-    ///
-    /// # Errors
-    /// When there is none; the error lists those there are.
     pub fn find(&self, cited: &str) -> Result<(&str, &str)> {
         let Some((file, function)) = cited.rsplit_once("::") else {
             bail!("a test is cited as file::function");
@@ -258,7 +246,7 @@ mod tests {
     /// Catches: two tests under one id, of which links reach only the first.
     #[test]
     fn two_tests_of_one_name_are_refused() {
-        let source = "#[test] fn a() {}\nmod m { #[test] fn a() {} }";
+        let source = "#[test]\nfn a() {}\nmod m {\n    #[test]\n    fn a() {}\n}\n";
         let error = Tests::from_sources([("order", source)]).unwrap_err().to_string();
         assert!(error.contains("two tests called a"), "{error}");
     }

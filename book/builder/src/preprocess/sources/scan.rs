@@ -1,13 +1,12 @@
-//! Finding the tests in a Rust file.
-//!
-//! The file is read as tokens, not as a syntax tree: a test inside `proptest! { … }` or another
-//! macro, which a parser skips, looks like any other.
+//! Finding the tests in a Rust file, line by line: rustfmt has set the first line of a function and
+//! its last brace below each other. So a test inside `proptest! { … }` or another macro, which a
+//! parser skips, looks like any other.
 
 use std::ops::Range;
-use std::str::FromStr;
+use std::sync::LazyLock;
 
-use anyhow::{Result, anyhow};
-use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
+use anyhow::{Result, ensure};
+use regex::Regex;
 
 /// A test function.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -22,38 +21,58 @@ pub struct Test {
     pub catches: String,
 }
 
-/// Attributes that make a function a test, by the last segment of their path.
-const TEST_ATTRIBUTES: [&str; 2] = ["test", "rstest"];
-/// What the names of macros begin with that make tests of a function: `each_method!(slopes);` below
-/// the function `slopes` makes one for each method.
-const EACH: &str = "each_";
-
-/// The tests of a source file, from top to bottom.
-///
-/// # Errors
-/// When the text does not consist of Rust's tokens.
+/// The tests of a source file, from top to bottom: functions with the attribute `test` or `rstest`,
+/// and those of which a macro below makes tests, as `each_method!(slopes);` does, one for each
+/// method.
 pub fn tests(source: &str) -> Result<Vec<Test>> {
-    let tokens = TokenStream::from_str(source)
-        .map_err(|error| anyhow!("{error} in line {}", error.span().start().line))?;
-    let mut functions = Vec::new();
-    walk(tokens, &mut functions);
-    let tests = functions.into_iter().filter(|function| function.is_test);
-    let mut tests: Vec<Test> = tests.map(|function| function.test).collect();
+    static FUNCTION: LazyLock<Regex> = LazyLock::new(|| {
+        let pattern = r"^( *)(?:pub(?:\([a-z]+\))? )?(?:async |const |unsafe )*fn (\w+)";
+        Regex::new(pattern).expect("the pattern is a constant")
+    });
+    static ATTRIBUTE: LazyLock<Regex> = LazyLock::new(|| {
+        Regex::new(r"^ *#\[(?:\w+::)*(?:rs)?test\b").expect("the pattern is a constant")
+    });
     let lines: Vec<&str> = source.lines().collect();
-    for test in &mut tests {
-        while test.lines.start > 0 && is_comment(lines[test.lines.start - 1]) {
-            test.lines.start -= 1;
+    let mut tests = Vec::new();
+    for (at, line) in lines.iter().enumerate() {
+        let Some(found) = FUNCTION.captures(line) else { continue };
+        let (indent, name) = (&found[1], &found[2]);
+        let brace = format!("{indent}}}");
+        // What stands above it without a gap, but for another item and what is around both.
+        let is_above = |line: &str| match line.strip_prefix(indent) {
+            _ if line == brace || line.starts_with("//!") => false,
+            Some(rest) => rest.starts_with([' ', '#', '/', '}', ')']),
+            None => false,
+        };
+        let start = at - lines[..at].iter().rev().take_while(|line| is_above(line)).count();
+        let is_test = lines[start..at].iter().any(|line| ATTRIBUTE.is_match(line));
+        let last = match line.ends_with('}') {
+            true => Some(at),
+            false => (at..lines.len()).find(|&end| lines[end] == brace),
+        };
+        let Some(last) = last else {
+            // One without a body has none.
+            ensure!(!is_test, "the function {name} has no end");
+            continue;
+        };
+        let each = lines.get(last + 1).is_some_and(|line| {
+            line.trim().starts_with("each_") && line.ends_with(&format!("!({name});"))
+        });
+        if is_test || each {
+            tests.push(Test {
+                name: name.to_string(),
+                lines: start..last + 1 + usize::from(each),
+                catches: catches(&lines[start..at]),
+            });
         }
-        test.catches = catches(&lines[test.lines.clone()]);
     }
     Ok(tests)
 }
 
 /// What follows `Catches:` in its paragraph of the documentation, without the full stop, which the
 /// chapter sets.
-fn catches(lines: &[&str]) -> String {
-    let above = lines.iter().map(|line| line.trim()).take_while(|line| !line.starts_with("fn "));
-    let documentation = above.filter_map(|line| line.strip_prefix("///"));
+fn catches(above: &[&str]) -> String {
+    let documentation = above.iter().filter_map(|line| line.trim().strip_prefix("///"));
     let mut paragraph = documentation.map(str::trim);
     let first = paragraph.by_ref().find_map(|line| Some(line.split_once("Catches:")?.1));
     let rest = paragraph.take_while(|line| !line.is_empty());
@@ -63,98 +82,6 @@ fn catches(lines: &[&str]) -> String {
         Some(inside) => format!("{inside})"),
         None => sentence.trim_end_matches('.').to_string(),
     }
-}
-
-fn is_comment(line: &str) -> bool {
-    let line = line.trim_start();
-    line.starts_with("//") && !line.starts_with("//!")
-}
-
-/// The attributes read before the keyword of an item.
-#[derive(Default)]
-struct Attributes {
-    /// The line the first one begins on.
-    start: Option<usize>,
-    names: Vec<String>,
-}
-
-impl Attributes {
-    fn make_a_test(&self) -> bool {
-        self.names.iter().any(|name| TEST_ATTRIBUTES.contains(&name.as_str()))
-    }
-}
-
-/// A function, which may be a test.
-struct Function {
-    test: Test,
-    is_test: bool,
-}
-
-fn walk(tokens: TokenStream, functions: &mut Vec<Function>) {
-    let mut tokens = tokens.into_iter().peekable();
-    let mut attributes = Attributes::default();
-    while let Some(token) = tokens.next() {
-        match token {
-            TokenTree::Punct(hash) if hash.as_char() == '#' => {
-                if let Some(TokenTree::Group(group)) = tokens.peek()
-                    && group.delimiter() == Delimiter::Bracket
-                {
-                    attributes.start.get_or_insert(hash.span().start().line - 1);
-                    attributes.names.extend(attribute_name(group));
-                    tokens.next();
-                }
-            }
-            TokenTree::Ident(keyword) if keyword == "fn" => {
-                let name = tokens.next();
-                // Arguments are groups too; the body is the first in braces.
-                let body = tokens.by_ref().find_map(|token| match token {
-                    TokenTree::Group(group) if group.delimiter() == Delimiter::Brace => Some(group),
-                    _ => None,
-                });
-                if let (Some(TokenTree::Ident(name)), Some(body)) = (name, body) {
-                    let start = attributes.start.unwrap_or(keyword.span().start().line - 1);
-                    let lines = start..body.span_close().end().line;
-                    let test = Test { name: name.to_string(), lines, catches: String::new() };
-                    functions.push(Function { test, is_test: attributes.make_a_test() });
-                }
-                attributes = Attributes::default();
-            }
-            TokenTree::Ident(each) if each.to_string().starts_with(EACH) => {
-                let called = tokens.next_if(|token| token.to_string() == "!");
-                if let (Some(_), Some(TokenTree::Group(arguments))) = (called, tokens.peek()) {
-                    let name = arguments.stream().to_string();
-                    let of = functions.iter_mut().rfind(|function| function.test.name == name);
-                    if let Some(function) = of {
-                        function.is_test = true;
-                        function.test.lines.end = arguments.span_close().end().line;
-                    }
-                }
-                attributes = Attributes::default();
-            }
-            // Visibility and qualifiers stand between attributes and keyword.
-            TokenTree::Ident(word)
-                if ["pub", "async", "const", "unsafe", "extern"].iter().any(|q| word == q) => {}
-            TokenTree::Group(group) if group.delimiter() == Delimiter::Parenthesis => {}
-            TokenTree::Group(group) => {
-                walk(group.stream(), functions);
-                attributes = Attributes::default();
-            }
-            _ => attributes = Attributes::default(),
-        }
-    }
-}
-
-/// `test` for `#[test]`, `rstest` for `#[rstest::rstest]`.
-fn attribute_name(attribute: &Group) -> Option<String> {
-    let mut name = None;
-    for token in attribute.stream() {
-        match token {
-            TokenTree::Ident(segment) => name = Some(segment.to_string()),
-            TokenTree::Punct(colon) if colon.as_char() == ':' => {}
-            _ => break,
-        }
-    }
-    name
 }
 
 #[cfg(test)]
@@ -220,9 +147,9 @@ proptest! {
         assert_eq!(ends(3), ("/// Catches: another thing.", "    }"));
     }
 
-    /// Catches: a file that is broken shown as a file without tests.
+    /// Catches: a test that is cut off shown as a whole one.
     #[test]
-    fn what_is_not_rust_is_an_error() {
-        assert!(tests("fn a( {}").is_err());
+    fn a_function_without_an_end_is_an_error() {
+        assert!(tests("#[test]\nfn a() {\n    }\n").is_err());
     }
 }
