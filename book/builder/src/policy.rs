@@ -19,9 +19,6 @@ use crate::page::hash;
 const CHARSET: &str = "<meta charset=\"UTF-8\">";
 
 /// Gives a policy to every page in `folder`, which nobody reads yet.
-///
-/// # Errors
-/// If a page cannot be read or written, or has no place for the policy.
 pub fn impose(folder: &Path) -> Result<()> {
     for path in files::list(folder).with_context(|| folder.display().to_string())? {
         let name = || path.display().to_string();

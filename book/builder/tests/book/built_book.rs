@@ -1,53 +1,52 @@
 //! The book as a reader gets it: built into an empty folder, and its HTML parsed.
 
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
-#[cfg(unix)]
-use std::process::{Command, Output};
 use std::sync::LazyLock;
+use std::sync::atomic::AtomicBool;
 
+use pendula_book::build;
+use pendula_book::ledger::{Entry, Ledger};
+use pendula_book::progress::Progress;
+use pendula_book::versions::{Made, Version};
 use tempfile::TempDir;
 
+use crate::claims::PAPER;
 use crate::pages::{Page, Site, is_remote};
+use crate::review::REVIEWED;
 
-/// Built once for all tests: the folder that is removed at the end, that of the book, and its
-/// pages. `Err` is the reason why the build stopped.
-static BOOK: LazyLock<Result<(TempDir, PathBuf, Site), String>> = LazyLock::new(|| {
-    let (folder, book) = built()?;
-    let site = Site::read(&book);
-    Ok((folder, book, site))
-});
+/// The paper's claims as measured now, and the snapshots as reviewed: the tests of the study hold
+/// each of them to the code.
+struct Reviewed;
 
-/// The book that `pendula book`, without a word more, builds in a copy of the project.
-#[cfg(unix)]
-fn built() -> Result<(TempDir, PathBuf), String> {
-    let folder = crate::help::project();
-    let mut command = Command::new(env!("CARGO_BIN_EXE_pendula"));
-    let Output { status, stdout, stderr } =
-        command.arg("book").current_dir(folder.path()).output().unwrap();
-    if !status.success() {
-        return Err(String::from_utf8_lossy(&stderr).into_owned());
+impl Ledger for Reviewed {
+    fn entry(&self, id: &str) -> Option<Entry> {
+        PAPER.entry(id)
     }
-    let book = folder.path().join("target/book");
-    let printed = String::from_utf8(stdout).unwrap();
-    assert!(printed.ends_with("/target/book/index.html\n") && stderr.is_empty(), "{printed}");
-    Ok((folder, book))
+
+    fn snapshots(&self, names: BTreeSet<String>, _: &AtomicBool) -> anyhow::Result<Made> {
+        let quoted = REVIEWED.iter().filter(|(name, _)| names.contains(*name));
+        let quoted: Version = quoted.map(|(name, text)| (name.clone(), text.clone())).collect();
+        Ok((quoted, BTreeMap::new()))
+    }
 }
 
-/// Where a link needs a permission, the same within this process.
-#[cfg(not(unix))]
-fn built() -> Result<(TempDir, PathBuf), String> {
-    use pendula_book::build;
-    use pendula_book::ledger::Paper;
-    use pendula_book::progress::Progress;
-
+/// Built once for all tests: the folder that is removed at the end, and the pages of the book in
+/// it. `Err` is the reason why the build stopped.
+static BOOK: LazyLock<Result<(TempDir, Site), String>> = LazyLock::new(|| {
     let folder = tempfile::tempdir().unwrap();
-    let paper = Paper::measure(&Progress::hidden());
-    build::book(&root(), Some(folder.path()), paper, Progress::hidden(), &Default::default())
-        .map_err(|error| format!("{error:#}"))?;
-    let book = folder.path().to_path_buf();
-    Ok((folder, book))
-}
+    let built = build::book(
+        &root(),
+        Some(folder.path()),
+        Reviewed,
+        Progress::hidden(),
+        &Default::default(),
+    );
+    built.map_err(|error| format!("{error:#}"))?;
+    let site = Site::read(folder.path());
+    Ok((folder, site))
+});
 
 /// The HTML of a page.
 pub fn html(page: &str) -> String {
@@ -61,7 +60,7 @@ fn root() -> PathBuf {
 /// The folder of the book and its pages.
 fn book() -> (&'static Path, &'static Site) {
     match &*BOOK {
-        Ok((_, book, site)) => (book, site),
+        Ok((folder, site)) => (folder.path(), site),
         Err(error) => panic!("the book cannot be built: {error}"),
     }
 }

@@ -5,6 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 use std::sync::LazyLock;
 
+use pendula_book::ledger::Paper;
 use pendula_study::claims::{Claim, ClaimKind, Ledger};
 use pendula_study::experiments::Study;
 use regex::Regex;
@@ -16,6 +17,7 @@ use crate::chapters::chapters;
 const PAGE: &str = "appendix-claims.html";
 
 pub static STUDY: LazyLock<Study> = LazyLock::new(Study::of_the_paper);
+pub static PAPER: LazyLock<Paper> = LazyLock::new(|| Paper::new(STUDY.clone()));
 pub static LEDGER: LazyLock<Ledger> = LazyLock::new(|| Ledger::new(&STUDY));
 
 /// What `select` finds on a page.

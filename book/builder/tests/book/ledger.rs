@@ -1,14 +1,15 @@
-//! The ledger on the command line, where a measurement contradicts it.
+//! The ledger in the book, and on the command line, where a measurement contradicts it.
 
 use std::process::ExitCode;
 
 use pendula_book::commands::study::claims::{self, Filter, LedgerFormat};
 use pendula_book::failure::Failure;
+use pendula_book::ledger::Ledger as _;
 use pendula_study::claims::Ledger;
 use pendula_study::experiments::Study;
 use rstest::rstest;
 
-use crate::claims::STUDY;
+use crate::claims::{PAPER, STUDY};
 
 /// One cell of Table 4 is off by a hundredth, and so misses its printed digits. The ledger is
 /// written whole all the same, says so, and ends with status 1.
@@ -36,4 +37,16 @@ fn a_contradicted_claim_ends_with_status_1(
     let moved: Vec<_> = pairs.filter(|(before, after)| before != after).collect();
     assert_eq!(honest.lines().count(), forged.lines().count());
     assert!(moved.iter().any(|(_, after)| after.contains("wrong")), "{moved:?}");
+}
+
+/// Catches: an adapter that mixes up what is stated and what is measured, or fills gaps with a
+/// dash.
+#[test]
+fn the_papers_claims_come_through() {
+    let entry = PAPER.entry("T4.fe.0.1").expect("a claim of Table 4");
+    assert_eq!(entry.stated.as_deref(), Some("2.01 × 10²"));
+    assert!(entry.measured.is_some_and(|text| text.starts_with("2.0118")));
+    assert_eq!(entry.verdict.as_deref(), Some("reproduced"));
+    assert_eq!(entry.kind, "cell");
+    assert_eq!(PAPER.entry("T4.no.such"), None);
 }

@@ -2,9 +2,14 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::process::{Command, Output};
 
+use pendula_book::build;
+use pendula_book::failure::Failure;
+use pendula_book::progress::Progress;
 use tempfile::TempDir;
+
+use crate::claims::PAPER;
 
 const TABLE: &str = "snapshots/1_table_5.snap";
 
@@ -41,20 +46,25 @@ impl Project {
         self.0.path().join(path)
     }
 
-    /// The exit status of `pendula book`, and what it says on standard error.
-    fn build(&self) -> (Option<i32>, String) {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_pendula"));
-        let output = command.arg("book").current_dir(self.0.path()).output().unwrap();
-        (output.status.code(), String::from_utf8(output.stderr).unwrap())
+    /// What the building of the book fails with.
+    fn build(&self) -> Option<Failure> {
+        let (root, paper) = (self.path("book"), PAPER.clone());
+        let built = build::book(&root, None, paper, Progress::hidden(), &Default::default());
+        built.err().map(Failure::from)
     }
 }
 
-/// Catches: a digit typed over in a snapshot, or a snapshot that was cut off, published with status
-/// 0; a book that is lost by it.
+/// Catches: a digit typed over in a snapshot, or a snapshot that was cut off, published; a book
+/// that is lost by it; one that is not where `pendula book` says, or not without a word more.
 #[test]
 fn a_snapshot_typed_over_is_not_published() {
     let project = Project::new();
-    assert_eq!(project.build(), (Some(0), String::new()));
+    let mut command = Command::new(env!("CARGO_BIN_EXE_pendula"));
+    let Output { status, stdout, stderr } =
+        command.arg("book").current_dir(project.0.path()).output().unwrap();
+    let printed = String::from_utf8(stdout).unwrap();
+    assert!(status.success() && printed.ends_with("/target/book/index.html\n"), "{printed}");
+    assert!(stderr.is_empty());
     let page = || fs::read_to_string(project.path("target/book/one.html")).unwrap();
     let published = page();
     assert!(published.contains("481.797"), "{published}");
@@ -65,8 +75,9 @@ fn a_snapshot_typed_over_is_not_published() {
         (text[..text.len() - 20].to_string(), "corrupt"),
     ] {
         fs::write(project.path(TABLE), wrong).unwrap();
-        let (status, error) = project.build();
-        assert_eq!((status, error.lines().count()), (Some(2), 1), "{error}");
+        let failure = project.build().unwrap();
+        let (status, error) = (failure.status(), failure.line().unwrap());
+        assert_eq!((status, error.lines().count()), (2, 1), "{error}");
         assert!(error.contains(TABLE) && error.contains(says), "{error}");
         assert!(error.contains("`pendula review"), "{error}");
         assert!(page() == published);
