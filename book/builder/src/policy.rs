@@ -20,14 +20,13 @@ const CHARSET: &str = "<meta charset=\"UTF-8\">";
 
 /// Gives a policy to every page in `folder`, which nobody reads yet.
 pub fn impose(folder: &Path) -> Result<()> {
-    for path in files::list(folder).with_context(|| folder.display().to_string())? {
-        let name = || path.display().to_string();
-        if files::is_folder(&path).with_context(name)? {
-            impose(&path)?;
-        } else if path.extension().is_some_and(|extension| extension == "html") {
-            let page = files::read_to_string(&path).with_context(name)?;
+    for (path, _) in files::tree(folder).with_context(|| folder.display().to_string())? {
+        if path.extension().is_some_and(|extension| extension == "html") {
+            let name = || path.display().to_string();
+            let file = folder.join(&path);
+            let page = files::read_to_string(&file).with_context(name)?;
             let page = with_policy(&page).with_context(name)?;
-            files::write_in_private(&path, &page).with_context(name)?;
+            files::write_in_private(&file, &page).with_context(name)?;
         }
     }
     Ok(())

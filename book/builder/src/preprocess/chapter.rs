@@ -186,9 +186,10 @@ impl<'a> Setter<'a> {
     fn link(&self, cited: &str, to_root: &str) -> Result<String> {
         let (file, test) =
             self.tests.find(cited).map_err(|reason| anyhow!("{{{{test {cited}}}}}: {reason}"))?;
+        let (file, test) = (&file.name, &test.name);
         // As `cargo test` prints it and accepts it as a filter: without the name of the test
         // program.
-        let path = file.split_once('/').map_or(file, |(_, path)| path);
+        let path = file.split_once('/').map_or(&file[..], |(_, path)| path);
         let text = inert::text(&format!("{}::{test}", path.replace('/', "::")));
         // Long names may break only after an underscore.
         let text = text.replace("&#95;", "&#95;<wbr>");

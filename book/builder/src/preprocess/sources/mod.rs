@@ -8,6 +8,7 @@ use std::path::Path;
 use anyhow::{Context, Result, bail, ensure};
 use mdbook_preprocessor::book::{BookItem, Chapter};
 
+use self::scan::Test;
 use crate::files;
 
 pub mod page;
@@ -28,18 +29,23 @@ pub struct TestFile {
     /// Its text.
     pub source: String,
     /// Its tests, from top to bottom.
-    pub tests: Vec<scan::Test>,
+    pub tests: Vec<Test>,
 }
 
 impl Tests {
     /// Reads the folder `tests/`; a folder that does not exist has no tests.
     pub fn read(folder: &Path) -> Result<Self> {
+        let cannot = |path: &Path| format!("{} cannot be read", path.display());
         let mut sources = Vec::new();
-        if files::is_folder(folder)
-            .with_context(|| format!("{} cannot be read", folder.display()))?
-        {
-            collect(folder, "", &mut sources)
-                .with_context(|| format!("{} cannot be read", folder.display()))?;
+        if files::is_folder(folder).with_context(|| cannot(folder))? {
+            for (path, _) in files::tree(folder).with_context(|| cannot(folder))? {
+                if path.extension().is_some_and(|extension| extension == "rs") {
+                    let name = path.with_extension("").to_string_lossy().replace('\\', "/");
+                    let path = folder.join(path);
+                    let source = files::read_to_string(&path).with_context(|| cannot(&path))?;
+                    sources.push((name, source));
+                }
+            }
         }
         sources.sort();
         Self::from_sources(sources)
@@ -74,21 +80,16 @@ impl Tests {
         &self.files
     }
 
-    /// What the test cited as `file::function` catches.
+    /// What the test cited as `file::function` catches, as its documentation says.
     pub fn catches(&self, cited: &str) -> Result<&str> {
-        let (file, function) = self.find(cited)?;
-        let tests = self.files.iter().filter(|known| known.name == file);
-        let catches = tests
-            .flat_map(|file| &file.tests)
-            .find(|test| test.name == function)
-            .map_or("", |test| test.catches.as_str());
-        ensure!(!catches.is_empty(), "the documentation of {function} has no line `Catches:`");
+        let (_, Test { name, catches, .. }) = self.find(cited)?;
+        ensure!(!catches.is_empty(), "the documentation of {name} has no line `Catches:`");
         Ok(catches)
     }
 
     /// File and function of a test cited as `file::function`, as `cargo test` prints it; the name
     /// of its program may precede it, as `program::file::function` or `program/file::function`.
-    pub fn find(&self, cited: &str) -> Result<(&str, &str)> {
+    pub fn find(&self, cited: &str) -> Result<(&TestFile, &Test)> {
         let Some((file, function)) = cited.rsplit_once("::") else {
             bail!("a test is cited as file::function");
         };
@@ -113,23 +114,8 @@ impl Tests {
             let names: Vec<_> = file.tests.iter().map(|test| test.name.as_str()).collect();
             bail!("tests/{}.rs has no test {function}; it has: {}", file.name, names.join(", "));
         };
-        Ok((&file.name, &test.name))
+        Ok((file, test))
     }
-}
-
-fn collect(folder: &Path, prefix: &str, sources: &mut Vec<(String, String)>) -> Result<()> {
-    for path in files::list(folder)? {
-        let Some(stem) = path.file_stem().and_then(|stem| stem.to_str()) else { continue };
-        let name = format!("{prefix}{stem}");
-        if files::is_folder(&path)? {
-            collect(&path, &format!("{name}/"), sources)?;
-        } else if path.extension().is_some_and(|extension| extension == "rs") {
-            let source = files::read_to_string(&path)
-                .with_context(|| format!("{} cannot be read", path.display()))?;
-            sources.push((name, source));
-        }
-    }
-    Ok(())
 }
 
 /// The book's last part: an overview, a page for each program of tests, and below it one for each
@@ -228,9 +214,13 @@ mod tests {
             ("b/twice", "#[test]\nfn start() {}\n"),
         ])
         .unwrap();
-        assert_eq!(tests.find("order::slopes").unwrap(), ("order", "slopes"));
-        assert_eq!(tests.find("support::scenes::start").unwrap(), ("support/scenes", "start"));
-        assert_eq!(tests.find("scenes::start").unwrap(), ("support/scenes", "start"));
+        let found = |cited| {
+            let (file, test) = tests.find(cited).unwrap();
+            (file.name.as_str(), test.name.as_str())
+        };
+        assert_eq!(found("order::slopes"), ("order", "slopes"));
+        assert_eq!(found("support::scenes::start"), ("support/scenes", "start"));
+        assert_eq!(found("scenes::start"), ("support/scenes", "start"));
         for wrong in [
             "slopes",
             "area::slopes",

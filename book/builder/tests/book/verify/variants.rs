@@ -133,7 +133,6 @@ fn property<'a>(report: &'a Value, name: &str) -> &'a Value {
 #[case::a_billionth_lost("a-billionth-lost", "symmetric", "loss")]
 #[case::drops_steps("drops-steps", "order=2", "clock")]
 #[case::position_for_velocity("position-verlet", "order=2 name=stormer-verlet", "name")]
-#[case::heun_for_midpoint("heun", "order=2 name=explicit-midpoint", "name")]
 #[case::trapezoidal_as_symplectic("trapezoidal", "order=2 symplectic", "area")]
 fn each_property_is_judged(#[case] name: &str, #[case] claims: &str, #[case] fails: &str) {
     let (status, report) = of_variant("python3", "variants.py", name, claims);
