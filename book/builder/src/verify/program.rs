@@ -50,7 +50,7 @@ enum Talk {
 
 impl Program {
     /// Starts `command`, its name and its arguments, and greets it. It has `patience` for each
-    /// answer, and [`ALL`] times as long for all; once `interrupted` is set, it is waited for no
+    /// answer, and 120 times as long for all; once `interrupted` is set, it is waited for no
     /// longer.
     ///
     /// # Errors

@@ -236,7 +236,9 @@ fn what_is_no_file_of_a_snapshot_is_refused() {
     refused("1_x.snap".as_ref(), "1_x.snap: corrupt: it has 1073741824 bytes");
     let name = OsStr::from_bytes(b"1_\xff.snap");
     fs::write(project.path("snapshots").join(name), "").unwrap();
+    project.commit();
     refused(name, "corrupt: its name is not UTF-8");
+    project.refuses(project.command(&["--since", "HEAD"]), "not UTF-8");
 }
 
 /// Catches: a snapshot that is accepted with another header or content than `cargo insta accept`
