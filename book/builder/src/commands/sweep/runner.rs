@@ -1,24 +1,19 @@
-//! Sweeps: many runs of one method, from many angles or with many steps.
+//! The runs of a sweep, from many angles or with many steps.
 
-#[cfg_attr(not(feature = "device"), path = "no_device.rs")]
-pub mod device;
-pub mod part;
-pub mod range;
-
+use std::iter;
 use std::num::NonZeroU64;
 use std::ops;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
-use device::OnDevice;
 use pendula::fast::{InLanes, LANES};
 use pendula::methods::table::in_lanes;
 use pendula::metrics::EnergyDrift;
 use pendula::{
     AnyMethod, Ensemble, Error, Grid, MethodInfo, Observer, Pendulum, Phase, method_named,
 };
-use range::Range;
-use rayon::prelude::*;
 
-use crate::commands::pendulum_arguments::not_solved;
+use super::device::OnDevice;
+use crate::commands::arguments::range::Range;
 use crate::failure::Failure;
 
 /// What all runs of a sweep have in common.
@@ -89,15 +84,18 @@ impl Runner {
         self.pendulum.start(theta0, self.omega0).map_err(Failure::refused)
     }
 
-    /// The refusal of one of these runs, if its method is implicit and a step was not solved.
+    /// The refusal of one of these runs that has led to NaN, if its method is implicit: it has not
+    /// overflowed, its iteration has not converged. The run is repeated up to that step, to say how
+    /// far the iteration was from its end.
     pub fn not_solved(&self, run: &Run) -> Option<Failure> {
         let start = self.phase(run.theta0);
-        not_solved(self.method, &self.pendulum, start, &run.grid)
+        let error = self.method.try_run(&self.pendulum, start, &run.grid, &mut ()).err()?;
+        Failure::unsolved(self.info().name, &error)
     }
 
     /// The same steps from each of the angles, in lanes or on the device. Each run is passed to
     /// `finished`, with its place among the angles, in the order in which they finish.
-    pub fn from_each(&self, angles: &[f64], grid: &Grid, finished: impl Fn(usize, Run) + Sync) {
+    pub fn run_from_each(&self, angles: &[f64], grid: &Grid, finished: impl Fn(usize, Run) + Sync) {
         if let Some(device) = self.device {
             let starts: Vec<Phase> = angles.iter().map(|&theta| self.phase(theta)).collect();
             let ends = device.ends(&Ensemble::new(&self.pendulum, &starts, *grid));
@@ -107,8 +105,9 @@ impl Runner {
             }
             return;
         }
-        angles.par_chunks(LANES).enumerate().for_each(|(block, angles)| {
-            for (lane, run) in self.in_lanes(angles, grid).enumerate() {
+        let blocks: Vec<&[f64]> = angles.chunks(LANES).collect();
+        in_order(blocks.len(), |block| {
+            for (lane, run) in self.in_lanes(blocks[block], grid).enumerate() {
                 finished(block * LANES + lane, run);
             }
         });
@@ -141,13 +140,25 @@ impl Runner {
     /// The same start along each of the grids. Not in lanes: the grids differ in their number of
     /// steps. Each run is passed to `finished`, with its place among the grids.
     pub fn along_each(&self, start: Phase, grids: &[Grid], finished: impl Fn(usize, Run) + Sync) {
-        grids.par_iter().enumerate().with_max_len(1).for_each(|(i, grid)| {
+        in_order(grids.len(), |i| {
+            let grid = &grids[i];
             let mut drift = EnergyDrift::new(&self.pendulum);
             let end = self.method.run(&self.pendulum, start, grid, &mut drift);
             let energy_error = drift.largest();
             finished(i, Run { theta0: start.theta, grid: *grid, end, energy_error });
         });
     }
+}
+
+/// Calls `work` with each number below `count`, on all threads. The numbers are begun in order, so
+/// that of a sweep that is interrupted few runs are finished before their turn.
+fn in_order(count: usize, work: impl Fn(usize) + Sync) {
+    let next = AtomicUsize::new(0);
+    rayon::broadcast(|_| {
+        while let Some(i) = Some(next.fetch_add(1, Ordering::Relaxed)).filter(|i| *i < count) {
+            work(i);
+        }
+    });
 }
 
 /// Observes the energy error and keeps the last state.
@@ -177,18 +188,36 @@ pub fn grids(
 ) -> Result<impl Iterator<Item = Grid>, Failure> {
     // Where FROM and TO themselves fit, they are used exactly, as by `simulate`: 0.3/3 is not 0.1.
     let ends = [end(duration, dt.from)?, end(duration, dt.to)?];
-    // The step before the first, which may be equal, and so of another part.
-    let before = which.start.saturating_sub(1);
-    let mut last = 0;
-    let grids = dt.geometric(before..which.end).filter_map(move |step| {
-        let steps = whole(duration / step);
-        let repeated = std::mem::replace(&mut last, steps) == steps;
-        let end = ends.into_iter().find(|end| end.steps() == steps);
+    let steps = move |i: u64| whole(duration / dt.geometric(i));
+    // Of many steps asked for few may differ: from each on to the next that does.
+    let mut next = match which.start {
+        0 => 0,
+        // That before the first is of another part.
+        start => first(start..which.end, |i| steps(i) != steps(start - 1)),
+    };
+    Ok(iter::from_fn(move || {
+        let count = (next < which.end).then(|| steps(next))?;
+        next = first(next + 1..which.end, |i| steps(i) != count);
+        let end = ends.into_iter().find(|end| end.steps() == count);
         // Every step between two allowed steps is allowed.
-        let grid = end.or_else(|| Grid::new(duration / steps as f64, steps).ok());
-        grid.filter(|_| !repeated)
-    });
-    Ok(grids.skip(usize::from(before < which.start)))
+        end.or_else(|| Grid::new(duration / count as f64, count).ok())
+    }))
+}
+
+/// The first of these numbers that `is` so, if all behind it are; their end, if none is. Looks at
+/// few if it is among the first.
+fn first(among: ops::Range<u64>, is: impl Fn(u64) -> bool) -> u64 {
+    let (mut no, mut width) = (among.start, 1);
+    while no < among.end && !is(no.saturating_add(width - 1).min(among.end - 1)) {
+        no = no.saturating_add(width).min(among.end);
+        width = width.saturating_mul(2);
+    }
+    let mut yes = no.saturating_add(width - 1).min(among.end);
+    while no < yes {
+        let middle = no + (yes - no) / 2;
+        if is(middle) { yes = middle } else { no = middle + 1 }
+    }
+    no
 }
 
 /// The grid for an end of the range: with `step` (s) itself if it fits, or else with the nearest
@@ -229,5 +258,30 @@ mod tests {
             let near: Vec<f64> = grids(0.3, range, 0..9).unwrap().map(|grid| grid.step()).collect();
             assert_eq!(near, expected);
         }
+    }
+    /// Catches: a step passed over by going from one that differs to the next.
+    #[test]
+    fn the_first_is_found_wherever_it_is() {
+        for end in 0..40 {
+            for yes in 3..=end.max(3) {
+                assert_eq!(first(3..end, |i| i >= yes), yes.min(end.max(3)), "{yes} below {end}");
+            }
+        }
+        // In all of them: a sweep whose steps mostly repeat takes as long as those that differ.
+        let range = Range { from: 1e-4, to: 1.0, count: u64::MAX };
+        assert_eq!(grids(1.0, range, 0..u64::MAX).unwrap().take(3).last().unwrap().steps(), 9998);
+    }
+    /// Catches: a number left out or taken twice; runs that are begun far before their turn, and so
+    /// are lost where a sweep is interrupted.
+    #[test]
+    fn all_are_begun_in_their_turn() {
+        let (begun, sum) = (AtomicUsize::new(0), AtomicUsize::new(0));
+        in_order(1000, |i| {
+            let before = begun.fetch_add(1, Ordering::Relaxed);
+            sum.fetch_add(i, Ordering::Relaxed);
+            // Each of the other threads may have taken one that it has not counted.
+            assert!(i < before + rayon::current_num_threads(), "{i} after {before}");
+        });
+        assert_eq!((begun.into_inner(), sum.into_inner()), (1000, 499_500));
     }
 }
