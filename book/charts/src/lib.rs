@@ -97,74 +97,7 @@ impl Figure {
         let maps = self.panels.iter().filter_map(|chart| chart.map.as_ref());
         let areas = maps.flat_map(|map| map.names.iter().filter_map(|name| name.colour)).collect();
         let scales: Vec<_> = self.panels.iter().map(Chart::scales).collect();
-        // Labels beside a chart need it to be alone in its row.
-        let mut ends = ends::of(&self.panels, &scales);
-        for row in ends.chunks_mut(self.columns).filter(|row| row.len() > 1) {
-            row.iter_mut().for_each(Vec::clear);
-        }
-        let mut known: Vec<Entry> = ends.iter().flatten().map(End::entry).collect();
-        let (mut body, mut top) = (String::new(), 0.0);
-        let charts = self.panels.iter().zip(&scales).filter(|(chart, _)| !chart.sketch);
-        let labels = charts.flat_map(|(chart, (_, y))| y.ticks(chart.y_ticks()));
-        let widths = labels.filter_map(|tick| tick.label).map(|label| width(&label));
-        let margin = widths.fold(24.0, f64::max) + 14.0;
-        let rows = self.panels.chunks(self.columns).zip(scales.chunks(self.columns));
-        for (row, (charts, scales)) in rows.enumerate() {
-            // Charts side by side have one legend, above them all.
-            let entries = match (self.columns, row) {
-                (1, _) => entries(charts),
-                (_, 0) => entries(&self.panels),
-                _ => Vec::new(),
-            };
-            let is_known = |(label, styles): &Entry| {
-                let mut known = known.iter().filter(|entry| entry.0 == *label);
-                known.any(|entry| styles.iter().all(|style| entry.1.contains(style)))
-            };
-            let unknown: Vec<Entry> = entries.into_iter().filter(|e| !is_known(e)).collect();
-            // Where nothing else stands between two charts.
-            if row > 0 && (!unknown.is_empty() || charts.iter().all(|c| c.heading.is_empty())) {
-                top += GAP;
-            }
-            top += draw_legend(&mut body, &unknown, top);
-            known.extend(unknown);
-            // Charts below each other end below each other.
-            let first = row * self.columns;
-            let in_line =
-                if self.columns == 1 { 0..ends.len() } else { first..first + charts.len() };
-            let beside = RIGHT.max(ends::room(&ends[in_line]));
-            let repeats = |i: usize| i > 0 && charts[i - 1].y == charts[i].y;
-            let margins = (0..self.columns.min(charts.len()))
-                .map(|i| {
-                    if charts[i].sketch {
-                        RIGHT
-                    } else if repeats(i) {
-                        0.0
-                    } else {
-                        margin
-                    }
-                })
-                .collect::<Vec<_>>();
-            // A chart that is alone in its row has all of its width.
-            let count = charts.len() as f64;
-            let free = WIDTH - margins.iter().sum::<f64>() - beside * count;
-            let (mut edge, mut bottom) = (0.0, top);
-            for (i, (chart, (x, y))) in charts.iter().zip(scales).enumerate() {
-                let index = row * self.columns + i;
-                let below = self.panels.get(index + self.columns);
-                let written = match chart.sketch {
-                    true => [false; 2],
-                    false => [below.is_none_or(|next| next.x != chart.x), !repeats(i)],
-                };
-                let left = edge + margins[i];
-                let right = left + free / count;
-                let plot = Plot::new(chart, [x, y], written, [edge, left, right], top);
-                let clip = format!("{id}-clip-{index}");
-                bottom = plot.draw(&mut body, &clip, &ends[index]).max(bottom);
-                edge = right + beside;
-            }
-            top = bottom;
-        }
-        let height = top.ceil();
+        let (body, height) = Layout::new(self, &scales).draw(&id);
         let (frame, above) = if alone {
             let mut above = String::new();
             let [left, top, width, height] =
@@ -188,6 +121,95 @@ impl Figure {
             wrapped(&escape(&self.description)),
             style_sheet(&id, &styles, areas, alone),
         )
+    }
+}
+
+/// Where the charts of a figure stand: row by row, each row under the legend of what is new in it.
+struct Layout<'a> {
+    panels: &'a [Chart],
+    columns: usize,
+    scales: &'a [(Scale<'a>, Scale<'a>)],
+    /// The labels beside each chart.
+    ends: Vec<Vec<End<'a>>>,
+    /// Left of a chart, for the numbers of its y axis.
+    margin: f64,
+}
+
+impl<'a> Layout<'a> {
+    fn new(Figure { panels, columns, .. }: &'a Figure, scales: &'a [(Scale, Scale)]) -> Self {
+        // Labels beside a chart need it to be alone in its row.
+        let mut ends = ends::of(panels, scales);
+        for row in ends.chunks_mut(*columns).filter(|row| row.len() > 1) {
+            row.iter_mut().for_each(Vec::clear);
+        }
+        let charts = panels.iter().zip(scales).filter(|(chart, _)| !chart.sketch);
+        let labels = charts.flat_map(|(chart, (_, y))| y.ticks(chart.y_ticks()));
+        let widths = labels.filter_map(|tick| tick.label).map(|label| width(&label));
+        let margin = widths.fold(24.0, f64::max) + 14.0;
+        Self { panels, columns: *columns, scales, ends, margin }
+    }
+
+    /// All charts with their legends, and how high they are together.
+    fn draw(&self, id: &str) -> (String, f64) {
+        let mut known: Vec<Entry> = self.ends.iter().flatten().map(End::entry).collect();
+        let (mut out, mut top) = (String::new(), 0.0);
+        for (row, charts) in self.panels.chunks(self.columns).enumerate() {
+            // Charts side by side have one legend, above them all.
+            let entries = match (self.columns, row) {
+                (1, _) => entries(charts),
+                (_, 0) => entries(self.panels),
+                _ => Vec::new(),
+            };
+            let is_known = |(label, styles): &Entry| {
+                let mut known = known.iter().filter(|entry| entry.0 == *label);
+                known.any(|entry| styles.iter().all(|style| entry.1.contains(style)))
+            };
+            let unknown: Vec<Entry> = entries.into_iter().filter(|e| !is_known(e)).collect();
+            // Where nothing else stands between two charts.
+            if row > 0 && (!unknown.is_empty() || charts.iter().all(|c| c.heading.is_empty())) {
+                top += GAP;
+            }
+            top += draw_legend(&mut out, &unknown, top);
+            known.extend(unknown);
+            top = self.draw_row(&mut out, id, row * self.columns, top);
+        }
+        (out, top.ceil())
+    }
+
+    /// Draws the row whose first chart has this number, and returns where it ends.
+    fn draw_row(&self, out: &mut String, id: &str, first: usize, top: f64) -> f64 {
+        let row = first..self.panels.len().min(first + self.columns);
+        let charts = &self.panels[row.clone()];
+        // Charts below each other end below each other.
+        let in_line = if self.columns == 1 { 0..self.ends.len() } else { row.clone() };
+        let beside = RIGHT.max(ends::room(&self.ends[in_line]));
+        let repeats = |i: usize| i > 0 && charts[i - 1].y == charts[i].y;
+        let margin = |i: usize| match charts[i].sketch {
+            true => RIGHT,
+            false if repeats(i) => 0.0,
+            false => self.margin,
+        };
+        let margins: Vec<f64> = (0..charts.len()).map(margin).collect();
+        // A chart that is alone in its row has all of its width.
+        let count = charts.len() as f64;
+        let free = WIDTH - margins.iter().sum::<f64>() - beside * count;
+        let (mut edge, mut bottom) = (0.0, top);
+        for (i, chart) in charts.iter().enumerate() {
+            let index = first + i;
+            let (x, y) = &self.scales[index];
+            let below = self.panels.get(index + self.columns);
+            let written = match chart.sketch {
+                true => [false; 2],
+                false => [below.is_none_or(|next| next.x != chart.x), !repeats(i)],
+            };
+            let left = edge + margins[i];
+            let right = left + free / count;
+            let plot = Plot::new(chart, [x, y], written, [edge, left, right], top);
+            let clip = format!("{id}-clip-{index}");
+            bottom = plot.draw(out, &clip, &self.ends[index]).max(bottom);
+            edge = right + beside;
+        }
+        bottom
     }
 }
 
@@ -449,10 +471,6 @@ impl Chart {
 mod tests {
     use super::*;
 
-    fn circle() -> Vec<(f64, f64)> {
-        (0..=1000).map(|i| libm::sincos(f64::from(i) * 0.00628)).collect()
-    }
-
     fn sample() -> Figure {
         let chart = Chart::new(Axis::linear("t (s)"), Axis::log("error <J>"))
             .series(
@@ -473,18 +491,6 @@ mod tests {
     /// The elements, each of which begins a line.
     fn elements(svg: &str) -> impl Iterator<Item = &str> {
         svg.split("\n<")
-    }
-
-    /// Catches: a blank line, which ends the HTML block in Markdown; two elements on a line;
-    /// unescaped text; a figure that changes from run to run.
-    #[test]
-    fn is_one_markdown_block_of_well_formed_lines() {
-        let svg = sample().to_svg("a b");
-        assert!(svg.lines().all(|line| !line.trim().is_empty()));
-        assert!(svg.contains("<title id=\"fig-a-b-title\">Title  of &lt;two&gt;</title>\n"));
-        assert!(svg.contains(">a &amp; b</text>") && svg.contains("error &lt;J&gt;"));
-        assert!(svg.contains("role=\"img\"\naria-labelledby=\"fig-a-b-title fig-a-b-desc\""));
-        assert_eq!(svg, sample().to_svg("a b"));
     }
 
     /// Catches: a file whose text is light on the white of a browser, or cut off at its edges;
@@ -525,27 +531,6 @@ mod tests {
         assert_eq!(strokes, [2, 2]);
         let dots = elements(&svg).find(|element| element.contains("class=\"dot")).unwrap();
         assert_eq!(dots.matches('M').count(), 2);
-    }
-
-    /// Catches: a second decimal or `-0` in any coordinate.
-    #[test]
-    fn coordinates_are_short() {
-        let figure = sample().panel(Chart::new(Axis::linear("x"), Axis::linear("y")).series(
-            "c",
-            Style::numbered(1),
-            circle(),
-        ));
-        for line in elements(&figure.to_svg("x")).filter(|element| element.contains(" d=\"")) {
-            let (_, d) = line.split_once(" d=\"").unwrap();
-            let (d, _) = d.split_once('"').unwrap();
-            for number in d.split(|c: char| !(c.is_ascii_digit() || c == '.' || c == '-')) {
-                assert!(
-                    number.split_once('.').is_none_or(|(_, tenth)| tenth.len() == 1),
-                    "{number}"
-                );
-                assert!(number != "-0" && number != "-0.0", "{line}");
-            }
-        }
     }
 
     /// Catches: a marker outside the plot, over the axis labels; a line without a clip path.
@@ -590,97 +575,6 @@ mod tests {
         );
     }
 
-    /// The `x`, `y`, `width` and `height` of each chart's plot.
-    fn plots(svg: &str) -> Vec<[f64; 4]> {
-        let rects = svg.lines().filter_map(|line| line.split_once("<rect ")).map(|(_, rect)| {
-            let mut values = rect.split('"').skip(1).step_by(2).map(str::parse);
-            core::array::from_fn(|_| values.next().unwrap().unwrap())
-        });
-        rects.collect()
-    }
-
-    /// Catches: plots side by side of unlike size, or that overlap; rows out of line; the numbers
-    /// of an axis written twice though the neighbour has them, or left out though it has others; a
-    /// heading lost.
-    #[test]
-    fn charts_stand_in_rows_and_columns() {
-        let chart = |y: &str, heading: &str| {
-            Chart::new(Axis::linear("x"), Axis::linear(y).range(0.0, 3.0).ticks([(1.0, "one")]))
-                .heading(heading)
-        };
-        let of = |third: &str| {
-            let charts = [chart("y", "A"), chart("y", "B"), chart("y", ""), chart(third, "D")];
-            charts.into_iter().fold(Figure::new("t", "d").columns(2), Figure::panel).to_svg("x")
-        };
-        for (svg, written) in [(of("y"), 2), (of("z"), 3)] {
-            let [a, b, c, d] = plots(&svg)[..] else { panic!("four plots: {svg}") };
-            assert!(a[2..] == b[2..] && c[2..] == d[2..] && a[0] == c[0], "{:?}", [a, b, c, d]);
-            assert!(
-                a[1] == b[1] && a[0] + a[2] < b[0] && c[0] + c[2] < d[0] && d[0] + d[2] < 600.0
-            );
-            assert!(a[1] + a[3] < c[1] && a[1] + a[3] < d[1]);
-            let count = |text: &str| svg.matches(&format!(">{text}</text>")).count();
-            assert_eq!(count("y") + count("z"), written);
-            assert_eq!(count("one"), written);
-            assert_eq!((count("x"), count("A"), count("B"), count("D")), (2, 1, 1, 1));
-        }
-    }
-
-    /// Catches: axes about a sketch, or room left for their labels; a circle that is not round.
-    #[test]
-    fn a_sketch_has_one_scale_and_no_axes() {
-        let sketch = || Chart::sketch((-2.0, 2.0), (-1.0, 1.5));
-        let svg = Figure::new("t", "d")
-            .panel(sketch().series("", Style::REFERENCE, circle()))
-            .to_svg("x");
-        assert!(["\"axis\"", "\"grid\"", "<text"].iter().all(|part| !svg.contains(part)), "{svg}");
-        let (width, top) = (WIDTH - 2.0 * RIGHT, 12.0);
-        let height = width * 2.5 / 4.0;
-        // The clip path stands out by two units on each side.
-        assert_eq!(plots(&svg), [[RIGHT - 2.0, top - 2.0, width + 4.0, height + 4.0]]);
-        assert!(svg.contains(&format!("viewBox=\"0 0 {WIDTH} {}\"", top + height)), "{svg}");
-        // Above a chart it stands as by itself, and its heading above it.
-        let below = Chart::new(Axis::linear("x"), Axis::linear("y"));
-        let both = Figure::new("t", "d").panel(sketch().heading("A")).panel(below).to_svg("x");
-        let top = top + ROW + 10.0;
-        assert_eq!(plots(&both)[0], [RIGHT - 2.0, top - 2.0, width + 4.0, height + 4.0]);
-        assert_eq!([">A</text>", "\"axis\""].map(|part| both.matches(part).count()), [1, 1]);
-    }
-
-    /// Catches: an arrow's head under the marker at its end, or away from it where there is none.
-    #[test]
-    fn an_arrow_stops_short_of_a_marker() {
-        let chart =
-            Chart::new(Axis::linear("x").range(0.0, 1.0), Axis::linear("y").range(0.0, 1.0));
-        let chart = chart.series("", Style::numbered(0).arrow(), [(0.0, 0.5), (1.0, 0.5)]);
-        let tip = |chart: Chart| -> f64 {
-            let svg = Figure::new("t", "d").panel(chart).to_svg("x");
-            let head = svg.lines().find(|line| line.contains("class=\"dot")).unwrap();
-            head.split(" d=\"M").nth(1).unwrap().split(',').next().unwrap().parse().unwrap()
-        };
-        assert_eq!(tip(chart.clone()), WIDTH - RIGHT);
-        let marked = chart.series("", Style::TRUE_POINT, [(1.0, 0.5)]);
-        assert_eq!(tip(marked), WIDTH - RIGHT - 7.0);
-    }
-
-    /// Catches: a shape that is left open, or whose area is not shaded; a rule that every other
-    /// figure has to carry.
-    #[test]
-    fn a_filled_shape_is_closed() {
-        let triangle = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0)];
-        let of = |style| {
-            let chart = Chart::new(Axis::linear("x"), Axis::linear("y"));
-            Figure::new("t", "d").panel(chart.series("a", style, triangle)).to_svg("x")
-        };
-        let svg = of(Style::REFERENCE.filled());
-        let shapes: Vec<_> = svg.lines().filter(|line| line.contains("\"line fill\"")).collect();
-        assert!(
-            shapes.len() == 2 && shapes.iter().all(|shape| shape.contains("z\"")),
-            "{shapes:?}"
-        );
-        assert!(svg.contains(".fill {") && !of(Style::REFERENCE).contains("fill {"));
-    }
-
     /// Catches: a label that hides a curve though there is free room beside it.
     #[test]
     fn labels_avoid_the_data() {
@@ -698,116 +592,6 @@ mod tests {
             y("halo\" x", " y=\"") > y("class=\"mark\"", ","),
             "below, away from the curve above"
         );
-    }
-
-    /// Catches: an entry for the line and another for its markers; dots that are thinned as the
-    /// markers of a line are, or drawn outside the plot.
-    #[test]
-    fn a_legend_has_one_entry_a_label() {
-        let style = Style::numbered(1);
-        let points = |n: u32| (0..n).map(|i| (f64::from(i), f64::from(i % 7)));
-        let axis = |label| Axis::linear(label).range(0.0, 99.0);
-        let chart = Chart::new(axis("x"), Axis::linear("y"))
-            .series("law", style.line_only(), points(9))
-            .series("law", style.markers_only(), points(9))
-            .series("cloud", Style::REFERENCE.dots(), points(200));
-        let svg = Figure::new("t", "d").panel(chart).to_svg("x");
-        assert_eq!(svg.matches(">law</text>").count(), 1);
-        let dots: Vec<usize> = elements(&svg)
-            .map(|element| element.matches("h0").count())
-            .filter(|n| *n > 0)
-            .collect();
-        assert_eq!(dots, [5, 100]);
-    }
-
-    /// Where each entry of the legends, and each label at the end of a line, stands.
-    fn entries_of(svg: &str) -> Vec<(f64, f64, &str)> {
-        let entry = |text: &str| text.contains("class=\"entry\"");
-        let parts: Vec<&str> = elements(svg).collect();
-        let begins = (0..parts.len()).filter(|i| entry(parts[*i]));
-        let texts = begins.filter_map(|i| parts[i..].iter().find(|part| part.starts_with("text")));
-        let place = |text: &'_ str, name: &str| -> f64 {
-            let value = text.split_once(&format!(" {name}=\"")).expect(name).1;
-            value.split_once('"').expect("it ends").0.parse().expect("a number")
-        };
-        let label = |text: &'_ str| text.split_once('>').map_or("", |(_, rest)| rest).len();
-        texts
-            .map(|text| {
-                let words = &text[text.len() - label(text)..];
-                (place(text, "x"), place(text, "y"), words.trim_end_matches("</text>"))
-            })
-            .collect()
-    }
-
-    /// Catches: a legend in one column where two of their own widths have room; one of two columns
-    /// that overlap, or leave the drawing.
-    #[test]
-    fn a_legend_has_two_uneven_columns_where_even_ones_have_no_room() {
-        let labels = ["as long a label as has to stand here", "short", "brief", "last"];
-        let of = |labels: &[&str]| {
-            let chart = Chart::new(Axis::linear("x"), Axis::linear("y"));
-            let fill = |chart: Chart, (i, label): (usize, &&str)| {
-                let style = Style::numbered(i).filled();
-                chart.series(*label, style, [(0.0, 0.0), (1.0, 1.0), (1.0, 0.0)])
-            };
-            let chart = labels.iter().enumerate().fold(chart, fill);
-            let svg = Figure::new("t", "d").panel(chart).to_svg("x");
-            entries_of(&svg).iter().map(|(x, y, _)| (*x, *y)).collect::<Vec<_>>()
-        };
-        let places = of(&labels);
-        let second = 46.0 + 18.0 + width(labels[0]) + 46.0;
-        assert!(2.0 * (second - 46.0) > WIDTH, "even columns have room: the test says nothing");
-        let expected = [(46.0, 19.0), (46.0, 44.0), (second, 19.0), (second, 44.0)];
-        let near = |(a, b): (&(f64, f64), &(f64, f64))| {
-            (a.0 - b.0).abs() < 0.06 && (a.1 - b.1).abs() < 0.06
-        };
-        assert!(places.iter().zip(&expected).all(near), "{places:?} for {expected:?}");
-        // Two that are longer still have no room beside each other.
-        let longer =
-            ["a label that is longer than half of the drawing", "and one that is longer too"];
-        let long = [longer[0], labels[1], longer[1], labels[3]];
-        assert!(of(&long).iter().all(|place| place.0 == 46.0));
-    }
-
-    /// Catches: a second legend between rows of charts; labels at the ends of lines beside which
-    /// another chart stands, or a legend for those of a chart that is alone in its row.
-    #[test]
-    fn charts_side_by_side_have_one_legend_above_them_all() {
-        let axis = |label| Axis::linear(label).range(0.0, 1.0);
-        let level = |label: &str, y: f64| {
-            let line = [(0.0, y), (1.0, y)];
-            Chart::new(axis("x"), axis("y")).series(label, Style::numbered(0), line)
-        };
-        let figure = |panels: &[(&str, f64)]| {
-            let figure = Figure::new("t", "d").columns(2);
-            panels.iter().fold(figure, |figure, (label, y)| figure.panel(level(label, *y)))
-        };
-        let four = figure(&[("a", 0.1), ("b", 0.2), ("c", 0.3), ("d", 0.4)]).to_svg("x");
-        let labels: Vec<_> = entries_of(&four).iter().map(|(_, y, label)| (*y, *label)).collect();
-        assert_eq!(labels, [(19.0, "a"), (19.0, "b"), (19.0, "c"), (19.0, "d")]);
-        // The last is alone: its label stands at the end of its line.
-        let three = figure(&[("a", 0.1), ("b", 0.2), ("c", 0.5)]).to_svg("x");
-        let labels = entries_of(&three);
-        let [a, b, c] = labels[..] else { panic!("{labels:?}") };
-        assert_eq!([a.1, b.1, a.0], [19.0, 19.0, 46.0]);
-        assert!(c.0 > 500.0 && c.1 > 400.0, "{c:?}");
-    }
-
-    /// Catches: a line of the background that does not name itself, that has a label or is as wide
-    /// as the others; a line made bold that is not; a rule that every other figure has to carry.
-    #[test]
-    fn the_background_is_thin_and_names_itself() {
-        let line = [(0.0, 0.0), (1.0, 1.0)];
-        let plain = Chart::new(Axis::linear("x"), Axis::linear("y"));
-        let of = |chart: Chart| Figure::new("t", "d").panel(chart).to_svg("x");
-        let bold = Style::numbered(1).line_only().solid().bold();
-        let svg = of(plain.clone().background("a & b", line).series("", bold, line));
-        assert_eq!(svg.matches("<title>a &amp; b</title></path>").count(), 1);
-        assert_eq!(svg.matches("a &amp; b").count(), 1);
-        let count = |class: &str| svg.matches(&format!("<path class=\"{class}\" ")).count();
-        assert_eq!((count("line thin"), count("line bold blue")), (1, 1));
-        assert!(svg.contains(" .thin {") && !svg.contains(ENTRY));
-        assert!(!of(plain.series("", Style::numbered(1), line)).contains(".bold"));
     }
 
     /// Catches: an empty figure or chart that panics.
