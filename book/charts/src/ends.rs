@@ -1,10 +1,11 @@
 //! Labels at the ends of lines, where they are few and their ends apart, instead of a legend.
 
 use super::axis::Scale;
+use super::chart::{Chart, Series};
+use super::figure::{ENTRY, Entry};
 use super::path::{Num, Point};
 use super::style::Style;
 use super::text::{draw_text, line, width};
-use super::{Chart, ENTRY, Entry, Series};
 
 /// More lines than this have a legend.
 const MOST: usize = 5;

@@ -2,11 +2,14 @@
 
 use std::fmt::Write;
 
+use super::axis::Scale;
+use super::chart::{Chart, Mark, Series};
 use super::ends::{self, End};
+use super::figure::ENTRY;
 use super::path::{self, Num, Point};
 use super::regions::{self, Map, Name};
 use super::text::{draw_text, escape, line, width};
-use super::{Chart, ENTRY, GAP, Mark, RIGHT, ROW, Scale, Series};
+use super::{GAP, RIGHT, ROW};
 
 /// Above this many points a line has only [`FEW`] of them marked.
 const MANY: usize = 40;

@@ -221,7 +221,6 @@ pub(super) fn closed(outlines: &[Vec<Corner>], x: &[f64], y: &[f64]) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Axis, Chart, Figure};
     use super::*;
 
     /// The map of a picture of letters, whose first line is its highest row; cells are one wide

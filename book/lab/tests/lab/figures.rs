@@ -1,5 +1,5 @@
-//! The figures that a reader moves run the library, and the study's own formulas: what the lab writes
-//! into the shared points, compared with both.
+//! The figures that a reader moves run the library, and the study's own formulas: what the lab
+//! writes into the shared points, compared with both.
 
 use pendula::methods::{ForwardEuler, Rk4, StormerVerlet, SymplecticEuler};
 use pendula::{Grid, METHODS, Motion, Pendulum, Phase, methods::Info};

@@ -15,6 +15,7 @@ pub fn labs() -> Vec<Box<dyn Lab>> {
 macro_rules! exported {
     ($($from:ident::$name:ident($($number:ident: $type:ty),*) $(-> $result:ty)?;)+) => {
         /// What the lab exports.
+        #[expect(clippy::too_many_arguments, reason = "an export has numbers alone")]
         pub trait Lab {
             /// The name (0) or the title (1) of a method.
             fn text(&mut self, method: u32, which: u32) -> String;
