@@ -6,9 +6,9 @@ use pendula::methods::splitting::Splitting;
 use pendula::verify::Ladder;
 use pendula::{Info, MethodInfo, StormerVerlet};
 use pendula_study::claims::cells::{CELLS, Cell};
-use pendula_study::claims::{Ledger, Measured, Verdict, predictions};
+use pendula_study::claims::{Ledger, Measured, Verdict};
 use pendula_study::digits::rounds_to;
-use pendula_study::experiments::{PaperMethod, STEPS, Study, characteristics, convergence};
+use pendula_study::experiments::{PaperMethod, STEPS, Study, convergence};
 use pendula_study::report::table::Table;
 use pendula_study::report::tables;
 use rstest::rstest;
@@ -186,12 +186,6 @@ fn a_change_of_method_moves_the_verdicts_that_it_breaks() {
 // Tables read back
 // -------------------------------------------------------------------------------------------------
 
-/// The cells of a column, each with that of the first column.
-fn column<'a>(table: &'a Table, heading: &str) -> Vec<(&'a str, &'a str)> {
-    let at = table.header().iter().position(|other| other == heading).expect("a heading");
-    table.rows().iter().map(|row| (row[0].as_str(), row[at].as_str())).collect()
-}
-
 /// A printed number as Rust writes it: 4.3 × 10⁻⁶ is 4.3e-6.
 fn literal(printed: &str) -> String {
     let superscripts = "⁰¹²³⁴⁵⁶⁷⁸⁹";
@@ -200,25 +194,6 @@ fn literal(printed: &str) -> String {
         None => (if "⁻−".contains(c) { '-' } else { c }).to_string(),
     };
     printed.replace(" × 10", "e").chars().map(plain).collect()
-}
-
-/// Catches: another column of the long run in the table of methods, such as the error in its first
-/// tenth; another method's row; "rounding" for an error that is larger.
-#[test]
-fn the_table_of_methods_shows_the_drift_of_the_long_run() {
-    let table = tables::methods(&STUDY);
-    let cells = column(&table, "ΔH over 1000 s (J)");
-    assert_eq!(cells.len(), STUDY.long_run.len());
-    for (title, cell) in cells {
-        let run = STUDY.long_run.iter().find(|run| run.method.info().title == title).unwrap();
-        match cell {
-            "rounding" => assert!(run.drift < characteristics::ROUNDING, "{title}: {run:?}"),
-            number => {
-                let is_drift = rounds_to(run.drift, &literal(number));
-                assert_eq!(is_drift, Some(true), "{title}: {cell} for {}", run.drift);
-            }
-        }
-    }
 }
 
 /// Catches: a claim that is measured on a method that the paper does not have, or that changes with
@@ -232,23 +207,6 @@ fn the_papers_methods_are_enough_for_its_claims() {
     let cells = Ledger::of_the_tables(&study);
     assert!(LEDGER.claims().starts_with(cells.claims()));
     assert!(CELLS.iter().all(|cell| cells.get(cell.id).is_some()));
-}
-
-/// Catches: a tolerance in the unit of the cell where the heading and `pendula review` take it for
-/// a relative one; a tolerance or a prediction beside another cell.
-#[test]
-fn the_table_of_predictions_shows_relative_tolerances() {
-    let table = tables::predictions(&LEDGER);
-    let (predicted, within) = (column(&table, "predicted"), column(&table, "to within"));
-    let predictions = predictions();
-    assert_eq!(within.len(), predictions.len());
-    for ((prediction, (id, value)), (_, tolerance)) in predictions.iter().zip(predicted).zip(within)
-    {
-        assert_eq!(id, format!("`{}`", prediction.id));
-        for (known, printed) in [(prediction.value, value), (prediction.tolerance, tolerance)] {
-            assert_eq!(rounds_to(known, &literal(printed)), Some(true), "{id}: {printed}, {known}");
-        }
-    }
 }
 
 /// A measured cell and the stated one above it, or beside it, as printed.

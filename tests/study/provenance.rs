@@ -6,11 +6,9 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::LazyLock;
 
-use pendula::{Grid, Hamiltonian, Motion, Pendulum, Phase, exact, method_named};
 use pendula_study::claims::{Claim, Ledger, Measured};
 use pendula_study::experiments::characteristics::EnergyBehaviour;
 use pendula_study::experiments::{PaperMethod, Study, small_angle};
-use rstest::rstest;
 
 use crate::{LEDGER, STUDY};
 
@@ -258,122 +256,4 @@ fn a_sentence_is_measured_on_the_runs_that_it_names() {
     let prose = MEASURED_ON.iter().filter(|(id, on)| !id.starts_with('T') && !on.is_empty());
     let prose: Vec<(&str, &str)> = prose.map(|(id, on)| (id.as_str(), on.as_str())).collect();
     assert_eq!(prose, SENTENCES);
-}
-
-// -------------------------------------------------------------------------------------------------
-// Claims with runs of their own
-// -------------------------------------------------------------------------------------------------
-
-/// All samples of `steps` steps of the method of this name.
-fn run(method: &str, start: Phase, step: f64, steps: u64) -> Vec<(f64, Phase)> {
-    let method = method_named(method).unwrap();
-    let mut samples = Vec::new();
-    let mut keep = |_: u64, t: f64, z: Phase| samples.push((t, z));
-    method.run(&Pendulum::PAPER, start, &Grid::new(step, steps).unwrap(), &mut keep);
-    samples
-}
-
-/// The largest energy error from 1 rad.
-fn drift(method: &str, step: f64, steps: u64) -> f64 {
-    let energy = |z: Phase| Pendulum::PAPER.energy(z);
-    let samples = run(method, Phase::at_rest(1.0), step, steps);
-    samples.iter().map(|(_, z)| (energy(*z) - energy(samples[0].1)).abs()).fold(0.0, f64::max)
-}
-
-fn root_mean_square(errors: &[f64]) -> f64 {
-    (errors.iter().map(|e| e * e).sum::<f64>() / errors.len() as f64).sqrt()
-}
-
-/// The angle errors against the exact solution, from 1 rad over 10 s.
-fn against_the_truth(method: &str, steps: u64) -> f64 {
-    let start = Phase::at_rest(1.0);
-    let motion = Motion::new(&Pendulum::PAPER, start).unwrap();
-    let samples = run(method, start, 10.0 / steps as f64, steps);
-    let errors: Vec<f64> = samples.iter().map(|(t, z)| z.theta - motion.at(*t).theta).collect();
-    root_mean_square(&errors)
-}
-
-/// The angle errors against the small-angle formula over θ₀, from 1e-4 rad over 10 s.
-fn against_the_formula(method: &str) -> Vec<f64> {
-    let samples = run(method, Phase::at_rest(1e-4), 0.01, 1000);
-    let frequency = 9.81_f64.sqrt();
-    samples.iter().map(|(t, z)| (z.theta - 1e-4 * (frequency * t).cos()) / 1e-4).collect()
-}
-
-fn one_step_error(method: &str, step: f64) -> f64 {
-    error_of_a_step(method, (1.0, 1.0), step)
-}
-
-fn error_of_a_step(method: &str, (theta, omega): (f64, f64), step: f64) -> f64 {
-    let start = Phase { theta, omega };
-    let truth = Motion::new(&Pendulum::PAPER, start).unwrap().at(step);
-    let end = run(method, start, step, 1)[1].1;
-    (end.theta - truth.theta).abs().max((end.omega - truth.omega).abs())
-}
-
-/// RK4's error of a step over the smallest of the paper's other methods, at its largest.
-fn rk4_over_the_next() -> f64 {
-    let mut largest = 0.0_f64;
-    for z in [(0.05, 0.1), (1.0, 1.0), (2.0, -1.0), (3.0, 2.0)] {
-        for step in [0.1, 0.01, 0.001] {
-            let [rk4, others @ ..] = ["rk4", "forward-euler", "symplectic-euler", "stormer-verlet"]
-                .map(|method| error_of_a_step(method, z, step));
-            largest = largest.max(rk4 / others.into_iter().fold(f64::INFINITY, f64::min));
-        }
-    }
-    largest
-}
-
-/// How far a release misses its start after one exact period, in angle or velocity.
-fn missed(method: &str, theta_0: f64) -> f64 {
-    let period = exact::period(&Pendulum::PAPER, theta_0).unwrap();
-    let steps = (period / 0.01).round();
-    let samples = run(method, Phase::at_rest(theta_0), period / steps, steps as u64);
-    let end = samples.last().unwrap().1;
-    (end.theta - theta_0).abs().max(end.omega.abs())
-}
-
-fn first_fall(method: &str) -> f64 {
-    let samples = run(method, Phase::at_rest(0.05), 0.01, 100_000);
-    let energy = |(_, z): &(f64, Phase)| Pendulum::PAPER.energy(*z);
-    samples.windows(2).find(|pair| energy(&pair[1]) < energy(&pair[0])).unwrap()[1].0
-}
-
-fn over_swings(steps: f64) -> f64 {
-    let step = exact::period(&Pendulum::PAPER, 1.0).unwrap() / steps;
-    let drift = |swings: f64| drift("blanes-moan-6", step, (swings * steps) as u64);
-    drift(4000.0) / drift(20.0)
-}
-
-fn worst(errors: &[f64]) -> f64 {
-    errors.iter().fold(0.0, |worst: f64, e| worst.max(e.abs()))
-}
-
-/// What a sentence measures on runs of its own, measured again on those of the method that it
-/// names. The same numbers are added in another order, and the cosine is the platform's: the errors
-/// are known to ten digits, that of the formula to eight.
-///
-/// Catches: a sentence measured on another method, step or release than it says.
-#[rstest]
-#[case("P4.rk4_lte", || (one_step_error("rk4", 0.02) / one_step_error("rk4", 0.01)).log2() - 1.0)]
-#[case("P6.3.norm", || worst(&against_the_formula("rk4")))]
-#[case("P6.3.below", || worst(&against_the_formula("rk4")))]
-#[case("P6.4.closed", || {
-    [0.5, 1.5, 2.5].map(|theta_0| missed("rk4", theta_0)).into_iter().fold(0.0, f64::max)
-})]
-#[case("P6.6.best", || against_the_truth("stormer-verlet", 400) / against_the_truth("rk4", 100))]
-#[case("P6.6.high", || against_the_truth("stormer-verlet", 4000) / against_the_truth("rk4", 1000))]
-#[case("P7.4.rk4", rk4_over_the_next)]
-#[case("P7.4.caveat", || drift("rk4", 0.01, 100_000) / drift("rk4", 0.01, 10_000))]
-#[case("X.dop853.loss", || drift("dop853", 0.2, 2500))]
-#[case("X.dop853.growth", || drift("dop853", 0.2, 10_000) / drift("dop853", 0.2, 2500))]
-#[case("X.fe.first_fall", || first_fall("forward-euler"))]
-#[case("X.rk4.norm_rms", || root_mean_square(&against_the_formula("rk4")))]
-#[case("X.resonance.at", || over_swings(8.0))]
-#[case("X.resonance.beside", || over_swings(7.8))]
-fn a_sentence_is_measured_as_it_says(#[case] id: &str, #[case] again: fn() -> f64) {
-    let Measured::Number(measured, _) = LEDGER.get(id).unwrap().measured else {
-        panic!("{id} is no number")
-    };
-    approx::assert_relative_eq!(measured, again(), max_relative = 1e-8);
 }

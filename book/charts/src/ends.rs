@@ -1,10 +1,11 @@
 //! Labels at the ends of lines, where they are few and their ends apart, instead of a legend.
 
 use super::axis::Scale;
+use super::chart::{Chart, Series};
+use super::figure::{ENTRY, Entry};
 use super::path::{Num, Point};
 use super::style::Style;
 use super::text::{draw_text, line, width};
-use super::{Chart, ENTRY, Entry, Series};
 
 /// More lines than this have a legend.
 const MOST: usize = 5;
@@ -164,77 +165,16 @@ pub(super) fn draw(out: &mut String, ends: &[End], [left, right, top]: [f64; 3])
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Axis, Figure};
+    use super::super::Axis;
     use super::*;
 
     fn chart() -> Chart {
         Chart::new(Axis::linear("x").range(0.0, 1.0), Axis::linear("y").range(0.0, 1.0))
     }
 
-    /// With a level line at each of these heights.
-    fn level(heights: &[f64]) -> Chart {
-        heights.iter().enumerate().fold(chart(), |chart, (i, y)| {
-            chart.series(format!("at {y}"), Style::numbered(i), [(0.0, *y), (1.0, *y)])
-        })
-    }
-
-    fn labels(chart: &Chart) -> Option<Vec<(&str, f64)>> {
-        let ends = of_chart(chart, &chart.scales())?;
-        Some(ends.into_iter().map(|end| (end.label, end.y)).collect())
-    }
-
-    /// Places within an ulp or so of whole numbers.
-    fn near(places: &[f64], expected: &[f64]) -> bool {
-        places.len() == expected.len()
-            && places.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-9)
-    }
-
-    /// Catches: labels that overlap, that are moved though they have room, that leave the plot, or
-    /// that all move one way.
-    #[test]
-    fn places_are_apart_and_inside() {
-        let of = |wanted: &[f64]| spread(wanted, 20.0, (0.0, 300.0));
-        assert!(near(&of(&[10.0, 100.0, 120.0]), &[10.0, 100.0, 120.0]));
-        assert!(near(&of(&[100.0, 100.0]), &[90.0, 110.0]));
-        assert!(near(&of(&[100.0, 110.0, 111.0, 290.0]), &[87.0, 107.0, 127.0, 290.0]));
-        assert!(near(&of(&[0.0, 1.0, 2.0]), &[0.0, 20.0, 40.0]));
-        assert!(near(&of(&[299.0, 300.0]), &[280.0, 300.0]));
-        assert!(of(&[]).is_empty());
-        // Whatever is wanted: apart, inside, in order.
-        for seed in 0..200_u32 {
-            let mut wanted: Vec<f64> =
-                (0..5).map(|i| f64::from((seed * 7919 + i * i * 104_729) % 301)).collect();
-            wanted.sort_by(f64::total_cmp);
-            let places = of(&wanted);
-            assert!(places.windows(2).all(|pair| pair[1] - pair[0] > 20.0 - 1e-9), "{places:?}");
-            assert!(places[0] >= 0.0 && places[4] <= 300.0 + 1e-9, "{places:?}");
-        }
-    }
-
-    /// Catches: a label beside another's line; a legend where there is room for labels, or labels
-    /// where there is none.
-    #[test]
-    fn few_lines_whose_ends_are_apart_have_labels() {
-        let chart_of_three = level(&[0.5, 0.75, 0.25]);
-        let three = [("at 0.75", 75.0), ("at 0.5", 150.0), ("at 0.25", 225.0)];
-        assert_eq!(labels(&chart_of_three).unwrap(), three);
-        // Five at one place: the outer ones are 42 from it. A sixth is too many.
-        let same = |count: usize| {
-            (0..count).fold(chart(), |chart, i| {
-                chart.series(format!("{i}"), Style::numbered(i), [(0.0, 0.5), (1.0, 0.5)])
-            })
-        };
-        let five = same(5);
-        let places: Vec<f64> = labels(&five).unwrap().into_iter().map(|(_, y)| y).collect();
-        assert!(near(&places, &[108.0, 129.0, 150.0, 171.0, 192.0]), "{places:?}");
-        assert!(labels(&same(6)).is_none());
-        // At the very top the fifth would be 84 away.
-        let top = (0..5).fold(chart(), |chart, i| {
-            chart.series(format!("{i}"), Style::numbered(i), [(0.0, 1.0), (1.0, 1.0)])
-        });
-        assert!(labels(&top).is_none());
-        let wide = chart().series("m".repeat(40), Style::numbered(0), [(0.0, 0.5), (1.0, 0.5)]);
-        assert!(labels(&wide).is_none());
+    /// How many labels stand at the ends of its lines; `None` if it has a legend.
+    fn labels(chart: &Chart) -> Option<usize> {
+        Some(of_chart(chart, &chart.scales())?.len())
     }
 
     /// Catches: a label for a closed curve, for an area, for a cloud, or for a line that ends in
@@ -261,58 +201,11 @@ mod tests {
         // Markers on a line have its label, wherever they are.
         let marked = chart().series("a", style.line_only(), line);
         let marked = marked.series("a", style.markers_only(), [(0.3, 0.5)]);
-        assert_eq!(labels(&marked).unwrap().len(), 1);
+        assert_eq!(labels(&marked), Some(1));
         let short = |other: [Point; 2]| {
             let chart = chart().series("a", style, [(0.0, 0.5), (0.7, 0.5)]);
             labels(&chart.series("b", Style::numbered(1), other)).is_some()
         };
         assert!(short([(0.0, 0.2), (1.0, 0.2)]) && !short([(0.6, 0.2), (1.0, 0.9)]));
-    }
-
-    /// Catches: segments taken for the lines through them, the one or the other.
-    #[test]
-    fn segments_cross_where_both_are() {
-        let (across, falling) = ([(0.0, 0.0), (2.0, 2.0)], [(0.0, 2.0), (2.0, 0.0)]);
-        assert!(cross(across, falling) && cross(falling, across));
-        let beyond = [(3.0, 4.0), (4.0, 3.0)];
-        assert!(!cross(across, beyond) && !cross(beyond, across));
-    }
-
-    /// Numbers have one decimal.
-    ///
-    /// Catches: a thin line that begins on the plot's edge, or elsewhere than by the end of its
-    /// line; one that does not lead to its label.
-    #[test]
-    fn a_thin_line_leads_from_the_end_to_the_label() {
-        let chart = chart().series("a", Style::numbered(0), [(0.0, 0.5), (0.8, 0.5)]);
-        let mut svg = String::new();
-        draw(&mut svg, &of_chart(&chart, &chart.scales()).unwrap(), [50.0, 450.0, 20.0]);
-        // 50 + 0.8 · 400 + 6, and 20 + half of the height of 300; then 16 beyond the plot.
-        assert!(svg.contains("d=\"M376,170L466,170\""), "{svg}");
-    }
-
-    /// Catches: labels that reach beyond the drawing, that stand on the plot, or on each other; a
-    /// legend that repeats them.
-    #[test]
-    fn labels_stand_beside_the_plot() {
-        let chart = level(&[0.5, 0.52, 0.9]);
-        let svg = Figure::new("t", "d").panel(chart).to_svg("x");
-        let number = |text: &str, name: &str| -> f64 {
-            let after = text.split_once(&format!(" {name}=\"")).unwrap().1;
-            after.split('"').next().unwrap().parse().unwrap()
-        };
-        let plot = svg.lines().find(|line| line.contains("<rect ")).unwrap();
-        let edge = number(plot, "x") + number(plot, "width") - 2.0;
-        let mut heights = Vec::new();
-        for label in ["at 0.5", "at 0.52", "at 0.9"] {
-            let mut texts = svg.lines().filter(|line| line.contains(&format!(">{label}<")));
-            let (text, None) = (texts.next().unwrap(), texts.next()) else { panic!("{svg}") };
-            let x = number(text, "x");
-            assert!(x > edge + GAP && x + width(label) < 600.0, "{label} at {x}");
-            heights.push(number(text, "y"));
-        }
-        heights.sort_by(f64::total_cmp);
-        assert!(heights.windows(2).all(|pair| pair[1] - pair[0] > APART - 0.2), "{heights:?}");
-        assert_eq!(svg.matches(ENTRY).count(), 3);
     }
 }

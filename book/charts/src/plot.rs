@@ -2,11 +2,14 @@
 
 use std::fmt::Write;
 
+use super::axis::Scale;
+use super::chart::{Chart, Mark, Series};
 use super::ends::{self, End};
+use super::figure::ENTRY;
 use super::path::{self, Num, Point};
 use super::regions::{self, Map, Name};
 use super::text::{draw_text, escape, line, width};
-use super::{Chart, ENTRY, GAP, Mark, RIGHT, ROW, Scale, Series};
+use super::{GAP, RIGHT, ROW};
 
 /// Above this many points a line has only [`FEW`] of them marked.
 const MANY: usize = 40;
@@ -51,6 +54,36 @@ impl<'a> Plot<'a> {
 
     /// Draws the chart, with labels at the `ends` of its lines, and returns where it ends.
     pub fn draw(mut self, out: &mut String, clip: &str, ends: &[End]) -> f64 {
+        self.draw_headings(out);
+        let Self { chart, left, right, top, bottom, .. } = self;
+        let (x, y) = (Num(left - 2.0), Num(top - 2.0));
+        let (w, h) = (Num(right - left + 4.0), Num(bottom - top + 4.0));
+        let rect = format!(r#"<rect x="{x}" y="{y}" width="{w}" height="{h}"/>"#);
+        line(out, format!(r#"<clipPath id="{clip}">{rect}</clipPath>"#));
+        let mut strokes = self.draw_marks(out);
+        if !chart.sketch {
+            self.draw_axes(out);
+        }
+        if let Some(map) = &chart.map {
+            self.draw_map(out, map);
+        }
+        self.draw_series(out, clip, &mut strokes);
+        Labels { plot: &self, strokes, taken: Vec::new() }.draw(out);
+        ends::draw(out, ends, [left, right, top]);
+        if self.written[0] {
+            draw_text(out, "", ((left + right) / 2.0, bottom + 44.0), "middle", &chart.x.label);
+        }
+        let end = bottom
+            + match self.written[0] {
+                true => 56.0,
+                false if chart.sketch => 0.0,
+                false => 28.0,
+            };
+        end + chart.map.as_ref().map_or(0.0, |map| self.draw_map_key(out, map, end))
+    }
+
+    /// Makes room for what stands above the plot, and draws it.
+    fn draw_headings(&mut self, out: &mut String) {
         let mut headings = self.headings();
         if self.chart.sketch {
             headings.retain(|row| row.iter().any(|(_, label)| !label.is_empty()));
@@ -66,34 +99,24 @@ impl<'a> Plot<'a> {
                 draw_text(out, "", (*x, self.top - 17.0 - row as f64 * ROW), "start", label);
             }
         }
-        let Self { chart, left, right, top, bottom, .. } = self;
-        let (x, y) = (Num(left - 2.0), Num(top - 2.0));
-        let (w, h) = (Num(right - left + 4.0), Num(bottom - top + 4.0));
-        let rect = format!(r#"<rect x="{x}" y="{y}" width="{w}" height="{h}"/>"#);
-        line(out, format!(r#"<clipPath id="{clip}">{rect}</clipPath>"#));
-        let mut strokes = self.draw_marks(out);
-        if !chart.sketch {
-            self.draw_axes(out);
-        }
-        if let Some(map) = &chart.map {
-            self.draw_map(out, map);
-        }
-        let dotted = chart.series.iter().enumerate().filter(|(_, s)| s.style.has_marker());
+    }
+
+    /// Draws lines, dots and markers, and adds them to the `strokes` that labels avoid.
+    fn draw_series(&self, out: &mut String, clip: &str, strokes: &mut Vec<Vec<Point>>) {
+        let all = &self.chart.series;
+        let dotted = all.iter().enumerate().filter(|(_, s)| s.style.has_marker());
         let dotted: Vec<_> = dotted.map(|(i, s)| (s.style, self.marked(s, i))).collect();
         let under_marker = |end: &Point| {
             dotted.iter().any(|(_, marked)| marked.iter().any(|&p| same_place(p, *end)))
         };
-        for Series { points, style, hover, .. } in
-            chart.series.iter().filter(|s| s.style.has_line())
-        {
+        let clipped = format!(r#" clip-path="url(#{clip})""#);
+        for Series { points, style, hover, .. } in all.iter().filter(|s| s.style.has_line()) {
             let mut drawn = self.strokes(points);
             let last = drawn.last_mut().filter(|_| style.is_arrow());
             let head = last.and_then(|stroke| {
                 let short = if stroke.last().is_some_and(under_marker) { MARKER } else { 0.0 };
                 path::head(stroke, short)
             });
-            let clipped = format!(r#" clip-path="url(#{clip})""#);
-            let attributes = style.line_attributes();
             let d = match style.is_filled() {
                 true => {
                     let closed = drawn.iter().map(|stroke| path::polyline([stroke]) + "z");
@@ -101,7 +124,7 @@ impl<'a> Plot<'a> {
                 }
                 false => path::polyline(&drawn),
             };
-            let element = path::element(&format!("{attributes}{clipped}"), &d);
+            let element = path::element(&format!("{}{clipped}", style.line_attributes()), &d);
             match hover.as_str() {
                 "" => line(out, element),
                 name => {
@@ -115,7 +138,7 @@ impl<'a> Plot<'a> {
             }
             strokes.extend(drawn);
         }
-        for series in chart.series.iter().filter(|s| s.style.is_dots()) {
+        for series in all.iter().filter(|s| s.style.is_dots()) {
             let dots = self.inside(series);
             line(out, series.style.dotted(dots.clone()));
             strokes.extend(dots.into_iter().map(|point| vec![point]));
@@ -126,18 +149,6 @@ impl<'a> Plot<'a> {
             }
             strokes.extend(marked.into_iter().map(|point| vec![point]));
         }
-        Labels { plot: &self, strokes, taken: Vec::new() }.draw(out);
-        ends::draw(out, ends, [left, right, top]);
-        if self.written[0] {
-            draw_text(out, "", ((left + right) / 2.0, bottom + 44.0), "middle", &chart.x.label);
-        }
-        let end = bottom
-            + match self.written[0] {
-                true => 56.0,
-                false if chart.sketch => 0.0,
-                false => 28.0,
-            };
-        end + chart.map.as_ref().map_or(0.0, |map| self.draw_map_key(out, map, end))
     }
 
     /// Draws the cells of a map, the outlines of its regions, and their names where there is room.
@@ -523,18 +534,6 @@ mod tests {
         assert_eq!(beyond.map(|(a, b)| of(a, b)), [None; 4]);
     }
 
-    /// Catches: the label of a line on the right that leaves the drawing; a row for a line without
-    /// a label.
-    #[test]
-    fn a_heading_stays_on_the_drawing() {
-        let label = "a limit of stability";
-        let chart =
-            chart("").vertical(256.0, label).vertical(512.0, label).vertical_band(0.0, 9.0, "");
-        let w = width(label);
-        let expected = [(320.0 - w / 2.0, label), (576.0 + RIGHT - w, label), (0.0, "")];
-        with_plot(&chart, PLACE, |plot| assert_eq!(plot.headings().concat(), expected));
-    }
-
     /// Catches: headings that run into each other, or that take a row each though there is room.
     #[test]
     fn headings_of_a_row_are_ten_apart() {
@@ -623,25 +622,6 @@ mod tests {
             [crowding(&over[..1]), crowding(&over[1..]), crowding(&over)],
             [1000, 1000, 2000]
         );
-    }
-
-    /// Catches: a label that leaves the plot by a little, or that may not come up to its edge.
-    #[test]
-    fn a_label_in_the_plot_may_touch_its_edge() {
-        let crowding = |outwards: [f64; 4]| {
-            with_plot(&chart(""), PLACE, |plot| {
-                let Plot { left, top, right, bottom, .. } = *plot;
-                let [l, t, r, b] = outwards;
-                let labels = Labels { plot, strokes: Vec::new(), taken: Vec::new() };
-                labels.crowding([left - l, top - t, right + r, bottom + b])
-            })
-        };
-        assert_eq!(crowding([0.0; 4]), 0);
-        for side in 0..4 {
-            let mut outwards = [0.0; 4];
-            outwards[side] = 0.5;
-            assert_eq!(crowding(outwards), 100_000, "side {side}");
-        }
     }
 
     /// Catches: a stroke weighed by its length outside the plot, or not weighed up to its edge.

@@ -221,7 +221,6 @@ pub(super) fn closed(outlines: &[Vec<Corner>], x: &[f64], y: &[f64]) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Axis, Chart, Figure};
     use super::*;
 
     /// The map of a picture of letters, whose first line is its highest row; cells are one wide
@@ -306,47 +305,5 @@ mod tests {
         let ring = &map(PICTURES[0]).regions()[0];
         assert_eq!(ring.outlines()[0], [(0, 0), (4, 0), (4, 4), (0, 4)]);
         assert_eq!(ring.outlines()[1].len(), 4);
-    }
-
-    /// Catches: a name written over the edge of its region, or not where there is most room.
-    #[test]
-    fn a_name_has_the_largest_place() {
-        let map = map(&["aaab", "abbb", "abbb"]);
-        let edges = [0.0, 10.0, 20.0, 30.0, 40.0];
-        let [a, b] = &map.regions()[..] else { panic!("two regions") };
-        let place = |region: &Region, size| region.place(&edges, &edges[..4], size);
-        assert_eq!(place(b, (5.0, 5.0)), Some((25.0, 10.0)));
-        assert_eq!(place(b, (30.0, 20.0)), Some((25.0, 10.0)));
-        assert_eq!(place(b, (30.1, 5.0)), None);
-        assert_eq!(place(b, (5.0, 30.0)), Some((35.0, 15.0)));
-        assert_eq!(
-            [place(a, (30.0, 10.0)), place(a, (10.0, 30.0))],
-            [Some((15.0, 25.0)), Some((5.0, 15.0))]
-        );
-        assert_eq!(place(a, (20.0, 20.0)), None);
-    }
-
-    /// Catches: a region without a name, a short name where there is room for the whole, one that
-    /// the legend does not explain, a cell without its text, a shade mixed up.
-    #[test]
-    fn a_map_is_written_in_its_regions() {
-        let mut map = map(&["aaaab", "aaaaa", "aaaac"]).shades([(0.5, "half".into())]);
-        map.cells[3].hover = "here & now".into();
-        map.names[2].colour = None;
-        let axis = |end| Axis::linear("").range(0.0, end);
-        let chart = Chart::new(axis(5.0), axis(3.0)).map(map);
-        let svg = Figure::new("t", "d").panel(chart).to_svg("x");
-        let count = |text: &str| svg.matches(text).count();
-        // The large one in itself and in the legend; small ones shortly, and there in full.
-        assert_eq!(["a", "b", "c"].map(|c| count(&format!(">the region {c}<"))), [2, 1, 1]);
-        assert_eq!(["a", "b", "c"].map(|c| count(&format!(">{c}<"))), [1, 2, 2]);
-        assert_eq!(count("<title>here &amp; now</title>"), 1);
-        // Fifteen cells; three names and a shade in the legend.
-        assert_eq!((count("class=\"cell"), count("class=\"edge")), (19, 7));
-        let cells: Vec<_> = svg.split("\n<path ").filter(|part| part.contains("<title>")).collect();
-        let with = |look: &str| cells.iter().filter(|cell| cell.contains(look)).count();
-        assert_eq!(with("class=\"cell area-0\" fill-opacity=\"0.5\""), 13);
-        assert_eq!(with("class=\"cell\" fill-opacity=\"0\""), 1);
-        assert!(svg.contains(".area-1 {") && !svg.contains(".area-2 {"));
     }
 }

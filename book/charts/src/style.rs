@@ -322,19 +322,6 @@ mod tests {
         }
     }
 
-    /// Catches: a rule that leaks into the page or into the next figure; `{{`, which mdBook's
-    /// preprocessors would read.
-    #[test]
-    fn every_rule_is_confined_to_its_figure() {
-        let css =
-            style_sheet("fig-a", &[Style::numbered(0), Style::REFERENCE.filled()], vec![3], false);
-        for rule in css.lines().filter(|line| line.ends_with('}') && line.len() > 1) {
-            let (selectors, _) = rule.split_once('{').unwrap();
-            assert!(selectors.split(',').all(|s| s.starts_with(".fig-a ")), "{rule}");
-        }
-        assert!(css.contains("vermilion") && !css.contains("blue") && !css.contains("{{"));
-    }
-
     /// A file of the book.
     fn of_the_book(file: &str) -> String {
         let book = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("..");

@@ -149,52 +149,6 @@ mod tests {
         assert_eq!(escape("a<b & \"c's\">\n\nd"), "a&lt;b &amp; &quot;c’s&quot;&gt;  d");
     }
 
-    /// Catches: a line longer than a screen, a word that is cut, a blank that is lost.
-    #[test]
-    fn a_long_text_is_wrapped_between_words() {
-        let text = "a pendulum of length one, released from rest ".repeat(9);
-        let lines = wrapped(&text);
-        assert_eq!(lines.replace('\n', " "), text);
-        assert!(
-            lines.lines().all(|line| (90..=100).contains(&line.len()) || lines.ends_with(line))
-        );
-    }
-
-    /// Catches: a baseline that stays raised after a superscript; unescaped text in a superscript.
-    #[test]
-    fn superscripts_return_to_the_baseline() {
-        assert_eq!(
-            spans("10^{−3} J_{<0}"),
-            "10<tspan dy=\"-6\" font-size=\"12\">−3</tspan><tspan dy=\"6\"> J</tspan>\
-             <tspan dy=\"5\" font-size=\"12\">&lt;0</tspan>"
-        );
-    }
-
-    /// Catches: a tilde through its letter, text after it that stays raised or stands on it.
-    #[test]
-    fn a_tilde_stands_over_its_letter() {
-        let tilde = "<tspan dx=\"-10.4\" dy=\"-3\">˜</tspan>";
-        assert_eq!(spans("of H\u{303}"), format!("of H{tilde}"));
-        assert_eq!(
-            spans("H\u{303}_{N} (J)"),
-            format!(
-                "H{tilde}<tspan dx=\"2\" dy=\"8\" font-size=\"12\">N</tspan>\
-                 <tspan dy=\"-5\"> (J)</tspan>"
-            )
-        );
-        assert_eq!(spans("H\u{303}b"), format!("H{tilde}<tspan dx=\"2\" dy=\"3\">b</tspan>"));
-        assert_eq!(width("H\u{303}"), width("H"));
-    }
-
-    /// Catches: raised and lowered letters that take as much room as others, marks that take any.
-    #[test]
-    fn small_letters_are_narrower() {
-        for markup in ["θ_{n}", "θ^{n}"] {
-            let expected = width("θ") + SMALL * width("n");
-            assert!((width(markup) - expected).abs() < 1e-9, "{markup}: {}", width(markup));
-        }
-    }
-
     /// Catches: a panic or lost text where `^`, `_` or `{` is not markup.
     #[test]
     fn stray_markup_is_plain_text() {

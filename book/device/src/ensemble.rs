@@ -74,10 +74,6 @@ pub struct Compiled<'d> {
 
 impl Device {
     /// Compiles the steps of `method`.
-    ///
-    /// # Errors
-    /// [`Error::Method`] for a method that cannot be recorded; [`Error::NoDouble`],
-    /// [`Error::Build`], [`Error::Driver`].
     pub fn compile(&self, method: OnDevice) -> Result<Compiled<'_>, Error> {
         let name = method.host.info().name;
         let program = (method.program)().ok_or(Error::Method { method: name })?;
@@ -90,9 +86,6 @@ impl Device {
 impl Compiled<'_> {
     /// Writes the state of each pendulum at the end of the grid to `ends`, as [`Ensemble::ends`]
     /// does.
-    ///
-    /// # Errors
-    /// [`Error::Memory`], [`Error::Driver`].
     ///
     /// # Panics
     /// If there are not as many slots as starts.
@@ -118,9 +111,6 @@ impl Compiled<'_> {
 
     /// The same, and to each end the largest energy error (J) of all steps, as [`EnergyDrift`] has
     /// it.
-    ///
-    /// # Errors
-    /// As [`Compiled::ends`].
     ///
     /// # Panics
     /// If there are not as many slots as starts.
@@ -161,9 +151,6 @@ impl Compiled<'_> {
 
     /// Passes every k-th state of each start, from the start on, to the observer of that start, as
     /// [`Ensemble::watch`] does.
-    ///
-    /// # Errors
-    /// As [`Compiled::ends`].
     ///
     /// # Panics
     /// If there are not as many observers as starts.

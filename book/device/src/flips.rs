@@ -14,10 +14,6 @@ impl Device {
     /// Writes the first flips to `flips`, as [`pendula::fast::first_flips`] does, with the same
     /// bits.
     ///
-    /// # Errors
-    /// [`Error::Method`] for a method that cannot be recorded; [`Error::NoDouble`],
-    /// [`Error::Build`], [`Error::Memory`], [`Error::Driver`].
-    ///
     /// # Panics
     /// If there are not as many slots as starts.
     pub fn first_flips<M: Info + Recordable>(

@@ -22,9 +22,6 @@ pub use opencl::{Device, devices};
 
 impl Device {
     /// The only device that has `name` in its name, in upper or lower case.
-    ///
-    /// # Errors
-    /// [`Error::NoPlatform`], [`Error::NoDevice`], or [`Error::Ambiguous`].
     pub fn named(name: &str) -> Result<Self, Error> {
         let devices = devices()?;
         let names = |devices: &[&Self]| {

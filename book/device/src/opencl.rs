@@ -45,9 +45,6 @@ fn one_at_a_time() -> MutexGuard<'static, ()> {
 }
 
 /// All devices of all platforms; of those with the same name the second and later are numbered.
-///
-/// # Errors
-/// [`Error::NoPlatform`] if there is none, or no library that would know it.
 pub fn devices() -> Result<Vec<Device>, Error> {
     let _alone = one_at_a_time();
     let platforms = get_platforms().unwrap_or_default();
@@ -104,10 +101,6 @@ const LAUNCH: cl_ulong = 1 << 12;
 impl Session {
     /// Builds `source` for `device`, with its `kernels` and how many of the buffers each is given;
     /// `rows` says how many rows each buffer has.
-    ///
-    /// # Errors
-    /// [`Error::NoDouble`] for a device that cannot have the bits, [`Error::Build`] with what the
-    /// driver's compiler says, and [`Error::Driver`] for whatever else it refuses.
     pub fn new(
         device: &Device,
         source: &str,
@@ -138,9 +131,6 @@ impl Session {
 
     /// The pendulums of `all` that are on the device at once: a quarter of its memory, in buffers
     /// that it allows, and no more than `most`. There is then room for them.
-    ///
-    /// # Errors
-    /// [`Error::Memory`] if it has too little, and [`Error::Driver`].
     pub fn reserve(&mut self, device: &Device, all: usize, most: usize) -> Result<usize, Error> {
         let column = 8 * self.rows.iter().sum::<usize>() as u64;
         let room = u64::min(device.memory / 4, device.largest_buffer) / column;
@@ -165,9 +155,6 @@ impl Session {
 
     /// Brings to a buffer the values of `pendulums` of them, in rows with one column for each.
     ///
-    /// # Errors
-    /// As the driver says.
-    ///
     /// # Panics
     /// If there is no room for them, or the rows do not have this length.
     pub fn write(
@@ -189,9 +176,6 @@ impl Session {
     /// Runs a kernel over the `pendulums` that are there, for `steps` steps in launches of at most
     /// [`LAUNCH`], and waits for them. `scalars` are its arguments between the number of steps and
     /// the buffers.
-    ///
-    /// # Errors
-    /// As the driver says.
     ///
     /// # Panics
     /// If there is no room for them.
@@ -241,9 +225,6 @@ impl Session {
     }
 
     /// The values of a buffer for the first `pendulums` columns, row after row.
-    ///
-    /// # Errors
-    /// As the driver says.
     ///
     /// # Panics
     /// If there is no room for them.

@@ -1,11 +1,12 @@
 //! The functions that the page calls. For a place, a method or a quantity that does not exist they
 //! return zero or NaN.
-#![expect(unsafe_code, reason = "an export's name is a promise to the linker")]
+#![allow(unsafe_code, reason = "an export's name is a promise to the linker")]
 
 use core::cell::RefCell;
 
 use pendula::{Pendulum, Phase};
 
+use crate::kept::kept;
 use crate::simulation::Simulation;
 use crate::trajectory::{Kind, METHODS, Setup, names};
 
@@ -20,51 +21,46 @@ enum Slot {
     Taken(Simulation),
 }
 
-struct Simulations(RefCell<[Slot; PLACES]>);
-
-// SAFETY: this is compiled for WebAssembly without threads.
-unsafe impl Sync for Simulations {}
-
-static SIMULATIONS: Simulations = Simulations(RefCell::new([const { Slot::Empty }; PLACES]));
+kept! { SIMULATIONS: RefCell<[Slot; PLACES]> = RefCell::new([const { Slot::Empty }; PLACES]); }
 
 /// The result of `ask` for the pendulum at `place`, or `otherwise` if there is none.
 fn at<T>(place: u32, otherwise: T, ask: impl FnOnce(&mut Simulation) -> T) -> T {
-    match SIMULATIONS.0.try_borrow_mut() {
+    SIMULATIONS.with(|places| match places.try_borrow_mut() {
         Ok(mut places) => match places.get_mut(place as usize) {
             Some(Slot::Taken(place)) => ask(place),
             _ => otherwise,
         },
         Err(_) => otherwise,
-    }
+    })
 }
 
 /// The number of places.
-#[unsafe(no_mangle)]
-extern "C" fn places() -> u32 {
+#[cfg_attr(target_arch = "wasm32", unsafe(no_mangle))]
+pub extern "C" fn places() -> u32 {
     PLACES as u32
 }
 
 /// The number of methods.
-#[unsafe(no_mangle)]
-extern "C" fn methods() -> u32 {
+#[cfg_attr(target_arch = "wasm32", unsafe(no_mangle))]
+pub extern "C" fn methods() -> u32 {
     METHODS as u32
 }
 
 /// The name (0) or the title (1) of a method.
-fn text(method: u32, which: u32) -> &'static str {
+pub fn text(method: u32, which: u32) -> &'static str {
     let known = names(method as usize);
     known.as_ref().and_then(|known| known.get(which as usize)).copied().unwrap_or("")
 }
 
 /// Where a text begins in memory: the name (0) or the title (1) of a method.
-#[unsafe(no_mangle)]
-extern "C" fn text_at(method: u32, which: u32) -> *const u8 {
+#[cfg_attr(target_arch = "wasm32", unsafe(no_mangle))]
+pub extern "C" fn text_at(method: u32, which: u32) -> *const u8 {
     text(method, which).as_ptr()
 }
 
 /// The length of the text in bytes of UTF-8.
-#[unsafe(no_mangle)]
-extern "C" fn text_length(method: u32, which: u32) -> u32 {
+#[cfg_attr(target_arch = "wasm32", unsafe(no_mangle))]
+pub extern "C" fn text_length(method: u32, which: u32) -> u32 {
     text(method, which).len() as u32
 }
 
@@ -74,8 +70,8 @@ extern "C" fn text_length(method: u32, which: u32) -> u32 {
 /// `kind` is 0 for the pendulum, 1 for the driven, 2 for the shaken and 3 for the double pendulum;
 /// `p` and `q` are the strength γ or the amplitude a (m) and the frequency Ω (rad/s), or the angle
 /// and velocity of the lower bob.
-#[unsafe(no_mangle)]
-extern "C" fn set(
+#[cfg_attr(target_arch = "wasm32", unsafe(no_mangle))]
+pub extern "C" fn set(
     place: u32,
     kind: u32,
     method: u32,
@@ -99,58 +95,54 @@ extern "C" fn set(
     let pendulum = Pendulum::new(gravity, length, 1.0).ok();
     let scene =
         pendulum.zip(kind).map(|(pendulum, kind)| Setup { method, pendulum, kind, start, step });
-    let Ok(mut places) = SIMULATIONS.0.try_borrow_mut() else { return 0 };
-    let Some(place) = places.get_mut(place as usize) else { return 0 };
-    match scene.and_then(Simulation::new) {
-        Some(new) => {
-            *place = Slot::Taken(new);
-            1
-        }
-        None => {
-            *place = Slot::Empty;
-            0
-        }
-    }
+    SIMULATIONS.with(|places| {
+        let Ok(mut places) = places.try_borrow_mut() else { return 0 };
+        let Some(place) = places.get_mut(place as usize) else { return 0 };
+        let new = scene.and_then(Simulation::new);
+        let stands = u32::from(new.is_some());
+        *place = new.map_or(Slot::Empty, Slot::Taken);
+        stands
+    })
 }
 
 /// [`Simulation::advance`].
-#[unsafe(no_mangle)]
-extern "C" fn advance(place: u32, steps: u32) -> u32 {
+#[cfg_attr(target_arch = "wasm32", unsafe(no_mangle))]
+pub extern "C" fn advance(place: u32, steps: u32) -> u32 {
     at(place, 0, |place| place.advance(steps))
 }
 
 /// [`Simulation::look`].
-#[unsafe(no_mangle)]
-extern "C" fn look(place: u32) {
+#[cfg_attr(target_arch = "wasm32", unsafe(no_mangle))]
+pub extern "C" fn look(place: u32) {
     at(place, (), Simulation::look);
 }
 
 /// [`Simulation::read`].
-#[unsafe(no_mangle)]
-extern "C" fn read(place: u32, quantity: u32) -> f64 {
+#[cfg_attr(target_arch = "wasm32", unsafe(no_mangle))]
+pub extern "C" fn read(place: u32, quantity: u32) -> f64 {
     at(place, f64::NAN, |place| place.read(quantity))
 }
 
 /// θ (rad) of [`Simulation::exact`].
-#[unsafe(no_mangle)]
-extern "C" fn exact_theta(place: u32, t: f64) -> f64 {
+#[cfg_attr(target_arch = "wasm32", unsafe(no_mangle))]
+pub extern "C" fn exact_theta(place: u32, t: f64) -> f64 {
     at(place, f64::NAN, |place| place.exact(t).theta)
 }
 
 /// ω (rad/s) of [`Simulation::exact`].
-#[unsafe(no_mangle)]
-extern "C" fn exact_omega(place: u32, t: f64) -> f64 {
+#[cfg_attr(target_arch = "wasm32", unsafe(no_mangle))]
+pub extern "C" fn exact_omega(place: u32, t: f64) -> f64 {
     at(place, f64::NAN, |place| place.exact(t).omega)
 }
 
 /// θ (rad) of [`Simulation::separatrix`].
-#[unsafe(no_mangle)]
-extern "C" fn separatrix_theta(place: u32, t: f64) -> f64 {
+#[cfg_attr(target_arch = "wasm32", unsafe(no_mangle))]
+pub extern "C" fn separatrix_theta(place: u32, t: f64) -> f64 {
     at(place, f64::NAN, |place| place.separatrix(t).theta)
 }
 
 /// ω (rad/s) of [`Simulation::separatrix`].
-#[unsafe(no_mangle)]
-extern "C" fn separatrix_omega(place: u32, t: f64) -> f64 {
+#[cfg_attr(target_arch = "wasm32", unsafe(no_mangle))]
+pub extern "C" fn separatrix_omega(place: u32, t: f64) -> f64 {
     at(place, f64::NAN, |place| place.separatrix(t).omega)
 }

@@ -2,57 +2,59 @@
 //! pendulum of 1 kg with a method, a step and a start, and read and write points that the page sees
 //! too: pairs of θ (rad) and ω (rad/s). Without a scene, and for more points than there are, they
 //! return zero or NaN and do nothing.
-#![expect(unsafe_code, reason = "an export's name is a promise to the linker")]
+#![allow(unsafe_code, reason = "an export's name is a promise to the linker")]
 
 use core::cell::{Cell, RefCell};
 
 use pendula::{Pendulum, Phase};
+use pendula_curves::shapes::{CAT, Place, SQUARE};
 
+use crate::kept::kept;
 use crate::parts::{MOST, Part, parts};
 use crate::points::{self, Point};
-use crate::shapes::{CAT, Place, SQUARE};
 use crate::trajectory::{Kind, Setup};
 
 /// The number of points.
 const ROOM: usize = 2048;
 
-struct Points(RefCell<[Point; ROOM]>);
-struct Scene(Cell<Option<Setup>>);
-
-// SAFETY: this is compiled for WebAssembly without threads.
-unsafe impl Sync for Points {}
-// SAFETY: this is compiled for WebAssembly without threads.
-unsafe impl Sync for Scene {}
-
-static POINTS: Points = Points(RefCell::new([[0.0; 2]; ROOM]));
-static SCENE: Scene = Scene(Cell::new(None));
+kept! {
+    POINTS: RefCell<[Point; ROOM]> = RefCell::new([[0.0; 2]; ROOM]);
+    SCENE: Cell<Option<Setup>> = Cell::new(None);
+}
 
 /// The result of `ask` for the scene and the first `count` points, or else `otherwise`.
 fn with<T>(count: u32, otherwise: T, ask: impl FnOnce(&Setup, &mut [Point]) -> T) -> T {
-    let (Some(scene), Ok(mut points)) = (SCENE.0.get(), POINTS.0.try_borrow_mut()) else {
-        return otherwise;
-    };
-    match points.get_mut(..count as usize) {
-        Some(points) => ask(&scene, points),
-        None => otherwise,
-    }
+    POINTS.with(|points| {
+        let (Some(scene), Ok(mut points)) = (SCENE.with(Cell::get), points.try_borrow_mut()) else {
+            return otherwise;
+        };
+        match points.get_mut(..count as usize) {
+            Some(points) => ask(&scene, points),
+            None => otherwise,
+        }
+    })
+}
+
+/// The result of `ask` for all points.
+pub fn shared<T>(ask: impl FnOnce(&mut [Point; ROOM]) -> T) -> T {
+    POINTS.with(|points| ask(&mut points.borrow_mut()))
 }
 
 /// Where the points begin in memory.
-#[unsafe(no_mangle)]
-extern "C" fn points_at() -> *const f64 {
-    POINTS.0.as_ptr().cast()
+#[cfg_attr(target_arch = "wasm32", unsafe(no_mangle))]
+pub extern "C" fn points_at() -> *const f64 {
+    POINTS.with(|points| points.as_ptr().cast())
 }
 
 /// The number of points that there is room for.
-#[unsafe(no_mangle)]
-extern "C" fn points_room() -> u32 {
+#[cfg_attr(target_arch = "wasm32", unsafe(no_mangle))]
+pub extern "C" fn points_room() -> u32 {
     ROOM as u32
 }
 
 /// Sets the scene; returns 1, or 0 if there is no such pendulum.
-#[unsafe(no_mangle)]
-extern "C" fn scene(
+#[cfg_attr(target_arch = "wasm32", unsafe(no_mangle))]
+pub extern "C" fn scene(
     method: u32,
     gravity: f64,
     length: f64,
@@ -64,51 +66,51 @@ extern "C" fn scene(
         let start = Phase { theta, omega };
         Setup { method: method as usize, pendulum, kind: Kind::Damped(0.0), start, step }
     });
-    SCENE.0.set(scene);
+    SCENE.with(|kept| kept.set(scene));
     u32::from(scene.is_some())
 }
 
 /// [`points::carry`] for the first `count` points.
-#[unsafe(no_mangle)]
-extern "C" fn carry(steps: u32, count: u32) {
+#[cfg_attr(target_arch = "wasm32", unsafe(no_mangle))]
+pub extern "C" fn carry(steps: u32, count: u32) {
     with(count, (), |scene, points| points::carry(scene, steps, points));
 }
 
 /// [`points::follow`] for the first `count` points, for the time `t` (s).
-#[unsafe(no_mangle)]
-extern "C" fn follow(t: f64, count: u32) {
+#[cfg_attr(target_arch = "wasm32", unsafe(no_mangle))]
+pub extern "C" fn follow(t: f64, count: u32) {
     with(count, (), |scene, points| points::follow(&scene.pendulum, t, points));
 }
 
 /// [`points::orbit`] of `count` states; the number of those that were written.
-#[unsafe(no_mangle)]
-extern "C" fn orbit(count: u32) -> u32 {
+#[cfg_attr(target_arch = "wasm32", unsafe(no_mangle))]
+pub extern "C" fn orbit(count: u32) -> u32 {
     with(count, 0, |scene, points| points::orbit(scene, points) as u32)
 }
 
 /// [`points::level_curve`] in `count` points, for a release from rest at the scene's angle.
-#[unsafe(no_mangle)]
-extern "C" fn level_curve(order: u32, count: u32) {
+#[cfg_attr(target_arch = "wasm32", unsafe(no_mangle))]
+pub extern "C" fn level_curve(order: u32, count: u32) {
     with(count, (), |scene, points| points::level_curve(order as usize, scene, points));
 }
 
 /// [`points::strays`] (J) of the first `count` points.
-#[unsafe(no_mangle)]
-extern "C" fn strays(order: u32, count: u32) -> f64 {
+#[cfg_attr(target_arch = "wasm32", unsafe(no_mangle))]
+pub extern "C" fn strays(order: u32, count: u32) -> f64 {
     with(count, f64::NAN, |scene, points| points::strays(order as usize, scene, points))
 }
 
 /// [`points::area`] (rad²/s) of the first `count` points.
-#[unsafe(no_mangle)]
-extern "C" fn area(count: u32) -> f64 {
+#[cfg_attr(target_arch = "wasm32", unsafe(no_mangle))]
+pub extern "C" fn area(count: u32) -> f64 {
     with(count, f64::NAN, |_, points| points::area(points))
 }
 
 /// Writes a shape of this size (rad) about the start, in `pieces` pieces from corner to corner: the
 /// square (0) or the n-th polygon of the cat (n). Returns the number of its points, 0 if there is
 /// no such shape.
-#[unsafe(no_mangle)]
-extern "C" fn shape(which: u32, size: f64, pieces: u32) -> u32 {
+#[cfg_attr(target_arch = "wasm32", unsafe(no_mangle))]
+pub extern "C" fn shape(which: u32, size: f64, pieces: u32) -> u32 {
     with(ROOM as u32, 0, |scene, points| {
         let polygon = match which.checked_sub(1) {
             None => Some(&SQUARE),
@@ -123,8 +125,8 @@ extern "C" fn shape(which: u32, size: f64, pieces: u32) -> u32 {
 
 /// Writes the [`parts`] of one step, each in three points: kind and share, from, to. Returns their
 /// number.
-#[unsafe(no_mangle)]
-extern "C" fn step_parts() -> u32 {
+#[cfg_attr(target_arch = "wasm32", unsafe(no_mangle))]
+pub extern "C" fn step_parts() -> u32 {
     with(3 * MOST as u32, 0, |scene, points| {
         let mut taken = [Part::NONE; MOST];
         let count = parts(scene, &mut taken);

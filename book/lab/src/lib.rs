@@ -6,23 +6,19 @@
 //!
 //! For the figures that a reader moves in the chapters there are [`points`], many at once, and the
 //! [`parts`] of a step. Shapes, their areas and the energy that symplectic Euler conserves are
-//! computed by files of the study, which are compiled here a second time.
+//! those of [`pendula_curves`], as in the study.
 //!
-//! `book/lab/build` compiles it for the page, and `tests/compiled` compares the
+//! `book/lab/build` compiles it for the page, and `tests/lab` compares the source and the
 //! compiled file with the library.
 #![cfg_attr(target_arch = "wasm32", no_std)]
 
-#[cfg(target_arch = "wasm32")]
-mod exports;
-#[cfg(target_arch = "wasm32")]
-mod figures;
+pub mod exports;
+pub mod figures;
+mod kept;
 pub mod parts;
 pub mod points;
-#[path = "../../study/src/experiments/shapes.rs"]
-pub mod shapes;
 pub mod shared;
 pub mod simulation;
-pub mod theory;
 pub mod trajectory;
 
 #[cfg(target_arch = "wasm32")]

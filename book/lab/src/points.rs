@@ -1,9 +1,9 @@
 //! Many points of phase space, in numbers that the page and the library share.
 
 use pendula::{Motion, Pendulum, Phase};
+use pendula_curves::shapes;
+use pendula_curves::symplectic_euler::{level_curve_to_order, modified_energy};
 
-use crate::theory::modified_energy;
-use crate::theory::symplectic_euler::level_curve_to_order;
 use crate::trajectory::{Setup, Trajectory};
 
 /// Angle (rad) and angular velocity (rad/s).
@@ -75,8 +75,5 @@ pub fn strays(order: usize, scene: &Setup, points: &[Point]) -> f64 {
 
 /// The area (rad²/s) of the polygon of these points.
 pub fn area(points: &[Point]) -> f64 {
-    crate::shapes::area(points.iter().copied().map(phase))
+    shapes::area(points.iter().copied().map(phase))
 }
-
-#[cfg(test)]
-mod tests;

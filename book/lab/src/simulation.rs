@@ -103,6 +103,3 @@ impl Simulation {
 fn state(motion: Option<Motion>, t: f64) -> Phase {
     motion.map_or(Phase { theta: f64::NAN, omega: f64::NAN }, |motion| motion.at(t))
 }
-
-#[cfg(test)]
-mod tests;

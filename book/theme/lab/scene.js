@@ -142,86 +142,22 @@
             shows: 'energy',
         },
     };
-    // Label, unit, range and step of the slider, range of the typed value; the step Δt is
-    // logarithmic.
+    // What is set, and its unit; from where to where the slider goes, by what steps, or by those of
+    // the logarithm; the least and the most that may be typed.
+    const slider = (label, unit, [from, to, by], [least, most], logarithmic = false) =>
+        ({ label, unit, from, to, by, least, most, logarithmic });
     const SLIDERS = {
-        dt: {
-            label: 'Step Δt',
-            unit: 's',
-            from: -3,
-            to: 0.2,
-            by: 0.01,
-            least: 1e-5,
-            most: 3,
-            logarithmic: true,
-        },
-        theta0: {
-            label: 'Angle θ₀',
-            unit: 'rad',
-            from: -3.14,
-            to: 3.14,
-            by: 0.01,
-            least: -100,
-            most: 100,
-        },
-        omega0: {
-            label: 'Velocity ω₀',
-            unit: 'rad/s',
-            from: -15,
-            to: 15,
-            by: 0.05,
-            least: -1000,
-            most: 1000,
-        },
-        g: {
-            label: 'Gravity g',
-            unit: 'm/s²',
-            from: 0.1,
-            to: 25,
-            by: 0.01,
-            least: 0.001,
-            most: 1000,
-        },
-        L: { label: 'Length L', unit: 'm', from: 0.1, to: 5, by: 0.01, least: 0.001, most: 1000 },
-        beta: { label: 'Damping β', unit: '1/s', from: 0, to: 2, by: 0.01, least: 0, most: 10 },
-        gamma: {
-            label: 'Drive γ',
-            unit: 'm g L',
-            from: 0,
-            to: 3,
-            by: 0.01,
-            least: -100,
-            most: 100,
-        },
-        a: { label: 'Amplitude a', unit: 'm', from: 0, to: 0.5, by: 0.01, least: 0, most: 10 },
-        Omega: {
-            label: 'Frequency Ω',
-            unit: 'rad/s',
-            from: -1,
-            to: 2.3,
-            by: 0.01,
-            least: 0.001,
-            most: 1000,
-            logarithmic: true,
-        },
-        theta2: {
-            label: 'Lower angle θ₂',
-            unit: 'rad',
-            from: -3.14,
-            to: 3.14,
-            by: 0.01,
-            least: -100,
-            most: 100,
-        },
-        omega2: {
-            label: 'Lower velocity ω₂',
-            unit: 'rad/s',
-            from: -15,
-            to: 15,
-            by: 0.05,
-            least: -1000,
-            most: 1000,
-        },
+        dt: slider('Step Δt', 's', [-3, 0.2, 0.01], [1e-5, 3], true),
+        theta0: slider('Angle θ₀', 'rad', [-3.14, 3.14, 0.01], [-100, 100]),
+        omega0: slider('Velocity ω₀', 'rad/s', [-15, 15, 0.05], [-1000, 1000]),
+        g: slider('Gravity g', 'm/s²', [0.1, 25, 0.01], [0.001, 1000]),
+        L: slider('Length L', 'm', [0.1, 5, 0.01], [0.001, 1000]),
+        beta: slider('Damping β', '1/s', [0, 2, 0.01], [0, 10]),
+        gamma: slider('Drive γ', 'm g L', [0, 3, 0.01], [-100, 100]),
+        a: slider('Amplitude a', 'm', [0, 0.5, 0.01], [0, 10]),
+        Omega: slider('Frequency Ω', 'rad/s', [-1, 2.3, 0.01], [0.001, 1000], true),
+        theta2: slider('Lower angle θ₂', 'rad', [-3.14, 3.14, 0.01], [-100, 100]),
+        omega2: slider('Lower velocity ω₂', 'rad/s', [-15, 15, 0.05], [-1000, 1000]),
     };
     // The longest run (s): longer than any that the library takes.
     const LONGEST = 1e9;

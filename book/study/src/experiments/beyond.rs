@@ -316,44 +316,29 @@ pub struct Row {
 
 /// The quantities of this file, one row each.
 pub fn rows() -> Vec<Row> {
+    [driven().as_slice(), &[upright_falls()], &double_modes(), &[kepler()]].concat()
+}
+
+/// A quantity whose known value has as many digits as what is found.
+const fn row(
+    quantity: &'static str,
+    format: Digits,
+    known: f64,
+    found: f64,
+    source: &'static str,
+) -> Row {
+    Row { quantity, known: Some((known, format)), found, error: None, format, source }
+}
+
+fn driven() -> [Row; 4] {
     let [first, second] = doublings();
     let contraction = Driven::taylor(first.strength).expect("a drive").contraction();
     let exponent = lyapunov();
-    let pendulum = Pendulum::PAPER;
-    let frequency = 100.0;
-    let amplitude = |boundary| upright(&pendulum, frequency, boundary, FINE);
-    let falling = amplitude(Boundary::Falling).expect("fast shaking holds it");
-    let double = equals();
-    let square = |frequency: f64| frequency * frequency * pendulum.length() / pendulum.gravity();
-    let [slow, fast] = double.mode_shapes().map(|shape| {
-        square(swing_frequency(&double, 1e-5, shape).expect("a swing crosses the bottom"))
-    });
-    let centre = Kepler::new(1.0).expect("an attraction");
-    let ellipse = Ellipse::new(&centre, 1.0, 0.5).expect("an ellipse");
-    let turned = precession(&centre, &ellipse, FINE);
-    let law = verlet_precession(&ellipse, ellipse.period() / FINE as f64);
-    let kapitza = |amplitude: f64| {
-        let speed = amplitude * frequency;
-        speed * speed / (2.0 * pendulum.gravity() * pendulum.length())
-    };
-    let mathieu = |amplitude| {
-        let Mathieu { a, q } = Shaken::new(pendulum, amplitude, frequency).ok()?.mathieu();
-        Some(a - mathieu::a0(q))
-    };
-    let boundary = root(mathieu, 0.5 * falling, 2.0 * falling).expect("Mathieu's boundary");
-    let row = |quantity, format, known: f64, found, source| Row {
-        quantity,
-        known: Some((known, format)),
-        found,
-        error: None,
-        format,
-        source,
-    };
     let taylor = |quantity, known, found: Doubling| Row {
         known: Some((known, Digits::Fixed(4))),
         ..row(quantity, Digits::Fixed(9), known, found.strength, "Taylor (2005), Table 12.1")
     };
-    vec![
+    [
         taylor("Driven: first period doubling, γ₁", 1.0663, first),
         taylor("Driven: second period doubling, γ₂", 1.0793, second),
         row(
@@ -373,23 +358,53 @@ pub fn rows() -> Vec<Row> {
             format: Digits::Fixed(2),
             source: "positive: chaos",
         },
-        row(
-            "Shaken at 100 rad/s: (aΩ)²/(2gL) where the upright falls",
-            Digits::Fixed(8),
-            kapitza(boundary),
-            kapitza(falling),
-            "a₀(2a/L) = −4g/(LΩ²), Mathieu; 1 for Ω → ∞, Kapitza",
-        ),
+    ]
+}
+
+fn upright_falls() -> Row {
+    let (pendulum, frequency) = (Pendulum::PAPER, 100.0);
+    let amplitude = |boundary| upright(&pendulum, frequency, boundary, FINE);
+    let falling = amplitude(Boundary::Falling).expect("fast shaking holds it");
+    let kapitza = |amplitude: f64| {
+        let speed = amplitude * frequency;
+        speed * speed / (2.0 * pendulum.gravity() * pendulum.length())
+    };
+    let mathieu = |amplitude| {
+        let Mathieu { a, q } = Shaken::new(pendulum, amplitude, frequency).ok()?.mathieu();
+        Some(a - mathieu::a0(q))
+    };
+    let boundary = root(mathieu, 0.5 * falling, 2.0 * falling).expect("Mathieu's boundary");
+    row(
+        "Shaken at 100 rad/s: (aΩ)²/(2gL) where the upright falls",
+        Digits::Fixed(8),
+        kapitza(boundary),
+        kapitza(falling),
+        "a₀(2a/L) = −4g/(LΩ²), Mathieu; 1 for Ω → ∞, Kapitza",
+    )
+}
+
+fn double_modes() -> [Row; 2] {
+    let (pendulum, double) = (Pendulum::PAPER, equals());
+    let square = |frequency: f64| frequency * frequency * pendulum.length() / pendulum.gravity();
+    let [slow, fast] = double.mode_shapes().map(|shape| {
+        square(swing_frequency(&double, 1e-5, shape).expect("a swing crosses the bottom"))
+    });
+    [
         row("Double: slow mode, ω² L/g", Digits::Fixed(6), 2.0 - SQRT_2, slow, "2 − √2"),
         row("Double: fast mode, ω² L/g", Digits::Fixed(6), 2.0 + SQRT_2, fast, "2 + √2"),
-        row(
-            "Kepler, e = 0.5: Störmer–Verlet's precession a revolution of 1000 steps (rad)",
-            Digits::Scientific(3),
-            law,
-            turned,
-            "−(π/8)(nh)² (4 + e²)/(1 − e²)³",
-        ),
     ]
+}
+
+fn kepler() -> Row {
+    let centre = Kepler::new(1.0).expect("an attraction");
+    let ellipse = Ellipse::new(&centre, 1.0, 0.5).expect("an ellipse");
+    row(
+        "Kepler, e = 0.5: Störmer–Verlet's precession a revolution of 1000 steps (rad)",
+        Digits::Scientific(3),
+        verlet_precession(&ellipse, ellipse.period() / FINE as f64),
+        precession(&centre, &ellipse, FINE),
+        "−(π/8)(nh)² (4 + e²)/(1 − e²)³",
+    )
 }
 
 #[cfg(test)]

@@ -21,7 +21,6 @@ mod precise;
 pub mod readings;
 pub mod resonance;
 pub mod rounding_walk;
-pub mod shapes;
 pub mod side_by_side;
 pub mod small_angle;
 pub mod splitting;
@@ -34,6 +33,7 @@ pub mod work;
 
 use pendula::{AnyMethod, METHODS, method_named};
 use pendula::{Grid, Phase};
+pub use pendula_curves::shapes;
 
 /// The five steps of the paper's ladder (s), its Section 5.2.
 pub const STEPS: [f64; 5] = [0.1, 0.05, 0.01, 0.005, 0.001];

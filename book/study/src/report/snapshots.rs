@@ -94,10 +94,6 @@ pub struct Recipe<'a> {
 }
 
 impl<'a> Recipe<'a> {
-    fn table(name: &str, about: &str, table: impl Fn() -> Table + Send + Sync + 'a) -> Self {
-        Self::new(name, Kind::Table, about, move || table().to_markdown())
-    }
-
     /// The snapshot `name`, which shows what `about` says, with the content that `make` gives.
     pub fn new(
         name: &str,
@@ -116,58 +112,56 @@ impl<'a> Recipe<'a> {
     }
 }
 
+fn table<'a>(name: &str, about: &str, table: impl Fn() -> Table + Send + Sync + 'a) -> Recipe<'a> {
+    Recipe::new(name, Kind::Table, about, move || table().to_markdown())
+}
+
 /// The recipes of all that are computed, in the order in which they are best reviewed.
 pub fn recipes<'a>(study: &'a Study, ledger: &'a Ledger) -> Vec<Recipe<'a>> {
     let of_the_paper = tables::TABLES.map(|number| {
-        let table = move || tables::table(ledger, number).expect("a table of the paper");
+        let of = move || tables::table(ledger, number).expect("a table of the paper");
         let about = format!("The paper's Table {number}, stated and measured");
-        Recipe::table(&format!("table_{number}"), &about, table)
+        table(&format!("table_{number}"), &about, of)
     });
     let mut recipes = Vec::from(of_the_paper);
     recipes.extend([
-        Recipe::table("slopes", "Slopes of the energy error (Table 4)", || {
-            tables::energy_slopes(study)
-        }),
-        Recipe::table(
+        table("slopes", "Slopes of the energy error (Table 4)", || tables::energy_slopes(study)),
+        table(
             "orders",
             "Slopes of the error of the state, of every method on its ladder of steps",
             || tables::state_slopes(study),
         ),
-        Recipe::table("methods", "Every method, as measured", || tables::methods(study)),
-        Recipe::table(
-            "predictions",
-            "What theory predicts for 49 cells, beside what is measured",
-            || tables::predictions(ledger),
-        ),
-        Recipe::table("ledger_cells", "The ledger of the paper's cells, judged", || {
-            tables::cells(ledger)
+        table("methods", "Every method, as measured", || tables::methods(study)),
+        table("predictions", "What theory predicts for 49 cells, beside what is measured", || {
+            tables::predictions(ledger)
         }),
-        Recipe::table("ledger_sentences", "The ledger of the paper's sentences, judged", || {
+        table("ledger_cells", "The ledger of the paper's cells, judged", || tables::cells(ledger)),
+        table("ledger_sentences", "The ledger of the paper's sentences, judged", || {
             tables::sentences(ledger)
         }),
-        Recipe::table(
+        table(
             "beyond",
             "Systems beyond the pendulum: what is known and what is found",
             tables::beyond,
         ),
-        Recipe::table(
+        table(
             "crossings",
             "From how many evaluations on RK4 is ahead of Störmer–Verlet, by amplitude",
             tables::crossings,
         ),
-        Recipe::table(
+        table(
             "diffusion",
             "What becomes of Störmer–Verlet's orbits at large steps",
             tables::diffusion,
         ),
-        Recipe::table(
+        table(
             "enclosure",
             "Bounds that are proved of a trajectory, whatever the roundings",
             tables::enclosure,
         ),
     ]);
     let about = "Wrong methods, and the properties that catch them";
-    recipes.push(Recipe::table("zoo", about, tables::zoo));
+    recipes.push(table("zoo", about, tables::zoo));
     recipes.extend(figures().map(|drawing| Recipe {
         name: drawing.name.to_string(),
         kind: Kind::Figure,

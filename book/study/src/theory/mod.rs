@@ -30,10 +30,8 @@
 //! [`Method`]: pendula::Method
 
 mod flow;
-mod level_curve;
 mod modified_series;
 mod orbit;
-mod point;
 
 pub mod forward_euler;
 pub mod kepler;
@@ -42,10 +40,10 @@ pub mod period;
 pub mod rk4;
 pub mod small_angle;
 pub mod stormer_verlet;
-pub mod symplectic_euler;
 
 pub use modified_series::ModifiedSeries;
 pub use orbit::average;
-pub use point::Dimensionless;
-use point::polynomial;
-pub(crate) use point::scaled;
+pub use pendula_curves::point::Dimensionless;
+pub(crate) use pendula_curves::point::scaled;
+pub use pendula_curves::symplectic_euler;
+use pendula_curves::{level_curve, point::polynomial};

@@ -46,12 +46,40 @@ use crate::experiments::{
 struct Prose {
     id: &'static str,
     place: &'static str,
-    gist: &'static str,
     stated: &'static str,
-    definition: &'static str,
     verdict: Verdict,
+    gist: &'static str,
     because: &'static str,
+    definition: &'static str,
     measure: fn(&Study) -> Finding,
+}
+
+/// What stands at `place` of the paper, and its verdict on record.
+const fn claim(
+    id: &'static str,
+    place: &'static str,
+    stated: &'static str,
+    verdict: Verdict,
+) -> Prose {
+    Prose { id, place, stated, verdict, gist: "", because: "", definition: "", measure: nothing }
+}
+
+impl Prose {
+    const fn gist(self, gist: &'static str) -> Self {
+        Self { gist, ..self }
+    }
+
+    const fn because(self, because: &'static str) -> Self {
+        Self { because, ..self }
+    }
+
+    const fn definition(self, definition: &'static str) -> Self {
+        Self { definition, ..self }
+    }
+
+    const fn measured(self, measure: fn(&Study) -> Finding) -> Self {
+        Self { measure, ..self }
+    }
 }
 
 /// What is measured, and how it compares with what is stated.

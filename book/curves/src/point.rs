@@ -1,6 +1,4 @@
 //! Dimensionless points and steps, and polynomials in them.
-//!
-//! The lab compiles this file too, with those on symplectic Euler and its level curves.
 
 use pendula::arithmetic::sine::{cos, sin};
 use pendula::{Pendulum, Phase};
@@ -44,11 +42,11 @@ impl Dimensionless {
 }
 
 /// x = ω₀h: the `step` (s) without dimension.
-pub(crate) fn scaled(pendulum: &Pendulum, step: f64) -> f64 {
+pub fn scaled(pendulum: &Pendulum, step: f64) -> f64 {
     pendulum.small_angle_frequency() * step
 }
 
 /// The polynomial with these coefficients, the constant first, at `x`.
-pub(crate) fn polynomial(x: f64, coefficients: &[f64]) -> f64 {
+pub fn polynomial(x: f64, coefficients: &[f64]) -> f64 {
     coefficients.iter().rev().fold(0.0, |sum, coefficient| sum * x + coefficient)
 }

@@ -17,7 +17,8 @@
 use pendula::arithmetic::sine::cos;
 use pendula::{Pendulum, Phase};
 
-use super::{Dimensionless, level_curve, polynomial, scaled};
+use crate::level_curve;
+use crate::point::{Dimensionless, polynomial, scaled};
 
 // ANCHOR: modified_hamiltonian
 /// The terms of the conserved energy H̃ = H + x H₁ + x² H₂ + … at `z`, from H₁ to H₇, in units of m
@@ -39,6 +40,13 @@ pub fn modified_hamiltonian_terms(z: Dimensionless) -> [f64; 7] {
     ]
 }
 // ANCHOR_END: modified_hamiltonian
+
+/// H̃ at `z`, above the bottom of H, to the given order in the step `h` (s), in J; to order 0 it is
+/// H.
+pub fn modified_energy(order: usize, pendulum: &Pendulum, h: f64, z: Phase) -> f64 {
+    let (x, z) = (scaled(pendulum, h), Dimensionless::from_phase(pendulum, z));
+    pendulum.depth() * (z.energy() + correction_to_order(order, z, x))
+}
 
 /// H̃ − H at `z` for the step `x`, to order x⁷, in units of m g L.
 pub fn correction(z: Dimensionless, x: f64) -> f64 {

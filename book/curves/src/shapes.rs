@@ -1,6 +1,4 @@
 //! Shapes in phase space, polygons of many points, and the area of such a polygon.
-//!
-//! The lab compiles this file too, for the figures that the reader moves: so nothing is allocated.
 
 use pendula::{Pendulum, Phase};
 

@@ -11,18 +11,18 @@
 
 use pendula::arithmetic::sine::{cos, sin};
 
-use super::Dimensionless;
+use crate::point::Dimensionless;
 
 /// Largest |H − H₀| in units of m g L along the curve through the release from rest at `theta_0`
 /// (rad); `correction` is H̃ − H.
-pub(super) fn largest_energy_error(theta_0: f64, correction: impl Fn(Dimensionless) -> f64) -> f64 {
+pub fn largest_energy_error(theta_0: f64, correction: impl Fn(Dimensionless) -> f64) -> f64 {
     let deviation = deviation(theta_0, correction);
     maximum(|phi| libm::fabs(deviation(phi)))
 }
 
 /// The curve through the release from rest at `theta_0` (rad), as `count` points at evenly spaced
 /// phases, the first repeated at the end.
-pub(super) fn points(
+pub fn points(
     theta_0: f64,
     correction: impl Fn(Dimensionless) -> f64,
     count: u32,

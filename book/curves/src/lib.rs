@@ -1,0 +1,10 @@
+//! Curves and shapes in phase space, for the study and for the lab: the energy that symplectic
+//! Euler conserves, its level curves, and polygons with their areas.
+//!
+//! Nothing is allocated, as the lab has no heap.
+#![no_std]
+
+pub mod level_curve;
+pub mod point;
+pub mod shapes;
+pub mod symplectic_euler;

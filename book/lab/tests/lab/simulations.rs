@@ -1,0 +1,496 @@
+//! A pendulum of the lab beside that of the library, step by step.
+
+use std::sync::LazyLock;
+
+use pendula::systems::{DoublePhase, Driven, Joint, Shaken};
+use pendula::{
+    AnyMethod, Counting, Damped, DoublePendulum, Grid, Hamiltonian, Info, METHODS, Method,
+    MethodInfo, Motion, Observer, Pendulum, Phase, System, integrate, methods,
+};
+
+use crate::labs::{Lab, STALE, assert_bits, labs, quantity};
+
+/// A scene: method, g, L, β, θ₀, ω₀, Δt.
+type Scene = (u32, f64, f64, f64, f64, f64, f64);
+
+/// What is done to the pendulum, or hung from it, as the page says it: the kind and two numbers.
+type Kind = (u32, f64, f64);
+const PLAIN: Kind = (0, 0.0, 0.0);
+
+impl dyn Lab + '_ {
+    fn put(&mut self, place: u32, scene: Scene) -> bool {
+        self.put_kind(place, PLAIN, scene)
+    }
+
+    fn put_kind(&mut self, place: u32, (kind, p, q): Kind, scene: Scene) -> bool {
+        let (method, g, length, damping, theta, omega, step) = scene;
+        1 == self.set(place, kind, method, g, length, damping, theta, omega, step, p, q)
+    }
+}
+
+/// Compares each sample of a trajectory of the library with the lab's pendulum, which takes the
+/// same steps.
+struct Beside<'a> {
+    lab: &'a mut dyn Lab,
+    pendulum: Pendulum,
+    motion: Option<Motion>,
+    name: &'static str,
+    initial: f64,
+    largest: f64,
+    compared: &'a mut u64,
+}
+
+impl Observer<Phase> for Beside<'_> {
+    fn observe(&mut self, n: u64, t: f64, z: Phase) {
+        if n > 0 {
+            assert_eq!(self.lab.advance(0, 1), 1);
+        }
+        let error = self.pendulum.energy(z) - self.initial;
+        self.largest = self.largest.max(error.abs());
+        let mut expected = vec![
+            (quantity::THETA, z.theta),
+            (quantity::OMEGA, z.omega),
+            (quantity::TIME, t),
+            (quantity::ERROR, error),
+            (quantity::ENERGY, self.pendulum.energy_from_pivot(z)),
+        ];
+        if n.is_multiple_of(64) {
+            expected.extend([(quantity::STEPS, n as f64), (quantity::LARGEST, self.largest)]);
+        }
+        for (quantity, expected) in expected {
+            let seen = self.lab.read(0, quantity);
+            assert_bits(seen, expected, || format!("{}, {quantity} after {n} steps", self.name));
+            *self.compared += 1;
+        }
+        // The closed form takes as long as ten steps, and does not depend on the method.
+        if let Some(motion) = self.motion.filter(|_| n.is_multiple_of(64)) {
+            // The lab begins with the start itself, which the closed form rounds.
+            let exact = if n == 0 { z } else { motion.at(t) };
+            let seen = [self.lab.exact_theta(0, t), self.lab.exact_omega(0, t)];
+            for (seen, expected) in seen.into_iter().zip([exact.theta, exact.omega]) {
+                assert_bits(seen, expected, || format!("the exact motion at {t} s"));
+                *self.compared += 1;
+            }
+        }
+    }
+}
+
+/// Pendulums within the range of the page's sliders, at its corners and beyond: g, L, β, θ₀, ω₀,
+/// Δt.
+const PENDULUMS: [(f64, f64, f64, f64, f64, f64); 9] = [
+    (9.81, 1.0, 0.0, 1.0, 0.0, 0.01),
+    (9.81, 1.0, 0.0, 3.0, 0.0, 0.05),
+    (1.62, 2.5, 0.0, -0.3, 4.5, 0.001),
+    (24.8, 0.1, 0.0, 0.0, -40.0, 0.0025),
+    // The last torus, and beyond each limit of stability.
+    (9.81, 1.0, 0.0, 0.1, 3.0, 0.31471),
+    (9.81, 1.0, 0.0, 0.5, 0.0, 1.5),
+    (9.81, 1.0, 0.3, 2.5, 1.0, 0.02),
+    (3.71, 0.7, 2.0, -3.1, 9.0, 0.2),
+    // Quick, where the iteration of an implicit step ends by its noise.
+    (108.89, 0.003417, 0.8452, 18.262, 0.0, 0.004037),
+];
+
+/// Every method of the library, on each of those pendulums, step by step, in angle, velocity, time,
+/// energy and its error; the closed form; and the counts.
+///
+/// Catches: a file compiled before the library changed; a compiler that contracts, reorders or
+/// rounds differently; a step that differs from that of `integrate_fast` or `integrate`; a carry
+/// lost between two calls; an error before the first step; a bob that there is not.
+#[test]
+fn the_lab_has_the_bits_of_the_library() {
+    for lab in &mut labs() {
+        let mut compared = 0;
+        for (index, method) in METHODS.iter().enumerate() {
+            for scene in PENDULUMS {
+                compare(lab.as_mut(), index as u32, *method, scene, &mut compared);
+            }
+        }
+        assert!(compared >= 1_000_000, "only {compared} values");
+    }
+}
+
+fn compare(
+    lab: &mut dyn Lab,
+    index: u32,
+    method: &dyn AnyMethod,
+    (g, length, damping, theta, omega, step): (f64, f64, f64, f64, f64, f64),
+    compared: &mut u64,
+) {
+    // An interpreter is slow; so most of the million values come from methods with few force
+    // evaluations a step.
+    let steps = match method.info() {
+        MethodInfo { implicit: true, .. } if damping > 0.0 => 200,
+        MethodInfo { implicit: true, .. } => 50,
+        MethodInfo { force_evaluations: 0..=4, .. } => 2_800,
+        _ => 200,
+    };
+    let pendulum = Pendulum::new(g, length, 1.0).unwrap();
+    let start = pendulum.start(theta, omega).unwrap();
+    let grid = Grid::new(step, steps).unwrap();
+    let is_general = GENERAL.contains(&method.info().name);
+    let stands = lab.put(0, (index, g, length, damping, theta, omega, step));
+    // In steps of x² > 12 the library takes a processed method's steps in seconds; the lab has none
+    // such.
+    let is_too_long =
+        method.info().name.starts_with("processed") && g / length * step * step > 12.0;
+    assert_eq!(stands, damping == 0.0 && !is_too_long || is_general, "{STALE}");
+    if !stands {
+        return;
+    }
+    let motion = (damping == 0.0).then(|| Motion::new(&pendulum, start).unwrap());
+    let initial = pendulum.energy(start);
+    let name = method.info().name;
+    let mut beside = Beside { lab, pendulum, motion, name, initial, largest: 0.0, compared };
+    let end = if damping == 0.0 {
+        method.run(&pendulum, start, &grid, &mut beside)
+    } else {
+        let damped = Damped::new(pendulum, damping).unwrap();
+        damped_run(name, &damped, start, &grid, &mut beside)
+    };
+    assert_bits(lab.read(0, quantity::THETA), end.theta, || format!("{name}, at the end"));
+    assert_bits(lab.read(0, quantity::INITIAL), initial, || "the energy at the start".to_string());
+    let beyond = [quantity::LOWER_THETA, quantity::LOWER_OMEGA, quantity::LOWER_OMEGA + 1];
+    assert!(beyond.iter().all(|none| lab.read(0, *none).is_nan()));
+    let limit = lab.read(0, quantity::LIMIT);
+    assert!(limit >= 8_192.0, "{name}: only {limit} steps");
+    let evaluations = lab.read(0, quantity::EVALUATIONS);
+    if damping == 0.0 {
+        // The number of iterations of an implicit method depends on its rounding, which differs
+        // between steps and seconds as the unit of time.
+        if !method.info().implicit {
+            let counted = method.count_evaluations(&pendulum, start, &grid);
+            assert_eq!(evaluations, counted as f64, "{name}\n{STALE}");
+        }
+        let period = motion.unwrap().period().unwrap();
+        assert_bits(lab.read(0, quantity::PERIOD), period, || "the period".to_string());
+    } else {
+        assert!(lab.read(0, quantity::PERIOD).is_nan(), "a period in spite of damping");
+    }
+}
+
+macro_rules! damped_run {
+    ($($module:ident::$method:ident,)+) => {
+        /// The methods for every system, damped ones included.
+        static GENERAL: LazyLock<Vec<&str>> = LazyLock::new(|| {
+            use pendula::{Info, methods};
+            vec![$(methods::$method.info().name,)+]
+        });
+
+        fn damped_run(
+            name: &str,
+            system: &Damped,
+            start: Phase,
+            grid: &Grid,
+            observer: &mut impl Observer<Phase>,
+        ) -> Phase {
+            use pendula::{Info, methods};
+            $(
+                let method = methods::$method;
+                if method.info().name == name {
+                    return integrate(system, &method, start, grid, observer);
+                }
+            )+
+            panic!("no method {name}")
+        }
+    };
+}
+pendula::for_each_general_method!(damped_run);
+
+/// Compares each sample of a trajectory of the library with the lab's, which takes the same steps.
+struct Same<'a, F> {
+    lab: &'a mut dyn Lab,
+    name: String,
+    /// Upper bob, lower bob, energy (J).
+    of: F,
+    initial: f64,
+    largest: f64,
+    compared: &'a mut u64,
+}
+
+impl<Z, F: Fn(Z) -> ([Phase; 2], f64)> Observer<Z> for Same<'_, F> {
+    fn observe(&mut self, n: u64, t: f64, z: Z) {
+        let ([upper, lower], energy) = (self.of)(z);
+        match n {
+            0 => self.initial = energy,
+            _ => assert_eq!(self.lab.advance(0, 1), 1),
+        }
+        let error = energy - self.initial;
+        self.largest = self.largest.max(error.abs());
+        let expected = [
+            (quantity::THETA, upper.theta),
+            (quantity::OMEGA, upper.omega),
+            (quantity::LOWER_THETA, lower.theta),
+            (quantity::LOWER_OMEGA, lower.omega),
+            (quantity::TIME, t),
+            (quantity::STEPS, n as f64),
+            (quantity::ERROR, error),
+            (quantity::LARGEST, self.largest),
+        ];
+        for (quantity, expected) in expected {
+            let seen = self.lab.read(0, quantity);
+            assert_bits(seen, expected, || format!("{}, {quantity} after {n} steps", self.name));
+            *self.compared += 1;
+        }
+    }
+}
+
+/// A method, if it suits a system: its own function goes before that of the trait.
+struct Asked<M>(M);
+
+impl<M> Asked<M> {
+    fn runs<S>(
+        &self,
+        of: &S,
+        (z, grid): (S::State, &Grid),
+        mut same: impl Observer<S::State>,
+    ) -> Option<u64>
+    where
+        S: System<State: Copy> + Clone,
+        M: Method<Counting<S>>,
+    {
+        let counting = Counting::new(of.clone());
+        integrate(&counting, &self.0, z, grid, &mut same);
+        Some(counting.evaluations())
+    }
+}
+
+trait OnDouble {
+    fn runs_double(
+        &self,
+        of: &DoublePendulum,
+        at: (DoublePhase, &Grid),
+        same: impl Observer<DoublePhase>,
+    ) -> Option<u64>;
+}
+
+impl<M> OnDouble for Asked<M> {
+    fn runs_double(
+        &self,
+        _: &DoublePendulum,
+        _: (DoublePhase, &Grid),
+        _: impl Observer<DoublePhase>,
+    ) -> Option<u64> {
+        None
+    }
+}
+
+impl<M: Method<Counting<DoublePendulum>>> Asked<M> {
+    fn runs_double(
+        &self,
+        of: &DoublePendulum,
+        at: (DoublePhase, &Grid),
+        same: impl Observer<DoublePhase>,
+    ) -> Option<u64> {
+        self.runs(of, at, same)
+    }
+}
+
+/// Of each of the other systems two, within the range of the page's sliders and at its corners: g,
+/// L, β, θ₀, ω₀, Δt, and the kind's two numbers.
+type Other = ((f64, f64, f64, f64, f64, f64), f64, f64);
+const DRIVEN: [Other; 2] = [
+    // Beyond the first period doublings.
+    ((88.8, 1.0, 2.35, 0.0, 0.0, 0.005), 1.105, 6.25),
+    ((3.71, 0.7, 0.0, -3.1, 9.0, 0.2), 3.0, 0.1),
+];
+const SHAKEN: [Other; 2] = [
+    // Upright, where it is stable.
+    ((9.81, 1.0, 0.0, 3.0, 0.0, 0.002), 0.1, 60.0),
+    ((24.8, 0.1, 0.0, 0.0, -40.0, 0.0025), 0.5, 3.3),
+];
+const DOUBLE: [Other; 2] =
+    [((9.81, 1.0, 0.0, 2.0, 0.0, 0.01), -1.2, 0.0), ((1.62, 2.5, 0.0, -0.3, 4.5, 0.05), 3.1, -7.0)];
+
+/// The driven, the shaken and the double pendulum with every method that suits them, step by step,
+/// in angles, velocities, time and energy; and the counts.
+///
+/// Catches: a file compiled before the library changed; numbers of one system that arrive as
+/// another's; a method offered that does not suit; the energy of the upper bob alone; evaluations
+/// that are not counted.
+#[test]
+fn other_systems_have_the_bits_of_the_library() {
+    let none = Phase { theta: f64::NAN, omega: f64::NAN };
+    for lab in &mut labs() {
+        let (mut compared, mut index, mut doubles) = (0, 0, 0);
+        macro_rules! each {
+            ($($module:ident::$method:ident,)+) => {$({
+                let method = Asked(methods::$method);
+                let info = methods::$method.info();
+                let steps = if info.implicit || info.force_evaluations > 8 { 100 } else { 600 };
+                for (kind, others) in [(1, DRIVEN), (2, SHAKEN), (3, DOUBLE)] {
+                    for ((g, length, beta, theta, omega, step), p, q) in others {
+                        let scene = (index, g, length, beta, theta, omega, step);
+                        let stands = lab.put_kind(0, (kind, p, q), scene);
+                        let name = format!("{} on {kind}", info.name);
+                        let pendulum = Pendulum::new(g, length, 1.0).unwrap();
+                        let start = pendulum.start(theta, omega).unwrap();
+                        let grid = Grid::new(step, steps).unwrap();
+                        let one = |z| ([z, none], pendulum.energy(z));
+                        macro_rules! same {
+                            ($of:expr) => {
+                                Same {
+                                    lab: lab.as_mut(),
+                                    name: name.clone(),
+                                    of: $of,
+                                    initial: f64::NAN,
+                                    largest: 0.0,
+                                    compared: &mut compared,
+                                }
+                            };
+                        }
+                        let counted = match kind {
+                            1 => {
+                                let damped = Damped::new(pendulum, beta).unwrap();
+                                let driven = Driven::new(damped, p, q).unwrap();
+                                method.runs(&driven, (start, &grid), same!(one))
+                            }
+                            2 => {
+                                let shaken = Shaken::new(pendulum, p, q).unwrap();
+                                method.runs(&shaken, (start, &grid), same!(one))
+                            }
+                            _ => {
+                                let joint = Joint { length, mass: 1.0 };
+                                let double = DoublePendulum::of_equals(g, joint).unwrap();
+                                let z = double.start([theta, p], [omega, q]).unwrap();
+                                let two = |z: DoublePhase| {
+                                    let [upper, lower] = double.velocities(z);
+                                    let bobs = [(z.theta1, upper), (z.theta2, lower)];
+                                    let bobs = bobs.map(|(theta, omega)| Phase { theta, omega });
+                                    (bobs, double.energy(z))
+                                };
+                                method.runs_double(&double, (z, &grid), same!(two))
+                            }
+                        };
+                        assert_eq!(stands, counted.is_some(), "{name}\n{STALE}");
+                        doubles += u64::from(stands && kind == 3);
+                        if let Some(counted) = counted {
+                            let seen = lab.read(0, quantity::EVALUATIONS);
+                            assert_eq!(seen, counted as f64, "{name}\n{STALE}");
+                            assert!(lab.read(0, quantity::PERIOD).is_nan(), "{name} has a period");
+                            assert!(lab.exact_theta(0, 1.0).is_nan(), "{name} has a closed form");
+                        }
+                    }
+                }
+                index += 1;
+            })+};
+        }
+        pendula::for_each_general_method!(each);
+        // Of the 22, the splitting methods do not suit it.
+        assert_eq!(doubles, 2 * 11);
+        assert!(compared >= 300_000, "only {compared} values");
+        for special in index..METHODS.len() as u32 {
+            for kind in 1..=3 {
+                let scene = (special, 9.81, 1.0, 0.0, 1.0, 0.0, 0.01);
+                assert!(!lab.put_kind(0, (kind, 1.0, 1.0), scene), "{special} on {kind}");
+            }
+        }
+    }
+}
+
+/// Catches: a list of methods that is not the library's, or in another order; a title cut in the
+/// middle of a character.
+#[test]
+fn the_page_offers_the_methods_of_the_library() {
+    for lab in &mut labs() {
+        let count = lab.methods();
+        let names: Vec<_> = (0..count).map(|i| [lab.text(i, 0), lab.text(i, 1)]).collect();
+        let infos = METHODS.iter().map(|method| method.info());
+        let known: Vec<_> = infos.map(|p| [p.name.to_string(), p.title.to_string()]).collect();
+        assert_eq!(names, known, "{STALE}");
+        assert_eq!(lab.text(count, 0) + &lab.text(0, 2), "");
+    }
+}
+
+/// Catches: steps that depend on how many are taken at once; extremes that miss a step or are not
+/// reset by `look`.
+#[test]
+fn many_steps_at_once_are_the_same_steps() {
+    for lab in &mut labs() {
+        let scene = (2, 9.81, 1.0, 0.0, 1.0, 0.0, 0.05);
+        assert!(lab.put(0, scene) && lab.put(7, scene));
+        for _ in 0..50 {
+            assert_eq!(lab.advance(0, 20), 20);
+            let (mut lowest, mut highest) = (f64::INFINITY, f64::NEG_INFINITY);
+            // The last sample belongs to the next span too, so that the spans touch.
+            for _ in 0..=20 {
+                let error = lab.read(7, quantity::ERROR);
+                (lowest, highest) = (lowest.min(error), highest.max(error));
+                if lab.read(7, quantity::STEPS) < lab.read(0, quantity::STEPS) {
+                    lab.advance(7, 1);
+                }
+            }
+            for one in [quantity::THETA, quantity::OMEGA, quantity::LARGEST, quantity::EVALUATIONS]
+            {
+                assert_eq!(lab.read(0, one), lab.read(7, one));
+            }
+            assert_eq!(lab.read(0, quantity::LOWEST), lowest);
+            assert_eq!(lab.read(0, quantity::HIGHEST), highest);
+            lab.look(0);
+        }
+    }
+}
+
+/// Catches: a number from the page that leads to NaN or a trap, a place that keeps its pendulum
+/// after a refusal, steps beyond the last.
+#[test]
+fn what_the_library_refuses_leaves_an_empty_place() {
+    for lab in &mut labs() {
+        let places = lab.places();
+        let fine = (0, 9.81, 1.0, 0.0, 1.0, 0.0, 0.01);
+        assert!(places >= 5 && lab.put(places - 1, fine) && !lab.put(places, fine));
+        let (nan, infinity) = (f64::NAN, f64::INFINITY);
+        for refused in [
+            (METHODS.len() as u32, 9.81, 1.0, 0.0, 1.0, 0.0, 0.01),
+            (0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.01),
+            (0, 9.81, -1.0, 0.0, 1.0, 0.0, 0.01),
+            (0, 9.81, 1.0, -0.1, 1.0, 0.0, 0.01),
+            (0, 9.81, 1.0, nan, 1.0, 0.0, 0.01),
+            (0, 9.81, 1.0, 0.0, nan, 0.0, 0.01),
+            (0, 9.81, 1.0, 0.0, 1.0, infinity, 0.01),
+            (0, 9.81, 1.0, 0.0, 1.0, 0.0, 0.0),
+        ] {
+            assert!(lab.put(0, fine) && !lab.put(0, refused), "{refused:?}");
+            assert_eq!(lab.advance(0, 1), 0);
+            assert!(lab.read(0, quantity::THETA).is_nan());
+        }
+        for refused in
+            [(1, 1.0, 0.0), (1, nan, 1.0), (2, -0.1, 1.0), (2, 0.1, infinity), (3, nan, 0.0)]
+                .into_iter()
+                .chain([(3, 0.0, infinity), (4, 0.0, 0.0)])
+        {
+            let rk4 = (2, 9.81, 1.0, 0.0, 1.0, 0.0, 0.01);
+            assert!(lab.put(0, rk4) && !lab.put_kind(0, refused, rk4), "{refused:?}");
+            assert!(lab.read(0, quantity::THETA).is_nan());
+        }
+        assert!(lab.read(places, quantity::THETA).is_nan());
+        // A run has `limit` steps and no more: with kicks this large its half turns soon become too
+        // many to count.
+        assert!(lab.put(0, (0, 1e7, 1.0, 0.0, 1.0, 0.0, 1.0)));
+        let limit = lab.read(0, quantity::LIMIT) as u32;
+        assert!((1..1000).contains(&limit), "{limit}");
+        assert_eq!(lab.advance(0, u32::MAX), limit);
+        assert_eq!(lab.advance(0, 1), 0);
+    }
+}
+
+/// On the separatrix ω = 2ω₀ cos(θ/2), to a few roundings of the largest ω; and θ goes from −π to
+/// π.
+///
+/// Catches: another curve, or one that is at the bottom at another time than 0.
+#[test]
+fn the_separatrix_is_the_pendulums() {
+    for lab in &mut labs() {
+        assert!(lab.put(0, (0, 4.0, 0.25, 0.0, 1.0, 0.0, 0.01)));
+        assert_eq!(lab.separatrix_theta(0, 0.0), 0.0);
+        for i in -40_i32..=40 {
+            let t = f64::from(i) * 0.1;
+            let (theta, omega) = (lab.separatrix_theta(0, t), lab.separatrix_omega(0, t));
+            assert!(
+                (omega - 8.0 * libm::cos(0.5 * theta)).abs() < 8.0 * 1e-15,
+                "{t}: {theta} {omega}"
+            );
+            assert!(i.abs() < 40 || (theta.abs() - std::f64::consts::PI).abs() < 1e-6);
+        }
+    }
+}
