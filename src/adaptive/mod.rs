@@ -32,10 +32,11 @@ mod steps;
 mod symmetric;
 mod tolerance;
 
-pub use controlled::{Controlled, Estimated, Times};
-pub use dense::{Dense, Interpolant};
+pub use controlled::Controlled;
+pub use dense::Dense;
+pub(crate) use dense::Interpolant;
 pub use events::{Crossing, Crossings, Direction};
-pub use series::{Expansion, TaylorSeries, Within};
+pub use series::TaylorSeries;
 pub use steps::{AdaptiveSteps, Counts, Step};
 pub use symmetric::{Sample, SymmetricSteps};
 pub use tolerance::{SMALLEST_RELATIVE, Tolerance};

@@ -7,6 +7,7 @@ use crate::systems::{Components, Counting, System};
 
 /// The cost of a sequence of steps so far.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Counts {
     /// Steps taken.
     pub accepted: u64,

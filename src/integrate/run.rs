@@ -31,6 +31,7 @@ pub trait Steps<S: System>: Sync {
 
 /// What [`Steps::take`] has done.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[doc(hidden)]
 pub struct Taken {
     /// Slots that were written: all, or those before a step that has no solution.
     pub states: usize,

@@ -42,6 +42,7 @@ pub trait Components: State {
 
 /// A state of which sizes can be compared: what the iteration of an implicit method needs. Every
 /// state of named [`Components`] is one, and so are many such states in lanes.
+#[doc(hidden)]
 pub trait Measurable: State {
     /// A size: one number, or one for each lane.
     type Number: Number;
@@ -128,6 +129,7 @@ impl<Z: Components> Measurable for Z {
 
 /// What can be taken apart into numbers and put together again with the same bits: a state, or what
 /// a step carries to the next.
+#[doc(hidden)]
 pub trait Numbers<N = f64>: Copy {
     /// Passes its numbers to `write`, one after the other.
     fn write(self, write: &mut impl FnMut(N));

@@ -1,7 +1,7 @@
 //! Area in phase space: the determinant of the Jacobian of one step.
 
 use pendula::methods::{ForwardEuler, Rk4};
-use pendula::verify::area::{AREA_TOLERANCE, area_defect, cases, check};
+use pendula::verify::properties::area::{AREA_TOLERANCE, area_defect, cases, check};
 use pendula::{AnyMethod, Phase};
 
 /// Catches: forward Euler posing as symplectic Euler, and every other step that is claimed to

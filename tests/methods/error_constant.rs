@@ -1,6 +1,8 @@
 //! The error constant: not only the slope of the error, but its size.
 
-use pendula::verify::error_constant::{check, leading_local_error, measured_local_error};
+use pendula::verify::properties::error_constant::{
+    check, leading_local_error, measured_local_error,
+};
 use pendula::{AnyMethod, Pendulum};
 use rstest::rstest;
 
@@ -35,7 +37,7 @@ fn a_single_step_misses_by_its_taylor_series(
     #[case] method: &dyn AnyMethod,
     #[values([1.0, 0.0], [-2.0, 0.5], [0.5, 2.5], [3.0, -0.3], [0.1, 0.1])] z: [f64; 2],
 ) {
-    for pendulum in [Pendulum::PAPER, pendula::verify::pendulum()] {
+    for pendulum in [Pendulum::PAPER, pendula::verify::properties::pendulum()] {
         let series = leading_local_error(method.info().name, z).expect("it is on file");
         let measured = measured_local_error(method, &pendulum, z);
         let difference = (measured[0] - series[0]).hypot(measured[1] - series[1]);

@@ -8,7 +8,7 @@ use pendula::metrics::order::{is_asymptotic, is_floor};
 /// or too low, and time that drifts from the count of steps. (Not forward Euler posing as
 /// symplectic Euler: both are of order 1.)
 fn every_slope_is_the_order(method: &dyn AnyMethod) {
-    pendula::verify::order::check(method).unwrap();
+    pendula::verify::properties::order::check(method).unwrap();
 }
 each_method!(every_slope_is_the_order);
 

@@ -2,7 +2,7 @@
 //! the others.
 
 use pendula::AnyMethod;
-use pendula::verify::reversal::check;
+use pendula::verify::properties::reversal::check;
 
 /// Catches: symplectic Euler posing as Störmer–Verlet, half a kick lost or doubled on one side,
 /// damping of 1e-12 a step; and an entry that wrongly claims or denies symmetry.

@@ -5,7 +5,7 @@ use pendula::{AnyMethod, Grid, Pendulum, Phase};
 /// Catches: a Störmer–Verlet that evaluates the force twice a step, as the paper says it must; any
 /// method whose entry promises fewer evaluations than its step makes.
 fn evaluations_are_those_of_the_entry(method: &dyn AnyMethod) {
-    pendula::verify::work::check(method).unwrap();
+    pendula::verify::properties::work::check(method).unwrap();
 }
 each_method!(evaluations_are_those_of_the_entry);
 

@@ -156,7 +156,7 @@ fn each_evaluation_is_counted_and_none_is_wasted<M: Embedded>(
             walk.dense(&step.unwrap());
             steps += 1;
         }
-        let Counts { accepted, rejected, evaluations } = walk.counts();
+        let Counts { accepted, rejected, evaluations, .. } = walk.counts();
         assert!(accepted == steps && rejected > 0, "{accepted} of {steps}, {rejected} refused");
         let expected = 2 + (of_accepted + of_dense) * accepted + of_rejected * rejected;
         assert_eq!((evaluations, counting.evaluations()), (expected, expected));

@@ -10,7 +10,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use pendula::METHODS;
 use pendula::methods::StormerVerlet;
 use pendula::verify::Claims;
-use pendula::verify::judge::try_judge;
+use pendula::verify::try_judge;
 use tempfile::TempDir;
 
 use super::faults::{Fault, SAYS, with, with_two_renames};
