@@ -2,6 +2,10 @@
 
 use crate::systems::System;
 
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no method for `{S}`",
+    note = "a method takes its steps by `impl<S: System> Method<S> for {Self}`"
+)]
 // ANCHOR: method
 /// A one-step method for the system `S`: an immutable value that maps a state to the state one step
 /// later.
