@@ -2,8 +2,8 @@
 //!
 //! [`Adaptive`] is an embedded Runge–Kutta method, or the [`TaylorSeries`] of the motion, with a
 //! [`Tolerance`]. It [integrates](Adaptive::integrate()) with an observer, or iterates [step by
-//! step](Adaptive::steps); each step has [dense output](Dense), a state at every time within it, from
-//! which come the [states at given times](AdaptiveSteps::states_at), and on which
+//! step](Adaptive::steps); each step has [dense output](Dense), a state at every time within it.
+//! From it come the [states at given times](AdaptiveSteps::states_at), and on it
 //! [crossings](AdaptiveSteps::crossings) are found: the period, or the passage over the top.
 //!
 //! ```
