@@ -24,8 +24,7 @@
 //! * The loop: [`integrate()`].
 //! * The problem: [`Pendulum`], and its exact solution, [`Motion`].
 //!
-//! The [book](../../book/index.html), which `cargo run --release` builds beside this
-//! documentation, walks through each of them.
+//! The book, which `cargo run --release` builds from the repository, walks through each of them.
 //!
 //! # The loops
 //!
@@ -35,7 +34,7 @@
 //! |---|---|---|
 //! | [`integrate()`] | any system, fixed steps | unless there is a reason for another |
 //! | [`integrate_fast()`] | the pendulum, fixed steps | for speed: two thirds of the time; the last bits differ |
-//! | [`Ensemble`] | many pendulums, fixed steps | for sweeps: vector instructions, and all cores with the feature `parallel` |
+//! | `Ensemble` | many pendulums, fixed steps | for sweeps: vector instructions, and all cores with the feature `parallel` |
 //! | [`Adaptive`](adaptive::Adaptive) | any system, to a tolerance | where the pace of the motion varies, for events and output at any time |
 //! | [`SymmetricSteps`](adaptive::SymmetricSteps) | a separable system, steps that vary | for long runs with steps that vary: the energy does not drift |
 //!
@@ -46,19 +45,22 @@
 //! * [`methods`]: the methods, by family; a method of your own.
 //! * [`exact`]: the motion of the pendulum in closed form.
 //! * [`metrics`]: quantities measured along a run.
-//! * [`verify`]: tests that a method has the properties it claims.
+//! * `verify`: the judge of integrators, yours or ours.
 //! * [`fast`]: the same steps at full speed, for one pendulum and for many.
 //! * [`adaptive`]: steps whose size follows the motion.
 //! * [`dynamics`]: periodic orbits, Floquet multipliers, Lyapunov exponents.
 //! * [`arithmetic`]: sine and cosine, and double-double numbers.
 //! * [`error`]: the errors.
 //!
+//! What is public and hidden from this documentation serves the tests and the book of the
+//! repository: it is no part of the interface, and may change at any time.
+//!
 //! # Features
 //!
 //! | feature | default | adds | needs |
 //! |---|---|---|---|
-//! | `verify` | yes | [`verify`] | std |
-//! | `ensemble` | yes | [`Ensemble`] | std, the crate `fearless_simd` |
+//! | `verify` | yes | the module `verify` | std |
+//! | `ensemble` | yes | `Ensemble` | std, the crate `fearless_simd` |
 //! | `table` | no | `methods::table`: methods by name in ensembles and on other systems | std; a minute to compile |
 //! | `parallel` | no | ensembles on all cores | std, the crate `rayon` |
 //!
@@ -66,7 +68,7 @@
 //!
 //! # What is compiled where
 //!
-//! [`integrate()`], [`integrate_fast()`] and [`Ensemble`] with a method that is named by its type
+//! [`integrate()`], [`integrate_fast()`] and `Ensemble` with a method that is named by its type
 //! are compiled in your crate, at its level of optimisation: in lanes that is seconds for a method,
 //! and in an unoptimised build they are two hundred times as slow. A method that is found by its
 //! name is compiled with this library: [`METHODS`] for one trajectory, and with the feature `table`
@@ -110,12 +112,12 @@ pub use methods::{
     Taylor, method_named,
 };
 pub use systems::{
-    Analytic, Compensated, CompensatedPhase, Components, Counting, Damped, DoublePendulum, Driven,
-    ForceGradient, Hamiltonian, Kepler, LinearOscillator, Pendulum, Phase, RateOf, Separable,
-    Shaken, State, System, Vector,
+    Compensated, CompensatedPhase, Components, Counting, Damped, DoublePendulum, Driven,
+    Hamiltonian, Kepler, LinearOscillator, Pendulum, Phase, RateOf, Separable, Shaken, State,
+    System, Vector,
 };
 
-/// What the tests look at beside the interface. No part of it: it may change at any time.
+/// What the tests look at inside private modules.
 #[doc(hidden)]
 pub mod internals {
     pub use crate::adaptive::control::Controller;

@@ -7,6 +7,7 @@ use crate::systems::{Components, System};
 
 /// Which changes of sign count as crossings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Direction {
     /// From below zero to zero or above, in the order of the steps.
     Rising,
@@ -32,6 +33,7 @@ impl Direction {
 
 /// When a function crossed zero, and where the system was.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Crossing<Z> {
     /// The time t (s).
     pub t: f64,

@@ -143,6 +143,7 @@ impl Div for DoubleDouble {
 
 /// (sin y, cos y, n), where x = n π/2 + y with |y| ≤ π/4 and n is an integer: all digits right for
 /// |x| < 2⁵².
+#[doc(hidden)]
 pub fn reduced_sine_cosine(x: f64) -> (DoubleDouble, DoubleDouble, f64) {
     let n = libm::rint(x / HALF_PI[0]);
     // The first two lines are exact; the third adds the third part of π/2, which matters when x is
@@ -167,6 +168,7 @@ fn nested(y: DoubleDouble, m: u32) -> DoubleDouble {
 
 /// x + y as a rounded sum and its error, exactly (Knuth).
 #[inline]
+#[doc(hidden)]
 pub fn two_sum(x: f64, y: f64) -> (f64, f64) {
     let sum = x + y;
     let from_y = sum - x;

@@ -12,9 +12,12 @@
 
 pub mod double_double;
 #[cfg(feature = "ensemble")]
+#[doc(hidden)]
 pub mod lanes;
+#[doc(hidden)]
 pub mod number;
 pub mod sine;
+#[doc(hidden)]
 pub mod two;
 
 /// Calls `f`, which is `#[inline(always)]`, in code for AVX2 where the processor has it, so that

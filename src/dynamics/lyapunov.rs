@@ -8,6 +8,7 @@ use crate::systems::Phase;
 
 /// A Lyapunov exponent (1/s): the mean rate at which the logarithm of a small distance grows.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Exponent {
     /// The mean over all blocks (1/s).
     pub value: f64,

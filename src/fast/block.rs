@@ -10,10 +10,12 @@ use crate::integrate::Method;
 use crate::systems::Phase;
 
 /// Pendulums in a block: enough for the sines of some to hide the latency of others.
+#[doc(hidden)]
 pub const LANES: usize = 32;
 
 /// Up to [`LANES`] pendulums and the steps that they take together. It knows neither the method nor
 /// the observers, so that the steps of a method are compiled once, whoever looks at them.
+#[doc(hidden)]
 pub struct Block<'a> {
     /// The pendulums and where they begin, at least one; the last of them fills the idle lanes.
     pub(super) starts: &'a [(ScaledPendulum, ReducedPhase)],

@@ -14,6 +14,7 @@ use crate::systems::{DoublePendulum, DoublePhase, Numbers, System, Vector};
 
 /// The double pendulum with a [`Number`] for each of θ₁, θ₂, p₁, p₂: with lanes, one in each.
 #[derive(Clone, Copy, Debug)]
+#[doc(hidden)]
 pub struct DoublePendulums<N> {
     double: DoublePendulum,
     numbers: PhantomData<N>,
@@ -21,6 +22,7 @@ pub struct DoublePendulums<N> {
 
 /// θ₁, θ₂ (rad), p₁, p₂ (kg m²/s), or their rates of change.
 #[derive(Clone, Copy, Debug)]
+#[doc(hidden)]
 pub struct DoublePhases<N>(pub [N; 4]);
 
 impl<N> DoublePendulums<N> {
@@ -72,6 +74,7 @@ impl<N: Number> Numbers<N> for DoublePhases<N> {
 
 /// Whether both rods are on their first way round, |θ₁| ≤ π and |θ₂| ≤ π. NaN is beyond.
 #[inline(always)]
+#[doc(hidden)]
 pub fn is_below<N: Number>(DoublePhases([theta1, theta2, ..]): DoublePhases<N>) -> N::Mask {
     let pi = theta1.splat(PI);
     theta1.abs().at_most(pi) & theta2.abs().at_most(pi)
@@ -81,6 +84,7 @@ pub fn is_below<N: Number>(DoublePhases([theta1, theta2, ..]): DoublePhases<N>) 
 /// Runge–Kutta method.
 ///
 /// With the feature `table` the library has those of RK4 compiled: `methods::table::RK4_IN_LANES`.
+#[doc(hidden)]
 pub trait DoubleInLanes: Sync {
     /// Takes the steps with these instructions.
     #[doc(hidden)]
@@ -138,6 +142,7 @@ pub fn first_flips<M: DoubleInLanes + ?Sized>(
 ///
 /// # Panics
 /// As [`first_flips`].
+#[doc(hidden)]
 pub fn first_flips_with<M: DoubleInLanes + ?Sized>(
     instructions: Instructions,
     double: &DoublePendulum,

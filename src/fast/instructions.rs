@@ -30,6 +30,7 @@ impl<W> InVectors for W where
 
 /// Which vector instructions steps in lanes are taken with. The bits are the same; the time is not.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Instructions {
     /// The best that the processor has.
     #[default]

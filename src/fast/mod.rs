@@ -13,6 +13,7 @@ mod instructions;
 mod run;
 mod scaled;
 
+#[doc(hidden)]
 pub use crate::arithmetic::number::Number;
 #[cfg(feature = "ensemble")]
 pub use block::{Block, LANES};

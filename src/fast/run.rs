@@ -9,6 +9,7 @@ use crate::systems::{Pendulum, Phase};
 
 /// The steps of a method on the pendulum, behind a pointer: with the step as the unit of time, and
 /// in seconds where that is not possible.
+#[doc(hidden)]
 pub trait PendulumSteps: Steps<ScaledPendulum> + Steps<Pendulum> {
     /// [`ScaledPendulum::new`] for this method.
     fn scaled(&self, pendulum: &Pendulum, grid: &Grid, start: Phase) -> Option<ScaledPendulum>;
@@ -42,6 +43,7 @@ where
 /// # Ok::<(), pendula::Error>(())
 /// ```
 #[derive(Clone, Copy)]
+#[doc(hidden)]
 pub struct FastRun<'m> {
     run: InEither<'m>,
     grid: Grid,

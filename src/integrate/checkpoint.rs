@@ -3,6 +3,7 @@
 use crate::systems::Numbers;
 
 /// Numbers that a checkpoint holds: enough for the state and the carry of every method.
+#[doc(hidden)]
 pub const CHECKPOINT_NUMBERS: usize = 12;
 
 /// Where a run stands: the steps taken, and the state and the method's carry as numbers.

@@ -31,6 +31,7 @@ pub trait Steps<S: System>: Sync {
 
 /// What [`Steps::take`] has done.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[doc(hidden)]
 pub struct Taken {
     /// Slots that were written: all, or those before a step that has no solution.
     pub states: usize,
@@ -40,6 +41,7 @@ pub struct Taken {
     pub unsolved: Option<Unsolved>,
 }
 
+#[diagnostic::do_not_recommend]
 impl<S, M> Steps<S> for M
 where
     S: System<State: Numbers> + Copy,

@@ -104,6 +104,7 @@ impl fmt::Debug for dyn AnyMethod + '_ {
 /// `module::Method` pairs: the paper's four in the order of its tables, then the others. Further
 /// arguments follow them.
 #[macro_export]
+#[doc(hidden)]
 macro_rules! for_each_general_method {
     ($then:ident $(, $($more:tt)+)?) => {
         $then! {
@@ -140,6 +141,7 @@ macro_rules! for_each_general_method {
 /// This is the list. [`METHODS`] is made from it, and so is every test that needs the type of each
 /// method.
 #[macro_export]
+#[doc(hidden)]
 macro_rules! for_each_method {
     ($then:ident $(, $($more:tt)+)?) => {
         $crate::for_each_general_method! {

@@ -28,6 +28,7 @@ use crate::systems::{
 };
 
 /// RK4, for the first flips of double pendulums.
+#[doc(hidden)]
 pub static RK4_IN_LANES: &dyn DoubleInLanes = &Rk4;
 
 /// A system for which the library has the steps of its methods compiled.

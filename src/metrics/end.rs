@@ -6,6 +6,7 @@ use crate::systems::{Pendulum, Phase};
 
 /// The error at the end of runs against the exact solution, and how much of it may be rounding.
 #[derive(Clone, Copy, Debug)]
+#[doc(hidden)]
 pub struct EndError {
     truth: Phase,
     frequency: f64,

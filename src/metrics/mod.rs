@@ -31,4 +31,4 @@ pub use angle::AngleError;
 pub use area::polygon_area;
 pub use end::EndError;
 pub use energy::EnergyDrift;
-pub use period::{CrossingPeriod, CrossingRule, Henon, Hermite, Linear, Moment, Peak, PeakPeriod};
+pub use period::{CrossingPeriod, CrossingRule, Henon, Hermite, Linear, PeakPeriod};

@@ -23,7 +23,7 @@ use crate::systems::{Phase, System};
 
 /// How the time of a peak is read off the samples around it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Peak {
+enum Peak {
     /// The time of the highest sample: off by half a step at worst. It measures the grid, not the
     /// method.
     #[default]

@@ -197,6 +197,7 @@ fn energies_with(
 /// [`Hamiltonian::energy`] of a pendulum of this moment of inertia (kg m²) and depth (J), or of one
 /// in each lane, for angles (rad) up to twice [`half_turn::LARGEST`].
 #[inline(always)]
+#[doc(hidden)]
 pub fn energy_in_lanes<N: Number>([inertia, depth]: [N; 2], theta: N, omega: N) -> N {
     energy_of([inertia, depth], half_turn::sin_within(theta * 0.5), omega)
 }
@@ -213,6 +214,7 @@ fn kinetic_of<N: Number>(inertia: N, omega: N) -> N {
 }
 
 /// Beyond this angle (rad) neighbouring f64s are 1/8 rad apart, and an angle means little.
+#[doc(hidden)]
 pub const LARGEST_ANGLE: f64 = 1e15;
 
 /// Returns `theta` if it is at most [`LARGEST_ANGLE`] in size.

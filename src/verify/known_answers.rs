@@ -20,6 +20,7 @@ use crate::systems::Phase;
 
 /// A right method of the file, or a mistake in one.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Known {
     /// Its name.
     pub name: String,
@@ -33,6 +34,7 @@ pub struct Known {
 
 /// What is wrong with a wrong method.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Mistake {
     /// The name of the method in which it is made.
     pub of: String,
@@ -46,6 +48,7 @@ pub struct Mistake {
 
 /// The state after some steps.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Answer {
     /// From where and with what step.
     pub scene: &'static Scene,
@@ -70,6 +73,7 @@ impl Answer {
 
 /// A pendulum, θ̈ = −(g/L) sin θ + A cos Ωt, its start, and a step.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Scene {
     /// Its name in the file.
     pub name: String,
@@ -86,16 +90,19 @@ pub struct Scene {
 }
 
 /// The scenes of the file.
+#[doc(hidden)]
 pub fn scenes() -> &'static [Scene] {
     &SCENES
 }
 
 /// The right methods of the file.
+#[doc(hidden)]
 pub fn methods() -> &'static [Known] {
     &METHODS
 }
 
 /// The mistakes of the file.
+#[doc(hidden)]
 pub fn mistakes() -> &'static [Known] {
     &MISTAKES
 }

@@ -1,7 +1,9 @@
 //! The symmetries of the pendulum, kept by every method.
 
 use pendula::AnyMethod;
-use pendula::verify::symmetry::{check_mass_and_length, check_mirror, check_time, check_turns};
+use pendula::verify::properties::symmetry::{
+    check_mass_and_length, check_mirror, check_time, check_turns,
+};
 
 /// Catches: a preferred direction, such as a constant torque of 1e-12, and a sine that is not odd
 /// to the last bit.

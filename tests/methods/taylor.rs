@@ -1,9 +1,10 @@
 //! Taylor series of the motion, at orders other than the one on the list.
 
 use pendula::methods::{ForwardEuler, Rk4};
+use pendula::systems::Analytic;
 use pendula::{
-    Analytic, Counting, Grid, LinearOscillator, Method, Motion, Pendulum, Phase, System, Taylor,
-    integrate, integrate_fast,
+    Counting, Grid, LinearOscillator, Method, Motion, Pendulum, Phase, System, Taylor, integrate,
+    integrate_fast,
 };
 use rstest::rstest;
 

@@ -3,9 +3,9 @@
 
 use pendula::adaptive::{Adaptive, SMALLEST_RELATIVE, TaylorSeries, Tolerance};
 use pendula::exact::complete_elliptic_k;
+use pendula::systems::Analytic;
 use pendula::{
-    Analytic, Compensated, CompensatedPhase, LinearOscillator, Motion, Pendulum, Phase, System,
-    state,
+    Compensated, CompensatedPhase, LinearOscillator, Motion, Pendulum, Phase, System, state,
 };
 
 /// L ≠ 1, m ≠ 1, ω₀ ≠ 1.

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use pendula::methods::splitting::Splitting;
-use pendula::verify::Ladder;
+use pendula::verify::properties::Ladder;
 use pendula::{Info, MethodInfo, StormerVerlet};
 use pendula_study::claims::cells::{CELLS, Cell};
 use pendula_study::claims::{Ledger, Measured, Verdict};

@@ -7,8 +7,8 @@ use pendula::dynamics::floquet::monodromy;
 use pendula::dynamics::lyapunov::{Exponent, Watch};
 use pendula::dynamics::{Bundle, Linearised, Stroboscope, largest_exponent, periodic_orbit, root};
 use pendula::methods::{ForwardEuler, Rk4, StormerVerlet, SymplecticEuler};
-use pendula::verify::driven::{Pushed, check, check_euler};
-use pendula::verify::near;
+use pendula::verify::properties::driven::{Pushed, check, check_euler};
+use pendula::verify::properties::near;
 use pendula::{
     Damped, Driven, Error, Grid, Info, Method, Pendulum, Phase, Separable, System, integrate,
 };
@@ -442,7 +442,7 @@ fn a_watch_has_blocks_that_scatter() {
     }
     let driven = Driven::taylor(CHAOTIC).unwrap();
     let least = Watch::new(0, 2, 1).unwrap();
-    let Exponent { value, error } =
+    let Exponent { value, error, .. } =
         largest_exponent(&seen(&driven, COARSE), attractor(&driven), least);
     assert!(value.is_finite() && error.is_finite() && error > 0.0, "{value} ± {error}");
 }

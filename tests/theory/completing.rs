@@ -8,7 +8,7 @@ use pendula::methods::{
     StormerVerlet, Trapezoidal,
 };
 use pendula::metrics::CrossingPeriod;
-use pendula::verify::{area_defect, energy};
+use pendula::verify::properties::{area_defect, energy};
 use pendula::{
     AnyMethod, Grid, Hamiltonian, LinearOscillator, Method, Motion, Pendulum, Phase, exact,
     integrate,

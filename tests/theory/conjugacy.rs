@@ -7,8 +7,8 @@ use pendula::methods::{
     DiscreteGradient, ImplicitMidpoint, PositionVerlet, Processed4, Processed6, StormerVerlet,
     SymplecticEuler, Trapezoidal,
 };
-use pendula::verify::CheckResult;
-use pendula::verify::conjugacy::{
+use pendula::verify::properties::CheckResult;
+use pendula::verify::properties::conjugacy::{
     PROCESSED_4, PROCESSED_6, check_implicit_pair, check_pair, check_processed,
 };
 use pendula_study::experiments::variants::DriftKick;

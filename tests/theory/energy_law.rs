@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_3, PI};
 use approx::assert_relative_eq;
 use pendula::methods::{ForwardEuler, PositionVerlet, Rk4, StormerVerlet, SymplecticEuler};
 use pendula::metrics::EnergyDrift;
-use pendula::verify::reversal::{START, there_and_back};
+use pendula::verify::properties::reversal::{START, there_and_back};
 use pendula::{
     Grid, Hamiltonian, LinearOscillator, METHODS, Method, Pendulum, Phase, exact, integrate,
     method_named,
@@ -383,7 +383,7 @@ fn energy_errors_are_those_of_forty_digits() {
 /// Catches: an RK4 whose loss of energy is reversible, as an error of order h⁴ would be.
 #[rstest]
 #[case(Pendulum::PAPER)]
-#[case(pendula::verify::pendulum())]
+#[case(pendula::verify::properties::pendulum())]
 fn rk4_returns_with_less_by_what_it_loses(#[case] pendulum: Pendulum) {
     let lost = pendulum.energy(START) - pendulum.energy(there_and_back(&Rk4, &pendulum));
     let law = -2000.0 * theory::rk4::secular_rate(&pendulum, 1.0, 0.01);

@@ -8,7 +8,7 @@
 //! popular check would not have noticed.
 
 use pendula::methods::{ForwardEuler, Rk4, SymplecticEuler};
-use pendula::verify::*;
+use pendula::verify::properties::*;
 use pendula::{AnyMethod, Pendulum, Phase};
 use pendula_zoo::high_order::{EntryOff, TermDropped};
 use pendula_zoo::runge_kutta::Tableau;

@@ -3,7 +3,7 @@
 use std::cell::Cell;
 
 use pendula::methods::StormerVerlet;
-use pendula::verify::judge::{ByPointer, Fault, Reply, Request};
+use pendula::verify::{ByPointer, Fault, Reply, Request};
 use pendula::verify::{Claims, FromFn, Listed, Report, Stranger, Verdict, judge};
 use pendula::{AnyMethod, Phase, method_named};
 use pendula_zoo::impostor_named;

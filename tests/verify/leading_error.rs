@@ -2,8 +2,8 @@
 
 use pendula::internals::{Ladder, Probe, leading_error, shown};
 use pendula::method_named;
-use pendula::verify::error_constant::leading_local_error;
-use pendula::verify::judge::ByPointer;
+use pendula::verify::ByPointer;
+use pendula::verify::properties::error_constant::leading_local_error;
 
 use crate::common::{steps, steps_on};
 

@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use pendula::methods::{Rk4, StormerVerlet, SymplecticEuler};
 use pendula::metrics::{AngleError, CrossingPeriod, EnergyDrift, PeakPeriod};
-use pendula::verify::{CheckResult, Ladder, beyond, near, same};
+use pendula::verify::properties::{CheckResult, Ladder, beyond, near, same};
 use pendula::{AnyMethod, Hamiltonian, Observer, Pendulum, Phase, exact};
 
 /// A few roundings.

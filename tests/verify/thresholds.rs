@@ -6,8 +6,8 @@ use pendula::internals::verdicts::{
 use pendula::internals::{Ladder, Probe};
 use pendula::methods::StormerVerlet;
 use pendula::verify::Verdict::{self, Fails, Holds, Unclear};
-use pendula::verify::judge::{Fault, Reply, Request};
 use pendula::verify::{Claims, Finding, Report, Stranger, judge};
+use pendula::verify::{Fault, Reply, Request};
 use pendula::{METHODS, Phase};
 use rstest::rstest;
 
@@ -315,30 +315,18 @@ fn a_right_step_has_no_wrong_term() {
 #[test]
 fn the_verdict_on_all_claims_is_the_worst() {
     use Verdict::NotMeasured;
-    let finding = |name, verdict| Finding {
-        name,
-        claimed: Some(String::new()),
-        measured: String::new(),
-        values: vec![1.0],
-        unit: "",
-        bound: None,
-        verdict,
-        why: String::new(),
+    let finding = |name, verdict| {
+        let mut finding = Finding::default();
+        (finding.name, finding.verdict) = (name, verdict);
+        (finding.claimed, finding.values) = (Some(String::new()), vec![1.0]);
+        finding
     };
     let all = [Holds, Unclear, NotMeasured, Fails];
     for i in 0..64_usize {
         let verdicts = [all[i % 4], all[i / 4 % 4], all[i / 16]];
         let findings = ["area", "clock", "order"].into_iter().zip(verdicts);
-        let findings = findings.map(|(name, verdict)| finding(name, verdict)).collect();
-        let mut report = Report {
-            verdict: Holds,
-            identity: None,
-            mistake: None,
-            description: String::new(),
-            look_at: Vec::new(),
-            findings,
-            evidence: Default::default(),
-        };
+        let mut report = Report::default();
+        report.findings = findings.map(|(name, verdict)| finding(name, verdict)).collect();
         report.conclude(false);
         let rank = |verdict: &Verdict| all.iter().position(|known| known == verdict);
         let worst = verdicts.into_iter().max_by_key(rank).unwrap();

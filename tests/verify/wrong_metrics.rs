@@ -3,7 +3,7 @@
 use std::f64::consts::FRAC_PI_2;
 
 use pendula::exact::complete_elliptic_k;
-use pendula::verify::run;
+use pendula::verify::properties::run;
 use pendula::{AnyMethod, Hamiltonian, Pendulum, Phase, exact};
 
 use crate::metric_checks::Sample;

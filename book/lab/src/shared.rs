@@ -7,11 +7,10 @@ use core::ops::{Add, Mul};
 
 use pendula::fast::{ReducedPhase, ReducedRate, ScaledPendulum};
 use pendula::systems::{
-    Components, DoublePhase, Driven, MeanForce, NearlyLinear, Processor, Shaken, State, Vector,
+    Analytic, Components, DoublePhase, Driven, ForceGradient, MeanForce, NearlyLinear, Processor,
+    Shaken, State, Vector,
 };
-use pendula::{
-    Analytic, Counting, Damped, DoublePendulum, ForceGradient, Phase, RateOf, Separable, System,
-};
+use pendula::{Counting, Damped, DoublePendulum, Phase, RateOf, Separable, System};
 
 /// The system, state, displacement or force of one of the systems. Values of different systems are
 /// never combined.

@@ -16,7 +16,7 @@ pub mod wrapped;
 
 pub use list::{Impostor, impostor_named, impostors};
 
-use pendula::verify::driven::Pushed;
+use pendula::verify::properties::driven::Pushed;
 use pendula::{Counting, Pendulum, Phase, System};
 
 /// A system whose state is θ and ω: all that an impostor needs.

@@ -5,7 +5,7 @@ use pendula::methods::{
     Deuflhard, DiscreteGradient, Dop853, ForestRuth, Gauss4, Processed4, Processed6, Rk4,
     StormerVerlet, SymplecticEuler, Taylor24, Trapezoidal, Yoshida6,
 };
-use pendula::verify::{
+use pendula::verify::properties::{
     AREA, CLOCK, CONJUGACY, ERROR_CONSTANT, LINEAR, ORDER, Property, REVERSAL, SYMMETRY, WORK,
 };
 use pendula::{AnyMethod, Info, MethodInfo};

@@ -3,7 +3,7 @@
 
 use pendula::arithmetic::sine::{cos, sin};
 use pendula::methods::{Processed4, Processed6};
-use pendula::verify::conjugacy::{Kernel, PROCESSED_4, PROCESSED_6};
+use pendula::verify::properties::conjugacy::{Kernel, PROCESSED_4, PROCESSED_6};
 use pendula::{AnyMethod, Grid, Info, MethodInfo, Observer, Pendulum, Phase};
 
 /// A kernel between its processor undone and done.

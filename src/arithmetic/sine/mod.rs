@@ -14,6 +14,7 @@
 //! time loops use the module `half_turn`: one polynomial without a choice between two, two thirds
 //! of the time, within 2.5 ulp, which in a sum of a million kicks makes no difference.
 
+#[doc(hidden)]
 pub mod half_turn;
 
 use core::f64::consts::{FRAC_2_PI, FRAC_PI_4};
@@ -107,6 +108,7 @@ fn reduce_always<N: Number>(x: N) -> (N, Rest<N>) {
 
 /// [`sin`] and [`cos`] of `x` (rad) up to 2²⁰ quarter turns, without a branch, with the same bits.
 #[inline(always)]
+#[doc(hidden)]
 pub fn sin_and_cos_within<N: Number>(x: N) -> (N, N) {
     let (quarters, rest) = reduce_always(x);
     let (sine, cosine) = (sine(rest), cosine(rest));

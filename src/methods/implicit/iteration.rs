@@ -108,6 +108,7 @@ pub trait Implicit: Info + Sized {
 
 /// An implicit method with an [`Iteration`] of the caller's: see [`Implicit::with`].
 #[derive(Clone, Copy, Debug)]
+#[doc(hidden)]
 pub struct Iterated<M> {
     method: M,
     iteration: Iteration,

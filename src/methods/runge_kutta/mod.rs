@@ -3,13 +3,16 @@
 //! The longer ones are given as a [`tableau`], from which a macro generates the code of their
 //! stages; two of them are [`Embedded`]: they estimate their own error.
 
+#[doc(hidden)]
 pub mod dop853;
+#[doc(hidden)]
 pub mod dormand_prince;
 mod embedded;
 mod explicit_midpoint;
 mod forward_euler;
 mod heun;
 mod rk4;
+#[doc(hidden)]
 pub mod tableau;
 
 pub use dop853::Dop853;

@@ -59,6 +59,8 @@ impl<S: Separable> Method<S> for KicksAndDrifts {
 }
 // ANCHOR_END: step
 
+// A type that is no method is told to become one, and not to become a table.
+#[diagnostic::do_not_recommend]
 impl<M: Splitting, S: Separable> Method<S> for M {
     type Carry = S::State;
 
@@ -75,6 +77,7 @@ impl<M: Splitting, S: Separable> Method<S> for M {
 }
 
 /// The sum of the absolute values, Σ |x|.
+#[doc(hidden)]
 pub const fn length(all: &[f64]) -> f64 {
     let (mut sum, mut i) = (0.0, 0);
     while i < all.len() {
@@ -86,6 +89,7 @@ pub const fn length(all: &[f64]) -> f64 {
 
 /// The kicks of a composition of Störmer–Verlet steps: the two half kicks between two drifts are
 /// merged into one, and the outermost are half kicks. The drifts are the substeps themselves.
+#[doc(hidden)]
 pub const fn kicks<const N: usize, const KICKS: usize>(substeps: [f64; N]) -> [f64; KICKS] {
     assert!(KICKS == N + 1);
     let mut kicks = [0.0; KICKS];

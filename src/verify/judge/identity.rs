@@ -11,8 +11,8 @@ use super::probe::{
 };
 use super::report::{Told, Verdict};
 use crate::systems::{Phase, Separable};
-use crate::verify::error_constant::extrapolated;
 use crate::verify::known_answers;
+use crate::verify::properties::error_constant::extrapolated;
 use crate::{AnyMethod, Grid, METHODS, MethodInfo};
 
 /// From where a method is seen: a stranger's states are those of the method, or lie a part of a
@@ -73,6 +73,7 @@ impl fmt::Display for Seen {
 
 /// A known method that a stranger is.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Identity {
     /// The method's name on the command line, or that of the
     /// [known answers](crate::verify::known_answers) if it is not of the library.

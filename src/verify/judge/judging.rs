@@ -2,7 +2,7 @@
 
 use super::answers::Answers;
 use super::probe::{Measured, Probe, Trouble};
-use super::report::{Evidence, Finding, Report, Told, Verdict};
+use super::report::{Finding, Report, Told, Verdict};
 use super::stranger::Stranger;
 use super::{
     Claims, area, clock, energy, evaluations, identity, look, loss, order, precision, repeatable,
@@ -11,18 +11,9 @@ use super::{
 
 /// What is found of `stranger`.
 pub fn report(stranger: &dyn Stranger, claims: &Claims) -> Measured<Report> {
-    let empty = Report {
-        verdict: Verdict::NotMeasured,
-        identity: None,
-        mistake: None,
-        description: String::new(),
-        look_at: Vec::new(),
-        findings: Vec::new(),
-        evidence: Evidence::default(),
-    };
     let probe = Probe::new(stranger)?;
     let answers = Answers::of(&probe)?;
-    let mut judge = Judge { probe, answers, claims, report: empty };
+    let mut judge = Judge { probe, answers, claims, report: Report::default() };
     judge.take_all()?;
     judge.report.conclude(claims.are_none());
     if claims.are_none() || judge.report.failures().next().is_some() {
@@ -120,7 +111,7 @@ impl Judge<'_> {
     fn symmetries(&mut self) -> Measured<()> {
         let apart = symmetry::mirror(&self.probe);
         self.note("mirror", self.implied(), apart, |apart| apart.judge(false))?;
-        let apart = symmetry::units(&self.probe);
+        let apart = symmetry::units(&self.probe, &symmetry::UNITS);
         self.note("units", self.implied(), apart, |apart| apart.judge(true))?;
         let apart = symmetry::turn(&self.probe);
         self.note("turn", self.implied(), apart, |apart| apart.judge(true))?;

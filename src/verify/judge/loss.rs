@@ -6,7 +6,7 @@ use super::number::{about, scientific};
 use super::probe::{G_OVER_L, Measured, Probe, Run, energy, pendulum, step};
 use super::report::{Told, Verdict};
 use crate::systems::Phase;
-use crate::verify::flipped;
+use crate::verify::properties::flipped;
 use crate::{Grid, method_named};
 
 /// A loss a step, with the limit of what can be seen.

@@ -8,7 +8,7 @@ use crate::systems::Phase;
 use crate::verify::known_answers::Known;
 
 /// What is to be said of a claim, or of all of them.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Verdict {
     /// It was measured and holds.
     Holds,
@@ -17,6 +17,7 @@ pub enum Verdict {
     /// It was measured, and cannot be told: from rounding, or between two bounds.
     Unclear,
     /// It was not measured: the stranger does not answer, or not in time.
+    #[default]
     NotMeasured,
     /// Nobody claims it; what was measured is said all the same.
     Unclaimed,
@@ -48,7 +49,8 @@ impl Verdict {
 }
 
 /// What was found of one property.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct Finding {
     /// The property.
     pub name: &'static str,
@@ -109,6 +111,7 @@ impl From<Trouble> for Told {
 
 /// Measurements that a report can draw.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct Evidence {
     /// Step (s) and largest error (rad) on the ladder that shows the order.
     pub ladder: Vec<(f64, f64)>,
@@ -121,7 +124,8 @@ pub struct Evidence {
 }
 
 /// What the judge found.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct Report {
     /// Of all claims: `Fails` if one does; else `NotMeasured` or `Unclear` if one is; else `Holds`.
     /// Without claims `Unclaimed`, or `NotMeasured` if nothing could be measured at all.

@@ -4,7 +4,7 @@ use super::number::{about, scientific};
 use super::probe::{Measured, Probe, Run, Trouble, distance, step};
 use super::report::{Told, Verdict};
 use crate::systems::Phase;
-use crate::verify::flipped;
+use crate::verify::properties::flipped;
 
 /// The way out and back.
 #[derive(Clone, Copy, Debug)]

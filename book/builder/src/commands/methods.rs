@@ -4,7 +4,7 @@ use std::io::{self, Write};
 
 use anyhow::Context;
 use clap::Args;
-use pendula::verify::energy::is_conserved_by;
+use pendula::verify::properties::energy::is_conserved_by;
 use pendula::{AnyMethod, METHODS, MethodInfo};
 use serde_json::{Value, json};
 

@@ -161,7 +161,6 @@ fn print(arguments: &Arguments, judged: &Judged<'_>, out: &mut dyn Write) -> io:
 mod tests {
     use super::*;
     use clap::Parser;
-    use pendula::verify::Evidence;
 
     #[derive(Parser)]
     struct Call {
@@ -186,17 +185,8 @@ mod tests {
         let status = |options: &[&str], out: &mut dyn Write, judged: Result<Verdict, String>| {
             let call = Call::parse_from([&["verify"], options, &["--", "x"]].concat());
             let judged = judged.map(|verdict| {
-                let (findings, look_at, description) = (vec![], vec![], String::new());
-                let (identity, evidence) = (None, Evidence::default());
-                let report = Report {
-                    verdict,
-                    identity,
-                    mistake: None,
-                    description,
-                    look_at,
-                    findings,
-                    evidence,
-                };
+                let mut report = Report::default();
+                report.verdict = verdict;
                 (report, String::new())
             });
             let outcome = run_with(&call.arguments, out, |_, _| judged);

@@ -3,7 +3,7 @@
 use std::io::{self, BufRead, Write};
 
 use pendula::methods::table;
-use pendula::verify::judge::ByPointer;
+use pendula::verify::ByPointer;
 use pendula::verify::{Fault, Listed, Request, Stranger};
 use pendula::{AnyMethod, Driven};
 

@@ -2,8 +2,8 @@
 
 use core::fmt;
 
-use pendula::verify::Ladder;
-use pendula::verify::area::{AREA_STEP, area_defect, area_tolerance};
+use pendula::verify::properties::Ladder;
+use pendula::verify::properties::area::{AREA_STEP, area_defect, area_tolerance};
 use pendula::{Grid, Pendulum, Phase};
 
 use super::{MethodRef, long_run, released};

@@ -1,7 +1,7 @@
 //! The paper's tables, stated and measured, from the ledger.
 
 use pendula::metrics::order::slopes;
-use pendula::verify::{PROPERTIES, Property};
+use pendula::verify::properties::{PROPERTIES, Property};
 use pendula_zoo::{Impostor, impostors};
 
 use super::table::Table;

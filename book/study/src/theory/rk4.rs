@@ -8,7 +8,7 @@
 //! methods: Hairer, Lubich, Wanner, Sect. IX.1–2.
 
 use pendula::exact::Motion;
-use pendula::verify::error_constant;
+use pendula::verify::properties::error_constant;
 use pendula::{Pendulum, Phase};
 
 use super::flow::flow;

@@ -145,12 +145,11 @@ mod tests {
     fn what_there_is_evidence_for_is_drawn() {
         assert!(all(&Evidence::default(), &Claims::order(2)).is_empty());
         let square = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)].map(|(x, y)| state(x, y));
-        let evidence = Evidence {
-            ladder: vec![(0.1, 1e-2), (0.025, 6.25e-4), (0.05, 2.5e-3), (0.0125, 0.0)],
-            energy: vec![(0.0, 0.0), (1.0, 1e-3)],
-            square: Some((square, square.map(|z| state(z.theta + z.omega, 1.5 * z.omega)))),
-            way: Some((vec![state(1.0, 0.0), state(0.9, -1.0)], vec![state(1.0, 1e-3)])),
-        };
+        let mut evidence = Evidence::default();
+        evidence.ladder = vec![(0.1, 1e-2), (0.025, 6.25e-4), (0.05, 2.5e-3), (0.0125, 0.0)];
+        evidence.energy = vec![(0.0, 0.0), (1.0, 1e-3)];
+        evidence.square = Some((square, square.map(|z| state(z.theta + z.omega, 1.5 * z.omega))));
+        evidence.way = Some((vec![state(1.0, 0.0), state(0.9, -1.0)], vec![state(1.0, 1e-3)]));
         let figures = all(&evidence, &Claims::order(2));
         let [ladder, energy, square, way] = &figures[..] else { panic!("{figures:?}") };
         let has = |text: &str, part: &str| {
@@ -167,12 +166,10 @@ mod tests {
     /// Catches: a panic where the evidence is a single point or none that has a place.
     #[test]
     fn poor_evidence_is_drawn_as_well_as_it_can_be() {
-        let evidence = Evidence {
-            ladder: vec![(0.1, f64::NAN)],
-            energy: vec![(0.0, f64::INFINITY)],
-            square: None,
-            way: Some((vec![state(f64::NAN, 0.0)], vec![])),
-        };
+        let mut evidence = Evidence::default();
+        evidence.ladder = vec![(0.1, f64::NAN)];
+        evidence.energy = vec![(0.0, f64::INFINITY)];
+        evidence.way = Some((vec![state(f64::NAN, 0.0)], vec![]));
         assert_eq!(all(&evidence, &Claims::none()).len(), 2);
         assert_eq!(all(&evidence, &Claims::order(4)).len(), 2);
     }

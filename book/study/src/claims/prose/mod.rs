@@ -19,8 +19,8 @@ use pendula::methods::{
 use pendula::metrics::order::slopes;
 use pendula::metrics::{AngleError, CrossingPeriod, EnergyDrift};
 use pendula::systems::System;
-use pendula::verify::Ladder;
-use pendula::verify::area::{AREA_STEP, AREA_TOLERANCE, area_defect, cases};
+use pendula::verify::properties::Ladder;
+use pendula::verify::properties::area::{AREA_STEP, AREA_TOLERANCE, area_defect, cases};
 use pendula::{
     AnyMethod, Grid, Hamiltonian, LinearOscillator, Motion, Observer, Pendulum, Phase, exact,
 };

@@ -68,7 +68,7 @@ pub fn processed_4(s: f64, c: f64, q: f64) -> [f64; 2] {
 }
 
 /// Extrapolates to h = 0 what was measured at h, h/2 and h/4, as a quadratic in h.
-pub(super) fn extrapolated(at: [f64; 3]) -> f64 {
+pub(in crate::verify) fn extrapolated(at: [f64; 3]) -> f64 {
     let (first, second) = (2.0 * at[1] - at[0], 2.0 * at[2] - at[1]);
     (4.0 * second - first) / 3.0
 }
