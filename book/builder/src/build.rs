@@ -9,6 +9,7 @@ use mdbook_driver::MDBook;
 
 use crate::files;
 use crate::files::whole_folder::WholeFolder;
+use crate::lab_files;
 use crate::ledger::Ledger;
 use crate::policy;
 use crate::preprocess::Pendula;
@@ -66,10 +67,26 @@ fn driven(
     book.with_preprocessor(pendula);
     book.build()?;
     let pages = book.build_dir_for("html");
-    policy::impose(&pages)?;
+    lab_files::join(&pages, &book.config.html_config().unwrap_or_default().additional_js)?;
+    each_page(&pages, &|page| policy::with_policy(&lab_files::linked(page)))?;
     known_answers(root, &pages)?;
     let pages = pages.strip_prefix(folder.path()).map(Path::to_path_buf).unwrap_or_default();
     Ok((folder, pages))
+}
+
+/// Changes every page in the folder, which nobody reads yet.
+fn each_page(folder: &Path, change: &dyn Fn(&str) -> Result<String>) -> Result<()> {
+    for path in files::list(folder).with_context(|| folder.display().to_string())? {
+        let name = || path.display().to_string();
+        if files::is_folder(&path).with_context(name)? {
+            each_page(&path, change)?;
+        } else if path.extension().is_some_and(|extension| extension == "html") {
+            let page = files::read_to_string(&path).with_context(name)?;
+            let page = change(&page).with_context(name)?;
+            files::write_in_private(&path, &page).with_context(name)?;
+        }
+    }
+    Ok(())
 }
 
 /// Adds the known answers to a book that has the page for them: as they are, to be taken along, and

@@ -22,6 +22,8 @@ pub mod failure;
 mod files;
 pub mod interrupt;
 #[cfg(feature = "book")]
+mod lab_files;
+#[cfg(feature = "book")]
 pub mod ledger;
 #[cfg(feature = "book")]
 pub mod locate;

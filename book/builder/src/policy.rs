@@ -8,36 +8,20 @@
 //! the cells of a table their alignment, both as attributes, which no hash can name.
 
 use std::collections::BTreeSet;
-use std::path::Path;
 
 use anyhow::{Context, Result};
 
-use crate::files;
+use crate::lab_files::has_lab;
 use crate::page::hash;
 
 /// The line after which mdBook's pages have their policy.
 const CHARSET: &str = "<meta charset=\"UTF-8\">";
 
-/// Gives a policy to every page in `folder`, which nobody reads yet.
+/// The page with its policy, before anything that it is about.
 ///
 /// # Errors
-/// If a page cannot be read or written, or has no place for the policy.
-pub fn impose(folder: &Path) -> Result<()> {
-    for path in files::list(folder).with_context(|| folder.display().to_string())? {
-        let name = || path.display().to_string();
-        if files::is_folder(&path).with_context(name)? {
-            impose(&path)?;
-        } else if path.extension().is_some_and(|extension| extension == "html") {
-            let page = files::read_to_string(&path).with_context(name)?;
-            let page = with_policy(&page).with_context(name)?;
-            files::write_in_private(&path, &page).with_context(name)?;
-        }
-    }
-    Ok(())
-}
-
-/// The page with its policy, before anything that it is about.
-fn with_policy(page: &str) -> Result<String> {
+/// If the page has no place for it.
+pub fn with_policy(page: &str) -> Result<String> {
     let (before, after) = page.split_once(CHARSET).context("a page without its encoding")?;
     let policy = policy(page);
     Ok(format!(
@@ -54,7 +38,7 @@ fn policy(page: &str) -> String {
     }
     // The lab and the figures that it moves, of class "lab-figure", are compiled in the browser,
     // which is allowed on their pages alone.
-    if page.contains("class=\"lab") {
+    if has_lab(page) {
         scripts += " 'wasm-unsafe-eval'";
     }
     // The page for what is not found says where the book begins.
