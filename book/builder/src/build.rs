@@ -9,8 +9,8 @@ use mdbook_driver::MDBook;
 
 use crate::files;
 use crate::files::whole_folder::WholeFolder;
-use crate::lab_files;
 use crate::ledger::Ledger;
+use crate::page_files;
 use crate::policy;
 use crate::preprocess::Pendula;
 use crate::progress::Progress;
@@ -67,8 +67,8 @@ fn driven(
     book.with_preprocessor(pendula);
     book.build()?;
     let pages = book.build_dir_for("html");
-    lab_files::join(&pages, &book.config.html_config().unwrap_or_default().additional_js)?;
-    each_page(&pages, &|page| policy::with_policy(&lab_files::linked(page)))?;
+    page_files::join(&pages, &book.config.html_config().unwrap_or_default().additional_js)?;
+    each_page(&pages, &|page| policy::with_policy(&page_files::linked(page)))?;
     known_answers(root, &pages)?;
     let pages = pages.strip_prefix(folder.path()).map(Path::to_path_buf).unwrap_or_default();
     Ok((folder, pages))

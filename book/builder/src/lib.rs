@@ -22,12 +22,12 @@ pub mod failure;
 mod files;
 pub mod interrupt;
 #[cfg(feature = "book")]
-mod lab_files;
-#[cfg(feature = "book")]
 pub mod ledger;
 #[cfg(feature = "book")]
 pub mod locate;
 pub mod page;
+#[cfg(feature = "book")]
+mod page_files;
 pub mod picture;
 #[cfg(feature = "book")]
 pub mod policy;

@@ -11,11 +11,11 @@ use std::collections::BTreeSet;
 
 use anyhow::{Context, Result};
 
-use crate::lab_files::has_lab;
 use crate::page::hash;
+use crate::page_files::has_lab;
 
 /// The line after which mdBook's pages have their policy.
-const CHARSET: &str = "<meta charset=\"UTF-8\">";
+pub const CHARSET: &str = "<meta charset=\"UTF-8\">";
 
 /// The page with its policy, before anything that it is about.
 ///

@@ -1,10 +1,14 @@
-//! The scripts and styles of the lab, on the pages that have one and nowhere else. Its scripts are
-//! joined to one, which another loads when the reader comes near.
+//! What a page loads, and when: the scripts and styles of the lab where there is one, and nowhere
+//! else; and its fonts before its text is set, so that no line is set twice.
+//!
+//! The scripts of the lab are joined to one, which another loads when the reader comes near.
 
 use std::fs;
 use std::path::Path;
 
 use anyhow::{Context, Result};
+
+use crate::policy::CHARSET;
 
 /// Where the lab's files stand in the book.
 const FOLDER: &str = "theme/lab/";
@@ -39,7 +43,8 @@ pub fn has_lab(page: &str) -> bool {
     page.contains("class=\"lab")
 }
 
-/// The page without the scripts that were joined; without any of the lab's files if it has no lab.
+/// The page with the files that it needs: without the scripts that were joined, without any of the
+/// lab's files if it has no lab, and with its fonts called for.
 pub fn linked(page: &str) -> String {
     let with_lab = has_lab(page);
     let stays = |line: &&str| {
@@ -48,7 +53,34 @@ pub fn linked(page: &str) -> String {
         let of_the_lab = (script || tag.starts_with("<link ")) && tag.contains(FOLDER);
         !of_the_lab || with_lab && (!script || tag.contains(LOADER))
     };
-    page.split_inclusive('\n').filter(stays).collect()
+    let linked: String = page.split_inclusive('\n').filter(stays).collect();
+    linked.replacen(CHARSET, &format!("{CHARSET}{}", fonts(page)), 1)
+}
+
+/// The script that calls for the fonts of the page. From a disk a browser refuses to load them so
+/// early.
+fn fonts(page: &str) -> String {
+    const KINDS: [(&str, &str); 5] = [
+        ("<body", "fonts/open-sans-regular"),
+        ("<h1", "fonts/open-sans-600"),
+        ("<code", "fonts/source-code-pro-500"),
+        ("<em>", "fonts/open-sans-italic"),
+        ("class=\"katex", "assets/katex/fonts/KaTeX_Main-Regular"),
+    ];
+    let kinds = KINDS.iter().filter(|(sign, _)| page.contains(sign));
+    let mut names: Vec<&str> = kinds.map(|(_, name)| *name).collect();
+    if page.contains("class=\"mord mathnormal") {
+        names.push("assets/katex/fonts/KaTeX_Math-Italic");
+    }
+    // Where the root of the book is, as the page says it.
+    let before = page.split_once("fonts/fonts.css\"").map_or("", |(before, _)| before);
+    let root = before.rsplit_once('"').map_or("", |(_, root)| root);
+    format!(
+        "\n        <script>if (location.protocol !== 'file:') for (const name of {names:?}) \
+         document.head.append(Object.assign(document.createElement('link'), {{rel: 'preload', \
+         as: 'font', type: 'font/woff2', crossOrigin: '', href: `{root}${{name}}.woff2`}}));\
+         </script>"
+    )
 }
 
 #[cfg(test)]
@@ -71,6 +103,18 @@ mod tests {
         let page = linked(PAGE);
         assert_eq!(page.matches("theme/lab/").count(), 1);
         assert_eq!(page.lines().count(), PAGE.lines().count() - 3);
+    }
+
+    /// Catches: a font called for that the page does not show, of which a browser complains; a font
+    /// of another folder.
+    #[test]
+    fn a_page_calls_for_its_own_fonts() {
+        let head = format!("{CHARSET}<link href=\"../../fonts/fonts.css\"><body><h1>x</h1>");
+        let page = linked(&head);
+        assert!(page.contains("[\"fonts/open-sans-regular\", \"fonts/open-sans-600\"]"), "{page}");
+        assert!(page.contains("href: `../../${name}.woff2`"), "{page}");
+        let page = linked(&format!("{head}<span class=\"katex\">"));
+        assert!(page.contains("KaTeX_Main") && !page.contains("KaTeX_Math"), "{page}");
     }
 
     /// Catches: a lab without its loader or its styles, or with a script that is no longer there.
