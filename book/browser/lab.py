@@ -343,21 +343,37 @@ WITH_LAB = ["forward-euler", "symplectic-euler", "stormer-verlet", "rk4", "limit
 
 
 def chapters(tab: Tab, book: Book) -> Iterator[str]:
-    """The small labs of the chapters: they come, run, and lead to their lesson; on paper and
-    without scripts, something stands in their place."""
+    """The small labs of the chapters: they come when they are near, move while they are seen until
+    the reader takes over, and lead to their lesson; where little motion is asked for they rest; on
+    paper and without scripts, something stands in their place."""
     pages = [p for p in book.chapters if p != PAGE and 'class="lab"' in book.text(p)]
     for wanted in WITH_LAB:
         if f"{wanted}.html" not in pages:
             yield f"lab: none in {wanted}.html"
     for page in [*pages, PAGE]:
         tab.open(page)
+        tab.run("document.querySelector('.lab').scrollIntoView()")
         if not tab.comes(ALL_ON):
             yield f"lab: does not come in {page}"
             continue
         for i in range(tab.run("document.querySelectorAll('.lab').length")):
             lab = f"document.querySelectorAll('.lab')[{i}]"
+            tab.run(f"{lab}.scrollIntoView()")
+            if page != PAGE:
+                if not tab.comes(f"{lab}.lab.running"):
+                    yield f"lab: does not move by itself in {page}"
+                tab.run("scrollTo(0, 0)" if i else "scrollTo(0, document.body.scrollHeight)")
+                if not tab.comes(f"!{lab}.lab.running"):
+                    yield f"lab: moves unseen in {page}"
+                before = tab.run(f"{lab}.lab.taken")
+                tab.run(f"{lab}.querySelector('.step').click()")
+                if not before or tab.run(f"{lab}.lab.taken") != before + 1:
+                    yield f"lab: begins with nothing to see in {page}, or takes no step"
+                if not tab.run(f"{lab}.querySelector('table').checkVisibility()"):
+                    yield f"lab: shows no numbers in {page}"
+            before = tab.run(f"{lab}.lab.taken")
             tab.run(f"{lab}.querySelector('.run').click()")
-            if not tab.comes(f"{lab}.lab.taken > 0"):
+            if not tab.comes(f"{lab}.lab.taken > {before}"):
                 yield f"lab: does not run in {page}"
             tab.run(f"{lab}.querySelector('.run').click()")
             link = tab.run(f"{lab}.querySelector('.onward a')?.href ?? ''")
@@ -371,6 +387,14 @@ def chapters(tab: Tab, book: Book) -> Iterator[str]:
             yield f"lab: nothing stands in its place on paper, {page}"
         tab.page.emulate_media(media="screen")
         tab.screen(DESK)
+    tab.page.emulate_media(reduced_motion="reduce")
+    tab.open(pages[0])
+    tab.run("document.querySelector('.lab').scrollIntoView()")
+    tab.comes(ALL_ON)
+    time.sleep(0.5)
+    if tab.run("document.querySelector('.lab').lab.running"):
+        yield f"lab: moves by itself in {pages[0]} where little motion is asked for"
+    tab.page.emulate_media(reduced_motion="no-preference")
     with tab.without_scripts() as still:
         for page in [*pages, PAGE]:
             still.open(page)

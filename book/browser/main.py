@@ -21,6 +21,7 @@ import reading
 import spoilt
 import systems
 import table
+import weight
 import which
 from book import Book, NoBook
 from browser import Browser, Tab
@@ -40,6 +41,7 @@ CHECKS = [
     *addresses.CHECKS,
     *policy.CHECKS,
     *covered.CHECKS,
+    *weight.CHECKS,
 ]
 
 

@@ -29,6 +29,7 @@ def figure(kind: str) -> str:
 def opened(tab: Tab, page: str, kind: str) -> bool:
     """Opens a page; whether its figure comes to life."""
     tab.open(page)
+    tab.run(f"{figure(kind)}?.scrollIntoView()")
     return tab.comes(f"{figure(kind)}?.classList.contains('on')")
 
 
@@ -350,6 +351,7 @@ def still(tab: Tab, book: Book) -> Iterator[str]:
     pages = sorted({*STENCILS, TILTED, CAT})
     for page in pages:
         tab.open(page)
+        tab.run("document.querySelector('.lab-figure').scrollIntoView()")
         if not tab.comes(f"{ALL}.every(spot => spot.matches('.on'))"):
             yield f"moved: does not come in {page}"
             continue

@@ -1,5 +1,6 @@
 //! Building the book in-process: mdBook's driver with our preprocessor in place of the command.
 
+use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -10,6 +11,7 @@ use mdbook_driver::MDBook;
 use crate::files;
 use crate::files::whole_folder::WholeFolder;
 use crate::ledger::Ledger;
+use crate::page_files;
 use crate::policy;
 use crate::preprocess::Pendula;
 use crate::progress::Progress;
@@ -66,10 +68,23 @@ fn driven(
     book.with_preprocessor(pendula);
     book.build()?;
     let pages = book.build_dir_for("html");
-    policy::impose(&pages)?;
+    page_files::join(&pages, &book.config.html_config().unwrap_or_default().additional_js)?;
+    each_page(&pages, |page| policy::with_policy(&page_files::linked(page)))?;
     known_answers(root, &pages)?;
     let pages = pages.strip_prefix(folder.path()).map(Path::to_path_buf).unwrap_or_default();
     Ok((folder, pages))
+}
+
+/// Changes every page in the folder, which nobody reads yet.
+fn each_page(folder: &Path, change: impl Fn(&str) -> Result<String>) -> Result<()> {
+    for (path, _) in files::tree(folder).with_context(|| folder.display().to_string())? {
+        if path.extension().is_some_and(|extension| extension == "html") {
+            let (name, file) = (|| path.display().to_string(), folder.join(&path));
+            let page = fs::read_to_string(&file).with_context(name)?;
+            fs::write(&file, change(&page).with_context(name)?).with_context(name)?;
+        }
+    }
+    Ok(())
 }
 
 /// Adds the known answers to a book that has the page for them: as they are, to be taken along, and
@@ -81,11 +96,11 @@ fn known_answers(root: &Path, pages: &Path) -> Result<()> {
         return Ok(());
     }
     let file = root.join("../snapshots/known-answers.json");
-    let json = files::read_to_string(&file).with_context(|| file.display().to_string())?;
+    let json = fs::read_to_string(&file).with_context(|| file.display().to_string())?;
     let script = format!("globalThis.knownAnswers = {};\n", json.trim_end());
     for (name, text) in [("known-answers.json", &json), ("known-answers.js", &script)] {
         let to = assets.join(name);
-        files::write_in_private(&to, text).with_context(|| to.display().to_string())?;
+        fs::write(&to, text).with_context(|| to.display().to_string())?;
     }
     Ok(())
 }

@@ -28,6 +28,8 @@ pub mod locate;
 #[cfg(feature = "book")]
 pub mod number;
 pub mod page;
+#[cfg(feature = "book")]
+mod page_files;
 pub mod picture;
 #[cfg(feature = "book")]
 pub mod policy;

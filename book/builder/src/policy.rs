@@ -8,32 +8,17 @@
 //! the cells of a table their alignment, both as attributes, which no hash can name.
 
 use std::collections::BTreeSet;
-use std::path::Path;
 
 use anyhow::{Context, Result};
 
-use crate::files;
 use crate::page::hash;
+use crate::page_files::has_lab;
 
 /// The line after which mdBook's pages have their policy.
-const CHARSET: &str = "<meta charset=\"UTF-8\">";
-
-/// Gives a policy to every page in `folder`, which nobody reads yet.
-pub fn impose(folder: &Path) -> Result<()> {
-    for (path, _) in files::tree(folder).with_context(|| folder.display().to_string())? {
-        if path.extension().is_some_and(|extension| extension == "html") {
-            let name = || path.display().to_string();
-            let file = folder.join(&path);
-            let page = files::read_to_string(&file).with_context(name)?;
-            let page = with_policy(&page).with_context(name)?;
-            files::write_in_private(&file, &page).with_context(name)?;
-        }
-    }
-    Ok(())
-}
+pub const CHARSET: &str = "<meta charset=\"UTF-8\">";
 
 /// The page with its policy, before anything that it is about.
-fn with_policy(page: &str) -> Result<String> {
+pub fn with_policy(page: &str) -> Result<String> {
     let (before, after) = page.split_once(CHARSET).context("a page without its encoding")?;
     let policy = policy(page);
     Ok(format!(
@@ -50,7 +35,7 @@ fn policy(page: &str) -> String {
     }
     // The lab and the figures that it moves, of class "lab-figure", are compiled in the browser,
     // which is allowed on their pages alone.
-    if page.contains("class=\"lab") {
+    if has_lab(page) {
         scripts += " 'wasm-unsafe-eval'";
     }
     // The page for what is not found says where the book begins.

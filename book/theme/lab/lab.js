@@ -29,6 +29,8 @@
             this.whole = spot.classList.contains('whole');
             this.preset = spot.dataset.preset;
             this.running = this.held = false;
+            // Whether the reader has touched it; until then one within a chapter moves by itself.
+            this.touched = this.whole;
             this.frames = 0;
             // The step that is read out, and its time (s).
             this.cursor = null;
@@ -48,6 +50,7 @@
                 });
             }
             if (!this.arrived) this.begin();
+            if (!this.whole) this.unasked();
             spot.classList.add('on');
             let wide = 0;
             new ResizeObserver(
@@ -70,6 +73,29 @@
 
         // ----------------------------------------------------------------------------------- the
         // scene
+
+        // Begins where there is something to see, and moves while it is seen, until the reader
+        // takes over; then its numbers are shown, too.
+        unasked() {
+            const { live } = this.page,
+                start = Math.round(PRESETS[this.preset].from / this.scene.dt);
+            // In pieces of which each step is drawn.
+            while (this.taken < start && this.advance(Math.min(start - this.taken, 64)));
+            this.clock = this.time;
+            live.classList.add('unasked');
+            const seen = new IntersectionObserver(
+                ([entry]) => this.run(entry.isIntersecting && !calm.matches),
+                { threshold: 0.3 },
+            );
+            seen.observe(this.spot);
+            const take = () => {
+                this.touched = true;
+                seen.disconnect();
+                live.classList.remove('unasked');
+            };
+            for (const event of ['pointerdown', 'keydown', 'click'])
+                live.addEventListener(event, take, { once: true, capture: true });
+        }
 
         // Goes to the scene in an address, the page's own; returns whether there is one.
         follow(hash = location.hash) {
@@ -154,7 +180,7 @@
             if (on && this.taken >= this.limit) this.begin();
             this.running = on && this.pendulums.length > 0;
             this.show();
-            this.page.say(this.running ? '' : this.page.summary());
+            this.page.say(this.running || !this.touched ? '' : this.page.summary());
             if (!this.running) return;
             this.before = performance.now();
             this.clock = this.time;
@@ -229,26 +255,20 @@
         }
     }
 
-    const spots = document.querySelectorAll('.lab');
-    // A page without WebAssembly is as in print.
-    if (
-        spots.length &&
-        !/\/print\.html$/.test(location.pathname) &&
-        typeof WebAssembly === 'object'
-    ) {
-        compiled()
-            .then(async module => {
-                for (const spot of spots) {
-                    if (!Object.hasOwn(PRESETS, spot.dataset.preset))
-                        throw new Error(`no preset ${spot.dataset.preset}`);
-                    const instances = [];
-                    for (let i = 0; i < (spot.classList.contains('whole') ? 4 : 2); i++)
-                        instances.push((await WebAssembly.instantiate(module)).exports);
-                    spot.lab = new Lab(spot, ...instances);
-                    // When the browser scrolled to the address, the lab was not on the page yet.
-                    if (spot.lab.arrived) spot.scrollIntoView({ block: 'start' });
-                }
-            })
-            .catch(error => console.error(`lab: ${error.message}`));
+    async function come(spot) {
+        if (!Object.hasOwn(PRESETS, spot.dataset.preset))
+            throw new Error(`no preset ${spot.dataset.preset}`);
+        const module = await compiled();
+        const instances = [];
+        for (let i = 0; i < (spot.classList.contains('whole') ? 4 : 2); i++)
+            instances.push((await WebAssembly.instantiate(module)).exports);
+        spot.lab = new Lab(spot, ...instances);
+        // When the browser scrolled to the address, the lab was not on the page yet.
+        if (spot.lab.arrived) spot.scrollIntoView({ block: 'start' });
     }
+
+    // A page without WebAssembly is as in print.
+    if (!/\/print\.html$/.test(location.pathname) && typeof WebAssembly === 'object')
+        for (const spot of document.querySelectorAll('.lab'))
+            come(spot).catch(error => console.error(`lab: ${error.message}`));
 })((globalThis.theLab ??= {}));

@@ -190,6 +190,7 @@
     }
 
     Object.assign(theLab, { Moved, PENDULUM, figures });
-    // Once the kinds of figures are known.
-    document.addEventListener('DOMContentLoaded', start);
+    // Once the kinds of figures are known: they come after this file, or later in the same.
+    if (document.readyState === 'loading') document.addEventListener('DOMContentLoaded', start);
+    else queueMicrotask(start);
 })((globalThis.theLab ??= {}));

@@ -51,13 +51,14 @@
         step: 1,
         pin: '',
     };
-    // The lessons of lab.md, by the ids of their headings, and the plot that a small lab in a
-    // chapter shows.
+    // The lessons of lab.md, by the ids of their headings, and of a small lab in a chapter the
+    // time at which it begins (s), and the plot that it shows.
     const PRESETS = {
         'over-the-top': {
             title: 'Forward Euler goes over the top',
             theta0: 1.5,
             dt: 0.03,
+            from: 6,
             shows: 'energy',
         },
         'kick-then-drift': {
@@ -65,6 +66,7 @@
             methods: ['forward-euler', 'symplectic-euler'],
             theta0: 2,
             dt: 0.05,
+            from: 10,
             shows: 'energy',
         },
         bounded: {
@@ -72,6 +74,7 @@
             methods: ['symplectic-euler', 'stormer-verlet'],
             theta0: 2,
             dt: 0.02,
+            from: 12,
             shows: 'energy',
         },
         'for-an-hour': {
@@ -82,6 +85,7 @@
             speed: 100,
             scale: 'log',
             until: 3600,
+            from: 900,
             shows: 'energy',
         },
         'last-torus': {
@@ -90,6 +94,7 @@
             theta0: 3,
             dt: 0.314455,
             speed: 1000,
+            from: 300,
             shows: 'energy',
         },
         'hidden-order': {
@@ -108,6 +113,7 @@
             dt: 0.66,
             speed: 10,
             scale: 'log',
+            from: 60,
             shows: 'energy',
         },
         friction: {
@@ -185,7 +191,7 @@
 
     // The first step of a lesson.
     function presetScene(name) {
-        const { title, shows, ...given } = PRESETS[name];
+        const { title, shows, from, ...given } = PRESETS[name];
         return { ...startOf(given.system ?? 'pendulum'), ...given, lesson: name };
     }
 

@@ -1,0 +1,127 @@
+//! What a page loads, and when: the scripts and styles of the lab where there is one, and nowhere
+//! else; and its fonts before its text is set, so that no line is set twice.
+//!
+//! The scripts of the lab are joined to one, which another loads when the reader comes near.
+
+use std::fs;
+use std::path::Path;
+
+use anyhow::{Context, Result};
+
+use crate::policy::CHARSET;
+
+/// Where the lab's files stand in the book.
+const FOLDER: &str = "theme/lab/";
+
+/// What all scripts are joined to, and the script that loads it.
+const BUNDLE: &str = "theme/lab/bundle.js";
+const LOADER: &str = "theme/lab/near.js";
+
+/// Joins the scripts of the lab, in the order in which `scripts` names them, in the folder of the
+/// pages, if there are any.
+///
+/// # Errors
+/// If a script cannot be read, or the joined one not be written.
+pub fn join<P: AsRef<Path>>(pages: &Path, scripts: &[P]) -> Result<()> {
+    let mut bundle = String::new();
+    for script in scripts.iter().map(AsRef::as_ref) {
+        if !script.starts_with(FOLDER) || script == Path::new(LOADER) {
+            continue;
+        }
+        let file = pages.join(script);
+        bundle += &fs::read_to_string(&file).with_context(|| file.display().to_string())?;
+    }
+    if bundle.is_empty() {
+        return Ok(());
+    }
+    let file = pages.join(BUNDLE);
+    fs::write(&file, bundle).with_context(|| file.display().to_string())
+}
+
+/// Whether the page has a lab, or a figure that the lab's library moves.
+pub fn has_lab(page: &str) -> bool {
+    page.contains("class=\"lab")
+}
+
+/// The page with the files that it needs: without the scripts that were joined, without any of the
+/// lab's files if it has no lab, and with its fonts called for.
+pub fn linked(page: &str) -> String {
+    let with_lab = has_lab(page);
+    let stays = |line: &&str| {
+        let tag = line.trim_start();
+        let script = tag.starts_with("<script src=\"");
+        let of_the_lab = (script || tag.starts_with("<link ")) && tag.contains(FOLDER);
+        !of_the_lab || with_lab && (!script || tag.contains(LOADER))
+    };
+    let linked: String = page.split_inclusive('\n').filter(stays).collect();
+    linked.replacen(CHARSET, &format!("{CHARSET}{}", fonts(page)), 1)
+}
+
+/// The script that calls for the fonts of the page. From a disk a browser refuses to load them so
+/// early.
+fn fonts(page: &str) -> String {
+    const KINDS: [(&str, &str); 5] = [
+        ("<body", "fonts/open-sans-regular"),
+        ("<h1", "fonts/open-sans-600"),
+        ("<code", "fonts/source-code-pro-500"),
+        ("<em>", "fonts/open-sans-italic"),
+        ("class=\"katex", "assets/katex/fonts/KaTeX_Main-Regular"),
+    ];
+    let kinds = KINDS.iter().filter(|(sign, _)| page.contains(sign));
+    let mut names: Vec<&str> = kinds.map(|(_, name)| *name).collect();
+    if page.contains("class=\"mord mathnormal") {
+        names.push("assets/katex/fonts/KaTeX_Math-Italic");
+    }
+    // Where the root of the book is, as the page says it.
+    let before = page.split_once("fonts/fonts.css\"").map_or("", |(before, _)| before);
+    let root = before.rsplit_once('"').map_or("", |(_, root)| root);
+    format!(
+        "\n        <script>if (location.protocol !== 'file:') for (const name of {names:?}) \
+         document.head.append(Object.assign(document.createElement('link'), {{rel: 'preload', \
+         as: 'font', type: 'font/woff2', crossOrigin: '', href: `{root}${{name}}.woff2`}}));\
+         </script>"
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const PAGE: &str = "\
+        <link rel=\"stylesheet\" href=\"../theme/pendula.css\">\n\
+        <link rel=\"stylesheet\" href=\"../theme/lab/lab.css\">\n\
+        <main>\n\
+        <p>theme/lab/words.js</p>\n\
+        </main>\n\
+        <script src=\"../book.js\"></script>\n\
+        <script src=\"../theme/lab/words.js\"></script>\n\
+        <script src=\"../theme/lab/near.js\"></script>\n";
+
+    /// Catches: a page without a lab that loads it; another file or the text lost with it.
+    #[test]
+    fn a_page_without_a_lab_loads_nothing_of_it() {
+        let page = linked(PAGE);
+        assert_eq!(page.matches("theme/lab/").count(), 1);
+        assert_eq!(page.lines().count(), PAGE.lines().count() - 3);
+    }
+
+    /// Catches: a font called for that the page does not show, of which a browser complains; a font
+    /// of another folder.
+    #[test]
+    fn a_page_calls_for_its_own_fonts() {
+        let head = format!("{CHARSET}<link href=\"../../fonts/fonts.css\"><body><h1>x</h1>");
+        let page = linked(&head);
+        assert!(page.contains("[\"fonts/open-sans-regular\", \"fonts/open-sans-600\"]"), "{page}");
+        assert!(page.contains("href: `../../${name}.woff2`"), "{page}");
+        let page = linked(&format!("{head}<span class=\"katex\">"));
+        assert!(page.contains("KaTeX_Main") && !page.contains("KaTeX_Math"), "{page}");
+    }
+
+    /// Catches: a lab without its loader or its styles, or with a script that is no longer there.
+    #[test]
+    fn a_page_with_a_lab_loads_one_script() {
+        let page = linked(&PAGE.replace("<main>", "<main><div class=\"lab\">"));
+        assert!(page.contains("lab.css") && page.contains("src=\"../theme/lab/near.js"));
+        assert!(!page.contains("src=\"../theme/lab/words.js"));
+    }
+}
