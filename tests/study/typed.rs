@@ -44,7 +44,7 @@ const TYPED: &[Typed] = &[
     ("forward-euler", r"\approx e^{46.8}$", "46.8", || 500.0 * 1.0981_f64.ln()),
     ("rk4", "a step of 0.78 s", "0.78", || seconds(6_f64.sqrt())),
     ("stormer-verlet", "At 2.745 rad it is zero", "2.745", true_period_of_stormer_verlet),
-    ("higher-order", "up to 1.50 rad", "1.50", as_far_as_the_discrete_gradient),
+    ("methods", "up to 1.50 rad", "1.50", as_far_as_the_discrete_gradient),
     ("choosing", "Near 2.745 rad", "2.745", true_period_of_stormer_verlet),
     ("choosing", r"\approx 3.1\cdot10^{-4}$ s", "3.1e-4", step_to_a_millionth),
     ("choosing", "about 280 million", "2.8e2", || 86_400.0 / step_to_a_millionth() / 1e6),
