@@ -211,7 +211,7 @@ fn read(chapter: &str) -> String {
     let text = heading.replace_all(&text, " ");
     let text = prose(&text).to_lowercase();
     let words: Vec<&str> = text.split_whitespace().collect();
-    let names = METHODS.iter().map(|method| method.info().name.to_lowercase());
+    let names = METHODS.iter().map(|method| method.info().title.to_lowercase());
     names.fold(words.join(" "), |text, name| text.replace(&name, " "))
 }
 
