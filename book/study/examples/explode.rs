@@ -1,3 +1,5 @@
+//! The first program of the book: a pendulum whose energy explodes.
+
 fn main() {
     let (mut theta, mut omega) = (1.0_f64, 0.0_f64); // released at 1 rad, at rest
     let h = 0.01; // the step, in seconds
