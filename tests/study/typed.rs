@@ -4,7 +4,7 @@
 use std::f64::consts::{FRAC_PI_3, PI, TAU};
 use std::fs;
 
-use pendula::arithmetic::sine::{cos, sin};
+use pendula::arithmetic::sine::sin;
 use pendula::dynamics::root;
 use pendula::methods::SymplecticEuler;
 use pendula::metrics::EnergyDrift;
