@@ -143,7 +143,7 @@ fn each_quantity_is_shown_once() {
     assert!(body.contains(row), "{body}");
 }
 
-/// Symplectic Euler's energy error in the long run is quoted in two chapters.
+/// Symplectic Euler's energy error in the long run is quoted in its chapter.
 ///
 /// Catches: a quote whose place is no file, or a line of it where something else stands; a chapter
 /// that quotes what moved and is overlooked.
@@ -162,7 +162,7 @@ fn a_quote_stands_where_it_says() {
     let quotes = |text: &str| text.contains("{{measured T5.se.dH}}");
     let expected = chapters().into_iter().filter(|(_, text)| quotes(text)).map(|(file, _)| file);
     assert_eq!(quoting, expected.collect());
-    assert!(quoting.len() > 1, "{quoting:?}");
+    assert!(!quoting.is_empty());
 }
 
 /// Catches: a claim that turns unseen, and one whose reason alone was changed taken for one that
