@@ -27,7 +27,7 @@ from book import Book, NoBook
 from browser import Browser, Tab
 
 CHECKS = [
-    pages.every_page,
+    *pages.CHECKS,
     *reader.CHECKS,
     *claims.CHECKS,
     *lab.CHECKS,

@@ -1,5 +1,6 @@
 """Every page as it stands on the screen, and the print page on paper."""
 
+import re
 from collections.abc import Generator, Iterator
 from pathlib import Path
 
@@ -91,3 +92,17 @@ def paper(tab: Tab, ends: dict[str, tuple[str, str]]) -> Iterator[str]:
         findings += [f"lacks the end of {page}: {last}"] if last not in text else []
     for finding in findings:
         yield f"print.html, on paper: {finding}"
+
+
+def old_addresses(tab: Tab, book: Book) -> Iterator[str]:
+    """Pages of older editions lead to the place where their subject is now."""
+    for page in book.moved:
+        place = re.search(r'canonical" href="([^"#]+)#', book.text(page))
+        tab.open(page)
+        if not place or not tab.arrives(lambda there, to=place[1]: there == to):
+            yield f"{page}: does not lead where it says"
+        elif not tab.run("document.querySelector(':target') !== null"):
+            yield f"{page}: leads to no place in {place[1]}"
+
+
+CHECKS = [every_page, old_addresses]

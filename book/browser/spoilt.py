@@ -49,8 +49,8 @@ SPOILT_PAGES = [
 SPOILT_FILES = [
     ("every_page", "book.js", "case 'ArrowRight':", "case 'Spoilt':",
      "ArrowRight does not lead here"),
-    ("every_page", "print.html", '<h1 id="measuring-order">', "<h2>",
-     "lacks order.html: Measuring order"),
+    ("every_page", "print.html", '<h1 id="measuring-order-and-your-own-error">', "<h2>",
+     "lacks order.html: Measuring order, and your own error"),
     ("every_page", "theme/pendula.css", "content-visibility: visible;", "",
      "on paper: a solution is folded away"),
     ("every_page", "theme/pendula.css", "max-block-size: 23cm;", "min-block-size: 30cm;",
@@ -144,14 +144,18 @@ SPOILT_FILES = [
      "order.html: "),
     ("weight", "order.html", "</main>", "<script>setTimeout(() => document.querySelector('main')"
      ".style.paddingTop = '300px', 100)</script></main>", "order.html: shifts"),
-    ("every_page", "small-angle.html", "</main>", "<button></button></main>",
-     "small-angle.html, 1280 px, light: axe button-name"),
+    ("every_page", "phase-space.html", "</main>", "<button></button></main>",
+     "phase-space.html, 1280 px, light: axe button-name"),
+    ("old_addresses", "work.html", "URL=choosing.html", "URL=order.html",
+     "work.html: does not lead where it says"),
+    ("old_addresses", "judging.html", 'id="the-zoo"', 'id="spoilt"',
+     "zoo.html: leads to no place in judging.html"),
 ]
 # The policy of a page stays in these; elsewhere it is taken off, as it would refuse what spoils.
 UNDER_POLICY = {"strangers", "served", "one_policed"}
 POLICY = re.compile(r'<meta http-equiv="Content-Security-Policy"[^>]*>')
 # Enough of a walk from chapter to chapter.
-FEW = ["order.html", "long-run.html", "small-angle.html"]
+FEW = ["order.html", "long-run.html", "phase-space.html"]
 
 
 def one_chapter(tab: Tab, book: Book) -> Iterator[str]:

@@ -123,19 +123,19 @@ struct Chapter {
     file: &'static str,
 }
 
-/// The chapter that has the method: the paper's methods have one each, of the same name; all others
-/// are in "Higher order".
+/// The chapter that has the method: the paper's methods have one each, of the same name; the
+/// appendix of the methods has all others.
 fn chapter(method: &'static dyn AnyMethod) -> Chapter {
     let named = |name: &str| {
         let mut chapters = CONTENTS.lines().filter_map(|line| {
-            let entry = line.trim().strip_prefix("- [")?.strip_suffix(')')?;
+            let entry = line.trim_start_matches(['-', ' ']).strip_prefix('[')?.strip_suffix(')')?;
             let (title, file) = entry.split_once("](")?;
             Some(Chapter { title, file })
         });
         chapters.find(|chapter| chapter.file.strip_suffix(".md") == Some(name))
     };
     let own = named(method.info().name);
-    own.or_else(|| named("higher-order")).expect("a chapter in the table of contents")
+    own.or_else(|| named("methods")).expect("a chapter in the table of contents")
 }
 
 /// The book's table of contents.

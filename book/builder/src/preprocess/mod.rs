@@ -120,18 +120,10 @@ fn set(
     chapter.content = setter.set(&content, &"../".repeat(depth), &mut quoted)?;
     let page = chapter.path.clone().unwrap_or_default().with_extension("html");
     for id in quoted {
-        let link = format!("<a href=\"{}#{id}\">{}</a>", page.display(), called(chapter));
+        let link = format!("<a href=\"{}#{id}\">{}</a>", page.display(), chapter.name);
         quotes.entry(id).or_default().push(link);
     }
     Ok(())
-}
-
-/// What a chapter is called in a link to it: by its number, or its title if it has none.
-fn called(chapter: &Chapter) -> String {
-    match &chapter.number {
-        Some(number) => format!("chapter\u{a0}{}", number.to_string().trim_end_matches('.')),
-        None => chapter.name.clone(),
-    }
 }
 
 /// The name of a chapter in errors: its file, or its title if it has none.

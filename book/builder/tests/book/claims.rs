@@ -107,7 +107,7 @@ fn quoted() -> BTreeSet<(String, String)> {
             quoted.insert((page.clone(), found[1].to_string()));
         }
     }
-    assert!(quoted.len() > 60, "only {} quotes", quoted.len());
+    assert!(quoted.len() > 40, "only {} quotes", quoted.len());
     quoted
 }
 

@@ -327,7 +327,10 @@
                     ['what was done', entry.what],
                     ['effect', entry.effect],
                     ['a mistake in', isMistake(entry) && titled(entry.of)],
-                    ['seen', zoo ? element('span', {}, seen, link('zoo.html', zoo)) : seen],
+                    [
+                        'seen',
+                        zoo ? element('span', {}, seen, link('judging.html#the-zoo', zoo)) : seen,
+                    ],
                     ['how', entry.note],
                     [
                         'off by',
