@@ -80,7 +80,7 @@ fn last_values<'a>(drawing: &'a roxmltree::Document, name: &'a str) -> Vec<f64> 
 /// another method's, a step or a length of the run that is not the one that is written.
 #[test]
 fn the_moving_picture_ends_where_the_library_does() {
-    let svg = read("book/readme/four-pendulums.svg");
+    let svg = read("book/src/assets/four-pendulums.svg");
     let drawing = roxmltree::Document::parse(&svg).expect("an SVG");
     let (pendulum, start) = (Pendulum::PAPER, Phase::at_rest(-1.0));
     let exact = Motion::new(&pendulum, start).expect("a finite angle").at(12.0);
@@ -98,7 +98,7 @@ fn the_moving_picture_ends_where_the_library_does() {
         assert!((found - expected).abs() <= 0.050_000_1, "{found} for {expected}");
     }
     // Who wants no motion sees the same, and nothing that moves.
-    let svg = read("book/readme/four-pendulums-at-rest.svg");
+    let svg = read("book/src/assets/four-pendulums-at-rest.svg");
     let at_rest = roxmltree::Document::parse(&svg).expect("an SVG");
     let turned = at_rest.descendants().filter_map(|node| node.attribute("transform"));
     let angle = |turn: &str| turn.strip_prefix("rotate(")?.strip_suffix(')')?.parse().ok();
@@ -111,13 +111,13 @@ fn the_moving_picture_ends_where_the_library_does() {
 #[test]
 fn the_moving_picture_is_light_and_can_be_stopped() {
     const AT_MOST: usize = 60_000;
-    let (readme, svg) = (read("README.md"), read("book/readme/four-pendulums.svg"));
+    let (readme, svg) = (read("README.md"), read("book/src/assets/four-pendulums.svg"));
     assert!(svg.len() <= AT_MOST, "{} bytes", svg.len());
     assert!(svg.contains("@media (prefers-reduced-motion:reduce)"));
     let first = readme.split_once("<picture>").expect("a picture").1;
     let calm = "media=\"(prefers-reduced-motion: reduce)\" \
-                srcset=\"book/readme/four-pendulums-at-rest.svg\"";
-    assert!(first.contains(calm) && first.contains("src=\"book/readme/four-pendulums.svg\""));
+                srcset=\"book/src/assets/four-pendulums-at-rest.svg\"";
+    assert!(first.contains(calm) && first.contains("src=\"book/src/assets/four-pendulums.svg\""));
     let images = readme.lines().filter(|line| line.starts_with("![") || line.contains("<img"));
     assert!(images.take(1).all(|line| line.contains("four-pendulums.svg")));
 }

@@ -14,9 +14,7 @@ use std::fs::{self, File, Metadata, TryLockError};
 use std::io;
 use std::path::{Path, PathBuf};
 
-pub use std::fs::{
-    canonicalize, create_dir_all as create_folder, read, read_to_string, write as write_in_private,
-};
+pub use std::fs::{canonicalize, create_dir_all as create_folder, read, read_to_string};
 pub use tempfile::tempdir as temporary_folder;
 
 /// Lets a write beyond the limit on the size of a file (`ulimit -f`) fail like one to a full disk.

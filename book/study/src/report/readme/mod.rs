@@ -20,8 +20,8 @@ pub fn pictures(study: &Study) -> Vec<Picture> {
     let figure_2 = figures().find(|figure| figure.name == "figure_2");
     let [moving, at_rest] = moving::svgs();
     let mut pictures = vec![
-        picture("book/readme/four-pendulums.svg", moving),
-        picture("book/readme/four-pendulums-at-rest.svg", at_rest),
+        picture("book/src/assets/four-pendulums.svg", moving),
+        picture("book/src/assets/four-pendulums-at-rest.svg", at_rest),
         // It stands in for the lab where there are no scripts.
         picture(
             "book/src/assets/energy-error.svg",
