@@ -22,8 +22,8 @@ const CHARSET: &str = "<meta charset=\"UTF-8\">";
 pub fn impose(folder: &Path) -> Result<()> {
     for (path, _) in files::tree(folder).with_context(|| folder.display().to_string())? {
         if path.extension().is_some_and(|extension| extension == "html") {
-            let name = || path.display().to_string();
-            let file = folder.join(&path);
+            let file = folder.join(path);
+            let name = || file.display().to_string();
             let page = files::read_to_string(&file).with_context(name)?;
             let page = with_policy(&page).with_context(name)?;
             files::write_in_private(&file, &page).with_context(name)?;
