@@ -79,7 +79,8 @@ fn driven(
 fn each_page(folder: &Path, change: impl Fn(&str) -> Result<String>) -> Result<()> {
     for (path, _) in files::tree(folder).with_context(|| folder.display().to_string())? {
         if path.extension().is_some_and(|extension| extension == "html") {
-            let (name, file) = (|| path.display().to_string(), folder.join(&path));
+            let file = folder.join(path);
+            let name = || file.display().to_string();
             let page = fs::read_to_string(&file).with_context(name)?;
             fs::write(&file, change(&page).with_context(name)?).with_context(name)?;
         }
