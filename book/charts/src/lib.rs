@@ -22,6 +22,7 @@ mod axis;
 mod chart;
 mod ends;
 mod figure;
+mod labels;
 mod path;
 mod plot;
 mod regions;

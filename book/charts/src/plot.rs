@@ -6,6 +6,7 @@ use super::axis::Scale;
 use super::chart::{Chart, Mark, Series};
 use super::ends::{self, End};
 use super::figure::ENTRY;
+use super::labels::Labels;
 use super::path::{self, Num, Point};
 use super::regions::{self, Map, Name};
 use super::text::{draw_text, escape, line, width};
@@ -21,24 +22,21 @@ const FAR: f64 = 1e6;
 
 /// A chart's place on the drawing.
 pub(super) struct Plot<'a> {
-    chart: &'a Chart,
+    pub chart: &'a Chart,
     x: &'a Scale<'a>,
     y: &'a Scale<'a>,
     /// Whether the label of the x axis is written, and the numbers and label of the y axis.
     written: [bool; 2],
     /// Where the room for them begins.
     edge: f64,
-    left: f64,
-    right: f64,
-    top: f64,
-    bottom: f64,
+    pub left: f64,
+    pub right: f64,
+    pub top: f64,
+    pub bottom: f64,
 }
 
 /// What stands above the plot: where it begins, and the text.
 type Heading<'a> = (f64, &'a str);
-
-/// A place for a label: its anchor point, and which part of the text is there.
-type Place = (Point, &'static str);
 
 impl<'a> Plot<'a> {
     pub fn new(
@@ -229,7 +227,7 @@ impl<'a> Plot<'a> {
         Some((self.bottom - fraction * (self.bottom - self.top)).clamp(-FAR, FAR))
     }
 
-    fn pixel(&self, (x, y): (f64, f64)) -> Option<Point> {
+    pub fn pixel(&self, (x, y): (f64, f64)) -> Option<Point> {
         self.x_pixel(x).zip(self.y_pixel(y))
     }
 
@@ -238,12 +236,12 @@ impl<'a> Plot<'a> {
         visible(self.x_pixel(from)?, self.x_pixel(to)?, self.left, self.right)
     }
 
-    fn y_extent(&self, from: f64, to: f64) -> Option<(f64, f64)> {
+    pub fn y_extent(&self, from: f64, to: f64) -> Option<(f64, f64)> {
         visible(self.y_pixel(from)?, self.y_pixel(to)?, self.top, self.bottom)
     }
 
     /// The series as simplified strokes, cut where a point has no place.
-    fn strokes(&self, points: &[(f64, f64)]) -> Vec<Vec<Point>> {
+    pub fn strokes(&self, points: &[(f64, f64)]) -> Vec<Vec<Point>> {
         let pixels: Vec<Option<Point>> = points.iter().map(|&point| self.pixel(point)).collect();
         let strokes = pixels.split(Option::is_none).filter(|stroke| !stroke.is_empty());
         let stroke = |stroke: &[Option<Point>]| stroke.iter().copied().flatten().collect();
@@ -375,127 +373,25 @@ fn visible(a: f64, b: f64, low: f64, high: f64) -> Option<(f64, f64)> {
     (b > low - 0.01 && a < high + 0.01).then_some((a.clamp(low, high), b.clamp(low, high)))
 }
 
-/// The labels inside the plot, each where it hides least.
-struct Labels<'a> {
-    plot: &'a Plot<'a>,
-    /// What is drawn there.
-    strokes: Vec<Vec<Point>>,
-    /// The labels already placed: left, top, right, bottom.
-    taken: Vec<[f64; 4]>,
-}
-
-impl Labels<'_> {
-    /// Draws the labels of guides, horizontal lines and bands, and the notes.
-    fn draw(&mut self, out: &mut String) {
-        let plot = self.plot;
-        for series in plot.chart.series.iter().filter(|series| series.style.is_guide()) {
-            let ends = plot.strokes(&series.points).concat();
-            let Some((a, b)) = ends.first().zip(ends.last()) else {
-                continue;
-            };
-            let middle = ((a.0 + b.0) / 2.0, (a.1 + b.1) / 2.0);
-            self.place(out, &series.label, &[*b, *a, middle].map(beside).concat());
-        }
-        for mark in &plot.chart.marks {
-            match mark {
-                Mark::Note { beside: points, text } => {
-                    let pixels = points.iter().filter_map(|&point| plot.pixel(point));
-                    self.place(out, text, &pixels.flat_map(beside).collect::<Vec<_>>());
-                }
-                Mark::Horizontal { from, to, label } => {
-                    let Some((a, b)) = plot.y_extent(*from, *to) else {
-                        continue;
-                    };
-                    // Inside a band that is high enough, else above or below.
-                    let inside = (b - a > ROW).then_some((a + b) / 2.0 + 6.0);
-                    let rows = inside.map_or(vec![a - 8.0, b + 20.0], |y| vec![y]);
-                    let ends = [(plot.right - 6.0, "end"), (plot.left + 6.0, "start")];
-                    let row = |y: f64| ends.map(|(x, anchor)| ((x, y), anchor));
-                    self.place(out, label, &rows.into_iter().flat_map(row).collect::<Vec<_>>());
-                }
-                Mark::Vertical { .. } => {}
-            }
-        }
-    }
-
-    /// Draws the label at the best of the places; the first of equals.
-    fn place(&mut self, out: &mut String, label: &str, places: &[Place]) {
-        let extent = |&((x, y), anchor): &Place| {
-            let w = width(label);
-            let before = match anchor {
-                "start" => 0.0,
-                "middle" => w / 2.0,
-                _ => w,
-            };
-            [x - before, y - 15.0, x - before + w, y + 5.0]
-        };
-        let best = places.iter().min_by_key(|place| self.crowding(extent(place)));
-        if let Some(best) = best.filter(|_| !label.is_empty()) {
-            self.taken.push(extent(best));
-            draw_text(out, "halo", best.0, best.1, label);
-        }
-    }
-
-    /// How much of what is drawn lies under the box; far more if it hides a label, and most if it
-    /// leaves the plot.
-    fn crowding(&self, [left, top, right, bottom]: [f64; 4]) -> usize {
-        let Plot { left: l, right: r, top: t, bottom: b, .. } = *self.plot;
-        let near = |p: Point| (p.0.clamp(l - 9.0, r + 9.0), p.1.clamp(t - 9.0, b + 9.0));
-        let under = |(x, y): Point| (left..=right).contains(&x) && (top..=bottom).contains(&y);
-        let segment = |a: Point, b: Point| {
-            let (dx, dy) = (b.0 - a.0, b.1 - a.1);
-            let samples = (dx.abs().max(dy.abs()) / 4.0).ceil().max(1.0);
-            let at = move |i: u32| {
-                let share = f64::from(i) / samples;
-                (a.0 + share * dx, a.1 + share * dy)
-            };
-            (0..=samples as u32).filter(|&i| under(at(i))).count()
-        };
-        let stroke = |stroke: &Vec<Point>| -> usize {
-            let first = stroke.first().filter(|&&p| under(p)).map_or(0, |_| 1);
-            first + stroke.windows(2).map(|w| segment(near(w[0]), near(w[1]))).sum::<usize>()
-        };
-        let over = |o: &&[f64; 4]| left < o[2] && o[0] < right && top < o[3] && o[1] < bottom;
-        let outside = left < l || right > r || top < t || bottom > b;
-        self.strokes.iter().map(stroke).sum::<usize>()
-            + 1_000 * self.taken.iter().filter(over).count()
-            + if outside { 100_000 } else { 0 }
-    }
-}
-
-/// The places around a point.
-fn beside((x, y): Point) -> Vec<Place> {
-    vec![
-        ((x + 10.0, y + 6.0), "start"),
-        ((x - 10.0, y + 6.0), "end"),
-        ((x, y - 11.0), "middle"),
-        ((x, y + 23.0), "middle"),
-        ((x + 7.0, y - 8.0), "start"),
-        ((x - 7.0, y - 8.0), "end"),
-        ((x + 7.0, y + 20.0), "start"),
-        ((x - 7.0, y + 20.0), "end"),
-    ]
-}
-
 /// A few of `count` points, evenly spaced, and different ones for four successive series.
 fn few(count: usize, series: usize) -> impl Iterator<Item = usize> {
     (0..FEW).map(move |k| (count - 1) * (4 * k + 1 + series % 4) / (4 * FEW))
 }
 
 #[cfg(test)]
-mod tests {
+pub mod tests {
     use super::super::Axis;
     use super::*;
 
     /// Powers of two, so that every pixel of a whole number is exact: x is at 64 + x, y at 256 − y.
-    const PLACE: [f64; 3] = [0.0, 64.0, 576.0];
+    pub const PLACE: [f64; 3] = [0.0, 64.0, 576.0];
 
-    fn chart(y_label: &str) -> Chart {
+    pub fn chart(y_label: &str) -> Chart {
         Chart::new(Axis::linear("").range(0.0, 512.0), Axis::linear(y_label).range(0.0, 256.0))
             .height(256.0)
     }
 
-    fn with_plot<T>(chart: &Chart, place: [f64; 3], ask: impl FnOnce(&Plot) -> T) -> T {
+    pub fn with_plot<T>(chart: &Chart, place: [f64; 3], ask: impl FnOnce(&Plot) -> T) -> T {
         let (x, y) = chart.scales();
         ask(&Plot::new(chart, [&x, &y], [true; 2], place, 0.0))
     }
@@ -571,76 +467,5 @@ mod tests {
             [drawn(&one, 0.0, width(one[0])), drawn(&one, 0.0, 1.0 + width(one[0]))],
             [0, 1]
         );
-    }
-
-    /// Catches: a label that crosses the edge of a low band, or that is not in the middle of a high
-    /// one; a second one on the first.
-    #[test]
-    fn a_band_is_labelled_inside_if_it_is_high_enough() {
-        let labels = |chart: Chart| {
-            let mut out = String::new();
-            with_plot(&chart, PLACE, |plot| {
-                Labels { plot, strokes: Vec::new(), taken: Vec::new() }.draw(&mut out);
-            });
-            out
-        };
-        let text = |x: f64, y: f64, anchor: &str, label: &str| {
-            let mut out = String::new();
-            draw_text(&mut out, "halo", (x, y), anchor, label);
-            out
-        };
-        // From 116 to 156 on the drawing, 40 high; from 116 to 141, a row and no higher.
-        let (left, right) = (70.0, 570.0);
-        let high = || chart("").horizontal_band(100.0, 140.0, "a");
-        assert_eq!(labels(high()), text(right, 142.0, "end", "a"));
-        assert_eq!(
-            labels(high().horizontal_band(100.0, 140.0, "b")),
-            text(right, 142.0, "end", "a") + &text(left, 142.0, "start", "b")
-        );
-        let low = chart("").horizontal_band(140.0 - ROW, 140.0, "a");
-        assert_eq!(labels(low), text(right, 108.0, "end", "a"));
-    }
-
-    /// Catches: a label drawn on another, or kept away from one that it only touches.
-    #[test]
-    fn a_label_on_another_is_a_thousand_strokes() {
-        let crowding = |taken: &[[f64; 4]]| {
-            with_plot(&chart(""), PLACE, |plot| {
-                let labels = Labels { plot, strokes: Vec::new(), taken: taken.to_vec() };
-                labels.crowding([200.0, 100.0, 300.0, 120.0])
-            })
-        };
-        let touching = [
-            [100.0, 90.0, 200.0, 130.0],
-            [300.0, 90.0, 400.0, 130.0],
-            [190.0, 80.0, 310.0, 100.0],
-            [190.0, 120.0, 310.0, 140.0],
-        ];
-        let over = [[190.0, 90.0, 210.0, 110.0], [290.0, 110.0, 310.0, 130.0]];
-        assert_eq!(crowding(&touching), 0);
-        assert_eq!(
-            [crowding(&over[..1]), crowding(&over[1..]), crowding(&over)],
-            [1000, 1000, 2000]
-        );
-    }
-
-    /// Catches: a stroke weighed by its length outside the plot, or not weighed up to its edge.
-    #[test]
-    fn strokes_weigh_by_what_is_in_the_plot() {
-        // Each goes from 9 within the edge to far beyond, of which 9 count, and 120 along it: 31
-        // samples, the sixteenth on the edge; and one for where it begins.
-        let strokes = [
-            [(73.0, 60.0), (-5e3, 180.0)],
-            [(567.0, 60.0), (5e3, 180.0)],
-            [(200.0, 9.0), (320.0, -5e3)],
-            [(200.0, 247.0), (320.0, 5e3)],
-        ];
-        for stroke in strokes {
-            let crowding = with_plot(&chart(""), PLACE, |plot| {
-                let strokes = vec![stroke.to_vec()];
-                Labels { plot, strokes, taken: Vec::new() }.crowding([64.0, 0.0, 576.0, 256.0])
-            });
-            assert_eq!(crowding, 17, "{stroke:?}");
-        }
     }
 }
