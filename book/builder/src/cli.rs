@@ -4,8 +4,9 @@ use std::ffi::OsString;
 
 use clap::builder::{StyledStr, Styles};
 use clap::error::ErrorKind;
-use clap::{CommandFactory, Parser, Subcommand};
+use clap::{ArgMatches, CommandFactory, FromArgMatches, Parser, Subcommand};
 
+use crate::commands::state::{self, KeptArguments, Resumed};
 use crate::commands::{
     adaptive, completions, double_pendulum, ensemble, exact, flips, man, methods, number, period,
     serve, simulate, verify,
@@ -143,16 +144,49 @@ where
     I: IntoIterator<Item = T>,
     T: Into<OsString> + Clone,
 {
-    let words: Vec<OsString> = arguments.into_iter().map(Into::into).collect();
-    match Cli::try_parse_from(&words) {
-        Ok(cli) => cli.command.map_or_else(without_a_command, Ok),
-        // Help and version are answers, for standard output.
-        Err(answer) if !answer.use_stderr() => {
-            answer.print()?;
-            Err(Failure::Answered)
+    let mut words: Vec<OsString> = arguments.into_iter().map(Into::into).collect();
+    let mut matches = matches(&words)?;
+    let resumed = match matches.subcommand() {
+        Some((name, given)) => state::asked_for(given).map(|path| Resumed::read(path, name)),
+        None => None,
+    };
+    let resumed = resumed.transpose()?;
+    if let Some(from) = &resumed {
+        // A run is resumed with the arguments that it was begun with.
+        words.truncate(1);
+        words.extend(from.arguments().iter().map(OsString::from));
+        matches = self::matches(&words)?;
+    }
+    let cli = Cli::from_arg_matches(&matches);
+    let cli = cli.map_err(|error| Failure::Refused(explain(&error)))?;
+    let Some(mut command) = cli.command else { return without_a_command() };
+    if let Some(kept) = command.kept() {
+        kept.words = words.split_off(words.len().min(1));
+        kept.from = resumed;
+    }
+    Ok(command)
+}
+
+fn matches(words: &[OsString]) -> Result<ArgMatches, Failure> {
+    Cli::command().try_get_matches_from(words).or_else(|error| {
+        if error.use_stderr() {
+            let reason = forgotten_value(words).unwrap_or_else(|| explain(&error));
+            return Err(Failure::Refused(reason));
         }
-        Err(error) => {
-            Err(Failure::Refused(forgotten_value(&words).unwrap_or_else(|| explain(&error))))
+        // Help and version are answers, for standard output.
+        error.print()?;
+        Err(Failure::Answered)
+    })
+}
+
+impl Command {
+    /// Where the run is kept if it is interrupted, of a command that can be.
+    const fn kept(&mut self) -> Option<&mut KeptArguments> {
+        match self {
+            Self::Simulate(arguments) => Some(&mut arguments.trajectory.kept),
+            Self::DoublePendulum(arguments) => Some(&mut arguments.trajectory.kept),
+            Self::Ensemble(arguments) => Some(&mut arguments.kept),
+            _ => None,
         }
     }
 }

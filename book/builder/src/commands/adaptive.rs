@@ -151,12 +151,14 @@ fn run_with(
         print(t, z)?;
         drift.observe(steps + 1, t, z);
     }
+    let title = format!("{}, tolerance {:?}", title(arguments.method), arguments.tolerance);
+    // Before the rows: whoever has them has all that was asked for.
+    if let Some(plot) = &mut plot {
+        plot.write(&title)?;
+    }
     rows.end()?.finish()?;
     if let Some(plot) = plot {
-        plot.finish(
-            &format!("{}, tolerance {:?}", title(arguments.method), arguments.tolerance),
-            out,
-        )?;
+        plot.print(&title, out)?;
     }
     if arguments.summary {
         let counts = walk.counts();

@@ -1,23 +1,25 @@
 //! Where output goes: standard output, or a file that appears only when it is whole.
 
+use std::fs::File;
 use std::io::{self, BufWriter, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use anyhow::Context;
+use sha2::{Digest, Sha256};
 
 use crate::failure::Failure;
+use crate::files;
 use crate::files::whole_file::WholeFile;
-use crate::files::{self, Device};
 
 /// A writer, and what it takes to finish. Its errors name the file.
 pub enum Destination<'a> {
     /// The caller's writer.
     Caller(&'a mut dyn Write),
     /// A device or a pipe, which cannot be replaced by another file.
-    Direct(BufWriter<Device>),
+    Direct(BufWriter<File>, PathBuf),
     /// A temporary file beside the target, renamed onto it at the end, or removed if dropped
     /// before.
-    Beside(Box<BufWriter<WholeFile>>),
+    Beside(Box<BufWriter<Summed<WholeFile>>>),
 }
 
 impl<'a> Destination<'a> {
@@ -32,18 +34,19 @@ impl<'a> Destination<'a> {
     /// The file `path` that `option` names, or where the link `path` leads.
     ///
     /// # Errors
-    /// [`Failure::Refused`] if it cannot be written.
+    /// [`Failure::Refused`] if it cannot be written, or is being written already.
     pub fn file(option: &str, path: &Path) -> Result<Self, Failure> {
         let refused = |error: io::Error| {
             Failure::refused(format!("{option} {}: cannot be written: {error}", path.display()))
         };
         match files::metadata(path).map_err(refused)? {
             Some(found) if !found.is_file() && !found.is_dir() => {
-                Ok(Self::Direct(BufWriter::new(Device::open(path).map_err(refused)?)))
+                let device = File::options().write(true).open(path).map_err(refused)?;
+                Ok(Self::Direct(BufWriter::new(device), path.to_path_buf()))
             }
             _ => {
                 let beside = WholeFile::beside(path).map_err(refused)?;
-                Ok(Self::Beside(Box::new(BufWriter::new(beside))))
+                Ok(Self::Beside(Box::new(BufWriter::new(Summed::new(beside)))))
             }
         }
     }
@@ -53,20 +56,15 @@ impl<'a> Destination<'a> {
         matches!(self, Self::Beside(_))
     }
 
-    /// Renames the temporary file, as far as it is written, to `partial` instead of its target, and
-    /// returns the number of its bytes. Other output is flushed, which makes no file: 0 bytes.
+    /// The temporary file, as far as it is written; none of other output, which is flushed.
     ///
     /// # Errors
     /// If that fails.
-    pub fn leave(mut self, partial: &Path) -> Result<u64, Failure> {
+    pub fn into_file(mut self) -> Result<Option<Summed<WholeFile>>, Failure> {
         self.flush()?;
         match self {
-            Self::Caller(_) | Self::Direct(_) => Ok(0),
-            Self::Beside(out) => {
-                let file = out.into_inner().map_err(io::IntoInnerError::into_error)?;
-                let refused = format!("{} cannot be written", partial.display());
-                Ok(file.leave(partial).context(refused)?)
-            }
+            Self::Caller(_) | Self::Direct(..) => Ok(None),
+            Self::Beside(out) => Ok(Some(out.into_inner().map_err(|error| error.into_error())?)),
         }
     }
 
@@ -74,10 +72,8 @@ impl<'a> Destination<'a> {
     ///
     /// # Errors
     /// If that fails; a file is then as it was before.
-    pub fn finish(mut self) -> Result<(), Failure> {
-        self.flush()?;
-        if let Self::Beside(out) = self {
-            let file = out.into_inner().map_err(io::IntoInnerError::into_error)?;
+    pub fn finish(self) -> Result<(), Failure> {
+        if let Some(Summed { out: file, .. }) = self.into_file()? {
             let refused = format!("{} cannot be replaced", file.target().display());
             file.replace().context(refused)?;
         }
@@ -91,8 +87,10 @@ impl<'a> Destination<'a> {
         };
         match self {
             Self::Caller(out) => action(out),
-            Self::Direct(out) => action(out).map_err(|error| cannot(out.get_ref().path(), error)),
-            Self::Beside(out) => action(out).map_err(|error| cannot(out.get_ref().target(), error)),
+            Self::Direct(out, path) => action(out).map_err(|error| cannot(path, error)),
+            Self::Beside(out) => {
+                action(out).map_err(|error| cannot(out.get_ref().out.target(), error))
+            }
         }
     }
 }
@@ -104,5 +102,40 @@ impl Write for Destination<'_> {
 
     fn flush(&mut self) -> io::Result<()> {
         self.named(|out| out.flush())
+    }
+}
+
+/// A writer that knows the number and the SHA-256 of its bytes.
+#[derive(Debug)]
+pub struct Summed<W> {
+    /// What is written to.
+    pub out: W,
+    /// The bytes so far.
+    pub bytes: u64,
+    sum: Sha256,
+}
+
+impl<W: Write> Summed<W> {
+    /// Nothing has been written yet.
+    pub fn new(out: W) -> Self {
+        Self { out, bytes: 0, sum: Sha256::new() }
+    }
+
+    /// The SHA-256 of the bytes so far, in hexadecimal digits.
+    pub fn sum(&self) -> String {
+        self.sum.clone().finalize().iter().map(|byte| format!("{byte:02x}")).collect()
+    }
+}
+
+impl<W: Write> Write for Summed<W> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        let written = self.out.write(bytes)?;
+        self.bytes += written as u64;
+        self.sum.update(&bytes[..written]);
+        Ok(written)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.out.flush()
     }
 }

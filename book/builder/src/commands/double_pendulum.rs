@@ -12,7 +12,6 @@ use pendula::{DoublePendulum, Hamiltonian, Info, METHODS, Rk4, method_named};
 use super::angle::angle;
 use super::double_arguments::DoubleArguments;
 use super::number::number;
-use super::pendulum_arguments::or_default;
 use super::plot::Panel;
 use super::suited::{Suited, steps};
 use super::trajectory::{Run, Trajectory, TrajectoryArguments};
@@ -22,27 +21,28 @@ use crate::interrupt::Lookout;
 /// Arguments of `pendula double-pendulum`.
 #[derive(Args, Debug)]
 pub struct Arguments {
-    #[arg(long, value_name = "M", value_parser = methods(),
-        help = format!("The method [default: {}]", Rk4.info().name))]
-    method: Option<String>,
+    /// The method
+    #[arg(long, value_name = "M", value_parser = methods(), default_value = Rk4.info().name)]
+    method: String,
     /// Angle of the upper rod at the start, from the downward vertical: radians, or as pi/3, 60deg
-    #[arg(long, value_name = "ANGLE", value_parser = angle, allow_hyphen_values = true,
-        required_unless_present = "resume")]
-    theta1: Option<f64>,
+    #[arg(long, value_name = "ANGLE", value_parser = angle, allow_hyphen_values = true)]
+    theta1: f64,
     /// Angle of the lower rod at the start, from the downward vertical: radians, or as pi/3, 60deg
-    #[arg(long, value_name = "ANGLE", value_parser = angle, allow_hyphen_values = true,
-        required_unless_present = "resume")]
-    theta2: Option<f64>,
-    #[arg(long, value_name = "RAD/S", value_parser = number, allow_hyphen_values = true,
-        help = or_default("Angular velocity of the upper rod at the start (rad/s)", 0.0))]
-    omega1: Option<f64>,
-    #[arg(long, value_name = "RAD/S", value_parser = number, allow_hyphen_values = true,
-        help = or_default("Angular velocity of the lower rod at the start (rad/s)", 0.0))]
-    omega2: Option<f64>,
+    #[arg(long, value_name = "ANGLE", value_parser = angle, allow_hyphen_values = true)]
+    theta2: f64,
+    /// Angular velocity of the upper rod at the start (rad/s)
+    #[arg(long, value_name = "RAD/S", default_value_t = 0.0, value_parser = number,
+        allow_hyphen_values = true)]
+    omega1: f64,
+    /// Angular velocity of the lower rod at the start (rad/s)
+    #[arg(long, value_name = "RAD/S", default_value_t = 0.0, value_parser = number,
+        allow_hyphen_values = true)]
+    omega2: f64,
     #[command(flatten)]
     double: DoubleArguments,
+    /// How long, and how it is printed.
     #[command(flatten)]
-    trajectory: TrajectoryArguments,
+    pub trajectory: TrajectoryArguments,
 }
 
 /// Writes the rows t, theta1, theta2, omega1, omega2, x1, y1, x2, y2, energy: in s, rad, rad/s, m
@@ -65,20 +65,11 @@ pub fn run_until(
     out: [&mut dyn Write; 2],
     lookout: impl FnOnce() -> Lookout,
 ) -> Result<(), Failure> {
-    let (mut settings, grid) = arguments.trajectory.settings("double-pendulum")?;
-    let kept = &mut settings.kept;
-    let method = kept.optional("method", arguments.method.clone())?;
-    let double = arguments.double.kept(kept)?;
-    let theta = [
-        kept.argument("theta1", arguments.theta1, None)?,
-        kept.argument("theta2", arguments.theta2, None)?,
-    ];
-    let omega = [
-        kept.argument("omega1", arguments.omega1, Some(0.0))?,
-        kept.argument("omega2", arguments.omega2, Some(0.0))?,
-    ];
-    let start = double.start(theta, omega).map_err(Failure::refused)?;
-    let method = method.as_deref().unwrap_or(Rk4.info().name);
+    let &Arguments { theta1, theta2, omega1, omega2, .. } = arguments;
+    let double = arguments.double.double().map_err(Failure::refused)?;
+    let start = double.start([theta1, theta2], [omega1, omega2]).map_err(Failure::refused)?;
+    let (settings, grid) = arguments.trajectory.settings()?;
+    let method = arguments.method.as_str();
     let steps = steps::<DoublePendulum>(method)?;
     let title = method_named(method).map_or(method, |method| method.info().title);
     let trajectory = Trajectory {

@@ -2,7 +2,6 @@
 
 use std::io::{self, Write};
 use std::mem;
-use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
@@ -13,7 +12,7 @@ use serde::{Deserialize, Serialize};
 use super::angle::angles;
 use super::device_argument::DeviceArgument;
 use super::number::number;
-use super::pendulum_arguments::{MassArgument, PendulumArguments, methods, or_default};
+use super::pendulum_arguments::{MassArgument, PendulumArguments, methods};
 use super::plot::{Across, Panel, Plot, PlotArguments, Target};
 use super::rows::RowFormat;
 use super::state::{Bits, Kept, KeptArguments};
@@ -28,48 +27,43 @@ use crate::sweep::{Run, Runner, grids};
 #[derive(Args, Debug)]
 pub struct Arguments {
     /// The method
-    #[arg(long, value_name = "M", value_parser = methods(), required_unless_present = "resume")]
-    method: Option<String>,
+    #[arg(long, value_name = "M", value_parser = methods())]
+    method: String,
     /// Angle at the start, in radians or as pi/3, 60deg; or a range of them at even distances
     #[arg(
         long,
         value_name = "ANGLE|FROM:TO:COUNT",
         value_parser = angles,
-        allow_hyphen_values = true,
-        required_unless_present = "resume"
+        allow_hyphen_values = true
     )]
-    theta0: Option<Sweep>,
-    #[arg(long, value_name = "RAD/S", value_parser = number, allow_hyphen_values = true,
-        help = or_default("Angular velocity at the start (rad/s)", 0.0))]
-    omega0: Option<f64>,
+    theta0: Sweep,
+    /// Angular velocity at the start (rad/s)
+    #[arg(long, value_name = "RAD/S", default_value_t = 0.0, value_parser = number,
+        allow_hyphen_values = true)]
+    omega0: f64,
     /// Step Δt (s), or a range of them in even ratios, each moved to the nearest whole number of
     /// steps; equal numbers are run once
-    #[arg(
-        long,
-        value_name = "S|FROM:TO:COUNT",
-        allow_hyphen_values = true,
-        required_unless_present = "resume"
-    )]
-    dt: Option<Sweep>,
+    #[arg(long, value_name = "S|FROM:TO:COUNT", allow_hyphen_values = true)]
+    dt: Sweep,
     /// Duration (s), a whole number of steps
-    #[arg(long, value_name = "S", value_parser = number, allow_hyphen_values = true,
-        required_unless_present = "resume")]
-    duration: Option<f64>,
+    #[arg(long, value_name = "S", value_parser = number, allow_hyphen_values = true)]
+    duration: f64,
     #[command(flatten)]
     pendulum: PendulumArguments,
     #[command(flatten)]
     mass: MassArgument,
-    /// How rows are printed [default: csv]
-    #[arg(long, value_enum)]
-    format: Option<RowFormat>,
+    /// How rows are printed
+    #[arg(long, value_enum, default_value_t)]
+    format: RowFormat,
     /// Compute the K-th of N parts of the sweep alone, as CSV: the parts one after the other are
     /// the whole, with a header in the first
     #[arg(long, value_name = "K/N", allow_hyphen_values = true)]
     part: Option<Part>,
     #[command(flatten)]
     device: DeviceArgument,
+    /// Where it is kept if it is interrupted.
     #[command(flatten)]
-    kept: KeptArguments,
+    pub kept: KeptArguments,
     /// Say on standard error what the runs have cost, and how large their errors are
     #[arg(long)]
     summary: bool,
@@ -80,26 +74,14 @@ pub struct Arguments {
 /// What a plot shows.
 const PANELS: [Panel; 1] = [Panel::new("largest energy error (J)", &[(4, "")]).logarithmic()];
 
-/// How far a sweep has come: besides the rows printed, the runs finished before their turn.
+/// How far a sweep has come, besides the rows printed.
 #[derive(Debug, Default, Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]
-pub struct Progress {
-    ahead: Vec<Ahead>,
+struct Progress {
     steps: u64,
     nanoseconds: u64,
     /// The largest errors, if a summary was asked for.
     largest: Option<Largest>,
-}
-
-/// A run finished before its turn.
-#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Serialize)]
-#[serde(deny_unknown_fields)]
-struct Ahead {
-    /// Its row, counted from the first that is not printed.
-    row: usize,
-    theta: Bits,
-    omega: Bits,
-    energy_error: Bits,
 }
 
 /// Writes the rows theta0, dt, theta, omega, energy_error: the start (rad), the step (s), the state
@@ -124,21 +106,15 @@ pub fn run_until(
     out: [&mut dyn Write; 2],
     lookout: impl FnOnce() -> Lookout,
 ) -> Result<(), Failure> {
-    let mut kept = Kept::new("ensemble", &arguments.kept)?;
-    let method = kept.argument("method", arguments.method.clone(), None)?;
-    let pendulum = arguments.pendulum.kept(&arguments.mass, &mut kept)?;
-    let theta0 = kept.argument("theta0", arguments.theta0, None)?;
-    let omega0 = kept.argument("omega0", arguments.omega0, Some(0.0))?;
-    let dt = kept.argument("dt", arguments.dt, None)?;
-    let duration = kept.argument("duration", arguments.duration, None)?;
-    let format = kept.argument("format", arguments.format, Some(RowFormat::default()))?;
-    let part = kept.optional("part", arguments.part)?;
+    let &Arguments { theta0, omega0, dt, duration, format, part, .. } = arguments;
+    let method = &arguments.method;
+    let pendulum = arguments.pendulum.pendulum(Some(&arguments.mass)).map_err(Failure::refused)?;
     if format == RowFormat::Json && part.is_some() {
         return Err(Failure::refused(
             "arrays one after the other are no array: --part needs --format csv",
         ));
     }
-    let mut runner = Runner::new(&method, pendulum, omega0)?;
+    let mut runner = Runner::new(method, pendulum, omega0)?;
     if let Some(device) = arguments.device.name() {
         if matches!(theta0, Sweep::One(_)) {
             return Err(Failure::refused(
@@ -151,13 +127,16 @@ pub fn run_until(
         Sweep::Range(_) => Across { column: 0, label: "θ_{0} (rad)", log: false },
         Sweep::One(_) => Across { column: 1, label: "Δt (s)", log: true },
     };
-    let title = method_named(&method).map_or(method.as_str(), |method| method.info().title);
+    let title = method_named(method).map_or(method.as_str(), |method| method.info().title);
     let fixed = match theta0 {
         Sweep::Range(_) => format!("Δt = {dt} s"),
         Sweep::One(theta0) => format!("θ₀ = {theta0:?} rad"),
     };
     let title = format!("{title}, {fixed}, {duration:?} s");
-    let plot = arguments.plot.target().map(|to| (to, across, title));
+    let kept = Kept::new(&arguments.kept)?;
+    // Half a plot is none.
+    let plot = arguments.plot.target().filter(|_| !kept.is_resumed());
+    let plot = plot.map(|to| (to, across, title));
     let printer = Printer {
         runner,
         pendulum,
@@ -179,24 +158,16 @@ pub fn run_until(
             let compute = move |angles: &[f64], finished: &(dyn Fn(usize, Run) + Sync)| {
                 runner.from_each(angles, &grid, finished);
             };
-            let same = move |&theta0: &f64| (theta0, grid);
-            printer.print(
-                kept,
-                out,
-                theta0.linear(part.among(theta0.count)),
-                same,
-                compute,
-                lookout,
-            )
+            let angles = theta0.linear(part.among(theta0.count));
+            printer.print(kept, out, angles, compute, lookout)
         }
         (Sweep::One(theta0), Sweep::Range(dt)) => {
             let start = runner.start(theta0)?;
             let compute = move |grids: &[Grid], finished: &(dyn Fn(usize, Run) + Sync)| {
                 runner.along_each(start, grids, finished);
             };
-            let same = move |grid: &Grid| (start.theta, *grid);
             let grids = grids(duration, dt, part.among(dt.count))?;
-            printer.print(kept, out, grids, same, compute, lookout)
+            printer.print(kept, out, grids, compute, lookout)
         }
         _ => Err(Failure::refused(
             "exactly one of --theta0 and --dt must be a range FROM:TO:COUNT; one run is `pendula \
@@ -220,34 +191,24 @@ struct Printer {
 
 impl Printer {
     /// Computes and prints a row for each item of `sweep`, a batch at a time, so that memory does
-    /// not limit their number. `of` says angle and grid of an item.
-    fn print<T: Clone + Send + Sync + 'static>(
+    /// not limit their number.
+    fn print<T: Send + Sync + 'static>(
         &self,
-        kept: Kept<Progress>,
+        kept: Kept<'_>,
         [out, err]: [&mut dyn Write; 2],
         sweep: impl Iterator<Item = T>,
-        of: impl Fn(&T) -> (f64, Grid),
         compute: impl Fn(&[T], &(dyn Fn(usize, Run) + Sync)) + Clone + Send + 'static,
         lookout: impl FnOnce() -> Lookout,
     ) -> Result<(), Failure> {
         let begun = Instant::now();
-        let resumed = kept.resumed()?;
-        let printed = resumed.map(|(rows, _)| rows);
-        let (mut ahead, mut steps, before, measured) = match resumed {
-            Some((_, Progress { ahead, steps, nanoseconds, largest })) => {
-                (ahead.clone(), *steps, Duration::from_nanos(*nanoseconds), *largest)
-            }
-            None => (Vec::new(), 0, Duration::ZERO, None),
-        };
-        let from = printed.unwrap_or(0);
-        let mut largest = self
-            .summary
-            .then(|| measured.unwrap_or_else(|| Largest { from, ..Largest::default() }));
+        let (from, mut progress) = kept.resumed::<Progress>()?.unwrap_or_default();
+        let before = Duration::from_nanos(progress.nanoseconds);
+        if self.summary {
+            progress.largest.get_or_insert_default();
+        }
         // Set the interrupt handler before creating the file.
         let lookout = lookout();
         let columns = ["theta0", "dt", "theta", "omega", "energy_error"];
-        // The header stands in the first part: the others go on from no row.
-        let headless = self.part.is_some_and(|part| !part.is_first());
         let plot = self
             .plot
             .clone()
@@ -257,68 +218,67 @@ impl Printer {
         // A plot on standard output stands there instead of the rows.
         let instead = plot.as_ref().is_some_and(|(plot, _)| plot.is_in_the_terminal());
         let rows_out: &mut dyn Write = if instead { &mut nowhere } else { &mut *out };
-        let mut rows =
-            kept.open(rows_out, self.format, columns, printed.or(headless.then_some(0)))?;
+        // The header stands in the first part.
+        let headless = self.part.is_some_and(|part| !part.is_first());
+        let mut rows = kept.open(rows_out, self.format, columns, headless)?;
         let mut sweep = sweep.skip(usize::try_from(from).unwrap_or(usize::MAX));
-        let finished = Arc::new(AtomicU64::new(from));
         loop {
-            let mut interrupted = lookout.interrupts(finished.load(Ordering::Relaxed));
-            let mut later = mem::take(&mut ahead);
+            let done = rows.rows();
+            let mut interrupted = lookout.interrupts(done);
             if !interrupted {
-                let done = finished.load(Ordering::Relaxed);
                 let most = usize::try_from(lookout.next(done) - done).unwrap_or(usize::MAX);
                 let items: Vec<T> = sweep.by_ref().take(self.runner.batch().min(most)).collect();
                 if items.is_empty() {
                     break;
                 }
-                let batch = Batch::new(&items, &later, &of, &finished)
-                    .ok_or_else(|| kept.refused("its runs ahead are not of this sweep"))?;
+                let batch = Batch::new(items);
                 let (work, compute) = (batch.clone(), compute.clone());
                 interrupted = unless_interrupted(
-                    || lookout.interrupts(finished.load(Ordering::Relaxed)),
-                    move || work.complete(&items, &compute),
+                    || lookout.interrupts(done),
+                    move || work.complete(&compute),
                 )
                 .is_none();
-                if let Some(failure) = self.runner.device_failure() {
-                    // The rows so far are whole.
-                    rows.end()?.flush()?;
+                let failure = self.runner.device_failure();
+                let failure = failure.or_else(|| {
+                    batch.finished().iter().find_map(|run| {
+                        let row = match self.row(run) {
+                            Ok(row) => row,
+                            Err(failure) => return Some(failure),
+                        };
+                        if let Some((plot, _)) = &mut plot {
+                            plot.add(&row);
+                        }
+                        progress.steps += run.grid.steps();
+                        if let Some(largest) = &mut progress.largest {
+                            largest.include(self, run);
+                        }
+                        rows.row(row).err().map(Failure::from)
+                    })
+                });
+                if let Some(failure) = failure {
+                    // The rows so far are whole; if the output is what failed, it fails again.
+                    let _ = rows.end().map(|mut destination| destination.flush());
                     return Err(failure);
-                }
-                let (in_turn, others) = batch.take();
-                later = others;
-                for run in in_turn {
-                    match self.row(&run) {
-                        Ok(row) => {
-                            rows.row(row)?;
-                            if let Some((plot, _)) = &mut plot {
-                                plot.add(&row);
-                            }
-                        }
-                        Err(failure) => {
-                            // The rows so far are whole.
-                            rows.end()?.flush()?;
-                            return Err(failure);
-                        }
-                    }
-                    steps += run.grid.steps();
-                    if let Some(largest) = &mut largest {
-                        largest.include(self, &run);
-                    }
                 }
             }
             if interrupted {
                 let nanoseconds = (before + begun.elapsed()).as_nanos();
-                let nanoseconds = u64::try_from(nanoseconds).unwrap_or(u64::MAX);
+                progress.nanoseconds = u64::try_from(nanoseconds).unwrap_or(u64::MAX);
                 let of = self.part.map_or_else(String::new, |part| format!(" of part {part}"));
-                let stands = format!("after {} runs{of}", rows.rows());
-                let progress = Progress { ahead: later, steps, nanoseconds, largest };
-                return Err(kept.leave(rows, progress, &stands)?);
+                let without = if plot.is_some() { ", without their plot" } else { "" };
+                let stands = format!("after {} runs{of}{without}", rows.rows());
+                return Err(kept.leave(rows, &progress, &stands)?);
             }
         }
+        let Progress { steps, largest, .. } = progress;
         let runs = rows.rows();
+        // Before the rows: whoever has them has all that was asked for.
+        if let Some((plot, title)) = &mut plot {
+            plot.write(title)?;
+        }
         kept.finish(rows)?;
         if let Some((plot, title)) = plot {
-            plot.finish(&title, out)?;
+            plot.print(&title, out)?;
         }
         if let Some(largest) = largest {
             let MethodInfo { implicit, force_evaluations, start_evaluations, .. } =
@@ -355,68 +315,39 @@ impl Printer {
     }
 }
 
-/// Runs of a batch, each in its place once it is finished.
-#[derive(Clone)]
-struct Batch {
+/// A batch of runs, each in its place once it is finished.
+struct Batch<T> {
+    items: Arc<[T]>,
     runs: Arc<Mutex<Vec<Option<Run>>>>,
-    /// How many are finished, of this batch and those before, or before a resumption.
-    finished: Arc<AtomicU64>,
 }
 
-impl Batch {
-    /// A run for each of `items`, those in `ahead` finished; `None` if they are not of these items.
-    fn new<T>(
-        items: &[T],
-        ahead: &[Ahead],
-        of: impl Fn(&T) -> (f64, Grid),
-        finished: &Arc<AtomicU64>,
-    ) -> Option<Self> {
-        let mut runs = vec![None; items.len()];
-        for &Ahead { row, theta, omega, energy_error } in ahead {
-            let (theta0, grid) = of(items.get(row)?);
-            runs[row] = Some(Run {
-                theta0,
-                grid,
-                end: Phase { theta: theta.0, omega: omega.0 },
-                energy_error: energy_error.0,
-            });
-        }
-        Some(Self { runs: Arc::new(Mutex::new(runs)), finished: Arc::clone(finished) })
+impl<T> Clone for Batch<T> {
+    fn clone(&self) -> Self {
+        Self { items: Arc::clone(&self.items), runs: Arc::clone(&self.runs) }
+    }
+}
+
+impl<T: Send + Sync> Batch<T> {
+    fn new(items: Vec<T>) -> Self {
+        let runs = vec![None; items.len()];
+        Self { items: items.into(), runs: Arc::new(Mutex::new(runs)) }
     }
 
-    /// Computes the runs that are not finished.
-    fn complete<T: Clone>(
-        &self,
-        items: &[T],
-        compute: &impl Fn(&[T], &(dyn Fn(usize, Run) + Sync)),
-    ) {
-        let missing: Vec<usize> = {
-            let runs = self.runs.lock().unwrap_or_else(PoisonError::into_inner);
-            (0..items.len()).filter(|&row| runs.get(row).is_some_and(Option::is_none)).collect()
-        };
-        let items: Vec<T> = missing.iter().map(|&row| items[row].clone()).collect();
-        compute(&items, &|i, run| {
+    /// Computes the runs.
+    fn complete(&self, compute: &impl Fn(&[T], &(dyn Fn(usize, Run) + Sync))) {
+        compute(&self.items, &|i, run| {
             let mut runs = self.runs.lock().unwrap_or_else(PoisonError::into_inner);
             // After an interruption nobody asks for it.
-            if let Some(slot) = runs.get_mut(missing[i]) {
+            if let Some(slot) = runs.get_mut(i) {
                 *slot = Some(run);
             }
-            self.finished.fetch_add(1, Ordering::Relaxed);
         });
     }
 
-    /// The runs whose turn it is to be printed, and those finished before their turn.
-    fn take(&self) -> (Vec<Run>, Vec<Ahead>) {
+    /// The finished runs up to the first that is not.
+    fn finished(&self) -> Vec<Run> {
         let runs = mem::take(&mut *self.runs.lock().unwrap_or_else(PoisonError::into_inner));
-        let in_turn: Vec<Run> = runs.iter().map_while(|run| *run).collect();
-        let later = runs.iter().skip(in_turn.len()).enumerate();
-        let later = later.filter_map(|(row, run)| {
-            let Run { end, energy_error, .. } = (*run)?;
-            let [theta, omega, energy_error] = [end.theta, end.omega, energy_error].map(Bits);
-            Some(Ahead { row, theta, omega, energy_error })
-        });
-        let later = later.collect();
-        (in_turn, later)
+        runs.into_iter().map_while(|run| run).collect()
     }
 }
 
@@ -424,8 +355,6 @@ impl Batch {
 #[derive(Clone, Copy, Debug, Default, Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]
 struct Largest {
-    /// The run from which on they were measured.
-    from: u64,
     energy: Option<Worst>,
     theta: Option<Worst>,
     omega: Option<Worst>,
@@ -460,11 +389,8 @@ impl Largest {
     }
 
     fn add_to(&self, summary: &mut Summary, printer: &Printer) {
-        let since =
-            if self.from == 0 { String::new() } else { format!(", after run {}", self.from) };
-        let at = |worst: &Worst| {
-            format!(" at θ₀ = {:?} rad, Δt = {:?} s{since}", worst.theta0.0, worst.dt.0)
-        };
+        let at =
+            |worst: &Worst| format!(" at θ₀ = {:?} rad, Δt = {:?} s", worst.theta0.0, worst.dt.0);
         if let Some(worst) = &self.energy {
             let start = Phase { theta: worst.theta0.0, omega: printer.omega0 };
             let initial = printer.pendulum.energy(start);
@@ -478,63 +404,5 @@ impl Largest {
                 summary.line(name, format!("{:.6e} {unit}{}", worst.error.0, at(worst)));
             }
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use std::cell::RefCell;
-
-    use super::*;
-
-    fn run(theta: f64) -> Run {
-        let (theta0, grid) = of(&theta);
-        let end = Phase { theta: 10.0 * theta, omega: -theta };
-        Run { theta0, grid, end, energy_error: 0.25 * theta }
-    }
-
-    fn of(&theta0: &f64) -> (f64, Grid) {
-        (theta0, Grid::new(0.5, 4).unwrap())
-    }
-
-    fn angles(runs: &[Run]) -> Vec<f64> {
-        runs.iter().map(|run| run.theta0).collect()
-    }
-
-    /// Catches: runs finished before their turn that are lost, computed again, or printed in the
-    /// place of another; a state whose runs are of another sweep.
-    #[test]
-    fn runs_finished_before_their_turn_are_kept() {
-        let finished = Arc::new(AtomicU64::new(0));
-        let items = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0];
-        let batch = Batch::new(&items, &[], of, &finished).unwrap();
-        let taken = RefCell::default();
-        batch.complete(&items, &|items: &[f64], done: &(dyn Fn(usize, Run) + Sync)| {
-            [0, 2, 4, 5].into_iter().for_each(|i| done(i, run(items[i])));
-            *taken.borrow_mut() = batch.take();
-            // It finishes after the interruption: nobody asks for it.
-            done(3, run(items[3]));
-        });
-        let (in_turn, later) = taken.into_inner();
-        assert_eq!(angles(&in_turn), [1.0]);
-        assert_eq!(later.iter().map(|run| run.row).collect::<Vec<_>>(), [1, 3, 4]);
-        // Nor does a computation begin that has not before.
-        batch.complete(&items, &|items, _| assert!(items.is_empty()));
-
-        let items = &items[1..];
-        let batch = Batch::new(items, &later, of, &finished).unwrap();
-        batch.complete(items, &|items: &[f64], done: &(dyn Fn(usize, Run) + Sync)| {
-            assert_eq!(items, [2.0, 4.0]);
-            items.iter().enumerate().for_each(|(i, &theta)| done(i, run(theta)));
-        });
-        let (in_turn, later) = batch.take();
-        assert_eq!(angles(&in_turn), items);
-        for got in in_turn {
-            let Run { grid, end, energy_error, .. } = run(got.theta0);
-            assert_eq!((got.grid, got.end, got.energy_error), (grid, end, energy_error));
-        }
-        assert!(later.is_empty());
-        let beyond = Ahead { row: 5, theta: Bits(0.0), omega: Bits(0.0), energy_error: Bits(0.0) };
-        assert!(Batch::new(items, &[beyond], of, &finished).is_none());
     }
 }

@@ -81,7 +81,7 @@ pub fn run_until(
             "--size {size}: must be an even number, from 2 to {LARGEST}"
         )));
     }
-    let double = arguments.double.double()?;
+    let double = arguments.double.double().map_err(Failure::refused)?;
     let grid = Grid::with_duration(arguments.dt, arguments.duration).map_err(Failure::refused)?;
     let device = arguments.device.name().map(Device::named);
     let device = device.transpose().map_err(Failure::refused)?;

@@ -30,7 +30,7 @@ mod plot;
 mod rows;
 pub mod serve;
 pub mod simulate;
-mod state;
+pub(crate) mod state;
 #[cfg(feature = "book")]
 pub mod study;
 mod suited;

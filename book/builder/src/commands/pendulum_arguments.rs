@@ -3,12 +3,9 @@
 use clap::Args;
 use clap::builder::PossibleValuesParser;
 use pendula::{AnyMethod, Error, Grid, METHODS, Pendulum, Phase};
-use serde::Serialize;
-use serde::de::DeserializeOwned;
 
 use super::angle::angle;
 use super::number::number;
-use super::state::Kept;
 use crate::failure::Failure;
 
 /// The names that `--method` accepts.
@@ -42,28 +39,26 @@ pub fn unsolved(name: &str, error: &Error) -> Option<Failure> {
     }
 }
 
-/// A help text with the default of an argument that a state may provide instead.
-pub fn or_default(help: &str, default: f64) -> String {
-    format!("{help} [default: {default}]")
-}
-
 /// The pendulum.
 #[derive(Args, Debug)]
 pub struct PendulumArguments {
-    #[arg(long, help = or_default("Gravitational acceleration g (m/s²)", Pendulum::PAPER.gravity()),
-        value_parser = number, allow_hyphen_values = true)]
-    gravity: Option<f64>,
-    #[arg(long, help = or_default("Length L of the rod (m)", Pendulum::PAPER.length()),
-        value_parser = number, allow_hyphen_values = true)]
-    length: Option<f64>,
+    /// Gravitational acceleration g (m/s²)
+    #[arg(long, default_value_t = Pendulum::PAPER.gravity(), value_parser = number,
+        allow_hyphen_values = true)]
+    gravity: f64,
+    /// Length L of the rod (m)
+    #[arg(long, default_value_t = Pendulum::PAPER.length(), value_parser = number,
+        allow_hyphen_values = true)]
+    length: f64,
 }
 
 /// Its mass, where that matters.
 #[derive(Args, Debug)]
 pub struct MassArgument {
-    #[arg(long, help = or_default("Mass m of the bob (kg)", Pendulum::PAPER.mass()),
-        value_parser = number, allow_hyphen_values = true)]
-    mass: Option<f64>,
+    /// Mass m of the bob (kg)
+    #[arg(long, default_value_t = Pendulum::PAPER.mass(), value_parser = number,
+        allow_hyphen_values = true)]
+    mass: f64,
 }
 
 impl PendulumArguments {
@@ -72,28 +67,8 @@ impl PendulumArguments {
     /// # Errors
     /// As [`Pendulum::new`].
     pub fn pendulum(&self, mass: Option<&MassArgument>) -> Result<Pendulum, Error> {
-        let paper = Pendulum::PAPER;
-        Pendulum::new(
-            self.gravity.unwrap_or(paper.gravity()),
-            self.length.unwrap_or(paper.length()),
-            mass.and_then(|mass| mass.mass).unwrap_or(paper.mass()),
-        )
-    }
-
-    /// The pendulum of a run that may be resumed.
-    ///
-    /// # Errors
-    /// As [`Pendulum::new`] and [`Kept::argument`].
-    pub fn kept<P: DeserializeOwned + Serialize>(
-        &self,
-        mass: &MassArgument,
-        kept: &mut Kept<P>,
-    ) -> Result<Pendulum, Failure> {
-        let paper = Pendulum::PAPER;
-        let gravity = kept.argument("gravity", self.gravity, Some(paper.gravity()))?;
-        let length = kept.argument("length", self.length, Some(paper.length()))?;
-        let mass = kept.argument("mass", mass.mass, Some(paper.mass()))?;
-        Pendulum::new(gravity, length, mass).map_err(Failure::refused)
+        let mass = mass.map_or(Pendulum::PAPER.mass(), |mass| mass.mass);
+        Pendulum::new(self.gravity, self.length, mass)
     }
 }
 

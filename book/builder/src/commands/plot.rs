@@ -87,6 +87,7 @@ const TIME: Across = Across { column: 0, label: "t (s)", log: false };
 
 /// A plot that is being drawn.
 pub struct Plot {
+    is_in_the_terminal: bool,
     /// The file, if it is not the terminal.
     file: Option<Destination<'static>>,
     across: Across,
@@ -115,12 +116,14 @@ impl Plot {
             Target::File(path) => Some(Destination::file("--plot", &path)?),
         };
         let lines = panels.iter().flat_map(|panel| panel.columns).map(|_| Thinned::default());
-        Ok(Self { file, across, panels, lines: lines.collect(), first: None })
+        let is_in_the_terminal = file.is_none();
+        let lines = lines.collect();
+        Ok(Self { is_in_the_terminal, file, across, panels, lines, first: None })
     }
 
     /// Whether it is for the terminal.
     pub const fn is_in_the_terminal(&self) -> bool {
-        self.file.is_none()
+        self.is_in_the_terminal
     }
 
     /// Adds a row.
@@ -135,21 +138,22 @@ impl Plot {
         }
     }
 
-    /// Writes the picture to its file, or to `out`.
+    /// Writes the picture to its file, if it has one.
     ///
     /// # Errors
     /// If it cannot be written.
-    pub fn finish(mut self, title: &str, out: &mut dyn Write) -> Result<(), Failure> {
-        let mut capital = title.chars();
-        let title: String = capital.next().into_iter().flat_map(char::to_uppercase).collect();
-        let title = title + capital.as_str();
-        match self.file.take() {
-            Some(mut file) => {
-                file.write_all(self.figure(&title).to_file("plot").as_bytes())?;
-                file.finish()
-            }
-            None => Ok(self.write_text(&title, out)?),
-        }
+    pub fn write(&mut self, title: &str) -> Result<(), Failure> {
+        let Some(mut file) = self.file.take() else { return Ok(()) };
+        file.write_all(self.figure(&capital(title)).to_file("plot").as_bytes())?;
+        file.finish()
+    }
+
+    /// Prints the picture, if it is for the terminal.
+    ///
+    /// # Errors
+    /// If it cannot be written.
+    pub fn print(&self, title: &str, out: &mut dyn Write) -> io::Result<()> {
+        if self.is_in_the_terminal() { self.write_text(&capital(title), out) } else { Ok(()) }
     }
 
     /// Each panel with its lines.
@@ -210,6 +214,13 @@ impl Plot {
         let label = plain(label);
         writeln!(out, "{label}{} from {from} to {to}", logarithmic(log))
     }
+}
+
+/// The title with a capital.
+fn capital(title: &str) -> String {
+    let mut letters = title.chars();
+    let first: String = letters.next().into_iter().flat_map(char::to_uppercase).collect();
+    first + letters.as_str()
 }
 
 const fn logarithmic(log: bool) -> &'static str {

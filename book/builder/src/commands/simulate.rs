@@ -10,7 +10,7 @@ use pendula::{AnyMethod, Grid, Hamiltonian, Motion, Pendulum, Phase, method_name
 
 use super::angle::angle;
 use super::number::number;
-use super::pendulum_arguments::{MassArgument, PendulumArguments, methods as names, or_default};
+use super::pendulum_arguments::{MassArgument, PendulumArguments, methods as names};
 use super::plot::Panel;
 use super::suited::{Suited, steps};
 use super::summary::Summary;
@@ -23,23 +23,24 @@ use crate::interrupt::Lookout;
 #[derive(Args, Debug)]
 pub struct Arguments {
     /// The method
-    #[arg(long, value_name = "M", value_parser = names(), required_unless_present = "resume")]
-    method: Option<String>,
+    #[arg(long, value_name = "M", value_parser = names())]
+    method: String,
     /// Angle at the start: radians, or as pi/3, 60deg
-    #[arg(long, value_name = "ANGLE", value_parser = angle, allow_hyphen_values = true,
-        required_unless_present = "resume")]
-    theta0: Option<f64>,
-    #[arg(long, value_name = "RAD/S", value_parser = number, allow_hyphen_values = true,
-        help = or_default("Angular velocity at the start (rad/s)", 0.0))]
-    omega0: Option<f64>,
+    #[arg(long, value_name = "ANGLE", value_parser = angle, allow_hyphen_values = true)]
+    theta0: f64,
+    /// Angular velocity at the start (rad/s)
+    #[arg(long, value_name = "RAD/S", default_value_t = 0.0, value_parser = number,
+        allow_hyphen_values = true)]
+    omega0: f64,
     #[command(flatten)]
     system: SystemArguments,
     #[command(flatten)]
     pendulum: PendulumArguments,
     #[command(flatten)]
     mass: MassArgument,
+    /// How long, and how it is printed.
     #[command(flatten)]
-    trajectory: TrajectoryArguments,
+    pub trajectory: TrajectoryArguments,
 }
 
 /// Writes the rows t, theta, omega, energy: in s, rad, rad/s and J, the energy as in the paper's
@@ -63,16 +64,13 @@ pub fn run_until(
     out: [&mut dyn Write; 2],
     lookout: impl FnOnce() -> Lookout,
 ) -> Result<(), Failure> {
-    let (mut settings, grid) = arguments.trajectory.settings("simulate")?;
-    let kept = &mut settings.kept;
-    let method = kept.argument("method", arguments.method.clone(), None)?;
-    let pendulum = arguments.pendulum.kept(&arguments.mass, kept)?;
-    let theta0 = kept.argument("theta0", arguments.theta0, None)?;
-    let omega0 = kept.argument("omega0", arguments.omega0, Some(0.0))?;
-    let start = pendulum.start(theta0, omega0).map_err(Failure::refused)?;
-    let method = method_named(&method)
-        .ok_or_else(|| Failure::refused(format!("there is no method {method}")))?;
-    let chosen = arguments.system.kept(pendulum, kept)?;
+    let pendulum = arguments.pendulum.pendulum(Some(&arguments.mass)).map_err(Failure::refused)?;
+    let start = pendulum.start(arguments.theta0, arguments.omega0).map_err(Failure::refused)?;
+    let name = &arguments.method;
+    let method =
+        method_named(name).ok_or_else(|| Failure::refused(format!("there is no method {name}")))?;
+    let chosen = arguments.system.of(pendulum)?;
+    let (settings, grid) = arguments.trajectory.settings()?;
     let scene = Scene { pendulum, method, start, grid };
     match chosen {
         Chosen::Pendulum => scene.swing(settings, out, lookout),
@@ -107,7 +105,7 @@ impl Scene {
     /// The pendulum itself.
     fn swing(
         &self,
-        settings: Settings,
+        settings: Settings<'_>,
         out: [&mut dyn Write; 2],
         lookout: impl FnOnce() -> Lookout,
     ) -> Result<(), Failure> {
@@ -138,7 +136,7 @@ impl Scene {
     fn other<S: Suited<State = Phase>>(
         &self,
         system: &S,
-        settings: Settings,
+        settings: Settings<'_>,
         out: [&mut dyn Write; 2],
         lookout: impl FnOnce() -> Lookout,
     ) -> Result<(), Failure> {

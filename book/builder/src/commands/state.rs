@@ -1,108 +1,155 @@
 //! The state of an interrupted run: what it takes to resume it with the same bits.
 //!
-//! A state is a text: a line that names the version, JSON, and a line with the SHA-256 of all
-//! before it. The arguments in it are those of the command line, with every default filled in, each
-//! number in the shortest form that reads back to the same f64; numbers that no user typed are the
-//! 16 hexadecimal digits of their bits.
+//! A state is one file: the rows so far, as they stand in the output; a line of JSON with the
+//! version of the program, the words of the command line and how far the run has come; and a last
+//! line with the number of bytes of the rows and the SHA-256 of all before it. So no rows are ever
+//! continued that are not those of the run.
 
-use std::collections::BTreeMap;
+use std::ffi::OsString;
 use std::fmt::Display;
-use std::io::Write;
-use std::num::NonZeroU64;
+use std::fs::File;
+use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
-use std::str::FromStr;
 
-use clap::{Args, ValueEnum};
+use anyhow::Context;
+use clap::{ArgMatches, Args};
 use serde::de::{DeserializeOwned, Error as _};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
-use sha2::{Digest, Sha256};
+use serde_json::Value;
 
-use super::destination::Destination;
+use super::destination::{Destination, Summed};
 use super::rows::{RowFormat, Rows};
 use crate::failure::Failure;
-use crate::files::kept;
-use crate::sweep::part::Part;
-use crate::sweep::range::Sweep;
+use crate::files;
+use crate::files::whole_file::WholeFile;
 
 /// Where a run is kept when it is interrupted, and whence it is resumed.
 #[derive(Args, Debug)]
 pub struct KeptArguments {
     /// Write to this file, which appears only when it is whole; if the run is interrupted,
-    /// FILE.state and FILE.partial keep what it takes to resume it
+    /// FILE.state keeps what it takes to resume it
     #[arg(long, value_name = "FILE")]
     output: Option<PathBuf>,
     /// Without --output: the file that keeps the state if the run is interrupted
-    #[arg(long, value_name = "FILE", conflicts_with = "output")]
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["output", "plot"])]
     state: Option<PathBuf>,
-    /// Resume the run whose state this file keeps; all other arguments are in it, and may be left
-    /// out
-    #[arg(long, value_name = "STATE", conflicts_with = "plot")]
+    /// Resume the run whose state this file keeps, with all its arguments
+    // Of the groups of which one has to be given, it is one.
+    #[arg(long, value_name = "STATE", exclusive = true, groups = ["extent"])]
     resume: Option<PathBuf>,
+    /// What the command line was, for the state.
+    #[arg(skip)]
+    pub words: Vec<OsString>,
+    /// What the run is resumed from.
+    #[arg(skip)]
+    pub from: Option<Resumed>,
 }
 
-const FIRST_LINE: &str = "pendula state 1";
-const FAMILY: &str = "pendula state ";
-const LAST_LINE: &str = "sha256 ";
+/// The file that the command line asks to resume from.
+pub fn asked_for(command: &ArgMatches) -> Option<&PathBuf> {
+    command.try_get_one("resume").ok().flatten()
+}
 
-/// The state of a run of a `command`.
+/// All of a state but its rows.
 #[derive(Debug, Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]
-pub struct State<P> {
-    command: String,
-    arguments: BTreeMap<String, String>,
+struct State {
+    version: String,
+    arguments: Vec<String>,
     /// Rows printed.
     rows: u64,
-    /// The length of FILE.partial, if the rows go to a file.
-    bytes: Option<u64>,
-    /// How far it has come.
-    progress: P,
+    /// Whether they go to a file, and so are here.
+    to_file: bool,
+    /// How far the run has come.
+    progress: Value,
 }
 
-impl<P: Serialize> State<P> {
-    fn text(&self) -> String {
-        let json = serde_json::to_string_pretty(self).expect("a state is maps, texts and integers");
-        let text = format!("{FIRST_LINE}\n{json}\n");
-        let sum = digest(&text);
-        format!("{text}{LAST_LINE}{sum}\n")
+/// A state, and where it is.
+#[derive(Debug)]
+pub struct Resumed {
+    path: PathBuf,
+    state: State,
+    /// How many bytes its rows are.
+    bytes: u64,
+}
+
+impl Resumed {
+    /// Reads the state of a run of `command`.
+    ///
+    /// # Errors
+    /// [`Failure::Refused`] if it cannot be read, is not as it was written, or is of another
+    /// command or another version of the program.
+    pub fn read(path: &Path, command: &str) -> Result<Self, Failure> {
+        let (json, bytes) = read(path).map_err(|error| refused(path, error))?;
+        let state: State = serde_json::from_str(&json).map_err(|error| refused(path, error))?;
+        if state.version != VERSION {
+            let version = state.version.escape_debug();
+            let why = format!("it is of version {version} of this program, which is {VERSION}");
+            return Err(refused(path, why));
+        }
+        if state.arguments.first().is_none_or(|of| of != command) {
+            let of = state.arguments.first().map_or("", String::as_str).escape_debug();
+            return Err(refused(path, format!("it is one of `pendula {of}`")));
+        }
+        Ok(Self { path: path.to_path_buf(), state, bytes })
+    }
+
+    /// The words of the command line that the run was begun with.
+    pub fn arguments(&self) -> &[String] {
+        &self.state.arguments
     }
 }
 
-impl<P: DeserializeOwned + Serialize> State<P> {
-    fn parse(text: &str, command: &str) -> Result<Self, String> {
-        let first = text.lines().next().unwrap_or_default();
-        if first != FIRST_LINE {
-            return Err(match first.strip_prefix(FAMILY) {
-                Some(version) => {
-                    format!("it is of version {version:?}, and this program reads version 1")
-                }
-                None => format!("it does not begin with `{FIRST_LINE}`, as a state does"),
-            });
-        }
-        let broken = || "it is not as it was written: its checksum differs".to_owned();
-        let end = text.rfind(LAST_LINE).ok_or_else(broken)?;
-        let (body, sum) = text.split_at(end);
-        if sum != format!("{LAST_LINE}{}\n", digest(body)) {
-            return Err(broken());
-        }
-        let json = &body[FIRST_LINE.len()..];
-        let of: Command = serde_json::from_str(json).map_err(|error| error.to_string())?;
-        if of.command != command {
-            return Err(format!("it is one of `pendula {}`", of.command));
-        }
-        let state: Self = serde_json::from_str(json).map_err(|error| error.to_string())?;
-        // Of an argument that is there twice JSON keeps the second.
-        if state.text() == text { Ok(state) } else { Err("it is not as it is written".to_owned()) }
+const VERSION: &str = env!("CARGO_PKG_VERSION");
+
+/// The JSON of a state and the number of bytes before it.
+fn read(path: &Path) -> io::Result<(String, u64)> {
+    /// More than the arguments that a process can have.
+    const LONGEST: u64 = 1 << 24;
+    let wrong = |why: &str| io::Error::new(io::ErrorKind::InvalidData, why);
+    if files::metadata(path)?.is_some_and(|found| !found.is_file()) {
+        return Err(wrong("it is not a file"));
     }
+    let mut file = File::open(path)?;
+    let all = file.seek(SeekFrom::End(0))?;
+    file.seek(SeekFrom::Start(all.saturating_sub(200)))?;
+    let mut end = Vec::new();
+    (&mut file).take(200).read_to_end(&mut end)?;
+    let end = String::from_utf8_lossy(&end);
+    let last = end.strip_suffix('\n').map(|end| end.rsplit('\n').next().unwrap_or_default());
+    let last = last.and_then(|last| last.strip_prefix("rows ")?.split_once(" sha256 "));
+    let read = last.and_then(|(bytes, sum)| {
+        let before = all - last_line(bytes, sum).len() as u64;
+        let bytes: u64 = bytes.parse().ok()?;
+        Some((bytes, before.checked_sub(bytes)?, before, sum))
+    });
+    let Some((bytes, json, before, sum)) = read.filter(|(_, json, ..)| *json < LONGEST) else {
+        return Err(wrong("it does not end as a state does"));
+    };
+    file.rewind()?;
+    let mut summed = Summed::new(io::sink());
+    io::copy(&mut (&mut file).take(before), &mut summed)?;
+    if summed.sum() != sum {
+        return Err(wrong("it is not as it was written: its checksum differs"));
+    }
+    file.seek(SeekFrom::Start(bytes))?;
+    let mut text = String::new();
+    file.take(json).read_to_string(&mut text)?;
+    Ok((text, bytes))
 }
 
-/// The part of a state that says how to read the rest.
-#[derive(Deserialize)]
-struct Command {
-    command: String,
+fn last_line(bytes: impl Display, sum: &str) -> String {
+    format!("rows {bytes} sha256 {sum}\n")
 }
 
-fn digest(text: &str) -> String {
-    Sha256::digest(text).iter().map(|byte| format!("{byte:02x}")).collect()
+/// Writes the state behind the rows so far, and puts it at `path`.
+fn write(mut file: Summed<WholeFile>, state: &State, path: &Path) -> anyhow::Result<()> {
+    let bytes = file.bytes;
+    let json = serde_json::to_string(state).expect("a state is texts and integers");
+    file.write_all(format!("\n{json}\n").as_bytes())?;
+    let last = last_line(bytes, &file.sum());
+    file.write_all(last.as_bytes())?;
+    Ok(file.out.leave(path)?)
 }
 
 /// The bits of a number, as 16 hexadecimal digits.
@@ -118,219 +165,113 @@ impl Serialize for Bits {
 impl<'de> Deserialize<'de> for Bits {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let text = String::deserialize(deserializer)?;
-        let digits = text.len() == 16 && !text.starts_with('+');
-        let bits = u64::from_str_radix(&text, 16).ok().filter(|_| digits);
-        let bits = bits.ok_or_else(|| D::Error::custom("bits are 16 hexadecimal digits"))?;
-        Ok(Self(f64::from_bits(bits)))
+        let bits = u64::from_str_radix(&text, 16);
+        bits.map(|bits| Self(f64::from_bits(bits)))
+            .map_err(|_| D::Error::custom("bits are 16 hexadecimal digits"))
     }
 }
 
-/// An argument that a state keeps as a text.
-pub trait Argument: FromStr {
-    /// The text, which reads back to the same value.
-    fn text(&self) -> String;
-}
-
-impl Argument for f64 {
-    fn text(&self) -> String {
-        format!("{self:?}")
-    }
-}
-
-impl Argument for u64 {
-    fn text(&self) -> String {
-        self.to_string()
-    }
-}
-
-impl Argument for NonZeroU64 {
-    fn text(&self) -> String {
-        self.to_string()
-    }
-}
-
-impl Argument for String {
-    fn text(&self) -> String {
-        self.clone()
-    }
-}
-
-impl Argument for Sweep {
-    fn text(&self) -> String {
-        self.to_string()
-    }
-}
-
-impl Argument for Part {
-    fn text(&self) -> String {
-        self.to_string()
-    }
-}
-
-impl FromStr for RowFormat {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        <Self as ValueEnum>::from_str(text, false)
-    }
-}
-
-impl Argument for RowFormat {
-    fn text(&self) -> String {
-        match self {
-            Self::Csv => "csv".to_owned(),
-            Self::Json => "json".to_owned(),
-        }
-    }
-}
-
-/// A run that can be kept: its arguments, those given completed by those of the state it is resumed
-/// from, and the files that keep it.
+/// A run that can be kept, and the files that keep it.
 #[derive(Debug)]
-pub struct Kept<P> {
-    command: &'static str,
-    from: Option<(PathBuf, State<P>)>,
-    arguments: BTreeMap<String, String>,
+pub struct Kept<'a> {
+    given: &'a KeptArguments,
     output: Option<PathBuf>,
+    /// Where its state goes if it is interrupted.
     state: Option<PathBuf>,
 }
 
-impl<P: DeserializeOwned + Serialize> Kept<P> {
-    /// A run of `command`, with the state that it is resumed from, if it is.
+impl<'a> Kept<'a> {
+    /// The run that was asked for.
     ///
     /// # Errors
-    /// [`Failure::Refused`] if the state cannot be read, or contradicts where the output is to go.
-    pub fn new(command: &'static str, given: &KeptArguments) -> Result<Self, Failure> {
-        let (mut output, mut state) = (given.output.clone(), given.state.clone());
-        let mut from = None;
-        if let Some(path) = &given.resume {
-            let text = kept::read(path).map_err(|error| refused(path, error))?;
-            let found = State::parse(&text, command).map_err(|why| refused(path, why))?;
-            if found.bytes.is_some() {
-                let file = file_of(path).ok_or_else(|| {
-                    refused(path, "its rows are beside it, and it must be named FILE.state")
-                })?;
-                let other = output.replace(file.clone());
-                if other.is_some_and(|o| o != file && !kept::same(&kept::beside(&o, "state"), path))
-                {
-                    let file = file.display();
-                    return Err(refused(path, format!("its --output is {file} and no other")));
-                }
-                if state.is_some() {
-                    return Err(refused(path, "its rows go to a file, and its state stays here"));
-                }
-            } else if output.is_some() {
-                return Err(refused(
-                    path,
-                    "its rows go to standard output, and --output cannot be used with it",
-                ));
+    /// [`Failure::Refused`] if it is to begin anew where the state of another one lies.
+    pub fn new(given: &'a KeptArguments) -> Result<Self, Failure> {
+        if let Some(Resumed { path, state, .. }) = &given.from {
+            let file = if state.to_file {
+                let is_state = path.extension().is_some_and(|extension| extension == "state");
+                let file = is_state.then(|| path.with_extension(""));
+                let why = "its rows go to a file, and it must be named FILE.state";
+                Some(file.ok_or_else(|| refused(path, why))?)
             } else {
-                state.get_or_insert_with(|| path.clone());
-            }
-            from = Some((path.clone(), found));
+                None
+            };
+            return Ok(Self { given, output: file, state: Some(path.clone()) });
         }
-        Ok(Self { command, from, arguments: BTreeMap::new(), output, state })
-    }
-
-    /// The argument `--name`: the one `given`, or that of the state, or else the `default`.
-    ///
-    /// # Errors
-    /// [`Failure::Refused`] if the argument given is not that of the state; if there is none.
-    pub fn argument<T: Argument>(
-        &mut self,
-        name: &'static str,
-        given: Option<T>,
-        default: Option<T>,
-    ) -> Result<T, Failure> {
-        let value = match &self.from {
-            None => given.or(default).ok_or_else(|| {
-                Failure::refused(format!("--{name} is missing; only a --resume can do without"))
-            })?,
-            Some((path, state)) => {
-                let text = state.arguments.get(name);
-                let stored = text.and_then(|text| Some((text, text.parse::<T>().ok()?)));
-                let Some((text, stored)) = stored else {
-                    return Err(refused(path, format!("it has no --{name}")));
-                };
-                if let Some(given) = given.filter(|given| given.text() != stored.text()) {
-                    let given = given.text();
-                    return Err(refused(
-                        path,
-                        format!("its --{name} is {text}, and {given} contradicts it"),
-                    ));
-                }
-                stored
-            }
-        };
-        self.arguments.insert(name.to_owned(), value.text());
-        Ok(value)
-    }
-
-    /// The argument `--name` that not every run has: the one `given`, or that of the state.
-    ///
-    /// # Errors
-    /// As [`argument`](Self::argument); if it is given, and the state has none.
-    pub fn optional<T: Argument>(
-        &mut self,
-        name: &'static str,
-        given: Option<T>,
-    ) -> Result<Option<T>, Failure> {
-        let stored = self.from.as_ref().map(|(path, state)| (path, state.arguments.get(name)));
-        match (stored, given) {
-            (Some((path, None)), Some(given)) => {
-                let given = given.text();
-                Err(refused(path, format!("it has no --{name}, and {given} contradicts that")))
-            }
-            (None | Some((_, None)), None) => Ok(None),
-            (_, given) => self.argument(name, given, None).map(Some),
+        let (output, mut state) = (given.output.clone(), given.state.clone());
+        if let Some(output) = &output {
+            // Beside the file itself, so that the rows so far need no other disk.
+            let is_link = output.is_symlink();
+            let file = is_link.then(|| files::behind_links(output).ok()).flatten();
+            let mut name = file.as_ref().unwrap_or(output).as_os_str().to_owned();
+            name.push(".state");
+            state = Some(name.into());
         }
+        if let Some(path) = &given.state {
+            // Not only hours later.
+            WholeFile::beside(path).map_err(|error| {
+                Failure::refused(format!("--state {}: cannot be written: {error}", path.display()))
+            })?;
+        }
+        if let Some(path) = state.as_ref().filter(|path| path.exists()) {
+            let path = path.display();
+            let command = given.words.first().map(|word| word.to_string_lossy());
+            let command = command.unwrap_or_default();
+            return Err(Failure::refused(format!(
+                "{path} keeps a run that was interrupted: go on with `pendula {command} --resume \
+                 {path}`, or remove it"
+            )));
+        }
+        Ok(Self { given, output, state })
     }
 
-    /// What the run is resumed from, after all arguments have been asked for: the rows printed, and
-    /// how far it has come.
+    /// Whether it is resumed.
+    pub const fn is_resumed(&self) -> bool {
+        self.given.from.is_some()
+    }
+
+    /// What the run is resumed from, if it is: the rows printed, and how far it has come.
     ///
     /// # Errors
-    /// [`Failure::Refused`] if the state has an argument that nobody asked for.
-    pub fn resumed(&self) -> Result<Option<(u64, &P)>, Failure> {
-        let Some((path, state)) = &self.from else { return Ok(None) };
-        match state.arguments.keys().find(|name| !self.arguments.contains_key(*name)) {
-            Some(name) => Err(refused(path, format!("there is no --{name}"))),
-            None => Ok(Some((state.rows, &state.progress))),
+    /// [`Failure::Refused`] if the state is of another kind of run.
+    pub fn resumed<P: DeserializeOwned>(&self) -> Result<Option<(u64, P)>, Failure> {
+        let Some(Resumed { state, .. }) = &self.given.from else { return Ok(None) };
+        match serde_json::from_value(state.progress.clone()) {
+            Ok(progress) => Ok(Some((state.rows, progress))),
+            Err(error) => Err(self.refused(error)),
         }
     }
 
     /// The refusal of the state that the run is resumed from, because of `why`.
     pub fn refused(&self, why: impl Display) -> Failure {
-        match &self.from {
-            Some((path, _)) => refused(path, why),
+        match &self.given.from {
+            Some(Resumed { path, .. }) => refused(path, why),
             None => Failure::refused(why),
         }
     }
 
-    /// Opens the output for rows: `out`, or the file, with the rows so far, of which there are
-    /// `printed`.
+    /// Opens the output for rows: `out`, or the file, with the rows so far. A run that is
+    /// `headless` begins without a header.
     ///
     /// # Errors
-    /// [`Failure::Refused`] if it cannot be written, or the rows so far are not there.
-    pub fn open<'a, const N: usize>(
+    /// [`Failure::Refused`] if it cannot be written, or the rows so far cannot be read.
+    pub fn open<'o, const N: usize>(
         &self,
-        out: &'a mut dyn Write,
+        out: &'o mut dyn Write,
         format: RowFormat,
         columns: [&'static str; N],
-        printed: Option<u64>,
-    ) -> Result<Rows<Destination<'a>, N>, Failure> {
+        headless: bool,
+    ) -> Result<Rows<Destination<'o>, N>, Failure> {
         let mut destination = Destination::open(self.output.as_deref(), out)?;
-        if let (Some(file), Some((path, state))) = (&self.output, &self.from) {
-            if !destination.appears_whole() {
-                return Err(refused(path, format!("{} is not a file", file.display())));
+        match &self.given.from {
+            Some(Resumed { path, state, bytes }) if state.to_file => {
+                let file = File::open(path).map_err(|error| self.refused(error))?;
+                io::copy(&mut file.take(*bytes), &mut destination)?;
+                Ok(Rows::resume(destination, format, columns, state.rows))
             }
-            let bytes = state.bytes.unwrap_or(0);
-            kept::copy(&kept::beside(file, "partial"), bytes, &mut destination)
-                .map_err(|error| refused(path, format!("{error:#}")))?;
-            return Ok(Rows::resume(destination, format, columns, state.rows));
-        }
-        match printed {
-            Some(rows) => Ok(Rows::begin_again(destination, format, columns, rows)?),
+            Some(Resumed { state, .. }) => {
+                Ok(Rows::begin_again(destination, format, columns, state.rows)?)
+            }
+            None if headless => Ok(Rows::begin_again(destination, format, columns, 0)?),
             None => Ok(Rows::begin(destination, format, columns)?),
         }
     }
@@ -343,57 +284,57 @@ impl<P: DeserializeOwned + Serialize> Kept<P> {
     pub fn leave<const N: usize>(
         self,
         rows: Rows<Destination<'_>, N>,
-        progress: P,
+        progress: &impl Serialize,
         stands: &str,
     ) -> Result<Failure, Failure> {
         let printed = rows.rows();
-        let (state, bytes) = match &self.output {
-            Some(file) if rows.writer().appears_whole() => {
-                // The rows first: to a state of before, they are more than it asks for.
-                let bytes = rows.into_writer().leave(&kept::beside(file, "partial"))?;
-                (Some(kept::beside(file, "state")), Some(bytes))
-            }
-            _ => {
-                rows.end()?.finish()?;
-                (self.state, None)
-            }
+        let to_file = rows.writer().appears_whole();
+        let file = if to_file {
+            rows.into_writer().into_file()?
+        } else {
+            rows.end()?.finish()?;
+            None
         };
+        // To a device there are no rows that could be kept.
+        let state = self.state.filter(|_| to_file || self.output.is_none());
         let Some(path) = state else {
             return Ok(Failure::Failed(anyhow::anyhow!(
                 "interrupted {stands}; with --output FILE or --state FILE it could have been \
                  resumed"
             )));
         };
-        let command = self.command;
-        let (command_name, arguments) = (command.to_owned(), self.arguments);
-        let state = State { command: command_name, arguments, rows: printed, bytes, progress };
-        kept::write(&path, &state.text())?;
+        let progress = serde_json::to_value(progress).expect("a state is texts and integers");
+        let arguments = match &self.given.from {
+            Some(from) => from.state.arguments.clone(),
+            // The names of files, the only words that may be no UTF-8, are not those of the state.
+            None => self.given.words.iter().map(|w| w.to_string_lossy().into_owned()).collect(),
+        };
+        let command = arguments.first().cloned().unwrap_or_default();
+        let version = VERSION.to_owned();
+        let state = State { version, arguments, rows: printed, to_file, progress };
+        let cannot = || format!("{} cannot be written", path.display());
+        let file = match file {
+            Some(file) => file,
+            None => Summed::new(WholeFile::beside(&path).with_context(cannot)?),
+        };
+        write(file, &state, &path).with_context(cannot)?;
         let path = path.display();
         Ok(Failure::Failed(anyhow::anyhow!(
             "interrupted {stands}; `pendula {command} --resume {path}` goes on from there"
         )))
     }
 
-    /// The run has come to its end: its output is finished, and what was kept of it is removed.
+    /// The run has come to its end: its output is finished, and its state is removed.
     ///
     /// # Errors
     /// If that fails.
     pub fn finish<const N: usize>(self, rows: Rows<Destination<'_>, N>) -> Result<(), Failure> {
         rows.end()?.finish()?;
-        if let Some((path, state)) = &self.from {
-            if let (Some(file), Some(_)) = (&self.output, state.bytes) {
-                kept::remove(&kept::beside(file, "partial"))?;
-            }
-            kept::remove(path)?;
+        if let Some(Resumed { path, .. }) = &self.given.from {
+            files::remove(path).with_context(|| format!("{} cannot be removed", path.display()))?;
         }
         Ok(())
     }
-}
-
-/// FILE, if `path` is FILE.state.
-fn file_of(path: &Path) -> Option<PathBuf> {
-    let is_state = path.extension()? == "state";
-    is_state.then(|| path.with_extension(""))
 }
 
 fn refused(path: &Path, why: impl Display) -> Failure {

@@ -1,14 +1,10 @@
 //! `--system`: the pendulum, or one that is damped, driven or shaken.
 
-use std::str::FromStr;
-
 use clap::{Args, ValueEnum};
-use pendula::Pendulum;
+use pendula::{Error, Pendulum};
 use pendula::systems::{Damped, Driven, Shaken};
 
 use super::number::number;
-use super::state::{Argument, Kept};
-use super::trajectory::Progress;
 use crate::failure::Failure;
 
 /// What is integrated.
@@ -25,26 +21,12 @@ pub enum SystemName {
     Shaken,
 }
 
-impl FromStr for SystemName {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        <Self as ValueEnum>::from_str(text, false)
-    }
-}
-
-impl Argument for SystemName {
-    fn text(&self) -> String {
-        self.to_possible_value().expect("no name is hidden").get_name().to_owned()
-    }
-}
-
 /// The system and its parameters.
 #[derive(Args, Debug)]
 pub struct SystemArguments {
-    /// What is integrated [default: pendulum]
-    #[arg(long, value_name = "S", value_enum)]
-    system: Option<SystemName>,
+    /// What is integrated
+    #[arg(long, value_name = "S", value_enum, default_value_t)]
+    system: SystemName,
     /// Damped or driven: damping β (1/s), the rate at which small swings decay [driven: 0]
     #[arg(long, value_name = "1/S", value_parser = number, allow_hyphen_values = true)]
     damping: Option<f64>,
@@ -75,15 +57,14 @@ pub enum Chosen {
 }
 
 impl SystemArguments {
-    /// The system made of `pendulum`, of a run that may be resumed.
+    /// The system made of `pendulum`.
     ///
     /// # Errors
     /// [`Failure::Refused`] for a parameter that is missing, or belongs to another system, or that
     /// the library refuses.
-    pub fn kept(&self, pendulum: Pendulum, kept: &mut Kept<Progress>) -> Result<Chosen, Failure> {
+    pub fn of(&self, pendulum: Pendulum) -> Result<Chosen, Failure> {
         use SystemName::{Damped as D, Driven as F, Pendulum as P, Shaken as S};
-        // A state of before there were others says nothing of it.
-        let name = kept.optional("system", self.system)?.unwrap_or_default();
+        let name = self.system;
         let given = [
             ("damping", self.damping, &[D, F][..]),
             ("drive-strength", self.drive_strength, &[F]),
@@ -93,7 +74,7 @@ impl SystemArguments {
         ];
         for (option, value, of) in given {
             if value.is_some() && !of.contains(&name) {
-                let of: Vec<String> = of.iter().map(Argument::text).collect();
+                let of: Vec<String> = of.iter().map(|name| name.text()).collect();
                 return Err(Failure::refused(format!(
                     "--{option} belongs to --system {}, and the system is {}",
                     of.join(" or "),
@@ -101,27 +82,35 @@ impl SystemArguments {
                 )));
             }
         }
+        let needed = |option: &str, value: Option<f64>| {
+            value.ok_or_else(|| {
+                Failure::refused(format!("--{option} is missing for --system {}", name.text()))
+            })
+        };
+        let refused = |error: Error| Failure::refused(error);
         Ok(match name {
             P => Chosen::Pendulum,
             D => {
-                let damping = kept.argument("damping", self.damping, None)?;
-                Chosen::Damped(Damped::new(pendulum, damping).map_err(Failure::refused)?)
+                let damping = needed("damping", self.damping)?;
+                Chosen::Damped(Damped::new(pendulum, damping).map_err(refused)?)
             }
             F => {
-                let damping = kept.argument("damping", self.damping, Some(0.0))?;
-                let strength = kept.argument("drive-strength", self.drive_strength, None)?;
-                let frequency = kept.argument("drive-frequency", self.drive_frequency, None)?;
-                let damped = Damped::new(pendulum, damping).map_err(Failure::refused)?;
-                let driven = Driven::new(damped, strength, frequency).map_err(Failure::refused)?;
-                Chosen::Driven(driven)
+                let damped = Damped::new(pendulum, self.damping.unwrap_or(0.0)).map_err(refused)?;
+                let strength = needed("drive-strength", self.drive_strength)?;
+                let frequency = needed("drive-frequency", self.drive_frequency)?;
+                Chosen::Driven(Driven::new(damped, strength, frequency).map_err(refused)?)
             }
             S => {
-                let amplitude = kept.argument("pivot-amplitude", self.pivot_amplitude, None)?;
-                let frequency = kept.argument("pivot-frequency", self.pivot_frequency, None)?;
-                let shaken =
-                    Shaken::new(pendulum, amplitude, frequency).map_err(Failure::refused)?;
-                Chosen::Shaken(shaken)
+                let amplitude = needed("pivot-amplitude", self.pivot_amplitude)?;
+                let frequency = needed("pivot-frequency", self.pivot_frequency)?;
+                Chosen::Shaken(Shaken::new(pendulum, amplitude, frequency).map_err(refused)?)
             }
         })
+    }
+}
+
+impl SystemName {
+    fn text(self) -> String {
+        self.to_possible_value().expect("no name is hidden").get_name().to_owned()
     }
 }

@@ -26,19 +26,20 @@ use crate::interrupt::Lookout;
 #[derive(Args, Debug)]
 pub struct TrajectoryArguments {
     /// Step Δt (s)
-    #[arg(long, value_name = "S", value_parser = number, allow_hyphen_values = true,
-        required_unless_present = "resume")]
-    dt: Option<f64>,
+    #[arg(long, value_name = "S", value_parser = number, allow_hyphen_values = true)]
+    dt: f64,
     #[command(flatten)]
     length: Length,
-    /// Print every K-th sample, beginning with the start [default: 1]
-    #[arg(long, value_name = "K", value_parser = positive_count, allow_hyphen_values = true)]
-    every: Option<NonZeroU64>,
-    /// How rows are printed [default: csv]
-    #[arg(long, value_enum)]
-    format: Option<RowFormat>,
+    /// Print every K-th sample, beginning with the start
+    #[arg(long, value_name = "K", default_value = "1", value_parser = positive_count,
+        allow_hyphen_values = true)]
+    every: NonZeroU64,
+    /// How rows are printed
+    #[arg(long, value_enum, default_value_t)]
+    format: RowFormat,
+    /// Where it is kept if it is interrupted.
     #[command(flatten)]
-    kept: KeptArguments,
+    pub kept: KeptArguments,
     /// Say on standard error what the run has cost, and how large its errors are
     #[arg(long)]
     summary: bool,
@@ -48,22 +49,20 @@ pub struct TrajectoryArguments {
 
 /// How long to run.
 #[derive(Args, Debug)]
-#[group(multiple = false)]
+#[group(id = "extent", required = true, multiple = false)]
 struct Length {
     /// Duration (s), a whole number of steps
-    #[arg(long, value_name = "S", value_parser = number, allow_hyphen_values = true,
-        required_unless_present_any = ["steps", "resume"])]
+    #[arg(long, value_name = "S", value_parser = number, allow_hyphen_values = true)]
     duration: Option<f64>,
     /// Number of steps
-    #[arg(long, value_name = "N", value_parser = count, allow_hyphen_values = true,
-        required_unless_present_any = ["duration", "resume"])]
+    #[arg(long, value_name = "N", value_parser = count, allow_hyphen_values = true)]
     steps: Option<u64>,
 }
 
 /// How far a trajectory has come.
-#[derive(Debug, Deserialize, Serialize)]
+#[derive(Debug, Default, Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]
-pub struct Progress {
+struct Progress {
     steps: u64,
     /// The numbers of its [`Checkpoint`].
     numbers: Vec<Bits>,
@@ -71,8 +70,6 @@ pub struct Progress {
     nanoseconds: u64,
     /// The largest energy error (J), if a summary was asked for.
     energy_error: Option<Bits>,
-    /// The step from which on it was measured.
-    measured_from: u64,
 }
 
 /// A run in steps that can be left and resumed.
@@ -180,9 +177,8 @@ pub struct Trajectory<'a, Z, const N: usize> {
 }
 
 /// The settings of a trajectory, those of its state included.
-pub struct Settings {
-    /// The arguments, for a command to add its own.
-    pub kept: Kept<Progress>,
+pub struct Settings<'a> {
+    kept: Kept<'a>,
     plot: Option<Target>,
     summary: bool,
     every: NonZeroU64,
@@ -190,30 +186,25 @@ pub struct Settings {
 }
 
 impl TrajectoryArguments {
-    /// The settings of a run of `command`, and its grid of times.
+    /// The settings, and the grid of times.
     ///
     /// # Errors
-    /// [`Failure::Refused`] for what [`Grid`] refuses, and for a state that cannot be read or
-    /// contradicts the arguments.
-    pub fn settings(&self, command: &'static str) -> Result<(Settings, Grid), Failure> {
-        let mut kept = Kept::new(command, &self.kept)?;
-        let dt = kept.argument("dt", self.dt, None)?;
-        let steps = match self.length {
-            Length { duration: Some(duration), .. } => {
-                Some(Grid::with_duration(dt, duration).map_err(Failure::refused)?.steps())
-            }
-            Length { steps, .. } => steps,
+    /// [`Failure::Refused`] for what [`Grid`] refuses, and where the state of another run lies.
+    pub fn settings(&self) -> Result<(Settings<'_>, Grid), Failure> {
+        let grid = match self.length {
+            Length { duration: Some(duration), .. } => Grid::with_duration(self.dt, duration),
+            Length { steps, .. } => Grid::new(self.dt, steps.unwrap_or(0)),
         };
-        let steps = kept.argument("steps", steps, None)?;
-        let grid = Grid::new(dt, steps).map_err(Failure::refused)?;
-        let every = kept.argument("every", self.every, Some(NonZeroU64::MIN))?;
-        let format = kept.argument("format", self.format, Some(RowFormat::default()))?;
-        let plot = self.plot.target();
-        Ok((Settings { kept, plot, summary: self.summary, every, format }, grid))
+        let grid = grid.map_err(Failure::refused)?;
+        let kept = Kept::new(&self.kept)?;
+        // Half a plot is none.
+        let plot = self.plot.target().filter(|_| !kept.is_resumed());
+        let Self { summary, every, format, .. } = *self;
+        Ok((Settings { kept, plot, summary, every, format }, grid))
     }
 }
 
-impl Settings {
+impl Settings<'_> {
     /// Prints the rows of `trajectory`, along `grid`. The run is what `run` makes of the checkpoint
     /// at which it is resumed, if it is.
     ///
@@ -231,18 +222,17 @@ impl Settings {
     ) -> Result<(), Failure> {
         let Self { kept, plot, summary, every, format } = self;
         let begun = Instant::now();
-        let before = match kept.resumed()? {
-            Some((rows, progress)) => Some((rows, progress, checkpoint(&kept, progress, grid)?)),
+        let before = match kept.resumed::<Progress>()? {
+            Some((_, progress)) => Some((checkpoint(&kept, &progress, grid)?, progress)),
             None => None,
         };
-        let mut run = run(before.as_ref().map(|(.., at)| *at));
-        let printed = before.as_ref().map(|(rows, ..)| *rows);
+        let mut run = run(before.as_ref().map(|(at, _)| *at));
         let mut drawn = plot.map(|target| Plot::new(target, trajectory.panels)).transpose()?;
         let mut nowhere = io::sink();
         // A plot on standard output stands there instead of the rows.
         let instead = drawn.as_ref().is_some_and(Plot::is_in_the_terminal);
         let rows_out: &mut dyn Write = if instead { &mut nowhere } else { &mut *out };
-        let rows = kept.open(rows_out, format, trajectory.columns, printed)?;
+        let rows = kept.open(rows_out, format, trajectory.columns, false)?;
         let plot = drawn.as_mut();
         let printer = Printer { row: trajectory.row, plot, rows, ended: None };
         let next = every.get();
@@ -250,15 +240,15 @@ impl Settings {
         watch.drift.observe(0, 0.0, trajectory.start);
         let mut z = trajectory.start;
         let before = match before {
-            Some((_, progress, at)) => {
+            Some((at, progress)) => {
                 watch.next = (at.steps() / next + 1).saturating_mul(next);
                 // The state at which it stands: it takes no step.
                 z = run.advance(at.steps(), every, &mut ()).map_err(Failure::refused)?;
-                Before::of(progress, summary)
+                progress
             }
             None => {
                 watch.printer.observe(0, grid.time(0), z);
-                Before::default()
+                Progress::default()
             }
         };
         let measured = summary && watch.drift.largest().is_some();
@@ -285,9 +275,11 @@ impl Settings {
         }
         let Watch { drift, printer: Printer { rows, ended, .. }, .. } = watch;
         let steps = run.checkpoint().steps();
-        let elapsed = before.elapsed + begun.elapsed();
+        let elapsed = Duration::from_nanos(before.nanoseconds) + begun.elapsed();
         let evaluations = before.evaluations + run.evaluations();
-        let energy_error = drift.largest().map(|l| libm::fmaximum(l, before.energy_error));
+        let energy_error = drift.largest().map(|largest| {
+            libm::fmaximum(largest, before.energy_error.map_or(0.0, |Bits(error)| error))
+        });
         let at_the_end = (trajectory.row)(grid.time(steps), z);
         // It may have been lost after the last row.
         let ended = match at_the_end.iter().all(|value| value.is_finite()) {
@@ -306,24 +298,24 @@ impl Settings {
                 evaluations,
                 nanoseconds: u64::try_from(elapsed.as_nanos()).unwrap_or(u64::MAX),
                 energy_error: energy_error.filter(|_| summary).map(Bits),
-                measured_from: before.measured_from,
             };
             let (all, t) = (grid.steps(), grid.time(steps));
-            let stands = format!("after {steps} of {all} steps, at {t:?} s");
-            return Err(kept.leave(rows, progress, &stands)?);
+            let without = if drawn.is_some() { ", without its plot" } else { "" };
+            let stands = format!("after {steps} of {all} steps, at {t:?} s{without}");
+            return Err(kept.leave(rows, &progress, &stands)?);
+        }
+        // Before the rows: whoever has them has all that was asked for.
+        if let Some(plot) = &mut drawn {
+            plot.write(&trajectory.title)?;
         }
         kept.finish(rows)?;
         if let Some(plot) = drawn {
-            plot.finish(&trajectory.title, out)?;
+            plot.print(&trajectory.title, out)?;
         }
         if summary {
             let mut summary = Summary::of_cost(steps, evaluations, elapsed);
-            let of = match before.measured_from {
-                0 => String::new(),
-                from => format!(", after step {from}"),
-            };
             if let Some(energy_error) = energy_error {
-                summary.energy_error(energy_error, trajectory.energy, &of);
+                summary.energy_error(energy_error, trajectory.energy, "");
             }
             (trajectory.end_errors)(&mut summary, z);
             summary.print(err)?;
@@ -333,44 +325,18 @@ impl Settings {
 }
 
 /// The checkpoint of `progress`, if there is one like it on `grid`.
-fn checkpoint(
-    kept: &Kept<Progress>,
-    progress: &Progress,
-    grid: &Grid,
-) -> Result<Checkpoint, Failure> {
+fn checkpoint(kept: &Kept<'_>, progress: &Progress, grid: &Grid) -> Result<Checkpoint, Failure> {
     let mut numbers = [0.0; CHECKPOINT_NUMBERS];
     if progress.numbers.len() != numbers.len() {
         return Err(kept.refused(format!("a run has {} numbers", numbers.len())));
     }
-    if progress.steps > grid.steps() || progress.measured_from > progress.steps {
+    if progress.steps > grid.steps() {
         return Err(kept.refused(format!("it is beyond the last of {} steps", grid.steps())));
     }
     for (number, Bits(bits)) in numbers.iter_mut().zip(&progress.numbers) {
         *number = *bits;
     }
     Ok(Checkpoint::new(progress.steps, numbers))
-}
-
-/// What a run that is resumed brings along for its summary.
-#[derive(Default)]
-struct Before {
-    elapsed: Duration,
-    evaluations: u64,
-    energy_error: f64,
-    measured_from: u64,
-}
-
-impl Before {
-    fn of(progress: &Progress, summary: bool) -> Self {
-        let elapsed = Duration::from_nanos(progress.nanoseconds);
-        let (energy_error, measured_from) = match progress.energy_error {
-            Some(Bits(energy_error)) => (energy_error, progress.measured_from),
-            // The steps so far were not measured.
-            None if summary => (0.0, progress.steps),
-            None => (0.0, 0),
-        };
-        Self { elapsed, evaluations: progress.evaluations, energy_error, measured_from }
-    }
 }
 
 /// The failure of a run that ended with an error.

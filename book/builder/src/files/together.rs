@@ -1,11 +1,11 @@
-//! Several files that change together: all of them, or none.
+//! Several files that change together.
 
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result};
 
-use super::operations::{exists, read, remove};
+use super::remove;
 use super::whole_file::WholeFile;
 
 /// What becomes of a file.
@@ -17,75 +17,61 @@ pub enum Change {
     Removed(PathBuf),
 }
 
-impl Change {
-    fn path(&self) -> &Path {
-        match self {
-            Self::Written(path, _) | Self::Removed(path) => path,
-        }
-    }
-}
-
-/// Makes all the changes. What is new and what is old is brought to the disk beside each file
-/// first, so that then only names change; if one of them cannot, those before it change back.
+/// Makes all the changes. All that is new is brought to the disk beside each file first, so that
+/// then only names change: a full disk or a file that may not be written changes none.
 ///
 /// # Errors
-/// If a file cannot be written, replaced or removed; then all files are as they were.
+/// If a file cannot be written, replaced or removed.
 pub fn change(changes: &[Change]) -> Result<()> {
-    let mut prepared = Vec::new();
+    let mut written = Vec::new();
     for change in changes {
-        let path = change.path();
-        let before = match exists(path).with_context(|| cannot(change))? {
-            true => Some(read(path).with_context(|| cannot(change))?),
-            false => None,
-        };
-        let old = before.map(|bytes| beside(path, &bytes)).transpose();
-        let new = match change {
-            Change::Written(_, bytes) => Some(beside(path, bytes)).transpose(),
-            Change::Removed(_) => Ok(None),
-        };
-        let old = old.with_context(|| cannot(change))?;
-        prepared.push((change, old, new.with_context(|| cannot(change))?));
-    }
-    let mut undone = Vec::new();
-    for (change, old, new) in prepared {
-        let made = match new {
-            Some(new) => new.replace(),
-            None => remove(change.path()),
-        };
-        if let Err(error) = made {
-            for (change, old) in undone.into_iter().rev() {
-                undo(change, old)
-                    .with_context(|| format!("{error}, and {}", cannot_undo(change)))?;
-            }
-            return Err(error).with_context(|| cannot(change));
+        if let Change::Written(path, bytes) = change {
+            let prepared = prepare(path, bytes);
+            written.push((path, prepared.with_context(|| cannot(path, "written"))?));
         }
-        undone.push((change, old));
+    }
+    for (path, file) in written {
+        file.replace().with_context(|| cannot(path, "written"))?;
+    }
+    for change in changes {
+        if let Change::Removed(path) = change {
+            remove(path).with_context(|| cannot(path, "removed"))?;
+        }
     }
     Ok(())
 }
 
-fn beside(path: &Path, bytes: &[u8]) -> std::io::Result<WholeFile> {
+fn prepare(path: &Path, bytes: &[u8]) -> std::io::Result<WholeFile> {
     let mut file = WholeFile::beside(path)?;
     file.write_all(bytes)?;
     file.complete()?;
     Ok(file)
 }
 
-fn undo(change: &Change, old: Option<WholeFile>) -> std::io::Result<()> {
-    match old {
-        Some(old) => old.replace(),
-        None => remove(change.path()),
+fn cannot(path: &Path, what: &str) -> String {
+    format!("{} cannot be {what}", path.display())
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+
+    use super::*;
+
+    /// Catches: one of several files changed although another cannot be; one left behind.
+    #[test]
+    fn all_files_change_or_none() {
+        let folder = tempfile::tempdir().unwrap();
+        let at = |name: &str| folder.path().join(name);
+        fs::write(at("a"), "old").unwrap();
+        fs::write(at("b"), "old").unwrap();
+        let first = [Change::Written(at("a"), b"new".to_vec()), Change::Removed(at("b"))];
+        let all = [&first[..], &[Change::Written(at("no/such"), Vec::new())]].concat();
+        let error = change(&all).unwrap_err();
+        assert!(format!("{error:#}").contains("no/such cannot be written: there is no folder"));
+        assert_eq!(["a", "b"].map(|name| fs::read(at(name)).unwrap()), [b"old", b"old"]);
+        change(&first).unwrap();
+        assert_eq!(fs::read(at("a")).unwrap(), b"new");
+        assert_eq!(super::super::list(folder.path()).unwrap(), [at("a")]);
     }
-}
-
-fn cannot(change: &Change) -> String {
-    let what = match change {
-        Change::Written(..) => "written",
-        Change::Removed(_) => "removed",
-    };
-    format!("{} cannot be {what}", change.path().display())
-}
-
-fn cannot_undo(change: &Change) -> String {
-    format!("{} has changed already and cannot be restored", change.path().display())
 }

@@ -1,28 +1,29 @@
 //! Files that appear only when they are whole.
 
-use std::fs::Metadata;
+use std::fs::{self, File, Metadata};
 use std::io::{self, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-use super::behind_links;
-use super::operations::{Temporary, metadata, probe_file};
+use tempfile::NamedTempFile;
+
+use super::{behind_links, clear, folder_of, lock, metadata, prefix};
 
 /// A file that is written under another name and takes the place of its target when it is whole.
 /// Dropped before, it is removed, and the target is as it was.
 #[derive(Debug)]
 pub struct WholeFile {
-    file: Temporary,
+    file: NamedTempFile,
+    target: PathBuf,
     /// The file that it replaces.
     old: Option<Metadata>,
-    is_complete: bool,
 }
 
 impl WholeFile {
     /// Beside `path`, or beside what `path` is a link to.
     ///
     /// # Errors
-    /// If there is something else than a file, a file that may not be written to, or a folder in
-    /// which no file can be made.
+    /// If there is something else than a file, a file that may not be written to or is being written
+    /// already, or a folder in which no file can be made.
     pub fn beside(path: &Path) -> io::Result<Self> {
         let target = behind_links(path)?;
         let old = metadata(&target)?;
@@ -39,15 +40,32 @@ impl WholeFile {
             if old.permissions().readonly() {
                 return Err(io::Error::new(io::ErrorKind::PermissionDenied, "it is read-only"));
             }
-            probe_file(&target)?;
+            File::options().write(true).open(&target)?;
         }
-        let file = Temporary::beside(&target, old.as_ref())?;
-        Ok(Self { file, old, is_complete: false })
+        clear(&target)?;
+        let prefix = prefix(&target);
+        let mut builder = tempfile::Builder::new();
+        builder.prefix(&prefix);
+        // Temporary files are private by default; a result is an ordinary file.
+        #[cfg(unix)]
+        {
+            use std::os::unix::fs::PermissionsExt;
+            let mode = old.as_ref().map_or(0o666, |old| old.permissions().mode() & 0o666);
+            builder.permissions(fs::Permissions::from_mode(mode));
+        }
+        let folder = folder_of(&target);
+        // tempfile's own error names the temporary file, which nobody asked for.
+        let file = builder.tempfile_in(folder).map_err(|error| {
+            let kind = error.kind();
+            io::Error::new(kind, format!("no file can be made in {}: {kind}", folder.display()))
+        })?;
+        lock(file.as_file());
+        Ok(Self { file, target, old })
     }
 
     /// The file that it will replace.
     pub fn target(&self) -> &Path {
-        self.file.target()
+        &self.target
     }
 
     /// Brings all that was written to the disk, so that only the new name is missing.
@@ -56,11 +74,9 @@ impl WholeFile {
     /// If that fails.
     pub fn complete(&mut self) -> io::Result<()> {
         if let Some(old) = &self.old {
-            self.file.resemble(old)?;
+            resemble(self.file.as_file(), old)?;
         }
-        self.file.sync()?;
-        self.is_complete = true;
-        Ok(())
+        self.file.as_file().sync_all()
     }
 
     /// Puts it in the place of its target, with the permissions and, where possible, the owner of
@@ -69,31 +85,50 @@ impl WholeFile {
     /// # Errors
     /// If that fails; the target is then as it was before.
     pub fn replace(mut self) -> io::Result<()> {
-        if !self.is_complete {
-            self.complete()?;
-        }
-        self.file.persist()
+        self.complete()?;
+        let target = self.target.clone();
+        self.leave(&target)
     }
 
-    /// Puts it at `partial` instead, and returns the number of its bytes.
+    /// Puts it at `path` instead, as it is.
     ///
     /// # Errors
     /// If that fails; nothing is then left.
-    pub fn leave(self, partial: &Path) -> io::Result<u64> {
-        self.file.sync()?;
-        let bytes = self.file.bytes()?;
-        self.file.persist_at(partial)?;
-        Ok(bytes)
+    pub fn leave(self, path: &Path) -> io::Result<()> {
+        self.file.as_file().sync_all()?;
+        self.file.persist(path).map(drop).map_err(|refused| refused.error)
     }
 }
 
 impl Write for WholeFile {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        self.is_complete = false;
-        self.file.write(bytes)
+        self.file.as_file_mut().write(bytes)
     }
 
     fn flush(&mut self) -> io::Result<()> {
-        self.file.flush()
+        self.file.as_file_mut().flush()
     }
+}
+
+/// Gives a file the owner, the group and the permissions of another file. Where the owner or the
+/// group may not be given away, its permissions are those that the others have.
+#[cfg(unix)]
+fn resemble(file: &File, like: &Metadata) -> io::Result<()> {
+    use std::os::unix::fs::{MetadataExt, PermissionsExt, fchown};
+    let made = file.metadata()?;
+    let mut mode = like.mode() & 0o7777;
+    if made.gid() != like.gid() && fchown(file, None, Some(like.gid())).is_err() {
+        mode = mode & !0o2070 | (mode & 0o7) << 3;
+    }
+    if made.uid() != like.uid() && fchown(file, Some(like.uid()), None).is_err() {
+        mode &= !0o4000;
+    }
+    // After the owner: a change of owner clears some permissions.
+    file.set_permissions(fs::Permissions::from_mode(mode))
+}
+
+/// Gives a file the permissions of another file.
+#[cfg(not(unix))]
+fn resemble(file: &File, like: &Metadata) -> io::Result<()> {
+    file.set_permissions(like.permissions())
 }

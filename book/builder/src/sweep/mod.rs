@@ -7,6 +7,7 @@ pub mod range;
 
 use std::num::NonZeroU64;
 use std::ops;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use device::OnDevice;
 use pendula::fast::{InLanes, LANES};
@@ -16,7 +17,6 @@ use pendula::{
     AnyMethod, Ensemble, Error, Grid, MethodInfo, Observer, Pendulum, Phase, method_named,
 };
 use range::Range;
-use rayon::prelude::*;
 
 use crate::commands::pendulum_arguments::not_solved;
 use crate::failure::Failure;
@@ -107,8 +107,9 @@ impl Runner {
             }
             return;
         }
-        angles.par_chunks(LANES).enumerate().for_each(|(block, angles)| {
-            for (lane, run) in self.in_lanes(angles, grid).enumerate() {
+        let blocks: Vec<&[f64]> = angles.chunks(LANES).collect();
+        in_order(blocks.len(), |block| {
+            for (lane, run) in self.in_lanes(blocks[block], grid).enumerate() {
                 finished(block * LANES + lane, run);
             }
         });
@@ -141,13 +142,25 @@ impl Runner {
     /// The same start along each of the grids. Not in lanes: the grids differ in their number of
     /// steps. Each run is passed to `finished`, with its place among the grids.
     pub fn along_each(&self, start: Phase, grids: &[Grid], finished: impl Fn(usize, Run) + Sync) {
-        grids.par_iter().enumerate().with_max_len(1).for_each(|(i, grid)| {
+        in_order(grids.len(), |i| {
+            let grid = &grids[i];
             let mut drift = EnergyDrift::new(&self.pendulum);
             let end = self.method.run(&self.pendulum, start, grid, &mut drift);
             let energy_error = drift.largest();
             finished(i, Run { theta0: start.theta, grid: *grid, end, energy_error });
         });
     }
+}
+
+/// Calls `work` with each number below `count`, on all threads. The numbers are begun in order, so
+/// that of a sweep that is interrupted few runs are finished before their turn.
+fn in_order(count: usize, work: impl Fn(usize) + Sync) {
+    let next = AtomicUsize::new(0);
+    rayon::broadcast(|_| {
+        while let Some(i) = Some(next.fetch_add(1, Ordering::Relaxed)).filter(|i| *i < count) {
+            work(i);
+        }
+    });
 }
 
 /// Observes the energy error and keeps the last state.
