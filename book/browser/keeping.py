@@ -51,8 +51,8 @@ def printed(book: Book, *words: str) -> list[str]:
 
 
 def numbers_saved(tab: Tab, book: Book) -> Iterator[str]:
-    """The file of numbers has, digit for digit, the rows of `pendula simulate`, of `exact` and of
-    `double-pendulum`; a long run has each so-many-th step."""
+    """The file of numbers has, digit for digit, the rows of `pendula simulate`, for both
+    systems, and of `exact`; a long run has each so-many-th step."""
     if not opened(tab):
         yield "lab: does not come"
         return
@@ -91,7 +91,7 @@ def numbers_saved(tab: Tab, book: Book) -> Iterator[str]:
     tab.run(f"{LAB}.lab.advance(30)")
     head, *lines = saved(tab, "csv")[1].decode().splitlines()
     run = ["--theta1", "2", "--theta2", "-1.2", "--omega2", "0.4", "--dt", "0.01", "--steps", "30"]
-    there = list(csv.DictReader(printed(book, "double-pendulum", *run)))
+    there = list(csv.DictReader(printed(book, "simulate", "--system", "double-pendulum", *run)))
     here = list(csv.DictReader([head, *lines]))
     names = ["t", "theta1", "theta2", "omega1", "omega2", "energy"]
     if [[row[n] for n in names] for row in here] != [[row[n] for n in names] for row in there]:

@@ -1,17 +1,17 @@
-//! The command line. What each command does is in [`crate::commands`].
+//! The command line: the definition of all commands, and which code runs for each. The code is in
+//! [`crate::commands`].
 
 use std::ffi::OsString;
+use std::io::{self, Write};
 
-use clap::builder::{StyledStr, Styles};
 use clap::error::ErrorKind;
 use clap::{ArgMatches, CommandFactory, FromArgMatches, Parser, Subcommand};
 
+use crate::commands::arguments::number;
 use crate::commands::state::{self, KeptArguments, Resumed};
-use crate::commands::{
-    adaptive, completions, double_pendulum, ensemble, exact, flips, man, methods, number, period,
-    serve, simulate, verify,
-};
+use crate::commands::{completions, exact, examples, man, methods, serve, simulate, sweep, verify};
 use crate::failure::Failure;
+use crate::threads;
 
 #[derive(Debug, Parser)]
 #[command(name = "pendula", version, about = ABOUT)]
@@ -23,115 +23,97 @@ struct Cli {
 
 /// What the program does.
 const ABOUT: &str = if cfg!(feature = "book") {
-    "Numerical integrators on the pendulum: build the book, print its tables, simulate"
+    "Numerical integrators on the pendulum: verify yours, build the book about ours, simulate"
 } else {
-    "Numerical integrators on the pendulum: simulate, and judge other integrators"
+    "Numerical integrators on the pendulum: verify yours, simulate with ours"
 };
 
 /// What scripts want to know.
-const STATUS: &str =
-    "Exit status: 0 if all is well, 1 if the answer is no, 2 if a request is refused or fails";
+const STATUS: &str = "\
+`pendula COMMAND --help` has examples. Also there: serve, preprocess, completions, man
 
-/// One variant a command; its arguments and its code are one file of [`crate::commands`].
+Exit status: 0 if all is well, 1 if the answer is no, 2 if a request is refused or fails";
+
+/// One variant a command; its arguments and its code are a file or a folder of
+/// [`crate::commands`].
 #[derive(Debug, Subcommand)]
 pub enum Command {
     /// Those that need the study
     #[cfg(feature = "book")]
     #[command(flatten)]
     Study(crate::commands::study::Command),
-    /// Print the methods: order, what each keeps, what a step costs, and where the book has it
-    #[command(after_help = examples(&[
-        "pendula methods",
-        "pendula methods --format csv > methods.csv",
-    ]))]
-    Methods(methods::Arguments),
-    /// Integrate and print rows t, theta, omega, energy
-    #[command(after_help = examples(&[
-        "pendula simulate --method stormer-verlet --theta0 pi/3 --dt 0.01 --steps 1000 --summary",
-        "pendula simulate --method rk4 --theta0 170deg --dt 0.01 --duration 10 --plot -",
-        "pendula simulate --method rk4 --theta0 1 --dt 0.01 --steps 900 --plot a.svg > a.csv",
-        "pendula simulate --system damped --damping 0.2 --method rk4 --theta0 1 --dt 0.1 --steps 9",
-    ]))]
-    Simulate(simulate::Arguments),
-    /// Integrate in steps whose size follows the motion and print rows t, theta, omega, energy
-    #[command(after_help = examples(&[
-        "pendula adaptive --method dop853 --theta0 3 --duration 10 --tolerance 1e-9 --summary",
-        "pendula adaptive --method taylor-series --theta0 3 --duration 9 --tolerance 1e-9 --plot -",
-    ]))]
-    Adaptive(adaptive::Arguments),
-    /// Integrate the double pendulum and print rows with the places of its bobs
-    #[command(after_help = examples(&[
-        "pendula double-pendulum --theta1 2pi/3 --theta2 90deg --dt 0.01 --duration 9 --every 9",
-        "pendula double-pendulum --theta1 2 --theta2 1 --dt .1 --steps 99 --method dop853 --plot -",
-    ]))]
-    DoublePendulum(double_pendulum::Arguments),
-    /// Print when a double pendulum first turns over, for every release from rest
-    #[command(after_help = examples(&[
-        "pendula flips --size 40 --duration 5 > flips.csv",
-        "pendula flips --size 60 --duration 9 --picture flips.png --output flips.csv",
-    ]))]
-    Flips(flips::Arguments),
-    /// Integrate from many starts, or with many steps, and print where each ends
-    #[command(after_help = examples(&[
-        "pendula ensemble --method rk4 --theta0 0.1:3.1:31 --dt 0.01 --duration 10",
-        "pendula ensemble --method rk4 --theta0 pi/3 --dt 0.1:0.001:9 --duration 9 --plot -",
-    ]))]
-    Ensemble(ensemble::Arguments),
-    /// Print the OpenCL devices of this machine, for `ensemble --device`
-    #[cfg(feature = "device")]
-    #[command(after_help = examples(&[
-        "pendula devices",
-    ]))]
-    Devices(crate::commands::devices::Arguments),
-    /// Print the exact state at given times
-    #[command(after_help = examples(&[
-        "pendula exact --theta0 pi/3 --t 1,10,100",
-        "pendula exact --theta0 0 --omega0 7 --t 1 --format json",
-    ]))]
-    Exact(exact::Arguments),
-    /// Print the exact period of a release from rest
-    #[command(after_help = examples(&[
-        "pendula period --theta0 pi/3",
-        "pendula period --theta0 0 --omega0 7",
-    ]))]
-    Period(period::Arguments),
     /// Judge a program that is not ours against what it claims; exit status 1 if a claim fails, 2
     /// if the program is at fault
-    #[command(after_help = examples(&[
+    #[command(display_order = 2, after_help = examples(&[
         "pendula verify --claims \"order=2 symplectic\" -- pendula serve stormer-verlet",
         "pendula verify --example python > verlet.py",
     ]))]
     Verify(verify::Arguments),
+    /// Integrate and print rows t, theta, omega, energy
+    #[command(display_order = 4, after_help = examples(&[
+        "pendula simulate --method stormer-verlet --theta0 pi/3 --dt 0.01 --steps 1000 --summary",
+        "pendula simulate --method rk4 --theta0 170deg --dt 0.01 --duration 10 --plot -",
+        "pendula simulate --method rk4 --theta0 1 --dt 0.01 --steps 900 --plot a.svg > a.csv",
+        "pendula simulate --method dop853 --theta0 3 --tolerance 1e-9 --duration 10 --summary",
+        "pendula simulate --system damped --damping 0.2 --method rk4 --theta0 1 --dt 0.1 --steps 9",
+        "pendula simulate --system double-pendulum --theta1 2pi/3 --theta2 2 --dt 0.01 --steps 9",
+    ]))]
+    Simulate(Box<simulate::Arguments>),
+    /// Print the exact state at given times, or the exact period
+    #[command(display_order = 5, after_help = examples(&[
+        "pendula exact --theta0 pi/3",
+        "pendula exact --theta0 pi/3 --t 1,10,100",
+        "pendula exact --theta0 0 --omega0 7 --t 1 --format json",
+    ]))]
+    Exact(exact::Arguments),
+    /// Integrate from many starts, or with many steps, and print where each ends
+    #[command(display_order = 6, after_help = examples(&[
+        "pendula sweep --method rk4 --theta0 0.1:3.1:31 --dt 0.01 --duration 10",
+        "pendula sweep --method rk4 --theta0 pi/3 --dt 0.1:0.001:9 --duration 9 --plot -",
+    ]))]
+    Sweep(sweep::Arguments),
+    /// Print the methods: order, what each keeps, what a step costs, and where the book has it
+    #[command(display_order = 7, after_help = examples(&[
+        "pendula methods",
+        "pendula methods --format csv > methods.csv",
+    ]))]
+    Methods(methods::Arguments),
     /// Serve a method on standard input and output, as a program that `pendula verify` can judge
-    #[command(after_help = examples(&[
+    #[command(hide = true, after_help = examples(&[
         "pendula verify -- pendula serve rk4",
     ]))]
     Serve(serve::Arguments),
     /// Print a script that completes this command line in a shell
-    #[command(after_help = examples(&[
+    #[command(hide = true, after_help = examples(&[
         "pendula completions bash > pendula.bash",
         "pendula completions zsh > _pendula",
     ]))]
     Completions(completions::Arguments),
     /// Print the manual page, or write those of all commands
-    #[command(after_help = examples(&[
+    #[command(hide = true, after_help = examples(&[
         "pendula man > pendula.1",
         "pendula man --output man",
     ]))]
     Man(man::Arguments),
 }
 
+/// What commands were called before, and what they are called now. The old names go with the next
+/// release.
+const RENAMED: &[(&str, &[&str])] = &[
+    ("adaptive", &["simulate"]),
+    ("claims", &["paper", "claims"]),
+    ("devices", &["sweep", "devices"]),
+    ("double-pendulum", &["simulate", "--system", "double-pendulum"]),
+    ("ensemble", &["sweep"]),
+    ("flips", &["sweep", "flips"]),
+    ("period", &["exact"]),
+    ("tables", &["paper", "tables"]),
+    ("work-precision", &["bench"]),
+];
+
 /// The definition of the command line.
 pub fn definition() -> clap::Command {
     Cli::command()
-}
-
-/// Examples for the end of a help text. A test runs each of them, in an empty folder.
-pub(crate) fn examples(lines: &[&str]) -> StyledStr {
-    let styles = Styles::default();
-    let head = styles.get_header();
-    let lines: String = lines.iter().map(|line| format!("\n  {line}")).collect();
-    format!("{head}Examples:{head:#}{lines}").into()
 }
 
 /// Reads the command line.
@@ -145,6 +127,7 @@ where
     T: Into<OsString> + Clone,
 {
     let mut words: Vec<OsString> = arguments.into_iter().map(Into::into).collect();
+    rename(&mut words);
     let mut matches = matches(&words)?;
     let resumed = match matches.subcommand() {
         Some((name, given)) => state::asked_for(given).map(|path| Resumed::read(path, name)),
@@ -158,7 +141,7 @@ where
         matches = self::matches(&words)?;
     }
     let cli = Cli::from_arg_matches(&matches);
-    let cli = cli.map_err(|error| Failure::Refused(explain(&error)))?;
+    let cli = cli.map_err(|error| Failure::Refused(explain(&error, &words)))?;
     let Some(mut command) = cli.command else { return without_a_command() };
     if let Some(kept) = command.kept() {
         kept.words = words.split_off(words.len().min(1));
@@ -167,10 +150,21 @@ where
     Ok(command)
 }
 
+/// Puts the new name of a command in the place of an old one, and says so.
+fn rename(words: &mut Vec<OsString>) {
+    let Some(word) = words.get(1) else { return };
+    if let Some((old, new)) = RENAMED.iter().find(|(old, _)| word == old) {
+        let told = format!("pendula: `pendula {old}` is now `pendula {}`", new.join(" "));
+        // Not eprintln!, which panics when standard error is closed.
+        let _ = writeln!(io::stderr(), "{told}");
+        words.splice(1..2, new.iter().map(OsString::from));
+    }
+}
+
 fn matches(words: &[OsString]) -> Result<ArgMatches, Failure> {
     Cli::command().try_get_matches_from(words).or_else(|error| {
         if error.use_stderr() {
-            let reason = forgotten_value(words).unwrap_or_else(|| explain(&error));
+            let reason = forgotten_value(words).unwrap_or_else(|| explain(&error, words));
             return Err(Failure::Refused(reason));
         }
         // Help and version are answers, for standard output.
@@ -179,39 +173,82 @@ fn matches(words: &[OsString]) -> Result<ArgMatches, Failure> {
     })
 }
 
+/// The book, where there is one.
+#[cfg(feature = "book")]
+fn without_a_command() -> Result<Command, Failure> {
+    use crate::commands::study;
+    let here = std::env::current_dir()?;
+    if crate::locate::book(&here).is_err() {
+        return help();
+    }
+    Ok(Command::Study(study::Command::Book(study::book::Arguments::default())))
+}
+
+#[cfg(not(feature = "book"))]
+fn without_a_command() -> Result<Command, Failure> {
+    help()
+}
+
+fn help() -> Result<Command, Failure> {
+    Cli::command().print_help()?;
+    Err(Failure::Answered)
+}
+
 impl Command {
     /// Where the run is kept if it is interrupted, of a command that can be.
-    const fn kept(&mut self) -> Option<&mut KeptArguments> {
+    fn kept(&mut self) -> Option<&mut KeptArguments> {
         match self {
             Self::Simulate(arguments) => Some(&mut arguments.trajectory.kept),
-            Self::DoublePendulum(arguments) => Some(&mut arguments.trajectory.kept),
-            Self::Ensemble(arguments) => Some(&mut arguments.kept),
+            Self::Sweep(arguments) => arguments.kept(),
             _ => None,
+        }
+    }
+
+    /// Whether it needs more than a thread for its computations.
+    const fn computes_in_parallel(&self) -> bool {
+        match self {
+            Self::Sweep(_) | Self::Verify(_) => true,
+            #[cfg(feature = "book")]
+            Self::Study(_) => true,
+            _ => false,
         }
     }
 }
 
-/// The book.
-#[cfg(feature = "book")]
-fn without_a_command() -> Result<Command, Failure> {
-    use crate::commands::study;
-    Ok(Command::Study(study::Command::Book(study::book::Arguments::default())))
-}
-
-/// Help, where there is no book.
-#[cfg(not(feature = "book"))]
-fn without_a_command() -> Result<Command, Failure> {
-    Cli::command().print_help()?;
-    Err(Failure::Answered)
+/// Runs a command; its output goes to `out`.
+///
+/// # Errors
+/// Whatever the command refuses or fails at.
+pub fn run(command: Command, out: &mut dyn Write) -> Result<(), Failure> {
+    if command.computes_in_parallel() {
+        threads::start();
+    }
+    match command {
+        #[cfg(feature = "book")]
+        Command::Study(command) => crate::commands::study::run(command, out),
+        Command::Verify(arguments) => verify::run(&arguments, out),
+        Command::Simulate(arguments) => simulate::run(&arguments, out),
+        Command::Exact(arguments) => exact::run(&arguments, out),
+        Command::Sweep(arguments) => sweep::run(&arguments, out),
+        Command::Methods(arguments) => methods::run(&arguments, out),
+        Command::Serve(arguments) => serve::run(&arguments, out),
+        Command::Completions(arguments) => completions::run(&arguments, definition(), out),
+        Command::Man(arguments) => man::run(&arguments, definition(), out),
+    }
 }
 
 /// The option whose value was forgotten, if there is one. clap takes the option behind it for the
 /// value, as it might be a negative number, and complains of what comes next.
 fn forgotten_value(words: &[OsString]) -> Option<String> {
-    let cli = Cli::command();
+    let mut command = &Cli::command();
     let words: Vec<&str> =
         words.iter().map_while(|word| word.to_str()).take_while(|word| *word != "--").collect();
-    let command = words.iter().find_map(|word| cli.find_subcommand(word))?;
+    for word in &words[1..] {
+        match command.find_subcommand(word) {
+            Some(inner) => command = inner,
+            None => break,
+        }
+    }
     words.windows(2).find_map(|pair| {
         let name = pair[0].strip_prefix("--")?;
         let option = command.get_arguments().find(|option| option.get_long() == Some(name))?;
@@ -221,15 +258,24 @@ fn forgotten_value(words: &[OsString]) -> Option<String> {
 }
 
 /// What is wrong and what is allowed, in one line.
-fn explain(error: &clap::Error) -> String {
+fn explain(error: &clap::Error, words: &[OsString]) -> String {
     let folded = fold(&error.to_string());
-    // clap names a similar command, if there is one, but does not list the commands.
-    if error.kind() == ErrorKind::InvalidSubcommand {
-        let cli = Cli::command();
-        let names: Vec<_> = cli.get_subcommands().map(clap::Command::get_name).collect();
-        return format!("{folded}; commands: {}", names.join(", "));
+    match error.kind() {
+        // clap names a similar command, if there is one, but does not list the commands.
+        ErrorKind::InvalidSubcommand => {
+            let cli = Cli::command();
+            let shown = cli.get_subcommands().filter(|command| !command.is_hide_set());
+            let names: Vec<_> = shown.map(clap::Command::get_name).collect();
+            format!("{folded}; commands: {}", names.join(", "))
+        }
+        // Nor does it say which argument.
+        ErrorKind::InvalidUtf8 => {
+            let word = words.iter().find(|word| word.to_str().is_none());
+            let word = word.map(|word| word.to_string_lossy()).unwrap_or_default();
+            format!("{word}: it is not UTF-8")
+        }
+        _ => folded,
     }
-    folded
 }
 
 /// Folds clap's paragraphs into one line, for scripts that read standard error.
@@ -257,7 +303,7 @@ mod tests {
     use std::any::TypeId;
 
     use super::*;
-    use crate::sweep::range::Sweep;
+    use crate::commands::arguments::range::Sweep;
 
     fn refusal(arguments: &[&str]) -> String {
         match parse(arguments) {
@@ -296,21 +342,36 @@ mod tests {
     fn an_unknown_command_is_told_those_there_are() {
         let reason = refusal(&["pendula", "x"]);
         for command in Cli::command().get_subcommands() {
-            assert!(reason.contains(command.get_name()), "{reason}");
+            let is_told = reason.contains(&format!(" {}", command.get_name()));
+            assert_eq!(is_told, !command.is_hide_set(), "{reason}");
+        }
+    }
+
+    /// Catches: an old name that is gone before its time, or leads to another command; a new name
+    /// that is none.
+    #[test]
+    fn an_old_name_is_the_new_one() {
+        let definition = definition();
+        for (old, new) in RENAMED {
+            assert!(definition.find_subcommand(old).is_none(), "{old}");
+            let mut words = ["pendula", old, "--help"].map(OsString::from).to_vec();
+            rename(&mut words);
+            assert_eq!(
+                words[1..words.len() - 1],
+                new.iter().map(OsString::from).collect::<Vec<_>>()
+            );
+            assert!(matches!(matches(&words), Err(Failure::Answered)), "{old}");
         }
     }
 
     /// A valid line for each command with numbers.
     const LINES: &[&[&str]] = &[
         &["simulate", "--method", "rk4", "--theta0", "1", "--dt", "1", "--duration", "1"],
-        &["adaptive", "--method", "dop853", "--theta0", "1", "--duration", "1", "--tolerance", "1"],
-        &["double-pendulum", "--theta1", "1", "--theta2", "1", "--dt", "1", "--duration", "1"],
-        &["ensemble", "--method", "rk4", "--theta0", "1", "--dt", "1", "--duration", "1"],
+        &["sweep", "--method", "rk4", "--theta0", "1", "--dt", "1", "--duration", "1"],
         &["exact", "--theta0", "1", "--t", "1"],
-        &["period", "--theta0", "1"],
         &["verify", "--", "program"],
         #[cfg(feature = "book")]
-        &["work-precision"],
+        &["bench"],
     ];
 
     /// Every option of a command that takes a number: its name, and that of its field.
@@ -334,7 +395,8 @@ mod tests {
         });
         let mut rest = line[1..].iter();
         while let Some(word) = rest.next() {
-            if *word == option {
+            // Of the two only one may be there.
+            if *word == option || *word == "--dt" && option == "--tolerance" {
                 rest.next();
             } else {
                 words.push((*word).to_owned());
@@ -378,7 +440,7 @@ mod tests {
                         let is = [
                             format!("{field}: {number:?}"),
                             format!("{field}: Some({number:?})"),
-                            format!("{field}: Some(One({number:?}))"),
+                            format!("{field}: One({number:?})"),
                             format!("{field}: [{number:?}]"),
                         ];
                         assert!(is.iter().any(|is| shown.contains(is)), "{words:?}: {shown}");
@@ -388,13 +450,13 @@ mod tests {
         }
         assert_eq!(
             options,
-            47 + usize::from(cfg!(feature = "book")),
+            37 + usize::from(cfg!(feature = "book")),
             "the options that take a number"
         );
         let t = parse(["pendula", "exact", "--theta0", "-1e-3", "--t", "-1,2,-3e-5"]).unwrap();
         assert!(format!("{t:?}").contains("t: [-1.0, 2.0, -3e-5]"), "{t:?}");
         for range in ["-1:2:5", "-1e-3:-.5:3"] {
-            assert!(parse(with(LINES[3], "--theta0", range, false)).is_ok(), "{range}");
+            assert!(parse(with(LINES[1], "--theta0", range, false)).is_ok(), "{range}");
         }
     }
 

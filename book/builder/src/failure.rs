@@ -18,6 +18,21 @@ pub enum Failure {
 }
 
 impl Failure {
+    /// The refusal of the step at which the iteration of the method `name` has not converged, if
+    /// that is the error.
+    pub fn unsolved(name: &str, error: &pendula::Error) -> Option<Self> {
+        let pendula::Error::NotSolved { n, step, sweeps, change } = error else { return None };
+        let change = match change.is_finite() {
+            true => format!("still change the next by {change:.1e} of its size"),
+            false => "lead to no number".to_owned(),
+        };
+        Some(Self::refused(format!(
+            "a step of {step:?} s is refused: the iteration of {name} does not converge on this \
+             motion, after {n} steps {sweeps} sweeps {change}; it must be shorter, a fraction of \
+             the time that the pendulum takes for a radian"
+        )))
+    }
+
     /// A refusal, with a reason that says what was asked and what is allowed.
     pub fn refused(reason: impl Display) -> Self {
         Self::Refused(reason.to_string())
@@ -72,8 +87,23 @@ fn is_broken_pipe(error: &anyhow::Error) -> bool {
     })
 }
 
+/// The text in one line, as much of each word as a reader needs, and with nothing in it that moves
+/// the cursor or turns the text around.
 fn one_line(text: &str) -> String {
-    text.split_whitespace().collect::<Vec<_>>().join(" ")
+    const LONGEST: usize = 300;
+    let turns = |c: char| matches!(c, '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
+    let shown = |word: &str| {
+        let mut shown = String::new();
+        for c in word.chars().take(LONGEST) {
+            if c.is_control() || turns(c) {
+                shown.extend(c.escape_default());
+            } else {
+                shown.push(c);
+            }
+        }
+        shown + if word.chars().nth(LONGEST).is_some() { "…" } else { "" }
+    };
+    text.split_whitespace().map(shown).collect::<Vec<_>>().join(" ")
 }
 
 #[cfg(test)]
@@ -85,6 +115,16 @@ mod tests {
     fn a_failure_is_one_line() {
         let failure = Failure::refused("no such method\n  allowed:\n  rk4");
         assert_eq!(failure.line().unwrap(), "pendula: no such method allowed: rk4");
+    }
+
+    /// Catches: an error that clears the screen, turns its end around, or repeats all of an argument
+    /// that is thousands of characters long.
+    #[test]
+    fn what_was_typed_is_told_harmlessly() {
+        let line = Failure::refused("--output a\u{1b}[2J\u{202e}b: no").line().unwrap();
+        assert_eq!(line, "pendula: --output a\\u{1b}[2J\\u{202e}b: no");
+        let line = Failure::refused("x".repeat(5000)).line().unwrap();
+        assert!(line.chars().count() < 350 && line.ends_with("x…"), "{line}");
     }
 
     /// Catches: `pendula … | head` ending with a complaint about a broken pipe.

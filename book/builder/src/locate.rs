@@ -7,20 +7,21 @@ use anyhow::{Context, Result, bail};
 use crate::files;
 
 /// The folder that holds `book.toml`: `book/` in `start` or in the nearest folder above it that has
-/// one, or else the one whose source this binary was compiled from.
+/// one.
 ///
 /// # Errors
-/// If there is none of these, or a `book.toml` on the way cannot be read.
+/// If there is none, or a `book.toml` on the way cannot be read.
 pub fn book(start: &Path) -> Result<PathBuf> {
-    // The manifest is book/builder/Cargo.toml; its parent folder is the book.
-    let beside_the_source = Path::new(env!("CARGO_MANIFEST_DIR")).parent();
-    let above = start.ancestors().map(|folder| folder.join("book"));
-    for folder in above.chain(beside_the_source.map(Path::to_path_buf)) {
+    for folder in start.ancestors().map(|folder| folder.join("book")) {
         if is_ours(&folder)? {
             return Ok(folder);
         }
     }
-    bail!("no book/book.toml with [preprocessor.pendula] in {} or above", start.display())
+    bail!(
+        "there is no checkout of pendula here: no book/book.toml with [preprocessor.pendula] in {} \
+         or above",
+        start.display()
+    )
 }
 
 /// Other projects have a book/book.toml too.
@@ -57,11 +58,12 @@ mod tests {
         assert_eq!(found, folder.path().join("book"));
     }
 
-    /// Catches: building whatever book the current directory happens to hold.
+    /// Catches: building whatever book the current directory happens to hold, or that from whose
+    /// source the program was compiled.
     #[test]
     fn another_projects_book_is_passed_over() {
         let folder = folder_with_book("[book]\ntitle = \"other\"\n");
-        let found = book(folder.path()).unwrap();
-        assert!(found.join("builder").is_dir(), "{}", found.display());
+        let line = book(folder.path()).unwrap_err().to_string();
+        assert!(line.contains("there is no checkout of pendula here"), "{line}");
     }
 }

@@ -4,7 +4,7 @@ use std::io::{self, Write};
 use std::process::ExitCode;
 
 use pendula_book::failure::Failure;
-use pendula_book::{cli, colour, commands};
+use pendula_book::{cli, colour};
 
 /// Standard output, whose errors say so.
 struct StandardOutput(io::StdoutLock<'static>);
@@ -33,7 +33,7 @@ fn main() -> ExitCode {
     }
     let mut out = io::BufWriter::new(StandardOutput(io::stdout().lock()));
     let outcome = cli::parse(std::env::args_os())
-        .and_then(|command| commands::run(command, &mut out))
+        .and_then(|command| cli::run(command, &mut out))
         .and_then(|()| out.flush().map_err(Failure::from));
     match outcome {
         Ok(()) => ExitCode::SUCCESS,

@@ -1,6 +1,7 @@
 //! A picture of times, a dot each.
 
 use std::io::{self, Write};
+use std::num::NonZeroU64;
 
 /// Fifteen bands of times, each longer than the one before by the same factor; the last ends with
 /// the last time. Their colours go from light to dark, so that they are told apart without colour;
@@ -32,22 +33,21 @@ impl Bands {
     }
 
     /// The band of a step, COUNT for none.
-    fn band(&self, step: Option<u64>) -> usize {
-        let step = step.unwrap_or(u64::MAX);
+    fn band(&self, step: Option<NonZeroU64>) -> usize {
+        let step = step.map_or(u64::MAX, NonZeroU64::get);
         self.ends.iter().position(|end| step <= *end).unwrap_or(COUNT)
     }
 
-    /// Writes the picture as PNG: rows of `width` dots from the top.
+    /// Writes the picture as PNG: rows of dots from the top.
     ///
     /// # Errors
     /// If it cannot be written.
-    pub fn write(
+    pub fn write<'a>(
         &self,
-        steps: &[Option<u64>],
-        width: usize,
+        rows: impl ExactSizeIterator<Item = &'a [Option<NonZeroU64>]> + Clone,
         out: &mut dyn Write,
     ) -> io::Result<()> {
-        let rows: Vec<_> = steps.chunks(width).collect();
+        let width = rows.clone().next().map_or(0, <[_]>::len);
         let mut encoder = png::Encoder::new(out, width as u32, rows.len() as u32);
         encoder.set_color(png::ColorType::Indexed);
         encoder.set_depth(png::BitDepth::Four);

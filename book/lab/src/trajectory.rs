@@ -225,8 +225,7 @@ impl Trajectory {
         }
     }
 
-    /// The same, as `pendula simulate` and `pendula double-pendulum` print it: for one bob, zero at
-    /// the height of the pivot.
+    /// The same, as `pendula simulate` prints it: for one bob, zero at the height of the pivot.
     pub fn energy_as_printed(&self) -> f64 {
         match self.system {
             One::Double(_) => self.energy(),

@@ -178,9 +178,10 @@
             const run = `--dt ${scene.dt} --steps ${steps} --every ${Math.max(steps, 1)}`;
             if (scene.system === 'double' && pendulum.method.name === 'rk4')
                 return (
-                    `pendula double-pendulum --theta1 ${scene.theta0} --theta2 ${scene.theta2} ` +
-                    `--omega1 ${scene.omega0} --omega2 ${scene.omega2} --gravity ${scene.g} ` +
-                    `--length1 ${scene.L} --length2 ${scene.L} ${run}`
+                    `pendula simulate --system double-pendulum --theta1 ${scene.theta0} ` +
+                    `--theta2 ${scene.theta2} --omega1 ${scene.omega0} ` +
+                    `--omega2 ${scene.omega2} --gravity ${scene.g} --length1 ${scene.L} ` +
+                    `--length2 ${scene.L} ${run}`
                 );
             if (!isClosed(scene)) return '';
             return (

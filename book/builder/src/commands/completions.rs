@@ -2,10 +2,9 @@
 
 use std::io::Write;
 
-use clap::Args;
+use clap::{Args, Command};
 use clap_complete::{Shell, generate};
 
-use crate::cli;
 use crate::failure::Failure;
 
 /// Arguments of `pendula completions`.
@@ -16,13 +15,17 @@ pub struct Arguments {
     shell: Shell,
 }
 
-/// Writes the script.
+/// Writes the script for the command line `program`.
 ///
 /// # Errors
 /// If it cannot be written.
-pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
+pub fn run(
+    arguments: &Arguments,
+    mut program: Command,
+    out: &mut dyn Write,
+) -> Result<(), Failure> {
     // clap_complete panics where it cannot write.
     let mut script = Vec::new();
-    generate(arguments.shell, &mut cli::definition(), "pendula", &mut script);
+    generate(arguments.shell, &mut program, "pendula", &mut script);
     Ok(out.write_all(&script)?)
 }

@@ -10,6 +10,8 @@ use sha2::{Digest, Sha256};
 use crate::failure::Failure;
 use crate::files;
 use crate::files::whole_file::WholeFile;
+#[cfg(unix)]
+use crate::interrupt::interrupts;
 
 /// A writer, and what it takes to finish. Its errors name the file.
 pub enum Destination<'a> {
@@ -41,7 +43,7 @@ impl<'a> Destination<'a> {
         };
         match files::metadata(path).map_err(refused)? {
             Some(found) if !found.is_file() && !found.is_dir() => {
-                let device = File::options().write(true).open(path).map_err(refused)?;
+                let device = device(path).map_err(refused)?;
                 Ok(Self::Direct(BufWriter::new(device), path.to_path_buf()))
             }
             _ => {
@@ -93,6 +95,43 @@ impl<'a> Destination<'a> {
             }
         }
     }
+}
+
+/// Opens a device. A pipe that nobody reads yet is waited for, until the user interrupts: to wait in
+/// the system's own opening would be deaf to that.
+#[cfg(unix)]
+fn device(path: &Path) -> io::Result<File> {
+    use std::os::unix::fs::OpenOptionsExt;
+    use std::sync::atomic::Ordering;
+    use std::thread;
+    use std::time::Duration;
+
+    use rustix::fs::{OFlags, fcntl_getfl, fcntl_setfl};
+    use rustix::io::Errno;
+
+    let interrupted = interrupts().unwrap_or_default();
+    let mut options = File::options();
+    options.write(true).custom_flags(OFlags::NONBLOCK.bits().cast_signed());
+    loop {
+        match options.open(path) {
+            Err(error) if error.raw_os_error() == Some(Errno::NXIO.raw_os_error()) => {}
+            Err(error) => return Err(error),
+            Ok(file) => {
+                fcntl_setfl(&file, fcntl_getfl(&file)? - OFlags::NONBLOCK)?;
+                return Ok(file);
+            }
+        }
+        if interrupted.load(Ordering::Relaxed) {
+            return Err(io::Error::other("interrupted before anybody reads it"));
+        }
+        thread::sleep(Duration::from_millis(20));
+    }
+}
+
+/// Opens a device.
+#[cfg(not(unix))]
+fn device(path: &Path) -> io::Result<File> {
+    File::options().write(true).open(path)
 }
 
 impl Write for Destination<'_> {

@@ -7,7 +7,6 @@ use anyhow::Context;
 use clap::{Args, Command};
 use clap_mangen::Man;
 
-use crate::cli;
 use crate::failure::Failure;
 use crate::files;
 use crate::files::together::{self, Change};
@@ -21,13 +20,16 @@ pub struct Arguments {
     output: Option<PathBuf>,
 }
 
-/// Writes the page of the program to `out`, or all pages to a folder, which is made if it is not
+/// Writes the page of `program` to `out`, or all pages to a folder, which is made if it is not
 /// there: all of them, or none.
 ///
 /// # Errors
 /// [`Failure::Refused`] for a folder that cannot be written to.
-pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
-    let mut program = cli::definition();
+pub fn run(
+    arguments: &Arguments,
+    mut program: Command,
+    out: &mut dyn Write,
+) -> Result<(), Failure> {
     // Each command has its full name only then.
     program.build();
     let Some(folder) = &arguments.output else {
@@ -40,9 +42,11 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
         .context("it must be a folder that can be written to")
         .map_err(refused)?;
     let mut changes = Vec::new();
-    for command in program.get_subcommands().chain([&program]) {
+    let mut commands = vec![&program];
+    while let Some(command) = commands.pop() {
         let (name, page) = page(command)?;
         changes.push(Change::Written(folder.join(name), page));
+        commands.extend(command.get_subcommands());
     }
     together::change(&changes).map_err(refused)
 }

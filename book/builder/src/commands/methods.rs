@@ -8,7 +8,7 @@ use pendula::verify::energy::is_conserved_by;
 use pendula::{AnyMethod, METHODS, MethodInfo};
 use serde_json::{Value, json};
 
-use super::table_format::TableFormat;
+use super::arguments::table_format::TableFormat;
 use crate::colour;
 use crate::failure::Failure;
 

@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use clap::Args;
 use pendula::method_named;
 
-use super::pendulum_arguments::methods;
+use super::arguments::pendulum::methods;
 use crate::failure::Failure;
 use crate::verify::serve::serve;
 

@@ -35,7 +35,7 @@ pub struct KeptArguments {
     state: Option<PathBuf>,
     /// Resume the run whose state this file keeps, with all its arguments
     // Of the groups of which one has to be given, it is one.
-    #[arg(long, value_name = "STATE", exclusive = true, groups = ["extent"])]
+    #[arg(long, value_name = "STATE", exclusive = true, groups = ["extent", "stepping"])]
     resume: Option<PathBuf>,
     /// What the command line was, for the state.
     #[arg(skip)]
@@ -119,16 +119,16 @@ fn read(path: &Path) -> io::Result<(String, u64)> {
     let last = end.strip_suffix('\n').map(|end| end.rsplit('\n').next().unwrap_or_default());
     let last = last.and_then(|last| last.strip_prefix("rows ")?.split_once(" sha256 "));
     let read = last.and_then(|(bytes, sum)| {
-        let before = all - last_line(bytes, sum).len() as u64;
+        let before = all - (last_line(bytes).len() + sum.len() + 1) as u64;
         let bytes: u64 = bytes.parse().ok()?;
-        Some((bytes, before.checked_sub(bytes)?, before, sum))
+        Some((bytes, before.checked_sub(bytes)?, sum))
     });
-    let Some((bytes, json, before, sum)) = read.filter(|(_, json, ..)| *json < LONGEST) else {
+    let Some((bytes, json, sum)) = read.filter(|(_, json, _)| *json < LONGEST) else {
         return Err(wrong("it does not end as a state does"));
     };
     file.rewind()?;
     let mut summed = Summed::new(io::sink());
-    io::copy(&mut (&mut file).take(before), &mut summed)?;
+    io::copy(&mut (&mut file).take(all - (sum.len() + 1) as u64), &mut summed)?;
     if summed.sum() != sum {
         return Err(wrong("it is not as it was written: its checksum differs"));
     }
@@ -138,17 +138,18 @@ fn read(path: &Path) -> io::Result<(String, u64)> {
     Ok((text, bytes))
 }
 
-fn last_line(bytes: impl Display, sum: &str) -> String {
-    format!("rows {bytes} sha256 {sum}\n")
+/// The last line, up to the sum.
+fn last_line(bytes: impl Display) -> String {
+    format!("rows {bytes} sha256 ")
 }
 
 /// Writes the state behind the rows so far, and puts it at `path`.
 fn write(mut file: Summed<WholeFile>, state: &State, path: &Path) -> anyhow::Result<()> {
     let bytes = file.bytes;
     let json = serde_json::to_string(state).expect("a state is texts and integers");
-    file.write_all(format!("\n{json}\n").as_bytes())?;
-    let last = last_line(bytes, &file.sum());
-    file.write_all(last.as_bytes())?;
+    file.write_all(format!("\n{json}\n{}", last_line(bytes)).as_bytes())?;
+    let sum = file.sum();
+    file.write_all(format!("{sum}\n").as_bytes())?;
     Ok(file.out.leave(path)?)
 }
 
@@ -222,6 +223,11 @@ impl<'a> Kept<'a> {
             )));
         }
         Ok(Self { given, output, state })
+    }
+
+    /// The file that the rows go to, if they do.
+    pub fn output(&self) -> Option<&Path> {
+        self.output.as_deref()
     }
 
     /// Whether it is resumed.

@@ -11,8 +11,8 @@ use anyhow::Context;
 use clap::{Args, ValueEnum};
 use pendula::verify::{Claims, Report, Verdict, try_judge};
 
+use super::arguments::number::number;
 use super::destination::Destination;
-use super::number::number;
 use crate::colour;
 use crate::failure::Failure;
 use crate::interrupt::interrupts;

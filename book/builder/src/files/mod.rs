@@ -187,7 +187,7 @@ fn clear(target: &Path) -> io::Result<()> {
             Ok(file) => match file.try_lock() {
                 Ok(()) => {}
                 Err(TryLockError::WouldBlock) => {
-                    let why = "it is being written already";
+                    let why = "it is being written already, by this run or another";
                     return Err(io::Error::new(io::ErrorKind::ResourceBusy, why));
                 }
                 // Some file systems have no locks: whose it is cannot be said.

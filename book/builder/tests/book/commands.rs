@@ -146,7 +146,7 @@ fn a_sweep_takes_the_pendulum_it_is_given() {
 
 fn adaptive<'a>(theta0: &'a str, duration: &'a str, tolerance: &'a str) -> [&'a str; 9] {
     [
-        "adaptive",
+        "simulate",
         "--method",
         "dop853",
         "--theta0",
@@ -190,8 +190,19 @@ fn adaptive_prints_what_the_library_computes() {
     }
 }
 
-const DOUBLE: [&str; 9] =
-    ["double-pendulum", "--theta1", "2", "--theta2", "-0.5", "--dt", "0.01", "--omega2", "1.5"];
+const DOUBLE: [&str; 11] = [
+    "simulate",
+    "--system",
+    "double-pendulum",
+    "--theta1",
+    "2",
+    "--theta2",
+    "-0.5",
+    "--dt",
+    "0.01",
+    "--omega2",
+    "1.5",
+];
 
 fn double_with<'a>(more: &[&'a str]) -> Vec<&'a str> {
     DOUBLE.iter().copied().chain(more.iter().copied()).collect()
@@ -267,18 +278,35 @@ fn bad_input_is_refused_in_one_line() {
     assert_refused(&adaptive("1", "10", "1e-16"), "2.22e-15");
     assert_refused(&adaptive("1", "inf", "1e-6"), "finite");
     assert_refused(&adaptive("nan", "10", "1e-6"), "angle");
-    assert_refused(&["adaptive", "--method", "rk4"], "dormand-prince, dop853, taylor-series");
-    assert_refused(&["work-precision", "--seconds", "-1"], "greater than zero");
-    assert_refused(&["work-precision", "--output", "/no/such/folder"], "--output");
+    let rk4 = ["simulate", "--method", "rk4", "--theta0", "1", "--duration", "1"];
+    let because = "must be dormand-prince, dop853 or taylor-series";
+    assert_refused(&[&rk4[..], &["--tolerance", "1e-6"]].concat(), because);
+    assert_refused(
+        &[&rk4[..], &["--tolerance", "1e-6", "--dt", "1"]].concat(),
+        "cannot be used with",
+    );
+    assert_refused(&[&adaptive("1", "10", "1e-6")[..], &["--every", "2"]].concat(), "--every");
+    assert_refused(&[&rk4[..], &["--dt", "1", "--max-steps", "2"]].concat(), "--max-steps");
+    assert_refused(&rk4[..], "--tolerance");
+    let series = ["simulate", "--method", "taylor-series", "--theta0", "1", "--dt", "1"];
+    assert_refused(&[&series[..], &["--steps", "1"]].concat(), "--tolerance, not --dt");
+    assert_refused(&[&["simulate"], &rk4[3..], &["--dt", "1"]].concat(), "--method is missing");
+    assert_refused(&run_with(&["--steps", "1", "--theta1", "1"]), "--system double-pendulum");
+    assert_refused(&double_with(&["--steps", "1", "--mass", "1"]), "--mass belongs to");
+    assert_refused(&["exact", "--theta0", "1", "--format", "json"], "--t");
+    assert_refused(&["sweep"], "--method");
+    assert_refused(&["paper"], "tables");
+    assert_refused(&["bench", "--seconds", "-1"], "greater than zero");
+    assert_refused(&["bench", "--output", "/no/such/folder"], "--output");
     assert_refused(&["exact", "--theta0", "1", "--t", "1,two"], "two");
     assert_refused(&["exact", "--theta0", "1", "--t", "inf"], "refused");
-    assert_refused(&["period", "--theta0", "nan"], "finite");
-    assert_refused(&["tables", "--table", "3"], "2, 4, 5, 6, 7, 8");
-    assert_refused(&["tables", "--format", "xml"], "json");
+    assert_refused(&["exact", "--theta0", "nan"], "finite");
+    assert_refused(&["paper", "tables", "--table", "3"], "2, 4, 5, 6, 7, 8");
+    assert_refused(&["paper", "tables", "--format", "xml"], "json");
 }
 
 fn ensemble<'a>(theta0: &'a str, dt: &'a str, duration: &'a str) -> [&'a str; 9] {
-    ["ensemble", "--method", "rk4", "--theta0", theta0, "--dt", dt, "--duration", duration]
+    ["sweep", "--method", "rk4", "--theta0", theta0, "--dt", dt, "--duration", duration]
 }
 
 /// The row of the ensemble, computed from one run of `simulate`.
@@ -324,7 +352,7 @@ fn a_large_sweep_is_whole_in_its_file() {
     let starts: Vec<f64> = numbers(&text).iter().map(|row| row[0]).collect();
     assert_eq!(starts, (0..=10_000).map(|i| f64::from(i) / 1e4).collect::<Vec<_>>());
 
-    let failing = ["ensemble", "--method", "forward-euler", "--theta0", "0:1:5", "--dt", "1e200"];
+    let failing = ["sweep", "--method", "forward-euler", "--theta0", "0:1:5", "--dt", "1e200"];
     let failing = [&failing[..], &["--duration", "1e201"], &to_file].concat();
     assert_eq!(pendula(&failing).status.code(), Some(FAILED));
     assert_eq!(files(folder.path()), ["sweep.csv"]);
@@ -339,11 +367,11 @@ fn the_book_shows_the_parts_as_they_are_printed() {
     let (_, listing) = page.split_once("$ sweep=\"").unwrap();
     let (sweep, listing) = listing.split_once("\"\n").unwrap();
     let (shown, _) = listing.split_once("```").unwrap();
-    let mut shown = shown.split("$ pendula ensemble $sweep ");
+    let mut shown = shown.split("$ pendula sweep $sweep ");
     assert_eq!(shown.next(), Some(""));
     let mut parts = 0;
     for (part, rows) in shown.map(|part| part.split_once('\n').unwrap()) {
-        let words = ["ensemble", sweep, part].into_iter().flat_map(|words| words.split(' '));
+        let words = ["sweep", sweep, part].into_iter().flat_map(|words| words.split(' '));
         assert_eq!(printed(&words.collect::<Vec<_>>()), rows, "{part}");
         parts += 1;
     }
@@ -356,7 +384,7 @@ fn the_book_shows_the_parts_as_they_are_printed() {
 #[test]
 fn work_against_precision_is_printed_and_drawn() {
     let folder = tempfile::tempdir().unwrap();
-    let run = ["work-precision", "--seconds", "2", "--output", folder.path().to_str().unwrap()];
+    let run = ["bench", "--seconds", "2", "--output", folder.path().to_str().unwrap()];
     let rows = json(&[&run[..], &["--format", "json"]].concat());
     let csv = fs::read_to_string(folder.path().join("work-precision.csv")).unwrap();
     let rows = rows.as_array().unwrap();
@@ -443,7 +471,7 @@ fn a_step_whose_equations_are_not_solved_is_refused() {
         let simulate =
             ["simulate", "--method", method, "--theta0", "1", "--dt", "5", "--duration", "20"];
         let ensemble =
-            ["ensemble", "--method", method, "--theta0", "1:2:3", "--dt", "5", "--duration", "20"];
+            ["sweep", "--method", method, "--theta0", "1:2:3", "--dt", "5", "--duration", "20"];
         for run in [&simulate[..], &ensemble[..]] {
             let run = [run, &["--output", path.to_str().unwrap()]].concat();
             let refused = format!("a step of 5.0 s is refused: the iteration of {method}");
@@ -520,7 +548,7 @@ fn exact_refuses_a_time_beyond_its_digits() {
 #[test]
 fn period_prints_what_it_is_made_of() {
     for theta0 in ["3", "-1e-3", "0.5"] {
-        let text = printed(&["period", "--theta0", theta0, "--gravity", "3", "--length", "2"]);
+        let text = printed(&["exact", "--theta0", theta0, "--gravity", "3", "--length", "2"]);
         let lines: Vec<Vec<&str>> =
             text.lines().map(|line| line.split_whitespace().collect()).collect();
         let half = 0.5 * theta0.parse::<f64>().unwrap();
@@ -549,9 +577,9 @@ fn period_prints_what_it_is_made_of() {
 /// Catches: a cell without its id, value or verdict, and formats that disagree.
 #[test]
 fn tables_have_every_cell_in_every_format() {
-    let cells = json(&["tables", "--format", "json"]);
+    let cells = json(&["paper", "tables", "--format", "json"]);
     let cells = cells.as_array().unwrap();
-    let csv = printed(&["tables", "--format", "csv"]);
+    let csv = printed(&["paper", "tables", "--format", "csv"]);
     assert_eq!(csv.lines().next(), Some("id,stated,measured,verdict"));
     assert_eq!(csv.lines().count(), cells.len() + 1);
     for (cell, line) in cells.iter().zip(csv.lines().skip(1)) {
@@ -562,20 +590,20 @@ fn tables_have_every_cell_in_every_format() {
     }
     let cell = cells.iter().find(|cell| cell["id"] == "T4.rk4.0.01").unwrap();
     assert_eq!(cell["stated"], 2.34e-7);
-    let text = printed(&["tables", "--table", "4"]);
+    let text = printed(&["paper", "tables", "--table", "4"]);
     assert!(text.starts_with("Table 4\n") && text.contains("2.33759 × 10⁻⁷"), "{text}");
 }
 
 /// Catches: claims lost on the way to the terminal, Markdown in it, a count that does not add up.
 #[test]
 fn claims_are_counted_by_verdict() {
-    let text = printed(&["claims"]);
+    let text = printed(&["paper", "claims"]);
     assert!(!text.contains("**") && !text.contains('`'), "{text}");
     let [readings, summary] = [0, 1].map(|line| text.lines().rev().nth(line).unwrap());
     let (total, counts) = summary.split_once(" claims: ").expect("a summary");
     let number = |words: &str| words.split(' ').next().unwrap().parse::<u32>().unwrap();
     assert_eq!(number(total), counts.split(", ").map(number).sum::<u32>());
-    let claims = json(&["claims", "--format", "json"]);
+    let claims = json(&["paper", "claims", "--format", "json"]);
     assert_eq!(claims.as_array().unwrap().len() as u32, number(total) + number(readings));
     let of_kind = |kind| claims.as_array().unwrap().iter().filter(|c| c["kind"] == kind).count();
     assert_eq!(of_kind("reading") as u32, number(readings));
@@ -588,7 +616,7 @@ fn claims_are_counted_by_verdict() {
 /// place.
 #[test]
 fn every_claim_is_upheld() {
-    let printed = json(&["claims", "--format", "json"]);
+    let printed = json(&["paper", "claims", "--format", "json"]);
     let printed = printed.as_array().unwrap();
     let stated: Vec<_> =
         LEDGER.claims().iter().filter(|claim| claim.verdict != Verdict::NotStated).collect();

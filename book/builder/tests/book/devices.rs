@@ -1,5 +1,5 @@
-//! `pendula devices` and `pendula ensemble --device`. Where there is no device, the tests that need
-//! one say so, and do not run.
+//! `pendula sweep devices` and `pendula sweep --device`. Where there is no device, the tests that
+//! need one say so, and do not run.
 
 use std::process::{Command, Output};
 
@@ -13,7 +13,7 @@ fn names() -> Vec<String> {
         println!("not run: {error}");
         return Vec::new();
     }
-    let lines = printed(&["devices"]);
+    let lines = printed(&["sweep", "devices"]);
     let of = |line: &str| line.split("  ").next().map(str::to_owned);
     lines.lines().map(|line| of(line).expect("a name")).collect()
 }
@@ -28,7 +28,7 @@ fn a_sweep_on_a_device_is_the_same_to_the_byte() {
         for method in methods().filter(|method| (method.program)().is_some()) {
             let method = method.host.info().name;
             let sweep = ["--theta0", "-3.1:3.14:4096", "--dt", "0.05", "--duration", "2"];
-            let lanes = [&["ensemble", "--method", method], &sweep[..]].concat();
+            let lanes = [&["sweep", "--method", method], &sweep[..]].concat();
             let upper = half.to_uppercase();
             let on_device = [&lanes[..], &["--device", &upper]].concat();
             assert_eq!(printed(&on_device), printed(&lanes), "{method} on {name}");
@@ -39,34 +39,35 @@ fn a_sweep_on_a_device_is_the_same_to_the_byte() {
 /// Catches: a sweep that runs in lanes after all; a file that is begun before the device is known.
 #[test]
 fn what_a_device_cannot_do_is_refused() {
-    let sweep = ["ensemble", "--theta0", "0:3:9", "--dt", "0.1", "--duration", "1", "--method"];
+    let sweep = ["sweep", "--theta0", "0:3:9", "--dt", "0.1", "--duration", "1", "--method"];
     let with = |more: &[&'static str]| [&sweep[..], more].concat();
     if let Some(name) = names().first() {
         assert_refused(&with(&["gauss-4", "--device", "p"]), "gauss-4 does not run on a device");
         assert_refused(&with(&["rk4", "--device", "no such"]), name);
-        let one = ["ensemble", "--method", "rk4", "--theta0", "1", "--dt", "0.1:1:3"];
+        let one = ["sweep", "--method", "rk4", "--theta0", "1", "--dt", "0.1:1:3"];
         let one = [&one[..], &["--duration", "1", "--device", "p"]].concat();
         assert_refused(&one, "--device needs a range --theta0");
     }
 }
 
 /// Catches: a program that cannot start where there is no driver, that panics, or that runs in
-/// lanes.
+/// lanes; an empty list that is a failure, or says nothing.
 #[test]
 #[cfg(target_os = "linux")]
 fn where_there_is_no_platform_one_line_says_so() {
     let folder = tempfile::tempdir().expect("a folder");
     let file = folder.path().join("rows.csv");
-    let sweep =
-        ["ensemble", "--method", "rk4", "--theta0", "0:3:9", "--dt", "0.1", "--duration", "1"];
+    let sweep = ["sweep", "--method", "rk4", "--theta0", "0:3:9", "--dt", "0.1", "--duration", "1"];
     let output = ["--device", "x", "--output", file.to_str().expect("UTF-8")];
-    for arguments in [vec!["devices"], [&sweep[..], &output].concat()] {
+    for (arguments, expected) in
+        [(&["sweep", "devices"][..], 0), (&[&sweep[..], &output].concat(), 2)]
+    {
         let Output { status, stdout, stderr } = Command::new(env!("CARGO_BIN_EXE_pendula"))
-            .args(&arguments)
+            .args(arguments)
             .env("OCL_ICD_VENDORS", folder.path())
             .output()
             .expect("it starts");
-        assert_eq!(status.code(), Some(2));
+        assert_eq!(status.code(), Some(expected));
         let expected =
             "pendula: there is no OpenCL platform on this machine, or no driver for one\n";
         assert_eq!(String::from_utf8_lossy(&stderr), expected);

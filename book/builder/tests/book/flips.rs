@@ -1,4 +1,4 @@
-//! `pendula flips`: its rows against runs one by one, its picture against its rows, and the picture
+//! `pendula sweep flips`: its rows against runs one by one, its picture against its rows, and the picture
 //! that the book shows.
 
 use std::collections::BTreeSet;
@@ -43,7 +43,7 @@ fn equals() -> DoublePendulum {
 /// rods or turns one alone, a time one step off, a release without enough energy that has it.
 #[test]
 fn each_row_is_a_run() {
-    let csv = printed(&["flips", "--size", "12", "--duration", "6"]);
+    let csv = printed(&["sweep", "flips", "--size", "12", "--duration", "6"]);
     let mut rows = csv.lines();
     assert_eq!(rows.next(), Some("theta1,theta2,t"));
     let (double, grid) = (equals(), Grid::with_duration(0.01, 6.0).expect("positive"));
@@ -68,7 +68,7 @@ fn the_later_the_darker() {
     let folder = tempfile::tempdir().expect("a folder");
     let file = folder.path().join("flips.png");
     let path = file.to_str().expect("UTF-8");
-    let csv = printed(&["flips", "--size", "50", "--duration", "20", "--picture", path]);
+    let csv = printed(&["sweep", "flips", "--size", "50", "--duration", "20", "--picture", path]);
     let times = times(&csv);
     let (width, dots) = dots(&fs::read(&file).expect("a file"));
     assert_eq!((width, dots.len()), (50, 2500));
@@ -118,10 +118,9 @@ fn the_picture_of_the_book_is_what_the_command_draws() {
     let starts: Vec<DoublePhase> = places.iter().map(start).collect();
     let mut flips = vec![None; starts.len()];
     first_flips(&double, &Rk4, &starts, &grid, &mut flips);
-    let steps: Vec<_> = flips.iter().map(|flip| flip.map(std::num::NonZeroU64::get)).collect();
     let mut drawn = Vec::new();
     let bands = pendula_book::picture::Bands::of(grid.steps());
-    bands.write(&steps, steps.len(), &mut drawn).expect("a buffer");
+    bands.write([&flips[..]].into_iter(), &mut drawn).expect("a buffer");
     let (_, expected) = self::dots(&drawn);
     for (place, expected) in places.iter().zip(expected) {
         assert_eq!(dots[*place], expected, "{place}");
@@ -133,12 +132,15 @@ fn the_picture_of_the_book_is_what_the_command_draws() {
 #[test]
 fn bad_input_is_refused_in_one_line() {
     let expected = "--size 3: must be an even number, from 2 to 4096";
-    assert_refused(&["flips", "--size", "3"], expected);
-    assert_refused(&["flips", "--size", "0"], "must be an even number");
-    assert_refused(&["flips", "--size", "100000"], "must be an even number");
-    assert_refused(&["flips", "--dt", "0.3", "--duration", "1"], "steps");
-    assert_refused(&["flips", "--length1", "0"], "length L₁");
-    assert_refused(&["flips", "--size", "2", "--picture", "no/folder/a.png"], "cannot be written");
+    assert_refused(&["sweep", "flips", "--size", "3"], expected);
+    assert_refused(&["sweep", "flips", "--size", "0"], "must be an even number");
+    assert_refused(&["sweep", "flips", "--size", "100000"], "must be an even number");
+    assert_refused(&["sweep", "flips", "--dt", "0.3", "--duration", "1"], "steps");
+    assert_refused(&["sweep", "flips", "--length1", "0"], "length L₁");
+    assert_refused(
+        &["sweep", "flips", "--size", "2", "--picture", "no/folder/a.png"],
+        "cannot be written",
+    );
 }
 
 /// Interrupted after any number of rows, it leaves the old files, and nothing beside them.
@@ -150,7 +152,7 @@ fn an_interrupted_search_leaves_the_old_files() {
     let folder = tempfile::tempdir().expect("a folder");
     let files = ["a.csv", "a.png"].map(|name| folder.path().join(name));
     let [csv, png] = files.each_ref().map(|path| path.to_str().expect("UTF-8"));
-    let flips = ["flips", "--size", "4", "--output", csv, "--picture", png];
+    let flips = ["sweep", "flips", "--size", "4", "--output", csv, "--picture", png];
     for rows in [0, 1, 15] {
         for path in &files {
             fs::write(path, "old").expect("it can be written");

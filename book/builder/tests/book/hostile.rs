@@ -1,4 +1,4 @@
-//! What others wrote: chapters, books and numbers that nobody has looked at. Whatever they are,
+//! What others wrote: chapters, numbers and programs that nobody has looked at. Whatever they are,
 //! there is an answer or a reason in one line, and no panic.
 //!
 //! The cases are the same on each run; those that failed once are kept beside this file, and tried
@@ -6,29 +6,23 @@
 
 use std::collections::BTreeSet;
 use std::ffi::OsString;
-use std::fs;
 use std::io::Write;
-use std::process::{Command, Stdio};
 use std::sync::atomic::AtomicBool;
 use std::sync::{Arc, LazyLock};
 use std::time::Duration;
 
-use mdbook_preprocessor::{Preprocessor, parse_input};
 use pendula::Phase;
 use pendula::verify::{Fault, Request, Stranger};
 use pendula_book::failure::Failure;
 use pendula_book::ledger::{Entry, Ledger};
 use pendula_book::preprocess::chapter::Setter;
 use pendula_book::preprocess::sources::Tests;
-use pendula_book::preprocess::{Pendula, captions, claims};
-use pendula_book::progress::Progress;
+use pendula_book::preprocess::{captions, claims};
 use pendula_book::review::number;
-use pendula_book::sweep::range::Sweep;
 use pendula_book::verify::Program;
 use pendula_book::verify::protocol::{Answer, Question, answer, greeting, question};
 use proptest::prelude::*;
 use proptest::test_runner::{FileFailurePersistence, RngSeed};
-use serde_json::json;
 
 use crate::chapters::chapters;
 
@@ -228,136 +222,6 @@ proptest! {
 }
 
 // -------------------------------------------------------------------------------------------------
-// Books
-// -------------------------------------------------------------------------------------------------
-
-/// A book as mdBook sends it, of one chapter with a table, a formula and a value.
-fn sent(root: &std::path::Path) -> String {
-    let chapter = json!({"Chapter": {
-        "name": "One", "content": "# One\n\n$x$ is {{measured T4.rk4.0.01}}.\n", "number": [1],
-        "sub_items": [], "path": "one.md", "source_path": "one.md", "parent_names": []
-    }});
-    let config = json!({"book": {"src": "src"}, "preprocessor": {"pendula": {}}});
-    let context = json!({
-        "root": root, "config": config, "renderer": "html", "mdbook_version": "0.5.4"
-    });
-    json!([context, {"items": [chapter, "Separator", {"PartTitle": "P"}]}]).to_string()
-}
-
-/// A folder with a book and a folder of tests beside it.
-static ROOT: LazyLock<tempfile::TempDir> = LazyLock::new(|| {
-    let folder = tempfile::tempdir().unwrap();
-    fs::create_dir_all(folder.path().join("book/src")).unwrap();
-    fs::create_dir_all(folder.path().join("tests/x")).unwrap();
-    fs::create_dir_all(folder.path().join("benches")).unwrap();
-    fs::write(folder.path().join("benches/work-precision.svg"), "<svg></svg>\n").unwrap();
-    fs::write(folder.path().join("book/src/one.md"), "# One\n").unwrap();
-    fs::write(folder.path().join("tests/x/main.rs"), "//! X.\n#[test]\nfn a() {}\n").unwrap();
-    folder
-});
-
-/// The input of `pendula preprocess`, preprocessed.
-fn preprocessed(input: &[u8]) -> anyhow::Result<String> {
-    let (context, book) = parse_input(input)?;
-    let book = Pendula::new(ledger, Progress::hidden()).run(&context, book)?;
-    Ok(serde_json::to_string(&book)?)
-}
-
-/// Words of JSON, and of this one.
-const JSON: &[&str] = &[
-    "{",
-    "}",
-    "[",
-    "]",
-    ",",
-    ":",
-    "\"",
-    "null",
-    "true",
-    "-1",
-    "1e999",
-    "\"\"",
-    "[]",
-    "{}",
-    "\\u0000",
-    "\\ud800",
-    "\"Chapter\"",
-    "\"content\"",
-    "\"sub_items\"",
-    "\"path\":null",
-    "\"number\":[-1]",
-    "\"../../x.md\"",
-    "\"/\"",
-    "\"src\"",
-    "{{verdicts}}",
-    "$",
-    "{{#include one.md}}",
-    "\u{feff}",
-];
-
-fn spoilt_book() -> impl Strategy<Value = Vec<u8>> {
-    let new = prop_oneof![
-        4 => prop::sample::select(JSON).prop_map(|word| word.as_bytes().to_vec()),
-        2 => Just(Vec::new()),
-        1 => prop::collection::vec(any::<u8>(), 0..6),
-    ];
-    let edit = (any::<prop::sample::Index>(), 0..20_usize, new);
-    prop::collection::vec(edit, 0..5).prop_map(|edits| {
-        let mut bytes = sent(&ROOT.path().join("book")).into_bytes();
-        for (at, length, new) in edits {
-            let from = at.index(bytes.len() + 1);
-            let to = (from + length).min(bytes.len());
-            bytes.splice(from..to, new);
-        }
-        bytes
-    })
-}
-
-proptest! {
-    #![proptest_config(config(1000))]
-
-    /// Catches: a book that panics where it is no JSON, not a book's, or a book with other things
-    /// in it than mdBook sends; an error of many lines.
-    #[test]
-    fn a_book_is_preprocessed_or_refused(input in spoilt_book()) {
-        if let Err(error) = preprocessed(&input) {
-            prop_assert!(is_one_line(error));
-        }
-    }
-}
-
-/// Catches: a book that is refused for another reason than what was done to it, so that nothing is
-/// tried.
-#[test]
-fn the_book_that_is_spoilt_is_sound() {
-    let set = preprocessed(sent(&ROOT.path().join("book")).as_bytes()).unwrap();
-    assert!(set.contains("katex") && set.contains("class=\\\"measured\\\""), "{set}");
-}
-
-/// Catches: standard input that is no book, and a panic, a message of many lines or another status
-/// than 2.
-#[test]
-fn input_that_is_no_book_ends_with_status_2() {
-    let sound = sent(&ROOT.path().join("book")).into_bytes();
-    let half = &sound[..sound.len() / 2];
-    for input in [b"".as_slice(), b"[", b"[1, 2]", b"{}", b"\xff\xfe", &[b'['; 5000], half] {
-        let mut child = Command::new(env!("CARGO_BIN_EXE_pendula"))
-            .arg("preprocess")
-            .stdin(Stdio::piped())
-            .stdout(Stdio::piped())
-            .stderr(Stdio::piped())
-            .spawn()
-            .unwrap();
-        // It need not read to the end of what it refuses.
-        let _ = child.stdin.take().unwrap().write_all(input);
-        let output = child.wait_with_output().unwrap();
-        let said = String::from_utf8(output.stderr).unwrap();
-        assert_eq!((output.status.code(), said.lines().count()), (Some(2), 1), "{said}");
-        assert!(output.stdout.is_empty(), "{said}");
-    }
-}
-
-// -------------------------------------------------------------------------------------------------
 // Numbers
 // -------------------------------------------------------------------------------------------------
 
@@ -504,48 +368,6 @@ proptest! {
             let counts: Vec<_> = words[last..].iter().map(|word| word.parse().ok()).collect();
             prop_assert_eq!(counts, [Some(steps), Some(every)]);
             prop_assert_eq!(question(&request.to_string()), Ok(Question::Run(request)));
-        }
-    }
-
-    /// Catches: a range with other ends than were typed, with a number in it that is none, or
-    /// beyond its ends.
-    #[test]
-    fn a_range_is_the_numbers_that_rust_reads(words in prop::collection::vec(word(), 1..4)) {
-        let text = words.join(":");
-        let parts: Vec<&str> = text.split(':').collect();
-        match text.parse::<Sweep>() {
-            Ok(Sweep::One(x)) => prop_assert_eq!(finite(&text), Some(x.to_bits())),
-            Ok(Sweep::Range(range)) => {
-                prop_assert_eq!(finite(parts[0]), Some(range.from.to_bits()));
-                prop_assert_eq!(finite(parts[1]), Some(range.to.to_bits()));
-                prop_assert_eq!(parts[2].parse(), Ok(range.count));
-            }
-            Err(why) => {
-                prop_assert_eq!(why.lines().count(), 1);
-                prop_assert!(finite(&text).is_none(), "{} is refused", text);
-            }
-        }
-    }
-
-    /// The numbers of a range lie between its ends, to a rounding of the larger.
-    ///
-    /// Catches: an overflow where the ends are far apart.
-    #[test]
-    fn a_range_stays_between_its_ends(
-        from in prop_oneof![-10.0_f64..10.0, any::<f64>()],
-        to in prop_oneof![-10.0_f64..10.0, any::<f64>()],
-        count in 2..40_u64,
-    ) {
-        let (from, to): (f64, f64) = (from, to);
-        if let Ok(Sweep::Range(range)) = format!("{from:?}:{to:?}:{count}").parse() {
-            let numbers: Vec<f64> = range.linear(0..count).collect();
-            prop_assert_eq!((numbers.len() as u64, numbers[0]), (count, from));
-            prop_assert_eq!(numbers[numbers.len() - 1], to);
-            let room = f64::max(from.abs(), to.abs()) * 1e-15;
-            for x in numbers {
-                let (low, high) = (f64::min(from, to), f64::max(from, to));
-                prop_assert!(low - room <= x && x <= high + room, "{}", x);
-            }
         }
     }
 

@@ -63,3 +63,25 @@ fn a_later_signal_ends_the_process_at_once() {
     child.kill().expect("it can be ended");
     assert_eq!(status.and_then(|status| status.code()), Some(2));
 }
+
+/// Catches: a run that waits for ever for somebody to read its pipe.
+#[test]
+fn a_pipe_that_nobody_reads_is_waited_for_until_a_signal() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let pipe = folder.path().join("pipe");
+    let made = Command::new("mkfifo").arg(&pipe).status().expect("mkfifo");
+    assert!(made.success());
+    let child = Command::new(env!("CARGO_BIN_EXE_pendula"))
+        .args(["simulate", "--method", "rk4", "--theta0", "1", "--dt", "0.1", "--steps", "9"])
+        .arg("--output")
+        .arg(&pipe)
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("it starts");
+    // Time to begin to listen.
+    thread::sleep(Duration::from_millis(500));
+    send(Signal::TERM, &child);
+    let output = child.wait_with_output().expect("it ends");
+    assert_eq!(output.status.code(), Some(2), "{output:?}");
+    assert!(String::from_utf8_lossy(&output.stderr).contains("interrupted"), "{output:?}");
+}

@@ -66,8 +66,9 @@ fn every_method_is_listed_with_its_facts() {
 /// The ids that are printed to who asks so. The command is read and answered in this process, which
 /// has measured the claims.
 fn ids(asked: &[&str]) -> Vec<String> {
-    let words = [&["pendula", "claims", "--format", "json"], asked].concat();
+    let words = [&["pendula", "paper", "claims", "--format", "json"], asked].concat();
     let matches = cli::definition().try_get_matches_from(words).unwrap();
+    let matches = matches.subcommand_matches("paper").unwrap();
     let matches = matches.subcommand_matches("claims").unwrap();
     let filter = Filter::from_arg_matches(matches).unwrap();
     let mut out = Vec::new();
@@ -109,7 +110,7 @@ fn claims_are_printed_that_were_asked_for() {
 
     let both: BTreeSet<String> =
         wrong.into_iter().filter(|id| of_the_seventh.contains(id)).collect();
-    let combined = ["claims", "--section", "7", "--verdict", "wrong"];
+    let combined = ["paper", "claims", "--section", "7", "--verdict", "wrong"];
     let text = printed(&combined);
     let shown: BTreeSet<String> = text
         .lines()
@@ -127,12 +128,12 @@ fn claims_are_printed_that_were_asked_for() {
 /// word that the help does not name.
 #[test]
 fn what_no_claim_has_is_refused_with_what_is_near() {
-    assert_refused(&["claims", "T4.rk.0.01"], "near: T4.rk4.0.01");
-    assert_refused(&["claims", "t4.vv"], "near: T4.vv.");
-    assert_refused(&["claims", "--section", "9"], "there are 1, 2, 3.1");
-    assert_refused(&["claims", "--table", "3.1"], "--table 3.1");
-    assert_refused(&["claims", "--verdict", "right"], "reproduced, definition, rounding");
-    let help = printed(&["claims", "--help"]);
+    assert_refused(&["paper", "claims", "T4.rk.0.01"], "near: T4.rk4.0.01");
+    assert_refused(&["paper", "claims", "t4.vv"], "near: T4.vv.");
+    assert_refused(&["paper", "claims", "--section", "9"], "there are 1, 2, 3.1");
+    assert_refused(&["paper", "claims", "--table", "3.1"], "--table 3.1");
+    assert_refused(&["paper", "claims", "--verdict", "right"], "reproduced, definition, rounding");
+    let help = printed(&["paper", "claims", "--help"]);
     let words = ["reproduced", "definition", "rounding", "platform", "wrong", "uncheckable"];
     assert!(words.iter().all(|word| help.contains(&format!("- {word}"))), "{help}");
 }

@@ -13,7 +13,7 @@ use pendula::{
     integrate_fast, method_named,
 };
 use pendula_book::cli::{self, Command};
-use pendula_book::commands::{adaptive, double_pendulum, ensemble, flips, simulate};
+use pendula_book::commands::{simulate, sweep};
 use pendula_book::failure::Failure;
 use pendula_book::interrupt::Lookout;
 use proptest::prelude::*;
@@ -43,10 +43,7 @@ pub fn interrupted(arguments: &[&str], after: u64) -> Printed {
         let lookout = || Lookout::after(after);
         match command {
             Command::Simulate(arguments) => simulate::run_until(&arguments, out, lookout),
-            Command::DoublePendulum(a) => double_pendulum::run_until(&a, out, lookout),
-            Command::Ensemble(arguments) => ensemble::run_until(&arguments, out, lookout),
-            Command::Adaptive(arguments) => adaptive::run_until(&arguments, out, lookout),
-            Command::Flips(arguments) => flips::run_until(&arguments, out, lookout),
+            Command::Sweep(arguments) => sweep::run_until(&arguments, out, lookout),
             other => panic!("{other:?} does not run long"),
         }
     });
@@ -185,7 +182,7 @@ fn an_interrupted_run_ends_as_if_nothing_had_happened() {
 }
 
 /// The same for a run with time in seconds, because its angles are large, and with a duration, for
-/// the double pendulum and for both kinds of ensemble.
+/// the double pendulum and for both kinds of sweep.
 ///
 /// Catches: a state that is resumed in another unit of time; a command whose state is not kept
 /// whole; a sweep that repeats a run or leaves one out.
@@ -195,15 +192,15 @@ fn every_kind_of_run_can_be_resumed() {
     let rest = ["--dt", "0.05", "--duration", "0.3"];
     let large = ["simulate", "--method", "stormer-verlet", "--theta0", "2e6", "--every", "4"];
     let double = words(
-        "double-pendulum --theta1 2 --theta2 -0.5 --omega2 1.5 --mass1 0.7 --length2 0.6 \
+        "simulate --system double-pendulum --theta1 2 --theta2 -0.5 --omega2 1.5 --mass1 0.7 --length2 0.6 \
          --gravity 3",
     );
     let angles = words(
-        "ensemble --method rk4 --theta0 -1:2:7 --omega0 0.5 --dt 0.1 --duration 0.4 --gravity 5 \
+        "sweep --method rk4 --theta0 -1:2:7 --omega0 0.5 --dt 0.1 --duration 0.4 --gravity 5 \
          --length 2 --mass 3",
     );
     let steps =
-        words("ensemble --method gauss-4 --theta0 1 --dt 0.1:0.01:7 --duration 0.4 --format json");
+        words("sweep --method gauss-4 --theta0 1 --dt 0.1:0.01:7 --duration 0.4 --format json");
     for run in [
         [&large[..], &rest].concat(),
         [&double[..], &rest].concat(),
@@ -231,8 +228,20 @@ fn the_parts_on_standard_output_make_the_whole() {
     let (keep, resume) = (["--state", text(&state)], ["--resume", text(&state)]);
     for run in [
         &["simulate", "--method", "rk4", "--theta0", "1", "--dt", "0.1", "--steps", "9"][..],
-        &["double-pendulum", "--theta1", "1", "--theta2", "2", "--dt", "0.1", "--steps", "9"],
-        &["ensemble", "--method", "rk4", "--theta0", "0:1:9", "--dt", "0.1", "--duration", "1"],
+        &[
+            "simulate",
+            "--system",
+            "double-pendulum",
+            "--theta1",
+            "1",
+            "--theta2",
+            "2",
+            "--dt",
+            "0.1",
+            "--steps",
+            "9",
+        ],
+        &["sweep", "--method", "rk4", "--theta0", "0:1:9", "--dt", "0.1", "--duration", "1"],
     ] {
         for format in ["csv", "json"] {
             let run = [run, &["--format", format]].concat();
@@ -277,12 +286,12 @@ fn parts(sweep: &[&str], of: u64) -> Vec<String> {
 #[test]
 fn parts_one_after_the_other_are_the_whole() {
     let angles = words(
-        "ensemble --method rk4 --theta0 -1:2.9:75 --omega0 0.5 --dt 0.1 --duration 0.4 --gravity 5 \
+        "sweep --method rk4 --theta0 -1:2.9:75 --omega0 0.5 --dt 0.1 --duration 0.4 --gravity 5 \
          --length 2 --mass 3",
     );
     // The larger ones cannot be computed in lanes.
-    let large = words("ensemble --method stormer-verlet --theta0 0:9e6:71 --dt 0.1 --duration 0.4");
-    let steps = words("ensemble --method gauss-4 --theta0 1 --dt 0.1:0.02:25 --duration 0.4");
+    let large = words("sweep --method stormer-verlet --theta0 0:9e6:71 --dt 0.1 --duration 0.4");
+    let steps = words("sweep --method gauss-4 --theta0 1 --dt 0.1:0.02:25 --duration 0.4");
     let repeated = whole(&steps).out.lines().count() - 1;
     assert!((6..20).contains(&repeated), "{repeated} of 25 steps differ");
     for (sweep, runs) in [(&angles, 75), (&large, 71), (&steps, 25)] {
@@ -299,8 +308,7 @@ fn parts_one_after_the_other_are_the_whole() {
             }
         }
     }
-    let batches =
-        words("ensemble --method forward-euler --theta0 0:1:9001 --dt 0.1 --duration 0.1");
+    let batches = words("sweep --method forward-euler --theta0 0:1:9001 --dt 0.1 --duration 0.1");
     assert!(parts(&batches, 2).concat() == whole(&batches).out);
 }
 
@@ -319,11 +327,11 @@ fn a_part_costs_its_own_runs_alone() {
         assert!(output.status.success(), "{output:?}");
         String::from_utf8(output.stdout).unwrap()
     };
-    let rows = printed("ensemble --method rk4 --theta0 0:1:1000000000000001 --dt 1 --duration 3");
+    let rows = printed("sweep --method rk4 --theta0 0:1:1000000000000001 --dt 1 --duration 3");
     // There are three in the first part, and two in each of the others.
     let starts: Vec<&str> = rows.lines().map(|row| row.split(',').next().unwrap()).collect();
     assert_eq!(starts, ["0.500000000000001", "0.500000000000002"]);
-    let steps = "ensemble --method rk4 --theta0 1 --dt 1:1e-4:1000000000000000 --duration 1";
+    let steps = "sweep --method rk4 --theta0 1 --dt 1:1e-4:1000000000000000 --duration 1";
     // In the middle of the range all steps are 0.01 s to a rounding: equal to those before.
     assert_eq!(printed(steps), "");
 }
@@ -337,7 +345,7 @@ fn a_part_costs_its_own_runs_alone() {
 fn an_interrupted_part_is_resumed_as_that_part() {
     let folder = Folder::new();
     let state = folder.folder.path().join("here");
-    let sweep = words("ensemble --method rk4 --theta0 0:3:8 --dt 0.1 --duration 0.4 --mass 3");
+    let sweep = words("sweep --method rk4 --theta0 0:3:8 --dt 0.1 --duration 0.4 --mass 3");
     let expected = parts(&sweep, 3);
     for (k, (expected, runs)) in (1..).zip(expected.iter().zip([3, 3, 2])) {
         let name = format!("{k}/3");
@@ -347,7 +355,7 @@ fn an_interrupted_part_is_resumed_as_that_part() {
             let first = interrupted(&[&part[..], &["--state", text(&state)]].concat(), first);
             let line = first.outcome.unwrap_err();
             assert!(line.contains(&format!(" runs of part {name};")), "{line}");
-            let rest = whole(&["ensemble", "--resume", text(&state)]);
+            let rest = whole(&["sweep", "--resume", text(&state)]);
             assert_eq!([first.out, rest.out].concat(), *expected, "{name}");
             let is = ["part", name.as_str()];
             assert!(rest.err.lines().any(|line| line.split_whitespace().eq(is)), "{}", rest.err);
@@ -403,7 +411,7 @@ fn a_state_that_is_not_what_it_was_is_refused() {
     );
     fs::write(&folder.state, &state).unwrap();
     refused(&[&resume[..], &["--mass", "2"]].concat(), "cannot be used with");
-    refused(&["ensemble", "--resume", text(&folder.state)], "one of `pendula simulate`");
+    refused(&["sweep", "--resume", text(&folder.state)], "one of `pendula simulate`");
     // A run that begins anew would overwrite it.
     refused(&to_file, "keeps a run that was interrupted");
     refused(&[&run[..], &["--state", text(&folder.state)]].concat(), "keeps a run that was");
@@ -441,9 +449,9 @@ fn a_state_with_other_contents_is_refused() {
         ("\"numbers\":[", "\"numbers\":[\"+00000000000000g\",", "16 hexadecimal digits"),
     ] {
         assert!(body.contains(from), "{from}: {body}");
-        let changed = body.replacen(from, to, 1);
+        let changed = body.replacen(from, to, 1) + "rows 0 sha256 ";
         let sum: String = Sha256::digest(&changed).iter().map(|b| format!("{b:02x}")).collect();
-        fs::write(&state, format!("{changed}rows 0 sha256 {sum}\n")).unwrap();
+        fs::write(&state, format!("{changed}{sum}\n")).unwrap();
         let printed = interrupted(&["simulate", "--resume", text(&state)], u64::MAX);
         let line = printed.outcome.expect_err(to);
         assert!(line.contains(because) && printed.out.is_empty(), "{to}: {line}");
@@ -628,7 +636,7 @@ proptest! {
             false => format!("--theta0 {theta:?} --dt {dt:?}:{:?}:{count}", 0.1 * dt),
         };
         let line = format!(
-            "ensemble --method {name} {sweep} --duration {duration:?} --omega0 {omega:?} \
+            "sweep --method {name} {sweep} --duration {duration:?} --omega0 {omega:?} \
              --gravity {gravity:?} --length {length:?} --mass {mass:?} --part {}/{of}",
             k.min(of),
         );
@@ -663,7 +671,7 @@ fn a_sweeps_summary_says_where_it_is_worst() {
     let folder = tempfile::tempdir().unwrap();
     let state = folder.path().join("state");
     let run =
-        words("ensemble --method rk4 --theta0 -3:1:5 --dt 0.1 --duration 5 --mass 3 --omega0 0.2");
+        words("sweep --method rk4 --theta0 -3:1:5 --dt 0.1 --duration 5 --mass 3 --omega0 0.2");
     let run = [&run[..], &["--summary", "--state", text(&state)]].concat();
     let pendulum = Pendulum::new(9.81, 1.0, 3.0).unwrap();
     let grid = Grid::with_duration(0.1, 5.0).unwrap();
@@ -681,7 +689,7 @@ fn a_sweeps_summary_says_where_it_is_worst() {
     };
     let at_once = whole(&run).err;
     assert!(interrupted(&run, 3).outcome.is_err());
-    let in_parts = whole(&["ensemble", "--resume", text(&state)]).err;
+    let in_parts = whole(&["sweep", "--resume", text(&state)]).err;
     for err in [at_once, in_parts] {
         assert_eq!(summary_value(&err, "runs"), 5.0);
         assert_eq!(summary_value(&err, "steps "), 250.0);
@@ -700,7 +708,7 @@ fn a_sweeps_summary_says_where_it_is_worst() {
 fn steps_that_vary_are_interrupted_cleanly() {
     let folder = Folder::new();
     let run =
-        words("adaptive --method dop853 --theta0 3 --duration 10 --tolerance 1e-8 --format json");
+        words("simulate --method dop853 --theta0 3 --duration 10 --tolerance 1e-8 --format json");
     let left = interrupted(&run, 3);
     assert!(left.outcome.unwrap_err().contains("interrupted after 3 steps"));
     assert_eq!(serde_json::from_str::<Vec<Value>>(&left.out).unwrap().len(), 4);
@@ -716,7 +724,7 @@ fn steps_that_vary_are_interrupted_cleanly() {
 #[test]
 fn steps_that_vary_have_a_limit_and_a_summary() {
     let run = words(
-        "adaptive --method dop853 --theta0 -2.9 --omega0 0.3 --gravity 3 --length 2.5 --mass 5 \
+        "simulate --method dop853 --theta0 -2.9 --omega0 0.3 --gravity 3 --length 2.5 --mass 5 \
          --tolerance 1e-5 --duration",
     );
     let pendulum = Pendulum::new(3.0, 2.5, 5.0).unwrap();
@@ -852,15 +860,15 @@ fn a_signal_leaves_standard_output_whole() {
 #[test]
 fn the_rows_before_a_failure_are_printed() {
     let falls_apart = words(
-        "double-pendulum --theta1 20 --theta2 12 --mass2 1e6 --gravity 3.08 --dt 0.01 \
+        "simulate --system double-pendulum --theta1 20 --theta2 12 --mass2 1e6 --gravity 3.08 --dt 0.01 \
          --duration 9.76",
     );
     let overflows = words("simulate --method forward-euler --theta0 1 --dt 1e200 --steps 9");
     let unsolved = words("simulate --method gauss-4 --theta0 1 --dt 5 --steps 9");
     let limited = words(
-        "adaptive --method dop853 --theta0 3 --duration 100 --tolerance 1e-10 --max-steps 200",
+        "simulate --method dop853 --theta0 3 --duration 100 --tolerance 1e-10 --max-steps 200",
     );
-    let sweep = words("ensemble --method forward-euler --theta0 0:1:5 --dt 1e200 --duration 1e201");
+    let sweep = words("sweep --method forward-euler --theta0 0:1:5 --dt 1e200 --duration 1e201");
     for (run, least) in
         [(&falls_apart[..], 100), (&overflows, 1), (&unsolved, 1), (&limited, 50), (&sweep, 1)]
     {

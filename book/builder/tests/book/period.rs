@@ -1,4 +1,4 @@
-//! What `pendula period` says of a motion.
+//! What `pendula exact` says of a motion.
 
 use pendula::{Motion, Pendulum, Phase};
 
@@ -6,7 +6,7 @@ use crate::commands::{assert_refused, printed};
 
 /// What is said of the motion, and the period (s).
 fn motion(arguments: &[&str]) -> (String, Option<f64>) {
-    let text = printed(&[&["period"], arguments].concat());
+    let text = printed(&[&["exact"], arguments].concat());
     let line = |name: &str| text.lines().find_map(|line| line.strip_prefix(name));
     let period = line("T  ").map(|value| value.trim().trim_end_matches(" s").parse().unwrap());
     (line("motion  ").expect("a line on the motion").to_owned(), period)
@@ -41,7 +41,7 @@ fn the_motion_has_its_name() {
     assert!((after.theta - (0.5 - 2.0 * std::f64::consts::PI)).abs() < 1e-14, "{after:?}");
     assert_eq!(motion(&["--theta0", "1", "--omega0", "1"]).0, "libration");
     // With a velocity the ratio is that of the two numbers above it, rounded once.
-    let text = printed(&["period", "--theta0", "1", "--omega0", "1"]);
+    let text = printed(&["exact", "--theta0", "1", "--omega0", "1"]);
     let values = text.lines().take(3).map(|line| line.split_whitespace().nth(1)?.parse().ok());
     let values: Option<Vec<f64>> = values.collect();
     let [period, small, ratio] = values.unwrap()[..] else { panic!("three numbers: {text}") };
@@ -49,5 +49,5 @@ fn the_motion_has_its_name() {
     // ω² = 4 g/L at the bottom, exactly.
     let (said, period) = motion(&["--theta0", "0", "--omega0", "4", "--gravity", "4"]);
     assert!(said.starts_with("separatrix") && period.is_none(), "{said} {period:?}");
-    assert_refused(&["period", "--theta0", "2/3pi"], "is it 2pi/3?");
+    assert_refused(&["exact", "--theta0", "2/3pi"], "is it 2pi/3?");
 }

@@ -75,25 +75,27 @@ fn each_command_that_integrates_draws() {
         let description = rest.split_once("</desc>").unwrap().0.replace('\n', " ");
         (rows, svg, description)
     };
-    let adaptive = "adaptive --method dop853 --theta0 3 --duration -5 --tolerance 1e-6";
+    let adaptive = "simulate --method dop853 --theta0 3 --duration -5 --tolerance 1e-6";
     let (rows, _, said_of_it) = drawn(adaptive);
     let angles = ends(rows.iter().map(|row| row[1]));
     assert!(close(said(&said_of_it, "angle θ (rad)"), angles), "{said_of_it}");
-    let sweep = "ensemble --method rk4 --duration 1";
+    let sweep = "sweep --method rk4 --duration 1";
     let (rows, _, of_angles) = drawn(&format!("{sweep} --theta0 1:2:5 --dt 0.1"));
     let errors = ends(rows.iter().map(|row| row[4]));
     assert!(of_angles.contains("Over θ₀ (rad) from 1 to 2"), "{of_angles}");
     assert!(close(said(&of_angles, "largest energy error (J)"), errors), "{of_angles}");
     let (_, _, of_steps) = drawn(&format!("{sweep} --theta0 1 --dt 0.1:0.001:5"));
     assert!(of_steps.contains("Over Δt (s) from 0.001 to 0.1"), "{of_steps}");
-    let (rows, svg, of_rods) = drawn("double-pendulum --theta1 2 --theta2 1 --dt 0.01 --steps 300");
+    let (rows, svg, of_rods) =
+        drawn("simulate --system double-pendulum --theta1 2 --theta2 1 --dt 0.01 --steps 300");
     let both = ends(rows.iter().flat_map(|row| [row[1], row[2]]));
     assert!(close(said(&of_rods, "angle (rad)"), both), "{of_rods}");
     assert!(svg.contains(">upper rod, θ") && svg.contains(">lower rod, θ"));
 }
 
 /// Catches: rows printed among the dots, or lost where there is a file for them; a picture without
-/// its axes; a resumed run whose picture lacks its beginning; a picture left by a run that fails.
+/// its axes; a resumed run whose picture lacks its beginning; a picture left by a run that fails;
+/// rows that appear although their picture cannot.
 #[test]
 fn a_plot_in_the_terminal_stands_for_the_rows() {
     let text = printed(&[&RUN[..], &["--plot", "-"]].concat());
@@ -114,4 +116,10 @@ fn a_plot_in_the_terminal_stands_for_the_rows() {
     assert!(!plot.exists());
     assert_refused(&[&RUN[..], &["--plot", "/no/such/folder/x.svg"]].concat(), "--plot /no/such");
     assert_refused(&["simulate", "--resume", "a.state", "--plot", "-"], "cannot be used with");
+    if std::path::Path::new("/dev/full").exists() {
+        let whole = folder.path().join("whole.csv");
+        let to_both = ["--plot", "/dev/full", "--output", whole.to_str().unwrap()];
+        assert_eq!(pendula(&[&RUN[..], &to_both].concat()).status.code(), Some(2));
+        assert!(!whole.exists());
+    }
 }

@@ -1,4 +1,4 @@
-//! `pendula claims`: the whole ledger, and whether the measurements still support it.
+//! `pendula paper claims`: the whole ledger, and whether the measurements still support it.
 
 use std::collections::BTreeSet;
 use std::io::{self, Write};
@@ -13,7 +13,7 @@ use super::tables::cell;
 use crate::colour;
 use crate::failure::Failure;
 
-/// Arguments of `pendula claims`.
+/// Arguments of `pendula paper claims`.
 #[derive(Args, Debug)]
 pub struct Arguments {
     /// How the claims are printed
@@ -154,27 +154,11 @@ fn nearest<'a>(id: &str, ids: impl Iterator<Item = &'a str>) -> Vec<&'a str> {
     let mut ids: Vec<_> = ids
         .map(|id| {
             let known = id.to_lowercase();
-            (!known.starts_with(&asked), distance(&asked, &known), id)
+            (!known.starts_with(&asked), strsim::levenshtein(&asked, &known), id)
         })
         .collect();
     ids.sort();
     ids.into_iter().map(|(.., id)| id).take(5).collect()
-}
-
-/// How many letters have to be inserted, left out or replaced to make `b` of `a` (Levenshtein).
-fn distance(a: &str, b: &str) -> usize {
-    let b: Vec<char> = b.chars().collect();
-    let mut row: Vec<usize> = (0..=b.len()).collect();
-    for (i, a) in a.chars().enumerate() {
-        let mut diagonal = i;
-        row[0] = i + 1;
-        for (j, b) in b.iter().enumerate() {
-            let replaced = diagonal + usize::from(a != *b);
-            diagonal = row[j + 1];
-            row[j + 1] = replaced.min(row[j] + 1).min(diagonal + 1);
-        }
-    }
-    row[b.len()]
 }
 
 /// How the claims are printed.

@@ -5,7 +5,7 @@ use std::io::Write;
 
 use clap::Subcommand;
 
-use crate::cli::examples;
+use super::examples;
 use crate::failure::Failure;
 
 pub mod book;
@@ -19,38 +19,45 @@ pub mod work_precision;
 #[derive(Debug, Subcommand)]
 pub enum Command {
     /// Build the whole book, offline, and print where it is
-    #[command(after_help = examples(&["pendula book"]))]
+    #[command(display_order = 1, after_help = examples(&["pendula book"]))]
     Book(book::Arguments),
-    /// Print the paper's tables: stated, measured, verdict
-    #[command(after_help = examples(&[
-        "pendula tables --table 4",
-        "pendula tables --format csv > cells.csv",
-    ]))]
-    Tables(tables::Arguments),
-    /// Print every claim of the paper; exit status 1 if a measurement contradicts its verdict on
-    /// record
-    #[command(after_help = examples(&[
-        "pendula claims T4.rk4.0.01",
-        "pendula claims --section 7 --verdict wrong",
-        "pendula claims --table 5 --format json",
-    ]))]
-    Claims(claims::Arguments),
     /// Show what moved since the tables and figures were reviewed, or since a commit; exit status 1
     /// if something did
-    #[command(after_help = examples(&[
+    #[command(display_order = 3, after_help = examples(&[
         "pendula review --format markdown",
     ]))]
     Review(review::Arguments),
+    /// Print the paper beside what was measured: its tables, and all that it claims
+    #[command(subcommand, arg_required_else_help = false, display_order = 8)]
+    Paper(Paper),
     /// Measure run time against error on this machine, for the table, the figure and the book
-    #[command(after_help = examples(&[
-        "pendula work-precision --seconds 1 --output .",
+    #[command(display_order = 9, after_help = examples(&[
+        "pendula bench --seconds 1 --output .",
     ]))]
-    WorkPrecision(work_precision::Arguments),
+    Bench(work_precision::Arguments),
     /// Speak mdBook's preprocessor protocol on standard input and output
-    #[command(display_order = 1000, after_help = examples(&[
+    #[command(hide = true, after_help = examples(&[
         "pendula preprocess supports html",
     ]))]
     Preprocess(preprocess::Arguments),
+}
+
+/// What is printed of the paper.
+#[derive(Debug, Subcommand)]
+pub enum Paper {
+    /// Print its tables: stated, measured, verdict
+    #[command(after_help = examples(&[
+        "pendula paper tables --table 4",
+        "pendula paper tables --format csv > cells.csv",
+    ]))]
+    Tables(tables::Arguments),
+    /// Print every claim; exit status 1 if a measurement contradicts its verdict on record
+    #[command(after_help = examples(&[
+        "pendula paper claims T4.rk4.0.01",
+        "pendula paper claims --section 7 --verdict wrong",
+        "pendula paper claims --table 5 --format json",
+    ]))]
+    Claims(claims::Arguments),
 }
 
 /// Runs a command; its output goes to `out`.
@@ -60,10 +67,10 @@ pub enum Command {
 pub fn run(command: Command, out: &mut dyn Write) -> Result<(), Failure> {
     match command {
         Command::Book(arguments) => book::run(&arguments, out),
-        Command::Tables(arguments) => tables::run(&arguments, out),
-        Command::Claims(arguments) => claims::run(&arguments, out),
         Command::Review(arguments) => review::run(&arguments, out),
-        Command::WorkPrecision(arguments) => work_precision::run(&arguments, out),
+        Command::Paper(Paper::Tables(arguments)) => tables::run(&arguments, out),
+        Command::Paper(Paper::Claims(arguments)) => claims::run(&arguments, out),
+        Command::Bench(arguments) => work_precision::run(&arguments, out),
         Command::Preprocess(arguments) => preprocess::run(&arguments, out),
     }
 }

@@ -1,4 +1,4 @@
-//! `pendula tables`: the paper's tables, stated and measured.
+//! `pendula paper tables`: the paper's tables, stated and measured.
 
 use std::io::Write;
 
@@ -10,11 +10,11 @@ use pendula_study::report::tables::{TABLES, table};
 use serde_json::{Value, json};
 
 use crate::colour;
-use crate::commands::number::value;
-use crate::commands::table_format::TableFormat;
+use crate::commands::arguments::number::value;
+use crate::commands::arguments::table_format::TableFormat;
 use crate::failure::Failure;
 
-/// Arguments of `pendula tables`.
+/// Arguments of `pendula paper tables`.
 #[derive(Args, Debug)]
 pub struct Arguments {
     /// Only this table

@@ -1,4 +1,4 @@
-//! `pendula work-precision`: run time against error, on this machine.
+//! `pendula bench`: run time against error, on this machine.
 
 use std::env;
 use std::io::{self, Write};
@@ -9,8 +9,8 @@ use clap::Args;
 use pendula_study::report::table::Table;
 use serde_json::{Value, json};
 
-use crate::commands::number::number;
-use crate::commands::table_format::TableFormat;
+use crate::commands::arguments::number::number;
+use crate::commands::arguments::table_format::TableFormat;
 use crate::failure::Failure;
 use crate::files;
 use crate::files::together::{self, Change};
@@ -20,7 +20,7 @@ use crate::progress::Progress;
 use crate::work_precision::figure::{self, CSV, SVG};
 use crate::work_precision::{Curve, Measured, Measurement, SCENES, measure};
 
-/// Arguments of `pendula work-precision`.
+/// Arguments of `pendula bench`.
 #[derive(Args, Debug)]
 pub struct Arguments {
     /// How the table is printed

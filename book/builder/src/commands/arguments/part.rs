@@ -4,7 +4,7 @@ use std::fmt;
 use std::ops::Range;
 use std::str::FromStr;
 
-use crate::commands::number::refusal;
+use super::number::refusal;
 
 /// The K-th of N parts, K from 1 to N.
 #[derive(Clone, Copy, Debug, PartialEq)]

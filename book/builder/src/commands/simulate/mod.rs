@@ -1,50 +1,52 @@
-//! `pendula simulate`: a trajectory of the pendulum as rows.
+//! `pendula simulate`: a trajectory as rows.
 
 use std::io::{self, Write};
 
 use clap::Args;
+use clap::builder::PossibleValuesParser;
 use pendula::fast::FastRun;
 use pendula::integrate::{self, Checkpoint};
 use pendula::metrics::EnergyDrift;
-use pendula::{AnyMethod, Grid, Hamiltonian, Motion, Pendulum, Phase, method_named};
+use pendula::{
+    AnyMethod, Grid, Hamiltonian, Info, METHODS, Motion, Pendulum, Phase, Rk4, method_named,
+};
 
-use super::angle::angle;
-use super::number::number;
-use super::pendulum_arguments::{MassArgument, PendulumArguments, methods as names};
+use super::arguments::system::{Chosen, Forced, SystemArguments};
 use super::plot::Panel;
-use super::suited::{Suited, steps};
 use super::summary::Summary;
-use super::systems::{Chosen, SystemArguments};
-use super::trajectory::{NotConserved, Run, Settings, Trajectory, TrajectoryArguments};
 use crate::failure::Failure;
 use crate::interrupt::Lookout;
+use adaptive::{SERIES, Walk};
+use suited::{Suited, steps};
+use trajectory::{NotConserved, Run, Settings, Trajectory, TrajectoryArguments};
+
+mod adaptive;
+mod double;
+mod suited;
+mod trajectory;
 
 /// Arguments of `pendula simulate`.
 #[derive(Args, Debug)]
 pub struct Arguments {
-    /// The method
-    #[arg(long, value_name = "M", value_parser = names())]
-    method: String,
-    /// Angle at the start: radians, or as pi/3, 60deg
-    #[arg(long, value_name = "ANGLE", value_parser = angle, allow_hyphen_values = true)]
-    theta0: f64,
-    /// Angular velocity at the start (rad/s)
-    #[arg(long, value_name = "RAD/S", default_value_t = 0.0, value_parser = number,
-        allow_hyphen_values = true)]
-    omega0: f64,
+    /// The method [double-pendulum: rk4]
+    #[arg(long, value_name = "M", value_parser = methods())]
+    method: Option<String>,
     #[command(flatten)]
     system: SystemArguments,
-    #[command(flatten)]
-    pendulum: PendulumArguments,
-    #[command(flatten)]
-    mass: MassArgument,
     /// How long, and how it is printed.
-    #[command(flatten)]
+    #[command(flatten, next_help_heading = "Steps and output")]
     pub trajectory: TrajectoryArguments,
 }
 
+/// All methods, and that which has no equal steps.
+fn methods() -> PossibleValuesParser {
+    let names = METHODS.iter().map(|method| method.info().name);
+    names.chain([SERIES]).collect::<Vec<_>>().into()
+}
+
 /// Writes the rows t, theta, omega, energy: in s, rad, rad/s and J, the energy as in the paper's
-/// Eq. 3; of a system that conserves none, that of the pendulum in it.
+/// Eq. 3; of a system that conserves none, that of the pendulum in it. The double pendulum has
+/// rows of its own.
 ///
 /// # Errors
 /// [`Failure::Refused`] for what the library refuses, and for a step too long for the method to
@@ -64,19 +66,35 @@ pub fn run_until(
     out: [&mut dyn Write; 2],
     lookout: impl FnOnce() -> Lookout,
 ) -> Result<(), Failure> {
-    let pendulum = arguments.pendulum.pendulum(Some(&arguments.mass)).map_err(Failure::refused)?;
-    let start = pendulum.start(arguments.theta0, arguments.omega0).map_err(Failure::refused)?;
-    let name = &arguments.method;
-    let method =
-        method_named(name).ok_or_else(|| Failure::refused(format!("there is no method {name}")))?;
-    let chosen = arguments.system.of(pendulum)?;
-    let (settings, grid) = arguments.trajectory.settings()?;
+    let Arguments { method, system, trajectory } = arguments;
+    let chosen = system.chosen()?;
+    let method = match (method, &chosen) {
+        (Some(method), _) => method,
+        (None, Chosen::Double(..)) => Rk4.info().name,
+        (None, Chosen::Pendulum(..)) => return Err(Failure::refused("--method is missing")),
+    };
+    if let Some(within) = trajectory.by_tolerance() {
+        let Chosen::Pendulum(pendulum, start, Forced::No) = chosen else {
+            return Err(Failure::refused("--tolerance is for --system pendulum alone"));
+        };
+        return Walk { method, pendulum, start, within, arguments: trajectory }.print(out, lookout);
+    }
+    let (pendulum, start, forced) = match chosen {
+        Chosen::Pendulum(pendulum, start, forced) => (pendulum, start, forced),
+        Chosen::Double(double, start) => {
+            return double::print(method, double, start, trajectory.settings()?, out, lookout);
+        }
+    };
+    let method = method_named(method).ok_or_else(|| {
+        Failure::refused(format!("--method {method} chooses its steps: --tolerance, not --dt"))
+    })?;
+    let (settings, grid) = trajectory.settings()?;
     let scene = Scene { pendulum, method, start, grid };
-    match chosen {
-        Chosen::Pendulum => scene.swing(settings, out, lookout),
-        Chosen::Damped(damped) => scene.other(&damped, settings, out, lookout),
-        Chosen::Driven(driven) => scene.other(&driven, settings, out, lookout),
-        Chosen::Shaken(shaken) => scene.other(&shaken, settings, out, lookout),
+    match forced {
+        Forced::No => scene.swing(settings, out, lookout),
+        Forced::Damped(damped) => scene.other(&damped, settings, out, lookout),
+        Forced::Driven(driven) => scene.other(&driven, settings, out, lookout),
+        Forced::Shaken(shaken) => scene.other(&shaken, settings, out, lookout),
     }
 }
 
@@ -92,7 +110,7 @@ struct Scene {
 const COLUMNS: [&str; 4] = ["t", "theta", "omega", "energy"];
 
 /// What a plot shows of them.
-pub(super) const PANELS: [Panel; 2] = [
+const PANELS: [Panel; 2] = [
     Panel::new("angle θ (rad)", &[(1, "")]),
     Panel::new("energy change (J)", &[(3, "")]).since_the_start(),
 ];
@@ -170,13 +188,7 @@ impl Scene {
 
 /// Adds the errors of the state `end` at the time `t` (s) to the summary, against the closed form,
 /// if it reaches so far.
-pub(super) fn end_errors(
-    summary: &mut Summary,
-    pendulum: &Pendulum,
-    start: Phase,
-    t: f64,
-    end: Phase,
-) {
+fn end_errors(summary: &mut Summary, pendulum: &Pendulum, start: Phase, t: f64, end: Phase) {
     let Ok(motion) = Motion::new(pendulum, start) else { return };
     if t.abs() <= motion.horizon() {
         let exact = motion.at(t);

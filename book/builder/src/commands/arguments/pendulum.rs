@@ -2,50 +2,30 @@
 
 use clap::Args;
 use clap::builder::PossibleValuesParser;
-use pendula::{AnyMethod, Error, Grid, METHODS, Pendulum, Phase};
+use pendula::{Error, METHODS, Pendulum, Phase};
 
 use super::angle::angle;
 use super::number::number;
-use crate::failure::Failure;
 
 /// The names that `--method` accepts.
 pub fn methods() -> PossibleValuesParser {
     METHODS.iter().map(|method| method.info().name).collect::<Vec<_>>().into()
 }
 
-/// The refusal of a step along `grid` that led `method` from `start` to a NaN, if the method is
-/// implicit: it has not overflowed, its iteration has not converged. The run is repeated up to that
-/// step, to say how far the iteration was from its end.
-pub fn not_solved(
-    method: &dyn AnyMethod,
-    pendulum: &Pendulum,
-    start: Phase,
-    grid: &Grid,
-) -> Option<Failure> {
-    let error = method.try_run(pendulum, start, grid, &mut ()).err()?;
-    unsolved(method.info().name, &error)
-}
-
-/// The refusal of the step at which the iteration of the method `name` has not converged, if that
-/// is the error.
-pub fn unsolved(name: &str, error: &Error) -> Option<Failure> {
-    match error {
-        Error::NotSolved { n, step, sweeps, change } => Some(Failure::refused(format!(
-            "a step of {step:?} s is refused: the iteration of {name} does not converge on this \
-             motion, after {n} steps {sweeps} sweeps still change the next by {change:.1e} of its \
-             size; it must be shorter, a fraction of the time that the pendulum takes for a radian"
-        ))),
-        _ => None,
-    }
+/// The acceleration.
+#[derive(Args, Debug)]
+pub struct GravityArgument {
+    /// Gravitational acceleration g (m/s²)
+    #[arg(long, default_value_t = Pendulum::PAPER.gravity(), value_parser = number,
+        allow_hyphen_values = true)]
+    pub gravity: f64,
 }
 
 /// The pendulum.
 #[derive(Args, Debug)]
 pub struct PendulumArguments {
-    /// Gravitational acceleration g (m/s²)
-    #[arg(long, default_value_t = Pendulum::PAPER.gravity(), value_parser = number,
-        allow_hyphen_values = true)]
-    gravity: f64,
+    #[command(flatten)]
+    gravity: GravityArgument,
     /// Length L of the rod (m)
     #[arg(long, default_value_t = Pendulum::PAPER.length(), value_parser = number,
         allow_hyphen_values = true)]
@@ -68,7 +48,7 @@ impl PendulumArguments {
     /// As [`Pendulum::new`].
     pub fn pendulum(&self, mass: Option<&MassArgument>) -> Result<Pendulum, Error> {
         let mass = mass.map_or(Pendulum::PAPER.mass(), |mass| mass.mass);
-        Pendulum::new(self.gravity, self.length, mass)
+        Pendulum::new(self.gravity.gravity, self.length, mass)
     }
 }
 

@@ -1,11 +1,11 @@
-//! A trajectory of any length printed as rows in constant memory: shared by the commands that print
-//! one.
+//! A trajectory of any length in equal steps, printed as rows in constant memory.
 
 use std::io::{self, Write};
 use std::num::NonZeroU64;
 use std::time::{Duration, Instant};
 
 use clap::Args;
+use pendula::adaptive::STEP_LIMIT;
 use pendula::fast::FastRun;
 use pendula::integrate::{self, CHECKPOINT_NUMBERS, Checkpoint};
 use pendula::metrics::EnergyDrift;
@@ -13,45 +13,63 @@ use pendula::systems::Numbers;
 use pendula::{Error, Grid, Hamiltonian, Observer, Phase, System};
 use serde::{Deserialize, Serialize};
 
-use super::number::{count, number, positive_count};
-use super::pendulum_arguments::unsolved;
-use super::plot::{Panel, Plot, PlotArguments, Target};
-use super::rows::{RowFormat, Rows};
-use super::state::{Bits, Kept, KeptArguments};
-use super::summary::Summary;
+use crate::commands::arguments::number::{count, number, positive_count};
+use crate::commands::plot::{Panel, Plot, PlotArguments, Target};
+use crate::commands::rows::{RowFormat, Rows};
+use crate::commands::state::{Bits, Kept, KeptArguments};
+use crate::commands::summary::Summary;
 use crate::failure::Failure;
 use crate::interrupt::Lookout;
 
 /// How long a trajectory is, and how it is printed.
 #[derive(Args, Debug)]
 pub struct TrajectoryArguments {
-    /// Step Δt (s)
-    #[arg(long, value_name = "S", value_parser = number, allow_hyphen_values = true)]
-    dt: f64,
+    #[command(flatten)]
+    stepping: Stepping,
     #[command(flatten)]
     length: Length,
+    /// With --tolerance: the most steps to take, rejected ones included
+    #[arg(long, value_name = "N", default_value_t = STEP_LIMIT, value_parser = count,
+        allow_hyphen_values = true, conflicts_with = "dt")]
+    pub max_steps: u64,
     /// Print every K-th sample, beginning with the start
     #[arg(long, value_name = "K", default_value = "1", value_parser = positive_count,
-        allow_hyphen_values = true)]
+        allow_hyphen_values = true, conflicts_with = "tolerance")]
     every: NonZeroU64,
     /// How rows are printed
     #[arg(long, value_enum, default_value_t)]
-    format: RowFormat,
+    pub format: RowFormat,
     /// Where it is kept if it is interrupted.
     #[command(flatten)]
     pub kept: KeptArguments,
     /// Say on standard error what the run has cost, and how large its errors are
     #[arg(long)]
-    summary: bool,
+    pub summary: bool,
+    /// Where it is drawn.
     #[command(flatten)]
-    plot: PlotArguments,
+    pub plot: PlotArguments,
+}
+
+/// The steps.
+#[derive(Args, Debug)]
+#[group(id = "stepping", required = true, multiple = false)]
+struct Stepping {
+    /// Step Δt (s)
+    #[arg(long, value_name = "S", value_parser = number, allow_hyphen_values = true)]
+    dt: Option<f64>,
+    /// Instead of --dt: steps whose size follows the motion, with this error in each, absolutely
+    /// (rad, rad/s) and relatively; a row for each
+    #[arg(long, value_name = "E", value_parser = number, allow_hyphen_values = true,
+        conflicts_with_all = ["steps", "state"])]
+    tolerance: Option<f64>,
 }
 
 /// How long to run.
 #[derive(Args, Debug)]
 #[group(id = "extent", required = true, multiple = false)]
 struct Length {
-    /// Duration (s), a whole number of steps
+    /// Duration (s): a whole number of steps of --dt; with --tolerance any, back in time if it is
+    /// negative
     #[arg(long, value_name = "S", value_parser = number, allow_hyphen_values = true)]
     duration: Option<f64>,
     /// Number of steps
@@ -186,14 +204,21 @@ pub struct Settings<'a> {
 }
 
 impl TrajectoryArguments {
+    /// The tolerance and the duration (s), if the steps are not to be equal.
+    pub fn by_tolerance(&self) -> Option<(f64, f64)> {
+        self.stepping.tolerance.zip(self.length.duration)
+    }
+
     /// The settings, and the grid of times.
     ///
     /// # Errors
     /// [`Failure::Refused`] for what [`Grid`] refuses, and where the state of another run lies.
     pub fn settings(&self) -> Result<(Settings<'_>, Grid), Failure> {
+        // clap sees to it that one of each two is given.
+        let dt = self.stepping.dt.unwrap_or(f64::NAN);
         let grid = match self.length {
-            Length { duration: Some(duration), .. } => Grid::with_duration(self.dt, duration),
-            Length { steps, .. } => Grid::new(self.dt, steps.unwrap_or(0)),
+            Length { duration: Some(duration), .. } => Grid::with_duration(dt, duration),
+            Length { steps, .. } => Grid::new(dt, steps.unwrap_or(0)),
         };
         let grid = grid.map_err(Failure::refused)?;
         let kept = Kept::new(&self.kept)?;
@@ -341,7 +366,7 @@ fn checkpoint(kept: &Kept<'_>, progress: &Progress, grid: &Grid) -> Result<Check
 
 /// The failure of a run that ended with an error.
 fn lost(method: &str, error: &Error) -> Failure {
-    unsolved(method, error).unwrap_or_else(|| Failure::refused(error))
+    Failure::unsolved(method, error).unwrap_or_else(|| Failure::refused(error))
 }
 
 /// The failure of a trajectory that overflows.

@@ -1,31 +1,68 @@
-//! `pendula ensemble`: the ends of many runs, from many starts or with many steps.
+//! `pendula sweep`: the ends of many runs, from many starts or with many steps.
 
 use std::io::{self, Write};
 use std::mem;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-use clap::Args;
+use clap::{Args, Subcommand};
 use pendula::{Grid, Hamiltonian, MethodInfo, Motion, Pendulum, Phase, method_named};
 use serde::{Deserialize, Serialize};
 
-use super::angle::angles;
-use super::device_argument::DeviceArgument;
-use super::number::number;
-use super::pendulum_arguments::{MassArgument, PendulumArguments, methods};
+use super::arguments::angle::angles;
+use super::arguments::device::DeviceArgument;
+use super::arguments::number::number;
+use super::arguments::part::Part;
+use super::arguments::pendulum::{MassArgument, PendulumArguments, methods};
+use super::arguments::range::Sweep;
+use super::examples;
 use super::plot::{Across, Panel, Plot, PlotArguments, Target};
 use super::rows::RowFormat;
 use super::state::{Bits, Kept, KeptArguments};
 use super::summary::Summary;
 use crate::failure::Failure;
 use crate::interrupt::{Lookout, unless_interrupted};
-use crate::sweep::part::Part;
-use crate::sweep::range::Sweep;
-use crate::sweep::{Run, Runner, grids};
+use runner::{Run, Runner, grids};
 
-/// Arguments of `pendula ensemble`.
+#[cfg_attr(not(feature = "device"), path = "no_device.rs")]
+mod device;
+#[cfg(feature = "device")]
+mod devices;
+pub mod flips;
+mod runner;
+
+/// Arguments of `pendula sweep`.
 #[derive(Args, Debug)]
+#[command(args_conflicts_with_subcommands = true, subcommand_negates_reqs = true)]
 pub struct Arguments {
+    #[command(subcommand)]
+    other: Option<Other>,
+    #[command(flatten)]
+    sweep: Option<SweepArguments>,
+}
+
+/// What is no sweep of the pendulum.
+#[derive(Debug, Subcommand)]
+enum Other {
+    /// Print when a double pendulum first turns over, for every release from rest
+    #[command(after_help = examples(&[
+        "pendula sweep flips --size 40 --duration 5 > flips.csv",
+        "pendula sweep flips --size 60 --duration 9 --picture flips.png --output flips.csv",
+    ]))]
+    Flips(flips::Arguments),
+    /// Print the OpenCL devices of this machine, for --device
+    #[cfg(feature = "device")]
+    #[command(after_help = examples(&[
+        "pendula sweep devices",
+    ]))]
+    Devices,
+}
+
+/// A sweep of the pendulum. With its method, which it must have, all of it is there: clap puts no
+/// argument into the group of a struct that has others flattened into it.
+#[derive(Args, Debug)]
+#[group(args = ["method"])]
+struct SweepArguments {
     /// The method
     #[arg(long, value_name = "M", value_parser = methods())]
     method: String,
@@ -63,7 +100,7 @@ pub struct Arguments {
     device: DeviceArgument,
     /// Where it is kept if it is interrupted.
     #[command(flatten)]
-    pub kept: KeptArguments,
+    kept: KeptArguments,
     /// Say on standard error what the runs have cost, and how large their errors are
     #[arg(long)]
     summary: bool,
@@ -82,6 +119,13 @@ struct Progress {
     nanoseconds: u64,
     /// The largest errors, if a summary was asked for.
     largest: Option<Largest>,
+}
+
+impl Arguments {
+    /// Where the run is kept if it is interrupted, if it can be.
+    pub fn kept(&mut self) -> Option<&mut KeptArguments> {
+        self.sweep.as_mut().map(|sweep| &mut sweep.kept)
+    }
 }
 
 /// Writes the rows theta0, dt, theta, omega, energy_error: the start (rad), the step (s), the state
@@ -106,7 +150,22 @@ pub fn run_until(
     out: [&mut dyn Write; 2],
     lookout: impl FnOnce() -> Lookout,
 ) -> Result<(), Failure> {
-    let &Arguments { theta0, omega0, dt, duration, format, part, .. } = arguments;
+    match arguments {
+        Arguments { other: Some(Other::Flips(flips)), .. } => flips::run(flips, out, lookout),
+        #[cfg(feature = "device")]
+        Arguments { other: Some(Other::Devices), .. } => devices::run(out),
+        Arguments { sweep: Some(sweep), .. } => sweep_until(sweep, out, lookout),
+        // clap has asked for its arguments.
+        Arguments { sweep: None, .. } => Err(Failure::refused("there is nothing to sweep")),
+    }
+}
+
+fn sweep_until(
+    arguments: &SweepArguments,
+    out: [&mut dyn Write; 2],
+    lookout: impl FnOnce() -> Lookout,
+) -> Result<(), Failure> {
+    let &SweepArguments { theta0, omega0, dt, duration, format, part, .. } = arguments;
     let method = &arguments.method;
     let pendulum = arguments.pendulum.pendulum(Some(&arguments.mass)).map_err(Failure::refused)?;
     if format == RowFormat::Json && part.is_some() {
@@ -158,7 +217,7 @@ pub fn run_until(
             let compute = move |angles: &[f64], finished: &(dyn Fn(usize, Run) + Sync)| {
                 runner.from_each(angles, &grid, finished);
             };
-            let angles = theta0.linear(part.among(theta0.count));
+            let angles = part.among(theta0.count).map(move |i| theta0.linear(i));
             printer.print(kept, out, angles, compute, lookout)
         }
         (Sweep::One(theta0), Sweep::Range(dt)) => {

@@ -1,12 +1,13 @@
 //! Angles on the command line: radians, multiples of π, degrees.
 //!
 //! `1.5`, `pi/3`, `-2pi/3`, `0.5pi`, `60deg`. π/3 is no number of f64, and neither is 60 degrees:
-//! what is meant is the f64 nearest to the real angle, and it is found with integers, since π as an
-//! f64 divided by three is not always that number.
+//! what is meant is the f64 nearest to the real angle, and it is found in double-double, since π as
+//! an f64 divided by three is not always that number.
 
-use crate::sweep::range::Sweep;
+use pendula::arithmetic::double_double::DoubleDouble;
 
 use super::number::refusal;
+use super::range::Sweep;
 
 /// What an angle may be.
 const ALLOWED: &str =
@@ -140,53 +141,21 @@ impl Fraction {
         (below != 0).then_some(Self { above, below })
     }
 
-    /// The f64 nearest to π times the fraction.
+    /// The f64 nearest to π times the fraction: two operations, each right to 100 bits or more, so
+    /// that only a tie of the first 53 and the next 47 could go wrong.
     fn of_pi(self) -> f64 {
-        if self.above == 0 {
-            return 0.0;
-        }
-        // Long multiplication and division, a word at a time, as on paper.
-        let mut words = [0_u64; WORDS + 1];
-        let mut carry = 0_u128;
-        for (word, pi) in words[1..].iter_mut().zip(PI).rev() {
-            carry += u128::from(pi) * u128::from(self.above);
-            (*word, carry) = (carry as u64, carry >> 64);
-        }
-        words[0] = carry as u64;
-        let mut rest = 0_u128;
-        for word in &mut words {
-            let dividend = rest << 64 | u128::from(*word);
-            *word = (dividend / u128::from(self.below)) as u64;
-            rest = dividend % u128::from(self.below);
-        }
-        // The 64 leading bits; one of the others, all of which follow those of an f64, is enough to
-        // tell the number from a tie, and as π is irrational there is always one.
-        let first = words.iter().position(|word| *word != 0).unwrap_or(WORDS);
-        let next = words.get(first + 1).copied().unwrap_or(0);
-        let empty = words[first].leading_zeros();
-        let pair = (u128::from(words[first]) << 64 | u128::from(next)) << empty;
-        let leading = (pair >> 64) as u64 | 1;
-        // words[1] holds the whole part.
-        let exponent = 64 * (1 - first as i32) - empty as i32;
-        libm::ldexp(leading as f64, exponent)
+        let [above, below] = [self.above, self.below].map(|whole| {
+            let nearest = whole as f64;
+            let rest = i128::from(whole) - nearest as i128;
+            DoubleDouble::new(nearest) + DoubleDouble::new(rest as f64)
+        });
+        (DoubleDouble::HALF_PI.scaled(2.0) * above / below).rounded()
     }
 }
 
 fn common_divisor(a: u64, b: u64) -> u64 {
     if b == 0 { a } else { common_divisor(b, a % b) }
 }
-
-const WORDS: usize = 6;
-
-/// π: its whole part, and 320 bits. A quotient of words takes away at most 128 of them.
-const PI: [u64; WORDS] = [
-    3,
-    0x243f_6a88_85a3_08d3,
-    0x1319_8a2e_0370_7344,
-    0xa409_3822_299f_31d0,
-    0x082e_fa98_ec4e_6c89,
-    0x4528_21e6_38d0_1377,
-];
 
 #[cfg(test)]
 mod tests {

@@ -7,8 +7,6 @@
 use std::num::NonZeroU64;
 use std::str::FromStr;
 
-use super::angle;
-
 /// A number. Whether it may be infinite or negative is for the library to say.
 pub fn number(text: &str) -> Result<f64, String> {
     value(text, "it must be a number")
@@ -35,13 +33,14 @@ pub fn refusal(text: &str, allowed: &str) -> String {
         .map_or_else(|| allowed.to_owned(), |forgotten| format!("{forgotten}; {allowed}"))
 }
 
-/// That a value was forgotten, if `text` is an option and no number.
+/// That a value was forgotten, if `text` is an option: `--dt` or `-h`, and not `-pi/3`.
 pub fn forgotten(text: &str) -> Option<String> {
-    let name = text.trim_start_matches('-');
-    let digits = |c: char| c.is_ascii_digit() || c == '.';
-    let is_number = name.starts_with(digits) || angle::is_angle(text);
-    (name.len() < text.len() && !is_number)
-        .then(|| format!("{text} is an option, and the value before it is missing"))
+    let is_option = text.starts_with("--")
+        || text.strip_prefix('-').is_some_and(|rest| {
+            rest.is_empty()
+                || rest.len() == 1 && rest.starts_with(|c: char| c.is_ascii_alphabetic())
+        });
+    is_option.then(|| format!("{text} is an option, and the value before it is missing"))
 }
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
-//! `pendula flips`: when a double pendulum first turns over, for every release from rest.
+//! `pendula sweep flips`: when a double pendulum first turns over, for every release from rest.
 
-use std::io::{self, Write};
+use std::collections::TryReserveError;
+use std::io::Write;
 use std::num::NonZeroU64;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -13,17 +14,18 @@ use pendula::methods::table::RK4_IN_LANES;
 use pendula::systems::DoublePhase;
 use pendula::{DoublePendulum, Grid, Hamiltonian, Rk4};
 
-use super::destination::Destination;
-use super::device_argument::DeviceArgument;
-use super::double_arguments::DoubleArguments;
-use super::number::number;
-use super::summary::Summary;
+use super::device::Device;
+use crate::commands::arguments::device::DeviceArgument;
+use crate::commands::arguments::double::DoubleArguments;
+use crate::commands::arguments::number::number;
+use crate::commands::arguments::pendulum::GravityArgument;
+use crate::commands::destination::Destination;
+use crate::commands::summary::Summary;
 use crate::failure::Failure;
 use crate::interrupt::{Lookout, unless_interrupted};
 use crate::picture::Bands;
-use crate::sweep::device::Device;
 
-/// Arguments of `pendula flips`.
+/// Arguments of `pendula sweep flips`.
 #[derive(Args, Debug)]
 pub struct Arguments {
     /// Releases in a row and in a column, an even number: angles between −π and π, at even
@@ -38,6 +40,8 @@ pub struct Arguments {
     #[arg(long, value_name = "S", default_value_t = 20.0, value_parser = number,
         allow_hyphen_values = true)]
     duration: f64,
+    #[command(flatten)]
+    gravity: GravityArgument,
     #[command(flatten)]
     double: DoubleArguments,
     /// Draw the times as a picture: θ₁ from left to right, θ₂ upwards, the later the darker
@@ -57,20 +61,13 @@ pub struct Arguments {
 const LARGEST: usize = 4096;
 
 /// Writes the rows theta1, theta2, t: the angles at the release (rad), and the time (s) of the
-/// first step after which a rod is past the upward vertical, empty if there is none.
+/// first step after which a rod is past the upward vertical, empty if there is none. The `lookout`
+/// counts rows.
 ///
 /// # Errors
 /// [`Failure::Refused`] for what the library or the device refuses; a failure if something cannot
 /// be written, if the user interrupts, or if the device does not go on.
-pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
-    run_until(arguments, [out, &mut io::stderr()], Lookout::for_the_user)
-}
-
-/// The same with another standard error, until the `lookout` interrupts, which counts rows.
-///
-/// # Errors
-/// As [`run`].
-pub fn run_until(
+pub fn run(
     arguments: &Arguments,
     [out, err]: [&mut dyn Write; 2],
     lookout: impl FnOnce() -> Lookout,
@@ -81,7 +78,7 @@ pub fn run_until(
             "--size {size}: must be an even number, from 2 to {LARGEST}"
         )));
     }
-    let double = arguments.double.double().map_err(Failure::refused)?;
+    let double = arguments.double.double(arguments.gravity.gravity).map_err(Failure::refused)?;
     let grid = Grid::with_duration(arguments.dt, arguments.duration).map_err(Failure::refused)?;
     let device = arguments.device.name().map(Device::named);
     let device = device.transpose().map_err(Failure::refused)?;
@@ -109,9 +106,8 @@ pub fn run_until(
     }
     if let Some(mut file) = picture {
         // Upwards is upwards.
-        let rows = flips.chunks(size).rev().flatten();
-        let steps: Vec<_> = rows.map(|flip| flip.map(NonZeroU64::get)).collect();
-        Bands::of(grid.steps()).write(&steps, size, &mut file)?;
+        let rows = flips.chunks(size).rev();
+        Bands::of(grid.steps()).write(rows, &mut file)?;
         file.finish()?;
     }
     out.finish()?;
@@ -147,6 +143,8 @@ impl Releases {
         let count = size * size;
         let least = double.least_flip_energy();
         let (mut places, mut starts) = (Vec::new(), Vec::<DoublePhase>::new());
+        places.try_reserve_exact(count / 2).map_err(no_memory)?;
+        starts.try_reserve_exact(count / 2).map_err(no_memory)?;
         for index in 0..count / 2 {
             let theta = [angle(index % size, *size), angle(index / size, *size)];
             let start = double.start(theta, [0.0; 2]).map_err(Failure::refused)?;
@@ -155,20 +153,32 @@ impl Releases {
                 starts.push(start);
             }
         }
-        let mut found = vec![None; starts.len()];
+        let mut found = none_of(starts.len())?;
         match device {
             Some(device) => device
                 .first_flips(double, &Rk4, &starts, grid, &mut found)
                 .map_err(|error| Failure::Failed(error.into()))?,
             None => first_flips(double, RK4_IN_LANES, &starts, grid, &mut found),
         }
-        let mut flips = vec![None; count];
+        let mut flips = none_of(count)?;
         for (place, flip) in places.into_iter().zip(found) {
             flips[place] = flip;
             flips[count - 1 - place] = flip;
         }
         Ok(flips)
     }
+}
+
+/// No time yet for `count` releases.
+fn none_of(count: usize) -> Result<Vec<Option<NonZeroU64>>, Failure> {
+    let mut none = Vec::new();
+    none.try_reserve_exact(count).map_err(no_memory)?;
+    none.resize(count, None);
+    Ok(none)
+}
+
+fn no_memory(_: TryReserveError) -> Failure {
+    Failure::refused("there is too little memory: take a smaller --size")
 }
 
 /// The angle (rad) of the release `index` of `size`: the middles of as many parts of a turn.

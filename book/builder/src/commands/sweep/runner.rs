@@ -1,24 +1,19 @@
-//! Sweeps: many runs of one method, from many angles or with many steps.
+//! The runs of a sweep, from many angles or with many steps.
 
-#[cfg_attr(not(feature = "device"), path = "no_device.rs")]
-pub mod device;
-pub mod part;
-pub mod range;
-
+use std::iter;
 use std::num::NonZeroU64;
 use std::ops;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use device::OnDevice;
 use pendula::fast::{InLanes, LANES};
 use pendula::methods::table::in_lanes;
 use pendula::metrics::EnergyDrift;
 use pendula::{
     AnyMethod, Ensemble, Error, Grid, MethodInfo, Observer, Pendulum, Phase, method_named,
 };
-use range::Range;
 
-use crate::commands::pendulum_arguments::not_solved;
+use super::device::OnDevice;
+use crate::commands::arguments::range::Range;
 use crate::failure::Failure;
 
 /// What all runs of a sweep have in common.
@@ -89,10 +84,13 @@ impl Runner {
         self.pendulum.start(theta0, self.omega0).map_err(Failure::refused)
     }
 
-    /// The refusal of one of these runs, if its method is implicit and a step was not solved.
+    /// The refusal of one of these runs that has led to NaN, if its method is implicit: it has not
+    /// overflowed, its iteration has not converged. The run is repeated up to that step, to say how
+    /// far the iteration was from its end.
     pub fn not_solved(&self, run: &Run) -> Option<Failure> {
         let start = self.phase(run.theta0);
-        not_solved(self.method, &self.pendulum, start, &run.grid)
+        let error = self.method.try_run(&self.pendulum, start, &run.grid, &mut ()).err()?;
+        Failure::unsolved(self.info().name, &error)
     }
 
     /// The same steps from each of the angles, in lanes or on the device. Each run is passed to
@@ -190,18 +188,36 @@ pub fn grids(
 ) -> Result<impl Iterator<Item = Grid>, Failure> {
     // Where FROM and TO themselves fit, they are used exactly, as by `simulate`: 0.3/3 is not 0.1.
     let ends = [end(duration, dt.from)?, end(duration, dt.to)?];
-    // The step before the first, which may be equal, and so of another part.
-    let before = which.start.saturating_sub(1);
-    let mut last = 0;
-    let grids = dt.geometric(before..which.end).filter_map(move |step| {
-        let steps = whole(duration / step);
-        let repeated = std::mem::replace(&mut last, steps) == steps;
-        let end = ends.into_iter().find(|end| end.steps() == steps);
+    let steps = move |i: u64| whole(duration / dt.geometric(i));
+    // Of many steps asked for few may differ: from each on to the next that does.
+    let mut next = match which.start {
+        0 => 0,
+        // That before the first is of another part.
+        start => first(start..which.end, |i| steps(i) != steps(start - 1)),
+    };
+    Ok(iter::from_fn(move || {
+        let count = (next < which.end).then(|| steps(next))?;
+        next = first(next + 1..which.end, |i| steps(i) != count);
+        let end = ends.into_iter().find(|end| end.steps() == count);
         // Every step between two allowed steps is allowed.
-        let grid = end.or_else(|| Grid::new(duration / steps as f64, steps).ok());
-        grid.filter(|_| !repeated)
-    });
-    Ok(grids.skip(usize::from(before < which.start)))
+        end.or_else(|| Grid::new(duration / count as f64, count).ok())
+    }))
+}
+
+/// The first of these numbers that `is` so, if all behind it are; their end, if none is. Looks at
+/// few if it is among the first.
+fn first(among: ops::Range<u64>, is: impl Fn(u64) -> bool) -> u64 {
+    let (mut no, mut width) = (among.start, 1);
+    while no < among.end && !is(no.saturating_add(width - 1).min(among.end - 1)) {
+        no = no.saturating_add(width).min(among.end);
+        width = width.saturating_mul(2);
+    }
+    let mut yes = no.saturating_add(width - 1).min(among.end);
+    while no < yes {
+        let middle = no + (yes - no) / 2;
+        if is(middle) { yes = middle } else { no = middle + 1 }
+    }
+    no
 }
 
 /// The grid for an end of the range: with `step` (s) itself if it fits, or else with the nearest
@@ -242,5 +258,17 @@ mod tests {
             let near: Vec<f64> = grids(0.3, range, 0..9).unwrap().map(|grid| grid.step()).collect();
             assert_eq!(near, expected);
         }
+    }
+    /// Catches: a step passed over by going from one that differs to the next.
+    #[test]
+    fn the_first_is_found_wherever_it_is() {
+        for end in 0..40 {
+            for yes in 3..=end.max(3) {
+                assert_eq!(first(3..end, |i| i >= yes), yes.min(end.max(3)), "{yes} below {end}");
+            }
+        }
+        // In all of them: a sweep whose steps mostly repeat takes as long as those that differ.
+        let range = Range { from: 1e-4, to: 1.0, count: u64::MAX };
+        assert_eq!(grids(1.0, range, 0..u64::MAX).unwrap().take(3).last().unwrap().steps(), 9998);
     }
 }

@@ -1,10 +1,9 @@
 //! A number, or a range of numbers, on the command line: `0.1` or `0.1:3:30`.
 
 use std::fmt;
-use std::ops;
 use std::str::FromStr;
 
-use crate::commands::number::refusal;
+use super::number::refusal;
 
 /// One number, or COUNT of them FROM … TO, both ends included.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -53,34 +52,30 @@ impl Sweep {
 }
 
 impl Range {
-    /// Equally spaced numbers; the ends are exact. Of all of them `which`, counted from zero.
-    pub fn linear(self, which: ops::Range<u64>) -> impl Iterator<Item = f64> {
+    /// The `i`-th of equally spaced numbers, counted from zero; the ends are exact.
+    pub fn linear(self, i: u64) -> f64 {
         // Multiplication before division: the fourth of 0:1:11 is 0.3 and not the f64 beside it.
-        self.between(which, move |i, last| match (self.to - self.from) * i / last {
+        self.inner(i, |i, last| match (self.to - self.from) * i / last {
             beyond if beyond.is_finite() => self.from + beyond,
             // The ends are too far apart for that.
             _ => self.from * (1.0 - i / last) + self.to * (i / last),
         })
     }
 
-    /// Numbers in equal ratios; the ends are exact, and must be greater than zero. Of all of
-    /// them `which`, counted from zero.
-    pub fn geometric(self, which: ops::Range<u64>) -> impl Iterator<Item = f64> {
+    /// The `i`-th of numbers in equal ratios, counted from zero; the ends are exact, and must be
+    /// greater than zero.
+    pub fn geometric(self, i: u64) -> f64 {
         // libm's power, not the platform's: the same numbers on every machine.
-        self.between(which, move |i, last| self.from * libm::pow(self.to / self.from, i / last))
+        self.inner(i, |i, last| self.from * libm::pow(self.to / self.from, i / last))
     }
 
-    fn between(
-        self,
-        which: ops::Range<u64>,
-        inner: impl Fn(f64, f64) -> f64,
-    ) -> impl Iterator<Item = f64> {
+    fn inner(self, i: u64, inner: impl Fn(f64, f64) -> f64) -> f64 {
         let last = self.count - 1;
-        which.map(move |i| match i {
+        match i {
             0 => self.from,
             _ if i == last => self.to,
             _ => inner(i as f64, last as f64),
-        })
+        }
     }
 }
 
@@ -116,16 +111,21 @@ mod tests {
     }
 
     /// Catches: a range that stops one short, ends that are rounded, a tenth that is not the f64
-    /// nearest to it.
+    /// nearest to it, an overflow where the ends are far apart.
     #[test]
     fn ranges_have_their_ends_and_their_count() {
-        let tenths: Vec<f64> = range("0:1:11").linear(0..11).collect();
-        assert_eq!(tenths, [0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0]);
-        let decades: Vec<f64> = range("0.1:0.001:3").geometric(0..3).collect();
-        assert_eq!((decades.len(), decades[0], decades[2]), (3, 0.1, 0.001));
+        let linear = |text: &str| {
+            let range = range(text);
+            (0..range.count).map(|i| range.linear(i)).collect::<Vec<_>>()
+        };
+        assert_eq!(linear("0:1:11"), [0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0]);
+        let decades = [0, 1, 2].map(|i| range("0.1:0.001:3").geometric(i));
+        assert_eq!((decades[0], decades[2]), (0.1, 0.001));
         assert!((decades[1] / 0.01 - 1.0).abs() < 1e-15, "{decades:?}");
-        assert_eq!(range("-1:1:2").linear(0..2).collect::<Vec<_>>(), [-1.0, 1.0]);
-        assert_eq!(range("-1e308:1e308:3").linear(0..3).collect::<Vec<_>>(), [-1e308, 0.0, 1e308]);
+        assert_eq!(linear("-1:1:2"), [-1.0, 1.0]);
+        assert_eq!(linear("-1e308:1e308:3"), [-1e308, 0.0, 1e308]);
+        // Three times the second overflows.
+        assert!(linear("0:-1.6e308:4").iter().all(|x| x.is_finite()));
     }
 
     /// Catches: half a range taken for a number, a range of one number, NaN.

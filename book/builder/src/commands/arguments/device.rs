@@ -5,7 +5,7 @@ use clap::Args;
 /// A device, or none.
 #[derive(Args, Debug)]
 pub struct DeviceArgument {
-    /// Run on the OpenCL device with NAME in its name, see `pendula devices`: the same bits
+    /// Run on the OpenCL device with NAME in its name, see `pendula sweep devices`: the same bits
     #[cfg(feature = "device")]
     #[arg(long, value_name = "NAME")]
     device: Option<String>,
