@@ -71,7 +71,7 @@ pub enum Command {
         "pendula sweep --method rk4 --theta0 0.1:3.1:31 --dt 0.01 --duration 10",
         "pendula sweep --method rk4 --theta0 pi/3 --dt 0.1:0.001:9 --duration 9 --plot -",
     ]))]
-    Sweep(sweep::Arguments),
+    Sweep(Box<sweep::Arguments>),
     /// Print the methods: order, what each keeps, what a step costs, and where the book has it
     #[command(display_order = 7, after_help = examples(&[
         "pendula methods",

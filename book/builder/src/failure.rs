@@ -91,11 +91,12 @@ fn is_broken_pipe(error: &anyhow::Error) -> bool {
 /// the cursor or turns the text around.
 fn one_line(text: &str) -> String {
     const LONGEST: usize = 300;
-    let turns = |c: char| matches!(c, '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
+    const TURN: [std::ops::RangeInclusive<char>; 3] =
+        ['\u{200e}'..='\u{200f}', '\u{202a}'..='\u{202e}', '\u{2066}'..='\u{2069}'];
     let shown = |word: &str| {
         let mut shown = String::new();
         for c in word.chars().take(LONGEST) {
-            if c.is_control() || turns(c) {
+            if c.is_control() || TURN.iter().any(|range| range.contains(&c)) {
                 shown.extend(c.escape_default());
             } else {
                 shown.push(c);
@@ -117,8 +118,8 @@ mod tests {
         assert_eq!(failure.line().unwrap(), "pendula: no such method allowed: rk4");
     }
 
-    /// Catches: an error that clears the screen, turns its end around, or repeats all of an argument
-    /// that is thousands of characters long.
+    /// Catches: an error that clears the screen, turns its end around, or repeats all of an
+    /// argument that is thousands of characters long.
     #[test]
     fn what_was_typed_is_told_harmlessly() {
         let line = Failure::refused("--output a\u{1b}[2J\u{202e}b: no").line().unwrap();

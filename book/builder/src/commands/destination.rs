@@ -97,8 +97,8 @@ impl<'a> Destination<'a> {
     }
 }
 
-/// Opens a device. A pipe that nobody reads yet is waited for, until the user interrupts: to wait in
-/// the system's own opening would be deaf to that.
+/// Opens a device. A pipe that nobody reads yet is waited for, until the user interrupts: to wait
+/// in the system's own opening would be deaf to that.
 #[cfg(unix)]
 fn device(path: &Path) -> io::Result<File> {
     use std::os::unix::fs::OpenOptionsExt;

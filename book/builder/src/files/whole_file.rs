@@ -22,8 +22,8 @@ impl WholeFile {
     /// Beside `path`, or beside what `path` is a link to.
     ///
     /// # Errors
-    /// If there is something else than a file, a file that may not be written to or is being written
-    /// already, or a folder in which no file can be made.
+    /// If there is something else than a file, a file that may not be written to or is being
+    /// written already, or a folder in which no file can be made.
     pub fn beside(path: &Path) -> io::Result<Self> {
         let target = behind_links(path)?;
         let old = metadata(&target)?;

@@ -17,13 +17,13 @@ pub fn style() -> Result<String> {
     Theme::copy_theme(&HtmlConfig::default(), folder.path())?;
     let theme = folder.path().join("theme");
     let read = |file: &str| {
-        files::read_to_string(&theme.join(file))
+        files::read_to_string(theme.join(file))
             .with_context(|| format!("mdBook's theme has no {file}"))
     };
     let mut style = String::new();
     for (weight, file) in [(400, "regular"), (600, "600")] {
         let file = format!("fonts/open-sans-v17-all-charsets-{file}.woff2");
-        let font = files::read(&theme.join(&file))
+        let font = files::read(theme.join(&file))
             .with_context(|| format!("mdBook's theme has no {file}"))?;
         let font = BASE64_STANDARD.encode(font);
         style += &format!(

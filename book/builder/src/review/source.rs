@@ -142,7 +142,7 @@ impl Code {
         let cannot = || format!("{} cannot be read", self.root.display());
         let here = files::canonicalize(&self.root).with_context(cannot)?;
         // That folder may have gone, and then it is another.
-        let ours = files::canonicalize(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../.."));
+        let ours = files::canonicalize(Path::new(env!("CARGO_MANIFEST_DIR")).join("../.."));
         if ours.ok() != Some(here) {
             return Ok(Some(format!("the code in {}", self.root.display())));
         }

@@ -1,5 +1,5 @@
-//! `pendula sweep flips`: its rows against runs one by one, its picture against its rows, and the picture
-//! that the book shows.
+//! `pendula sweep flips`: its rows against runs one by one, its picture against its rows, and the
+//! picture that the book shows.
 
 use std::collections::BTreeSet;
 use std::f64::consts::PI;

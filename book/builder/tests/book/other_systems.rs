@@ -80,7 +80,9 @@ fn other_systems_are_resumed_with_the_same_bits() {
     let drive = "--system driven --damping 0.3 --drive-strength 1.1 --drive-frequency 2.5";
     for line in [
         format!("simulate --method stormer-verlet {drive} {SCENE} --steps 40"),
-        "simulate --system double-pendulum --method gauss-6 --theta1 2 --theta2 1 --dt 0.05 --steps 40".to_owned(),
+        "simulate --system double-pendulum --method gauss-6 --theta1 2 --theta2 1 --dt 0.05 \
+         --steps 40"
+            .to_owned(),
     ] {
         let words: Vec<&str> = line.split(' ').collect();
         let first = interrupted(&[&words[..], &["--state", state]].concat(), 17);
@@ -155,7 +157,8 @@ fn a_run_that_is_lost_after_its_last_row_is_refused() {
     let scenes = [
         ("simulate --method gauss-4 --theta0 3 --omega0 6 --dt 0.7 --steps 399", "not converge"),
         (
-            "simulate --system double-pendulum --theta1 10 --theta2 16 --omega2 20 --dt 2 --steps 390",
+            "simulate --system double-pendulum --theta1 10 --theta2 16 --omega2 20 --dt 2 \
+             --steps 390",
             "the range",
         ),
     ];

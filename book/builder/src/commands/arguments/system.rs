@@ -134,7 +134,8 @@ impl SystemArguments {
             let double = self.double.double(gravity).map_err(refused)?;
             return Ok(Chosen::Double(double, double.start(theta, omega).map_err(refused)?));
         }
-        let [length, mass] = [self.length, self.mass].map(|x| x.unwrap_or(1.0));
+        let length = self.length.unwrap_or(Pendulum::PAPER.length());
+        let mass = self.mass.unwrap_or(Pendulum::PAPER.mass());
         let pendulum = Pendulum::new(gravity, length, mass).map_err(refused)?;
         let theta0 = self.needed("theta0", self.theta0)?;
         let start = pendulum.start(theta0, self.omega0.unwrap_or(0.0)).map_err(refused)?;

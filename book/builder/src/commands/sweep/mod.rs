@@ -215,7 +215,7 @@ fn sweep_until(
                 runner.start(end)?;
             }
             let compute = move |angles: &[f64], finished: &(dyn Fn(usize, Run) + Sync)| {
-                runner.from_each(angles, &grid, finished);
+                runner.run_from_each(angles, &grid, finished);
             };
             let angles = part.among(theta0.count).map(move |i| theta0.linear(i));
             printer.print(kept, out, angles, compute, lookout)

@@ -95,7 +95,7 @@ impl Runner {
 
     /// The same steps from each of the angles, in lanes or on the device. Each run is passed to
     /// `finished`, with its place among the angles, in the order in which they finish.
-    pub fn from_each(&self, angles: &[f64], grid: &Grid, finished: impl Fn(usize, Run) + Sync) {
+    pub fn run_from_each(&self, angles: &[f64], grid: &Grid, finished: impl Fn(usize, Run) + Sync) {
         if let Some(device) = self.device {
             let starts: Vec<Phase> = angles.iter().map(|&theta| self.phase(theta)).collect();
             let ends = device.ends(&Ensemble::new(&self.pendulum, &starts, *grid));
@@ -270,5 +270,18 @@ mod tests {
         // In all of them: a sweep whose steps mostly repeat takes as long as those that differ.
         let range = Range { from: 1e-4, to: 1.0, count: u64::MAX };
         assert_eq!(grids(1.0, range, 0..u64::MAX).unwrap().take(3).last().unwrap().steps(), 9998);
+    }
+    /// Catches: a number left out or taken twice; runs that are begun far before their turn, and so
+    /// are lost where a sweep is interrupted.
+    #[test]
+    fn all_are_begun_in_their_turn() {
+        let (begun, sum) = (AtomicUsize::new(0), AtomicUsize::new(0));
+        in_order(1000, |i| {
+            let before = begun.fetch_add(1, Ordering::Relaxed);
+            sum.fetch_add(i, Ordering::Relaxed);
+            // Each of the other threads may have taken one that it has not counted.
+            assert!(i < before + rayon::current_num_threads(), "{i} after {before}");
+        });
+        assert_eq!((begun.into_inner(), sum.into_inner()), (1000, 499_500));
     }
 }
