@@ -174,9 +174,9 @@ fn two_outputs_of_one_name_are_refused() {
     symlink("x", at("link")).unwrap();
     fs::write(at("x"), "old").unwrap();
     for line in [
-        "simulate --method rk4 --theta0 1 --dt 0.01 --steps 100000000 --output x --plot link",
-        "sweep --method rk4 --theta0 0:1:9 --dt 0.01 --duration 1e6 --output link --plot ./x",
-        "sweep flips --size 4000 --duration 1000 --output x --picture x",
+        "simulate --method rk4 --theta0 1 --dt 0.01 --steps 9 --output x --plot link",
+        "sweep --method rk4 --theta0 0:1:9 --dt 0.1 --duration 1 --output link --plot ./x",
+        "sweep flips --size 4 --duration 1 --output x --picture x",
     ] {
         let mut command = Command::new(env!("CARGO_BIN_EXE_pendula"));
         let output = command.args(line.split(' ')).current_dir(folder.path()).output().unwrap();
