@@ -450,7 +450,7 @@ mod tests {
         }
         assert_eq!(
             options,
-            37 + usize::from(cfg!(feature = "book")),
+            34 + usize::from(cfg!(feature = "book")),
             "the options that take a number"
         );
         let t = parse(["pendula", "exact", "--theta0", "-1e-3", "--t", "-1,2,-3e-5"]).unwrap();

@@ -7,7 +7,7 @@
 //! | `{{verdict ID}}` | what comparing the two came to, with a link to its row of the ledger |
 //! | `{{test file::function}}` | a link to that test's source in the book |
 //! | `{{catches file::function}}` | the same, and what wrong code it catches, as the test itself says |
-//! | `{{work-precision}}` | the figure that `pendula work-precision` made, or a line on how to make it |
+//! | `{{work-precision}}` | the figure that `pendula bench` made, or a line on how to make it |
 //! | `{{verdicts}}` | how many claims got which verdict; see [`claims`](super::claims) |
 //! | `doi:…` | a link to the work |
 //!
