@@ -6,6 +6,10 @@ use super::dense::Interpolant;
 use crate::methods::runge_kutta::Embedded;
 use crate::systems::{Components, Counting, RateOf, System};
 
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` does not estimate its own error, and cannot choose its steps",
+    note = "`Dop853`, `DormandPrince` and, for analytic systems, `TaylorSeries` do"
+)]
 /// A method that chooses its steps by a tolerance: one that estimates its own error
 /// ([`Embedded`]), or [`TaylorSeries`](super::TaylorSeries).
 pub trait Controlled<S: System<State: Components>>: Copy {
@@ -81,6 +85,7 @@ pub struct Estimated<D> {
     h: f64,
 }
 
+#[diagnostic::do_not_recommend]
 impl<S: System<State: Components>, M: Embedded> Controlled<S> for M {
     type Memory = Estimated<RateOf<S>>;
     /// The stages, and the slope at the end.

@@ -2,8 +2,9 @@
 //!
 //! [`Adaptive`] is an embedded Runge–Kutta method, or the [`TaylorSeries`] of the motion, with a
 //! [`Tolerance`]. It [integrates](Adaptive::integrate()) with an observer, or iterates [step by
-//! step](Adaptive::steps); each step has [dense output](Dense), a state at every time within it, on
-//! which [crossings](AdaptiveSteps::crossings) are found: the period, or the passage over the top.
+//! step](Adaptive::steps); each step has [dense output](Dense), a state at every time within it.
+//! From it come the [states at given times](AdaptiveSteps::states_at), and on it
+//! [crossings](AdaptiveSteps::crossings) are found: the period, or the passage over the top.
 //!
 //! ```
 //! use pendula::adaptive::{Adaptive, Direction, Tolerance};
@@ -28,6 +29,7 @@ mod controlled;
 mod dense;
 mod events;
 pub(crate) mod series;
+mod states;
 mod steps;
 mod symmetric;
 mod tolerance;
@@ -37,6 +39,7 @@ pub use dense::Dense;
 pub(crate) use dense::Interpolant;
 pub use events::{Crossing, Crossings, Direction};
 pub use series::TaylorSeries;
+pub use states::StatesAt;
 pub use steps::{AdaptiveSteps, Counts, Step};
 pub use symmetric::{Sample, SymmetricSteps};
 pub use tolerance::{SMALLEST_RELATIVE, Tolerance};

@@ -55,7 +55,7 @@ impl<Z: Copy, R> Step<Z, R> {
 }
 
 /// A step of the method `M` for the system `S`.
-type StepOf<S, M> = Step<<S as System>::State, <M as Controlled<S>>::Record>;
+pub(super) type StepOf<S, M> = Step<<S as System>::State, <M as Controlled<S>>::Record>;
 
 /// Its dense output.
 pub(super) type DenseOf<S, M> = Dense<<S as System>::State, <M as Controlled<S>>::Dense>;
@@ -106,6 +106,11 @@ where
     /// The present time (s).
     pub const fn time(&self) -> f64 {
         self.t
+    }
+
+    /// The time at which the walk ends (s).
+    pub const fn end_time(&self) -> f64 {
+        self.until
     }
 
     /// The present state.

@@ -1,4 +1,4 @@
-//! Many pendulums at once: the same steps, each pendulum in a lane of the vector registers.
+//! Many systems at once; pendulums in the same steps, each in a lane of the vector registers.
 //!
 //! A loop over lanes inlines the same step that a single trajectory takes, and the compiler
 //! vectorises it. So a lane gets the same bits as a trajectory alone, whichever instructions the
@@ -10,12 +10,17 @@ use core::ops::ControlFlow;
 use super::block::{Block, Each, LANES, Taking};
 use super::instructions::{Instructions, vectors};
 use super::{FastRun, PendulumSteps, ReducedPhase, ScaledPendulum};
-use crate::integrate::{Grid, Method, Observer};
+use crate::integrate::{Grid, Method, Observer, integrate};
 #[cfg(feature = "table")]
 use crate::methods::{Splitting, splitting::KicksAndDrifts};
-use crate::systems::{Pendulum, Phase};
+use crate::systems::{Pendulum, Phase, System};
 
-/// Pendulums with their starts and the grid of times: one pendulum for all starts, or one for each.
+/// Pendulums, or other systems, with their starts and the grid of times: one system for all starts,
+/// or one for each.
+///
+/// Pendulums take their [steps in lanes](Self::ends) of the vector registers; any system takes them
+/// [one start after the other](Self::ends_one_by_one). Both use all cores with the feature
+/// `parallel`.
 ///
 /// ```
 /// use pendula::{Ensemble, Grid, Pendulum, Phase, StormerVerlet, integrate_fast};
@@ -30,47 +35,112 @@ use crate::systems::{Pendulum, Phase};
 /// # Ok::<(), pendula::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
-pub struct Ensemble<'a> {
-    pendulums: &'a [Pendulum],
-    starts: &'a [Phase],
+pub struct Ensemble<'a, S: System = Pendulum> {
+    systems: &'a [S],
+    starts: &'a [S::State],
     grid: Grid,
     instructions: Instructions,
 }
 
-impl<'a> Ensemble<'a> {
-    /// One `pendulum`, begun at each of `starts`, along `grid`.
-    pub const fn new(pendulum: &'a Pendulum, starts: &'a [Phase], grid: Grid) -> Self {
-        let pendulums = core::slice::from_ref(pendulum);
-        Self { pendulums, starts, grid, instructions: Instructions::Best }
+impl<'a, S: System> Ensemble<'a, S> {
+    /// One `system`, begun at each of `starts`, along `grid`.
+    pub const fn new(system: &'a S, starts: &'a [S::State], grid: Grid) -> Self {
+        let systems = core::slice::from_ref(system);
+        Self { systems, starts, grid, instructions: Instructions::Best }
     }
 
-    /// Each of `pendulums` from its own start, along `grid`.
+    /// Each of `systems` from its own start, along `grid`.
     ///
     /// # Panics
-    /// If there are not as many starts as pendulums.
-    pub const fn with_pendulums(
-        pendulums: &'a [Pendulum],
-        starts: &'a [Phase],
-        grid: Grid,
-    ) -> Self {
-        assert!(pendulums.len() == starts.len(), "one start for each pendulum");
-        Self { pendulums, starts, grid, instructions: Instructions::Best }
+    /// If there are not as many starts as systems.
+    pub const fn with_systems(systems: &'a [S], starts: &'a [S::State], grid: Grid) -> Self {
+        assert!(systems.len() == starts.len(), "one start for each system");
+        Self { systems, starts, grid, instructions: Instructions::Best }
     }
 
-    /// The same with these instructions: to show that the bits are the same.
-    #[must_use]
-    pub const fn with_instructions(self, instructions: Instructions) -> Self {
-        Self { instructions, ..self }
-    }
-
-    /// Where the pendulums begin.
-    pub const fn starts(&self) -> &[Phase] {
+    /// Where the systems begin.
+    pub const fn starts(&self) -> &[S::State] {
         self.starts
     }
 
     /// The times.
     pub const fn grid(&self) -> &Grid {
         &self.grid
+    }
+
+    /// The system of the start `i`.
+    ///
+    /// # Panics
+    /// If there is no such start.
+    pub fn system(&self, i: usize) -> &S {
+        if let [one] = self.systems { one } else { &self.systems[i] }
+    }
+}
+
+/// Any system, without vector instructions.
+impl<S: System<State: Send + Sync> + Sync> Ensemble<'_, S> {
+    /// Writes the last state of [`integrate()`](crate::integrate()) from each start to `ends`: a
+    /// slot for each start.
+    ///
+    /// ```
+    /// use pendula::systems::{Kepler, PlanePhase};
+    /// use pendula::{Ensemble, Grid, StormerVerlet};
+    ///
+    /// let (sun, grid) = (Kepler::new(1.0)?, Grid::with_duration(0.01, 10.0)?);
+    /// let starts = [0.9, 1.0, 1.1].map(|vy| PlanePhase { x: 1.0, y: 0.0, vx: 0.0, vy });
+    /// let mut ends = [PlanePhase::default(); 3];
+    /// Ensemble::new(&sun, &starts, grid).ends_one_by_one(&StormerVerlet, &mut ends);
+    /// // In the middle, a circle.
+    /// assert!((ends[1].x.hypot(ends[1].y) - 1.0).abs() < 1e-4);
+    /// # Ok::<(), pendula::Error>(())
+    /// ```
+    ///
+    /// # Panics
+    /// If there are not as many slots as starts.
+    pub fn ends_one_by_one<M: Method<S> + Sync>(&self, method: &M, ends: &mut [S::State]) {
+        self.for_blocks(ends, |first, ends| {
+            for (i, end) in (first..).zip(ends) {
+                *end = integrate(self.system(i), method, self.starts[i], &self.grid, &mut ());
+            }
+        });
+    }
+
+    /// Passes each state of each start, from the start on, to the observer of that start, as
+    /// [`integrate()`](crate::integrate()) does.
+    ///
+    /// # Panics
+    /// If there are not as many observers as starts.
+    pub fn watch_one_by_one<M: Method<S> + Sync, O>(&self, method: &M, observers: &mut [O])
+    where
+        O: Observer<S::State> + Send,
+    {
+        self.for_blocks(observers, |first, observers| {
+            for (i, observer) in (first..).zip(observers) {
+                integrate(self.system(i), method, self.starts[i], &self.grid, observer);
+            }
+        });
+    }
+
+    /// Calls `work` for each block of slots, with the index of its first start.
+    fn for_blocks<T: Send>(&self, slots: &mut [T], work: impl Fn(usize, &mut [T]) + Sync) {
+        assert_eq!(slots.len(), self.starts.len(), "one slot for each start");
+        let one = |(b, slots): (usize, &mut [T])| work(b * LANES, slots);
+        #[cfg(feature = "parallel")]
+        {
+            use rayon::prelude::*;
+            slots.par_chunks_mut(LANES).enumerate().for_each(one);
+        }
+        #[cfg(not(feature = "parallel"))]
+        slots.chunks_mut(LANES).enumerate().for_each(one);
+    }
+}
+
+/// Pendulums, in lanes.
+impl Ensemble<'_> {
+    /// The same with these instructions: to show that the bits are the same.
+    #[must_use]
+    pub const fn with_instructions(self, instructions: Instructions) -> Self {
+        Self { instructions, ..self }
     }
 
     /// Writes the state of each pendulum at the end of the grid to `ends`: a slot for each start.
@@ -140,19 +210,6 @@ impl<'a> Ensemble<'a> {
         });
     }
 
-    /// Calls `work` for each block of slots, with the index of its first start.
-    fn for_blocks<T: Send>(&self, slots: &mut [T], work: impl Fn(usize, &mut [T]) + Sync) {
-        assert_eq!(slots.len(), self.starts.len(), "one slot for each start");
-        let one = |(b, slots): (usize, &mut [T])| work(b * LANES, slots);
-        #[cfg(feature = "parallel")]
-        {
-            use rayon::prelude::*;
-            slots.par_chunks_mut(LANES).enumerate().for_each(one);
-        }
-        #[cfg(not(feature = "parallel"))]
-        slots.chunks_mut(LANES).enumerate().for_each(one);
-    }
-
     /// The `count` pendulums from `first` on and where they begin, with the step as the unit of
     /// time; `None` if [`ScaledPendulum::new`] refuses one of them.
     fn starts_of<M: InLanes + ?Sized>(
@@ -162,7 +219,7 @@ impl<'a> Ensemble<'a> {
         count: usize,
     ) -> Option<[(ScaledPendulum, ReducedPhase); LANES]> {
         let scaled = |i: usize| {
-            let (pendulum, start) = (self.pendulum(i), self.starts[i]);
+            let (pendulum, start) = (self.system(i), self.starts[i]);
             let scaled = method.by_pointer().scaled(pendulum, &self.grid, start)?;
             Some((scaled, scaled.from_phase(start)))
         };
@@ -182,16 +239,8 @@ impl<'a> Ensemble<'a> {
         observer: &mut dyn Observer<Phase>,
     ) -> Phase {
         let start = self.starts[i];
-        let run = FastRun::start(self.pendulum(i), method.by_pointer(), start, &self.grid);
+        let run = FastRun::start(self.system(i), method.by_pointer(), start, &self.grid);
         run.to_end(start, every, observer)
-    }
-
-    /// The pendulum of the start `i`.
-    ///
-    /// # Panics
-    /// If there is no such start.
-    pub fn pendulum(&self, i: usize) -> &Pendulum {
-        if let [one] = self.pendulums { one } else { &self.pendulums[i] }
     }
 }
 

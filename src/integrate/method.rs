@@ -2,6 +2,12 @@
 
 use crate::systems::System;
 
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no method for `{S}`",
+    note = "a splitting method is one for systems that are `Separable`; a method such as `Rk4` is \
+            one for every system",
+    note = "a method of your own is one by `impl<S: System> Method<S>`"
+)]
 // ANCHOR: method
 /// A one-step method for the system `S`: an immutable value that maps a state to the state one step
 /// later.

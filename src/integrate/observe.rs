@@ -2,6 +2,10 @@
 
 use core::num::NonZeroU64;
 
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` does not observe states `{Z}`",
+    note = "observers are `()`, a closure `|n: u64, t: f64, z: {Z}| …`, and tuples of observers"
+)]
 /// Receives every sample of a trajectory, the start included.
 ///
 /// Observers are generic parameters of [`integrate`](crate::integrate()): `()` observes nothing and

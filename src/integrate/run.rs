@@ -41,6 +41,7 @@ pub struct Taken {
     pub unsolved: Option<Unsolved>,
 }
 
+#[diagnostic::do_not_recommend]
 impl<S, M> Steps<S> for M
 where
     S: System<State: Numbers> + Copy,

@@ -29,6 +29,37 @@ pub struct MethodInfo {
     pub reference: &'static str,
 }
 
+impl MethodInfo {
+    /// An explicit method of `name` and order p of which nothing else is claimed, with p force
+    /// evaluations a step. What is known of it follows by name:
+    ///
+    /// ```
+    /// use pendula::MethodInfo;
+    ///
+    /// let leapfrog = MethodInfo {
+    ///     symplectic: true,
+    ///     symmetric: true,
+    ///     force_evaluations: 1,
+    ///     ..MethodInfo::new("leapfrog", 2)
+    /// };
+    /// assert_eq!(leapfrog.title, "leapfrog");
+    /// ```
+    pub const fn new(name: &'static str, order: u32) -> Self {
+        Self {
+            name,
+            title: name,
+            aliases: &[],
+            order,
+            symplectic: false,
+            symmetric: false,
+            implicit: false,
+            force_evaluations: order as u64,
+            start_evaluations: 0,
+            reference: "",
+        }
+    }
+}
+
 /// A method with a [`MethodInfo`].
 pub trait Info {
     /// The properties of the method.

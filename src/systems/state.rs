@@ -4,12 +4,20 @@ use core::ops::{Add, Mul};
 
 use crate::arithmetic::number::Number;
 
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no named components that can be added and scaled",
+    note = "`pendula::state!` makes a state of named components"
+)]
 /// A rate of change, or a small displacement: it can be added and scaled.
 ///
 /// A Runge–Kutta method needs no more. Components keep their names in the type that implements this
 /// trait.
 pub trait Vector: Copy + Add<Output = Self> + Mul<f64, Output = Self> {}
 
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no state of a system",
+    note = "`pendula::state!` makes a state of named components"
+)]
 /// A state: a displacement can be added to it.
 ///
 /// Where states themselves form a vector space they are their own displacements. An angle kept as
@@ -169,7 +177,7 @@ impl<N: Number> Numbers<N> for N {
 ///     /// Predators and prey, in thousands; or their rates of change, a year.
 ///     pub struct Populations {
 ///         pub prey: f64,
-///         pub predators: f64,
+///         pub predators: f64
 ///     }
 /// }
 ///
@@ -199,7 +207,7 @@ macro_rules! state {
     (
         $(#[$attribute:meta])*
         $visibility:vis struct $State:ident {
-            $($(#[$of_component:meta])* $visible:vis $component:ident: f64,)+
+            $($(#[$of_component:meta])* $visible:vis $component:ident: f64),+ $(,)?
         }
     ) => {
         $(#[$attribute])*
@@ -214,6 +222,15 @@ macro_rules! state {
             #[inline]
             fn add(self, other: Self) -> Self {
                 Self { $($component: self.$component + other.$component,)+ }
+            }
+        }
+
+        impl ::core::ops::Sub for $State {
+            type Output = Self;
+
+            #[inline]
+            fn sub(self, other: Self) -> Self {
+                Self { $($component: self.$component - other.$component,)+ }
             }
         }
 

@@ -25,6 +25,11 @@ impl<S: System> System for &S {
 /// The rate of change of a system's state.
 pub type RateOf<S> = <<S as System>::State as State>::Displacement;
 
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` does not split into kick and drift",
+    label = "this method needs a system that does",
+    note = "implement `Separable` for it, or take a method for every system, such as `Rk4`"
+)]
 /// A system that splits into two halves, each solved exactly: the force kicks the velocity, the
 /// velocity drifts the position. This is what symplectic splitting methods need.
 pub trait Separable: System {
@@ -42,6 +47,10 @@ pub trait Separable: System {
     fn drift(&self, z: Self::State, h: f64) -> Self::State;
 }
 
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no energy",
+    note = "implement `Hamiltonian` for it"
+)]
 /// A system with a conserved energy.
 pub trait Hamiltonian: System {
     /// Energy above the stable equilibrium (J), unless the system says otherwise: where there is no

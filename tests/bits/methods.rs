@@ -41,7 +41,7 @@ fn of_ensemble(method: &dyn InLanes, instructions: Instructions) -> u64 {
     starts[40] = Phase { theta: 0.0, omega: 1e-150 };
     starts[70] = Phase { theta: 1e9, omega: 1.0 };
     let grid = Grid::new(0.017, 300).expect("a positive step");
-    let ensemble = Ensemble::with_pendulums(&pendulums, &starts, grid);
+    let ensemble = Ensemble::with_systems(&pendulums, &starts, grid);
     let ensemble = ensemble.with_instructions(instructions);
 
     let mut ends = vec![Phase::default(); starts.len()];

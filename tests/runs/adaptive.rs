@@ -446,6 +446,82 @@ fn dense_output_meets_both_ends_of_each_step<M: Controlled<Pendulum>>(method: M)
 each_controlled!(dense_output_meets_both_ends_of_each_step);
 
 // -------------------------------------------------------------------------------------------------
+// States at given times
+// -------------------------------------------------------------------------------------------------
+
+/// A step is off by 1e-10 in each of θ and ω/3, ten steps of 0.5 s or fewer of DOP853 and some
+/// fifty of Dormand and Prince lie before the last time, the dense output of either adds ten times
+/// the error of a step, and all of it grows with the phase, at most (1 + ω₀ t)-fold, 15: 1e-7. A
+/// state of another step's polynomial is off by 1e-3.
+///
+/// Catches: a time looked up in the step before or after its own; the walk's order of times
+/// forgotten where it leads back; a time at the start, at the end or twice that is left out.
+fn states_at_given_times_are_those_of_the_motion<M: Controlled<Pendulum>>(method: M) {
+    let [_, pendulum] = pendulums();
+    let motion = Motion::new(&pendulum, START).unwrap();
+    for until in [7.0, -7.0_f64] {
+        let times = [0.0, 1e-9, 0.5, 0.5, 0.6, 3.3, 6.999, 7.0].map(|t| t * until.signum());
+        let mut walk = walk(&pendulum, method, 1e-10, until);
+        let states: Vec<Phase> = walk.states_at(times).map(Result::unwrap).collect();
+        assert_eq!(states.len(), times.len());
+        for (t, z) in times.into_iter().zip(states) {
+            let off = z - motion.at(t);
+            assert!(off.theta.abs() < 1e-7 && off.omega.abs() < 3e-7, "{t} s: {off:?}");
+        }
+    }
+}
+each_controlled!(states_at_given_times_are_those_of_the_motion);
+
+/// Catches: a walk whose steps follow the times that are asked for; dense output where a step ends
+/// on the time, or computed again for each time in a step; a walk that goes on further than asked.
+fn states_at_given_times_leave_the_steps_alone<M: Controlled<Pendulum>>(method: M) {
+    let pendulum = Pendulum::PAPER;
+    let mut alone = walk(&pendulum, method, 1e-9, 5.0);
+    let steps: Vec<_> = alone.by_ref().take(6).map(Result::unwrap).collect();
+    let before = alone.counts();
+
+    let mut at_ends = walk(&pendulum, method, 1e-9, 5.0);
+    let ends: Vec<Phase> =
+        at_ends.states_at(steps.iter().map(|step| step.end_time())).map(Result::unwrap).collect();
+    assert!(ends.iter().eq(steps.iter().map(|step| step.end()).collect::<Vec<_>>().iter()));
+    assert_eq!(at_ends.counts(), before);
+
+    let (last, mut within) = (&steps[5], walk(&pendulum, method, 1e-9, 5.0));
+    let times = [0.25, 0.75].map(|part| last.start_time() + part * last.size());
+    let states: Vec<Phase> = within.states_at(times).map(Result::unwrap).collect();
+    let dense = alone.dense(last);
+    assert_eq!(states, times.map(|t| dense.at(t)));
+    assert_eq!(within.counts(), alone.counts(), "the dense output of one step, once");
+}
+each_controlled!(states_at_given_times_leave_the_steps_alone);
+
+/// Catches: a state for a time that the walk has passed, or does not reach; an error of the walk
+/// that is lost, or told for ever.
+fn a_time_that_is_out_of_turn_is_refused<M: Controlled<Pendulum>>(method: M) {
+    for (times, until) in [
+        ([1.0, 0.5], 5.0),
+        ([-1.0, -0.5], -5.0),
+        ([1.0, 5.1], 5.0),
+        ([-1.0, -5.1], -5.0),
+        ([1.0, f64::NAN], 5.0),
+        ([0.0, 1e-300], 0.0),
+    ] {
+        let mut walk = walk(&Pendulum::PAPER, method, 1e-6, until);
+        let mut states = walk.states_at(times);
+        assert!(states.next().unwrap().is_ok());
+        let refused = states.next();
+        assert!(matches!(refused, Some(Err(Error::Parameter { .. }))), "{times:?}: {refused:?}");
+        assert!(states.next().is_none());
+    }
+    let few = Adaptive::new(method, tolerance(1e-9)).max_attempts(3);
+    let mut walk = few.steps(&Pendulum::PAPER, START, 0.0, 50.0).unwrap();
+    let mut states = walk.states_at([49.0, 50.0]);
+    assert!(matches!(states.next(), Some(Err(Error::OutOfSteps { limit: 3, .. }))));
+    assert!(states.next().is_none());
+}
+each_controlled!(a_time_that_is_out_of_turn_is_refused);
+
+// -------------------------------------------------------------------------------------------------
 // Crossings
 // -------------------------------------------------------------------------------------------------
 

@@ -6,7 +6,7 @@ use std::num::NonZeroU64;
 use pendula::fast::{Ensemble, Instructions};
 use pendula::integrate::Every;
 use pendula::methods::table::in_lanes;
-use pendula::{AnyMethod, Grid, Observer, Pendulum, Phase};
+use pendula::{AnyMethod, Damped, Grid, Observer, Pendulum, Phase, Rk4, integrate};
 
 use crate::common::{lanes, steps, try_integrate};
 
@@ -30,7 +30,7 @@ fn lanes_have_the_bits_of_a_trajectory_alone(method: &dyn AnyMethod) {
             .zip(&starts)
             .map(|(pendulum, start)| method.end(pendulum, *start, &grid))
             .collect();
-        let ensemble = Ensemble::with_pendulums(&pendulums, &starts, grid);
+        let ensemble = Ensemble::with_systems(&pendulums, &starts, grid);
         for instructions in Instructions::ALL {
             let mut ends = vec![Phase::default(); alone.len()];
             ensemble.with_instructions(instructions).ends(lanes(method), &mut ends);
@@ -61,7 +61,7 @@ fn told_as_alone(method: &dyn AnyMethod, ensemble: &Ensemble<'_>, every: NonZero
         let mut alone: Vec<Told> = vec![];
         let mut watch =
             Every::new(every, |n, t: f64, z| alone.push((n, t.to_bits(), bits(&[z])[0])));
-        method.run(ensemble.pendulum(i), starts[i], grid, &mut watch);
+        method.run(ensemble.system(i), starts[i], grid, &mut watch);
         assert_eq!(*told, alone, "every {every}");
         // And that list is what it should be.
         assert_eq!(told.len() as u64, 100 / every + 1);
@@ -89,7 +89,7 @@ fn each_observer_of_an_ensemble_is_told_what_it_would_be_alone(method: &dyn AnyM
     let grid = Grid::new(0.017, 100).unwrap();
     for every in [1, 7, 10, 99, 100, 101, 1 << 32].map(|every| NonZeroU64::new(every).unwrap()) {
         for starts in [&starts, &with_care] {
-            let ensemble = Ensemble::with_pendulums(&pendulums, starts, grid);
+            let ensemble = Ensemble::with_systems(&pendulums, starts, grid);
             told_as_alone(method, &ensemble, every);
         }
     }
@@ -155,6 +155,38 @@ fn a_satisfied_observer_is_left_alone(method: &dyn AnyMethod) {
     }
 }
 each_method!(a_satisfied_observer_is_left_alone);
+
+/// Forty starts are more than a block of them, and each has a system of its own.
+///
+/// Catches: a start with its neighbour's system, in the second block with one of the first; the
+/// fast loop in place of [`integrate`]; samples left out.
+#[test]
+fn any_system_gets_the_bits_of_integrate() {
+    let system = |j| Damped::new(Pendulum::new(9.81, 1.0 + 0.01 * j, 1.0).unwrap(), 0.02 * j);
+    let systems: Vec<Damped> = (0..40).map(|j| system(f64::from(j)).unwrap()).collect();
+    let starts: Vec<Phase> =
+        (0..40).map(|j| Phase { theta: 1.0, omega: 0.1 * f64::from(j) }).collect();
+    let grid = Grid::new(0.017, 100).unwrap();
+    let ensemble = Ensemble::with_systems(&systems, &starts, grid);
+    let mut ends = vec![Phase::default(); 40];
+    ensemble.ends_one_by_one(&Rk4, &mut ends);
+    let mut told = vec![vec![]; 40];
+    let mut watches: Vec<_> =
+        told.iter_mut().map(|told| |n, t: f64, z| told.push((n, t, z))).collect();
+    ensemble.watch_one_by_one(&Rk4, &mut watches);
+    for (i, told) in told.into_iter().enumerate() {
+        let mut alone = vec![];
+        let mut watch = |n: u64, t: f64, z: Phase| alone.push((n, t, z));
+        let end = integrate(&systems[i], &Rk4, starts[i], &grid, &mut watch);
+        assert_eq!(bits(&[ends[i]]), bits(&[end]));
+        assert_eq!((told.len(), &told), (101, &alone));
+    }
+    // And not of one system for all: they end where they should not.
+    let mut ends_of_one = vec![Phase::default(); 40];
+    Ensemble::new(&systems[3], &starts, grid).ends_one_by_one(&Rk4, &mut ends_of_one);
+    assert_eq!(ends_of_one[3], ends[3]);
+    assert_ne!(ends_of_one[39], ends[39]);
+}
 
 /// Catches: out-of-bounds lanes, a slot written that has no start.
 #[test]

@@ -442,7 +442,7 @@ fn steps_of_half_a_turn_are_refused() {
         let pendulums = [pendulum, Pendulum::new(9e-20, 1.0, 1.0).unwrap()];
         let mut ends = [Phase::default(); 2];
         let starts = [start; 2];
-        let ensemble = Ensemble::with_pendulums(&pendulums, &starts, grid(x));
+        let ensemble = Ensemble::with_systems(&pendulums, &starts, grid(x));
         ensemble.ends(lanes(method), &mut ends);
         assert!(is_nan(ends[0]) && ends[1].theta.is_finite(), "{x}: {ends:?}");
     }

@@ -56,9 +56,10 @@ fn a_refusal_says_what_is_allowed() {
         message,
         "gravity g (m/s²) = -9.81 is refused: it must be finite and greater than zero"
     );
-    let message = pendula::Grid::with_duration(0.3, 1.0).unwrap_err().to_string();
+    let error = pendula::Grid::with_duration(0.3, 1.0).unwrap_err();
+    assert_eq!(format!("{error:?}"), error.to_string(), "what `main` prints of it");
     assert_eq!(
-        message,
+        error.to_string(),
         "a duration of 1.0 s is 3.3333333333333335 steps of 0.3 s: it must be a whole number of \
          steps"
     );

@@ -111,7 +111,7 @@ impl Compiled<'_> {
                 Ok(())
             },
             |i, end| {
-                *end = host.end(ensemble.pendulum(i), ensemble.starts()[i], ensemble.grid());
+                *end = host.end(ensemble.system(i), ensemble.starts()[i], ensemble.grid());
             },
         )
     }
@@ -132,7 +132,7 @@ impl Compiled<'_> {
         let (device, host) = (self.device, self.method.host);
         let (steps, h) = (ensemble.grid().steps(), ensemble.grid().step());
         let alone = |i: usize, slot: &mut (Phase, f64)| {
-            let pendulum = ensemble.pendulum(i);
+            let pendulum = ensemble.system(i);
             let mut drift = EnergyDrift::new(pendulum);
             let end = host.run(pendulum, ensemble.starts()[i], ensemble.grid(), &mut drift);
             *slot = (end, drift.largest());
@@ -203,7 +203,7 @@ impl Compiled<'_> {
                         observer.observe(n, t, z);
                     }
                 });
-                let _ = host.run(ensemble.pendulum(i), ensemble.starts()[i], grid, &mut watch);
+                let _ = host.run(ensemble.system(i), ensemble.starts()[i], grid, &mut watch);
             },
         )
     }
@@ -225,7 +225,7 @@ impl Compiled<'_> {
         let mut batch = Vec::with_capacity(capacity);
         let mut begun = Vec::with_capacity(capacity);
         for (i, start) in ensemble.starts().iter().enumerate() {
-            match (self.method.begin)(ensemble.pendulum(i), *start, ensemble.grid()) {
+            match (self.method.begin)(ensemble.system(i), *start, ensemble.grid()) {
                 Some(pendulum) => {
                     batch.push(i);
                     begun.push(pendulum);

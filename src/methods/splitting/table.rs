@@ -59,6 +59,8 @@ impl<S: Separable> Method<S> for KicksAndDrifts {
 }
 // ANCHOR_END: step
 
+// A type that is no method is told to become one, and not to become a table.
+#[diagnostic::do_not_recommend]
 impl<M: Splitting, S: Separable> Method<S> for M {
     type Carry = S::State;
 

@@ -73,6 +73,11 @@ pub enum Fault {
     Broken(String),
 }
 
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` cannot be asked for the states that the judge needs",
+    note = "a method is judged if it is one for every system: `impl<S: System> Method<S>`",
+    note = "a function of (g/L, θ, ω, h, n) is judged as `FromFn(function)`"
+)]
 /// An integrator to be judged. Each request starts afresh.
 pub trait Stranger {
     /// The states that the request asks for.
@@ -89,6 +94,7 @@ pub trait Stranger {
 }
 
 /// Every method for the pendulum and the driven pendulum.
+#[diagnostic::do_not_recommend]
 impl<M: Steps<Pendulum> + Steps<Driven>> Stranger for M {
     fn run(&self, request: &Request) -> Result<Reply, Fault> {
         ByPointer { pendulum: self, driven: self }.run(request)

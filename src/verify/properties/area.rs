@@ -61,12 +61,15 @@ pub fn check(method: &dyn AnyMethod) -> CheckResult {
         defects.fold(0.0, libm::fmaximum)
     };
     if method.info().symplectic {
-        return near("det J − 1", largest(AREA_STEP), 0.0, AREA_TOLERANCE);
+        let what = format_args!("the largest |det J − 1| in steps of {AREA_STEP} s");
+        return near(what, largest(AREA_STEP), 0.0, AREA_TOLERANCE);
     }
     // The smallest defect among the paper's methods is RK4's, x⁶/72 = 5e-7 at the bottom of the
     // long pendulum. The higher the order, the longer the step at which the defect shows: 0.4 s,
     // x = 1.25, is enough for order 24.
-    let seen =
-        |h: f64| beyond("symplectic after all: det J − 1", largest(h), 100.0 * area_tolerance(h));
+    let seen = |h: f64| {
+        let what = format_args!("symplectic after all: the largest |det J − 1| in steps of {h} s");
+        beyond(what, largest(h), 100.0 * area_tolerance(h))
+    };
     seen(AREA_STEP).or_else(|_| seen(2.0 * AREA_STEP)).or_else(|_| seen(4.0 * AREA_STEP))
 }

@@ -75,13 +75,18 @@ impl Ladder {
 
     /// The same, each with how far it may be from the order.
     pub fn slopes_and_windows(&self) -> impl Iterator<Item = (f64, f64)> {
+        self.indexed().map(|(_, slope, window)| (slope, window))
+    }
+
+    /// The same, each with the index of its coarser rung before it.
+    pub(super) fn indexed(&self) -> impl Iterator<Item = (usize, f64, f64)> {
         let pairs = (0..4).zip(slopes(&self.steps, &self.errors, 0.0));
         // Errors below this (rad) may be rounding as much as truncation: each of N steps is rounded
         // by 2e-16 in θ and in ω, which adds up to 2N · 2e-16 at worst. Twice that bends a slope by
         // less than a half.
         let above = |k: usize| self.errors[k] > 4.0 * 2.2e-16 * (DURATION / self.steps[k]);
         pairs.filter_map(move |(k, slope)| {
-            slope.filter(|_| above(k) && above(k + 1)).map(|slope| (slope, self.windows[k]))
+            slope.filter(|_| above(k) && above(k + 1)).map(|slope| (k, slope, self.windows[k]))
         })
     }
 }

@@ -9,11 +9,21 @@ use crate::AnyMethod;
 /// Says what is not, and by how much.
 pub fn check(method: &dyn AnyMethod) -> CheckResult {
     let order = method.info().order;
-    let slopes: Vec<(f64, f64)> = Ladder::measure(method).slopes_and_windows().collect();
+    let ladder = Ladder::measure(method);
+    let slopes: Vec<_> = ladder.indexed().collect();
     // Beyond order 8 the error falls to rounding within one or two rungs.
     if slopes.len() < if order > 8 { 1 } else { 3 } {
-        return Err(format!("too few rungs above the rounding floor: {slopes:?}"));
+        return Err(format!("too few rungs above the rounding floor: {ladder:?}"));
     }
-    let order = f64::from(order);
-    slopes.into_iter().try_for_each(|(slope, window)| near("a slope", slope, order, window))
+    slopes.into_iter().try_for_each(|(k, slope, window)| {
+        let Ladder { steps, errors, .. } = ladder;
+        let what = format_args!(
+            "from steps of {:.3e} s, off by {:.1e} rad, to {:.3e} s, off by {:.1e} rad, the slope",
+            steps[k],
+            errors[k],
+            steps[k + 1],
+            errors[k + 1]
+        );
+        near(what, slope, f64::from(order), window)
+    })
 }

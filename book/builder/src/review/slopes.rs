@@ -127,8 +127,8 @@ fn named(steps: [f64; 2]) -> String {
 /// The slopes of a row of `orders`: its order, its first step, and the slopes from rung to rung.
 fn ladder(order: u32, row: &[String]) -> Option<Vec<Slope>> {
     let first = parse(&row[2])?.value;
-    // As in `pendula::verify::properties::Ladder`: from rung to rung the error falls sixteenfold, beyond order
-    // 8 by 2¹⁶, and the step by half at most.
+    // As in `pendula::verify::properties::Ladder`: from rung to rung the error falls sixteenfold,
+    // beyond order 8 by 2¹⁶, and the step by half at most.
     let powers = if order > 8 { 16.0 } else { 4.0 };
     let factor = (powers / f64::from(order.max(1))).min(1.0).exp2();
     let slope = |(k, cell): (i32, &String)| {

@@ -1,0 +1,23 @@
+//! Many starts: of the pendulum in vector instructions, and of a system of one's own.
+
+use pendula::{Damped, Ensemble, Error, Grid, Pendulum, Phase, Rk4, StormerVerlet};
+
+fn main() -> Result<(), Error> {
+    let starts: Vec<Phase> = (1..=1000).map(|i| Phase::at_rest(0.003 * f64::from(i))).collect();
+    let grid = Grid::with_duration(0.01, 10.0)?;
+    let mut ends = vec![Phase::default(); starts.len()];
+
+    Ensemble::new(&Pendulum::PAPER, &starts, grid).ends(&StormerVerlet, &mut ends);
+    println!("from {:?} to {:?}", starts[999], ends[999]);
+
+    let damped = Damped::new(Pendulum::PAPER, 0.5)?;
+    Ensemble::new(&damped, &starts, grid).ends_one_by_one(&Rk4, &mut ends);
+    println!("damped, to {:?}", ends[999]);
+    assert!(ends.iter().all(|z| z.theta.abs() < 0.05), "all come to rest");
+    Ok(())
+}
+
+#[test]
+fn it_runs() -> Result<(), Error> {
+    main()
+}

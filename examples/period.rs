@@ -1,0 +1,22 @@
+//! The exact period, against the one that is read off a run.
+
+use pendula::metrics::CrossingPeriod;
+use pendula::{Error, Grid, Pendulum, Phase, Rk4, exact, integrate};
+
+fn main() -> Result<(), Error> {
+    let (pendulum, grid) = (Pendulum::PAPER, Grid::with_duration(0.01, 20.0)?);
+    for theta0 in [0.1, 1.0, 2.0, 3.0] {
+        let exact = exact::period(&pendulum, theta0)?;
+        let mut read = CrossingPeriod::default();
+        integrate(&pendulum, &Rk4, Phase::at_rest(theta0), &grid, &mut read);
+        let read = read.period().expect("some periods in 20 s");
+        println!("from {theta0} rad: {exact:.9} s, and {read:.9} s of RK4");
+        assert!((read - exact).abs() < 1e-5);
+    }
+    Ok(())
+}
+
+#[test]
+fn it_runs() -> Result<(), Error> {
+    main()
+}
