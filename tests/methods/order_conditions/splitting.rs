@@ -105,27 +105,26 @@ pub fn largest(defects: &[DoubleDouble]) -> f64 {
 }
 
 fn check<M: Splitting + Info>(method: M, kinetic_energy_is_a_square: bool) {
-    let order = method.info().order as usize;
+    let (name, order) = (method.info().name, method.info().order as usize);
     for degree in 1..=order {
         let mut defects = defects::<M>(degree);
         if kinetic_energy_is_a_square && degree >= 4 {
             defects = modulo_the_square(defects, degree);
         }
-        let tolerance = tolerance::<M>(degree);
-        assert!(largest(&defects) < tolerance, "{degree}: {:e}", largest(&defects));
+        let (defect, tolerance) = (largest(&defects), tolerance::<M>(degree));
+        assert!(defect < tolerance, "{name}, words of {degree}: {defect:.1e}, not {tolerance:.1e}");
     }
     let beyond = largest(&defects::<M>(order + 1));
-    assert!(beyond > 10.0 * tolerance::<M>(order + 1), "{beyond:e}: more than it claims");
-    assert_eq!(method.info().force_evaluations, M::DRIFTS.len() as u64);
-    assert_eq!(M::KICKS.len(), M::DRIFTS.len() + 1);
+    assert!(beyond > 10.0 * tolerance::<M>(order + 1), "{name}, {beyond:.1e}: of higher order");
+    assert_eq!(method.info().force_evaluations, M::DRIFTS.len() as u64, "{name}");
+    assert_eq!(M::KICKS.len(), M::DRIFTS.len() + 1, "{name}");
 }
 
 /// All order conditions of every table, in double-double: a step agrees with the exact flow in
 /// every word of up to p kicks and drifts, and differs in some word of p + 1.
 ///
-/// Catches: a coefficient that is off by 2e-13; a table that is not
-/// checked, since these and the processed ones are all the library's splitting methods of order
-/// above 2.
+/// Catches: a coefficient that is off by 2e-13; a table that is not checked, since these and the
+/// processed ones are all the library's splitting methods of order above 2.
 #[test]
 fn every_table_meets_its_order_conditions() {
     let mut checked = Vec::new();
