@@ -11,8 +11,10 @@ pub struct StatesAt<'w, 'a, S: System<State: Components>, M: Controlled<S>, I> {
     times: I,
     /// The last of the times (s).
     last: f64,
-    /// The step to which the walk has gone on, and its dense output if a time lies in it.
-    step: Option<(StepOf<S, M>, Option<DenseOf<S, M>>)>,
+    /// The step to which the walk has gone on.
+    step: Option<StepOf<S, M>>,
+    /// Its dense output, if a time lies in it.
+    dense: Option<DenseOf<S, M>>,
     failed: bool,
 }
 
@@ -44,7 +46,14 @@ impl<'a, S: System<State: Components>, M: Controlled<S>> AdaptiveSteps<'a, S, M>
         times: I,
     ) -> StatesAt<'_, 'a, S, M, I::IntoIter> {
         let last = self.time();
-        StatesAt { walk: self, times: times.into_iter(), last, step: None, failed: false }
+        StatesAt {
+            walk: self,
+            times: times.into_iter(),
+            last,
+            step: None,
+            dense: None,
+            failed: false,
+        }
     }
 }
 
@@ -65,15 +74,15 @@ where
         let is_ahead_of = |time: f64| if until < last { t < time } else { t > time };
         while is_ahead_of(self.walk.time()) {
             match self.walk.next()? {
-                Ok(step) => self.step = Some((step, None)),
+                Ok(step) => (self.step, self.dense) = (Some(step), None),
                 Err(error) => return Some(Err(error)),
             }
         }
         if t == self.walk.time() {
             return Some(Ok(self.walk.state()));
         }
-        let (step, dense) = self.step.as_mut()?;
-        Some(Ok(dense.get_or_insert_with(|| self.walk.dense(step)).at(t)))
+        let step = self.step.as_ref()?;
+        Some(Ok(self.dense.get_or_insert_with(|| self.walk.dense(step)).at(t)))
     }
 }
 
