@@ -111,7 +111,7 @@ impl Judge<'_> {
     fn symmetries(&mut self) -> Measured<()> {
         let apart = symmetry::mirror(&self.probe);
         self.note("mirror", self.implied(), apart, |apart| apart.judge(false))?;
-        let apart = symmetry::units(&self.probe, &symmetry::UNITS);
+        let apart = symmetry::units(&self.probe);
         self.note("units", self.implied(), apart, |apart| apart.judge(true))?;
         let apart = symmetry::turn(&self.probe);
         self.note("turn", self.implied(), apart, |apart| apart.judge(true))?;

@@ -110,7 +110,7 @@ impl<'s> Probe<'s> {
             }
         }
         probe.rounding = probe.measured_rounding.clone().unwrap_or(f64::EPSILON);
-        match super::symmetry::units(&probe, &super::symmetry::UNITS) {
+        match super::symmetry::units(&probe) {
             Ok(units) if units.is_a_tolerance() => probe.tolerance = units.largest,
             Err(Trouble::Broken(why)) => return Err(Trouble::Broken(why)),
             _ => {}

@@ -98,16 +98,13 @@ pub fn mirror(probe: &Probe<'_>) -> Measured<Apart> {
     Ok(worst.worse(Apart { largest: distance(rest, Phase::default()), bound }))
 }
 
-/// The units of time (s) in which a motion is compared: scaling by the first two is exact.
-pub const UNITS: [f64; 3] = [4.0, 0.25, 3.0];
-
-/// g/L and h scaled together, to time in other `units`: the same angles.
-pub fn units(probe: &Probe<'_>, units: &[f64]) -> Measured<Apart> {
+/// g/L and h scaled together: the same angles.
+pub fn units(probe: &Probe<'_>) -> Measured<Apart> {
     stable(probe)?;
     let mut worst = Apart { largest: 0.0, bound: 20.0 * probe.rounding_bound(STEPS, X) };
     for start in STARTS {
         let slow = probe.states(Run::new(start, step(X), STEPS))?;
-        for &unit in units {
+        for unit in [4.0, 0.25, 3.0] {
             let hurried = Phase { omega: start.omega * unit, ..start };
             let run = Run::new(hurried, step(X) / unit, STEPS).with(G_OVER_L * unit * unit);
             let fast = probe.states(run)?;
