@@ -9,6 +9,7 @@ use std::path::Path;
 
 use pendula::fast::first_flips;
 use pendula::integrate::Record;
+use pendula::methods::table::RK4_IN_LANES;
 use pendula::systems::{DoublePhase, Joint};
 use pendula::{DoublePendulum, Grid, Rk4, integrate};
 
@@ -117,7 +118,7 @@ fn the_picture_of_the_book_is_what_the_command_draws() {
     };
     let starts: Vec<DoublePhase> = places.iter().map(start).collect();
     let mut flips = vec![None; starts.len()];
-    first_flips(&double, &Rk4, &starts, &grid, &mut flips);
+    first_flips(&double, RK4_IN_LANES, &starts, &grid, &mut flips);
     let mut drawn = Vec::new();
     let bands = pendula_book::picture::Bands::of(grid.steps());
     bands.write([&flips[..]].into_iter(), &mut drawn).expect("a buffer");
