@@ -13,10 +13,12 @@ fn main() -> Result<(), Error> {
     let damped = Damped::new(Pendulum::PAPER, 0.5)?;
     Ensemble::new(&damped, &starts, grid).ends_one_by_one(&Rk4, &mut ends);
     println!("damped, to {:?}", ends[999]);
-    assert!(ends.iter().all(|z| z.theta.abs() < 0.05), "all come to rest");
+    // Small swings decay as exp(−βt), here to 0.7 %: of 3 rad 0.02 are left.
+    assert!(ends.iter().all(|z| z.theta.abs() < 0.05), "all are almost at rest");
     Ok(())
 }
 
+/// Catches: an example that does not compile, fails, or says what is not so.
 #[test]
 fn it_runs() -> Result<(), Error> {
     main()

@@ -45,9 +45,12 @@ fn main() {
     report.assert();
 
     // What is claimed wrongly is refused, with the reason.
-    println!("{}", judge(&Ralston, Claims::order(2).symplectic()));
+    let refused = judge(&Ralston, Claims::order(2).symplectic());
+    println!("{refused}");
+    assert!(refused.failures().next().is_some());
 }
 
+/// Catches: an example that does not compile, fails, or says what is not so.
 #[test]
 fn they_are_what_they_claim() {
     main();

@@ -43,6 +43,7 @@ fn main() -> Result<(), Error> {
     Ok(())
 }
 
+/// Catches: an example that does not compile, fails, or says what is not so.
 #[test]
 fn it_runs() -> Result<(), Error> {
     main()

@@ -11,11 +11,13 @@ fn main() -> Result<(), Error> {
         integrate(&pendulum, &Rk4, Phase::at_rest(theta0), &grid, &mut read);
         let read = read.period().expect("some periods in 20 s");
         println!("from {theta0} rad: {exact:.9} s, and {read:.9} s of RK4");
-        assert!((read - exact).abs() < 1e-5);
+        // At 3 rad RK4's period is 4e-7 s short.
+        assert!((read - exact).abs() < 1e-6);
     }
     Ok(())
 }
 
+/// Catches: an example that does not compile, fails, or says what is not so.
 #[test]
 fn it_runs() -> Result<(), Error> {
     main()

@@ -34,7 +34,7 @@
 //! |---|---|---|
 //! | [`integrate()`] | any system, fixed steps | unless there is a reason for another |
 //! | [`integrate_fast()`] | the pendulum, fixed steps | for speed: two thirds of the time; the last bits differ |
-//! | `Ensemble` | many pendulums, fixed steps | for sweeps: vector instructions, and all cores with the feature `parallel` |
+//! | `Ensemble` | many pendulums, or any other system, fixed steps | for sweeps: pendulums in vector instructions; all cores with the feature `parallel` |
 //! | [`Adaptive`](adaptive::Adaptive) | any system, to a tolerance | where the pace of the motion varies, for events and output at any time |
 //! | [`SymmetricSteps`](adaptive::SymmetricSteps) | a separable system, steps that vary | for long runs with steps that vary: the energy does not drift |
 //!

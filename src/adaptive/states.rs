@@ -21,7 +21,9 @@ pub struct StatesAt<'w, 'a, S: System<State: Components>, M: Controlled<S>, I> {
 impl<'a, S: System<State: Components>, M: Controlled<S>> AdaptiveSteps<'a, S, M> {
     /// An iterator over the states at the `times` (s), which lie between here and the end of the
     /// walk, in its order. The walk takes the steps that it would take without them, and no more
-    /// than they need; within a step a state is that of its dense output.
+    /// than they need; within a step a state is that of its dense output. Then it stands at the end
+    /// of the step in which the last of them lies: a time before that is refused to a second call.
+    /// Of a walk that has ended with an error there are no states.
     ///
     /// ```
     /// use pendula::adaptive::{Adaptive, Tolerance};
@@ -99,8 +101,8 @@ where
             return None;
         }
         let t = self.times.next()?;
-        let state = self.state(t)?;
-        self.failed = state.is_err();
-        Some(state)
+        let state = self.state(t);
+        self.failed = !matches!(state, Some(Ok(_)));
+        state
     }
 }

@@ -19,8 +19,8 @@ use crate::systems::{Pendulum, Phase, System};
 /// or one for each.
 ///
 /// Pendulums take their [steps in lanes](Self::ends) of the vector registers; any system takes them
-/// [one start after the other](Self::ends_one_by_one). Both use all cores with the feature
-/// `parallel`.
+/// [one start after the other](Self::ends_one_by_one). With the feature `parallel` both share
+/// blocks of 32 starts among all cores: fewer starts are the work of one.
 ///
 /// ```
 /// use pendula::{Ensemble, Grid, Pendulum, Phase, StormerVerlet, integrate_fast};
@@ -71,7 +71,7 @@ impl<'a, S: System> Ensemble<'a, S> {
     /// The system of the start `i`.
     ///
     /// # Panics
-    /// If there is no such start.
+    /// If each start has a system of its own, and there is no such start.
     pub fn system(&self, i: usize) -> &S {
         if let [one] = self.systems { one } else { &self.systems[i] }
     }

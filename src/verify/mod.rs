@@ -2,8 +2,8 @@
 //!
 //! Any integrator can be judged, in any language: all that is asked of it is a map from (g/L, θ, ω,
 //! h, n) to states. Each property is measured with a tolerance that is derived from the stranger's
-//! own rounding, which is measured first; and a claim that a measurement is too coarse
-//! to tell, or that was not measured, is said to be so.
+//! own rounding, which is measured first; and a claim that a measurement is too coarse to tell, or
+//! that was not measured, is said to be so.
 //!
 //! A test of an integrator of one's own:
 //!
@@ -23,8 +23,7 @@
 //!
 //! # fn main() {
 //! // And here its test.
-//! let mine = FromFn(|g_over_l, theta, omega, h, n| symplectic_euler(g_over_l, theta, omega, h,
-//! n)); judge(&mine, Claims::order(1).symplectic()).assert();
+//! judge(&FromFn(symplectic_euler), Claims::order(1).symplectic()).assert();
 //! # }
 //! ```
 //!

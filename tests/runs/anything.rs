@@ -28,8 +28,7 @@ use pendula::metrics::{
 use pendula::systems::{
     CompensatedPhase, DoublePendulum, DoublePhase, Ellipse, Joint, Kepler, PlanePhase, Shaken,
 };
-use pendula::verify::{Claims, Stranger};
-use pendula::verify::{Fault, Reply, Request, try_judge};
+use pendula::verify::{Claims, Fault, Reply, Request, Stranger, try_judge};
 use pendula::{
     AnyMethod, Compensated, Counting, Damped, Driven, Ensemble, Error, Grid, Hamiltonian,
     LinearOscillator, METHODS, Method, Motion, MotionKind, Observer, Pendulum, Phase, Separable,

@@ -158,8 +158,8 @@ each_method!(a_satisfied_observer_is_left_alone);
 
 /// Forty starts are more than a block of them, and each has a system of its own.
 ///
-/// Catches: a start with its neighbour's system, in the second block with one of the first; the
-/// fast loop in place of [`integrate`]; samples left out.
+/// Catches: a start with its neighbour's system, in the second block with one of the first; one
+/// system for all; samples left out.
 #[test]
 fn any_system_gets_the_bits_of_integrate() {
     let system = |j| Damped::new(Pendulum::new(9.81, 1.0 + 0.01 * j, 1.0).unwrap(), 0.02 * j);
@@ -186,6 +186,14 @@ fn any_system_gets_the_bits_of_integrate() {
     Ensemble::new(&systems[3], &starts, grid).ends_one_by_one(&Rk4, &mut ends_of_one);
     assert_eq!(ends_of_one[3], ends[3]);
     assert_ne!(ends_of_one[39], ends[39]);
+}
+
+/// Catches: a start without a system, or a system that is left out.
+#[test]
+#[should_panic(expected = "one start for each system")]
+fn an_ensemble_wants_a_start_for_each_system() {
+    let (pendulums, starts) = ([Pendulum::PAPER; 3], [Phase::default(); 2]);
+    let _ = Ensemble::with_systems(&pendulums, &starts, Grid::new(0.01, 1).unwrap());
 }
 
 /// Catches: out-of-bounds lanes, a slot written that has no start.

@@ -3,8 +3,9 @@
 use std::cell::Cell;
 
 use pendula::methods::StormerVerlet;
-use pendula::verify::{ByPointer, Fault, Reply, Request};
-use pendula::verify::{Claims, FromFn, Listed, Report, Stranger, Verdict, judge};
+use pendula::verify::{
+    ByPointer, Claims, Fault, FromFn, Listed, Reply, Report, Request, Stranger, Verdict, judge,
+};
 use pendula::{AnyMethod, Phase, method_named};
 use pendula_zoo::impostor_named;
 use rstest::rstest;

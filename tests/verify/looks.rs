@@ -2,8 +2,7 @@
 //! right ones.
 
 use pendula::Phase;
-use pendula::verify::{Claims, Stranger, Verdict, judge, known_answers};
-use pendula::verify::{Fault, Reply, Request};
+use pendula::verify::{Claims, Fault, Reply, Request, Stranger, Verdict, judge, known_answers};
 use rstest::rstest;
 
 /// A run as a user would write it, with the drive's force at the times that it likes: the states

@@ -6,8 +6,7 @@ use pendula::internals::verdicts::{
 use pendula::internals::{Ladder, Probe};
 use pendula::methods::StormerVerlet;
 use pendula::verify::Verdict::{self, Fails, Holds, Unclear};
-use pendula::verify::{Claims, Finding, Report, Stranger, judge};
-use pendula::verify::{Fault, Reply, Request};
+use pendula::verify::{Claims, Fault, Finding, Reply, Report, Request, Stranger, judge};
 use pendula::{METHODS, Phase};
 use rstest::rstest;
 

@@ -19,11 +19,11 @@ use crate::warnings;
 
 /// Builds the book in the folder `root`, into the folder `destination` or the one that its
 /// `book.toml` names, and returns the path of its first page. An older book is replaced when the
-/// new one is whole; files in its folder that are not of the book are kept.
+/// new one is whole.
 ///
 /// # Errors
 /// Anything that stops the build, and anything mdBook only warns of; then the older book is as it
-/// was. A folder that holds other files and no book is refused.
+/// was. A folder with files in it that are not of the book is refused.
 pub fn book(
     root: &Path,
     destination: Option<&Path>,

@@ -101,13 +101,17 @@ pub enum Command {
 /// release.
 const RENAMED: &[(&str, &[&str])] = &[
     ("adaptive", &["simulate"]),
+    #[cfg(feature = "book")]
     ("claims", &["paper", "claims"]),
+    #[cfg(feature = "device")]
     ("devices", &["sweep", "devices"]),
     ("double-pendulum", &["simulate", "--system", "double-pendulum"]),
     ("ensemble", &["sweep"]),
     ("flips", &["sweep", "flips"]),
     ("period", &["exact"]),
+    #[cfg(feature = "book")]
     ("tables", &["paper", "tables"]),
+    #[cfg(feature = "book")]
     ("work-precision", &["bench"]),
 ];
 

@@ -6,7 +6,7 @@
 //! moved from one of the [`versions`] of the snapshots to another is [`review`], and what the judge
 //! says of a program that is not ours is [`verify`]; their pages share [`page`]. What depends on
 //! the reader's machine, and so is in no snapshot, is [`work_precision`]. A [`picture`] is what
-//! `pendula sweep flips` draws. Whatever touches a file does so through `files`.
+//! `pendula sweep flips` draws. Whatever writes where a user looks does so through `files`.
 //!
 //! Without the feature `book` there are the simulations and the judge alone; without `device`, no
 //! OpenCL.

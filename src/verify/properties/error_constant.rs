@@ -114,7 +114,7 @@ fn transported(z: Pair, end: f64, local: &dyn Fn(Pair) -> Pair) -> Pair {
 const END: f64 = 4.0;
 
 /// The constants of the methods given by tables of coefficients, from runs in arithmetic of 50
-/// digits: `data/README.md` beside this file.
+/// digits: see `tests/data/README.md`.
 const ON_FILE: &str = include_str!("data/error_constants.csv");
 
 /// The error over xᵖ at [`END`] from `z`, if it is on file for the method `name`.
@@ -174,8 +174,8 @@ fn finest_constant(method: &dyn AnyMethod, pendulum: &Pendulum, z: Pair) -> (Pai
     (*error, 2.0 * libm::pow(2.0 * x(*steps), 2.0) + 1e-3)
 }
 
-/// The errors at [`END`] in few, long steps, from runs in arithmetic of 60 digits: `data/README.md`
-/// beside this file.
+/// The errors at [`END`] in few, long steps, from runs in arithmetic of 60 digits: see
+/// `tests/data/README.md`.
 const IN_LONG_STEPS: &str = include_str!("data/long_steps.csv");
 
 /// What rounding may add to an error in each step: some forty roundings of ε. A step rounds the

@@ -88,10 +88,12 @@ properties! {
     /// The error over hᵖ is the constant predicted by theory.
     ERROR_CONSTANT: error_constant, "the error after the time 4/ω₀, over (ω₀h)ᵖ, is the constant \
         of theory, to 2e-4 of it; to 4e-2 where theory takes the error of single steps as \
-        measured; of a symmetric method to the next term of its error";
+        measured; of a symmetric method to the next term of its error; of a method on file in \
+        long steps it is the error itself, to 1e-14 a step";
     /// The matrix of a step at the bottom is the known one.
-    LINEAR: linear, "the matrix of a step at the bottom is the known one to a few roundings, and \
-        keeps area and way back if the entry says so, or shows that it does not";
+    LINEAR: linear, "the matrix of a step of x at the bottom is a rotation to x to the power \
+        p + 1, is the known one, if there is one, to 20 ε, and keeps area and way back if the \
+        entry says so, or shows that it does not";
     /// Area in phase space is preserved, or is not.
     AREA: area, "a symplectic step of 0.1 s has |det J − 1| of at most 5e-10; one that is not has \
         more than 100 times the error of the measurement, in 0.1, 0.2 or 0.4 s";

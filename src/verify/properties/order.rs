@@ -1,4 +1,5 @@
-//! Order: the slope of the error against the step, between successive rungs of a ladder.
+//! Order: the slope of the error against the step, between successive rungs of a ladder. How far it
+//! may be off is derived in `ladder.rs`, at `Ladder::windows`.
 
 use super::{CheckResult, Ladder, near};
 use crate::AnyMethod;

@@ -91,7 +91,12 @@ impl Resumed {
             let of = state.arguments.first().map_or("", String::as_str).escape_debug();
             return Err(refused(path, format!("it is one of `pendula {of}`")));
         }
-        Ok(Self { path: path.to_path_buf(), state, bytes })
+        // A link is the state that it leads to.
+        let path = match path.is_symlink() {
+            true => files::behind_links(path).map_err(|error| refused(path, error))?,
+            false => path.to_path_buf(),
+        };
+        Ok(Self { path, state, bytes })
     }
 
     /// The words of the command line that the run was begun with.
@@ -119,7 +124,7 @@ fn read(path: &Path) -> io::Result<(String, u64)> {
     let last = end.strip_suffix('\n').map(|end| end.rsplit('\n').next().unwrap_or_default());
     let last = last.and_then(|last| last.strip_prefix("rows ")?.split_once(" sha256 "));
     let read = last.and_then(|(bytes, sum)| {
-        let before = all - (last_line(bytes).len() + sum.len() + 1) as u64;
+        let before = all.checked_sub((last_line(bytes).len() + sum.len() + 1) as u64)?;
         let bytes: u64 = bytes.parse().ok()?;
         Some((bytes, before.checked_sub(bytes)?, sum))
     });
@@ -198,12 +203,15 @@ impl<'a> Kept<'a> {
             };
             return Ok(Self { given, output: file, state: Some(path.clone()) });
         }
-        let (output, mut state) = (given.output.clone(), given.state.clone());
+        // Where a link leads, so that what is renamed to it needs no other disk.
+        let behind = |path: &Path| {
+            let file = path.is_symlink().then(|| files::behind_links(path).ok()).flatten();
+            file.unwrap_or_else(|| path.to_path_buf())
+        };
+        let output = given.output.clone();
+        let mut state = given.state.as_deref().map(behind);
         if let Some(output) = &output {
-            // Beside the file itself, so that the rows so far need no other disk.
-            let is_link = output.is_symlink();
-            let file = is_link.then(|| files::behind_links(output).ok()).flatten();
-            let mut name = file.as_ref().unwrap_or(output).as_os_str().to_owned();
+            let mut name = behind(output).into_os_string();
             name.push(".state");
             state = Some(name.into());
         }
@@ -271,7 +279,9 @@ impl<'a> Kept<'a> {
         match &self.given.from {
             Some(Resumed { path, state, bytes }) if state.to_file => {
                 let file = File::open(path).map_err(|error| self.refused(error))?;
-                io::copy(&mut file.take(*bytes), &mut destination)?;
+                if io::copy(&mut file.take(*bytes), &mut destination)? != *bytes {
+                    return Err(self.refused("it has changed since it was read"));
+                }
                 Ok(Rows::resume(destination, format, columns, state.rows))
             }
             Some(Resumed { state, .. }) => {
@@ -309,6 +319,13 @@ impl<'a> Kept<'a> {
                  resumed"
             )));
         };
+        // It was not there when this run began.
+        if self.given.from.is_none() && path.exists() {
+            return Ok(Failure::Failed(anyhow::anyhow!(
+                "interrupted {stands}; {} keeps another run by now: this one cannot be resumed",
+                path.display()
+            )));
+        }
         let progress = serde_json::to_value(progress).expect("a state is texts and integers");
         let arguments = match &self.given.from {
             Some(from) => from.state.arguments.clone(),

@@ -184,10 +184,7 @@ fn clear(target: &Path) -> io::Result<()> {
         match File::open(if is_folder { path.join(LOCK) } else { path.clone() }) {
             Ok(file) => match file.try_lock() {
                 Ok(()) => {}
-                Err(TryLockError::WouldBlock) => {
-                    let why = "it is being written already, by this run or another";
-                    return Err(io::Error::new(io::ErrorKind::ResourceBusy, why));
-                }
+                Err(TryLockError::WouldBlock) => return Err(busy()),
                 // Some file systems have no locks: whose it is cannot be said.
                 Err(TryLockError::Error(_)) => continue,
             },
@@ -198,7 +195,11 @@ fn clear(target: &Path) -> io::Result<()> {
         }
         if is_folder {
             restore(&path, target)?;
-            fs::remove_dir_all(&path)?;
+            match fs::remove_dir_all(&path) {
+                // Its writer has.
+                Err(error) if error.kind() == io::ErrorKind::NotFound => {}
+                removed => removed?,
+            }
         } else {
             remove(&path)?;
         }
@@ -215,7 +216,16 @@ fn restore(temporary: &Path, target: &Path) -> io::Result<()> {
     if exists(&old)? && !exists(target)? { fs::rename(old, target) } else { Ok(()) }
 }
 
-/// Locks what is being written, where the file system has locks.
-fn lock(file: &File) {
-    let _ = file.try_lock();
+/// Locks what is being written at `path`, where the file system has locks.
+///
+/// # Errors
+/// If somebody who began at the same moment takes it for a leftover.
+fn lock(file: &File, path: &Path) -> io::Result<()> {
+    let is_taken = matches!(file.try_lock(), Err(TryLockError::WouldBlock));
+    if is_taken || !exists(path)? { Err(busy()) } else { Ok(()) }
+}
+
+fn busy() -> io::Error {
+    let why = "it is being written already, by this run or another";
+    io::Error::new(io::ErrorKind::ResourceBusy, why)
 }

@@ -59,7 +59,7 @@ impl WholeFile {
             let kind = error.kind();
             io::Error::new(kind, format!("no file can be made in {}: {kind}", folder.display()))
         })?;
-        lock(file.as_file());
+        lock(file.as_file(), file.path())?;
         Ok(Self { file, target, old })
     }
 

@@ -47,8 +47,9 @@ impl WholeFolder {
         let name = prefix(&target);
         let work = tempfile::Builder::new().prefix(&name).tempdir_in(folder_of(&target));
         let work = work.with_context(cannot)?;
-        let file = File::create(work.path().join(LOCK)).with_context(cannot)?;
-        lock(&file);
+        let at = work.path().join(LOCK);
+        let file = File::create(&at).with_context(cannot)?;
+        lock(&file, &at).with_context(cannot)?;
         Ok(Self { target, lock: file, work })
     }
 
@@ -76,18 +77,25 @@ impl WholeFolder {
             let old = fs::metadata(&target).with_context(cannot)?;
             fs::set_permissions(&new, old.permissions()).with_context(cannot)?;
             if !exchange(&new, &target).with_context(cannot)? {
-                // If the second rename fails, the next builder makes good the first.
-                self.work.disable_cleanup(true);
-                fs::rename(&target, self.work.path().join(OLD)).with_context(cannot)?;
-                fs::rename(&new, &target).with_context(cannot)?;
-                self.work.disable_cleanup(false);
+                let old = self.work.path().join(OLD);
+                fs::rename(&target, &old).with_context(cannot)?;
+                if let Err(error) = fs::rename(&new, &target) {
+                    // If it cannot go back, the next builder puts it there.
+                    let is_back = fs::rename(&old, &target).is_ok();
+                    self.work.disable_cleanup(!is_back);
+                    return Err(error).with_context(cannot);
+                }
             }
         } else {
             fs::rename(&new, &target).with_context(cannot)?;
         }
         drop(self.lock);
         let work = self.work.path().to_path_buf();
-        self.work.close().with_context(|| format!("{} cannot be removed", work.display()))?;
+        match self.work.close() {
+            // The next builder has removed it.
+            Err(error) if error.kind() == io::ErrorKind::NotFound => {}
+            closed => closed.with_context(|| format!("{} cannot be removed", work.display()))?,
+        }
         Ok(target)
     }
 }

@@ -69,10 +69,14 @@ impl WorkingTree {
     /// Accepts the snapshots with these names.
     ///
     /// # Errors
-    /// If one has not moved, or if a file cannot be written; then nothing is accepted.
+    /// If one has not moved, or if a file cannot be written; then nothing is accepted. If a file
+    /// cannot be replaced or removed after that, those before it are accepted.
     pub fn accept(&self, snapshots: &Path, names: &[String]) -> Result<()> {
         let mut changes = Vec::new();
-        for name in names {
+        for (index, name) in names.iter().enumerate() {
+            if names[..index].contains(name) {
+                continue;
+            }
             let old = self.reviewed.get(name).map(|found| &found.file.content.text);
             let new = self.now.get(name);
             ensure!(old.is_some() || new.is_some(), "--accept {name}: no such snapshot");

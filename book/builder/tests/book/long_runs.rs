@@ -384,6 +384,7 @@ fn a_state_that_is_not_what_it_was_is_refused() {
     }
     is(&[&state[..], b"\n"].concat(), "does not end as a state");
     is(b"t,theta\n0.0,1.0\n", "does not end as a state");
+    is(b"rows 1 sha256 \xff\xff\n", "does not end as a state");
     let other = String::from_utf8(state.clone()).unwrap().replacen("-0.001", "-0.002", 1);
     is(other.as_bytes(), "its checksum differs");
     fs::write(&folder.state, &state).unwrap();
