@@ -12,7 +12,7 @@ from pathlib import Path
 from playwright.sync_api import Error
 
 from book import Book
-from browser import DESK, SHEET, Tab
+from browser import DESK, SHEET, TELEPHONE, Tab
 
 PAGE = "lab.html"
 SLIDERS = ["dt", "theta0", "omega0", "g", "L", "beta"]
@@ -342,6 +342,17 @@ ALL_ON = "[...document.querySelectorAll('.lab')].every(lab => lab.matches('.on')
 WITH_LAB = ["forward-euler", "symplectic-euler", "stormer-verlet", "rk4", "limits"]
 
 
+def lessons_below(tab: Tab, book: Book) -> Iterator[str]:
+    """An address that leads to a lesson far below the lab brings the lab."""
+    for width in (DESK, TELEPHONE):
+        tab.screen(width)
+        tab.open("order.html")
+        tab.page.goto(f"{book.url(PAGE)}#too-long-a-step")
+        if not tab.comes(f"{LAB}.classList.contains('on')"):
+            yield f"lab: does not come with the address of a lesson, {width} px"
+    tab.screen(DESK)
+
+
 def chapters(tab: Tab, book: Book) -> Iterator[str]:
     """The small labs of the chapters: they come when they are near, move while they are seen until
     the reader takes over, and lead to their lesson; where little motion is asked for they rest; on
@@ -421,4 +432,4 @@ def picture(tab: Tab, path: Path):
     tab.page.screenshot(path=path, clip=clip, full_page=True)
 
 
-CHECKS = [numbers, hands, address, motion, chapters]
+CHECKS = [numbers, hands, address, motion, lessons_below, chapters]

@@ -33,6 +33,13 @@ fn impostors_are_caught(name: &str) {
 }
 each_impostor!(impostors_are_caught);
 
+/// Catches: a refusal that does not say which method failed, at what, and what was measured.
+#[test]
+#[should_panic(expected = "(symplectic-euler), checked for area: the largest |det J − 1| in steps")]
+fn a_refusal_says_what_was_found() {
+    AREA.assert(&*impostor_named("forward_euler_posing_as_symplectic_euler").unwrap().method);
+}
+
 /// Asserts that the library's metric passes `check` and a wrong one fails it.
 fn tells_apart<F>(check: impl Fn(F) -> CheckResult, truth: F, impostor: F) {
     check(truth).expect("the library's metric");

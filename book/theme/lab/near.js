@@ -15,8 +15,10 @@
         },
         { rootMargin: '100% 0%' },
     );
-    // The book as one page has none that move; it is told so at once.
-    if (/\/print\.html$/.test(location.pathname)) document.head.append(script);
+    // At once in the book as one page, whose labs and figures stay still and have to be told; and on
+    // the lab's own page, whose address may lead to a lesson far below the lab.
+    if (/\/print\.html$/.test(location.pathname) || document.querySelector('.lab.whole'))
+        document.head.append(script);
     else
         for (const spot of document.querySelectorAll('.lab, .lab-figure')) observer.observe(spot);
 })();
