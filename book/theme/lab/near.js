@@ -15,8 +15,8 @@
         },
         { rootMargin: '100% 0%' },
     );
-    // At once in the book as one page, whose labs and figures stay still and have to be told; and on
-    // the lab's own page, whose address may lead to a lesson far below the lab.
+    // At once in the book as one page, whose labs and figures stay still and have to be told; and
+    // on the lab's own page, whose address may lead to a lesson far below the lab.
     if (/\/print\.html$/.test(location.pathname) || document.querySelector('.lab.whole'))
         document.head.append(script);
     else
