@@ -15,8 +15,9 @@ LANDING, CHAPTER, INDEX = 200_000, 250_000, 300_000
 # What a page with a lab, with a figure that a reader moves, or with the known answers loads
 # besides.
 LAB = 90_000
-# Orbits that fill areas, for which a reader comes to these chapters.
-ORBITS = {"limits.html": 20_000, "other-systems.html": 30_000}
+# What a reader comes to these chapters for: the points of the standard maps, a picture of a million
+# releases, a picture of a report.
+MORE = {"limits.html": 10_000, "other-systems.html": 110_000, "judging.html": 35_000}
 # The part of the screen that moves, times how far: https://web.dev/articles/cls calls 0.1 good.
 SHIFT = 0.02
 
@@ -35,12 +36,10 @@ SHIFTED = """() => new Promise(resolve => {
 
 
 def compressed(file: Path) -> int:
-    """The size of a file on its way (bytes); fonts are compressed already. Pictures of dots come
-    last and hold nothing up: they are not counted."""
+    """The size of a file on its way (bytes); fonts and pictures are compressed already."""
     content = file.read_bytes()
-    if file.suffix == ".png":
-        return 0
-    return len(content if file.suffix == ".woff2" else gzip.compress(content, 9))
+    packed = file.suffix in (".woff2", ".png")
+    return len(content if packed else gzip.compress(content, 9))
 
 
 def weight(tab: Tab, book: Book) -> Iterator[str]:
@@ -63,7 +62,7 @@ def weight(tab: Tab, book: Book) -> Iterator[str]:
                 yield f"{page}: shifts by {shifted:.3f}, {SHIFT} at most"
             files = {book.folder / there.page(path) for path in server.asked}
             size = sum(compressed(file) for file in files if file.is_file())
-            most = LANDING if page == "index.html" else CHAPTER + ORBITS.get(page, 0)
+            most = LANDING if page == "index.html" else CHAPTER + MORE.get(page, 0)
             if re.search('class="(lab|which")', book.text(page)):
                 most += LAB
             if size > most:
