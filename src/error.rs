@@ -74,8 +74,9 @@ impl fmt::Display for Error {
             ),
             Self::StepTooSmall { t, step } => write!(
                 f,
-                "at {t:?} s a step of {step:?} s is still too long for the tolerance: it must be \
-                 one of a motion without a singularity, and long enough to be added to the time"
+                "at {t:?} s no step meets the tolerance, down to one of {step:?} s: the motion is \
+                 singular there, or too fast for its numbers; allow a larger tolerance, or choose \
+                 units of time and length in which g and L are nearer to 1"
             ),
             Self::OutOfSteps { t, limit } => write!(
                 f,
