@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use pendula::arithmetic::sine::{cos, sin};
-use pendula::methods::{Deuflhard, DiscreteGradient, ImplicitMidpoint, Trapezoidal};
+use pendula::methods::{Deuflhard, DiscreteGradient, ImplicitMidpoint, Iteration, Trapezoidal};
 use pendula::systems::{MeanForce, NearlyLinear};
 use pendula::{Info, Method, MethodInfo, Phase, RateOf, System};
 
@@ -71,7 +71,9 @@ impl<S: Plain + MeanForce> Method<S> for TwiceTheWay {
     fn start(&self, _system: &S, _t: f64, _h: f64, _z: Phase) {}
 
     fn step(&self, system: &S, t: f64, h: f64, z: Phase, _carry: &mut ()) -> Phase {
-        ImplicitMidpoint::TABLEAU.step(&AlongTwice { system, h }, t, h, z)
+        let along = AlongTwice { system, h };
+        let (first, iteration) = (along.rate(t, z), Iteration::TO_ROUNDING);
+        ImplicitMidpoint::TABLEAU.attempt(&along, t, h, z, first, iteration).0
     }
 }
 

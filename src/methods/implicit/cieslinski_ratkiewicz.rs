@@ -4,6 +4,7 @@ use crate::arithmetic::number::Number;
 use crate::arithmetic::sine::{cos, sinc};
 use crate::integrate::{Method, Unsolved};
 use crate::methods::implicit::DiscreteGradient;
+use crate::methods::implicit::iteration::solved;
 use crate::methods::{Info, MethodInfo};
 use crate::systems::{MeanForce, Measurable, NearlyLinear};
 
@@ -68,7 +69,7 @@ where
     // ANCHOR: step
     #[inline(always)]
     fn step(&self, system: &S, t: f64, h: f64, z: S::State, pace: &mut S::Time) -> S::State {
-        DiscreteGradient::step_at(system, t, h, z, system.rate(t, z), *pace)
+        DiscreteGradient::attempt(system, t, h, z, system.rate(t, z), *pace).0
     }
     // ANCHOR_END: step
 
@@ -81,6 +82,6 @@ where
         z: S::State,
         pace: &mut S::Time,
     ) -> Result<S::State, Unsolved> {
-        DiscreteGradient::try_step_at(system, t, h, z, system.rate(t, z), *pace)
+        solved(DiscreteGradient::attempt(system, t, h, z, system.rate(t, z), *pace))
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::arithmetic::number::Number;
 use crate::integrate::{Method, Unsolved};
+use crate::methods::implicit::iteration::solved;
 use crate::methods::implicit::tableau::NumberOf;
 use crate::methods::implicit::{ImplicitMidpoint, Iteration};
 use crate::methods::{Info, MethodInfo};
@@ -60,32 +61,31 @@ impl<S: MeanForce> System for AlongTheStep<'_, S> {
 }
 
 impl DiscreteGradient {
-    /// A step of `pace` times `h` (s), which may differ from lane to lane, from the slope `first`.
+    /// A step of `pace` times `h` (s), which may differ from lane to lane, from the slope `first`;
+    /// and why it has no end, if it has none.
     #[inline(always)]
-    pub(super) fn step_at<S: MeanForce>(
+    pub(super) fn attempt<S: MeanForce>(
         system: &S,
         t: f64,
         h: f64,
         z: S::State,
         first: RateOf<S>,
         pace: NumberOf<S>,
-    ) -> S::State {
+    ) -> (S::State, Option<Unsolved>) {
         let along = AlongTheStep { system, h: pace * h, pace };
-        ImplicitMidpoint::TABLEAU.step_from(&along, t, h, z, first, Iteration::TO_ROUNDING)
+        ImplicitMidpoint::TABLEAU.attempt(&along, t, h, z, first, Iteration::TO_ROUNDING)
     }
 
-    /// The same, or why there is no such state.
+    /// The same at the pace of time itself.
     #[inline(always)]
-    pub(super) fn try_step_at<S: MeanForce>(
+    fn plain<S: MeanForce>(
         system: &S,
         t: f64,
         h: f64,
         z: S::State,
-        first: RateOf<S>,
-        pace: NumberOf<S>,
-    ) -> Result<S::State, Unsolved> {
-        let along = AlongTheStep { system, h: pace * h, pace };
-        ImplicitMidpoint::TABLEAU.try_step_from(&along, t, h, z, first, Iteration::TO_ROUNDING)
+    ) -> (S::State, Option<Unsolved>) {
+        let first = system.rate(t, z);
+        Self::attempt(system, t, h, z, first, z.size(first).splat(1.0))
     }
 }
 
@@ -98,8 +98,7 @@ impl<S: MeanForce> Method<S> for DiscreteGradient {
 
     #[inline(always)]
     fn step(&self, system: &S, t: f64, h: f64, z: S::State, _carry: &mut ()) -> S::State {
-        let first = system.rate(t, z);
-        Self::step_at(system, t, h, z, first, z.size(first).splat(1.0))
+        Self::plain(system, t, h, z).0
     }
     // ANCHOR_END: step
 
@@ -112,7 +111,6 @@ impl<S: MeanForce> Method<S> for DiscreteGradient {
         z: S::State,
         _carry: &mut (),
     ) -> Result<S::State, Unsolved> {
-        let first = system.rate(t, z);
-        Self::try_step_at(system, t, h, z, first, z.size(first).splat(1.0))
+        solved(Self::plain(system, t, h, z))
     }
 }

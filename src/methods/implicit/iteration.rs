@@ -61,30 +61,16 @@ impl Default for Iteration {
 
 /// A method that solves its equations by iteration.
 pub trait Implicit: Info + Sized {
-    /// [`Method::step`], with an `iteration` that ends as the caller wants.
-    fn step_with<S>(
+    /// A step with an `iteration` that ends as the caller wants: the state that it leads to, or NaN
+    /// and why there is none.
+    fn attempt<S>(
         &self,
         system: &S,
         t: f64,
         h: f64,
         z: S::State,
         iteration: Iteration,
-    ) -> S::State
-    where
-        S: System<State: Measurable>;
-
-    /// [`Method::try_step`], with an `iteration` that ends as the caller wants.
-    ///
-    /// # Errors
-    /// [`Unsolved`] where the iteration does not converge in the sweeps allowed.
-    fn try_step_with<S>(
-        &self,
-        system: &S,
-        t: f64,
-        h: f64,
-        z: S::State,
-        iteration: Iteration,
-    ) -> Result<S::State, Unsolved>
+    ) -> (S::State, Option<Unsolved>)
     where
         S: System<State: Measurable>;
 
@@ -127,7 +113,7 @@ impl<M: Implicit, S: System<State: Measurable>> Method<S> for Iterated<M> {
 
     #[inline(always)]
     fn step(&self, system: &S, t: f64, h: f64, z: S::State, _carry: &mut ()) -> S::State {
-        self.method.step_with(system, t, h, z, self.iteration)
+        self.method.attempt(system, t, h, z, self.iteration).0
     }
 
     #[inline(always)]
@@ -139,8 +125,14 @@ impl<M: Implicit, S: System<State: Measurable>> Method<S> for Iterated<M> {
         z: S::State,
         _carry: &mut (),
     ) -> Result<S::State, Unsolved> {
-        self.method.try_step_with(system, t, h, z, self.iteration)
+        solved(self.method.attempt(system, t, h, z, self.iteration))
     }
+}
+
+/// The state of an attempt, or why there is none.
+#[inline(always)]
+pub(super) fn solved<Z>((state, unsolved): (Z, Option<Unsolved>)) -> Result<Z, Unsolved> {
+    unsolved.map_or(Ok(state), Err)
 }
 
 /// Implements the methods that are a table of coefficients, `TABLEAU`, and nothing else. Which of
@@ -155,8 +147,8 @@ macro_rules! implicit {
             fn start(&self, _system: &S, _t: f64, _h: f64, _z: S::State) {}
 
             #[inline(always)]
-            fn step(&self, system: &S, t: f64, h: f64, z: S::State, _carry: &mut ()) -> S::State {
-                self.step_with(system, t, h, z, Iteration::TO_ROUNDING)
+            fn step(&self, system: &S, t: f64, h: f64, z: S::State, carry: &mut ()) -> S::State {
+                self.with(Iteration::TO_ROUNDING).step(system, t, h, z, carry)
             }
 
             #[inline(always)]
@@ -166,41 +158,26 @@ macro_rules! implicit {
                 t: f64,
                 h: f64,
                 z: S::State,
-                _carry: &mut (),
+                carry: &mut (),
             ) -> Result<S::State, Unsolved> {
-                self.try_step_with(system, t, h, z, Iteration::TO_ROUNDING)
+                self.with(Iteration::TO_ROUNDING).try_step(system, t, h, z, carry)
             }
         }
 
         impl Implicit for super::$Method {
             #[inline(always)]
-            fn step_with<S>(
+            fn attempt<S>(
                 &self,
                 system: &S,
                 t: f64,
                 h: f64,
                 z: S::State,
                 iteration: Iteration,
-            ) -> S::State
+            ) -> (S::State, Option<Unsolved>)
             where
                 S: System<State: Measurable>,
             {
-                Self::TABLEAU.step_with(system, t, h, z, iteration)
-            }
-
-            #[inline(always)]
-            fn try_step_with<S>(
-                &self,
-                system: &S,
-                t: f64,
-                h: f64,
-                z: S::State,
-                iteration: Iteration,
-            ) -> Result<S::State, Unsolved>
-            where
-                S: System<State: Measurable>,
-            {
-                Self::TABLEAU.try_step(system, t, h, z, iteration)
+                Self::TABLEAU.attempt(system, t, h, z, system.rate(t, z), iteration)
             }
         }
     )+};

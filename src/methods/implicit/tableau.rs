@@ -42,40 +42,15 @@ pub(super) type NumberOf<Sys> = <<Sys as System>::State as Measurable>::Number;
 type MaskOf<Sys> = <NumberOf<Sys> as Number>::Mask;
 
 impl<const S: usize> ImplicitTableau<S> {
-    /// The state one step `h` (s) after `z` at time `t` (s).
+    /// The state one step `h` (s) after `z` at time `t` (s), and why it is none if the equations
+    /// are not solved: every component, in lanes that of each lane without a solution, is then NaN.
     ///
-    /// The slopes are found by fixed-point iteration from the one at the start of the step, until a
-    /// sweep changes them by no more than rounding, and by no less than the sweep before or not at
-    /// all (Hairer, Lubich, Wanner, *Geometric Numerical Integration*, Sect. VIII.6). Where the
-    /// step is so long that the iteration does not converge, every component of the state returned
-    /// is NaN; [`ImplicitTableau::try_step`] says why.
+    /// The slopes are found by fixed-point iteration from the one at the start of the step, `first`,
+    /// until a sweep changes them by no more than rounding, and by no less than the sweep before or
+    /// not at all (Hairer, Lubich, Wanner, *Geometric Numerical Integration*, Sect. VIII.6), or
+    /// until the `iteration` suffices. It does not converge where the step is too long.
     #[inline(always)]
-    pub fn step<Sys>(&self, system: &Sys, t: f64, h: f64, z: Sys::State) -> Sys::State
-    where
-        Sys: System<State: Measurable>,
-    {
-        self.step_with(system, t, h, z, Iteration::TO_ROUNDING)
-    }
-
-    /// The same, with an `iteration` that ends as the caller wants.
-    #[inline(always)]
-    pub fn step_with<Sys>(
-        &self,
-        system: &Sys,
-        t: f64,
-        h: f64,
-        z: Sys::State,
-        iteration: Iteration,
-    ) -> Sys::State
-    where
-        Sys: System<State: Measurable>,
-    {
-        self.step_from(system, t, h, z, system.rate(t, z), iteration)
-    }
-
-    /// The same, from the slopes `first`.
-    #[inline(always)]
-    pub(super) fn step_from<Sys>(
+    pub fn attempt<Sys>(
         &self,
         system: &Sys,
         t: f64,
@@ -83,59 +58,18 @@ impl<const S: usize> ImplicitTableau<S> {
         z: Sys::State,
         first: RateOf<Sys>,
         iteration: Iteration,
-    ) -> Sys::State
-    where
-        Sys: System<State: Measurable>,
-    {
-        let Slopes { k, solved, .. } = self.solve(system, t, h, z, first, iteration);
-        let displacement = sum(&self.b, &k) * h;
-        if solved.all() {
-            z + displacement
-        } else {
-            z + Sys::State::select(solved, displacement, k[0] * f64::NAN)
-        }
-    }
-
-    /// [`step_with`](Self::step_with), or why there is no such state.
-    ///
-    /// # Errors
-    /// [`Unsolved`] where the iteration does not converge in the sweeps allowed.
-    #[inline(always)]
-    pub fn try_step<Sys>(
-        &self,
-        system: &Sys,
-        t: f64,
-        h: f64,
-        z: Sys::State,
-        iteration: Iteration,
-    ) -> Result<Sys::State, Unsolved>
-    where
-        Sys: System<State: Measurable>,
-    {
-        self.try_step_from(system, t, h, z, system.rate(t, z), iteration)
-    }
-
-    /// The same, from the slopes `first`.
-    #[inline(always)]
-    pub(super) fn try_step_from<Sys>(
-        &self,
-        system: &Sys,
-        t: f64,
-        h: f64,
-        z: Sys::State,
-        first: RateOf<Sys>,
-        iteration: Iteration,
-    ) -> Result<Sys::State, Unsolved>
+    ) -> (Sys::State, Option<Unsolved>)
     where
         Sys: System<State: Measurable>,
     {
         let Slopes { k, solved, sweeps, change, scale } =
             self.solve(system, t, h, z, first, iteration);
+        let displacement = sum(&self.b, &k) * h;
         if solved.all() {
-            Ok(z + sum(&self.b, &k) * h)
-        } else {
-            Err(Unsolved { sweeps, change: (change / scale).largest() })
+            return (z + displacement, None);
         }
+        let end = z + Sys::State::select(solved, displacement, k[0] * f64::NAN);
+        (end, Some(Unsolved { sweeps, change: (change / scale).largest() }))
     }
 
     /// Whether stage `i` depends on no slope: it is the start of the step, and its slope the one
