@@ -225,7 +225,7 @@ impl Command {
 /// Whatever the command refuses or fails at.
 pub fn run(command: Command, out: &mut dyn Write) -> Result<(), Failure> {
     if command.computes_in_parallel() {
-        threads::start();
+        threads::start()?;
     }
     match command {
         #[cfg(feature = "book")]

@@ -11,7 +11,6 @@ use signal_hook::consts::{SIGINT, SIGTERM};
 use signal_hook::flag::{register, register_conditional_shutdown};
 
 use crate::failure::Failure;
-use crate::threads;
 
 /// The signals that interrupt.
 const SIGNALS: &[i32] = &[
@@ -104,9 +103,6 @@ pub fn unless_interrupted<T: Send + 'static>(
     interrupted: impl Fn() -> bool,
     work: impl FnOnce() -> T + Clone + Send + 'static,
 ) -> Option<T> {
-    if threads::is_alone() {
-        return Some(work());
-    }
     let (sender, receiver) = mpsc::channel();
     // Sending fails only after an interrupt, when the result is not needed.
     let here = work.clone();
