@@ -8,14 +8,14 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use anyhow::{Context, Result, bail, ensure};
 use mdbook_driver::MDBook;
 
-use crate::files;
-use crate::files::whole_folder::WholeFolder;
 use crate::ledger::Ledger;
 use crate::page_files;
 use crate::policy;
 use crate::preprocess::Pendula;
 use crate::progress::Progress;
 use crate::warnings;
+use pendula_output::files;
+use pendula_output::files::whole_folder::WholeFolder;
 
 /// Builds the book in the folder `root`, into the folder `destination` or the one that its
 /// `book.toml` names, and returns the path of its first page. An older book is replaced when the

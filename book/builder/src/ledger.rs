@@ -12,9 +12,9 @@ use anyhow::{Result, anyhow};
 use pendula_study::claims::Measured;
 use pendula_study::experiments::Study;
 
-use crate::interrupt::unless_interrupted;
 use crate::progress::Progress;
 use crate::versions::{Made, made, quietly, said};
+use pendula_output::interrupt::unless_interrupted;
 
 /// The ledger's entry for one claim. A value is text, such as `2.01e-4`, `5.158 s` or `4`; the book
 /// decides how to typeset it.

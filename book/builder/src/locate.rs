@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail};
 
-use crate::files;
+use pendula_output::files;
 
 /// The folder that holds `book.toml`: `book/` in `start` or in the nearest folder above it that has
 /// one.

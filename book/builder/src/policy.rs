@@ -11,8 +11,8 @@ use std::collections::BTreeSet;
 
 use anyhow::{Context, Result};
 
-use crate::page::hash;
 use crate::page_files::has_lab;
+use pendula_output::page::hash;
 
 /// The line after which mdBook's pages have their policy.
 pub const CHARSET: &str = "<meta charset=\"UTF-8\">";

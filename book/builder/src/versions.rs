@@ -13,8 +13,8 @@ use pendula_study::claims::Ledger;
 use pendula_study::experiments::Study;
 use pendula_study::report::snapshots::{self, Kind};
 
-use crate::files;
 use crate::progress::Progress;
+use pendula_output::files;
 
 /// The content of a snapshot, without insta's header.
 #[derive(Clone, Debug, PartialEq, Eq)]

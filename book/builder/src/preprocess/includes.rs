@@ -13,7 +13,7 @@ use mdbook_preprocessor::book::Book;
 use regex::Regex;
 
 use super::{chapters, name};
-use crate::files;
+use pendula_output::files;
 
 /// As deep as mdBook follows includes within includes.
 const DEPTH: usize = 10;

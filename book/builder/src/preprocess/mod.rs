@@ -11,16 +11,16 @@
 //! chapter.
 
 use std::collections::BTreeSet;
+use std::io::{Read, Write};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use anyhow::{Context, Result, ensure};
 use mdbook_preprocessor::book::{Book, BookItem, Chapter};
-use mdbook_preprocessor::{Preprocessor, PreprocessorContext};
+use mdbook_preprocessor::{Preprocessor, PreprocessorContext, parse_input};
 
 use crate::ledger::Ledger;
 use crate::progress::Progress;
-use crate::work_precision::figure;
 
 pub mod captions;
 pub mod chapter;
@@ -33,10 +33,26 @@ pub mod maths;
 pub mod snapshots;
 pub mod sources;
 pub mod values;
+pub mod work_precision;
 
 /// Formulas and values become HTML, so that no other renderer can use them.
 pub fn supports(renderer: &str) -> bool {
     renderer == "html"
+}
+
+/// Reads a book as mdBook sends it, and writes it preprocessed to `out`.
+///
+/// # Errors
+/// If that is no book, or something is wrong with it.
+pub fn protocol(
+    ledger: impl Ledger + 'static,
+    input: impl Read,
+    out: &mut dyn Write,
+) -> Result<()> {
+    let (context, book) =
+        parse_input(input).context("mdBook sends [context, book] as JSON on standard input")?;
+    let book = Pendula::new(ledger, Progress::hidden()).run(&context, book)?;
+    serde_json::to_writer(out, &book).context("the book cannot be written")
 }
 
 /// The preprocessor, both in-process and for the command `pendula preprocess`.
@@ -80,8 +96,11 @@ impl Preprocessor for Pendula {
         }
 
         self.progress.stage("setting the chapters", book.chapters().count());
-        let setter =
-            chapter::Setter::new(self.ledger.as_ref(), &tests, figure::in_the_book(&context.root)?);
+        let setter = chapter::Setter::new(
+            self.ledger.as_ref(),
+            &tests,
+            work_precision::in_the_book(&context.root)?,
+        );
         let mut quotes = claims::Quotes::new();
         each(&mut book, |chapter| {
             self.progress.advance();

@@ -11,9 +11,9 @@ use std::sync::atomic::AtomicBool;
 use anyhow::{Context, Result, bail};
 use pendula_study::report::snapshots::Kind;
 
-use crate::files;
 use crate::ledger::Ledger;
 use crate::versions::{File, name_of};
+use pendula_output::files;
 
 /// Compares each snapshot among the included files with what `ledger` makes of it. Those that are
 /// recorded cannot be compared.

@@ -11,7 +11,7 @@ use super::source::Change;
 use super::verdict::{Weight, counted, sentences};
 use super::words::{code, difference, link, prose, row, shown, summary};
 use super::{Figure, Review, Turn};
-use crate::printable::printable;
+use pendula_output::printable::printable;
 
 /// A review, written.
 #[derive(Clone, Debug, Default)]

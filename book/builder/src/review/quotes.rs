@@ -8,8 +8,8 @@ use pendula_study::digits::rounds_to;
 use regex::{Captures, Regex};
 
 use super::claims::Claims;
-use crate::files;
 use crate::number::{leading, parse, plain};
+use pendula_output::files;
 
 /// A line of the book.
 #[derive(Clone, Debug, PartialEq, Eq)]

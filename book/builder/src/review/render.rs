@@ -12,9 +12,10 @@ use pulldown_cmark::{CodeBlockKind, Event, Options, Parser, Tag, TagEnd};
 
 use super::Figure;
 use super::markdown::Document;
-use crate::files::whole_file::WholeFile;
-use crate::files::{canonicalize, create_folder};
-use crate::page::{Page, escaped};
+use crate::theme;
+use pendula_output::files::whole_file::WholeFile;
+use pendula_output::files::{canonicalize, create_folder};
+use pendula_output::page::{Page, escaped};
 
 /// The folder of the page, below the top folder of the project.
 pub const FOLDER: &str = "target/review";
@@ -75,13 +76,13 @@ pub fn html(document: &Document) -> Result<String> {
     });
     push_html(&mut body, events);
     let page = Page {
+        theme: &theme::style()?,
         title: &plain(&document.headline),
         lead: "",
         body: &(body + "</section>\n"),
         style: include_str!("page.css"),
-        script: "",
     };
-    page.html()
+    Ok(page.html())
 }
 
 /// A text without the marks of code.

@@ -5,8 +5,8 @@ use std::time::SystemTime;
 
 use anyhow::{Context, Result};
 
-use crate::files;
 use crate::versions::git;
+use pendula_output::files;
 
 /// The folders that the snapshots are made of, and that of the methods.
 const FOLDERS: [&str; 4] = ["src", "book/study/src", "book/charts/src", "book/curves/src"];

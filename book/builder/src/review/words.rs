@@ -6,7 +6,7 @@ use super::Figure;
 use super::cells::Value;
 use super::groups::{Group, Item};
 use super::verdict::counted;
-use crate::printable::printable;
+use pendula_output::printable::printable;
 
 /// A row of a table: what it is, before, now, and how far these are apart.
 pub fn row(label: String, item: &Item) -> Vec<String> {

@@ -7,8 +7,8 @@ use std::path::Path;
 use anyhow::{Result, bail, ensure};
 use pendula_study::report::snapshots::Kind;
 
-use crate::files::together::{self, Change};
 use crate::versions::{Content, File, Made, OnDisk, Version, on_disk};
+use pendula_output::files::together::{self, Change};
 
 /// The snapshots of the working tree.
 pub struct WorkingTree {

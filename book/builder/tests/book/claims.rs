@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 use std::sync::LazyLock;
 
-use pendula_book::ledger::Paper;
+use pendula_book::ledger::{Ledger as _, Paper};
 use pendula_study::claims::{Claim, ClaimKind, Ledger};
 use pendula_study::experiments::Study;
 use regex::Regex;
@@ -141,4 +141,16 @@ fn nothing_waits_for_a_script() {
         assert!(!main.contains(dead), "{dead}");
     }
     assert_eq!(main.matches("<tr id=").count(), LEDGER.claims().len());
+}
+
+/// Catches: an adapter that mixes up what is stated and what is measured, or fills gaps with a
+/// dash.
+#[test]
+fn the_papers_claims_come_through() {
+    let entry = PAPER.entry("T4.fe.0.1").expect("a claim of Table 4");
+    assert_eq!(entry.stated.as_deref(), Some("2.01 × 10²"));
+    assert!(entry.measured.is_some_and(|text| text.starts_with("2.0118")));
+    assert_eq!(entry.verdict.as_deref(), Some("reproduced"));
+    assert_eq!(entry.kind, "cell");
+    assert_eq!(PAPER.entry("T4.no.such"), None);
 }

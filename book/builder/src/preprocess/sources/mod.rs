@@ -9,7 +9,7 @@ use anyhow::{Context, Result, bail, ensure};
 use mdbook_preprocessor::book::{BookItem, Chapter};
 
 use self::scan::Test;
-use crate::files;
+use pendula_output::files;
 
 pub mod page;
 pub mod scan;

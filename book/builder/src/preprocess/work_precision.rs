@@ -1,0 +1,70 @@
+//! The work–precision figure in the book.
+
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, ensure};
+use pendula_output::files;
+
+/// The file of the figure.
+pub const SVG: &str = "work-precision.svg";
+/// The file of the numbers.
+pub const CSV: &str = "work-precision.csv";
+
+/// Where the files are kept for the book in the folder `root`: beside the built one.
+pub fn folder(root: &Path) -> PathBuf {
+    root.join("../target")
+}
+
+/// The figure with its caption: as measured on this machine, or else as recorded in `benches/`.
+///
+/// HTML that must stand in its own paragraph.
+pub fn in_the_book(root: &Path) -> anyhow::Result<String> {
+    // A blank line would end the HTML.
+    let is_figure = |svg: &String| svg.starts_with("<svg") && !svg.contains("\n\n");
+    let read = |file: &Path| {
+        files::read_to_string(file).with_context(|| format!("{} cannot be read", file.display()))
+    };
+    let (here, recorded) = (folder(root).join(SVG), root.join("../benches").join(SVG));
+    let is_there =
+        files::exists(&here).with_context(|| format!("{} cannot be read", here.display()))?;
+    let measured = if is_there { Some(read(&here)?).filter(is_figure) } else { None };
+    let (svg, whose) = match measured {
+        Some(svg) => (svg, "this machine"),
+        None => (read(&recorded)?, "a shared machine, once"),
+    };
+    ensure!(is_figure(&svg), "{}: no figure", recorded.display());
+    Ok(format!(
+        "<figure>\n{svg}<figcaption>Run time against error as <code>pendula bench</code> found \
+         them on {whose}. Lower left is better: coloured is where a method is ahead of all others, \
+         whose lines are grey and name themselves where a mouse rests on them.</figcaption>\n</figure>\n"
+    ))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+
+    use super::*;
+
+    /// Catches: a book that cannot be built without a measurement of this machine, that ignores
+    /// one, or that is broken by another file of that name.
+    #[test]
+    fn the_book_shows_what_is_there() {
+        let temporary = tempfile::tempdir().unwrap();
+        let root = temporary.path().join("book");
+        for made in [&root, &folder(&root), &root.join("../benches")] {
+            fs::create_dir_all(made).unwrap();
+        }
+        assert!(in_the_book(&root).is_err());
+        fs::write(root.join("../benches").join(SVG), "<svg></svg>\n").unwrap();
+        let recorded = in_the_book(&root).unwrap();
+        assert!(recorded.starts_with("<figure>\n<svg") && recorded.ends_with("</figure>\n"));
+        assert!(!recorded.contains("\n\n") && !recorded.contains("{{"));
+        assert!(recorded.contains("a shared machine, once"));
+        let file = folder(&root).join(SVG);
+        fs::write(&file, "<svg>\n\n</svg>\n").unwrap();
+        assert_eq!(in_the_book(&root).unwrap(), recorded);
+        fs::write(&file, "<svg></svg>\n").unwrap();
+        assert!(in_the_book(&root).unwrap().contains("this machine"));
+    }
+}

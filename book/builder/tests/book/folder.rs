@@ -1,0 +1,144 @@
+//! The folder of the built book: as a whole, where links lead, and never that of somebody else.
+#![cfg(unix)]
+
+use std::fs::{self, File, Permissions};
+use std::os::unix::fs::{MetadataExt, PermissionsExt, symlink};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use pendula_book::build;
+use pendula_book::ledger::{Entry, Ledger};
+use pendula_book::progress::Progress;
+use tempfile::TempDir;
+
+fn folder() -> (TempDir, impl Fn(&str) -> PathBuf) {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().to_path_buf();
+    (folder, move |name: &str| path.join(name))
+}
+
+fn names(folder: &TempDir) -> Vec<String> {
+    let entries = fs::read_dir(folder.path()).unwrap();
+    let mut names: Vec<String> =
+        entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+    names.sort();
+    names
+}
+
+const BOOK: &str = "[book]\ntitle = \"a\"\n[build]\nbuild-dir = \"../target/book\"\n\
+                    [preprocessor.pendula]\nrenderers = [\"html\"]\n\
+                    [output.html]\nhash-files = false\n\
+                    [output.html.search]\nenable = false\n[output.html.print]\nenable = false\n";
+
+/// A book of one chapter.
+fn small_book() -> (TempDir, impl Fn(&str) -> PathBuf) {
+    let (folder, at) = folder();
+    for (name, text) in [
+        ("book/book.toml", BOOK),
+        ("book/src/SUMMARY.md", "# Summary\n\n* [One](one.md)\n"),
+        ("book/src/one.md", "# One\n"),
+        ("benches/work-precision.svg", "<svg></svg>\n"),
+    ] {
+        fs::create_dir_all(at(name).parent().unwrap()).unwrap();
+        fs::write(at(name), text).unwrap();
+    }
+    (folder, at)
+}
+
+fn build(folder: &TempDir) -> Result<(), String> {
+    build_with(folder, |_: &str| None::<Entry>, &Arc::default())
+}
+
+fn build_with(
+    folder: &TempDir,
+    ledger: impl Ledger + 'static,
+    interrupted: &Arc<AtomicBool>,
+) -> Result<(), String> {
+    let root = folder.path().join("book");
+    let built = build::book(&root, None, ledger, Progress::hidden(), interrupted);
+    built.map(drop).map_err(|error| format!("{error:#}"))
+}
+
+/// Catches: a page of the old book that stays, an old book lost or half replaced by an interrupt, a
+/// warning or an error; leftovers, also of a builder that was killed in the middle.
+#[test]
+fn a_book_is_built_whole_or_not_at_all() {
+    let (folder, at) = small_book();
+    build(&folder).unwrap();
+    fs::rename(at("book/src/one.md"), at("book/src/two.md")).unwrap();
+    fs::write(at("book/src/SUMMARY.md"), "# Summary\n\n* [Two](two.md)\n").unwrap();
+    for (chapter, says) in [
+        ("{{stated T1.a}}\n", "interrupted"),
+        ("<div>\n", "mdBook warns: "),
+        ("{{#include nothing.rs}}\n", "nothing.rs"),
+    ] {
+        fs::write(at("book/src/two.md"), chapter).unwrap();
+        let interrupted = Arc::new(AtomicBool::new(false));
+        let raise = Arc::clone(&interrupted);
+        let ledger = move |_: &str| {
+            raise.store(true, Ordering::Relaxed);
+            Some(Entry { stated: Some("1".to_string()), ..Entry::default() })
+        };
+        let line = build_with(&folder, ledger, &interrupted).unwrap_err();
+        assert!(line.contains(says), "{line}");
+        assert!(at("target/book/one.html").exists() && !at("target/book/two.html").exists());
+        assert_eq!(fs::read_dir(at("target")).unwrap().count(), 1, "{says}");
+    }
+    fs::write(at("book/src/two.md"), "# Two\n").unwrap();
+    // Killed after the first of two renames, where folders cannot change places in one step.
+    let work = at("target/.pendula-book-AbCdEf");
+    fs::create_dir(&work).unwrap();
+    fs::write(work.join("lock"), "").unwrap();
+    fs::rename(at("target/book"), work.join("old")).unwrap();
+    let builder = File::open(work.join("lock")).unwrap();
+    builder.lock().unwrap();
+    assert!(build(&folder).unwrap_err().contains("it is being written already"));
+    builder.unlock().unwrap();
+    fs::write(at("book/src/two.md"), "<div>\n").unwrap();
+    build(&folder).unwrap_err();
+    assert!(at("target/book/one.html").exists(), "it is restored");
+    fs::write(at("book/src/two.md"), "# Two\n").unwrap();
+    build(&folder).unwrap();
+    assert!(!at("target/book/one.html").exists() && at("target/book/two.html").exists());
+    assert_eq!(fs::read_dir(at("target")).unwrap().count(), 1);
+}
+
+/// Catches: a folder emptied because somebody named it as the place of the book, or put a file of
+/// their own into it; a file that stands there replaced.
+#[test]
+fn what_is_not_of_the_book_is_never_removed() {
+    let (folder, at) = small_book();
+    fs::create_dir_all(at("target/book")).unwrap();
+    fs::write(at("target/book/index.html"), "mine").unwrap();
+    let line = build(&folder).unwrap_err();
+    assert!(line.contains("did not write, index.html: move them away"), "{line}");
+    assert_eq!(fs::read(at("target/book/index.html")).unwrap(), b"mine");
+    fs::remove_file(at("target/book/index.html")).unwrap();
+    build(&folder).unwrap();
+    fs::create_dir(at("target/book/mine")).unwrap();
+    fs::write(at("target/book/mine/thesis.txt"), "mine").unwrap();
+    let line = build(&folder).unwrap_err();
+    assert!(line.contains("mine/thesis.txt: move them away"), "{line}");
+    assert_eq!(fs::read(at("target/book/mine/thesis.txt")).unwrap(), b"mine");
+    fs::remove_dir_all(at("target/book")).unwrap();
+    fs::write(at("target/book"), "a file").unwrap();
+    assert!(build(&folder).unwrap_err().contains("is not a folder"));
+    assert_eq!(fs::read(at("target/book")).unwrap(), b"a file");
+}
+
+/// Catches: a link to the book replaced by the book, the permissions of its folder lost.
+#[test]
+fn a_book_stays_where_a_link_leads() {
+    let (folder, at) = small_book();
+    fs::create_dir(at("published")).unwrap();
+    fs::create_dir(at("target")).unwrap();
+    fs::set_permissions(at("published"), Permissions::from_mode(0o750)).unwrap();
+    symlink("../published", at("target/book")).unwrap();
+    build(&folder).unwrap();
+    assert_eq!(fs::read_link(at("target/book")).unwrap(), Path::new("../published"));
+    assert!(at("published/one.html").exists());
+    assert_eq!(fs::metadata(at("published")).unwrap().mode() & 0o777, 0o750);
+    assert_eq!(names(&folder), ["benches", "book", "published", "target"]);
+    assert_eq!(fs::read_dir(at("target")).unwrap().count(), 1);
+}

@@ -1,0 +1,131 @@
+//! How a command ends when it does not succeed: one line on standard error and an exit status.
+
+use std::fmt::Display;
+use std::io;
+use std::process::ExitCode;
+
+/// Why a command ended early.
+#[derive(Debug)]
+pub enum Failure {
+    /// The request is invalid: what was asked, and what is allowed. Exit status 2.
+    Refused(String),
+    /// The request was valid, but failed. Exit status 2.
+    Failed(anyhow::Error),
+    /// The answer is "no", which is not an error: nothing is printed. Exit status 1.
+    No,
+    /// Help or version was asked for and has been printed. Exit status 0.
+    Answered,
+}
+
+impl Failure {
+    /// A refusal, with a reason that says what was asked and what is allowed.
+    pub fn refused(reason: impl Display) -> Self {
+        Self::Refused(reason.to_string())
+    }
+
+    /// The line for standard error, or `None` if nothing is to be printed.
+    pub fn line(&self) -> Option<String> {
+        match self {
+            Self::Refused(reason) => Some(format!("pendula: {}", one_line(reason))),
+            Self::Failed(error) if is_broken_pipe(error) => None,
+            Self::Failed(error) => Some(format!("pendula: {}", one_line(&format!("{error:#}")))),
+            Self::No | Self::Answered => None,
+        }
+    }
+
+    /// The exit status, as that of `grep` and `diff`.
+    pub fn status(&self) -> u8 {
+        match self {
+            Self::Refused(_) => 2,
+            // `pendula … | head` has read enough.
+            Self::Failed(error) if is_broken_pipe(error) => 0,
+            Self::Failed(_) => 2,
+            Self::No => 1,
+            Self::Answered => 0,
+        }
+    }
+
+    /// The exit status, for `main`.
+    pub fn exit_code(&self) -> ExitCode {
+        ExitCode::from(self.status())
+    }
+}
+
+impl From<anyhow::Error> for Failure {
+    fn from(error: anyhow::Error) -> Self {
+        Self::Failed(error)
+    }
+}
+
+impl From<io::Error> for Failure {
+    fn from(error: io::Error) -> Self {
+        Self::Failed(error.into())
+    }
+}
+
+fn is_broken_pipe(error: &anyhow::Error) -> bool {
+    error.chain().any(|cause| {
+        cause.downcast_ref::<io::Error>().is_some_and(|e| e.kind() == io::ErrorKind::BrokenPipe)
+            || cause
+                .downcast_ref::<serde_json::Error>()
+                .is_some_and(|e| e.io_error_kind() == Some(io::ErrorKind::BrokenPipe))
+    })
+}
+
+/// The text in one line, as much of each word as a reader needs, and with nothing in it that moves
+/// the cursor or turns the text around.
+fn one_line(text: &str) -> String {
+    const LONGEST: usize = 300;
+    const TURN: [std::ops::RangeInclusive<char>; 3] =
+        ['\u{200e}'..='\u{200f}', '\u{202a}'..='\u{202e}', '\u{2066}'..='\u{2069}'];
+    let shown = |word: &str| {
+        let mut shown = String::new();
+        for c in word.chars().take(LONGEST) {
+            if c.is_control() || TURN.iter().any(|range| range.contains(&c)) {
+                shown.extend(c.escape_default());
+            } else {
+                shown.push(c);
+            }
+        }
+        shown + if word.chars().nth(LONGEST).is_some() { "…" } else { "" }
+    };
+    text.split_whitespace().map(shown).collect::<Vec<_>>().join(" ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Catches: an error printed in several lines.
+    #[test]
+    fn a_failure_is_one_line() {
+        let failure = Failure::refused("no such method\n  allowed:\n  rk4");
+        assert_eq!(failure.line().unwrap(), "pendula: no such method allowed: rk4");
+    }
+
+    /// Catches: an error that clears the screen, turns its end around, or repeats all of an
+    /// argument that is thousands of characters long.
+    #[test]
+    fn what_was_typed_is_told_harmlessly() {
+        let line = Failure::refused("--output a\u{1b}[2J\u{202e}b: no").line().unwrap();
+        assert_eq!(line, "pendula: --output a\\u{1b}[2J\\u{202e}b: no");
+        let line = Failure::refused("x".repeat(5000)).line().unwrap();
+        assert!(line.chars().count() < 350 && line.ends_with("x…"), "{line}");
+    }
+
+    /// Catches: `pendula … | head` ending with a complaint about a broken pipe.
+    #[test]
+    fn a_closed_pipe_is_no_complaint() {
+        let pipe = anyhow::Error::from(io::Error::from(io::ErrorKind::BrokenPipe));
+        let failure = Failure::from(pipe.context("writing the table"));
+        assert_eq!((failure.line(), failure.status()), (None, 0));
+    }
+
+    /// Catches: a full disk with the status of a claim that fails, or of a snapshot that moved.
+    #[test]
+    fn only_an_answer_has_status_1() {
+        let full = io::Error::from(io::ErrorKind::StorageFull);
+        let failures = [Failure::No, full.into(), Failure::refused("no"), Failure::Answered];
+        assert_eq!(failures.map(|failure| failure.status()), [1, 2, 2, 0]);
+    }
+}

@@ -1,0 +1,231 @@
+//! Files: a file or a folder that is written appears when it is whole.
+//!
+//! A [`WholeFile`](whole_file::WholeFile) and a [`WholeFolder`](whole_folder::WholeFolder) are
+//! written beside their place, under a temporary name, and renamed: whatever fails, and whenever
+//! the program ends, the old one is there as it was, or the new one whole. Nothing else in the
+//! program or the builder writes where a user looks. What a process leaves that is killed, the next
+//! one removes.
+
+pub mod together;
+pub mod whole_file;
+pub mod whole_folder;
+
+use std::fs::{self, File, Metadata, TryLockError};
+use std::io;
+use std::path::{Path, PathBuf};
+
+pub use std::fs::{canonicalize, create_dir_all as create_folder, read, read_to_string};
+pub use tempfile::tempdir as temporary_folder;
+
+/// Lets a write beyond the limit on the size of a file (`ulimit -f`) fail like one to a full disk.
+/// Without this the system ends the program, and a temporary file is left behind.
+///
+/// # Errors
+/// If the signal cannot be handled.
+pub fn report_size_limit() -> io::Result<()> {
+    #[cfg(unix)]
+    signal_hook::flag::register(
+        signal_hook::consts::SIGXFSZ,
+        // Nobody looks at the flag: the write that fails says all there is to say.
+        std::sync::Arc::default(),
+    )?;
+    Ok(())
+}
+
+/// The file that writing to `path` is to change: where links lead, even if there is no file yet.
+///
+/// # Errors
+/// If links go round in a circle, or its folder is not there or cannot be read.
+pub fn behind_links(path: &Path) -> io::Result<PathBuf> {
+    /// As many as Linux follows.
+    const LINKS: usize = 40;
+    let mut path = path.to_path_buf();
+    for _ in 0..LINKS {
+        match fs::read_link(&path) {
+            Ok(target) => path = folder_of(&path).join(target),
+            Err(_) => {
+                let folder = folder_of(&path);
+                let folder = canonicalize(folder).map_err(|error| {
+                    let folder = folder.display();
+                    let why = match error.kind() {
+                        io::ErrorKind::NotFound => format!("there is no folder {folder}"),
+                        _ => format!("the folder {folder}: {error}"),
+                    };
+                    io::Error::new(error.kind(), why)
+                })?;
+                return Ok(folder.join(path.file_name().unwrap_or_default()));
+            }
+        }
+    }
+    Err(io::Error::other("its links do not end"))
+}
+
+/// The folder that a file is in.
+pub fn folder_of(path: &Path) -> &Path {
+    match path.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder,
+        _ => Path::new("."),
+    }
+}
+
+/// What is at `path`, or where a link at `path` leads to; `None` if nothing is.
+///
+/// # Errors
+/// If that cannot be said.
+pub fn metadata(path: &Path) -> io::Result<Option<Metadata>> {
+    match fs::metadata(path) {
+        Ok(found) => Ok(Some(found)),
+        Err(error)
+            if matches!(error.kind(), io::ErrorKind::NotFound | io::ErrorKind::NotADirectory) =>
+        {
+            Ok(None)
+        }
+        Err(error) => Err(error),
+    }
+}
+
+/// Whether something is at `path`.
+///
+/// # Errors
+/// As [`metadata`].
+pub fn exists(path: &Path) -> io::Result<bool> {
+    Ok(metadata(path)?.is_some())
+}
+
+/// Whether a folder is at `path`.
+///
+/// # Errors
+/// As [`metadata`].
+pub fn is_folder(path: &Path) -> io::Result<bool> {
+    Ok(metadata(path)?.is_some_and(|found| found.is_dir()))
+}
+
+/// The paths in a folder, in order.
+///
+/// # Errors
+/// If it cannot be read.
+pub fn list(folder: &Path) -> io::Result<Vec<PathBuf>> {
+    let entries = fs::read_dir(folder)?.map(|entry| entry.map(|entry| entry.path()));
+    let mut paths = entries.collect::<io::Result<Vec<_>>>()?;
+    paths.sort();
+    Ok(paths)
+}
+
+/// All that is below a folder, as paths from there, folders before what they contain; and whether
+/// each is a folder. Links are not followed.
+///
+/// # Errors
+/// If one of the folders cannot be read.
+pub fn tree(folder: &Path) -> io::Result<Vec<(PathBuf, bool)>> {
+    let mut found = Vec::new();
+    let mut folders = vec![PathBuf::new()];
+    while let Some(below) = folders.pop() {
+        for entry in fs::read_dir(folder.join(&below))? {
+            let entry = entry?;
+            let path = below.join(entry.file_name());
+            let is_folder = entry.file_type()?.is_dir();
+            if is_folder {
+                folders.push(path.clone());
+            }
+            found.push((path, is_folder));
+        }
+    }
+    found.sort();
+    Ok(found)
+}
+
+/// Removes a file that is no longer needed, if it is there.
+///
+/// # Errors
+/// If that fails.
+pub fn remove(path: &Path) -> io::Result<()> {
+    match fs::remove_file(path) {
+        Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
+        _ => Ok(()),
+    }
+}
+
+/// Tries whether files can be made in a folder, and leaves none.
+///
+/// # Errors
+/// If not.
+pub fn probe(folder: &Path) -> io::Result<()> {
+    tempfile::tempfile_in(folder).map(drop)
+}
+
+/// How the temporary names of what is to be `target` begin; six letters at random follow. A name
+/// has at most 255 bytes, so that of a long one only the first are taken.
+fn prefix(target: &Path) -> String {
+    let mut name = target.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    while name.len() > 200 {
+        name.pop();
+    }
+    format!(".pendula-{name}-")
+}
+
+/// The file in a temporary folder that is locked as long as somebody writes it.
+const LOCK: &str = "lock";
+
+/// Removes what a process that was killed has left of a new `target`. Whoever writes one has locked
+/// it, so that what can be locked is nobody's.
+///
+/// # Errors
+/// If one is being written, by this process or another; if something cannot be removed.
+fn clear(target: &Path) -> io::Result<()> {
+    let prefix = prefix(target);
+    // A folder may be written that may not be listed.
+    let Ok(found) = list(folder_of(target)) else { return Ok(()) };
+    for path in found {
+        let name = path.file_name().unwrap_or_default().as_encoded_bytes();
+        if !name.starts_with(prefix.as_bytes()) || name.len() != prefix.len() + 6 {
+            continue;
+        }
+        let is_folder = is_folder(&path)?;
+        match File::open(if is_folder { path.join(LOCK) } else { path.clone() }) {
+            Ok(file) => match file.try_lock() {
+                Ok(()) => {}
+                Err(TryLockError::WouldBlock) => return Err(busy()),
+                // Some file systems have no locks: whose it is cannot be said.
+                Err(TryLockError::Error(_)) => continue,
+            },
+            // Killed before it was locked.
+            Err(error) if is_folder && error.kind() == io::ErrorKind::NotFound => {}
+            // It has just been renamed, or is somebody else's.
+            Err(_) => continue,
+        }
+        if is_folder {
+            restore(&path, target)?;
+            match fs::remove_dir_all(&path) {
+                // Its writer has.
+                Err(error) if error.kind() == io::ErrorKind::NotFound => {}
+                removed => removed?,
+            }
+        } else {
+            remove(&path)?;
+        }
+    }
+    Ok(())
+}
+
+/// The name of the old folder while the new one takes its place, in the temporary one.
+const OLD: &str = "old";
+
+/// Puts the old folder back if the process was killed when it had no name of its own.
+fn restore(temporary: &Path, target: &Path) -> io::Result<()> {
+    let old = temporary.join(OLD);
+    if exists(&old)? && !exists(target)? { fs::rename(old, target) } else { Ok(()) }
+}
+
+/// Locks what is being written at `path`, where the file system has locks.
+///
+/// # Errors
+/// If somebody who began at the same moment takes it for a leftover.
+fn lock(file: &File, path: &Path) -> io::Result<()> {
+    let is_taken = matches!(file.try_lock(), Err(TryLockError::WouldBlock));
+    if is_taken || !exists(path)? { Err(busy()) } else { Ok(()) }
+}
+
+fn busy() -> io::Error {
+    let why = "it is being written already, by this run or another";
+    io::Error::new(io::ErrorKind::ResourceBusy, why)
+}

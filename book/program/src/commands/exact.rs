@@ -1,0 +1,126 @@
+//! `pendula exact`: the closed form at given times; without times the exact period, the quantities
+//! in its formula, and what motion it is.
+
+use std::f64::consts::TAU;
+use std::io::Write;
+
+use clap::Args;
+use pendula::exact::Swing;
+use pendula::{Motion, MotionKind, Pendulum, Phase};
+
+use super::arguments::number::number;
+use super::arguments::pendulum::{PendulumArguments, StartArguments};
+use super::rows::{RowFormat, Rows};
+use pendula_output::failure::Failure;
+
+/// Arguments of `pendula exact`.
+#[derive(Args, Debug)]
+pub struct Arguments {
+    #[command(flatten)]
+    start: StartArguments,
+    /// Times (s), separated by commas; without them, print the period and what motion it is
+    #[arg(
+        long,
+        value_name = "T1,T2,…",
+        value_delimiter = ',',
+        value_parser = number,
+        allow_hyphen_values = true
+    )]
+    t: Vec<f64>,
+    #[command(flatten)]
+    pendulum: PendulumArguments,
+    /// How rows are printed
+    #[arg(long, value_enum, default_value_t, requires = "t")]
+    format: RowFormat,
+}
+
+/// Writes the rows t, theta, omega: in s, rad and rad/s, θ unwrapped. Without times, a line for
+/// each of T and T₀ (s), T/T₀, K and the modulus k, and one that says what motion it is.
+///
+/// # Errors
+/// [`Failure::Refused`] for what the library refuses, and for a time beyond the horizon of the
+/// closed form.
+pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
+    let pendulum = arguments.pendulum.pendulum(None).map_err(Failure::refused)?;
+    let start = arguments.start.start(&pendulum).map_err(Failure::refused)?;
+    let motion = Motion::new(&pendulum, start).map_err(Failure::refused)?;
+    if arguments.t.is_empty() {
+        return period(&pendulum, start, &motion, out);
+    }
+    if let Some(t) =
+        arguments.t.iter().find(|t| !(-motion.horizon()..=motion.horizon()).contains(*t))
+    {
+        let horizon = motion.horizon();
+        return Err(Failure::refused(format!(
+            "t = {t:?} s is refused: it must be a number of at most {horizon:e} s in size, beyond \
+             which neighbouring f64s are a quarter of a period apart, or more"
+        )));
+    }
+    let mut rows = Rows::begin(out, arguments.format, ["t", "theta", "omega"])?;
+    for &t in &arguments.t {
+        let z = motion.at(t);
+        rows.row([t, z.theta, z.omega])?;
+    }
+    rows.end()?;
+    Ok(())
+}
+
+/// K is that of a release from rest, and with an angular velocity it is left out; T is left out
+/// where the motion never repeats.
+fn period(
+    pendulum: &Pendulum,
+    start: Phase,
+    motion: &Motion,
+    out: &mut dyn Write,
+) -> Result<(), Failure> {
+    let small = pendulum.small_angle_period();
+    if start.omega == 0.0 {
+        let swing = Swing::released_at(pendulum, start.theta).map_err(Failure::refused)?;
+        writeln!(out, "T       {:?} s", swing.period())?;
+        writeln!(out, "T0      {small:?} s")?;
+        writeln!(out, "T/T0    {:?}", swing.ratio())?;
+        writeln!(out, "K       {:?}", swing.elliptic_k())?;
+        writeln!(out, "modulus {:?}", swing.modulus())?;
+    } else {
+        if let Some(period) = motion.period() {
+            writeln!(out, "T       {period:?} s")?;
+        }
+        writeln!(out, "T0      {small:?} s")?;
+        if let Some(period) = motion.period() {
+            writeln!(out, "T/T0    {:?}", period / small)?;
+        }
+        writeln!(out, "modulus {:?}", motion.modulus())?;
+    }
+    writeln!(out, "motion  {}", described(motion, start.theta, start.omega))?;
+    Ok(())
+}
+
+/// What motion it is, in words.
+fn described(motion: &Motion, theta0: f64, omega0: f64) -> String {
+    match (motion.kind(), motion.period()) {
+        (MotionKind::Rest, _) => "rest; T is the limit of small swings".to_owned(),
+        (MotionKind::Separatrix, _) => {
+            "separatrix: it approaches the top and never comes back".to_owned()
+        }
+        (MotionKind::Rotation, _) => {
+            let way = if omega0 > 0.0 { "forwards" } else { "backwards" };
+            format!("rotation {way}; T is the time of a turn")
+        }
+        (MotionKind::Libration, period) if omega0 == 0.0 => {
+            // Half a period later it is at the other end, and the lowest point half way.
+            let other = motion.at(0.5 * period.unwrap_or(0.0)).theta;
+            let turns = ((theta0 + other) / (2.0 * TAU)).round();
+            let about = match turns.abs() {
+                0.0 => return format!("libration between {theta0:?} rad and {other:?} rad"),
+                1.0 => "1 turn".to_owned(),
+                more => format!("{more:.0} turns"),
+            };
+            let way = if turns > 0.0 { "on" } else { "back" };
+            format!(
+                "libration between {theta0:?} rad and {other:?} rad, about the lowest point \
+                 {about} {way}"
+            )
+        }
+        (MotionKind::Libration, _) => "libration".to_owned(),
+    }
+}

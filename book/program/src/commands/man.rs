@@ -1,0 +1,60 @@
+//! `pendula man`: manual pages.
+
+use std::io::Write;
+use std::path::PathBuf;
+
+use anyhow::Context;
+use clap::{Args, Command};
+use clap_mangen::Man;
+
+use pendula_output::failure::Failure;
+use pendula_output::files;
+use pendula_output::files::together::{self, Change};
+
+/// Arguments of `pendula man`.
+#[derive(Args, Debug)]
+pub struct Arguments {
+    /// Write the pages of all commands to this folder, pendula.1, pendula-verify.1 and so on,
+    /// instead of printing that of pendula itself
+    #[arg(long, value_name = "FOLDER")]
+    output: Option<PathBuf>,
+}
+
+/// Writes the page of `program` to `out`, or all pages to a folder, which is made if it is not
+/// there: all of them, or none.
+///
+/// # Errors
+/// [`Failure::Refused`] for a folder that cannot be written to.
+pub fn run(
+    arguments: &Arguments,
+    mut program: Command,
+    out: &mut dyn Write,
+) -> Result<(), Failure> {
+    // Each command has its full name only then.
+    program.build();
+    let Some(folder) = &arguments.output else {
+        return Ok(out.write_all(&page(&program)?.1)?);
+    };
+    let refused = |error: anyhow::Error| {
+        Failure::refused(format!("--output {}: {error:#}", folder.display()))
+    };
+    files::create_folder(folder)
+        .context("it must be a folder that can be written to")
+        .map_err(refused)?;
+    let mut changes = Vec::new();
+    let mut commands = vec![&program];
+    while let Some(command) = commands.pop() {
+        let (name, page) = page(command)?;
+        changes.push(Change::Written(folder.join(name), page));
+        commands.extend(command.get_subcommands());
+    }
+    together::change(&changes).map_err(refused)
+}
+
+/// The name of the file of a command, and its page.
+fn page(command: &Command) -> Result<(String, Vec<u8>), Failure> {
+    let man = Man::new(command.clone());
+    let mut page = Vec::new();
+    man.render(&mut page)?;
+    Ok((man.get_filename(), page))
+}

@@ -1,0 +1,47 @@
+//! What each command does: a file or a folder each, with its arguments and its code.
+//!
+//! A command writes to the writer it receives, returns a [`Failure`] for anything that goes wrong,
+//! and prints nothing else, so that a closed pipe and bad input are handled once, in `main`.
+
+use clap::builder::{StyledStr, Styles};
+use pendula_output::failure::Failure;
+
+pub mod arguments;
+pub mod completions;
+pub(crate) mod destination;
+pub mod exact;
+pub mod man;
+pub mod methods;
+mod plot;
+mod rows;
+pub mod serve;
+pub mod simulate;
+pub(crate) mod state;
+#[cfg(feature = "book")]
+pub mod study;
+mod summary;
+pub mod sweep;
+pub mod verify;
+
+/// Examples for the end of a help text. A test runs each of them, in an empty folder.
+pub(crate) fn examples(lines: &[&str]) -> StyledStr {
+    let styles = Styles::default();
+    let head = styles.get_header();
+    let lines: String = lines.iter().map(|line| format!("\n  {line}")).collect();
+    format!("{head}Examples:{head:#}{lines}").into()
+}
+
+/// The refusal of the step at which the iteration of the method `name` has not converged, if
+/// that is the error.
+pub(crate) fn unsolved(name: &str, error: &pendula::Error) -> Option<Failure> {
+    let pendula::Error::NotSolved { n, step, sweeps, change } = error else { return None };
+    let change = match change.is_finite() {
+        true => format!("still change the next by {change:.1e} of its size"),
+        false => "lead to no number".to_owned(),
+    };
+    Some(Failure::refused(format!(
+        "a step of {step:?} s is refused: the iteration of {name} does not converge on this \
+         motion, after {n} steps {sweeps} sweeps {change}; it must be shorter, a fraction of \
+         the time that the pendulum takes for a radian"
+    )))
+}

@@ -1,0 +1,198 @@
+//! `pendula simulate`: a trajectory as rows.
+
+use std::io::{self, Write};
+
+use clap::Args;
+use clap::builder::PossibleValuesParser;
+use pendula::fast::FastRun;
+use pendula::integrate::{self, Checkpoint};
+use pendula::metrics::EnergyDrift;
+use pendula::{
+    AnyMethod, Grid, Hamiltonian, Info, METHODS, Motion, Pendulum, Phase, Rk4, method_named,
+};
+
+use super::arguments::system::{Chosen, Forced, SystemArguments};
+use super::plot::Panel;
+use super::summary::Summary;
+use adaptive::{SERIES, Walk};
+use pendula_output::failure::Failure;
+use pendula_output::interrupt::Lookout;
+use suited::{Suited, steps};
+use trajectory::{NotConserved, Run, Settings, Trajectory, TrajectoryArguments};
+
+mod adaptive;
+mod double;
+mod suited;
+mod trajectory;
+
+/// Arguments of `pendula simulate`.
+#[derive(Args, Debug)]
+pub struct Arguments {
+    /// The method [double-pendulum: rk4]
+    #[arg(long, value_name = "M", value_parser = methods())]
+    method: Option<String>,
+    #[command(flatten)]
+    system: SystemArguments,
+    /// How long, and how it is printed.
+    #[command(flatten, next_help_heading = "Steps and output")]
+    pub trajectory: TrajectoryArguments,
+}
+
+/// All methods, and that which has no equal steps.
+fn methods() -> PossibleValuesParser {
+    let names = METHODS.iter().map(|method| method.info().name);
+    names.chain([SERIES]).collect::<Vec<_>>().into()
+}
+
+/// Writes the rows t, theta, omega, energy: in s, rad, rad/s and J, the energy as in the paper's
+/// Eq. 3; of a system that conserves none, that of the pendulum in it. The double pendulum has
+/// rows of its own.
+///
+/// # Errors
+/// [`Failure::Refused`] for what the library refuses, and for a step too long for the method to
+/// solve its equations; a failure if the output cannot be written, if the user interrupts, or if
+/// the trajectory leaves the range of f64.
+pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
+    run_until(arguments, [out, &mut io::stderr()], Lookout::for_the_user)
+}
+
+/// The same, with a writer for the summary too, and interrupted as the lookout says: it is asked
+/// for after the arguments have been checked.
+///
+/// # Errors
+/// As [`run`].
+pub fn run_until(
+    arguments: &Arguments,
+    out: [&mut dyn Write; 2],
+    lookout: impl FnOnce() -> Lookout,
+) -> Result<(), Failure> {
+    let Arguments { method, system, trajectory } = arguments;
+    let chosen = system.chosen()?;
+    let method = match (method, &chosen) {
+        (Some(method), _) => method,
+        (None, Chosen::Double(..)) => Rk4.info().name,
+        (None, Chosen::Pendulum(..)) => return Err(Failure::refused("--method is missing")),
+    };
+    if let Some(within) = trajectory.by_tolerance() {
+        let Chosen::Pendulum(pendulum, start, Forced::No) = chosen else {
+            return Err(Failure::refused("--tolerance is for --system pendulum alone"));
+        };
+        return Walk { method, pendulum, start, within, arguments: trajectory }.print(out, lookout);
+    }
+    let (pendulum, start, forced) = match chosen {
+        Chosen::Pendulum(pendulum, start, forced) => (pendulum, start, forced),
+        Chosen::Double(double, start) => {
+            return double::print(method, double, start, trajectory.settings()?, out, lookout);
+        }
+    };
+    let method = method_named(method).ok_or_else(|| {
+        Failure::refused(format!("--method {method} chooses its steps: --tolerance, not --dt"))
+    })?;
+    let (settings, grid) = trajectory.settings()?;
+    let scene = Scene { pendulum, method, start, grid };
+    match forced {
+        Forced::No => scene.swing(settings, out, lookout),
+        Forced::Damped(damped) => scene.other(&damped, settings, out, lookout),
+        Forced::Driven(driven) => scene.other(&driven, settings, out, lookout),
+        Forced::Shaken(shaken) => scene.other(&shaken, settings, out, lookout),
+    }
+}
+
+/// What is integrated, how, and whence.
+struct Scene {
+    pendulum: Pendulum,
+    method: &'static dyn AnyMethod,
+    start: Phase,
+    grid: Grid,
+}
+
+/// The columns of the rows.
+const COLUMNS: [&str; 4] = ["t", "theta", "omega", "energy"];
+
+/// What a plot shows of them.
+const PANELS: [Panel; 2] = [
+    Panel::new("angle θ (rad)", &[(1, "")]),
+    Panel::new("energy change (J)", &[(3, "")]).since_the_start(),
+];
+
+impl Scene {
+    fn title(&self, of: &str) -> String {
+        format!("{of}{}, Δt = {:?} s", self.method.info().title, self.grid.step())
+    }
+
+    /// The pendulum itself.
+    fn swing(
+        &self,
+        settings: Settings<'_>,
+        out: [&mut dyn Write; 2],
+        lookout: impl FnOnce() -> Lookout,
+    ) -> Result<(), Failure> {
+        let &Self { pendulum, method, start, grid } = self;
+        let trajectory = Trajectory {
+            title: self.title(""),
+            start,
+            energy: pendulum.energy(start),
+            columns: COLUMNS,
+            row: &|t, z: Phase| [t, z.theta, z.omega, pendulum.energy_from_pivot(z)],
+            panels: &PANELS,
+            method: method.info().name,
+            end_errors: &|summary, end| {
+                end_errors(summary, &pendulum, start, grid.time(grid.steps()), end);
+            },
+        };
+        let steps = method.steps().expect("a method of the library has steps");
+        let begin = |at: Option<Checkpoint>| -> Box<dyn Run<Phase>> {
+            Box::new(match at {
+                Some(at) => FastRun::resume(&pendulum, steps, start, &grid, at),
+                None => FastRun::start(&pendulum, steps, start, &grid),
+            })
+        };
+        settings.print(&trajectory, EnergyDrift::new(&pendulum), &grid, begin, out, &lookout())
+    }
+
+    /// A system that is made of it, and conserves no energy.
+    fn other<S: Suited<State = Phase>>(
+        &self,
+        system: &S,
+        settings: Settings<'_>,
+        out: [&mut dyn Write; 2],
+        lookout: impl FnOnce() -> Lookout,
+    ) -> Result<(), Failure> {
+        let &Self { pendulum, method, start, grid } = self;
+        let name = method.info().name;
+        let steps = steps::<S>(name)?;
+        let energy = pendulum.energy(start);
+        let trajectory = Trajectory {
+            title: self.title(&format!("{}, ", S::NAME)),
+            start,
+            energy,
+            columns: COLUMNS,
+            row: &|t, z: Phase| [t, z.theta, z.omega, pendulum.energy_from_pivot(z)],
+            panels: &PANELS,
+            method: name,
+            // There is no closed form.
+            end_errors: &|summary, end| {
+                let at_the_end = pendulum.energy(end);
+                summary.line("energy at the end", format!("{at_the_end:.6e} J, of {energy:.6e} J"));
+            },
+        };
+        let begin = |at: Option<Checkpoint>| -> Box<dyn Run<Phase>> {
+            Box::new(match at {
+                Some(at) => integrate::Run::resume(system, steps, &grid, at),
+                None => integrate::Run::start(system, steps, start, &grid),
+            })
+        };
+        settings.print(&trajectory, NotConserved, &grid, begin, out, &lookout())
+    }
+}
+
+/// Adds the errors of the state `end` at the time `t` (s) to the summary, against the closed form,
+/// if it reaches so far.
+fn end_errors(summary: &mut Summary, pendulum: &Pendulum, start: Phase, t: f64, end: Phase) {
+    let Ok(motion) = Motion::new(pendulum, start) else { return };
+    if t.abs() <= motion.horizon() {
+        let exact = motion.at(t);
+        summary.line("error of θ at the end", format!("{:.6e} rad", end.theta - exact.theta));
+        summary.line("error of ω at the end", format!("{:.6e} rad/s", end.omega - exact.omega));
+    }
+}

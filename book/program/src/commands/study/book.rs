@@ -1,0 +1,43 @@
+//! `pendula book`: build the book and print where it is.
+
+use std::env;
+use std::io::Write;
+
+use anyhow::Context;
+use clap::Args;
+
+use pendula_book::ledger::Paper;
+use pendula_book::progress::Progress;
+use pendula_book::{build, locate};
+use pendula_output::failure::Failure;
+use pendula_output::interrupt::interrupts;
+
+/// Arguments of `pendula book`.
+#[derive(Args, Debug, Default)]
+pub struct Arguments {
+    /// Open the book in the browser
+    #[arg(long)]
+    pub open: bool,
+}
+
+/// Builds the book into `target/book`, prints the path of its first page, and opens it if asked.
+///
+/// # Errors
+/// When no book is found, when it cannot be built, when the user interrupts, or when no browser can
+/// be started.
+pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
+    let here = env::current_dir().context("the current directory cannot be read")?;
+    let root = locate::book(&here)?;
+    let progress = Progress::on_terminal();
+    let paper = Paper::measure(&progress);
+    // From here on there are files that an interrupt must not leave behind.
+    let interrupted = interrupts()?;
+    let index = build::book(&root, None, paper, progress, &interrupted)?;
+    writeln!(out, "{}", index.display())?;
+    out.flush()?;
+    if arguments.open {
+        open::that_detached(&index)
+            .with_context(|| format!("no program could be started to open {}", index.display()))?;
+    }
+    Ok(())
+}

@@ -1,0 +1,294 @@
+//! `pendula paper claims`: the whole ledger, and whether the measurements still support it.
+
+use std::collections::BTreeSet;
+use std::io::{self, Write};
+
+use anyhow::Context;
+use clap::{Args, ValueEnum};
+use pendula_study::claims::{Claim, Ledger, Verdict};
+use pendula_study::experiments::Study;
+use serde_json::{Value, json};
+
+use super::tables::cell;
+use crate::colour;
+use pendula_output::failure::Failure;
+
+/// Arguments of `pendula paper claims`.
+#[derive(Args, Debug)]
+pub struct Arguments {
+    /// How the claims are printed
+    #[arg(long, value_enum, default_value_t)]
+    format: LedgerFormat,
+    #[command(flatten)]
+    filter: Filter,
+}
+
+/// Which claims are printed: those that satisfy all that is asked.
+#[derive(Args, Debug, Default)]
+pub struct Filter {
+    /// Only the claims with these ids, such as T4.rk4.0.01
+    #[arg(value_name = "ID")]
+    ids: Vec<String>,
+    /// Only those with one of these verdicts
+    #[arg(long, value_name = "V", value_enum, value_delimiter = ',')]
+    verdict: Vec<VerdictWord>,
+    /// Only those of this section of the paper, subsections included: 7, 7.1, abstract
+    #[arg(long, value_name = "N")]
+    section: Option<String>,
+    /// Only those of this table of the paper
+    #[arg(long, value_name = "N")]
+    table: Option<String>,
+}
+
+/// A verdict in a word.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum VerdictWord {
+    /// Every printed digit is met
+    Reproduced,
+    /// Met, once a definition is supplied that the paper leaves open
+    Definition,
+    /// Met, but only because of how the number was rounded
+    Rounding,
+    /// Another machine, interpreter or sine gives another number
+    Platform,
+    /// Not met
+    Wrong,
+    /// Nothing to compute
+    Uncheckable,
+}
+
+impl VerdictWord {
+    const fn verdict(self) -> Verdict {
+        match self {
+            Self::Reproduced => Verdict::Reproduced,
+            Self::Definition => Verdict::ReproducedWithDefinition,
+            Self::Rounding => Verdict::DependsOnRounding,
+            Self::Platform => Verdict::DependsOnPlatform,
+            Self::Wrong => Verdict::Wrong,
+            Self::Uncheckable => Verdict::NotCheckable,
+        }
+    }
+}
+
+impl Filter {
+    fn is_empty(&self) -> bool {
+        let Self { ids, verdict, section, table } = self;
+        ids.is_empty() && verdict.is_empty() && section.is_none() && table.is_none()
+    }
+
+    /// Refuses ids, sections and tables that no claim has, with those that are nearest.
+    fn check(&self, claims: &[&Claim]) -> Result<(), Failure> {
+        for id in &self.ids {
+            if !claims.iter().any(|claim| claim.id == *id) {
+                let near = nearest(id, claims.iter().map(|claim| claim.id.as_str())).join(", ");
+                return Err(Failure::refused(format!(
+                    "{id}: there is no such claim; near: {near}"
+                )));
+            }
+        }
+        for (kind, option, asked) in
+            [(SECTION, "section", &self.section), (TABLE, "table", &self.table)]
+        {
+            let Some(asked) = asked else { continue };
+            if !claims.iter().any(|claim| stands_in(claim.place, kind, asked)) {
+                let known: BTreeSet<String> = claims
+                    .iter()
+                    .flat_map(|claim| places(claim.place))
+                    .filter_map(|(of, number)| (of == kind).then_some(number))
+                    .collect();
+                let known = known.into_iter().collect::<Vec<_>>().join(", ");
+                return Err(Failure::refused(format!(
+                    "--{option} {asked}: there is no claim of it; there are {known}"
+                )));
+            }
+        }
+        Ok(())
+    }
+
+    fn accepts(&self, claim: &Claim) -> bool {
+        let stands_in = |kind, number: &Option<String>| {
+            number.as_ref().is_none_or(|number| stands_in(claim.place, kind, number))
+        };
+        let judged = claim.judged();
+        (self.ids.is_empty() || self.ids.contains(&claim.id))
+            && (self.verdict.is_empty() || self.verdict.iter().any(|word| word.verdict() == judged))
+            && stands_in(SECTION, &self.section)
+            && stands_in(TABLE, &self.table)
+    }
+}
+
+const SECTION: &str = "Section";
+const TABLE: &str = "Table";
+
+/// Whether `place` names the section or table with this `number`, or a part of it.
+fn stands_in(place: &str, kind: &str, number: &str) -> bool {
+    let number = number.to_lowercase();
+    places(place).into_iter().any(|(of, place)| {
+        let rest = place.strip_prefix(number.as_str());
+        of == kind && rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
+    })
+}
+
+/// The places that a claim's place names: "Abstract, Sections 1 and 8" are three.
+fn places(place: &str) -> Vec<(&'static str, String)> {
+    let mut kind = "";
+    let mut places = Vec::new();
+    for word in place.split([',', ' ']).filter(|word| !word.is_empty() && *word != "and") {
+        match word {
+            "Abstract" => places.push((SECTION, word.to_lowercase())),
+            "Section" | "Sections" => kind = SECTION,
+            "Table" | "Tables" => kind = TABLE,
+            number if number.starts_with(|c: char| c.is_ascii_digit()) => {
+                places.push((kind, number.to_owned()));
+            }
+            // A figure or an equation.
+            _ => kind = "",
+        }
+    }
+    places
+}
+
+/// The five ids that differ least from `id`, those that begin as it does first.
+fn nearest<'a>(id: &str, ids: impl Iterator<Item = &'a str>) -> Vec<&'a str> {
+    let asked = id.to_lowercase();
+    let mut ids: Vec<_> = ids
+        .map(|id| {
+            let known = id.to_lowercase();
+            (!known.starts_with(&asked), strsim::levenshtein(&asked, &known), id)
+        })
+        .collect();
+    ids.sort();
+    ids.into_iter().map(|(.., id)| id).take(5).collect()
+}
+
+/// How the claims are printed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum LedgerFormat {
+    /// A table to read
+    #[default]
+    Text,
+    /// An array with an object for each claim
+    Json,
+}
+
+/// Runs the study and writes the ledger.
+///
+/// # Errors
+/// [`Failure::Refused`] for an id, section or table that no claim has; [`Failure::No`] if one of
+/// the claims asked for has a verdict on record that is not the one that the measurement supports.
+pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
+    report(&Ledger::new(&Study::of_the_paper()), &arguments.filter, arguments.format, out)
+}
+
+/// Writes the claims of `ledger` that `filter` asks for.
+///
+/// # Errors
+/// As [`run`].
+pub fn report(
+    ledger: &Ledger,
+    filter: &Filter,
+    format: LedgerFormat,
+    out: &mut dyn Write,
+) -> Result<(), Failure> {
+    // Those of the paper, and the questions that it leaves open; the ledger also contains what the
+    // paper leaves out.
+    let stated: Vec<&Claim> =
+        ledger.claims().iter().filter(|claim| claim.verdict != Verdict::NotStated).collect();
+    filter.check(&stated)?;
+    let claims: Vec<&Claim> = stated.into_iter().filter(|claim| filter.accepts(claim)).collect();
+    match format {
+        LedgerFormat::Text => write_text(&claims, out)?,
+        LedgerFormat::Json => {
+            let claims: Vec<Value> = claims.iter().map(|claim| object(claim)).collect();
+            serde_json::to_writer_pretty(&mut *out, &claims)
+                .context("the claims cannot be written")?;
+            writeln!(out)?;
+        }
+    }
+    out.flush()?;
+    let upheld = |claim: &Claim| claim.judged() == claim.verdict;
+    // What the book quotes beside the paper's numbers counts as well, unless some are asked for.
+    let all_upheld = match filter.is_empty() {
+        true => ledger.claims().iter().all(upheld),
+        false => claims.into_iter().all(upheld),
+    };
+    if all_upheld { Ok(()) } else { Err(Failure::No) }
+}
+
+/// Two lines a claim, and at the end the number of the paper's claims with each verdict.
+fn write_text(shown: &[&Claim], out: &mut dyn Write) -> io::Result<()> {
+    let mut counts: Vec<(Verdict, u32)> = Vec::new();
+    let (mut claims, mut readings) = (0, 0);
+    for claim in shown {
+        let (stated, measured) = (claim.stated_text(), claim.measured_text());
+        let because = if claim.because.is_empty() { "" } else { ". " };
+        let id = colour::output(colour::HEAD, format!("{:<16}", claim.id));
+        writeln!(out, "{id} {} ({})", claim.gist, claim.place)?;
+        write!(out, "{:<16} stated {stated}, measured {measured}: ", "")?;
+        writeln!(out, "{}{because}{}", coloured(claim.judged()), claim.because)?;
+        if !claim.is_of_the_paper() {
+            readings += 1;
+            continue;
+        }
+        claims += 1;
+        match counts.iter_mut().find(|(verdict, _)| *verdict == claim.judged()) {
+            Some((_, count)) => *count += 1,
+            None => counts.push((claim.judged(), 1)),
+        }
+    }
+    let counts: Vec<String> =
+        counts.iter().map(|(verdict, count)| format!("{count} {verdict}")).collect();
+    let colon = if counts.is_empty() { "" } else { ": " };
+    writeln!(out, "\n{claims} claims{colon}{}", counts.join(", "))?;
+    writeln!(out, "{readings} questions that the text leaves open and its numbers decide")
+}
+
+/// The verdict in its colour.
+fn coloured(verdict: Verdict) -> String {
+    let style = match verdict {
+        Verdict::Reproduced => colour::GOOD,
+        Verdict::ReproducedWithDefinition
+        | Verdict::DependsOnRounding
+        | Verdict::DependsOnPlatform => colour::DOUBTFUL,
+        Verdict::Wrong => colour::BAD,
+        Verdict::NotCheckable | Verdict::NotStated => colour::FAINT,
+    };
+    colour::output(style, verdict)
+}
+
+fn object(claim: &Claim) -> Value {
+    let mut object = cell(claim);
+    object["kind"] = json!(claim.kind().to_string());
+    object["gist"] = json!(claim.gist);
+    object["recorded"] = json!(claim.verdict.to_string());
+    object["place"] = json!(claim.place);
+    object["definition"] = json!(claim.definition);
+    object["because"] = json!(claim.because);
+    object
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Catches: Section 1 that has the claims of Section 10; a section without its parts; a table
+    /// taken for a section; an equation's number taken for either.
+    #[test]
+    fn a_claim_stands_in_the_places_that_it_names() {
+        let place = "Abstract, Sections 1 and 10.2, Table 4, Equation 7";
+        for (kind, number, is_in) in [
+            (SECTION, "abstract", true),
+            (SECTION, "1", true),
+            (SECTION, "10", true),
+            (SECTION, "10.2", true),
+            (SECTION, "10.20", false),
+            (SECTION, "4", false),
+            (SECTION, "7", false),
+            (TABLE, "4", true),
+            (TABLE, "7", false),
+        ] {
+            assert_eq!(stands_in(place, kind, number), is_in, "{kind} {number}");
+        }
+        assert!(!stands_in("Section 10", SECTION, "1"));
+    }
+}

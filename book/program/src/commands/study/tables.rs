@@ -1,0 +1,143 @@
+//! `pendula paper tables`: the paper's tables, stated and measured.
+
+use std::io::Write;
+
+use anyhow::Context;
+use clap::Args;
+use pendula_study::claims::{Claim, Ledger, Measured};
+use pendula_study::experiments::Study;
+use pendula_study::report::tables::{TABLES, table};
+use serde_json::{Value, json};
+
+use crate::colour;
+use crate::commands::arguments::number::value;
+use crate::commands::arguments::table_format::TableFormat;
+use pendula_output::failure::Failure;
+
+/// Arguments of `pendula paper tables`.
+#[derive(Args, Debug)]
+pub struct Arguments {
+    /// Only this table
+    #[arg(long, value_name = "N", value_parser = table_number, allow_hyphen_values = true)]
+    table: Option<u32>,
+    /// How the cells are printed
+    #[arg(long, value_enum, default_value_t)]
+    format: TableFormat,
+}
+
+/// The number of a table; which ones there are is checked later.
+fn table_number(text: &str) -> Result<u32, String> {
+    value(text, "it must be the number of a table")
+}
+
+/// Runs the study and writes its tables.
+///
+/// # Errors
+/// [`Failure::Refused`] for a table that is not one of the paper's.
+pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
+    let numbers = match arguments.table {
+        None => TABLES.to_vec(),
+        Some(number) if TABLES.contains(&number) => vec![number],
+        Some(number) => {
+            let known = TABLES.map(|n| n.to_string()).join(", ");
+            return Err(Failure::refused(format!("--table {number}: the tables are {known}")));
+        }
+    };
+    let ledger = Ledger::of_the_tables(&Study::of_the_paper());
+    let cells = || numbers.iter().flat_map(|&number| ledger.table(number));
+    match arguments.format {
+        TableFormat::Text => {
+            for (index, &number) in numbers.iter().enumerate() {
+                let gap = if index == 0 { "" } else { "\n" };
+                let text = table(&ledger, number).map(|table| table.to_text()).unwrap_or_default();
+                let title = colour::output(colour::HEAD, format!("Table {number}"));
+                let (head, rows) = text.split_once('\n').unwrap_or((&text, ""));
+                let head = colour::output(colour::HEAD, head);
+                write!(out, "{gap}{title}\n{head}\n{rows}")?;
+            }
+        }
+        TableFormat::Json => {
+            let cells: Vec<Value> = cells().map(cell).collect();
+            serde_json::to_writer_pretty(&mut *out, &cells)
+                .context("the cells cannot be written")?;
+            writeln!(out)?;
+        }
+        TableFormat::Csv => {
+            writeln!(out, "id,stated,measured,verdict")?;
+            for claim in cells() {
+                writeln!(out, "{}", line(claim))?;
+            }
+        }
+    }
+    Ok(())
+}
+
+/// A cell: numbers as numbers, with all their digits.
+pub fn cell(claim: &Claim) -> Value {
+    json!({
+        "id": claim.id,
+        "stated": stated(claim),
+        "measured": measured(claim),
+        "verdict": claim.judged().to_string(),
+    })
+}
+
+/// A cell as a line of CSV.
+fn line(claim: &Claim) -> String {
+    let [stated, measured] = [stated(claim), measured(claim)].map(|value| plain(&value));
+    format!("{},{stated},{measured},{}", claim.id, claim.judged())
+}
+
+fn stated(claim: &Claim) -> Value {
+    match claim.stated {
+        Some(text) => text.parse::<f64>().map_or_else(|_| text.into(), Value::from),
+        None => Value::Null,
+    }
+}
+
+fn measured(claim: &Claim) -> Value {
+    match &claim.measured {
+        Measured::Number(value, _) => (*value).into(),
+        Measured::Text(text) => text.as_str().into(),
+        Measured::Nothing => Value::Null,
+    }
+}
+
+/// A value as a field of CSV. No text in the ledger has a comma or a quotation mark.
+fn plain(value: &Value) -> String {
+    match value {
+        Value::Null => String::new(),
+        Value::String(text) => text.clone(),
+        other => other.to_string(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use pendula_study::claims::{Tolerance, Verdict};
+    use pendula_study::digits::Digits;
+
+    use super::*;
+
+    /// On record it is reproduced; its measurement says that it is not.
+    ///
+    /// Catches: the verdict on record, printed for a claim whose measurement no longer supports it.
+    #[test]
+    fn a_contradicted_cell_is_wrong_in_every_format() {
+        let claim = Claim {
+            id: "T4.rk4.0.01".to_string(),
+            place: "Table 4",
+            gist: String::new(),
+            definition: "",
+            stated: Some("2.5"),
+            measured: Measured::Number(3.5, Digits::Fixed(1)),
+            tolerance: Tolerance::Decided(false),
+            verdict: Verdict::Reproduced,
+            because: "",
+        };
+        let expected =
+            json!({"id": "T4.rk4.0.01", "stated": 2.5, "measured": 3.5, "verdict": "wrong"});
+        assert_eq!(cell(&claim), expected);
+        assert_eq!(line(&claim), "T4.rk4.0.01,2.5,3.5,wrong");
+    }
+}

@@ -1,0 +1,188 @@
+//! `pendula sweep flips`: when a double pendulum first turns over, for every release from rest.
+
+use std::collections::TryReserveError;
+use std::io::Write;
+use std::num::NonZeroU64;
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::time::Instant;
+
+use anyhow::anyhow;
+use clap::Args;
+use pendula::fast::first_flips;
+use pendula::methods::table::RK4_IN_LANES;
+use pendula::systems::DoublePhase;
+use pendula::{DoublePendulum, Grid, Hamiltonian, Rk4};
+
+use super::device::Device;
+use crate::commands::arguments::device::DeviceArgument;
+use crate::commands::arguments::double::DoubleArguments;
+use crate::commands::arguments::number::number;
+use crate::commands::arguments::pendulum::GravityArgument;
+use crate::commands::destination::Destination;
+use crate::commands::summary::Summary;
+use crate::picture::Bands;
+use pendula_output::failure::Failure;
+use pendula_output::interrupt::{Lookout, unless_interrupted};
+
+/// Arguments of `pendula sweep flips`.
+#[derive(Args, Debug)]
+pub struct Arguments {
+    /// Releases in a row and in a column, an even number: angles between −π and π, at even
+    /// distances
+    #[arg(long, value_name = "N", default_value_t = 100)]
+    size: usize,
+    /// Step Δt (s) of RK4
+    #[arg(long, value_name = "S", default_value_t = 0.01, value_parser = number,
+        allow_hyphen_values = true)]
+    dt: f64,
+    /// Duration (s), a whole number of steps
+    #[arg(long, value_name = "S", default_value_t = 20.0, value_parser = number,
+        allow_hyphen_values = true)]
+    duration: f64,
+    #[command(flatten)]
+    gravity: GravityArgument,
+    #[command(flatten)]
+    double: DoubleArguments,
+    /// Draw the times as a picture: θ₁ from left to right, θ₂ upwards, the later the darker
+    #[arg(long, value_name = "FILE.png")]
+    picture: Option<PathBuf>,
+    #[command(flatten)]
+    device: DeviceArgument,
+    /// Write to FILE, which appears when it is whole
+    #[arg(long, value_name = "FILE")]
+    output: Option<PathBuf>,
+    /// Say on standard error what it has cost
+    #[arg(long)]
+    summary: bool,
+}
+
+/// The most releases in a row: the rows of as many need a gigabyte.
+const LARGEST: usize = 4096;
+
+/// Writes the rows theta1, theta2, t: the angles at the release (rad), and the time (s) of the
+/// first step after which a rod is past the upward vertical, empty if there is none. The `lookout`
+/// counts rows.
+///
+/// # Errors
+/// [`Failure::Refused`] for what the library or the device refuses; a failure if something cannot
+/// be written, if the user interrupts, or if the device does not go on.
+pub fn run(
+    arguments: &Arguments,
+    [out, err]: [&mut dyn Write; 2],
+    lookout: impl FnOnce() -> Lookout,
+) -> Result<(), Failure> {
+    let size = arguments.size;
+    if size == 0 || size % 2 == 1 || size > LARGEST {
+        return Err(Failure::refused(format!(
+            "--size {size}: must be an even number, from 2 to {LARGEST}"
+        )));
+    }
+    let double = arguments.double.double(arguments.gravity.gravity).map_err(Failure::refused)?;
+    let grid = Grid::with_duration(arguments.dt, arguments.duration).map_err(Failure::refused)?;
+    let device = arguments.device.name().map(Device::named);
+    let device = device.transpose().map_err(Failure::refused)?;
+    // Set the interrupt handler before creating a file.
+    let lookout = lookout();
+    let interrupted = || Failure::Failed(anyhow!("interrupted"));
+    let picture = arguments.picture.as_deref();
+    let picture = picture.map(|path| Destination::file("--picture", path)).transpose()?;
+    let mut out = Destination::open(arguments.output.as_deref(), out)?;
+    let begin = Instant::now();
+    let (releases, device) = (Releases { double, size }, device.map(Arc::new));
+    let work = move || releases.first_flips(device.as_deref(), &grid);
+    let flips = unless_interrupted(|| lookout.interrupts(0), work).ok_or_else(interrupted)??;
+    let elapsed = begin.elapsed();
+    writeln!(out, "theta1,theta2,t")?;
+    for (index, flip) in flips.iter().enumerate() {
+        if lookout.interrupts(index as u64) {
+            return Err(interrupted());
+        }
+        let (theta1, theta2) = (angle(index % size, size), angle(index / size, size));
+        match flip {
+            Some(n) => writeln!(out, "{theta1:?},{theta2:?},{:?}", grid.time(n.get()))?,
+            None => writeln!(out, "{theta1:?},{theta2:?},")?,
+        }
+    }
+    if let Some(mut file) = picture {
+        // Upwards is upwards.
+        let rows = flips.chunks(size).rev();
+        Bands::of(grid.steps()).write(rows, &mut file)?;
+        file.finish()?;
+    }
+    out.finish()?;
+    if arguments.summary {
+        let mut summary = Summary::default();
+        summary.line("releases", (size * size).to_string());
+        summary.line("turn over", flips.iter().flatten().count().to_string());
+        summary.line("wall time", format!("{:.3} s", elapsed.as_secs_f64()));
+        summary.print(err)?;
+    }
+    Ok(())
+}
+
+/// Releases from rest of a double pendulum.
+#[derive(Clone)]
+struct Releases {
+    double: DoublePendulum,
+    /// In a row and in a column.
+    size: usize,
+}
+
+impl Releases {
+    /// The first flip of each, row after row from below, those of a row from left to right.
+    ///
+    /// Mirrored in the vertical, a motion takes the same steps, so that half of them are enough;
+    /// and no step is taken where the energy does not suffice for a flip.
+    fn first_flips(
+        &self,
+        device: Option<&Device>,
+        grid: &Grid,
+    ) -> Result<Vec<Option<NonZeroU64>>, Failure> {
+        let Self { double, size } = self;
+        let count = size * size;
+        let least = double.least_flip_energy();
+        let (mut places, mut starts) = (Vec::new(), Vec::<DoublePhase>::new());
+        places.try_reserve_exact(count / 2).map_err(no_memory)?;
+        starts.try_reserve_exact(count / 2).map_err(no_memory)?;
+        for index in 0..count / 2 {
+            let theta = [angle(index % size, *size), angle(index / size, *size)];
+            let start = double.start(theta, [0.0; 2]).map_err(Failure::refused)?;
+            if double.energy(start) >= least {
+                places.push(index);
+                starts.push(start);
+            }
+        }
+        let mut found = none_of(starts.len())?;
+        match device {
+            Some(device) => device
+                .first_flips(double, &Rk4, &starts, grid, &mut found)
+                .map_err(|error| Failure::Failed(error.into()))?,
+            None => first_flips(double, RK4_IN_LANES, &starts, grid, &mut found),
+        }
+        let mut flips = none_of(count)?;
+        for (place, flip) in places.into_iter().zip(found) {
+            flips[place] = flip;
+            flips[count - 1 - place] = flip;
+        }
+        Ok(flips)
+    }
+}
+
+/// No time yet for `count` releases.
+fn none_of(count: usize) -> Result<Vec<Option<NonZeroU64>>, Failure> {
+    let mut none = Vec::new();
+    none.try_reserve_exact(count).map_err(no_memory)?;
+    none.resize(count, None);
+    Ok(none)
+}
+
+fn no_memory(_: TryReserveError) -> Failure {
+    Failure::refused("there is too little memory: take a smaller --size")
+}
+
+/// The angle (rad) of the release `index` of `size`: the middles of as many parts of a turn.
+fn angle(index: usize, size: usize) -> f64 {
+    let odd = 2 * index as i64 + 1 - size as i64;
+    std::f64::consts::PI * odd as f64 / size as f64
+}

@@ -1,0 +1,287 @@
+//! The runs of a sweep, from many angles or with many steps.
+
+use std::iter;
+use std::num::NonZeroU64;
+use std::ops;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use pendula::fast::{InLanes, LANES};
+use pendula::methods::table::in_lanes;
+use pendula::metrics::EnergyDrift;
+use pendula::{
+    AnyMethod, Ensemble, Error, Grid, MethodInfo, Observer, Pendulum, Phase, method_named,
+};
+
+use super::device::OnDevice;
+use crate::commands::arguments::range::Range;
+use pendula_output::failure::Failure;
+
+/// What all runs of a sweep have in common.
+#[derive(Clone, Copy)]
+pub struct Runner {
+    method: &'static dyn AnyMethod,
+    lanes: &'static dyn InLanes,
+    pendulum: Pendulum,
+    omega0: f64,
+    device: Option<&'static OnDevice>,
+}
+
+/// One run: its start, its step, its end and its largest energy error (J).
+#[derive(Clone, Copy, Debug)]
+pub struct Run {
+    /// Angle at the start (rad).
+    pub theta0: f64,
+    /// Its grid of times.
+    pub grid: Grid,
+    /// The last state.
+    pub end: Phase,
+    /// Largest energy error (J).
+    pub energy_error: f64,
+}
+
+impl Runner {
+    /// Runs of the method `name` on `pendulum`, begun with `omega0` (rad/s).
+    ///
+    /// # Errors
+    /// If there is no method `name`.
+    pub fn new(name: &str, pendulum: Pendulum, omega0: f64) -> Result<Self, Failure> {
+        let (method, lanes) = method_named(name)
+            .zip(in_lanes(name))
+            .ok_or_else(|| Failure::refused(format!("there is no method {name}")))?;
+        Ok(Self { method, lanes, pendulum, omega0, device: None })
+    }
+
+    /// The same runs on the device with `name` in its name.
+    ///
+    /// # Errors
+    /// As [`OnDevice::open`].
+    pub fn on_device(self, name: &str) -> Result<Self, Failure> {
+        let device = Some(OnDevice::open(name, self.info().name)?);
+        Ok(Self { device, ..self })
+    }
+
+    /// The runs of a batch: enough for every core, and few enough to be kept in memory until they
+    /// are printed.
+    pub fn batch(&self) -> usize {
+        if self.device.is_some() { 1 << 16 } else { 1 << 12 }
+    }
+
+    /// Why the device did not go on, if it did not.
+    pub fn device_failure(&self) -> Option<Failure> {
+        self.device.and_then(OnDevice::failure)
+    }
+
+    /// What is known of the method.
+    pub fn info(&self) -> MethodInfo {
+        self.method.info()
+    }
+
+    /// The start at the angle `theta0` (rad), checked.
+    ///
+    /// # Errors
+    /// As [`Pendulum::start`].
+    pub fn start(&self, theta0: f64) -> Result<Phase, Failure> {
+        self.pendulum.start(theta0, self.omega0).map_err(Failure::refused)
+    }
+
+    /// The refusal of one of these runs that has led to NaN, if its method is implicit: it has not
+    /// overflowed, its iteration has not converged. The run is repeated up to that step, to say how
+    /// far the iteration was from its end.
+    pub fn not_solved(&self, run: &Run) -> Option<Failure> {
+        let start = self.phase(run.theta0);
+        let error = self.method.try_run(&self.pendulum, start, &run.grid, &mut ()).err()?;
+        crate::commands::unsolved(self.info().name, &error)
+    }
+
+    /// The same steps from each of the angles, in lanes or on the device. Each run is passed to
+    /// `finished`, with its place among the angles, in the order in which they finish.
+    pub fn run_from_each(&self, angles: &[f64], grid: &Grid, finished: impl Fn(usize, Run) + Sync) {
+        if let Some(device) = self.device {
+            let starts: Vec<Phase> = angles.iter().map(|&theta| self.phase(theta)).collect();
+            let ends = device.ends(&Ensemble::new(&self.pendulum, &starts, *grid));
+            let runs = angles.iter().zip(ends).enumerate();
+            for (i, (&theta0, (end, energy_error))) in runs {
+                finished(i, Run { theta0, grid: *grid, end, energy_error });
+            }
+            return;
+        }
+        let blocks: Vec<&[f64]> = angles.chunks(LANES).collect();
+        in_order(blocks.len(), |block| {
+            for (lane, run) in self.in_lanes(blocks[block], grid).enumerate() {
+                finished(block * LANES + lane, run);
+            }
+        });
+    }
+
+    fn phase(&self, theta: f64) -> Phase {
+        Phase { theta, omega: self.omega0 }
+    }
+
+    fn in_lanes(&self, angles: &[f64], grid: &Grid) -> impl Iterator<Item = Run> {
+        let starts: Vec<Phase> = angles.iter().map(|&theta| self.phase(theta)).collect();
+        let mut watches =
+            vec![
+                DriftAndEnd { drift: EnergyDrift::new(&self.pendulum), end: Phase::default() };
+                starts.len()
+            ];
+        let ensemble = Ensemble::new(&self.pendulum, &starts, *grid);
+        ensemble.watch(self.lanes, NonZeroU64::MIN, &mut watches);
+        let ends = angles.iter().zip(watches);
+        ends.map(|(&theta0, DriftAndEnd { drift, end })| Run {
+            theta0,
+            grid: *grid,
+            end,
+            energy_error: drift.largest(),
+        })
+        .collect::<Vec<_>>()
+        .into_iter()
+    }
+
+    /// The same start along each of the grids. Not in lanes: the grids differ in their number of
+    /// steps. Each run is passed to `finished`, with its place among the grids.
+    pub fn along_each(&self, start: Phase, grids: &[Grid], finished: impl Fn(usize, Run) + Sync) {
+        in_order(grids.len(), |i| {
+            let grid = &grids[i];
+            let mut drift = EnergyDrift::new(&self.pendulum);
+            let end = self.method.run(&self.pendulum, start, grid, &mut drift);
+            let energy_error = drift.largest();
+            finished(i, Run { theta0: start.theta, grid: *grid, end, energy_error });
+        });
+    }
+}
+
+/// Calls `work` with each number below `count`, on all threads. The numbers are begun in order, so
+/// that of a sweep that is interrupted few runs are finished before their turn.
+fn in_order(count: usize, work: impl Fn(usize) + Sync) {
+    let next = AtomicUsize::new(0);
+    rayon::broadcast(|_| {
+        while let Some(i) = Some(next.fetch_add(1, Ordering::Relaxed)).filter(|i| *i < count) {
+            work(i);
+        }
+    });
+}
+
+/// Observes the energy error and keeps the last state.
+#[derive(Clone)]
+struct DriftAndEnd<'p> {
+    drift: EnergyDrift<'p, Pendulum>,
+    end: Phase,
+}
+
+impl Observer<Phase> for DriftAndEnd<'_> {
+    #[inline]
+    fn observe(&mut self, n: u64, t: f64, z: Phase) {
+        self.drift.observe(n, t, z);
+        self.end = z;
+    }
+}
+
+/// The grids over `duration` (s) with steps near those asked for, no two successive ones equal:
+/// of all of them, those for `which` of the steps.
+///
+/// # Errors
+/// If an end of the range is longer than the duration, or the library refuses it.
+pub fn grids(
+    duration: f64,
+    dt: Range,
+    which: ops::Range<u64>,
+) -> Result<impl Iterator<Item = Grid>, Failure> {
+    // Where FROM and TO themselves fit, they are used exactly, as by `simulate`: 0.3/3 is not 0.1.
+    let ends = [end(duration, dt.from)?, end(duration, dt.to)?];
+    let steps = move |i: u64| whole(duration / dt.geometric(i));
+    // Of many steps asked for few may differ: from each on to the next that does.
+    let mut next = match which.start {
+        0 => 0,
+        // That before the first is of another part.
+        start => first(start..which.end, |i| steps(i) != steps(start - 1)),
+    };
+    Ok(iter::from_fn(move || {
+        let count = (next < which.end).then(|| steps(next))?;
+        next = first(next + 1..which.end, |i| steps(i) != count);
+        let end = ends.into_iter().find(|end| end.steps() == count);
+        // Every step between two allowed steps is allowed.
+        end.or_else(|| Grid::new(duration / count as f64, count).ok())
+    }))
+}
+
+/// The first of these numbers that `is` so, if all behind it are; their end, if none is. Looks at
+/// few if it is among the first.
+fn first(among: ops::Range<u64>, is: impl Fn(u64) -> bool) -> u64 {
+    let (mut no, mut width) = (among.start, 1);
+    while no < among.end && !is(no.saturating_add(width - 1).min(among.end - 1)) {
+        no = no.saturating_add(width).min(among.end);
+        width = width.saturating_mul(2);
+    }
+    let mut yes = no.saturating_add(width - 1).min(among.end);
+    while no < yes {
+        let middle = no + (yes - no) / 2;
+        if is(middle) { yes = middle } else { no = middle + 1 }
+    }
+    no
+}
+
+/// The grid for an end of the range: with `step` (s) itself if it fits, or else with the nearest
+/// step that does.
+fn end(duration: f64, step: f64) -> Result<Grid, Failure> {
+    if step > duration {
+        return Err(Failure::refused(format!(
+            "a step of {step:?} s is refused: it must be at most the duration, {duration:?} s"
+        )));
+    }
+    let steps = whole(duration / step);
+    let grid = match Grid::with_duration(step, duration) {
+        Err(Error::PartialStep { .. }) => Grid::new(duration / steps as f64, steps),
+        grid => grid,
+    };
+    grid.map_err(Failure::refused)
+}
+
+/// The nearest whole number of steps, at least one.
+fn whole(quotient: f64) -> u64 {
+    quotient.round().max(1.0) as u64
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Catches: a step that does not fit the duration, one replaced although it fits, a run made
+    /// twice.
+    #[test]
+    fn steps_fit_the_duration() {
+        let range = Range { from: 0.1, to: 0.4, count: 3 };
+        let near: Vec<f64> = grids(1.0, range, 0..3).unwrap().map(|grid| grid.step()).collect();
+        assert_eq!(near, [0.1, 0.2, 1.0 / 3.0]);
+        // 0.3/3 is not 0.1, but 0.1 is what was asked for.
+        for (from, to, expected) in [(0.1, 0.3, [0.1, 0.15, 0.3]), (0.3, 0.1, [0.3, 0.15, 0.1])] {
+            let range = Range { from, to, count: 9 };
+            let near: Vec<f64> = grids(0.3, range, 0..9).unwrap().map(|grid| grid.step()).collect();
+            assert_eq!(near, expected);
+        }
+    }
+    /// Catches: a step passed over by going from one that differs to the next.
+    #[test]
+    fn the_first_is_found_wherever_it_is() {
+        for end in 0..40 {
+            for yes in 3..=end.max(3) {
+                assert_eq!(first(3..end, |i| i >= yes), yes.min(end.max(3)), "{yes} below {end}");
+            }
+        }
+        // In all of them: a sweep whose steps mostly repeat takes as long as those that differ.
+        let range = Range { from: 1e-4, to: 1.0, count: u64::MAX };
+        assert_eq!(grids(1.0, range, 0..u64::MAX).unwrap().take(3).last().unwrap().steps(), 9998);
+    }
+    /// Catches: a number left out or taken twice; runs that are begun far before their turn, and so
+    /// are lost where a sweep is interrupted.
+    #[test]
+    fn all_are_begun_in_their_turn() {
+        let (begun, sum) = (AtomicUsize::new(0), AtomicUsize::new(0));
+        in_order(1000, |i| {
+            let before = begun.fetch_add(1, Ordering::Relaxed);
+            sum.fetch_add(i, Ordering::Relaxed);
+            // Each of the other threads may have taken one that it has not counted.
+            assert!(i < before + rayon::current_num_threads(), "{i} after {before}");
+        });
+        assert_eq!((begun.into_inner(), sum.into_inner()), (1000, 499_500));
+    }
+}

@@ -1,0 +1,211 @@
+//! `pendula verify`: a program that is not ours, judged against what it claims.
+
+use std::ffi::OsString;
+use std::io::{self, Write};
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Duration;
+
+use anyhow::Context;
+use clap::{Args, ValueEnum};
+use pendula::verify::{Claims, Report, Verdict, try_judge};
+
+use super::arguments::number::number;
+use super::destination::Destination;
+use crate::colour;
+use crate::verify::examples::Language;
+use crate::verify::{Judged, Program, json, junit, markdown, page};
+use pendula_output::failure::Failure;
+use pendula_output::interrupt::interrupts;
+
+/// Arguments of `pendula verify`.
+#[derive(Args, Debug)]
+pub struct Arguments {
+    /// What is claimed, separated by blanks: order=P, symplectic, symmetric, evaluations=N (a
+    /// step), bounded-energy, name=METHOD
+    #[arg(long, value_name = "CLAIMS", default_value_t, hide_default_value = true)]
+    claims: Claims,
+    /// How long to wait for an answer (s); for all of them, 120 times as long
+    #[arg(long, value_name = "S", default_value_t = 10.0, value_parser = number,
+        allow_hyphen_values = true)]
+    patience: f64,
+    /// How the report is printed
+    #[arg(long, value_enum, default_value_t)]
+    format: ReportFormat,
+    /// Exit with 0 unless a claim fails, even if one could not be measured or told
+    #[arg(long)]
+    lenient: bool,
+    /// Write the report with its figures to this file too, as a page to read offline
+    #[arg(long, value_name = "FILE")]
+    report: Option<PathBuf>,
+    /// Print an example of a program in this language, and judge nothing
+    #[arg(long, value_name = "LANGUAGE", value_enum)]
+    #[arg(conflicts_with_all = ["claims", "patience", "format", "lenient", "report", "program"])]
+    example: Option<Language>,
+    /// The program to be judged, and its arguments
+    #[arg(last = true, required_unless_present = "example", value_name = "PROGRAM")]
+    program: Vec<OsString>,
+}
+
+/// How the report is printed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum ReportFormat {
+    /// A table to read
+    #[default]
+    Text,
+    /// An object with the verdict, the properties and their numbers
+    Json,
+    /// JUnit XML, for servers that run tests
+    Junit,
+    /// A table and a sentence, for a pull request
+    Markdown,
+}
+
+/// Starts the program, judges it, and prints the report.
+///
+/// # Errors
+/// [`Failure::No`] if a claim does not hold, or was not shown to; [`Failure::Refused`] if the
+/// program is at fault, if the page cannot be written, or if the user interrupts.
+pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
+    if let Some(language) = arguments.example {
+        out.write_all(language.program().as_bytes())?;
+        return Ok(());
+    }
+    run_with(arguments, out, |patience, interrupted| {
+        let program = Program::start(&arguments.program, patience, interrupted)?;
+        let report = try_judge(&program, &arguments.claims)?;
+        Ok((report, program.name().to_string()))
+    })
+}
+
+/// The same with any judge, who says what the program calls itself.
+pub(crate) fn run_with(
+    arguments: &Arguments,
+    out: &mut dyn Write,
+    judge: impl FnOnce(Duration, &Arc<AtomicBool>) -> Result<(Report, String), String>,
+) -> Result<(), Failure> {
+    let seconds = arguments.patience;
+    if !(seconds > 0.0 && seconds <= 86_400.0) {
+        return Err(Failure::refused(format!(
+            "--patience {seconds:?}: it must be greater than zero and at most 86400 s"
+        )));
+    }
+    // Status 1 says that a claim fails, and nothing else.
+    let refused = |error: anyhow::Error| Failure::refused(format!("{error:#}"));
+    // Set the interrupt handler before starting the program, which an interrupt does not reach.
+    let interrupted = interrupts()?;
+    let destination = arguments.report.as_deref();
+    let destination = destination.map(|path| Destination::file("--report", path)).transpose()?;
+    let judged = judge(Duration::from_secs_f64(seconds), &interrupted);
+    // Here the program has been ended.
+    if interrupted.load(Ordering::Relaxed) {
+        return Err(Failure::refused("interrupted"));
+    }
+    let (report, name) = judged.map_err(Failure::Refused)?;
+    let words: Vec<_> = arguments.program.iter().map(|word| word.to_string_lossy()).collect();
+    let command = words.join(" ");
+    let judged =
+        Judged { command: &command, name: &name, claims: &arguments.claims, report: &report };
+    if let Some(mut destination) = destination {
+        let html = page::html(&judged).map_err(refused)?;
+        destination.write_all(html.as_bytes()).context("--report").map_err(refused)?;
+        destination.finish().map_err(|failure| match failure {
+            Failure::Failed(error) => refused(error.context("--report")),
+            other => other,
+        })?;
+    }
+    let printed = print(arguments, &judged, out);
+    let shown = match report.verdict {
+        Verdict::Holds | Verdict::Unclaimed => true,
+        Verdict::Fails => false,
+        Verdict::Unclear | Verdict::NotMeasured => arguments.lenient,
+    };
+    match (shown, printed) {
+        (false, _) => Err(Failure::No),
+        // A closed pipe is no complaint.
+        (_, Err(error)) if error.kind() == io::ErrorKind::BrokenPipe => Err(error.into()),
+        (_, Err(error)) => Err(Failure::refused(format!("the report cannot be written: {error}"))),
+        (_, Ok(())) => Ok(()),
+    }
+}
+
+/// Prints the report, and all of it: on failure nothing more is.
+fn print(arguments: &Arguments, judged: &Judged<'_>, out: &mut dyn Write) -> io::Result<()> {
+    let report = judged.report;
+    match arguments.format {
+        ReportFormat::Text => {
+            let text = report.to_string();
+            let (head, rest) = text.split_once('\n').unwrap_or((&text, ""));
+            let (rows, last) = rest.trim_end().rsplit_once('\n').unwrap_or(("", rest));
+            let style = match report.verdict {
+                Verdict::Fails => colour::BAD,
+                Verdict::Holds | Verdict::Unclaimed => colour::GOOD,
+                Verdict::Unclear | Verdict::NotMeasured => colour::DOUBTFUL,
+            };
+            let [head, last] = [(colour::HEAD, head), (style, last)]
+                .map(|(style, line)| colour::output(style, line));
+            write!(out, "{head}\n{rows}\n{last}\n")?;
+        }
+        ReportFormat::Json => {
+            serde_json::to_writer_pretty(&mut *out, &json::value(judged))?;
+            writeln!(out)?;
+        }
+        ReportFormat::Junit => out.write_all(junit::text(judged, arguments.lenient).as_bytes())?,
+        ReportFormat::Markdown => out.write_all(markdown::text(judged).as_bytes())?,
+    }
+    out.flush()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::Parser;
+
+    #[derive(Parser)]
+    struct Call {
+        #[command(flatten)]
+        arguments: Arguments,
+    }
+
+    /// Catches: a verdict between yes and no with the status of yes, or with that of no where it
+    /// was to be lenient; a program at fault with status 1; a claim that fails with status 0
+    /// because nobody reads on.
+    #[test]
+    fn each_verdict_has_its_status() {
+        struct Closed;
+        impl Write for Closed {
+            fn write(&mut self, _: &[u8]) -> io::Result<usize> {
+                Err(io::ErrorKind::BrokenPipe.into())
+            }
+            fn flush(&mut self) -> io::Result<()> {
+                Err(io::ErrorKind::BrokenPipe.into())
+            }
+        }
+        let status = |options: &[&str], out: &mut dyn Write, judged: Result<Verdict, String>| {
+            let call = Call::parse_from([&["verify"], options, &["--", "x"]].concat());
+            let judged = judged.map(|verdict| {
+                let mut report = Report::default();
+                report.verdict = verdict;
+                (report, String::new())
+            });
+            let outcome = run_with(&call.arguments, out, |_, _| judged);
+            outcome.map_or_else(|failure| failure.status(), |()| 0)
+        };
+        for (verdict, expected) in [
+            (Verdict::Holds, [0, 0]),
+            (Verdict::Unclaimed, [0, 0]),
+            (Verdict::Fails, [1, 1]),
+            (Verdict::Unclear, [1, 0]),
+            (Verdict::NotMeasured, [1, 0]),
+        ] {
+            for (options, expected) in [&[][..], &["--lenient"]].into_iter().zip(expected) {
+                let got = status(options, &mut Vec::new(), Ok(verdict));
+                assert_eq!(got, expected, "{verdict:?} {options:?}");
+                assert_eq!(status(options, &mut Closed, Ok(verdict)), expected, "{verdict:?}");
+            }
+        }
+        assert_eq!(status(&[], &mut Vec::new(), Err("it does not answer".to_owned())), 2);
+        assert_eq!(status(&["--patience", "0"], &mut Vec::new(), Ok(Verdict::Holds)), 2);
+    }
+}

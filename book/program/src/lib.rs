@@ -1,0 +1,17 @@
+//! What the binary `pendula` does, as a library, so that its integration tests can call it.
+//!
+//! In reading order: the command line ([`cli`]), its [`commands`], what the judge says of a program
+//! that is not ours ([`verify`]), and what depends on the reader's machine, and so is in no
+//! snapshot ([`work_precision`]). A [`picture`] is what `pendula sweep flips` draws.
+//!
+//! Without the feature `book` there are the simulations and the judge alone; without `device`, no
+//! OpenCL.
+
+pub mod cli;
+pub mod colour;
+pub mod commands;
+pub mod picture;
+mod threads;
+pub mod verify;
+#[cfg(feature = "book")]
+pub mod work_precision;

@@ -1,0 +1,417 @@
+//! The side of the protocol that asks: a program that is not ours, as a [`Stranger`].
+
+use std::ffi::OsString;
+use std::io;
+use std::process::{Command, Stdio};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::thread;
+use std::time::{Duration, Instant};
+
+use pendula::Phase;
+use pendula::verify::{Fault, Reply, Request, Stranger};
+
+use super::listen::{self, LONGEST, LastLines, Line};
+use super::process::Group;
+use super::protocol::{Answer, BYE, HELLO, answer, greeting};
+use pendula_output::printable::printable;
+
+/// How many times as long as for an answer a program is waited for in all. Some 400 questions are
+/// asked, most of which take a small part of the patience: see [`Program::longest_run`].
+const ALL: u32 = 120;
+
+/// How long a program that was told `bye` may take to end.
+const GRACE: Duration = Duration::from_millis(500);
+
+/// A program that speaks the protocol over its standard input and output. Dropped, it is told
+/// `bye`, and ended a moment later with all that it has started, if it has not ended by itself.
+///
+/// Whatever it writes, little of it is kept: a line longer than 1000 bytes is a fault, and so is
+/// one more than the answer has; beyond a thousand lines that nobody has read, it waits.
+#[derive(Debug)]
+pub struct Program {
+    command: String,
+    name: String,
+    patience: Duration,
+    /// When all answers have to be there.
+    end: Instant,
+    interrupted: Arc<AtomicBool>,
+    talk: Mutex<Talk>,
+}
+
+/// What has become of the conversation.
+#[derive(Debug)]
+enum Talk {
+    Open(Conversation),
+    /// The program is at fault, and has been ended.
+    Over(String),
+}
+
+impl Program {
+    /// Starts `command`, its name and its arguments, and greets it. It has `patience` for each
+    /// answer, and 120 times as long for all; once `interrupted` is set, it is waited for no
+    /// longer.
+    ///
+    /// # Errors
+    /// One line that says why it cannot be started, or how it answered.
+    pub fn start(
+        command: &[OsString],
+        patience: Duration,
+        interrupted: &Arc<AtomicBool>,
+    ) -> Result<Self, String> {
+        let words: Vec<_> = command.iter().map(|word| word.to_string_lossy()).collect();
+        let shown = shortened(&words.join(" "), EXPLAINED);
+        let conversation = Conversation::start(command)
+            .map_err(|error| format!("{shown} cannot be started: {error}"))?;
+        let mut program = Self {
+            command: shown,
+            name: String::new(),
+            patience,
+            end: Instant::now() + ALL * patience,
+            interrupted: Arc::clone(interrupted),
+            talk: Mutex::new(Talk::Open(conversation)),
+        };
+        program.name = program.ask(HELLO, |turn| {
+            let line = turn.line(|| "without an answer".to_string())?;
+            greeting(&line).map_err(|why| Trouble::came(&line, &why))
+        })?;
+        Ok(program)
+    }
+
+    /// The name that the program gives itself, which may be empty.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// Sends `question` and lets `read` read the answer.
+    fn ask<T>(
+        &self,
+        question: &str,
+        read: impl FnOnce(&mut Turn<'_>) -> Result<T, Trouble>,
+    ) -> Result<T, String> {
+        let mut talk = self.talk.lock().unwrap_or_else(PoisonError::into_inner);
+        let conversation = match &mut *talk {
+            Talk::Open(conversation) => conversation,
+            Talk::Over(why) => return Err(why.clone()),
+        };
+        let mut turn = Turn {
+            answers: &conversation.answers,
+            deadline: self.end.min(Instant::now() + self.patience),
+            interrupted: &self.interrupted,
+        };
+        // A program may greet before it is greeted.
+        let silent = if question == HELLO { Ok(()) } else { turn.nothing_waits() };
+        let answer = silent.and_then(|()| {
+            // That a program has ended is seen when it does not answer.
+            let _ = conversation.questions.send(format!("{question}\n"));
+            read(&mut turn)
+        });
+        let why = match answer {
+            Ok(answer) => return Ok(answer),
+            Err(Trouble::Interrupted) => "interrupted".to_string(),
+            Err(trouble) => {
+                let waited = match Instant::now() < self.end {
+                    true => format!("{} s", self.patience.as_secs_f64()),
+                    false => format!("{} s of questions", (ALL * self.patience).as_secs_f64()),
+                };
+                let happened = conversation.inquest(trouble, &waited);
+                format!("{}: asked \"{question}\": {happened}", self.command)
+            }
+        };
+        *talk = Talk::Over(why.clone());
+        Err(why)
+    }
+}
+
+impl Stranger for Program {
+    /// As many steps as take a quarter of the patience, by requests that become longer until one
+    /// takes a twentieth of it. The first may have to compile.
+    fn longest_run(&self) -> u64 {
+        let start = Phase { theta: 1.0, omega: 0.0 };
+        let timed = |steps: u64| {
+            let (g_over_l, step) = (9.81, 0.01);
+            let request = Request { g_over_l, drive: None, start, step, steps, every: steps };
+            let begun = Instant::now();
+            // Whatever is wrong with the answer shows when the judge asks.
+            let answered = self.run(&request).is_ok();
+            (answered, begun.elapsed().as_secs_f64())
+        };
+        let patience = self.patience.as_secs_f64();
+        let (mut steps, (mut answered, mut took)) = (200, timed(200));
+        (answered, took) = if answered { timed(200) } else { (answered, took) };
+        while answered && took < 0.05 * patience && steps < 100_000 {
+            steps *= 5;
+            (answered, took) = timed(steps);
+        }
+        longest(steps, took, patience)
+    }
+
+    fn run(&self, request: &Request) -> Result<Reply, Fault> {
+        let states = request.states();
+        let answer = self.ask(&request.to_string(), |turn| {
+            let mut reply = Reply::default();
+            loop {
+                let came = reply.states.len() as u64;
+                let line = turn.line(|| match came {
+                    0 => "without an answer".to_string(),
+                    _ => format!("with {came} of {states} states"),
+                })?;
+                let wrong = |why: String| Err(Trouble::came(&line, &why));
+                match answer(&line) {
+                    Ok(Answer::State(_)) if came == states => {
+                        return wrong(format!(
+                            "it had sent all {states} states, and does not say done"
+                        ));
+                    }
+                    Ok(Answer::State(z)) => reply.states.push(z),
+                    Ok(Answer::Done(_)) if came < states => {
+                        return wrong(format!("it has sent {came} of {states} states"));
+                    }
+                    Ok(Answer::Done(evaluations)) => {
+                        return Ok(Ok(Reply { evaluations, ..reply }));
+                    }
+                    Ok(Answer::Error(why)) => {
+                        return Ok(Err(Fault::Refused(shortened(&why, EXPLAINED))));
+                    }
+                    Ok(Answer::Unsupported) if came == 0 => return Ok(Err(Fault::Unsupported)),
+                    Ok(Answer::Unsupported) => {
+                        return wrong(format!("it has sent {came} of {states} states"));
+                    }
+                    Err(why) => return wrong(format!("{why} (line {} of the answer)", came + 1)),
+                }
+            }
+        });
+        answer.map_err(Fault::Broken)?
+    }
+}
+
+/// As many steps as take a quarter of `patience` (s), where `steps` of them took `took` (s); at
+/// least one.
+fn longest(steps: u64, took: f64, patience: f64) -> u64 {
+    ((steps as f64 * 0.25 * patience / took) as u64).max(1)
+}
+
+/// Why an answer cannot be used.
+#[derive(Debug)]
+enum Trouble {
+    /// What came, in words.
+    Came(String),
+    /// Its output has ended; what had come until then.
+    Ended(String),
+    /// Nothing more came in time; what had come until then.
+    Late(String),
+    /// The user has had enough.
+    Interrupted,
+}
+
+impl Trouble {
+    /// This line came.
+    fn came(line: &str, why: &str) -> Self {
+        Self::Came(format!("\"{}\" came: {why}", shortened(line, QUOTED)))
+    }
+}
+
+/// What is read between a question and the end of its answer.
+struct Turn<'a> {
+    answers: &'a Receiver<Line>,
+    deadline: Instant,
+    interrupted: &'a AtomicBool,
+}
+
+impl Turn<'_> {
+    /// An error if the program has said something that nobody has asked for.
+    fn nothing_waits(&mut self) -> Result<(), Trouble> {
+        match self.answers.try_recv() {
+            Err(_) => Ok(()),
+            Ok(Line::Whole(line)) => {
+                Err(Trouble::came(&line, "it was there before the question, unasked for"))
+            }
+            Ok(line) => self.whole(line).map(drop),
+        }
+    }
+
+    /// The next line. `so_far` says what has come of the answer.
+    fn line(&mut self, so_far: impl Fn() -> String) -> Result<String, Trouble> {
+        const LISTEN: Duration = Duration::from_millis(20);
+        loop {
+            if self.interrupted.load(Ordering::Relaxed) {
+                return Err(Trouble::Interrupted);
+            }
+            let left = self.deadline.saturating_duration_since(Instant::now());
+            if left.is_zero() {
+                return Err(Trouble::Late(so_far()));
+            }
+            match self.answers.recv_timeout(left.min(LISTEN)) {
+                Ok(line) => return self.whole(line),
+                Err(RecvTimeoutError::Timeout) => {}
+                Err(RecvTimeoutError::Disconnected) => {
+                    return Err(Trouble::Ended(so_far()));
+                }
+            }
+        }
+    }
+
+    /// The line, if it is a whole one.
+    fn whole(&self, line: Line) -> Result<String, Trouble> {
+        match line {
+            Line::Whole(line) => Ok(line),
+            Line::TooLong(begin) => {
+                let why = format!("a line of more than {LONGEST} bytes");
+                Err(Trouble::came(&begin, &why))
+            }
+            Line::Unended(line) => Err(Trouble::Ended(format!(
+                "in the middle of the line \"{}\"",
+                shortened(&line, QUOTED)
+            ))),
+        }
+    }
+}
+
+/// The pipes to a program, and the threads at them.
+#[derive(Debug)]
+struct Conversation {
+    group: Group,
+    /// Its standard input, which is closed when this is dropped.
+    questions: Sender<String>,
+    answers: Receiver<Line>,
+    errors: LastLines,
+    /// Whether the program has been ended for a fault.
+    ended: bool,
+}
+
+impl Conversation {
+    fn start(command: &[OsString]) -> io::Result<Self> {
+        let (program, arguments) =
+            command.split_first().ok_or_else(|| io::Error::from(io::ErrorKind::InvalidInput))?;
+        let mut command = Command::new(program);
+        command.args(arguments);
+        command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+        let mut group = Group::start(&mut command)?;
+        let pipe = || io::Error::from(io::ErrorKind::BrokenPipe);
+        let child = group.child();
+        let input = child.stdin.take().ok_or_else(pipe)?;
+        let output = child.stdout.take().ok_or_else(pipe)?;
+        let errors = child.stderr.take().ok_or_else(pipe)?;
+        Ok(Self {
+            group,
+            questions: listen::writer(input),
+            answers: listen::lines(output),
+            errors: LastLines::of(errors),
+            ended: false,
+        })
+    }
+
+    /// Ends the program, and says what happened and what it wrote on standard error.
+    fn inquest(&mut self, trouble: Trouble, waited: &str) -> String {
+        if matches!(trouble, Trouble::Ended(_)) {
+            self.wait_for_end(GRACE);
+        }
+        let by_itself = self.group.has_ended();
+        let status = self.group.end();
+        self.ended = true;
+        let mut happened = match (trouble, status) {
+            (Trouble::Came(what), _) => what,
+            (Trouble::Ended(so_far), Ok(status)) if by_itself => {
+                format!("it ended ({status}), {so_far}")
+            }
+            (Trouble::Ended(so_far), _) => format!("it closed its output, {so_far}"),
+            (Trouble::Late(so_far), Ok(status)) if by_itself => {
+                format!("it ended ({status}), but not what it had started, {so_far}")
+            }
+            (Trouble::Late(so_far), _) => {
+                format!("given up after {waited}, {so_far} (are its answers flushed?)")
+            }
+            (Trouble::Interrupted, _) => "interrupted".to_string(),
+        };
+        let lines: Vec<String> =
+            self.errors.at_the_end().iter().map(|x| shortened(x, EXPLAINED)).collect();
+        if !lines.is_empty() {
+            happened += &format!("; its standard error ends \"{}\"", lines.join(" | "));
+        }
+        happened
+    }
+
+    /// Waits until the program has ended, for at most so long.
+    fn wait_for_end(&mut self, at_most: Duration) {
+        const LISTEN: Duration = Duration::from_millis(5);
+        let deadline = Instant::now() + at_most;
+        while !self.group.has_ended() && Instant::now() < deadline {
+            thread::sleep(LISTEN);
+        }
+    }
+}
+
+impl Drop for Conversation {
+    fn drop(&mut self) {
+        if !self.ended {
+            let _ = self.questions.send(format!("{BYE}\n"));
+            // Dropped, the sender closes the program's input behind it.
+            self.questions = std::sync::mpsc::channel().0;
+            self.wait_for_end(GRACE);
+        }
+        // The group ends what is left when it is dropped.
+    }
+}
+
+/// The most characters of a line that are quoted: a state takes fifty.
+const QUOTED: usize = 60;
+/// The most of one that says what is wrong.
+const EXPLAINED: usize = 160;
+
+/// At most so many characters of the text, with those that cannot be printed escaped.
+fn shortened(text: &str, most: usize) -> String {
+    let mut short = String::new();
+    let mut length = 0;
+    for c in text.chars() {
+        let shown = printable(c.encode_utf8(&mut [0; 4]));
+        length += shown.chars().count();
+        if length > most {
+            return short + "…";
+        }
+        short += &shown;
+    }
+    short
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// All numbers are such that each product and quotient is exact.
+    ///
+    /// Catches: a patience that is ignored, so that a longer one lengthens no run and a shorter one
+    /// makes a program late; a time for one step taken for that of all; a run of no step.
+    #[test]
+    fn a_run_takes_a_quarter_of_the_patience() {
+        assert_eq!(longest(200, 1.0, 10.0), 500);
+        assert_eq!([2.0, 20.0].map(|patience| longest(200, 0.5, patience)), [200, 2000]);
+        assert_eq!(longest(100_000, 0.25, 10.0), 1_000_000);
+        assert_eq!(longest(200, 1024.0, 2.0), 1);
+    }
+
+    /// Catches: a program that answers each question just in time, and so keeps its judge for an
+    /// hour.
+    #[cfg(unix)]
+    #[test]
+    fn there_is_an_end_to_all_answers() {
+        let words = ["sh", "-c", "read x; echo hello 1; while read x; do echo done 0; done"];
+        let patience = Duration::from_secs(1000);
+        let mut program =
+            Program::start(&words.map(OsString::from), patience, &Arc::default()).unwrap();
+        assert!(program.end > Instant::now() + 100 * patience);
+        program.end = Instant::now();
+        let late = program.ask("pendulum", |turn| turn.line(String::new)).unwrap_err();
+        assert!(late.contains("given up after 120000 s of questions"), "{late}");
+    }
+
+    /// Catches: an escape sequence that reaches the terminal, a fault of megabytes, a blank lost.
+    #[test]
+    fn what_came_is_quoted_in_a_short_line() {
+        assert_eq!(shortened("θ is \"1\"", 60), "θ is \"1\"");
+        assert_eq!(shortened("a\u{1b}[31m b\u{202e}", 60), "a\\u{1b}[31m b\\u{202e}");
+        assert_eq!(shortened(&"x".repeat(60), 60), "x".repeat(60));
+        assert_eq!(shortened(&"x".repeat(1_000_000), 60), "x".repeat(60) + "…");
+        assert_eq!(shortened(&"\u{1}".repeat(1000), 60), "\\u{1}".repeat(12) + "…");
+    }
+}

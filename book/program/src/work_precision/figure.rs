@@ -1,0 +1,117 @@
+//! The work–precision figure.
+
+use pendula::METHODS;
+use pendula_study::charts::{Axis, Chart, Figure, Style};
+
+use super::{Curve, Measured, Measurement, Problem, SCENES, front};
+
+/// The figure: a chart for each scene, with the same time axis.
+pub fn svg(measured: &Measured) -> String {
+    let times = || measured.curves.iter().flat_map(|curve| &curve.points).map(|p| p.seconds);
+    // Room for the names of those that lead, which stand to the left of them.
+    let shortest = times().fold(f64::INFINITY, f64::min) / 8.0;
+    let longest = times().fold(0.0, f64::max) * 1.5;
+    let label = format!("run time (s), {}", measured.instructions);
+    let figure = Figure::new(
+        "Run time against error",
+        format!(
+            "A chart for each of three scenes, both axes logarithmic: the error at the end over \
+             the time a run took, on {}. A thin grey line for each method; wide coloured ones with \
+             names along the lower left edge of all lines, where no method reaches an error \
+             sooner. The higher a method's order, the more steeply its line falls, so that those \
+             of higher order lead towards smaller errors.",
+            measured.instructions
+        ),
+    );
+    let charts = SCENES
+        .iter()
+        .map(|scene| chart(measured, scene, Axis::log(label.as_str()).range(shortest, longest)));
+    charts.fold(figure, Figure::panel).to_svg("work-precision")
+}
+
+fn chart(measured: &Measured, scene: &Problem, time: Axis) -> Chart {
+    let Problem { theta0, duration } = scene;
+    let error = Axis::log(format!("error (rad) after {duration} s from {theta0} rad"));
+    let mut chart = Chart::new(time, error).height(270.0);
+    let curves: Vec<&Curve> =
+        measured.curves.iter().filter(|curve| curve.scene == *scene).collect();
+    for curve in &curves {
+        chart = chart.background(curve.method.info().title, with_gaps(&curve.points));
+    }
+    for part in front::of(&curves) {
+        let title = part.method.info().title;
+        let index = METHODS.iter().position(|method| method.info().title == title);
+        let style = Style::numbered(index.unwrap_or(0)).line_only().solid().bold();
+        let middle = part.middle();
+        chart = chart.series("", style, part.points);
+        if let Some((seconds, error)) = middle {
+            chart = chart.note(seconds, error, title);
+        }
+    }
+    chart
+}
+
+/// Times and errors, with a gap (NaN) where steps between two points do not count.
+fn with_gaps(points: &[Measurement]) -> Vec<(f64, f64)> {
+    let mut line = Vec::new();
+    for (i, point) in points.iter().enumerate() {
+        if i > 0 && point.steps != 2 * points[i - 1].steps {
+            line.push((f64::NAN, f64::NAN));
+        }
+        line.push((point.seconds, point.error));
+    }
+    line
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::Curve;
+    use super::*;
+
+    fn measured() -> Measured {
+        let point = |k: i32| Measurement {
+            dt: 0.25 * 0.5_f64.powi(k),
+            steps: 400 << k,
+            error: 0.25_f64.powi(k),
+            seconds: 1e-6 * 2.0_f64.powi(k),
+        };
+        let points: Vec<Measurement> = (1..5).map(point).collect();
+        let curve = |scene| METHODS.iter().map(move |method| (scene, *method));
+        let curves = SCENES.into_iter().flat_map(curve);
+        let curves = curves.map(|(scene, method)| Curve { scene, method, points: points.clone() });
+        Measured { instructions: "an abacus", curves: curves.collect() }
+    }
+
+    /// Catches: a scene or a method left out, a machine not named, a figure that the book cannot
+    /// include.
+    #[test]
+    fn the_figure_shows_every_method_on_every_scene() {
+        let svg = svg(&measured());
+        let axes = svg.lines().filter(|line| line.contains("class=\"axis\"")).count();
+        assert_eq!(axes, SCENES.len());
+        for method in METHODS {
+            assert!(svg.contains(method.info().title));
+        }
+        assert!(svg.contains("run time (s), an abacus") && !svg.contains("\n\n"));
+    }
+
+    /// The horizontal axis is that of time.
+    ///
+    /// Catches: times and errors on each other's axis.
+    #[test]
+    fn a_point_has_its_time_and_then_its_error() {
+        let points = &measured().curves[0].points;
+        let expected: Vec<(f64, f64)> = points.iter().map(|p| (p.seconds, p.error)).collect();
+        assert_eq!(with_gaps(points), expected);
+    }
+
+    /// Catches: a line drawn through steps that do not count.
+    #[test]
+    fn a_line_ends_where_steps_do_not_count() {
+        let mut points = measured().curves[0].points.clone();
+        points.remove(1);
+        let line = with_gaps(&points);
+        assert_eq!(line.len(), points.len() + 1);
+        assert!(line[1].0.is_nan());
+    }
+}

@@ -1,0 +1,629 @@
+//! The commands as a user sees them: what they print, and what they leave behind when something is
+//! wrong.
+
+use std::fs;
+use std::io::Read;
+use std::path::Path;
+use std::process::{Command, Output, Stdio};
+
+use pendula::adaptive::{Adaptive, TaylorSeries, Tolerance};
+use pendula::methods::{Dop853, Rk4, StormerVerlet};
+use pendula::metrics::EnergyDrift;
+use pendula::systems::Joint;
+use pendula::{
+    DoublePendulum, Grid, Hamiltonian, METHODS, Motion, Pendulum, Phase, integrate, integrate_fast,
+};
+use pendula_study::claims::Verdict;
+use serde_json::Value;
+
+use crate::ledger::LEDGER;
+
+pub fn pendula(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_pendula")).args(arguments).output().expect("it starts")
+}
+
+pub fn printed(arguments: &[&str]) -> String {
+    let output = pendula(arguments);
+    assert!(output.status.success(), "{arguments:?}: {output:?}");
+    String::from_utf8(output.stdout).expect("UTF-8")
+}
+
+pub fn json(arguments: &[&str]) -> Value {
+    serde_json::from_str(&printed(arguments)).expect("JSON")
+}
+
+/// The exit status of a request that was valid, but failed.
+const FAILED: i32 = 2;
+
+/// One line on standard error, nothing on standard output, exit status 2.
+pub fn assert_refused(arguments: &[&str], because: &str) {
+    let output = pendula(arguments);
+    let message = String::from_utf8(output.stderr).expect("UTF-8");
+    assert_eq!(output.status.code(), Some(2), "{arguments:?}: {message}");
+    assert_eq!(message.lines().count(), 1, "{message}");
+    assert!(message.contains(because), "{message}");
+    assert!(output.stdout.is_empty());
+}
+
+pub fn numbers(csv: &str) -> Vec<Vec<f64>> {
+    let rows = csv.lines().skip(1);
+    rows.map(|row| row.split(',').map(|field| field.parse().expect("a number")).collect()).collect()
+}
+
+const RUN: [&str; 7] = ["simulate", "--method", "stormer-verlet", "--theta0", "1", "--dt", "0.01"];
+
+fn run_with<'a>(more: &[&'a str]) -> Vec<&'a str> {
+    RUN.iter().copied().chain(more.iter().copied()).collect()
+}
+
+/// Catches: numbers that parse to their neighbours, another energy than Eq. 3, accumulated time, a
+/// lost last row.
+#[test]
+fn simulate_prints_what_the_library_computes() {
+    let text = printed(&run_with(&["--duration", "10", "--omega0", "-0.5"]));
+    assert!(text.starts_with("t,theta,omega,energy\n"));
+    let mut expected = Vec::new();
+    let pendulum = Pendulum::PAPER;
+    let start = Phase { theta: 1.0, omega: -0.5 };
+    let grid = Grid::with_duration(0.01, 10.0).unwrap();
+    integrate_fast(&pendulum, &StormerVerlet, start, &grid, &mut |_, t, z: Phase| {
+        expected.push(vec![t, z.theta, z.omega, pendulum.energy_from_pivot(z)]);
+    });
+    assert_eq!(numbers(&text), expected);
+}
+
+/// Catches: a --every that counts from the wrong sample, and JSON that differs from the CSV.
+#[test]
+fn every_and_json_select_and_format_the_same_rows() {
+    let all = numbers(&printed(&run_with(&["--steps", "100"])));
+    let some = numbers(&printed(&run_with(&["--steps", "100", "--every", "30"])));
+    assert_eq!(some, [0, 30, 60, 90].map(|n: usize| all[n].clone()));
+    let objects = json(&run_with(&["--steps", "100", "--every", "30", "--format", "json"]));
+    for (object, row) in objects.as_array().unwrap().iter().zip(&some) {
+        for (name, value) in ["t", "theta", "omega", "energy"].iter().zip(row) {
+            assert_eq!(object[name].as_f64(), Some(*value));
+        }
+    }
+}
+
+/// Catches: a format that a command does not pass on; objects under other names than the columns,
+/// in another order, with other digits, or more or fewer than there are rows.
+#[test]
+fn every_command_prints_the_same_rows_in_both_formats() {
+    let exact = ["exact", "--theta0", "1", "--t", "0,0.1,-3"];
+    for command in [
+        &run_with(&["--steps", "10"])[..],
+        &adaptive("3", "10", "1e-8"),
+        &exact,
+        &ensemble("0:1:5", "0.1", "1"),
+        &double_with(&["--steps", "10"]),
+    ] {
+        let csv = printed(command);
+        let names: Vec<&str> = csv.lines().next().unwrap().split(',').collect();
+        let rows = numbers(&csv);
+        assert!(rows.len() > 2, "{csv}");
+        let objects = rows.iter().map(|row| {
+            let fields = names.iter().zip(row).map(|(name, value)| (*name, Value::from(*value)));
+            fields.map(|(name, value)| (name.to_string(), value)).collect()
+        });
+        let printed = json(&[command, &["--format", "json"]].concat());
+        assert_eq!(printed, Value::Array(objects.collect()), "{command:?}");
+    }
+}
+
+/// Catches: g, L and m exchanged or ignored, by the motion or by its energy.
+#[test]
+fn simulate_takes_the_pendulum_it_is_given() {
+    let scene = ["--steps", "100", "--gravity", "3", "--length", "2", "--mass", "5"];
+    let pendulum = Pendulum::new(3.0, 2.0, 5.0).unwrap();
+    let mut expected = Vec::new();
+    let grid = Grid::new(0.01, 100).unwrap();
+    integrate_fast(&pendulum, &StormerVerlet, Phase::at_rest(1.0), &grid, &mut |_, t, z: Phase| {
+        expected.push(vec![t, z.theta, z.omega, pendulum.energy_from_pivot(z)]);
+    });
+    assert_eq!(numbers(&printed(&run_with(&scene))), expected);
+}
+
+/// Catches: g, L, m or the velocity at the start ignored by a sweep, or taken for one another: in
+/// the motion, and in its energy.
+#[test]
+fn a_sweep_takes_the_pendulum_it_is_given() {
+    let pendulum = Pendulum::new(3.0, 2.0, 5.0).unwrap();
+    let scene = ["--gravity", "3", "--length", "2", "--mass", "5", "--omega0", "0.75"];
+    let row = |theta: f64, dt: f64| {
+        let mut drift = EnergyDrift::new(&pendulum);
+        let start = Phase { theta, omega: 0.75 };
+        let grid = Grid::with_duration(dt, 5.0).unwrap();
+        let end = integrate_fast(&pendulum, &Rk4, start, &grid, &mut drift);
+        vec![theta, dt, end.theta, end.omega, drift.largest()]
+    };
+    let angles = numbers(&printed(&[&ensemble("-1:1:3", "0.1", "5")[..], &scene].concat()));
+    assert_eq!(angles, [-1.0, 0.0, 1.0].map(|theta| row(theta, 0.1)));
+    let steps = numbers(&printed(&[&ensemble("1", "0.1:0.025:3", "5")[..], &scene].concat()));
+    assert_eq!(steps, [0.1, 0.05, 0.025].map(|dt| row(1.0, dt)));
+}
+
+fn adaptive<'a>(theta0: &'a str, duration: &'a str, tolerance: &'a str) -> [&'a str; 9] {
+    [
+        "simulate",
+        "--method",
+        "dop853",
+        "--theta0",
+        theta0,
+        "--duration",
+        duration,
+        "--tolerance",
+        tolerance,
+    ]
+}
+
+/// Catches: the start or the last step left out, a tolerance or a direction of time that is not
+/// passed on, one method for the other; g, L, m or the velocity at the start ignored, or taken for
+/// one another.
+#[test]
+fn adaptive_prints_what_the_library_computes() {
+    let pendulum = Pendulum::new(3.0, 2.5, 5.0).unwrap();
+    let start = Phase { theta: 3.0, omega: -0.25 };
+    for duration in [10.0, -10.0] {
+        let tolerance = Tolerance::uniform(1e-8).unwrap();
+        let [mut expected, mut of_series] = [vec![], vec![]];
+        let row = |t, z: Phase| vec![t, z.theta, z.omega, pendulum.energy_from_pivot(z)];
+        let mut watch = |_, t, z| expected.push(row(t, z));
+        let control = Adaptive::new(Dop853, tolerance);
+        control.integrate(&pendulum, start, 0.0, duration, &mut watch).unwrap();
+        let mut watch = |_, t, z| of_series.push(row(t, z));
+        let control = Adaptive::new(TaylorSeries, tolerance);
+        control.integrate(&pendulum, start, 0.0, duration, &mut watch).unwrap();
+        let duration = duration.to_string();
+        let scene = ["--gravity", "3", "--length", "2.5", "--mass", "5", "--omega0", "-0.25"];
+        let arguments = adaptive("3", &duration, "1e-8").into_iter().chain(scene);
+        let text = printed(&arguments.clone().collect::<Vec<_>>());
+        assert!(text.starts_with("t,theta,omega,energy\n"));
+        assert_eq!(numbers(&text), expected);
+        let with = |method| {
+            let arguments = arguments.clone().map(|a| if a == "dop853" { method } else { a });
+            numbers(&printed(&arguments.collect::<Vec<_>>()))
+        };
+        assert!(with("dormand-prince").len() > expected.len());
+        assert_eq!(with("taylor-series"), of_series);
+    }
+}
+
+const DOUBLE: [&str; 11] = [
+    "simulate",
+    "--system",
+    "double-pendulum",
+    "--theta1",
+    "2",
+    "--theta2",
+    "-0.5",
+    "--dt",
+    "0.01",
+    "--omega2",
+    "1.5",
+];
+
+fn double_with<'a>(more: &[&'a str]) -> Vec<&'a str> {
+    DOUBLE.iter().copied().chain(more.iter().copied()).collect()
+}
+
+/// Catches: upper and lower exchanged, momenta printed for velocities, a y that points down, rows
+/// that an animation cannot read.
+#[test]
+fn the_double_pendulum_is_printed_ready_to_be_drawn() {
+    let shape = ["--length1", "1.3", "--length2", "0.6", "--mass1", "0.7", "--mass2", "1.9"];
+    let text = printed(&[&double_with(&["--steps", "200", "--gravity", "3"])[..], &shape].concat());
+    assert!(text.starts_with("t,theta1,theta2,omega1,omega2,x1,y1,x2,y2,energy\n"));
+    let rows = numbers(&text);
+    assert_eq!(rows.len(), 201);
+    let upper = Joint { length: 1.3, mass: 0.7 };
+    let double = DoublePendulum::new(3.0, upper, Joint { length: 0.6, mass: 1.9 }).unwrap();
+    let start = double.start([2.0, -0.5], [0.0, 1.5]).unwrap();
+    let end = integrate(&double, &Rk4, start, &Grid::new(0.01, 200).unwrap(), &mut ());
+    let last = &rows[200];
+    assert_eq!(last[..3], [2.0, end.theta1, end.theta2]);
+    assert_eq!(last[3..5], double.velocities(end));
+    assert_eq!(last[9], double.energy(end));
+    // By hand, at the start: to a few roundings.
+    let places = [1.3 * 2_f64.sin(), -1.3 * 2_f64.cos()];
+    let lower = [places[0] - 0.6 * 0.5_f64.sin(), places[1] - 0.6 * 0.5_f64.cos()];
+    for (place, by_hand) in rows[0][5..9].iter().zip(places.into_iter().chain(lower)) {
+        assert!((place - by_hand).abs() < 1e-15, "{place} {by_hand}");
+    }
+}
+
+/// Catches: bad input that is accepted, a panic, a message of several lines, another exit status.
+#[test]
+fn bad_input_is_refused_in_one_line() {
+    assert_refused(&["simulate", "--method", "rk5"], "forward-euler");
+    assert_refused(&run_with(&[]), "--duration");
+    assert_refused(&run_with(&["--steps", "1", "--duration", "1"]), "cannot be used with");
+    assert_refused(&run_with(&["--steps", "-1"]), "-1");
+    assert_refused(&run_with(&["--steps", "1", "--every", "0"]), "--every");
+    assert_refused(&run_with(&["--steps", "1", "--mass", "nan"]), "finite and greater than zero");
+    assert_refused(&run_with(&["--steps", "1", "--gravity", "-9.81"]), "greater than zero");
+    assert_refused(&run_with(&["--duration", "0.015"]), "whole number of steps");
+    assert_refused(&run_with(&["--steps", "9007199254740993"]), "2^53");
+    assert_refused(&run_with(&["--steps", "1", "--omega0", "inf"]), "angular velocity");
+    assert_refused(&double_with(&[]), "--duration");
+    assert_refused(&double_with(&["--steps", "1", "--mass2", "0"]), "mass m₂ (kg) = 0.0");
+    assert_refused(&double_with(&["--steps", "1", "--omega1", "nan"]), "ω₁");
+    assert_refused(&double_with(&["--duration", "0.015"]), "whole number of steps");
+    for (theta0, dt, duration, because) in [
+        ("1", "0.01", "10", "exactly one"),
+        ("0:1:5", "0.1:0.01:5", "10", "exactly one"),
+        ("0:1:1", "0.01", "10", "2 or more"),
+        ("0:1", "0.01", "10", "FROM:TO:COUNT"),
+        ("0:nan:5", "0.01", "10", "FROM:TO:COUNT"),
+        ("0:1e16:5", "0.01", "10", "at most 1e15"),
+        ("0:1:5", "0.015", "0.1", "whole number of steps"),
+        ("1", "-0.1:0.1:5", "10", "greater than zero"),
+        ("1", "0.1:20:5", "10", "at most the duration"),
+        ("1", "0.1:1e-300:5", "10", "2^53"),
+    ] {
+        assert_refused(&ensemble(theta0, dt, duration), because);
+    }
+    let part = |part, format| {
+        [&ensemble("0:1:5", "0.1", "1")[..], &["--part", part, "--format", format]].concat()
+    };
+    for k in ["3", "0/3", "4/3", "1/0", "a/b", "1/", "-1/3", "1 / 3", "1/99999999999999999999"] {
+        assert_refused(&part(k, "csv"), "K/N, whole numbers with K from 1 to N");
+    }
+    assert_refused(&part("--summary", "csv"), "the value before it is missing");
+    for k in ["1/1", "2/3", "9/9"] {
+        assert_refused(&part(k, "json"), "--part needs --format csv");
+    }
+    assert_refused(&adaptive("1", "10", "0"), "greater than zero");
+    assert_refused(&adaptive("1", "10", "1e-16"), "2.22e-15");
+    assert_refused(&adaptive("1", "inf", "1e-6"), "finite");
+    assert_refused(&adaptive("nan", "10", "1e-6"), "angle");
+    let rk4 = ["simulate", "--method", "rk4", "--theta0", "1", "--duration", "1"];
+    let because = "must be dormand-prince, dop853 or taylor-series";
+    assert_refused(&[&rk4[..], &["--tolerance", "1e-6"]].concat(), because);
+    assert_refused(
+        &[&rk4[..], &["--tolerance", "1e-6", "--dt", "1"]].concat(),
+        "cannot be used with",
+    );
+    assert_refused(&[&adaptive("1", "10", "1e-6")[..], &["--every", "2"]].concat(), "--every");
+    assert_refused(&[&rk4[..], &["--dt", "1", "--max-steps", "2"]].concat(), "--max-steps");
+    assert_refused(&rk4[..], "--tolerance");
+    let series = ["simulate", "--method", "taylor-series", "--theta0", "1", "--dt", "1"];
+    assert_refused(&[&series[..], &["--steps", "1"]].concat(), "--tolerance, not --dt");
+    assert_refused(&[&["simulate"], &rk4[3..], &["--dt", "1"]].concat(), "--method is missing");
+    assert_refused(&run_with(&["--steps", "1", "--theta1", "1"]), "--system double-pendulum");
+    assert_refused(&double_with(&["--steps", "1", "--mass", "1"]), "--mass belongs to");
+    assert_refused(&["exact", "--theta0", "1", "--format", "json"], "--t");
+    assert_refused(&["sweep"], "--method");
+    assert_refused(&["paper"], "tables");
+    assert_refused(&["bench", "--seconds", "-1"], "greater than zero");
+    assert_refused(&["bench", "--output", "/no/such/folder"], "--output");
+    assert_refused(&["exact", "--theta0", "1", "--t", "1,two"], "two");
+    assert_refused(&["exact", "--theta0", "1", "--t", "inf"], "refused");
+    assert_refused(&["exact", "--theta0", "nan"], "finite");
+    assert_refused(&["paper", "tables", "--table", "3"], "2, 4, 5, 6, 7, 8");
+    assert_refused(&["paper", "tables", "--format", "xml"], "json");
+}
+
+fn ensemble<'a>(theta0: &'a str, dt: &'a str, duration: &'a str) -> [&'a str; 9] {
+    ["sweep", "--method", "rk4", "--theta0", theta0, "--dt", dt, "--duration", duration]
+}
+
+/// The row of the ensemble, computed from one run of `simulate`.
+fn row_of_one_run(theta0: f64, dt: f64) -> Vec<f64> {
+    let [theta, step] = [theta0, dt].map(|x| x.to_string());
+    let arguments = ["--method", "rk4", "--theta0", &theta, "--dt", &step, "--duration", "10"];
+    let rows = numbers(&printed(&[&["simulate"], &arguments[..]].concat()));
+    let energy = |row: &Vec<f64>| Pendulum::PAPER.energy(Phase { theta: row[1], omega: row[2] });
+    let largest = rows.iter().map(|row| (energy(row) - energy(&rows[0])).abs()).fold(0.0, f64::max);
+    let last = rows.last().unwrap();
+    vec![theta0, dt, last[1], last[2], largest]
+}
+
+/// Catches: lanes that mix up their starts, an end one step early, an energy error that leaves
+/// samples out.
+#[test]
+fn a_sweep_over_starts_is_a_run_from_each() {
+    let rows = numbers(&printed(&ensemble("-1:3:5", "0.01", "10")));
+    assert_eq!(rows, [-1.0, 0.0, 1.0, 2.0, 3.0].map(|theta0| row_of_one_run(theta0, 0.01)));
+}
+
+/// Catches: a step in the rows that is not the one that was taken, rows in the order in which runs
+/// finish.
+#[test]
+fn a_sweep_over_steps_is_a_run_with_each() {
+    let rows = numbers(&printed(&ensemble("1", "0.1:0.001:5", "10")));
+    let steps: Vec<f64> = rows.iter().map(|row| row[1]).collect();
+    assert_eq!(steps, [100, 316, 1000, 3162, 10000].map(|n| 10.0 / f64::from(n)));
+    assert_eq!(rows, steps.iter().map(|dt| row_of_one_run(1.0, *dt)).collect::<Vec<_>>());
+}
+
+/// Catches: a sweep of several batches that loses or repeats one, a file that differs from standard
+/// output, or is left by a sweep that fails.
+#[test]
+fn a_large_sweep_is_whole_in_its_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("sweep.csv");
+    let sweep = ensemble("0:1:10001", "0.1", "0.2");
+    let to_file = ["--output", path.to_str().unwrap()];
+    assert_eq!(printed(&[&sweep[..], &to_file].concat()), "");
+    let text = fs::read_to_string(&path).unwrap();
+    assert_eq!(text, printed(&sweep));
+    let starts: Vec<f64> = numbers(&text).iter().map(|row| row[0]).collect();
+    assert_eq!(starts, (0..=10_000).map(|i| f64::from(i) / 1e4).collect::<Vec<_>>());
+
+    let failing = ["sweep", "--method", "forward-euler", "--theta0", "0:1:5", "--dt", "1e200"];
+    let failing = [&failing[..], &["--duration", "1e201"], &to_file].concat();
+    assert_eq!(pendula(&failing).status.code(), Some(FAILED));
+    assert_eq!(files(folder.path()), ["sweep.csv"]);
+    assert_eq!(fs::read_to_string(&path).unwrap(), text);
+}
+
+/// Catches: rows in the book that the command beside them does not print.
+#[test]
+fn the_book_shows_the_parts_as_they_are_printed() {
+    let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("../src/appendix-changing.md");
+    let page = fs::read_to_string(page).unwrap();
+    let (_, listing) = page.split_once("$ sweep=\"").unwrap();
+    let (sweep, listing) = listing.split_once("\"\n").unwrap();
+    let (shown, _) = listing.split_once("```").unwrap();
+    let mut shown = shown.split("$ pendula sweep $sweep ");
+    assert_eq!(shown.next(), Some(""));
+    let mut parts = 0;
+    for (part, rows) in shown.map(|part| part.split_once('\n').unwrap()) {
+        let words = ["sweep", sweep, part].into_iter().flat_map(|words| words.split(' '));
+        assert_eq!(printed(&words.collect::<Vec<_>>()), rows, "{part}");
+        parts += 1;
+    }
+    assert_eq!(parts, 2);
+}
+
+/// In two seconds every method comes to errors that count, ten times over on an idle machine.
+///
+/// Catches: a method or a scene left out, formats that disagree, missing files.
+#[test]
+fn work_against_precision_is_printed_and_drawn() {
+    let folder = tempfile::tempdir().unwrap();
+    let run = ["bench", "--seconds", "2", "--output", folder.path().to_str().unwrap()];
+    let rows = json(&[&run[..], &["--format", "json"]].concat());
+    let csv = fs::read_to_string(folder.path().join("work-precision.csv")).unwrap();
+    let rows = rows.as_array().unwrap();
+    assert_eq!(csv.lines().count(), rows.len() + 1);
+    for (line, row) in csv.lines().skip(1).zip(rows) {
+        let fields: Vec<&str> = line.split(',').collect();
+        assert_eq!(row["method"], fields[2]);
+        assert_eq!(row["error"].as_f64(), fields[5].parse().ok());
+        assert!(row["seconds"].as_f64().unwrap() > 0.0);
+    }
+    for theta0 in [1.0, 3.0] {
+        assert!(rows.iter().any(|row| row["theta0"] == theta0 && row["method"] == "rk4"), "{csv}");
+    }
+    let svg = fs::read_to_string(folder.path().join("work-precision.svg")).unwrap();
+    assert!(METHODS.iter().all(|method| svg.contains(method.info().title)));
+    let mut left = files(folder.path());
+    left.sort();
+    assert_eq!(left, ["work-precision.csv", "work-precision.svg"]);
+}
+
+/// Catches: infinity or NaN printed as if it were a result.
+#[test]
+fn a_trajectory_that_leaves_the_range_of_numbers_is_an_error() {
+    let output = pendula(&[
+        "simulate",
+        "--method",
+        "forward-euler",
+        "--theta0",
+        "1",
+        "--dt",
+        "1e200",
+        "--steps",
+        "9",
+    ]);
+    assert_eq!(output.status.code(), Some(FAILED));
+    assert!(String::from_utf8_lossy(&output.stderr).contains("smaller step"));
+}
+
+fn files(folder: &Path) -> Vec<String> {
+    let entries = fs::read_dir(folder).unwrap();
+    entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect()
+}
+
+/// Catches: a file that differs from standard output, a temporary file left beside it, an old file
+/// not replaced.
+#[test]
+fn output_appears_whole_in_its_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("run.csv");
+    fs::write(&path, "old").unwrap();
+    let arguments = ["--steps", "50", "--output", path.to_str().unwrap()];
+    assert_eq!(printed(&run_with(&arguments)), "");
+    assert_eq!(fs::read_to_string(&path).unwrap(), printed(&run_with(&["--steps", "50"])));
+    assert_eq!(files(folder.path()), ["run.csv"]);
+}
+
+/// Catches: a half-written file, or an old one destroyed, by a request that is refused or fails.
+#[test]
+fn a_request_that_fails_leaves_files_alone() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("run.csv");
+    fs::write(&path, "old").unwrap();
+    let path = path.to_str().unwrap();
+    assert_refused(&run_with(&["--duration", "0.015", "--output", path]), "whole number");
+    let run = ["simulate", "--method", "rk4", "--theta0", "1", "--dt", "1e200", "--steps", "9"];
+    let run: Vec<&str> = run.iter().copied().chain(["--output", path]).collect();
+    assert_eq!(pendula(&run).status.code(), Some(FAILED));
+    assert_refused(&run_with(&["--steps", "1", "--output", "/no/such/folder/x.csv"]), "--output");
+    assert_refused(
+        &run_with(&["--steps", "1", "--output", folder.path().to_str().unwrap()]),
+        "--output",
+    );
+    assert_eq!(files(folder.path()), ["run.csv"]);
+    assert_eq!(fs::read_to_string(path).unwrap(), "old");
+}
+
+/// Catches: NaN printed by a method that finds no solution; a step too long for it reported as an
+/// overflow, or as a failure that no other step would avoid; a file left behind.
+#[test]
+fn a_step_whose_equations_are_not_solved_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("run.csv");
+    for method in ["implicit-midpoint", "gauss-4", "gauss-6", "gauss-16"] {
+        let simulate =
+            ["simulate", "--method", method, "--theta0", "1", "--dt", "5", "--duration", "20"];
+        let ensemble =
+            ["sweep", "--method", method, "--theta0", "1:2:3", "--dt", "5", "--duration", "20"];
+        for run in [&simulate[..], &ensemble[..]] {
+            let run = [run, &["--output", path.to_str().unwrap()]].concat();
+            let refused = format!("a step of 5.0 s is refused: the iteration of {method}");
+            assert_refused(&run, &refused);
+            assert!(files(folder.path()).is_empty());
+        }
+    }
+    let short = ["--method", "gauss-4", "--theta0", "1", "--dt", "0.1", "--steps", "5"];
+    assert!(!printed(&[&["simulate"], &short[..]].concat()).contains("NaN"));
+}
+
+/// Catches: `pendula simulate … | head` that complains about the closed pipe, or continues to
+/// compute for hours.
+#[test]
+fn a_closed_pipe_ends_it_quietly() {
+    let program = env!("CARGO_BIN_EXE_pendula");
+    let mut run = if cfg!(unix) {
+        // A run that goes on is killed after 20 s of the processor's time, and so fails.
+        let mut shell = Command::new("sh");
+        shell.args(["-c", "ulimit -t 20; exec \"$0\" \"$@\"", program]);
+        shell
+    } else {
+        Command::new(program)
+    };
+    let mut run = run
+        .args(run_with(&["--steps", "1000000000000"]))
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let mut head = [0; 100];
+    run.stdout.take().unwrap().read_exact(&mut head).unwrap();
+    let output = run.wait_with_output().unwrap();
+    assert!(output.status.success() && output.stderr.is_empty(), "{output:?}");
+}
+
+/// Catches: times in another order, θ wrapped, arguments that are not passed to the closed form.
+#[test]
+fn exact_prints_the_closed_form() {
+    let scene = ["exact", "--theta0", "-0.5", "--omega0", "7", "--gravity", "3", "--length", "2"];
+    let text = printed(&[&scene[..], &["--t", "-3,0,1e3,0.1"]].concat());
+    let pendulum = Pendulum::new(3.0, 2.0, 1.0).unwrap();
+    let motion = Motion::new(&pendulum, Phase { theta: -0.5, omega: 7.0 }).unwrap();
+    let row = |t| vec![t, motion.at(t).theta, motion.at(t).omega];
+    assert_eq!(numbers(&text), [-3.0, 0.0, 1e3, 0.1].map(row));
+}
+
+/// Catches: a time at which no digit of the phase is right, printed as a result, or refused without
+/// the limit; a line of three hundred digits.
+#[test]
+fn exact_refuses_a_time_beyond_its_digits() {
+    let motion = Motion::new(&Pendulum::PAPER, Phase::at_rest(3.0)).unwrap();
+    let horizon = motion.horizon();
+    // Between neighbouring f64s there the pendulum takes a good part of a period or more.
+    let gap = horizon.next_up() - horizon;
+    assert!(gap > 0.1 * pendula::exact::period(&Pendulum::PAPER, 3.0).unwrap());
+    let limit = format!("at most {horizon:e} s");
+    for t in ["1e300", "-1e300", "1.7976931348623157e308", "-inf", "nan"] {
+        let arguments = ["exact", "--theta0", "3", "--t", t];
+        assert_refused(&arguments, &limit);
+        let line = String::from_utf8(pendula(&arguments).stderr).unwrap();
+        assert!(line.len() < 250, "{line}");
+    }
+    let at_limit = format!("-{horizon:?},{horizon:?}");
+    assert_eq!(numbers(&printed(&["exact", "--theta0", "3", "--t", &at_limit])).len(), 2);
+}
+
+/// The first five against the arithmetic–geometric mean, in f64: K = π/(2 agm(1, k')), which
+/// converges quadratically, with sine and cosine of the platform. Each value is a few operations
+/// from numbers that are off by at most an ε; 1e-15 is five of them.
+///
+/// Catches: a quantity missing or under another name, the parameter k² or the complementary modulus
+/// for the modulus, T₀/T for T/T₀, g and L exchanged or ignored.
+#[test]
+fn period_prints_what_it_is_made_of() {
+    for theta0 in ["3", "-1e-3", "0.5"] {
+        let text = printed(&["exact", "--theta0", theta0, "--gravity", "3", "--length", "2"]);
+        let lines: Vec<Vec<&str>> =
+            text.lines().map(|line| line.split_whitespace().collect()).collect();
+        let half = 0.5 * theta0.parse::<f64>().unwrap();
+        let (mut a, mut b) = (1.0_f64, half.cos());
+        for _ in 0..8 {
+            (a, b) = (0.5 * (a + b), (a * b).sqrt());
+        }
+        let k = std::f64::consts::FRAC_PI_2 / a;
+        let root = (2.0_f64 / 3.0).sqrt();
+        let expected = [
+            ("T", 4.0 * root * k, Some("s")),
+            ("T0", 2.0 * std::f64::consts::PI * root, Some("s")),
+            ("T/T0", 1.0 / a, None),
+            ("K", k, None),
+            ("modulus", half.sin().abs(), None),
+        ];
+        assert_eq!(lines.len(), expected.len() + 1, "{text}");
+        for (line, (name, value, unit)) in lines.iter().zip(expected) {
+            assert_eq!((line[0], line.get(2).copied()), (name, unit), "{text}");
+            let printed: f64 = line[1].parse().unwrap();
+            assert!((printed / value - 1.0).abs() < 1e-15, "{name}: {printed} {value}");
+        }
+    }
+}
+
+/// Catches: a cell without its id, value or verdict, and formats that disagree.
+#[test]
+fn tables_have_every_cell_in_every_format() {
+    let cells = json(&["paper", "tables", "--format", "json"]);
+    let cells = cells.as_array().unwrap();
+    let csv = printed(&["paper", "tables", "--format", "csv"]);
+    assert_eq!(csv.lines().next(), Some("id,stated,measured,verdict"));
+    assert_eq!(csv.lines().count(), cells.len() + 1);
+    for (cell, line) in cells.iter().zip(csv.lines().skip(1)) {
+        let fields: Vec<&str> = line.split(',').collect();
+        assert_eq!(fields.len(), 4, "{line}");
+        assert_eq!(cell["id"], fields[0]);
+        assert_eq!(cell["verdict"], fields[3]);
+    }
+    let cell = cells.iter().find(|cell| cell["id"] == "T4.rk4.0.01").unwrap();
+    assert_eq!(cell["stated"], 2.34e-7);
+    let text = printed(&["paper", "tables", "--table", "4"]);
+    assert!(text.starts_with("Table 4\n") && text.contains("2.33759 × 10⁻⁷"), "{text}");
+}
+
+/// Catches: claims lost on the way to the terminal, Markdown in it, a count that does not add up.
+#[test]
+fn claims_are_counted_by_verdict() {
+    let text = printed(&["paper", "claims"]);
+    assert!(!text.contains("**") && !text.contains('`'), "{text}");
+    let [readings, summary] = [0, 1].map(|line| text.lines().rev().nth(line).unwrap());
+    let (total, counts) = summary.split_once(" claims: ").expect("a summary");
+    let number = |words: &str| words.split(' ').next().unwrap().parse::<u32>().unwrap();
+    assert_eq!(number(total), counts.split(", ").map(number).sum::<u32>());
+    let claims = json(&["paper", "claims", "--format", "json"]);
+    assert_eq!(claims.as_array().unwrap().len() as u32, number(total) + number(readings));
+    let of_kind = |kind| claims.as_array().unwrap().iter().filter(|c| c["kind"] == kind).count();
+    assert_eq!(of_kind("reading") as u32, number(readings));
+    assert_eq!((of_kind("cell") + of_kind("sentence")) as u32, number(total));
+}
+
+/// The verdict is judged here too: it does not matter what the command prints it from.
+///
+/// Catches: a verdict that the measurement no longer supports, and the one on record printed in its
+/// place.
+#[test]
+fn every_claim_is_upheld() {
+    let printed = json(&["paper", "claims", "--format", "json"]);
+    let printed = printed.as_array().unwrap();
+    let stated: Vec<_> =
+        LEDGER.claims().iter().filter(|claim| claim.verdict != Verdict::NotStated).collect();
+    assert_eq!(printed.len(), stated.len());
+    for (claim, object) in stated.into_iter().zip(printed) {
+        assert_eq!(claim.judged(), claim.verdict, "{claim:?}");
+        assert_eq!(object["id"], claim.id);
+        assert_eq!(object["verdict"], claim.judged().to_string(), "{object}");
+        assert_eq!(object["recorded"], claim.verdict.to_string(), "{object}");
+    }
+}

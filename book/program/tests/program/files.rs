@@ -1,0 +1,199 @@
+//! `--output` and the files it is given: their permissions, links, limits.
+#![cfg(unix)]
+
+use std::fs::{self, File, Permissions};
+use std::os::unix::fs::{MetadataExt, PermissionsExt, symlink};
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+use tempfile::TempDir;
+
+const RUN: [&str; 9] =
+    ["simulate", "--method", "rk4", "--theta0", "1", "--dt", "0.01", "--steps", "1000"];
+
+/// What `pendula simulate` does with the file.
+fn simulate(file: &Path) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_pendula"));
+    command.args(RUN).arg("--output").arg(file).output().unwrap()
+}
+
+#[track_caller]
+fn succeeds(output: &Output) {
+    assert!(output.status.success() && output.stderr.is_empty(), "{output:?}");
+}
+
+/// It ends with status 2 and one line, which it returns.
+#[track_caller]
+fn fails(output: &Output) -> String {
+    let error = String::from_utf8(output.stderr.clone()).unwrap();
+    assert_eq!((output.status.code(), error.lines().count()), (Some(2), 1), "{output:?}");
+    error
+}
+
+fn folder() -> (TempDir, impl Fn(&str) -> PathBuf) {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().to_path_buf();
+    (folder, move |name: &str| path.join(name))
+}
+
+fn names(folder: &TempDir) -> Vec<String> {
+    let entries = fs::read_dir(folder.path()).unwrap();
+    let mut names: Vec<String> =
+        entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+    names.sort();
+    names
+}
+
+/// Catches: a private file that becomes readable by all, one for a group that becomes private, and
+/// a new one that ignores the user's mask or is private as temporary files are.
+#[test]
+fn a_file_keeps_its_permissions() {
+    let (folder, at) = folder();
+    for mode in [0o600, 0o640, 0o664, 0o755] {
+        fs::write(at("a.csv"), "old").unwrap();
+        fs::set_permissions(at("a.csv"), Permissions::from_mode(mode)).unwrap();
+        let before = fs::metadata(at("a.csv")).unwrap();
+        succeeds(&simulate(&at("a.csv")));
+        let after = fs::metadata(at("a.csv")).unwrap();
+        assert_eq!(
+            (after.mode(), after.uid(), after.gid()),
+            (before.mode(), before.uid(), before.gid())
+        );
+        assert!(after.len() > 3);
+    }
+    let mut shell = Command::new("sh");
+    shell.args(["-c", "umask 027; \"$0\" \"$@\"", env!("CARGO_BIN_EXE_pendula")]).args(RUN);
+    succeeds(&shell.arg("--output").arg(at("b.csv")).output().unwrap());
+    assert_eq!(fs::metadata(at("b.csv")).unwrap().mode() & 0o777, 0o640);
+    assert_eq!(names(&folder), ["a.csv", "b.csv"]);
+}
+
+/// Catches: a file that its owner has made read-only, replaced because its folder may be written.
+#[test]
+fn a_read_only_file_is_refused() {
+    let (folder, at) = folder();
+    fs::write(at("a.csv"), "old").unwrap();
+    fs::set_permissions(at("a.csv"), Permissions::from_mode(0o444)).unwrap();
+    let line = fails(&simulate(&at("a.csv")));
+    assert!(line.contains("a.csv: cannot be written: it is read-only"), "{line}");
+    assert_eq!(fs::read(at("a.csv")).unwrap(), b"old");
+    assert_eq!(names(&folder), ["a.csv"]);
+}
+
+/// Catches: a link replaced by a file, whether it leads to a file, to none yet, or nowhere.
+#[test]
+fn a_link_keeps_leading_where_it_leads() {
+    let (folder, at) = folder();
+    fs::create_dir(at("results")).unwrap();
+    fs::write(at("results/old.csv"), "old").unwrap();
+    for (link, target) in [
+        ("old", "results/old.csv"),
+        ("new", "results/new.csv"),
+        ("over", "new"),
+        ("round", "about"),
+        ("about", "round"),
+        ("nowhere", "no/such/folder/a.csv"),
+    ] {
+        symlink(target, at(link)).unwrap();
+    }
+    succeeds(&simulate(&at("old")));
+    succeeds(&simulate(&at("new")));
+    fs::remove_file(at("results/new.csv")).unwrap();
+    succeeds(&simulate(&at("over")));
+    let [old, new] = ["results/old.csv", "results/new.csv"].map(|name| fs::read(at(name)).unwrap());
+    assert!(old == new && old.len() > 1000);
+    for link in ["round", "nowhere"] {
+        let line = fails(&simulate(&at(link)));
+        assert!(line.contains(link) && line.contains("cannot be written"), "{line}");
+    }
+    for link in ["old", "new", "over", "round", "about", "nowhere"] {
+        assert!(fs::symlink_metadata(at(link)).unwrap().is_symlink(), "{link}");
+    }
+    assert_eq!(names(&folder), ["about", "new", "nowhere", "old", "over", "results", "round"]);
+    assert_eq!(fs::read_dir(at("results")).unwrap().count(), 2);
+}
+
+/// Catches: a limit on the size of files that kills the program with its temporary file left
+/// behind, or is told without the name of the file.
+#[test]
+fn a_file_that_grows_too_large_is_told() {
+    let (folder, at) = folder();
+    fs::write(at("a.csv"), "old").unwrap();
+    let limited = |redirect: &str| {
+        let script = format!("ulimit -f 4; exec \"$0\" \"$@\" {redirect}");
+        let mut shell = Command::new("sh");
+        shell.args(["-c", &script, env!("CARGO_BIN_EXE_pendula")]).args(RUN);
+        shell.current_dir(folder.path());
+        shell
+    };
+    let line = fails(&limited("").args(["--output", "a.csv"]).output().unwrap());
+    assert!(line.contains("a.csv cannot be written: File too large"), "{line}");
+    assert_eq!(fs::read(at("a.csv")).unwrap(), b"old");
+    let line = fails(&limited("> b.csv").output().unwrap());
+    assert!(line.contains("standard output cannot be written: File too large"), "{line}");
+    assert_eq!(names(&folder), ["a.csv", "b.csv"]);
+}
+
+/// Catches: rows lost on a full disk with status 0, or with a line that does not say where.
+#[test]
+fn a_full_disk_is_told() {
+    if !Path::new("/dev/full").exists() {
+        return;
+    }
+    let line = fails(&simulate(Path::new("/dev/full")));
+    assert!(line.contains("/dev/full cannot be written: No space left"), "{line}");
+    let mut shell = Command::new("sh");
+    shell.args(["-c", "exec \"$0\" \"$@\" > /dev/full", env!("CARGO_BIN_EXE_pendula")]).args(RUN);
+    let line = fails(&shell.output().unwrap());
+    assert!(line.contains("standard output cannot be written: No space left"), "{line}");
+}
+
+/// Catches: a message that names a file which nobody asked for instead of the folder.
+#[test]
+fn a_folder_that_is_not_there_is_named() {
+    let (folder, at) = folder();
+    let line = fails(&simulate(&at("no/such/x.csv")));
+    let missing = format!("there is no folder {}", at("no/such").display());
+    assert!(line.contains("x.csv: cannot be written: ") && line.contains(&missing), "{line}");
+    assert!(!line.contains(".pendula-"), "{line}");
+    assert!(names(&folder).is_empty());
+}
+
+/// Also through a link, and for a picture.
+///
+/// Catches: rows that are written, and overwritten at the end of a long run.
+#[test]
+fn two_outputs_of_one_name_are_refused() {
+    let (folder, at) = folder();
+    symlink("x", at("link")).unwrap();
+    fs::write(at("x"), "old").unwrap();
+    for line in [
+        "simulate --method rk4 --theta0 1 --dt 0.01 --steps 9 --output x --plot link",
+        "sweep --method rk4 --theta0 0:1:9 --dt 0.1 --duration 1 --output link --plot ./x",
+        "sweep flips --size 4 --duration 1 --output x --picture x",
+    ] {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_pendula"));
+        let output = command.args(line.split(' ')).current_dir(folder.path()).output().unwrap();
+        assert!(fails(&output).contains("it is being written already"), "{output:?}");
+        assert_eq!(fs::read(at("x")).unwrap(), b"old");
+        assert_eq!(names(&folder), ["link", "x"]);
+    }
+}
+
+/// Catches: two runs that write one file; what a killed run has left, kept for ever or taken for
+/// that of a run that goes on; another file with a name like it removed.
+#[test]
+fn what_a_killed_run_has_left_is_removed() {
+    let (folder, at) = folder();
+    let left = at(".pendula-a.csv-AbCdEf");
+    fs::write(&left, "half").unwrap();
+    fs::write(at(".pendula-a.csv-b-AbCdEf"), "of a.csv-b").unwrap();
+    let writer = File::open(&left).unwrap();
+    writer.lock().unwrap();
+    let line = fails(&simulate(&at("a.csv")));
+    assert!(line.contains("a.csv: cannot be written: it is being written already"), "{line}");
+    // Not by its end alone: a process that another test is just starting has it open too.
+    writer.unlock().unwrap();
+    succeeds(&simulate(&at("a.csv")));
+    assert_eq!(names(&folder), [".pendula-a.csv-b-AbCdEf", "a.csv"]);
+}

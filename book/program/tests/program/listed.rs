@@ -1,0 +1,152 @@
+//! The commands that list what there is: the methods, and the claims that are asked for.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::Path;
+
+use clap::FromArgMatches;
+use pendula::METHODS;
+use pendula_program::cli;
+use pendula_program::commands::study::claims::{self, Filter, LedgerFormat};
+use pendula_study::claims::{Claim, Verdict};
+use serde_json::Value;
+
+use crate::commands::{assert_refused, json, printed};
+use crate::ledger::LEDGER;
+
+/// The source of a page, and of the snapshots that it includes.
+fn chapter_source(page: &str) -> String {
+    let top = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let page = fs::read_to_string(top.join("book/src").join(page.replace(".html", ".md"))).unwrap();
+    let included = page.split("{{#include ../../").skip(1).map(|rest| {
+        let path = rest.split([':', '}']).next().unwrap();
+        fs::read_to_string(top.join(path)).unwrap()
+    });
+    let included: String = included.collect();
+    page + &included
+}
+
+/// Catches: a method left out of a format, or with the facts of another; a table whose columns are
+/// not those of its head; a chapter that does not have the method.
+#[test]
+fn every_method_is_listed_with_its_facts() {
+    let objects = json(&["methods", "--format", "json"]);
+    let objects = objects.as_array().unwrap();
+    let csv = printed(&["methods", "--format", "csv"]);
+    let text = printed(&["methods"]);
+    assert_eq!(objects.len(), METHODS.len());
+    let names: Vec<&str> = csv.lines().next().unwrap().split(',').collect();
+    assert_eq!(csv.lines().count(), METHODS.len() + 1);
+    let lines = csv.lines().skip(1).zip(text.lines().skip(1));
+    let place = |word: &str| text.lines().next().unwrap().find(word).unwrap();
+    for ((method, object), (line, row)) in METHODS.iter().zip(objects).zip(lines) {
+        let info = method.info();
+        let fields: Vec<&str> = line.split(',').collect();
+        assert_eq!(fields.len(), names.len(), "{line}");
+        for (name, field) in names.iter().zip(fields) {
+            let value = match &object[*name] {
+                Value::String(text) => text.clone(),
+                other => other.to_string(),
+            };
+            assert_eq!(value, field, "{name}");
+        }
+        for (name, fact) in [
+            ("name", Value::from(info.name)),
+            ("aliases", info.aliases.into()),
+            ("order", info.order.into()),
+            ("symplectic", info.symplectic.into()),
+            ("reversible", info.symmetric.into()),
+            ("energy", pendula::verify::properties::energy::is_conserved_by(&info).into()),
+            ("evaluations", info.force_evaluations.into()),
+            ("start_evaluations", info.start_evaluations.into()),
+            ("reference", info.reference.into()),
+        ] {
+            assert_eq!(object[name], fact, "{name} of {}", info.name);
+        }
+        assert!(row.starts_with(&format!("{} ", info.name)), "{row}");
+        let at = |word| row.chars().skip(place(word)).collect::<String>();
+        assert_eq!(at("keeps").contains("symplectic"), info.symplectic, "{row}");
+        let evaluations =
+            format!("{}{}", info.force_evaluations, if info.implicit { " a sweep" } else { "" });
+        assert!(at("evaluations").starts_with(&format!("{evaluations}  ")), "{row}");
+        let chapter = object["chapter"].as_str().unwrap();
+        assert!(row.ends_with(chapter) && at("chapter") == chapter, "{row}");
+        let page = chapter_source(object["page"].as_str().unwrap());
+        assert!(page.contains(info.title) && page.contains(chapter), "{} in {chapter}", info.title);
+    }
+}
+
+/// The ids that are printed to who asks so. The command is read and answered in this process, which
+/// has measured the claims.
+fn ids(asked: &[&str]) -> Vec<String> {
+    let words = [&["pendula", "paper", "claims", "--format", "json"], asked].concat();
+    let matches = cli::definition().try_get_matches_from(words).unwrap();
+    let matches = matches.subcommand_matches("paper").unwrap();
+    let matches = matches.subcommand_matches("claims").unwrap();
+    let filter = Filter::from_arg_matches(matches).unwrap();
+    let mut out = Vec::new();
+    claims::report(&LEDGER, &filter, LedgerFormat::Json, &mut out).unwrap();
+    let all: Value = serde_json::from_slice(&out).unwrap();
+    let ids = all.as_array().unwrap().iter().map(|claim| claim["id"].as_str().unwrap().to_owned());
+    ids.collect()
+}
+
+/// The ids of the claims that satisfy this.
+fn those(satisfy: impl Fn(&Claim) -> bool) -> Vec<String> {
+    let stated = LEDGER.claims().iter().filter(|claim| claim.verdict != Verdict::NotStated);
+    stated.filter(|claim| satisfy(claim)).map(|claim| claim.id.clone()).collect()
+}
+
+/// Catches: a filter that is ignored, or replaces another; a word for another verdict; Section 7
+/// without its subsections, or with Section 70; a claim of two sections found in one; a count of
+/// claims that are not shown.
+#[test]
+fn claims_are_printed_that_were_asked_for() {
+    let wrong = those(|claim| claim.judged() == Verdict::Wrong);
+    assert!(!wrong.is_empty());
+    assert_eq!(ids(&["--verdict", "wrong"]), wrong);
+    let either = [Verdict::DependsOnRounding, Verdict::ReproducedWithDefinition];
+    assert_eq!(
+        ids(&["--verdict", "rounding,definition"]),
+        those(|claim| either.contains(&claim.judged()))
+    );
+    let of_the_seventh =
+        those(|claim| claim.place.contains("7.") || claim.place.contains("Section 7"));
+    assert_eq!(ids(&["--section", "7"]), of_the_seventh);
+    assert_eq!(ids(&["--section", "6.3"]), those(|claim| claim.place.contains("6.3")));
+    assert_eq!(ids(&["--section", "Abstract"]), those(|claim| claim.place.contains("Abstract")));
+    assert_eq!(
+        ids(&["--table", "8"]),
+        those(|claim| claim.place.starts_with("Table") && claim.place.contains('8'))
+    );
+    assert_eq!(ids(&["P7.3.all", "T4.rk4.0.01"]), ["T4.rk4.0.01", "P7.3.all"]);
+
+    let both: BTreeSet<String> =
+        wrong.into_iter().filter(|id| of_the_seventh.contains(id)).collect();
+    let combined = ["paper", "claims", "--section", "7", "--verdict", "wrong"];
+    let text = printed(&combined);
+    let shown: BTreeSet<String> = text
+        .lines()
+        .filter(|line| line.starts_with(|c: char| c.is_ascii_uppercase()))
+        .map(|line| line.split_whitespace().next().unwrap().to_owned())
+        .collect();
+    assert_eq!(shown, both);
+    assert!(
+        !both.is_empty() && text.contains(&format!("\n{} claims: {0} wrong\n", both.len())),
+        "{text}"
+    );
+}
+
+/// Catches: a claim that is not there passed over in silence; a list of all claims for an answer; a
+/// word that the help does not name.
+#[test]
+fn what_no_claim_has_is_refused_with_what_is_near() {
+    assert_refused(&["paper", "claims", "T4.rk.0.01"], "near: T4.rk4.0.01");
+    assert_refused(&["paper", "claims", "t4.vv"], "near: T4.vv.");
+    assert_refused(&["paper", "claims", "--section", "9"], "there are 1, 2, 3.1");
+    assert_refused(&["paper", "claims", "--table", "3.1"], "--table 3.1");
+    assert_refused(&["paper", "claims", "--verdict", "right"], "reproduced, definition, rounding");
+    let help = printed(&["paper", "claims", "--help"]);
+    let words = ["reproduced", "definition", "rounding", "platform", "wrong", "uncheckable"];
+    assert!(words.iter().all(|word| help.contains(&format!("- {word}"))), "{help}");
+}

@@ -1,0 +1,827 @@
+//! Runs that are interrupted and resumed, and what a summary says of them.
+
+use std::fs;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command as Process, Output, Stdio};
+
+use pendula::adaptive::{Adaptive, Tolerance};
+use pendula::methods::Dop853;
+use pendula::metrics::EnergyDrift;
+use pendula::{
+    Grid, Hamiltonian, METHODS, Motion, Observer, Pendulum, Phase, Rk4, integrate_fast,
+    method_named,
+};
+use pendula_output::failure::Failure;
+use pendula_output::interrupt::Lookout;
+use pendula_program::cli::{self, Command};
+use pendula_program::commands::{simulate, sweep};
+use proptest::prelude::*;
+use proptest::test_runner::RngSeed;
+use serde_json::Value;
+use sha2::{Digest, Sha256};
+
+/// The words of a command line.
+fn words(line: &str) -> Vec<&str> {
+    line.split(' ').collect()
+}
+
+/// What a command has printed, and said.
+#[derive(Debug)]
+pub struct Printed {
+    pub out: String,
+    pub err: String,
+    pub outcome: Result<(), String>,
+}
+
+/// Runs a command line in this process; it is interrupted after so many steps, or runs.
+pub fn interrupted(arguments: &[&str], after: u64) -> Printed {
+    let (mut out, mut err) = (Vec::new(), Vec::new());
+    let command = cli::parse([&["pendula"], arguments].concat());
+    let outcome = command.and_then(|command| {
+        let out: [&mut dyn Write; 2] = [&mut out, &mut err];
+        let lookout = || Lookout::after(after);
+        match command {
+            Command::Simulate(arguments) => simulate::run_until(&arguments, out, lookout),
+            Command::Sweep(arguments) => sweep::run_until(&arguments, out, lookout),
+            other => panic!("{other:?} does not run long"),
+        }
+    });
+    let text = |bytes| String::from_utf8(bytes).unwrap();
+    let line = |failure: Failure| failure.line().unwrap();
+    Printed { out: text(out), err: text(err), outcome: outcome.map_err(line) }
+}
+
+/// The same to its end.
+pub fn whole(arguments: &[&str]) -> Printed {
+    let printed = interrupted(arguments, u64::MAX);
+    assert_eq!(printed.outcome, Ok(()), "{arguments:?}");
+    printed
+}
+
+fn files(folder: &Path) -> Vec<String> {
+    let entries = fs::read_dir(folder).unwrap();
+    let mut names: Vec<String> =
+        entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+    names.sort();
+    names
+}
+
+fn text(path: &Path) -> &str {
+    path.to_str().unwrap()
+}
+
+/// A folder with the paths of a result and of its state.
+struct Folder {
+    folder: tempfile::TempDir,
+    file: PathBuf,
+    state: PathBuf,
+}
+
+impl Folder {
+    fn new() -> Self {
+        let folder = tempfile::tempdir().unwrap();
+        let [file, state] = ["run.csv", "run.csv.state"].map(|name| folder.path().join(name));
+        Self { folder, file, state }
+    }
+
+    /// Interrupts a run into the file after the first, then after each further of `at`, and lets it
+    /// come to its end; the file is not touched before.
+    fn in_parts(&self, arguments: &[&str], at: &[u64]) -> String {
+        fs::write(&self.file, "old").unwrap();
+        let first = [arguments, &["--output", text(&self.file)]].concat();
+        let resume = [arguments[0], "--resume", text(&self.state)];
+        let mut command = &first[..];
+        for &at in at {
+            let left = interrupted(command, at);
+            let line = left.outcome.unwrap_err();
+            assert!(line.contains(&format!("interrupted after {at} ")), "{line}");
+            assert!(line.contains(&resume.join(" ")), "{line}");
+            assert_eq!((left.out.as_str(), left.err.as_str()), ("", ""));
+            assert_eq!(files(self.folder.path()), ["run.csv", "run.csv.state"]);
+            assert_eq!(fs::read_to_string(&self.file).unwrap(), "old");
+            command = &resume;
+        }
+        whole(command);
+        assert_eq!(files(self.folder.path()), ["run.csv"]);
+        fs::read_to_string(&self.file).unwrap()
+    }
+}
+
+/// The rows that `simulate` printed before it could be interrupted: those of the library's loop.
+fn rows_of_the_loop(method: &str, steps: u64, every: u64) -> String {
+    let pendulum = Pendulum::new(5.0, 2.0, 3.0).unwrap();
+    let start = Phase { theta: -2.5, omega: 0.3 };
+    let mut csv = "t,theta,omega,energy\n".to_owned();
+    let mut watch = |n: u64, t: f64, z: Phase| {
+        if n.is_multiple_of(every) {
+            let energy = pendulum.energy_from_pivot(z);
+            let row = [t, z.theta, z.omega, energy].map(ryu_text).join(",");
+            csv += &(row + "\n");
+        }
+    };
+    let grid = Grid::new(0.07, steps).unwrap();
+    method_named(method).unwrap().run(&pendulum, start, &grid, &mut watch);
+    csv
+}
+
+fn ryu_text(x: f64) -> String {
+    // As the command prints it, where `{:?}` and ryu agree: in the numbers of these runs.
+    format!("{x:?}")
+}
+
+/// For every method, for strides that divide the number of steps and that do not, interrupted after
+/// every number of steps, and once more later on: the bytes are those of the uninterrupted run, and
+/// those are what the library's loop computes.
+///
+/// Catches: a row lost, printed twice or with another last bit; a stride counted from where the run
+/// was resumed; a header in the middle; an array that is closed too early or has a comma too many;
+/// a file touched before it is whole; a state left when it is no longer needed.
+#[test]
+fn an_interrupted_run_ends_as_if_nothing_had_happened() {
+    const STEPS: u64 = 6;
+    let folder = Folder::new();
+    for method in METHODS {
+        let name = method.info().name;
+        for (every, format) in [(1, "csv"), (2, "json"), (4, "csv"), (7, "csv")] {
+            let (steps, stride) = (STEPS.to_string(), every.to_string());
+            let run = [
+                "simulate",
+                "--method",
+                name,
+                "--theta0",
+                "-2.5",
+                "--omega0",
+                "0.3",
+                "--gravity",
+                "5",
+                "--length",
+                "2",
+                "--mass",
+                "3",
+                "--dt",
+                "0.07",
+                "--steps",
+                &steps,
+                "--every",
+                &stride,
+                "--format",
+                format,
+            ];
+            let expected = whole(&run).out;
+            if format == "csv" {
+                assert_eq!(expected, rows_of_the_loop(name, STEPS, every), "{name}");
+            }
+            for first in 0..STEPS {
+                let second = first + (STEPS - first) / 2;
+                let got = folder.in_parts(&run, &[first, second]);
+                assert_eq!(got, expected, "{name}, every {every}, {first}, {second}");
+            }
+        }
+    }
+}
+
+/// The same for a run with time in seconds, because its angles are large, and with a duration, for
+/// the double pendulum and for both kinds of sweep.
+///
+/// Catches: a state that is resumed in another unit of time; a command whose state is not kept
+/// whole; a sweep that repeats a run or leaves one out.
+#[test]
+fn every_kind_of_run_can_be_resumed() {
+    let folder = Folder::new();
+    let rest = ["--dt", "0.05", "--duration", "0.3"];
+    let large = ["simulate", "--method", "stormer-verlet", "--theta0", "2e6", "--every", "4"];
+    let double = words(
+        "simulate --system double-pendulum --theta1 2 --theta2 -0.5 --omega2 1.5 --mass1 0.7 \
+         --length2 0.6 --gravity 3",
+    );
+    let angles = words(
+        "sweep --method rk4 --theta0 -1:2:7 --omega0 0.5 --dt 0.1 --duration 0.4 --gravity 5 \
+         --length 2 --mass 3",
+    );
+    let steps =
+        words("sweep --method gauss-4 --theta0 1 --dt 0.1:0.01:7 --duration 0.4 --format json");
+    for run in [
+        [&large[..], &rest].concat(),
+        [&double[..], &rest].concat(),
+        angles.to_vec(),
+        steps.to_vec(),
+    ] {
+        let expected = whole(&run).out;
+        assert!(expected.lines().count() > 2, "{expected}");
+        for first in 0..6 {
+            assert_eq!(folder.in_parts(&run, &[first, (first + 6) / 2]), expected, "{run:?}");
+        }
+    }
+}
+
+/// On standard output the parts follow each other: lines of CSV make the whole, and each part of
+/// JSON is an array.
+///
+/// Catches: a header repeated, an array left open, a row lost between the parts, a state that is
+/// not where `--state` says, or is left at the end; a run without a state that says it can be
+/// resumed.
+#[test]
+fn the_parts_on_standard_output_make_the_whole() {
+    let folder = tempfile::tempdir().unwrap();
+    let state = folder.path().join("here");
+    let (keep, resume) = (["--state", text(&state)], ["--resume", text(&state)]);
+    for run in [
+        &["simulate", "--method", "rk4", "--theta0", "1", "--dt", "0.1", "--steps", "9"][..],
+        &[
+            "simulate",
+            "--system",
+            "double-pendulum",
+            "--theta1",
+            "1",
+            "--theta2",
+            "2",
+            "--dt",
+            "0.1",
+            "--steps",
+            "9",
+        ],
+        &["sweep", "--method", "rk4", "--theta0", "0:1:9", "--dt", "0.1", "--duration", "1"],
+    ] {
+        for format in ["csv", "json"] {
+            let run = [run, &["--format", format]].concat();
+            let expected = whole(&run).out;
+            for at in 0..8 {
+                let first = interrupted(&[&run[..], &keep].concat(), at);
+                let line = first.outcome.unwrap_err();
+                assert!(line.contains(&resume.join(" ")), "{line}");
+                let second = interrupted(&[&run[..1], &resume].concat(), at + 1);
+                assert!(second.outcome.is_err());
+                let third = whole(&[&run[..1], &resume].concat());
+                let parts = [first.out, second.out, third.out];
+                if format == "csv" {
+                    assert_eq!(parts.concat(), expected, "{run:?} {at}");
+                } else {
+                    let array =
+                        |text: &String| serde_json::from_str::<Vec<Value>>(text).expect("an array");
+                    let rows: Vec<Value> = parts.iter().flat_map(array).collect();
+                    assert_eq!(rows, array(&expected), "{run:?} {at}");
+                }
+                assert!(files(folder.path()).is_empty());
+            }
+            let line = interrupted(&run, 3).outcome.unwrap_err();
+            assert!(line.contains("--state FILE"), "{line}");
+            assert!(!line.contains("--resume"), "{line}");
+        }
+    }
+}
+
+/// The rows of each of `of` parts of a sweep.
+fn parts(sweep: &[&str], of: u64) -> Vec<String> {
+    let part = |k| whole(&[sweep, &["--part", &format!("{k}/{of}")]].concat()).out;
+    (1..=of).map(part).collect()
+}
+
+/// For sweeps over angles, where lanes are and where they are not, and over steps, where neighbours
+/// are equal; in as many parts as there are runs, in fewer and in more; in one of several batches.
+///
+/// Catches: a start of two parts or of none, a part whose ends are taken for those of the sweep, a
+/// step that is run again because its equal is of the part before, a header in each part or in
+/// none, parts of one and of many starts, a last bit that depends on the neighbours in lanes.
+#[test]
+fn parts_one_after_the_other_are_the_whole() {
+    let angles = words(
+        "sweep --method rk4 --theta0 -1:2.9:75 --omega0 0.5 --dt 0.1 --duration 0.4 --gravity 5 \
+         --length 2 --mass 3",
+    );
+    // The larger ones cannot be computed in lanes.
+    let large = words("sweep --method stormer-verlet --theta0 0:9e6:71 --dt 0.1 --duration 0.4");
+    let steps = words("sweep --method gauss-4 --theta0 1 --dt 0.1:0.02:25 --duration 0.4");
+    let repeated = whole(&steps).out.lines().count() - 1;
+    assert!((6..20).contains(&repeated), "{repeated} of 25 steps differ");
+    for (sweep, runs) in [(&angles, 75), (&large, 71), (&steps, 25)] {
+        let expected = whole(sweep).out;
+        for of in (1..8).chain([runs - 1, runs, runs + 1, runs + 30]) {
+            let parts = parts(sweep, of);
+            assert_eq!(parts.concat(), expected, "{sweep:?} in {of}");
+            assert!(parts[0].starts_with("theta0,dt,theta,omega,energy_error\n"));
+            if sweep != &steps {
+                for (k, part) in parts.iter().enumerate() {
+                    let rows = part.lines().count() as u64 - u64::from(k == 0);
+                    assert!(rows == runs / of || rows == runs / of + 1, "{k} of {of}: {rows}");
+                }
+            }
+        }
+    }
+    let batches = words("sweep --method forward-euler --theta0 0:1:9001 --dt 0.1 --duration 0.1");
+    assert!(parts(&batches, 2).concat() == whole(&batches).out);
+}
+
+/// The middle of a sweep of 10¹⁵ runs, which would take weeks to count up to.
+///
+/// Catches: a part that generates the sweep up to it, or to its end.
+#[cfg(unix)]
+#[test]
+fn a_part_costs_its_own_runs_alone() {
+    // What goes on for 20 s of the processor's time is killed, and so fails.
+    let printed = |sweep: &str| {
+        let mut shell = Process::new("sh");
+        shell.args(["-c", "ulimit -t 20; exec \"$0\" \"$@\"", env!("CARGO_BIN_EXE_pendula")]);
+        let part = ["--part", "250000000000001/500000000000000"];
+        let output = shell.args(words(sweep)).args(part).output().unwrap();
+        assert!(output.status.success(), "{output:?}");
+        String::from_utf8(output.stdout).unwrap()
+    };
+    let rows = printed("sweep --method rk4 --theta0 0:1:1000000000000001 --dt 1 --duration 3");
+    // There are three in the first part, and two in each of the others.
+    let starts: Vec<&str> = rows.lines().map(|row| row.split(',').next().unwrap()).collect();
+    assert_eq!(starts, ["0.500000000000001", "0.500000000000002"]);
+    let steps = "sweep --method rk4 --theta0 1 --dt 1:1e-4:1000000000000000 --duration 1";
+    // In the middle of the range all steps are 0.01 s to a rounding: equal to those before.
+    assert_eq!(printed(steps), "");
+}
+
+/// Catches: a part without runs that leaves an old file as it was, or is no success.
+#[test]
+fn a_part_without_runs_is_an_empty_file() {
+    let folder = Folder::new();
+    fs::write(&folder.file, "old").unwrap();
+    let sweep = words("sweep --method rk4 --theta0 0:3:8 --dt 0.1 --duration 0.4 --part 9/9");
+    let printed = whole(&[&sweep[..], &["--summary", "--output", text(&folder.file)]].concat());
+    assert_eq!((printed.out.as_str(), summary_value(&printed.err, "runs")), ("", 0.0));
+    let mut said = printed.err.lines();
+    assert!(said.any(|line| line.split_whitespace().eq(["part", "9/9"])), "{}", printed.err);
+    assert_eq!(fs::read_to_string(&folder.file).unwrap(), "");
+}
+
+/// Every byte of a state is changed once, those of the rows in it too, and it is cut off at every
+/// length.
+///
+/// Catches: a run that goes on from rows that are not its own or from a digit that was changed, of
+/// another command, from what is no state, or with arguments beside it; anything written then.
+#[test]
+fn a_state_that_is_not_what_it_was_is_refused() {
+    let folder = Folder::new();
+    let run = words("simulate --method rk4 --theta0 -0.001 --dt 0.1 --steps 9");
+    let to_file = [&run[..], &["--output", text(&folder.file)]].concat();
+    assert!(interrupted(&to_file, 4).outcome.is_err());
+    let state = fs::read(&folder.state).unwrap();
+    assert!(state.starts_with(b"t,theta,omega,energy\n0.0,-0.001,"));
+    let resume = ["simulate", "--resume", text(&folder.state)];
+    let refused = |arguments: &[&str], because: &str| {
+        let printed = interrupted(arguments, u64::MAX);
+        let line = printed.outcome.expect_err(because);
+        assert!(line.contains(because), "{line}");
+        assert_eq!(
+            (printed.out.as_str(), files(folder.folder.path())),
+            ("", vec!["run.csv.state".into()])
+        );
+    };
+    let is = |changed: &[u8], because: &str| {
+        fs::write(&folder.state, changed).unwrap();
+        refused(&resume, because);
+    };
+    for i in 0..state.len() {
+        let mut changed = state.clone();
+        changed[i] ^= 1;
+        is(&changed, "--resume");
+        is(&state[..i], "--resume");
+    }
+    is(&[&state[..], b"\n"].concat(), "does not end as a state");
+    is(b"t,theta\n0.0,1.0\n", "does not end as a state");
+    is(b"rows 1 sha256 \xff\xff\n", "does not end as a state");
+    let other = String::from_utf8(state.clone()).unwrap().replacen("-0.001", "-0.002", 1);
+    is(other.as_bytes(), "its checksum differs");
+    fs::write(&folder.state, &state).unwrap();
+    refused(&[&resume[..], &["--mass", "2"]].concat(), "cannot be used with");
+    refused(&["sweep", "--resume", text(&folder.state)], "one of `pendula simulate`");
+    // A run that begins anew would overwrite it.
+    refused(&to_file, "keeps a run that was interrupted");
+    refused(&[&run[..], &["--state", text(&folder.state)]].concat(), "keeps a run that was");
+    let elsewhere = tempfile::tempdir().unwrap();
+    let elsewhere = elsewhere.path().join("elsewhere");
+    refused(&["simulate", "--resume", text(&elsewhere)], "No such file");
+    fs::copy(&folder.state, &elsewhere).unwrap();
+    refused(&["simulate", "--resume", text(&elsewhere)], "FILE.state");
+    whole(&resume);
+    assert_eq!(fs::read_to_string(&folder.file).unwrap(), whole(&run).out);
+}
+
+/// States with a checksum that is right and contents that are not, as a program of another version
+/// or by another hand may write them.
+///
+/// Catches: a place beyond the end; a field that is missing, unknown or of another kind; another
+/// version; a panic where there is no refusal.
+#[test]
+fn a_state_with_other_contents_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let state = folder.path().join("here");
+    let run = words("simulate --method rk4 --theta0 1 --dt 0.1 --steps 9 --summary");
+    assert!(interrupted(&[&run[..], &["--state", text(&state)]].concat(), 4).outcome.is_err());
+    let written = fs::read_to_string(&state).unwrap();
+    let (body, _) = written.split_once("rows 0 sha256 ").unwrap();
+    let version = format!("\"version\":\"{}\"", env!("CARGO_PKG_VERSION"));
+    for (from, to, because) in [
+        (&*version, "\"version\":\"0.0.9\"", "it is of version 0.0.9"),
+        ("\"rk4\"", "\"rk5\"", "'rk5'"),
+        ("\"rows\":5", "\"rows\":-5", "expected u64"),
+        ("\"rows\"", "\"lines\"", "unknown field `lines`"),
+        ("\"steps\":4", "\"steps\":10", "beyond the last of 9"),
+        ("\"steps\":4", "\"step\":4", "unknown field `step`"),
+        ("\"numbers\":[", "\"numbers\":[\"0000000000000000\",", "a run has"),
+        ("\"numbers\":[", "\"numbers\":[\"+00000000000000g\",", "16 hexadecimal digits"),
+    ] {
+        assert!(body.contains(from), "{from}: {body}");
+        let changed = body.replacen(from, to, 1) + "rows 0 sha256 ";
+        let sum: String = Sha256::digest(&changed).iter().map(|b| format!("{b:02x}")).collect();
+        fs::write(&state, format!("{changed}{sum}\n")).unwrap();
+        let printed = interrupted(&["simulate", "--resume", text(&state)], u64::MAX);
+        let line = printed.outcome.expect_err(to);
+        assert!(line.contains(because) && printed.out.is_empty(), "{to}: {line}");
+    }
+    fs::write(&state, written).unwrap();
+    assert_eq!(numbers(&whole(&["simulate", "--resume", text(&state)]).out).len(), 4);
+}
+
+/// The value of a line of a summary.
+fn summary_value(err: &str, name: &str) -> f64 {
+    let line = err.lines().find(|line| line.starts_with(name));
+    let line = line.unwrap_or_else(|| panic!("no {name} in {err}"));
+    line[name.len()..].split_whitespace().next().unwrap().parse().unwrap()
+}
+
+/// The numbers of a summary are printed with seven digits.
+#[track_caller]
+fn assert_seven_digits(printed: f64, value: f64) {
+    assert!((printed - value).abs() <= 5.1e-7 * value.abs(), "{printed} {value}");
+}
+
+/// The lines of a summary that do not tell the time it took.
+fn lines(err: &str) -> Vec<&str> {
+    let times = ["wall time", "steps per second"];
+    err.lines().filter(|line| !times.iter().any(|name| line.starts_with(name))).collect()
+}
+
+/// Runs it in parts that end at these steps, and to its end; returns all rows and the summary.
+fn in_parts(run: &[&str], parts: &[u64], to_file: bool) -> (String, String) {
+    let folder = Folder::new();
+    let keep = ["--output", text(&folder.file)];
+    let keep = if to_file { keep } else { ["--state", text(&folder.state)] };
+    let mut command = [run, &keep].concat();
+    let mut rows = String::new();
+    for &at in parts {
+        let left = interrupted(&command, at);
+        assert!(left.outcome.is_err() && left.err.is_empty(), "{left:?}");
+        rows += &left.out;
+        command = vec![run[0], "--resume", text(&folder.state)];
+    }
+    let end = whole(&command);
+    rows += &end.out;
+    if to_file {
+        assert_eq!(rows, "");
+        rows = fs::read_to_string(&folder.file).unwrap();
+    }
+    (rows, end.err)
+}
+
+/// The numbers of all rows.
+fn numbers(csv: &str) -> Vec<Vec<f64>> {
+    let rows = csv.lines().skip(1);
+    rows.map(|row| row.split(',').map(|x| x.parse().unwrap()).collect()).collect()
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig {
+        rng_seed: RngSeed::Fixed(0x0051_3A17),
+        failure_persistence: None,
+        ..ProptestConfig::with_cases(80)
+    })]
+
+    /// All rows and all of the summary, in parts and at once, are what the library computes: for
+    /// any method, pendulum, start, stride and parts.
+    ///
+    /// Catches: a largest error lost between the parts; a stride that begins again, or decides what
+    /// is measured; a sign lost.
+    #[test]
+    fn any_run_in_parts_is_the_run_at_once(
+        (which, steps, every) in (0..METHODS.len(), 0..40_u64, 1..9_u64),
+        (theta, omega) in (-3.0..3.0, -4.0..4.0),
+        (gravity, length, mass, dt) in (1.0..9.0, 0.6..3.0, 0.2..5.0, 0.01..0.2),
+        cuts in prop::collection::vec(0..40_u64, 0..4),
+        (summary, to_file) in any::<(bool, bool)>(),
+    ) {
+        let method = METHODS[which];
+        let pendulum = Pendulum::new(gravity, length, mass).unwrap();
+        let (start, grid) = (Phase { theta, omega }, Grid::new(dt, steps).unwrap());
+        let mut parts: Vec<_> = cuts.into_iter().filter(|at| *at < steps).collect();
+        parts.sort_unstable();
+        let mut expected = vec![];
+        let mut drift = EnergyDrift::new(&pendulum);
+        let mut watch = |n: u64, t: f64, z: Phase| {
+            if n.is_multiple_of(every) {
+                expected.push(vec![t, z.theta, z.omega, pendulum.energy_from_pivot(z)]);
+            }
+            drift.observe(n, t, z);
+        };
+        let end = method.run(&pendulum, start, &grid, &mut watch);
+        let line = format!(
+            "simulate --method {} --theta0 {theta:?} --omega0 {omega:?} --gravity {gravity:?} \
+             --length {length:?} --mass {mass:?} --dt {dt:?} --steps {steps} --every {every}",
+            method.info().name,
+        );
+        let mut run = words(&line);
+        run.extend(summary.then_some("--summary"));
+        let at_once = whole(&run);
+        let (rows, err) = in_parts(&run, &parts, to_file);
+        prop_assert_eq!(&rows, &at_once.out);
+        prop_assert_eq!(numbers(&rows), expected);
+        prop_assert_eq!(lines(&err), lines(&at_once.err));
+        if !summary {
+            prop_assert_eq!(err, "");
+            return Ok(());
+        }
+        let value = |name| summary_value(&err, name);
+        prop_assert_eq!(value("steps "), steps as f64);
+        if !method.info().implicit {
+            let evaluations = method.count_evaluations(&pendulum, start, &grid);
+            prop_assert_eq!(value("force evaluations"), evaluations as f64);
+        }
+        let (of, energy) = (drift.largest(), pendulum.energy(start));
+        let said = format!("{of:.6e} J, {:.6e} of the first\n", of / energy);
+        prop_assert!(err.contains(&said), "{err}: {said}");
+        let exact = Motion::new(&pendulum, start).unwrap().at(steps as f64 * dt);
+        assert_seven_digits(value("error of θ at the end"), end.theta - exact.theta);
+        assert_seven_digits(value("error of ω at the end"), end.omega - exact.omega);
+    }
+
+    /// The same for sweeps, of angles and of steps, whole and in part.
+    ///
+    /// Catches: a row, a run of the summary or its largest error lost where a sweep goes on; the
+    /// place of another run; a start or a velocity without its sign; a part that goes on as the
+    /// whole or as another part, or with a header of its own; a summary of all parts.
+    #[test]
+    fn any_sweep_in_parts_is_the_sweep_at_once(
+        (which, count, angles) in (0..METHODS.len(), 2..40_u64, any::<bool>()),
+        (theta, span, omega) in (-3.0..0.0, 0.1..3.0, -4.0..4.0),
+        (gravity, length, mass, dt) in (1.0..9.0, 0.6..3.0, 0.2..5.0, 0.01..0.1),
+        cuts in prop::collection::vec(0..40_u64, 0..3),
+        (k, of, to_file) in (1..4_u64, 1..4_u64, any::<bool>()),
+    ) {
+        let name = METHODS[which].info().name;
+        let duration = 4.0 * dt;
+        let sweep = match angles {
+            true => format!("--theta0 {theta:?}:{:?}:{count} --dt {dt:?}", theta + span),
+            false => format!("--theta0 {theta:?} --dt {dt:?}:{:?}:{count}", 0.1 * dt),
+        };
+        let line = format!(
+            "sweep --method {name} {sweep} --duration {duration:?} --omega0 {omega:?} \
+             --gravity {gravity:?} --length {length:?} --mass {mass:?} --part {}/{of}",
+            k.min(of),
+        );
+        let run = [&words(&line)[..], &["--summary"]].concat();
+        let at_once = whole(&run);
+        let rows: Vec<_> = at_once.out.lines().filter(|row| !row.starts_with('t')).collect();
+        let mut parts: Vec<_> = cuts.into_iter().filter(|at| *at < rows.len() as u64).collect();
+        parts.sort_unstable();
+        let (out, err) = in_parts(&run, &parts, to_file);
+        prop_assert_eq!(&out, &at_once.out);
+        prop_assert_eq!(lines(&err), lines(&at_once.err));
+        prop_assert_eq!(summary_value(&err, "runs"), rows.len() as f64);
+        // Each row is a run by itself.
+        let pendulum = Pendulum::new(gravity, length, mass).unwrap();
+        let mut worst = 0.0_f64;
+        for row in rows {
+            let row: Vec<f64> = row.split(',').map(|x| x.parse().unwrap()).collect();
+            let grid = Grid::with_duration(row[1], duration).unwrap();
+            let mut drift = EnergyDrift::new(&pendulum);
+            let start = Phase { theta: row[0], omega };
+            let end = METHODS[which].run(&pendulum, start, &grid, &mut drift);
+            prop_assert_eq!(&row[2..], [end.theta, end.omega, drift.largest()]);
+            worst = worst.max(drift.largest());
+        }
+        assert_seven_digits(summary_value(&err, "largest energy error"), worst);
+    }
+}
+
+/// Catches: the largest of another column or of the last run, a place that is not that of the
+/// largest, a sum that leaves out a run or the runs before the interruption.
+#[test]
+fn a_sweeps_summary_says_where_it_is_worst() {
+    let folder = tempfile::tempdir().unwrap();
+    let state = folder.path().join("state");
+    let run =
+        words("sweep --method rk4 --theta0 -3:1:5 --dt 0.1 --duration 5 --mass 3 --omega0 0.2");
+    let run = [&run[..], &["--summary", "--state", text(&state)]].concat();
+    let pendulum = Pendulum::new(9.81, 1.0, 3.0).unwrap();
+    let grid = Grid::with_duration(0.1, 5.0).unwrap();
+    // The angle, the largest energy error, and the error of the angle at the end.
+    let errors = [-3.0, -2.0, -1.0, 0.0, 1.0].map(|theta| {
+        let start = Phase { theta, omega: 0.2 };
+        let mut drift = EnergyDrift::new(&pendulum);
+        let end = integrate_fast(&pendulum, &Rk4, start, &grid, &mut drift);
+        let exact = Motion::new(&pendulum, start).unwrap().at(5.0);
+        [theta, drift.largest(), end.theta - exact.theta]
+    });
+    let worst = |column: usize| {
+        let by_size = |a: &[f64; 3], b: &[f64; 3]| a[column].abs().total_cmp(&b[column].abs());
+        errors.into_iter().max_by(by_size).unwrap()
+    };
+    let at_once = whole(&run).err;
+    assert!(interrupted(&run, 3).outcome.is_err());
+    let in_parts = whole(&["sweep", "--resume", text(&state)]).err;
+    for err in [at_once, in_parts] {
+        assert_eq!(summary_value(&err, "runs"), 5.0);
+        assert_eq!(summary_value(&err, "steps "), 250.0);
+        assert_eq!(summary_value(&err, "force evaluations"), 1000.0);
+        for (column, name) in [(1, "largest energy error"), (2, "largest error of θ")] {
+            let worst = worst(column);
+            assert_seven_digits(summary_value(&err, name), worst[column]);
+            let line = err.lines().find(|line| line.starts_with(name)).unwrap();
+            assert!(line.contains(&format!("θ₀ = {:?} rad, Δt = 0.1 s", worst[0])), "{err}");
+        }
+    }
+}
+
+/// Catches: an interruption of steps that vary that leaves a file, an open array or no line.
+#[test]
+fn steps_that_vary_are_interrupted_cleanly() {
+    let folder = Folder::new();
+    let run =
+        words("simulate --method dop853 --theta0 3 --duration 10 --tolerance 1e-8 --format json");
+    let left = interrupted(&run, 3);
+    assert!(left.outcome.unwrap_err().contains("interrupted after 3 steps"));
+    assert_eq!(serde_json::from_str::<Vec<Value>>(&left.out).unwrap().len(), 4);
+    fs::write(&folder.file, "old").unwrap();
+    let to_file = [&run[..], &["--output", text(&folder.file)]].concat();
+    assert!(interrupted(&to_file, 3).outcome.is_err());
+    assert_eq!(files(folder.folder.path()), ["run.csv"]);
+    assert_eq!(fs::read_to_string(&folder.file).unwrap(), "old");
+}
+
+/// Catches: a limit that is ignored, or not named where it is reached; an energy error or a cost
+/// of other steps; the error at the end of a walk back in time against the motion forwards.
+#[test]
+fn steps_that_vary_have_a_limit_and_a_summary() {
+    let run = words(
+        "simulate --method dop853 --theta0 -2.9 --omega0 0.3 --gravity 3 --length 2.5 --mass 5 \
+         --tolerance 1e-5 --duration",
+    );
+    let pendulum = Pendulum::new(3.0, 2.5, 5.0).unwrap();
+    let start = Phase { theta: -2.9, omega: 0.3 };
+    for duration in ["25", "-25"] {
+        let run = [&run[..], &[duration]].concat();
+        let refused = interrupted(&[&run[..], &["--max-steps", "7"]].concat(), u64::MAX);
+        let line = refused.outcome.unwrap_err();
+        assert!(line.contains("7 steps") && line.contains("--max-steps"), "{line}");
+        assert!(refused.out.lines().count() > 2 && refused.out.ends_with('\n'));
+        let duration: f64 = duration.parse().unwrap();
+        let control = Adaptive::new(Dop853, Tolerance::uniform(1e-5).unwrap());
+        let mut walk = control.steps(&pendulum, start, 0.0, duration).unwrap();
+        let mut drift = EnergyDrift::new(&pendulum);
+        drift.observe(0, 0.0, start);
+        for (n, step) in (1..).zip(&mut walk) {
+            let step = step.unwrap();
+            drift.observe(n, step.end_time(), step.end());
+        }
+        let err = whole(&[&run[..], &["--summary"]].concat()).err;
+        let counts = walk.counts();
+        let count = |name| summary_value(&err, name) as u64;
+        assert_eq!([count("steps "), count("steps rejected")], [counts.accepted, counts.rejected]);
+        assert!(counts.rejected > 0 && count("force evaluations") == counts.evaluations);
+        let (of, energy) = (drift.largest(), pendulum.energy(start));
+        assert!(err.contains(&format!("{of:.6e} J, {:.6e} of the first\n", of / energy)), "{err}");
+        let (end, exact) = (walk.state(), Motion::new(&pendulum, start).unwrap().at(duration));
+        for (name, off) in
+            [("error of θ", end.theta - exact.theta), ("error of ω", end.omega - exact.omega)]
+        {
+            assert_seven_digits(summary_value(&err, &format!("{name} at the end")), off);
+        }
+    }
+}
+
+fn start(arguments: &[&str]) -> Child {
+    Process::new(env!("CARGO_BIN_EXE_pendula"))
+        .args(arguments)
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap()
+}
+
+#[cfg(unix)]
+fn signalled(run: Child, signal: &str) -> Output {
+    let kill = Process::new("kill").args([signal, &run.id().to_string()]).status().unwrap();
+    assert!(kill.success());
+    let output = run.wait_with_output().unwrap();
+    assert_eq!(output.status.code(), Some(2), "{output:?}");
+    let line = String::from_utf8(output.stderr.clone()).unwrap();
+    assert_eq!(line.lines().count(), 1, "{line}");
+    output
+}
+
+/// The progress in a state, without the time it took.
+fn progress(state: &Path) -> Value {
+    let text = fs::read_to_string(state).unwrap();
+    let json = text.lines().rev().nth(1).unwrap();
+    let mut progress = serde_json::from_str::<Value>(json).unwrap()["progress"].take();
+    progress.as_object_mut().unwrap().remove("nanoseconds");
+    progress
+}
+
+/// A run of hours with no row between the first and the last, interrupted by each signal, twice;
+/// where it stands is where a run stands that is interrupted there in this process.
+///
+/// Catches: a signal that is heard only at the next row, a file that is touched or left half, a
+/// state with other numbers; an interruption that ends with another status or a second line.
+#[cfg(unix)]
+#[test]
+fn signals_are_heard_between_rows() {
+    let (far, near) = (Folder::new(), Folder::new());
+    let run = words(
+        "simulate --method kahan-li-8 --theta0 1 --dt 0.01 --steps 1000000000 --every 1000000000",
+    );
+    let to = |folder: &Folder| {
+        let run = run.iter().map(|word| (*word).to_owned());
+        run.chain(["--output".to_owned(), text(&folder.file).to_owned()]).collect::<Vec<_>>()
+    };
+    fs::write(&far.file, "old").unwrap();
+    let mut arguments = to(&far);
+    let mut before = 0;
+    for signal in ["-INT", "-TERM", "-HUP"] {
+        let mut process = start(&arguments.iter().map(String::as_str).collect::<Vec<_>>());
+        // The temporary file shows that the run has begun and listens.
+        while !files(far.folder.path()).iter().any(|name| name.starts_with(".pendula-")) {
+            assert!(process.try_wait().unwrap().is_none(), "it ended by itself");
+            std::thread::yield_now();
+        }
+        signalled(process, signal);
+        assert_eq!(files(far.folder.path()), ["run.csv", "run.csv.state"]);
+        assert_eq!(fs::read_to_string(&far.file).unwrap(), "old");
+        let stands = progress(&far.state);
+        let steps = stands["steps"].as_u64().unwrap();
+        assert!(steps >= before && steps < 1_000_000_000, "{steps}");
+        before = steps;
+        let here = to(&near);
+        let here: Vec<&str> = here.iter().map(String::as_str).collect();
+        assert!(interrupted(&here, steps).outcome.is_err());
+        assert_eq!(progress(&near.state), stands);
+        fs::remove_file(&near.state).unwrap();
+        arguments = ["simulate", "--resume", text(&far.state)].map(str::to_owned).to_vec();
+    }
+}
+
+/// Rows on a pipe, as many as it holds, when the signal comes: the last one is whole, the array is
+/// closed.
+///
+/// Catches: rows in a buffer that are lost, a row cut off, an array left open by a signal.
+#[cfg(unix)]
+#[test]
+fn a_signal_leaves_standard_output_whole() {
+    let run =
+        words("simulate --method rk4 --theta0 1 --dt 0.01 --steps 1000000000000 --format json");
+    let mut process = start(&run);
+    // It prints, so that it listens; and somebody has to read while it ends.
+    let mut pipe = process.stdout.take().unwrap();
+    let mut first = [0; 1000];
+    io::Read::read_exact(&mut pipe, &mut first).unwrap();
+    let reader = std::thread::spawn(move || {
+        let mut rest = first.to_vec();
+        io::Read::read_to_end(&mut pipe, &mut rest).map(|_| rest)
+    });
+    signalled(process, "-INT");
+    let printed = reader.join().unwrap().unwrap();
+    let rows: Vec<Value> = serde_json::from_slice(&printed).expect("an array");
+    assert!(rows.len() > 5);
+}
+
+/// Catches: rows before a failure that are lost in a buffer, a row cut off, an array left open, a
+/// failure that says nothing or has another status.
+#[test]
+fn the_rows_before_a_failure_are_printed() {
+    let falls_apart = words(
+        "simulate --system double-pendulum --theta1 20 --theta2 12 --mass2 1e6 --gravity 3.08 \
+         --dt 0.01 --duration 9.76",
+    );
+    let overflows = words("simulate --method forward-euler --theta0 1 --dt 1e200 --steps 9");
+    let unsolved = words("simulate --method gauss-4 --theta0 1 --dt 5 --steps 9");
+    let limited = words(
+        "simulate --method dop853 --theta0 3 --duration 100 --tolerance 1e-10 --max-steps 200",
+    );
+    let sweep = words("sweep --method forward-euler --theta0 0:1:5 --dt 1e200 --duration 1e201");
+    for (run, least) in
+        [(&falls_apart[..], 100), (&overflows, 1), (&unsolved, 1), (&limited, 50), (&sweep, 1)]
+    {
+        for format in ["csv", "json"] {
+            let output = start(&[run, &["--format", format]].concat()).wait_with_output().unwrap();
+            assert_eq!(output.status.code(), Some(2), "{run:?}");
+            let line = String::from_utf8(output.stderr).unwrap();
+            assert_eq!(line.lines().count(), 1, "{line}");
+            let text = String::from_utf8(output.stdout).unwrap();
+            let rows = if format == "json" {
+                serde_json::from_str::<Vec<Value>>(&text).expect("an array").len()
+            } else {
+                assert!(text.ends_with('\n'));
+                let columns = |line: &str| line.split(',').count();
+                let header = columns(text.lines().next().unwrap());
+                assert!(text.lines().all(|line| columns(line) == header));
+                text.lines().count() - 1
+            };
+            assert!(rows >= least, "{rows} of {run:?}");
+        }
+    }
+}

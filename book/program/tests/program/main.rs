@@ -1,0 +1,20 @@
+//! The binary `pendula` as its users and other programs call it.
+
+mod book;
+mod command_line;
+mod commands;
+mod devices;
+mod files;
+mod flips;
+mod help;
+mod hostile;
+#[cfg(unix)]
+mod interrupts;
+mod ledger;
+mod listed;
+mod long_runs;
+mod other_systems;
+mod period;
+mod plots;
+mod review;
+mod verify;
