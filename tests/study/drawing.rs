@@ -98,8 +98,8 @@ pub fn are_even(ticks: &[Tick]) -> bool {
 /// One chart of a drawing.
 #[derive(Debug)]
 pub struct Panel {
-    /// What stands above it, headings and what its y axis shows; of a chart without any, what stands
-    /// above its neighbour, whose y axis it shares.
+    /// What stands above it, headings and what its y axis shows; of a chart without any, what
+    /// stands above its neighbour, whose y axis it shares.
     pub heading: String,
     pub left: f64,
     pub top: f64,

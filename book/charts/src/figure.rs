@@ -83,8 +83,9 @@ impl Figure {
         };
         let hatch = match fills.contains(&Fill::Hatch) {
             true => format!(
-                "<pattern id=\"{id}-hatch\" width=\"7\" height=\"7\" patternUnits=\"userSpaceOnUse\" \
-                 patternTransform=\"rotate(45)\">\n<path class=\"across\" d=\"M3,0v7\"/></pattern>\n"
+                "<pattern id=\"{id}-hatch\" width=\"7\" height=\"7\" \
+                 patternUnits=\"userSpaceOnUse\" patternTransform=\"rotate(45)\">\n\
+                 <path class=\"across\" d=\"M3,0v7\"/></pattern>\n"
             ),
             false => String::new(),
         };

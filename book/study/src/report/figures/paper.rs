@@ -93,7 +93,7 @@ fn figure_3(study: &Study) -> Figure {
     )
     .columns(2);
     for (i, row) in of_the_paper(&study.long_run, |row| row.method).enumerate() {
-        // Each is named by its axis, and below at its line's end: no dashes have to tell them apart.
+        // Named by its axis, and below at its line's end: no dashes have to tell them apart.
         let (title, style) = (title(row.method), style(row.method).line_only().solid());
         let error = long_run::energy(row.method);
         let ends = [(0.0, SHOWN), (end - SHOWN, end)].map(|(from, to)| {
