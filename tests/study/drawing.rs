@@ -42,8 +42,6 @@ pub struct Look {
 pub enum Scale {
     Linear,
     Log,
-    /// By factors to either side of zero, where it is linear up to a millionth.
-    Signed,
 }
 
 /// From units to values: two ticks, and how values grow between them.
@@ -60,7 +58,6 @@ impl Axis {
         let place = |value: f64| match self.scale {
             Scale::Linear => value,
             Scale::Log => value.log10(),
-            Scale::Signed => value.signum() * (1.0 + value.abs() / 1e-6).log10(),
         };
         let share = (place(value) - place(self.from.1)) / (place(self.to.1) - place(self.from.1));
         let unit = self.from.0 + share * (self.to.0 - self.from.0);
@@ -75,11 +72,8 @@ impl Axis {
         // Powers of ten that differ; a linear axis may have one that is common to all.
         let powers: BTreeSet<i64> =
             ticks.iter().filter(|t| t.1 > 0.0).map(|t| t.1.log10().floor() as i64).collect();
-        let is_power =
-            |value: f64| (value.abs().log10() - value.abs().log10().round()).abs() < 1e-9;
         let scale = match powers.len() > 1 {
             true if ticks.iter().all(|tick| tick.2) => Scale::Log,
-            true if ticks.iter().all(|tick| tick.1 == 0.0 || is_power(tick.1)) => Scale::Signed,
             // Linear ticks are even; 1, 2, 5 are not.
             _ if ticks.iter().all(|tick| tick.1 > 0.0) && !are_even(&ticks) => Scale::Log,
             _ => Scale::Linear,
@@ -104,7 +98,8 @@ pub fn are_even(ticks: &[Tick]) -> bool {
 /// One chart of a drawing.
 #[derive(Debug)]
 pub struct Panel {
-    /// What stands above it: headings, and what its y axis shows.
+    /// What stands above it, headings and what its y axis shows; of a chart without any, what
+    /// stands above its neighbour, whose y axis it shares.
     pub heading: String,
     pub left: f64,
     pub top: f64,
@@ -367,7 +362,10 @@ impl Panel {
                 && label.y < top
                 && above.is_none_or(|last| label.y > last.bottom)
         });
-        let heading = heading.map(|label| label.text).collect::<Vec<_>>().join(" | ");
+        let mut heading = heading.map(|label| label.text).collect::<Vec<_>>().join(" | ");
+        if let Some(last) = last.filter(|_| heading.is_empty()) {
+            heading.clone_from(&last.heading);
+        }
         let (x_ticks, mut y_ticks, mut names) = ticks(inside, bottom);
         let x = Axis::read(x_ticks, name)?;
         names.sort_by(|a, b| b.0.total_cmp(&a.0));

@@ -6,7 +6,6 @@ use pendula::systems::{DoublePhase, Ellipse, Kepler, PlanePhase};
 use pendula::{
     AnyMethod, Grid, Hamiltonian, METHODS, Motion, Pendulum, Phase, exact, method_named,
 };
-use pendula_study::claims::predictions;
 use pendula_study::experiments::{
     STEPS, beyond, enclosure, in_paper, level_curves, phase_portrait, readings, resonance,
     rounding_walk, small_angle, standard_map, tilted_curve, truncation,
@@ -83,9 +82,12 @@ pub fn figure_3() -> Vec<Expected> {
     for method in papers() {
         let samples = run(method, 1.0, 0.01, 1000.0);
         let error: Vec<Point> = energy_error(&samples).collect();
-        let drawn = error.iter().copied().step_by(50);
+        // The chart on the right has the name of its left neighbour, but in the first row its own.
         let heading = format!("{}, H − H_{{0}} (J)", title(method));
-        expected.push(expect(heading, title(method), Line, drawn));
+        expected.push(expect(heading, title(method), Line, error.clone()));
+        if expected.len() == 1 {
+            expected.push(expect("the last 20 s", title(method), Line, error.clone()));
+        }
         let mut largest = 0.0_f64;
         let so_far = error.iter().enumerate().filter_map(|(n, (t, error))| {
             largest = largest.max(error.abs());
@@ -143,19 +145,6 @@ pub fn figure_7() -> Vec<Expected> {
         }
     }
     expected
-}
-
-pub fn energy_predicted() -> Vec<Expected> {
-    let all = predictions();
-    let ids = ["fe", "se", "rk4", "vv"];
-    let rows = STUDY.convergence.iter().zip(ids).map(|(row, id)| {
-        let ratios = STEPS.into_iter().zip(row.drift).map(|(h, drift)| {
-            let cell = all.iter().find(|cell| cell.id == format!("T4.{id}.{h}")).unwrap();
-            (h, drift / cell.value - 1.0)
-        });
-        expect(title(row.method), "", Marker, ratios)
-    });
-    rows.collect()
 }
 
 pub fn cancellation() -> Vec<Expected> {
@@ -258,25 +247,27 @@ pub fn rounding_walk_expected() -> Vec<Expected> {
     expected
 }
 
-/// The methods of a figure of costs, from the top.
-pub fn compared(name: &str) -> Vec<&'static str> {
-    let higher: &[&str] = match name {
-        "cost_higher_order" => &["forest-ruth", "gauss-6", "blanes-moan-6", "processed-6"],
-        _ => &[],
-    };
-    [&["forward-euler", "symplectic-euler", "rk4", "stormer-verlet"], higher].concat()
-}
-
-/// A hundred swings to a thousandth of a radian: a cell of the map.
-pub fn cost(name: &str) -> Vec<Expected> {
+/// What each method needs for a hundred swings to a thousandth of a radian, the cheapest first:
+/// a cell of the map.
+pub fn compared() -> Vec<(&'static str, u64)> {
     let mut cells = MAP.iter().filter(|cell| cell.periods == 100);
     let cell = cells.find(|cell| (cell.allowed / 1e-3 - 1.0).abs() < 1e-9).expect("a cell");
-    let rows = compared(name).into_iter().rev().zip(0..);
-    let markers = rows.map(|(method, row)| {
-        let advice = cell.ranking.iter().find(|advice| advice.method.info().name == method);
-        (advice.expect("an advice").evaluations as f64, f64::from(row) + 0.5)
-    });
-    vec![expect("", "", Marker, markers)]
+    let paper = ["forward-euler", "symplectic-euler", "rk4", "stormer-verlet"];
+    let higher = ["forest-ruth", "gauss-6", "blanes-moan-6", "processed-6"];
+    let mut rows = [paper, higher].concat();
+    let evaluations = |method: &str| {
+        let mut ranking = cell.ranking.iter();
+        let advice = ranking.find(|advice| advice.method.info().name == method);
+        advice.expect("an advice").evaluations
+    };
+    rows.sort_by_key(|method| evaluations(method));
+    rows.into_iter().map(|method| (method, evaluations(method))).collect()
+}
+
+pub fn cost() -> Vec<Expected> {
+    let rows = compared().into_iter().zip(0..);
+    let place = |((_, evaluations), row)| (evaluations as f64, f64::from(row) + 0.5);
+    vec![expect("", "", Marker, rows.map(place))]
 }
 
 pub fn poincare() -> Vec<Expected> {
@@ -337,13 +328,20 @@ pub fn resonances() -> Vec<Expected> {
 }
 
 pub fn truncation() -> Vec<Expected> {
-    let mut expected =
-        vec![expect("smallest", "splitting of the separatrix", Marker, truncation::split())];
+    let mut expected = Vec::new();
     for x in truncation::STEPS {
         let errors = truncation::errors(1.0, x).into_iter().enumerate();
         let line: Vec<Point> = errors.map(|(k, error)| (2.0 * k as f64, error)).collect();
+        let lowest = line.iter().copied().min_by(|a, b| a.1.total_cmp(&b.1));
         expected.push(expect("largest change", format!("x = {x}"), Line, line));
+        expected.push(expect("largest change", "", Marker, lowest));
     }
+    expected
+}
+
+pub fn least_change() -> Vec<Expected> {
+    let mut expected =
+        vec![expect("smallest", "splitting of the separatrix", Marker, truncation::split())];
     for theta_0 in truncation::STARTS {
         let label = format!("from {theta_0} rad");
         expected.push(expect("smallest", label, Marker, truncation::least(theta_0)));

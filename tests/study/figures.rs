@@ -6,8 +6,7 @@ use std::f64::consts::PI;
 use std::sync::{LazyLock, OnceLock};
 
 use pendula::{METHODS, Pendulum, exact};
-use pendula_study::claims::predictions;
-use pendula_study::experiments::STEPS;
+use pendula_study::experiments::choosing::Cell;
 use pendula_study::report::figures::figures;
 use roxmltree::{Document, Node};
 use rstest::rstest;
@@ -35,16 +34,14 @@ impl Drawing {
     }
 }
 
-/// The number of the chart that a series stands in, by its heading.
-fn chart_of(name: &str, drawing: &Drawing, series: &Expected) -> usize {
+/// The numbers of the charts that a series stands in, by their heading.
+fn charts_of(name: &str, drawing: &Drawing, series: &Expected) -> Vec<usize> {
     let charts = drawing.panels.iter().enumerate();
     let charts: Vec<usize> =
         charts.filter(|(_, p)| p.heading.contains(&series.chart)).map(|(i, _)| i).collect();
-    let [chart] = charts[..] else {
-        let all: Vec<_> = drawing.panels.iter().map(|panel| &panel.heading).collect();
-        panic!("{name}: {:?} is the heading of {charts:?} in {all:?}", series.chart)
-    };
-    chart
+    let all: Vec<_> = drawing.panels.iter().map(|panel| &panel.heading).collect();
+    assert!(!charts.is_empty(), "{name}: no chart of {all:?} is headed {:?}", series.chart);
+    charts
 }
 
 /// How the series of this label are drawn in a chart.
@@ -66,9 +63,10 @@ fn looks_of(name: &str, drawing: &Drawing, panel: &Panel, label: &str, kind: Kin
 fn compare(name: &str, drawing: &Drawing, expected: &[Expected]) {
     let mut together: BTreeMap<(usize, &str, String), Vec<&Expected>> = BTreeMap::new();
     for series in expected {
-        let chart = chart_of(name, drawing, series);
-        let key = (chart, series.label.as_str(), format!("{:?}", series.kind));
-        together.entry(key).or_default().push(series);
+        for chart in charts_of(name, drawing, series) {
+            let key = (chart, series.label.as_str(), format!("{:?}", series.kind));
+            together.entry(key).or_default().push(series);
+        }
     }
     for ((chart, label, kind), all) in &together {
         let panel = &drawing.panels[*chart];
@@ -125,31 +123,12 @@ fn compare(name: &str, drawing: &Drawing, expected: &[Expected]) {
     }
 }
 
-/// Catches: a name at the row of another method; a chapter whose bar is that of another method.
-#[rstest]
-#[case("cost_forward_euler", &["forward-euler"])]
-#[case("cost_symplectic_euler", &["symplectic-euler"])]
-#[case("cost_stormer_verlet", &["stormer-verlet"])]
-#[case("cost_rk4", &["rk4"])]
-#[case("cost_higher_order", &["forest-ruth", "gauss-6", "blanes-moan-6", "processed-6"])]
-fn the_bars_are_those_of_the_chapter(#[case] name: &str, #[case] bars: &[&str]) {
-    let panel = &Drawing::of(name).panels[0];
-    let methods = compared(name);
-    let titles: Vec<&str> = methods.iter().rev().map(|method| title(of(method))).collect();
-    assert_eq!(panel.rows, titles);
-    for (row, method) in methods.iter().rev().enumerate() {
-        let there = panel.y.unit(row as f64 + 0.5).unwrap();
-        let (mut lines, mut areas) = (0, 0);
-        for (look, strokes) in panel.drawn.iter().filter(|(look, _)| look.kind == Line) {
-            let middle = strokes[0].iter().map(|point| point.1);
-            let (low, high) = middle.fold((f64::MAX, f64::MIN), |(l, h), y| (l.min(y), h.max(y)));
-            if ((low + high) / 2.0 - there).abs() < 1.0 {
-                *(if look.class.contains("fill") { &mut areas } else { &mut lines }) += 1;
-            }
-        }
-        let is_own = bars.contains(method);
-        assert_eq!((lines, areas), (usize::from(!is_own), usize::from(is_own)), "{method}");
-    }
+/// Catches: a name at the row of another method.
+#[test]
+fn the_rows_of_costs_have_their_names() {
+    let panel = &Drawing::of("cost").panels[0];
+    let names: Vec<&str> = compared().into_iter().map(|(method, _)| title(of(method))).collect();
+    assert_eq!(panel.rows, names);
 }
 
 /// Of these no series is measured: the forces are drawn as they act, in the triple jump the arrows
@@ -166,7 +145,6 @@ const NOT_MEASURED: [&str; 4] = ["forces", "triple_jump", "area", "cat"];
 #[case("figure_5", figure_5)]
 #[case("figure_6", figure_6)]
 #[case("figure_7", figure_7)]
-#[case("energy_predicted", energy_predicted)]
 #[case("cancellation", cancellation)]
 #[case("two_eulers", two_eulers)]
 #[case("level_curves", level_curves_expected)]
@@ -174,11 +152,7 @@ const NOT_MEASURED: [&str; 4] = ["forces", "triple_jump", "area", "cat"];
 #[case("five_periods", five_periods)]
 #[case("standard_map", standard_map_expected)]
 #[case("rounding_walk", rounding_walk_expected)]
-#[case("cost_forward_euler", || cost("cost_forward_euler"))]
-#[case("cost_symplectic_euler", || cost("cost_symplectic_euler"))]
-#[case("cost_stormer_verlet", || cost("cost_stormer_verlet"))]
-#[case("cost_rk4", || cost("cost_rk4"))]
-#[case("cost_higher_order", || cost("cost_higher_order"))]
+#[case("cost", cost)]
 #[case("poincare", poincare)]
 #[case("separation", separation)]
 #[case("kapitza", kapitza)]
@@ -190,47 +164,11 @@ const NOT_MEASURED: [&str; 4] = ["forces", "triple_jump", "area", "cat"];
 #[case("stencil_rk4", || stencil("rk4", 0.55))]
 #[case("resonances", resonances)]
 #[case("truncation", truncation)]
+#[case("least_change", least_change)]
 #[case("widths", widths)]
 #[case("swings", swings)]
 fn a_figure_shows_what_was_measured(#[case] name: &str, #[case] expected: fn() -> Vec<Expected>) {
     compare(name, &Drawing::of(name), &expected());
-}
-
-/// The band of each chart is read back at the steps of the table, and so is where its markers are.
-///
-/// Catches: a marker outside of its band, a band of another method, one that is too wide by the
-/// factor of ten that makes every theory true.
-#[test]
-fn what_is_predicted_lies_in_its_band() {
-    let (drawing, all) = (Drawing::of("energy_predicted"), predictions());
-    for (method, id) in papers().zip(["fe", "se", "rk4", "vv"]) {
-        let panel =
-            drawing.panels.iter().find(|panel| panel.heading.contains(title(method))).unwrap();
-        let is_band = |look: &Look| look.kind == Line && look.class == "fill";
-        let (_, band) = panel.drawn.iter().find(|(look, _)| is_band(look)).expect("a band");
-        let (_, marks) = panel.drawn.iter().find(|(look, _)| look.kind == Marker).unwrap();
-        for (h, (x, y)) in STEPS.into_iter().zip(&marks[0]) {
-            let cell = all.iter().find(|cell| cell.id == format!("T4.{id}.{h}")).unwrap();
-            let at = panel.x.unit(h).unwrap();
-            assert!((at - x).abs() < 0.5, "{id}: {h}");
-            // Where a side of the polygon passes over the step.
-            let sides = band[0].windows(2).filter(|side| {
-                (side[0].0.min(side[1].0) - 0.06..=side[0].0.max(side[1].0) + 0.06).contains(&at)
-            });
-            let heights = sides.map(|side| {
-                let share = ((at - side[0].0) / (side[1].0 - side[0].0)).clamp(0.0, 1.0);
-                let share = if share.is_finite() { share } else { 0.0 };
-                side[0].1 + share * (side[1].1 - side[0].1)
-            });
-            let (top, bottom) =
-                heights.fold((f64::MAX, f64::MIN), |(l, h), y| (l.min(y), h.max(y)));
-            for (drawn, sign) in [(top, 1.0), (bottom, -1.0)] {
-                let there = panel.y.unit(sign * cell.tolerance).unwrap();
-                assert!((drawn - there).abs() < 1.0, "{id}, {h}: {drawn}, not {there}");
-            }
-            assert!((top - 0.1..=bottom + 0.1).contains(y), "{id}, {h}: {y}");
-        }
-    }
 }
 
 /// The two curves of the periods have no entry in the legend but notes beside them. Corners and
@@ -271,78 +209,117 @@ fn the_dashed_curve_of_the_periods_is_the_first_correction() {
     }
 }
 
-/// The share of opacity by how many more evaluations the second best needs, in hundredths.
-fn opacity_of(lead: f64) -> &'static str {
-    match lead {
-        lead if lead < 5.0 => "0.25",
-        lead if lead < 25.0 => "0.5",
-        lead if lead < 60.0 => "0.75",
-        _ => "1",
-    }
+/// The title of who is ahead in a cell of the map, and by how many hundredths.
+fn ahead(cell: &Cell) -> (&'static str, f64) {
+    let [best, rest @ ..] = &cell.ranking[..] else { return ("lost in rounding", 0.0) };
+    let lead = rest.first().map_or(f64::INFINITY, |second| {
+        (second.evaluations as f64 / best.evaluations as f64 - 1.0) * 100.0
+    });
+    (if lead < 25.0 { "no clear winner" } else { title(best.method) }, lead)
 }
 
-/// Each cell is read off the axes: it lies where its length and its error are, in the colour that
-/// the legend gives the cheapest method, as opaque as its lead says; the text that a mouse shows
-/// has its numbers.
+/// The steps in the cells about the `first` of the map that have the same one ahead.
+fn steps_about(first: usize) -> Vec<u64> {
+    let rows = MAP.iter().filter(|cell| cell.periods == MAP[0].periods).count();
+    let (mut found, mut open) = (BTreeSet::from([first]), vec![first]);
+    while let Some(at) = open.pop() {
+        let beside = (0..MAP.len()).filter(|other| {
+            let columns = (at / rows).abs_diff(other / rows);
+            columns + (at % rows).abs_diff(other % rows) == 1
+        });
+        for other in beside.filter(|other| ahead(&MAP[*other]).0 == ahead(&MAP[first]).0) {
+            if found.insert(other) {
+                open.push(other);
+            }
+        }
+    }
+    found.into_iter().map(|at| MAP[at].ranking[0].steps).collect()
+}
+
+/// Each cell is read off the axes: it lies where its length and its error are, looks like the one
+/// in which the name of the method that is ahead stands, and what it says has its numbers.
 ///
 /// Catches: rows exchanged for columns, a cell in the colour of the second best, a lead of the
-/// wrong pair, a cell that is missing or drawn twice, the steps of another method.
+/// wrong pair, a cell that is missing or drawn twice, the steps of another method; a name on
+/// another's area, or with the steps of all areas of its method.
 #[test]
 fn the_decision_map_shows_each_winner_in_its_cell() {
     let document = Document::parse(svg("decision")).expect("an SVG");
     let panel = &Drawing::of("decision").panels[0];
-    let is_cell = |node: &Node| node.attribute("class").is_some_and(|c| c.starts_with("cell"));
-    let cells: Vec<Node> =
-        document.root_element().children().filter(Node::is_element).filter(is_cell).collect();
-    let entries = document.descendants().filter(|node| node.attribute("class") == Some("entry"));
-    let mut legend: BTreeMap<String, String> = BTreeMap::new();
-    for entry in entries {
-        let sample = entry.children().find(is_cell).expect("a sample");
+    let has_class = |node: &Node, class: &str| node.attribute("class") == Some(class);
+    let nodes: Vec<Node> = document.root_element().children().filter(Node::is_element).collect();
+    let cells: Vec<Node> = nodes.iter().copied().filter(|node| has_class(node, "cell")).collect();
+    let look = |cell: Node| {
+        let path = cell.first_element_child().unwrap();
+        path.attribute("class").unwrap().to_string()
+    };
+    let covers = |cell: &Node, (x, y): Point| {
+        let path = cell.first_element_child().unwrap();
+        let corners = strokes(path.attribute("d").unwrap()).concat();
+        let spans = |pick: fn(&Point) -> f64, at: f64| {
+            let values = corners.iter().map(pick);
+            let (low, high) = values.fold((f64::MAX, f64::MIN), |(l, h), v| (l.min(v), h.max(v)));
+            (low..high).contains(&at)
+        };
+        spans(|p| p.0, x) && spans(|p| p.1, y)
+    };
+    let place = |cell: &Cell| {
+        (panel.x.unit(cell.periods as f64).unwrap(), panel.y.unit(cell.allowed).unwrap())
+    };
+    let index_at = |at: Point| {
+        let there =
+            |cell: &Cell| cells.iter().any(|node| covers(node, at) && covers(node, place(cell)));
+        MAP.iter().position(there).expect("a cell at each name")
+    };
+    // What looks how, by the names on the map and the entries of its legend.
+    let mut looks: BTreeMap<String, String> = BTreeMap::new();
+    for entry in nodes.iter().filter(|node| has_class(node, "entry")) {
+        let sample = entry.children().find(|node| has_class(node, "cell")).expect("a sample");
         let label = entry.children().rfind(|node| node.tag_name().name() == "text");
-        let class = sample.attribute("class").unwrap().to_string();
-        legend.insert(text(label.expect("a label")), class);
+        looks.insert(text(label.expect("a label")), look(sample));
     }
+    let names: Vec<Node> = nodes.iter().copied().filter(|node| has_class(node, "halo")).collect();
+    let mut areas = 0;
+    for Label { x, y, text, .. } in Label::all(&names) {
+        let index = index_at((x, y - 5.0));
+        if let Some(range) = text.strip_suffix(" steps") {
+            let steps = steps_about(index);
+            let ends = [steps.iter().min().unwrap(), steps.iter().max().unwrap()];
+            assert_eq!(range, ends.map(u64::to_string).join("–"));
+            areas += 1;
+        } else {
+            assert_eq!(text, ahead(&MAP[index]).0);
+            let node = cells.iter().find(|node| covers(node, (x, y - 5.0))).unwrap();
+            assert_eq!(*looks.entry(text).or_insert(look(*node)), look(*node));
+        }
+    }
+    assert!(areas >= 3, "{areas} areas say their steps");
     assert_eq!(cells.len(), MAP.len());
     for cell in MAP.iter() {
-        let (x, y) =
-            (panel.x.unit(cell.periods as f64).unwrap(), panel.y.unit(cell.allowed).unwrap());
-        let there = |node: &&Node| {
-            let corners = strokes(node.attribute("d").unwrap()).concat();
-            let spans = |pick: fn(&Point) -> f64, at: f64| {
-                let values = corners.iter().map(pick);
-                let (low, high) =
-                    values.fold((f64::MAX, f64::MIN), |(l, h), v| (l.min(v), h.max(v)));
-                (low..high).contains(&at)
-            };
-            spans(|p| p.0, x) && spans(|p| p.1, y)
-        };
-        let mut found = cells.iter().filter(there);
+        let mut found = cells.iter().filter(|node| covers(node, place(cell)));
         let (Some(drawn), None) = (found.next(), found.next()) else {
             panic!("not one cell at {} periods, {}", cell.periods, cell.allowed)
         };
-        let hover = text(drawn.first_element_child().expect("a text for the mouse"));
-        assert!(hover.starts_with(&format!("{} period", cell.periods)), "{hover}");
-        let (class, opacity) =
-            (drawn.attribute("class").unwrap(), drawn.attribute("fill-opacity").unwrap());
+        let texts = drawn.children().filter(|node| node.tag_name().name() == "text");
+        let [first, second] = texts.map(text).collect::<Vec<_>>().try_into().unwrap();
+        assert!(second.starts_with(&format!("{} period", cell.periods)), "{second}");
+        let (name, lead) = ahead(cell);
+        assert_eq!(looks[name], look(*drawn), "{second}");
         let Some(best) = cell.ranking.first() else {
-            assert!(class == "cell" && opacity == "0" && hover.contains("rounding"), "{hover}");
+            assert!(first.contains("rounding"), "{first}");
             continue;
         };
-        assert_eq!(legend[title(best.method)], class, "{hover}");
-        let of_best = format!(
-            ": {}, {} steps a period, {} evaluations; ",
-            title(best.method),
-            best.steps,
-            best.evaluations
-        );
-        assert!(hover.contains(&of_best), "{hover}, not {of_best}");
-        if let Some(second) = cell.ranking.get(1) {
-            let lead = (second.evaluations as f64 / best.evaluations as f64 - 1.0) * 100.0;
-            assert_eq!(opacity, opacity_of(lead), "{hover}");
-            let of_second = format!("; {} needs {lead:.0} % more", title(second.method));
-            assert!(hover.ends_with(&of_second), "{hover}, not {of_second}");
+        let (title_of_best, steps, evaluations) =
+            (title(best.method), best.steps, best.evaluations);
+        let of_best = format!("{title_of_best}, {steps} steps a period, {evaluations} evaluations");
+        assert_eq!(first, of_best);
+        if let Some(other) = cell.ranking.get(1) {
+            let of_second = format!("; {} needs {lead:.0} % more", title(other.method));
+            assert!(second.ends_with(&of_second), "{second}, not {of_second}");
         }
     }
+    let all: BTreeSet<&String> = looks.values().collect();
+    assert_eq!(all.len(), looks.len(), "each looks like itself alone");
 }
 
 /// The unit that belongs to a quantity of an axis, by the symbol or the last word before it.

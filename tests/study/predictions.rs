@@ -6,7 +6,7 @@ use approx::assert_relative_eq;
 use pendula::methods::{ForwardEuler, Rk4, StormerVerlet};
 use pendula::metrics::AngleError;
 use pendula::{Grid, LinearOscillator, Motion, Pendulum, Phase, integrate};
-use pendula_study::claims::{Measured, Prediction, energy_error_of_table_4, predictions};
+use pendula_study::claims::{Measured, Prediction, predictions};
 use pendula_study::experiments::{PaperMethod, STEPS, convergence, small_angle};
 use pendula_study::theory::small_angle::{
     LinearRecurrence, cancelling_step, errors, floor, own_error_of_stormer_verlet,
@@ -166,32 +166,6 @@ fn stormer_verlets_own_error_is_that_of_its_phase(
     let x = pendulum.small_angle_frequency() * h;
     let left_out = 0.75 / (x / h * duration) + 9.0 * x * x / 80.0 + theta_0 * theta_0 / 8.0;
     assert_relative_eq!(error.root_mean_square(), law, max_relative = left_out);
-}
-
-/// The figure is drawn from the laws of the table.
-///
-/// Catches: a method drawn with another method's law, a tolerance of another run, or a method
-/// without a law drawn with one.
-#[test]
-fn a_law_by_name_is_the_one_of_the_table() {
-    let ids = [
-        ("fe", "forward-euler"),
-        ("se", "symplectic-euler"),
-        ("rk4", "rk4"),
-        ("vv", "stormer-verlet"),
-    ];
-    for (row, name) in ids {
-        for h in STEPS {
-            let id = format!("T4.{row}.{h}");
-            let cell = predictions().iter().find(|cell| cell.id == id).unwrap();
-            assert_eq!(
-                energy_error_of_table_4(name, h),
-                Some((cell.value, cell.tolerance)),
-                "{id}"
-            );
-        }
-    }
-    assert_eq!(energy_error_of_table_4("backward-euler", 0.1), None);
 }
 
 /// In Table 4 forward Euler goes over the top at the three largest steps, as it does in Table 5,

@@ -16,8 +16,6 @@ pub struct Axis {
 enum Kind {
     Linear,
     Log,
-    /// Logarithmic to both sides of zero, and linear up to about this value.
-    Signed(f64),
 }
 
 impl Axis {
@@ -31,13 +29,6 @@ impl Axis {
     /// A logarithmic axis. Values that are not positive have no place on it and leave a gap.
     pub fn log(label: impl Into<String>) -> Self {
         Self { kind: Kind::Log, ..Self::linear(label) }
-    }
-
-    /// An axis for values of either sign and of many magnitudes: v stands at ± lg(1 + |v|/`unit`).
-    /// So it is linear as long as v is small beside the `unit` (positive), and then logarithmic to
-    /// either side.
-    pub fn signed_log(label: impl Into<String>, unit: f64) -> Self {
-        Self { kind: Kind::Signed(unit), ..Self::linear(label) }
     }
 
     /// From `low` to `high` instead of what the data need.
@@ -71,9 +62,6 @@ impl Axis {
             _ if !value.is_finite() || value.abs() > 1e300 => None,
             Kind::Log if value <= 0.0 => None,
             Kind::Log => Some(libm::log10(value)),
-            Kind::Signed(unit) => {
-                Some(libm::copysign(libm::log10(1.0 + value.abs() / unit), value))
-            }
             Kind::Linear => Some(value),
         }
     }
@@ -148,7 +136,6 @@ impl Scale<'_> {
         let mut ticks = match (&self.axis.ticks, self.axis.kind) {
             (Some(ticks), _) => ticks.clone(),
             (None, Kind::Log) => log_ticks(self.low, self.high, count),
-            (None, Kind::Signed(unit)) => signed_ticks(unit, self.low, self.high, count),
             (None, Kind::Linear) => linear_ticks(self.low, self.high, count),
         };
         ticks.retain(|tick| self.contains(tick.value));
@@ -242,23 +229,6 @@ fn log_ticks(low: f64, high: f64, count: usize) -> Vec<Tick> {
                 ticks.push(Tick { value: f64::from(digit) * power(k), label });
             }
         }
-    }
-    ticks
-}
-
-/// Zero, and every few decades to either side of it, from ten units on.
-fn signed_ticks(unit: f64, low: f64, high: f64, count: usize) -> Vec<Tick> {
-    let farthest = low.abs().max(high.abs());
-    let last = libm::floor(libm::log10(unit) + farthest + 1e-9) as i32;
-    let first = libm::ceil(libm::log10(unit) + 1.0 - 1e-9) as i32;
-    let decades = (last - first + 1).max(1) as usize;
-    let stride = decades.div_ceil((3 * count / 4).max(1));
-    let mut ticks = vec![Tick { value: 0.0, label: Some("0".into()) }];
-    for k in (first..=last).rev().step_by(stride) {
-        let power = format!("10^{{{}}}", minus(&k.to_string()));
-        let value = libm::pow(10.0, f64::from(k));
-        ticks.push(Tick { value, label: Some(power.clone()) });
-        ticks.push(Tick { value: -value, label: Some(format!("−{power}")) });
     }
     ticks
 }
@@ -383,7 +353,6 @@ mod tests {
                 for (axis, low, high) in [
                     (Axis::linear("x"), low * unit, (low + span) * unit),
                     (Axis::log("x"), power(low), power(low + span)),
-                    (Axis::signed_log("x", unit), -unit * power(0.3 * span), unit * power(span)),
                 ] {
                     let asked = axis.clone().range(low, high);
                     for count in 1..=12 {
@@ -400,11 +369,10 @@ mod tests {
     }
 
     /// A step is at least ¾ of what fits the count and less than 5/2 of that; a decade has at most
-    /// three labels; a signed axis has ¾ of the count to either side, and zero. A linear axis with
-    /// `round` ends has a tick at either.
+    /// three labels. A linear axis with `round` ends has a tick at either.
     fn assert_ticks(scale: &Scale<'_>, count: usize, round: bool) {
         let ticks = scale.ticks(count);
-        let mut places: Vec<_> = ticks.iter().filter_map(|t| scale.fraction(t.value)).collect();
+        let places: Vec<_> = ticks.iter().filter_map(|t| scale.fraction(t.value)).collect();
         let (least, most) = match scale.axis.kind {
             Kind::Linear if round => {
                 assert!(
@@ -418,11 +386,7 @@ mod tests {
             Kind::Linear => (count * 8 / 15, count * 4 / 3 + 1),
             Kind::Log if scale.high - scale.low < 0.7 => (count.min(4) * 8 / 15, 6),
             Kind::Log => (1.max(count.min(4) / 2), count.max(5)),
-            Kind::Signed(_) => (1, 1 + 2 * (count * 3 / 4).max(1)),
         };
-        if matches!(scale.axis.kind, Kind::Signed(_)) {
-            places.sort_by(f64::total_cmp);
-        }
         let labels = ticks.iter().filter_map(|tick| tick.label.as_deref().zip(Some(tick.value)));
         let case = format!("{:?} {:?}, {count}: {ticks:?}", scale.axis, (scale.low, scale.high));
         assert!((least..=most).contains(&labels.clone().count()), "{case}");
@@ -431,25 +395,5 @@ mod tests {
         for (label, value) in labels {
             assert!((said(label) - value).abs() <= 1e-12 * value.abs(), "{label}: {case}");
         }
-    }
-
-    /// Catches: a value beside its place, signs exchanged, a tick that is not where its value is,
-    /// labels for each of many decades.
-    #[test]
-    fn a_signed_axis_is_even_about_zero() {
-        let axis = Axis::signed_log("x", 1e-6).range(-1e-1, 1e-1);
-        let scale = axis.scale(std::iter::empty(), None);
-        let end = libm::log10(1.0 + 1e5);
-        for (value, place) in [(0.0, 0.0), (9e-6, 1.0), (-9e-6, -1.0), (1e-1, end), (-1e-1, -end)] {
-            let expected = 0.5 + 0.5 * place / end;
-            assert!((scale.fraction(value).unwrap() - expected).abs() < 1e-15, "{value}");
-        }
-        assert!(scale.fraction(f64::NAN).is_none() && !scale.contains(0.11));
-        let labels = |count| -> Vec<String> {
-            scale.ticks(count).into_iter().filter_map(|tick| tick.label).collect()
-        };
-        assert_eq!(labels(2), ["0", "10^{−1}", "−10^{−1}"]);
-        let five = ["0", "10^{−1}", "−10^{−1}", "10^{−3}", "−10^{−3}", "10^{−5}", "−10^{−5}"];
-        assert_eq!(labels(4), five);
     }
 }

@@ -5,6 +5,7 @@ use super::chart::{Chart, Series};
 use super::ends::{self, End};
 use super::path::{self, Num, Point};
 use super::plot::Plot;
+use super::regions::Fill;
 use super::style::{Style, style_sheet};
 use super::text::{draw_text, escape, line, width, wrapped};
 use super::{GAP, RIGHT, ROW};
@@ -63,7 +64,7 @@ impl Figure {
         let styles: Vec<Style> =
             self.panels.iter().flat_map(|chart| &chart.series).map(|series| series.style).collect();
         let maps = self.panels.iter().filter_map(|chart| chart.map.as_ref());
-        let areas = maps.flat_map(|map| map.names.iter().filter_map(|name| name.colour)).collect();
+        let fills: Vec<Fill> = maps.flat_map(|map| &map.names).map(|name| name.fill).collect();
         let scales: Vec<_> = self.panels.iter().map(Chart::scales).collect();
         let (body, height) = Layout::new(self, &scales).draw(&id);
         let (frame, above) = if alone {
@@ -80,14 +81,22 @@ impl Figure {
         } else {
             (format!("width=\"100%\" viewBox=\"0 0 {WIDTH} {}\"", Num(height)), String::new())
         };
+        let hatch = match fills.contains(&Fill::Hatch) {
+            true => format!(
+                "<pattern id=\"{id}-hatch\" width=\"7\" height=\"7\" \
+                 patternUnits=\"userSpaceOnUse\" patternTransform=\"rotate(45)\">\n\
+                 <path class=\"across\" d=\"M3,0v7\"/></pattern>\n"
+            ),
+            false => String::new(),
+        };
         format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" id=\"{id}\" class=\"pendula {id}\"\n{frame} \
              role=\"img\"\naria-labelledby=\"{id}-title {id}-desc\">\n<title \
              id=\"{id}-title\">{}</title>\n<desc \
-             id=\"{id}-desc\">{}</desc>\n{}{above}{body}</svg>\n",
+             id=\"{id}-desc\">{}</desc>\n{}{hatch}{above}{body}</svg>\n",
             escape(&self.title),
             wrapped(&escape(&self.description)),
-            style_sheet(&id, &styles, areas, alone),
+            style_sheet(&id, &styles, &fills, alone),
         )
     }
 }

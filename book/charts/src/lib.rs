@@ -33,7 +33,7 @@ pub use axis::Axis;
 pub use chart::Chart;
 pub use figure::Figure;
 pub use path::{Num, Point};
-pub use regions::{Cell, Map, Name};
+pub use regions::{Cell, Fill, Map, Name};
 pub use style::{Style, style_sheet};
 pub use text::{draw_text, escape, line, width, wrapped};
 

@@ -9,6 +9,7 @@ use super::figure::ENTRY;
 use super::labels::Labels;
 use super::path::{self, Num, Point};
 use super::regions::{self, Map, Name};
+use super::style;
 use super::text::{draw_text, escape, line, width};
 use super::{GAP, RIGHT, ROW};
 
@@ -62,8 +63,9 @@ impl<'a> Plot<'a> {
         if !chart.sketch {
             self.draw_axes(out);
         }
+        let mut unnamed = Vec::new();
         if let Some(map) = &chart.map {
-            self.draw_map(out, map);
+            unnamed = self.draw_map(out, map);
         }
         self.draw_series(out, clip, &mut strokes);
         Labels { plot: &self, strokes, taken: Vec::new() }.draw(out);
@@ -77,13 +79,16 @@ impl<'a> Plot<'a> {
                 false if chart.sketch => 0.0,
                 false => 28.0,
             };
-        end + chart.map.as_ref().map_or(0.0, |map| self.draw_map_key(out, map, end))
+        match &chart.map {
+            Some(map) => self.draw_map_key(out, map, &unnamed, end),
+            None => end,
+        }
     }
 
     /// Makes room for what stands above the plot, and draws it.
     fn draw_headings(&mut self, out: &mut String) {
         let mut headings = self.headings();
-        if self.chart.sketch {
+        if self.chart.y.label.is_empty() {
             headings.retain(|row| row.iter().any(|(_, label)| !label.is_empty()));
         }
         if !self.chart.heading.is_empty() {
@@ -149,8 +154,9 @@ impl<'a> Plot<'a> {
         }
     }
 
-    /// Draws the cells of a map, the outlines of its regions, and their names where there is room.
-    fn draw_map(&self, out: &mut String, map: &Map) {
+    /// Draws the cells of a map, the outlines of its regions, and their names where there is room;
+    /// returns the names that stand nowhere.
+    fn draw_map<'m>(&self, out: &mut String, map: &'m Map) -> Vec<&'m Name> {
         let edges = |values: &[f64], to: &dyn Fn(f64) -> Option<f64>, low: f64, high: f64| {
             let pixels = values.iter().map(|v| to(*v).unwrap_or(low).clamp(low, high));
             pixels.collect::<Vec<f64>>()
@@ -161,60 +167,63 @@ impl<'a> Plot<'a> {
             let (column, row) = (i / map.rows(), i % map.rows());
             let (a, b) = (Num(x[column]), Num(y[row]));
             let d = format!("M{a},{b}H{}V{}H{a}z", Num(x[column + 1]), Num(y[row + 1]));
-            line(out, format!("<path {} d=\"{d}\">", map.look(cell)));
-            line(out, format!("<title>{}</title></path>", escape(&cell.hover)));
+            let look = style::fill(map.names[cell.name].fill);
+            line(out, format!(r#"<g class="cell"><path {look} d="{d}"/>"#));
+            self.draw_lines(out, "", &cell.says);
+            line(out, "</g>".into());
         }
+        self.draw_lines(out, "prompt", &map.prompt);
         let regions = map.regions();
         for region in &regions {
             let d = regions::closed(&region.outlines(), &x, &y);
             line(out, path::element(r#"class="edge""#, &d));
         }
+        let mut unnamed: Vec<&Name> = map.names.iter().collect();
         for region in &regions {
-            let Name { title, short, .. } = &map.names[region.name];
-            let place = |text| region.place(&x, &y, (width(text) + 8.0, 19.0));
-            let long = place(title).map(|at| (at, title));
+            let title = &map.names[region.name].title;
+            let numbers = map.numbers(region).unwrap_or_default();
+            let wide = width(title).max(width(&numbers)) + 8.0;
+            let place = |wide, high| region.place(&x, &y, (wide, high));
+            let two_lines = place(wide, 2.0 * ROW - 10.0).filter(|_| !numbers.is_empty());
             // A line of text stands on its base line.
-            if let Some(((x, y), text)) = long.or_else(|| Some((place(short)?, short))) {
-                draw_text(out, "halo", (x, y + 6.0), "middle", text);
+            if let Some((x, y)) = two_lines {
+                draw_text(out, "halo", (x, y - 4.0), "middle", title);
+                draw_text(out, "halo", (x, y + 16.0), "middle", &numbers);
+            } else if let Some((x, y)) = place(width(title) + 8.0, 19.0) {
+                draw_text(out, "halo", (x, y + 6.0), "middle", title);
+            } else {
+                continue;
             }
+            unnamed.retain(|name| name.title != *title);
+        }
+        unnamed
+    }
+
+    /// Two lines of text below the chart's x axis.
+    fn draw_lines(&self, out: &mut String, class: &str, lines: &[String; 2]) {
+        for (row, text) in lines.iter().enumerate() {
+            let y = self.bottom + 78.0 + row as f64 * ROW;
+            draw_text(out, class, (self.edge, y), "start", text);
         }
     }
 
-    /// Draws the legend of a map from `top` on, and returns how high it is.
-    fn draw_map_key(&self, out: &mut String, map: &Map, top: f64) -> f64 {
+    /// Draws the legend of those of a map's names that stand nowhere in it, below the `top` and
+    /// what the cells say there, and returns where it ends.
+    fn draw_map_key(&self, out: &mut String, map: &Map, unnamed: &[&Name], top: f64) -> f64 {
         const BOX: (f64, f64) = (30.0, 18.0);
-        let mut row = |top: f64, entries: &[(String, &str, &str)]| {
-            let wide = |label: &str| BOX.0 + 8.0 + width(label) + 16.0;
-            let (mut x, mut y) = (self.edge, top + 16.0);
-            for (look, short, label) in entries {
-                if x + wide(label) > self.right + RIGHT && x > self.edge {
-                    (x, y) = (self.edge, y + ROW);
-                }
-                line(out, ENTRY.into());
-                let (w, h) = (Num(BOX.0), Num(BOX.1));
-                let d = format!("M{},{}h{w}v{h}h-{w}z", Num(x), Num(y - 9.0));
-                line(out, format!("<path {look} d=\"{d}\"/>"));
-                line(out, format!("<path class=\"edge\" d=\"{d}\"/>"));
-                if !short.is_empty() {
-                    draw_text(out, "halo", (x + BOX.0 / 2.0, y + 6.0), "middle", short);
-                }
-                draw_text(out, "", (x + BOX.0 + 8.0, y + 6.0), "start", label);
-                line(out, "</g>".into());
-                x += wide(label);
-            }
-            y + 14.0
-        };
-        let names = map.names.iter().filter(|name| !name.short.is_empty());
-        let names: Vec<_> = names
-            .map(|name| (map.colour(name.colour, 1.0), name.short.as_str(), name.title.as_str()))
-            .collect();
-        let shades: Vec<_> = map
-            .shades
-            .iter()
-            .map(|(opacity, label)| (map.colour(None, *opacity), "", label.as_str()))
-            .collect();
-        let end = row(top, &names);
-        if shades.is_empty() { end - top } else { row(end, &shades) - top }
+        let said = map.prompt.iter().any(|line| !line.is_empty());
+        let (mut x, y) = (self.edge, top + if said { 2.0 * ROW + 24.0 } else { 16.0 });
+        for Name { title, fill } in unnamed {
+            line(out, ENTRY.into());
+            let (w, h) = (Num(BOX.0), Num(BOX.1));
+            let d = format!("M{},{}h{w}v{h}h-{w}z", Num(x), Num(y - 9.0));
+            line(out, format!(r#"<g class="cell"><path {} d="{d}"/></g>"#, style::fill(*fill)));
+            line(out, format!("<path class=\"edge\" d=\"{d}\"/>"));
+            draw_text(out, "", (x + BOX.0 + 8.0, y + 6.0), "start", title);
+            line(out, "</g>".into());
+            x += BOX.0 + 8.0 + width(title) + 16.0;
+        }
+        y + if unnamed.is_empty() { -16.0 } else { 14.0 }
     }
 
     fn x_pixel(&self, value: f64) -> Option<f64> {

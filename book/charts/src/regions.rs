@@ -1,7 +1,6 @@
 //! A map: cells of a grid, of which those of one name that touch make up a region.
 
 use super::path::{Num, Point};
-use super::style::area;
 
 /// A map on the axes of a chart.
 #[derive(Clone, Debug)]
@@ -11,18 +10,28 @@ pub struct Map {
     pub(super) names: Vec<Name>,
     /// Column by column, each from the first row on.
     pub(super) cells: Vec<Cell>,
-    pub(super) shades: Vec<(f64, String)>,
+    pub(super) unit: String,
+    pub(super) prompt: [String; 2],
 }
 
 /// What the cells of a region have in common.
 #[derive(Clone, Debug)]
 pub struct Name {
-    /// Written in the region where there is room.
+    /// Written in a region where there is room. The legend has those that no region has room for.
     pub title: String,
-    /// Written in small regions instead; the legend says what it stands for.
-    pub short: String,
-    /// Which of the areas' colours; `None` for cells that are left as the paper is.
-    pub colour: Option<usize>,
+    /// What its cells look like.
+    pub fill: Fill,
+}
+
+/// What an area is filled with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Fill {
+    /// This one of the areas' colours.
+    Colour(usize),
+    /// Lines across it.
+    Hatch,
+    /// Nothing: as the paper is.
+    Paper,
 }
 
 /// A cell of a map.
@@ -30,10 +39,10 @@ pub struct Name {
 pub struct Cell {
     /// Its place in the list of names.
     pub name: usize,
-    /// Its place in the list of shades.
-    pub shade: usize,
-    /// Shown where a mouse rests on the cell.
-    pub hover: String,
+    /// Below its region's name stand the smallest and the largest of these.
+    pub number: Option<u64>,
+    /// Shown below the map while a mouse is on the cell, or after a tap on it.
+    pub says: [String; 2],
 }
 
 impl Map {
@@ -54,12 +63,13 @@ impl Map {
         let places = x.len().saturating_sub(1) * y.len().saturating_sub(1);
         assert_eq!(cells.len(), places, "a cell for each place");
         assert!(cells.iter().all(|cell| cell.name < names.len()), "a name for each cell");
-        Self { x, y, names, cells, shades: Vec::new() }
+        Self { x, y, names, cells, unit: String::new(), prompt: Default::default() }
     }
 
-    /// With shades: how opaque each is, and what a legend says of it.
-    pub fn shades(self, shades: impl IntoIterator<Item = (f64, String)>) -> Self {
-        Self { shades: shades.into_iter().collect(), ..self }
+    /// With what the numbers of the cells count, and with two lines that stand below the map until
+    /// a cell says something there.
+    pub fn says(self, unit: impl Into<String>, prompt: [&str; 2]) -> Self {
+        Self { unit: unit.into(), prompt: prompt.map(String::from), ..self }
     }
 
     pub(super) fn rows(&self) -> usize {
@@ -70,17 +80,14 @@ impl Map {
         self.x.len().saturating_sub(1)
     }
 
-    /// The attributes of a cell.
-    pub(super) fn look(&self, cell: &Cell) -> String {
-        let opacity = self.shades.get(cell.shade).map_or(1.0, |(opacity, _)| *opacity);
-        let colour = self.names[cell.name].colour;
-        self.colour(colour, if colour.is_none() { 0.0 } else { opacity })
-    }
-
-    /// The attributes of an area in the colour of that number, or in that of the text.
-    pub(super) fn colour(&self, colour: Option<usize>, opacity: f64) -> String {
-        let class = colour.map_or(String::new(), |i| format!(" {}", area(i)));
-        format!(r#"class="cell{class}" fill-opacity="{opacity}""#)
+    /// The smallest and the largest number of a region's cells, with their unit.
+    pub(super) fn numbers(&self, region: &Region) -> Option<String> {
+        let cells =
+            region.cells.iter().map(|(column, row)| &self.cells[column * self.rows() + row]);
+        let numbers = cells.filter_map(|cell| cell.number);
+        let (least, most) = (numbers.clone().min()?, numbers.max()?);
+        let range = if least == most { least.to_string() } else { format!("{least}–{most}") };
+        Some(format!("{range} {}", self.unit))
     }
 
     /// Its regions, in the order of their first cells.
@@ -233,11 +240,10 @@ mod tests {
         known.sort_unstable();
         known.dedup();
         let name = |letter: &u8| known.iter().position(|other| other == letter).unwrap();
-        let cell = |letter| Cell { name: name(letter), shade: 0, hover: String::new() };
+        let cell = |letter| Cell { name: name(letter), number: None, says: Default::default() };
         let names = known.iter().enumerate().map(|(i, letter)| Name {
             title: format!("the region {}", char::from(*letter)),
-            short: char::from(*letter).to_string(),
-            colour: Some(i),
+            fill: Fill::Colour(i),
         });
         let edges = |count: usize| (0..=count).map(|k| k as f64);
         Map::new(edges(rows[0].len()), edges(rows.len()), names, letters.iter().map(cell))

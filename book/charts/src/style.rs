@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use super::path::{self, Num, Point};
+use super::regions::Fill;
 
 /// `(name, on light, on dark)`: Okabe and Ito's colours, darkened or lightened until each has a
 /// contrast of 3 : 1 or more against mdBook's light and rust, or coal, navy and ayu. The same
@@ -242,14 +243,29 @@ impl Style {
 }
 
 /// The class of the `index`-th colour of areas. There are as many as [`AREAS`].
-pub(super) fn area(index: usize) -> String {
+fn area(index: usize) -> String {
     format!("area-{}", index % AREAS.len())
+}
+
+/// The attribute `class` of what is filled so.
+pub(super) fn fill(fill: Fill) -> String {
+    let class = match fill {
+        Fill::Colour(index) => area(index),
+        Fill::Hatch => "hatch".into(),
+        Fill::Paper => "clear".into(),
+    };
+    format!(r#"class="{class}""#)
 }
 
 /// The figure's own style sheet: its colours are the book's if the book defines them, and follow
 /// the reader's preference where the figure stands alone. All of it is confined to the class `id`,
 /// and not to the id: where a page shows a figure twice, mdBook gives the second another id.
-pub fn style_sheet(id: &str, used: &[Style], mut areas: Vec<usize>, alone: bool) -> String {
+pub fn style_sheet(id: &str, used: &[Style], fills: &[Fill], alone: bool) -> String {
+    let areas = fills.iter().filter_map(|fill| match fill {
+        Fill::Colour(i) => Some(*i),
+        _ => None,
+    });
+    let mut areas: Vec<usize> = areas.collect();
     areas.sort_unstable();
     areas.dedup();
     let mut colours: Vec<_> = used.iter().filter_map(|style| style.colour).collect();
@@ -293,9 +309,22 @@ pub fn style_sheet(id: &str, used: &[Style], mut areas: Vec<usize>, alone: bool)
     for (selector, rules) in shapes {
         css += &format!(".{id}{selector} {{{rules}}}\n");
     }
-    if !areas.is_empty() {
-        css += &format!(".{id} .cell {{fill:currentColor;stroke:none}}\n");
-        css += &format!(".{id} .edge {{stroke-width:1.8}}\n");
+    if !fills.is_empty() {
+        for (selector, rules) in [
+            (" .cell path", "fill:currentColor;stroke:none"),
+            (" .cell .clear", "fill-opacity:0"),
+            (" .cell:hover path", "fill-opacity:.5"),
+            (" .cell text", "visibility:hidden"),
+            (" .cell:hover text", "visibility:visible"),
+            (":has(.cell:hover) .prompt", "visibility:hidden"),
+            (" .edge", "stroke-width:1.8"),
+            (" .across", "stroke-width:1;opacity:.4"),
+            (" :is(.edge,.halo)", "pointer-events:none"),
+        ] {
+            css += &format!(".{id}{selector} {{{rules}}}\n");
+        }
+        css += &format!(".{id} .cell .hatch {{fill:url(#{id}-hatch)}}\n");
+        css += &format!("@media print {{ .{id} .prompt {{visibility:hidden}} }}\n");
     }
     if used.iter().any(|style| style.weight != Weight::Plain) {
         css += &format!(".{id} .thin {{stroke-width:1.2;opacity:.35}}\n");
@@ -396,8 +425,8 @@ mod tests {
         ],
     ];
 
-    /// Side by side a difference of about 2 can be seen. The palest shade is a quarter of a colour,
-    /// so that 20 leaves about 5.
+    /// Side by side a difference of about 2 can be seen; 20 is seen from one end of a map to the
+    /// other.
     ///
     /// Catches: two areas that a reader who lacks a kind of cones takes for one, such as the green
     /// and the vermilion of the lines.

@@ -35,8 +35,9 @@ pub fn in_the_book(root: &Path) -> anyhow::Result<String> {
     ensure!(is_figure(&svg), "{}: no figure", recorded.display());
     Ok(format!(
         "<figure>\n{svg}<figcaption>Run time against error as <code>pendula bench</code> found \
-         them on {whose}. Lower left is better: coloured is where a method is ahead of all others, \
-         whose lines are grey and name themselves where a mouse rests on them.</figcaption>\n</figure>\n"
+         them on {whose}. Lower left is better: coloured are those that are ahead, one after the \
+         other as the error gets smaller. RK4 has its name, too; the thin lines are the library’s \
+         other methods.</figcaption>\n</figure>\n"
     ))
 }
 

@@ -17,7 +17,7 @@ const WALKS_DIFFER_BY: f64 = 3.0;
 
 /// The elements that our charts write. A page shows drawings as they are: it must not come to
 /// anything else.
-const ELEMENTS: [&str; 12] = [
+const ELEMENTS: [&str; 13] = [
     "figure",
     "figcaption",
     "svg",
@@ -26,6 +26,7 @@ const ELEMENTS: [&str; 12] = [
     "style",
     "g",
     "clipPath",
+    "pattern",
     "path",
     "rect",
     "text",

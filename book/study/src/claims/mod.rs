@@ -13,7 +13,7 @@ mod prose;
 use core::fmt;
 
 pub use cell_id::{CellId, Column};
-pub use predictions::{Prediction, energy_error_of_table_4, predictions};
+pub use predictions::{Prediction, predictions};
 
 use self::cells::CELLS;
 use crate::digits::{Digits, rounds_to};

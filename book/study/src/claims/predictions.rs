@@ -164,14 +164,9 @@ const ENERGY_LAWS: [EnergyLaw; 4] = [
 
 impl EnergyLaw {
     fn predict(&self, run: Run, h: f64, id: impl Fn(PaperMethod) -> CellId) -> Prediction {
-        let (value, tolerance) = self.of(run, h);
-        Prediction { id: id(self.method).to_string(), value, tolerance, law: self.law }
-    }
-
-    /// The largest energy error (J), and how far, relatively, the measured one may lie from it.
-    fn of(&self, run: Run, h: f64) -> (f64, f64) {
         let value = (self.value)(run.theta_0, h, run.steps(h));
-        (value, (self.left_out)(run, h, value) + run.rounding(h) / value)
+        let tolerance = (self.left_out)(run, h, value) + run.rounding(h) / value;
+        Prediction { id: id(self.method).to_string(), value, tolerance, law: self.law }
     }
 }
 
@@ -180,15 +175,6 @@ impl EnergyLaw {
 /// gives 2.3e-5 at h = 0.1. At smaller steps the spread may be less even, but x² is smaller by
 /// more.
 const SAMPLING: f64 = 2.5e-5;
-
-/// Largest energy error (J) predicted for the method of that name in a run of Table 4 with the step
-/// `h` (s), and how far, relatively, the measured one may lie from it: by the law that
-/// [`predictions`] applies to its cells, at any step of which the run is a whole number. `None` for
-/// a method without a law.
-pub fn energy_error_of_table_4(method: &str, h: f64) -> Option<(f64, f64)> {
-    let law = ENERGY_LAWS.iter().find(|law| law.method.name() == method)?;
-    Some(law.of(Run::TABLE_4, h))
-}
 
 /// What the modified equation to order h⁵ leaves out, relatively.
 ///

@@ -1,4 +1,4 @@
-//! What an answer costs: a row of the map, for the chapters of the methods.
+//! What an answer costs: a row of the map, for the chapter on higher orders.
 
 use super::{Advice, error_law};
 use crate::experiments::MethodRef;

@@ -3,29 +3,24 @@
 use pendula::METHODS;
 
 use super::{Drawing, title};
-use crate::charts::{Axis, Cell, Chart, Figure, Map, Name};
+use crate::charts::{Axis, Cell, Chart, Figure, Fill, Map, Name};
 use crate::digits::Digits;
 use crate::experiments::{MethodRef, Study, choosing};
 
 pub(super) const FIGURES: &[Drawing] = &[Drawing {
     name: "decision",
     caption: "Which method keeps the angle within an error allowed, over a run of a given length, \
-              with the fewest force evaluations. The fuller the colour, the more evaluations the \
-              second best needs; where it is pale, any of the neighbours will do. In the corner at \
-              the lower right the rounding of an f64 alone may be larger than what is allowed. A \
-              mouse that rests on a cell shows its step and its evaluations.",
+              with the fewest force evaluations, and in how many steps a period. Where there are \
+              lines across, the second best needs less than a quarter more: any of the neighbours \
+              will do. In the corner at the lower right the rounding of an f64 alone may be larger \
+              than what is allowed.",
     noise: false,
     draw: decision,
 }];
 
-/// How many more evaluations the second best needs, as a share of those of the best: from where on,
-/// how opaque, and what the legend says.
-const SHADES: [(f64, f64, &str); 4] = [
-    (0.0, 0.25, "second best within 5 %"),
-    (0.05, 0.5, "25 %"),
-    (0.25, 0.75, "60 %"),
-    (0.6, 1.0, "more"),
-];
+/// If the second best needs fewer evaluations more than this share of those of the best, none is
+/// said to be ahead.
+const TIE: f64 = 0.25;
 
 /// Half-way between neighbours on a logarithmic axis, and as far beyond the first and the last as
 /// they are from their neighbours.
@@ -39,38 +34,43 @@ fn edges(values: &[f64]) -> Vec<f64> {
     edges
 }
 
-/// The methods that are the best in a cell, in the order of the library.
-fn winners(map: &[choosing::Cell]) -> Vec<MethodRef> {
-    let is_best = |method: &MethodRef| {
-        let mut best = map.iter().filter_map(|cell| cell.ranking.first());
-        best.any(|best| title(best.method) == title(*method))
-    };
-    METHODS.iter().copied().filter(is_best).collect()
+/// How many more evaluations the second best needs, as a share of those of the best.
+fn lead(ranking: &[choosing::Advice]) -> Option<f64> {
+    let evaluations = |place: usize| ranking.get(place).map(|advice| advice.evaluations as f64);
+    let best = evaluations(0)?;
+    Some(evaluations(1).map_or(f64::INFINITY, |second| second / best - 1.0))
 }
 
-/// What stands on the map where a cell is.
+/// The methods that are ahead in a cell, in the order of the library.
+fn winners(map: &[choosing::Cell]) -> Vec<MethodRef> {
+    let is_ahead = |method: &MethodRef| {
+        let clear = map.iter().filter(|cell| lead(&cell.ranking).is_some_and(|lead| lead >= TIE));
+        clear.map(|cell| cell.ranking[0].method).any(|best| title(best) == title(*method))
+    };
+    METHODS.iter().copied().filter(is_ahead).collect()
+}
+
+/// What stands on the map where a cell is: the names are those of the winners, that of ties, and
+/// that of no method at all.
 fn cell(winners: &[MethodRef], cell: &choosing::Cell) -> Cell {
     let periods = if cell.periods == 1 { "period" } else { "periods" };
     let allowed = Digits::Scientific(2).print(cell.allowed);
-    let place = format!("{} {periods}, error {allowed} rad", cell.periods);
-    let Some(best) = cell.ranking.first() else {
-        return Cell { name: winners.len(), shade: 0, hover: format!("{place}: lost in rounding") };
+    let place = format!("{} {periods} to {allowed} rad", cell.periods);
+    let Some((best, lead)) = cell.ranking.first().zip(lead(&cell.ranking)) else {
+        let says = ["Lost in rounding".into(), place];
+        return Cell { name: winners.len() + 1, number: None, says };
     };
-    let name = winners.iter().position(|winner| title(*winner) == title(best.method));
-    let second = cell.ranking.get(1);
-    let lead = second
-        .map_or(f64::INFINITY, |second| second.evaluations as f64 / best.evaluations as f64 - 1.0);
-    let shade = SHADES.iter().rposition(|(from, ..)| lead >= *from);
-    let second = second.map_or("no other can".into(), |second| {
+    let ahead = winners.iter().position(|winner| title(*winner) == title(best.method));
+    let name = ahead.filter(|_| lead >= TIE);
+    let second = cell.ranking.get(1).map_or("no other can".into(), |second| {
         format!("{} needs {:.0} % more", title(second.method), 100.0 * lead)
     });
-    let hover = format!(
-        "{place}: {}, {} steps a period, {} evaluations; {second}",
-        title(best.method),
-        best.steps,
-        best.evaluations
-    );
-    Cell { name: name.expect("a winner"), shade: shade.unwrap_or(0), hover }
+    let (steps, evaluations) = (best.steps, best.evaluations);
+    let says = [
+        format!("{}, {steps} steps a period, {evaluations} evaluations", title(best.method)),
+        format!("{place}; {second}"),
+    ];
+    Cell { name: name.unwrap_or(winners.len()), number: name.map(|_| steps), says }
 }
 
 /// The regions in which each of the methods is the cheapest.
@@ -79,17 +79,18 @@ fn decision(_: &Study) -> Figure {
     let winners = winners(&map);
     let (x, y) =
         (edges(&choosing::PERIODS.map(|periods| periods as f64)), edges(&choosing::allowed()));
-    let named = winners.iter().enumerate().map(|(i, method)| Name {
-        title: title(*method).into(),
-        short: (i + 1).to_string(),
-        colour: Some(i),
-    });
-    let lost = Name { title: "lost in rounding".into(), short: String::new(), colour: None };
+    let named = winners.iter().enumerate();
+    let named = named.map(|(i, method)| (title(*method), Fill::Colour(i)));
+    let others = [("no clear winner", Fill::Hatch), ("lost in rounding", Fill::Paper)];
+    let names = named.chain(others).map(|(title, fill)| Name { title: title.into(), fill });
     let ends = |edges: &[f64]| (edges[0], edges[edges.len() - 1]);
     let ((shortest, longest), (largest, smallest)) = (ends(&x), ends(&y));
-    let regions =
-        Map::new(x, y, named.chain([lost]), map.iter().map(|place| cell(&winners, place)))
-            .shades(SHADES.map(|(_, opacity, label)| (opacity, label.into())));
+    let prompt = [
+        "A tap on a cell, or a mouse that rests there, shows here",
+        "its steps, its evaluations, and what the second best needs.",
+    ];
+    let regions = Map::new(x, y, names, map.iter().map(|place| cell(&winners, place)));
+    let regions = regions.says("steps", prompt);
     let chart = Chart::new(
         Axis::log("length of the run (periods)").range(shortest, longest),
         Axis::log("largest angle error allowed (rad)").range(smallest, largest),
@@ -100,12 +101,12 @@ fn decision(_: &Study) -> Figure {
         "Which method needs the fewest force evaluations",
         "A map of areas on logarithmic axes: the length of the run, from one period to a hundred \
          thousand, across, and the largest angle error allowed, from a tenth to a \
-         ten-thousand-millionth of a radian, upwards. Each area is that of the cheapest method. \
-         Deuflhard's has the upper left corner, where runs are short and errors large; the \
-         processed method of order 4 the upper edge; that of order 6 a broad band below it, from \
-         the left to the lower right; Blanes and Moan's of order 6 most of what is below that, and \
-         Taylor series the lower middle. Single cells of DOP853 and of Blanes and Moan's method of \
-         order 4 lie between. The lower right corner, small errors over long runs, is empty: \
+         ten-thousand-millionth of a radian, upwards. Each area is that of the cheapest method, \
+         where it is ahead of the second by a quarter or more. Deuflhard's has the upper left \
+         corner, where runs are short and errors large; the processed method of order 4 the upper \
+         edge; that of order 6 a broad band below it on the right; Taylor series the lower middle. \
+         Most of the left half, and a band below that of order 6, are hatched: there the best are \
+         close to each other. The lower right corner, small errors over long runs, is empty: \
          rounding does not let any method be so exact.",
     )
     .panel(chart)

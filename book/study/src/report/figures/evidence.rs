@@ -1,5 +1,4 @@
-//! Figures of evidence: that theory predicts the measurements, and what the reading of the period,
-//! chaos and rounding add to them.
+//! What cancelling errors, the reading of the period, chaos and rounding do to measurements.
 
 use core::f64::consts::PI;
 
@@ -8,21 +7,11 @@ use pendula::Pendulum;
 use super::{Drawing, named, of_the_paper, style, title};
 use crate::charts::{Axis, Chart, Figure, Style};
 use crate::experiments::{
-    STEPS, Study, convergence, large_angle, readings, rounding_walk, small_angle, standard_map,
+    STEPS, Study, large_angle, readings, rounding_walk, small_angle, standard_map,
 };
 use crate::theory;
 
 pub(super) const FIGURES: &[Drawing] = &[
-    Drawing {
-        name: "energy_predicted",
-        caption: "The energy errors of Figure 2, divided by those that theory predicts without a \
-                  step of any method: on the dotted line the two agree, above and below it the \
-                  axis is logarithmic. Shaded is how far they may be apart, by what each theory \
-                  leaves out and by rounding. Every marker is in its band, forward Euler's \
-                  included.",
-        noise: false,
-        draw: energy_predicted,
-    },
     Drawing {
         name: "cancellation",
         caption: "Störmer–Verlet's own error falls with the step; that of the small-angle formula \
@@ -57,55 +46,6 @@ pub(super) const FIGURES: &[Drawing] = &[
         draw: rounding_walk,
     },
 ];
-
-/// How far the measured energy errors are from those predicted, relatively, against step.
-fn energy_predicted(study: &Study) -> Figure {
-    /// A relative difference far below this cannot be told from none.
-    const UNIT: f64 = 1e-6;
-    /// The largest difference that has a place.
-    const FARTHEST: f64 = 0.2;
-    // Forward Euler's law is a differential equation solved step by step: fewer points at small
-    // steps.
-    let coarse = (0..8).map(|k| 500.0 * libm::exp10(f64::from(k) / 8.0));
-    let fine = (0..=3).map(|k| 5000.0 * libm::exp10(f64::from(k) / 3.0));
-    // And those of the markers.
-    let ladder = coarse.chain(fine).chain(STEPS.map(|h| convergence::DURATION / h));
-    let mut ladder: Vec<f64> = ladder.map(libm::round).collect();
-    ladder.sort_by(f64::total_cmp);
-    ladder.dedup();
-    let figure = Figure::new(
-        "Energy error, measured over predicted",
-        "Four charts, one for each method of the paper, of how far the measured energy error is \
-         from the predicted one, relatively, against the step. The axis is logarithmic to both \
-         sides of zero. Five markers lie on zero or close to it, from a tenth to a thousandth of a \
-         second, all within a shaded band: for forward Euler a funnel that is open at large steps, \
-         for the two symplectic methods a narrow strip, for RK4 narrow in the middle, and wider at \
-         large steps and, by rounding, at the smallest.",
-    )
-    .columns(2);
-    study.convergence.iter().fold(figure, |figure, convergence::Row { method, drift }| {
-        let law = |h| crate::claims::energy_error_of_table_4(method.info().name, h);
-        let tolerances = ladder.iter().map(|steps| convergence::DURATION / steps);
-        let tolerances: Vec<_> = tolerances.filter_map(|h| Some((h, law(h)?.1))).collect();
-        let below = tolerances.iter().rev().map(|(h, tolerance)| (*h, -tolerance));
-        let measured = STEPS.into_iter().zip(*drift);
-        let ratios = measured.filter_map(|(h, drift)| Some((h, drift / law(h)?.0 - 1.0)));
-        let chart = Chart::new(
-            Axis::log("Δt (s)").range(6e-4, 0.17),
-            Axis::signed_log("measured/predicted − 1", UNIT).range(-FARTHEST, FARTHEST),
-        )
-        .height(230.0)
-        .heading(title(*method))
-        .series(
-            "what the theory leaves out",
-            Style::REFERENCE.filled(),
-            tolerances.iter().copied().chain(below),
-        )
-        .series("", Style::GUIDE, [(1e-3, 0.0), (0.1, 0.0)])
-        .series("", style(*method).markers_only(), ratios);
-        figure.panel(chart)
-    })
-}
 
 /// Störmer–Verlet's error and the formula's: where they cancel, its errors in the paper's table
 /// are smallest.

@@ -18,10 +18,10 @@ pub(super) const FIGURES: &[Drawing] = &[
     },
     Drawing {
         name: "figure_3",
-        caption: "The paper's Figure 3, with RK4 added, each method on a scale of its own: \
-                  forward Euler climbs, the two symplectic methods fill a band, and RK4 sinks, by \
-                  millionths of a joule. Below, the largest error so far, on one scale for all: \
-                  level lines are bounded errors; rising ones add up.",
+        caption: "The paper's Figure 3, with RK4 added: the energy's error at first and a thousand \
+                  seconds later, each method on a scale of its own. That of the two symplectic \
+                  methods comes and goes with each swing, as at first; forward Euler's and RK4's \
+                  add up. Below, the largest error so far, on one scale for all.",
         noise: false,
         draw: figure_3,
     },
@@ -70,29 +70,53 @@ fn figure_2(study: &Study) -> Figure {
     .panel(chart)
 }
 
-/// Energy over a thousand seconds: for each method by itself, and as the largest error so far.
+/// Energy at the beginning and at the end of a thousand seconds, a row for each method, and the
+/// largest error so far.
 fn figure_3(study: &Study) -> Figure {
-    let time = || Axis::linear("t (s)").range(0.0, long_run::DURATION);
-    let mut growth = Chart::new(time(), Axis::log("largest |H − H_{0}| so far (J)")).height(250.0);
+    /// How much of either end is shown: about nine swings (s).
+    const SHOWN: f64 = 20.0;
+    let end = long_run::DURATION;
+    let mut growth = Chart::new(
+        Axis::linear("t (s)").range(0.0, end),
+        Axis::log("largest |H − H_{0}| so far (J)"),
+    )
+    .height(200.0);
     let mut figure = Figure::new(
         "Energy over a thousand seconds",
-        "Four small charts of the energy's error, each on a linear scale of its own. Forward \
-         Euler's climbs to nearly 500 joules. Those of symplectic Euler and Störmer–Verlet move \
-         within bands that stay as wide as they were in the first second, some hundredths of a \
-         joule and a thousandth. RK4's sinks evenly to minus four millionths. Below, on a \
-         logarithmic scale, the largest error so far: level for the two symplectic methods, rising \
-         for forward Euler, and rising for RK4 too, but two orders of magnitude below \
-         Störmer–Verlet.",
+        "Four rows of two small charts of the energy's error, the first twenty seconds and the \
+         last, a row for each method on a linear scale of its own. Forward Euler's is near zero on \
+         the left and near 480 joules on the right. Those of symplectic Euler and Störmer–Verlet \
+         are waves, some hundredths of a joule and a thousandth high, on the right as on the left. \
+         RK4's is a level line, on the right four millionths below zero. Below, on a logarithmic \
+         scale, the largest error so far: level for the two symplectic methods, rising for forward \
+         Euler, and rising for RK4 too, but two orders of magnitude below Störmer–Verlet.",
     )
     .columns(2);
-    for row in of_the_paper(&study.long_run, |row| row.method) {
-        let (title, style) = (title(row.method), style(row.method).line_only());
-        let thirds = [0.0, 500.0, 1000.0].map(|t| (t, t.to_string()));
-        let error = Axis::linear(format!("{title}, H − H_{{0}} (J)"));
-        let energy = Chart::new(time().ticks(thirds), error).height(140.0);
-        // Above each is named by its axis, and below at its end: no dashes have to tell them apart.
-        let style = style.solid();
-        figure = figure.panel(energy.series(title, style, long_run::energy(row.method, 50)));
+    for (i, row) in of_the_paper(&study.long_run, |row| row.method).enumerate() {
+        // Named by its axis, and below at its line's end: no dashes have to tell them apart.
+        let (title, style) = (title(row.method), style(row.method).line_only().solid());
+        let error = long_run::energy(row.method);
+        let ends = [(0.0, SHOWN), (end - SHOWN, end)].map(|(from, to)| {
+            let shown = error.iter().filter(move |(t, _)| (from..=to).contains(t));
+            (from, to, shown.copied().collect::<Vec<_>>())
+        });
+        let values = ends.iter().flat_map(|(.., shown)| shown).map(|(_, error)| *error);
+        let (low, high) = values.fold((0.0_f64, 0.0_f64), |(l, h), e| (l.min(e), h.max(e)));
+        let margin = 0.25 * (high - low);
+        let axis = Axis::linear(format!("{title}, H − H_{{0}} (J)"));
+        for (from, to, shown) in ends {
+            // The last second of the left chart and the first of the right one have one place.
+            let ticks = [from, from + 0.5 * SHOWN, to].into_iter().skip(usize::from(from > 0.0));
+            let time = Axis::linear("t (s)").range(from, to);
+            let time = time.ticks(ticks.map(|t| (t, t.to_string())));
+            let chart = Chart::new(time, axis.clone().range(low - margin, high + margin));
+            let heading = match (i, from) {
+                (0, 0.0) => "the first 20 s",
+                (0, _) => "the last 20 s",
+                _ => "",
+            };
+            figure = figure.panel(chart.height(66.0).heading(heading).series(title, style, shown));
+        }
         growth = growth.series(title, style, long_run::growth(row.method));
     }
     figure.panel(growth)

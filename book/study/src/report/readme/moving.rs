@@ -61,7 +61,7 @@ pub(super) fn svgs() -> [String; 2] {
              aria-labelledby=\"title desc\">\n<title id=\"title\">{TITLE}</title>\n\
              <desc id=\"desc\">{}</desc>\n{}<style>\n{rules}</style>\n{fixed}{body}</svg>\n",
             wrapped(&escape(&description())),
-            style_sheet(ID, &styles, Vec::new(), false),
+            style_sheet(ID, &styles, &[], false),
         )
     };
     [file(rules() + &calm_rules(), &both), file(rules(), &still)]
