@@ -57,6 +57,8 @@ SPOILT_FILES = [
      "on paper: higher than a sheet"),
     ("search", "searcher.js", "if (e.key === 'Enter') {", "if (e.key === 'Spoilt') {",
      "search: Enter opens no result"),
+    ("answers", "searchindex.js", "long-run.html#energy-drift", "limits.html#spoilt",
+     "search: 'energy drift' leads to"),
     ("contents", "book.js", "(function sidebar() {",
      "addEventListener('click', e => e.preventDefault()); (function sidebar() {",
      "a click does not open a chapter"),
