@@ -32,6 +32,27 @@ def search(tab: Tab, book: Book) -> Iterator[str]:
         yield f"search: {tab.here()} does not have the word"
 
 
+# What somebody asks, and the page that answers.
+QUESTIONS = {
+    "which integrator should I use": "choosing.html",
+    "energy drift": "long-run.html",
+    "symplectic": "symplectic-euler.html",
+    "period of a pendulum": "pendulum.html",
+}
+
+
+def answers(tab: Tab, book: Book) -> Iterator[str]:
+    """Each question leads, in its first two results, to the page that answers it."""
+    for question, page in QUESTIONS.items():
+        tab.open("index.html")
+        tab.press("/")
+        tab.comes("document.activeElement.id === 'mdbook-searchbar'")
+        tab.page.keyboard.type(question)
+        first = "[...document.querySelectorAll('#mdbook-searchresults a')].slice(0, 2)"
+        if not tab.comes(f"{first}.some(a => a.href.includes('/{page}'))"):
+            yield f"search: {question!r} leads to {tab.run(f'{first}.map(a => a.textContent)')}"
+
+
 def contents(tab: Tab, book: Book) -> Iterator[str]:
     """The sidebar: each chapter in order, the present one marked; a click opens another; on a
     telephone on request."""
@@ -182,4 +203,4 @@ def scriptless(tab: Tab, book: Book) -> Iterator[str]:
                 yield f"{page}, no scripts: no way on"
 
 
-CHECKS = [search, contents, themes, keyboard, scriptless]
+CHECKS = [search, answers, contents, themes, keyboard, scriptless]

@@ -68,8 +68,10 @@ fn driven(
     book.with_preprocessor(pendula);
     book.build()?;
     let pages = book.build_dir_for("html");
-    page_files::join(&pages, &book.config.html_config().unwrap_or_default().additional_js)?;
-    each_page(&pages, |page| policy::with_policy(&page_files::linked(page)))?;
+    let html = book.config.html_config().unwrap_or_default();
+    page_files::join(&pages, &html.additional_js)?;
+    let site = html.site_url.unwrap_or_default();
+    each_page(&pages, |page| policy::with_policy(&page_files::linked(page, &site)))?;
     known_answers(root, &pages)?;
     let pages = pages.strip_prefix(folder.path()).map(Path::to_path_buf).unwrap_or_default();
     Ok((folder, pages))

@@ -17,6 +17,9 @@ const FOLDER: &str = "theme/lab/";
 const BUNDLE: &str = "theme/lab/bundle.js";
 const LOADER: &str = "theme/lab/near.js";
 
+/// How book/theme/head.hbs names the picture of a link.
+const PICTURE: &str = "<meta property=\"og:image\" content=\"";
+
 /// Joins the scripts of the lab, in the order in which `scripts` names them, in the folder of the
 /// pages, if there are any.
 ///
@@ -44,16 +47,22 @@ pub fn has_lab(page: &str) -> bool {
 }
 
 /// The page with the files that it needs: without the scripts that were joined, without any of the
-/// lab's files if it has no lab, and with its fonts called for.
-pub fn linked(page: &str) -> String {
+/// lab's files if it has no lab, and with its fonts called for; with the picture for who posts a
+/// link, if `site` is a whole address, as that picture's has to be.
+pub fn linked(page: &str, site: &str) -> String {
     let with_lab = has_lab(page);
+    let with_picture = site.contains("://");
     let stays = |line: &&str| {
         let tag = line.trim_start();
+        if tag.starts_with(PICTURE) {
+            return with_picture;
+        }
         let script = tag.starts_with("<script src=\"");
         let of_the_lab = (script || tag.starts_with("<link ")) && tag.contains(FOLDER);
         !of_the_lab || with_lab && (!script || tag.contains(LOADER))
     };
     let linked: String = page.split_inclusive('\n').filter(stays).collect();
+    let linked = linked.replacen(PICTURE, &format!("{PICTURE}{site}"), 1);
     linked.replacen(CHARSET, &format!("{CHARSET}{}", fonts(page)), 1)
 }
 
@@ -100,7 +109,7 @@ mod tests {
     /// Catches: a page without a lab that loads it; another file or the text lost with it.
     #[test]
     fn a_page_without_a_lab_loads_nothing_of_it() {
-        let page = linked(PAGE);
+        let page = linked(PAGE, "./");
         assert_eq!(page.matches("theme/lab/").count(), 1);
         assert_eq!(page.lines().count(), PAGE.lines().count() - 3);
     }
@@ -110,18 +119,28 @@ mod tests {
     #[test]
     fn a_page_calls_for_its_own_fonts() {
         let head = format!("{CHARSET}<link href=\"../../fonts/fonts.css\"><body><h1>x</h1>");
-        let page = linked(&head);
+        let page = linked(&head, "./");
         assert!(page.contains("[\"fonts/open-sans-regular\", \"fonts/open-sans-600\"]"), "{page}");
         assert!(page.contains("href: `../../${name}.woff2`"), "{page}");
-        let page = linked(&format!("{head}<span class=\"katex\">"));
+        let page = linked(&format!("{head}<span class=\"katex\">"), "./");
         assert!(page.contains("KaTeX_Main") && !page.contains("KaTeX_Math"), "{page}");
     }
 
     /// Catches: a lab without its loader or its styles, or with a script that is no longer there.
     #[test]
     fn a_page_with_a_lab_loads_one_script() {
-        let page = linked(&PAGE.replace("<main>", "<main><div class=\"lab\">"));
+        let page = linked(&PAGE.replace("<main>", "<main><div class=\"lab\">"), "./");
         assert!(page.contains("lab.css") && page.contains("src=\"../theme/lab/near.js"));
         assert!(!page.contains("src=\"../theme/lab/words.js"));
+    }
+
+    /// Catches: a picture at an address that only the book's own pages understand, which nobody
+    /// shows.
+    #[test]
+    fn the_picture_of_a_link_has_a_whole_address_or_is_left_out() {
+        let page = format!("{CHARSET}\n{PICTURE}assets/the-lab.png\">\n");
+        assert!(!linked(&page, "./").contains("og:image"));
+        let page = linked(&page, "https://example.org/pendula/");
+        assert!(page.contains("content=\"https://example.org/pendula/assets/the-lab.png\""));
     }
 }

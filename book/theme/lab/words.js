@@ -1,4 +1,4 @@
-// Formatting of the lab's numbers.
+// Numbers in words, and elements of a page.
 (theLab => {
     'use strict';
 
@@ -69,5 +69,29 @@
         return `${mantissa}e${Number(exponent)}`;
     }
 
-    Object.assign(theLab, { count, measured, printed, raised, rough, roundUp, seconds, tick });
+    function element(name, attributes = {}, ...children) {
+        const made = document.createElement(name);
+        for (const [key, value] of Object.entries(attributes)) {
+            if (key.startsWith('on')) made.addEventListener(key.slice(2), value);
+            else if (value !== false) made.setAttribute(key, value === true ? '' : value);
+        }
+        made.append(...children);
+        return made;
+    }
+
+    const button = (name, words, onclick) =>
+        element('button', { type: 'button', class: name, onclick }, words);
+
+    Object.assign(theLab, {
+        button,
+        count,
+        element,
+        measured,
+        printed,
+        raised,
+        rough,
+        roundUp,
+        seconds,
+        tick,
+    });
 })((globalThis.theLab ??= {}));

@@ -1,0 +1,79 @@
+"""Runs the programs of the reports, and puts what they print below them.
+
+    book/strangers/run --reproduce [REPORT …]
+
+Needs g++, gcc and libboost-dev too: CXXFLAGS may name the headers of another Boost. What cannot be
+built or run is said to be missing, and its report is left as it was.
+"""
+
+import os
+import re
+import subprocess
+import sys
+
+PART = "<!-- ANCHOR: {0} -->\n```(\\w+)\n(.*?)```\n<!-- ANCHOR_END: {0} -->"
+PROGRAM, OUTPUT = (re.compile(PART.format(part), re.S) for part in ("program", "output"))
+SUFFIXES = {"c": ".c", "cpp": ".cpp", "js": ".mjs", "python": ".py", "rust": ".rs"}
+
+
+def programs(reports, work):
+    """Writes the program of each report to a file of its name, and returns the files by report."""
+    folder = work / "reproductions"
+    folder.mkdir(exist_ok=True)
+    files = {}
+    for report in sorted(reports.glob("*.md")):
+        language, text = PROGRAM.search(report.read_text()).groups()
+        # Node looks for modules from where the program is.
+        where = work / "javascript" if language == "js" else folder
+        files[report] = where / (report.stem + SUFFIXES[language])
+        files[report].write_text(text)
+    return files
+
+
+def built(command):
+    print("+", " ".join(map(str, command)), file=sys.stderr)
+    subprocess.run(command, check=True, stdout=sys.stderr)
+
+
+def cargo(work, crate, *more):
+    built(["cargo", "build", "--manifest-path", work / "rust" / "Cargo.toml", "-p", crate, *more])
+    return work / "rust" / "target" / "debug"
+
+
+def command(source, work):
+    """What runs a program, which it builds first."""
+    name, out = source.stem, source.with_suffix("")
+    if source.suffix == ".py":
+        return [work / "venv" / "bin" / "python", source]
+    if source.suffix == ".mjs":
+        return ["node", source]
+    if source.suffix == ".cpp":
+        flags = os.environ.get("CXXFLAGS", "").split()
+        built(["g++", "-std=c++17", "-w", *flags, source, "-o", out])
+        return [out]
+    if source.suffix == ".rs":
+        crate = "strangers-" + ("proof-engine" if name.startswith("proof") else "reproductions")
+        return [cargo(work, crate, "--bin", name) / name]
+    # SUNDIALS as the crate sundials-sys has built it.
+    made = cargo(work, "strangers-sundials") / "build"
+    found = sorted(made.glob("sundials-sys-*/out/include"))[0]
+    libraries = [f"-lsundials_{part}" for part in ("arkode", "nvecserial", "core")]
+    built(["gcc", "-w", f"-I{found}", source, "-o", out, f"-L{found.parent / 'lib'}", *libraries, "-lm"])
+    return [out]
+
+
+def run(names, reports, work):
+    """Runs those that are named, or all; returns what is missing."""
+    missing = []
+    for report, source in programs(reports, work).items():
+        if names and report.stem not in names:
+            continue
+        try:
+            told = subprocess.run(command(source, work), check=True, capture_output=True, text=True)
+            text = report.read_text()
+            start, end = OUTPUT.search(text).span(2)
+            report.write_text(text[:start] + told.stdout + text[end:])
+            print(f"{report.stem}\n{told.stdout}")
+        except (OSError, IndexError, subprocess.CalledProcessError) as why:
+            missing.append(f"{report.stem}: {why}")
+    return missing
