@@ -815,7 +815,10 @@ fn a_pole_is_not_crossed<M: Embedded>(method: M) {
     assert!(step > 0.0 && step <= 10.0 * f64::EPSILON, "{step:e}");
     assert!(walk.next().is_none(), "it has ended");
     let message = error.unwrap().to_string();
-    assert!(message.contains("no step meets the tolerance") && !message.contains('\n'), "{message}");
+    assert!(
+        message.contains("no step meets the tolerance") && !message.contains('\n'),
+        "{message}"
+    );
 }
 each_pair!(a_pole_is_not_crossed);
 

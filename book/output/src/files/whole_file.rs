@@ -2,7 +2,7 @@
 
 use std::fs::{self, File, Metadata};
 use std::io::{self, Write};
-use std::path::{Path, PathBuf};
+use std::path::{Path, PathBuf, is_separator};
 
 use tempfile::NamedTempFile;
 
@@ -25,6 +25,10 @@ impl WholeFile {
     /// If there is something else than a file, a file that may not be written to or is being
     /// written already, or a folder in which no file can be made.
     pub fn beside(path: &Path) -> io::Result<Self> {
+        // A path forgets the separator at its end.
+        if path.as_os_str().to_string_lossy().ends_with(is_separator) {
+            return Err(io::Error::new(io::ErrorKind::IsADirectory, "it names a folder"));
+        }
         let target = behind_links(path)?;
         let old = metadata(&target)?;
         if let Some(old) = &old {

@@ -80,7 +80,10 @@ impl Resumed {
     /// [`Failure::Refused`] if it cannot be read, is not as it was written, or is of another
     /// command or another version of the program.
     pub fn read(path: &Path, command: &str) -> Result<Self, Failure> {
-        let (json, bytes) = read(path).map_err(|error| refused(path, error))?;
+        let (json, bytes) = read(path).map_err(|error| match error.kind() {
+            io::ErrorKind::InvalidData => refused(path, error),
+            _ => refused(path, format!("cannot be read: {error}")),
+        })?;
         let state: State = serde_json::from_str(&json).map_err(|error| refused(path, error))?;
         if state.version != VERSION {
             let version = state.version.escape_debug();

@@ -68,6 +68,15 @@ fn a_file_keeps_its_permissions() {
     assert_eq!(names(&folder), ["a.csv", "b.csv"]);
 }
 
+/// Catches: a file made where a folder is named that is not there.
+#[test]
+fn a_name_with_a_separator_at_its_end_is_no_file() {
+    let (folder, at) = folder();
+    let line = fails(&simulate(&at("new/")));
+    assert!(line.contains("new/: cannot be written: it names a folder"), "{line}");
+    assert_eq!(names(&folder), [""; 0]);
+}
+
 /// Catches: a file that its owner has made read-only, replaced because its folder may be written.
 #[test]
 fn a_read_only_file_is_refused() {

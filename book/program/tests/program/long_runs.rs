@@ -312,6 +312,14 @@ fn parts_one_after_the_other_are_the_whole() {
     assert!(parts(&batches, 2).concat() == whole(&batches).out);
 }
 
+/// Catches: a part without a run that says nothing, or spoils the whole by a line among its rows.
+#[test]
+fn an_empty_part_says_so_beside_its_rows() {
+    let sweep = words("sweep --method rk4 --theta0 0:1:3 --dt 0.1 --duration 1 --part 5/7");
+    let Printed { out, err, .. } = whole(&sweep);
+    assert_eq!((out.as_str(), err.contains("part 5/7 is empty")), ("", true), "{err}");
+}
+
 /// The middle of a sweep of 10¹⁵ runs, which would take weeks to count up to.
 ///
 /// Catches: a part that generates the sweep up to it, or to its end.

@@ -339,6 +339,9 @@ impl Printer {
         if let Some((plot, title)) = plot {
             plot.print(&title, out)?;
         }
+        if let Some(part) = self.part.filter(|_| runs == 0) {
+            writeln!(err, "pendula: part {part} is empty: there are fewer runs than parts")?;
+        }
         if let Some(largest) = largest {
             let MethodInfo { implicit, force_evaluations, start_evaluations, .. } =
                 self.runner.info();
