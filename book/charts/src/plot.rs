@@ -79,10 +79,7 @@ impl<'a> Plot<'a> {
                 false if chart.sketch => 0.0,
                 false => 28.0,
             };
-        match &chart.map {
-            Some(map) => self.draw_map_key(out, map, &unnamed, end),
-            None => end,
-        }
+        if chart.map.is_some() { self.draw_map_key(out, &unnamed, end) } else { end }
     }
 
     /// Makes room for what stands above the plot, and draws it.
@@ -209,11 +206,14 @@ impl<'a> Plot<'a> {
 
     /// Draws the legend of those of a map's names that stand nowhere in it, below the `top` and
     /// what the cells say there, and returns where it ends.
-    fn draw_map_key(&self, out: &mut String, map: &Map, unnamed: &[&Name], top: f64) -> f64 {
+    fn draw_map_key(&self, out: &mut String, unnamed: &[&Name], top: f64) -> f64 {
         const BOX: (f64, f64) = (30.0, 18.0);
-        let said = map.prompt.iter().any(|line| !line.is_empty());
-        let (mut x, y) = (self.edge, top + if said { 2.0 * ROW + 24.0 } else { 16.0 });
+        let (mut x, mut y) = (self.edge, top + 2.0 * ROW + 24.0);
         for Name { title, fill } in unnamed {
+            let wide = BOX.0 + 8.0 + width(title) + 16.0;
+            if x + wide > self.right + RIGHT && x > self.edge {
+                (x, y) = (self.edge, y + ROW);
+            }
             line(out, ENTRY.into());
             let (w, h) = (Num(BOX.0), Num(BOX.1));
             let d = format!("M{},{}h{w}v{h}h-{w}z", Num(x), Num(y - 9.0));
@@ -221,7 +221,7 @@ impl<'a> Plot<'a> {
             line(out, format!("<path class=\"edge\" d=\"{d}\"/>"));
             draw_text(out, "", (x + BOX.0 + 8.0, y + 6.0), "start", title);
             line(out, "</g>".into());
-            x += BOX.0 + 8.0 + width(title) + 16.0;
+            x += wide;
         }
         y + if unnamed.is_empty() { -16.0 } else { 14.0 }
     }
