@@ -1,5 +1,5 @@
 """What a reader does with the book: searches, opens the contents, chooses a theme, uses the
-keyboard, switches scripts off."""
+keyboard, switches scripts off, asks the map of choosing, reads the zoo on a telephone."""
 
 from collections.abc import Iterator
 
@@ -203,4 +203,34 @@ def scriptless(tab: Tab, book: Book) -> Iterator[str]:
                 yield f"{page}, no scripts: no way on"
 
 
-CHECKS = [search, answers, contents, themes, keyboard, scriptless]
+# What can be read below the map of choosing.
+SAID = """[...document.querySelectorAll('#fig-decision :is(.prompt, .cell text)')]
+    .filter(e => getComputedStyle(e).visibility === 'visible').map(e => e.textContent)"""
+CELL = "document.querySelector('#fig-decision > .cell > path').getBoundingClientRect().toJSON()"
+
+
+def asked(tab: Tab, book: Book) -> Iterator[str]:
+    """The map of choosing asks for a cell, and the one that the mouse is on says what it needs. A
+    tap puts the mouse there."""
+    tab.open("choosing.html")
+    # Not under the bar at the top.
+    tab.run("document.getElementById('fig-decision').scrollIntoView({block: 'center'})")
+    prompt, cell = tab.run(SAID), tab.run(CELL)
+    tab.page.mouse.move(cell["x"] + cell["width"] / 2, cell["y"] + cell["height"] / 2)
+    said = tab.run(SAID)
+    if len(prompt) != 2 or len(said) != 2 or "steps a period" not in said[0]:
+        yield f"the map of choosing says {prompt}, and of a cell {said}"
+
+
+def unscrolled(tab: Tab, book: Book) -> Iterator[str]:
+    """On a telephone each row of the zoo can be seen from end to end."""
+    tab.screen(TELEPHONE)
+    tab.open("judging.html")
+    tab.run("document.querySelectorAll('details').forEach(e => { e.open = true; })")
+    wide = """[...document.querySelectorAll('.table-wrapper')]
+        .filter(e => e.scrollWidth > e.clientWidth).map(e => e.querySelector('th').textContent)"""
+    for table in tab.run(wide):
+        yield f"judging.html, {TELEPHONE} px: a table scrolls: {table}"
+
+
+CHECKS = [search, answers, contents, themes, keyboard, scriptless, asked, unscrolled]

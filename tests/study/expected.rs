@@ -8,7 +8,7 @@ use pendula::{
 };
 use pendula_study::experiments::{
     STEPS, beyond, enclosure, in_paper, level_curves, phase_portrait, readings, resonance,
-    rounding_walk, small_angle, standard_map, tilted_curve, truncation,
+    rounding_walk, small_angle, standard_map, truncation,
 };
 use pendula_study::theory;
 
@@ -177,7 +177,7 @@ pub fn two_eulers() -> Vec<Expected> {
 }
 
 pub fn level_curves_expected() -> Vec<Expected> {
-    let rows = level_curves::run().into_iter().map(|row| {
+    let rows = level_curves::own().into_iter().map(|row| {
         let label = title(row.method);
         let points = level_curves::points(row.method, row.step).into_iter().map(plane);
         expect(format!("{label}, h = {} s", row.step), label, Marker, points)
@@ -186,17 +186,14 @@ pub fn level_curves_expected() -> Vec<Expected> {
 }
 
 pub fn tilted_curve_expected() -> Vec<Expected> {
-    let tilted_curve::Run { method, step, points, curves } = tilted_curve::run();
+    let level_curves::Run { method, step, points, curves } = level_curves::tilted();
     let label = format!("{}, h = {step} s", title(method));
     let mut expected = vec![expect("ω (rad/s)", label, Marker, points.into_iter().map(plane))];
-    for (order, curve) in curves {
-        // The curve with one term has its name beside it and not in the legend.
-        let label = match order {
-            0 => "true orbit, H",
-            7 => "H̃, 7 terms",
-            _ => continue,
-        };
-        expected.push(expect("ω (rad/s)", label, Line, curve.into_iter().map(plane)));
+    // The curve with one term has its name beside it and not in the legend.
+    for (label, curve) in ["true orbit, H", "", "H̃, 7 terms"].into_iter().zip(curves) {
+        if !label.is_empty() {
+            expected.push(expect("ω (rad/s)", label, Line, curve.into_iter().map(plane)));
+        }
     }
     expected
 }

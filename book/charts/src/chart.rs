@@ -36,15 +36,13 @@ impl Series {
 
 #[derive(Clone, Debug)]
 pub(super) enum Mark {
-    /// A line (`from` = `to`) or a band, of constant x or of constant y.
+    /// A line of constant x or of constant y.
     Vertical {
-        from: f64,
-        to: f64,
+        at: f64,
         label: String,
     },
     Horizontal {
-        from: f64,
-        to: f64,
+        at: f64,
         label: String,
     },
     Note {
@@ -122,24 +120,14 @@ impl Chart {
     }
 
     /// With a dashed line at `x`, labelled above the plot.
-    pub fn vertical(self, x: f64, label: impl Into<String>) -> Self {
-        self.vertical_band(x, x, label)
-    }
-
-    /// With a dashed line at `y`, labelled where there is most room.
-    pub fn horizontal(self, y: f64, label: impl Into<String>) -> Self {
-        self.horizontal_band(y, y, label)
-    }
-
-    /// With the area shaded from x = `from` to x = `to`, labelled above the plot.
-    pub fn vertical_band(mut self, from: f64, to: f64, label: impl Into<String>) -> Self {
-        self.marks.push(Mark::Vertical { from, to, label: label.into() });
+    pub fn vertical(mut self, x: f64, label: impl Into<String>) -> Self {
+        self.marks.push(Mark::Vertical { at: x, label: label.into() });
         self
     }
 
-    /// With the area shaded from y = `from` to y = `to`, labelled where there is most room.
-    pub fn horizontal_band(mut self, from: f64, to: f64, label: impl Into<String>) -> Self {
-        self.marks.push(Mark::Horizontal { from, to, label: label.into() });
+    /// With a dashed line at `y`, labelled where there is most room.
+    pub fn horizontal(mut self, y: f64, label: impl Into<String>) -> Self {
+        self.marks.push(Mark::Horizontal { at: y, label: label.into() });
         self
     }
 
@@ -159,17 +147,17 @@ impl Chart {
         self
     }
 
-    /// The scales, from the data and the single lines, but not from guides and bands. Curves fill
-    /// the x axis; the y axis ends at round numbers.
+    /// The scales, from the data and the lines across, but not from guides. Curves fill the x axis;
+    /// the y axis ends at round numbers.
     pub(super) fn scales(&self) -> (Scale<'_>, Scale<'_>) {
         let series = || self.series.iter().filter(|series| !series.style.is_guide());
         let points = || series().flat_map(|series| &series.points);
         let x_lines = self.marks.iter().filter_map(|mark| match mark {
-            Mark::Vertical { from, to, .. } if from == to => Some(*from),
+            Mark::Vertical { at, .. } => Some(*at),
             _ => None,
         });
         let y_lines = self.marks.iter().filter_map(|mark| match mark {
-            Mark::Horizontal { from, to, .. } if from == to => Some(*from),
+            Mark::Horizontal { at, .. } => Some(*at),
             _ => None,
         });
         let xs = points().map(|p| p.0);
@@ -196,10 +184,9 @@ impl Chart {
 mod tests {
     use super::*;
 
-    /// Catches: an axis that ends before a line across it, or that reaches for a band; ticks that
-    /// crowd a low plot.
+    /// Catches: an axis that ends before a line across it; ticks that crowd a low plot.
     #[test]
-    fn lines_stretch_an_axis_and_bands_do_not() {
+    fn lines_stretch_an_axis() {
         let axis = Axis::linear;
         let plain = || {
             Chart::new(axis("x"), axis("y")).series("", Style::REFERENCE, [(0.0, 0.0), (2.0, 4.0)])
@@ -213,10 +200,6 @@ mod tests {
         assert_eq!(ends(plain()), none);
         assert_eq!(ends(plain().vertical(3.0, "")), [[false, true], [false; 2]]);
         assert_eq!(ends(plain().horizontal(-30.0, "")), [[false; 2], [true, false]]);
-        assert_eq!(
-            ends(plain().vertical_band(-3.0, 3.0, "").horizontal_band(-30.0, 30.0, "")),
-            none
-        );
         assert_eq!(
             [50.0, 100.0, 200.0, 300.0, 900.0].map(|high| plain().height(high).y_ticks()),
             [2, 2, 4, 6, 6]

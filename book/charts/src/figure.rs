@@ -272,8 +272,6 @@ mod tests {
             .series("", Style::REFERENCE, [(0.0, 1e-2), (f64::INFINITY, 1.0), (2.0, 1e-2)])
             .vertical(1.0, "T")
             .horizontal(0.1, "floor")
-            .horizontal_band(1e-9, 2e-3, "rounding")
-            .vertical_band(0.5, 1.5, "")
             .slope(2.0, (0.5, 1e-2), 2.0, "slope 2")
             .note(2.0, 1e-3, "here");
         Figure::new("Title\n\nof <two>", "says \"so\"").panel(chart)

@@ -1,6 +1,5 @@
 //! The labels inside a plot, each where it hides least.
 
-use super::ROW;
 use super::chart::Mark;
 use super::path::Point;
 use super::plot::Plot;
@@ -19,7 +18,7 @@ pub(super) struct Labels<'a> {
 }
 
 impl Labels<'_> {
-    /// Draws the labels of guides, horizontal lines and bands, and the notes.
+    /// Draws the labels of guides and horizontal lines, and the notes.
     pub fn draw(&mut self, out: &mut String) {
         let plot = self.plot;
         for series in plot.chart.series.iter().filter(|series| series.style.is_guide()) {
@@ -36,16 +35,11 @@ impl Labels<'_> {
                     let pixels = points.iter().filter_map(|&point| plot.pixel(point));
                     self.place(out, text, &pixels.flat_map(beside).collect::<Vec<_>>());
                 }
-                Mark::Horizontal { from, to, label } => {
-                    let Some((a, b)) = plot.y_extent(*from, *to) else {
-                        continue;
-                    };
-                    // Inside a band that is high enough, else above or below.
-                    let inside = (b - a > ROW).then_some((a + b) / 2.0 + 6.0);
-                    let rows = inside.map_or(vec![a - 8.0, b + 20.0], |y| vec![y]);
+                Mark::Horizontal { at, label } => {
+                    let Some(y) = plot.y_inside(*at) else { continue };
                     let ends = [(plot.right - 6.0, "end"), (plot.left + 6.0, "start")];
                     let row = |y: f64| ends.map(|(x, anchor)| ((x, y), anchor));
-                    self.place(out, label, &rows.into_iter().flat_map(row).collect::<Vec<_>>());
+                    self.place(out, label, &[y - 8.0, y + 20.0].map(row).concat());
                 }
                 Mark::Vertical { .. } => {}
             }
@@ -117,10 +111,9 @@ mod tests {
     use super::super::plot::tests::{PLACE, chart, with_plot};
     use super::*;
 
-    /// Catches: a label that crosses the edge of a low band, or that is not in the middle of a high
-    /// one; a second one on the first.
+    /// Catches: a label on its line; a second one on the first.
     #[test]
-    fn a_band_is_labelled_inside_if_it_is_high_enough() {
+    fn lines_are_labelled_above_each_on_its_side() {
         let labels = |chart: Chart| {
             let mut out = String::new();
             with_plot(&chart, PLACE, |plot| {
@@ -133,16 +126,11 @@ mod tests {
             draw_text(&mut out, "halo", (x, y), anchor, label);
             out
         };
-        // From 116 to 156 on the drawing, 40 high; from 116 to 141, a row and no higher.
-        let (left, right) = (70.0, 570.0);
-        let high = || chart("").horizontal_band(100.0, 140.0, "a");
-        assert_eq!(labels(high()), text(right, 142.0, "end", "a"));
-        assert_eq!(
-            labels(high().horizontal_band(100.0, 140.0, "b")),
-            text(right, 142.0, "end", "a") + &text(left, 142.0, "start", "b")
-        );
-        let low = chart("").horizontal_band(140.0 - ROW, 140.0, "a");
-        assert_eq!(labels(low), text(right, 108.0, "end", "a"));
+        // At 116 on the drawing.
+        let first = text(570.0, 108.0, "end", "a");
+        let line = || chart("").horizontal(140.0, "a");
+        assert_eq!(labels(line()), first);
+        assert_eq!(labels(line().horizontal(140.0, "b")), first + &text(70.0, 108.0, "start", "b"));
     }
 
     /// Catches: a label drawn on another, or kept away from one that it only touches.

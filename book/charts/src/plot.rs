@@ -79,10 +79,7 @@ impl<'a> Plot<'a> {
                 false if chart.sketch => 0.0,
                 false => 28.0,
             };
-        match &chart.map {
-            Some(map) => self.draw_map_key(out, map, &unnamed, end),
-            None => end,
-        }
+        if chart.map.is_some() { self.draw_map_key(out, &unnamed, end) } else { end }
     }
 
     /// Makes room for what stands above the plot, and draws it.
@@ -209,11 +206,14 @@ impl<'a> Plot<'a> {
 
     /// Draws the legend of those of a map's names that stand nowhere in it, below the `top` and
     /// what the cells say there, and returns where it ends.
-    fn draw_map_key(&self, out: &mut String, map: &Map, unnamed: &[&Name], top: f64) -> f64 {
+    fn draw_map_key(&self, out: &mut String, unnamed: &[&Name], top: f64) -> f64 {
         const BOX: (f64, f64) = (30.0, 18.0);
-        let said = map.prompt.iter().any(|line| !line.is_empty());
-        let (mut x, y) = (self.edge, top + if said { 2.0 * ROW + 24.0 } else { 16.0 });
+        let (mut x, mut y) = (self.edge, top + 2.0 * ROW + 24.0);
         for Name { title, fill } in unnamed {
+            let wide = BOX.0 + 8.0 + width(title) + 16.0;
+            if x + wide > self.right + RIGHT && x > self.edge {
+                (x, y) = (self.edge, y + ROW);
+            }
             line(out, ENTRY.into());
             let (w, h) = (Num(BOX.0), Num(BOX.1));
             let d = format!("M{},{}h{w}v{h}h-{w}z", Num(x), Num(y - 9.0));
@@ -221,7 +221,7 @@ impl<'a> Plot<'a> {
             line(out, format!("<path class=\"edge\" d=\"{d}\"/>"));
             draw_text(out, "", (x + BOX.0 + 8.0, y + 6.0), "start", title);
             line(out, "</g>".into());
-            x += BOX.0 + 8.0 + width(title) + 16.0;
+            x += wide;
         }
         y + if unnamed.is_empty() { -16.0 } else { 14.0 }
     }
@@ -240,13 +240,13 @@ impl<'a> Plot<'a> {
         self.x_pixel(x).zip(self.y_pixel(y))
     }
 
-    /// The visible part of a line or band, unless all of it is outside.
-    fn x_extent(&self, from: f64, to: f64) -> Option<(f64, f64)> {
-        visible(self.x_pixel(from)?, self.x_pixel(to)?, self.left, self.right)
+    /// Where a line across the plot is, unless it is outside.
+    fn x_inside(&self, value: f64) -> Option<f64> {
+        inside(self.x_pixel(value)?, self.left, self.right)
     }
 
-    pub fn y_extent(&self, from: f64, to: f64) -> Option<(f64, f64)> {
-        visible(self.y_pixel(from)?, self.y_pixel(to)?, self.top, self.bottom)
+    pub fn y_inside(&self, value: f64) -> Option<f64> {
+        inside(self.y_pixel(value)?, self.top, self.bottom)
     }
 
     /// The series as simplified strokes, cut where a point has no place.
@@ -273,15 +273,14 @@ impl<'a> Plot<'a> {
         few(points.len(), i).map(|k| points[k]).collect()
     }
 
-    /// The labels of vertical lines and bands and of the y axis, in as few rows as they fit into,
+    /// The labels of vertical lines and of the y axis, in as few rows as they fit into,
     /// from the row next to the plot upwards.
     fn headings(&self) -> Vec<Vec<Heading<'a>>> {
         let heading = |mark: &'a Mark| match mark {
-            Mark::Vertical { from, to, label } if !label.is_empty() => {
-                let (a, b) = self.x_extent(*from, *to)?;
+            Mark::Vertical { at, label } if !label.is_empty() => {
                 let half = width(label) / 2.0;
                 let last = self.right + RIGHT - 2.0 * half;
-                Some((((a + b) / 2.0 - half).min(last).max(self.edge), label.as_str()))
+                Some(((self.x_inside(*at)? - half).min(last).max(self.edge), label.as_str()))
             }
             _ => None,
         };
@@ -298,29 +297,23 @@ impl<'a> Plot<'a> {
         rows
     }
 
-    /// Draws lines and bands, and returns the lines as strokes, for labels to avoid.
+    /// Draws the lines across, and returns them as strokes, for labels to avoid.
     fn draw_marks(&self, out: &mut String) -> Vec<Vec<Point>> {
         let mut strokes = Vec::new();
         for mark in &self.chart.marks {
-            let (is_line, corners) = match mark {
-                Mark::Vertical { from, to, .. } => {
-                    let extent = self.x_extent(*from, *to);
-                    (from == to, extent.map(|(a, b)| ((a, self.top), (b, self.bottom))))
+            let ends = match mark {
+                Mark::Vertical { at, .. } => {
+                    self.x_inside(*at).map(|x| [(x, self.top), (x, self.bottom)])
                 }
-                Mark::Horizontal { from, to, .. } => {
-                    let extent = self.y_extent(*from, *to);
-                    (from == to, extent.map(|(a, b)| ((self.left, a), (self.right, b))))
+                Mark::Horizontal { at, .. } => {
+                    self.y_inside(*at).map(|y| [(self.left, y), (self.right, y)])
                 }
-                Mark::Note { .. } => continue,
+                Mark::Note { .. } => None,
             };
-            let Some((a, b)) = corners else { continue };
-            let (x0, y0, x1, y1) = (Num(a.0), Num(a.1), Num(b.0), Num(b.1));
-            if is_line {
-                line(out, format!(r#"<path class="mark" d="M{x0},{y0}L{x1},{y1}"/>"#));
-                strokes.push(vec![a, b]);
-            } else {
-                line(out, format!(r#"<path class="band" d="M{x0},{y0}H{x1}V{y1}H{x0}z"/>"#));
-            }
+            let Some(ends) = ends else { continue };
+            let [(x0, y0), (x1, y1)] = ends.map(|(x, y)| (Num(x), Num(y)));
+            line(out, format!(r#"<path class="mark" d="M{x0},{y0}L{x1},{y1}"/>"#));
+            strokes.push(ends.to_vec());
         }
         strokes
     }
@@ -375,11 +368,9 @@ fn same_place(a: Point, b: Point) -> bool {
     (a.0 - b.0).abs() < 0.1 && (a.1 - b.1).abs() < 0.1
 }
 
-/// The part of the span from `a` to `b` that is between `low` and `high`; rounding may put it a
-/// little outside them.
-fn visible(a: f64, b: f64, low: f64, high: f64) -> Option<(f64, f64)> {
-    let (a, b) = (a.min(b), a.max(b));
-    (b > low - 0.01 && a < high + 0.01).then_some((a.clamp(low, high), b.clamp(low, high)))
+/// The place if it is between `low` and `high`; rounding may put it a little outside them.
+fn inside(at: f64, low: f64, high: f64) -> Option<f64> {
+    (low - 0.01..=high + 0.01).contains(&at).then(|| at.clamp(low, high))
 }
 
 /// A few of `count` points, evenly spaced, and different ones for four successive series.
@@ -426,17 +417,12 @@ pub mod tests {
         }
     }
 
-    /// Catches: a line on the very edge lost to rounding; one beside the plot drawn on its edge; a
-    /// band that leaves the plot.
+    /// Catches: a line on the very edge lost to rounding; one beside the plot drawn on its edge.
     #[test]
     fn only_what_is_inside_is_visible() {
-        let of = |a, b| visible(a, b, 100.0, 200.0);
-        assert_eq!(of(170.0, 130.0), Some((130.0, 170.0)));
-        assert_eq!(of(0.0, 300.0), Some((100.0, 200.0)));
-        assert_eq!(of(99.995, 99.995), Some((100.0, 100.0)));
-        assert_eq!(of(200.005, 200.005), Some((200.0, 200.0)));
-        let beyond = [(0.0, 50.0), (250.0, 300.0), (0.0, 100.0 - 0.01), (200.0 + 0.01, 300.0)];
-        assert_eq!(beyond.map(|(a, b)| of(a, b)), [None; 4]);
+        let of = |at| inside(at, 100.0, 200.0);
+        assert_eq!([130.0, 99.995, 200.005].map(of), [Some(130.0), Some(100.0), Some(200.0)]);
+        assert_eq!([50.0, 250.0, 99.98, 200.02].map(of), [None; 4]);
     }
 
     /// Catches: headings that run into each other, or that take a row each though there is room.

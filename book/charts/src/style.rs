@@ -297,7 +297,6 @@ pub fn style_sheet(id: &str, used: &[Style], fills: &[Fill], alone: bool) -> Str
         (" .axis", "stroke-width:1.2;opacity:.7"),
         (" .grid", "stroke-width:1;opacity:.16"),
         (" .mark", "stroke-width:1.6;stroke-dasharray:7 4"),
-        (" .band", "fill:currentColor;stroke:none;opacity:.1"),
         (" .dot", "fill:currentColor;stroke-width:1"),
         (" .lead", "stroke-width:1.1;opacity:.75"),
     ];
@@ -316,7 +315,7 @@ pub fn style_sheet(id: &str, used: &[Style], fills: &[Fill], alone: bool) -> Str
             (" .cell:hover path", "fill-opacity:.5"),
             (" .cell text", "visibility:hidden"),
             (" .cell:hover text", "visibility:visible"),
-            (":has(.cell:hover) .prompt", "visibility:hidden"),
+            (":has(>.cell:hover) .prompt", "visibility:hidden"),
             (" .edge", "stroke-width:1.8"),
             (" .across", "stroke-width:1;opacity:.4"),
             (" :is(.edge,.halo)", "pointer-events:none"),

@@ -1,4 +1,4 @@
-//! The curve that a symplectic method follows, beside the exact orbit.
+//! The curves that symplectic methods follow, beside the exact orbit.
 
 use pendula::exact::Motion;
 use pendula::{Grid, Pendulum, Phase, method_named};
@@ -12,44 +12,58 @@ pub const THETA_0: f64 = 1.0;
 const POINTS: u32 = 400;
 /// Steps of each method: many points that can still be told apart.
 const STEPS: u64 = 25;
+/// The step (s) of [`tilted`]: large enough to tell the first term of the series from all seven. A
+/// swing is not a whole number of such steps.
+pub const TILTED_STEP: f64 = 0.25;
+/// The orders in h to which the series of H̃ is drawn there: none, the first, all that are known.
+pub const ORDERS: [usize; 3] = [0, 1, 7];
 
-/// A method with its curve.
+/// A method with its curves.
 #[derive(Clone, Debug)]
-pub struct Row {
+pub struct Run {
     /// The method.
     pub method: MethodRef,
     /// Its step (s).
     pub step: f64,
-    /// The level curve of the energy that it conserves, computed from theory.
-    pub curve: Vec<Phase>,
+    /// Curves through the start, the true orbit first.
+    pub curves: Vec<Vec<Phase>>,
     /// The points that it visits.
     pub points: Vec<Phase>,
 }
 
 /// The true orbit.
-pub fn orbit() -> Vec<Phase> {
+fn orbit() -> Vec<Phase> {
     let motion = Motion::new(&Pendulum::PAPER, released(THETA_0)).expect("a finite angle");
     let period = motion.period().expect("it swings");
     let share = |n: u32| f64::from(n % POINTS) / f64::from(POINTS);
     (0..=POINTS).map(|n| motion.at(period * share(n))).collect()
 }
 
-/// Runs both methods, with steps large enough to tell the curves apart, of which a swing is not a
-/// whole number. Larger ones would show the truncation of the series of H̃: Störmer–Verlet's ω₀h is
-/// nearly 1.
-pub fn run() -> [Row; 2] {
+/// Both methods with the level curves of the energies that they conserve, computed from theory,
+/// with steps large enough to tell the curves apart, of which a swing is not a whole number. Larger
+/// ones would show the truncation of the series of H̃: Störmer–Verlet's ω₀h is nearly 1.
+pub fn own() -> [Run; 2] {
     let (euler, verlet) = (0.2, 0.29);
     let of_euler = symplectic_euler::level_curve(&Pendulum::PAPER, THETA_0, euler, POINTS);
     let of_verlet = stormer_verlet::level_curve(&Pendulum::PAPER, THETA_0, verlet, POINTS);
     [
-        row("symplectic-euler", euler, of_euler.collect()),
-        row("stormer-verlet", verlet, of_verlet.collect()),
+        run("symplectic-euler", euler, vec![orbit(), of_euler.collect()]),
+        run("stormer-verlet", verlet, vec![orbit(), of_verlet.collect()]),
     ]
 }
 
-fn row(name: &str, step: f64, curve: Vec<Phase>) -> Row {
+/// Symplectic Euler with the level curves of its H̃ to the [`ORDERS`].
+pub fn tilted() -> Run {
+    let curve = |order: usize| {
+        let (pendulum, h) = (&Pendulum::PAPER, TILTED_STEP);
+        symplectic_euler::level_curve_to_order(order, pendulum, THETA_0, h, POINTS).collect()
+    };
+    run("symplectic-euler", TILTED_STEP, ORDERS.map(curve).into())
+}
+
+fn run(name: &str, step: f64, curves: Vec<Vec<Phase>>) -> Run {
     let method = method_named(name).expect("one of the library's methods");
-    Row { method, step, curve, points: points(method, step) }
+    Run { method, step, curves, points: points(method, step) }
 }
 
 /// The points that a method visits with steps of `step` (s).

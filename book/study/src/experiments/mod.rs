@@ -26,7 +26,6 @@ pub mod small_angle;
 pub mod splitting;
 pub mod standard_map;
 pub mod stencil;
-pub mod tilted_curve;
 pub mod truncation;
 pub mod variants;
 pub mod work;

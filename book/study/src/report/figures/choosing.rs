@@ -18,8 +18,8 @@ pub(super) const FIGURES: &[Drawing] = &[Drawing {
     draw: decision,
 }];
 
-/// If the second best needs fewer evaluations more than this share of those of the best, none is
-/// said to be ahead.
+/// Unless the second best needs more evaluations than the best by this share of them, none is said
+/// to be ahead.
 const TIE: f64 = 0.25;
 
 /// Half-way between neighbours on a logarithmic axis, and as far beyond the first and the last as

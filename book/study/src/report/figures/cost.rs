@@ -21,25 +21,29 @@ const HIGHER: [&str; 4] = ["forest-ruth", "gauss-6", "blanes-moan-6", "processed
 fn cost(_: &Study) -> Figure {
     let names = PaperMethod::ALL.map(PaperMethod::name).into_iter().chain(HIGHER);
     let methods: Vec<_> = names.map(named).collect();
-    let cost_of = |(method, advice): (_, Option<_>)| (method, advice.expect("a method that can"));
-    let mut rows: Vec<_> = methods.iter().copied().zip(costs(&methods)).map(cost_of).collect();
-    rows.sort_by_key(|(_, advice)| advice.evaluations);
+    let evaluations = costs(&methods).into_iter().map(|advice| advice.map(|it| it.evaluations));
+    let mut rows: Vec<_> = methods.into_iter().zip(evaluations).collect();
+    rows.sort_by_key(|(_, evaluations)| evaluations.unwrap_or(u64::MAX));
     let height = |row: usize| row as f64 + 0.5;
     let ticks = rows.iter().enumerate().map(|(row, (method, _))| (height(row), title(*method)));
+    let (cheapest, dearest) = (1e3, 1e11);
     let mut chart = Chart::new(
-        Axis::log("force evaluations").range(1e3, 1e11),
+        Axis::log("force evaluations").range(cheapest, dearest),
         Axis::linear("").range(0.0, rows.len() as f64).ticks(ticks),
     )
     .height(30.0 * rows.len() as f64);
     let mut said = Vec::new();
-    for (row, (method, advice)) in rows.iter().enumerate() {
-        let (evaluations, y) = (advice.evaluations as f64, height(row));
-        chart = chart.series("", style(*method).markers_only(), [(evaluations, y)]).note(
-            evaluations,
-            y,
-            rounded(evaluations),
-        );
-        said.push(format!("{} {evaluations:.1e}", title(*method)));
+    for (row, (method, evaluations)) in rows.into_iter().enumerate() {
+        let y = height(row);
+        let Some(evaluations) = evaluations.map(|evaluations| evaluations as f64) else {
+            chart = chart.note(cheapest, y, "cannot, at any step");
+            said.push(format!("{} cannot, at any step", title(method)));
+            continue;
+        };
+        let dot = style(method).markers_only();
+        chart = chart.series("", dot, [(evaluations, y)]);
+        chart = chart.note(evaluations, y, rounded(evaluations));
+        said.push(format!("{} {evaluations:.1e}", title(method)));
     }
     said.reverse();
     Figure::new(

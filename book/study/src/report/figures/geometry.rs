@@ -10,7 +10,7 @@ use crate::charts::{Axis, Chart, Figure, Style};
 use crate::experiments::area::carried;
 use crate::experiments::shapes::{CAT, Place, Polygon, SQUARE, area};
 use crate::experiments::stencil::{Kind, Part, Stencil, stencil};
-use crate::experiments::{MethodRef, Study, in_paper, level_curves, tilted_curve};
+use crate::experiments::{MethodRef, Study, in_paper, level_curves};
 
 pub(super) const FIGURES: &[Drawing] = &[
     Drawing {
@@ -354,7 +354,6 @@ fn cat(_: &Study) -> Figure {
 // -------------------------------------------------------------------------------------------------
 
 fn level_curves(_: &Study) -> Figure {
-    let orbit = level_curves::orbit();
     let figure = Figure::new(
         "The curve that a symplectic method follows",
         "Two charts of phase space, each with the true orbit, an oval, and a dashed curve on which \
@@ -364,45 +363,27 @@ fn level_curves(_: &Study) -> Figure {
          wide.",
     )
     .columns(2);
-    level_curves::run().into_iter().fold(figure, |figure, row| {
-        let level_curves::Row { method, step, curve, points } = row;
-        let chart = Chart::new(
-            Axis::linear("θ (rad)").range(-1.25, 1.25),
-            Axis::linear("ω (rad/s)").range(-3.5, 3.5),
-        )
-        .height(240.0)
-        .heading(format!("{}, h = {step} s", title(method)))
-        .series("true orbit", Style::REFERENCE, orbit.iter().copied().map(point))
-        .series(
-            "level curve of its own energy",
-            Style::REFERENCE.dashed(),
-            curve.into_iter().map(point),
-        )
-        .series(title(method), style(method).markers_only(), points.into_iter().map(point));
-        figure.panel(chart)
+    let curves = [
+        ("true orbit", Style::REFERENCE),
+        ("level curve of its own energy", Style::REFERENCE.dashed()),
+    ];
+    level_curves::own().into_iter().fold(figure, |figure, run| {
+        let label = title(run.method);
+        let heading = format!("{label}, h = {} s", run.step);
+        let chart = followed(run, (1.25, 3.5), curves, label);
+        figure.panel(chart.height(240.0).heading(heading))
     })
 }
 
 /// Symplectic Euler's points, and the level curve of H̃ to the orders 0, 1 and 7.
 fn tilted(_: &Study) -> Figure {
-    let tilted_curve::Run { method, step, points, curves } = tilted_curve::run();
-    let styles = [Style::REFERENCE, Style::GUIDE, Style::REFERENCE.dashed()];
-    let chart = Chart::new(
-        Axis::linear("θ (rad)").range(-1.3, 1.3),
-        Axis::linear("ω (rad/s)").range(-3.6, 3.6),
-    )
-    .height(330.0);
-    let curves = curves.into_iter().zip(styles);
-    let chart = curves.fold(chart, |chart, ((order, curve), style)| {
-        let label = match order {
-            0 => "true orbit, H".to_string(),
-            1 => "H̃, one term".to_string(),
-            _ => format!("H̃, {order} terms"),
-        };
-        chart.series(label, style, curve.into_iter().map(point))
-    });
-    let label = format!("{}, h = {step} s", title(method));
-    let points = points.into_iter().map(point);
+    let run = level_curves::tilted();
+    let label = format!("{}, h = {} s", title(run.method), run.step);
+    let curves = [
+        ("true orbit, H", Style::REFERENCE),
+        ("H̃, one term", Style::GUIDE),
+        ("H̃, 7 terms", Style::REFERENCE.dashed()),
+    ];
     Figure::new(
         "The tilted curve of symplectic Euler",
         "A chart of phase space with three ovals about the middle and many points. The true orbit \
@@ -410,5 +391,23 @@ fn tilted(_: &Study) -> Figure {
          that of H̃ with seven terms. With one term alone the oval is slanted in the same way, and \
          stands a little off the points.",
     )
-    .panel(chart.series(label, style(method).markers_only(), points))
+    .panel(followed(run, (1.3, 3.6), curves, &label).height(330.0))
+}
+
+/// The curves of a run under these names, as far as this corner, and the points of its method.
+fn followed<const N: usize>(
+    run: level_curves::Run,
+    (theta, omega): (f64, f64),
+    curves: [(&str, Style); N],
+    label: &str,
+) -> Chart {
+    let chart = Chart::new(
+        Axis::linear("θ (rad)").range(-theta, theta),
+        Axis::linear("ω (rad/s)").range(-omega, omega),
+    );
+    let points = (label, style(run.method).markers_only());
+    let all = curves.into_iter().zip(run.curves).chain([(points, run.points)]);
+    all.fold(chart, |chart, ((label, style), points)| {
+        chart.series(label, style, points.into_iter().map(point))
+    })
 }
