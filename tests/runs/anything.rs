@@ -836,13 +836,13 @@ struct Garbage {
 }
 
 impl Stranger for Garbage {
-    fn run(&self, request: &Request) -> Result<Reply, Fault> {
+    fn answer(&self, request: &Request) -> Result<Reply, Fault> {
         let mut any = Any(self.random.borrow_mut().clone());
         self.random.borrow_mut().bits();
         let evaluations = self.counts.then(|| any.0.bits() >> any.0.below(64));
         let states = request.states() as usize;
         if self.spoils > 0 {
-            let mut reply = Stranger::run(&StormerVerlet, request)?;
+            let mut reply = StormerVerlet.answer(request)?;
             if any.0.below(self.spoils) == 0 && states > 0 {
                 let at = any.0.below(states);
                 reply.states[at] = any.phase();
