@@ -149,40 +149,12 @@ impl Motion {
         let grow = if size < LINEAR { libm::ldexp(LINEAR, -libm::ilogb(size)) } else { 1.0 };
         let (theta, omega) = (theta * grow, omega * grow * time.unit);
 
-        let HalfAngle { sine, cosine, turns } = HalfAngle::new(theta);
-        let w = DoubleDouble::new(0.5 * omega) / time.frequency;
-        let k = (sine.squared() + w.squared()).sqrt();
-        // C² − w² = (4 C² g/L − ω²) / (4 g/L), which is exactly zero on the separatrix.
-        let to_the_top = DoubleDouble::new(4.0 * time.frequency_squared) * cosine.squared()
-            - DoubleDouble::product(omega, omega);
-        let gap = to_the_top / DoubleDouble::new(4.0 * time.frequency_squared);
-
-        let course = if gap.rounded() > 0.0 {
-            let (s, c) = (sine / k, w / k);
-            let jacobi = Jacobi::new(gap.sqrt());
-            // At rest it is a quarter period from the bottom, without rounding. Otherwise u₀ = F(φ,
-            // k) with s = sin φ and c = cos φ (DLMF 19.25.5).
-            let quarters = if omega == 0.0 {
-                DoubleDouble::new(libm::copysign(1.0, sine.rounded()))
-            } else {
-                s * carlson_rf(c.squared(), cosine.squared(), DoubleDouble::ONE)
-                    / jacobi.quarter_period()
-            };
-            Course::Libration(Elliptic::new(jacobi, quarters, time.frequency, k, &time))
-        } else if gap.rounded() < 0.0 {
-            let c = w / k;
-            let jacobi = Jacobi::new((-gap).sqrt() / k);
-            // The same with the roles of S and s, of C and c exchanged: k u₀ = F(θ/2, 1/k).
-            let quarters = sine * carlson_rf(cosine.squared(), c.squared(), DoubleDouble::ONE)
-                / jacobi.quarter_period();
-            Course::Rotation(Elliptic::new(jacobi, quarters, k * time.frequency, k, &time))
-        } else {
-            Course::Separatrix(Hyperbolic::through(sine, cosine, &time))
-        };
+        let half = HalfAngle::new(theta);
+        let (course, k) = Course::through(&half, omega, &time);
         Ok(Self {
             direction,
             shrink: 1.0 / grow,
-            turns,
+            turns: half.turns,
             modulus: k.rounded(),
             ..Self::along(course)
         })
@@ -316,6 +288,44 @@ impl Motion {
 // -------------------------------------------------------------------------------------------------
 // The three solutions
 // -------------------------------------------------------------------------------------------------
+
+impl Course {
+    /// The course through this half of the angle with the angular velocity `omega`, not negative
+    /// and in the unit of `time`; and its modulus k.
+    fn through(half: &HalfAngle, omega: f64, time: &TimeUnit) -> (Self, DoubleDouble) {
+        let HalfAngle { sine, cosine, .. } = *half;
+        let w = DoubleDouble::new(0.5 * omega) / time.frequency;
+        let k = (sine.squared() + w.squared()).sqrt();
+        // C² − w² = (4 C² g/L − ω²) / (4 g/L), which is exactly zero on the separatrix.
+        let to_the_top = DoubleDouble::new(4.0 * time.frequency_squared) * cosine.squared()
+            - DoubleDouble::product(omega, omega);
+        let gap = to_the_top / DoubleDouble::new(4.0 * time.frequency_squared);
+
+        let course = if gap.rounded() > 0.0 {
+            let (s, c) = (sine / k, w / k);
+            let jacobi = Jacobi::new(gap.sqrt());
+            // At rest it is a quarter period from the bottom, without rounding. Otherwise u₀ = F(φ,
+            // k) with s = sin φ and c = cos φ (DLMF 19.25.5).
+            let quarters = if omega == 0.0 {
+                DoubleDouble::new(libm::copysign(1.0, sine.rounded()))
+            } else {
+                s * carlson_rf(c.squared(), cosine.squared(), DoubleDouble::ONE)
+                    / jacobi.quarter_period()
+            };
+            Self::Libration(Elliptic::new(jacobi, quarters, time.frequency, k, time))
+        } else if gap.rounded() < 0.0 {
+            let c = w / k;
+            let jacobi = Jacobi::new((-gap).sqrt() / k);
+            // The same with the roles of S and s, of C and c exchanged: k u₀ = F(θ/2, 1/k).
+            let quarters = sine * carlson_rf(cosine.squared(), c.squared(), DoubleDouble::ONE)
+                / jacobi.quarter_period();
+            Self::Rotation(Elliptic::new(jacobi, quarters, k * time.frequency, k, time))
+        } else {
+            Self::Separatrix(Hyperbolic::through(sine, cosine, time))
+        };
+        (course, k)
+    }
+}
 
 impl Elliptic {
     fn new(

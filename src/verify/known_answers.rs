@@ -15,7 +15,7 @@ use std::sync::LazyLock;
 
 use serde_json::Value;
 
-use super::judge::Drive;
+use super::stranger::Drive;
 use crate::systems::Phase;
 
 /// A right method of the file, or a mistake in one.

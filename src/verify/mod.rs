@@ -47,10 +47,11 @@
 pub(crate) mod judge;
 pub mod known_answers;
 pub mod properties;
+mod stranger;
 
+pub use judge::{Claims, Evidence, Finding, Identity, Report, Verdict, judge, try_judge};
 #[doc(hidden)]
-pub use judge::{ByPointer, Listed, Scientific, Seen, scientific, sign_of_slopes};
-pub use judge::{
-    Claims, Drive, Evidence, Fault, Finding, FromFn, Identity, Reply, Report, Request, Stranger,
-    Verdict, judge, try_judge,
-};
+pub use judge::{Scientific, Seen, scientific, sign_of_slopes};
+#[doc(hidden)]
+pub use stranger::{ByPointer, Listed};
+pub use stranger::{Drive, Fault, FromFn, Reply, Request, Stranger};

@@ -1,4 +1,5 @@
-//! Shared by the tests: a function as a test for each method, and its steps behind a pointer.
+//! Shared by the tests: a function as a test for each method, its steps behind a pointer, and what
+//! several files need.
 //!
 //! A test takes a method as `&dyn AnyMethod`, and looks up what else it needs of it by its name, so
 //! that the loops of all methods are compiled once, with the library, and not with each program of
@@ -11,7 +12,7 @@ use pendula::fast::{InLanes, PendulumSteps};
 use pendula::integrate::{Run, Steps};
 use pendula::methods::table::{Listed, in_lanes};
 use pendula::systems::Numbers;
-use pendula::{AnyMethod, Error, Grid, Observer, System, method_named};
+use pendula::{AnyMethod, Error, Grid, Observer, Pendulum, Phase, System, method_named};
 
 /// Makes of the function `$test` a test for each case, of whatever types its arguments are, in a
 /// module of the same name: `the_function::the_case`.
@@ -74,6 +75,25 @@ macro_rules! by_name {
             }
         }
     };
+}
+
+/// The paper's, and one with L ≠ 1, m ≠ 1 and another ω₀.
+pub fn pendulums() -> [Pendulum; 2] {
+    [Pendulum::PAPER, Pendulum::new(9.81, 2.5, 0.7).unwrap()]
+}
+
+/// Observes until it has seen so many states.
+#[derive(Clone, Default)]
+pub struct First<const N: usize>(pub Vec<Phase>);
+
+impl<const N: usize> Observer<Phase> for First<N> {
+    fn observe(&mut self, _n: u64, _t: f64, z: Phase) {
+        self.0.push(z);
+    }
+
+    fn is_satisfied(&self) -> bool {
+        self.0.len() == N
+    }
 }
 
 /// The method in the file `module`.rs.

@@ -72,7 +72,7 @@ fn fast_steps_lead_where_they_should(method: &dyn AnyMethod) {
         let Scene { g_over_l, start, step, .. } = *answer.scene;
         let steps = answer.steps;
         let request = Request { g_over_l, drive: None, start, step, steps, every: steps };
-        Listed(method).run(&request).unwrap().states[0]
+        Listed(method).answer(&request).unwrap().states[0]
     });
 }
 each_method!(fast_steps_lead_where_they_should);

@@ -11,7 +11,7 @@ use pendula::{
     AnyMethod, DoublePendulum, Grid, Observer, Pendulum, Phase, Rk4, integrate, integrate_fast,
 };
 
-use crate::common::{steps, steps_on, try_integrate};
+use crate::common::{First, steps, steps_on, try_integrate};
 
 const STEPS: u64 = 11;
 
@@ -127,23 +127,14 @@ fn a_state_of_four_numbers_is_kept_too() {
 /// satisfied; an end that is not the state observed last.
 #[test]
 fn a_satisfied_observer_ends_a_part() {
-    struct Three(u64);
-    impl Observer<Phase> for Three {
-        fn observe(&mut self, _n: u64, _t: f64, _z: Phase) {
-            self.0 += 1;
-        }
-        fn is_satisfied(&self) -> bool {
-            self.0 == 3
-        }
-    }
     let (pendulum, start) = (Pendulum::PAPER, Phase::at_rest(1.0));
     let grid = Grid::new(0.07, STEPS).unwrap();
     let mut run = FastRun::start(&pendulum, &Rk4, start, &grid);
     let two = NonZeroU64::new(2).unwrap();
-    let end = run.advance(STEPS, two, &mut Three(0)).unwrap();
+    let end = run.advance(STEPS, two, &mut First::<3>::default()).unwrap();
     assert_eq!(run.checkpoint().steps(), 6);
     assert_eq!(end, integrate_fast(&pendulum, &Rk4, start, &Grid::new(0.07, 6).unwrap(), &mut ()));
-    assert_eq!(run.advance(STEPS, two, &mut Three(3)), Ok(end));
+    assert_eq!(run.advance(STEPS, two, &mut First::<3>(vec![end; 3])), Ok(end));
     assert_eq!(run.checkpoint().steps(), 6);
 }
 

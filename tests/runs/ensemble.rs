@@ -6,9 +6,9 @@ use std::num::NonZeroU64;
 use pendula::fast::{Ensemble, Instructions};
 use pendula::integrate::Every;
 use pendula::methods::table::in_lanes;
-use pendula::{AnyMethod, Damped, Grid, Observer, Pendulum, Phase, Rk4, integrate};
+use pendula::{AnyMethod, Damped, Grid, Pendulum, Phase, Rk4, integrate};
 
-use crate::common::{lanes, steps, try_integrate};
+use crate::common::{First, lanes, steps, try_integrate};
 
 /// A hundred pendulums, each with its own g and L, in blocks of lanes of which the last is not
 /// full.
@@ -121,19 +121,6 @@ fn a_start_that_needs_care_gets_it(method: &dyn AnyMethod) {
 }
 each_method!(a_start_that_needs_care_gets_it);
 
-/// Observes until it has seen three states.
-struct Some3(Vec<Phase>);
-
-impl Observer<Phase> for Some3 {
-    fn observe(&mut self, _n: u64, _t: f64, z: Phase) {
-        self.0.push(z);
-    }
-
-    fn is_satisfied(&self) -> bool {
-        self.0.len() == 3
-    }
-}
-
 /// In lanes, and beside a start that cannot be computed in lanes.
 ///
 /// Catches: an observer that receives more samples than it wants, or none; one that ends the run of
@@ -142,10 +129,10 @@ fn a_satisfied_observer_is_left_alone(method: &dyn AnyMethod) {
     let (grid, every) = (Grid::new(0.01, 10).unwrap(), NonZeroU64::new(2).unwrap());
     for neighbour in [1.0, 1e9] {
         let starts = [Phase::at_rest(0.5), Phase { theta: neighbour, omega: 1.0 }];
-        let mut watches = [Some3(vec![]), Some3(vec![])];
+        let mut watches = [First::<3>::default(), First::default()];
         let ensemble = Ensemble::new(&Pendulum::PAPER, &starts, grid);
         ensemble.watch(lanes(method), every, &mut watches);
-        for (start, Some3(seen)) in starts.iter().zip(watches) {
+        for (start, First(seen)) in starts.iter().zip(watches) {
             let mut alone = vec![];
             let mut watch = Every::new(every, |_, _, z| alone.push(z));
             method.run(&Pendulum::PAPER, *start, &grid, &mut watch);

@@ -11,7 +11,6 @@ mod expected;
 mod figures;
 mod ledger;
 mod predictions;
-mod provenance;
 mod readme;
 mod rounding;
 mod snapshots;

@@ -1,5 +1,4 @@
-//! The suite against impostors: each wrong method and wrong metric, and the properties that catch
-//! it.
+//! The suite against impostors: each wrong method, and the properties that catch it.
 //!
 //! Libraries have shipped a symplectic Euler that was forward Euler, a Verlet with wrong
 //! coefficients and a fourth-order method that was second, under green tests. Here each of them is
@@ -7,17 +6,12 @@
 //! that it fails. It passes all others, and that is asserted too: so each line also shows which
 //! popular check would not have noticed.
 
-use pendula::methods::{ForwardEuler, Rk4, SymplecticEuler};
+use pendula::methods::{ForwardEuler, Rk4};
 use pendula::verify::properties::*;
-use pendula::{AnyMethod, Pendulum, Phase};
 use pendula_zoo::high_order::{EntryOff, TermDropped};
 use pendula_zoo::runge_kutta::Tableau;
 use pendula_zoo::{euler, impostor_named, processed};
 use rstest::rstest;
-
-use crate::metric_checks as check;
-use crate::metric_checks::{OfErrors, OfSamples};
-use crate::wrong_metrics as metrics;
 
 /// Catches: a check that no longer discriminates.
 fn impostors_are_caught(name: &str) {
@@ -38,92 +32,6 @@ each_impostor!(impostors_are_caught);
 #[should_panic(expected = "(symplectic-euler), checked for area: the largest |det J − 1| in steps")]
 fn a_refusal_says_what_was_found() {
     AREA.assert(&*impostor_named("forward_euler_posing_as_symplectic_euler").unwrap().method);
-}
-
-/// Asserts that the library's metric passes `check` and a wrong one fails it.
-fn tells_apart<F>(check: impl Fn(F) -> CheckResult, truth: F, impostor: F) {
-    check(truth).expect("the library's metric");
-    check(impostor).expect_err("a wrong metric passes");
-}
-
-/// Catches: a check of means and maxima that no longer discriminates.
-#[rstest]
-#[case::mean_over_n(check::check_root_mean_square, check::root_mean_square, metrics::mean_over_n)]
-#[case::mean_of_the_last_sample(
-    check::check_root_mean_square,
-    check::root_mean_square,
-    metrics::mean_of_the_last
-)]
-#[case::mean_of_sizes(
-    check::check_root_mean_square,
-    check::root_mean_square,
-    metrics::mean_of_sizes
-)]
-#[case::largest_at_the_end_only(check::check_largest, check::largest, metrics::largest_at_the_end)]
-#[case::largest_with_its_sign(check::check_largest, check::largest, metrics::largest_with_its_sign)]
-#[case::nan_compared_away(check::check_largest, check::largest, metrics::largest_without_nan)]
-fn wrong_angle_errors_are_caught(
-    #[case] check: fn(OfErrors) -> CheckResult,
-    #[case] truth: OfErrors,
-    #[case] impostor: OfErrors,
-) {
-    tells_apart(check, truth, impostor);
-}
-
-/// Catches: a check of the energy drift that no longer discriminates.
-#[rstest]
-#[case::energy_without_the_potential(metrics::drift_without_the_potential)]
-#[case::drift_between_the_ends_only(metrics::drift_between_the_ends)]
-#[case::drift_with_nan_compared_away(metrics::drift_without_nan)]
-fn wrong_energy_drifts_are_caught(#[case] impostor: fn(&[Phase]) -> f64) {
-    tells_apart(check::check_energy_drift, check::energy_drift, impostor);
-}
-
-/// Catches: a check of the energy that no longer discriminates.
-#[rstest]
-#[case::energy_with_one_minus_cosine(metrics::energy_that_cancels)]
-#[case::energy_without_length(metrics::energy_without_length)]
-fn wrong_energies_are_caught(#[case] impostor: fn(&Pendulum, Phase) -> f64) {
-    tells_apart(check::check_energy, check::energy, impostor);
-}
-
-/// Catches: a check of the period that no longer discriminates.
-#[rstest]
-#[case::period_off_by_one_sample(
-    check::check_peak,
-    check::peak_period,
-    metrics::peak_one_sample_late
-)]
-#[case::half_a_period(check::check_crossing, check::crossing_period, metrics::half_a_period)]
-#[case::a_line_for_the_cubic(
-    check::check_crossing,
-    check::crossing_period,
-    metrics::straight_crossing
-)]
-fn wrong_periods_are_caught(
-    #[case] check: fn(OfSamples) -> CheckResult,
-    #[case] truth: OfSamples,
-    #[case] impostor: OfSamples,
-) {
-    tells_apart(check, truth, impostor);
-}
-
-/// Catches: a check of the exact period that no longer discriminates.
-#[rstest]
-#[case::parameter_for_modulus(metrics::ratio_by_the_parameter)]
-#[case::one_minus_k_squared(metrics::ratio_that_cancels)]
-#[case::the_angle_for_half_of_it(metrics::ratio_of_the_whole_angle)]
-fn wrong_period_formulas_are_caught(#[case] impostor: fn(f64) -> f64) {
-    tells_apart(check::check_period_ratio, check::period_ratio, impostor);
-}
-
-/// Catches: an order measured where symmetry flatters: after one period symplectic Euler looks like
-/// order 2.
-#[rstest]
-#[case::order_at_the_end_of_one_period(metrics::order_after_one_period)]
-fn wrong_orders_are_caught(#[case] impostor: fn(&dyn AnyMethod) -> f64) {
-    tells_apart(check::check_observed_order, check::observed_order, impostor);
-    near("symplectic Euler's order, so measured", impostor(&SymplecticEuler), 2.0, 0.05).unwrap();
 }
 
 /// The series without a dropped term, the table without a wrong entry and the kernels with their

@@ -81,7 +81,7 @@ struct Timed {
 }
 
 impl Stranger for Timed {
-    fn run(&self, request: &Request) -> Result<Reply, Fault> {
+    fn answer(&self, request: &Request) -> Result<Reply, Fault> {
         let (g, h) = (request.g_over_l, request.step);
         let force = |t: f64, theta: f64| {
             let drive = request.drive.map_or(0.0, |d| d.amplitude * (d.frequency * t).cos());
@@ -127,10 +127,10 @@ struct Late {
 }
 
 impl Stranger for Late {
-    fn run(&self, request: &Request) -> Result<Reply, Fault> {
+    fn answer(&self, request: &Request) -> Result<Reply, Fault> {
         let known = self.g_over_l.replace(Some(request.g_over_l));
         let g_over_l = known.unwrap_or(request.g_over_l);
-        Stranger::run(&StormerVerlet, &Request { g_over_l, ..*request })
+        StormerVerlet.answer(&Request { g_over_l, ..*request })
     }
 }
 

@@ -20,7 +20,7 @@ struct Driven {
 }
 
 impl Stranger for Driven {
-    fn run(&self, request: &Request) -> Result<Reply, Fault> {
+    fn answer(&self, request: &Request) -> Result<Reply, Fault> {
         let g = (self.g_over_l)(request.g_over_l);
         let force = |t: f64, theta: f64| {
             let drive = request.drive.map_or(0.0, |d| d.amplitude * (d.frequency * t).cos());

@@ -1,4 +1,4 @@
-//! The suite against itself: wrong methods and wrong metrics have to be caught.
+//! The suite against itself: wrong methods have to be caught.
 
 #[macro_use]
 #[path = "../common/each_method.rs"]
@@ -12,9 +12,7 @@ mod end_error;
 mod judged;
 mod leading_error;
 mod looks;
-mod metric_checks;
 mod metrics;
 mod slope_estimator;
 mod strangers;
 mod thresholds;
-mod wrong_metrics;

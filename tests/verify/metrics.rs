@@ -1,33 +1,52 @@
 //! Metrics, on motions whose error is known.
 
+use std::f64::consts::PI;
+
 use approx::assert_relative_eq;
 use pendula::methods::ForwardEuler;
 use pendula::metrics::{AngleError, CrossingPeriod, EnergyDrift, PeakPeriod};
 use pendula::{Grid, Hamiltonian, LinearOscillator, Observer, Pendulum, Phase, integrate};
 
-use crate::metric_checks as check;
+/// A few roundings.
+const ROUNDING: f64 = 1e-15;
+
+/// Passes samples, each a time (s) and the state then, to `observer` until it is satisfied.
+fn show(samples: impl IntoIterator<Item = (f64, Phase)>, observer: &mut impl Observer<Phase>) {
+    for (n, (t, z)) in (0..).zip(samples) {
+        if observer.is_satisfied() {
+            break;
+        }
+        observer.observe(n, t, z);
+    }
+}
 
 /// Catches: a mean over N where N + 1 samples were seen, a sum not squared, a largest error that
 /// ignores negative ones.
 #[test]
 fn angle_error_is_the_mean_over_all_samples() {
-    check::check_root_mean_square(check::root_mean_square).unwrap();
-    check::check_largest(check::largest).unwrap();
+    let mut metric = AngleError::new(|t| 2.0 * t);
+    let errors = [0.0, 1.0, -4.0].into_iter().zip([0.0, 1.0, 2.0]);
+    show(errors.map(|(error, t)| (t, Phase::at_rest(2.0 * t + error))), &mut metric);
+    let mean = (17.0_f64 / 3.0).sqrt();
+    assert_relative_eq!(metric.root_mean_square(), mean, max_relative = ROUNDING);
+    assert_eq!(metric.largest(), 4.0);
 }
 
 /// Catches: an energy error against zero, against the last sample, or with its sign.
 #[test]
 fn energy_drift_is_the_largest_deviation_from_the_start() {
-    check::check_energy_drift(check::energy_drift).unwrap();
+    let mut drift = EnergyDrift::new(&Pendulum::PAPER);
+    show([1.0, 0.5, 1.2, 1.0].map(|theta| (0.0, Phase::at_rest(theta))), &mut drift);
+    // m g L (cos 0.5 − cos 1): falling to 0.5 loses more than rising to 1.2 gains.
+    let expected = 9.81 * (0.5_f64.cos() - 1.0_f64.cos());
+    assert_relative_eq!(drift.largest(), expected, max_relative = ROUNDING);
 }
 
 /// Catches: a NaN that is lost in a comparison, so that a method which blew up looks perfect.
 #[test]
 fn a_nan_is_kept() {
     let mut watch = (EnergyDrift::new(&Pendulum::PAPER), AngleError::new(|_| 0.0));
-    for (n, theta) in [1.0, f64::NAN, 1.0].into_iter().enumerate() {
-        watch.observe(n as u64, 0.0, Phase::at_rest(theta));
-    }
+    show([1.0, f64::NAN, 1.0].map(|theta| (0.0, Phase::at_rest(theta))), &mut watch);
     assert!(watch.0.largest().is_nan());
     assert!(watch.1.largest().is_nan() && watch.1.root_mean_square().is_nan());
 }
@@ -40,21 +59,20 @@ fn energy_has_the_dimensions_of_its_parameters() {
     let z = Phase { theta: 1.0, omega: 0.5 };
     let kinetic = 0.5 * 5.0 * 4.0 * 0.25;
     let hamiltonian = kinetic - 30.0 * 1.0_f64.cos();
-    assert_relative_eq!(pendulum.energy_from_pivot(z), hamiltonian, max_relative = 1e-15);
-    assert_relative_eq!(pendulum.energy(z), hamiltonian + 30.0, max_relative = 1e-15);
+    assert_relative_eq!(pendulum.energy_from_pivot(z), hamiltonian, max_relative = ROUNDING);
+    assert_relative_eq!(pendulum.energy(z), hamiltonian + 30.0, max_relative = ROUNDING);
     let linear = LinearOscillator::new(pendulum);
-    assert_relative_eq!(linear.energy(z), kinetic + 15.0, max_relative = 1e-15);
-    assert_relative_eq!(pendulum.small_angle_period(), 5.130199320647456, max_relative = 1e-15);
+    assert_relative_eq!(linear.energy(z), kinetic + 15.0, max_relative = ROUNDING);
+    assert_relative_eq!(pendulum.small_angle_period(), 5.130199320647456, max_relative = ROUNDING);
 }
 
 /// Catches: 1 − cos θ for the potential. At θ = 1e-8 it is zero or 1.1e-16, while θ²/2 is 5e-17.
 #[test]
 fn a_small_energy_keeps_its_digits() {
-    check::check_energy(check::energy).unwrap();
+    let energy = Pendulum::PAPER.energy(Phase::at_rest(1e-8));
+    assert_relative_eq!(energy, 0.5 * 9.81 * 1e-16, max_relative = ROUNDING);
 }
 
-/// The highest sample lies within half a step of the peak.
-///
 /// Forward Euler takes its first step from rest without moving: θ₀, θ₀, and then less. That is not
 /// a peak.
 ///
@@ -80,10 +98,26 @@ fn a_start_from_rest_is_no_peak() {
     assert_eq!(end, integrate(&pendulum, &ForwardEuler, Phase::at_rest(1.0), &seen, &mut ()));
 }
 
+/// A cosine of period 2 s, sampled each `h` (s) for 9 s.
+fn cosine(h: f64) -> impl Iterator<Item = (f64, Phase)> {
+    (0..=(9.0 / h) as u64).map(move |n| {
+        let t = n as f64 * h;
+        (t, Phase { theta: (PI * t).cos(), omega: -PI * (PI * t).sin() })
+    })
+}
+
+/// The highest sample lies within half a step of the peak; one ulp of the time for the multiple of
+/// h.
+///
 /// Catches: a period off by one sample, and the start of the run taken for its first peak.
 #[test]
 fn a_peak_is_right_to_half_a_step() {
-    check::check_peak(check::peak_period).unwrap();
+    for h in [0.1, 0.03, 0.007] {
+        let mut peak = PeakPeriod::default();
+        show(cosine(h), &mut peak);
+        let period = peak.period().unwrap();
+        assert!((period - 2.0).abs() <= 0.5 * h + 4.0 * f64::EPSILON, "{period} with {h}");
+    }
 }
 
 /// A peak halfway between two samples, which are then equal: it is at the first of them, and the
@@ -95,34 +129,36 @@ fn a_peak_is_right_to_half_a_step() {
 fn a_peak_may_be_of_two_equal_samples() {
     for before in 1..4 {
         let angles = (0..before).map(|n| f64::from(n) - f64::from(before)).chain([0.0, 0.0, -1.0]);
-        let (mut sample, mut parabola) = (PeakPeriod::default(), PeakPeriod::parabola());
-        for (n, theta) in (0_u32..).zip(angles) {
-            let z = Phase { theta, omega: 0.0 };
-            sample.observe(n.into(), 0.5 * f64::from(n), z);
-            parabola.observe(n.into(), 0.5 * f64::from(n), z);
-        }
+        let mut both = (PeakPeriod::default(), PeakPeriod::parabola());
+        let times = (0..).map(|n| 0.5 * f64::from(n));
+        show(times.zip(angles.map(Phase::at_rest)), &mut both);
+        let (sample, parabola) = both;
         let at = 0.5 * f64::from(before);
         assert_eq!((sample.period(), parabola.period()), (Some(at), Some(at + 0.25)));
     }
 }
 
-/// The cubic through a crossing of cos πt is right to h⁴, and its bound is known.
+/// The cubic through a crossing of cos πt is off by at most h⁴ max|θ⁽⁴⁾|/384 = h⁴π⁴/384, with a
+/// slope of π there. Errors at two crossings may add up; they are divided by three periods or more.
 ///
 /// Catches: linear interpolation (off by 1e-5 at h = 0.03), an upward crossing counted, half a
 /// period for a whole.
 #[test]
 fn a_crossing_is_right_to_the_fourth_power() {
-    check::check_crossing(check::crossing_period).unwrap();
+    for h in [0.1_f64, 0.03, 0.007] {
+        let bound = 2.0 * h.powi(4) * PI.powi(3) / 384.0 / 3.0 + 1e-14;
+        let mut crossings = CrossingPeriod::default();
+        show(cosine(h), &mut crossings);
+        let period = crossings.period().unwrap();
+        assert!((period - 2.0).abs() <= bound, "{period} with {h}");
+    }
 }
 
 /// Catches: a period reported from a single crossing, or none.
 #[test]
 fn no_period_without_a_whole_one() {
-    let (mut peak, mut crossing) = (PeakPeriod::default(), CrossingPeriod::default());
-    for n in 0_u32..10 {
-        let z = Phase { theta: 1.0 - 0.2 * f64::from(n), omega: -1.0 };
-        peak.observe(n.into(), n.into(), z);
-        crossing.observe(n.into(), n.into(), z);
-    }
-    assert_eq!((peak.period(), crossing.period()), (None, None));
+    let mut both = (PeakPeriod::default(), CrossingPeriod::default());
+    let falling = (0..10).map(f64::from);
+    show(falling.map(|t| (t, Phase { theta: 1.0 - 0.2 * t, omega: -1.0 })), &mut both);
+    assert_eq!((both.0.period(), both.1.period()), (None, None));
 }

@@ -163,8 +163,8 @@ struct But {
 }
 
 impl Stranger for But {
-    fn run(&self, request: &Request) -> Result<Reply, Fault> {
-        let reply = StormerVerlet.run(request)?;
+    fn answer(&self, request: &Request) -> Result<Reply, Fault> {
+        let reply = StormerVerlet.answer(request)?;
         Ok(if (self.when)(request) { (self.spoilt)(request, reply) } else { reply })
     }
 }

@@ -315,7 +315,7 @@ pub fn style_sheet(id: &str, used: &[Style], fills: &[Fill], alone: bool) -> Str
             (" .cell:hover path", "fill-opacity:.5"),
             (" .cell text", "visibility:hidden"),
             (" .cell:hover text", "visibility:visible"),
-            (":has(>.cell:hover) .prompt", "visibility:hidden"),
+            (":has(.cell:hover) .prompt", "visibility:hidden"),
             (" .edge", "stroke-width:1.8"),
             (" .across", "stroke-width:1;opacity:.4"),
             (" :is(.edge,.halo)", "pointer-events:none"),

@@ -1,10 +1,11 @@
 //! The stranger beside `snapshots/known-answers.json`: which method it is, or which mistake.
 
-use super::Claims;
-use super::probe::{Measured, Probe, Trouble};
-use super::stranger::Request;
+use super::claims::Claims;
+use super::probe::Probe;
+use super::verdict::{Measured, Trouble};
 use crate::systems::Phase;
 use crate::verify::known_answers::{self, Answer, Known, Scene};
+use crate::verify::stranger::Request;
 
 /// The stranger's states in the scenes of the file.
 pub struct Answers {

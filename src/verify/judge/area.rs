@@ -1,8 +1,8 @@
 //! Area in phase space: the determinant of a step, by a ruler whose own error is measured.
 
 use super::number::{about, scientific};
-use super::probe::{Measured, Probe, Run, Trouble, frequency, step};
-use super::report::{Told, Verdict};
+use super::probe::{Probe, Run, frequency, step};
+use super::verdict::{Measured, Told, Trouble, Verdict};
 use crate::systems::Phase;
 
 /// Below and above the horizontal, moving and at rest.

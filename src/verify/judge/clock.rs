@@ -1,7 +1,7 @@
 //! The clock: n steps of h are n·h.
 
-use super::probe::{Measured, Probe, Run};
-use super::report::{Told, Verdict};
+use super::probe::{Probe, Run};
+use super::verdict::{Measured, Told, Verdict};
 use crate::systems::Phase;
 
 /// What a method of several steps may forget when a run is begun anew, in steps.

@@ -1,8 +1,8 @@
 //! The energy: bounded, or drifting, and by which law.
 
 use super::number::scientific;
-use super::probe::{Measured, Probe, Run, Trouble, energy, step};
-use super::report::{Told, Verdict};
+use super::probe::{Probe, Run, energy, step};
+use super::verdict::{Measured, Told, Trouble, Verdict};
 use crate::systems::Phase;
 
 /// What became of the energy in a long run.

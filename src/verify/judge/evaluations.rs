@@ -1,7 +1,7 @@
 //! Force evaluations, counted by the stranger.
 
-use super::probe::{Measured, Probe, Run, step};
-use super::report::{Told, Verdict};
+use super::probe::{Probe, Run, step};
+use super::verdict::{Measured, Told, Verdict};
 use crate::systems::Phase;
 
 /// Force evaluations a step, when many are taken; `None` if nobody counts.

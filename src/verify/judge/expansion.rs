@@ -6,7 +6,8 @@
 //! Integration, III.1, for the terms as trees; III.2 where angle and velocity are treated apart).
 //! A method is of order p if the factors up to hᵖ are those of the exact motion.
 
-use super::probe::{G_OVER_L, Measured, Probe, Run, exact};
+use super::probe::{G_OVER_L, Probe, Run, exact};
+use super::verdict::Measured;
 use crate::systems::Phase;
 
 /// The powers of the step that are looked at: 1 to 4.

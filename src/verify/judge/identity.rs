@@ -3,13 +3,11 @@
 
 use core::fmt;
 
-use super::Claims;
 use super::answers::Match;
+use super::claims::Claims;
 use super::number::{Scientific, about, raised};
-use super::probe::{
-    G_OVER_L, Measured, Probe, Run, Trouble, distance, exact, frequency, pendulum, step,
-};
-use super::report::{Told, Verdict};
+use super::probe::{G_OVER_L, Probe, Run, distance, exact, frequency, pendulum, step};
+use super::verdict::{Measured, Told, Trouble, Verdict};
 use crate::systems::{Phase, Separable};
 use crate::verify::known_answers;
 use crate::verify::properties::error_constant::extrapolated;

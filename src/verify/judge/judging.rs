@@ -1,17 +1,21 @@
 //! Property by property, from the order to what to look at.
 
 use super::answers::Answers;
-use super::probe::{Measured, Probe, Trouble};
-use super::report::{Finding, Report, Told, Verdict};
-use super::stranger::Stranger;
+use super::claims::Claims;
+use super::probe::Probe;
+use super::report::{Finding, Report};
+use super::verdict::{Measured, Told, Trouble, Verdict};
 use super::{
-    Claims, area, clock, energy, evaluations, identity, look, loss, order, precision, repeatable,
-    reversal, stage_times, symmetry,
+    area, clock, energy, evaluations, identity, look, loss, order, precision, repeatable, reversal,
+    stage_times, symmetry,
 };
+use crate::verify::stranger::Stranger;
 
 /// What is found of `stranger`.
 pub fn report(stranger: &dyn Stranger, claims: &Claims) -> Measured<Report> {
     let probe = Probe::new(stranger)?;
+    let tolerance = symmetry::tolerance(&probe)?;
+    let probe = probe.with_tolerance(tolerance);
     let answers = Answers::of(&probe)?;
     let mut judge = Judge { probe, answers, claims, report: Report::default() };
     judge.take_all()?;

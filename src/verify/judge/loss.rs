@@ -3,8 +3,8 @@
 use super::area;
 use super::identity::Identity;
 use super::number::{about, scientific};
-use super::probe::{G_OVER_L, Measured, Probe, Run, energy, pendulum, step};
-use super::report::{Told, Verdict};
+use super::probe::{G_OVER_L, Probe, Run, energy, pendulum, step};
+use super::verdict::{Measured, Told, Verdict};
 use crate::systems::Phase;
 use crate::verify::properties::flipped;
 use crate::{Grid, method_named};

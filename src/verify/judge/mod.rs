@@ -19,16 +19,19 @@ mod repeatable;
 mod report;
 mod resemblance;
 pub(crate) mod reversal;
+mod scaled;
 pub(crate) mod stage_times;
-mod stranger;
 pub(crate) mod symmetry;
+mod verdict;
 
 pub use claims::Claims;
 pub use identity::{Identity, Seen};
 pub use look::sign_of_slopes;
 pub use number::{Scientific, scientific};
-pub use report::{Evidence, Finding, Report, Verdict};
-pub use stranger::{ByPointer, Drive, Fault, FromFn, Listed, Reply, Request, Stranger};
+pub use report::{Evidence, Finding, Report};
+pub use verdict::Verdict;
+
+use super::stranger::Stranger;
 
 /// Judges `stranger` by its `claims`.
 ///

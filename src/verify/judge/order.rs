@@ -1,8 +1,8 @@
 //! Order: the slopes of the error on a ladder of steps, down to the stranger's rounding.
 
 use super::number::slopes;
-use super::probe::{G_OVER_L, Measured, Probe, Run, Trouble, distance, exact, frequency};
-use super::report::{Told, Verdict};
+use super::probe::{G_OVER_L, Probe, Run, distance, exact, frequency};
+use super::verdict::{Measured, Told, Trouble, Verdict};
 use crate::systems::Phase;
 
 /// The duration of a run (s): about a swing and a half, and no whole number of half swings, at

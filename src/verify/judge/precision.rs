@@ -1,7 +1,7 @@
 //! The rounding of a step.
 
 use super::number::about;
-use super::report::{Told, Verdict};
+use super::verdict::{Told, Verdict};
 
 /// The rounding of a step, relative to a state of order 1, that a computation in double precision
 /// stays below: an f64 rounds by 1.1·10⁻¹⁶, and a step of a hundred operations, or one that is

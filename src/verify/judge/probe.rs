@@ -1,9 +1,10 @@
 //! How a stranger is asked: the requests of the judge, their answers checked, and the size of the
 //! stranger's own roundings.
 
-use super::stranger::{Fault, Reply, Request, Stranger};
+use super::verdict::{Measured, Trouble};
 use crate::exact::Motion;
 use crate::systems::{Hamiltonian, Pendulum, Phase};
+use crate::verify::stranger::{Fault, Reply, Request, Stranger};
 
 /// g/L of most requests (1/s²): not the paper's, and no power of two.
 pub const G_OVER_L: f64 = 12.2625;
@@ -17,33 +18,6 @@ pub fn frequency() -> f64 {
 pub fn step(x: f64) -> f64 {
     x / frequency()
 }
-
-/// Why a measurement was not had.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Trouble {
-    /// The stranger does not answer such a request, and perhaps says why.
-    NoAnswer(String),
-    /// It answered with other than the number of states that was asked for.
-    Count { asked: u64, came: u64 },
-    /// It answered with a state that is not finite.
-    NotFinite,
-    /// It broke the protocol; the judging ends.
-    Broken(String),
-}
-
-impl core::fmt::Display for Trouble {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        match self {
-            Self::NoAnswer(why) => write!(f, "no answer: {why}"),
-            Self::Count { asked, came } => write!(f, "{came} states where {asked} were asked for"),
-            Self::NotFinite => f.write_str("a state is not finite"),
-            Self::Broken(why) => f.write_str(why),
-        }
-    }
-}
-
-/// What came of a measurement.
-pub type Measured<T> = Result<T, Trouble>;
 
 /// A stranger, with what has to be known of it before anything can be asked.
 pub struct Probe<'s> {
@@ -97,7 +71,7 @@ impl Run {
 }
 
 impl<'s> Probe<'s> {
-    /// Ready to ask; the rounding is measured at once.
+    /// Ready to ask, of a stranger without a tolerance; the rounding is measured at once.
     pub fn new(stranger: &'s dyn Stranger) -> Measured<Self> {
         let longest = stranger.longest_run();
         let measured_rounding = Ok(f64::EPSILON);
@@ -110,12 +84,12 @@ impl<'s> Probe<'s> {
             }
         }
         probe.rounding = probe.measured_rounding.clone().unwrap_or(f64::EPSILON);
-        match super::symmetry::units(&probe) {
-            Ok(units) if units.is_a_tolerance() => probe.tolerance = units.largest,
-            Err(Trouble::Broken(why)) => return Err(Trouble::Broken(why)),
-            _ => {}
-        }
         Ok(probe)
+    }
+
+    /// With what a tolerance inside the stranger makes of 200 steps (rad).
+    pub fn with_tolerance(self, tolerance: f64) -> Self {
+        Self { tolerance, ..self }
     }
 
     /// As many of `steps` as it can take in time, in whole twenties.
@@ -133,7 +107,7 @@ impl<'s> Probe<'s> {
 
     /// The answer to a request, as it is.
     pub fn ask(&self, request: &Request) -> Measured<Reply> {
-        let reply = self.stranger.run(request).map_err(|fault| match fault {
+        let reply = self.stranger.answer(request).map_err(|fault| match fault {
             Fault::Unsupported => Trouble::NoAnswer("unsupported".to_string()),
             Fault::Refused(why) => Trouble::NoAnswer(why),
             Fault::Broken(why) => Trouble::Broken(why),

@@ -1,7 +1,7 @@
 //! The same answer twice, and whatever was asked before.
 
-use super::probe::{Measured, Probe, Run, distance, step};
-use super::report::{Told, Verdict};
+use super::probe::{Probe, Run, distance, step};
+use super::verdict::{Measured, Told, Verdict};
 use crate::systems::Phase;
 
 /// In which way the same request has other answers; `None` if they are the same, to the bit, at

@@ -3,50 +3,9 @@
 use core::fmt;
 
 use super::identity::Identity;
-use super::probe::Trouble;
+use super::verdict::Verdict;
 use crate::systems::Phase;
 use crate::verify::known_answers::Known;
-
-/// What is to be said of a claim, or of all of them.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Verdict {
-    /// It was measured and holds.
-    Holds,
-    /// It was measured and does not hold.
-    Fails,
-    /// It was measured, and cannot be told: from rounding, or between two bounds.
-    Unclear,
-    /// It was not measured: the stranger does not answer, or not in time.
-    #[default]
-    NotMeasured,
-    /// Nobody claims it; what was measured is said all the same.
-    Unclaimed,
-}
-
-impl Verdict {
-    /// Its name in reports.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Holds => "holds",
-            Self::Fails => "fails",
-            Self::Unclear => "unclear",
-            Self::NotMeasured => "not measured",
-            Self::Unclaimed => "unclaimed",
-        }
-    }
-
-    /// That `value` is at most `holds`: it fails beyond `fails`, and between the two nothing can be
-    /// told. A NaN fails.
-    pub fn of(value: f64, holds: f64, fails: f64) -> Self {
-        if value <= holds {
-            Self::Holds
-        } else if value <= fails {
-            Self::Unclear
-        } else {
-            Self::Fails
-        }
-    }
-}
 
 /// What was found of one property.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -68,45 +27,6 @@ pub struct Finding {
     pub verdict: Verdict,
     /// The bound, where it comes from, and what follows; or why it was not measured.
     pub why: String,
-}
-
-/// What a measurement says of the property that it is for, whether or not it is claimed.
-#[derive(Clone, Debug)]
-pub struct Told {
-    pub measured: String,
-    pub values: Vec<f64>,
-    pub unit: &'static str,
-    pub bound: Option<f64>,
-    pub verdict: Verdict,
-    pub why: String,
-}
-
-impl Told {
-    /// One number, which `bound` decides.
-    pub fn number(value: f64, unit: &'static str, bound: f64, verdict: Verdict) -> Self {
-        let (measured, why) = Default::default();
-        Self { measured, values: vec![value], unit, bound: Some(bound), verdict, why }
-    }
-
-    /// What a property is of which nothing is known, and why.
-    pub fn nothing(why: String) -> Self {
-        let (values, measured) = (Vec::new(), "–".to_string());
-        Self { measured, values, unit: "", bound: None, verdict: Verdict::NotMeasured, why }
-    }
-}
-
-/// What a measurement that was not had says: a stranger without an answer was not measured, one
-/// with a wrong answer fails.
-impl From<Trouble> for Told {
-    fn from(trouble: Trouble) -> Self {
-        match trouble {
-            Trouble::NoAnswer(why) => Self::nothing(why),
-            other => {
-                let why = other.to_string();
-                Self { verdict: Verdict::Fails, measured: why.clone(), ..Self::nothing(why) }
-            }
-        }
-    }
 }
 
 /// Measurements that a report can draw.

@@ -2,12 +2,13 @@
 
 use core::fmt;
 
-use super::Claims;
+use super::claims::Claims;
 use super::identity::{Asked, Identity, Seen};
-use super::look::Scaled;
 use super::number::{Scientific, raised};
-use super::probe::{G_OVER_L, Measured, Probe, Run, distance, frequency, pendulum, step};
+use super::probe::{G_OVER_L, Probe, Run, distance, frequency, pendulum, step};
 use super::report::Report;
+use super::scaled::Scaled;
+use super::verdict::Measured;
 use crate::systems::Phase;
 use crate::{AnyMethod, Grid, METHODS, Pendulum};
 

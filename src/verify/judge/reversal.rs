@@ -1,8 +1,8 @@
 //! The way back: as many steps of −h lead home, or do not.
 
 use super::number::{about, scientific};
-use super::probe::{Measured, Probe, Run, Trouble, distance, step};
-use super::report::{Told, Verdict};
+use super::probe::{Probe, Run, distance, step};
+use super::verdict::{Measured, Told, Trouble, Verdict};
 use crate::systems::Phase;
 use crate::verify::properties::flipped;
 

@@ -1,11 +1,11 @@
 //! Stage times: on a driven pendulum a method has its order only if its stages know the time.
 
 use super::number::slopes;
-use super::probe::{Measured, Probe, Trouble, distance, pendulum};
-use super::report::{Told, Verdict};
-use super::stranger::{Drive, Request, driven};
+use super::probe::{Probe, distance, pendulum};
+use super::verdict::{Measured, Told, Trouble, Verdict};
 use crate::methods::Gauss6;
 use crate::systems::Phase;
+use crate::verify::stranger::{Drive, Request, driven};
 use crate::{Grid, integrate};
 
 const G_OVER_L: f64 = 9.81;

@@ -1,6 +1,6 @@
 //! The tables of Dormand and Prince's methods against their order conditions, one for each rooted
-//! tree: in twice the digits of f64 from the numbers as they are written, and in f64 through the
-//! code that takes the steps.
+//! tree, in twice the digits of f64 from the numbers as they are written. What the code makes of
+//! them is known from `known_answers.rs`, and of dense output from `adaptive`.
 //!
 //! A tree τ with the subtrees τ₁ … τₘ is the equation ẏ_τ = y_τ₁ … y_τₘ. From zero its solution is
 //! tⁿ/γ(τ), for n vertices, and a Runge–Kutta method is of order p if it is exact for every tree of
@@ -8,15 +8,11 @@
 //! II.2.13).
 
 use std::collections::BTreeMap;
-use std::ops::{Add, Mul};
 
-use pendula::adaptive::Dense;
 use pendula::arithmetic::double_double::DoubleDouble;
-use pendula::methods::runge_kutta::Embedded;
-use pendula::methods::runge_kutta::dop853::{self, Dop853};
-use pendula::methods::runge_kutta::dormand_prince::{self, DormandPrince};
+use pendula::methods::runge_kutta::dop853::{self};
+use pendula::methods::runge_kutta::dormand_prince::{self};
 use pendula::methods::runge_kutta::tableau::{Coefficient, Row, Tableau};
-use pendula::{Method, System, Vector};
 use rstest::rstest;
 
 // -------------------------------------------------------------------------------------------------
@@ -400,137 +396,6 @@ fn each_stage_is_taken_at_the_sum_of_its_row(#[case] table: Table) {
         let off = (sum - c.value).rounded().abs();
         assert!(off <= (table.coarseness() + 50.0 * UNIT) * size + c.half_digit, "{name}: {off:e}");
     }
-}
-
-// -------------------------------------------------------------------------------------------------
-// The same through the code
-// -------------------------------------------------------------------------------------------------
-
-/// The number of trees of up to 8 vertices.
-const FOREST: usize = 200;
-
-/// A number for each tree.
-#[derive(Clone, Copy)]
-struct Forest([f64; FOREST]);
-
-impl Add for Forest {
-    type Output = Self;
-
-    fn add(self, other: Self) -> Self {
-        Self(std::array::from_fn(|i| self.0[i] + other.0[i]))
-    }
-}
-
-impl Mul<f64> for Forest {
-    type Output = Self;
-
-    fn mul(self, factor: f64) -> Self {
-        Self(self.0.map(|x| x * factor))
-    }
-}
-
-impl Vector for Forest {}
-
-/// The equations of all trees at once. The tree of a single vertex, ẏ = 1, is replaced by t itself,
-/// so that the trees that contain it depend on the stage times.
-struct Growth {
-    trees: Vec<Tree>,
-}
-
-impl System for Growth {
-    type State = Forest;
-
-    fn rate(&self, t: f64, y: Forest) -> Forest {
-        Forest(std::array::from_fn(|i| {
-            let product = |product, &tau| product * if tau == 0 { t } else { y.0[tau] };
-            self.trees[i].subtrees.iter().fold(1.0, product)
-        }))
-    }
-}
-
-/// A step of 0.8, so that a missing h shows: with 1 it would not.
-const H: f64 = 0.8;
-
-/// Rounding: each of the up to 8 vertices of a tree contributes a sum of up to 16 products, an ε
-/// each, of the size that they have in `table` if nothing cancels; a step shorter than 1 does not
-/// increase it.
-fn rounding(table: &Table, row: &Weights, trees: &[Tree]) -> Vec<f64> {
-    let elementary = table.elementary(trees);
-    let bound = |(tree, of_stages): (&Tree, &Vec<(DoubleDouble, f64)>)| {
-        16.0 * tree.vertices as f64 * f64::EPSILON * total(row, of_stages).1
-    };
-    trees.iter().zip(&elementary).map(bound).collect()
-}
-
-fn assert_grown(growth: &Growth, y: Forest, t: f64, order: usize, rounding: &[f64]) {
-    for (i, tree) in growth.trees.iter().enumerate().filter(|(_, tree)| tree.vertices <= order) {
-        let right = t.powi(tree.vertices as i32) / tree.density;
-        let off = (y.0[i] - right).abs();
-        assert!(off <= rounding[i], "tree {i} at {t}: {off:e} beyond {:e}", rounding[i]);
-    }
-}
-
-/// Catches: a coefficient that the code takes from the wrong place in the table, a stage time
-/// without its h, a stage left out; a carried slope that is not the last one.
-#[rstest]
-#[case::dormand_prince(DormandPrince, Table::dormand_prince(), 5, &["fourth"], "k7", 4)]
-#[case::dop853(
-    Dop853,
-    Table::dop853(),
-    8,
-    &["fourth", "dense fifth", "sixth", "seventh"],
-    "k13",
-    7
-)]
-fn the_code_grows_every_tree<M>(
-    #[case] method: M,
-    #[case] table: Table,
-    #[case] order: usize,
-    #[case] more: &[&str],
-    #[case] end: &str,
-    #[case] dense_order: usize,
-) where
-    M: Embedded + Method<Growth>,
-{
-    let growth = Growth { trees: trees(8) };
-    let seed = Forest([0.0; FOREST]);
-    let bounds = rounding(&table, &table.sums["step"], &growth.trees);
-
-    let mut carry = method.start(&growth, 0.0, H, seed);
-    let fixed = method.step(&growth, 0.0, H, seed, &mut carry);
-    assert_grown(&growth, fixed, H, order, &bounds);
-
-    let (grown, stages) = method.attempt(&growth, 0.0, H, seed, growth.rate(0.0, seed));
-    assert_eq!(grown.0, fixed.0);
-    let slope = method.end_slope(&growth, H, grown, &stages);
-    assert_eq!(slope.0, growth.rate(H, grown).0);
-
-    let coefficients = method.dense(&growth, 0.0, H, seed, &stages, slope);
-    let dense = Dense::new(0.0, H, seed, coefficients);
-    assert_eq!(dense.after(0.0).0, seed.0);
-    assert_eq!(dense.after(1.0).0, grown.0);
-    for ninth in 1..9 {
-        let s = f64::from(ninth) / 9.0;
-        let weights = table.dense(DoubleDouble::new(s), end, more);
-        // The coefficients of the dense output cancel too.
-        let bounds = rounding(&table, &absolute(&weights, &table, more), &growth.trees);
-        assert_grown(&growth, dense.after(s), s * H, dense_order, &bounds);
-        assert_grown(&growth, dense.at(s * H), s * H, dense_order, &bounds);
-    }
-}
-
-/// An upper bound of the weights of dense output, if nothing in its coefficients cancels.
-fn absolute(weights: &Weights, table: &Table, more: &[&str]) -> Weights {
-    let mut sum = weights.clone();
-    for row in more.iter().map(|name| &table.sums[name]).chain([&table.sums["step"]]) {
-        for (stage, b) in row {
-            let size = DoubleDouble::new(3.0 * b.value.rounded().abs());
-            let term =
-                sum.entry(*stage).or_insert(Printed { value: DoubleDouble::ZERO, half_digit: 0.0 });
-            term.value = DoubleDouble::new(term.value.rounded().abs()) + size;
-        }
-    }
-    sum
 }
 
 // -------------------------------------------------------------------------------------------------

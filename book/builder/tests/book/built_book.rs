@@ -242,9 +242,9 @@ fn every_file_of_tests_is_listed_in_its_program() {
         let (folder, stem) = (file.parent()?, file.file_stem()?.to_str()?);
         let listed_in = |list: PathBuf, line: &str| read(list).lines().any(|l| l == line);
         let module = |folder: &Path, name: &str| {
-            let line = format!("mod {name};");
-            ["main.rs", "mod.rs", "lib.rs"].into_iter().any(|list| {
-                let list = top.join("tests").join(folder).join(list);
+            let (line, folder) = (format!("mod {name};"), top.join("tests").join(folder));
+            let lists = ["main.rs", "mod.rs", "lib.rs"].map(|list| folder.join(list));
+            lists.into_iter().chain([folder.with_extension("rs")]).any(|list| {
                 listed_in(list.clone(), &line) || listed_in(list, &format!("pub {line}"))
             })
         };

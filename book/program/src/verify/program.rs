@@ -134,7 +134,7 @@ impl Stranger for Program {
             let request = Request { g_over_l, drive: None, start, step, steps, every: steps };
             let begun = Instant::now();
             // Whatever is wrong with the answer shows when the judge asks.
-            let answered = self.run(&request).is_ok();
+            let answered = self.answer(&request).is_ok();
             (answered, begun.elapsed().as_secs_f64())
         };
         let patience = self.patience.as_secs_f64();
@@ -147,7 +147,7 @@ impl Stranger for Program {
         longest(steps, took, patience)
     }
 
-    fn run(&self, request: &Request) -> Result<Reply, Fault> {
+    fn answer(&self, request: &Request) -> Result<Reply, Fault> {
         let states = request.states();
         let answer = self.ask(&request.to_string(), |turn| {
             let mut reply = Reply::default();

@@ -46,7 +46,7 @@ fn answer(
     if request.states() > MOST {
         return writeln!(out, "error more than {MOST} states");
     }
-    let reply = match stranger.run(request) {
+    let reply = match stranger.answer(request) {
         Ok(reply) => reply,
         Err(Fault::Unsupported) => return writeln!(out, "unsupported"),
         Err(Fault::Refused(why) | Fault::Broken(why)) => return writeln!(out, "error {why}"),

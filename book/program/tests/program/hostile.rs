@@ -212,7 +212,7 @@ proptest! {
         let start = Phase { theta: 1.0, omega: 0.0 };
         let request =
             Request { g_over_l: 9.81, drive: None, start, step: 0.01, steps: 1, every: 1 };
-        match program.run(&request) {
+        match program.answer(&request) {
             Ok(reply) => {
                 prop_assert_eq!(reply.states.len(), 1);
                 let Phase { theta, omega } = reply.states[0];

@@ -26,7 +26,7 @@ fn what_is_served_is_what_the_library_computes() {
     let there = request(0.01, 1000);
     for request in [there, request(-1e-7, 30), there, request(0.01, 100), there] {
         for request in [request, pendula::verify::Request { drive, ..request }] {
-            assert_eq!(program.run(&request), StormerVerlet.run(&request), "{request}");
+            assert_eq!(program.answer(&request), StormerVerlet.answer(&request), "{request}");
         }
     }
 }
@@ -138,6 +138,6 @@ fn every_method_can_be_served() {
     for method in METHODS {
         let program = started([PENDULA, "serve", method.info().name], 10.0).unwrap();
         assert_eq!(program.name(), format!("pendula {}", method.info().name));
-        assert_eq!(program.run(&request(0.01, 20)).unwrap().states.len(), 2);
+        assert_eq!(program.answer(&request(0.01, 20)).unwrap().states.len(), 2);
     }
 }

@@ -21,8 +21,8 @@ fn is_stormer_verlet(words: &[&str]) {
     let program = started(words, 60.0).unwrap();
     assert_eq!(program.name(), "my verlet");
     for request in [request(0.01, 1000), request(-0.02, 300), request(0.5, 1), request(1e-7, 20)] {
-        let reply = program.run(&request).unwrap();
-        let ours = StormerVerlet.run(&request).unwrap();
+        let reply = program.answer(&request).unwrap();
+        let ours = StormerVerlet.answer(&request).unwrap();
         assert_eq!(reply.evaluations, Some(request.steps + 1), "{request}");
         assert_eq!(reply.states.len(), ours.states.len(), "{request}");
         for (theirs, ours) in reply.states.iter().zip(&ours.states) {
@@ -35,7 +35,7 @@ fn is_stormer_verlet(words: &[&str]) {
     }
     let drive = Some(Drive { amplitude: 0.5, frequency: 2.0 });
     let driven = Request { drive, ..request(0.01, 10) };
-    assert_eq!(program.run(&driven), Err(Fault::Unsupported));
+    assert_eq!(program.answer(&driven), Err(Fault::Unsupported));
 }
 
 /// The example as a file in `folder`, and its path.

@@ -94,7 +94,7 @@ fn runs(number: &str) -> bool {
 /// What is wrong with the reply.
 #[track_caller]
 fn broken(program: &Program, request: &Request) -> String {
-    match program.run(request) {
+    match program.answer(request) {
         Err(Fault::Broken(why)) => {
             println!("{why}");
             why
@@ -199,7 +199,7 @@ fn a_program_that_answers_bytes() {
 fn a_program_that_hangs_at_a_later_request() {
     let later = Script::greeting("echo 0.5 0.5\necho done 2\nread -r line\nexec sleep 1000");
     let program = later.started(0.5);
-    assert_eq!(program.run(&request(0.1, 1)).unwrap().evaluations, Some(2));
+    assert_eq!(program.answer(&request(0.1, 1)).unwrap().evaluations, Some(2));
     let why = broken(&program, &request(0.1, 1));
     assert!(why.contains("given up after 0.5 s, without an answer"), "{why}");
     later.leaves_nothing(1);
@@ -216,7 +216,7 @@ fn a_program_that_hangs_at_a_later_request() {
 fn a_program_may_greet_first() {
     let eager = Script::new("echo hello 1 eager\nread -r line\nread -r line\necho 1 2\necho done");
     let program = eager.started(10.0);
-    assert_eq!(program.run(&request(0.1, 1)).unwrap().states.len(), 1);
+    assert_eq!(program.answer(&request(0.1, 1)).unwrap().states.len(), 1);
     drop(program);
     eager.leaves_nothing(1);
 }
@@ -232,10 +232,10 @@ fn a_program_may_refuse_and_go_on() {
     let program = script.started(10.0);
     let driven =
         Request { drive: Some(Drive { amplitude: 1.0, frequency: 1.0 }), ..request(0.1, 1) };
-    assert_eq!(program.run(&request(9.0, 1)), Err(Fault::Refused("too long".to_string())));
-    assert_eq!(program.run(&driven), Err(Fault::Unsupported));
-    assert_eq!(program.run(&request(0.1, 20)), Err(Fault::Refused("after all".to_string())));
-    assert_eq!(program.run(&request(0.1, 1)).unwrap().evaluations, None);
+    assert_eq!(program.answer(&request(9.0, 1)), Err(Fault::Refused("too long".to_string())));
+    assert_eq!(program.answer(&driven), Err(Fault::Unsupported));
+    assert_eq!(program.answer(&request(0.1, 20)), Err(Fault::Refused("after all".to_string())));
+    assert_eq!(program.answer(&request(0.1, 1)).unwrap().evaluations, None);
     // The second answer to the last request needs a moment to arrive.
     thread::sleep(Duration::from_millis(200));
     let why = broken(&program, &request(0.1, 1));
@@ -252,13 +252,13 @@ fn a_program_that_does_not_take_its_leave() {
         "trap '' TERM INT HUP\n{answers}read -r line\nwhile :; do sleep 1; done"
     ));
     let program = stubborn.started(10.0);
-    program.run(&request(0.1, 1)).unwrap();
+    program.answer(&request(0.1, 1)).unwrap();
     drop(program);
     stubborn.leaves_nothing(1);
 
     let polite = Script::greeting(&format!("{answers}read -r line\necho $line >> \"$1\""));
     let program = polite.started(10.0);
-    program.run(&request(0.1, 1)).unwrap();
+    program.answer(&request(0.1, 1)).unwrap();
     drop(program);
     assert_eq!(polite.numbers().last().unwrap(), "bye");
 }
@@ -270,7 +270,7 @@ fn a_program_that_leaves_others_behind() {
     Script::greeting(&format!("{start}echo garbage\ncat")).is_refused(2, "\"garbage\" came");
     let polite = Script::greeting(&format!("{start}echo 0.5 0.5\necho done 2\nread -r line"));
     let program = polite.started(10.0);
-    program.run(&request(0.1, 1)).unwrap();
+    program.answer(&request(0.1, 1)).unwrap();
     drop(program);
     polite.leaves_nothing(2);
 }

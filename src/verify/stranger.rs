@@ -84,7 +84,7 @@ pub trait Stranger {
     ///
     /// # Errors
     /// A [`Fault`] says why there are none.
-    fn run(&self, request: &Request) -> Result<Reply, Fault>;
+    fn answer(&self, request: &Request) -> Result<Reply, Fault>;
 
     /// The most steps of a request that it answers in time. The judge asks for no longer runs, and
     /// says what it cannot tell without.
@@ -96,8 +96,8 @@ pub trait Stranger {
 /// Every method for the pendulum and the driven pendulum.
 #[diagnostic::do_not_recommend]
 impl<M: Steps<Pendulum> + Steps<Driven>> Stranger for M {
-    fn run(&self, request: &Request) -> Result<Reply, Fault> {
-        ByPointer { pendulum: self, driven: self }.run(request)
+    fn answer(&self, request: &Request) -> Result<Reply, Fault> {
+        ByPointer { pendulum: self, driven: self }.answer(request)
     }
 }
 
@@ -111,7 +111,7 @@ pub struct ByPointer<'a> {
 }
 
 impl Stranger for ByPointer<'_> {
-    fn run(&self, request: &Request) -> Result<Reply, Fault> {
+    fn answer(&self, request: &Request) -> Result<Reply, Fault> {
         let pendulum = pendulum(request)?;
         let Some(drive) = request.drive else {
             let (states, evaluations) = states(self.pendulum, &pendulum, request);
@@ -142,7 +142,7 @@ fn pendulum(request: &Request) -> Result<Pendulum, Fault> {
 }
 
 /// `pendulum` without damping, under `drive`.
-pub(super) fn driven(pendulum: Pendulum, drive: Drive) -> Result<Driven, Fault> {
+pub(crate) fn driven(pendulum: Pendulum, drive: Drive) -> Result<Driven, Fault> {
     let driven = Damped::new(pendulum, 0.0).and_then(|undamped| {
         Driven::new(undamped, drive.amplitude / pendulum.frequency_squared(), drive.frequency)
     });
@@ -155,7 +155,7 @@ pub(super) fn driven(pendulum: Pendulum, drive: Drive) -> Result<Driven, Fault> 
 pub struct Listed<'a>(pub &'a dyn AnyMethod);
 
 impl Stranger for Listed<'_> {
-    fn run(&self, request: &Request) -> Result<Reply, Fault> {
+    fn answer(&self, request: &Request) -> Result<Reply, Fault> {
         if request.drive.is_some() {
             return Err(Fault::Unsupported);
         }
@@ -203,7 +203,7 @@ where
     F: Fn(f64, f64, f64, f64, u64) -> I,
     I: IntoIterator<Item = (f64, f64)>,
 {
-    fn run(&self, request: &Request) -> Result<Reply, Fault> {
+    fn answer(&self, request: &Request) -> Result<Reply, Fault> {
         if request.drive.is_some() {
             return Err(Fault::Unsupported);
         }

@@ -1,0 +1,110 @@
+//! What is said of one measurement: what came of it, and the verdict.
+
+use core::fmt;
+
+/// What is to be said of a claim, or of all of them.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Verdict {
+    /// It was measured and holds.
+    Holds,
+    /// It was measured and does not hold.
+    Fails,
+    /// It was measured, and cannot be told: from rounding, or between two bounds.
+    Unclear,
+    /// It was not measured: the stranger does not answer, or not in time.
+    #[default]
+    NotMeasured,
+    /// Nobody claims it; what was measured is said all the same.
+    Unclaimed,
+}
+
+impl Verdict {
+    /// Its name in reports.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Holds => "holds",
+            Self::Fails => "fails",
+            Self::Unclear => "unclear",
+            Self::NotMeasured => "not measured",
+            Self::Unclaimed => "unclaimed",
+        }
+    }
+
+    /// That `value` is at most `holds`: it fails beyond `fails`, and between the two nothing can be
+    /// told. A NaN fails.
+    pub fn of(value: f64, holds: f64, fails: f64) -> Self {
+        if value <= holds {
+            Self::Holds
+        } else if value <= fails {
+            Self::Unclear
+        } else {
+            Self::Fails
+        }
+    }
+}
+
+/// Why a measurement was not had.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Trouble {
+    /// The stranger does not answer such a request, and perhaps says why.
+    NoAnswer(String),
+    /// It answered with other than the number of states that was asked for.
+    Count { asked: u64, came: u64 },
+    /// It answered with a state that is not finite.
+    NotFinite,
+    /// It broke the protocol; the judging ends.
+    Broken(String),
+}
+
+impl fmt::Display for Trouble {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NoAnswer(why) => write!(f, "no answer: {why}"),
+            Self::Count { asked, came } => write!(f, "{came} states where {asked} were asked for"),
+            Self::NotFinite => f.write_str("a state is not finite"),
+            Self::Broken(why) => f.write_str(why),
+        }
+    }
+}
+
+/// What came of a measurement.
+pub type Measured<T> = Result<T, Trouble>;
+
+/// What a measurement says of the property that it is for, whether or not it is claimed.
+#[derive(Clone, Debug)]
+pub struct Told {
+    pub measured: String,
+    pub values: Vec<f64>,
+    pub unit: &'static str,
+    pub bound: Option<f64>,
+    pub verdict: Verdict,
+    pub why: String,
+}
+
+impl Told {
+    /// One number, which `bound` decides.
+    pub fn number(value: f64, unit: &'static str, bound: f64, verdict: Verdict) -> Self {
+        let (measured, why) = Default::default();
+        Self { measured, values: vec![value], unit, bound: Some(bound), verdict, why }
+    }
+
+    /// What a property is of which nothing is known, and why.
+    pub fn nothing(why: String) -> Self {
+        let (values, measured) = (Vec::new(), "–".to_string());
+        Self { measured, values, unit: "", bound: None, verdict: Verdict::NotMeasured, why }
+    }
+}
+
+/// What a measurement that was not had says: a stranger without an answer was not measured, one
+/// with a wrong answer fails.
+impl From<Trouble> for Told {
+    fn from(trouble: Trouble) -> Self {
+        match trouble {
+            Trouble::NoAnswer(why) => Self::nothing(why),
+            other => {
+                let why = other.to_string();
+                Self { verdict: Verdict::Fails, measured: why.clone(), ..Self::nothing(why) }
+            }
+        }
+    }
+}
