@@ -78,13 +78,10 @@ impl WholeFolder {
             fs::set_permissions(&new, old.permissions()).with_context(cannot)?;
             if !exchange(&new, &target).with_context(cannot)? {
                 let old = self.work.path().join(OLD);
-                fs::rename(&target, &old).with_context(cannot)?;
-                if let Err(error) = fs::rename(&new, &target) {
-                    // If it cannot go back, the next builder puts it there.
-                    let is_back = fs::rename(&old, &target).is_ok();
-                    self.work.disable_cleanup(!is_back);
-                    return Err(error).with_context(cannot);
-                }
+                let replaced = in_two_steps(&new, &target, &old);
+                // An old one that could not go back is put there by the next builder.
+                self.work.disable_cleanup(replaced.is_err() && exists(&old).unwrap_or(true));
+                replaced.with_context(cannot)?;
             }
         } else {
             fs::rename(&new, &target).with_context(cannot)?;
@@ -128,6 +125,15 @@ fn check(target: &Path) -> Result<()> {
     }
 }
 
+/// Puts the folder `new` in the place of `target`, which becomes `old`; if that fails, `target` is
+/// back.
+fn in_two_steps(new: &Path, target: &Path, old: &Path) -> io::Result<()> {
+    fs::rename(target, old)?;
+    fs::rename(new, target).inspect_err(|_| {
+        let _ = fs::rename(old, target);
+    })
+}
+
 /// Exchanges two folders in one step; `false` if this system, or this file system, cannot.
 fn exchange(one: &Path, other: &Path) -> io::Result<bool> {
     #[cfg(any(target_os = "linux", target_os = "android", target_vendor = "apple"))]
@@ -144,5 +150,25 @@ fn exchange(one: &Path, other: &Path) -> io::Result<bool> {
     {
         let _ = (one, other);
         Ok(false)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The second of the two renames fails, as there is no new folder.
+    ///
+    /// Catches: an old book that is gone where the new one cannot take its place.
+    #[test]
+    fn the_old_folder_is_put_back() {
+        let folder = tempfile::tempdir().unwrap();
+        let [new, target, old] = ["new", "target", "old"].map(|name| folder.path().join(name));
+        fs::create_dir(&target).unwrap();
+        fs::write(target.join("index.html"), "old").unwrap();
+        let error = in_two_steps(&new, &target, &old).unwrap_err();
+        assert_eq!(error.kind(), io::ErrorKind::NotFound);
+        assert_eq!(fs::read_to_string(target.join("index.html")).unwrap(), "old");
+        assert!(!old.exists());
     }
 }

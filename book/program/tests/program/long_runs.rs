@@ -36,11 +36,15 @@ pub struct Printed {
 
 /// Runs a command line in this process; it is interrupted after so many steps, or runs.
 pub fn interrupted(arguments: &[&str], after: u64) -> Printed {
+    interrupted_by(arguments, || Lookout::after(after))
+}
+
+/// The same as the lookout says, which is asked for when the arguments have been checked.
+fn interrupted_by(arguments: &[&str], lookout: impl FnOnce() -> Lookout) -> Printed {
     let (mut out, mut err) = (Vec::new(), Vec::new());
     let command = cli::parse([&["pendula"], arguments].concat());
     let outcome = command.and_then(|command| {
         let out: [&mut dyn Write; 2] = [&mut out, &mut err];
-        let lookout = || Lookout::after(after);
         match command {
             Command::Simulate(arguments) => simulate::run_until(&arguments, out, lookout),
             Command::Sweep(arguments) => sweep::run_until(&arguments, out, lookout),
@@ -408,6 +412,69 @@ fn a_state_that_is_not_what_it_was_is_refused() {
     refused(&["simulate", "--resume", text(&elsewhere)], "FILE.state");
     whole(&resume);
     assert_eq!(fs::read_to_string(&folder.file).unwrap(), whole(&run).out);
+}
+
+/// Catches: a link that is replaced by a state, or removed in its place; a run that is resumed
+/// through a link and goes on to a file beside the link.
+#[cfg(unix)]
+#[test]
+fn a_state_that_is_a_link_is_the_file_it_leads_to() {
+    use std::os::unix::fs::symlink;
+
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name);
+    fs::create_dir(at("far")).unwrap();
+    let run = words("simulate --method rk4 --theta0 1 --dt 0.1 --steps 9");
+    let expected = whole(&run).out;
+    let leads = |from: &Path, to: &Path| {
+        assert_eq!(fs::read_link(from).unwrap(), to);
+    };
+
+    let (here, state) = (at("here"), at("far/state"));
+    symlink(&state, &here).unwrap();
+    let mut parts = interrupted(&[&run[..], &["--state", text(&here)]].concat(), 3).out;
+    let resume = ["simulate", "--resume", text(&here)];
+    parts += &interrupted(&resume, 6).out;
+    leads(&here, &state);
+    assert_eq!(files(&at("far")), ["state"]);
+    parts += &whole(&resume).out;
+    assert_eq!(parts, expected);
+    leads(&here, &state);
+    assert!(files(&at("far")).is_empty());
+
+    let (link, file) = (at("link.csv"), at("far/run.csv"));
+    symlink(&file, &link).unwrap();
+    assert!(interrupted(&[&run[..], &["--output", text(&link)]].concat(), 3).outcome.is_err());
+    assert_eq!(files(&at("far")), ["run.csv.state"]);
+    let (other, state) = (at("other"), at("far/run.csv.state"));
+    symlink(&state, &other).unwrap();
+    whole(&["simulate", "--resume", text(&other)]);
+    leads(&link, &file);
+    leads(&other, &state);
+    assert_eq!(files(&at("far")), ["run.csv"]);
+    assert_eq!(fs::read_to_string(&link).unwrap(), expected);
+}
+
+/// Catches: the state of another run, which was kept after this one began, overwritten by this.
+#[test]
+fn a_state_that_has_appeared_meanwhile_is_not_overwritten() {
+    let folder = Folder::new();
+    for run in [
+        "simulate --method rk4 --theta0 1 --dt 0.1 --steps 9",
+        "sweep --method rk4 --theta0 0:1:9 --dt 0.1 --duration 1",
+    ] {
+        for option in [["--output", text(&folder.file)], ["--state", text(&folder.state)]] {
+            let left = interrupted_by(&[&words(run)[..], &option].concat(), || {
+                fs::write(&folder.state, "another").unwrap();
+                Lookout::after(3)
+            });
+            let line = left.outcome.unwrap_err();
+            assert!(line.contains("keeps another run by now"), "{line}");
+            assert_eq!(files(folder.folder.path()), ["run.csv.state"]);
+            assert_eq!(fs::read_to_string(&folder.state).unwrap(), "another");
+            fs::remove_file(&folder.state).unwrap();
+        }
+    }
 }
 
 /// States with a checksum that is right and contents that are not, as a program of another version

@@ -9,8 +9,8 @@ use pendula_book::versions::{Version, on_disk};
 use super::{REVIEWED, root};
 
 /// Catches: a snapshot that is accepted with another header or content than `cargo insta accept`
-/// gives it, one that is accepted though it did not move, and some of several accepted although one
-/// is refused.
+/// gives it, one that is accepted though it did not move, some of several accepted although one is
+/// refused; one that is refused because it is named twice.
 #[test]
 fn what_is_accepted_is_what_was_pending() {
     let folder = tempfile::tempdir().unwrap();
@@ -44,7 +44,8 @@ fn what_is_accepted_is_what_was_pending() {
     assert_eq!(accept(&["slopes", "table_9"]), Err("--accept table_9: no such snapshot".into()));
     assert_eq!(accept(&["slopes", "table_4"]), Err("--accept table_4: it has not moved".into()));
     assert_eq!(fs::read_to_string(&slopes).unwrap(), reviewed);
-    assert_eq!(accept(&["slopes", "figure_9", "bits"]), Ok(()));
+    // One of them twice.
+    assert_eq!(accept(&["slopes", "figure_9", "bits", "slopes"]), Ok(()));
     let mut files: Vec<_> =
         fs::read_dir(snapshots).unwrap().map(|e| e.unwrap().file_name()).collect();
     files.sort();
