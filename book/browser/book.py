@@ -1,6 +1,8 @@
 """The built book on disk: its pages, its chapters, and the program that built it."""
 
+import csv
 import re
+import subprocess
 from pathlib import Path
 from urllib.parse import unquote, urlsplit
 
@@ -44,3 +46,13 @@ class Book:
         path = Path(unquote(urlsplit(url).path))
         inside = path.is_relative_to(self.folder)
         return str(path.relative_to(self.folder)) if inside else str(path)
+
+    def printed(self, command: str) -> list[dict[str, str]]:
+        """The rows that the program prints, of a command without its name."""
+        call = [self.program, *command.split()]
+        answer = subprocess.run(call, capture_output=True, text=True, check=True)
+        return list(csv.DictReader(answer.stdout.splitlines()))
+
+    def rows(self, command: str) -> list[dict[str, float]]:
+        """The same as numbers."""
+        return [{name: float(x) for name, x in row.items()} for row in self.printed(command)]

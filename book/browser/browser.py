@@ -2,6 +2,8 @@
 
 import time
 from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from subprocess import CalledProcessError
 
 from playwright.sync_api import Error, TimeoutError, sync_playwright
 
@@ -16,6 +18,10 @@ ARGUMENTS = """--headless --no-sandbox --disable-gpu --disable-quic --no-first-r
 DESK, TELEPHONE = 1280, 400
 # A4 less the browser's margins of a centimetre, at 96 px an inch.
 SHEET = 718
+
+
+class Stop(Exception):
+    """A finding that leaves a check nothing to go on with."""
 
 
 class Browser:
@@ -43,6 +49,10 @@ class Browser:
             try:
                 for finding in check(tab, book):
                     found.append(finding)
+            except Stop as finding:
+                found.append(str(finding))
+            except CalledProcessError as refused:
+                found.append(f"{' '.join(map(str, refused.cmd[1:]))}: {refused.stderr.strip()}")
             except Error as error:
                 found.append(f"{check.__name__}: broken off: {str(error).splitlines()[0]}")
             found += [f"{check.__name__}: {complaint}" for complaint in tab.complaints()]
@@ -104,6 +114,16 @@ class Tab:
     def open(self, page: str):
         self.page.goto(self.book.url(page))
 
+    def anew(self, page: str, sign: str, place: str = ""):
+        """Loads a page, even if it is the present one, and waits for a sign of its scripts."""
+        self.page.goto("about:blank")
+        self.page.goto(self.book.url(page) + place)
+        if not self.comes(sign):
+            raise Stop(f"{page}{place}: does not come")
+
+    def texts(self, selector: str) -> list[str]:
+        return self.run("s => [...document.querySelectorAll(s)].map(e => e.textContent)", selector)
+
     def here(self) -> str:
         """The page on the screen, as a path in the book."""
         return self.book.page(self.page.url)
@@ -153,6 +173,15 @@ class Tab:
     def screen(self, width: int, height: int = 900):
         """Sets the size of the window."""
         self.page.set_viewport_size({"width": width, "height": height})
+
+    @contextmanager
+    def on_paper(self):
+        """As it is printed; then a desk's screen again."""
+        self.screen(SHEET)
+        self.page.emulate_media(media="print")
+        yield
+        self.page.emulate_media(media="screen")
+        self.screen(DESK)
 
     def theme(self, name: str):
         """Shows the page in a theme, where it has them, as if it had been chosen before."""

@@ -2,21 +2,18 @@
 
 import base64
 import csv
-import subprocess
 from collections.abc import Iterator
 from pathlib import Path
 
 from book import Book
 from browser import Tab
-from lab import LAB, PAGE, go_to, has_rows, opened, press, stop
+from lab import LAB, PAGE, at_start, open_lab, press
 
 
 def link(tab: Tab, book: Book) -> Iterator[str]:
     """The link is copied, and leads to the scene; where a page may not copy, it is selected."""
     tab.context.grant_permissions(["clipboard-read", "clipboard-write"])
-    if not opened(tab):
-        yield "lab: does not come"
-        return
+    open_lab(tab)
     # Copied before the address is written by itself.
     tab.run(f"{LAB}.lab.change({{theta0: 1.25, dt: 0.04}})")
     press(tab, "copy")
@@ -24,9 +21,7 @@ def link(tab: Tab, book: Book) -> Iterator[str]:
     copied = tab.run("navigator.clipboard.readText()")
     if "theta0=1.25" not in copied or "dt=0.04" not in copied:
         yield f"link: {copied!r} is copied"
-    tab.open("order.html")
-    tab.page.goto(copied)
-    tab.comes(f"{LAB}?.classList.contains('on')")
+    open_lab(tab, copied.removeprefix(book.url(PAGE)))
     if tab.run(f"[{LAB}.lab.scene.theta0, {LAB}.lab.scene.dt]") != [1.25, 0.04]:
         yield "link: leads to another scene"
     tab.run("void (navigator.clipboard.writeText = () => Promise.reject(new Error('no')))")
@@ -45,54 +40,42 @@ def saved(tab: Tab, button: str) -> tuple[str, bytes]:
     return download.value.suggested_filename, Path(path).read_bytes()
 
 
-def printed(book: Book, *words: str) -> list[str]:
-    answer = subprocess.run([book.program, *words], capture_output=True, text=True, check=True)
-    return answer.stdout.splitlines()
-
-
 def numbers_saved(tab: Tab, book: Book) -> Iterator[str]:
     """The file of numbers has, digit for digit, the rows of `pendula simulate`, for both
     systems, and of `exact`; a long run has each so-many-th step."""
-    if not opened(tab):
-        yield "lab: does not come"
-        return
-    start = ["--theta0", "2.5", "--omega0", "-0.3", "--gravity", "3.71", "--length", "0.7"]
+    open_lab(tab)
+    start = "--theta0 2.5 --omega0 -0.3 --gravity 3.71 --length 0.7"
     for dt, steps, every in [("0.03", 40, 1), ("1e-5", 25000, 3)]:
-        go_to(tab, f"#m=rk4,symplectic-euler&dt={dt}&theta0=2.5&omega0=-0.3&g=3.71&L=0.7")
-        has_rows(tab, 2)
-        tab.comes(f"{LAB}.lab.scene.g === 3.71 && {LAB}.lab.scene.dt === {dt}")
-        stop(tab)
-        press(tab, "again")
+        scene = f"#m=rk4,symplectic-euler&dt={dt}&theta0=2.5&omega0=-0.3&g=3.71&L=0.7"
+        at_start(tab, scene, f"lab.scene.dt === {dt}")
         tab.run(f"{LAB}.lab.advance({steps})")
         name, content = saved(tab, "csv")
         if not (name.startswith("pendula-") and name.endswith(f"-{steps}-steps.csv")):
             yield f"csv: the file is called {name}"
-        head, *lines = content.decode().splitlines()
-        if head != "method,t,theta,omega,energy,exact_theta,exact_omega":
-            yield f"csv: its columns are {head}"
+        table = csv.DictReader(content.decode().splitlines())
+        if ",".join(table.fieldnames) != "method,t,theta,omega,energy,exact_theta,exact_omega":
+            yield f"csv: its columns are {table.fieldnames}"
+        saved_rows = list(table)
         for method in ["rk4", "symplectic-euler"]:
-            run = ["--method", method, "--dt", dt, "--steps", str(steps), "--every", str(every)]
-            _, *there = printed(book, "simulate", *run, *start)
-            rows = [line.split(",") for line in lines if line.startswith(f"{method},")]
-            here = [",".join(row[1:5]) for row in rows]
+            run = f"--method {method} --dt {dt} --steps {steps} --every {every} {start}"
+            there = book.printed(f"simulate {run}")
+            rows = [row for row in saved_rows if row["method"] == method]
+            here = [{name: row[name] for name in there[0]} for row in rows]
             if here != there:
                 differ = [pair for pair in zip(here, there) if pair[0] != pair[1]][:1]
                 yield f"csv: {method}: {len(here)} and {len(there)} rows, {differ}"
-            times = ",".join(row[1] for row in rows[:40])
-            exact = csv.DictReader(printed(book, "exact", "--t", times, *start))
-            for row, true in zip(rows, exact):
-                if row[5:] != [true["theta"], true["omega"]]:
-                    yield f"csv: at {row[1]} s the exact motion is {row[5:]}"
+            times = ",".join(row["t"] for row in rows[:40])
+            for row, true in zip(rows, book.printed(f"exact --t {times} {start}")):
+                seen = [row["exact_theta"], row["exact_omega"]]
+                if seen != [true["theta"], true["omega"]]:
+                    yield f"csv: at {row['t']} s the exact motion is {seen}"
                     break
-    go_to(tab, "#system=double&m=rk4&theta0=2&theta2=-1.2&omega2=0.4&dt=0.01")
-    tab.comes(f"{LAB}.lab.scene.system === 'double'")
-    stop(tab)
-    press(tab, "again")
+    scene = "#system=double&m=rk4&theta0=2&theta2=-1.2&omega2=0.4&dt=0.01"
+    at_start(tab, scene, "lab.scene.system === 'double'")
     tab.run(f"{LAB}.lab.advance(30)")
-    head, *lines = saved(tab, "csv")[1].decode().splitlines()
-    run = ["--theta1", "2", "--theta2", "-1.2", "--omega2", "0.4", "--dt", "0.01", "--steps", "30"]
-    there = list(csv.DictReader(printed(book, "simulate", "--system", "double-pendulum", *run)))
-    here = list(csv.DictReader([head, *lines]))
+    here = list(csv.DictReader(saved(tab, "csv")[1].decode().splitlines()))
+    run = "--theta1 2 --theta2 -1.2 --omega2 0.4 --dt 0.01 --steps 30"
+    there = book.printed(f"simulate --system double-pendulum {run}")
     names = ["t", "theta1", "theta2", "omega1", "omega2", "energy"]
     if [[row[n] for n in names] for row in here] != [[row[n] for n in names] for row in there]:
         yield f"csv: the double pendulum's {len(here)} rows are not the program's {len(there)}"
@@ -100,9 +83,7 @@ def numbers_saved(tab: Tab, book: Book) -> Iterator[str]:
 
 def picture_saved(tab: Tab, book: Book) -> Iterator[str]:
     """The picture has all drawings on the theme's own ground."""
-    if not opened(tab):
-        yield "lab: does not come"
-        return
+    open_lab(tab)
     tab.theme("navy")
     press(tab, "step", 60)
     name, content = saved(tab, "png")

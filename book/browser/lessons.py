@@ -4,8 +4,8 @@ from collections.abc import Iterator
 from urllib.parse import parse_qsl
 
 from book import Book
-from browser import DESK, SHEET, TELEPHONE, Tab
-from lab import LAB, PAGE, go_to, opened, stop, value
+from browser import TELEPHONE, Tab
+from lab import LAB, PAGE, go_to, open_lab, stop, value
 
 # The lessons in the chapter: name, and of each step its words, changes and comparison.
 WRITTEN = """[...document.querySelectorAll('.lesson-steps')].map(list => [list.dataset.lesson,
@@ -28,9 +28,7 @@ def said(tab: Tab) -> tuple[str, str]:
 def steps(tab: Tab, book: Book) -> Iterator[str]:
     """Next leads by the keyboard through every step of every lesson: its words are beside the
     picture, its changes are in the scene, its address leads back to it; Back leads back."""
-    if not opened(tab):
-        yield "lab: does not come"
-        return
+    open_lab(tab)
     written = tab.run(WRITTEN)
     links = tab.run(f"[...{LAB}.querySelectorAll('.lessons a')].map(a => a.hash.slice(1))")
     if [name for name, _ in written] != links:
@@ -38,8 +36,7 @@ def steps(tab: Tab, book: Book) -> Iterator[str]:
     walk = [(name, i, len(all), step) for name, all in written for i, step in enumerate(all)]
     if not 2 * len(written) < len(walk):
         yield "lessons: hardly any has steps"
-    go_to(tab, f"#{links[0]}")
-    tab.comes(f"location.hash === '#{links[0]}' && {LAB}.lab.running")
+    go_to(tab, f"#{links[0]}", f"location.hash === '#{links[0]}' && lab.running")
     for k, (name, i, count, (words, changes, compares)) in enumerate(walk):
         here = f"#{name}/{i + 1}" if i else f"#{name}"
         if not tab.comes(f"location.hash === '{here}'"):
@@ -63,9 +60,7 @@ def steps(tab: Tab, book: Book) -> Iterator[str]:
     if tab.run("location.hash") != f"#{name}/{i + 1}" or said(tab)[1] != words:
         yield f"lessons: Back leads to {tab.run('location.hash')}"
     # From its address, in a new page.
-    tab.open("order.html")
-    tab.page.goto(f"{book.url(PAGE)}#{name}/{i + 1}")
-    tab.comes(f"{LAB}?.classList.contains('on')")
+    open_lab(tab, f"#{name}/{i + 1}")
     if said(tab)[1] != words:
         yield f"lessons: the address of {name}/{i + 1} shows {said(tab)}"
     yield from scene_is(tab, "a new page", changes)
@@ -94,9 +89,7 @@ def beside(tab: Tab, book: Book) -> Iterator[str]:
     """On a desk the words are beside the picture, and stay in sight; on a telephone they are below
     it, before the plots; they are announced politely; without scripts and on paper they stand in
     the chapter."""
-    if not opened(tab):
-        yield "lab: does not come"
-        return
+    open_lab(tab)
     boxes = f"""['.stage canvas', '.beside', '.sheets'].map(part => (({{x, y, width, height}}) =>
         [x, y, x + width, y + height])({LAB}.querySelector(part).getBoundingClientRect()))"""
     (_, top, right, _), (x, y, _, _), _ = tab.run(boxes)
@@ -114,14 +107,11 @@ def beside(tab: Tab, book: Book) -> Iterator[str]:
     (_, _, _, bottom), (_, y, _, end), (_, plots, _, _) = tab.run(boxes)
     if not bottom <= y < end <= plots:
         yield "lessons: on a telephone the words are not between the picture and the plots"
-    tab.screen(SHEET)
-    tab.page.emulate_media(media="print")
     hidden = """[...document.querySelectorAll('.lesson-steps li')].filter(
         step => !step.checkVisibility() || !step.textContent.trim()).length"""
-    if tab.run(hidden):
-        yield "lessons: on paper there are no words"
-    tab.page.emulate_media(media="screen")
-    tab.screen(DESK)
+    with tab.on_paper():
+        if tab.run(hidden):
+            yield "lessons: on paper there are no words"
     with tab.without_scripts() as still:
         still.open(PAGE)
         if still.run(hidden) or not still.run("document.querySelector('.lesson-steps li')"):

@@ -1,15 +1,13 @@
 """The figures that a reader moves: they begin as the still ones, give way to hand and key, and show
 the library's numbers."""
 
-import csv
-import io
 import math
 import re
-import subprocess
 from collections.abc import Iterator
 
 from book import Book
-from browser import DESK, SHEET, TELEPHONE, Tab
+from browser import DESK, TELEPHONE, Tab
+from table import number
 
 # The chapters with a step to move, and its method.
 STENCILS = {
@@ -26,31 +24,14 @@ def figure(kind: str) -> str:
     return f"""document.querySelector('.lab-figure[data-figure="{kind}"]')"""
 
 
-def opened(tab: Tab, page: str, kind: str) -> bool:
-    """Opens a page; whether its figure comes to life."""
-    tab.open(page)
-    tab.run(f"{figure(kind)}?.scrollIntoView()")
-    return tab.comes(f"{figure(kind)}?.classList.contains('on')")
-
-
-def simulate(book: Book, words: list[str]) -> list[dict[str, float]]:
-    """The rows that the program prints."""
-    answer = subprocess.run(
-        [book.program, "simulate", *words], capture_output=True, text=True, check=True
-    )
-    rows = csv.DictReader(io.StringIO(answer.stdout))
-    return [{name: float(value) for name, value in row.items()} for row in rows]
+def open_figure(tab: Tab, page: str, kind: str):
+    """Opens a page and goes to its figure, which comes to life when it is near."""
+    come = f"{figure(kind)}.classList.contains('on')"
+    tab.anew(page, f"({figure(kind)}.scrollIntoView(), {come})")
 
 
 def text(tab: Tab, kind: str, selector: str) -> str:
     return tab.run(f"{figure(kind)}.querySelector('{selector}').textContent")
-
-
-def plain(number: str) -> float:
-    """A number as the page writes it."""
-    power = re.search(r"×\s*10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)", number)
-    exponent = power[1].translate(str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")) if power else "0"
-    return float(number.split()[0].replace("−", "-")) * 10 ** int(exponent)
 
 
 def compared(tab: Tab, book: Book, when: str) -> Iterator[str]:
@@ -59,16 +40,15 @@ def compared(tab: Tab, book: Book, when: str) -> Iterator[str]:
     stencil = figure("stencil")
     digits = f"[...{stencil}.querySelectorAll('data')]"
     shown = dict(tab.run(f"{digits}.map(d => [d.dataset.of, d.value])"))
-    words = text(tab, "stencil", ".digits code").split()
-    end = simulate(book, words[2:])[-1]
+    command = text(tab, "stencil", ".digits code")
+    end = book.rows(command.removeprefix("pendula "))[-1]
     for name in ["theta", "omega"]:
         if float(shown.get(name, "nan")) != end[name]:
             yield f"moved: {when}: {name} is {shown.get(name)}, not {end[name]!r}"
     cells = tab.run(f"[...{stencil}.querySelectorAll('td')].map(c => c.textContent).slice(1)")
-    given = {option: float(words[words.index(option) + 1]) for option in ("--theta0", "--omega0")}
-    for cell, number in zip(cells, [*given.values(), end["theta"], end["omega"]]):
-        if not abs(plain(cell) - number) <= 0.5001e-4:
-            yield f"moved: {when}: the table says {cell} for {number!r}"
+    for cell, x in zip(cells, [*scene(tab)[:2], end["theta"], end["omega"]]):
+        if not abs(number(cell) - x) <= 0.5001e-4:
+            yield f"moved: {when}: the table says {cell} for {x!r}"
 
 
 def scene(tab: Tab) -> tuple[float, float, float]:
@@ -91,9 +71,7 @@ def stencils(tab: Tab, book: Book) -> Iterator[str]:
     """The start of each step is moved by mouse, touch and key, its length by the slider; its end is
     the program's."""
     for page, method in STENCILS.items():
-        if not opened(tab, page, "stencil"):
-            yield f"moved: does not come in {page}"
-            continue
+        open_figure(tab, page, "stencil")
         first = scene(tab)
         still = tab.run(f"{figure('stencil')}.querySelector('figure > svg').textContent")
         if f"true motion after {first[2]:g} s" not in still:
@@ -182,9 +160,7 @@ def touched(tab: Tab, page: str) -> Iterator[str]:
 def tilted(tab: Tab, book: Book) -> Iterator[str]:
     """The curve of H̃ is built by its slider: each term brings it nearer to the points, which are
     the program's."""
-    if not opened(tab, TILTED, "tilted"):
-        yield f"moved: the tilted curve does not come in {TILTED}"
-        return
+    open_figure(tab, TILTED, "tilted")
 
     def slide(key: str, to: float):
         tab.run(
@@ -198,13 +174,13 @@ def tilted(tab: Tab, book: Book) -> Iterator[str]:
 
     def strays() -> list[float]:
         said = text(tab, "tilted", ".strays")
-        return [plain(number) for number in re.findall(r"up to (\S+(?:\s×\s10\S+)?) J", said)]
+        return [number(strayed) for strayed in re.findall(r"up to (\S+(?:\s×\s10\S+)?) J", said)]
 
     # As far as H is from its start in the run that the program prints; a J of 1 kg on 1 m.
     slide("h", 0.1)
     slide("steps", 40)
-    options = "--method symplectic-euler --theta0 1 --dt 0.1 --steps 40 --every 1".split()
-    energies = [row["energy"] for row in simulate(book, options)]
+    run = "simulate --method symplectic-euler --theta0 1 --dt 0.1 --steps 40 --every 1"
+    energies = [row["energy"] for row in book.rows(run)]
     expected = max(abs(energy - energies[0]) for energy in energies)
     before = math.inf
     for order in range(8):
@@ -254,15 +230,13 @@ def areas(tab: Tab) -> dict[str, float]:
     texts = f"[...{figure('cat')}.querySelectorAll('svg.moved > text')]"
     seen = tab.run(f"{texts}.map(t => t.textContent)")
     found = [re.fullmatch(r"(.+): area × (.+)", heading) for heading in seen]
-    return {match[1]: plain(match[2]) for match in found if match}
+    return {match[1]: number(match[2]) for match in found if match}
 
 
 def cat(tab: Tab, book: Book) -> Iterator[str]:
     """The cat is carried by the methods that are chosen, with its area: at first as far as in the
     still figure, and further, from the start, only when asked."""
-    if not opened(tab, CAT, "cat"):
-        yield f"moved: the cat does not come in {CAT}"
-        return
+    open_figure(tab, CAT, "cat")
     tab.page.wait_for_timeout(400)
     if "t = 1.68 s" not in text(tab, "cat", ".time"):
         yield "moved: the cat is not where the still figure has it, or runs unasked"
@@ -286,11 +260,12 @@ def cat(tab: Tab, book: Book) -> Iterator[str]:
         f"(({{moved}}) => [[...moved.cat.slice(0, 2)], [...moved.charts[0].cat.slice(0, 2)]])"
         f"({figure('cat')})"
     )
-    options = f"--method forward-euler --theta0={corner[0]!r} --omega0={corner[1]!r} --dt 0.14"
-    row = simulate(book, [*options.split(), "--steps", "12", "--every", "12"])[-1]
-    for name, number in zip(["theta", "omega"], end):
-        if not abs(number - row[name]) < 1e-12:
-            yield f"moved: the {name} of the cat's first point is {number!r}, not {row[name]!r}"
+    start = f"--theta0={corner[0]!r} --omega0={corner[1]!r}"
+    run = f"simulate --method forward-euler {start} --dt 0.14 --steps 12 --every 12"
+    row = book.rows(run)[-1]
+    for name, x in zip(["theta", "omega"], end):
+        if not abs(x - row[name]) < 1e-12:
+            yield f"moved: the {name} of the cat's first point is {x!r}, not {row[name]!r}"
     # Several periods: what keeps area keeps it to a thousandth, by the polygon that is shown.
     press(tab, "cat", "step", 60)
     for method, area in areas(tab).items():
@@ -362,12 +337,9 @@ def still(tab: Tab, book: Book) -> Iterator[str]:
             for before, now in tab.run(HEIGHTS):
                 if abs(before - now) > 1:
                     yield f"moved: {page} shifts at {width} px, from {before} to {now} px"
-        tab.screen(SHEET)
-        tab.page.emulate_media(media="print")
-        if not all(tab.run(STILL)) or any(tab.run(LIVE)):
-            yield f"moved: no still figure on paper, {page}"
-        tab.page.emulate_media(media="screen")
-        tab.screen(DESK)
+        with tab.on_paper():
+            if not all(tab.run(STILL)) or any(tab.run(LIVE)):
+                yield f"moved: no still figure on paper, {page}"
     with tab.without_scripts() as bare:
         for page in pages:
             bare.open(page)

@@ -61,6 +61,10 @@ def contents(tab: Tab, book: Book) -> Iterator[str]:
     links = [book.page(url) for url in listed if "#" not in url]
     if links != book.chapters:
         yield f"contents: {len(links)} links, not the {len(book.chapters)} chapters in order"
+    dead = """[...document.querySelectorAll('#mdbook-sidebar .chapter-fold-toggle')].filter(
+        arrow => arrow.checkVisibility() && !arrow.closest('li').querySelector('ol')).length"""
+    if tab.run(dead):
+        yield f"contents: {tab.run(dead)} arrows unfold nothing"
     marked = "document.querySelector('#mdbook-sidebar a.active')"
     if not tab.run(f"{marked}?.href === location.href"):
         yield "contents: the present chapter is not marked"

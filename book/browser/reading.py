@@ -5,22 +5,20 @@ from collections.abc import Iterator
 
 from book import Book
 from browser import Tab
-from lab import LAB, PAGE, go_to, has_rows, opened, press, stop
-from table import errors, number, rows, says
+from lab import LAB, PAGE, at_start, has_rows, open_lab, press
+from table import errors, number, says, start_of
 
 SCENE = {"m": "rk4,symplectic-euler", "dt": "0.05", "theta0": "2", "g": "3.71", "L": "0.7"}
 STEPS = 120
 BOX = f"{LAB}.querySelector('.reading')"
 
 
-def at_start(tab: Tab, scene: dict[str, str], steps: int):
-    """Goes to a scene, and takes some steps."""
-    go_to(tab, "#" + "&".join(f"{key}={text}" for key, text in scene.items()))
-    has_rows(tab, len(scene["m"].split(",")))
-    tab.comes(f"{LAB}.lab.scene.dt === {scene['dt']} && {LAB}.lab.scene.g === {scene['g']}")
-    stop(tab)
-    press(tab, "again")
-    press(tab, "step", steps)
+def run_scene(tab: Tab):
+    """Goes to the scene, and takes its steps."""
+    address = "#" + "&".join(f"{key}={text}" for key, text in SCENE.items())
+    at_start(tab, address, f"lab.scene.dt === {SCENE['dt']}")
+    has_rows(tab, len(SCENE["m"].split(",")))
+    press(tab, "step", STEPS)
 
 
 def read(text: str) -> list[float]:
@@ -31,10 +29,8 @@ def read(text: str) -> list[float]:
 def read_out(tab: Tab, book: Book) -> Iterator[str]:
     """Under the pointer, and with the arrow keys, the plots say what the program prints at that
     time; the keys turn no page; Escape ends it."""
-    if not opened(tab):
-        yield "lab: does not come"
-        return
-    at_start(tab, SCENE, STEPS)
+    open_lab(tab)
+    run_scene(tab)
     methods = SCENE["m"].split(",")
     true = {method: errors(book, method, SCENE, STEPS) for method in methods}
     for plot, which in [("energy", 0), ("angle", 1)]:
@@ -79,10 +75,9 @@ def read_out(tab: Tab, book: Book) -> Iterator[str]:
                 if not says(x, true[method][which][4], 1e-13):
                     yield f"reading: the keys read the {plot} error of {method} as {x}"
         else:
-            start = ["--theta0", "2", "--gravity", "3.71", "--length", "0.7"]
-            run = ["--dt", "0.05", "--steps", "4", "--every", "4"]
+            run = f"--dt {SCENE['dt']} --steps 4 --every 4 {start_of(SCENE)}"
             for k, method in enumerate(methods):
-                state = rows(book, "simulate", "--method", method, *run, *start)[-1]
+                state = book.rows(f"simulate --method {method} {run}")[-1]
                 for seen, name in zip(shown[2 * k : 2 * k + 2], ["theta", "omega"]):
                     if not says(seen, state[name]):
                         yield f"reading: {name} of {method} is read as {seen}, not {state[name]}"
@@ -109,10 +104,8 @@ KEPT = f"{LAB}.lab.pin.kept?.pendulums.map(p => [...p.energy.high, ...p.angle.lo
 def pin(tab: Tab, book: Book) -> Iterator[str]:
     """A pinned run stays, dotted, while the scene changes; it says what it is; its address computes
     it again; unpinned, it is gone."""
-    if not opened(tab):
-        yield "lab: does not come"
-        return
-    at_start(tab, SCENE, STEPS)
+    open_lab(tab)
+    run_scene(tab)
     if tab.run(DOTTED):
         yield "pin: something is dotted before anything is pinned"
     press(tab, "pin")
@@ -128,10 +121,9 @@ def pin(tab: Tab, book: Book) -> Iterator[str]:
     if words != "Dotted: Δt = 0.05 s; up to 6.00 s":
         yield f"pin: it says {words!r}"
     tab.comes("location.hash.includes('pin=') && location.hash.includes('dt=0.025')")
-    address = tab.run("location.href")
-    tab.open("order.html")
-    tab.page.goto(address)
-    if not tab.comes(f"{LAB}?.lab?.pin.run?.taken === {STEPS}"):
+    address = tab.run("location.hash")
+    open_lab(tab, address)
+    if not tab.comes(f"{LAB}.lab.pin.run?.taken === {STEPS}"):
         yield f"pin: {address} computes nothing"
     # The run was looked at after each step both times, or now after several.
     again = tab.run(KEPT)
@@ -149,9 +141,7 @@ def pin(tab: Tab, book: Book) -> Iterator[str]:
 def trails(tab: Tab, book: Book) -> Iterator[str]:
     """The bobs leave trails that the box takes away; where little motion is asked for, there are
     none until they are asked for."""
-    if not opened(tab):
-        yield "lab: does not come"
-        return
+    open_lab(tab)
     inked = f"""(() => {{
         const {{canvas}} = {LAB}.lab.drawing.stage, copy = document.createElement('canvas');
         Object.assign(copy, {{width: canvas.width, height: canvas.height}});
@@ -168,7 +158,7 @@ def trails(tab: Tab, book: Book) -> Iterator[str]:
     if not with_trails > without + 200:
         yield f"trails: {with_trails} and {without} points with and without them"
     tab.page.emulate_media(reduced_motion="reduce")
-    opened(tab)
+    open_lab(tab)
     if tab.run(f"{box}.checked"):
         yield "trails: on where little motion is asked for"
 

@@ -5,7 +5,7 @@ from math import cos, sin
 
 from book import Book
 from browser import TELEPHONE, Tab
-from lab import LAB, go_to, has_rows, opened, press, running, stop, texts
+from lab import LAB, at_start, go_to, has_rows, open_lab, press, running, stop, texts
 
 State = list[float]
 
@@ -65,16 +65,11 @@ STEPS, STEP = 200, 0.004
 def systems(tab: Tab, book: Book) -> Iterator[str]:
     """Each system moves as its equations say, from its address and from the list; it has no ring of
     an exact motion and no angle error; methods that do not suit are not offered."""
-    if not opened(tab):
-        yield "lab: does not come"
-        return
+    open_lab(tab)
     everything = tab.run(f"{LAB}.lab.known.length")
     for name, words, rate, start, near in SYSTEMS:
-        address = f"m=rk4&system={name}&g={G}&L={L}&dt={STEP}&{words}"
-        go_to(tab, f"#{address}")
-        tab.comes(f"{LAB}.lab.scene.system === '{name}'")
-        stop(tab)
-        press(tab, "again")
+        address = f"#m=rk4&system={name}&g={G}&L={L}&dt={STEP}&{words}"
+        at_start(tab, address, f"lab.scene.system === '{name}'")
         press(tab, "step", STEPS)
         seen = tab.run(f"""(({{THETA, OMEGA, LOWER_THETA, LOWER_OMEGA}}) => {{
             const [p] = {LAB}.lab.pendulums;
@@ -112,8 +107,7 @@ def systems(tab: Tab, book: Book) -> Iterator[str]:
         if not all(part in own for part in [f"system={name}", *words.split("&")]):
             yield f"systems: {name} has the address {own}"
         # From the list, with its own start.
-        go_to(tab, "#m=rk4,stormer-verlet&theta0=1")
-        tab.comes(f"{LAB}.lab.scene.system === 'pendulum'")
+        go_to(tab, "#m=rk4,stormer-verlet&theta0=1", "lab.scene.system === 'pendulum'")
         stop(tab)
         tab.page.select_option(".lab.whole select.system", name)
         rows = 1 if name == "double" else 2
@@ -133,13 +127,9 @@ def telephone(tab: Tab, book: Book) -> Iterator[str]:
     """On a telephone every control and every number of the table is on the screen, and none is
     beside it; a sampled angle error is said to be at least that."""
     tab.screen(TELEPHONE)
-    if not opened(tab):
-        yield "lab: does not come"
-        return
-    go_to(tab, "#m=rk4,symplectic-euler,stormer-verlet&dt=0.0001&speed=100")
+    open_lab(tab)
+    at_start(tab, "#m=rk4,symplectic-euler,stormer-verlet&dt=0.0001", "lab.scene.dt === 0.0001")
     has_rows(tab, 3)
-    stop(tab)
-    press(tab, "again")
     tab.run(f"{LAB}.lab.advance(50), {LAB}.lab.show()")
     largest = f"""[...{LAB}.querySelectorAll('td[data-label="Angle error (rad), largest"]')]
         .map(cell => cell.textContent)"""

@@ -1,17 +1,14 @@
 """The lab's table, orbit, lessons and clock: what they show is what the program prints, and what
 their words say."""
 
-import csv
-import io
 import math
 import re
-import subprocess
 from collections.abc import Iterator
 
 from addresses import STEP, slow
 from book import Book
 from browser import Tab
-from lab import LAB, go_to, has_rows, opened, press, texts, value
+from lab import LAB, at_start, go_to, has_rows, open_lab, press, texts, value
 
 # The groups of columns and then the columns in them, as the page has them; of a row, the cells.
 HEADS = ["Method", "Energy error (J)", "Angle error (rad)", "Force evaluations", "Time a step (ns)"]
@@ -38,12 +35,9 @@ def says(shown: float, x: float, rounding: float = 0.0) -> bool:
     return abs(shown - x) <= 0.5000001 * unit + rounding
 
 
-def rows(book: Book, *words: str) -> list[dict[str, float]]:
-    """The rows that the program prints."""
-    call = [book.program, *words]
-    answer = subprocess.run(call, capture_output=True, text=True, check=True)
-    table = csv.DictReader(io.StringIO(answer.stdout))
-    return [{name: float(number) for name, number in row.items()} for row in table]
+def start_of(scene: dict[str, str]) -> str:
+    """The start of a scene, as the program is told it."""
+    return f"--theta0 {scene['theta0']} --gravity {scene['g']} --length {scene['L']}"
 
 
 def errors(
@@ -51,14 +45,12 @@ def errors(
 ) -> tuple[list[float], list[float]]:
     """The errors of energy and angle of a method after each step, from the start, as the program
     prints states and the exact motion."""
-    start = ["--theta0", scene["theta0"], "--gravity", scene["g"], "--length", scene["L"]]
-    run = ["--method", method, "--dt", scene["dt"], "--steps", str(steps), "--every", "1"]
-    states = rows(book, "simulate", *run, *start)
-    exact = []
+    run = f"simulate --method {method} --dt {scene['dt']} --steps {steps} --every 1"
+    states, exact = book.rows(f"{run} {start_of(scene)}"), []
     # A command line has room for some thousands of times.
     for first in range(0, len(states), 1000):
         times = ",".join(repr(state["t"]) for state in states[first : first + 1000])
-        exact += rows(book, "exact", "--t", times, *start)
+        exact += book.rows(f"exact --t {times} {start_of(scene)}")
     assert [state["t"] for state in states] == [state["t"] for state in exact]
     return (
         [state["energy"] - states[0]["energy"] for state in states],
@@ -87,9 +79,7 @@ def table(tab: Tab, book: Book) -> Iterator[str]:
     """The errors in the table, now and largest, are those of `pendula simulate` against `pendula
     exact`: after 25 steps, and after a run that fills the bins of the curves several times. In the
     ring on the dashed rod the exact motion is at the time of the bobs."""
-    if not slow(tab, STEP):
-        yield "lab: does not come"
-        return
+    slow(tab, STEP)
     if texts(tab, "thead th") != HEADS:
         yield f"lab: the table has other columns: {texts(tab, 'thead th')}"
         return
@@ -163,8 +153,7 @@ def ring(tab: Tab, book: Book, scene: dict[str, str], steps: int) -> Iterator[st
         return rings;
     }})()""")
     t = steps * float(scene["dt"])
-    start = ["--theta0", scene["theta0"], "--gravity", scene["g"], "--length", scene["L"]]
-    exact = rows(book, "exact", "--t", repr(t), *start)[0]["theta"]
+    exact = book.rows(f"exact --t {t!r} {start_of(scene)}")[0]["theta"]
     if len(drawn) != len(scene["m"].split(",")):
         yield f"lab: {len(drawn)} rings of the exact motion are drawn"
     for theta in drawn:
@@ -176,13 +165,9 @@ def ring(tab: Tab, book: Book, scene: dict[str, str], steps: int) -> Iterator[st
 def orbit(tab: Tab, book: Book) -> Iterator[str]:
     """The exact orbit is drawn whole: before a run there is ink where it crosses θ = 0, at ω =
     ±2ω₀ sin(θ₀/2), both signs, and none halfway to there."""
-    if not opened(tab):
-        yield "lab: does not come"
-        return
+    open_lab(tab)
     for theta0, g, length in [(1.5, 9.81, 1.0), (-2.2, 3.71, 0.7)]:
-        go_to(tab, f"#m=rk4&theta0={theta0}&g={g}&L={length}")
-        tab.comes(f"{LAB}.lab.scene.theta0 === {theta0}")
-        press(tab, "again")
+        at_start(tab, f"#m=rk4&theta0={theta0}&g={g}&L={length}", f"lab.scene.theta0 === {theta0}")
         omega = 2 * math.sqrt(g / length) * abs(math.sin(theta0 / 2))
         for at, wanted in [(omega, True), (-omega, True), (omega / 2, False), (-omega / 2, False)]:
             inked = tab.run(f"""(omega => {{
@@ -201,9 +186,7 @@ def orbit(tab: Tab, book: Book) -> Iterator[str]:
 
 def lessons(tab: Tab, book: Book) -> Iterator[str]:
     """A lesson that names K = g Δt²/L in its title is at that K, to the digits it prints."""
-    if not opened(tab):
-        yield "lab: does not come"
-        return
+    open_lab(tab)
     named = 0
     links = f"[...{LAB}.querySelectorAll('.lessons a')].map(a => [a.hash, a.textContent])"
     for lesson, title in tab.run(links):
@@ -211,8 +194,7 @@ def lessons(tab: Tab, book: Book) -> Iterator[str]:
         if not stated:
             continue
         named += 1
-        go_to(tab, lesson)
-        tab.comes(f"location.hash === '{lesson}' && {LAB}.lab.taken > 0")
+        go_to(tab, lesson, f"location.hash === '{lesson}' && lab.taken > 0")
         dt, g, length = (value(tab, key) for key in ("dt", "g", "L"))
         k = g * dt**2 / length
         if not abs(k - float(stated[1])) < 0.5 * 10.0 ** -len(stated[2] or ""):
@@ -241,13 +223,9 @@ ENDS = [("0.3", "0.1", 3), ("0.7", "0.1", 7), ("2.14", "0.0214", 100), ("3", "0.
 def clock(tab: Tab, book: Book) -> Iterator[str]:
     """The time is shown with as many decimals as the step has; a run that is told to stops there;
     the time of a step is in nanoseconds, on a machine whose steps take as long as we say."""
-    if not slow(tab, STEP):
-        yield "lab: does not come"
-        return
+    slow(tab, STEP)
     for step, *times in TIMES:
-        go_to(tab, f"#m=rk4&dt={step}&theta0=1")
-        tab.comes(f"{LAB}.lab.scene.dt === {step}")
-        press(tab, "again")
+        at_start(tab, f"#m=rk4&dt={step}&theta0=1", f"lab.scene.dt === {step}")
         for steps, t in zip(["1 step", "7 steps"], times):
             press(tab, "step", 1 if steps == "1 step" else 6)
             shown = texts(tab, ".time")

@@ -49,11 +49,8 @@ def answer(book: Book, name: str, scene: str = "swinging", steps: int = 1) -> li
     return [float(one["theta"]), float(one["omega"])]
 
 
-def opened(tab: Tab, address: str = "") -> bool:
-    # An address on the same page would not load it anew.
-    tab.page.goto("about:blank")
-    tab.page.goto(tab.book.url(PAGE) + address)
-    return tab.comes(HERE)
+def open_form(tab: Tab):
+    tab.anew(PAGE, HERE)
 
 
 def linked(tab: Tab, numbers: list, precision: str = "double", more: str = "") -> str:
@@ -66,9 +63,7 @@ def linked(tab: Tab, numbers: list, precision: str = "double", more: str = "") -
 def typed(tab: Tab, book: Book) -> Iterator[str]:
     """With the keyboard alone: two numbers lead to a name, the next two to a mistake, and the
     address leads to both."""
-    if not opened(tab):
-        yield "which: the form does not come"
-        return
+    open_form(tab)
     tab.run("document.querySelector('.which input').focus()")
     for number in answer(book, "stormer-verlet"):
         tab.page.keyboard.type(repr(number))
@@ -107,7 +102,7 @@ def told(tab: Tab, book: Book) -> Iterator[str]:
     told what it is."""
     file = known(book)
     rk4 = answer(book, "rk4")
-    opened(tab)
+    open_form(tab)
     single = [struct.unpack("f", struct.pack("f", x))[0] for x in rk4]
     for wanted, said in [
         ("θ is empty.", linked(tab, ["", ""])),
@@ -139,7 +134,7 @@ def told(tab: Tab, book: Book) -> Iterator[str]:
 def bare(tab: Tab, book: Book) -> Iterator[str]:
     """On a telephone, in every theme, on paper and without scripts it can be read."""
     tab.screen(TELEPHONE)
-    opened(tab)
+    open_form(tab)
     linked(tab, answer(book, "stormer-verlet-old-force-twice"))
     for theme in THEMES:
         tab.theme(theme)
@@ -148,7 +143,7 @@ def bare(tab: Tab, book: Book) -> Iterator[str]:
     if tab.run("document.documentElement.scrollWidth > innerWidth"):
         yield "which: it scrolls sideways"
     text = "[...document.querySelectorAll('.which > :not(form)')].some(e => e.checkVisibility())"
-    opened(tab)
+    open_form(tab)
     tab.page.emulate_media(media="print")
     if not tab.run(text) or tab.run("document.querySelector('.which form').checkVisibility()"):
         yield "which: on paper stands an empty form"
