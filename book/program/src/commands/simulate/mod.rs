@@ -18,12 +18,14 @@ use adaptive::{SERIES, Walk};
 use pendula_output::failure::Failure;
 use pendula_output::interrupt::Lookout;
 use suited::{Suited, steps};
-use trajectory::{NotConserved, Run, Settings, Trajectory, TrajectoryArguments};
+use trajectory::{Settings, Trajectory, TrajectoryArguments};
+use watch::{NotConserved, Run};
 
 mod adaptive;
 mod double;
 mod suited;
 mod trajectory;
+mod watch;
 
 /// Arguments of `pendula simulate`.
 #[derive(Args, Debug)]

@@ -3,8 +3,7 @@
 use pendula::{Hamiltonian, Motion, Phase};
 use serde::{Deserialize, Serialize};
 
-use super::printer::Printer;
-use super::runner::Run;
+use super::runner::{Run, Runner};
 use crate::commands::state::Bits;
 use crate::commands::summary::Summary;
 
@@ -27,8 +26,8 @@ struct Worst {
 }
 
 impl Largest {
-    /// Takes a run in.
-    pub fn include(&mut self, printer: &Printer, run: &Run) {
+    /// Takes in a run of `runner` over `duration` (s).
+    pub fn include(&mut self, runner: &Runner, duration: f64, run: &Run) {
         let Run { theta0, grid, end, energy_error } = *run;
         let dt = grid.step();
         let include = |worst: &mut Option<Worst>, error: f64| {
@@ -37,22 +36,22 @@ impl Largest {
             }
         };
         include(&mut self.energy, energy_error);
-        let start = Phase { theta: theta0, omega: printer.omega0 };
-        let Ok(motion) = Motion::new(&printer.pendulum, start) else { return };
-        if printer.duration <= motion.horizon() {
-            let exact = motion.at(printer.duration);
+        let start = Phase { theta: theta0, omega: runner.omega0 };
+        let Ok(motion) = Motion::new(&runner.pendulum, start) else { return };
+        if duration <= motion.horizon() {
+            let exact = motion.at(duration);
             include(&mut self.theta, end.theta - exact.theta);
             include(&mut self.omega, end.omega - exact.omega);
         }
     }
 
     /// Adds a line for each to the summary.
-    pub fn add_to(&self, summary: &mut Summary, printer: &Printer) {
+    pub fn add_to(&self, summary: &mut Summary, runner: &Runner) {
         let at =
             |worst: &Worst| format!(" at θ₀ = {:?} rad, Δt = {:?} s", worst.theta0.0, worst.dt.0);
         if let Some(worst) = &self.energy {
-            let start = Phase { theta: worst.theta0.0, omega: printer.omega0 };
-            let initial = printer.pendulum.energy(start);
+            let start = Phase { theta: worst.theta0.0, omega: runner.omega0 };
+            let initial = runner.pendulum.energy(start);
             summary.energy_error(worst.error.0, initial, &at(worst));
         }
         for (name, worst, unit) in [

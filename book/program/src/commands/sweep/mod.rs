@@ -167,16 +167,7 @@ fn sweep_until(
         let (across, title) = arguments.drawn();
         (to, across, title)
     });
-    let printer = Printer {
-        runner,
-        pendulum,
-        omega0,
-        duration,
-        format,
-        part,
-        summary: arguments.summary,
-        plot,
-    };
+    let printer = Printer { runner, duration, format, part, summary: arguments.summary, plot };
     let part = part.unwrap_or(Part::WHOLE);
     match (theta0, dt) {
         (Sweep::Range(theta0), Sweep::One(dt)) => {

@@ -5,7 +5,7 @@ use std::mem;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-use pendula::{MethodInfo, Pendulum};
+use pendula::MethodInfo;
 use pendula_output::failure::Failure;
 use pendula_output::interrupt::{Lookout, unless_interrupted};
 use serde::{Deserialize, Serialize};
@@ -34,8 +34,6 @@ struct Progress {
 /// What all rows have in common.
 pub struct Printer {
     pub runner: Runner,
-    pub pendulum: Pendulum,
-    pub omega0: f64,
     pub duration: f64,
     pub format: RowFormat,
     pub part: Option<Part>,
@@ -150,7 +148,7 @@ impl Printer {
             }
             progress.steps += run.grid.steps();
             if let Some(largest) = &mut progress.largest {
-                largest.include(self, run);
+                largest.include(&self.runner, self.duration, run);
             }
             rows.row(row)?;
         }
@@ -168,7 +166,7 @@ impl Printer {
             summary.line("part", part.to_string());
         }
         summary.line("runs", runs.to_string());
-        largest.add_to(&mut summary, self);
+        largest.add_to(&mut summary, &self.runner);
         summary
     }
 
