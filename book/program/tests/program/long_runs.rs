@@ -46,8 +46,8 @@ fn interrupted_by(arguments: &[&str], lookout: impl FnOnce() -> Lookout) -> Prin
     let outcome = command.and_then(|command| {
         let out: [&mut dyn Write; 2] = [&mut out, &mut err];
         match command {
-            Command::Simulate(arguments) => simulate::run_until(&arguments, out, lookout),
-            Command::Sweep(arguments) => sweep::run_until(&arguments, out, lookout),
+            Command::Simulate(arguments) => simulate::run(&arguments, out, lookout),
+            Command::Sweep(arguments) => sweep::run(&arguments, out, lookout),
             other => panic!("{other:?} does not run long"),
         }
     });

@@ -8,7 +8,8 @@ use pendula::systems::DoublePhase;
 use pendula::{DoublePendulum, Grid, Hamiltonian, method_named};
 
 use super::suited::steps;
-use super::trajectory::{Run, Settings, Trajectory};
+use super::trajectory::{Settings, Trajectory};
+use super::watch::Run;
 use crate::commands::plot::Panel;
 use pendula_output::failure::Failure;
 use pendula_output::interrupt::Lookout;

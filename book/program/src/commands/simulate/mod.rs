@@ -1,6 +1,6 @@
 //! `pendula simulate`: a trajectory as rows.
 
-use std::io::{self, Write};
+use std::io::Write;
 
 use clap::Args;
 use clap::builder::PossibleValuesParser;
@@ -18,12 +18,14 @@ use adaptive::{SERIES, Walk};
 use pendula_output::failure::Failure;
 use pendula_output::interrupt::Lookout;
 use suited::{Suited, steps};
-use trajectory::{NotConserved, Run, Settings, Trajectory, TrajectoryArguments};
+use trajectory::{Settings, Trajectory, TrajectoryArguments};
+use watch::{NotConserved, Run};
 
 mod adaptive;
 mod double;
 mod suited;
 mod trajectory;
+mod watch;
 
 /// Arguments of `pendula simulate`.
 #[derive(Args, Debug)]
@@ -48,20 +50,14 @@ fn methods() -> PossibleValuesParser {
 /// Eq. 3; of a system that conserves none, that of the pendulum in it. The double pendulum has
 /// rows of its own.
 ///
+/// The second writer is for the summary. The lookout is asked for after the arguments have been
+/// checked.
+///
 /// # Errors
 /// [`Failure::Refused`] for what the library refuses, and for a step too long for the method to
 /// solve its equations; a failure if the output cannot be written, if the user interrupts, or if
 /// the trajectory leaves the range of f64.
-pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
-    run_until(arguments, [out, &mut io::stderr()], Lookout::for_the_user)
-}
-
-/// The same, with a writer for the summary too, and interrupted as the lookout says: it is asked
-/// for after the arguments have been checked.
-///
-/// # Errors
-/// As [`run`].
-pub fn run_until(
+pub fn run(
     arguments: &Arguments,
     out: [&mut dyn Write; 2],
     lookout: impl FnOnce() -> Lookout,

@@ -6,16 +6,14 @@ use std::time::{Duration, Instant};
 
 use clap::Args;
 use pendula::adaptive::STEP_LIMIT;
-use pendula::fast::FastRun;
-use pendula::integrate::{self, CHECKPOINT_NUMBERS, Checkpoint};
-use pendula::metrics::EnergyDrift;
-use pendula::systems::Numbers;
-use pendula::{Error, Grid, Hamiltonian, Observer, Phase, System};
+use pendula::integrate::{CHECKPOINT_NUMBERS, Checkpoint};
+use pendula::{Grid, Observer};
 use serde::{Deserialize, Serialize};
 
+use super::watch::{Drift, Printer, Run, Watch, overflow};
 use crate::commands::arguments::number::{count, number, positive_count};
 use crate::commands::plot::{Panel, Plot, PlotArguments, Target};
-use crate::commands::rows::{RowFormat, Rows};
+use crate::commands::rows::RowFormat;
 use crate::commands::state::{Bits, Kept, KeptArguments};
 use crate::commands::summary::Summary;
 use pendula_output::failure::Failure;
@@ -88,90 +86,6 @@ struct Progress {
     nanoseconds: u64,
     /// The largest energy error (J), if a summary was asked for.
     energy_error: Option<Bits>,
-}
-
-/// A run in steps that can be left and resumed.
-pub trait Run<Z> {
-    /// Where it stands.
-    fn checkpoint(&self) -> &Checkpoint;
-
-    /// The force evaluations so far, since it was started or resumed.
-    fn evaluations(&self) -> u64;
-
-    /// Takes the steps up to `until` and passes every k-th sample to `observer`, where k is
-    /// `every`. Returns the last state.
-    ///
-    /// # Errors
-    /// [`Error::NotSolved`], as [`integrate::Run::advance`].
-    fn advance(
-        &mut self,
-        until: u64,
-        every: NonZeroU64,
-        observer: &mut dyn Observer<Z>,
-    ) -> Result<Z, Error>;
-}
-
-impl<S: System<State: Numbers> + Copy> Run<S::State> for integrate::Run<'_, S> {
-    fn checkpoint(&self) -> &Checkpoint {
-        Self::checkpoint(self)
-    }
-
-    fn evaluations(&self) -> u64 {
-        Self::evaluations(self)
-    }
-
-    fn advance(
-        &mut self,
-        until: u64,
-        every: NonZeroU64,
-        observer: &mut dyn Observer<S::State>,
-    ) -> Result<S::State, Error> {
-        Self::advance(self, until, every, observer)
-    }
-}
-
-impl Run<Phase> for FastRun<'_> {
-    fn checkpoint(&self) -> &Checkpoint {
-        Self::checkpoint(self)
-    }
-
-    fn evaluations(&self) -> u64 {
-        Self::evaluations(self)
-    }
-
-    fn advance(
-        &mut self,
-        until: u64,
-        every: NonZeroU64,
-        observer: &mut dyn Observer<Phase>,
-    ) -> Result<Phase, Error> {
-        Self::advance(self, until, every, observer)
-    }
-}
-
-/// What is measured of the energy at every sample, if it ought to stay the same.
-pub trait Drift<Z>: Observer<Z> {
-    /// The largest error (J); none where the system conserves no energy.
-    fn largest(&self) -> Option<f64>;
-}
-
-impl<S: Hamiltonian> Drift<S::State> for EnergyDrift<'_, S> {
-    fn largest(&self) -> Option<f64> {
-        Some(EnergyDrift::largest(self))
-    }
-}
-
-/// The drift of a system that conserves no energy: nothing is an error.
-pub struct NotConserved;
-
-impl<Z> Observer<Z> for NotConserved {
-    fn observe(&mut self, _: u64, _: f64, _: Z) {}
-}
-
-impl<Z> Drift<Z> for NotConserved {
-    fn largest(&self) -> Option<f64> {
-        None
-    }
 }
 
 /// A trajectory to be printed.
@@ -259,14 +173,14 @@ impl Settings<'_> {
         let rows_out: &mut dyn Write = if instead { &mut nowhere } else { &mut *out };
         let rows = kept.open(rows_out, format, trajectory.columns, false)?;
         let plot = drawn.as_mut();
-        let printer = Printer { row: trajectory.row, plot, rows, ended: None };
-        let next = every.get();
-        let mut watch = Watch { drift, printer, every: next, next };
+        let Trajectory { row, method, .. } = *trajectory;
+        let printer = Printer { row, method, plot, rows, ended: None };
+        let mut watch = Watch { drift, printer, every, next: every.get() };
         watch.drift.observe(0, 0.0, trajectory.start);
         let mut z = trajectory.start;
         let before = match before {
             Some((at, progress)) => {
-                watch.next = (at.steps() / next + 1).saturating_mul(next);
+                watch.next = (at.steps() / every + 1).saturating_mul(every.get());
                 // The state at which it stands: it takes no step.
                 z = run.advance(at.steps(), every, &mut ()).map_err(Failure::refused)?;
                 progress
@@ -277,27 +191,7 @@ impl Settings<'_> {
             }
         };
         let measured = summary && watch.drift.largest().is_some();
-        let mut interrupted = false;
-        loop {
-            let steps = run.checkpoint().steps();
-            if watch.printer.ended.is_some() || steps == grid.steps() {
-                break;
-            }
-            interrupted = lookout.interrupts(steps);
-            if interrupted {
-                break;
-            }
-            let until = lookout.next(steps);
-            let end = if measured {
-                run.advance(until, NonZeroU64::MIN, &mut watch)
-            } else {
-                run.advance(until, every, &mut watch.printer)
-            };
-            match end {
-                Ok(end) => z = end,
-                Err(error) => watch.printer.ended = Some(lost(trajectory.method, &error)),
-            }
-        }
+        let interrupted = watch.follow(run.as_mut(), &mut z, grid.steps(), measured, lookout);
         let Watch { drift, printer: Printer { rows, ended, .. }, .. } = watch;
         let steps = run.checkpoint().steps();
         let elapsed = Duration::from_nanos(before.nanoseconds) + begun.elapsed();
@@ -338,14 +232,21 @@ impl Settings<'_> {
             plot.print(&trajectory.title, out)?;
         }
         if summary {
-            let mut summary = Summary::of_cost(steps, evaluations, elapsed);
-            if let Some(energy_error) = energy_error {
-                summary.energy_error(energy_error, trajectory.energy, "");
-            }
-            (trajectory.end_errors)(&mut summary, z);
-            summary.print(err)?;
+            let summary = Summary::of_cost(steps, evaluations, elapsed);
+            trajectory.summary(summary, energy_error, z).print(err)?;
         }
         Ok(())
+    }
+}
+
+impl<Z, const N: usize> Trajectory<'_, Z, N> {
+    /// The summary with the errors of a run that ended with `z`.
+    fn summary(&self, mut summary: Summary, energy_error: Option<f64>, z: Z) -> Summary {
+        if let Some(energy_error) = energy_error {
+            summary.energy_error(energy_error, self.energy, "");
+        }
+        (self.end_errors)(&mut summary, z);
+        summary
     }
 }
 
@@ -362,66 +263,4 @@ fn checkpoint(kept: &Kept<'_>, progress: &Progress, grid: &Grid) -> Result<Check
         *number = *bits;
     }
     Ok(Checkpoint::new(progress.steps, numbers))
-}
-
-/// The failure of a run that ended with an error.
-fn lost(method: &str, error: &Error) -> Failure {
-    crate::commands::unsolved(method, error).unwrap_or_else(|| Failure::refused(error))
-}
-
-/// The failure of a trajectory that overflows.
-fn overflow(steps: u64) -> Failure {
-    Failure::Failed(anyhow::anyhow!(
-        "after {steps} steps the trajectory has left the range of numbers: take a smaller step"
-    ))
-}
-
-/// Prints what it observes until it fails.
-struct Printer<'a, Z, W, const N: usize> {
-    row: &'a dyn Fn(f64, Z) -> [f64; N],
-    plot: Option<&'a mut Plot>,
-    rows: Rows<W, N>,
-    /// Why it stopped before the end.
-    ended: Option<Failure>,
-}
-
-impl<Z, W: Write, const N: usize> Observer<Z> for Printer<'_, Z, W, N> {
-    fn observe(&mut self, n: u64, t: f64, z: Z) {
-        let row = (self.row)(t, z);
-        self.ended = if row.iter().all(|value| value.is_finite()) {
-            if let Some(plot) = &mut self.plot {
-                plot.add(&row);
-            }
-            self.rows.row(row).err().map(Failure::from)
-        } else {
-            Some(overflow(n))
-        };
-    }
-
-    fn is_satisfied(&self) -> bool {
-        self.ended.is_some()
-    }
-}
-
-/// Measures the energy error of every sample, and prints every k-th.
-struct Watch<'a, Z, D, W, const N: usize> {
-    drift: D,
-    printer: Printer<'a, Z, W, N>,
-    every: u64,
-    /// The next sample to be printed.
-    next: u64,
-}
-
-impl<Z: Copy, D: Drift<Z>, W: Write, const N: usize> Observer<Z> for Watch<'_, Z, D, W, N> {
-    fn observe(&mut self, n: u64, t: f64, z: Z) {
-        self.drift.observe(n, t, z);
-        if n == self.next {
-            self.printer.observe(n, t, z);
-            self.next = self.next.saturating_add(self.every);
-        }
-    }
-
-    fn is_satisfied(&self) -> bool {
-        self.printer.ended.is_some()
-    }
 }

@@ -21,8 +21,9 @@ use pendula_output::failure::Failure;
 pub struct Runner {
     method: &'static dyn AnyMethod,
     lanes: &'static dyn InLanes,
-    pendulum: Pendulum,
-    omega0: f64,
+    pub pendulum: Pendulum,
+    /// Angular velocity at the start (rad/s).
+    pub omega0: f64,
     device: Option<&'static OnDevice>,
 }
 

@@ -1,0 +1,224 @@
+//! The rows of a sweep, a batch of runs at a time.
+
+use std::io::{self, Write};
+use std::mem;
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::{Duration, Instant};
+
+use pendula::MethodInfo;
+use pendula_output::failure::Failure;
+use pendula_output::interrupt::{Lookout, unless_interrupted};
+use serde::{Deserialize, Serialize};
+
+use super::largest::Largest;
+use super::runner::{Run, Runner};
+use crate::commands::arguments::part::Part;
+use crate::commands::plot::{Across, Panel, Plot, Target};
+use crate::commands::rows::{RowFormat, Rows};
+use crate::commands::state::Kept;
+use crate::commands::summary::Summary;
+
+/// What a plot shows.
+const PANELS: [Panel; 1] = [Panel::new("largest energy error (J)", &[(4, "")]).logarithmic()];
+
+/// How far a sweep has come, besides the rows printed.
+#[derive(Debug, Default, Deserialize, Serialize)]
+#[serde(deny_unknown_fields)]
+struct Progress {
+    steps: u64,
+    nanoseconds: u64,
+    /// The largest errors, if a summary was asked for.
+    largest: Option<Largest>,
+}
+
+/// What all rows have in common.
+pub struct Printer {
+    pub runner: Runner,
+    pub duration: f64,
+    pub format: RowFormat,
+    pub part: Option<Part>,
+    pub summary: bool,
+    /// Where a plot goes, what is on its x axis, and its title.
+    pub plot: Option<(Target, Across, String)>,
+}
+
+impl Printer {
+    /// Computes and prints a row for each item of `sweep`, a batch at a time, so that memory does
+    /// not limit their number.
+    pub fn print<T: Send + Sync + 'static>(
+        &self,
+        kept: Kept<'_>,
+        [out, err]: [&mut dyn Write; 2],
+        sweep: impl Iterator<Item = T>,
+        compute: impl Fn(&[T], &(dyn Fn(usize, Run) + Sync)) + Clone + Send + 'static,
+        lookout: impl FnOnce() -> Lookout,
+    ) -> Result<(), Failure> {
+        let begun = Instant::now();
+        let (from, mut progress) = kept.resumed::<Progress>()?.unwrap_or_default();
+        let before = Duration::from_nanos(progress.nanoseconds);
+        if self.summary {
+            progress.largest.get_or_insert_default();
+        }
+        // Set the interrupt handler before creating the file.
+        let lookout = lookout();
+        let columns = ["theta0", "dt", "theta", "omega", "energy_error"];
+        let drawn = self.plot.clone();
+        let plot = drawn
+            .map(|(to, across, title)| Plot::over(across, to, &PANELS).map(|plot| (plot, title)));
+        let mut plot = plot.transpose()?;
+        let mut nowhere = io::sink();
+        // A plot on standard output stands there instead of the rows.
+        let instead = plot.as_ref().is_some_and(|(plot, _)| plot.is_in_the_terminal());
+        let rows_out: &mut dyn Write = if instead { &mut nowhere } else { &mut *out };
+        // The header stands in the first part.
+        let headless = self.part.is_some_and(|part| !part.is_first());
+        let mut rows = kept.open(rows_out, self.format, columns, headless)?;
+        let mut sweep = sweep.skip(usize::try_from(from).unwrap_or(usize::MAX));
+        loop {
+            let done = rows.rows();
+            let mut interrupted = lookout.interrupts(done);
+            if !interrupted {
+                let most = usize::try_from(lookout.next(done) - done).unwrap_or(usize::MAX);
+                let items: Vec<T> = sweep.by_ref().take(self.runner.batch().min(most)).collect();
+                if items.is_empty() {
+                    break;
+                }
+                let batch = Batch::new(items);
+                let (work, compute) = (batch.clone(), compute.clone());
+                interrupted = unless_interrupted(
+                    || lookout.interrupts(done),
+                    move || work.complete(&compute),
+                )
+                .is_none();
+                let printed = match self.runner.device_failure() {
+                    Some(failure) => Err(failure),
+                    None => self.add(
+                        &batch.finished(),
+                        &mut progress,
+                        &mut rows,
+                        plot.as_mut().map(|(plot, _)| plot),
+                    ),
+                };
+                if let Err(failure) = printed {
+                    // The rows so far are whole; if the output is what failed, it fails again.
+                    let _ = rows.end().map(|mut destination| destination.flush());
+                    return Err(failure);
+                }
+            }
+            if interrupted {
+                let nanoseconds = (before + begun.elapsed()).as_nanos();
+                progress.nanoseconds = u64::try_from(nanoseconds).unwrap_or(u64::MAX);
+                let of = self.part.map_or_else(String::new, |part| format!(" of part {part}"));
+                let without = if plot.is_some() { ", without their plot" } else { "" };
+                let stands = format!("after {} runs{of}{without}", rows.rows());
+                return Err(kept.leave(rows, &progress, &stands)?);
+            }
+        }
+        let Progress { steps, largest, .. } = progress;
+        let runs = rows.rows();
+        // Before the rows: whoever has them has all that was asked for.
+        if let Some((plot, title)) = &mut plot {
+            plot.write(title)?;
+        }
+        kept.finish(rows)?;
+        if let Some((plot, title)) = plot {
+            plot.print(&title, out)?;
+        }
+        if let Some(part) = self.part.filter(|_| runs == 0) {
+            writeln!(err, "pendula: part {part} is empty: there are fewer runs than parts")?;
+        }
+        if let Some(largest) = largest {
+            self.summary(steps, runs, &largest, before + begun.elapsed()).print(err)?;
+        }
+        Ok(())
+    }
+
+    /// Adds what is printed of these runs to the rows, to the plot and to the summary.
+    fn add<W: Write>(
+        &self,
+        runs: &[Run],
+        progress: &mut Progress,
+        rows: &mut Rows<W, 5>,
+        mut plot: Option<&mut Plot>,
+    ) -> Result<(), Failure> {
+        for run in runs {
+            let row = self.row(run)?;
+            if let Some(plot) = &mut plot {
+                plot.add(&row);
+            }
+            progress.steps += run.grid.steps();
+            if let Some(largest) = &mut progress.largest {
+                largest.include(&self.runner, self.duration, run);
+            }
+            rows.row(row)?;
+        }
+        Ok(())
+    }
+
+    /// What the sweep has cost, and how large its errors are.
+    fn summary(&self, steps: u64, runs: u64, largest: &Largest, elapsed: Duration) -> Summary {
+        let MethodInfo { implicit, force_evaluations, start_evaluations, .. } = self.runner.info();
+        let evaluations = steps * force_evaluations + runs * start_evaluations;
+        // The sweeps of an iteration are not counted in a sweep of runs: one a step is certain.
+        let least = if implicit { "at least " } else { "" };
+        let mut summary = Summary::of_cost(steps, format!("{least}{evaluations}"), elapsed);
+        if let Some(part) = self.part {
+            summary.line("part", part.to_string());
+        }
+        summary.line("runs", runs.to_string());
+        largest.add_to(&mut summary, &self.runner);
+        summary
+    }
+
+    /// The row, if all its numbers are finite.
+    fn row(&self, run: &Run) -> Result<[f64; 5], Failure> {
+        let Run { theta0, grid, end, energy_error } = *run;
+        let dt = grid.step();
+        let row = [theta0, dt, end.theta, end.omega, energy_error];
+        if row.iter().all(|x| x.is_finite()) {
+            return Ok(row);
+        }
+        Err(self.runner.not_solved(run).unwrap_or_else(|| {
+            Failure::Failed(anyhow::anyhow!(
+                "from {theta0:?} rad with Δt = {dt:?} s the trajectory leaves the range of \
+                 numbers: take a smaller step"
+            ))
+        }))
+    }
+}
+
+/// A batch of runs, each in its place once it is finished.
+struct Batch<T> {
+    items: Arc<[T]>,
+    runs: Arc<Mutex<Vec<Option<Run>>>>,
+}
+
+impl<T> Clone for Batch<T> {
+    fn clone(&self) -> Self {
+        Self { items: Arc::clone(&self.items), runs: Arc::clone(&self.runs) }
+    }
+}
+
+impl<T: Send + Sync> Batch<T> {
+    fn new(items: Vec<T>) -> Self {
+        let runs = vec![None; items.len()];
+        Self { items: items.into(), runs: Arc::new(Mutex::new(runs)) }
+    }
+
+    /// Computes the runs.
+    fn complete(&self, compute: &impl Fn(&[T], &(dyn Fn(usize, Run) + Sync))) {
+        compute(&self.items, &|i, run| {
+            let mut runs = self.runs.lock().unwrap_or_else(PoisonError::into_inner);
+            // After an interruption nobody asks for it.
+            if let Some(slot) = runs.get_mut(i) {
+                *slot = Some(run);
+            }
+        });
+    }
+
+    /// The finished runs up to the first that is not.
+    fn finished(&self) -> Vec<Run> {
+        let runs = mem::take(&mut *self.runs.lock().unwrap_or_else(PoisonError::into_inner));
+        runs.into_iter().map_while(|run| run).collect()
+    }
+}
