@@ -58,7 +58,8 @@ def command(source, work):
     made = cargo(work, "strangers-sundials") / "build"
     found = sorted(made.glob("sundials-sys-*/out/include"))[0]
     libraries = [f"-lsundials_{part}" for part in ("arkode", "nvecserial", "core")]
-    built(["gcc", "-w", f"-I{found}", source, "-o", out, f"-L{found.parent / 'lib'}", *libraries, "-lm"])
+    folders = [f"-I{found}", f"-L{found.parent / 'lib'}"]
+    built(["gcc", "-w", source, "-o", out, *folders, *libraries, "-lm"])
     return [out]
 
 

@@ -45,10 +45,10 @@ impl<const S: usize> ImplicitTableau<S> {
     /// The state one step `h` (s) after `z` at time `t` (s), and why it is none if the equations
     /// are not solved: every component, in lanes that of each lane without a solution, is then NaN.
     ///
-    /// The slopes are found by fixed-point iteration from the one at the start of the step, `first`,
-    /// until a sweep changes them by no more than rounding, and by no less than the sweep before or
-    /// not at all (Hairer, Lubich, Wanner, *Geometric Numerical Integration*, Sect. VIII.6), or
-    /// until the `iteration` suffices. It does not converge where the step is too long.
+    /// The slopes are found by fixed-point iteration from the one at the start of the step,
+    /// `first`, until a sweep changes them by no more than rounding, and by no less than the sweep
+    /// before or not at all (Hairer, Lubich, Wanner, *Geometric Numerical Integration*, Sect.
+    /// VIII.6), or until the `iteration` suffices. It does not converge where the step is too long.
     #[inline(always)]
     pub fn attempt<Sys>(
         &self,
