@@ -29,7 +29,7 @@ pub fn root(mut f: impl FnMut(f64) -> Option<f64>, low: f64, high: f64) -> Optio
         }
         let secant = b - at_b * ((b - a) / (at_b - at_a));
         let inside = secant > a.min(b) && secant < a.max(b);
-        let next = if inside { secant } else { 0.5 * (a + b) };
+        let next = if inside { secant } else { a.midpoint(b) };
         let value = number(next)?;
         if (value > 0.0) == (at_b > 0.0) {
             // The same end has stayed twice: halve its value, so that it moves.

@@ -29,12 +29,15 @@ pub trait ForceGradient: Separable {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[doc(hidden)]
 pub struct Processor {
-    /// λ, or h²λ (s²).
+    /// λ, or h²λ, in units of time.
     linear: f64,
-    /// μ, or h⁴μ (s⁴).
+    /// μ, or h⁴μ.
     mixed: f64,
-    /// ν, or h⁴ν (s⁴).
+    /// ν, or h⁴ν.
     cubic: f64,
+    /// The unit of time (s): a power of two near h, so that no power of h overflows. A power of two
+    /// changes no digit.
+    unit: f64,
 }
 
 /// The first four derivatives of the potential V (1/s²) by the angle.
@@ -53,7 +56,7 @@ impl Processor {
 
     /// The processor with the coefficients λ, μ and ν, for the step 1.
     pub const fn new(linear: f64, mixed: f64, cubic: f64) -> Self {
-        Self { linear, mixed, cubic }
+        Self { linear, mixed, cubic, unit: 1.0 }
     }
 
     /// λ, μ and ν.
@@ -65,21 +68,23 @@ impl Processor {
     #[must_use]
     #[inline]
     pub const fn over(self, h: f64) -> Self {
-        let square = h * h;
-        let Self { linear, mixed, cubic } = self;
-        if mixed == 0.0 && cubic == 0.0 {
-            // h⁴ may overflow, and 0 times it be no number.
-            return Self { linear: linear * square, ..self };
-        }
+        // The largest that is no longer than h; of a subnormal h, the smallest normal number.
+        let unit = f64::from_bits(h.to_bits() & f64::INFINITY.to_bits()).max(f64::MIN_POSITIVE);
+        let square = (h / unit) * (h / unit);
+        let Self { linear, mixed, cubic, .. } = self;
         Self {
             linear: linear * square,
             mixed: mixed * (square * square),
             cubic: cubic * (square * square),
+            unit,
         }
     }
 
-    // Each coefficient is the first factor but one in its product: it is 0 where the step is tiny,
-    // and what follows it may overflow.
+    /// The derivatives in units of time.
+    #[inline(always)]
+    fn in_units<N: Number>(&self, v: Derivatives<N>) -> Derivatives<N> {
+        v.map(|v| v * self.unit * self.unit)
+    }
 
     // ANCHOR: processor
     /// θ − Θ = λV' + μV'V'' + 3νω²V'''.
@@ -98,6 +103,7 @@ impl Processor {
     /// θ − Θ and ω − Ω, from the kernel's velocity Ω and the derivatives at its angle.
     #[inline(always)]
     pub fn displacement<N: Number>(&self, v: Derivatives<N>, kernel_omega: N) -> (N, N) {
+        let (v, kernel_omega) = (self.in_units(v), kernel_omega * self.unit);
         let (a, b) = self.stretch(v);
         let mut omega = kernel_omega / (a + 1.0);
         if self.cubic != 0.0 {
@@ -108,13 +114,14 @@ impl Processor {
                 omega = omega - excess / (a + 1.0 + last * 3.0);
             }
         }
-        (self.shift(v, omega), -omega * (a + b * omega * omega))
+        (self.shift(v, omega), -omega * (a + b * omega * omega) / self.unit)
     }
 
     /// Θ − θ and Ω − ω, from the seen velocity ω and the derivatives at any distance from the seen
     /// angle.
     #[inline(always)]
     pub fn inverse<N: Number>(&self, v: impl Fn(N) -> Derivatives<N>, omega: N) -> (N, N) {
+        let (v, omega) = (|by| self.in_units(v(by)), omega * self.unit);
         let mut by = omega.splat(0.0);
         for _ in 0..Self::SWEEPS {
             let here = v(by);
@@ -122,7 +129,7 @@ impl Processor {
             by = by - (by + self.shift(here, omega)) / (a + 1.0 + b * omega * omega * 3.0);
         }
         let (a, b) = self.stretch(v(by));
-        (by, omega * (a + b * omega * omega))
+        (by, omega * (a + b * omega * omega) / self.unit)
     }
     // ANCHOR_END: processor
 }

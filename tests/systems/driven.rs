@@ -355,7 +355,7 @@ fn roots_are_found_to_the_last_bits() {
 /// rounding of itself, and of the latest point.
 ///
 /// Catches: a small step of the secant taken for convergence; bisection of a distance, which takes
-/// a thousand halvings from 1e296 to 1e-61.
+/// a thousand halvings from 1e296 to 1e-61; a middle that is infinite.
 #[test]
 fn a_root_is_found_across_all_decades() {
     for zero in [5e-61, 1e-200, 3.0, 1e-262 * 1.5, 1e280] {
@@ -381,6 +381,10 @@ fn a_root_is_found_across_all_decades() {
     // Subnormal, and between the zeros.
     let step = |x: f64| Some(if x < 2e-323 { -1.0 } else { 1.0 });
     assert!((1.5e-323..2.5e-323).contains(&root(step, -1.0, 1.0).unwrap()));
+    // Where the sum of both ends overflows.
+    let zero = -1.6e308;
+    let step = |x: f64| Some(if x < zero { -1.0 } else { 1.0 });
+    near("the end", root(step, 1e130, f64::MIN).unwrap() / zero, 1.0, 4e-16).unwrap();
 }
 
 /// The secant method's order is 1.6: eight or nine evaluations to sixteen digits, the two ends, one
