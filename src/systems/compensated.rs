@@ -178,12 +178,12 @@ impl<S: ForceGradient<State = Phase> + Hamiltonian> ForceGradient for Compensate
         self.system.force_with_gradient(t, z.phase, c)
     }
 
-    #[inline]
+    #[inline(always)]
     fn processing(&self, z: CompensatedPhase, by: &Processor) -> Phase {
         self.system.processing(z.phase, by)
     }
 
-    #[inline]
+    #[inline(always)]
     fn unprocessing(&self, z: CompensatedPhase, by: &Processor) -> Phase {
         self.system.unprocessing(z.phase, by)
     }
