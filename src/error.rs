@@ -75,8 +75,8 @@ impl fmt::Display for Error {
             Self::StepTooSmall { t, step } => write!(
                 f,
                 "at {t:?} s no step meets the tolerance, down to one of {step:?} s: the motion is \
-                 singular there, or too fast for its numbers; allow a larger tolerance, or choose \
-                 units of time and length in which g and L are nearer to 1"
+                 singular there, or its rate overflows; allow a larger tolerance, or choose units \
+                 of time and length in which g and L are nearer to 1"
             ),
             Self::OutOfSteps { t, limit } => write!(
                 f,

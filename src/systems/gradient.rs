@@ -71,7 +71,8 @@ impl Processor {
     #[must_use]
     #[inline]
     pub const fn over(self, h: f64) -> Self {
-        // The largest that is no longer than h; of a subnormal h, the smallest normal number.
+        // The largest power of two that is no longer than h, whatever its sign; of a subnormal h,
+        // the smallest normal number.
         let unit = f64::from_bits(h.to_bits() & f64::INFINITY.to_bits()).max(f64::MIN_POSITIVE);
         let square = (h / unit) * (h / unit);
         let Self { linear, mixed, cubic, .. } = self;

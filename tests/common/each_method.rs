@@ -82,7 +82,7 @@ pub fn pendulums() -> [Pendulum; 2] {
     [Pendulum::PAPER, Pendulum::new(9.81, 2.5, 0.7).unwrap()]
 }
 
-/// Observes until it has seen so many states.
+/// Keeps the states, and is satisfied with the first `N`.
 #[derive(Clone, Default)]
 pub struct First<const N: usize>(pub Vec<Phase>);
 

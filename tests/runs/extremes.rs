@@ -7,10 +7,13 @@ use pendula::exact::{Swing, period};
 use pendula::metrics::EnergyDrift;
 use pendula::{
     AnyMethod, Error, Grid, Hamiltonian, LinearOscillator, METHODS, Motion, MotionKind, Pendulum,
-    Phase,
+    Phase, method_named,
 };
 use proptest::prelude::*;
 use proptest::test_runner::{FileFailurePersistence, RngSeed};
+use rstest::rstest;
+
+use crate::common::{steps, try_integrate};
 
 /// Arguments that every constructor is tested with: zeros of both signs, the smallest and the
 /// largest subnormal, the smallest normal number, ordinary ones, the largest, infinities and NaN.
@@ -378,6 +381,34 @@ fn the_linear_oscillator_is_exact_at_the_edges() {
         assert_eq!(linear.exact(start, 0.0), start);
         let z = linear.exact(start, 1e6);
         assert!(z.theta.is_finite() && z.omega.is_finite());
+    }
+}
+
+/// A processor has powers of the step up to the fourth, which overflows for 1e144 s and underflows
+/// for 1e-146 s. In other units of time, powers of two, the run in seconds is the same to the bit.
+/// The fast run differs by rounding: it measures time in steps, where their unit is within range.
+///
+/// Catches: a power of a step that overflows or vanishes on its way into a state.
+#[rstest]
+#[case::processed_4("processed-4")]
+#[case::processed_6("processed-6")]
+fn a_processor_takes_steps_of_any_length(#[case] name: &str) {
+    let method = method_named(name).unwrap();
+    let end = |scale: f64| {
+        let pendulum = Pendulum::new(9.81 * scale * scale, 1.0, 1.0).unwrap();
+        let start = Phase { theta: 1.0, omega: 0.5 * scale };
+        let grid = Grid::new(0.1 / scale, 20).unwrap();
+        let seconds = try_integrate(&pendulum, steps(method), start, &grid, &mut ()).unwrap();
+        let fast = method.run(&pendulum, start, &grid, &mut ());
+        [seconds, fast].map(|z| (z.theta, z.omega / scale))
+    };
+    let [right, _] = end(1.0);
+    for power in [-240, -130, 0, 130, 240] {
+        let [seconds, fast] = end(4.0_f64.powi(power));
+        assert_eq!(seconds, right, "units of 4^{power}");
+        let off = (fast.0 - right.0).abs().max((fast.1 - right.1).abs());
+        // In each of 20 steps four roundings of numbers below 4, by at most 2 ε each.
+        assert!(off < 20.0 * 4.0 * 2.0 * f64::EPSILON, "{fast:?} in units of 4^{power}");
     }
 }
 
