@@ -20,11 +20,11 @@ pub fn usable() -> Vec<Device> {
     }
 }
 
-/// Starts of each kind, 4096 in all.
+/// Starts of each kind, 1024 in all.
 fn starts() -> Vec<Phase> {
     let mut starts = Vec::new();
-    for i in 0..1024 {
-        let part = f64::from(i) / 1023.0;
+    for i in 0..256 {
+        let part = f64::from(i) / 255.0;
         // Swings, from tiny ones on; rotations of both senses; beside the separatrix; many turns
         // away.
         starts.push(Phase::at_rest(3.1 * part + 1e-9));

@@ -3,7 +3,6 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::f64::consts::PI;
-use std::sync::{LazyLock, OnceLock};
 
 use pendula::{METHODS, Pendulum, exact};
 use pendula_study::experiments::choosing::Cell;
@@ -11,21 +10,18 @@ use pendula_study::report::figures::figures;
 use roxmltree::{Document, Node};
 use rstest::rstest;
 
-use crate::STUDY;
 use crate::choosing::MAP;
 use crate::drawing::Kind::{self, Dots, Line, Marker};
 use crate::drawing::{
     DOT, Drawing, LINE, Label, Look, MARKED, PLACE, Panel, Point, Squares, dense, strokes, text,
 };
 use crate::expected::*;
+use crate::snapshots::made;
 
-/// The figures, each drawn once for all tests.
-static DRAWN: LazyLock<BTreeMap<&str, OnceLock<String>>> =
-    LazyLock::new(|| figures().map(|figure| (figure.name, OnceLock::new())).collect());
-
+/// The drawing of a figure of the book.
 fn svg(name: &str) -> &'static str {
-    let figure = figures().find(|figure| figure.name == name).expect("a figure");
-    DRAWN[name].get_or_init(|| figure.svg(&STUDY))
+    let (_, figure) = made(name).content().split_once("<figure>\n").expect("a figure");
+    figure.split_once("<figcaption>").expect("a caption").0
 }
 
 impl Drawing {

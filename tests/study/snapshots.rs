@@ -4,10 +4,10 @@
 use std::fs;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::path::{Path, PathBuf};
-use std::sync::LazyLock;
+use std::sync::{LazyLock, OnceLock};
 
 use insta::internals::Content;
-use pendula_study::report::snapshots::{Kind, RECORDED, Recipe, recipes};
+use pendula_study::report::snapshots::{Kind, RECORDED, Recipe, Snapshot, recipes};
 use pendula_study::report::table::Table;
 use rstest::rstest;
 
@@ -20,6 +20,14 @@ static RECIPES: LazyLock<Vec<Recipe<'static>>> = LazyLock::new(|| {
     all.sort_by_key(|recipe| recipe.kind);
     all
 });
+
+/// The snapshot `name` as the code makes it now, once for all tests.
+pub fn made(name: &str) -> &'static Snapshot {
+    static MADE: LazyLock<Vec<OnceLock<Snapshot>>> =
+        LazyLock::new(|| RECIPES.iter().map(|_| OnceLock::new()).collect());
+    let index = RECIPES.iter().position(|recipe| recipe.name == name).expect("a recipe");
+    MADE[index].get_or_init(|| RECIPES[index].make())
+}
 
 /// A row for each result: its name and the hash of its bits. `.ci/processors` compares these rows
 /// with what other processors compute.
@@ -52,8 +60,7 @@ fn chapters(stem: &str) -> Vec<String> {
 /// it stands is above the difference that insta prints, and below it how to see all that moved on
 /// one page.
 fn assert_reviewed(name: &str) {
-    let recipe = RECIPES.iter().find(|recipe| recipe.name == name).expect("a recipe");
-    let snapshot = recipe.make();
+    let snapshot = made(name);
     let stem = snapshot.kind.file_stem(&snapshot.name);
     let chapters = chapters(&stem).into_iter().map(Content::from).collect();
     let info = vec![(Content::from("chapters"), Content::Seq(chapters))];

@@ -150,10 +150,7 @@ fn rounding_errors_grow_as_the_square_root_of_time(#[values(0.01, 0.001)] h: f64
 /// squared, a biased rounding.
 #[test]
 fn the_walks_of_the_figure_move_as_the_square_root() {
-    let pendulum = Pendulum::PAPER;
-    let x = pendulum.small_angle_frequency() * rounding_walk::STEP;
-    let walks = rounding_walk::walks(|z| modified_energy(&pendulum, x, z));
-    let growth = rounding_walk::growth(&walks);
+    let growth = rounding_walk::growth(rounding_walk::walks());
     let size = |(n, movement): (u64, f64)| movement / (f64::EPSILON * (n as f64).sqrt());
     assert_eq!(growth[0].0, rounding_walk::SAMPLED);
     for point in &growth {

@@ -9,7 +9,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use anyhow::{Result, anyhow};
-use pendula_study::claims::Measured;
+use pendula_study::claims::{Claim, Measured};
 use pendula_study::experiments::Study;
 
 use crate::progress::Progress;
@@ -64,6 +64,11 @@ impl Paper {
     pub fn new(study: Study) -> Self {
         let ledger = pendula_study::claims::Ledger::new(&study);
         Self(Arc::new((study, ledger)))
+    }
+
+    /// Its claims.
+    pub fn claims(&self) -> &[Claim] {
+        self.0.1.claims()
     }
 }
 

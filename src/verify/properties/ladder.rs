@@ -50,7 +50,8 @@ impl Ladder {
         let firsts = (0..).map(|k| rung(shortest, factor, k));
         let first =
             firsts.take_while(|n| *n < 65_536).find(|n| largest_error(method, *n) < asymptotic);
-        let rungs = [0, 1, 2, 3, 4].map(|k| rung(first.unwrap_or(65_536) as f64, factor, k));
+        // Errors that never are so small do not fall at the order: any rungs show that.
+        let rungs = [0, 1, 2, 3, 4].map(|k| rung(first.unwrap_or(4096) as f64, factor, k));
         let steps = rungs.map(|n| DURATION / n as f64);
         let window = |k: usize| {
             if entry.order > 8 {

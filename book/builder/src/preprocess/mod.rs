@@ -40,18 +40,19 @@ pub fn supports(renderer: &str) -> bool {
     renderer == "html"
 }
 
-/// Reads a book as mdBook sends it, and writes it preprocessed to `out`.
+/// Reads a book as mdBook sends it, and writes it preprocessed to `out`, with the values of the
+/// ledger, which is asked for when it is a book.
 ///
 /// # Errors
 /// If that is no book, or something is wrong with it.
-pub fn protocol(
-    ledger: impl Ledger + 'static,
+pub fn protocol<L: Ledger + 'static>(
+    ledger: impl FnOnce() -> L,
     input: impl Read,
     out: &mut dyn Write,
 ) -> Result<()> {
     let (context, book) =
         parse_input(input).context("mdBook sends [context, book] as JSON on standard input")?;
-    let book = Pendula::new(ledger, Progress::hidden()).run(&context, book)?;
+    let book = Pendula::new(ledger(), Progress::hidden()).run(&context, book)?;
     serde_json::to_writer(out, &book).context("the book cannot be written")
 }
 

@@ -6,7 +6,7 @@ use std::path::Path;
 use pendula::methods::METHODS;
 use regex::Regex;
 
-use crate::claims::LEDGER;
+use crate::claims::PAPER;
 
 /// The chapters, by file name, with their texts.
 pub fn chapters() -> Vec<(String, String)> {
@@ -293,7 +293,7 @@ fn the_rows_of_a_table_are_as_wide_as_its_head() {
 /// Catches: a number of claims that was true once.
 #[test]
 fn claims_are_counted_as_in_the_ledger() {
-    let of_the_paper = LEDGER.claims().iter().filter(|claim| claim.is_of_the_paper()).count();
+    let of_the_paper = PAPER.claims().iter().filter(|claim| claim.is_of_the_paper()).count();
     let counted = Regex::new(r"(\d+)\s+(?:of\s+its\s+)?claims\b").unwrap();
     for (name, chapter) in chapters() {
         for found in counted.captures_iter(&prose(&chapter)) {

@@ -6,7 +6,7 @@ use std::path::Path;
 use std::sync::LazyLock;
 
 use pendula_book::ledger::{Ledger as _, Paper};
-use pendula_study::claims::{Claim, ClaimKind, Ledger};
+use pendula_study::claims::{Claim, ClaimKind};
 use pendula_study::experiments::Study;
 use regex::Regex;
 use tl::{HTMLTag, ParserOptions, VDom};
@@ -16,9 +16,7 @@ use crate::chapters::chapters;
 
 const PAGE: &str = "appendix-claims.html";
 
-pub static STUDY: LazyLock<Study> = LazyLock::new(Study::of_the_paper);
-pub static PAPER: LazyLock<Paper> = LazyLock::new(|| Paper::new(STUDY.clone()));
-pub static LEDGER: LazyLock<Ledger> = LazyLock::new(|| Ledger::new(&STUDY));
+pub static PAPER: LazyLock<Paper> = LazyLock::new(|| Paper::new(Study::of_the_paper()));
 
 /// What `select` finds on a page.
 fn each<'d>(page: &'d VDom<'d>, select: &'d str) -> impl Iterator<Item = &'d HTMLTag<'d>> {
@@ -55,11 +53,11 @@ fn the_summary_counts_what_the_ledger_has() {
         let counted = |claim: &&Claim| {
             claim.kind() == kind && judged.is_none_or(|name| claim.judged().to_string() == name)
         };
-        LEDGER.claims().iter().filter(counted).count()
+        PAPER.claims().iter().filter(counted).count()
     };
     let both = |a: usize, b: usize| [a, b, a + b];
     let printed = |judged| both(count(ClaimKind::Cell, judged), count(ClaimKind::Sentence, judged));
-    let of_the_paper = LEDGER.claims().iter().filter(|claim| claim.is_of_the_paper());
+    let of_the_paper = PAPER.claims().iter().filter(|claim| claim.is_of_the_paper());
     let verdicts: BTreeSet<String> =
         of_the_paper.clone().map(|claim| claim.judged().to_string()).collect();
     let mut expected: BTreeMap<String, [usize; 3]> =
@@ -89,7 +87,7 @@ fn each_claim_has_a_row_with_what_filters_need() {
         Some((part, _)) => part.to_string(),
         None => id[..1].to_string(),
     };
-    let claims = LEDGER.claims().iter().map(|claim| {
+    let claims = PAPER.claims().iter().map(|claim| {
         let slug = claim.judged().to_string().replace(' ', "-");
         (claim.id.clone(), [claim.kind().to_string(), part(&claim.id), slug])
     });
@@ -140,7 +138,7 @@ fn nothing_waits_for_a_script() {
     for dead in ["hidden", "<form", "<select", "<button", "display: none"] {
         assert!(!main.contains(dead), "{dead}");
     }
-    assert_eq!(main.matches("<tr id=").count(), LEDGER.claims().len());
+    assert_eq!(main.matches("<tr id=").count(), PAPER.claims().len());
 }
 
 /// Catches: an adapter that mixes up what is stated and what is measured, or fills gaps with a

@@ -3,6 +3,8 @@
 use std::fs;
 use std::process::{Command, Output};
 
+use crate::call::PENDULA;
+
 /// Catches: a book that is not where the command says, or not without a word more.
 #[test]
 fn the_book_is_where_the_command_says() {
@@ -17,7 +19,7 @@ fn the_book_is_where_the_command_says() {
         fs::create_dir_all(at(name).parent().unwrap()).unwrap();
         fs::write(at(name), text).unwrap();
     }
-    let mut command = Command::new(env!("CARGO_BIN_EXE_pendula"));
+    let mut command = Command::new(PENDULA);
     let Output { status, stdout, stderr } =
         command.arg("book").current_dir(at("book/src")).output().unwrap();
     let printed = String::from_utf8(stdout).unwrap();

@@ -4,7 +4,8 @@
 use std::fs;
 use std::io::Read;
 use std::path::Path;
-use std::process::{Command, Output, Stdio};
+use std::process::{Command, Stdio};
+use std::sync::LazyLock;
 
 use pendula::adaptive::{Adaptive, TaylorSeries, Tolerance};
 use pendula::methods::{Dop853, Rk4, StormerVerlet};
@@ -16,44 +17,16 @@ use pendula::{
 use pendula_study::claims::Verdict;
 use serde_json::Value;
 
+use crate::call::{PENDULA, assert_refused, json, names, numbers, pendula, printed, shell, words};
 use crate::ledger::LEDGER;
-
-pub fn pendula(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_pendula")).args(arguments).output().expect("it starts")
-}
-
-pub fn printed(arguments: &[&str]) -> String {
-    let output = pendula(arguments);
-    assert!(output.status.success(), "{arguments:?}: {output:?}");
-    String::from_utf8(output.stdout).expect("UTF-8")
-}
-
-pub fn json(arguments: &[&str]) -> Value {
-    serde_json::from_str(&printed(arguments)).expect("JSON")
-}
 
 /// The exit status of a request that was valid, but failed.
 const FAILED: i32 = 2;
 
-/// One line on standard error, nothing on standard output, exit status 2.
-pub fn assert_refused(arguments: &[&str], because: &str) {
-    let output = pendula(arguments);
-    let message = String::from_utf8(output.stderr).expect("UTF-8");
-    assert_eq!(output.status.code(), Some(2), "{arguments:?}: {message}");
-    assert_eq!(message.lines().count(), 1, "{message}");
-    assert!(message.contains(because), "{message}");
-    assert!(output.stdout.is_empty());
-}
-
-pub fn numbers(csv: &str) -> Vec<Vec<f64>> {
-    let rows = csv.lines().skip(1);
-    rows.map(|row| row.split(',').map(|field| field.parse().expect("a number")).collect()).collect()
-}
-
 const RUN: [&str; 7] = ["simulate", "--method", "stormer-verlet", "--theta0", "1", "--dt", "0.01"];
 
 fn run_with<'a>(more: &[&'a str]) -> Vec<&'a str> {
-    RUN.iter().copied().chain(more.iter().copied()).collect()
+    [&RUN[..], more].concat()
 }
 
 /// Catches: numbers that parse to their neighbours, another energy than Eq. 3, accumulated time, a
@@ -144,17 +117,8 @@ fn a_sweep_takes_the_pendulum_it_is_given() {
 }
 
 fn adaptive<'a>(theta0: &'a str, duration: &'a str, tolerance: &'a str) -> [&'a str; 9] {
-    [
-        "simulate",
-        "--method",
-        "dop853",
-        "--theta0",
-        theta0,
-        "--duration",
-        duration,
-        "--tolerance",
-        tolerance,
-    ]
+    let [a, b, c] = ["--theta0", "--duration", "--tolerance"];
+    ["simulate", "--method", "dop853", a, theta0, b, duration, c, tolerance]
 }
 
 /// Catches: the start or the last step left out, a tolerance or a direction of time that is not
@@ -189,22 +153,9 @@ fn adaptive_prints_what_the_library_computes() {
     }
 }
 
-const DOUBLE: [&str; 11] = [
-    "simulate",
-    "--system",
-    "double-pendulum",
-    "--theta1",
-    "2",
-    "--theta2",
-    "-0.5",
-    "--dt",
-    "0.01",
-    "--omega2",
-    "1.5",
-];
-
 fn double_with<'a>(more: &[&'a str]) -> Vec<&'a str> {
-    DOUBLE.iter().copied().chain(more.iter().copied()).collect()
+    let run = "simulate --system double-pendulum --theta1 2 --theta2 -0.5 --dt 0.01 --omega2 1.5";
+    [&words(run)[..], more].concat()
 }
 
 /// Catches: upper and lower exchanged, momenta printed for velocities, a y that points down, rows
@@ -310,9 +261,8 @@ fn ensemble<'a>(theta0: &'a str, dt: &'a str, duration: &'a str) -> [&'a str; 9]
 
 /// The row of the ensemble, computed from one run of `simulate`.
 fn row_of_one_run(theta0: f64, dt: f64) -> Vec<f64> {
-    let [theta, step] = [theta0, dt].map(|x| x.to_string());
-    let arguments = ["--method", "rk4", "--theta0", &theta, "--dt", &step, "--duration", "10"];
-    let rows = numbers(&printed(&[&["simulate"], &arguments[..]].concat()));
+    let run = format!("simulate --method rk4 --theta0 {theta0} --dt {dt} --duration 10");
+    let rows = numbers(&printed(&words(&run)));
     let energy = |row: &Vec<f64>| Pendulum::PAPER.energy(Phase { theta: row[1], omega: row[2] });
     let largest = rows.iter().map(|row| (energy(row) - energy(&rows[0])).abs()).fold(0.0, f64::max);
     let last = rows.last().unwrap();
@@ -351,10 +301,10 @@ fn a_large_sweep_is_whole_in_its_file() {
     let starts: Vec<f64> = numbers(&text).iter().map(|row| row[0]).collect();
     assert_eq!(starts, (0..=10_000).map(|i| f64::from(i) / 1e4).collect::<Vec<_>>());
 
-    let failing = ["sweep", "--method", "forward-euler", "--theta0", "0:1:5", "--dt", "1e200"];
-    let failing = [&failing[..], &["--duration", "1e201"], &to_file].concat();
-    assert_eq!(pendula(&failing).status.code(), Some(FAILED));
-    assert_eq!(files(folder.path()), ["sweep.csv"]);
+    let failing = "sweep --method forward-euler --theta0 0:1:5 --dt 1e200 --duration 1e201";
+    let failing = [&words(failing)[..], &to_file].concat();
+    assert_eq!(pendula(failing).status.code(), Some(FAILED));
+    assert_eq!(names(folder.path()), ["sweep.csv"]);
     assert_eq!(fs::read_to_string(&path).unwrap(), text);
 }
 
@@ -370,20 +320,19 @@ fn the_book_shows_the_parts_as_they_are_printed() {
     assert_eq!(shown.next(), Some(""));
     let mut parts = 0;
     for (part, rows) in shown.map(|part| part.split_once('\n').unwrap()) {
-        let words = ["sweep", sweep, part].into_iter().flat_map(|words| words.split(' '));
-        assert_eq!(printed(&words.collect::<Vec<_>>()), rows, "{part}");
+        assert_eq!(printed(&words(&format!("sweep {sweep} {part}"))), rows, "{part}");
         parts += 1;
     }
     assert_eq!(parts, 2);
 }
 
-/// In two seconds every method comes to errors that count, ten times over on an idle machine.
+/// In one second every method comes to errors that count, five times over on an idle machine.
 ///
 /// Catches: a method or a scene left out, formats that disagree, missing files.
 #[test]
 fn work_against_precision_is_printed_and_drawn() {
     let folder = tempfile::tempdir().unwrap();
-    let run = ["bench", "--seconds", "2", "--output", folder.path().to_str().unwrap()];
+    let run = ["bench", "--seconds", "1", "--output", folder.path().to_str().unwrap()];
     let rows = json(&[&run[..], &["--format", "json"]].concat());
     let csv = fs::read_to_string(folder.path().join("work-precision.csv")).unwrap();
     let rows = rows.as_array().unwrap();
@@ -399,32 +348,16 @@ fn work_against_precision_is_printed_and_drawn() {
     }
     let svg = fs::read_to_string(folder.path().join("work-precision.svg")).unwrap();
     assert!(METHODS.iter().all(|method| svg.contains(method.info().title)));
-    let mut left = files(folder.path());
-    left.sort();
-    assert_eq!(left, ["work-precision.csv", "work-precision.svg"]);
+    assert_eq!(names(folder.path()), ["work-precision.csv", "work-precision.svg"]);
 }
 
 /// Catches: infinity or NaN printed as if it were a result.
 #[test]
 fn a_trajectory_that_leaves_the_range_of_numbers_is_an_error() {
-    let output = pendula(&[
-        "simulate",
-        "--method",
-        "forward-euler",
-        "--theta0",
-        "1",
-        "--dt",
-        "1e200",
-        "--steps",
-        "9",
-    ]);
+    let run = "simulate --method forward-euler --theta0 1 --dt 1e200 --steps 9";
+    let output = pendula(words(run));
     assert_eq!(output.status.code(), Some(FAILED));
     assert!(String::from_utf8_lossy(&output.stderr).contains("smaller step"));
-}
-
-fn files(folder: &Path) -> Vec<String> {
-    let entries = fs::read_dir(folder).unwrap();
-    entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect()
 }
 
 /// Catches: a file that differs from standard output, a temporary file left beside it, an old file
@@ -437,7 +370,7 @@ fn output_appears_whole_in_its_file() {
     let arguments = ["--steps", "50", "--output", path.to_str().unwrap()];
     assert_eq!(printed(&run_with(&arguments)), "");
     assert_eq!(fs::read_to_string(&path).unwrap(), printed(&run_with(&["--steps", "50"])));
-    assert_eq!(files(folder.path()), ["run.csv"]);
+    assert_eq!(names(folder.path()), ["run.csv"]);
 }
 
 /// Catches: a half-written file, or an old one destroyed, by a request that is refused or fails.
@@ -448,15 +381,14 @@ fn a_request_that_fails_leaves_files_alone() {
     fs::write(&path, "old").unwrap();
     let path = path.to_str().unwrap();
     assert_refused(&run_with(&["--duration", "0.015", "--output", path]), "whole number");
-    let run = ["simulate", "--method", "rk4", "--theta0", "1", "--dt", "1e200", "--steps", "9"];
-    let run: Vec<&str> = run.iter().copied().chain(["--output", path]).collect();
-    assert_eq!(pendula(&run).status.code(), Some(FAILED));
+    let run = words("simulate --method rk4 --theta0 1 --dt 1e200 --steps 9 --output");
+    assert_eq!(pendula([&run[..], &[path]].concat()).status.code(), Some(FAILED));
     assert_refused(&run_with(&["--steps", "1", "--output", "/no/such/folder/x.csv"]), "--output");
     assert_refused(
         &run_with(&["--steps", "1", "--output", folder.path().to_str().unwrap()]),
         "--output",
     );
-    assert_eq!(files(folder.path()), ["run.csv"]);
+    assert_eq!(names(folder.path()), ["run.csv"]);
     assert_eq!(fs::read_to_string(path).unwrap(), "old");
 }
 
@@ -467,33 +399,27 @@ fn a_step_whose_equations_are_not_solved_is_refused() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("run.csv");
     for method in ["implicit-midpoint", "gauss-4", "gauss-6", "gauss-16"] {
-        let simulate =
-            ["simulate", "--method", method, "--theta0", "1", "--dt", "5", "--duration", "20"];
-        let ensemble =
-            ["sweep", "--method", method, "--theta0", "1:2:3", "--dt", "5", "--duration", "20"];
-        for run in [&simulate[..], &ensemble[..]] {
-            let run = [run, &["--output", path.to_str().unwrap()]].concat();
+        for run in ["simulate --theta0 1", "sweep --theta0 1:2:3"] {
+            let run = format!("{run} --dt 5 --duration 20 --method {method} --output");
+            let run = [&words(&run)[..], &[path.to_str().unwrap()]].concat();
             let refused = format!("a step of 5.0 s is refused: the iteration of {method}");
             assert_refused(&run, &refused);
-            assert!(files(folder.path()).is_empty());
+            assert!(names(folder.path()).is_empty());
         }
     }
-    let short = ["--method", "gauss-4", "--theta0", "1", "--dt", "0.1", "--steps", "5"];
-    assert!(!printed(&[&["simulate"], &short[..]].concat()).contains("NaN"));
+    let short = "simulate --method gauss-4 --theta0 1 --dt 0.1 --steps 5";
+    assert!(!printed(&words(short)).contains("NaN"));
 }
 
 /// Catches: `pendula simulate … | head` that complains about the closed pipe, or continues to
 /// compute for hours.
 #[test]
 fn a_closed_pipe_ends_it_quietly() {
-    let program = env!("CARGO_BIN_EXE_pendula");
     let mut run = if cfg!(unix) {
         // A run that goes on is killed after 20 s of the processor's time, and so fails.
-        let mut shell = Command::new("sh");
-        shell.args(["-c", "ulimit -t 20; exec \"$0\" \"$@\"", program]);
-        shell
+        shell("ulimit -t 20; exec \"$0\" \"$@\"")
     } else {
-        Command::new(program)
+        Command::new(PENDULA)
     };
     let mut run = run
         .args(run_with(&["--steps", "1000000000000"]))
@@ -531,7 +457,7 @@ fn exact_refuses_a_time_beyond_its_digits() {
     for t in ["1e300", "-1e300", "1.7976931348623157e308", "-inf", "nan"] {
         let arguments = ["exact", "--theta0", "3", "--t", t];
         assert_refused(&arguments, &limit);
-        let line = String::from_utf8(pendula(&arguments).stderr).unwrap();
+        let line = String::from_utf8(pendula(arguments).stderr).unwrap();
         assert!(line.len() < 250, "{line}");
     }
     let at_limit = format!("-{horizon:?},{horizon:?}");
@@ -593,6 +519,9 @@ fn tables_have_every_cell_in_every_format() {
     assert!(text.starts_with("Table 4\n") && text.contains("2.33759 × 10⁻⁷"), "{text}");
 }
 
+/// All claims, as they are printed.
+static CLAIMS: LazyLock<Value> = LazyLock::new(|| json(&["paper", "claims", "--format", "json"]));
+
 /// Catches: claims lost on the way to the terminal, Markdown in it, a count that does not add up.
 #[test]
 fn claims_are_counted_by_verdict() {
@@ -602,9 +531,9 @@ fn claims_are_counted_by_verdict() {
     let (total, counts) = summary.split_once(" claims: ").expect("a summary");
     let number = |words: &str| words.split(' ').next().unwrap().parse::<u32>().unwrap();
     assert_eq!(number(total), counts.split(", ").map(number).sum::<u32>());
-    let claims = json(&["paper", "claims", "--format", "json"]);
-    assert_eq!(claims.as_array().unwrap().len() as u32, number(total) + number(readings));
-    let of_kind = |kind| claims.as_array().unwrap().iter().filter(|c| c["kind"] == kind).count();
+    let claims = CLAIMS.as_array().unwrap();
+    assert_eq!(claims.len() as u32, number(total) + number(readings));
+    let of_kind = |kind| claims.iter().filter(|claim| claim["kind"] == kind).count();
     assert_eq!(of_kind("reading") as u32, number(readings));
     assert_eq!((of_kind("cell") + of_kind("sentence")) as u32, number(total));
 }
@@ -615,8 +544,7 @@ fn claims_are_counted_by_verdict() {
 /// place.
 #[test]
 fn every_claim_is_upheld() {
-    let printed = json(&["paper", "claims", "--format", "json"]);
-    let printed = printed.as_array().unwrap();
+    let printed = CLAIMS.as_array().unwrap();
     let stated: Vec<_> =
         LEDGER.claims().iter().filter(|claim| claim.verdict != Verdict::NotStated).collect();
     assert_eq!(printed.len(), stated.len());

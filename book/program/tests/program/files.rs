@@ -8,13 +8,14 @@ use std::process::{Command, Output};
 
 use tempfile::TempDir;
 
+use crate::call::{PENDULA, names, refused, shell, words};
+
 const RUN: [&str; 9] =
     ["simulate", "--method", "rk4", "--theta0", "1", "--dt", "0.01", "--steps", "1000"];
 
 /// What `pendula simulate` does with the file.
 fn simulate(file: &Path) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_pendula"));
-    command.args(RUN).arg("--output").arg(file).output().unwrap()
+    Command::new(PENDULA).args(RUN).arg("--output").arg(file).output().unwrap()
 }
 
 #[track_caller]
@@ -22,26 +23,10 @@ fn succeeds(output: &Output) {
     assert!(output.status.success() && output.stderr.is_empty(), "{output:?}");
 }
 
-/// It ends with status 2 and one line, which it returns.
-#[track_caller]
-fn fails(output: &Output) -> String {
-    let error = String::from_utf8(output.stderr.clone()).unwrap();
-    assert_eq!((output.status.code(), error.lines().count()), (Some(2), 1), "{output:?}");
-    error
-}
-
 fn folder() -> (TempDir, impl Fn(&str) -> PathBuf) {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().to_path_buf();
     (folder, move |name: &str| path.join(name))
-}
-
-fn names(folder: &TempDir) -> Vec<String> {
-    let entries = fs::read_dir(folder.path()).unwrap();
-    let mut names: Vec<String> =
-        entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
-    names.sort();
-    names
 }
 
 /// Catches: a private file that becomes readable by all, one for a group that becomes private, and
@@ -61,20 +46,19 @@ fn a_file_keeps_its_permissions() {
         );
         assert!(after.len() > 3);
     }
-    let mut shell = Command::new("sh");
-    shell.args(["-c", "umask 027; \"$0\" \"$@\"", env!("CARGO_BIN_EXE_pendula")]).args(RUN);
-    succeeds(&shell.arg("--output").arg(at("b.csv")).output().unwrap());
+    let mut masked = shell("umask 027; \"$0\" \"$@\"");
+    succeeds(&masked.args(RUN).arg("--output").arg(at("b.csv")).output().unwrap());
     assert_eq!(fs::metadata(at("b.csv")).unwrap().mode() & 0o777, 0o640);
-    assert_eq!(names(&folder), ["a.csv", "b.csv"]);
+    assert_eq!(names(folder.path()), ["a.csv", "b.csv"]);
 }
 
 /// Catches: a file made where a folder is named that is not there.
 #[test]
 fn a_name_with_a_separator_at_its_end_is_no_file() {
     let (folder, at) = folder();
-    let line = fails(&simulate(&at("new/")));
+    let line = refused(&simulate(&at("new/")));
     assert!(line.contains("new/: cannot be written: it names a folder"), "{line}");
-    assert_eq!(names(&folder), [""; 0]);
+    assert_eq!(names(folder.path()), [""; 0]);
 }
 
 /// Catches: a file that its owner has made read-only, replaced because its folder may be written.
@@ -83,10 +67,10 @@ fn a_read_only_file_is_refused() {
     let (folder, at) = folder();
     fs::write(at("a.csv"), "old").unwrap();
     fs::set_permissions(at("a.csv"), Permissions::from_mode(0o444)).unwrap();
-    let line = fails(&simulate(&at("a.csv")));
+    let line = refused(&simulate(&at("a.csv")));
     assert!(line.contains("a.csv: cannot be written: it is read-only"), "{line}");
     assert_eq!(fs::read(at("a.csv")).unwrap(), b"old");
-    assert_eq!(names(&folder), ["a.csv"]);
+    assert_eq!(names(folder.path()), ["a.csv"]);
 }
 
 /// Catches: a link replaced by a file, whether it leads to a file, to none yet, or nowhere.
@@ -112,13 +96,16 @@ fn a_link_keeps_leading_where_it_leads() {
     let [old, new] = ["results/old.csv", "results/new.csv"].map(|name| fs::read(at(name)).unwrap());
     assert!(old == new && old.len() > 1000);
     for link in ["round", "nowhere"] {
-        let line = fails(&simulate(&at(link)));
+        let line = refused(&simulate(&at(link)));
         assert!(line.contains(link) && line.contains("cannot be written"), "{line}");
     }
     for link in ["old", "new", "over", "round", "about", "nowhere"] {
         assert!(fs::symlink_metadata(at(link)).unwrap().is_symlink(), "{link}");
     }
-    assert_eq!(names(&folder), ["about", "new", "nowhere", "old", "over", "results", "round"]);
+    assert_eq!(
+        names(folder.path()),
+        ["about", "new", "nowhere", "old", "over", "results", "round"]
+    );
     assert_eq!(fs::read_dir(at("results")).unwrap().count(), 2);
 }
 
@@ -129,18 +116,16 @@ fn a_file_that_grows_too_large_is_told() {
     let (folder, at) = folder();
     fs::write(at("a.csv"), "old").unwrap();
     let limited = |redirect: &str| {
-        let script = format!("ulimit -f 4; exec \"$0\" \"$@\" {redirect}");
-        let mut shell = Command::new("sh");
-        shell.args(["-c", &script, env!("CARGO_BIN_EXE_pendula")]).args(RUN);
-        shell.current_dir(folder.path());
-        shell
+        let mut limited = shell(&format!("ulimit -f 4; exec \"$0\" \"$@\" {redirect}"));
+        limited.args(RUN).current_dir(folder.path());
+        limited
     };
-    let line = fails(&limited("").args(["--output", "a.csv"]).output().unwrap());
+    let line = refused(&limited("").args(["--output", "a.csv"]).output().unwrap());
     assert!(line.contains("a.csv cannot be written: File too large"), "{line}");
     assert_eq!(fs::read(at("a.csv")).unwrap(), b"old");
-    let line = fails(&limited("> b.csv").output().unwrap());
+    let line = refused(&limited("> b.csv").output().unwrap());
     assert!(line.contains("standard output cannot be written: File too large"), "{line}");
-    assert_eq!(names(&folder), ["a.csv", "b.csv"]);
+    assert_eq!(names(folder.path()), ["a.csv", "b.csv"]);
 }
 
 /// Catches: rows lost on a full disk with status 0, or with a line that does not say where.
@@ -149,11 +134,10 @@ fn a_full_disk_is_told() {
     if !Path::new("/dev/full").exists() {
         return;
     }
-    let line = fails(&simulate(Path::new("/dev/full")));
+    let line = refused(&simulate(Path::new("/dev/full")));
     assert!(line.contains("/dev/full cannot be written: No space left"), "{line}");
-    let mut shell = Command::new("sh");
-    shell.args(["-c", "exec \"$0\" \"$@\" > /dev/full", env!("CARGO_BIN_EXE_pendula")]).args(RUN);
-    let line = fails(&shell.output().unwrap());
+    let mut full = shell("exec \"$0\" \"$@\" > /dev/full");
+    let line = refused(&full.args(RUN).output().unwrap());
     assert!(line.contains("standard output cannot be written: No space left"), "{line}");
 }
 
@@ -161,11 +145,11 @@ fn a_full_disk_is_told() {
 #[test]
 fn a_folder_that_is_not_there_is_named() {
     let (folder, at) = folder();
-    let line = fails(&simulate(&at("no/such/x.csv")));
+    let line = refused(&simulate(&at("no/such/x.csv")));
     let missing = format!("there is no folder {}", at("no/such").display());
     assert!(line.contains("x.csv: cannot be written: ") && line.contains(&missing), "{line}");
     assert!(!line.contains(".pendula-"), "{line}");
-    assert!(names(&folder).is_empty());
+    assert!(names(folder.path()).is_empty());
 }
 
 /// Also through a link, and for a picture.
@@ -181,11 +165,11 @@ fn two_outputs_of_one_name_are_refused() {
         "sweep --method rk4 --theta0 0:1:9 --dt 0.1 --duration 1 --output link --plot ./x",
         "sweep flips --size 4 --duration 1 --output x --picture x",
     ] {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_pendula"));
-        let output = command.args(line.split(' ')).current_dir(folder.path()).output().unwrap();
-        assert!(fails(&output).contains("it is being written already"), "{output:?}");
+        let mut command = Command::new(PENDULA);
+        let output = command.args(words(line)).current_dir(folder.path()).output().unwrap();
+        assert!(refused(&output).contains("it is being written already"), "{output:?}");
         assert_eq!(fs::read(at("x")).unwrap(), b"old");
-        assert_eq!(names(&folder), ["link", "x"]);
+        assert_eq!(names(folder.path()), ["link", "x"]);
     }
 }
 
@@ -199,10 +183,10 @@ fn what_a_killed_run_has_left_is_removed() {
     fs::write(at(".pendula-a.csv-b-AbCdEf"), "of a.csv-b").unwrap();
     let writer = File::open(&left).unwrap();
     writer.lock().unwrap();
-    let line = fails(&simulate(&at("a.csv")));
+    let line = refused(&simulate(&at("a.csv")));
     assert!(line.contains("a.csv: cannot be written: it is being written already"), "{line}");
     // Not by its end alone: a process that another test is just starting has it open too.
     writer.unlock().unwrap();
     succeeds(&simulate(&at("a.csv")));
-    assert_eq!(names(&folder), [".pendula-a.csv-b-AbCdEf", "a.csv"]);
+    assert_eq!(names(folder.path()), [".pendula-a.csv-b-AbCdEf", "a.csv"]);
 }

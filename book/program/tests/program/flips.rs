@@ -13,7 +13,7 @@ use pendula::methods::table::RK4_IN_LANES;
 use pendula::systems::{DoublePhase, Joint};
 use pendula::{DoublePendulum, Grid, Rk4, integrate};
 
-use crate::commands::{assert_refused, printed};
+use crate::call::{assert_refused, printed};
 use crate::long_runs::interrupted;
 
 /// The dots of a picture, row after row from the top: red, green, blue, opacity.

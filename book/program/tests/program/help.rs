@@ -6,7 +6,7 @@ use std::process::{Command, Output};
 use pendula_program::cli;
 use tempfile::TempDir;
 
-use crate::commands::{assert_refused, printed};
+use crate::call::{PENDULA, assert_refused, printed};
 
 /// The examples in the help of each command, by its name: `verify`, `paper tables`.
 fn examples() -> Vec<(String, Vec<String>)> {
@@ -61,7 +61,7 @@ pub fn project() -> TempDir {
 #[cfg(unix)]
 fn every_example_runs() {
     let folder = project();
-    let program = std::path::Path::new(env!("CARGO_BIN_EXE_pendula")).parent().unwrap();
+    let program = std::path::Path::new(PENDULA).parent().unwrap();
     let path = std::env::join_paths(
         [program.to_path_buf()]
             .into_iter()
@@ -153,7 +153,7 @@ fn completions_and_pages_have_every_command() {
 /// What a command prints and says, with these variables of the environment and no others that are
 /// about colour.
 fn with(variables: &[(&str, &str)], arguments: &[&str]) -> [String; 2] {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_pendula"));
+    let mut command = Command::new(PENDULA);
     for name in ["NO_COLOR", "CLICOLOR", "CLICOLOR_FORCE"] {
         command.env_remove(name);
     }
@@ -172,7 +172,7 @@ fn colour_is_for_terminals() {
         (&["methods"][..], true),
         (&["paper", "tables", "--table", "4"], true),
         (&["exact", "--help"], true),
-        (&["verify", "--", env!("CARGO_BIN_EXE_pendula"), "serve", "heun"], true),
+        (&["verify", "--", PENDULA, "serve", "heun"], true),
         (&["exact", "--theta0", "x"], true),
         (&["paper", "tables", "--table", "4", "--format", "csv"], false),
         (&["methods", "--format", "csv"], false),

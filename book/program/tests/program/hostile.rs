@@ -13,6 +13,8 @@ use pendula_program::verify::protocol::{Answer, Question, answer, greeting, ques
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 
+use crate::call::words;
+
 /// As many cases as this, or as the environment asks for, if that is more.
 fn config(cases: u32) -> ProptestConfig {
     let asked = std::env::var("PROPTEST_CASES").ok().and_then(|cases| cases.parse().ok());
@@ -39,72 +41,20 @@ fn word() -> impl Strategy<Value = String> {
         7 => format!("0{x}"),
         _ => format!("{x}").replace('.', ","),
     });
-    let odd = prop::sample::select(&[
-        "",
-        "-",
-        "+",
-        ".",
-        "e",
-        "e5",
-        ".5",
-        "5.",
-        "-.5",
-        "1e",
-        "1e+",
-        "1e5.5",
-        "0x10",
-        "1_000",
-        "1,5",
-        "NaN",
-        "nan",
-        "-nan",
-        "inf",
-        "-inf",
-        "infinity",
-        "+Infinity",
-        "1e999",
-        "-1e999",
-        "1e-999",
-        "1.5e-2147483648",
-        "1e2147483647",
-        "1e-2147483649",
-        "18446744073709551616",
-        "１",
-        "١",
-        "−1",
-        "1f",
-        "1d0",
-        "1.0.0",
-        "--1",
-        "+-1",
-        "1e5e5",
-        "0e0",
-        "-0",
-        "-0.0",
-        "1\u{0}",
-        "9007199254740993",
-        "2.2250738585072011e-308",
-        "0.1000000000000000055511151231257827021181583404541015625",
-    ])
-    .prop_map(str::to_string);
+    // The first is empty.
+    let odd = " - + . e e5 .5 5. -.5 1e 1e+ 1e5.5 0x10 1_000 1,5 NaN nan -nan inf -inf infinity \
+               +Infinity 1e999 -1e999 1e-999 1.5e-2147483648 1e2147483647 1e-2147483649 \
+               18446744073709551616 １ ١ −1 1f 1d0 1.0.0 --1 +-1 1e5e5 0e0 -0 -0.0 1\u{0} \
+               9007199254740993 2.2250738585072011e-308 \
+               0.1000000000000000055511151231257827021181583404541015625";
+    let odd = prop::sample::select(words(odd)).prop_map(str::to_string);
     prop_oneof![5 => printed, 2 => odd, 1 => "[-+0-9.eE]{0,12}", 1 => any::<String>()]
 }
 
 /// Words of the protocol among them, with any white space between.
 fn line() -> impl Strategy<Value = String> {
-    let known = prop::sample::select(&[
-        "hello",
-        "1",
-        "bye",
-        "pendulum",
-        "driven",
-        "done",
-        "error",
-        "unsupported",
-        "10",
-        "1000",
-        "0.01",
-    ]);
+    let known = words("hello 1 bye pendulum driven done error unsupported 10 1000 0.01");
+    let known = prop::sample::select(known);
     let word = prop_oneof![3 => word(), 2 => known.prop_map(str::to_string)];
     let space = prop::sample::select(&[" ", "  ", "\t", "\r", "\u{a0}", "\n"]);
     prop::collection::vec((word, space), 0..10).prop_map(|words| {
@@ -118,7 +68,7 @@ fn finite(word: &str) -> Option<u64> {
 }
 
 proptest! {
-    #![proptest_config(config(4000))]
+    #![proptest_config(config(2000))]
 
     /// Catches: a number of a stranger's answer that is rounded, cut off or read where there is
     /// none; a panic.

@@ -3,14 +3,16 @@
 use std::io::Read;
 use std::process::{Child, Command, Stdio};
 use std::thread;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use rustix::process::{Pid, Signal, kill_process};
+
+use crate::call::PENDULA;
 
 /// A run of hours that has begun to print, and so listens.
 fn run() -> Child {
     let steps = ["--dt", "0.001", "--steps", "1000000000"];
-    let mut child = Command::new(env!("CARGO_BIN_EXE_pendula"))
+    let mut child = Command::new(PENDULA)
         .args(["simulate", "--method", "rk4", "--theta0", "1"])
         .args(steps)
         .stdout(Stdio::piped())
@@ -23,6 +25,17 @@ fn run() -> Child {
 
 fn send(signal: Signal, to: &Child) {
     kill_process(Pid::from_child(to), signal).expect("it runs");
+}
+
+/// Waits until the process waits.
+fn sleeps(process: &Child) {
+    let state = || {
+        let number = process.id().to_string();
+        Command::new("ps").args(["-o", "stat=", "-p", &number]).output().expect("ps").stdout
+    };
+    while !state().starts_with(b"S") {
+        thread::sleep(Duration::from_millis(5));
+    }
 }
 
 /// Catches: a signal that is not listened to, or that ends the process where it stands.
@@ -46,18 +59,17 @@ fn each_signal_interrupts() {
 #[test]
 fn a_later_signal_ends_the_process_at_once() {
     let mut child = run();
-    // Time to fill the pipe.
-    thread::sleep(Duration::from_millis(500));
-    let first = Instant::now();
+    // Until it has filled the pipe.
+    sleeps(&child);
     for signal in [Signal::HUP, Signal::TERM, Signal::INT] {
         send(signal, &child);
-        thread::sleep(Duration::from_millis(100));
+        thread::sleep(Duration::from_millis(50));
     }
-    thread::sleep(Duration::from_millis(1500).saturating_sub(first.elapsed()));
     assert_eq!(child.try_wait().expect("its status"), None);
-    send(Signal::INT, &child);
-    let status = (0..100).find_map(|_| {
-        thread::sleep(Duration::from_millis(100));
+    let status = (0..200).find_map(|_| {
+        thread::sleep(Duration::from_millis(50));
+        // Its number is its own until its status is known.
+        send(Signal::INT, &child);
         child.try_wait().expect("its status")
     });
     child.kill().expect("it can be ended");
@@ -71,15 +83,15 @@ fn a_pipe_that_nobody_reads_is_waited_for_until_a_signal() {
     let pipe = folder.path().join("pipe");
     let made = Command::new("mkfifo").arg(&pipe).status().expect("mkfifo");
     assert!(made.success());
-    let child = Command::new(env!("CARGO_BIN_EXE_pendula"))
+    let child = Command::new(PENDULA)
         .args(["simulate", "--method", "rk4", "--theta0", "1", "--dt", "0.1", "--steps", "9"])
         .arg("--output")
         .arg(&pipe)
         .stderr(Stdio::piped())
         .spawn()
         .expect("it starts");
-    // Time to begin to listen.
-    thread::sleep(Duration::from_millis(500));
+    // It listens before it waits for the reader.
+    sleeps(&child);
     send(Signal::TERM, &child);
     let output = child.wait_with_output().expect("it ends");
     assert_eq!(output.status.code(), Some(2), "{output:?}");

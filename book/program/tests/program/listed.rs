@@ -6,12 +6,13 @@ use std::path::Path;
 
 use clap::FromArgMatches;
 use pendula::METHODS;
+use pendula_output::failure::Failure;
 use pendula_program::cli;
 use pendula_program::commands::study::claims::{self, Filter, LedgerFormat};
 use pendula_study::claims::{Claim, Verdict};
 use serde_json::Value;
 
-use crate::commands::{assert_refused, json, printed};
+use crate::call::{assert_refused, json, printed};
 use crate::ledger::LEDGER;
 
 /// The source of a page, and of the snapshots that it includes.
@@ -76,17 +77,23 @@ fn every_method_is_listed_with_its_facts() {
     }
 }
 
-/// The ids that are printed to who asks so. The command is read and answered in this process, which
-/// has measured the claims.
-fn ids(asked: &[&str]) -> Vec<String> {
-    let words = [&["pendula", "paper", "claims", "--format", "json"], asked].concat();
+/// What is printed to who asks so. The command is read and answered in this process, which has
+/// measured the claims.
+fn claims(asked: &[&str], format: LedgerFormat) -> Result<String, Failure> {
+    let words = [&["pendula", "paper", "claims"], asked].concat();
     let matches = cli::definition().try_get_matches_from(words).unwrap();
     let matches = matches.subcommand_matches("paper").unwrap();
     let matches = matches.subcommand_matches("claims").unwrap();
     let filter = Filter::from_arg_matches(matches).unwrap();
     let mut out = Vec::new();
-    claims::report(&LEDGER, &filter, LedgerFormat::Json, &mut out).unwrap();
-    let all: Value = serde_json::from_slice(&out).unwrap();
+    claims::report(&LEDGER, &filter, format, &mut out)?;
+    Ok(String::from_utf8(out).unwrap())
+}
+
+/// The ids that are printed to who asks so.
+fn ids(asked: &[&str]) -> Vec<String> {
+    let printed = claims(asked, LedgerFormat::Json).unwrap();
+    let all: Value = serde_json::from_str(&printed).unwrap();
     let ids = all.as_array().unwrap().iter().map(|claim| claim["id"].as_str().unwrap().to_owned());
     ids.collect()
 }
@@ -123,8 +130,8 @@ fn claims_are_printed_that_were_asked_for() {
 
     let both: BTreeSet<String> =
         wrong.into_iter().filter(|id| of_the_seventh.contains(id)).collect();
-    let combined = ["paper", "claims", "--section", "7", "--verdict", "wrong"];
-    let text = printed(&combined);
+    let combined = ["--section", "7", "--verdict", "wrong"];
+    let text = claims(&combined, LedgerFormat::Text).unwrap();
     let shown: BTreeSet<String> = text
         .lines()
         .filter(|line| line.starts_with(|c: char| c.is_ascii_uppercase()))
@@ -141,10 +148,15 @@ fn claims_are_printed_that_were_asked_for() {
 /// word that the help does not name.
 #[test]
 fn what_no_claim_has_is_refused_with_what_is_near() {
-    assert_refused(&["paper", "claims", "T4.rk.0.01"], "near: T4.rk4.0.01");
-    assert_refused(&["paper", "claims", "t4.vv"], "near: T4.vv.");
-    assert_refused(&["paper", "claims", "--section", "9"], "there are 1, 2, 3.1");
-    assert_refused(&["paper", "claims", "--table", "3.1"], "--table 3.1");
+    for (asked, because) in [
+        (&["T4.rk.0.01"][..], "near: T4.rk4.0.01"),
+        (&["t4.vv"], "near: T4.vv."),
+        (&["--section", "9"], "there are 1, 2, 3.1"),
+        (&["--table", "3.1"], "--table 3.1"),
+    ] {
+        let line = claims(asked, LedgerFormat::Text).unwrap_err().line().unwrap();
+        assert!(line.contains(because) && line.lines().count() == 1, "{line}");
+    }
     assert_refused(&["paper", "claims", "--verdict", "right"], "reproduced, definition, rounding");
     let help = printed(&["paper", "claims", "--help"]);
     let words = ["reproduced", "definition", "rounding", "platform", "wrong", "uncheckable"];

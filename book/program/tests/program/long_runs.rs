@@ -21,10 +21,7 @@ use proptest::test_runner::RngSeed;
 use serde_json::Value;
 use sha2::{Digest, Sha256};
 
-/// The words of a command line.
-fn words(line: &str) -> Vec<&str> {
-    line.split(' ').collect()
-}
+use crate::call::{PENDULA, names, numbers, pendula, shell, words};
 
 /// What a command has printed, and said.
 #[derive(Debug)]
@@ -63,14 +60,6 @@ pub fn whole(arguments: &[&str]) -> Printed {
     printed
 }
 
-fn files(folder: &Path) -> Vec<String> {
-    let entries = fs::read_dir(folder).unwrap();
-    let mut names: Vec<String> =
-        entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
-    names.sort();
-    names
-}
-
 fn text(path: &Path) -> &str {
     path.to_str().unwrap()
 }
@@ -102,12 +91,12 @@ impl Folder {
             assert!(line.contains(&format!("interrupted after {at} ")), "{line}");
             assert!(line.contains(&resume.join(" ")), "{line}");
             assert_eq!((left.out.as_str(), left.err.as_str()), ("", ""));
-            assert_eq!(files(self.folder.path()), ["run.csv", "run.csv.state"]);
+            assert_eq!(names(self.folder.path()), ["run.csv", "run.csv.state"]);
             assert_eq!(fs::read_to_string(&self.file).unwrap(), "old");
             command = &resume;
         }
         whole(command);
-        assert_eq!(files(self.folder.path()), ["run.csv"]);
+        assert_eq!(names(self.folder.path()), ["run.csv"]);
         fs::read_to_string(&self.file).unwrap()
     }
 }
@@ -134,7 +123,7 @@ fn ryu_text(x: f64) -> String {
     format!("{x:?}")
 }
 
-/// For every method, for strides that divide the number of steps and that do not, interrupted after
+/// For every method, and of one for strides that divide the number of steps and that do not, after
 /// every number of steps, and once more later on: the bytes are those of the uninterrupted run, and
 /// those are what the library's loop computes.
 ///
@@ -145,43 +134,27 @@ fn ryu_text(x: f64) -> String {
 fn an_interrupted_run_ends_as_if_nothing_had_happened() {
     const STEPS: u64 = 6;
     let folder = Folder::new();
-    for method in METHODS {
-        let name = method.info().name;
-        for (every, format) in [(1, "csv"), (2, "json"), (4, "csv"), (7, "csv")] {
-            let (steps, stride) = (STEPS.to_string(), every.to_string());
-            let run = [
-                "simulate",
-                "--method",
-                name,
-                "--theta0",
-                "-2.5",
-                "--omega0",
-                "0.3",
-                "--gravity",
-                "5",
-                "--length",
-                "2",
-                "--mass",
-                "3",
-                "--dt",
-                "0.07",
-                "--steps",
-                &steps,
-                "--every",
-                &stride,
-                "--format",
-                format,
-            ];
-            let expected = whole(&run).out;
-            if format == "csv" {
-                assert_eq!(expected, rows_of_the_loop(name, STEPS, every), "{name}");
-            }
-            for first in 0..STEPS {
-                let second = first + (STEPS - first) / 2;
-                let got = folder.in_parts(&run, &[first, second]);
-                assert_eq!(got, expected, "{name}, every {every}, {first}, {second}");
-            }
+    let interrupted_after = |firsts: &[u64], name: &str, every: u64, format: &str| {
+        let line = format!(
+            "simulate --method {name} --theta0 -2.5 --omega0 0.3 --gravity 5 --length 2 --mass 3 \
+             --dt 0.07 --steps {STEPS} --every {every} --format {format}"
+        );
+        let run = words(&line);
+        let expected = whole(&run).out;
+        if format == "csv" {
+            assert_eq!(expected, rows_of_the_loop(name, STEPS, every), "{name}");
         }
+        for first in firsts {
+            let second = first + (STEPS - first) / 2;
+            let got = folder.in_parts(&run, &[*first, second]);
+            assert_eq!(got, expected, "{name}, every {every}, {first}, {second}");
+        }
+    };
+    for (every, format) in [(1, "csv"), (2, "json"), (4, "csv"), (7, "csv")] {
+        interrupted_after(&[0, 1, 2, 3, 4, 5], "stormer-verlet", every, format);
+    }
+    for method in METHODS {
+        interrupted_after(&[1], method.info().name, 1, "csv");
     }
 }
 
@@ -231,24 +204,12 @@ fn the_parts_on_standard_output_make_the_whole() {
     let state = folder.path().join("here");
     let (keep, resume) = (["--state", text(&state)], ["--resume", text(&state)]);
     for run in [
-        &["simulate", "--method", "rk4", "--theta0", "1", "--dt", "0.1", "--steps", "9"][..],
-        &[
-            "simulate",
-            "--system",
-            "double-pendulum",
-            "--theta1",
-            "1",
-            "--theta2",
-            "2",
-            "--dt",
-            "0.1",
-            "--steps",
-            "9",
-        ],
-        &["sweep", "--method", "rk4", "--theta0", "0:1:9", "--dt", "0.1", "--duration", "1"],
+        "simulate --method rk4 --theta0 1 --dt 0.1 --steps 9",
+        "simulate --system double-pendulum --theta1 1 --theta2 2 --dt 0.1 --steps 9",
+        "sweep --method rk4 --theta0 0:1:9 --dt 0.1 --duration 1",
     ] {
         for format in ["csv", "json"] {
-            let run = [run, &["--format", format]].concat();
+            let run = [&words(run)[..], &["--format", format]].concat();
             let expected = whole(&run).out;
             for at in 0..8 {
                 let first = interrupted(&[&run[..], &keep].concat(), at);
@@ -266,7 +227,7 @@ fn the_parts_on_standard_output_make_the_whole() {
                     let rows: Vec<Value> = parts.iter().flat_map(array).collect();
                     assert_eq!(rows, array(&expected), "{run:?} {at}");
                 }
-                assert!(files(folder.path()).is_empty());
+                assert!(names(folder.path()).is_empty());
             }
             let line = interrupted(&run, 3).outcome.unwrap_err();
             assert!(line.contains("--state FILE"), "{line}");
@@ -332,10 +293,9 @@ fn an_empty_part_says_so_beside_its_rows() {
 fn a_part_costs_its_own_runs_alone() {
     // What goes on for 20 s of the processor's time is killed, and so fails.
     let printed = |sweep: &str| {
-        let mut shell = Process::new("sh");
-        shell.args(["-c", "ulimit -t 20; exec \"$0\" \"$@\"", env!("CARGO_BIN_EXE_pendula")]);
         let part = ["--part", "250000000000001/500000000000000"];
-        let output = shell.args(words(sweep)).args(part).output().unwrap();
+        let mut limited = shell("ulimit -t 20; exec \"$0\" \"$@\"");
+        let output = limited.args(words(sweep)).args(part).output().unwrap();
         assert!(output.status.success(), "{output:?}");
         String::from_utf8(output.stdout).unwrap()
     };
@@ -380,7 +340,7 @@ fn a_state_that_is_not_what_it_was_is_refused() {
         let line = printed.outcome.expect_err(because);
         assert!(line.contains(because), "{line}");
         assert_eq!(
-            (printed.out.as_str(), files(folder.folder.path())),
+            (printed.out.as_str(), names(folder.folder.path())),
             ("", vec!["run.csv.state".into()])
         );
     };
@@ -436,22 +396,22 @@ fn a_state_that_is_a_link_is_the_file_it_leads_to() {
     let resume = ["simulate", "--resume", text(&here)];
     parts += &interrupted(&resume, 6).out;
     leads(&here, &state);
-    assert_eq!(files(&at("far")), ["state"]);
+    assert_eq!(names(&at("far")), ["state"]);
     parts += &whole(&resume).out;
     assert_eq!(parts, expected);
     leads(&here, &state);
-    assert!(files(&at("far")).is_empty());
+    assert!(names(&at("far")).is_empty());
 
     let (link, file) = (at("link.csv"), at("far/run.csv"));
     symlink(&file, &link).unwrap();
     assert!(interrupted(&[&run[..], &["--output", text(&link)]].concat(), 3).outcome.is_err());
-    assert_eq!(files(&at("far")), ["run.csv.state"]);
+    assert_eq!(names(&at("far")), ["run.csv.state"]);
     let (other, state) = (at("other"), at("far/run.csv.state"));
     symlink(&state, &other).unwrap();
     whole(&["simulate", "--resume", text(&other)]);
     leads(&link, &file);
     leads(&other, &state);
-    assert_eq!(files(&at("far")), ["run.csv"]);
+    assert_eq!(names(&at("far")), ["run.csv"]);
     assert_eq!(fs::read_to_string(&link).unwrap(), expected);
 }
 
@@ -470,7 +430,7 @@ fn a_state_that_has_appeared_meanwhile_is_not_overwritten() {
             });
             let line = left.outcome.unwrap_err();
             assert!(line.contains("keeps another run by now"), "{line}");
-            assert_eq!(files(folder.folder.path()), ["run.csv.state"]);
+            assert_eq!(names(folder.folder.path()), ["run.csv.state"]);
             assert_eq!(fs::read_to_string(&folder.state).unwrap(), "another");
             fs::remove_file(&folder.state).unwrap();
         }
@@ -552,12 +512,6 @@ fn in_parts(run: &[&str], parts: &[u64], to_file: bool) -> (String, String) {
         rows = fs::read_to_string(&folder.file).unwrap();
     }
     (rows, end.err)
-}
-
-/// The numbers of all rows.
-fn numbers(csv: &str) -> Vec<Vec<f64>> {
-    let rows = csv.lines().skip(1);
-    rows.map(|row| row.split(',').map(|x| x.parse().unwrap()).collect()).collect()
 }
 
 proptest! {
@@ -724,7 +678,7 @@ fn steps_that_vary_are_interrupted_cleanly() {
     fs::write(&folder.file, "old").unwrap();
     let to_file = [&run[..], &["--output", text(&folder.file)]].concat();
     assert!(interrupted(&to_file, 3).outcome.is_err());
-    assert_eq!(files(folder.folder.path()), ["run.csv"]);
+    assert_eq!(names(folder.folder.path()), ["run.csv"]);
     assert_eq!(fs::read_to_string(&folder.file).unwrap(), "old");
 }
 
@@ -770,7 +724,7 @@ fn steps_that_vary_have_a_limit_and_a_summary() {
 }
 
 fn start(arguments: &[&str]) -> Child {
-    Process::new(env!("CARGO_BIN_EXE_pendula"))
+    Process::new(PENDULA)
         .args(arguments)
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())
@@ -820,12 +774,12 @@ fn signals_are_heard_between_rows() {
     for signal in ["-INT", "-TERM", "-HUP"] {
         let mut process = start(&arguments.iter().map(String::as_str).collect::<Vec<_>>());
         // The temporary file shows that the run has begun and listens.
-        while !files(far.folder.path()).iter().any(|name| name.starts_with(".pendula-")) {
+        while !names(far.folder.path()).iter().any(|name| name.starts_with(".pendula-")) {
             assert!(process.try_wait().unwrap().is_none(), "it ended by itself");
             std::thread::yield_now();
         }
         signalled(process, signal);
-        assert_eq!(files(far.folder.path()), ["run.csv", "run.csv.state"]);
+        assert_eq!(names(far.folder.path()), ["run.csv", "run.csv.state"]);
         assert_eq!(fs::read_to_string(&far.file).unwrap(), "old");
         let stands = progress(&far.state);
         let steps = stands["steps"].as_u64().unwrap();
@@ -882,7 +836,7 @@ fn the_rows_before_a_failure_are_printed() {
         [(&falls_apart[..], 100), (&overflows, 1), (&unsolved, 1), (&limited, 50), (&sweep, 1)]
     {
         for format in ["csv", "json"] {
-            let output = start(&[run, &["--format", format]].concat()).wait_with_output().unwrap();
+            let output = pendula([run, &["--format", format]].concat());
             assert_eq!(output.status.code(), Some(2), "{run:?}");
             let line = String::from_utf8(output.stderr).unwrap();
             assert_eq!(line.lines().count(), 1, "{line}");

@@ -1,6 +1,7 @@
 //! The binary `pendula` as its users and other programs call it.
 
 mod book;
+mod call;
 mod command_line;
 mod commands;
 mod devices;

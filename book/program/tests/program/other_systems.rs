@@ -7,7 +7,7 @@ use pendula::{
     System, for_each_general_method, integrate, methods,
 };
 
-use crate::commands::{assert_refused, json, numbers, pendula, printed};
+use crate::call::{assert_refused, json, numbers, pendula, printed, words};
 use crate::long_runs::{interrupted, whole};
 
 const SCENE: &str = "--theta0 1.2 --omega0 -0.3 --gravity 4 --length 2 --mass 3 --dt 0.05";
@@ -53,12 +53,12 @@ fn each_system_is_what_the_library_integrates() {
         ),
     ] {
         let line = format!("simulate --method {method} --system {system} {SCENE} --steps 40");
-        let words: Vec<&str> = line.split(' ').collect();
+        let words = words(&line);
         let (expected, evaluations) = expected;
         assert_eq!(numbers(&printed(&words)), expected, "{line}");
         let objects = json(&[&words[..], &["--format", "json"]].concat());
         assert_eq!(objects[40]["theta"].as_f64(), Some(expected[40][1]));
-        let summary = pendula(&[&words[..], &["--summary"]].concat());
+        let summary = pendula([&words[..], &["--summary"]].concat());
         let summary = String::from_utf8(summary.stderr).unwrap();
         let of = |name: &str| {
             let line = summary.lines().find_map(|line| line.strip_prefix(name));
@@ -84,7 +84,7 @@ fn other_systems_are_resumed_with_the_same_bits() {
          --steps 40"
             .to_owned(),
     ] {
-        let words: Vec<&str> = line.split(' ').collect();
+        let words = words(&line);
         let first = interrupted(&[&words[..], &["--state", state]].concat(), 17);
         assert!(first.outcome.is_err());
         let rest = whole(&[words[0], "--resume", state]);
@@ -111,19 +111,7 @@ fn the_double_pendulum_takes_the_methods_that_suit() {
         "gauss-6",
         "gauss-16",
     ];
-    let run = [
-        "simulate",
-        "--system",
-        "double-pendulum",
-        "--theta1",
-        "2",
-        "--theta2",
-        "1",
-        "--dt",
-        "0.01",
-        "--steps",
-        "9",
-    ];
+    let run = words("simulate --system double-pendulum --theta1 2 --theta2 1 --dt 0.01 --steps 9");
     for method in METHODS.iter().map(|method| method.info().name) {
         let with = [&run[..], &["--method", method]].concat();
         if SUIT.contains(&method) {
@@ -140,9 +128,8 @@ fn the_double_pendulum_takes_the_methods_that_suit() {
     let rows = numbers(&printed(&[&run[..], &["--method", "gauss-6"]].concat()));
     assert_eq!(rows[9][1..3], [end.theta1, end.theta2]);
     assert_eq!(printed(&run), printed(&[&run[..], &["--method", "rk4"]].concat()));
-    let long = ["--dt", "0.3", "--method", "gauss-4"];
-    let long = [&run[..7], &long, &["--steps", "9"]].concat();
-    let stopped = pendula(&long);
+    let long = ["--dt", "0.3", "--method", "gauss-4", "--steps", "9"];
+    let stopped = pendula([&run[..7], &long].concat());
     let reason = String::from_utf8(stopped.stderr).unwrap();
     assert_eq!(stopped.status.code(), Some(2), "{reason}");
     assert!(reason.contains("the iteration of gauss-4 does not converge"), "{reason}");
@@ -165,7 +152,7 @@ fn a_run_that_is_lost_after_its_last_row_is_refused() {
     for (scene, because) in scenes {
         for every in ["1", "100", "4068"] {
             let line = format!("{scene} --every {every}");
-            let lost = pendula(&line.split(' ').collect::<Vec<_>>());
+            let lost = pendula(words(&line));
             let reason = String::from_utf8(lost.stderr).unwrap();
             assert_eq!(lost.status.code(), Some(2), "{line}: {reason}");
             assert!(reason.contains(because), "{line}: {reason}");
@@ -177,13 +164,9 @@ fn a_run_that_is_lost_after_its_last_row_is_refused() {
 /// not suit, refused without those that do.
 #[test]
 fn what_does_not_fit_a_system_is_refused() {
-    let with = |more: &str| {
-        let line = format!("simulate --method rk4 {SCENE} --steps 4 {more}");
-        line.split(' ').map(str::to_owned).collect::<Vec<_>>()
-    };
     let refused = |more: &str, because: &str| {
-        let words = with(more);
-        assert_refused(&words.iter().map(String::as_str).collect::<Vec<_>>(), because);
+        let line = format!("simulate --method rk4 {SCENE} --steps 4 {more}");
+        assert_refused(&words(&line), because);
     };
     refused("--damping 1", "--damping belongs to --system damped or driven");
     refused("--system damped", "--damping is missing");
@@ -200,5 +183,5 @@ fn what_does_not_fit_a_system_is_refused() {
     let taylor =
         format!("simulate --method taylor-24 {SCENE} --steps 4 --system damped --damping 1");
     let because = format!("the damped pendulum; those that suit are {general}");
-    assert_refused(&taylor.split(' ').collect::<Vec<_>>(), &because);
+    assert_refused(&words(&taylor), &because);
 }

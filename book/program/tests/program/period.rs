@@ -2,7 +2,7 @@
 
 use pendula::{Motion, Pendulum, Phase};
 
-use crate::commands::{assert_refused, printed};
+use crate::call::{assert_refused, printed};
 
 /// What is said of the motion, and the period (s).
 fn motion(arguments: &[&str]) -> (String, Option<f64>) {

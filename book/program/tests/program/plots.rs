@@ -4,7 +4,7 @@ use std::fs;
 
 use roxmltree::Document;
 
-use crate::commands::{assert_refused, numbers, pendula, printed};
+use crate::call::{assert_refused, numbers, pendula, printed, words};
 
 const RUN: [&str; 9] =
     ["simulate", "--method", "rk4", "--theta0", "pi/3", "--dt", "0.1", "--duration", "20"];
@@ -68,8 +68,8 @@ fn each_command_that_integrates_draws() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("plot.svg");
     let drawn = |line: &str| {
-        let words: Vec<&str> = line.split(' ').chain(["--plot", path.to_str().unwrap()]).collect();
-        let rows = numbers(&printed(&words));
+        let to_plot = ["--plot", path.to_str().unwrap()];
+        let rows = numbers(&printed(&[&words(line)[..], &to_plot].concat()));
         let svg = fs::read_to_string(&path).unwrap();
         let (_, rest) = svg.split_once("-desc\">").unwrap();
         let description = rest.split_once("</desc>").unwrap().0.replace('\n', " ");
@@ -112,14 +112,14 @@ fn a_plot_in_the_terminal_stands_for_the_rows() {
 
     let failing = ["simulate", "--method", "forward-euler", "--theta0", "1", "--dt", "1e200"];
     let to_plot = ["--steps", "9", "--plot", plot.to_str().unwrap()];
-    assert_eq!(pendula(&[&failing[..], &to_plot].concat()).status.code(), Some(2));
+    assert_eq!(pendula([&failing[..], &to_plot].concat()).status.code(), Some(2));
     assert!(!plot.exists());
     assert_refused(&[&RUN[..], &["--plot", "/no/such/folder/x.svg"]].concat(), "--plot /no/such");
     assert_refused(&["simulate", "--resume", "a.state", "--plot", "-"], "cannot be used with");
     if std::path::Path::new("/dev/full").exists() {
         let whole = folder.path().join("whole.csv");
         let to_both = ["--plot", "/dev/full", "--output", whole.to_str().unwrap()];
-        assert_eq!(pendula(&[&RUN[..], &to_both].concat()).status.code(), Some(2));
+        assert_eq!(pendula([&RUN[..], &to_both].concat()).status.code(), Some(2));
         assert!(!whole.exists());
     }
 }

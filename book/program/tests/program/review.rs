@@ -3,13 +3,15 @@
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::process::Command;
 
 use clap::Parser;
 use pendula_book::review::working_tree::{WorkingTree, contents};
 use pendula_book::versions::{Version, on_disk};
 use pendula_program::commands::study::review::{Arguments, run_in};
 use tempfile::TempDir;
+
+use crate::call::{PENDULA, refused};
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
@@ -86,18 +88,15 @@ impl Project {
     }
 
     fn command(&self, arguments: &[&str]) -> Command {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_pendula"));
+        let mut command = Command::new(PENDULA);
         command.arg("review").args(arguments).current_dir(self.0.path());
         command
     }
 
     #[track_caller]
     fn refuses(&self, mut command: Command, says: &str) {
-        let Output { status, stdout, stderr } = command.output().unwrap();
-        let error = String::from_utf8(stderr).unwrap();
-        assert_eq!(status.code(), Some(2), "{error}");
-        assert_eq!((error.lines().count(), stdout.len()), (1, 0), "{error}");
-        assert!(error.contains(says), "{error}");
+        let line = refused(&command.output().unwrap());
+        assert!(line.contains(says), "{line}");
     }
 }
 

@@ -6,7 +6,7 @@ use core::f64::consts::TAU;
 use pendula::methods::StormerVerlet;
 use pendula::methods::table::in_lanes;
 use pendula::metrics::EnergyDrift;
-use pendula::{AnyMethod, Ensemble, Grid, Info, Pendulum, Phase};
+use pendula::{AnyMethod, Ensemble, Grid, Info, Observer, Pendulum, Phase};
 
 use super::released;
 use super::standard_map::step;
@@ -49,13 +49,28 @@ pub fn run() -> Vec<Row> {
 /// The largest energy error (J) from rest at `theta_0` (rad); `None` if the orbit escapes.
 fn largest_error(method: &dyn AnyMethod, k: f64, theta_0: f64) -> Option<f64> {
     let grid = Grid::new(step(k), STEPS).expect("a positive step");
-    let mut stays = true;
-    let mut watch = (EnergyDrift::new(&Pendulum::PAPER), |_, _, z: Phase| {
-        stays &= (z.omega * grid.step()).abs() <= TAU;
-    });
+    let drift = EnergyDrift::new(&Pendulum::PAPER);
+    let mut watch = Staying { drift, step: grid.step(), stays: true };
     method.run(&Pendulum::PAPER, released(theta_0), &grid, &mut watch);
-    let largest = watch.0.largest();
-    stays.then_some(largest)
+    watch.stays.then_some(watch.drift.largest())
+}
+
+/// The energy of an orbit until it escapes.
+struct Staying {
+    drift: EnergyDrift<'static, Pendulum>,
+    step: f64,
+    stays: bool,
+}
+
+impl Observer<Phase> for Staying {
+    fn observe(&mut self, n: u64, t: f64, z: Phase) {
+        self.drift.observe(n, t, z);
+        self.stays &= (z.omega * self.step).abs() <= TAU;
+    }
+
+    fn is_satisfied(&self) -> bool {
+        !self.stays
+    }
 }
 
 /// The starts (θ, u) of [`spread`]: the middles of `side` × `side` cells of the square of the phase

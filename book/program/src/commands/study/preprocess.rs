@@ -34,5 +34,5 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
     if let Some(Question::Supports { renderer }) = &arguments.question {
         return if supports(renderer) { Ok(()) } else { Err(Failure::No) };
     }
-    Ok(protocol(Paper::measure(&Progress::hidden()), io::stdin().lock(), out)?)
+    Ok(protocol(|| Paper::measure(&Progress::hidden()), io::stdin().lock(), out)?)
 }

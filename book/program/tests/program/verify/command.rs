@@ -2,14 +2,13 @@
 
 use std::collections::BTreeSet;
 use std::fs;
-use std::path::Path;
 
 use pendula::METHODS;
 use pendula::methods::StormerVerlet;
 use pendula::verify::{Drive, Stranger};
 use serde_json::Value;
 
-use super::{PENDULA, judged, pendula, refused, request, started};
+use super::{PENDULA, judged, names, pendula, refused, request, started};
 
 /// Arguments of `verify` for one of our own methods as the stranger.
 fn verify<'a>(options: &[&'a str], method: &'a str) -> Vec<&'a str> {
@@ -92,18 +91,13 @@ fn the_report_is_a_page_that_needs_nothing_else() {
     for figure in ["ladder", "energy", "square", "way"] {
         assert!(html.contains(&format!("id=\"fig-{figure}\"")), "the page lacks {figure}");
     }
-    assert_eq!(files(folder.path()), ["report.html"]);
+    assert_eq!(names(folder.path()), ["report.html"]);
 
     // A program at fault leaves the page as it was.
     let failing = ["verify", "--report", path.to_str().unwrap(), "--", "/no/such/program"];
     refused(&pendula(failing));
     assert_eq!(fs::read_to_string(&path).unwrap(), html);
-    assert_eq!(files(folder.path()), ["report.html"]);
-}
-
-fn files(folder: &Path) -> Vec<String> {
-    let entries = fs::read_dir(folder).unwrap();
-    entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect()
+    assert_eq!(names(folder.path()), ["report.html"]);
 }
 
 /// Catches: bad input that is accepted, or that starts the program; a message of several lines.

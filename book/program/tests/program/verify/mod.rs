@@ -10,7 +10,7 @@ mod schema;
 mod variants;
 
 use std::ffi::OsString;
-use std::process::{Command, Output};
+use std::process::Command;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 use std::time::Duration;
@@ -20,22 +20,7 @@ use pendula::verify::Request;
 use pendula_program::verify::Program;
 use serde_json::Value;
 
-/// The binary that is tested.
-const PENDULA: &str = env!("CARGO_BIN_EXE_pendula");
-
-fn pendula<S: AsRef<std::ffi::OsStr>>(arguments: impl IntoIterator<Item = S>) -> Output {
-    Command::new(PENDULA).args(arguments).output().expect("it starts")
-}
-
-/// One line on standard error, nothing on standard output, exit status 2. Returns the line.
-#[track_caller]
-fn refused(output: &Output) -> String {
-    let message = String::from_utf8(output.stderr.clone()).expect("UTF-8");
-    assert_eq!(output.status.code(), Some(2), "{message}");
-    assert!(message.lines().count() == 1 && output.stdout.is_empty(), "{message}");
-    assert!(!message.trim_end().contains(char::is_control), "{message:?}");
-    message
-}
+use crate::call::{PENDULA, names, pendula, refused};
 
 /// Whether there is such a tool; says so if there is none.
 fn there_is(tool: &str) -> bool {

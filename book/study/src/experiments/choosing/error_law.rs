@@ -63,7 +63,7 @@ pub fn profiles() -> impl Iterator<Item = &'static Profile> {
 }
 
 /// The law of a method of the library.
-pub(super) fn profile_of(method: MethodRef) -> &'static Profile {
+pub fn profile_of(method: MethodRef) -> &'static Profile {
     let is_it = |other: &MethodRef| other.info().name == method.info().name;
     profile(METHODS.iter().position(is_it).expect("one of the library's methods"))
 }

@@ -28,7 +28,7 @@ mod error_law;
 mod release;
 
 pub use curve::{Advice, COARSE, Curve};
-pub use error_law::{LONGEST, Profile, profiles};
+pub use error_law::{LONGEST, Profile, profile_of, profiles};
 pub use release::{Release, THETA_0};
 
 /// Lengths of runs (periods), three to a decade.

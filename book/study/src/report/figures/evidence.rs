@@ -172,13 +172,7 @@ fn rounding_walk(_: &Study) -> Figure {
     /// One sample in this many is drawn: the walk changes little between them.
     const DRAWN: usize = 50;
     let verlet = named("stormer-verlet");
-    let pendulum = Pendulum::PAPER;
-    let x = pendulum.small_angle_frequency() * rounding_walk::STEP;
-    // What the correction leaves out, of order x⁸, is 1e-18 of the energy.
-    let walks = rounding_walk::walks(|z| {
-        let z = theory::Dimensionless::from_phase(&pendulum, z);
-        z.energy() + theory::stormer_verlet::correction(z, x)
-    });
+    let walks = rounding_walk::walks();
     let steps = rounding_walk::STEPS as f64;
     let walk_of = |n: f64| SIZE * f64::EPSILON * libm::sqrt(n);
     let mut wander = Chart::new(
@@ -194,7 +188,7 @@ fn rounding_walk(_: &Study) -> Figure {
             parabola.map(|n| (n, sign * walk_of(n))),
         );
     }
-    for walk in &walks {
+    for walk in walks {
         let line = walk
             .iter()
             .enumerate()
@@ -202,7 +196,7 @@ fn rounding_walk(_: &Study) -> Figure {
             .map(|(i, error)| ((i as u64 * rounding_walk::SAMPLED) as f64, *error));
         wander = wander.series(title(verlet), style(verlet).line_only().solid(), line);
     }
-    let growth = rounding_walk::growth(&walks);
+    let growth = rounding_walk::growth(walks);
     let growth = growth.into_iter().map(|(n, movement)| (n as f64, movement));
     let first = rounding_walk::SAMPLED as f64;
     let moved = Chart::new(Axis::log("steps n"), Axis::log("movement in n steps, RMS"))
