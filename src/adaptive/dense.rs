@@ -11,6 +11,8 @@ use crate::systems::{State, Vector};
 pub struct Dense<Z, C> {
     t: f64,
     h: f64,
+    /// The end of the step (s), which t + h may miss by rounding.
+    pub(super) end: f64,
     z: Z,
     coefficients: C,
 }
@@ -44,7 +46,7 @@ impl<Z: State, C: Interpolant<Z::Displacement>> Dense<Z, C> {
     /// The dense output of a step `h` (s) from `z` at time `t` (s), with the coefficients that
     /// [`Embedded::dense`](crate::methods::runge_kutta::Embedded::dense) gives.
     pub const fn new(t: f64, h: f64, z: Z, coefficients: C) -> Self {
-        Self { t, h, z, coefficients }
+        Self { t, h, end: t + h, z, coefficients }
     }
 
     /// The state at time `t` (s). Outside the step it is an extrapolation.
@@ -52,9 +54,11 @@ impl<Z: State, C: Interpolant<Z::Displacement>> Dense<Z, C> {
         self.after((t - self.t) / self.h)
     }
 
-    /// The time (s) at the fraction `s` of the step.
+    /// The time (s) at the fraction `s` of the step: its end at 1, and none later before.
     pub const fn time(&self, s: f64) -> f64 {
-        self.t + s * self.h
+        let t = self.t + s * self.h;
+        let is_past = if self.h < 0.0 { t < self.end } else { t > self.end };
+        if s == 1.0 || (s < 1.0 && is_past) { self.end } else { t }
     }
 
     /// The state at the fraction `s` of the step.

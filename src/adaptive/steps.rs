@@ -129,7 +129,9 @@ where
         let Self { adaptive: Adaptive { method, .. }, system, memory, .. } = self;
         let Step { times, z, record, .. } = step;
         let coefficients = method.interpolant(system, memory, *times, *z, record);
-        Dense::new(times.start, times.step, *z, coefficients)
+        let mut dense = Dense::new(times.start, times.step, *z, coefficients);
+        dense.end = times.end;
+        dense
     }
 
     // ANCHOR: advance

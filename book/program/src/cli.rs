@@ -4,7 +4,7 @@
 use std::ffi::OsString;
 use std::io::{self, Write};
 
-use clap::error::ErrorKind;
+use clap::error::{ContextKind, ErrorKind};
 use clap::{ArgMatches, CommandFactory, FromArgMatches, Parser, Subcommand};
 
 use crate::commands::arguments::number;
@@ -273,6 +273,18 @@ fn explain(error: &clap::Error, words: &[OsString]) -> String {
             let shown = cli.get_subcommands().filter(|command| !command.is_hide_set());
             let names: Vec<_> = shown.map(clap::Command::get_name).collect();
             format!("{folded}; commands: {}", names.join(", "))
+        }
+        // Its tip goes by single letters: for euler it is deuflhard.
+        ErrorKind::InvalidValue => {
+            let context = |kind| error.get(kind).map(ToString::to_string).unwrap_or_default();
+            let given = context(ContextKind::InvalidValue).to_lowercase();
+            let valid = context(ContextKind::ValidValue);
+            let is_near = |name: &&str| !given.is_empty() && name.contains(&given);
+            let near: Vec<_> = valid.split(", ").filter(is_near).collect();
+            match folded.split("; tip:").next() {
+                Some(first) if !near.is_empty() => format!("{first}; tip: {}", near.join(" or ")),
+                _ => folded,
+            }
         }
         // Nor does it say which argument.
         ErrorKind::InvalidUtf8 => {

@@ -139,8 +139,8 @@ impl<const S: usize> ImplicitTableau<S> {
             // Stored at once, so that the later stages of this sweep use it.
             k[i] = Sys::State::unless(*solved, k[i], new);
         }
-        // NaN where it is infinite: beside slopes that are infinite, too, it must not be small.
-        *change = *change + *change * 0.0;
+        // NaN where no f64 is large beside it: a scale that is infinite must not make it small.
+        *change = *change + *change * (1.0 / ROUNDING) * 0.0;
         *sweeps += 1;
     }
     // ANCHOR_END: step

@@ -132,7 +132,7 @@ fn read(path: &Path) -> io::Result<(String, u64)> {
         Some((bytes, before.checked_sub(bytes)?, sum))
     });
     let Some((bytes, json, sum)) = read.filter(|(_, json, _)| *json < LONGEST) else {
-        return Err(wrong("it does not end as a state does"));
+        return Err(wrong("it does not end as a state does: is it one, and whole?"));
     };
     file.rewind()?;
     let mut summed = Summed::new(io::sink());

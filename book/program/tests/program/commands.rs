@@ -187,9 +187,11 @@ fn the_double_pendulum_is_printed_ready_to_be_drawn() {
 #[test]
 fn bad_input_is_refused_in_one_line() {
     assert_refused(&["simulate", "--method", "rk5"], "forward-euler");
+    assert_refused(&["simulate", "--method", "Euler"], "tip: forward-euler or symplectic-euler\n");
+    assert_refused(&run_with(&["--steps", "1", "--length", "1m"]), "without a unit, as 0.01");
     assert_refused(&run_with(&[]), "--duration");
     assert_refused(&run_with(&["--steps", "1", "--duration", "1"]), "cannot be used with");
-    assert_refused(&run_with(&["--steps", "-1"]), "-1");
+    assert_refused(&run_with(&["--steps", "-1"]), "'-1' for '--steps <N>': it must be a whole");
     assert_refused(&run_with(&["--steps", "1", "--every", "0"]), "--every");
     assert_refused(&run_with(&["--steps", "1", "--mass", "nan"]), "finite and greater than zero");
     assert_refused(&run_with(&["--steps", "1", "--gravity", "-9.81"]), "greater than zero");

@@ -7,19 +7,22 @@
 use std::num::NonZeroU64;
 use std::str::FromStr;
 
+/// What a number may be.
+pub const NUMBER: &str = "it must be a number without a unit, as 0.01 or 1e-3";
+
 /// A number. Whether it may be infinite or negative is for the library to say.
 pub fn number(text: &str) -> Result<f64, String> {
-    value(text, "it must be a number")
+    value(text, NUMBER)
 }
 
 /// A count, zero included.
 pub fn count(text: &str) -> Result<u64, String> {
-    value(text, "it must be a whole number, 0 or greater")
+    value(text, "it must be a whole number, 0 or greater, below 2^64, in digits")
 }
 
 /// A count, at least one.
 pub fn positive_count(text: &str) -> Result<NonZeroU64, String> {
-    value(text, "it must be a whole number, 1 or greater")
+    value(text, "it must be a whole number, 1 or greater, below 2^64, in digits")
 }
 
 /// The value that `text` stands for; otherwise `allowed`, or that the value was forgotten.

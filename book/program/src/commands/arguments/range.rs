@@ -3,7 +3,7 @@
 use std::fmt;
 use std::str::FromStr;
 
-use super::number::refusal;
+use super::number::{NUMBER, refusal};
 
 /// One number, or COUNT of them FROM … TO, both ends included.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -31,7 +31,7 @@ impl Sweep {
     /// # Errors
     /// What `number` says of one number; for anything else, what is allowed.
     pub fn of(text: &str, number: impl Fn(&str) -> Result<f64, String>) -> Result<Self, String> {
-        const ALLOWED: &str = "or a range FROM:TO:COUNT with a COUNT of 2 or more";
+        const ALLOWED: &str = "or a range FROM:TO:COUNT with a COUNT of 2 or more, in digits";
         let or_range = |reason: String| format!("{reason}, {ALLOWED}");
         let parts: Vec<&str> = text.split(':').collect();
         match parts[..] {
@@ -39,14 +39,14 @@ impl Sweep {
             [from, to, count] => {
                 let [from, to] = [number(from), number(to)];
                 let count = count.parse().ok().filter(|count| *count >= 2);
-                let count = count.ok_or_else(|| "it must be a number".to_owned());
+                let count = count.ok_or_else(|| NUMBER.to_owned());
                 Ok(Self::Range(Range {
                     from: from.map_err(or_range)?,
                     to: to.map_err(or_range)?,
                     count: count.map_err(or_range)?,
                 }))
             }
-            _ => Err(or_range("it must be a number".to_owned())),
+            _ => Err(or_range(NUMBER.to_owned())),
         }
     }
 }
@@ -93,9 +93,8 @@ impl FromStr for Sweep {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, Self::Err> {
-        const ALLOWED: &str = "it must be a number";
         let number = |text: &str| text.parse::<f64>().ok().filter(|x| x.is_finite());
-        Self::of(text, |end| number(end).ok_or_else(|| refusal(end, ALLOWED)))
+        Self::of(text, |end| number(end).ok_or_else(|| refusal(end, NUMBER)))
     }
 }
 

@@ -101,7 +101,8 @@ impl<Z> Drift<Z> for NotConserved {
 /// The failure of a trajectory that overflows.
 pub fn overflow(steps: u64) -> Failure {
     Failure::Failed(anyhow::anyhow!(
-        "after {steps} steps the trajectory has left the range of numbers: take a smaller step"
+        "after {steps} steps the trajectory has left the range of numbers: take a smaller step, or \
+         units in which g and L are nearer to 1"
     ))
 }
 
