@@ -138,7 +138,7 @@ fn how_far_a_run_may_lead_depends_on_the_method() {
     assert!(ScaledPendulum::new::<Yoshida8>(&pendulum(), &grid, start).is_none());
 }
 
-/// Catches: a run that goes on after the observer is satisfied.
+/// Catches: a run that goes on after the observer is satisfied, or begins although it is.
 #[test]
 fn a_satisfied_observer_ends_the_swing() {
     struct Three(u64);
@@ -154,6 +154,13 @@ fn a_satisfied_observer_ends_the_swing() {
     let end = integrate_fast(&pendulum(), &Rk4, start, &grid, &mut Three(0));
     let three = Grid::new(0.1, 3).unwrap();
     assert_eq!(end, integrate_fast(&pendulum(), &Rk4, start, &three, &mut ()));
+    for start in (1..40).map(|i| Phase { theta: 0.3 * f64::from(i), omega: 1.0 / f64::from(i) }) {
+        assert_eq!(start, integrate_fast(&pendulum(), &Rk4, start, &grid, &mut Start));
+        assert_eq!(
+            Ok(start),
+            pendula::try_integrate_fast(&pendulum(), &Rk4, start, &grid, &mut Start)
+        );
+    }
 }
 
 proptest! {

@@ -1,13 +1,14 @@
 //! Where the judge's verdicts change: just inside each threshold and just outside.
 
 use pendula::internals::verdicts::{
-    Apart, Clock, Defect, Loss, Way, area, energy, order, precision, reversal, stage_times,
+    Apart, Clock, Defect, Loss, Way, area, deviation_with, energy, order, precision, reversal,
+    stage_times,
 };
 use pendula::internals::{Ladder, Probe};
 use pendula::methods::StormerVerlet;
 use pendula::verify::Verdict::{self, Fails, Holds, Unclear};
-use pendula::verify::{Claims, Fault, Finding, Reply, Report, Request, Stranger, judge};
-use pendula::{METHODS, Phase};
+use pendula::verify::{Claims, Fault, Finding, FromFn, Reply, Report, Request, Stranger, judge};
+use pendula::{METHODS, Motion, Pendulum, Phase};
 use rstest::rstest;
 
 /// A little less and a little more: nothing that a verdict compares is known better.
@@ -297,13 +298,59 @@ fn a_right_step_has_no_wrong_term() {
         for _ in 0..40 {
             let g_over_l = between(0.1, 50.0);
             let starts = core::array::from_fn(|_| [between(-3.0, 3.0), between(-2.0, 2.0)]);
-            let found =
-                pendula::internals::verdicts::deviation_with(&probe, g_over_l, starts).unwrap();
+            let found = deviation_with(&probe, g_over_l, starts).unwrap();
             let order = method.info().order as usize;
             let power = found.map(|found| found.power);
             assert!(power.is_none_or(|power| power > order), "{name} {power:?} {starts:?}");
         }
     }
+}
+
+/// Of the exact motion with one term too much of h, h², h³ or h⁴, that term is found, by its excess
+/// and in parts of its factor, to 1 in 10⁵: series of 12 steps know h⁴ to about 10⁻⁸.
+///
+/// Catches: a term of a wrong value, sign or factor, or one told for another.
+#[rstest]
+#[case(1, 0, [0, 0, 1], 1.0)]
+#[case(1, 1, [1, 0, 0], -1.0)]
+#[case(2, 0, [1, 0, 0], -1.0 / 2.0)]
+#[case(2, 1, [0, 1, 1], -1.0 / 2.0)]
+#[case(3, 0, [0, 1, 1], -1.0 / 6.0)]
+#[case(3, 1, [1, 1, 0], 1.0 / 6.0)]
+#[case(3, 1, [1, 0, 2], 1.0 / 6.0)]
+#[case(4, 0, [1, 0, 2], 1.0 / 24.0)]
+#[case(4, 0, [1, 1, 0], 1.0 / 24.0)]
+#[case(4, 1, [0, 1, 3], 1.0 / 24.0)]
+#[case(4, 1, [2, 0, 1], -1.0 / 8.0)]
+#[case(4, 1, [0, 2, 1], 1.0 / 24.0)]
+fn a_term_too_much_is_found(
+    #[case] power: i32,
+    #[case] of: usize,
+    #[case] powers: [i32; 3],
+    #[case] factor: f64,
+) {
+    let step = move |g: f64, theta: f64, omega: f64, h: f64| {
+        let (frequency, (sine, cosine)) = (g.sqrt(), theta.sin_cos());
+        let factors = [sine, cosine, omega / frequency];
+        let term: f64 = factors.iter().zip(powers).map(|(factor, n)| factor.powi(n)).product();
+        let more = 1e-2 * factor.signum() * term * (h * frequency).powi(power);
+        let pendulum = Pendulum::new(g, 1.0, 1.0).unwrap();
+        let end = Motion::new(&pendulum, Phase { theta, omega }).unwrap().at(h);
+        let [to_theta, to_omega] = [[more, 0.0], [0.0, more * frequency]][of];
+        (end.theta + to_theta, end.omega + to_omega)
+    };
+    let stranger = FromFn(|g, theta, omega, h, n| {
+        let next = move |z: &(f64, f64)| Some(step(g, z.0, z.1, h));
+        std::iter::successors(next(&(theta, omega)), next).take(n as usize)
+    });
+    let starts = core::array::from_fn(|i| [i as f64 - 2.3, 1.1 - 0.7 * (i * i % 5) as f64]);
+    let found = deviation_with(&Probe::new(&stranger).unwrap(), 9.81, starts).unwrap().unwrap();
+    let (term, excess, parts) = found.worst();
+    assert_eq!((found.power, term.of), (power as usize, of), "{}", term.name);
+    // And nothing of the others.
+    let all: f64 = found.excess.iter().map(|excess| excess.abs()).sum();
+    assert!((excess - 1e-2).abs() < 1e-7 && (all - 1e-2).abs() < 1e-7, "{:?}", found.excess);
+    assert!((parts - 1e-2 / factor.abs()).abs() < 1e-6, "{parts}");
 }
 
 /// Of every combination of verdicts on three claims the worst is that on all, and each that is not
