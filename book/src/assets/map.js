@@ -1,5 +1,5 @@
-// The map of choosing by keyboard: one stop of Tab, from which the arrow keys lead from cell to cell.
-// The cell with the focus says what one under a mouse says: book/theme/pendula.css.
+// The map of choosing by keyboard: one stop of Tab, from which the arrow keys lead from cell to
+// cell. The cell with the focus says what one under a mouse says: book/theme/pendula.css.
 (() => {
     'use strict';
 
@@ -12,7 +12,8 @@
     let stop = cells[0];
 
     map.setAttribute('role', 'application');
-    map.querySelector('.prompt').textContent = 'A tap, the mouse or the arrow keys on a cell show here';
+    const [prompt] = map.getElementsByClassName('prompt');
+    prompt.textContent = 'A tap, the mouse or the arrow keys on a cell show here';
     for (const cell of cells) {
         const said = [...cell.querySelectorAll('text')].map(line => line.textContent);
         cell.setAttribute('role', 'img');
