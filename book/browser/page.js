@@ -48,6 +48,8 @@ async ({letter, index, contrast, paper = false, listings = false}) => {
     }
     // axe takes an empty alt for an ornament; the book has none.
     for (const img of all('img')) {
+        img.loading = 'eager';
+        await img.decode().catch(() => {});
         if (!img.alt.trim()) find('image without alt', img.src);
         if (!img.naturalWidth) find('image not drawn', img.src);
     }

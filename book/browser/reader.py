@@ -252,4 +252,15 @@ def unscrolled(tab: Tab, book: Book) -> Iterator[str]:
         yield f"judging.html, {TELEPHONE} px: a table scrolls: {table}"
 
 
-CHECKS = [search, answers, contents, themes, keyboard, scriptless, asked, unscrolled]
+def landing(tab: Tab, book: Book) -> Iterator[str]:
+    """On a telephone the letters of the moving picture, 16 of 420 units high where it is higher
+    than wide, can be read."""
+    tab.screen(TELEPHONE)
+    tab.open("index.html")
+    box = tab.run("document.querySelector('picture img').getBoundingClientRect().toJSON()")
+    rearranged = "(max-aspect-ratio:1)" in book.text("assets/four-pendulums.svg")
+    if not (rearranged and box["height"] > box["width"] > 11 / 16 * 420):
+        yield f"index.html: small letters in a picture {box['width']} px wide"
+
+
+CHECKS = [search, answers, contents, themes, keyboard, scriptless, asked, unscrolled, landing]
