@@ -1,8 +1,7 @@
 //! What a page loads, and when: the scripts and styles of the lab where there is one, and nowhere
 //! else; and its fonts before its text is set, so that no line is set twice.
 //!
-//! The scripts of the lab are joined to one, without comments, which another loads when the reader
-//! comes near; so does the browser with a picture.
+//! The lab's scripts are joined to one, without comments, which another loads when it is near.
 
 use std::fs;
 use std::path::Path;

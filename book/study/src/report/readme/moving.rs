@@ -112,8 +112,8 @@ fn rules() -> String {
         ".small {font-size:16px}",
     ];
     let of = |rule| format!(".{ID} {rule}\n");
-    let narrow = narrow.map(of).concat();
-    rules.map(of).concat() + &format!("@media (max-aspect-ratio:1) {{\n{narrow}}}\n")
+    let narrow = format!("@media (max-aspect-ratio:1) {{\n{}}}\n", narrow.map(of).concat());
+    rules.map(of).concat() + &narrow
 }
 
 /// Nothing moves for those who asked their system for little motion.
