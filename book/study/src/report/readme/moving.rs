@@ -46,7 +46,6 @@ pub(super) fn svgs() -> [String; 2] {
     for (i, row) in rows.iter().enumerate() {
         let left = COLUMN * i as f64;
         let portrait = Portrait::of(row, left);
-        // Of the last two, as they may stand below the first.
         let group = if i < 2 { "<g>" } else { "<g class=\"second\">" };
         line(&mut fixed, group.to_string());
         draw_fixed(&mut fixed, row, left, portrait);
