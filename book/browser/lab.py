@@ -20,6 +20,15 @@ def open_lab(tab: Tab, scene: str = ""):
     tab.anew(PAGE, f"{LAB}.classList.contains('on')", scene)
 
 
+# The names of the lessons, as they are chosen; and choosing one.
+LESSONS = f"[...{LAB}.querySelectorAll('.beside option')].map(option => option.value)"
+CHOSEN = f"""name => {{
+    const choice = {LAB}.querySelector('.beside select');
+    choice.value = name;
+    choice.dispatchEvent(new Event('change'));
+}}"""
+
+
 def press(tab: Tab, button: str, times: int = 1):
     tab.run(f"for (let i = 0; i < {times}; i++) {LAB}.querySelector('button.{button}').click()")
 
@@ -244,17 +253,17 @@ def address(tab: Tab, book: Book) -> Iterator[str]:
     stop(tab)
     if [value(tab, key) for key in ("dt", "theta0", "g")] != [0.01, 1, 9.81]:
         yield "lab: an address that is no scene is taken at its word"
-    for lesson in tab.run(f"[...{LAB}.querySelectorAll('.lessons a')].map(a => a.hash)"):
-        tab.run(f"document.querySelector('.lessons a[href=\"{lesson}\"]').click()")
+    for name in tab.run(LESSONS):
+        lesson = f"#{name}"
+        tab.run(CHOSEN, name)
         if not tab.comes(f"{LAB}.lab.taken > 0"):
             yield f"lab: the lesson {lesson} does not begin"
         if tab.run("location.hash") != lesson:
             yield f"lab: the lesson {lesson} has no address"
-        current = f"{LAB}.querySelectorAll('.lessons [aria-current]')"
-        marked = tab.run(f"[...{current}].map(a => a.hash).join()")
-        if marked != lesson:
-            yield f"lab: the lesson {lesson} is not marked, but {marked!r}"
-        if not tab.run(f"!!document.getElementById('{lesson[1:]}')?.closest('h3')"):
+        marked = tab.run(f"{LAB}.querySelector('.beside select').value")
+        if marked != name:
+            yield f"lab: the lesson {name} is not marked, but {marked!r}"
+        if not tab.run(f"!!document.getElementById('{name}')?.closest('h3')"):
             yield f"lab: nothing is said of the lesson {lesson}"
         stop(tab)
         if lesson not in UNPRINTED:
@@ -303,7 +312,7 @@ def motion(tab: Tab, book: Book) -> Iterator[str]:
     tab.page.emulate_media(reduced_motion="reduce")
     open_lab(tab)
     tab.run(COUNT_PICTURES)
-    tab.run("document.querySelector('.lessons a').click()")
+    tab.run(CHOSEN, tab.run(LESSONS)[0])
     time.sleep(0.3)
     if running(tab):
         yield "lab: moves unasked where little motion is asked for"
@@ -386,7 +395,7 @@ def picture(tab: Tab, path: Path):
     open_lab(tab)
     # As a reader sees it, but for what is moved.
     tab.page.add_style_tag(
-        content=".lab :is(.lessons, .beside, .buttons, .sliders, .methods) {"
+        content=".lab :is(.beside, .buttons, .sliders, .methods) {"
         "display: none !important}"
     )
     press(tab, "step", 333)

@@ -5,7 +5,7 @@ from urllib.parse import parse_qsl
 
 from book import Book
 from browser import TELEPHONE, Tab
-from lab import LAB, PAGE, go_to, open_lab, stop, value
+from lab import LAB, LESSONS, PAGE, go_to, open_lab, stop, value
 
 # The lessons in the chapter: name, and of each step its words, changes and comparison.
 WRITTEN = """[...document.querySelectorAll('.lesson-steps')].map(list => [list.dataset.lesson,
@@ -30,13 +30,13 @@ def steps(tab: Tab, book: Book) -> Iterator[str]:
     picture, its changes are in the scene, its address leads back to it; Back leads back."""
     open_lab(tab)
     written = tab.run(WRITTEN)
-    links = tab.run(f"[...{LAB}.querySelectorAll('.lessons a')].map(a => a.hash.slice(1))")
-    if [name for name, _ in written] != links:
-        yield f"lessons: {[name for name, _ in written]} are written, {links} are offered"
+    offered = tab.run(LESSONS)
+    if [name for name, _ in written] != offered:
+        yield f"lessons: {[name for name, _ in written]} are written, {offered} are offered"
     walk = [(name, i, len(all), step) for name, all in written for i, step in enumerate(all)]
     if not 2 * len(written) < len(walk):
         yield "lessons: hardly any has steps"
-    go_to(tab, f"#{links[0]}", f"location.hash === '#{links[0]}' && lab.running")
+    go_to(tab, f"#{offered[0]}", f"location.hash === '#{offered[0]}' && lab.running")
     for k, (name, i, count, (words, changes, compares)) in enumerate(walk):
         here = f"#{name}/{i + 1}" if i else f"#{name}"
         if not tab.comes(f"location.hash === '{here}'"):
@@ -104,9 +104,12 @@ def beside(tab: Tab, book: Book) -> Iterator[str]:
     if tab.run("document.querySelector('.lesson-steps').checkVisibility()"):
         yield "lessons: the words are on the page twice"
     tab.screen(TELEPHONE)
+    open_lab(tab)
     (_, _, _, bottom), (_, y, _, end), (_, plots, _, _) = tab.run(boxes)
     if not bottom <= y < end <= plots:
         yield "lessons: on a telephone the words are not between the picture and the plots"
+    if not bottom <= 900:
+        yield f"lessons: on a telephone the picture ends {bottom:.0f} px down the page"
     hidden = """[...document.querySelectorAll('.lesson-steps li')].filter(
         step => !step.checkVisibility() || !step.textContent.trim()).length"""
     with tab.on_paper():

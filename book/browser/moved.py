@@ -304,7 +304,7 @@ ALL = "[...document.querySelectorAll('.lab-figure')]"
 STILL = """[...document.querySelectorAll('.lab-figure > figure > svg')].map(
     svg => svg.checkVisibility() && svg.getBoundingClientRect().height > 100)"""
 LIVE = """[...document.querySelectorAll('.lab-figure')].map(
-    spot => spot.querySelector('.live')?.checkVisibility() ?? false)"""
+    spot => spot.querySelector('svg.moved')?.checkVisibility() ?? false)"""
 # The height of each, as it is and as it was before its library came, once the contents beside the
 # page have gone where they go.
 HEIGHTS = """document.getAnimations().forEach(animation => animation.finish()),
@@ -320,6 +320,12 @@ HEIGHTS = """document.getAnimations().forEach(animation => animation.finish()),
 })"""
 
 
+CAPTIONED = f"""{ALL}.map(spot => {{
+    const top = part => spot.querySelector(part).getBoundingClientRect().top;
+    return top('figcaption') < top('.controls');
+}})"""
+
+
 def still(tab: Tab, book: Book) -> Iterator[str]:
     """On paper, in the book as one page and without scripts there is the still figure; and when the
     moved one comes, the page stands still."""
@@ -332,6 +338,8 @@ def still(tab: Tab, book: Book) -> Iterator[str]:
             continue
         if any(tab.run(STILL)) or not all(tab.run(LIVE)):
             yield f"moved: {page} shows a figure twice, or not at all"
+        if not all(tab.run(CAPTIONED)):
+            yield f"moved: {page} has controls between a picture and its caption"
         for width in (DESK, 640, TELEPHONE):
             tab.screen(width)
             for before, now in tab.run(HEIGHTS):

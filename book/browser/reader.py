@@ -215,7 +215,7 @@ CELL = "document.querySelector('#fig-decision > .cell > path').getBoundingClient
 
 def asked(tab: Tab, book: Book) -> Iterator[str]:
     """The map of choosing asks for a cell, and the one that the mouse is on says what it needs. A
-    tap puts the mouse there."""
+    tap puts the mouse there. Tab stops once, and the arrow keys lead on from there."""
     tab.open("choosing.html")
     # Not under the bar at the top.
     tab.run("document.getElementById('fig-decision').scrollIntoView({block: 'center'})")
@@ -224,6 +224,21 @@ def asked(tab: Tab, book: Book) -> Iterator[str]:
     said = tab.run(SAID)
     if len(prompt) != 2 or len(said) != 2 or "steps a period" not in said[0]:
         yield f"the map of choosing says {prompt}, and of a cell {said}"
+    tab.page.mouse.move(0, 0)
+    stops = "[...document.querySelectorAll('#fig-decision [tabindex=\"0\"]')]"
+    tab.run(f"{stops}[0]?.focus()")
+    # Of the first cell's neighbours one is below it; the next is to its right; none is above that
+    # in the first row.
+    for key in ["ArrowDown", "ArrowRight", "ArrowUp", "ArrowUp", "ArrowLeft", "ArrowLeft"]:
+        tab.press(key)
+    read = tab.run("document.activeElement.ariaLabel")
+    if tab.run(SAID) != said or read != "; ".join(said):
+        yield f"the map of choosing says by keyboard {tab.run(SAID)}, and reads out {read}"
+    tab.press("ArrowRight")
+    if tab.run(SAID) == said:
+        yield "the map of choosing: the arrow keys lead nowhere"
+    if tab.here() != "choosing.html" or tab.run(f"{stops}.length") != 1:
+        yield f"the map of choosing: {tab.run(f'{stops}.length')} stops, on {tab.here()}"
 
 
 def unscrolled(tab: Tab, book: Book) -> Iterator[str]:
@@ -237,4 +252,15 @@ def unscrolled(tab: Tab, book: Book) -> Iterator[str]:
         yield f"judging.html, {TELEPHONE} px: a table scrolls: {table}"
 
 
-CHECKS = [search, answers, contents, themes, keyboard, scriptless, asked, unscrolled]
+def landing(tab: Tab, book: Book) -> Iterator[str]:
+    """On a telephone the letters of the moving picture, 16 of 420 units high where it is higher
+    than wide, can be read."""
+    tab.screen(TELEPHONE)
+    tab.open("index.html")
+    box = tab.run("document.querySelector('picture img').getBoundingClientRect().toJSON()")
+    rearranged = "(max-aspect-ratio:1)" in book.text("assets/four-pendulums.svg")
+    if not (rearranged and box["height"] > box["width"] > 11 / 16 * 420):
+        yield f"index.html: small letters in a picture {box['width']} px wide"
+
+
+CHECKS = [search, answers, contents, themes, keyboard, scriptless, asked, unscrolled, landing]

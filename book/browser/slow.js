@@ -136,7 +136,7 @@ cost => {
     lab.stopwatch = slow(lab.stopwatch);
     lab.begin();
     lab.page.numbers.spell();
-    // What there is without an address.
-    const sound = kinds();
+    // What there is without an address; the words of a lesson have links.
+    const sound = kinds().add('a');
     globalThis.harness = harness;
 }

@@ -188,8 +188,8 @@ def lessons(tab: Tab, book: Book) -> Iterator[str]:
     """A lesson that names K = g Δt²/L in its title is at that K, to the digits it prints."""
     open_lab(tab)
     named = 0
-    links = f"[...{LAB}.querySelectorAll('.lessons a')].map(a => [a.hash, a.textContent])"
-    for lesson, title in tab.run(links):
+    titles = f"[...{LAB}.querySelectorAll('.beside option')].map(a => [`#${{a.value}}`, a.text])"
+    for lesson, title in tab.run(titles):
         stated = re.search(r"\bK = (\d+(?:\.(\d+))?)", title)
         if not stated:
             continue

@@ -1,7 +1,7 @@
 //! What a page loads, and when: the scripts and styles of the lab where there is one, and nowhere
 //! else; and its fonts before its text is set, so that no line is set twice.
 //!
-//! The scripts of the lab are joined to one, which another loads when the reader comes near.
+//! The lab's scripts are joined to one, without comments, which another loads when it is near.
 
 use std::fs;
 use std::path::Path;
@@ -32,7 +32,9 @@ pub fn join<P: AsRef<Path>>(pages: &Path, scripts: &[P]) -> Result<()> {
             continue;
         }
         let file = pages.join(script);
-        bundle += &fs::read_to_string(&file).with_context(|| file.display().to_string())?;
+        let text = fs::read_to_string(&file).with_context(|| file.display().to_string())?;
+        let is_code = |line: &&str| !line.trim_start().starts_with("//");
+        bundle.extend(text.split_inclusive('\n').filter(is_code));
     }
     if bundle.is_empty() {
         return Ok(());
@@ -63,6 +65,7 @@ pub fn linked(page: &str, site: &str) -> String {
     };
     let linked: String = page.split_inclusive('\n').filter(stays).collect();
     let linked = linked.replacen(PICTURE, &format!("{PICTURE}{site}"), 1);
+    let linked = linked.replace("<img src=", "<img loading=\"lazy\" src=");
     linked.replacen(CHARSET, &format!("{CHARSET}{}", fonts(page)), 1)
 }
 

@@ -24,21 +24,11 @@
         constructor(lab) {
             this.lab = lab;
             this.names = Object.keys(PRESETS);
-            this.links = this.names.map(name =>
-                element(
-                    'a',
-                    {
-                        href: `#${name}`,
-                        onclick: event => {
-                            event.preventDefault();
-                            lab.lesson(name, 1);
-                        },
-                    },
-                    PRESETS[name].title,
-                ),
+            this.choice = element(
+                'select',
+                { 'aria-label': 'Lesson', onchange: () => lab.lesson(this.choice.value, 1) },
+                ...this.names.map(name => element('option', { value: name }, PRESETS[name].title)),
             );
-            this.nav = element('nav', { class: 'lessons', 'aria-label': 'Lessons' }, ...this.links);
-            this.title = element('strong');
             this.where = element('span', { class: 'note' });
             // Said when the step changes, after what is being said.
             this.words = element('div', { class: 'words', 'aria-live': 'polite' });
@@ -52,7 +42,7 @@
             this.beside = element(
                 'section',
                 { class: 'beside', 'aria-label': 'Lesson' },
-                element('p', { class: 'title' }, this.title, this.where),
+                element('p', { class: 'title' }, this.choice, this.where),
                 this.words,
                 element('div', { class: 'buttons' }, this.back, this.next, this.set),
                 this.changed,
@@ -78,10 +68,7 @@
             const { lab } = this,
                 { lesson, step } = lab.scene,
                 steps = lab.lessons[lesson] ?? [];
-            this.links.forEach((link, i) => {
-                if (this.names[i] === lesson) link.setAttribute('aria-current', 'true');
-                else link.removeAttribute('aria-current');
-            });
+            this.choice.value = lesson;
             const [before, after] = [this.neighbour(-1), this.neighbour(1)];
             // Kept in the order of the keyboard, so that the focus is not lost.
             this.back.setAttribute('aria-disabled', before === null);
@@ -94,7 +81,6 @@
             const shown = `${lesson}/${step}`;
             if (this.shown === shown) return;
             this.shown = shown;
-            this.title.textContent = PRESETS[lesson].title;
             this.where.textContent = `Step ${step} of ${Math.max(steps.length, 1)}`;
             const words = steps[step - 1]?.words.cloneNode(true);
             this.words.replaceChildren(...(words ? words.childNodes : []));
@@ -122,7 +108,6 @@
             this.live = element(
                 'div',
                 { class: 'live', role: 'group', 'aria-label': `Lab: ${PRESETS[preset].title}` },
-                ...(whole ? [this.lessons.nav] : []),
                 element(
                     'div',
                     { class: 'bench' },

@@ -43,21 +43,35 @@ pub(super) fn svgs() -> [String; 2] {
     let truth = side_by_side::truth();
     let styles: Vec<Style> = rows.iter().map(|row| style(row.method)).collect();
     let (mut fixed, mut moving, mut still) = (String::new(), String::new(), String::new());
-    for (row, left) in rows.iter().zip((0..).map(|i| COLUMN * f64::from(i))) {
+    for (i, row) in rows.iter().enumerate() {
+        let left = COLUMN * i as f64;
         let portrait = Portrait::of(row, left);
+        let group = if i < 2 { "<g>" } else { "<g class=\"second\">" };
+        line(&mut fixed, group.to_string());
         draw_fixed(&mut fixed, row, left, portrait);
+        line(&mut fixed, "</g></g>".to_string());
         for (out, moves) in [(&mut moving, true), (&mut still, false)] {
+            line(out, group.to_string());
             draw_pendulum(out, Style::REFERENCE, &truth, left, moves);
             draw_pendulum(out, style(row.method), &row.samples, left, moves);
+            line(out, "<g class=\"wide\">".to_string());
             draw_orbit(out, row, portrait, moves);
+            line(out, "</g></g>".to_string());
         }
     }
+    for out in [&mut fixed, &mut moving, &mut still] {
+        line(out, "<g class=\"wide\">".to_string());
+    }
     draw_clock(&mut fixed, &mut moving, &mut still);
+    for out in [&mut fixed, &mut moving, &mut still] {
+        line(out, "</g>".to_string());
+    }
     let both = format!("<g class=\"moving\">\n{moving}</g>\n<g class=\"still\">\n{still}</g>\n");
     let file = |rules: String, body: &str| {
         format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"{ID}\" viewBox=\"0 0 {WIDTH} \
-             {HEIGHT}\"\nwidth=\"{WIDTH}\" height=\"{HEIGHT}\" role=\"img\" \
+             {HEIGHT}\"\nwidth=\"{WIDTH}\" height=\"{HEIGHT}\" \
+             preserveAspectRatio=\"xMinYMin slice\" role=\"img\" \
              aria-labelledby=\"title desc\">\n<title id=\"title\">{TITLE}</title>\n\
              <desc id=\"desc\">{}</desc>\n{}<style>\n{rules}</style>\n{fixed}{body}</svg>\n",
             wrapped(&escape(&description())),
@@ -90,7 +104,15 @@ fn rules() -> String {
         ".ring {fill:none;stroke:currentColor;stroke-width:2}",
         ".track {stroke-width:1.8}",
     ];
-    rules.map(|rule| format!(".{ID} {rule}\n")).concat()
+    // Where the image is higher than wide, two stand below two, and the orbits are left out.
+    let narrow = [
+        ".second {transform:translate(-420px,262px)}",
+        ".wide {display:none}",
+        ".small {font-size:16px}",
+    ];
+    let of = |rule| format!(".{ID} {rule}\n");
+    let narrow = format!("@media (max-aspect-ratio:1) {{\n{}}}\n", narrow.map(of).concat());
+    rules.map(of).concat() + &narrow
 }
 
 /// Nothing moves for those who asked their system for little motion.
@@ -108,7 +130,7 @@ fn draw_fixed(out: &mut String, row: &Row, left: f64, portrait: Portrait) {
     let step = format!("step {} s", row.step);
     draw_text(out, "small", (middle, 40.0), "middle", &step);
     let (x, y) = (Num(middle), Num(PIVOT));
-    line(out, format!(r#"<path class="axis" d="M{x},{y}m-14,0h28"/>"#));
+    line(out, format!(r#"<path class="axis" d="M{x},{y}m-14,0h28"/><g class="wide">"#));
     // The axes of the portrait, and the exact orbit.
     let ([a, b], [bottom, top]) = (
         [-0.5, 0.5].map(|share| Num(middle + share * PORTRAIT_WIDTH)),
