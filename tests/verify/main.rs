@@ -16,3 +16,4 @@ mod metrics;
 mod slope_estimator;
 mod strangers;
 mod thresholds;
+mod words;

@@ -227,7 +227,7 @@ fn with_slopes(groups: &mut [Group], versions: [&Version; 2]) -> Result<()> {
 
 fn figure(name: &str, old: &Version, new: &Version) -> Result<Figure> {
     let drawings = [old, new].map(|version| version.get(name).map(|content| content.text.clone()));
-    let noise = figures().any(|drawing| drawing.name == name && drawing.noise);
+    let noise = figures().any(|drawing| drawing.name == name && drawing.is_noise());
     let corrupt = || format!("{name}: corrupt");
     let difference = match &drawings {
         [Some(old), Some(new)] => Some(drawings::compare(old, new, noise).with_context(corrupt)?),

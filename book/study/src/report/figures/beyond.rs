@@ -14,7 +14,6 @@ pub(super) const FIGURES: &[Drawing] = &[
         name: "poincare",
         caption: "The driven pendulum at γ = 1.5, seen once a period. A motion that never repeats \
                   stays on one folded curve, and the folds have folds.",
-        noise: false,
         draw: poincare,
     },
     Drawing {
@@ -22,7 +21,6 @@ pub(super) const FIGURES: &[Drawing] = &[
         caption: "Two double pendulums whose starts differ by 10⁻⁹ rad. Released high, the \
                   distance grows exponentially until they have nothing in common; released low, \
                   they stay together.",
-        noise: false,
         draw: separation,
     },
     Drawing {
@@ -31,7 +29,6 @@ pub(super) const FIGURES: &[Drawing] = &[
                   30\u{a0}s that stand from those that do not. On the lower curve, which is \
                   Kapitza's rule where the shaking is fast, it begins to stand; above the upper \
                   one it rocks ever wider.",
-        noise: false,
         draw: kapitza,
     },
     Drawing {
@@ -40,7 +37,6 @@ pub(super) const FIGURES: &[Drawing] = &[
                   released at rest with the upper rod at 2 or 2.01 rad and the lower one at 2.5 \
                   rad. For more than two seconds they are one line, and then each goes its own \
                   way.",
-        noise: false,
         draw: double_pendulum_trace,
     },
     Drawing {
@@ -48,7 +44,6 @@ pub(super) const FIGURES: &[Drawing] = &[
         caption: "A planet under Störmer–Verlet in 100 steps a revolution, a dot each. The true \
                   ellipse stays where it is; the method's keeps its shape and turns against the \
                   motion, by an eighth of a turn in thirty revolutions.",
-        noise: false,
         draw: turning_ellipse,
     },
 ];

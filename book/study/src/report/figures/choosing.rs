@@ -14,7 +14,6 @@ pub(super) const FIGURES: &[Drawing] = &[Drawing {
               lines across, the second best needs less than a quarter more: any of the neighbours \
               will do. In the corner at the lower right the rounding of an f64 alone may be larger \
               than what is allowed.",
-    noise: false,
     draw: decision,
 }];
 

@@ -10,7 +10,6 @@ pub(super) const FIGURES: &[Drawing] = &[Drawing {
     caption: "Force evaluations for a hundred swings from 1 rad, with the angle never off by more \
               than a thousandth of a radian: the dearest method first. From one line of the grid \
               to the next on its left there is a hundred times less work.",
-    noise: false,
     draw: cost,
 }];
 

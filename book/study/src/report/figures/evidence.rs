@@ -17,7 +17,6 @@ pub(super) const FIGURES: &[Drawing] = &[
         caption: "Störmer–Verlet's own error falls with the step; that of the small-angle formula \
                   stays. What the paper measures is their difference, and where the two lines \
                   cross it all but vanishes.",
-        noise: false,
         draw: cancellation,
     },
     Drawing {
@@ -25,7 +24,6 @@ pub(super) const FIGURES: &[Drawing] = &[
         caption: "One trajectory, five periods. Above, two of the readings are good enough to show \
                   RK4's own error, which changes its sign near 2 ms. Below, off the exact motion, \
                   each reading shows its own, down to rounding; a line that ends has reached zero.",
-        noise: false,
         draw: five_periods,
     },
     Drawing {
@@ -34,7 +32,6 @@ pub(super) const FIGURES: &[Drawing] = &[
                   way up. The last to break, drawn here with its mirror image, still holds at K = \
                   0.97; at 1.2 it is gone, and the orbits that began beside the upper equilibrium \
                   are everywhere but in the islands, which shrink as K grows.",
-        noise: false,
         draw: standard_map,
     },
     Drawing {
@@ -42,7 +39,6 @@ pub(super) const FIGURES: &[Drawing] = &[
         caption: "What is left of Störmer–Verlet's conserved energy is rounding. Above, eight runs \
                   wander to either side; below, they wander twice as far in four times the steps. \
                   A biased rounding would follow the steeper guide.",
-        noise: true,
         draw: rounding_walk,
     },
 ];

@@ -17,21 +17,18 @@ pub(super) const FIGURES: &[Drawing] = &[
         name: "stencil_forward_euler",
         caption: "One step of forward Euler in phase space. The arrow is tangent to the orbit, and \
                   so it leaves it to the outside.",
-        noise: false,
         draw: stencil_forward_euler,
     },
     Drawing {
         name: "stencil_symplectic_euler",
         caption: "One step of symplectic Euler, from the same point as forward Euler's. The kick \
                   leaves the angle alone, the drift the velocity.",
-        noise: false,
         draw: stencil_symplectic_euler,
     },
     Drawing {
         name: "stencil_stormer_verlet",
         caption: "One step of Störmer–Verlet, from the same point as symplectic Euler's. With half \
                   of the kick at either end it lands far closer to the truth.",
-        noise: false,
         draw: stencil_stormer_verlet,
     },
     Drawing {
@@ -39,7 +36,6 @@ pub(super) const FIGURES: &[Drawing] = &[
         caption: "One step of RK4, from the same point as forward Euler's, and longer, as its \
                   error could not be seen otherwise. Each slope is an arrow a quarter of a step \
                   long, where it is looked at; the dotted lines lead there.",
-        noise: false,
         draw: stencil_rk4,
     },
     Drawing {
@@ -48,7 +44,6 @@ pub(super) const FIGURES: &[Drawing] = &[
                   of h = 0.14 s, and drawn every 0.56 s. RK4's steps are of 0.56 s, as each costs \
                   it four force evaluations. None keeps the shape, and not even the truth does; \
                   the two symplectic methods keep the area, and so does the truth.",
-        noise: false,
         draw: area_carried,
     },
     Drawing {
@@ -58,7 +53,6 @@ pub(super) const FIGURES: &[Drawing] = &[
                   evaluations. With forward Euler the cat grows to more than twice its area, with \
                   RK4 it loses a third; with the symplectic methods it is bent as by the true \
                   motion, and stays as large as it was.",
-        noise: false,
         draw: cat,
     },
     Drawing {
@@ -66,14 +60,12 @@ pub(super) const FIGURES: &[Drawing] = &[
         caption: "Symplectic Euler from rest at 1 rad, in steps of 0.25 s: its points, the true \
                   orbit, and the level curve of H̃ built from more and more terms of its series. \
                   The first term tilts the curve; the others bring it onto the points.",
-        noise: false,
         draw: tilted,
     },
     Drawing {
         name: "level_curves",
         caption: "Large steps of the two symplectic methods. Their points leave the true orbit at \
                   once, and stay on the level curve of their own energy.",
-        noise: false,
         draw: level_curves,
     },
 ];

@@ -15,7 +15,6 @@ pub(super) const FIGURES: &[Drawing] = &[Drawing {
               each reaches: the first two end far from the truth at that time (dotted), the third \
               close to it. Below, the substeps of two methods in time; Suzuki's are shorter than \
               the step, and none of them leaves it.",
-    noise: false,
     draw: triple_jump,
 }];
 

@@ -24,8 +24,6 @@ pub struct Drawing {
     pub name: &'static str,
     /// What to see in it.
     pub caption: &'static str,
-    /// Whether its lines are sums of rounding errors, which go elsewhere with every last digit.
-    pub noise: bool,
     draw: fn(&Study) -> Figure,
 }
 
@@ -33,6 +31,11 @@ impl Drawing {
     /// The figure as an `<svg>` element.
     pub fn svg(&self, study: &Study) -> String {
         (self.draw)(study).to_svg(self.name)
+    }
+
+    /// Whether its lines are sums of rounding errors, which go elsewhere with every last digit.
+    pub fn is_noise(&self) -> bool {
+        self.name == "rounding_walk"
     }
 
     /// The figure with its caption, as a `<figure>` element without a blank line.

@@ -17,14 +17,12 @@ pub(super) const FIGURES: &[Drawing] = &[
         caption: "Two programs follow the same pendulum. In the first second one can hardly tell \
                   their curves apart. In the thousandth, one pendulum swings as it did, and the \
                   other goes over the top again and again.",
-        noise: false,
         draw: two_eulers,
     },
     Drawing {
         name: "forces",
         caption: "Gravity and its two parts. Along the rod it is held; along the circle it drives \
                   the bob back to the lowest point. The angle grows counter-clockwise.",
-        noise: false,
         draw: forces,
     },
     Drawing {
@@ -32,7 +30,6 @@ pub(super) const FIGURES: &[Drawing] = &[
         caption: "The higher the release, the broader the crests and the later the pendulum is \
                   back, as the markers show. The first correction to the period serves up to about \
                   a right angle; towards the top the period grows without limit.",
-        noise: false,
         draw: swings,
     },
 ];

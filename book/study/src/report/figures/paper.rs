@@ -13,7 +13,6 @@ pub(super) const FIGURES: &[Drawing] = &[
         name: "figure_2",
         caption: "The paper's Figure 2, measured. RK4's energy error falls with slope 5, not 4; \
                   forward Euler's has no one slope.",
-        noise: false,
         draw: figure_2,
     },
     Drawing {
@@ -22,32 +21,27 @@ pub(super) const FIGURES: &[Drawing] = &[
                   seconds later, each method on a scale of its own. That of the two symplectic \
                   methods comes and goes with each swing, as at first; forward Euler's and RK4's \
                   add up. Below, the largest error so far, on one scale for all.",
-        noise: false,
         draw: figure_3,
     },
     Drawing {
         name: "figure_4",
         caption: "The paper's Figure 4. Forward Euler lands outside the true orbit at every step.",
-        noise: false,
         draw: figure_4,
     },
     Drawing {
         name: "figure_5",
         caption: "The paper's Figure 5, with the separatrix around it. The curves look closed.",
-        noise: false,
         draw: figure_5,
     },
     Drawing {
         name: "figure_6",
         caption: "The paper's Figure 6. Broad crests: near the top the pendulum lingers.",
-        noise: false,
         draw: figure_6,
     },
     Drawing {
         name: "figure_7",
         caption: "The paper's Figure 7 over force evaluations. Above, the floor belongs to the \
                   formula; below, against the truth, there is none.",
-        noise: false,
         draw: figure_7,
     },
 ];

@@ -11,7 +11,6 @@ pub(super) const FIGURES: &[Drawing] = &[Drawing {
               12 steps: Blanes–Moan 6 has peaks there, up to tens of times as high as its error \
               beside them, and none at odd numbers. Of Störmer–Verlet's only the first stands out \
               of an error that is large anyway.",
-    noise: false,
     draw: resonances,
 }];
 

@@ -10,7 +10,6 @@ pub(super) const FIGURES: &[Drawing] = &[
         caption: "How well Störmer–Verlet from 1 rad conserves its modified energy if the series \
                   ends with the power N of x = ω₀h. Each curve turns upwards after its best N, \
                   and the shorter the step, the later: none of the series converges.",
-        noise: false,
         draw: lengths,
     },
     Drawing {
@@ -18,7 +17,6 @@ pub(super) const FIGURES: &[Drawing] = &[
         caption: "What is left with the best N, against 1/x, and how far the separatrix splits: \
                   both fall exponentially. The lines are theory without a constant fitted; all of \
                   it is computed in double-double.",
-        noise: false,
         draw: least,
     },
 ];

@@ -11,7 +11,6 @@ pub(super) const FIGURES: &[Drawing] = &[Drawing {
               a box along the axes, the next one has to enclose a turned box by a larger one, and \
               the width grows exponentially. Rectangles that turn with the motion grow as the \
               square of time, along the guide.",
-    noise: false,
     draw: widths,
 }];
 
