@@ -157,6 +157,21 @@ fn of_the_order() {
     assert_eq!(order(&ladder(&[]), 2).0, Unclear);
 }
 
+/// Over three halvings a factor of four in the error is 2/3 in the slope.
+///
+/// Catches: another window around a high order, or one that is as wide as a quarter of the order.
+#[test]
+fn of_a_high_order() {
+    for third in [3.0, -3.0] {
+        let off = |off| order(&ladder(&[20.0, 12.0, 12.0, 12.0 + third * off]), 12).0;
+        changes(2.0 / 3.0, [Holds, Unclear], off);
+        changes(4.0 / 3.0, [Unclear, Fails], off);
+    }
+    let rungs = |by: f64| vec![(1.0, 1.0), ((-by).exp(), (-12.0 * by).exp())];
+    let over = |by| order(&Ladder { rungs: rungs(by), slopes: vec![12.0], leading: 0 }, 12).0;
+    changes(4.0_f64.ln() / 3.0, [Unclear, Holds], over);
+}
+
 /// Störmer–Verlet, and something else where a request is of one kind.
 struct But {
     when: fn(&Request) -> bool,

@@ -193,8 +193,10 @@ fn drive(found: &Finding, report: &Report) -> Option<Cause> {
     let alone = report.finding("order").is_some_and(|order| order.verdict == Verdict::Holds);
     alone.then(|| Cause {
         text: format!(
-            "Only with a drive is the order {last:.0}: stages take the drive at a wrong time, \
-             as at the step's start"
+            "Only with a drive is the order {:.0}: stages take the drive at a wrong time, as at \
+             the step's start",
+            // Not -0.
+            libm::round(*last) + 0.0
         ),
         explains: &["stage-times"],
     })
