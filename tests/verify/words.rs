@@ -71,8 +71,9 @@ fn the_reports_are_these() {
             bounds.map(|(name, bound, unit)| format!("{name} within {bound:.4e} {unit}\n"));
         format!("{report}{}", bounds.collect::<String>())
     });
-    let said = said.join("\n");
-    assert_eq!(said, include_str!("reports.txt"), "\n{said}");
+    assert_eq!(said.join("\n"), include_str!("reports.txt"), "\n{}", said.join("\n"));
+    let in_a_test = || judge(&Silent, Claims::order(2)).assert();
+    assert!(std::panic::catch_unwind(in_a_test).is_err(), "nothing was measured");
 }
 
 /// Slopes near the order at first, which fall without a rise of 0.05 to less than half an order

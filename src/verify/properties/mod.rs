@@ -167,12 +167,11 @@ pub fn near(
     expected: f64,
     tolerance: f64,
 ) -> CheckResult {
-    if (value - expected).abs() <= tolerance {
-        Ok(())
-    } else {
-        let off = value - expected;
-        Err(format!("{what} is {value:?}, not {expected:?} ± {tolerance:.1e}: off by {off:.1e}"))
+    let off = value - expected;
+    if off.abs() <= tolerance {
+        return Ok(());
     }
+    Err(format!("{what} is {value:?}, not {expected:?} ± {tolerance:.1e}: off by {off:.1e}"))
 }
 
 /// An error unless `value` is larger than `bound`; so for a NaN.
