@@ -71,6 +71,13 @@ fn the_summary_counts_what_the_ledger_has() {
     assert_eq!(BTreeMap::from_iter(summary), expected);
 }
 
+/// Catches: a dash stated for what the paper does not print.
+#[test]
+fn what_the_paper_does_not_print_is_not_stated() {
+    let claim = PAPER.claims().iter().find(|claim| claim.stated.is_none()).unwrap();
+    assert_eq!(PAPER.entry(&claim.id).unwrap().stated, None);
+}
+
 /// Catches: a row that a filter misses, or finds under another verdict or part of the paper; a
 /// claim without a row.
 #[test]

@@ -83,14 +83,16 @@ pub struct Across {
 }
 
 /// Time, the first column of every trajectory.
-const TIME: Across = Across { column: 0, label: "t (s)", log: false };
+pub const TIME: Across = Across { column: 0, label: "t (s)", log: false };
 
 /// A plot that is being drawn.
 pub struct Plot {
-    is_in_the_terminal: bool,
+    /// Whether it is for the terminal.
+    pub is_in_the_terminal: bool,
     /// The file, if it is not the terminal.
     file: Option<Destination<'static>>,
     across: Across,
+    title: String,
     panels: &'static [Panel],
     /// One for each line: those of the first panel, then those of the next.
     lines: Vec<Thinned>,
@@ -98,32 +100,23 @@ pub struct Plot {
 }
 
 impl Plot {
-    /// A plot of `panels` over the time in the first column.
+    /// A plot of `panels` over a column.
     ///
     /// # Errors
     /// [`Failure::Refused`] if the file cannot be written.
-    pub fn new(target: Target, panels: &'static [Panel]) -> Result<Self, Failure> {
-        Self::over(TIME, target, panels)
-    }
-
-    /// A plot of `panels` over another column.
-    ///
-    /// # Errors
-    /// As [`new`](Self::new).
-    pub fn over(across: Across, target: Target, panels: &'static [Panel]) -> Result<Self, Failure> {
+    pub fn new(
+        target: Target,
+        across: Across,
+        title: &str,
+        panels: &'static [Panel],
+    ) -> Result<Self, Failure> {
         let file = match target {
             Target::Terminal => None,
             Target::File(path) => Some(Destination::file("--plot", &path)?),
         };
         let lines = panels.iter().flat_map(|panel| panel.columns).map(|_| Thinned::default());
-        let is_in_the_terminal = file.is_none();
-        let lines = lines.collect();
-        Ok(Self { is_in_the_terminal, file, across, panels, lines, first: None })
-    }
-
-    /// Whether it is for the terminal.
-    pub const fn is_in_the_terminal(&self) -> bool {
-        self.is_in_the_terminal
+        let (is_in_the_terminal, title, lines) = (file.is_none(), capital(title), lines.collect());
+        Ok(Self { is_in_the_terminal, file, across, title, panels, lines, first: None })
     }
 
     /// Adds a row.
@@ -142,9 +135,9 @@ impl Plot {
     ///
     /// # Errors
     /// If it cannot be written.
-    pub fn write(&mut self, title: &str) -> Result<(), Failure> {
+    pub fn write(&mut self) -> Result<(), Failure> {
         let Some(mut file) = self.file.take() else { return Ok(()) };
-        file.write_all(self.figure(&capital(title)).to_file("plot").as_bytes())?;
+        file.write_all(self.figure().to_file("plot").as_bytes())?;
         file.finish()
     }
 
@@ -152,8 +145,8 @@ impl Plot {
     ///
     /// # Errors
     /// If it cannot be written.
-    pub fn print(&self, title: &str, out: &mut dyn Write) -> io::Result<()> {
-        if self.is_in_the_terminal() { self.write_text(&capital(title), out) } else { Ok(()) }
+    pub fn print(&self, out: &mut dyn Write) -> io::Result<()> {
+        if self.is_in_the_terminal { self.write_text(out) } else { Ok(()) }
     }
 
     /// Each panel with its lines.
@@ -166,10 +159,10 @@ impl Plot {
         })
     }
 
-    fn figure(&self, title: &str) -> Figure {
+    fn figure(&self) -> Figure {
         let axis = |label: &str, log| if log { Axis::log(label) } else { Axis::linear(label) };
         let Across { label, log, .. } = self.across;
-        let figure = Figure::new(title, self.description());
+        let figure = Figure::new(&self.title, self.description());
         self.drawn().fold(figure, |figure, (panel, lines)| {
             let chart = Chart::new(axis(label, log), axis(panel.label, panel.log)).height(220.0);
             let lines = panel.columns.iter().zip(lines).enumerate();
@@ -196,22 +189,20 @@ impl Plot {
         format!("Over {across} from {} to {}: {}.", short(from), short(to), panels.join("; "))
     }
 
-    fn write_text(&self, title: &str, out: &mut dyn Write) -> io::Result<()> {
-        writeln!(out, "{}", colour::output(colour::HEAD, title))?;
+    fn write_text(&self, out: &mut dyn Write) -> io::Result<()> {
+        writeln!(out, "{}", colour::output(colour::HEAD, &self.title))?;
         let Across { label, log, .. } = self.across;
         for (panel, lines) in self.drawn() {
             for ((_, name), line) in panel.columns.iter().zip(lines) {
-                let name =
-                    if name.is_empty() { String::new() } else { format!("{}, ", plain(name)) };
-                writeln!(out, "\n{name}{}{}", plain(panel.label), logarithmic(panel.log))?;
+                let comma = if name.is_empty() { "" } else { ", " };
+                let (name, label) = (plain(name), plain(panel.label));
+                writeln!(out, "\n{name}{comma}{label}{}", logarithmic(panel.log))?;
                 let points: Vec<(f64, f64)> = line.points().collect();
                 braille::draw(&points, [log, panel.log], out)?;
             }
         }
-        let all = self.lines.iter().flat_map(Thinned::points).map(|point| point.0);
-        let (from, to) = ends(all);
-        let (from, to) = (short(from), short(to));
-        let label = plain(label);
+        let (from, to) = ends(self.lines.iter().flat_map(Thinned::points).map(|point| point.0));
+        let (label, from, to) = (plain(label), short(from), short(to));
         writeln!(out, "{label}{} from {from} to {to}", logarithmic(log))
     }
 }

@@ -2,7 +2,6 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use pendula_book::review::Review;
 use pendula_book::review::cells::{Value, differences};
 use pendula_book::review::groups::{Group, Item, groups};
 use pendula_book::versions::{Content, Version};
@@ -10,7 +9,7 @@ use pendula_study::report::snapshots::Kind;
 use pendula_study::report::table::Table;
 use proptest::prelude::*;
 
-use super::root;
+use super::between;
 
 /// A block of rows: one with a name of its own, and what is said of it in rows without.
 #[derive(Clone, Debug)]
@@ -138,8 +137,7 @@ fn a_number_that_may_be_another_stands_by_itself() {
         ])
     };
     let items = |old: Version, new: Version| -> Vec<(String, usize)> {
-        let versions = ["then".to_string(), "now".to_string()];
-        let review = Review::new(versions, &old, &new, &root().join("book/src")).unwrap();
+        let review = between(&old, &new);
         let items = review.groups.iter().flat_map(Group::items);
         items.map(|item| (item.claim.clone().unwrap_or_default(), item.also.len())).collect()
     };

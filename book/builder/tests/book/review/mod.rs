@@ -31,7 +31,10 @@ fn changed(edits: &[(&str, &str, &str)]) -> Version {
 }
 
 fn review(edits: &[(&str, &str, &str)]) -> Review {
+    between(&REVIEWED, &changed(edits))
+}
+
+fn between(old: &Version, new: &Version) -> Review {
     let versions = ["then".to_string(), "now".to_string()];
-    let chapters = root().join("book/src");
-    Review::new(versions, &REVIEWED, &changed(edits), &chapters).unwrap()
+    Review::new(versions, old, new, &root().join("book/src")).unwrap()
 }

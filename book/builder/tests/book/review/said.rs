@@ -8,7 +8,7 @@ use pendula_book::review::verdict::{Weight, sentences};
 use pendula_book::review::{Review, drawings, render};
 use pendula_study::report::snapshots::Kind;
 
-use super::{REVIEWED, changed, review, root};
+use super::{REVIEWED, between, changed, review, root};
 use crate::chapters::chapters;
 use crate::pages::Page;
 
@@ -62,6 +62,19 @@ fn the_worst_comes_first() {
     assert!(weights.is_sorted(), "{weights:?}");
 }
 
+/// Catches: a rise for the largest change where another value fell by more; symplecticity that is
+/// lost and said calmly.
+#[test]
+fn what_falls_and_what_is_lost_counts() {
+    let fallen = ("table_4", "7.29789 × 10⁻²", "7.00000 × 10⁻²");
+    let fallen = said(&review(&[HALF_KICKS[0], fallen]), Weight::Moved);
+    assert_eq!(fallen[0], "2 values moved, by up to −4.08 % of Symplectic Euler");
+    let with = |is| format!("| Symplectic Euler      |      1 |        {is} |");
+    let [yes, no] = ["yes", " no"].map(with);
+    let lost = said(&review(&[("methods", &yes, &no)]), Weight::Alarm);
+    assert_eq!(lost, ["Symplectic Euler: symplectic (yes → no)"]);
+}
+
 /// What two digits exchanged in Suzuki's cube root of 4 do.
 const SUZUKI: [(&str, &str, &str); 2] = [
     (
@@ -102,10 +115,7 @@ fn an_order_that_is_lost_is_the_headline() {
     let last = body.rsplit("\n## ").next().unwrap();
     assert!(last.starts_with("Accept\n\n**Take care"), "{body}");
     // The other way round it is good news, and the last before the acceptance.
-    let changed = changed(&SUZUKI);
-    let versions = ["then".to_string(), "now".to_string()];
-    let chapters = root().join("book/src");
-    let mut repaired = Review::new(versions, &changed, &REVIEWED, &chapters).unwrap();
+    let mut repaired = between(&changed(&SUZUKI), &REVIEWED);
     repaired.acceptable = vec!["orders".to_string()];
     let body = Document::new(&repaired).unwrap().body;
     let [.., good, last] = &body.split("\n## ").collect::<Vec<_>>()[..] else { panic!("{body}") };

@@ -11,7 +11,7 @@ use pendula::{Error, Hamiltonian, Info, Observer, Pendulum, Phase};
 use super::trajectory::TrajectoryArguments;
 use super::{COLUMNS, PANELS, end_errors};
 use crate::commands::destination::Destination;
-use crate::commands::plot::Plot;
+use crate::commands::plot::{Plot, TIME};
 use crate::commands::rows::Rows;
 use crate::commands::state::Kept;
 use crate::commands::summary::Summary;
@@ -74,10 +74,11 @@ impl Walk<'_> {
 
         // Set the interrupt handler before creating the file.
         let lookout = lookout();
-        let mut plot = arguments.plot.target().map(|to| Plot::new(to, &PANELS)).transpose()?;
+        let plot = arguments.plot.target().map(|to| Plot::new(to, TIME, &title, &PANELS));
+        let mut plot = plot.transpose()?;
         let mut nowhere = io::sink();
         // A plot on standard output stands there instead of the rows.
-        let instead = plot.as_ref().is_some_and(Plot::is_in_the_terminal);
+        let instead = plot.as_ref().is_some_and(|plot| plot.is_in_the_terminal);
         let rows_out: &mut dyn Write = if instead { &mut nowhere } else { &mut *out };
         let destination = Destination::open(kept.output(), rows_out)?;
         let mut rows = Rows::begin(destination, arguments.format, COLUMNS)?;
@@ -117,11 +118,11 @@ impl Walk<'_> {
         }
         // Before the rows: whoever has them has all that was asked for.
         if let Some(plot) = &mut plot {
-            plot.write(&title)?;
+            plot.write()?;
         }
         rows.end()?.finish()?;
         if let Some(plot) = plot {
-            plot.print(&title, out)?;
+            plot.print(out)?;
         }
         if arguments.summary {
             let counts = walk.counts();

@@ -12,7 +12,7 @@ use serde::{Deserialize, Serialize};
 
 use super::watch::{Drift, Printer, Run, Watch, overflow};
 use crate::commands::arguments::number::{count, number, positive_count};
-use crate::commands::plot::{Panel, Plot, PlotArguments, Target};
+use crate::commands::plot::{Panel, Plot, PlotArguments, TIME, Target};
 use crate::commands::rows::RowFormat;
 use crate::commands::state::{Bits, Kept, KeptArguments};
 use crate::commands::summary::Summary;
@@ -166,15 +166,14 @@ impl Settings<'_> {
             None => None,
         };
         let mut run = run(before.as_ref().map(|(at, _)| *at));
-        let mut drawn = plot.map(|target| Plot::new(target, trajectory.panels)).transpose()?;
+        let Trajectory { row, method, ref title, panels, .. } = *trajectory;
+        let mut drawn = plot.map(|target| Plot::new(target, TIME, title, panels)).transpose()?;
         let mut nowhere = io::sink();
         // A plot on standard output stands there instead of the rows.
-        let instead = drawn.as_ref().is_some_and(Plot::is_in_the_terminal);
+        let instead = drawn.as_ref().is_some_and(|plot| plot.is_in_the_terminal);
         let rows_out: &mut dyn Write = if instead { &mut nowhere } else { &mut *out };
         let rows = kept.open(rows_out, format, trajectory.columns, false)?;
-        let plot = drawn.as_mut();
-        let Trajectory { row, method, .. } = *trajectory;
-        let printer = Printer { row, method, plot, rows, ended: None };
+        let printer = Printer { row, method, plot: drawn.as_mut(), rows, ended: None };
         let mut watch = Watch { drift, printer, every, next: every.get() };
         watch.drift.observe(0, 0.0, trajectory.start);
         let mut z = trajectory.start;
@@ -225,11 +224,11 @@ impl Settings<'_> {
         }
         // Before the rows: whoever has them has all that was asked for.
         if let Some(plot) = &mut drawn {
-            plot.write(&trajectory.title)?;
+            plot.write()?;
         }
         kept.finish(rows)?;
         if let Some(plot) = drawn {
-            plot.print(&trajectory.title, out)?;
+            plot.print(out)?;
         }
         if summary {
             let summary = Summary::of_cost(steps, evaluations, elapsed);

@@ -12,7 +12,7 @@ use super::arguments::part::Part;
 use super::arguments::pendulum::{MassArgument, PendulumArguments, methods};
 use super::arguments::range::Sweep;
 use super::examples;
-use super::plot::{Across, PlotArguments};
+use super::plot::{Across, PlotArguments, Target};
 use super::rows::RowFormat;
 use super::state::{Kept, KeptArguments};
 use pendula_output::failure::Failure;
@@ -163,10 +163,7 @@ fn sweep_until(
     let kept = Kept::new(&arguments.kept)?;
     // Half a plot is none.
     let plot = arguments.plot.target().filter(|_| !kept.is_resumed());
-    let plot = plot.map(|to| {
-        let (across, title) = arguments.drawn();
-        (to, across, title)
-    });
+    let plot = plot.map(|to| arguments.drawn(to));
     let printer = Printer { runner, duration, format, part, summary: arguments.summary, plot };
     let part = part.unwrap_or(Part::WHOLE);
     match (theta0, dt) {
@@ -198,8 +195,8 @@ fn sweep_until(
 }
 
 impl SweepArguments {
-    /// What is on the x axis of a plot, and its title.
-    fn drawn(&self) -> (Across, String) {
+    /// Where a plot goes, what is on its x axis, and its title.
+    fn drawn(&self, to: Target) -> (Target, Across, String) {
         let Self { method, theta0, dt, duration, .. } = self;
         let title = method_named(method).map_or(method.as_str(), |method| method.info().title);
         let (across, fixed) = match theta0 {
@@ -210,6 +207,6 @@ impl SweepArguments {
                 (Across { column: 1, label: "Δt (s)", log: true }, format!("θ₀ = {theta0:?} rad"))
             }
         };
-        (across, format!("{title}, {fixed}, {duration:?} s"))
+        (to, across, format!("{title}, {fixed}, {duration:?} s"))
     }
 }

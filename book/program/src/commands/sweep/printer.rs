@@ -62,13 +62,12 @@ impl Printer {
         // Set the interrupt handler before creating the file.
         let lookout = lookout();
         let columns = ["theta0", "dt", "theta", "omega", "energy_error"];
-        let drawn = self.plot.clone();
-        let plot = drawn
-            .map(|(to, across, title)| Plot::over(across, to, &PANELS).map(|plot| (plot, title)));
+        let plot = self.plot.clone();
+        let plot = plot.map(|(to, across, title)| Plot::new(to, across, &title, &PANELS));
         let mut plot = plot.transpose()?;
         let mut nowhere = io::sink();
         // A plot on standard output stands there instead of the rows.
-        let instead = plot.as_ref().is_some_and(|(plot, _)| plot.is_in_the_terminal());
+        let instead = plot.as_ref().is_some_and(|plot| plot.is_in_the_terminal);
         let rows_out: &mut dyn Write = if instead { &mut nowhere } else { &mut *out };
         // The header stands in the first part.
         let headless = self.part.is_some_and(|part| !part.is_first());
@@ -92,12 +91,7 @@ impl Printer {
                 .is_none();
                 let printed = match self.runner.device_failure() {
                     Some(failure) => Err(failure),
-                    None => self.add(
-                        &batch.finished(),
-                        &mut progress,
-                        &mut rows,
-                        plot.as_mut().map(|(plot, _)| plot),
-                    ),
+                    None => self.add(&batch.finished(), &mut progress, &mut rows, plot.as_mut()),
                 };
                 if let Err(failure) = printed {
                     // The rows so far are whole; if the output is what failed, it fails again.
@@ -117,12 +111,12 @@ impl Printer {
         let Progress { steps, largest, .. } = progress;
         let runs = rows.rows();
         // Before the rows: whoever has them has all that was asked for.
-        if let Some((plot, title)) = &mut plot {
-            plot.write(title)?;
+        if let Some(plot) = &mut plot {
+            plot.write()?;
         }
         kept.finish(rows)?;
-        if let Some((plot, title)) = plot {
-            plot.print(&title, out)?;
+        if let Some(plot) = plot {
+            plot.print(out)?;
         }
         if let Some(part) = self.part.filter(|_| runs == 0) {
             writeln!(err, "pendula: part {part} is empty: there are fewer runs than parts")?;
