@@ -69,7 +69,8 @@ impl<const S: usize> ImplicitTableau<S> {
             return (z + displacement, None);
         }
         let end = z + Sys::State::select(solved, displacement, k[0] * f64::NAN);
-        (end, Some(Unsolved { sweeps, change: (change / scale).largest() }))
+        // NaN beside a scale that is infinite.
+        (end, Some(Unsolved { sweeps, change: (change / scale + scale * 0.0).largest() }))
     }
 
     /// Whether stage `i` depends on no slope: it is the start of the step, and its slope the one
@@ -139,8 +140,6 @@ impl<const S: usize> ImplicitTableau<S> {
             // Stored at once, so that the later stages of this sweep use it.
             k[i] = Sys::State::unless(*solved, k[i], new);
         }
-        // NaN where no f64 is large beside it: a scale that is infinite must not make it small.
-        *change = *change + *change * (1.0 / ROUNDING) * 0.0;
         *sweeps += 1;
     }
     // ANCHOR_END: step
@@ -179,7 +178,7 @@ impl<const S: usize> ImplicitTableau<S> {
             }
         }
         // It may have come this far without a stall.
-        slopes.solved = slopes.solved | slopes.change.at_most(slopes.scale * ROUNDING);
+        slopes.solved = slopes.solved | is_part(slopes.change, slopes.scale, ROUNDING);
         slopes
     }
 
@@ -219,15 +218,24 @@ impl<const S: usize> ImplicitTableau<S> {
 #[inline(always)]
 fn is_rounding<N: Number>(change: N, scale: N) -> N::Mask {
     // Among subnormal numbers rounding is no longer relative.
-    change.at_most(scale * ROUNDING) | change.at_most(change.splat(f64::MIN_POSITIVE))
+    is_part(change, scale, ROUNDING) | change.at_most(change.splat(f64::MIN_POSITIVE))
+}
+
+/// Whether a change is no more than this part of the scale. Beside an infinite one nothing is
+/// small; asked here, since in a sweep the next would wait for it.
+#[inline(always)]
+fn is_part<N: Number>(change: N, scale: N, part: f64) -> N::Mask {
+    change.at_most(scale * part) & scale.at_most(scale.splat(f64::MAX))
 }
 
 impl Iteration {
     /// Whether nothing has changed, or no more than the tolerance.
     #[inline(always)]
     fn suffices<N: Number>(self, change: N, scale: N) -> N::Mask {
-        let bound = if self.tolerance > 0.0 { scale * self.tolerance } else { change.splat(0.0) };
-        change.at_most(bound)
+        match self.tolerance {
+            0.0 => change.at_most(change.splat(0.0)),
+            tolerance => is_part(change, scale, tolerance),
+        }
     }
 }
 
