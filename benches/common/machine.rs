@@ -1,5 +1,4 @@
-//! Shared by the timings that do not use criterion: the instruction sets, and the median of a few
-//! runs.
+//! Shared by the timings: the instruction sets, and the median of a few runs.
 
 use std::hint::black_box;
 use std::time::Instant;
