@@ -21,8 +21,8 @@ use pendula::adaptive::{Adaptive, Controlled, TaylorSeries, Tolerance};
 use pendula::methods::{BlanesMoan6, Taylor24};
 use pendula::metrics::EndError;
 use pendula::{
-    AnyMethod, Compensated, CompensatedPhase, Grid, METHODS, Method, Motion, Pendulum, Phase,
-    Taylor, integrate,
+    AnyMethod, Compensated, CompensatedPhase, Grid, METHODS, Method, Pendulum, Phase, Taylor,
+    integrate,
 };
 
 use crate::crates::{CONTROLLED, STEPPED};
@@ -38,8 +38,8 @@ const GOALS: [f64; 6] = [1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12];
 /// Rounds, in each of which every contender is timed.
 const ROUNDS: usize = 5;
 
-/// Runs in a row in a round, the shortest of which counts. So its code is in the caches, as that of
-/// the programs of `others.py` is: a series is 10 kB of instructions.
+/// Runs in a row in a round, the shortest of which counts. So its code is in the caches: a series is
+/// 10 kB of instructions.
 const IN_A_ROW: usize = 7;
 
 /// The longest run (s) after which a finer setting is still tried; and that of the naive loop.
@@ -300,26 +300,5 @@ pub fn compare() {
                 );
             }
         }
-    }
-}
-
-/// The pendulums of the ensemble: their number, the first and last release angle (rad), the
-/// duration (s).
-const ENSEMBLE: (u32, f64, f64, f64) = (9984, 0.01, 3.1, 10.0);
-
-/// Prints the exact end of each scene, and of each pendulum of an ensemble: release angle (rad),
-/// duration (s), angle (rad), angular velocity (rad/s).
-pub fn ends() {
-    let line = |kind: &str, theta_0: f64, end: f64| {
-        let start = Phase::at_rest(theta_0);
-        let z = Motion::new(&Pendulum::PAPER, start).expect("a finite start").at(end);
-        println!("{kind} {theta_0:?} {end:?} {:?} {:?}", z.theta, z.omega);
-    };
-    for (theta_0, end) in SCENES {
-        line("scene", theta_0, end.into());
-    }
-    let (count, first, last, end) = ENSEMBLE;
-    for n in 0..count {
-        line("ensemble", first + (last - first) * f64::from(n) / f64::from(count - 1), end);
     }
 }

@@ -1,9 +1,6 @@
-//! The library and other crates, in one run, compared with the naive loop.
-//!
-//! `cargo run --profile peers -p pendula-peers` compares [steps], and with `-- front` run time [for
-//! an error](front). With `-- ends` it prints the exact motion for `others.py`, which compares
-//! programs that are no crates. The profile optimises the dependencies of the crates; the release
-//! build does not.
+//! The library and other crates, in one run, compared with the naive loop: `cargo run --profile
+//! peers -p pendula-peers`. The profile optimises the dependencies of the crates; the release build
+//! does not.
 
 mod crates;
 mod front;
@@ -11,20 +8,7 @@ mod front;
 mod machine;
 #[path = "../../common/mod.rs"]
 mod naive;
-mod steps;
 
-use std::process::ExitCode;
-
-fn main() -> ExitCode {
-    let arguments: Vec<String> = std::env::args().skip(1).collect();
-    match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
-        [] => steps::compare(),
-        ["front"] => front::compare(),
-        ["ends"] => front::ends(),
-        _ => {
-            eprintln!("pendula-peers: nothing, front or ends");
-            return ExitCode::from(2);
-        }
-    }
-    ExitCode::SUCCESS
+fn main() {
+    front::compare();
 }
