@@ -27,7 +27,6 @@ pub mod splitting;
 pub mod standard_map;
 pub mod stencil;
 pub mod truncation;
-pub mod variants;
 pub mod work;
 
 use pendula::{AnyMethod, METHODS, method_named};

@@ -24,6 +24,7 @@ use pendula::verify::properties::area::{AREA_STEP, AREA_TOLERANCE, area_defect, 
 use pendula::{
     AnyMethod, Grid, Hamiltonian, LinearOscillator, Motion, Observer, Pendulum, Phase, exact,
 };
+use pendula_zoo::euler::DriftKick;
 
 use self::runs::*;
 
@@ -37,7 +38,6 @@ use crate::digits::Digits::{self, Fixed, Scientific, Significant};
 use crate::digits::rounds_to;
 use crate::experiments::PaperMethod;
 use crate::experiments::characteristics::EnergyBehaviour;
-use crate::experiments::variants::DriftKick;
 use crate::experiments::{
     STEPS, Study, convergence, findings, large_angle, long_run, phase_portrait, small_angle, work,
 };
