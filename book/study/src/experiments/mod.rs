@@ -25,13 +25,12 @@ pub mod side_by_side;
 pub mod small_angle;
 pub mod splitting;
 pub mod standard_map;
-pub mod stencil;
 pub mod truncation;
 pub mod work;
 
 use pendula::{AnyMethod, METHODS, method_named};
 use pendula::{Grid, Phase};
-pub use pendula_curves::shapes;
+pub use pendula_curves::{parts, shapes};
 
 /// The five steps of the paper's ladder (s), its Section 5.2.
 pub const STEPS: [f64; 5] = [0.1, 0.05, 0.01, 0.005, 0.001];
