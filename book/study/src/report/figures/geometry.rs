@@ -244,22 +244,19 @@ struct Carried<'a> {
 impl Carried<'_> {
     /// The figure with a chart for each of the paper's methods.
     fn by_each(&self, figure: Figure) -> Figure {
-        let mut methods = METHODS.iter().copied().filter(|method| in_paper(*method));
-        methods
-            .try_fold(figure.columns(2), |figure, method| Some(figure.panel(self.by(method)?)))
-            .expect("the shape has an outline")
+        let methods = METHODS.iter().copied().filter(|method| in_paper(*method));
+        methods.fold(figure.columns(2), |figure, method| figure.panel(self.by(method)))
     }
 
-    /// The shape and its images, each beside what the true motion makes of its outline; `None` for
-    /// a shape without one.
-    fn by(&self, method: MethodRef) -> Option<Chart> {
+    /// The shape and its images, each beside what the true motion makes of its outline.
+    fn by(&self, method: MethodRef) -> Chart {
         let steps = EVALUATIONS / method.info().force_evaluations;
         let grid = Grid::new(SPAN / steps as f64, SPANS * steps).expect("a positive step");
         let polygon = |polygon: &Polygon| -> Vec<_> {
             self.place.outline(polygon, &PENDULUM, self.pieces).collect()
         };
         let starts: Vec<Vec<_>> = self.shape.iter().map(polygon).collect();
-        let outline = starts.first()?;
+        let outline = &starts[0];
         let images: Vec<_> =
             starts.iter().map(|start| carried(method, &PENDULUM, start, &grid)).collect();
         let area = |n: u64| area(images[0][n as usize].iter().copied());
@@ -291,7 +288,7 @@ impl Carried<'_> {
             }
             chart = chart.series("true motion", Style::REFERENCE, truth);
         }
-        Some(chart)
+        chart
     }
 }
 
