@@ -38,12 +38,14 @@ pub struct Part<Z> {
     before: Option<usize>,
 }
 
+type Few<Z> = [Option<Part<Z>>; MOST];
+
 /// A step taken apart.
 #[derive(Clone, Copy, Debug)]
 pub struct Parts<Z> {
     /// Where the step ends.
     pub end: Z,
-    parts: [Option<Part<Z>>; MOST],
+    parts: Few<Z>,
 }
 
 impl<Z: Copy> Parts<Z> {
@@ -89,7 +91,7 @@ pub struct Noting<'a, S: System> {
     system: &'a S,
     along: f64,
     /// How many parts, and the first of them.
-    noted: RefCell<(usize, [Option<Part<S::State>>; MOST])>,
+    noted: RefCell<(usize, Few<S::State>)>,
 }
 
 /// A state, with the part of the step that led to it.
