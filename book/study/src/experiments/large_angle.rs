@@ -67,18 +67,3 @@ pub fn waveform() -> Vec<(f64, f64)> {
     });
     series
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// All numbers are exact in binary.
-    ///
-    /// Catches: an error relative to the measured period, a fraction for per cent, a sign.
-    #[test]
-    fn an_error_is_relative_to_the_exact_period() {
-        let periods =
-            Periods { exact: 4.0, by_peak: 5.0, by_crossing: 5.0, small_angle: 2.0, modulus: 0.5 };
-        assert_eq!([5.0, 3.0, 4.0].map(|period| periods.percent(period)), [25.0, 25.0, 0.0]);
-    }
-}

@@ -19,19 +19,3 @@ pub fn orbit(method: MethodRef, theta_0: f64) -> Vec<Phase> {
     method.run(&Pendulum::PAPER, released(theta_0), &grid, &mut |_, _, z: Phase| orbit.push(z));
     orbit
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Catches: an orbit that ends before it closes, or goes on after it did.
-    #[test]
-    fn an_orbit_closes_and_ends() {
-        for theta_0 in THETA_0 {
-            let period = pendula::exact::period(&Pendulum::PAPER, theta_0).unwrap();
-            let orbit = orbit(&pendula::methods::StormerVerlet, theta_0);
-            let last = (orbit.len() - 1) as f64 * STEP;
-            assert!(period <= last && last < period + STEP, "{theta_0} rad: {last} s of {period}");
-        }
-    }
-}

@@ -65,28 +65,3 @@ fn cubic(step: f64, from: Phase, to: Phase, s: f64) -> Phase {
         omega: from.omega + along(across.omega, begin.omega, end.omega),
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Catches: a run of another length for one of the methods; a cubic that is not between its
-    /// ends or whose slopes are those of other times, which would be off by a third of a radian.
-    #[test]
-    fn every_track_is_at_the_same_times() {
-        let truth = truth();
-        assert_eq!(truth.len() as u64, SAMPLES + 1);
-        for Row { method, step, samples } in run() {
-            assert_eq!(samples.len(), truth.len(), "{}", method.info().name);
-            let evaluations = (step / EVALUATION).round() as usize;
-            assert_eq!(evaluations as u64, method.info().force_evaluations);
-            // θ of the cubic after a quarter of RK4's step differs from the truth by the error of
-            // the interpolation, (ω₀h)⁴/384 ≈ 0.006 of an amplitude of 1 rad, and the step's own
-            // error, of which (ω₀h)⁵/120 ≈ 0.03 is a generous bound.
-            for n in 1..evaluations {
-                let error = (samples[n].theta - truth[n].theta).abs();
-                assert!(error < 0.04, "{} after {n} evaluations: {error}", method.info().name);
-            }
-        }
-    }
-}
