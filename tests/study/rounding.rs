@@ -152,8 +152,8 @@ fn measured(claim: &Claim, value: f64) -> Claim {
 
 /// With a sine that is off by an ulp no printed digit changes, neither the paper's nor the
 /// library's: what the paper prints holds or fails as before, the verdict is unchanged, and so is
-/// each digit that the library's own tables print. RK4 at 0.001 s is printed with one digit, and the
-/// paper's 3.14e-12 compared with 3.2e-12 ± 10 %: its second digit does change.
+/// each digit that the library's own tables print. RK4 at 0.001 s is printed with one digit, and
+/// the paper's 3.14e-12 compared with 3.2e-12 ± 10 %: its second digit does change.
 ///
 /// Catches: a printed digit that depends on the machine; a table that depends on cancellation; a
 /// method that amplifies rounding.
@@ -171,8 +171,8 @@ fn a_sine_off_by_an_ulp_moves_no_digit(#[values(1, 2, 3, 4, 5, 6, 7, 8)] seed: u
     }
 }
 
-/// The perturbation has an effect: the values differ beyond the printed digits, and RK4's at 0.001 s
-/// in the second digit.
+/// The perturbation has an effect: the values differ beyond the printed digits, and RK4's at 0.001
+/// s in the second digit.
 ///
 /// Catches: a test that compares the library with itself; a perturbation too weak to be a test of
 /// the digits.

@@ -83,12 +83,13 @@ fn each_table_of_the_paper(#[values(2, 4, 5, 6, 7, 8)] number: u32) {
     assert_reviewed(&format!("table_{number}"));
 }
 
-/// Among them an example for the appendix: Table 4 before and after Störmer–Verlet is replaced by its
-/// position form (drift, kick, drift), an equally good method of the same order.
+/// Among them an example for the appendix: Table 4 before and after Störmer–Verlet is replaced by
+/// its position form (drift, kick, drift), an equally good method of the same order.
 ///
-/// Catches: a digit, a property or a prediction that changes within the tolerance of its own test; a
-/// tolerance that is widened; a verdict or a reason changed by accident; a sentence on one amplitude
-/// or step that no longer is true of the others; bounds that are wider, and no less right.
+/// Catches: a digit, a property or a prediction that changes within the tolerance of its own test;
+/// a tolerance that is widened; a verdict or a reason changed by accident; a sentence on one
+/// amplitude or step that no longer is true of the others; bounds that are wider, and no less
+/// right.
 #[rstest]
 fn each_other_table(
     #[values(

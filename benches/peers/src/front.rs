@@ -37,8 +37,8 @@ const GOALS: [f64; 6] = [1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12];
 /// Rounds, in each of which every contender is timed.
 const ROUNDS: usize = 5;
 
-/// Runs in a row in a round, the shortest of which counts. So its code is in the caches: a series is
-/// 10 kB of instructions.
+/// Runs in a row in a round, the shortest of which counts. So its code is in the caches: a series
+/// is 10 kB of instructions.
 const IN_A_ROW: usize = 7;
 
 /// The longest run (s) after which a finer setting is still tried; and that of the naive loop.

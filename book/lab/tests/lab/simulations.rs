@@ -30,8 +30,8 @@ impl dyn Lab + '_ {
     }
 }
 
-/// What the library says of a state: upper bob, lower bob, and the energy (J), zero at the bottom and
-/// as the program prints it.
+/// What the library says of a state: upper bob, lower bob, and the energy (J), zero at the bottom
+/// and as the program prints it.
 type Seen = ([Phase; 2], [f64; 2]);
 
 /// For a bob that there is not.
@@ -198,8 +198,8 @@ fn compare(
 /// step by step, in angles, velocities, time and energy; and the counts.
 ///
 /// Catches: a file compiled before the library changed; a step that differs from that of
-/// `integrate`; numbers of one system that arrive as another's; a method offered that does not suit;
-/// the energy of the upper bob alone; evaluations that are not counted.
+/// `integrate`; numbers of one system that arrive as another's; a method offered that does not
+/// suit; the energy of the upper bob alone; evaluations that are not counted.
 #[test]
 fn other_systems_have_the_bits_of_the_library() {
     for lab in &mut labs() {

@@ -209,8 +209,8 @@ impl Claim {
     }
 }
 
-/// The id of a cell in the row of a method: `T4.rk4.0.01` is that of a step (s), `T5.fe.dH` that of a
-/// quantity. The cells of Table 7, which has no such rows, are `T7.Texact` and so on.
+/// The id of a cell in the row of a method: `T4.rk4.0.01` is that of a step (s), `T5.fe.dH` that of
+/// a quantity. The cells of Table 7, which has no such rows, are `T7.Texact` and so on.
 pub fn cell_id(table: u32, row: PaperMethod, column: impl Display) -> String {
     format!("T{table}.{}.{column}", row.id())
 }

@@ -49,8 +49,8 @@ fn columns(number: u32) -> Option<Vec<(String, String)>> {
     }
 }
 
-/// The id of the cell of Table `number` in the row of the method with this title, in the column with this
-/// heading.
+/// The id of the cell of Table `number` in the row of the method with this title, in the column
+/// with this heading.
 pub fn cell_at(number: u32, row: &str, column: &str) -> Option<String> {
     let row = PaperMethod::ALL.into_iter().find(|method| method.title() == row)?;
     let (column, _) = columns(number)?.into_iter().find(|(_, heading)| heading == column)?;

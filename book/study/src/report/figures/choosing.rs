@@ -10,18 +10,18 @@ use crate::experiments::{MethodRef, PaperMethod, Study, choosing};
 pub(super) const FIGURES: &[Drawing] = &[
     Drawing {
         name: "decision",
-        caption: "Which method keeps the angle within an error allowed, over a run of a given length, \
-              with the fewest force evaluations, and in how many steps a period. Where there are \
-              lines across, the second best needs less than a quarter more: any of the neighbours \
-              will do. In the corner at the lower right the rounding of an f64 alone may be larger \
-              than what is allowed.",
+        caption: "Which method keeps the angle within an error allowed, over a run of a given \
+                  length, with the fewest force evaluations, and in how many steps a period. Where \
+                  there are lines across, the second best needs less than a quarter more: any of \
+                  the neighbours will do. In the corner at the lower right the rounding of an f64 \
+                  alone may be larger than what is allowed.",
         draw: decision,
     },
     Drawing {
         name: "cost",
-        caption: "Force evaluations for a hundred swings from 1 rad, with the angle never off by more \
-              than a thousandth of a radian: the dearest method first. From one line of the grid \
-              to the next on its left there is a hundred times less work.",
+        caption: "Force evaluations for a hundred swings from 1 rad, with the angle never off by \
+                  more than a thousandth of a radian: the dearest method first. From one line of \
+                  the grid to the next on its left there is a hundred times less work.",
         draw: cost,
     },
 ];

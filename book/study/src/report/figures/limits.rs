@@ -9,18 +9,18 @@ use crate::experiments::{Study, resonance, truncation};
 pub(super) const FIGURES: &[Drawing] = &[
     Drawing {
         name: "resonances",
-        caption: "The largest energy error over 400 swings from 1 rad, against the number of \
-              steps to a period. Dashed is where theory has a numerical swing of just 6, 8, 10 or \
-              12 steps: Blanes–Moan 6 has peaks there, up to tens of times as high as its error \
-              beside them, and none at odd numbers. Of Störmer–Verlet's only the first stands out \
-              of an error that is large anyway.",
+        caption: "The largest energy error over 400 swings from 1 rad, against the number of steps \
+                  to a period. Dashed is where theory has a numerical swing of just 6, 8, 10 or 12 \
+                  steps: Blanes–Moan 6 has peaks there, up to tens of times as high as its error \
+                  beside them, and none at odd numbers. Of Störmer–Verlet's only the first stands \
+                  out of an error that is large anyway.",
         draw: resonances,
     },
     Drawing {
         name: "truncation",
         caption: "How well Störmer–Verlet from 1 rad conserves its modified energy if the series \
-                  ends with the power N of x = ω₀h. Each curve turns upwards after its best N, \
-                  and the shorter the step, the later: none of the series converges.",
+                  ends with the power N of x = ω₀h. Each curve turns upwards after its best N, and \
+                  the shorter the step, the later: none of the series converges.",
         draw: lengths,
     },
     Drawing {
@@ -32,10 +32,10 @@ pub(super) const FIGURES: &[Drawing] = &[
     },
     Drawing {
         name: "widths",
-        caption: "The width of what is proved of the angle, from rest at 1 rad. If each step hands on \
-              a box along the axes, the next one has to enclose a turned box by a larger one, and \
-              the width grows exponentially. Rectangles that turn with the motion grow as the \
-              square of time, along the guide.",
+        caption: "The width of what is proved of the angle, from rest at 1 rad. If each step hands \
+                  on a box along the axes, the next one has to enclose a turned box by a larger \
+                  one, and the width grows exponentially. Rectangles that turn with the motion \
+                  grow as the square of time, along the guide.",
         draw: widths,
     },
 ];
