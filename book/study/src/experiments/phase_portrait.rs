@@ -2,7 +2,7 @@
 
 use pendula::{Grid, Pendulum, Phase};
 
-use super::{MethodRef, released};
+use super::{MethodRef, samples};
 
 /// The three releases of Figure 5 (rad).
 pub const THETA_0: [f64; 3] = [0.5, 1.5, 2.5];
@@ -15,7 +15,5 @@ pub fn orbit(method: MethodRef, theta_0: f64) -> Vec<Phase> {
     let period = pendula::exact::period(&Pendulum::PAPER, theta_0).expect("a finite angle");
     let steps = libm::ceil(period / STEP) as u64;
     let grid = Grid::new(STEP, steps).expect("a positive step");
-    let mut orbit = Vec::with_capacity(grid.samples() as usize);
-    method.run(&Pendulum::PAPER, released(theta_0), &grid, &mut |_, _, z: Phase| orbit.push(z));
-    orbit
+    samples(method, theta_0, &grid).into_iter().map(|(_, z)| z).collect()
 }

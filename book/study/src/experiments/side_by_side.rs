@@ -4,7 +4,7 @@
 use pendula::exact::Motion;
 use pendula::{Grid, Pendulum, Phase, System};
 
-use super::{MethodRef, each_of_the_paper, released};
+use super::{MethodRef, each_of_the_paper, released, samples};
 
 /// Released at rest from here (rad). It is the paper's angle to the other side, so that forward
 /// Euler goes over the top with a positive angular velocity.
@@ -35,13 +35,12 @@ pub fn run() -> Vec<Row> {
         let evaluations = method.info().force_evaluations;
         let step = EVALUATION * evaluations as f64;
         let grid = Grid::with_duration(step, DURATION).expect("a whole number of steps");
-        let mut states = Vec::new();
-        let start = released(THETA_0);
-        method.run(&Pendulum::PAPER, start, &grid, &mut |_, _, z: Phase| states.push(z));
+        let states = samples(method, THETA_0, &grid);
         let within = states.windows(2).flat_map(|ends| {
-            (0..evaluations).map(|n| cubic(step, ends[0], ends[1], n as f64 / evaluations as f64))
+            let [(_, from), (_, to)] = [ends[0], ends[1]];
+            (0..evaluations).map(move |n| cubic(step, from, to, n as f64 / evaluations as f64))
         });
-        let samples = within.chain(states.last().copied()).collect();
+        let samples = within.chain(states.last().map(|(_, z)| *z)).collect();
         Row { method, step, samples }
     })
 }

@@ -39,7 +39,8 @@ use crate::digits::rounds_to;
 use crate::experiments::PaperMethod;
 use crate::experiments::characteristics::EnergyBehaviour;
 use crate::experiments::{
-    STEPS, Study, convergence, findings, large_angle, long_run, phase_portrait, small_angle, work,
+    STEPS, Study, convergence, energy_error, findings, large_angle, long_run, phase_portrait,
+    small_angle, work,
 };
 
 /// A sentence of the paper.

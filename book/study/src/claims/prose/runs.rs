@@ -206,7 +206,7 @@ pub(super) fn rk4_over_the_next_in_a_step() -> f64 {
 /// gained by then (J), and the angle (rad) of the sample that is furthest out.
 pub(super) fn turning_points_of_figure_4() -> Vec<(f64, f64)> {
     let run = small_angle::trajectory(&ForwardEuler, 0.01);
-    let energy = small_angle::energy(&run);
+    let energy = energy_error(&run);
     let out = |n: usize| run[n].1.theta.abs();
     let turns = (1..run.len() - 1).filter(|&n| out(n) > out(n - 1) && out(n) >= out(n + 1));
     turns.map(|n| (energy[n].1, run[n].1.theta)).collect()
