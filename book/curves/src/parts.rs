@@ -57,31 +57,35 @@ impl<Z: Copy> Parts<Z> {
         S: Separable<State = Z>,
         M: for<'a> Method<Noting<'a, S>>,
     {
-        let noting = Noting { system, along, noted: RefCell::new((0, [None; MOST])) };
+        let noting = Noting::new(system, along);
         let start = Noted { z: start, by: None };
         let mut carry = method.start(&noting, 0.0, h, start);
         let end = method.step(&noting, 0.0, h, start, &mut carry);
-        let (count, noted) = noting.noted.into_inner();
+        Self::from(end, noting.noted.into_inner())
+    }
+
+    /// What was recorded, from the `end` back.
+    #[inline(never)]
+    fn from(end: Noted<Z>, (count, noted): (usize, Few<Z>)) -> Option<Self> {
         if count > MOST {
             return None;
         }
-        let Some(last) = end.by else {
+        if end.by.is_none() {
             // It adds slopes, and takes no kicks or drifts.
             return Some(Self { end: end.z, parts: noted });
-        };
-        // Back from the end, from each part to the one before it.
-        let mut parts = [None; MOST];
-        let mut by = Some(last);
+        }
+        // From each part to the one before it.
+        let (mut parts, mut by) = ([None; MOST], end.by);
         for place in parts.iter_mut().rev() {
-            *place = by.and_then(|by| noted[by]);
+            *place = by.and_then(|by| *noted.get(by)?);
             by = place.and_then(|part: Part<Z>| part.before);
         }
         Some(Self { end: end.z, parts })
     }
 
     /// The parts, in order.
-    pub fn in_order(self) -> impl Iterator<Item = Part<Z>> {
-        self.parts.into_iter().flatten()
+    pub fn in_order(&self) -> impl Iterator<Item = &Part<Z>> {
+        self.parts.iter().flatten()
     }
 }
 
@@ -115,7 +119,12 @@ impl<Z: State> State for Noted<Z> {
 }
 
 // Nothing is inlined, since the lab's file is to be small.
-impl<S: System> Noting<'_, S> {
+impl<'a, S: System> Noting<'a, S> {
+    #[inline(never)]
+    fn new(system: &'a S, along: f64) -> Self {
+        Self { system, along, noted: RefCell::new((0, [None; MOST])) }
+    }
+
     #[inline(never)]
     fn note(
         &self,

@@ -123,16 +123,8 @@ pub extern "C" fn shape(which: u32, size: f64, pieces: u32) -> u32 {
     })
 }
 
-/// Writes the [`parts`] of one step, each in three points: kind and share, from, to. Returns their
-/// number.
+/// [`parts`] of one step; their number.
 #[cfg_attr(target_arch = "wasm32", unsafe(no_mangle))]
 pub extern "C" fn step_parts() -> u32 {
-    with(3 * MOST as u32, 0, |scene, points| {
-        let places = points.chunks_exact_mut(3);
-        let written = places.zip(parts(scene)).map(|(place, (kind, share, ends))| {
-            let [from, to] = ends.map(|z| [z.theta, z.omega]);
-            place.copy_from_slice(&[[f64::from(kind as u8), share], from, to]);
-        });
-        written.count() as u32
-    })
+    with(3 * MOST as u32, 0, |scene, points| parts(scene, points) as u32)
 }

@@ -121,7 +121,8 @@ fn the_parts_of_a_step_are_those_of_the_figure() {
                 for (method, expected) in methods {
                     set_scene(lab.as_mut(), method.name, scene, z);
                     let count = lab.step_parts();
-                    let expected: Vec<_> = expected.expect("a few parts").in_order().collect();
+                    let expected = expected.expect("a few parts");
+                    let expected: Vec<_> = expected.in_order().collect();
                     assert_eq!(count as usize, expected.len(), "{}", method.name);
                     let points = lab.points(3 * count);
                     for (part, expected) in points.chunks_exact(3).zip(expected) {
