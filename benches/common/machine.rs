@@ -1,5 +1,4 @@
-//! Shared by the timings that do not use criterion: the instruction sets, and the median of a few
-//! runs.
+//! Shared by the timings that do not use criterion: the instruction sets, and a stopwatch.
 
 use std::hint::black_box;
 use std::time::Instant;
@@ -44,11 +43,4 @@ pub fn seconds<T>(work: impl FnOnce() -> T) -> f64 {
     let start = Instant::now();
     black_box(work());
     start.elapsed().as_secs_f64()
-}
-
-/// The median of an odd number of values.
-#[allow(dead_code, reason = "some benches take the shortest time")]
-pub fn median(mut values: Vec<f64>) -> f64 {
-    values.sort_by(f64::total_cmp);
-    values[values.len() / 2]
 }

@@ -15,26 +15,11 @@ use rstest::rstest;
 
 use crate::LEDGER;
 
-/// RK4's largest angle error over θ₀ at θ₀ = 1e-4 (Section 6.3), which is in no table.
-const NORMALISED: &str = "P6.3.norm";
-
 fn measured(id: &str) -> f64 {
-    if id == NORMALISED {
-        return normalised_angle_error();
-    }
     match LEDGER.get(id).map(|claim| &claim.measured) {
         Some(Measured::Number(value, _)) => *value,
         other => panic!("{id} is {other:?}"),
     }
-}
-
-fn normalised_angle_error() -> f64 {
-    let start = Phase::at_rest(1e-4);
-    let formula = LinearOscillator::new(Pendulum::PAPER);
-    let mut error = AngleError::new(|t| formula.exact(start, t).theta);
-    let grid = Grid::with_duration(0.01, 10.0).unwrap();
-    integrate(&Pendulum::PAPER, &Rk4, start, &grid, &mut error);
-    error.largest() / 1e-4
 }
 
 /// Each measured cell lies within the tolerance of its law, on either side. The tolerances are
@@ -64,9 +49,7 @@ fn every_cell_that_theory_reaches_is_predicted() {
     assert_eq!(ids.len(), PaperMethod::ALL.len() * (2 * STEPS.len() + 2) + 1);
     assert_eq!(ids.iter().collect::<BTreeSet<_>>().len(), ids.len(), "an id stands twice");
     let position = |id: &str| LEDGER.claims().iter().position(|claim| claim.id == id);
-    let (last, tables) = ids.split_last().unwrap();
-    assert_eq!(*last, NORMALISED);
-    let positions: Vec<_> = tables.iter().map(|id| position(id).expect("in the ledger")).collect();
+    let positions: Vec<_> = ids.iter().map(|id| position(id).expect("in the ledger")).collect();
     assert!(positions.is_sorted(), "{ids:?}");
 }
 

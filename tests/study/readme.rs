@@ -4,7 +4,7 @@ use std::fs;
 
 use pendula::exact::Motion;
 use pendula::{Grid, Pendulum, Phase, method_named};
-use pendula_study::claims::CellId;
+use pendula_study::claims::cell_id;
 use pendula_study::experiments::PaperMethod;
 use pendula_study::report::readme::{Picture, pictures};
 
@@ -19,7 +19,7 @@ fn read(path: &str) -> String {
 fn the_headline_table_is_table_5() {
     let readme = read("README.md");
     for method in PaperMethod::ALL {
-        let claim = LEDGER.cell(CellId::of_row(5, method, "dH")).expect("every method has a row");
+        let claim = LEDGER.get(&cell_id(5, method, "dH")).expect("every method has a row");
         let (stated, measured) = (claim.stated_text(), claim.measured_text());
         let row = format!("| {:<16} | {stated:>10} | {measured:>14} |", method.title());
         assert!(readme.contains(&row), "the README lacks\n{row}");

@@ -1,8 +1,10 @@
 //! The drawings of a step show the method's own kicks, drifts and slopes, to the last bit.
 
-use pendula::methods::{ForwardEuler, PositionVerlet, Rk4, StormerVerlet, SymplecticEuler};
+use pendula::methods::{
+    ForwardEuler, PositionVerlet, Rk4, StormerVerlet, Suzuki4, SymplecticEuler,
+};
 use pendula::{AnyMethod, Grid, Method, Pendulum, Phase, System, integrate};
-use pendula_study::experiments::stencil::{Kind, Noting, Part, stencil};
+use pendula_study::experiments::parts::{Kind, Noting, Parts};
 use rstest::rstest;
 
 const STEP: f64 = 0.35;
@@ -17,12 +19,14 @@ fn starts() -> [Phase; 5] {
     [at(-1.2, 1.0), at(2.5, -0.3), at(1.0, 0.0), at(0.0, 2.0), at(0.0, 0.0)]
 }
 
-fn parts<M: for<'a> Method<Noting<'a>>>(method: &M, start: Phase) -> Vec<Part> {
-    stencil(method, &pendulum(), start, STEP).parts
+/// A step, with its slopes followed for a quarter of it.
+fn parts<M: for<'a> Method<Noting<'a, Pendulum>>>(method: &M, start: Phase) -> Parts<Phase> {
+    Parts::of(method, &pendulum(), start, STEP, 0.25 * STEP).expect("a few parts")
 }
 
 /// Catches: a drawing that does not end where the method's step does, to the bit; arrows that do
-/// not begin where the one before ends; a kick of the next step drawn in this one.
+/// not begin where the one before ends; a kick of the next step drawn in this one; a slope that is
+/// not the rate where it begins.
 #[rstest]
 #[case::forward_euler(ForwardEuler)]
 #[case::symplectic_euler(SymplecticEuler)]
@@ -30,56 +34,57 @@ fn parts<M: for<'a> Method<Noting<'a>>>(method: &M, start: Phase) -> Vec<Part> {
 #[case::stormer_verlet(StormerVerlet)]
 fn the_parts_lead_to_the_methods_own_end<M>(#[case] method: M)
 where
-    M: AnyMethod + Method<Pendulum> + for<'a> Method<Noting<'a>>,
+    M: AnyMethod + Method<Pendulum> + for<'a> Method<Noting<'a, Pendulum>>,
 {
     for start in starts() {
-        let taken = stencil(&method, &pendulum(), start, STEP);
+        let taken = parts(&method, start);
         let grid = Grid::new(STEP, 1).unwrap();
         assert_eq!(taken.end, integrate(&pendulum(), &method, start, &grid, &mut ()));
         let mut at = start;
-        for part in &taken.parts {
-            assert_eq!(part.from, at);
-            at = part.to;
+        for part in taken.in_order() {
+            if part.kind == Kind::Slope {
+                assert_eq!(part.to, part.from + pendulum().rate(0.0, part.from) * (0.25 * STEP));
+            } else {
+                assert_eq!(part.from, at);
+                at = part.to;
+            }
         }
-        let splits = taken.slopes.is_empty();
-        assert_eq!(at, if splits { taken.end } else { start }, "{:?}", taken.parts);
-        for (z, slope) in taken.slopes {
-            assert_eq!(slope, pendulum().rate(0.0, z));
-        }
+        let splits = taken.in_order().all(|part| part.kind != Kind::Slope);
+        assert_eq!(at, if splits { taken.end } else { start }, "{taken:?}");
     }
 }
 
 /// Catches: a part that is lost or counted twice; kick and drift exchanged; half a kick labelled as
-/// a whole one.
+/// a whole one; of a method with many parts the first few.
 #[test]
 fn the_parts_are_those_of_the_equations() {
     let (kick, drift) = (Kind::Kick, Kind::Drift);
-    let of = |parts: Vec<Part>| -> Vec<_> {
-        parts.into_iter().map(|part| (part.kind, part.duration)).collect()
+    let of = |parts: Parts<Phase>| -> Vec<_> {
+        parts.in_order().map(|part| (part.kind, part.duration)).collect()
     };
-    let half = 0.5 * STEP;
+    let (half, slope) = (0.5 * STEP, (Kind::Slope, 0.25 * STEP));
     for start in starts() {
-        assert_eq!(of(parts(&ForwardEuler, start)), []);
-        assert_eq!(of(parts(&Rk4, start)), []);
+        assert_eq!(of(parts(&ForwardEuler, start)), [slope]);
+        assert_eq!(of(parts(&Rk4, start)), [slope; 4]);
         assert_eq!(of(parts(&SymplecticEuler, start)), [(kick, STEP), (drift, STEP)]);
         assert_eq!(of(parts(&StormerVerlet, start)), [(kick, half), (drift, STEP), (kick, half)]);
         assert_eq!(of(parts(&PositionVerlet, start)), [(drift, half), (kick, STEP), (drift, half)]);
+        assert!(Parts::of(&Suzuki4, &pendulum(), start, STEP, STEP).is_none());
     }
 }
 
 /// Catches: an arrow that does not start where the slope was evaluated; stages out of order.
 #[test]
 fn the_slopes_are_those_of_the_equations() {
+    let rate = |z| pendulum().rate(0.0, z);
     for start in starts() {
-        let euler = stencil(&ForwardEuler, &pendulum(), start, STEP);
-        let [(z, slope)] = euler.slopes[..] else { panic!("one slope: {euler:?}") };
-        assert_eq!((z, z + slope * STEP), (start, euler.end));
+        let euler: Vec<Phase> = parts(&ForwardEuler, start).in_order().map(|k| k.from).collect();
+        assert_eq!(euler, [start]);
 
-        let rk4 = stencil(&Rk4, &pendulum(), start, STEP);
-        let [(z1, k1), (z2, k2), (z3, k3), (z4, k4)] = rk4.slopes[..] else {
-            panic!("four slopes: {rk4:?}")
-        };
-        let half = STEP / 2.0;
+        let rk4 = parts(&Rk4, start);
+        let at: Vec<Phase> = rk4.in_order().map(|k| k.from).collect();
+        let [z1, z2, z3, z4] = at[..] else { panic!("four slopes: {rk4:?}") };
+        let ([k1, k2, k3, k4], half) = ([z1, z2, z3, z4].map(rate), STEP / 2.0);
         assert_eq!([z1, z2], [start, start + k1 * half]);
         assert_eq!([z3, z4], [start + k2 * half, start + k3 * STEP]);
         assert_eq!(rk4.end, start + (k1 + k2 * 2.0 + k3 * 2.0 + k4) * (STEP / 6.0));

@@ -11,7 +11,7 @@ use pendula::verify::properties::CheckResult;
 use pendula::verify::properties::conjugacy::{
     PROCESSED_4, PROCESSED_6, check_implicit_pair, check_pair, check_processed,
 };
-use pendula_study::experiments::variants::DriftKick;
+use pendula_zoo::euler::DriftKick;
 
 /// Ten times what rounding may do.
 const VISIBLE: f64 = 7e-11;

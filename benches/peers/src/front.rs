@@ -12,8 +12,7 @@
 //! [`PATIENCE`] for a run before it reaches the goal is left out, except the naive loop. Where
 //! rounding keeps that from the goal, it is shown with as many steps as its order would need, and
 //! with the error that it then has. The others are timed in rounds, each at its own setting and
-//! several times in a row; the shortest of its times counts, and the median of its ratios to the
-//! naive loop in the same round.
+//! several times in a row; the shortest of its times counts.
 
 use std::hint::black_box;
 
@@ -26,7 +25,7 @@ use pendula::{
 };
 
 use crate::crates::{CONTROLLED, STEPPED};
-use crate::machine::{instructions, median, seconds};
+use crate::machine::{instructions, seconds};
 use crate::naive::NAIVE;
 
 /// The release angle (rad) and the duration (s).
@@ -222,40 +221,27 @@ fn contenders(theta_0: f64, end: u32) -> Vec<Contender> {
     all
 }
 
-/// A line of the table.
-struct Row<'a> {
-    contender: &'a Contender,
-    setting: usize,
-    times: Vec<f64>,
-}
+/// A contender, its setting, and the shortest of its times (s).
+type Row<'a> = (&'a Contender, usize, f64);
 
-impl Row<'_> {
-    fn shortest(&self) -> f64 {
-        self.times.iter().copied().fold(f64::INFINITY, f64::min)
-    }
-}
-
-/// Times the contenders that reach the goal in a comparable time.
+/// Times the contenders that reach the goal in a comparable time, the quickest first.
 fn race(contenders: &[Contender], goal: f64) -> Vec<Row<'_>> {
     let setting = |contender: &Contender| match contender.kind {
         Kind::Naive => contender.setting_for(goal).or_else(|| contender.setting_by_order(goal)),
         _ => contender.setting_for(goal),
     };
-    let all: Vec<(&Contender, usize)> =
-        contenders.iter().filter_map(|c| setting(c).map(|i| (c, i))).collect();
-    let shortest = all.iter().map(|(c, i)| c.tried[*i].1).fold(f64::INFINITY, f64::min);
-    let mut rows: Vec<Row<'_>> = all
-        .into_iter()
-        .filter(|(c, i)| c.kind == Kind::Naive || c.tried[*i].1 < BEHIND * shortest)
-        .map(|(contender, setting)| Row { contender, setting, times: Vec::new() })
-        .collect();
+    let row = |contender| setting(contender).map(|i| (contender, i, contender.tried[i].1));
+    let mut rows: Vec<Row> = contenders.iter().filter_map(row).collect();
+    let shortest = rows.iter().map(|row| row.2).fold(f64::INFINITY, f64::min);
+    rows.retain(|row| row.0.kind == Kind::Naive || row.2 < BEHIND * shortest);
+    // In rounds, so that a slow moment of the machine slows them all.
     for _ in 0..ROUNDS {
-        for row in &mut rows {
-            let run = &row.contender.settings[row.setting];
-            let times = (0..IN_A_ROW).map(|_| seconds(run));
-            row.times.push(times.fold(f64::INFINITY, f64::min));
+        for (contender, setting, shortest) in &mut rows {
+            let run = &contender.settings[*setting];
+            *shortest = (0..IN_A_ROW).map(|_| seconds(run)).fold(*shortest, f64::min);
         }
     }
+    rows.sort_by(|a, b| a.2.total_cmp(&b.2));
     rows
 }
 
@@ -263,7 +249,7 @@ fn race(contenders: &[Contender], goal: f64) -> Vec<Row<'_>> {
 pub fn compare() {
     println!("{}", instructions());
     let times = ROUNDS * IN_A_ROW;
-    println!("the shortest of {times} times, final state only; the median ratio to naive RK4\n");
+    println!("the shortest of {times} times, final state only, and the ratio to naive RK4\n");
     println!(
         "{:<15} | {:>6} | {:<37} | {:>8} | {:>9} | {:>10}",
         "scene", "goal", "program", "error", "µs", "naive / it"
@@ -276,27 +262,22 @@ pub fn compare() {
             contender.climb(&error);
         }
         for goal in GOALS {
-            let rows = race(&contenders, goal);
-            let naive = rows.iter().find(|row| row.contender.kind == Kind::Naive);
-            let naive = naive.map(|row| row.times.clone());
-            let mut shown: Vec<&Row<'_>> = rows.iter().collect();
-            shown.sort_by(|a, b| a.shortest().total_cmp(&b.shortest()));
+            let mut rows = race(&contenders, goal);
+            let naive = rows.iter().find(|row| row.0.kind == Kind::Naive);
+            let naive = naive.map_or(f64::NAN, |row| row.2);
             let mut of_library = 0;
-            shown.retain(|row| {
-                of_library += usize::from(row.contender.kind == Kind::Library);
-                row.contender.kind != Kind::Library || of_library <= SHOWN
+            rows.retain(|(contender, ..)| {
+                of_library += usize::from(contender.kind == Kind::Library);
+                contender.kind != Kind::Library || of_library <= SHOWN
             });
-            for row in shown {
-                let ratio = naive.as_ref().map_or(f64::NAN, |naive| {
-                    median(naive.iter().zip(&row.times).map(|(naive, own)| naive / own).collect())
-                });
+            for (contender, setting, time) in rows {
                 println!(
                     "{:<15} | {goal:>6.0e} | {:<37} | {:>8.1e} | {:>9.1} | {:>9.2}×",
                     format!("{theta_0} rad, {end} s"),
-                    row.contender.name,
-                    row.contender.tried[row.setting].0,
-                    1e6 * row.shortest(),
-                    ratio,
+                    contender.name,
+                    contender.tried[setting].0,
+                    1e6 * time,
+                    naive / time,
                 );
             }
         }

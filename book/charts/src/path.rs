@@ -227,15 +227,4 @@ mod tests {
         assert_eq!(head(&mut [(1.0, 1.0), (9.0, 1.0)], 8.0), None);
         assert_eq!(head(&mut [(1.0, 1.0)], 0.0), None);
     }
-
-    /// Catches: a step of a staircase taken for a turn, after which the line would lose its
-    /// corners.
-    #[test]
-    fn a_staircase_does_not_turn() {
-        let stair = |i: u32| (0.1 * f64::from(i), f64::from(i / 2));
-        for up in [1.0, -1.0] {
-            let stroke: Vec<Point> = (0..16).map(stair).map(|p| (p.0, up * p.1)).collect();
-            assert_eq!(extremes(&stroke, 0.0, 500.0), stroke);
-        }
-    }
 }

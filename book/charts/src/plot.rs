@@ -424,43 +424,4 @@ pub mod tests {
         assert_eq!([130.0, 99.995, 200.005].map(of), [Some(130.0), Some(100.0), Some(200.0)]);
         assert_eq!([50.0, 250.0, 99.98, 200.02].map(of), [None; 4]);
     }
-
-    /// Catches: headings that run into each other, or that take a row each though there is room.
-    #[test]
-    fn headings_of_a_row_are_ten_apart() {
-        let label = "a limit of stability";
-        // It begins between 14 and 16, where subtracting and adding 10 is exact.
-        let at = 15.0 - PLACE[1] + (width(label) / 2.0).round();
-        let begin = PLACE[1] + at - width(label) / 2.0;
-        let rows = |y_label: &str, edge: f64| {
-            let chart = chart(y_label).vertical(at, label);
-            let rows = with_plot(&chart, [edge, PLACE[1], PLACE[2]], |plot| plot.headings().len());
-            assert!(begin > edge && at > 0.0, "the heading has its own place");
-            rows
-        };
-        let least = begin - 10.0 - width("energy");
-        assert_eq!([rows("energy", least - 0.1), rows("energy", least + 0.1)], [1, 2]);
-        assert_eq!([rows("", begin - 10.1), rows("", begin - 10.0)], [1, 2]);
-    }
-
-    /// Catches: labels of ticks that touch, or that are left out though there is room.
-    #[test]
-    fn ticks_have_room_between_them() {
-        // Between two labels there are 20 units, and half of a label may stand out on either side.
-        let drawn = |labels: &[&'static str], left: f64, room: f64| {
-            let ticks = labels.iter().zip([0.0, 512.0]).map(|(label, x)| (x, *label));
-            let x = Axis::linear("").range(0.0, 512.0).ticks(ticks);
-            let chart = Chart { x, ..chart("") };
-            let mut out = String::new();
-            with_plot(&chart, [0.0, left, left + room], |plot| plot.draw_axes(&mut out));
-            labels.iter().filter(|label| out.contains(&format!(">{label}</text>"))).count()
-        };
-        let (one, two) = (["a wide label"], ["a wide label", "and another"]);
-        let room = width(two[0]) + 20.0 + width(two[1]);
-        assert_eq!([drawn(&two, 64.0, room - 0.1), drawn(&two, 64.0, room + 0.1)], [0, 2]);
-        assert_eq!(
-            [drawn(&one, 0.0, width(one[0])), drawn(&one, 0.0, 1.0 + width(one[0]))],
-            [0, 1]
-        );
-    }
 }

@@ -126,7 +126,6 @@ impl Map {
 }
 
 /// Cells of one name that touch along their sides.
-#[derive(Clone, Debug, PartialEq)]
 pub(super) struct Region {
     /// Its place in the list of names.
     pub name: usize,
@@ -224,92 +223,4 @@ pub(super) fn closed(outlines: &[Vec<Corner>], x: &[f64], y: &[f64]) -> String {
         d.push(format!("M{}z", points.join("L")));
     }
     d.join("\n")
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// The map of a picture of letters, whose first line is its highest row; cells are one wide
-    /// and one high.
-    fn map(picture: &[&str]) -> Map {
-        let rows: Vec<&[u8]> = picture.iter().rev().map(|line| line.as_bytes()).collect();
-        let letter = |column: usize| rows.iter().map(move |row| row[column]);
-        let letters: Vec<u8> = (0..rows[0].len()).flat_map(letter).collect();
-        let mut known = letters.clone();
-        known.sort_unstable();
-        known.dedup();
-        let name = |letter: &u8| known.iter().position(|other| other == letter).unwrap();
-        let cell = |letter| Cell { name: name(letter), number: None, says: Default::default() };
-        let names = known.iter().enumerate().map(|(i, letter)| Name {
-            title: format!("the region {}", char::from(*letter)),
-            fill: Fill::Colour(i),
-        });
-        let edges = |count: usize| (0..=count).map(|k| k as f64);
-        Map::new(edges(rows[0].len()), edges(rows.len()), names, letters.iter().map(cell))
-    }
-
-    /// The area that outlines enclose: holes, which are followed the other way round, count less.
-    fn area_of(outlines: &[Vec<Corner>]) -> f64 {
-        let of = |corners: &Vec<Corner>| {
-            let next = corners.iter().cycle().skip(1);
-            let double = corners
-                .iter()
-                .zip(next)
-                .map(|(a, b)| a.0 as f64 * b.1 as f64 - b.0 as f64 * a.1 as f64);
-            0.5 * double.sum::<f64>()
-        };
-        outlines.iter().map(of).sum()
-    }
-
-    const PICTURES: [&[&str]; 5] = [
-        &["aaaa", "abba", "abba", "aaaa"],
-        &["ab", "ba"],
-        &["aab", "aba", "baa"],
-        &["abcabc", "abcbca", "ccccaa", "abbbbb"],
-        &["aaaaa", "abaca", "aaaaa", "adaea", "aaaaa"],
-    ];
-
-    /// Catches: a cell in two regions, in none, or in one of another name; regions joined at a
-    /// corner; one that is cut in two.
-    #[test]
-    fn each_cell_is_in_exactly_one_region() {
-        for picture in PICTURES {
-            let map = map(picture);
-            let regions = map.regions();
-            let mut all: Vec<_> = regions.iter().flat_map(|region| region.cells.clone()).collect();
-            all.sort_unstable();
-            let places = (0..map.columns()).flat_map(|i| (0..map.rows()).map(move |j| (i, j)));
-            assert_eq!(all, places.collect::<Vec<_>>());
-            for region in &regions {
-                for (i, j) in &region.cells {
-                    assert_eq!(map.cells[i * map.rows() + j].name, region.name);
-                }
-            }
-        }
-        let counts = PICTURES.map(|picture| map(picture).regions().len());
-        assert_eq!(counts, [2, 4, 5, 11, 5]);
-    }
-
-    /// Catches: an outline that goes astray where two corners touch, one without its holes, a side
-    /// that is followed twice.
-    #[test]
-    fn an_outline_encloses_the_area_of_its_cells() {
-        for picture in PICTURES {
-            for region in map(picture).regions() {
-                let outlines = region.outlines();
-                assert_eq!(area_of(&outlines), region.cells.len() as f64, "{outlines:?}");
-                for corners in &outlines {
-                    // Only corners, and none twice in a row.
-                    for k in 0..corners.len() {
-                        let [a, b, c] = [0, 1, 2].map(|by| corners[(k + by) % corners.len()]);
-                        assert!(turn(a, b, c) != 0, "{corners:?}");
-                    }
-                }
-            }
-        }
-        let ring = &map(PICTURES[0]).regions()[0];
-        assert_eq!(ring.outlines()[0], [(0, 0), (4, 0), (4, 4), (0, 4)]);
-        assert_eq!(ring.outlines()[1].len(), 4);
-    }
 }

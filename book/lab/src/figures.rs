@@ -10,7 +10,7 @@ use pendula::{Pendulum, Phase};
 use pendula_curves::shapes::{CAT, Place, SQUARE};
 
 use crate::kept::kept;
-use crate::parts::{MOST, Part, parts};
+use crate::parts::{MOST, parts};
 use crate::points::{self, Point};
 use crate::trajectory::{Kind, Setup};
 
@@ -123,18 +123,8 @@ pub extern "C" fn shape(which: u32, size: f64, pieces: u32) -> u32 {
     })
 }
 
-/// Writes the [`parts`] of one step, each in three points: kind and share, from, to. Returns their
-/// number.
+/// [`parts`] of one step; their number.
 #[cfg_attr(target_arch = "wasm32", unsafe(no_mangle))]
 pub extern "C" fn step_parts() -> u32 {
-    with(3 * MOST as u32, 0, |scene, points| {
-        let mut taken = [Part::NONE; MOST];
-        let count = parts(scene, &mut taken);
-        for (place, part) in points.chunks_exact_mut(3).zip(&taken) {
-            let Part { kind, share, from, to, .. } = *part;
-            let ends = [[from.theta, from.omega], [to.theta, to.omega]];
-            place.copy_from_slice(&[[f64::from(kind as u8), share], ends[0], ends[1]]);
-        }
-        count as u32
-    })
+    with(3 * MOST as u32, 0, |scene, points| parts(scene, points) as u32)
 }

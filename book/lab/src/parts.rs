@@ -1,165 +1,30 @@
-//! The parts of one step: the slopes, kicks and drifts that a method evaluates, recorded.
-//!
-//! As `stencil` in the study, for the methods of chapters 4 to 7, and on the pendulum as the lab
-//! runs it: with its step as the unit of time.
-
-use core::cell::RefCell;
-use core::ops::Add;
+//! The parts of one step, on the pendulum as the lab runs it: with its step as the unit of time.
 
 use pendula::methods::{ForwardEuler, Rk4, StormerVerlet, SymplecticEuler};
-use pendula::systems::State;
-use pendula::{Method, Phase, RateOf, Separable, System};
+pub use pendula_curves::parts::MOST;
+use pendula_curves::parts::Parts;
 
-use crate::shared::{By, Shared, SharedState};
+use crate::points::{Point, point};
 use crate::trajectory::{Setup, Trajectory, names};
 
-/// The most parts that one of the methods has.
-pub const MOST: usize = 4;
-
-/// What a part is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
-    /// A rate of change, followed for a whole step.
-    Slope = 0,
-    /// The force changes the velocity.
-    Kick = 1,
-    /// The velocity changes the angle.
-    Drift = 2,
-}
-
-/// A part of a step.
-#[derive(Clone, Copy, Debug)]
-pub struct Part {
-    /// Which of the three.
-    pub kind: Kind,
-    /// How long it lasts, as a share of the step.
-    pub share: f64,
-    /// From here …
-    pub from: Phase,
-    /// … to here.
-    pub to: Phase,
-    /// The part that led to where it begins.
-    before: usize,
-}
-
-/// Before the first part.
-const START: usize = MOST;
-
-impl Part {
-    /// No part of any step.
-    pub const NONE: Self = Self {
-        kind: Kind::Slope,
-        share: 0.0,
-        from: Phase { theta: 0.0, omega: 0.0 },
-        to: Phase { theta: 0.0, omega: 0.0 },
-        before: START,
-    };
-}
-
-/// Writes the parts of one step of the scene to `parts`, in order, and returns their number: zero
-/// for a method that has no stencil, or where the library refuses the scene. What a method computes
-/// for its next step is left out.
-pub fn parts(scene: &Setup, parts: &mut [Part; MOST]) -> usize {
+/// Writes the parts of one step of the scene, in order, each in three points: what it is and how
+/// long it lasts as a share of the step, from, and to. Returns their number: zero for a method that
+/// has no stencil in its chapter, or where the library refuses the scene.
+pub fn parts(scene: &Setup, points: &mut [Point]) -> usize {
     let Some((system, z)) = Trajectory::of(scene, 1).map(Trajectory::into_system) else {
         return 0;
     };
-    let noting = Noting { system, noted: RefCell::new((0, [Part::NONE; MOST])) };
-    let start = Noted { z, by: START };
-    let end = match names(scene.method) {
-        Some(["forward-euler", _]) => noting.step(&ForwardEuler, start),
-        Some(["symplectic-euler", _]) => noting.step(&SymplecticEuler, start),
-        Some(["stormer-verlet", _]) => noting.step(&StormerVerlet, start),
-        Some(["rk4", _]) => noting.step(&Rk4, start),
-        _ => return 0,
+    let taken = match names(scene.method) {
+        Some(["forward-euler", _]) => Parts::of(&ForwardEuler, &system, z, 1.0, 1.0),
+        Some(["symplectic-euler", _]) => Parts::of(&SymplecticEuler, &system, z, 1.0, 1.0),
+        Some(["stormer-verlet", _]) => Parts::of(&StormerVerlet, &system, z, 1.0, 1.0),
+        Some(["rk4", _]) => Parts::of(&Rk4, &system, z, 1.0, 1.0),
+        _ => None,
     };
-    let (count, noted) = noting.noted.into_inner();
-    if end.by == START {
-        // It adds slopes and takes no kicks or drifts.
-        *parts = noted;
-        return count;
-    }
-    // Back from the end, from each part to the one before it.
-    let (mut count, mut by) = (0, end.by);
-    while let Some(part) = noted.get(by) {
-        count += 1;
-        parts[MOST - count] = *part;
-        by = part.before;
-    }
-    parts.rotate_left(MOST - count);
-    count
-}
-
-/// A pendulum that records what is asked of it: how many parts, and the parts.
-struct Noting {
-    system: Shared,
-    noted: RefCell<(usize, [Part; MOST])>,
-}
-
-/// A state, with the part of the step that led to it.
-#[derive(Clone, Copy, Debug)]
-struct Noted {
-    z: SharedState,
-    by: usize,
-}
-
-impl Add<By> for Noted {
-    type Output = Self;
-
-    #[inline(never)]
-    fn add(self, displacement: By) -> Self {
-        Self { z: self.z + displacement, ..self }
-    }
-}
-
-impl State for Noted {
-    type Displacement = By;
-}
-
-impl Noting {
-    fn step(&self, method: &impl Method<Self>, z: Noted) -> Noted {
-        let mut carry = method.start(self, 0.0, 1.0, z);
-        method.step(self, 0.0, 1.0, z, &mut carry)
-    }
-
-    #[inline(never)]
-    fn note(&self, kind: Kind, share: f64, from: Noted, to: SharedState) -> Noted {
-        let mut noted = self.noted.borrow_mut();
-        let (count, parts) = &mut *noted;
-        let by = *count;
-        if let Some(place) = parts.get_mut(by) {
-            let [from_phase, to_phase] = [from.z, to].map(|z| self.system.bobs(z)[0]);
-            *place = Part { kind, share, from: from_phase, to: to_phase, before: from.by };
-            *count += 1;
-        }
-        Noted { z: to, by }
-    }
-}
-
-impl System for Noting {
-    type State = Noted;
-
-    #[inline(never)]
-    fn rate(&self, t: f64, at: Noted) -> RateOf<Self> {
-        let rate = self.system.rate(t, at.z);
-        self.note(Kind::Slope, 1.0, at, at.z + rate);
-        rate
-    }
-}
-
-impl Separable for Noting {
-    type Force = <Shared as Separable>::Force;
-
-    fn force(&self, t: f64, at: Noted) -> Self::Force {
-        self.system.force(t, at.z)
-    }
-
-    #[inline(never)]
-    fn kick(&self, at: Noted, force: Self::Force, h: f64) -> Noted {
-        self.note(Kind::Kick, h, at, self.system.kick(at.z, force, h))
-    }
-
-    #[inline(never)]
-    fn drift(&self, at: Noted, h: f64) -> Noted {
-        self.note(Kind::Drift, h, at, self.system.drift(at.z, h))
-    }
+    let parts = taken.iter().flat_map(|taken| taken.in_order());
+    let written = points.chunks_exact_mut(3).zip(parts).map(|(place, part)| {
+        let [from, to] = [part.from, part.to].map(|z| point(system.bobs(z)[0]));
+        place.copy_from_slice(&[[f64::from(part.kind as u8), part.duration], from, to]);
+    });
+    written.count()
 }

@@ -15,7 +15,8 @@ fn phase([theta, omega]: Point) -> Phase {
     Phase { theta, omega }
 }
 
-fn point(Phase { theta, omega }: Phase) -> Point {
+/// The state as a point.
+pub const fn point(Phase { theta, omega }: Phase) -> Point {
     [theta, omega]
 }
 

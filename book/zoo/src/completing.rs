@@ -34,16 +34,22 @@ runs_in_seconds!(Midpoint<DiscreteGradient>);
 
 impostor! {
     /// The trapezoidal rule after a single sweep of its iteration: Heun's method.
-    SweptOnce poses as Trapezoidal, |system, h, z| {
+    SweptOnce poses as Trapezoidal, |system, _, h, z| {
         let k1 = system.rate(0.0, z);
         let k2 = system.rate(0.0, z + k1 * h);
         z + (k1 + k2) * (0.5 * h)
     }
 }
 
-/// The discrete gradient with the mean of the force over twice the way: the whole difference of the
-/// angles where half of it belongs.
-pub struct TwiceTheWay;
+impostor! {
+    /// The discrete gradient with the mean of the force over twice the way: the whole difference of
+    /// the angles where half of it belongs.
+    TwiceTheWay poses as DiscreteGradient needing MeanForce, |system, t, h, z| {
+        let along = AlongTwice { system, h };
+        let (first, iteration) = (along.rate(t, z), Iteration::TO_ROUNDING);
+        ImplicitMidpoint::TABLEAU.attempt(&along, t, h, z, first, iteration).0
+    }
+}
 
 /// A system with that mean for its force.
 struct AlongTwice<'s, S> {
@@ -59,26 +65,6 @@ impl<S: Plain + MeanForce> System for AlongTwice<'_, S> {
     }
 }
 
-impl Info for TwiceTheWay {
-    fn info(&self) -> MethodInfo {
-        DiscreteGradient.info()
-    }
-}
-
-impl<S: Plain + MeanForce> Method<S> for TwiceTheWay {
-    type Carry = ();
-
-    fn start(&self, _system: &S, _t: f64, _h: f64, _z: Phase) {}
-
-    fn step(&self, system: &S, t: f64, h: f64, z: Phase, _carry: &mut ()) -> Phase {
-        let along = AlongTwice { system, h };
-        let (first, iteration) = (along.rate(t, z), Iteration::TO_ROUNDING);
-        ImplicitMidpoint::TABLEAU.attempt(&along, t, h, z, first, iteration).0
-    }
-}
-
-runs_in_seconds!(TwiceTheWay);
-
 /// The angle (rad) from the nearest bottom.
 fn from_the_nearest(theta: f64) -> f64 {
     theta - TAU * (theta / TAU).round()
@@ -93,43 +79,20 @@ fn turned(system: &impl NearlyLinear<Time = f64>, h: f64, z: Phase, rest: f64) -
     Phase { theta: z.theta + moved, omega: z.omega * cos - rest * frequency * sin }
 }
 
-macro_rules! rotating {
-    ($(#[$doc:meta])* $name:ident, |$system:ident, $h:ident, $z:ident| $step:expr) => {
-        $(#[$doc])*
-        pub struct $name;
-
-        impl Info for $name {
-            fn info(&self) -> MethodInfo {
-                Deuflhard.info()
-            }
-        }
-
-        impl<S: Plain + NearlyLinear<Force = f64, Time = f64>> Method<S> for $name {
-            type Carry = ();
-
-            fn start(&self, _system: &S, _t: f64, _h: f64, _z: Phase) {}
-
-            fn step(&self, $system: &S, _t: f64, $h: f64, $z: Phase, _carry: &mut ()) -> Phase {
-                $step
-            }
-        }
-
-        runs_in_seconds!($name);
-    };
-}
-
-rotating! {
+impostor! {
     /// Half a rotation, a kick, half a rotation: Deuflhard's method half a step on.
-    RotationFirst, |system, h, z| {
+    RotationFirst poses as Deuflhard needing NearlyLinear<Force = f64, Time = f64>,
+    |system, _, h, z| {
         let z = turned(system, 0.5 * h, z, from_the_nearest(z.theta));
         let z = system.kick(z, system.force(0.0, z) - system.linear_force(z), h);
         turned(system, 0.5 * h, z, from_the_nearest(z.theta))
     }
 }
 
-rotating! {
+impostor! {
     /// Every angle is taken from the bottom at 0, however many turns away.
-    OneBottom, |system, h, z| {
+    OneBottom poses as Deuflhard needing NearlyLinear<Force = f64, Time = f64>,
+    |system, _, h, z| {
         let square = system.linear_frequency_squared();
         let beyond = |z: Phase| system.force(0.0, z) + square * z.theta;
         let z = system.kick(z, beyond(z), 0.5 * h);

@@ -7,7 +7,7 @@ use pendula::methods::splitting::{Splitting, kicks};
 use pendula::methods::{Dop853, ForestRuth, Gauss4, Taylor24, Yoshida6};
 use pendula::{AnyMethod, Grid, Info, Method, MethodInfo, Observer, Pendulum, Phase};
 
-use super::{Plain, runs_in_seconds};
+use super::{Plain, impostor, runs_in_seconds};
 
 macro_rules! composition {
     ($(#[$doc:meta])* $name:ident poses as $truth:ident, $n:literal substeps, $substeps:expr) => {
@@ -66,21 +66,9 @@ composition! {
     }
 }
 
-/// Gauss's method of two stages after a single sweep of its iteration: an explicit method.
-pub struct SweptOnce;
-
-impl Info for SweptOnce {
-    fn info(&self) -> MethodInfo {
-        Gauss4.info()
-    }
-}
-
-impl<S: Plain> Method<S> for SweptOnce {
-    type Carry = ();
-
-    fn start(&self, _system: &S, _t: f64, _h: f64, _z: Phase) {}
-
-    fn step(&self, system: &S, t: f64, h: f64, z: Phase, _carry: &mut ()) -> Phase {
+impostor! {
+    /// Gauss's method of two stages after a single sweep of its iteration: an explicit method.
+    SweptOnce poses as Gauss4, |system, t, h, z| {
         let table = Gauss4::TABLEAU;
         let mut k = [system.rate(t, z); 2];
         for i in 0..2 {
@@ -90,8 +78,6 @@ impl<S: Plain> Method<S> for SweptOnce {
         z + (k[0] * table.b[0] + k[1] * table.b[1]) * h
     }
 }
-
-runs_in_seconds!(SweptOnce);
 
 /// DOP853's table as data, with one entry off.
 pub struct EntryOff {

@@ -66,11 +66,13 @@ macro_rules! runs_in_seconds {
 }
 pub(crate) use runs_in_seconds;
 
-/// Makes a method from an expression for its step. Its entry is that of the method it poses as.
+/// Makes a method from an expression for its step. Its entry is that of the method it poses as; it
+/// may need more than a force of its system.
 macro_rules! impostor {
     (
         $(#[$doc:meta])*
-        $name:ident poses as $truth:ident, |$system:ident, $h:ident, $z:ident| $step:expr
+        $name:ident poses as $truth:ident $(needing $bound:path)?,
+        |$system:pat_param, $t:pat_param, $h:pat_param, $z:pat_param| $step:expr
     ) => {
         $(#[$doc])*
         pub struct $name;
@@ -81,7 +83,10 @@ macro_rules! impostor {
             }
         }
 
-        impl<S: $crate::Plain + pendula::Separable<Force = f64>> pendula::Method<S> for $name {
+        impl<S> pendula::Method<S> for $name
+        where
+            S: $crate::Plain + pendula::Separable<Force = f64> $(+ $bound)?,
+        {
             type Carry = ();
 
             fn start(&self, _system: &S, _t: f64, _h: f64, _z: pendula::Phase) {}
@@ -89,7 +94,7 @@ macro_rules! impostor {
             fn step(
                 &self,
                 $system: &S,
-                _t: f64,
+                $t: f64,
                 $h: f64,
                 $z: pendula::Phase,
                 _carry: &mut (),

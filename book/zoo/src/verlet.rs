@@ -8,7 +8,7 @@ use super::{Plain, impostor, runs_in_seconds};
 impostor! {
     /// Position for velocity Verlet: half a drift, a kick, half a drift. It evaluates once a step,
     /// but not before the first.
-    PositionForm poses as StormerVerlet, |system, h, z| {
+    PositionForm poses as StormerVerlet, |system, _, h, z| {
         let z = system.drift(z, 0.5 * h);
         let z = system.kick(z, system.force(0.0, z), h);
         system.drift(z, 0.5 * h)
@@ -18,7 +18,7 @@ impostor! {
 impostor! {
     /// The force evaluated anew for each half kick, as the paper's algorithm has it: the same
     /// numbers for twice the work.
-    EvaluatedTwice poses as StormerVerlet, |system, h, z| {
+    EvaluatedTwice poses as StormerVerlet, |system, _, h, z| {
         let z = system.kick(z, system.force(0.0, z), 0.5 * h);
         let z = system.drift(z, h);
         system.kick(z, system.force(0.0, z), 0.5 * h)
@@ -27,7 +27,7 @@ impostor! {
 
 impostor! {
     /// Heun: of order 2 like Verlet, and not symplectic.
-    Heun poses as StormerVerlet, |system, h, z| {
+    Heun poses as StormerVerlet, |system, _, h, z| {
         let k1 = system.rate(0.0, z);
         let k2 = system.rate(0.0, z + k1 * h);
         z + (k1 + k2) * (0.5 * h)
@@ -37,7 +37,7 @@ impostor! {
 impostor! {
     /// Leapfrog whose velocities start at the first sample and not half a step before: symplectic
     /// Euler.
-    Unstaggered poses as StormerVerlet, |system, h, z| {
+    Unstaggered poses as StormerVerlet, |system, _, h, z| {
         let z = system.kick(z, system.force(0.0, z), h);
         system.drift(z, h)
     }

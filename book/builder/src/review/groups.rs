@@ -211,5 +211,5 @@ fn claim_of(cell: &Cell) -> Option<String> {
             (table, row.strip_suffix(", measured")?, heading)
         }
     };
-    cell_at(table, row, heading).map(|id| id.to_string())
+    cell_at(table, row, heading)
 }

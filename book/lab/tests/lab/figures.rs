@@ -3,8 +3,8 @@
 
 use pendula::methods::{ForwardEuler, Rk4, StormerVerlet, SymplecticEuler};
 use pendula::{Grid, METHODS, Motion, Pendulum, Phase, methods::Info};
-use pendula_study::experiments::shapes::{CAT, Place, SQUARE, area};
-use pendula_study::experiments::stencil::{Kind, Stencil, stencil};
+use pendula_curves::parts::Parts;
+use pendula_curves::shapes::{CAT, Place, SQUARE, area};
 use pendula_study::theory::Dimensionless;
 use pendula_study::theory::symplectic_euler::{correction_to_order, level_curve_to_order};
 
@@ -108,36 +108,27 @@ const ROUNDINGS: f64 = 1e-14;
 /// a slope at another place, half a kick as a whole one.
 #[test]
 fn the_parts_of_a_step_are_those_of_the_figure() {
-    type Part = (u8, f64, Phase, Phase);
-    fn of_study(taken: Stencil, h: f64) -> Vec<Part> {
-        let slopes = taken.slopes.into_iter().map(|(z, rate)| (0, 1.0, z, z + rate * h));
-        let parts = taken.parts.into_iter().map(|part| {
-            let kind = if part.kind == Kind::Kick { 1 } else { 2 };
-            (kind, part.duration / h, part.from, part.to)
-        });
-        slopes.chain(parts).collect()
-    }
     for lab in &mut labs() {
         for scene in SCENES {
             let (pendulum, h) = (pendulum(scene), scene.2);
             for z in STARTS {
                 let methods = [
-                    (ForwardEuler.info(), of_study(stencil(&ForwardEuler, &pendulum, z, h), h)),
-                    (
-                        SymplecticEuler.info(),
-                        of_study(stencil(&SymplecticEuler, &pendulum, z, h), h),
-                    ),
-                    (StormerVerlet.info(), of_study(stencil(&StormerVerlet, &pendulum, z, h), h)),
-                    (Rk4.info(), of_study(stencil(&Rk4, &pendulum, z, h), h)),
+                    (ForwardEuler.info(), Parts::of(&ForwardEuler, &pendulum, z, h, h)),
+                    (SymplecticEuler.info(), Parts::of(&SymplecticEuler, &pendulum, z, h, h)),
+                    (StormerVerlet.info(), Parts::of(&StormerVerlet, &pendulum, z, h, h)),
+                    (Rk4.info(), Parts::of(&Rk4, &pendulum, z, h, h)),
                 ];
                 for (method, expected) in methods {
                     set_scene(lab.as_mut(), method.name, scene, z);
                     let count = lab.step_parts();
+                    let expected = expected.expect("a few parts");
+                    let expected: Vec<_> = expected.in_order().collect();
                     assert_eq!(count as usize, expected.len(), "{}", method.name);
                     let points = lab.points(3 * count);
-                    for (part, (kind, share, from, to)) in points.chunks_exact(3).zip(expected) {
+                    for (part, expected) in points.chunks_exact(3).zip(expected) {
+                        let (kind, share) = (expected.kind as u8, expected.duration / h);
                         assert_eq!((part[0].theta, part[0].omega), (f64::from(kind), share));
-                        for (seen, expected) in [(part[1], from), (part[2], to)] {
+                        for (seen, expected) in [(part[1], expected.from), (part[2], expected.to)] {
                             let off = (seen.theta - expected.theta, seen.omega - expected.omega);
                             let off = off.0.abs().max(off.1.abs());
                             assert!(off < ROUNDINGS, "{}: {seen:?}, {expected:?}", method.name);

@@ -142,6 +142,8 @@ mod compiled {
     use std::fs;
     use std::path::Path;
 
+    use base64::Engine as _;
+    use base64::prelude::BASE64_STANDARD;
     use wasmi::{Engine, Instance, Linker, Module, Store, WasmParams, WasmResults};
 
     /// The most that a page may load for it: 64 KB.
@@ -153,24 +155,7 @@ mod compiled {
         let script = fs::read_to_string(book.join("src/assets/lab.wasm.js")).unwrap();
         let (_, rest) =
             script.split_once("globalThis.pendulaLab = \"").expect("the script's one line");
-        decoded(rest.split_once("\";").expect("its end").0)
-    }
-
-    /// Base64, RFC 4648, Section 4.
-    fn decoded(text: &str) -> Vec<u8> {
-        const LETTERS: &[u8] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-        let mut bytes = Vec::new();
-        let (mut bits, mut count) = (0_u32, 0);
-        for letter in text.trim_end_matches('=').bytes() {
-            let six = LETTERS.iter().position(|known| *known == letter).expect("base64");
-            bits = (bits << 6) | six as u32;
-            count += 6;
-            if count >= 8 {
-                count -= 8;
-                bytes.push((bits >> count) as u8);
-            }
-        }
-        bytes
+        BASE64_STANDARD.decode(rest.split_once("\";").expect("its end").0).expect("base64")
     }
 
     /// The compiled file, in an interpreter.

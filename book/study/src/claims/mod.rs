@@ -4,20 +4,18 @@
 //! is measured; `prose` has both for its sentences. A [`Ledger`] joins them. Tables, tests and the
 //! book read the ledger, so that no number stands in two places.
 
-mod cell_id;
 pub mod cells;
 pub mod measure;
 mod predictions;
 mod prose;
 
-use core::fmt;
+use core::fmt::{self, Display};
 
-pub use cell_id::{CellId, Column};
 pub use predictions::{Prediction, predictions};
 
 use self::cells::CELLS;
 use crate::digits::{Digits, rounds_to};
-use crate::experiments::Study;
+use crate::experiments::{PaperMethod, Study};
 
 /// What became of a claim.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -52,7 +50,7 @@ impl Verdict {
     }
 }
 
-impl fmt::Display for Verdict {
+impl Display for Verdict {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.pad(match self {
             Self::Reproduced => "reproduced",
@@ -80,7 +78,7 @@ pub enum ClaimKind {
     Finding,
 }
 
-impl fmt::Display for ClaimKind {
+impl Display for ClaimKind {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.pad(match self {
             Self::Cell => "cell",
@@ -211,6 +209,12 @@ impl Claim {
     }
 }
 
+/// The id of a cell in the row of a method: `T4.rk4.0.01` is that of a step (s), `T5.fe.dH` that of
+/// a quantity. The cells of Table 7, which has no such rows, are `T7.Texact` and so on.
+pub fn cell_id(table: u32, row: PaperMethod, column: impl Display) -> String {
+    format!("T{table}.{}.{column}", row.id())
+}
+
 /// Claims of the paper that state one thing several times: each list is one error, if it is wrong.
 const ONE_DEFECT: &[&[&str]] = &[
     // RK4's energy error falls with slope 5 where 4 is stated.
@@ -265,11 +269,6 @@ impl Ledger {
             .iter()
             .map(|ids| ids.iter().filter(|id| wrong.contains(id)).count().saturating_sub(1));
         (wrong.len(), wrong.len() - repeated.sum::<usize>())
-    }
-
-    /// The claim of a cell.
-    pub fn cell(&self, id: CellId) -> Option<&Claim> {
-        self.get(&id.to_string())
     }
 
     /// The claims of one table.

@@ -4,7 +4,7 @@ use std::sync::LazyLock;
 
 use pendula::{Grid, Pendulum};
 
-use super::CellId;
+use super::cell_id;
 use crate::experiments::PaperMethod;
 use crate::experiments::{STEPS, convergence, long_run, small_angle, work};
 use crate::theory::small_angle::{LinearRecurrence, errors};
@@ -50,16 +50,16 @@ fn computed() -> Vec<Prediction> {
     let mut all = Vec::new();
     let (table_4, table_8) = (Run::TABLE_4, Run::TABLE_8);
     for law in ENERGY_LAWS {
-        all.extend(STEPS.map(|h| law.predict(table_4, h, |row| CellId::at_step(4, row, h))));
+        all.extend(STEPS.map(|h| law.predict(table_4, h, |row| cell_id(4, row, h))));
     }
     for law in ENERGY_LAWS {
-        all.push(law.predict(Run::TABLE_5, long_run::STEP, |row| CellId::of_row(5, row, "dH")));
+        all.push(law.predict(Run::TABLE_5, long_run::STEP, |row| cell_id(5, row, "dH")));
     }
     for law in ANGLE_LAWS {
         all.extend(STEPS.map(|h| angle(&law, table_8, h)));
     }
     for law in ENERGY_LAWS {
-        all.push(law.predict(table_8, STEPS[work::TABLE_8], |row| CellId::of_row(8, row, "dH")));
+        all.push(law.predict(table_8, STEPS[work::TABLE_8], |row| cell_id(8, row, "dH")));
     }
     all.push(normalised_angle());
     all
@@ -163,10 +163,10 @@ const ENERGY_LAWS: [EnergyLaw; 4] = [
 ];
 
 impl EnergyLaw {
-    fn predict(&self, run: Run, h: f64, id: impl Fn(PaperMethod) -> CellId) -> Prediction {
+    fn predict(&self, run: Run, h: f64, id: impl Fn(PaperMethod) -> String) -> Prediction {
         let value = (self.value)(run.theta_0, h, run.steps(h));
         let tolerance = (self.left_out)(run, h, value) + run.rounding(h) / value;
-        Prediction { id: id(self.method).to_string(), value, tolerance, law: self.law }
+        Prediction { id: id(self.method), value, tolerance, law: self.law }
     }
 }
 
@@ -239,7 +239,7 @@ fn angle(law: &AngleLaw, run: Run, h: f64) -> Prediction {
     let Run { theta_0, .. } = run;
     let pendulum = &Pendulum::PAPER;
     let (steps, x) = (run.steps(h), scaled(pendulum, h));
-    let id = CellId::at_step(6, law.method, h).to_string();
+    let id = cell_id(6, law.method, h);
     let Some(recurrence) = law.recurrence else {
         let angles = forward_euler::trajectory(pendulum, theta_0, h).map(|z| z.theta);
         let (value, _) = errors(pendulum, theta_0, h, steps, angles);

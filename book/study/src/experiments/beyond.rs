@@ -406,24 +406,3 @@ fn kepler() -> Row {
         "−(π/8)(nh)² (4 + e²)/(1 − e²)³",
     )
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Catches: the distance of one angle only, of the momenta, or of other starts than these.
-    #[test]
-    fn the_separation_is_the_distance_in_both_angles() {
-        let double = equals();
-        // A power of two, so that the sum below is exact.
-        let (theta, nudge, grid) = ([2.0, 2.5], libm::exp2(-20.0), (0.001, 2000));
-        let (one, other) =
-            (path(&double, theta, grid), path(&double, [theta[0] + nudge, theta[1]], grid));
-        let apart = separation(&double, theta, nudge, grid);
-        assert_eq!((apart.len(), apart[0]), (201, (0.0, nudge)));
-        for (((t, a), (_, b)), apart) in one.into_iter().zip(other).zip(apart) {
-            let (upper, lower) = (a.theta1 - b.theta1, a.theta2 - b.theta2);
-            assert_eq!(apart, (t, libm::sqrt(upper * upper + lower * lower)));
-        }
-    }
-}

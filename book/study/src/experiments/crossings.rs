@@ -65,23 +65,3 @@ pub(super) fn error(method: MethodRef, theta_0: f64, evaluations: u64) -> f64 {
     method.run(&Pendulum::PAPER, start, &grid, &mut error);
     error.root_mean_square()
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Catches: a crossing read from the wrong side, one that holds only nearby, and one at another
-    /// amplitude.
-    #[test]
-    fn from_the_crossing_on_rk4_is_ahead() {
-        let methods = ["stormer-verlet", "rk4"].map(|name| pendula::method_named(name).unwrap());
-        let errors = |evaluations| methods.map(|method| error(method, 1.0, evaluations));
-        let crossing = crossing(1.0).unwrap();
-        for further in [0, 4, 40, 400, 4000] {
-            let [verlet, rk4] = errors(crossing.evaluations + further);
-            assert!(rk4 <= verlet, "{further} further: {rk4:e} against {verlet:e}");
-        }
-        let [verlet, rk4] = errors(crossing.evaluations - 4);
-        assert!(rk4 > verlet, "{rk4:e} against {verlet:e}");
-    }
-}

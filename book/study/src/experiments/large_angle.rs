@@ -3,9 +3,9 @@
 use pendula::methods::Rk4;
 use pendula::methods::registry::AnyMethod;
 use pendula::metrics::{CrossingPeriod, PeakPeriod};
-use pendula::{Pendulum, Phase, exact};
+use pendula::{Pendulum, exact};
 
-use super::{grid, released};
+use super::{grid, released, samples};
 
 /// Released at 3 rad …
 pub const THETA_0: f64 = 3.0;
@@ -59,26 +59,6 @@ pub fn period_by_peak(method: &dyn AnyMethod) -> f64 {
 
 /// RK4's θ(t) (rad), every tenth step to 15 s, for Figure 6.
 pub fn waveform() -> Vec<(f64, f64)> {
-    let mut series = Vec::new();
-    Rk4.run(&Pendulum::PAPER, released(THETA_0), &grid(15.0, STEP), &mut |n: u64, t, z: Phase| {
-        if n.is_multiple_of(10) {
-            series.push((t, z.theta));
-        }
-    });
-    series
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// All numbers are exact in binary.
-    ///
-    /// Catches: an error relative to the measured period, a fraction for per cent, a sign.
-    #[test]
-    fn an_error_is_relative_to_the_exact_period() {
-        let periods =
-            Periods { exact: 4.0, by_peak: 5.0, by_crossing: 5.0, small_angle: 2.0, modulus: 0.5 };
-        assert_eq!([5.0, 3.0, 4.0].map(|period| periods.percent(period)), [25.0, 25.0, 0.0]);
-    }
+    let run = samples(&Rk4, THETA_0, &grid(15.0, STEP));
+    run.into_iter().step_by(10).map(|(t, z)| (t, z.theta)).collect()
 }

@@ -3,7 +3,7 @@
 use pendula::exact::Motion;
 use pendula::{Grid, Pendulum, Phase, method_named};
 
-use super::{MethodRef, released};
+use super::{MethodRef, released, samples};
 use crate::theory::{stormer_verlet, symplectic_euler};
 
 /// Released at rest from here (rad).
@@ -69,7 +69,5 @@ fn run(name: &str, step: f64, curves: Vec<Vec<Phase>>) -> Run {
 /// The points that a method visits with steps of `step` (s).
 pub fn points(method: MethodRef, step: f64) -> Vec<Phase> {
     let grid = Grid::new(step, STEPS).expect("a positive step");
-    let mut points = Vec::new();
-    method.run(&Pendulum::PAPER, released(THETA_0), &grid, &mut |_, _, z: Phase| points.push(z));
-    points
+    samples(method, THETA_0, &grid).into_iter().map(|(_, z)| z).collect()
 }

@@ -5,7 +5,7 @@ use pendula::metrics::EnergyDrift;
 use pendula::systems::Hamiltonian;
 use pendula::{Pendulum, Phase};
 
-use super::{MethodRef, each_method, each_of_the_paper, grid, released};
+use super::{MethodRef, each_method, each_of_the_paper, energy_error, grid, released, samples};
 
 /// Released at 1 rad …
 pub const THETA_0: f64 = 1.0;
@@ -86,26 +86,14 @@ fn row(method: MethodRef) -> Row {
 
 /// H(t) − H(0) (J) at each step, for Figure 3.
 pub fn energy(method: MethodRef) -> Vec<(f64, f64)> {
-    let pendulum = Pendulum::PAPER;
-    let start = released(THETA_0);
-    let initial = pendulum.energy(start);
-    let mut series = Vec::new();
-    let mut watch = |_: u64, t: f64, z: Phase| series.push((t, pendulum.energy(z) - initial));
-    method.run(&pendulum, start, &grid(DURATION, STEP), &mut watch);
-    series
+    energy_error(&samples(method, THETA_0, &grid(DURATION, STEP)))
 }
 
 /// θ (rad), counting turns, at each step from the time `from` to the time `to` (s).
 pub fn angle(method: MethodRef, (from, to): (f64, f64)) -> Vec<(f64, f64)> {
-    let mut series = Vec::new();
+    let run = samples(method, THETA_0, &grid(to, STEP)).into_iter();
     // Half a step before `from`, since the times are rounded.
-    let mut watch = |_: u64, t: f64, z: Phase| {
-        if t > from - 0.5 * STEP {
-            series.push((t, z.theta));
-        }
-    };
-    method.run(&Pendulum::PAPER, released(THETA_0), &grid(to, STEP), &mut watch);
-    series
+    run.filter(|(t, _)| *t > from - 0.5 * STEP).map(|(t, z)| (t, z.theta)).collect()
 }
 
 /// The largest |H − H(0)| so far (J), once a second, for Figure 3.

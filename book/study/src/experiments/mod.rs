@@ -25,14 +25,12 @@ pub mod side_by_side;
 pub mod small_angle;
 pub mod splitting;
 pub mod standard_map;
-pub mod stencil;
 pub mod truncation;
-pub mod variants;
 pub mod work;
 
 use pendula::{AnyMethod, METHODS, method_named};
-use pendula::{Grid, Phase};
-pub use pendula_curves::shapes;
+use pendula::{Grid, Hamiltonian, Pendulum, Phase};
+pub use pendula_curves::{parts, shapes};
 
 /// The five steps of the paper's ladder (s), its Section 5.2.
 pub const STEPS: [f64; 5] = [0.1, 0.05, 0.01, 0.005, 0.001];
@@ -156,6 +154,21 @@ fn each_method<R>(row: impl FnMut(MethodRef) -> R) -> Vec<R> {
 /// A grid on the paper's parameters, which are known to fit.
 fn grid(duration: f64, step: f64) -> Grid {
     Grid::with_duration(step, duration).expect("the paper's durations are whole numbers of steps")
+}
+
+/// The samples of a run of the paper's pendulum from rest at `theta_0` (rad), each with its time
+/// (s).
+fn samples(method: &dyn AnyMethod, theta_0: f64, grid: &Grid) -> Vec<(f64, Phase)> {
+    let mut samples = Vec::with_capacity(grid.samples() as usize);
+    let mut keep = |_: u64, t: f64, z: Phase| samples.push((t, z));
+    method.run(&Pendulum::PAPER, released(theta_0), grid, &mut keep);
+    samples
+}
+
+/// H(t) − H(0) (J) along a run.
+pub fn energy_error(run: &[(f64, Phase)]) -> Vec<(f64, f64)> {
+    let initial = Pendulum::PAPER.energy(run[0].1);
+    run.iter().map(|&(t, z)| (t, Pendulum::PAPER.energy(z) - initial)).collect()
 }
 
 /// A release from rest.

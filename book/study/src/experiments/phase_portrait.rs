@@ -2,7 +2,7 @@
 
 use pendula::{Grid, Pendulum, Phase};
 
-use super::{MethodRef, released};
+use super::{MethodRef, samples};
 
 /// The three releases of Figure 5 (rad).
 pub const THETA_0: [f64; 3] = [0.5, 1.5, 2.5];
@@ -15,23 +15,5 @@ pub fn orbit(method: MethodRef, theta_0: f64) -> Vec<Phase> {
     let period = pendula::exact::period(&Pendulum::PAPER, theta_0).expect("a finite angle");
     let steps = libm::ceil(period / STEP) as u64;
     let grid = Grid::new(STEP, steps).expect("a positive step");
-    let mut orbit = Vec::with_capacity(grid.samples() as usize);
-    method.run(&Pendulum::PAPER, released(theta_0), &grid, &mut |_, _, z: Phase| orbit.push(z));
-    orbit
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Catches: an orbit that ends before it closes, or goes on after it did.
-    #[test]
-    fn an_orbit_closes_and_ends() {
-        for theta_0 in THETA_0 {
-            let period = pendula::exact::period(&Pendulum::PAPER, theta_0).unwrap();
-            let orbit = orbit(&pendula::methods::StormerVerlet, theta_0);
-            let last = (orbit.len() - 1) as f64 * STEP;
-            assert!(period <= last && last < period + STEP, "{theta_0} rad: {last} s of {period}");
-        }
-    }
+    samples(method, theta_0, &grid).into_iter().map(|(_, z)| z).collect()
 }

@@ -3,10 +3,9 @@
 
 use pendula::exact::Motion;
 use pendula::metrics::{AngleError, EnergyDrift};
-use pendula::systems::Hamiltonian;
 use pendula::{Grid, LinearOscillator, Pendulum, Phase};
 
-use super::{MethodRef, STEPS, each_of_the_paper, grid, released};
+use super::{MethodRef, STEPS, each_of_the_paper, grid, released, samples};
 
 /// Released at 0.05 rad …
 pub const THETA_0: f64 = 0.05;
@@ -75,16 +74,5 @@ pub fn ladder(method: MethodRef) -> Vec<(f64, Errors)> {
 /// The trajectory of the experiment at one step, for Figure 4: the paper names neither θ₀ nor the
 /// duration there, so it is drawn on the parameters of Table 6.
 pub fn trajectory(method: MethodRef, step: f64) -> Vec<(f64, Phase)> {
-    let grid = grid(DURATION, step);
-    let mut series = Vec::with_capacity(grid.samples() as usize);
-    method.run(&Pendulum::PAPER, released(THETA_0), &grid, &mut |_, t: f64, z: Phase| {
-        series.push((t, z));
-    });
-    series
-}
-
-/// H(t) − H(0) (J) along such a trajectory.
-pub fn energy(trajectory: &[(f64, Phase)]) -> Vec<(f64, f64)> {
-    let initial = Pendulum::PAPER.energy(released(THETA_0));
-    trajectory.iter().map(|&(t, z)| (t, Pendulum::PAPER.energy(z) - initial)).collect()
+    samples(method, THETA_0, &grid(DURATION, step))
 }

@@ -135,16 +135,6 @@ mod tests {
         assert_eq!(table().to_text(), expected);
     }
 
-    /// Catches: values that are not flush right, remarks that are padded.
-    #[test]
-    fn markdown_reads_as_a_table_too() {
-        let expected = "| Method         |     h | why |\n\
-                        | -------------- | ----: | --- |\n\
-                        | RK4            | 0.001 | it is quick and needs no memory |\n\
-                        | Störmer–Verlet |     1 |     |\n";
-        assert_eq!(table().to_markdown(), expected);
-    }
-
     /// Catches: a bar in a cell, such as that of |H|, that begins a column; a cell that is lost or
     /// moved on the way to Markdown and back; another text that is taken for a table.
     #[test]

@@ -5,8 +5,7 @@ use pendula::verify::properties::{PROPERTIES, Property};
 use pendula_zoo::{Impostor, impostors};
 
 use super::table::Table;
-use crate::claims::Column::{self, Quantity};
-use crate::claims::{CellId, Claim, ClaimKind, Ledger, Measured};
+use crate::claims::{Claim, ClaimKind, Ledger, Measured, cell_id};
 use crate::digits::Digits::{self, Fixed, Scientific, Significant};
 use crate::experiments::characteristics::ROUNDING;
 use crate::experiments::{
@@ -24,10 +23,11 @@ pub fn table(ledger: &Ledger, number: u32) -> Option<Table> {
     }
 }
 
-/// The columns of Table `number`, with their headings; `None` if it has no row for each method.
-fn columns(number: u32) -> Option<Vec<(Column, String)>> {
-    let of = |columns: &[(&'static str, &str)]| {
-        let column = |&(quantity, title): &(_, &str)| (Quantity(quantity), title.to_string());
+/// The columns of Table `number`, as the ids of its cells name them, with their headings; `None` if
+/// it has no row for each method.
+fn columns(number: u32) -> Option<Vec<(String, String)>> {
+    let of = |columns: &[(&str, &str)]| {
+        let column = |&(name, title): &(&str, &str)| (name.to_string(), title.to_string());
         Some(columns.iter().map(column).collect())
     };
     match number {
@@ -37,7 +37,7 @@ fn columns(number: u32) -> Option<Vec<(Column, String)>> {
             ("evals", "Evaluations a step"),
             ("behav", "Energy over 1000 s"),
         ]),
-        4 | 6 => Some(STEPS.map(|step| (Column::Step(step), format!("Δt = {step} s"))).to_vec()),
+        4 | 6 => Some(STEPS.map(|step| (step.to_string(), format!("Δt = {step} s"))).to_vec()),
         5 => of(&[
             ("dH", "ΔH (J)"),
             ("pct", "ΔH in % of H(0)"),
@@ -49,12 +49,12 @@ fn columns(number: u32) -> Option<Vec<(Column, String)>> {
     }
 }
 
-/// The cell of Table `number` in the row of the method with this title, in the column with this
-/// heading.
-pub fn cell_at(number: u32, row: &str, column: &str) -> Option<CellId> {
+/// The id of the cell of Table `number` in the row of the method with this title, in the column
+/// with this heading.
+pub fn cell_at(number: u32, row: &str, column: &str) -> Option<String> {
     let row = PaperMethod::ALL.into_iter().find(|method| method.title() == row)?;
     let (column, _) = columns(number)?.into_iter().find(|(_, heading)| heading == column)?;
-    Some(CellId { table: number, row: Some(row), column })
+    Some(cell_id(number, row, column))
 }
 
 /// Below this, rounding moves the second digit of an energy error (J), and with it the second
@@ -297,16 +297,12 @@ fn judgement(claim: &Claim) -> String {
 
 /// Two rows for each method, stated above measured; a method or column that the paper leaves out
 /// has dashes above.
-fn by_method(ledger: &Ledger, number: u32, columns: &[(Column, String)]) -> Table {
+fn by_method(ledger: &Ledger, number: u32, columns: &[(String, String)]) -> Table {
     let titles = columns.iter().map(|(_, title)| title.clone());
     let mut table = Table::new(["Method", "value"].map(String::from).into_iter().chain(titles));
     for row in PaperMethod::ALL {
-        let cells: Vec<Option<&Claim>> = columns
-            .iter()
-            .map(|(column, _)| {
-                ledger.cell(CellId { table: number, row: Some(row), column: *column })
-            })
-            .collect();
+        let cells: Vec<Option<&Claim>> =
+            columns.iter().map(|(column, _)| ledger.get(&cell_id(number, row, column))).collect();
         let line = |name: &str, what: &str, text: fn(&Claim) -> String| {
             let cells = cells.iter().map(|cell| cell.map_or_else(String::new, text));
             [name.to_string(), what.to_string()].into_iter().chain(cells).collect::<Vec<_>>()

@@ -179,10 +179,7 @@ pub(super) fn equations_10_to_12_from_half_kicks() -> f64 {
 /// How far the worst of Figure 5's three orbits misses its start after one exact period: the larger
 /// of |Δθ| (rad) and |Δω| (rad/s).
 pub(super) fn gap_of_the_orbits(method: &dyn AnyMethod) -> f64 {
-    let gaps = phase_portrait::THETA_0.map(|theta_0| {
-        let (theta, omega, _) = findings::closure(method, theta_0);
-        libm::fmaximum(theta, omega)
-    });
+    let gaps = phase_portrait::THETA_0.map(|theta_0| findings::closure(method, theta_0));
     gaps.into_iter().fold(0.0, libm::fmaximum)
 }
 
@@ -209,39 +206,8 @@ pub(super) fn rk4_over_the_next_in_a_step() -> f64 {
 /// gained by then (J), and the angle (rad) of the sample that is furthest out.
 pub(super) fn turning_points_of_figure_4() -> Vec<(f64, f64)> {
     let run = small_angle::trajectory(&ForwardEuler, 0.01);
-    let energy = small_angle::energy(&run);
+    let energy = energy_error(&run);
     let out = |n: usize| run[n].1.theta.abs();
     let turns = (1..run.len() - 1).filter(|&n| out(n) > out(n - 1) && out(n) >= out(n + 1));
     turns.map(|n| (energy[n].1, run[n].1.theta)).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Catches: a quadrature of another integral, with m for k, over another interval, or too
-    /// coarse.
-    #[test]
-    fn the_quadrature_is_the_elliptic_integral() {
-        for theta_0 in [0.05, 1.0, 3.0] {
-            let known = exact::period(&Pendulum::PAPER, theta_0).expect("a finite angle");
-            let found = period_of_eq_5(theta_0);
-            assert!((found / known - 1.0).abs() < 1e-13, "{theta_0}: {found} for {known}");
-        }
-    }
-
-    /// Catches: a ratio of another pendulum, or the one that is nearest to 1.
-    #[test]
-    fn the_momentum_is_found_by_differences() {
-        let pendulum = Pendulum::new(9.81, 2.0, 3.0).expect("a pendulum");
-        assert!(is_near(hamilton_over_newton(&pendulum), 12.0, 1e-5));
-    }
-
-    /// Catches: a column of another method, and a table found by the beginning of another's number.
-    #[test]
-    fn the_rows_of_a_table_are_found() {
-        assert_eq!(columns_of_methods("T8."), vec![vec!["ms", "rms", "dH"]; 4]);
-        assert_eq!(columns_of_methods("T5."), vec![vec!["dH", "pct", "H0", "Hend"]; 3]);
-        assert!(columns_of_methods("T7.").is_empty());
-    }
 }

@@ -22,7 +22,6 @@
 //! rest, at a point of symmetry, a method that is not symmetric looks better than it is: symplectic
 //! Euler would be of order two there.
 
-pub mod cost;
 mod curve;
 mod error_law;
 mod release;
@@ -30,6 +29,8 @@ mod release;
 pub use curve::{Advice, COARSE, Curve};
 pub use error_law::{LONGEST, Profile, profile_of, profiles};
 pub use release::{Release, THETA_0};
+
+use super::MethodRef;
 
 /// Lengths of runs (periods), three to a decade.
 pub const PERIODS: [u64; 16] =
@@ -69,6 +70,18 @@ pub fn map() -> Vec<Cell> {
     map
 }
 // ANCHOR_END: map
+
+/// Length of the run (periods) in [`costs`] …
+const COMPARED_PERIODS: u64 = 100;
+/// … and the largest error of the angle allowed over it (rad).
+const COMPARED_ALLOWED: f64 = 1e-3;
+
+/// What each of the methods needs for one answer, a cell of the map; none where a method cannot
+/// achieve it.
+pub fn costs(methods: &[MethodRef]) -> Vec<Option<Advice>> {
+    let curve = |method: &MethodRef| profile_of(*method).over(COMPARED_PERIODS);
+    methods.iter().map(|method| curve(method).advice(COMPARED_ALLOWED)).collect()
+}
 
 #[cfg(test)]
 mod tests;

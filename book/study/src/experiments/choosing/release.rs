@@ -77,22 +77,3 @@ impl Default for Release {
         Self::new()
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use approx::assert_relative_eq;
-
-    use super::*;
-
-    /// At the bottom the energy is all motion: ω²/2 = 2 ω₀² sin²(θ₀/2). The exact motion is right
-    /// to a few ε; the tolerance is 45 ε.
-    ///
-    /// Catches: the angular velocity at another time of the swing, such as the eighth of a period
-    /// at which the methods start.
-    #[test]
-    fn the_swing_is_fastest_at_the_bottom() {
-        let sine = pendula::arithmetic::sine::sin(0.5 * THETA_0);
-        let bottom = 2.0 * Pendulum::PAPER.small_angle_frequency() * sine;
-        assert_relative_eq!(Release::new().fastest, bottom, max_relative = 1e-14);
-    }
-}

@@ -31,16 +31,6 @@ fn the_largest_error_is_at_an_end_or_at_the_vertex() {
     assert_eq!([1, 2, 3].map(|periods| seen.error(periods)), [0.5, 0.75, 8.0]);
 }
 
-/// Catches: another first or last error, and steps between them that are not half decades.
-#[test]
-fn the_errors_allowed_go_down_by_half_decades() {
-    let logarithms = allowed().map(libm::log10);
-    for (i, logarithm) in logarithms.iter().enumerate() {
-        // A power and a logarithm, each good to an ulp, of numbers up to ten.
-        assert!((logarithm + 1.0 + 0.5 * i as f64).abs() < 1e-14, "{i}: {logarithm}");
-    }
-}
-
 /// The errors of 2q + 1 periods, q being `half`, that follow the law with these coefficients at
 /// the first phase, and with half of them at the others.
 fn lawful(steps: usize, half: usize, [e0, e1, e2]: [f64; 3]) -> Vec<f64> {
@@ -258,17 +248,4 @@ fn the_force_is_counted_over_the_whole_run() {
         // sweep in five or so: 1.3 %, and a swing has two such places.
         assert!((carried / counted as f64 - 1.0).abs() < 0.03, "{carried} and {counted}");
     }
-}
-
-/// Catches: the error of the angle without its amplitude, or without its lag.
-#[test]
-fn rounding_is_the_walks_of_angle_and_time() {
-    let (release, method) = (Release::new(), named("rk4"));
-    // 4 · 25 · 100 roundings: 2 · 0.6 ε · 100 of 1 rad, and of the lag.
-    let lag = release.fastest * release.sensitivity * release.period * 100.0 / 3.0_f64.sqrt();
-    let expected = 120.0 * f64::EPSILON * libm::hypot(THETA_0, lag);
-    assert!((release.rounding(method, 25, 100) / expected - 1.0).abs() < 1e-14);
-    let brief = release.rounding(method, 25, 1) / (12.0 * f64::EPSILON);
-    let lag = 0.01 * lag;
-    assert!((brief - libm::hypot(THETA_0, lag)).abs() < 1e-13, "{brief}");
 }

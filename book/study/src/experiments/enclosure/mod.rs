@@ -315,16 +315,3 @@ pub fn widths(shape: Shape) -> Vec<(f64, f64)> {
     let at = |(n, known): (usize, Known)| (n as f64 * STEP, known.theta.width());
     all.into_iter().enumerate().skip(2).step_by(2).map(at).collect()
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Catches: digits that are those of one end; a digit after the first that differs.
-    #[test]
-    fn digits_are_proved_if_both_ends_have_them() {
-        assert_eq!(proved_digits(Interval::new(-0.1250, -0.1245)), "−0.12…");
-        assert_eq!(proved_digits(Interval::new(0.7421, 0.7431)), "0.74…");
-        assert_eq!(proved_digits(Interval::new(-1e-3, 1e-3)), "…");
-    }
-}

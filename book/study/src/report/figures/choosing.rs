@@ -1,21 +1,30 @@
-//! A map for choosing an integrator.
+//! A map for choosing an integrator, and what the same answer costs by each method.
 
 use pendula::METHODS;
 
-use super::{Drawing, title};
+use super::{Drawing, named, style, title};
 use crate::charts::{Axis, Cell, Chart, Figure, Fill, Map, Name};
 use crate::digits::Digits;
-use crate::experiments::{MethodRef, Study, choosing};
+use crate::experiments::{MethodRef, PaperMethod, Study, choosing};
 
-pub(super) const FIGURES: &[Drawing] = &[Drawing {
-    name: "decision",
-    caption: "Which method keeps the angle within an error allowed, over a run of a given length, \
-              with the fewest force evaluations, and in how many steps a period. Where there are \
-              lines across, the second best needs less than a quarter more: any of the neighbours \
-              will do. In the corner at the lower right the rounding of an f64 alone may be larger \
-              than what is allowed.",
-    draw: decision,
-}];
+pub(super) const FIGURES: &[Drawing] = &[
+    Drawing {
+        name: "decision",
+        caption: "Which method keeps the angle within an error allowed, over a run of a given \
+                  length, with the fewest force evaluations, and in how many steps a period. Where \
+                  there are lines across, the second best needs less than a quarter more: any of \
+                  the neighbours will do. In the corner at the lower right the rounding of an f64 \
+                  alone may be larger than what is allowed.",
+        draw: decision,
+    },
+    Drawing {
+        name: "cost",
+        caption: "Force evaluations for a hundred swings from 1 rad, with the angle never off by \
+                  more than a thousandth of a radian: the dearest method first. From one line of \
+                  the grid to the next on its left there is a hundred times less work.",
+        draw: cost,
+    },
+];
 
 /// Unless the second best needs more evaluations than the best by this share of them, none is said
 /// to be ahead.
@@ -109,4 +118,55 @@ fn decision(_: &Study) -> Figure {
          rounding does not let any method be so exact.",
     )
     .panel(chart)
+}
+
+// -------------------------------------------------------------------------------------------------
+// What the same answer costs
+// -------------------------------------------------------------------------------------------------
+
+/// A method of each kind in the chapter on higher orders.
+const HIGHER: [&str; 4] = ["forest-ruth", "gauss-6", "blanes-moan-6", "processed-6"];
+
+/// A row for each method, the dearest at the top: a dot with the number beside it.
+fn cost(_: &Study) -> Figure {
+    let names = PaperMethod::ALL.map(PaperMethod::name).into_iter().chain(HIGHER);
+    let methods: Vec<_> = names.map(named).collect();
+    let evaluations =
+        choosing::costs(&methods).into_iter().map(|advice| advice.map(|it| it.evaluations));
+    let mut rows: Vec<_> = methods.into_iter().zip(evaluations).collect();
+    rows.sort_by_key(|(_, evaluations)| evaluations.unwrap_or(u64::MAX));
+    let height = |row: usize| row as f64 + 0.5;
+    let ticks = rows.iter().enumerate().map(|(row, (method, _))| (height(row), title(*method)));
+    let (cheapest, dearest) = (1e3, 1e11);
+    let mut chart = Chart::new(
+        Axis::log("force evaluations").range(cheapest, dearest),
+        Axis::linear("").range(0.0, rows.len() as f64).ticks(ticks),
+    )
+    .height(30.0 * rows.len() as f64);
+    let mut said = Vec::new();
+    for (row, (method, evaluations)) in rows.into_iter().enumerate() {
+        let y = height(row);
+        let Some(evaluations) = evaluations.map(|evaluations| evaluations as f64) else {
+            chart = chart.note(cheapest, y, "cannot, at any step");
+            said.push(format!("{} cannot, at any step", title(method)));
+            continue;
+        };
+        let dot = style(method).markers_only();
+        chart = chart.series("", dot, [(evaluations, y)]);
+        chart = chart.note(evaluations, y, rounded(evaluations));
+        said.push(format!("{} {evaluations:.1e}", title(method)));
+    }
+    said.reverse();
+    Figure::new(
+        "What the same answer costs",
+        format!("A dot for each method on a logarithmic axis. {}.", said.join("; ")),
+    )
+    .panel(chart)
+}
+
+/// The number to two digits, as a label.
+fn rounded(evaluations: f64) -> String {
+    let printed = format!("{evaluations:.1e}");
+    let (mantissa, exponent) = printed.split_once('e').unwrap_or((&printed, "0"));
+    format!("{mantissa} × 10^{{{exponent}}}")
 }

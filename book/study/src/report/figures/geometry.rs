@@ -3,13 +3,13 @@
 
 use pendula::exact::Motion;
 use pendula::methods::{ForwardEuler, Rk4, StormerVerlet, SymplecticEuler};
-use pendula::{Grid, METHODS, Pendulum, Phase};
+use pendula::{AnyMethod, Grid, METHODS, Method, Pendulum, Phase};
 
-use super::{Drawing, named, style, title};
+use super::{Drawing, style, title};
 use crate::charts::{Axis, Chart, Figure, Style};
 use crate::experiments::area::carried;
+use crate::experiments::parts::{Kind, Noting, Parts};
 use crate::experiments::shapes::{CAT, Place, Polygon, SQUARE, area};
-use crate::experiments::stencil::{Kind, Part, Stencil, stencil};
 use crate::experiments::{MethodRef, Study, in_paper, level_curves};
 
 pub(super) const FIGURES: &[Drawing] = &[
@@ -104,6 +104,14 @@ const STEP: f64 = 0.35;
 /// motion's.
 const RK4_STEP: f64 = 0.55;
 
+/// A step taken apart, each slope followed for the time `along` (s).
+pub(super) fn parts<M>(method: &M, start: Phase, h: f64, along: f64) -> Parts<Phase>
+where
+    M: for<'a> Method<Noting<'a, Pendulum>>,
+{
+    Parts::of(method, &PENDULUM, start, h, along).expect("no more parts than can be drawn")
+}
+
 /// The true orbit and the ends of the step; the parts of the step are drawn over it.
 fn over_the_orbit(method: MethodRef, step: f64, end: Phase) -> Chart {
     Chart::new(Axis::linear("θ (rad)").range(-1.6, 1.6), Axis::linear("ω (rad/s)").range(0.0, 5.0))
@@ -117,67 +125,62 @@ fn over_the_orbit(method: MethodRef, step: f64, end: Phase) -> Chart {
         .series(title(method), style(method).markers_only(), [point(START), point(end)])
 }
 
-/// The chart with an arrow and its name beside it.
-fn with_arrow(
+/// The chart with the parts of a step as arrows and their names beside them: kicks and drifts of a
+/// step of [`STEP`], or slopes by their number.
+fn with_arrows(
     chart: Chart,
     method: MethodRef,
-    from: Phase,
-    to: Phase,
-    name: impl Into<String>,
+    parts: Parts<Phase>,
+    slope: impl Fn(usize) -> String,
 ) -> Chart {
-    let (theta, omega) = (0.5 * (from.theta + to.theta), 0.5 * (from.omega + to.omega));
-    chart.series("", style(method).arrow(), [from, to].map(point)).note(theta, omega, name)
-}
-
-/// The chart with the kicks and drifts of a step of [`STEP`] as arrows.
-fn with_parts(chart: Chart, method: MethodRef, parts: &[Part]) -> Chart {
-    parts.iter().fold(chart, |chart, part| {
-        let kind = match part.kind {
-            Kind::Kick => "kick",
-            Kind::Drift => "drift",
-        };
-        let name = match part.duration / STEP {
+    parts.in_order().enumerate().fold(chart, |chart, (i, part)| {
+        let share = |kind: &str| match part.duration / STEP {
             1.0 => kind.to_string(),
             0.5 => format!("½ {kind}"),
             share => format!("{share:.2} {kind}"),
         };
-        with_arrow(chart, method, part.from, part.to, name)
+        let name = match part.kind {
+            Kind::Slope => slope(i + 1),
+            Kind::Kick => share("kick"),
+            Kind::Drift => share("drift"),
+        };
+        let (from, to) = (part.from, part.to);
+        let (theta, omega) = (0.5 * (from.theta + to.theta), 0.5 * (from.omega + to.omega));
+        chart.series("", style(method).arrow(), [from, to].map(point)).note(theta, omega, name)
     })
 }
 
+/// The chart of a step of [`STEP`].
+fn step_of<M>(method: &'static M) -> Chart
+where
+    M: AnyMethod + for<'a> Method<Noting<'a, Pendulum>>,
+{
+    let parts = parts(method, START, STEP, STEP);
+    let chart = over_the_orbit(method, STEP, parts.end);
+    with_arrows(chart, method, parts, |_| "tangent".into())
+}
+
 fn stencil_forward_euler(_: &Study) -> Figure {
-    let method = named("forward-euler");
-    let Stencil { end, slopes, .. } = stencil(&ForwardEuler, &PENDULUM, START, STEP);
-    let mut chart = over_the_orbit(method, STEP, end);
-    for (z, rate) in slopes {
-        chart = with_arrow(chart, method, z, z + rate * STEP, "tangent");
-    }
     Figure::new(
         "One step of forward Euler",
         "The upper half of a swing's orbit in phase space, an arch. From a point on its left flank \
          a straight arrow, tangent to the arch, ends far above it, where the true motion over the \
          same time stays on the arch.",
     )
-    .panel(chart)
+    .panel(step_of(&ForwardEuler))
 }
 
 fn stencil_symplectic_euler(_: &Study) -> Figure {
-    let method = named("symplectic-euler");
-    let stencil = stencil(&SymplecticEuler, &PENDULUM, START, STEP);
-    let chart = over_the_orbit(method, STEP, stencil.end);
     Figure::new(
         "One step of symplectic Euler",
         "The upper half of a swing's orbit in phase space, an arch. From a point on its left flank \
          a vertical arrow, the kick, leads far above the arch; from its tip a horizontal arrow, \
          the drift, leads to the right.",
     )
-    .panel(with_parts(chart, method, &stencil.parts))
+    .panel(step_of(&SymplecticEuler))
 }
 
 fn stencil_stormer_verlet(_: &Study) -> Figure {
-    let method = named("stormer-verlet");
-    let stencil = stencil(&StormerVerlet, &PENDULUM, START, STEP);
-    let chart = over_the_orbit(method, STEP, stencil.end);
     Figure::new(
         "One step of Störmer–Verlet",
         "The upper half of a swing's orbit in phase space, an arch. From a point on its left flank \
@@ -185,21 +188,17 @@ fn stencil_stormer_verlet(_: &Study) -> Figure {
          vertical one, the other half kick, which ends close to the arch and to where the true \
          motion is.",
     )
-    .panel(with_parts(chart, method, &stencil.parts))
+    .panel(step_of(&StormerVerlet))
 }
 
 fn stencil_rk4(_: &Study) -> Figure {
     /// How long the arrows are, as a share of the step.
     const SHARE: f64 = 0.25;
-    let method = named("rk4");
-    let Stencil { end, slopes, .. } = stencil(&Rk4, &PENDULUM, START, RK4_STEP);
-    let mut chart = over_the_orbit(method, RK4_STEP, end);
-    for (z, _) in slopes.iter().skip(1) {
-        chart = chart.series("", Style::GUIDE, [START, *z].map(point));
-    }
-    for (i, (z, rate)) in slopes.into_iter().enumerate() {
-        let tip = z + rate * (SHARE * RK4_STEP);
-        chart = with_arrow(chart, method, z, tip, format!("k_{{{}}}", i + 1));
+    let method: MethodRef = &Rk4;
+    let parts = parts(&Rk4, START, RK4_STEP, SHARE * RK4_STEP);
+    let mut chart = over_the_orbit(method, RK4_STEP, parts.end);
+    for slope in parts.in_order().skip(1) {
+        chart = chart.series("", Style::GUIDE, [START, slope.from].map(point));
     }
     Figure::new(
         "One step of RK4",
@@ -210,7 +209,7 @@ fn stencil_rk4(_: &Study) -> Figure {
          and turned downwards. The end of the step lies just inside the arch, close to where the \
          true motion is.",
     )
-    .panel(chart)
+    .panel(with_arrows(chart, method, parts, |i| format!("k_{{{i}}}")))
 }
 
 // -------------------------------------------------------------------------------------------------
@@ -245,22 +244,19 @@ struct Carried<'a> {
 impl Carried<'_> {
     /// The figure with a chart for each of the paper's methods.
     fn by_each(&self, figure: Figure) -> Figure {
-        let mut methods = METHODS.iter().copied().filter(|method| in_paper(*method));
-        methods
-            .try_fold(figure.columns(2), |figure, method| Some(figure.panel(self.by(method)?)))
-            .expect("the shape has an outline")
+        let methods = METHODS.iter().copied().filter(|method| in_paper(*method));
+        methods.fold(figure.columns(2), |figure, method| figure.panel(self.by(method)))
     }
 
-    /// The shape and its images, each beside what the true motion makes of its outline; `None` for
-    /// a shape without one.
-    fn by(&self, method: MethodRef) -> Option<Chart> {
+    /// The shape and its images, each beside what the true motion makes of its outline.
+    fn by(&self, method: MethodRef) -> Chart {
         let steps = EVALUATIONS / method.info().force_evaluations;
         let grid = Grid::new(SPAN / steps as f64, SPANS * steps).expect("a positive step");
         let polygon = |polygon: &Polygon| -> Vec<_> {
             self.place.outline(polygon, &PENDULUM, self.pieces).collect()
         };
         let starts: Vec<Vec<_>> = self.shape.iter().map(polygon).collect();
-        let outline = starts.first()?;
+        let outline = &starts[0];
         let images: Vec<_> =
             starts.iter().map(|start| carried(method, &PENDULUM, start, &grid)).collect();
         let area = |n: u64| area(images[0][n as usize].iter().copied());
@@ -292,7 +288,7 @@ impl Carried<'_> {
             }
             chart = chart.series("true motion", Style::REFERENCE, truth);
         }
-        Some(chart)
+        chart
     }
 }
 

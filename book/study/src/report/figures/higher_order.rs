@@ -3,11 +3,10 @@
 use pendula::Phase;
 use pendula::methods::{ForestRuth, Splitting, StormerVerlet, Suzuki4};
 
-use super::geometry::{PENDULUM, START, point, true_motion, truth};
+use super::geometry::{START, parts, point, true_motion, truth};
 use super::{Drawing, named, style, title};
 use crate::charts::{Axis, Chart, Figure, Style};
 use crate::experiments::Study;
-use crate::experiments::stencil::stencil;
 
 pub(super) const FIGURES: &[Drawing] = &[Drawing {
     name: "triple_jump",
@@ -29,7 +28,7 @@ fn ends(shares: &[f64]) -> Vec<(f64, Phase)> {
     let (mut t, mut z) = ends[0];
     for share in shares {
         let h = share * STEP;
-        (t, z) = (t + h, stencil(&StormerVerlet, &PENDULUM, z, h).end);
+        (t, z) = (t + h, parts(&StormerVerlet, z, h, h).end);
         ends.push((t, z));
     }
     ends

@@ -2,15 +2,12 @@
 
 mod beyond;
 mod choosing;
-mod cost;
 mod evidence;
 mod geometry;
 mod higher_order;
+mod limits;
 mod opening;
 mod paper;
-mod resonances;
-mod truncation;
-mod widths;
 
 use pendula::{METHODS, method_named};
 
@@ -54,11 +51,8 @@ pub fn figures() -> impl Iterator<Item = &'static Drawing> {
         geometry::FIGURES,
         evidence::FIGURES,
         choosing::FIGURES,
-        cost::FIGURES,
         higher_order::FIGURES,
-        resonances::FIGURES,
-        truncation::FIGURES,
-        widths::FIGURES,
+        limits::FIGURES,
         beyond::FIGURES,
     ]
     .into_iter()

@@ -5,7 +5,7 @@ use pendula::Pendulum;
 use super::{Drawing, named, of_the_paper, style, title};
 use crate::charts::{Axis, Chart, Figure, Style};
 use crate::experiments::{
-    STEPS, Study, convergence, large_angle, long_run, phase_portrait, small_angle,
+    STEPS, Study, convergence, energy_error, large_angle, long_run, phase_portrait, small_angle,
 };
 
 pub(super) const FIGURES: &[Drawing] = &[
@@ -131,7 +131,7 @@ fn figure_4(_: &Study) -> Figure {
     let energy = Chart::new(time(), Axis::linear("H − H_{0} (J)")).height(180.0).series(
         title(method),
         style,
-        small_angle::energy(&run),
+        energy_error(&run),
     );
     Figure::new(
         "Forward Euler gains amplitude and energy",
