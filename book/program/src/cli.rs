@@ -131,7 +131,7 @@ where
     rename(&mut words);
     let mut matches = matches(&words)?;
     let resumed = match matches.subcommand() {
-        Some((name, given)) => state::asked_for(given).map(|path| Resumed::read(path, name)),
+        Some((_, given)) => state::asked_for(given).map(|path| Resumed::read(path)),
         None => None,
     };
     let resumed = resumed.transpose()?;
@@ -145,7 +145,7 @@ where
     let cli = cli.map_err(|error| Failure::Refused(explain(&error, &words)))?;
     let Some(mut command) = cli.command else { return without_a_command() };
     if let Some(kept) = command.kept() {
-        kept.words = words.split_off(words.len().min(1));
+        kept.words = words[1..].iter().map(|word| word.to_string_lossy().into_owned()).collect();
         kept.from = resumed;
     }
     Ok(command)

@@ -5,10 +5,10 @@ use std::io::Write;
 use pendula::integrate::{self, Checkpoint};
 use pendula::metrics::EnergyDrift;
 use pendula::systems::DoublePhase;
-use pendula::{DoublePendulum, Grid, Hamiltonian, method_named};
+use pendula::{DoublePendulum, Hamiltonian, method_named};
 
 use super::suited::steps;
-use super::trajectory::{Settings, Trajectory};
+use super::trajectory::{Trajectory, TrajectoryArguments};
 use super::watch::Run;
 use crate::commands::plot::Panel;
 use pendula_output::failure::Failure;
@@ -25,11 +25,12 @@ pub fn print(
     method: &str,
     double: DoublePendulum,
     start: DoublePhase,
-    (settings, grid): (Settings<'_>, Grid),
+    arguments: &TrajectoryArguments,
     out: [&mut dyn Write; 2],
     lookout: impl FnOnce() -> Lookout,
 ) -> Result<(), Failure> {
     let steps = steps::<DoublePendulum>(method)?;
+    let grid = arguments.grid()?;
     let title = method_named(method).map_or(method, |method| method.info().title);
     let trajectory = Trajectory {
         title: format!("Double pendulum, {title}, Δt = {:?} s", grid.step()),
@@ -52,7 +53,7 @@ pub fn print(
             None => integrate::Run::start(&double, steps, start, &grid),
         })
     };
-    settings.print(&trajectory, EnergyDrift::new(&double), &grid, begin, out, &lookout())
+    arguments.print(&trajectory, EnergyDrift::new(&double), &grid, begin, out, lookout)
 }
 
 /// What a plot shows.

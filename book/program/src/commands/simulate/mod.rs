@@ -18,7 +18,7 @@ use adaptive::{SERIES, Walk};
 use pendula_output::failure::Failure;
 use pendula_output::interrupt::Lookout;
 use suited::{Suited, steps};
-use trajectory::{Settings, Trajectory, TrajectoryArguments};
+use trajectory::{Trajectory, TrajectoryArguments};
 use watch::{NotConserved, Run};
 
 mod adaptive;
@@ -78,28 +78,28 @@ pub fn run(
     let (pendulum, start, forced) = match chosen {
         Chosen::Pendulum(pendulum, start, forced) => (pendulum, start, forced),
         Chosen::Double(double, start) => {
-            return double::print(method, double, start, trajectory.settings()?, out, lookout);
+            return double::print(method, double, start, trajectory, out, lookout);
         }
     };
     let method = method_named(method).ok_or_else(|| {
         Failure::refused(format!("--method {method} chooses its steps: --tolerance, not --dt"))
     })?;
-    let (settings, grid) = trajectory.settings()?;
-    let scene = Scene { pendulum, method, start, grid };
+    let scene = Scene { pendulum, method, start, grid: trajectory.grid()?, arguments: trajectory };
     match forced {
-        Forced::No => scene.swing(settings, out, lookout),
-        Forced::Damped(damped) => scene.other(&damped, settings, out, lookout),
-        Forced::Driven(driven) => scene.other(&driven, settings, out, lookout),
-        Forced::Shaken(shaken) => scene.other(&shaken, settings, out, lookout),
+        Forced::No => scene.swing(out, lookout),
+        Forced::Damped(damped) => scene.other(&damped, out, lookout),
+        Forced::Driven(driven) => scene.other(&driven, out, lookout),
+        Forced::Shaken(shaken) => scene.other(&shaken, out, lookout),
     }
 }
 
-/// What is integrated, how, and whence.
-struct Scene {
+/// What is integrated, how, and whence; and how it is printed.
+struct Scene<'a> {
     pendulum: Pendulum,
     method: &'static dyn AnyMethod,
     start: Phase,
     grid: Grid,
+    arguments: &'a TrajectoryArguments,
 }
 
 /// The columns of the rows.
@@ -111,7 +111,7 @@ const PANELS: [Panel; 2] = [
     Panel::new("energy change (J)", &[(3, "")]).since_the_start(),
 ];
 
-impl Scene {
+impl Scene<'_> {
     fn title(&self, of: &str) -> String {
         format!("{of}{}, Δt = {:?} s", self.method.info().title, self.grid.step())
     }
@@ -119,11 +119,10 @@ impl Scene {
     /// The pendulum itself.
     fn swing(
         &self,
-        settings: Settings<'_>,
         out: [&mut dyn Write; 2],
         lookout: impl FnOnce() -> Lookout,
     ) -> Result<(), Failure> {
-        let &Self { pendulum, method, start, grid } = self;
+        let &Self { pendulum, method, start, grid, arguments } = self;
         let trajectory = Trajectory {
             title: self.title(""),
             start,
@@ -143,18 +142,17 @@ impl Scene {
                 None => FastRun::start(&pendulum, steps, start, &grid),
             })
         };
-        settings.print(&trajectory, EnergyDrift::new(&pendulum), &grid, begin, out, &lookout())
+        arguments.print(&trajectory, EnergyDrift::new(&pendulum), &grid, begin, out, lookout)
     }
 
     /// A system that is made of it, and conserves no energy.
     fn other<S: Suited<State = Phase>>(
         &self,
         system: &S,
-        settings: Settings<'_>,
         out: [&mut dyn Write; 2],
         lookout: impl FnOnce() -> Lookout,
     ) -> Result<(), Failure> {
-        let &Self { pendulum, method, start, grid } = self;
+        let &Self { pendulum, method, start, grid, arguments } = self;
         let name = method.info().name;
         let steps = steps::<S>(name)?;
         let energy = pendulum.energy(start);
@@ -178,7 +176,7 @@ impl Scene {
                 None => integrate::Run::start(system, steps, start, &grid),
             })
         };
-        settings.print(&trajectory, NotConserved, &grid, begin, out, &lookout())
+        arguments.print(&trajectory, NotConserved, &grid, begin, out, lookout)
     }
 }
 

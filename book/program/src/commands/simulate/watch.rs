@@ -1,6 +1,5 @@
 //! A run in steps, and what is done with its samples: they are printed, drawn and measured.
 
-use std::io::Write;
 use std::num::NonZeroU64;
 
 use pendula::fast::FastRun;
@@ -11,7 +10,6 @@ use pendula::{Error, Hamiltonian, Observer, Phase, System};
 use pendula_output::failure::Failure;
 use pendula_output::interrupt::Lookout;
 
-use crate::commands::plot::Plot;
 use crate::commands::rows::Rows;
 
 /// A run in steps that can be left and resumed.
@@ -107,23 +105,19 @@ pub fn overflow(steps: u64) -> Failure {
 }
 
 /// Prints what it observes until it fails.
-pub struct Printer<'a, Z, W, const N: usize> {
+pub struct Printer<'a, Z, const N: usize> {
     pub row: &'a dyn Fn(f64, Z) -> [f64; N],
     /// The name of the method.
     pub method: &'a str,
-    pub plot: Option<&'a mut Plot>,
-    pub rows: Rows<W, N>,
+    pub rows: Rows<'a, N>,
     /// Why it stopped before the end.
     pub ended: Option<Failure>,
 }
 
-impl<Z, W: Write, const N: usize> Observer<Z> for Printer<'_, Z, W, N> {
+impl<Z, const N: usize> Observer<Z> for Printer<'_, Z, N> {
     fn observe(&mut self, n: u64, t: f64, z: Z) {
         let row = (self.row)(t, z);
         self.ended = if row.iter().all(|value| value.is_finite()) {
-            if let Some(plot) = &mut self.plot {
-                plot.add(&row);
-            }
             self.rows.row(row).err().map(Failure::from)
         } else {
             Some(overflow(n))
@@ -136,15 +130,15 @@ impl<Z, W: Write, const N: usize> Observer<Z> for Printer<'_, Z, W, N> {
 }
 
 /// Measures the energy error of every sample, and prints every k-th.
-pub struct Watch<'a, Z, D, W, const N: usize> {
+pub struct Watch<'a, Z, D, const N: usize> {
     pub drift: D,
-    pub printer: Printer<'a, Z, W, N>,
+    pub printer: Printer<'a, Z, N>,
     pub every: NonZeroU64,
     /// The next sample to be printed.
     pub next: u64,
 }
 
-impl<Z: Copy, D: Drift<Z>, W: Write, const N: usize> Observer<Z> for Watch<'_, Z, D, W, N> {
+impl<Z: Copy, D: Drift<Z>, const N: usize> Observer<Z> for Watch<'_, Z, D, N> {
     fn observe(&mut self, n: u64, t: f64, z: Z) {
         self.drift.observe(n, t, z);
         if n == self.next {
@@ -158,7 +152,7 @@ impl<Z: Copy, D: Drift<Z>, W: Write, const N: usize> Observer<Z> for Watch<'_, Z
     }
 }
 
-impl<Z: Copy, D: Drift<Z>, W: Write, const N: usize> Watch<'_, Z, D, W, N> {
+impl<Z: Copy, D: Drift<Z>, const N: usize> Watch<'_, Z, D, N> {
     /// Follows the run to the step `last`, with `z` as its last state, and says whether it was
     /// interrupted. Unless they are `measured`, only the samples to be printed are asked for.
     pub fn follow(

@@ -87,7 +87,7 @@ pub fn run(
     let interrupted = || Failure::Failed(anyhow!("interrupted"));
     let picture = arguments.picture.as_deref();
     let picture = picture.map(|path| Destination::file("--picture", path)).transpose()?;
-    let mut out = Destination::open(arguments.output.as_deref(), out)?;
+    let mut out = Destination::open(arguments.output.as_deref(), Destination::Caller(out))?;
     let begin = Instant::now();
     let (releases, device) = (Releases { double, size }, device.map(Arc::new));
     let work = move || releases.first_flips(device.as_deref(), &grid);

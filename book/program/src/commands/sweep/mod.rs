@@ -12,7 +12,7 @@ use super::arguments::part::Part;
 use super::arguments::pendulum::{MassArgument, PendulumArguments, methods};
 use super::arguments::range::Sweep;
 use super::examples;
-use super::plot::{Across, PlotArguments, Target};
+use super::plot::{Across, PlotArguments};
 use super::rows::RowFormat;
 use super::state::{Kept, KeptArguments};
 use pendula_output::failure::Failure;
@@ -161,9 +161,7 @@ fn sweep_until(
         runner = runner.on_device(device)?;
     }
     let kept = Kept::new(&arguments.kept)?;
-    // Half a plot is none.
-    let plot = arguments.plot.target().filter(|_| !kept.is_resumed());
-    let plot = plot.map(|to| arguments.drawn(to));
+    let plot = arguments.drawn();
     let printer = Printer { runner, duration, format, part, summary: arguments.summary, plot };
     let part = part.unwrap_or(Part::WHOLE);
     match (theta0, dt) {
@@ -195,8 +193,8 @@ fn sweep_until(
 }
 
 impl SweepArguments {
-    /// Where a plot goes, what is on its x axis, and its title.
-    fn drawn(&self, to: Target) -> (Target, Across, String) {
+    /// Whether there is a plot, what is on its x axis, and its title.
+    fn drawn(&self) -> (&PlotArguments, Across, String) {
         let Self { method, theta0, dt, duration, .. } = self;
         let title = method_named(method).map_or(method.as_str(), |method| method.info().title);
         let (across, fixed) = match theta0 {
@@ -207,6 +205,6 @@ impl SweepArguments {
                 (Across { column: 1, label: "Δt (s)", log: true }, format!("θ₀ = {theta0:?} rad"))
             }
         };
-        (to, across, format!("{title}, {fixed}, {duration:?} s"))
+        (&self.plot, across, format!("{title}, {fixed}, {duration:?} s"))
     }
 }

@@ -1,6 +1,6 @@
 //! The rows of a sweep, a batch of runs at a time.
 
-use std::io::{self, Write};
+use std::io::Write;
 use std::mem;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
@@ -13,7 +13,7 @@ use serde::{Deserialize, Serialize};
 use super::largest::Largest;
 use super::runner::{Run, Runner};
 use crate::commands::arguments::part::Part;
-use crate::commands::plot::{Across, Panel, Plot, Target};
+use crate::commands::plot::{Across, Panel, PlotArguments, Shown};
 use crate::commands::rows::{RowFormat, Rows};
 use crate::commands::state::Kept;
 use crate::commands::summary::Summary;
@@ -32,22 +32,22 @@ struct Progress {
 }
 
 /// What all rows have in common.
-pub struct Printer {
+pub struct Printer<'a> {
     pub runner: Runner,
     pub duration: f64,
     pub format: RowFormat,
     pub part: Option<Part>,
     pub summary: bool,
-    /// Where a plot goes, what is on its x axis, and its title.
-    pub plot: Option<(Target, Across, String)>,
+    /// Whether there is a plot, what is on its x axis, and its title.
+    pub plot: (&'a PlotArguments, Across, String),
 }
 
-impl Printer {
+impl Printer<'_> {
     /// Computes and prints a row for each item of `sweep`, a batch at a time, so that memory does
     /// not limit their number.
     pub fn print<T: Send + Sync + 'static>(
         &self,
-        kept: Kept<'_>,
+        mut kept: Kept<'_>,
         [out, err]: [&mut dyn Write; 2],
         sweep: impl Iterator<Item = T>,
         compute: impl Fn(&[T], &(dyn Fn(usize, Run) + Sync)) + Clone + Send + 'static,
@@ -62,16 +62,11 @@ impl Printer {
         // Set the interrupt handler before creating the file.
         let lookout = lookout();
         let columns = ["theta0", "dt", "theta", "omega", "energy_error"];
-        let plot = self.plot.clone();
-        let plot = plot.map(|(to, across, title)| Plot::new(to, across, &title, &PANELS));
-        let mut plot = plot.transpose()?;
-        let mut nowhere = io::sink();
-        // A plot on standard output stands there instead of the rows.
-        let instead = plot.as_ref().is_some_and(|plot| plot.is_in_the_terminal);
-        let rows_out: &mut dyn Write = if instead { &mut nowhere } else { &mut *out };
         // The header stands in the first part.
         let headless = self.part.is_some_and(|part| !part.is_first());
-        let mut rows = kept.open(rows_out, self.format, columns, headless)?;
+        let &(plot, across, ref title) = &self.plot;
+        let plot = (plot, Shown { title, across, panels: &PANELS });
+        let mut rows = kept.open(out, plot, self.format, columns, headless)?;
         let mut sweep = sweep.skip(usize::try_from(from).unwrap_or(usize::MAX));
         loop {
             let done = rows.rows();
@@ -91,11 +86,11 @@ impl Printer {
                 .is_none();
                 let printed = match self.runner.device_failure() {
                     Some(failure) => Err(failure),
-                    None => self.add(&batch.finished(), &mut progress, &mut rows, plot.as_mut()),
+                    None => self.add(&batch.finished(), &mut progress, &mut rows),
                 };
                 if let Err(failure) = printed {
                     // The rows so far are whole; if the output is what failed, it fails again.
-                    let _ = rows.end().map(|mut destination| destination.flush());
+                    let _ = rows.leave();
                     return Err(failure);
                 }
             }
@@ -103,21 +98,14 @@ impl Printer {
                 let nanoseconds = (before + begun.elapsed()).as_nanos();
                 progress.nanoseconds = u64::try_from(nanoseconds).unwrap_or(u64::MAX);
                 let of = self.part.map_or_else(String::new, |part| format!(" of part {part}"));
-                let without = if plot.is_some() { ", without their plot" } else { "" };
+                let without = if rows.are_drawn() { ", without their plot" } else { "" };
                 let stands = format!("after {} runs{of}{without}", rows.rows());
                 return Err(kept.leave(rows, &progress, &stands)?);
             }
         }
         let Progress { steps, largest, .. } = progress;
         let runs = rows.rows();
-        // Before the rows: whoever has them has all that was asked for.
-        if let Some(plot) = &mut plot {
-            plot.write()?;
-        }
         kept.finish(rows)?;
-        if let Some(plot) = plot {
-            plot.print(out)?;
-        }
         if let Some(part) = self.part.filter(|_| runs == 0) {
             writeln!(err, "pendula: part {part} is empty: there are fewer runs than parts")?;
         }
@@ -127,19 +115,15 @@ impl Printer {
         Ok(())
     }
 
-    /// Adds what is printed of these runs to the rows, to the plot and to the summary.
-    fn add<W: Write>(
+    /// Adds these runs to the rows and to the summary.
+    fn add(
         &self,
         runs: &[Run],
         progress: &mut Progress,
-        rows: &mut Rows<W, 5>,
-        mut plot: Option<&mut Plot>,
+        rows: &mut Rows<'_, 5>,
     ) -> Result<(), Failure> {
         for run in runs {
             let row = self.row(run)?;
-            if let Some(plot) = &mut plot {
-                plot.add(&row);
-            }
             progress.steps += run.grid.steps();
             if let Some(largest) = &mut progress.largest {
                 largest.include(&self.runner, self.duration, run);
