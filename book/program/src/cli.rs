@@ -4,13 +4,14 @@
 use std::ffi::OsString;
 use std::io::{self, Write};
 
+use anyhow::Context;
 use clap::error::{ContextKind, ErrorKind};
 use clap::{ArgMatches, CommandFactory, FromArgMatches, Parser, Subcommand};
+use rayon::ThreadPoolBuilder;
 
 use crate::commands::arguments::number;
 use crate::commands::state::{self, KeptArguments, Resumed};
 use crate::commands::{completions, exact, examples, man, methods, serve, simulate, sweep, verify};
-use crate::threads;
 use pendula_output::failure::Failure;
 use pendula_output::interrupt::Lookout;
 
@@ -204,16 +205,6 @@ impl Command {
             _ => None,
         }
     }
-
-    /// Whether it needs more than a thread for its computations.
-    const fn computes_in_parallel(&self) -> bool {
-        match self {
-            Self::Sweep(_) | Self::Verify(_) => true,
-            #[cfg(feature = "book")]
-            Self::Study(_) => true,
-            _ => false,
-        }
-    }
 }
 
 /// Runs a command; its output goes to `out`.
@@ -221,9 +212,11 @@ impl Command {
 /// # Errors
 /// Whatever the command refuses or fails at.
 pub fn run(command: Command, out: &mut dyn Write) -> Result<(), Failure> {
-    if command.computes_in_parallel() {
-        threads::start()?;
-    }
+    // As many as RAYON_NUM_THREADS says, or as there are processors. Not only when they are needed:
+    // there rayon panics if they cannot be had.
+    ThreadPoolBuilder::new()
+        .build_global()
+        .context("threads cannot be had: set RAYON_NUM_THREADS to a smaller number")?;
     let mut error = io::stderr();
     match command {
         #[cfg(feature = "book")]

@@ -47,8 +47,8 @@ fn an_unknown_command_is_told_those_there_are() {
     }
 }
 
-/// A program without the book or without devices has not all of the new commands, and then it
-/// refuses them by their new names.
+/// A program without the book has not all of the new commands, and then it refuses them by their
+/// new names.
 ///
 /// Catches: an old name that is gone before its time, or leads to another command; a new name
 /// that is none; an old name that nobody knows in a program without a feature.
@@ -62,10 +62,7 @@ fn an_old_name_is_the_new_one() {
         rename(&mut words);
         let inner: Vec<_> = words[1..words.len() - 1].iter().collect();
         assert_eq!(inner, *new);
-        let is_there = match new[0] {
-            "paper" | "bench" => cfg!(feature = "book"),
-            _ => cfg!(feature = "device") || !new.contains(&"devices"),
-        };
+        let is_there = cfg!(feature = "book") || !["paper", "bench"].contains(&new[0]);
         match matches(&words) {
             Err(Failure::Answered) => assert!(is_there, "{old}"),
             Err(Failure::Refused(reason)) => {

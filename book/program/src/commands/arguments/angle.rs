@@ -38,29 +38,28 @@ pub fn angles(text: &str) -> Result<Sweep, String> {
     })
 }
 
-/// `2pi/3` or `60deg`.
+/// `2pi/3` or `60deg`: the f64 nearest to the real angle, but for a tie of its first 53 bits and the
+/// next 45 or so.
 fn multiple_of_pi(text: &str) -> Option<f64> {
     let text = text.trim().to_lowercase();
     let (sign, text) = match text.strip_prefix('-') {
         Some(rest) => (-1.0, rest),
         None => (1.0, text.strip_prefix('+').unwrap_or(&text)),
     };
-    let share = match text.strip_suffix("deg").or_else(|| text.strip_suffix('°')) {
-        Some(degrees) => Fraction::decimal(degrees.trim_end())?.over(Fraction::whole(180)?)?,
+    let (factor, divisor) = match text.strip_suffix("deg").or_else(|| text.strip_suffix('°')) {
+        Some(degrees) => (decimal(degrees.trim_end())?, exactly(180)),
         None => {
             let (factor, rest) = text.split_once("pi").or_else(|| text.split_once('π'))?;
             let factor = factor.trim_end().strip_suffix('*').unwrap_or(factor).trim_end();
-            let factor = match factor {
-                "" => Fraction::whole(1)?,
-                digits => Fraction::decimal(digits)?,
-            };
+            let factor = if factor.is_empty() { DoubleDouble::ONE } else { decimal(factor)? };
             match rest {
-                "" => factor,
-                rest => factor.over(Fraction::decimal(rest.strip_prefix('/')?)?)?,
+                "" => (factor, DoubleDouble::ONE),
+                rest => (factor, decimal(rest.strip_prefix('/')?)?),
             }
         }
     };
-    Some(sign * share.of_pi())
+    let pi = DoubleDouble::HALF_PI.scaled(2.0);
+    (divisor != DoubleDouble::ZERO).then(|| sign * (pi * factor / divisor).rounded())
 }
 
 /// What was probably meant by a text that is no angle.
@@ -98,63 +97,27 @@ pub fn is_angle(text: &str) -> bool {
     text.parse::<f64>().is_ok() || multiple_of_pi(text).is_some()
 }
 
-/// A fraction of whole numbers, each of one word.
-#[derive(Clone, Copy)]
-struct Fraction {
-    above: u64,
-    below: u64,
+/// A decimal number without sign, of up to 19 digits, to 100 bits or more.
+fn decimal(text: &str) -> Option<DoubleDouble> {
+    let (digits, exponent) = match text.split_once('e') {
+        Some((digits, exponent)) => (digits, exponent.parse::<i32>().ok()?),
+        None => (text, 0),
+    };
+    let (whole, part) = digits.split_once('.').unwrap_or((digits, ""));
+    let all = format!("{whole}{part}");
+    if !all.bytes().all(|byte| byte.is_ascii_digit()) {
+        return None;
+    }
+    let power = exponent.checked_sub(i32::try_from(part.len()).ok()?)?;
+    let ten = exactly(10_u64.checked_pow(power.unsigned_abs())?);
+    let number = exactly(all.parse().ok()?);
+    Some(if power < 0 { number / ten } else { number * ten })
 }
 
-impl Fraction {
-    const fn whole(number: u64) -> Option<Self> {
-        Some(Self { above: number, below: 1 })
-    }
-
-    /// A decimal number without sign, exactly; up to 19 digits.
-    fn decimal(text: &str) -> Option<Self> {
-        let (digits, exponent) = match text.split_once('e') {
-            Some((digits, exponent)) => (digits, exponent.parse::<i32>().ok()?),
-            None => (text, 0),
-        };
-        let (whole, part) = digits.split_once('.').unwrap_or((digits, ""));
-        let all = format!("{whole}{part}");
-        if all.is_empty() || !all.bytes().all(|byte| byte.is_ascii_digit()) {
-            return None;
-        }
-        let power = exponent.checked_sub(i32::try_from(part.len()).ok()?)?;
-        let ten = 10_u64.checked_pow(power.unsigned_abs())?;
-        let number: u64 = all.parse().ok()?;
-        Some(match power >= 0 {
-            true => Self { above: number.checked_mul(ten)?, below: 1 },
-            false => Self { above: number, below: ten },
-        })
-    }
-
-    /// The quotient; none if `other` is zero, or one of its numbers is too long for a word.
-    fn over(self, other: Self) -> Option<Self> {
-        let [a, b] = [(self.above, other.above), (other.below, self.below)].map(|(x, y)| {
-            let common = common_divisor(x, y).max(1);
-            (x / common, y / common)
-        });
-        let above = a.0.checked_mul(b.0)?;
-        let below = a.1.checked_mul(b.1)?;
-        (below != 0).then_some(Self { above, below })
-    }
-
-    /// The f64 nearest to π times the fraction: two operations, each right to 100 bits or more, so
-    /// that only a tie of the first 53 and the next 47 could go wrong.
-    fn of_pi(self) -> f64 {
-        let [above, below] = [self.above, self.below].map(|whole| {
-            let nearest = whole as f64;
-            let rest = i128::from(whole) - nearest as i128;
-            DoubleDouble::new(nearest) + DoubleDouble::new(rest as f64)
-        });
-        (DoubleDouble::HALF_PI.scaled(2.0) * above / below).rounded()
-    }
-}
-
-fn common_divisor(a: u64, b: u64) -> u64 {
-    if b == 0 { a } else { common_divisor(b, a % b) }
+fn exactly(whole: u64) -> DoubleDouble {
+    let nearest = whole as f64;
+    let rest = i128::from(whole) - nearest as i128;
+    DoubleDouble::new(nearest) + DoubleDouble::new(rest as f64)
 }
 
 #[cfg(test)]

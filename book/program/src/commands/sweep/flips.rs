@@ -13,9 +13,8 @@ use pendula::fast::first_flips;
 use pendula::methods::table::RK4_IN_LANES;
 use pendula::systems::DoublePhase;
 use pendula::{DoublePendulum, Grid, Hamiltonian, Rk4};
+use pendula_device::Device;
 
-use super::device::Device;
-use crate::commands::arguments::device::DeviceArgument;
 use crate::commands::arguments::double::DoubleArguments;
 use crate::commands::arguments::number::number;
 use crate::commands::arguments::pendulum::GravityArgument;
@@ -47,8 +46,9 @@ pub struct Arguments {
     /// Draw the times as a picture: θ₁ from left to right, θ₂ upwards, the later the darker
     #[arg(long, value_name = "FILE.png")]
     picture: Option<PathBuf>,
-    #[command(flatten)]
-    device: DeviceArgument,
+    /// Run on the OpenCL device with NAME in its name, see `pendula sweep devices`: the same bits
+    #[arg(long, value_name = "NAME")]
+    device: Option<String>,
     /// Write to FILE, which appears when it is whole
     #[arg(long, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -80,7 +80,7 @@ pub fn run(
     }
     let double = arguments.double.double(arguments.gravity.gravity).map_err(Failure::refused)?;
     let grid = Grid::with_duration(arguments.dt, arguments.duration).map_err(Failure::refused)?;
-    let device = arguments.device.name().map(Device::named);
+    let device = arguments.device.as_deref().map(Device::named);
     let device = device.transpose().map_err(Failure::refused)?;
     // Set the interrupt handler before creating a file.
     let lookout = lookout();

@@ -1,8 +1,7 @@
 //! The rows of a sweep, a batch of runs at a time.
 
 use std::io::Write;
-use std::mem;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::mpsc;
 use std::time::{Duration, Instant};
 
 use pendula::MethodInfo;
@@ -31,6 +30,9 @@ struct Progress {
     largest: Option<Largest>,
 }
 
+/// What is told of each run, with its place among the items, as soon as it is finished.
+pub type Finished<'a> = &'a (dyn Fn(usize, Run) + Sync);
+
 /// What all rows have in common.
 pub struct Printer<'a> {
     pub runner: Runner,
@@ -45,12 +47,12 @@ pub struct Printer<'a> {
 impl Printer<'_> {
     /// Computes and prints a row for each item of `sweep`, a batch at a time, so that memory does
     /// not limit their number.
-    pub fn print<T: Send + Sync + 'static>(
+    pub fn print<T: Clone + Send + 'static>(
         &self,
         mut kept: Kept<'_>,
         [out, err]: [&mut dyn Write; 2],
         sweep: impl Iterator<Item = T>,
-        compute: impl Fn(&[T], &(dyn Fn(usize, Run) + Sync)) + Clone + Send + 'static,
+        compute: impl Fn(&[T], Finished<'_>) -> Result<(), Failure> + Clone + Send + 'static,
         lookout: impl FnOnce() -> Lookout,
     ) -> Result<(), Failure> {
         let begun = Instant::now();
@@ -77,17 +79,23 @@ impl Printer<'_> {
                 if items.is_empty() {
                     break;
                 }
-                let batch = Batch::new(items);
-                let (work, compute) = (batch.clone(), compute.clone());
-                interrupted = unless_interrupted(
-                    || lookout.interrupts(done),
-                    move || work.complete(&compute),
-                )
-                .is_none();
-                let printed = match self.runner.device_failure() {
-                    Some(failure) => Err(failure),
-                    None => self.add(&batch.finished(), &mut progress, &mut rows),
+                let mut runs = vec![None; items.len()];
+                let (sender, finished) = mpsc::channel();
+                let compute = compute.clone();
+                let tell = move |i, run| {
+                    // After an interruption nobody asks for it.
+                    let _ = sender.send((i, run));
                 };
+                let work = move || compute(&items, &tell);
+                let computed = unless_interrupted(|| lookout.interrupts(done), work);
+                interrupted = computed.is_none();
+                for (i, run) in finished.try_iter() {
+                    runs[i] = Some(run);
+                }
+                // Up to the first that is not finished.
+                let runs: Vec<Run> = runs.into_iter().map_while(|run| run).collect();
+                let printed = self.add(&runs, &mut progress, &mut rows);
+                let printed = printed.and(computed.unwrap_or(Ok(())));
                 if let Err(failure) = printed {
                     // The rows so far are whole; if the output is what failed, it fails again.
                     let _ = rows.leave();
@@ -162,41 +170,5 @@ impl Printer<'_> {
                  numbers: take a smaller step"
             ))
         }))
-    }
-}
-
-/// A batch of runs, each in its place once it is finished.
-struct Batch<T> {
-    items: Arc<[T]>,
-    runs: Arc<Mutex<Vec<Option<Run>>>>,
-}
-
-impl<T> Clone for Batch<T> {
-    fn clone(&self) -> Self {
-        Self { items: Arc::clone(&self.items), runs: Arc::clone(&self.runs) }
-    }
-}
-
-impl<T: Send + Sync> Batch<T> {
-    fn new(items: Vec<T>) -> Self {
-        let runs = vec![None; items.len()];
-        Self { items: items.into(), runs: Arc::new(Mutex::new(runs)) }
-    }
-
-    /// Computes the runs.
-    fn complete(&self, compute: &impl Fn(&[T], &(dyn Fn(usize, Run) + Sync))) {
-        compute(&self.items, &|i, run| {
-            let mut runs = self.runs.lock().unwrap_or_else(PoisonError::into_inner);
-            // After an interruption nobody asks for it.
-            if let Some(slot) = runs.get_mut(i) {
-                *slot = Some(run);
-            }
-        });
-    }
-
-    /// The finished runs up to the first that is not.
-    fn finished(&self) -> Vec<Run> {
-        let runs = mem::take(&mut *self.runs.lock().unwrap_or_else(PoisonError::into_inner));
-        runs.into_iter().map_while(|run| run).collect()
     }
 }
