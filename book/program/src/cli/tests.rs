@@ -28,13 +28,15 @@ fn no_command_means_help() {
     assert!(matches!(parse(["pendula"]), Err(Failure::Answered)));
 }
 
-/// Catches: clap's paragraphs passed on unfolded.
+/// Catches: clap's paragraphs passed on unfolded; its tip for a method, which goes by letters.
 #[test]
 fn a_usage_error_is_one_line() {
     let reason = refusal(&["pendula", "vorify"]);
     assert!(!reason.contains('\n'), "{reason}");
     assert!(reason.contains("'vorify'") && reason.contains("'verify'"), "{reason}");
     assert!(!reason.contains("For more information"), "{reason}");
+    let reason = refusal(&["pendula", "simulate", "--method", "Euler"]);
+    assert!(reason.ends_with("tip: forward-euler or symplectic-euler"), "{reason}");
 }
 
 /// Catches: a refusal that does not say what is allowed.

@@ -87,8 +87,8 @@ pub struct Plot<'o> {
 }
 
 impl PlotArguments {
-    /// The plot, if it was asked for, and where rows that have no file go: to `out`, unless the plot
-    /// stands there in their place.
+    /// The plot, if it was asked for, and where rows that have no file go: to `out`, unless the
+    /// plot stands there in their place.
     ///
     /// # Errors
     /// [`Failure::Refused`] if the file cannot be written.

@@ -276,8 +276,6 @@ struct Conversation {
     questions: Sender<String>,
     answers: Receiver<Line>,
     errors: LastLines,
-    /// Whether the program has been ended for a fault.
-    ended: bool,
 }
 
 impl Conversation {
@@ -298,7 +296,6 @@ impl Conversation {
             questions: listen::writer(input),
             answers: listen::lines(output),
             errors: LastLines::of(errors),
-            ended: false,
         })
     }
 
@@ -309,7 +306,6 @@ impl Conversation {
         }
         let by_itself = self.group.has_ended();
         let status = self.group.end();
-        self.ended = true;
         let mut happened = match (trouble, status) {
             (Trouble::Came(what), _) => what,
             (Trouble::Ended(so_far), Ok(status)) if by_itself => {
@@ -344,12 +340,10 @@ impl Conversation {
 
 impl Drop for Conversation {
     fn drop(&mut self) {
-        if !self.ended {
-            let _ = self.questions.send(format!("{BYE}\n"));
-            // Dropped, the sender closes the program's input behind it.
-            self.questions = std::sync::mpsc::channel().0;
-            self.wait_for_end(GRACE);
-        }
+        let _ = self.questions.send(format!("{BYE}\n"));
+        // Dropped, the sender closes the program's input behind it.
+        self.questions = std::sync::mpsc::channel().0;
+        self.wait_for_end(GRACE);
         // The group ends what is left when it is dropped.
     }
 }

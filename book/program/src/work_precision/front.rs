@@ -22,23 +22,13 @@ pub struct Part {
 /// be a power law.
 pub fn of(curves: &[&Curve]) -> Vec<Part> {
     let dense: Vec<Vec<(f64, f64)>> = curves.iter().map(|curve| fill(&curve.points)).collect();
-    let mut all: Vec<(f64, f64)> = dense.iter().flatten().copied().collect();
-    // By time, and of equal times the most exact first: a point is on the front if it is more exact
-    // than all before it.
-    all.retain(|point| !point.0.is_nan());
-    all.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));
-    let mut best = f64::INFINITY;
-    all.retain(|point| {
-        let ahead = point.1 < best;
-        best = best.min(point.1);
-        ahead
-    });
     let is_ahead = |point: &(f64, f64)| {
-        all.binary_search_by(|other| other.0.total_cmp(&point.0)).is_ok_and(|i| all[i] == *point)
+        let is_behind = |other: &(f64, f64)| other.0 <= point.0 && other.1 <= point.1;
+        !point.0.is_nan() && dense.iter().flatten().all(|other| other == point || !is_behind(other))
     };
-    let parts = curves.iter().zip(dense).filter_map(|(curve, points)| {
+    let parts = curves.iter().zip(&dense).filter_map(|(curve, points)| {
         let gap = (f64::NAN, f64::NAN);
-        let points = points.into_iter().map(|point| if is_ahead(&point) { point } else { gap });
+        let points = points.iter().map(|point| if is_ahead(point) { *point } else { gap });
         let points: Vec<(f64, f64)> = points.collect();
         let has_length = points.windows(2).any(|pair| !pair[0].0.is_nan() && !pair[1].0.is_nan());
         has_length.then_some(Part { method: curve.method, points })

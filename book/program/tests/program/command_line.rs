@@ -3,15 +3,7 @@
 use std::io::{Seek, Write};
 use std::process::Command;
 
-use crate::call::{PENDULA, assert_refused, pendula, printed, refused};
-
-/// Catches: usage errors in paragraphs, or with an exit status that means something else.
-#[test]
-fn bad_arguments_are_refused_in_one_line() {
-    assert_refused(&["bock"], "'bock'");
-    assert_refused(&["book", "--opne"], "--open");
-    assert_refused(&["preprocess", "supports"], "<RENDERER>");
-}
+use crate::call::{PENDULA, pendula, printed, refused};
 
 /// Catches: a preprocessor that accepts anything as a book.
 #[test]

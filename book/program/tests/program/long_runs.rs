@@ -93,13 +93,13 @@ impl Folder {
 }
 
 /// After every number of steps, and once more later on, for a run with time in seconds, because its
-/// angles are large, for the double pendulum and for both kinds of sweep; in files, which are those
-/// of the run at once.
+/// angles are large, for other systems and for both kinds of sweep; in files, which are those of
+/// the run at once.
 ///
 /// Catches: a state that is resumed in another unit of time; a command whose state is not kept
-/// whole; a sweep that repeats a run or leaves one out; a header in the middle; an array that is
-/// closed too early or has a comma too many; a file touched before it is whole; a state left when it
-/// is no longer needed.
+/// whole, or that loses the system's parameters; a sweep that repeats a run or leaves one out; a
+/// header in the middle; an array that is closed too early or has a comma too many; a file touched
+/// before it is whole; a state left when it is no longer needed.
 #[test]
 fn every_kind_of_run_can_be_resumed() {
     let folder = Folder::new();
@@ -108,8 +108,12 @@ fn every_kind_of_run_can_be_resumed() {
     let array =
         ["simulate", "--method", "rk4", "--theta0", "1", "--every", "2", "--format", "json"];
     let double = words(
-        "simulate --system double-pendulum --theta1 2 --theta2 -0.5 --omega2 1.5 --mass1 0.7 \
-         --length2 0.6 --gravity 3",
+        "simulate --system double-pendulum --method gauss-6 --theta1 2 --theta2 -0.5 --omega2 1.5 \
+         --mass1 0.7 --length2 0.6 --gravity 3",
+    );
+    let driven = words(
+        "simulate --system driven --damping 0.3 --drive-strength 1.1 --drive-frequency 2.5 \
+         --method stormer-verlet --theta0 1.2",
     );
     let angles = words(
         "sweep --method rk4 --theta0 -1:2:7 --omega0 0.5 --dt 0.1 --duration 0.4 --gravity 5 \
@@ -121,6 +125,7 @@ fn every_kind_of_run_can_be_resumed() {
         [&large[..], &rest].concat(),
         [&array[..], &rest].concat(),
         [&double[..], &rest].concat(),
+        [&driven[..], &rest].concat(),
         angles.to_vec(),
         steps.to_vec(),
     ] {
@@ -243,9 +248,9 @@ fn a_part_without_runs_is_an_empty_file_and_says_so() {
 
 /// A state is cut off at every length, and changed as another version or another hand may do.
 ///
-/// Catches: a run that goes on from what is no state, or from half of one; a place beyond the end; a
-/// field that is missing, unknown or of another kind; another version; arguments beside a state; a
-/// panic where there is no refusal; anything written then; a state that is written over.
+/// Catches: a run that goes on from what is no state, or from half of one; a place beyond the end;
+/// a field that is missing, unknown or of another kind; another version; arguments beside a state;
+/// a panic where there is no refusal; anything written then; a state that is written over.
 #[test]
 fn what_is_no_state_is_refused() {
     let folder = Folder::new();

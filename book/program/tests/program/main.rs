@@ -8,7 +8,6 @@ mod devices;
 mod files;
 mod flips;
 mod help;
-mod hostile;
 #[cfg(unix)]
 mod interrupts;
 mod ledger;
@@ -17,5 +16,6 @@ mod long_runs;
 mod other_systems;
 mod period;
 mod plots;
+mod refusals;
 mod review;
 mod verify;

@@ -4,7 +4,7 @@ use std::fs;
 
 use roxmltree::Document;
 
-use crate::call::{assert_refused, numbers, pendula, printed, words};
+use crate::call::{numbers, pendula, printed, words};
 
 const RUN: [&str; 9] =
     ["simulate", "--method", "rk4", "--theta0", "pi/3", "--dt", "0.1", "--duration", "20"];
@@ -114,8 +114,6 @@ fn a_plot_in_the_terminal_stands_for_the_rows() {
     let to_plot = ["--steps", "9", "--plot", plot.to_str().unwrap()];
     assert_eq!(pendula([&failing[..], &to_plot].concat()).status.code(), Some(2));
     assert!(!plot.exists());
-    assert_refused(&[&RUN[..], &["--plot", "/no/such/folder/x.svg"]].concat(), "--plot /no/such");
-    assert_refused(&["simulate", "--resume", "a.state", "--plot", "-"], "cannot be used with");
     if std::path::Path::new("/dev/full").exists() {
         let whole = folder.path().join("whole.csv");
         let to_both = ["--plot", "/dev/full", "--output", whole.to_str().unwrap()];

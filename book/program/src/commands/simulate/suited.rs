@@ -11,11 +11,6 @@ use pendula_output::failure::Failure;
 pub trait Suited: Listed {
     /// What it is called in a refusal.
     const NAME: &'static str;
-
-    /// Whether the method `name` suits it.
-    fn suits(name: &str) -> bool {
-        Self::steps(name).is_some()
-    }
 }
 
 impl Suited for Damped {
@@ -40,16 +35,13 @@ impl Suited for DoublePendulum {
 /// [`Failure::Refused`].
 pub fn steps<S: Suited>(name: &str) -> Result<&'static dyn Steps<S>, Failure> {
     S::steps(name).ok_or_else(|| {
-        let suited = names::<S>().collect::<Vec<_>>().join(", ");
+        let names = METHODS.iter().map(|method| method.info().name);
+        let suited: Vec<&str> = names.filter(|name| S::steps(name).is_some()).collect();
+        let suited = suited.join(", ");
         let why = "it needs more of a system than this one has";
         Failure::refused(format!(
             "--method {name}: {why}, {}; those that suit are {suited}",
             S::NAME
         ))
     })
-}
-
-/// The names of the methods that suit.
-pub fn names<S: Suited>() -> impl Iterator<Item = &'static str> {
-    METHODS.iter().map(|method| method.info().name).filter(|name| S::suits(name))
 }

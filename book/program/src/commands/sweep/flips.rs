@@ -1,6 +1,5 @@
 //! `pendula sweep flips`: when a double pendulum first turns over, for every release from rest.
 
-use std::collections::TryReserveError;
 use std::io::Write;
 use std::num::NonZeroU64;
 use std::path::PathBuf;
@@ -143,8 +142,6 @@ impl Releases {
         let count = size * size;
         let least = double.least_flip_energy();
         let (mut places, mut starts) = (Vec::new(), Vec::<DoublePhase>::new());
-        places.try_reserve_exact(count / 2).map_err(no_memory)?;
-        starts.try_reserve_exact(count / 2).map_err(no_memory)?;
         for index in 0..count / 2 {
             let theta = [angle(index % size, *size), angle(index / size, *size)];
             let start = double.start(theta, [0.0; 2]).map_err(Failure::refused)?;
@@ -153,32 +150,20 @@ impl Releases {
                 starts.push(start);
             }
         }
-        let mut found = none_of(starts.len())?;
+        let mut found = vec![None; starts.len()];
         match device {
             Some(device) => device
                 .first_flips(double, &Rk4, &starts, grid, &mut found)
                 .map_err(|error| Failure::Failed(error.into()))?,
             None => first_flips(double, RK4_IN_LANES, &starts, grid, &mut found),
         }
-        let mut flips = none_of(count)?;
+        let mut flips = vec![None; count];
         for (place, flip) in places.into_iter().zip(found) {
             flips[place] = flip;
             flips[count - 1 - place] = flip;
         }
         Ok(flips)
     }
-}
-
-/// No time yet for `count` releases.
-fn none_of(count: usize) -> Result<Vec<Option<NonZeroU64>>, Failure> {
-    let mut none = Vec::new();
-    none.try_reserve_exact(count).map_err(no_memory)?;
-    none.resize(count, None);
-    Ok(none)
-}
-
-fn no_memory(_: TryReserveError) -> Failure {
-    Failure::refused("there is too little memory: take a smaller --size")
 }
 
 /// The angle (rad) of the release `index` of `size`: the middles of as many parts of a turn.
