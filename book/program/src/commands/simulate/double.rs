@@ -7,7 +7,7 @@ use pendula::metrics::EnergyDrift;
 use pendula::systems::DoublePhase;
 use pendula::{DoublePendulum, Hamiltonian, method_named};
 
-use super::suited::steps;
+use super::steps;
 use super::trajectory::{Trajectory, TrajectoryArguments};
 use super::watch::Run;
 use crate::commands::plot::Panel;
@@ -29,7 +29,7 @@ pub fn print(
     out: [&mut dyn Write; 2],
     lookout: impl FnOnce() -> Lookout,
 ) -> Result<(), Failure> {
-    let steps = steps::<DoublePendulum>(method)?;
+    let steps = steps::<DoublePendulum>(method, "the double pendulum")?;
     let grid = arguments.grid()?;
     let title = method_named(method).map_or(method, |method| method.info().title);
     let trajectory = Trajectory {
@@ -53,7 +53,8 @@ pub fn print(
             None => integrate::Run::start(&double, steps, start, &grid),
         })
     };
-    arguments.print(&trajectory, EnergyDrift::new(&double), &grid, begin, out, lookout)
+    let drift = Some(EnergyDrift::new(&double));
+    arguments.print(&trajectory, drift, &grid, begin, out, lookout)
 }
 
 /// What a plot shows.

@@ -5,7 +5,8 @@ use std::io::Write;
 use clap::Args;
 use clap::builder::PossibleValuesParser;
 use pendula::fast::FastRun;
-use pendula::integrate::{self, Checkpoint};
+use pendula::integrate::{self, Checkpoint, Steps};
+use pendula::methods::table::Listed;
 use pendula::metrics::EnergyDrift;
 use pendula::{
     AnyMethod, Grid, Hamiltonian, Info, METHODS, Motion, Pendulum, Phase, Rk4, method_named,
@@ -17,13 +18,11 @@ use super::summary::Summary;
 use adaptive::{SERIES, Walk};
 use pendula_output::failure::Failure;
 use pendula_output::interrupt::Lookout;
-use suited::{Suited, steps};
 use trajectory::{Trajectory, TrajectoryArguments};
-use watch::{NotConserved, Run};
+use watch::Run;
 
 mod adaptive;
 mod double;
-mod suited;
 mod trajectory;
 mod watch;
 
@@ -87,9 +86,9 @@ pub fn run(
     let scene = Scene { pendulum, method, start, grid: trajectory.grid()?, arguments: trajectory };
     match forced {
         Forced::No => scene.swing(out, lookout),
-        Forced::Damped(damped) => scene.other(&damped, out, lookout),
-        Forced::Driven(driven) => scene.other(&driven, out, lookout),
-        Forced::Shaken(shaken) => scene.other(&shaken, out, lookout),
+        Forced::Damped(damped) => scene.other(&damped, "the damped pendulum", out, lookout),
+        Forced::Driven(driven) => scene.other(&driven, "the driven pendulum", out, lookout),
+        Forced::Shaken(shaken) => scene.other(&shaken, "the shaken pendulum", out, lookout),
     }
 }
 
@@ -142,22 +141,24 @@ impl Scene<'_> {
                 None => FastRun::start(&pendulum, steps, start, &grid),
             })
         };
-        arguments.print(&trajectory, EnergyDrift::new(&pendulum), &grid, begin, out, lookout)
+        let drift = Some(EnergyDrift::new(&pendulum));
+        arguments.print(&trajectory, drift, &grid, begin, out, lookout)
     }
 
-    /// A system that is made of it, and conserves no energy.
-    fn other<S: Suited<State = Phase>>(
+    /// A system that is made of it, is called this, and conserves no energy.
+    fn other<S: Listed<State = Phase>>(
         &self,
         system: &S,
+        called: &str,
         out: [&mut dyn Write; 2],
         lookout: impl FnOnce() -> Lookout,
     ) -> Result<(), Failure> {
         let &Self { pendulum, method, start, grid, arguments } = self;
         let name = method.info().name;
-        let steps = steps::<S>(name)?;
+        let steps = steps::<S>(name, called)?;
         let energy = pendulum.energy(start);
         let trajectory = Trajectory {
-            title: self.title(&format!("{}, ", S::NAME)),
+            title: self.title(&format!("{called}, ")),
             start,
             energy,
             columns: COLUMNS,
@@ -176,8 +177,23 @@ impl Scene<'_> {
                 None => integrate::Run::start(system, steps, start, &grid),
             })
         };
-        arguments.print(&trajectory, NotConserved, &grid, begin, out, lookout)
+        let drift: Option<EnergyDrift<'_, Pendulum>> = None;
+        arguments.print(&trajectory, drift, &grid, begin, out, lookout)
     }
+}
+
+/// The steps of the method `name` on a system that is `called` this, or their refusal, with the
+/// methods that suit.
+fn steps<S: Listed>(name: &str, called: &str) -> Result<&'static dyn Steps<S>, Failure> {
+    S::steps(name).ok_or_else(|| {
+        let names = METHODS.iter().map(|method| method.info().name);
+        let suited: Vec<&str> = names.filter(|name| S::steps(name).is_some()).collect();
+        let suited = suited.join(", ");
+        Failure::refused(format!(
+            "--method {name}: it needs more of a system than this one has, {called}; those that \
+             suit are {suited}"
+        ))
+    })
 }
 
 /// Adds the errors of the state `end` at the time `t` (s) to the summary, against the closed form,

@@ -7,10 +7,11 @@ use std::time::{Duration, Instant};
 use clap::Args;
 use pendula::adaptive::STEP_LIMIT;
 use pendula::integrate::{CHECKPOINT_NUMBERS, Checkpoint};
-use pendula::{Grid, Observer};
+use pendula::metrics::EnergyDrift;
+use pendula::{Grid, Hamiltonian, Observer};
 use serde::{Deserialize, Serialize};
 
-use super::watch::{Drift, Printer, Run, Watch, overflow};
+use super::watch::{Run, Watch, overflow};
 use crate::commands::arguments::number::{count, number, positive_count};
 use crate::commands::plot::{Panel, PlotArguments, Shown, TIME};
 use crate::commands::rows::RowFormat;
@@ -134,12 +135,12 @@ impl TrajectoryArguments {
     /// # Errors
     /// [`Failure::Refused`] where the state of another run lies, or if the output cannot be opened;
     /// a failure if it cannot be written, if the user interrupts, or if the trajectory is lost.
-    pub fn print<Z: Copy, const N: usize>(
+    pub fn print<H: Hamiltonian, const N: usize>(
         &self,
-        trajectory: &Trajectory<'_, Z, N>,
-        drift: impl Drift<Z>,
+        trajectory: &Trajectory<'_, H::State, N>,
+        drift: Option<EnergyDrift<'_, H>>,
         grid: &Grid,
-        run: impl FnOnce(Option<Checkpoint>) -> Box<dyn Run<Z>>,
+        run: impl FnOnce(Option<Checkpoint>) -> Box<dyn Run<H::State>>,
         [out, err]: [&mut dyn Write; 2],
         lookout: impl FnOnce() -> Lookout,
     ) -> Result<(), Failure> {
@@ -157,27 +158,27 @@ impl TrajectoryArguments {
         let Trajectory { row, method, ref title, panels, .. } = *trajectory;
         let shown = Shown { title, across: TIME, panels };
         let rows = kept.open(out, (&self.plot, shown), format, trajectory.columns, false)?;
-        let printer = Printer { row, method, rows, ended: None };
-        let mut watch = Watch { drift, printer, every, next: every.get() };
-        watch.drift.observe(0, 0.0, trajectory.start);
         let mut z = trajectory.start;
+        let next = at.map_or(0, |at| (at.steps() / every + 1).saturating_mul(every.get()));
+        let mut watch = Watch { drift, row, method, rows, every, next, ended: None };
         if let Some(at) = at {
-            watch.next = (at.steps() / every + 1).saturating_mul(every.get());
+            if let Some(drift) = &mut watch.drift {
+                drift.observe(0, grid.time(0), z);
+            }
             // The state at which it stands: it takes no step.
             z = run.advance(at.steps(), every, &mut ()).map_err(Failure::refused)?;
         } else {
-            watch.printer.observe(0, grid.time(0), z);
+            watch.observe(0, grid.time(0), z);
         }
         let before = before.unwrap_or_default();
-        let measured = summary && watch.drift.largest().is_some();
+        let measured = summary && watch.drift.is_some();
         let interrupted = watch.follow(run.as_mut(), &mut z, grid.steps(), measured, &lookout);
-        let Watch { drift, printer: Printer { rows, ended, .. }, .. } = watch;
+        let Watch { drift, rows, ended, .. } = watch;
         let steps = run.checkpoint().steps();
         let elapsed = Duration::from_nanos(before.nanoseconds) + begun.elapsed();
         let evaluations = before.evaluations + run.evaluations();
-        let energy_error = drift
-            .largest()
-            .map(|largest| libm::fmaximum(largest, before.energy_error.unwrap_or(0.0)));
+        let energy_error =
+            drift.map(|drift| libm::fmaximum(drift.largest(), before.energy_error.unwrap_or(0.0)));
         let at_the_end = (trajectory.row)(grid.time(steps), z);
         // It may have been lost after the last row.
         let ended = match at_the_end.iter().all(|value| value.is_finite()) {
