@@ -208,9 +208,6 @@ impl Command {
 }
 
 /// Runs a command; its output goes to `out`.
-///
-/// # Errors
-/// Whatever the command refuses or fails at.
 pub fn run(command: Command, out: &mut dyn Write) -> Result<(), Failure> {
     // As many as RAYON_NUM_THREADS says, or as there are processors. Not only when they are needed:
     // there rayon panics if they cannot be had.

@@ -25,17 +25,11 @@ pub enum Destination<'a> {
 
 impl<'a> Destination<'a> {
     /// The file `path` that `--output` names if it is given, `out` if not.
-    ///
-    /// # Errors
-    /// [`Failure::Refused`] if the file cannot be written.
     pub fn open(path: Option<&Path>, out: Self) -> Result<Self, Failure> {
         path.map_or(Ok(out), |path| Self::file("--output", path))
     }
 
     /// The file `path` that `option` names, or where the link `path` leads.
-    ///
-    /// # Errors
-    /// [`Failure::Refused`] if it cannot be written, or is being written already.
     pub fn file(option: &str, path: &Path) -> Result<Self, Failure> {
         let refused = |error: io::Error| {
             Failure::refused(format!("{option} {}: cannot be written: {error}", path.display()))
@@ -58,9 +52,6 @@ impl<'a> Destination<'a> {
     }
 
     /// The temporary file, as far as it is written; none of other output, which is flushed.
-    ///
-    /// # Errors
-    /// If that fails.
     pub fn into_file(mut self) -> Result<Option<WholeFile>, Failure> {
         self.flush()?;
         match self {

@@ -37,10 +37,6 @@ pub struct Arguments {
 
 /// Writes the rows t, theta, omega: in s, rad and rad/s, θ unwrapped. Without times, a line for
 /// each of T and T₀ (s), T/T₀, K and the modulus k, and one that says what motion it is.
-///
-/// # Errors
-/// [`Failure::Refused`] for what the library refuses, and for a time beyond the horizon of the
-/// closed form.
 pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
     let pendulum = arguments.pendulum.pendulum(None).map_err(Failure::refused)?;
     let start = arguments.start.start(&pendulum).map_err(Failure::refused)?;

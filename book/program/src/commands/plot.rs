@@ -89,9 +89,6 @@ pub struct Plot<'o> {
 impl PlotArguments {
     /// The plot, if it was asked for, and where rows that have no file go: to `out`, unless the
     /// plot stands there in their place.
-    ///
-    /// # Errors
-    /// [`Failure::Refused`] if the file cannot be written.
     pub fn begin<'o>(
         &self,
         out: &'o mut dyn Write,
@@ -124,9 +121,6 @@ impl Plot<'_> {
     }
 
     /// Writes the picture: to the terminal as text, to a file as SVG.
-    ///
-    /// # Errors
-    /// If it cannot be written.
     pub fn finish(mut self) -> Result<(), Failure> {
         let mut picture = Vec::new();
         match self.out {

@@ -100,9 +100,6 @@ impl<'o, const N: usize> Rows<'o, N> {
 
     /// Leaves an output that is not complete, and returns its file, if it has one that has not
     /// appeared yet; elsewhere the rows so far are whole.
-    ///
-    /// # Errors
-    /// If that fails.
     pub fn leave(mut self) -> Result<Option<WholeFile>, Failure> {
         if !self.out.appears_whole() {
             self.end()?;

@@ -173,9 +173,6 @@ impl<'a> Kept<'a> {
     }
 
     /// What the run is resumed from, if it is: the rows printed, and how far it has come.
-    ///
-    /// # Errors
-    /// [`Failure::Refused`] if the state is of another kind of run.
     pub fn resumed<P: DeserializeOwned>(&self) -> Result<Option<(u64, P)>, Failure> {
         let Some(Resumed { state, .. }) = &self.given.from else { return Ok(None) };
         match serde_json::from_value(state.progress.clone()) {
@@ -194,9 +191,6 @@ impl<'a> Kept<'a> {
 
     /// Opens the output for rows: `out`, or the file, with the rows so far; and their plot. A run
     /// that is `headless` begins without a header.
-    ///
-    /// # Errors
-    /// [`Failure::Refused`] if it cannot be written, or the rows so far cannot be read.
     pub fn open<'o, const N: usize>(
         &mut self,
         out: &'o mut dyn Write,
@@ -236,9 +230,6 @@ impl<'a> Kept<'a> {
 
     /// Leaves the run: keeps the rows so far and its state, and returns the failure that says so;
     /// `stands` says where it stands.
-    ///
-    /// # Errors
-    /// If that fails.
     pub fn leave<const N: usize>(
         self,
         rows: Rows<'_, N>,
@@ -269,9 +260,6 @@ impl<'a> Kept<'a> {
     }
 
     /// The run has come to its end: its output is finished, and its state is removed.
-    ///
-    /// # Errors
-    /// If that fails.
     pub fn finish<const N: usize>(self, rows: Rows<'_, N>) -> Result<(), Failure> {
         rows.finish()?;
         if let Some(Resumed { path, .. }) = &self.given.from {

@@ -17,7 +17,7 @@ use pendula_study::claims::Verdict;
 use serde_json::Value;
 
 use crate::call::{PENDULA, assert_refused, json, names, numbers, pendula, printed, shell, words};
-use crate::ledger::LEDGER;
+use crate::listed::LEDGER;
 
 /// The exit status of a request that was valid, but failed.
 const FAILED: i32 = 2;

@@ -1,6 +1,5 @@
 //! The binary `pendula` as its users and other programs call it.
 
-mod book;
 mod call;
 mod command_line;
 mod commands;
@@ -10,7 +9,6 @@ mod flips;
 mod help;
 #[cfg(unix)]
 mod interrupts;
-mod ledger;
 mod listed;
 mod long_runs;
 mod other_systems;

@@ -14,17 +14,11 @@ const ALLOWED: &str =
     "it must be an angle: radians as 1.5, multiples of π as -2pi/3 or 0.5pi, degrees as 60deg";
 
 /// An angle (rad). Whether it may be infinite is for the library to say.
-///
-/// # Errors
-/// One line that says what is allowed.
 pub fn angle(text: &str) -> Result<f64, String> {
     text.parse().ok().or_else(|| multiple_of_pi(text)).ok_or_else(|| refusal(text, ALLOWED))
 }
 
 /// An angle, or a range of them.
-///
-/// # Errors
-/// As [`angle`].
 pub fn angles(text: &str) -> Result<Sweep, String> {
     Sweep::of(text, |end| match angle(end)? {
         finite if finite.is_finite() => Ok(finite),

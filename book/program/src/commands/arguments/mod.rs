@@ -7,7 +7,6 @@ pub mod range;
 pub mod angle;
 pub mod part;
 
-pub mod double;
 pub mod pendulum;
 pub mod table_format;
 

@@ -27,9 +27,6 @@ pub struct Range {
 
 impl Sweep {
     /// What `text` stands for, with `number` for each number in it.
-    ///
-    /// # Errors
-    /// What `number` says of one number; for anything else, what is allowed.
     pub fn of(text: &str, number: impl Fn(&str) -> Result<f64, String>) -> Result<Self, String> {
         const ALLOWED: &str = "or a range FROM:TO:COUNT with a COUNT of 2 or more, in digits";
         let or_range = |reason: String| format!("{reason}, {ALLOWED}");

@@ -6,9 +6,8 @@ use pendula::systems::{Damped, DoublePhase, Driven, Shaken};
 use pendula::{DoublePendulum, Error, Pendulum, Phase};
 
 use super::angle::angle;
-use super::double::DoubleArguments;
 use super::number::number;
-use super::pendulum::GravityArgument;
+use super::pendulum::{DoubleArguments, GravityArgument};
 use pendula_output::failure::Failure;
 
 /// What is integrated.
@@ -119,10 +118,6 @@ pub enum Forced {
 
 impl SystemArguments {
     /// The system.
-    ///
-    /// # Errors
-    /// [`Failure::Refused`] for a parameter that is missing, or belongs to another system, or that
-    /// the library refuses.
     pub fn chosen(&self) -> Result<Chosen, Failure> {
         self.check()?;
         let refused = |error: Error| Failure::refused(error);

@@ -32,11 +32,6 @@ pub struct Walk<'a> {
 
 impl Walk<'_> {
     /// Prints a row for the start and one for the end of each step.
-    ///
-    /// # Errors
-    /// [`Failure::Refused`] for what the library refuses and for a method that cannot choose its
-    /// steps; a failure if the output cannot be written, if the user interrupts, or if the steps
-    /// do not reach the end.
     pub fn print(
         &self,
         out: [&mut dyn Write; 2],

@@ -17,10 +17,6 @@ use pendula_output::interrupt::Lookout;
 /// Writes the rows t, theta1, theta2, omega1, omega2, x1, y1, x2, y2, energy: in s, rad, rad/s, m
 /// and J; the positions of the bobs with the pivot as origin and y upwards, the energy above that
 /// of the equilibrium. The system is not separable, and splitting methods are refused.
-///
-/// # Errors
-/// [`Failure::Refused`] for what the library refuses; a failure if the output cannot be written, if
-/// the user interrupts, or if the trajectory leaves the range of f64.
 pub fn print(
     method: &str,
     double: DoublePendulum,

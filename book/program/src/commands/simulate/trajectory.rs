@@ -116,9 +116,6 @@ impl TrajectoryArguments {
     }
 
     /// The grid of times.
-    ///
-    /// # Errors
-    /// [`Failure::Refused`] for what [`Grid`] refuses.
     pub fn grid(&self) -> Result<Grid, Failure> {
         // clap sees to it that one of each two is given.
         let dt = self.stepping.dt.unwrap_or(f64::NAN);
@@ -131,10 +128,6 @@ impl TrajectoryArguments {
 
     /// Prints the rows of `trajectory`, along `grid`. The run is what `run` makes of the checkpoint
     /// at which it is resumed, if it is.
-    ///
-    /// # Errors
-    /// [`Failure::Refused`] where the state of another run lies, or if the output cannot be opened;
-    /// a failure if it cannot be written, if the user interrupts, or if the trajectory is lost.
     pub fn print<H: Hamiltonian, const N: usize>(
         &self,
         trajectory: &Trajectory<'_, H::State, N>,

@@ -14,9 +14,8 @@ use pendula::systems::DoublePhase;
 use pendula::{DoublePendulum, Grid, Hamiltonian, Rk4};
 use pendula_device::Device;
 
-use crate::commands::arguments::double::DoubleArguments;
 use crate::commands::arguments::number::number;
-use crate::commands::arguments::pendulum::GravityArgument;
+use crate::commands::arguments::pendulum::{DoubleArguments, GravityArgument};
 use crate::commands::destination::Destination;
 use crate::commands::summary::Summary;
 use crate::picture::Bands;
@@ -62,10 +61,6 @@ const LARGEST: usize = 4096;
 /// Writes the rows theta1, theta2, t: the angles at the release (rad), and the time (s) of the
 /// first step after which a rod is past the upward vertical, empty if there is none. The `lookout`
 /// counts rows.
-///
-/// # Errors
-/// [`Failure::Refused`] for what the library or the device refuses; a failure if something cannot
-/// be written, if the user interrupts, or if the device does not go on.
 pub fn run(
     arguments: &Arguments,
     [out, err]: [&mut dyn Write; 2],

@@ -42,9 +42,6 @@ pub struct Run {
 
 impl Runner {
     /// Runs of the method `name` on `pendulum`, begun with `omega0` (rad/s).
-    ///
-    /// # Errors
-    /// If there is no method `name`.
     pub fn new(name: &str, pendulum: Pendulum, omega0: f64) -> Result<Self, Failure> {
         let (method, lanes) = method_named(name)
             .zip(in_lanes(name))
@@ -53,9 +50,6 @@ impl Runner {
     }
 
     /// The same runs on the device with `name` in its name.
-    ///
-    /// # Errors
-    /// [`Failure::Refused`] for what the device cannot do, or if there is none.
     pub fn on_device(self, name: &str) -> Result<Self, Failure> {
         // Used to the end of the program, by threads that may outlive the command.
         let device: &Device = Box::leak(Box::new(Device::named(name).map_err(Failure::refused)?));
@@ -77,9 +71,6 @@ impl Runner {
     }
 
     /// The start at the angle `theta0` (rad), checked.
-    ///
-    /// # Errors
-    /// As [`Pendulum::start`].
     pub fn start(&self, theta0: f64) -> Result<Phase, Failure> {
         self.pendulum.start(theta0, self.omega0).map_err(Failure::refused)
     }
@@ -95,9 +86,6 @@ impl Runner {
 
     /// The same steps from each of the angles, in lanes or on the device. Each run is passed to
     /// `finished`, with its place among the angles, in the order in which they finish.
-    ///
-    /// # Errors
-    /// If the device does not go on.
     pub fn run_from_each(
         &self,
         angles: &[f64],
@@ -183,9 +171,6 @@ impl Observer<Phase> for DriftAndEnd<'_> {
 
 /// The grids over `duration` (s) with steps near those asked for, no two successive ones equal:
 /// of all of them, those for `which` of the steps.
-///
-/// # Errors
-/// If an end of the range is longer than the duration, or the library refuses it.
 pub fn grids(
     duration: f64,
     dt: Range,
