@@ -4,7 +4,7 @@ use pendula_study::experiments::MethodRef;
 
 use super::{Curve, Measurement};
 
-/// Points between two steps of a curve at which it is compared with the others.
+/// Parts between two steps of a curve, at whose ends it is compared with the others.
 const BETWEEN: u32 = 24;
 
 /// A method's part of the front: times (s) and errors (rad), with a gap (NaN) where another is
@@ -21,7 +21,8 @@ pub struct Part {
 /// one that is as exact and as quick, and better in either; between two steps a curve is taken to
 /// be a power law.
 pub fn of(curves: &[&Curve]) -> Vec<Part> {
-    let dense: Vec<Vec<(f64, f64)>> = curves.iter().map(|curve| fill(&curve.points)).collect();
+    let dense: Vec<Vec<(f64, f64)>> =
+        curves.iter().map(|curve| line(&curve.points, BETWEEN)).collect();
     let is_ahead = |point: &(f64, f64)| {
         let is_behind = |other: &(f64, f64)| other.0 <= point.0 && other.1 <= point.1;
         !point.0.is_nan() && dense.iter().flatten().all(|other| other == point || !is_behind(other))
@@ -45,8 +46,9 @@ impl Part {
     }
 }
 
-/// Times and errors along a curve, with a gap (NaN) where steps between two points do not count.
-fn fill(points: &[Measurement]) -> Vec<(f64, f64)> {
+/// Times and errors along a curve, with so many `parts` between two points and a gap (NaN) where
+/// steps between them do not count.
+pub fn line(points: &[Measurement], parts: u32) -> Vec<(f64, f64)> {
     let at = |point: &Measurement| (point.seconds, point.error);
     let mut line: Vec<(f64, f64)> = points.iter().take(1).map(at).collect();
     for pair in points.windows(2) {
@@ -54,8 +56,8 @@ fn fill(points: &[Measurement]) -> Vec<(f64, f64)> {
         if pair[1].steps != 2 * pair[0].steps {
             line.push((f64::NAN, f64::NAN));
         } else {
-            let between = (1..BETWEEN).map(|k| {
-                let share = f64::from(k) / f64::from(BETWEEN);
+            let between = (1..parts).map(|k| {
+                let share = f64::from(k) / f64::from(parts);
                 let of = |a: f64, b: f64| a * libm::pow(b / a, share);
                 (of(a.0, b.0), of(a.1, b.1))
             });
@@ -123,7 +125,7 @@ mod tests {
     fn one_curve_is_the_front() {
         let mut alone = curve(0, &[(1.0, 1e-1), (2.0, 1e-2), (4.0, 1e-3), (8.0, 1e-4)]);
         let part = &of(&[&alone])[0];
-        assert_eq!(part.points, fill(&alone.points));
+        assert_eq!(part.points, line(&alone.points, BETWEEN));
         assert_eq!(part.points.len(), 3 * BETWEEN as usize + 1);
         alone.points.remove(1);
         let part = &of(&[&alone])[0];

@@ -7,8 +7,7 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 use std::sync::LazyLock;
 
-use pendula::adaptive::{Adaptive, TaylorSeries, Tolerance};
-use pendula::methods::{Dop853, Rk4, StormerVerlet};
+use pendula::methods::{Rk4, StormerVerlet};
 use pendula::systems::Joint;
 use pendula::{
     DoublePendulum, Grid, Hamiltonian, METHODS, Motion, Pendulum, Phase, integrate, integrate_fast,
@@ -72,38 +71,6 @@ fn every_command_prints_the_same_rows_in_both_formats() {
 fn adaptive<'a>(theta0: &'a str, duration: &'a str, tolerance: &'a str) -> [&'a str; 9] {
     let [a, b, c] = ["--theta0", "--duration", "--tolerance"];
     ["simulate", "--method", "dop853", a, theta0, b, duration, c, tolerance]
-}
-
-/// Catches: the start or the last step left out, a tolerance or a direction of time that is not
-/// passed on, one method for the other; g, L, m or the velocity at the start ignored, or taken for
-/// one another.
-#[test]
-fn adaptive_prints_what_the_library_computes() {
-    let pendulum = Pendulum::new(3.0, 2.5, 5.0).unwrap();
-    let start = Phase { theta: 3.0, omega: -0.25 };
-    for duration in [10.0, -10.0] {
-        let tolerance = Tolerance::uniform(1e-8).unwrap();
-        let [mut expected, mut of_series] = [vec![], vec![]];
-        let row = |t, z: Phase| vec![t, z.theta, z.omega, pendulum.energy_from_pivot(z)];
-        let mut watch = |_, t, z| expected.push(row(t, z));
-        let control = Adaptive::new(Dop853, tolerance);
-        control.integrate(&pendulum, start, 0.0, duration, &mut watch).unwrap();
-        let mut watch = |_, t, z| of_series.push(row(t, z));
-        let control = Adaptive::new(TaylorSeries, tolerance);
-        control.integrate(&pendulum, start, 0.0, duration, &mut watch).unwrap();
-        let duration = duration.to_string();
-        let scene = ["--gravity", "3", "--length", "2.5", "--mass", "5", "--omega0", "-0.25"];
-        let arguments = adaptive("3", &duration, "1e-8").into_iter().chain(scene);
-        let text = printed(&arguments.clone().collect::<Vec<_>>());
-        assert!(text.starts_with("t,theta,omega,energy\n"));
-        assert_eq!(numbers(&text), expected);
-        let with = |method| {
-            let arguments = arguments.clone().map(|a| if a == "dop853" { method } else { a });
-            numbers(&printed(&arguments.collect::<Vec<_>>()))
-        };
-        assert!(with("dormand-prince").len() > expected.len());
-        assert_eq!(with("taylor-series"), of_series);
-    }
 }
 
 fn double_with<'a>(more: &[&'a str]) -> Vec<&'a str> {

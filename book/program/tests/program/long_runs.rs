@@ -4,7 +4,7 @@ use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-use pendula::adaptive::{Adaptive, Tolerance};
+use pendula::adaptive::{Adaptive, TaylorSeries, Tolerance};
 use pendula::methods::Dop853;
 use pendula::metrics::EnergyDrift;
 use pendula::{Grid, Hamiltonian, METHODS, Motion, Observer, Pendulum, Phase};
@@ -527,32 +527,41 @@ fn steps_that_vary_are_interrupted_cleanly() {
     assert_eq!(fs::read_to_string(&folder.file).unwrap(), "old");
 }
 
-/// Catches: a limit that is ignored, or not named where it is reached; an energy error or a cost
-/// of other steps; the error at the end of a walk back in time against the motion forwards.
+/// Catches: the start or the last step left out, a tolerance or a direction of time that is not
+/// passed on, one method for the other; g, L, m or the velocity at the start ignored, or taken for
+/// one another; a limit that is ignored, or not named where it is reached; an energy error or a
+/// cost of other steps; the error at the end of a walk back in time against the motion forwards.
 #[test]
-fn steps_that_vary_have_a_limit_and_a_summary() {
-    let run = words(
-        "simulate --method dop853 --theta0 -2.9 --omega0 0.3 --gravity 3 --length 2.5 --mass 5 \
-         --tolerance 1e-5 --duration",
-    );
+fn steps_that_vary_are_those_of_the_library() {
     let pendulum = Pendulum::new(3.0, 2.5, 5.0).unwrap();
     let start = Phase { theta: -2.9, omega: 0.3 };
-    for duration in ["25", "-25"] {
-        let run = [&run[..], &[duration]].concat();
+    let line = |method: &str, duration: f64| {
+        format!(
+            "simulate --method {method} --theta0 -2.9 --omega0 0.3 --gravity 3 --length 2.5 \
+             --mass 5 --tolerance 1e-5 --duration {duration}"
+        )
+    };
+    for duration in [25.0, -25.0] {
+        let run = line("dop853", duration);
+        let run = words(&run);
         let refused = interrupted(&[&run[..], &["--max-steps", "7"]].concat(), u64::MAX);
-        let line = refused.outcome.unwrap_err();
-        assert!(line.contains("7 steps") && line.contains("--max-steps"), "{line}");
+        let told = refused.outcome.unwrap_err();
+        assert!(told.contains("7 steps") && told.contains("--max-steps"), "{told}");
         assert!(refused.out.lines().count() > 2 && refused.out.ends_with('\n'));
-        let duration: f64 = duration.parse().unwrap();
-        let control = Adaptive::new(Dop853, Tolerance::uniform(1e-5).unwrap());
+        let tolerance = Tolerance::uniform(1e-5).unwrap();
+        let control = Adaptive::new(Dop853, tolerance);
         let mut walk = control.steps(&pendulum, start, 0.0, duration).unwrap();
-        let mut drift = EnergyDrift::new(&pendulum);
+        let (mut drift, mut expected) = (EnergyDrift::new(&pendulum), vec![]);
+        let row = |t, z: Phase| vec![t, z.theta, z.omega, pendulum.energy_from_pivot(z)];
         drift.observe(0, 0.0, start);
+        expected.push(row(0.0, start));
         for (n, step) in (1..).zip(&mut walk) {
             let step = step.unwrap();
             drift.observe(n, step.end_time(), step.end());
+            expected.push(row(step.end_time(), step.end()));
         }
-        let err = whole(&[&run[..], &["--summary"]].concat()).err;
+        let Printed { out, err, .. } = whole(&[&run[..], &["--summary"]].concat());
+        assert_eq!(numbers(&out), expected);
         let counts = walk.counts();
         let count = |name| summary_value(&err, name) as u64;
         assert_eq!([count("steps "), count("steps rejected")], [counts.accepted, counts.rejected]);
@@ -565,6 +574,14 @@ fn steps_that_vary_have_a_limit_and_a_summary() {
         {
             assert_seven_digits(summary_value(&err, &format!("{name} at the end")), off);
         }
+
+        let with = |method| numbers(&whole(&words(&line(method, duration))).out);
+        assert!(with("dormand-prince").len() > expected.len());
+        let mut of_series = vec![];
+        let mut watch = |_, t, z| of_series.push(row(t, z));
+        let control = Adaptive::new(TaylorSeries, tolerance);
+        control.integrate(&pendulum, start, 0.0, duration, &mut watch).unwrap();
+        assert_eq!(with("taylor-series"), of_series);
     }
 }
 

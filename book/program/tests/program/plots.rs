@@ -63,13 +63,14 @@ fn a_plot_shows_the_rows() {
 
 /// Catches: a plot that a command does not draw, or not of its rows: a sweep over steps on a linear
 /// axis, or one over angles against the step; one of two rods left out; rows printed among the
-/// dots; a picture without its axes.
+/// dots; a picture without its axes, upside down or mirrored; a line that jumps, or bridges what
+/// has no place on a logarithmic axis, as the error of a pendulum at rest.
 #[test]
 fn each_command_that_integrates_draws() {
     let drawn = [
         "simulate --method dop853 --theta0 3 --duration -5 --tolerance 1e-6",
         "simulate --system double-pendulum --theta1 2 --theta2 1 --dt 0.01 --steps 300",
-        "sweep --method rk4 --duration 1 --theta0 1:2:5 --dt 0.1",
+        "sweep --method rk4 --duration 1 --theta0 -1:2:7 --dt 0.1",
         "sweep --method rk4 --duration 1 --theta0 1 --dt 0.1:0.001:5",
     ]
     .map(|line| format!("$ pendula {line}\n{}\n", printed(&words(&format!("{line} --plot -")))));

@@ -84,7 +84,7 @@ struct Progress {
     /// Those of its [`Checkpoint`].
     numbers: [f64; CHECKPOINT_NUMBERS],
     evaluations: u64,
-    nanoseconds: u64,
+    elapsed: Duration,
     /// The largest energy error (J), if a summary was asked for.
     energy_error: Option<f64>,
 }
@@ -168,7 +168,7 @@ impl TrajectoryArguments {
         let interrupted = watch.follow(run.as_mut(), &mut z, grid.steps(), measured, &lookout);
         let Watch { drift, rows, ended, .. } = watch;
         let steps = run.checkpoint().steps();
-        let elapsed = Duration::from_nanos(before.nanoseconds) + begun.elapsed();
+        let elapsed = before.elapsed + begun.elapsed();
         let evaluations = before.evaluations + run.evaluations();
         let energy_error =
             drift.map(|drift| libm::fmaximum(drift.largest(), before.energy_error.unwrap_or(0.0)));
@@ -188,7 +188,7 @@ impl TrajectoryArguments {
                 steps,
                 numbers: *run.checkpoint().numbers(),
                 evaluations,
-                nanoseconds: u64::try_from(elapsed.as_nanos()).unwrap_or(u64::MAX),
+                elapsed,
                 energy_error: energy_error.filter(|_| summary),
             };
             let (all, t) = (grid.steps(), grid.time(steps));

@@ -25,7 +25,7 @@ const PANELS: [Panel; 1] = [Panel::new("largest energy error (J)", &[(4, "")]).l
 #[serde(deny_unknown_fields)]
 struct Progress {
     steps: u64,
-    nanoseconds: u64,
+    elapsed: Duration,
     /// The largest errors, if a summary was asked for.
     largest: Option<Largest>,
 }
@@ -57,7 +57,7 @@ impl Printer<'_> {
     ) -> Result<(), Failure> {
         let begun = Instant::now();
         let (from, mut progress) = kept.resumed::<Progress>()?.unwrap_or_default();
-        let before = Duration::from_nanos(progress.nanoseconds);
+        let before = progress.elapsed;
         if self.summary {
             progress.largest.get_or_insert_default();
         }
@@ -103,8 +103,7 @@ impl Printer<'_> {
                 }
             }
             if interrupted {
-                let nanoseconds = (before + begun.elapsed()).as_nanos();
-                progress.nanoseconds = u64::try_from(nanoseconds).unwrap_or(u64::MAX);
+                progress.elapsed = before + begun.elapsed();
                 let of = self.part.map_or_else(String::new, |part| format!(" of part {part}"));
                 let without = if rows.are_drawn() { ", without their plot" } else { "" };
                 let stands = format!("after {} runs{of}{without}", rows.rows());
