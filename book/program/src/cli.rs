@@ -209,8 +209,8 @@ impl Command {
 
 /// Runs a command; its output goes to `out`.
 pub fn run(command: Command, out: &mut dyn Write) -> Result<(), Failure> {
-    // As many as RAYON_NUM_THREADS says, or as there are processors. Not only when they are needed:
-    // there rayon panics if they cannot be had.
+    // As many as RAYON_NUM_THREADS says, or as there are processors. They are started here, because
+    // rayon panics where they are needed and cannot be had.
     ThreadPoolBuilder::new()
         .build_global()
         .context("threads cannot be had: set RAYON_NUM_THREADS to a smaller number")?;

@@ -54,7 +54,7 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
         )));
     }
     let (out, columns) = (Destination::Caller(out), ["t", "theta", "omega"]);
-    let mut rows = Rows::resume(out, None, arguments.format, columns, 0);
+    let mut rows = Rows::new(out, None, arguments.format, columns, 0);
     rows.begin(true)?;
     for &t in &arguments.t {
         let z = motion.at(t);

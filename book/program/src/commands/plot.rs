@@ -67,8 +67,9 @@ pub struct Across {
 /// Time, the first column of every trajectory.
 pub const TIME: Across = Across { column: 0, label: "t (s)", log: false };
 
-/// What a plot shows.
-pub struct Shown<'t> {
+/// What a plot shows, if it was asked for.
+pub struct Drawing<'t> {
+    pub asked: &'t PlotArguments,
     pub title: &'t str,
     pub across: Across,
     pub panels: &'static [Panel],
@@ -86,15 +87,15 @@ pub struct Plot<'o> {
     first: Option<Vec<f64>>,
 }
 
-impl PlotArguments {
+impl Drawing<'_> {
     /// The plot, if it was asked for, and where rows that have no file go: to `out`, unless the
     /// plot stands there in their place.
     pub fn begin<'o>(
-        &self,
+        self,
         out: &'o mut dyn Write,
-        Shown { title, across, panels }: Shown<'_>,
     ) -> Result<(Option<Plot<'o>>, Destination<'o>), Failure> {
-        let (out, rows) = match &self.plot {
+        let Self { asked, title, across, panels } = self;
+        let (out, rows) = match &asked.plot {
             None => return Ok((None, Destination::Caller(out))),
             Some(path) if path.as_os_str() == "-" => {
                 (Destination::Caller(out), Destination::Nowhere)

@@ -35,8 +35,8 @@ pub struct Rows<'o, const N: usize> {
 }
 
 impl<'o, const N: usize> Rows<'o, N> {
-    /// Continues an output that was left after `rows` rows.
-    pub fn resume(
+    /// An output that has been left after `rows` rows, or that is to [begin](Self::begin).
+    pub fn new(
         out: Destination<'o>,
         plot: Option<Plot<'o>>,
         format: RowFormat,
@@ -123,7 +123,7 @@ mod tests {
     fn print(format: RowFormat, rows: &[[f64; 2]]) -> String {
         let mut text = Vec::new();
         let out = Destination::Caller(&mut text);
-        let mut out = Rows::resume(out, None, format, ["t", "theta"], 0);
+        let mut out = Rows::new(out, None, format, ["t", "theta"], 0);
         out.begin(true).unwrap();
         for row in rows {
             out.row(*row).unwrap();

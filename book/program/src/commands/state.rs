@@ -15,7 +15,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use super::destination::Destination;
-use super::plot::{PlotArguments, Shown};
+use super::plot::Drawing;
 use super::rows::{RowFormat, Rows};
 use pendula_output::failure::Failure;
 use pendula_output::files;
@@ -74,7 +74,7 @@ struct State {
 pub struct Resumed {
     path: PathBuf,
     state: State,
-    /// How many bytes its rows are.
+    /// How many bytes stand before its last line: its rows, and the end of a line.
     bytes: u64,
 }
 
@@ -194,7 +194,7 @@ impl<'a> Kept<'a> {
     pub fn open<'o, const N: usize>(
         &mut self,
         out: &'o mut dyn Write,
-        plot: (&PlotArguments, Shown<'_>),
+        plot: Drawing<'_>,
         format: RowFormat,
         columns: [&'static str; N],
         headless: bool,
@@ -202,7 +202,7 @@ impl<'a> Kept<'a> {
         let (plot, out) = match &self.given.from {
             // Half a plot is none.
             Some(_) => (None, Destination::Caller(out)),
-            None => plot.0.begin(out, plot.1)?,
+            None => plot.begin(out)?,
         };
         if let (Some(path), None) = (&self.state, &self.output) {
             // Not only hours later.
@@ -213,17 +213,16 @@ impl<'a> Kept<'a> {
         }
         let mut out = Destination::open(self.output.as_deref(), out)?;
         let Some(Resumed { path, state, bytes }) = &self.given.from else {
-            let mut rows = Rows::resume(out, plot, format, columns, 0);
+            let mut rows = Rows::new(out, plot, format, columns, 0);
             rows.begin(!headless)?;
             return Ok(rows);
         };
         if state.to_file {
             let file = File::open(path).map_err(|error| self.refused(error))?;
-            // Behind them is the end of a line.
             io::copy(&mut file.take(bytes.saturating_sub(1)), &mut out)?;
-            return Ok(Rows::resume(out, plot, format, columns, state.rows));
+            return Ok(Rows::new(out, plot, format, columns, state.rows));
         }
-        let mut rows = Rows::resume(out, plot, format, columns, state.rows);
+        let mut rows = Rows::new(out, plot, format, columns, state.rows);
         rows.begin(false)?;
         Ok(rows)
     }

@@ -4,7 +4,7 @@ use std::fs;
 use std::io::{Seek, Write};
 use std::process::{Command, Output};
 
-use crate::call::{PENDULA, pendula, printed, refused};
+use crate::call::{PENDULA, pendula, refused};
 
 /// Catches: a preprocessor that accepts anything as a book.
 #[test]
@@ -23,12 +23,6 @@ fn only_html_is_supported() {
     let output = pendula(["preprocess", "supports", "epub"]);
     assert_eq!(output.status.code(), Some(1));
     assert!(output.stderr.is_empty());
-}
-
-/// Catches: help on standard error, or with a failing status.
-#[test]
-fn help_is_an_answer() {
-    assert!(printed(&["--help"]).contains("book"));
 }
 
 /// Catches: a book that is not where the command says, or not without a word more.

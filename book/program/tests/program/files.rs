@@ -141,17 +141,6 @@ fn a_full_disk_is_told() {
     assert!(line.contains("standard output cannot be written: No space left"), "{line}");
 }
 
-/// Catches: a message that names a file which nobody asked for instead of the folder.
-#[test]
-fn a_folder_that_is_not_there_is_named() {
-    let (folder, at) = folder();
-    let line = refused(&simulate(&at("no/such/x.csv")));
-    let missing = format!("there is no folder {}", at("no/such").display());
-    assert!(line.contains("x.csv: cannot be written: ") && line.contains(&missing), "{line}");
-    assert!(!line.contains(".pendula-"), "{line}");
-    assert!(names(folder.path()).is_empty());
-}
-
 /// Also through a link, and for a picture.
 ///
 /// Catches: rows that are written, and overwritten at the end of a long run.

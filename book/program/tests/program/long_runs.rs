@@ -428,6 +428,7 @@ proptest! {
         let at_once = whole(&run);
         let (rows, err) = in_parts(&run, &parts, to_file);
         prop_assert_eq!(&rows, &at_once.out);
+        prop_assert!(rows.starts_with("t,theta,omega,energy\n"), "{rows}");
         prop_assert_eq!(numbers(&rows), expected);
         prop_assert_eq!(lines(&err), lines(&at_once.err));
         if !summary {

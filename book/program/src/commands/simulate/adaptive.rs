@@ -10,7 +10,7 @@ use pendula::{Error, Hamiltonian, Info, Observer, Pendulum, Phase};
 
 use super::trajectory::TrajectoryArguments;
 use super::{COLUMNS, PANELS, end_errors};
-use crate::commands::plot::{Shown, TIME};
+use crate::commands::plot::{Drawing, TIME};
 use crate::commands::state::Kept;
 use crate::commands::summary::Summary;
 use pendula_output::failure::Failure;
@@ -67,8 +67,8 @@ impl Walk<'_> {
 
         // Set the interrupt handler before creating the file.
         let lookout = lookout();
-        let shown = Shown { title: &title, across: TIME, panels: &PANELS };
-        let plot = (&arguments.plot, shown);
+        let asked = &arguments.plot;
+        let plot = Drawing { asked, title: &title, across: TIME, panels: &PANELS };
         let mut rows = kept.open(out, plot, arguments.format, COLUMNS, false)?;
         let mut drift = EnergyDrift::new(&pendulum);
         drift.observe(0, 0.0, start);

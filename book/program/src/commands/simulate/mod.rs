@@ -9,7 +9,8 @@ use pendula::integrate::{self, Checkpoint, Steps};
 use pendula::methods::table::Listed;
 use pendula::metrics::EnergyDrift;
 use pendula::{
-    AnyMethod, Grid, Hamiltonian, Info, METHODS, Motion, Pendulum, Phase, Rk4, method_named,
+    AnyMethod, Grid, Hamiltonian, Info, METHODS, MethodInfo, Motion, Pendulum, Phase, Rk4,
+    method_named,
 };
 
 use super::arguments::system::{Chosen, Forced, SystemArguments};
@@ -111,38 +112,25 @@ const PANELS: [Panel; 2] = [
 ];
 
 impl Scene<'_> {
-    fn title(&self, of: &str) -> String {
-        format!("{of}{}, Δt = {:?} s", self.method.info().title, self.grid.step())
-    }
-
     /// The pendulum itself.
     fn swing(
         &self,
         out: [&mut dyn Write; 2],
         lookout: impl FnOnce() -> Lookout,
     ) -> Result<(), Failure> {
-        let &Self { pendulum, method, start, grid, arguments } = self;
-        let trajectory = Trajectory {
-            title: self.title(""),
-            start,
-            energy: pendulum.energy(start),
-            columns: COLUMNS,
-            row: &|t, z: Phase| [t, z.theta, z.omega, pendulum.energy_from_pivot(z)],
-            panels: &PANELS,
-            method: method.info().name,
-            end_errors: &|summary, end| {
-                end_errors(summary, &pendulum, start, grid.time(grid.steps()), end);
-            },
-        };
+        let &Self { ref pendulum, method, start, grid, .. } = self;
         let steps = method.steps().expect("a method of the library has steps");
         let begin = |at: Option<Checkpoint>| -> Box<dyn Run<Phase>> {
             Box::new(match at {
-                Some(at) => FastRun::resume(&pendulum, steps, start, &grid, at),
-                None => FastRun::start(&pendulum, steps, start, &grid),
+                Some(at) => FastRun::resume(pendulum, steps, start, &grid, at),
+                None => FastRun::start(pendulum, steps, start, &grid),
             })
         };
-        let drift = Some(EnergyDrift::new(&pendulum));
-        arguments.print(&trajectory, drift, &grid, begin, out, lookout)
+        let end_errors = |summary: &mut Summary, end| {
+            end_errors(summary, pendulum, start, grid.time(grid.steps()), end);
+        };
+        let drift = Some(EnergyDrift::new(pendulum));
+        self.print("", drift, begin, &end_errors, out, lookout)
     }
 
     /// A system that is made of it, is called this, and conserves no energy.
@@ -153,31 +141,44 @@ impl Scene<'_> {
         out: [&mut dyn Write; 2],
         lookout: impl FnOnce() -> Lookout,
     ) -> Result<(), Failure> {
-        let &Self { pendulum, method, start, grid, arguments } = self;
-        let name = method.info().name;
-        let steps = steps::<S>(name, called)?;
-        let energy = pendulum.energy(start);
-        let trajectory = Trajectory {
-            title: self.title(&format!("{called}, ")),
-            start,
-            energy,
-            columns: COLUMNS,
-            row: &|t, z: Phase| [t, z.theta, z.omega, pendulum.energy_from_pivot(z)],
-            panels: &PANELS,
-            method: name,
-            // There is no closed form.
-            end_errors: &|summary, end| {
-                let at_the_end = pendulum.energy(end);
-                summary.line("energy at the end", format!("{at_the_end:.6e} J, of {energy:.6e} J"));
-            },
-        };
+        let &Self { ref pendulum, method, start, grid, .. } = self;
+        let steps = steps::<S>(method.info().name, called)?;
         let begin = |at: Option<Checkpoint>| -> Box<dyn Run<Phase>> {
             Box::new(match at {
                 Some(at) => integrate::Run::resume(system, steps, &grid, at),
                 None => integrate::Run::start(system, steps, start, &grid),
             })
         };
-        let drift: Option<EnergyDrift<'_, Pendulum>> = None;
+        // There is no closed form.
+        let end_errors = |summary: &mut Summary, end| {
+            let [first, last] = [start, end].map(|z| pendulum.energy(z));
+            summary.line("energy at the end", format!("{last:.6e} J, of {first:.6e} J"));
+        };
+        self.print(&format!("{called}, "), None, begin, &end_errors, out, lookout)
+    }
+
+    /// Prints the run that `begin` begins, of what a title calls this.
+    fn print(
+        &self,
+        of: &str,
+        drift: Option<EnergyDrift<'_, Pendulum>>,
+        begin: impl FnOnce(Option<Checkpoint>) -> Box<dyn Run<Phase>>,
+        end_errors: &dyn Fn(&mut Summary, Phase),
+        out: [&mut dyn Write; 2],
+        lookout: impl FnOnce() -> Lookout,
+    ) -> Result<(), Failure> {
+        let &Self { pendulum, method, start, grid, arguments } = self;
+        let MethodInfo { name, title, .. } = method.info();
+        let trajectory = Trajectory {
+            title: format!("{of}{title}, Δt = {:?} s", grid.step()),
+            start,
+            energy: pendulum.energy(start),
+            columns: COLUMNS,
+            row: &|t, z: Phase| [t, z.theta, z.omega, pendulum.energy_from_pivot(z)],
+            panels: &PANELS,
+            method: name,
+            end_errors,
+        };
         arguments.print(&trajectory, drift, &grid, begin, out, lookout)
     }
 }

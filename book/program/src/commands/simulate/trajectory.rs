@@ -13,7 +13,7 @@ use serde::{Deserialize, Serialize};
 
 use super::watch::{Run, Watch, overflow};
 use crate::commands::arguments::number::{count, number, positive_count};
-use crate::commands::plot::{Panel, PlotArguments, Shown, TIME};
+use crate::commands::plot::{Drawing, Panel, PlotArguments, TIME};
 use crate::commands::rows::RowFormat;
 use crate::commands::state::{Kept, KeptArguments};
 use crate::commands::summary::Summary;
@@ -149,8 +149,8 @@ impl TrajectoryArguments {
         // Set the interrupt handler before creating the file.
         let lookout = lookout();
         let Trajectory { row, method, ref title, panels, .. } = *trajectory;
-        let shown = Shown { title, across: TIME, panels };
-        let rows = kept.open(out, (&self.plot, shown), format, trajectory.columns, false)?;
+        let plot = Drawing { asked: &self.plot, title, across: TIME, panels };
+        let rows = kept.open(out, plot, format, trajectory.columns, false)?;
         let mut z = trajectory.start;
         let next = at.map_or(0, |at| (at.steps() / every + 1).saturating_mul(every.get()));
         let mut watch = Watch { drift, row, method, rows, every, next, ended: None };

@@ -156,8 +156,9 @@ fn sweep_until(
         runner = runner.on_device(device)?;
     }
     let kept = Kept::new(&arguments.kept)?;
-    let plot = arguments.drawn();
-    let printer = Printer { runner, duration, format, part, summary: arguments.summary, plot };
+    let (across, title) = arguments.drawn();
+    let &SweepArguments { summary, ref plot, .. } = arguments;
+    let printer = Printer { runner, duration, format, part, summary, plot, across, title };
     let part = part.unwrap_or(Part::WHOLE);
     match (theta0, dt) {
         (Sweep::Range(theta0), Sweep::One(dt)) => {
@@ -189,8 +190,8 @@ fn sweep_until(
 }
 
 impl SweepArguments {
-    /// Whether there is a plot, what is on its x axis, and its title.
-    fn drawn(&self) -> (&PlotArguments, Across, String) {
+    /// What is on the x axis of a plot, and its title.
+    fn drawn(&self) -> (Across, String) {
         let Self { method, theta0, dt, duration, .. } = self;
         let title = method_named(method).map_or(method.as_str(), |method| method.info().title);
         let (across, fixed) = match theta0 {
@@ -201,6 +202,6 @@ impl SweepArguments {
                 (Across { column: 1, label: "Δt (s)", log: true }, format!("θ₀ = {theta0:?} rad"))
             }
         };
-        (&self.plot, across, format!("{title}, {fixed}, {duration:?} s"))
+        (across, format!("{title}, {fixed}, {duration:?} s"))
     }
 }

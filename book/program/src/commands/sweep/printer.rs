@@ -12,7 +12,7 @@ use serde::{Deserialize, Serialize};
 use super::largest::Largest;
 use super::runner::{Run, Runner};
 use crate::commands::arguments::part::Part;
-use crate::commands::plot::{Across, Panel, PlotArguments, Shown};
+use crate::commands::plot::{Across, Drawing, Panel, PlotArguments};
 use crate::commands::rows::{RowFormat, Rows};
 use crate::commands::state::Kept;
 use crate::commands::summary::Summary;
@@ -40,8 +40,10 @@ pub struct Printer<'a> {
     pub format: RowFormat,
     pub part: Option<Part>,
     pub summary: bool,
-    /// Whether there is a plot, what is on its x axis, and its title.
-    pub plot: (&'a PlotArguments, Across, String),
+    pub plot: &'a PlotArguments,
+    /// What is on the x axis of a plot, and its title.
+    pub across: Across,
+    pub title: String,
 }
 
 impl Printer<'_> {
@@ -66,8 +68,8 @@ impl Printer<'_> {
         let columns = ["theta0", "dt", "theta", "omega", "energy_error"];
         // The header stands in the first part.
         let headless = self.part.is_some_and(|part| !part.is_first());
-        let &(plot, across, ref title) = &self.plot;
-        let plot = (plot, Shown { title, across, panels: &PANELS });
+        let &Self { plot: asked, across, ref title, .. } = self;
+        let plot = Drawing { asked, title, across, panels: &PANELS };
         let mut rows = kept.open(out, plot, self.format, columns, headless)?;
         let mut sweep = sweep.skip(usize::try_from(from).unwrap_or(usize::MAX));
         loop {
