@@ -13,31 +13,23 @@ use pendula::{DoublePendulum, Grid, Hamiltonian, METHODS, Motion, Pendulum, Phas
 use pendula_study::claims::Verdict;
 use serde_json::Value;
 
-use crate::call::{PENDULA, assert_refused, json, names, numbers, pendula, printed, shell, words};
+use crate::call::{
+    PENDULA, assert_refused, json, names, numbers, pendula, printed, refused, shell, words,
+};
 use crate::listed::LEDGER;
-
-/// The exit status of a request that was valid, but failed.
-const FAILED: i32 = 2;
-
-const RUN: [&str; 7] = ["simulate", "--method", "stormer-verlet", "--theta0", "1", "--dt", "0.01"];
-
-fn run_with<'a>(more: &[&'a str]) -> Vec<&'a str> {
-    [&RUN[..], more].concat()
-}
 
 /// Catches: a format that a command does not pass on; objects under other names than the columns,
 /// in another order, with other digits, or more or fewer than there are rows.
 #[test]
 fn every_command_prints_the_same_rows_in_both_formats() {
-    let exact = ["exact", "--theta0", "1", "--t", "0,0.1,-3"];
-    for command in [
-        &run_with(&["--steps", "10"])[..],
-        &adaptive("3", "10", "1e-8"),
-        &exact,
-        &ensemble("0:1:5", "0.1", "1"),
-        &double_with(&["--steps", "10"]),
+    for line in [
+        "simulate --method stormer-verlet --theta0 1 --dt 0.01 --steps 10",
+        "simulate --method dop853 --theta0 3 --duration 10 --tolerance 1e-8",
+        "simulate --system double-pendulum --theta1 2 --theta2 -0.5 --dt 0.01 --steps 10",
+        "exact --theta0 1 --t 0,0.1,-3",
+        "sweep --method rk4 --theta0 0:1:5 --dt 0.1 --duration 1",
     ] {
-        let csv = printed(command);
+        let csv = printed(&words(line));
         let names: Vec<&str> = csv.lines().next().unwrap().split(',').collect();
         let rows = numbers(&csv);
         assert!(rows.len() > 2, "{csv}");
@@ -45,27 +37,19 @@ fn every_command_prints_the_same_rows_in_both_formats() {
             let fields = names.iter().zip(row).map(|(name, value)| (*name, Value::from(*value)));
             fields.map(|(name, value)| (name.to_string(), value)).collect()
         });
-        let printed = json(&[command, &["--format", "json"]].concat());
-        assert_eq!(printed, Value::Array(objects.collect()), "{command:?}");
+        let printed = json(&words(&format!("{line} --format json")));
+        assert_eq!(printed, Value::Array(objects.collect()), "{line}");
     }
-}
-
-fn adaptive<'a>(theta0: &'a str, duration: &'a str, tolerance: &'a str) -> [&'a str; 9] {
-    let [a, b, c] = ["--theta0", "--duration", "--tolerance"];
-    ["simulate", "--method", "dop853", a, theta0, b, duration, c, tolerance]
-}
-
-fn double_with<'a>(more: &[&'a str]) -> Vec<&'a str> {
-    let run = "simulate --system double-pendulum --theta1 2 --theta2 -0.5 --dt 0.01 --omega2 1.5";
-    [&words(run)[..], more].concat()
 }
 
 /// Catches: upper and lower exchanged, momenta printed for velocities, a y that points down, rows
 /// that an animation cannot read.
 #[test]
 fn the_double_pendulum_is_printed_ready_to_be_drawn() {
-    let shape = ["--length1", "1.3", "--length2", "0.6", "--mass1", "0.7", "--mass2", "1.9"];
-    let text = printed(&[&double_with(&["--steps", "200", "--gravity", "3"])[..], &shape].concat());
+    let text = printed(&words(
+        "simulate --system double-pendulum --theta1 2 --theta2 -0.5 --omega2 1.5 --dt 0.01 \
+         --steps 200 --gravity 3 --length1 1.3 --length2 0.6 --mass1 0.7 --mass2 1.9",
+    ));
     assert!(text.starts_with("t,theta1,theta2,omega1,omega2,x1,y1,x2,y2,energy\n"));
     let rows = numbers(&text);
     assert_eq!(rows.len(), 201);
@@ -85,11 +69,7 @@ fn the_double_pendulum_is_printed_ready_to_be_drawn() {
     }
 }
 
-fn ensemble<'a>(theta0: &'a str, dt: &'a str, duration: &'a str) -> [&'a str; 9] {
-    ["sweep", "--method", "rk4", "--theta0", theta0, "--dt", dt, "--duration", duration]
-}
-
-/// The row of the ensemble, computed from one run of `simulate`.
+/// The row of a sweep, computed from one run of `simulate`.
 fn row_of_one_run(theta0: f64, dt: f64) -> Vec<f64> {
     let run = format!("simulate --method rk4 --theta0 {theta0} --dt {dt} --duration 10");
     let rows = numbers(&printed(&words(&run)));
@@ -103,7 +83,8 @@ fn row_of_one_run(theta0: f64, dt: f64) -> Vec<f64> {
 /// finish.
 #[test]
 fn a_sweep_over_steps_is_a_run_with_each() {
-    let rows = numbers(&printed(&ensemble("1", "0.1:0.001:5", "10")));
+    let rows =
+        numbers(&printed(&words("sweep --method rk4 --theta0 1 --dt 0.1:0.001:5 --duration 10")));
     let steps: Vec<f64> = rows.iter().map(|row| row[1]).collect();
     assert_eq!(steps, [100, 316, 1000, 3162, 10000].map(|n| 10.0 / f64::from(n)));
     assert_eq!(rows, steps.iter().map(|dt| row_of_one_run(1.0, *dt)).collect::<Vec<_>>());
@@ -115,7 +96,7 @@ fn a_sweep_over_steps_is_a_run_with_each() {
 fn a_large_sweep_is_whole_in_its_file() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("sweep.csv");
-    let sweep = ensemble("0:1:10001", "0.1", "0.2");
+    let sweep = words("sweep --method rk4 --theta0 0:1:10001 --dt 0.1 --duration 0.2");
     let to_file = ["--output", path.to_str().unwrap()];
     assert_eq!(printed(&[&sweep[..], &to_file].concat()), "");
     let text = fs::read_to_string(&path).unwrap();
@@ -125,7 +106,7 @@ fn a_large_sweep_is_whole_in_its_file() {
 
     let failing = "sweep --method forward-euler --theta0 0:1:5 --dt 1e200 --duration 1e201";
     let failing = [&words(failing)[..], &to_file].concat();
-    assert_eq!(pendula(failing).status.code(), Some(FAILED));
+    assert_eq!(pendula(failing).status.code(), Some(2));
     assert_eq!(names(folder.path()), ["sweep.csv"]);
     assert_eq!(fs::read_to_string(&path).unwrap(), text);
 }
@@ -180,15 +161,13 @@ fn a_request_that_fails_leaves_files_alone() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("run.csv");
     fs::write(&path, "old").unwrap();
-    let path = path.to_str().unwrap();
-    assert_refused(&run_with(&["--duration", "0.015", "--output", path]), "whole number");
-    let run = words("simulate --method rk4 --theta0 1 --dt 1e200 --steps 9 --output");
-    assert_eq!(pendula([&run[..], &[path]].concat()).status.code(), Some(FAILED));
-    assert_refused(&run_with(&["--steps", "1", "--output", "/no/such/folder/x.csv"]), "--output");
-    assert_refused(
-        &run_with(&["--steps", "1", "--output", folder.path().to_str().unwrap()]),
-        "--output",
-    );
+    let run = |more: &str, path: &Path| {
+        let run = format!("simulate --method rk4 --theta0 1 {more} --output");
+        pendula([&words(&run)[..], &[path.to_str().unwrap()]].concat())
+    };
+    assert!(refused(&run("--dt 0.01 --duration 0.015", &path)).contains("whole number"));
+    assert_eq!(run("--dt 1e200 --steps 9", &path).status.code(), Some(2));
+    assert!(refused(&run("--dt 0.01 --steps 1", folder.path())).contains("--output"));
     assert_eq!(names(folder.path()), ["run.csv"]);
     assert_eq!(fs::read_to_string(path).unwrap(), "old");
 }
@@ -203,8 +182,7 @@ fn a_step_whose_equations_are_not_solved_is_refused() {
         for run in ["simulate --theta0 1", "sweep --theta0 1:2:3"] {
             let run = format!("{run} --dt 5 --duration 20 --method {method} --output");
             let run = [&words(&run)[..], &[path.to_str().unwrap()]].concat();
-            let refused = format!("a step of 5.0 s is refused: the iteration of {method}");
-            assert_refused(&run, &refused);
+            assert_refused(&run, &format!("a step of 5.0 s is refused: the iteration of {method}"));
             assert!(names(folder.path()).is_empty());
         }
     }
@@ -223,7 +201,7 @@ fn a_closed_pipe_ends_it_quietly() {
         Command::new(PENDULA)
     };
     let mut run = run
-        .args(run_with(&["--steps", "1000000000000"]))
+        .args(words("simulate --method rk4 --theta0 1 --dt 0.01 --steps 1000000000000"))
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())
         .spawn()
