@@ -143,7 +143,7 @@ where
         matches = self::matches(&words)?;
     }
     let cli = Cli::from_arg_matches(&matches);
-    let cli = cli.map_err(|error| Failure::Refused(explain(&error, &words)))?;
+    let cli = cli.map_err(|error| Failure::Refused(explain(&error)))?;
     let Some(mut command) = cli.command else { return without_a_command() };
     if let Some(kept) = command.kept() {
         kept.words = words[1..].iter().map(|word| word.to_string_lossy().into_owned()).collect();
@@ -166,7 +166,7 @@ fn rename(words: &mut Vec<OsString>) {
 fn matches(words: &[OsString]) -> Result<ArgMatches, Failure> {
     Cli::command().try_get_matches_from(words).or_else(|error| {
         if error.use_stderr() {
-            let reason = forgotten_value(words).unwrap_or_else(|| explain(&error, words));
+            let reason = forgotten_value(words).unwrap_or_else(|| explain(&error));
             return Err(Failure::Refused(reason));
         }
         // Help and version are answers, for standard output.
@@ -254,7 +254,7 @@ fn forgotten_value(words: &[OsString]) -> Option<String> {
 }
 
 /// What is wrong and what is allowed, in one line.
-fn explain(error: &clap::Error, words: &[OsString]) -> String {
+fn explain(error: &clap::Error) -> String {
     let folded = fold(&error.to_string());
     match error.kind() {
         // clap names a similar command, if there is one, but does not list the commands.
@@ -275,12 +275,6 @@ fn explain(error: &clap::Error, words: &[OsString]) -> String {
                 Some(first) if !near.is_empty() => format!("{first}; tip: {}", near.join(" or ")),
                 _ => folded,
             }
-        }
-        // Nor does it say which argument.
-        ErrorKind::InvalidUtf8 => {
-            let word = words.iter().find(|word| word.to_str().is_none());
-            let word = word.map(|word| word.to_string_lossy()).unwrap_or_default();
-            format!("{word}: it is not UTF-8")
         }
         _ => folded,
     }
