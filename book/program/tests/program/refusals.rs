@@ -57,13 +57,23 @@ sweep --method rk4 --theta0 1 --dt 0.01 --duration 10
 sweep --method rk4 --theta0 0:1:5 --dt 0.1:0.01:5 --duration 10
 sweep --method rk4 --theta0 0:1:1 --dt 0.01 --duration 10
 sweep --method rk4 --theta0 0:1 --dt 0.01 --duration 10
+sweep --method rk4 --theta0 0:1:-3 --dt 0.01 --duration 10
+sweep --method rk4 --theta0 0:1:2.5 --dt 0.01 --duration 10
+sweep --method rk4 --theta0 0:1:5:5 --dt 0.01 --duration 10
 sweep --method rk4 --theta0 0:nan:5 --dt 0.01 --duration 10
 sweep --method rk4 --theta0 0:1e16:5 --dt 0.01 --duration 10
 sweep --method rk4 --theta0 0:1:5 --dt 0.015 --duration 0.1
+sweep --method rk4 --theta0 1 --dt inf --duration 10
 sweep --method rk4 --theta0 1 --dt -0.1:0.1:5 --duration 10
 sweep --method rk4 --theta0 1 --dt 0.1:20:5 --duration 10
 sweep --method rk4 --theta0 1 --dt 0.1:1e-300:5 --duration 10
+sweep --method rk4 --theta0 0:1:5 --dt 0.1 --duration 1 --part 3
 sweep --method rk4 --theta0 0:1:5 --dt 0.1 --duration 1 --part 4/3
+sweep --method rk4 --theta0 0:1:5 --dt 0.1 --duration 1 --part 0/3
+sweep --method rk4 --theta0 0:1:5 --dt 0.1 --duration 1 --part 1/0
+sweep --method rk4 --theta0 0:1:5 --dt 0.1 --duration 1 --part -1/3
+sweep --method rk4 --theta0 0:1:5 --dt 0.1 --duration 1 --part 1/3/3
+sweep --method rk4 --theta0 0:1:5 --dt 0.1 --duration 1 --part 1/18446744073709551616
 sweep --method rk4 --theta0 0:1:5 --dt 0.1 --duration 1 --part --summary
 sweep --method rk4 --theta0 0:1:5 --dt 0.1 --duration 1 --part 2/3 --format json
 sweep --method rk4 --theta0 1 --dt 0.1:1:3 --duration 1 --device p
