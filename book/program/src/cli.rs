@@ -4,13 +4,14 @@
 use std::ffi::OsString;
 use std::io::{self, Write};
 
+use anyhow::Context;
 use clap::error::{ContextKind, ErrorKind};
 use clap::{ArgMatches, CommandFactory, FromArgMatches, Parser, Subcommand};
+use rayon::ThreadPoolBuilder;
 
 use crate::commands::arguments::number;
 use crate::commands::state::{self, KeptArguments, Resumed};
 use crate::commands::{completions, exact, examples, man, methods, serve, simulate, sweep, verify};
-use crate::threads;
 use pendula_output::failure::Failure;
 use pendula_output::interrupt::Lookout;
 
@@ -131,7 +132,7 @@ where
     rename(&mut words);
     let mut matches = matches(&words)?;
     let resumed = match matches.subcommand() {
-        Some((name, given)) => state::asked_for(given).map(|path| Resumed::read(path, name)),
+        Some((_, given)) => state::asked_for(given).map(|path| Resumed::read(path)),
         None => None,
     };
     let resumed = resumed.transpose()?;
@@ -142,10 +143,10 @@ where
         matches = self::matches(&words)?;
     }
     let cli = Cli::from_arg_matches(&matches);
-    let cli = cli.map_err(|error| Failure::Refused(explain(&error, &words)))?;
+    let cli = cli.map_err(|error| Failure::Refused(explain(&error)))?;
     let Some(mut command) = cli.command else { return without_a_command() };
     if let Some(kept) = command.kept() {
-        kept.words = words.split_off(words.len().min(1));
+        kept.words = words[1..].iter().map(|word| word.to_string_lossy().into_owned()).collect();
         kept.from = resumed;
     }
     Ok(command)
@@ -165,7 +166,7 @@ fn rename(words: &mut Vec<OsString>) {
 fn matches(words: &[OsString]) -> Result<ArgMatches, Failure> {
     Cli::command().try_get_matches_from(words).or_else(|error| {
         if error.use_stderr() {
-            let reason = forgotten_value(words).unwrap_or_else(|| explain(&error, words));
+            let reason = forgotten_value(words).unwrap_or_else(|| explain(&error));
             return Err(Failure::Refused(reason));
         }
         // Help and version are answers, for standard output.
@@ -204,26 +205,15 @@ impl Command {
             _ => None,
         }
     }
-
-    /// Whether it needs more than a thread for its computations.
-    const fn computes_in_parallel(&self) -> bool {
-        match self {
-            Self::Sweep(_) | Self::Verify(_) => true,
-            #[cfg(feature = "book")]
-            Self::Study(_) => true,
-            _ => false,
-        }
-    }
 }
 
 /// Runs a command; its output goes to `out`.
-///
-/// # Errors
-/// Whatever the command refuses or fails at.
 pub fn run(command: Command, out: &mut dyn Write) -> Result<(), Failure> {
-    if command.computes_in_parallel() {
-        threads::start()?;
-    }
+    // As many as RAYON_NUM_THREADS says, or as there are processors. They are started here, because
+    // rayon panics where they are needed and cannot be had.
+    ThreadPoolBuilder::new()
+        .build_global()
+        .context("threads cannot be had: set RAYON_NUM_THREADS to a smaller number")?;
     let mut error = io::stderr();
     match command {
         #[cfg(feature = "book")]
@@ -264,7 +254,7 @@ fn forgotten_value(words: &[OsString]) -> Option<String> {
 }
 
 /// What is wrong and what is allowed, in one line.
-fn explain(error: &clap::Error, words: &[OsString]) -> String {
+fn explain(error: &clap::Error) -> String {
     let folded = fold(&error.to_string());
     match error.kind() {
         // clap names a similar command, if there is one, but does not list the commands.
@@ -285,12 +275,6 @@ fn explain(error: &clap::Error, words: &[OsString]) -> String {
                 Some(first) if !near.is_empty() => format!("{first}; tip: {}", near.join(" or ")),
                 _ => folded,
             }
-        }
-        // Nor does it say which argument.
-        ErrorKind::InvalidUtf8 => {
-            let word = words.iter().find(|word| word.to_str().is_none());
-            let word = word.map(|word| word.to_string_lossy()).unwrap_or_default();
-            format!("{word}: it is not UTF-8")
         }
         _ => folded,
     }

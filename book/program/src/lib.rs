@@ -4,14 +4,12 @@
 //! that is not ours ([`verify`]), and what depends on the reader's machine, and so is in no
 //! snapshot ([`work_precision`]). A [`picture`] is what `pendula sweep flips` draws.
 //!
-//! Without the feature `book` there are the simulations and the judge alone; without `device`, no
-//! OpenCL.
+//! Without the feature `book` there are the simulations and the judge alone.
 
 pub mod cli;
 pub mod colour;
 pub mod commands;
 pub mod picture;
-mod threads;
 pub mod verify;
 #[cfg(feature = "book")]
 pub mod work_precision;

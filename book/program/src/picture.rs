@@ -39,9 +39,6 @@ impl Bands {
     }
 
     /// Writes the picture as PNG: rows of dots from the top.
-    ///
-    /// # Errors
-    /// If it cannot be written.
     pub fn write<'a>(
         &self,
         rows: impl ExactSizeIterator<Item = &'a [Option<NonZeroU64>]> + Clone,

@@ -16,9 +16,6 @@ pub struct Arguments {
 }
 
 /// Writes the script for the command line `program`.
-///
-/// # Errors
-/// If it cannot be written.
 pub fn run(
     arguments: &Arguments,
     mut program: Command,

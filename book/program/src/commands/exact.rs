@@ -10,6 +10,7 @@ use pendula::{Motion, MotionKind, Pendulum, Phase};
 
 use super::arguments::number::number;
 use super::arguments::pendulum::{PendulumArguments, StartArguments};
+use super::destination::Destination;
 use super::rows::{RowFormat, Rows};
 use pendula_output::failure::Failure;
 
@@ -36,10 +37,6 @@ pub struct Arguments {
 
 /// Writes the rows t, theta, omega: in s, rad and rad/s, θ unwrapped. Without times, a line for
 /// each of T and T₀ (s), T/T₀, K and the modulus k, and one that says what motion it is.
-///
-/// # Errors
-/// [`Failure::Refused`] for what the library refuses, and for a time beyond the horizon of the
-/// closed form.
 pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
     let pendulum = arguments.pendulum.pendulum(None).map_err(Failure::refused)?;
     let start = arguments.start.start(&pendulum).map_err(Failure::refused)?;
@@ -56,13 +53,14 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
              which neighbouring f64s are a quarter of a period apart, or more"
         )));
     }
-    let mut rows = Rows::begin(out, arguments.format, ["t", "theta", "omega"])?;
+    let (out, columns) = (Destination::Caller(out), ["t", "theta", "omega"]);
+    let mut rows = Rows::new(out, None, arguments.format, columns, 0);
+    rows.begin(true)?;
     for &t in &arguments.t {
         let z = motion.at(t);
         rows.row([t, z.theta, z.omega])?;
     }
-    rows.end()?;
-    Ok(())
+    rows.finish()
 }
 
 /// K is that of a release from rest, and with an angular velocity it is left out; T is left out

@@ -22,9 +22,6 @@ pub struct Arguments {
 
 /// Writes the page of `program` to `out`, or all pages to a folder, which is made if it is not
 /// there: all of them, or none.
-///
-/// # Errors
-/// [`Failure::Refused`] for a folder that cannot be written to.
 pub fn run(
     arguments: &Arguments,
     mut program: Command,

@@ -22,9 +22,6 @@ pub struct Arguments {
 
 /// Writes a line for each method. Evaluations are those of the force a step; for an implicit
 /// method, those of one sweep of its iteration.
-///
-/// # Errors
-/// If the output cannot be written.
 pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
     match arguments.format {
         TableFormat::Text => write_text(out)?,

@@ -24,24 +24,6 @@ pub struct PlotArguments {
     plot: Option<PathBuf>,
 }
 
-/// Where a plot goes.
-#[derive(Clone)]
-pub enum Target {
-    /// To standard output, as text.
-    Terminal,
-    /// To this file, as SVG.
-    File(PathBuf),
-}
-
-impl PlotArguments {
-    /// Where it goes, if it was asked for.
-    pub fn target(&self) -> Option<Target> {
-        let path = self.plot.as_ref()?;
-        let terminal = path.as_os_str() == "-";
-        Some(if terminal { Target::Terminal } else { Target::File(path.clone()) })
-    }
-}
-
 /// What one panel of a plot shows.
 #[derive(Clone, Copy, Debug)]
 pub struct Panel {
@@ -85,12 +67,18 @@ pub struct Across {
 /// Time, the first column of every trajectory.
 pub const TIME: Across = Across { column: 0, label: "t (s)", log: false };
 
+/// What a plot shows, if it was asked for.
+pub struct Drawing<'t> {
+    pub asked: &'t PlotArguments,
+    pub title: &'t str,
+    pub across: Across,
+    pub panels: &'static [Panel],
+}
+
 /// A plot that is being drawn.
-pub struct Plot {
-    /// Whether it is for the terminal.
-    pub is_in_the_terminal: bool,
-    /// The file, if it is not the terminal.
-    file: Option<Destination<'static>>,
+pub struct Plot<'o> {
+    /// A file, or the caller's writer for the terminal.
+    out: Destination<'o>,
     across: Across,
     title: String,
     panels: &'static [Panel],
@@ -99,26 +87,28 @@ pub struct Plot {
     first: Option<Vec<f64>>,
 }
 
-impl Plot {
-    /// A plot of `panels` over a column.
-    ///
-    /// # Errors
-    /// [`Failure::Refused`] if the file cannot be written.
-    pub fn new(
-        target: Target,
-        across: Across,
-        title: &str,
-        panels: &'static [Panel],
-    ) -> Result<Self, Failure> {
-        let file = match target {
-            Target::Terminal => None,
-            Target::File(path) => Some(Destination::file("--plot", &path)?),
+impl Drawing<'_> {
+    /// The plot, if it was asked for, and where rows that have no file go: to `out`, unless the
+    /// plot stands there in their place.
+    pub fn begin<'o>(
+        self,
+        out: &'o mut dyn Write,
+    ) -> Result<(Option<Plot<'o>>, Destination<'o>), Failure> {
+        let Self { asked, title, across, panels } = self;
+        let (out, rows) = match &asked.plot {
+            None => return Ok((None, Destination::Caller(out))),
+            Some(path) if path.as_os_str() == "-" => {
+                (Destination::Caller(out), Destination::Nowhere)
+            }
+            Some(path) => (Destination::file("--plot", path)?, Destination::Caller(out)),
         };
         let lines = panels.iter().flat_map(|panel| panel.columns).map(|_| Thinned::default());
-        let (is_in_the_terminal, title, lines) = (file.is_none(), capital(title), lines.collect());
-        Ok(Self { is_in_the_terminal, file, across, title, panels, lines, first: None })
+        let (title, lines) = (capital(title), lines.collect());
+        Ok((Some(Plot { out, across, title, panels, lines, first: None }), rows))
     }
+}
 
+impl Plot<'_> {
     /// Adds a row.
     pub fn add(&mut self, row: &[f64]) {
         let first = self.first.get_or_insert_with(|| row.to_vec());
@@ -131,22 +121,15 @@ impl Plot {
         }
     }
 
-    /// Writes the picture to its file, if it has one.
-    ///
-    /// # Errors
-    /// If it cannot be written.
-    pub fn write(&mut self) -> Result<(), Failure> {
-        let Some(mut file) = self.file.take() else { return Ok(()) };
-        file.write_all(self.figure().to_file("plot").as_bytes())?;
-        file.finish()
-    }
-
-    /// Prints the picture, if it is for the terminal.
-    ///
-    /// # Errors
-    /// If it cannot be written.
-    pub fn print(&self, out: &mut dyn Write) -> io::Result<()> {
-        if self.is_in_the_terminal { self.write_text(out) } else { Ok(()) }
+    /// Writes the picture: to the terminal as text, to a file as SVG.
+    pub fn finish(mut self) -> Result<(), Failure> {
+        let mut picture = Vec::new();
+        match self.out {
+            Destination::Caller(_) => self.write_text(&mut picture)?,
+            _ => picture.extend_from_slice(self.figure().to_file("plot").as_bytes()),
+        }
+        self.out.write_all(&picture)?;
+        self.out.finish()
     }
 
     /// Each panel with its lines.

@@ -4,7 +4,12 @@
 use std::io::{self, Write};
 
 use clap::ValueEnum;
+use pendula_output::failure::Failure;
+use pendula_output::files::whole_file::WholeFile;
 use pendula_rows::{Line, Look};
+
+use super::destination::Destination;
+use super::plot::Plot;
 
 /// How rows are printed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
@@ -16,10 +21,12 @@ pub enum RowFormat {
     Json,
 }
 
-/// Writes rows under fixed column names.
-pub struct Rows<W, const N: usize> {
-    out: W,
+/// Writes rows under fixed column names, and draws them if a plot of them was asked for.
+pub struct Rows<'o, const N: usize> {
+    out: Destination<'o>,
+    plot: Option<Plot<'o>>,
     format: RowFormat,
+    columns: [&'static str; N],
     /// Rows so far, those before a resumption included.
     rows: u64,
     /// Whether a row was written before, in the same array.
@@ -27,38 +34,32 @@ pub struct Rows<W, const N: usize> {
     line: Line,
 }
 
-impl<W: Write, const N: usize> Rows<W, N> {
-    /// Begins the output.
-    pub fn begin(mut out: W, format: RowFormat, columns: [&'static str; N]) -> io::Result<Self> {
-        match format {
-            RowFormat::Csv => writeln!(out, "{}", columns.join(","))?,
-            RowFormat::Json => out.write_all(b"[")?,
-        }
-        Ok(Self { separate: false, ..Self::resume(out, format, columns, 0) })
-    }
-
-    /// Continues an output that was left after `rows` rows.
-    pub fn resume(out: W, format: RowFormat, columns: [&'static str; N], rows: u64) -> Self {
+impl<'o, const N: usize> Rows<'o, N> {
+    /// An output that has been left after `rows` rows, or that is to [begin](Self::begin).
+    pub fn new(
+        out: Destination<'o>,
+        plot: Option<Plot<'o>>,
+        format: RowFormat,
+        columns: [&'static str; N],
+        rows: u64,
+    ) -> Self {
         let look = match format {
             RowFormat::Csv => Look::Csv,
             RowFormat::Json => Look::Json,
         };
         let line = Line::new(look, &columns);
-        Self { out, format, rows, separate: rows > 0, line }
+        Self { out, plot, format, columns, rows, separate: rows > 0, line }
     }
 
-    /// Continues, after `rows` rows, an output that was ended: lines without a header, or another
-    /// array.
-    pub fn begin_again(
-        mut out: W,
-        format: RowFormat,
-        columns: [&'static str; N],
-        rows: u64,
-    ) -> io::Result<Self> {
-        if format == RowFormat::Json {
-            out.write_all(b"[")?;
+    /// Begins the output, also where rows have been written elsewhere: an array, or lines, with
+    /// a header or without.
+    pub fn begin(&mut self, header: bool) -> io::Result<()> {
+        self.separate = false;
+        match self.format {
+            RowFormat::Csv if header => writeln!(self.out, "{}", self.columns.join(",")),
+            RowFormat::Csv => Ok(()),
+            RowFormat::Json => self.out.write_all(b"["),
         }
-        Ok(Self { separate: false, ..Self::resume(out, format, columns, rows) })
     }
 
     /// Rows so far.
@@ -66,18 +67,16 @@ impl<W: Write, const N: usize> Rows<W, N> {
         self.rows
     }
 
-    /// The writer.
-    pub const fn writer(&self) -> &W {
-        &self.out
-    }
-
-    /// The writer, with the output left as it is.
-    pub fn into_writer(self) -> W {
-        self.out
+    /// Whether they are drawn.
+    pub const fn are_drawn(&self) -> bool {
+        self.plot.is_some()
     }
 
     /// Writes a row. The numbers must be finite.
     pub fn row(&mut self, values: [f64; N]) -> io::Result<()> {
+        if let Some(plot) = &mut self.plot {
+            plot.add(&values);
+        }
         if self.format == RowFormat::Json {
             self.out.write_all(if self.separate { b",\n" } else { b"\n" })?;
         }
@@ -86,12 +85,34 @@ impl<W: Write, const N: usize> Rows<W, N> {
         self.out.write_all(self.line.row(&values))
     }
 
-    /// Ends the output and returns the writer.
-    pub fn end(mut self) -> io::Result<W> {
-        if self.format == RowFormat::Json {
-            self.out.write_all(b"\n]\n")?;
+    /// All rows are written: the plot appears, and then their file.
+    ///
+    /// # Errors
+    /// If one of them cannot be written; what was there before is as it was.
+    pub fn finish(mut self) -> Result<(), Failure> {
+        // Before the rows: whoever has them has all that was asked for.
+        if let Some(plot) = self.plot.take() {
+            plot.finish()?;
         }
-        Ok(self.out)
+        self.end()?;
+        self.out.finish()
+    }
+
+    /// Leaves an output that is not complete, and returns its file, if it has one that has not
+    /// appeared yet; elsewhere the rows so far are whole.
+    pub fn leave(mut self) -> Result<Option<WholeFile>, Failure> {
+        if !self.out.appears_whole() {
+            self.end()?;
+        }
+        self.out.into_file()
+    }
+
+    /// Ends an array.
+    fn end(&mut self) -> io::Result<()> {
+        match self.format {
+            RowFormat::Csv => Ok(()),
+            RowFormat::Json => self.out.write_all(b"\n]\n"),
+        }
     }
 }
 
@@ -100,11 +121,15 @@ mod tests {
     use super::*;
 
     fn print(format: RowFormat, rows: &[[f64; 2]]) -> String {
-        let mut out = Rows::begin(Vec::new(), format, ["t", "theta"]).unwrap();
+        let mut text = Vec::new();
+        let out = Destination::Caller(&mut text);
+        let mut out = Rows::new(out, None, format, ["t", "theta"], 0);
+        out.begin(true).unwrap();
         for row in rows {
             out.row(*row).unwrap();
         }
-        String::from_utf8(out.end().unwrap()).unwrap()
+        out.finish().unwrap();
+        String::from_utf8(text).unwrap()
     }
 
     /// Catches: a missing header, separators in the wrong places, JSON that does not parse, also
@@ -119,16 +144,5 @@ mod tests {
             serde_json::json!([{"t": 0.0, "theta": 1.0}, {"t": 0.1, "theta": -2.5e-300}])
         );
         assert_eq!(print(RowFormat::Json, &[]), "[\n]\n");
-    }
-
-    /// Catches: digits cut off, so that a number parses to its neighbour.
-    #[test]
-    fn numbers_read_back_to_the_same_bits() {
-        let values = [0.1 + 0.2, 1.0 / 3.0, f64::MIN_POSITIVE, 5e-324, f64::MAX, -0.0, 1e16];
-        for value in values {
-            let text = print(RowFormat::Csv, &[[value, value]]);
-            let last = text.lines().last().unwrap().split(',').next().unwrap();
-            assert_eq!(last.parse::<f64>().unwrap().to_bits(), value.to_bits(), "{last}");
-        }
     }
 }

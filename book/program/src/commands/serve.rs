@@ -18,9 +18,6 @@ pub struct Arguments {
 }
 
 /// Answers the requests on standard input until `bye`, or until they end.
-///
-/// # Errors
-/// If they cannot be read, or the answers not written.
 pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
     let method = method_named(&arguments.method)
         .ok_or_else(|| Failure::refused(format!("{}: no such method", arguments.method)))?;

@@ -1,23 +1,21 @@
 //! The state of an interrupted run: what it takes to resume it with the same bits.
 //!
-//! A state is one file: the rows so far, as they stand in the output; a line of JSON with the
-//! version of the program, the words of the command line and how far the run has come; and a last
-//! line with the number of bytes of the rows and the SHA-256 of all before it. So no rows are ever
-//! continued that are not those of the run.
+//! A state is one file: the rows so far, as they stand in the output, and, as its last line, JSON
+//! with the version of the program, the words of the command line and how far the run has come.
 
-use std::ffi::OsString;
 use std::fmt::Display;
 use std::fs::File;
-use std::io::{self, Read, Seek, SeekFrom, Write};
+use std::io::{self, BufRead, BufReader, Read, Write};
 use std::path::{Path, PathBuf};
 
 use anyhow::Context;
 use clap::{ArgMatches, Args};
-use serde::de::{DeserializeOwned, Error as _};
-use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use serde::de::DeserializeOwned;
+use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
-use super::destination::{Destination, Summed};
+use super::destination::Destination;
+use super::plot::Drawing;
 use super::rows::{RowFormat, Rows};
 use pendula_output::failure::Failure;
 use pendula_output::files;
@@ -37,12 +35,19 @@ pub struct KeptArguments {
     // Of the groups of which one has to be given, it is one.
     #[arg(long, value_name = "STATE", exclusive = true, groups = ["extent", "stepping"])]
     resume: Option<PathBuf>,
-    /// What the command line was, for the state.
+    /// What the command line was, for the state. The names of files, the only words that may be no
+    /// UTF-8, are not those of the state.
     #[arg(skip)]
-    pub words: Vec<OsString>,
+    pub words: Vec<String>,
     /// What the run is resumed from.
     #[arg(skip)]
     pub from: Option<Resumed>,
+}
+
+impl KeptArguments {
+    fn command(&self) -> &str {
+        self.words.first().map_or("", String::as_str)
+    }
 }
 
 /// The file that the command line asks to resume from.
@@ -69,37 +74,30 @@ struct State {
 pub struct Resumed {
     path: PathBuf,
     state: State,
-    /// How many bytes its rows are.
+    /// How many bytes stand before its last line: its rows, and the end of a line.
     bytes: u64,
 }
 
 impl Resumed {
-    /// Reads the state of a run of `command`.
+    /// Reads the state.
     ///
     /// # Errors
-    /// [`Failure::Refused`] if it cannot be read, is not as it was written, or is of another
-    /// command or another version of the program.
-    pub fn read(path: &Path, command: &str) -> Result<Self, Failure> {
-        let (json, bytes) = read(path).map_err(|error| match error.kind() {
-            io::ErrorKind::InvalidData => refused(path, error),
-            _ => refused(path, format!("cannot be read: {error}")),
+    /// [`Failure::Refused`] if it cannot be read, is none, or is of another version of the program.
+    pub fn read(path: &Path) -> Result<Self, Failure> {
+        let cannot = |error: io::Error| refused(path, format!("cannot be read: {error}"));
+        if files::metadata(path).map_err(cannot)?.is_some_and(|found| !found.is_file()) {
+            return Err(refused(path, "it is not a file"));
+        }
+        let (line, bytes) = last_line(File::open(path).map_err(cannot)?).map_err(cannot)?;
+        let state: State = serde_json::from_slice(&line).map_err(|error| {
+            refused(path, format!("its last line is not that of a state: {error}"))
         })?;
-        let state: State = serde_json::from_str(&json).map_err(|error| refused(path, error))?;
         if state.version != VERSION {
             let version = state.version.escape_debug();
             let why = format!("it is of version {version} of this program, which is {VERSION}");
             return Err(refused(path, why));
         }
-        if state.arguments.first().is_none_or(|of| of != command) {
-            let of = state.arguments.first().map_or("", String::as_str).escape_debug();
-            return Err(refused(path, format!("it is one of `pendula {of}`")));
-        }
-        // A link is the state that it leads to.
-        let path = match path.is_symlink() {
-            true => files::behind_links(path).map_err(|error| refused(path, error))?,
-            false => path.to_path_buf(),
-        };
-        Ok(Self { path, state, bytes })
+        Ok(Self { path: behind(path), state, bytes })
     }
 
     /// The words of the command line that the run was begun with.
@@ -110,74 +108,23 @@ impl Resumed {
 
 const VERSION: &str = env!("CARGO_PKG_VERSION");
 
-/// The JSON of a state and the number of bytes before it.
-fn read(path: &Path) -> io::Result<(String, u64)> {
-    /// More than the arguments that a process can have.
-    const LONGEST: u64 = 1 << 24;
-    let wrong = |why: &str| io::Error::new(io::ErrorKind::InvalidData, why);
-    if files::metadata(path)?.is_some_and(|found| !found.is_file()) {
-        return Err(wrong("it is not a file"));
-    }
-    let mut file = File::open(path)?;
-    let all = file.seek(SeekFrom::End(0))?;
-    file.seek(SeekFrom::Start(all.saturating_sub(200)))?;
-    let mut end = Vec::new();
-    (&mut file).take(200).read_to_end(&mut end)?;
-    let end = String::from_utf8_lossy(&end);
-    let last = end.strip_suffix('\n').map(|end| end.rsplit('\n').next().unwrap_or_default());
-    let last = last.and_then(|last| last.strip_prefix("rows ")?.split_once(" sha256 "));
-    let read = last.and_then(|(bytes, sum)| {
-        let before = all.checked_sub((last_line(bytes).len() + sum.len() + 1) as u64)?;
-        let bytes: u64 = bytes.parse().ok()?;
-        Some((bytes, before.checked_sub(bytes)?, sum))
-    });
-    let Some((bytes, json, sum)) = read.filter(|(_, json, _)| *json < LONGEST) else {
-        return Err(wrong("it does not end as a state does: is it one, and whole?"));
-    };
-    file.rewind()?;
-    let mut summed = Summed::new(io::sink());
-    io::copy(&mut (&mut file).take(all - (sum.len() + 1) as u64), &mut summed)?;
-    if summed.sum() != sum {
-        return Err(wrong("it is not as it was written: its checksum differs"));
-    }
-    file.seek(SeekFrom::Start(bytes))?;
-    let mut text = String::new();
-    file.take(json).read_to_string(&mut text)?;
-    Ok((text, bytes))
-}
-
-/// The last line, up to the sum.
-fn last_line(bytes: impl Display) -> String {
-    format!("rows {bytes} sha256 ")
-}
-
-/// Writes the state behind the rows so far, and puts it at `path`.
-fn write(mut file: Summed<WholeFile>, state: &State, path: &Path) -> anyhow::Result<()> {
-    let bytes = file.bytes;
-    let json = serde_json::to_string(state).expect("a state is texts and integers");
-    file.write_all(format!("\n{json}\n{}", last_line(bytes)).as_bytes())?;
-    let sum = file.sum();
-    file.write_all(format!("{sum}\n").as_bytes())?;
-    Ok(file.out.leave(path)?)
-}
-
-/// The bits of a number, as 16 hexadecimal digits.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Bits(pub f64);
-
-impl Serialize for Bits {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.serialize_str(&format!("{:016x}", self.0.to_bits()))
+/// The last line of a file, and how many bytes stand before it.
+fn last_line(file: File) -> io::Result<(Vec<u8>, u64)> {
+    let (mut file, mut last, mut bytes) = (BufReader::new(file), Vec::new(), 0);
+    loop {
+        let mut line = Vec::new();
+        if file.read_until(b'\n', &mut line)? == 0 {
+            return Ok((last, bytes));
+        }
+        bytes += last.len() as u64;
+        last = line;
     }
 }
 
-impl<'de> Deserialize<'de> for Bits {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let text = String::deserialize(deserializer)?;
-        let bits = u64::from_str_radix(&text, 16);
-        bits.map(|bits| Self(f64::from_bits(bits)))
-            .map_err(|_| D::Error::custom("bits are 16 hexadecimal digits"))
-    }
+/// Where a link leads, so that what is renamed to it needs no other disk.
+fn behind(path: &Path) -> PathBuf {
+    let file = path.is_symlink().then(|| files::behind_links(path).ok()).flatten();
+    file.unwrap_or_else(|| path.to_path_buf())
 }
 
 /// A run that can be kept, and the files that keep it.
@@ -187,6 +134,8 @@ pub struct Kept<'a> {
     output: Option<PathBuf>,
     /// Where its state goes if it is interrupted.
     state: Option<PathBuf>,
+    /// The state to be, of a run whose rows go to no file: they are in it otherwise.
+    file: Option<WholeFile>,
 }
 
 impl<'a> Kept<'a> {
@@ -196,60 +145,34 @@ impl<'a> Kept<'a> {
     /// [`Failure::Refused`] if it is to begin anew where the state of another one lies.
     pub fn new(given: &'a KeptArguments) -> Result<Self, Failure> {
         if let Some(Resumed { path, state, .. }) = &given.from {
-            let file = if state.to_file {
-                let is_state = path.extension().is_some_and(|extension| extension == "state");
-                let file = is_state.then(|| path.with_extension(""));
+            let is_state = path.extension().is_some_and(|extension| extension == "state");
+            if state.to_file && !is_state {
                 let why = "its rows go to a file, and it must be named FILE.state";
-                Some(file.ok_or_else(|| refused(path, why))?)
-            } else {
-                None
-            };
-            return Ok(Self { given, output: file, state: Some(path.clone()) });
+                return Err(refused(path, why));
+            }
+            let output = state.to_file.then(|| path.with_extension(""));
+            return Ok(Self { given, output, state: Some(path.clone()), file: None });
         }
-        // Where a link leads, so that what is renamed to it needs no other disk.
-        let behind = |path: &Path| {
-            let file = path.is_symlink().then(|| files::behind_links(path).ok()).flatten();
-            file.unwrap_or_else(|| path.to_path_buf())
-        };
         let output = given.output.clone();
-        let mut state = given.state.as_deref().map(behind);
-        if let Some(output) = &output {
-            let mut name = behind(output).into_os_string();
-            name.push(".state");
-            state = Some(name.into());
-        }
-        if let Some(path) = &given.state {
-            // Not only hours later.
-            WholeFile::beside(path).map_err(|error| {
-                Failure::refused(format!("--state {}: cannot be written: {error}", path.display()))
-            })?;
-        }
+        let state = match &output {
+            Some(output) => {
+                let mut name = behind(output).into_os_string();
+                name.push(".state");
+                Some(name.into())
+            }
+            None => given.state.as_deref().map(behind),
+        };
         if let Some(path) = state.as_ref().filter(|path| path.exists()) {
-            let path = path.display();
-            let command = given.words.first().map(|word| word.to_string_lossy());
-            let command = command.unwrap_or_default();
+            let (path, command) = (path.display(), given.command());
             return Err(Failure::refused(format!(
                 "{path} keeps a run that was interrupted: go on with `pendula {command} --resume \
                  {path}`, or remove it"
             )));
         }
-        Ok(Self { given, output, state })
-    }
-
-    /// The file that the rows go to, if they do.
-    pub fn output(&self) -> Option<&Path> {
-        self.output.as_deref()
-    }
-
-    /// Whether it is resumed.
-    pub const fn is_resumed(&self) -> bool {
-        self.given.from.is_some()
+        Ok(Self { given, output, state, file: None })
     }
 
     /// What the run is resumed from, if it is: the rows printed, and how far it has come.
-    ///
-    /// # Errors
-    /// [`Failure::Refused`] if the state is of another kind of run.
     pub fn resumed<P: DeserializeOwned>(&self) -> Result<Option<(u64, P)>, Failure> {
         let Some(Resumed { state, .. }) = &self.given.from else { return Ok(None) };
         match serde_json::from_value(state.progress.clone()) {
@@ -266,96 +189,78 @@ impl<'a> Kept<'a> {
         }
     }
 
-    /// Opens the output for rows: `out`, or the file, with the rows so far. A run that is
-    /// `headless` begins without a header.
-    ///
-    /// # Errors
-    /// [`Failure::Refused`] if it cannot be written, or the rows so far cannot be read.
+    /// Opens the output for rows: `out`, or the file, with the rows so far; and their plot. A run
+    /// that is `headless` begins without a header.
     pub fn open<'o, const N: usize>(
-        &self,
+        &mut self,
         out: &'o mut dyn Write,
+        plot: Drawing<'_>,
         format: RowFormat,
         columns: [&'static str; N],
         headless: bool,
-    ) -> Result<Rows<Destination<'o>, N>, Failure> {
-        let mut destination = Destination::open(self.output.as_deref(), out)?;
-        match &self.given.from {
-            Some(Resumed { path, state, bytes }) if state.to_file => {
-                let file = File::open(path).map_err(|error| self.refused(error))?;
-                if io::copy(&mut file.take(*bytes), &mut destination)? != *bytes {
-                    return Err(self.refused("it has changed since it was read"));
-                }
-                Ok(Rows::resume(destination, format, columns, state.rows))
-            }
-            Some(Resumed { state, .. }) => {
-                Ok(Rows::begin_again(destination, format, columns, state.rows)?)
-            }
-            None if headless => Ok(Rows::begin_again(destination, format, columns, 0)?),
-            None => Ok(Rows::begin(destination, format, columns)?),
+    ) -> Result<Rows<'o, N>, Failure> {
+        let (plot, out) = match &self.given.from {
+            // Half a plot is none.
+            Some(_) => (None, Destination::Caller(out)),
+            None => plot.begin(out)?,
+        };
+        if let (Some(path), None) = (&self.state, &self.output) {
+            // Not only hours later.
+            let file = WholeFile::beside(path).map_err(|error| {
+                Failure::refused(format!("--state {}: cannot be written: {error}", path.display()))
+            })?;
+            self.file = Some(file);
         }
+        let mut out = Destination::open(self.output.as_deref(), out)?;
+        let Some(Resumed { path, state, bytes }) = &self.given.from else {
+            let mut rows = Rows::new(out, plot, format, columns, 0);
+            rows.begin(!headless)?;
+            return Ok(rows);
+        };
+        if state.to_file {
+            let file = File::open(path).map_err(|error| self.refused(error))?;
+            io::copy(&mut file.take(bytes.saturating_sub(1)), &mut out)?;
+            return Ok(Rows::new(out, plot, format, columns, state.rows));
+        }
+        let mut rows = Rows::new(out, plot, format, columns, state.rows);
+        rows.begin(false)?;
+        Ok(rows)
     }
 
     /// Leaves the run: keeps the rows so far and its state, and returns the failure that says so;
     /// `stands` says where it stands.
-    ///
-    /// # Errors
-    /// If that fails.
     pub fn leave<const N: usize>(
         self,
-        rows: Rows<Destination<'_>, N>,
+        rows: Rows<'_, N>,
         progress: &impl Serialize,
         stands: &str,
     ) -> Result<Failure, Failure> {
         let printed = rows.rows();
-        let to_file = rows.writer().appears_whole();
-        let file = if to_file {
-            rows.into_writer().into_file()?
-        } else {
-            rows.end()?.finish()?;
-            None
-        };
+        let file = rows.leave()?;
+        let to_file = file.is_some();
         // To a device there are no rows that could be kept.
-        let state = self.state.filter(|_| to_file || self.output.is_none());
-        let Some(path) = state else {
+        let (Some(path), Some(mut file)) = (self.state, file.or(self.file)) else {
             return Ok(Failure::Failed(anyhow::anyhow!(
                 "interrupted {stands}; with --output FILE or --state FILE it could have been \
                  resumed"
             )));
         };
-        // It was not there when this run began.
-        if self.given.from.is_none() && path.exists() {
-            return Ok(Failure::Failed(anyhow::anyhow!(
-                "interrupted {stands}; {} keeps another run by now: this one cannot be resumed",
-                path.display()
-            )));
-        }
-        let progress = serde_json::to_value(progress).expect("a state is texts and integers");
-        let arguments = match &self.given.from {
-            Some(from) => from.state.arguments.clone(),
-            // The names of files, the only words that may be no UTF-8, are not those of the state.
-            None => self.given.words.iter().map(|w| w.to_string_lossy().into_owned()).collect(),
-        };
-        let command = arguments.first().cloned().unwrap_or_default();
-        let version = VERSION.to_owned();
+        let progress = serde_json::to_value(progress).expect("a state is texts and numbers");
+        let (version, arguments) = (VERSION.to_owned(), self.given.words.clone());
         let state = State { version, arguments, rows: printed, to_file, progress };
-        let cannot = || format!("{} cannot be written", path.display());
-        let file = match file {
-            Some(file) => file,
-            None => Summed::new(WholeFile::beside(&path).with_context(cannot)?),
-        };
-        write(file, &state, &path).with_context(cannot)?;
-        let path = path.display();
+        let json = serde_json::to_string(&state).expect("a state is texts and numbers");
+        let written = file.write_all(format!("\n{json}\n").as_bytes());
+        let written = written.and_then(|()| file.leave(&path));
+        let (path, command) = (path.display(), self.given.command());
+        written.with_context(|| format!("{path} cannot be written"))?;
         Ok(Failure::Failed(anyhow::anyhow!(
             "interrupted {stands}; `pendula {command} --resume {path}` goes on from there"
         )))
     }
 
     /// The run has come to its end: its output is finished, and its state is removed.
-    ///
-    /// # Errors
-    /// If that fails.
-    pub fn finish<const N: usize>(self, rows: Rows<Destination<'_>, N>) -> Result<(), Failure> {
-        rows.end()?.finish()?;
+    pub fn finish<const N: usize>(self, rows: Rows<'_, N>) -> Result<(), Failure> {
+        rows.finish()?;
         if let Some(Resumed { path, .. }) = &self.given.from {
             files::remove(path).with_context(|| format!("{} cannot be removed", path.display()))?;
         }

@@ -3,13 +3,12 @@
 use std::ffi::OsString;
 use std::io::{self, Write};
 use std::path::PathBuf;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::Ordering;
 use std::time::Duration;
 
 use anyhow::Context;
 use clap::{Args, ValueEnum};
-use pendula::verify::{Claims, Report, Verdict, try_judge};
+use pendula::verify::{Claims, Verdict, try_judge};
 
 use super::arguments::number::number;
 use super::destination::Destination;
@@ -72,19 +71,6 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
         out.write_all(language.program().as_bytes())?;
         return Ok(());
     }
-    run_with(arguments, out, |patience, interrupted| {
-        let program = Program::start(&arguments.program, patience, interrupted)?;
-        let report = try_judge(&program, &arguments.claims)?;
-        Ok((report, program.name().to_string()))
-    })
-}
-
-/// The same with any judge, who says what the program calls itself.
-pub(crate) fn run_with(
-    arguments: &Arguments,
-    out: &mut dyn Write,
-    judge: impl FnOnce(Duration, &Arc<AtomicBool>) -> Result<(Report, String), String>,
-) -> Result<(), Failure> {
     let seconds = arguments.patience;
     if !(seconds > 0.0 && seconds <= 86_400.0) {
         return Err(Failure::refused(format!(
@@ -97,7 +83,11 @@ pub(crate) fn run_with(
     let interrupted = interrupts()?;
     let destination = arguments.report.as_deref();
     let destination = destination.map(|path| Destination::file("--report", path)).transpose()?;
-    let judged = judge(Duration::from_secs_f64(seconds), &interrupted);
+    let patience = Duration::from_secs_f64(seconds);
+    let judged = Program::start(&arguments.program, patience, &interrupted).and_then(|program| {
+        let report = try_judge(&program, &arguments.claims)?;
+        Ok((report, program.name().to_string()))
+    });
     // Here the program has been ended.
     if interrupted.load(Ordering::Relaxed) {
         return Err(Failure::refused("interrupted"));
@@ -116,10 +106,15 @@ pub(crate) fn run_with(
         })?;
     }
     let printed = print(arguments, &judged, out);
-    let shown = match report.verdict {
+    answer(report.verdict, arguments.lenient, printed)
+}
+
+/// The answer to a verdict, whose report has been printed so.
+fn answer(verdict: Verdict, lenient: bool, printed: io::Result<()>) -> Result<(), Failure> {
+    let shown = match verdict {
         Verdict::Holds | Verdict::Unclaimed => true,
         Verdict::Fails => false,
-        Verdict::Unclear | Verdict::NotMeasured => arguments.lenient,
+        Verdict::Unclear | Verdict::NotMeasured => lenient,
     };
     match (shown, printed) {
         (false, _) => Err(Failure::No),
@@ -160,37 +155,13 @@ fn print(arguments: &Arguments, judged: &Judged<'_>, out: &mut dyn Write) -> io:
 #[cfg(test)]
 mod tests {
     use super::*;
-    use clap::Parser;
-
-    #[derive(Parser)]
-    struct Call {
-        #[command(flatten)]
-        arguments: Arguments,
-    }
 
     /// Catches: a verdict between yes and no with the status of yes, or with that of no where it
-    /// was to be lenient; a program at fault with status 1; a claim that fails with status 0
-    /// because nobody reads on.
+    /// was to be lenient; a claim that fails with status 0 because nobody reads on.
     #[test]
     fn each_verdict_has_its_status() {
-        struct Closed;
-        impl Write for Closed {
-            fn write(&mut self, _: &[u8]) -> io::Result<usize> {
-                Err(io::ErrorKind::BrokenPipe.into())
-            }
-            fn flush(&mut self) -> io::Result<()> {
-                Err(io::ErrorKind::BrokenPipe.into())
-            }
-        }
-        let status = |options: &[&str], out: &mut dyn Write, judged: Result<Verdict, String>| {
-            let call = Call::parse_from([&["verify"], options, &["--", "x"]].concat());
-            let judged = judged.map(|verdict| {
-                let mut report = Report::default();
-                report.verdict = verdict;
-                (report, String::new())
-            });
-            let outcome = run_with(&call.arguments, out, |_, _| judged);
-            outcome.map_or_else(|failure| failure.status(), |()| 0)
+        let status = |verdict, lenient, printed| {
+            answer(verdict, lenient, printed).map_or_else(|failure| failure.status(), |()| 0)
         };
         for (verdict, expected) in [
             (Verdict::Holds, [0, 0]),
@@ -199,13 +170,11 @@ mod tests {
             (Verdict::Unclear, [1, 0]),
             (Verdict::NotMeasured, [1, 0]),
         ] {
-            for (options, expected) in [&[][..], &["--lenient"]].into_iter().zip(expected) {
-                let got = status(options, &mut Vec::new(), Ok(verdict));
-                assert_eq!(got, expected, "{verdict:?} {options:?}");
-                assert_eq!(status(options, &mut Closed, Ok(verdict)), expected, "{verdict:?}");
+            for (lenient, expected) in [false, true].into_iter().zip(expected) {
+                assert_eq!(status(verdict, lenient, Ok(())), expected, "{verdict:?} {lenient}");
+                let closed = Err(io::ErrorKind::BrokenPipe.into());
+                assert_eq!(status(verdict, lenient, closed), expected, "{verdict:?} {lenient}");
             }
         }
-        assert_eq!(status(&[], &mut Vec::new(), Err("it does not answer".to_owned())), 2);
-        assert_eq!(status(&["--patience", "0"], &mut Vec::new(), Ok(Verdict::Holds)), 2);
     }
 }

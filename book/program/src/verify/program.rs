@@ -37,15 +37,8 @@ pub struct Program {
     /// When all answers have to be there.
     end: Instant,
     interrupted: Arc<AtomicBool>,
-    talk: Mutex<Talk>,
-}
-
-/// What has become of the conversation.
-#[derive(Debug)]
-enum Talk {
-    Open(Conversation),
-    /// The program is at fault, and has been ended.
-    Over(String),
+    /// An error once the program was at fault, and has been ended.
+    talk: Mutex<Result<Conversation, String>>,
 }
 
 impl Program {
@@ -70,7 +63,7 @@ impl Program {
             patience,
             end: Instant::now() + ALL * patience,
             interrupted: Arc::clone(interrupted),
-            talk: Mutex::new(Talk::Open(conversation)),
+            talk: Mutex::new(Ok(conversation)),
         };
         program.name = program.ask(HELLO, |turn| {
             let line = turn.line(|| "without an answer".to_string())?;
@@ -92,8 +85,8 @@ impl Program {
     ) -> Result<T, String> {
         let mut talk = self.talk.lock().unwrap_or_else(PoisonError::into_inner);
         let conversation = match &mut *talk {
-            Talk::Open(conversation) => conversation,
-            Talk::Over(why) => return Err(why.clone()),
+            Ok(conversation) => conversation,
+            Err(why) => return Err(why.clone()),
         };
         let mut turn = Turn {
             answers: &conversation.answers,
@@ -119,7 +112,7 @@ impl Program {
                 format!("{}: asked \"{question}\": {happened}", self.command)
             }
         };
-        *talk = Talk::Over(why.clone());
+        *talk = Err(why.clone());
         Err(why)
     }
 }
@@ -276,8 +269,6 @@ struct Conversation {
     questions: Sender<String>,
     answers: Receiver<Line>,
     errors: LastLines,
-    /// Whether the program has been ended for a fault.
-    ended: bool,
 }
 
 impl Conversation {
@@ -298,7 +289,6 @@ impl Conversation {
             questions: listen::writer(input),
             answers: listen::lines(output),
             errors: LastLines::of(errors),
-            ended: false,
         })
     }
 
@@ -309,7 +299,6 @@ impl Conversation {
         }
         let by_itself = self.group.has_ended();
         let status = self.group.end();
-        self.ended = true;
         let mut happened = match (trouble, status) {
             (Trouble::Came(what), _) => what,
             (Trouble::Ended(so_far), Ok(status)) if by_itself => {
@@ -344,12 +333,10 @@ impl Conversation {
 
 impl Drop for Conversation {
     fn drop(&mut self) {
-        if !self.ended {
-            let _ = self.questions.send(format!("{BYE}\n"));
-            // Dropped, the sender closes the program's input behind it.
-            self.questions = std::sync::mpsc::channel().0;
-            self.wait_for_end(GRACE);
-        }
+        let _ = self.questions.send(format!("{BYE}\n"));
+        // Dropped, the sender closes the program's input behind it.
+        self.questions = std::sync::mpsc::channel().0;
+        self.wait_for_end(GRACE);
         // The group ends what is left when it is dropped.
     }
 }

@@ -3,7 +3,7 @@
 use pendula::METHODS;
 use pendula_study::charts::{Axis, Chart, Figure, Style};
 
-use super::{Curve, Measured, Measurement, Problem, SCENES, front};
+use super::{Curve, Measured, Problem, SCENES, front};
 
 /// The figure: a chart for each scene, with the same time axis.
 pub fn svg(measured: &Measured) -> String {
@@ -37,7 +37,7 @@ fn chart(measured: &Measured, scene: &Problem, time: Axis) -> Chart {
     let curves: Vec<&Curve> =
         measured.curves.iter().filter(|curve| curve.scene == *scene).collect();
     for Curve { method, points, .. } in &curves {
-        let (info, line) = (method.info(), with_gaps(points));
+        let (info, line) = (method.info(), front::line(points, 1));
         chart = match (info.name, points.last()) {
             // What a reader knows, for comparison.
             ("rk4", Some(last)) => {
@@ -59,21 +59,9 @@ fn chart(measured: &Measured, scene: &Problem, time: Axis) -> Chart {
     chart
 }
 
-/// Times and errors, with a gap (NaN) where steps between two points do not count.
-fn with_gaps(points: &[Measurement]) -> Vec<(f64, f64)> {
-    let mut line = Vec::new();
-    for (i, point) in points.iter().enumerate() {
-        if i > 0 && point.steps != 2 * points[i - 1].steps {
-            line.push((f64::NAN, f64::NAN));
-        }
-        line.push((point.seconds, point.error));
-    }
-    line
-}
-
 #[cfg(test)]
 mod tests {
-    use super::super::Curve;
+    use super::super::{Curve, Measurement};
     use super::*;
 
     fn measured() -> Measured {
@@ -101,25 +89,5 @@ mod tests {
             assert!(svg.contains(method.info().title));
         }
         assert!(svg.contains("run time (s), an abacus") && !svg.contains("\n\n"));
-    }
-
-    /// The horizontal axis is that of time.
-    ///
-    /// Catches: times and errors on each other's axis.
-    #[test]
-    fn a_point_has_its_time_and_then_its_error() {
-        let points = &measured().curves[0].points;
-        let expected: Vec<(f64, f64)> = points.iter().map(|p| (p.seconds, p.error)).collect();
-        assert_eq!(with_gaps(points), expected);
-    }
-
-    /// Catches: a line drawn through steps that do not count.
-    #[test]
-    fn a_line_ends_where_steps_do_not_count() {
-        let mut points = measured().curves[0].points.clone();
-        points.remove(1);
-        let line = with_gaps(&points);
-        assert_eq!(line.len(), points.len() + 1);
-        assert!(line[1].0.is_nan());
     }
 }

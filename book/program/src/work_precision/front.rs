@@ -4,7 +4,7 @@ use pendula_study::experiments::MethodRef;
 
 use super::{Curve, Measurement};
 
-/// Points between two steps of a curve at which it is compared with the others.
+/// Parts between two steps of a curve, at whose ends it is compared with the others.
 const BETWEEN: u32 = 24;
 
 /// A method's part of the front: times (s) and errors (rad), with a gap (NaN) where another is
@@ -21,24 +21,15 @@ pub struct Part {
 /// one that is as exact and as quick, and better in either; between two steps a curve is taken to
 /// be a power law.
 pub fn of(curves: &[&Curve]) -> Vec<Part> {
-    let dense: Vec<Vec<(f64, f64)>> = curves.iter().map(|curve| fill(&curve.points)).collect();
-    let mut all: Vec<(f64, f64)> = dense.iter().flatten().copied().collect();
-    // By time, and of equal times the most exact first: a point is on the front if it is more exact
-    // than all before it.
-    all.retain(|point| !point.0.is_nan());
-    all.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));
-    let mut best = f64::INFINITY;
-    all.retain(|point| {
-        let ahead = point.1 < best;
-        best = best.min(point.1);
-        ahead
-    });
+    let dense: Vec<Vec<(f64, f64)>> =
+        curves.iter().map(|curve| line(&curve.points, BETWEEN)).collect();
     let is_ahead = |point: &(f64, f64)| {
-        all.binary_search_by(|other| other.0.total_cmp(&point.0)).is_ok_and(|i| all[i] == *point)
+        let is_behind = |other: &(f64, f64)| other.0 <= point.0 && other.1 <= point.1;
+        !point.0.is_nan() && dense.iter().flatten().all(|other| other == point || !is_behind(other))
     };
-    let parts = curves.iter().zip(dense).filter_map(|(curve, points)| {
+    let parts = curves.iter().zip(&dense).filter_map(|(curve, points)| {
         let gap = (f64::NAN, f64::NAN);
-        let points = points.into_iter().map(|point| if is_ahead(&point) { point } else { gap });
+        let points = points.iter().map(|point| if is_ahead(point) { *point } else { gap });
         let points: Vec<(f64, f64)> = points.collect();
         let has_length = points.windows(2).any(|pair| !pair[0].0.is_nan() && !pair[1].0.is_nan());
         has_length.then_some(Part { method: curve.method, points })
@@ -55,8 +46,9 @@ impl Part {
     }
 }
 
-/// Times and errors along a curve, with a gap (NaN) where steps between two points do not count.
-fn fill(points: &[Measurement]) -> Vec<(f64, f64)> {
+/// Times and errors along a curve, with so many `parts` between two points and a gap (NaN) where
+/// steps between them do not count.
+pub fn line(points: &[Measurement], parts: u32) -> Vec<(f64, f64)> {
     let at = |point: &Measurement| (point.seconds, point.error);
     let mut line: Vec<(f64, f64)> = points.iter().take(1).map(at).collect();
     for pair in points.windows(2) {
@@ -64,8 +56,8 @@ fn fill(points: &[Measurement]) -> Vec<(f64, f64)> {
         if pair[1].steps != 2 * pair[0].steps {
             line.push((f64::NAN, f64::NAN));
         } else {
-            let between = (1..BETWEEN).map(|k| {
-                let share = f64::from(k) / f64::from(BETWEEN);
+            let between = (1..parts).map(|k| {
+                let share = f64::from(k) / f64::from(parts);
                 let of = |a: f64, b: f64| a * libm::pow(b / a, share);
                 (of(a.0, b.0), of(a.1, b.1))
             });
@@ -133,7 +125,7 @@ mod tests {
     fn one_curve_is_the_front() {
         let mut alone = curve(0, &[(1.0, 1e-1), (2.0, 1e-2), (4.0, 1e-3), (8.0, 1e-4)]);
         let part = &of(&[&alone])[0];
-        assert_eq!(part.points, fill(&alone.points));
+        assert_eq!(part.points, line(&alone.points, BETWEEN));
         assert_eq!(part.points.len(), 3 * BETWEEN as usize + 1);
         alone.points.remove(1);
         let part = &of(&[&alone])[0];

@@ -1,17 +1,10 @@
 //! The binary as scripts use it: exit status, one line on standard error, nothing else.
 
+use std::fs;
 use std::io::{Seek, Write};
-use std::process::Command;
+use std::process::{Command, Output};
 
-use crate::call::{PENDULA, assert_refused, pendula, printed, refused};
-
-/// Catches: usage errors in paragraphs, or with an exit status that means something else.
-#[test]
-fn bad_arguments_are_refused_in_one_line() {
-    assert_refused(&["bock"], "'bock'");
-    assert_refused(&["book", "--opne"], "--open");
-    assert_refused(&["preprocess", "supports"], "<RENDERER>");
-}
+use crate::call::{PENDULA, pendula, refused};
 
 /// Catches: a preprocessor that accepts anything as a book.
 #[test]
@@ -32,8 +25,25 @@ fn only_html_is_supported() {
     assert!(output.stderr.is_empty());
 }
 
-/// Catches: help on standard error, or with a failing status.
+/// Catches: a book that is not where the command says, or not without a word more.
 #[test]
-fn help_is_an_answer() {
-    assert!(printed(&["--help"]).contains("book"));
+fn the_book_is_where_the_command_says() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name);
+    for (name, text) in [
+        ("book/book.toml", "[build]\nbuild-dir = \"../target/book\"\n[preprocessor.pendula]\n"),
+        ("book/src/SUMMARY.md", "# Summary\n\n* [One](one.md)\n"),
+        ("book/src/one.md", "# One\n"),
+        ("benches/work-precision.svg", "<svg></svg>\n"),
+    ] {
+        fs::create_dir_all(at(name).parent().unwrap()).unwrap();
+        fs::write(at(name), text).unwrap();
+    }
+    let mut command = Command::new(PENDULA);
+    let Output { status, stdout, stderr } =
+        command.arg("book").current_dir(at("book/src")).output().unwrap();
+    let printed = String::from_utf8(stdout).unwrap();
+    assert!(status.success() && stderr.is_empty(), "{}", String::from_utf8_lossy(&stderr));
+    let index = fs::canonicalize(at("target/book/index.html")).unwrap();
+    assert_eq!(printed, format!("{}\n", index.display()));
 }

@@ -141,17 +141,6 @@ fn a_full_disk_is_told() {
     assert!(line.contains("standard output cannot be written: No space left"), "{line}");
 }
 
-/// Catches: a message that names a file which nobody asked for instead of the folder.
-#[test]
-fn a_folder_that_is_not_there_is_named() {
-    let (folder, at) = folder();
-    let line = refused(&simulate(&at("no/such/x.csv")));
-    let missing = format!("there is no folder {}", at("no/such").display());
-    assert!(line.contains("x.csv: cannot be written: ") && line.contains(&missing), "{line}");
-    assert!(!line.contains(".pendula-"), "{line}");
-    assert!(names(folder.path()).is_empty());
-}
-
 /// Also through a link, and for a picture.
 ///
 /// Catches: rows that are written, and overwritten at the end of a long run.
@@ -173,8 +162,8 @@ fn two_outputs_of_one_name_are_refused() {
     }
 }
 
-/// Catches: two runs that write one file; what a killed run has left, kept for ever or taken for
-/// that of a run that goes on; another file with a name like it removed.
+/// Catches: two runs that write one file, rows or a state; what a killed run has left, kept for
+/// ever or taken for that of a run that goes on; another file with a name like it removed.
 #[test]
 fn what_a_killed_run_has_left_is_removed() {
     let (folder, at) = folder();
@@ -185,6 +174,9 @@ fn what_a_killed_run_has_left_is_removed() {
     writer.lock().unwrap();
     let line = refused(&simulate(&at("a.csv")));
     assert!(line.contains("a.csv: cannot be written: it is being written already"), "{line}");
+    let mut state = Command::new(PENDULA);
+    let line = refused(&state.args(RUN).arg("--state").arg(at("a.csv")).output().unwrap());
+    assert!(line.contains("--state") && line.contains("it is being written already"), "{line}");
     // Not by its end alone: a process that another test is just starting has it open too.
     writer.unlock().unwrap();
     succeeds(&simulate(&at("a.csv")));

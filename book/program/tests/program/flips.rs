@@ -13,7 +13,7 @@ use pendula::methods::table::RK4_IN_LANES;
 use pendula::systems::{DoublePhase, Joint};
 use pendula::{DoublePendulum, Grid, Rk4, integrate};
 
-use crate::call::{assert_refused, printed};
+use crate::call::printed;
 use crate::long_runs::interrupted;
 
 /// The dots of a picture, row after row from the top: red, green, blue, opacity.
@@ -126,22 +126,6 @@ fn the_picture_of_the_book_is_what_the_command_draws() {
     for (place, expected) in places.iter().zip(expected) {
         assert_eq!(dots[*place], expected, "{place}");
     }
-}
-
-/// Catches: an odd number of releases, of which the middle one is its own mirror; a picture that
-/// replaces another although nothing was computed; a duration that is no whole number of steps.
-#[test]
-fn bad_input_is_refused_in_one_line() {
-    let expected = "--size 3: must be an even number, from 2 to 4096";
-    assert_refused(&["sweep", "flips", "--size", "3"], expected);
-    assert_refused(&["sweep", "flips", "--size", "0"], "must be an even number");
-    assert_refused(&["sweep", "flips", "--size", "100000"], "must be an even number");
-    assert_refused(&["sweep", "flips", "--dt", "0.3", "--duration", "1"], "steps");
-    assert_refused(&["sweep", "flips", "--length1", "0"], "length L₁");
-    assert_refused(
-        &["sweep", "flips", "--size", "2", "--picture", "no/folder/a.png"],
-        "cannot be written",
-    );
 }
 
 /// Interrupted after any number of rows, it leaves the old files, and nothing beside them.

@@ -3,17 +3,23 @@
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
+use std::process::ExitCode;
+use std::sync::LazyLock;
 
 use clap::FromArgMatches;
 use pendula::METHODS;
 use pendula_output::failure::Failure;
 use pendula_program::cli;
 use pendula_program::commands::study::claims::{self, Filter, LedgerFormat};
-use pendula_study::claims::{Claim, Verdict};
+use pendula_study::claims::{Claim, Ledger, Verdict};
+use pendula_study::experiments::Study;
+use rstest::rstest;
 use serde_json::Value;
 
-use crate::call::{assert_refused, json, printed};
-use crate::ledger::LEDGER;
+use crate::call::{json, printed};
+
+static STUDY: LazyLock<Study> = LazyLock::new(Study::of_the_paper);
+pub static LEDGER: LazyLock<Ledger> = LazyLock::new(|| Ledger::new(&STUDY));
 
 /// The source of a page, and of the snapshots that it includes.
 fn chapter_source(page: &str) -> String {
@@ -157,8 +163,35 @@ fn what_no_claim_has_is_refused_with_what_is_near() {
         let line = claims(asked, LedgerFormat::Text).unwrap_err().line().unwrap();
         assert!(line.contains(because) && line.lines().count() == 1, "{line}");
     }
-    assert_refused(&["paper", "claims", "--verdict", "right"], "reproduced, definition, rounding");
     let help = printed(&["paper", "claims", "--help"]);
     let words = ["reproduced", "definition", "rounding", "platform", "wrong", "uncheckable"];
     assert!(words.iter().all(|word| help.contains(&format!("- {word}"))), "{help}");
+}
+
+/// One cell of Table 4 is off by a hundredth, and so misses its printed digits. The ledger is
+/// written whole all the same, says so, and ends with status 1.
+///
+/// Catches: a verdict that does not hold but ends with status 0, in one of the formats or in both;
+/// one that is contradicted and printed as it is on record.
+#[rstest]
+fn a_contradicted_claim_ends_with_status_1(
+    #[values(LedgerFormat::Text, LedgerFormat::Json)] format: LedgerFormat,
+) {
+    let mut forged = STUDY.clone();
+    forged.convergence[0].drift[0] *= 1.01;
+    let report = |study: &Study| {
+        let mut out = Vec::new();
+        let outcome = claims::report(&Ledger::new(study), &Filter::default(), format, &mut out);
+        (outcome, String::from_utf8(out).unwrap())
+    };
+    let (outcome, honest) = report(&STUDY);
+    assert!(outcome.is_ok());
+    let (outcome, forged) = report(&forged);
+    let failure = outcome.unwrap_err();
+    assert!(matches!(failure, Failure::No), "{failure:?}");
+    assert_eq!(format!("{:?}", failure.exit_code()), format!("{:?}", ExitCode::FAILURE));
+    let pairs = honest.lines().zip(forged.lines());
+    let moved: Vec<_> = pairs.filter(|(before, after)| before != after).collect();
+    assert_eq!(honest.lines().count(), forged.lines().count());
+    assert!(moved.iter().any(|(_, after)| after.contains("wrong")), "{moved:?}");
 }

@@ -1,17 +1,13 @@
 //! Runs that are interrupted and resumed, and what a summary says of them.
 
 use std::fs;
-use std::io::{self, Write};
+use std::io::Write;
 use std::path::{Path, PathBuf};
-use std::process::{Child, Command as Process, Output, Stdio};
 
-use pendula::adaptive::{Adaptive, Tolerance};
+use pendula::adaptive::{Adaptive, TaylorSeries, Tolerance};
 use pendula::methods::Dop853;
 use pendula::metrics::EnergyDrift;
-use pendula::{
-    Grid, Hamiltonian, METHODS, Motion, Observer, Pendulum, Phase, Rk4, integrate_fast,
-    method_named,
-};
+use pendula::{Grid, Hamiltonian, METHODS, Motion, Observer, Pendulum, Phase};
 use pendula_output::failure::Failure;
 use pendula_output::interrupt::Lookout;
 use pendula_program::cli::{self, Command};
@@ -19,9 +15,8 @@ use pendula_program::commands::{simulate, sweep};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 use serde_json::Value;
-use sha2::{Digest, Sha256};
 
-use crate::call::{PENDULA, names, numbers, pendula, shell, words};
+use crate::call::{names, numbers, pendula, shell, words};
 
 /// What a command has printed, and said.
 #[derive(Debug)]
@@ -33,11 +28,7 @@ pub struct Printed {
 
 /// Runs a command line in this process; it is interrupted after so many steps, or runs.
 pub fn interrupted(arguments: &[&str], after: u64) -> Printed {
-    interrupted_by(arguments, || Lookout::after(after))
-}
-
-/// The same as the lookout says, which is asked for when the arguments have been checked.
-fn interrupted_by(arguments: &[&str], lookout: impl FnOnce() -> Lookout) -> Printed {
+    let lookout = || Lookout::after(after);
     let (mut out, mut err) = (Vec::new(), Vec::new());
     let command = cli::parse([&["pendula"], arguments].concat());
     let outcome = command.and_then(|command| {
@@ -101,76 +92,28 @@ impl Folder {
     }
 }
 
-/// The rows that `simulate` printed before it could be interrupted: those of the library's loop.
-fn rows_of_the_loop(method: &str, steps: u64, every: u64) -> String {
-    let pendulum = Pendulum::new(5.0, 2.0, 3.0).unwrap();
-    let start = Phase { theta: -2.5, omega: 0.3 };
-    let mut csv = "t,theta,omega,energy\n".to_owned();
-    let mut watch = |n: u64, t: f64, z: Phase| {
-        if n.is_multiple_of(every) {
-            let energy = pendulum.energy_from_pivot(z);
-            let row = [t, z.theta, z.omega, energy].map(ryu_text).join(",");
-            csv += &(row + "\n");
-        }
-    };
-    let grid = Grid::new(0.07, steps).unwrap();
-    method_named(method).unwrap().run(&pendulum, start, &grid, &mut watch);
-    csv
-}
-
-fn ryu_text(x: f64) -> String {
-    // As the command prints it, where `{:?}` and ryu agree: in the numbers of these runs.
-    format!("{x:?}")
-}
-
-/// For every method, and of one for strides that divide the number of steps and that do not, after
-/// every number of steps, and once more later on: the bytes are those of the uninterrupted run, and
-/// those are what the library's loop computes.
-///
-/// Catches: a row lost, printed twice or with another last bit; a stride counted from where the run
-/// was resumed; a header in the middle; an array that is closed too early or has a comma too many;
-/// a file touched before it is whole; a state left when it is no longer needed.
-#[test]
-fn an_interrupted_run_ends_as_if_nothing_had_happened() {
-    const STEPS: u64 = 6;
-    let folder = Folder::new();
-    let interrupted_after = |firsts: &[u64], name: &str, every: u64, format: &str| {
-        let line = format!(
-            "simulate --method {name} --theta0 -2.5 --omega0 0.3 --gravity 5 --length 2 --mass 3 \
-             --dt 0.07 --steps {STEPS} --every {every} --format {format}"
-        );
-        let run = words(&line);
-        let expected = whole(&run).out;
-        if format == "csv" {
-            assert_eq!(expected, rows_of_the_loop(name, STEPS, every), "{name}");
-        }
-        for first in firsts {
-            let second = first + (STEPS - first) / 2;
-            let got = folder.in_parts(&run, &[*first, second]);
-            assert_eq!(got, expected, "{name}, every {every}, {first}, {second}");
-        }
-    };
-    for (every, format) in [(1, "csv"), (2, "json"), (4, "csv"), (7, "csv")] {
-        interrupted_after(&[0, 1, 2, 3, 4, 5], "stormer-verlet", every, format);
-    }
-    for method in METHODS {
-        interrupted_after(&[1], method.info().name, 1, "csv");
-    }
-}
-
-/// The same for a run with time in seconds, because its angles are large, and with a duration, for
-/// the double pendulum and for both kinds of sweep.
+/// After every number of steps, and once more later on, for a run with time in seconds, because its
+/// angles are large, for other systems and for both kinds of sweep; in files, which are those of
+/// the run at once.
 ///
 /// Catches: a state that is resumed in another unit of time; a command whose state is not kept
-/// whole; a sweep that repeats a run or leaves one out.
+/// whole, or that loses the system's parameters; a sweep that repeats a run or leaves one out; a
+/// header in the middle; an array that is closed too early or has a comma too many; a file touched
+/// before it is whole; a state left when it is no longer needed.
 #[test]
 fn every_kind_of_run_can_be_resumed() {
     let folder = Folder::new();
     let rest = ["--dt", "0.05", "--duration", "0.3"];
     let large = ["simulate", "--method", "stormer-verlet", "--theta0", "2e6", "--every", "4"];
+    let array =
+        ["simulate", "--method", "rk4", "--theta0", "1", "--every", "2", "--format", "json"];
     let double = words(
-        "simulate --system double-pendulum --theta1 2 --theta2 -0.5 --omega2 1.5 --mass1 0.7 \
-         --length2 0.6 --gravity 3",
+        "simulate --system double-pendulum --method gauss-6 --theta1 2 --theta2 -0.5 --omega2 1.5 \
+         --mass1 0.7 --length2 0.6 --gravity 3",
+    );
+    let driven = words(
+        "simulate --system driven --damping 0.3 --drive-strength 1.1 --drive-frequency 2.5 \
+         --method stormer-verlet --theta0 1.2",
     );
     let angles = words(
         "sweep --method rk4 --theta0 -1:2:7 --omega0 0.5 --dt 0.1 --duration 0.4 --gravity 5 \
@@ -180,7 +123,9 @@ fn every_kind_of_run_can_be_resumed() {
         words("sweep --method gauss-4 --theta0 1 --dt 0.1:0.01:7 --duration 0.4 --format json");
     for run in [
         [&large[..], &rest].concat(),
+        [&array[..], &rest].concat(),
         [&double[..], &rest].concat(),
+        [&driven[..], &rest].concat(),
         angles.to_vec(),
         steps.to_vec(),
     ] {
@@ -192,47 +137,33 @@ fn every_kind_of_run_can_be_resumed() {
     }
 }
 
-/// On standard output the parts follow each other: lines of CSV make the whole, and each part of
-/// JSON is an array.
+/// On standard output each part of JSON is an array of its own. (Parts of CSV are joined below, for
+/// any run.)
 ///
-/// Catches: a header repeated, an array left open, a row lost between the parts, a state that is
-/// not where `--state` says, or is left at the end; a run without a state that says it can be
-/// resumed.
+/// Catches: an array left open, a row lost between the parts, a state that is not where `--state`
+/// says, or is left at the end; a run without a state that says it can be resumed.
 #[test]
 fn the_parts_on_standard_output_make_the_whole() {
     let folder = tempfile::tempdir().unwrap();
     let state = folder.path().join("here");
     let (keep, resume) = (["--state", text(&state)], ["--resume", text(&state)]);
+    let rows = |text: &str| serde_json::from_str::<Vec<Value>>(text).expect("an array");
     for run in [
-        "simulate --method rk4 --theta0 1 --dt 0.1 --steps 9",
-        "simulate --system double-pendulum --theta1 1 --theta2 2 --dt 0.1 --steps 9",
-        "sweep --method rk4 --theta0 0:1:9 --dt 0.1 --duration 1",
+        "simulate --method rk4 --theta0 1 --dt 0.1 --steps 9 --format json",
+        "sweep --method rk4 --theta0 0:1:9 --dt 0.1 --duration 1 --format json",
     ] {
-        for format in ["csv", "json"] {
-            let run = [&words(run)[..], &["--format", format]].concat();
-            let expected = whole(&run).out;
-            for at in 0..8 {
-                let first = interrupted(&[&run[..], &keep].concat(), at);
-                let line = first.outcome.unwrap_err();
-                assert!(line.contains(&resume.join(" ")), "{line}");
-                let second = interrupted(&[&run[..1], &resume].concat(), at + 1);
-                assert!(second.outcome.is_err());
-                let third = whole(&[&run[..1], &resume].concat());
-                let parts = [first.out, second.out, third.out];
-                if format == "csv" {
-                    assert_eq!(parts.concat(), expected, "{run:?} {at}");
-                } else {
-                    let array =
-                        |text: &String| serde_json::from_str::<Vec<Value>>(text).expect("an array");
-                    let rows: Vec<Value> = parts.iter().flat_map(array).collect();
-                    assert_eq!(rows, array(&expected), "{run:?} {at}");
-                }
-                assert!(names(folder.path()).is_empty());
-            }
-            let line = interrupted(&run, 3).outcome.unwrap_err();
-            assert!(line.contains("--state FILE"), "{line}");
-            assert!(!line.contains("--resume"), "{line}");
-        }
+        let run = words(run);
+        let first = interrupted(&[&run[..], &keep].concat(), 3);
+        let line = first.outcome.unwrap_err();
+        assert!(line.contains(&resume.join(" ")), "{line}");
+        let second = interrupted(&[&run[..1], &resume].concat(), 4);
+        assert!(second.outcome.is_err());
+        let third = whole(&[&run[..1], &resume].concat());
+        let parts = [first.out, second.out, third.out].map(|part| rows(&part));
+        assert_eq!(parts.concat(), rows(&whole(&run).out), "{run:?}");
+        assert!(names(folder.path()).is_empty());
+        let line = interrupted(&run, 3).outcome.unwrap_err();
+        assert!(line.contains("--state FILE") && !line.contains("--resume"), "{line}");
     }
 }
 
@@ -277,14 +208,6 @@ fn parts_one_after_the_other_are_the_whole() {
     assert!(parts(&batches, 2).concat() == whole(&batches).out);
 }
 
-/// Catches: a part without a run that says nothing, or spoils the whole by a line among its rows.
-#[test]
-fn an_empty_part_says_so_beside_its_rows() {
-    let sweep = words("sweep --method rk4 --theta0 0:1:3 --dt 0.1 --duration 1 --part 5/7");
-    let Printed { out, err, .. } = whole(&sweep);
-    assert_eq!((out.as_str(), err.contains("part 5/7 is empty")), ("", true), "{err}");
-}
-
 /// The middle of a sweep of 10¹⁵ runs, which would take weeks to count up to.
 ///
 /// Catches: a part that generates the sweep up to it, or to its end.
@@ -308,60 +231,65 @@ fn a_part_costs_its_own_runs_alone() {
     assert_eq!(printed(steps), "");
 }
 
-/// Catches: a part without runs that leaves an old file as it was, or is no success.
+/// Catches: a part without runs that leaves an old file as it was, is no success, says nothing, or
+/// spoils the whole by a line among its rows.
 #[test]
-fn a_part_without_runs_is_an_empty_file() {
+fn a_part_without_runs_is_an_empty_file_and_says_so() {
     let folder = Folder::new();
     fs::write(&folder.file, "old").unwrap();
     let sweep = words("sweep --method rk4 --theta0 0:3:8 --dt 0.1 --duration 0.4 --part 9/9");
     let printed = whole(&[&sweep[..], &["--summary", "--output", text(&folder.file)]].concat());
     assert_eq!((printed.out.as_str(), summary_value(&printed.err, "runs")), ("", 0.0));
+    assert!(printed.err.contains("part 9/9 is empty"), "{}", printed.err);
     let mut said = printed.err.lines();
     assert!(said.any(|line| line.split_whitespace().eq(["part", "9/9"])), "{}", printed.err);
     assert_eq!(fs::read_to_string(&folder.file).unwrap(), "");
 }
 
-/// Every byte of a state is changed once, those of the rows in it too, and it is cut off at every
-/// length.
+/// A state is cut off at every length, and changed as another version or another hand may do.
 ///
-/// Catches: a run that goes on from rows that are not its own or from a digit that was changed, of
-/// another command, from what is no state, or with arguments beside it; anything written then.
+/// Catches: a run that goes on from what is no state, or from half of one; a place beyond the end;
+/// a field that is missing, unknown or of another kind; another version; arguments beside a state;
+/// a panic where there is no refusal; anything written then; a state that is written over.
 #[test]
-fn a_state_that_is_not_what_it_was_is_refused() {
+fn what_is_no_state_is_refused() {
     let folder = Folder::new();
-    let run = words("simulate --method rk4 --theta0 -0.001 --dt 0.1 --steps 9");
+    let run = words("simulate --method rk4 --theta0 1 --dt 0.1 --steps 9 --summary");
     let to_file = [&run[..], &["--output", text(&folder.file)]].concat();
     assert!(interrupted(&to_file, 4).outcome.is_err());
-    let state = fs::read(&folder.state).unwrap();
-    assert!(state.starts_with(b"t,theta,omega,energy\n0.0,-0.001,"));
+    let state = fs::read_to_string(&folder.state).unwrap();
     let resume = ["simulate", "--resume", text(&folder.state)];
     let refused = |arguments: &[&str], because: &str| {
         let printed = interrupted(arguments, u64::MAX);
         let line = printed.outcome.expect_err(because);
-        assert!(line.contains(because), "{line}");
-        assert_eq!(
-            (printed.out.as_str(), names(folder.folder.path())),
-            ("", vec!["run.csv.state".into()])
-        );
+        assert!(line.contains(because) && printed.out.is_empty(), "{because}: {line}");
+        assert_eq!(names(folder.folder.path()), ["run.csv.state"]);
     };
-    let is = |changed: &[u8], because: &str| {
+    let is = |changed: &str, because: &str| {
         fs::write(&folder.state, changed).unwrap();
         refused(&resume, because);
     };
-    for i in 0..state.len() {
-        let mut changed = state.clone();
-        changed[i] ^= 1;
-        is(&changed, "--resume");
-        is(&state[..i], "--resume");
+    // Without its last byte, which ends the line, it is whole.
+    for length in 0..state.len() - 1 {
+        is(&state[..length], "is not that of a state");
     }
-    is(&[&state[..], b"\n"].concat(), "does not end as a state");
-    is(b"t,theta\n0.0,1.0\n", "does not end as a state");
-    is(b"rows 1 sha256 \xff\xff\n", "does not end as a state");
-    let other = String::from_utf8(state.clone()).unwrap().replacen("-0.001", "-0.002", 1);
-    is(other.as_bytes(), "its checksum differs");
+    is(&(state.clone() + "\n"), "is not that of a state");
+    let version = format!("\"version\":\"{}\"", env!("CARGO_PKG_VERSION"));
+    for (from, to, because) in [
+        (&*version, "\"version\":\"0.0.9\"", "it is of version 0.0.9"),
+        ("\"rk4\"", "\"rk5\"", "'rk5'"),
+        ("\"rows\":5", "\"rows\":-5", "expected u64"),
+        ("\"rows\"", "\"lines\"", "unknown field `lines`"),
+        ("\"steps\":4", "\"steps\":10", "beyond the last of 9"),
+        ("\"steps\":4", "\"step\":4", "unknown field `step`"),
+        ("\"numbers\":[", "\"numbers\":[0.0,", "invalid length 13"),
+        ("\"numbers\":[", "\"numbers\":[null,", "expected f64"),
+    ] {
+        assert!(state.contains(from), "{from}: {state}");
+        is(&state.replacen(from, to, 1), because);
+    }
     fs::write(&folder.state, &state).unwrap();
     refused(&[&resume[..], &["--mass", "2"]].concat(), "cannot be used with");
-    refused(&["sweep", "--resume", text(&folder.state)], "one of `pendula simulate`");
     // A run that begins anew would overwrite it.
     refused(&to_file, "keeps a run that was interrupted");
     refused(&[&run[..], &["--state", text(&folder.state)]].concat(), "keeps a run that was");
@@ -413,64 +341,6 @@ fn a_state_that_is_a_link_is_the_file_it_leads_to() {
     leads(&other, &state);
     assert_eq!(names(&at("far")), ["run.csv"]);
     assert_eq!(fs::read_to_string(&link).unwrap(), expected);
-}
-
-/// Catches: the state of another run, which was kept after this one began, overwritten by this.
-#[test]
-fn a_state_that_has_appeared_meanwhile_is_not_overwritten() {
-    let folder = Folder::new();
-    for run in [
-        "simulate --method rk4 --theta0 1 --dt 0.1 --steps 9",
-        "sweep --method rk4 --theta0 0:1:9 --dt 0.1 --duration 1",
-    ] {
-        for option in [["--output", text(&folder.file)], ["--state", text(&folder.state)]] {
-            let left = interrupted_by(&[&words(run)[..], &option].concat(), || {
-                fs::write(&folder.state, "another").unwrap();
-                Lookout::after(3)
-            });
-            let line = left.outcome.unwrap_err();
-            assert!(line.contains("keeps another run by now"), "{line}");
-            assert_eq!(names(folder.folder.path()), ["run.csv.state"]);
-            assert_eq!(fs::read_to_string(&folder.state).unwrap(), "another");
-            fs::remove_file(&folder.state).unwrap();
-        }
-    }
-}
-
-/// States with a checksum that is right and contents that are not, as a program of another version
-/// or by another hand may write them.
-///
-/// Catches: a place beyond the end; a field that is missing, unknown or of another kind; another
-/// version; a panic where there is no refusal.
-#[test]
-fn a_state_with_other_contents_is_refused() {
-    let folder = tempfile::tempdir().unwrap();
-    let state = folder.path().join("here");
-    let run = words("simulate --method rk4 --theta0 1 --dt 0.1 --steps 9 --summary");
-    assert!(interrupted(&[&run[..], &["--state", text(&state)]].concat(), 4).outcome.is_err());
-    let written = fs::read_to_string(&state).unwrap();
-    let (body, _) = written.split_once("rows 0 sha256 ").unwrap();
-    let version = format!("\"version\":\"{}\"", env!("CARGO_PKG_VERSION"));
-    for (from, to, because) in [
-        (&*version, "\"version\":\"0.0.9\"", "it is of version 0.0.9"),
-        ("\"rk4\"", "\"rk5\"", "'rk5'"),
-        ("\"rows\":5", "\"rows\":-5", "expected u64"),
-        ("\"rows\"", "\"lines\"", "unknown field `lines`"),
-        ("\"steps\":4", "\"steps\":10", "beyond the last of 9"),
-        ("\"steps\":4", "\"step\":4", "unknown field `step`"),
-        ("\"numbers\":[", "\"numbers\":[\"0000000000000000\",", "a run has"),
-        ("\"numbers\":[", "\"numbers\":[\"+00000000000000g\",", "16 hexadecimal digits"),
-    ] {
-        assert!(body.contains(from), "{from}: {body}");
-        let changed = body.replacen(from, to, 1) + "rows 0 sha256 ";
-        let sum: String = Sha256::digest(&changed).iter().map(|b| format!("{b:02x}")).collect();
-        fs::write(&state, format!("{changed}{sum}\n")).unwrap();
-        let printed = interrupted(&["simulate", "--resume", text(&state)], u64::MAX);
-        let line = printed.outcome.expect_err(to);
-        assert!(line.contains(because) && printed.out.is_empty(), "{to}: {line}");
-    }
-    fs::write(&state, written).unwrap();
-    assert_eq!(numbers(&whole(&["simulate", "--resume", text(&state)]).out).len(), 4);
 }
 
 /// The value of a line of a summary.
@@ -558,6 +428,7 @@ proptest! {
         let at_once = whole(&run);
         let (rows, err) = in_parts(&run, &parts, to_file);
         prop_assert_eq!(&rows, &at_once.out);
+        prop_assert!(rows.starts_with("t,theta,omega,energy\n"), "{rows}");
         prop_assert_eq!(numbers(&rows), expected);
         prop_assert_eq!(lines(&err), lines(&at_once.err));
         if !summary {
@@ -581,8 +452,9 @@ proptest! {
     /// The same for sweeps, of angles and of steps, whole and in part.
     ///
     /// Catches: a row, a run of the summary or its largest error lost where a sweep goes on; the
-    /// place of another run; a start or a velocity without its sign; a part that goes on as the
-    /// whole or as another part, or with a header of its own; a summary of all parts.
+    /// largest of another column or of the last run, or the place of another run; a start or a
+    /// velocity without its sign; a part that goes on as the whole or as another part, or with a
+    /// header of its own; a summary of all parts.
     #[test]
     fn any_sweep_in_parts_is_the_sweep_at_once(
         (which, count, angles) in (0..METHODS.len(), 2..40_u64, any::<bool>()),
@@ -613,7 +485,7 @@ proptest! {
         prop_assert_eq!(summary_value(&err, "runs"), rows.len() as f64);
         // Each row is a run by itself.
         let pendulum = Pendulum::new(gravity, length, mass).unwrap();
-        let mut worst = 0.0_f64;
+        let (mut steps, mut energy, mut angle) = (0, (0.0, String::new()), (0.0, String::new()));
         for row in rows {
             let row: Vec<f64> = row.split(',').map(|x| x.parse().unwrap()).collect();
             let grid = Grid::with_duration(row[1], duration).unwrap();
@@ -621,47 +493,21 @@ proptest! {
             let start = Phase { theta: row[0], omega };
             let end = METHODS[which].run(&pendulum, start, &grid, &mut drift);
             prop_assert_eq!(&row[2..], [end.theta, end.omega, drift.largest()]);
-            worst = worst.max(drift.largest());
+            steps += grid.steps();
+            let exact = Motion::new(&pendulum, start).unwrap().at(duration);
+            let errors = [drift.largest(), end.theta - exact.theta];
+            for (worst, error) in [&mut energy, &mut angle].into_iter().zip(errors) {
+                if error.abs() > f64::abs(worst.0) {
+                    *worst = (error, format!(" at θ₀ = {:?} rad, Δt = {:?} s\n", row[0], row[1]));
+                }
+            }
         }
-        assert_seven_digits(summary_value(&err, "largest energy error"), worst);
-    }
-}
-
-/// Catches: the largest of another column or of the last run, a place that is not that of the
-/// largest, a sum that leaves out a run or the runs before the interruption.
-#[test]
-fn a_sweeps_summary_says_where_it_is_worst() {
-    let folder = tempfile::tempdir().unwrap();
-    let state = folder.path().join("state");
-    let run =
-        words("sweep --method rk4 --theta0 -3:1:5 --dt 0.1 --duration 5 --mass 3 --omega0 0.2");
-    let run = [&run[..], &["--summary", "--state", text(&state)]].concat();
-    let pendulum = Pendulum::new(9.81, 1.0, 3.0).unwrap();
-    let grid = Grid::with_duration(0.1, 5.0).unwrap();
-    // The angle, the largest energy error, and the error of the angle at the end.
-    let errors = [-3.0, -2.0, -1.0, 0.0, 1.0].map(|theta| {
-        let start = Phase { theta, omega: 0.2 };
-        let mut drift = EnergyDrift::new(&pendulum);
-        let end = integrate_fast(&pendulum, &Rk4, start, &grid, &mut drift);
-        let exact = Motion::new(&pendulum, start).unwrap().at(5.0);
-        [theta, drift.largest(), end.theta - exact.theta]
-    });
-    let worst = |column: usize| {
-        let by_size = |a: &[f64; 3], b: &[f64; 3]| a[column].abs().total_cmp(&b[column].abs());
-        errors.into_iter().max_by(by_size).unwrap()
-    };
-    let at_once = whole(&run).err;
-    assert!(interrupted(&run, 3).outcome.is_err());
-    let in_parts = whole(&["sweep", "--resume", text(&state)]).err;
-    for err in [at_once, in_parts] {
-        assert_eq!(summary_value(&err, "runs"), 5.0);
-        assert_eq!(summary_value(&err, "steps "), 250.0);
-        assert_eq!(summary_value(&err, "force evaluations"), 1000.0);
-        for (column, name) in [(1, "largest energy error"), (2, "largest error of θ")] {
-            let worst = worst(column);
-            assert_seven_digits(summary_value(&err, name), worst[column]);
-            let line = err.lines().find(|line| line.starts_with(name)).unwrap();
-            assert!(line.contains(&format!("θ₀ = {:?} rad, Δt = 0.1 s", worst[0])), "{err}");
+        prop_assert_eq!(summary_value(&err, "steps "), steps as f64);
+        for (name, (worst, place)) in
+            [("largest energy error", energy), ("largest error of θ", angle)]
+        {
+            assert_seven_digits(summary_value(&err, name), worst);
+            prop_assert!(err.split_once(name).unwrap().1.contains(&place), "{err}: {place}");
         }
     }
 }
@@ -682,32 +528,41 @@ fn steps_that_vary_are_interrupted_cleanly() {
     assert_eq!(fs::read_to_string(&folder.file).unwrap(), "old");
 }
 
-/// Catches: a limit that is ignored, or not named where it is reached; an energy error or a cost
-/// of other steps; the error at the end of a walk back in time against the motion forwards.
+/// Catches: the start or the last step left out, a tolerance or a direction of time that is not
+/// passed on, one method for the other; g, L, m or the velocity at the start ignored, or taken for
+/// one another; a limit that is ignored, or not named where it is reached; an energy error or a
+/// cost of other steps; the error at the end of a walk back in time against the motion forwards.
 #[test]
-fn steps_that_vary_have_a_limit_and_a_summary() {
-    let run = words(
-        "simulate --method dop853 --theta0 -2.9 --omega0 0.3 --gravity 3 --length 2.5 --mass 5 \
-         --tolerance 1e-5 --duration",
-    );
+fn steps_that_vary_are_those_of_the_library() {
     let pendulum = Pendulum::new(3.0, 2.5, 5.0).unwrap();
     let start = Phase { theta: -2.9, omega: 0.3 };
-    for duration in ["25", "-25"] {
-        let run = [&run[..], &[duration]].concat();
+    let line = |method: &str, duration: f64| {
+        format!(
+            "simulate --method {method} --theta0 -2.9 --omega0 0.3 --gravity 3 --length 2.5 \
+             --mass 5 --tolerance 1e-5 --duration {duration}"
+        )
+    };
+    for duration in [25.0, -25.0] {
+        let run = line("dop853", duration);
+        let run = words(&run);
         let refused = interrupted(&[&run[..], &["--max-steps", "7"]].concat(), u64::MAX);
-        let line = refused.outcome.unwrap_err();
-        assert!(line.contains("7 steps") && line.contains("--max-steps"), "{line}");
+        let told = refused.outcome.unwrap_err();
+        assert!(told.contains("7 steps") && told.contains("--max-steps"), "{told}");
         assert!(refused.out.lines().count() > 2 && refused.out.ends_with('\n'));
-        let duration: f64 = duration.parse().unwrap();
-        let control = Adaptive::new(Dop853, Tolerance::uniform(1e-5).unwrap());
+        let tolerance = Tolerance::uniform(1e-5).unwrap();
+        let control = Adaptive::new(Dop853, tolerance);
         let mut walk = control.steps(&pendulum, start, 0.0, duration).unwrap();
-        let mut drift = EnergyDrift::new(&pendulum);
+        let (mut drift, mut expected) = (EnergyDrift::new(&pendulum), vec![]);
+        let row = |t, z: Phase| vec![t, z.theta, z.omega, pendulum.energy_from_pivot(z)];
         drift.observe(0, 0.0, start);
+        expected.push(row(0.0, start));
         for (n, step) in (1..).zip(&mut walk) {
             let step = step.unwrap();
             drift.observe(n, step.end_time(), step.end());
+            expected.push(row(step.end_time(), step.end()));
         }
-        let err = whole(&[&run[..], &["--summary"]].concat()).err;
+        let Printed { out, err, .. } = whole(&[&run[..], &["--summary"]].concat());
+        assert_eq!(numbers(&out), expected);
         let counts = walk.counts();
         let count = |name| summary_value(&err, name) as u64;
         assert_eq!([count("steps "), count("steps rejected")], [counts.accepted, counts.rejected]);
@@ -720,102 +575,15 @@ fn steps_that_vary_have_a_limit_and_a_summary() {
         {
             assert_seven_digits(summary_value(&err, &format!("{name} at the end")), off);
         }
+
+        let with = |method| numbers(&whole(&words(&line(method, duration))).out);
+        assert!(with("dormand-prince").len() > expected.len());
+        let mut of_series = vec![];
+        let mut watch = |_, t, z| of_series.push(row(t, z));
+        let control = Adaptive::new(TaylorSeries, tolerance);
+        control.integrate(&pendulum, start, 0.0, duration, &mut watch).unwrap();
+        assert_eq!(with("taylor-series"), of_series);
     }
-}
-
-fn start(arguments: &[&str]) -> Child {
-    Process::new(PENDULA)
-        .args(arguments)
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap()
-}
-
-#[cfg(unix)]
-fn signalled(run: Child, signal: &str) -> Output {
-    let kill = Process::new("kill").args([signal, &run.id().to_string()]).status().unwrap();
-    assert!(kill.success());
-    let output = run.wait_with_output().unwrap();
-    assert_eq!(output.status.code(), Some(2), "{output:?}");
-    let line = String::from_utf8(output.stderr.clone()).unwrap();
-    assert_eq!(line.lines().count(), 1, "{line}");
-    output
-}
-
-/// The progress in a state, without the time it took.
-fn progress(state: &Path) -> Value {
-    let text = fs::read_to_string(state).unwrap();
-    let json = text.lines().rev().nth(1).unwrap();
-    let mut progress = serde_json::from_str::<Value>(json).unwrap()["progress"].take();
-    progress.as_object_mut().unwrap().remove("nanoseconds");
-    progress
-}
-
-/// A run of hours with no row between the first and the last, interrupted by each signal, twice;
-/// where it stands is where a run stands that is interrupted there in this process.
-///
-/// Catches: a signal that is heard only at the next row, a file that is touched or left half, a
-/// state with other numbers; an interruption that ends with another status or a second line.
-#[cfg(unix)]
-#[test]
-fn signals_are_heard_between_rows() {
-    let (far, near) = (Folder::new(), Folder::new());
-    let run = words(
-        "simulate --method kahan-li-8 --theta0 1 --dt 0.01 --steps 1000000000 --every 1000000000",
-    );
-    let to = |folder: &Folder| {
-        let run = run.iter().map(|word| (*word).to_owned());
-        run.chain(["--output".to_owned(), text(&folder.file).to_owned()]).collect::<Vec<_>>()
-    };
-    fs::write(&far.file, "old").unwrap();
-    let mut arguments = to(&far);
-    let mut before = 0;
-    for signal in ["-INT", "-TERM", "-HUP"] {
-        let mut process = start(&arguments.iter().map(String::as_str).collect::<Vec<_>>());
-        // The temporary file shows that the run has begun and listens.
-        while !names(far.folder.path()).iter().any(|name| name.starts_with(".pendula-")) {
-            assert!(process.try_wait().unwrap().is_none(), "it ended by itself");
-            std::thread::yield_now();
-        }
-        signalled(process, signal);
-        assert_eq!(names(far.folder.path()), ["run.csv", "run.csv.state"]);
-        assert_eq!(fs::read_to_string(&far.file).unwrap(), "old");
-        let stands = progress(&far.state);
-        let steps = stands["steps"].as_u64().unwrap();
-        assert!(steps >= before && steps < 1_000_000_000, "{steps}");
-        before = steps;
-        let here = to(&near);
-        let here: Vec<&str> = here.iter().map(String::as_str).collect();
-        assert!(interrupted(&here, steps).outcome.is_err());
-        assert_eq!(progress(&near.state), stands);
-        fs::remove_file(&near.state).unwrap();
-        arguments = ["simulate", "--resume", text(&far.state)].map(str::to_owned).to_vec();
-    }
-}
-
-/// Rows on a pipe, as many as it holds, when the signal comes: the last one is whole, the array is
-/// closed.
-///
-/// Catches: rows in a buffer that are lost, a row cut off, an array left open by a signal.
-#[cfg(unix)]
-#[test]
-fn a_signal_leaves_standard_output_whole() {
-    let run =
-        words("simulate --method rk4 --theta0 1 --dt 0.01 --steps 1000000000000 --format json");
-    let mut process = start(&run);
-    // It prints, so that it listens; and somebody has to read while it ends.
-    let mut pipe = process.stdout.take().unwrap();
-    let mut first = [0; 1000];
-    io::Read::read_exact(&mut pipe, &mut first).unwrap();
-    let reader = std::thread::spawn(move || {
-        let mut rest = first.to_vec();
-        io::Read::read_to_end(&mut pipe, &mut rest).map(|_| rest)
-    });
-    signalled(process, "-INT");
-    let printed = reader.join().unwrap().unwrap();
-    let rows: Vec<Value> = serde_json::from_slice(&printed).expect("an array");
-    assert!(rows.len() > 5);
 }
 
 /// Catches: rows before a failure that are lost in a buffer, a row cut off, an array left open, a

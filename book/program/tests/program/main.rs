@@ -1,6 +1,5 @@
 //! The binary `pendula` as its users and other programs call it.
 
-mod book;
 mod call;
 mod command_line;
 mod commands;
@@ -8,14 +7,13 @@ mod devices;
 mod files;
 mod flips;
 mod help;
-mod hostile;
 #[cfg(unix)]
 mod interrupts;
-mod ledger;
 mod listed;
 mod long_runs;
 mod other_systems;
 mod period;
 mod plots;
+mod refusals;
 mod review;
 mod verify;

@@ -8,7 +8,6 @@ use pendula::{
 };
 
 use crate::call::{assert_refused, json, numbers, pendula, printed, words};
-use crate::long_runs::{interrupted, whole};
 
 const SCENE: &str = "--theta0 1.2 --omega0 -0.3 --gravity 4 --length 2 --mass 3 --dt 0.05";
 
@@ -67,28 +66,6 @@ fn each_system_is_what_the_library_integrates() {
         assert_eq!(of("force evaluations"), evaluations.to_string(), "{line}");
         assert!(of("energy at the end").contains(" J, of "), "{summary}");
         assert!(!summary.contains("energy error"), "{summary}");
-    }
-}
-
-/// Catches: a state without the system, or a parameter of it, or the method; a run that is resumed
-/// as that of a pendulum, or with RK4.
-#[test]
-fn other_systems_are_resumed_with_the_same_bits() {
-    let folder = tempfile::tempdir().unwrap();
-    let state = folder.path().join("run.state");
-    let state = state.to_str().unwrap();
-    let drive = "--system driven --damping 0.3 --drive-strength 1.1 --drive-frequency 2.5";
-    for line in [
-        format!("simulate --method stormer-verlet {drive} {SCENE} --steps 40"),
-        "simulate --system double-pendulum --method gauss-6 --theta1 2 --theta2 1 --dt 0.05 \
-         --steps 40"
-            .to_owned(),
-    ] {
-        let words = words(&line);
-        let first = interrupted(&[&words[..], &["--state", state]].concat(), 17);
-        assert!(first.outcome.is_err());
-        let rest = whole(&[words[0], "--resume", state]);
-        assert_eq!(first.out + &rest.out, whole(&words).out, "{line}");
     }
 }
 
@@ -160,20 +137,9 @@ fn a_run_that_is_lost_after_its_last_row_is_refused() {
     }
 }
 
-/// Catches: a parameter of another system that is ignored; one that is missing; a method that does
-/// not suit, refused without those that do.
+/// Catches: a method that does not suit, refused without those that do.
 #[test]
-fn what_does_not_fit_a_system_is_refused() {
-    let refused = |more: &str, because: &str| {
-        let line = format!("simulate --method rk4 {SCENE} --steps 4 {more}");
-        assert_refused(&words(&line), because);
-    };
-    refused("--damping 1", "--damping belongs to --system damped or driven");
-    refused("--system damped", "--damping is missing");
-    refused("--system damped --damping -1", "damping β");
-    refused("--system driven --drive-frequency 1", "--drive-strength is missing");
-    refused("--system shaken --pivot-amplitude 1 --damping 1", "the system is shaken");
-    refused("--system dampened", "damped, driven, shaken");
+fn a_method_that_does_not_suit_a_system_is_refused() {
     macro_rules! general {
         ($($module:ident::$method:ident,)+) => {
             [$(methods::$method.info().name),+]

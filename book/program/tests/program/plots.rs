@@ -4,7 +4,7 @@ use std::fs;
 
 use roxmltree::Document;
 
-use crate::call::{assert_refused, numbers, pendula, printed, words};
+use crate::call::{numbers, pendula, printed, words};
 
 const RUN: [&str; 9] =
     ["simulate", "--method", "rk4", "--theta0", "pi/3", "--dt", "0.1", "--duration", "20"];
@@ -62,48 +62,28 @@ fn a_plot_shows_the_rows() {
 }
 
 /// Catches: a plot that a command does not draw, or not of its rows: a sweep over steps on a linear
-/// axis, or one over angles against the step; one of two rods left out.
+/// axis, or one over angles against the step; one of two rods left out; rows printed among the
+/// dots; a picture without its axes, upside down or mirrored; a line that jumps, or bridges what
+/// has no place on a logarithmic axis, as the error of a pendulum at rest.
 #[test]
 fn each_command_that_integrates_draws() {
-    let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("plot.svg");
-    let drawn = |line: &str| {
-        let to_plot = ["--plot", path.to_str().unwrap()];
-        let rows = numbers(&printed(&[&words(line)[..], &to_plot].concat()));
-        let svg = fs::read_to_string(&path).unwrap();
-        let (_, rest) = svg.split_once("-desc\">").unwrap();
-        let description = rest.split_once("</desc>").unwrap().0.replace('\n', " ");
-        (rows, svg, description)
-    };
-    let adaptive = "simulate --method dop853 --theta0 3 --duration -5 --tolerance 1e-6";
-    let (rows, _, said_of_it) = drawn(adaptive);
-    let angles = ends(rows.iter().map(|row| row[1]));
-    assert!(close(said(&said_of_it, "angle θ (rad)"), angles), "{said_of_it}");
-    let sweep = "sweep --method rk4 --duration 1";
-    let (rows, _, of_angles) = drawn(&format!("{sweep} --theta0 1:2:5 --dt 0.1"));
-    let errors = ends(rows.iter().map(|row| row[4]));
-    assert!(of_angles.contains("Over θ₀ (rad) from 1 to 2"), "{of_angles}");
-    assert!(close(said(&of_angles, "largest energy error (J)"), errors), "{of_angles}");
-    let (_, _, of_steps) = drawn(&format!("{sweep} --theta0 1 --dt 0.1:0.001:5"));
-    assert!(of_steps.contains("Over Δt (s) from 0.001 to 0.1"), "{of_steps}");
-    let (rows, svg, of_rods) =
-        drawn("simulate --system double-pendulum --theta1 2 --theta2 1 --dt 0.01 --steps 300");
-    let both = ends(rows.iter().flat_map(|row| [row[1], row[2]]));
-    assert!(close(said(&of_rods, "angle (rad)"), both), "{of_rods}");
-    assert!(svg.contains(">upper rod, θ") && svg.contains(">lower rod, θ"));
+    let drawn = [
+        "simulate --method dop853 --theta0 3 --duration -5 --tolerance 1e-6",
+        "simulate --system double-pendulum --theta1 2 --theta2 1 --dt 0.01 --steps 300",
+        "sweep --method rk4 --duration 1 --theta0 -1:2:7 --dt 0.1",
+        "sweep --method rk4 --duration 1 --theta0 1 --dt 0.1:0.001:5",
+    ]
+    .map(|line| format!("$ pendula {line}\n{}\n", printed(&words(&format!("{line} --plot -")))));
+    insta::assert_snapshot!(drawn.concat());
 }
 
-/// Catches: rows printed among the dots, or lost where there is a file for them; a picture without
-/// its axes; a resumed run whose picture lacks its beginning; a picture left by a run that fails;
-/// rows that appear although their picture cannot.
+/// Catches: rows lost where there is a file for them; a picture left by a run that fails; rows that
+/// appear although their picture cannot.
 #[test]
 fn a_plot_in_the_terminal_stands_for_the_rows() {
     let text = printed(&[&RUN[..], &["--plot", "-"]].concat());
     assert!(text.starts_with("RK4, Δt = 0.1 s\n\nangle θ (rad)\n"), "{text}");
     assert!(text.ends_with("\nt (s) from 0 to 20\n") && !text.contains("t,theta"), "{text}");
-    let braille = |c: char| ('\u{2801}'..='\u{28ff}').contains(&c);
-    assert!(text.chars().filter(|c| braille(*c)).count() > 100, "{text}");
-    assert!(text.contains("1.0472 ┤"), "{text}");
     let folder = tempfile::tempdir().unwrap();
     let [rows, plot] = ["rows.csv", "plot.svg"].map(|name| folder.path().join(name));
     let to_file = [&RUN[..], &["--plot", "-", "--output", rows.to_str().unwrap()]].concat();
@@ -114,8 +94,6 @@ fn a_plot_in_the_terminal_stands_for_the_rows() {
     let to_plot = ["--steps", "9", "--plot", plot.to_str().unwrap()];
     assert_eq!(pendula([&failing[..], &to_plot].concat()).status.code(), Some(2));
     assert!(!plot.exists());
-    assert_refused(&[&RUN[..], &["--plot", "/no/such/folder/x.svg"]].concat(), "--plot /no/such");
-    assert_refused(&["simulate", "--resume", "a.state", "--plot", "-"], "cannot be used with");
     if std::path::Path::new("/dev/full").exists() {
         let whole = folder.path().join("whole.csv");
         let to_both = ["--plot", "/dev/full", "--output", whole.to_str().unwrap()];

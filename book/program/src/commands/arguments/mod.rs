@@ -7,8 +7,6 @@ pub mod range;
 pub mod angle;
 pub mod part;
 
-pub mod device;
-pub mod double;
 pub mod pendulum;
 pub mod table_format;
 

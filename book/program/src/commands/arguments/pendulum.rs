@@ -1,8 +1,9 @@
-//! The arguments that define a pendulum and its start, shared by the commands that simulate one.
+//! The arguments that define a pendulum, or two, shared by the commands that simulate one.
 
 use clap::Args;
 use clap::builder::PossibleValuesParser;
-use pendula::{Error, METHODS, Pendulum, Phase};
+use pendula::systems::Joint;
+use pendula::{DoublePendulum, Error, METHODS, Pendulum, Phase};
 
 use super::angle::angle;
 use super::number::number;
@@ -43,9 +44,6 @@ pub struct MassArgument {
 
 impl PendulumArguments {
     /// The pendulum of `mass` (kg), or else of 1 kg.
-    ///
-    /// # Errors
-    /// As [`Pendulum::new`].
     pub fn pendulum(&self, mass: Option<&MassArgument>) -> Result<Pendulum, Error> {
         let mass = mass.map_or(Pendulum::PAPER.mass(), |mass| mass.mass);
         Pendulum::new(self.gravity.gravity, self.length, mass)
@@ -66,10 +64,34 @@ pub struct StartArguments {
 
 impl StartArguments {
     /// The start, checked for `pendulum`.
-    ///
-    /// # Errors
-    /// As [`Pendulum::start`].
     pub fn start(&self, pendulum: &Pendulum) -> Result<Phase, Error> {
         pendulum.start(self.theta0, self.omega0)
+    }
+}
+
+/// The double pendulum.
+#[derive(Args, Debug)]
+pub struct DoubleArguments {
+    /// Length of the upper rod (m) [default: 1]
+    #[arg(long, value_name = "M", value_parser = number, allow_hyphen_values = true)]
+    pub length1: Option<f64>,
+    /// Length of the lower rod (m) [default: 1]
+    #[arg(long, value_name = "M", value_parser = number, allow_hyphen_values = true)]
+    pub length2: Option<f64>,
+    /// Mass of the upper bob (kg) [default: 1]
+    #[arg(long, value_name = "KG", value_parser = number, allow_hyphen_values = true)]
+    pub mass1: Option<f64>,
+    /// Mass of the lower bob (kg), at most 1e6 times that of the upper [default: 1]
+    #[arg(long, value_name = "KG", value_parser = number, allow_hyphen_values = true)]
+    pub mass2: Option<f64>,
+}
+
+impl DoubleArguments {
+    /// The double pendulum.
+    pub fn double(&self, gravity: f64) -> Result<DoublePendulum, Error> {
+        let [length1, length2, mass1, mass2] =
+            [self.length1, self.length2, self.mass1, self.mass2].map(|x| x.unwrap_or(1.0));
+        let upper = Joint { length: length1, mass: mass1 };
+        DoublePendulum::new(gravity, upper, Joint { length: length2, mass: mass2 })
     }
 }

@@ -3,12 +3,11 @@
 
 use clap::{Args, ValueEnum};
 use pendula::systems::{Damped, DoublePhase, Driven, Shaken};
-use pendula::{DoublePendulum, Error, Pendulum, Phase};
+use pendula::{DoublePendulum, Pendulum, Phase};
 
 use super::angle::angle;
-use super::double::DoubleArguments;
 use super::number::number;
-use super::pendulum::GravityArgument;
+use super::pendulum::{DoubleArguments, GravityArgument};
 use pendula_output::failure::Failure;
 
 /// What is integrated.
@@ -119,49 +118,49 @@ pub enum Forced {
 
 impl SystemArguments {
     /// The system.
-    ///
-    /// # Errors
-    /// [`Failure::Refused`] for a parameter that is missing, or belongs to another system, or that
-    /// the library refuses.
     pub fn chosen(&self) -> Result<Chosen, Failure> {
         self.check()?;
-        let refused = |error: Error| Failure::refused(error);
         let gravity = self.gravity.gravity;
         if self.system == SystemName::DoublePendulum {
             let DoubleStart { theta1, theta2, omega1, omega2 } = self.double_start;
             let theta = [self.needed("theta1", theta1)?, self.needed("theta2", theta2)?];
             let omega = [omega1.unwrap_or(0.0), omega2.unwrap_or(0.0)];
-            let double = self.double.double(gravity).map_err(refused)?;
-            return Ok(Chosen::Double(double, double.start(theta, omega).map_err(refused)?));
+            let double = self.double.double(gravity).map_err(Failure::refused)?;
+            return Ok(Chosen::Double(
+                double,
+                double.start(theta, omega).map_err(Failure::refused)?,
+            ));
         }
         let length = self.length.unwrap_or(Pendulum::PAPER.length());
         let mass = self.mass.unwrap_or(Pendulum::PAPER.mass());
-        let pendulum = Pendulum::new(gravity, length, mass).map_err(refused)?;
+        let pendulum = Pendulum::new(gravity, length, mass).map_err(Failure::refused)?;
         let theta0 = self.needed("theta0", self.theta0)?;
-        let start = pendulum.start(theta0, self.omega0.unwrap_or(0.0)).map_err(refused)?;
+        let start = pendulum.start(theta0, self.omega0.unwrap_or(0.0)).map_err(Failure::refused)?;
         Ok(Chosen::Pendulum(pendulum, start, self.forced(pendulum)?))
     }
 
     /// What happens to `pendulum`.
     fn forced(&self, pendulum: Pendulum) -> Result<Forced, Failure> {
-        let refused = |error: Error| Failure::refused(error);
         let of = &self.forced;
         Ok(match self.system {
             SystemName::Pendulum | SystemName::DoublePendulum => Forced::No,
             SystemName::Damped => {
                 let damping = self.needed("damping", of.damping)?;
-                Forced::Damped(Damped::new(pendulum, damping).map_err(refused)?)
+                Forced::Damped(Damped::new(pendulum, damping).map_err(Failure::refused)?)
             }
             SystemName::Driven => {
-                let damped = Damped::new(pendulum, of.damping.unwrap_or(0.0)).map_err(refused)?;
+                let damped =
+                    Damped::new(pendulum, of.damping.unwrap_or(0.0)).map_err(Failure::refused)?;
                 let strength = self.needed("drive-strength", of.drive_strength)?;
                 let frequency = self.needed("drive-frequency", of.drive_frequency)?;
-                Forced::Driven(Driven::new(damped, strength, frequency).map_err(refused)?)
+                Forced::Driven(Driven::new(damped, strength, frequency).map_err(Failure::refused)?)
             }
             SystemName::Shaken => {
                 let amplitude = self.needed("pivot-amplitude", of.pivot_amplitude)?;
                 let frequency = self.needed("pivot-frequency", of.pivot_frequency)?;
-                Forced::Shaken(Shaken::new(pendulum, amplitude, frequency).map_err(refused)?)
+                Forced::Shaken(
+                    Shaken::new(pendulum, amplitude, frequency).map_err(Failure::refused)?,
+                )
             }
         })
     }

@@ -1,6 +1,6 @@
 //! A trajectory of the pendulum in steps whose size follows the motion.
 
-use std::io::{self, Write};
+use std::io::Write;
 use std::time::Instant;
 
 use pendula::adaptive::{Adaptive, Controlled, TaylorSeries, Tolerance};
@@ -10,9 +10,7 @@ use pendula::{Error, Hamiltonian, Info, Observer, Pendulum, Phase};
 
 use super::trajectory::TrajectoryArguments;
 use super::{COLUMNS, PANELS, end_errors};
-use crate::commands::destination::Destination;
-use crate::commands::plot::{Plot, TIME};
-use crate::commands::rows::Rows;
+use crate::commands::plot::{Drawing, TIME};
 use crate::commands::state::Kept;
 use crate::commands::summary::Summary;
 use pendula_output::failure::Failure;
@@ -34,11 +32,6 @@ pub struct Walk<'a> {
 
 impl Walk<'_> {
     /// Prints a row for the start and one for the end of each step.
-    ///
-    /// # Errors
-    /// [`Failure::Refused`] for what the library refuses and for a method that cannot choose its
-    /// steps; a failure if the output cannot be written, if the user interrupts, or if the steps
-    /// do not reach the end.
     pub fn print(
         &self,
         out: [&mut dyn Write; 2],
@@ -66,7 +59,7 @@ impl Walk<'_> {
     ) -> Result<(), Failure> {
         let &Self { pendulum, start, within: (tolerance, duration), arguments, .. } = self;
         let begun = Instant::now();
-        let kept = Kept::new(&arguments.kept)?;
+        let mut kept = Kept::new(&arguments.kept)?;
         let title = format!("{title}, tolerance {tolerance:?}");
         let tolerance = Tolerance::uniform(tolerance).map_err(Failure::refused)?;
         let adaptive = Adaptive::new(method, tolerance).max_attempts(arguments.max_steps);
@@ -74,24 +67,13 @@ impl Walk<'_> {
 
         // Set the interrupt handler before creating the file.
         let lookout = lookout();
-        let plot = arguments.plot.target().map(|to| Plot::new(to, TIME, &title, &PANELS));
-        let mut plot = plot.transpose()?;
-        let mut nowhere = io::sink();
-        // A plot on standard output stands there instead of the rows.
-        let instead = plot.as_ref().is_some_and(|plot| plot.is_in_the_terminal);
-        let rows_out: &mut dyn Write = if instead { &mut nowhere } else { &mut *out };
-        let destination = Destination::open(kept.output(), rows_out)?;
-        let mut rows = Rows::begin(destination, arguments.format, COLUMNS)?;
+        let asked = &arguments.plot;
+        let plot = Drawing { asked, title: &title, across: TIME, panels: &PANELS };
+        let mut rows = kept.open(out, plot, arguments.format, COLUMNS, false)?;
         let mut drift = EnergyDrift::new(&pendulum);
         drift.observe(0, 0.0, start);
-        let mut print = |t: f64, z: Phase| -> io::Result<()> {
-            let row = [t, z.theta, z.omega, pendulum.energy_from_pivot(z)];
-            if let Some(plot) = &mut plot {
-                plot.add(&row);
-            }
-            rows.row(row)
-        };
-        print(0.0, start)?;
+        let row = |t: f64, z: Phase| [t, z.theta, z.omega, pendulum.energy_from_pivot(z)];
+        rows.row(row(0.0, start))?;
         loop {
             let steps = walk.counts().accepted;
             let step = if lookout.interrupts(steps) {
@@ -108,22 +90,15 @@ impl Walk<'_> {
                 Ok(step) => step,
                 Err(error) => {
                     // The rows so far are whole.
-                    rows.end()?.flush()?;
+                    rows.leave()?;
                     return Err(Failure::Failed(error));
                 }
             };
             let (t, z) = (step.end_time(), step.end());
-            print(t, z)?;
+            rows.row(row(t, z))?;
             drift.observe(steps + 1, t, z);
         }
-        // Before the rows: whoever has them has all that was asked for.
-        if let Some(plot) = &mut plot {
-            plot.write()?;
-        }
-        rows.end()?.finish()?;
-        if let Some(plot) = plot {
-            plot.print(out)?;
-        }
+        kept.finish(rows)?;
         if arguments.summary {
             let counts = walk.counts();
             let mut summary =

@@ -5,10 +5,10 @@ use std::io::Write;
 use pendula::integrate::{self, Checkpoint};
 use pendula::metrics::EnergyDrift;
 use pendula::systems::DoublePhase;
-use pendula::{DoublePendulum, Grid, Hamiltonian, method_named};
+use pendula::{DoublePendulum, Hamiltonian, method_named};
 
-use super::suited::steps;
-use super::trajectory::{Settings, Trajectory};
+use super::steps;
+use super::trajectory::{Trajectory, TrajectoryArguments};
 use super::watch::Run;
 use crate::commands::plot::Panel;
 use pendula_output::failure::Failure;
@@ -17,19 +17,16 @@ use pendula_output::interrupt::Lookout;
 /// Writes the rows t, theta1, theta2, omega1, omega2, x1, y1, x2, y2, energy: in s, rad, rad/s, m
 /// and J; the positions of the bobs with the pivot as origin and y upwards, the energy above that
 /// of the equilibrium. The system is not separable, and splitting methods are refused.
-///
-/// # Errors
-/// [`Failure::Refused`] for what the library refuses; a failure if the output cannot be written, if
-/// the user interrupts, or if the trajectory leaves the range of f64.
 pub fn print(
     method: &str,
     double: DoublePendulum,
     start: DoublePhase,
-    (settings, grid): (Settings<'_>, Grid),
+    arguments: &TrajectoryArguments,
     out: [&mut dyn Write; 2],
     lookout: impl FnOnce() -> Lookout,
 ) -> Result<(), Failure> {
-    let steps = steps::<DoublePendulum>(method)?;
+    let steps = steps::<DoublePendulum>(method, "the double pendulum")?;
+    let grid = arguments.grid()?;
     let title = method_named(method).map_or(method, |method| method.info().title);
     let trajectory = Trajectory {
         title: format!("Double pendulum, {title}, Δt = {:?} s", grid.step()),
@@ -52,7 +49,8 @@ pub fn print(
             None => integrate::Run::start(&double, steps, start, &grid),
         })
     };
-    settings.print(&trajectory, EnergyDrift::new(&double), &grid, begin, out, &lookout())
+    let drift = Some(EnergyDrift::new(&double));
+    arguments.print(&trajectory, drift, &grid, begin, out, lookout)
 }
 
 /// What a plot shows.

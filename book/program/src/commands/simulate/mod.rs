@@ -5,10 +5,12 @@ use std::io::Write;
 use clap::Args;
 use clap::builder::PossibleValuesParser;
 use pendula::fast::FastRun;
-use pendula::integrate::{self, Checkpoint};
+use pendula::integrate::{self, Checkpoint, Steps};
+use pendula::methods::table::Listed;
 use pendula::metrics::EnergyDrift;
 use pendula::{
-    AnyMethod, Grid, Hamiltonian, Info, METHODS, Motion, Pendulum, Phase, Rk4, method_named,
+    AnyMethod, Grid, Hamiltonian, Info, METHODS, MethodInfo, Motion, Pendulum, Phase, Rk4,
+    method_named,
 };
 
 use super::arguments::system::{Chosen, Forced, SystemArguments};
@@ -17,13 +19,11 @@ use super::summary::Summary;
 use adaptive::{SERIES, Walk};
 use pendula_output::failure::Failure;
 use pendula_output::interrupt::Lookout;
-use suited::{Suited, steps};
-use trajectory::{Settings, Trajectory, TrajectoryArguments};
-use watch::{NotConserved, Run};
+use trajectory::{Trajectory, TrajectoryArguments};
+use watch::Run;
 
 mod adaptive;
 mod double;
-mod suited;
 mod trajectory;
 mod watch;
 
@@ -78,28 +78,28 @@ pub fn run(
     let (pendulum, start, forced) = match chosen {
         Chosen::Pendulum(pendulum, start, forced) => (pendulum, start, forced),
         Chosen::Double(double, start) => {
-            return double::print(method, double, start, trajectory.settings()?, out, lookout);
+            return double::print(method, double, start, trajectory, out, lookout);
         }
     };
     let method = method_named(method).ok_or_else(|| {
         Failure::refused(format!("--method {method} chooses its steps: --tolerance, not --dt"))
     })?;
-    let (settings, grid) = trajectory.settings()?;
-    let scene = Scene { pendulum, method, start, grid };
+    let scene = Scene { pendulum, method, start, grid: trajectory.grid()?, arguments: trajectory };
     match forced {
-        Forced::No => scene.swing(settings, out, lookout),
-        Forced::Damped(damped) => scene.other(&damped, settings, out, lookout),
-        Forced::Driven(driven) => scene.other(&driven, settings, out, lookout),
-        Forced::Shaken(shaken) => scene.other(&shaken, settings, out, lookout),
+        Forced::No => scene.swing(out, lookout),
+        Forced::Damped(damped) => scene.other(&damped, "the damped pendulum", out, lookout),
+        Forced::Driven(driven) => scene.other(&driven, "the driven pendulum", out, lookout),
+        Forced::Shaken(shaken) => scene.other(&shaken, "the shaken pendulum", out, lookout),
     }
 }
 
-/// What is integrated, how, and whence.
-struct Scene {
+/// What is integrated, how, and whence; and how it is printed.
+struct Scene<'a> {
     pendulum: Pendulum,
     method: &'static dyn AnyMethod,
     start: Phase,
     grid: Grid,
+    arguments: &'a TrajectoryArguments,
 }
 
 /// The columns of the rows.
@@ -111,75 +111,90 @@ const PANELS: [Panel; 2] = [
     Panel::new("energy change (J)", &[(3, "")]).since_the_start(),
 ];
 
-impl Scene {
-    fn title(&self, of: &str) -> String {
-        format!("{of}{}, Δt = {:?} s", self.method.info().title, self.grid.step())
-    }
-
+impl Scene<'_> {
     /// The pendulum itself.
     fn swing(
         &self,
-        settings: Settings<'_>,
         out: [&mut dyn Write; 2],
         lookout: impl FnOnce() -> Lookout,
     ) -> Result<(), Failure> {
-        let &Self { pendulum, method, start, grid } = self;
-        let trajectory = Trajectory {
-            title: self.title(""),
-            start,
-            energy: pendulum.energy(start),
-            columns: COLUMNS,
-            row: &|t, z: Phase| [t, z.theta, z.omega, pendulum.energy_from_pivot(z)],
-            panels: &PANELS,
-            method: method.info().name,
-            end_errors: &|summary, end| {
-                end_errors(summary, &pendulum, start, grid.time(grid.steps()), end);
-            },
-        };
+        let &Self { ref pendulum, method, start, grid, .. } = self;
         let steps = method.steps().expect("a method of the library has steps");
         let begin = |at: Option<Checkpoint>| -> Box<dyn Run<Phase>> {
             Box::new(match at {
-                Some(at) => FastRun::resume(&pendulum, steps, start, &grid, at),
-                None => FastRun::start(&pendulum, steps, start, &grid),
+                Some(at) => FastRun::resume(pendulum, steps, start, &grid, at),
+                None => FastRun::start(pendulum, steps, start, &grid),
             })
         };
-        settings.print(&trajectory, EnergyDrift::new(&pendulum), &grid, begin, out, &lookout())
+        let end_errors = |summary: &mut Summary, end| {
+            end_errors(summary, pendulum, start, grid.time(grid.steps()), end);
+        };
+        let drift = Some(EnergyDrift::new(pendulum));
+        self.print("", drift, begin, &end_errors, out, lookout)
     }
 
-    /// A system that is made of it, and conserves no energy.
-    fn other<S: Suited<State = Phase>>(
+    /// A system that is made of it, is called this, and conserves no energy.
+    fn other<S: Listed<State = Phase>>(
         &self,
         system: &S,
-        settings: Settings<'_>,
+        called: &str,
         out: [&mut dyn Write; 2],
         lookout: impl FnOnce() -> Lookout,
     ) -> Result<(), Failure> {
-        let &Self { pendulum, method, start, grid } = self;
-        let name = method.info().name;
-        let steps = steps::<S>(name)?;
-        let energy = pendulum.energy(start);
-        let trajectory = Trajectory {
-            title: self.title(&format!("{}, ", S::NAME)),
-            start,
-            energy,
-            columns: COLUMNS,
-            row: &|t, z: Phase| [t, z.theta, z.omega, pendulum.energy_from_pivot(z)],
-            panels: &PANELS,
-            method: name,
-            // There is no closed form.
-            end_errors: &|summary, end| {
-                let at_the_end = pendulum.energy(end);
-                summary.line("energy at the end", format!("{at_the_end:.6e} J, of {energy:.6e} J"));
-            },
-        };
+        let &Self { ref pendulum, method, start, grid, .. } = self;
+        let steps = steps::<S>(method.info().name, called)?;
         let begin = |at: Option<Checkpoint>| -> Box<dyn Run<Phase>> {
             Box::new(match at {
                 Some(at) => integrate::Run::resume(system, steps, &grid, at),
                 None => integrate::Run::start(system, steps, start, &grid),
             })
         };
-        settings.print(&trajectory, NotConserved, &grid, begin, out, &lookout())
+        // There is no closed form.
+        let end_errors = |summary: &mut Summary, end| {
+            let [first, last] = [start, end].map(|z| pendulum.energy(z));
+            summary.line("energy at the end", format!("{last:.6e} J, of {first:.6e} J"));
+        };
+        self.print(&format!("{called}, "), None, begin, &end_errors, out, lookout)
     }
+
+    /// Prints the run that `begin` begins, of what a title calls this.
+    fn print(
+        &self,
+        of: &str,
+        drift: Option<EnergyDrift<'_, Pendulum>>,
+        begin: impl FnOnce(Option<Checkpoint>) -> Box<dyn Run<Phase>>,
+        end_errors: &dyn Fn(&mut Summary, Phase),
+        out: [&mut dyn Write; 2],
+        lookout: impl FnOnce() -> Lookout,
+    ) -> Result<(), Failure> {
+        let &Self { pendulum, method, start, grid, arguments } = self;
+        let MethodInfo { name, title, .. } = method.info();
+        let trajectory = Trajectory {
+            title: format!("{of}{title}, Δt = {:?} s", grid.step()),
+            start,
+            energy: pendulum.energy(start),
+            columns: COLUMNS,
+            row: &|t, z: Phase| [t, z.theta, z.omega, pendulum.energy_from_pivot(z)],
+            panels: &PANELS,
+            method: name,
+            end_errors,
+        };
+        arguments.print(&trajectory, drift, &grid, begin, out, lookout)
+    }
+}
+
+/// The steps of the method `name` on a system that is `called` this, or their refusal, with the
+/// methods that suit.
+fn steps<S: Listed>(name: &str, called: &str) -> Result<&'static dyn Steps<S>, Failure> {
+    S::steps(name).ok_or_else(|| {
+        let names = METHODS.iter().map(|method| method.info().name);
+        let suited: Vec<&str> = names.filter(|name| S::steps(name).is_some()).collect();
+        let suited = suited.join(", ");
+        Failure::refused(format!(
+            "--method {name}: it needs more of a system than this one has, {called}; those that \
+             suit are {suited}"
+        ))
+    })
 }
 
 /// Adds the errors of the state `end` at the time `t` (s) to the summary, against the closed form,

@@ -1,20 +1,21 @@
 //! A trajectory of any length in equal steps, printed as rows in constant memory.
 
-use std::io::{self, Write};
+use std::io::Write;
 use std::num::NonZeroU64;
 use std::time::{Duration, Instant};
 
 use clap::Args;
 use pendula::adaptive::STEP_LIMIT;
 use pendula::integrate::{CHECKPOINT_NUMBERS, Checkpoint};
-use pendula::{Grid, Observer};
+use pendula::metrics::EnergyDrift;
+use pendula::{Grid, Hamiltonian, Observer};
 use serde::{Deserialize, Serialize};
 
-use super::watch::{Drift, Printer, Run, Watch, overflow};
+use super::watch::{Run, Watch, overflow};
 use crate::commands::arguments::number::{count, number, positive_count};
-use crate::commands::plot::{Panel, Plot, PlotArguments, TIME, Target};
+use crate::commands::plot::{Drawing, Panel, PlotArguments, TIME};
 use crate::commands::rows::RowFormat;
-use crate::commands::state::{Bits, Kept, KeptArguments};
+use crate::commands::state::{Kept, KeptArguments};
 use crate::commands::summary::Summary;
 use pendula_output::failure::Failure;
 use pendula_output::interrupt::Lookout;
@@ -80,12 +81,12 @@ struct Length {
 #[serde(deny_unknown_fields)]
 struct Progress {
     steps: u64,
-    /// The numbers of its [`Checkpoint`].
-    numbers: Vec<Bits>,
+    /// Those of its [`Checkpoint`].
+    numbers: [f64; CHECKPOINT_NUMBERS],
     evaluations: u64,
-    nanoseconds: u64,
+    elapsed: Duration,
     /// The largest energy error (J), if a summary was asked for.
-    energy_error: Option<Bits>,
+    energy_error: Option<f64>,
 }
 
 /// A trajectory to be printed.
@@ -108,96 +109,69 @@ pub struct Trajectory<'a, Z, const N: usize> {
     pub end_errors: &'a dyn Fn(&mut Summary, Z),
 }
 
-/// The settings of a trajectory, those of its state included.
-pub struct Settings<'a> {
-    kept: Kept<'a>,
-    plot: Option<Target>,
-    summary: bool,
-    every: NonZeroU64,
-    format: RowFormat,
-}
-
 impl TrajectoryArguments {
     /// The tolerance and the duration (s), if the steps are not to be equal.
     pub fn by_tolerance(&self) -> Option<(f64, f64)> {
         self.stepping.tolerance.zip(self.length.duration)
     }
 
-    /// The settings, and the grid of times.
-    ///
-    /// # Errors
-    /// [`Failure::Refused`] for what [`Grid`] refuses, and where the state of another run lies.
-    pub fn settings(&self) -> Result<(Settings<'_>, Grid), Failure> {
+    /// The grid of times.
+    pub fn grid(&self) -> Result<Grid, Failure> {
         // clap sees to it that one of each two is given.
         let dt = self.stepping.dt.unwrap_or(f64::NAN);
         let grid = match self.length {
             Length { duration: Some(duration), .. } => Grid::with_duration(dt, duration),
             Length { steps, .. } => Grid::new(dt, steps.unwrap_or(0)),
         };
-        let grid = grid.map_err(Failure::refused)?;
-        let kept = Kept::new(&self.kept)?;
-        // Half a plot is none.
-        let plot = self.plot.target().filter(|_| !kept.is_resumed());
-        let Self { summary, every, format, .. } = *self;
-        Ok((Settings { kept, plot, summary, every, format }, grid))
+        grid.map_err(Failure::refused)
     }
-}
 
-impl Settings<'_> {
     /// Prints the rows of `trajectory`, along `grid`. The run is what `run` makes of the checkpoint
     /// at which it is resumed, if it is.
-    ///
-    /// # Errors
-    /// [`Failure::Refused`] if the output cannot be opened; a failure if it cannot be written, if
-    /// the user interrupts, or if the trajectory is lost.
-    pub fn print<Z: Copy, const N: usize>(
-        self,
-        trajectory: &Trajectory<'_, Z, N>,
-        drift: impl Drift<Z>,
+    pub fn print<H: Hamiltonian, const N: usize>(
+        &self,
+        trajectory: &Trajectory<'_, H::State, N>,
+        drift: Option<EnergyDrift<'_, H>>,
         grid: &Grid,
-        run: impl FnOnce(Option<Checkpoint>) -> Box<dyn Run<Z>>,
+        run: impl FnOnce(Option<Checkpoint>) -> Box<dyn Run<H::State>>,
         [out, err]: [&mut dyn Write; 2],
-        lookout: &Lookout,
+        lookout: impl FnOnce() -> Lookout,
     ) -> Result<(), Failure> {
-        let Self { kept, plot, summary, every, format } = self;
+        let &Self { summary, every, format, .. } = self;
         let begun = Instant::now();
-        let before = match kept.resumed::<Progress>()? {
-            Some((_, progress)) => Some((checkpoint(&kept, &progress, grid)?, progress)),
-            None => None,
-        };
-        let mut run = run(before.as_ref().map(|(at, _)| *at));
+        let mut kept = Kept::new(&self.kept)?;
+        let before = kept.resumed::<Progress>()?.map(|(_, progress)| progress);
+        if before.as_ref().is_some_and(|before| before.steps > grid.steps()) {
+            return Err(kept.refused(format!("it is beyond the last of {} steps", grid.steps())));
+        }
+        let at = before.as_ref().map(|before| Checkpoint::new(before.steps, before.numbers));
+        let mut run = run(at);
+        // Set the interrupt handler before creating the file.
+        let lookout = lookout();
         let Trajectory { row, method, ref title, panels, .. } = *trajectory;
-        let mut drawn = plot.map(|target| Plot::new(target, TIME, title, panels)).transpose()?;
-        let mut nowhere = io::sink();
-        // A plot on standard output stands there instead of the rows.
-        let instead = drawn.as_ref().is_some_and(|plot| plot.is_in_the_terminal);
-        let rows_out: &mut dyn Write = if instead { &mut nowhere } else { &mut *out };
-        let rows = kept.open(rows_out, format, trajectory.columns, false)?;
-        let printer = Printer { row, method, plot: drawn.as_mut(), rows, ended: None };
-        let mut watch = Watch { drift, printer, every, next: every.get() };
-        watch.drift.observe(0, 0.0, trajectory.start);
+        let plot = Drawing { asked: &self.plot, title, across: TIME, panels };
+        let rows = kept.open(out, plot, format, trajectory.columns, false)?;
         let mut z = trajectory.start;
-        let before = match before {
-            Some((at, progress)) => {
-                watch.next = (at.steps() / every + 1).saturating_mul(every.get());
-                // The state at which it stands: it takes no step.
-                z = run.advance(at.steps(), every, &mut ()).map_err(Failure::refused)?;
-                progress
+        let next = at.map_or(0, |at| (at.steps() / every + 1).saturating_mul(every.get()));
+        let mut watch = Watch { drift, row, method, rows, every, next, ended: None };
+        if let Some(at) = at {
+            if let Some(drift) = &mut watch.drift {
+                drift.observe(0, grid.time(0), z);
             }
-            None => {
-                watch.printer.observe(0, grid.time(0), z);
-                Progress::default()
-            }
-        };
-        let measured = summary && watch.drift.largest().is_some();
-        let interrupted = watch.follow(run.as_mut(), &mut z, grid.steps(), measured, lookout);
-        let Watch { drift, printer: Printer { rows, ended, .. }, .. } = watch;
+            // The state at which it stands: it takes no step.
+            z = run.advance(at.steps(), every, &mut ()).map_err(Failure::refused)?;
+        } else {
+            watch.observe(0, grid.time(0), z);
+        }
+        let before = before.unwrap_or_default();
+        let measured = summary && watch.drift.is_some();
+        let interrupted = watch.follow(run.as_mut(), &mut z, grid.steps(), measured, &lookout);
+        let Watch { drift, rows, ended, .. } = watch;
         let steps = run.checkpoint().steps();
-        let elapsed = Duration::from_nanos(before.nanoseconds) + begun.elapsed();
+        let elapsed = before.elapsed + begun.elapsed();
         let evaluations = before.evaluations + run.evaluations();
-        let energy_error = drift.largest().map(|largest| {
-            libm::fmaximum(largest, before.energy_error.map_or(0.0, |Bits(error)| error))
-        });
+        let energy_error =
+            drift.map(|drift| libm::fmaximum(drift.largest(), before.energy_error.unwrap_or(0.0)));
         let at_the_end = (trajectory.row)(grid.time(steps), z);
         // It may have been lost after the last row.
         let ended = match at_the_end.iter().all(|value| value.is_finite()) {
@@ -206,60 +180,31 @@ impl Settings<'_> {
         };
         if let Some(failure) = ended {
             // The rows so far are whole; if the output is what failed, closing it fails again.
-            let _ = rows.end().map(|mut destination| destination.flush());
+            let _ = rows.leave();
             return Err(failure);
         }
         if interrupted {
             let progress = Progress {
                 steps,
-                numbers: run.checkpoint().numbers().iter().copied().map(Bits).collect(),
+                numbers: *run.checkpoint().numbers(),
                 evaluations,
-                nanoseconds: u64::try_from(elapsed.as_nanos()).unwrap_or(u64::MAX),
-                energy_error: energy_error.filter(|_| summary).map(Bits),
+                elapsed,
+                energy_error: energy_error.filter(|_| summary),
             };
             let (all, t) = (grid.steps(), grid.time(steps));
-            let without = if drawn.is_some() { ", without its plot" } else { "" };
+            let without = if rows.are_drawn() { ", without its plot" } else { "" };
             let stands = format!("after {steps} of {all} steps, at {t:?} s{without}");
             return Err(kept.leave(rows, &progress, &stands)?);
         }
-        // Before the rows: whoever has them has all that was asked for.
-        if let Some(plot) = &mut drawn {
-            plot.write()?;
-        }
         kept.finish(rows)?;
-        if let Some(plot) = drawn {
-            plot.print(out)?;
-        }
         if summary {
-            let summary = Summary::of_cost(steps, evaluations, elapsed);
-            trajectory.summary(summary, energy_error, z).print(err)?;
+            let mut summary = Summary::of_cost(steps, evaluations, elapsed);
+            if let Some(energy_error) = energy_error {
+                summary.energy_error(energy_error, trajectory.energy, "");
+            }
+            (trajectory.end_errors)(&mut summary, z);
+            summary.print(err)?;
         }
         Ok(())
     }
-}
-
-impl<Z, const N: usize> Trajectory<'_, Z, N> {
-    /// The summary with the errors of a run that ended with `z`.
-    fn summary(&self, mut summary: Summary, energy_error: Option<f64>, z: Z) -> Summary {
-        if let Some(energy_error) = energy_error {
-            summary.energy_error(energy_error, self.energy, "");
-        }
-        (self.end_errors)(&mut summary, z);
-        summary
-    }
-}
-
-/// The checkpoint of `progress`, if there is one like it on `grid`.
-fn checkpoint(kept: &Kept<'_>, progress: &Progress, grid: &Grid) -> Result<Checkpoint, Failure> {
-    let mut numbers = [0.0; CHECKPOINT_NUMBERS];
-    if progress.numbers.len() != numbers.len() {
-        return Err(kept.refused(format!("a run has {} numbers", numbers.len())));
-    }
-    if progress.steps > grid.steps() {
-        return Err(kept.refused(format!("it is beyond the last of {} steps", grid.steps())));
-    }
-    for (number, Bits(bits)) in numbers.iter_mut().zip(&progress.numbers) {
-        *number = *bits;
-    }
-    Ok(Checkpoint::new(progress.steps, numbers))
 }

@@ -1,6 +1,5 @@
 //! A run in steps, and what is done with its samples: they are printed, drawn and measured.
 
-use std::io::Write;
 use std::num::NonZeroU64;
 
 use pendula::fast::FastRun;
@@ -11,7 +10,6 @@ use pendula::{Error, Hamiltonian, Observer, Phase, System};
 use pendula_output::failure::Failure;
 use pendula_output::interrupt::Lookout;
 
-use crate::commands::plot::Plot;
 use crate::commands::rows::Rows;
 
 /// A run in steps that can be left and resumed.
@@ -73,31 +71,6 @@ impl Run<Phase> for FastRun<'_> {
     }
 }
 
-/// What is measured of the energy at every sample, if it ought to stay the same.
-pub trait Drift<Z>: Observer<Z> {
-    /// The largest error (J); none where the system conserves no energy.
-    fn largest(&self) -> Option<f64>;
-}
-
-impl<S: Hamiltonian> Drift<S::State> for EnergyDrift<'_, S> {
-    fn largest(&self) -> Option<f64> {
-        Some(EnergyDrift::largest(self))
-    }
-}
-
-/// The drift of a system that conserves no energy: nothing is an error.
-pub struct NotConserved;
-
-impl<Z> Observer<Z> for NotConserved {
-    fn observe(&mut self, _: u64, _: f64, _: Z) {}
-}
-
-impl<Z> Drift<Z> for NotConserved {
-    fn largest(&self) -> Option<f64> {
-        None
-    }
-}
-
 /// The failure of a trajectory that overflows.
 pub fn overflow(steps: u64) -> Failure {
     Failure::Failed(anyhow::anyhow!(
@@ -106,28 +79,34 @@ pub fn overflow(steps: u64) -> Failure {
     ))
 }
 
-/// Prints what it observes until it fails.
-pub struct Printer<'a, Z, W, const N: usize> {
-    pub row: &'a dyn Fn(f64, Z) -> [f64; N],
+/// Measures the energy error of the samples it is shown, and prints every k-th, until it fails.
+pub struct Watch<'a, H: Hamiltonian, const N: usize> {
+    /// None where the system conserves no energy.
+    pub drift: Option<EnergyDrift<'a, H>>,
+    pub row: &'a dyn Fn(f64, H::State) -> [f64; N],
     /// The name of the method.
     pub method: &'a str,
-    pub plot: Option<&'a mut Plot>,
-    pub rows: Rows<W, N>,
+    pub rows: Rows<'a, N>,
+    pub every: NonZeroU64,
+    /// The next sample to be printed: to divide each number would take as long as a step.
+    pub next: u64,
     /// Why it stopped before the end.
     pub ended: Option<Failure>,
 }
 
-impl<Z, W: Write, const N: usize> Observer<Z> for Printer<'_, Z, W, N> {
-    fn observe(&mut self, n: u64, t: f64, z: Z) {
-        let row = (self.row)(t, z);
-        self.ended = if row.iter().all(|value| value.is_finite()) {
-            if let Some(plot) = &mut self.plot {
-                plot.add(&row);
-            }
-            self.rows.row(row).err().map(Failure::from)
-        } else {
-            Some(overflow(n))
-        };
+impl<H: Hamiltonian, const N: usize> Observer<H::State> for Watch<'_, H, N> {
+    fn observe(&mut self, n: u64, t: f64, z: H::State) {
+        if let Some(drift) = &mut self.drift {
+            drift.observe(n, t, z);
+        }
+        if n == self.next {
+            self.next = n.saturating_add(self.every.get());
+            let row = (self.row)(t, z);
+            self.ended = match row.iter().all(|value| value.is_finite()) {
+                true => self.rows.row(row).err().map(Failure::from),
+                false => Some(overflow(n)),
+            };
+        }
     }
 
     fn is_satisfied(&self) -> bool {
@@ -135,57 +114,29 @@ impl<Z, W: Write, const N: usize> Observer<Z> for Printer<'_, Z, W, N> {
     }
 }
 
-/// Measures the energy error of every sample, and prints every k-th.
-pub struct Watch<'a, Z, D, W, const N: usize> {
-    pub drift: D,
-    pub printer: Printer<'a, Z, W, N>,
-    pub every: NonZeroU64,
-    /// The next sample to be printed.
-    pub next: u64,
-}
-
-impl<Z: Copy, D: Drift<Z>, W: Write, const N: usize> Observer<Z> for Watch<'_, Z, D, W, N> {
-    fn observe(&mut self, n: u64, t: f64, z: Z) {
-        self.drift.observe(n, t, z);
-        if n == self.next {
-            self.printer.observe(n, t, z);
-            self.next = self.next.saturating_add(self.every.get());
-        }
-    }
-
-    fn is_satisfied(&self) -> bool {
-        self.printer.ended.is_some()
-    }
-}
-
-impl<Z: Copy, D: Drift<Z>, W: Write, const N: usize> Watch<'_, Z, D, W, N> {
+impl<H: Hamiltonian, const N: usize> Watch<'_, H, N> {
     /// Follows the run to the step `last`, with `z` as its last state, and says whether it was
-    /// interrupted. Unless they are `measured`, only the samples to be printed are asked for.
+    /// interrupted. Unless all samples are `measured`, only those to be printed are asked for.
     pub fn follow(
         &mut self,
-        run: &mut dyn Run<Z>,
-        z: &mut Z,
+        run: &mut dyn Run<H::State>,
+        z: &mut H::State,
         last: u64,
         measured: bool,
         lookout: &Lookout,
     ) -> bool {
+        let every = if measured { NonZeroU64::MIN } else { self.every };
         loop {
             let steps = run.checkpoint().steps();
-            if self.printer.ended.is_some() || steps == last {
+            if self.ended.is_some() || steps == last {
                 return false;
             }
             if lookout.interrupts(steps) {
                 return true;
             }
-            let until = lookout.next(steps);
-            let end = if measured {
-                run.advance(until, NonZeroU64::MIN, self)
-            } else {
-                run.advance(until, self.every, &mut self.printer)
-            };
-            match end {
+            match run.advance(lookout.next(steps), every, self) {
                 Ok(end) => *z = end,
-                Err(error) => self.printer.ended = Some(lost(self.printer.method, &error)),
+                Err(error) => self.ended = Some(lost(self.method, &error)),
             }
         }
     }

@@ -21,10 +21,6 @@ pub struct Arguments {
 }
 
 /// Builds the book into `target/book`, prints the path of its first page, and opens it if asked.
-///
-/// # Errors
-/// When no book is found, when it cannot be built, when the user interrupts, or when no browser can
-/// be started.
 pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
     let here = env::current_dir().context("the current directory cannot be read")?;
     let root = locate::book(&here)?;

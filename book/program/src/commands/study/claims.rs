@@ -181,9 +181,6 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
 }
 
 /// Writes the claims of `ledger` that `filter` asks for.
-///
-/// # Errors
-/// As [`run`].
 pub fn report(
     ledger: &Ledger,
     filter: &Filter,

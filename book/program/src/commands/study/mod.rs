@@ -61,9 +61,6 @@ pub enum Paper {
 }
 
 /// Runs a command; its output goes to `out`.
-///
-/// # Errors
-/// Whatever the command refuses or fails at.
 pub fn run(command: Command, out: &mut dyn Write) -> Result<(), Failure> {
     match command {
         Command::Book(arguments) => book::run(&arguments, out),

@@ -59,9 +59,6 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
 }
 
 /// The same in the folder `here`, where `compute` says what the code gives.
-///
-/// # Errors
-/// As [`run`].
 pub fn run_in(
     here: &Path,
     arguments: &Arguments,

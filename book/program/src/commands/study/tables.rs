@@ -31,9 +31,6 @@ fn table_number(text: &str) -> Result<u32, String> {
 }
 
 /// Runs the study and writes its tables.
-///
-/// # Errors
-/// [`Failure::Refused`] for a table that is not one of the paper's.
 pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
     let numbers = match arguments.table {
         None => TABLES.to_vec(),

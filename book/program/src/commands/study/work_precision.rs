@@ -39,9 +39,6 @@ pub struct Arguments {
 
 /// Measures, writes the figure and the numbers to their files, and prints the table: for each scene
 /// and method the steps that count, with their error (rad) and run time (s).
-///
-/// # Errors
-/// [`Failure::Refused`] for a time that is not positive and for a folder that cannot be written to.
 pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
     let seconds = arguments.seconds;
     if !(seconds > 0.0 && seconds <= 3600.0) {

@@ -7,9 +7,6 @@ use pendula_output::failure::Failure;
 /// Writes a line for each device: its name, whether it calculates in double precision, and its
 /// memory, separated by two blanks or more. An empty list is no failure: why it is empty goes to
 /// standard error.
-///
-/// # Errors
-/// If the output cannot be written.
 pub fn run([out, err]: [&mut dyn Write; 2]) -> Result<(), Failure> {
     let devices = match pendula_device::devices() {
         Ok(devices) => devices,

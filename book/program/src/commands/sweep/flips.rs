@@ -1,6 +1,5 @@
 //! `pendula sweep flips`: when a double pendulum first turns over, for every release from rest.
 
-use std::collections::TryReserveError;
 use std::io::Write;
 use std::num::NonZeroU64;
 use std::path::PathBuf;
@@ -13,12 +12,10 @@ use pendula::fast::first_flips;
 use pendula::methods::table::RK4_IN_LANES;
 use pendula::systems::DoublePhase;
 use pendula::{DoublePendulum, Grid, Hamiltonian, Rk4};
+use pendula_device::Device;
 
-use super::device::Device;
-use crate::commands::arguments::device::DeviceArgument;
-use crate::commands::arguments::double::DoubleArguments;
 use crate::commands::arguments::number::number;
-use crate::commands::arguments::pendulum::GravityArgument;
+use crate::commands::arguments::pendulum::{DoubleArguments, GravityArgument};
 use crate::commands::destination::Destination;
 use crate::commands::summary::Summary;
 use crate::picture::Bands;
@@ -47,8 +44,9 @@ pub struct Arguments {
     /// Draw the times as a picture: θ₁ from left to right, θ₂ upwards, the later the darker
     #[arg(long, value_name = "FILE.png")]
     picture: Option<PathBuf>,
-    #[command(flatten)]
-    device: DeviceArgument,
+    /// Run on the OpenCL device with NAME in its name, see `pendula sweep devices`: the same bits
+    #[arg(long, value_name = "NAME")]
+    device: Option<String>,
     /// Write to FILE, which appears when it is whole
     #[arg(long, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -63,10 +61,6 @@ const LARGEST: usize = 4096;
 /// Writes the rows theta1, theta2, t: the angles at the release (rad), and the time (s) of the
 /// first step after which a rod is past the upward vertical, empty if there is none. The `lookout`
 /// counts rows.
-///
-/// # Errors
-/// [`Failure::Refused`] for what the library or the device refuses; a failure if something cannot
-/// be written, if the user interrupts, or if the device does not go on.
 pub fn run(
     arguments: &Arguments,
     [out, err]: [&mut dyn Write; 2],
@@ -80,14 +74,14 @@ pub fn run(
     }
     let double = arguments.double.double(arguments.gravity.gravity).map_err(Failure::refused)?;
     let grid = Grid::with_duration(arguments.dt, arguments.duration).map_err(Failure::refused)?;
-    let device = arguments.device.name().map(Device::named);
+    let device = arguments.device.as_deref().map(Device::named);
     let device = device.transpose().map_err(Failure::refused)?;
     // Set the interrupt handler before creating a file.
     let lookout = lookout();
     let interrupted = || Failure::Failed(anyhow!("interrupted"));
     let picture = arguments.picture.as_deref();
     let picture = picture.map(|path| Destination::file("--picture", path)).transpose()?;
-    let mut out = Destination::open(arguments.output.as_deref(), out)?;
+    let mut out = Destination::open(arguments.output.as_deref(), Destination::Caller(out))?;
     let begin = Instant::now();
     let (releases, device) = (Releases { double, size }, device.map(Arc::new));
     let work = move || releases.first_flips(device.as_deref(), &grid);
@@ -143,8 +137,6 @@ impl Releases {
         let count = size * size;
         let least = double.least_flip_energy();
         let (mut places, mut starts) = (Vec::new(), Vec::<DoublePhase>::new());
-        places.try_reserve_exact(count / 2).map_err(no_memory)?;
-        starts.try_reserve_exact(count / 2).map_err(no_memory)?;
         for index in 0..count / 2 {
             let theta = [angle(index % size, *size), angle(index / size, *size)];
             let start = double.start(theta, [0.0; 2]).map_err(Failure::refused)?;
@@ -153,32 +145,20 @@ impl Releases {
                 starts.push(start);
             }
         }
-        let mut found = none_of(starts.len())?;
+        let mut found = vec![None; starts.len()];
         match device {
             Some(device) => device
                 .first_flips(double, &Rk4, &starts, grid, &mut found)
                 .map_err(|error| Failure::Failed(error.into()))?,
             None => first_flips(double, RK4_IN_LANES, &starts, grid, &mut found),
         }
-        let mut flips = none_of(count)?;
+        let mut flips = vec![None; count];
         for (place, flip) in places.into_iter().zip(found) {
             flips[place] = flip;
             flips[count - 1 - place] = flip;
         }
         Ok(flips)
     }
-}
-
-/// No time yet for `count` releases.
-fn none_of(count: usize) -> Result<Vec<Option<NonZeroU64>>, Failure> {
-    let mut none = Vec::new();
-    none.try_reserve_exact(count).map_err(no_memory)?;
-    none.resize(count, None);
-    Ok(none)
-}
-
-fn no_memory(_: TryReserveError) -> Failure {
-    Failure::refused("there is too little memory: take a smaller --size")
 }
 
 /// The angle (rad) of the release `index` of `size`: the middles of as many parts of a turn.

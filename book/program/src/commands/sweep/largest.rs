@@ -4,7 +4,6 @@ use pendula::{Hamiltonian, Motion, Phase};
 use serde::{Deserialize, Serialize};
 
 use super::runner::{Run, Runner};
-use crate::commands::state::Bits;
 use crate::commands::summary::Summary;
 
 /// The largest errors of the runs so far, for the summary.
@@ -20,9 +19,9 @@ pub struct Largest {
 #[derive(Clone, Copy, Debug, Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]
 struct Worst {
-    error: Bits,
-    theta0: Bits,
-    dt: Bits,
+    error: f64,
+    theta0: f64,
+    dt: f64,
 }
 
 impl Largest {
@@ -31,8 +30,8 @@ impl Largest {
         let Run { theta0, grid, end, energy_error } = *run;
         let dt = grid.step();
         let include = |worst: &mut Option<Worst>, error: f64| {
-            if worst.is_none_or(|worst| error.abs() > worst.error.0.abs()) {
-                *worst = Some(Worst { error: Bits(error), theta0: Bits(theta0), dt: Bits(dt) });
+            if worst.is_none_or(|worst| error.abs() > worst.error.abs()) {
+                *worst = Some(Worst { error, theta0, dt });
             }
         };
         include(&mut self.energy, energy_error);
@@ -47,19 +46,18 @@ impl Largest {
 
     /// Adds a line for each to the summary.
     pub fn add_to(&self, summary: &mut Summary, runner: &Runner) {
-        let at =
-            |worst: &Worst| format!(" at θ₀ = {:?} rad, Δt = {:?} s", worst.theta0.0, worst.dt.0);
+        let at = |worst: &Worst| format!(" at θ₀ = {:?} rad, Δt = {:?} s", worst.theta0, worst.dt);
         if let Some(worst) = &self.energy {
-            let start = Phase { theta: worst.theta0.0, omega: runner.omega0 };
+            let start = Phase { theta: worst.theta0, omega: runner.omega0 };
             let initial = runner.pendulum.energy(start);
-            summary.energy_error(worst.error.0, initial, &at(worst));
+            summary.energy_error(worst.error, initial, &at(worst));
         }
         for (name, worst, unit) in [
             ("largest error of θ", &self.theta, "rad"),
             ("largest error of ω", &self.omega, "rad/s"),
         ] {
             if let Some(worst) = worst {
-                summary.line(name, format!("{:.6e} {unit}{}", worst.error.0, at(worst)));
+                summary.line(name, format!("{:.6e} {unit}{}", worst.error, at(worst)));
             }
         }
     }

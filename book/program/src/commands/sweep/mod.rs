@@ -6,23 +6,19 @@ use clap::{Args, Subcommand};
 use pendula::{Grid, method_named};
 
 use super::arguments::angle::angles;
-use super::arguments::device::DeviceArgument;
 use super::arguments::number::number;
 use super::arguments::part::Part;
 use super::arguments::pendulum::{MassArgument, PendulumArguments, methods};
 use super::arguments::range::Sweep;
 use super::examples;
-use super::plot::{Across, PlotArguments, Target};
+use super::plot::{Across, PlotArguments};
 use super::rows::RowFormat;
 use super::state::{Kept, KeptArguments};
 use pendula_output::failure::Failure;
 use pendula_output::interrupt::Lookout;
-use printer::Printer;
-use runner::{Run, Runner, grids};
+use printer::{Finished, Printer};
+use runner::{Runner, grids};
 
-#[cfg_attr(not(feature = "device"), path = "no_device.rs")]
-mod device;
-#[cfg(feature = "device")]
 mod devices;
 pub mod flips;
 mod largest;
@@ -49,7 +45,6 @@ enum Other {
     ]))]
     Flips(flips::Arguments),
     /// Print the OpenCL devices of this machine, for --device
-    #[cfg(feature = "device")]
     #[command(after_help = examples(&[
         "pendula sweep devices",
     ]))]
@@ -94,8 +89,9 @@ struct SweepArguments {
     /// the whole, with a header in the first
     #[arg(long, value_name = "K/N", allow_hyphen_values = true)]
     part: Option<Part>,
-    #[command(flatten)]
-    device: DeviceArgument,
+    /// Run on the OpenCL device with NAME in its name, see `pendula sweep devices`: the same bits
+    #[arg(long, value_name = "NAME")]
+    device: Option<String>,
     /// Where it is kept if it is interrupted.
     #[command(flatten)]
     kept: KeptArguments,
@@ -130,7 +126,6 @@ pub fn run(
 ) -> Result<(), Failure> {
     match arguments {
         Arguments { other: Some(Other::Flips(flips)), .. } => flips::run(flips, out, lookout),
-        #[cfg(feature = "device")]
         Arguments { other: Some(Other::Devices), .. } => devices::run(out),
         Arguments { sweep: Some(sweep), .. } => sweep_until(sweep, out, lookout),
         // clap has asked for its arguments.
@@ -152,7 +147,7 @@ fn sweep_until(
         ));
     }
     let mut runner = Runner::new(method, pendulum, omega0)?;
-    if let Some(device) = arguments.device.name() {
+    if let Some(device) = &arguments.device {
         if matches!(theta0, Sweep::One(_)) {
             return Err(Failure::refused(
                 "a device takes the same steps from many angles: --device needs a range --theta0",
@@ -161,10 +156,9 @@ fn sweep_until(
         runner = runner.on_device(device)?;
     }
     let kept = Kept::new(&arguments.kept)?;
-    // Half a plot is none.
-    let plot = arguments.plot.target().filter(|_| !kept.is_resumed());
-    let plot = plot.map(|to| arguments.drawn(to));
-    let printer = Printer { runner, duration, format, part, summary: arguments.summary, plot };
+    let (across, title) = arguments.drawn();
+    let &SweepArguments { summary, ref plot, .. } = arguments;
+    let printer = Printer { runner, duration, format, part, summary, plot, across, title };
     let part = part.unwrap_or(Part::WHOLE);
     match (theta0, dt) {
         (Sweep::Range(theta0), Sweep::One(dt)) => {
@@ -173,16 +167,17 @@ fn sweep_until(
             for end in [theta0.from, theta0.to] {
                 runner.start(end)?;
             }
-            let compute = move |angles: &[f64], finished: &(dyn Fn(usize, Run) + Sync)| {
-                runner.run_from_each(angles, &grid, finished);
+            let compute = move |angles: &[f64], finished: Finished<'_>| {
+                runner.run_from_each(angles, &grid, finished)
             };
             let angles = part.among(theta0.count).map(move |i| theta0.linear(i));
             printer.print(kept, out, angles, compute, lookout)
         }
         (Sweep::One(theta0), Sweep::Range(dt)) => {
             let start = runner.start(theta0)?;
-            let compute = move |grids: &[Grid], finished: &(dyn Fn(usize, Run) + Sync)| {
+            let compute = move |grids: &[Grid], finished: Finished<'_>| {
                 runner.along_each(start, grids, finished);
+                Ok(())
             };
             let grids = grids(duration, dt, part.among(dt.count))?;
             printer.print(kept, out, grids, compute, lookout)
@@ -195,8 +190,8 @@ fn sweep_until(
 }
 
 impl SweepArguments {
-    /// Where a plot goes, what is on its x axis, and its title.
-    fn drawn(&self, to: Target) -> (Target, Across, String) {
+    /// What is on the x axis of a plot, and its title.
+    fn drawn(&self) -> (Across, String) {
         let Self { method, theta0, dt, duration, .. } = self;
         let title = method_named(method).map_or(method.as_str(), |method| method.info().title);
         let (across, fixed) = match theta0 {
@@ -207,6 +202,6 @@ impl SweepArguments {
                 (Across { column: 1, label: "Δt (s)", log: true }, format!("θ₀ = {theta0:?} rad"))
             }
         };
-        (to, across, format!("{title}, {fixed}, {duration:?} s"))
+        (across, format!("{title}, {fixed}, {duration:?} s"))
     }
 }

@@ -1,8 +1,7 @@
 //! The rows of a sweep, a batch of runs at a time.
 
-use std::io::{self, Write};
-use std::mem;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::io::Write;
+use std::sync::mpsc;
 use std::time::{Duration, Instant};
 
 use pendula::MethodInfo;
@@ -13,7 +12,7 @@ use serde::{Deserialize, Serialize};
 use super::largest::Largest;
 use super::runner::{Run, Runner};
 use crate::commands::arguments::part::Part;
-use crate::commands::plot::{Across, Panel, Plot, Target};
+use crate::commands::plot::{Across, Drawing, Panel, PlotArguments};
 use crate::commands::rows::{RowFormat, Rows};
 use crate::commands::state::Kept;
 use crate::commands::summary::Summary;
@@ -26,52 +25,52 @@ const PANELS: [Panel; 1] = [Panel::new("largest energy error (J)", &[(4, "")]).l
 #[serde(deny_unknown_fields)]
 struct Progress {
     steps: u64,
-    nanoseconds: u64,
+    elapsed: Duration,
     /// The largest errors, if a summary was asked for.
     largest: Option<Largest>,
 }
 
+/// What is told of each run, with its place among the items, as soon as it is finished.
+pub type Finished<'a> = &'a (dyn Fn(usize, Run) + Sync);
+
 /// What all rows have in common.
-pub struct Printer {
+pub struct Printer<'a> {
     pub runner: Runner,
     pub duration: f64,
     pub format: RowFormat,
     pub part: Option<Part>,
     pub summary: bool,
-    /// Where a plot goes, what is on its x axis, and its title.
-    pub plot: Option<(Target, Across, String)>,
+    pub plot: &'a PlotArguments,
+    /// What is on the x axis of a plot, and its title.
+    pub across: Across,
+    pub title: String,
 }
 
-impl Printer {
+impl Printer<'_> {
     /// Computes and prints a row for each item of `sweep`, a batch at a time, so that memory does
     /// not limit their number.
-    pub fn print<T: Send + Sync + 'static>(
+    pub fn print<T: Clone + Send + 'static>(
         &self,
-        kept: Kept<'_>,
+        mut kept: Kept<'_>,
         [out, err]: [&mut dyn Write; 2],
         sweep: impl Iterator<Item = T>,
-        compute: impl Fn(&[T], &(dyn Fn(usize, Run) + Sync)) + Clone + Send + 'static,
+        compute: impl Fn(&[T], Finished<'_>) -> Result<(), Failure> + Clone + Send + 'static,
         lookout: impl FnOnce() -> Lookout,
     ) -> Result<(), Failure> {
         let begun = Instant::now();
         let (from, mut progress) = kept.resumed::<Progress>()?.unwrap_or_default();
-        let before = Duration::from_nanos(progress.nanoseconds);
+        let before = progress.elapsed;
         if self.summary {
             progress.largest.get_or_insert_default();
         }
         // Set the interrupt handler before creating the file.
         let lookout = lookout();
         let columns = ["theta0", "dt", "theta", "omega", "energy_error"];
-        let plot = self.plot.clone();
-        let plot = plot.map(|(to, across, title)| Plot::new(to, across, &title, &PANELS));
-        let mut plot = plot.transpose()?;
-        let mut nowhere = io::sink();
-        // A plot on standard output stands there instead of the rows.
-        let instead = plot.as_ref().is_some_and(|plot| plot.is_in_the_terminal);
-        let rows_out: &mut dyn Write = if instead { &mut nowhere } else { &mut *out };
         // The header stands in the first part.
         let headless = self.part.is_some_and(|part| !part.is_first());
-        let mut rows = kept.open(rows_out, self.format, columns, headless)?;
+        let &Self { plot: asked, across, ref title, .. } = self;
+        let plot = Drawing { asked, title, across, panels: &PANELS };
+        let mut rows = kept.open(out, plot, self.format, columns, headless)?;
         let mut sweep = sweep.skip(usize::try_from(from).unwrap_or(usize::MAX));
         loop {
             let done = rows.rows();
@@ -82,42 +81,40 @@ impl Printer {
                 if items.is_empty() {
                     break;
                 }
-                let batch = Batch::new(items);
-                let (work, compute) = (batch.clone(), compute.clone());
-                interrupted = unless_interrupted(
-                    || lookout.interrupts(done),
-                    move || work.complete(&compute),
-                )
-                .is_none();
-                let printed = match self.runner.device_failure() {
-                    Some(failure) => Err(failure),
-                    None => self.add(&batch.finished(), &mut progress, &mut rows, plot.as_mut()),
+                let mut runs = vec![None; items.len()];
+                let (sender, finished) = mpsc::channel();
+                let compute = compute.clone();
+                let tell = move |i, run| {
+                    // After an interruption nobody asks for it.
+                    let _ = sender.send((i, run));
                 };
+                let work = move || compute(&items, &tell);
+                let computed = unless_interrupted(|| lookout.interrupts(done), work);
+                interrupted = computed.is_none();
+                for (i, run) in finished.try_iter() {
+                    runs[i] = Some(run);
+                }
+                // Up to the first that is not finished.
+                let runs: Vec<Run> = runs.into_iter().map_while(|run| run).collect();
+                let printed = self.add(&runs, &mut progress, &mut rows);
+                let printed = printed.and(computed.unwrap_or(Ok(())));
                 if let Err(failure) = printed {
                     // The rows so far are whole; if the output is what failed, it fails again.
-                    let _ = rows.end().map(|mut destination| destination.flush());
+                    let _ = rows.leave();
                     return Err(failure);
                 }
             }
             if interrupted {
-                let nanoseconds = (before + begun.elapsed()).as_nanos();
-                progress.nanoseconds = u64::try_from(nanoseconds).unwrap_or(u64::MAX);
+                progress.elapsed = before + begun.elapsed();
                 let of = self.part.map_or_else(String::new, |part| format!(" of part {part}"));
-                let without = if plot.is_some() { ", without their plot" } else { "" };
+                let without = if rows.are_drawn() { ", without their plot" } else { "" };
                 let stands = format!("after {} runs{of}{without}", rows.rows());
                 return Err(kept.leave(rows, &progress, &stands)?);
             }
         }
         let Progress { steps, largest, .. } = progress;
         let runs = rows.rows();
-        // Before the rows: whoever has them has all that was asked for.
-        if let Some(plot) = &mut plot {
-            plot.write()?;
-        }
         kept.finish(rows)?;
-        if let Some(plot) = plot {
-            plot.print(out)?;
-        }
         if let Some(part) = self.part.filter(|_| runs == 0) {
             writeln!(err, "pendula: part {part} is empty: there are fewer runs than parts")?;
         }
@@ -127,19 +124,15 @@ impl Printer {
         Ok(())
     }
 
-    /// Adds what is printed of these runs to the rows, to the plot and to the summary.
-    fn add<W: Write>(
+    /// Adds these runs to the rows and to the summary.
+    fn add(
         &self,
         runs: &[Run],
         progress: &mut Progress,
-        rows: &mut Rows<W, 5>,
-        mut plot: Option<&mut Plot>,
+        rows: &mut Rows<'_, 5>,
     ) -> Result<(), Failure> {
         for run in runs {
             let row = self.row(run)?;
-            if let Some(plot) = &mut plot {
-                plot.add(&row);
-            }
             progress.steps += run.grid.steps();
             if let Some(largest) = &mut progress.largest {
                 largest.include(&self.runner, self.duration, run);
@@ -178,41 +171,5 @@ impl Printer {
                  numbers: take a smaller step"
             ))
         }))
-    }
-}
-
-/// A batch of runs, each in its place once it is finished.
-struct Batch<T> {
-    items: Arc<[T]>,
-    runs: Arc<Mutex<Vec<Option<Run>>>>,
-}
-
-impl<T> Clone for Batch<T> {
-    fn clone(&self) -> Self {
-        Self { items: Arc::clone(&self.items), runs: Arc::clone(&self.runs) }
-    }
-}
-
-impl<T: Send + Sync> Batch<T> {
-    fn new(items: Vec<T>) -> Self {
-        let runs = vec![None; items.len()];
-        Self { items: items.into(), runs: Arc::new(Mutex::new(runs)) }
-    }
-
-    /// Computes the runs.
-    fn complete(&self, compute: &impl Fn(&[T], &(dyn Fn(usize, Run) + Sync))) {
-        compute(&self.items, &|i, run| {
-            let mut runs = self.runs.lock().unwrap_or_else(PoisonError::into_inner);
-            // After an interruption nobody asks for it.
-            if let Some(slot) = runs.get_mut(i) {
-                *slot = Some(run);
-            }
-        });
-    }
-
-    /// The finished runs up to the first that is not.
-    fn finished(&self) -> Vec<Run> {
-        let runs = mem::take(&mut *self.runs.lock().unwrap_or_else(PoisonError::into_inner));
-        runs.into_iter().map_while(|run| run).collect()
     }
 }

@@ -1,9 +1,9 @@
 //! The runs of a sweep, from many angles or with many steps.
 
-use std::iter;
 use std::num::NonZeroU64;
 use std::ops;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
 
 use pendula::fast::{InLanes, LANES};
 use pendula::methods::table::in_lanes;
@@ -11,8 +11,8 @@ use pendula::metrics::EnergyDrift;
 use pendula::{
     AnyMethod, Ensemble, Error, Grid, MethodInfo, Observer, Pendulum, Phase, method_named,
 };
+use pendula_device::{Compiled, Device};
 
-use super::device::OnDevice;
 use crate::commands::arguments::range::Range;
 use pendula_output::failure::Failure;
 
@@ -24,7 +24,7 @@ pub struct Runner {
     pub pendulum: Pendulum,
     /// Angular velocity at the start (rad/s).
     pub omega0: f64,
-    device: Option<&'static OnDevice>,
+    device: Option<&'static Mutex<Compiled<'static>>>,
 }
 
 /// One run: its start, its step, its end and its largest energy error (J).
@@ -42,9 +42,6 @@ pub struct Run {
 
 impl Runner {
     /// Runs of the method `name` on `pendulum`, begun with `omega0` (rad/s).
-    ///
-    /// # Errors
-    /// If there is no method `name`.
     pub fn new(name: &str, pendulum: Pendulum, omega0: f64) -> Result<Self, Failure> {
         let (method, lanes) = method_named(name)
             .zip(in_lanes(name))
@@ -53,12 +50,13 @@ impl Runner {
     }
 
     /// The same runs on the device with `name` in its name.
-    ///
-    /// # Errors
-    /// As [`OnDevice::open`].
     pub fn on_device(self, name: &str) -> Result<Self, Failure> {
-        let device = Some(OnDevice::open(name, self.info().name)?);
-        Ok(Self { device, ..self })
+        // Used to the end of the program, by threads that may outlive the command.
+        let device: &Device = Box::leak(Box::new(Device::named(name).map_err(Failure::refused)?));
+        let method = pendula_device::method_named(self.info().name)
+            .ok_or_else(|| Failure::refused(format!("there is no method {}", self.info().name)))?;
+        let compiled = device.compile(method).map_err(Failure::refused)?;
+        Ok(Self { device: Some(Box::leak(Box::new(Mutex::new(compiled)))), ..self })
     }
 
     /// The runs of a batch: enough for every core, and few enough to be kept in memory until they
@@ -67,20 +65,12 @@ impl Runner {
         if self.device.is_some() { 1 << 16 } else { 1 << 12 }
     }
 
-    /// Why the device did not go on, if it did not.
-    pub fn device_failure(&self) -> Option<Failure> {
-        self.device.and_then(OnDevice::failure)
-    }
-
     /// What is known of the method.
     pub fn info(&self) -> MethodInfo {
         self.method.info()
     }
 
     /// The start at the angle `theta0` (rad), checked.
-    ///
-    /// # Errors
-    /// As [`Pendulum::start`].
     pub fn start(&self, theta0: f64) -> Result<Phase, Failure> {
         self.pendulum.start(theta0, self.omega0).map_err(Failure::refused)
     }
@@ -96,46 +86,48 @@ impl Runner {
 
     /// The same steps from each of the angles, in lanes or on the device. Each run is passed to
     /// `finished`, with its place among the angles, in the order in which they finish.
-    pub fn run_from_each(&self, angles: &[f64], grid: &Grid, finished: impl Fn(usize, Run) + Sync) {
+    pub fn run_from_each(
+        &self,
+        angles: &[f64],
+        grid: &Grid,
+        finished: impl Fn(usize, Run) + Sync,
+    ) -> Result<(), Failure> {
         if let Some(device) = self.device {
             let starts: Vec<Phase> = angles.iter().map(|&theta| self.phase(theta)).collect();
-            let ends = device.ends(&Ensemble::new(&self.pendulum, &starts, *grid));
-            let runs = angles.iter().zip(ends).enumerate();
-            for (i, (&theta0, (end, energy_error))) in runs {
+            let ensemble = Ensemble::new(&self.pendulum, &starts, *grid);
+            let mut ends = vec![(Phase::default(), 0.0); starts.len()];
+            let mut compiled = device.lock().unwrap_or_else(PoisonError::into_inner);
+            let computed = compiled.ends_and_energy_errors(&ensemble, &mut ends);
+            computed.map_err(|error| Failure::Failed(error.into()))?;
+            for (i, (&theta0, (end, energy_error))) in angles.iter().zip(ends).enumerate() {
                 finished(i, Run { theta0, grid: *grid, end, energy_error });
             }
-            return;
+            return Ok(());
         }
         let blocks: Vec<&[f64]> = angles.chunks(LANES).collect();
         in_order(blocks.len(), |block| {
-            for (lane, run) in self.in_lanes(blocks[block], grid).enumerate() {
+            for (lane, run) in self.in_lanes(blocks[block], grid).into_iter().enumerate() {
                 finished(block * LANES + lane, run);
             }
         });
+        Ok(())
     }
 
     fn phase(&self, theta: f64) -> Phase {
         Phase { theta, omega: self.omega0 }
     }
 
-    fn in_lanes(&self, angles: &[f64], grid: &Grid) -> impl Iterator<Item = Run> {
+    fn in_lanes(&self, angles: &[f64], grid: &Grid) -> Vec<Run> {
         let starts: Vec<Phase> = angles.iter().map(|&theta| self.phase(theta)).collect();
-        let mut watches =
-            vec![
-                DriftAndEnd { drift: EnergyDrift::new(&self.pendulum), end: Phase::default() };
-                starts.len()
-            ];
+        let watch = DriftAndEnd { drift: EnergyDrift::new(&self.pendulum), end: Phase::default() };
+        let mut watches = vec![watch; starts.len()];
         let ensemble = Ensemble::new(&self.pendulum, &starts, *grid);
         ensemble.watch(self.lanes, NonZeroU64::MIN, &mut watches);
-        let ends = angles.iter().zip(watches);
-        ends.map(|(&theta0, DriftAndEnd { drift, end })| Run {
-            theta0,
-            grid: *grid,
-            end,
-            energy_error: drift.largest(),
-        })
-        .collect::<Vec<_>>()
-        .into_iter()
+        let run = |(&theta0, DriftAndEnd { drift, end })| {
+            let energy_error = EnergyDrift::largest(&drift);
+            Run { theta0, grid: *grid, end, energy_error }
+        };
+        angles.iter().zip(watches).map(run).collect()
     }
 
     /// The same start along each of the grids. Not in lanes: the grids differ in their number of
@@ -179,9 +171,6 @@ impl Observer<Phase> for DriftAndEnd<'_> {
 
 /// The grids over `duration` (s) with steps near those asked for, no two successive ones equal:
 /// of all of them, those for `which` of the steps.
-///
-/// # Errors
-/// If an end of the range is longer than the duration, or the library refuses it.
 pub fn grids(
     duration: f64,
     dt: Range,
@@ -190,35 +179,14 @@ pub fn grids(
     // Where FROM and TO themselves fit, they are used exactly, as by `simulate`: 0.3/3 is not 0.1.
     let ends = [end(duration, dt.from)?, end(duration, dt.to)?];
     let steps = move |i: u64| whole(duration / dt.geometric(i));
-    // Of many steps asked for few may differ: from each on to the next that does.
-    let mut next = match which.start {
-        0 => 0,
-        // That before the first is of another part.
-        start => first(start..which.end, |i| steps(i) != steps(start - 1)),
-    };
-    Ok(iter::from_fn(move || {
-        let count = (next < which.end).then(|| steps(next))?;
-        next = first(next + 1..which.end, |i| steps(i) != count);
+    // Also where the one before is of another part.
+    let differing = which.filter(move |&i| i == 0 || steps(i) != steps(i - 1));
+    Ok(differing.filter_map(move |i| {
+        let count = steps(i);
         let end = ends.into_iter().find(|end| end.steps() == count);
         // Every step between two allowed steps is allowed.
         end.or_else(|| Grid::new(duration / count as f64, count).ok())
     }))
-}
-
-/// The first of these numbers that `is` so, if all behind it are; their end, if none is. Looks at
-/// few if it is among the first.
-fn first(among: ops::Range<u64>, is: impl Fn(u64) -> bool) -> u64 {
-    let (mut no, mut width) = (among.start, 1);
-    while no < among.end && !is(no.saturating_add(width - 1).min(among.end - 1)) {
-        no = no.saturating_add(width).min(among.end);
-        width = width.saturating_mul(2);
-    }
-    let mut yes = no.saturating_add(width - 1).min(among.end);
-    while no < yes {
-        let middle = no + (yes - no) / 2;
-        if is(middle) { yes = middle } else { no = middle + 1 }
-    }
-    no
 }
 
 /// The grid for an end of the range: with `step` (s) itself if it fits, or else with the nearest
@@ -260,18 +228,7 @@ mod tests {
             assert_eq!(near, expected);
         }
     }
-    /// Catches: a step passed over by going from one that differs to the next.
-    #[test]
-    fn the_first_is_found_wherever_it_is() {
-        for end in 0..40 {
-            for yes in 3..=end.max(3) {
-                assert_eq!(first(3..end, |i| i >= yes), yes.min(end.max(3)), "{yes} below {end}");
-            }
-        }
-        // In all of them: a sweep whose steps mostly repeat takes as long as those that differ.
-        let range = Range { from: 1e-4, to: 1.0, count: u64::MAX };
-        assert_eq!(grids(1.0, range, 0..u64::MAX).unwrap().take(3).last().unwrap().steps(), 9998);
-    }
+
     /// Catches: a number left out or taken twice; runs that are begun far before their turn, and so
     /// are lost where a sweep is interrupted.
     #[test]

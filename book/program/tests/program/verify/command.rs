@@ -3,7 +3,6 @@
 use std::collections::BTreeSet;
 use std::fs;
 
-use pendula::METHODS;
 use pendula::methods::StormerVerlet;
 use pendula::verify::{Drive, Stranger};
 use serde_json::Value;
@@ -98,40 +97,4 @@ fn the_report_is_a_page_that_needs_nothing_else() {
     refused(&pendula(failing));
     assert_eq!(fs::read_to_string(&path).unwrap(), html);
     assert_eq!(names(folder.path()), ["report.html"]);
-}
-
-/// Catches: bad input that is accepted, or that starts the program; a message of several lines.
-#[test]
-fn a_call_that_makes_no_sense_is_refused_in_one_line() {
-    for (arguments, because) in [
-        (&["verify"][..], "PROGRAM"),
-        (&["verify", "--"], "PROGRAM"),
-        (&["verify", "--", ""], "cannot be started"),
-        (&["verify", "python3"], "--"),
-        (&["verify", "--claims", "order=two", "--", "true"], "whole number"),
-        (&["verify", "--claims", "sympletic", "--", "true"], "no such claim"),
-        (&["verify", "--claims", "name=rk5", "--", "true"], "rk4"),
-        (&["verify", "--patience", "0", "--", "true"], "greater than zero"),
-        (&["verify", "--patience", "-1", "--", "true"], "greater than zero"),
-        (&["verify", "--patience", "nan", "--", "true"], "greater than zero"),
-        (&["verify", "--format", "xml", "--", "true"], "json"),
-        (&["verify", "--report", "/no/such/folder/x.html", "--", "true"], "--report"),
-        (&["verify", "--example", "perl"], "julia"),
-        (&["verify", "--example", "c", "--", "true"], "cannot be used with"),
-        (&["serve", "rk5"], "rk4"),
-        (&["serve"], "METHOD"),
-    ] {
-        let line = refused(&pendula(arguments));
-        assert!(line.contains(because), "{arguments:?}: {line}");
-    }
-}
-
-/// Catches: a method of the command line that is not served.
-#[test]
-fn every_method_can_be_served() {
-    for method in METHODS {
-        let program = started([PENDULA, "serve", method.info().name], 10.0).unwrap();
-        assert_eq!(program.name(), format!("pendula {}", method.info().name));
-        assert_eq!(program.answer(&request(0.01, 20)).unwrap().states.len(), 2);
-    }
 }
