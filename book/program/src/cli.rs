@@ -132,7 +132,7 @@ where
     rename(&mut words);
     let mut matches = matches(&words)?;
     let resumed = match matches.subcommand() {
-        Some((_, given)) => state::asked_for(given).map(|path| Resumed::read(path)),
+        Some((name, given)) => state::asked_for(given).map(|path| Resumed::read(path, name)),
         None => None,
     };
     let resumed = resumed.transpose()?;

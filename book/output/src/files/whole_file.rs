@@ -72,6 +72,11 @@ impl WholeFile {
         &self.target
     }
 
+    /// What was written, from its beginning.
+    pub fn reopen(&self) -> io::Result<File> {
+        self.file.reopen()
+    }
+
     /// Brings all that was written to the disk, so that only the new name is missing.
     ///
     /// # Errors

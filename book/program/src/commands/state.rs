@@ -1,7 +1,8 @@
 //! The state of an interrupted run: what it takes to resume it with the same bits.
 //!
-//! A state is one file: the rows so far, as they stand in the output, and, as its last line, JSON
-//! with the version of the program, the words of the command line and how far the run has come.
+//! A state is one file: the rows so far, as they stand in the output, and, as its last line, a
+//! checksum over all else and JSON with the version of the program, the words of the command line
+//! and how far the run has come. So no number that has changed on a disk goes on unnoticed.
 
 use std::fmt::Display;
 use std::fs::File;
@@ -79,25 +80,38 @@ pub struct Resumed {
 }
 
 impl Resumed {
-    /// Reads the state.
+    /// Reads the state of a run of this command.
     ///
     /// # Errors
-    /// [`Failure::Refused`] if it cannot be read, is none, or is of another version of the program.
-    pub fn read(path: &Path) -> Result<Self, Failure> {
+    /// [`Failure::Refused`] if it cannot be read, is none, or is of another version of the program
+    /// or of another command.
+    pub fn read(path: &Path, command: &str) -> Result<Self, Failure> {
         let cannot = |error: io::Error| refused(path, format!("cannot be read: {error}"));
         if files::metadata(path).map_err(cannot)?.is_some_and(|found| !found.is_file()) {
             return Err(refused(path, "it is not a file"));
         }
         let (line, bytes) = last_line(File::open(path).map_err(cannot)?).map_err(cannot)?;
-        let state: State = serde_json::from_slice(&line).map_err(|error| {
-            refused(path, format!("its last line is not that of a state: {error}"))
-        })?;
+        let sum_and_json = line.split_first_chunk().filter(|(sum, json)| {
+            let rows = File::open(path).map(|file| file.take(bytes));
+            rows.and_then(|rows| checksum(rows, json)).is_ok_and(|right| right.as_bytes() == *sum)
+        });
+        let Some((_, json)): Option<(&[u8; SUM], _)> = sum_and_json else {
+            return Err(refused(path, "it is no state, or not as it was written"));
+        };
+        let state: State = serde_json::from_slice(json)
+            .map_err(|error| refused(path, format!("its state cannot be read: {error}")))?;
         if state.version != VERSION {
             let version = state.version.escape_debug();
             let why = format!("it is of version {version} of this program, which is {VERSION}");
             return Err(refused(path, why));
         }
-        Ok(Self { path: behind(path), state, bytes })
+        match state.arguments.first() {
+            Some(of) if of == command => Ok(Self { path: behind(path), state, bytes }),
+            of => {
+                let of = of.map_or("", String::as_str).escape_debug();
+                Err(refused(path, format!("it is of a run of `pendula {of}`")))
+            }
+        }
     }
 
     /// The words of the command line that the run was begun with.
@@ -108,12 +122,32 @@ impl Resumed {
 
 const VERSION: &str = env!("CARGO_PKG_VERSION");
 
-/// The last line of a file, and how many bytes stand before it.
+/// Characters of a checksum.
+const SUM: usize = 8;
+
+/// The checksum over the rows and the JSON of a state: CRC-32, which notices each change within four
+/// bytes.
+fn checksum(rows: impl Read, json: &[u8]) -> io::Result<String> {
+    let (mut rows, mut sum) = (BufReader::new(rows), crc32fast::Hasher::new());
+    loop {
+        let block = rows.fill_buf()?;
+        if block.is_empty() {
+            sum.update(json);
+            return Ok(format!("{:08x}", sum.finalize()));
+        }
+        sum.update(block);
+        let read = block.len();
+        rows.consume(read);
+    }
+}
+
+/// The last line of a file, without its end, and how many bytes stand before it.
 fn last_line(file: File) -> io::Result<(Vec<u8>, u64)> {
     let (mut file, mut last, mut bytes) = (BufReader::new(file), Vec::new(), 0);
     loop {
         let mut line = Vec::new();
         if file.read_until(b'\n', &mut line)? == 0 {
+            last.pop_if(|byte| *byte == b'\n');
             return Ok((last, bytes));
         }
         bytes += last.len() as u64;
@@ -249,7 +283,9 @@ impl<'a> Kept<'a> {
         let (version, arguments) = (VERSION.to_owned(), self.given.words.clone());
         let state = State { version, arguments, rows: printed, to_file, progress };
         let json = serde_json::to_string(&state).expect("a state is texts and numbers");
-        let written = file.write_all(format!("\n{json}\n").as_bytes());
+        let written = file.write_all(b"\n");
+        let written = written.and_then(|()| checksum(file.reopen()?, json.as_bytes()));
+        let written = written.and_then(|sum| file.write_all(format!("{sum}{json}\n").as_bytes()));
         let written = written.and_then(|()| file.leave(&path));
         let (path, command) = (path.display(), self.given.command());
         written.with_context(|| format!("{path} cannot be written"))?;

@@ -246,9 +246,11 @@ fn a_part_without_runs_is_an_empty_file_and_says_so() {
     assert_eq!(fs::read_to_string(&folder.file).unwrap(), "");
 }
 
-/// A state is cut off at every length, and changed as another version or another hand may do.
+/// A state is cut off at every length, changed at every byte, and, with a checksum that is right, as
+/// another version or another hand may do.
 ///
-/// Catches: a run that goes on from what is no state, or from half of one; a place beyond the end;
+/// Catches: a run that goes on from what is no state, from half of one, or from another number than
+/// was written; a state of another command; a place beyond the end;
 /// a field that is missing, unknown or of another kind; another version; arguments beside a state;
 /// a panic where there is no refusal; anything written then; a state that is written over.
 #[test]
@@ -270,14 +272,24 @@ fn what_is_no_state_is_refused() {
         refused(&resume, because);
     };
     // Without its last byte, which ends the line, it is whole.
-    for length in 0..state.len() - 1 {
-        is(&state[..length], "is not that of a state");
+    for at in 0..state.len() - 1 {
+        is(&state[..at], "no state, or not as it was written");
+        let changed = char::from(state.as_bytes()[at] ^ 1);
+        let changed = format!("{}{changed}{}", &state[..at], &state[at + 1..]);
+        is(&changed, "no state, or not as it was written");
     }
-    is(&(state.clone() + "\n"), "is not that of a state");
+    is(&(state.clone() + "\n"), "no state, or not as it was written");
+    let summed = |changed: &str| {
+        let (rows, last) = changed.trim_end().rsplit_once('\n').unwrap();
+        let all = format!("{rows}\n{}", &last[8..]);
+        format!("{rows}\n{:08x}{}\n", crc32fast::hash(all.as_bytes()), &last[8..])
+    };
+    assert_eq!(summed(&state), state);
     let version = format!("\"version\":\"{}\"", env!("CARGO_PKG_VERSION"));
     for (from, to, because) in [
         (&*version, "\"version\":\"0.0.9\"", "it is of version 0.0.9"),
         ("\"rk4\"", "\"rk5\"", "'rk5'"),
+        ("\"arguments\":[\"simulate\"", "\"arguments\":[\"sweep\"", "of a run of `pendula sweep`"),
         ("\"rows\":5", "\"rows\":-5", "expected u64"),
         ("\"rows\"", "\"lines\"", "unknown field `lines`"),
         ("\"steps\":4", "\"steps\":10", "beyond the last of 9"),
@@ -286,7 +298,7 @@ fn what_is_no_state_is_refused() {
         ("\"numbers\":[", "\"numbers\":[null,", "expected f64"),
     ] {
         assert!(state.contains(from), "{from}: {state}");
-        is(&state.replacen(from, to, 1), because);
+        is(&summed(&state.replacen(from, to, 1)), because);
     }
     fs::write(&folder.state, &state).unwrap();
     refused(&[&resume[..], &["--mass", "2"]].concat(), "cannot be used with");
