@@ -37,27 +37,23 @@ pub fn report_size_limit() -> io::Result<()> {
 /// # Errors
 /// If links go round in a circle, or its folder is not there or cannot be read.
 pub fn behind_links(path: &Path) -> io::Result<PathBuf> {
-    /// As many as Linux follows.
-    const LINKS: usize = 40;
-    let mut path = path.to_path_buf();
-    for _ in 0..LINKS {
-        match fs::read_link(&path) {
-            Ok(target) => path = folder_of(&path).join(target),
-            Err(_) => {
-                let folder = folder_of(&path);
-                let folder = canonicalize(folder).map_err(|error| {
-                    let folder = folder.display();
-                    let why = match error.kind() {
-                        io::ErrorKind::NotFound => format!("there is no folder {folder}"),
-                        _ => format!("the folder {folder}: {error}"),
-                    };
-                    io::Error::new(error.kind(), why)
-                })?;
-                return Ok(folder.join(path.file_name().unwrap_or_default()));
-            }
-        }
+    // Of links in a circle this is an error.
+    if exists(path)? {
+        return canonicalize(path);
     }
-    Err(io::Error::other("its links do not end"))
+    let folder = folder_of(path);
+    if let Ok(target) = fs::read_link(path) {
+        return behind_links(&folder.join(target));
+    }
+    let folder = canonicalize(folder).map_err(|error| {
+        let folder = folder.display();
+        let why = match error.kind() {
+            io::ErrorKind::NotFound => format!("there is no folder {folder}"),
+            _ => format!("the folder {folder}: {error}"),
+        };
+        io::Error::new(error.kind(), why)
+    })?;
+    Ok(folder.join(path.file_name().unwrap_or_default()))
 }
 
 /// The folder that a file is in.
