@@ -112,6 +112,7 @@ impl<'a> Setter<'a> {
     ) -> Result<()> {
         // A nested footnote or the like may begin before the last passage ended.
         let Some(prose) = text.get(range.clone()) else { return Ok(()) };
+        let first = edits.len();
         for directive in directives(prose) {
             let Directive { range: at, name, argument } = directive?;
             let html = match name {
@@ -145,9 +146,13 @@ impl<'a> Setter<'a> {
         }
         for doi in dois(prose) {
             let (at, text) = (range.start + doi.start..range.start + doi.end, &prose[doi]);
+            if edits[first..].iter().any(|(directive, _)| directive.contains(&at.start)) {
+                continue;
+            }
             let address = inert::text(&text.replacen("doi:", "https://doi.org/", 1));
             edits.push((at, format!("<a href=\"{address}\">{}</a>", inert::text(text))));
         }
+        edits[first..].sort_by_key(|(at, _)| at.start);
         Ok(())
     }
 
@@ -240,11 +245,12 @@ fn with_whole_options(code: &str) -> Option<String> {
     any.then(|| format!("<code>{html}</code>"))
 }
 
-/// Where a text has DOIs, each without the punctuation after it.
+/// Where a text has DOIs, each without the punctuation or the directive after it.
 fn dois(text: &str) -> impl Iterator<Item = Range<usize>> {
     text.match_indices("doi:10.").map(|(start, _)| {
         let rest = &text[start..];
-        let word = &rest[..rest.find(char::is_whitespace).unwrap_or(rest.len())];
+        let end = rest.find(|c: char| c.is_whitespace() || c == '{').unwrap_or(rest.len());
+        let word = &rest[..end];
         start..start + word.trim_end_matches(['.', ',', ';', ':']).len()
     })
 }
@@ -402,6 +408,16 @@ mod tests {
             "*Physica D* 43. <a href=\"https://doi.org/10.1016/0167-2789(90)90019-L\">\
              doi:10.1016/0167-2789(90)90019-L</a>. And `doi:10.1/x`."
         );
+    }
+
+    /// Catches: what stands before a directive lost, as it is set after it.
+    #[test]
+    fn a_doi_and_a_directive_stand_in_one_paragraph() {
+        let html = set("doi:10.1/x{{stated T4.rk4.0.01}}, doi:10.2/y.").unwrap();
+        let parts = html.split("</a>").map(|part| part.contains("<a href") as usize);
+        assert_eq!(parts.collect::<Vec<_>>(), [1, 1, 0], "{html}");
+        assert!(html.contains("</a><span class=\"stated\""), "{html}");
+        assert!(set("{{work-precision doi:10.1/x}}").unwrap().ends_with("<figure>"));
     }
 
     /// Catches: a value in a formula that comes out as HTML source; a TeX group taken for a
