@@ -1,13 +1,15 @@
 //! The cells that moved, each quantity once, by method and then by snapshot.
 
+use anyhow::{Context, Result};
+use pendula::verify::sign_of_slopes;
 use pendula_study::experiments::PaperMethod;
 use pendula_study::report::tables::cell_at;
 
 use super::cells::{Cell, Value};
-use super::claims::id_and_gist;
-use super::slopes::Slopes;
+use super::claims::{id_and_gist, table};
 use super::words::change;
 use crate::number::leading;
+use crate::versions::Version;
 
 /// A quantity that moved, wherever it stands.
 #[derive(Clone, Debug)]
@@ -91,8 +93,6 @@ pub struct Part {
     pub snapshot: String,
     /// In the order of the table.
     pub items: Vec<Item>,
-    /// Slopes, whole, those that stayed among them.
-    pub slopes: Option<Slopes>,
 }
 
 /// What moved of a method; or of none, or of several.
@@ -102,6 +102,10 @@ pub struct Group {
     pub method: Option<String>,
     /// By snapshot, in the order of review.
     pub parts: Vec<Part>,
+    /// The order that the method claims now.
+    pub claimed: Option<u32>,
+    /// What slopes that leave that order are a sign of, as the judge says it.
+    pub sign: Option<String>,
 }
 
 impl Group {
@@ -120,30 +124,22 @@ impl Group {
         self.items().any(Item::leaves)
     }
 
-    /// What moved of several, by snapshot.
-    pub fn merged<'g>(groups: impl Iterator<Item = &'g Self>) -> Self {
-        let mut merged = Self::default();
-        for item in groups.flat_map(Self::items) {
-            merged.push(item.clone());
-        }
-        merged
-    }
-
     fn push(&mut self, item: Item) {
         let name = &item.shown.snapshot;
         match self.parts.iter_mut().find(|part| part.snapshot == *name) {
             Some(part) => part.items.push(item),
             None => {
                 let snapshot = name.clone();
-                self.parts.push(Part { snapshot, items: vec![item], slopes: None });
+                self.parts.push(Part { snapshot, items: vec![item] });
             }
         }
     }
 }
 
 /// Groups the cells that moved, each in one item: methods of which something no longer is what it
-/// should be first, then by the largest change; what is of no method last.
-pub fn groups(cells: Vec<Cell>) -> Vec<Group> {
+/// should be first, then by the largest change; what is of no method last. `now` is the newer
+/// version.
+pub fn groups(cells: Vec<Cell>, now: &Version) -> Result<Vec<Group>> {
     let mut items: Vec<Item> = Vec::new();
     for cell in cells {
         let claim = claim_of(&cell);
@@ -164,7 +160,8 @@ pub fn groups(cells: Vec<Cell>) -> Vec<Group> {
         match groups.iter_mut().find(|group| group.method == method) {
             Some(group) => group.push(item),
             None => {
-                let mut group = Group { method, ..Group::default() };
+                let (claimed, sign) = order(now, method.as_deref())?;
+                let mut group = Group { method, claimed, sign, ..Group::default() };
                 group.push(item);
                 groups.push(group);
             }
@@ -176,7 +173,20 @@ pub fn groups(cells: Vec<Cell>) -> Vec<Group> {
             .then(b.leaves().cmp(&a.leaves()))
             .then(size(b).total_cmp(&size(a)))
     });
-    groups
+    Ok(groups)
+}
+
+/// The order that a method claims, and what its slopes are a sign of if one of them leaves it.
+fn order(version: &Version, method: Option<&str>) -> Result<(Option<u32>, Option<String>)> {
+    let orders = table(version, "orders")?;
+    let row = orders.iter().flat_map(|table| table.rows()).find(|row| Some(&*row[0]) == method);
+    let Some([_, order, _, slopes @ ..]) = row.map(Vec::as_slice) else { return Ok((None, None)) };
+    let order = order.parse().with_context(|| format!("orders: corrupt: {order} is no order"))?;
+    let slopes: Vec<Value> = slopes.iter().map(|slope| Value::new(slope)).collect();
+    let numbers = slopes.iter().filter_map(|slope| Some(leading(&slope.text)?.value));
+    let leaves = slopes.iter().any(|slope| slope.marked);
+    let sign = leaves.then(|| sign_of_slopes(order, &numbers.collect::<Vec<_>>())).flatten();
+    Ok((Some(order), sign))
 }
 
 /// The one number of another table that a cell of the ledger repeats. Of two that moved alike

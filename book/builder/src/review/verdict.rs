@@ -41,9 +41,6 @@ pub fn sentences(review: &Review) -> Vec<Sentence> {
     said.extend(cells(review));
     said.extend(predictions(review));
     said.extend(claims(review));
-    let typed = review.quotes.iter().filter(|quote| quote.typed).count();
-    let typed = (typed > 0).then(|| counted(typed, "line"));
-    said.extend(typed.map(|n| (Alarm, format!("Numbers that moved are typed in {n} of the book"))));
     said.extend(review.warnings.iter().map(alarm));
     said.extend(quantities(review));
     let visible = review.figures.iter().filter(|figure| figure.is_visible());
@@ -99,8 +96,7 @@ fn orders(review: &Review) -> Vec<Sentence> {
     let measured = |item: &Item| item.is_order() && item.shown.snapshot != "orders";
     for (method, group, item) in items(review).filter(|(.., item)| measured(item)) {
         let number = |value: &Option<Value>| leading(text(value)).map(|number| number.value);
-        let claimed = group.parts.iter().find_map(|part| part.slopes.as_ref()?.claimed);
-        let claimed = claimed.map(f64::from).or_else(|| number(&item.shown.old));
+        let claimed = group.claimed.map(f64::from).or_else(|| number(&item.shown.old));
         // What is no number is no order.
         let off = |value: &Option<Value>| {
             number(value).zip(claimed).map_or(f64::INFINITY, |(is, claimed)| (is - claimed).abs())

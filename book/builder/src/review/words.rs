@@ -9,7 +9,7 @@ use super::verdict::counted;
 use pendula_output::printable::printable;
 
 /// A row of a table: what it is, before, now, and how far these are apart.
-pub fn row(label: String, item: &Item) -> Vec<String> {
+pub fn row(item: &Item) -> Vec<String> {
     let (mut old, mut new) = (shown(&item.shown.old), shown(&item.shown.new));
     // Two values of a sentence without the definition in parentheses that both end with.
     if let (Some((a, definition)), Some((b, same))) = (old.split_once(" ("), new.split_once(" ("))
@@ -17,11 +17,11 @@ pub fn row(label: String, item: &Item) -> Vec<String> {
     {
         (old, new) = (a.to_string(), b.to_string());
     }
-    vec![label, old, new, item.change().map_or_else(String::new, change_text)]
+    vec![item.label(), old, new, item.change().map_or_else(String::new, change_text)]
 }
 
 /// A cell's text with its mark; a dash for none.
-pub fn shown(value: &Option<Value>) -> String {
+fn shown(value: &Option<Value>) -> String {
     match value {
         Some(Value { text, marked: true }) => format!("≠ {text}"),
         Some(Value { text, .. }) if !text.is_empty() => text.clone(),
@@ -73,8 +73,8 @@ pub fn difference(figure: &Figure) -> String {
     let Some(difference) = &figure.difference else {
         return if figure.drawings[0].is_none() { "is new" } else { "has gone" }.to_string();
     };
-    let moved = difference.displacement.filter(|moved| *moved > 0.0);
-    let moved = moved.map(|moved| format!("moved by up to {moved:.1} px of 600"));
+    let moved = difference.displacement;
+    let moved = (moved > 0.0).then(|| format!("moved by up to {moved:.1} px of 600"));
     let notes = &difference.notes;
     let more = notes.len().saturating_sub(FEW);
     let more = (more > 0).then(|| format!("and {}", counted(more, "more difference")));
