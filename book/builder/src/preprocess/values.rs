@@ -7,81 +7,57 @@ use regex::Regex;
 use super::{inert, markdown};
 use crate::number::plain;
 
-/// A part of a value.
-#[derive(Debug, PartialEq)]
-enum Piece<'a> {
-    /// Plain text.
-    Text(&'a str),
-    /// A minus sign: the hyphen of `-5.3`, not that of `3-4`.
-    Minus,
-    /// `2.01e-4`.
-    Scientific { mantissa: &'a str, exponent: i32 },
-    /// `^2`.
-    Power(i32),
-}
-
 /// A value for prose: a line may end between its words, but not within a number or before its unit.
 pub fn html(value: &str) -> String {
-    let value = &markdown::held(&plain(value));
-    let set = |piece: &Piece<'_>| match *piece {
-        Piece::Text(text) => inert::text(text),
-        Piece::Minus => "−".to_string(),
-        Piece::Scientific { mantissa, exponent: 0 } => inert::text(mantissa),
-        Piece::Scientific { mantissa, exponent } => {
-            format!("{}\u{a0}×\u{a0}10<sup>{}</sup>", inert::text(mantissa), signed(exponent))
-        }
-        Piece::Power(exponent) => format!("<sup>{}</sup>", signed(exponent)),
+    let power = |mantissa: &str, exponent: i32| {
+        let times = if mantissa.is_empty() { "" } else { "\u{a0}×\u{a0}10" };
+        let exponent = exponent.to_string().replace('-', "−");
+        format!("{}{times}<sup>{exponent}</sup>", inert::text(mantissa))
     };
-    pieces(value).iter().map(set).collect()
+    set(&markdown::held(&plain(value)), "−", inert::text, power)
 }
 
 /// A value inside a formula.
 pub fn tex(value: &str) -> String {
-    let value = &plain(value);
-    let set = |piece: &Piece<'_>| match *piece {
-        Piece::Text(text) if text.chars().all(|c| c.is_ascii_digit() || c == '.') => {
-            text.to_string()
-        }
-        Piece::Text(text) => format!(r"\text{{{}}}", escaped(text)),
-        Piece::Minus => "-".to_string(),
-        Piece::Scientific { mantissa, exponent: 0 } => mantissa.to_string(),
-        Piece::Scientific { mantissa, exponent } => format!(r"{mantissa} \times 10^{{{exponent}}}"),
-        Piece::Power(exponent) => format!("^{{{exponent}}}"),
+    let text = |text: &str| match text.chars().all(|c| c.is_ascii_digit() || c == '.') {
+        true => text.to_string(),
+        false => format!(r"\text{{{}}}", escaped(text)),
     };
-    pieces(value).iter().map(set).collect()
+    let power = |mantissa: &str, exponent: i32| {
+        let times = if mantissa.is_empty() { "" } else { r" \times 10" };
+        format!("{mantissa}{times}^{{{exponent}}}")
+    };
+    set(&plain(value), "-", text, power)
 }
 
-fn pieces(value: &str) -> Vec<Piece<'_>> {
+/// A value in which each sign becomes `minus`, the hyphen of `-5.3` and not that of `3-4`;
+/// `2.01e-4` and the power in `s^2` are set by `power`, and what is between by `text`.
+fn set(
+    value: &str,
+    minus: &str,
+    text: impl Fn(&str) -> String,
+    power: impl Fn(&str, i32) -> String,
+) -> String {
     static NOTABLE: LazyLock<Regex> = LazyLock::new(|| {
-        Regex::new(r"(?<mantissa>\d+(?:\.\d+)?)[eE](?<exponent>[+-]?\d+)|\^(?<power>[+-]?\d+)|-")
+        Regex::new(r"(?:(?<mantissa>\d+(?:\.\d+)?)[eE]|\^)(?<exponent>[+-]?\d+)|-")
             .expect("the pattern is a constant")
     });
-    let mut pieces = Vec::new();
-    let mut done = 0;
+    let (mut set, mut done) = (String::new(), 0);
     for found in NOTABLE.captures_iter(value) {
         let whole = found.get(0).expect("group 0 is the match");
-        let number = |name| found.name(name).and_then(|digits| digits.as_str().parse().ok());
-        let piece = if let (Some(mantissa), Some(exponent)) =
-            (found.name("mantissa"), number("exponent"))
-        {
-            Piece::Scientific { mantissa: mantissa.as_str(), exponent }
-        } else if let Some(exponent) = number("power") {
-            Piece::Power(exponent)
-        } else if is_sign(value, whole.start()) {
-            Piece::Minus
-        } else {
-            continue;
+        let mantissa = found.name("mantissa").map_or("", |mantissa| mantissa.as_str());
+        let exponent = found.name("exponent").map(|digits| digits.as_str().parse());
+        let piece = match exponent {
+            Some(Ok(0)) if !mantissa.is_empty() => text(mantissa),
+            Some(Ok(exponent)) => power(mantissa, exponent),
+            None if is_sign(value, whole.start()) => minus.to_string(),
+            _ => continue,
         };
-        if done < whole.start() {
-            pieces.push(Piece::Text(&value[done..whole.start()]));
-        }
-        pieces.push(piece);
+        set += &text(&value[done..whole.start()]);
+        set += &piece;
         done = whole.end();
     }
-    if done < value.len() {
-        pieces.push(Piece::Text(&value[done..]));
-    }
-    pieces
+    set + &text(&value[done..])
 }
 
 /// Whether the hyphen at `at` is the sign of a number.
@@ -90,10 +66,6 @@ fn is_sign(value: &str, at: usize) -> bool {
     let after = value[at + 1..].chars().next();
     !before.is_some_and(|c| c.is_alphanumeric() || c == '.')
         && after.is_some_and(|c| c.is_ascii_digit())
-}
-
-fn signed(exponent: i32) -> String {
-    exponent.to_string().replace('-', "−")
 }
 
 fn escaped(text: &str) -> String {
