@@ -8,7 +8,7 @@
 pub mod build;
 pub mod ledger;
 pub mod locate;
-pub mod number;
+mod number;
 mod page_files;
 pub mod policy;
 pub mod preprocess;

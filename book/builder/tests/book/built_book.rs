@@ -10,6 +10,7 @@ use pendula_book::build;
 use pendula_book::ledger::{Entry, Ledger};
 use pendula_book::progress::Progress;
 use pendula_book::versions::{Made, Version};
+use pendula_output::files;
 use tempfile::TempDir;
 
 use crate::claims::PAPER;
@@ -208,13 +209,8 @@ fn every_chapter_is_in_the_book() {
 
 /// The Rust files below `folder`, as paths from there.
 fn rust_files(folder: &Path) -> Vec<PathBuf> {
-    let entries = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
-    let files = entries.flat_map(|path| match path.is_dir() {
-        true => rust_files(&path).into_iter().map(|below| path.join(below)).collect(),
-        false => vec![path],
-    });
-    let rust = files.filter(|file| file.extension().is_some_and(|extension| extension == "rs"));
-    rust.map(|file| file.strip_prefix(folder).unwrap().to_path_buf()).collect()
+    let files = files::tree(folder).unwrap().into_iter().map(|(path, _)| path);
+    files.filter(|file| file.extension().is_some_and(|extension| extension == "rs")).collect()
 }
 
 /// Catches: a file of tests that no page shows.

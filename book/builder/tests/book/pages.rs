@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Component, Path, PathBuf};
 
+use pendula_output::files;
 use tl::{HTMLTag, Node, Parser, ParserOptions};
 
 /// The pages and other files of a built book.
@@ -32,8 +33,9 @@ pub struct Page {
 impl Site {
     /// Reads a built book.
     pub fn read(folder: &Path) -> Self {
-        let mut files = BTreeSet::new();
-        list(folder, Path::new(""), &mut files);
+        let found = files::tree(folder).unwrap().into_iter();
+        let files: BTreeSet<PathBuf> =
+            found.filter(|(_, is_folder)| !is_folder).map(|(path, _)| path).collect();
         let pages = files
             .iter()
             .filter(|file| file.extension().is_some_and(|extension| extension == "html"))
@@ -124,18 +126,6 @@ impl Page {
 /// Whether following this would leave the reader's machine.
 pub fn is_remote(reference: &str) -> bool {
     !reference.starts_with("data:") && (reference.starts_with("//") || reference.contains("://"))
-}
-
-fn list(folder: &Path, below: &Path, files: &mut BTreeSet<PathBuf>) {
-    for entry in fs::read_dir(folder.join(below)).unwrap() {
-        let entry = entry.unwrap();
-        let path = below.join(entry.file_name());
-        if entry.file_type().unwrap().is_dir() {
-            list(folder, &path, files);
-        } else {
-            files.insert(path);
-        }
-    }
 }
 
 /// `path` resolved relative to `page`, without `.` and `..`.
