@@ -1,7 +1,7 @@
 //! Figures compared as they are seen: how far their lines and labels have moved. All else is
 //! compared as it is written.
 
-use std::collections::{BTreeMap, HashSet};
+use std::collections::{BTreeMap, BTreeSet, HashSet};
 use std::sync::LazyLock;
 
 use anyhow::{Context, Result, ensure};
@@ -50,14 +50,14 @@ type Stroke = Vec<Point>;
 struct Picture {
     /// What it consists of, in order, without the places of paths and labels.
     parts: Vec<String>,
-    /// The strokes of each path and label, by its part.
+    /// The strokes of each part, those of a path or a label alone, as often as it stands there.
     strokes: BTreeMap<String, Vec<Vec<Stroke>>>,
 }
 
 /// Compares two figures.
 pub fn compare(old: &str, new: &str) -> Result<Difference> {
     let [old, new] = [Picture::read(old)?, Picture::read(new)?];
-    let mut notes = parts(&old.parts, &new.parts);
+    let mut notes = counted(&old, &new);
     if notes.is_empty() && old.parts != new.parts {
         notes.push("its parts stand in another order".to_string());
     }
@@ -120,8 +120,7 @@ impl Picture {
             let mut at = |name| number(&cut(&mut part, name)?);
             vec![vec![at(" x=\"").zip(at(" y=\""))?]]
         } else {
-            self.parts.push(part);
-            return Some(());
+            Vec::new()
         };
         self.strokes.entry(part.clone()).or_default().push(strokes);
         self.parts.push(part);
@@ -139,14 +138,9 @@ fn cut(part: &mut String, attribute: &str) -> Option<String> {
 }
 
 /// Parts of which there are more or fewer.
-fn parts(old: &[String], new: &[String]) -> Vec<String> {
-    let mut counts = BTreeMap::<&str, [usize; 2]>::new();
-    for (version, parts) in [old, new].into_iter().enumerate() {
-        for part in parts.iter().filter(|part| !part.starts_with("</")) {
-            counts.entry(part).or_default()[version] += 1;
-        }
-    }
-    let note = |(part, counts): (&str, [usize; 2])| {
+fn counted(old: &Picture, new: &Picture) -> Vec<String> {
+    let parts: BTreeSet<&String> = old.strokes.keys().chain(new.strokes.keys()).collect();
+    let note = |part: &String| {
         // The text of it, or else all of it.
         let words = part.split('<').filter_map(|piece| piece.split('>').next_back());
         let what = match words.collect::<String>() {
@@ -154,13 +148,14 @@ fn parts(old: &[String], new: &[String]) -> Vec<String> {
             words if words.is_empty() || part.starts_with("<path") => part.to_string(),
             words => format!("“{words}”"),
         };
-        match counts {
-            [0, _] => format!("{what} is new"),
-            [_, 0] => format!("{what} has gone"),
-            [before, now] => format!("{what}: {before} before, {now} now"),
+        match [old, new].map(|picture| picture.strokes.get(part).map_or(0, Vec::len)) {
+            [before, now] if before == now => None,
+            [0, _] => Some(format!("{what} is new")),
+            [_, 0] => Some(format!("{what} has gone")),
+            [before, now] => Some(format!("{what}: {before} before, {now} now")),
         }
     };
-    counts.into_iter().filter(|(_, [before, now])| before != now).map(note).collect()
+    parts.into_iter().filter(|part| !part.starts_with("</")).filter_map(note).collect()
 }
 
 /// The strokes of path data, of arcs the ends alone. Nothing of data that our charts do not write.

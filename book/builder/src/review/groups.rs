@@ -86,22 +86,13 @@ impl Item {
     }
 }
 
-/// What moved in a snapshot, and stands in none before it.
-#[derive(Clone, Debug)]
-pub struct Part {
-    /// The name of the snapshot.
-    pub snapshot: String,
-    /// In the order of the table.
-    pub items: Vec<Item>,
-}
-
 /// What moved of a method; or of none, or of several.
 #[derive(Clone, Debug, Default)]
 pub struct Group {
     /// The title of the method.
     pub method: Option<String>,
-    /// By snapshot, in the order of review.
-    pub parts: Vec<Part>,
+    /// All that moved of it, by snapshot, in the order of review.
+    pub items: Vec<Item>,
     /// The order that the method claims now.
     pub claimed: Option<u32>,
     /// What slopes that leave that order are a sign of, as the judge says it.
@@ -109,30 +100,14 @@ pub struct Group {
 }
 
 impl Group {
-    /// All that moved in it.
-    pub fn items(&self) -> impl Iterator<Item = &Item> {
-        self.parts.iter().flat_map(|part| &part.items)
-    }
-
     /// The largest relative change in it.
     pub fn largest_change(&self) -> Option<f64> {
-        self.items().filter_map(Item::change).max_by(|a, b| a.abs().total_cmp(&b.abs()))
+        self.items.iter().filter_map(Item::change).max_by(|a, b| a.abs().total_cmp(&b.abs()))
     }
 
     /// Whether a number in it no longer is what it should be.
     pub fn leaves(&self) -> bool {
-        self.items().any(Item::leaves)
-    }
-
-    fn push(&mut self, item: Item) {
-        let name = &item.shown.snapshot;
-        match self.parts.iter_mut().find(|part| part.snapshot == *name) {
-            Some(part) => part.items.push(item),
-            None => {
-                let snapshot = name.clone();
-                self.parts.push(Part { snapshot, items: vec![item] });
-            }
-        }
+        self.items.iter().any(Item::leaves)
     }
 }
 
@@ -158,12 +133,10 @@ pub fn groups(cells: Vec<Cell>, now: &Version) -> Result<Vec<Group>> {
     for item in items {
         let method = item.method().map(str::to_string);
         match groups.iter_mut().find(|group| group.method == method) {
-            Some(group) => group.push(item),
+            Some(group) => group.items.push(item),
             None => {
                 let (claimed, sign) = order(now, method.as_deref())?;
-                let mut group = Group { method, claimed, sign, ..Group::default() };
-                group.push(item);
-                groups.push(group);
+                groups.push(Group { method, items: vec![item], claimed, sign });
             }
         }
     }

@@ -5,7 +5,7 @@ use anyhow::Result;
 use pendula_study::charts::wrapped;
 
 use super::claims::Claim;
-use super::groups::{Group, Part};
+use super::groups::Group;
 use super::source::Change;
 use super::verdict::{Weight, counted, sentences};
 use super::words::{code, difference, link, prose, row, summary};
@@ -196,7 +196,8 @@ impl Document {
     }
 
     fn group(&mut self, group: &Group) {
-        for Part { snapshot, items } in &group.parts {
+        for items in group.items.chunk_by(|a, b| a.shown.snapshot == b.shown.snapshot) {
+            let snapshot = &items[0].shown.snapshot;
             self.heading(3, &format!("In `{snapshot}`"));
             let rows: Vec<_> = items.iter().map(row).collect();
             self.table(&["", "before", "now", "change"], &rows);

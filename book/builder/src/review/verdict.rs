@@ -78,7 +78,7 @@ fn several(
 /// The methods with what moved of them.
 fn items(review: &Review) -> impl Iterator<Item = (&str, &Group, &Item)> {
     let methods = review.groups.iter().filter_map(|group| Some((group.method.as_deref()?, group)));
-    methods.flat_map(|(method, group)| group.items().map(move |item| (method, group, item)))
+    methods.flat_map(|(method, group)| group.items.iter().map(move |item| (method, group, item)))
 }
 
 fn text(value: &Option<Value>) -> &str {
@@ -190,7 +190,7 @@ fn claims(review: &Review) -> Vec<Sentence> {
 
 /// How many quantities moved, and by how much.
 fn quantities(review: &Review) -> Option<Sentence> {
-    let n = review.groups.iter().flat_map(Group::items).count();
+    let n = review.groups.iter().map(|group| group.items.len()).sum();
     let largest = review.groups.iter().filter_map(|group| Some((group.largest_change()?, group)));
     let largest = largest.max_by(|a, b| a.0.abs().total_cmp(&b.0.abs()));
     let largest = largest.map_or_else(String::new, |(change, group)| {

@@ -54,13 +54,13 @@ pub fn change_text(change: f64) -> String {
 
 /// What a group comes to, in a line.
 pub fn summary(group: &Group) -> String {
-    let n = group.items().count();
+    let n = group.items.len();
     let change = match group.largest_change() {
         Some(change) if n == 1 => format!(", {}", change_text(change)),
         Some(change) => format!(", by up to {}", change_text(change)),
         None => String::new(),
     };
-    let left = match group.items().filter(|item| item.leaves()).count() {
+    let left = match group.items.iter().filter(|item| item.leaves()).count() {
         0 => String::new(),
         left => format!("; {left} no longer as stated or predicted"),
     };

@@ -3,7 +3,6 @@
 use std::collections::BTreeSet;
 use std::fs;
 
-use pendula_book::review::groups::Group;
 use pendula_book::review::markdown::Document;
 use pendula_book::review::verdict::{Weight, sentences};
 use pendula_book::review::{Review, drawings, render};
@@ -143,10 +142,9 @@ fn each_quantity_is_shown_once() {
     let review = review(&HALF_KICKS);
     let [group] = &review.groups[..] else { panic!("{:?}", review.groups) };
     assert_eq!(group.method.as_deref(), Some("Störmer–Verlet"));
-    let snapshots: Vec<_> = group.parts.iter().map(|part| part.snapshot.as_str()).collect();
+    let snapshots: Vec<_> = group.items.iter().map(|item| &item.shown.snapshot[..]).collect();
     assert_eq!(snapshots, ["table_4", "orders"]);
-    let [item] = &group.parts[0].items[..] else { panic!("{group:?}") };
-    let also: Vec<&str> = item.also.iter().map(|place| place.snapshot.as_str()).collect();
+    let also: Vec<&str> = group.items[0].also.iter().map(|place| place.snapshot.as_str()).collect();
     assert_eq!(also, ["predictions", "ledger_cells"]);
     let row = "| Δt = 0.001 s `T4.vv.0.001` | 1.10271 × 10⁻⁵ | ≠ 1.11730 × 10⁻⁵ | +1.32 % |\n\n\
                Also in `ledger_cells`, `predictions`.\n";
@@ -182,7 +180,7 @@ fn a_number_that_may_be_another_stands_by_itself() {
     };
     let items = |old: Version, new: Version| -> Vec<(String, usize)> {
         let review = between(&old, &new);
-        let items = review.groups.iter().flat_map(Group::items);
+        let items = review.groups.iter().flat_map(|group| &group.items);
         items.map(|item| (item.claim.clone().unwrap_or_default(), item.also.len())).collect()
     };
     let claim = |id: &str, also: usize| (id.to_string(), also);
