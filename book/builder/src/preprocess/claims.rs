@@ -185,23 +185,21 @@ fn push_counts(
     kinds: [&str; 2],
 ) {
     let _ = write!(table, "<tr><th scope=\"row\">{name}</th>");
-    let verdict_filter = verdict.map(|verdict| format!("verdict={}", slug(verdict)));
     for counted in [&kinds[..1], &kinds[1..], &kinds] {
-        let mut found = claims.iter().filter(|claim| {
+        let is_counted = |claim: &&Judged| {
             counted.contains(&claim.kind.as_str())
                 && verdict.is_none_or(|verdict| verdict == claim.verdict)
-        });
-        let first = found.next();
-        let count = usize::from(first.is_some()) + found.count();
-        let kind_filter = match counted {
-            [kind] => Some(format!("part={kind}")),
-            _ => None,
         };
-        let filters: Vec<_> = verdict_filter.iter().chain(&kind_filter).cloned().collect();
-        let _ = match first {
-            Some(Judged { id, .. }) if !filters.is_empty() => {
-                let filter = filters.join("&amp;");
-                write!(table, "<td><a href=\"#{id}\" data-filter=\"{filter}\">{count}</a></td>")
+        let found: Vec<&Judged> = claims.iter().filter(is_counted).collect();
+        let mut filters = verdict.map(|verdict| format!("verdict={}", slug(verdict)));
+        if let [kind] = counted {
+            let kind = format!("part={kind}");
+            filters = Some(filters.map_or(kind.clone(), |filters| format!("{filters}&amp;{kind}")));
+        }
+        let count = found.len();
+        let _ = match (found.first(), filters) {
+            (Some(Judged { id, .. }), Some(filters)) => {
+                write!(table, "<td><a href=\"#{id}\" data-filter=\"{filters}\">{count}</a></td>")
             }
             _ => write!(table, "<td>{count}</td>"),
         };

@@ -10,6 +10,7 @@ use super::source::Change;
 use super::verdict::{Weight, counted, sentences};
 use super::words::{code, difference, link, prose, row, summary};
 use super::{Figure, Review, Turn};
+use crate::preprocess::markdown::fence;
 use pendula_output::printable::printable;
 
 /// A review, written.
@@ -102,8 +103,7 @@ impl Document {
 
     /// Code, in a fence longer than any in it.
     fn code(&mut self, language: &str, text: &str) {
-        let longest = text.split(|c| c != '`').map(str::len).max().unwrap_or(0);
-        let fence = "`".repeat((longest + 1).max(3));
+        let fence = fence(text, 3);
         let text = printable(text.trim_end());
         self.paragraph(&format!("{fence}{language}\n{text}\n{fence}"));
     }

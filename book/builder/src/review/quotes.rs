@@ -23,7 +23,7 @@ pub struct Quote {
 }
 
 /// The lines in the chapters of `folder` that quote, by a directive, what is stated, measured or
-/// judged otherwise now. Chapters type no results.
+/// judged otherwise now. Of numbers that are typed `tests/study/typed.rs` says which are wrong.
 pub fn quotes(folder: &Path, before: &Claims, now: &Claims) -> Result<Vec<Quote>> {
     let mut paths =
         files::list(folder).with_context(|| format!("{} cannot be read", folder.display()))?;

@@ -6,6 +6,7 @@ use super::Figure;
 use super::cells::Value;
 use super::groups::{Group, Item};
 use super::verdict::counted;
+use crate::preprocess::markdown::fence;
 use pendula_output::printable::printable;
 
 /// A row of a table: what it is, before, now, and how far these are apart.
@@ -91,10 +92,9 @@ pub fn code<S: AsRef<str>>(names: &[S]) -> String {
 /// A span of code: between more backticks than it has.
 fn span(text: &str) -> String {
     let text = printable(&text.replace(['\n', '\t'], " ")).replace('|', "\\|");
-    let longest = text.split(|c| c != '`').map(str::len).max().unwrap_or(0);
-    let fence = "`".repeat(longest + 1);
+    let fence = fence(&text, 1);
     // A blank on either side is not part of it, but keeps it from the fence.
-    if longest == 0 && !text.trim().is_empty() {
+    if fence.len() == 1 && !text.trim().is_empty() {
         format!("{fence}{text}{fence}")
     } else {
         format!("{fence} {text} {fence}")

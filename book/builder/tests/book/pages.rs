@@ -22,8 +22,6 @@ pub struct Page {
     pub ids: Vec<String>,
     /// Its `href`s and `src`s with the name of the tag: what it leads to or loads.
     pub references: Vec<(String, String)>,
-    /// Its classes.
-    pub classes: BTreeSet<String>,
     /// The text of each code block.
     pub code_blocks: Vec<String>,
     /// The text outside code and scripts.
@@ -52,13 +50,13 @@ impl Site {
             return None;
         }
         let (path, id) = match reference.split_once('#') {
-            Some((path, id)) => (path, Some(unescaped(id))),
+            Some((path, id)) => (path, Some(id.to_string())),
             None => (reference, None),
         };
         let path = path.split('?').next().unwrap_or_default();
         let target = match path {
             "" => page.to_path_buf(),
-            path => joined(page, &unescaped(path)),
+            path => joined(page, path),
         };
         // A folder stands for its first page.
         if !self.files.contains(&target) && !self.files.contains(&target.join("index.html")) {
@@ -118,8 +116,6 @@ impl Page {
         self.ids.extend(value("id"));
         let references = ["href", "src"].into_iter().filter_map(value);
         self.references.extend(references.map(|reference| (name.to_string(), reference)));
-        let classes = value("class").unwrap_or_default();
-        self.classes.extend(classes.split_whitespace().map(str::to_string));
     }
 }
 
@@ -139,25 +135,4 @@ fn joined(page: &Path, path: &str) -> PathBuf {
         }
     }
     target
-}
-
-/// `%C3%B6` as ö.
-fn unescaped(text: &str) -> String {
-    let mut bytes = Vec::new();
-    let mut rest = text.as_bytes();
-    while let [first, after @ ..] = rest {
-        let code = after.get(..2).and_then(|hex| std::str::from_utf8(hex).ok());
-        let code = code.and_then(|hex| u8::from_str_radix(hex, 16).ok());
-        match (first, code) {
-            (b'%', Some(byte)) => {
-                bytes.push(byte);
-                rest = &after[2..];
-            }
-            _ => {
-                bytes.push(*first);
-                rest = after;
-            }
-        }
-    }
-    String::from_utf8(bytes).unwrap()
 }

@@ -96,23 +96,11 @@ impl Tests {
         let found: Vec<&TestFile> = self.files.iter().filter(cited).collect();
         let file = match found[..] {
             [file] => file,
-            [] => {
-                let names: Vec<_> = self.files.iter().map(|file| file.name.as_str()).collect();
-                bail!("there is no {file}.rs in tests/; there are: {}", names.join(", "))
-            }
-            [one, other, ..] => {
-                bail!(
-                    "{file} may be tests/{}.rs or tests/{}.rs: name the folder",
-                    one.name,
-                    other.name
-                )
-            }
+            [] => bail!("there is no {file}.rs in tests/"),
+            [..] => bail!("{file}.rs stands in two folders of tests/: name the folder"),
         };
-        let Some(test) = file.tests.iter().find(|known| known.name == function) else {
-            let names: Vec<_> = file.tests.iter().map(|test| test.name.as_str()).collect();
-            bail!("tests/{}.rs has no test {function}; it has: {}", file.name, names.join(", "));
-        };
-        Ok((file, test))
+        let test = file.tests.iter().find(|known| known.name == function);
+        Ok((file, test.with_context(|| format!("tests/{}.rs has no test {function}", file.name))?))
     }
 }
 
