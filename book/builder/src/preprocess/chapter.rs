@@ -11,15 +11,15 @@
 //! | `{{verdicts}}` | how many claims got which verdict; see [`claims`](super::claims) |
 //! | `doi:…` | a link to the work |
 //!
-//! The first two also work inside formulas. The first quote of a claim has its id, so that its row
-//! of the ledger can link back. Code spans and code blocks do not change, with three exceptions:
-//! code included from within an item loses its common indentation, what a listing prints stands
-//! below it, and a word with a hyphen is kept whole.
+//! A formula takes no value. The first quote of a claim has its id, so that its row of the ledger
+//! can link back. Code spans and code blocks do not change, with three exceptions: code included
+//! from within an item loses its common indentation, what a listing prints stands below it, and a
+//! word with a hyphen is kept whole.
 
 use std::collections::BTreeSet;
 use std::ops::Range;
 
-use anyhow::{Context, Result, anyhow, bail};
+use anyhow::{Context, Result, anyhow, bail, ensure};
 
 use super::listing::{flush_left, with_output};
 use super::markdown::{Kind, passages, splice};
@@ -72,8 +72,10 @@ impl<'a> Setter<'a> {
                     }
                 }
                 Kind::Formula { tex, display } => {
-                    let (set, ids) = self.set_tex(&tex, quoted)?;
-                    let html = ids + &self.maths.set(&set, display)?;
+                    let is_value = |name| tex.contains(&format!("{{{{{name} "));
+                    let has_value = ["measured", "stated", "verdict"].into_iter().any(is_value);
+                    ensure!(!has_value, "{tex}: a formula takes no value; set it beside");
+                    let html = self.maths.set(&tex, display)?;
                     edits.push(match text[passage.range.end..].chars().next() {
                         // A browser may break a line after any formula, even before a comma. A long
                         // one must stay breakable.
@@ -154,23 +156,6 @@ impl<'a> Setter<'a> {
         }
         edits[first..].sort_by_key(|(at, _)| at.start);
         Ok(())
-    }
-
-    /// The TeX with its values, and what carries the ids of claims, which a formula cannot. In TeX
-    /// `{{a}}` is a group in a group, so that only known names are directives.
-    fn set_tex(&self, tex: &str, quoted: &mut BTreeSet<String>) -> Result<(String, String)> {
-        let (mut edits, mut ids) = (Vec::new(), String::new());
-        for directive in directives(tex).filter_map(Result::ok) {
-            if let "measured" | "stated" = directive.name {
-                let value = self.value(directive.name, directive.argument)?;
-                edits.push((directive.range, values::tex(&value)));
-                let id = id(directive.argument, quoted);
-                if !id.is_empty() {
-                    ids += &format!("<span{id}></span>");
-                }
-            }
-        }
-        Ok((splice(tex, edits), ids))
     }
 
     fn value(&self, name: &str, id: &str) -> Result<String> {
@@ -293,21 +278,16 @@ mod tests {
         );
     }
 
-    /// Catches: a quote that cannot be linked to, in a formula too; an id that stands twice; a
-    /// claim that is only named in code taken for a quote.
+    /// Catches: a quote that cannot be linked to; an id that stands twice; a claim that is only
+    /// named in code taken for a quote.
     #[test]
     fn the_first_quote_of_a_claim_has_its_id() {
-        let tests = Tests::default();
+        let (tests, mut quoted) = (Tests::default(), BTreeSet::new());
         let setter = Setter::new(&ledger, &tests, String::new());
-        for text in [
-            "{{measured T4.rk4.0.01}} {{verdict T4.rk4.0.01}}",
-            "$a$ and $x = {{stated T4.rk4.0.01}}$, {{stated T4.rk4.0.01}}",
-        ] {
-            let mut quoted = BTreeSet::new();
-            let set = setter.set(&format!("{text} `{{{{verdict T9.only}}}}`"), "", &mut quoted);
-            assert_eq!(set.unwrap().matches("id=\"T4.rk4.0.01\"").count(), 1, "{text}");
-            assert_eq!(quoted, BTreeSet::from(["T4.rk4.0.01".to_string()]));
-        }
+        let text = "{{measured T4.rk4.0.01}} {{verdict T4.rk4.0.01}} `{{verdict T9.only}}`";
+        let set = setter.set(text, "", &mut quoted).unwrap();
+        assert_eq!(set.matches("id=\"T4.rk4.0.01\"").count(), 1, "{set}");
+        assert_eq!(quoted, BTreeSet::from(["T4.rk4.0.01".to_string()]));
     }
 
     /// Catches: a bullet that says what its test does not, and a test that does not say what it
@@ -379,7 +359,7 @@ mod tests {
             ("{{stated T4.rk4.0.01", "closing"),
             ("as $\\frac{1$", "as $"),
             ("$\\sqrt{1}$ or $\\fraq{1}$", "\\fraq{1}"),
-            ("$x = {{stated T4.rk5}}$", "T4.rk5"),
+            ("$x = {{stated T4.rk4.0.01}}$", "a formula takes no value"),
         ] {
             let error = format!("{:#}", set(text).unwrap_err());
             assert!(error.contains(quoted), "{text}: {error}");
@@ -418,13 +398,5 @@ mod tests {
         assert_eq!(parts.collect::<Vec<_>>(), [1, 1, 0], "{html}");
         assert!(html.contains("</a><span class=\"stated\""), "{html}");
         assert!(set("{{work-precision doi:10.1/x}}").unwrap().ends_with("<figure>"));
-    }
-
-    /// Catches: a value in a formula that comes out as HTML source; a TeX group taken for a
-    /// directive.
-    #[test]
-    fn values_work_inside_formulas() {
-        let html = set("$E = {{stated T4.rk4.0.01}}$ and $x^{{a}}$").unwrap();
-        assert!(html.contains("2&#46;01") && !html.contains("stated"), "{html}");
     }
 }
