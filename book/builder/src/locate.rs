@@ -8,9 +8,6 @@ use pendula_output::files;
 
 /// The folder that holds `book.toml`: `book/` in `start` or in the nearest folder above it that has
 /// one.
-///
-/// # Errors
-/// If there is none, or a `book.toml` on the way cannot be read.
 pub fn book(start: &Path) -> Result<PathBuf> {
     for folder in start.ancestors().map(|folder| folder.join("book")) {
         if is_ours(&folder)? {

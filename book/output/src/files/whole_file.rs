@@ -73,9 +73,6 @@ impl WholeFile {
     }
 
     /// Brings all that was written to the disk, so that only the new name is missing.
-    ///
-    /// # Errors
-    /// If that fails.
     pub fn complete(&mut self) -> io::Result<()> {
         if let Some(old) = &self.old {
             self.file.as_file().set_permissions(old.permissions())?;
