@@ -10,7 +10,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
-use anyhow::{Context, Result};
+use anyhow::Result;
 use pendula_study::report::snapshots::Kind;
 
 use self::cells::{Cell, differences};
@@ -154,7 +154,7 @@ impl Review {
         let quotes = quotes::quotes(chapters, &before, &now)?;
         let groups = groups::groups(cells, new)?;
         let figures = of_kind(Kind::Figure).map(|change| figure(&change.name, old, new));
-        let mut figures = figures.collect::<Result<Vec<_>>>()?;
+        let mut figures: Vec<Figure> = figures.collect();
         figures.sort_by_key(|figure| !figure.is_visible());
         let (count, claims) = (new.len(), turns(&before, &now));
         let predictions = predictions(&before, &now);
@@ -198,20 +198,13 @@ fn changes(old: &Version, new: &Version) -> Vec<Change> {
     changes
 }
 
-fn figure(name: &str, old: &Version, new: &Version) -> Result<Figure> {
+fn figure(name: &str, old: &Version, new: &Version) -> Figure {
     let drawings = [old, new].map(|version| version.get(name).map(|content| content.text.clone()));
-    let corrupt = || format!("{name}: corrupt");
     let difference = match &drawings {
-        [Some(old), Some(new)] => Some(drawings::compare(old, new).with_context(corrupt)?),
-        [one, other] => {
-            // That it is a figure.
-            for alone in one.iter().chain(other) {
-                drawings::compare(alone, alone).with_context(corrupt)?;
-            }
-            None
-        }
+        [Some(old), Some(new)] => Some(drawings::compare(old, new)),
+        _ => None,
     };
-    Ok(Figure { name: name.to_string(), drawings, difference })
+    Figure { name: name.to_string(), drawings, difference }
 }
 
 /// The claims whose verdict or remark is another.
