@@ -74,57 +74,17 @@ const SNIPPETS: &[&str] = &[
     "10⁻⁷", "10⁻", "1 000 000", "\u{a0}", "\u{0}", "\u{202e}", "\u{feff}", "é", "🙂", "θ₀",
 ];
 
-/// A change of a text: where, how much of it goes, and what comes.
-#[derive(Clone, Debug)]
-struct Edit {
-    at: prop::sample::Index,
-    length: usize,
-    new: String,
-}
-
-fn edit() -> impl Strategy<Value = Edit> {
-    let new = prop_oneof![
-        6 => prop::sample::select(SNIPPETS).prop_map(str::to_string),
-        2 => Just(String::new()),
-        1 => "\\PC{0,8}",
-        1 => any::<String>(),
-    ];
-    (any::<prop::sample::Index>(), 0..12_usize, new).prop_map(|(at, length, new)| Edit {
-        at,
-        length,
-        new,
-    })
-}
-
-/// The nearest place before `at` between two characters.
-fn boundary(text: &str, mut at: usize) -> usize {
-    at = at.min(text.len());
-    while !text.is_char_boundary(at) {
-        at -= 1;
-    }
-    at
-}
-
-fn edited(mut text: String, edits: &[Edit]) -> String {
-    for edit in edits {
-        let from = boundary(&text, edit.at.index(text.len() + 1));
-        let to = boundary(&text, from + edit.length);
-        text.replace_range(from..to, &edit.new);
-    }
-    text
-}
-
-/// A piece of one of the book's chapters, with some of it changed.
+/// Pieces of the book's chapters and what else is typed, one after the other.
 fn spoilt_chapter() -> impl Strategy<Value = String> {
-    let place = (any::<prop::sample::Index>(), any::<prop::sample::Index>());
-    (place, 0..900_usize, prop::collection::vec(edit(), 0..6)).prop_map(
-        |((chapter, from), length, edits)| {
-            let text = &CHAPTERS[chapter.index(CHAPTERS.len())];
-            let from = boundary(text, from.index(text.len()));
-            let to = boundary(text, from + length);
-            edited(text[from..to].to_string(), &edits)
-        },
-    )
+    let place = (any::<prop::sample::Index>(), any::<prop::sample::Index>(), 0..300_usize);
+    let piece = place.prop_map(|(chapter, from, length)| {
+        let text = &CHAPTERS[chapter.index(CHAPTERS.len())];
+        let from = from.index(text.chars().count());
+        text.chars().skip(from).take(length).collect::<String>()
+    });
+    let snippet = prop::sample::select(SNIPPETS).prop_map(str::to_string);
+    let typed = prop_oneof![6 => snippet, 4 => piece, 1 => "\\PC{0,8}", 1 => any::<String>()];
+    prop::collection::vec(typed, 0..9).prop_map(|parts| parts.concat())
 }
 
 /// All that is done to the text of a chapter.
