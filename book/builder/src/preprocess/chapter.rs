@@ -72,8 +72,10 @@ impl<'a> Setter<'a> {
                     }
                 }
                 Kind::Formula { tex, display } => {
-                    let is_value = |name| tex.contains(&format!("{{{{{name} "));
-                    let has_value = ["measured", "stated", "verdict"].into_iter().any(is_value);
+                    // In TeX `{{a}}` is a group in a group.
+                    let values = ["measured", "stated", "verdict"];
+                    let mut found = directives(&tex).filter_map(Result::ok);
+                    let has_value = found.any(|directive| values.contains(&directive.name));
                     ensure!(!has_value, "{tex}: a formula takes no value; set it beside");
                     let html = self.maths.set(&tex, display)?;
                     edits.push(match text[passage.range.end..].chars().next() {
@@ -359,7 +361,7 @@ mod tests {
             ("{{stated T4.rk4.0.01", "closing"),
             ("as $\\frac{1$", "as $"),
             ("$\\sqrt{1}$ or $\\fraq{1}$", "\\fraq{1}"),
-            ("$x = {{stated T4.rk4.0.01}}$", "a formula takes no value"),
+            ("$x^{{a}} = {{ stated T4.rk4.0.01 }}$", "a formula takes no value"),
         ] {
             let error = format!("{:#}", set(text).unwrap_err());
             assert!(error.contains(quoted), "{text}: {error}");

@@ -69,7 +69,7 @@ fn moved(line: &str, before: &Claims, now: &Claims) -> Vec<String> {
             "stated" => &claim.stated,
             _ => &claim.verdict,
         });
-        let short = |value: &'_ str| value.split(" (").next().unwrap_or_default().to_string();
+        let short = |value: &str| value.split(" (").next().unwrap_or_default().to_string();
         (old != new).then(|| format!("{} → {}", short(old), short(new)))
     });
     moved.collect()

@@ -75,7 +75,14 @@ impl WholeFile {
     /// Brings all that was written to the disk, so that only the new name is missing.
     pub fn complete(&mut self) -> io::Result<()> {
         if let Some(old) = &self.old {
-            self.file.as_file().set_permissions(old.permissions())?;
+            let permissions = old.permissions();
+            // Not those of a program that runs as its owner, who may be another now.
+            #[cfg(unix)]
+            let permissions = {
+                use std::os::unix::fs::PermissionsExt;
+                fs::Permissions::from_mode(permissions.mode() & 0o777)
+            };
+            self.file.as_file().set_permissions(permissions)?;
         }
         self.file.as_file().sync_all()
     }
