@@ -4,7 +4,7 @@ use std::path::Path;
 use std::sync::LazyLock;
 
 use anyhow::{Context, Result};
-use regex::Regex;
+use regex::{Captures, Regex};
 
 use super::claims::Claims;
 use pendula_output::files;
@@ -16,7 +16,7 @@ pub struct Quote {
     pub chapter: String,
     /// Its number in that file, from 1.
     pub line: usize,
-    /// The line.
+    /// The line, with the values that it gets from the ledger.
     pub text: String,
     /// What in it moved.
     pub moved: Vec<String>,
@@ -47,32 +47,42 @@ fn of_chapter(chapter: &str, text: &str, before: &Claims, now: &Claims) -> Vec<Q
         if code || is_fence || line.starts_with(['|', '<']) {
             continue;
         }
-        let moved = moved(line, before, now);
+        let (text, moved) = filled(line, before, now);
         if !moved.is_empty() {
-            let (chapter, text) = (chapter.to_string(), line.trim().to_string());
+            let (chapter, text) = (chapter.to_string(), text.trim().to_string());
             quotes.push(Quote { chapter, line: index + 1, text, moved });
         }
     }
     quotes
 }
 
-/// What moved of the values that a line gets from the ledger.
-fn moved(line: &str, before: &Claims, now: &Claims) -> Vec<String> {
+/// A line with the values of its directives, and what of them moved.
+fn filled(line: &str, before: &Claims, now: &Claims) -> (String, Vec<String>) {
     static DIRECTIVE: LazyLock<Regex> = LazyLock::new(|| {
         let pattern = r"\{\{(measured|stated|verdict) ([^}\s]+)\}\}";
         Regex::new(pattern).expect("the pattern is a constant")
     });
-    let moved = DIRECTIVE.captures_iter(line).filter_map(|found| {
-        let [old, new] = [before.claims.get(&found[2])?, now.claims.get(&found[2])?];
-        let [old, new] = [old, new].map(|claim| match &found[1] {
-            "measured" => &claim.measured,
-            "stated" => &claim.stated,
-            _ => &claim.verdict,
-        });
-        let short = |value: &str| value.split(" (").next().unwrap_or_default().to_string();
-        (old != new).then(|| format!("{} → {}", short(old), short(new)))
+    let mut moved = Vec::new();
+    let filled = DIRECTIVE.replace_all(line, |found: &Captures<'_>| {
+        let value = |claims: &Claims| {
+            let claim = claims.claims.get(&found[2])?;
+            Some(match &found[1] {
+                "measured" => claim.measured.clone(),
+                "stated" => claim.stated.clone(),
+                _ => claim.verdict.clone(),
+            })
+        };
+        match (value(before), value(now)) {
+            (Some(old), Some(new)) if old != new => {
+                let short = |value: &str| value.split(" (").next().unwrap_or(value).to_string();
+                moved.push(format!("{} → {}", short(&old), short(&new)));
+                new
+            }
+            (_, Some(new)) => new,
+            (_, None) => found[0].to_string(),
+        }
     });
-    moved.collect()
+    (filled.into_owned(), moved)
 }
 
 #[cfg(test)]
@@ -106,7 +116,7 @@ mod tests {
         );
         let [quote] = &quotes[..] else { panic!("{quotes:?}") };
         assert_eq!((quote.chapter.as_str(), quote.line), ("c", 4));
-        assert!(quote.text.starts_with("It is {{measured"), "{}", quote.text);
+        assert_eq!(quote.text, "It is 1.2 × 10⁻¹, wrong.");
         assert_eq!(quote.moved, ["1.1 × 10⁻¹ → 1.2 × 10⁻¹", "reproduced → wrong"]);
     }
 }
