@@ -3,17 +3,16 @@
 //! In reading order: the book on disk ([`locate`]), building it ([`build`]), what turns a chapter's
 //! source into what mdBook renders ([`preprocess`], with the paper's values from [`ledger`]), and
 //! what a browser may do on a page ([`policy`]). What moved from one of the [`versions`] of the
-//! snapshots to another is [`review`]; its page has the book's [`theme`].
+//! snapshots to another is [`review`].
 
 pub mod build;
 pub mod ledger;
 pub mod locate;
-pub mod number;
+mod number;
 mod page_files;
 pub mod policy;
 pub mod preprocess;
 pub mod progress;
 pub mod review;
-pub mod theme;
 pub mod versions;
 mod warnings;

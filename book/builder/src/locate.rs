@@ -1,39 +1,25 @@
 //! Where the book is.
 
+use std::fs;
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context, Result, bail};
-
-use pendula_output::files;
+use anyhow::{Context, Result};
 
 /// The folder that holds `book.toml`: `book/` in `start` or in the nearest folder above it that has
 /// one.
-///
-/// # Errors
-/// If there is none, or a `book.toml` on the way cannot be read.
 pub fn book(start: &Path) -> Result<PathBuf> {
-    for folder in start.ancestors().map(|folder| folder.join("book")) {
-        if is_ours(&folder)? {
-            return Ok(folder);
-        }
-    }
-    bail!(
-        "there is no checkout of pendula here: no book/book.toml with [preprocessor.pendula] in {} \
-         or above",
-        start.display()
-    )
-}
-
-/// Other projects have a book/book.toml too.
-fn is_ours(folder: &Path) -> Result<bool> {
-    let file = folder.join("book.toml");
-    let cannot = || format!("{} cannot be read", file.display());
-    // One that cannot be read may be ours: it is not passed over.
-    if !files::exists(&file).with_context(cannot)? {
-        return Ok(false);
-    }
-    let toml = files::read(&file).with_context(cannot)?;
-    Ok(String::from_utf8_lossy(&toml).contains("[preprocessor.pendula]"))
+    // Other projects have a book/book.toml too.
+    let is_ours = |folder: &PathBuf| {
+        let toml = fs::read_to_string(folder.join("book.toml"));
+        toml.is_ok_and(|toml| toml.contains("[preprocessor.pendula]"))
+    };
+    start.ancestors().map(|folder| folder.join("book")).find(is_ours).with_context(|| {
+        format!(
+            "there is no checkout of pendula here: no book/book.toml with [preprocessor.pendula] \
+             in {} or above",
+            start.display()
+        )
+    })
 }
 
 #[cfg(test)]

@@ -22,9 +22,6 @@ const PICTURE: &str = "<meta property=\"og:image\" content=\"";
 
 /// Joins the scripts of the lab, in the order in which `scripts` names them, in the folder of the
 /// pages, if there are any.
-///
-/// # Errors
-/// If a script cannot be read, or the joined one not be written.
 pub fn join<P: AsRef<Path>>(pages: &Path, scripts: &[P]) -> Result<()> {
     let mut bundle = String::new();
     for script in scripts.iter().map(AsRef::as_ref) {

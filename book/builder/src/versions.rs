@@ -105,9 +105,6 @@ pub struct OnDisk {
     pub file: File,
 }
 
-/// No snapshot has so many bytes.
-const LARGEST: u64 = 16 << 20;
-
 /// The files in `folder` that end in `suffix`, by the name of their snapshot.
 pub fn on_disk(folder: &Path, suffix: &str) -> Result<BTreeMap<String, OnDisk>> {
     let paths =
@@ -118,10 +115,6 @@ pub fn on_disk(folder: &Path, suffix: &str) -> Result<BTreeMap<String, OnDisk>> 
         let Some(name) = name_of(&shown, suffix) else { continue };
         ensure!(path.to_str().is_some(), "{shown}: corrupt: its name is not UTF-8");
         let cannot = || format!("{shown} cannot be read");
-        // Where a link leads there may be no end, and at a FIFO nobody.
-        let about = files::metadata(&path).with_context(cannot)?.filter(|about| about.is_file());
-        let size = about.with_context(|| format!("{shown}: corrupt: it is no file"))?.len();
-        ensure!(size <= LARGEST, "{shown}: corrupt: it has {size} bytes");
         let text = files::read_to_string(&path).with_context(cannot)?;
         let file = File::parse(name, &text, &shown)?;
         let before = found.insert(name.to_string(), OnDisk { path: path.clone(), file });

@@ -4,6 +4,8 @@ use std::fmt::Display;
 use std::io;
 use std::process::ExitCode;
 
+use crate::printable::printable;
+
 /// Why a command ended early.
 #[derive(Debug)]
 pub enum Failure {
@@ -76,18 +78,9 @@ fn is_broken_pipe(error: &anyhow::Error) -> bool {
 /// the cursor or turns the text around.
 fn one_line(text: &str) -> String {
     const LONGEST: usize = 300;
-    const TURN: [std::ops::RangeInclusive<char>; 3] =
-        ['\u{200e}'..='\u{200f}', '\u{202a}'..='\u{202e}', '\u{2066}'..='\u{2069}'];
-    let shown = |word: &str| {
-        let mut shown = String::new();
-        for c in word.chars().take(LONGEST) {
-            if c.is_control() || TURN.iter().any(|range| range.contains(&c)) {
-                shown.extend(c.escape_default());
-            } else {
-                shown.push(c);
-            }
-        }
-        shown + if word.chars().nth(LONGEST).is_some() { "…" } else { "" }
+    let shown = |word: &str| match word.char_indices().nth(LONGEST) {
+        Some((end, _)) => printable(&word[..end]) + "…",
+        None => printable(word),
     };
     text.split_whitespace().map(shown).collect::<Vec<_>>().join(" ")
 }

@@ -29,9 +29,6 @@ const LISTEN: Duration = Duration::from_millis(20);
 ///
 /// A second interruption, more than a second after the first, ends the process at once: it may be
 /// waiting for a reader that does not read.
-///
-/// # Errors
-/// If the handler cannot be set.
 pub fn interrupts() -> Result<Arc<AtomicBool>, Failure> {
     /// A terminal that closes sends several signals at once.
     const ONE_INTERRUPTION: Duration = Duration::from_secs(1);

@@ -8,6 +8,8 @@ use std::sync::LazyLock;
 use anyhow::{Result, ensure};
 use regex::{Captures, Regex};
 
+use super::markdown::splice;
+
 /// The text with each captioned table as a figure of its own, caption first; `{{verdicts}}` will be
 /// a table too.
 pub fn set(text: &str) -> Result<String> {
@@ -18,17 +20,12 @@ pub fn set(text: &str) -> Result<String> {
         ))
         .expect("the pattern is a constant")
     });
-    let mut failed = None;
-    let set = CAPTION.replace_all(text, |found: &Captures<'_>| {
-        figure(found).unwrap_or_else(|error| {
-            failed.get_or_insert(error);
-            String::new()
-        })
-    });
-    match failed {
-        Some(error) => Err(error),
-        None => Ok(set.into_owned()),
+    let mut edits = Vec::new();
+    for found in CAPTION.captures_iter(text) {
+        let whole = found.get(0).expect("group 0 is the match");
+        edits.push((whole.range(), figure(&found)?));
     }
+    Ok(splice(text, edits))
 }
 
 fn figure(found: &Captures<'_>) -> Result<String> {

@@ -11,15 +11,15 @@
 //! | `{{verdicts}}` | how many claims got which verdict; see [`claims`](super::claims) |
 //! | `doi:…` | a link to the work |
 //!
-//! The first two also work inside formulas. The first quote of a claim has its id, so that its row
-//! of the ledger can link back. Code spans and code blocks do not change, with three exceptions:
-//! code included from within an item loses its common indentation, what a listing prints stands
-//! below it, and a word with a hyphen is kept whole.
+//! A formula takes no value. The first quote of a claim has its id, so that its row of the ledger
+//! can link back. Code spans and code blocks do not change, with three exceptions: code included
+//! from within an item loses its common indentation, what a listing prints stands below it, and a
+//! word with a hyphen is kept whole.
 
 use std::collections::BTreeSet;
 use std::ops::Range;
 
-use anyhow::{Context, Result, anyhow, bail};
+use anyhow::{Context, Result, anyhow, bail, ensure};
 
 use super::listing::{flush_left, with_output};
 use super::markdown::{Kind, passages, splice};
@@ -72,8 +72,12 @@ impl<'a> Setter<'a> {
                     }
                 }
                 Kind::Formula { tex, display } => {
-                    let (set, ids) = self.set_tex(&tex, quoted)?;
-                    let html = ids + &self.maths.set(&set, display)?;
+                    // In TeX `{{a}}` is a group in a group.
+                    let values = ["measured", "stated", "verdict"];
+                    let mut found = directives(&tex).filter_map(Result::ok);
+                    let has_value = found.any(|directive| values.contains(&directive.name));
+                    ensure!(!has_value, "{tex}: a formula takes no value; set it beside");
+                    let html = self.maths.set(&tex, display)?;
                     edits.push(match text[passage.range.end..].chars().next() {
                         // A browser may break a line after any formula, even before a comma. A long
                         // one must stay breakable.
@@ -112,6 +116,7 @@ impl<'a> Setter<'a> {
     ) -> Result<()> {
         // A nested footnote or the like may begin before the last passage ended.
         let Some(prose) = text.get(range.clone()) else { return Ok(()) };
+        let first = edits.len();
         for directive in directives(prose) {
             let Directive { range: at, name, argument } = directive?;
             let html = match name {
@@ -145,27 +150,14 @@ impl<'a> Setter<'a> {
         }
         for doi in dois(prose) {
             let (at, text) = (range.start + doi.start..range.start + doi.end, &prose[doi]);
+            if edits[first..].iter().any(|(directive, _)| directive.contains(&at.start)) {
+                continue;
+            }
             let address = inert::text(&text.replacen("doi:", "https://doi.org/", 1));
             edits.push((at, format!("<a href=\"{address}\">{}</a>", inert::text(text))));
         }
+        edits[first..].sort_by_key(|(at, _)| at.start);
         Ok(())
-    }
-
-    /// The TeX with its values, and what carries the ids of claims, which a formula cannot. In TeX
-    /// `{{a}}` is a group in a group, so that only known names are directives.
-    fn set_tex(&self, tex: &str, quoted: &mut BTreeSet<String>) -> Result<(String, String)> {
-        let (mut edits, mut ids) = (Vec::new(), String::new());
-        for directive in directives(tex).filter_map(Result::ok) {
-            if let "measured" | "stated" = directive.name {
-                let value = self.value(directive.name, directive.argument)?;
-                edits.push((directive.range, values::tex(&value)));
-                let id = id(directive.argument, quoted);
-                if !id.is_empty() {
-                    ids += &format!("<span{id}></span>");
-                }
-            }
-        }
-        Ok((splice(tex, edits), ids))
     }
 
     fn value(&self, name: &str, id: &str) -> Result<String> {
@@ -240,11 +232,12 @@ fn with_whole_options(code: &str) -> Option<String> {
     any.then(|| format!("<code>{html}</code>"))
 }
 
-/// Where a text has DOIs, each without the punctuation after it.
+/// Where a text has DOIs, each without the punctuation or the directive after it.
 fn dois(text: &str) -> impl Iterator<Item = Range<usize>> {
     text.match_indices("doi:10.").map(|(start, _)| {
         let rest = &text[start..];
-        let word = &rest[..rest.find(char::is_whitespace).unwrap_or(rest.len())];
+        let end = rest.find(|c: char| c.is_whitespace() || c == '{').unwrap_or(rest.len());
+        let word = &rest[..end];
         start..start + word.trim_end_matches(['.', ',', ';', ':']).len()
     })
 }
@@ -287,21 +280,16 @@ mod tests {
         );
     }
 
-    /// Catches: a quote that cannot be linked to, in a formula too; an id that stands twice; a
-    /// claim that is only named in code taken for a quote.
+    /// Catches: a quote that cannot be linked to; an id that stands twice; a claim that is only
+    /// named in code taken for a quote.
     #[test]
     fn the_first_quote_of_a_claim_has_its_id() {
-        let tests = Tests::default();
+        let (tests, mut quoted) = (Tests::default(), BTreeSet::new());
         let setter = Setter::new(&ledger, &tests, String::new());
-        for text in [
-            "{{measured T4.rk4.0.01}} {{verdict T4.rk4.0.01}}",
-            "$a$ and $x = {{stated T4.rk4.0.01}}$, {{stated T4.rk4.0.01}}",
-        ] {
-            let mut quoted = BTreeSet::new();
-            let set = setter.set(&format!("{text} `{{{{verdict T9.only}}}}`"), "", &mut quoted);
-            assert_eq!(set.unwrap().matches("id=\"T4.rk4.0.01\"").count(), 1, "{text}");
-            assert_eq!(quoted, BTreeSet::from(["T4.rk4.0.01".to_string()]));
-        }
+        let text = "{{measured T4.rk4.0.01}} {{verdict T4.rk4.0.01}} `{{verdict T9.only}}`";
+        let set = setter.set(text, "", &mut quoted).unwrap();
+        assert_eq!(set.matches("id=\"T4.rk4.0.01\"").count(), 1, "{set}");
+        assert_eq!(quoted, BTreeSet::from(["T4.rk4.0.01".to_string()]));
     }
 
     /// Catches: a bullet that says what its test does not, and a test that does not say what it
@@ -373,7 +361,7 @@ mod tests {
             ("{{stated T4.rk4.0.01", "closing"),
             ("as $\\frac{1$", "as $"),
             ("$\\sqrt{1}$ or $\\fraq{1}$", "\\fraq{1}"),
-            ("$x = {{stated T4.rk5}}$", "T4.rk5"),
+            ("$x^{{a}} = {{ stated T4.rk4.0.01 }}$", "a formula takes no value"),
         ] {
             let error = format!("{:#}", set(text).unwrap_err());
             assert!(error.contains(quoted), "{text}: {error}");
@@ -404,11 +392,13 @@ mod tests {
         );
     }
 
-    /// Catches: a value in a formula that comes out as HTML source; a TeX group taken for a
-    /// directive.
+    /// Catches: what stands before a directive lost, as it is set after it.
     #[test]
-    fn values_work_inside_formulas() {
-        let html = set("$E = {{stated T4.rk4.0.01}}$ and $x^{{a}}$").unwrap();
-        assert!(html.contains("2&#46;01") && !html.contains("stated"), "{html}");
+    fn a_doi_and_a_directive_stand_in_one_paragraph() {
+        let html = set("doi:10.1/x{{stated T4.rk4.0.01}}, doi:10.2/y.").unwrap();
+        let parts = html.split("</a>").map(|part| part.contains("<a href") as usize);
+        assert_eq!(parts.collect::<Vec<_>>(), [1, 1, 0], "{html}");
+        assert!(html.contains("</a><span class=\"stated\""), "{html}");
+        assert!(set("{{work-precision doi:10.1/x}}").unwrap().ends_with("<figure>"));
     }
 }

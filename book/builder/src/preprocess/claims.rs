@@ -7,25 +7,19 @@
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
 use std::fmt::Write;
-use std::ops::Range;
+use std::sync::LazyLock;
 
 use anyhow::{Context, Result, bail};
+use pendula_study::report::table::Table;
+use pulldown_cmark::Parser;
 use pulldown_cmark::html::push_html;
-use pulldown_cmark::{Alignment, Event, Parser, Tag, TagEnd};
+use regex::Regex;
 
 use super::markdown::{options, splice};
 use crate::ledger::Ledger;
 
 /// Links to where each claim is quoted, by its id.
 pub type Quotes = BTreeMap<String, Vec<String>>;
-
-/// A table in Markdown.
-struct Table<'t> {
-    range: Range<usize>,
-    alignments: Vec<Alignment>,
-    /// The head first, cell by cell.
-    rows: Vec<Vec<Vec<Event<'t>>>>,
-}
 
 /// The kinds of claims that the paper makes, in the one table and the other.
 const PRINTED: [&str; 2] = ["cell", "sentence"];
@@ -45,91 +39,73 @@ struct Judged {
 
 /// The text with each table of claims, which has that heading above its first column, as HTML.
 pub fn set(text: &str, ledger: &dyn Ledger, quotes: &Quotes) -> Result<String> {
-    if !text.contains("| Claim ") {
-        return Ok(text.to_string());
-    }
+    static TABLE: LazyLock<Regex> = LazyLock::new(|| {
+        Regex::new(r"(?m)^\| Claim .*\n(?:\|.*\n?)*").expect("the pattern is a constant")
+    });
     let (mut edits, mut judged) = (Vec::new(), Vec::new());
-    for table in tables(text) {
-        let mut rows = table.rows.iter();
-        let head: Vec<String> = rows.next().into_iter().flatten().map(|cell| html(cell)).collect();
-        if head.first().is_none_or(|heading| heading != "Claim") {
-            continue;
-        }
-        let columns = head.iter().zip(&table.alignments).filter(|(name, _)| *name != PLACE);
-        let headings: String =
-            columns.map(|(name, side)| format!("<th{}>{name}</th>", style(*side))).collect();
+    for found in TABLE.find_iter(text) {
+        let table = Table::from_markdown(found.as_str());
+        let table = table.context("a table of claims has rows of several widths")?;
+        let rule = found.as_str().lines().nth(1).unwrap_or_default().split('|').skip(1);
+        let headings = table.header().iter().map(String::as_str);
+        let columns: Vec<_> = headings.zip(rule.map(style)).collect();
+        let head = columns.iter().filter(|(name, _)| *name != PLACE);
+        let head: String = head.map(|(name, style)| format!("<th{style}>{name}</th>")).collect();
         let mut set = format!(
-            "<div class=\"table-wrapper\"><table class=\"claims\">\n<thead><tr>{headings}</tr>\
+            "<div class=\"table-wrapper\"><table class=\"claims\">\n<thead><tr>{head}</tr>\
              </thead>\n<tbody>\n"
         );
-        for cells in rows {
-            judged.push(push_row(&mut set, cells, &head, &table.alignments, ledger, quotes)?);
+        for cells in table.rows() {
+            judged.push(push_row(&mut set, cells, &columns, ledger, quotes)?);
         }
         set.push_str("</tbody></table></div>\n");
-        edits.push((table.range, set));
+        edits.push((found.range(), set));
+    }
+    if edits.is_empty() {
+        return Ok(text.to_string());
     }
     Ok(splice(text, edits).replace("{{verdicts}}", &counts(&judged)))
 }
 
-fn tables(text: &str) -> Vec<Table<'_>> {
-    let mut tables: Vec<Table<'_>> = Vec::new();
-    let mut in_cell = false;
-    for (event, range) in Parser::new_ext(text, options()).into_offset_iter() {
-        if let Event::Start(Tag::Table(alignments)) = event {
-            tables.push(Table { range, alignments, rows: Vec::new() });
-            continue;
-        }
-        let Some(Table { rows, .. }) = tables.last_mut() else { continue };
-        match event {
-            Event::Start(Tag::TableHead | Tag::TableRow) => rows.push(Vec::new()),
-            Event::Start(Tag::TableCell) => {
-                rows.last_mut().expect("a cell is in a row").push(Vec::new());
-                in_cell = true;
-            }
-            Event::End(TagEnd::TableCell) => in_cell = false,
-            event if in_cell => {
-                let cell = rows.last_mut().and_then(|row| row.last_mut());
-                cell.expect("the cell was begun").push(event);
-            }
-            _ => {}
-        }
-    }
-    tables
+/// As mdBook aligns the cells of a column with this rule.
+fn style(rule: &str) -> &'static str {
+    let is_right = rule.trim().starts_with('-') && rule.trim().ends_with(':');
+    if is_right { " style=\"text-align: right\"" } else { "" }
 }
 
-fn html(markdown: &[Event<'_>]) -> String {
+/// A cell as HTML.
+fn html(cell: &str) -> String {
     let mut html = String::new();
-    push_html(&mut html, markdown.iter().cloned());
-    html
+    // After a word nothing begins a list, a heading or another block.
+    push_html(&mut html, Parser::new_ext(&format!("x {cell}"), options()));
+    let inside = html.strip_prefix("<p>x").and_then(|html| html.strip_suffix("</p>\n"));
+    inside.unwrap_or(&html).trim().to_string()
 }
 
 fn push_row(
     set: &mut String,
-    cells: &[Vec<Event<'_>>],
-    head: &[String],
-    alignments: &[Alignment],
+    cells: &[String],
+    columns: &[(&str, &str)],
     ledger: &dyn Ledger,
     quotes: &Quotes,
 ) -> Result<Judged> {
     let [name, values @ .., reason] = cells else { bail!("a table of claims has two columns") };
-    let [Event::Code(id), gist @ ..] = &name[..] else {
-        bail!("{}: a row of this table begins with the id of its claim", html(name))
-    };
-    let id = id.to_string();
-    let entry = ledger.entry(&id).with_context(|| format!("the ledger has no claim {id}"))?;
+    let id = name.strip_prefix('`').and_then(|rest| rest.split_once('`'));
+    let (id, gist) =
+        id.with_context(|| format!("{name}: a row of this table begins with the id of its claim"))?;
+    let entry = ledger.entry(id).with_context(|| format!("the ledger has no claim {id}"))?;
     let verdict = entry.verdict.with_context(|| format!("the ledger has no verdict on {id}"))?;
     let kind = entry.kind;
-    let gist = html(gist);
     let (mut said, mut below) = (String::new(), Vec::new());
-    for ((value, label), side) in values.iter().zip(&head[1..]).zip(&alignments[1..]) {
+    for (value, (label, style)) in values.iter().zip(&columns[1..]) {
         let value = html(value);
-        if label == PLACE {
+        if *label == PLACE {
             below.push(value);
         } else {
-            write!(said, "<td data-label=\"{label}\"{}>{value}</td>", style(*side))?;
+            write!(said, "<td data-label=\"{label}\"{style}>{value}</td>")?;
         }
     }
-    if let Some(links) = quotes.get(&id) {
+    if let Some(links) = quotes.get(id) {
         below.push(format!("quoted in {}", links.join(", ")));
     }
     writeln!(
@@ -137,23 +113,18 @@ fn push_row(
         "<tr id=\"{id}\" data-kind=\"{kind}\" data-part=\"{}\" data-verdict=\"{}\">\
          <td><code>{id}</code> <span class=\"gist\">{}</span> <small>{}</small></td>{said}\
          <td>{} <span class=\"reason\">{}</span></td></tr>",
-        part(&id),
+        part(id),
         slug(&verdict),
-        gist.trim(),
+        html(gist),
         below.join("; "),
         tag(&verdict),
         after_verdict(reason, &verdict)
     )?;
-    Ok(Judged { id, kind, verdict })
-}
-
-/// As mdBook aligns the cells of a table.
-fn style(side: Alignment) -> &'static str {
-    if side == Alignment::Right { " style=\"text-align: right\"" } else { "" }
+    Ok(Judged { id: id.to_string(), kind, verdict })
 }
 
 /// What a cell says besides its verdict, which it begins with.
-fn after_verdict(cell: &[Event<'_>], verdict: &str) -> String {
+fn after_verdict(cell: &str, verdict: &str) -> String {
     let html = html(cell);
     let bold = format!("<strong>{verdict}</strong>");
     let rest = html.strip_prefix(&bold).or_else(|| html.strip_prefix(verdict)).unwrap_or(&html);
@@ -214,23 +185,21 @@ fn push_counts(
     kinds: [&str; 2],
 ) {
     let _ = write!(table, "<tr><th scope=\"row\">{name}</th>");
-    let verdict_filter = verdict.map(|verdict| format!("verdict={}", slug(verdict)));
     for counted in [&kinds[..1], &kinds[1..], &kinds] {
-        let mut found = claims.iter().filter(|claim| {
+        let is_counted = |claim: &&Judged| {
             counted.contains(&claim.kind.as_str())
                 && verdict.is_none_or(|verdict| verdict == claim.verdict)
-        });
-        let first = found.next();
-        let count = usize::from(first.is_some()) + found.count();
-        let kind_filter = match counted {
-            [kind] => Some(format!("part={kind}")),
-            _ => None,
         };
-        let filters: Vec<_> = verdict_filter.iter().chain(&kind_filter).cloned().collect();
-        let _ = match first {
-            Some(Judged { id, .. }) if !filters.is_empty() => {
-                let filter = filters.join("&amp;");
-                write!(table, "<td><a href=\"#{id}\" data-filter=\"{filter}\">{count}</a></td>")
+        let found: Vec<&Judged> = claims.iter().filter(is_counted).collect();
+        let mut filters = verdict.map(|verdict| format!("verdict={}", slug(verdict)));
+        if let [kind] = counted {
+            let kind = format!("part={kind}");
+            filters = Some(filters.map_or(kind.clone(), |filters| format!("{filters}&amp;{kind}")));
+        }
+        let count = found.len();
+        let _ = match (found.first(), filters) {
+            (Some(Judged { id, .. }), Some(filters)) => {
+                write!(table, "<td><a href=\"#{id}\" data-filter=\"{filters}\">{count}</a></td>")
             }
             _ => write!(table, "<td>{count}</td>"),
         };
@@ -259,7 +228,7 @@ mod tests {
                          | `T4.a` some *gist* | Table 4 | \\|2\\| | **wrong**. A reason. |\n\
                          | `T4.b` other | Table 4 | 2 | reproduced |\n\
                          | `F7` it | Figure 7 | 3 | **wrong** |\n\
-                         | `X.c` ours | | — | not stated |\n";
+                         | `X.c` ours |  | — | not stated |\n";
 
     fn set(text: &str) -> Result<String> {
         let links = vec!["<a>one</a>".to_string(), "<a>two</a>".to_string()];
@@ -303,7 +272,7 @@ mod tests {
     #[test]
     fn a_row_that_is_no_claim_stops_the_build() {
         for row in ["| `T9` x | 1 | wrong |", "| x | 1 | wrong |"] {
-            let table = format!("| Claim | a | verdict |\n|---|---|---|\n{row}\n");
+            let table = format!("| Claim | a | verdict |\n| -- | -- | -- |\n{row}\n");
             assert!(set(&table).is_err(), "{row}");
         }
         let other = "| Method | a |\n|---|---|\n| `T9` | 1 |\n";

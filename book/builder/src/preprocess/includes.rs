@@ -8,15 +8,12 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
-use anyhow::{Context, Result, bail, ensure};
+use anyhow::{Context, Result, ensure};
 use mdbook_preprocessor::book::Book;
 use regex::Regex;
 
 use super::{chapters, name};
 use pendula_output::files;
-
-/// As deep as mdBook follows includes within includes.
-const DEPTH: usize = 10;
 
 /// Checks the includes of every chapter that has a file in the folder `source`, and returns the
 /// files that they name.
@@ -27,43 +24,36 @@ pub fn check(source: &Path, book: &Book) -> Result<BTreeSet<PathBuf>> {
         let file = source.join(path);
         files::read_to_string(&file)
             .with_context(|| format!("{} cannot be read", file.display()))
-            .and_then(|text| follow(&text, file.parent().unwrap_or(source), DEPTH, &mut files))
+            .and_then(|text| includes(&text, file.parent().unwrap_or(source)))
+            .map(|named| files.extend(named))
             .with_context(|| format!("chapter {}", name(chapter)))?;
     }
     Ok(files)
 }
 
-/// Follows the includes of a text whose relative paths start from `folder`.
-fn follow(text: &str, folder: &Path, depth: usize, files: &mut BTreeSet<PathBuf>) -> Result<()> {
+/// The files that a text includes, whose relative paths start from `folder`.
+fn includes(text: &str, folder: &Path) -> Result<Vec<PathBuf>> {
     // The first alternative is mdBook's escape: everything up to the last braces of the line.
     static LINK: LazyLock<Regex> = LazyLock::new(|| {
         Regex::new(r"\\\{\{#.*\}\}|\{\{\s*#(?<kind>[a-zA-Z0-9_]+)\s+(?<rest>[^}]+)\}\}")
             .expect("the pattern is a constant")
     });
+    let mut files = Vec::new();
     for link in LINK.captures_iter(text) {
         let (Some(kind), Some(rest)) = (link.name("kind"), link.name("rest")) else { continue };
+        let kind = kind.as_str();
+        ensure!(kind == "include", "{}: there is no {kind}; there is include", &link[0]);
         let argument = rest.as_str().split_whitespace().next().unwrap_or_default();
-        match kind.as_str() {
-            "title" => {}
-            "include" => {
-                let (path, anchor) = argument.split_once(':').unwrap_or((argument, ""));
-                ensure!(depth > 0, "{}: includes include each other", &link[0]);
-                included(folder, path, anchor)
-                    .and_then(|text| {
-                        let from = folder.join(path);
-                        files.insert(from.clone());
-                        follow(&text, from.parent().unwrap_or(folder), depth - 1, files)
-                    })
-                    .with_context(|| link[0].to_string())?;
-            }
-            other => bail!("{}: there is no {other}; there is include", &link[0]),
-        }
+        let (path, anchor) = argument.split_once(':').unwrap_or((argument, ""));
+        files.push(folder.join(path));
+        included(folder, path, anchor).with_context(|| link[0].to_string())?;
     }
-    Ok(())
+    Ok(files)
 }
 
-/// The text that mdBook will include; never empty. By numbers of lines, which move, nothing is.
-fn included(folder: &Path, path: &str, anchor: &str) -> Result<String> {
+/// Checks the text that mdBook will include; it is never empty. By numbers of lines, which move,
+/// nothing is.
+fn included(folder: &Path, path: &str, anchor: &str) -> Result<()> {
     let file = folder.join(path);
     let text = files::read_to_string(&file).with_context(|| format!("there is no file {path}"))?;
     let included = match anchor {
@@ -72,7 +62,9 @@ fn included(folder: &Path, path: &str, anchor: &str) -> Result<String> {
             .with_context(|| format!("{path} has no line with ANCHOR: {anchor}"))?,
     };
     ensure!(!included.trim().is_empty(), "{path} has nothing between these anchors");
-    Ok(included)
+    // mdBook would follow it, and nobody check it.
+    ensure!(!included.contains("{{#"), "{path} includes something itself");
+    Ok(())
 }
 
 /// The lines from `ANCHOR: name` to `ANCHOR_END: name`, or to the end of the file, without any
@@ -108,9 +100,8 @@ mod tests {
         let write = |name: &str, text: &str| fs::write(folder.path().join(name), text).unwrap();
         write("step.rs", "use a;\n// ANCHOR: step\nlet a = 1;\n// ANCHOR_END: step\nend\n");
         write("empty.rs", "// ANCHOR: step\n\n// ANCHOR_END: step\n");
-        write("nested.md", "{{#include step.rs:nothing}}\n");
-        write("round.md", "{{#include round.md}}\n");
-        follow(text, folder.path(), DEPTH, &mut BTreeSet::new())
+        write("nested.md", "{{#include step.rs:step}}\n");
+        includes(text, folder.path()).map(drop)
     }
 
     /// Catches: a check that refuses what mdBook includes.
@@ -120,7 +111,6 @@ mod tests {
             "{{#include step.rs}}",
             "{{#include step.rs:step}}",
             "{{ #include step.rs:step }}",
-            "{{#title A title}}",
             "\\{{#include no/such/file.rs}}",
             "no include",
         ] {
@@ -137,8 +127,7 @@ mod tests {
             ("{{#include empty.rs:step}}", "nothing between"),
             ("{{#include step.rs:2:3}}", "ANCHOR: 2:3"),
             ("{{#rustdoc_include step.rs:step}}", "there is include"),
-            ("{{#include nested.md}}", "ANCHOR: nothing"),
-            ("{{#include round.md}}", "include each other"),
+            ("{{#include nested.md}}", "includes something itself"),
             ("{{#inlcude step.rs}}", "inlcude"),
         ] {
             let error = format!("{:#}", followed(text).unwrap_err());

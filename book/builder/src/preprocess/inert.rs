@@ -4,37 +4,13 @@
 //! `|` for a new cell and primes for curly quotes. It never does so with character references.
 
 use std::fmt::Write;
+use std::sync::LazyLock;
+
+use regex::Regex;
 
 /// `text` as HTML without active Markdown characters.
 pub fn text(text: &str) -> String {
     let mut inert = String::with_capacity(text.len());
-    push_text(&mut inert, text);
-    inert
-}
-
-/// `html` with its text made inert, its tags' attributes in alphabetical order and its line breaks
-/// as spaces.
-///
-/// katex-rs keeps attributes in a hash map, and so writes them in a different order in each
-/// process.
-pub fn html(html: &str) -> String {
-    let mut inert = String::with_capacity(html.len() * 2);
-    let mut rest = html;
-    while !rest.is_empty() {
-        if rest.starts_with('<') {
-            let (tag, after) = rest.split_at(tag_length(rest));
-            push_tag(&mut inert, tag);
-            rest = after;
-        } else {
-            let (between, after) = rest.split_at(rest.find('<').unwrap_or(rest.len()));
-            push_escaped_text(&mut inert, between);
-            rest = after;
-        }
-    }
-    inert
-}
-
-fn push_text(inert: &mut String, text: &str) {
     for c in text.chars() {
         match c {
             _ if c.is_ascii_punctuation() => {
@@ -44,66 +20,44 @@ fn push_text(inert: &mut String, text: &str) {
             _ => inert.push(c),
         }
     }
+    inert
 }
 
-/// As [`push_text`], for text in which `&amp;` and the like already stand for characters.
-fn push_escaped_text(inert: &mut String, mut text: &str) {
-    while let Some(start) = text.find('&') {
-        push_text(inert, &text[..start]);
-        text = &text[start..];
-        let reference = text.find(';').map_or(1, |end| end + 1);
-        inert.push_str(&text[..reference]);
-        text = &text[reference..];
-    }
-    push_text(inert, text);
-}
-
-/// The length of the tag that `html` begins with; a `>` inside quotes does not end it.
-fn tag_length(html: &str) -> usize {
-    let mut quote = None;
-    for (at, c) in html.char_indices() {
-        match (quote, c) {
-            (None, '"' | '\'') => quote = Some(c),
-            (Some(open), _) if open == c => quote = None,
-            (None, '>') => return at + 1,
-            _ => {}
+/// `html` with its text made inert, its tags' attributes in alphabetical order and its line breaks
+/// as spaces.
+///
+/// katex-rs keeps attributes in a hash map, and so writes them in a different order in each
+/// process.
+pub fn html(html: &str) -> String {
+    // A tag, or a reference such as `&amp;`, which stands for a character already.
+    static MARKUP: LazyLock<Regex> = LazyLock::new(|| {
+        let tag = r#"(?<name></?[^\s/<>]+)(?<attributes>(?:"[^"]*"|'[^']*'|[^"'<>])*?)(?<end>/?>)"#;
+        Regex::new(&format!("{tag}|&[^;]*;")).expect("the pattern is a constant")
+    });
+    static ATTRIBUTE: LazyLock<Regex> = LazyLock::new(|| {
+        Regex::new(r#"(?:"[^"]*"|'[^']*'|[^"'\s])+"#).expect("the pattern is a constant")
+    });
+    let (mut inert, mut done) = (String::with_capacity(html.len() * 2), 0);
+    for found in MARKUP.captures_iter(html) {
+        let markup = found.get(0).expect("all of it is a group");
+        inert += &text(&html[done..markup.start()]);
+        done = markup.end();
+        let Some(attributes) = found.name("attributes") else {
+            inert += markup.as_str();
+            continue;
+        };
+        let mut attributes: Vec<&str> =
+            ATTRIBUTE.find_iter(attributes.as_str()).map(|found| found.as_str()).collect();
+        attributes.sort_unstable();
+        inert += &found["name"];
+        for attribute in attributes {
+            inert.push(' ');
+            // A table cell ends at `|` even inside a tag.
+            inert += &attribute.replace(['\n', '\r'], " ").replace('|', "&#124;");
         }
+        inert += &found["end"];
     }
-    html.len()
-}
-
-fn push_tag(inert: &mut String, tag: &str) {
-    let tag = tag.trim_start_matches('<').trim_end_matches('>');
-    let (tag, close) = match tag.strip_suffix('/') {
-        Some(tag) => (tag, "/>"),
-        None => (tag, ">"),
-    };
-    let (name, rest) = tag.split_at(tag.find(char::is_whitespace).unwrap_or(tag.len()));
-    let mut attributes = attributes(rest);
-    attributes.sort_unstable();
-    inert.push('<');
-    inert.push_str(name);
-    for attribute in attributes {
-        inert.push(' ');
-        // A table cell ends at `|` even inside a tag.
-        inert.push_str(&attribute.replace(['\n', '\r'], " ").replace('|', "&#124;"));
-    }
-    inert.push_str(close);
-}
-
-/// Splits `a="1" b='2 3' c` at the spaces outside quotes.
-fn attributes(text: &str) -> Vec<&str> {
-    let mut quote = None;
-    text.split(|c: char| {
-        match quote {
-            None if c == '"' || c == '\'' => quote = Some(c),
-            Some(open) if open == c => quote = None,
-            _ => {}
-        }
-        quote.is_none() && c.is_whitespace()
-    })
-    .filter(|attribute| !attribute.is_empty())
-    .collect()
+    inert + &text(&html[done..])
 }
 
 #[cfg(test)]

@@ -144,6 +144,12 @@ pub fn splice(text: &str, edits: impl IntoIterator<Item = (Range<usize>, String)
     spliced
 }
 
+/// Backticks around code: one more than stand together in it, and at least as many as `least`.
+pub fn fence(code: &str, least: usize) -> String {
+    let longest = code.split(|c| c != '`').map(str::len).max().unwrap_or(0);
+    "`".repeat((longest + 1).max(least))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

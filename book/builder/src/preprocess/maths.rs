@@ -99,24 +99,4 @@ mod tests {
             assert!(error.contains(wrong), "{error}");
         }
     }
-
-    /// Catches: a kind of formula in the book that the typesetter does not support.
-    #[test]
-    fn the_books_kind_of_formula_is_set() {
-        for tex in [
-            PENDULUM,
-            r"K(k) = \int_0^{\pi/2} \frac{\mathrm{d}\varphi}{\sqrt{1 - k^2\sin^2\varphi}}",
-            r"\begin{pmatrix} 1 & h \\ -h\,\omega_0^2 & 1 \end{pmatrix}",
-            r"\begin{aligned} \omega_{n+1} &= \omega_n - h\,\tfrac{g}{L}\sin\theta_n \\
-              \theta_{n+1} &= \theta_n + h\,\omega_{n+1} \end{aligned}",
-            r"\max_{0\le n\le N}\lvert H_n - H_0\rvert",
-            r"\sum_{i=1}^{s} b_i k_i,\qquad \mathcal{O}(h^{p+1})",
-            r"H = \tfrac12 m L^2 \dot\theta^2 - m g L \cos\theta",
-            r"\operatorname{sn}(u \mid m) = \begin{cases} a & x > 0 \\ b & x \le 0 \end{cases}",
-            r"\begin{array}{c|cc} 0 & & \\ \hline \tfrac12 & \tfrac12 & \end{array}",
-            r"\boxed{\det J = 1} \text{ is } \mathbf{J}^{\!\top} \Omega \mathbf{J} = \Omega",
-        ] {
-            Maths::default().set(tex, true).unwrap();
-        }
-    }
 }

@@ -42,9 +42,6 @@ pub fn supports(renderer: &str) -> bool {
 
 /// Reads a book as mdBook sends it, and writes it preprocessed to `out`, with the values of the
 /// ledger, which is asked for when it is a book.
-///
-/// # Errors
-/// If that is no book, or something is wrong with it.
 pub fn protocol<L: Ledger + 'static>(
     ledger: impl FnOnce() -> L,
     input: impl Read,

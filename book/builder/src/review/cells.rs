@@ -156,4 +156,34 @@ mod tests {
         assert_eq!(differences("t", Some(&old), Some(&old)), []);
         assert_eq!(differences("t", None, Some(&new)).len(), 2);
     }
+    /// In the newer table a has gone, d is new, and b and c have changed places.
+    ///
+    /// Catches: a cell that is compared with that of another row where rows are inserted, left out
+    /// or exchanged and short numbers coincide; one that is named after another row, left out, or
+    /// shown twice.
+    #[test]
+    fn each_moved_cell_is_shown_once_under_its_own_name() {
+        let table = |rows: &[(&str, &str)]| {
+            let mut table = Table::new(["Quantity", "found"]);
+            rows.iter().for_each(|(name, found)| table.push([*name, *found]));
+            table
+        };
+        let error = |found| ("its error", found);
+        let old = [("a", "1"), error("3"), ("b", "2"), error("1"), error("2"), ("c", "1")];
+        let old = table(&[&old[..], &[error("2")]].concat());
+        let new = [("c", "1"), error("3"), ("d", "2"), ("b", "1"), error("1"), error("3")];
+        let cells = differences("t", Some(&old), Some(&table(&new)));
+        let text = |value: &Option<Value>| value.as_ref().map_or("", |v| &v.text).to_string();
+        let said = |cell: &Cell| (cell.row.clone(), text(&cell.old) + "→" + &text(&cell.new));
+        let said: Vec<_> = cells.iter().map(said).collect();
+        let expected = [
+            ("its error, of c", "2→3"),
+            ("d", "→2"),
+            ("b", "2→1"),
+            ("its error, of b (2)", "2→3"),
+            ("a", "1→"),
+            ("its error, of a", "3→"),
+        ];
+        assert_eq!(said, expected.map(|(row, change)| (row.to_string(), change.to_string())));
+    }
 }

@@ -1,13 +1,15 @@
 //! The cells that moved, each quantity once, by method and then by snapshot.
 
+use anyhow::{Context, Result};
+use pendula::verify::sign_of_slopes;
 use pendula_study::experiments::PaperMethod;
 use pendula_study::report::tables::cell_at;
 
 use super::cells::{Cell, Value};
-use super::claims::id_and_gist;
-use super::slopes::Slopes;
+use super::claims::{id_and_gist, table};
 use super::words::change;
 use crate::number::leading;
+use crate::versions::Version;
 
 /// A quantity that moved, wherever it stands.
 #[derive(Clone, Debug)]
@@ -84,66 +86,35 @@ impl Item {
     }
 }
 
-/// What moved in a snapshot, and stands in none before it.
-#[derive(Clone, Debug)]
-pub struct Part {
-    /// The name of the snapshot.
-    pub snapshot: String,
-    /// In the order of the table.
-    pub items: Vec<Item>,
-    /// Slopes, whole, those that stayed among them.
-    pub slopes: Option<Slopes>,
-}
-
 /// What moved of a method; or of none, or of several.
 #[derive(Clone, Debug, Default)]
 pub struct Group {
     /// The title of the method.
     pub method: Option<String>,
-    /// By snapshot, in the order of review.
-    pub parts: Vec<Part>,
+    /// All that moved of it, by snapshot, in the order of review.
+    pub items: Vec<Item>,
+    /// The order that the method claims now.
+    pub claimed: Option<u32>,
+    /// What slopes that leave that order are a sign of, as the judge says it.
+    pub sign: Option<String>,
 }
 
 impl Group {
-    /// All that moved in it.
-    pub fn items(&self) -> impl Iterator<Item = &Item> {
-        self.parts.iter().flat_map(|part| &part.items)
-    }
-
     /// The largest relative change in it.
     pub fn largest_change(&self) -> Option<f64> {
-        self.items().filter_map(Item::change).max_by(|a, b| a.abs().total_cmp(&b.abs()))
+        self.items.iter().filter_map(Item::change).max_by(|a, b| a.abs().total_cmp(&b.abs()))
     }
 
     /// Whether a number in it no longer is what it should be.
     pub fn leaves(&self) -> bool {
-        self.items().any(Item::leaves)
-    }
-
-    /// What moved of several, by snapshot.
-    pub fn merged<'g>(groups: impl Iterator<Item = &'g Self>) -> Self {
-        let mut merged = Self::default();
-        for item in groups.flat_map(Self::items) {
-            merged.push(item.clone());
-        }
-        merged
-    }
-
-    fn push(&mut self, item: Item) {
-        let name = &item.shown.snapshot;
-        match self.parts.iter_mut().find(|part| part.snapshot == *name) {
-            Some(part) => part.items.push(item),
-            None => {
-                let snapshot = name.clone();
-                self.parts.push(Part { snapshot, items: vec![item], slopes: None });
-            }
-        }
+        self.items.iter().any(Item::leaves)
     }
 }
 
 /// Groups the cells that moved, each in one item: methods of which something no longer is what it
-/// should be first, then by the largest change; what is of no method last.
-pub fn groups(cells: Vec<Cell>) -> Vec<Group> {
+/// should be first, then by the largest change; what is of no method last. `now` is the newer
+/// version.
+pub fn groups(cells: Vec<Cell>, now: &Version) -> Result<Vec<Group>> {
     let mut items: Vec<Item> = Vec::new();
     for cell in cells {
         let claim = claim_of(&cell);
@@ -162,11 +133,10 @@ pub fn groups(cells: Vec<Cell>) -> Vec<Group> {
     for item in items {
         let method = item.method().map(str::to_string);
         match groups.iter_mut().find(|group| group.method == method) {
-            Some(group) => group.push(item),
+            Some(group) => group.items.push(item),
             None => {
-                let mut group = Group { method, ..Group::default() };
-                group.push(item);
-                groups.push(group);
+                let (claimed, sign) = order(now, method.as_deref())?;
+                groups.push(Group { method, items: vec![item], claimed, sign });
             }
         }
     }
@@ -176,7 +146,20 @@ pub fn groups(cells: Vec<Cell>) -> Vec<Group> {
             .then(b.leaves().cmp(&a.leaves()))
             .then(size(b).total_cmp(&size(a)))
     });
-    groups
+    Ok(groups)
+}
+
+/// The order that a method claims, and what its slopes are a sign of if one of them leaves it.
+fn order(version: &Version, method: Option<&str>) -> Result<(Option<u32>, Option<String>)> {
+    let orders = table(version, "orders")?;
+    let row = orders.iter().flat_map(|table| table.rows()).find(|row| Some(&*row[0]) == method);
+    let Some([_, order, _, slopes @ ..]) = row.map(Vec::as_slice) else { return Ok((None, None)) };
+    let order = order.parse().with_context(|| format!("orders: corrupt: {order} is no order"))?;
+    let slopes: Vec<Value> = slopes.iter().map(|slope| Value::new(slope)).collect();
+    let numbers = slopes.iter().filter_map(|slope| Some(leading(&slope.text)?.value));
+    let leaves = slopes.iter().any(|slope| slope.marked);
+    let sign = leaves.then(|| sign_of_slopes(order, &numbers.collect::<Vec<_>>())).flatten();
+    Ok((Some(order), sign))
 }
 
 /// The one number of another table that a cell of the ledger repeats. Of two that moved alike

@@ -5,12 +5,12 @@ use anyhow::Result;
 use pendula_study::charts::wrapped;
 
 use super::claims::Claim;
-use super::groups::{Group, Item, Part};
-use super::slopes::{Slope, Slopes};
+use super::groups::Group;
 use super::source::Change;
 use super::verdict::{Weight, counted, sentences};
-use super::words::{code, difference, link, prose, row, shown, summary};
+use super::words::{code, difference, link, prose, row, summary};
 use super::{Figure, Review, Turn};
+use crate::preprocess::markdown::fence;
 use pendula_output::printable::printable;
 
 /// A review, written.
@@ -103,8 +103,7 @@ impl Document {
 
     /// Code, in a fence longer than any in it.
     fn code(&mut self, language: &str, text: &str) {
-        let longest = text.split(|c| c != '`').map(str::len).max().unwrap_or(0);
-        let fence = "`".repeat((longest + 1).max(3));
+        let fence = fence(text, 3);
         let text = printable(text.trim_end());
         self.paragraph(&format!("{fence}{language}\n{text}\n{fence}"));
     }
@@ -115,52 +114,30 @@ impl Document {
     }
 
     /// What moved, by method, with the change in its file; then what changed elsewhere, and the
-    /// methods of which nothing in their own files explains what moved: together, if they are many.
+    /// methods of which nothing in their own files explains what moved.
     fn changes(&mut self, review: &Review) -> Result<()> {
-        const FEW: usize = 3;
         let mut changed = review.code.changed()?;
-        let (mut own, mut others, mut of_none) = (Vec::new(), Vec::new(), None);
+        let (mut own, mut others) = (Vec::new(), Vec::new());
         for group in &review.groups {
-            let Some(title) = &group.method else {
-                of_none = Some(group);
-                continue;
-            };
-            let file = review.code.file_of(title)?;
+            let file = group.method.as_ref().map(|title| review.code.file_of(title)).transpose()?;
+            let file = file.flatten();
             let is_changed = file.is_some_and(|file| changed.iter().any(|name| name == file));
-            if is_changed { &mut own } else { &mut others }.push((title, file, group));
+            if is_changed { &mut own } else { &mut others }.push((file, group));
         }
-        changed.retain(|name| !own.iter().any(|(_, file, _)| *file == Some(name)));
-        for (title, file, group) in own {
-            self.method(review, title, file, group)?;
+        changed.retain(|name| !own.iter().any(|(file, _)| *file == Some(name)));
+        for (file, group) in own {
+            self.method(review, file, group)?;
         }
         self.elsewhere(review, &changed)?;
-        if others.len() > FEW {
-            let merged = Group::merged(others.iter().map(|(.., group)| *group));
-            let n = counted(others.len(), "method");
-            self.heading(2, &format!("{n} of unchanged files: {}", summary(&merged)));
-            let files: Vec<String> = others.iter().filter_map(|other| other.1).map(link).collect();
-            self.paragraph(&files.join(", "));
-            self.group(&merged);
-        } else {
-            for (title, file, group) in others {
-                self.method(review, title, file, group)?;
-            }
-        }
-        if let Some(group) = of_none {
-            self.heading(2, &format!("Of no one method: {}", summary(group)));
-            self.group(group);
+        for (file, group) in others {
+            self.method(review, file, group)?;
         }
         Ok(())
     }
 
     /// A method: the change in its file, and what moved.
-    fn method(
-        &mut self,
-        review: &Review,
-        title: &str,
-        file: Option<&str>,
-        group: &Group,
-    ) -> Result<()> {
+    fn method(&mut self, review: &Review, file: Option<&str>, group: &Group) -> Result<()> {
+        let title = group.method.as_deref().unwrap_or("Of no one method");
         self.heading(2, &format!("{title}: {}", summary(group)));
         if let Some(name) = file {
             match review.code.change(name)? {
@@ -219,22 +196,13 @@ impl Document {
     }
 
     fn group(&mut self, group: &Group) {
-        let row_of = |item: &Item| match item.method() {
-            // Where they are of several.
-            Some(method) if group.method.is_none() => {
-                row(format!("{method}: {}", item.label()), item)
-            }
-            _ => row(item.label(), item),
-        };
-        for Part { snapshot, items, slopes } in &group.parts {
+        for items in group.items.chunk_by(|a, b| a.shown.snapshot == b.shown.snapshot) {
+            let snapshot = &items[0].shown.snapshot;
             self.heading(3, &format!("In `{snapshot}`"));
-            if let Some(slopes) = slopes {
-                self.slopes(slopes, snapshot);
-            }
-            let is_shown = |item: &&Item| slopes.is_none() || !item.is_slope();
-            let rows: Vec<_> = items.iter().filter(is_shown).map(row_of).collect();
-            if !rows.is_empty() {
-                self.table(&["", "before", "now", "change"], &rows);
+            let rows: Vec<_> = items.iter().map(row).collect();
+            self.table(&["", "before", "now", "change"], &rows);
+            if let Some(sign) = group.sign.as_ref().filter(|_| snapshot == "orders") {
+                self.paragraph(&format!("**{}.**", prose(sign)));
             }
             let mut also: Vec<&str> =
                 items.iter().flat_map(|i| &i.also).map(|cell| cell.snapshot.as_str()).collect();
@@ -244,26 +212,6 @@ impl Document {
                 self.paragraph(&format!("Also in {}.", code(&also)));
             }
         }
-    }
-
-    /// The slopes, before and now, with their steps.
-    fn slopes(&mut self, slopes: &Slopes, snapshot: &str) {
-        let of = |step: &str, side: &[Slope]| {
-            let slope = side.iter().find(|slope| slope.steps == step);
-            slope.map_or_else(String::new, |slope| shown(&Some(slope.said.clone())))
-        };
-        let sides = |step: &String| slopes.versions.each_ref().map(|side| of(step, side));
-        let rows = slopes.steps().into_iter().map(|step| {
-            let [before, now] = sides(&step);
-            vec![step, before, now]
-        });
-        self.table(&["from step to step", "before", "now"], &rows.collect::<Vec<_>>());
-        if let Some(sign) = slopes.sign() {
-            self.paragraph(&format!("**{}.**", prose(&sign)));
-        }
-        let svg = slopes
-            .svg(&format!("Slopes in {snapshot}"), &format!("slopes-{}", self.drawings.len()));
-        self.draw(format!("<figure class=\"slopes\">\n{svg}</figure>\n"));
     }
 
     fn claims(&mut self, claims: &[Turn]) {
@@ -306,10 +254,9 @@ impl Document {
         }
         self.heading(2, "Lines of the book that quote what moved");
         self.list(review.quotes.iter().map(|quote| {
-            let typed = if quote.typed { ", **to be typed anew**" } else { "" };
             let file = link(&format!("book/src/{}.md", quote.chapter));
             let (line, moved) = (quote.line, prose(&quote.moved.join("; ")));
-            format!("{file}, line {line}{typed}: {moved}\\\n  {}", code(&[&quote.text]))
+            format!("{file}, line {line}: {moved}\\\n  {}", code(&[&quote.text]))
         }));
     }
 

@@ -2,27 +2,23 @@
 //! each quantity once, figures as they are seen, and how to accept each.
 //!
 //! [`working_tree`] has the snapshots that one works on, and accepts them; [`cells`] compares
-//! tables cell by cell and [`groups`] groups what moved, with the [`slopes`] of a method whole;
-//! [`claims`] reads verdicts and predictions, [`drawings`] compares figures, [`quotes`] finds what
-//! the book says of it, and [`source`] what changed in the code. A [`Review`] holds all of it,
-//! [`verdict`] sums it up, [`markdown`] writes it in `words`, and [`render`] makes a page or plain
-//! text of that.
+//! tables cell by cell and [`groups`] groups what moved; [`claims`] reads verdicts and predictions,
+//! [`drawings`] compares figures, [`quotes`] finds what the book says of it, and [`source`] what
+//! changed in the code. A [`Review`] holds all of it, [`verdict`] sums it up, [`markdown`] writes
+//! it in `words`, and [`render`] makes a page or plain text of that.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
-use anyhow::{Context, Result};
-use pendula_study::report::figures::figures;
+use anyhow::Result;
 use pendula_study::report::snapshots::Kind;
 
 use self::cells::{Cell, differences};
 use self::claims::{Claim, Claims};
 use self::drawings::Difference;
-use self::groups::{Group, Item};
-use self::quotes::{Moved, Quote};
-use self::slopes::Slopes;
+use self::groups::Group;
+use self::quotes::Quote;
 use self::source::Code;
-use crate::number::leading;
 use crate::versions::Version;
 
 pub mod cells;
@@ -32,7 +28,6 @@ pub mod groups;
 pub mod markdown;
 pub mod quotes;
 pub mod render;
-pub mod slopes;
 pub mod source;
 pub mod verdict;
 mod words;
@@ -156,11 +151,10 @@ impl Review {
         let mut bits: Vec<String> =
             cells_of(Kind::Hashes)?.into_iter().map(|cell| cell.row).collect();
         bits.dedup();
-        let quotes = quotes::quotes(chapters, &before, &now, &moved_numbers(&cells))?;
-        let mut groups = groups::groups(cells);
-        with_slopes(&mut groups, [old, new])?;
+        let quotes = quotes::quotes(chapters, &before, &now)?;
+        let groups = groups::groups(cells, new)?;
         let figures = of_kind(Kind::Figure).map(|change| figure(&change.name, old, new));
-        let mut figures = figures.collect::<Result<Vec<_>>>()?;
+        let mut figures: Vec<Figure> = figures.collect();
         figures.sort_by_key(|figure| !figure.is_visible());
         let (count, claims) = (new.len(), turns(&before, &now));
         let predictions = predictions(&before, &now);
@@ -204,42 +198,13 @@ fn changes(old: &Version, new: &Version) -> Vec<Change> {
     changes
 }
 
-/// The numbers that moved and that a line of the book may have copied.
-fn moved_numbers(cells: &[Cell]) -> Vec<Moved> {
-    let texts = |cell: &Cell| Some((cell.old.clone()?.text, cell.new.clone()?.text));
-    let pairs = cells.iter().filter_map(texts);
-    pairs.filter(|(old, new)| leading(old).is_some() && leading(new).is_some()).collect()
-}
-
-/// Where a slope of a method moved, all of them.
-fn with_slopes(groups: &mut [Group], versions: [&Version; 2]) -> Result<()> {
-    for group in groups {
-        let Some(method) = &group.method else { continue };
-        for part in &mut group.parts {
-            let slope = part.items.iter().find(|item| Item::is_slope(item));
-            if let Some(Item { shown, .. }) = slope {
-                part.slopes = Some(Slopes::read(versions, &shown.snapshot, method)?);
-            }
-        }
-    }
-    Ok(())
-}
-
-fn figure(name: &str, old: &Version, new: &Version) -> Result<Figure> {
+fn figure(name: &str, old: &Version, new: &Version) -> Figure {
     let drawings = [old, new].map(|version| version.get(name).map(|content| content.text.clone()));
-    let noise = figures().any(|drawing| drawing.name == name && drawing.is_noise());
-    let corrupt = || format!("{name}: corrupt");
     let difference = match &drawings {
-        [Some(old), Some(new)] => Some(drawings::compare(old, new, noise).with_context(corrupt)?),
-        [one, other] => {
-            // That it is a figure.
-            for alone in one.iter().chain(other) {
-                drawings::compare(alone, alone, noise).with_context(corrupt)?;
-            }
-            None
-        }
+        [Some(old), Some(new)] => Some(drawings::compare(old, new)),
+        _ => None,
     };
-    Ok(Figure { name: name.to_string(), drawings, difference })
+    Figure { name: name.to_string(), drawings, difference }
 }
 
 /// The claims whose verdict or remark is another.

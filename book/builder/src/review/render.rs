@@ -1,5 +1,4 @@
-//! A review's Markdown as a page that needs nothing but itself and looks like the book, and as
-//! plain text.
+//! A review's Markdown as a page that needs nothing but itself, and as plain text.
 
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -12,7 +11,6 @@ use pulldown_cmark::{CodeBlockKind, Event, Options, Parser, Tag, TagEnd};
 
 use super::Figure;
 use super::markdown::Document;
-use crate::theme;
 use pendula_output::files::whole_file::WholeFile;
 use pendula_output::files::{canonicalize, create_folder};
 use pendula_output::page::{Page, escaped};
@@ -30,7 +28,7 @@ pub fn write(document: &Document, root: &Path, interrupted: &AtomicBool) -> Resu
     let folder = root.join(FOLDER);
     let index = folder.join("index.html");
     let refused = || format!("{} cannot be written", index.display());
-    let html = html(document)?;
+    let html = html(document);
     create_folder(&folder).with_context(refused)?;
     // The path to print, as long as nothing has changed.
     let index = canonicalize(&folder).with_context(refused)?.join("index.html");
@@ -46,10 +44,7 @@ fn events(markdown: &str) -> Parser<'_> {
 }
 
 /// The page.
-///
-/// # Errors
-/// If the book's theme cannot be read.
-pub fn html(document: &Document) -> Result<String> {
+pub fn html(document: &Document) -> String {
     let mut body = "<section id=\"verdict\">\n".to_string();
     let mut is_difference = false;
     let events = events(&document.body).map(|event| match event {
@@ -76,13 +71,12 @@ pub fn html(document: &Document) -> Result<String> {
     });
     push_html(&mut body, events);
     let page = Page {
-        theme: &theme::style()?,
         title: &plain(&document.headline),
         lead: "",
         body: &(body + "</section>\n"),
         style: include_str!("page.css"),
     };
-    Ok(page.html())
+    page.html()
 }
 
 /// A text without the marks of code.

@@ -16,7 +16,7 @@ const METHODS: &str = "src/methods";
 #[derive(Clone, Debug, Default)]
 pub struct Code {
     /// Its files that are written in Rust, from the top folder.
-    files: Vec<(String, PathBuf)>,
+    files: Vec<String>,
     /// What is compared with: a commit, in words too. Without one there is no difference to show.
     since: Option<(String, String)>,
     /// The top folder.
@@ -37,17 +37,14 @@ impl Code {
     /// were last committed.
     pub fn read(root: &Path, commit: Option<&str>) -> Result<Self> {
         let mut code = Self { root: root.to_path_buf(), ..Self::default() };
-        for folder in FOLDERS.map(|folder| root.join(folder)) {
+        for name in FOLDERS {
+            let folder = root.join(name);
             let cannot = || format!("{} cannot be read", folder.display());
-            if !files::exists(&folder).with_context(cannot)? {
-                continue;
-            }
-            for (path, _) in files::tree(&folder).with_context(cannot)? {
-                let path = folder.join(path);
-                let name = path.strip_prefix(root).unwrap_or(&path).to_string_lossy().into_owned();
-                if path.extension().is_some_and(|extension| extension == "rs") {
-                    code.files.push((name.replace('\\', "/"), path));
-                }
+            if files::exists(&folder).with_context(cannot)? {
+                let tree = files::tree(&folder).with_context(cannot)?;
+                let paths = tree.iter().map(|(path, _)| path.to_string_lossy().replace('\\', "/"));
+                let rust = paths.filter(|path| path.ends_with(".rs"));
+                code.files.extend(rust.map(|path| format!("{name}/{path}")));
             }
         }
         if code.files.is_empty() {
@@ -78,23 +75,22 @@ impl Code {
     /// The file of the method with this title.
     pub fn file_of(&self, title: &str) -> Result<Option<&str>> {
         let own = format!("title: \"{title}\"");
-        for (name, path) in self.files.iter().filter(|(name, _)| name.starts_with(METHODS)) {
-            let text = files::read_to_string(path)
-                .with_context(|| format!("{} cannot be read", path.display()))?;
-            if text.contains(&own) {
+        for name in self.files.iter().filter(|name| name.starts_with(METHODS)) {
+            if self.text(name)?.contains(&own) {
                 return Ok(Some(name));
             }
         }
         Ok(None)
     }
 
+    fn text(&self, name: &str) -> Result<String> {
+        let path = self.root.join(name);
+        files::read_to_string(&path).with_context(|| format!("{} cannot be read", path.display()))
+    }
+
     /// How a file changed; nothing if it did not.
     pub fn change(&self, name: &str) -> Result<Option<Change>> {
-        let path = self.root.join(name);
-        let all = || {
-            let cannot = || format!("{} cannot be read", path.display());
-            files::read_to_string(&path).map(Change::Untracked).map(Some).with_context(cannot)
-        };
+        let all = || Ok(Some(Change::Untracked(self.text(name)?)));
         let Some((commit, _)) = &self.since else { return all() };
         let plain = ["diff", "--no-color", "--no-ext-diff", "--no-textconv", "--relative"];
         let diff = git(&self.root, &[&plain[..], &[commit, "--", name]].concat())?;
@@ -138,8 +134,8 @@ impl Code {
 
     fn newer_than(&self, time: Option<SystemTime>) -> Result<Option<&str>> {
         // Files of tests are no part of the program.
-        for (name, path) in self.files.iter().filter(|(name, _)| !name.ends_with("/tests.rs")) {
-            if changed_at(path)? > time {
+        for name in self.files.iter().filter(|name| !name.ends_with("/tests.rs")) {
+            if changed_at(&self.root.join(name))? > time {
                 return Ok(Some(name));
             }
         }
@@ -172,7 +168,8 @@ mod tests {
         let second = Duration::from_secs(1);
         assert_eq!(code.newer_than(Some(written - second)).unwrap(), Some("src/a.rs"));
         assert_eq!(code.newer_than(Some(written + second)).unwrap(), None);
-        let tests = Code { files: vec![("src/tests.rs".into(), folder.path().into())], ..code };
+        fs::rename(folder.path().join("src/a.rs"), folder.path().join("src/tests.rs")).unwrap();
+        let tests = Code::read(folder.path(), None).unwrap();
         assert_eq!(tests.newer_than(Some(written - second)).unwrap(), None);
     }
 }

@@ -41,9 +41,6 @@ pub fn sentences(review: &Review) -> Vec<Sentence> {
     said.extend(cells(review));
     said.extend(predictions(review));
     said.extend(claims(review));
-    let typed = review.quotes.iter().filter(|quote| quote.typed).count();
-    let typed = (typed > 0).then(|| counted(typed, "line"));
-    said.extend(typed.map(|n| (Alarm, format!("Numbers that moved are typed in {n} of the book"))));
     said.extend(review.warnings.iter().map(alarm));
     said.extend(quantities(review));
     let visible = review.figures.iter().filter(|figure| figure.is_visible());
@@ -81,7 +78,7 @@ fn several(
 /// The methods with what moved of them.
 fn items(review: &Review) -> impl Iterator<Item = (&str, &Group, &Item)> {
     let methods = review.groups.iter().filter_map(|group| Some((group.method.as_deref()?, group)));
-    methods.flat_map(|(method, group)| group.items().map(move |item| (method, group, item)))
+    methods.flat_map(|(method, group)| group.items.iter().map(move |item| (method, group, item)))
 }
 
 fn text(value: &Option<Value>) -> &str {
@@ -99,8 +96,7 @@ fn orders(review: &Review) -> Vec<Sentence> {
     let measured = |item: &Item| item.is_order() && item.shown.snapshot != "orders";
     for (method, group, item) in items(review).filter(|(.., item)| measured(item)) {
         let number = |value: &Option<Value>| leading(text(value)).map(|number| number.value);
-        let claimed = group.parts.iter().find_map(|part| part.slopes.as_ref()?.claimed);
-        let claimed = claimed.map(f64::from).or_else(|| number(&item.shown.old));
+        let claimed = group.claimed.map(f64::from).or_else(|| number(&item.shown.old));
         // What is no number is no order.
         let off = |value: &Option<Value>| {
             number(value).zip(claimed).map_or(f64::INFINITY, |(is, claimed)| (is - claimed).abs())
@@ -194,7 +190,7 @@ fn claims(review: &Review) -> Vec<Sentence> {
 
 /// How many quantities moved, and by how much.
 fn quantities(review: &Review) -> Option<Sentence> {
-    let n = review.groups.iter().flat_map(Group::items).count();
+    let n = review.groups.iter().map(|group| group.items.len()).sum();
     let largest = review.groups.iter().filter_map(|group| Some((group.largest_change()?, group)));
     let largest = largest.max_by(|a, b| a.0.abs().total_cmp(&b.0.abs()));
     let largest = largest.map_or_else(String::new, |(change, group)| {

@@ -6,10 +6,11 @@ use super::Figure;
 use super::cells::Value;
 use super::groups::{Group, Item};
 use super::verdict::counted;
+use crate::preprocess::markdown::fence;
 use pendula_output::printable::printable;
 
 /// A row of a table: what it is, before, now, and how far these are apart.
-pub fn row(label: String, item: &Item) -> Vec<String> {
+pub fn row(item: &Item) -> Vec<String> {
     let (mut old, mut new) = (shown(&item.shown.old), shown(&item.shown.new));
     // Two values of a sentence without the definition in parentheses that both end with.
     if let (Some((a, definition)), Some((b, same))) = (old.split_once(" ("), new.split_once(" ("))
@@ -17,11 +18,11 @@ pub fn row(label: String, item: &Item) -> Vec<String> {
     {
         (old, new) = (a.to_string(), b.to_string());
     }
-    vec![label, old, new, item.change().map_or_else(String::new, change_text)]
+    vec![item.label(), old, new, item.change().map_or_else(String::new, change_text)]
 }
 
 /// A cell's text with its mark; a dash for none.
-pub fn shown(value: &Option<Value>) -> String {
+fn shown(value: &Option<Value>) -> String {
     match value {
         Some(Value { text, marked: true }) => format!("≠ {text}"),
         Some(Value { text, .. }) if !text.is_empty() => text.clone(),
@@ -54,13 +55,13 @@ pub fn change_text(change: f64) -> String {
 
 /// What a group comes to, in a line.
 pub fn summary(group: &Group) -> String {
-    let n = group.items().count();
+    let n = group.items.len();
     let change = match group.largest_change() {
         Some(change) if n == 1 => format!(", {}", change_text(change)),
         Some(change) => format!(", by up to {}", change_text(change)),
         None => String::new(),
     };
-    let left = match group.items().filter(|item| item.leaves()).count() {
+    let left = match group.items.iter().filter(|item| item.leaves()).count() {
         0 => String::new(),
         left => format!("; {left} no longer as stated or predicted"),
     };
@@ -73,8 +74,8 @@ pub fn difference(figure: &Figure) -> String {
     let Some(difference) = &figure.difference else {
         return if figure.drawings[0].is_none() { "is new" } else { "has gone" }.to_string();
     };
-    let moved = difference.displacement.filter(|moved| *moved > 0.0);
-    let moved = moved.map(|moved| format!("moved by up to {moved:.1} px of 600"));
+    let moved = difference.displacement;
+    let moved = (moved > 0.0).then(|| format!("moved by up to {moved:.1} px of 600"));
     let notes = &difference.notes;
     let more = notes.len().saturating_sub(FEW);
     let more = (more > 0).then(|| format!("and {}", counted(more, "more difference")));
@@ -91,10 +92,9 @@ pub fn code<S: AsRef<str>>(names: &[S]) -> String {
 /// A span of code: between more backticks than it has.
 fn span(text: &str) -> String {
     let text = printable(&text.replace(['\n', '\t'], " ")).replace('|', "\\|");
-    let longest = text.split(|c| c != '`').map(str::len).max().unwrap_or(0);
-    let fence = "`".repeat(longest + 1);
+    let fence = fence(&text, 1);
     // A blank on either side is not part of it, but keeps it from the fence.
-    if longest == 0 && !text.trim().is_empty() {
+    if fence.len() == 1 && !text.trim().is_empty() {
         format!("{fence}{text}{fence}")
     } else {
         format!("{fence} {text} {fence}")

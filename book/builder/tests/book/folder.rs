@@ -1,4 +1,5 @@
-//! The folder of the built book: as a whole, where links lead, and never that of somebody else.
+//! The folder of the built book: as a whole, where links lead, and never that of somebody else; and
+//! no book of snapshots that the code does not give.
 #![cfg(unix)]
 
 use std::fs::{self, File, Permissions};
@@ -11,6 +12,8 @@ use pendula_book::build;
 use pendula_book::ledger::{Entry, Ledger};
 use pendula_book::progress::Progress;
 use tempfile::TempDir;
+
+use crate::claims::PAPER;
 
 fn folder() -> (TempDir, impl Fn(&str) -> PathBuf) {
     let folder = tempfile::tempdir().unwrap();
@@ -27,7 +30,7 @@ fn names(folder: &TempDir) -> Vec<String> {
 }
 
 const BOOK: &str = "[book]\ntitle = \"a\"\n[build]\nbuild-dir = \"../target/book\"\n\
-                    [preprocessor.pendula]\nrenderers = [\"html\"]\n\
+                    [preprocessor.pendula]\nafter = [\"links\"]\nrenderers = [\"html\"]\n\
                     [output.html]\nhash-files = false\n\
                     [output.html.search]\nenable = false\n[output.html.print]\nenable = false\n";
 
@@ -102,6 +105,38 @@ fn a_book_is_built_whole_or_not_at_all() {
     build(&folder).unwrap();
     assert!(!at("target/book/one.html").exists() && at("target/book/two.html").exists());
     assert_eq!(fs::read_dir(at("target")).unwrap().count(), 1);
+}
+
+/// Catches: a digit typed over in a snapshot, or a snapshot that was cut off, published; a book
+/// that is lost by it.
+#[test]
+fn a_snapshot_typed_over_is_not_published() {
+    const TABLE: &str = "snapshots/1_table_5.snap";
+    let (folder, at) = small_book();
+    let build = || build_with(&folder, PAPER.clone(), &Arc::default());
+    let chapter =
+        format!("# One\n\nTable: Energy errors.\n\n{{{{#include ../../{TABLE}:table}}}}\n");
+    fs::write(at("book/src/one.md"), chapter).unwrap();
+    let reviewed = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(TABLE);
+    let reviewed = fs::read_to_string(reviewed).unwrap();
+    fs::create_dir(at("snapshots")).unwrap();
+    fs::write(at(TABLE), &reviewed).unwrap();
+    build().unwrap();
+    let page = || fs::read_to_string(at("target/book/one.html")).unwrap();
+    let published = page();
+    assert!(published.contains("481.797"), "{published}");
+    for (wrong, says) in [
+        (
+            reviewed.replace("481.797", "481.798"),
+            "is not what the code gives: run `pendula review`",
+        ),
+        (reviewed[..reviewed.len() - 20].to_string(), "`pendula review --accept table_5`"),
+    ] {
+        fs::write(at(TABLE), wrong).unwrap();
+        let error = build().unwrap_err();
+        assert!(error.contains(TABLE) && error.contains(says), "{error}");
+        assert!(page() == published);
+    }
 }
 
 /// Catches: a folder emptied because somebody named it as the place of the book, or put a file of

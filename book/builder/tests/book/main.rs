@@ -7,4 +7,3 @@ mod folder;
 mod hostile;
 mod pages;
 mod review;
-mod snapshots;

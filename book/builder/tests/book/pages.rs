@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Component, Path, PathBuf};
 
+use pendula_output::files;
 use tl::{HTMLTag, Node, Parser, ParserOptions};
 
 /// The pages and other files of a built book.
@@ -21,8 +22,6 @@ pub struct Page {
     pub ids: Vec<String>,
     /// Its `href`s and `src`s with the name of the tag: what it leads to or loads.
     pub references: Vec<(String, String)>,
-    /// Its classes.
-    pub classes: BTreeSet<String>,
     /// The text of each code block.
     pub code_blocks: Vec<String>,
     /// The text outside code and scripts.
@@ -32,8 +31,9 @@ pub struct Page {
 impl Site {
     /// Reads a built book.
     pub fn read(folder: &Path) -> Self {
-        let mut files = BTreeSet::new();
-        list(folder, Path::new(""), &mut files);
+        let found = files::tree(folder).unwrap().into_iter();
+        let files: BTreeSet<PathBuf> =
+            found.filter(|(_, is_folder)| !is_folder).map(|(path, _)| path).collect();
         let pages = files
             .iter()
             .filter(|file| file.extension().is_some_and(|extension| extension == "html"))
@@ -50,13 +50,13 @@ impl Site {
             return None;
         }
         let (path, id) = match reference.split_once('#') {
-            Some((path, id)) => (path, Some(unescaped(id))),
+            Some((path, id)) => (path, Some(id.to_string())),
             None => (reference, None),
         };
         let path = path.split('?').next().unwrap_or_default();
         let target = match path {
             "" => page.to_path_buf(),
-            path => joined(page, &unescaped(path)),
+            path => joined(page, path),
         };
         // A folder stands for its first page.
         if !self.files.contains(&target) && !self.files.contains(&target.join("index.html")) {
@@ -116,26 +116,12 @@ impl Page {
         self.ids.extend(value("id"));
         let references = ["href", "src"].into_iter().filter_map(value);
         self.references.extend(references.map(|reference| (name.to_string(), reference)));
-        let classes = value("class").unwrap_or_default();
-        self.classes.extend(classes.split_whitespace().map(str::to_string));
     }
 }
 
 /// Whether following this would leave the reader's machine.
 pub fn is_remote(reference: &str) -> bool {
     !reference.starts_with("data:") && (reference.starts_with("//") || reference.contains("://"))
-}
-
-fn list(folder: &Path, below: &Path, files: &mut BTreeSet<PathBuf>) {
-    for entry in fs::read_dir(folder.join(below)).unwrap() {
-        let entry = entry.unwrap();
-        let path = below.join(entry.file_name());
-        if entry.file_type().unwrap().is_dir() {
-            list(folder, &path, files);
-        } else {
-            files.insert(path);
-        }
-    }
 }
 
 /// `path` resolved relative to `page`, without `.` and `..`.
@@ -149,25 +135,4 @@ fn joined(page: &Path, path: &str) -> PathBuf {
         }
     }
     target
-}
-
-/// `%C3%B6` as ö.
-fn unescaped(text: &str) -> String {
-    let mut bytes = Vec::new();
-    let mut rest = text.as_bytes();
-    while let [first, after @ ..] = rest {
-        let code = after.get(..2).and_then(|hex| std::str::from_utf8(hex).ok());
-        let code = code.and_then(|hex| u8::from_str_radix(hex, 16).ok());
-        match (first, code) {
-            (b'%', Some(byte)) => {
-                bytes.push(byte);
-                rest = &after[2..];
-            }
-            _ => {
-                bytes.push(*first);
-                rest = after;
-            }
-        }
-    }
-    String::from_utf8(bytes).unwrap()
 }

@@ -15,13 +15,9 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 pub use std::fs::{canonicalize, create_dir_all as create_folder, read, read_to_string};
-pub use tempfile::tempdir as temporary_folder;
 
 /// Lets a write beyond the limit on the size of a file (`ulimit -f`) fail like one to a full disk.
 /// Without this the system ends the program, and a temporary file is left behind.
-///
-/// # Errors
-/// If the signal cannot be handled.
 pub fn report_size_limit() -> io::Result<()> {
     #[cfg(unix)]
     signal_hook::flag::register(
@@ -37,27 +33,23 @@ pub fn report_size_limit() -> io::Result<()> {
 /// # Errors
 /// If links go round in a circle, or its folder is not there or cannot be read.
 pub fn behind_links(path: &Path) -> io::Result<PathBuf> {
-    /// As many as Linux follows.
-    const LINKS: usize = 40;
-    let mut path = path.to_path_buf();
-    for _ in 0..LINKS {
-        match fs::read_link(&path) {
-            Ok(target) => path = folder_of(&path).join(target),
-            Err(_) => {
-                let folder = folder_of(&path);
-                let folder = canonicalize(folder).map_err(|error| {
-                    let folder = folder.display();
-                    let why = match error.kind() {
-                        io::ErrorKind::NotFound => format!("there is no folder {folder}"),
-                        _ => format!("the folder {folder}: {error}"),
-                    };
-                    io::Error::new(error.kind(), why)
-                })?;
-                return Ok(folder.join(path.file_name().unwrap_or_default()));
-            }
-        }
+    // Of links in a circle this is an error.
+    if exists(path)? {
+        return canonicalize(path);
     }
-    Err(io::Error::other("its links do not end"))
+    let folder = folder_of(path);
+    if let Ok(target) = fs::read_link(path) {
+        return behind_links(&folder.join(target));
+    }
+    let folder = canonicalize(folder).map_err(|error| {
+        let folder = folder.display();
+        let why = match error.kind() {
+            io::ErrorKind::NotFound => format!("there is no folder {folder}"),
+            _ => format!("the folder {folder}: {error}"),
+        };
+        io::Error::new(error.kind(), why)
+    })?;
+    Ok(folder.join(path.file_name().unwrap_or_default()))
 }
 
 /// The folder that a file is in.
@@ -69,9 +61,6 @@ pub fn folder_of(path: &Path) -> &Path {
 }
 
 /// What is at `path`, or where a link at `path` leads to; `None` if nothing is.
-///
-/// # Errors
-/// If that cannot be said.
 pub fn metadata(path: &Path) -> io::Result<Option<Metadata>> {
     match fs::metadata(path) {
         Ok(found) => Ok(Some(found)),
@@ -85,25 +74,16 @@ pub fn metadata(path: &Path) -> io::Result<Option<Metadata>> {
 }
 
 /// Whether something is at `path`.
-///
-/// # Errors
-/// As [`metadata`].
 pub fn exists(path: &Path) -> io::Result<bool> {
     Ok(metadata(path)?.is_some())
 }
 
 /// Whether a folder is at `path`.
-///
-/// # Errors
-/// As [`metadata`].
 pub fn is_folder(path: &Path) -> io::Result<bool> {
     Ok(metadata(path)?.is_some_and(|found| found.is_dir()))
 }
 
 /// The paths in a folder, in order.
-///
-/// # Errors
-/// If it cannot be read.
 pub fn list(folder: &Path) -> io::Result<Vec<PathBuf>> {
     let entries = fs::read_dir(folder)?.map(|entry| entry.map(|entry| entry.path()));
     let mut paths = entries.collect::<io::Result<Vec<_>>>()?;
@@ -113,9 +93,6 @@ pub fn list(folder: &Path) -> io::Result<Vec<PathBuf>> {
 
 /// All that is below a folder, as paths from there, folders before what they contain; and whether
 /// each is a folder. Links are not followed.
-///
-/// # Errors
-/// If one of the folders cannot be read.
 pub fn tree(folder: &Path) -> io::Result<Vec<(PathBuf, bool)>> {
     let mut found = Vec::new();
     let mut folders = vec![PathBuf::new()];
@@ -135,9 +112,6 @@ pub fn tree(folder: &Path) -> io::Result<Vec<(PathBuf, bool)>> {
 }
 
 /// Removes a file that is no longer needed, if it is there.
-///
-/// # Errors
-/// If that fails.
 pub fn remove(path: &Path) -> io::Result<()> {
     match fs::remove_file(path) {
         Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
@@ -146,9 +120,6 @@ pub fn remove(path: &Path) -> io::Result<()> {
 }
 
 /// Tries whether files can be made in a folder, and leaves none.
-///
-/// # Errors
-/// If not.
 pub fn probe(folder: &Path) -> io::Result<()> {
     tempfile::tempfile_in(folder).map(drop)
 }

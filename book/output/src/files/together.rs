@@ -19,9 +19,6 @@ pub enum Change {
 
 /// Makes all the changes. All that is new is brought to the disk beside each file first, so that
 /// then only names change: a full disk or a file that may not be written changes none.
-///
-/// # Errors
-/// If a file cannot be written, replaced or removed.
 pub fn change(changes: &[Change]) -> Result<()> {
     let mut written = Vec::new();
     for change in changes {

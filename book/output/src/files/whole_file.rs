@@ -78,18 +78,21 @@ impl WholeFile {
     }
 
     /// Brings all that was written to the disk, so that only the new name is missing.
-    ///
-    /// # Errors
-    /// If that fails.
     pub fn complete(&mut self) -> io::Result<()> {
         if let Some(old) = &self.old {
-            resemble(self.file.as_file(), old)?;
+            let permissions = old.permissions();
+            // Not those of a program that runs as its owner, who may be another now.
+            #[cfg(unix)]
+            let permissions = {
+                use std::os::unix::fs::PermissionsExt;
+                fs::Permissions::from_mode(permissions.mode() & 0o777)
+            };
+            self.file.as_file().set_permissions(permissions)?;
         }
         self.file.as_file().sync_all()
     }
 
-    /// Puts it in the place of its target, with the permissions and, where possible, the owner of
-    /// the old file.
+    /// Puts it in the place of its target, with the permissions of the old file.
     ///
     /// # Errors
     /// If that fails; the target is then as it was before.
@@ -117,27 +120,4 @@ impl Write for WholeFile {
     fn flush(&mut self) -> io::Result<()> {
         self.file.as_file_mut().flush()
     }
-}
-
-/// Gives a file the owner, the group and the permissions of another file. Where the owner or the
-/// group may not be given away, its permissions are those that the others have.
-#[cfg(unix)]
-fn resemble(file: &File, like: &Metadata) -> io::Result<()> {
-    use std::os::unix::fs::{MetadataExt, PermissionsExt, fchown};
-    let made = file.metadata()?;
-    let mut mode = like.mode() & 0o7777;
-    if made.gid() != like.gid() && fchown(file, None, Some(like.gid())).is_err() {
-        mode = mode & !0o2070 | (mode & 0o7) << 3;
-    }
-    if made.uid() != like.uid() && fchown(file, Some(like.uid()), None).is_err() {
-        mode &= !0o4000;
-    }
-    // After the owner: a change of owner clears some permissions.
-    file.set_permissions(fs::Permissions::from_mode(mode))
-}
-
-/// Gives a file the permissions of another file.
-#[cfg(not(unix))]
-fn resemble(file: &File, like: &Metadata) -> io::Result<()> {
-    file.set_permissions(like.permissions())
 }

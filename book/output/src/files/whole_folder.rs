@@ -1,5 +1,5 @@
-//! A folder that changes as a whole: it is written beside its place, and then the two change
-//! places.
+//! A folder that changes as a whole: it is written beside its place, and then the old one makes
+//! way.
 //!
 //! Which files are its own a finished folder says itself, in [`LIST`]: it is replaced only if there
 //! are no others in it.
@@ -74,15 +74,13 @@ impl WholeFolder {
         fs::write(new.join(LIST), list + "\n").with_context(cannot)?;
         check(&target)?;
         if exists(&target).with_context(cannot)? {
-            let old = fs::metadata(&target).with_context(cannot)?;
-            fs::set_permissions(&new, old.permissions()).with_context(cannot)?;
-            if !exchange(&new, &target).with_context(cannot)? {
-                let old = self.work.path().join(OLD);
-                let replaced = in_two_steps(&new, &target, &old);
-                // An old one that could not go back is put there by the next builder.
-                self.work.disable_cleanup(replaced.is_err() && exists(&old).unwrap_or(true));
-                replaced.with_context(cannot)?;
-            }
+            let about = fs::metadata(&target).with_context(cannot)?;
+            fs::set_permissions(&new, about.permissions()).with_context(cannot)?;
+            let old = self.work.path().join(OLD);
+            let replaced = in_two_steps(&new, &target, &old);
+            // An old one that could not go back is put there by the next builder.
+            self.work.disable_cleanup(replaced.is_err() && exists(&old).unwrap_or(true));
+            replaced.with_context(cannot)?;
         } else {
             fs::rename(&new, &target).with_context(cannot)?;
         }
@@ -132,25 +130,6 @@ fn in_two_steps(new: &Path, target: &Path, old: &Path) -> io::Result<()> {
     fs::rename(new, target).inspect_err(|_| {
         let _ = fs::rename(old, target);
     })
-}
-
-/// Exchanges two folders in one step; `false` if this system, or this file system, cannot.
-fn exchange(one: &Path, other: &Path) -> io::Result<bool> {
-    #[cfg(any(target_os = "linux", target_os = "android", target_vendor = "apple"))]
-    {
-        use rustix::fs::{CWD, RenameFlags, renameat_with};
-        use rustix::io::Errno;
-        match renameat_with(CWD, one, CWD, other, RenameFlags::EXCHANGE) {
-            Ok(()) => Ok(true),
-            Err(Errno::INVAL | Errno::NOSYS | Errno::NOTSUP) => Ok(false),
-            Err(error) => Err(error.into()),
-        }
-    }
-    #[cfg(not(any(target_os = "linux", target_os = "android", target_vendor = "apple")))]
-    {
-        let _ = (one, other);
-        Ok(false)
-    }
 }
 
 #[cfg(test)]

@@ -1,5 +1,5 @@
-//! A page that needs nothing but itself: it looks like the book, in all its themes, and may load
-//! nothing.
+//! A page that needs nothing but itself: it has the colours of the book, in all its themes, and the
+//! reader's own fonts, and may load nothing.
 
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
@@ -7,15 +7,9 @@ use sha2::{Digest, Sha256};
 
 use crate::printable::printable;
 
-/// A theme like the book's, for a program that was built without it: the reader's own fonts, and
-/// the colours of the book's themes.
-pub const PLAIN: &str = include_str!("plain.css");
-
 /// What is on a page.
 #[derive(Clone, Copy, Debug)]
 pub struct Page<'a> {
-    /// The style sheet of the book's theme, or one like it.
-    pub theme: &'a str,
     /// Its title, which is its heading too.
     pub title: &'a str,
     /// What stands below the heading.
@@ -35,7 +29,7 @@ impl Page<'_> {
             title = escaped(self.title),
             lead = escaped(self.lead),
             style = [
-                self.theme,
+                include_str!("plain.css"),
                 include_str!("../../../theme/pendula.css"),
                 include_str!("../../../theme/figures.css"),
                 include_str!("frame.css"),
@@ -89,8 +83,8 @@ mod tests {
     /// one that lets other scripts run.
     #[test]
     fn the_policy_names_the_script_of_the_page_and_no_other() {
-        let (theme, title, lead, style) = (PLAIN, "T", "L", "");
-        let html = Page { theme, title, lead, body: "<script>let b;</script>", style }.html();
+        let (title, lead, style) = ("T", "L", "");
+        let html = Page { title, lead, body: "<script>let b;</script>", style }.html();
         let scripts: Vec<&str> = html
             .split("<script>")
             .skip(1)
@@ -108,7 +102,7 @@ mod tests {
     #[test]
     fn text_is_no_markup() {
         let (title, lead) = ("<i>\u{202e}", "\"a\" & 'b'");
-        let html = Page { theme: PLAIN, title, lead, body: "", style: "" }.html();
+        let html = Page { title, lead, body: "", style: "" }.html();
         assert!(html.contains("<h1>&lt;i&gt;\\u{202e}</h1>"));
         assert!(html.contains("<title>&lt;i&gt;\\u{202e} · pendula"));
         assert!(html.contains("<p class=\"lead\">&quot;a&quot; &amp; &#x27;b&#x27;</p>"));

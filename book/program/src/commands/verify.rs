@@ -98,7 +98,7 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
     let judged =
         Judged { command: &command, name: &name, claims: &arguments.claims, report: &report };
     if let Some(mut destination) = destination {
-        let html = page::html(&judged).map_err(refused)?;
+        let html = page::html(&judged);
         destination.write_all(html.as_bytes()).context("--report").map_err(refused)?;
         destination.finish().map_err(|failure| match failure {
             Failure::Failed(error) => refused(error.context("--report")),

@@ -225,29 +225,19 @@ fn bad_input_is_refused_in_one_line() {
     project.refuses(project.command(&[]), "snapshots cannot be read");
 }
 
-/// Catches: a snapshot that is read without an end, or is waited for; one that is passed over.
+/// Catches: a snapshot whose name nobody can type passed over.
 #[cfg(target_os = "linux")]
 #[test]
-fn what_is_no_file_of_a_snapshot_is_refused() {
+fn a_name_that_is_no_text_is_refused() {
     use std::ffi::OsStr;
     use std::os::unix::ffi::OsStrExt;
 
     let project = Project::new();
-    let refused = |name: &OsStr, says: &str| {
-        project.refuses(project.command(&[]), says);
-        fs::remove_file(project.path("snapshots").join(name)).unwrap();
-    };
-    let path = project.path("snapshots/1_x.snap");
-    std::os::unix::fs::symlink("/dev/zero", &path).unwrap();
-    refused("1_x.snap".as_ref(), "1_x.snap: corrupt: it is no file");
-    assert!(Command::new("mkfifo").arg(&path).status().unwrap().success());
-    refused("1_x.snap".as_ref(), "1_x.snap: corrupt: it is no file");
-    fs::File::create(&path).unwrap().set_len(1 << 30).unwrap();
-    refused("1_x.snap".as_ref(), "1_x.snap: corrupt: it has 1073741824 bytes");
-    let name = OsStr::from_bytes(b"1_\xff.snap");
-    fs::write(project.path("snapshots").join(name), "").unwrap();
+    let path = project.path("snapshots").join(OsStr::from_bytes(b"1_\xff.snap"));
+    fs::write(&path, "").unwrap();
     project.commit();
-    refused(name, "corrupt: its name is not UTF-8");
+    project.refuses(project.command(&[]), "corrupt: its name is not UTF-8");
+    fs::remove_file(path).unwrap();
     project.refuses(project.command(&["--since", "HEAD"]), "not UTF-8");
 }
 

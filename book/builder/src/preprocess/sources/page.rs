@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use super::super::markdown::fence;
 use super::{TestFile, Tests};
 
 /// The overview: every file with the first paragraph of its header and its tests.
@@ -83,18 +84,13 @@ fn push_code(page: &mut String, lines: &[&str]) {
     if lines.iter().all(|line| line.chars().all(|c| c.is_whitespace() || "})];,".contains(c))) {
         return;
     }
-    let fence = "`".repeat(longest_run_of_backticks(lines).max(2) + 1);
+    let fence = fence(&lines.join("\n"), 3);
     let _ = write!(page, "\n{fence}rust\n");
     for line in lines {
         page.push_str(&shown(line));
         page.push('\n');
     }
     let _ = writeln!(page, "{fence}");
-}
-
-fn longest_run_of_backticks(lines: &[&str]) -> usize {
-    let runs = lines.iter().flat_map(|line| line.split(|c| c != '`'));
-    runs.map(str::len).max().unwrap_or(0)
 }
 
 /// mdBook hides a line of Rust that begins with `# `, as rustdoc does; in a file of tests such a

@@ -8,7 +8,6 @@ use pendula_book::review::working_tree::contents;
 use pendula_book::versions::{Version, on_disk};
 
 mod accepted;
-mod made_up;
 mod said;
 
 fn root() -> PathBuf {

@@ -6,6 +6,7 @@ use std::fs;
 use pendula_book::review::markdown::Document;
 use pendula_book::review::verdict::{Weight, sentences};
 use pendula_book::review::{Review, drawings, render};
+use pendula_book::versions::{Content, Version};
 use pendula_study::report::snapshots::Kind;
 
 use super::{REVIEWED, between, changed, review, root};
@@ -88,9 +89,9 @@ const SUZUKI: [(&str, &str, &str); 2] = [
 ];
 
 /// Catches: a headline of anything less than an order that is lost; an order with a percentage;
-/// slopes without their steps, or without what they are a sign of; a slope
-/// between long steps for that between the shortest; a column in which nothing
-/// stands; an acceptance without a warning under a failure, or one that does not come last.
+/// slopes without what they are a sign of; a slope between long steps for that between the
+/// shortest; a column in which nothing stands; an acceptance without a warning under a failure, or
+/// one that does not come last.
 #[test]
 fn an_order_that_is_lost_is_the_headline() {
     let mut review = review(&SUZUKI);
@@ -100,8 +101,8 @@ fn an_order_that_is_lost_is_the_headline() {
     let body = &document.body;
     // Of its four slopes the last, between the shortest steps.
     assert!(body.contains("slopes that leave the order: Suzuki 4 (4.00 → 2.28)"), "{body}");
-    let slopes = "| from step to step | before | now |\n| --- | --: | --: |\n\
-                  | 0.021 → 0.011 s | 4.00 | ≠ 3.82 |\n| 0.011 → 0.0053 s | 4.00 | ≠ 3.45 |\n";
+    let slopes = "|  | before | now |\n| --- | --: | --: |\n\
+                  | slope 1 | 4.00 | ≠ 3.82 |\n| slope 2 | 4.00 | ≠ 3.45 |\n";
     assert!(body.contains(slopes), "{body}");
     let sign = "The slopes fall from 4 to 2.28 as the steps become short: a coefficient has too \
                 few digits.";
@@ -141,15 +142,62 @@ fn each_quantity_is_shown_once() {
     let review = review(&HALF_KICKS);
     let [group] = &review.groups[..] else { panic!("{:?}", review.groups) };
     assert_eq!(group.method.as_deref(), Some("Störmer–Verlet"));
-    let snapshots: Vec<_> = group.parts.iter().map(|part| part.snapshot.as_str()).collect();
+    let snapshots: Vec<_> = group.items.iter().map(|item| &item.shown.snapshot[..]).collect();
     assert_eq!(snapshots, ["table_4", "orders"]);
-    let [item] = &group.parts[0].items[..] else { panic!("{group:?}") };
-    let also: Vec<&str> = item.also.iter().map(|place| place.snapshot.as_str()).collect();
+    let also: Vec<&str> = group.items[0].also.iter().map(|place| place.snapshot.as_str()).collect();
     assert_eq!(also, ["predictions", "ledger_cells"]);
     let row = "| Δt = 0.001 s `T4.vv.0.001` | 1.10271 × 10⁻⁵ | ≠ 1.11730 × 10⁻⁵ | +1.32 % |\n\n\
                Also in `ledger_cells`, `predictions`.\n";
     let body = Document::new(&review).unwrap().body;
     assert!(body.contains(row), "{body}");
+}
+
+/// Catches: a claim of the ledger that is taken for a repetition of one of two numbers that both
+/// moved as it did, or of one with few digits; a row of Table 7 taken for that of its neighbour
+/// where a row is inserted above.
+#[test]
+fn a_number_that_may_be_another_stands_by_itself() {
+    let made = |measured: [&str; 2], sentence: &str, first: &str| {
+        let [a, b] = measured;
+        let content = |text: String| Content { kind: Kind::Table, text };
+        let table_7 = format!(
+            "| Quantity | measured |\n| --- | --- |\n{first}| a period | {a} |\n\
+             | its error | {b} |\n"
+        );
+        let rows = first.replace("| a new ", "| `T7.new` a new ");
+        let cells = format!(
+            "| Claim | measured |\n| --- | --- |\n{rows}| `T7.period` a period | {a} |\n\
+             | `T7.error` its error | {b} |\n"
+        );
+        let sentences = format!(
+            "| Claim | measured |\n| --- | --- |\n| `P1.same` as in Table 7 | {sentence} |\n"
+        );
+        Version::from([
+            ("table_7".to_string(), content(table_7)),
+            ("ledger_cells".to_string(), content(cells)),
+            ("ledger_sentences".to_string(), content(sentences)),
+        ])
+    };
+    let items = |old: Version, new: Version| -> Vec<(String, usize)> {
+        let review = between(&old, &new);
+        let items = review.groups.iter().flat_map(|group| &group.items);
+        items.map(|item| (item.claim.clone().unwrap_or_default(), item.also.len())).collect()
+    };
+    let claim = |id: &str, also: usize| (id.to_string(), also);
+    let old = || made(["1.2345", "1.2345"], "1.2345", "");
+    let alone = ["", "", "T7.period", "T7.error", "P1.same"].map(|id| claim(id, 0));
+    assert_eq!(items(old(), made(["1.2346", "1.2346"], "1.2346", "")), alone);
+    // One alone moved so: the sentence repeats it.
+    let new = made(["1.2346", "1.2347"], "1.2346", "| a new row | 1.2345 |\n");
+    assert_eq!(
+        items(old(), new),
+        [claim("", 0), claim("T7.period", 2), claim("T7.error", 1), claim("T7.new", 0)]
+    );
+    let short = || made(["1.23", "1.24"], "1.23", "");
+    assert_eq!(
+        items(short(), made(["1.25", "1.24"], "1.25", "")),
+        [claim("", 0), claim("T7.period", 0), claim("P1.same", 0)]
+    );
 }
 
 /// Symplectic Euler's energy error in the long run is quoted in its chapter.
@@ -164,8 +212,7 @@ fn a_quote_stands_where_it_says() {
         let source = root().join("book/src").join(&quote.chapter).with_extension("md");
         let source = fs::read_to_string(&source).unwrap_or_else(|_| panic!("no {source:?}"));
         let line = source.lines().nth(quote.line - 1).unwrap();
-        let quotes = line.contains("{{measured T5.se.dH}}") || line.contains("0.0674681");
-        assert!(quotes, "{quote:?}: {line}");
+        assert!(line.contains("{{measured T5.se.dH}}"), "{quote:?}: {line}");
         quoting.insert(quote.chapter.clone() + ".md");
     }
     let quotes = |text: &str| text.contains("{{measured T5.se.dH}}");
@@ -203,8 +250,7 @@ fn figures_are_shown_if_one_can_see_the_difference() {
     assert_eq!(seen, [("figure_3", true), ("area", false), ("figure_2", false)]);
     assert_eq!(said(&review, Weight::Moved), ["1 figure moved visibly: `figure_3`"]);
     for (name, content) in REVIEWED.iter().filter(|(_, content)| content.kind == Kind::Figure) {
-        let same = drawings::compare(&content.text, &content.text, false);
-        assert!(!same.unwrap_or_else(|error| panic!("{name}: {error:#}")).visible);
+        assert!(!drawings::compare(&content.text, &content.text).visible, "{name}");
     }
     let text = render::text(&Document::new(&review).unwrap());
     assert!(text.contains("\nNot visibly: area, figure_2.\n"), "{text}");
@@ -234,7 +280,7 @@ fn the_page_is_whole_and_needs_nothing_else() {
     ]);
     review.acceptable = vec!["table_4".to_string()];
     let document = Document::new(&review).unwrap();
-    let html = render::html(&document).unwrap();
+    let html = render::html(&document);
     let parsed = Page::parse(&html);
     assert_eq!(parsed.repeated_ids(), [""; 0]);
     let loaded = parsed.references.iter().find(|(tag, _)| tag != "a");
@@ -247,7 +293,7 @@ fn the_page_is_whole_and_needs_nothing_else() {
     };
     assert_eq!(drawn("id=\"old-fig-figure-2\""), [true, false]);
     assert_eq!(drawn("id=\"new-fig-figure-2\""), [false, true]);
-    assert!(html.contains("id=\"old-fig-figure-3\"") && html.contains("id=\"fig-slopes-0\""));
+    assert!(html.contains("id=\"old-fig-figure-3\""));
     let texts = [html, document.to_markdown(), render::text(&document)];
     for text in texts {
         for part in ["T4.vv.0.001", "1.11730 × 10⁻⁵", "+1.32 %", "figure_3", "review --accept"]
@@ -290,7 +336,7 @@ fn no_text_becomes_markup() {
         review.failed = [(hostile.to_string(), hostile.to_string())].into();
         let document = Document::new(&review).unwrap();
         assert!(document.drawings.is_empty());
-        let html = render::html(&document).unwrap();
+        let html = render::html(&document);
         let (_, body) = html.split_once("<h1>").unwrap();
         for tag in ["<b>", "<i>", "<u>", "<s>", "<img", "<em>", "<!--", "javascript:b\""] {
             assert!(!body.contains(tag), "{hostile}: {tag} in {body}");

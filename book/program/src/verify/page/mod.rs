@@ -2,7 +2,6 @@
 
 mod figures;
 
-use anyhow::Result;
 use pendula::verify::{Claims, Finding, Report, Verdict};
 
 use self::figures::Drawn;
@@ -10,28 +9,17 @@ use super::Judged;
 use pendula_output::page::{Page, escaped, with_code};
 
 /// The page.
-pub fn html(judged: &Judged<'_>) -> Result<String> {
+pub fn html(judged: &Judged<'_>) -> String {
     let Judged { command, name, claims, report } = *judged;
     let claimed = judged.claimed();
     let named = if name.is_empty() { String::new() } else { format!(" ({name})") };
     let page = Page {
         title: "An integrator, judged",
         lead: &format!("Claimed: {claimed}. The program: {command}{named}."),
-        theme: &theme()?,
         body: &[verdict(report), properties(report), drawings(report, claims)].concat(),
         style: include_str!("page.css"),
     };
-    Ok(page.html())
-}
-
-#[cfg(feature = "book")]
-fn theme() -> Result<String> {
-    pendula_book::theme::style()
-}
-
-#[cfg(not(feature = "book"))]
-fn theme() -> Result<String> {
-    Ok(pendula_output::page::PLAIN.to_owned())
+    page.html()
 }
 
 fn verdict(report: &Report) -> String {

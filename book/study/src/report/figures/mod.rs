@@ -30,11 +30,6 @@ impl Drawing {
         (self.draw)(study).to_svg(self.name)
     }
 
-    /// Whether its lines are sums of rounding errors, which go elsewhere with every last digit.
-    pub fn is_noise(&self) -> bool {
-        self.name == "rounding_walk"
-    }
-
     /// The figure with its caption, as a `<figure>` element without a blank line.
     pub fn html(&self, study: &Study) -> String {
         // The Markdown processor makes apostrophes typographic, but not in HTML.
