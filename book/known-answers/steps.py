@@ -4,7 +4,7 @@ import functools
 
 import mpmath
 
-from arithmetic import DIGITS, dot, mpf
+from arithmetic import DIGITS, Digits, dot, mpf
 from tables import Reader, alternation
 
 
@@ -163,6 +163,8 @@ def solve(n, first, improve, sweeps=None):
         if n.settled(new, old):
             return new
         old = new
+    if n is Digits and not sweeps:
+        raise ArithmeticError("the stages are not solved")
     return new
 
 
@@ -282,7 +284,10 @@ def discrete_gradient(n, system, memory, t, q, p, h):
     def improve(guess):
         (new,) = guess
         middle, side = (q + new) * half, (new - q) * half * way
-        mean = system.force(t, middle) * n.sin(side) / side
+        mean = system.force(t, middle)
+        # At rest the first guess is the start itself.
+        if n.plain(side):
+            mean = mean * n.sin(side) / side
         return [q + h * (p + h * half * mean)]
 
     (new,) = solve(n, [q + h * p], improve, memory["c"].table.get("sweeps"))
