@@ -7,10 +7,9 @@ from book import Book
 from browser import DESK, SHEET, TELEPHONE, Browser, Tab
 
 
-def save(folder: Path, where: Path) -> bool:
+def save(book: Book, where: Path):
     """Saves every chapter on a desk in light and in navy and on a telephone, the lab, and the
     print page as PDF."""
-    book = Book(folder)
     where.mkdir(parents=True, exist_ok=True)
     with Browser() as browser, Tab(browser, book) as tab:
         for page in [page for page in book.chapters if not page.startswith("tests/")]:
@@ -28,4 +27,3 @@ def save(folder: Path, where: Path) -> bool:
         margins = dict.fromkeys(["top", "bottom", "left", "right"], "1cm")
         tab.page.pdf(path=where / "print.pdf", format="A4", margin=margins)
     print(where)
-    return True
