@@ -3,7 +3,7 @@
 (theLab => {
     'use strict';
 
-    const { Moved, Plane, element, figures, words } = theLab;
+    const { Moved, Plane, button, checkbox, element, figures, select, words } = theLab;
     // As in the still figure: where the cat sits, its size (rad), the pieces between its corners.
     const PLACE = { theta: 0.9, omega: 0 };
     const SIZE = 0.5;
@@ -41,18 +41,9 @@
                 const bottom = i < 2 ? 106 + HIGH : low;
                 const heading = words('', { x: left, y: bottom - HIGH - 42 });
                 const box = [left, bottom - HIGH, right, bottom];
-                if (i % 2 === 0)
-                    svg.append(words('ω (rad/s)', { x: 0, y: bottom - HIGH - 17 }));
-                if (i > 1)
-                    svg.append(
-                        words('θ (rad)', {
-                            x: (left + right) / 2,
-                            y: height - 12,
-                            'text-anchor': 'middle',
-                        }),
-                    );
                 svg.append(heading);
-                const plane = new Plane(svg, `${this.name}-${i}`, box, AXES);
+                const named = { omega: i % 2 === 0, theta: i > 1 };
+                const plane = new Plane(svg, `${this.name}-${i}`, box, AXES, named);
                 return { plane, heading };
             });
             this.scene = { ...FIRST };
@@ -62,55 +53,37 @@
 
         lay() {
             const { library } = this;
-            this.run = this.button('run', 'Play', () => this.play(!this.waiting));
+            this.run = button('run', 'Play', () => this.play(!this.waiting));
             this.h = this.slider('h', 'Step h', 's', { from: 0.01, to: 0.3, by: 0.01 }, h =>
                 this.again({ h }),
             );
-            this.fair = element('input', {
-                type: 'checkbox',
-                class: 'fair',
-                onchange: () => this.again({ fair: this.fair.checked }),
-            });
+            const equal = 'Equal work: with k force evaluations a step, steps of k\u00a0h';
+            const fair = checkbox('fair', equal, true, on => this.again({ fair: on }));
+            this.fair = fair.box;
             this.time = element('output', { class: 'note time' });
-            this.selects = this.charts.map((chart, i) => {
-                const select = element(
-                    'select',
-                    {
-                        onchange: () => {
-                            const methods = [...this.scene.methods];
-                            methods[i] = select.value;
-                            this.again({ methods });
-                        },
-                    },
-                    element('option', { value: '' }, 'no method'),
-                    ...library.methods.map(({ name, title }) =>
-                        element('option', { value: name }, title),
-                    ),
-                );
-                return select;
-            });
+            const names = library.methods.map(({ name, title }) => [name, title]);
+            const onchange = () =>
+                this.again({ methods: this.selects.map(({ value }) => value) });
+            this.selects = this.charts.map(() =>
+                select({ onchange }, [['', 'no method'], ...names]),
+            );
             this.controls.append(
                 element(
                     'div',
                     { class: 'buttons' },
                     this.run,
-                    this.button('step', 'One step', () => {
+                    button('step', 'One step', () => {
                         this.play(false);
                         this.advance();
                     }),
-                    this.button('reset', 'Reset', () => this.again(FIRST)),
+                    button('reset', 'Reset', () => this.again(FIRST)),
                     this.time,
                 ),
                 element(
                     'div',
                     { class: 'buttons' },
                     this.h.part,
-                    element(
-                        'label',
-                        {},
-                        this.fair,
-                        'Equal work: with k force evaluations a step, steps of k\u00a0h',
-                    ),
+                    fair.label,
                 ),
                 element(
                     'div',

@@ -3,7 +3,7 @@
     'use strict';
 
     const { LONGEST, PAPERS, SLIDERS, SPEEDS, SYSTEMS, QUANTITY } = theLab;
-    const { element, keysOf, look, place, startOf } = theLab;
+    const { checkbox, drawn, element, keysOf, look, place, select, startOf } = theLab;
 
     class Controls {
         constructor(lab) {
@@ -29,24 +29,17 @@
         }
 
         system() {
-            this.kind = element(
-                'select',
-                {
-                    class: 'system',
-                    onchange: () => {
-                        const { scene } = this.lab,
-                            start = startOf(this.kind.value);
-                        // Gravity and length stay, and the methods, if one of them suits.
-                        const kept = scene.methods.filter(name => this.suits(name, start));
-                        const { g, L, speed, scale, lesson, step } = scene;
-                        const methods = kept.length ? kept : start.methods;
-                        this.lab.change({ ...start, methods, g, L, speed, scale, lesson, step });
-                    },
-                },
-                ...Object.entries(SYSTEMS).map(([name, { title }]) =>
-                    element('option', { value: name }, title),
-                ),
-            );
+            const onchange = () => {
+                const { scene } = this.lab,
+                    start = startOf(this.kind.value);
+                // Gravity and length stay, and the methods, if one of them suits.
+                const kept = scene.methods.filter(name => this.suits(name, start));
+                const { g, L, speed, scale, lesson, step } = scene;
+                const methods = kept.length ? kept : start.methods;
+                this.lab.change({ ...start, methods, g, L, speed, scale, lesson, step });
+            };
+            const titles = Object.entries(SYSTEMS).map(([name, { title }]) => [name, title]);
+            this.kind = select({ class: 'system', onchange }, titles);
             return element('label', {}, 'System', this.kind);
         }
 
@@ -58,17 +51,9 @@
         }
 
         speed() {
-            const options = SPEEDS.map(speed =>
-                element('option', { value: speed }, `${speed}`.replace('0.25', '¼') + ' ×'),
-            );
-            this.pace = element(
-                'select',
-                {
-                    class: 'speed',
-                    onchange: () => this.lab.adjust({ speed: Number(this.pace.value) }),
-                },
-                ...options,
-            );
+            const onchange = () => this.lab.adjust({ speed: Number(this.pace.value) });
+            const words = SPEEDS.map(speed => [speed, `${speed} ×`.replace('0.25', '¼')]);
+            this.pace = select({ class: 'speed', onchange }, words);
             return element('label', {}, 'Speed', this.pace);
         }
 
@@ -90,27 +75,19 @@
         }
 
         scale() {
-            this.logarithmic = element('input', {
-                type: 'checkbox',
-                class: 'scale',
-                onchange: () =>
-                    this.lab.adjust({ scale: this.logarithmic.checked ? 'log' : 'linear' }),
-            });
-            return element('label', {}, this.logarithmic, 'Errors on a logarithmic scale');
+            const { box, label } = checkbox('scale', 'Errors on a logarithmic scale', false, on =>
+                this.lab.adjust({ scale: on ? 'log' : 'linear' }),
+            );
+            this.logarithmic = box;
+            return label;
         }
 
         trails() {
             const { stage } = this.lab.drawing;
-            const box = element('input', {
-                type: 'checkbox',
-                class: 'trails',
-                onchange: () => {
-                    stage.trails = box.checked;
-                    stage.draw();
-                },
-            });
-            box.checked = stage.trails;
-            return element('label', {}, box, 'Trails');
+            return checkbox('trails', 'Trails', stage.trails, on => {
+                stage.trails = on;
+                stage.draw();
+            }).label;
         }
 
         slider(key) {
@@ -166,10 +143,11 @@
                     onchange: () => this.choose(),
                 });
                 const { marker, colour } = look(method);
-                const sign = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
-                sign.setAttribute('viewBox', '-8 -8 16 16');
-                sign.setAttribute('aria-hidden', 'true');
-                sign.innerHTML = `<path d="M0,0${marker}" style="fill: var(${colour})"/>`;
+                const sign = drawn(
+                    'svg',
+                    { viewBox: '-8 -8 16 16', 'aria-hidden': 'true' },
+                    drawn('path', { d: `M0,0${marker}`, style: `fill: var(${colour})` }),
+                );
                 return element('label', {}, input, sign, method.title);
             };
             const papers = this.lab.known.filter(method => PAPERS.includes(method.name)).map(box);

@@ -7,10 +7,8 @@
 
     // Space below a pendulum for its name (px).
     const NAME = 20;
-    // A trail is what a bob did in the last so many seconds of the reader, in so many shades and at
-    // most so many points.
+    // A trail is what a bob did in the last so many seconds of the reader, at most so many points.
     const SECONDS = 0.7;
-    const SHADES = 8;
     const POINTS = 240;
 
     class Stage extends Sheet {
@@ -117,24 +115,18 @@
             const from = Math.max(pendulum.oldest, pendulum.points - POINTS);
             ink.strokeStyle = colour;
             ink.lineWidth = 3;
-            let shade = 0;
+            let before = null;
             for (let k = from; k < pendulum.points; k++) {
                 const { steps, theta, lower } = pendulum.point(k);
                 if (steps < since) continue;
                 const at = this.bobs(pivot, theta, lower).at(-1);
-                const age = (lab.taken - steps) / Math.max(lab.taken - since, 1);
-                const own = Math.max(1, Math.ceil(SHADES * (1 - age)));
-                if (shade) ink.lineTo(...at);
-                if (own !== shade) {
-                    // A stroke for each shade, from where the one before ends.
-                    if (shade) ink.stroke();
-                    shade = own;
-                    ink.globalAlpha = (0.6 * shade) / SHADES;
-                    ink.beginPath();
-                    ink.moveTo(...at);
-                }
+                ink.globalAlpha = (0.6 * (steps - since)) / Math.max(lab.taken - since, 1);
+                ink.beginPath();
+                if (before) ink.moveTo(...before);
+                ink.lineTo(...at);
+                ink.stroke();
+                before = at;
             }
-            if (shade) ink.stroke();
             ink.globalAlpha = 1;
         }
     }

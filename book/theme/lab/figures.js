@@ -4,7 +4,8 @@
 (theLab => {
     'use strict';
 
-    const { Moved, PENDULUM, Plane, element, figures, handle, measured, words } = theLab;
+    const { Moved, PENDULUM, Plane, button, element, everyDigit, figures, handle } = theLab;
+    const { measured, simulate, spelt } = theLab;
 
     // Numbered as in book/lab/src/parts.rs.
     const SLOPE = 0;
@@ -31,14 +32,6 @@
             this.top = this.legend([]);
             svg.append(this.top);
             const box = [38, 93, width - 20, height - 56];
-            svg.append(words('ω (rad/s)', { x: 0, y: 76 }));
-            svg.append(
-                words('θ (rad)', {
-                    x: (box[0] + box[2]) / 2,
-                    y: height - 12,
-                    'text-anchor': 'middle',
-                }),
-            );
             this.plane = new Plane(svg, this.name, box, NEAR);
             this.start = handle(
                 this.plane,
@@ -56,7 +49,7 @@
         lay() {
             const range = { from: 0.01, to: 1, by: 0.01 };
             this.h = this.slider('h', 'Step h', 's', range, h => this.change({ h }));
-            this.wide = this.button('wide', 'Whole plane', () => {
+            this.wide = button('wide', 'Whole plane', () => {
                 const pressed = this.wide.getAttribute('aria-pressed') !== 'true';
                 this.view(pressed);
                 this.show();
@@ -74,7 +67,7 @@
                     'div',
                     { class: 'buttons' },
                     this.h.part,
-                    this.button('reset', 'Reset', () => {
+                    button('reset', 'Reset', () => {
                         this.view(false);
                         this.change(this.first);
                     }),
@@ -91,12 +84,7 @@
                     element('tbody', {}, ...this.rows.map(({ row }) => row)),
                 ),
                 element('p', { class: 'note' }, this.area),
-                element(
-                    'details',
-                    { class: 'digits' },
-                    element('summary', {}, 'Every digit, and the same on the command line'),
-                    this.every,
-                ),
+                everyDigit(this.every),
             );
             this.view(false);
         }
@@ -204,28 +192,15 @@
         }
 
         // Every digit, with the command that prints the same.
-        spell(end) {
-            const { method, scene } = this,
-                { g, L } = PENDULUM;
-            const value = (name, number) => [
-                `${name} = `,
-                element('data', { value: number, 'data-of': name }, number),
-                '  ',
+        spell([theta, omega]) {
+            const { method, scene } = this;
+            const start = { theta0: scene.theta, omega0: scene.omega, dt: scene.h, ...PENDULUM };
+            const values = [
+                ['theta', theta, 'theta'],
+                ['omega', omega, 'omega'],
             ];
-            const command =
-                `pendula simulate --method ${method.name} --theta0 ${scene.theta} ` +
-                `--omega0 ${scene.omega} --gravity ${g} --length ${L} --dt ${scene.h} ` +
-                `--steps 1 --every 1`;
-            this.every.replaceChildren(
-                element(
-                    'p',
-                    { class: 'numbers' },
-                    'The step ends at ',
-                    ...value('theta', end[0]),
-                    ...value('omega', end[1]),
-                ),
-                element('pre', {}, element('code', {}, command)),
-            );
+            const command = simulate(method.name, start, 1);
+            this.every.replaceChildren(...spelt('The step ends at ', values, command));
         }
     };
 
@@ -241,14 +216,7 @@
             const { svg, width, height } = this;
             const box = [38, 95, width - 20, height - 56];
             this.top = this.legend([]);
-            svg.append(this.top, words('ω (rad/s)', { x: 0, y: 79 }));
-            svg.append(
-                words('θ (rad)', {
-                    x: (box[0] + box[2]) / 2,
-                    y: height - 12,
-                    'text-anchor': 'middle',
-                }),
-            );
+            svg.append(this.top);
             this.plane = new Plane(svg, this.name, box, { theta: [-1.3, 1.3], omega: [-3.6, 3.6] });
             this.lay();
         }
@@ -272,10 +240,10 @@
                 element(
                     'div',
                     { class: 'buttons' },
-                    this.button('step', 'One step', () =>
+                    button('step', 'One step', () =>
                         this.change({ steps: Math.min(this.scene.steps + 1, 200) }),
                     ),
-                    this.button('reset', 'Reset', () => this.change(FIRST)),
+                    button('reset', 'Reset', () => this.change(FIRST)),
                 ),
                 element('p', { class: 'note' }, this.strays),
             );

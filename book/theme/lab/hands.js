@@ -9,48 +9,60 @@
     // How far a touch may be from what it drags (px); a mouse drags what is nearest.
     const FINGER = 30;
 
-    // `grasp(x, y, reach)` returns what can be dragged there, or null; `move(held, x, y)` moves it.
-    function draggable(lab, canvas, grasp, move) {
-        const at = event => {
-            const box = canvas.getBoundingClientRect();
-            return [event.clientX - box.left, event.clientY - box.top];
-        };
+    // `grasp(point, reach)` returns what can be dragged there, or null; `move(held, point)` moves
+    // it, and `end()` is told when it is let go. Points have clientX and clientY.
+    function draggable(target, grasp, move, end = () => {}) {
         let held = null;
-        canvas.addEventListener(
+        target.addEventListener(
             'touchstart',
             event => {
-                if (grasp(...at(event.touches[0]), FINGER)) event.preventDefault();
+                if (grasp(event.touches[0], FINGER)) event.preventDefault();
             },
             { passive: false },
         );
-        canvas.addEventListener('pointerdown', event => {
-            held =
-                event.button === 0
-                    ? grasp(...at(event), event.pointerType === 'touch' ? FINGER : Infinity)
-                    : null;
+        target.addEventListener('pointerdown', event => {
+            if (event.button !== 0) return;
+            held = grasp(event, event.pointerType === 'touch' ? FINGER : Infinity);
             if (!held) return;
-            canvas.setPointerCapture(event.pointerId);
-            lab.running = false;
-            lab.held = true;
-            move(held, ...at(event));
+            target.setPointerCapture(event.pointerId);
+            move(held, event);
         });
-        canvas.addEventListener('pointermove', event => {
-            if (held) move(held, ...at(event));
+        target.addEventListener('pointermove', event => {
+            if (held) move(held, event);
         });
         for (const name of ['pointerup', 'pointercancel']) {
-            canvas.addEventListener(name, () => {
-                if (!held) return;
+            target.addEventListener(name, () => {
+                if (held) end();
                 held = null;
-                lab.held = false;
-                lab.remember();
-                lab.go();
             });
         }
     }
 
+    // What is dragged on a canvas changes the lab's scene, which rests until it is let go.
+    function draggableIn(lab, canvas, grasp, move) {
+        const at = event => {
+            const box = canvas.getBoundingClientRect();
+            return [event.clientX - box.left, event.clientY - box.top];
+        };
+        draggable(
+            canvas,
+            (point, reach) => grasp(...at(point), reach),
+            (held, point) => {
+                lab.running = false;
+                lab.held = true;
+                move(held, ...at(point));
+            },
+            () => {
+                lab.held = false;
+                lab.remember();
+                lab.go();
+            },
+        );
+    }
+
     theLab.takeHands = lab => {
         const { drawing } = lab;
-        draggable(
+        draggableIn(
             lab,
             drawing.stage.canvas,
             (x, y, reach) => {
@@ -76,7 +88,7 @@
                 lab.change(which ? lower : upper, true);
             },
         );
-        draggable(
+        draggableIn(
             lab,
             drawing.phase.canvas,
             (x, y, reach) => {
@@ -264,5 +276,5 @@
         }
     }
 
-    Object.assign(theLab, { Reading });
+    Object.assign(theLab, { Reading, draggable });
 })((globalThis.theLab ??= {}));

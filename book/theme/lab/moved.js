@@ -126,10 +126,6 @@
             return group;
         }
 
-        button(name, text, onclick) {
-            return element('button', { type: 'button', class: name, onclick }, text);
-        }
-
         // A slider with its value beside it; `changed` is told the new one.
         slider(key, label, unit, { from, to, by }, changed) {
             const value = element('output', {});

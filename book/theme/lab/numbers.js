@@ -4,7 +4,8 @@
     'use strict';
 
     const { FONT, QUANTITY, SLIDERS, SYSTEMS, button, conserves, count, element } = theLab;
-    const { isClosed, keysOf, measured, place, printed, rough, seconds, timed } = theLab;
+    const { everyDigit, isClosed, keysOf, measured, place, rough, seconds, simulate } = theLab;
+    const { spelt, timed } = theLab;
     const { ENERGY, ERROR, EVALUATIONS, INITIAL, LARGEST, LOWER_OMEGA, LOWER_THETA } = QUANTITY;
     const { OMEGA, STEPS, THETA, TIME } = QUANTITY;
 
@@ -41,66 +42,36 @@
             );
         }
 
-        // The columns after the methods: heading of the group, own heading, value.
+        // The columns after the methods: heading and value.
         columns() {
             const { lab } = this;
             // Between two looks at it an error may have been larger.
             const least = x => (lab.sampled && x > 0 ? `≥\u00a0${measured(x)}` : measured(x));
-            if (!lab.whole) {
-                return [
-                    ['', 'Largest energy error (J)', p => measured(p.read(LARGEST))],
-                    ['', 'Largest angle error (rad)', p => least(p.angle.largest)],
-                ];
-            }
-            const energy = conserves(lab.scene)
-                ? [
-                      ['Energy error (J)', 'now', p => measured(p.read(ERROR))],
-                      ['Energy error (J)', 'largest', p => measured(p.read(LARGEST))],
-                  ]
-                : [['', 'Energy (J)', p => measured(p.read(INITIAL) + p.read(ERROR))]];
-            const angle = isClosed(lab.scene)
-                ? [
-                      ['Angle error (rad)', 'now', p => measured(p.lapse)],
-                      ['Angle error (rad)', 'largest', p => least(p.angle.largest)],
-                  ]
-                : [];
+            const energy = ['Largest energy error (J)', p => measured(p.read(LARGEST))];
+            const angle = ['Largest angle error (rad)', p => least(p.angle.largest)];
+            if (!lab.whole) return [energy, angle];
             return [
-                ...energy,
-                ...angle,
-                ['', 'Force evaluations', p => count(p.read(EVALUATIONS))],
+                ...(conserves(lab.scene)
+                    ? [['Energy error (J)', p => measured(p.read(ERROR))], energy]
+                    : [['Energy (J)', p => measured(p.read(INITIAL) + p.read(ERROR))]]),
+                ...(isClosed(lab.scene)
+                    ? [['Angle error (rad)', p => measured(p.lapse)], angle]
+                    : []),
+                ['Force evaluations', p => count(p.read(EVALUATIONS))],
                 // The minimum, as disturbances only make a time longer.
-                ['', 'Time a step (ns)', p => (p.times.length ? rough(Math.min(...p.times)) : '–')],
+                ['Time a step (ns)', p => (p.times.length ? rough(Math.min(...p.times)) : '–')],
             ];
         }
 
         // The head of the table, and a row for each pendulum.
         caption() {
-            const columns = this.columns(),
-                groups = columns.map(([group]) => group);
-            const grouped = groups.some(Boolean),
-                tall = grouped && { rowspan: 2 };
-            const first = element('tr', {}, element('th', { scope: 'col', ...tall }, 'Method'));
-            const second = element('tr');
-            columns.forEach(([group, title], i) => {
-                const width = groups.filter(other => other === group).length;
-                if (!group) first.append(element('th', { scope: 'col', ...tall }, title));
-                else if (groups.indexOf(group) === i)
-                    first.append(element('th', { scope: 'colgroup', colspan: width }, group));
-                if (group) second.append(element('th', { scope: 'col' }, title));
-            });
-            this.head.replaceChildren(first, ...(grouped ? [second] : []));
-            this.rows.replaceChildren(
-                ...this.lab.pendulums.map(() =>
-                    element(
-                        'tr',
-                        {},
-                        element('th', { scope: 'row' }),
-                        ...columns.map(([group, title]) =>
-                            element('td', { 'data-label': group ? `${group}, ${title}` : title }),
-                        ),
-                    ),
-                ),
-            );
+            const titles = this.columns().map(([title]) => title);
+            const head = title => element('th', { scope: 'col' }, title);
+            this.head.replaceChildren(element('tr', {}, ...['Method', ...titles].map(head)));
+            const cell = title => element('td', { 'data-label': title });
+            const row = () =>
+                element('tr', {}, element('th', { scope: 'row' }), ...titles.map(cell));
+            this.rows.replaceChildren(...this.lab.pendulums.map(row));
         }
 
         // Updates the table, and the digits if they are seen.
@@ -118,7 +89,7 @@
             pendulums.forEach((pendulum, i) => {
                 const [head, ...cells] = this.rows.rows[i].cells;
                 head.textContent = pendulum.method.title + (pendulum.lost ? ': step too long' : '');
-                columns.forEach(([, , value], k) => {
+                columns.forEach(([, value], k) => {
                     cells[k].textContent = value(pendulum);
                 });
             });
@@ -127,69 +98,39 @@
 
         digits() {
             this.every = element('div');
-            return element(
-                'details',
-                { class: 'digits' },
-                element('summary', {}, 'Every digit, and the same on the command line'),
-                this.every,
-            );
+            return everyDigit(this.every);
         }
 
         // Shows every digit, with the command that prints the same numbers.
         spell() {
             const { scene, pendulums } = this.lab;
-            this.every.replaceChildren(
-                ...pendulums.flatMap(pendulum => {
-                    // It has no numbers.
-                    if (pendulum.lost)
-                        return element(
-                            'p',
-                            { class: 'numbers' },
-                            `${pendulum.method.title}: step too long`,
-                        );
-                    const value = ([name, quantity]) => [
-                        `${name} = `,
-                        element(
-                            'data',
-                            {
-                                value: pendulum.read(quantity),
-                                'data-of': `${pendulum.method.name} ${name}`,
-                            },
-                            pendulum.read(quantity),
-                        ),
-                        '  ',
-                    ];
-                    const numbers = element(
-                        'p',
-                        { class: 'numbers' },
-                        `${pendulum.method.title}: `,
-                        ...PRINTED[scene.system].flatMap(value),
-                    );
-                    const command = this.command(pendulum);
-                    return command
-                        ? [numbers, element('pre', {}, element('code', {}, command))]
-                        : [numbers];
-                }),
-            );
+            const each = pendulum => {
+                const { name, title } = pendulum.method;
+                // It has no numbers.
+                if (pendulum.lost) return spelt(`${title}: step too long`, []);
+                const values = PRINTED[scene.system].map(([column, quantity]) => [
+                    column,
+                    pendulum.read(quantity),
+                    `${name} ${column}`,
+                ]);
+                return spelt(`${title}: `, values, this.command(pendulum));
+            };
+            this.every.replaceChildren(...pendulums.flatMap(each));
         }
 
         // What prints the same numbers; empty if nothing does.
         command(pendulum) {
             const { scene } = this.lab,
                 steps = pendulum.read(STEPS);
-            const run = `--dt ${scene.dt} --steps ${steps} --every ${Math.max(steps, 1)}`;
             if (scene.system === 'double' && pendulum.method.name === 'rk4')
                 return (
                     `pendula simulate --system double-pendulum --theta1 ${scene.theta0} ` +
                     `--theta2 ${scene.theta2} --omega1 ${scene.omega0} ` +
                     `--omega2 ${scene.omega2} --gravity ${scene.g} --length1 ${scene.L} ` +
-                    `--length2 ${scene.L} ${run}`
+                    `--length2 ${scene.L} --dt ${scene.dt} --steps ${steps} ` +
+                    `--every ${Math.max(steps, 1)}`
                 );
-            if (!isClosed(scene)) return '';
-            return (
-                `pendula simulate --method ${pendulum.method.name} --theta0 ${scene.theta0} ` +
-                `--omega0 ${scene.omega0} --gravity ${scene.g} --length ${scene.L} ${run}`
-            );
+            return isClosed(scene) ? simulate(pendulum.method.name, scene, steps) : '';
         }
     }
 
@@ -204,20 +145,12 @@
     class Keep {
         constructor(lab) {
             this.lab = lab;
-            // Where the browser does not let a page copy.
-            this.link = element('input', {
-                class: 'link',
-                readonly: true,
-                hidden: true,
-                'aria-label': 'The link, to be copied',
-            });
             this.live = element(
                 'div',
                 { class: 'buttons keep' },
                 button('copy', 'Copy link', () => this.copy()),
                 button('csv', 'Numbers (CSV)', () => this.numbers()),
                 button('png', 'Picture (PNG)', () => this.picture()),
-                this.link,
             );
         }
 
@@ -236,13 +169,9 @@
             this.lab.write();
             try {
                 await navigator.clipboard.writeText(location.href);
-                this.link.hidden = true;
                 this.say('The link is copied: it leads to this scene.');
             } catch {
-                this.link.hidden = false;
-                this.link.value = location.href;
-                this.link.select();
-                this.say('The link is selected: copy it.');
+                this.say('The browser copies nothing for a page: the link is its address.');
             }
         }
 
@@ -280,7 +209,7 @@
                     if (!row.every(Number.isFinite)) break;
                     const t = lab.spare.read(0, TIME);
                     if (exact) row.push(lab.spare.exact_theta(0, t), lab.spare.exact_omega(0, t));
-                    lines.push([method.name, ...row.map(printed)].join(','));
+                    lines.push([method.name, ...row].join(','));
                     if (lab.spare.advance(0, every) < every) break;
                     if (performance.now() - began > SLICE) {
                         await new Promise(done => setTimeout(done));

@@ -3,7 +3,7 @@
     'use strict';
 
     const { Controls, Keep, Numbers, PRESETS, QUANTITY, ROOT, Reading, button, conserves } = theLab;
-    const { count, element, isClosed, measured, seconds } = theLab;
+    const { count, element, isClosed, measured, seconds, select } = theLab;
     const { LARGEST } = QUANTITY;
 
     // The steps of each lesson in the page, by name: their words, what they change of the lesson's
@@ -24,10 +24,9 @@
         constructor(lab) {
             this.lab = lab;
             this.names = Object.keys(PRESETS);
-            this.choice = element(
-                'select',
+            this.choice = select(
                 { 'aria-label': 'Lesson', onchange: () => lab.lesson(this.choice.value, 1) },
-                ...this.names.map(name => element('option', { value: name }, PRESETS[name].title)),
+                this.names.map(name => [name, PRESETS[name].title]),
             );
             this.where = element('span', { class: 'note' });
             // Said when the step changes, after what is being said.

@@ -2,8 +2,8 @@
 (theLab => {
     'use strict';
 
-    const { FONT, QUANTITY, Sheet, TURN, hollow, isClosed, mark, raised, roundUp, tick } = theLab;
-    const { wrapped } = theLab;
+    const { FONT, QUANTITY, Sheet, TURN, isClosed, mark, raised, roundUp, tick } = theLab;
+    const { within, wrapped } = theLab;
     const { OMEGA, PERIOD, THETA } = QUANTITY;
 
     // The systems of which the separatrix says something.
@@ -84,13 +84,10 @@
             ink.textAlign = 'center';
             ink.fillText('ω (rad/s)', 0, 0);
             ink.restore();
-            ink.save();
-            ink.beginPath();
-            ink.rect(f.left, f.top, f.right - f.left, f.bottom - f.top);
-            ink.clip();
-            ink.globalAlpha = 0.75;
-            this.curves(ink, f);
-            ink.restore();
+            within(ink, f, () => {
+                ink.globalAlpha = 0.75;
+                this.curves(ink, f);
+            });
             this.drawn = lab.pendulums.map(pendulum => pendulum.oldest);
         }
 
@@ -138,19 +135,15 @@
             if (lab.pendulums.some(p => Math.abs(p.read(OMEGA)) > this.reach)) this.base();
             const f = this.frame(),
                 dots = this.dots.getContext('2d');
-            dots.save();
-            dots.beginPath();
-            dots.rect(f.left, f.top, f.right - f.left, f.bottom - f.top);
-            dots.clip();
-            lab.pendulums.forEach((pendulum, i) => {
+            const add = (pendulum, i) => {
                 dots.fillStyle = lab.drawing.looks.get(pendulum.method.number).colour;
                 for (let k = Math.max(this.drawn[i], pendulum.oldest); k < pendulum.points; k++) {
                     const { theta, omega } = pendulum.point(k);
                     dots.fillRect(f.x(theta) - 0.75, f.y(omega) - 0.75, 1.5, 1.5);
                 }
                 this.drawn[i] = pendulum.points;
-            });
-            dots.restore();
+            };
+            within(dots, f, () => lab.pendulums.forEach(add));
             this.clear();
             const { ink } = this;
             ink.drawImage(this.dots, 0, 0, this.width, this.height);
@@ -168,7 +161,7 @@
                     ? [at.theta, at.omega]
                     : [wrapped(pendulum.read(THETA)), pendulum.read(OMEGA)];
                 const size = 1.35 - 0.75 * (i / Math.max(lab.pendulums.length - 1, 3));
-                hollow(ink, path, f.x(theta), f.y(omega), size, colour);
+                mark(ink, path, f.x(theta), f.y(omega), size, colour, true);
             });
         }
 
@@ -287,21 +280,12 @@
             }
             ink.textAlign = 'center';
             ink.fillText('t (s)', x(this.span / 2), f.bottom + 17);
-            ink.save();
-            ink.beginPath();
-            ink.rect(f.left, f.top, f.right - f.left, f.bottom - f.top);
-            ink.clip();
-            this.curves(own, x, y, logarithmic);
-            for (const one of pinned) this.ghost(one, x, y, logarithmic);
-            if (lab.cursor) {
-                ink.strokeStyle = lab.drawing.ink;
-                ink.lineWidth = 1;
-                ink.beginPath();
-                ink.moveTo(x(lab.cursor.time), f.top);
-                ink.lineTo(x(lab.cursor.time), f.bottom);
-                ink.stroke();
-            }
-            ink.restore();
+            within(ink, f, () => {
+                this.curves(own, x, y, logarithmic);
+                for (const one of pinned) this.ghost(one, x, y, logarithmic);
+                ink.fillStyle = lab.drawing.ink;
+                if (lab.cursor) ink.fillRect(x(lab.cursor.time) - 0.5, f.top, 1, f.bottom - f.top);
+            });
         }
 
         // The places of a curve: of its bins the largest errors, or both extremes.

@@ -45,23 +45,25 @@
         }
     }
 
-    function mark(ink, path, x, y, size, colour) {
+    // A marker; hollow, it shows what is below.
+    function mark(ink, path, x, y, size, colour, hollow = false) {
         ink.save();
         ink.translate(x, y);
         ink.scale(size, size);
-        ink.fillStyle = colour;
-        ink.fill(path);
+        ink.fillStyle = ink.strokeStyle = colour;
+        ink.lineWidth = 2 / size;
+        if (hollow) ink.stroke(path);
+        else ink.fill(path);
         ink.restore();
     }
 
-    // The same, as an outline, so that it shows what is below.
-    function hollow(ink, path, x, y, size, colour) {
+    // Draws what of it is within a frame.
+    function within(ink, { left, right, top, bottom }, draw) {
         ink.save();
-        ink.translate(x, y);
-        ink.scale(size, size);
-        ink.strokeStyle = colour;
-        ink.lineWidth = 2 / size;
-        ink.stroke(path);
+        ink.beginPath();
+        ink.rect(left, top, right - left, bottom - top);
+        ink.clip();
+        draw();
         ink.restore();
     }
 
@@ -74,5 +76,5 @@
         };
     }
 
-    Object.assign(theLab, { FONT, Sheet, TURN, hollow, look, mark });
+    Object.assign(theLab, { FONT, Sheet, TURN, look, mark, within });
 })((globalThis.theLab ??= {}));

@@ -55,22 +55,7 @@
         return [1, 2, 5, 10].map(m => m * power).find(tick => tick >= x * (1 - 1e-9));
     }
 
-    // A number that reads back to the same, as the command line writes it in its rows.
-    function printed(x) {
-        if (Object.is(x, -0)) return '-0.0';
-        const [mantissa, exponent] = x.toExponential().split('e');
-        const digits = mantissa.replace(/[-.]/g, ''),
-            sign = x < 0 ? '-' : '',
-            point = Number(exponent) + 1;
-        if (point >= digits.length && point <= 16) return `${sign}${digits.padEnd(point, '0')}.0`;
-        if (point > 0 && point <= 16)
-            return `${sign}${digits.slice(0, point)}.${digits.slice(point)}`;
-        if (point > -5 && point <= 0) return `${sign}0.${'0'.repeat(-point)}${digits}`;
-        return `${mantissa}e${Number(exponent)}`;
-    }
-
-    function element(name, attributes = {}, ...children) {
-        const made = document.createElement(name);
+    function filled(made, attributes, children) {
         for (const [key, value] of Object.entries(attributes)) {
             if (key.startsWith('on')) made.addEventListener(key.slice(2), value);
             else if (value !== false) made.setAttribute(key, value === true ? '' : value);
@@ -79,19 +64,76 @@
         return made;
     }
 
+    // An element of a page, and one of a drawing.
+    const SVG = 'http://www.w3.org/2000/svg';
+    const element = (name, attributes = {}, ...children) =>
+        filled(document.createElement(name), attributes, children);
+    const drawn = (name, attributes = {}, ...children) =>
+        filled(document.createElementNS(SVG, name), attributes, children);
+
     const button = (name, words, onclick) =>
         element('button', { type: 'button', class: name, onclick }, words);
 
+    // `options` are pairs of value and words.
+    const select = (attributes, options) =>
+        element(
+            'select',
+            attributes,
+            ...options.map(([value, words]) => element('option', { value }, words)),
+        );
+
+    const checkbox = (name, words, isOn, changed) => {
+        const box = element('input', {
+            type: 'checkbox',
+            class: name,
+            checked: isOn,
+            onchange: () => changed(box.checked),
+        });
+        return { box, label: element('label', {}, box, words) };
+    };
+
+    // Numbers with every digit, [name, value, of what], and the command that prints the same.
+    const spelt = (words, values, command = '') => [
+        element(
+            'p',
+            { class: 'numbers' },
+            words,
+            ...values.flatMap(([name, value, of]) => [
+                `${name} = `,
+                element('data', { value, 'data-of': of }, value),
+                '  ',
+            ]),
+        ),
+        ...(command ? [element('pre', {}, element('code', {}, command))] : []),
+    ];
+    const simulate = (method, { theta0, omega0, g, L, dt }, steps) =>
+        `pendula simulate --method ${method} --theta0 ${theta0} --omega0 ${omega0} ` +
+        `--gravity ${g} --length ${L} --dt ${dt} --steps ${steps} --every ${Math.max(steps, 1)}`;
+
+    // Where they stand.
+    const everyDigit = inside =>
+        element(
+            'details',
+            { class: 'digits' },
+            element('summary', {}, 'Every digit, and the same on the command line'),
+            inside,
+        );
+
     Object.assign(theLab, {
         button,
+        checkbox,
         count,
+        drawn,
         element,
+        everyDigit,
         measured,
-        printed,
         raised,
         rough,
         roundUp,
         seconds,
+        select,
+        simulate,
+        spelt,
         tick,
     });
 })((globalThis.theLab ??= {}));
