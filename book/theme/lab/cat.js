@@ -3,7 +3,7 @@
 (theLab => {
     'use strict';
 
-    const { Moved, Plane, button, checkbox, element, figures, select, words } = theLab;
+    const { Moved, Plane, button, checkbox, element, figures, html, select, words } = theLab;
     // As in the still figure: where the cat sits, its size (rad), the pieces between its corners.
     const PLACE = { theta: 0.9, omega: 0 };
     const SIZE = 0.5;
@@ -67,31 +67,18 @@
             this.selects = this.charts.map(() =>
                 select({ onchange }, [['', 'no method'], ...names]),
             );
+            const step = button('step', 'One step', () => {
+                this.play(false);
+                this.advance();
+            });
+            const reset = button('reset', 'Reset', () => this.again(FIRST));
+            const charts = this.selects.map(
+                (select, i) => html`<label><span>Chart ${String(i + 1)}</span>${select}</label>`,
+            );
             this.controls.append(
-                element(
-                    'div',
-                    { class: 'buttons' },
-                    this.run,
-                    button('step', 'One step', () => {
-                        this.play(false);
-                        this.advance();
-                    }),
-                    button('reset', 'Reset', () => this.again(FIRST)),
-                    this.time,
-                ),
-                element(
-                    'div',
-                    { class: 'buttons' },
-                    this.h.part,
-                    fair.label,
-                ),
-                element(
-                    'div',
-                    { class: 'choices' },
-                    ...this.selects.map((select, i) =>
-                        element('label', {}, element('span', {}, `Chart ${i + 1}`), select),
-                    ),
-                ),
+                html`<div class="buttons">${[this.run, step, reset, this.time]}</div>`,
+                html`<div class="buttons">${[this.h.part, fair.label]}</div>`,
+                html`<div class="choices">${charts}</div>`,
                 this.said,
             );
         }

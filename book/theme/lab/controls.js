@@ -3,7 +3,7 @@
     'use strict';
 
     const { LONGEST, PAPERS, SLIDERS, SPEEDS, SYSTEMS, QUANTITY } = theLab;
-    const { checkbox, drawn, element, keysOf, look, place, select, startOf } = theLab;
+    const { checkbox, drawn, element, html, keysOf, look, place, select, startOf } = theLab;
 
     class Controls {
         constructor(lab) {
@@ -13,19 +13,16 @@
             const keys = Object.keys(SLIDERS).filter(
                 key => lab.whole || key === 'dt' || key === 'theta0',
             );
+            const until = lab.whole ? this.until() : [];
             this.live = [
-                ...(lab.whole ? [element('div', { class: 'buttons' }, this.system())] : []),
-                element('div', { class: 'sliders' }, ...keys.map(key => this.slider(key))),
-                element(
-                    'div',
-                    { class: 'buttons' },
-                    this.speed(),
-                    ...(lab.whole ? [this.until()] : []),
-                    this.scale(),
-                    this.trails(),
-                ),
-                ...(lab.whole ? [this.choice()] : []),
+                html`<div class="sliders">${keys.map(key => this.slider(key))}</div>`,
+                html`<div class="buttons">
+                    ${this.speed()}${until}${this.scale()}${this.trails()}
+                </div>`,
             ];
+            if (!lab.whole) return;
+            this.live.unshift(html`<div class="buttons">${this.system()}</div>`);
+            this.live.push(this.choice());
         }
 
         system() {
@@ -125,13 +122,10 @@
                 range.setAttribute('aria-valuetext', `${now} ${unit}`);
                 typed.value = now;
             };
-            const name = element('span', {}, `${label} (${unit})`);
-            this.rows[key] = element(
-                'div',
-                { class: 'slider' },
-                element('label', {}, name, range),
-                typed,
-            );
+            this.rows[key] = html`
+                <div class="slider">
+                    <label><span>${`${label} (${unit})`}</span>${range}</label>${typed}
+                </div>`;
             return this.rows[key];
         }
 
@@ -153,19 +147,14 @@
             const papers = this.lab.known.filter(method => PAPERS.includes(method.name)).map(box);
             const others = this.lab.known.filter(method => !PAPERS.includes(method.name)).map(box);
             this.boxes = [...papers, ...others].map(label => label.querySelector('input'));
-            this.others = element(
-                'details',
-                {},
-                element('summary', {}, 'More methods'),
-                element('div', {}, ...others),
-            );
-            return element(
-                'fieldset',
-                { class: 'methods' },
-                element('legend', {}, `Methods, up to ${this.lab.places}`),
-                element('div', {}, ...papers),
-                this.others,
-            );
+            this.others = html`
+                <details><summary>More methods</summary><div>${others}</div></details>`;
+            return html`
+                <fieldset class="methods">
+                    <legend>Methods, up to ${String(this.lab.places)}</legend>
+                    <div>${papers}</div>
+                    ${this.others}
+                </fieldset>`;
         }
 
         choose() {

@@ -5,7 +5,7 @@
     'use strict';
 
     const { Moved, PENDULUM, Plane, button, element, everyDigit, figures, handle } = theLab;
-    const { measured, simulate, spelt } = theLab;
+    const { html, measured, simulate, spelt } = theLab;
 
     // Numbered as in book/lab/src/parts.rs.
     const SLOPE = 0;
@@ -56,34 +56,23 @@
             });
             this.rows = ['start', 'end of the step', 'true motion'].map(name => {
                 const cells = [element('td'), element('td')];
-                const head = element('th', { scope: 'row' }, name);
-                return { cells, row: element('tr', {}, head, ...cells) };
+                return { cells, row: html`<tr><th scope="row">${name}</th>${cells}</tr>` };
             });
             this.area = element('output', { class: 'area' });
             this.every = element('div');
-            const head = name => element('th', { scope: 'col' }, name);
+            const reset = button('reset', 'Reset', () => {
+                this.view(false);
+                this.change(this.first);
+            });
             this.controls.append(
-                element(
-                    'div',
-                    { class: 'buttons' },
-                    this.h.part,
-                    button('reset', 'Reset', () => {
-                        this.view(false);
-                        this.change(this.first);
-                    }),
-                    this.wide,
-                ),
-                element(
-                    'table',
-                    {},
-                    element(
-                        'thead',
-                        {},
-                        element('tr', {}, element('td'), head('θ (rad)'), head('ω (rad/s)')),
-                    ),
-                    element('tbody', {}, ...this.rows.map(({ row }) => row)),
-                ),
-                element('p', { class: 'note' }, this.area),
+                html`<div class="buttons">${[this.h.part, reset, this.wide]}</div>`,
+                html`<table>
+                    <thead>
+                        <tr><td></td><th scope="col">θ (rad)</th><th scope="col">ω (rad/s)</th></tr>
+                    </thead>
+                    <tbody>${this.rows.map(({ row }) => row)}</tbody>
+                </table>`,
+                html`<p class="note">${this.area}</p>`,
                 everyDigit(this.every),
             );
             this.view(false);
@@ -231,21 +220,15 @@
             slider('steps', 'Steps taken', '', { from: 0, to: 200, by: 1 });
             slider('theta', 'Released from', 'rad', { from: 0.2, to: 2.6, by: 0.1 });
             this.strays = element('output', { class: 'strays' });
+            const step = button('step', 'One step', () =>
+                this.change({ steps: Math.min(this.scene.steps + 1, 200) }),
+            );
+            const reset = button('reset', 'Reset', () => this.change(FIRST));
+            const sliders = ['h', 'order', 'steps', 'theta'].map(key => this[key].part);
             this.controls.append(
-                element(
-                    'div',
-                    { class: 'sliders' },
-                    ...['h', 'order', 'steps', 'theta'].map(key => this[key].part),
-                ),
-                element(
-                    'div',
-                    { class: 'buttons' },
-                    button('step', 'One step', () =>
-                        this.change({ steps: Math.min(this.scene.steps + 1, 200) }),
-                    ),
-                    button('reset', 'Reset', () => this.change(FIRST)),
-                ),
-                element('p', { class: 'note' }, this.strays),
+                html`<div class="sliders">${sliders}</div>`,
+                html`<div class="buttons">${[step, reset]}</div>`,
+                html`<p class="note">${this.strays}</p>`,
             );
         }
 

@@ -3,7 +3,7 @@
 (theLab => {
     'use strict';
 
-    const { QUANTITY, element, measured, seconds, wrapped } = theLab;
+    const { QUANTITY, element, html, measured, seconds, wrapped } = theLab;
     const { LOWER_THETA, THETA } = QUANTITY;
 
     // How far a touch may be from what it drags (px); a mouse drags what is nearest.
@@ -197,16 +197,8 @@
             lab.cursor.time = lab.cursor.step * lab.scene.dt;
             const rows = this.rows(sheet);
             const t = `t = ${seconds(lab.cursor.time, lab.scene.dt)} s`;
-            box.replaceChildren(
-                element('p', {}, t),
-                element(
-                    'table',
-                    {},
-                    ...rows.map(([name, words]) =>
-                        element('tr', {}, element('td', {}, name), element('td', {}, words)),
-                    ),
-                ),
-            );
+            const row = ([name, words]) => html`<tr><td>${name}</td><td>${words}</td></tr>`;
+            box.replaceChildren(html`<p>${t}</p>`, html`<table>${rows.map(row)}</table>`);
             box.hidden = false;
             this.say(sheet.canvas, `${t}: ${rows.map(row => row.join(' ')).join('; ')}`);
             this.stand(sheet);

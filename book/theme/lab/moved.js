@@ -4,7 +4,7 @@
 (theLab => {
     'use strict';
 
-    const { compiled, drawn, element, methodsOf, words } = theLab;
+    const { compiled, drawn, element, html, methodsOf, words } = theLab;
 
     // The pendulum of all of them, the paper's.
     const PENDULUM = { g: 9.81, L: 1 };
@@ -139,13 +139,7 @@
             });
             const digits = (String(by).split('.')[1] ?? '').length;
             return {
-                part: element(
-                    'label',
-                    { class: 'slider' },
-                    element('span', {}, label),
-                    range,
-                    value,
-                ),
+                part: html`<label class="slider"><span>${label}</span>${range}${value}</label>`,
                 set(now) {
                     range.value = now;
                     const text = `${now.toFixed(digits)}${unit ? `\u00a0${unit}` : ''}`;

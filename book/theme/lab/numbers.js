@@ -4,8 +4,8 @@
     'use strict';
 
     const { FONT, QUANTITY, SLIDERS, SYSTEMS, button, conserves, count, element } = theLab;
-    const { everyDigit, isClosed, keysOf, measured, place, rough, seconds, simulate } = theLab;
-    const { spelt, timed } = theLab;
+    const { everyDigit, html, isClosed, keysOf, measured, place, rough, seconds } = theLab;
+    const { simulate, spelt, timed } = theLab;
     const { ENERGY, ERROR, EVALUATIONS, INITIAL, LARGEST, LOWER_OMEGA, LOWER_THETA } = QUANTITY;
     const { OMEGA, STEPS, THETA, TIME } = QUANTITY;
 
@@ -35,11 +35,8 @@
             this.lab = lab;
             this.head = element('thead');
             this.rows = element('tbody');
-            this.table = element(
-                'div',
-                { class: 'table-wrapper' },
-                element('table', {}, this.head, this.rows),
-            );
+            const both = [this.head, this.rows];
+            this.table = html`<div class="table-wrapper"><table>${both}</table></div>`;
         }
 
         // The columns after the methods: heading and value.
@@ -66,11 +63,10 @@
         // The head of the table, and a row for each pendulum.
         caption() {
             const titles = this.columns().map(([title]) => title);
-            const head = title => element('th', { scope: 'col' }, title);
-            this.head.replaceChildren(element('tr', {}, ...['Method', ...titles].map(head)));
+            const head = title => html`<th scope="col">${title}</th>`;
+            this.head.replaceChildren(html`<tr>${['Method', ...titles].map(head)}</tr>`);
             const cell = title => element('td', { 'data-label': title });
-            const row = () =>
-                element('tr', {}, element('th', { scope: 'row' }), ...titles.map(cell));
+            const row = () => html`<tr><th scope="row"></th>${titles.map(cell)}</tr>`;
             this.rows.replaceChildren(...this.lab.pendulums.map(row));
         }
 
@@ -145,13 +141,11 @@
     class Keep {
         constructor(lab) {
             this.lab = lab;
-            this.live = element(
-                'div',
-                { class: 'buttons keep' },
-                button('copy', 'Copy link', () => this.copy()),
-                button('csv', 'Numbers (CSV)', () => this.numbers()),
-                button('png', 'Picture (PNG)', () => this.picture()),
-            );
+            this.live = html`<div class="buttons keep">
+                ${button('copy', 'Copy link', () => this.copy())}
+                ${button('csv', 'Numbers (CSV)', () => this.numbers())}
+                ${button('png', 'Picture (PNG)', () => this.picture())}
+            </div>`;
         }
 
         // What the files are called.

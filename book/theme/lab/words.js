@@ -71,6 +71,17 @@
     const drawn = (name, attributes = {}, ...children) =>
         filled(document.createElementNS(SVG, name), attributes, children);
 
+    // What the HTML says, with nodes, texts or lists of them where they stand in it.
+    function html(strings, ...given) {
+        const template = document.createElement('template');
+        template.innerHTML = strings.map(text => text.replace(/\s*\n\s*/g, '')).join('<!---->');
+        const content = document.importNode(template.content, true);
+        const walker = document.createTreeWalker(content, NodeFilter.SHOW_COMMENT);
+        const places = given.map(() => walker.nextNode());
+        places.forEach((place, i) => place.replaceWith(...[given[i]].flat()));
+        return content.firstChild;
+    }
+
     const button = (name, words, onclick) =>
         element('button', { type: 'button', class: name, onclick }, words);
 
@@ -93,31 +104,26 @@
     };
 
     // Numbers with every digit, [name, value, of what], and the command that prints the same.
-    const spelt = (words, values, command = '') => [
-        element(
-            'p',
-            { class: 'numbers' },
-            words,
-            ...values.flatMap(([name, value, of]) => [
-                `${name} = `,
-                element('data', { value, 'data-of': of }, value),
-                '  ',
-            ]),
-        ),
-        ...(command ? [element('pre', {}, element('code', {}, command))] : []),
-    ];
+    function spelt(words, values, command = '') {
+        const each = values.flatMap(([name, value, of]) => [
+            `${name} = `,
+            element('data', { value, 'data-of': of }, value),
+            '  ',
+        ]);
+        const numbers = html`<p class="numbers">${words}${each}</p>`;
+        return command ? [numbers, html`<pre><code>${command}</code></pre>`] : [numbers];
+    }
+
+    // The command that takes these steps.
     const simulate = (method, { theta0, omega0, g, L, dt }, steps) =>
         `pendula simulate --method ${method} --theta0 ${theta0} --omega0 ${omega0} ` +
         `--gravity ${g} --length ${L} --dt ${dt} --steps ${steps} --every ${Math.max(steps, 1)}`;
 
-    // Where they stand.
-    const everyDigit = inside =>
-        element(
-            'details',
-            { class: 'digits' },
-            element('summary', {}, 'Every digit, and the same on the command line'),
-            inside,
-        );
+    // Where every digit stands.
+    const everyDigit = inside => html`
+        <details class="digits">
+            <summary>Every digit, and the same on the command line</summary>${inside}
+        </details>`;
 
     Object.assign(theLab, {
         button,
@@ -126,6 +132,7 @@
         drawn,
         element,
         everyDigit,
+        html,
         measured,
         raised,
         rough,
