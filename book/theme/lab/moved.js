@@ -34,6 +34,12 @@
             return new Float64Array(memory.buffer, this.exports.points_at(), 2 * count);
         }
 
+        // Writes points, and says how many.
+        write(points) {
+            this.view(points.length / 2).set(points);
+            return points.length / 2;
+        }
+
         // A copy of them.
         points(count) {
             return this.view(count).slice();
@@ -41,15 +47,15 @@
 
         // The images of points under `steps` steps, or under the exact motion for a time.
         carried(points, steps) {
-            this.view(points.length / 2).set(points);
-            this.exports.carry(steps, points.length / 2);
-            return this.points(points.length / 2);
+            const count = this.write(points);
+            this.exports.carry(steps, count);
+            return this.points(count);
         }
 
         followed(points, t) {
-            this.view(points.length / 2).set(points);
-            this.exports.follow(t, points.length / 2);
-            return this.points(points.length / 2);
+            const count = this.write(points);
+            this.exports.follow(t, count);
+            return this.points(count);
         }
 
         shape(which, size, pieces) {
@@ -58,8 +64,7 @@
 
         // The area of a polygon (rad²/s).
         area(polygon) {
-            this.view(polygon.length / 2).set(polygon);
-            return this.exports.area(polygon.length / 2);
+            return this.exports.area(this.write(polygon));
         }
 
         level(order, count) {

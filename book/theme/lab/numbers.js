@@ -3,9 +3,9 @@
 (theLab => {
     'use strict';
 
-    const { FONT, QUANTITY, SLIDERS, SYSTEMS, button, conserves, count, element } = theLab;
+    const { QUANTITY, SYSTEMS, button, conserves, count, element } = theLab;
     const { everyDigit, html, isClosed, keysOf, measured, place, rough, seconds } = theLab;
-    const { simulate, spelt, timed } = theLab;
+    const { simulate, spelt, timed, worded, write } = theLab;
     const { ENERGY, ERROR, EVALUATIONS, INITIAL, LARGEST, LOWER_OMEGA, LOWER_THETA } = QUANTITY;
     const { OMEGA, STEPS, THETA, TIME } = QUANTITY;
 
@@ -243,9 +243,8 @@
             put(drawing.stage, (width - drawing.stage.width) / 2, 0);
             boxes.forEach(({ x, y }, i) => put(plots[i], x - left, below + y - top));
             ink.fillStyle = drawing.ink;
-            ink.font = FONT;
             words.forEach((line, i) => {
-                ink.fillText(line, GAP, GAP + end + (i + 1) * LINE, width);
+                write(ink, line, GAP, GAP + end + (i + 1) * LINE, 'left', 'alphabetic', width);
             });
             const blob = await new Promise(done => canvas.toBlob(done, 'image/png'));
             this.save(blob, `${name}.png`);
@@ -253,10 +252,7 @@
 
         // The scene in words.
         words(scene, when) {
-            const values = keysOf(scene.system).map(key => {
-                const { label, unit } = SLIDERS[key];
-                return `${label.split(' ').at(-1)} = ${scene[key]} ${unit}`;
-            });
+            const values = keysOf(scene.system).map(key => worded(scene, key));
             return [`${SYSTEMS[scene.system].title}, ${when}`, values.join(', ')];
         }
     }

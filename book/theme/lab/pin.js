@@ -3,7 +3,7 @@
 (theLab => {
     'use strict';
 
-    const { Run, SLIDERS, SYSTEMS, button, conserves, element, keysOf, pinOf, seconds } = theLab;
+    const { Run, SYSTEMS, button, conserves, element, keysOf, pinOf, seconds, worded } = theLab;
 
     // The time for the steps of a pinned run (ms) before the page has its turn, the least steps of
     // a piece, and the pieces that a long one has at least.
@@ -100,10 +100,7 @@
             const other = scene.system !== now.system;
             const differs = keysOf(scene.system)
                 .filter(key => other || scene[key] !== now[key])
-                .map(key => {
-                    const { label, unit } = SLIDERS[key];
-                    return `${label.replace(/^\S+ /, '')} = ${scene[key]} ${unit}`;
-                });
+                .map(key => worded(scene, key));
             if (other) differs.unshift(SYSTEMS[scene.system].title.toLowerCase());
             if (scene.methods.join() !== now.methods.join()) {
                 const title = name => this.lab.known.find(known => known.name === name).title;

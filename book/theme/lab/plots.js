@@ -2,8 +2,8 @@
 (theLab => {
     'use strict';
 
-    const { FONT, QUANTITY, Sheet, TURN, isClosed, mark, raised, roundUp, tick } = theLab;
-    const { within, wrapped } = theLab;
+    const { QUANTITY, Sheet, TURN, axis, isClosed, mark, raised, roundUp, tick } = theLab;
+    const { within, wrapped, write } = theLab;
     const { OMEGA, PERIOD, THETA } = QUANTITY;
 
     // The systems of which the separatrix says something.
@@ -55,34 +55,15 @@
             ink.setTransform(this.scale, 0, 0, this.scale, 0, 0);
             const f = this.frame();
             ink.strokeStyle = ink.fillStyle = lab.drawing.ink;
-            ink.font = FONT;
-            ink.lineWidth = 1;
-            ink.strokeRect(f.left, f.top, f.right - f.left, f.bottom - f.top);
-            ink.textBaseline = 'top';
-            for (const [theta, label] of [
-                [-Math.PI, '−π'],
-                [0, '0'],
-                [Math.PI, 'π'],
-            ]) {
-                ink.textAlign = theta > 0 ? 'right' : theta < 0 ? 'left' : 'center';
-                ink.fillText(label, f.x(theta), f.bottom + 4);
-            }
-            ink.textAlign = 'center';
-            ink.fillText('θ (rad)', (f.left + f.right) / 2, f.bottom + 17);
-            ink.textAlign = 'right';
-            ink.textBaseline = 'middle';
+            axis(ink, f, ['−π', '0', 'π'], 'θ (rad)');
             for (const omega of [-this.reach, 0, this.reach]) {
-                ink.fillText(
-                    tick(omega),
-                    f.left - 5,
-                    Math.min(Math.max(f.y(omega), f.top + 6), f.bottom - 6),
-                );
+                const y = Math.min(Math.max(f.y(omega), f.top + 6), f.bottom - 6);
+                write(ink, tick(omega), f.left - 5, y, 'right', 'middle');
             }
             ink.save();
             ink.translate(12, (f.top + f.bottom) / 2);
             ink.rotate(-Math.PI / 2);
-            ink.textAlign = 'center';
-            ink.fillText('ω (rad/s)', 0, 0);
+            write(ink, 'ω (rad/s)', 0, 0, 'center', 'middle');
             ink.restore();
             within(ink, f, () => {
                 ink.globalAlpha = 0.75;
@@ -103,24 +84,16 @@
                     const [theta, omega] = state(from + ((to - from) * i) / 240);
                     const x = wrapped(sign * theta);
                     // No line across the edge at ±π.
-                    ink[Math.abs(x - before) < Math.PI ? 'lineTo' : 'moveTo'](
-                        f.x(x),
-                        f.y(sign * omega),
-                    );
+                    const pen = Math.abs(x - before) < Math.PI ? 'lineTo' : 'moveTo';
+                    ink[pen](f.x(x), f.y(sign * omega));
                     before = x;
                 }
                 ink.stroke();
             };
             const slow = 6 / Math.sqrt(lab.scene.g / lab.scene.L);
             ink.setLineDash([2, 4]);
-            for (const sign of [-1, 1]) {
-                trace(
-                    t => [library.separatrix_theta(0, t), library.separatrix_omega(0, t)],
-                    -slow,
-                    slow,
-                    sign,
-                );
-            }
+            const top = t => [library.separatrix_theta(0, t), library.separatrix_omega(0, t)];
+            for (const sign of [-1, 1]) trace(top, -slow, slow, sign);
             ink.setLineDash([]);
             const period = library.read(0, PERIOD);
             if (!isClosed(lab.scene) || Number.isNaN(period)) return;
@@ -252,34 +225,15 @@
             const { y, ticks } = logarithmic ? logarithmicAxis(all, f) : linearAxis(all, f);
             this.clear();
             ink.strokeStyle = ink.fillStyle = lab.drawing.ink;
-            ink.lineWidth = 1;
-            ink.font = FONT;
-            ink.textBaseline = 'middle';
-            ink.textAlign = 'right';
             for (const [value, label] of ticks) {
-                ink.fillText(label, f.left - 6, y(value), f.left - 8);
+                write(ink, label, f.left - 6, y(value), 'right', 'middle', f.left - 8);
                 ink.globalAlpha = 0.2;
                 ink.fillRect(f.left, Math.round(y(value)), f.right - f.left, 1);
                 ink.globalAlpha = 1;
             }
-            ink.strokeRect(f.left, f.top, f.right - f.left, f.bottom - f.top);
-            ink.textAlign = 'left';
-            ink.fillText(title, f.left, 12);
-            if (pinned.length) {
-                ink.textAlign = 'right';
-                ink.fillText('dotted: pinned', f.right, 12);
-            }
-            ink.textBaseline = 'top';
-            for (const [t, align] of [
-                [0, 'left'],
-                [this.span / 2, 'center'],
-                [this.span, 'right'],
-            ]) {
-                ink.textAlign = align;
-                ink.fillText(tick(t), x(t), f.bottom + 4);
-            }
-            ink.textAlign = 'center';
-            ink.fillText('t (s)', x(this.span / 2), f.bottom + 17);
+            axis(ink, f, [0, this.span / 2, this.span].map(tick), 't (s)');
+            write(ink, title, f.left, 12, 'left', 'middle');
+            if (pinned.length) write(ink, 'dotted: pinned', f.right, 12, 'right', 'middle');
             within(ink, f, () => {
                 this.curves(own, x, y, logarithmic);
                 for (const one of pinned) this.ghost(one, x, y, logarithmic);

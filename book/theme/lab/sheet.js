@@ -57,6 +57,22 @@
         ink.restore();
     }
 
+    function write(ink, words, x, y, align, baseline = 'top', width = undefined) {
+        Object.assign(ink, { font: FONT, textAlign: align, textBaseline: baseline });
+        ink.fillText(words, x, y, width);
+    }
+
+    // A frame, with a mark below its left, its middle and its right, and what they measure.
+    function axis(ink, { left, right, top, bottom }, marks, name) {
+        const middle = (left + right) / 2;
+        ink.lineWidth = 1;
+        ink.strokeRect(left, top, right - left, bottom - top);
+        write(ink, marks[0], left, bottom + 4, 'left');
+        write(ink, marks[1], middle, bottom + 4, 'center');
+        write(ink, marks[2], right, bottom + 4, 'right');
+        write(ink, name, middle, bottom + 17, 'center');
+    }
+
     // Draws what of it is within a frame.
     function within(ink, { left, right, top, bottom }, draw) {
         ink.save();
@@ -76,5 +92,5 @@
         };
     }
 
-    Object.assign(theLab, { FONT, Sheet, TURN, look, mark, within });
+    Object.assign(theLab, { Sheet, TURN, axis, look, mark, within, write });
 })((globalThis.theLab ??= {}));
