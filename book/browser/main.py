@@ -1,4 +1,5 @@
-"""The command line of the checks; `check` installs what they need and starts this."""
+"""The command line of the checks, and the pictures; `check` installs what they need and starts
+this."""
 
 import argparse
 import sys
@@ -13,7 +14,6 @@ import lab
 import lessons
 import moved
 import pages
-import pictures
 import policy
 import reader
 import reading
@@ -22,7 +22,7 @@ import table
 import weight
 import which
 from book import Book, NoBook
-from browser import Browser
+from browser import DESK, SHEET, TELEPHONE, Browser, Tab
 
 ROOMS = [pages, reader, claims, lab, moved, table, lessons, keeping, reading, systems, which,
          addresses, policy, covered, weight]
@@ -44,6 +44,28 @@ def check(book: Book) -> bool:
     return found == 0
 
 
+def save_pictures(book: Book, where: Path):
+    """Saves every chapter on a desk in light and in navy and on a telephone, the lab, and the
+    print page as PDF."""
+    where.mkdir(parents=True, exist_ok=True)
+    with Browser() as browser, Tab(browser, book) as tab:
+        for page in [page for page in book.chapters if not page.startswith("tests/")]:
+            for width, theme in [(DESK, "light"), (DESK, "navy"), (TELEPHONE, "light")]:
+                tab.screen(width)
+                tab.open(page)
+                tab.theme(theme)
+                tab.run("document.querySelectorAll('details').forEach(d => d.open = true)")
+                tab.run("document.fonts.ready.then(() => true)")
+                picture = where / f"{Path(page).stem}-{theme}-{width}.png"
+                tab.page.screenshot(path=picture, full_page=True)
+        lab.picture(tab, where / "the-lab.png")
+        tab.screen(SHEET)
+        tab.open("print.html")
+        margins = dict.fromkeys(["top", "bottom", "left", "right"], "1cm")
+        tab.page.pdf(path=where / "print.pdf", format="A4", margin=margins)
+    print(where)
+
+
 def main() -> int:
     usual = Path(__file__).resolve().parents[2] / "target/book"
     arguments = argparse.ArgumentParser(
@@ -62,7 +84,7 @@ def main() -> int:
         print(f"check: {missing}", file=sys.stderr)
         return 2
     if given.pictures:
-        pictures.save(book, given.pictures)
+        save_pictures(book, given.pictures)
         return 0
     return 0 if check(book) else 1
 

@@ -6,6 +6,7 @@
 import functools
 import itertools
 import json
+import math
 import re
 import sys
 import time
@@ -274,32 +275,20 @@ def check_distances(written, entries):
     """How near entries are: the largest distance over the scenes that both have."""
     points = {}
     for name, rows in written.items():
-        points[name] = {
-            (r["scene"], r["steps"]): (mpf(r["theta"]), mpf(r["omega"]), int(r["tolerance"]))
-            for r in rows
-        }
-        points[name] = {
-            key: tuple(float(v) for v in value) + value[:2] for key, value in points[name].items()
-        }
-    pairs, apart = [], 0
+        exact = {(r["scene"], r["steps"]): (mpf(r["theta"]), mpf(r["omega"])) for r in rows}
+        allowed = {(r["scene"], r["steps"]): int(r["tolerance"]) for r in rows}
+        points[name] = {at: (*map(float, z), allowed[at], *z) for at, z in exact.items()}
+    same = {frozenset((n, other)) for n, t in entries.items() for other in t.get("same_as", [])}
+    nearest, pairs = math.inf, 0
     for (a, first), (b, other) in itertools.combinations(points.items(), 2):
         shared = first.keys() & other.keys()
-        if not shared:
-            apart += 1
+        if not shared or {a, b} in same:
             continue
-        far = max(distance(first[key], other[key]) for key in shared)
-        pairs.append((far, a, b))
-    pairs.sort()
-    same = {frozenset((n, other)) for n, t in entries.items() for other in t.get("same_as", [])}
-    for far, a, b in pairs:
-        if far < APART and not {a, b} in same:
+        far, pairs = max(distance(first[key], other[key]) for key in shared), pairs + 1
+        nearest = min(nearest, far)
+        if far < APART:
             fail(a, "and", b, f"are {far:.2g} tolerances apart")
-    print(f"distances: {len(pairs)} pairs, {apart} without a common answer; tolerances of doubles:")
-    for far, a, b in pairs[:15]:
-        print(f"  {far:9.3g}  {a}, {b}")
-    single = float(EPSILON["single"] / EPSILON["double"]) * APART
-    near = sum(far < single for far, _, _ in pairs)
-    print(f"  in single precision {near} pairs are nearer than {APART} tolerances")
+    print(f"distances: {pairs} pairs, the nearest {nearest:.3g} tolerances of doubles apart")
 
 
 def distance(x, y):

@@ -245,7 +245,8 @@
                 share = epsilons * 2 ** -Number(bits),
                 hints = this.known.instead(key, pair, bits).map(hint => this.hint(hint, key, pair)),
                 isOther = hints.length > 0;
-            if (share > 1e-3 && !at && !isOther) hints.push(...this.guess(pair));
+            if (share > 1e-3 && !at && !isOther)
+                hints.push(['Was it one step of h = 1/8, with g/L = 1, and in radians?']);
             if (share < 1e-5 && !isOther)
                 hints.push([
                     `It is near: ${-Math.ceil(Math.log10(share))} digits are right. ` +
@@ -290,13 +291,6 @@
                 ],
                 degrees: () => [`In degrees ${those}. A radian has 57.29578 of them.`],
             }[what]();
-        }
-
-        // Of numbers that are far from all.
-        guess(pair) {
-            if (Math.abs(Number(pair[0].text)) > 7) return [['Are these degrees?']];
-            const guessed = this.known.guessed(pair).map(([name, x]) => `${name} ≈ ${about(x)}`);
-            return guessed.length ? [[`They would do for ${guessed.join(' or ')}.`]] : [];
         }
 
         // Names alone.
