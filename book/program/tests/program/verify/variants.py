@@ -11,15 +11,16 @@ def verlet(force, t, z, h, stale=False):
     return theta, half + 0.5 * h * (before if stale else force(t + h, theta))
 
 
-def rk4_at_the_start(force, t, z, h):
+def rk4(force, t, z, h, way=1.0):
+    """With `way` 0 every stage takes the force at the start of the step."""
     theta, omega = z
     first = force(t, theta)
     omega_2 = omega + h / 2 * first
-    second = force(t, theta + h / 2 * omega)
+    second = force(t + way * h / 2, theta + h / 2 * omega)
     omega_3 = omega + h / 2 * second
-    third = force(t, theta + h / 2 * omega_2)
+    third = force(t + way * h / 2, theta + h / 2 * omega_2)
     omega_4 = omega + h * third
-    fourth = force(t, theta + h * omega_3)
+    fourth = force(t + way * h, theta + h * omega_3)
     return (
         theta + h / 6 * (omega + 2 * (omega_2 + omega_3) + omega_4),
         omega + h / 6 * (first + 2 * (second + third) + fourth),
@@ -27,7 +28,8 @@ def rk4_at_the_start(force, t, z, h):
 
 
 STEPS = {
-    "wrong-stage-times": rk4_at_the_start,
+    "rk4": rk4,
+    "wrong-stage-times": lambda f, t, z, h: rk4(f, t, z, h, way=0.0),
     "stale-force": lambda f, t, z, h: verlet(f, t, z, h, stale=True),
 }
 
@@ -45,6 +47,7 @@ for line in sys.stdin:
         print("unsupported")
     elif word in ("pendulum", "driven"):
         g, *rest = map(float, numbers[:-2])
+        g *= 9.8 / 9.81 if name == "gravity" else 1.0
         a, w = (rest.pop(0), rest.pop(0)) if word == "driven" else (0.0, 0.0)
         force = lambda t, x: (a * cos(w * t) if a else 0.0) - g * sin(x)
         theta, omega, h = rest
