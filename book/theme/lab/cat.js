@@ -112,8 +112,7 @@
             // Where each part ends.
             let end = 0;
             this.ends = parts.map(part => (end += part.length));
-            this.cat = new Float64Array(end);
-            parts.forEach((part, i) => this.cat.set(part, this.ends[i] - part.length));
+            this.cat = Float64Array.from(parts.flatMap(part => [...part]));
             this.size = library.area(this.outline(this.cat));
             this.taken = 0;
             for (const [i, chart] of this.charts.entries()) {

@@ -4,8 +4,8 @@
 (theLab => {
     'use strict';
 
-    const { Moved, PENDULUM, Plane, button, element, everyDigit, figures, handle } = theLab;
-    const { html, measured, simulate, spelt } = theLab;
+    const { Moved, PENDULUM, Plane, button, colour, element, everyDigit, figures } = theLab;
+    const { handle, html, look, measured, simulate, spelt } = theLab;
 
     // Numbered as in book/lab/src/parts.rs.
     const SLOPE = 0;
@@ -88,11 +88,6 @@
             [scene.theta, scene.omega] = plane.at(x, y).map(v => Math.round(1000 * v) / 1000);
         }
 
-        change(some) {
-            Object.assign(this.scene, some);
-            this.show();
-        }
-
         // The parts of the step: what each is, its share of the step, from where to where.
         parts() {
             const count = this.library.exports.step_parts();
@@ -140,12 +135,11 @@
 
         entries() {
             const { method, scene } = this;
-            const { colour, marker } = theLab.look(method);
-            const own = colour.replace('--pendula-', '');
+            const own = colour(method);
             const ring = 'M18,0m-5,0a5,5 0 1,0 10,0a5,5 0 1,0 -10,0z';
             return this.legend([
                 ['true orbit', 'M0,0h36', 'line'],
-                [method.title, `M18,0${marker}`, `dot ${own}`],
+                [method.title, `M18,0${look(method).marker}`, `dot ${own}`],
                 [`true motion after ${scene.h} s`, ring, 'dot'],
                 ['a square, and its image', 'M4,-7h28v14h-28z', `line fill thin ${own}`],
             ]);
@@ -232,11 +226,6 @@
             );
         }
 
-        change(some) {
-            Object.assign(this.scene, some);
-            this.show();
-        }
-
         show() {
             const { library, method, plane, scene } = this,
                 { order, steps } = scene;
@@ -268,12 +257,11 @@
 
         entries() {
             const { method, scene } = this,
-                { colour, marker } = theLab.look(method);
-            const own = colour.replace('--pendula-', '');
+                own = colour(method);
             const terms = scene.order === 1 ? 'one term' : `${scene.order} terms`;
             return this.legend([
                 ['true orbit, H', 'M0,0h36', 'line'],
-                [`${method.title}, h = ${scene.h} s`, `M18,0${marker}`, `dot ${own}`],
+                [`${method.title}, h = ${scene.h} s`, `M18,0${look(method).marker}`, `dot ${own}`],
                 ...(scene.order ? [[`H̃, ${terms}`, 'M0,0h36', 'line', '7 4']] : []),
             ]);
         }

@@ -154,6 +154,12 @@
             };
         }
 
+        // Changes some of the scene.
+        change(some) {
+            Object.assign(this.scene, some);
+            this.show();
+        }
+
         say(text) {
             if (this.said.textContent !== text) this.said.textContent = text;
         }

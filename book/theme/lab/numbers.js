@@ -16,19 +16,15 @@
         ['omega', OMEGA],
         ['energy', ENERGY],
     ];
-    const PRINTED = {
-        pendulum: ONE,
-        driven: ONE,
-        shaken: ONE,
-        double: [
-            ['t', TIME],
-            ['theta1', THETA],
-            ['theta2', LOWER_THETA],
-            ['omega1', OMEGA],
-            ['omega2', LOWER_OMEGA],
-            ['energy', ENERGY],
-        ],
-    };
+    const TWO = [
+        ['t', TIME],
+        ['theta1', THETA],
+        ['theta2', LOWER_THETA],
+        ['omega1', OMEGA],
+        ['omega2', LOWER_OMEGA],
+        ['energy', ENERGY],
+    ];
+    const printed = ({ system }) => (system === 'double' ? TWO : ONE);
 
     class Numbers {
         constructor(lab) {
@@ -104,7 +100,7 @@
                 const { name, title } = pendulum.method;
                 // It has no numbers.
                 if (pendulum.lost) return spelt(`${title}: step too long`, []);
-                const values = PRINTED[scene.system].map(([column, quantity]) => [
+                const values = printed(scene).map(([column, quantity]) => [
                     column,
                     pendulum.read(quantity),
                     `${name} ${column}`,
@@ -185,7 +181,7 @@
             if (this.making) return;
             this.making = true;
             const every = Math.max(1, Math.ceil(taken / ROWS));
-            const columns = PRINTED[scene.system],
+            const columns = printed(scene),
                 exact = isClosed(scene);
             const lines = [
                 [
@@ -257,5 +253,5 @@
         }
     }
 
-    Object.assign(theLab, { PRINTED, Keep, Numbers });
+    Object.assign(theLab, { Keep, Numbers });
 })((globalThis.theLab ??= {}));

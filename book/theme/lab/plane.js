@@ -3,7 +3,7 @@
 (theLab => {
     'use strict';
 
-    const { draggable, drawn, look, tick } = theLab;
+    const { draggable, drawn, look, roundUp, tick } = theLab;
     // The half of a touch target (CSS px), and the head of an arrow.
     const FINGER = 22;
     const HEAD = 14;
@@ -27,9 +27,7 @@
 
     // The ticks of an axis, at most about seven, at round numbers.
     function ticks(from, to) {
-        const least = (to - from) / 7.5,
-            power = 10 ** Math.floor(Math.log10(least));
-        const every = [1, 2, 5, 10].map(m => m * power).find(step => step >= least);
+        const every = roundUp((to - from) / 7.5);
         const first = Math.ceil(from / every - 1e-9),
             last = Math.floor(to / every + 1e-9);
         return Array.from({ length: last - first + 1 }, (_, i) => (first + i) * every);
@@ -292,5 +290,5 @@
         };
     }
 
-    Object.assign(theLab, { Plane, handle, words });
+    Object.assign(theLab, { Plane, colour, handle, words });
 })((globalThis.theLab ??= {}));
