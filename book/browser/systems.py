@@ -78,6 +78,8 @@ def systems(tab: Tab, book: Book) -> Iterator[str]:
         if not running(tab):
             yield f"systems: {name} does not run"
         stop(tab)
+        # An address that is set before that of the change is written would be written over.
+        tab.comes(f"location.hash.includes('system={name}')")
 
 
 def telephone(tab: Tab, book: Book) -> Iterator[str]:
