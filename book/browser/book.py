@@ -3,6 +3,7 @@
 import csv
 import re
 import subprocess
+import sys
 from pathlib import Path
 from urllib.parse import unquote, urlsplit
 
@@ -12,16 +13,16 @@ class NoBook(Exception):
 
 
 class Book:
-    """The pages of a built book; of a part of it, if `only` names its chapters."""
+    """The pages of a built book."""
 
-    def __init__(self, folder: Path, program: Path | None = None, only: list[str] | None = None):
+    def __init__(self, folder: Path):
         self.folder = folder.resolve()
         # What every address of the book begins with.
         self.root = self.folder.as_uri()
         if not (self.folder / "toc.html").is_file():
             raise NoBook(f"{folder}: no built book here; cargo run --release builds it")
         # Cargo puts the program beside the book, in target/release and target/book.
-        self.program = program or self.folder.parent / "release/pendula"
+        self.program = self.folder.parent / "release/pendula"
         if not self.program.is_file():
             raise NoBook(f"{self.program}: not built; cargo build --release builds it")
         every = sorted(str(p.relative_to(self.folder)) for p in self.folder.rglob("*.html"))
@@ -31,9 +32,6 @@ class Book:
         links = re.findall(r'<a href="([^"#]+\.html)"', self.text("toc.html"))
         # In reading order, each once. The first chapter is index.html too.
         self.chapters = list(dict.fromkeys(links))
-        if only:
-            self.chapters = [page for page in self.chapters if page in only]
-            self.pages = self.chapters
 
     def text(self, page: str) -> str:
         return (self.folder / page).read_text()
@@ -47,12 +45,36 @@ class Book:
         inside = path.is_relative_to(self.folder)
         return str(path.relative_to(self.folder)) if inside else str(path)
 
-    def printed(self, command: str) -> list[dict[str, str]]:
+    def rows(self, command: str) -> list[dict[str, float]]:
         """The rows that the program prints, of a command without its name."""
         call = [self.program, *command.split()]
         answer = subprocess.run(call, capture_output=True, text=True, check=True)
-        return list(csv.DictReader(answer.stdout.splitlines()))
+        rows = csv.DictReader(answer.stdout.splitlines())
+        return [{name: float(x) for name, x in row.items()} for row in rows]
 
-    def rows(self, command: str) -> list[dict[str, float]]:
-        """The same as numbers."""
-        return [{name: float(x) for name, x in row.items()} for row in self.printed(command)]
+
+class Served(Book):
+    """The book as a server on this machine gives it out."""
+
+    def __init__(self, book: Book):
+        vars(self).update(vars(book))
+
+    def __enter__(self):
+        command = [sys.executable, "-u", "-m", "http.server", "--bind", "127.0.0.1"]
+        self.server = subprocess.Popen(
+            [*command, "--directory", self.folder, "0"], text=True,
+            stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
+        )
+        port = re.search(r"port (\d+)", self.server.stdout.readline())[1]
+        self.root = f"http://127.0.0.1:{port}"
+        return self
+
+    def __exit__(self, *_):
+        self.server.terminate()
+        self.server.communicate()
+
+    def url(self, page: str) -> str:
+        return f"{self.root}/{page}"
+
+    def page(self, url: str) -> str:
+        return unquote(urlsplit(url).path).lstrip("/")

@@ -24,11 +24,12 @@ class Stop(Exception):
     """A finding that leaves a check nothing to go on with."""
 
 
-class Browser:
-    """Chromium; `grace` is for how many seconds something that may never come is waited for."""
+# For how many seconds something that may never come is waited for.
+GRACE = 15
 
-    def __init__(self, grace: float = 15):
-        self.grace = grace
+
+class Browser:
+    """Chromium."""
 
     def __enter__(self):
         self.playwright = sync_playwright().start()
@@ -66,11 +67,14 @@ class Tab:
         self.browser, self.book = browser, book
         self.context = browser.chromium.new_context(java_script_enabled=scripts)
         self.context.set_default_timeout(60_000)
+        # What was asked for, and what the pages complained of.
+        self.asked: set[str] = set()
         self.noted: list[str] = []
         self.context.on("console", self._console)
         self.context.on("weberror", self._thrown)
         self.context.on("request", self._request)
         self.context.on("requestfailed", self._failed)
+        self.context.on("response", self._answered)
         self.page = self.context.new_page()
         self.screen(DESK)
 
@@ -93,6 +97,7 @@ class Tab:
             self._note(f"console {message.type}: {message.text}")
 
     def _request(self, request):
+        self.asked.add(request.url)
         here = ("file:", "data:", "blob:", "about:", self.book.root)
         if not request.url.startswith(here):
             self._note(f"leaves the machine: {request.url}")
@@ -101,6 +106,10 @@ class Tab:
         # What the browser itself no longer wants, when it leaves a page, is not missing.
         if request.failure != "net::ERR_ABORTED":
             self._note(f"missing: {request.url} ({request.failure})")
+
+    def _answered(self, response):
+        if not response.ok:
+            self._note(f"missing: {response.url} ({response.status})")
 
     def complaints(self) -> list[str]:
         """What the pages complained of since this was last asked, each thing once."""
@@ -135,7 +144,7 @@ class Tab:
     def comes(self, script: str) -> bool:
         """Whether an expression in the page becomes true in time."""
         # Playwright's own way to wait has the page evaluate a string, which its policy refuses.
-        end = time.monotonic() + self.browser.grace
+        end = time.monotonic() + GRACE
         while not self._holds(script):
             if time.monotonic() > end:
                 return False
@@ -152,9 +161,7 @@ class Tab:
     def arrives(self, wanted: Callable[[str], bool]) -> bool:
         """Whether a page that is wanted has been loaded in time."""
         try:
-            self.page.wait_for_url(
-                lambda url: wanted(self.book.page(url)), timeout=self.browser.grace * 1000
-            )
+            self.page.wait_for_url(lambda url: wanted(self.book.page(url)), timeout=GRACE * 1000)
         except TimeoutError:
             return False
         return True

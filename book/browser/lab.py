@@ -11,8 +11,6 @@ from browser import DESK, TELEPHONE, Tab
 
 PAGE = "lab.html"
 SLIDERS = ["dt", "theta0", "omega0", "g", "L", "beta"]
-# A sixtieth of a second (ms): what a frame's script may take.
-FRAME = 1000 / 60
 LAB = "document.querySelector('.lab.whole')"
 
 
@@ -270,16 +268,6 @@ def address(tab: Tab, book: Book) -> Iterator[str]:
             yield from compared(tab, book, f"lesson {lesson}")
 
 
-# Notes how long (ms) the script of each frame takes.
-TIME_FRAMES = """(() => {
-    const ask = window.requestAnimationFrame;
-    window.costs = [];
-    window.requestAnimationFrame = draw => ask(now => {
-        const began = performance.now();
-        draw(now);
-        costs.push(performance.now() - began);
-    });
-})()"""
 # Counts the pictures that are drawn of the pendulums.
 COUNT_PICTURES = """(() => {
     const clear = CanvasRenderingContext2D.prototype.clearRect;
@@ -293,22 +281,7 @@ COUNT_PICTURES = """(() => {
 
 
 def motion(tab: Tab, book: Book) -> Iterator[str]:
-    """Five methods at sixty frames a second; two pictures a second for those who ask for little
-    motion."""
-    open_lab(tab)
-    tab.run(TIME_FRAMES)
-    five = "forward-euler,symplectic-euler,rk4,stormer-verlet,blanes-moan-4"
-    go_to(tab, f"#m={five}&dt=0.001&speed=1")
-    time.sleep(2)
-    stop(tab)
-    costs = sorted(tab.run("costs"))
-    if len(costs) < 10:
-        yield f"lab: only {len(costs)} frames in two seconds"
-    elif costs[len(costs) // 2] > FRAME:
-        yield f"lab: a frame of five methods takes {costs[len(costs) // 2]:.1f} ms"
-    prices = texts(tab, "tbody td:last-child")
-    if len(prices) != 5 or not all(re.match(r"\s*[\d.]*[1-9]", price) for price in prices):
-        yield f"lab: does not say how long a step takes: {prices}"
+    """Two pictures a second for those who ask for little motion."""
     tab.page.emulate_media(reduced_motion="reduce")
     open_lab(tab)
     tab.run(COUNT_PICTURES)

@@ -1,9 +1,9 @@
-"""The command line of the checks; `check` installs what they need and starts this."""
+"""The command line of the checks, and the pictures; `check` installs what they need and starts
+this."""
 
 import argparse
 import sys
 import time
-from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import addresses
@@ -14,51 +14,56 @@ import lab
 import lessons
 import moved
 import pages
-import pictures
 import policy
 import reader
 import reading
-import spoilt
 import systems
 import table
 import weight
 import which
 from book import Book, NoBook
-from browser import Browser, Tab
+from browser import DESK, SHEET, TELEPHONE, Browser, Tab
 
-CHECKS = [
-    *pages.CHECKS,
-    *reader.CHECKS,
-    *claims.CHECKS,
-    *lab.CHECKS,
-    *moved.CHECKS,
-    *table.CHECKS,
-    *lessons.CHECKS,
-    *keeping.CHECKS,
-    *reading.CHECKS,
-    *systems.CHECKS,
-    *which.CHECKS,
-    *addresses.CHECKS,
-    *policy.CHECKS,
-    *covered.CHECKS,
-    *weight.CHECKS,
-]
+ROOMS = [pages, reader, claims, lab, moved, table, lessons, keeping, reading, systems, which,
+         addresses, policy, covered, weight]
+CHECKS = [check for room in ROOMS for check in room.CHECKS]
 
 
-def check(folder: Path, checks: list[Callable[[Tab, Book], Iterator[str]]]) -> bool:
+def check(book: Book) -> bool:
     """Runs the checks; whether the book passes."""
     started, found = time.monotonic(), 0
-    book = Book(folder)
     with Browser() as browser:
-        for one in checks:
+        for one in CHECKS:
             findings = browser.findings(one, book)
             found += len(findings)
             for finding in findings:
                 print(finding, flush=True)
     seconds = time.monotonic() - started
-    done = f"{len(book.pages)} pages, {len(checks)} checks, {seconds:.0f} s"
+    done = f"{len(book.pages)} pages, {len(CHECKS)} checks, {seconds:.0f} s"
     print(f"{done}: {found or 'no'} findings")
     return found == 0
+
+
+def save_pictures(book: Book, where: Path):
+    """Saves every chapter on a desk in light and in navy and on a telephone, the lab, and the
+    print page as PDF."""
+    where.mkdir(parents=True, exist_ok=True)
+    with Browser() as browser, Tab(browser, book) as tab:
+        for page in [page for page in book.chapters if not page.startswith("tests/")]:
+            for width, theme in [(DESK, "light"), (DESK, "navy"), (TELEPHONE, "light")]:
+                tab.screen(width)
+                tab.open(page)
+                tab.theme(theme)
+                tab.run("document.querySelectorAll('details').forEach(d => d.open = true)")
+                tab.run("document.fonts.ready.then(() => true)")
+                picture = where / f"{Path(page).stem}-{theme}-{width}.png"
+                tab.page.screenshot(path=picture, full_page=True)
+        lab.picture(tab, where / "the-lab.png")
+        tab.screen(SHEET)
+        tab.open("print.html")
+        margins = dict.fromkeys(["top", "bottom", "left", "right"], "1cm")
+        tab.page.pdf(path=where / "print.pdf", format="A4", margin=margins)
+    print(where)
 
 
 def main() -> int:
@@ -69,30 +74,19 @@ def main() -> int:
     arguments.add_argument(
         "folder", nargs="?", type=Path, default=usual, help="the built book (target/book)"
     )
-    instead = arguments.add_mutually_exclusive_group()
-    instead.add_argument(
-        "--self-test", action="store_true", help="spoil a copy, and see that it is noticed"
-    )
-    instead.add_argument(
+    arguments.add_argument(
         "--pictures", metavar="DIR", type=Path, help="save pictures of the chapters and the lab"
-    )
-    instead.add_argument(
-        "--addresses", metavar="N", type=int, help="try so many made-up addresses of the lab"
     )
     given = arguments.parse_args()
     try:
-        if given.self_test:
-            passed = spoilt.self_test(given.folder, CHECKS)
-        elif given.pictures:
-            passed = pictures.save(given.folder, given.pictures)
-        elif given.addresses is not None:
-            passed = check(given.folder, [addresses.made_up_by(given.addresses)])
-        else:
-            passed = check(given.folder, CHECKS)
+        book = Book(given.folder)
     except NoBook as missing:
         print(f"check: {missing}", file=sys.stderr)
         return 2
-    return 0 if passed else 1
+    if given.pictures:
+        save_pictures(book, given.pictures)
+        return 0
+    return 0 if check(book) else 1
 
 
 if __name__ == "__main__":

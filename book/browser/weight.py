@@ -6,9 +6,8 @@ import re
 from collections.abc import Iterator
 from pathlib import Path
 
-from book import Book
+from book import Book, Served
 from browser import Tab
-from policy import Served, Server
 
 # Bytes. The first page is what somebody sees who follows a link, perhaps on a telephone.
 LANDING, CHAPTER, INDEX = 200_000, 250_000, 300_000
@@ -47,19 +46,17 @@ def weight(tab: Tab, book: Book) -> Iterator[str]:
     index = compressed(book.folder / "searchindex.js")
     if index > INDEX:
         yield f"searchindex.js: {index} bytes, {INDEX} at most"
-    with Server(book.folder) as server:
-        there = Served(book, server.root)
+    with Served(book) as there:
         for page in ["index.html", *book.chapters]:
             if page.startswith("tests/"):
                 continue
-            server.asked.clear()
             # With nothing in store from the page before.
             with Tab(tab.browser, there) as fresh:
                 fresh.open(page)
                 shifted = fresh.run(SHIFTED)
             if shifted > SHIFT:
                 yield f"{page}: shifts by {shifted:.3f}, {SHIFT} at most"
-            files = {book.folder / there.page(path) for path in server.asked}
+            files = [book.folder / there.page(url) for url in fresh.asked]
             size = sum(compressed(file) for file in files if file.is_file())
             most = LANDING if page == "index.html" else CHAPTER + MORE.get(page, 0)
             if re.search('class="(lab|which")', book.text(page)):

@@ -119,6 +119,7 @@ def told(tab: Tab, book: Book) -> Iterator[str]:
         ("As far as 10 digits tell, it is rk4.", linked(tab, [f"{x:.10g}" for x in rk4])),
         ("The nearest is rk4,", linked(tab, [rk4[0] + 1e-10, rk4[1]])),
         ("No entry fits all", linked(tab, rk4, more="&driven-1=1.0593,0.4533")),
+        ("with g/L = 1, and in radians?", linked(tab, [2.5, 3.5])),
     ]:
         if wanted not in said.replace("\u00a0", " "):
             yield f"which: not {wanted!r} but {said!r}"

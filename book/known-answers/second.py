@@ -15,7 +15,9 @@ FUNCTIONS = {
     "cos": lambda x: arb(x).cos(),
     "pi": arb.pi(),
 }
-LEFT_OUT = ("mistake", "reuse_first", "wrap", "euler_before", "first_term")
+# What the library computes as well, beside the file; and what is carried from step to step.
+OF_LIBRARY = ("discrete-gradient", "deuflhard", "processed")
+LEFT_OUT = ("mistake", "reuse_first", "wrap", "euler_before")
 
 
 class Forces:
@@ -72,7 +74,7 @@ class Nystrom:
     def __init__(self, table):
         reader = Reader(table, FUNCTIONS)
         self.gradients = None
-        if table["kind"] in ("splitting", "processed"):
+        if table["kind"] == "splitting":
             self.from_splitting(alternation(table, reader))
             if "times" in table:
                 self.c = reader.row(table["times"])
@@ -174,74 +176,6 @@ def series(forces, t, q, p, h, order):
     return tuple(sum((z[k] * h**k for k in range(order + 1)), arb(0)) for z in (theta, omega))
 
 
-def discrete_gradient(table, forces, t, q, p, h):
-    w, exact, way = forces.g.sqrt(), table.get("exact_when_small"), table.get("way", 1)
-    if exact:
-        w = arb(1) if exact == "one" else w
-        x = w * h / 2
-        h = 2 / w * (x.sin() if exact == "sine" else x.sin() / x.cos())
-
-    def mean(new):
-        m, s = (new + q) / 2, way * (new - q) / 2
-        return forces.g * ((m + s).cos() - (m - s).cos()) / (2 * s)
-
-    new = root(lambda x: x - q - h * p - h**2 / 2 * mean(x), q + h * p)
-    return new, p + h * mean(new)
-
-
-def deuflhard(table, forces, t, q, p, h):
-    w = forces.g.sqrt()
-
-    def rest(q):
-        turns = 0 if table.get("one_bottom") else round(float(q) / 6.283185307179586)
-        return q - 2 * arb.pi() * turns
-
-    def kick(t, q, p, h):
-        return p + h * (forces.value(t, q) + forces.g * rest(q))
-
-    def turned(q, p, h):
-        # A rotation, whose last kick is from the bottom that is nearest then.
-        s, c, r = (w * h).sin(), (w * h).cos(), rest(q)
-        end = q - r + r * c + p / w * s
-        moved = end - (q - r) - rest(end)
-        return end, p * c - r * w * s + (w * h / 2).tan() / w * forces.g * moved
-
-    if table.get("rotation_first"):
-        q, p = turned(q, p, h / 2)
-        return turned(q, kick(t + h / 2, q, p, h), h / 2)
-    q, p = turned(q, kick(t, q, p, h / 2), h)
-    return q, kick(t + h, q, p, h / 2)
-
-
-def processed(table, forces, q, p, h, steps):
-    """All steps: only the first sees the processor undone, and each is seen through it."""
-    kernel, reader = Nystrom(table), Reader(table, FUNCTIONS)
-    x = {key: reader.expression(value) for key, value in table["parameters"].items()}
-    linear, mixed, cubic = (
-        x.get(key, arb(0)) * h**power for key, power in (("linear", 2), ("mixed", 4), ("cubic", 4))
-    )
-
-    def potential(q):
-        """The first four derivatives of V = -g cos q."""
-        return forces.g * q.sin(), forces.g * q.cos(), -forces.g * q.sin(), -forces.g * q.cos()
-
-    def seen_angle(q, w):
-        v1, v2, v3, _ = potential(q)
-        return q + linear * v1 + mixed * v1 * v2 + 3 * cubic * w**2 * v3
-
-    def kernel_velocity(q, w):
-        v1, v2, v3, v4 = potential(q)
-        return w + linear * w * v2 + mixed * w * (v2**2 + v1 * v3) + cubic * w**3 * v4
-
-    theta = root(lambda x: seen_angle(x, p) - q, q)
-    omega, states = kernel_velocity(theta, p), []
-    for _ in range(steps):
-        theta, omega = kernel.step(forces, arb(0), theta, omega, h)
-        seen = root(lambda w, q=theta, p=omega: kernel_velocity(q, w) - p, omega)
-        states.append((seen_angle(theta, seen), seen))
-    return states
-
-
 def multistep(table, forces, t, q, p, h, steps):
     reader = Reader(table, FUNCTIONS)
     values, explicit, implicit = (
@@ -277,26 +211,20 @@ def multistep(table, forces, t, q, p, h, steps):
 
 
 def run(table, scene, steps):
-    """The states after each step, or nothing where this file does not know the mistake."""
-    if any(key in table for key in LEFT_OUT):
+    """The states after each step, or nothing where this file does not know the method."""
+    if table["kind"] in OF_LIBRARY or any(key in table for key in LEFT_OUT):
         return None
     forces = Forces(scene, table.get("force"))
     t, q, p, h = (arb(scene[key]) for key in ("t", "theta", "omega", "h"))
-    kind, states = table["kind"], []
-    if kind == "processed":
-        return processed(table, forces, q, p, h, steps)
-    if kind == "multistep":
+    states = []
+    if table["kind"] == "multistep":
         return multistep(table, forces, t, q, p, h, steps)
-    tableau = Nystrom(table) if kind in ("rk", "rkn", "splitting") else None
+    tableau = None if table["kind"] == "taylor" else Nystrom(table)
     for i in range(steps):
         now = t if table.get("time") == "never" else t + i * h
         if tableau:
             q, p = tableau.step(forces, now, q, p, h)
-        elif kind == "taylor":
-            q, p = series(forces, now, q, p, h, table["order"])
-        elif kind == "deuflhard":
-            q, p = deuflhard(table, forces, now, q, p, h)
         else:
-            q, p = discrete_gradient(table, forces, now, q, p, h)
+            q, p = series(forces, now, q, p, h, table["order"])
         states.append((q, p))
     return states

@@ -4,7 +4,7 @@ import functools
 
 import mpmath
 
-from arithmetic import DIGITS, dot, mpf
+from arithmetic import DIGITS, Digits, dot, mpf
 from tables import Reader, alternation
 
 
@@ -32,7 +32,7 @@ class Pendulum:
             case "one":
                 return -n.sin(q)
             case "degrees":
-                return -(g * n.sin(q * n.constant(DEGREE)))
+                return -(g * n.sin(q * n.constant(mpmath.pi / 180)))
             case "cubic":
                 return -(g * (q - q * q * q / n.number(6)))
         return -(g * n.sin(q))
@@ -42,9 +42,6 @@ class Pendulum:
             return self.undriven(q)
         drive = self.n.sin if self.mistake == "drive-sine" else self.n.cos
         return self.undriven(q) + self.a * drive(self.w * t)
-
-
-DEGREE = "0.01745329251994329576923690768488612713442871888541725456"
 
 
 class Method:
@@ -83,7 +80,7 @@ class Method:
                 now = t
             q, p = self.step(n, pendulum, memory, now, q, p, h)
             if self.table.get("wrap") and n.plain(q) > 3.141592653589793:
-                q = q - n.number(2) * n.constant(PI)
+                q = q - n.number(2) * n.constant(mpmath.pi)
             states.append((q, p))
         return states, memory
 
@@ -163,6 +160,8 @@ def solve(n, first, improve, sweeps=None):
         if n.settled(new, old):
             return new
         old = new
+    if n is Digits and not sweeps:
+        raise ArithmeticError("the stages are not solved")
     return new
 
 
@@ -282,7 +281,10 @@ def discrete_gradient(n, system, memory, t, q, p, h):
     def improve(guess):
         (new,) = guess
         middle, side = (q + new) * half, (new - q) * half * way
-        mean = system.force(t, middle) * n.sin(side) / side
+        mean = system.force(t, middle)
+        # At rest the first guess is the start itself.
+        if n.plain(side):
+            mean = mean * n.sin(side) / side
         return [q + h * (p + h * half * mean)]
 
     (new,) = solve(n, [q + h * p], improve, memory["c"].table.get("sweeps"))
@@ -296,7 +298,7 @@ def deuflhard(n, system, memory, t, q, p, h):
 
     def rest(q):
         turns = 0 if one_bottom else round(float(n.plain(q)) / TURN)
-        return q - n.number(2 * turns) * n.constant(PI) if turns else q
+        return q - n.number(2 * turns) * n.constant(mpmath.pi) if turns else q
 
     def kick(t, q, p, length):
         return p + length * (system.force(t, q) + system.g * rest(q))
@@ -316,7 +318,6 @@ def deuflhard(n, system, memory, t, q, p, h):
 
 
 TURN = 6.283185307179586
-PI = "3.14159265358979323846264338327950288419716939937510582097494459230781640629"
 
 
 def shifted(n, system, x, theta, omega, h):

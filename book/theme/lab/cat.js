@@ -3,7 +3,7 @@
 (theLab => {
     'use strict';
 
-    const { Moved, Plane, element, figures, words } = theLab;
+    const { Moved, Plane, button, checkbox, element, figures, html, select, words } = theLab;
     // As in the still figure: where the cat sits, its size (rad), the pieces between its corners.
     const PLACE = { theta: 0.9, omega: 0 };
     const SIZE = 0.5;
@@ -41,18 +41,9 @@
                 const bottom = i < 2 ? 106 + HIGH : low;
                 const heading = words('', { x: left, y: bottom - HIGH - 42 });
                 const box = [left, bottom - HIGH, right, bottom];
-                if (i % 2 === 0)
-                    svg.append(words('ω (rad/s)', { x: 0, y: bottom - HIGH - 17 }));
-                if (i > 1)
-                    svg.append(
-                        words('θ (rad)', {
-                            x: (left + right) / 2,
-                            y: height - 12,
-                            'text-anchor': 'middle',
-                        }),
-                    );
                 svg.append(heading);
-                const plane = new Plane(svg, `${this.name}-${i}`, box, AXES);
+                const named = { omega: i % 2 === 0, theta: i > 1 };
+                const plane = new Plane(svg, `${this.name}-${i}`, box, AXES, named);
                 return { plane, heading };
             });
             this.scene = { ...FIRST };
@@ -62,63 +53,32 @@
 
         lay() {
             const { library } = this;
-            this.run = this.button('run', 'Play', () => this.play(!this.waiting));
+            this.run = button('run', 'Play', () => this.play(!this.waiting));
             this.h = this.slider('h', 'Step h', 's', { from: 0.01, to: 0.3, by: 0.01 }, h =>
                 this.again({ h }),
             );
-            this.fair = element('input', {
-                type: 'checkbox',
-                class: 'fair',
-                onchange: () => this.again({ fair: this.fair.checked }),
-            });
+            const equal = 'Equal work: with k force evaluations a step, steps of k\u00a0h';
+            const fair = checkbox('fair', equal, true, on => this.again({ fair: on }));
+            this.fair = fair.box;
             this.time = element('output', { class: 'note time' });
-            this.selects = this.charts.map((chart, i) => {
-                const select = element(
-                    'select',
-                    {
-                        onchange: () => {
-                            const methods = [...this.scene.methods];
-                            methods[i] = select.value;
-                            this.again({ methods });
-                        },
-                    },
-                    element('option', { value: '' }, 'no method'),
-                    ...library.methods.map(({ name, title }) =>
-                        element('option', { value: name }, title),
-                    ),
-                );
-                return select;
+            const names = library.methods.map(({ name, title }) => [name, title]);
+            const onchange = () =>
+                this.again({ methods: this.selects.map(({ value }) => value) });
+            this.selects = this.charts.map(() =>
+                select({ onchange }, [['', 'no method'], ...names]),
+            );
+            const step = button('step', 'One step', () => {
+                this.play(false);
+                this.advance();
             });
+            const reset = button('reset', 'Reset', () => this.again(FIRST));
+            const charts = this.selects.map(
+                (select, i) => html`<label><span>Chart ${String(i + 1)}</span>${select}</label>`,
+            );
             this.controls.append(
-                element(
-                    'div',
-                    { class: 'buttons' },
-                    this.run,
-                    this.button('step', 'One step', () => {
-                        this.play(false);
-                        this.advance();
-                    }),
-                    this.button('reset', 'Reset', () => this.again(FIRST)),
-                    this.time,
-                ),
-                element(
-                    'div',
-                    { class: 'buttons' },
-                    this.h.part,
-                    element(
-                        'label',
-                        {},
-                        this.fair,
-                        'Equal work: with k force evaluations a step, steps of k\u00a0h',
-                    ),
-                ),
-                element(
-                    'div',
-                    { class: 'choices' },
-                    ...this.selects.map((select, i) =>
-                        element('label', {}, element('span', {}, `Chart ${i + 1}`), select),
-                    ),
-                ),
+                html`<div class="buttons">${[this.run, step, reset, this.time]}</div>`,
+                html`<div class="buttons">${[this.h.part, fair.label]}</div>`,
+                html`<div class="choices">${charts}</div>`,
                 this.said,
             );
         }
@@ -152,8 +112,7 @@
             // Where each part ends.
             let end = 0;
             this.ends = parts.map(part => (end += part.length));
-            this.cat = new Float64Array(end);
-            parts.forEach((part, i) => this.cat.set(part, this.ends[i] - part.length));
+            this.cat = Float64Array.from(parts.flatMap(part => [...part]));
             this.size = library.area(this.outline(this.cat));
             this.taken = 0;
             for (const [i, chart] of this.charts.entries()) {

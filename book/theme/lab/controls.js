@@ -3,7 +3,7 @@
     'use strict';
 
     const { LONGEST, PAPERS, SLIDERS, SPEEDS, SYSTEMS, QUANTITY } = theLab;
-    const { element, keysOf, look, place, startOf } = theLab;
+    const { checkbox, drawn, element, html, keysOf, look, place, select, startOf } = theLab;
 
     class Controls {
         constructor(lab) {
@@ -13,40 +13,30 @@
             const keys = Object.keys(SLIDERS).filter(
                 key => lab.whole || key === 'dt' || key === 'theta0',
             );
+            const until = lab.whole ? this.until() : [];
             this.live = [
-                ...(lab.whole ? [element('div', { class: 'buttons' }, this.system())] : []),
-                element('div', { class: 'sliders' }, ...keys.map(key => this.slider(key))),
-                element(
-                    'div',
-                    { class: 'buttons' },
-                    this.speed(),
-                    ...(lab.whole ? [this.until()] : []),
-                    this.scale(),
-                    this.trails(),
-                ),
-                ...(lab.whole ? [this.choice()] : []),
+                html`<div class="sliders">${keys.map(key => this.slider(key))}</div>`,
+                html`<div class="buttons">
+                    ${this.speed()}${until}${this.scale()}${this.trails()}
+                </div>`,
             ];
+            if (!lab.whole) return;
+            this.live.unshift(html`<div class="buttons">${this.system()}</div>`);
+            this.live.push(this.choice());
         }
 
         system() {
-            this.kind = element(
-                'select',
-                {
-                    class: 'system',
-                    onchange: () => {
-                        const { scene } = this.lab,
-                            start = startOf(this.kind.value);
-                        // Gravity and length stay, and the methods, if one of them suits.
-                        const kept = scene.methods.filter(name => this.suits(name, start));
-                        const { g, L, speed, scale, lesson, step } = scene;
-                        const methods = kept.length ? kept : start.methods;
-                        this.lab.change({ ...start, methods, g, L, speed, scale, lesson, step });
-                    },
-                },
-                ...Object.entries(SYSTEMS).map(([name, { title }]) =>
-                    element('option', { value: name }, title),
-                ),
-            );
+            const onchange = () => {
+                const { scene } = this.lab,
+                    start = startOf(this.kind.value);
+                // Gravity and length stay, and the methods, if one of them suits.
+                const kept = scene.methods.filter(name => this.suits(name, start));
+                const { g, L, speed, scale, lesson, step } = scene;
+                const methods = kept.length ? kept : start.methods;
+                this.lab.change({ ...start, methods, g, L, speed, scale, lesson, step });
+            };
+            const titles = Object.entries(SYSTEMS).map(([name, { title }]) => [name, title]);
+            this.kind = select({ class: 'system', onchange }, titles);
             return element('label', {}, 'System', this.kind);
         }
 
@@ -58,17 +48,9 @@
         }
 
         speed() {
-            const options = SPEEDS.map(speed =>
-                element('option', { value: speed }, `${speed}`.replace('0.25', '¼') + ' ×'),
-            );
-            this.pace = element(
-                'select',
-                {
-                    class: 'speed',
-                    onchange: () => this.lab.adjust({ speed: Number(this.pace.value) }),
-                },
-                ...options,
-            );
+            const onchange = () => this.lab.adjust({ speed: Number(this.pace.value) });
+            const words = SPEEDS.map(speed => [speed, `${speed} ×`.replace('0.25', '¼')]);
+            this.pace = select({ class: 'speed', onchange }, words);
             return element('label', {}, 'Speed', this.pace);
         }
 
@@ -90,27 +72,19 @@
         }
 
         scale() {
-            this.logarithmic = element('input', {
-                type: 'checkbox',
-                class: 'scale',
-                onchange: () =>
-                    this.lab.adjust({ scale: this.logarithmic.checked ? 'log' : 'linear' }),
-            });
-            return element('label', {}, this.logarithmic, 'Errors on a logarithmic scale');
+            const { box, label } = checkbox('scale', 'Errors on a logarithmic scale', false, on =>
+                this.lab.adjust({ scale: on ? 'log' : 'linear' }),
+            );
+            this.logarithmic = box;
+            return label;
         }
 
         trails() {
             const { stage } = this.lab.drawing;
-            const box = element('input', {
-                type: 'checkbox',
-                class: 'trails',
-                onchange: () => {
-                    stage.trails = box.checked;
-                    stage.draw();
-                },
-            });
-            box.checked = stage.trails;
-            return element('label', {}, box, 'Trails');
+            return checkbox('trails', 'Trails', stage.trails, on => {
+                stage.trails = on;
+                stage.draw();
+            }).label;
         }
 
         slider(key) {
@@ -148,13 +122,10 @@
                 range.setAttribute('aria-valuetext', `${now} ${unit}`);
                 typed.value = now;
             };
-            const name = element('span', {}, `${label} (${unit})`);
-            this.rows[key] = element(
-                'div',
-                { class: 'slider' },
-                element('label', {}, name, range),
-                typed,
-            );
+            this.rows[key] = html`
+                <div class="slider">
+                    <label><span>${`${label} (${unit})`}</span>${range}</label>${typed}
+                </div>`;
             return this.rows[key];
         }
 
@@ -166,28 +137,24 @@
                     onchange: () => this.choose(),
                 });
                 const { marker, colour } = look(method);
-                const sign = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
-                sign.setAttribute('viewBox', '-8 -8 16 16');
-                sign.setAttribute('aria-hidden', 'true');
-                sign.innerHTML = `<path d="M0,0${marker}" style="fill: var(${colour})"/>`;
+                const sign = drawn(
+                    'svg',
+                    { viewBox: '-8 -8 16 16', 'aria-hidden': 'true' },
+                    drawn('path', { d: `M0,0${marker}`, style: `fill: var(${colour})` }),
+                );
                 return element('label', {}, input, sign, method.title);
             };
             const papers = this.lab.known.filter(method => PAPERS.includes(method.name)).map(box);
             const others = this.lab.known.filter(method => !PAPERS.includes(method.name)).map(box);
             this.boxes = [...papers, ...others].map(label => label.querySelector('input'));
-            this.others = element(
-                'details',
-                {},
-                element('summary', {}, 'More methods'),
-                element('div', {}, ...others),
-            );
-            return element(
-                'fieldset',
-                { class: 'methods' },
-                element('legend', {}, `Methods, up to ${this.lab.places}`),
-                element('div', {}, ...papers),
-                this.others,
-            );
+            this.others = html`
+                <details><summary>More methods</summary><div>${others}</div></details>`;
+            return html`
+                <fieldset class="methods">
+                    <legend>Methods, up to ${String(this.lab.places)}</legend>
+                    <div>${papers}</div>
+                    ${this.others}
+                </fieldset>`;
         }
 
         choose() {

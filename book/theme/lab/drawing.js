@@ -2,15 +2,14 @@
 (theLab => {
     'use strict';
 
-    const { FONT, Plot, Portrait, QUANTITY, Sheet, TURN, conserves, isClosed, look, mark } = theLab;
+    const { Plot, Portrait, QUANTITY, Sheet, TURN, conserves, isClosed, look, mark } = theLab;
+    const { write } = theLab;
     const { LOWER_THETA, THETA } = QUANTITY;
 
     // Space below a pendulum for its name (px).
     const NAME = 20;
-    // A trail is what a bob did in the last so many seconds of the reader, in so many shades and at
-    // most so many points.
+    // A trail is what a bob did in the last so many seconds of the reader, at most so many points.
     const SECONDS = 0.7;
-    const SHADES = 8;
     const POINTS = 240;
 
     class Stage extends Sheet {
@@ -98,15 +97,9 @@
                 ink.beginPath();
                 ink.arc(x, y, 2.5, 0, TURN);
                 ink.fill();
-                ink.font = FONT;
-                ink.textAlign = 'center';
-                ink.textBaseline = 'alphabetic';
-                ink.fillText(
-                    pendulum.method.title,
-                    x,
-                    y + lift + this.cell / 2 + 12,
-                    this.cell - 4,
-                );
+                const below = y + lift + this.cell / 2 + 12;
+                const { title } = pendulum.method;
+                write(ink, title, x, below, 'center', 'alphabetic', this.cell - 4);
             });
         }
 
@@ -117,24 +110,18 @@
             const from = Math.max(pendulum.oldest, pendulum.points - POINTS);
             ink.strokeStyle = colour;
             ink.lineWidth = 3;
-            let shade = 0;
+            let before = null;
             for (let k = from; k < pendulum.points; k++) {
                 const { steps, theta, lower } = pendulum.point(k);
                 if (steps < since) continue;
                 const at = this.bobs(pivot, theta, lower).at(-1);
-                const age = (lab.taken - steps) / Math.max(lab.taken - since, 1);
-                const own = Math.max(1, Math.ceil(SHADES * (1 - age)));
-                if (shade) ink.lineTo(...at);
-                if (own !== shade) {
-                    // A stroke for each shade, from where the one before ends.
-                    if (shade) ink.stroke();
-                    shade = own;
-                    ink.globalAlpha = (0.6 * shade) / SHADES;
-                    ink.beginPath();
-                    ink.moveTo(...at);
-                }
+                ink.globalAlpha = (0.6 * (steps - since)) / Math.max(lab.taken - since, 1);
+                ink.beginPath();
+                if (before) ink.moveTo(...before);
+                ink.lineTo(...at);
+                ink.stroke();
+                before = at;
             }
-            if (shade) ink.stroke();
             ink.globalAlpha = 1;
         }
     }
@@ -205,26 +192,16 @@
                 names = pendulums.map(pendulum => pendulum.method.title).join(', ');
             const energy = conserves(scene) ? 'Energy error' : 'Energy';
             const exact = isClosed(scene);
-            for (const [sheet, words] of [
-                [
-                    this.stage,
-                    `Pendulums side by side: ${names}. ` +
-                        (exact ? 'A ring on a dashed rod is the exact one. ' : '') +
-                        'Drag a bob to set its angle.',
-                ],
-                [
-                    this.phase,
-                    `Phase portrait of ${names}` +
-                        (exact ? ', over exact orbit and separatrix. ' : '. ') +
-                        'Drag to set θ₀ and ω₀; arrow keys read it out.',
-                ],
-                [this.energy, `${energy} over time of ${names}; arrow keys read it out.`],
-                [
-                    this.angle,
-                    `Angle error against the closed form, of ${names}; arrow keys read it out.`,
-                ],
-            ])
-                sheet.canvas.setAttribute('aria-label', words);
+            const ring = exact ? 'A ring on a dashed rod is the exact one. ' : '';
+            const over = exact ? ', over exact orbit and separatrix' : '';
+            const keys = 'arrow keys read it out.';
+            const say = ({ canvas }, words) => {
+                canvas.ariaLabel = words;
+            };
+            say(this.stage, `Pendulums side by side: ${names}. ${ring}Drag one to set its angle.`);
+            say(this.phase, `Phase portrait of ${names}${over}. Drag to set θ₀ and ω₀; ${keys}`);
+            say(this.energy, `${energy} over time of ${names}; ${keys}`);
+            say(this.angle, `Angle error against the closed form, of ${names}; ${keys}`);
         }
     }
 

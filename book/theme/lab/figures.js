@@ -4,7 +4,8 @@
 (theLab => {
     'use strict';
 
-    const { Moved, PENDULUM, Plane, element, figures, handle, measured, words } = theLab;
+    const { Moved, PENDULUM, Plane, button, colour, element, everyDigit, figures } = theLab;
+    const { handle, html, look, measured, simulate, spelt } = theLab;
 
     // Numbered as in book/lab/src/parts.rs.
     const SLOPE = 0;
@@ -31,14 +32,6 @@
             this.top = this.legend([]);
             svg.append(this.top);
             const box = [38, 93, width - 20, height - 56];
-            svg.append(words('ω (rad/s)', { x: 0, y: 76 }));
-            svg.append(
-                words('θ (rad)', {
-                    x: (box[0] + box[2]) / 2,
-                    y: height - 12,
-                    'text-anchor': 'middle',
-                }),
-            );
             this.plane = new Plane(svg, this.name, box, NEAR);
             this.start = handle(
                 this.plane,
@@ -56,47 +49,31 @@
         lay() {
             const range = { from: 0.01, to: 1, by: 0.01 };
             this.h = this.slider('h', 'Step h', 's', range, h => this.change({ h }));
-            this.wide = this.button('wide', 'Whole plane', () => {
+            this.wide = button('wide', 'Whole plane', () => {
                 const pressed = this.wide.getAttribute('aria-pressed') !== 'true';
                 this.view(pressed);
                 this.show();
             });
             this.rows = ['start', 'end of the step', 'true motion'].map(name => {
                 const cells = [element('td'), element('td')];
-                const head = element('th', { scope: 'row' }, name);
-                return { cells, row: element('tr', {}, head, ...cells) };
+                return { cells, row: html`<tr><th scope="row">${name}</th>${cells}</tr>` };
             });
             this.area = element('output', { class: 'area' });
             this.every = element('div');
-            const head = name => element('th', { scope: 'col' }, name);
+            const reset = button('reset', 'Reset', () => {
+                this.view(false);
+                this.change(this.first);
+            });
             this.controls.append(
-                element(
-                    'div',
-                    { class: 'buttons' },
-                    this.h.part,
-                    this.button('reset', 'Reset', () => {
-                        this.view(false);
-                        this.change(this.first);
-                    }),
-                    this.wide,
-                ),
-                element(
-                    'table',
-                    {},
-                    element(
-                        'thead',
-                        {},
-                        element('tr', {}, element('td'), head('θ (rad)'), head('ω (rad/s)')),
-                    ),
-                    element('tbody', {}, ...this.rows.map(({ row }) => row)),
-                ),
-                element('p', { class: 'note' }, this.area),
-                element(
-                    'details',
-                    { class: 'digits' },
-                    element('summary', {}, 'Every digit, and the same on the command line'),
-                    this.every,
-                ),
+                html`<div class="buttons">${[this.h.part, reset, this.wide]}</div>`,
+                html`<table>
+                    <thead>
+                        <tr><td></td><th scope="col">θ (rad)</th><th scope="col">ω (rad/s)</th></tr>
+                    </thead>
+                    <tbody>${this.rows.map(({ row }) => row)}</tbody>
+                </table>`,
+                html`<p class="note">${this.area}</p>`,
+                everyDigit(this.every),
             );
             this.view(false);
         }
@@ -109,11 +86,6 @@
             const { scene, plane } = this;
             const [x, y] = [plane.x(scene.theta), plane.y(scene.omega)];
             [scene.theta, scene.omega] = plane.at(x, y).map(v => Math.round(1000 * v) / 1000);
-        }
-
-        change(some) {
-            Object.assign(this.scene, some);
-            this.show();
         }
 
         // The parts of the step: what each is, its share of the step, from where to where.
@@ -163,12 +135,11 @@
 
         entries() {
             const { method, scene } = this;
-            const { colour, marker } = theLab.look(method);
-            const own = colour.replace('--pendula-', '');
+            const own = colour(method);
             const ring = 'M18,0m-5,0a5,5 0 1,0 10,0a5,5 0 1,0 -10,0z';
             return this.legend([
                 ['true orbit', 'M0,0h36', 'line'],
-                [method.title, `M18,0${marker}`, `dot ${own}`],
+                [method.title, `M18,0${look(method).marker}`, `dot ${own}`],
                 [`true motion after ${scene.h} s`, ring, 'dot'],
                 ['a square, and its image', 'M4,-7h28v14h-28z', `line fill thin ${own}`],
             ]);
@@ -204,28 +175,15 @@
         }
 
         // Every digit, with the command that prints the same.
-        spell(end) {
-            const { method, scene } = this,
-                { g, L } = PENDULUM;
-            const value = (name, number) => [
-                `${name} = `,
-                element('data', { value: number, 'data-of': name }, number),
-                '  ',
+        spell([theta, omega]) {
+            const { method, scene } = this;
+            const start = { theta0: scene.theta, omega0: scene.omega, dt: scene.h, ...PENDULUM };
+            const values = [
+                ['theta', theta, 'theta'],
+                ['omega', omega, 'omega'],
             ];
-            const command =
-                `pendula simulate --method ${method.name} --theta0 ${scene.theta} ` +
-                `--omega0 ${scene.omega} --gravity ${g} --length ${L} --dt ${scene.h} ` +
-                `--steps 1 --every 1`;
-            this.every.replaceChildren(
-                element(
-                    'p',
-                    { class: 'numbers' },
-                    'The step ends at ',
-                    ...value('theta', end[0]),
-                    ...value('omega', end[1]),
-                ),
-                element('pre', {}, element('code', {}, command)),
-            );
+            const command = simulate(method.name, start, 1);
+            this.every.replaceChildren(...spelt('The step ends at ', values, command));
         }
     };
 
@@ -241,14 +199,7 @@
             const { svg, width, height } = this;
             const box = [38, 95, width - 20, height - 56];
             this.top = this.legend([]);
-            svg.append(this.top, words('ω (rad/s)', { x: 0, y: 79 }));
-            svg.append(
-                words('θ (rad)', {
-                    x: (box[0] + box[2]) / 2,
-                    y: height - 12,
-                    'text-anchor': 'middle',
-                }),
-            );
+            svg.append(this.top);
             this.plane = new Plane(svg, this.name, box, { theta: [-1.3, 1.3], omega: [-3.6, 3.6] });
             this.lay();
         }
@@ -263,27 +214,16 @@
             slider('steps', 'Steps taken', '', { from: 0, to: 200, by: 1 });
             slider('theta', 'Released from', 'rad', { from: 0.2, to: 2.6, by: 0.1 });
             this.strays = element('output', { class: 'strays' });
-            this.controls.append(
-                element(
-                    'div',
-                    { class: 'sliders' },
-                    ...['h', 'order', 'steps', 'theta'].map(key => this[key].part),
-                ),
-                element(
-                    'div',
-                    { class: 'buttons' },
-                    this.button('step', 'One step', () =>
-                        this.change({ steps: Math.min(this.scene.steps + 1, 200) }),
-                    ),
-                    this.button('reset', 'Reset', () => this.change(FIRST)),
-                ),
-                element('p', { class: 'note' }, this.strays),
+            const step = button('step', 'One step', () =>
+                this.change({ steps: Math.min(this.scene.steps + 1, 200) }),
             );
-        }
-
-        change(some) {
-            Object.assign(this.scene, some);
-            this.show();
+            const reset = button('reset', 'Reset', () => this.change(FIRST));
+            const sliders = ['h', 'order', 'steps', 'theta'].map(key => this[key].part);
+            this.controls.append(
+                html`<div class="sliders">${sliders}</div>`,
+                html`<div class="buttons">${[step, reset]}</div>`,
+                html`<p class="note">${this.strays}</p>`,
+            );
         }
 
         show() {
@@ -317,12 +257,11 @@
 
         entries() {
             const { method, scene } = this,
-                { colour, marker } = theLab.look(method);
-            const own = colour.replace('--pendula-', '');
+                own = colour(method);
             const terms = scene.order === 1 ? 'one term' : `${scene.order} terms`;
             return this.legend([
                 ['true orbit, H', 'M0,0h36', 'line'],
-                [`${method.title}, h = ${scene.h} s`, `M18,0${marker}`, `dot ${own}`],
+                [`${method.title}, h = ${scene.h} s`, `M18,0${look(method).marker}`, `dot ${own}`],
                 ...(scene.order ? [[`H̃, ${terms}`, 'M0,0h36', 'line', '7 4']] : []),
             ]);
         }

@@ -3,54 +3,66 @@
 (theLab => {
     'use strict';
 
-    const { QUANTITY, element, measured, seconds, wrapped } = theLab;
+    const { QUANTITY, element, html, measured, seconds, wrapped } = theLab;
     const { LOWER_THETA, THETA } = QUANTITY;
 
     // How far a touch may be from what it drags (px); a mouse drags what is nearest.
     const FINGER = 30;
 
-    // `grasp(x, y, reach)` returns what can be dragged there, or null; `move(held, x, y)` moves it.
-    function draggable(lab, canvas, grasp, move) {
-        const at = event => {
-            const box = canvas.getBoundingClientRect();
-            return [event.clientX - box.left, event.clientY - box.top];
-        };
+    // `grasp(point, reach)` returns what can be dragged there, or null; `move(held, point)` moves
+    // it, and `end()` is told when it is let go. Points have clientX and clientY.
+    function draggable(target, grasp, move, end = () => {}) {
         let held = null;
-        canvas.addEventListener(
+        target.addEventListener(
             'touchstart',
             event => {
-                if (grasp(...at(event.touches[0]), FINGER)) event.preventDefault();
+                if (grasp(event.touches[0], FINGER)) event.preventDefault();
             },
             { passive: false },
         );
-        canvas.addEventListener('pointerdown', event => {
-            held =
-                event.button === 0
-                    ? grasp(...at(event), event.pointerType === 'touch' ? FINGER : Infinity)
-                    : null;
+        target.addEventListener('pointerdown', event => {
+            if (event.button !== 0) return;
+            held = grasp(event, event.pointerType === 'touch' ? FINGER : Infinity);
             if (!held) return;
-            canvas.setPointerCapture(event.pointerId);
-            lab.running = false;
-            lab.held = true;
-            move(held, ...at(event));
+            target.setPointerCapture(event.pointerId);
+            move(held, event);
         });
-        canvas.addEventListener('pointermove', event => {
-            if (held) move(held, ...at(event));
+        target.addEventListener('pointermove', event => {
+            if (held) move(held, event);
         });
         for (const name of ['pointerup', 'pointercancel']) {
-            canvas.addEventListener(name, () => {
-                if (!held) return;
+            target.addEventListener(name, () => {
+                if (held) end();
                 held = null;
-                lab.held = false;
-                lab.remember();
-                lab.go();
             });
         }
     }
 
+    // What is dragged on a canvas changes the lab's scene, which rests until it is let go.
+    function draggableIn(lab, canvas, grasp, move) {
+        const at = event => {
+            const box = canvas.getBoundingClientRect();
+            return [event.clientX - box.left, event.clientY - box.top];
+        };
+        draggable(
+            canvas,
+            (point, reach) => grasp(...at(point), reach),
+            (held, point) => {
+                lab.running = false;
+                lab.held = true;
+                move(held, ...at(point));
+            },
+            () => {
+                lab.held = false;
+                lab.remember();
+                lab.go();
+            },
+        );
+    }
+
     theLab.takeHands = lab => {
         const { drawing } = lab;
-        draggable(
+        draggableIn(
             lab,
             drawing.stage.canvas,
             (x, y, reach) => {
@@ -76,7 +88,7 @@
                 lab.change(which ? lower : upper, true);
             },
         );
-        draggable(
+        draggableIn(
             lab,
             drawing.phase.canvas,
             (x, y, reach) => {
@@ -185,16 +197,8 @@
             lab.cursor.time = lab.cursor.step * lab.scene.dt;
             const rows = this.rows(sheet);
             const t = `t = ${seconds(lab.cursor.time, lab.scene.dt)} s`;
-            box.replaceChildren(
-                element('p', {}, t),
-                element(
-                    'table',
-                    {},
-                    ...rows.map(([name, words]) =>
-                        element('tr', {}, element('td', {}, name), element('td', {}, words)),
-                    ),
-                ),
-            );
+            const row = ([name, words]) => html`<tr><td>${name}</td><td>${words}</td></tr>`;
+            box.replaceChildren(html`<p>${t}</p>`, html`<table>${rows.map(row)}</table>`);
             box.hidden = false;
             this.say(sheet.canvas, `${t}: ${rows.map(row => row.join(' ')).join('; ')}`);
             this.stand(sheet);
@@ -264,5 +268,5 @@
         }
     }
 
-    Object.assign(theLab, { Reading });
+    Object.assign(theLab, { Reading, draggable });
 })((globalThis.theLab ??= {}));

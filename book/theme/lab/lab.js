@@ -53,26 +53,17 @@
             if (!this.whole) this.unasked();
             spot.classList.add('on');
             let wide = 0;
-            new ResizeObserver(
-                ([
-                    {
-                        contentRect: { width },
-                    },
-                ]) => {
-                    // A change of height, as when the table grows, must not clear the trails.
-                    if (width !== wide) this.drawing.layout();
-                    wide = width;
-                },
-            ).observe(this.page.live);
+            new ResizeObserver(([{ contentRect }]) => {
+                // A change of height, as when the table grows, must not clear the trails.
+                if (contentRect.width !== wide) this.drawing.layout();
+                wide = contentRect.width;
+            }).observe(this.page.live);
             new MutationObserver(() => this.drawing.layout()).observe(document.documentElement, {
                 attributes: true,
                 attributeFilter: ['class'],
             });
             document.fonts.ready.then(() => this.drawing.layout());
         }
-
-        // ----------------------------------------------------------------------------------- the
-        // scene
 
         // Begins where there is something to see, and moves while it is seen, until the reader
         // takes over; then its numbers are shown, too.
@@ -171,9 +162,6 @@
             this.page.reading.put(null);
             this.drawing.layout();
         }
-
-        // ----------------------------------------------------------------------------------------
-        // time
 
         // Runs, from the start if the end has been reached; or pauses.
         run(on) {

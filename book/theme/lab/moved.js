@@ -4,7 +4,7 @@
 (theLab => {
     'use strict';
 
-    const { compiled, drawn, element, methodsOf, words } = theLab;
+    const { compiled, drawn, element, html, methodsOf, words } = theLab;
 
     // The pendulum of all of them, the paper's.
     const PENDULUM = { g: 9.81, L: 1 };
@@ -34,6 +34,12 @@
             return new Float64Array(memory.buffer, this.exports.points_at(), 2 * count);
         }
 
+        // Writes points, and says how many.
+        write(points) {
+            this.view(points.length / 2).set(points);
+            return points.length / 2;
+        }
+
         // A copy of them.
         points(count) {
             return this.view(count).slice();
@@ -41,15 +47,15 @@
 
         // The images of points under `steps` steps, or under the exact motion for a time.
         carried(points, steps) {
-            this.view(points.length / 2).set(points);
-            this.exports.carry(steps, points.length / 2);
-            return this.points(points.length / 2);
+            const count = this.write(points);
+            this.exports.carry(steps, count);
+            return this.points(count);
         }
 
         followed(points, t) {
-            this.view(points.length / 2).set(points);
-            this.exports.follow(t, points.length / 2);
-            return this.points(points.length / 2);
+            const count = this.write(points);
+            this.exports.follow(t, count);
+            return this.points(count);
         }
 
         shape(which, size, pieces) {
@@ -58,8 +64,7 @@
 
         // The area of a polygon (rad²/s).
         area(polygon) {
-            this.view(polygon.length / 2).set(polygon);
-            return this.exports.area(polygon.length / 2);
+            return this.exports.area(this.write(polygon));
         }
 
         level(order, count) {
@@ -126,10 +131,6 @@
             return group;
         }
 
-        button(name, text, onclick) {
-            return element('button', { type: 'button', class: name, onclick }, text);
-        }
-
         // A slider with its value beside it; `changed` is told the new one.
         slider(key, label, unit, { from, to, by }, changed) {
             const value = element('output', {});
@@ -143,13 +144,7 @@
             });
             const digits = (String(by).split('.')[1] ?? '').length;
             return {
-                part: element(
-                    'label',
-                    { class: 'slider' },
-                    element('span', {}, label),
-                    range,
-                    value,
-                ),
+                part: html`<label class="slider"><span>${label}</span>${range}${value}</label>`,
                 set(now) {
                     range.value = now;
                     const text = `${now.toFixed(digits)}${unit ? `\u00a0${unit}` : ''}`;
@@ -157,6 +152,12 @@
                     range.setAttribute('aria-valuetext', text);
                 },
             };
+        }
+
+        // Changes some of the scene.
+        change(some) {
+            Object.assign(this.scene, some);
+            this.show();
         }
 
         say(text) {

@@ -3,8 +3,9 @@
 (theLab => {
     'use strict';
 
-    const { FONT, QUANTITY, SLIDERS, SYSTEMS, button, conserves, count, element } = theLab;
-    const { isClosed, keysOf, measured, place, printed, rough, seconds, timed } = theLab;
+    const { QUANTITY, SYSTEMS, button, conserves, count, element } = theLab;
+    const { everyDigit, html, isClosed, keysOf, measured, place, rough, seconds } = theLab;
+    const { simulate, spelt, timed, worded, write } = theLab;
     const { ENERGY, ERROR, EVALUATIONS, INITIAL, LARGEST, LOWER_OMEGA, LOWER_THETA } = QUANTITY;
     const { OMEGA, STEPS, THETA, TIME } = QUANTITY;
 
@@ -15,92 +16,54 @@
         ['omega', OMEGA],
         ['energy', ENERGY],
     ];
-    const PRINTED = {
-        pendulum: ONE,
-        driven: ONE,
-        shaken: ONE,
-        double: [
-            ['t', TIME],
-            ['theta1', THETA],
-            ['theta2', LOWER_THETA],
-            ['omega1', OMEGA],
-            ['omega2', LOWER_OMEGA],
-            ['energy', ENERGY],
-        ],
-    };
+    const TWO = [
+        ['t', TIME],
+        ['theta1', THETA],
+        ['theta2', LOWER_THETA],
+        ['omega1', OMEGA],
+        ['omega2', LOWER_OMEGA],
+        ['energy', ENERGY],
+    ];
+    const printed = ({ system }) => (system === 'double' ? TWO : ONE);
 
     class Numbers {
         constructor(lab) {
             this.lab = lab;
             this.head = element('thead');
             this.rows = element('tbody');
-            this.table = element(
-                'div',
-                { class: 'table-wrapper' },
-                element('table', {}, this.head, this.rows),
-            );
+            const both = [this.head, this.rows];
+            this.table = html`<div class="table-wrapper"><table>${both}</table></div>`;
         }
 
-        // The columns after the methods: heading of the group, own heading, value.
+        // The columns after the methods: heading and value.
         columns() {
             const { lab } = this;
             // Between two looks at it an error may have been larger.
             const least = x => (lab.sampled && x > 0 ? `≥\u00a0${measured(x)}` : measured(x));
-            if (!lab.whole) {
-                return [
-                    ['', 'Largest energy error (J)', p => measured(p.read(LARGEST))],
-                    ['', 'Largest angle error (rad)', p => least(p.angle.largest)],
-                ];
-            }
-            const energy = conserves(lab.scene)
-                ? [
-                      ['Energy error (J)', 'now', p => measured(p.read(ERROR))],
-                      ['Energy error (J)', 'largest', p => measured(p.read(LARGEST))],
-                  ]
-                : [['', 'Energy (J)', p => measured(p.read(INITIAL) + p.read(ERROR))]];
-            const angle = isClosed(lab.scene)
-                ? [
-                      ['Angle error (rad)', 'now', p => measured(p.lapse)],
-                      ['Angle error (rad)', 'largest', p => least(p.angle.largest)],
-                  ]
-                : [];
+            const energy = ['Largest energy error (J)', p => measured(p.read(LARGEST))];
+            const angle = ['Largest angle error (rad)', p => least(p.angle.largest)];
+            if (!lab.whole) return [energy, angle];
             return [
-                ...energy,
-                ...angle,
-                ['', 'Force evaluations', p => count(p.read(EVALUATIONS))],
+                ...(conserves(lab.scene)
+                    ? [['Energy error (J)', p => measured(p.read(ERROR))], energy]
+                    : [['Energy (J)', p => measured(p.read(INITIAL) + p.read(ERROR))]]),
+                ...(isClosed(lab.scene)
+                    ? [['Angle error (rad)', p => measured(p.lapse)], angle]
+                    : []),
+                ['Force evaluations', p => count(p.read(EVALUATIONS))],
                 // The minimum, as disturbances only make a time longer.
-                ['', 'Time a step (ns)', p => (p.times.length ? rough(Math.min(...p.times)) : '–')],
+                ['Time a step (ns)', p => (p.times.length ? rough(Math.min(...p.times)) : '–')],
             ];
         }
 
         // The head of the table, and a row for each pendulum.
         caption() {
-            const columns = this.columns(),
-                groups = columns.map(([group]) => group);
-            const grouped = groups.some(Boolean),
-                tall = grouped && { rowspan: 2 };
-            const first = element('tr', {}, element('th', { scope: 'col', ...tall }, 'Method'));
-            const second = element('tr');
-            columns.forEach(([group, title], i) => {
-                const width = groups.filter(other => other === group).length;
-                if (!group) first.append(element('th', { scope: 'col', ...tall }, title));
-                else if (groups.indexOf(group) === i)
-                    first.append(element('th', { scope: 'colgroup', colspan: width }, group));
-                if (group) second.append(element('th', { scope: 'col' }, title));
-            });
-            this.head.replaceChildren(first, ...(grouped ? [second] : []));
-            this.rows.replaceChildren(
-                ...this.lab.pendulums.map(() =>
-                    element(
-                        'tr',
-                        {},
-                        element('th', { scope: 'row' }),
-                        ...columns.map(([group, title]) =>
-                            element('td', { 'data-label': group ? `${group}, ${title}` : title }),
-                        ),
-                    ),
-                ),
-            );
+            const titles = this.columns().map(([title]) => title);
+            const head = title => html`<th scope="col">${title}</th>`;
+            this.head.replaceChildren(html`<tr>${['Method', ...titles].map(head)}</tr>`);
+            const cell = title => element('td', { 'data-label': title });
+            const row = () => html`<tr><th scope="row"></th>${titles.map(cell)}</tr>`;
+            this.rows.replaceChildren(...this.lab.pendulums.map(row));
         }
 
         // Updates the table, and the digits if they are seen.
@@ -118,7 +81,7 @@
             pendulums.forEach((pendulum, i) => {
                 const [head, ...cells] = this.rows.rows[i].cells;
                 head.textContent = pendulum.method.title + (pendulum.lost ? ': step too long' : '');
-                columns.forEach(([, , value], k) => {
+                columns.forEach(([, value], k) => {
                     cells[k].textContent = value(pendulum);
                 });
             });
@@ -127,69 +90,39 @@
 
         digits() {
             this.every = element('div');
-            return element(
-                'details',
-                { class: 'digits' },
-                element('summary', {}, 'Every digit, and the same on the command line'),
-                this.every,
-            );
+            return everyDigit(this.every);
         }
 
         // Shows every digit, with the command that prints the same numbers.
         spell() {
             const { scene, pendulums } = this.lab;
-            this.every.replaceChildren(
-                ...pendulums.flatMap(pendulum => {
-                    // It has no numbers.
-                    if (pendulum.lost)
-                        return element(
-                            'p',
-                            { class: 'numbers' },
-                            `${pendulum.method.title}: step too long`,
-                        );
-                    const value = ([name, quantity]) => [
-                        `${name} = `,
-                        element(
-                            'data',
-                            {
-                                value: pendulum.read(quantity),
-                                'data-of': `${pendulum.method.name} ${name}`,
-                            },
-                            pendulum.read(quantity),
-                        ),
-                        '  ',
-                    ];
-                    const numbers = element(
-                        'p',
-                        { class: 'numbers' },
-                        `${pendulum.method.title}: `,
-                        ...PRINTED[scene.system].flatMap(value),
-                    );
-                    const command = this.command(pendulum);
-                    return command
-                        ? [numbers, element('pre', {}, element('code', {}, command))]
-                        : [numbers];
-                }),
-            );
+            const each = pendulum => {
+                const { name, title } = pendulum.method;
+                // It has no numbers.
+                if (pendulum.lost) return spelt(`${title}: step too long`, []);
+                const values = printed(scene).map(([column, quantity]) => [
+                    column,
+                    pendulum.read(quantity),
+                    `${name} ${column}`,
+                ]);
+                return spelt(`${title}: `, values, this.command(pendulum));
+            };
+            this.every.replaceChildren(...pendulums.flatMap(each));
         }
 
         // What prints the same numbers; empty if nothing does.
         command(pendulum) {
             const { scene } = this.lab,
                 steps = pendulum.read(STEPS);
-            const run = `--dt ${scene.dt} --steps ${steps} --every ${Math.max(steps, 1)}`;
             if (scene.system === 'double' && pendulum.method.name === 'rk4')
                 return (
                     `pendula simulate --system double-pendulum --theta1 ${scene.theta0} ` +
                     `--theta2 ${scene.theta2} --omega1 ${scene.omega0} ` +
                     `--omega2 ${scene.omega2} --gravity ${scene.g} --length1 ${scene.L} ` +
-                    `--length2 ${scene.L} ${run}`
+                    `--length2 ${scene.L} --dt ${scene.dt} --steps ${steps} ` +
+                    `--every ${Math.max(steps, 1)}`
                 );
-            if (!isClosed(scene)) return '';
-            return (
-                `pendula simulate --method ${pendulum.method.name} --theta0 ${scene.theta0} ` +
-                `--omega0 ${scene.omega0} --gravity ${scene.g} --length ${scene.L} ${run}`
-            );
+            return isClosed(scene) ? simulate(pendulum.method.name, scene, steps) : '';
         }
     }
 
@@ -204,21 +137,11 @@
     class Keep {
         constructor(lab) {
             this.lab = lab;
-            // Where the browser does not let a page copy.
-            this.link = element('input', {
-                class: 'link',
-                readonly: true,
-                hidden: true,
-                'aria-label': 'The link, to be copied',
-            });
-            this.live = element(
-                'div',
-                { class: 'buttons keep' },
-                button('copy', 'Copy link', () => this.copy()),
-                button('csv', 'Numbers (CSV)', () => this.numbers()),
-                button('png', 'Picture (PNG)', () => this.picture()),
-                this.link,
-            );
+            this.live = html`<div class="buttons keep">
+                ${button('copy', 'Copy link', () => this.copy())}
+                ${button('csv', 'Numbers (CSV)', () => this.numbers())}
+                ${button('png', 'Picture (PNG)', () => this.picture())}
+            </div>`;
         }
 
         // What the files are called.
@@ -236,13 +159,9 @@
             this.lab.write();
             try {
                 await navigator.clipboard.writeText(location.href);
-                this.link.hidden = true;
                 this.say('The link is copied: it leads to this scene.');
             } catch {
-                this.link.hidden = false;
-                this.link.value = location.href;
-                this.link.select();
-                this.say('The link is selected: copy it.');
+                this.say('The browser copies nothing for a page: the link is its address.');
             }
         }
 
@@ -262,7 +181,7 @@
             if (this.making) return;
             this.making = true;
             const every = Math.max(1, Math.ceil(taken / ROWS));
-            const columns = PRINTED[scene.system],
+            const columns = printed(scene),
                 exact = isClosed(scene);
             const lines = [
                 [
@@ -280,7 +199,7 @@
                     if (!row.every(Number.isFinite)) break;
                     const t = lab.spare.read(0, TIME);
                     if (exact) row.push(lab.spare.exact_theta(0, t), lab.spare.exact_omega(0, t));
-                    lines.push([method.name, ...row.map(printed)].join(','));
+                    lines.push([method.name, ...row].join(','));
                     if (lab.spare.advance(0, every) < every) break;
                     if (performance.now() - began > SLICE) {
                         await new Promise(done => setTimeout(done));
@@ -320,9 +239,8 @@
             put(drawing.stage, (width - drawing.stage.width) / 2, 0);
             boxes.forEach(({ x, y }, i) => put(plots[i], x - left, below + y - top));
             ink.fillStyle = drawing.ink;
-            ink.font = FONT;
             words.forEach((line, i) => {
-                ink.fillText(line, GAP, GAP + end + (i + 1) * LINE, width);
+                write(ink, line, GAP, GAP + end + (i + 1) * LINE, 'left', 'alphabetic', width);
             });
             const blob = await new Promise(done => canvas.toBlob(done, 'image/png'));
             this.save(blob, `${name}.png`);
@@ -330,13 +248,10 @@
 
         // The scene in words.
         words(scene, when) {
-            const values = keysOf(scene.system).map(key => {
-                const { label, unit } = SLIDERS[key];
-                return `${label.split(' ').at(-1)} = ${scene[key]} ${unit}`;
-            });
+            const values = keysOf(scene.system).map(key => worded(scene, key));
             return [`${SYSTEMS[scene.system].title}, ${when}`, values.join(', ')];
         }
     }
 
-    Object.assign(theLab, { PRINTED, Keep, Numbers });
+    Object.assign(theLab, { Keep, Numbers });
 })((globalThis.theLab ??= {}));

@@ -3,7 +3,7 @@
     'use strict';
 
     const { Controls, Keep, Numbers, PRESETS, QUANTITY, ROOT, Reading, button, conserves } = theLab;
-    const { count, element, isClosed, measured, seconds } = theLab;
+    const { count, element, html, isClosed, measured, seconds, select } = theLab;
     const { LARGEST } = QUANTITY;
 
     // The steps of each lesson in the page, by name: their words, what they change of the lesson's
@@ -24,10 +24,9 @@
         constructor(lab) {
             this.lab = lab;
             this.names = Object.keys(PRESETS);
-            this.choice = element(
-                'select',
+            this.choice = select(
                 { 'aria-label': 'Lesson', onchange: () => lab.lesson(this.choice.value, 1) },
-                ...this.names.map(name => element('option', { value: name }, PRESETS[name].title)),
+                this.names.map(name => [name, PRESETS[name].title]),
             );
             this.where = element('span', { class: 'note' });
             // Said when the step changes, after what is being said.
@@ -39,14 +38,13 @@
                 const { lesson, step } = lab.scene;
                 lab.lesson(lesson, step);
             });
-            this.beside = element(
-                'section',
-                { class: 'beside', 'aria-label': 'Lesson' },
-                element('p', { class: 'title' }, this.choice, this.where),
-                this.words,
-                element('div', { class: 'buttons' }, this.back, this.next, this.set),
-                this.changed,
-            );
+            this.beside = html`
+                <section class="beside" aria-label="Lesson">
+                    <p class="title">${this.choice}${this.where}</p>
+                    ${this.words}
+                    <div class="buttons">${[this.back, this.next, this.set]}</div>
+                    ${this.changed}
+                </section>`;
         }
 
         // The step before or after the present one, across lessons; null beyond the ends.
@@ -91,8 +89,8 @@
         constructor(lab) {
             this.lab = lab;
             const { drawing, whole, preset } = lab;
-            const sheet = (own, ...notes) =>
-                element('div', { class: 'sheet' }, own.canvas, ...notes);
+            const sheet = (own, notes = []) =>
+                html`<div class="sheet">${own.canvas}${notes}</div>`;
             this.run = button('run', 'Run', () => lab.run(!lab.running));
             this.time = element('output', { class: 'time', 'aria-live': 'off' });
             this.slow = element('span', { class: 'note', hidden: true }, 'as fast as it can');
@@ -105,57 +103,40 @@
                 ? [drawing.energy, drawing.angle]
                 : [drawing[PRESETS[preset].shows]];
             this.reading = new Reading(lab, [drawing.phase, ...plots]);
-            this.live = element(
-                'div',
-                { class: 'live', role: 'group', 'aria-label': `Lab: ${PRESETS[preset].title}` },
-                element(
-                    'div',
-                    { class: 'bench' },
-                    element('div', { class: 'stage' }, drawing.stage.canvas),
-                    element(
-                        'div',
-                        { class: 'buttons' },
-                        this.run,
-                        button('step', 'One step', () => lab.oneStep()),
-                        button('again', 'Start again', () => lab.again()),
-                        this.time,
-                        this.slow,
-                    ),
-                ),
-                ...(whole ? [this.lessons.beside] : []),
-                element(
-                    'div',
-                    { class: 'rest' },
-                    element(
-                        'div',
-                        { class: 'sheets' },
-                        sheet(drawing.phase, this.orbit),
-                        ...plots.map(plot => sheet(plot)),
-                        this.reading.box,
-                    ),
-                    ...(whole ? [lab.pin.live] : []),
-                    ...this.controls.live,
-                ),
-                element(
-                    'div',
-                    { class: 'below' },
-                    this.numbers.table,
-                    ...(whole ? [this.numbers.digits(), new Keep(lab).live] : [this.onward()]),
-                    this.said,
-                ),
-            );
+            this.live = html`
+                <div class="live" role="group">
+                    <div class="bench">
+                        <div class="stage">${drawing.stage.canvas}</div>
+                        <div class="buttons">
+                            ${this.run}
+                            ${button('step', 'One step', () => lab.oneStep())}
+                            ${button('again', 'Start again', () => lab.again())}
+                            ${[this.time, this.slow]}
+                        </div>
+                    </div>
+                    ${whole ? this.lessons.beside : []}
+                    <div class="rest">
+                        <div class="sheets">
+                            ${sheet(drawing.phase, this.orbit)}
+                            ${plots.map(plot => sheet(plot))}
+                            ${this.reading.box}
+                        </div>
+                        ${whole ? lab.pin.live : []}
+                        ${this.controls.live}
+                    </div>
+                    <div class="below">
+                        ${this.numbers.table}
+                        ${whole ? [this.numbers.digits(), new Keep(lab).live] : this.onward()}
+                        ${this.said}
+                    </div>
+                </div>`;
+            this.live.ariaLabel = `Lab: ${PRESETS[preset].title}`;
         }
 
         onward() {
-            return element(
-                'p',
-                { class: 'note onward' },
-                element(
-                    'a',
-                    { href: new URL(`lab.html#${this.lab.preset}`, ROOT) },
-                    'Open it in the lab',
-                ),
-            );
+            const href = new URL(`lab.html#${this.lab.preset}`, ROOT);
+            const link = element('a', { href }, 'Open it in the lab');
+            return html`<p class="note onward">${link}</p>`;
         }
 
         // Updates what depends on the scene alone.

@@ -3,12 +3,12 @@
 (theLab => {
     'use strict';
 
-    const { Run, SLIDERS, SYSTEMS, button, conserves, element, keysOf, pinOf, seconds } = theLab;
+    const { Run, SYSTEMS, button, conserves, element, keysOf, pinOf, seconds, worded } = theLab;
 
-    // The time for the steps of a pinned run (ms) before the page has its turn, the steps of its
-    // first piece, and the pieces that a long one has at least.
-    const SLICE = 5;
-    const FIRST = 64;
+    // The time for the steps of a pinned run (ms) before the page has its turn, the least steps of
+    // a piece, and the pieces that a long one has at least.
+    const SLICE = 10;
+    const LEAST = 64;
     const PIECES = 512;
 
     class Pin {
@@ -74,24 +74,17 @@
             this.run.set({ ...scene, until: 0 });
             const { pendulums } = this.run;
             this.kept = { scene, time: 0, steps, pendulums };
-            this.most = FIRST;
             // First the page shows the scene.
             if (pendulums.length) this.waiting = setTimeout(() => this.goOn());
         }
 
         // Takes some steps of a pinned run, and more when the page has had its turn.
         goOn() {
-            const { run, kept, lab } = this,
-                began = performance.now();
-            const n = Math.min(this.most, kept.steps - run.taken);
-            const more = n > 0 && run.advance(n, began + 2 * SLICE);
+            const { run, kept, lab } = this;
+            const piece = Math.max(LEAST, Math.ceil(kept.steps / PIECES));
+            const n = Math.min(piece, kept.steps - run.taken);
+            const more = n > 0 && run.advance(n, performance.now() + SLICE);
             kept.time = run.time;
-            const cost = performance.now() - began;
-            if (cost > SLICE) this.most = Math.max(1, Math.floor((n * SLICE) / cost));
-            else {
-                const most = Math.max(FIRST, Math.ceil(kept.steps / PIECES));
-                this.most = Math.min(2 * this.most, most);
-            }
             if (more && run.taken < kept.steps) {
                 this.waiting = setTimeout(() => this.goOn());
                 return;
@@ -107,10 +100,7 @@
             const other = scene.system !== now.system;
             const differs = keysOf(scene.system)
                 .filter(key => other || scene[key] !== now[key])
-                .map(key => {
-                    const { label, unit } = SLIDERS[key];
-                    return `${label.replace(/^\S+ /, '')} = ${scene[key]} ${unit}`;
-                });
+                .map(key => worded(scene, key));
             if (other) differs.unshift(SYSTEMS[scene.system].title.toLowerCase());
             if (scene.methods.join() !== now.methods.join()) {
                 const title = name => this.lab.known.find(known => known.name === name).title;

@@ -3,18 +3,11 @@
 (theLab => {
     'use strict';
 
-    const { look, tick } = theLab;
+    const { draggable, drawn, look, roundUp, tick } = theLab;
     // The half of a touch target (CSS px), and the head of an arrow.
     const FINGER = 22;
     const HEAD = 14;
     const TRUE_POINT = 'm-5,0a5,5 0 1,0 10,0a5,5 0 1,0 -10,0z';
-
-    function drawn(name, attributes = {}, ...children) {
-        const made = document.createElementNS('http://www.w3.org/2000/svg', name);
-        for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, value);
-        made.append(...children);
-        return made;
-    }
 
     // Words with what stands _{below the line} set so.
     function words(text, attributes) {
@@ -34,9 +27,7 @@
 
     // The ticks of an axis, at most about seven, at round numbers.
     function ticks(from, to) {
-        const least = (to - from) / 7.5,
-            power = 10 ** Math.floor(Math.log10(least));
-        const every = [1, 2, 5, 10].map(m => m * power).find(step => step >= least);
+        const every = roundUp((to - from) / 7.5);
         const first = Math.ceil(from / every - 1e-9),
             last = Math.floor(to / every + 1e-9);
         return Array.from({ length: last - first + 1 }, (_, i) => (first + i) * every);
@@ -44,8 +35,9 @@
 
     class Plane {
         // `box` is the frame [left, top, right, bottom] on the drawing, `theta` and `omega` are the
-        // ends of the axes; `name` is for the ids, one for each plane of a page.
-        constructor(svg, name, box, { theta, omega }) {
+        // ends of the axes; `name` is for the ids, one for each plane of a page; `named` says which
+        // axes have their names.
+        constructor(svg, name, box, { theta, omega }, named = { theta: true, omega: true }) {
             const [left, top, right, bottom] = box;
             Object.assign(this, { svg, left, top, right, bottom, name });
             this.clip = drawn('rect', {
@@ -63,6 +55,11 @@
                 this.curves,
                 this.labels,
             );
+            if (named.omega) svg.append(words('ω (rad/s)', { x: left - 38, y: top - 17 }));
+            if (named.theta) {
+                const middle = { x: (left + right) / 2, 'text-anchor': 'middle' };
+                svg.append(words('θ (rad)', { ...middle, y: bottom + 44 }));
+            }
             this.frame(theta, omega);
         }
 
@@ -257,33 +254,24 @@
             const part = event.shiftKey ? 0.1 : 1;
             moved(...clamp(here.map((value, i) => value + part * way[i] * by[i])));
         });
-        knob.addEventListener('touchstart', event => event.preventDefault(), {
-            passive: false,
-        });
-        let held = null;
         const seen = event => {
             const { x, y } = new DOMPoint(event.clientX, event.clientY).matrixTransform(
                 plane.svg.getScreenCTM().inverse(),
             );
             return [x, y];
         };
-        knob.addEventListener('pointerdown', event => {
-            if (event.button !== 0) return;
-            const [x, y] = seen(event);
-            // Where it is taken hold of, it stays under the hand.
-            held = [plane.x(here[0]) - x, plane.y(here[1]) - y];
-            knob.setPointerCapture(event.pointerId);
-        });
-        knob.addEventListener('pointermove', event => {
-            if (!held) return;
-            const [x, y] = seen(event);
-            moved(...plane.at(x + held[0], y + held[1]));
-        });
-        for (const end of ['pointerup', 'pointercancel']) {
-            knob.addEventListener(end, () => {
-                held = null;
-            });
-        }
+        draggable(
+            knob,
+            point => {
+                const [x, y] = seen(point);
+                // Where it is taken hold of, it stays under the hand.
+                return [plane.x(here[0]) - x, plane.y(here[1]) - y];
+            },
+            (held, point) => {
+                const [x, y] = seen(point);
+                moved(...plane.at(x + held[0], y + held[1]));
+            },
+        );
         plane.svg.append(knob);
         return {
             knob,
@@ -302,5 +290,5 @@
         };
     }
 
-    Object.assign(theLab, { Plane, drawn, handle, words });
+    Object.assign(theLab, { Plane, colour, handle, words });
 })((globalThis.theLab ??= {}));

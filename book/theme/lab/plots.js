@@ -2,8 +2,8 @@
 (theLab => {
     'use strict';
 
-    const { FONT, QUANTITY, Sheet, TURN, hollow, isClosed, mark, raised, roundUp, tick } = theLab;
-    const { wrapped } = theLab;
+    const { QUANTITY, Sheet, TURN, axis, isClosed, mark, raised, roundUp, tick } = theLab;
+    const { within, wrapped, write } = theLab;
     const { OMEGA, PERIOD, THETA } = QUANTITY;
 
     // The systems of which the separatrix says something.
@@ -55,42 +55,20 @@
             ink.setTransform(this.scale, 0, 0, this.scale, 0, 0);
             const f = this.frame();
             ink.strokeStyle = ink.fillStyle = lab.drawing.ink;
-            ink.font = FONT;
-            ink.lineWidth = 1;
-            ink.strokeRect(f.left, f.top, f.right - f.left, f.bottom - f.top);
-            ink.textBaseline = 'top';
-            for (const [theta, label] of [
-                [-Math.PI, '−π'],
-                [0, '0'],
-                [Math.PI, 'π'],
-            ]) {
-                ink.textAlign = theta > 0 ? 'right' : theta < 0 ? 'left' : 'center';
-                ink.fillText(label, f.x(theta), f.bottom + 4);
-            }
-            ink.textAlign = 'center';
-            ink.fillText('θ (rad)', (f.left + f.right) / 2, f.bottom + 17);
-            ink.textAlign = 'right';
-            ink.textBaseline = 'middle';
+            axis(ink, f, ['−π', '0', 'π'], 'θ (rad)');
             for (const omega of [-this.reach, 0, this.reach]) {
-                ink.fillText(
-                    tick(omega),
-                    f.left - 5,
-                    Math.min(Math.max(f.y(omega), f.top + 6), f.bottom - 6),
-                );
+                const y = Math.min(Math.max(f.y(omega), f.top + 6), f.bottom - 6);
+                write(ink, tick(omega), f.left - 5, y, 'right', 'middle');
             }
             ink.save();
             ink.translate(12, (f.top + f.bottom) / 2);
             ink.rotate(-Math.PI / 2);
-            ink.textAlign = 'center';
-            ink.fillText('ω (rad/s)', 0, 0);
+            write(ink, 'ω (rad/s)', 0, 0, 'center', 'middle');
             ink.restore();
-            ink.save();
-            ink.beginPath();
-            ink.rect(f.left, f.top, f.right - f.left, f.bottom - f.top);
-            ink.clip();
-            ink.globalAlpha = 0.75;
-            this.curves(ink, f);
-            ink.restore();
+            within(ink, f, () => {
+                ink.globalAlpha = 0.75;
+                this.curves(ink, f);
+            });
             this.drawn = lab.pendulums.map(pendulum => pendulum.oldest);
         }
 
@@ -106,24 +84,16 @@
                     const [theta, omega] = state(from + ((to - from) * i) / 240);
                     const x = wrapped(sign * theta);
                     // No line across the edge at ±π.
-                    ink[Math.abs(x - before) < Math.PI ? 'lineTo' : 'moveTo'](
-                        f.x(x),
-                        f.y(sign * omega),
-                    );
+                    const pen = Math.abs(x - before) < Math.PI ? 'lineTo' : 'moveTo';
+                    ink[pen](f.x(x), f.y(sign * omega));
                     before = x;
                 }
                 ink.stroke();
             };
             const slow = 6 / Math.sqrt(lab.scene.g / lab.scene.L);
             ink.setLineDash([2, 4]);
-            for (const sign of [-1, 1]) {
-                trace(
-                    t => [library.separatrix_theta(0, t), library.separatrix_omega(0, t)],
-                    -slow,
-                    slow,
-                    sign,
-                );
-            }
+            const top = t => [library.separatrix_theta(0, t), library.separatrix_omega(0, t)];
+            for (const sign of [-1, 1]) trace(top, -slow, slow, sign);
             ink.setLineDash([]);
             const period = library.read(0, PERIOD);
             if (!isClosed(lab.scene) || Number.isNaN(period)) return;
@@ -138,19 +108,15 @@
             if (lab.pendulums.some(p => Math.abs(p.read(OMEGA)) > this.reach)) this.base();
             const f = this.frame(),
                 dots = this.dots.getContext('2d');
-            dots.save();
-            dots.beginPath();
-            dots.rect(f.left, f.top, f.right - f.left, f.bottom - f.top);
-            dots.clip();
-            lab.pendulums.forEach((pendulum, i) => {
+            const add = (pendulum, i) => {
                 dots.fillStyle = lab.drawing.looks.get(pendulum.method.number).colour;
                 for (let k = Math.max(this.drawn[i], pendulum.oldest); k < pendulum.points; k++) {
                     const { theta, omega } = pendulum.point(k);
                     dots.fillRect(f.x(theta) - 0.75, f.y(omega) - 0.75, 1.5, 1.5);
                 }
                 this.drawn[i] = pendulum.points;
-            });
-            dots.restore();
+            };
+            within(dots, f, () => lab.pendulums.forEach(add));
             this.clear();
             const { ink } = this;
             ink.drawImage(this.dots, 0, 0, this.width, this.height);
@@ -168,7 +134,7 @@
                     ? [at.theta, at.omega]
                     : [wrapped(pendulum.read(THETA)), pendulum.read(OMEGA)];
                 const size = 1.35 - 0.75 * (i / Math.max(lab.pendulums.length - 1, 3));
-                hollow(ink, path, f.x(theta), f.y(omega), size, colour);
+                mark(ink, path, f.x(theta), f.y(omega), size, colour, true);
             });
         }
 
@@ -259,49 +225,21 @@
             const { y, ticks } = logarithmic ? logarithmicAxis(all, f) : linearAxis(all, f);
             this.clear();
             ink.strokeStyle = ink.fillStyle = lab.drawing.ink;
-            ink.lineWidth = 1;
-            ink.font = FONT;
-            ink.textBaseline = 'middle';
-            ink.textAlign = 'right';
             for (const [value, label] of ticks) {
-                ink.fillText(label, f.left - 6, y(value), f.left - 8);
+                write(ink, label, f.left - 6, y(value), 'right', 'middle', f.left - 8);
                 ink.globalAlpha = 0.2;
                 ink.fillRect(f.left, Math.round(y(value)), f.right - f.left, 1);
                 ink.globalAlpha = 1;
             }
-            ink.strokeRect(f.left, f.top, f.right - f.left, f.bottom - f.top);
-            ink.textAlign = 'left';
-            ink.fillText(title, f.left, 12);
-            if (pinned.length) {
-                ink.textAlign = 'right';
-                ink.fillText('dotted: pinned', f.right, 12);
-            }
-            ink.textBaseline = 'top';
-            for (const [t, align] of [
-                [0, 'left'],
-                [this.span / 2, 'center'],
-                [this.span, 'right'],
-            ]) {
-                ink.textAlign = align;
-                ink.fillText(tick(t), x(t), f.bottom + 4);
-            }
-            ink.textAlign = 'center';
-            ink.fillText('t (s)', x(this.span / 2), f.bottom + 17);
-            ink.save();
-            ink.beginPath();
-            ink.rect(f.left, f.top, f.right - f.left, f.bottom - f.top);
-            ink.clip();
-            this.curves(own, x, y, logarithmic);
-            for (const one of pinned) this.ghost(one, x, y, logarithmic);
-            if (lab.cursor) {
-                ink.strokeStyle = lab.drawing.ink;
-                ink.lineWidth = 1;
-                ink.beginPath();
-                ink.moveTo(x(lab.cursor.time), f.top);
-                ink.lineTo(x(lab.cursor.time), f.bottom);
-                ink.stroke();
-            }
-            ink.restore();
+            axis(ink, f, [0, this.span / 2, this.span].map(tick), 't (s)');
+            write(ink, title, f.left, 12, 'left', 'middle');
+            if (pinned.length) write(ink, 'dotted: pinned', f.right, 12, 'right', 'middle');
+            within(ink, f, () => {
+                this.curves(own, x, y, logarithmic);
+                for (const one of pinned) this.ghost(one, x, y, logarithmic);
+                ink.fillStyle = lab.drawing.ink;
+                if (lab.cursor) ink.fillRect(x(lab.cursor.time) - 0.5, f.top, 1, f.bottom - f.top);
+            });
         }
 
         // The places of a curve: of its bins the largest errors, or both extremes.

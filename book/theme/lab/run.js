@@ -157,11 +157,7 @@
 
         // The same record, whatever comes later.
         copy() {
-            return Object.assign(new Series(), this, {
-                low: this.low.slice(),
-                high: this.high.slice(),
-                last: this.last.slice(),
-            });
+            return Object.assign(new Series(), structuredClone(this));
         }
 
         // The value after a step, twice, or the extremes of the several steps that are one bin;
@@ -254,17 +250,10 @@
 
         // The point nearest to a step, or null.
         near(step) {
-            let [low, high] = [this.oldest, this.points - 1];
-            if (high < low) return null;
-            while (low < high) {
-                const middle = (low + high) >> 1;
-                if (this.point(middle).steps < step) low = middle + 1;
-                else high = middle;
-            }
-            const after = this.point(low);
-            if (low === this.oldest) return after;
-            const before = this.point(low - 1);
-            return step - before.steps < after.steps - step ? before : after;
+            const steps = k => this.trail[POINT * (k % TRAIL)];
+            let k = this.oldest;
+            while (k + 1 < this.points && steps(k + 1) - step <= step - steps(k)) k++;
+            return k < this.points ? this.point(k) : null;
         }
     }
 

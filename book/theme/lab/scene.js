@@ -183,6 +183,12 @@
         );
     }
 
+    // A value of a scene in words.
+    const worded = (scene, key) => {
+        const { label, unit } = SLIDERS[key];
+        return `${label.split(' ').at(-1)} = ${scene[key]} ${unit}`;
+    };
+
     // Whether the energy is conserved, so that there is an error, and whether there is a closed
     // form.
     const conserves = ({ system, beta }) =>
@@ -307,5 +313,6 @@
         pinOf,
         presetScene,
         startOf,
+        worded,
     });
 })((globalThis.theLab ??= {}));

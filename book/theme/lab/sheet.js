@@ -45,23 +45,41 @@
         }
     }
 
-    function mark(ink, path, x, y, size, colour) {
+    // A marker; hollow, it shows what is below.
+    function mark(ink, path, x, y, size, colour, hollow = false) {
         ink.save();
         ink.translate(x, y);
         ink.scale(size, size);
-        ink.fillStyle = colour;
-        ink.fill(path);
+        ink.fillStyle = ink.strokeStyle = colour;
+        ink.lineWidth = 2 / size;
+        if (hollow) ink.stroke(path);
+        else ink.fill(path);
         ink.restore();
     }
 
-    // The same, as an outline, so that it shows what is below.
-    function hollow(ink, path, x, y, size, colour) {
+    function write(ink, words, x, y, align, baseline = 'top', width = undefined) {
+        Object.assign(ink, { font: FONT, textAlign: align, textBaseline: baseline });
+        ink.fillText(words, x, y, width);
+    }
+
+    // A frame, with a mark below its left, its middle and its right, and what they measure.
+    function axis(ink, { left, right, top, bottom }, marks, name) {
+        const middle = (left + right) / 2;
+        ink.lineWidth = 1;
+        ink.strokeRect(left, top, right - left, bottom - top);
+        write(ink, marks[0], left, bottom + 4, 'left');
+        write(ink, marks[1], middle, bottom + 4, 'center');
+        write(ink, marks[2], right, bottom + 4, 'right');
+        write(ink, name, middle, bottom + 17, 'center');
+    }
+
+    // Draws what of it is within a frame.
+    function within(ink, { left, right, top, bottom }, draw) {
         ink.save();
-        ink.translate(x, y);
-        ink.scale(size, size);
-        ink.strokeStyle = colour;
-        ink.lineWidth = 2 / size;
-        ink.stroke(path);
+        ink.beginPath();
+        ink.rect(left, top, right - left, bottom - top);
+        ink.clip();
+        draw();
         ink.restore();
     }
 
@@ -74,5 +92,5 @@
         };
     }
 
-    Object.assign(theLab, { FONT, Sheet, TURN, hollow, look, mark });
+    Object.assign(theLab, { Sheet, TURN, axis, look, mark, within, write });
 })((globalThis.theLab ??= {}));

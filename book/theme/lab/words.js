@@ -55,22 +55,7 @@
         return [1, 2, 5, 10].map(m => m * power).find(tick => tick >= x * (1 - 1e-9));
     }
 
-    // A number that reads back to the same, as the command line writes it in its rows.
-    function printed(x) {
-        if (Object.is(x, -0)) return '-0.0';
-        const [mantissa, exponent] = x.toExponential().split('e');
-        const digits = mantissa.replace(/[-.]/g, ''),
-            sign = x < 0 ? '-' : '',
-            point = Number(exponent) + 1;
-        if (point >= digits.length && point <= 16) return `${sign}${digits.padEnd(point, '0')}.0`;
-        if (point > 0 && point <= 16)
-            return `${sign}${digits.slice(0, point)}.${digits.slice(point)}`;
-        if (point > -5 && point <= 0) return `${sign}0.${'0'.repeat(-point)}${digits}`;
-        return `${mantissa}e${Number(exponent)}`;
-    }
-
-    function element(name, attributes = {}, ...children) {
-        const made = document.createElement(name);
+    function filled(made, attributes, children) {
         for (const [key, value] of Object.entries(attributes)) {
             if (key.startsWith('on')) made.addEventListener(key.slice(2), value);
             else if (value !== false) made.setAttribute(key, value === true ? '' : value);
@@ -79,19 +64,83 @@
         return made;
     }
 
+    // An element of a page, and one of a drawing.
+    const SVG = 'http://www.w3.org/2000/svg';
+    const element = (name, attributes = {}, ...children) =>
+        filled(document.createElement(name), attributes, children);
+    const drawn = (name, attributes = {}, ...children) =>
+        filled(document.createElementNS(SVG, name), attributes, children);
+
+    // What the HTML says, with nodes, texts or lists of them where they stand in it.
+    function html(strings, ...given) {
+        const template = document.createElement('template');
+        template.innerHTML = strings.map(text => text.replace(/\s*\n\s*/g, '')).join('<!---->');
+        const content = document.importNode(template.content, true);
+        const walker = document.createTreeWalker(content, NodeFilter.SHOW_COMMENT);
+        const places = given.map(() => walker.nextNode());
+        places.forEach((place, i) => place.replaceWith(...[given[i]].flat()));
+        return content.firstChild;
+    }
+
     const button = (name, words, onclick) =>
         element('button', { type: 'button', class: name, onclick }, words);
 
+    // `options` are pairs of value and words.
+    const select = (attributes, options) =>
+        element(
+            'select',
+            attributes,
+            ...options.map(([value, words]) => element('option', { value }, words)),
+        );
+
+    const checkbox = (name, words, isOn, changed) => {
+        const box = element('input', {
+            type: 'checkbox',
+            class: name,
+            checked: isOn,
+            onchange: () => changed(box.checked),
+        });
+        return { box, label: element('label', {}, box, words) };
+    };
+
+    // Numbers with every digit, [name, value, of what], and the command that prints the same.
+    function spelt(words, values, command = '') {
+        const each = values.flatMap(([name, value, of]) => [
+            `${name} = `,
+            element('data', { value, 'data-of': of }, value),
+            '  ',
+        ]);
+        const numbers = html`<p class="numbers">${words}${each}</p>`;
+        return command ? [numbers, html`<pre><code>${command}</code></pre>`] : [numbers];
+    }
+
+    // The command that takes these steps.
+    const simulate = (method, { theta0, omega0, g, L, dt }, steps) =>
+        `pendula simulate --method ${method} --theta0 ${theta0} --omega0 ${omega0} ` +
+        `--gravity ${g} --length ${L} --dt ${dt} --steps ${steps} --every ${Math.max(steps, 1)}`;
+
+    // Where every digit stands.
+    const everyDigit = inside => html`
+        <details class="digits">
+            <summary>Every digit, and the same on the command line</summary>${inside}
+        </details>`;
+
     Object.assign(theLab, {
         button,
+        checkbox,
         count,
+        drawn,
         element,
+        everyDigit,
+        html,
         measured,
-        printed,
         raised,
         rough,
         roundUp,
         seconds,
+        select,
+        simulate,
+        spelt,
         tick,
     });
 })((globalThis.theLab ??= {}));

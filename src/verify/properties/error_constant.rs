@@ -113,7 +113,7 @@ fn transported(z: Pair, end: f64, local: &dyn Fn(Pair) -> Pair) -> Pair {
 /// The dimensionless time at which the error is measured: not a whole number of quarter periods.
 const END: f64 = 4.0;
 
-/// The constants of the methods given by tables of coefficients, from runs in arithmetic of 50
+/// The constants of the methods given by tables of coefficients, from runs in arithmetic of 60
 /// digits: see `tests/data/README.md`.
 const ON_FILE: &str = include_str!("data/error_constants.csv");
 

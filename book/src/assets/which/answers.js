@@ -165,20 +165,6 @@
                 ['degrees', this.fits(key, degrees, bits)],
             ].filter(([, fits]) => fits.length);
         }
-
-        // The g/L, and the step, with which a first pair would do, roughly: from the force in the
-        // middle, if the angle has gone as far as one of the velocities says.
-        guessed(pair) {
-            const [x, v] = pair.map(({ value }) => Number(value) / Number(ONE)),
-                kick = (0.5 - v) / Math.sin((x + 1) / 2);
-            const strays = h => Math.abs((x - 1) / h - (v + 0.5) / 2) / Math.abs(v - 0.5);
-            const ways = [
-                ['g/L', 8 * kick, 1 / 8],
-                ['h', kick, kick],
-            ];
-            const isRight = Math.abs(8 * kick - 1) < 0.1;
-            return kick > 0 && !isRight ? ways.filter(([, , h]) => strays(h) < 0.6) : [];
-        }
     }
 
     Object.assign(which, { FIRST, Known, PRECISIONS, beside, decimal, pairOf, two });

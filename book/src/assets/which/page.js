@@ -8,7 +8,7 @@
     if (!spot || !which || /\/print\.html$/.test(location.pathname)) return;
 
     const { FIRST, Known, PRECISIONS, beside, decimal, pairOf, two } = which,
-        { count, element, tick } = globalThis.theLab,
+        { count, element, html, tick } = globalThis.theLab,
         FILE = new URL('../known-answers.js', document.currentScript.src),
         NAMES = ['θ', 'ω'],
         UNITS = ['rad', 'rad/s'],
@@ -24,17 +24,16 @@
 
     const minus = text => String(text).replace(/-(?=[\d.])/g, '−');
     const about = x => (x < 9.95 && x >= 0.05 ? x.toFixed(1) : tick(Number(x.toPrecision(2))));
-    const line = (...words) => element('p', {}, ...words);
+    const line = (...words) => html`<p>${words}</p>`;
     const link = (href, ...words) => element('a', { href }, ...words);
-    const list = items => element('ul', {}, ...items.map(item => element('li', {}, ...item)));
+    const list = items => html`<ul>${items.map(item => html`<li>${item}</li>`)}</ul>`;
     const texts = pair => pair.map(({ text }) => text);
     const isMistake = entry => Boolean(entry.of);
-    const both = values =>
-        element(
-            'span',
-            { class: 'both' },
-            ...values.map((value, i) => element('span', {}, `${NAMES[i]} ${minus(value)}`)),
-        );
+    const span = words => html`<span>${words}</span>`;
+    const both = values => {
+        const each = values.map((value, i) => span(`${NAMES[i]} ${minus(value)}`));
+        return html`<span class="both">${each}</span>`;
+    };
     const titled = name => (CHAPTERS.includes(name) ? link(`${name}.html`, name) : name);
 
     // The address of this input.
@@ -57,27 +56,26 @@
         constructor(known) {
             this.known = known;
             this.rounds = [];
-            this.form = element('form', { 'aria-label': 'Which integrator is this?' });
-            this.form.innerHTML = `
-                <fieldset class="precision"><legend>Precision</legend>
-                <label><input type="radio" name="in" value="double" checked> double</label>
-                <label><input type="radio" name="in" value="single"> single</label>
-                </fieldset><p><button>Which is it?</button></p><p class="examples">Try </p>
-                <output tabindex="-1" aria-live="polite"></output><div class="result"></div>`;
-            [this.said] = this.form.getElementsByTagName('output');
-            this.result = this.form.querySelector('.result');
-            const ways = EXAMPLES.map(([words, name]) => {
+            const [right, wrong] = EXAMPLES.map(([words, name]) => {
                 const { texts } = known.named(name).answers.get(FIRST);
                 return link(address('double', [[FIRST, texts.map(Number)]]), words);
             });
-            this.form
-                .querySelector('.examples')
-                .append(
-                    ways[0],
-                    ' or ',
-                    ways[1],
-                    '. The address of the page holds what you enter.',
-                );
+            this.said = element('output', { tabindex: -1, 'aria-live': 'polite' });
+            this.result = element('div', { class: 'result' });
+            this.form = html`
+                <form aria-label="Which integrator is this?">
+                    <fieldset class="precision">
+                        <legend>Precision</legend>
+                        <label><input type="radio" name="in" value="double" checked> double</label>
+                        &#32;
+                        <label><input type="radio" name="in" value="single"> single</label>
+                    </fieldset>
+                    <p><button>Which is it?</button></p>
+                    <p class="examples">
+                        Try ${right} or ${wrong}. The address of the page holds what you enter.
+                    </p>
+                    ${[this.said, this.result]}
+                </form>`;
             this.round(FIRST);
             this.form.addEventListener('change', () => this.changed());
             this.form.addEventListener('submit', event => {
@@ -95,10 +93,13 @@
         round(key) {
             const field = (name, i) => {
                 const input = element('input', { autocomplete: 'off', spellcheck: 'false' });
-                return element('label', {}, element('span', {}, `${name} (${UNITS[i]})`), input);
+                return html`<label>${[span(`${name} (${UNITS[i]})`), input]}</label>`;
             };
-            const legend = element('legend', {}, task(this.known.scenes, key)),
-                box = element('fieldset', { class: 'pair' }, legend, ...NAMES.map(field)),
+            const box = html`
+                    <fieldset class="pair">
+                        <legend>${task(this.known.scenes, key)}</legend>
+                        ${NAMES.map(field)}
+                    </fieldset>`,
                 inputs = [...box.querySelectorAll('input')];
             this.form.querySelector('.precision').before(box);
             this.rounds.push({ key, box, inputs });
@@ -177,7 +178,7 @@
 
         // The answer, what helps with it, and what is shown below.
         say(words, hints = [], ...result) {
-            const helps = hints.map(hint => element('span', {}, ...hint));
+            const helps = hints.map(span);
             this.said.replaceChildren(element('strong', {}, words), ...helps);
             this.result.replaceChildren(...result);
             spot.classList.add('answered');
@@ -244,7 +245,8 @@
                 share = epsilons * 2 ** -Number(bits),
                 hints = this.known.instead(key, pair, bits).map(hint => this.hint(hint, key, pair)),
                 isOther = hints.length > 0;
-            if (share > 1e-3 && !at && !isOther) hints.push(...this.guess(pair));
+            if (share > 1e-3 && !at && !isOther)
+                hints.push(['Was it one step of h = 1/8, with g/L = 1, and in radians?']);
             if (share < 1e-5 && !isOther)
                 hints.push([
                     `It is near: ${-Math.ceil(Math.log10(share))} digits are right. ` +
@@ -291,23 +293,15 @@
             }[what]();
         }
 
-        // Of numbers that are far from all.
-        guess(pair) {
-            if (Math.abs(Number(pair[0].text)) > 7) return [['Are these degrees?']];
-            const guessed = this.known.guessed(pair).map(([name, x]) => `${name} ≈ ${about(x)}`);
-            return guessed.length ? [[`They would do for ${guessed.join(' or ')}.`]] : [];
-        }
-
         // Names alone.
         names(found) {
             const lines = ['Methods', 'Mistakes'].flatMap((title, i) => {
                 const some = found.filter(({ entry }) => isMistake(entry) === i > 0),
-                    names = some.map((x, j) =>
-                        element('span', {}, `${x.entry.name}${j < some.length - 1 ? ',' : '.'}`),
-                    );
+                    end = j => (j < some.length - 1 ? ',' : '.'),
+                    names = some.map((x, j) => span(x.entry.name + end(j)));
                 return some.length ? [line(`${title}: `, ...names.flatMap(x => [x, ' ']))] : [];
             });
-            const all = element('details', {}, element('summary', {}, 'Their names'), ...lines);
+            const all = html`<details><summary>Their names</summary>${lines}</details>`;
             all.open = found.length <= OPEN;
             return [all];
         }
@@ -319,6 +313,8 @@
                     right = isMistake(entry) && !isNearest ? this.known.named(entry.of) : entry,
                     answer = right !== entry || isNearest ? right.answers.get(key) : null,
                     [seen, zoo] = entry.seen?.split(/(this book's zoo)$/) ?? [];
+                const most = Math.round(allowed);
+                const asLong = (text, i) => text.slice(0, pair[i].text.length);
                 const rows = [
                     ['also', entry.also?.join('; ')],
                     ['order', entry.order],
@@ -327,30 +323,20 @@
                     ['what was done', entry.what],
                     ['effect', entry.effect],
                     ['a mistake in', isMistake(entry) && titled(entry.of)],
-                    [
-                        'seen',
-                        zoo ? element('span', {}, seen, link('judging.html#the-zoo', zoo)) : seen,
-                    ],
+                    ['seen', zoo ? [seen, link('judging.html#the-zoo', zoo)] : seen],
                     ['how', entry.note],
-                    [
-                        'off by',
-                        agrees && `${about(epsilons)} ε; ${Math.round(allowed)} ε are allowed`,
-                    ],
+                    ['off by', agrees && `${about(epsilons)} ε; ${most} ε are allowed`],
                     ['yours', answer && both(texts(pair))],
-                    [
-                        'right',
-                        answer &&
-                            both(answer.texts.map((text, i) => text.slice(0, pair[i].text.length))),
-                    ],
+                    ['right', answer && both(answer.texts.map(asLong))],
                     ['apart', answer && both(this.apart(answer, pair))],
                 ].filter(([, value]) => value);
-                const each = ([name, value]) => [element('dt', {}, name), element('dd', {}, value)];
-                return element(
-                    'section',
-                    { 'aria-label': entry.name },
-                    line(element('strong', {}, titled(entry.name))),
-                    element('dl', {}, ...rows.flatMap(each)),
-                );
+                const each = ([name, value]) => [html`<dt>${name}</dt>`, html`<dd>${value}</dd>`];
+                const section = html`
+                    <section>
+                        <p><strong>${titled(entry.name)}</strong></p><dl>${rows.flatMap(each)}</dl>
+                    </section>`;
+                section.ariaLabel = entry.name;
+                return section;
             };
         }
 
