@@ -1,8 +1,8 @@
 //! The library and other crates, in one run, compared with the naive loop.
 //!
 //! `cargo run --profile peers -p pendula-peers` compares run time [for an error](front), and with
-//! `-- ends` it prints the exact motion for `others.py`, which compares programs that are no crates.
-//! The profile optimises the dependencies of the crates; the release build does not.
+//! `-- ends` it prints the exact motion for `others.py`, which compares programs that are no
+//! crates. The profile optimises the dependencies of the crates; the release build does not.
 
 mod crates;
 mod front;

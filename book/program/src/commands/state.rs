@@ -125,8 +125,8 @@ const VERSION: &str = env!("CARGO_PKG_VERSION");
 /// Characters of a checksum.
 const SUM: usize = 8;
 
-/// The checksum over the rows and the JSON of a state: CRC-32, which notices each change within four
-/// bytes.
+/// The checksum over the rows and the JSON of a state: CRC-32, which notices each change within
+/// four bytes.
 fn checksum(rows: impl Read, json: &[u8]) -> io::Result<String> {
     let (mut rows, mut sum) = (BufReader::new(rows), crc32fast::Hasher::new());
     loop {

@@ -246,8 +246,8 @@ fn a_part_without_runs_is_an_empty_file_and_says_so() {
     assert_eq!(fs::read_to_string(&folder.file).unwrap(), "");
 }
 
-/// A state is cut off at every length, changed at every byte, and, with a checksum that is right, as
-/// another version or another hand may do.
+/// A state is cut off at every length, changed at every byte, and, with a checksum that is right,
+/// as another version or another hand may do.
 ///
 /// Catches: a run that goes on from what is no state, from half of one, or from another number than
 /// was written; a state of another command; a place beyond the end;
