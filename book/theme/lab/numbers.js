@@ -199,7 +199,9 @@
                     if (!row.every(Number.isFinite)) break;
                     const t = lab.spare.read(0, TIME);
                     if (exact) row.push(lab.spare.exact_theta(0, t), lab.spare.exact_omega(0, t));
-                    lines.push([method.name, ...row].join(','));
+                    // A text of −0 has no sign.
+                    const signed = row.map(x => (Object.is(x, -0) ? '-0.0' : x));
+                    lines.push([method.name, ...signed].join(','));
                     if (lab.spare.advance(0, every) < every) break;
                     if (performance.now() - began > SLICE) {
                         await new Promise(done => setTimeout(done));
