@@ -6,18 +6,24 @@
 //!
 //! The paper's methods are known here by their types, and their `integrate_fast` is compiled into
 //! this program, as it is for anybody's own method. Every method has an `end`, which is compiled
-//! once, in the library.
+//! once, in the library, and `lanes`: [`PENDULUMS`] at once, in the vector instructions that
+//! callgrind knows. A part of a step that is not inlined there shows as several times the count.
 
 mod common;
 
 use std::hint::black_box;
 
 use common::NAIVE;
+use pendula::fast::{Ensemble, Instructions};
+use pendula::methods::table::in_lanes;
 use pendula::methods::{ForwardEuler, Rk4, StormerVerlet, SymplecticEuler};
 use pendula::{Grid, METHODS, Pendulum, Phase, integrate_fast, method_named};
 
 const START: Phase = Phase::at_rest(1.0);
 const STEP: f64 = 0.01;
+
+/// A multiple of the number of lanes.
+const PENDULUMS: usize = 16;
 
 /// `integrate_fast` for the method of the paper of that name.
 fn fast_named(name: &str, grid: &Grid) -> Option<Phase> {
@@ -33,6 +39,16 @@ fn fast_named(name: &str, grid: &Grid) -> Option<Phase> {
     }
 }
 
+/// Many pendulums in lanes, and where the first of them ends.
+fn lanes_named(name: &str, grid: Grid) -> Option<Phase> {
+    let starts = black_box([START; PENDULUMS]);
+    let mut ends = starts;
+    Ensemble::new(&Pendulum::PAPER, &starts, grid)
+        .with_instructions(Instructions::Avx2)
+        .ends(in_lanes(name)?, &mut ends);
+    Some(ends[0])
+}
+
 /// Runs the kernel `method/loop` for `steps` steps, if there is one.
 fn count(kernel: &str, steps: u64) -> Option<Phase> {
     let (name, which) = kernel.split_once('/')?;
@@ -45,6 +61,7 @@ fn count(kernel: &str, steps: u64) -> Option<Phase> {
         }
         "integrate_fast" => fast_named(name, &grid),
         "end" => Some(method_named(name)?.end(&Pendulum::PAPER, start, &grid)),
+        "lanes" => lanes_named(name, grid),
         _ => None,
     }
 }
@@ -65,5 +82,6 @@ fn main() {
             println!("{name}/integrate_fast");
         }
         println!("{name}/end");
+        println!("{name}/lanes");
     }
 }

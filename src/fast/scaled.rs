@@ -386,8 +386,12 @@ impl<N: Number> ForceGradient for ScaledPendulum<N> {
 
     #[inline(always)]
     fn unprocessing(&self, z: ReducedPhase<N>, by: &Processor) -> ReducedRate<N> {
-        let (angle, velocity) =
-            by.inverse(|by| self.derivatives(z.turn(by.into())), z.velocity.value());
+        let (angle, velocity) = by.inverse(
+            // A closure that is called twice is inlined, and has vector instructions, only so.
+            #[inline(always)]
+            |by| self.derivatives(z.turn(by.into())),
+            z.velocity.value(),
+        );
         ReducedRate { angle: angle.into(), velocity: velocity.into() }
     }
 }

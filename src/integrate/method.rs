@@ -47,6 +47,8 @@ pub trait Method<S: System> {
     const IS_LONG: bool = false;
 
     /// Prepares the carry for a trajectory of steps `h` (s) that begins at `z` at time `t` (s).
+    ///
+    /// Implementations that compute something are `#[inline(always)]`, as those of `step`.
     fn start(&self, system: &S, t: f64, h: f64, z: S::State) -> Self::Carry;
 
     /// The state one step `h` (s) after `z` at time `t` (s). `carry` is the one that `start` or the

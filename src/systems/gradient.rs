@@ -127,14 +127,14 @@ impl Processor {
     /// angle.
     #[inline(always)]
     pub fn inverse<N: Number>(&self, v: impl Fn(N) -> Derivatives<N>, omega: N) -> (N, N) {
-        let (v, omega) = (|by| self.in_units(v(by)), omega * self.unit);
+        let omega = omega * self.unit;
         let mut by = omega.splat(0.0);
         for _ in 0..Self::SWEEPS {
-            let here = v(by);
+            let here = self.in_units(v(by));
             let (a, b) = self.stretch(here);
             by = by - (by + self.shift(here, omega)) / (a + 1.0 + b * omega * omega * 3.0);
         }
-        let (a, b) = self.stretch(v(by));
+        let (a, b) = self.stretch(self.in_units(v(by)));
         (by, omega * (a + b * omega * omega) / self.unit)
     }
     // ANCHOR_END: processor

@@ -50,6 +50,7 @@ impl<S: ForceGradient> Method<S> for Processed4 {
     const REACH: f64 = 1.0;
     const GRADIENT: f64 = Self::GRADIENT;
 
+    #[inline(always)]
     fn start(&self, system: &S, _t: f64, h: f64, z: S::State) -> S::State {
         let z = z + system.unprocessing(z, &Self::PROCESSOR.over(h));
         system.drift(z, 0.5 * h)

@@ -59,6 +59,7 @@ impl<S: ForceGradient> Method<S> for Processed6 {
     const REACH: f64 = 4.0 * Self::DRIFT - 1.0;
     const GRADIENT: f64 = Self::GRADIENT;
 
+    #[inline(always)]
     fn start(&self, system: &S, t: f64, h: f64, z: S::State) -> S::State {
         let z = z + system.unprocessing(z, &Self::PROCESSOR.over(h));
         let force = system.force_with_gradient(t, z, Self::GRADIENT * (h * h));

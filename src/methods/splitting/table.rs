@@ -37,6 +37,7 @@ impl<S: Separable> Method<S> for KicksAndDrifts {
     /// The state one kick ahead.
     type Carry = S::State;
 
+    #[inline(always)]
     fn start(&self, system: &S, t: f64, h: f64, z: S::State) -> S::State {
         system.kick(z, system.force(t, z), self.kicks[0] * h)
     }
@@ -66,6 +67,7 @@ impl<M: Splitting, S: Separable> Method<S> for M {
 
     const REACH: f64 = length(M::KICKS).max(length(M::DRIFTS));
 
+    #[inline(always)]
     fn start(&self, system: &S, t: f64, h: f64, z: S::State) -> S::State {
         KicksAndDrifts::of::<M>().start(system, t, h, z)
     }
