@@ -48,7 +48,7 @@ pub trait Method<S: System> {
 
     /// Prepares the carry for a trajectory of steps `h` (s) that begins at `z` at time `t` (s).
     ///
-    /// Implementations that compute something are `#[inline(always)]`, as those of `step`.
+    /// Implementations that compute much are `#[inline(always)]`, as those of `step`.
     fn start(&self, system: &S, t: f64, h: f64, z: S::State) -> Self::Carry;
 
     /// The state one step `h` (s) after `z` at time `t` (s). `carry` is the one that `start` or the

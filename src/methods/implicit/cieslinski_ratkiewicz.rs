@@ -58,7 +58,6 @@ where
 
     const IS_LONG: bool = true;
 
-    #[inline(always)]
     fn start(&self, system: &S, _t: f64, h: f64, _z: S::State) -> S::Time {
         system.linear_frequency_squared().map(|frequency_squared| {
             let half_turned = 0.5 * libm::sqrt(frequency_squared) * h;

@@ -41,7 +41,6 @@ impl<S: System> Method<S> for DormandPrince {
     const REACH: f64 = TABLEAU.reach();
     const IS_LONG: bool = true;
 
-    #[inline(always)]
     fn start(&self, system: &S, t: f64, _h: f64, z: S::State) -> RateOf<S> {
         system.rate(t, z)
     }

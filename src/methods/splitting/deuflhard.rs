@@ -76,7 +76,6 @@ impl<S: NearlyLinear> Method<S> for Deuflhard {
     /// The kick, and at x = 3 another 8.4 steps of the linear force, up to π times as large.
     const REACH: f64 = 28.0;
 
-    #[inline(always)]
     fn start(&self, system: &S, t: f64, h: f64, z: S::State) -> Rotating<S::State, S::Time> {
         let kick = system.linear_frequency_squared().map(|frequency_squared| {
             let frequency = libm::sqrt(frequency_squared);

@@ -34,7 +34,6 @@ impl<S: Separable> Method<S> for PositionVerlet {
     /// The state half a drift ahead.
     type Carry = S::State;
 
-    #[inline(always)]
     fn start(&self, system: &S, _t: f64, h: f64, z: S::State) -> S::State {
         system.drift(z, 0.5 * h)
     }

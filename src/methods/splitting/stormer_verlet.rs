@@ -35,7 +35,6 @@ impl<S: Separable> Method<S> for StormerVerlet {
     /// The state half a kick ahead.
     type Carry = S::State;
 
-    #[inline(always)]
     fn start(&self, system: &S, t: f64, h: f64, z: S::State) -> S::State {
         system.kick(z, system.force(t, z), 0.5 * h)
     }
