@@ -7,6 +7,7 @@ import time
 import tomllib
 
 import mpmath
+import numpy
 
 import tables
 from arithmetic import Digits, Rough, Spread, mpf
@@ -80,7 +81,8 @@ def state(exact):
 
 def spread(exact, rough):
     """By how much rough numbers miss the exact ones, in units."""
-    return max(abs(r.v - float(e)).max() for e, r in zip(exact, rough)) / Rough.UNIT
+    errors = [numpy.asarray(r) - float(e) for e, r in zip(exact, rough)]
+    return max(abs(error).max() for error in errors) / Rough.UNIT
 
 
 def answers(method):
@@ -123,9 +125,8 @@ def extra(method, n, scene, states, memory):
     c, h = memory["c"], n.number(scene["h"])
     found = {}
     if hasattr(c, "b_embedded"):
-        size = range(len(c.b))
-        zero = n.number(0)
-        differences = [(c.b[i] or zero) - (c.b_embedded[i] or zero) for i in size]
+        both = [[n.number(0) if x is None else x for x in row] for row in (c.b, c.b_embedded)]
+        differences = [a - b for a, b in zip(*both)]
         found["estimate"] = combination(n, differences, memory, h)
     if hasattr(c, "interpolant"):
         dq, dp = combination(n, c.interpolant, memory, h)
