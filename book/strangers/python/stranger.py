@@ -1,20 +1,21 @@
-"""The lines that a stranger speaks: protocol 1 of `pendula verify`.
+"""Integrators of Python's libraries as strangers, protocol 1 of `pendula verify`:
 
-An adapter calls `serve(name, solve)`.  `solve(ask)` returns the states
-after k, 2k, ... n steps, as pairs (theta, omega), and the number of force
-evaluations, or None where nobody counts.
+    python3 stranger.py LIBRARY INTEGRATOR
+
+An adapter is a function of the library's name in equations.py or mechanics.py. Of an integrator's
+name it makes a function `solve(ask)`, which returns the states after k, 2k, ... n steps, as pairs
+(theta, omega). It imports what it needs itself, as only one library is loaded.
 """
+
 import math
 import os
 import sys
 
-# An adapter has the name of its library: only the library is to be found.
-_HERE = os.path.dirname(os.path.abspath(__file__))
-sys.path[:] = [p for p in sys.path if os.path.abspath(p or ".") != _HERE]
+import equations
+import mechanics
 
-
-class Unsupported(Exception):
-    """The library cannot do what was asked."""
+# Their forces know no time.
+WITHOUT_TIME = ("ase", "blackjax", "mici", "mujoco", "openmm")
 
 
 class Ask:
@@ -29,53 +30,61 @@ class Ask:
         self.n, self.k = int(words[-2]), int(words[-1])
         if self.n < 1 or self.k < 1 or self.n % self.k:
             raise ValueError("k does not divide n")
+        # The evaluations of the force; none where the library computes it in code of its own.
+        self.count = 0
 
-    def force(self):
-        """The angular acceleration as a function (t, theta) of floats."""
-        g, a, w, sin, cos = self.g, self.a, self.w, math.sin, math.cos
-        if self.driven:
-            return lambda t, x: a * cos(w * t) - g * sin(x)
-        return lambda t, x: -g * sin(x)
+    def force(self, t, x):
+        """The angular acceleration, counted."""
+        self.count += 1
+        fall = -self.g * math.sin(x)
+        return self.a * math.cos(self.w * t) + fall if self.driven else fall
+
+    def rate(self, t, y):
+        """The derivatives of angle and velocity, as a list."""
+        return [y[1], self.force(t, y[0])]
+
+    def steps(self, state, step):
+        """The states that are asked for, of `state = step(i, state)`.
+
+        `step` takes step i, from i h to (i + 1) h; a state begins with theta and omega.
+        """
+        found = []
+        for i in range(self.n):
+            state = step(i, state)
+            if (i + 1) % self.k == 0:
+                found.append((float(state[0]), float(state[1])))
+        return found
 
 
-def steps(ask, state, step):
-    """The states that are asked for, of `state = step(i, state)`.
+def answer(words, name, solve, drives):
+    """The lines of an answer."""
+    try:
+        if words == ["hello", "1"]:
+            return [f"hello 1 {name}"]
+        if words[0] == "pendulum" or (words[0] == "driven" and drives):
+            ask = Ask(words)
+            found = [f"{float(x)!r} {float(v)!r}" for x, v in solve(ask)]
+            return [*found, f"done {ask.count}" if ask.count else "done"]
+        return ["unsupported"]
+    except Exception as fault:
+        why = " ".join(f"{type(fault).__name__}: {fault}".split())
+        return [f"error {why[:300]}"]
 
-    `step` takes step i, from i h to (i + 1) h; a state begins with theta
-    and omega.
-    """
-    found = []
-    for i in range(ask.n):
-        state = step(i, state)
-        if (i + 1) % ask.k == 0:
-            found.append((float(state[0]), float(state[1])))
-    return found
 
-
-def serve(name, solve, drives=True):
-    """Answers requests until `bye` or the end of the input."""
+def main():
+    library, integrator = sys.argv[1:]
     # What a library prints goes to the standard error, not to our reader.
     answers = os.fdopen(os.dup(1), "w")
     os.dup2(2, 1)
+    adapter = getattr(equations, library, None) or getattr(mechanics, library)
+    solve = adapter(integrator)
     for line in sys.stdin:
         words = line.split()
-        if not words:
-            continue
-        if words[0] == "bye":
+        if words == ["bye"]:
             break
-        try:
-            if words == ["hello", "1"]:
-                reply = [f"hello 1 {name}"]
-            elif words[0] == "pendulum" or (words[0] == "driven" and drives):
-                found, count = solve(Ask(words))
-                reply = [f"{float(x)!r} {float(v)!r}" for x, v in found]
-                reply.append("done" if count is None else f"done {count}")
-            else:
-                reply = ["unsupported"]
-        except Unsupported:
-            reply = ["unsupported"]
-        except Exception as fault:
-            why = " ".join(f"{type(fault).__name__}: {fault}".split())
-            reply = [f"error {why[:300]}"]
-        answers.write("\n".join(reply) + "\n")
-        answers.flush()
+        if words:
+            said = answer(words, f"{library} {integrator}", solve, library not in WITHOUT_TIME)
+            print("\n".join(said), file=answers, flush=True)
+
+
+main()
