@@ -15,10 +15,10 @@ SYSTEMS = [
 G, L, STEPS, STEP = 9.81, 1.3, 200, 0.004
 # The state of the lab's first pendulum, and of the same told to the library directly.
 MOVED = f"""(([kind, beta, p, q]) => {{
-    const {{spare, pendulums: [{{library, method}}]}} = lab, {{QUANTITY}} = theLab;
+    const {{spare, pendulums: [{{library, method}}]}} = lab;
     spare.set(0, kind, method.number, {G}, {L}, beta, 2.1, 0.7, {STEP}, p, q);
     spare.advance(0, {STEPS});
-    const quantities = ['THETA', 'OMEGA', 'LOWER_THETA', 'LOWER_OMEGA'].map(q => QUANTITY[q]);
+    const quantities = [THETA, OMEGA, LOWER_THETA, LOWER_OMEGA];
     return [library, spare].map(lab => quantities.map(q => String(lab.read(0, q))));
 }})(given)"""
 # Many steps at once, with a look after each eighth or so, and one by one.
