@@ -156,3 +156,35 @@ class Tab:
     def theme(self, name: str):
         """Shows the page in a theme, where it has them, as if it had been chosen before."""
         self.run(f"document.getElementById('mdbook-theme-{name}')?.click()")
+
+
+class Part:
+    """A part of a page that its scripts make; expressions know its element as `spot`, what a
+    selector finds there as `all(…)`, and the lab that it is, if it is one, as `lab`."""
+
+    def __init__(self, tab: Tab, selector: str):
+        self.tab, self.selector = tab, selector
+
+    def _script(self, expression: str) -> str:
+        return f"""given => {{
+            const spot = document.querySelector({self.selector!r}), {{lab}} = spot;
+            const all = selector => [...spot.querySelectorAll(selector)];
+            return {expression};
+        }}"""
+
+    def run(self, expression: str, given=None):
+        """The value of an expression, to which something may be given."""
+        return self.tab.run(self._script(expression), given)
+
+    def comes(self, expression: str) -> bool:
+        return self.tab.comes(f"({self._script(expression)})()")
+
+    def texts(self, selector: str) -> list[str]:
+        return self.run("all(given).map(one => one.textContent)", selector)
+
+    def focus(self, selector: str):
+        self.run("all(given)[0].focus()", selector)
+
+    def press(self, button: str, times: int = 1):
+        click = "all(`button.${given[0]}`)[0].click()"
+        self.run(f"(() => {{ for (let i = 0; i < given[1]; i++) {click}; }})()", [button, times])

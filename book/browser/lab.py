@@ -6,40 +6,20 @@ import re
 import pytest
 
 from book import Book
-from browser import DESK, TELEPHONE, Tab
+from browser import DESK, TELEPHONE, Part, Tab
 
 PAGE = "lab.html"
 
 
-class Lab:
-    """The lab on its own page; expressions of a script know it as `lab`, its element as `spot`, and
-    what of that a selector finds as `all(…)`."""
+class Lab(Part):
+    """The lab on its own page; expressions of a script know it as `lab`, too."""
 
     def __init__(self, tab: Tab, scene: str = ""):
-        self.tab = tab
+        super().__init__(tab, ".lab.whole")
         self.open(scene)
 
     def open(self, scene: str = ""):
         self.tab.anew(PAGE, "document.querySelector('.lab.whole.on')", scene)
-
-    @staticmethod
-    def _script(expression: str) -> str:
-        return f"""given => {{
-            const spot = document.querySelector('.lab.whole'), {{lab}} = spot;
-            const all = selector => [...spot.querySelectorAll(selector)];
-            return {expression};
-        }}"""
-
-    def run(self, expression: str, given=None):
-        """The value of an expression, to which something may be given."""
-        return self.tab.run(self._script(expression), given)
-
-    def comes(self, expression: str) -> bool:
-        return self.tab.comes(f"({self._script(expression)})()")
-
-    def press(self, button: str, times: int = 1):
-        click = "all(`button.${given[0]}`)[0].click()"
-        self.run(f"(() => {{ for (let i = 0; i < given[1]; i++) {click}; }})()", [button, times])
 
     def running(self) -> bool:
         return self.texts(".run") == ["Pause"]
@@ -71,9 +51,6 @@ class Lab:
     def value(self, key: str) -> float:
         """What stands in the field beside a slider."""
         return self.run("all(`input[type=number].${given}`)[0].valueAsNumber", key)
-
-    def texts(self, selector: str) -> list[str]:
-        return self.run("all(given).map(one => one.textContent)", selector)
 
     def has_rows(self, count: int) -> bool:
         """Whether the table comes to have so many rows, one for each method."""
@@ -178,7 +155,7 @@ def test_hands(tab, lab, book):
 def test_slider(tab, lab, book, key):
     """Each slider is moved with the keyboard, and the address with it."""
     before = lab.value(key)
-    lab.run("all(`input[type=range].${given}`)[0].focus()", key)
+    lab.focus(f"input[type=range].{key}")
     tab.press(*["ArrowRight"] * 3)
     assert tab.here() == PAGE
     after = lab.value(key)

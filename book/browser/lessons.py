@@ -21,7 +21,7 @@ def said(lab: Lab) -> tuple[str, str]:
 
 
 def turn(lab: Lab, button: str):
-    lab.run("all(`.beside .${given}`)[0].focus()", button)
+    lab.focus(f".beside .{button}")
     lab.tab.press("Enter")
 
 

@@ -7,7 +7,7 @@ import re
 import pytest
 
 from book import Book
-from browser import DESK, TELEPHONE, Tab
+from browser import DESK, TELEPHONE, Part, Tab
 from table import number
 
 # The chapters with a step to move, its method, and what is written beside the arrows.
@@ -21,35 +21,17 @@ TILTED, CAT = "symplectic-euler.html", "phase-space.html"
 SYMPLECTIC = {"symplectic-euler", "stormer-verlet"}
 
 
-class Figure:
-    """A figure that is moved; expressions of a script know it as `spot`, and what of it a selector
-    finds as `all(…)`."""
+class Figure(Part):
+    """A figure that is moved."""
 
     def __init__(self, tab: Tab, page: str, kind: str):
-        self.tab, self.kind = tab, kind
+        super().__init__(tab, f'.lab-figure[data-figure="{kind}"]')
         # It comes to life when it is near.
-        spot = f"""document.querySelector('.lab-figure[data-figure="{kind}"]')"""
-        tab.anew(page, f"({spot}.scrollIntoView(), {spot}.classList.contains('on'))")
-
-    def run(self, expression: str, given=None):
-        return self.tab.run(f"""given => {{
-            const spot = document.querySelector('.lab-figure[data-figure="{self.kind}"]');
-            const all = selector => [...spot.querySelectorAll(selector)];
-            return {expression};
-        }}""", given)
-
-    def texts(self, selector: str) -> list[str]:
-        return self.run("all(given).map(one => one.textContent)", selector)
+        spot = f"document.querySelector({self.selector!r})"
+        tab.anew(page, f"({spot}.scrollIntoView(), {spot}.matches('.on'))")
 
     def text(self, selector: str) -> str:
         return self.texts(selector)[0]
-
-    def press(self, button: str, times: int = 1):
-        for _ in range(times):
-            self.run("all(`button.${given}`)[0].click()", button)
-
-    def focus(self, selector: str):
-        self.run("all(given)[0].focus()", selector)
 
 
 class Stencil(Figure):

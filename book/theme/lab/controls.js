@@ -51,12 +51,7 @@ class Controls {
     }
 
     until() {
-        this.end = element('input', {
-            type: 'number',
-            class: 'until',
-            min: 0,
-            max: LONGEST,
-            step: 'any',
+        this.end = field('number', 'until', [0, LONGEST, 'any'], {
             placeholder: 'never',
             'aria-label': 'Stop at (s), or empty for never',
             onchange: () => {
@@ -86,22 +81,10 @@ class Controls {
     slider(key) {
         const { label, unit, from, to, by, least, most, logarithmic } = SLIDERS[key];
         const value = at => Number(logarithmic ? (10 ** at).toPrecision(3) : at.toFixed(2));
-        const range = element('input', {
-            type: 'range',
-            class: key,
-            min: from,
-            max: to,
-            step: by,
-            oninput: () => {
-                this.lab.change({ [key]: value(Number(range.value)) });
-            },
+        const range = field('range', key, [from, to, by], {
+            oninput: () => this.lab.change({ [key]: value(Number(range.value)) }),
         });
-        const typed = element('input', {
-            type: 'number',
-            class: key,
-            min: least,
-            max: most,
-            step: 'any',
+        const typed = field('number', key, [least, most, 'any'], {
             'aria-label': `${label} (${unit}), as a number`,
             onchange: () => {
                 const given = typed.valueAsNumber;

@@ -3,7 +3,7 @@
 // symplectic Euler's H̃, built term by term under a slider, with the points of the method.
 'use strict';
 
-// Numbered as in book/lab/src/parts.rs.
+// Numbered as in book/curves/src/parts.rs.
 const SLOPE = 0;
 const NAMES = ['slope', 'kick', 'drift'];
 // The axes of the still figure, and those of the whole plane.

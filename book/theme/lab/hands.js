@@ -234,12 +234,12 @@ class Reading {
             return low === high ? `${low} ${unit}` : `${low} to ${high} ${unit}`;
         };
         const own = lab.pendulums.map(p => [p.method.title, words(p, cursor.step)]);
-        const step = pendulum => Math.round(cursor.time / lab.pin.dt);
+        const step = Math.round(cursor.time / lab.pin.dt);
         const pinned = lab.pin
             .shown()
             .map(p => [
                 `${p.method.title}, pinned`,
-                cursor.time <= lab.pin.time ? words(p, step(p)) : '–',
+                cursor.time <= lab.pin.time ? words(p, step) : '–',
             ]);
         return [...own, ...pinned];
     }

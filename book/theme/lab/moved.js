@@ -132,12 +132,7 @@ class Moved {
     // A slider of the scene, with its value beside it.
     slider(key, label, unit, { from, to, by }) {
         const value = element('output', {});
-        const range = element('input', {
-            type: 'range',
-            class: key,
-            min: from,
-            max: to,
-            step: by,
+        const range = field('range', key, [from, to, by], {
             oninput: () => this.change({ [key]: Number(range.value) }),
         });
         const digits = (String(by).split('.')[1] ?? '').length;

@@ -18,10 +18,12 @@ function lessonsOf(page) {
 class Lessons {
     constructor(lab) {
         this.lab = lab;
-        this.names = Object.keys(PRESETS);
+        const names = Object.keys(PRESETS);
+        // All steps of all lessons, one after another: [lesson, step].
+        this.walk = names.flatMap(name => (lab.lessons[name] ?? [0]).map((_, i) => [name, i + 1]));
         this.choice = select(
             { 'aria-label': 'Lesson', onchange: () => lab.lesson(this.choice.value, 1) },
-            this.names.map(name => [name, PRESETS[name].title]),
+            names.map(name => [name, PRESETS[name].title]),
         );
         this.where = element('span', { class: 'note' });
         // Said when the step changes, after what is being said.
@@ -42,13 +44,11 @@ class Lessons {
             </section>`;
     }
 
-    // The step before or after the present one, across lessons; null beyond the ends.
+    // The step before or after the present one, across lessons, if there is one.
     neighbour(by) {
-        const { lesson, step } = this.lab.scene,
-            steps = this.lab.lessons[lesson]?.length ?? 1;
-        if (step + by >= 1 && step + by <= steps) return [lesson, step + by];
-        const other = this.names[this.names.indexOf(lesson) + by];
-        return other ? [other, by > 0 ? 1 : (this.lab.lessons[other]?.length ?? 1)] : null;
+        const { lesson, step } = this.lab.scene;
+        const at = this.walk.findIndex(([name, i]) => name === lesson && i === step);
+        return this.walk[at + by];
     }
 
     turn(by) {
@@ -64,8 +64,8 @@ class Lessons {
         this.choice.value = lesson;
         const [before, after] = [this.neighbour(-1), this.neighbour(1)];
         // Kept in the order of the keyboard, so that the focus is not lost.
-        this.back.setAttribute('aria-disabled', before === null);
-        this.next.setAttribute('aria-disabled', after === null);
+        this.back.setAttribute('aria-disabled', !before);
+        this.next.setAttribute('aria-disabled', !after);
         this.next.textContent = after && after[0] !== lesson ? 'Next lesson' : 'Next';
         const off = !lab.isStep();
         this.set.hidden = !off;

@@ -223,8 +223,6 @@ function handle(plane, name, by, moved) {
             tabindex: 0,
             role: 'slider',
             'aria-label': name,
-            'aria-valuemin': plane.theta[0],
-            'aria-valuemax': plane.theta[1],
         },
         finger,
         ring,
@@ -266,7 +264,6 @@ function handle(plane, name, by, moved) {
     );
     plane.svg.append(knob);
     return {
-        knob,
         // Puts it at a point, which is put into words for those who do not see it.
         put(theta, omega, text) {
             here = [theta, omega];

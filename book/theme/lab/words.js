@@ -89,6 +89,11 @@ function button(name, words, onclick) {
     return element('button', { type: 'button', class: name, onclick }, words);
 }
 
+// A field for a number, as a slider (range) or to be typed in (number).
+function field(type, name, [min, max, step], more) {
+    return element('input', { type, class: name, min, max, step, ...more });
+}
+
 // `options` are pairs of value and words.
 function select(attributes, options) {
     const each = options.map(([value, words]) => element('option', { value }, words));
