@@ -159,7 +159,6 @@ def series(forces, t, q, p, h, order):
     """Taylor's series of this order, by Picard's iteration."""
     flint.ctx.cap = order + 1
     x = arb_series([0, 1])
-    theta = omega = None
     theta, omega = arb_series([q]), arb_series([p])
     for _ in range(order + 1):
         force = -forces.g * theta.sin() + forces.a * (forces.w * (t + x)).cos()

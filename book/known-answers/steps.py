@@ -255,7 +255,7 @@ def taylor(n, system, memory, t, q, p, h, order=None):
 
 
 def discrete_gradient(n, system, memory, t, q, p, h):
-    x, half = memory["c"].x, n.number(0.5)
+    half = n.number(0.5)
     exact = memory["c"].table.get("exact_when_small")
     if exact:
         w = system.linear_frequency
