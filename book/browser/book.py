@@ -1,15 +1,12 @@
 """The built book on disk: its pages, its chapters, and the program that built it."""
 
 import csv
+import gzip
 import re
 import subprocess
 import sys
 from pathlib import Path
 from urllib.parse import unquote, urlsplit
-
-
-class NoBook(Exception):
-    """There is no built book where one was asked for."""
 
 
 class Book:
@@ -20,11 +17,11 @@ class Book:
         # What every address of the book begins with.
         self.root = self.folder.as_uri()
         if not (self.folder / "toc.html").is_file():
-            raise NoBook(f"{folder}: no built book here; cargo run --release builds it")
+            sys.exit(f"{folder}: no built book here; cargo run --release builds it")
         # Cargo puts the program beside the book, in target/release and target/book.
         self.program = self.folder.parent / "release/pendula"
         if not self.program.is_file():
-            raise NoBook(f"{self.program}: not built; cargo build --release builds it")
+            sys.exit(f"{self.program}: not built; cargo build --release builds it")
         every = sorted(str(p.relative_to(self.folder)) for p in self.folder.rglob("*.html"))
         # Pages of older editions, which only lead to where their subject is now.
         self.moved = [page for page in every if 'http-equiv="refresh"' in self.text(page)]
@@ -35,6 +32,13 @@ class Book:
 
     def text(self, page: str) -> str:
         return (self.folder / page).read_text()
+
+    def compressed(self, file: str) -> int:
+        """The size of a file as a server sends it (bytes); fonts and pictures are compressed
+        already."""
+        content = (self.folder / file).read_bytes()
+        packed = file.endswith((".woff2", ".png"))
+        return len(content if packed else gzip.compress(content, 9))
 
     def url(self, page: str) -> str:
         return (self.folder / page).as_uri()

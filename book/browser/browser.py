@@ -1,11 +1,10 @@
-"""Chromium with one tab for each check, which remembers what its pages complain of."""
+"""A tab of Chromium, which remembers what its pages complain of."""
 
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from contextlib import contextmanager
-from subprocess import CalledProcessError
 
-from playwright.sync_api import Error, TimeoutError, sync_playwright
+from playwright.sync_api import Error, TimeoutError
 
 from book import Book
 
@@ -18,60 +17,23 @@ ARGUMENTS = """--headless --no-sandbox --disable-gpu --disable-quic --no-first-r
 DESK, TELEPHONE = 1280, 400
 # A4 less the browser's margins of a centimetre, at 96 px an inch.
 SHEET = 718
-
-
-class Stop(Exception):
-    """A finding that leaves a check nothing to go on with."""
-
-
 # For how many seconds something that may never come is waited for.
 GRACE = 15
 
 
-class Browser:
-    """Chromium."""
-
-    def __enter__(self):
-        self.playwright = sync_playwright().start()
-        self.chromium = self.playwright.chromium.launch(executable_path=PROGRAM, args=ARGUMENTS)
-        return self
-
-    def __exit__(self, *_):
-        self.chromium.close()
-        self.playwright.stop()
-
-    def findings(self, check: Callable[["Tab", Book], Iterator[str]], book: Book) -> list[str]:
-        """What a check finds, each thing once: what it says, and what is left of complaints.
-
-        It has a tab of its own, so that no theme, no window and no setting comes from another.
-        """
-        found = []
-        with Tab(self, book) as tab:
-            try:
-                for finding in check(tab, book):
-                    found.append(finding)
-            except Stop as finding:
-                found.append(str(finding))
-            except CalledProcessError as refused:
-                found.append(f"{' '.join(map(str, refused.cmd[1:]))}: {refused.stderr.strip()}")
-            except Error as error:
-                found.append(f"{check.__name__}: broken off: {str(error).splitlines()[0]}")
-            found += [f"{check.__name__}: {complaint}" for complaint in tab.complaints()]
-        return list(dict.fromkeys(found))
-
-
 class Tab:
-    """A tab as wide as a desk; with no scripts, if a page has to do without them."""
+    """A tab as wide as a desk; with no scripts, if a page has to do without them. Whoever leaves it
+    has to have dealt with what its pages complained of."""
 
-    def __init__(self, browser: Browser, book: Book, scripts: bool = True):
-        self.browser, self.book = browser, book
-        self.context = browser.chromium.new_context(java_script_enabled=scripts)
+    def __init__(self, chromium, book: Book, scripts: bool = True):
+        self.chromium, self.book = chromium, book
+        self.context = chromium.new_context(java_script_enabled=scripts)
         self.context.set_default_timeout(60_000)
         # What was asked for, and what the pages complained of.
         self.asked: set[str] = set()
         self.noted: list[str] = []
         self.context.on("console", self._console)
-        self.context.on("weberror", self._thrown)
+        self.context.on("weberror", lambda it: self.noted.append(f"{it.error.name}: {it.error}"))
         self.context.on("request", self._request)
         self.context.on("requestfailed", self._failed)
         self.context.on("response", self._answered)
@@ -81,44 +43,45 @@ class Tab:
     def __enter__(self):
         return self
 
-    def __exit__(self, *_):
+    def __exit__(self, kind, *_):
         self.context.close()
-
-    def _note(self, complaint: str):
-        self.noted.append(complaint.splitlines()[0])
-
-    def _thrown(self, thrown):
-        self._note(f"console error: {thrown.error.name}: {thrown.error.message}")
+        assert kind or not self.complaints()
 
     def _console(self, message):
         # A file that is missing is told of below, with its name.
         missing = message.text.startswith("Failed to load resource")
         if message.type in ("error", "warning", "assert") and not missing:
-            self._note(f"console {message.type}: {message.text}")
+            self.noted.append(f"console {message.type}: {message.text}")
 
     def _request(self, request):
         self.asked.add(request.url)
         here = ("file:", "data:", "blob:", "about:", self.book.root)
         if not request.url.startswith(here):
-            self._note(f"leaves the machine: {request.url}")
+            self.noted.append(f"leaves the machine: {request.url}")
 
     def _failed(self, request):
         # What the browser itself no longer wants, when it leaves a page, is not missing.
         if request.failure != "net::ERR_ABORTED":
-            self._note(f"missing: {request.url} ({request.failure})")
+            self.noted.append(f"missing: {request.url} ({request.failure})")
 
     def _answered(self, response):
         if not response.ok:
-            self._note(f"missing: {response.url} ({response.status})")
+            self.noted.append(f"missing: {response.url} ({response.status})")
 
     def complaints(self) -> list[str]:
-        """What the pages complained of since this was last asked, each thing once."""
-        complaints, self.noted = list(dict.fromkeys(self.noted)), []
+        """What the pages complained of since this was last asked."""
+        complaints, self.noted = self.noted, []
         return complaints
 
     def without_scripts(self) -> "Tab":
         """Another tab, in which no page may run a script."""
-        return Tab(self.browser, self.book, scripts=False)
+        return Tab(self.chromium, self.book, scripts=False)
+
+    def another(self) -> "Tab":
+        """Another tab at the same address."""
+        other = Tab(self.chromium, self.book)
+        other.page.goto(self.page.url)
+        return other
 
     def open(self, page: str):
         self.page.goto(self.book.url(page))
@@ -127,11 +90,7 @@ class Tab:
         """Loads a page, even if it is the present one, and waits for a sign of its scripts."""
         self.page.goto("about:blank")
         self.page.goto(self.book.url(page) + place)
-        if not self.comes(sign):
-            raise Stop(f"{page}{place}: does not come")
-
-    def texts(self, selector: str) -> list[str]:
-        return self.run("s => [...document.querySelectorAll(s)].map(e => e.textContent)", selector)
+        assert self.comes(sign), f"{page}{place} does not come"
 
     def here(self) -> str:
         """The page on the screen, as a path in the book."""
@@ -166,8 +125,9 @@ class Tab:
             return False
         return True
 
-    def press(self, key: str):
-        self.page.keyboard.press(key)
+    def press(self, *keys: str):
+        for key in keys:
+            self.page.keyboard.press(key)
 
     def drag(self, start: tuple[float, float], end: tuple[float, float]):
         """Presses the mouse at one point, moves it to another in a few steps, and lets go."""
@@ -190,6 +150,41 @@ class Tab:
         self.page.emulate_media(media="screen")
         self.screen(DESK)
 
+    def little_motion(self):
+        self.page.emulate_media(reduced_motion="reduce")
+
     def theme(self, name: str):
         """Shows the page in a theme, where it has them, as if it had been chosen before."""
         self.run(f"document.getElementById('mdbook-theme-{name}')?.click()")
+
+
+class Part:
+    """A part of a page that its scripts make; expressions know its element as `spot`, what a
+    selector finds there as `all(…)`, and the lab that it is, if it is one, as `lab`."""
+
+    def __init__(self, tab: Tab, selector: str):
+        self.tab, self.selector = tab, selector
+
+    def _script(self, expression: str) -> str:
+        return f"""given => {{
+            const spot = document.querySelector({self.selector!r}), {{lab}} = spot;
+            const all = selector => [...spot.querySelectorAll(selector)];
+            return {expression};
+        }}"""
+
+    def run(self, expression: str, given=None):
+        """The value of an expression, to which something may be given."""
+        return self.tab.run(self._script(expression), given)
+
+    def comes(self, expression: str) -> bool:
+        return self.tab.comes(f"({self._script(expression)})()")
+
+    def texts(self, selector: str) -> list[str]:
+        return self.run("all(given).map(one => one.textContent)", selector)
+
+    def focus(self, selector: str):
+        self.run("all(given)[0].focus()", selector)
+
+    def press(self, button: str, times: int = 1):
+        click = "all(`button.${given[0]}`)[0].click()"
+        self.run(f"(() => {{ for (let i = 0; i < given[1]; i++) {click}; }})()", [button, times])

@@ -2,9 +2,7 @@
 scripts."""
 
 import re
-from collections.abc import Iterator
 
-from book import Book
 from browser import TELEPHONE, Tab
 from pages import probe
 from reader import THEMES
@@ -37,16 +35,11 @@ def those(tab: Tab, wanted: str) -> list[str]:
     return tab.run(f"{ROWS}.filter(row => {wanted}).map(row => row.id)")
 
 
-def choices(tab: Tab, name: str) -> list[str]:
-    options = f"[...document.querySelectorAll('select[name={name}] option')]"
-    return tab.run(f"{options}.map(option => option.value).filter(Boolean)")
-
-
 def choose(tab: Tab, name: str, value: str):
     tab.page.select_option(f"select[name={name}]", value)
 
 
-def filters(tab: Tab, book: Book) -> Iterator[str]:
+def test_filters(tab):
     """Each choice shows the rows that it names and no other, says how many, and has an address
     that does the same; the summary's counts lead to as many rows; the keyboard is enough."""
     tab.open(PAGE)
@@ -56,46 +49,37 @@ def filters(tab: Tab, book: Book) -> Iterator[str]:
         ("verdict", "row.dataset.verdict === '{}'"),
         ("part", "[row.dataset.part, row.dataset.kind].includes('{}')"),
     ]:
-        for value in choices(tab, name):
+        options = f"[...document.querySelectorAll('select[name={name}] option')]"
+        for value in tab.run(f"{options}.map(option => option.value).filter(Boolean)"):
             choose(tab, name, value)
             wanted = is_one.format(value)
-            if shown(tab) != those(tab, wanted):
-                yield f"claims: {name} {value} does not show its rows"
+            assert shown(tab) == those(tab, wanted), value
             count = len(those(tab, f"{wanted} && !{OURS}"))
-            if not tab.run(SAID).startswith(f"{count} of {claims} claims"):
-                yield f"claims: {name} {value} is {count} rows, but it says {tab.run(SAID)!r}"
+            assert tab.run(SAID).startswith(f"{count} of {claims} claims"), value
         choose(tab, name, "")
-    if shown(tab) != everything:
-        yield "claims: no filter does not show everything"
+    assert shown(tab) == everything
 
     choose(tab, "verdict", "wrong")
     choose(tab, "part", "P6")
     both = shown(tab)
-    if both != those(tab, "row.dataset.verdict === 'wrong' && row.dataset.part === 'P6'"):
-        yield "claims: two filters do not show what both do"
-    with Tab(tab.browser, book) as other:
-        other.page.goto(tab.page.url)
-        if shown(other) != both:
-            yield f"claims: the address {tab.page.url.split('#')[-1]} does not filter"
+    assert both == those(tab, "row.dataset.verdict === 'wrong' && row.dataset.part === 'P6'")
+    with tab.another() as other:
+        assert shown(other) == both
     tab.page.click("form.filter [type=reset]")
-    if not tab.comes(f"{SHOWN}.length === {len(everything)} && !location.hash"):
-        yield "claims: the button does not show everything again"
+    assert tab.comes(f"{SHOWN}.length === {len(everything)} && !location.hash")
 
     for counted, said in tab.run(LED):
-        if counted not in re.findall(r"\d+", said):
-            yield f"claims: the count {counted} leads to {said!r}"
+        assert counted in re.findall(r"\d+", said)
     tab.open(PAGE)
     tab.run("document.querySelector('select[name=verdict]').focus()")
     tab.press("ArrowDown")
-    if not tab.comes(f"{SHOWN}.length < {len(everything)}"):
-        yield "claims: the keyboard does not filter"
+    assert tab.comes(f"{SHOWN}.length < {len(everything)}")
     tab.press("ArrowRight")
     tab.page.wait_for_timeout(300)
-    if tab.here() != PAGE:
-        yield "claims: an arrow key in the filter turns the page"
+    assert tab.here() == PAGE
 
 
-def rows(tab: Tab, book: Book) -> Iterator[str]:
+def test_rows(tab):
     """A link to a row that a filter hides shows it, and shows which it is."""
     tab.open(PAGE)
     choose(tab, "verdict", "wrong")
@@ -105,12 +89,9 @@ def rows(tab: Tab, book: Book) -> Iterator[str]:
     before = tab.run(ground)
     tab.run(f"location.hash = '{hidden}'")
     inside = "(box => box.height > 0 && box.top >= 0 && box.bottom <= innerHeight)"
-    if not tab.comes(f"{inside}({row}.getBoundingClientRect())"):
-        yield f"claims: a link to {hidden} does not show it"
-    if tab.run(ground) == before:
-        yield f"claims: {hidden} does not stand out when a link leads to it"
-    if tab.run(SHOWN) != those(tab, "true"):
-        yield f"claims: a link to {hidden} leaves the filter on"
+    assert tab.comes(f"{inside}({row}.getBoundingClientRect())")
+    assert tab.run(ground) != before
+    assert shown(tab) == those(tab, "true")
 
 
 # Of each card: whether id and verdict are at its top, and each value below has its label before it.
@@ -124,30 +105,21 @@ CARDS = f"""{ROWS}.filter(row => {{
 }}).map(row => row.id)"""
 
 
-def cards(tab: Tab, book: Book) -> Iterator[str]:
+def test_cards(tab):
     """On a telephone each row is a card, and nothing scrolls sideways; every theme can be read."""
     tab.screen(TELEPHONE)
     tab.open(PAGE)
     for theme in THEMES:
         tab.theme(theme)
-        for finding in probe(tab)["findings"]:
-            yield f"claims, cards in {theme}: {finding}"
-    wide = "e => e.scrollWidth > e.clientWidth"
+        assert probe(tab)["findings"] == [], theme
     boxes = "[...document.querySelectorAll('.table-wrapper:has(.claims, .verdicts)')]"
-    if tab.run(f"{boxes}.some({wide})"):
-        yield "claims: a card scrolls sideways"
-    for row in tab.run(CARDS)[:1]:
-        yield f"claims: {row} is no card"
+    assert not tab.run(f"{boxes}.some(e => e.scrollWidth > e.clientWidth)")
+    assert tab.run(CARDS) == []
 
 
-def unscripted(tab: Tab, book: Book) -> Iterator[str]:
+def test_unscripted(tab):
     """Scripts off: every row, and no control that does nothing."""
-    with tab.without_scripts() as tab:
-        tab.open(PAGE)
-        if shown(tab) != those(tab, "true"):
-            yield "claims, no scripts: a row is hidden"
-        if tab.run("!!document.querySelector('main :is(form, select, button)')"):
-            yield "claims, no scripts: a control that does nothing"
-
-
-CHECKS = [filters, rows, cards, unscripted]
+    with tab.without_scripts() as bare:
+        bare.open(PAGE)
+        assert shown(bare) == those(bare, "true")
+        assert not bare.run("!!document.querySelector('main :is(form, select, button)')")

@@ -1,11 +1,12 @@
-"""Every page as it stands on the screen, and the print page on paper."""
+"""Every page as it stands on the screen, and the print page on paper: what page.js and the rules of
+axe-core see (contrast, accessible names, roles, ids, tables, landmarks), and that nothing lies over
+a control."""
 
 import re
-from collections.abc import Generator, Iterator
 from pathlib import Path
 
-import axe
-from book import Book
+from axe_playwright_python.base import AXE_SCRIPT
+
 from browser import DESK, SHEET, TELEPHONE, Tab
 
 PROBE = (Path(__file__).parent / "page.js").read_text()
@@ -14,6 +15,51 @@ PROBE = (Path(__file__).parent / "page.js").read_text()
 LETTER, INDEX = 11, 7.5
 # WCAG 2.2, 1.4.3: the contrast of text, level AA.
 CONTRAST = 4.5
+
+
+# Off unless asked for: browsers put up with an id that is there twice, but a link to it does not.
+IDS = "duplicate-id"
+OPTIONS = {"resultTypes": ["violations"], "preload": False, "rules": {IDS: {"enabled": True}}}
+# The print page is fifty times a chapter, and all rules together take two minutes on it. It says
+# what the chapters say, but ids that are unique in each may meet there.
+OPTIONS_OF = {"print.html": {**OPTIONS, "runOnly": [IDS]}}
+
+# What is accepted, by rule and element, and why. mdBook puts its frame around every page: the bar
+# at the top and the contents. The book has no template of its own for that.
+ACCEPTED = {
+    # mdBook makes the button of the contents a label of a hidden box, so that it works without
+    # scripts, and says of it whether it is open. Screen readers pass over that.
+    ("aria-allowed-attr", "#mdbook-sidebar-toggle"),
+    # A good habit and no rule of WCAG: mdBook's bar lies in no landmark.
+    ("region", "#mdbook-sidebar-toggle-anchor"),
+    ("region", "#mdbook-sidebar-toggle"),
+    ("region", ".menu-title"),
+    ("region", ".right-buttons"),
+}
+# The contents as mdBook shows them in a frame, where there are no scripts. It is no page by itself.
+FRAMED = "toc.html"
+NOT_FRAMED = {"document-title", "landmark-one-main", "page-has-heading-one", "region"}
+
+
+def axe_findings(tab: Tab) -> list[str]:
+    """One line for each rule that the page on the screen breaks, with its first element."""
+    page = tab.here()
+    tab.run(AXE_SCRIPT)
+    options = OPTIONS_OF.get(page, OPTIONS)
+    violations = tab.run("options => axe.run(document, options)", options)["violations"]
+    found = []
+    for violation in violations:
+        rule = violation["id"]
+        if page == FRAMED and rule in NOT_FRAMED:
+            continue
+        nodes = [(" ".join(map(str, node["target"])), node) for node in violation["nodes"]]
+        nodes = [(at, node) for at, node in nodes if (rule, at) not in ACCEPTED]
+        if nodes:
+            at, node = nodes[0]
+            said = [*node["any"], *node["all"], *node["none"]][0]["message"]
+            more = f" and {len(nodes) - 1} more" if len(nodes) > 1 else ""
+            found.append(f"axe {rule}: {at}{more}: {' '.join(said.split())}")
+    return found
 
 
 def probe(tab: Tab, **asked) -> dict:
@@ -28,55 +74,48 @@ def look(tab: Tab) -> dict:
     seen = probe(tab, listings=desk and tab.here() != "print.html")
     # Once a page, as axe takes longer than anything else here. On a telephone it would add only the
     # boxes that scroll sideways there; each theme has it in reader.py.
-    seen["findings"] += (axe.findings(tab) if desk else []) + tab.complaints()
+    seen["findings"] += (axe_findings(tab) if desk else []) + tab.complaints()
     return seen
 
 
-def at_both_widths(tab: Tab, page: str) -> Generator[str, None, tuple[str, str]]:
-    """What is wrong with the page on the screen, on a telephone in navy and a desk in light.
-    Returns its title and last words."""
-    for width, theme in [(TELEPHONE, "navy"), (DESK, "light")]:
-        tab.screen(width)
-        tab.theme(theme)
-        seen = look(tab)
-        for finding in seen["findings"]:
-            yield f"{page}, {width} px, {theme}: {finding}"
-    # Where a page is opened, its width says whether the contents are beside it.
-    tab.screen(TELEPHONE)
-    return seen["title"], seen["last"]
+def test_every_page(tab, book):
+    """Every page, on a telephone in navy and a desk in light: chapter after chapter with the right
+    arrow key, as a reader would, and the rest by name. Then the chapters back with the left one,
+    and the print page."""
+    ends, wrong = {}, []
 
-
-def every_page(tab: Tab, book: Book) -> Iterator[str]:
-    """Every page: chapter after chapter with the right arrow key, as a reader would, and the rest
-    by name. Then the chapters back with the left one, and the print page."""
-    ends = {}
-
-    def turn(key: str, page: str) -> Iterator[str]:
+    def turn(key: str, page: str):
         # index.html is the first chapter too.
         names = {page, "index.html"} if page == book.chapters[0] else {page}
         tab.press(key)
-        if not tab.arrives(lambda there: there in names):
-            yield f"{page}: {key} does not lead here"
-            tab.open(page)
+        assert tab.arrives(lambda there: there in names), f"{key} does not lead to {page}"
 
     tab.screen(TELEPHONE)
     for page in book.chapters + [page for page in book.pages if page not in book.chapters]:
         if page in book.chapters[1:]:
-            yield from turn("ArrowRight", page)
+            turn("ArrowRight", page)
         else:
             tab.open(page)
-        ends[page] = yield from at_both_widths(tab, page)
+        for width, theme in [(TELEPHONE, "navy"), (DESK, "light")]:
+            tab.screen(width)
+            tab.theme(theme)
+            seen = look(tab)
+            wrong += [f"{page}, {width} px, {theme}: {found}" for found in seen["findings"]]
+        # Where a page is opened, its width says whether the contents are beside it.
+        tab.screen(TELEPHONE)
+        ends[page] = seen["title"], seen["last"]
     tab.screen(DESK)
     back = [page for page in book.chapters if not page.startswith("tests/")][::-1]
     tab.open(back[0])
     for page in back[1:]:
-        yield from turn("ArrowLeft", page)
-    yield from paper(tab, {page: ends[page] for page in book.chapters})
+        turn("ArrowLeft", page)
+    wrong += paper(tab, {page: ends[page] for page in book.chapters})
+    assert not wrong, "\n".join(wrong)
 
 
-def paper(tab: Tab, ends: dict[str, tuple[str, str]]) -> Iterator[str]:
-    """The print page, out of a dark theme: every chapter from its title to its last words, nothing
-    folded, nothing beyond the edge of the sheet, and ink that shows."""
+def paper(tab: Tab, ends: dict[str, tuple[str, str]]) -> list[str]:
+    """What is wrong with the print page, out of a dark theme: every chapter from its title to its
+    last words, nothing folded, nothing beyond the edge of the sheet, and ink that shows."""
     tab.screen(SHEET)
     tab.page.emulate_media(media="print")
     tab.open("print.html")
@@ -90,19 +129,64 @@ def paper(tab: Tab, ends: dict[str, tuple[str, str]]) -> Iterator[str]:
     for page, (title, last) in ends.items():
         findings += [f"lacks {page}: {title}"] if title not in titles else []
         findings += [f"lacks the end of {page}: {last}"] if last not in text else []
-    for finding in findings:
-        yield f"print.html, on paper: {finding}"
+    return [f"print.html, on paper: {finding}" for finding in findings]
 
 
-def old_addresses(tab: Tab, book: Book) -> Iterator[str]:
+def test_old_addresses(tab, book):
     """Pages of older editions lead to the place where their subject is now."""
     for page in book.moved:
-        place = re.search(r'canonical" href="([^"#]+)#', book.text(page))
+        place = re.search(r'canonical" href="([^"#]+)#', book.text(page))[1]
         tab.open(page)
-        if not place or not tab.arrives(lambda there, to=place[1]: there == to):
-            yield f"{page}: does not lead where it says"
-        elif not tab.run("document.querySelector(':target') !== null"):
-            yield f"{page}: leads to no place in {place[1]}"
+        assert tab.arrives(lambda there, to=place: there == to), page
+        assert tab.run("document.querySelector(':target') !== null"), page
 
 
-CHECKS = [every_page, old_addresses]
+# CSS pixels, from a small telephone to a wide screen. From 1080 on the contents may stand beside
+# the page.
+WIDTHS = [320, 400, 768, 1024, 1280, 1440, 1920, 2560]
+
+# What has controls: the lab, one within a page, a figure that a reader moves, the form for two
+# numbers, the filters of the claims, what is folded away.
+KINDS = ['class="lab whole"', 'class="lab"', 'class="lab-figure"', 'class="which"',
+         'class="claims"', "<details>"]
+
+# What would be hit in the middle of each control where it can be seen, if that is something else.
+COVERED = """() => {
+    const found = new Set();
+    for (const control of document.querySelectorAll(
+        'main :is(button, input, select, textarea, summary)'
+    )) {
+        if (!control.checkVisibility({ visibilityProperty: true, opacityProperty: true })) continue;
+        control.scrollIntoView({ block: 'center', inline: 'nearest', behavior: 'instant' });
+        const [box] = control.getClientRects();
+        if (!box || box.width < 2 || box.height < 2) continue;
+        const hit = document.elementFromPoint(box.x + box.width / 2, box.y + box.height / 2);
+        const own = control.labels ? [control, ...control.labels] : [control];
+        if (!hit || own.some(one => one.contains(hit)) || hit.contains(control)) continue;
+        // The bar at the top goes away as one scrolls on.
+        if (hit.closest('#mdbook-menu-bar')) continue;
+        const name = one => one.id || one.className.baseVal || one.className || one.localName;
+        found.add(`${name(hit)} lies over ${name(control)} ${control.textContent.slice(0, 20)}`);
+    }
+    return [...found];
+}"""
+
+# Shows or hides the contents.
+SHOWN = """shown => {
+    const box = document.getElementById('mdbook-sidebar-toggle-anchor');
+    if (box.checked !== shown) box.click();
+}"""
+
+
+def test_nothing_over_controls(tab, book):
+    """Every control can be hit in its middle, on the first page that has one of each kind, at any
+    width of the window, with the contents beside it or not."""
+    having = ([page for page in book.chapters if kind in book.text(page)] for kind in KINDS)
+    for page in dict.fromkeys(pages[0] for pages in having if pages):
+        tab.screen(WIDTHS[0])
+        tab.open(page)
+        for width in WIDTHS:
+            tab.screen(width)
+            for contents in [True, False] if width >= 1080 else [False]:
+                tab.run(SHOWN, contents)
+                assert tab.run(COVERED) == [], (page, width, contents)

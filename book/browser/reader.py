@@ -1,10 +1,9 @@
 """What a reader does with the book: searches, opens the contents, chooses a theme, uses the
 keyboard, switches scripts off, asks the map of choosing, reads the zoo on a telephone."""
 
-from collections.abc import Iterator
+import pytest
 
-from book import Book
-from browser import TELEPHONE, Tab
+from browser import TELEPHONE
 from pages import look, probe
 
 # A method's chapter: formulas, a listing, tables, a figure and an exercise.
@@ -12,96 +11,72 @@ CHAPTER = "forward-euler.html"
 THEMES = ["light", "rust", "coal", "navy", "ayu"]
 
 
-def search(tab: Tab, book: Book) -> Iterator[str]:
-    """Search for a word of the book: it finds pages, says which, and Enter opens the first."""
+def search_for(tab, words: str):
+    """Types words into the search, to which the key / leads."""
     tab.open("index.html")
     tab.press("/")
-    if not tab.comes("document.activeElement.id === 'mdbook-searchbar'"):
-        yield "search: the key / does not lead to it"
-        return
-    tab.page.keyboard.type("separatrix")
-    if not tab.comes("document.querySelectorAll('#mdbook-searchresults a').length > 1"):
-        yield "search: 'separatrix' finds nothing"
-        return
+    assert tab.comes("document.activeElement.id === 'mdbook-searchbar'")
+    tab.page.keyboard.type(words)
+
+
+def test_search(tab):
+    """Search for a word of the book: it finds pages, and Enter opens the first, which has it."""
+    search_for(tab, "separatrix")
+    assert tab.comes("document.querySelectorAll('#mdbook-searchresults a').length > 1")
     tab.press("Enter")
-    if not tab.arrives(lambda page: page != "index.html"):
-        yield "search: Enter opens no result"
-        return
-    words = tab.run("document.querySelector('main').textContent.toLowerCase()")
-    if "separatrix" not in words:
-        yield f"search: {tab.here()} does not have the word"
+    assert tab.arrives(lambda page: page != "index.html")
+    assert "separatrix" in tab.run("document.querySelector('main').textContent.toLowerCase()")
 
 
-# What somebody asks, and the page that answers.
-QUESTIONS = {
-    "which integrator should I use": "choosing.html",
-    "energy drift": "long-run.html",
-    "symplectic": "symplectic-euler.html",
-    "period of a pendulum": "pendulum.html",
-}
+@pytest.mark.parametrize("question, page", [
+    ("which integrator should I use", "choosing.html"),
+    ("energy drift", "long-run.html"),
+    ("symplectic", "symplectic-euler.html"),
+    ("period of a pendulum", "pendulum.html"),
+])
+def test_answers(tab, question, page):
+    """What somebody asks leads, in its first two results, to the page that answers it."""
+    search_for(tab, question)
+    first = "[...document.querySelectorAll('#mdbook-searchresults a')].slice(0, 2)"
+    assert tab.comes(f"{first}.some(a => a.href.includes('/{page}'))")
 
 
-def answers(tab: Tab, book: Book) -> Iterator[str]:
-    """Each question leads, in its first two results, to the page that answers it."""
-    for question, page in QUESTIONS.items():
-        tab.open("index.html")
-        tab.press("/")
-        tab.comes("document.activeElement.id === 'mdbook-searchbar'")
-        tab.page.keyboard.type(question)
-        first = "[...document.querySelectorAll('#mdbook-searchresults a')].slice(0, 2)"
-        if not tab.comes(f"{first}.some(a => a.href.includes('/{page}'))"):
-            yield f"search: {question!r} leads to {tab.run(f'{first}.map(a => a.textContent)')}"
-
-
-def contents(tab: Tab, book: Book) -> Iterator[str]:
+def test_contents(tab, book):
     """The sidebar: each chapter in order, the present one marked; a click opens another; on a
     telephone on request."""
     tab.open(CHAPTER)
     listed = tab.run("[...document.querySelectorAll('#mdbook-sidebar a[href]')].map(a => a.href)")
-    links = [book.page(url) for url in listed if "#" not in url]
-    if links != book.chapters:
-        yield f"contents: {len(links)} links, not the {len(book.chapters)} chapters in order"
-    dead = """[...document.querySelectorAll('#mdbook-sidebar .chapter-fold-toggle')].filter(
-        arrow => arrow.checkVisibility() && !arrow.closest('li').querySelector('ol')).length"""
-    if tab.run(dead):
-        yield f"contents: {tab.run(dead)} arrows unfold nothing"
+    assert [book.page(url) for url in listed if "#" not in url] == book.chapters
+    # No arrow unfolds nothing.
+    assert tab.run("""[...document.querySelectorAll('#mdbook-sidebar .chapter-fold-toggle')].every(
+        arrow => !arrow.checkVisibility() || arrow.closest('li').querySelector('ol'))""")
     marked = "document.querySelector('#mdbook-sidebar a.active')"
-    if not tab.run(f"{marked}?.href === location.href"):
-        yield "contents: the present chapter is not marked"
+    assert tab.run(f"{marked}?.href === location.href")
     shown = f"""(a => a && a.checkVisibility({{visibilityProperty: true}})
         && a.getBoundingClientRect().right > 20)({marked})"""
-    if not tab.run(shown):
-        yield "contents: not shown beside the page"
+    assert tab.run(shown)
     tab.screen(TELEPHONE)
     tab.open(CHAPTER)
-    if tab.run(shown):
-        yield "contents: they cover a telephone's page"
+    assert not tab.run(shown)
     tab.run("document.querySelector('#mdbook-sidebar-toggle').click()")
-    if not tab.comes(shown):
-        yield "contents: do not come on a telephone"
-    tab.run("document.querySelector('#mdbook-sidebar a[href$=\"order.html\"]')?.click()")
-    if not tab.arrives(lambda page: page == "order.html"):
-        yield "contents: a click does not open a chapter"
+    assert tab.comes(shown)
+    tab.run("document.querySelector('#mdbook-sidebar a[href$=\"order.html\"]').click()")
+    assert tab.arrives(lambda page: page == "order.html")
 
 
-def themes(tab: Tab, book: Book) -> Iterator[str]:
+def test_themes(tab):
     """Each theme, chosen as a reader does: it comes, stays on the next page, differs from the
     others, and its text and figures can be read."""
     tab.open(CHAPTER)
-    grounds = {}
+    grounds = set()
     for theme in THEMES:
         tab.run("document.querySelector('#mdbook-theme-toggle').click()")
         tab.theme(theme)
         tab.open(CHAPTER)
-        if not tab.run(f"document.documentElement.classList.contains('{theme}')"):
-            yield f"theme {theme}: does not come, or does not stay"
-            continue
-        ground = tab.run("getComputedStyle(document.documentElement).backgroundColor")
-        if ground in grounds:
-            yield f"theme {theme}: has the ground of {grounds[ground]}, {ground}"
-        grounds[ground] = theme
-        for finding in look(tab)["findings"]:
-            yield f"theme {theme}, {CHAPTER}: {finding}"
+        assert tab.run(f"document.documentElement.classList.contains('{theme}')")
+        grounds.add(tab.run("getComputedStyle(document.documentElement).backgroundColor"))
+        assert look(tab)["findings"] == [], theme
+    assert len(grounds) == len(THEMES)
 
 
 # What has the focus, and whether it (or the label that stands for it) looks otherwise than without.
@@ -141,14 +116,13 @@ TOGGLES = {
 }
 
 
-def keyboard(tab: Tab, book: Book) -> Iterator[str]:
+def test_keyboard(tab):
     """Without a mouse: Tab reaches contents, theme and search, the focus can be seen wherever it
     goes, Enter opens what is folded, the space bar works the buttons."""
     tab.open(CHAPTER)
     folded = tab.run("document.querySelectorAll('main details').length")
     # Its own: the figures bring some along.
-    if not tab.run("document.querySelector('main > details')"):
-        yield f"keyboard: {CHAPTER} has nothing folded to try"
+    assert tab.run("!!document.querySelector('main > details')")
     reached, opened = [], 0
     # Where Tab begins is for the browser to say: from the end of the page it goes on at its head.
     ends = 0
@@ -162,24 +136,17 @@ def keyboard(tab: Tab, book: Book) -> Iterator[str]:
         if at["number"] < len(reached):
             break
         reached.append(at["name"])
-        if not at["shown"]:
-            yield f"keyboard: the focus is nowhere on the screen, {at['name']}"
-        elif not at["visible"]:
-            yield f"keyboard: the focus cannot be seen, {at['kind']} {at['name']}"
+        assert at["shown"] and at["visible"]
         if at["kind"] == "summary":
             tab.press("Enter")
             opened += tab.run("document.activeElement.parentElement.open")
-    for wanted in ["mdbook-sidebar-toggle", "mdbook-theme-toggle", "mdbook-search-toggle"]:
-        if wanted not in reached:
-            yield f"keyboard: Tab does not reach {wanted}"
-    if opened < folded:
-        yield f"keyboard: Enter opens {opened} of {folded} folded parts"
+    assert {f"mdbook-{part}-toggle" for part in ("sidebar", "theme", "search")} <= set(reached)
+    assert opened >= folded
     for toggle, sign in TOGGLES.items():
         was = tab.run(sign)
         tab.run(f"document.getElementById('{toggle}').focus()")
         tab.press("Space")
-        if not tab.comes(f"({sign}) !== {'true' if was else 'false'}"):
-            yield f"keyboard: the space bar does nothing on {toggle}"
+        assert tab.comes(f"({sign}) !== {'true' if was else 'false'}"), toggle
         tab.press("Escape")
 
 
@@ -191,20 +158,17 @@ READABLE = """[...document.querySelectorAll('main p, main figure, main h1')].eve
 FRAME = "document.querySelector('#mdbook-sidebar iframe')?.getBoundingClientRect().height > 100"
 
 
-def scriptless(tab: Tab, book: Book) -> Iterator[str]:
+def test_scriptless(tab, book):
     """Scripts off: the page, its figures and formulas are there, with the contents and the way
     on."""
-    with tab.without_scripts() as tab:
+    with tab.without_scripts() as bare:
         for page in [CHAPTER, "index.html", book.chapters[-1]]:
-            tab.open(page)
-            for finding in probe(tab)["findings"] + tab.complaints():
-                yield f"{page}, no scripts: {finding}"
-            if not tab.run(READABLE):
-                yield f"{page}, no scripts: text is hidden"
-            if not tab.run(FRAME):
-                yield f"{page}, no scripts: no contents"
-            if not tab.run("!!document.querySelector('a[rel~=\"next\"], a[rel~=\"prev\"]')"):
-                yield f"{page}, no scripts: no way on"
+            bare.open(page)
+            assert probe(bare)["findings"] == [], page
+            assert bare.run(READABLE), page
+            assert bare.run(FRAME), page
+            on = "!!document.querySelector('a[rel~=\"next\"], a[rel~=\"prev\"]')"
+            assert bare.run(on), page
 
 
 # What can be read below the map of choosing.
@@ -213,54 +177,45 @@ SAID = """[...document.querySelectorAll('#fig-decision :is(.prompt, .cell text)'
 CELL = "document.querySelector('#fig-decision > .cell > path').getBoundingClientRect().toJSON()"
 
 
-def asked(tab: Tab, book: Book) -> Iterator[str]:
+def test_map(tab):
     """The map of choosing asks for a cell, and the one that the mouse is on says what it needs. A
     tap puts the mouse there. Tab stops once, and the arrow keys lead on from there."""
     tab.open("choosing.html")
     # Not under the bar at the top.
     tab.run("document.getElementById('fig-decision').scrollIntoView({block: 'center'})")
-    prompt, cell = tab.run(SAID), tab.run(CELL)
+    assert len(tab.run(SAID)) == 2
+    cell = tab.run(CELL)
     tab.page.mouse.move(cell["x"] + cell["width"] / 2, cell["y"] + cell["height"] / 2)
     said = tab.run(SAID)
-    if len(prompt) != 2 or len(said) != 2 or "steps a period" not in said[0]:
-        yield f"the map of choosing says {prompt}, and of a cell {said}"
+    assert len(said) == 2 and "steps a period" in said[0]
     tab.page.mouse.move(0, 0)
     stops = "[...document.querySelectorAll('#fig-decision [tabindex=\"0\"]')]"
     tab.run(f"{stops}[0]?.focus()")
     # Of the first cell's neighbours one is below it; the next is to its right; none is above that
     # in the first row.
-    for key in ["ArrowDown", "ArrowRight", "ArrowUp", "ArrowUp", "ArrowLeft", "ArrowLeft"]:
-        tab.press(key)
-    read = tab.run("document.activeElement.ariaLabel")
-    if tab.run(SAID) != said or read != "; ".join(said):
-        yield f"the map of choosing says by keyboard {tab.run(SAID)}, and reads out {read}"
+    tab.press("ArrowDown", "ArrowRight", "ArrowUp", "ArrowUp", "ArrowLeft", "ArrowLeft")
+    assert tab.run(SAID) == said
+    assert tab.run("document.activeElement.ariaLabel") == "; ".join(said)
     tab.press("ArrowRight")
-    if tab.run(SAID) == said:
-        yield "the map of choosing: the arrow keys lead nowhere"
-    if tab.here() != "choosing.html" or tab.run(f"{stops}.length") != 1:
-        yield f"the map of choosing: {tab.run(f'{stops}.length')} stops, on {tab.here()}"
+    assert tab.run(SAID) != said
+    assert (tab.here(), tab.run(f"{stops}.length")) == ("choosing.html", 1)
 
 
-def unscrolled(tab: Tab, book: Book) -> Iterator[str]:
+def test_unscrolled(tab):
     """On a telephone each row of the zoo can be seen from end to end."""
     tab.screen(TELEPHONE)
     tab.open("judging.html")
     tab.run("document.querySelectorAll('details').forEach(e => { e.open = true; })")
     wide = """[...document.querySelectorAll('.table-wrapper')]
         .filter(e => e.scrollWidth > e.clientWidth).map(e => e.querySelector('th').textContent)"""
-    for table in tab.run(wide):
-        yield f"judging.html, {TELEPHONE} px: a table scrolls: {table}"
+    assert tab.run(wide) == []
 
 
-def landing(tab: Tab, book: Book) -> Iterator[str]:
+def test_landing(tab, book):
     """On a telephone the letters of the moving picture, 16 of 420 units high where it is higher
     than wide, can be read."""
     tab.screen(TELEPHONE)
     tab.open("index.html")
     box = tab.run("document.querySelector('picture img').getBoundingClientRect().toJSON()")
-    rearranged = "(max-aspect-ratio:1)" in book.text("assets/four-pendulums.svg")
-    if not (rearranged and box["height"] > box["width"] > 11 / 16 * 420):
-        yield f"index.html: small letters in a picture {box['width']} px wide"
-
-
-CHECKS = [search, answers, contents, themes, keyboard, scriptless, asked, unscrolled, landing]
+    assert "(max-aspect-ratio:1)" in book.text("assets/four-pendulums.svg")
+    assert box["height"] > box["width"] > 11 / 16 * 420

@@ -30,7 +30,6 @@ cost => {
     });
     // Of a page, whatever is no number or comes from a program and not from its author.
     const NONSENSE = /NaN|undefined|Infinity|\[object|null/;
-    const { STEPS, TIME, THETA } = theLab.QUANTITY;
     const write = CanvasRenderingContext2D.prototype.fillText;
     CanvasRenderingContext2D.prototype.fillText = function (text, ...at) {
         if (NONSENSE.test(text)) faults.add(`draws ${text}`);
@@ -109,7 +108,7 @@ cost => {
             try {
                 if (!lab.follow(hash)) return 0;
                 const scene = { ...lab.scene };
-                const own = theLab.address(scene);
+                const own = address(scene);
                 const again = lab.addresses.scene(new URL(`#${own}`, location.href).hash);
                 if (JSON.stringify(again) !== JSON.stringify(scene)) {
                     faults.add(`its address ${own} is another scene`);

@@ -3,17 +3,16 @@ their words say."""
 
 import math
 import re
-from collections.abc import Iterator
 
-from addresses import STEP, slow
+import pytest
+
+from addresses import STEP, harness
 from book import Book
-from browser import Tab
-from lab import LAB, at_start, go_to, has_rows, open_lab, press, texts, value
+from lab import Lab
 
 # The columns, as the page has them; of a row, the cells.
 HEADS = ["Method", "Energy error (J)", "Largest energy error (J)", "Angle error (rad)",
          "Largest angle error (rad)", "Force evaluations", "Time a step (ns)"]
-ENERGY_NOW, ENERGY_LARGEST, NOW, LARGEST = range(4)
 # Exponents as the page writes them.
 RAISED = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹−", "-0123456789-")
 # The steps of a run: the 512 bins of its curves are merged in pairs four times.
@@ -40,6 +39,10 @@ def start_of(scene: dict[str, str]) -> str:
     return f"--theta0 {scene['theta0']} --gravity {scene['g']} --length {scene['L']}"
 
 
+def address_of(scene: dict[str, str]) -> str:
+    return "#" + "&".join(f"{key}={text}" for key, text in scene.items())
+
+
 def errors(
     book: Book, method: str, scene: dict[str, str], steps: int
 ) -> tuple[list[float], list[float]]:
@@ -58,14 +61,6 @@ def errors(
     )
 
 
-def cells(tab: Tab) -> dict[str, list[float]]:
-    """The errors in the table, by method."""
-    read = f"""{LAB}.lab.pendulums.map((pendulum, i) => [pendulum.method.name,
-        [...{LAB}.lab.page.numbers.rows.rows[i].querySelectorAll('td')]
-            .map(cell => cell.textContent)])"""
-    return {name: [number(cell) for cell in row[:4]] for name, row in tab.run(read)}
-
-
 # The angle errors of the first go through zero again and again, and are largest after 2218 and 1034
 # of the 5000 steps: bins merged later must keep them.
 SCENES = [
@@ -76,112 +71,94 @@ SCENES = [
 
 
 # The angles at which the rings of the exact motion are drawn.
-RINGS = f"""(() => {{
-    const {{stage}} = {LAB}.lab.drawing, {{ink}} = stage, rings = [];
-    ink.arc = (x, y, radius) => {{
+RINGS = """(() => {
+    const {stage} = lab.drawing, {ink} = stage, rings = [];
+    ink.arc = (x, y, radius) => {
         const pivot = stage.pivot(rings.length);
         if (radius === 10) rings.push(Math.atan2(x - pivot.x, y - pivot.y));
-    }};
+    };
     stage.draw();
     delete ink.arc;
     return rings;
-}})()"""
+})()"""
 
 
-def table(tab: Tab, book: Book) -> Iterator[str]:
+@pytest.mark.parametrize("scene", SCENES)
+def test_table(lab, book, scene):
     """The errors in the table, now and largest, are those of `pendula simulate` against `pendula
     exact`: after 25 steps, and after a run that fills the bins of the curves several times. In the
     ring on the dashed rod the exact motion is at the time of the bobs."""
-    slow(tab, STEP)
-    if texts(tab, "thead th") != HEADS:
-        yield f"lab: the table has other columns: {texts(tab, 'thead th')}"
-        return
-    for scene in SCENES:
-        methods = scene["m"].split(",")
-        until = STEPS * float(scene["dt"])
-        words = "&".join(f"{key}={text}" for key, text in scene.items())
-        # Some 8 and 33 steps a frame: of up to 64 each has its sample of the angle error.
-        go_to(tab, f"#{words}&until={until:g}&speed=100")
-        if not has_rows(tab, len(methods)):
-            yield f"lab: does not show {methods}"
-            return
-        true = {method: errors(book, method, scene, STEPS) for method in methods}
-        tab.run(f"{LAB}.lab.again()")
-        press(tab, "step", 25)
-        yield from held(cells(tab), true, 25)
-        t = 25 * float(scene["dt"])
-        exact = book.rows(f"exact --t {t!r} {start_of(scene)}")[0]["theta"]
-        # A place is some hundred px with sixteen digits; the angle is taken from its tangent.
-        rings = [abs(math.remainder(at - exact, math.tau)) < 1e-9 for at in tab.run(RINGS)]
-        if rings != [True] * len(methods):
-            yield f"lab: after 25 steps the rings are not at {exact:.6f} rad: {rings}"
-        # To its end, frame by frame, and then the table.
-        tab.run(f"""(() => {{
-            const {{lab}} = {LAB};
-            lab.run(true);
-            for (let i = 0; i < 2000 && lab.running; i++) harness.frame();
-            lab.page.show();
-        }})()""")
-        yield from held(cells(tab), true, STEPS)
+    harness(lab, STEP)
+    assert lab.texts("thead th") == HEADS
+    methods, dt = scene["m"].split(","), float(scene["dt"])
+    # Some 8 and 33 steps a frame: of up to 64 each has its sample of the angle error.
+    lab.go_to(f"{address_of(scene)}&until={STEPS * dt:g}&speed=100")
+    assert lab.has_rows(len(methods))
+    true = [errors(book, method, scene, STEPS) for method in methods]
+    lab.run("lab.again()")
+    lab.press("step", 25)
+    the_table_says(lab, true, 25)
+    exact = book.rows(f"exact --t {25 * dt!r} {start_of(scene)}")[0]["theta"]
+    rings = lab.run(RINGS)
+    assert len(rings) == len(methods)
+    # A place is some hundred px with sixteen digits; the angle is taken from its tangent.
+    assert all(abs(math.remainder(at - exact, math.tau)) < 1e-9 for at in rings)
+    # To its end, frame by frame, and then the table.
+    lab.run("""(() => {
+        lab.run(true);
+        for (let i = 0; i < 2000 && lab.running; i++) harness.frame();
+        lab.page.show();
+    })()""")
+    the_table_says(lab, true, STEPS)
 
 
-def held(
-    shown: dict[str, list[float]], true: dict[str, tuple[list[float], list[float]]], steps: int
-) -> Iterator[str]:
-    """Compares the table with the errors after each step."""
-    for method, (energy, angle) in true.items():
+def the_table_says(lab: Lab, true: list[tuple[list[float], list[float]]], steps: int):
+    """The errors in the table are these, of each method after each step."""
+    cells = lab.run("all('tbody tr').map(row => [...row.cells].map(cell => cell.textContent))")
+    for (name, *row), (energy, angle) in zip(cells, true, strict=True):
         # The lab's energy is zero at the bottom, the program's at the pivot: their differences
         # agree to a few roundings of an energy of some joules.
-        for column, quantity, x, rounding in [
-            (ENERGY_NOW, "energy error", energy[steps], 1e-13),
-            (ENERGY_LARGEST, "largest energy error", max(map(abs, energy[: steps + 1])), 1e-13),
-            (NOW, "angle error", angle[steps], 0.0),
-            (LARGEST, "largest angle error", max(map(abs, angle[: steps + 1])), 0.0),
+        for shown, x, rounding in [
+            (row[0], energy[steps], 1e-13),
+            (row[1], max(map(abs, energy[: steps + 1])), 1e-13),
+            (row[2], angle[steps], 0.0),
+            (row[3], max(map(abs, angle[: steps + 1])), 0.0),
         ]:
-            if not says(shown[method][column], x, rounding):
-                said = f"shown as {shown[method][column]:g}, and is {x:.5g}"
-                yield f"lab: after {steps} steps the {quantity} of {method} is {said}"
+            assert says(number(shown), x, rounding), name
 
 
-def orbit(tab: Tab, book: Book) -> Iterator[str]:
+# Whether there is ink about θ = 0 at this velocity.
+INKED = """(() => {
+    const {phase} = lab.drawing, frame = phase.frame();
+    const [x, y] = [frame.x(0), frame.y(given)].map(at => at * phase.scale - 2);
+    // A copy, as the browser warns of looking at a canvas that is drawn on.
+    const copy = document.createElement('canvas').getContext('2d');
+    copy.drawImage(phase.canvas, -x, -y);
+    const {data} = copy.getImageData(0, 0, 5, 5);
+    return data.some((ink, i) => i % 4 === 3 && ink > 60);
+})()"""
+
+
+def test_orbit(lab):
     """The exact orbit is drawn whole: before a run there is ink where it crosses θ = 0, at ω =
     ±2ω₀ sin(θ₀/2), both signs, and none halfway to there."""
-    open_lab(tab)
     for theta0, g, length in [(1.5, 9.81, 1.0), (-2.2, 3.71, 0.7)]:
-        at_start(tab, f"#m=rk4&theta0={theta0}&g={g}&L={length}", f"lab.scene.theta0 === {theta0}")
+        lab.at_start(f"#m=rk4&theta0={theta0}&g={g}&L={length}", f"lab.scene.theta0 === {theta0}")
         omega = 2 * math.sqrt(g / length) * abs(math.sin(theta0 / 2))
-        for at, wanted in [(omega, True), (-omega, True), (omega / 2, False), (-omega / 2, False)]:
-            inked = tab.run(f"""(omega => {{
-                const {{drawing}} = {LAB}.lab, {{phase}} = drawing, frame = phase.frame();
-                const [x, y] = [frame.x(0), frame.y(omega)].map(at => at * phase.scale - 2);
-                // A copy, as the browser warns of looking at a canvas that is drawn on.
-                const copy = document.createElement('canvas').getContext('2d');
-                copy.drawImage(phase.canvas, -x, -y);
-                const {{data}} = copy.getImageData(0, 0, 5, 5);
-                return data.some((ink, i) => i % 4 === 3 && ink > 60);
-            }})""", at)
-            if inked != wanted:
-                does = "lacks" if wanted else "has"
-                yield f"lab: the orbit from {theta0} rad {does} (0, {at:.3f})"
+        inked = [lab.run(INKED, at) for at in (omega, -omega, omega / 2, -omega / 2)]
+        assert inked == [True, True, False, False]
 
 
-def lessons(tab: Tab, book: Book) -> Iterator[str]:
+def test_lessons_at_k(lab):
     """A lesson that names K = g Δt²/L in its title is at that K, to the digits it prints."""
-    open_lab(tab)
     named = 0
-    titles = f"[...{LAB}.querySelectorAll('.beside option')].map(a => [`#${{a.value}}`, a.text])"
-    for lesson, title in tab.run(titles):
-        stated = re.search(r"\bK = (\d+(?:\.(\d+))?)", title)
-        if not stated:
-            continue
-        named += 1
-        go_to(tab, lesson, f"location.hash === '{lesson}' && lab.taken > 0")
-        dt, g, length = (value(tab, key) for key in ("dt", "g", "L"))
-        k = g * dt**2 / length
-        if not abs(k - float(stated[1])) < 0.5 * 10.0 ** -len(stated[2] or ""):
-            yield f"lab: the lesson {title!r} is at K = {k:.5f}"
-    if not named:
-        yield "lab: no lesson names its K"
+    for lesson, title in lab.run("all('.beside option').map(a => [`#${a.value}`, a.text])"):
+        if stated := re.search(r"\bK = (\d+(?:\.(\d+))?)", title):
+            named += 1
+            lab.go_to(lesson, f"location.hash === '{lesson}' && lab.taken > 0")
+            dt, g, length = (lab.value(key) for key in ("dt", "g", "L"))
+            assert abs(g * dt**2 / length - float(stated[1])) < 0.5 * 10.0 ** -len(stated[2] or "")
+    assert named
 
 
 # A step and how its time is written after one and after seven.
@@ -196,28 +173,21 @@ TIMES = [
 ENDS = [("0.3", "0.1", 3), ("0.7", "0.1", 7), ("2.14", "0.0214", 100), ("3", "0.5", 6)]
 
 
-def clock(tab: Tab, book: Book) -> Iterator[str]:
+def test_clock(lab):
     """The time is shown with as many decimals as the step has; a run that is told to stops there;
     the time of a step is in nanoseconds, on a machine whose steps take as long as we say."""
-    slow(tab, STEP)
-    for step, *times in TIMES:
-        at_start(tab, f"#m=rk4&dt={step}&theta0=1", f"lab.scene.dt === {step}")
-        for steps, t in zip(["1 step", "7 steps"], times):
-            press(tab, "step", 1 if steps == "1 step" else 6)
-            shown = texts(tab, ".time")
-            if shown != [f"t = {t} s, {steps}"]:
-                yield f"lab: after {steps} of {step} s the clock says {shown}"
+    harness(lab, STEP)
+    for step, one, seven in TIMES:
+        lab.at_start(f"#m=rk4&dt={step}&theta0=1", f"lab.scene.dt === {step}")
+        lab.press("step")
+        assert lab.texts(".time") == [f"t = {one} s, 1 step"]
+        lab.press("step", 6)
+        assert lab.texts(".time") == [f"t = {seven} s, 7 steps"]
     for until, step, steps in ENDS:
-        tab.run(f"harness.visit('m=rk4&until={until}&dt={step}&speed=10', 120)")
-        taken = tab.run(f"{LAB}.lab.pendulums.map(p => p.read(theLab.QUANTITY.STEPS))")
-        if taken != [steps]:
-            yield f"lab: a run until {until} s in steps of {step} s ends after {taken}"
-    tab.run("harness.visit('m=rk4,stormer-verlet&dt=0.01&speed=1', 200)")
-    for cell in texts(tab, "tbody td:last-child"):
+        lab.run(f"harness.visit('m=rk4&until={until}&dt={step}&speed=10', 120)")
+        assert lab.run("lab.pendulums.map(p => p.read(STEPS))") == [steps]
+    lab.run("harness.visit('m=rk4,stormer-verlet&dt=0.01&speed=1', 200)")
+    for cell in lab.texts("tbody td:last-child"):
         # Two digits are shown.
-        if not abs(number(cell) / (1e6 * STEP) - 1) <= 0.05:
-            yield f"lab: a step of {1e6 * STEP:g} ns is said to take {cell} ns"
-    yield from (f"lab: {fault}" for fault in tab.run("harness.faults()"))
-
-
-CHECKS = [table, orbit, lessons, clock]
+        assert abs(number(cell) / (1e6 * STEP) - 1) <= 0.05
+    assert lab.run("harness.faults()") == []

@@ -1,11 +1,9 @@
 """The page "Which integrator is this?": typed numbers lead to a name, by keyboard too; what is not
 right gets a sentence; a link holds the input; nothing is left out without scripts."""
 
-import gzip
 import json
 import math
 import struct
-from collections.abc import Iterator
 
 from book import Book
 from browser import TELEPHONE, Tab
@@ -60,7 +58,7 @@ def linked(tab: Tab, numbers: list, precision: str = "double", more: str = "") -
     return tab.run(SAID)
 
 
-def typed(tab: Tab, book: Book) -> Iterator[str]:
+def test_typed(tab, book):
     """With the keyboard alone: two numbers lead to a name, the next two to a mistake, and the
     address leads to both."""
     open_form(tab)
@@ -68,39 +66,32 @@ def typed(tab: Tab, book: Book) -> Iterator[str]:
     for number in answer(book, "stormer-verlet"):
         tab.page.keyboard.type(repr(number))
         tab.press("Tab")
-    if tab.run(SAID) != "It is stormer-verlet.":
-        yield f"which: of Störmer–Verlet it says {tab.run(SAID)!r}"
-    if "order\n2\n" not in tab.run(RESULT):
-        yield "which: it does not say the order of Störmer–Verlet"
+    assert tab.run(SAID) == "It is stormer-verlet."
+    assert "order\n2\n" in tab.run(RESULT)
     tab.run("document.querySelector('.which .result input').focus()")
     tab.page.keyboard.type("x")
     tab.press("Enter")
-    if "“x”" not in tab.run(SAID):
-        yield "which: an x in the second pair is taken for a number"
+    assert "“x”" in tab.run(SAID)
     tab.press("Backspace")
     wrong = answer(book, "stormer-verlet-times-of-kicks", "driven", 2)
     tab.page.keyboard.type(" ".join(map(repr, wrong)))
     tab.press("Enter")
-    if tab.run(SAID) != "It is stormer-verlet with a mistake.":
-        yield f"which: of its kicks at wrong times it says {tab.run(SAID)!r}"
+    assert tab.run(SAID) == "It is stormer-verlet with a mistake."
+    # Neither fields nor focus are lost.
     inside = "document.activeElement.closest('.which form')"
-    if not tab.run(f"{inside}?.querySelectorAll('.pair input').length === 4"):
-        yield "which: fields or focus are lost"
-    if "SUNDIALS" not in tab.run(RESULT):
-        yield "which: it does not say where the mistake was seen"
-    with Tab(tab.browser, book) as other:
-        other.page.goto(tab.page.url)
-        if not other.comes(HERE) or other.run(SAID) != tab.run(SAID):
-            yield "which: the address does not lead to the same"
-    size = sum(len(gzip.compress((book.folder / "assets" / file).read_bytes())) for file in FILES)
-    if size > LIMIT:
-        yield f"which: {size} bytes come with the page"
+    assert tab.run(f"{inside}?.querySelectorAll('.pair input').length === 4")
+    assert "SUNDIALS" in tab.run(RESULT)
+    with tab.another() as other:
+        assert other.comes(HERE)
+        assert other.run(SAID) == tab.run(SAID)
 
 
-def told(tab: Tab, book: Book) -> Iterator[str]:
-    """Each entry that shows in the first step is found from its own numbers; what is no answer is
-    told what it is."""
-    file = known(book)
+def test_weight(book):
+    assert sum(book.compressed(f"assets/{file}") for file in FILES) <= LIMIT
+
+
+def test_told(tab, book):
+    """What is no answer is told what it is."""
     rk4 = answer(book, "rk4")
     open_form(tab)
     single = [struct.unpack("f", struct.pack("f", x))[0] for x in rk4]
@@ -121,37 +112,36 @@ def told(tab: Tab, book: Book) -> Iterator[str]:
         ("No entry fits all", linked(tab, rk4, more="&driven-1=1.0593,0.4533")),
         ("with g/L = 1, and in radians?", linked(tab, [2.5, 3.5])),
     ]:
-        if wanted not in said.replace("\u00a0", " "):
-            yield f"which: not {wanted!r} but {said!r}"
+        assert wanted in said.replace("\u00a0", " ")
+
+
+def test_every_entry(tab, book):
+    """Each entry that shows in the first step is found from its own numbers."""
+    open_form(tab)
+    file = known(book)
     entries = [
         [entry["name"], *answer(book, entry["name"])]
         for entry in file["methods"] + file["mistakes"]
         if ("swinging", 1) in [(a["scene"], a["steps"]) for a in entry["answers"]]
     ]
-    for name in tab.run(LOST, entries):
-        yield f"which: {name} is not found from its own numbers"
+    assert tab.run(LOST, entries) == []
 
 
-def bare(tab: Tab, book: Book) -> Iterator[str]:
+def test_bare(tab, book):
     """On a telephone, in every theme, on paper and without scripts it can be read."""
     tab.screen(TELEPHONE)
     open_form(tab)
     linked(tab, answer(book, "stormer-verlet-old-force-twice"))
     for theme in THEMES:
         tab.theme(theme)
-        for finding in probe(tab)["findings"]:
-            yield f"which, {theme}: {finding}"
-    if tab.run("document.documentElement.scrollWidth > innerWidth"):
-        yield "which: it scrolls sideways"
+        assert probe(tab)["findings"] == [], theme
+    assert tab.run("document.documentElement.scrollWidth <= innerWidth")
     text = "[...document.querySelectorAll('.which > :not(form)')].some(e => e.checkVisibility())"
     open_form(tab)
     tab.page.emulate_media(media="print")
-    if not tab.run(text) or tab.run("document.querySelector('.which form').checkVisibility()"):
-        yield "which: on paper stands an empty form"
-    with tab.without_scripts() as tab:
-        tab.open(PAGE)
-        if not tab.run(text) or tab.run("!!document.querySelector('main :is(form, input)')"):
-            yield "which, no scripts: nothing stands in the place of the form"
-
-
-CHECKS = [typed, told, bare]
+    assert tab.run(text)
+    assert not tab.run("document.querySelector('.which form').checkVisibility()")
+    with tab.without_scripts() as bare:
+        bare.open(PAGE)
+        assert bare.run(text)
+        assert not bare.run("!!document.querySelector('main :is(form, input)')")

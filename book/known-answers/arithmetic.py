@@ -32,7 +32,7 @@ class Digits:
         return max(abs(a - b) for a, b in zip(new, old)) < mpf(10) ** (3 - DIGITS)
 
 
-class Rough:
+class Rough(numpy.ndarray):
     """Doubles, TRIALS of them at once; every operation is wrong by a random part of UNIT.
 
     UNIT is so large that the rounding of the doubles themselves does not matter, and so small that
@@ -42,76 +42,42 @@ class Rough:
 
     UNIT = 2.0**-30
     TRIALS = 32
-    __slots__ = ("v",)
     pool = 1 + UNIT * numpy.random.Generator(numpy.random.PCG64(1)).uniform(-1, 1, (4099, TRIALS))
     used = 0
 
-    def __init__(self, v):
-        self.v = v
-
-    @staticmethod
-    def spoilt(v):
-        Rough.used = (Rough.used + 1) % 4099
-        return Rough(v * Rough.pool[Rough.used])
-
-    def __add__(self, other):
-        return Rough.spoilt(self.v + value(other))
-
-    def __sub__(self, other):
-        return Rough.spoilt(self.v - value(other))
-
-    def __mul__(self, other):
-        return Rough.spoilt(self.v * value(other))
-
-    def __truediv__(self, other):
-        return Rough.spoilt(self.v / value(other))
-
-    def __rsub__(self, other):
-        return Rough.spoilt(other - self.v)
-
-    def __rtruediv__(self, other):
-        return Rough.spoilt(other / self.v)
-
-    def __neg__(self):
-        return Rough(-self.v)
-
-    __radd__, __rmul__ = __add__, __mul__
-
-
-def value(x):
-    return x.v if isinstance(x, Rough) else x
+    def __array_ufunc__(self, operation, method, *operands):
+        result = getattr(operation, method)(*map(numpy.asarray, operands))
+        if operation is not numpy.negative:
+            Rough.used = (Rough.used + 1) % len(Rough.pool)
+            result = result * Rough.pool[Rough.used]
+        return result.view(Rough)
 
 
 class Spread:
     """The operations of `Rough` numbers, in one order of them or another."""
+
+    sin, cos, tan, sqrt = numpy.sin, numpy.cos, numpy.tan, numpy.sqrt
 
     def __init__(self, backwards, h_inside):
         self.backwards, self.h_inside, self.sweeps = backwards, h_inside, 24
 
     def number(self, x):
         """An input: exact."""
-        return Rough(numpy.full(Rough.TRIALS, float(x)))
+        return numpy.full(Rough.TRIALS, float(x)).view(Rough)
 
     def constant(self, x):
         """A coefficient: rounded, unless a few binary digits are all of it."""
         x = float(x)
-        return (
-            self.number(x)
-            if x * 1024 == int(x * 1024)
-            else Rough.spoilt(numpy.full(Rough.TRIALS, x))
-        )
+        exact = self.number(x)
+        return exact if x * 1024 == int(x * 1024) else exact * 1.0
 
     @staticmethod
     def plain(x):
-        return x.v.mean()
+        return numpy.asarray(x).mean()
 
     @staticmethod
     def settled(new, old):
         return False
-
-
-for _name in ("sin", "cos", "tan", "sqrt"):
-    setattr(Spread, _name, staticmethod(lambda x, f=getattr(numpy, _name): Rough.spoilt(f(x.v))))
 
 
 class Plain:
@@ -119,10 +85,10 @@ class Plain:
 
     sweeps = 60
     backwards = h_inside = False
+    sin, cos, tan, sqrt = numpy.sin, numpy.cos, numpy.tan, numpy.sqrt
 
     def __init__(self, real):
         self.number = self.constant = lambda x: real(float(x))
-        self.sin, self.cos, self.tan, self.sqrt = numpy.sin, numpy.cos, numpy.tan, numpy.sqrt
 
     @staticmethod
     def plain(x):

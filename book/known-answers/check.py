@@ -66,7 +66,6 @@ def density(tree):
 
 def order_defects(a, weights, order):
     """By how much the sums over all trees of each order miss 1/γ: the largest, for each order."""
-    stages = range(len(a))
 
     @functools.lru_cache(None)
     def branch(tree):

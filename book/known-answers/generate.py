@@ -7,6 +7,7 @@ import time
 import tomllib
 
 import mpmath
+import numpy
 
 import tables
 from arithmetic import Digits, Rough, Spread, mpf
@@ -78,9 +79,14 @@ def state(exact):
     return {"theta": shown(exact[0]), "omega": shown(exact[1])}
 
 
-def spread(exact, rough):
-    """By how much rough numbers miss the exact ones, in units."""
-    return max(abs(r.v - float(e)).max() for e, r in zip(exact, rough)) / Rough.UNIT
+def answer(exact, roughs, size=None):
+    """A state with its tolerance: by how much rough ones miss it, in units of the size, its own
+    unless another is given."""
+    pairs = [(r, float(e)) for rough in roughs for r, e in zip(rough, exact)]
+    worst = max(abs(numpy.asarray(r) - e).max() for r, e in pairs) / Rough.UNIT
+    size = float(size or max(abs(x) for x in exact))
+    tolerance = math.ceil(max(LEAST, MARGIN * worst / size))
+    return state(exact) | {"tolerance": str(tolerance)}
 
 
 def answers(method):
@@ -94,12 +100,8 @@ def answers(method):
             n.sweeps = 60 if name == "coarse" else 24
         rough = [method.run(n, scene, max(counts)) for n in ORDERS_OF_OPERATIONS]
         for steps in counts:
-            exact = states[steps - 1]
-            size = max(abs(x) for x in exact)
-            worst = max(spread(exact, run[0][steps - 1]) for run in rough)
-            tolerance = math.ceil(max(LEAST, MARGIN * worst / float(size)))
-            answer = {"scene": name, "steps": steps} | state(exact)
-            found.append({**answer, "tolerance": str(tolerance)})
+            said = answer(states[steps - 1], [run[0][steps - 1] for run in rough])
+            found.append({"scene": name, "steps": steps} | said)
         if name in ("swinging", "driven"):
             found[-len(counts)].update(extras(method, scene))
     return found
@@ -109,23 +111,17 @@ def extras(method, scene):
     """After the first step: the embedded estimate and the interpolant, where the table has them."""
     Rough.used = 0
     runs = [(n, *method.run(n, scene, 1)) for n in [Digits, *ORDERS_OF_OPERATIONS]]
-    sets = [extra(method, n, scene, states, memory) for n, states, memory in runs]
-    size = float(max(abs(x) for x in runs[0][1][0]))
-    result = {}
-    for key, exact in sets[0].items():
-        worst = max(spread(exact, rough[key]) for rough in sets[1:])
-        tolerance = math.ceil(max(LEAST, MARGIN * worst / size))
-        result[key] = state(exact) | {"tolerance": str(tolerance)}
-    return result
+    exact, *roughs = [extra(method, n, scene, states, memory) for n, states, memory in runs]
+    size = max(abs(x) for x in runs[0][1][0])
+    return {key: answer(z, [rough[key] for rough in roughs], size) for key, z in exact.items()}
 
 
 def extra(method, n, scene, states, memory):
     c, h = memory["c"], n.number(scene["h"])
     found = {}
     if hasattr(c, "b_embedded"):
-        size = range(len(c.b))
-        zero = n.number(0)
-        differences = [(c.b[i] or zero) - (c.b_embedded[i] or zero) for i in size]
+        both = [[n.number(0) if x is None else x for x in row] for row in (c.b, c.b_embedded)]
+        differences = [a - b for a, b in zip(*both)]
         found["estimate"] = combination(n, differences, memory, h)
     if hasattr(c, "interpolant"):
         dq, dp = combination(n, c.interpolant, memory, h)

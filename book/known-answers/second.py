@@ -6,7 +6,7 @@ Implicit steps are solved by Newton's method.
 import flint
 from flint import arb, arb_mat, arb_series
 
-from tables import Reader, alternation
+from tables import Reader, alternation, function
 
 flint.ctx.prec = 256
 FUNCTIONS = {
@@ -23,23 +23,15 @@ LEFT_OUT = ("mistake", "reuse_first", "wrap", "euler_before")
 class Forces:
     """The force and its derivative by the angle."""
 
-    def __init__(self, scene, mistake):
+    def __init__(self, scene, table):
         self.g, self.a, self.w = (arb(scene[key]) for key in ("g_over_l", "amplitude", "frequency"))
-        self.mistake = mistake
+        self.drive = arb.sin if table.get("drive") == "sine" else arb.cos
+        names = {"g": self.g, "sin": arb.sin, "cos": arb.cos, "number": arb}
+        names["radians"] = lambda q: q * arb.pi() / 180
+        self.undriven = function(table.get("force", "-g * sin(q)"), names)
 
     def value(self, t, q):
-        g, mistake = self.g, self.mistake
-        drive = (self.w * t).sin() if mistake == "drive-sine" else (self.w * t).cos()
-        plain = {
-            "sign": lambda: g * q.sin(),
-            "linear": lambda: -g * q,
-            "cosine": lambda: -g * q.cos(),
-            "squared": lambda: -(g**2) * q.sin(),
-            "one": lambda: -q.sin(),
-            "degrees": lambda: -g * (q * arb.pi() / 180).sin(),
-            "cubic": lambda: -g * q * (1 - q**2 / 6),
-        }.get(mistake, lambda: -g * q.sin())()
-        return plain + self.a * drive
+        return self.undriven(q) + self.a * self.drive(self.w * t)
 
     def slope(self, q):
         return -self.g * q.cos()
@@ -167,7 +159,6 @@ def series(forces, t, q, p, h, order):
     """Taylor's series of this order, by Picard's iteration."""
     flint.ctx.cap = order + 1
     x = arb_series([0, 1])
-    theta = omega = None
     theta, omega = arb_series([q]), arb_series([p])
     for _ in range(order + 1):
         force = -forces.g * theta.sin() + forces.a * (forces.w * (t + x)).cos()
@@ -214,7 +205,7 @@ def run(table, scene, steps):
     """The states after each step, or nothing where this file does not know the method."""
     if table["kind"] in OF_LIBRARY or any(key in table for key in LEFT_OUT):
         return None
-    forces = Forces(scene, table.get("force"))
+    forces = Forces(scene, table)
     t, q, p, h = (arb(scene[key]) for key in ("t", "theta", "omega", "h"))
     states = []
     if table["kind"] == "multistep":

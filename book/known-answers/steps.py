@@ -5,43 +5,30 @@ import functools
 import mpmath
 
 from arithmetic import DIGITS, Digits, dot, mpf
-from tables import Reader, alternation
+from tables import Reader, alternation, function
 
 
 class Pendulum:
-    """θ̈ = −(g/L) sin θ + A cos Ωt; `force` names the mistake in it, if there is one."""
+    """θ̈ = −(g/L) sin θ + A cos Ωt, but for what a table has in place of the first term, or says of
+    the second."""
 
-    def __init__(self, n, scene, force=None):
-        self.n, self.mistake = n, force
+    def __init__(self, n, scene, table=None):
+        self.n, table = n, table or {}
         self.g = n.number(scene["g_over_l"])
         self.a = n.number(scene["amplitude"]) if scene["amplitude"] else None
         self.w = n.number(scene["frequency"])
+        self.drive = n.sin if table.get("drive") == "sine" else n.cos
+        self.undriven = lambda q: -(self.g * n.sin(q))
+        if "force" in table:
+            names = {"g": self.g, "sin": n.sin, "cos": n.cos, "number": n.number}
+            names["radians"] = lambda q: q * n.constant(mpmath.pi / 180)
+            self.undriven = function(table["force"], names)
         self.linear_frequency = n.sqrt(self.g)
-
-    def undriven(self, q):
-        n, g = self.n, self.g
-        match self.mistake:
-            case "sign":
-                return g * n.sin(q)
-            case "linear":
-                return -(g * q)
-            case "cosine":
-                return -(g * n.cos(q))
-            case "squared":
-                return -(g * g * n.sin(q))
-            case "one":
-                return -n.sin(q)
-            case "degrees":
-                return -(g * n.sin(q * n.constant(mpmath.pi / 180)))
-            case "cubic":
-                return -(g * (q - q * q * q / n.number(6)))
-        return -(g * n.sin(q))
 
     def force(self, t, q):
         if self.a is None:
             return self.undriven(q)
-        drive = self.n.sin if self.mistake == "drive-sine" else self.n.cos
-        return self.undriven(q) + self.a * drive(self.w * t)
+        return self.undriven(q) + self.a * self.drive(self.w * t)
 
 
 class Method:
@@ -70,7 +57,7 @@ class Method:
     def run(self, n, scene, steps):
         """The states after each of so many steps, and what the last one leaves: its slopes."""
         t, q, p, h = (n.number(scene[key]) for key in ("t", "theta", "omega", "h"))
-        pendulum = Pendulum(n, scene, self.table.get("force"))
+        pendulum = Pendulum(n, scene, self.table)
         before = [(n.constant(a), n.constant(b)) for a, b in scene.get("before", [])]
         memory = {"c": Coefficients(self, n), "before": before}
         states = []
@@ -268,7 +255,7 @@ def taylor(n, system, memory, t, q, p, h, order=None):
 
 
 def discrete_gradient(n, system, memory, t, q, p, h):
-    x, half = memory["c"].x, n.number(0.5)
+    half = n.number(0.5)
     exact = memory["c"].table.get("exact_when_small")
     if exact:
         w = system.linear_frequency

@@ -11,6 +11,12 @@ NUMBER = re.compile(r"(?<![\w.])(\d+\.?\d*(?:e[-+]?\d+)?|\.\d+(?:e[-+]?\d+)?)")
 MPMATH = {"number": mpmath.mpf, "sqrt": mpmath.sqrt, "cos": mpmath.cos, "pi": mpmath.pi}
 
 
+def function(text, names):
+    """The function of q that an expression says."""
+    # The tables are part of this repository: nothing from outside is evaluated.
+    return eval(NUMBER.sub(r"number('\1')", f"lambda q: {text}"), {"__builtins__": {}} | names)
+
+
 class Reader:
     """Reads the expressions of one table with one library of numbers."""
 

@@ -39,11 +39,10 @@ class Answers:
         known = json.loads((root / "snapshots" / "known-answers.json").read_text())
         self.scenes = {n: s for n, s in known["scenes"].items() if s["t"] == "0"}
         self.entries = {e["name"]: e for e in known["methods"] + known["mistakes"]}
-        self.mistakes = {e["name"] for e in known["mistakes"]}
         tables = root / "book" / "known-answers" / "tables" / "multistep.toml"
         several = tomllib.loads(tables.read_text())["method"]
         self.of_several_steps = {table["name"] for table in several}
-        self.steps = {scene: 0 for scene in self.scenes}
+        self.steps = dict.fromkeys(self.scenes, 0)
         for entry in self.entries.values():
             for a in entry["answers"]:
                 if a["scene"] in self.steps:

@@ -7,10 +7,10 @@
 use core::cell::{Cell, RefCell};
 
 use pendula::{Pendulum, Phase};
+use pendula_curves::parts::MOST;
 use pendula_curves::shapes::{CAT, Place, SQUARE};
 
 use crate::kept::kept;
-use crate::parts::{MOST, parts};
 use crate::points::{self, Point};
 use crate::trajectory::{Kind, Setup};
 
@@ -123,8 +123,8 @@ pub extern "C" fn shape(which: u32, size: f64, pieces: u32) -> u32 {
     })
 }
 
-/// [`parts`] of one step; their number.
+/// [`points::parts`] of one step; their number.
 #[cfg_attr(target_arch = "wasm32", unsafe(no_mangle))]
 pub extern "C" fn step_parts() -> u32 {
-    with(3 * MOST as u32, 0, |scene, points| parts(scene, points) as u32)
+    with(3 * MOST as u32, 0, |scene, points| points::parts(scene, points) as u32)
 }

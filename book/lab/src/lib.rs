@@ -5,8 +5,8 @@
 //! this crate adds no arithmetic but counts and extremes.
 //!
 //! For the figures that a reader moves in the chapters there are [`points`], many at once, and the
-//! [`parts`] of a step. Shapes, their areas and the energy that symplectic Euler conserves are
-//! those of [`pendula_curves`], as in the study.
+//! [parts](points::parts) of a step. Shapes, their areas and the energy that symplectic Euler
+//! conserves are those of [`pendula_curves`], as in the study.
 //!
 //! `book/lab/build` compiles it for the page, and `tests/lab` compares the source and the
 //! compiled file with the library.
@@ -15,7 +15,6 @@
 pub mod exports;
 pub mod figures;
 mod kept;
-pub mod parts;
 pub mod points;
 pub mod shared;
 pub mod simulation;

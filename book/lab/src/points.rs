@@ -1,10 +1,12 @@
 //! Many points of phase space, in numbers that the page and the library share.
 
+use pendula::methods::{ForwardEuler, Rk4, StormerVerlet, SymplecticEuler};
 use pendula::{Motion, Pendulum, Phase};
+use pendula_curves::parts::Parts;
 use pendula_curves::shapes;
 use pendula_curves::symplectic_euler::{level_curve_to_order, modified_energy};
 
-use crate::trajectory::{Setup, Trajectory};
+use crate::trajectory::{Setup, Trajectory, names};
 
 /// Angle (rad) and angular velocity (rad/s).
 pub type Point = [f64; 2];
@@ -16,7 +18,7 @@ fn phase([theta, omega]: Point) -> Phase {
 }
 
 /// The state as a point.
-pub const fn point(Phase { theta, omega }: Phase) -> Point {
+const fn point(Phase { theta, omega }: Phase) -> Point {
     [theta, omega]
 }
 
@@ -77,4 +79,27 @@ pub fn strays(order: usize, scene: &Setup, points: &[Point]) -> f64 {
 /// The area (rad²/s) of the polygon of these points.
 pub fn area(points: &[Point]) -> f64 {
     shapes::area(points.iter().copied().map(phase))
+}
+
+/// Writes the parts of one step of the scene, with the step as the unit of time, in order, each in
+/// three points: what it is and how long it lasts as a share of the step, from, and to. Returns
+/// their number: zero for a method that has no stencil in its chapter, or where the library refuses
+/// the scene.
+pub fn parts(scene: &Setup, points: &mut [Point]) -> usize {
+    let Some((system, z)) = Trajectory::of(scene, 1).map(Trajectory::into_system) else {
+        return 0;
+    };
+    let taken = match names(scene.method) {
+        Some(["forward-euler", _]) => Parts::of(&ForwardEuler, &system, z, 1.0, 1.0),
+        Some(["symplectic-euler", _]) => Parts::of(&SymplecticEuler, &system, z, 1.0, 1.0),
+        Some(["stormer-verlet", _]) => Parts::of(&StormerVerlet, &system, z, 1.0, 1.0),
+        Some(["rk4", _]) => Parts::of(&Rk4, &system, z, 1.0, 1.0),
+        _ => None,
+    };
+    let parts = taken.iter().flat_map(|taken| taken.in_order());
+    let written = points.chunks_exact_mut(3).zip(parts).map(|(place, part)| {
+        let [from, to] = [part.from, part.to].map(|z| point(system.bobs(z)[0]));
+        place.copy_from_slice(&[[f64::from(part.kind as u8), part.duration], from, to]);
+    });
+    written.count()
 }

@@ -36,15 +36,21 @@ pub enum Forced {
     Shaken(Shaken),
 }
 
+impl Forced {
+    fn system(&self) -> &dyn Separable<State = Phase, Force = f64> {
+        match self {
+            Self::Damped(system) => system,
+            Self::Driven(system) => system,
+            Self::Shaken(system) => system,
+        }
+    }
+}
+
 impl System for Forced {
     type State = Phase;
 
     fn rate(&self, t: f64, z: Phase) -> Phase {
-        match self {
-            Self::Damped(system) => system.rate(t, z),
-            Self::Driven(system) => system.rate(t, z),
-            Self::Shaken(system) => system.rate(t, z),
-        }
+        self.system().rate(t, z)
     }
 }
 
@@ -52,27 +58,15 @@ impl Separable for Forced {
     type Force = f64;
 
     fn force(&self, t: f64, z: Phase) -> f64 {
-        match self {
-            Self::Damped(system) => system.force(t, z),
-            Self::Driven(system) => system.force(t, z),
-            Self::Shaken(system) => system.force(t, z),
-        }
+        self.system().force(t, z)
     }
 
     fn kick(&self, z: Phase, alpha: f64, h: f64) -> Phase {
-        match self {
-            Self::Damped(system) => system.kick(z, alpha, h),
-            Self::Driven(system) => system.kick(z, alpha, h),
-            Self::Shaken(system) => system.kick(z, alpha, h),
-        }
+        self.system().kick(z, alpha, h)
     }
 
     fn drift(&self, z: Phase, h: f64) -> Phase {
-        match self {
-            Self::Damped(system) => system.drift(z, h),
-            Self::Driven(system) => system.drift(z, h),
-            Self::Shaken(system) => system.drift(z, h),
-        }
+        self.system().drift(z, h)
     }
 }
 
@@ -120,6 +114,14 @@ impl Shared {
                 [Phase { theta: z.theta1, omega: upper }, Phase { theta: z.theta2, omega: lower }]
             }
             _ => [NONE; 2],
+        }
+    }
+
+    /// The plain pendulum, and its state.
+    fn plain(&self, z: SharedState) -> (&Counting<ScaledPendulum>, ReducedPhase) {
+        match (self, z) {
+            (S((_, system)), S(z)) => (system, z),
+            _ => never(),
         }
     }
 
@@ -247,38 +249,30 @@ impl Separable for Shared {
     }
 }
 
+/// For the plain pendulum only: the library has no series for the others, and the methods that
+/// need a series, or what follows, do not run on them.
 impl Analytic for Shared {
-    /// For the plain pendulum only: the library has no series for the others, and the methods that
-    /// need a series do not run on them.
     #[inline(never)]
     fn terms<const P: usize>(&self, h: f64, z: SharedState) -> [RateOf<Self>; P] {
-        match (self, z) {
-            (S((_, system)), S(z)) => system.terms::<P>(h, z).map(|term| By(S(term))),
-            _ => never(),
-        }
+        let (system, z) = self.plain(z);
+        system.terms::<P>(h, z).map(|term| By(S(term)))
     }
 
     #[inline(never)]
     fn mean_rate<const P: usize>(&self, h: f64, z: SharedState) -> RateOf<Self> {
-        match (self, z) {
-            (S((_, system)), S(z)) => By(S(system.mean_rate::<P>(h, z))),
-            _ => never(),
-        }
+        let (system, z) = self.plain(z);
+        By(S(system.mean_rate::<P>(h, z)))
     }
 }
 
-/// As [`Analytic`], for the plain pendulum only.
 impl MeanForce for Shared {
     #[inline(never)]
     fn mean_force_rate(&self, middle: SharedState, h: f64) -> By {
-        match (self, middle) {
-            (S((_, system)), S(middle)) => By(S(system.mean_force_rate(middle, h))),
-            _ => never(),
-        }
+        let (system, middle) = self.plain(middle);
+        By(S(system.mean_force_rate(middle, h)))
     }
 }
 
-/// As [`Analytic`], for the plain pendulum only.
 impl NearlyLinear for Shared {
     type Time = f64;
 
@@ -292,10 +286,8 @@ impl NearlyLinear for Shared {
 
     #[inline(never)]
     fn linear_force(&self, z: SharedState) -> Self::Force {
-        match (self, z) {
-            (S((_, system)), S(z)) => S(system.linear_force(z)),
-            _ => never(),
-        }
+        let (system, z) = self.plain(z);
+        S(system.linear_force(z))
     }
 
     fn kick_for(&self, z: SharedState, force: Self::Force, time: f64) -> SharedState {
@@ -307,30 +299,23 @@ impl NearlyLinear for Shared {
     }
 }
 
-/// As [`Analytic`], for the plain pendulum only.
 impl ForceGradient for Shared {
     #[inline(never)]
     fn force_with_gradient(&self, t: f64, z: SharedState, c: f64) -> Self::Force {
-        match (self, z) {
-            (S((_, system)), S(z)) => S(system.force_with_gradient(t, z, c)),
-            _ => never(),
-        }
+        let (system, z) = self.plain(z);
+        S(system.force_with_gradient(t, z, c))
     }
 
     #[inline(never)]
     fn processing(&self, z: SharedState, by: &Processor) -> RateOf<Self> {
-        match (self, z) {
-            (S((_, system)), S(z)) => By(S(system.processing(z, by))),
-            _ => never(),
-        }
+        let (system, z) = self.plain(z);
+        By(S(system.processing(z, by)))
     }
 
     #[inline(never)]
     fn unprocessing(&self, z: SharedState, by: &Processor) -> RateOf<Self> {
-        match (self, z) {
-            (S((_, system)), S(z)) => By(S(system.unprocessing(z, by))),
-            _ => never(),
-        }
+        let (system, z) = self.plain(z);
+        By(S(system.unprocessing(z, by)))
     }
 }
 

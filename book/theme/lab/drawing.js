@@ -1,209 +1,185 @@
 // What a lab draws: pendulums as they hang, the phase portrait, and the errors over time.
-(theLab => {
-    'use strict';
+'use strict';
 
-    const { Plot, Portrait, QUANTITY, Sheet, TURN, conserves, isClosed, look, mark } = theLab;
-    const { write } = theLab;
-    const { LOWER_THETA, THETA } = QUANTITY;
+// Space below a pendulum for its name (px).
+const NAME = 20;
+// A trail is what a bob did in the last so many seconds of the reader, at most so many points.
+const TRAIL_SECONDS = 0.7;
+const TRAIL_POINTS = 240;
 
-    // Space below a pendulum for its name (px).
-    const NAME = 20;
-    // A trail is what a bob did in the last so many seconds of the reader, at most so many points.
-    const SECONDS = 0.7;
-    const POINTS = 240;
+class Stage extends Sheet {
+    constructor(lab) {
+        super();
+        this.lab = lab;
+        this.trails = false;
+    }
 
-    class Stage extends Sheet {
-        constructor(lab) {
-            super();
-            this.lab = lab;
-            this.trails = false;
-        }
+    // As wide as there is room for.
+    layout(width) {
+        const n = this.lab.pendulums.length || 1;
+        this.down = Math.ceil(n / Math.max(1, Math.floor(width / 100)));
+        this.across = Math.ceil(n / this.down);
+        this.cell = Math.min(width / this.across, this.lab.whole ? 230 : 190);
+        this.fit(width, this.down * (this.cell + NAME));
+    }
 
-        // As wide as there is room for.
-        layout(width) {
-            const n = this.lab.pendulums.length || 1;
-            this.down = Math.ceil(n / Math.max(1, Math.floor(width / 100)));
-            this.across = Math.ceil(n / this.down);
-            this.cell = Math.min(width / this.across, this.lab.whole ? 230 : 190);
-            this.fit(width, this.down * (this.cell + NAME));
-        }
+    // The pivot of the i-th pendulum and the length of its rod (px).
+    pivot(i) {
+        const left = (this.width - this.across * this.cell) / 2;
+        const { L, system, a, Omega } = this.lab.scene;
+        // Grows with L, but not in proportion: the shortest rod must leave a bob to grasp.
+        const reach = this.cell * (0.3 + (0.11 * L) / (L + 1));
+        const rod = system === 'double' ? reach / 2 : reach;
+        // A shaken pivot moves on the scale of its rod, and not out of the picture.
+        const lift =
+            system === 'shaken'
+                ? Math.min((rod * a) / L, 0.2 * rod) * Math.cos(Omega * this.lab.time)
+                : 0;
+        return {
+            x: left + ((i % this.across) + 0.5) * this.cell,
+            y: Math.floor(i / this.across) * (this.cell + NAME) + this.cell / 2 - lift,
+            rod,
+            lift,
+        };
+    }
 
-        // The pivot of the i-th pendulum and the length of its rod (px).
-        pivot(i) {
-            const left = (this.width - this.across * this.cell) / 2;
-            const { L, system, a, Omega } = this.lab.scene;
-            // Grows with L, but not in proportion: the shortest rod must leave a bob to grasp.
-            const reach = this.cell * (0.3 + (0.11 * L) / (L + 1));
-            const rod = system === 'double' ? reach / 2 : reach;
-            // A shaken pivot moves on the scale of its rod, and not out of the picture.
-            const lift =
-                system === 'shaken'
-                    ? Math.min((rod * a) / L, 0.2 * rod) * Math.cos(Omega * this.lab.time)
-                    : 0;
-            return {
-                x: left + ((i % this.across) + 0.5) * this.cell,
-                y: Math.floor(i / this.across) * (this.cell + NAME) + this.cell / 2 - lift,
-                rod,
-                lift,
-            };
-        }
+    // Where bobs at these angles are, the upper first.
+    bobs({ x, y, rod }, theta, lower) {
+        const first = [x + rod * Math.sin(theta), y + rod * Math.cos(theta)];
+        if (Number.isNaN(lower)) return [first];
+        return [first, [first[0] + rod * Math.sin(lower), first[1] + rod * Math.cos(lower)]];
+    }
 
-        // Where bobs at these angles are, the upper first.
-        bobs({ x, y, rod }, theta, lower) {
-            const first = [x + rod * Math.sin(theta), y + rod * Math.cos(theta)];
-            if (Number.isNaN(lower)) return [first];
-            return [first, [first[0] + rod * Math.sin(lower), first[1] + rod * Math.cos(lower)]];
-        }
-
-        draw() {
-            const { lab, ink } = this;
-            this.clear();
-            lab.pendulums.forEach((pendulum, i) => {
-                const pivot = this.pivot(i),
-                    { x, y, rod, lift } = pivot,
-                    { path, colour } = lab.drawing.looks.get(pendulum.method.number);
-                const lower = pendulum.read(LOWER_THETA);
-                ink.globalAlpha = 0.35;
+    draw() {
+        const { lab, ink } = this;
+        this.clear();
+        lab.pendulums.forEach((pendulum, i) => {
+            const pivot = this.pivot(i),
+                { x, y, rod, lift } = pivot,
+                { path, colour } = lab.drawing.looks.get(pendulum.method.number);
+            const lower = pendulum.read(LOWER_THETA);
+            ink.globalAlpha = 0.35;
+            ink.strokeStyle = lab.drawing.ink;
+            ink.lineWidth = 1;
+            ring(ink, x, y, Number.isNaN(lower) ? rod : 2 * rod);
+            ink.globalAlpha = 1;
+            if (this.trails) this.trail(pendulum, pivot, colour);
+            if (Number.isFinite(lab.exact)) {
+                const [exact] = this.bobs(pivot, lab.exact, NaN);
                 ink.strokeStyle = lab.drawing.ink;
                 ink.lineWidth = 1;
-                ink.beginPath();
-                ink.arc(x, y, Number.isNaN(lower) ? rod : 2 * rod, 0, TURN);
-                ink.stroke();
-                ink.globalAlpha = 1;
-                if (this.trails) this.trail(pendulum, pivot, colour);
-                if (Number.isFinite(lab.exact)) {
-                    const [[ex, ey]] = this.bobs(pivot, lab.exact, NaN);
-                    ink.strokeStyle = lab.drawing.ink;
-                    ink.lineWidth = 1;
-                    ink.setLineDash([3, 3]);
-                    ink.beginPath();
-                    ink.moveTo(x, y);
-                    ink.lineTo(ex, ey);
-                    ink.stroke();
-                    ink.setLineDash([]);
-                    ink.beginPath();
-                    ink.arc(ex, ey, 10, 0, TURN);
-                    ink.stroke();
-                }
-                const bobs = this.bobs(pivot, pendulum.read(THETA), lower);
-                ink.lineWidth = 2;
-                ink.strokeStyle = colour;
-                ink.beginPath();
-                ink.moveTo(x, y);
-                for (const [bx, by] of bobs) ink.lineTo(bx, by);
-                ink.stroke();
-                for (const [bx, by] of bobs) mark(ink, path, bx, by, 1.7, colour);
-                ink.fillStyle = lab.drawing.ink;
-                ink.beginPath();
-                ink.arc(x, y, 2.5, 0, TURN);
-                ink.fill();
-                const below = y + lift + this.cell / 2 + 12;
-                const { title } = pendulum.method;
-                write(ink, title, x, below, 'center', 'alphabetic', this.cell - 4);
-            });
-        }
-
-        // What the last bob did before, fading.
-        trail(pendulum, pivot, colour) {
-            const { lab, ink } = this;
-            const since = lab.taken - (SECONDS * lab.scene.speed) / lab.scene.dt;
-            const from = Math.max(pendulum.oldest, pendulum.points - POINTS);
+                ink.setLineDash([3, 3]);
+                line(ink, [[x, y], exact]);
+                ink.setLineDash([]);
+                ring(ink, ...exact, 10);
+            }
+            const bobs = this.bobs(pivot, pendulum.read(THETA), lower);
+            ink.lineWidth = 2;
             ink.strokeStyle = colour;
-            ink.lineWidth = 3;
-            let before = null;
-            for (let k = from; k < pendulum.points; k++) {
-                const { steps, theta, lower } = pendulum.point(k);
-                if (steps < since) continue;
-                const at = this.bobs(pivot, theta, lower).at(-1);
-                ink.globalAlpha = (0.6 * (steps - since)) / Math.max(lab.taken - since, 1);
-                ink.beginPath();
-                if (before) ink.moveTo(...before);
-                ink.lineTo(...at);
-                ink.stroke();
-                before = at;
-            }
-            ink.globalAlpha = 1;
-        }
+            line(ink, [[x, y], ...bobs]);
+            for (const [bx, by] of bobs) mark(ink, path, bx, by, 1.7, colour);
+            ink.fillStyle = lab.drawing.ink;
+            ink.beginPath();
+            ink.arc(x, y, 2.5, 0, TURN);
+            ink.fill();
+            const below = y + lift + this.cell / 2 + 12;
+            const { title } = pendulum.method;
+            write(ink, title, x, below, 'center', 'alphabetic', this.cell - 4);
+        });
     }
 
-    class Drawing {
-        constructor(lab) {
-            this.lab = lab;
-            this.stage = new Stage(lab);
-            this.phase = new Portrait(lab);
-            this.energy = new Plot(lab, pendulum => pendulum.energy);
-            this.angle = new Plot(lab, pendulum => pendulum.angle);
+    // What the last bob did before, fading.
+    trail(pendulum, pivot, colour) {
+        const { lab, ink } = this;
+        const since = lab.taken - (TRAIL_SECONDS * lab.scene.speed) / lab.scene.dt;
+        const from = Math.max(pendulum.oldest, pendulum.points - TRAIL_POINTS);
+        ink.strokeStyle = colour;
+        ink.lineWidth = 3;
+        let before = null;
+        for (let k = from; k < pendulum.points; k++) {
+            const { steps, theta, lower } = pendulum.point(k);
+            if (steps < since) continue;
+            const at = this.bobs(pivot, theta, lower).at(-1);
+            ink.globalAlpha = (0.6 * (steps - since)) / Math.max(lab.taken - since, 1);
+            line(ink, before ? [before, at] : [at]);
+            before = at;
         }
+        ink.globalAlpha = 1;
+    }
+}
 
-        colours() {
-            const style = getComputedStyle(document.documentElement);
-            const value = name => style.getPropertyValue(name).trim();
-            this.ink = value('--fg') || '#000';
-            this.paper = value('--bg') || '#fff';
-            this.looks = new Map(
-                this.lab.known.map(method => {
-                    const { colour, marker, dash } = look(method);
-                    return [
-                        method.number,
-                        { colour: value(colour), path: new Path2D(marker), dash },
-                    ];
-                }),
-            );
-        }
-
-        // Sets the sizes from the available width and redraws everything.
-        layout() {
-            this.colours();
-            const { lab, stage, phase } = this;
-            const width = sheet => sheet.canvas.parentElement?.clientWidth ?? 0;
-            stage.layout(width(stage));
-            for (const sheet of [phase, this.energy, this.angle].filter(
-                sheet => sheet.canvas.isConnected,
-            )) {
-                const own = width(sheet);
-                const height = Math.round(Math.min(Math.max(own * 0.62, 200), 300));
-                // Beside the two plots it is as high as both.
-                const tall =
-                    sheet === phase && lab.whole && isClosed(lab.scene) && own < 0.6 * stage.width;
-                if (own) sheet.fit(own, tall ? 2 * height - 12 : height);
-            }
-            // During a drag the axis keeps its scale; otherwise the point under the pointer would
-            // run away.
-            if (!lab.held) phase.reach = 0;
-            phase.base();
-            this.all();
-        }
-
-        all() {
-            this.stage.draw();
-            this.phase.draw();
-            this.plots();
-        }
-
-        plots() {
-            const { scene } = this.lab;
-            this.energy.draw(conserves(scene) ? 'energy error (J)' : 'energy (J)');
-            if (isClosed(scene)) this.angle.draw('angle error (rad)');
-        }
-
-        // Text alternatives for the drawings.
-        describe() {
-            const { scene, pendulums } = this.lab,
-                names = pendulums.map(pendulum => pendulum.method.title).join(', ');
-            const energy = conserves(scene) ? 'Energy error' : 'Energy';
-            const exact = isClosed(scene);
-            const ring = exact ? 'A ring on a dashed rod is the exact one. ' : '';
-            const over = exact ? ', over exact orbit and separatrix' : '';
-            const keys = 'arrow keys read it out.';
-            const say = ({ canvas }, words) => {
-                canvas.ariaLabel = words;
-            };
-            say(this.stage, `Pendulums side by side: ${names}. ${ring}Drag one to set its angle.`);
-            say(this.phase, `Phase portrait of ${names}${over}. Drag to set θ₀ and ω₀; ${keys}`);
-            say(this.energy, `${energy} over time of ${names}; ${keys}`);
-            say(this.angle, `Angle error against the closed form, of ${names}; ${keys}`);
-        }
+class Drawing {
+    constructor(lab) {
+        this.lab = lab;
+        this.stage = new Stage(lab);
+        this.phase = new Portrait(lab);
+        this.energy = new Plot(lab, pendulum => pendulum.energy);
+        this.angle = new Plot(lab, pendulum => pendulum.angle);
     }
 
-    Object.assign(theLab, { Drawing, Stage });
-})((globalThis.theLab ??= {}));
+    colours() {
+        const style = getComputedStyle(document.documentElement);
+        const value = name => style.getPropertyValue(name).trim();
+        this.ink = value('--fg') || '#000';
+        this.paper = value('--bg') || '#fff';
+        this.looks = new Map(
+            this.lab.known.map(method => {
+                const { colour, marker, dash } = look(method);
+                return [method.number, { colour: value(colour), path: new Path2D(marker), dash }];
+            }),
+        );
+    }
+
+    // Sets the sizes from the available width and redraws everything.
+    layout() {
+        this.colours();
+        const { lab, stage, phase } = this;
+        const width = sheet => sheet.canvas.parentElement?.clientWidth ?? 0;
+        stage.layout(width(stage));
+        for (const sheet of [phase, this.energy, this.angle].filter(
+            sheet => sheet.canvas.isConnected,
+        )) {
+            const own = width(sheet);
+            const height = Math.round(Math.min(Math.max(own * 0.62, 200), 300));
+            // Beside the two plots it is as high as both.
+            const tall =
+                sheet === phase && lab.whole && isClosed(lab.scene) && own < 0.6 * stage.width;
+            if (own) sheet.fit(own, tall ? 2 * height - 12 : height);
+        }
+        // During a drag the axis keeps its scale; otherwise the point under the pointer would
+        // run away.
+        if (!lab.held) phase.reach = 0;
+        phase.base();
+        this.all();
+    }
+
+    all() {
+        this.stage.draw();
+        this.phase.draw();
+        this.plots();
+    }
+
+    plots() {
+        const { scene } = this.lab;
+        this.energy.draw(conserves(scene) ? 'energy error (J)' : 'energy (J)');
+        if (isClosed(scene)) this.angle.draw('angle error (rad)');
+    }
+
+    // Text alternatives for the drawings.
+    describe() {
+        const { scene, pendulums } = this.lab,
+            names = pendulums.map(pendulum => pendulum.method.title).join(', ');
+        const energy = conserves(scene) ? 'Energy error' : 'Energy';
+        const exact = isClosed(scene);
+        const ring = exact ? 'A ring on a dashed rod is the exact one. ' : '';
+        const over = exact ? ', over exact orbit and separatrix' : '';
+        const keys = 'arrow keys read it out.';
+        const say = ({ canvas }, words) => {
+            canvas.ariaLabel = words;
+        };
+        say(this.stage, `Pendulums side by side: ${names}. ${ring}Drag one to set its angle.`);
+        say(this.phase, `Phase portrait of ${names}${over}. Drag to set θ₀ and ω₀; ${keys}`);
+        say(this.energy, `${energy} over time of ${names}; ${keys}`);
+        say(this.angle, `Angle error against the closed form, of ${names}; ${keys}`);
+    }
+}

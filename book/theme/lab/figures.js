@@ -1,269 +1,256 @@
 // One step of a method taken apart: the reader moves the start and the step, and sees the parts of
 // the step, its end beside the true motion's, and what becomes of a square. And the level curve of
 // symplectic Euler's H̃, built term by term under a slider, with the points of the method.
-(theLab => {
-    'use strict';
+'use strict';
 
-    const { Moved, PENDULUM, Plane, button, colour, element, everyDigit, figures } = theLab;
-    const { handle, html, look, measured, simulate, spelt } = theLab;
+// Numbered as in book/curves/src/parts.rs.
+const SLOPE = 0;
+const NAMES = ['slope', 'kick', 'drift'];
+// The axes of the still figure, and those of the whole plane.
+const NEAR = { theta: [-1.6, 1.6], omega: [0, 5] };
+const WIDE = { theta: [-3.5, 3.5], omega: [-9, 9] };
+const START = { theta: -1.2, omega: 1 };
+// The side of the square (rad), and the pieces of each of its sides.
+const SIDE = 0.3;
+const SIDE_PIECES = 24;
+// RK4's slopes are drawn a quarter of a step long, as the still figure has them.
+const SHARE = 0.25;
 
-    // Numbered as in book/lab/src/parts.rs.
-    const SLOPE = 0;
-    const NAMES = ['slope', 'kick', 'drift'];
-    // The axes of the still figure, and those of the whole plane.
-    const NEAR = { theta: [-1.6, 1.6], omega: [0, 5] };
-    const WIDE = { theta: [-3.5, 3.5], omega: [-9, 9] };
-    const START = { theta: -1.2, omega: 1 };
-    // The side of the square (rad), and the pieces of each of its sides.
-    const SIDE = 0.3;
-    const PIECES = 24;
-    // RK4's slopes are drawn a quarter of a step long, as the still figure has them.
-    const SHARE = 0.25;
+const signed = (x, digits) => x.toFixed(digits).replace('-', '−');
 
-    const signed = (x, digits) => x.toFixed(digits).replace('-', '−');
+figures.stencil = class extends Moved {
+    constructor(spot, library, number) {
+        super(spot, library, number);
+        this.method = library.method(spot.dataset.method);
+        this.first = { ...START, h: Number(spot.dataset.step) };
+        this.scene = { ...this.first };
+        const { svg, width, height } = this;
+        const box = [38, 93, width - 20, height - 56];
+        this.plane = new Plane(svg, this.name, box, NEAR);
+        this.start = handle(
+            this.plane,
+            'Start of the step: the arrow keys move it',
+            [0.05, 0.1],
+            (theta, omega) =>
+                this.change({
+                    theta: Math.round(1000 * theta) / 1000,
+                    omega: Math.round(1000 * omega) / 1000,
+                }),
+        );
+        this.lay();
+    }
 
-    figures.stencil = class extends Moved {
-        constructor(spot, library, number) {
-            super(spot, library, number);
-            this.method = library.method(spot.dataset.method);
-            this.first = { ...START, h: Number(spot.dataset.step) };
-            this.scene = { ...this.first };
-            const { svg, width, height } = this;
-            this.top = this.legend([]);
-            svg.append(this.top);
-            const box = [38, 93, width - 20, height - 56];
-            this.plane = new Plane(svg, this.name, box, NEAR);
-            this.start = handle(
-                this.plane,
-                'Start of the step: the arrow keys move it',
-                [0.05, 0.1],
-                (theta, omega) =>
-                    this.change({
-                        theta: Math.round(1000 * theta) / 1000,
-                        omega: Math.round(1000 * omega) / 1000,
-                    }),
-            );
-            this.lay();
-        }
-
-        lay() {
-            const range = { from: 0.01, to: 1, by: 0.01 };
-            this.h = this.slider('h', 'Step h', 's', range, h => this.change({ h }));
-            this.wide = button('wide', 'Whole plane', () => {
-                const pressed = this.wide.getAttribute('aria-pressed') !== 'true';
-                this.view(pressed);
-                this.show();
-            });
-            this.rows = ['start', 'end of the step', 'true motion'].map(name => {
-                const cells = [element('td'), element('td')];
-                return { cells, row: html`<tr><th scope="row">${name}</th>${cells}</tr>` };
-            });
-            this.area = element('output', { class: 'area' });
-            this.every = element('div');
-            const reset = button('reset', 'Reset', () => {
-                this.view(false);
-                this.change(this.first);
-            });
-            this.controls.append(
-                html`<div class="buttons">${[this.h.part, reset, this.wide]}</div>`,
-                html`<table>
-                    <thead>
-                        <tr><td></td><th scope="col">θ (rad)</th><th scope="col">ω (rad/s)</th></tr>
-                    </thead>
-                    <tbody>${this.rows.map(({ row }) => row)}</tbody>
-                </table>`,
-                html`<p class="note">${this.area}</p>`,
-                everyDigit(this.every),
-            );
+    lay() {
+        const h = this.slider('h', 'Step h', 's', { from: 0.01, to: 1, by: 0.01 });
+        this.wide = button('wide', 'Whole plane', () => {
+            const pressed = this.wide.getAttribute('aria-pressed') !== 'true';
+            this.view(pressed);
+            this.show();
+        });
+        this.rows = ['start', 'end of the step', 'true motion'].map(name => {
+            const cells = [element('td'), element('td')];
+            return { cells, row: markup`<tr><th scope="row">${name}</th>${cells}</tr>` };
+        });
+        this.area = element('output', { class: 'area' });
+        this.every = element('div');
+        const reset = button('reset', 'Reset', () => {
             this.view(false);
-        }
+            this.change(this.first);
+        });
+        this.controls.append(
+            markup`<div class="buttons">${[h, reset, this.wide]}</div>`,
+            markup`<table>
+                <thead>
+                    <tr><td></td><th scope="col">θ (rad)</th><th scope="col">ω (rad/s)</th></tr>
+                </thead>
+                <tbody>${this.rows.map(({ row }) => row)}</tbody>
+            </table>`,
+            markup`<p class="note">${this.area}</p>`,
+            everyDigit(this.every),
+        );
+        this.view(false);
+    }
 
-        view(wide) {
-            this.wide.setAttribute('aria-pressed', wide);
-            const { theta, omega } = wide ? WIDE : NEAR;
-            this.plane.frame(theta, omega);
-            // The start has to be in sight.
-            const { scene, plane } = this;
-            const [x, y] = [plane.x(scene.theta), plane.y(scene.omega)];
-            [scene.theta, scene.omega] = plane.at(x, y).map(v => Math.round(1000 * v) / 1000);
-        }
+    view(wide) {
+        this.wide.setAttribute('aria-pressed', wide);
+        const { theta, omega } = wide ? WIDE : NEAR;
+        this.plane.frame(theta, omega);
+        // The start has to be in sight.
+        const { scene, plane } = this;
+        const [x, y] = [plane.x(scene.theta), plane.y(scene.omega)];
+        [scene.theta, scene.omega] = plane.at(x, y).map(v => Math.round(1000 * v) / 1000);
+    }
 
-        // The parts of the step: what each is, its share of the step, from where to where.
-        parts() {
-            const count = this.library.exports.step_parts();
-            const numbers = this.library.points(3 * count);
-            return Array.from({ length: count }, (_, i) => {
-                const [kind, share, ...ends] = numbers.subarray(6 * i, 6 * i + 6);
-                return { kind, share, from: ends.slice(0, 2), to: ends.slice(2) };
+    // The parts of the step: what each is, its share of the step, from where to where.
+    parts() {
+        const count = this.library.exports.step_parts();
+        const numbers = this.library.points(3 * count);
+        return Array.from({ length: count }, (_, i) => {
+            const [kind, share, ...ends] = numbers.subarray(6 * i, 6 * i + 6);
+            return { kind, share, from: ends.slice(0, 2), to: ends.slice(2) };
+        });
+    }
+
+    show() {
+        const { library, method, plane, scene } = this;
+        library.scene(method, scene);
+        const start = Float64Array.of(scene.theta, scene.omega);
+        const parts = this.parts();
+        const end = library.carried(start, 1),
+            truth = library.followed(start, scene.h);
+        const square = library.shape(0, SIDE, SIDE_PIECES),
+            image = library.carried(square, 1);
+        const ratio = library.area(image) / library.area(square);
+        const orbit = library.orbit(scene, 401);
+        plane.clear();
+        plane.curve(orbit);
+        plane.curve(square, { filled: true, thin: true });
+        plane.curve(image, { method, filled: true, thin: true });
+        this.draw(parts, start, truth);
+        this.tell(image, ratio);
+        plane.markers(truth);
+        plane.markers([...start, ...end], method);
+        const point = `θ ${signed(start[0], 3)} rad, ω ${signed(start[1], 3)} rad/s`;
+        this.start.put(start[0], start[1], point);
+        this.settle();
+        this.entries();
+        [start, end, truth].forEach((z, i) => {
+            z.forEach((value, k) => {
+                this.rows[i].cells[k].textContent = signed(value, 4);
             });
-        }
+        });
+        this.area.textContent =
+            `The step makes a square of ${SIDE} rad × ${SIDE}\u00a0ω₀ about the start ` +
+            `${ratio.toFixed(4)} times as large: the areas of both as polygons of ` +
+            `${image.length / 2} points.`;
+        this.spell(end);
+    }
 
-        show() {
-            const { library, method, plane, scene } = this;
-            library.scene(method, scene);
-            const start = Float64Array.of(scene.theta, scene.omega);
-            const parts = this.parts();
-            const end = library.carried(start, 1),
-                truth = library.followed(start, scene.h);
-            const square = library.shape(0, SIDE, PIECES),
-                image = library.carried(square, 1);
-            const ratio = library.area(image) / library.area(square);
-            const orbit = library.orbit(scene, 401);
-            plane.clear();
-            plane.curve(orbit);
-            plane.curve(square, { filled: true, thin: true });
-            plane.curve(image, { method, filled: true, thin: true });
-            this.draw(parts, start, truth);
-            this.tell(image, ratio);
-            plane.markers(truth);
-            plane.markers([...start, ...end], method);
-            const point = `θ ${signed(start[0], 3)} rad, ω ${signed(start[1], 3)} rad/s`;
-            this.start.put(start[0], start[1], point);
-            this.h.set(scene.h);
-            this.top.replaceWith((this.top = this.entries()));
-            [start, end, truth].forEach((z, i) => {
-                z.forEach((value, k) => {
-                    this.rows[i].cells[k].textContent = signed(value, 4);
-                });
-            });
-            this.area.textContent =
-                `The step makes a square of ${SIDE} rad × ${SIDE}\u00a0ω₀ about the start ` +
-                `${ratio.toFixed(4)} times as large: the areas of both as polygons of ` +
-                `${image.length / 2} points.`;
-            this.spell(end);
-        }
+    entries() {
+        const { method, scene } = this;
+        const own = colour(method);
+        const ring = 'M18,0m-5,0a5,5 0 1,0 10,0a5,5 0 1,0 -10,0z';
+        this.legend([
+            ['true orbit', 'M0,0h36', 'line'],
+            [method.title, `M18,0${look(method).marker}`, `dot ${own}`],
+            [`true motion after ${scene.h} s`, ring, 'dot'],
+            ['a square, and its image', 'M4,-7h28v14h-28z', `line fill thin ${own}`],
+        ]);
+    }
 
-        entries() {
-            const { method, scene } = this;
-            const own = colour(method);
-            const ring = 'M18,0m-5,0a5,5 0 1,0 10,0a5,5 0 1,0 -10,0z';
-            return this.legend([
-                ['true orbit', 'M0,0h36', 'line'],
-                [method.title, `M18,0${look(method).marker}`, `dot ${own}`],
-                [`true motion after ${scene.h} s`, ring, 'dot'],
-                ['a square, and its image', 'M4,-7h28v14h-28z', `line fill thin ${own}`],
-            ]);
-        }
+    // Above the square's image, or below it where there is no room, how large it is.
+    tell(image, ratio) {
+        const { plane } = this;
+        const [xs, ys] = [0, 1].map(k => image.filter((_, i) => i % 2 === k));
+        const x = plane.x((Math.min(...xs) + Math.max(...xs)) / 2);
+        const above = plane.y(Math.max(...ys)) - 8,
+            below = plane.y(Math.min(...ys)) + 22;
+        const y = above > plane.top + 16 ? above : below;
+        if (x > plane.left && x < plane.right && y > plane.top && y < plane.bottom)
+            plane.note(x, y, `area × ${ratio.toFixed(3)}`, 'middle');
+    }
 
-        // Above the square's image, or below it where there is no room, how large it is.
-        tell(image, ratio) {
-            const { plane } = this;
-            const [xs, ys] = [0, 1].map(k => image.filter((_, i) => i % 2 === k));
-            const x = plane.x((Math.min(...xs) + Math.max(...xs)) / 2);
-            const above = plane.y(Math.max(...ys)) - 8,
-                below = plane.y(Math.min(...ys)) + 22;
-            const y = above > plane.top + 16 ? above : below;
-            if (x > plane.left && x < plane.right && y > plane.top && y < plane.bottom)
-                plane.note(x, y, `area × ${ratio.toFixed(3)}`, 'middle');
-        }
+    draw(parts, start, truth) {
+        const { method, plane } = this;
+        const slopes = parts.filter(({ kind }) => kind === SLOPE).length;
+        parts.forEach(({ kind, share, from, to }, i) => {
+            if (kind !== SLOPE) {
+                const part = { 1: '', 0.5: '½ ' }[share] ?? `${share.toFixed(2)} `;
+                plane.arrow(from, to, method, part + NAMES[kind], truth[0]);
+            } else if (slopes === 1) {
+                plane.arrow(from, to, method, 'tangent', truth[0]);
+            } else {
+                if (i > 0) plane.curve([...start, ...from], { dash: '2 4', thin: true });
+                const tip = from.map((value, k) => value + SHARE * (to[k] - value));
+                plane.arrow(from, tip, method, `k_{${i + 1}}`, truth[0]);
+            }
+        });
+    }
 
-        draw(parts, start, truth) {
-            const { method, plane } = this;
-            const slopes = parts.filter(({ kind }) => kind === SLOPE).length;
-            parts.forEach(({ kind, share, from, to }, i) => {
-                if (kind !== SLOPE) {
-                    const part = { 1: '', 0.5: '½ ' }[share] ?? `${share.toFixed(2)} `;
-                    plane.arrow(from, to, method, part + NAMES[kind], truth[0]);
-                } else if (slopes === 1) {
-                    plane.arrow(from, to, method, 'tangent', truth[0]);
-                } else {
-                    if (i > 0) plane.curve([...start, ...from], { dash: '2 4', thin: true });
-                    const tip = from.map((value, k) => value + SHARE * (to[k] - value));
-                    plane.arrow(from, tip, method, `k_{${i + 1}}`, truth[0]);
-                }
-            });
-        }
+    // Every digit, with the command that prints the same.
+    spell([theta, omega]) {
+        const { method, scene } = this;
+        const start = { theta0: scene.theta, omega0: scene.omega, dt: scene.h, ...PENDULUM };
+        const values = [
+            ['theta', theta, 'theta'],
+            ['omega', omega, 'omega'],
+        ];
+        const command = simulate(method.name, start, 1);
+        this.every.replaceChildren(...spelt('The step ends at ', values, command));
+    }
+};
 
-        // Every digit, with the command that prints the same.
-        spell([theta, omega]) {
-            const { method, scene } = this;
-            const start = { theta0: scene.theta, omega0: scene.omega, dt: scene.h, ...PENDULUM };
-            const values = [
-                ['theta', theta, 'theta'],
-                ['omega', omega, 'omega'],
-            ];
-            const command = simulate(method.name, start, 1);
-            this.every.replaceChildren(...spelt('The step ends at ', values, command));
-        }
-    };
+const TILTED = { theta: 1, omega: 0, h: 0.25, order: 7, steps: 25 };
+// Points on a curve.
+const POINTS = 401;
 
-    const FIRST = { theta: 1, omega: 0, h: 0.25, order: 7, steps: 25 };
-    // Points on a curve.
-    const POINTS = 401;
+figures.tilted = class extends Moved {
+    constructor(spot, library, number) {
+        super(spot, library, number);
+        this.method = library.method('symplectic-euler');
+        this.scene = { ...TILTED };
+        const { svg, width, height } = this;
+        const box = [38, 95, width - 20, height - 56];
+        this.plane = new Plane(svg, this.name, box, { theta: [-1.3, 1.3], omega: [-3.6, 3.6] });
+        this.lay();
+    }
 
-    figures.tilted = class extends Moved {
-        constructor(spot, library, number) {
-            super(spot, library, number);
-            this.method = library.method('symplectic-euler');
-            this.scene = { ...FIRST };
-            const { svg, width, height } = this;
-            const box = [38, 95, width - 20, height - 56];
-            this.top = this.legend([]);
-            svg.append(this.top);
-            this.plane = new Plane(svg, this.name, box, { theta: [-1.3, 1.3], omega: [-3.6, 3.6] });
-            this.lay();
-        }
+    lay() {
+        const sliders = [
+            this.slider('h', 'Step h', 's', { from: 0.02, to: 0.4, by: 0.01 }),
+            this.slider('order', 'Terms of H̃', '', { from: 0, to: 7, by: 1 }),
+            this.slider('steps', 'Steps taken', '', { from: 0, to: 200, by: 1 }),
+            this.slider('theta', 'Released from', 'rad', { from: 0.2, to: 2.6, by: 0.1 }),
+        ];
+        this.strays = element('output', { class: 'strays' });
+        const step = button('step', 'One step', () =>
+            this.change({ steps: Math.min(this.scene.steps + 1, 200) }),
+        );
+        const reset = button('reset', 'Reset', () => this.change(TILTED));
+        this.controls.append(
+            markup`<div class="sliders">${sliders}</div>`,
+            markup`<div class="buttons">${[step, reset]}</div>`,
+            markup`<p class="note">${this.strays}</p>`,
+        );
+    }
 
-        lay() {
-            const slider = (key, label, unit, range) =>
-                (this[key] = this.slider(key, label, unit, range, value =>
-                    this.change({ [key]: value }),
-                ));
-            slider('h', 'Step h', 's', { from: 0.02, to: 0.4, by: 0.01 });
-            slider('order', 'Terms of H̃', '', { from: 0, to: 7, by: 1 });
-            slider('steps', 'Steps taken', '', { from: 0, to: 200, by: 1 });
-            slider('theta', 'Released from', 'rad', { from: 0.2, to: 2.6, by: 0.1 });
-            this.strays = element('output', { class: 'strays' });
-            const step = button('step', 'One step', () =>
-                this.change({ steps: Math.min(this.scene.steps + 1, 200) }),
-            );
-            const reset = button('reset', 'Reset', () => this.change(FIRST));
-            const sliders = ['h', 'order', 'steps', 'theta'].map(key => this[key].part);
-            this.controls.append(
-                html`<div class="sliders">${sliders}</div>`,
-                html`<div class="buttons">${[step, reset]}</div>`,
-                html`<p class="note">${this.strays}</p>`,
-            );
-        }
+    show() {
+        const { library, method, plane, scene } = this,
+            { order, steps } = scene;
+        this.settle();
+        library.scene(method, scene);
+        const orbit = library.level(0, POINTS),
+            curve = library.level(order, POINTS);
+        // The orbit leaves its points where `strays` looks for them.
+        const count = library.exports.orbit(steps + 1),
+            points = library.points(count);
+        const off = [0, order].map(n => library.exports.strays(n, count));
+        const most = 2 * Math.sqrt(PENDULUM.g) * Math.sin(scene.theta / 2);
+        plane.frame([-1.3 * scene.theta, 1.3 * scene.theta], [-1.2 * most, 1.2 * most]);
+        plane.clear();
+        plane.curve(orbit);
+        if (order > 0) plane.curve(curve, { dash: '7 4' });
+        plane.markers(points, method);
+        this.entries();
+        const lost = curve.some(Number.isNaN);
+        const terms = order === 1 ? '1 term' : `${order} terms`;
+        this.strays.textContent =
+            `Over these steps H strays from its start by up to ${measured(off[0])} J` +
+            (order === 0
+                ? '.'
+                : lost
+                  ? `; with ${terms} the level of H̃ leaves the well, and is no closed curve.`
+                  : `, and H̃ with ${terms} by up to ${measured(off[1])} J.`);
+    }
 
-        show() {
-            const { library, method, plane, scene } = this,
-                { order, steps } = scene;
-            for (const key of ['h', 'order', 'steps', 'theta']) this[key].set(scene[key]);
-            library.scene(method, scene);
-            const orbit = library.level(0, POINTS),
-                curve = library.level(order, POINTS);
-            // The orbit leaves its points where `strays` looks for them.
-            const count = library.exports.orbit(steps + 1),
-                points = library.points(count);
-            const off = [0, order].map(n => library.exports.strays(n, count));
-            const most = 2 * Math.sqrt(theLab.PENDULUM.g) * Math.sin(scene.theta / 2);
-            plane.frame([-1.3 * scene.theta, 1.3 * scene.theta], [-1.2 * most, 1.2 * most]);
-            plane.clear();
-            plane.curve(orbit);
-            if (order > 0) plane.curve(curve, { dash: '7 4' });
-            plane.markers(points, method);
-            this.top.replaceWith((this.top = this.entries()));
-            const lost = curve.some(Number.isNaN);
-            const terms = order === 1 ? '1 term' : `${order} terms`;
-            this.strays.textContent =
-                `Over these steps H strays from its start by up to ${measured(off[0])} J` +
-                (order === 0
-                    ? '.'
-                    : lost
-                      ? `; with ${terms} the level of H̃ leaves the well, and is no closed curve.`
-                      : `, and H̃ with ${terms} by up to ${measured(off[1])} J.`);
-        }
-
-        entries() {
-            const { method, scene } = this,
-                own = colour(method);
-            const terms = scene.order === 1 ? 'one term' : `${scene.order} terms`;
-            return this.legend([
-                ['true orbit, H', 'M0,0h36', 'line'],
-                [`${method.title}, h = ${scene.h} s`, `M18,0${look(method).marker}`, `dot ${own}`],
-                ...(scene.order ? [[`H̃, ${terms}`, 'M0,0h36', 'line', '7 4']] : []),
-            ]);
-        }
-    };
-})((globalThis.theLab ??= {}));
+    entries() {
+        const { method, scene } = this,
+            own = colour(method);
+        const terms = scene.order === 1 ? 'one term' : `${scene.order} terms`;
+        this.legend([
+            ['true orbit, H', 'M0,0h36', 'line'],
+            [`${method.title}, h = ${scene.h} s`, `M18,0${look(method).marker}`, `dot ${own}`],
+            ...(scene.order ? [[`H̃, ${terms}`, 'M0,0h36', 'line', '7 4']] : []),
+        ]);
+    }
+};

@@ -4,7 +4,7 @@
     'use strict';
 
     // mdBook by itself has loaded the single files.
-    if (globalThis.theLab) return;
+    if (typeof Lab !== 'undefined') return;
     const script = document.createElement('script');
     script.src = new URL('bundle.js', document.currentScript.src);
     const observer = new IntersectionObserver(
@@ -19,6 +19,5 @@
     // on the lab's own page, whose address may lead to a lesson far below the lab.
     if (/\/print\.html$/.test(location.pathname) || document.querySelector('.lab.whole'))
         document.head.append(script);
-    else
-        for (const spot of document.querySelectorAll('.lab, .lab-figure')) observer.observe(spot);
+    else for (const spot of document.querySelectorAll('.lab, .lab-figure')) observer.observe(spot);
 })();

@@ -1,96 +1,105 @@
 // A canvas to draw on, and what the lab's drawings have in common: the colour, marker and dash of a
 // method.
-(theLab => {
-    'use strict';
+'use strict';
 
-    // As in the figures: a method's colour, marker and dash follow from its index in the library's
-    // list. A test in book/charts/src/style.rs checks that both agree.
-    const COLOURS = ['vermilion', 'blue', 'green', 'purple', 'ochre', 'sky'];
-    const MARKERS = [
-        'm-5,0a5,5 0 1,0 10,0a5,5 0 1,0 -10,0z',
-        'm-4.6,-4.6h9.2v9.2h-9.2z',
-        'm0,-6.4l6.4,6.4 -6.4,6.4 -6.4,-6.4z',
-        'm0,-6.4l6,10.4h-12z',
-        'm-2,-6h4v4h4v4h-4v4h-4v-4h-4v-4h4z',
-        'm0,-2.6l3.4,-3.4 2.6,2.6 -3.4,3.4 3.4,3.4 -2.6,2.6 -3.4,-3.4 -3.4,3.4 -2.6,-2.6 3.4,-3.4 -3.4,-3.4 2.6,-2.6z',
-        'm0,6.4l6,-10.4h-12z',
-        'm-5.4,-5.4h10.8l-10.8,10.8h10.8z',
-    ];
-    const DASHES = [[], [14, 5], [14, 4, 2, 4], [7, 4]];
-    const FONT = '13px "Open Sans", system-ui, sans-serif';
-    const TURN = 2 * Math.PI;
+// As in the figures: a method's colour, marker and dash follow from its index in the library's
+// list. A test in book/charts/src/style.rs checks that both agree.
+const COLOURS = ['vermilion', 'blue', 'green', 'purple', 'ochre', 'sky'];
+const MARKERS = [
+    'm-5,0a5,5 0 1,0 10,0a5,5 0 1,0 -10,0z',
+    'm-4.6,-4.6h9.2v9.2h-9.2z',
+    'm0,-6.4l6.4,6.4 -6.4,6.4 -6.4,-6.4z',
+    'm0,-6.4l6,10.4h-12z',
+    'm-2,-6h4v4h4v4h-4v4h-4v-4h-4v-4h4z',
+    'm0,-2.6l3.4,-3.4 2.6,2.6 -3.4,3.4 3.4,3.4 -2.6,2.6 -3.4,-3.4 -3.4,3.4 -2.6,-2.6 3.4,-3.4 -3.4,-3.4 2.6,-2.6z',
+    'm0,6.4l6,-10.4h-12z',
+    'm-5.4,-5.4h10.8l-10.8,10.8h10.8z',
+];
+const DASHES = [[], [14, 5], [14, 4, 2, 4], [7, 4]];
+const FONT = '13px "Open Sans", system-ui, sans-serif';
+const TURN = 2 * Math.PI;
 
-    // A canvas at the resolution of the screen, drawn in CSS pixels.
-    class Sheet {
-        constructor() {
-            this.canvas = document.createElement('canvas');
-            this.canvas.setAttribute('role', 'img');
-            this.width = this.height = 0;
-            this.ink = this.canvas.getContext('2d');
+// A canvas at the resolution of the screen, drawn in CSS pixels.
+class Sheet {
+    constructor() {
+        this.canvas = document.createElement('canvas');
+        this.canvas.setAttribute('role', 'img');
+        this.width = this.height = 0;
+        this.ink = this.canvas.getContext('2d');
+    }
+
+    fit(width, height) {
+        const scale = Math.min(devicePixelRatio || 1, 2);
+        const [w, h] = [Math.round(width * scale), Math.round(height * scale)];
+        if (this.canvas.width !== w || this.canvas.height !== h) {
+            Object.assign(this.canvas, { width: w, height: h });
+            this.canvas.style.height = `${height}px`;
         }
-
-        fit(width, height) {
-            const scale = Math.min(devicePixelRatio || 1, 2);
-            const [w, h] = [Math.round(width * scale), Math.round(height * scale)];
-            if (this.canvas.width !== w || this.canvas.height !== h) {
-                Object.assign(this.canvas, { width: w, height: h });
-                this.canvas.style.height = `${height}px`;
-            }
-            Object.assign(this, { width, height, scale });
-            this.ink.setTransform(scale, 0, 0, scale, 0, 0);
-        }
-
-        clear() {
-            this.ink.clearRect(0, 0, this.width, this.height);
-        }
+        Object.assign(this, { width, height, scale });
+        this.ink.setTransform(scale, 0, 0, scale, 0, 0);
     }
 
-    // A marker; hollow, it shows what is below.
-    function mark(ink, path, x, y, size, colour, hollow = false) {
-        ink.save();
-        ink.translate(x, y);
-        ink.scale(size, size);
-        ink.fillStyle = ink.strokeStyle = colour;
-        ink.lineWidth = 2 / size;
-        if (hollow) ink.stroke(path);
-        else ink.fill(path);
-        ink.restore();
+    clear() {
+        this.ink.clearRect(0, 0, this.width, this.height);
     }
+}
 
-    function write(ink, words, x, y, align, baseline = 'top', width = undefined) {
-        Object.assign(ink, { font: FONT, textAlign: align, textBaseline: baseline });
-        ink.fillText(words, x, y, width);
-    }
+// A marker; hollow, it shows what is below.
+function mark(ink, path, x, y, size, colour, hollow = false) {
+    ink.save();
+    ink.translate(x, y);
+    ink.scale(size, size);
+    ink.fillStyle = ink.strokeStyle = colour;
+    ink.lineWidth = 2 / size;
+    if (hollow) ink.stroke(path);
+    else ink.fill(path);
+    ink.restore();
+}
 
-    // A frame, with a mark below its left, its middle and its right, and what they measure.
-    function axis(ink, { left, right, top, bottom }, marks, name) {
-        const middle = (left + right) / 2;
-        ink.lineWidth = 1;
-        ink.strokeRect(left, top, right - left, bottom - top);
-        write(ink, marks[0], left, bottom + 4, 'left');
-        write(ink, marks[1], middle, bottom + 4, 'center');
-        write(ink, marks[2], right, bottom + 4, 'right');
-        write(ink, name, middle, bottom + 17, 'center');
-    }
+// A line through points, and a circle.
+function line(ink, points) {
+    ink.beginPath();
+    for (const [x, y] of points) ink.lineTo(x, y);
+    ink.stroke();
+}
 
-    // Draws what of it is within a frame.
-    function within(ink, { left, right, top, bottom }, draw) {
-        ink.save();
-        ink.beginPath();
-        ink.rect(left, top, right - left, bottom - top);
-        ink.clip();
-        draw();
-        ink.restore();
-    }
+function ring(ink, x, y, radius) {
+    ink.beginPath();
+    ink.arc(x, y, radius, 0, TURN);
+    ink.stroke();
+}
 
-    // The colour, the marker and the dash of a method.
-    function look({ number }) {
-        return {
-            colour: `--pendula-${COLOURS[number % COLOURS.length]}`,
-            marker: MARKERS[number % MARKERS.length],
-            dash: DASHES[number % DASHES.length],
-        };
-    }
+function write(ink, words, x, y, align, baseline = 'top', width = undefined) {
+    Object.assign(ink, { font: FONT, textAlign: align, textBaseline: baseline });
+    ink.fillText(words, x, y, width);
+}
 
-    Object.assign(theLab, { Sheet, TURN, axis, look, mark, within, write });
-})((globalThis.theLab ??= {}));
+// A frame, with a mark below its left, its middle and its right, and what they measure.
+function axis(ink, { left, right, top, bottom }, marks, name) {
+    const middle = (left + right) / 2;
+    ink.lineWidth = 1;
+    ink.strokeRect(left, top, right - left, bottom - top);
+    write(ink, marks[0], left, bottom + 4, 'left');
+    write(ink, marks[1], middle, bottom + 4, 'center');
+    write(ink, marks[2], right, bottom + 4, 'right');
+    write(ink, name, middle, bottom + 17, 'center');
+}
+
+// Draws what of it is within a frame.
+function within(ink, { left, right, top, bottom }, draw) {
+    ink.save();
+    ink.beginPath();
+    ink.rect(left, top, right - left, bottom - top);
+    ink.clip();
+    draw();
+    ink.restore();
+}
+
+// The colour, the marker and the dash of a method.
+function look({ number }) {
+    return {
+        colour: `--pendula-${COLOURS[number % COLOURS.length]}`,
+        marker: MARKERS[number % MARKERS.length],
+        dash: DASHES[number % DASHES.length],
+    };
+}

@@ -233,18 +233,16 @@ fn compare_other(
     let grid = Grid::new(step, steps(&info)).unwrap();
     let one = |z| ([z, NONE], [pendulum.energy(z), pendulum.energy_from_pivot(z)]);
     let damped = Damped::new(pendulum, beta).unwrap();
+    let run = (start, &grid);
     let counted = match which {
-        0 => {
-            let mut beside = Beside::new(lab, &name, one, compared);
-            run_on(&damped, info.name, (start, &grid), &mut beside)
-        }
+        0 => run_on(&damped, &info, run, Beside::new(lab, &name, one, compared)),
         1 => {
-            let mut beside = Beside::new(lab, &name, one, compared);
-            run_on(&Driven::new(damped, p, q).unwrap(), info.name, (start, &grid), &mut beside)
+            let driven = Driven::new(damped, p, q).unwrap();
+            run_on(&driven, &info, run, Beside::new(lab, &name, one, compared))
         }
         2 => {
-            let mut beside = Beside::new(lab, &name, one, compared);
-            run_on(&Shaken::new(pendulum, p, q).unwrap(), info.name, (start, &grid), &mut beside)
+            let shaken = Shaken::new(pendulum, p, q).unwrap();
+            run_on(&shaken, &info, run, Beside::new(lab, &name, one, compared))
         }
         _ => {
             let double = DoublePendulum::of_equals(g, Joint { length, mass: 1.0 }).unwrap();
@@ -254,8 +252,7 @@ fn compare_other(
                 (bobs.map(|(theta, omega)| Phase { theta, omega }), [double.energy(z); 2])
             };
             let z = double.start([theta, p], [omega, q]).unwrap();
-            let mut beside = Beside::new(lab, &name, two, compared);
-            run_on(&double, info.name, (z, &grid), &mut beside)
+            run_on(&double, &info, (z, &grid), Beside::new(lab, &name, two, compared))
         }
     };
     assert_eq!(stands, counted.is_some(), "{name}\n{STALE}");
@@ -267,17 +264,17 @@ fn compare_other(
     stands
 }
 
-/// Runs the method of this name on a system beside the lab; `None` if it does not suit the system.
+/// Runs the method on a system beside the lab; `None` if it does not suit the system.
 /// Its force evaluations; none if a step has no solution, where the lab has NaN and goes on.
 fn run_on<S: Listed>(
     system: &S,
-    name: &str,
+    info: &MethodInfo,
     (start, grid): (S::State, &Grid),
-    beside: &mut dyn Observer<S::State>,
+    mut beside: Beside<'_, impl Fn(S::State) -> Seen>,
 ) -> Option<Option<u64>> {
-    let mut run = Run::start(system, S::steps(name)?, start, grid);
+    let mut run = Run::start(system, S::steps(info.name)?, start, grid);
     beside.observe(0, 0.0, start);
-    let solved = run.advance(u64::MAX, NonZeroU64::MIN, beside);
+    let solved = run.advance(u64::MAX, NonZeroU64::MIN, &mut beside);
     Some(solved.ok().map(|_| run.evaluations()))
 }
 

@@ -8,7 +8,6 @@
     if (!spot || !which || /\/print\.html$/.test(location.pathname)) return;
 
     const { FIRST, Known, PRECISIONS, beside, decimal, pairOf, two } = which,
-        { count, element, html, tick } = globalThis.theLab,
         FILE = new URL('../known-answers.js', document.currentScript.src),
         NAMES = ['θ', 'ω'],
         UNITS = ['rad', 'rad/s'],
@@ -24,17 +23,17 @@
 
     const minus = text => String(text).replace(/-(?=[\d.])/g, '−');
     const about = x => (x < 9.95 && x >= 0.05 ? x.toFixed(1) : tick(Number(x.toPrecision(2))));
-    const line = (...words) => html`<p>${words}</p>`;
+    const line = (...words) => markup`<p>${words}</p>`;
     const link = (href, ...words) => element('a', { href }, ...words);
-    const list = items => html`<ul>${items.map(item => html`<li>${item}</li>`)}</ul>`;
+    const list = items => markup`<ul>${items.map(item => markup`<li>${item}</li>`)}</ul>`;
     const texts = pair => pair.map(({ text }) => text);
     const isMistake = entry => Boolean(entry.of);
-    const span = words => html`<span>${words}</span>`;
+    const span = words => markup`<span>${words}</span>`;
     const both = values => {
         const each = values.map((value, i) => span(`${NAMES[i]} ${minus(value)}`));
-        return html`<span class="both">${each}</span>`;
+        return markup`<span class="both">${each}</span>`;
     };
-    const titled = name => (CHAPTERS.includes(name) ? link(`${name}.html`, name) : name);
+    const titled = name => (CHAPTERS.includes(name) ? link(`${name}.markup`, name) : name);
 
     // The address of this input.
     const address = (precision, pairs) =>
@@ -62,7 +61,7 @@
             });
             this.said = element('output', { tabindex: -1, 'aria-live': 'polite' });
             this.result = element('div', { class: 'result' });
-            this.form = html`
+            this.form = markup`
                 <form aria-label="Which integrator is this?">
                     <fieldset class="precision">
                         <legend>Precision</legend>
@@ -93,9 +92,9 @@
         round(key) {
             const field = (name, i) => {
                 const input = element('input', { autocomplete: 'off', spellcheck: 'false' });
-                return html`<label>${[span(`${name} (${UNITS[i]})`), input]}</label>`;
+                return markup`<label>${[span(`${name} (${UNITS[i]})`), input]}</label>`;
             };
-            const box = html`
+            const box = markup`
                     <fieldset class="pair">
                         <legend>${task(this.known.scenes, key)}</legend>
                         ${NAMES.map(field)}
@@ -301,7 +300,7 @@
                     names = some.map((x, j) => span(x.entry.name + end(j)));
                 return some.length ? [line(`${title}: `, ...names.flatMap(x => [x, ' ']))] : [];
             });
-            const all = html`<details><summary>Their names</summary>${lines}</details>`;
+            const all = markup`<details><summary>Their names</summary>${lines}</details>`;
             all.open = found.length <= OPEN;
             return [all];
         }
@@ -330,8 +329,11 @@
                     ['right', answer && both(answer.texts.map(asLong))],
                     ['apart', answer && both(this.apart(answer, pair))],
                 ].filter(([, value]) => value);
-                const each = ([name, value]) => [html`<dt>${name}</dt>`, html`<dd>${value}</dd>`];
-                const section = html`
+                const each = ([name, value]) => [
+                    markup`<dt>${name}</dt>`,
+                    markup`<dd>${value}</dd>`,
+                ];
+                const section = markup`
                     <section>
                         <p><strong>${titled(entry.name)}</strong></p><dl>${rows.flatMap(each)}</dl>
                     </section>`;
