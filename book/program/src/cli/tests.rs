@@ -3,7 +3,7 @@
 use std::any::TypeId;
 
 use super::*;
-use crate::commands::arguments::range::Sweep;
+use crate::commands::arguments::number::Sweep;
 
 fn refusal(arguments: &[&str]) -> String {
     match parse(arguments) {
@@ -155,7 +155,7 @@ fn every_number_is_understood_by_every_option() {
 }
 
 /// Catches: a line that says of a forgotten value only that the option behind it is no number,
-/// or that is refused by another option.
+/// or that is refused by another option; a wrong number that is called an option.
 #[test]
 fn a_forgotten_value_is_explained() {
     for line in LINES {
@@ -166,6 +166,10 @@ fn a_forgotten_value_is_explained() {
             assert!(reason.contains("value before it is missing"), "{words:?}: {reason}");
             assert!(reason.contains(&option), "{words:?}: {reason}");
         }
+    }
+    for (words, expected) in [(["--dt", "-h", "--", "-"], true), (["-1e", "-pix", "-.", ""], false)]
+    {
+        assert!(words.iter().all(|word| is_option(word) == expected), "{words:?}");
     }
     for option in ["--steps", "--every"] {
         let reason = refusal(&["pendula", "simulate", option, "--dt", "1"]);

@@ -1,5 +1,5 @@
-//! Rows of numbers as CSV or JSON, streamed; each number is printed so that it parses to the same
-//! f64.
+//! Rows of numbers as CSV or JSON, streamed, and tables of objects; each number is printed so that
+//! it parses to the same f64.
 
 use std::io::{self, Write};
 
@@ -7,6 +7,7 @@ use clap::ValueEnum;
 use pendula_output::failure::Failure;
 use pendula_output::files::whole_file::WholeFile;
 use pendula_rows::{Line, Look};
+use serde_json::Value;
 
 use super::destination::Destination;
 use super::plot::Plot;
@@ -19,6 +20,31 @@ pub enum RowFormat {
     Csv,
     /// An array with an object for each row
     Json,
+}
+
+/// How a table is printed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum TableFormat {
+    /// Tables to read
+    #[default]
+    Text,
+    /// An array with an object for each cell
+    Json,
+    /// A line for each cell
+    Csv,
+}
+
+/// Objects as CSV: their fields of these names. No text in them has a comma or a quotation mark.
+pub fn csv(header: &str, objects: &[Value]) -> String {
+    let line = |object: &Value| {
+        let fields = header.split(',').map(|name| match &object[name] {
+            Value::Null => String::new(),
+            Value::String(text) => text.clone(),
+            other => other.to_string(),
+        });
+        fields.collect::<Vec<_>>().join(",") + "\n"
+    };
+    format!("{header}\n") + &objects.iter().map(line).collect::<String>()
 }
 
 /// Writes rows under fixed column names, and draws them if a plot of them was asked for.

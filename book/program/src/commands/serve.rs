@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use clap::Args;
 use pendula::method_named;
 
-use super::arguments::pendulum::methods;
+use super::arguments::system::methods;
 use crate::verify::serve::serve;
 use pendula_output::failure::Failure;
 

@@ -1,16 +1,10 @@
 //! Judging a program that is not ours: `pendula verify` and its other side, `pendula serve`.
 //!
 //! In reading order: the lines that both sides exchange ([`protocol`]), the side that answers
-//! ([`serve`]), the side that asks ([`Program`], with the process it keeps in `process` and the
-//! threads that read what it writes in `listen`), the report for programs ([`json`]), for servers
-//! that run tests ([`junit`]), for a pull request ([`markdown`]) and as a page ([`page`]), and
-//! programs to begin with ([`examples`]).
+//! ([`serve`]), the side that asks ([`Program`], with the process it keeps in `process`), and the
+//! report for other programs ([`formats`]) and as a page ([`page`]).
 
-pub mod examples;
-pub mod json;
-pub mod junit;
-mod listen;
-pub mod markdown;
+pub mod formats;
 pub mod page;
 mod process;
 mod program;

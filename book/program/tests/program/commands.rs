@@ -131,27 +131,54 @@ fn the_book_shows_the_parts_as_they_are_printed() {
 
 /// In two seconds every method comes to errors that count, ten times over on an idle machine.
 ///
-/// Catches: a method or a scene left out, formats that disagree, missing files.
+/// Catches: a method or a scene left out, of the table or of the figure; a number under another
+/// heading, or in another unit than its heading or the file says; digits cut off; a line of one
+/// that the other lacks; a figure that names no machine; missing files.
 #[test]
 fn work_against_precision_is_printed_and_drawn() {
     assert_refused(&["bench", "--output", "/no/such/folder"], "--output");
     let folder = tempfile::tempdir().unwrap();
-    let run = ["bench", "--seconds", "2", "--output", folder.path().to_str().unwrap()];
-    let rows = json(&[&run[..], &["--format", "json"]].concat());
+    let run = ["bench", "--output", folder.path().to_str().unwrap(), "--seconds"];
+    let text = printed(&[&run[..], &["2"]].concat());
     let csv = fs::read_to_string(folder.path().join("work-precision.csv")).unwrap();
-    let rows = rows.as_array().unwrap();
-    assert_eq!(csv.lines().count(), rows.len() + 1);
-    for (line, row) in csv.lines().skip(1).zip(rows) {
-        let fields: Vec<&str> = line.split(',').collect();
-        assert_eq!(row["method"], fields[2]);
-        assert_eq!(row["error"].as_f64(), fields[5].parse().ok());
-        assert!(row["seconds"].as_f64().unwrap() > 0.0);
+    let headings = text.lines().find(|line| line.starts_with("Method")).unwrap();
+    let headings = headings.split("  ").map(str::trim).filter(|name| !name.is_empty());
+    assert!(headings.eq(["Method", "steps", "Δt (s)", "error (rad)", "time (s)"]), "{text}");
+    // The last four fields of the lines that have them, as numbers.
+    let cells = text.lines().filter_map(|line| {
+        let mut fields = line.split_whitespace().rev().map(|field| field.parse::<f64>().ok());
+        let [seconds, error, dt, steps] = [(); 4].map(|()| fields.next().flatten());
+        Some([steps?, dt?, error?, seconds?])
+    });
+    let cells: Vec<[f64; 4]> = cells.collect();
+    let rows: Vec<Vec<&str>> = csv.lines().map(|line| line.split(',').collect()).collect();
+    assert_eq!(rows[0][3..7], ["dt", "steps", "error", "seconds"]);
+    assert_eq!(cells.len(), rows.len() - 1);
+    // Half a unit in the last printed digit, of a number whose first digit is 1: 1.00 and 1.0.
+    let within = [0.0, 0.005, 0.05, 0.005];
+    for (cell, row) in cells.iter().zip(&rows[1..]) {
+        let row = [row[4], row[3], row[5], row[6]].map(|field| field.parse::<f64>().unwrap());
+        for ((printed, value), within) in cell.iter().zip(row).zip(within) {
+            assert!((printed / value - 1.0).abs() <= within, "{printed}, {value}\n{text}");
+        }
     }
-    for theta0 in [1.0, 3.0] {
-        assert!(rows.iter().any(|row| row["theta0"] == theta0 && row["method"] == "rk4"), "{csv}");
+    for theta0 in ["1.0", "3.0"] {
+        assert!(rows.iter().any(|row| row[0] == theta0 && row[2] == "rk4"), "{csv}");
     }
+    assert_eq!(text.matches("\nFrom ").count(), 3);
     let svg = fs::read_to_string(folder.path().join("work-precision.svg")).unwrap();
     assert!(METHODS.iter().all(|method| svg.contains(method.info().title)));
+    assert_eq!(svg.matches("class=\"axis\"").count(), 3);
+    assert!(svg.contains(&format!("run time (s), {}", rows[1][7])) && !svg.contains("\n\n"));
+    let objects = json(&[&run[..], &["0.5", "--format", "json"]].concat());
+    let csv = fs::read_to_string(folder.path().join("work-precision.csv")).unwrap();
+    let objects = objects.as_array().unwrap();
+    assert_eq!(csv.lines().count(), objects.len() + 1);
+    for (line, object) in csv.lines().skip(1).zip(objects) {
+        let fields: Vec<&str> = line.split(',').collect();
+        assert_eq!(object["method"], fields[2]);
+        assert_eq!(object["error"].as_f64(), fields[5].parse().ok());
+    }
     assert_eq!(names(folder.path()), ["work-precision.csv", "work-precision.svg"]);
 }
 

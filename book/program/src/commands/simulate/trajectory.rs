@@ -29,11 +29,11 @@ pub struct TrajectoryArguments {
     length: Length,
     /// With --tolerance: the most steps to take, rejected ones included
     #[arg(long, value_name = "N", default_value_t = STEP_LIMIT, value_parser = count,
-        allow_hyphen_values = true, conflicts_with = "dt")]
+        conflicts_with = "dt")]
     pub max_steps: u64,
     /// Print every K-th sample, beginning with the start
     #[arg(long, value_name = "K", default_value = "1", value_parser = positive_count,
-        allow_hyphen_values = true, conflicts_with = "tolerance")]
+        conflicts_with = "tolerance")]
     every: NonZeroU64,
     /// How rows are printed
     #[arg(long, value_enum, default_value_t)]
@@ -54,11 +54,11 @@ pub struct TrajectoryArguments {
 #[group(id = "stepping", required = true, multiple = false)]
 struct Stepping {
     /// Step Δt (s)
-    #[arg(long, value_name = "S", value_parser = number, allow_hyphen_values = true)]
+    #[arg(long, value_name = "S", value_parser = number)]
     dt: Option<f64>,
     /// Instead of --dt: steps whose size follows the motion, with this error in each, absolutely
     /// (rad, rad/s) and relatively; a row for each
-    #[arg(long, value_name = "E", value_parser = number, allow_hyphen_values = true,
+    #[arg(long, value_name = "E", value_parser = number,
         conflicts_with_all = ["steps", "state"])]
     tolerance: Option<f64>,
 }
@@ -69,10 +69,10 @@ struct Stepping {
 struct Length {
     /// Duration (s): a whole number of steps of --dt; with --tolerance any, back in time if it is
     /// negative
-    #[arg(long, value_name = "S", value_parser = number, allow_hyphen_values = true)]
+    #[arg(long, value_name = "S", value_parser = number)]
     duration: Option<f64>,
     /// Number of steps
-    #[arg(long, value_name = "N", value_parser = count, allow_hyphen_values = true)]
+    #[arg(long, value_name = "N", value_parser = count)]
     steps: Option<u64>,
 }
 

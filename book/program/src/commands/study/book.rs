@@ -2,8 +2,9 @@
 
 use std::env;
 use std::io::Write;
+use std::path::Path;
 
-use anyhow::Context;
+use anyhow::{Context, Result};
 use clap::Args;
 
 use pendula_book::ledger::Paper;
@@ -32,8 +33,13 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
     writeln!(out, "{}", index.display())?;
     out.flush()?;
     if arguments.open {
-        open::that_detached(&index)
-            .with_context(|| format!("no program could be started to open {}", index.display()))?;
+        open_in_browser(&index)?;
     }
     Ok(())
+}
+
+/// Opens the page in the reader's browser.
+pub fn open_in_browser(page: &Path) -> Result<()> {
+    open::that_detached(page)
+        .with_context(|| format!("no program could be started to open {}", page.display()))
 }

@@ -3,7 +3,6 @@
 use std::collections::BTreeSet;
 use std::io::{self, Write};
 
-use anyhow::Context;
 use clap::{Args, ValueEnum};
 use pendula_study::claims::{Claim, Ledger, Verdict};
 use pendula_study::experiments::Study;
@@ -197,9 +196,7 @@ pub fn report(
         LedgerFormat::Text => write_text(&claims, out)?,
         LedgerFormat::Json => {
             let claims: Vec<Value> = claims.iter().map(|claim| object(claim)).collect();
-            serde_json::to_writer_pretty(&mut *out, &claims)
-                .context("the claims cannot be written")?;
-            writeln!(out)?;
+            writeln!(out, "{:#}", json!(claims))?;
         }
     }
     out.flush()?;

@@ -2,7 +2,6 @@
 
 use std::io::Write;
 
-use anyhow::Context;
 use clap::Args;
 use pendula_study::claims::{Claim, Ledger, Measured};
 use pendula_study::experiments::Study;
@@ -10,15 +9,14 @@ use pendula_study::report::tables::{TABLES, table};
 use serde_json::{Value, json};
 
 use crate::colour;
-use crate::commands::arguments::number::value;
-use crate::commands::arguments::table_format::TableFormat;
+use crate::commands::rows::{TableFormat, csv};
 use pendula_output::failure::Failure;
 
 /// Arguments of `pendula paper tables`.
 #[derive(Args, Debug)]
 pub struct Arguments {
     /// Only this table
-    #[arg(long, value_name = "N", value_parser = table_number, allow_hyphen_values = true)]
+    #[arg(long, value_name = "N", value_parser = table_number)]
     table: Option<u32>,
     /// How the cells are printed
     #[arg(long, value_enum, default_value_t)]
@@ -26,8 +24,8 @@ pub struct Arguments {
 }
 
 /// The number of a table; which ones there are is checked later.
-fn table_number(text: &str) -> Result<u32, String> {
-    value(text, "it must be the number of a table")
+fn table_number(text: &str) -> Result<u32, &'static str> {
+    text.parse().or(Err("it must be the number of a table"))
 }
 
 /// Runs the study and writes its tables.
@@ -41,7 +39,9 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
         }
     };
     let ledger = Ledger::of_the_tables(&Study::of_the_paper());
-    let cells = || numbers.iter().flat_map(|&number| ledger.table(number));
+    let cells = || -> Vec<Value> {
+        numbers.iter().flat_map(|&number| ledger.table(number)).map(cell).collect()
+    };
     match arguments.format {
         TableFormat::Text => {
             for (index, &number) in numbers.iter().enumerate() {
@@ -53,17 +53,9 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
                 write!(out, "{gap}{title}\n{head}\n{rows}")?;
             }
         }
-        TableFormat::Json => {
-            let cells: Vec<Value> = cells().map(cell).collect();
-            serde_json::to_writer_pretty(&mut *out, &cells)
-                .context("the cells cannot be written")?;
-            writeln!(out)?;
-        }
+        TableFormat::Json => writeln!(out, "{:#}", json!(cells()))?,
         TableFormat::Csv => {
-            writeln!(out, "id,stated,measured,verdict")?;
-            for claim in cells() {
-                writeln!(out, "{}", line(claim))?;
-            }
+            out.write_all(csv("id,stated,measured,verdict", &cells()).as_bytes())?;
         }
     }
     Ok(())
@@ -79,12 +71,6 @@ pub fn cell(claim: &Claim) -> Value {
     })
 }
 
-/// A cell as a line of CSV.
-fn line(claim: &Claim) -> String {
-    let [stated, measured] = [stated(claim), measured(claim)].map(|value| plain(&value));
-    format!("{},{stated},{measured},{}", claim.id, claim.judged())
-}
-
 fn stated(claim: &Claim) -> Value {
     match claim.stated {
         Some(text) => text.parse::<f64>().map_or_else(|_| text.into(), Value::from),
@@ -97,15 +83,6 @@ fn measured(claim: &Claim) -> Value {
         Measured::Number(value, _) => (*value).into(),
         Measured::Text(text) => text.as_str().into(),
         Measured::Nothing => Value::Null,
-    }
-}
-
-/// A value as a field of CSV. No text in the ledger has a comma or a quotation mark.
-fn plain(value: &Value) -> String {
-    match value {
-        Value::Null => String::new(),
-        Value::String(text) => text.clone(),
-        other => other.to_string(),
     }
 }
 
@@ -135,6 +112,5 @@ mod tests {
         let expected =
             json!({"id": "T4.rk4.0.01", "stated": 2.5, "measured": 3.5, "verdict": "wrong"});
         assert_eq!(cell(&claim), expected);
-        assert_eq!(line(&claim), "T4.rk4.0.01,2.5,3.5,wrong");
     }
 }

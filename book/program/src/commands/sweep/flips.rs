@@ -15,7 +15,7 @@ use pendula::{DoublePendulum, Grid, Hamiltonian, Rk4};
 use pendula_device::Device;
 
 use crate::commands::arguments::number::number;
-use crate::commands::arguments::pendulum::{DoubleArguments, GravityArgument};
+use crate::commands::arguments::system::{DoubleArguments, GravityArgument};
 use crate::commands::destination::Destination;
 use crate::commands::summary::Summary;
 use crate::picture::Bands;
@@ -30,12 +30,10 @@ pub struct Arguments {
     #[arg(long, value_name = "N", default_value_t = 100)]
     size: usize,
     /// Step Δt (s) of RK4
-    #[arg(long, value_name = "S", default_value_t = 0.01, value_parser = number,
-        allow_hyphen_values = true)]
+    #[arg(long, value_name = "S", default_value_t = 0.01, value_parser = number)]
     dt: f64,
     /// Duration (s), a whole number of steps
-    #[arg(long, value_name = "S", default_value_t = 20.0, value_parser = number,
-        allow_hyphen_values = true)]
+    #[arg(long, value_name = "S", default_value_t = 20.0, value_parser = number)]
     duration: f64,
     #[command(flatten)]
     gravity: GravityArgument,
