@@ -1,7 +1,6 @@
 //! The binary `pendula` as its users and other programs call it.
 
 mod call;
-mod command_line;
 mod commands;
 mod devices;
 mod files;
@@ -11,9 +10,7 @@ mod help;
 mod interrupts;
 mod listed;
 mod long_runs;
-mod other_systems;
-mod period;
 mod plots;
-mod refusals;
 mod review;
+mod transcripts;
 mod verify;

@@ -1,20 +1,14 @@
 //! The example programs, run where their language is at hand.
 
 use std::fs;
-use std::path::Path;
 use std::process::Command;
 
 use pendula::methods::StormerVerlet;
 use pendula::verify::{Drive, Fault, Request, Stranger};
+use rstest::rstest;
 
-use super::{pendula, request, started, there_is};
-
-/// The example in this language, as the command prints it.
-fn printed(language: &str) -> String {
-    let output = pendula(["verify", "--example", language]);
-    assert!(output.status.success(), "{output:?}");
-    String::from_utf8(output.stdout).unwrap()
-}
+use super::{request, started, there_is};
+use crate::call::{printed, words};
 
 /// Holds the program of these words against the library's Störmer–Verlet.
 fn is_stormer_verlet(words: &[&str]) {
@@ -38,68 +32,36 @@ fn is_stormer_verlet(words: &[&str]) {
     assert_eq!(program.answer(&driven), Err(Fault::Unsupported));
 }
 
-/// The example as a file in `folder`, and its path.
-fn file(folder: &Path, language: &str, name: &str) -> String {
-    let path = folder.join(name);
-    fs::write(&path, printed(language)).unwrap();
-    path.to_str().unwrap().to_string()
-}
-
-/// Compiles with these words, and holds the program at `path` against the library.
-fn compiled(words: &[&str], path: &Path) {
-    let output = Command::new(words[0]).args(&words[1..]).output().unwrap();
-    assert!(output.status.success(), "{output:?}");
-    is_stormer_verlet(&[path.to_str().unwrap()]);
-}
-
+/// Each is written to FILE, compiled to PROGRAM where it has to be, and run.
+///
 /// Catches: an example that does not run, answers in another order, forgets to flush, counts
-/// wrongly, or is another method.
-#[test]
-fn the_python_example_is_stormer_verlet() {
-    let folder = tempfile::tempdir().unwrap();
-    if there_is("python3") {
-        is_stormer_verlet(&["python3", &file(folder.path(), "python", "verlet.py")]);
+/// wrongly, or is another method; a number printed with fewer digits than it has; a warning of the
+/// compiler.
+#[rstest]
+#[case::python("python", "python3", "python3 FILE")]
+#[case::javascript("javascript", "node", "node FILE")]
+#[case::c("c", "cc", "cc -std=c99 -Wall -Wextra -Werror -O2 -o PROGRAM -x c FILE -lm")]
+#[case::rust("rust", "rustc", "rustc --edition 2021 -D warnings -O -o PROGRAM FILE")]
+fn an_example_is_stormer_verlet(#[case] language: &str, #[case] tool: &str, #[case] line: &str) {
+    if !there_is(tool) {
+        return;
     }
-}
-
-/// Catches: as for Python; a number printed with fewer digits than it has.
-#[test]
-fn the_javascript_example_is_stormer_verlet() {
     let folder = tempfile::tempdir().unwrap();
-    if there_is("node") {
-        is_stormer_verlet(&["node", &file(folder.path(), "javascript", "verlet.js")]);
+    let [file, program] = ["verlet", "program"].map(|name| folder.path().join(name));
+    let [file, program] = [&file, &program].map(|path| path.to_str().unwrap());
+    fs::write(file, printed(&["verify", "--example", language])).unwrap();
+    let line = line.replace("FILE", file).replace("PROGRAM", program);
+    if !line.contains(program) {
+        return is_stormer_verlet(&words(&line));
     }
-}
-
-/// Catches: as for Python; a warning of the compiler, digits cut off.
-#[test]
-fn the_c_example_is_stormer_verlet() {
-    let folder = tempfile::tempdir().unwrap();
-    if there_is("cc") {
-        let source = file(folder.path(), "c", "verlet.c");
-        let program = folder.path().join("verlet");
-        let to = program.to_str().unwrap();
-        let words = ["cc", "-std=c99", "-Wall", "-Wextra", "-Werror", "-O2", "-o", to];
-        compiled(&[&words[..], &[&source, "-lm"]].concat(), &program);
-    }
-}
-
-/// Catches: as for Python; a warning of the compiler.
-#[test]
-fn the_rust_example_is_stormer_verlet() {
-    let folder = tempfile::tempdir().unwrap();
-    if there_is("rustc") {
-        let source = file(folder.path(), "rust", "verlet.rs");
-        let program = folder.path().join("verlet");
-        let to = program.to_str().unwrap();
-        let words = ["rustc", "--edition", "2021", "-D", "warnings", "-O", "-o", to];
-        compiled(&[&words[..], &[&source]].concat(), &program);
-    }
+    let output = Command::new(tool).args(&words(&line)[1..]).output().unwrap();
+    assert!(output.status.success(), "{output:?}");
+    is_stormer_verlet(&[program]);
 }
 
 /// Catches: an example that is missing, or is in another language.
 #[test]
 fn the_julia_example_is_printed() {
-    let julia = printed("julia");
+    let julia = printed(&["verify", "--example", "julia"]);
     assert!(julia.contains("for line in eachline(stdin)") && julia.contains("flush(stdout)"));
 }

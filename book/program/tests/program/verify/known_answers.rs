@@ -6,6 +6,8 @@ use std::panic::catch_unwind;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+use rstest::rstest;
+
 use super::there_is;
 
 #[allow(clippy::disallowed_methods)] // A user's step calls the platform's sine.
@@ -33,35 +35,27 @@ fn passes(command: &mut Command) -> bool {
 }
 
 /// Runs the example as it is, and with each mistake.
-fn sees_mistakes(program: &str, name: &str) {
+///
+/// Catches: a check that does not run, refuses what is right, leaves out the drive or the time, or
+/// takes anything.
+#[rstest]
+#[case::python("python3", "verlet.py")]
+#[case::javascript("node", "verlet.mjs")]
+fn a_check_sees_mistakes(#[case] tool: &str, #[case] name: &str) {
+    if !there_is(tool) {
+        return;
+    }
     let (source, folder) = (example(name), tempfile::tempdir().unwrap());
     let file = folder.path().join(name);
     for (from, to) in [("", "")].into_iter().chain(SPOILT) {
         assert!(source.contains(from), "{name} has no {from}");
         let spoilt = if from.is_empty() { source.clone() } else { source.replace(from, to) };
         fs::write(&file, spoilt).unwrap();
-        assert_eq!(passes(Command::new(program).arg(&file)), from == to, "{name}: {to}");
+        assert_eq!(passes(Command::new(tool).arg(&file)), from == to, "{name}: {to}");
     }
 }
 
-/// Catches: a check that does not run, refuses what is right, leaves out the drive or the time, or
-/// takes anything.
-#[test]
-fn the_python_check_sees_mistakes() {
-    if there_is("python3") {
-        sees_mistakes("python3", "verlet.py");
-    }
-}
-
-/// Catches: as for Python.
-#[test]
-fn the_javascript_check_sees_mistakes() {
-    if there_is("node") {
-        sees_mistakes("node", "verlet.mjs");
-    }
-}
-
-/// Catches: as for Python.
+/// Catches: as above.
 #[test]
 fn the_rust_check_sees_mistakes() {
     verlet::check(KNOWN, "stormer-verlet", verlet::step);
@@ -75,7 +69,7 @@ fn the_rust_check_sees_mistakes() {
     assert!(catch_unwind(|| verlet::check(KNOWN, "no-such-method", verlet::step)).is_err());
 }
 
-/// Catches: as for Python.
+/// Catches: as above.
 #[test]
 fn the_cpp_check_sees_mistakes() {
     if !there_is("c++") || !Path::new("/usr/include/nlohmann/json.hpp").exists() {
