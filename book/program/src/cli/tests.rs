@@ -28,13 +28,6 @@ fn no_command_means_help() {
     assert!(matches!(parse(["pendula"]), Err(Failure::Answered)));
 }
 
-/// Catches: clap's tip for a method, which goes by single letters.
-#[test]
-fn a_method_that_is_none_is_told_what_contains_its_name() {
-    let reason = refusal(&["pendula", "simulate", "--method", "Euler"]);
-    assert!(reason.ends_with("tip: forward-euler or symplectic-euler"), "{reason}");
-}
-
 /// A program without the book has not all of the new commands, and then it refuses them by their
 /// new names.
 ///

@@ -141,34 +141,3 @@ impl<'o, const N: usize> Rows<'o, N> {
         }
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn print(format: RowFormat, rows: &[[f64; 2]]) -> String {
-        let mut text = Vec::new();
-        let out = Destination::Caller(&mut text);
-        let mut out = Rows::new(out, None, format, ["t", "theta"], 0);
-        out.begin(true).unwrap();
-        for row in rows {
-            out.row(*row).unwrap();
-        }
-        out.finish().unwrap();
-        String::from_utf8(text).unwrap()
-    }
-
-    /// Catches: a missing header, separators in the wrong places, JSON that does not parse, also
-    /// without rows.
-    #[test]
-    fn rows_are_csv_and_json() {
-        let rows = [[0.0, 1.0], [0.1, -2.5e-300]];
-        assert_eq!(print(RowFormat::Csv, &rows), "t,theta\n0.0,1.0\n0.1,-2.5e-300\n");
-        let json: serde_json::Value = serde_json::from_str(&print(RowFormat::Json, &rows)).unwrap();
-        assert_eq!(
-            json,
-            serde_json::json!([{"t": 0.0, "theta": 1.0}, {"t": 0.1, "theta": -2.5e-300}])
-        );
-        assert_eq!(print(RowFormat::Json, &[]), "[\n]\n");
-    }
-}

@@ -38,13 +38,15 @@ simulate --system double-pendulum --theta1 2 --theta2 1 --dt 0.01 --steps 1 --me
     --format json
 sweep --method rk4 --theta0 0:1:3 --dt 0.1 --duration 1 --format json
 sweep --method rk4 --theta0 1 --dt 0.1:0.001:5 --duration 10
+sweep --method rk4 --theta0 1 --dt 0.1:0.4:3 --duration 1
+sweep --method rk4 --theta0 1 --dt 0.3:0.1:9 --duration 0.3
 simulate --method forward-euler --theta0 1 --dt 1e200 --steps 9
 simulate --method gauss-4 --theta0 1 --dt 5 --steps 9 --format json
 simulate --system double-pendulum --theta1 20 --theta2 12 --mass2 1e6 --gravity 3.08 --dt 0.01 \
     --duration 9.76 --every 300 --format json
 simulate --method dop853 --theta0 3 --duration 100 --tolerance 1e-10 --max-steps 5 --format json
 sweep --method forward-euler --theta0 0:1:5 --dt 1e200 --duration 1e201 --format json
-sweep --method gauss-16 --theta0 1:2:3 --dt 5 --duration 20";
+sweep --method gauss-16 --theta0 1:2:3 --dt 5 --duration 20 --format json";
 
 /// Catches: a format that a command does not pass on, rows under other names, in another order or
 /// with other digits; a parameter of a system ignored, or taken for another; upper and lower rod
@@ -78,6 +80,7 @@ verify --
 verify python3
 serve
 simulate --method rk4 --theta0 --dt 1
+simulate --method Euler --theta0 1 --dt 1 --steps 1
 simulate --method rk4 --theta0 1 --dt 1
 simulate --method rk4 --theta0 1 --duration 1
 simulate --theta0 1 --dt 1 --steps 1

@@ -85,32 +85,3 @@ fn measured(claim: &Claim) -> Value {
         Measured::Nothing => Value::Null,
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use pendula_study::claims::{Tolerance, Verdict};
-    use pendula_study::digits::Digits;
-
-    use super::*;
-
-    /// On record it is reproduced; its measurement says that it is not.
-    ///
-    /// Catches: the verdict on record, printed for a claim whose measurement no longer supports it.
-    #[test]
-    fn a_contradicted_cell_is_wrong_in_every_format() {
-        let claim = Claim {
-            id: "T4.rk4.0.01".to_string(),
-            place: "Table 4",
-            gist: String::new(),
-            definition: "",
-            stated: Some("2.5"),
-            measured: Measured::Number(3.5, Digits::Fixed(1)),
-            tolerance: Tolerance::Decided(false),
-            verdict: Verdict::Reproduced,
-            because: "",
-        };
-        let expected =
-            json!({"id": "T4.rk4.0.01", "stated": 2.5, "measured": 3.5, "verdict": "wrong"});
-        assert_eq!(cell(&claim), expected);
-    }
-}
