@@ -53,8 +53,8 @@ sweep --method gauss-16 --theta0 1:2:3 --dt 5 --duration 20 --format json";
 /// exchanged, momenta printed for velocities; another system, method, tolerance or direction of
 /// time than was asked for; an end of the rows left out; a motion with another name, turns counted
 /// in the wrong direction, a period where nothing repeats, the parameter k² for the modulus; a
-/// summary of another run; rows before a failure that are lost, an array that it leaves open, a step too long
-/// for an iteration reported as an overflow.
+/// summary of another run; rows before a failure that are lost, an array that it leaves open, a
+/// step too long for an iteration reported as an overflow.
 #[test]
 fn answers_are_as_they_were() {
     let of = |line| {

@@ -260,29 +260,3 @@ fn object(claim: &Claim) -> Value {
     object["because"] = json!(claim.because);
     object
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Catches: Section 1 that has the claims of Section 10; a section without its parts; a table
-    /// taken for a section; an equation's number taken for either.
-    #[test]
-    fn a_claim_stands_in_the_places_that_it_names() {
-        let place = "Abstract, Sections 1 and 10.2, Table 4, Equation 7";
-        for (kind, number, is_in) in [
-            (SECTION, "abstract", true),
-            (SECTION, "1", true),
-            (SECTION, "10", true),
-            (SECTION, "10.2", true),
-            (SECTION, "10.20", false),
-            (SECTION, "4", false),
-            (SECTION, "7", false),
-            (TABLE, "4", true),
-            (TABLE, "7", false),
-        ] {
-            assert_eq!(stands_in(place, kind, number), is_in, "{kind} {number}");
-        }
-        assert!(!stands_in("Section 10", SECTION, "1"));
-    }
-}

@@ -10,7 +10,6 @@ use pendula_output::failure::Failure;
 
 pub mod book;
 pub mod claims;
-pub mod preprocess;
 pub mod review;
 pub mod tables;
 pub mod work_precision;
@@ -39,7 +38,7 @@ pub enum Command {
     #[command(hide = true, after_help = examples(&[
         "pendula preprocess supports html",
     ]))]
-    Preprocess(preprocess::Arguments),
+    Preprocess(book::PreprocessArguments),
 }
 
 /// What is printed of the paper.
@@ -68,6 +67,6 @@ pub fn run(command: Command, out: &mut dyn Write) -> Result<(), Failure> {
         Command::Paper(Paper::Tables(arguments)) => tables::run(&arguments, out),
         Command::Paper(Paper::Claims(arguments)) => claims::run(&arguments, out),
         Command::Bench(arguments) => work_precision::run(&arguments, out),
-        Command::Preprocess(arguments) => preprocess::run(&arguments, out),
+        Command::Preprocess(arguments) => book::preprocess(&arguments, out),
     }
 }

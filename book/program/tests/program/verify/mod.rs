@@ -1,11 +1,10 @@
 //! Judging a program that is not ours: the command, programs that work, and programs that do not.
 
-mod command;
 mod examples;
 #[cfg(unix)]
 mod faults;
-mod formats;
 mod known_answers;
+mod reports;
 mod schema;
 mod variants;
 
