@@ -183,9 +183,6 @@ mod tests {
     /// was to be lenient; a claim that fails with status 0 because nobody reads on.
     #[test]
     fn each_verdict_has_its_status() {
-        let status = |verdict, lenient, printed| {
-            answer(verdict, lenient, printed).map_or_else(|failure| failure.status(), |()| 0)
-        };
         for (verdict, expected) in [
             (Verdict::Holds, [0, 0]),
             (Verdict::Unclaimed, [0, 0]),
@@ -193,10 +190,12 @@ mod tests {
             (Verdict::Unclear, [1, 0]),
             (Verdict::NotMeasured, [1, 0]),
         ] {
-            for (lenient, expected) in [false, true].into_iter().zip(expected) {
-                assert_eq!(status(verdict, lenient, Ok(())), expected, "{verdict:?} {lenient}");
-                let closed = Err(io::ErrorKind::BrokenPipe.into());
-                assert_eq!(status(verdict, lenient, closed), expected, "{verdict:?} {lenient}");
+            for printed in [|| Ok(()), || Err(io::ErrorKind::BrokenPipe.into())] {
+                let status = [false, true].map(|lenient| {
+                    let answer = answer(verdict, lenient, printed());
+                    answer.map_or_else(|failure| failure.status(), |()| 0)
+                });
+                assert_eq!(status, expected, "{verdict:?}");
             }
         }
     }

@@ -209,6 +209,8 @@ fn instructions() -> &'static str {
 
 #[cfg(test)]
 mod tests {
+    use rstest::rstest;
+
     use super::*;
 
     /// Rungs of a second each, in which rounding may be up to 2e-13.
@@ -231,30 +233,22 @@ mod tests {
         assert_eq!(median([9.0, 4.0, 1.0, 2.0, 3.0]), 3.0);
     }
 
-    /// Catches: a step whose error happens to cross zero taken for a good step.
-    #[test]
-    fn a_lucky_crossing_does_not_count() {
-        let errors = [1.6e-2, 4e-3, 1e-6, 2.5e-4, 6.25e-5, 1.6e-5];
-        assert_eq!(counts(&rungs(&errors), 2), [true, true, false, true, true, false]);
-    }
-
-    /// Catches: rungs counted as the method's after the first that is on the floor of rounding, or
-    /// before its order holds; a last rung trusted without a finer one.
-    #[test]
-    fn neither_rounding_nor_chaos_counts() {
-        let errors = [3.0, 0.5, 3.1e-2, 2e-3, 1.2e-4, 1e-13, 2e-13, 9e-14];
-        let expected = [false, true, true, true, true, true, false, false];
-        assert_eq!(counts(&rungs(&errors), 4), expected);
-        assert_eq!(counts(&rungs(&[f64::NAN, 1e-3, 2e-3]), 1), [false; 3]);
-        assert_eq!(counts(&rungs(&[1e-3]), 1), [false]);
-        assert!(counts(&[], 1).is_empty());
-    }
-
-    /// Catches: a method of high order that reaches the floor in one halving, and gets no rung for
-    /// it.
-    #[test]
-    fn a_high_order_has_its_rungs() {
-        assert_eq!(counts(&rungs(&[2e-4, 3e-9, 1e-13, 9e-14]), 24), [false, true, true, false]);
+    /// Catches: a step whose error happens to cross zero taken for a good step; rungs counted as
+    /// the method's after the first that is on the floor of rounding, or before its order holds; a
+    /// last rung trusted without a finer one; a method of high order that reaches the floor in one
+    /// halving, and gets no rung for it.
+    #[rstest]
+    #[case::lucky_crossing(2, &[1.6e-2, 4e-3, 1e-6, 2.5e-4, 6.25e-5, 1.6e-5], &[0, 1, 3, 4])]
+    #[case::floor(4, &[3.0, 0.5, 3.1e-2, 2e-3, 1.2e-4, 1e-13, 2e-13, 9e-14], &[1, 2, 3, 4, 5])]
+    #[case::high_order(24, &[2e-4, 3e-9, 1e-13, 9e-14], &[1, 2])]
+    #[case::no_number(1, &[f64::NAN, 1e-3, 2e-3], &[])]
+    #[case::alone(1, &[1e-3], &[])]
+    #[case::none(1, &[], &[])]
+    fn rungs_count(#[case] order: u32, #[case] errors: &[f64], #[case] expected: &[usize]) {
+        let counts = counts(&rungs(errors), order);
+        assert_eq!(counts.len(), errors.len());
+        let counted: Vec<usize> = (0..counts.len()).filter(|i| counts[*i]).collect();
+        assert_eq!(counted, expected);
     }
 
     /// Catches: a ladder ended at a zero crossing of the error, or before its first rung that

@@ -40,6 +40,7 @@ sweep --method rk4 --theta0 0:1:3 --dt 0.1 --duration 1 --format json
 sweep --method rk4 --theta0 1 --dt 0.1:0.001:5 --duration 10
 sweep --method rk4 --theta0 1 --dt 0.1:0.4:3 --duration 1
 sweep --method rk4 --theta0 1 --dt 0.3:0.1:9 --duration 0.3
+simulate --method rk4 --theta0 0 --dt 0.1 --steps 1 --summary
 simulate --method forward-euler --theta0 1 --dt 1e200 --steps 9
 simulate --method gauss-4 --theta0 1 --dt 5 --steps 9 --format json
 simulate --system double-pendulum --theta1 20 --theta2 12 --mass2 1e6 --gravity 3.08 --dt 0.01 \
