@@ -9,7 +9,7 @@ use pendula::verify::{ByPointer, Fault, Listed, Request, Stranger};
 use pendula::{AnyMethod, Driven, method_named};
 
 use super::arguments::system::methods;
-use crate::verify::protocol::{Objection, Question, question};
+use crate::verify::protocol::{Question, question};
 use pendula_output::failure::Failure;
 
 /// Arguments of `pendula serve`.
@@ -47,8 +47,7 @@ fn serve(
             Ok(Question::Bye) => return Ok(()),
             Ok(Question::Hello) => writeln!(out, "hello 1 pendula {}", method.info().name)?,
             Ok(Question::Run(request)) => answer(method, &*stranger, &request, out)?,
-            Err(Objection::Unknown) => writeln!(out, "unsupported")?,
-            Err(Objection::Wrong(why)) => writeln!(out, "error {why}")?,
+            Err(answer) => writeln!(out, "{answer}")?,
         }
         out.flush()?;
     }

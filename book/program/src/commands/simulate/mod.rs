@@ -20,12 +20,10 @@ use super::summary::Summary;
 use adaptive::{SERIES, Walk};
 use pendula_output::failure::Failure;
 use pendula_output::interrupt::Lookout;
-use trajectory::{Trajectory, TrajectoryArguments};
-use watch::Run;
+use trajectory::{Run, Trajectory, TrajectoryArguments};
 
 mod adaptive;
 mod trajectory;
-mod watch;
 
 /// Arguments of `pendula simulate`.
 #[derive(Args, Debug)]
