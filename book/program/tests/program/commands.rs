@@ -11,10 +11,10 @@ use pendula::METHODS;
 use pendula_study::claims::Verdict;
 use serde_json::Value;
 
-use crate::call::{
+use crate::listed::LEDGER;
+use crate::{
     PENDULA, assert_refused, json, names, numbers, pendula, printed, refused, shell, words,
 };
-use crate::listed::LEDGER;
 
 /// Catches: a sweep of several batches that loses or repeats one, a file that differs from standard
 /// output, or is left by a sweep that fails.

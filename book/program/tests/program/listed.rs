@@ -16,7 +16,7 @@ use pendula_study::experiments::Study;
 use rstest::rstest;
 use serde_json::Value;
 
-use crate::call::{json, printed};
+use crate::{json, printed};
 
 static STUDY: LazyLock<Study> = LazyLock::new(Study::of_the_paper);
 pub static LEDGER: LazyLock<Ledger> = LazyLock::new(|| Ledger::new(&STUDY));

@@ -14,7 +14,7 @@ use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 use serde_json::Value;
 
-use crate::call::{names, numbers, shell, words};
+use crate::{names, numbers, shell, words};
 
 /// What a command has printed, and said.
 #[derive(Debug)]

@@ -4,7 +4,7 @@ use std::fs;
 
 use roxmltree::Document;
 
-use crate::call::{pendula, printed, words};
+use crate::{pendula, printed, words};
 
 const RUN: [&str; 9] =
     ["simulate", "--method", "rk4", "--theta0", "pi/3", "--dt", "0.1", "--duration", "20"];

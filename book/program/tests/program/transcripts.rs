@@ -1,6 +1,6 @@
 //! What is printed, and what is refused, in which words: command lines, each with what it says.
 
-use crate::call::{pendula, refused, words};
+use crate::{pendula, refused, words};
 
 /// Of the commands that compute: each system, each option that changes what is computed, both
 /// formats; at the end runs that fail, with their rows until then.
