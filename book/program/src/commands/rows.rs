@@ -111,10 +111,8 @@ impl<'o, const N: usize> Rows<'o, N> {
         self.out.write_all(self.line.row(&values))
     }
 
-    /// All rows are written: the plot appears, and then their file.
-    ///
-    /// # Errors
-    /// If one of them cannot be written; what was there before is as it was.
+    /// All rows are written: the plot appears, and then their file. If one of them cannot be
+    /// written, what was there before is as it was.
     pub fn finish(mut self) -> Result<(), Failure> {
         // Before the rows: whoever has them has all that was asked for.
         if let Some(plot) = self.plot.take() {

@@ -5,11 +5,9 @@ use std::fs;
 use std::io::{Read, Seek, Write};
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
-use std::sync::LazyLock;
 
 use pendula::METHODS;
 use pendula_study::claims::Verdict;
-use serde_json::Value;
 
 use crate::listed::LEDGER;
 use crate::{
@@ -198,36 +196,28 @@ fn tables_have_every_cell_in_every_format() {
     assert!(text.starts_with("Table 4\n") && text.contains("2.33759 × 10⁻⁷"), "{text}");
 }
 
-/// All claims, as they are printed.
-static CLAIMS: LazyLock<Value> = LazyLock::new(|| json(&["paper", "claims", "--format", "json"]));
-
-/// Catches: claims lost on the way to the terminal, Markdown in it, a count that does not add up.
+/// The verdict is judged here too: it does not matter what the command prints it from.
+///
+/// Catches: claims lost on the way to the terminal, Markdown in it, a count that does not add up; a
+/// verdict that the measurement no longer supports, and the one on record printed in its place.
 #[test]
-fn claims_are_counted_by_verdict() {
+fn every_claim_is_upheld_and_counted() {
     let text = printed(&["paper", "claims"]);
     assert!(!text.contains("**") && !text.contains('`'), "{text}");
     let [readings, summary] = [0, 1].map(|line| text.lines().rev().nth(line).unwrap());
     let (total, counts) = summary.split_once(" claims: ").expect("a summary");
     let number = |words: &str| words.split(' ').next().unwrap().parse::<u32>().unwrap();
     assert_eq!(number(total), counts.split(", ").map(number).sum::<u32>());
-    let claims = CLAIMS.as_array().unwrap();
+    let claims = json(&["paper", "claims", "--format", "json"]);
+    let claims = claims.as_array().unwrap();
     assert_eq!(claims.len() as u32, number(total) + number(readings));
     let of_kind = |kind| claims.iter().filter(|claim| claim["kind"] == kind).count();
     assert_eq!(of_kind("reading") as u32, number(readings));
     assert_eq!((of_kind("cell") + of_kind("sentence")) as u32, number(total));
-}
-
-/// The verdict is judged here too: it does not matter what the command prints it from.
-///
-/// Catches: a verdict that the measurement no longer supports, and the one on record printed in its
-/// place.
-#[test]
-fn every_claim_is_upheld() {
-    let printed = CLAIMS.as_array().unwrap();
     let stated: Vec<_> =
         LEDGER.claims().iter().filter(|claim| claim.verdict != Verdict::NotStated).collect();
-    assert_eq!(printed.len(), stated.len());
-    for (claim, object) in stated.into_iter().zip(printed) {
+    assert_eq!(claims.len(), stated.len());
+    for (claim, object) in stated.into_iter().zip(claims) {
         assert_eq!(claim.judged(), claim.verdict, "{claim:?}");
         assert_eq!(object["id"], claim.id);
         assert_eq!(object["verdict"], claim.judged().to_string(), "{object}");

@@ -49,12 +49,8 @@ fn methods() -> PossibleValuesParser {
 /// rows of its own.
 ///
 /// The second writer is for the summary. The lookout is asked for after the arguments have been
-/// checked.
-///
-/// # Errors
-/// [`Failure::Refused`] for what the library refuses, and for a step too long for the method to
-/// solve its equations; a failure if the output cannot be written, if the user interrupts, or if
-/// the trajectory leaves the range of f64.
+/// checked. What the library refuses is refused, and a step too long for the method to solve its
+/// equations; it is a failure if the user interrupts, or the trajectory leaves the range of f64.
 pub fn run(
     arguments: &Arguments,
     out: [&mut dyn Write; 2],

@@ -220,10 +220,7 @@ pub trait Run<Z> {
     fn evaluations(&self) -> u64;
 
     /// Takes the steps up to `until` and passes every k-th sample to `observer`, where k is
-    /// `every`. Returns the last state.
-    ///
-    /// # Errors
-    /// [`Error::NotSolved`], as [`integrate::Run::advance`].
+    /// `every`. Returns the last state; [`Error::NotSolved`] as [`integrate::Run::advance`].
     fn advance(
         &mut self,
         until: u64,

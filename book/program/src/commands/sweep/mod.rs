@@ -103,13 +103,10 @@ impl Arguments {
 /// Writes the rows theta0, dt, theta, omega, energy_error: the start (rad), the step (s), the state
 /// at the end (rad, rad/s), and the largest energy error over the run (J).
 ///
-/// The second writer is for the summary. The lookout counts runs finished.
-///
-/// # Errors
-/// [`Failure::Refused`] for what the library refuses, for a step too long for the method to solve
-/// its equations, for a part as JSON, and unless exactly one of angle and step is a range; a
-/// failure if the output cannot be written, if the user interrupts, or if a trajectory leaves the
-/// range of f64.
+/// The second writer is for the summary. The lookout counts runs finished. What the library refuses
+/// is refused, a step too long for the method to solve its equations, a part as JSON, and anything
+/// but a range of either angles or steps; it is a failure if the user interrupts, or a trajectory
+/// leaves the range of f64.
 pub fn run(
     arguments: &Arguments,
     out: [&mut dyn Write; 2],
