@@ -10,7 +10,7 @@ use clap::FromArgMatches;
 use pendula::METHODS;
 use pendula_output::failure::Failure;
 use pendula_program::cli;
-use pendula_program::commands::study::claims::{self, Filter, LedgerFormat};
+use pendula_program::commands::study::paper::{Filter, LedgerFormat, report};
 use pendula_study::claims::{Claim, Ledger, Verdict};
 use pendula_study::experiments::Study;
 use rstest::rstest;
@@ -84,7 +84,7 @@ fn claims(asked: &[&str], format: LedgerFormat) -> Result<String, Failure> {
     let matches = matches.subcommand_matches("claims").unwrap();
     let filter = Filter::from_arg_matches(matches).unwrap();
     let mut out = Vec::new();
-    claims::report(&LEDGER, &filter, format, &mut out)?;
+    report(&LEDGER, &filter, format, &mut out)?;
     Ok(String::from_utf8(out).unwrap())
 }
 
@@ -173,7 +173,7 @@ fn a_contradicted_claim_ends_with_status_1(
     forged.convergence[0].drift[0] *= 1.01;
     let report = |study: &Study| {
         let mut out = Vec::new();
-        let outcome = claims::report(&Ledger::new(study), &Filter::default(), format, &mut out);
+        let outcome = report(&Ledger::new(study), &Filter::default(), format, &mut out);
         (outcome, String::from_utf8(out).unwrap())
     };
     let (outcome, honest) = report(&STUDY);
