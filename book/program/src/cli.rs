@@ -1,17 +1,19 @@
 //! The command line: the definition of all commands, and which code runs for each. The code is in
 //! [`crate::commands`].
 
+use std::any::TypeId;
 use std::ffi::OsString;
 use std::io::{self, Write};
+use std::num::NonZeroU64;
 
 use anyhow::Context;
 use clap::error::{ContextKind, ErrorKind};
 use clap::{ArgMatches, CommandFactory, FromArgMatches, Parser, Subcommand};
 use rayon::ThreadPoolBuilder;
 
-use crate::commands::arguments::number;
+use crate::commands::arguments::number::{Part, Sweep};
 use crate::commands::state::{self, KeptArguments, Resumed};
-use crate::commands::{completions, exact, examples, man, methods, serve, simulate, sweep, verify};
+use crate::commands::{exact, examples, installed, methods, serve, simulate, sweep, verify};
 use pendula_output::failure::Failure;
 use pendula_output::interrupt::Lookout;
 
@@ -90,13 +92,13 @@ pub enum Command {
         "pendula completions bash > pendula.bash",
         "pendula completions zsh > _pendula",
     ]))]
-    Completions(completions::Arguments),
+    Completions(installed::CompletionsArguments),
     /// Print the manual page, or write those of all commands
     #[command(hide = true, after_help = examples(&[
         "pendula man > pendula.1",
         "pendula man --output man",
     ]))]
-    Man(man::Arguments),
+    Man(installed::ManArguments),
 }
 
 /// What commands were called before, and what they are called now. The old names go with the next
@@ -115,7 +117,27 @@ const RENAMED: &[(&str, &[&str])] = &[
 
 /// The definition of the command line.
 pub fn definition() -> clap::Command {
-    Cli::command()
+    with_negative_numbers(Cli::command())
+}
+
+/// clap takes what begins with a hyphen for an option, or, if asked, lets pass what it takes for a
+/// negative number; it does not know all exponents. So every numeric option allows hyphens, and
+/// [`forgotten_value`] says what a forgotten number led to.
+fn with_negative_numbers(command: clap::Command) -> clap::Command {
+    let numbers = [
+        TypeId::of::<f64>(),
+        TypeId::of::<u32>(),
+        TypeId::of::<u64>(),
+        TypeId::of::<NonZeroU64>(),
+        TypeId::of::<Sweep>(),
+        TypeId::of::<Part>(),
+    ];
+    let command = command.mut_args(|option| {
+        let value = option.get_value_parser().type_id();
+        let is_number = numbers.iter().any(|number| value == *number);
+        option.allow_hyphen_values(is_number)
+    });
+    command.mut_subcommands(with_negative_numbers)
 }
 
 /// Reads the command line.
@@ -164,7 +186,7 @@ fn rename(words: &mut Vec<OsString>) {
 }
 
 fn matches(words: &[OsString]) -> Result<ArgMatches, Failure> {
-    Cli::command().try_get_matches_from(words).or_else(|error| {
+    definition().try_get_matches_from(words).or_else(|error| {
         if error.use_stderr() {
             let reason = forgotten_value(words).unwrap_or_else(|| explain(&error));
             return Err(Failure::Refused(reason));
@@ -228,17 +250,18 @@ pub fn run(command: Command, out: &mut dyn Write) -> Result<(), Failure> {
         }
         Command::Methods(arguments) => methods::run(&arguments, out),
         Command::Serve(arguments) => serve::run(&arguments, out),
-        Command::Completions(arguments) => completions::run(&arguments, definition(), out),
-        Command::Man(arguments) => man::run(&arguments, definition(), out),
+        Command::Completions(arguments) => installed::completions(&arguments, definition(), out),
+        Command::Man(arguments) => installed::man(&arguments, definition(), out),
     }
 }
 
 /// The option whose value was forgotten, if there is one. clap takes the option behind it for the
 /// value, as it might be a negative number, and complains of what comes next.
 fn forgotten_value(words: &[OsString]) -> Option<String> {
-    let mut command = &Cli::command();
-    let words: Vec<&str> =
-        words.iter().map_while(|word| word.to_str()).take_while(|word| *word != "--").collect();
+    let mut command = &definition();
+    let words: Vec<&str> = words.iter().map_while(|word| word.to_str()).collect();
+    // What comes behind -- is not ours.
+    let words = words.split_inclusive(|word| *word == "--").next()?;
     for word in &words[1..] {
         match command.find_subcommand(word) {
             Some(inner) => command = inner,
@@ -248,9 +271,19 @@ fn forgotten_value(words: &[OsString]) -> Option<String> {
     words.windows(2).find_map(|pair| {
         let name = pair[0].strip_prefix("--")?;
         let option = command.get_arguments().find(|option| option.get_long() == Some(name))?;
-        let forgotten = number::forgotten(pair[1]).filter(|_| option.is_allow_hyphen_values_set());
-        forgotten.map(|forgotten| format!("--{name}: {forgotten}"))
+        (option.is_allow_hyphen_values_set() && is_option(pair[1])).then(|| {
+            format!("--{name}: {} is an option, and the value before it is missing", pair[1])
+        })
     })
+}
+
+/// `--dt`, `-h` or `-`, and not `-pi/3`.
+fn is_option(word: &str) -> bool {
+    match word.as_bytes() {
+        [b'-', b'-', ..] | [b'-'] => true,
+        [b'-', letter] => letter.is_ascii_alphabetic(),
+        _ => false,
+    }
 }
 
 /// What is wrong and what is allowed, in one line.

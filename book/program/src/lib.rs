@@ -2,14 +2,13 @@
 //!
 //! In reading order: the command line ([`cli`]), its [`commands`], what the judge says of a program
 //! that is not ours ([`verify`]), and what depends on the reader's machine, and so is in no
-//! snapshot ([`work_precision`]). A [`picture`] is what `pendula sweep flips` draws.
+//! snapshot ([`work_precision`]).
 //!
 //! Without the feature `book` there are the simulations and the judge alone.
 
 pub mod cli;
 pub mod colour;
 pub mod commands;
-pub mod picture;
 pub mod verify;
 #[cfg(feature = "book")]
 pub mod work_precision;

@@ -3,7 +3,7 @@
 use std::any::TypeId;
 
 use super::*;
-use crate::commands::arguments::range::Sweep;
+use crate::commands::arguments::number::Sweep;
 
 fn refusal(arguments: &[&str]) -> String {
     match parse(arguments) {
@@ -26,13 +26,6 @@ fn no_command_means_the_book() {
 #[cfg(not(feature = "book"))]
 fn no_command_means_help() {
     assert!(matches!(parse(["pendula"]), Err(Failure::Answered)));
-}
-
-/// Catches: clap's tip for a method, which goes by single letters.
-#[test]
-fn a_method_that_is_none_is_told_what_contains_its_name() {
-    let reason = refusal(&["pendula", "simulate", "--method", "Euler"]);
-    assert!(reason.ends_with("tip: forward-euler or symplectic-euler"), "{reason}");
 }
 
 /// A program without the book has not all of the new commands, and then it refuses them by their
@@ -62,45 +55,25 @@ fn an_old_name_is_the_new_one() {
     }
 }
 
-/// A valid line for each command with numbers.
-const LINES: &[&[&str]] = &[
-    &["simulate", "--method", "rk4", "--theta0", "1", "--dt", "1", "--duration", "1"],
-    &["sweep", "--method", "rk4", "--theta0", "1", "--dt", "1", "--duration", "1"],
-    &["exact", "--theta0", "1", "--t", "1"],
-    &["verify", "--", "program"],
-    #[cfg(feature = "book")]
-    &["bench"],
-];
-
-/// Every option of a command that takes a number: its name, and that of its field.
-fn numeric_options(command: &str) -> Vec<(String, String)> {
-    let cli = Cli::command();
-    let of = cli.find_subcommand(command).unwrap();
+/// Every option that takes a number, with its command and what it is called.
+fn numeric_options() -> Vec<(Vec<String>, clap::Command, clap::Arg)> {
     let numbers = [TypeId::of::<f64>(), TypeId::of::<Sweep>()];
-    let options = of
-        .get_arguments()
-        .filter(|o| numbers.iter().any(|number| o.get_value_parser().type_id() == *number));
-    options.map(|o| (format!("--{}", o.get_long().unwrap()), o.get_id().to_string())).collect()
-}
-
-/// The line with `value` for the option, as one word or as two.
-fn with(line: &[&str], option: &str, value: &str, one_word: bool) -> Vec<String> {
-    let mut words: Vec<String> = vec!["pendula".to_owned(), line[0].to_owned()];
-    words.extend(if one_word {
-        vec![format!("{option}={value}")]
-    } else {
-        vec![option.to_owned(), value.to_owned()]
-    });
-    let mut rest = line[1..].iter();
-    while let Some(word) = rest.next() {
-        // Of the two only one may be there.
-        if *word == option || *word == "--dt" && option == "--tolerance" {
-            rest.next();
-        } else {
-            words.push((*word).to_owned());
+    let (mut found, mut commands) = (Vec::new(), vec![(Vec::new(), definition())]);
+    while let Some((words, command)) = commands.pop() {
+        for option in command.get_arguments() {
+            let value = option.get_value_parser().type_id();
+            if numbers.iter().any(|number| value == *number) {
+                found.push((words.clone(), command.clone(), option.clone()));
+            }
         }
+        commands.extend(
+            command.get_subcommands().map(|inner| {
+                ([&words[..], &[inner.get_name().to_owned()]].concat(), inner.clone())
+            }),
+        );
     }
-    words
+    assert_eq!(found.len(), 41 + usize::from(cfg!(feature = "book")), "that take a number");
+    found
 }
 
 /// Numbers from all over the range of f64, by their bits; both zeros, the smallest, the
@@ -124,48 +97,49 @@ fn all_sorts_of_numbers() -> impl Iterator<Item = f64> {
 /// was forgotten; digits lost in reading.
 #[test]
 fn every_number_is_understood_by_every_option() {
-    let mut options = 0;
-    for line in LINES {
-        for (option, field) in numeric_options(line[0]) {
-            options += 1;
-            for number in all_sorts_of_numbers() {
-                let text = ryu::Buffer::new().format_finite(number).to_owned();
-                for one_word in [false, true] {
-                    let words = with(line, &option, &text, one_word);
-                    let command = parse(&words).unwrap_or_else(|e| panic!("{words:?}: {e:?}"));
-                    // `{:?}` prints the shortest number that reads back to the same bits.
-                    let shown = format!("{command:?}");
-                    let is = [
-                        format!("{field}: {number:?}"),
-                        format!("{field}: Some({number:?})"),
-                        format!("{field}: One({number:?})"),
-                        format!("{field}: [{number:?}]"),
-                    ];
-                    assert!(is.iter().any(|is| shown.contains(is)), "{words:?}: {shown}");
-                }
+    for (_, command, option) in numeric_options() {
+        // Those that others of its options are missing.
+        let command = command.ignore_errors(true);
+        let (id, name) = (option.get_id().as_str(), option.get_long().unwrap());
+        for number in all_sorts_of_numbers() {
+            let text = ryu::Buffer::new().format_finite(number).to_owned();
+            for words in [vec![format!("--{name}={text}")], vec![format!("--{name}"), text]] {
+                let words = [&["pendula".to_owned()], &words[..]].concat();
+                let matches = command.clone().try_get_matches_from(&words);
+                let matches = matches.unwrap_or_else(|error| panic!("{words:?}: {error}"));
+                let read = match matches.try_get_one::<f64>(id) {
+                    Ok(read) => read.map(|number| Sweep::One(*number)),
+                    Err(_) => matches.get_one::<Sweep>(id).copied(),
+                };
+                // `{:?}` prints the shortest number that reads back to the same bits.
+                let expected = format!("{:?}", Some(Sweep::One(number)));
+                assert_eq!(format!("{read:?}"), expected, "{words:?}");
             }
         }
     }
-    assert_eq!(options, 34 + usize::from(cfg!(feature = "book")), "the options that take a number");
     let t = parse(["pendula", "exact", "--theta0", "-1e-3", "--t", "-1,2,-3e-5"]).unwrap();
     assert!(format!("{t:?}").contains("t: [-1.0, 2.0, -3e-5]"), "{t:?}");
     for range in ["-1:2:5", "-1e-3:-.5:3"] {
-        assert!(parse(with(LINES[1], "--theta0", range, false)).is_ok(), "{range}");
+        let sweep = ["sweep", "--method", "rk4", "--dt", "1", "--duration", "1", "--theta0", range];
+        assert!(parse([&["pendula"], &sweep[..]].concat()).is_ok(), "{range}");
     }
 }
 
 /// Catches: a line that says of a forgotten value only that the option behind it is no number,
-/// or that is refused by another option.
+/// or that is refused by another option; a wrong number that is called an option.
 #[test]
 fn a_forgotten_value_is_explained() {
-    for line in LINES {
-        for (option, _) in numeric_options(line[0]) {
-            let words = with(line, &option, "--summary", false);
-            let words: Vec<&str> = words.iter().map(String::as_str).collect();
-            let reason = refusal(&words);
-            assert!(reason.contains("value before it is missing"), "{words:?}: {reason}");
-            assert!(reason.contains(&option), "{words:?}: {reason}");
-        }
+    for (command, _, option) in numeric_options() {
+        let option = format!("--{}", option.get_long().unwrap());
+        let words = command.iter().map(String::as_str).chain([&*option, "--summary"]);
+        let words: Vec<&str> = ["pendula"].into_iter().chain(words).collect();
+        let reason = refusal(&words);
+        assert!(reason.contains("value before it is missing"), "{words:?}: {reason}");
+        assert!(reason.contains(&option), "{words:?}: {reason}");
+    }
+    for (words, expected) in [(["--dt", "-h", "--", "-"], true), (["-1e", "-pix", "-.", ""], false)]
+    {
+        assert!(words.iter().all(|word| is_option(word) == expected), "{words:?}");
     }
     for option in ["--steps", "--every"] {
         let reason = refusal(&["pendula", "simulate", option, "--dt", "1"]);

@@ -60,10 +60,8 @@ impl<'a> Destination<'a> {
         }
     }
 
-    /// Flushes the buffer and renames a temporary file to its target.
-    ///
-    /// # Errors
-    /// If that fails; a file is then as it was before.
+    /// Flushes the buffer and renames a temporary file to its target. If that fails, a file is as
+    /// it was before.
     pub fn finish(self) -> Result<(), Failure> {
         if let Some(file) = self.into_file()? {
             let refused = format!("{} cannot be replaced", file.target().display());

@@ -8,8 +8,9 @@ use clap::Args;
 use pendula::exact::Swing;
 use pendula::{Motion, MotionKind, Pendulum, Phase};
 
+use super::arguments::angle::angle;
 use super::arguments::number::number;
-use super::arguments::pendulum::{PendulumArguments, StartArguments};
+use super::arguments::system::PendulumArguments;
 use super::destination::Destination;
 use super::rows::{RowFormat, Rows};
 use pendula_output::failure::Failure;
@@ -17,16 +18,14 @@ use pendula_output::failure::Failure;
 /// Arguments of `pendula exact`.
 #[derive(Args, Debug)]
 pub struct Arguments {
-    #[command(flatten)]
-    start: StartArguments,
+    /// Angle at the start: radians, or as pi/3, 60deg
+    #[arg(long, value_name = "ANGLE", value_parser = angle)]
+    theta0: f64,
+    /// Angular velocity at the start (rad/s)
+    #[arg(long, value_name = "RAD/S", default_value_t = 0.0, value_parser = number)]
+    omega0: f64,
     /// Times (s), separated by commas; without them, print the period and what motion it is
-    #[arg(
-        long,
-        value_name = "T1,T2,…",
-        value_delimiter = ',',
-        value_parser = number,
-        allow_hyphen_values = true
-    )]
+    #[arg(long, value_name = "T1,T2,…", value_delimiter = ',', value_parser = number)]
     t: Vec<f64>,
     #[command(flatten)]
     pendulum: PendulumArguments,
@@ -38,16 +37,16 @@ pub struct Arguments {
 /// Writes the rows t, theta, omega: in s, rad and rad/s, θ unwrapped. Without times, a line for
 /// each of T and T₀ (s), T/T₀, K and the modulus k, and one that says what motion it is.
 pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
-    let pendulum = arguments.pendulum.pendulum(None).map_err(Failure::refused)?;
-    let start = arguments.start.start(&pendulum).map_err(Failure::refused)?;
+    let Arguments { theta0, omega0, ref t, .. } = *arguments;
+    let pendulum = arguments.pendulum.pendulum(Pendulum::PAPER.mass());
+    let pendulum = pendulum.map_err(Failure::refused)?;
+    let start = pendulum.start(theta0, omega0).map_err(Failure::refused)?;
     let motion = Motion::new(&pendulum, start).map_err(Failure::refused)?;
-    if arguments.t.is_empty() {
+    if t.is_empty() {
         return period(&pendulum, start, &motion, out);
     }
-    if let Some(t) =
-        arguments.t.iter().find(|t| !(-motion.horizon()..=motion.horizon()).contains(*t))
-    {
-        let horizon = motion.horizon();
+    let horizon = motion.horizon();
+    if let Some(t) = t.iter().find(|t| !(-horizon..=horizon).contains(*t)) {
         return Err(Failure::refused(format!(
             "t = {t:?} s is refused: it must be a number of at most {horizon:e} s in size, beyond \
              which neighbouring f64s are a quarter of a period apart, or more"
@@ -56,7 +55,7 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
     let (out, columns) = (Destination::Caller(out), ["t", "theta", "omega"]);
     let mut rows = Rows::new(out, None, arguments.format, columns, 0);
     rows.begin(true)?;
-    for &t in &arguments.t {
+    for &t in t {
         let z = motion.at(t);
         rows.row([t, z.theta, z.omega])?;
     }

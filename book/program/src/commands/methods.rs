@@ -2,13 +2,12 @@
 
 use std::io::{self, Write};
 
-use anyhow::Context;
 use clap::Args;
 use pendula::verify::properties::energy::is_conserved_by;
 use pendula::{AnyMethod, METHODS, MethodInfo};
 use serde_json::{Value, json};
 
-use super::arguments::table_format::TableFormat;
+use super::rows::{TableFormat, csv};
 use crate::colour;
 use pendula_output::failure::Failure;
 
@@ -23,18 +22,17 @@ pub struct Arguments {
 /// Writes a line for each method. Evaluations are those of the force a step; for an implicit
 /// method, those of one sweep of its iteration.
 pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
+    let objects = || METHODS.iter().map(|method| object(*method)).collect::<Vec<Value>>();
     match arguments.format {
         TableFormat::Text => write_text(out)?,
-        TableFormat::Json => {
-            let methods: Vec<Value> = METHODS.iter().map(|method| object(*method)).collect();
-            serde_json::to_writer_pretty(&mut *out, &methods)
-                .context("the methods cannot be written")?;
-            writeln!(out)?;
-        }
-        TableFormat::Csv => write_csv(out)?,
+        TableFormat::Json => writeln!(out, "{:#}", json!(objects()))?,
+        TableFormat::Csv => out.write_all(csv(COLUMNS, &objects()).as_bytes())?,
     }
     Ok(())
 }
+
+/// Of the CSV.
+const COLUMNS: &str = "name,title,order,symplectic,energy,reversible,implicit,evaluations,chapter";
 
 fn write_text(out: &mut dyn Write) -> io::Result<()> {
     let headings = ["name", "title", "order", "keeps", "evaluations", "chapter"];
@@ -80,18 +78,6 @@ fn kept(info: &MethodInfo) -> Vec<&'static str> {
         (info.symmetric, "reversible"),
     ];
     all.into_iter().filter_map(|(kept, word)| kept.then_some(word)).collect()
-}
-
-fn write_csv(out: &mut dyn Write) -> io::Result<()> {
-    writeln!(out, "name,title,order,symplectic,energy,reversible,implicit,evaluations,chapter")?;
-    for method in METHODS {
-        let info = method.info();
-        let MethodInfo { name, title, order, symplectic, symmetric, implicit, .. } = info;
-        let energy = is_conserved_by(&info);
-        write!(out, "{name},{title},{order},{symplectic},{energy},{symmetric},{implicit},")?;
-        writeln!(out, "{},{}", info.force_evaluations, chapter(*method).title)?;
-    }
-    Ok(())
 }
 
 fn object(method: &'static dyn AnyMethod) -> Value {

@@ -7,10 +7,9 @@ use clap::builder::{StyledStr, Styles};
 use pendula_output::failure::Failure;
 
 pub mod arguments;
-pub mod completions;
 pub(crate) mod destination;
 pub mod exact;
-pub mod man;
+pub mod installed;
 pub mod methods;
 mod plot;
 mod rows;

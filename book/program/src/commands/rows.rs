@@ -1,5 +1,5 @@
-//! Rows of numbers as CSV or JSON, streamed; each number is printed so that it parses to the same
-//! f64.
+//! Rows of numbers as CSV or JSON, streamed, and tables of objects; each number is printed so that
+//! it parses to the same f64.
 
 use std::io::{self, Write};
 
@@ -7,6 +7,7 @@ use clap::ValueEnum;
 use pendula_output::failure::Failure;
 use pendula_output::files::whole_file::WholeFile;
 use pendula_rows::{Line, Look};
+use serde_json::Value;
 
 use super::destination::Destination;
 use super::plot::Plot;
@@ -19,6 +20,31 @@ pub enum RowFormat {
     Csv,
     /// An array with an object for each row
     Json,
+}
+
+/// How a table is printed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum TableFormat {
+    /// Tables to read
+    #[default]
+    Text,
+    /// An array with an object for each cell
+    Json,
+    /// A line for each cell
+    Csv,
+}
+
+/// Objects as CSV: their fields of these names. No text in them has a comma or a quotation mark.
+pub fn csv(header: &str, objects: &[Value]) -> String {
+    let line = |object: &Value| {
+        let fields = header.split(',').map(|name| match &object[name] {
+            Value::Null => String::new(),
+            Value::String(text) => text.clone(),
+            other => other.to_string(),
+        });
+        fields.collect::<Vec<_>>().join(",") + "\n"
+    };
+    format!("{header}\n") + &objects.iter().map(line).collect::<String>()
 }
 
 /// Writes rows under fixed column names, and draws them if a plot of them was asked for.
@@ -85,10 +111,8 @@ impl<'o, const N: usize> Rows<'o, N> {
         self.out.write_all(self.line.row(&values))
     }
 
-    /// All rows are written: the plot appears, and then their file.
-    ///
-    /// # Errors
-    /// If one of them cannot be written; what was there before is as it was.
+    /// All rows are written: the plot appears, and then their file. If one of them cannot be
+    /// written, what was there before is as it was.
     pub fn finish(mut self) -> Result<(), Failure> {
         // Before the rows: whoever has them has all that was asked for.
         if let Some(plot) = self.plot.take() {
@@ -113,36 +137,5 @@ impl<'o, const N: usize> Rows<'o, N> {
             RowFormat::Csv => Ok(()),
             RowFormat::Json => self.out.write_all(b"\n]\n"),
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn print(format: RowFormat, rows: &[[f64; 2]]) -> String {
-        let mut text = Vec::new();
-        let out = Destination::Caller(&mut text);
-        let mut out = Rows::new(out, None, format, ["t", "theta"], 0);
-        out.begin(true).unwrap();
-        for row in rows {
-            out.row(*row).unwrap();
-        }
-        out.finish().unwrap();
-        String::from_utf8(text).unwrap()
-    }
-
-    /// Catches: a missing header, separators in the wrong places, JSON that does not parse, also
-    /// without rows.
-    #[test]
-    fn rows_are_csv_and_json() {
-        let rows = [[0.0, 1.0], [0.1, -2.5e-300]];
-        assert_eq!(print(RowFormat::Csv, &rows), "t,theta\n0.0,1.0\n0.1,-2.5e-300\n");
-        let json: serde_json::Value = serde_json::from_str(&print(RowFormat::Json, &rows)).unwrap();
-        assert_eq!(
-            json,
-            serde_json::json!([{"t": 0.0, "theta": 1.0}, {"t": 0.1, "theta": -2.5e-300}])
-        );
-        assert_eq!(print(RowFormat::Json, &[]), "[\n]\n");
     }
 }

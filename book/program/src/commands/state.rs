@@ -80,11 +80,8 @@ pub struct Resumed {
 }
 
 impl Resumed {
-    /// Reads the state of a run of this command.
-    ///
-    /// # Errors
-    /// [`Failure::Refused`] if it cannot be read, is none, or is of another version of the program
-    /// or of another command.
+    /// Reads the state of a run of this command. It is refused if it is none, or is of another
+    /// version of the program or of another command.
     pub fn read(path: &Path, command: &str) -> Result<Self, Failure> {
         let cannot = |error: io::Error| refused(path, format!("cannot be read: {error}"));
         if files::metadata(path).map_err(cannot)?.is_some_and(|found| !found.is_file()) {
@@ -173,10 +170,7 @@ pub struct Kept<'a> {
 }
 
 impl<'a> Kept<'a> {
-    /// The run that was asked for.
-    ///
-    /// # Errors
-    /// [`Failure::Refused`] if it is to begin anew where the state of another one lies.
+    /// The run that was asked for. It is refused to begin anew where the state of another one lies.
     pub fn new(given: &'a KeptArguments) -> Result<Self, Failure> {
         if let Some(Resumed { path, state, .. }) = &given.from {
             let is_state = path.extension().is_some_and(|extension| extension == "state");

@@ -13,8 +13,7 @@ use pendula::verify::{Claims, Verdict, try_judge};
 use super::arguments::number::number;
 use super::destination::Destination;
 use crate::colour;
-use crate::verify::examples::Language;
-use crate::verify::{Judged, Program, json, junit, markdown, page};
+use crate::verify::{Judged, Program, formats, page};
 use pendula_output::failure::Failure;
 use pendula_output::interrupt::interrupts;
 
@@ -26,8 +25,7 @@ pub struct Arguments {
     #[arg(long, value_name = "CLAIMS", default_value_t, hide_default_value = true)]
     claims: Claims,
     /// How long to wait for an answer (s); for all of them, 120 times as long
-    #[arg(long, value_name = "S", default_value_t = 10.0, value_parser = number,
-        allow_hyphen_values = true)]
+    #[arg(long, value_name = "S", default_value_t = 10.0, value_parser = number)]
     patience: f64,
     /// How the report is printed
     #[arg(long, value_enum, default_value_t)]
@@ -59,6 +57,34 @@ pub enum ReportFormat {
     Junit,
     /// A table and a sentence, for a pull request
     Markdown,
+}
+
+/// A language that has an example to begin with: Störmer–Verlet, its evaluations counted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Language {
+    /// Python 3
+    Python,
+    /// JavaScript, for Node.js
+    Javascript,
+    /// C
+    C,
+    /// Rust, a single file
+    Rust,
+    /// Julia
+    Julia,
+}
+
+impl Language {
+    /// The whole program.
+    const fn program(self) -> &'static str {
+        match self {
+            Self::Python => include_str!("../verify/examples/verlet.py"),
+            Self::Javascript => include_str!("../verify/examples/verlet.js"),
+            Self::C => include_str!("../verify/examples/verlet.c"),
+            Self::Rust => include_str!("../verify/examples/verlet.rs"),
+            Self::Julia => include_str!("../verify/examples/verlet.jl"),
+        }
+    }
 }
 
 /// Starts the program, judges it, and prints the report.
@@ -142,12 +168,9 @@ fn print(arguments: &Arguments, judged: &Judged<'_>, out: &mut dyn Write) -> io:
                 .map(|(style, line)| colour::output(style, line));
             write!(out, "{head}\n{rows}\n{last}\n")?;
         }
-        ReportFormat::Json => {
-            serde_json::to_writer_pretty(&mut *out, &json::value(judged))?;
-            writeln!(out)?;
-        }
-        ReportFormat::Junit => out.write_all(junit::text(judged, arguments.lenient).as_bytes())?,
-        ReportFormat::Markdown => out.write_all(markdown::text(judged).as_bytes())?,
+        ReportFormat::Json => writeln!(out, "{:#}", formats::json(judged))?,
+        ReportFormat::Junit => write!(out, "{}", formats::junit(judged, arguments.lenient))?,
+        ReportFormat::Markdown => write!(out, "{}", formats::markdown(judged))?,
     }
     out.flush()
 }
@@ -160,9 +183,6 @@ mod tests {
     /// was to be lenient; a claim that fails with status 0 because nobody reads on.
     #[test]
     fn each_verdict_has_its_status() {
-        let status = |verdict, lenient, printed| {
-            answer(verdict, lenient, printed).map_or_else(|failure| failure.status(), |()| 0)
-        };
         for (verdict, expected) in [
             (Verdict::Holds, [0, 0]),
             (Verdict::Unclaimed, [0, 0]),
@@ -170,10 +190,12 @@ mod tests {
             (Verdict::Unclear, [1, 0]),
             (Verdict::NotMeasured, [1, 0]),
         ] {
-            for (lenient, expected) in [false, true].into_iter().zip(expected) {
-                assert_eq!(status(verdict, lenient, Ok(())), expected, "{verdict:?} {lenient}");
-                let closed = Err(io::ErrorKind::BrokenPipe.into());
-                assert_eq!(status(verdict, lenient, closed), expected, "{verdict:?} {lenient}");
+            for printed in [|| Ok(()), || Err(io::ErrorKind::BrokenPipe.into())] {
+                let status = [false, true].map(|lenient| {
+                    let answer = answer(verdict, lenient, printed());
+                    answer.map_or_else(|failure| failure.status(), |()| 0)
+                });
+                assert_eq!(status, expected, "{verdict:?}");
             }
         }
     }

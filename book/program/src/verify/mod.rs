@@ -1,21 +1,14 @@
-//! Judging a program that is not ours: `pendula verify` and its other side, `pendula serve`.
+//! Judging a program that is not ours: `pendula verify`.
 //!
-//! In reading order: the lines that both sides exchange ([`protocol`]), the side that answers
-//! ([`serve`]), the side that asks ([`Program`], with the process it keeps in `process` and the
-//! threads that read what it writes in `listen`), the report for programs ([`json`]), for servers
-//! that run tests ([`junit`]), for a pull request ([`markdown`]) and as a page ([`page`]), and
-//! programs to begin with ([`examples`]).
+//! In reading order: the lines that both sides exchange ([`protocol`]), the side that asks
+//! ([`Program`], with the process it keeps in `process`), and the report for other programs
+//! ([`formats`]) and as a page ([`page`]). The side that answers is `pendula serve`.
 
-pub mod examples;
-pub mod json;
-pub mod junit;
-mod listen;
-pub mod markdown;
+pub mod formats;
 pub mod page;
 mod process;
 mod program;
 pub mod protocol;
-pub mod serve;
 
 use pendula::verify::{Claims, Report};
 pub use program::Program;

@@ -1,7 +1,13 @@
-//! A process that is ended with all that it has started.
+//! A process that is ended with all that it has started, and threads that read what it writes, so
+//! that nobody waits for it longer than he wants to, and none of them keeps more than it may.
 
-use std::io;
+use std::collections::VecDeque;
+use std::io::{self, BufRead, BufReader, Read, Write};
 use std::process::{Child, Command, ExitStatus};
+use std::sync::mpsc::{self, Receiver, Sender};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::thread;
+use std::time::Duration;
 
 /// A process with those that it has started. Dropped, it is ended.
 ///
@@ -76,4 +82,106 @@ fn kill(child: &mut Child) {
 fn kill(child: &mut Child) {
     // A process that has ended needs no killing.
     let _ = child.kill();
+}
+
+/// The most bytes of a line: a state takes fifty.
+pub const LONGEST: usize = 1000;
+/// Lines that wait to be read; beyond them the program waits.
+const WAITING: usize = 1024;
+/// Lines on standard error that are kept.
+const KEPT: usize = 3;
+
+/// A line of a program.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Line {
+    /// A whole one, without its end.
+    Whole(String),
+    /// The first bytes of one that is longer than [`LONGEST`]; what follows is no line.
+    TooLong(String),
+    /// What came before the output ended; nothing follows.
+    Unended(String),
+}
+
+/// The next line, or `None` at the end.
+fn next(input: &mut impl BufRead) -> io::Result<Option<Line>> {
+    let mut bytes = Vec::new();
+    input.by_ref().take(LONGEST as u64 + 1).read_until(b'\n', &mut bytes)?;
+    let ended = bytes.last() == Some(&b'\n');
+    let text = String::from_utf8_lossy(&bytes).trim_end_matches(['\r', '\n']).to_string();
+    Ok(match bytes.len() {
+        0 => None,
+        _ if ended => Some(Line::Whole(text)),
+        length if length > LONGEST => Some(Line::TooLong(text)),
+        _ => Some(Line::Unended(text)),
+    })
+}
+
+/// The lines of `input`, read by a thread, until they end or nobody asks for more.
+pub fn lines(input: impl Read + Send + 'static) -> Receiver<Line> {
+    let (sender, receiver) = mpsc::sync_channel(WAITING);
+    thread::spawn(move || {
+        let mut input = BufReader::new(input);
+        while let Ok(Some(line)) = next(&mut input) {
+            if sender.send(line).is_err() {
+                break;
+            }
+        }
+    });
+    receiver
+}
+
+/// Writes the lines that are sent to `output`, in a thread: a program that does not read must not
+/// keep anybody waiting. It ends when the sender is dropped, or the program has ended.
+pub fn writer(mut output: impl Write + Send + 'static) -> Sender<String> {
+    let (sender, receiver) = mpsc::channel::<String>();
+    thread::spawn(move || {
+        for line in receiver {
+            if output.write_all(line.as_bytes()).and_then(|()| output.flush()).is_err() {
+                break;
+            }
+        }
+    });
+    sender
+}
+
+/// The last lines of what a program writes on standard error.
+#[derive(Debug)]
+pub struct LastLines {
+    kept: Arc<Mutex<VecDeque<String>>>,
+    /// Disconnected at the end.
+    end: Receiver<()>,
+}
+
+impl LastLines {
+    /// Reads `input` in a thread.
+    pub fn of(input: impl Read + Send + 'static) -> Self {
+        let kept = Arc::new(Mutex::new(VecDeque::new()));
+        let (sender, end) = mpsc::channel();
+        let keep = Arc::clone(&kept);
+        thread::spawn(move || {
+            let mut input = BufReader::new(input);
+            while let Ok(Some(line)) = next(&mut input) {
+                let (Line::Whole(text) | Line::TooLong(text) | Line::Unended(text)) = line;
+                if text.trim().is_empty() {
+                    continue;
+                }
+                let mut keep = keep.lock().unwrap_or_else(PoisonError::into_inner);
+                if keep.len() == KEPT {
+                    keep.pop_front();
+                }
+                keep.push_back(text);
+            }
+            drop(sender);
+        });
+        Self { kept, end }
+    }
+
+    /// The lines, when the program has ended. One that it has started may still hold its standard
+    /// error open, and is not waited for.
+    pub fn at_the_end(&self) -> Vec<String> {
+        const MOMENT: Duration = Duration::from_millis(200);
+        let _ = self.end.recv_timeout(MOMENT);
+        let kept = self.kept.lock().unwrap_or_else(PoisonError::into_inner);
+        kept.iter().cloned().collect()
+    }
 }

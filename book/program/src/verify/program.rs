@@ -12,8 +12,7 @@ use std::time::{Duration, Instant};
 use pendula::Phase;
 use pendula::verify::{Fault, Reply, Request, Stranger};
 
-use super::listen::{self, LONGEST, LastLines, Line};
-use super::process::Group;
+use super::process::{self, Group, LONGEST, LastLines, Line};
 use super::protocol::{Answer, BYE, HELLO, answer, greeting};
 use pendula_output::printable::printable;
 
@@ -286,8 +285,8 @@ impl Conversation {
         let errors = child.stderr.take().ok_or_else(pipe)?;
         Ok(Self {
             group,
-            questions: listen::writer(input),
-            answers: listen::lines(output),
+            questions: process::writer(input),
+            answers: process::lines(output),
             errors: LastLines::of(errors),
         })
     }

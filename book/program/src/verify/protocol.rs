@@ -19,26 +19,19 @@ pub enum Question {
     Bye,
 }
 
-/// Why a line is no [`Question`].
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Objection {
-    /// Nobody knows its first word.
-    Unknown,
-    /// What follows its first word is not what should.
-    Wrong(String),
-}
-
-/// Reads a line of `pendula`.
-pub fn question(line: &str) -> Result<Question, Objection> {
+/// Reads a line of `pendula`. An error is the answer to one that cannot be read.
+pub fn question(line: &str) -> Result<Question, String> {
     let words: Vec<&str> = line.split_whitespace().collect();
-    match words.split_first() {
+    let question = match words.split_first() {
         Some((&"hello", ["1"])) => Ok(Question::Hello),
-        Some((&"hello", _)) => Err(Objection::Wrong("only version 1 is spoken here".to_string())),
+        Some((&"hello", _)) => Err("only version 1 is spoken here".to_string()),
         Some((&"bye", [])) => Ok(Question::Bye),
-        Some((&"pendulum", words)) => request(words, false).map_err(Objection::Wrong),
-        Some((&"driven", words)) => request(words, true).map_err(Objection::Wrong),
-        _ => Err(Objection::Unknown),
-    }
+        Some((&"pendulum", words)) => request(words, false),
+        Some((&"driven", words)) => request(words, true),
+        // Nobody knows its first word.
+        _ => return Err("unsupported".to_string()),
+    };
+    question.map_err(|why| format!("error {why}"))
 }
 
 /// Reads the numbers of a request.
@@ -166,10 +159,10 @@ mod tests {
             ("pendulum 9.81 1 o 0.01 10 1", "ω is no number"),
             ("pendulum 9.81 1 0 -0.0 10 1", "h is zero"),
         ] {
-            assert_eq!(question(line), Err(Objection::Wrong(wrong.to_string())), "{line}");
+            assert_eq!(question(line), Err(format!("error {wrong}")), "{line}");
         }
         for line in ["", "double 1 2", "bye now", "PENDULUM", "\u{0}"] {
-            assert_eq!(question(line), Err(Objection::Unknown), "{line}");
+            assert_eq!(question(line), Err("unsupported".to_string()), "{line}");
         }
     }
 

@@ -3,7 +3,7 @@
 
 use std::process::{Command, Output};
 
-use crate::call::{PENDULA, assert_refused, printed, words};
+use crate::{PENDULA, assert_refused, printed, words};
 
 /// Distinct names of the devices, as they are printed.
 fn names() -> Vec<String> {

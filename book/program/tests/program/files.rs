@@ -8,7 +8,7 @@ use std::process::{Command, Output};
 
 use tempfile::TempDir;
 
-use crate::call::{PENDULA, names, refused, shell, words};
+use crate::{PENDULA, names, refused, shell, words};
 
 const RUN: [&str; 9] =
     ["simulate", "--method", "rk4", "--theta0", "1", "--dt", "0.01", "--steps", "1000"];

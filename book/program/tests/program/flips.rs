@@ -13,8 +13,8 @@ use pendula::methods::table::RK4_IN_LANES;
 use pendula::systems::{DoublePhase, Joint};
 use pendula::{DoublePendulum, Grid, Rk4, integrate};
 
-use crate::call::printed;
 use crate::long_runs::interrupted;
+use crate::printed;
 
 /// The dots of a picture, row after row from the top: red, green, blue, opacity.
 fn dots(png: &[u8]) -> (usize, Vec<[u8; 4]>) {
@@ -120,7 +120,7 @@ fn the_picture_of_the_book_is_what_the_command_draws() {
     let mut flips = vec![None; starts.len()];
     first_flips(&double, RK4_IN_LANES, &starts, &grid, &mut flips);
     let mut drawn = Vec::new();
-    let bands = pendula_program::picture::Bands::of(grid.steps());
+    let bands = pendula_program::commands::sweep::flips::Bands::of(grid.steps());
     bands.write([&flips[..]].into_iter(), &mut drawn).expect("a buffer");
     let (_, expected) = self::dots(&drawn);
     for (place, expected) in places.iter().zip(expected) {

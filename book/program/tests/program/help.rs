@@ -5,7 +5,7 @@ use std::process::{Command, Output};
 
 use pendula_program::cli;
 
-use crate::call::{PENDULA, assert_refused, printed};
+use crate::{PENDULA, assert_refused, printed};
 
 /// The examples in the help of each command, by its name: `verify`, `paper tables`.
 fn examples() -> Vec<(String, Vec<String>)> {

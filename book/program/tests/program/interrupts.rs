@@ -9,7 +9,7 @@ use std::time::Duration;
 use rustix::process::{Pid, Signal, kill_process};
 use serde_json::Value;
 
-use crate::call::{PENDULA, names, words};
+use crate::{PENDULA, names, words};
 
 fn start(line: &str) -> Child {
     let mut command = Command::new(PENDULA);

@@ -4,8 +4,6 @@ use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-use pendula::adaptive::{Adaptive, TaylorSeries, Tolerance};
-use pendula::methods::Dop853;
 use pendula::metrics::EnergyDrift;
 use pendula::{Grid, Hamiltonian, METHODS, Motion, Observer, Pendulum, Phase};
 use pendula_output::failure::Failure;
@@ -16,7 +14,7 @@ use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 use serde_json::Value;
 
-use crate::call::{names, numbers, pendula, shell, words};
+use crate::{names, numbers, shell, words};
 
 /// What a command has printed, and said.
 #[derive(Debug)]
@@ -69,26 +67,31 @@ impl Folder {
         Self { folder, file, state }
     }
 
-    /// Interrupts a run into the file after the first, then after each further of `at`, and lets it
-    /// come to its end; the file is not touched before.
-    fn in_parts(&self, arguments: &[&str], at: &[u64]) -> String {
+    /// Interrupts a run after each of `parts`, and lets it come to its end; returns all rows, and
+    /// what is said at the end. A file is not touched before.
+    fn in_parts(&self, run: &[&str], parts: &[u64], to_file: bool) -> (String, String) {
+        let keep = ["--output", text(&self.file)];
+        let keep = if to_file { keep } else { ["--state", text(&self.state)] };
+        let resume = [run[0], "--resume", text(&self.state)];
         fs::write(&self.file, "old").unwrap();
-        let first = [arguments, &["--output", text(&self.file)]].concat();
-        let resume = [arguments[0], "--resume", text(&self.state)];
-        let mut command = &first[..];
-        for &at in at {
-            let left = interrupted(command, at);
+        let (mut command, mut rows) = ([run, &keep].concat(), String::new());
+        for &at in parts {
+            let left = interrupted(&command, at);
             let line = left.outcome.unwrap_err();
             assert!(line.contains(&format!("interrupted after {at} ")), "{line}");
-            assert!(line.contains(&resume.join(" ")), "{line}");
-            assert_eq!((left.out.as_str(), left.err.as_str()), ("", ""));
+            assert!(line.contains(&resume.join(" ")) && left.err.is_empty(), "{line} {}", left.err);
             assert_eq!(names(self.folder.path()), ["run.csv", "run.csv.state"]);
             assert_eq!(fs::read_to_string(&self.file).unwrap(), "old");
-            command = &resume;
+            rows += &left.out;
+            command = resume.to_vec();
         }
-        whole(command);
+        let end = whole(&command);
         assert_eq!(names(self.folder.path()), ["run.csv"]);
-        fs::read_to_string(&self.file).unwrap()
+        if to_file {
+            assert_eq!(rows + &end.out, "");
+            return (fs::read_to_string(&self.file).unwrap(), end.err);
+        }
+        (rows + &end.out, end.err)
     }
 }
 
@@ -132,7 +135,8 @@ fn every_kind_of_run_can_be_resumed() {
         let expected = whole(&run).out;
         assert!(expected.lines().count() > 2, "{expected}");
         for first in 0..6 {
-            assert_eq!(folder.in_parts(&run, &[first, (first + 6) / 2]), expected, "{run:?}");
+            let (rows, _) = folder.in_parts(&run, &[first, (first + 6) / 2], true);
+            assert_eq!(rows, expected, "{run:?}");
         }
     }
 }
@@ -374,28 +378,6 @@ fn lines(err: &str) -> Vec<&str> {
     err.lines().filter(|line| !times.iter().any(|name| line.starts_with(name))).collect()
 }
 
-/// Runs it in parts that end at these steps, and to its end; returns all rows and the summary.
-fn in_parts(run: &[&str], parts: &[u64], to_file: bool) -> (String, String) {
-    let folder = Folder::new();
-    let keep = ["--output", text(&folder.file)];
-    let keep = if to_file { keep } else { ["--state", text(&folder.state)] };
-    let mut command = [run, &keep].concat();
-    let mut rows = String::new();
-    for &at in parts {
-        let left = interrupted(&command, at);
-        assert!(left.outcome.is_err() && left.err.is_empty(), "{left:?}");
-        rows += &left.out;
-        command = vec![run[0], "--resume", text(&folder.state)];
-    }
-    let end = whole(&command);
-    rows += &end.out;
-    if to_file {
-        assert_eq!(rows, "");
-        rows = fs::read_to_string(&folder.file).unwrap();
-    }
-    (rows, end.err)
-}
-
 proptest! {
     #![proptest_config(ProptestConfig {
         rng_seed: RngSeed::Fixed(0x0051_3A17),
@@ -438,7 +420,7 @@ proptest! {
         let mut run = words(&line);
         run.extend(summary.then_some("--summary"));
         let at_once = whole(&run);
-        let (rows, err) = in_parts(&run, &parts, to_file);
+        let (rows, err) = Folder::new().in_parts(&run, &parts, to_file);
         prop_assert_eq!(&rows, &at_once.out);
         prop_assert!(rows.starts_with("t,theta,omega,energy\n"), "{rows}");
         prop_assert_eq!(numbers(&rows), expected);
@@ -491,7 +473,7 @@ proptest! {
         let rows: Vec<_> = at_once.out.lines().filter(|row| !row.starts_with('t')).collect();
         let mut parts: Vec<_> = cuts.into_iter().filter(|at| *at < rows.len() as u64).collect();
         parts.sort_unstable();
-        let (out, err) = in_parts(&run, &parts, to_file);
+        let (out, err) = Folder::new().in_parts(&run, &parts, to_file);
         prop_assert_eq!(&out, &at_once.out);
         prop_assert_eq!(lines(&err), lines(&at_once.err));
         prop_assert_eq!(summary_value(&err, "runs"), rows.len() as f64);
@@ -538,99 +520,4 @@ fn steps_that_vary_are_interrupted_cleanly() {
     assert!(interrupted(&to_file, 3).outcome.is_err());
     assert_eq!(names(folder.folder.path()), ["run.csv"]);
     assert_eq!(fs::read_to_string(&folder.file).unwrap(), "old");
-}
-
-/// Catches: the start or the last step left out, a tolerance or a direction of time that is not
-/// passed on, one method for the other; g, L, m or the velocity at the start ignored, or taken for
-/// one another; a limit that is ignored, or not named where it is reached; an energy error or a
-/// cost of other steps; the error at the end of a walk back in time against the motion forwards.
-#[test]
-fn steps_that_vary_are_those_of_the_library() {
-    let pendulum = Pendulum::new(3.0, 2.5, 5.0).unwrap();
-    let start = Phase { theta: -2.9, omega: 0.3 };
-    let line = |method: &str, duration: f64| {
-        format!(
-            "simulate --method {method} --theta0 -2.9 --omega0 0.3 --gravity 3 --length 2.5 \
-             --mass 5 --tolerance 1e-5 --duration {duration}"
-        )
-    };
-    for duration in [25.0, -25.0] {
-        let run = line("dop853", duration);
-        let run = words(&run);
-        let refused = interrupted(&[&run[..], &["--max-steps", "7"]].concat(), u64::MAX);
-        let told = refused.outcome.unwrap_err();
-        assert!(told.contains("7 steps") && told.contains("--max-steps"), "{told}");
-        assert!(refused.out.lines().count() > 2 && refused.out.ends_with('\n'));
-        let tolerance = Tolerance::uniform(1e-5).unwrap();
-        let control = Adaptive::new(Dop853, tolerance);
-        let mut walk = control.steps(&pendulum, start, 0.0, duration).unwrap();
-        let (mut drift, mut expected) = (EnergyDrift::new(&pendulum), vec![]);
-        let row = |t, z: Phase| vec![t, z.theta, z.omega, pendulum.energy_from_pivot(z)];
-        drift.observe(0, 0.0, start);
-        expected.push(row(0.0, start));
-        for (n, step) in (1..).zip(&mut walk) {
-            let step = step.unwrap();
-            drift.observe(n, step.end_time(), step.end());
-            expected.push(row(step.end_time(), step.end()));
-        }
-        let Printed { out, err, .. } = whole(&[&run[..], &["--summary"]].concat());
-        assert_eq!(numbers(&out), expected);
-        let counts = walk.counts();
-        let count = |name| summary_value(&err, name) as u64;
-        assert_eq!([count("steps "), count("steps rejected")], [counts.accepted, counts.rejected]);
-        assert!(counts.rejected > 0 && count("force evaluations") == counts.evaluations);
-        let (of, energy) = (drift.largest(), pendulum.energy(start));
-        assert!(err.contains(&format!("{of:.6e} J, {:.6e} of the first\n", of / energy)), "{err}");
-        let (end, exact) = (walk.state(), Motion::new(&pendulum, start).unwrap().at(duration));
-        for (name, off) in
-            [("error of θ", end.theta - exact.theta), ("error of ω", end.omega - exact.omega)]
-        {
-            assert_seven_digits(summary_value(&err, &format!("{name} at the end")), off);
-        }
-
-        let with = |method| numbers(&whole(&words(&line(method, duration))).out);
-        assert!(with("dormand-prince").len() > expected.len());
-        let mut of_series = vec![];
-        let mut watch = |_, t, z| of_series.push(row(t, z));
-        let control = Adaptive::new(TaylorSeries, tolerance);
-        control.integrate(&pendulum, start, 0.0, duration, &mut watch).unwrap();
-        assert_eq!(with("taylor-series"), of_series);
-    }
-}
-
-/// Catches: rows before a failure that are lost in a buffer, a row cut off, an array left open, a
-/// failure that says nothing or has another status.
-#[test]
-fn the_rows_before_a_failure_are_printed() {
-    let falls_apart = words(
-        "simulate --system double-pendulum --theta1 20 --theta2 12 --mass2 1e6 --gravity 3.08 \
-         --dt 0.01 --duration 9.76",
-    );
-    let overflows = words("simulate --method forward-euler --theta0 1 --dt 1e200 --steps 9");
-    let unsolved = words("simulate --method gauss-4 --theta0 1 --dt 5 --steps 9");
-    let limited = words(
-        "simulate --method dop853 --theta0 3 --duration 100 --tolerance 1e-10 --max-steps 200",
-    );
-    let sweep = words("sweep --method forward-euler --theta0 0:1:5 --dt 1e200 --duration 1e201");
-    for (run, least) in
-        [(&falls_apart[..], 100), (&overflows, 1), (&unsolved, 1), (&limited, 50), (&sweep, 1)]
-    {
-        for format in ["csv", "json"] {
-            let output = pendula([run, &["--format", format]].concat());
-            assert_eq!(output.status.code(), Some(2), "{run:?}");
-            let line = String::from_utf8(output.stderr).unwrap();
-            assert_eq!(line.lines().count(), 1, "{line}");
-            let text = String::from_utf8(output.stdout).unwrap();
-            let rows = if format == "json" {
-                serde_json::from_str::<Vec<Value>>(&text).expect("an array").len()
-            } else {
-                assert!(text.ends_with('\n'));
-                let columns = |line: &str| line.split(',').count();
-                let header = columns(text.lines().next().unwrap());
-                assert!(text.lines().all(|line| columns(line) == header));
-                text.lines().count() - 1
-            };
-            assert!(rows >= least, "{rows} of {run:?}");
-        }
-    }
 }

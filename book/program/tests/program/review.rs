@@ -11,7 +11,7 @@ use pendula_book::versions::{Version, on_disk};
 use pendula_program::commands::study::review::{Arguments, run_in};
 use tempfile::TempDir;
 
-use crate::call::{PENDULA, refused};
+use crate::{PENDULA, refused};
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")

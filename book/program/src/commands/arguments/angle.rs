@@ -6,24 +6,24 @@
 
 use pendula::arithmetic::double_double::DoubleDouble;
 
-use super::number::refusal;
-use super::range::Sweep;
+use super::number::Sweep;
 
 /// What an angle may be.
 const ALLOWED: &str =
     "it must be an angle: radians as 1.5, multiples of π as -2pi/3 or 0.5pi, degrees as 60deg";
 
 /// An angle (rad). Whether it may be infinite is for the library to say.
-pub fn angle(text: &str) -> Result<f64, String> {
-    text.parse().ok().or_else(|| multiple_of_pi(text)).ok_or_else(|| refusal(text, ALLOWED))
+pub fn angle(text: &str) -> Result<f64, &'static str> {
+    read(text).ok_or(ALLOWED)
 }
 
 /// An angle, or a range of them.
 pub fn angles(text: &str) -> Result<Sweep, String> {
-    Sweep::of(text, |end| match angle(end)? {
-        finite if finite.is_finite() => Ok(finite),
-        _ => Err(ALLOWED.to_owned()),
-    })
+    Sweep::of(text, ALLOWED, read)
+}
+
+fn read(text: &str) -> Option<f64> {
+    text.parse().ok().or_else(|| multiple_of_pi(text))
 }
 
 /// `2pi/3` or `60deg`: the f64 nearest to the real angle, unless its first 53 bits and the next 45
@@ -123,14 +123,10 @@ mod tests {
     fn what_is_no_angle_is_refused() {
         for text in [
             "pi/0", "deg", "pi/", "pi/3/4", "2pi3x", "--pi", "six", "", "1e40pi", "pi/-3", "1/3pi",
-            "60d",
+            "60d", "-pi/x",
         ] {
-            let reason = angle(text).unwrap_err();
-            assert!(reason.contains("2pi/3 or 0.5pi, degrees as 60deg"), "{text}: {reason}");
-            assert!(!reason.contains('\n'));
+            assert_eq!(angle(text), Err(ALLOWED), "{text}");
         }
         assert!(angles("inf").is_err() && angles("0:pi:1").is_err() && angles("0:pi").is_err());
-        assert!(angle("--dt").unwrap_err().contains("is missing"));
-        assert!(!angle("-pi/x").unwrap_err().is_empty());
     }
 }

@@ -1,65 +1,207 @@
-//! Numbers on the command line: any way to write one, negative ones too.
-//!
-//! clap takes what begins with a hyphen for an option, or, if asked, lets pass what it takes for a
-//! negative number; it does not know exponents. So every numeric option allows hyphens, and the
-//! parser here says what a forgotten value led to.
+//! Numbers on the command line: one, a range of them, `0.1:3:30`, and the number of a part, `2/8`.
 
+use std::fmt;
 use std::num::NonZeroU64;
+use std::ops;
 use std::str::FromStr;
 
 /// What a number may be.
 pub const NUMBER: &str = "it must be a number without a unit, as 0.01 or 1e-3";
 
 /// A number. Whether it may be infinite or negative is for the library to say.
-pub fn number(text: &str) -> Result<f64, String> {
-    value(text, NUMBER)
+pub fn number(text: &str) -> Result<f64, &'static str> {
+    text.parse().or(Err(NUMBER))
 }
 
 /// A count, zero included.
-pub fn count(text: &str) -> Result<u64, String> {
-    value(text, "it must be a whole number, 0 or greater, below 2^64, in digits")
+pub fn count(text: &str) -> Result<u64, &'static str> {
+    text.parse().or(Err("it must be a whole number, 0 or greater, below 2^64, in digits"))
 }
 
 /// A count, at least one.
-pub fn positive_count(text: &str) -> Result<NonZeroU64, String> {
-    value(text, "it must be a whole number, 1 or greater, below 2^64, in digits")
+pub fn positive_count(text: &str) -> Result<NonZeroU64, &'static str> {
+    text.parse().or(Err("it must be a whole number, 1 or greater, below 2^64, in digits"))
 }
 
-/// The value that `text` stands for; otherwise `allowed`, or that the value was forgotten.
-pub fn value<T: FromStr>(text: &str, allowed: &str) -> Result<T, String> {
-    text.parse().map_err(|_| refusal(text, allowed))
+/// One number, or COUNT of them FROM … TO, both ends included.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Sweep {
+    /// A number.
+    One(f64),
+    /// FROM:TO:COUNT.
+    Range(Range),
 }
 
-/// Why `text` is no value: because it is not what is `allowed`, or the value was forgotten.
-pub fn refusal(text: &str, allowed: &str) -> String {
-    forgotten(text)
-        .map_or_else(|| allowed.to_owned(), |forgotten| format!("{forgotten}; {allowed}"))
+/// COUNT numbers FROM … TO.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Range {
+    /// The first.
+    pub from: f64,
+    /// The last.
+    pub to: f64,
+    /// How many, at least 2.
+    pub count: u64,
 }
 
-/// That a value was forgotten, if `text` is an option: `--dt` or `-h`, and not `-pi/3`.
-pub fn forgotten(text: &str) -> Option<String> {
-    let is_option = text.starts_with("--")
-        || text.strip_prefix('-').is_some_and(|rest| {
-            rest.is_empty()
-                || rest.len() == 1 && rest.starts_with(|c: char| c.is_ascii_alphabetic())
+impl Sweep {
+    /// What `text` stands for, with `number` for each number in it; what they are is `allowed`.
+    pub fn of(
+        text: &str,
+        allowed: &'static str,
+        number: impl Fn(&str) -> Option<f64>,
+    ) -> Result<Self, String> {
+        let finite = |text| number(text).filter(|x| x.is_finite()).ok_or(allowed);
+        let range = |from, to, count: &str| {
+            let (from, to) = (finite(from)?, finite(to)?);
+            let count = count.parse().ok().filter(|count| *count >= 2).ok_or(NUMBER)?;
+            Ok(Self::Range(Range { from, to, count }))
+        };
+        let sweep = match text.split(':').collect::<Vec<_>>()[..] {
+            [one] => finite(one).map(Self::One),
+            [from, to, count] => range(from, to, count),
+            _ => Err(NUMBER),
+        };
+        sweep.map_err(|reason| {
+            format!("{reason}, or a range FROM:TO:COUNT with a COUNT of 2 or more, in digits")
+        })
+    }
+}
+
+impl Range {
+    /// The `i`-th of equally spaced numbers, counted from zero; the ends are exact.
+    pub fn linear(self, i: u64) -> f64 {
+        // Multiplication before division: the fourth of 0:1:11 is 0.3 and not the f64 beside it.
+        self.inner(i, |i, last| match (self.to - self.from) * i / last {
+            beyond if beyond.is_finite() => self.from + beyond,
+            // The ends are too far apart for that.
+            _ => self.from * (1.0 - i / last) + self.to * (i / last),
+        })
+    }
+
+    /// The `i`-th of numbers in equal ratios, counted from zero; the ends are exact, and must be
+    /// greater than zero.
+    pub fn geometric(self, i: u64) -> f64 {
+        // libm's power, not the platform's: the same numbers on every machine.
+        self.inner(i, |i, last| self.from * libm::pow(self.to / self.from, i / last))
+    }
+
+    fn inner(self, i: u64, inner: impl Fn(f64, f64) -> f64) -> f64 {
+        let last = self.count - 1;
+        match i {
+            0 => self.from,
+            _ if i == last => self.to,
+            _ => inner(i as f64, last as f64),
+        }
+    }
+}
+
+impl fmt::Display for Sweep {
+    /// The text that it is read from, with numbers that read back to the same f64.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::One(number) => write!(f, "{number:?}"),
+            Self::Range(Range { from, to, count }) => write!(f, "{from:?}:{to:?}:{count}"),
+        }
+    }
+}
+
+impl FromStr for Sweep {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        Self::of(text, NUMBER, |number| number.parse().ok())
+    }
+}
+
+/// The K-th of N parts of a sweep, K from 1 to N, for one of many machines.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Part {
+    number: u64,
+    of: u64,
+}
+
+impl Part {
+    /// All there is.
+    pub const WHOLE: Self = Self { number: 1, of: 1 };
+
+    /// Whether it is the first of the parts.
+    pub const fn is_first(self) -> bool {
+        self.number == 1
+    }
+
+    /// Which of `count` items are in this part. The parts follow each other, and the first ones
+    /// have one item more than the others, if all cannot have the same number.
+    pub fn among(self, count: u64) -> ops::Range<u64> {
+        let (each, more) = (count / self.of, count % self.of);
+        // At most `count`: no product overflows.
+        let items = |parts: u64| parts * each + parts.min(more);
+        items(self.number - 1)..items(self.number)
+    }
+}
+
+impl fmt::Display for Part {
+    /// The text that it is read from.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}/{}", self.number, self.of)
+    }
+}
+
+impl FromStr for Part {
+    type Err = &'static str;
+
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        let part = text.split_once('/').and_then(|(number, of)| {
+            Some(Self { number: number.parse().ok()?, of: of.parse().ok()? })
         });
-    is_option.then(|| format!("{text} is an option, and the value before it is missing"))
+        part.filter(|part| (1..=part.of).contains(&part.number))
+            .ok_or("it must be K/N, whole numbers with K from 1 to N")
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    /// Catches: a forgotten value that is not explained, a wrong number that is called an option.
+    /// Catches: a range that stops one short, ends that are rounded, a tenth that is not the f64
+    /// nearest to it, an overflow where the ends are far apart.
     #[test]
-    fn an_option_is_told_from_a_wrong_number() {
-        for text in ["--dt", "-h", "--", "-"] {
-            assert!(number(text).unwrap_err().contains("is missing"), "{text}");
+    fn ranges_have_their_ends_and_their_count() {
+        let range = |text: &str| match text.parse() {
+            Ok(Sweep::Range(range)) => range,
+            other => panic!("{text}: {other:?}"),
+        };
+        let linear = |text: &str| {
+            let range = range(text);
+            (0..range.count).map(|i| range.linear(i)).collect::<Vec<_>>()
+        };
+        assert_eq!(linear("0:1:11"), [0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0]);
+        let decades = [0, 1, 2].map(|i| range("0.1:0.001:3").geometric(i));
+        assert_eq!((decades[0], decades[2]), (0.1, 0.001));
+        assert!((decades[1] / 0.01 - 1.0).abs() < 1e-15, "{decades:?}");
+        assert_eq!(linear("-1:1:2"), [-1.0, 1.0]);
+        assert_eq!(linear("-1e308:1e308:3"), [-1e308, 0.0, 1e308]);
+        // Three times the second overflows.
+        assert!(linear("0:-1.6e308:4").iter().all(|x| x.is_finite()));
+    }
+
+    /// Catches: an item that is in no part or in two, parts that differ by two items or more, a
+    /// number of parts that overflows.
+    #[test]
+    fn parts_follow_each_other_and_differ_by_one() {
+        for count in (0..40).chain([u64::MAX - 1, u64::MAX]) {
+            for of in 1..50 {
+                let mut next = 0;
+                for part in (1..=of).map(|number| Part { number, of }.among(count)) {
+                    assert_eq!(part.start, next, "{count} in {of}");
+                    let items = part.end - part.start;
+                    assert!([0, 1].contains(&(items - count / of)), "{count} in {of}: {part:?}");
+                    next = part.end;
+                }
+                assert_eq!(next, count, "{of}");
+            }
         }
-        for text in ["-1e", "-pix", "-.", ""] {
-            assert!(!number(text).unwrap_err().contains("is missing"), "{text}");
-        }
-        assert!(count("-1").unwrap_err().contains("0 or greater"));
-        assert!(positive_count("0").unwrap_err().contains("1 or greater"));
+        let last = Part { number: u64::MAX, of: u64::MAX };
+        assert_eq!((last.among(5), last.among(u64::MAX)), (5..5, u64::MAX - 1..u64::MAX));
+        assert_eq!(Part { number: 1, ..last }.among(5), 0..1);
     }
 }

@@ -8,9 +8,10 @@ use pendula::fast::FastRun;
 use pendula::integrate::{self, Checkpoint, Steps};
 use pendula::methods::table::Listed;
 use pendula::metrics::EnergyDrift;
+use pendula::systems::{DoublePhase, Numbers};
 use pendula::{
-    AnyMethod, Grid, Hamiltonian, Info, METHODS, MethodInfo, Motion, Pendulum, Phase, Rk4,
-    method_named,
+    AnyMethod, DoublePendulum, Grid, Hamiltonian, Info, METHODS, MethodInfo, Motion, Pendulum,
+    Phase, Rk4, method_named,
 };
 
 use super::arguments::system::{Chosen, Forced, SystemArguments};
@@ -19,13 +20,10 @@ use super::summary::Summary;
 use adaptive::{SERIES, Walk};
 use pendula_output::failure::Failure;
 use pendula_output::interrupt::Lookout;
-use trajectory::{Trajectory, TrajectoryArguments};
-use watch::Run;
+use trajectory::{Run, Trajectory, TrajectoryArguments};
 
 mod adaptive;
-mod double;
 mod trajectory;
-mod watch;
 
 /// Arguments of `pendula simulate`.
 #[derive(Args, Debug)]
@@ -51,12 +49,8 @@ fn methods() -> PossibleValuesParser {
 /// rows of its own.
 ///
 /// The second writer is for the summary. The lookout is asked for after the arguments have been
-/// checked.
-///
-/// # Errors
-/// [`Failure::Refused`] for what the library refuses, and for a step too long for the method to
-/// solve its equations; a failure if the output cannot be written, if the user interrupts, or if
-/// the trajectory leaves the range of f64.
+/// checked. What the library refuses is refused, and a step too long for the method to solve its
+/// equations; it is a failure if the user interrupts, or the trajectory leaves the range of f64.
 pub fn run(
     arguments: &Arguments,
     out: [&mut dyn Write; 2],
@@ -78,7 +72,7 @@ pub fn run(
     let (pendulum, start, forced) = match chosen {
         Chosen::Pendulum(pendulum, start, forced) => (pendulum, start, forced),
         Chosen::Double(double, start) => {
-            return double::print(method, double, start, trajectory, out, lookout);
+            return print_double(method, &double, start, trajectory, out, lookout);
         }
     };
     let method = method_named(method).ok_or_else(|| {
@@ -111,6 +105,12 @@ const PANELS: [Panel; 2] = [
     Panel::new("energy change (J)", &[(3, "")]).since_the_start(),
 ];
 
+/// The same of the double pendulum.
+const PANELS_OF_TWO: [Panel; 2] = [
+    Panel::new("angle (rad)", &[(1, "upper rod, θ_{1}"), (2, "lower rod, θ_{2}")]),
+    Panel::new("energy change (J)", &[(9, "")]).since_the_start(),
+];
+
 impl Scene<'_> {
     /// The pendulum itself.
     fn swing(
@@ -134,7 +134,7 @@ impl Scene<'_> {
     }
 
     /// A system that is made of it, is called this, and conserves no energy.
-    fn other<S: Listed<State = Phase>>(
+    fn other<S: Listed<State = Phase> + 'static>(
         &self,
         system: &S,
         called: &str,
@@ -143,17 +143,12 @@ impl Scene<'_> {
     ) -> Result<(), Failure> {
         let &Self { ref pendulum, method, start, grid, .. } = self;
         let steps = steps::<S>(method.info().name, called)?;
-        let begin = |at: Option<Checkpoint>| -> Box<dyn Run<Phase>> {
-            Box::new(match at {
-                Some(at) => integrate::Run::resume(system, steps, &grid, at),
-                None => integrate::Run::start(system, steps, start, &grid),
-            })
-        };
         // There is no closed form.
         let end_errors = |summary: &mut Summary, end| {
             let [first, last] = [start, end].map(|z| pendulum.energy(z));
             summary.line("energy at the end", format!("{last:.6e} J, of {first:.6e} J"));
         };
+        let begin = begins(*system, steps, start, grid);
         self.print(&format!("{called}, "), None, begin, &end_errors, out, lookout)
     }
 
@@ -180,6 +175,54 @@ impl Scene<'_> {
             end_errors,
         };
         arguments.print(&trajectory, drift, &grid, begin, out, lookout)
+    }
+}
+
+/// Writes the rows t, theta1, theta2, omega1, omega2, x1, y1, x2, y2, energy: in s, rad, rad/s, m
+/// and J; the positions of the bobs with the pivot as origin and y upwards, the energy above that
+/// of the equilibrium. The system is not separable, and splitting methods are refused.
+fn print_double(
+    method: &str,
+    double: &DoublePendulum,
+    start: DoublePhase,
+    arguments: &TrajectoryArguments,
+    out: [&mut dyn Write; 2],
+    lookout: impl FnOnce() -> Lookout,
+) -> Result<(), Failure> {
+    let steps = steps::<DoublePendulum>(method, "the double pendulum")?;
+    let grid = arguments.grid()?;
+    let title = method_named(method).map_or(method, |method| method.info().title);
+    let trajectory = Trajectory {
+        title: format!("Double pendulum, {title}, Δt = {:?} s", grid.step()),
+        start,
+        energy: double.energy(start),
+        panels: &PANELS_OF_TWO,
+        columns: ["t", "theta1", "theta2", "omega1", "omega2", "x1", "y1", "x2", "y2", "energy"],
+        row: &|t, z: DoublePhase| {
+            let [omega1, omega2] = double.velocities(z);
+            let [(x1, y1), (x2, y2)] = double.bobs(z);
+            [t, z.theta1, z.theta2, omega1, omega2, x1, y1, x2, y2, double.energy(z)]
+        },
+        method,
+        // There is no closed form.
+        end_errors: &|_, _| {},
+    };
+    let begin = begins(*double, steps, start, grid);
+    arguments.print(&trajectory, Some(EnergyDrift::new(double)), &grid, begin, out, lookout)
+}
+
+/// What begins a run on `system`, or goes on with it at a checkpoint.
+fn begins<S: Listed<State: Numbers> + Copy + 'static>(
+    system: S,
+    steps: &'static dyn Steps<S>,
+    start: S::State,
+    grid: Grid,
+) -> impl FnOnce(Option<Checkpoint>) -> Box<dyn Run<S::State>> {
+    move |at| {
+        Box::new(match at {
+            Some(at) => integrate::Run::resume(&system, steps, &grid, at),
+            None => integrate::Run::start(&system, steps, start, &grid),
+        })
     }
 }
 

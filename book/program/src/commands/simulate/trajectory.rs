@@ -6,17 +6,19 @@ use std::time::{Duration, Instant};
 
 use clap::Args;
 use pendula::adaptive::STEP_LIMIT;
-use pendula::integrate::{CHECKPOINT_NUMBERS, Checkpoint};
+use pendula::fast::FastRun;
+use pendula::integrate::{self, CHECKPOINT_NUMBERS, Checkpoint};
 use pendula::metrics::EnergyDrift;
-use pendula::{Grid, Hamiltonian, Observer};
+use pendula::systems::Numbers;
+use pendula::{Error, Grid, Hamiltonian, Observer, Phase, System};
 use serde::{Deserialize, Serialize};
 
-use super::watch::{Run, Watch, overflow};
 use crate::commands::arguments::number::{count, number, positive_count};
 use crate::commands::plot::{Drawing, Panel, PlotArguments, TIME};
-use crate::commands::rows::RowFormat;
+use crate::commands::rows::{RowFormat, Rows};
 use crate::commands::state::{Kept, KeptArguments};
 use crate::commands::summary::Summary;
+use crate::commands::unsolved;
 use pendula_output::failure::Failure;
 use pendula_output::interrupt::Lookout;
 
@@ -29,11 +31,11 @@ pub struct TrajectoryArguments {
     length: Length,
     /// With --tolerance: the most steps to take, rejected ones included
     #[arg(long, value_name = "N", default_value_t = STEP_LIMIT, value_parser = count,
-        allow_hyphen_values = true, conflicts_with = "dt")]
+        conflicts_with = "dt")]
     pub max_steps: u64,
     /// Print every K-th sample, beginning with the start
     #[arg(long, value_name = "K", default_value = "1", value_parser = positive_count,
-        allow_hyphen_values = true, conflicts_with = "tolerance")]
+        conflicts_with = "tolerance")]
     every: NonZeroU64,
     /// How rows are printed
     #[arg(long, value_enum, default_value_t)]
@@ -54,11 +56,11 @@ pub struct TrajectoryArguments {
 #[group(id = "stepping", required = true, multiple = false)]
 struct Stepping {
     /// Step Δt (s)
-    #[arg(long, value_name = "S", value_parser = number, allow_hyphen_values = true)]
+    #[arg(long, value_name = "S", value_parser = number)]
     dt: Option<f64>,
     /// Instead of --dt: steps whose size follows the motion, with this error in each, absolutely
     /// (rad, rad/s) and relatively; a row for each
-    #[arg(long, value_name = "E", value_parser = number, allow_hyphen_values = true,
+    #[arg(long, value_name = "E", value_parser = number,
         conflicts_with_all = ["steps", "state"])]
     tolerance: Option<f64>,
 }
@@ -69,10 +71,10 @@ struct Stepping {
 struct Length {
     /// Duration (s): a whole number of steps of --dt; with --tolerance any, back in time if it is
     /// negative
-    #[arg(long, value_name = "S", value_parser = number, allow_hyphen_values = true)]
+    #[arg(long, value_name = "S", value_parser = number)]
     duration: Option<f64>,
     /// Number of steps
-    #[arg(long, value_name = "N", value_parser = count, allow_hyphen_values = true)]
+    #[arg(long, value_name = "N", value_parser = count)]
     steps: Option<u64>,
 }
 
@@ -206,5 +208,135 @@ impl TrajectoryArguments {
             summary.print(err)?;
         }
         Ok(())
+    }
+}
+
+/// A run in steps that can be left and resumed.
+pub trait Run<Z> {
+    /// Where it stands.
+    fn checkpoint(&self) -> &Checkpoint;
+
+    /// The force evaluations so far, since it was started or resumed.
+    fn evaluations(&self) -> u64;
+
+    /// Takes the steps up to `until` and passes every k-th sample to `observer`, where k is
+    /// `every`. Returns the last state; [`Error::NotSolved`] as [`integrate::Run::advance`].
+    fn advance(
+        &mut self,
+        until: u64,
+        every: NonZeroU64,
+        observer: &mut dyn Observer<Z>,
+    ) -> Result<Z, Error>;
+}
+
+impl<S: System<State: Numbers> + Copy> Run<S::State> for integrate::Run<'_, S> {
+    fn checkpoint(&self) -> &Checkpoint {
+        Self::checkpoint(self)
+    }
+
+    fn evaluations(&self) -> u64 {
+        Self::evaluations(self)
+    }
+
+    fn advance(
+        &mut self,
+        until: u64,
+        every: NonZeroU64,
+        observer: &mut dyn Observer<S::State>,
+    ) -> Result<S::State, Error> {
+        Self::advance(self, until, every, observer)
+    }
+}
+
+impl Run<Phase> for FastRun<'_> {
+    fn checkpoint(&self) -> &Checkpoint {
+        Self::checkpoint(self)
+    }
+
+    fn evaluations(&self) -> u64 {
+        Self::evaluations(self)
+    }
+
+    fn advance(
+        &mut self,
+        until: u64,
+        every: NonZeroU64,
+        observer: &mut dyn Observer<Phase>,
+    ) -> Result<Phase, Error> {
+        Self::advance(self, until, every, observer)
+    }
+}
+
+/// The failure of a trajectory that overflows.
+fn overflow(steps: u64) -> Failure {
+    Failure::Failed(anyhow::anyhow!(
+        "after {steps} steps the trajectory has left the range of numbers: take a smaller step, or \
+         units in which g and L are nearer to 1"
+    ))
+}
+
+/// Measures the energy error of the samples it is shown, and prints every k-th, until it fails.
+struct Watch<'a, H: Hamiltonian, const N: usize> {
+    /// None where the system conserves no energy.
+    drift: Option<EnergyDrift<'a, H>>,
+    row: &'a dyn Fn(f64, H::State) -> [f64; N],
+    /// The name of the method.
+    method: &'a str,
+    rows: Rows<'a, N>,
+    every: NonZeroU64,
+    /// The next sample to be printed: to divide each number would take as long as a step.
+    next: u64,
+    /// Why it stopped before the end.
+    ended: Option<Failure>,
+}
+
+impl<H: Hamiltonian, const N: usize> Observer<H::State> for Watch<'_, H, N> {
+    fn observe(&mut self, n: u64, t: f64, z: H::State) {
+        if let Some(drift) = &mut self.drift {
+            drift.observe(n, t, z);
+        }
+        if n == self.next {
+            self.next = n.saturating_add(self.every.get());
+            let row = (self.row)(t, z);
+            self.ended = match row.iter().all(|value| value.is_finite()) {
+                true => self.rows.row(row).err().map(Failure::from),
+                false => Some(overflow(n)),
+            };
+        }
+    }
+
+    fn is_satisfied(&self) -> bool {
+        self.ended.is_some()
+    }
+}
+
+impl<H: Hamiltonian, const N: usize> Watch<'_, H, N> {
+    /// Follows the run to the step `last`, with `z` as its last state, and says whether it was
+    /// interrupted. Unless all samples are `measured`, only those to be printed are asked for.
+    fn follow(
+        &mut self,
+        run: &mut dyn Run<H::State>,
+        z: &mut H::State,
+        last: u64,
+        measured: bool,
+        lookout: &Lookout,
+    ) -> bool {
+        let every = if measured { NonZeroU64::MIN } else { self.every };
+        loop {
+            let steps = run.checkpoint().steps();
+            if self.ended.is_some() || steps == last {
+                return false;
+            }
+            if lookout.interrupts(steps) {
+                return true;
+            }
+            match run.advance(lookout.next(steps), every, self) {
+                Ok(end) => *z = end,
+                Err(error) => {
+                    let refused = unsolved(self.method, &error);
+                    self.ended = Some(refused.unwrap_or_else(|| Failure::refused(error)));
+                }
+            }
+        }
     }
 }

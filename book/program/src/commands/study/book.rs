@@ -1,12 +1,15 @@
-//! `pendula book`: build the book and print where it is.
+//! `pendula book`: build the book and print where it is; and `pendula preprocess`: mdBook's
+//! preprocessor protocol, so that stock `mdbook build book` works.
 
 use std::env;
-use std::io::Write;
+use std::io::{self, Write};
+use std::path::Path;
 
-use anyhow::Context;
-use clap::Args;
+use anyhow::{Context, Result};
+use clap::{Args, Subcommand};
 
 use pendula_book::ledger::Paper;
+use pendula_book::preprocess::{protocol, supports};
 use pendula_book::progress::Progress;
 use pendula_book::{build, locate};
 use pendula_output::failure::Failure;
@@ -32,8 +35,41 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
     writeln!(out, "{}", index.display())?;
     out.flush()?;
     if arguments.open {
-        open::that_detached(&index)
-            .with_context(|| format!("no program could be started to open {}", index.display()))?;
+        open_in_browser(&index)?;
     }
     Ok(())
+}
+
+/// Opens the page in the reader's browser.
+pub fn open_in_browser(page: &Path) -> Result<()> {
+    open::that_detached(page)
+        .with_context(|| format!("no program could be started to open {}", page.display()))
+}
+
+/// Arguments of `pendula preprocess`.
+#[derive(Args, Debug)]
+pub struct PreprocessArguments {
+    #[command(subcommand)]
+    question: Option<Question>,
+}
+
+/// Questions that mdBook may ask before it sends a book.
+#[derive(Debug, Subcommand)]
+enum Question {
+    /// Exit with status 0 if pages are made for this renderer, 1 if not
+    Supports {
+        /// The renderer's name: only html is supported
+        renderer: String,
+    },
+}
+
+/// Answers `supports`, or reads a book from standard input and writes it preprocessed to `out`.
+///
+/// # Errors
+/// [`Failure::No`] for a renderer that is not supported; otherwise whatever is wrong with the book.
+pub fn preprocess(arguments: &PreprocessArguments, out: &mut dyn Write) -> Result<(), Failure> {
+    if let Some(Question::Supports { renderer }) = &arguments.question {
+        return if supports(renderer) { Ok(()) } else { Err(Failure::No) };
+    }
+    Ok(protocol(|| Paper::measure(&Progress::hidden()), io::stdin().lock(), out)?)
 }

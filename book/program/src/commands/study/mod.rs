@@ -9,10 +9,8 @@ use super::examples;
 use pendula_output::failure::Failure;
 
 pub mod book;
-pub mod claims;
-pub mod preprocess;
+pub mod paper;
 pub mod review;
-pub mod tables;
 pub mod work_precision;
 
 /// One variant a command.
@@ -39,7 +37,7 @@ pub enum Command {
     #[command(hide = true, after_help = examples(&[
         "pendula preprocess supports html",
     ]))]
-    Preprocess(preprocess::Arguments),
+    Preprocess(book::PreprocessArguments),
 }
 
 /// What is printed of the paper.
@@ -50,14 +48,14 @@ pub enum Paper {
         "pendula paper tables --table 4",
         "pendula paper tables --format csv > cells.csv",
     ]))]
-    Tables(tables::Arguments),
+    Tables(paper::TablesArguments),
     /// Print every claim; exit status 1 if a measurement contradicts its verdict on record
     #[command(after_help = examples(&[
         "pendula paper claims T4.rk4.0.01",
         "pendula paper claims --section 7 --verdict wrong",
         "pendula paper claims --table 5 --format json",
     ]))]
-    Claims(claims::Arguments),
+    Claims(paper::ClaimsArguments),
 }
 
 /// Runs a command; its output goes to `out`.
@@ -65,9 +63,9 @@ pub fn run(command: Command, out: &mut dyn Write) -> Result<(), Failure> {
     match command {
         Command::Book(arguments) => book::run(&arguments, out),
         Command::Review(arguments) => review::run(&arguments, out),
-        Command::Paper(Paper::Tables(arguments)) => tables::run(&arguments, out),
-        Command::Paper(Paper::Claims(arguments)) => claims::run(&arguments, out),
+        Command::Paper(Paper::Tables(arguments)) => paper::tables(&arguments, out),
+        Command::Paper(Paper::Claims(arguments)) => paper::claims(&arguments, out),
         Command::Bench(arguments) => work_precision::run(&arguments, out),
-        Command::Preprocess(arguments) => preprocess::run(&arguments, out),
+        Command::Preprocess(arguments) => book::preprocess(&arguments, out),
     }
 }

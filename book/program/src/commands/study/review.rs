@@ -4,9 +4,10 @@ use std::env;
 use std::io::Write;
 use std::path::Path;
 
-use anyhow::{Context, Result, anyhow, bail};
+use anyhow::{Context, Result};
 use clap::{Args, ValueEnum};
 
+use super::book::open_in_browser;
 use pendula_book::locate;
 use pendula_book::progress::Progress;
 use pendula_book::review::markdown::Document;
@@ -51,8 +52,8 @@ pub enum ReviewFormat {
 /// Compares two versions of the snapshots, and shows what moved or accepts it.
 ///
 /// # Errors
-/// [`Failure::No`] if something moved; [`Failure::Refused`] if the versions cannot be compared, the
-/// page cannot be written, or a name is none that moved.
+/// [`Failure::No`] if something moved; another if the versions cannot be compared, the page cannot
+/// be written, or a name is none that moved.
 pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
     let here = env::current_dir().context("the current directory cannot be read")?;
     run_in(&here, arguments, &|| computed(&Progress::on_terminal()), out)
@@ -65,34 +66,30 @@ pub fn run_in(
     compute: &dyn Fn() -> Result<Made>,
     out: &mut dyn Write,
 ) -> Result<(), Failure> {
-    // Exit status 1 says that something moved.
-    let refused = |error: anyhow::Error| Failure::refused(format!("{error:#}"));
-    let book = locate::book(here).map_err(refused)?;
+    let book = locate::book(here)?;
     let root = book.parent().unwrap_or(Path::new("."));
     if !arguments.accept.is_empty() {
-        return accept(root, &arguments.accept, compute, out).map_err(refused);
+        return accept(root, &arguments.accept, compute, out);
     }
     if arguments.format == ReviewFormat::Html {
         // Before anything is computed, which takes seconds.
         let folder = root.join(render::FOLDER);
         let no_page = || format!("{} cannot be written", folder.join("index.html").display());
-        files::create_folder(&folder).with_context(no_page).map_err(refused)?;
+        files::create_folder(&folder).with_context(no_page)?;
     }
-    let review = compared(root, &book, arguments.since.as_deref(), compute).map_err(refused)?;
-    let document = Document::new(&review).map_err(refused)?;
+    let review = compared(root, &book, arguments.since.as_deref(), compute)?;
+    let document = Document::new(&review)?;
     match arguments.format {
         ReviewFormat::Text => out.write_all(render::text(&document).as_bytes())?,
         ReviewFormat::Markdown => out.write_all(document.to_markdown().as_bytes())?,
         ReviewFormat::Html => {
             // From here on there are files that an interrupt must not leave behind.
             let interrupted = interrupts()?;
-            let index = render::write(&document, root, &interrupted).map_err(refused)?;
+            let index = render::write(&document, root, &interrupted)?;
             writeln!(out, "{}\n{}", document.headline, index.display())?;
             out.flush()?;
             if arguments.open {
-                let no_program =
-                    || format!("no program could be started to open {}", index.display());
-                open::that_detached(&index).with_context(no_program).map_err(refused)?;
+                open_in_browser(&index)?;
             }
         }
     }
@@ -153,19 +150,19 @@ fn accept(
     names: &[String],
     compute: &dyn Fn() -> Result<Made>,
     out: &mut dyn Write,
-) -> Result<()> {
+) -> Result<(), Failure> {
     if let Some(file) = Code::read(root, None)?.not_compiled()? {
-        bail!("--accept: this program was not compiled from {file}: {RUN}");
+        let why = format!("--accept: this program was not compiled from {file}: {RUN}");
+        return Err(Failure::refused(why));
     }
     let snapshots = root.join("snapshots");
     let tree = WorkingTree::read(&snapshots, compute)?;
     // What is begun is finished, as it takes no time.
-    interrupts().map_err(|failure| anyhow!(failure.line().unwrap_or_default()))?;
+    interrupts()?;
     tree.accept(&snapshots, names)?;
     writeln!(out, "accepted: {}", names.join(" "))?;
-    let left: Vec<&str> = tree.moved();
-    let left: Vec<&str> =
-        left.into_iter().filter(|name| !names.iter().any(|accepted| accepted == name)).collect();
+    let mut left = tree.moved();
+    left.retain(|name| !names.iter().any(|accepted| accepted == name));
     if !left.is_empty() {
         writeln!(out, "still to review: {}", left.join(" "))?;
     }

@@ -11,9 +11,9 @@ use pendula_study::report::table::Table;
 use serde_json::{Value, json};
 
 use crate::commands::arguments::number::number;
-use crate::commands::arguments::table_format::TableFormat;
+use crate::commands::rows::TableFormat;
 use crate::work_precision::figure;
-use crate::work_precision::{Curve, Measured, Measurement, SCENES, measure};
+use crate::work_precision::{Curve, Measured, Measurement, Problem, SCENES, measure};
 use pendula_book::locate;
 use pendula_book::progress::Progress;
 use pendula_output::failure::Failure;
@@ -28,8 +28,7 @@ pub struct Arguments {
     #[arg(long, value_enum, default_value_t)]
     format: TableFormat,
     /// Measure for at most about this long (s): the longer, the smaller the smallest errors
-    #[arg(long, value_name = "S", default_value_t = 15.0, value_parser = number,
-        allow_hyphen_values = true)]
+    #[arg(long, value_name = "S", default_value_t = 15.0, value_parser = number)]
     seconds: f64,
     /// Write work-precision.svg and work-precision.csv to this folder instead of the one where the
     /// book looks for them
@@ -57,30 +56,28 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
             let [svg, csv] = [SVG, CSV].map(|file| folder.join(file));
             writeln!(out, "\n{}\n{}", svg.display(), csv.display())?;
         }
-        TableFormat::Csv => out.write_all(&csv)?,
+        TableFormat::Csv => out.write_all(csv.as_bytes())?,
         TableFormat::Json => {
             let rows: Vec<Value> =
-                rows(&measured).map(|(curve, p)| object(&measured, curve, p)).collect();
-            serde_json::to_writer_pretty(&mut *out, &rows).context("the rows cannot be written")?;
-            writeln!(out)?;
+                points(&measured).map(|(curve, point)| object(&measured, curve, point)).collect();
+            writeln!(out, "{:#}", json!(rows))?;
         }
     }
     Ok(())
 }
 
 /// Writes the figure and the numbers, both or neither; returns the numbers.
-pub(crate) fn write_files(folder: &Path, measured: &Measured) -> Result<Vec<u8>, Failure> {
-    let mut csv = Vec::new();
-    write_csv(measured, &mut csv)?;
+fn write_files(folder: &Path, measured: &Measured) -> Result<String, Failure> {
+    let csv = csv(measured);
     together::change(&[
         Change::Written(folder.join(SVG), figure::svg(measured).into_bytes()),
-        Change::Written(folder.join(CSV), csv.clone()),
+        Change::Written(folder.join(CSV), csv.clone().into_bytes()),
     ])?;
     Ok(csv)
 }
 
 /// The folder for the files, checked to be writable before anything is measured.
-pub(crate) fn folder(asked: Option<&Path>) -> Result<PathBuf, Failure> {
+fn folder(asked: Option<&Path>) -> Result<PathBuf, Failure> {
     let folder = match asked {
         Some(folder) => folder.to_path_buf(),
         None => {
@@ -100,18 +97,21 @@ pub(crate) fn folder(asked: Option<&Path>) -> Result<PathBuf, Failure> {
     Ok(folder)
 }
 
-fn rows(measured: &Measured) -> impl Iterator<Item = (&Curve, &Measurement)> {
+fn points(measured: &Measured) -> impl Iterator<Item = (&Curve, &Measurement)> {
     measured.curves.iter().flat_map(|curve| curve.points.iter().map(move |point| (curve, point)))
 }
 
-fn write_csv(measured: &Measured, out: &mut dyn Write) -> io::Result<()> {
-    writeln!(out, "theta0,duration,method,dt,steps,error,seconds,instructions")?;
-    for (curve, Measurement { dt, steps, error, seconds }) in rows(measured) {
-        let (scene, name) = (curve.scene, curve.method.info().name);
-        write!(out, "{:?},{},{name},{dt:?},{steps},", scene.theta0, scene.duration)?;
-        writeln!(out, "{error:?},{seconds:?},{}", measured.instructions)?;
-    }
-    Ok(())
+fn csv(measured: &Measured) -> String {
+    let line = |(curve, point): (&Curve, &Measurement)| {
+        let Problem { theta0, duration } = curve.scene;
+        let Measurement { dt, steps, error, seconds, .. } = point;
+        let (name, instructions) = (curve.method.info().name, measured.instructions);
+        format!(
+            "{theta0:?},{duration},{name},{dt:?},{steps},{error:?},{seconds:?},{instructions}\n"
+        )
+    };
+    let header = "theta0,duration,method,dt,steps,error,seconds,instructions\n".to_owned();
+    header + &points(measured).map(line).collect::<String>()
 }
 
 fn object(measured: &Measured, curve: &Curve, point: &Measurement) -> Value {
@@ -140,7 +140,7 @@ fn write_text(measured: &Measured, out: &mut dyn Write) -> io::Result<()> {
             if curve.points.is_empty() {
                 table.push([title, "—", "—", "—", "—"]);
             }
-            for (index, Measurement { dt, steps, error, seconds }) in
+            for (index, Measurement { dt, steps, error, seconds, .. }) in
                 curve.points.iter().enumerate()
             {
                 table.push([
@@ -152,68 +152,8 @@ fn write_text(measured: &Measured, out: &mut dyn Write) -> io::Result<()> {
                 ]);
             }
         }
-        write!(
-            out,
-            "\nFrom {} rad, after {} s\n{}",
-            scene.theta0,
-            scene.duration,
-            table.to_text()
-        )?;
+        let Problem { theta0, duration } = scene;
+        write!(out, "\nFrom {theta0} rad, after {duration} s\n{}", table.to_text())?;
     }
     Ok(())
-}
-
-#[cfg(test)]
-mod tests {
-    use pendula::METHODS;
-
-    use super::*;
-
-    /// The two of one measurement.
-    ///
-    /// Catches: a number under another heading, or in another unit than its heading or the file
-    /// says; digits cut off; a line of one that the other lacks.
-    #[test]
-    fn the_table_agrees_with_the_file() {
-        let point = |k: i32| Measurement {
-            dt: 0.25 * 0.5_f64.powi(k),
-            steps: 400 << k,
-            error: 0.3 * 0.25_f64.powi(k),
-            seconds: 1.23456e-6 * 2.0_f64.powi(k),
-        };
-        let points: Vec<Measurement> = (0..5).map(point).collect();
-        let curve = |scene| Curve { scene, method: METHODS[0], points: points.clone() };
-        let measured =
-            Measured { instructions: "an abacus", curves: SCENES.map(curve).into_iter().collect() };
-        let printed = |write: fn(&Measured, &mut dyn Write) -> io::Result<()>| {
-            let mut out = Vec::new();
-            write(&measured, &mut out).unwrap();
-            String::from_utf8(out).unwrap()
-        };
-        let (text, csv) = (printed(write_text), printed(write_csv));
-        let headings = text.lines().find(|line| line.starts_with("Method")).unwrap();
-        let headings = headings.split("  ").map(str::trim).filter(|name| !name.is_empty());
-        assert!(headings.eq(["Method", "steps", "Δt (s)", "error (rad)", "time (s)"]), "{text}");
-        // The last four fields of the lines that have them, as numbers.
-        let cells = text.lines().filter_map(|line| {
-            let mut fields = line.split_whitespace().rev().map(|field| field.parse::<f64>().ok());
-            let [seconds, error, dt, steps] = [(); 4].map(|()| fields.next().flatten());
-            Some([steps?, dt?, error?, seconds?])
-        });
-        let cells: Vec<[f64; 4]> = cells.collect();
-        assert_eq!(csv.lines().next().unwrap().split(',').nth(6), Some("seconds"));
-        let rows = csv.lines().skip(1).map(|line| {
-            let field = |name| line.split(',').nth(name).unwrap().parse::<f64>().unwrap();
-            [4, 3, 5, 6].map(field)
-        });
-        let rows: Vec<[f64; 4]> = rows.collect();
-        assert_eq!((cells.len(), rows.len()), (15, 15));
-        // Half a unit in the last printed digit, of a number whose first digit is 1: 1.00 and 1.0.
-        let within = [0.0, 0.005, 0.05, 0.005];
-        for (cell, row) in cells.iter().zip(&rows) {
-            for ((printed, value), within) in cell.iter().zip(row).zip(within) {
-                assert!((printed / value - 1.0).abs() <= within, "{printed}, {value}\n{text}");
-            }
-        }
-    }
 }

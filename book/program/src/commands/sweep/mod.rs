@@ -3,15 +3,13 @@
 use std::io::Write;
 
 use clap::{Args, Subcommand};
-use pendula::{Grid, method_named};
+use pendula::{Grid, Pendulum};
 
 use super::arguments::angle::angles;
-use super::arguments::number::number;
-use super::arguments::part::Part;
-use super::arguments::pendulum::{MassArgument, PendulumArguments, methods};
-use super::arguments::range::Sweep;
+use super::arguments::number::{Part, Sweep, number};
+use super::arguments::system::{PendulumArguments, methods};
 use super::examples;
-use super::plot::{Across, PlotArguments};
+use super::plot::PlotArguments;
 use super::rows::RowFormat;
 use super::state::{Kept, KeptArguments};
 use pendula_output::failure::Failure;
@@ -19,9 +17,7 @@ use pendula_output::interrupt::Lookout;
 use printer::{Finished, Printer};
 use runner::{Runner, grids};
 
-mod devices;
 pub mod flips;
-mod largest;
 mod printer;
 mod runner;
 
@@ -60,34 +56,29 @@ struct SweepArguments {
     #[arg(long, value_name = "M", value_parser = methods())]
     method: String,
     /// Angle at the start, in radians or as pi/3, 60deg; or a range of them at even distances
-    #[arg(
-        long,
-        value_name = "ANGLE|FROM:TO:COUNT",
-        value_parser = angles,
-        allow_hyphen_values = true
-    )]
+    #[arg(long, value_name = "ANGLE|FROM:TO:COUNT", value_parser = angles)]
     theta0: Sweep,
     /// Angular velocity at the start (rad/s)
-    #[arg(long, value_name = "RAD/S", default_value_t = 0.0, value_parser = number,
-        allow_hyphen_values = true)]
+    #[arg(long, value_name = "RAD/S", default_value_t = 0.0, value_parser = number)]
     omega0: f64,
     /// Step Δt (s), or a range of them in even ratios, each moved to the nearest whole number of
     /// steps; equal numbers are run once
-    #[arg(long, value_name = "S|FROM:TO:COUNT", allow_hyphen_values = true)]
+    #[arg(long, value_name = "S|FROM:TO:COUNT")]
     dt: Sweep,
     /// Duration (s), a whole number of steps
-    #[arg(long, value_name = "S", value_parser = number, allow_hyphen_values = true)]
+    #[arg(long, value_name = "S", value_parser = number)]
     duration: f64,
     #[command(flatten)]
     pendulum: PendulumArguments,
-    #[command(flatten)]
-    mass: MassArgument,
+    /// Mass m of the bob (kg)
+    #[arg(long, default_value_t = Pendulum::PAPER.mass(), value_parser = number)]
+    mass: f64,
     /// How rows are printed
     #[arg(long, value_enum, default_value_t)]
     format: RowFormat,
     /// Compute the K-th of N parts of the sweep alone, as CSV: the parts one after the other are
     /// the whole, with a header in the first
-    #[arg(long, value_name = "K/N", allow_hyphen_values = true)]
+    #[arg(long, value_name = "K/N")]
     part: Option<Part>,
     /// Run on the OpenCL device with NAME in its name, see `pendula sweep devices`: the same bits
     #[arg(long, value_name = "NAME")]
@@ -112,13 +103,10 @@ impl Arguments {
 /// Writes the rows theta0, dt, theta, omega, energy_error: the start (rad), the step (s), the state
 /// at the end (rad, rad/s), and the largest energy error over the run (J).
 ///
-/// The second writer is for the summary. The lookout counts runs finished.
-///
-/// # Errors
-/// [`Failure::Refused`] for what the library refuses, for a step too long for the method to solve
-/// its equations, for a part as JSON, and unless exactly one of angle and step is a range; a
-/// failure if the output cannot be written, if the user interrupts, or if a trajectory leaves the
-/// range of f64.
+/// The second writer is for the summary. The lookout counts runs finished. What the library refuses
+/// is refused, a step too long for the method to solve its equations, a part as JSON, and anything
+/// but a range of either angles or steps; it is a failure if the user interrupts, or a trajectory
+/// leaves the range of f64.
 pub fn run(
     arguments: &Arguments,
     out: [&mut dyn Write; 2],
@@ -126,7 +114,7 @@ pub fn run(
 ) -> Result<(), Failure> {
     match arguments {
         Arguments { other: Some(Other::Flips(flips)), .. } => flips::run(flips, out, lookout),
-        Arguments { other: Some(Other::Devices), .. } => devices::run(out),
+        Arguments { other: Some(Other::Devices), .. } => devices(out),
         Arguments { sweep: Some(sweep), .. } => sweep_until(sweep, out, lookout),
         // clap has asked for its arguments.
         Arguments { sweep: None, .. } => Err(Failure::refused("there is nothing to sweep")),
@@ -138,15 +126,14 @@ fn sweep_until(
     out: [&mut dyn Write; 2],
     lookout: impl FnOnce() -> Lookout,
 ) -> Result<(), Failure> {
-    let &SweepArguments { theta0, omega0, dt, duration, format, part, .. } = arguments;
-    let method = &arguments.method;
-    let pendulum = arguments.pendulum.pendulum(Some(&arguments.mass)).map_err(Failure::refused)?;
+    let &SweepArguments { theta0, omega0, dt, duration, format, part, mass, .. } = arguments;
+    let pendulum = arguments.pendulum.pendulum(mass).map_err(Failure::refused)?;
     if format == RowFormat::Json && part.is_some() {
         return Err(Failure::refused(
             "arrays one after the other are no array: --part needs --format csv",
         ));
     }
-    let mut runner = Runner::new(method, pendulum, omega0)?;
+    let mut runner = Runner::new(&arguments.method, pendulum, omega0)?;
     if let Some(device) = &arguments.device {
         if matches!(theta0, Sweep::One(_)) {
             return Err(Failure::refused(
@@ -156,9 +143,7 @@ fn sweep_until(
         runner = runner.on_device(device)?;
     }
     let kept = Kept::new(&arguments.kept)?;
-    let (across, title) = arguments.drawn();
-    let &SweepArguments { summary, ref plot, .. } = arguments;
-    let printer = Printer { runner, duration, format, part, summary, plot, across, title };
+    let printer = Printer { runner, arguments };
     let part = part.unwrap_or(Part::WHOLE);
     match (theta0, dt) {
         (Sweep::Range(theta0), Sweep::One(dt)) => {
@@ -189,19 +174,19 @@ fn sweep_until(
     }
 }
 
-impl SweepArguments {
-    /// What is on the x axis of a plot, and its title.
-    fn drawn(&self) -> (Across, String) {
-        let Self { method, theta0, dt, duration, .. } = self;
-        let title = method_named(method).map_or(method.as_str(), |method| method.info().title);
-        let (across, fixed) = match theta0 {
-            Sweep::Range(_) => {
-                (Across { column: 0, label: "θ_{0} (rad)", log: false }, format!("Δt = {dt} s"))
-            }
-            Sweep::One(theta0) => {
-                (Across { column: 1, label: "Δt (s)", log: true }, format!("θ₀ = {theta0:?} rad"))
-            }
-        };
-        (across, format!("{title}, {fixed}, {duration:?} s"))
+/// Writes a line for each OpenCL device of this machine: its name, whether it calculates in double
+/// precision, and its memory, separated by two blanks or more. An empty list is no failure: why it
+/// is empty goes to standard error.
+fn devices([out, err]: [&mut dyn Write; 2]) -> Result<(), Failure> {
+    let devices = match pendula_device::devices() {
+        Ok(devices) => devices,
+        Err(error) => return Ok(writeln!(err, "pendula: {error}")?),
+    };
+    let width = devices.iter().map(|device| device.name.chars().count()).max().unwrap_or(0);
+    for device in devices {
+        let precision = if device.is_double { "double precision" } else { "single precision" };
+        let gibibytes = device.memory as f64 / (1_u64 << 30) as f64;
+        writeln!(out, "{:<width$}  {precision}  {gibibytes:.1} GiB", device.name)?;
     }
+    Ok(())
 }

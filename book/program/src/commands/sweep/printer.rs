@@ -4,16 +4,16 @@ use std::io::Write;
 use std::sync::mpsc;
 use std::time::{Duration, Instant};
 
-use pendula::MethodInfo;
+use pendula::{Hamiltonian, MethodInfo, Motion, Phase};
 use pendula_output::failure::Failure;
 use pendula_output::interrupt::{Lookout, unless_interrupted};
 use serde::{Deserialize, Serialize};
 
-use super::largest::Largest;
+use super::SweepArguments;
 use super::runner::{Run, Runner};
-use crate::commands::arguments::part::Part;
-use crate::commands::plot::{Across, Drawing, Panel, PlotArguments};
-use crate::commands::rows::{RowFormat, Rows};
+use crate::commands::arguments::number::Sweep;
+use crate::commands::plot::{Across, Drawing, Panel};
+use crate::commands::rows::Rows;
 use crate::commands::state::Kept;
 use crate::commands::summary::Summary;
 
@@ -30,20 +30,70 @@ struct Progress {
     largest: Option<Largest>,
 }
 
+/// The largest errors of the runs so far, for the summary.
+#[derive(Clone, Copy, Debug, Default, Deserialize, Serialize)]
+#[serde(deny_unknown_fields)]
+struct Largest {
+    energy: Option<Worst>,
+    theta: Option<Worst>,
+    omega: Option<Worst>,
+}
+
+/// The largest error of a kind, and the run that has it.
+#[derive(Clone, Copy, Debug, Deserialize, Serialize)]
+#[serde(deny_unknown_fields)]
+struct Worst {
+    error: f64,
+    theta0: f64,
+    dt: f64,
+}
+
+impl Largest {
+    /// Takes in a run of `runner` over `duration` (s).
+    fn include(&mut self, runner: &Runner, duration: f64, run: &Run) {
+        let Run { theta0, grid, end, energy_error } = *run;
+        let dt = grid.step();
+        let include = |worst: &mut Option<Worst>, error: f64| {
+            if worst.is_none_or(|worst| error.abs() > worst.error.abs()) {
+                *worst = Some(Worst { error, theta0, dt });
+            }
+        };
+        include(&mut self.energy, energy_error);
+        let start = Phase { theta: theta0, omega: runner.omega0 };
+        let Ok(motion) = Motion::new(&runner.pendulum, start) else { return };
+        if duration <= motion.horizon() {
+            let exact = motion.at(duration);
+            include(&mut self.theta, end.theta - exact.theta);
+            include(&mut self.omega, end.omega - exact.omega);
+        }
+    }
+
+    /// Adds a line for each to the summary.
+    fn add_to(&self, summary: &mut Summary, runner: &Runner) {
+        let at = |worst: &Worst| format!(" at θ₀ = {:?} rad, Δt = {:?} s", worst.theta0, worst.dt);
+        if let Some(worst) = &self.energy {
+            let start = Phase { theta: worst.theta0, omega: runner.omega0 };
+            let initial = runner.pendulum.energy(start);
+            summary.energy_error(worst.error, initial, &at(worst));
+        }
+        for (name, worst, unit) in [
+            ("largest error of θ", &self.theta, "rad"),
+            ("largest error of ω", &self.omega, "rad/s"),
+        ] {
+            if let Some(worst) = worst {
+                summary.line(name, format!("{:.6e} {unit}{}", worst.error, at(worst)));
+            }
+        }
+    }
+}
+
 /// What is told of each run, with its place among the items, as soon as it is finished.
 pub type Finished<'a> = &'a (dyn Fn(usize, Run) + Sync);
 
-/// What all rows have in common.
+/// What is swept, as it was asked for.
 pub struct Printer<'a> {
     pub runner: Runner,
-    pub duration: f64,
-    pub format: RowFormat,
-    pub part: Option<Part>,
-    pub summary: bool,
-    pub plot: &'a PlotArguments,
-    /// What is on the x axis of a plot, and its title.
-    pub across: Across,
-    pub title: String,
+    pub arguments: &'a SweepArguments,
 }
 
 impl Printer<'_> {
@@ -58,19 +108,20 @@ impl Printer<'_> {
         lookout: impl FnOnce() -> Lookout,
     ) -> Result<(), Failure> {
         let begun = Instant::now();
+        let &SweepArguments { format, part, summary, ref plot, .. } = self.arguments;
         let (from, mut progress) = kept.resumed::<Progress>()?.unwrap_or_default();
         let before = progress.elapsed;
-        if self.summary {
+        if summary {
             progress.largest.get_or_insert_default();
         }
         // Set the interrupt handler before creating the file.
         let lookout = lookout();
         let columns = ["theta0", "dt", "theta", "omega", "energy_error"];
         // The header stands in the first part.
-        let headless = self.part.is_some_and(|part| !part.is_first());
-        let &Self { plot: asked, across, ref title, .. } = self;
-        let plot = Drawing { asked, title, across, panels: &PANELS };
-        let mut rows = kept.open(out, plot, self.format, columns, headless)?;
+        let headless = part.is_some_and(|part| !part.is_first());
+        let (across, title) = self.drawn();
+        let plot = Drawing { asked: plot, title: &title, across, panels: &PANELS };
+        let mut rows = kept.open(out, plot, format, columns, headless)?;
         let mut sweep = sweep.skip(usize::try_from(from).unwrap_or(usize::MAX));
         loop {
             let done = rows.rows();
@@ -106,7 +157,7 @@ impl Printer<'_> {
             }
             if interrupted {
                 progress.elapsed = before + begun.elapsed();
-                let of = self.part.map_or_else(String::new, |part| format!(" of part {part}"));
+                let of = part.map_or_else(String::new, |part| format!(" of part {part}"));
                 let without = if rows.are_drawn() { ", without their plot" } else { "" };
                 let stands = format!("after {} runs{of}{without}", rows.rows());
                 return Err(kept.leave(rows, &progress, &stands)?);
@@ -115,13 +166,27 @@ impl Printer<'_> {
         let Progress { steps, largest, .. } = progress;
         let runs = rows.rows();
         kept.finish(rows)?;
-        if let Some(part) = self.part.filter(|_| runs == 0) {
+        if let Some(part) = part.filter(|_| runs == 0) {
             writeln!(err, "pendula: part {part} is empty: there are fewer runs than parts")?;
         }
         if let Some(largest) = largest {
             self.summary(steps, runs, &largest, before + begun.elapsed()).print(err)?;
         }
         Ok(())
+    }
+
+    /// What is on the x axis of a plot, and its title.
+    fn drawn(&self) -> (Across, String) {
+        let SweepArguments { theta0, dt, duration, .. } = self.arguments;
+        let (across, fixed) = match theta0 {
+            Sweep::Range(_) => {
+                (Across { column: 0, label: "θ_{0} (rad)", log: false }, format!("Δt = {dt} s"))
+            }
+            Sweep::One(theta0) => {
+                (Across { column: 1, label: "Δt (s)", log: true }, format!("θ₀ = {theta0:?} rad"))
+            }
+        };
+        (across, format!("{}, {fixed}, {duration:?} s", self.runner.info().title))
     }
 
     /// Adds these runs to the rows and to the summary.
@@ -135,7 +200,7 @@ impl Printer<'_> {
             let row = self.row(run)?;
             progress.steps += run.grid.steps();
             if let Some(largest) = &mut progress.largest {
-                largest.include(&self.runner, self.duration, run);
+                largest.include(&self.runner, self.arguments.duration, run);
             }
             rows.row(row)?;
         }
@@ -149,7 +214,7 @@ impl Printer<'_> {
         // The sweeps of an iteration are not counted in a sweep of runs: one a step is certain.
         let least = if implicit { "at least " } else { "" };
         let mut summary = Summary::of_cost(steps, format!("{least}{evaluations}"), elapsed);
-        if let Some(part) = self.part {
+        if let Some(part) = self.arguments.part {
             summary.line("part", part.to_string());
         }
         summary.line("runs", runs.to_string());

@@ -13,7 +13,7 @@ use pendula::{
 };
 use pendula_device::{Compiled, Device};
 
-use crate::commands::arguments::range::Range;
+use crate::commands::arguments::number::Range;
 use pendula_output::failure::Failure;
 
 /// What all runs of a sweep have in common.
@@ -213,21 +213,6 @@ fn whole(quotient: f64) -> u64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    /// Catches: a step that does not fit the duration, one replaced although it fits, a run made
-    /// twice.
-    #[test]
-    fn steps_fit_the_duration() {
-        let range = Range { from: 0.1, to: 0.4, count: 3 };
-        let near: Vec<f64> = grids(1.0, range, 0..3).unwrap().map(|grid| grid.step()).collect();
-        assert_eq!(near, [0.1, 0.2, 1.0 / 3.0]);
-        // 0.3/3 is not 0.1, but 0.1 is what was asked for.
-        for (from, to, expected) in [(0.1, 0.3, [0.1, 0.15, 0.3]), (0.3, 0.1, [0.3, 0.15, 0.1])] {
-            let range = Range { from, to, count: 9 };
-            let near: Vec<f64> = grids(0.3, range, 0..9).unwrap().map(|grid| grid.step()).collect();
-            assert_eq!(near, expected);
-        }
-    }
 
     /// Catches: a number left out or taken twice; runs that are begun far before their turn, and so
     /// are lost where a sweep is interrupted.

@@ -1,16 +1,12 @@
 //! Judging a program that is not ours: the command, programs that work, and programs that do not.
 
-mod command;
-mod examples;
 #[cfg(unix)]
 mod faults;
-mod formats;
-mod known_answers;
+mod languages;
+mod reports;
 mod schema;
-mod variants;
 
 use std::ffi::OsString;
-use std::process::Command;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 use std::time::Duration;
@@ -20,16 +16,7 @@ use pendula::verify::Request;
 use pendula_program::verify::Program;
 use serde_json::Value;
 
-use crate::call::{PENDULA, names, pendula, refused};
-
-/// Whether there is such a tool; says so if there is none.
-fn there_is(tool: &str) -> bool {
-    let there = Command::new(tool).arg("--version").output().is_ok_and(|out| out.status.success());
-    if !there {
-        println!("{tool} is not here: what needs it is not run");
-    }
-    there
-}
+use crate::{PENDULA, names, pendula, refused};
 
 /// Exit status and report, as JSON that is valid by its schema, of `program`, judged with these
 /// options.

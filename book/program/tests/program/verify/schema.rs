@@ -1,7 +1,7 @@
 //! The report's schema, and what is valid by it: by the few words of JSON Schema that it uses. (A
 //! library that knows all of them brings forty packages along.)
 
-use serde_json::{Map, Value};
+use serde_json::Value;
 
 #[track_caller]
 pub fn assert_valid(report: &Value) {
@@ -32,20 +32,22 @@ fn valid(value: &Value, schema: &Value, root: &Value) -> Result<(), String> {
                 one => is(value, one),
             },
             "maxItems" => value.as_array().unwrap().len() as u64 <= by.as_u64().unwrap(),
-            "required" => {
-                let names = by.as_array().unwrap();
-                names.iter().all(|name| value.get(name.as_str().unwrap()).is_some())
-            }
-            "additionalProperties" => {
-                assert_eq!(*by, Value::Bool(false));
-                let known = schema["properties"].as_object().unwrap();
-                value.as_object().is_some_and(|object| fields_are_known(object, known))
-            }
+            // All fields are required, and no others are allowed.
+            "required" | "additionalProperties" => true,
             "properties" => {
-                for (name, by) in by.as_object().unwrap() {
+                let fields = by.as_object().unwrap();
+                let mut required: Vec<_> = schema["required"]
+                    .as_array()
+                    .unwrap()
+                    .iter()
+                    .filter_map(Value::as_str)
+                    .collect();
+                required.sort_unstable();
+                assert!(fields.keys().eq(required) && schema["additionalProperties"] == false);
+                for (name, by) in fields {
                     value.get(name).map_or(Ok(()), |field| valid(field, by, root))?;
                 }
-                true
+                value.as_object().is_some_and(|object| object.keys().eq(fields.keys()))
             }
             "items" => {
                 for item in value.as_array().into_iter().flatten() {
@@ -66,10 +68,6 @@ fn valid(value: &Value, schema: &Value, root: &Value) -> Result<(), String> {
         }
     }
     Ok(())
-}
-
-fn fields_are_known(object: &Map<String, Value>, known: &Map<String, Value>) -> bool {
-    object.keys().all(|name| known.contains_key(name))
 }
 
 fn is(value: &Value, name: &Value) -> bool {

@@ -1,20 +1,107 @@
-//! What the judge has measured, drawn as the book draws.
+//! The report of the judge as one page to keep.
 
 use pendula::Phase;
-use pendula::verify::{Claims, Evidence, scientific};
+use pendula::verify::{Claims, Evidence, Finding, Report, Verdict, scientific};
 use pendula_charts::{Axis, Chart, Figure, Style};
 
-/// A figure for the page.
+use super::Judged;
+use pendula_output::page::{Page, escaped, with_code};
+
+/// The page.
+pub fn html(judged: &Judged<'_>) -> String {
+    let Judged { command, name, claims, report } = *judged;
+    let claimed = judged.claimed();
+    let named = if name.is_empty() { String::new() } else { format!(" ({name})") };
+    let page = Page {
+        title: "An integrator, judged",
+        lead: &format!("Claimed: {claimed}. The program: {command}{named}."),
+        body: &[verdict(report), properties(report), drawings(report, claims)].concat(),
+        style: include_str!("page.css"),
+    };
+    page.html()
+}
+
+fn verdict(report: &Report) -> String {
+    let weight = match report.verdict {
+        Verdict::Holds | Verdict::Unclaimed => "moved",
+        _ => "alarm",
+    };
+    let look_at: String = report
+        .look_at
+        .iter()
+        .map(|line| format!("<li>What to look at: {}</li>\n", with_code(line)))
+        .collect();
+    format!(
+        r#"<section id="verdict" aria-labelledby="verdict-title">
+<h2 id="verdict-title">The verdict</h2>
+<ul class="sentences">
+<li class="{weight}">{}</li>
+{look_at}<li>What it is: {}.</li>
+</ul>
+</section>
+"#,
+        escaped(&report.summary()),
+        with_code(&report.what_it_is())
+    )
+}
+
+fn properties(report: &Report) -> String {
+    let rows: String = report.findings.iter().map(row).collect();
+    format!(
+        r#"
+<section aria-labelledby="properties-title">
+<h2 id="properties-title">Property by property</h2>
+<div class="table-wrapper" tabindex="0" role="region" aria-label="Property by property">
+<table class="properties">
+<thead><tr><th scope="col">Property</th><th scope="col">claimed</th><th scope="col">verdict</th>
+<th scope="col">measured, and what follows</th></tr></thead>
+<tbody>
+{rows}</tbody></table></div>
+</section>
+"#
+    )
+}
+
+fn row(finding: &Finding) -> String {
+    let class = if finding.verdict == Verdict::Fails { r#" class="alarm""# } else { "" };
+    let [name, claimed, verdict] =
+        [finding.name, finding.claimed.as_deref().unwrap_or("–"), finding.verdict.name()]
+            .map(escaped);
+    let [measured, why] = [&finding.measured, &finding.why].map(|text| with_code(text));
+    format!(
+        r#"<tr{class}><th scope="row">{name}</th><td>{claimed}</td><td>{verdict}</td>
+<td>{measured}<p class="how">{why}</p></td></tr>
+"#
+    )
+}
+
+fn drawings(report: &Report, claims: &Claims) -> String {
+    let figure = |Drawn { svg, caption }: &Drawn| {
+        format!("<figure>\n{svg}<figcaption>{}</figcaption>\n</figure>\n", escaped(caption))
+    };
+    let drawn: String = figures(&report.evidence, claims).iter().map(figure).collect();
+    if drawn.is_empty() {
+        return drawn;
+    }
+    format!(
+        r#"
+<section aria-labelledby="figures-title">
+<h2 id="figures-title">What decides</h2>
+{drawn}</section>
+"#
+    )
+}
+
+/// What the judge has measured, drawn as the book draws.
 #[derive(Debug)]
-pub struct Drawn {
-    /// The drawing.
-    pub svg: String,
+struct Drawn {
+    svg: String,
     /// What stands below it.
-    pub caption: String,
+    caption: String,
 }
 
 /// The figures there is evidence for.
-pub fn all(evidence: &Evidence, claims: &Claims) -> Vec<Drawn> {
+fn figures(evidence: &Evidence, claims: &Claims) -> Vec<Drawn> {
     let figures = [
         ladder(&evidence.ladder, claims.order),
         energy(&evidence.energy),
@@ -143,14 +230,14 @@ mod tests {
     /// another order, slopes in the order of the list.
     #[test]
     fn what_there_is_evidence_for_is_drawn() {
-        assert!(all(&Evidence::default(), &Claims::order(2)).is_empty());
+        assert!(figures(&Evidence::default(), &Claims::order(2)).is_empty());
         let square = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)].map(|(x, y)| state(x, y));
         let mut evidence = Evidence::default();
         evidence.ladder = vec![(0.1, 1e-2), (0.025, 6.25e-4), (0.05, 2.5e-3), (0.0125, 0.0)];
         evidence.energy = vec![(0.0, 0.0), (1.0, 1e-3)];
         evidence.square = Some((square, square.map(|z| state(z.theta + z.omega, 1.5 * z.omega))));
         evidence.way = Some((vec![state(1.0, 0.0), state(0.9, -1.0)], vec![state(1.0, 1e-3)]));
-        let figures = all(&evidence, &Claims::order(2));
+        let figures = figures(&evidence, &Claims::order(2));
         let [ladder, energy, square, way] = &figures[..] else { panic!("{figures:?}") };
         let has = |text: &str, part: &str| {
             assert!(text.contains(part), "{part} is not in {text}");
@@ -170,7 +257,7 @@ mod tests {
         evidence.ladder = vec![(0.1, f64::NAN)];
         evidence.energy = vec![(0.0, f64::INFINITY)];
         evidence.way = Some((vec![state(f64::NAN, 0.0)], vec![]));
-        assert_eq!(all(&evidence, &Claims::none()).len(), 2);
-        assert_eq!(all(&evidence, &Claims::order(4)).len(), 2);
+        assert_eq!(figures(&evidence, &Claims::none()).len(), 2);
+        assert_eq!(figures(&evidence, &Claims::order(4)).len(), 2);
     }
 }

@@ -1,19 +1,41 @@
-//! `pendula man`: manual pages.
+//! What is installed beside the program: completions for shells (`pendula completions`) and manual
+//! pages (`pendula man`).
 
 use std::io::Write;
 use std::path::PathBuf;
 
 use anyhow::Context;
 use clap::{Args, Command};
+use clap_complete::{Shell, generate};
 use clap_mangen::Man;
 
 use pendula_output::failure::Failure;
 use pendula_output::files;
 use pendula_output::files::together::{self, Change};
 
+/// Arguments of `pendula completions`.
+#[derive(Args, Debug)]
+pub struct CompletionsArguments {
+    /// The shell
+    #[arg(value_name = "SHELL", value_enum)]
+    shell: Shell,
+}
+
+/// Writes the script for the command line `program`.
+pub fn completions(
+    arguments: &CompletionsArguments,
+    mut program: Command,
+    out: &mut dyn Write,
+) -> Result<(), Failure> {
+    // clap_complete panics where it cannot write.
+    let mut script = Vec::new();
+    generate(arguments.shell, &mut program, "pendula", &mut script);
+    Ok(out.write_all(&script)?)
+}
+
 /// Arguments of `pendula man`.
 #[derive(Args, Debug)]
-pub struct Arguments {
+pub struct ManArguments {
     /// Write the pages of all commands to this folder, pendula.1, pendula-verify.1 and so on,
     /// instead of printing that of pendula itself
     #[arg(long, value_name = "FOLDER")]
@@ -22,8 +44,8 @@ pub struct Arguments {
 
 /// Writes the page of `program` to `out`, or all pages to a folder, which is made if it is not
 /// there: all of them, or none.
-pub fn run(
-    arguments: &Arguments,
+pub fn man(
+    arguments: &ManArguments,
     mut program: Command,
     out: &mut dyn Write,
 ) -> Result<(), Failure> {

@@ -1,21 +1,96 @@
-//! `pendula paper claims`: the whole ledger, and whether the measurements still support it.
+//! `pendula paper`: its tables, stated and measured, and the whole ledger of what it claims, and
+//! whether the measurements still support it.
 
 use std::collections::BTreeSet;
 use std::io::{self, Write};
 
-use anyhow::Context;
 use clap::{Args, ValueEnum};
-use pendula_study::claims::{Claim, Ledger, Verdict};
+use pendula_study::claims::{Claim, Ledger, Measured, Verdict};
 use pendula_study::experiments::Study;
+use pendula_study::report::tables::{TABLES, table};
 use serde_json::{Value, json};
 
-use super::tables::cell;
 use crate::colour;
+use crate::commands::rows::{TableFormat, csv};
 use pendula_output::failure::Failure;
+
+/// Arguments of `pendula paper tables`.
+#[derive(Args, Debug)]
+pub struct TablesArguments {
+    /// Only this table
+    #[arg(long, value_name = "N", value_parser = table_number)]
+    table: Option<u32>,
+    /// How the cells are printed
+    #[arg(long, value_enum, default_value_t)]
+    format: TableFormat,
+}
+
+/// The number of a table; which ones there are is checked later.
+fn table_number(text: &str) -> Result<u32, &'static str> {
+    text.parse().or(Err("it must be the number of a table"))
+}
+
+/// Runs the study and writes its tables.
+pub fn tables(arguments: &TablesArguments, out: &mut dyn Write) -> Result<(), Failure> {
+    let numbers = match arguments.table {
+        None => TABLES.to_vec(),
+        Some(number) if TABLES.contains(&number) => vec![number],
+        Some(number) => {
+            let known = TABLES.map(|n| n.to_string()).join(", ");
+            return Err(Failure::refused(format!("--table {number}: the tables are {known}")));
+        }
+    };
+    let ledger = Ledger::of_the_tables(&Study::of_the_paper());
+    let cells = || -> Vec<Value> {
+        numbers.iter().flat_map(|&number| ledger.table(number)).map(cell).collect()
+    };
+    match arguments.format {
+        TableFormat::Text => {
+            for (index, &number) in numbers.iter().enumerate() {
+                let gap = if index == 0 { "" } else { "\n" };
+                let text = table(&ledger, number).map(|table| table.to_text()).unwrap_or_default();
+                let title = colour::output(colour::HEAD, format!("Table {number}"));
+                let (head, rows) = text.split_once('\n').unwrap_or((&text, ""));
+                let head = colour::output(colour::HEAD, head);
+                write!(out, "{gap}{title}\n{head}\n{rows}")?;
+            }
+        }
+        TableFormat::Json => writeln!(out, "{:#}", json!(cells()))?,
+        TableFormat::Csv => {
+            out.write_all(csv("id,stated,measured,verdict", &cells()).as_bytes())?;
+        }
+    }
+    Ok(())
+}
+
+/// A cell: numbers as numbers, with all their digits.
+fn cell(claim: &Claim) -> Value {
+    json!({
+        "id": claim.id,
+        "stated": stated(claim),
+        "measured": measured(claim),
+        "verdict": claim.judged().to_string(),
+    })
+}
+
+fn stated(claim: &Claim) -> Value {
+    match claim.stated {
+        Some(text) => text.parse::<f64>().map_or_else(|_| text.into(), Value::from),
+        None => Value::Null,
+    }
+}
+
+fn measured(claim: &Claim) -> Value {
+    match &claim.measured {
+        Measured::Number(value, _) => (*value).into(),
+        Measured::Text(text) => text.as_str().into(),
+        Measured::Nothing => Value::Null,
+    }
+}
 
 /// Arguments of `pendula paper claims`.
 #[derive(Args, Debug)]
-pub struct Arguments {
+pub struct ClaimsArguments {
     /// How the claims are printed
     #[arg(long, value_enum, default_value_t)]
     format: LedgerFormat,
@@ -176,7 +251,7 @@ pub enum LedgerFormat {
 /// # Errors
 /// [`Failure::Refused`] for an id, section or table that no claim has; [`Failure::No`] if one of
 /// the claims asked for has a verdict on record that is not the one that the measurement supports.
-pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
+pub fn claims(arguments: &ClaimsArguments, out: &mut dyn Write) -> Result<(), Failure> {
     report(&Ledger::new(&Study::of_the_paper()), &arguments.filter, arguments.format, out)
 }
 
@@ -197,9 +272,7 @@ pub fn report(
         LedgerFormat::Text => write_text(&claims, out)?,
         LedgerFormat::Json => {
             let claims: Vec<Value> = claims.iter().map(|claim| object(claim)).collect();
-            serde_json::to_writer_pretty(&mut *out, &claims)
-                .context("the claims cannot be written")?;
-            writeln!(out)?;
+            writeln!(out, "{:#}", json!(claims))?;
         }
     }
     out.flush()?;
@@ -262,30 +335,4 @@ fn object(claim: &Claim) -> Value {
     object["definition"] = json!(claim.definition);
     object["because"] = json!(claim.because);
     object
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Catches: Section 1 that has the claims of Section 10; a section without its parts; a table
-    /// taken for a section; an equation's number taken for either.
-    #[test]
-    fn a_claim_stands_in_the_places_that_it_names() {
-        let place = "Abstract, Sections 1 and 10.2, Table 4, Equation 7";
-        for (kind, number, is_in) in [
-            (SECTION, "abstract", true),
-            (SECTION, "1", true),
-            (SECTION, "10", true),
-            (SECTION, "10.2", true),
-            (SECTION, "10.20", false),
-            (SECTION, "4", false),
-            (SECTION, "7", false),
-            (TABLE, "4", true),
-            (TABLE, "7", false),
-        ] {
-            assert_eq!(stands_in(place, kind, number), is_in, "{kind} {number}");
-        }
-        assert!(!stands_in("Section 10", SECTION, "1"));
-    }
 }

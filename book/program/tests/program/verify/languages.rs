@@ -1,0 +1,216 @@
+//! Programs in other languages, run where their language is at hand: the examples of `verify`;
+//! integrators, right ones and wrong ones, judged through the protocol; and the checks against the
+//! known answers that the book offers for one's own tests.
+
+use std::fs;
+use std::panic::catch_unwind;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use pendula::methods::StormerVerlet;
+use pendula::verify::{Drive, Fault, Request, Stranger};
+use rstest::rstest;
+use serde_json::Value;
+
+use super::{judged, request, started};
+use crate::{printed, words};
+
+/// Whether there is such a tool; says so if there is none.
+fn there_is(tool: &str) -> bool {
+    let there = Command::new(tool).arg("--version").output().is_ok_and(|out| out.status.success());
+    if !there {
+        println!("{tool} is not here: what needs it is not run");
+    }
+    there
+}
+
+/// Holds the program of these words against the library's Störmer–Verlet.
+fn is_stormer_verlet(words: &[&str]) {
+    let program = started(words, 60.0).unwrap();
+    assert_eq!(program.name(), "my verlet");
+    for request in [request(0.01, 1000), request(-0.02, 300), request(0.5, 1), request(1e-7, 20)] {
+        let reply = program.answer(&request).unwrap();
+        let ours = StormerVerlet.answer(&request).unwrap();
+        assert_eq!(reply.evaluations, Some(request.steps + 1), "{request}");
+        assert_eq!(reply.states.len(), ours.states.len(), "{request}");
+        for (theirs, ours) in reply.states.iter().zip(&ours.states) {
+            // A step rounds some ten times, by 1.1e-16 of a few rad or rad/s, and an error grows
+            // with the time, by a factor of ten or so over 10 s: for 1000 steps of random sign
+            // 30 · 10 · 10 · 1e-16, or 3e-13.
+            let apart = (theirs.theta - ours.theta).abs().max((theirs.omega - ours.omega).abs());
+            assert!(apart < 1e-12, "{request}: {theirs:?} is not {ours:?}");
+        }
+    }
+    let drive = Some(Drive { amplitude: 0.5, frequency: 2.0 });
+    let driven = Request { drive, ..request(0.01, 10) };
+    assert_eq!(program.answer(&driven), Err(Fault::Unsupported));
+}
+
+/// Each is written to FILE, compiled to PROGRAM where it has to be, and run.
+///
+/// Catches: an example that does not run, answers in another order, forgets to flush, counts
+/// wrongly, or is another method; a number printed with fewer digits than it has; a warning of the
+/// compiler.
+#[rstest]
+#[case::python("python", "python3", "python3 FILE")]
+#[case::javascript("javascript", "node", "node FILE")]
+#[case::c("c", "cc", "cc -std=c99 -Wall -Wextra -Werror -O2 -o PROGRAM -x c FILE -lm")]
+#[case::rust("rust", "rustc", "rustc --edition 2021 -D warnings -O -o PROGRAM FILE")]
+fn an_example_is_stormer_verlet(#[case] language: &str, #[case] tool: &str, #[case] line: &str) {
+    if !there_is(tool) {
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let [file, program] = ["verlet", "program"].map(|name| folder.path().join(name));
+    let [file, program] = [&file, &program].map(|path| path.to_str().unwrap());
+    fs::write(file, printed(&["verify", "--example", language])).unwrap();
+    let line = line.replace("FILE", file).replace("PROGRAM", program);
+    if !line.contains(program) {
+        return is_stormer_verlet(&words(&line));
+    }
+    let output = Command::new(tool).args(&words(&line)[1..]).output().unwrap();
+    assert!(output.status.success(), "{output:?}");
+    is_stormer_verlet(&[program]);
+}
+
+/// Catches: an example that is missing, or is in another language.
+#[test]
+fn the_julia_example_is_printed() {
+    let julia = printed(&["verify", "--example", "julia"]);
+    assert!(julia.contains("for line in eachline(stdin)") && julia.contains("flush(stdout)"));
+}
+
+/// The claims of a leapfrog.
+const LEAPFROG: &str = "order=2 symplectic symmetric";
+
+/// Which mistakes fail which property, and what is said of them, is asked of the judge in
+/// `tests/verify`: here it has to hear of them.
+///
+/// Catches: a right method in another language, with another sine, that is refused; a wrong one
+/// that is accepted; what is seen in driven runs alone, or is said without claims, lost on the way;
+/// a property that is judged though it was not measured.
+#[rstest]
+#[case::verlet("verlet", "order=2 symplectic symmetric name=stormer-verlet", "")]
+#[case::rk4("rk4", "order=4 name=rk4", "")]
+#[case::gravity("gravity", LEAPFROG, "It is Störmer–Verlet, but its kicks add up to 0.998")]
+#[case::wrong_stage_times("wrong-stage-times", "order=4", "It is a known mistake in rk4")]
+#[case::stale_force("stale-force", "", "It is a known mistake in stormer-verlet")]
+#[case::error_to_all("error", LEAPFROG, "")]
+#[case::unsupported_to_all("unsupported", LEAPFROG, "")]
+#[case::error_from_the_seventh_request_on("error-later", LEAPFROG, "")]
+#[case::error_to_all_without_claims("error", "", "")]
+fn variants_are_told_apart(#[case] name: &str, #[case] claims: &str, #[case] look_at: &str) {
+    if !there_is("python3") {
+        return;
+    }
+    let expected = match name {
+        "verlet" | "rk4" => (0, "holds"),
+        "stale-force" => (0, "unclaimed"),
+        "gravity" | "wrong-stage-times" => (1, "fails"),
+        _ => (1, "not measured"),
+    };
+    let (status, report) = of_variant(name, claims);
+    assert_eq!((status, report["verdict"].as_str().unwrap()), expected, "{report:#}");
+    let told = report["what_to_look_at"].as_array().unwrap();
+    let first = told.first().map_or("", |line| line.as_str().unwrap());
+    assert_eq!(first.is_empty(), look_at.is_empty(), "{report:#}");
+    assert!(first.starts_with(look_at), "{report:#}");
+    let measured = |verdict: &Value| verdict != "not measured";
+    let any = report["properties"].as_array().unwrap().iter().any(|p| measured(&p["verdict"]));
+    assert_eq!(any, expected.1 != "not measured", "{report:#}");
+}
+
+/// Exit status and report, as JSON, of the variant `name`.
+fn of_variant(name: &str, claims: &str) -> (i32, Value) {
+    let script = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/program/verify/variants.py");
+    judged(&["--claims", claims], &["python3", script, name])
+}
+
+/// Catches: a property that was not measured without the program's own word why.
+#[test]
+fn what_is_not_measured_has_the_programs_reason() {
+    let (_, report) = of_variant("error", LEAPFROG);
+    let properties = report["properties"].as_array().unwrap();
+    for name in ["order", "area", "reversal", "precision", "units", "name"] {
+        let property = properties.iter().find(|property| property["name"] == name).unwrap();
+        assert_eq!(property["why"], "the table is empty", "{name}: {report:#}");
+        assert_eq!(property["value"], Value::Null, "{name}");
+    }
+}
+
+#[allow(clippy::disallowed_methods)] // A user's step calls the platform's sine.
+#[path = "../../../../known-answers/examples/verlet.rs"]
+mod verlet;
+
+const KNOWN: &str = include_str!("../../../../../snapshots/known-answers.json");
+
+/// The kick at the end is told the time of the start; a coefficient is off in its sixth digit; what
+/// comes out is no number.
+const SPOILT: [(&str, &str); 3] =
+    [("t + h)", "t)"), ("h / 2 *", "h / 2.00001 *"), ("h / 2 *", "0 * 1e999 *")];
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
+
+fn example(name: &str) -> String {
+    fs::read_to_string(root().join("book/known-answers/examples").join(name)).unwrap()
+}
+
+/// Whether the program ends well beside the file.
+fn passes(command: &mut Command) -> bool {
+    command.current_dir(root().join("snapshots")).output().unwrap().status.success()
+}
+
+/// Runs the example as it is, and with each mistake.
+///
+/// Catches: a check that does not run, refuses what is right, leaves out the drive or the time, or
+/// takes anything.
+#[rstest]
+#[case::python("python3", "verlet.py")]
+#[case::javascript("node", "verlet.mjs")]
+fn a_check_sees_mistakes(#[case] tool: &str, #[case] name: &str) {
+    if !there_is(tool) {
+        return;
+    }
+    let (source, folder) = (example(name), tempfile::tempdir().unwrap());
+    let file = folder.path().join(name);
+    for (from, to) in [("", "")].into_iter().chain(SPOILT) {
+        assert!(source.contains(from), "{name} has no {from}");
+        let spoilt = if from.is_empty() { source.clone() } else { source.replace(from, to) };
+        fs::write(&file, spoilt).unwrap();
+        assert_eq!(passes(Command::new(tool).arg(&file)), from == to, "{name}: {to}");
+    }
+}
+
+/// Catches: as above.
+#[test]
+fn the_rust_check_sees_mistakes() {
+    verlet::check(KNOWN, "stormer-verlet", verlet::step);
+    let spoilt = catch_unwind(|| {
+        verlet::check(KNOWN, "stormer-verlet", |force, theta, omega, t, h| {
+            let half = omega + h / 2.0 * force(theta, t);
+            [theta + h * half, half + h / 2.0 * force(theta + h * half, t)]
+        });
+    });
+    assert!(spoilt.is_err());
+    assert!(catch_unwind(|| verlet::check(KNOWN, "no-such-method", verlet::step)).is_err());
+}
+
+/// Catches: as above.
+#[test]
+fn the_cpp_check_sees_mistakes() {
+    if !there_is("c++") || !Path::new("/usr/include/nlohmann/json.hpp").exists() {
+        println!("json.hpp is not here: what needs it is not run");
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let [file, program] = ["verlet.cpp", "verlet"].map(|name| folder.path().join(name));
+    // Compiled once, for that takes seconds.
+    let spoilt = example("verlet.cpp").replace("t + h)", "t + (std::getenv(\"LATE\") ? 0 : h))");
+    fs::write(&file, spoilt).unwrap();
+    let words = ["-std=c++17", "-Wall", "-Wextra", "-Werror", "-o"];
+    assert!(passes(Command::new("c++").args(words).arg(&program).arg(&file)));
+    assert!(passes(&mut Command::new(&program)));
+    assert!(!passes(Command::new(&program).env("LATE", "")));
+}
