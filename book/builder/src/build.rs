@@ -79,13 +79,10 @@ fn driven(
 
 /// Changes every page in the folder, which nobody reads yet.
 fn each_page(folder: &Path, change: impl Fn(&str) -> Result<String>) -> Result<()> {
-    for (path, _) in files::tree(folder).with_context(|| folder.display().to_string())? {
-        if path.extension().is_some_and(|extension| extension == "html") {
-            let file = folder.join(path);
-            let name = || file.display().to_string();
-            let page = fs::read_to_string(&file).with_context(name)?;
-            fs::write(&file, change(&page).with_context(name)?).with_context(name)?;
-        }
+    for path in files::with_extension(folder, "html")? {
+        let file = folder.join(path);
+        let name = || file.display().to_string();
+        fs::write(&file, change(&files::text(&file)?).with_context(name)?).with_context(name)?;
     }
     Ok(())
 }
@@ -99,7 +96,7 @@ fn known_answers(root: &Path, pages: &Path) -> Result<()> {
         return Ok(());
     }
     let file = root.join("../snapshots/known-answers.json");
-    let json = fs::read_to_string(&file).with_context(|| file.display().to_string())?;
+    let json = files::text(&file)?;
     let script = format!("globalThis.knownAnswers = {};\n", json.trim_end());
     for (name, text) in [("known-answers.json", &json), ("known-answers.js", &script)] {
         let to = assets.join(name);

@@ -9,6 +9,7 @@ use std::path::Path;
 use anyhow::{Context, Result};
 
 use crate::policy::CHARSET;
+use pendula_output::files;
 
 /// Where the lab's files stand in the book.
 const FOLDER: &str = "theme/lab/";
@@ -28,8 +29,7 @@ pub fn join<P: AsRef<Path>>(pages: &Path, scripts: &[P]) -> Result<()> {
         if !script.starts_with(FOLDER) || script == Path::new(LOADER) {
             continue;
         }
-        let file = pages.join(script);
-        let text = fs::read_to_string(&file).with_context(|| file.display().to_string())?;
+        let text = files::text(&pages.join(script))?;
         let is_code = |line: &&str| !line.trim_start().starts_with("//");
         bundle.extend(text.split_inclusive('\n').filter(is_code));
     }

@@ -114,9 +114,7 @@ pub fn on_disk(folder: &Path, suffix: &str) -> Result<BTreeMap<String, OnDisk>> 
         let shown = path.display().to_string();
         let Some(name) = name_of(&shown, suffix) else { continue };
         ensure!(path.to_str().is_some(), "{shown}: corrupt: its name is not UTF-8");
-        let cannot = || format!("{shown} cannot be read");
-        let text = files::read_to_string(&path).with_context(cannot)?;
-        let file = File::parse(name, &text, &shown)?;
+        let file = File::parse(name, &files::text(&path)?, &shown)?;
         let before = found.insert(name.to_string(), OnDisk { path: path.clone(), file });
         ensure!(before.is_none(), "{shown}: there are two files of this snapshot");
     }

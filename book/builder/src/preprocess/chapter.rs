@@ -18,8 +18,10 @@
 
 use std::collections::BTreeSet;
 use std::ops::Range;
+use std::sync::LazyLock;
 
-use anyhow::{Context, Result, anyhow, bail, ensure};
+use anyhow::{Context, Result, bail, ensure};
+use regex::Regex;
 
 use super::listing::{flush_left, with_output};
 use super::markdown::{Kind, passages, splice};
@@ -40,13 +42,6 @@ pub struct Setter<'a> {
     maths: Maths,
 }
 
-/// The text between `{{` and `}}`, with its range.
-struct Directive<'t> {
-    range: Range<usize>,
-    name: &'t str,
-    argument: &'t str,
-}
-
 impl<'a> Setter<'a> {
     /// A setter for chapters that refer to these values and tests, and to this figure.
     pub fn new(ledger: &'a dyn Ledger, tests: &'a Tests, work_precision: String) -> Self {
@@ -61,40 +56,34 @@ impl<'a> Setter<'a> {
         for passage in passages(text) {
             self.set_prose(text, done..passage.range.start, to_root, &mut edits, quoted)?;
             done = passage.range.end;
+            let source = &text[passage.range.clone()];
             match passage.kind {
                 Kind::Code => {
-                    let code = &text[passage.range.clone()];
-                    if let Some(html) = flush_left(code)
-                        .or_else(|| with_output(code))
-                        .or_else(|| with_whole_options(code))
-                    {
-                        edits.push((passage.range, html));
-                    }
+                    let html = flush_left(source).or_else(|| with_output(source));
+                    let html = html.or_else(|| with_whole_options(source));
+                    edits.extend(html.map(|html| (passage.range, html)));
                 }
                 Kind::Formula { tex, display } => {
                     // In TeX `{{a}}` is a group in a group.
-                    let values = ["measured", "stated", "verdict"];
-                    let mut found = directives(&tex).filter_map(Result::ok);
-                    let has_value = found.any(|directive| values.contains(&directive.name));
+                    let dense = tex.replace(char::is_whitespace, "");
+                    let mut values = ["{{measured", "{{stated", "{{verdict"].iter();
+                    let has_value = values.any(|value| dense.contains(value));
                     ensure!(!has_value, "{tex}: a formula takes no value; set it beside");
                     let html = self.maths.set(&tex, display)?;
-                    edits.push(match text[passage.range.end..].chars().next() {
+                    edits.push(match text[done..].chars().next() {
                         // A browser may break a line after any formula, even before a comma. A long
                         // one must stay breakable.
                         Some(mark @ (',' | '.' | ';' | ':' | '!' | '?' | ')'))
                             if !display && tex.len() <= HELD =>
                         {
-                            let both = passage.range.start..passage.range.end + 1;
-                            let mark = inert::html(&mark.to_string());
-                            (both, format!("<span class=\"held\">{html}{mark}</span>"))
+                            let mark = inert::text(&mark.to_string());
+                            let held = format!("<span class=\"held\">{html}{mark}</span>");
+                            (passage.range.start..done + 1, held)
                         }
                         _ => (passage.range, html),
                     });
                 }
-                Kind::Exponent => {
-                    let html = values::html(&text[passage.range.clone()]);
-                    edits.push((passage.range, html));
-                }
+                Kind::Exponent => edits.push((passage.range, values::html(source))),
                 Kind::Gap => edits.push((passage.range, "&nbsp;".to_string())),
                 Kind::StrayDollar => {
                     let line = text[..done].lines().last().unwrap_or_default();
@@ -106,6 +95,7 @@ impl<'a> Setter<'a> {
         Ok(splice(text, edits))
     }
 
+    /// Replaces directives and DOIs, each of these without the punctuation after it.
     fn set_prose(
         &self,
         text: &str,
@@ -114,70 +104,87 @@ impl<'a> Setter<'a> {
         edits: &mut Vec<(Range<usize>, String)>,
         quoted: &mut BTreeSet<String>,
     ) -> Result<()> {
+        static NOTABLE: LazyLock<Regex> = LazyLock::new(|| {
+            Regex::new(r"\{\{(?s:(?<directive>.*?))\}\}|(?<doi>doi:10\.[^\s{]*)|\{\{.{0,38}")
+                .expect("the pattern is a constant")
+        });
         // A nested footnote or the like may begin before the last passage ended.
         let Some(prose) = text.get(range.clone()) else { return Ok(()) };
-        let first = edits.len();
-        for directive in directives(prose) {
-            let Directive { range: at, name, argument } = directive?;
-            let html = match name {
-                "measured" | "stated" => {
-                    let value = values::html(&self.value(name, argument)?);
-                    format!("<span class=\"{name}\"{}>{value}</span>", id(argument, quoted))
-                }
-                "verdict" => {
-                    let value = values::html(&self.value(name, argument)?);
-                    let row = format!("{to_root}appendix-claims.html#{argument}");
-                    let id = id(argument, quoted);
-                    format!("<a class=\"{name}\"{id} href=\"{row}\">{value}</a>")
-                }
-                "test" => self.link(argument, to_root)?,
-                "catches" => {
-                    let catches = self.tests.catches(argument);
-                    let catches = catches
-                        .map_err(|reason| anyhow!("{{{{catches {argument}}}}}: {reason}"))?;
-                    format!("{} catches {catches}", self.link(argument, to_root)?)
-                }
-                "work-precision" => self.work_precision.clone(),
-                // It waits until every chapter has been searched for quotes.
-                "verdicts" => continue,
-                _ => bail!(
-                    "{}: no such directive; there are measured, stated, verdict, test, catches, \
-                     work-precision and verdicts",
-                    &prose[at]
-                ),
+        for found in NOTABLE.captures_iter(prose) {
+            let (mut source, start) = (&found[0], found.get_match().start());
+            let html = if let Some(inside) = found.name("directive") {
+                let html = self.directive(inside.as_str().trim(), to_root, quoted);
+                html.with_context(|| source.to_string())?
+            } else {
+                ensure!(
+                    found.name("doi").is_some(),
+                    "{source}: a directive without its closing braces"
+                );
+                source = source.trim_end_matches(['.', ',', ';', ':']);
+                let address = inert::text(&source.replacen("doi:", "https://doi.org/", 1));
+                format!("<a href=\"{address}\">{}</a>", inert::text(source))
             };
-            edits.push((range.start + at.start..range.start + at.end, html));
+            let start = range.start + start;
+            edits.push((start..start + source.len(), html));
         }
-        for doi in dois(prose) {
-            let (at, text) = (range.start + doi.start..range.start + doi.end, &prose[doi]);
-            if edits[first..].iter().any(|(directive, _)| directive.contains(&at.start)) {
-                continue;
-            }
-            let address = inert::text(&text.replacen("doi:", "https://doi.org/", 1));
-            edits.push((at, format!("<a href=\"{address}\">{}</a>", inert::text(text))));
-        }
-        edits[first..].sort_by_key(|(at, _)| at.start);
         Ok(())
     }
 
-    fn value(&self, name: &str, id: &str) -> Result<String> {
-        let entry = self
-            .ledger
-            .entry(id)
-            .with_context(|| format!("{{{{{name} {id}}}}}: the ledger has no claim {id}"))?;
+    fn directive(
+        &self,
+        inside: &str,
+        to_root: &str,
+        quoted: &mut BTreeSet<String>,
+    ) -> Result<String> {
+        let (name, argument) = inside.split_once(char::is_whitespace).unwrap_or((inside, ""));
+        let argument = argument.trim();
+        Ok(match name {
+            "measured" | "stated" | "verdict" => self.value(name, argument, to_root, quoted)?,
+            "test" => self.link(argument, to_root)?,
+            "catches" => {
+                let link = self.link(argument, to_root)?;
+                format!("{link} catches {}", self.tests.catches(argument)?)
+            }
+            "work-precision" => self.work_precision.clone(),
+            // It waits until every chapter has been searched for quotes.
+            "verdicts" => "{{verdicts}}".to_string(),
+            _ => bail!(
+                "no such directive; there are measured, stated, verdict, test, catches, \
+                 work-precision and verdicts"
+            ),
+        })
+    }
+
+    /// A value of the ledger. The first quote of a claim in its chapter has its id.
+    fn value(
+        &self,
+        name: &str,
+        claim: &str,
+        to_root: &str,
+        quoted: &mut BTreeSet<String>,
+    ) -> Result<String> {
+        let entry = self.ledger.entry(claim);
+        let entry = entry.with_context(|| format!("the ledger has no claim {claim}"))?;
         let value = match name {
             "measured" => entry.measured,
             "stated" => entry.stated,
             _ => entry.verdict,
         };
-        value.with_context(|| {
-            format!("{{{{{name} {id}}}}}: the ledger has no {name} value for {id}")
+        let value = value.with_context(|| format!("the ledger has no {name} value for {claim}"))?;
+        let value = values::html(&value);
+        let is_first = quoted.insert(claim.to_string());
+        let id = if is_first { format!(" id=\"{claim}\"") } else { String::new() };
+        Ok(match name {
+            "verdict" => {
+                let row = format!("{to_root}appendix-claims.html#{claim}");
+                format!("<a class=\"verdict\"{id} href=\"{row}\">{value}</a>")
+            }
+            _ => format!("<span class=\"{name}\"{id}>{value}</span>"),
         })
     }
 
     fn link(&self, cited: &str, to_root: &str) -> Result<String> {
-        let (file, test) =
-            self.tests.find(cited).map_err(|reason| anyhow!("{{{{test {cited}}}}}: {reason}"))?;
+        let (file, test) = self.tests.find(cited)?;
         let (file, test) = (&file.name, &test.name);
         // As `cargo test` prints it and accepts it as a filter: without the name of the test
         // program.
@@ -190,28 +197,6 @@ impl<'a> Setter<'a> {
     }
 }
 
-/// The attribute for the first quote of a claim in its chapter.
-fn id(claim: &str, quoted: &mut BTreeSet<String>) -> String {
-    if quoted.insert(claim.to_string()) { format!(" id=\"{claim}\"") } else { String::new() }
-}
-
-/// The directives of a text; one that is not closed is an error.
-fn directives(text: &str) -> impl Iterator<Item = Result<Directive<'_>>> {
-    let mut from = 0;
-    std::iter::from_fn(move || {
-        let start = from + text[from..].find("{{")?;
-        let Some(length) = text[start..].find("}}") else {
-            from = text.len();
-            let quoted: String = text[start..].chars().take(40).collect();
-            return Some(Err(anyhow!("{quoted}: a directive without its closing braces")));
-        };
-        from = start + length + 2;
-        let inside = text[start + 2..start + length].trim();
-        let (name, argument) = inside.split_once(char::is_whitespace).unwrap_or((inside, ""));
-        Some(Ok(Directive { range: start..from, name, argument: argument.trim() }))
-    })
-}
-
 /// The code span as HTML in which no line ends after a hyphen of an option such as `--every`; none
 /// if there is no such word in it.
 fn with_whole_options(code: &str) -> Option<String> {
@@ -221,25 +206,14 @@ fn with_whole_options(code: &str) -> Option<String> {
     if inner.contains('`') {
         return None;
     }
-    let is_option = |word: &str| word.contains('-') && (2..=WHOLE).contains(&word.len());
-    let set = |word: &str| match is_option(word) {
-        true => format!("<span class=\"held\">{}</span>", inert::text(word)),
-        false => inert::text(word),
+    let set = |word: &str| match inert::text(word) {
+        html if word.contains('-') && (2..=WHOLE).contains(&word.len()) => {
+            format!("<span class=\"held\">{html}</span>")
+        }
+        html => html,
     };
-    let words: Vec<&str> = inner.split_whitespace().collect();
-    let any = words.iter().any(|word| is_option(word));
-    let html = words.into_iter().map(set).collect::<Vec<_>>().join(" ");
-    any.then(|| format!("<code>{html}</code>"))
-}
-
-/// Where a text has DOIs, each without the punctuation or the directive after it.
-fn dois(text: &str) -> impl Iterator<Item = Range<usize>> {
-    text.match_indices("doi:10.").map(|(start, _)| {
-        let rest = &text[start..];
-        let end = rest.find(|c: char| c.is_whitespace() || c == '{').unwrap_or(rest.len());
-        let word = &rest[..end];
-        start..start + word.trim_end_matches(['.', ',', ';', ':']).len()
-    })
+    let html = inner.split_whitespace().map(set).collect::<Vec<_>>().join(" ");
+    html.contains("<span").then(|| format!("<code>{html}</code>"))
 }
 
 #[cfg(test)]
@@ -304,7 +278,7 @@ mod tests {
         };
         let bullet = set("* {{catches x::a}}.\n").unwrap();
         assert!(bullet.ends_with("</a> catches one thing, and another.\n"), "{bullet}");
-        assert!(set("{{catches x::b}}").unwrap_err().to_string().contains("Catches:"));
+        assert!(format!("{:#}", set("{{catches x::b}}").unwrap_err()).contains("Catches:"));
     }
 
     /// Catches: a comma alone at the beginning of a line; a word kept on one line with the formula

@@ -22,8 +22,7 @@ pub fn check(source: &Path, book: &Book) -> Result<BTreeSet<PathBuf>> {
     for chapter in chapters(book) {
         let Some(path) = &chapter.source_path else { continue };
         let file = source.join(path);
-        files::read_to_string(&file)
-            .with_context(|| format!("{} cannot be read", file.display()))
+        files::text(&file)
             .and_then(|text| includes(&text, file.parent().unwrap_or(source)))
             .map(|named| files.extend(named))
             .with_context(|| format!("chapter {}", name(chapter)))?;

@@ -220,8 +220,8 @@ impl Document {
         }
         self.heading(2, "Claims");
         self.list(claims.iter().map(|turn| {
-            let Turn { id, old, new, claim } = turn;
-            let Claim { gist, stated, measured, remark, .. } = claim;
+            let Turn { old, new, claim } = turn;
+            let Claim { id, gist, stated, measured, remark, .. } = claim;
             let word =
                 |verdict: &String| if verdict.is_empty() { "none".into() } else { prose(verdict) };
             let verdict = match turn.flips() {

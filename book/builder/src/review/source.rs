@@ -38,13 +38,9 @@ impl Code {
     pub fn read(root: &Path, commit: Option<&str>) -> Result<Self> {
         let mut code = Self { root: root.to_path_buf(), ..Self::default() };
         for name in FOLDERS {
-            let folder = root.join(name);
-            let cannot = || format!("{} cannot be read", folder.display());
-            if files::exists(&folder).with_context(cannot)? {
-                let tree = files::tree(&folder).with_context(cannot)?;
-                let paths = tree.iter().map(|(path, _)| path.to_string_lossy().replace('\\', "/"));
-                let rust = paths.filter(|path| path.ends_with(".rs"));
-                code.files.extend(rust.map(|path| format!("{name}/{path}")));
+            for path in files::with_extension(&root.join(name), "rs")? {
+                let path = path.to_string_lossy().replace('\\', "/");
+                code.files.push(format!("{name}/{path}"));
             }
         }
         if code.files.is_empty() {
@@ -76,21 +72,16 @@ impl Code {
     pub fn file_of(&self, title: &str) -> Result<Option<&str>> {
         let own = format!("title: \"{title}\"");
         for name in self.files.iter().filter(|name| name.starts_with(METHODS)) {
-            if self.text(name)?.contains(&own) {
+            if files::text(&self.root.join(name))?.contains(&own) {
                 return Ok(Some(name));
             }
         }
         Ok(None)
     }
 
-    fn text(&self, name: &str) -> Result<String> {
-        let path = self.root.join(name);
-        files::read_to_string(&path).with_context(|| format!("{} cannot be read", path.display()))
-    }
-
     /// How a file changed; nothing if it did not.
     pub fn change(&self, name: &str) -> Result<Option<Change>> {
-        let all = || Ok(Some(Change::Untracked(self.text(name)?)));
+        let all = || Ok(Some(Change::Untracked(files::text(&self.root.join(name))?)));
         let Some((commit, _)) = &self.since else { return all() };
         let plain = ["diff", "--no-color", "--no-ext-diff", "--no-textconv", "--relative"];
         let diff = git(&self.root, &[&plain[..], &[commit, "--", name]].concat())?;

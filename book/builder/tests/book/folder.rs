@@ -14,6 +14,7 @@ use pendula_book::progress::Progress;
 use tempfile::TempDir;
 
 use crate::claims::PAPER;
+use crate::root;
 
 fn folder() -> (TempDir, impl Fn(&str) -> PathBuf) {
     let folder = tempfile::tempdir().unwrap();
@@ -117,8 +118,7 @@ fn a_snapshot_typed_over_is_not_published() {
     let chapter =
         format!("# One\n\nTable: Energy errors.\n\n{{{{#include ../../{TABLE}:table}}}}\n");
     fs::write(at("book/src/one.md"), chapter).unwrap();
-    let reviewed = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(TABLE);
-    let reviewed = fs::read_to_string(reviewed).unwrap();
+    let reviewed = fs::read_to_string(root().join(TABLE)).unwrap();
     fs::create_dir(at("snapshots")).unwrap();
     fs::write(at(TABLE), &reviewed).unwrap();
     build().unwrap();

@@ -9,9 +9,10 @@ use pendula_book::review::{Review, drawings, render};
 use pendula_book::versions::{Content, Version};
 use pendula_study::report::snapshots::Kind;
 
-use super::{REVIEWED, between, changed, review, root};
+use super::{REVIEWED, between, changed, review};
 use crate::chapters::chapters;
 use crate::pages::Page;
+use crate::root;
 
 /// What half kicks of 0.4999 h do to one of Störmer–Verlet's cells, wherever it stands, and to a
 /// slope.
@@ -233,7 +234,7 @@ fn claims_that_turn_are_told_from_new_reasons() {
         ),
         ("ledger_sentences", "Table 3 has the same.", "So has Table 3."),
     ]);
-    let turns: Vec<_> = review.claims.iter().map(|t| (t.id.as_str(), t.flips())).collect();
+    let turns: Vec<_> = review.claims.iter().map(|t| (t.claim.id.as_str(), t.flips())).collect();
     assert_eq!(turns, [("P1.lines200", true), ("T1.g", false)]);
 }
 
