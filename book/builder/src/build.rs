@@ -10,7 +10,6 @@ use mdbook_driver::MDBook;
 
 use crate::ledger::Ledger;
 use crate::page_files;
-use crate::policy;
 use crate::preprocess::Pendula;
 use crate::progress::Progress;
 use crate::warnings;
@@ -71,7 +70,7 @@ fn driven(
     let html = book.config.html_config().unwrap_or_default();
     page_files::join(&pages, &html.additional_js)?;
     let site = html.site_url.unwrap_or_default();
-    each_page(&pages, |page| policy::with_policy(&page_files::linked(page, &site)))?;
+    each_page(&pages, |page| page_files::finished(page, &site))?;
     known_answers(root, &pages)?;
     let pages = pages.strip_prefix(folder.path()).map(Path::to_path_buf).unwrap_or_default();
     Ok((folder, pages))

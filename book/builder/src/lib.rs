@@ -2,7 +2,7 @@
 //!
 //! In reading order: the book on disk ([`locate`]), building it ([`build`]), what turns a chapter's
 //! source into what mdBook renders ([`preprocess`], with the paper's values from [`ledger`]), and
-//! what a browser may do on a page ([`policy`]). What moved from one of the [`versions`] of the
+//! what a page loads and may do (`page_files`). What moved from one of the [`versions`] of the
 //! snapshots to another is [`review`].
 
 pub mod build;
@@ -10,7 +10,6 @@ pub mod ledger;
 pub mod locate;
 mod number;
 mod page_files;
-pub mod policy;
 pub mod preprocess;
 pub mod progress;
 pub mod review;

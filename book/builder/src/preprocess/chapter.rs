@@ -218,6 +218,9 @@ fn with_whole_options(code: &str) -> Option<String> {
 
 #[cfg(test)]
 mod tests {
+    use rstest::rstest;
+
+    use super::super::inert::tests::shown;
     use super::*;
     use crate::ledger::Entry;
 
@@ -241,17 +244,47 @@ mod tests {
         setter.set(text, "../", &mut BTreeSet::new())
     }
 
-    /// Catches: the stated value in place of the measured one, and the other way round.
-    #[test]
-    fn each_directive_gives_its_own_value() {
-        let set =
-            set("{{stated T4.rk4.0.01}}, {{ measured T4.rk4.0.01 }}, {{verdict T4.rk4.0.01}}");
-        assert_eq!(
-            set.unwrap(),
-            "<span class=\"stated\" id=\"T4.rk4.0.01\">2&#46;01\u{a0}×\u{a0}10<sup>−4</sup></span>\
-             , <span class=\"measured\">3\u{a0}×\u{a0}10<sup>−4</sup></span>, \
-             <a class=\"verdict\" href=\"../appendix-claims.html#T4.rk4.0.01\">wrong</a>"
-        );
+    /// Catches: the stated value in place of the measured one, and the other way round; a link that
+    /// ignores how deep the page lies; a figure left out, or in the wrong place; directives replaced
+    /// in a page that explains them; a line that ends in the middle of `--test`, and a word held that
+    /// is too long for a phone; a DOI that is no link, or whose link takes the full stop or the
+    /// directive after it along, and so leads nowhere; what stands before a directive lost.
+    #[rstest]
+    #[case(
+        "{{stated T4.rk4.0.01}}, {{ measured T4.rk4.0.01 }}, {{verdict T4.rk4.0.01}}",
+        "<span class=\"stated\" id=\"T4.rk4.0.01\">2.01~×~10<sup>−4</sup></span>, \
+         <span class=\"measured\">3~×~10<sup>−4</sup></span>, \
+         <a class=\"verdict\" href=\"../appendix-claims.html#T4.rk4.0.01\">wrong</a>"
+    )]
+    #[case(
+        "{{test order::every_slope}}",
+        "<a href=\"../tests/order.html#every_slope\"><code>order::every_<wbr>slope</code></a>"
+    )]
+    #[case("a\n\n{{work-precision}}\n\nb\n", "a\n\n<figure>\n\nb\n")]
+    #[case("`{{stated nothing}}`", "`{{stated nothing}}`")]
+    #[case("```text\n{{test nothing}} $x$\n```\n", "```text\n{{test nothing}} $x$\n```\n")]
+    #[case(
+        "`cargo test --test\nstudy -- x`",
+        "<code>cargo test <span class=\"held\">--test</span> study \
+         <span class=\"held\">--</span> x</code>"
+    )]
+    #[case("`a - b`", "`a - b`")]
+    #[case("`a-very-long-name-with-many-hyphens.rs`", "`a-very-long-name-with-many-hyphens.rs`")]
+    #[case("`` a--b ` ``", "`` a--b ` ``")]
+    #[case(
+        "*Physica D* 43. doi:10.1/2(90)90-L. And `doi:10.1/x`.",
+        "*Physica D* 43. <a href=\"https://doi.org/10.1/2(90)90-L\">doi:10.1/2(90)90-L</a>. And \
+         `doi:10.1/x`."
+    )]
+    #[case(
+        "doi:10.1/x{{stated T4.rk4.0.01}}, doi:10.2/y.",
+        "<a href=\"https://doi.org/10.1/x\">doi:10.1/x</a><span class=\"stated\" \
+         id=\"T4.rk4.0.01\">2.01~×~10<sup>−4</sup></span>, \
+         <a href=\"https://doi.org/10.2/y\">doi:10.2/y</a>."
+    )]
+    #[case("{{work-precision doi:10.1/x}}", "<figure>")]
+    fn what_is_typed_becomes(#[case] typed: &str, #[case] expected: &str) {
+        assert_eq!(shown(&set(typed).unwrap()).replace('\u{a0}', "~"), expected);
     }
 
     /// Catches: a quote that cannot be linked to; an id that stands twice; a claim that is only
@@ -294,35 +327,6 @@ mod tests {
         );
     }
 
-    /// Catches: a figure left out, or in the wrong place.
-    #[test]
-    fn what_was_measured_stands_in_its_place() {
-        assert_eq!(set("a\n\n{{work-precision}}\n\nb\n").unwrap(), "a\n\n<figure>\n\nb\n");
-    }
-
-    /// Catches: directives replaced in a page that explains them.
-    #[test]
-    fn code_stays_as_it_is() {
-        for text in ["`{{stated nothing}}`", "```text\n{{test nothing}} $x$\n```\n"] {
-            assert_eq!(set(text).unwrap(), text);
-        }
-    }
-
-    /// Catches: a line that ends in the middle of `--test`; a word held that is too long for a
-    /// phone.
-    #[test]
-    fn an_option_is_kept_whole() {
-        let plain = |html: String| html.replace("&#45;", "-").replace("&#46;", ".");
-        let held = |word| format!("<span class=\"held\">{word}</span>");
-        assert_eq!(
-            plain(set("`cargo test --test\nstudy -- x`").unwrap()),
-            format!("<code>cargo test {} study {} x</code>", held("--test"), held("--"))
-        );
-        for text in ["`a - b`", "`a-very-long-name-with-many-hyphens.rs`", "`` a--b ` ``"] {
-            assert_eq!(set(text).unwrap(), text);
-        }
-    }
-
     /// Catches: a misspelt id or name that leaves a gap, or the raw directive, in the book.
     #[test]
     fn what_is_unknown_stops_the_build_and_is_quoted() {
@@ -340,39 +344,5 @@ mod tests {
             let error = format!("{:#}", set(text).unwrap_err());
             assert!(error.contains(quoted), "{text}: {error}");
         }
-    }
-
-    /// Catches: a link that ignores how deep the page lies.
-    #[test]
-    fn a_test_is_linked_from_where_the_page_is() {
-        assert_eq!(
-            set("{{test order::every_slope}}").unwrap(),
-            "<a href=\"../tests/order.html#every_slope\">\
-             <code>order&#58;&#58;every&#95;<wbr>slope</code></a>"
-        );
-    }
-
-    /// Catches: a DOI that is no link, or whose link takes the full stop with it and so leads
-    /// nowhere; one in code.
-    #[test]
-    fn a_doi_is_a_link_to_the_work() {
-        let html = set("*Physica D* 43. doi:10.1016/0167-2789(90)90019-L. And `doi:10.1/x`.");
-        let plain = html.unwrap().replace("&#58;", ":").replace("&#46;", ".").replace("&#47;", "/");
-        let plain = plain.replace("&#40;", "(").replace("&#41;", ")").replace("&#45;", "-");
-        assert_eq!(
-            plain,
-            "*Physica D* 43. <a href=\"https://doi.org/10.1016/0167-2789(90)90019-L\">\
-             doi:10.1016/0167-2789(90)90019-L</a>. And `doi:10.1/x`."
-        );
-    }
-
-    /// Catches: what stands before a directive lost, as it is set after it.
-    #[test]
-    fn a_doi_and_a_directive_stand_in_one_paragraph() {
-        let html = set("doi:10.1/x{{stated T4.rk4.0.01}}, doi:10.2/y.").unwrap();
-        let parts = html.split("</a>").map(|part| part.contains("<a href") as usize);
-        assert_eq!(parts.collect::<Vec<_>>(), [1, 1, 0], "{html}");
-        assert!(html.contains("</a><span class=\"stated\""), "{html}");
-        assert!(set("{{work-precision doi:10.1/x}}").unwrap().ends_with("<figure>"));
     }
 }

@@ -61,8 +61,20 @@ pub fn html(html: &str) -> String {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
+
+    /// What a browser makes of references, but those such as `&lt;`.
+    pub fn shown(inert: &str) -> String {
+        let mut parts = inert.split("&#");
+        let mut shown = parts.next().unwrap().to_string();
+        for part in parts {
+            let (code, rest) = part.split_once(';').unwrap();
+            shown.push(char::from_u32(code.parse().unwrap()).unwrap());
+            shown.push_str(rest);
+        }
+        shown
+    }
 
     /// Catches: a subscript read as emphasis, a norm as a cell's end, primes as curly quotes.
     #[test]

@@ -1,8 +1,12 @@
 //! Formulas, typeset by KaTeX in Rust: HTML for the screen, MathML for screen readers. No script
 //! runs in the reader's browser.
 
+use std::borrow::Cow;
+use std::sync::LazyLock;
+
 use anyhow::{Result, anyhow, ensure};
 use katex::{KatexContext, OutputFormat, Settings, StrictMode, StrictSetting, render_to_string};
+use regex::Regex;
 
 use super::inert;
 
@@ -34,18 +38,11 @@ fn has_bare_root(tex: &str) -> bool {
 
 /// KaTeX repeats the TeX source in an annotation, which is invisible but gets into the search
 /// index.
-fn without_annotations(html: &str) -> String {
-    const OPEN: &str = "<annotation ";
-    const CLOSE: &str = "</annotation>";
-    let mut kept = String::with_capacity(html.len());
-    let mut rest = html;
-    while let Some(start) = rest.find(OPEN) {
-        kept.push_str(&rest[..start]);
-        rest = &rest[start..];
-        rest = rest.find(CLOSE).map_or("", |end| &rest[end + CLOSE.len()..]);
-    }
-    kept.push_str(rest);
-    kept
+fn without_annotations(html: &str) -> Cow<'_, str> {
+    static ANNOTATION: LazyLock<Regex> = LazyLock::new(|| {
+        Regex::new("(?s)<annotation .*?</annotation>").expect("the pattern is a constant")
+    });
+    ANNOTATION.replace_all(html, "")
 }
 
 #[cfg(test)]

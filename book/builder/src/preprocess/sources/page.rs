@@ -111,51 +111,29 @@ proptest! {
 ";
 "#;
 
-    fn page() -> String {
-        let tests = Tests::from_sources([("order", SOURCE)]).unwrap();
-        of(&tests.files[0])
-    }
-
-    /// Catches: a page without the ids that chapters link to.
-    #[test]
-    fn each_test_has_a_heading_with_its_name_as_id() {
-        let page = page();
-        for name in ["slopes", "area"] {
-            assert!(page.contains(&format!("\n## `{name}` {{#{name}}}\n")), "{page}");
-        }
-    }
-
-    /// Catches: source lost between the parts, documentation separated from its test.
+    /// Catches: a page without the ids that chapters link to; source lost between the parts,
+    /// documentation separated from its test; code that ends its own block early, and lines of code
+    /// that mdBook hides; an overview that misses a test.
     #[test]
     fn the_source_is_shown_from_top_to_bottom() {
-        let page = page();
+        let tests = Tests::from_sources([("order", SOURCE)]).unwrap();
+        let page = of(&tests.files[0]);
         let mut from = 0;
         for piece in [
             "# `tests/order.rs`\n\nOrder.\n\n## Why\nBecause.\n",
             "use a::b;",
-            "{#slopes}",
+            "\n## `slopes` {#slopes}\n",
             "/// Catches: a.\n#[test]\nfn slopes() {}\n```",
             "proptest! {",
-            "{#area}",
+            "\n## `area` {#area}\n",
             "    fn area(x in 0..1) {\n    }\n",
+            "`````rust\n",
             "const T",
+            "\n## hidden?\n",
         ] {
             from += page[from..].find(piece).unwrap_or_else(|| panic!("{piece} in {page}"));
         }
-    }
-
-    /// Catches: code that ends its own block early, and lines of code that mdBook hides.
-    #[test]
-    fn code_cannot_escape_or_hide() {
-        let page = page();
-        assert!(page.contains("`````rust\n") && page.contains("\n## hidden?\n"), "{page}");
-    }
-
-    /// Catches: an overview that misses a test.
-    #[test]
-    fn the_overview_lists_every_test() {
-        let tests = Tests::from_sources([("order", SOURCE)]).unwrap();
-        let overview = super::overview(&tests);
+        let overview = overview(&tests);
         assert!(overview.contains("* [`slopes`](order.md#slopes)\n* [`area`](order.md#area)\n"));
         assert!(overview.contains("Order.\n"), "{overview}");
     }
