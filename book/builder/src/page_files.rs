@@ -6,9 +6,9 @@
 //! Its content security policy says what a browser may load and run on it: files of the book and
 //! nothing else, and of scripts those of these files and the few that mdBook writes into the frame
 //! of every page, by their hashes. A script in the text of a chapter, in an attribute or in an
-//! address does not run. Styles stand inline on most pages: KaTeX gives the parts of a formula their
-//! heights, and mdBook the cells of a table their alignment, both as attributes, which no hash can
-//! name.
+//! address does not run. Styles stand inline on most pages: KaTeX gives the parts of a formula
+//! their heights, and mdBook the cells of a table their alignment, both as attributes, which no
+//! hash can name.
 
 use std::collections::BTreeSet;
 use std::fs;

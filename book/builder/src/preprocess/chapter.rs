@@ -245,10 +245,11 @@ mod tests {
     }
 
     /// Catches: the stated value in place of the measured one, and the other way round; a link that
-    /// ignores how deep the page lies; a figure left out, or in the wrong place; directives replaced
-    /// in a page that explains them; a line that ends in the middle of `--test`, and a word held that
-    /// is too long for a phone; a DOI that is no link, or whose link takes the full stop or the
-    /// directive after it along, and so leads nowhere; what stands before a directive lost.
+    /// ignores how deep the page lies; a figure left out, or in the wrong place; directives
+    /// replaced in a page that explains them; a line that ends in the middle of `--test`, and a
+    /// word held that is too long for a phone; a DOI that is no link, or whose link takes the full
+    /// stop or the directive after it along, and so leads nowhere; what stands before a directive
+    /// lost.
     #[rstest]
     #[case(
         "{{stated T4.rk4.0.01}}, {{ measured T4.rk4.0.01 }}, {{verdict T4.rk4.0.01}}",

@@ -28,7 +28,7 @@ pub fn check(
         let name = name_of(&shown, ".snap").with_context(|| format!("{shown}: a strange name"))?;
         let text = files::read(path).with_context(|| format!("{shown} cannot be read"))?;
         let text = String::from_utf8_lossy(&text);
-        let file = File::parse(name, &text, &shown).with_context(|| restore(name))?;
+        let file = File::parse(name, &text, Path::new(&shown)).with_context(|| restore(name))?;
         if file.content.kind != Kind::Recorded {
             quoted.insert(name.to_string(), (shown.clone(), file));
         }
