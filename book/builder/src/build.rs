@@ -1,18 +1,25 @@
 //! Building the book in-process: mdBook's driver with our preprocessor in place of the command.
+//!
+//! mdBook reports an unclosed tag or a missing include through `tracing`, and continues. Such
+//! reports are collected here, so that the build can stop.
 
+use std::fmt::Debug;
 use std::fs;
+use std::mem;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
 
 use anyhow::{Context, Result, bail, ensure};
 use mdbook_driver::MDBook;
+use tracing::field::Field;
+use tracing::span::{Attributes, Id, Record};
+use tracing::{Event, Level, Metadata, Subscriber, subscriber};
 
 use crate::ledger::Ledger;
 use crate::page_files;
 use crate::preprocess::Pendula;
 use crate::progress::Progress;
-use crate::warnings;
 use pendula_output::files;
 use pendula_output::files::whole_folder::WholeFolder;
 
@@ -30,8 +37,7 @@ pub fn book(
     progress: Progress,
     interrupted: &Arc<AtomicBool>,
 ) -> Result<PathBuf> {
-    let (built, warnings) =
-        warnings::collect(|| driven(root, destination, ledger, &progress, interrupted));
+    let (built, warnings) = collect(|| driven(root, destination, ledger, &progress, interrupted));
     progress.finish();
     let (folder, pages) = built?;
     if let Some((first, others)) = warnings.split_first() {
@@ -63,8 +69,7 @@ fn driven(
     let folder = WholeFolder::beside(&destination)?;
     book.config.build.build_dir = folder.path();
     // The same name as in book.toml, so that it takes the command's place.
-    let pendula = Pendula::new(ledger, progress.clone()).until(Arc::clone(interrupted));
-    book.with_preprocessor(pendula);
+    book.with_preprocessor(Pendula::new(ledger, progress.clone(), Arc::clone(interrupted)));
     book.build()?;
     let pages = book.build_dir_for("html");
     let html = book.config.html_config().unwrap_or_default();
@@ -102,4 +107,57 @@ fn known_answers(root: &Path, pages: &Path) -> Result<()> {
         fs::write(&to, text).with_context(|| to.display().to_string())?;
     }
     Ok(())
+}
+
+/// Runs `work`; returns its result and what mdBook warned of meanwhile.
+fn collect<T>(work: impl FnOnce() -> T) -> (T, Vec<String>) {
+    let warnings = Arc::<Mutex<Vec<String>>>::default();
+    let result = subscriber::with_default(Collector(Arc::clone(&warnings)), work);
+    let warnings = mem::take(&mut *warnings.lock().unwrap_or_else(PoisonError::into_inner));
+    (result, warnings)
+}
+
+struct Collector(Arc<Mutex<Vec<String>>>);
+
+impl Subscriber for Collector {
+    fn enabled(&self, metadata: &Metadata<'_>) -> bool {
+        *metadata.level() <= Level::WARN && metadata.target().starts_with("mdbook")
+    }
+
+    fn event(&self, event: &Event<'_>) {
+        event.record(&mut |field: &Field, value: &dyn Debug| {
+            if field.name() == "message" {
+                let mut warnings = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+                warnings.push(format!("{value:?}"));
+            }
+        });
+    }
+
+    // Spans are not needed.
+    fn new_span(&self, _: &Attributes<'_>) -> Id {
+        Id::from_u64(1)
+    }
+    fn record(&self, _: &Id, _: &Record<'_>) {}
+    fn record_follows_from(&self, _: &Id, _: &Id) {}
+    fn enter(&self, _: &Id) {}
+    fn exit(&self, _: &Id) {}
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Catches: a collector that receives nothing, and one that also receives other crates' events
+    /// or mere information.
+    #[test]
+    fn only_mdbooks_warnings_are_collected() {
+        let (result, messages) = collect(|| {
+            tracing::warn!(target: "mdbook_html::html", "unclosed tag <{}>", "div");
+            tracing::info!(target: "mdbook_html::html", "building");
+            tracing::warn!(target: "other", "none of our business");
+            7
+        });
+        assert_eq!(result, 7);
+        assert_eq!(messages, ["unclosed tag <div>"]);
+    }
 }

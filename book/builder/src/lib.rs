@@ -5,6 +5,10 @@
 //! what a page loads and may do (`page_files`). What moved from one of the [`versions`] of the
 //! snapshots to another is [`review`].
 
+use std::sync::LazyLock;
+
+use regex::Regex;
+
 pub mod build;
 pub mod ledger;
 pub mod locate;
@@ -14,4 +18,11 @@ pub mod preprocess;
 pub mod progress;
 pub mod review;
 pub mod versions;
-mod warnings;
+
+/// A pattern that is compiled when it is first used.
+type Pattern = LazyLock<Regex>;
+
+/// The pattern that is written so in our code, and so is right.
+fn pattern(written: &str) -> Regex {
+    Regex::new(written).expect("the pattern is a constant")
+}

@@ -9,10 +9,9 @@ use std::process::Command;
 use std::thread;
 
 use anyhow::{Context, Result, anyhow, bail, ensure};
-use pendula_study::claims::Ledger;
-use pendula_study::experiments::Study;
 use pendula_study::report::snapshots::{self, Kind};
 
+use crate::ledger::Paper;
 use crate::progress::Progress;
 use pendula_output::files;
 
@@ -114,33 +113,9 @@ pub fn on_disk(folder: &Path, suffix: &str) -> Result<BTreeMap<String, File>> {
 
 /// What the code makes now, and why it does not make what it cannot.
 pub fn computed(progress: &Progress) -> Result<Made> {
-    let made = quietly(|| {
-        progress.stage("", Study::EXPERIMENTS as usize);
-        let study = Study::run(|experiment| progress.next(experiment));
-        let ledger = Ledger::new(&study);
-        made(&study, &ledger, |_| true)
-    });
+    let made = quietly(|| Paper::measure(progress).made(|_| true));
     progress.finish();
     made.map_err(|panic| anyhow!("the study cannot be computed: {}", said(&*panic)))
-}
-
-/// Those of the snapshots that are `wanted`, as the code makes them now of a study, and why it does
-/// not make what it cannot.
-pub fn made(study: &Study, ledger: &Ledger, wanted: impl Fn(&str) -> bool) -> Made {
-    let made = snapshots::some(study, ledger, wanted);
-    let (mut version, mut failed) = (Version::new(), BTreeMap::new());
-    for (name, made) in made {
-        match made {
-            Ok(snapshot) => {
-                let text = snapshot.content().to_string();
-                version.insert(name, Content { kind: snapshot.kind, text });
-            }
-            Err(panic) => {
-                failed.insert(name, said(&*panic));
-            }
-        }
-    }
-    (version, failed)
 }
 
 /// The result of `work`, in which panics print nothing.
@@ -194,15 +169,9 @@ pub fn git(root: &Path, arguments: &[&str]) -> Result<String> {
 mod tests {
     use super::*;
 
-    /// Catches: a header or an anchor lost on the way from a file and back, and a name that keeps
-    /// the digit of its file.
+    /// Catches: a name that keeps the digit of its file; one of a time when files had none, lost.
     #[test]
-    fn a_file_is_read_and_written() {
-        let text = "---\nsource: tests\ninfo:\n  a: 1\n---\n<!-- ANCHOR: table -->\n| a | b |\n\
-                    <!-- ANCHOR_END: table -->\n";
-        let file = File::parse("table_4", text, Path::new("there")).unwrap();
-        assert_eq!((file.content.kind, file.content.text.as_str()), (Kind::Table, "| a | b |\n"));
-        assert_eq!(file.text(), text);
+    fn a_file_names_its_snapshot() {
         assert_eq!(name_of("snapshots/1_table_4.snap", ".snap"), Some("table_4"));
         assert_eq!(name_of("table_4.snap", ".snap"), Some("table_4"));
         assert_eq!(name_of("1_table_4.snap.new", ".snap"), None);
@@ -219,21 +188,5 @@ mod tests {
         );
         assert_eq!(reason(|| panic!("{} of {}", 3, 7)), Err("3 of 7".to_string()));
         assert_eq!(reason(|| 7), Ok(7));
-    }
-
-    /// Catches: half a file taken for a whole one.
-    #[test]
-    fn what_is_corrupt_is_refused() {
-        for text in [
-            "",
-            "---\nsource: a\n",
-            "---\na: 1\n---\nwords\n",
-            "---\na: 1\n---\n<!-- ANCHOR: table -->\n| a |\n",
-            "---\na: 1\n---\n<!-- ANCHOR: x -->\n<!-- ANCHOR_END: x -->\n",
-        ] {
-            let error =
-                File::parse("a", text, Path::new("snapshots/a.snap")).unwrap_err().to_string();
-            assert!(error.starts_with("snapshots/a.snap: corrupt"), "{error}");
-        }
     }
 }

@@ -18,10 +18,8 @@
 
 use std::collections::BTreeSet;
 use std::ops::Range;
-use std::sync::LazyLock;
 
 use anyhow::{Context, Result, bail, ensure};
-use regex::Regex;
 
 use super::listing::{flush_left, with_output};
 use super::markdown::{Kind, passages, splice};
@@ -29,6 +27,7 @@ use super::maths::Maths;
 use super::sources::Tests;
 use super::{inert, values};
 use crate::ledger::Ledger;
+use crate::{Pattern, pattern};
 
 /// The longest formula (bytes of TeX) that is kept on one line with the punctuation after it.
 const HELD: usize = 24;
@@ -53,15 +52,15 @@ impl<'a> Setter<'a> {
     pub fn set(&self, text: &str, to_root: &str, quoted: &mut BTreeSet<String>) -> Result<String> {
         let mut edits = Vec::new();
         let mut done = 0;
-        for passage in passages(text) {
-            self.set_prose(text, done..passage.range.start, to_root, &mut edits, quoted)?;
-            done = passage.range.end;
-            let source = &text[passage.range.clone()];
-            match passage.kind {
+        for (range, kind) in passages(text) {
+            self.set_prose(text, done..range.start, to_root, &mut edits, quoted)?;
+            done = range.end;
+            let source = &text[range.clone()];
+            match kind {
                 Kind::Code => {
                     let html = flush_left(source).or_else(|| with_output(source));
                     let html = html.or_else(|| with_whole_options(source));
-                    edits.extend(html.map(|html| (passage.range, html)));
+                    edits.extend(html.map(|html| (range, html)));
                 }
                 Kind::Formula { tex, display } => {
                     // In TeX `{{a}}` is a group in a group.
@@ -78,13 +77,13 @@ impl<'a> Setter<'a> {
                         {
                             let mark = inert::text(&mark.to_string());
                             let held = format!("<span class=\"held\">{html}{mark}</span>");
-                            (passage.range.start..done + 1, held)
+                            (range.start..done + 1, held)
                         }
-                        _ => (passage.range, html),
+                        _ => (range, html),
                     });
                 }
-                Kind::Exponent => edits.push((passage.range, values::html(source))),
-                Kind::Gap => edits.push((passage.range, "&nbsp;".to_string())),
+                Kind::Exponent => edits.push((range, values::html(source))),
+                Kind::Gap => edits.push((range, "&nbsp;".to_string())),
                 Kind::StrayDollar => {
                     let line = text[..done].lines().last().unwrap_or_default();
                     bail!("{line}: this dollar sign begins no formula; the sign itself is \\$");
@@ -104,9 +103,8 @@ impl<'a> Setter<'a> {
         edits: &mut Vec<(Range<usize>, String)>,
         quoted: &mut BTreeSet<String>,
     ) -> Result<()> {
-        static NOTABLE: LazyLock<Regex> = LazyLock::new(|| {
-            Regex::new(r"\{\{(?s:(?<directive>.*?))\}\}|(?<doi>doi:10\.[^\s{]*)|\{\{.{0,38}")
-                .expect("the pattern is a constant")
+        static NOTABLE: Pattern = Pattern::new(|| {
+            pattern(r"\{\{(?s:(?<directive>.*?))\}\}|(?<doi>doi:10\.[^\s{]*)|\{\{.{0,38}")
         });
         // A nested footnote or the like may begin before the last passage ended.
         let Some(prose) = text.get(range.clone()) else { return Ok(()) };

@@ -6,13 +6,12 @@
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
-use std::sync::LazyLock;
 
 use anyhow::{Context, Result, ensure};
 use mdbook_preprocessor::book::Book;
-use regex::Regex;
 
 use super::{chapters, name};
+use crate::{Pattern, pattern};
 use pendula_output::files;
 
 /// Checks the includes of every chapter that has a file in the folder `source`, and returns the
@@ -33,9 +32,8 @@ pub fn check(source: &Path, book: &Book) -> Result<BTreeSet<PathBuf>> {
 /// The files that a text includes, whose relative paths start from `folder`.
 fn includes(text: &str, folder: &Path) -> Result<Vec<PathBuf>> {
     // The first alternative is mdBook's escape: everything up to the last braces of the line.
-    static LINK: LazyLock<Regex> = LazyLock::new(|| {
-        Regex::new(r"\\\{\{#.*\}\}|\{\{\s*#(?<kind>[a-zA-Z0-9_]+)\s+(?<rest>[^}]+)\}\}")
-            .expect("the pattern is a constant")
+    static LINK: Pattern = Pattern::new(|| {
+        pattern(r"\\\{\{#.*\}\}|\{\{\s*#(?<kind>[a-zA-Z0-9_]+)\s+(?<rest>[^}]+)\}\}")
     });
     let mut files = Vec::new();
     for link in LINK.captures_iter(text) {

@@ -1,22 +1,17 @@
 //! How the ledger's values are typeset: `2.01e-4` as 2.01 × 10⁻⁴.
 
-use std::sync::LazyLock;
-
-use regex::Regex;
-
 use super::{inert, markdown};
 use crate::number::plain;
+use crate::{Pattern, pattern};
 
 /// A value as HTML: a line may end between its words, but not within a number or before its unit.
 pub fn html(value: &str) -> String {
-    static NOTABLE: LazyLock<Regex> = LazyLock::new(|| {
-        Regex::new(r"(?:(?<mantissa>\d+(?:\.\d+)?)[eE]|\^)(?<exponent>[+-]?\d+)|-")
-            .expect("the pattern is a constant")
-    });
+    static NOTABLE: Pattern =
+        Pattern::new(|| pattern(r"(?:(?<mantissa>\d+(?:\.\d+)?)[eE]|\^)(?<exponent>[+-]?\d+)|-"));
     let value = &markdown::held(&plain(value));
     let (mut html, mut done) = (String::new(), 0);
     for found in NOTABLE.captures_iter(value) {
-        let whole = found.get(0).expect("group 0 is the match");
+        let whole = found.get_match();
         let mantissa = found.name("mantissa").map(|mantissa| inert::text(mantissa.as_str()));
         let exponent = found.name("exponent").map(|digits| digits.as_str().parse::<i32>());
         let sup = |exponent: i32| format!("<sup>{exponent}</sup>").replace('-', "−");

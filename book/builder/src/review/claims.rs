@@ -49,7 +49,7 @@ pub fn claims(version: &Version) -> Result<Vec<Claim>> {
                 let column = table.header().iter().position(|known| known == heading);
                 column.map(|column| row[column].clone()).unwrap_or_default()
             };
-            let (verdict, remark) = verdict(&column("verdict"));
+            let (verdict, remark) = judged(&column("verdict"));
             let (stated, measured) = (column("stated"), column("measured"));
             let (id, gist, agrees) = (id.to_string(), gist.to_string(), agrees.get(id).copied());
             claims.push(Claim { id, gist, stated, measured, verdict, remark, agrees });
@@ -76,8 +76,8 @@ pub fn id_and_gist(cell: &str) -> Option<(&str, &str)> {
     Some((id, gist.trim()))
 }
 
-/// The word and the remark.
-fn verdict(cell: &str) -> (String, String) {
+/// The verdict of a ledger's last cell in a word or a few, and the reason.
+pub fn judged(cell: &str) -> (String, String) {
     let cell = Value::new(cell).text;
     match cell.strip_prefix("**").and_then(|rest| rest.split_once("**")) {
         Some((word, remark)) => (word.into(), remark.trim_start_matches('.').trim().into()),

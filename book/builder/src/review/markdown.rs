@@ -138,29 +138,15 @@ impl Document {
         if let Some(name) = file {
             match review.code.change(name)? {
                 None => self.paragraph(&format!("Its file {} is as it was.", link(name))),
-                Some(change) => self.change(name, &change, review.code.since()),
+                Some(change) => self.change(name, &change),
             }
         }
         self.group(group);
         Ok(())
     }
 
-    fn change(&mut self, name: &str, change: &Change, since: Option<&str>) {
-        let (language, why, text) = match change {
-            // The names of the files stand above.
-            Change::Difference(text) => {
-                let from = text.find("\n@@").map_or(0, |at| at + 1);
-                ("diff", format!("since {}", prose(since.unwrap_or_default())), &text[from..])
-            }
-            Change::Untracked(text) => {
-                let why = match since {
-                    Some(_) => "which git does not know yet",
-                    None => "all of it, as git does not say what changed in it",
-                };
-                ("rust", why.to_string(), &text[..])
-            }
-        };
-        self.paragraph(&format!("{}, {why}:", link(name)));
+    fn change(&mut self, name: &str, Change { language, why, text }: &Change) {
+        self.paragraph(&format!("{}, {}:", link(name), prose(why)));
         let lines: Vec<&str> = text.lines().collect();
         let mut shown = lines[..lines.len().min(LINES)].join("\n");
         if lines.len() > LINES {
@@ -185,7 +171,7 @@ impl Document {
         }
         for name in changed {
             if let Some(change) = review.code.change(name)? {
-                self.change(name, &change, review.code.since());
+                self.change(name, &change);
             }
         }
         Ok(())

@@ -1,12 +1,12 @@
 //! The lines of the book that quote what moved.
 
 use std::path::Path;
-use std::sync::LazyLock;
 
 use anyhow::Result;
-use regex::{Captures, Regex};
+use regex::Captures;
 
 use super::claims::{Claim, find};
+use crate::{Pattern, pattern};
 use pendula_output::files;
 
 /// A line of the book.
@@ -54,10 +54,8 @@ fn of_chapter(chapter: &str, text: &str, before: &[Claim], now: &[Claim]) -> Vec
 
 /// A line with the values of its directives, and what of them moved.
 fn filled(line: &str, before: &[Claim], now: &[Claim]) -> (String, Vec<String>) {
-    static DIRECTIVE: LazyLock<Regex> = LazyLock::new(|| {
-        let pattern = r"\{\{(measured|stated|verdict) ([^}\s]+)\}\}";
-        Regex::new(pattern).expect("the pattern is a constant")
-    });
+    static DIRECTIVE: Pattern =
+        Pattern::new(|| pattern(r"\{\{(measured|stated|verdict) ([^}\s]+)\}\}"));
     let mut moved = Vec::new();
     let filled = DIRECTIVE.replace_all(line, |found: &Captures<'_>| {
         let value = |claims: &[Claim]| {

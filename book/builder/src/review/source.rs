@@ -25,11 +25,13 @@ pub struct Code {
 
 /// How a file changed.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Change {
-    /// As `git diff` says.
-    Difference(String),
-    /// Git does not know it: this is all of it.
-    Untracked(String),
+pub struct Change {
+    /// In what it is written: `diff`, or `rust` for a whole file.
+    pub language: &'static str,
+    /// Since when it changed, or why all of it is shown.
+    pub why: String,
+    /// The difference, without the names of the files, or all of it.
+    pub text: String,
 }
 
 impl Code {
@@ -81,15 +83,22 @@ impl Code {
 
     /// How a file changed; nothing if it did not.
     pub fn change(&self, name: &str) -> Result<Option<Change>> {
-        let all = || Ok(Some(Change::Untracked(files::text(&self.root.join(name))?)));
-        let Some((commit, _)) = &self.since else { return all() };
+        let all = |why: &str| {
+            let text = files::text(&self.root.join(name))?;
+            Ok(Some(Change { language: "rust", why: why.to_string(), text }))
+        };
+        let Some((commit, since)) = &self.since else {
+            return all("all of it, as git does not say what changed in it");
+        };
         let plain = ["diff", "--no-color", "--no-ext-diff", "--no-textconv", "--relative"];
         let diff = git(&self.root, &[&plain[..], &[commit, "--", name]].concat())?;
         if !diff.is_empty() {
-            return Ok(Some(Change::Difference(diff)));
+            let from = diff.find("\n@@").map_or(0, |at| at + 1);
+            let (why, text) = (format!("since {since}"), diff[from..].to_string());
+            return Ok(Some(Change { language: "diff", why, text }));
         }
         let is_known = !git(&self.root, &["ls-files", "--", name])?.is_empty();
-        if is_known { Ok(None) } else { all() }
+        if is_known { Ok(None) } else { all("which git does not know yet") }
     }
 
     /// The files that changed, by name.

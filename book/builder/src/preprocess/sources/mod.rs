@@ -8,12 +8,12 @@
 
 use std::ops::Range;
 use std::path::Path;
-use std::sync::LazyLock;
 
 use anyhow::{Context, Result, bail, ensure};
 use mdbook_preprocessor::book::{BookItem, Chapter};
 use pendula_output::files;
-use regex::Regex;
+
+use crate::{Pattern, pattern};
 
 pub mod page;
 
@@ -160,13 +160,10 @@ pub struct Test {
 /// and those of which a macro below makes tests, as `each_method!(slopes);` does, one for each
 /// method.
 fn scan(source: &str) -> Result<Vec<Test>> {
-    static FUNCTION: LazyLock<Regex> = LazyLock::new(|| {
-        let pattern = r"^( *)(?:pub(?:\([a-z]+\))? )?(?:async |const |unsafe )*fn (\w+)";
-        Regex::new(pattern).expect("the pattern is a constant")
+    static FUNCTION: Pattern = Pattern::new(|| {
+        pattern(r"^( *)(?:pub(?:\([a-z]+\))? )?(?:async |const |unsafe )*fn (\w+)")
     });
-    static ATTRIBUTE: LazyLock<Regex> = LazyLock::new(|| {
-        Regex::new(r"^ *#\[(?:\w+::)*(?:rs)?test\b").expect("the pattern is a constant")
-    });
+    static ATTRIBUTE: Pattern = Pattern::new(|| pattern(r"^ *#\[(?:\w+::)*(?:rs)?test\b"));
     let lines: Vec<&str> = source.lines().collect();
     let mut tests = Vec::new();
     for (at, line) in lines.iter().enumerate() {

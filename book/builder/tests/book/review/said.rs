@@ -257,15 +257,6 @@ fn figures_are_shown_if_one_can_see_the_difference() {
     assert!(text.contains("\nNot visibly: area, figure_2.\n"), "{text}");
 }
 
-/// Catches: a review of nothing that finds something, or says that it does.
-#[test]
-fn nothing_moves_by_nothing() {
-    let review = review(&[]);
-    assert!(review.is_empty() && review.quotes.is_empty());
-    let nothing = format!("Nothing moved: all {} snapshots are the same", REVIEWED.len());
-    assert_eq!(said(&review, Weight::Calm), [nothing]);
-}
-
 /// Catches: a page that is not HTML, loads something, uses an id twice, leaves out a figure, a
 /// table or a command, or shows a drawing in the other's place; text and Markdown that leave out
 /// what the page shows.
