@@ -1,19 +1,25 @@
 //! Building the book in-process: mdBook's driver with our preprocessor in place of the command.
+//!
+//! mdBook reports an unclosed tag or a missing include through `tracing`, and continues. Such
+//! reports are collected here, so that the build can stop.
 
+use std::fmt::Debug;
 use std::fs;
+use std::mem;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
 
 use anyhow::{Context, Result, bail, ensure};
 use mdbook_driver::MDBook;
+use tracing::field::Field;
+use tracing::span::{Attributes, Id, Record};
+use tracing::{Event, Level, Metadata, Subscriber, subscriber};
 
 use crate::ledger::Ledger;
 use crate::page_files;
-use crate::policy;
 use crate::preprocess::Pendula;
 use crate::progress::Progress;
-use crate::warnings;
 use pendula_output::files;
 use pendula_output::files::whole_folder::WholeFolder;
 
@@ -31,8 +37,7 @@ pub fn book(
     progress: Progress,
     interrupted: &Arc<AtomicBool>,
 ) -> Result<PathBuf> {
-    let (built, warnings) =
-        warnings::collect(|| driven(root, destination, ledger, &progress, interrupted));
+    let (built, warnings) = collect(|| driven(root, destination, ledger, &progress, interrupted));
     progress.finish();
     let (folder, pages) = built?;
     if let Some((first, others)) = warnings.split_first() {
@@ -64,14 +69,13 @@ fn driven(
     let folder = WholeFolder::beside(&destination)?;
     book.config.build.build_dir = folder.path();
     // The same name as in book.toml, so that it takes the command's place.
-    let pendula = Pendula::new(ledger, progress.clone()).until(Arc::clone(interrupted));
-    book.with_preprocessor(pendula);
+    book.with_preprocessor(Pendula::new(ledger, progress.clone(), Arc::clone(interrupted)));
     book.build()?;
     let pages = book.build_dir_for("html");
     let html = book.config.html_config().unwrap_or_default();
     page_files::join(&pages, &html.additional_js)?;
     let site = html.site_url.unwrap_or_default();
-    each_page(&pages, |page| policy::with_policy(&page_files::linked(page, &site)))?;
+    each_page(&pages, |page| page_files::finished(page, &site))?;
     known_answers(root, &pages)?;
     let pages = pages.strip_prefix(folder.path()).map(Path::to_path_buf).unwrap_or_default();
     Ok((folder, pages))
@@ -79,13 +83,10 @@ fn driven(
 
 /// Changes every page in the folder, which nobody reads yet.
 fn each_page(folder: &Path, change: impl Fn(&str) -> Result<String>) -> Result<()> {
-    for (path, _) in files::tree(folder).with_context(|| folder.display().to_string())? {
-        if path.extension().is_some_and(|extension| extension == "html") {
-            let file = folder.join(path);
-            let name = || file.display().to_string();
-            let page = fs::read_to_string(&file).with_context(name)?;
-            fs::write(&file, change(&page).with_context(name)?).with_context(name)?;
-        }
+    for path in files::with_extension(folder, "html")? {
+        let file = folder.join(path);
+        let name = || file.display().to_string();
+        fs::write(&file, change(&files::text(&file)?).with_context(name)?).with_context(name)?;
     }
     Ok(())
 }
@@ -99,11 +100,64 @@ fn known_answers(root: &Path, pages: &Path) -> Result<()> {
         return Ok(());
     }
     let file = root.join("../snapshots/known-answers.json");
-    let json = fs::read_to_string(&file).with_context(|| file.display().to_string())?;
+    let json = files::text(&file)?;
     let script = format!("globalThis.knownAnswers = {};\n", json.trim_end());
     for (name, text) in [("known-answers.json", &json), ("known-answers.js", &script)] {
         let to = assets.join(name);
         fs::write(&to, text).with_context(|| to.display().to_string())?;
     }
     Ok(())
+}
+
+/// Runs `work`; returns its result and what mdBook warned of meanwhile.
+fn collect<T>(work: impl FnOnce() -> T) -> (T, Vec<String>) {
+    let warnings = Arc::<Mutex<Vec<String>>>::default();
+    let result = subscriber::with_default(Collector(Arc::clone(&warnings)), work);
+    let warnings = mem::take(&mut *warnings.lock().unwrap_or_else(PoisonError::into_inner));
+    (result, warnings)
+}
+
+struct Collector(Arc<Mutex<Vec<String>>>);
+
+impl Subscriber for Collector {
+    fn enabled(&self, metadata: &Metadata<'_>) -> bool {
+        *metadata.level() <= Level::WARN && metadata.target().starts_with("mdbook")
+    }
+
+    fn event(&self, event: &Event<'_>) {
+        event.record(&mut |field: &Field, value: &dyn Debug| {
+            if field.name() == "message" {
+                let mut warnings = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+                warnings.push(format!("{value:?}"));
+            }
+        });
+    }
+
+    // Spans are not needed.
+    fn new_span(&self, _: &Attributes<'_>) -> Id {
+        Id::from_u64(1)
+    }
+    fn record(&self, _: &Id, _: &Record<'_>) {}
+    fn record_follows_from(&self, _: &Id, _: &Id) {}
+    fn enter(&self, _: &Id) {}
+    fn exit(&self, _: &Id) {}
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Catches: a collector that receives nothing, and one that also receives other crates' events
+    /// or mere information.
+    #[test]
+    fn only_mdbooks_warnings_are_collected() {
+        let (result, messages) = collect(|| {
+            tracing::warn!(target: "mdbook_html::html", "unclosed tag <{}>", "div");
+            tracing::info!(target: "mdbook_html::html", "building");
+            tracing::warn!(target: "other", "none of our business");
+            7
+        });
+        assert_eq!(result, 7);
+        assert_eq!(messages, ["unclosed tag <div>"]);
+    }
 }

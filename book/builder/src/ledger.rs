@@ -11,9 +11,10 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use anyhow::{Result, anyhow};
 use pendula_study::claims::{Claim, Measured};
 use pendula_study::experiments::Study;
+use pendula_study::report::snapshots::some;
 
 use crate::progress::Progress;
-use crate::versions::{Made, made, quietly, said};
+use crate::versions::{Content, Made, quietly, said};
 use pendula_output::interrupt::unless_interrupted;
 
 /// The ledger's entry for one claim. A value is text, such as `2.01e-4`, `5.158 s` or `4`; the book
@@ -66,6 +67,25 @@ impl Paper {
         Self(Arc::new((study, ledger)))
     }
 
+    /// Those of the snapshots that are `wanted`, as the code makes them, and why it does not make
+    /// what it cannot.
+    pub(crate) fn made(&self, wanted: impl Fn(&str) -> bool) -> Made {
+        let (study, ledger) = &*self.0;
+        let (mut version, mut failed) = Made::default();
+        for (name, made) in some(study, ledger, wanted) {
+            match made {
+                Ok(snapshot) => {
+                    let text = snapshot.content().to_string();
+                    version.insert(name, Content { kind: snapshot.kind, text });
+                }
+                Err(panic) => {
+                    failed.insert(name, said(&*panic));
+                }
+            }
+        }
+        (version, failed)
+    }
+
     /// Its claims.
     pub fn claims(&self) -> &[Claim] {
         self.0.1.claims()
@@ -88,8 +108,8 @@ impl Ledger for Paper {
     }
 
     fn snapshots(&self, names: BTreeSet<String>, interrupted: &AtomicBool) -> Result<Made> {
-        let paper = Arc::clone(&self.0);
-        let made = move || quietly(|| made(&paper.0, &paper.1, |name| names.contains(name)));
+        let paper = self.clone();
+        let made = move || quietly(|| paper.made(|name| names.contains(name)));
         unless_interrupted(|| interrupted.load(Ordering::Relaxed), made)
             .ok_or_else(|| anyhow!("interrupted"))?
             .map_err(|panic| anyhow!("the snapshots cannot be computed: {}", said(&*panic)))

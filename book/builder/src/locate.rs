@@ -36,20 +36,15 @@ mod tests {
         folder
     }
 
-    /// Catches: a book found only from the top folder.
+    /// Catches: a book found only from the top folder; building whatever book the current directory
+    /// happens to hold, or that from whose source the program was compiled.
     #[test]
-    fn the_book_is_found_from_below() {
+    fn the_book_is_found_from_below_and_another_projects_is_passed_over() {
         let folder = folder_with_book("[preprocessor.pendula]\n");
         let found = book(&folder.path().join("src/methods")).unwrap();
         assert_eq!(found, folder.path().join("book"));
-    }
-
-    /// Catches: building whatever book the current directory happens to hold, or that from whose
-    /// source the program was compiled.
-    #[test]
-    fn another_projects_book_is_passed_over() {
-        let folder = folder_with_book("[book]\ntitle = \"other\"\n");
-        let line = book(folder.path()).unwrap_err().to_string();
+        let other = folder_with_book("[book]\ntitle = \"other\"\n");
+        let line = book(other.path()).unwrap_err().to_string();
         assert!(line.contains("there is no checkout of pendula here"), "{line}");
     }
 }

@@ -1,8 +1,8 @@
 //! Numbers as the study prints them, read.
 
-use std::sync::LazyLock;
+use regex::Captures;
 
-use regex::{Captures, Regex};
+use crate::{Pattern, pattern};
 
 /// A printed number.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,10 +33,8 @@ pub fn parse(literal: &str) -> Option<Number> {
 
 /// In a program's notation: `2.01e-4` and `-5.3` for the library's `2.01 × 10⁻⁴` and `−5.3`.
 pub fn plain(value: &str) -> String {
-    static TYPESET: LazyLock<Regex> = LazyLock::new(|| {
-        Regex::new(r"(?:(?<times>\s*×\s*10)|10)?(?<power>⁻?[⁰¹²³⁴-⁹]+)|−")
-            .expect("the pattern is a constant")
-    });
+    static TYPESET: Pattern =
+        Pattern::new(|| pattern(r"(?:(?<times>\s*×\s*10)|10)?(?<power>⁻?[⁰¹²³⁴-⁹]+)|−"));
     let typed = TYPESET.replace_all(value, |found: &Captures<'_>| match found.name("power") {
         None => "-".to_string(),
         Some(power) => {

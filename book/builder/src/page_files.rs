@@ -2,13 +2,21 @@
 //! else; and its fonts before its text is set, so that no line is set twice.
 //!
 //! The lab's scripts are joined to one, without comments, which another loads when it is near.
+//!
+//! Its content security policy says what a browser may load and run on it: files of the book and
+//! nothing else, and of scripts those of these files and the few that mdBook writes into the frame
+//! of every page, by their hashes. A script in the text of a chapter, in an attribute or in an
+//! address does not run. Styles stand inline on most pages: KaTeX gives the parts of a formula
+//! their heights, and mdBook the cells of a table their alignment, both as attributes, which no
+//! hash can name.
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
 use anyhow::{Context, Result};
-
-use crate::policy::CHARSET;
+use pendula_output::files;
+use pendula_output::page::hash;
 
 /// Where the lab's files stand in the book.
 const FOLDER: &str = "theme/lab/";
@@ -16,6 +24,9 @@ const FOLDER: &str = "theme/lab/";
 /// What all scripts are joined to, and the script that loads it.
 const BUNDLE: &str = "theme/lab/bundle.js";
 const LOADER: &str = "theme/lab/near.js";
+
+/// The line after which mdBook's pages have their policy.
+const CHARSET: &str = "<meta charset=\"UTF-8\">";
 
 /// How book/theme/head.hbs names the picture of a link.
 const PICTURE: &str = "<meta property=\"og:image\" content=\"";
@@ -28,8 +39,7 @@ pub fn join<P: AsRef<Path>>(pages: &Path, scripts: &[P]) -> Result<()> {
         if !script.starts_with(FOLDER) || script == Path::new(LOADER) {
             continue;
         }
-        let file = pages.join(script);
-        let text = fs::read_to_string(&file).with_context(|| file.display().to_string())?;
+        let text = files::text(&pages.join(script))?;
         let is_code = |line: &&str| !line.trim_start().starts_with("//");
         bundle.extend(text.split_inclusive('\n').filter(is_code));
     }
@@ -40,15 +50,20 @@ pub fn join<P: AsRef<Path>>(pages: &Path, scripts: &[P]) -> Result<()> {
     fs::write(&file, bundle).with_context(|| file.display().to_string())
 }
 
+/// The page with the files that it needs and its policy; `site` is the address of the book.
+pub fn finished(page: &str, site: &str) -> Result<String> {
+    with_policy(&linked(page, site))
+}
+
 /// Whether the page has a lab, or a figure that the lab's library moves.
-pub fn has_lab(page: &str) -> bool {
+fn has_lab(page: &str) -> bool {
     page.contains("class=\"lab")
 }
 
 /// The page with the files that it needs: without the scripts that were joined, without any of the
 /// lab's files if it has no lab, and with its fonts called for; with the picture for who posts a
 /// link, if `site` is a whole address, as that picture's has to be.
-pub fn linked(page: &str, site: &str) -> String {
+fn linked(page: &str, site: &str) -> String {
     let with_lab = has_lab(page);
     let with_picture = site.contains("://");
     let stays = |line: &&str| {
@@ -69,18 +84,16 @@ pub fn linked(page: &str, site: &str) -> String {
 /// The script that calls for the fonts of the page. From a disk a browser refuses to load them so
 /// early.
 fn fonts(page: &str) -> String {
-    const KINDS: [(&str, &str); 5] = [
+    const KINDS: [(&str, &str); 6] = [
         ("<body", "fonts/open-sans-regular"),
         ("<h1", "fonts/open-sans-600"),
         ("<code", "fonts/source-code-pro-500"),
         ("<em>", "fonts/open-sans-italic"),
         ("class=\"katex", "assets/katex/fonts/KaTeX_Main-Regular"),
+        ("class=\"mord mathnormal", "assets/katex/fonts/KaTeX_Math-Italic"),
     ];
     let kinds = KINDS.iter().filter(|(sign, _)| page.contains(sign));
-    let mut names: Vec<&str> = kinds.map(|(_, name)| *name).collect();
-    if page.contains("class=\"mord mathnormal") {
-        names.push("assets/katex/fonts/KaTeX_Math-Italic");
-    }
+    let names: Vec<&str> = kinds.map(|(_, name)| *name).collect();
     // Where the root of the book is, as the page says it.
     let before = page.split_once("fonts/fonts.css\"").map_or("", |(before, _)| before);
     let root = before.rsplit_once('"').map_or("", |(_, root)| root);
@@ -90,6 +103,51 @@ fn fonts(page: &str) -> String {
          as: 'font', type: 'font/woff2', crossOrigin: '', href: `{root}${{name}}.woff2`}}));\
          </script>"
     )
+}
+
+/// The page with its policy, before anything that it is about.
+fn with_policy(page: &str) -> Result<String> {
+    let (before, after) = page.split_once(CHARSET).context("a page without its encoding")?;
+    let policy = policy(page);
+    Ok(format!(
+        "{before}{CHARSET}\n        \
+         <meta http-equiv=\"Content-Security-Policy\" content=\"{policy}\">{after}"
+    ))
+}
+
+fn policy(page: &str) -> String {
+    let hashes = inline_scripts(&frame(page)).into_iter().map(hash).collect::<BTreeSet<_>>();
+    let mut scripts = String::from("'self'");
+    for hash in hashes {
+        scripts += &format!(" {hash}");
+    }
+    // The lab and the figures that it moves, of class "lab-figure", are compiled in the browser,
+    // which is allowed on their pages alone.
+    if has_lab(page) {
+        scripts += " 'wasm-unsafe-eval'";
+    }
+    // The page for what is not found says where the book begins.
+    let base = if page.contains("<base ") { "'self'" } else { "'none'" };
+    // The sign for copying a listing is an image within mdBook's style sheet; without scripts the
+    // contents are a frame.
+    format!(
+        "default-src 'none'; script-src {scripts}; style-src 'self' 'unsafe-inline'; \
+         img-src 'self' data:; font-src 'self'; frame-src 'self'; base-uri {base}; \
+         form-action 'none'"
+    )
+}
+
+/// What mdBook writes around the text of a chapter.
+fn frame(page: &str) -> String {
+    let start = page.find("<main>").unwrap_or(page.len());
+    let end = page.rfind("</main>").unwrap_or(page.len()).max(start);
+    format!("{}{}", &page[..start], &page[end..])
+}
+
+/// The text of each script that is not in a file of its own.
+fn inline_scripts(html: &str) -> Vec<&str> {
+    let scripts = html.split("<script>").skip(1);
+    scripts.filter_map(|rest| Some(rest.split_once("</script>")?.0)).collect()
 }
 
 #[cfg(test)]
@@ -142,5 +200,27 @@ mod tests {
         assert!(!linked(&page, "./").contains("og:image"));
         let page = linked(&page, "https://example.org/pendula/");
         assert!(page.contains("content=\"https://example.org/pendula/assets/the-lab.png\""));
+    }
+
+    const FRAMED: &str = "<html><head><meta charset=\"UTF-8\"><title>x</title>\
+        <script>let a;</script><script src=\"book.js\"></script></head><body><main>\
+        <script>let b;</script></main><script>let c;</script></body></html>";
+
+    /// Catches: a script of a chapter, which anybody may have written, taken for one of the frame;
+    /// one of the frame left out, so that the page is broken.
+    #[test]
+    fn scripts_of_the_frame_run_and_those_of_the_text_do_not() {
+        let page = with_policy(FRAMED).unwrap();
+        for (script, runs) in [("let a;", true), ("let b;", false), ("let c;", true)] {
+            assert_eq!(page.contains(&hash(script)), runs, "{script}");
+        }
+        assert_eq!(page.matches("'sha256-").count(), 2);
+    }
+
+    /// Catches: text that ends the chapter for the builder, and not for the reader.
+    #[test]
+    fn a_chapter_ends_where_the_last_one_ends() {
+        let page = FRAMED.replace("let b;", "let b;</script></main><script>let d;");
+        assert!(!policy(&page).contains(&hash("let d;")));
     }
 }

@@ -1,7 +1,6 @@
 //! Progress while the book is built: one line, and only on a terminal.
 
 use std::io::{self, IsTerminal, Write};
-use std::mem;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use anstream::AutoStream;
@@ -43,15 +42,14 @@ impl Progress {
 
     /// Clears the line.
     pub fn finish(&self) {
-        self.change(Bar::clear);
+        self.change(|_| write(CLEAR));
     }
 
     fn draw(&self, change: impl FnOnce(&mut Bar)) {
         self.change(|bar| {
             change(bar);
-            bar.is_shown = true;
             // Where the terminal is narrower, the line is cut off instead of going on in the next.
-            write(&format!("{CLEAR}\x1b[?7l{}\x1b[?7h", bar.line()));
+            write(&format!("{CLEAR}\x1b[?7l{}\x1b[?7h", line(bar.name, bar.done, bar.steps)));
         });
     }
 
@@ -75,28 +73,18 @@ struct Bar {
     name: &'static str,
     done: usize,
     steps: usize,
-    is_shown: bool,
 }
 
-impl Bar {
-    fn line(&self) -> String {
-        const WIDTH: usize = 32;
-        let Self { name, done, steps, .. } = self;
-        let full = WIDTH * done.min(steps) / steps.max(&1);
-        let bar = ["█".repeat(full), "░".repeat(WIDTH - full)].concat();
-        format!("{name:24} {bar} {done}/{steps}")
-    }
-
-    fn clear(&mut self) {
-        if mem::take(&mut self.is_shown) {
-            write(CLEAR);
-        }
-    }
+fn line(name: &str, done: usize, steps: usize) -> String {
+    const WIDTH: usize = 32;
+    let full = WIDTH * done.min(steps) / steps.max(1);
+    let bar = ["█".repeat(full), "░".repeat(WIDTH - full)].concat();
+    format!("{name:24} {bar} {done}/{steps}")
 }
 
 impl Drop for Bar {
     fn drop(&mut self) {
-        self.clear();
+        write(CLEAR);
     }
 }
 
@@ -108,7 +96,7 @@ mod tests {
     /// step that is another; a panic of a stage without steps, or with more than it said.
     #[test]
     fn the_bar_is_as_full_as_the_stage() {
-        let line = |done, steps| Bar { name: "reading", done, steps, is_shown: false }.line();
+        let line = |done, steps| line("reading", done, steps);
         let full = |done, steps| line(done, steps).matches('█').count();
         assert_eq!([full(0, 9), full(4, 9), full(8, 9), full(9, 9)], [0, 14, 28, 32]);
         assert_eq!([full(0, 0), full(3, 2)], [0, 32]);

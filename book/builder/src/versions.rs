@@ -9,10 +9,9 @@ use std::process::Command;
 use std::thread;
 
 use anyhow::{Context, Result, anyhow, bail, ensure};
-use pendula_study::claims::Ledger;
-use pendula_study::experiments::Study;
 use pendula_study::report::snapshots::{self, Kind};
 
+use crate::ledger::Paper;
 use crate::progress::Progress;
 use pendula_output::files;
 
@@ -34,6 +33,8 @@ pub type Made = (Version, BTreeMap<String, String>);
 /// A file of insta's: a header in YAML between two lines of dashes, and the content.
 #[derive(Clone, Debug)]
 pub struct File {
+    /// Where it is.
+    pub path: PathBuf,
     /// The lines between the dashes.
     pub header: String,
     /// What follows.
@@ -41,9 +42,9 @@ pub struct File {
 }
 
 impl File {
-    /// Reads the text of a file; `place` is its name in errors.
-    pub fn parse(name: &str, text: &str, place: &str) -> Result<Self> {
-        let broken = |what| format!("{place}: corrupt: {what}");
+    /// Reads the text of a file of the snapshot `name`.
+    pub fn parse(name: &str, text: &str, path: &Path) -> Result<Self> {
+        let broken = |what| format!("{}: corrupt: {what}", path.display());
         let (header, body) = text
             .strip_prefix("---\n")
             .and_then(|rest| rest.split_once("\n---\n"))
@@ -55,15 +56,13 @@ impl File {
         });
         let (anchor, content) = inner.with_context(|| broken("no anchors around its content"))?;
         let kind = kind(name, anchor).with_context(|| broken("an unknown anchor"))?;
-        Ok(Self {
-            header: header.to_string(),
-            content: Content { kind, text: content.to_string() },
-        })
+        let content = Content { kind, text: content.to_string() };
+        Ok(Self { path: path.to_path_buf(), header: header.to_string(), content })
     }
 
     /// The text of the file.
     pub fn text(&self) -> String {
-        let (Self { header, content }, anchor) = (self, self.content.kind.anchor());
+        let (Self { header, content, .. }, anchor) = (self, self.content.kind.anchor());
         format!(
             "---\n{header}\n---\n<!-- ANCHOR: {anchor} -->\n{}<!-- ANCHOR_END: {anchor} -->\n",
             content.text
@@ -96,17 +95,8 @@ pub fn name_of<'p>(path: &'p str, suffix: &str) -> Option<&'p str> {
     }
 }
 
-/// A snapshot's file on the disk.
-#[derive(Clone, Debug)]
-pub struct OnDisk {
-    /// Where it is.
-    pub path: PathBuf,
-    /// What it says.
-    pub file: File,
-}
-
 /// The files in `folder` that end in `suffix`, by the name of their snapshot.
-pub fn on_disk(folder: &Path, suffix: &str) -> Result<BTreeMap<String, OnDisk>> {
+pub fn on_disk(folder: &Path, suffix: &str) -> Result<BTreeMap<String, File>> {
     let paths =
         files::list(folder).with_context(|| format!("{} cannot be read", folder.display()))?;
     let mut found = BTreeMap::new();
@@ -114,10 +104,8 @@ pub fn on_disk(folder: &Path, suffix: &str) -> Result<BTreeMap<String, OnDisk>> 
         let shown = path.display().to_string();
         let Some(name) = name_of(&shown, suffix) else { continue };
         ensure!(path.to_str().is_some(), "{shown}: corrupt: its name is not UTF-8");
-        let cannot = || format!("{shown} cannot be read");
-        let text = files::read_to_string(&path).with_context(cannot)?;
-        let file = File::parse(name, &text, &shown)?;
-        let before = found.insert(name.to_string(), OnDisk { path: path.clone(), file });
+        let file = File::parse(name, &files::text(&path)?, &path)?;
+        let before = found.insert(name.to_string(), file);
         ensure!(before.is_none(), "{shown}: there are two files of this snapshot");
     }
     Ok(found)
@@ -125,33 +113,9 @@ pub fn on_disk(folder: &Path, suffix: &str) -> Result<BTreeMap<String, OnDisk>> 
 
 /// What the code makes now, and why it does not make what it cannot.
 pub fn computed(progress: &Progress) -> Result<Made> {
-    let made = quietly(|| {
-        progress.stage("", Study::EXPERIMENTS as usize);
-        let study = Study::run(|experiment| progress.next(experiment));
-        let ledger = Ledger::new(&study);
-        made(&study, &ledger, |_| true)
-    });
+    let made = quietly(|| Paper::measure(progress).made(|_| true));
     progress.finish();
     made.map_err(|panic| anyhow!("the study cannot be computed: {}", said(&*panic)))
-}
-
-/// Those of the snapshots that are `wanted`, as the code makes them now of a study, and why it does
-/// not make what it cannot.
-pub fn made(study: &Study, ledger: &Ledger, wanted: impl Fn(&str) -> bool) -> Made {
-    let made = snapshots::some(study, ledger, wanted);
-    let (mut version, mut failed) = (Version::new(), BTreeMap::new());
-    for (name, made) in made {
-        match made {
-            Ok(snapshot) => {
-                let text = snapshot.content().to_string();
-                version.insert(name, Content { kind: snapshot.kind, text });
-            }
-            Err(panic) => {
-                failed.insert(name, said(&*panic));
-            }
-        }
-    }
-    (version, failed)
 }
 
 /// The result of `work`, in which panics print nothing.
@@ -182,7 +146,7 @@ pub fn committed(root: &Path, revision: &str) -> Result<(String, Version)> {
     for path in paths.split_terminator('\0') {
         let Some(name) = name_of(path, ".snap") else { continue };
         let text = git(&["show", &format!("{commit}:./{path}")])?;
-        let place = format!("{path} at {revision}");
+        let place = PathBuf::from(format!("{path} at {revision}"));
         version.insert(name.to_string(), File::parse(name, &text, &place)?.content);
     }
     ensure!(!version.is_empty(), "--since {revision}: no snapshots in that revision");
@@ -205,15 +169,9 @@ pub fn git(root: &Path, arguments: &[&str]) -> Result<String> {
 mod tests {
     use super::*;
 
-    /// Catches: a header or an anchor lost on the way from a file and back, and a name that keeps
-    /// the digit of its file.
+    /// Catches: a name that keeps the digit of its file; one of a time when files had none, lost.
     #[test]
-    fn a_file_is_read_and_written() {
-        let text = "---\nsource: tests\ninfo:\n  a: 1\n---\n<!-- ANCHOR: table -->\n| a | b |\n\
-                    <!-- ANCHOR_END: table -->\n";
-        let file = File::parse("table_4", text, "there").unwrap();
-        assert_eq!((file.content.kind, file.content.text.as_str()), (Kind::Table, "| a | b |\n"));
-        assert_eq!(file.text(), text);
+    fn a_file_names_its_snapshot() {
         assert_eq!(name_of("snapshots/1_table_4.snap", ".snap"), Some("table_4"));
         assert_eq!(name_of("table_4.snap", ".snap"), Some("table_4"));
         assert_eq!(name_of("1_table_4.snap.new", ".snap"), None);
@@ -230,20 +188,5 @@ mod tests {
         );
         assert_eq!(reason(|| panic!("{} of {}", 3, 7)), Err("3 of 7".to_string()));
         assert_eq!(reason(|| 7), Ok(7));
-    }
-
-    /// Catches: half a file taken for a whole one.
-    #[test]
-    fn what_is_corrupt_is_refused() {
-        for text in [
-            "",
-            "---\nsource: a\n",
-            "---\na: 1\n---\nwords\n",
-            "---\na: 1\n---\n<!-- ANCHOR: table -->\n| a |\n",
-            "---\na: 1\n---\n<!-- ANCHOR: x -->\n<!-- ANCHOR_END: x -->\n",
-        ] {
-            let error = File::parse("a", text, "snapshots/a.snap").unwrap_err().to_string();
-            assert!(error.starts_with("snapshots/a.snap: corrupt"), "{error}");
-        }
     }
 }

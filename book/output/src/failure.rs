@@ -89,21 +89,17 @@ fn one_line(text: &str) -> String {
 mod tests {
     use super::*;
 
-    /// Catches: an error printed in several lines.
+    /// Catches: an error printed in several lines, that clears the screen, turns its end around, or
+    /// repeats all of an argument that is thousands of characters long.
     #[test]
-    fn a_failure_is_one_line() {
-        let failure = Failure::refused("no such method\n  allowed:\n  rk4");
-        assert_eq!(failure.line().unwrap(), "pendula: no such method allowed: rk4");
-    }
-
-    /// Catches: an error that clears the screen, turns its end around, or repeats all of an
-    /// argument that is thousands of characters long.
-    #[test]
-    fn what_was_typed_is_told_harmlessly() {
-        let line = Failure::refused("--output a\u{1b}[2J\u{202e}b: no").line().unwrap();
-        assert_eq!(line, "pendula: --output a\\u{1b}[2J\\u{202e}b: no");
-        let line = Failure::refused("x".repeat(5000)).line().unwrap();
-        assert!(line.chars().count() < 350 && line.ends_with("x…"), "{line}");
+    fn a_failure_is_one_harmless_line() {
+        let line = |reason: &str| Failure::refused(reason).line().unwrap();
+        let several = "no such method\n  allowed:\n  rk4";
+        assert_eq!(line(several), "pendula: no such method allowed: rk4");
+        let hostile = "--output a\u{1b}[2J\u{202e}b: no";
+        assert_eq!(line(hostile), "pendula: --output a\\u{1b}[2J\\u{202e}b: no");
+        let long = line(&"x".repeat(5000));
+        assert!(long.chars().count() < 350 && long.ends_with("x…"), "{long}");
     }
 
     /// Catches: `pendula … | head` ending with a complaint about a broken pipe.

@@ -3,29 +3,23 @@
 //! A paragraph that begins with `Table:` is the caption of the table below it. `Table[RK4]:` shows
 //! of that table the rows of RK4 alone; several names are separated by commas.
 
-use std::sync::LazyLock;
-
 use anyhow::{Result, ensure};
-use regex::{Captures, Regex};
+use regex::Captures;
 
 use super::markdown::splice;
+use crate::{Pattern, pattern};
 
 /// The text with each captioned table as a figure of its own, caption first; `{{verdicts}}` will be
 /// a table too.
 pub fn set(text: &str) -> Result<String> {
-    static CAPTION: LazyLock<Regex> = LazyLock::new(|| {
-        Regex::new(concat!(
+    static CAPTION: Pattern = Pattern::new(|| {
+        pattern(concat!(
             r"(?m)^Table(?:\[(?<rows>[^\]\n]+)\])?: (?<caption>(?:.+\n)+)\n",
             r"(?<table>\{\{verdicts\}\}|(?:\|.*\n?)*)",
         ))
-        .expect("the pattern is a constant")
     });
-    let mut edits = Vec::new();
-    for found in CAPTION.captures_iter(text) {
-        let whole = found.get(0).expect("group 0 is the match");
-        edits.push((whole.range(), figure(&found)?));
-    }
-    Ok(splice(text, edits))
+    let edit = |found: Captures<'_>| Ok((found.get_match().range(), figure(&found)?));
+    Ok(splice(text, CAPTION.captures_iter(text).map(edit).collect::<Result<Vec<_>>>()?))
 }
 
 fn figure(found: &Captures<'_>) -> Result<String> {

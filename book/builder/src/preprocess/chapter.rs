@@ -19,7 +19,7 @@
 use std::collections::BTreeSet;
 use std::ops::Range;
 
-use anyhow::{Context, Result, anyhow, bail, ensure};
+use anyhow::{Context, Result, bail, ensure};
 
 use super::listing::{flush_left, with_output};
 use super::markdown::{Kind, passages, splice};
@@ -27,6 +27,7 @@ use super::maths::Maths;
 use super::sources::Tests;
 use super::{inert, values};
 use crate::ledger::Ledger;
+use crate::{Pattern, pattern};
 
 /// The longest formula (bytes of TeX) that is kept on one line with the punctuation after it.
 const HELD: usize = 24;
@@ -40,13 +41,6 @@ pub struct Setter<'a> {
     maths: Maths,
 }
 
-/// The text between `{{` and `}}`, with its range.
-struct Directive<'t> {
-    range: Range<usize>,
-    name: &'t str,
-    argument: &'t str,
-}
-
 impl<'a> Setter<'a> {
     /// A setter for chapters that refer to these values and tests, and to this figure.
     pub fn new(ledger: &'a dyn Ledger, tests: &'a Tests, work_precision: String) -> Self {
@@ -58,44 +52,38 @@ impl<'a> Setter<'a> {
     pub fn set(&self, text: &str, to_root: &str, quoted: &mut BTreeSet<String>) -> Result<String> {
         let mut edits = Vec::new();
         let mut done = 0;
-        for passage in passages(text) {
-            self.set_prose(text, done..passage.range.start, to_root, &mut edits, quoted)?;
-            done = passage.range.end;
-            match passage.kind {
+        for (range, kind) in passages(text) {
+            self.set_prose(text, done..range.start, to_root, &mut edits, quoted)?;
+            done = range.end;
+            let source = &text[range.clone()];
+            match kind {
                 Kind::Code => {
-                    let code = &text[passage.range.clone()];
-                    if let Some(html) = flush_left(code)
-                        .or_else(|| with_output(code))
-                        .or_else(|| with_whole_options(code))
-                    {
-                        edits.push((passage.range, html));
-                    }
+                    let html = flush_left(source).or_else(|| with_output(source));
+                    let html = html.or_else(|| with_whole_options(source));
+                    edits.extend(html.map(|html| (range, html)));
                 }
                 Kind::Formula { tex, display } => {
                     // In TeX `{{a}}` is a group in a group.
-                    let values = ["measured", "stated", "verdict"];
-                    let mut found = directives(&tex).filter_map(Result::ok);
-                    let has_value = found.any(|directive| values.contains(&directive.name));
+                    let dense = tex.replace(char::is_whitespace, "");
+                    let mut values = ["{{measured", "{{stated", "{{verdict"].iter();
+                    let has_value = values.any(|value| dense.contains(value));
                     ensure!(!has_value, "{tex}: a formula takes no value; set it beside");
                     let html = self.maths.set(&tex, display)?;
-                    edits.push(match text[passage.range.end..].chars().next() {
+                    edits.push(match text[done..].chars().next() {
                         // A browser may break a line after any formula, even before a comma. A long
                         // one must stay breakable.
                         Some(mark @ (',' | '.' | ';' | ':' | '!' | '?' | ')'))
                             if !display && tex.len() <= HELD =>
                         {
-                            let both = passage.range.start..passage.range.end + 1;
-                            let mark = inert::html(&mark.to_string());
-                            (both, format!("<span class=\"held\">{html}{mark}</span>"))
+                            let mark = inert::text(&mark.to_string());
+                            let held = format!("<span class=\"held\">{html}{mark}</span>");
+                            (range.start..done + 1, held)
                         }
-                        _ => (passage.range, html),
+                        _ => (range, html),
                     });
                 }
-                Kind::Exponent => {
-                    let html = values::html(&text[passage.range.clone()]);
-                    edits.push((passage.range, html));
-                }
-                Kind::Gap => edits.push((passage.range, "&nbsp;".to_string())),
+                Kind::Exponent => edits.push((range, values::html(source))),
+                Kind::Gap => edits.push((range, "&nbsp;".to_string())),
                 Kind::StrayDollar => {
                     let line = text[..done].lines().last().unwrap_or_default();
                     bail!("{line}: this dollar sign begins no formula; the sign itself is \\$");
@@ -106,6 +94,7 @@ impl<'a> Setter<'a> {
         Ok(splice(text, edits))
     }
 
+    /// Replaces directives and DOIs, each of these without the punctuation after it.
     fn set_prose(
         &self,
         text: &str,
@@ -114,70 +103,86 @@ impl<'a> Setter<'a> {
         edits: &mut Vec<(Range<usize>, String)>,
         quoted: &mut BTreeSet<String>,
     ) -> Result<()> {
+        static NOTABLE: Pattern = Pattern::new(|| {
+            pattern(r"\{\{(?s:(?<directive>.*?))\}\}|(?<doi>doi:10\.[^\s{]*)|\{\{.{0,38}")
+        });
         // A nested footnote or the like may begin before the last passage ended.
         let Some(prose) = text.get(range.clone()) else { return Ok(()) };
-        let first = edits.len();
-        for directive in directives(prose) {
-            let Directive { range: at, name, argument } = directive?;
-            let html = match name {
-                "measured" | "stated" => {
-                    let value = values::html(&self.value(name, argument)?);
-                    format!("<span class=\"{name}\"{}>{value}</span>", id(argument, quoted))
-                }
-                "verdict" => {
-                    let value = values::html(&self.value(name, argument)?);
-                    let row = format!("{to_root}appendix-claims.html#{argument}");
-                    let id = id(argument, quoted);
-                    format!("<a class=\"{name}\"{id} href=\"{row}\">{value}</a>")
-                }
-                "test" => self.link(argument, to_root)?,
-                "catches" => {
-                    let catches = self.tests.catches(argument);
-                    let catches = catches
-                        .map_err(|reason| anyhow!("{{{{catches {argument}}}}}: {reason}"))?;
-                    format!("{} catches {catches}", self.link(argument, to_root)?)
-                }
-                "work-precision" => self.work_precision.clone(),
-                // It waits until every chapter has been searched for quotes.
-                "verdicts" => continue,
-                _ => bail!(
-                    "{}: no such directive; there are measured, stated, verdict, test, catches, \
-                     work-precision and verdicts",
-                    &prose[at]
-                ),
+        for found in NOTABLE.captures_iter(prose) {
+            let (mut source, start) = (&found[0], found.get_match().start());
+            let html = if let Some(inside) = found.name("directive") {
+                let html = self.directive(inside.as_str().trim(), to_root, quoted);
+                html.with_context(|| source.to_string())?
+            } else {
+                ensure!(
+                    found.name("doi").is_some(),
+                    "{source}: a directive without its closing braces"
+                );
+                source = source.trim_end_matches(['.', ',', ';', ':']);
+                let address = inert::text(&source.replacen("doi:", "https://doi.org/", 1));
+                format!("<a href=\"{address}\">{}</a>", inert::text(source))
             };
-            edits.push((range.start + at.start..range.start + at.end, html));
+            let start = range.start + start;
+            edits.push((start..start + source.len(), html));
         }
-        for doi in dois(prose) {
-            let (at, text) = (range.start + doi.start..range.start + doi.end, &prose[doi]);
-            if edits[first..].iter().any(|(directive, _)| directive.contains(&at.start)) {
-                continue;
-            }
-            let address = inert::text(&text.replacen("doi:", "https://doi.org/", 1));
-            edits.push((at, format!("<a href=\"{address}\">{}</a>", inert::text(text))));
-        }
-        edits[first..].sort_by_key(|(at, _)| at.start);
         Ok(())
     }
 
-    fn value(&self, name: &str, id: &str) -> Result<String> {
-        let entry = self
-            .ledger
-            .entry(id)
-            .with_context(|| format!("{{{{{name} {id}}}}}: the ledger has no claim {id}"))?;
+    fn directive(
+        &self,
+        inside: &str,
+        to_root: &str,
+        quoted: &mut BTreeSet<String>,
+    ) -> Result<String> {
+        let (name, argument) = inside.split_once(char::is_whitespace).unwrap_or((inside, ""));
+        let argument = argument.trim();
+        Ok(match name {
+            "measured" | "stated" | "verdict" => self.value(name, argument, to_root, quoted)?,
+            "test" => self.link(argument, to_root)?,
+            "catches" => {
+                let link = self.link(argument, to_root)?;
+                format!("{link} catches {}", self.tests.catches(argument)?)
+            }
+            "work-precision" => self.work_precision.clone(),
+            // It waits until every chapter has been searched for quotes.
+            "verdicts" => "{{verdicts}}".to_string(),
+            _ => bail!(
+                "no such directive; there are measured, stated, verdict, test, catches, \
+                 work-precision and verdicts"
+            ),
+        })
+    }
+
+    /// A value of the ledger. The first quote of a claim in its chapter has its id.
+    fn value(
+        &self,
+        name: &str,
+        claim: &str,
+        to_root: &str,
+        quoted: &mut BTreeSet<String>,
+    ) -> Result<String> {
+        let entry = self.ledger.entry(claim);
+        let entry = entry.with_context(|| format!("the ledger has no claim {claim}"))?;
         let value = match name {
             "measured" => entry.measured,
             "stated" => entry.stated,
             _ => entry.verdict,
         };
-        value.with_context(|| {
-            format!("{{{{{name} {id}}}}}: the ledger has no {name} value for {id}")
+        let value = value.with_context(|| format!("the ledger has no {name} value for {claim}"))?;
+        let value = values::html(&value);
+        let is_first = quoted.insert(claim.to_string());
+        let id = if is_first { format!(" id=\"{claim}\"") } else { String::new() };
+        Ok(match name {
+            "verdict" => {
+                let row = format!("{to_root}appendix-claims.html#{claim}");
+                format!("<a class=\"verdict\"{id} href=\"{row}\">{value}</a>")
+            }
+            _ => format!("<span class=\"{name}\"{id}>{value}</span>"),
         })
     }
 
     fn link(&self, cited: &str, to_root: &str) -> Result<String> {
-        let (file, test) =
-            self.tests.find(cited).map_err(|reason| anyhow!("{{{{test {cited}}}}}: {reason}"))?;
+        let (file, test) = self.tests.find(cited)?;
         let (file, test) = (&file.name, &test.name);
         // As `cargo test` prints it and accepts it as a filter: without the name of the test
         // program.
@@ -190,28 +195,6 @@ impl<'a> Setter<'a> {
     }
 }
 
-/// The attribute for the first quote of a claim in its chapter.
-fn id(claim: &str, quoted: &mut BTreeSet<String>) -> String {
-    if quoted.insert(claim.to_string()) { format!(" id=\"{claim}\"") } else { String::new() }
-}
-
-/// The directives of a text; one that is not closed is an error.
-fn directives(text: &str) -> impl Iterator<Item = Result<Directive<'_>>> {
-    let mut from = 0;
-    std::iter::from_fn(move || {
-        let start = from + text[from..].find("{{")?;
-        let Some(length) = text[start..].find("}}") else {
-            from = text.len();
-            let quoted: String = text[start..].chars().take(40).collect();
-            return Some(Err(anyhow!("{quoted}: a directive without its closing braces")));
-        };
-        from = start + length + 2;
-        let inside = text[start + 2..start + length].trim();
-        let (name, argument) = inside.split_once(char::is_whitespace).unwrap_or((inside, ""));
-        Some(Ok(Directive { range: start..from, name, argument: argument.trim() }))
-    })
-}
-
 /// The code span as HTML in which no line ends after a hyphen of an option such as `--every`; none
 /// if there is no such word in it.
 fn with_whole_options(code: &str) -> Option<String> {
@@ -221,29 +204,21 @@ fn with_whole_options(code: &str) -> Option<String> {
     if inner.contains('`') {
         return None;
     }
-    let is_option = |word: &str| word.contains('-') && (2..=WHOLE).contains(&word.len());
-    let set = |word: &str| match is_option(word) {
-        true => format!("<span class=\"held\">{}</span>", inert::text(word)),
-        false => inert::text(word),
+    let set = |word: &str| match inert::text(word) {
+        html if word.contains('-') && (2..=WHOLE).contains(&word.len()) => {
+            format!("<span class=\"held\">{html}</span>")
+        }
+        html => html,
     };
-    let words: Vec<&str> = inner.split_whitespace().collect();
-    let any = words.iter().any(|word| is_option(word));
-    let html = words.into_iter().map(set).collect::<Vec<_>>().join(" ");
-    any.then(|| format!("<code>{html}</code>"))
-}
-
-/// Where a text has DOIs, each without the punctuation or the directive after it.
-fn dois(text: &str) -> impl Iterator<Item = Range<usize>> {
-    text.match_indices("doi:10.").map(|(start, _)| {
-        let rest = &text[start..];
-        let end = rest.find(|c: char| c.is_whitespace() || c == '{').unwrap_or(rest.len());
-        let word = &rest[..end];
-        start..start + word.trim_end_matches(['.', ',', ';', ':']).len()
-    })
+    let html = inner.split_whitespace().map(set).collect::<Vec<_>>().join(" ");
+    html.contains("<span").then(|| format!("<code>{html}</code>"))
 }
 
 #[cfg(test)]
 mod tests {
+    use rstest::rstest;
+
+    use super::super::inert::tests::shown;
     use super::*;
     use crate::ledger::Entry;
 
@@ -267,17 +242,48 @@ mod tests {
         setter.set(text, "../", &mut BTreeSet::new())
     }
 
-    /// Catches: the stated value in place of the measured one, and the other way round.
-    #[test]
-    fn each_directive_gives_its_own_value() {
-        let set =
-            set("{{stated T4.rk4.0.01}}, {{ measured T4.rk4.0.01 }}, {{verdict T4.rk4.0.01}}");
-        assert_eq!(
-            set.unwrap(),
-            "<span class=\"stated\" id=\"T4.rk4.0.01\">2&#46;01\u{a0}×\u{a0}10<sup>−4</sup></span>\
-             , <span class=\"measured\">3\u{a0}×\u{a0}10<sup>−4</sup></span>, \
-             <a class=\"verdict\" href=\"../appendix-claims.html#T4.rk4.0.01\">wrong</a>"
-        );
+    /// Catches: the stated value in place of the measured one, and the other way round; a link that
+    /// ignores how deep the page lies; a figure left out, or in the wrong place; directives
+    /// replaced in a page that explains them; a line that ends in the middle of `--test`, and a
+    /// word held that is too long for a phone; a DOI that is no link, or whose link takes the full
+    /// stop or the directive after it along, and so leads nowhere; what stands before a directive
+    /// lost.
+    #[rstest]
+    #[case(
+        "{{stated T4.rk4.0.01}}, {{ measured T4.rk4.0.01 }}, {{verdict T4.rk4.0.01}}",
+        "<span class=\"stated\" id=\"T4.rk4.0.01\">2.01~×~10<sup>−4</sup></span>, \
+         <span class=\"measured\">3~×~10<sup>−4</sup></span>, \
+         <a class=\"verdict\" href=\"../appendix-claims.html#T4.rk4.0.01\">wrong</a>"
+    )]
+    #[case(
+        "{{test order::every_slope}}",
+        "<a href=\"../tests/order.html#every_slope\"><code>order::every_<wbr>slope</code></a>"
+    )]
+    #[case("a\n\n{{work-precision}}\n\nb\n", "a\n\n<figure>\n\nb\n")]
+    #[case("`{{stated nothing}}`", "`{{stated nothing}}`")]
+    #[case("```text\n{{test nothing}} $x$\n```\n", "```text\n{{test nothing}} $x$\n```\n")]
+    #[case(
+        "`cargo test --test\nstudy -- x`",
+        "<code>cargo test <span class=\"held\">--test</span> study \
+         <span class=\"held\">--</span> x</code>"
+    )]
+    #[case("`a - b`", "`a - b`")]
+    #[case("`a-very-long-name-with-many-hyphens.rs`", "`a-very-long-name-with-many-hyphens.rs`")]
+    #[case("`` a--b ` ``", "`` a--b ` ``")]
+    #[case(
+        "*Physica D* 43. doi:10.1/2(90)90-L. And `doi:10.1/x`.",
+        "*Physica D* 43. <a href=\"https://doi.org/10.1/2(90)90-L\">doi:10.1/2(90)90-L</a>. And \
+         `doi:10.1/x`."
+    )]
+    #[case(
+        "doi:10.1/x{{stated T4.rk4.0.01}}, doi:10.2/y.",
+        "<a href=\"https://doi.org/10.1/x\">doi:10.1/x</a><span class=\"stated\" \
+         id=\"T4.rk4.0.01\">2.01~×~10<sup>−4</sup></span>, \
+         <a href=\"https://doi.org/10.2/y\">doi:10.2/y</a>."
+    )]
+    #[case("{{work-precision doi:10.1/x}}", "<figure>")]
+    fn what_is_typed_becomes(#[case] typed: &str, #[case] expected: &str) {
+        assert_eq!(shown(&set(typed).unwrap()).replace('\u{a0}', "~"), expected);
     }
 
     /// Catches: a quote that cannot be linked to; an id that stands twice; a claim that is only
@@ -304,7 +310,7 @@ mod tests {
         };
         let bullet = set("* {{catches x::a}}.\n").unwrap();
         assert!(bullet.ends_with("</a> catches one thing, and another.\n"), "{bullet}");
-        assert!(set("{{catches x::b}}").unwrap_err().to_string().contains("Catches:"));
+        assert!(format!("{:#}", set("{{catches x::b}}").unwrap_err()).contains("Catches:"));
     }
 
     /// Catches: a comma alone at the beginning of a line; a word kept on one line with the formula
@@ -318,35 +324,6 @@ mod tests {
             set("by $h$, or").unwrap().ends_with("&#44;</span> or")
                 || set("by $h$, or").unwrap().ends_with(",</span> or")
         );
-    }
-
-    /// Catches: a figure left out, or in the wrong place.
-    #[test]
-    fn what_was_measured_stands_in_its_place() {
-        assert_eq!(set("a\n\n{{work-precision}}\n\nb\n").unwrap(), "a\n\n<figure>\n\nb\n");
-    }
-
-    /// Catches: directives replaced in a page that explains them.
-    #[test]
-    fn code_stays_as_it_is() {
-        for text in ["`{{stated nothing}}`", "```text\n{{test nothing}} $x$\n```\n"] {
-            assert_eq!(set(text).unwrap(), text);
-        }
-    }
-
-    /// Catches: a line that ends in the middle of `--test`; a word held that is too long for a
-    /// phone.
-    #[test]
-    fn an_option_is_kept_whole() {
-        let plain = |html: String| html.replace("&#45;", "-").replace("&#46;", ".");
-        let held = |word| format!("<span class=\"held\">{word}</span>");
-        assert_eq!(
-            plain(set("`cargo test --test\nstudy -- x`").unwrap()),
-            format!("<code>cargo test {} study {} x</code>", held("--test"), held("--"))
-        );
-        for text in ["`a - b`", "`a-very-long-name-with-many-hyphens.rs`", "`` a--b ` ``"] {
-            assert_eq!(set(text).unwrap(), text);
-        }
     }
 
     /// Catches: a misspelt id or name that leaves a gap, or the raw directive, in the book.
@@ -366,39 +343,5 @@ mod tests {
             let error = format!("{:#}", set(text).unwrap_err());
             assert!(error.contains(quoted), "{text}: {error}");
         }
-    }
-
-    /// Catches: a link that ignores how deep the page lies.
-    #[test]
-    fn a_test_is_linked_from_where_the_page_is() {
-        assert_eq!(
-            set("{{test order::every_slope}}").unwrap(),
-            "<a href=\"../tests/order.html#every_slope\">\
-             <code>order&#58;&#58;every&#95;<wbr>slope</code></a>"
-        );
-    }
-
-    /// Catches: a DOI that is no link, or whose link takes the full stop with it and so leads
-    /// nowhere; one in code.
-    #[test]
-    fn a_doi_is_a_link_to_the_work() {
-        let html = set("*Physica D* 43. doi:10.1016/0167-2789(90)90019-L. And `doi:10.1/x`.");
-        let plain = html.unwrap().replace("&#58;", ":").replace("&#46;", ".").replace("&#47;", "/");
-        let plain = plain.replace("&#40;", "(").replace("&#41;", ")").replace("&#45;", "-");
-        assert_eq!(
-            plain,
-            "*Physica D* 43. <a href=\"https://doi.org/10.1016/0167-2789(90)90019-L\">\
-             doi:10.1016/0167-2789(90)90019-L</a>. And `doi:10.1/x`."
-        );
-    }
-
-    /// Catches: what stands before a directive lost, as it is set after it.
-    #[test]
-    fn a_doi_and_a_directive_stand_in_one_paragraph() {
-        let html = set("doi:10.1/x{{stated T4.rk4.0.01}}, doi:10.2/y.").unwrap();
-        let parts = html.split("</a>").map(|part| part.contains("<a href") as usize);
-        assert_eq!(parts.collect::<Vec<_>>(), [1, 1, 0], "{html}");
-        assert!(html.contains("</a><span class=\"stated\""), "{html}");
-        assert!(set("{{work-precision doi:10.1/x}}").unwrap().ends_with("<figure>"));
     }
 }

@@ -6,17 +6,16 @@
 
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
-use std::fmt::Write;
-use std::sync::LazyLock;
 
 use anyhow::{Context, Result, bail};
 use pendula_study::report::table::Table;
 use pulldown_cmark::Parser;
 use pulldown_cmark::html::push_html;
-use regex::Regex;
 
 use super::markdown::{options, splice};
 use crate::ledger::Ledger;
+use crate::review::claims::{id_and_gist, judged};
+use crate::{Pattern, pattern};
 
 /// Links to where each claim is quoted, by its id.
 pub type Quotes = BTreeMap<String, Vec<String>>;
@@ -30,19 +29,20 @@ const ADDED: [&str; 2] = ["finding", "reading"];
 /// same.
 const PLACE: &str = "where";
 
-/// What is counted of a claim.
-struct Judged {
+/// A row of the ledger's tables.
+struct Row {
     id: String,
+    gist: String,
     kind: String,
     verdict: String,
+    /// What the columns say after the claim itself.
+    values: Vec<String>,
 }
 
 /// The text with each table of claims, which has that heading above its first column, as HTML.
 pub fn set(text: &str, ledger: &dyn Ledger, quotes: &Quotes) -> Result<String> {
-    static TABLE: LazyLock<Regex> = LazyLock::new(|| {
-        Regex::new(r"(?m)^\| Claim .*\n(?:\|.*\n?)*").expect("the pattern is a constant")
-    });
-    let (mut edits, mut judged) = (Vec::new(), Vec::new());
+    static TABLE: Pattern = Pattern::new(|| pattern(r"(?m)^\| Claim .*\n(?:\|.*\n?)*"));
+    let (mut edits, mut rows) = (Vec::new(), Vec::new());
     for found in TABLE.find_iter(text) {
         let table = Table::from_markdown(found.as_str());
         let table = table.context("a table of claims has rows of several widths")?;
@@ -51,20 +51,22 @@ pub fn set(text: &str, ledger: &dyn Ledger, quotes: &Quotes) -> Result<String> {
         let columns: Vec<_> = headings.zip(rule.map(style)).collect();
         let head = columns.iter().filter(|(name, _)| *name != PLACE);
         let head: String = head.map(|(name, style)| format!("<th{style}>{name}</th>")).collect();
-        let mut set = format!(
-            "<div class=\"table-wrapper\"><table class=\"claims\">\n<thead><tr>{head}</tr>\
-             </thead>\n<tbody>\n"
-        );
+        let mut set = String::new();
         for cells in table.rows() {
-            judged.push(push_row(&mut set, cells, &columns, ledger, quotes)?);
+            let row = Row::read(cells, ledger)?;
+            set += &row.html(&columns, quotes);
+            rows.push(row);
         }
-        set.push_str("</tbody></table></div>\n");
-        edits.push((found.range(), set));
+        let table = format!(
+            "<div class=\"table-wrapper\"><table class=\"claims\">\n<thead><tr>{head}</tr>\
+             </thead>\n<tbody>\n{set}</tbody></table></div>\n"
+        );
+        edits.push((found.range(), table));
     }
     if edits.is_empty() {
         return Ok(text.to_string());
     }
-    Ok(splice(text, edits).replace("{{verdicts}}", &counts(&judged)))
+    Ok(splice(text, edits).replace("{{verdicts}}", &counts(&rows)))
 }
 
 /// As mdBook aligns the cells of a column with this rule.
@@ -82,53 +84,45 @@ fn html(cell: &str) -> String {
     inside.unwrap_or(&html).trim().to_string()
 }
 
-fn push_row(
-    set: &mut String,
-    cells: &[String],
-    columns: &[(&str, &str)],
-    ledger: &dyn Ledger,
-    quotes: &Quotes,
-) -> Result<Judged> {
-    let [name, values @ .., reason] = cells else { bail!("a table of claims has two columns") };
-    let id = name.strip_prefix('`').and_then(|rest| rest.split_once('`'));
-    let (id, gist) =
-        id.with_context(|| format!("{name}: a row of this table begins with the id of its claim"))?;
-    let entry = ledger.entry(id).with_context(|| format!("the ledger has no claim {id}"))?;
-    let verdict = entry.verdict.with_context(|| format!("the ledger has no verdict on {id}"))?;
-    let kind = entry.kind;
-    let (mut said, mut below) = (String::new(), Vec::new());
-    for (value, (label, style)) in values.iter().zip(&columns[1..]) {
-        let value = html(value);
-        if *label == PLACE {
-            below.push(value);
-        } else {
-            write!(said, "<td data-label=\"{label}\"{style}>{value}</td>")?;
-        }
+impl Row {
+    fn read(cells: &[String], ledger: &dyn Ledger) -> Result<Self> {
+        let [name, values @ ..] = cells else { bail!("a table of claims has columns") };
+        let (id, gist) = id_and_gist(name).with_context(|| {
+            format!("{name}: a row of this table begins with the id of its claim")
+        })?;
+        let entry = ledger.entry(id).with_context(|| format!("the ledger has no claim {id}"))?;
+        let verdict =
+            entry.verdict.with_context(|| format!("the ledger has no verdict on {id}"))?;
+        let (id, gist, values) = (id.to_string(), gist.to_string(), values.to_vec());
+        Ok(Self { id, gist, kind: entry.kind, verdict, values })
     }
-    if let Some(links) = quotes.get(id) {
-        below.push(format!("quoted in {}", links.join(", ")));
-    }
-    writeln!(
-        set,
-        "<tr id=\"{id}\" data-kind=\"{kind}\" data-part=\"{}\" data-verdict=\"{}\">\
-         <td><code>{id}</code> <span class=\"gist\">{}</span> <small>{}</small></td>{said}\
-         <td>{} <span class=\"reason\">{}</span></td></tr>",
-        part(id),
-        slug(&verdict),
-        html(gist),
-        below.join("; "),
-        tag(&verdict),
-        after_verdict(reason, &verdict)
-    )?;
-    Ok(Judged { id: id.to_string(), kind, verdict })
-}
 
-/// What a cell says besides its verdict, which it begins with.
-fn after_verdict(cell: &str, verdict: &str) -> String {
-    let html = html(cell);
-    let bold = format!("<strong>{verdict}</strong>");
-    let rest = html.strip_prefix(&bold).or_else(|| html.strip_prefix(verdict)).unwrap_or(&html);
-    rest.trim_start_matches(['.', ' ']).to_string()
+    fn html(&self, columns: &[(&str, &str)], quotes: &Quotes) -> String {
+        let Self { id, gist, kind, verdict, values } = self;
+        let (mut said, mut below, mut reason) = (String::new(), Vec::new(), "");
+        for (value, (label, style)) in values.iter().zip(&columns[1..]) {
+            match *label {
+                PLACE => below.push(html(value)),
+                "verdict" => reason = value,
+                _ => {
+                    let value = html(value);
+                    said += &format!("<td data-label=\"{label}\"{style}>{value}</td>");
+                }
+            }
+        }
+        below.extend(quotes.get(id).map(|links| format!("quoted in {}", links.join(", "))));
+        format!(
+            "<tr id=\"{id}\" data-kind=\"{kind}\" data-part=\"{}\" data-verdict=\"{}\">\
+             <td><code>{id}</code> <span class=\"gist\">{}</span> <small>{}</small></td>{said}\
+             <td>{} <span class=\"reason\">{}</span></td></tr>\n",
+            part(id),
+            slug(verdict),
+            html(gist),
+            below.join("; "),
+            tag(verdict),
+            html(&judged(reason).1)
+        )
+    }
 }
 
 /// The part of the paper that an id begins with: `T4` for Table 4, `P6` for Section 6, `A`, `F`,
@@ -149,62 +143,49 @@ fn slug(verdict: &str) -> String {
 
 /// How many cells and sentences of the paper have each verdict, the most frequent first, and apart
 /// from them what is not in the paper.
-fn counts(claims: &[Judged]) -> String {
-    let of_the_paper = |claim: &&Judged| PRINTED.contains(&claim.kind.as_str());
+fn counts(rows: &[Row]) -> String {
     let mut verdicts: Vec<(usize, &str)> = Vec::new();
-    for claim in claims.iter().filter(of_the_paper) {
-        match verdicts.iter_mut().find(|(_, verdict)| *verdict == claim.verdict) {
+    for row in rows.iter().filter(|row| PRINTED.contains(&row.kind.as_str())) {
+        match verdicts.iter_mut().find(|(_, verdict)| *verdict == row.verdict) {
             Some((count, _)) => *count += 1,
-            None => verdicts.push((1, &claim.verdict)),
+            None => verdicts.push((1, &row.verdict)),
         }
     }
     verdicts.sort_by_key(|(count, _)| Reverse(*count));
-
-    let mut table = String::from(
+    let judged = verdicts.iter().map(|(_, name)| counted(rows, &tag(name), Some(name), PRINTED));
+    format!(
         "<div class=\"table-wrapper\"><table class=\"verdicts\">\n<thead><tr><th>Verdict</th>\
-         <th>cells</th><th>sentences</th><th>claims</th></tr></thead>\n<tbody>\n",
-    );
-    for (_, verdict) in verdicts {
-        let tag = tag(verdict);
-        push_counts(&mut table, claims, &tag, Some(verdict), PRINTED);
-    }
-    table.push_str("</tbody>\n<tfoot>\n");
-    push_counts(&mut table, claims, "of the paper", None, PRINTED);
-    push_counts(&mut table, claims, "added by us", None, ADDED);
-    table.push_str("</tfoot></table></div>\n");
-    table
+         <th>cells</th><th>sentences</th><th>claims</th></tr></thead>\n<tbody>\n{}</tbody>\n\
+         <tfoot>\n{}{}</tfoot></table></div>\n",
+        judged.collect::<String>(),
+        counted(rows, "of the paper", None, PRINTED),
+        counted(rows, "added by us", None, ADDED)
+    )
 }
 
 /// A row of counts: in the one table, in the other, in both. A count leads to the first claim of
 /// those counted; `data-filter` is the address of all of them, where there is a script to filter.
-fn push_counts(
-    table: &mut String,
-    claims: &[Judged],
-    name: &str,
-    verdict: Option<&str>,
-    kinds: [&str; 2],
-) {
-    let _ = write!(table, "<tr><th scope=\"row\">{name}</th>");
-    for counted in [&kinds[..1], &kinds[1..], &kinds] {
-        let is_counted = |claim: &&Judged| {
-            counted.contains(&claim.kind.as_str())
-                && verdict.is_none_or(|verdict| verdict == claim.verdict)
+fn counted(rows: &[Row], name: &str, verdict: Option<&str>, kinds: [&str; 2]) -> String {
+    let cell = |kinds: &[&str]| {
+        let is_counted = |row: &&Row| {
+            kinds.contains(&row.kind.as_str()) && verdict.is_none_or(|name| name == row.verdict)
         };
-        let found: Vec<&Judged> = claims.iter().filter(is_counted).collect();
-        let mut filters = verdict.map(|verdict| format!("verdict={}", slug(verdict)));
-        if let [kind] = counted {
-            let kind = format!("part={kind}");
-            filters = Some(filters.map_or(kind.clone(), |filters| format!("{filters}&amp;{kind}")));
+        let found: Vec<&Row> = rows.iter().filter(is_counted).collect();
+        let mut filters: Vec<String> =
+            verdict.iter().map(|name| format!("verdict={}", slug(name))).collect();
+        if let [kind] = kinds {
+            filters.push(format!("part={kind}"));
         }
-        let count = found.len();
-        let _ = match (found.first(), filters) {
-            (Some(Judged { id, .. }), Some(filters)) => {
-                write!(table, "<td><a href=\"#{id}\" data-filter=\"{filters}\">{count}</a></td>")
+        let (count, filters) = (found.len(), filters.join("&amp;"));
+        match found.first() {
+            Some(Row { id, .. }) if !filters.is_empty() => {
+                format!("<td><a href=\"#{id}\" data-filter=\"{filters}\">{count}</a></td>")
             }
-            _ => write!(table, "<td>{count}</td>"),
-        };
-    }
-    table.push_str("</tr>\n");
+            _ => format!("<td>{count}</td>"),
+        }
+    };
+    let cells: String = [&kinds[..1], &kinds[1..], &kinds].into_iter().map(cell).collect();
+    format!("<tr><th scope=\"row\">{name}</th>{cells}</tr>\n")
 }
 
 #[cfg(test)]
@@ -252,7 +233,8 @@ mod tests {
         assert_eq!(set.matches("quoted in").count(), 1);
     }
 
-    /// Catches: what we added counted as the paper's; a count that leads to other claims.
+    /// Catches: what we added counted as the paper's; a claim counted in the other column or under
+    /// another verdict; a verdict left out; a count that leads to other claims.
     #[test]
     fn verdicts_are_counted_by_kind() {
         let set = set(&format!("{{{{verdicts}}}}\n\n{TABLE}")).unwrap();
@@ -265,7 +247,8 @@ mod tests {
         assert!(set.contains(&wrong), "{set}");
         let added = cell(1, "X.c", "part=finding") + "<td>0</td><td>1</td>";
         assert!(set.contains(&format!("added by us</th>{added}")), "{set}");
-        assert!(!set.split("<tfoot>").next().unwrap().contains("not stated"), "{set}");
+        let rows = set.split("<tfoot>").next().unwrap();
+        assert!(rows.contains("reproduced") && !rows.contains("not stated"), "{set}");
     }
 
     /// Catches: a claim that the ledger does not know, shown without a verdict.

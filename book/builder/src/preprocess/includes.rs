@@ -6,13 +6,12 @@
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
-use std::sync::LazyLock;
 
 use anyhow::{Context, Result, ensure};
 use mdbook_preprocessor::book::Book;
-use regex::Regex;
 
 use super::{chapters, name};
+use crate::{Pattern, pattern};
 use pendula_output::files;
 
 /// Checks the includes of every chapter that has a file in the folder `source`, and returns the
@@ -22,8 +21,7 @@ pub fn check(source: &Path, book: &Book) -> Result<BTreeSet<PathBuf>> {
     for chapter in chapters(book) {
         let Some(path) = &chapter.source_path else { continue };
         let file = source.join(path);
-        files::read_to_string(&file)
-            .with_context(|| format!("{} cannot be read", file.display()))
+        files::text(&file)
             .and_then(|text| includes(&text, file.parent().unwrap_or(source)))
             .map(|named| files.extend(named))
             .with_context(|| format!("chapter {}", name(chapter)))?;
@@ -34,9 +32,8 @@ pub fn check(source: &Path, book: &Book) -> Result<BTreeSet<PathBuf>> {
 /// The files that a text includes, whose relative paths start from `folder`.
 fn includes(text: &str, folder: &Path) -> Result<Vec<PathBuf>> {
     // The first alternative is mdBook's escape: everything up to the last braces of the line.
-    static LINK: LazyLock<Regex> = LazyLock::new(|| {
-        Regex::new(r"\\\{\{#.*\}\}|\{\{\s*#(?<kind>[a-zA-Z0-9_]+)\s+(?<rest>[^}]+)\}\}")
-            .expect("the pattern is a constant")
+    static LINK: Pattern = Pattern::new(|| {
+        pattern(r"\\\{\{#.*\}\}|\{\{\s*#(?<kind>[a-zA-Z0-9_]+)\s+(?<rest>[^}]+)\}\}")
     });
     let mut files = Vec::new();
     for link in LINK.captures_iter(text) {
@@ -67,26 +64,17 @@ fn included(folder: &Path, path: &str, anchor: &str) -> Result<()> {
     Ok(())
 }
 
-/// The lines from `ANCHOR: name` to `ANCHOR_END: name`, or to the end of the file, without any
-/// anchor lines.
+/// The lines from `ANCHOR: name` to `ANCHOR_END: name`, or to the end of the file, without those of
+/// other anchors.
 fn anchored(text: &str, name: &str) -> Option<String> {
-    static ANCHOR: LazyLock<Regex> = LazyLock::new(|| {
-        Regex::new(r"ANCHOR(?<end>_END)?:\s*(?<name>[\w-]+)").expect("the pattern is a constant")
-    });
-    let mut kept: Option<Vec<&str>> = None;
-    for line in text.lines() {
-        match (ANCHOR.captures(line), &mut kept) {
-            (Some(found), None) if found.name("end").is_none() && &found["name"] == name => {
-                kept = Some(Vec::new());
-            }
-            (Some(found), Some(_)) if found.name("end").is_some() && &found["name"] == name => {
-                break;
-            }
-            (None, Some(kept)) => kept.push(line),
-            _ => {}
-        }
-    }
-    kept.map(|lines| lines.join("\n"))
+    let marks = |line: &str, mark: &str| {
+        let rest = line.split_once(mark).map_or("", |(_, rest)| rest);
+        rest.split_whitespace().next() == Some(name)
+    };
+    let mut lines = text.lines().skip_while(|line| !marks(line, "ANCHOR:"));
+    lines.next()?;
+    let lines = lines.take_while(|line| !marks(line, "ANCHOR_END:"));
+    Some(lines.filter(|line| !line.contains("ANCHOR")).collect())
 }
 
 #[cfg(test)]
@@ -99,7 +87,8 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let write = |name: &str, text: &str| fs::write(folder.path().join(name), text).unwrap();
         write("step.rs", "use a;\n// ANCHOR: step\nlet a = 1;\n// ANCHOR_END: step\nend\n");
-        write("empty.rs", "// ANCHOR: step\n\n// ANCHOR_END: step\n");
+        let empty = "// ANCHOR: step\n// ANCHOR: a\n\n// ANCHOR_END: a\n// ANCHOR_END: step\nend\n";
+        write("empty.rs", empty);
         write("nested.md", "{{#include step.rs:step}}\n");
         includes(text, folder.path()).map(drop)
     }
@@ -133,14 +122,5 @@ mod tests {
             let error = format!("{:#}", followed(text).unwrap_err());
             assert!(error.contains(named), "{text}: {error}");
         }
-    }
-
-    /// Catches: an anchor whose lines extend too far, or include the line of another anchor.
-    #[test]
-    fn an_anchor_ends_where_it_ends() {
-        let text = "ANCHOR: a\n1\nANCHOR: b\n2\nANCHOR_END: b\n3\nANCHOR_END: a\n4\n";
-        assert_eq!(anchored(text, "a").unwrap(), "1\n2\n3");
-        assert_eq!(anchored(text, "b").unwrap(), "2");
-        assert_eq!(anchored(text, "c"), None);
     }
 }

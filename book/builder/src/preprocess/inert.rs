@@ -3,19 +3,14 @@
 //! mdBook parses a chapter again after this preprocessor, and would take `a_1*b_2` for emphasis,
 //! `|` for a new cell and primes for curly quotes. It never does so with character references.
 
-use std::fmt::Write;
-use std::sync::LazyLock;
-
-use regex::Regex;
+use crate::{Pattern, pattern};
 
 /// `text` as HTML without active Markdown characters.
 pub fn text(text: &str) -> String {
     let mut inert = String::with_capacity(text.len());
     for c in text.chars() {
         match c {
-            _ if c.is_ascii_punctuation() => {
-                write!(inert, "&#{};", u32::from(c)).expect("a String takes everything");
-            }
+            _ if c.is_ascii_punctuation() => inert += &format!("&#{};", u32::from(c)),
             '\n' | '\r' => inert.push(' '),
             _ => inert.push(c),
         }
@@ -30,16 +25,14 @@ pub fn text(text: &str) -> String {
 /// process.
 pub fn html(html: &str) -> String {
     // A tag, or a reference such as `&amp;`, which stands for a character already.
-    static MARKUP: LazyLock<Regex> = LazyLock::new(|| {
+    static MARKUP: Pattern = Pattern::new(|| {
         let tag = r#"(?<name></?[^\s/<>]+)(?<attributes>(?:"[^"]*"|'[^']*'|[^"'<>])*?)(?<end>/?>)"#;
-        Regex::new(&format!("{tag}|&[^;]*;")).expect("the pattern is a constant")
+        pattern(&format!("{tag}|&[^;]*;"))
     });
-    static ATTRIBUTE: LazyLock<Regex> = LazyLock::new(|| {
-        Regex::new(r#"(?:"[^"]*"|'[^']*'|[^"'\s])+"#).expect("the pattern is a constant")
-    });
+    static ATTRIBUTE: Pattern = Pattern::new(|| pattern(r#"(?:"[^"]*"|'[^']*'|[^"'\s])+"#));
     let (mut inert, mut done) = (String::with_capacity(html.len() * 2), 0);
     for found in MARKUP.captures_iter(html) {
-        let markup = found.get(0).expect("all of it is a group");
+        let markup = found.get_match();
         inert += &text(&html[done..markup.start()]);
         done = markup.end();
         let Some(attributes) = found.name("attributes") else {
@@ -61,8 +54,20 @@ pub fn html(html: &str) -> String {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
+
+    /// What a browser makes of references, but those such as `&lt;`.
+    pub fn shown(inert: &str) -> String {
+        let mut parts = inert.split("&#");
+        let mut shown = parts.next().unwrap().to_string();
+        for part in parts {
+            let (code, rest) = part.split_once(';').unwrap();
+            shown.push(char::from_u32(code.parse().unwrap()).unwrap());
+            shown.push_str(rest);
+        }
+        shown
+    }
 
     /// Catches: a subscript read as emphasis, a norm as a cell's end, primes as curly quotes.
     #[test]

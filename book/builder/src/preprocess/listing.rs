@@ -36,12 +36,15 @@ mod tests {
     use super::*;
 
     /// Catches: a method taken from its `impl` that keeps its common indentation, and relative
-    /// indentation that is lost.
+    /// indentation that is lost; blocks rewritten that are flush left already, or are not fenced.
     #[test]
     fn the_common_margin_goes_and_no_more() {
         let block = "```rust,ignore\n    fn f() {\n        1\n\n    }\n```\n";
         let expected = "```rust,ignore\nfn f() {\n    1\n\n}\n```\n";
         assert_eq!(flush_left(block).as_deref(), Some(expected));
+        for flush in ["```rust\nfn f() {}\n```\n", "`code`", "```\n```\n"] {
+            assert_eq!(flush_left(flush), None);
+        }
     }
 
     /// Catches: an output that is lost, or keeps the marks of what is hidden.
@@ -52,13 +55,5 @@ mod tests {
             format!("{block}\n\n<div class=\"output\">\n\n```text\n1\n\n 2\n```\n\n</div>\n");
         assert_eq!(with_output(block), Some(expected));
         assert_eq!(with_output("```rust\nlet x = 1;\n```"), None);
-    }
-
-    /// Catches: blocks rewritten that are flush left already, or are not fenced.
-    #[test]
-    fn what_is_flush_stays() {
-        assert_eq!(flush_left("```rust\nfn f() {}\n```\n"), None);
-        assert_eq!(flush_left("`code`"), None);
-        assert_eq!(flush_left("```\n```\n"), None);
     }
 }

@@ -1,21 +1,12 @@
 //! Finds the code and the formulas in a Markdown text.
 
 use std::ops::Range;
-use std::sync::LazyLock;
 
 use pulldown_cmark::{Event, Options, Parser, Tag};
-use regex::Regex;
 
-/// A part of a text that is not prose.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Passage {
-    /// Its bytes, delimiters included.
-    pub range: Range<usize>,
-    /// What it is.
-    pub kind: Kind,
-}
+use crate::{Pattern, pattern};
 
-/// What a [`Passage`] is.
+/// What stands in a text that is not prose.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// A code span or a code block: it stays as it is.
@@ -39,9 +30,10 @@ pub enum Kind {
     StrayDollar,
 }
 
-/// The code and the formulas of a Markdown text, in order, without overlap.
-pub fn passages(text: &str) -> Vec<Passage> {
-    let mut passages: Vec<Passage> = Vec::new();
+/// What is not prose in a Markdown text, with its bytes, delimiters included: in order, without
+/// overlap.
+pub fn passages(text: &str) -> Vec<(Range<usize>, Kind)> {
+    let mut passages = Vec::new();
     let mut code = 0..0;
     for (event, range) in Parser::new_ext(text, options()).into_offset_iter() {
         let kind = match event {
@@ -51,12 +43,11 @@ pub fn passages(text: &str) -> Vec<Passage> {
                 Kind::Code
             }
             Event::Text(_) | Event::Html(_) | Event::InlineHtml(_) if range.start >= code.end => {
-                let stray = stray_dollar(text, range.clone());
-                passages.extend(stray.map(|range| Passage { range, kind: Kind::StrayDollar }));
+                passages.extend(stray_dollar(text, &range).map(|at| (at, Kind::StrayDollar)));
                 // Not in HTML: SVG text has no <sup>.
                 if let Event::Text(_) = event {
-                    passages.extend(powers_of_ten(text, range.clone()));
-                    passages.extend(gaps(text, range));
+                    passages.extend(exponents(text, &range).map(|at| (at, Kind::Exponent)));
+                    passages.extend(gaps(text, &range).map(|at| (at, Kind::Gap)));
                 }
                 continue;
             }
@@ -65,47 +56,40 @@ pub fn passages(text: &str) -> Vec<Passage> {
             Event::DisplayMath(tex) => Kind::Formula { tex: tex.into_string(), display: true },
             _ => continue,
         };
-        passages.push(Passage { range, kind });
+        passages.push((range, kind));
     }
     // Footnote definitions and the like may come out of order.
-    passages.sort_by_key(|passage| passage.range.start);
+    passages.sort_by_key(|(range, _)| range.start);
     passages
 }
 
-fn powers_of_ten(text: &str, range: Range<usize>) -> impl Iterator<Item = Passage> {
-    static POWER: LazyLock<Regex> = LazyLock::new(|| {
-        Regex::new(r"10(⁻?[⁰¹²³⁴-⁹]+)|\b(\d+(?:\.\d+)?e-?\d+)\b")
-            .expect("the pattern is a constant")
-    });
+fn exponents(text: &str, range: &Range<usize>) -> impl Iterator<Item = Range<usize>> {
+    static POWER: Pattern = Pattern::new(|| pattern(r"10(⁻?[⁰¹²³⁴-⁹]+)|\b(\d+(?:\.\d+)?e-?\d+)\b"));
     let start = range.start;
-    let found = POWER.captures_iter(&text[range]);
-    found.filter_map(|found| found.get(1).or(found.get(2))).map(move |exponent| Passage {
-        range: start + exponent.start()..start + exponent.end(),
-        kind: Kind::Exponent,
-    })
+    let found = POWER.captures_iter(&text[range.clone()]);
+    found
+        .filter_map(|found| found.get(1).or(found.get(2)))
+        .map(move |exponent| start + exponent.start()..start + exponent.end())
 }
 
-fn gaps(text: &str, range: Range<usize>) -> impl Iterator<Item = Passage> {
+fn gaps(text: &str, range: &Range<usize>) -> impl Iterator<Item = Range<usize>> {
     let start = range.start;
-    let spaces = text[range].match_indices(' ').map(move |(at, _)| start + at..start + at + 1);
-    spaces.filter(|space| is_gap(text, space)).map(|range| Passage { range, kind: Kind::Gap })
+    let spaces = text[range.clone()].match_indices(' ');
+    let spaces = spaces.map(move |(at, _)| start + at..start + at + 1);
+    spaces.filter(|space| is_gap(text, space))
 }
 
 /// `text` with a no-break space for each space that must not end a line.
 pub fn held(text: &str) -> String {
-    let gaps = gaps(text, 0..text.len()).map(|gap| (gap.range, "\u{a0}".to_string()));
-    splice(text, gaps)
+    splice(text, gaps(text, &(0..text.len())).map(|gap| (gap, "\u{a0}".to_string())))
 }
 
 /// Whether this white space is between a number (typed, or from a directive or a formula) and a
 /// unit, or between two groups of digits.
 fn is_gap(text: &str, space: &Range<usize>) -> bool {
-    static UNIT: LazyLock<Regex> = LazyLock::new(|| {
-        Regex::new(r"^(?:rad/s²?|rad|m/s²?|[µmn]?s|J|kg|m|%)(?:$|[^\w/*])")
-            .expect("the pattern is a constant")
-    });
-    static THOUSANDS: LazyLock<Regex> =
-        LazyLock::new(|| Regex::new(r"^\d{3}(?:$|[^\w])").expect("the pattern is a constant"));
+    static UNIT: Pattern =
+        Pattern::new(|| pattern(r"^(?:rad/s²?|rad|m/s²?|[µmn]?s|J|kg|m|%)(?:$|[^\w/*])"));
+    static THOUSANDS: Pattern = Pattern::new(|| pattern(r"^\d{3}(?:$|[^\w])"));
     let (before, after) = (&text[..space.start], &text[space.end..]);
     let digit = before.ends_with(|c: char| c.is_ascii_digit());
     let number =
@@ -113,8 +97,8 @@ fn is_gap(text: &str, space: &Range<usize>) -> bool {
     number && UNIT.is_match(after) || digit && THOUSANDS.is_match(after)
 }
 
-fn stray_dollar(text: &str, range: Range<usize>) -> Option<Range<usize>> {
-    let at = range.start + text[range].find('$')?;
+fn stray_dollar(text: &str, range: &Range<usize>) -> Option<Range<usize>> {
+    let at = range.start + text[range.clone()].find('$')?;
     (!text[..at].ends_with('\\')).then_some(at..at + 1)
 }
 
@@ -155,7 +139,7 @@ mod tests {
     use super::*;
 
     fn found(text: &str) -> Vec<(&str, Kind)> {
-        passages(text).into_iter().map(|p| (&text[p.range], p.kind)).collect()
+        passages(text).into_iter().map(|(range, kind)| (&text[range], kind)).collect()
     }
 
     fn formula(tex: &str, display: bool) -> Kind {
@@ -203,8 +187,8 @@ mod tests {
     #[test]
     fn numbers_hold_on_to_their_units() {
         let gaps = |text: &str| {
-            let gaps = passages(text).into_iter().filter(|passage| passage.kind == Kind::Gap);
-            splice(text, gaps.map(|gap| (gap.range, "~".to_string())))
+            let gaps = passages(text).into_iter().filter(|(_, kind)| *kind == Kind::Gap);
+            splice(text, gaps.map(|(range, _)| (range, "~".to_string())))
         };
         for (text, held) in [
             ("over 1000 s, from 1 rad.", "over 1000~s, from 1~rad."),
@@ -227,10 +211,8 @@ mod tests {
     #[test]
     fn a_formula_over_several_lines_of_a_quote_is_whole() {
         let text = "> $$\n> a\n> $$\n";
-        let passages = passages(text);
-        assert_eq!(&text[passages[0].range.clone()], "$$\n> a\n> $$");
-        let Kind::Formula { tex, display: true } = &passages[0].kind else { panic!() };
-        assert_eq!(tex.trim(), "a");
+        let (source, Kind::Formula { tex, display: true }) = &found(text)[0] else { panic!() };
+        assert_eq!((*source, tex.trim()), ("$$\n> a\n> $$", "a"));
     }
 
     /// Catches: an edit that shifts the ones after it.

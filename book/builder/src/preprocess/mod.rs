@@ -49,7 +49,7 @@ pub fn protocol<L: Ledger + 'static>(
 ) -> Result<()> {
     let (context, book) =
         parse_input(input).context("mdBook sends [context, book] as JSON on standard input")?;
-    let book = Pendula::new(ledger(), Progress::hidden()).run(&context, book)?;
+    let book = Pendula::new(ledger(), Progress::hidden(), Arc::default()).run(&context, book)?;
     serde_json::to_writer(out, &book).context("the book cannot be written")
 }
 
@@ -61,14 +61,14 @@ pub struct Pendula {
 }
 
 impl Pendula {
-    /// A preprocessor that takes its values from `ledger`.
-    pub fn new(ledger: impl Ledger + 'static, progress: Progress) -> Self {
-        Self { ledger: Box::new(ledger), progress, interrupted: Arc::default() }
-    }
-
-    /// The same, stopping with an error as soon as the flag is set.
-    pub fn until(self, interrupted: Arc<AtomicBool>) -> Self {
-        Self { interrupted, ..self }
+    /// A preprocessor that takes its values from `ledger`, and stops with an error as soon as the
+    /// flag is set.
+    pub fn new(
+        ledger: impl Ledger + 'static,
+        progress: Progress,
+        interrupted: Arc<AtomicBool>,
+    ) -> Self {
+        Self { ledger: Box::new(ledger), progress, interrupted }
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context, ensure};
+use anyhow::ensure;
 use pendula_output::files;
 
 /// The file of the figure.
@@ -24,8 +24,7 @@ pub fn in_the_book(root: &Path) -> anyhow::Result<String> {
         true => (here, "this machine"),
         false => (recorded, "a shared machine, once"),
     };
-    let cannot = || format!("{} cannot be read", file.display());
-    let svg = files::read_to_string(&file).with_context(cannot)?;
+    let svg = files::text(&file)?;
     // A blank line would end the HTML.
     let is_figure = svg.starts_with("<svg") && !svg.contains("\n\n");
     ensure!(is_figure, "{}: no figure", file.display());

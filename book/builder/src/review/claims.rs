@@ -13,6 +13,8 @@ use crate::versions::Version;
 /// A claim, as the ledger of a version has it.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Claim {
+    /// Its id.
+    pub id: String,
     /// What is claimed.
     pub gist: String,
     /// What the paper prints.
@@ -23,48 +25,42 @@ pub struct Claim {
     pub verdict: String,
     /// The reason, or what is on record instead.
     pub remark: String,
+    /// Whether the measurement lies within the tolerance of theory's prediction, if there is one:
+    /// its cell then has no mark.
+    pub agrees: Option<bool>,
 }
 
-/// The claims and predictions of a version.
-#[derive(Clone, Debug, Default)]
-pub struct Claims {
-    /// Each claim by its id.
-    pub claims: BTreeMap<String, Claim>,
-    /// The ids in the order of the ledger.
-    pub order: Vec<String>,
-    /// Whether the measurement lies within the tolerance of theory's prediction, by the id of the
-    /// claim: its cell then has no mark.
-    pub agrees: BTreeMap<String, bool>,
-}
-
-impl Claims {
-    /// Reads them; a version may lack a ledger.
-    pub fn read(version: &Version) -> Result<Self> {
-        let mut read = Self::default();
-        for name in ["ledger_cells", "ledger_sentences"] {
-            let Some(table) = table(version, name)? else { continue };
-            for row in table.rows() {
-                let Some((id, gist)) = id_and_gist(&row[0]) else { continue };
-                let column = |heading: &str| {
-                    let column = table.header().iter().position(|known| known == heading);
-                    column.map(|column| row[column].clone()).unwrap_or_default()
-                };
-                let (verdict, remark) = verdict(&column("verdict"));
-                let (stated, measured) = (column("stated"), column("measured"));
-                let claim = Claim { gist: gist.to_string(), stated, measured, verdict, remark };
-                read.order.push(id.to_string());
-                read.claims.insert(id.to_string(), claim);
-            }
-        }
-        for row in table(version, "predictions")?.iter().flat_map(Table::rows) {
-            let [cell, _, _, measured, ..] = &row[..] else { continue };
-            let measured = Value::new(measured);
-            // NaN, or a dash, agrees with nothing.
-            let agrees = !measured.marked && leading(&measured.text).is_some();
-            read.agrees.insert(cell.trim_matches('`').to_string(), agrees);
-        }
-        Ok(read)
+/// The claims of a version, in the order of its ledger; a version may lack one.
+pub fn claims(version: &Version) -> Result<Vec<Claim>> {
+    let mut agrees = BTreeMap::new();
+    for row in table(version, "predictions")?.iter().flat_map(Table::rows) {
+        let [cell, _, _, measured, ..] = &row[..] else { continue };
+        let measured = Value::new(measured);
+        // NaN, or a dash, agrees with nothing.
+        let is_met = !measured.marked && leading(&measured.text).is_some();
+        agrees.insert(cell.trim_matches('`').to_string(), is_met);
     }
+    let mut claims = Vec::new();
+    for name in ["ledger_cells", "ledger_sentences"] {
+        let Some(table) = table(version, name)? else { continue };
+        for row in table.rows() {
+            let Some((id, gist)) = id_and_gist(&row[0]) else { continue };
+            let column = |heading: &str| {
+                let column = table.header().iter().position(|known| known == heading);
+                column.map(|column| row[column].clone()).unwrap_or_default()
+            };
+            let (verdict, remark) = judged(&column("verdict"));
+            let (stated, measured) = (column("stated"), column("measured"));
+            let (id, gist, agrees) = (id.to_string(), gist.to_string(), agrees.get(id).copied());
+            claims.push(Claim { id, gist, stated, measured, verdict, remark, agrees });
+        }
+    }
+    Ok(claims)
+}
+
+/// The claim with this id.
+pub fn find<'c>(claims: &'c [Claim], id: &str) -> Option<&'c Claim> {
+    claims.iter().find(|claim| claim.id == id)
 }
 
 /// The table of a snapshot; `None` if the version has no such snapshot.
@@ -80,8 +76,8 @@ pub fn id_and_gist(cell: &str) -> Option<(&str, &str)> {
     Some((id, gist.trim()))
 }
 
-/// The word and the remark.
-fn verdict(cell: &str) -> (String, String) {
+/// The verdict of a ledger's last cell in a word or a few, and the reason.
+pub fn judged(cell: &str) -> (String, String) {
     let cell = Value::new(cell).text;
     match cell.strip_prefix("**").and_then(|rest| rest.split_once("**")) {
         Some((word, remark)) => (word.into(), remark.trim_start_matches('.').trim().into()),
@@ -103,7 +99,8 @@ mod tests {
         let content = |text: &str| Content { kind: Kind::Table, text: text.to_string() };
         let ledger = "| Claim | stated | measured | verdict |\n| --- | --- | --- | --- |\n\
                       | `T4.vv.0.1` an error | 1.10 × 10⁻¹ | 1.12 × 10⁻¹ | ≠ **wrong** (on record: \
-                      reproduced) |\n| `T5.x` else | 2 | 2 | **wrong**. Because. |\n";
+                      reproduced) |\n| `T4.vv.0.2` else | 2 | 2 | **wrong**. Because. |\n\
+                      | `T4.vv.0.3` c | 2 | 2 | wrong |\n| `T5.x` d | 2 | 2 | wrong |\n";
         let predictions = "| Cell | stated | predicted | measured | to within | law |\n\
                            | --- | --- | --- | --- | --- | --- |\n\
                            | `T4.vv.0.1` | 1 | 1.10 × 10⁻¹ | ≠ 1.00 × 10⁻¹ | 1 × 10⁻² | a law |\n\
@@ -112,12 +109,19 @@ mod tests {
         let mut version = Version::new();
         version.insert("ledger_cells".to_string(), content(ledger));
         version.insert("predictions".to_string(), content(predictions));
-        let claims = Claims::read(&version).unwrap();
-        assert_eq!(claims.claims["T4.vv.0.1"].verdict, "wrong");
-        assert_eq!(claims.claims["T5.x"].remark, "Because.");
-        assert_eq!(claims.order, ["T4.vv.0.1", "T5.x"]);
-        assert_eq!(claims.agrees.into_values().collect::<Vec<_>>(), [false, false, true]);
+        let read = claims(&version).unwrap();
+        let found: Vec<_> = read.iter().map(|c| (&c.id[..], &c.verdict[..], c.agrees)).collect();
+        assert_eq!(
+            found,
+            [
+                ("T4.vv.0.1", "wrong", Some(false)),
+                ("T4.vv.0.2", "wrong", Some(false)),
+                ("T4.vv.0.3", "wrong", Some(true)),
+                ("T5.x", "wrong", None)
+            ]
+        );
+        assert_eq!(read[1].remark, "Because.");
         version.insert("predictions".to_string(), content("| a |\nb\n"));
-        assert!(Claims::read(&version).is_err());
+        assert!(claims(&version).is_err());
     }
 }

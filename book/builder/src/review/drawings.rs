@@ -2,9 +2,8 @@
 //! compared as it is written.
 
 use std::collections::{BTreeMap, BTreeSet, HashSet};
-use std::sync::LazyLock;
 
-use regex::Regex;
+use crate::{Pattern, pattern};
 
 /// Below this displacement (px) a difference cannot be seen.
 pub const VISIBLE: f64 = 0.5;
@@ -134,9 +133,7 @@ fn counted(old: &Picture, new: &Picture) -> Vec<String> {
 
 /// The strokes of path data, of arcs the ends alone. Nothing of data that our charts do not write.
 fn strokes(d: &str) -> Option<Vec<Stroke>> {
-    static COMMAND: LazyLock<Regex> = LazyLock::new(|| {
-        Regex::new(r"([a-zA-Z]?)([^a-zA-Z]*)").expect("the pattern is a constant")
-    });
+    static COMMAND: Pattern = Pattern::new(|| pattern(r"([a-zA-Z]?)([^a-zA-Z]*)"));
     let (mut strokes, mut at) = (Vec::<Stroke>::new(), (0.0, 0.0));
     for found in COMMAND.captures_iter(d.trim()).filter(|found| !found[0].is_empty()) {
         let command = &found[1];

@@ -25,12 +25,7 @@ pub struct Item {
 impl Item {
     /// Whether it did not differ from what it should be, and now does.
     pub fn leaves(&self) -> bool {
-        self.cells().any(Cell::leaves)
-    }
-
-    /// The cells in which it stands.
-    pub fn cells(&self) -> impl Iterator<Item = &Cell> {
-        [&self.shown].into_iter().chain(&self.also)
+        self.shown.leaves() || self.also.iter().any(Cell::leaves)
     }
 
     /// Whether it is the order of a method, as measured or as claimed.

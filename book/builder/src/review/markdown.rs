@@ -5,7 +5,7 @@ use anyhow::Result;
 use pendula_study::charts::wrapped;
 
 use super::claims::Claim;
-use super::groups::Group;
+use super::groups::{Group, Item};
 use super::source::Change;
 use super::verdict::{Weight, counted, sentences};
 use super::words::{code, difference, link, prose, row, summary};
@@ -86,18 +86,14 @@ impl Document {
         }
     }
 
-    /// A table without the columns in which nothing stands.
-    fn table(&mut self, header: &[&str], rows: &[Vec<String>]) {
-        let is_used =
-            |column: &usize| *column == 0 || rows.iter().any(|row| !row[*column].is_empty());
-        let columns: Vec<usize> = (0..header.len()).filter(is_used).collect();
-        let line = |cell: &dyn Fn(usize) -> String| {
-            let cells: Vec<String> = columns.iter().map(|column| cell(*column)).collect();
-            format!("| {} |\n", cells.join(" | "))
-        };
-        let mut table = line(&|column| prose(header[column]));
-        table += &line(&|column| if column == 0 { "---" } else { "--:" }.to_string());
-        table.extend(rows.iter().map(|row| line(&|column| prose(&row[column]))));
+    /// A table of what moved; without its last column if nothing stands there.
+    fn table(&mut self, items: &[Item]) {
+        let rows: Vec<_> = items.iter().map(|item| row(item).map(|cell| prose(&cell))).collect();
+        let width = if rows.iter().all(|row| row[3].is_empty()) { 3 } else { 4 };
+        let line = |cells: [&str; 4]| format!("| {} |\n", cells[..width].join(" | "));
+        let head = [["", "before", "now", "change"], ["---", "--:", "--:", "--:"]];
+        let rows = rows.iter().map(|row| row.each_ref().map(String::as_str));
+        let table: String = head.into_iter().chain(rows).map(line).collect();
         self.paragraph(table.trim_end());
     }
 
@@ -142,29 +138,15 @@ impl Document {
         if let Some(name) = file {
             match review.code.change(name)? {
                 None => self.paragraph(&format!("Its file {} is as it was.", link(name))),
-                Some(change) => self.change(name, &change, review.code.since()),
+                Some(change) => self.change(name, &change),
             }
         }
         self.group(group);
         Ok(())
     }
 
-    fn change(&mut self, name: &str, change: &Change, since: Option<&str>) {
-        let (language, why, text) = match change {
-            // The names of the files stand above.
-            Change::Difference(text) => {
-                let from = text.find("\n@@").map_or(0, |at| at + 1);
-                ("diff", format!("since {}", prose(since.unwrap_or_default())), &text[from..])
-            }
-            Change::Untracked(text) => {
-                let why = match since {
-                    Some(_) => "which git does not know yet",
-                    None => "all of it, as git does not say what changed in it",
-                };
-                ("rust", why.to_string(), &text[..])
-            }
-        };
-        self.paragraph(&format!("{}, {why}:", link(name)));
+    fn change(&mut self, name: &str, Change { language, why, text }: &Change) {
+        self.paragraph(&format!("{}, {}:", link(name), prose(why)));
         let lines: Vec<&str> = text.lines().collect();
         let mut shown = lines[..lines.len().min(LINES)].join("\n");
         if lines.len() > LINES {
@@ -189,7 +171,7 @@ impl Document {
         }
         for name in changed {
             if let Some(change) = review.code.change(name)? {
-                self.change(name, &change, review.code.since());
+                self.change(name, &change);
             }
         }
         Ok(())
@@ -199,8 +181,7 @@ impl Document {
         for items in group.items.chunk_by(|a, b| a.shown.snapshot == b.shown.snapshot) {
             let snapshot = &items[0].shown.snapshot;
             self.heading(3, &format!("In `{snapshot}`"));
-            let rows: Vec<_> = items.iter().map(row).collect();
-            self.table(&["", "before", "now", "change"], &rows);
+            self.table(items);
             if let Some(sign) = group.sign.as_ref().filter(|_| snapshot == "orders") {
                 self.paragraph(&format!("**{}.**", prose(sign)));
             }
@@ -220,8 +201,8 @@ impl Document {
         }
         self.heading(2, "Claims");
         self.list(claims.iter().map(|turn| {
-            let Turn { id, old, new, claim } = turn;
-            let Claim { gist, stated, measured, remark, .. } = claim;
+            let Turn { old, new, claim } = turn;
+            let Claim { id, gist, stated, measured, remark, .. } = claim;
             let word =
                 |verdict: &String| if verdict.is_empty() { "none".into() } else { prose(verdict) };
             let verdict = match turn.flips() {

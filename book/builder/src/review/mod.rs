@@ -14,7 +14,7 @@ use anyhow::Result;
 use pendula_study::report::snapshots::Kind;
 
 use self::cells::{Cell, differences};
-use self::claims::{Claim, Claims};
+use self::claims::{Claim, claims, find, table};
 use self::drawings::Difference;
 use self::groups::Group;
 use self::quotes::Quote;
@@ -85,8 +85,6 @@ pub struct Change {
 /// A claim with another verdict, or with the same for another reason.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Turn {
-    /// Its id.
-    pub id: String,
     /// The verdict before; empty for a claim that is new.
     pub old: String,
     /// The verdict now; empty for a claim that has gone.
@@ -103,7 +101,7 @@ impl Turn {
 
     /// Whether the claim is a cell of a table of results.
     pub fn is_cell(&self) -> bool {
-        self.id.starts_with('T')
+        self.claim.id.starts_with('T')
     }
 }
 
@@ -133,13 +131,13 @@ impl Review {
         new: &Version,
         chapters: &Path,
     ) -> Result<Self> {
-        let (before, now) = (Claims::read(old)?, Claims::read(new)?);
+        let (before, now) = (claims(old)?, claims(new)?);
         let snapshots = changes(old, new);
         let of_kind = |kind: Kind| snapshots.iter().filter(move |change| change.kind == kind);
         let cells_of = |kind: Kind| -> Result<Vec<Cell>> {
             let mut cells = Vec::new();
             for Change { name, .. } in of_kind(kind) {
-                let [before, after] = [old, new].map(|version| claims::table(version, name));
+                let [before, after] = [old, new].map(|version| table(version, name));
                 cells.extend(differences(name, before?.as_ref(), after?.as_ref()));
             }
             Ok(cells)
@@ -156,18 +154,16 @@ impl Review {
         let figures = of_kind(Kind::Figure).map(|change| figure(&change.name, old, new));
         let mut figures: Vec<Figure> = figures.collect();
         figures.sort_by_key(|figure| !figure.is_visible());
-        let (count, claims) = (new.len(), turns(&before, &now));
-        let predictions = predictions(&before, &now);
         Ok(Self {
             versions,
-            count,
+            count: new.len(),
             snapshots,
             groups,
-            claims,
+            claims: turns(&before, &now),
             figures,
             bits,
             quotes,
-            predictions,
+            predictions: predictions(&before, &now),
             ..Self::default()
         })
     }
@@ -208,16 +204,14 @@ fn figure(name: &str, old: &Version, new: &Version) -> Figure {
 }
 
 /// The claims whose verdict or remark is another.
-fn turns(before: &Claims, now: &Claims) -> Vec<Turn> {
-    let gone = before.order.iter().filter(|id| !now.claims.contains_key(*id));
+fn turns(before: &[Claim], now: &[Claim]) -> Vec<Turn> {
+    let gone = before.iter().filter(|claim| find(now, &claim.id).is_none());
     let mut turns = Vec::new();
-    for id in now.order.iter().chain(gone) {
-        let (old, new) = (before.claims.get(id), now.claims.get(id));
-        let verdict = |claim: Option<&Claim>| claim.map_or("", |claim| &claim.verdict).to_string();
-        let differs = old.map(|c| (&c.verdict, &c.remark)) != new.map(|c| (&c.verdict, &c.remark));
-        if let (true, Some(claim)) = (differs, new.or(old)) {
-            let (old, new) = (verdict(old), verdict(new));
-            turns.push(Turn { id: id.clone(), old, new, claim: claim.clone() });
+    for claim in now.iter().chain(gone) {
+        let [old, new] = [before, now].map(|claims| find(claims, &claim.id));
+        if old.map(|c| (&c.verdict, &c.remark)) != new.map(|c| (&c.verdict, &c.remark)) {
+            let [old, new] = [old, new].map(|c| c.map(|c| c.verdict.clone()).unwrap_or_default());
+            turns.push(Turn { old, new, claim: claim.clone() });
         }
     }
     turns.sort_by_key(|turn| !turn.flips());
@@ -225,10 +219,10 @@ fn turns(before: &Claims, now: &Claims) -> Vec<Turn> {
 }
 
 /// The predictions that left their tolerance, and those that came back to it.
-fn predictions(before: &Claims, now: &Claims) -> [Vec<String>; 2] {
-    let agrees = |claims: &Claims, id: &str| claims.agrees.get(id).copied();
+fn predictions(before: &[Claim], now: &[Claim]) -> [Vec<String>; 2] {
     [false, true].map(|to| {
-        let turned = |id: &&String| agrees(before, id) == Some(!to) && agrees(now, id) == Some(to);
-        now.order.iter().filter(turned).cloned().collect()
+        let was = |id: &str| find(before, id).and_then(|claim| claim.agrees);
+        let turned = |claim: &&Claim| claim.agrees == Some(to) && was(&claim.id) == Some(!to);
+        now.iter().filter(turned).map(|claim| claim.id.clone()).collect()
     })
 }

@@ -1,12 +1,12 @@
 //! The lines of the book that quote what moved.
 
 use std::path::Path;
-use std::sync::LazyLock;
 
-use anyhow::{Context, Result};
-use regex::{Captures, Regex};
+use anyhow::Result;
+use regex::Captures;
 
-use super::claims::Claims;
+use super::claims::{Claim, find};
+use crate::{Pattern, pattern};
 use pendula_output::files;
 
 /// A line of the book.
@@ -24,14 +24,10 @@ pub struct Quote {
 
 /// The lines in the chapters of `folder` that quote, by a directive, what is stated, measured or
 /// judged otherwise now. Of numbers that are typed `tests/study/typed.rs` says which are wrong.
-pub fn quotes(folder: &Path, before: &Claims, now: &Claims) -> Result<Vec<Quote>> {
-    let mut paths =
-        files::list(folder).with_context(|| format!("{} cannot be read", folder.display()))?;
-    paths.retain(|path| path.extension().is_some_and(|extension| extension == "md"));
+pub fn quotes(folder: &Path, before: &[Claim], now: &[Claim]) -> Result<Vec<Quote>> {
     let mut quotes = Vec::new();
-    for path in paths {
-        let text = files::read_to_string(&path)
-            .with_context(|| format!("{} cannot be read", path.display()))?;
+    for path in files::with_extension(folder, "md")? {
+        let text = files::text(&folder.join(&path))?;
         let chapter = path.file_stem().unwrap_or_default().to_string_lossy();
         quotes.extend(of_chapter(&chapter, &text, before, now));
     }
@@ -39,7 +35,7 @@ pub fn quotes(folder: &Path, before: &Claims, now: &Claims) -> Result<Vec<Quote>
 }
 
 /// The lines of a chapter, without those in code, in tables and in HTML.
-fn of_chapter(chapter: &str, text: &str, before: &Claims, now: &Claims) -> Vec<Quote> {
+fn of_chapter(chapter: &str, text: &str, before: &[Claim], now: &[Claim]) -> Vec<Quote> {
     let (mut code, mut quotes) = (false, Vec::new());
     for (index, line) in text.lines().enumerate() {
         let is_fence = line.trim_start().starts_with("```");
@@ -57,20 +53,19 @@ fn of_chapter(chapter: &str, text: &str, before: &Claims, now: &Claims) -> Vec<Q
 }
 
 /// A line with the values of its directives, and what of them moved.
-fn filled(line: &str, before: &Claims, now: &Claims) -> (String, Vec<String>) {
-    static DIRECTIVE: LazyLock<Regex> = LazyLock::new(|| {
-        let pattern = r"\{\{(measured|stated|verdict) ([^}\s]+)\}\}";
-        Regex::new(pattern).expect("the pattern is a constant")
-    });
+fn filled(line: &str, before: &[Claim], now: &[Claim]) -> (String, Vec<String>) {
+    static DIRECTIVE: Pattern =
+        Pattern::new(|| pattern(r"\{\{(measured|stated|verdict) ([^}\s]+)\}\}"));
     let mut moved = Vec::new();
     let filled = DIRECTIVE.replace_all(line, |found: &Captures<'_>| {
-        let value = |claims: &Claims| {
-            let claim = claims.claims.get(&found[2])?;
-            Some(match &found[1] {
-                "measured" => claim.measured.clone(),
-                "stated" => claim.stated.clone(),
-                _ => claim.verdict.clone(),
-            })
+        let value = |claims: &[Claim]| {
+            let claim = find(claims, &found[2])?;
+            let value = match &found[1] {
+                "measured" => &claim.measured,
+                "stated" => &claim.stated,
+                _ => &claim.verdict,
+            };
+            Some(value.clone())
         };
         match (value(before), value(now)) {
             (Some(old), Some(new)) if old != new => {
@@ -87,20 +82,13 @@ fn filled(line: &str, before: &Claims, now: &Claims) -> (String, Vec<String>) {
 
 #[cfg(test)]
 mod tests {
-    use super::super::claims::Claim;
     use super::*;
 
     fn quoted(chapter: &str) -> Vec<Quote> {
         let claims = |measured: &str, verdict: &str| {
-            let claim = Claim {
-                stated: "1".to_string(),
-                measured: measured.to_string(),
-                verdict: verdict.to_string(),
-                ..Claim::default()
-            };
-            let mut claims = Claims::default();
-            claims.claims.insert("T4.vv.0.1".to_string(), claim);
-            claims
+            let [id, stated, measured, verdict] =
+                ["T4.vv.0.1", "1", measured, verdict].map(str::to_string);
+            [Claim { id, stated, measured, verdict, ..Claim::default() }]
         };
         let (before, now) = (claims("1.1 × 10⁻¹", "reproduced"), claims("1.2 × 10⁻¹", "wrong"));
         of_chapter("c", chapter, &before, &now)

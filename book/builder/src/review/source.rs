@@ -25,11 +25,13 @@ pub struct Code {
 
 /// How a file changed.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Change {
-    /// As `git diff` says.
-    Difference(String),
-    /// Git does not know it: this is all of it.
-    Untracked(String),
+pub struct Change {
+    /// In what it is written: `diff`, or `rust` for a whole file.
+    pub language: &'static str,
+    /// Since when it changed, or why all of it is shown.
+    pub why: String,
+    /// The difference, without the names of the files, or all of it.
+    pub text: String,
 }
 
 impl Code {
@@ -38,13 +40,9 @@ impl Code {
     pub fn read(root: &Path, commit: Option<&str>) -> Result<Self> {
         let mut code = Self { root: root.to_path_buf(), ..Self::default() };
         for name in FOLDERS {
-            let folder = root.join(name);
-            let cannot = || format!("{} cannot be read", folder.display());
-            if files::exists(&folder).with_context(cannot)? {
-                let tree = files::tree(&folder).with_context(cannot)?;
-                let paths = tree.iter().map(|(path, _)| path.to_string_lossy().replace('\\', "/"));
-                let rust = paths.filter(|path| path.ends_with(".rs"));
-                code.files.extend(rust.map(|path| format!("{name}/{path}")));
+            for path in files::with_extension(&root.join(name), "rs")? {
+                let path = path.to_string_lossy().replace('\\', "/");
+                code.files.push(format!("{name}/{path}"));
             }
         }
         if code.files.is_empty() {
@@ -76,29 +74,31 @@ impl Code {
     pub fn file_of(&self, title: &str) -> Result<Option<&str>> {
         let own = format!("title: \"{title}\"");
         for name in self.files.iter().filter(|name| name.starts_with(METHODS)) {
-            if self.text(name)?.contains(&own) {
+            if files::text(&self.root.join(name))?.contains(&own) {
                 return Ok(Some(name));
             }
         }
         Ok(None)
     }
 
-    fn text(&self, name: &str) -> Result<String> {
-        let path = self.root.join(name);
-        files::read_to_string(&path).with_context(|| format!("{} cannot be read", path.display()))
-    }
-
     /// How a file changed; nothing if it did not.
     pub fn change(&self, name: &str) -> Result<Option<Change>> {
-        let all = || Ok(Some(Change::Untracked(self.text(name)?)));
-        let Some((commit, _)) = &self.since else { return all() };
+        let all = |why: &str| {
+            let text = files::text(&self.root.join(name))?;
+            Ok(Some(Change { language: "rust", why: why.to_string(), text }))
+        };
+        let Some((commit, since)) = &self.since else {
+            return all("all of it, as git does not say what changed in it");
+        };
         let plain = ["diff", "--no-color", "--no-ext-diff", "--no-textconv", "--relative"];
         let diff = git(&self.root, &[&plain[..], &[commit, "--", name]].concat())?;
         if !diff.is_empty() {
-            return Ok(Some(Change::Difference(diff)));
+            let from = diff.find("\n@@").map_or(0, |at| at + 1);
+            let (why, text) = (format!("since {since}"), diff[from..].to_string());
+            return Ok(Some(Change { language: "diff", why, text }));
         }
         let is_known = !git(&self.root, &["ls-files", "--", name])?.is_empty();
-        if is_known { Ok(None) } else { all() }
+        if is_known { Ok(None) } else { all("which git does not know yet") }
     }
 
     /// The files that changed, by name.

@@ -36,29 +36,29 @@ pub fn sentences(review: &Review) -> Vec<Sentence> {
         return said;
     }
     said.extend(orders(review));
-    said.push(slopes(review));
+    let slopes = several(Alarm, "method", "with slopes that leave the order", &slopes(review), 4);
+    said.push(slopes.unwrap_or((Calm, "No slope left the window around its order".to_string())));
     said.extend(properties(review));
     said.extend(cells(review));
     said.extend(predictions(review));
     said.extend(claims(review));
     said.extend(review.warnings.iter().map(alarm));
     said.extend(quantities(review));
+    let quoted = |name: &String| format!("`{name}`");
     let visible = review.figures.iter().filter(|figure| figure.is_visible());
-    let visible: Vec<String> = visible.map(|figure| format!("`{}`", figure.name)).collect();
+    let visible: Vec<String> = visible.map(|figure| quoted(&figure.name)).collect();
     said.extend(several(Moved, "figure", "moved visibly", &visible, 6));
     said.extend(several(Moved, "result", "with other bits", &review.bits, 8));
     for (version, which) in [(0, "new"), (1, "gone")] {
         let names = review.snapshots.iter().filter(|change| !change.is_in[version]);
-        let names: Vec<String> = names.map(|change| format!("`{}`", change.name)).collect();
+        let names: Vec<String> = names.map(|change| quoted(&change.name)).collect();
         said.extend(several(Moved, "snapshot", which, &names, 8));
     }
     said.sort_by_key(|(weight, _)| *weight);
     if said.iter().all(|(weight, _)| *weight == Calm) {
         let n = counted(review.snapshots.len(), "snapshot");
-        said.insert(
-            0,
-            (Moved, format!("{n} written otherwise: no number moved, and nothing one sees")),
-        );
+        let seen = format!("{n} written otherwise: no number moved, and nothing one sees");
+        said.insert(0, (Moved, seen));
     }
     said
 }
@@ -108,28 +108,22 @@ fn orders(review: &Review) -> Vec<Sentence> {
     let mut said = Vec::new();
     if let Some(((method, change), others)) = lost.split_first() {
         let others: Vec<String> = others.iter().map(named).collect();
-        let others = match listed(&others, 2) {
-            none if none.is_empty() => none,
-            others => format!(", as did {others}"),
-        };
-        said.push((Alarm, format!("{method} lost its order {change}{others}")));
+        let also = if others.is_empty() { "" } else { ", as did " };
+        let others = listed(&others, 2);
+        said.push((Alarm, format!("{method} lost its order {change}{also}{others}")));
     }
     let found: Vec<String> = found.iter().map(named).collect();
     said.extend(several(Calm, "order", "there again", &found, 3));
     said
 }
 
-/// The methods of which slopes left the window around their order.
-fn slopes(review: &Review) -> Sentence {
-    // Of each the last, between the shortest steps.
-    let mut left: Vec<(&str, String)> = Vec::new();
-    for (method, _, item) in items(review).filter(|(.., item)| item.is_slope() && item.leaves()) {
-        left.retain(|(known, _)| *known != method);
-        left.push((method, format!("{method} {}", both(item))));
-    }
-    let left: Vec<String> = left.into_iter().map(|(_, said)| said).collect();
-    let slopes = several(Alarm, "method", "with slopes that leave the order", &left, 4);
-    slopes.unwrap_or((Calm, "No slope left the window around its order".to_string()))
+/// The methods of which slopes left the window around their order, each with its last slope,
+/// between the shortest steps.
+fn slopes(review: &Review) -> Vec<String> {
+    let left = items(review).filter(|(.., item)| item.is_slope() && item.leaves());
+    let left: Vec<_> = left.collect();
+    let last = left.chunk_by(|a, b| a.0 == b.0).filter_map(|of_one| of_one.last());
+    last.map(|(method, _, item)| format!("{method} {}", both(item))).collect()
 }
 
 /// Whether a method is symplectic, and what its energy does.
@@ -151,8 +145,8 @@ fn properties(review: &Review) -> Vec<Sentence> {
 fn cells(review: &Review) -> Vec<Sentence> {
     let named = |wrong: fn(&Turn) -> &str| -> Vec<String> {
         let turned = review.claims.iter().filter(|turn| turn.flips() && wrong(turn) == "wrong");
-        let say = |Turn { id, claim, .. }: &Turn| {
-            format!("{id} (stated {}, now {})", claim.stated, claim.measured)
+        let say = |Turn { claim, .. }: &Turn| {
+            format!("{} (stated {}, now {})", claim.id, claim.stated, claim.measured)
         };
         turned.filter(|turn| turn.is_cell()).map(say).collect()
     };
@@ -176,11 +170,12 @@ fn predictions(review: &Review) -> Vec<Sentence> {
 fn claims(review: &Review) -> Vec<Sentence> {
     let mut kinds: [Vec<String>; 3] = Default::default();
     for turn in review.claims.iter().filter(|turn| turn.flips()) {
+        let id = &turn.claim.id;
         match (turn.old.as_str(), turn.new.as_str()) {
-            ("", _) => kinds[1].push(turn.id.clone()),
-            (_, "") => kinds[2].push(turn.id.clone()),
+            ("", _) => kinds[1].push(id.clone()),
+            (_, "") => kinds[2].push(id.clone()),
             _ if turn.is_cell() => {}
-            (old, new) => kinds[0].push(format!("{} ({old} → {new})", turn.id)),
+            (old, new) => kinds[0].push(format!("{id} ({old} → {new})")),
         }
     }
     let words = [(Alarm, "with another verdict"), (Moved, "new"), (Moved, "gone")];

@@ -10,7 +10,7 @@ use crate::preprocess::markdown::fence;
 use pendula_output::printable::printable;
 
 /// A row of a table: what it is, before, now, and how far these are apart.
-pub fn row(item: &Item) -> Vec<String> {
+pub fn row(item: &Item) -> [String; 4] {
     let (mut old, mut new) = (shown(&item.shown.old), shown(&item.shown.new));
     // Two values of a sentence without the definition in parentheses that both end with.
     if let (Some((a, definition)), Some((b, same))) = (old.split_once(" ("), new.split_once(" ("))
@@ -18,7 +18,7 @@ pub fn row(item: &Item) -> Vec<String> {
     {
         (old, new) = (a.to_string(), b.to_string());
     }
-    vec![item.label(), old, new, item.change().map_or_else(String::new, change_text)]
+    [item.label(), old, new, item.change().map_or_else(String::new, change_text)]
 }
 
 /// A cell's text with its mark; a dash for none.

@@ -1,21 +1,21 @@
 //! The snapshots of the working tree: those reviewed, those that wait for review, and what the code
 //! gives now; and accepting them.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 use anyhow::{Result, bail, ensure};
 use pendula_study::report::snapshots::Kind;
 
-use crate::versions::{Content, File, Made, OnDisk, Version, on_disk};
+use crate::versions::{Content, File, Made, Version, on_disk};
 use pendula_output::files::together::{self, Change};
 
 /// The snapshots of the working tree.
 pub struct WorkingTree {
     /// `snapshots/*.snap`.
-    pub reviewed: BTreeMap<String, OnDisk>,
+    pub reviewed: BTreeMap<String, File>,
     /// `snapshots/*.snap.new`.
-    pub pending: BTreeMap<String, OnDisk>,
+    pub pending: BTreeMap<String, File>,
     /// What the code gives now; of what is not computed the pending file, or else the reviewed one.
     pub now: Version,
     /// Those that are not computed, as a command or a test of their own makes them.
@@ -34,14 +34,14 @@ impl WorkingTree {
         let (mut now, failed) = compute()?;
         let (mut recorded, mut stale) = (Vec::new(), Vec::new());
         for (name, found) in &reviewed {
-            let is_recorded = matches!(found.file.content.kind, Kind::Recorded | Kind::Hashes);
+            let is_recorded = matches!(found.content.kind, Kind::Recorded | Kind::Hashes);
             if is_recorded || failed.contains_key(name) {
-                now.insert(name.clone(), found.file.content.clone());
+                now.insert(name.clone(), found.content.clone());
             }
             recorded.extend(is_recorded.then(|| name.clone()));
         }
         for (name, found) in &pending {
-            let waits = &found.file.content;
+            let waits = &found.content;
             let gives = now.get(name).filter(|_| !failed.contains_key(name));
             if matches!(waits.kind, Kind::Recorded | Kind::Hashes) {
                 now.insert(name.clone(), waits.clone());
@@ -62,7 +62,7 @@ impl WorkingTree {
     pub fn moved(&self) -> Vec<&str> {
         let names =
             self.now.keys().chain(self.reviewed.keys().filter(|k| !self.now.contains_key(*k)));
-        let was = |name: &String| self.reviewed.get(name).map(|found| &found.file.content);
+        let was = |name: &String| self.reviewed.get(name).map(|found| &found.content);
         names.filter(|name| was(name) != self.now.get(*name)).map(String::as_str).collect()
     }
 
@@ -73,11 +73,8 @@ impl WorkingTree {
     /// cannot be replaced or removed after that, those before it are accepted.
     pub fn accept(&self, snapshots: &Path, names: &[String]) -> Result<()> {
         let mut changes = Vec::new();
-        for (index, name) in names.iter().enumerate() {
-            if names[..index].contains(name) {
-                continue;
-            }
-            let old = self.reviewed.get(name).map(|found| &found.file.content.text);
+        for name in names.iter().collect::<BTreeSet<_>>() {
+            let old = self.reviewed.get(name).map(|found| &found.content.text);
             let new = self.now.get(name);
             ensure!(old.is_some() || new.is_some(), "--accept {name}: no such snapshot");
             // One that was accepted while its pending file stayed is accepted again.
@@ -101,25 +98,25 @@ impl WorkingTree {
         let header = match (beside, before) {
             (Some(pending), _) => {
                 // A pending file also says in which line of the test it arose.
-                let lines = pending.file.header.lines();
+                let lines = pending.header.lines();
                 let kept = lines.filter(|line| !line.starts_with("assertion_line:"));
                 kept.collect::<Vec<_>>().join("\n")
             }
-            (None, Some(before)) => before.file.header.clone(),
+            (None, Some(before)) => before.header.clone(),
             (None, None) => "source: book/study/../../tests/study/snapshots.rs".to_string(),
         };
-        let file = File { header, content: content.clone() };
-        let path = before.map_or_else(
-            || folder.join(format!("{}.snap", content.kind.file_stem(name))),
-            |before| before.path.clone(),
-        );
-        let written = Change::Written(path, file.text().into_bytes());
+        let path = match before {
+            Some(before) => before.path.clone(),
+            None => folder.join(format!("{}.snap", content.kind.file_stem(name))),
+        };
+        let file = File { path, header, content: content.clone() };
+        let written = Change::Written(file.path.clone(), file.text().into_bytes());
         let removed = beside.map(|pending| Change::Removed(pending.path.clone()));
         [written].into_iter().chain(removed).collect()
     }
 }
 
 /// The contents of files.
-pub fn contents(files: &BTreeMap<String, OnDisk>) -> Version {
-    files.iter().map(|(name, found)| (name.clone(), found.file.content.clone())).collect()
+pub fn contents(files: &BTreeMap<String, File>) -> Version {
+    files.iter().map(|(name, found)| (name.clone(), found.content.clone())).collect()
 }

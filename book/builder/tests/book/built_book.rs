@@ -13,9 +13,11 @@ use pendula_book::versions::{Made, Version};
 use pendula_output::files;
 use tempfile::TempDir;
 
+use crate::chapters::chapters;
 use crate::claims::PAPER;
 use crate::pages::{Page, Site, is_remote};
 use crate::review::REVIEWED;
+use crate::root;
 
 /// The paper's claims as measured now, and the snapshots as reviewed: the tests of the study hold
 /// each of them to the code.
@@ -37,13 +39,8 @@ impl Ledger for Reviewed {
 /// it. `Err` is the reason why the build stopped.
 static BOOK: LazyLock<Result<(TempDir, Site), String>> = LazyLock::new(|| {
     let folder = tempfile::tempdir().unwrap();
-    let built = build::book(
-        &root(),
-        Some(folder.path()),
-        Reviewed,
-        Progress::hidden(),
-        &Default::default(),
-    );
+    let (book, to) = (root().join("book"), Some(folder.path()));
+    let built = build::book(&book, to, Reviewed, Progress::hidden(), &Default::default());
     built.map_err(|error| format!("{error:#}"))?;
     let site = Site::read(folder.path());
     Ok((folder, site))
@@ -52,10 +49,6 @@ static BOOK: LazyLock<Result<(TempDir, Site), String>> = LazyLock::new(|| {
 /// The HTML of a page.
 pub fn html(page: &str) -> String {
     fs::read_to_string(book().0.join(page)).unwrap()
-}
-
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap().to_path_buf()
 }
 
 /// The folder of the book and its pages.
@@ -186,43 +179,31 @@ fn no_id_stands_twice_on_a_page() {
 /// Catches: a chapter forgotten in SUMMARY.md, or one that mdBook dropped from it.
 #[test]
 fn every_chapter_is_in_the_book() {
-    let chapters = fs::read_dir(root().join("src")).unwrap().filter_map(|entry| {
-        let path = entry.unwrap().path();
-        let is_chapter = path.extension().is_some_and(|extension| extension == "md");
-        (is_chapter && !path.ends_with("SUMMARY.md")).then(|| path.file_stem().unwrap().to_owned())
-    });
-    assert_none(
-        chapters
-            .map(|stem| Path::new(&stem).with_extension("html"))
-            .filter(|page| !site().pages.contains_key(page))
-            .map(|page| page.display().to_string()),
-    );
+    let chapters = chapters().into_iter().map(|(file, _)| file);
+    assert_have_pages(chapters.filter(|file| file != "SUMMARY.md").map(PathBuf::from));
 }
 
-/// The Rust files below `folder`, as paths from there.
-fn rust_files(folder: &Path) -> Vec<PathBuf> {
-    let files = files::tree(folder).unwrap().into_iter().map(|(path, _)| path);
-    files.filter(|file| file.extension().is_some_and(|extension| extension == "rs")).collect()
+/// Each of these sources has its page.
+#[track_caller]
+fn assert_have_pages(sources: impl Iterator<Item = PathBuf>) {
+    let pages = sources.map(|source| source.with_extension("html"));
+    let missing = pages.filter(|page| !site().pages.contains_key(page));
+    assert_none(missing.map(|page| page.display().to_string()));
 }
 
 /// Catches: a file of tests that no page shows.
 #[test]
 fn every_file_of_tests_has_its_page() {
-    let files = rust_files(&root().join("../tests"));
+    let files = files::with_extension(&root().join("tests"), "rs").unwrap();
     assert!(files.len() > 50, "{files:?}");
-    let pages = files.iter().map(|file| Path::new("tests").join(file).with_extension("html"));
-    assert_none(
-        pages
-            .filter(|page| !site().pages.contains_key(page))
-            .map(|page| page.display().to_string()),
-    );
+    assert_have_pages(files.iter().map(|file| Path::new("tests").join(file)));
 }
 
 /// Catches: a file of tests that no program compiles, so that its tests never run; a folder of
 /// tests that Cargo does not know.
 #[test]
 fn every_file_of_tests_is_listed_in_its_program() {
-    let top = root().join("..");
+    let top = root();
     let read = |path: PathBuf| fs::read_to_string(&path).unwrap_or_default();
     let packages = ["Cargo.toml", "book/study/Cargo.toml", "book/device/Cargo.toml"];
     let manifests = packages.map(|manifest| read(top.join(manifest))).concat();
@@ -246,7 +227,8 @@ fn every_file_of_tests_is_listed_in_its_program() {
         };
         (!listed).then(|| file.display().to_string())
     };
-    assert_none(rust_files(&top.join("tests")).iter().filter_map(unlisted));
+    let files = files::with_extension(&top.join("tests"), "rs").unwrap();
+    assert_none(files.iter().filter_map(unlisted));
 }
 
 /// Catches: checks that find nothing, because the parser of pages misses links, ids, code or text.

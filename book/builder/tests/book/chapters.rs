@@ -1,27 +1,25 @@
 //! The sources of the chapters: what each of them must have, and what none may be typed into.
 
 use std::fs;
-use std::path::Path;
+use std::path::PathBuf;
 
 use pendula::methods::METHODS;
+use pendula_output::files;
 use regex::Regex;
 
 use crate::claims::PAPER;
+use crate::root;
 
 /// The chapters, by file name, with their texts.
 pub fn chapters() -> Vec<(String, String)> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap().join("src");
-    let mut chapters = Vec::new();
-    for entry in fs::read_dir(folder).unwrap() {
-        let path = entry.unwrap().path();
-        if path.extension().is_some_and(|extension| extension == "md") {
-            let name = path.file_name().unwrap().to_string_lossy().into_owned();
-            chapters.push((name, fs::read_to_string(&path).unwrap()));
-        }
-    }
-    assert!(chapters.len() >= 20, "only {} chapters", chapters.len());
-    chapters.sort();
-    chapters
+    let folder = root().join("book/src");
+    let chapter = |path: PathBuf| {
+        let text = files::text(&folder.join(&path)).unwrap();
+        (path.display().to_string(), text)
+    };
+    let paths = files::with_extension(&folder, "md").unwrap();
+    assert!(paths.len() >= 20, "only {} chapters", paths.len());
+    paths.into_iter().map(chapter).collect()
 }
 
 /// The chapter without what may hold numbers: code, formulas, directives, comments and addresses.
@@ -60,8 +58,7 @@ fn no_result_is_typed() {
 /// doctests.
 #[test]
 fn the_listings_of_every_chapter_are_tests() {
-    let book = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap();
-    let list = fs::read_to_string(book.join("study/src/lib.rs")).unwrap();
+    let list = fs::read_to_string(root().join("book/study/src/lib.rs")).unwrap();
     let mut listed = 0;
     for (file, text) in chapters() {
         if text.contains("```rust\n") {
@@ -266,9 +263,8 @@ fn every_table_has_a_caption() {
 /// Catches: a bar in a cell that begins a column of its own, so that the cells after it are lost.
 #[test]
 fn the_rows_of_a_table_are_as_wide_as_its_head() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let mut texts = chapters();
-    for entry in fs::read_dir(root.join("snapshots")).unwrap() {
+    for entry in fs::read_dir(root().join("snapshots")).unwrap() {
         let path = entry.unwrap().path();
         texts.push((path.display().to_string(), fs::read_to_string(&path).unwrap()));
     }
@@ -306,7 +302,7 @@ fn claims_are_counted_as_in_the_ledger() {
 /// and has no report; a report without a program or without what that prints.
 #[test]
 fn each_defect_has_its_section_and_its_report() {
-    let strangers = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap().join("strangers");
+    let strangers = root().join("book/strangers");
     let read = |path: &str| fs::read_to_string(strangers.join(path)).unwrap();
     let chapter = read("../src/others.md");
     let defect =

@@ -11,23 +11,11 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use pendula_book::build;
 use pendula_book::ledger::{Entry, Ledger};
 use pendula_book::progress::Progress;
+use pendula_output::files;
 use tempfile::TempDir;
 
 use crate::claims::PAPER;
-
-fn folder() -> (TempDir, impl Fn(&str) -> PathBuf) {
-    let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().to_path_buf();
-    (folder, move |name: &str| path.join(name))
-}
-
-fn names(folder: &TempDir) -> Vec<String> {
-    let entries = fs::read_dir(folder.path()).unwrap();
-    let mut names: Vec<String> =
-        entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
-    names.sort();
-    names
-}
+use crate::root;
 
 const BOOK: &str = "[book]\ntitle = \"a\"\n[build]\nbuild-dir = \"../target/book\"\n\
                     [preprocessor.pendula]\nafter = [\"links\"]\nrenderers = [\"html\"]\n\
@@ -36,7 +24,9 @@ const BOOK: &str = "[book]\ntitle = \"a\"\n[build]\nbuild-dir = \"../target/book
 
 /// A book of one chapter.
 fn small_book() -> (TempDir, impl Fn(&str) -> PathBuf) {
-    let (folder, at) = folder();
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().to_path_buf();
+    let at = move |name: &str| path.join(name);
     for (name, text) in [
         ("book/book.toml", BOOK),
         ("book/src/SUMMARY.md", "# Summary\n\n* [One](one.md)\n"),
@@ -117,8 +107,7 @@ fn a_snapshot_typed_over_is_not_published() {
     let chapter =
         format!("# One\n\nTable: Energy errors.\n\n{{{{#include ../../{TABLE}:table}}}}\n");
     fs::write(at("book/src/one.md"), chapter).unwrap();
-    let reviewed = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(TABLE);
-    let reviewed = fs::read_to_string(reviewed).unwrap();
+    let reviewed = fs::read_to_string(root().join(TABLE)).unwrap();
     fs::create_dir(at("snapshots")).unwrap();
     fs::write(at(TABLE), &reviewed).unwrap();
     build().unwrap();
@@ -174,6 +163,7 @@ fn a_book_stays_where_a_link_leads() {
     assert_eq!(fs::read_link(at("target/book")).unwrap(), Path::new("../published"));
     assert!(at("published/one.html").exists());
     assert_eq!(fs::metadata(at("published")).unwrap().mode() & 0o777, 0o750);
-    assert_eq!(names(&folder), ["benches", "book", "published", "target"]);
+    let all = ["benches", "book", "published", "target"].map(&at);
+    assert_eq!(files::list(folder.path()).unwrap(), all);
     assert_eq!(fs::read_dir(at("target")).unwrap().count(), 1);
 }

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::sync::LazyLock;
 
-use pendula_book::ledger::{Entry, Ledger};
+use pendula_book::ledger::Entry;
 use pendula_book::preprocess::chapter::Setter;
 use pendula_book::preprocess::sources::Tests;
 use pendula_book::preprocess::{captions, claims};
@@ -106,13 +106,4 @@ proptest! {
             prop_assert!(is_one_line(error));
         }
     }
-}
-
-/// Catches: a ledger that the chapters do not ask.
-#[test]
-fn the_ledger_here_is_one() {
-    let ledger: &dyn Ledger = &ledger;
-    assert!(ledger.entry("T4.rk4.0.01").is_some() && ledger.entry("T9").is_none());
-    assert!(set("{{measured T4.rk4.0.01}}").unwrap().contains("class=\"measured\""));
-    assert!(set("{{measured T5.fe.dH}}").is_err() && set("{{measured T9}}").is_err());
 }

@@ -7,3 +7,10 @@ mod folder;
 mod hostile;
 mod pages;
 mod review;
+
+use std::path::PathBuf;
+
+/// The top folder of the project.
+fn root() -> PathBuf {
+    PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).canonicalize().unwrap()
+}

@@ -1,7 +1,6 @@
 //! Parsing built pages: their ids, their links, and what must not be on them.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::fs;
 use std::path::{Component, Path, PathBuf};
 
 use pendula_output::files;
@@ -34,13 +33,11 @@ impl Site {
         let found = files::tree(folder).unwrap().into_iter();
         let files: BTreeSet<PathBuf> =
             found.filter(|(_, is_folder)| !is_folder).map(|(path, _)| path).collect();
-        let pages = files
-            .iter()
-            .filter(|file| file.extension().is_some_and(|extension| extension == "html"))
-            .map(|file| {
-                (file.clone(), Page::parse(&fs::read_to_string(folder.join(file)).unwrap()))
-            })
-            .collect();
+        let pages = files::with_extension(folder, "html").unwrap().into_iter().map(|file| {
+            let page = Page::parse(&files::text(&folder.join(&file)).unwrap());
+            (file, page)
+        });
+        let pages = pages.collect();
         Self { pages, files }
     }
 

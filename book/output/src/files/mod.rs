@@ -14,6 +14,8 @@ use std::fs::{self, File, Metadata, TryLockError};
 use std::io;
 use std::path::{Path, PathBuf};
 
+use anyhow::Context;
+
 pub use std::fs::{canonicalize, create_dir_all as create_folder, read, read_to_string};
 
 /// Lets a write beyond the limit on the size of a file (`ulimit -f`) fail like one to a full disk.
@@ -109,6 +111,22 @@ pub fn tree(folder: &Path) -> io::Result<Vec<(PathBuf, bool)>> {
     }
     found.sort();
     Ok(found)
+}
+
+/// The files below a folder whose names have this extension, as paths from there, in order; a
+/// folder that is not there has none. The error names it.
+pub fn with_extension(folder: &Path, extension: &str) -> anyhow::Result<Vec<PathBuf>> {
+    let cannot = || format!("{} cannot be read", folder.display());
+    if !is_folder(folder).with_context(cannot)? {
+        return Ok(Vec::new());
+    }
+    let paths = tree(folder).with_context(cannot)?.into_iter().map(|(path, _)| path);
+    Ok(paths.filter(|path| path.extension().is_some_and(|found| found == extension)).collect())
+}
+
+/// The text of a file. The error names it.
+pub fn text(path: &Path) -> anyhow::Result<String> {
+    fs::read_to_string(path).with_context(|| format!("{} cannot be read", path.display()))
 }
 
 /// Removes a file that is no longer needed, if it is there.

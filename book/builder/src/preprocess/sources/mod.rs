@@ -1,24 +1,27 @@
 //! The tests' sources as pages of the book, so that a chapter's links to them work offline and
 //! cannot break.
 //!
-//! [`scan`] finds the tests in a file, [`page`] makes its page, and [`Tests`] resolves links.
+//! [`Tests`] finds the tests in the files and resolves links, and [`page`] makes a page of a file.
+//! A file is read line by line: rustfmt has set the first line of a function and its last brace
+//! below each other. So a test inside `proptest! { … }` or another macro, which a parser skips,
+//! looks like any other.
 
+use std::ops::Range;
 use std::path::Path;
 
 use anyhow::{Context, Result, bail, ensure};
 use mdbook_preprocessor::book::{BookItem, Chapter};
-
-use self::scan::Test;
 use pendula_output::files;
 
+use crate::{Pattern, pattern};
+
 pub mod page;
-pub mod scan;
 
 /// The integration tests: every Rust file under `tests/`.
 #[derive(Debug, Default)]
 pub struct Tests {
     /// In alphabetical order.
-    files: Vec<TestFile>,
+    pub files: Vec<TestFile>,
 }
 
 /// One file under `tests/`.
@@ -35,17 +38,10 @@ pub struct TestFile {
 impl Tests {
     /// Reads the folder `tests/`; a folder that does not exist has no tests.
     pub fn read(folder: &Path) -> Result<Self> {
-        let cannot = |path: &Path| format!("{} cannot be read", path.display());
         let mut sources = Vec::new();
-        if files::is_folder(folder).with_context(|| cannot(folder))? {
-            for (path, _) in files::tree(folder).with_context(|| cannot(folder))? {
-                if path.extension().is_some_and(|extension| extension == "rs") {
-                    let name = path.with_extension("").to_string_lossy().replace('\\', "/");
-                    let path = folder.join(path);
-                    let source = files::read_to_string(&path).with_context(|| cannot(&path))?;
-                    sources.push((name, source));
-                }
-            }
+        for path in files::with_extension(folder, "rs")? {
+            let name = path.with_extension("").to_string_lossy().replace('\\', "/");
+            sources.push((name, files::text(&folder.join(path))?));
         }
         sources.sort();
         Self::from_sources(sources)
@@ -58,8 +54,7 @@ impl Tests {
         let mut files = Vec::new();
         for (name, source) in sources {
             let (name, source) = (name.into(), source.into());
-            let tests =
-                scan::tests(&source).with_context(|| format!("tests/{name}.rs is broken"))?;
+            let tests = scan(&source).with_context(|| format!("tests/{name}.rs is broken"))?;
             for (at, test) in tests.iter().enumerate() {
                 // The name is the id that links point to.
                 ensure!(
@@ -71,11 +66,6 @@ impl Tests {
             files.push(TestFile { name, source, tests });
         }
         Ok(Self { files })
-    }
-
-    /// The files, in alphabetical order.
-    pub fn files(&self) -> &[TestFile] {
-        &self.files
     }
 
     /// What the test cited as `file::function` catches, as its documentation says.
@@ -110,35 +100,31 @@ pub fn pages(tests: &Tests) -> Vec<BookItem> {
     if tests.files.is_empty() {
         return Vec::new();
     }
-    let chapter = |title: &str, content: String, path: String, parents: Vec<String>| {
-        let mut chapter = Chapter::new(title, content, path, parents);
+    let chapter = |title: &str, content: String, name: &str, parents: &[String]| {
+        let mut chapter =
+            Chapter::new(title, content, format!("tests/{name}.md"), parents.to_vec());
         // There is no such file in the book's sources.
         chapter.source_path = None;
         chapter
     };
-    let overview = page::overview(tests);
-    let overview = chapter("All tests", overview, "tests/all.md".to_string(), Vec::new());
+    let overview = chapter("All tests", page::overview(tests), "all", &[]);
     let mut items = vec![BookItem::PartTitle("The tests".to_string()), BookItem::Chapter(overview)];
     for group in tests.files.chunk_by(|one, other| one.folder() == other.folder()) {
-        let folder = group[0].folder();
-        let title = format!("tests/{folder}");
-        let (roots, files): (Vec<_>, Vec<_>) = group.iter().partition(|file| file.is_root());
-        let below = |parents: &[String]| {
-            let page = |file: &&TestFile| {
-                let path = format!("tests/{}.md", file.name);
-                let title = format!("{}.rs", file.path_in_folder());
-                BookItem::Chapter(chapter(&title, page::of(file), path, parents.to_vec()))
-            };
-            files.iter().map(page).collect::<Vec<_>>()
-        };
-        match roots[..] {
-            [root, ..] => {
-                let path = format!("tests/{}.md", root.name);
-                let mut parent = chapter(&title, page::of(root), path, Vec::new());
-                parent.sub_items = below(&[title]);
-                items.push(BookItem::Chapter(parent));
+        let (roots, files): (Vec<_>, Vec<_>) =
+            group.iter().partition(|file| file.path_in_folder() == "main");
+        let title = format!("tests/{}", group[0].folder());
+        let root = roots.first().map(|root| chapter(&title, page::of(root), &root.name, &[]));
+        let parents: Vec<String> = root.iter().map(|root| root.name.clone()).collect();
+        let pages = files.into_iter().map(|file| {
+            let title = format!("{}.rs", file.path_in_folder());
+            BookItem::Chapter(chapter(&title, page::of(file), &file.name, &parents))
+        });
+        match root {
+            Some(mut root) => {
+                root.sub_items = pages.collect();
+                items.push(BookItem::Chapter(root));
             }
-            [] => items.extend(below(&[])),
+            None => items.extend(pages),
         }
     }
     items
@@ -155,10 +141,78 @@ impl TestFile {
     fn path_in_folder(&self) -> &str {
         self.name.split_once('/').map_or(&self.name, |(_, path)| path)
     }
+}
 
-    /// Whether it is the one that lists its program's files.
-    fn is_root(&self) -> bool {
-        self.path_in_folder() == "main"
+/// A test function.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Test {
+    /// The function's name.
+    pub name: String,
+    /// Its lines, counted from 0, with its attributes, its documentation and the comments right
+    /// above.
+    pub lines: Range<usize>,
+    /// What wrong code it catches, as its documentation says after `Catches:`; empty if it does
+    /// not.
+    pub catches: String,
+}
+
+/// The tests of a source file, from top to bottom: functions with the attribute `test` or `rstest`,
+/// and those of which a macro below makes tests, as `each_method!(slopes);` does, one for each
+/// method.
+fn scan(source: &str) -> Result<Vec<Test>> {
+    static FUNCTION: Pattern = Pattern::new(|| {
+        pattern(r"^( *)(?:pub(?:\([a-z]+\))? )?(?:async |const |unsafe )*fn (\w+)")
+    });
+    static ATTRIBUTE: Pattern = Pattern::new(|| pattern(r"^ *#\[(?:\w+::)*(?:rs)?test\b"));
+    let lines: Vec<&str> = source.lines().collect();
+    let mut tests = Vec::new();
+    for (at, line) in lines.iter().enumerate() {
+        let Some(found) = FUNCTION.captures(line) else { continue };
+        let (indent, name) = (&found[1], &found[2]);
+        let brace = format!("{indent}}}");
+        // What stands above it without a gap, but for another item and what is around both.
+        let is_above = |line: &str| match line.strip_prefix(indent) {
+            _ if line == brace || line.starts_with("//!") => false,
+            Some(rest) => rest.starts_with([' ', '#', '/', '}', ')']),
+            None => false,
+        };
+        let start = at - lines[..at].iter().rev().take_while(|line| is_above(line)).count();
+        let is_test = lines[start..at].iter().any(|line| ATTRIBUTE.is_match(line));
+        let last = match line.ends_with('}') {
+            true => Some(at),
+            false => (at..lines.len()).find(|&end| lines[end] == brace),
+        };
+        let Some(last) = last else {
+            // One without a body has none.
+            ensure!(!is_test, "the function {name} has no end");
+            continue;
+        };
+        let each = lines.get(last + 1).is_some_and(|line| {
+            line.trim().starts_with("each_") && line.ends_with(&format!("!({name});"))
+        });
+        if is_test || each {
+            tests.push(Test {
+                name: name.to_string(),
+                lines: start..last + 1 + usize::from(each),
+                catches: catches(&lines[start..at]),
+            });
+        }
+    }
+    Ok(tests)
+}
+
+/// What follows `Catches:` in its paragraph of the documentation, without the full stop, which the
+/// chapter sets.
+fn catches(above: &[&str]) -> String {
+    let documentation = above.iter().filter_map(|line| line.trim().strip_prefix("///"));
+    let mut paragraph = documentation.map(str::trim);
+    let first = paragraph.by_ref().find_map(|line| Some(line.split_once("Catches:")?.1));
+    let rest = paragraph.take_while(|line| !line.is_empty());
+    let words: Vec<&str> = first.into_iter().chain(rest).flat_map(str::split_whitespace).collect();
+    let sentence = words.join(" ");
+    match sentence.strip_suffix(".)") {
+        Some(inside) => format!("{inside})"),
+        None => sentence.trim_end_matches('.').to_string(),
     }
 }
 
@@ -178,7 +232,7 @@ mod tests {
             fs::write(folder.path().join(file), "//! Header.\n").unwrap();
         }
         let tests = Tests::read(folder.path()).unwrap();
-        let names: Vec<_> = tests.files().iter().map(|file| file.name.as_str()).collect();
+        let names: Vec<_> = tests.files.iter().map(|file| file.name.as_str()).collect();
         assert_eq!(names, ["area", "order", "support/scenes"]);
     }
 
@@ -217,5 +271,70 @@ mod tests {
         let source = "#[test]\nfn a() {}\nmod m {\n    #[test]\n    fn a() {}\n}\n";
         let error = Tests::from_sources([("order", source)]).unwrap_err().to_string();
         assert!(error.contains("two tests called a"), "{error}");
+    }
+
+    const SOURCE: &str = r#"//! Header.
+
+/// Catches: one thing.
+#[test]
+fn plain() {
+    let text = "fn not_a_test() {";
+}
+
+// Why: a plain comment.
+#[track_caller]
+pub(crate) fn applied<const N: usize>(method: &dyn Method) -> [u8; 3] {
+    each_method!(helper);
+    [0; { 3 }]
+}
+each_method!(applied);
+
+each_method! { collect }
+fn helper() {}
+
+mod inner {
+    #[rstest::rstest]
+    #[case(1)]
+    async fn parametrised(#[case] n: i32) {}
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(32))]
+
+    /// Catches: another thing.
+    #[test]
+    fn property(theta in -3.0..3.0f64, omega in 0.0..1.0f64) {
+        prop_assert!(theta < 3.0);
+    }
+
+    fn not_run(x in 0..3) {}
+}
+"#;
+
+    /// Catches: a scan that misses a kind of test, or takes a helper or a string for one.
+    #[test]
+    fn every_kind_of_test_is_found_and_nothing_else() {
+        let names: Vec<_> = scan(SOURCE).unwrap().into_iter().map(|test| test.name).collect();
+        assert_eq!(names, ["plain", "applied", "parametrised", "property"]);
+    }
+
+    /// Catches: a cut that separates a test from its documentation, its comments, its attributes or
+    /// its last brace.
+    #[test]
+    fn a_test_is_cut_out_whole() {
+        let lines: Vec<&str> = SOURCE.lines().collect();
+        let cut: Vec<_> =
+            scan(SOURCE).unwrap().into_iter().map(|test| &lines[test.lines]).collect();
+        let ends = |at: usize| (cut[at][0].trim(), *cut[at].last().unwrap());
+        assert_eq!(ends(0), ("/// Catches: one thing.", "}"));
+        assert_eq!(ends(1), ("// Why: a plain comment.", "each_method!(applied);"));
+        assert_eq!(ends(2), ("#[rstest::rstest]", "    async fn parametrised(#[case] n: i32) {}"));
+        assert_eq!(ends(3), ("/// Catches: another thing.", "    }"));
+    }
+
+    /// Catches: a test that is cut off shown as a whole one.
+    #[test]
+    fn a_function_without_an_end_is_an_error() {
+        assert!(scan("#[test]\nfn a() {\n    }\n").is_err());
     }
 }

@@ -1,9 +1,7 @@
 //! The page of one file of tests, as Markdown.
 
-use std::fmt::Write;
-
 use super::super::markdown::fence;
-use super::{TestFile, Tests};
+use super::{Test, TestFile, Tests};
 
 /// The overview: every file with the first paragraph of its header and its tests.
 pub fn overview(tests: &Tests) -> String {
@@ -11,24 +9,17 @@ pub fn overview(tests: &Tests) -> String {
         "# All tests\n\nThe sources of the tests, as they were when this book was built. \
          `cargo test` runs them.\n",
     );
-    for file in tests.files() {
+    for file in &tests.files {
         // mdBook makes a link of each heading, which then cannot contain another.
-        let _ = write!(page, "\n## `tests/{}.rs`\n\n", file.name);
+        page += &format!("\n## `tests/{}.rs`\n\n", file.name);
         let (prose, _) = header(&file.source);
-        let first_paragraph: Vec<_> = prose.lines().take_while(|line| !line.is_empty()).collect();
-        if let [first, ..] = first_paragraph[..]
-            && !first.starts_with('#')
-        {
-            let _ = writeln!(page, "{}\n", first_paragraph.join("\n"));
+        let first_paragraph = prose.split("\n\n").next().unwrap_or_default().trim_end();
+        if !first_paragraph.is_empty() && !first_paragraph.starts_with('#') {
+            page += &format!("{first_paragraph}\n\n");
         }
-        let _ = writeln!(page, "* [the whole file]({}.md)", file.name);
-        for test in &file.tests {
-            let _ = writeln!(
-                page,
-                "* [`{test}`]({file}.md#{test})",
-                test = test.name,
-                file = file.name
-            );
+        page += &format!("* [the whole file]({}.md)\n", file.name);
+        for Test { name, .. } in &file.tests {
+            page += &format!("* [`{name}`]({}.md#{name})\n", file.name);
         }
     }
     page
@@ -39,14 +30,13 @@ pub fn overview(tests: &Tests) -> String {
 pub fn of(file: &TestFile) -> String {
     let mut page = format!("# `tests/{}.rs`\n\n", file.name);
     let (prose, header_lines) = header(&file.source);
-    page.push_str(&prose);
-    page.push('\n');
+    page += &format!("{prose}\n");
 
     let lines: Vec<&str> = file.source.lines().collect();
     let mut done = header_lines;
     for test in &file.tests {
         push_code(&mut page, &lines[done..test.lines.start]);
-        let _ = write!(page, "\n## `{0}` {{#{0}}}\n", test.name);
+        page += &format!("\n## `{0}` {{#{0}}}\n", test.name);
         push_code(&mut page, &lines[test.lines.clone()]);
         done = test.lines.end;
     }
@@ -77,20 +67,13 @@ fn header(source: &str) -> (String, usize) {
 
 /// The lines as a code block, unless they are blank or only close the block around a test.
 fn push_code(page: &mut String, lines: &[&str]) {
-    let is_blank = |line: &&str| line.trim().is_empty();
-    let Some(first) = lines.iter().position(|line| !is_blank(line)) else { return };
-    let last = lines.iter().rposition(|line| !is_blank(line)).unwrap_or(first);
-    let lines = &lines[first..=last];
-    if lines.iter().all(|line| line.chars().all(|c| c.is_whitespace() || "})];,".contains(c))) {
+    let code = lines.join("\n");
+    if code.chars().all(|c| c.is_whitespace() || "})];,".contains(c)) {
         return;
     }
-    let fence = fence(&lines.join("\n"), 3);
-    let _ = write!(page, "\n{fence}rust\n");
-    for line in lines {
-        page.push_str(&shown(line));
-        page.push('\n');
-    }
-    let _ = writeln!(page, "{fence}");
+    let fence = fence(&code, 3);
+    let shown: String = code.trim_matches('\n').lines().map(shown).collect();
+    *page += &format!("\n{fence}rust\n{shown}{fence}\n");
 }
 
 /// mdBook hides a line of Rust that begins with `# `, as rustdoc does; in a file of tests such a
@@ -98,11 +81,8 @@ fn push_code(page: &mut String, lines: &[&str]) {
 fn shown(line: &str) -> String {
     let text = line.trim_start();
     let indent = &line[..line.len() - text.len()];
-    if text == "#" || text.starts_with("# ") || text.starts_with("##") {
-        format!("{indent}#{text}")
-    } else {
-        line.to_string()
-    }
+    let is_hidden = text == "#" || text.starts_with("# ") || text.starts_with("##");
+    format!("{indent}{}{text}\n", if is_hidden { "#" } else { "" })
 }
 
 #[cfg(test)]
@@ -131,51 +111,29 @@ proptest! {
 ";
 "#;
 
-    fn page() -> String {
-        let tests = Tests::from_sources([("order", SOURCE)]).unwrap();
-        of(&tests.files()[0])
-    }
-
-    /// Catches: a page without the ids that chapters link to.
-    #[test]
-    fn each_test_has_a_heading_with_its_name_as_id() {
-        let page = page();
-        for name in ["slopes", "area"] {
-            assert!(page.contains(&format!("\n## `{name}` {{#{name}}}\n")), "{page}");
-        }
-    }
-
-    /// Catches: source lost between the parts, documentation separated from its test.
+    /// Catches: a page without the ids that chapters link to; source lost between the parts,
+    /// documentation separated from its test; code that ends its own block early, and lines of code
+    /// that mdBook hides; an overview that misses a test.
     #[test]
     fn the_source_is_shown_from_top_to_bottom() {
-        let page = page();
+        let tests = Tests::from_sources([("order", SOURCE)]).unwrap();
+        let page = of(&tests.files[0]);
         let mut from = 0;
         for piece in [
             "# `tests/order.rs`\n\nOrder.\n\n## Why\nBecause.\n",
             "use a::b;",
-            "{#slopes}",
+            "\n## `slopes` {#slopes}\n",
             "/// Catches: a.\n#[test]\nfn slopes() {}\n```",
             "proptest! {",
-            "{#area}",
+            "\n## `area` {#area}\n",
             "    fn area(x in 0..1) {\n    }\n",
+            "`````rust\n",
             "const T",
+            "\n## hidden?\n",
         ] {
             from += page[from..].find(piece).unwrap_or_else(|| panic!("{piece} in {page}"));
         }
-    }
-
-    /// Catches: code that ends its own block early, and lines of code that mdBook hides.
-    #[test]
-    fn code_cannot_escape_or_hide() {
-        let page = page();
-        assert!(page.contains("`````rust\n") && page.contains("\n## hidden?\n"), "{page}");
-    }
-
-    /// Catches: an overview that misses a test.
-    #[test]
-    fn the_overview_lists_every_test() {
-        let tests = Tests::from_sources([("order", SOURCE)]).unwrap();
-        let overview = super::overview(&tests);
+        let overview = overview(&tests);
         assert!(overview.contains("* [`slopes`](order.md#slopes)\n* [`area`](order.md#area)\n"));
         assert!(overview.contains("Order.\n"), "{overview}");
     }
