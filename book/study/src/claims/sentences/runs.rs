@@ -129,7 +129,7 @@ pub(super) fn errors_for_work(method: &dyn AnyMethod, evaluations: f64) -> [f64;
 /// The columns of each method that has a row in the table whose ids begin so.
 pub(super) fn columns_of_methods(table: &str) -> Vec<Vec<&'static str>> {
     let columns = PaperMethod::ALL.map(|method| {
-        let row = std::format!("{table}{}.", method.id());
+        let row = format!("{table}{}.", method.id());
         CELLS.iter().filter_map(|cell| cell.id.strip_prefix(row.as_str())).collect::<Vec<_>>()
     });
     columns.into_iter().filter(|columns| !columns.is_empty()).collect()
