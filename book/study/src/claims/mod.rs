@@ -1,8 +1,8 @@
 //! The paper's claims, each with what was stated, what is measured, and a verdict.
 //!
-//! [`stated`] holds what the paper says, from two files of data; `measure` says how each cell of its
-//! tables is measured, and `sentences` each of its sentences. A [`Ledger`] joins them. Tables, tests
-//! and the book read the ledger, so that no number stands in two places.
+//! [`stated`] holds what the paper says, from two files of data; `measure` says how each cell of
+//! its tables is measured, and `sentences` each of its sentences. A [`Ledger`] joins them. Tables,
+//! tests and the book read the ledger, so that no number stands in two places.
 
 mod measure;
 mod predictions;

@@ -1,5 +1,5 @@
-//! What the paper states, with the verdict on record: its cells, in `cells.toml`, and its sentences,
-//! in `sentences.toml`, where what the book finds besides stands too.
+//! What the paper states, with the verdict on record: its cells, in `cells.toml`, and its
+//! sentences, in `sentences.toml`, where what the book finds besides stands too.
 
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
