@@ -32,6 +32,12 @@ impl Figure {
         Self { title, description, panels: Vec::new(), columns: 1 }
     }
 
+    /// With one more sentence in its description.
+    pub fn saying(mut self, sentence: &str) -> Self {
+        self.description += &format!(" {sentence}");
+        self
+    }
+
     /// With one more chart below the others. Charts with the same x axis share its label.
     pub fn panel(mut self, chart: Chart) -> Self {
         self.panels.push(chart);
