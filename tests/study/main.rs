@@ -6,7 +6,6 @@ use pendula_study::claims::Ledger;
 use pendula_study::experiments::Study;
 
 mod choosing;
-mod drawing;
 mod expected;
 mod figures;
 mod ledger;

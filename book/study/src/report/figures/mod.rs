@@ -52,10 +52,15 @@ impl Drawing {
         &self.words().title
     }
 
+    /// The figure, with the values that it shows.
+    pub fn figure(&self, study: &Study) -> Figure {
+        let Words { title, description, .. } = self.words();
+        (self.draw)(study, Figure::new(title, description))
+    }
+
     /// The figure as an `<svg>` element.
     pub fn svg(&self, study: &Study) -> String {
-        let Words { title, description, .. } = self.words();
-        (self.draw)(study, Figure::new(title, description)).to_svg(self.name)
+        self.figure(study).to_svg(self.name)
     }
 
     /// The figure with its caption, as a `<figure>` element without a blank line.
