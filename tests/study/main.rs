@@ -2,7 +2,7 @@
 
 use std::sync::LazyLock;
 
-use pendula_study::claims::Ledger;
+use pendula_study::claims::{Ledger, Measured};
 use pendula_study::experiments::Study;
 
 mod choosing;
@@ -21,3 +21,11 @@ mod typed;
 /// The experiments, run once for all tests.
 static STUDY: LazyLock<Study> = LazyLock::new(|| Study::run(|_| {}));
 static LEDGER: LazyLock<Ledger> = LazyLock::new(|| Ledger::new(&STUDY));
+
+/// The number that is measured for the claim with this id.
+fn measured(id: &str) -> f64 {
+    match LEDGER.get(id).map(|claim| &claim.measured) {
+        Some(Measured::Number(value, _)) => *value,
+        other => panic!("{id} is {other:?}"),
+    }
+}

@@ -141,8 +141,8 @@ impl Chart {
         self
     }
 
-    /// The scales, from the data and the vertical lines, but not from guides. Curves fill the x axis;
-    /// the y axis ends at round numbers.
+    /// The scales, from the data and the vertical lines, but not from guides. Curves fill the x
+    /// axis; the y axis ends at round numbers.
     pub(super) fn scales(&self) -> (Scale<'_>, Scale<'_>) {
         let series = || self.series.iter().filter(|series| !series.style.is_guide());
         let points = || series().flat_map(|series| &series.points);

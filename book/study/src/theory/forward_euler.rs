@@ -12,7 +12,7 @@
 use pendula::Pendulum;
 use pendula::arithmetic::sine::{cos, sin};
 
-use super::flow::flow;
+use super::tools::flow;
 use super::{Dimensionless, average, polynomial, scaled};
 
 /// The rates θ' and q' of the equation that forward Euler follows, as coefficients of x⁰, x¹, … x⁵.

@@ -11,7 +11,7 @@ use pendula::exact::Motion;
 use pendula::verify::properties::error_constant;
 use pendula::{Pendulum, Phase};
 
-use super::flow::flow;
+use super::tools::flow;
 use super::{Dimensionless, average, polynomial, scaled};
 
 /// The terms e₅, e₆, e₇, e₈ of the energy change of one step, H(n+1) − H(n) = x⁵e₅ + x⁶e₆ + …, in
