@@ -29,3 +29,8 @@ fn measured(id: &str) -> f64 {
         other => panic!("{id} is {other:?}"),
     }
 }
+
+/// The path of a file or folder, from the root of the repository.
+fn at_root(path: &str) -> String {
+    format!("{}/../../{path}", env!("CARGO_MANIFEST_DIR"))
+}

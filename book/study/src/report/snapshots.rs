@@ -175,11 +175,6 @@ pub fn recipes<'a>(study: &'a Study, ledger: &'a Ledger) -> Vec<Recipe<'a>> {
     recipes
 }
 
-/// Makes all of them: see [`some`].
-pub fn all(study: &Study, ledger: &Ledger) -> Vec<(String, thread::Result<Snapshot>)> {
-    some(study, ledger, |_| true)
-}
-
 /// Makes those whose names are `wanted`, each in a thread of its own. A panic is that of one
 /// snapshot: a method may have been changed into one with which an experiment has no result.
 pub fn some(
