@@ -7,32 +7,29 @@ use pendula::{
     AnyMethod, Grid, Hamiltonian, METHODS, Motion, Pendulum, Phase, exact, method_named,
 };
 use pendula_study::experiments::{
-    STEPS, beyond, enclosure, in_paper, level_curves, phase_portrait, readings, resonance,
-    rounding_walk, small_angle, standard_map, truncation,
+    STEPS, beyond, convergence, enclosure, in_paper, level_curves, phase_portrait, readings,
+    resonance, rounding_walk, small_angle, standard_map, truncation,
 };
 
 use crate::STUDY;
 use crate::choosing::MAP;
-use crate::drawing::Kind::{self, Dots, Line, Marker};
-use crate::drawing::Point;
 
-/// A series: words of the heading of its chart, its label in the legend, how it is drawn, and its
-/// values.
+pub type Point = (f64, f64);
+
+/// A series: words of the heading of its chart or of its y axis, its label, and its values.
 pub struct Expected {
     pub chart: String,
     pub label: String,
-    pub kind: Kind,
     pub values: Vec<Point>,
 }
 
 pub fn expect(
     chart: impl Into<String>,
     label: impl Into<String>,
-    kind: Kind,
     values: impl IntoIterator<Item = Point>,
 ) -> Expected {
     let (chart, label) = (chart.into(), label.into());
-    Expected { chart, label, kind, values: values.into_iter().collect() }
+    Expected { chart, label, values: values.into_iter().collect() }
 }
 
 pub type Method = &'static dyn AnyMethod;
@@ -69,11 +66,10 @@ pub fn plane(z: Phase) -> Point {
 }
 
 pub fn figure_2() -> Vec<Expected> {
-    let rows = STUDY.convergence.iter().flat_map(|row| {
-        let points: Vec<Point> = STEPS.into_iter().zip(row.drift).collect();
-        [Line, Marker].map(|kind| (title(row.method), kind, points.clone()))
-    });
-    rows.map(|(label, kind, points)| expect("energy error", label, kind, points)).collect()
+    let row = |row: &convergence::Row| {
+        expect("energy error", title(row.method), STEPS.into_iter().zip(row.drift))
+    };
+    STUDY.convergence.iter().map(row).collect()
 }
 
 pub fn figure_3() -> Vec<Expected> {
@@ -81,12 +77,8 @@ pub fn figure_3() -> Vec<Expected> {
     for method in papers() {
         let samples = run(method, 1.0, 0.01, 1000.0);
         let error: Vec<Point> = energy_error(&samples).collect();
-        // The chart on the right has the name of its left neighbour, but in the first row its own.
         let heading = format!("{}, H − H_{{0}} (J)", title(method));
-        expected.push(expect(heading, title(method), Line, error.clone()));
-        if expected.len() == 1 {
-            expected.push(expect("the last 20 s", title(method), Line, error.clone()));
-        }
+        expected.push(expect(heading, title(method), error.clone()));
         let mut largest = 0.0_f64;
         let so_far = error.iter().enumerate().filter_map(|(n, (t, error))| {
             largest = largest.max(error.abs());
@@ -94,8 +86,8 @@ pub fn figure_3() -> Vec<Expected> {
         });
         let so_far: Vec<Point> = so_far.collect();
         let row = STUDY.long_run.iter().find(|row| title(row.method) == title(method)).unwrap();
-        assert_eq!(so_far.last().unwrap().1, row.drift);
-        expected.push(expect("so far (J)", title(method), Line, so_far));
+        assert_eq!((so_far[99].1, so_far[999].1), (row.early_drift, row.drift));
+        expected.push(expect("so far (J)", title(method), so_far));
     }
     expected
 }
@@ -108,11 +100,10 @@ pub fn figure_4() -> Vec<Expected> {
         expect(
             "θ (rad)",
             "θ_{0} cos ω_{0}t",
-            Line,
             samples.iter().map(|(t, _)| (*t, 0.05 * (frequency * t).cos())),
         ),
-        expect("θ (rad)", label, Line, samples.iter().map(|(t, z)| (*t, z.theta))),
-        expect("H − H", label, Line, energy_error(&samples)),
+        expect("θ (rad)", label, samples.iter().map(|(t, z)| (*t, z.theta))),
+        expect("H − H", label, energy_error(&samples)),
     ]
 }
 
@@ -121,14 +112,14 @@ pub fn figure_5() -> Vec<Expected> {
         let period = exact::period(&Pendulum::PAPER, theta_0).unwrap();
         // Once round, and the step that closes it.
         let orbit = run(of("rk4"), theta_0, 0.01, 0.01 * (period / 0.01).ceil());
-        expect("ω (rad/s)", "RK4", Line, orbit.into_iter().map(|(_, z)| plane(z)))
+        expect("ω (rad/s)", "RK4", orbit.into_iter().map(|(_, z)| plane(z)))
     });
     orbits.collect()
 }
 
 pub fn figure_6() -> Vec<Expected> {
     let samples = run(of("rk4"), 3.0, 0.001, 15.0);
-    vec![expect("θ (rad)", "RK4", Line, samples.iter().map(|(t, z)| (*t, z.theta)))]
+    vec![expect("θ (rad)", "RK4", samples.iter().step_by(10).map(|(t, z)| (*t, z.theta)))]
 }
 
 pub fn figure_7() -> Vec<Expected> {
@@ -137,11 +128,8 @@ pub fn figure_7() -> Vec<Expected> {
         let pick = |pick: fn(&small_angle::Errors) -> f64| {
             row.points.iter().map(move |(n, errors)| (*n as f64, pick(errors)))
         };
-        for kind in [Line, Marker] {
-            let label = title(row.method);
-            expected.push(expect("against formula", label, kind, pick(|e| e.formula)));
-            expected.push(expect("against truth", label, kind, pick(|e| e.truth)));
-        }
+        expected.push(expect("against formula", title(row.method), pick(|e| e.formula)));
+        expected.push(expect("against truth", title(row.method), pick(|e| e.truth)));
     }
     expected
 }
@@ -153,8 +141,8 @@ pub fn cancellation() -> Vec<Expected> {
     let ladder = small_angle::ladder(verlet);
     let formula = ladder.iter().map(|(h, errors)| (*h, errors.formula));
     vec![
-        expect("RMS", "measured against the formula", Line, formula),
-        expect("RMS", "measured against the truth", Marker, truth),
+        expect("RMS", "measured against the formula", formula),
+        expect("RMS", "measured against the truth", truth),
     ]
 }
 
@@ -169,7 +157,7 @@ pub fn two_eulers() -> Vec<Expected> {
                 let nearest = (z.theta / (2.0 * PI)).round();
                 [-1.0, 0.0, 1.0].map(|turn| (*t, z.theta - 2.0 * PI * (nearest + turn)))
             });
-            expected.push(expect(heading, title(of(name)), Line, turns));
+            expected.push(expect(heading, title(of(name)), turns));
         }
     }
     expected
@@ -179,7 +167,7 @@ pub fn level_curves_expected() -> Vec<Expected> {
     let rows = level_curves::own().into_iter().map(|row| {
         let label = title(row.method);
         let points = level_curves::points(row.method, row.step).into_iter().map(plane);
-        expect(format!("{label}, h = {} s", row.step), label, Marker, points)
+        expect(format!("{label}, h = {} s", row.step), label, points)
     });
     rows.collect()
 }
@@ -187,11 +175,11 @@ pub fn level_curves_expected() -> Vec<Expected> {
 pub fn tilted_curve_expected() -> Vec<Expected> {
     let level_curves::Run { method, step, points, curves } = level_curves::tilted();
     let label = format!("{}, h = {step} s", title(method));
-    let mut expected = vec![expect("ω (rad/s)", label, Marker, points.into_iter().map(plane))];
+    let mut expected = vec![expect("ω (rad/s)", label, points.into_iter().map(plane))];
     // The curve with one term has its name beside it and not in the legend.
     for (label, curve) in ["true orbit, H", "", "H̃, 7 terms"].into_iter().zip(curves) {
         if !label.is_empty() {
-            expected.push(expect("ω (rad/s)", label, Line, curve.into_iter().map(plane)));
+            expected.push(expect("ω (rad/s)", label, curve.into_iter().map(plane)));
         }
     }
     expected
@@ -204,7 +192,7 @@ pub fn five_periods() -> Vec<Expected> {
     {
         for (i, reading) in readings::READINGS.into_iter().enumerate() {
             let line: Vec<Point> = ladder.iter().map(|e| (e.step, e.by[i])).collect();
-            expected.push(expect(chart, reading.replace('\'', "’"), Line, line));
+            expected.push(expect(chart, reading, line));
         }
     }
     expected
@@ -218,7 +206,7 @@ pub fn standard_map_expected() -> Vec<Expected> {
             let some = orbits.iter().filter(|orbit| orbit.escapes == escapes);
             let points: Vec<Point> = some.flat_map(|orbit| orbit.points.clone()).collect();
             if !points.is_empty() {
-                expected.push(expect(format!("K = {k},"), label, Dots, points));
+                expected.push(expect(format!("K = {k},"), label, points));
             }
         }
     }
@@ -229,11 +217,11 @@ pub fn rounding_walk_expected() -> Vec<Expected> {
     let walks = rounding_walk::walks();
     let label = "Störmer–Verlet";
     let growth = rounding_walk::growth(walks).into_iter().map(|(n, moved)| (n as f64, moved));
-    let mut expected = vec![expect("movement in n steps", label, Marker, growth)];
+    let mut expected = vec![expect("movement in n steps", label, growth)];
     for walk in walks {
         let steps = |i: usize| (i as u64 * rounding_walk::SAMPLED) as f64;
         let line = walk.iter().enumerate().step_by(50).map(|(i, error)| (steps(i), *error));
-        expected.push(expect("relative error", label, Line, line));
+        expected.push(expect("relative error", label, line));
     }
     expected
 }
@@ -258,11 +246,11 @@ pub fn compared() -> Vec<(&'static str, u64)> {
 pub fn cost() -> Vec<Expected> {
     let rows = compared().into_iter().zip(0..);
     let place = |((_, evaluations), row)| (evaluations as f64, f64::from(row) + 0.5);
-    vec![expect("", "", Marker, rows.map(place))]
+    vec![expect("", "", rows.map(place))]
 }
 
 pub fn poincare() -> Vec<Expected> {
-    vec![expect("ω (rad/s)", "", Dots, beyond::poincare(24_000).into_iter().map(plane))]
+    vec![expect("ω (rad/s)", "", beyond::poincare(24_000).into_iter().map(plane))]
 }
 
 pub fn separation() -> Vec<Expected> {
@@ -271,7 +259,7 @@ pub fn separation() -> Vec<Expected> {
     let runs = starts.map(|start| {
         let label = format!("released at {} and {} rad", start[0], start[1]);
         let apart = beyond::separation(&double, start, 1e-9, (0.002, 10_000));
-        expect("distance", label, Line, apart)
+        expect("distance", label, apart)
     });
     runs.collect()
 }
@@ -281,8 +269,8 @@ pub fn kapitza() -> Vec<Expected> {
         beyond::trials().into_iter().partition(|trial| trial.stands);
     let at = |trial: beyond::Trial| (trial.frequency, trial.amplitude);
     vec![
-        expect("amplitude", "stands", Marker, stands.into_iter().map(at)),
-        expect("amplitude", "falls over or rocks", Marker, leaves.into_iter().map(at)),
+        expect("amplitude", "stands", stands.into_iter().map(at)),
+        expect("amplitude", "falls over or rocks", leaves.into_iter().map(at)),
     ]
 }
 
@@ -291,7 +279,7 @@ pub fn double_pendulum_trace() -> Vec<Expected> {
     let paths = [2.0, 2.01].into_iter().map(|upper| {
         let path = beyond::path(&double, [upper, 2.5], (0.001, 6000));
         let lower = |(_, z): (f64, DoublePhase)| double.bobs(z)[1];
-        expect("y (m)", format!("from {upper} rad"), Line, path.into_iter().map(lower))
+        expect("y (m)", format!("from {upper} rad"), path.into_iter().map(lower))
     });
     paths.collect()
 }
@@ -305,15 +293,15 @@ pub fn turning_ellipse() -> Vec<Expected> {
     let thirds = (3..=30).step_by(3).flat_map(|n| states[100 * n - 100..100 * n].iter().map(at));
     let thirds: Vec<Point> = thirds.collect();
     vec![
-        expect("y (m)", "each third revolution", Dots, thirds),
-        expect("y (m)", "the thirtieth", Line, states[2898..].iter().map(at)),
+        expect("y (m)", "each third revolution", thirds),
+        expect("y (m)", "the thirtieth", states[2898..].iter().map(at)),
     ]
 }
 
 pub fn resonances() -> Vec<Expected> {
     let line = |name| {
         let label = title(of(name));
-        expect(format!("(J), {label}"), "", Line, resonance::line(of(name)))
+        expect(format!("(J), {label}"), "", resonance::line(of(name)))
     };
     vec![line("blanes-moan-6"), line("stormer-verlet")]
 }
@@ -324,18 +312,17 @@ pub fn truncation() -> Vec<Expected> {
         let errors = truncation::errors(1.0, x).into_iter().enumerate();
         let line: Vec<Point> = errors.map(|(k, error)| (2.0 * k as f64, error)).collect();
         let lowest = line.iter().copied().min_by(|a, b| a.1.total_cmp(&b.1));
-        expected.push(expect("largest change", format!("x = {x}"), Line, line));
-        expected.push(expect("largest change", "", Marker, lowest));
+        expected.push(expect("largest change", format!("x = {x}"), line));
+        expected.push(expect("largest change", "", lowest));
     }
     expected
 }
 
 pub fn least_change() -> Vec<Expected> {
-    let mut expected =
-        vec![expect("smallest", "splitting of the separatrix", Marker, truncation::split())];
+    let mut expected = vec![expect("smallest", "splitting of the separatrix", truncation::split())];
     for theta_0 in truncation::STARTS {
         let label = format!("from {theta_0} rad");
-        expected.push(expect("smallest", label, Marker, truncation::least(theta_0)));
+        expected.push(expect("smallest", label, truncation::least(theta_0)));
     }
     expected
 }
@@ -343,7 +330,7 @@ pub fn least_change() -> Vec<Expected> {
 pub fn widths() -> Vec<Expected> {
     use enclosure::{Shape, widths};
     let shapes = [("rectangles, turned", Shape::Turned), ("boxes", Shape::Box)];
-    shapes.map(|(label, shape)| expect("width", label, Line, widths(shape))).into()
+    shapes.map(|(label, shape)| expect("width", label, widths(shape))).into()
 }
 
 /// One step from where all the stencils begin: its ends.
@@ -354,8 +341,8 @@ pub fn stencil(name: &'static str, step: f64) -> Vec<Expected> {
     of(name).run(&pendulum, start, &Grid::new(step, 1).unwrap(), &mut keep);
     let truth = plane(Motion::new(&pendulum, start).unwrap().at(step));
     vec![
-        expect("ω (rad/s)", title(of(name)), Marker, ends),
-        expect("ω (rad/s)", format!("true motion after {step} s"), Marker, [truth]),
+        expect("ω (rad/s)", title(of(name)), ends),
+        expect("ω (rad/s)", format!("true motion after {step} s"), [truth]),
     ]
 }
 
@@ -367,9 +354,9 @@ pub fn swings() -> Vec<Expected> {
         let curve = (0..=800).map(|k| 0.01 * f64::from(k)).map(|t| (t, motion.at(t).theta));
         let period = motion.period().unwrap();
         let ratio = period / (2.0 * PI / 9.81_f64.sqrt());
-        expected.push(expect("angle θ (rad)", &label, Line, curve));
-        expected.push(expect("angle θ (rad)", &label, Marker, [(period, theta_0)]));
-        expected.push(expect("period T/T", &label, Marker, [(theta_0, ratio)]));
+        expected.push(expect("angle θ (rad)", &label, curve));
+        expected.push(expect("angle θ (rad)", &label, [(period, theta_0)]));
+        expected.push(expect("period T/T", &label, [(theta_0, ratio)]));
     }
     expected
 }

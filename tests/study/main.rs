@@ -2,11 +2,10 @@
 
 use std::sync::LazyLock;
 
-use pendula_study::claims::Ledger;
+use pendula_study::claims::{Ledger, Measured};
 use pendula_study::experiments::Study;
 
 mod choosing;
-mod drawing;
 mod expected;
 mod figures;
 mod ledger;
@@ -22,3 +21,16 @@ mod typed;
 /// The experiments, run once for all tests.
 static STUDY: LazyLock<Study> = LazyLock::new(|| Study::run(|_| {}));
 static LEDGER: LazyLock<Ledger> = LazyLock::new(|| Ledger::new(&STUDY));
+
+/// The number that is measured for the claim with this id.
+fn measured(id: &str) -> f64 {
+    match LEDGER.get(id).map(|claim| &claim.measured) {
+        Some(Measured::Number(value, _)) => *value,
+        other => panic!("{id} is {other:?}"),
+    }
+}
+
+/// The path of a file or folder, from the root of the repository.
+fn at_root(path: &str) -> String {
+    format!("{}/../../{path}", env!("CARGO_MANIFEST_DIR"))
+}

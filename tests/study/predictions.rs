@@ -6,21 +6,14 @@ use approx::assert_relative_eq;
 use pendula::methods::{ForwardEuler, Rk4, StormerVerlet};
 use pendula::metrics::AngleError;
 use pendula::{Grid, LinearOscillator, Motion, Pendulum, Phase, integrate};
-use pendula_study::claims::{Measured, Prediction, predictions};
+use pendula_study::claims::{Prediction, predictions};
 use pendula_study::experiments::{PaperMethod, STEPS, convergence, small_angle};
 use pendula_study::theory::small_angle::{
     LinearRecurrence, cancelling_step, errors, floor, own_error_of_stormer_verlet,
 };
 use rstest::rstest;
 
-use crate::LEDGER;
-
-fn measured(id: &str) -> f64 {
-    match LEDGER.get(id).map(|claim| &claim.measured) {
-        Some(Measured::Number(value, _)) => *value,
-        other => panic!("{id} is {other:?}"),
-    }
-}
+use crate::{LEDGER, measured};
 
 /// Each measured cell lies within the tolerance of its law, on either side. The tolerances are
 /// derived in `book/study/src/claims/predictions.rs`, from what each law leaves out.

@@ -8,10 +8,10 @@ use pendula_study::claims::cell_id;
 use pendula_study::experiments::PaperMethod;
 use pendula_study::report::readme::{Picture, pictures};
 
-use crate::{LEDGER, STUDY};
+use crate::{LEDGER, STUDY, at_root};
 
 fn read(path: &str) -> String {
-    fs::read_to_string(format!("{}/../../{path}", env!("CARGO_MANIFEST_DIR"))).expect(path)
+    fs::read_to_string(at_root(path)).expect(path)
 }
 
 /// Catches: a headline table that was not updated when a number changed.
@@ -39,10 +39,6 @@ fn the_number_of_claims_is_that_of_the_ledger() {
 fn the_citation_is_of_this_version() {
     let says = concat!("\nversion: ", env!("CARGO_PKG_VERSION"), "\n");
     assert!(read("CITATION.cff").contains(says), "CITATION.cff does not say{says}");
-}
-
-fn at_root(path: &str) -> String {
-    format!("{}/../../{path}", env!("CARGO_MANIFEST_DIR"))
 }
 
 /// To make the files again, run this test with `INSTA_UPDATE=always`, as for the snapshots.

@@ -14,7 +14,7 @@ use pendula_study::claims::{Claim, Measured, cell_id};
 use pendula_study::experiments::{PaperMethod, STEPS, convergence, long_run, small_angle};
 use rstest::rstest;
 
-use crate::LEDGER;
+use crate::{LEDGER, measured};
 
 // -------------------------------------------------------------------------------------------------
 // A sine off by an ulp
@@ -145,7 +145,7 @@ fn all_cells(system: &Sloppy) -> Vec<(String, f64)> {
 }
 
 /// The claim with `value` as the measured number.
-fn measured(claim: &Claim, value: f64) -> Claim {
+fn measuring(claim: &Claim, value: f64) -> Claim {
     let Measured::Number(_, format) = claim.measured else { panic!("{claim:?} is no number") };
     Claim { measured: Measured::Number(value, format), ..claim.clone() }
 }
@@ -164,7 +164,7 @@ fn a_sine_off_by_an_ulp_moves_no_digit(#[values(1, 2, 3, 4, 5, 6, 7, 8)] seed: u
     assert_eq!(cells.len(), PaperMethod::ALL.len() * (2 * STEPS.len() + 5 + 2));
     for (id, value) in &cells {
         let claim = LEDGER.get(id).expect("in the ledger");
-        let other = measured(claim, *value);
+        let other = measuring(claim, *value);
         assert_eq!(other.holds(), claim.holds(), "{id}: {value:e} against {claim:?}");
         assert_eq!(other.judged(), claim.verdict, "{id}: {value:e}");
         assert_eq!(other.measured_text(), claim.measured_text(), "{id}: {value:e}");
@@ -178,14 +178,10 @@ fn a_sine_off_by_an_ulp_moves_no_digit(#[values(1, 2, 3, 4, 5, 6, 7, 8)] seed: u
 /// the digits.
 #[test]
 fn the_other_machine_is_another_machine() {
-    let number = |id: &str| match LEDGER.get(id).map(|claim| &claim.measured) {
-        Some(Measured::Number(value, _)) => *value,
-        other => panic!("{id} is {other:?}"),
-    };
     let cells = all_cells(&Sloppy::new(0x9E37_79B9));
-    let moved = cells.iter().filter(|(id, value)| *value != number(id)).count();
+    let moved = cells.iter().filter(|(id, value)| *value != measured(id)).count();
     assert!(moved > cells.len() * 3 / 4, "only {moved} of {} cells move", cells.len());
     let (id, rounded) = cells.iter().find(|(id, _)| id == "T4.rk4.0.001").expect("a cell");
-    let change = (rounded / number(id) - 1.0).abs();
+    let change = (rounded / measured(id) - 1.0).abs();
     assert!(change > 1e-4 && change < 0.15, "{rounded:e}");
 }

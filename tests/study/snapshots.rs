@@ -3,7 +3,7 @@
 
 use std::fs;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::{LazyLock, OnceLock};
 
 use insta::internals::Content;
@@ -11,7 +11,7 @@ use pendula_study::report::snapshots::{Kind, RECORDED, Recipe, Snapshot, recipes
 use pendula_study::report::table::Table;
 use rstest::rstest;
 
-use crate::{LEDGER, STUDY};
+use crate::{LEDGER, STUDY, at_root};
 
 static RECIPES: LazyLock<Vec<Recipe<'static>>> = LazyLock::new(|| {
     let mut all = recipes(&STUDY, &LEDGER);
@@ -41,19 +41,22 @@ fn bits() -> String {
 
 /// The chapters, by name, that include the snapshot.
 fn chapters(stem: &str) -> Vec<String> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../src");
-    let mut chapters: Vec<String> = fs::read_dir(folder)
-        .expect("the chapters")
-        .map(|entry| entry.expect("a chapter").path())
-        .filter(|path| path.extension().is_some_and(|extension| extension == "md"))
-        .filter(|path| {
-            let text = fs::read_to_string(path).expect("a chapter");
-            text.contains(&format!("snapshots/{stem}.snap"))
-        })
-        .filter_map(|path| Some(path.file_stem()?.to_str()?.to_string()))
-        .collect();
-    chapters.sort();
-    chapters
+    let includes = |path: &PathBuf| {
+        let text = fs::read_to_string(path).expect("a chapter");
+        text.contains(&format!("snapshots/{stem}.snap"))
+    };
+    let chapters = files_in("book/src", "md").into_iter().filter(includes);
+    chapters.filter_map(|path| Some(path.file_stem()?.to_str()?.to_string())).collect()
+}
+
+/// The files in a folder whose names end so, sorted.
+fn files_in(folder: &str, extension: &str) -> Vec<PathBuf> {
+    let all = fs::read_dir(at_root(folder)).expect("a folder");
+    let paths = all.map(|entry| entry.expect("a file").path());
+    let mut files: Vec<PathBuf> =
+        paths.filter(|path| path.extension().is_some_and(|it| it == extension)).collect();
+    files.sort();
+    files
 }
 
 /// Makes the snapshot `name` and compares it with its file in `snapshots/`. What it shows and where
@@ -164,14 +167,8 @@ fn every_processor_had_every_hash() {
 /// Catches: a snapshot that `pendula review` would not show, and one of that list without a test.
 #[test]
 fn the_list_of_snapshots_is_the_folder() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../snapshots");
-    let mut files: Vec<String> = fs::read_dir(folder)
-        .expect("the snapshots")
-        .map(|entry| entry.expect("a snapshot").path())
-        .filter(|path| path.extension().is_some_and(|extension| extension == "snap"))
-        .filter_map(|path| Some(path.file_stem()?.to_str()?.to_string()))
-        .collect();
-    files.sort();
+    let stem = |path: PathBuf| Some(path.file_stem()?.to_str()?.to_string());
+    let files: Vec<String> = files_in("snapshots", "snap").into_iter().filter_map(stem).collect();
     assert!(RECIPES.is_sorted_by_key(|recipe| recipe.kind), "not in the order of review");
     let recorded = RECORDED.map(|(name, _)| Kind::Recorded.file_stem(name));
     let stems = RECIPES.iter().map(|recipe| recipe.kind.file_stem(&recipe.name));
@@ -184,24 +181,14 @@ fn the_list_of_snapshots_is_the_folder() {
 // What moves when
 // -------------------------------------------------------------------------------------------------
 
-fn at_root(path: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(path)
-}
-
 /// The changes of the table: the names and texts of their patches.
 fn patches() -> Vec<(String, String)> {
-    let mut paths: Vec<PathBuf> = fs::read_dir(at_root("book/study/what_moves_when"))
-        .expect("the patches")
-        .map(|entry| entry.expect("a patch").path())
-        .filter(|path| path.extension().is_some_and(|extension| extension == "patch"))
-        .collect();
-    paths.sort();
     let read = |path: PathBuf| {
         let text = fs::read_to_string(path).expect("a patch");
         let name = text.split(':').next().unwrap_or_default().to_string();
         (name, text)
     };
-    paths.into_iter().map(read).collect()
+    files_in("book/study/what_moves_when", "patch").into_iter().map(read).collect()
 }
 
 /// The table is made by turning each knob and computing the study again, which takes minutes: here

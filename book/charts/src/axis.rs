@@ -5,10 +5,13 @@ use super::text::minus;
 /// An axis: what it shows, linear or logarithmic, from where to where.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Axis {
-    pub(super) label: String,
+    /// What it shows, and the unit.
+    pub label: String,
     kind: Kind,
-    range: Option<(f64, f64)>,
-    ticks: Option<Vec<Tick>>,
+    /// From where to where, if it was said.
+    pub range: Option<(f64, f64)>,
+    /// The ticks, if they were said.
+    pub ticks: Option<Vec<Tick>>,
 }
 
 /// How values are spread along an axis.
@@ -107,10 +110,12 @@ impl Axis {
     }
 }
 
-/// A tick; the minor ones have no label.
+/// A tick.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Tick {
+pub struct Tick {
+    /// Where it stands.
     pub value: f64,
+    /// What stands beside it; nothing at the minor ones.
     pub label: Option<String>,
 }
 

@@ -8,47 +8,47 @@ use super::style::Style;
 /// Axes with series and marks, or a sketch without axes.
 #[derive(Clone, Debug)]
 pub struct Chart {
-    pub(super) x: Axis,
-    pub(super) y: Axis,
+    /// The axis across.
+    pub x: Axis,
+    /// The axis upwards.
+    pub y: Axis,
     pub(super) sketch: bool,
-    pub(super) heading: String,
+    /// The line of text above all else.
+    pub heading: String,
     pub(super) height: f64,
-    pub(super) series: Vec<Series>,
+    /// In the order in which they are drawn.
+    pub series: Vec<Series>,
     pub(super) marks: Vec<Mark>,
-    pub(super) map: Option<Map>,
+    /// The regions behind the series.
+    pub map: Option<Map>,
 }
 
+/// Points, and how they are drawn.
 #[derive(Clone, Debug)]
-pub(super) struct Series {
-    pub(super) label: String,
+pub struct Series {
+    /// Its name in the legend, if it has one.
+    pub label: String,
     /// Shown where a mouse rests on the line.
     pub(super) hover: String,
-    pub(super) style: Style,
-    pub(super) points: Vec<Point>,
+    /// How it is drawn.
+    pub style: Style,
+    /// In values of the axes.
+    pub points: Vec<Point>,
 }
 
 impl Series {
     /// Whether it is named, in a legend or at its end.
-    pub fn has_label(&self) -> bool {
+    pub(super) fn has_label(&self) -> bool {
         !self.label.is_empty() && !self.style.is_guide() && !self.points.is_empty()
     }
 }
 
 #[derive(Clone, Debug)]
 pub(super) enum Mark {
-    /// A line of constant x or of constant y.
-    Vertical {
-        at: f64,
-        label: String,
-    },
-    Horizontal {
-        at: f64,
-        label: String,
-    },
-    Note {
-        beside: Vec<(f64, f64)>,
-        text: String,
-    },
+    /// A line of constant x.
+    Vertical { at: f64, label: String },
+    /// A text beside one of the points.
+    Note { beside: Vec<(f64, f64)>, text: String },
 }
 
 impl Chart {
@@ -125,12 +125,6 @@ impl Chart {
         self
     }
 
-    /// With a dashed line at `y`, labelled where there is most room.
-    pub fn horizontal(mut self, y: f64, label: impl Into<String>) -> Self {
-        self.marks.push(Mark::Horizontal { at: y, label: label.into() });
-        self
-    }
-
     /// With a map, whose regions are named in it, and a legend of it below.
     pub fn map(self, map: Map) -> Self {
         Self { map: Some(map), ..self }
@@ -147,23 +141,19 @@ impl Chart {
         self
     }
 
-    /// The scales, from the data and the lines across, but not from guides. Curves fill the x axis;
-    /// the y axis ends at round numbers.
+    /// The scales, from the data and the vertical lines, but not from guides. Curves fill the x
+    /// axis; the y axis ends at round numbers.
     pub(super) fn scales(&self) -> (Scale<'_>, Scale<'_>) {
         let series = || self.series.iter().filter(|series| !series.style.is_guide());
         let points = || series().flat_map(|series| &series.points);
-        let x_lines = self.marks.iter().filter_map(|mark| match mark {
+        let lines = self.marks.iter().filter_map(|mark| match mark {
             Mark::Vertical { at, .. } => Some(*at),
-            _ => None,
-        });
-        let y_lines = self.marks.iter().filter_map(|mark| match mark {
-            Mark::Horizontal { at, .. } => Some(*at),
-            _ => None,
+            Mark::Note { .. } => None,
         });
         let xs = points().map(|p| p.0);
-        let x = self.x.scale(xs.chain(x_lines), None);
+        let x = self.x.scale(xs.chain(lines), None);
         let ys = points().filter(|p| x.contains(p.0)).map(|p| p.1);
-        let y = self.y.scale(ys.chain(y_lines), Some(self.y_ticks()));
+        let y = self.y.scale(ys, Some(self.y_ticks()));
         (x, y)
     }
 
@@ -199,7 +189,6 @@ mod tests {
         let none = [[false; 2]; 2];
         assert_eq!(ends(plain()), none);
         assert_eq!(ends(plain().vertical(3.0, "")), [[false, true], [false; 2]]);
-        assert_eq!(ends(plain().horizontal(-30.0, "")), [[false; 2], [true, false]]);
         assert_eq!(
             [50.0, 100.0, 200.0, 300.0, 900.0].map(|high| plain().height(high).y_ticks()),
             [2, 2, 4, 6, 6]

@@ -20,7 +20,8 @@ const HEAD: f64 = 1.5 * ROW;
 pub struct Figure {
     title: String,
     description: String,
-    panels: Vec<Chart>,
+    /// Its charts, row by row.
+    pub panels: Vec<Chart>,
     columns: usize,
 }
 
@@ -30,6 +31,12 @@ impl Figure {
     pub fn new(title: impl Into<String>, description: impl Into<String>) -> Self {
         let (title, description) = (title.into(), description.into());
         Self { title, description, panels: Vec::new(), columns: 1 }
+    }
+
+    /// With one more sentence in its description.
+    pub fn saying(mut self, sentence: &str) -> Self {
+        self.description += &format!(" {sentence}");
+        self
     }
 
     /// With one more chart below the others. Charts with the same x axis share its label.
@@ -271,7 +278,6 @@ mod tests {
             )
             .series("", Style::REFERENCE, [(0.0, 1e-2), (f64::INFINITY, 1.0), (2.0, 1e-2)])
             .vertical(1.0, "T")
-            .horizontal(0.1, "floor")
             .slope(2.0, (0.5, 1e-2), 2.0, "slope 2")
             .note(2.0, 1e-3, "here");
         Figure::new("Title\n\nof <two>", "says \"so\"").panel(chart)
@@ -343,17 +349,15 @@ mod tests {
         let flat = |y: f64| (0..=10).map(move |i| (f64::from(i), y));
         let chart =
             Chart::new(Axis::linear("x").range(0.0, 10.0), Axis::linear("y").range(0.0, 10.0))
-                .series("", Style::REFERENCE, flat(5.3))
-                .horizontal(5.0, "limit");
+                .series("", Style::REFERENCE, flat(5.2))
+                .note(5.0, 5.0, "limit");
         let svg = Figure::new("t", "d").panel(chart).to_svg("x");
         let y = |tag: &str, cut: &str| -> f64 {
             let line = svg.lines().find(|line| line.contains(tag)).unwrap();
-            line.split(cut).nth(1).unwrap().split(['"', 'L']).next().unwrap().parse().unwrap()
+            line.split(cut).nth(1).unwrap().split(['"', 'l']).next().unwrap().parse().unwrap()
         };
-        assert!(
-            y("halo\" x", " y=\"") > y("class=\"mark\"", ","),
-            "below, away from the curve above"
-        );
+        // The point is 6 units below the curve, and the letters of the label are 15 high.
+        assert!(y("halo\" x", " y=\"") > y("class=\"line\"", ",") + 6.0 + 15.0);
     }
 
     /// Catches: an empty figure or chart that panics.

@@ -18,7 +18,7 @@ pub(super) struct Labels<'a> {
 }
 
 impl Labels<'_> {
-    /// Draws the labels of guides and horizontal lines, and the notes.
+    /// Draws the labels of guides, and the notes.
     pub fn draw(&mut self, out: &mut String) {
         let plot = self.plot;
         for series in plot.chart.series.iter().filter(|series| series.style.is_guide()) {
@@ -30,18 +30,9 @@ impl Labels<'_> {
             self.place(out, &series.label, &[*b, *a, middle].map(beside).concat());
         }
         for mark in &plot.chart.marks {
-            match mark {
-                Mark::Note { beside: points, text } => {
-                    let pixels = points.iter().filter_map(|&point| plot.pixel(point));
-                    self.place(out, text, &pixels.flat_map(beside).collect::<Vec<_>>());
-                }
-                Mark::Horizontal { at, label } => {
-                    let Some(y) = plot.y_inside(*at) else { continue };
-                    let ends = [(plot.right - 6.0, "end"), (plot.left + 6.0, "start")];
-                    let row = |y: f64| ends.map(|(x, anchor)| ((x, y), anchor));
-                    self.place(out, label, &[y - 8.0, y + 20.0].map(row).concat());
-                }
-                Mark::Vertical { .. } => {}
+            if let Mark::Note { beside: points, text } = mark {
+                let pixels = points.iter().filter_map(|&point| plot.pixel(point));
+                self.place(out, text, &pixels.flat_map(beside).collect::<Vec<_>>());
             }
         }
     }
@@ -107,30 +98,20 @@ fn beside((x, y): Point) -> Vec<Place> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::chart::Chart;
     use super::super::plot::tests::{PLACE, chart, with_plot};
     use super::*;
 
-    /// Catches: a label on its line; a second one on the first.
+    /// Catches: a second label on the first.
     #[test]
-    fn lines_are_labelled_above_each_on_its_side() {
-        let labels = |chart: Chart| {
-            let mut out = String::new();
-            with_plot(&chart, PLACE, |plot| {
-                Labels { plot, strokes: Vec::new(), taken: Vec::new() }.draw(&mut out);
-            });
-            out
-        };
-        let text = |x: f64, y: f64, anchor: &str, label: &str| {
-            let mut out = String::new();
-            draw_text(&mut out, "halo", (x, y), anchor, label);
-            out
-        };
-        // At 116 on the drawing.
-        let first = text(570.0, 108.0, "end", "a");
-        let line = || chart("").horizontal(140.0, "a");
-        assert_eq!(labels(line()), first);
-        assert_eq!(labels(line().horizontal(140.0, "b")), first + &text(70.0, 108.0, "start", "b"));
+    fn two_notes_on_a_point_stand_on_either_side() {
+        let mut out = String::new();
+        with_plot(&chart("").note(256.0, 128.0, "a").note(256.0, 128.0, "b"), PLACE, |plot| {
+            Labels { plot, strokes: Vec::new(), taken: Vec::new() }.draw(&mut out);
+        });
+        let mut expected = String::new();
+        draw_text(&mut expected, "halo", (330.0, 134.0), "start", "a");
+        draw_text(&mut expected, "halo", (310.0, 134.0), "end", "b");
+        assert_eq!(out, expected);
     }
 
     /// Catches: a label drawn on another, or kept away from one that it only touches.

@@ -25,12 +25,14 @@ mod figure;
 mod labels;
 mod path;
 mod plot;
+#[cfg(test)]
+mod read_back;
 mod regions;
 mod style;
 mod text;
 
-pub use axis::Axis;
-pub use chart::Chart;
+pub use axis::{Axis, Tick};
+pub use chart::{Chart, Series};
 pub use figure::Figure;
 pub use path::{Num, Point};
 pub use regions::{Cell, Fill, Map, Name};

@@ -245,10 +245,6 @@ impl<'a> Plot<'a> {
         inside(self.x_pixel(value)?, self.left, self.right)
     }
 
-    pub fn y_inside(&self, value: f64) -> Option<f64> {
-        inside(self.y_pixel(value)?, self.top, self.bottom)
-    }
-
     /// The series as simplified strokes, cut where a point has no place.
     pub fn strokes(&self, points: &[(f64, f64)]) -> Vec<Vec<Point>> {
         let pixels: Vec<Option<Point>> = points.iter().map(|&point| self.pixel(point)).collect();
@@ -297,23 +293,15 @@ impl<'a> Plot<'a> {
         rows
     }
 
-    /// Draws the lines across, and returns them as strokes, for labels to avoid.
+    /// Draws the vertical lines, and returns them as strokes, for labels to avoid.
     fn draw_marks(&self, out: &mut String) -> Vec<Vec<Point>> {
         let mut strokes = Vec::new();
         for mark in &self.chart.marks {
-            let ends = match mark {
-                Mark::Vertical { at, .. } => {
-                    self.x_inside(*at).map(|x| [(x, self.top), (x, self.bottom)])
-                }
-                Mark::Horizontal { at, .. } => {
-                    self.y_inside(*at).map(|y| [(self.left, y), (self.right, y)])
-                }
-                Mark::Note { .. } => None,
-            };
-            let Some(ends) = ends else { continue };
-            let [(x0, y0), (x1, y1)] = ends.map(|(x, y)| (Num(x), Num(y)));
-            line(out, format!(r#"<path class="mark" d="M{x0},{y0}L{x1},{y1}"/>"#));
-            strokes.push(ends.to_vec());
+            let Mark::Vertical { at, .. } = mark else { continue };
+            let Some(x) = self.x_inside(*at) else { continue };
+            let (at, top, bottom) = (Num(x), Num(self.top), Num(self.bottom));
+            line(out, format!(r#"<path class="mark" d="M{at},{top}L{at},{bottom}"/>"#));
+            strokes.push(vec![(x, self.top), (x, self.bottom)]);
         }
         strokes
     }

@@ -5,11 +5,14 @@ use super::path::{Num, Point};
 /// A map on the axes of a chart.
 #[derive(Clone, Debug)]
 pub struct Map {
-    pub(super) x: Vec<f64>,
-    pub(super) y: Vec<f64>,
-    pub(super) names: Vec<Name>,
+    /// Where its columns begin, and where the last ends.
+    pub x: Vec<f64>,
+    /// The same of its rows.
+    pub y: Vec<f64>,
+    /// What its cells may have in common.
+    pub names: Vec<Name>,
     /// Column by column, each from the first row on.
-    pub(super) cells: Vec<Cell>,
+    pub cells: Vec<Cell>,
     pub(super) unit: String,
     pub(super) prompt: [String; 2],
 }
@@ -223,4 +226,36 @@ pub(super) fn closed(outlines: &[Vec<Corner>], x: &[f64], y: &[f64]) -> String {
         d.push(format!("M{}z", points.join("L")));
     }
     d.join("\n")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Three columns of two rows: an L of the first name, and one of the second about it.
+    ///
+    /// Catches: rows taken for columns; cells that touch at a corner taken for neighbours; the
+    /// numbers of other cells; an outline with corners on its way, or the other way round; a place
+    /// where the region is not.
+    #[test]
+    fn cells_of_one_name_are_a_region() {
+        let names = ["a", "b"].map(|title| Name { title: title.into(), fill: Fill::Hatch });
+        let cells = [(0, 3), (0, 4), (0, 5), (1, 6), (1, 8), (1, 7)].map(|(name, number)| Cell {
+            name,
+            number: Some(number),
+            says: Default::default(),
+        });
+        let map =
+            Map::new([0.0, 10.0, 20.0, 50.0], [0.0, 1.0, 2.0], names, cells).says("m", [""; 2]);
+        let regions = map.regions();
+        let found: Vec<_> = regions.iter().map(|it| (it.name, map.numbers(it).unwrap())).collect();
+        assert_eq!(found, [(0, "3–5 m".to_string()), (1, "6–8 m".to_string())]);
+        let corners = [(0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)];
+        assert_eq!(regions[0].outlines(), [corners]);
+        let place = |region: &Region, wide| region.place(&map.x, &map.y, (wide, 1.0));
+        assert_eq!(place(&regions[0], 15.0), Some((10.0, 0.5)));
+        assert_eq!(place(&regions[1], 15.0), Some((35.0, 1.0)));
+        assert_eq!(place(&regions[1], 35.0), Some((30.0, 1.5)));
+        assert_eq!(place(&regions[1], 45.0), None);
+    }
 }

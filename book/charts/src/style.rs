@@ -181,7 +181,8 @@ impl Style {
         self.dots
     }
 
-    pub(super) const fn is_guide(self) -> bool {
+    /// Whether it is that of an auxiliary line.
+    pub const fn is_guide(self) -> bool {
         self.guide
     }
 

@@ -2,8 +2,8 @@
 
 use pendula::methods::{BlanesMoan6, Dop853, ForwardEuler, Rk4};
 
-use super::cells::{CELLS, Cell};
-use super::{Claim, Measured, Tolerance, Verdict, cell_id};
+use super::stated::{FINDINGS, TABLES};
+use super::{Claim, Measured, Tolerance, Verdict, cell_id, row, stated};
 use crate::digits::Digits::{self, Fixed, Scientific, Significant};
 use crate::experiments::{
     MethodRef, PaperMethod, STEPS, Study, findings, long_run, small_angle, work,
@@ -34,51 +34,18 @@ fn text(id: String, gist: String, measured: impl ToString) -> Claim {
 
 /// Joins what is measured with what the paper prints in the cell of that id.
 fn cell(id: String, gist: String, measured: Measured) -> Claim {
-    let (place, definition) = match id.split_once('.') {
-        Some(("T2", _)) => {
-            ("Table 2", "measured, not declared: slope, det J, count, energy over 1000 s")
-        }
-        Some(("T4", _)) => ("Table 4", "max |Hₙ − H₀| over all samples of 50 s from rest at π/3"),
-        Some(("T5", _)) => {
-            ("Table 5", "over all samples of 1000 s from rest at 1 rad, Δt = 0.01 s")
-        }
-        Some(("T6", _)) => ("Table 6", "mean over all N + 1 samples of 10 s from rest at 0.05 rad"),
-        Some(("T7", _)) => ("Table 7", "from rest at 3 rad, Δt = 0.001 s, over 30 s"),
-        Some(("T8", _)) => ("Table 8", "over 10 s from rest at 0.05 rad, Δt = 0.01 s"),
-        _ => ("", ""),
-    };
-    let printed = CELLS.iter().find(|cell| cell.id == id);
+    let table = id.split_once('.').and_then(|(table, _)| TABLES.get(table));
+    let printed = stated::cell(&id);
     Claim {
-        place,
+        place: table.map_or("", |table| &table.place),
         gist,
-        definition,
-        stated: printed.map(|cell| cell.stated),
+        definition: table.map_or("", |table| &table.definition),
+        stated: printed.map(|cell| cell.stated.as_str()),
         measured,
         tolerance: Tolerance::PrintedDigits,
         verdict: printed.map_or(Verdict::NotStated, |cell| cell.verdict),
-        because: printed.map_or("", |cell: &Cell| cell.because),
+        because: printed.map_or("", |cell| &cell.because),
         id,
-    }
-}
-
-/// A number that no table of the paper has, but that the chapters quote.
-fn finding(id: &str, value: f64, digits: Digits) -> Claim {
-    Claim {
-        id: format!("X.{id}"),
-        place: "",
-        gist: String::new(),
-        definition: "",
-        stated: None,
-        measured: Measured::Number(value, digits),
-        tolerance: Tolerance::PrintedDigits,
-        verdict: Verdict::NotStated,
-        because: "",
-    }
-}
-
-impl Claim {
-    fn gist(self, gist: &str) -> Self {
-        Self { gist: gist.to_string(), ..self }
     }
 }
 
@@ -225,51 +192,29 @@ fn table_8(study: &Study, claims: &mut Vec<Claim>) {
 
 /// Numbers that no table of the paper has, but that the chapters quote.
 fn found_besides(study: &Study, claims: &mut Vec<Claim>) {
-    let row = |wanted| {
-        of_the_paper(&study.long_run, |row| row.method).find(|(method, _)| *method == wanted)
-    };
-    let verlet = of_the_paper(&study.convergence, |row| row.method)
-        .find(|(method, _)| *method == PaperMethod::StormerVerlet);
-    let (Some((_, fe)), Some((_, rk4)), Some((_, vv)), Some((_, verlet))) = (
-        row(PaperMethod::ForwardEuler),
-        row(PaperMethod::Rk4),
-        row(PaperMethod::StormerVerlet),
-        verlet,
-    ) else {
-        return;
-    };
+    let fe = row!(study.long_run, ForwardEuler);
+    let rk4 = row!(study.long_run, Rk4);
+    let vv = row!(study.long_run, StormerVerlet);
+    let verlet = row!(study.convergence, StormerVerlet).drift;
     let start = small_angle::THETA_0;
     let first_fall = findings::first_fall(&ForwardEuler, start, long_run::STEP, long_run::DURATION);
+    let norm = findings::normalised_formula_error(&Rk4, 1e-4, 0.01);
     let loss = |steps| findings::energy_drift(&Dop853, 1.0, 0.2, steps);
     let growth = |steps| findings::growth_over_swings(&BlanesMoan6, steps, [20.0, 4000.0]);
+    let finding =
+        |id: &str, value, digits| number(id.to_string(), FINDINGS[id].clone(), value, digits);
     claims.extend([
-        finding("fe.falls", fe.falls as f64, Fixed(0))
-            .gist("steps of forward Euler that lower the energy, of the 100 000 of Table 5"),
-        finding("fe.omega", fe.end.omega.abs(), Fixed(2))
-            .gist("forward Euler's speed at the end of Table 5 (rad/s)"),
-        finding("fe.first_fall", first_fall.unwrap_or(f64::NAN), Fixed(2)).gist(
-            "the first step of forward Euler that lowers the energy, from 0.05 rad at 0.01 s (s)",
-        ),
-        finding(
-            "rk4.norm_rms",
-            findings::normalised_formula_error(&Rk4, 1e-4, 0.01).1,
-            Scientific(2),
-        )
-        .gist("RK4's RMS angle error against the formula over θ₀, at 1e-4 rad and 0.01 s"),
-        finding("dop853.loss", loss(2500), Scientific(2))
-            .gist("largest energy error of DOP853 over 500 s in steps of 0.2 s from 1 rad (J)"),
-        finding("dop853.growth", loss(10_000) / loss(2500), Fixed(1))
-            .gist("the same over 2000 s, over that over 500 s"),
-        finding("resonance.at", growth(8.0), Fixed(0)).gist(
-            "energy error of Blanes–Moan 6 over 4000 swings over that of 20, at 8 steps a swing",
-        ),
-        finding("resonance.beside", growth(7.8), Fixed(1)).gist("the same at 7.8 steps a swing"),
-        finding("fe.over_vv", fe.drift / vv.drift, Scientific(3))
-            .gist("energy error of forward Euler over that of Störmer–Verlet in Table 5"),
-        finding("rk4.advantage", vv.drift / rk4.drift, Fixed(0))
-            .gist("energy error of Störmer–Verlet over that of RK4 in Table 5"),
-        finding("vv.ratio", verlet.drift[2] / verlet.drift[3], Fixed(5))
-            .gist("energy error of Störmer–Verlet at 0.01 s over that at 0.005 s in Table 4"),
+        finding("X.fe.falls", fe.falls as f64, Fixed(0)),
+        finding("X.fe.omega", fe.end.omega.abs(), Fixed(2)),
+        finding("X.fe.first_fall", first_fall.unwrap_or(f64::NAN), Fixed(2)),
+        finding("X.rk4.norm_rms", norm.1, Scientific(2)),
+        finding("X.dop853.loss", loss(2500), Scientific(2)),
+        finding("X.dop853.growth", loss(10_000) / loss(2500), Fixed(1)),
+        finding("X.resonance.at", growth(8.0), Fixed(0)),
+        finding("X.resonance.beside", growth(7.8), Fixed(1)),
+        finding("X.fe.over_vv", fe.drift / vv.drift, Scientific(3)),
+        finding("X.rk4.advantage", vv.drift / rk4.drift, Fixed(0)),
+        finding("X.vv.ratio", verlet[2] / verlet[3], Fixed(5)),
     ]);
 }
 
@@ -277,7 +222,7 @@ fn found_besides(study: &Study, claims: &mut Vec<Claim>) {
 mod tests {
     use rstest::rstest;
 
-    use super::{finding, number};
+    use super::number;
     use crate::digits::Digits::Fixed;
 
     /// Each table states the condition under which it is measured, here tested by words that no
@@ -305,7 +250,7 @@ mod tests {
     /// Catches: a number of our own presented as one of the paper's.
     #[test]
     fn what_is_not_printed_stands_nowhere() {
-        let finding = finding("fe.falls", 1.0, Fixed(0));
+        let finding = number("X.fe.falls".to_string(), String::new(), 1.0, Fixed(0));
         assert_eq!((finding.place, finding.definition, finding.stated), ("", "", None));
     }
 }

@@ -1,24 +1,25 @@
 //! The paper's claims, each with what was stated, what is measured, and a verdict.
 //!
-//! [`cells`] holds what the paper prints in its tables, [`measure`] says how each of these numbers
-//! is measured; `prose` has both for its sentences. A [`Ledger`] joins them. Tables, tests and the
-//! book read the ledger, so that no number stands in two places.
+//! [`stated`] holds what the paper says, from two files of data; `measure` says how each cell of
+//! its tables is measured, and `sentences` each of its sentences. A [`Ledger`] joins them. Tables,
+//! tests and the book read the ledger, so that no number stands in two places.
 
-pub mod cells;
-pub mod measure;
+mod measure;
 mod predictions;
-mod prose;
+mod sentences;
+pub mod stated;
 
 use core::fmt::{self, Display};
 
 pub use predictions::{Prediction, predictions};
+use serde::Deserialize;
 
-use self::cells::CELLS;
 use crate::digits::{Digits, rounds_to};
 use crate::experiments::{PaperMethod, Study};
 
 /// What became of a claim.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq)]
+#[serde(rename_all = "kebab-case")]
 pub enum Verdict {
     /// Every printed digit is met.
     Reproduced,
@@ -146,7 +147,7 @@ impl Claim {
         match self.stated {
             None => ClaimKind::Finding,
             Some(_) if self.id.starts_with("X.") => ClaimKind::Reading,
-            Some(_) if CELLS.iter().any(|cell| cell.id == self.id) => ClaimKind::Cell,
+            Some(_) if stated::cell(&self.id).is_some() => ClaimKind::Cell,
             Some(_) => ClaimKind::Sentence,
         }
     }
@@ -215,6 +216,17 @@ pub fn cell_id(table: u32, row: PaperMethod, column: impl Display) -> String {
     format!("T{table}.{}.{column}", row.id())
 }
 
+/// The row of the method `id` in a table of rows.
+macro_rules! row {
+    ($rows:expr, $id:ident) => {
+        $rows
+            .iter()
+            .find(|row| PaperMethod::of(row.method) == Some(PaperMethod::$id))
+            .expect("one of the paper's methods")
+    };
+}
+use row;
+
 /// Claims of the paper that state one thing several times: each list is one error, if it is wrong.
 const ONE_DEFECT: &[&[&str]] = &[
     // RK4's energy error falls with slope 5 where 4 is stated.
@@ -237,7 +249,7 @@ impl Ledger {
     /// Measures every claim.
     pub fn new(study: &Study) -> Self {
         let Self { mut claims } = Self::of_the_tables(study);
-        claims.extend(prose::claims(study));
+        claims.extend(sentences::claims(study));
         Self { claims }
     }
 

@@ -2,11 +2,9 @@
 
 use core::f64::consts::FRAC_PI_3;
 
-use pendula::Pendulum;
-use pendula::methods::registry::AnyMethod;
-use pendula::metrics::EnergyDrift;
+use pendula::AnyMethod;
 
-use super::{MethodRef, STEPS, each_of_the_paper, grid, released};
+use super::{MethodRef, STEPS, each_of_the_paper, grid, largest_energy_error};
 
 /// Released at π/3 (rad) …
 pub const THETA_0: f64 = FRAC_PI_3;
@@ -29,7 +27,5 @@ pub fn run() -> Vec<Row> {
 
 /// The largest energy error (J) of `method` in steps of `step` (s).
 pub fn drift(method: &dyn AnyMethod, step: f64) -> f64 {
-    let mut drift = EnergyDrift::new(&Pendulum::PAPER);
-    method.run(&Pendulum::PAPER, released(THETA_0), &grid(DURATION, step), &mut drift);
-    drift.largest()
+    largest_energy_error(method, THETA_0, &grid(DURATION, step))
 }

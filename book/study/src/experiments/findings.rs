@@ -9,16 +9,14 @@ use pendula::metrics::{AngleError, EnergyDrift};
 use pendula::systems::{Components, Damped, Ellipse, Hamiltonian, Kepler, PlanePhase, System};
 use pendula::{AnyMethod, Grid, Info, LinearOscillator, Method, Pendulum, Phase, integrate};
 
-use crate::experiments::{MethodRef, crossings, grid, released};
+use crate::experiments::{MethodRef, crossings, grid, largest_energy_error, released};
 
 const PENDULUM: Pendulum = Pendulum::PAPER;
 
 /// Largest energy error over `steps` steps of `step` (s) from rest at `theta_0` (rad), in J.
 pub fn energy_drift(method: &dyn AnyMethod, theta_0: f64, step: f64, steps: u64) -> f64 {
-    let mut drift = EnergyDrift::new(&PENDULUM);
     let grid = Grid::new(step, steps).expect("a positive step");
-    method.run(&PENDULUM, released(theta_0), &grid, &mut drift);
-    drift.largest()
+    largest_energy_error(method, theta_0, &grid)
 }
 
 /// Energy above the bottom (J) after `steps` steps of `step` (s) from rest at `theta_0` (rad).

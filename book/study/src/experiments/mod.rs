@@ -28,8 +28,8 @@ pub mod standard_map;
 pub mod truncation;
 pub mod work;
 
-use pendula::{AnyMethod, METHODS, method_named};
-use pendula::{Grid, Hamiltonian, Pendulum, Phase};
+use pendula::metrics::EnergyDrift;
+use pendula::{AnyMethod, Grid, Hamiltonian, METHODS, Pendulum, Phase, method_named};
 pub use pendula_curves::{parts, shapes};
 
 /// The five steps of the paper's ladder (s), its Section 5.2.
@@ -152,7 +152,7 @@ fn each_method<R>(row: impl FnMut(MethodRef) -> R) -> Vec<R> {
 }
 
 /// A grid on the paper's parameters, which are known to fit.
-fn grid(duration: f64, step: f64) -> Grid {
+pub(crate) fn grid(duration: f64, step: f64) -> Grid {
     Grid::with_duration(step, duration).expect("the paper's durations are whole numbers of steps")
 }
 
@@ -163,6 +163,13 @@ fn samples(method: &dyn AnyMethod, theta_0: f64, grid: &Grid) -> Vec<(f64, Phase
     let mut keep = |_: u64, t: f64, z: Phase| samples.push((t, z));
     method.run(&Pendulum::PAPER, released(theta_0), grid, &mut keep);
     samples
+}
+
+/// The largest energy error (J) of a run of the paper's pendulum from rest at `theta_0` (rad).
+fn largest_energy_error(method: &dyn AnyMethod, theta_0: f64, grid: &Grid) -> f64 {
+    let mut drift = EnergyDrift::new(&Pendulum::PAPER);
+    method.run(&Pendulum::PAPER, released(theta_0), grid, &mut drift);
+    drift.largest()
 }
 
 /// H(t) − H(0) (J) along a run.

@@ -10,10 +10,9 @@
 //! method.
 
 use pendula::exact::period;
-use pendula::metrics::EnergyDrift;
 use pendula::{Grid, Pendulum, Phase};
 
-use super::{MethodRef, released};
+use super::{MethodRef, largest_energy_error, released};
 use crate::theory;
 
 /// The angle of release (rad).
@@ -63,9 +62,7 @@ pub fn tau(method: MethodRef) -> f64 {
 
 /// The largest energy error (J) over [`SWINGS`] exact periods, with `steps` steps to a period.
 pub fn largest_error(method: MethodRef, steps: f64) -> f64 {
-    let mut drift = EnergyDrift::new(&PENDULUM);
-    run(method, steps, &mut drift);
-    drift.largest()
+    largest_energy_error(method, THETA_0, &grid(steps))
 }
 
 /// How far an orbit is, after each numerical swing of `count` steps, from where it would be if it
@@ -76,7 +73,7 @@ pub fn slip(method: MethodRef, steps: f64, count: u32) -> f64 {
     let rate = PENDULUM.small_angle_frequency();
     let turn = core::f64::consts::TAU;
     let (mut turned, mut last, mut largest) = (0.0, 0.0, 0.0_f64);
-    run(method, steps, &mut |n: u64, _: f64, z: Phase| {
+    method.run(&PENDULUM, released(THETA_0), &grid(steps), &mut |n: u64, _: f64, z: Phase| {
         let angle = -libm::atan2(z.omega / rate, z.theta) / turn;
         // The turn since the last sample, between 0 and 1.
         let step = angle - last;
@@ -89,10 +86,8 @@ pub fn slip(method: MethodRef, steps: f64, count: u32) -> f64 {
     largest
 }
 
-fn run(method: MethodRef, steps: f64, observer: &mut dyn pendula::Observer<Phase>) {
-    let count = (SWINGS as f64 * steps) as u64;
-    let grid = Grid::new(step(steps), count).expect("a positive step");
-    method.run(&PENDULUM, released(THETA_0), &grid, observer);
+fn grid(steps: f64) -> Grid {
+    Grid::new(step(steps), (SWINGS as f64 * steps) as u64).expect("a positive step")
 }
 
 /// Pairs of the number of steps a period and the largest energy error (J): ten to a unit, and

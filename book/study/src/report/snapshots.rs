@@ -89,8 +89,9 @@ pub struct Recipe<'a> {
     pub name: String,
     /// What it consists of.
     pub kind: Kind,
-    /// What it shows, and its content.
-    make: Box<dyn Fn() -> (String, String) + Send + Sync + 'a>,
+    /// What it shows, in a line.
+    about: String,
+    content: Box<dyn Fn() -> String + Send + Sync + 'a>,
 }
 
 impl<'a> Recipe<'a> {
@@ -102,13 +103,17 @@ impl<'a> Recipe<'a> {
         content: impl Fn() -> String + Send + Sync + 'a,
     ) -> Self {
         let (name, about) = (name.to_string(), about.to_string());
-        Self { name, kind, make: Box::new(move || (about.clone(), content())) }
+        Self { name, kind, about, content: Box::new(content) }
     }
 
     /// Makes it.
     pub fn make(&self) -> Snapshot {
-        let (about, content) = (self.make)();
-        Snapshot { name: self.name.clone(), kind: self.kind, about, content }
+        Snapshot {
+            name: self.name.clone(),
+            kind: self.kind,
+            about: self.about.clone(),
+            content: (self.content)(),
+        }
     }
 }
 
@@ -162,22 +167,12 @@ pub fn recipes<'a>(study: &'a Study, ledger: &'a Ledger) -> Vec<Recipe<'a>> {
     ]);
     let about = "Wrong methods, and the properties that catch them";
     recipes.push(table("zoo", about, tables::zoo));
-    recipes.extend(figures().map(|drawing| Recipe {
-        name: drawing.name.to_string(),
-        kind: Kind::Figure,
-        make: Box::new(move || {
-            let figure = drawing.html(study);
-            (title(&figure), figure)
-        }),
+    recipes.extend(figures().map(|drawing| {
+        Recipe::new(drawing.name, Kind::Figure, drawing.title(), || drawing.html(study))
     }));
     let about = "An example of a difference, for the appendix on changing a method";
     recipes.push(Recipe::new("a_change", Kind::Example, about, || a_change(study)));
     recipes
-}
-
-/// Makes all of them: see [`some`].
-pub fn all(study: &Study, ledger: &Ledger) -> Vec<(String, thread::Result<Snapshot>)> {
-    some(study, ledger, |_| true)
 }
 
 /// Makes those whose names are `wanted`, each in a thread of its own. A panic is that of one
@@ -194,15 +189,6 @@ pub fn some(
         let names = recipes.iter().map(|recipe| recipe.name.clone());
         names.zip(threads.into_iter().map(thread::ScopedJoinHandle::join)).collect()
     })
-}
-
-/// What the element `title` of a drawing says.
-fn title(figure: &str) -> String {
-    let title = figure.split_once("<title").and_then(|(_, rest)| {
-        let (_, title) = rest.split_once('>')?;
-        title.split_once("</title>")
-    });
-    title.map_or(String::new(), |(title, _)| title.to_string())
 }
 
 /// What a change looks like to its reviewer: Table 4 before and after Störmer–Verlet drifts first

@@ -12,10 +12,9 @@
 use pendula::Pendulum;
 use pendula::arithmetic::sine::{cos, sin};
 
-use super::flow::flow;
+use super::tools::flow;
 use super::{Dimensionless, average, polynomial, scaled};
 
-// ANCHOR: modified_equation
 /// The rates θ' and q' of the equation that forward Euler follows, as coefficients of x⁰, x¹, … x⁵.
 pub fn modified_equation_terms(z: Dimensionless) -> [[f64; 6]; 2] {
     let Dimensionless { q, s, c, .. } = z;
@@ -39,7 +38,6 @@ pub fn modified_equation_terms(z: Dimensionless) -> [[f64; 6]; 2] {
         ],
     ]
 }
-// ANCHOR_END: modified_equation
 
 /// The points that forward Euler visits from rest at `theta_0` (rad), computed from its modified
 /// equation, at the times 0, h, 2h, … with the step `h` (s).

@@ -14,7 +14,6 @@ use core::f64::consts::PI;
 
 use pendula::systems::Ellipse;
 
-// ANCHOR: precession
 /// The angle (rad) by which Störmer–Verlet with the `step` h (s) turns the pericentre in a
 /// revolution: −(π/8)(nh)² (4 + e²)/(1 − e²)³ + O(h⁴), against the motion.
 pub fn verlet_precession(ellipse: &Ellipse, step: f64) -> f64 {
@@ -23,4 +22,3 @@ pub fn verlet_precession(ellipse: &Ellipse, step: f64) -> f64 {
     let flat = 1.0 - square;
     -(PI / 8.0) * (x * x) * (4.0 + square) / (flat * flat * flat)
 }
-// ANCHOR_END: precession

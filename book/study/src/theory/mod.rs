@@ -29,9 +29,8 @@
 //!
 //! [`Method`]: pendula::Method
 
-mod flow;
 mod modified_series;
-mod orbit;
+mod tools;
 
 pub mod forward_euler;
 pub mod kepler;
@@ -42,8 +41,8 @@ pub mod small_angle;
 pub mod stormer_verlet;
 
 pub use modified_series::ModifiedSeries;
-pub use orbit::average;
 pub use pendula_curves::point::Dimensionless;
 pub(crate) use pendula_curves::point::scaled;
 pub use pendula_curves::symplectic_euler;
 use pendula_curves::{level_curve, point::polynomial};
+pub use tools::average;

@@ -11,10 +11,9 @@ use pendula::exact::Motion;
 use pendula::verify::properties::error_constant;
 use pendula::{Pendulum, Phase};
 
-use super::flow::flow;
+use super::tools::flow;
 use super::{Dimensionless, average, polynomial, scaled};
 
-// ANCHOR: energy_change
 /// The terms e₅, e₆, e₇, e₈ of the energy change of one step, H(n+1) − H(n) = x⁵e₅ + x⁶e₆ + …, in
 /// units of m g L.
 pub fn energy_change_terms(z: Dimensionless) -> [f64; 4] {
@@ -35,7 +34,6 @@ pub fn energy_change_terms(z: Dimensionless) -> [f64; 4] {
         + q2 * q2 * q2 * q2 * c / 107_520.0;
     [e5, e6, e7, e8]
 }
-// ANCHOR_END: energy_change
 
 /// The energy change of one step (units of m g L) to order x⁸.
 fn energy_change(z: Dimensionless, x: f64) -> f64 {

@@ -55,7 +55,6 @@ pub fn level_curve(
     points.map(|z| z.phase(pendulum))
 }
 
-// ANCHOR: closed_form
 /// The largest energy error of the velocity form in closed form (J), m g L (1 − c₀) [x²(5 +
 /// c₀)/24 + x⁴(1 − c₀)²/240].
 ///
@@ -67,7 +66,6 @@ pub fn energy_error(pendulum: &Pendulum, theta_0: f64, h: f64) -> f64 {
     let (x2, fall) = (x * x, versine(theta_0));
     pendulum.depth() * fall * x2 * ((5.0 + c0) / 24.0 + x2 * fall * fall / 240.0)
 }
-// ANCHOR_END: closed_form
 
 /// The position form's largest energy error in closed form (J), m g L (1 − c₀) [x²(2 + c₀)/12 +
 /// x⁴(13 + 9c₀ + 8c₀²)/480].

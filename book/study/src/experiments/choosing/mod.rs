@@ -54,7 +54,6 @@ pub struct Cell {
     pub ranking: Vec<Advice>,
 }
 
-// ANCHOR: map
 /// The whole map, for all methods of the library.
 pub fn map() -> Vec<Cell> {
     let mut map = Vec::new();
@@ -69,7 +68,6 @@ pub fn map() -> Vec<Cell> {
     }
     map
 }
-// ANCHOR_END: map
 
 /// Length of the run (periods) in [`costs`] …
 const COMPARED_PERIODS: u64 = 100;

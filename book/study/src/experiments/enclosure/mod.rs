@@ -178,7 +178,6 @@ pub fn enclosures(
 }
 
 /// One step, for every state of the set.
-// ANCHOR: step
 fn step(g_over_l: Interval, set: &Set, powers: usize, shape: Shape) -> Set {
     let waves = |[theta, omega]: Vector| {
         let (sine, cosine) = theta.sine_cosine();
@@ -207,7 +206,6 @@ fn step(g_over_l: Interval, set: &Set, powers: usize, shape: Shape) -> Set {
     });
     Set { middle: next, shape, rest }
 }
-// ANCHOR_END: step
 
 /// A box that no motion leaves that begins in `all`, within a step.
 ///

@@ -4,49 +4,10 @@ use core::f64::consts::{PI, SQRT_2};
 
 use pendula::systems::{DoublePhase, Ellipse, Kepler, PlanePhase};
 
-use super::{Drawing, named, style};
+use super::{named, phase_plane, style};
 use crate::charts::{Axis, Chart, Figure, Style};
 use crate::experiments::Study;
 use crate::experiments::beyond::{self, Boundary, Trial};
-
-pub(super) const FIGURES: &[Drawing] = &[
-    Drawing {
-        name: "poincare",
-        caption: "The driven pendulum at γ = 1.5, seen once a period. A motion that never repeats \
-                  stays on one folded curve, and the folds have folds.",
-        draw: poincare,
-    },
-    Drawing {
-        name: "separation",
-        caption: "Two double pendulums whose starts differ by 10⁻⁹ rad. Released high, the \
-                  distance grows exponentially until they have nothing in common; released low, \
-                  they stay together.",
-        draw: separation,
-    },
-    Drawing {
-        name: "kapitza",
-        caption: "Where a shaken pendulum stands on its head: Mathieu's curves part the runs of \
-                  30\u{a0}s that stand from those that do not. On the lower curve, which is \
-                  Kapitza's rule where the shaking is fast, it begins to stand; above the upper \
-                  one it rocks ever wider.",
-        draw: kapitza,
-    },
-    Drawing {
-        name: "double_pendulum_trace",
-        caption: "The paths of the lower bobs of two double pendulums in their first 6 s, \
-                  released at rest with the upper rod at 2 or 2.01 rad and the lower one at 2.5 \
-                  rad. For more than two seconds they are one line, and then each goes its own \
-                  way.",
-        draw: double_pendulum_trace,
-    },
-    Drawing {
-        name: "turning_ellipse",
-        caption: "A planet under Störmer–Verlet in 100 steps a revolution, a dot each. The true \
-                  ellipse stays where it is; the method's keeps its shape and turns against the \
-                  motion, by an eighth of a turn in thirty revolutions.",
-        draw: turning_ellipse,
-    },
-];
 
 /// How wide a plot is beside labels such as −1.5, in the units of its height.
 const WIDTH: f64 = 525.5;
@@ -61,42 +22,28 @@ fn plane(x: (f64, f64), y: (f64, f64)) -> Chart {
 const STATES: usize = 24_000;
 
 /// The strange attractor of the driven pendulum.
-fn poincare(_: &Study) -> Figure {
-    let (low, high) = (-10.0, 30.0);
+pub(super) fn poincare(_: &Study, figure: Figure) -> Figure {
     let dots = beyond::poincare(STATES);
-    let chart = Chart::new(
-        Axis::linear("θ (rad)").range(-PI, PI),
-        Axis::linear("ω (rad/s)").range(low, high),
-    )
-    .height(360.0)
-    .series("", Style::numbered(1).dots(), dots.into_iter().map(|z| (z.theta, z.omega)));
-    Figure::new(
-        "The strange attractor of the driven pendulum",
-        "Some thousands of dots in phase space, angle from −π to π, all on a thin band. It rises \
-         from the left to a crest, falls steeply through the middle, rises again to the right, \
-         folds back on itself several times, and consists of finer bands side by side.",
-    )
-    .panel(chart)
+    let chart = phase_plane((-PI, PI), (-10.0, 30.0)).height(360.0).series(
+        "",
+        Style::numbered(1).dots(),
+        dots.into_iter().map(|z| (z.theta, z.omega)),
+    );
+    figure.panel(chart)
 }
 
 /// How quickly two double pendulums part, released high and low.
-fn separation(_: &Study) -> Figure {
+pub(super) fn separation(_: &Study, figure: Figure) -> Figure {
     let double = beyond::equals();
     let run = |theta| beyond::separation(&double, theta, 1e-9, (0.002, 10_000));
     let chart = Chart::new(Axis::linear("t (s)").range(0.0, 20.0), Axis::log("distance (rad)"))
         .series("released at 2 and 2.5 rad", Style::numbered(0).line_only(), run([2.0, 2.5]))
         .series("released at 0.2 and 0.25 rad", Style::numbered(1).line_only(), run([0.2, 0.25]));
-    Figure::new(
-        "Two double pendulums part",
-        "The distance of two neighbouring motions on a logarithmic scale over twenty seconds. From \
-         a high release it climbs along a straight line, from a thousand-millionth of a radian to \
-         several radians, and then levels off. From a low release it stays near where it began.",
-    )
-    .panel(chart)
+    figure.panel(chart)
 }
 
 /// Where a shaken pendulum stands on its head.
-fn kapitza(_: &Study) -> Figure {
+pub(super) fn kapitza(_: &Study, figure: Figure) -> Figure {
     // Each curve from beyond one edge of the chart to beyond another.
     let curve = |boundary, from: f64| {
         let parameters = (0..=400).map(move |i| from + 0.005 * f64::from(i));
@@ -121,20 +68,11 @@ fn kapitza(_: &Study) -> Figure {
         Style::numbered(5).markers_only(),
         leaves.into_iter().map(at),
     );
-    Figure::new(
-        "Where a shaken pendulum stands on its head",
-        "A chart of amplitude against frequency. A shaded region opens from a narrow tip at the \
-         upper left to the right. Its lower edge falls as one over the frequency, and a dashed \
-         line, Kapitza's rule, lies just below it at the left and on it at the right. Its upper \
-         edge falls to a little less than half the length of the pendulum and stays there. Of a \
-         grid of a hundred marks, those in the region are diamonds, for pendulums that stand, and \
-         those outside it crosses.",
-    )
-    .panel(chart)
+    figure.panel(chart)
 }
 
 /// The paths of the lower bobs of two double pendulums whose starts are neighbours.
-fn double_pendulum_trace(_: &Study) -> Figure {
+pub(super) fn double_pendulum_trace(_: &Study, figure: Figure) -> Figure {
     let double = beyond::equals();
     // With half the step no bob is elsewhere by a hundredth of a millimetre.
     let path = |upper| beyond::path(&double, [upper, 2.5], (0.001, 6000));
@@ -146,17 +84,11 @@ fn double_pendulum_trace(_: &Study) -> Figure {
         .series("from 2.01 rad", Style::numbered(1).line_only(), other.iter().map(lower))
         .series("rods at the start", Style::REFERENCE, [(0.0, 0.0), joint, bob])
         .series("", Style::TRUE_POINT, [(0.0, 0.0), joint, bob]);
-    Figure::new(
-        "The paths of two double pendulums",
-        "Two lines in a vertical plane, from the tip of two rods that point upwards to the right. \
-         They swing down and up to the left as one, and part near the pivot on the way back: one \
-         goes on to loops at the bottom and the right, the other to the left and around.",
-    )
-    .panel(chart)
+    figure.panel(chart)
 }
 
 /// Kepler's ellipse, and how Störmer–Verlet turns it.
-fn turning_ellipse(_: &Study) -> Figure {
+pub(super) fn turning_ellipse(_: &Study, figure: Figure) -> Figure {
     const STEPS: usize = 100;
     const REVOLUTIONS: usize = 30;
     const EACH: usize = 3;
@@ -184,14 +116,7 @@ fn turning_ellipse(_: &Study) -> Figure {
         .series("", Style::GUIDE, ray(&turned))
         .series("", Style::TRUE_POINT, [(0.0, 0.0)])
         .note(-0.6 * cosine, -0.6 * sine, format!("{:.2} rad", angle.abs()));
-    Figure::new(
-        "The ellipse that turns",
-        "A plane with a centre and an ellipse about it, longer than wide, the centre near its \
-         right end. Ten dotted ellipses of the same shape follow each other, each turned clockwise \
-         about the centre from the one before. The last is drawn as a line, and its long axis \
-         points to the upper left, by about an eighth of a turn from where it began.",
-    )
-    .panel(chart)
+    figure.panel(chart)
 }
 
 #[cfg(test)]

@@ -2,29 +2,10 @@
 
 use pendula::METHODS;
 
-use super::{Drawing, named, style, title};
+use super::{named, style, title};
 use crate::charts::{Axis, Cell, Chart, Figure, Fill, Map, Name};
 use crate::digits::Digits;
 use crate::experiments::{MethodRef, PaperMethod, Study, choosing};
-
-pub(super) const FIGURES: &[Drawing] = &[
-    Drawing {
-        name: "decision",
-        caption: "Which method keeps the angle within an error allowed, over a run of a given \
-                  length, with the fewest force evaluations, and in how many steps a period. Where \
-                  there are lines across, the second best needs less than a quarter more: any of \
-                  the neighbours will do. In the corner at the lower right the rounding of an f64 \
-                  alone may be larger than what is allowed.",
-        draw: decision,
-    },
-    Drawing {
-        name: "cost",
-        caption: "Force evaluations for a hundred swings from 1 rad, with the angle never off by \
-                  more than a thousandth of a radian: the dearest method first. From one line of \
-                  the grid to the next on its left there is a hundred times less work.",
-        draw: cost,
-    },
-];
 
 /// Unless the second best needs more evaluations than the best by this share of them, none is said
 /// to be ahead.
@@ -82,7 +63,7 @@ fn cell(winners: &[MethodRef], cell: &choosing::Cell) -> Cell {
 }
 
 /// The regions in which each of the methods is the cheapest.
-fn decision(_: &Study) -> Figure {
+pub(super) fn decision(_: &Study, figure: Figure) -> Figure {
     let map = choosing::map();
     let winners = winners(&map);
     let (x, y) =
@@ -105,19 +86,7 @@ fn decision(_: &Study) -> Figure {
     )
     .height(420.0)
     .map(regions);
-    Figure::new(
-        "Which method needs the fewest force evaluations",
-        "A map of areas on logarithmic axes: the length of the run, from one period to a hundred \
-         thousand, across, and the largest angle error allowed, from a tenth to a \
-         ten-thousand-millionth of a radian, upwards. Each area is that of the cheapest method, \
-         where it is ahead of the second by a quarter or more. Deuflhard's has the upper left \
-         corner, where runs are short and errors large; the processed method of order 4 the upper \
-         edge; that of order 6 a broad band below it on the right; Taylor series the lower middle. \
-         Most of the left half, and a band below that of order 6, are hatched: there the best are \
-         close to each other. The lower right corner, small errors over long runs, is empty: \
-         rounding does not let any method be so exact.",
-    )
-    .panel(chart)
+    figure.panel(chart)
 }
 
 // -------------------------------------------------------------------------------------------------
@@ -128,7 +97,7 @@ fn decision(_: &Study) -> Figure {
 const HIGHER: [&str; 4] = ["forest-ruth", "gauss-6", "blanes-moan-6", "processed-6"];
 
 /// A row for each method, the dearest at the top: a dot with the number beside it.
-fn cost(_: &Study) -> Figure {
+pub(super) fn cost(_: &Study, figure: Figure) -> Figure {
     let names = PaperMethod::ALL.map(PaperMethod::name).into_iter().chain(HIGHER);
     let methods: Vec<_> = names.map(named).collect();
     let evaluations =
@@ -157,11 +126,7 @@ fn cost(_: &Study) -> Figure {
         said.push(format!("{} {evaluations:.1e}", title(method)));
     }
     said.reverse();
-    Figure::new(
-        "What the same answer costs",
-        format!("A dot for each method on a logarithmic axis. {}.", said.join("; ")),
-    )
-    .panel(chart)
+    figure.saying(&format!("{}.", said.join("; "))).panel(chart)
 }
 
 /// The number to two digits, as a label.

@@ -4,18 +4,9 @@ use pendula::Phase;
 use pendula::methods::{ForestRuth, Splitting, StormerVerlet, Suzuki4};
 
 use super::geometry::{START, parts, point, true_motion, truth};
-use super::{Drawing, named, style, title};
+use super::{named, phase_plane, style, title};
 use crate::charts::{Axis, Chart, Figure, Style};
 use crate::experiments::Study;
-
-pub(super) const FIGURES: &[Drawing] = &[Drawing {
-    name: "triple_jump",
-    caption: "One step of Forest–Ruth as its three steps of Störmer–Verlet, with the time that \
-              each reaches: the first two end far from the truth at that time (dotted), the third \
-              close to it. Below, the substeps of two methods in time; Suzuki's are shorter than \
-              the step, and none of them leaves it.",
-    draw: triple_jump,
-}];
 
 /// About a seventh of a period (s): the errors of the substeps can be seen, and that of the step is
 /// small beside them.
@@ -44,14 +35,11 @@ fn jump() -> Chart {
     let method = named("forest-ruth");
     let ends = ends(ForestRuth::DRIFTS);
     let truth_at = |t: f64| true_motion(START).at(t);
-    let mut chart = Chart::new(
-        Axis::linear("θ (rad)").range(-1.9, 0.4),
-        Axis::linear("ω (rad/s)").range(-0.5, 4.0),
-    )
-    .height(300.0)
-    .series("true orbit", Style::REFERENCE, truth(truth_at(-0.45 * STEP), 2.15 * STEP))
-    .series("true motion", Style::TRUE_POINT, ends.iter().map(|(t, _)| point(truth_at(*t))))
-    .series(title(method), style(method).markers_only(), ends.iter().map(|(_, z)| point(*z)));
+    let mut chart = phase_plane((-1.9, 0.4), (-0.5, 4.0))
+        .height(300.0)
+        .series("true orbit", Style::REFERENCE, truth(truth_at(-0.45 * STEP), 2.15 * STEP))
+        .series("true motion", Style::TRUE_POINT, ends.iter().map(|(t, _)| point(truth_at(*t))))
+        .series(title(method), style(method).markers_only(), ends.iter().map(|(_, z)| point(*z)));
     for pair in ends.windows(2) {
         let ends = [pair[0].1, pair[1].1].map(point);
         chart = chart.series("", style(method).arrow(), ends);
@@ -98,17 +86,6 @@ fn lengths() -> Chart {
 }
 
 /// The triple jump in phase space, and in time beside Suzuki's five substeps.
-fn triple_jump(_: &Study) -> Figure {
-    Figure::new(
-        "The triple jump",
-        "Two charts. Above, the left half of a swing's orbit in phase space, an arch. From a point \
-         on its flank a long arrow leads up to the right and ends below the arch, past its top. A \
-         still longer one leads from there back, past the start, and ends to the left of the arch. \
-         A third leads up to the right again and ends close to where the true motion is after the \
-         step. Below, the same three arrows along an axis of time: from 0 to 1.35 steps, back to \
-         −0.35 and forward to 1; and the five arrows of Suzuki's method, two forward, one back, \
-         two forward, all between 0 and 1.",
-    )
-    .panel(jump())
-    .panel(lengths())
+pub(super) fn triple_jump(_: &Study, figure: Figure) -> Figure {
+    figure.panel(jump()).panel(lengths())
 }

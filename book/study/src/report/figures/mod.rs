@@ -9,49 +9,125 @@ mod limits;
 mod opening;
 mod paper;
 
-use pendula::{METHODS, method_named};
+use std::collections::BTreeMap;
+use std::sync::LazyLock;
 
-use crate::charts::{Figure, Style, wrapped};
+use pendula::methods::{ForwardEuler, StormerVerlet, SymplecticEuler};
+use pendula::{METHODS, method_named};
+use serde::Deserialize;
+
+use crate::charts::{Axis, Chart, Figure, Style, wrapped};
 use crate::experiments::{MethodRef, Study, in_paper};
 
 /// A figure of the book.
 #[derive(Clone, Copy, Debug)]
 pub struct Drawing {
-    /// Its name: those of the paper have its number, others say what they show.
+    /// Its name: those of the paper have their number, others say what they show.
     pub name: &'static str,
-    /// What to see in it.
-    pub caption: &'static str,
-    draw: fn(&Study) -> Figure,
+    /// Adds its charts to a figure that has its title and its description.
+    draw: fn(&Study, Figure) -> Figure,
 }
 
+/// What stands about a figure, in `figures.toml`.
+#[derive(Debug, Deserialize)]
+struct Words {
+    title: String,
+    /// What to see in it.
+    caption: String,
+    /// For who cannot see it.
+    description: String,
+}
+
+static WORDS: LazyLock<BTreeMap<String, Words>> = LazyLock::new(|| {
+    toml::from_str(include_str!("figures.toml")).unwrap_or_else(|error| panic!("{error}"))
+});
+
 impl Drawing {
+    fn words(&self) -> &'static Words {
+        WORDS.get(self.name).unwrap_or_else(|| panic!("{} is not in figures.toml", self.name))
+    }
+
+    /// What it is, in a line.
+    pub fn title(&self) -> &'static str {
+        &self.words().title
+    }
+
+    /// The figure, with the values that it shows.
+    pub fn figure(&self, study: &Study) -> Figure {
+        let Words { title, description, .. } = self.words();
+        (self.draw)(study, Figure::new(title, description))
+    }
+
     /// The figure as an `<svg>` element.
     pub fn svg(&self, study: &Study) -> String {
-        (self.draw)(study).to_svg(self.name)
+        self.figure(study).to_svg(self.name)
     }
 
     /// The figure with its caption, as a `<figure>` element without a blank line.
     pub fn html(&self, study: &Study) -> String {
         // The Markdown processor makes apostrophes typographic, but not in HTML.
-        let (svg, caption) = (self.svg(study), wrapped(&self.caption.replace('\'', "’")));
+        let caption = wrapped(&self.words().caption.replace('\'', "’"));
+        let svg = self.svg(study);
         format!("<figure>\n{svg}<figcaption>{caption}</figcaption>\n</figure>\n")
     }
 }
 
 /// The figures, file by file.
 pub fn figures() -> impl Iterator<Item = &'static Drawing> {
-    [
-        opening::FIGURES,
-        paper::FIGURES,
-        geometry::FIGURES,
-        evidence::FIGURES,
-        choosing::FIGURES,
-        higher_order::FIGURES,
-        limits::FIGURES,
-        beyond::FIGURES,
-    ]
-    .into_iter()
-    .flatten()
+    DRAWINGS.iter()
+}
+
+const DRAWINGS: &[Drawing] = &[
+    Drawing { name: "two_eulers", draw: opening::two_eulers },
+    Drawing { name: "forces", draw: opening::forces },
+    Drawing { name: "swings", draw: opening::swings },
+    Drawing { name: "figure_2", draw: paper::figure_2 },
+    Drawing { name: "figure_3", draw: paper::figure_3 },
+    Drawing { name: "figure_4", draw: paper::figure_4 },
+    Drawing { name: "figure_5", draw: paper::figure_5 },
+    Drawing { name: "figure_6", draw: paper::figure_6 },
+    Drawing { name: "figure_7", draw: paper::figure_7 },
+    Drawing {
+        name: "stencil_forward_euler",
+        draw: |_, figure| figure.panel(geometry::step_of(&ForwardEuler)),
+    },
+    Drawing {
+        name: "stencil_symplectic_euler",
+        draw: |_, figure| figure.panel(geometry::step_of(&SymplecticEuler)),
+    },
+    Drawing {
+        name: "stencil_stormer_verlet",
+        draw: |_, figure| figure.panel(geometry::step_of(&StormerVerlet)),
+    },
+    Drawing { name: "stencil_rk4", draw: geometry::stencil_rk4 },
+    Drawing { name: "area", draw: geometry::area_carried },
+    Drawing { name: "cat", draw: geometry::cat },
+    Drawing { name: "tilted_curve", draw: geometry::tilted_curve },
+    Drawing { name: "level_curves", draw: geometry::level_curves },
+    Drawing { name: "cancellation", draw: evidence::cancellation },
+    Drawing { name: "five_periods", draw: evidence::five_periods },
+    Drawing { name: "standard_map", draw: evidence::standard_map },
+    Drawing { name: "rounding_walk", draw: evidence::rounding_walk },
+    Drawing { name: "decision", draw: choosing::decision },
+    Drawing { name: "cost", draw: choosing::cost },
+    Drawing { name: "triple_jump", draw: higher_order::triple_jump },
+    Drawing { name: "resonances", draw: limits::resonances },
+    Drawing { name: "truncation", draw: limits::truncation },
+    Drawing { name: "least_change", draw: limits::least_change },
+    Drawing { name: "widths", draw: limits::widths },
+    Drawing { name: "poincare", draw: beyond::poincare },
+    Drawing { name: "separation", draw: beyond::separation },
+    Drawing { name: "kapitza", draw: beyond::kapitza },
+    Drawing { name: "double_pendulum_trace", draw: beyond::double_pendulum_trace },
+    Drawing { name: "turning_ellipse", draw: beyond::turning_ellipse },
+];
+
+/// A chart of states between these values of θ (rad) and of ω (rad/s).
+fn phase_plane(theta: (f64, f64), omega: (f64, f64)) -> Chart {
+    Chart::new(
+        Axis::linear("θ (rad)").range(theta.0, theta.1),
+        Axis::linear("ω (rad/s)").range(omega.0, omega.1),
+    )
 }
 
 /// The style of a method, the same in every figure.
@@ -73,4 +149,17 @@ pub(super) fn title(method: MethodRef) -> &'static str {
 
 fn named(name: &str) -> MethodRef {
     method_named(name).expect("one of the library's methods")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Catches: the words of a figure that is not drawn any more, and a figure drawn twice.
+    #[test]
+    fn all_words_are_those_of_a_figure() {
+        let names: Vec<&str> = figures().map(|drawing| drawing.name).collect();
+        assert!(WORDS.keys().all(|name| names.contains(&name.as_str())), "{names:?}");
+        assert_eq!(names.len(), WORDS.len());
+    }
 }

@@ -7,32 +7,9 @@ use pendula::arithmetic::sine::{cos, sin};
 use pendula::exact::{Motion, Swing, period};
 use pendula::{Pendulum, Phase};
 
-use super::{Drawing, named, style, title};
+use super::{named, style, title};
 use crate::charts::{Axis, Chart, Figure, Style};
 use crate::experiments::{Study, long_run};
-
-pub(super) const FIGURES: &[Drawing] = &[
-    Drawing {
-        name: "two_eulers",
-        caption: "Two programs follow the same pendulum. In the first second one can hardly tell \
-                  their curves apart. In the thousandth, one pendulum swings as it did, and the \
-                  other goes over the top again and again.",
-        draw: two_eulers,
-    },
-    Drawing {
-        name: "forces",
-        caption: "Gravity and its two parts. Along the rod it is held; along the circle it drives \
-                  the bob back to the lowest point. The angle grows counter-clockwise.",
-        draw: forces,
-    },
-    Drawing {
-        name: "swings",
-        caption: "The higher the release, the broader the crests and the later the pendulum is \
-                  back, as the markers show. The first correction to the period serves up to about \
-                  a right angle; towards the top the period grows without limit.",
-        draw: swings,
-    },
-];
 
 const PENDULUM: Pendulum = Pendulum::PAPER;
 
@@ -46,7 +23,7 @@ fn spread(low: f64, high: f64, n: u32) -> impl Iterator<Item = f64> + Clone {
 // -------------------------------------------------------------------------------------------------
 
 /// The angle by the two methods of Euler in the first second of the long run, and in its last.
-fn two_eulers(_: &Study) -> Figure {
+pub(super) fn two_eulers(_: &Study, figure: Figure) -> Figure {
     let end = long_run::DURATION;
     let panel = |heading: &str, (from, to): (f64, f64), ticks: &[f64]| {
         let ticks = ticks.iter().map(|t| (*t, t.to_string()));
@@ -62,19 +39,11 @@ fn two_eulers(_: &Study) -> Figure {
             })
         })
     };
-    Figure::new(
-        "The same pendulum by two methods, at first and a thousand seconds later",
-        "Two charts of the angle against time, each one second long, from minus half a turn to \
-         half a turn, both of which are the top. On the left, in the first second, forward Euler \
-         and symplectic Euler swing together from one radian through the bottom to the other side, \
-         on what looks like one curve. On the right, in the thousandth, symplectic Euler makes \
-         just such a swing, while forward Euler is a row of steep parallel lines from one edge to \
-         the other: it goes over the top about five times.",
-    )
-    .columns(2)
-    .panel(panel("the first second", (0.0, 1.0), &[0.0, 0.5, 1.0]))
-    // The beginning has no label: it would run into the end of the first.
-    .panel(panel("the thousandth second", (end - 1.0, end), &[end - 0.5, end]))
+    figure
+        .columns(2)
+        .panel(panel("the first second", (0.0, 1.0), &[0.0, 0.5, 1.0]))
+        // The beginning has no label: it would run into the end of the first.
+        .panel(panel("the thousandth second", (end - 1.0, end), &[end - 0.5, end]))
 }
 
 /// The run, once for each turn that it enters, with the angle from −π to π and a little beyond, so
@@ -99,7 +68,7 @@ fn turns(run: &[(f64, f64)]) -> Vec<Vec<(f64, f64)>> {
 const NEWTON: f64 = 0.056;
 
 /// The pendulum, deflected, with gravity and its parts along the circle and along the rod.
-fn forces(_: &Study) -> Figure {
+pub(super) fn forces(_: &Study, figure: Figure) -> Figure {
     let (theta, length) = (0.7, PENDULUM.length());
     // From the pivot, to the right and up.
     let at = |radius: f64, angle: f64| (radius * sin(angle), -radius * cos(angle));
@@ -137,16 +106,7 @@ fn forces(_: &Study) -> Figure {
         ("mg cos θ", tip_rod),
     ];
     let chart = notes.into_iter().fold(chart, |chart, (text, (x, y))| chart.note(x, y, text));
-    Figure::new(
-        "The pendulum and what acts on it",
-        "A rod of length L hangs from a pivot, with a bob of mass m at its lower end. It is turned \
-         to the right by an angle θ from the vertical, which is drawn dotted below the pivot; an \
-         arrow from the vertical to the rod shows that θ grows counter-clockwise. Gravity, mg, \
-         is an arrow from the bob straight down. It is the diagonal of a rectangle of two other \
-         arrows: mg cos θ, which goes on in the direction of the rod, away from the pivot, and \
-         mg sin θ, which touches the circle of the bob and points towards its lowest point.",
-    )
-    .panel(chart)
+    figure.panel(chart)
 }
 
 // -------------------------------------------------------------------------------------------------
@@ -159,7 +119,7 @@ const RELEASES: [f64; 4] = [0.5, 1.5, 2.5, 3.1];
 const SWINGING: f64 = 8.0;
 
 /// The exact motion after four releases, and the period against the amplitude.
-fn swings(_: &Study) -> Figure {
+pub(super) fn swings(_: &Study, figure: Figure) -> Figure {
     let ratio = |theta_0: f64| {
         let swing = Swing::released_at(&PENDULUM, theta_0).expect("a finite angle");
         (theta_0, swing.ratio())
@@ -198,16 +158,5 @@ fn swings(_: &Study) -> Figure {
     for (text, (x, y)) in labelled {
         periods = periods.note(x, y, text);
     }
-    Figure::new(
-        "The higher the swing, the longer it takes",
-        "Two charts. Above, the angle against time over eight seconds for releases at 0.5, 1.5, \
-         2.5 and 3.1 radians, with a marker where each is back for the first time. The lowest \
-         looks like a cosine; the highest has broad flat crests and troughs, and makes little more \
-         than one swing while the lowest makes nearly four. Below, the period over that of small \
-         angles, against the amplitude from zero to π: it begins level at 1, follows the dashed \
-         curve of the first correction up to about a right angle, leaves it upwards, and grows \
-         without limit towards π.",
-    )
-    .panel(motions)
-    .panel(periods)
+    figure.panel(motions).panel(periods)
 }

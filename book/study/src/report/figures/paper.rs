@@ -2,52 +2,14 @@
 
 use pendula::Pendulum;
 
-use super::{Drawing, named, of_the_paper, style, title};
+use super::{named, of_the_paper, style, title};
 use crate::charts::{Axis, Chart, Figure, Style};
 use crate::experiments::{
     STEPS, Study, convergence, energy_error, large_angle, long_run, phase_portrait, small_angle,
 };
 
-pub(super) const FIGURES: &[Drawing] = &[
-    Drawing {
-        name: "figure_2",
-        caption: "The paper's Figure 2, measured. RK4's energy error falls with slope 5, not 4; \
-                  forward Euler's has no one slope.",
-        draw: figure_2,
-    },
-    Drawing {
-        name: "figure_3",
-        caption: "The paper's Figure 3, with RK4 added: the energy's error at first and a thousand \
-                  seconds later, each method on a scale of its own. That of the two symplectic \
-                  methods comes and goes with each swing, as at first; forward Euler's and RK4's \
-                  add up. Below, the largest error so far, on one scale for all.",
-        draw: figure_3,
-    },
-    Drawing {
-        name: "figure_4",
-        caption: "The paper's Figure 4. Forward Euler lands outside the true orbit at every step.",
-        draw: figure_4,
-    },
-    Drawing {
-        name: "figure_5",
-        caption: "The paper's Figure 5, with the separatrix around it. The curves look closed.",
-        draw: figure_5,
-    },
-    Drawing {
-        name: "figure_6",
-        caption: "The paper's Figure 6. Broad crests: near the top the pendulum lingers.",
-        draw: figure_6,
-    },
-    Drawing {
-        name: "figure_7",
-        caption: "The paper's Figure 7 over force evaluations. Above, the floor belongs to the \
-                  formula; below, against the truth, there is none.",
-        draw: figure_7,
-    },
-];
-
 /// Energy error against step on doubly logarithmic axes.
-fn figure_2(study: &Study) -> Figure {
+pub(super) fn figure_2(study: &Study, figure: Figure) -> Figure {
     let mut chart = Chart::new(Axis::log("Δt (s)"), Axis::log("largest energy error ΔH (J)"))
         .slope(1.0, (0.1, 3.0), 0.001, "slope 1")
         .slope(2.0, (0.1, 3e-2), 0.001, "slope 2")
@@ -55,18 +17,12 @@ fn figure_2(study: &Study) -> Figure {
     for convergence::Row { method, drift } in &study.convergence {
         chart = chart.series(title(*method), style(*method), STEPS.into_iter().zip(*drift));
     }
-    Figure::new(
-        "Energy error against step",
-        "Four lines on doubly logarithmic axes. Störmer–Verlet falls with slope 2 and symplectic \
-         Euler with slope 1. Forward Euler lies far above both with uneven slopes. RK4 falls with \
-         slope 5, not 4, and flattens a little at the finest step.",
-    )
-    .panel(chart)
+    figure.panel(chart)
 }
 
 /// Energy at the beginning and at the end of a thousand seconds, a row for each method, and the
 /// largest error so far.
-fn figure_3(study: &Study) -> Figure {
+pub(super) fn figure_3(study: &Study, figure: Figure) -> Figure {
     /// How much of either end is shown: about nine swings (s).
     const SHOWN: f64 = 20.0;
     let end = long_run::DURATION;
@@ -75,17 +31,7 @@ fn figure_3(study: &Study) -> Figure {
         Axis::log("largest |H − H_{0}| so far (J)"),
     )
     .height(200.0);
-    let mut figure = Figure::new(
-        "Energy over a thousand seconds",
-        "Four rows of two small charts of the energy's error, the first twenty seconds and the \
-         last, a row for each method on a linear scale of its own. Forward Euler's is near zero on \
-         the left and near 480 joules on the right. Those of symplectic Euler and Störmer–Verlet \
-         are waves, some hundredths of a joule and a thousandth high, on the right as on the left. \
-         RK4's is a level line, on the right four millionths below zero. Below, on a logarithmic \
-         scale, the largest error so far: level for the two symplectic methods, rising for forward \
-         Euler, and rising for RK4 too, but two orders of magnitude below Störmer–Verlet.",
-    )
-    .columns(2);
+    let mut figure = figure.columns(2);
     for (i, row) in of_the_paper(&study.long_run, |row| row.method).enumerate() {
         // Named by its axis, and below at its line's end: no dashes have to tell them apart.
         let (title, style) = (title(row.method), style(row.method).line_only().solid());
@@ -117,7 +63,7 @@ fn figure_3(study: &Study) -> Figure {
 }
 
 /// Forward Euler's angle and energy at a small angle.
-fn figure_4(_: &Study) -> Figure {
+pub(super) fn figure_4(_: &Study, figure: Figure) -> Figure {
     let method = named("forward-euler");
     let run = small_angle::trajectory(method, 0.01);
     let style = style(method).line_only().solid();
@@ -133,14 +79,7 @@ fn figure_4(_: &Study) -> Figure {
         style,
         energy_error(&run),
     );
-    Figure::new(
-        "Forward Euler gains amplitude and energy",
-        "Two curves against time over ten seconds. Above, the angle of forward Euler swings wider \
-         with every period while the small-angle solution keeps its amplitude. Below, its energy \
-         climbs from zero ever more steeply.",
-    )
-    .panel(angle)
-    .panel(energy)
+    figure.panel(angle).panel(energy)
 }
 
 fn small_angle_frequency() -> f64 {
@@ -148,7 +87,7 @@ fn small_angle_frequency() -> f64 {
 }
 
 /// Three orbits of RK4 in phase space, inside the separatrix.
-fn figure_5(_: &Study) -> Figure {
+pub(super) fn figure_5(_: &Study, figure: Figure) -> Figure {
     let rk4 = named("rk4");
     let top = 2.0 * small_angle_frequency();
     let separatrix = (-160..=160).map(|k| f64::from(k) / 50.0).map(|theta| (theta, theta * 0.5));
@@ -169,17 +108,11 @@ fn figure_5(_: &Study) -> Figure {
             format!("{theta_0} rad"),
         );
     }
-    Figure::new(
-        "Three orbits in phase space",
-        "Three closed curves around the origin, one inside the other, for releases from 0.5, 1.5 \
-         and 2.5 radians, all inside the eye of the separatrix. The smallest is nearly an ellipse; \
-         the largest is pointed at its left and right ends, where the pendulum lingers.",
-    )
-    .panel(chart)
+    figure.panel(chart)
 }
 
 /// The waveform at a large angle, with the exact period marked.
-fn figure_6(study: &Study) -> Figure {
+pub(super) fn figure_6(study: &Study, figure: Figure) -> Figure {
     let rk4 = named("rk4");
     let period = study.large_angle.exact;
     let chart = Chart::new(
@@ -188,17 +121,11 @@ fn figure_6(study: &Study) -> Figure {
     )
     .vertical(period, "T, exact")
     .series(title(rk4), style(rk4).line_only().solid(), large_angle::waveform());
-    Figure::new(
-        "The waveform at 3 radians",
-        "The angle against time for fifteen seconds: broad, flat crests and troughs joined by \
-         steep flanks, nothing like a cosine. A dashed line at the exact period, 5.158 seconds, \
-         passes through the middle of the second crest.",
-    )
-    .panel(chart)
+    figure.panel(chart)
 }
 
 /// Error over force evaluations: against the small-angle formula, and against the exact solution.
-fn figure_7(study: &Study) -> Figure {
+pub(super) fn figure_7(study: &Study, figure: Figure) -> Figure {
     let work = || Axis::log("force evaluations").range(80.0, 60_000.0);
     let axis = |against| Axis::log(format!("RMS error against {against} (rad)"));
     let mut formula = Chart::new(work(), axis("formula")).height(240.0);
@@ -211,13 +138,5 @@ fn figure_7(study: &Study) -> Figure {
         formula = formula.series(label, style, line(|errors| errors.formula));
         truth = truth.series(label, style, line(|errors| errors.truth));
     }
-    Figure::new(
-        "Error against work",
-        "Two charts over the number of force evaluations, both axes logarithmic. Above, against \
-         the small-angle formula, RK4 and Störmer–Verlet run into a floor at a ten-thousandth of a \
-         radian. Below, against the exact solution, all four methods are straight lines and RK4 is \
-         far ahead.",
-    )
-    .panel(formula)
-    .panel(truth)
+    figure.panel(formula).panel(truth)
 }

@@ -11,7 +11,7 @@ pub(super) static FLOOR: LazyLock<f64> = LazyLock::new(|| {
     let motion = motion(start);
     let formula = LinearOscillator::new(Pendulum::PAPER);
     let mut error = AngleError::new(|t| formula.exact(start, t).theta);
-    let grid = grid(STEPS[4], small_angle::DURATION);
+    let grid = grid(small_angle::DURATION, STEPS[4]);
     for n in 0..grid.samples() {
         error.observe(n, grid.time(n), motion.at(grid.time(n)));
     }
@@ -23,10 +23,6 @@ pub(super) const LINE: f64 = 0.01;
 
 fn motion(start: Phase) -> Motion {
     Motion::new(&Pendulum::PAPER, start).expect("a finite start")
-}
-
-fn grid(step: f64, duration: f64) -> Grid {
-    Grid::with_duration(step, duration).expect("a whole number of steps")
 }
 
 /// g/L (1/s²) from the printed small-angle period.
@@ -108,7 +104,7 @@ pub(super) fn period_of_eq_5(theta_0: f64) -> f64 {
 /// zeros of θ.
 pub(super) fn period_of_a_run(theta_0: f64) -> f64 {
     let mut watch = <CrossingPeriod>::default();
-    let grid = grid(large_angle::STEP, large_angle::DURATION);
+    let grid = grid(large_angle::DURATION, large_angle::STEP);
     Rk4.run(&Pendulum::PAPER, Phase::at_rest(theta_0), &grid, &mut watch);
     watch.period().unwrap_or(f64::NAN)
 }
@@ -129,7 +125,7 @@ pub(super) fn errors_for_work(method: &dyn AnyMethod, evaluations: f64) -> [f64;
 /// The columns of each method that has a row in the table whose ids begin so.
 pub(super) fn columns_of_methods(table: &str) -> Vec<Vec<&'static str>> {
     let columns = PaperMethod::ALL.map(|method| {
-        let row = std::format!("{table}{}.", method.id());
+        let row = format!("{table}{}.", method.id());
         CELLS.iter().filter_map(|cell| cell.id.strip_prefix(row.as_str())).collect::<Vec<_>>()
     });
     columns.into_iter().filter(|columns| !columns.is_empty()).collect()
@@ -140,7 +136,7 @@ pub(super) fn columns_of_methods(table: &str) -> Vec<Vec<&'static str>> {
 pub(super) fn energy_error_of_algorithm_1(step: f64) -> f64 {
     let f = |theta: f64, omega: f64| (omega, -9.81 * sin(theta));
     let mut drift = EnergyDrift::new(&Pendulum::PAPER);
-    let grid = grid(step, convergence::DURATION);
+    let grid = grid(convergence::DURATION, step);
     let (mut theta, mut omega) = (convergence::THETA_0, 0.0);
     for n in 0..grid.samples() {
         drift.observe(n, grid.time(n), Phase { theta, omega });
@@ -163,7 +159,7 @@ pub(super) fn equations_10_to_12_from_half_kicks() -> f64 {
     let start = Phase::at_rest(convergence::THETA_0);
     let (mut z, mut kicked) = (start, start);
     let mut apart = 0.0;
-    for _ in 0..grid(h, convergence::DURATION).steps() {
+    for _ in 0..grid(convergence::DURATION, h).steps() {
         let theta = z.theta + z.omega * h + 0.5 * alpha(z.theta) * h * h;
         let omega = z.omega + 0.5 * (alpha(z.theta) + alpha(theta)) * h;
         z = Phase { theta, omega };

@@ -1,8 +1,4 @@
-//! The claims in the paper's sentences, each with its measurement and its verdict.
-//!
-//! The ids follow the paper: `A` abstract, `P` a section's number, `T1` and `T3` its tables of
-//! parameters, `F` a figure, `X` a question that its text leaves open and its numbers decide. One
-//! file for each part of the paper.
+//! The claims in the paper's sentences, measured: one file for each part of the paper.
 
 mod background;
 mod discussion;
@@ -28,63 +24,22 @@ use pendula_zoo::euler::DriftKick;
 
 use self::runs::*;
 
-use super::Verdict::{
-    self, DependsOnPlatform, DependsOnRounding, NotCheckable, Reproduced, ReproducedWithDefinition,
-    Wrong,
-};
-use super::cells::CELLS;
-use super::{Claim, Measured, Tolerance};
+use super::stated::{CELLS, SENTENCES};
+use super::{Claim, Measured, Tolerance, Verdict, row, stated};
 use crate::digits::Digits::{self, Fixed, Scientific, Significant};
 use crate::digits::rounds_to;
 use crate::experiments::PaperMethod;
 use crate::experiments::characteristics::EnergyBehaviour;
 use crate::experiments::{
-    STEPS, Study, convergence, energy_error, findings, large_angle, long_run, phase_portrait,
+    STEPS, Study, convergence, energy_error, findings, grid, large_angle, long_run, phase_portrait,
     small_angle, work,
 };
 
-/// A sentence of the paper.
-struct Prose {
-    id: &'static str,
-    place: &'static str,
-    stated: &'static str,
-    verdict: Verdict,
-    gist: &'static str,
-    because: &'static str,
-    definition: &'static str,
-    measure: fn(&Study) -> Finding,
-}
-
-/// What stands at `place` of the paper, and its verdict on record.
-const fn claim(
-    id: &'static str,
-    place: &'static str,
-    stated: &'static str,
-    verdict: Verdict,
-) -> Prose {
-    Prose { id, place, stated, verdict, gist: "", because: "", definition: "", measure: nothing }
-}
-
-impl Prose {
-    const fn gist(self, gist: &'static str) -> Self {
-        Self { gist, ..self }
-    }
-
-    const fn because(self, because: &'static str) -> Self {
-        Self { because, ..self }
-    }
-
-    const fn definition(self, definition: &'static str) -> Self {
-        Self { definition, ..self }
-    }
-
-    const fn measured(self, measure: fn(&Study) -> Finding) -> Self {
-        Self { measure, ..self }
-    }
-}
-
 /// What is measured, and how it compares with what is stated.
 type Finding = (Measured, Tolerance);
+
+/// How a sentence is measured.
+type Measure = fn(&Study) -> Finding;
 
 /// A number that has to meet the printed digits.
 const fn number(value: f64, format: Digits) -> Finding {
@@ -101,36 +56,26 @@ const fn says(text: String, holds: bool) -> Finding {
     (Measured::Text(text), Tolerance::Decided(holds))
 }
 
-const fn nothing(_: &Study) -> Finding {
-    (Measured::Nothing, Tolerance::PrintedDigits)
-}
+/// The sentences that can be measured, and how.
+const MEASURED: [&[(&str, Measure)]; 3] =
+    [background::MEASURED, results::MEASURED, discussion::MEASURED];
 
-/// The row of the method `id` in a table of rows.
-macro_rules! row {
-    ($rows:expr, $id:ident) => {
-        $rows
-            .iter()
-            .find(|row| PaperMethod::of(row.method) == Some(PaperMethod::$id))
-            .expect("one of the paper's methods")
-    };
-}
-use row;
-
-/// All claims in prose, measured.
+/// All claims in sentences, measured.
 pub(super) fn claims(study: &Study) -> impl Iterator<Item = Claim> {
-    let all = [background::CLAIMS, results::CLAIMS, discussion::CLAIMS];
-    all.into_iter().flatten().map(|prose| {
-        let (measured, tolerance) = (prose.measure)(study);
+    SENTENCES.iter().map(|sentence| {
+        let known = MEASURED.into_iter().flatten().find(|(id, _)| *id == sentence.id);
+        let nothing = (Measured::Nothing, Tolerance::PrintedDigits);
+        let (measured, tolerance) = known.map_or(nothing, |(_, measure)| measure(study));
         Claim {
-            id: prose.id.to_string(),
-            place: prose.place,
-            gist: prose.gist.to_string(),
-            definition: prose.definition,
-            stated: Some(prose.stated),
+            id: sentence.id.clone(),
+            place: &sentence.place,
+            gist: sentence.gist.clone(),
+            definition: &sentence.definition,
+            stated: Some(&sentence.stated),
             measured,
             tolerance,
-            verdict: prose.verdict,
-            because: prose.because,
+            verdict: sentence.verdict,
+            because: &sentence.because,
         }
     })
 }
@@ -142,20 +87,20 @@ fn is_near(value: f64, other: f64, distance: f64) -> bool {
 
 /// Whether a value rounds to what the paper prints in the cell of this id.
 fn prints_as(cell: &str, value: f64) -> bool {
-    let cell = CELLS.iter().find(|printed| printed.id == cell).expect("a cell of the paper");
-    rounds_to(value, cell.stated) == Some(true)
+    let cell = stated::cell(cell).expect("a cell of the paper");
+    rounds_to(value, &cell.stated) == Some(true)
 }
 
 /// The number that the paper prints in the cell of this id.
 fn printed(cell: &str) -> f64 {
-    let cell = CELLS.iter().find(|printed| printed.id == cell).expect("a cell of the paper");
+    let cell = stated::cell(cell).expect("a cell of the paper");
     cell.stated.parse().expect("a number")
 }
 
 /// The id of a cell of Table 6.
 fn cell_of_table_6(row: &small_angle::Row, step: usize) -> String {
     let method = PaperMethod::of(row.method).map_or("", PaperMethod::id);
-    std::format!("T6.{method}.{}", STEPS[step])
+    format!("T6.{method}.{}", STEPS[step])
 }
 
 /// Whether a method meets its cell of Table 6 at this one of the [`STEPS`].
@@ -166,14 +111,11 @@ fn meets_table_6(row: &small_angle::Row, step: usize) -> bool {
 /// A size of which rounding leaves no digit: that it is below a bound, or if not, how large it is.
 fn below(bound: f64, size: f64) -> String {
     if size < bound {
-        std::format!("below {}", Scientific(1).print(bound))
+        format!("below {}", Scientific(1).print(bound))
     } else {
         Scientific(1).print(size)
     }
 }
-
-/// Why no best of a table is judged.
-const NO_BOLD: &str = "The text that we have of the paper shows no bold type.";
 
 /// Whether slopes from `low` to `high` confirm this order, each to ± 0.15.
 fn confirms((low, high): (f64, f64), order: f64) -> bool {
@@ -203,11 +145,9 @@ fn orders_confirmed(study: &Study) -> Finding {
     let (rk4, fe) =
         (order_range(study, PaperMethod::Rk4), order_range(study, PaperMethod::ForwardEuler));
     says(
-        std::format!(
+        format!(
             "slopes of the energy error: RK4 up to {:.2}, forward Euler {:.2} to {:.2}",
-            rk4.1,
-            fe.0,
-            fe.1
+            rk4.1, fe.0, fe.1
         ),
         theory.into_iter().all(|(id, order)| confirms(order_range(study, id), order)),
     )
@@ -217,8 +157,8 @@ fn monotonic(study: &Study) -> Finding {
     let falls = row!(study.long_run, ForwardEuler).falls;
     let first =
         findings::first_fall(&ForwardEuler, long_run::THETA_0, long_run::STEP, long_run::DURATION);
-    let since = first.map_or_else(String::new, |t| std::format!(", the first at {t:.2} s"));
-    says(std::format!("{falls} of 100 000 steps lower the energy{since}"), falls == 0)
+    let since = first.map_or_else(String::new, |t| format!(", the first at {t:.2} s"));
+    says(format!("{falls} of 100 000 steps lower the energy{since}"), falls == 0)
 }
 
 /// Whether an orbit of `method` from the chaotic layer crosses u = ω Δt = 2π, which it can only
@@ -252,7 +192,7 @@ fn bounded(_: &Study) -> Finding {
         (false, true) => "Störmer–Verlet bounded",
     };
     says(
-        std::format!(
+        format!(
             "at 0.01 s {} over 10⁶ steps; at K = 0.9 {}; at K = 1.5 {}",
             words(0),
             words(1),
@@ -260,6 +200,12 @@ fn bounded(_: &Study) -> Finding {
         ),
         euler[0] && verlet[0],
     )
+}
+
+/// Störmer–Verlet's RMS angle error over RK4's for so many evaluations each, from 1 rad over 10 s.
+fn verlet_over_rk4(evaluations: u64) -> f64 {
+    findings::error_for_work(&StormerVerlet, evaluations)
+        / findings::error_for_work(&Rk4, evaluations)
 }
 
 fn largest_formula_error(theta_0: f64, step: f64) -> f64 {
@@ -270,7 +216,20 @@ fn largest_formula_error(theta_0: f64, step: f64) -> f64 {
 mod tests {
     use rstest::rstest;
 
-    use super::{below, confirms, has_not_grown};
+    use super::{MEASURED, SENTENCES, below, confirms, has_not_grown};
+
+    /// Catches: a measurement under an id that no sentence has, and two under one.
+    #[test]
+    fn every_measurement_is_that_of_a_sentence() {
+        let mut ids: Vec<&str> = MEASURED.into_iter().flatten().map(|(id, _)| *id).collect();
+        for id in &ids {
+            assert!(SENTENCES.iter().any(|sentence| sentence.id == *id), "{id}");
+        }
+        let count = ids.len();
+        ids.sort_unstable();
+        ids.dedup();
+        assert_eq!(ids.len(), count, "an id stands twice");
+    }
 
     /// Catches: an order confirmed by one of its slopes, or by none.
     #[rstest]
