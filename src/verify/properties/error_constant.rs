@@ -216,9 +216,6 @@ fn check_in_long_steps(
 
 /// Whether the error over hᵖ is the constant known for the method, or the one that follows from its
 /// single steps.
-///
-/// # Errors
-/// Says what is not, and by how much.
 pub fn check(method: &dyn AnyMethod) -> CheckResult {
     let info = method.info();
     let name = info.name;

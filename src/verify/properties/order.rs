@@ -5,9 +5,6 @@ use super::{CheckResult, Ladder, near};
 use crate::AnyMethod;
 
 /// Whether every slope on the ladder is the order of the entry.
-///
-/// # Errors
-/// Says what is not, and by how much.
 pub fn check(method: &dyn AnyMethod) -> CheckResult {
     let order = method.info().order;
     let ladder = Ladder::measure(method);
