@@ -3,14 +3,14 @@
 use core::fmt;
 
 use super::claims::Claims;
-use super::identity::{Asked, Identity, Seen};
+use super::identity::{Asked, Identity, Seen, own_states};
 use super::number::{Scientific, raised};
-use super::probe::{G_OVER_L, Probe, Run, distance, frequency, pendulum, step};
+use super::probe::{G_OVER_L, Probe, Run, distance, frequency, pendulum, states_after, step};
 use super::report::Report;
 use super::scaled::Scaled;
 use super::verdict::Measured;
 use crate::systems::Phase;
-use crate::{AnyMethod, Grid, METHODS, Pendulum};
+use crate::{AnyMethod, METHODS, Pendulum};
 
 /// The one thing in which a run differs from that of a known method.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -87,39 +87,28 @@ fn states(
     count: u64,
 ) -> Option<Vec<Phase>> {
     let ordinary = pendulum(G_OVER_L);
-    let kick = |z: Phase, kicks: f64| Seen { kicks, drifts: 0.0 }.from_its_own(G_OVER_L, z, h);
     let run = |pendulum: &Pendulum, start: Phase, h: f64, count: u64| {
-        // A negative step is one of the mirrored motion.
-        let along = |z: Phase| Phase { omega: h.signum() * z.omega, ..z };
-        let grid = Grid::new(h.abs(), count).ok()?;
-        let mut seen = Vec::new();
-        method.run(pendulum, along(start), &grid, &mut |n: u64, _: f64, z: Phase| {
-            if n > 0 {
-                seen.push(along(z));
-            }
-        });
-        Some(seen)
+        states_after(method, pendulum, start, h, count)
     };
     let with = |g_over_l| Pendulum::new(g_over_l, 1.0, 1.0).ok();
-    let moved = |states: Vec<Phase>, seen: Seen| -> Vec<Phase> {
-        states.into_iter().map(|z| seen.from_its_own(G_OVER_L, z, h)).collect()
-    };
     match but {
         But::Nothing => run(&ordinary, start, h, count),
-        But::Seen(seen) => {
-            let own = seen.into_its_own(G_OVER_L, start, h);
-            Some(moved(run(&ordinary, own, h, count)?, seen))
+        But::Seen(seen) => own_states(method, seen, start, h, count),
+        But::Reported(seen) => {
+            let states = run(&ordinary, start, h, count)?.into_iter();
+            Some(states.map(|z| seen.from_its_own(G_OVER_L, z, h)).collect())
         }
-        But::Reported(seen) => Some(moved(run(&ordinary, start, h, count)?, seen)),
         But::Begun(seen) => run(&ordinary, seen.from_its_own(G_OVER_L, start, h), h, count),
         But::WithoutFirstHalfKick | But::WithoutLastHalfKick => {
             let first = but == But::WithoutFirstHalfKick;
+            let back = Seen { kicks: -0.5, drifts: 0.0 };
+            let kicked_back = |z: Phase| back.from_its_own(G_OVER_L, z, h);
             let mut z = start;
             (0..count)
                 .map(|_| {
-                    let before = if first { kick(z, -0.5) } else { z };
+                    let before = if first { kicked_back(z) } else { z };
                     let after = *run(&ordinary, before, h, 1)?.last()?;
-                    z = if first { after } else { kick(after, -0.5) };
+                    z = if first { after } else { kicked_back(after) };
                     Some(z)
                 })
                 .collect()
