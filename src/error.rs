@@ -105,8 +105,8 @@ impl core::error::Error for Error {}
 /// 2⁵³: up to here every integer is an f64, so that the count of steps is never rounded.
 pub const MAX_STEPS: u64 = 1 << 53;
 
-/// Returns `value` if it `fits`; otherwise the error says what is `allowed`. A comparison with a NaN
-/// is false, so that it does not fit.
+/// Returns `value` if it `fits`; otherwise the error says what is `allowed`. A comparison with a
+/// NaN is false, so that it does not fit.
 pub(crate) fn checked(
     name: &'static str,
     value: f64,

@@ -8,10 +8,17 @@ mod area;
 mod changes_of_variables;
 mod error_constant;
 mod known_answers;
-mod linear_oscillator;
-mod linearised;
+mod linear;
 mod order;
-mod order_conditions;
+mod order_conditions {
+    //! The coefficient tables of the methods against the conditions of their order: a file for each
+    //! family.
+
+    mod implicit;
+    mod processed;
+    mod runge_kutta;
+    mod splitting;
+}
 mod pendulum_symmetries;
 mod registry;
 mod step;
