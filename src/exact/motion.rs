@@ -21,7 +21,7 @@
 
 use super::elliptic::{Jacobi, Values, carlson_rf};
 use super::fourier::FourierSeries;
-use super::half_turns::unwrapped;
+use super::unwrapped;
 use crate::arithmetic::double_double::{DoubleDouble, reduced_sine_cosine};
 use crate::error::{Error, checked, finite};
 use crate::systems::{Pendulum, Phase, angle};

@@ -5,10 +5,10 @@ use core::fmt;
 
 use super::answers::Match;
 use super::claims::Claims;
-use super::number::{Scientific, about, raised};
 use super::probe::{
     G_OVER_L, Probe, Run, distance, exact, frequency, pendulum, states_after, step,
 };
+use super::report::{Scientific, about, raised};
 use super::verdict::{Measured, Told, Trouble, Verdict};
 use crate::systems::{Phase, Separable};
 use crate::verify::known_answers;

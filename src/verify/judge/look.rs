@@ -2,11 +2,9 @@
 
 use super::claims::Claims;
 use super::expansion::{self, Deviation};
-use super::number::{about, raised};
 use super::probe::Probe;
-use super::report::{Finding, Report};
-use super::resemblance;
-use super::scaled::Scaled;
+use super::report::{Finding, Report, about, raised};
+use super::resemblance::{self, Scaled};
 use super::verdict::{Measured, Verdict, told};
 use crate::verify::known_answers::{Known, Mistake};
 

@@ -1,8 +1,8 @@
 //! The replies themselves: whether the same request has the same one, how their numbers round, and
 //! the evaluations that they count.
 
-use super::number::about;
 use super::probe::{Probe, Run, distance, step};
+use super::report::about;
 use super::verdict::{Measured, Told, Verdict};
 use crate::systems::Phase;
 

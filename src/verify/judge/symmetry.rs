@@ -3,8 +3,8 @@
 
 use core::f64::consts::TAU;
 
-use super::number::{about, scientific};
 use super::probe::{G_OVER_L, Probe, Run, distance, step};
+use super::report::{about, scientific};
 use super::verdict::{Measured, Told, Trouble, Verdict, told};
 use crate::systems::Phase;
 
