@@ -10,15 +10,7 @@ mod error_constant;
 mod known_answers;
 mod linear;
 mod order;
-mod order_conditions {
-    //! The coefficient tables of the methods against the conditions of their order: a file for each
-    //! family.
-
-    mod implicit;
-    mod processed;
-    mod runge_kutta;
-    mod splitting;
-}
+mod order_conditions;
 mod pendulum_symmetries;
 mod registry;
 mod step;
