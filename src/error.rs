@@ -105,48 +105,39 @@ impl core::error::Error for Error {}
 /// 2⁵³: up to here every integer is an f64, so that the count of steps is never rounded.
 pub const MAX_STEPS: u64 = 1 << 53;
 
+/// Returns `value` if it `fits`; otherwise the error says what is `allowed`. A comparison with a
+/// NaN is false, so that it does not fit.
+pub(crate) fn checked(
+    name: &'static str,
+    value: f64,
+    fits: bool,
+    allowed: &'static str,
+) -> Result<f64, Error> {
+    if fits { Ok(value) } else { Err(Error::Parameter { name, value, allowed }) }
+}
+
 /// Returns `value` if it is finite and greater than zero.
 pub(crate) fn positive(name: &'static str, value: f64) -> Result<f64, Error> {
-    if value.is_finite() && value > 0.0 {
-        Ok(value)
-    } else {
-        Err(Error::Parameter { name, value, allowed: "finite and greater than zero" })
-    }
+    checked(name, value, value.is_finite() && value > 0.0, "finite and greater than zero")
 }
 
 /// Returns `value` if it is finite.
 pub(crate) fn finite(name: &'static str, value: f64) -> Result<f64, Error> {
-    if value.is_finite() {
-        Ok(value)
-    } else {
-        Err(Error::Parameter { name, value, allowed: "finite" })
-    }
+    checked(name, value, value.is_finite(), "finite")
 }
 
 /// Returns `value` if it is zero or greater, and finite when doubled.
 pub(crate) fn not_negative(name: &'static str, value: f64) -> Result<f64, Error> {
-    if value >= 0.0 && (2.0 * value).is_finite() {
-        Ok(value)
-    } else {
-        Err(Error::Parameter { name, value, allowed: "between 0 and 8.9e307" })
-    }
+    checked(name, value, value >= 0.0 && (2.0 * value).is_finite(), "between 0 and 8.9e307")
 }
 
 /// Returns the angular frequency `value` (rad/s) if it is greater than zero, and its period finite.
 pub(crate) fn frequency(name: &'static str, value: f64) -> Result<f64, Error> {
-    let value = positive(name, value)?;
-    if (2.0 * core::f64::consts::PI / value).is_finite() {
-        Ok(value)
-    } else {
-        Err(Error::Parameter { name, value, allowed: "at least 3.5e-308: its period is finite" })
-    }
+    let has_period = (2.0 * core::f64::consts::PI / positive(name, value)?).is_finite();
+    checked(name, value, has_period, "at least 3.5e-308: its period is finite")
 }
 
 /// Returns `value`, a product of parameters, if it neither overflowed nor lost digits to underflow.
 pub(crate) fn normal(name: &'static str, value: f64) -> Result<f64, Error> {
-    if value.is_normal() {
-        Ok(value)
-    } else {
-        Err(Error::Parameter { name, value, allowed: "between 2.3e-308 and 1.8e308" })
-    }
+    checked(name, value, value.is_normal(), "between 2.3e-308 and 1.8e308")
 }

@@ -138,7 +138,7 @@ pub mod internals {
         pub use crate::verify::judge::expansion::{Deviation, deviation_with};
         pub use crate::verify::judge::loss::Loss;
         pub use crate::verify::judge::order::verdict as order;
-        pub use crate::verify::judge::precision::judge as precision;
+        pub use crate::verify::judge::replies::judge_precision as precision;
         pub use crate::verify::judge::reversal::{Way, judge as reversal};
         pub use crate::verify::judge::stage_times::verdict as stage_times;
         pub use crate::verify::judge::symmetry::Apart;

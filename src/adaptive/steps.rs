@@ -2,7 +2,7 @@
 
 use super::controlled::{Controlled, Times};
 use super::{Adaptive, Dense};
-use crate::error::Error;
+use crate::error::{Error, finite};
 use crate::systems::{Components, Counting, System};
 
 /// The cost of a sequence of steps so far.
@@ -89,13 +89,9 @@ where
         until: f64,
     ) -> Result<Self, Error> {
         let duration = until - t;
-        for (name, value) in
-            [("start time (s)", t), ("end time (s)", until), ("duration (s)", duration)]
-        {
-            if !value.is_finite() {
-                return Err(Error::Parameter { name, value, allowed: "finite" });
-            }
-        }
+        finite("start time (s)", t)?;
+        finite("end time (s)", until)?;
+        finite("duration (s)", duration)?;
         let system = Counting::new(system);
         let Adaptive { method, tolerance, .. } = &adaptive;
         let memory = method.begin(&system, tolerance, t, z, duration);

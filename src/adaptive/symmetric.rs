@@ -5,7 +5,7 @@
 //! 1838–1851) let the density of the steps be a variable with a rate of its own. It leapfrogs with
 //! the state, and the whole is symmetric.
 
-use crate::error::{Error, positive};
+use crate::error::{Error, checked, positive};
 use crate::systems::Separable;
 
 /// Störmer–Verlet with a step h = ε/ρ, where the density ρ of the steps follows the motion.
@@ -75,13 +75,8 @@ impl<'a, S: Separable, G: Fn(S::State) -> f64> SymmetricSteps<'a, S, G> {
     fn step(&mut self) -> Result<Sample<S::State>, Error> {
         let Self { system, epsilon, force, sample: Sample { t, z, density }, .. } = *self;
         let between = density + 0.5 * epsilon * (self.density_rate)(z);
-        if between.is_nan() || between <= 0.0 {
-            return Err(Error::Parameter {
-                name: "density ρ of the steps",
-                value: between,
-                allowed: "positive: the first step ε must be smaller",
-            });
-        }
+        let allowed = "positive: the first step ε must be smaller";
+        checked("density ρ of the steps", between, between > 0.0, allowed)?;
         let h = epsilon / between;
         let z = system.drift(system.kick(z, force, 0.5 * h), h);
         let force = system.force(t + h, z);

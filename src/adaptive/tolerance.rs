@@ -1,6 +1,6 @@
 //! The error allowed in a step.
 
-use crate::error::{Error, positive};
+use crate::error::{Error, checked, positive};
 use crate::systems::Components;
 
 /// The error allowed in one step, in each component x of the state: absolute + relative · |x|.
@@ -25,15 +25,9 @@ impl Tolerance {
     /// relative one that is not between [`SMALLEST_RELATIVE`] and 1.
     pub fn new(absolute: f64, relative: f64) -> Result<Self, Error> {
         let absolute = positive("absolute tolerance", absolute)?;
-        // A NaN is in no range, and is refused.
-        if !(SMALLEST_RELATIVE..1.0).contains(&relative) {
-            return Err(Error::Parameter {
-                name: "relative tolerance",
-                value: relative,
-                allowed: "at least 2.22e-15, ten roundings of an f64, and less than 1",
-            });
-        }
-        Ok(Self { absolute, relative })
+        let fits = (SMALLEST_RELATIVE..1.0).contains(&relative);
+        let allowed = "at least 2.22e-15, ten roundings of an f64, and less than 1";
+        Ok(Self { absolute, relative: checked("relative tolerance", relative, fits, allowed)? })
     }
 
     /// The same number for both.

@@ -2,7 +2,7 @@
 
 use super::stroboscope::Stroboscope;
 use super::variation::{Bundle, Linearised, Variational};
-use crate::error::Error;
+use crate::error::{Error, checked};
 use crate::integrate::Method;
 use crate::systems::Phase;
 
@@ -32,14 +32,8 @@ impl Watch {
     /// [`Error::Parameter`] for fewer than two blocks, which have no scatter, and for blocks
     /// without a period.
     pub fn new(settling: u32, blocks: u32, periods: u32) -> Result<Self, Error> {
-        for (name, value, least, allowed) in [
-            ("number of blocks", blocks, 2, "at least 2"),
-            ("periods of a block", periods, 1, "at least 1"),
-        ] {
-            if value < least {
-                return Err(Error::Parameter { name, value: f64::from(value), allowed });
-            }
-        }
+        checked("number of blocks", blocks.into(), blocks >= 2, "at least 2")?;
+        checked("periods of a block", periods.into(), periods >= 1, "at least 1")?;
         Ok(Self { settling, blocks, periods })
     }
 }

@@ -1,7 +1,7 @@
 //! A periodically driven system, sampled once a period.
 
 use super::variation::{Bundle, Linearised, Variational};
-use crate::error::{Error, positive};
+use crate::error::{Error, checked, positive};
 use crate::integrate::{Grid, Method, integrate};
 use crate::systems::{Phase, System};
 
@@ -25,10 +25,7 @@ impl<'a, S, M> Stroboscope<'a, S, M> {
     /// [`Error::TooManySteps`].
     pub fn new(system: &'a S, method: &'a M, period: f64, steps: u64) -> Result<Self, Error> {
         let period = positive("period (s)", period)?;
-        if steps == 0 {
-            let allowed = "at least 1";
-            return Err(Error::Parameter { name: "steps a period", value: 0.0, allowed });
-        }
+        checked("steps a period", steps as f64, steps >= 1, "at least 1")?;
         Ok(Self { system, method, grid: Grid::new(period / steps as f64, steps)? })
     }
 

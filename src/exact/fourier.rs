@@ -14,7 +14,7 @@
 
 use core::f64::consts::{FRAC_PI_2, PI};
 
-use super::half_turns::unwrapped;
+use super::unwrapped;
 use crate::arithmetic::double_double::DoubleDouble;
 use crate::arithmetic::sine::{ROUNDER, quarter_turns_and};
 use crate::arithmetic::vectorized;

@@ -22,13 +22,13 @@
 
 pub(crate) mod elliptic;
 mod fourier;
-mod half_turns;
 mod motion;
 
 pub use elliptic::complete_elliptic_k;
 pub use fourier::FourierSeries;
 pub use motion::{Motion, MotionKind};
 
+use crate::arithmetic::double_double::DoubleDouble;
 use crate::arithmetic::sine::{cos, sin};
 use crate::error::{Error, finite};
 use crate::systems::Pendulum;
@@ -97,3 +97,10 @@ impl Swing {
     }
 }
 // ANCHOR_END: period
+
+/// `half_turns` π + `angle`, rounded as if once: π and its multiple are double-doubles.
+#[inline]
+fn unwrapped(half_turns: f64, angle: f64) -> f64 {
+    let turned = DoubleDouble::HALF_PI.scaled(2.0) * DoubleDouble::new(half_turns);
+    turned.rounded() + (turned.remainder() + angle)
+}

@@ -21,9 +21,9 @@
 
 use super::elliptic::{Jacobi, Values, carlson_rf};
 use super::fourier::FourierSeries;
-use super::half_turns::unwrapped;
+use super::unwrapped;
 use crate::arithmetic::double_double::{DoubleDouble, reduced_sine_cosine};
-use crate::error::{Error, finite};
+use crate::error::{Error, checked, finite};
 use crate::systems::{Pendulum, Phase, angle};
 
 /// What the pendulum does for all time.
@@ -126,13 +126,11 @@ impl Motion {
     pub fn new(pendulum: &Pendulum, start: Phase) -> Result<Self, Error> {
         let theta = angle(start.theta)?;
         let omega = finite(VELOCITY, start.omega)?;
-        if libm::fabs(omega) > LARGEST_VELOCITY {
-            return Err(refused(VELOCITY, omega, "at most 1e295 in size"));
-        }
+        let fits = libm::fabs(omega) <= LARGEST_VELOCITY;
+        checked(VELOCITY, omega, fits, "at most 1e295 in size")?;
         let time = TimeUnit::new(pendulum);
-        if libm::fabs(omega * time.unit) > FASTEST {
-            return Err(refused(VELOCITY, omega, "at most 3e150 √(g/L) in size"));
-        }
+        let fits = libm::fabs(omega * time.unit) <= FASTEST;
+        checked(VELOCITY, omega, fits, "at most 3e150 √(g/L) in size")?;
         let backward = omega < 0.0 || (omega == 0.0 && theta < 0.0);
         let direction = if backward { -1.0 } else { 1.0 };
         let (theta, omega) = (direction * theta, direction * omega);
@@ -141,10 +139,9 @@ impl Motion {
         // lest its square underflow.
         let size = f64::max(libm::fabs(theta), omega * time.unit);
         if size == 0.0 {
-            return match omega {
-                0.0 => Ok(Self::along(Course::Rest)),
-                _ => Err(refused(VELOCITY, start.omega, "zero, or at least 5e-324 √(g/L) in size")),
-            };
+            let allowed = "zero, or at least 5e-324 √(g/L) in size";
+            checked(VELOCITY, start.omega, omega == 0.0, allowed)?;
+            return Ok(Self::along(Course::Rest));
         }
         let grow = if size < LINEAR { libm::ldexp(LINEAR, -libm::ilogb(size)) } else { 1.0 };
         let (theta, omega) = (theta * grow, omega * grow * time.unit);
@@ -479,8 +476,4 @@ impl HalfAngle {
 #[inline]
 fn is_even(integer: f64) -> bool {
     libm::rint(0.5 * integer) == 0.5 * integer
-}
-
-fn refused(name: &'static str, value: f64, allowed: &'static str) -> Error {
-    Error::Parameter { name, value, allowed }
 }

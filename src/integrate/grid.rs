@@ -1,6 +1,6 @@
 //! The grid of times: an integer number of steps, and the time computed from the step count.
 
-use crate::error::{Error, MAX_STEPS, positive};
+use crate::error::{Error, MAX_STEPS, finite, positive};
 
 /// The times n h for n = 0 … N (s).
 ///
@@ -34,14 +34,7 @@ impl Grid {
         if steps > MAX_STEPS {
             return Err(Error::TooManySteps { steps: steps as f64 });
         }
-        let duration = steps as f64 * step;
-        if !duration.is_finite() {
-            return Err(Error::Parameter {
-                name: "duration (s)",
-                value: duration,
-                allowed: "finite",
-            });
-        }
+        finite("duration (s)", steps as f64 * step)?;
         Ok(Self { step, steps })
     }
 

@@ -1,16 +1,14 @@
 //! The time loop: a system, a method, a start, a grid of times, and an observer of what happens.
 
-mod checkpoint;
 mod grid;
 mod method;
 mod observe;
 mod run;
 
-pub use checkpoint::{CHECKPOINT_NUMBERS, Checkpoint};
 pub use grid::Grid;
 pub use method::{Method, Unsolved};
 pub use observe::{Every, Observer, Record};
-pub use run::{Run, Steps, Taken};
+pub use run::{CHECKPOINT_NUMBERS, Checkpoint, Run, Steps, Taken};
 
 use crate::error::Error;
 use crate::systems::System;

@@ -2,7 +2,7 @@
 
 use crate::arithmetic::number::Number;
 use crate::arithmetic::sine::{cos, sin};
-use crate::error::{Error, finite, positive};
+use crate::error::{Error, checked, finite, positive};
 use crate::state;
 use crate::systems::{Hamiltonian, System, angle};
 
@@ -80,13 +80,8 @@ impl DoublePendulum {
             },
         };
         let ratio = lower.mass / upper.mass;
-        if ratio > LARGEST_MASS_RATIO {
-            return Err(Error::Parameter {
-                name: "ratio m₂/m₁ of the masses",
-                value: ratio,
-                allowed: "at most 1e6, beyond which momenta do not hold the velocities to 1e-8",
-            });
-        }
+        let allowed = "at most 1e6, beyond which momenta do not hold the velocities to 1e-8";
+        checked("ratio m₂/m₁ of the masses", ratio, ratio <= LARGEST_MASS_RATIO, allowed)?;
         Ok(double)
     }
 
@@ -232,11 +227,7 @@ impl DoublePendulum {
 /// Returns `value` if products of several such parameters stay in the range of f64.
 fn moderate(name: &'static str, value: f64) -> Result<f64, Error> {
     let value = positive(name, value)?;
-    if (1e-30..=1e30).contains(&value) {
-        Ok(value)
-    } else {
-        Err(Error::Parameter { name, value, allowed: "between 1e-30 and 1e30" })
-    }
+    checked(name, value, (1e-30..=1e30).contains(&value), "between 1e-30 and 1e30")
 }
 
 impl System for DoublePendulum {

@@ -4,7 +4,7 @@
 use core::f64::consts::PI;
 
 use crate::arithmetic::sine::{cos, sin};
-use crate::error::{Error, normal, positive};
+use crate::error::{Error, checked, normal, positive};
 use crate::state;
 use crate::systems::{Hamiltonian, Separable, System};
 
@@ -95,10 +95,8 @@ impl Ellipse {
     /// numbers.
     pub fn new(centre: &Kepler, semi_major: f64, eccentricity: f64) -> Result<Self, Error> {
         let semi_major = positive("semi-major axis a (m)", semi_major)?;
-        if !(0.0..1.0).contains(&eccentricity) {
-            let allowed = "at least 0 and below 1";
-            return Err(Error::Parameter { name: "eccentricity e", value: eccentricity, allowed });
-        }
+        let fits = (0.0..1.0).contains(&eccentricity);
+        checked("eccentricity e", eccentricity, fits, "at least 0 and below 1")?;
         let ellipse = Self { attraction: centre.attraction, semi_major, eccentricity };
         normal("mean motion √(μ/a³) (rad/s)", ellipse.mean_motion())?;
         normal("period 2π√(a³/μ) (s)", ellipse.period())?;

@@ -5,7 +5,7 @@ use core::f64::consts::PI;
 use crate::arithmetic::number::Number;
 use crate::arithmetic::sine::{cos, half_turn};
 use crate::arithmetic::vectorized;
-use crate::error::{Error, normal, positive};
+use crate::error::{Error, checked, normal, positive};
 use crate::systems::{Hamiltonian, Phase, Separable, System};
 
 /// The simple pendulum, θ̈ + (g/L) sin θ = 0 (paper, Eq. 1).
@@ -56,12 +56,9 @@ impl Pendulum {
     /// for an ω whose energy overflows.
     pub fn start(&self, theta: f64, omega: f64) -> Result<Phase, Error> {
         let start = Phase { theta: angle(theta)?, omega };
-        if self.energy(start).is_finite() {
-            Ok(start)
-        } else {
-            let name = "angular velocity ω (rad/s)";
-            Err(Error::Parameter { name, value: omega, allowed: "finite, and so its energy" })
-        }
+        let is_finite = self.energy(start).is_finite();
+        checked("angular velocity ω (rad/s)", omega, is_finite, "finite, and so its energy")?;
+        Ok(start)
     }
 
     /// Gravitational acceleration g (m/s²).
@@ -219,13 +216,8 @@ pub const LARGEST_ANGLE: f64 = 1e15;
 
 /// Returns `theta` if it is at most [`LARGEST_ANGLE`] in size.
 pub(crate) fn angle(theta: f64) -> Result<f64, Error> {
-    // NaN fails this comparison too.
-    if libm::fabs(theta) <= LARGEST_ANGLE {
-        Ok(theta)
-    } else {
-        let name = "angle θ (rad)";
-        Err(Error::Parameter { name, value: theta, allowed: "finite, and at most 1e15 in size" })
-    }
+    let fits = libm::fabs(theta) <= LARGEST_ANGLE;
+    checked("angle θ (rad)", theta, fits, "finite, and at most 1e15 in size")
 }
 
 /// The product of three positive numbers, rounded as if no part of it could overflow or underflow.

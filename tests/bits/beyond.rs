@@ -15,7 +15,7 @@ use pendula::{
     Rk4, Separable, Shaken, StormerVerlet, System, integrate,
 };
 
-use crate::hash::{Hash, Numbers, common};
+use crate::{Hash, Numbers, common};
 
 /// Adds every state of `steps` steps to `hash`.
 fn run<S, M>(hash: &mut Hash, system: &S, method: &M, start: S::State, (step, steps): (f64, u64))

@@ -10,7 +10,7 @@ use pendula::metrics::{
 };
 use pendula::{Grid, Motion, Pendulum, Phase, StormerVerlet, integrate};
 
-use crate::hash::{Hash, Numbers};
+use crate::{Hash, Numbers};
 
 /// How often each function is evaluated.
 const SAMPLES: u64 = 30_000;

@@ -6,8 +6,10 @@
 
 mod beyond;
 mod exact;
-mod hash;
 mod methods;
+
+use pendula::systems::{DoublePhase, PlanePhase};
+use pendula::{CompensatedPhase, Phase};
 
 /// What is computed, in a few words, and the hash of its bits.
 pub type Line = (String, u64);
@@ -19,4 +21,88 @@ pub fn lines() -> Vec<Line> {
     lines.extend(exact::lines().map(named));
     lines.extend(beyond::lines().map(named));
     lines
+}
+
+/// FNV-1a over words of 64 bits. How a processor orders the bytes of a word does not matter to it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Hash(u64);
+
+impl Hash {
+    /// The hash of nothing.
+    const fn new() -> Self {
+        Self(0xcbf2_9ce4_8422_2325)
+    }
+
+    /// Adds a word.
+    const fn word(&mut self, word: u64) {
+        self.0 = (self.0 ^ word).wrapping_mul(0x0100_0000_01b3);
+    }
+
+    /// Adds the bits of the numbers.
+    ///
+    /// # Panics
+    /// If one is NaN. Which of its many bit patterns a NaN has is the processor's choice, so that
+    /// scenes with a NaN are of no use here.
+    fn add(&mut self, numbers: impl Numbers) {
+        numbers.each(|x| {
+            assert!(!x.is_nan(), "a NaN");
+            self.word(x.to_bits());
+        });
+    }
+
+    /// The value.
+    const fn value(self) -> u64 {
+        self.0
+    }
+}
+
+/// The hash that several ways to the same numbers give. If they differ, the hash of their hashes,
+/// which is none of them.
+fn common(hashes: &[u64]) -> u64 {
+    let mut all = Hash::new();
+    hashes.iter().for_each(|hash| all.word(*hash));
+    if hashes.iter().all(|hash| *hash == hashes[0]) { hashes[0] } else { all.value() }
+}
+
+/// What consists of numbers.
+trait Numbers {
+    /// Passes each to `take`.
+    fn each(self, take: impl FnMut(f64));
+}
+
+impl<const N: usize> Numbers for [f64; N] {
+    fn each(self, take: impl FnMut(f64)) {
+        self.into_iter().for_each(take);
+    }
+}
+
+impl Numbers for f64 {
+    fn each(self, take: impl FnMut(f64)) {
+        [self].each(take);
+    }
+}
+
+impl Numbers for Phase {
+    fn each(self, take: impl FnMut(f64)) {
+        [self.theta, self.omega].each(take);
+    }
+}
+
+impl Numbers for CompensatedPhase {
+    fn each(self, take: impl FnMut(f64)) {
+        let Self { phase, lost } = self;
+        [phase.theta, phase.omega, lost.theta, lost.omega].each(take);
+    }
+}
+
+impl Numbers for DoublePhase {
+    fn each(self, take: impl FnMut(f64)) {
+        [self.theta1, self.theta2, self.p1, self.p2].each(take);
+    }
+}
+
+impl Numbers for PlanePhase {
+    fn each(self, take: impl FnMut(f64)) {
+        [self.x, self.y, self.vx, self.vy].each(take);
+    }
 }

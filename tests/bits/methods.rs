@@ -10,8 +10,7 @@ use pendula::{
     systems,
 };
 
-use crate::Line;
-use crate::hash::{Hash, Numbers, common};
+use crate::{Hash, Line, Numbers, common};
 
 /// The hash of every state of four runs of `steps` steps: swinging, nearly over the top, rotating,
 /// and starting many turns from zero; with L ≠ 1 and a step that is not a power of two.

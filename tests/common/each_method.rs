@@ -77,9 +77,30 @@ macro_rules! by_name {
     };
 }
 
-/// The paper's, and one with L ≠ 1, m ≠ 1 and another ω₀.
+/// L ≠ 1, m ≠ 1 and ω₀ ≠ 1, so that a missing factor shows.
+pub fn pendulum() -> Pendulum {
+    Pendulum::new(9.81, 2.5, 0.7).unwrap()
+}
+
+/// The paper's, and that one.
 pub fn pendulums() -> [Pendulum; 2] {
-    [Pendulum::PAPER, Pendulum::new(9.81, 2.5, 0.7).unwrap()]
+    [Pendulum::PAPER, pendulum()]
+}
+
+/// The bits of a state; those of all NaNs are the same.
+pub fn bits(z: Phase) -> [u64; 2] {
+    [z.theta, z.omega].map(|x| if x.is_nan() { f64::NAN.to_bits() } else { x.to_bits() })
+}
+
+/// Keeps n and the bits of time and state of every sample, so that a zero differs from a negative
+/// zero.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Samples(pub Vec<(u64, u64, [u64; 2])>);
+
+impl Observer<Phase> for Samples {
+    fn observe(&mut self, n: u64, t: f64, z: Phase) {
+        self.0.push((n, t.to_bits(), bits(z)));
+    }
 }
 
 /// Keeps the states, and is satisfied with the first `N`.
@@ -126,4 +147,38 @@ pub fn try_integrate<S: System<State: Numbers> + Copy>(
 ) -> Result<S::State, Error> {
     observer.observe(0, 0.0, start);
     Run::start(system, method, start, grid).advance(grid.steps(), NonZeroU64::MIN, observer)
+}
+
+/// The generator SplitMix64 (Steele, Lea, Flood, *OOPSLA* 2014).
+#[derive(Clone, Debug)]
+pub struct Random(u64);
+
+impl Random {
+    /// The sequence that begins at `seed`.
+    pub const fn new(seed: u64) -> Self {
+        Self(seed)
+    }
+
+    /// 64 random bits.
+    pub const fn bits(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let x = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        let x = (x ^ (x >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        x ^ (x >> 31)
+    }
+
+    /// A number evenly between `low` and `high`.
+    pub const fn between(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * ((self.bits() >> 11) as f64 / (1_u64 << 53) as f64)
+    }
+
+    /// A whole number below `count`.
+    pub const fn below(&mut self, count: usize) -> usize {
+        (self.bits() % count as u64) as usize
+    }
+
+    /// One of `choices`.
+    pub const fn one_of<T: Copy>(&mut self, choices: &[T]) -> T {
+        choices[self.below(choices.len())]
+    }
 }

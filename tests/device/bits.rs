@@ -5,9 +5,11 @@ use core::num::NonZeroU64;
 
 use pendula::integrate::Every;
 use pendula::metrics::EnergyDrift;
-use pendula::{Ensemble, Grid, Observer, Pendulum, Phase};
+use pendula::{Ensemble, Grid, Pendulum, Phase};
 use pendula_device::kernel::Program;
 use pendula_device::{Device, OnDevice, devices, method_named, methods};
+
+use crate::common::{Samples, bits};
 
 /// The devices with double precision.
 pub fn usable() -> Vec<Device> {
@@ -48,11 +50,6 @@ fn scenes() -> [(Pendulum, Grid); 4] {
         (moon, Grid::new(0.05, 80).expect("positive")),
         (Pendulum::PAPER, Grid::new(0.02, 1).expect("positive")),
     ]
-}
-
-fn bits(z: Phase) -> [u64; 2] {
-    // The payload of a NaN is no result.
-    [z.theta, z.omega].map(|x| if x.is_nan() { u64::MAX } else { x.to_bits() })
 }
 
 fn compare(device: &Device, method: OnDevice) {
@@ -110,26 +107,15 @@ fn every_kth_state_is_that_of_a_trajectory_alone() {
         // Room for forty: a state of this method has ten numbers, a pendulum four constants, and
         // four numbers are looked at.
         device.largest_buffer = 40 * 8 * (10 + 4 + 4);
-        let mut seen = vec![Record::default(); starts.len()];
+        let mut seen = vec![Samples::default(); starts.len()];
         let mut compiled = device.compile(method).expect("a device that works");
         compiled.watch(&ensemble, every, &mut seen).expect("a device that works");
         for (start, seen) in starts.iter().zip(seen) {
-            let mut alone = Record::default();
-            let mut watch = Every::new(every, |n, t, z| alone.observe(n, t, z));
-            let _ = method.host.run(&Pendulum::PAPER, *start, &grid, &mut watch);
+            let mut watch = Every::new(every, Samples::default());
+            method.host.run(&Pendulum::PAPER, *start, &grid, &mut watch);
             assert_eq!(seen.0.len(), 4, "{start:?}");
-            assert_eq!(seen.0, alone.0, "{start:?}");
+            assert_eq!(seen, watch.into_inner(), "{start:?}");
         }
-    }
-}
-
-/// Step, time and state of each sample.
-#[derive(Clone, Default)]
-struct Record(Vec<(u64, u64, [u64; 2])>);
-
-impl Observer<Phase> for Record {
-    fn observe(&mut self, n: u64, t: f64, z: Phase) {
-        self.0.push((n, t.to_bits(), bits(z)));
     }
 }
 

@@ -4,7 +4,9 @@
 use pendula::fast::{ReducedPhase, ScaledPendulum};
 use pendula::systems::Numbers;
 use pendula::{Grid, Method, Pendulum, Phase, StormerVerlet};
-use pendula_device::trace::{Place, Tape, Traced, Value, record};
+use pendula_device::trace::{Place, Tape, Traced, record};
+
+use crate::recorded::values;
 
 /// A step of Störmer–Verlet: what becomes of the numbers of state and carry. The variable 0 is −K.
 fn step() -> (Tape, Vec<Place>) {
@@ -24,38 +26,6 @@ fn step() -> (Tape, Vec<Place>) {
         next
     });
     recorded.expect("it looks at no number")
-}
-
-/// All values of the tape; products are fused with the sum that they are part of if `fused`.
-fn values(tape: &Tape, variables: &[f64], fused: bool) -> Vec<f64> {
-    let mut done: Vec<f64> = Vec::with_capacity(tape.values().len());
-    for value in tape.values() {
-        let product = |place: Place| match tape.values()[place] {
-            Value::Product(x, y) if fused => Some((done[x], done[y])),
-            _ => None,
-        };
-        let x = match *value {
-            Value::Variable(index) => variables[index],
-            Value::Constant(bits) => f64::from_bits(bits),
-            Value::Sum(a, b) => match (product(a), product(b)) {
-                (Some((x, y)), _) => x.mul_add(y, done[b]),
-                (None, Some((x, y))) => x.mul_add(y, done[a]),
-                (None, None) => done[a] + done[b],
-            },
-            Value::Difference(a, b) => match (product(a), product(b)) {
-                (Some((x, y)), _) => x.mul_add(y, -done[b]),
-                (None, Some((x, y))) => (-x).mul_add(y, done[a]),
-                (None, None) => done[a] - done[b],
-            },
-            Value::Product(a, b) => done[a] * done[b],
-            Value::Quotient(a, b) => done[a] / done[b],
-            Value::Negative(a) => -done[a],
-            Value::SignedBy(a, b) => f64::from_bits(done[a].to_bits() ^ done[b].to_bits() << 63),
-            other => panic!("Störmer–Verlet has no {other:?}"),
-        };
-        done.push(x);
-    }
-    done
 }
 
 /// The ends of runs from 1024 starts, one after the other.

@@ -3,25 +3,42 @@
 use pendula::arithmetic::number::{Mask, Number};
 use pendula_device::trace::{Place, Tape, Traced, Value, record};
 
-/// What the value at `place` is, with these variables.
-pub fn evaluate(tape: &Tape, variables: &[f64], place: Place) -> f64 {
-    let values = tape.values();
-    let of = |place| evaluate(tape, variables, place);
-    let is_true = |mask| matches!(values[mask], Value::AtMost(a, b) if of(a) <= of(b));
-    match values[place] {
-        Value::Variable(index) => variables[index],
-        Value::Constant(bits) => f64::from_bits(bits),
-        Value::Sum(a, b) => of(a) + of(b),
-        Value::Difference(a, b) => of(a) - of(b),
-        Value::Product(a, b) => of(a) * of(b),
-        Value::Quotient(a, b) => of(a) / of(b),
-        Value::Negative(a) => -of(a),
-        Value::Size(a) => of(a).abs(),
-        Value::WithSign(a, b) => of(a).copysign(of(b)),
-        Value::SignedBy(a, b) => of(a).signed_by(of(b)),
-        Value::Choice(mask, yes, no) => of(if is_true(mask) { yes } else { no }),
-        Value::AtMost(..) | Value::Both(..) | Value::Either(..) => panic!("not a number"),
+/// All values of the tape, of a comparison 1 or 0; products are fused with the sum that they are
+/// part of if `fused`.
+pub fn values(tape: &Tape, variables: &[f64], fused: bool) -> Vec<f64> {
+    let mut done: Vec<f64> = Vec::with_capacity(tape.values().len());
+    for value in tape.values() {
+        let product = |place: Place| match tape.values()[place] {
+            Value::Product(x, y) if fused => Some((done[x], done[y])),
+            _ => None,
+        };
+        let x = match *value {
+            Value::Variable(index) => variables[index],
+            Value::Constant(bits) => f64::from_bits(bits),
+            Value::Sum(a, b) => match (product(a), product(b)) {
+                (Some((x, y)), _) => x.mul_add(y, done[b]),
+                (None, Some((x, y))) => x.mul_add(y, done[a]),
+                (None, None) => done[a] + done[b],
+            },
+            Value::Difference(a, b) => match (product(a), product(b)) {
+                (Some((x, y)), _) => x.mul_add(y, -done[b]),
+                (None, Some((x, y))) => (-x).mul_add(y, done[a]),
+                (None, None) => done[a] - done[b],
+            },
+            Value::Product(a, b) => done[a] * done[b],
+            Value::Quotient(a, b) => done[a] / done[b],
+            Value::Negative(a) => -done[a],
+            Value::SignedBy(a, b) => f64::from_bits(done[a].to_bits() ^ done[b].to_bits() << 63),
+            Value::Size(a) => done[a].abs(),
+            Value::WithSign(a, b) => done[a].copysign(done[b]),
+            Value::Choice(mask, yes, no) => done[if done[mask] == 1.0 { yes } else { no }],
+            Value::AtMost(a, b) => f64::from(done[a] <= done[b]),
+            Value::Both(a, b) => done[a].min(done[b]),
+            Value::Either(a, b) => done[a].max(done[b]),
+        };
+        done.push(x);
     }
+    done
 }
 
 /// All that a number can do.
@@ -52,7 +69,8 @@ fn a_recording_gives_what_the_function_does() {
     for variables in [[0.7, 1.9], [-2.5, -3.0], [40.0, 0.1], [-0.0, 5e-324]] {
         let [x, y] = variables;
         let expected = everything(x, y).map(f64::to_bits);
-        assert_eq!(places.map(|place| evaluate(&tape, &variables, place).to_bits()), expected);
+        let values = values(&tape, &variables, false);
+        assert_eq!(places.map(|place| values[place].to_bits()), expected);
     }
 }
 

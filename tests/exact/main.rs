@@ -4,6 +4,5 @@
 mod arithmetic;
 mod elliptic;
 mod motion;
-mod polynomials;
 mod series;
 mod sine;

@@ -4,7 +4,7 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use approx::assert_relative_eq;
-use pendula::exact::{Swing, complete_elliptic_k, period};
+use pendula::exact::{Swing, period};
 use pendula::{Error, Hamiltonian, Motion, MotionKind, Pendulum, Phase};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
@@ -210,16 +210,6 @@ fn the_numbers_of_a_motion_are_right_relatively() {
         assert_relative_eq!(motion.modulus(), k, epsilon = 0.0, max_relative = NEAREST);
         assert_relative_eq!(motion.period().unwrap(), period, max_relative = NEAREST);
     }
-}
-
-/// Catches: √(g/L) upside down, a full turn for a half, m in the period.
-#[test]
-fn the_period_scales_with_the_root_of_length_over_gravity() {
-    let slow = two_radians_a_second();
-    let expected = 4.0 * complete_elliptic_k((0.5_f64).cos()) / 2.0;
-    assert_eq!(period(&slow, 1.0), Ok(expected));
-    assert_eq!(period(&slow, 0.0), Ok(std::f64::consts::PI));
-    assert!(matches!(period(&slow, f64::NAN), Err(Error::Parameter { .. })));
 }
 
 /// Catches: a wrong reflection or a wrong quarter, a period in f64 (off by 1e-12 at 10⁵ s), a

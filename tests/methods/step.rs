@@ -6,16 +6,13 @@
 
 use approx::assert_relative_eq;
 use pendula::methods::{ForwardEuler, Rk4, StormerVerlet, SymplecticEuler};
-use pendula::{Grid, LinearOscillator, Method, Pendulum, Phase, System, integrate};
+use pendula::verify::properties::pendulum;
+use pendula::{Grid, LinearOscillator, Method, Phase, System, integrate};
 
 const H: f64 = 0.3;
 const Z: Phase = Phase { theta: 0.8, omega: -0.7 };
 /// A few roundings of 1.1e-16 each, in another order than the library's.
 const ROUNDING: f64 = 1e-15;
-
-fn pendulum() -> Pendulum {
-    Pendulum::new(5.0, 2.0, 3.0).unwrap()
-}
 
 fn alpha(theta: f64) -> f64 {
     -2.5 * theta.sin()

@@ -5,12 +5,13 @@
 //! or what comes out is finite where the documentation says so; no scene panics or goes on for
 //! ever; and what is computed for many at once has the bits of what is computed for one.
 
+use pendula::methods::StormerVerlet;
+use pendula::verify::{Claims, Fault, Reply, Request, Stranger, try_judge};
 use pendula::{Error, Grid, Pendulum, Phase};
 
-use crate::random::Random;
+use crate::common::Random;
 
 mod beyond;
-mod judge;
 mod loops;
 mod motions;
 
@@ -74,7 +75,7 @@ impl Tally {
             let said = Said { seed, scene };
             // Judging takes a thousand times as long as any other scene.
             if scene % 2500 == 2499 {
-                judge::a_stranger(&mut any, &mut tally);
+                a_stranger(&mut any, &mut tally);
             } else {
                 PARTS[any.0.below(PARTS.len())](&mut any, &mut tally);
             }
@@ -194,10 +195,67 @@ fn bits(x: f64) -> u64 {
     if x.is_nan() { f64::NAN.to_bits() } else { x.to_bits() }
 }
 
-fn bits_of(z: Phase) -> [u64; 2] {
-    [bits(z.theta), bits(z.omega)]
-}
-
 fn is_finite(z: Phase) -> bool {
     z.theta.is_finite() && z.omega.is_finite()
+}
+
+// -------------------------------------------------------------------------------------------------
+// The judge
+// -------------------------------------------------------------------------------------------------
+
+/// A stranger that answers with garbage: any states, as many as asked for or not; or with those of
+/// a method, now and then spoilt.
+struct Garbage {
+    random: std::cell::RefCell<Random>,
+    spoils: usize,
+    counts: bool,
+}
+
+impl Stranger for Garbage {
+    fn answer(&self, request: &Request) -> Result<Reply, Fault> {
+        let mut any = Any(self.random.borrow_mut().clone());
+        self.random.borrow_mut().bits();
+        let evaluations = self.counts.then(|| any.0.bits() >> any.0.below(64));
+        let states = request.states() as usize;
+        if self.spoils > 0 {
+            let mut reply = StormerVerlet.answer(request)?;
+            if any.0.below(self.spoils) == 0 && states > 0 {
+                let at = any.0.below(states);
+                reply.states[at] = any.phase();
+            }
+            return Ok(reply);
+        }
+        match any.0.below(60) {
+            0 => Err(Fault::Unsupported),
+            1 => Err(Fault::Refused("no".to_string())),
+            2 => Err(Fault::Broken("nonsense".to_string())),
+            3 => Ok(Reply { states: vec![], evaluations }),
+            4 => Ok(Reply { states: any.phases(states + 1), evaluations }),
+            _ => Ok(Reply { states: any.phases(states), evaluations }),
+        }
+    }
+
+    fn longest_run(&self) -> u64 {
+        2000
+    }
+}
+
+fn a_stranger(any: &mut Any, tally: &mut Tally) {
+    let garbage = Garbage {
+        random: std::cell::RefCell::new(any.0.clone()),
+        spoils: any.0.one_of(&[0, 0, 3, 30]),
+        counts: any.0.below(2) == 0,
+    };
+    let claims = Claims::order(any.0.below(20) as u32).symplectic().symmetric();
+    match try_judge(&garbage, &claims) {
+        Ok(report) => {
+            tally.computed += 1;
+            // It is written out, whatever was measured.
+            assert!(!report.to_string().is_empty() && !report.findings.is_empty());
+        }
+        Err(fault) => {
+            tally.refused += 1;
+            assert!(!fault.is_empty());
+        }
+    }
 }

@@ -11,25 +11,12 @@ use pendula::{
     AnyMethod, DoublePendulum, Grid, Observer, Pendulum, Phase, Rk4, integrate, integrate_fast,
 };
 
-use crate::common::{First, steps, steps_on, try_integrate};
+use crate::common::{First, Samples, steps, steps_on, try_integrate};
 
 const STEPS: u64 = 11;
 
 /// Strides that divide the number of steps, that do not, that reach the end, and that do not.
 const STRIDES: [u64; 6] = [1, 2, 4, 11, 12, u64::MAX];
-
-/// The numbers of a sample as bits, so that a zero differs from a negative zero.
-type Sample = (u64, u64, [u64; 2]);
-
-/// Collects samples.
-#[derive(Default)]
-struct Samples(Vec<Sample>);
-
-impl Observer<Phase> for Samples {
-    fn observe(&mut self, n: u64, t: f64, z: Phase) {
-        self.0.push((n, t.to_bits(), [z.theta.to_bits(), z.omega.to_bits()]));
-    }
-}
 
 /// A checkpoint that went through a file: its numbers alone.
 fn written(at: &Checkpoint) -> Checkpoint {
@@ -44,7 +31,7 @@ fn in_two_parts(
     start: Phase,
     grid: &Grid,
     [leave, every]: [u64; 2],
-) -> (Vec<Sample>, Phase) {
+) -> (Samples, Phase) {
     let every = NonZeroU64::new(every).unwrap();
     let mut samples = Samples::default();
     samples.observe(0, 0.0, start);
@@ -55,7 +42,7 @@ fn in_two_parts(
     let mut later = FastRun::resume(pendulum, steps(method), start, grid, at);
     // Beyond the end there is nothing.
     let end = later.advance(grid.steps() + 5, every, &mut samples);
-    (samples.0, end.unwrap())
+    (samples, end.unwrap())
 }
 
 /// For every method, for scenes with time in steps and (where angles are large) in seconds, left
@@ -72,7 +59,7 @@ fn a_run_in_parts_is_the_run(method: &dyn AnyMethod) {
         for every in STRIDES {
             let mut watch = Every::new(NonZeroU64::new(every).unwrap(), Samples::default());
             let end = method.run(&pendulum, start, &grid, &mut watch);
-            let whole = watch.into_inner().0;
+            let whole = watch.into_inner();
             for leave in 0..=STEPS {
                 let parts = in_two_parts(method, &pendulum, start, &grid, [leave, every]);
                 let case = format!("from {start:?}, left after {leave}, every {every}");
@@ -100,7 +87,7 @@ fn a_driven_run_in_parts_is_the_run(method: &dyn AnyMethod) {
         run.advance(leave, NonZeroU64::MIN, &mut parts).unwrap();
         let mut later = Run::resume(&driven, method, &grid, written(run.checkpoint()));
         assert_eq!(later.advance(STEPS, NonZeroU64::MIN, &mut parts), end);
-        assert_eq!(parts.0, whole.0, "left after {leave}");
+        assert_eq!(parts, whole, "left after {leave}");
     }
 }
 each_general_method!(a_driven_run_in_parts_is_the_run);

@@ -8,7 +8,7 @@ use pendula::integrate::Every;
 use pendula::methods::table::in_lanes;
 use pendula::{AnyMethod, Damped, Grid, Pendulum, Phase, Rk4, integrate};
 
-use crate::common::{First, lanes, steps, try_integrate};
+use crate::common::{First, Samples, lanes, steps, try_integrate};
 
 /// A hundred pendulums, each with its own g and L, in blocks of lanes of which the last is not
 /// full.
@@ -41,35 +41,23 @@ fn lanes_have_the_bits_of_a_trajectory_alone(method: &dyn AnyMethod) {
 each_method!(lanes_have_the_bits_of_a_trajectory_alone);
 
 fn bits(states: &[Phase]) -> Vec<[u64; 2]> {
-    states.iter().map(|z| [z.theta.to_bits(), z.omega.to_bits()]).collect()
+    states.iter().map(|z| crate::common::bits(*z)).collect()
 }
-
-/// What an observer is told: the count of steps, the bits of the time and those of the state.
-type Told = (u64, u64, [u64; 2]);
 
 /// Asserts it of each pendulum of the ensemble.
 fn told_as_alone(method: &dyn AnyMethod, ensemble: &Ensemble<'_>, every: NonZeroU64) {
     let (starts, grid) = (ensemble.starts(), ensemble.grid());
-    let mut told: Vec<Vec<Told>> = vec![vec![]; starts.len()];
-    let mut observers: Vec<_> = told
-        .iter_mut()
-        .map(|told| move |n, t: f64, z| told.push((n, t.to_bits(), bits(&[z])[0])))
-        .collect();
-    ensemble.watch(lanes(method), every, &mut observers);
-    drop(observers);
+    let mut told = vec![Samples::default(); starts.len()];
+    ensemble.watch(lanes(method), every, &mut told);
     for (i, told) in told.iter().enumerate() {
-        let mut alone: Vec<Told> = vec![];
-        let mut watch =
-            Every::new(every, |n, t: f64, z| alone.push((n, t.to_bits(), bits(&[z])[0])));
+        let mut watch = Every::new(every, Samples::default());
         method.run(ensemble.system(i), starts[i], grid, &mut watch);
-        assert_eq!(*told, alone, "every {every}");
+        assert_eq!(*told, watch.into_inner(), "every {every}");
         // And that list is what it should be.
-        assert_eq!(told.len() as u64, 100 / every + 1);
-        for (i, (n, t, _)) in (0..).zip(told) {
-            assert_eq!(
-                (*n, f64::from_bits(*t)),
-                (i * every.get(), (i * every.get()) as f64 * 0.017)
-            );
+        assert_eq!(told.0.len() as u64, 100 / every + 1);
+        for (i, (n, t, _)) in (0..).zip(&told.0) {
+            let count = i * every.get();
+            assert_eq!((*n, f64::from_bits(*t)), (count, count as f64 * 0.017));
         }
     }
 }
@@ -157,16 +145,13 @@ fn any_system_gets_the_bits_of_integrate() {
     let ensemble = Ensemble::with_systems(&systems, &starts, grid);
     let mut ends = vec![Phase::default(); 40];
     ensemble.ends_one_by_one(&Rk4, &mut ends);
-    let mut told = vec![vec![]; 40];
-    let mut watches: Vec<_> =
-        told.iter_mut().map(|told| |n, t: f64, z| told.push((n, t, z))).collect();
-    ensemble.watch_one_by_one(&Rk4, &mut watches);
+    let mut told = vec![Samples::default(); 40];
+    ensemble.watch_one_by_one(&Rk4, &mut told);
     for (i, told) in told.into_iter().enumerate() {
-        let mut alone = vec![];
-        let mut watch = |n: u64, t: f64, z: Phase| alone.push((n, t, z));
-        let end = integrate(&systems[i], &Rk4, starts[i], &grid, &mut watch);
+        let mut alone = Samples::default();
+        let end = integrate(&systems[i], &Rk4, starts[i], &grid, &mut alone);
         assert_eq!(bits(&[ends[i]]), bits(&[end]));
-        assert_eq!((told.len(), &told), (101, &alone));
+        assert_eq!((told.0.len(), &told), (101, &alone));
     }
     // And not of one system for all: they end where they should not.
     let mut ends_of_one = vec![Phase::default(); 40];

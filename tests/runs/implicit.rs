@@ -15,8 +15,7 @@ use pendula::{
 };
 use rstest::rstest;
 
-use crate::common::{lanes, method, steps, steps_on, try_integrate};
-use crate::random::Random;
+use crate::common::{Random, Samples, bits, lanes, method, steps, steps_on, try_integrate};
 
 /// Makes of the function `$test` a test for each implicit method with a tableau, and its limit.
 macro_rules! each_implicit {
@@ -187,10 +186,6 @@ where
     }
 }
 each_implicit_type!(what_is_solved_is_a_solution);
-
-fn bits(z: Phase) -> [u64; 2] {
-    [z.theta.to_bits(), z.omega.to_bits()]
-}
 
 /// Steps a little longer than the limit: some runs fail at the first step, some on their way.
 ///
@@ -370,14 +365,11 @@ fn lanes_take_another_iteration() {
     let method = Gauss6.with(Iteration::default().tolerance(1e-8).unwrap());
     let starts = [Phase::at_rest(1.0), Phase { theta: 0.3, omega: 2.0 }];
     let grid = Grid::new(0.05, 30).unwrap();
-    let mut seen = [vec![], vec![]];
-    let [one, two] = &mut seen;
-    let mut watches = [one, two].map(|seen| |_, _, z: Phase| seen.push(bits(z)));
-    Ensemble::new(&Pendulum::PAPER, &starts, grid).watch(&method, NonZeroU64::MIN, &mut watches);
+    let mut seen = [Samples::default(), Samples::default()];
+    Ensemble::new(&Pendulum::PAPER, &starts, grid).watch(&method, NonZeroU64::MIN, &mut seen);
     for (start, seen) in starts.into_iter().zip(seen) {
-        let mut alone = vec![];
-        let mut watch = |_, _, z: Phase| alone.push(bits(z));
-        integrate_fast(&Pendulum::PAPER, &method, start, &grid, &mut watch);
+        let mut alone = Samples::default();
+        integrate_fast(&Pendulum::PAPER, &method, start, &grid, &mut alone);
         assert_eq!(seen, alone);
     }
 }

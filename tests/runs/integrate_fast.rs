@@ -4,16 +4,12 @@ use std::f64::consts::FRAC_PI_2;
 
 use pendula::fast::{Deferred, ScaledPendulum};
 use pendula::methods::{Rk4, StormerVerlet, SymplecticEuler, Yoshida8};
+use pendula::verify::properties::pendulum;
 use pendula::{AnyMethod, Ensemble, Grid, Observer, Pendulum, Phase, integrate, integrate_fast};
 use proptest::prelude::*;
 use rstest::rstest;
 
-use crate::common::{lanes, steps, try_integrate};
-use crate::random::Random;
-
-fn pendulum() -> Pendulum {
-    Pendulum::new(5.0, 2.0, 3.0).unwrap()
-}
+use crate::common::{First, Random, bits, lanes, steps, try_integrate};
 
 /// The states of one run.
 fn states(run: impl FnOnce(&mut dyn Observer<Phase>) -> Phase) -> (Vec<(u64, f64, Phase)>, Phase) {
@@ -55,17 +51,6 @@ fn in_steps_is_in_seconds(method: &dyn AnyMethod) {
 }
 each_method!(in_steps_is_in_seconds);
 
-/// Observes the start, and needs no more.
-struct Start;
-
-impl Observer<Phase> for Start {
-    fn observe(&mut self, _n: u64, _t: f64, _z: Phase) {}
-
-    fn is_satisfied(&self) -> bool {
-        true
-    }
-}
-
 /// A run without steps, or one that its observer ends before the first, ends where it begins, to
 /// the bit: also where the velocity in rad a step, or the angle in half turns, would be rounded.
 ///
@@ -75,7 +60,6 @@ fn no_step_changes_no_bit(method: &dyn AnyMethod) {
     let starts: Vec<Phase> = (0..100)
         .map(|_| Phase { theta: random.between(-1e3, 1e3), omega: random.between(-9.0, 9.0) })
         .collect();
-    let bits = |z: Phase| [z.theta.to_bits(), z.omega.to_bits()];
     let [none, ten] = [0, 10].map(|steps| Grid::new(0.017, steps).unwrap());
     let mut ends = vec![Phase::default(); starts.len()];
     Ensemble::new(&pendulum(), &starts, none).ends(lanes(method), &mut ends);
@@ -83,9 +67,9 @@ fn no_step_changes_no_bit(method: &dyn AnyMethod) {
         assert_eq!(bits(end), bits(start), "in lanes");
         let end = method.end(&pendulum(), start, &none);
         assert_eq!(bits(end), bits(start), "no steps");
-        let end = method.run(&pendulum(), start, &ten, &mut Start);
+        let end = method.run(&pendulum(), start, &ten, &mut First::<1>::default());
         assert_eq!(bits(end), bits(start), "ended at once");
-        let end = method.try_run(&pendulum(), start, &ten, &mut Start).unwrap();
+        let end = method.try_run(&pendulum(), start, &ten, &mut First::<1>::default()).unwrap();
         assert_eq!(bits(end), bits(start), "ended at once, and asked why");
     }
 }
@@ -141,25 +125,15 @@ fn how_far_a_run_may_lead_depends_on_the_method() {
 /// Catches: a run that goes on after the observer is satisfied, or begins although it is.
 #[test]
 fn a_satisfied_observer_ends_the_swing() {
-    struct Three(u64);
-    impl Observer<Phase> for Three {
-        fn observe(&mut self, n: u64, _t: f64, _z: Phase) {
-            self.0 = n;
-        }
-        fn is_satisfied(&self) -> bool {
-            self.0 == 3
-        }
-    }
     let (grid, start) = (Grid::new(0.1, 100).unwrap(), Phase::at_rest(1.0));
-    let end = integrate_fast(&pendulum(), &Rk4, start, &grid, &mut Three(0));
+    let end = integrate_fast(&pendulum(), &Rk4, start, &grid, &mut First::<4>::default());
     let three = Grid::new(0.1, 3).unwrap();
     assert_eq!(end, integrate_fast(&pendulum(), &Rk4, start, &three, &mut ()));
     for start in (1..40).map(|i| Phase { theta: 0.3 * f64::from(i), omega: 1.0 / f64::from(i) }) {
-        assert_eq!(start, integrate_fast(&pendulum(), &Rk4, start, &grid, &mut Start));
-        assert_eq!(
-            Ok(start),
-            pendula::try_integrate_fast(&pendulum(), &Rk4, start, &grid, &mut Start)
-        );
+        let mut watch = First::<1>::default();
+        assert_eq!(start, integrate_fast(&pendulum(), &Rk4, start, &grid, &mut watch.clone()));
+        let tried = pendula::try_integrate_fast(&pendulum(), &Rk4, start, &grid, &mut watch);
+        assert_eq!(tried, Ok(start));
     }
 }
 

@@ -4,9 +4,6 @@
 #[path = "../common/each_method.rs"]
 mod common;
 
-#[path = "../common/random.rs"]
-mod random;
-
 mod adaptive;
 mod anything;
 mod checkpoint;
@@ -17,7 +14,6 @@ mod grid;
 mod implicit;
 mod integrate_fast;
 mod observers;
-mod parameters;
 mod separatrix;
 mod stability;
 mod step_size;

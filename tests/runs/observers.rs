@@ -8,7 +8,7 @@ use pendula::methods::StormerVerlet;
 use pendula::metrics::EnergyDrift;
 use pendula::{Grid, Hamiltonian, Observer, Pendulum, Phase, integrate};
 
-use crate::random::Random;
+use crate::common::Random;
 
 const START: Phase = Phase { theta: 1.0, omega: -0.25 };
 

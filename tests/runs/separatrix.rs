@@ -10,10 +10,7 @@ use pendula::{
 };
 use rstest::rstest;
 
-/// The paper's, and one with L ≠ 1, m ≠ 1 and another ω₀.
-fn pendulums() -> [Pendulum; 2] {
-    [Pendulum::PAPER, Pendulum::new(9.81, 2.5, 0.7).unwrap()]
-}
+use crate::common::pendulums;
 
 /// Records the time of the first sample past the top on either side, |θ| > π.
 struct OverTheTop(Option<f64>);

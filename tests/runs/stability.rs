@@ -10,6 +10,8 @@ use pendula::{
 };
 use rstest::rstest;
 
+use crate::common::pendulums;
+
 /// The relative distance of a step from its limit, on either side.
 const BESIDE: f64 = 1e-4;
 
@@ -19,11 +21,6 @@ const SYMPLECTIC_LIMIT: f64 = 2.0;
 
 /// The limit of RK4: |R(ix)|² = 1 − x⁶/72 + x⁸/576 passes 1 at x² = 8.
 const RK4_LIMIT: f64 = 2.0 * SQRT_2;
-
-/// The paper's, and one with L ≠ 1, m ≠ 1 and another ω₀.
-fn pendulums() -> [Pendulum; 2] {
-    [Pendulum::PAPER, Pendulum::new(9.81, 2.5, 0.7).unwrap()]
-}
 
 /// `steps` steps of x = ω₀h.
 fn grid(pendulum: &Pendulum, x: f64, steps: u64) -> Grid {
@@ -52,18 +49,6 @@ fn farthest<S: System<State = Phase>>(
         largest = if z.theta.is_nan() { f64::NAN } else { largest.max(z.theta.abs()) };
     });
     largest
-}
-
-/// The limits of the paper's pendulum in seconds, seven digits each.
-///
-/// Catches: a frequency that is not √(g/L).
-#[test]
-fn the_limits_of_the_papers_pendulum() {
-    let frequency = Pendulum::PAPER.small_angle_frequency();
-    /// Half a unit of the last digit.
-    const HALF_UNIT: f64 = 5e-8;
-    assert!((SYMPLECTIC_LIMIT / frequency - 0.638_550_9).abs() < HALF_UNIT);
-    assert!((RK4_LIMIT / frequency - 0.903_047_3).abs() < HALF_UNIT);
 }
 
 // -------------------------------------------------------------------------------------------------

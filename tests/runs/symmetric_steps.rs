@@ -10,6 +10,8 @@ use pendula::{
     Counting, Error, Grid, Hamiltonian, Kepler, Pendulum, Phase, Separable, Shaken, integrate,
 };
 
+use crate::common::pendulum;
+
 // -------------------------------------------------------------------------------------------------
 // Kepler
 // -------------------------------------------------------------------------------------------------
@@ -38,11 +40,6 @@ fn of_free_fall(z: PlanePhase) -> f64 {
 // -------------------------------------------------------------------------------------------------
 // A pendulum that almost reaches the top
 // -------------------------------------------------------------------------------------------------
-
-/// ω₀ ≠ 1, L ≠ 1, m ≠ 1.
-fn pendulum() -> Pendulum {
-    Pendulum::new(9.81, 2.5, 0.7).unwrap()
-}
 
 const BESIDE_THE_TOP: Phase = Phase::at_rest(3.1);
 

@@ -4,9 +4,9 @@
 use pendula::adaptive::{Adaptive, SMALLEST_RELATIVE, TaylorSeries, Tolerance};
 use pendula::exact::complete_elliptic_k;
 use pendula::systems::Analytic;
-use pendula::{
-    Compensated, CompensatedPhase, LinearOscillator, Motion, Pendulum, Phase, System, state,
-};
+use pendula::{Compensated, CompensatedPhase, LinearOscillator, Motion, Pendulum, Phase, System};
+
+use crate::adaptive::Number;
 
 /// L ≠ 1, m ≠ 1, ω₀ ≠ 1.
 fn pendulum() -> Pendulum {
@@ -15,13 +15,6 @@ fn pendulum() -> Pendulum {
 
 fn series(tolerance: f64) -> Adaptive<TaylorSeries> {
     Adaptive::new(TaylorSeries, Tolerance::uniform(tolerance).unwrap())
-}
-
-state! {
-    /// A number as a state.
-    struct Number {
-        y: f64,
-    }
 }
 
 /// ẏ = y², whose motion from y is y/(1 − yt): the radius of convergence is 1/|y|, and the terms of

@@ -7,7 +7,6 @@ use pendula::methods::{
     CieslinskiRatkiewicz, Deuflhard, DiscreteGradient, ImplicitMidpoint, PositionVerlet,
     StormerVerlet, Trapezoidal,
 };
-use pendula::metrics::CrossingPeriod;
 use pendula::verify::properties::{area_defect, energy};
 use pendula::{
     AnyMethod, Grid, Hamiltonian, LinearOscillator, Method, Motion, Pendulum, Phase, exact,
@@ -16,10 +15,8 @@ use pendula::{
 use pendula_study::theory::period;
 use rstest::rstest;
 
-/// L ≠ 1, ω₀ ≠ 1, m ≠ 1.
-fn pendulum() -> Pendulum {
-    Pendulum::new(9.81, 2.5, 0.7).unwrap()
-}
+use crate::common::pendulum;
+use crate::period_shift::shift;
 
 /// h (s) for x = ω₀h.
 fn step(x: f64) -> f64 {
@@ -138,15 +135,6 @@ fn the_energy_error_is_a_perfect_square<M: Method<Pendulum>>(
 // Period
 // -------------------------------------------------------------------------------------------------
 
-/// T̃/T − 1 of a method in steps of x from rest, the mean over `periods` swings.
-fn shift<M: Method<Pendulum>>(method: &M, theta_0: f64, x: f64, periods: f64) -> f64 {
-    let exact = exact::period(&pendulum(), theta_0).unwrap();
-    let mut crossings = CrossingPeriod::default();
-    let grid = grid(x, (periods * exact / step(x)) as u64);
-    integrate(&pendulum(), method, Phase::at_rest(theta_0), &grid, &mut crossings);
-    crossings.period().unwrap() / exact - 1.0
-}
-
 /// The law leaves out x⁴, which is extrapolated from x and x/2. What is left is the reading of the
 /// crossings, at most x³/24 at either end of 200 swings of 2π and more: over x² that is 7e-6. It
 /// comes from velocities that are not those of the angles, which for the two methods that are exact
@@ -185,33 +173,41 @@ fn the_discrete_gradient_keeps_time_at_one_amplitude() {
     assert!(left.abs() < 0.1 * 1e-4, "{left:e}");
 }
 
+/// Asserts that after 10⁵ steps on the linear oscillator angle and energy are exact but for
+/// rounding, which a step makes `a_step` ε of the state, at random; and the angle of a pendulum
+/// that swings by 2⁻⁴⁰ rad, which is one.
+fn assert_exact_in_small_swings<M>(method: &M, x: f64, a_step: f64)
+where
+    M: Method<LinearOscillator> + Method<Pendulum>,
+{
+    const STEPS: u64 = 100_000;
+    let (linear, start) = (LinearOscillator::new(pendulum()), Phase { theta: 1.0, omega: 0.7 });
+    let grid = grid(x, STEPS);
+    let end = integrate(&linear, method, start, &grid, &mut ());
+    let exact = linear.exact(start, grid.time(STEPS));
+    let rounding = 20.0 * f64::EPSILON * x * STEPS as f64 + a_step * f64::EPSILON * 316.0;
+    assert!((end.theta - exact.theta).abs() < rounding, "{:e}", end.theta - exact.theta);
+    let drift = linear.energy(end) / linear.energy(start) - 1.0;
+    assert!(drift.abs() < rounding, "{drift:e}");
+    // In units of its size, which is a power of two, the pendulum has the same end.
+    let tiny = 2.0_f64.powi(-40);
+    let end = integrate(&pendulum(), method, start * tiny, &grid, &mut ());
+    assert!((end.theta / tiny - exact.theta).abs() < rounding, "{end:?}");
+}
+
 // -------------------------------------------------------------------------------------------------
 // Cieśliński's and Ratkiewicz's method
 // -------------------------------------------------------------------------------------------------
 
 /// Whatever the step, small swings have the right period, to the last digits. After n steps the
 /// angle on the linear oscillator is exact but for rounding: ω₀, h and the tangent round the phase
-/// by an ε each, and each step the state by ten, as the iteration leaves it, at random. A pendulum
-/// that swings by 2⁻⁴⁰ rad is one.
+/// by an ε each, and each step the state by ten, as the iteration leaves it, at random.
 ///
 /// Catches: a step of another length, by a billionth; an iteration that ends early and lets the
 /// energy drift.
 #[rstest]
 fn small_swings_have_the_exact_period(#[values(0.01, 0.7, 1.2)] x: f64) {
-    const STEPS: u64 = 100_000;
-    let (linear, start) = (LinearOscillator::new(pendulum()), Phase { theta: 1.0, omega: 0.7 });
-    let grid = grid(x, STEPS);
-    let end = integrate(&linear, &CieslinskiRatkiewicz, start, &grid, &mut ());
-    let exact = linear.exact(start, grid.time(STEPS));
-    let rounding = 20.0 * f64::EPSILON * x * STEPS as f64 + 200.0 * f64::EPSILON * 316.0;
-    assert!((end.theta - exact.theta).abs() < rounding, "{:e}", end.theta - exact.theta);
-    let drift = linear.energy(end) / linear.energy(start) - 1.0;
-    assert!(drift.abs() < rounding, "{drift:e}");
-    // In units of its size, which is a power of two, the pendulum has the same end.
-    let tiny = 2.0_f64.powi(-40);
-    let small = Phase { theta: start.theta * tiny, omega: start.omega * tiny };
-    let end = integrate(&pendulum(), &CieslinskiRatkiewicz, small, &grid, &mut ());
-    assert!((end.theta / tiny - exact.theta).abs() < rounding, "{end:?}");
+    assert_exact_in_small_swings(&CieslinskiRatkiewicz, x, 200.0);
 }
 
 // -------------------------------------------------------------------------------------------------
@@ -226,15 +222,7 @@ fn small_swings_have_the_exact_period(#[values(0.01, 0.7, 1.2)] x: f64) {
 /// grow or shrink.
 #[rstest]
 fn deuflhard_is_exact_on_the_linear_oscillator(#[values(0.01, 0.7, 2.0, 2.9)] x: f64) {
-    const STEPS: u64 = 100_000;
-    let (linear, start) = (LinearOscillator::new(pendulum()), Phase { theta: 1.0, omega: 0.7 });
-    let grid = grid(x, STEPS);
-    let end = integrate(&linear, &Deuflhard, start, &grid, &mut ());
-    let exact = linear.exact(start, grid.time(STEPS));
-    let rounding = 20.0 * f64::EPSILON * x * STEPS as f64 + 20.0 * f64::EPSILON * 316.0;
-    assert!((end.theta - exact.theta).abs() < rounding, "{:e}", end.theta - exact.theta);
-    let drift = linear.energy(end) / linear.energy(start) - 1.0;
-    assert!(drift.abs() < rounding, "{drift:e}");
+    assert_exact_in_small_swings(&Deuflhard, x, 20.0);
 }
 
 /// It conserves H + x²((c − 1)q² − θ(s − θ))/12 − x²(s − θ)²/24. In small swings of θ₀ sin and cos

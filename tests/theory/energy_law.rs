@@ -14,10 +14,7 @@ use pendula_study::experiments::convergence;
 use pendula_study::theory::{self, Dimensionless, stormer_verlet, symplectic_euler};
 use rstest::rstest;
 
-/// L ≠ 1, m ≠ 1 and ω₀ ≠ 1, so that a missing factor shows.
-fn pendulum() -> Pendulum {
-    Pendulum::new(9.81, 2.5, 0.7).unwrap()
-}
+use crate::common::pendulum;
 
 /// The step at which x = ω₀h.
 fn step(x: f64) -> f64 {

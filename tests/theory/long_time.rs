@@ -8,10 +8,7 @@ use pendula_study::theory;
 use pendula_study::theory::{Dimensionless, stormer_verlet};
 use rstest::rstest;
 
-/// The paper's, and one with L ≠ 1, m ≠ 1 and another ω₀.
-fn pendulums() -> [Pendulum; 2] {
-    [Pendulum::PAPER, Pendulum::new(9.81, 2.5, 0.7).unwrap()]
-}
+use crate::common::pendulums;
 
 /// The energy that Störmer–Verlet conserves, in units of m g L: q²/2 + 1 − cos θ + x²(q²c/12 −
 /// s²/24) + x⁴(…) + x⁶(…). What it leaves out, x⁸, is 1e-12 of it at x = 0.03 with a coefficient of

@@ -8,13 +8,10 @@ use pendula_study::experiments::readings;
 use pendula_study::theory;
 use rstest::rstest;
 
+use crate::common::pendulum;
+
 /// A release at 3 rad, where a swing is far from a cosine.
 const THETA_0: f64 = 3.0;
-
-/// L ≠ 1 and ω₀ ≠ 1.
-fn pendulum() -> Pendulum {
-    Pendulum::new(9.81, 2.5, 0.7).unwrap()
-}
 
 /// Errors (s) of the five readings.
 #[derive(Debug)]

@@ -11,13 +11,10 @@ use pendula_study::theory::period::{of_stormer_verlet, of_symplectic_euler};
 use pendula_study::theory::small_angle::LinearRecurrence;
 use rstest::rstest;
 
-/// L ≠ 1 and ω₀ ≠ 1.
-fn pendulum() -> Pendulum {
-    Pendulum::new(9.81, 2.5, 0.7).unwrap()
-}
+use crate::common::pendulum;
 
 /// T̃/T − 1 of a method in steps of x = ω₀h, the mean over `periods` swings.
-fn shift<M: Method<Pendulum>>(method: &M, theta_0: f64, x: f64, periods: f64) -> f64 {
+pub fn shift<M: Method<Pendulum>>(method: &M, theta_0: f64, x: f64, periods: f64) -> f64 {
     let pendulum = pendulum();
     let h = x / pendulum.small_angle_frequency();
     let period = exact::period(&pendulum, theta_0).unwrap();
@@ -26,6 +23,7 @@ fn shift<M: Method<Pendulum>>(method: &M, theta_0: f64, x: f64, periods: f64) ->
     integrate(&pendulum, method, Phase::at_rest(theta_0), &grid, &mut crossings);
     crossings.period().unwrap() / period - 1.0
 }
+
 /// What T̃/T = 1 + x²τ₂/ω₀² leaves out, over x⁴. At small angles it is 17/5760 = 0.00295 of x/(2
 /// asin(x/2)); at larger ones it is of either sign, and 0.0031 at most.
 const NEXT_TERM: f64 = 0.0035;

@@ -10,16 +10,16 @@ use rstest::rstest;
 
 /// A run as a user would write it, with the drive's force at the times that it likes: the states
 /// after 1, 2, … n steps.
-type Run = fn(Force<'_>, Phase, f64, u64) -> Vec<Phase>;
+pub type Run = fn(Force<'_>, Phase, f64, u64) -> Vec<Phase>;
 
 /// The force at a time and an angle.
-type Force<'a> = &'a dyn Fn(f64, f64) -> f64;
+pub type Force<'a> = &'a dyn Fn(f64, f64) -> f64;
 
 /// A run as a stranger that can be driven.
-struct Driven {
-    run: Run,
+pub struct Driven {
+    pub run: Run,
     /// What it takes g/L for, by what it is told.
-    g_over_l: fn(f64) -> f64,
+    pub g_over_l: fn(f64) -> f64,
 }
 
 impl Stranger for Driven {
@@ -83,7 +83,7 @@ const RK4_A: [[f64; 4]; 4] =
     [[0.0; 4], [0.5, 0.0, 0.0, 0.0], [0.0, 0.5, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]];
 const RK4_B: [f64; 4] = [1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0];
 
-fn rk4(force: Force<'_>, z: Phase, h: f64, n: u64) -> Vec<Phase> {
+pub fn rk4(force: Force<'_>, z: Phase, h: f64, n: u64) -> Vec<Phase> {
     runge_kutta(force, z, h, n, (RK4_A, RK4_B, 1.0))
 }
 
@@ -120,7 +120,7 @@ fn right_forest_ruth(f: Force<'_>, z: Phase, h: f64, n: u64) -> Vec<Phase> {
     forest_ruth(f, z, h, n, None)
 }
 
-fn told(g_over_l: f64) -> f64 {
+pub fn told(g_over_l: f64) -> f64 {
     g_over_l
 }
 
@@ -176,7 +176,7 @@ fn the_fourth_stage_from_the_second_slope(f: Force<'_>, z: Phase, h: f64, n: u64
     runge_kutta(f, z, h, n, (a, RK4_B, 1.0))
 }
 
-fn the_drive_at_the_steps_start(f: Force<'_>, z: Phase, h: f64, n: u64) -> Vec<Phase> {
+pub fn the_drive_at_the_steps_start(f: Force<'_>, z: Phase, h: f64, n: u64) -> Vec<Phase> {
     runge_kutta(f, z, h, n, (RK4_A, RK4_B, 0.0))
 }
 

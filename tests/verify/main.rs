@@ -4,13 +4,21 @@
 #[path = "../common/each_method.rs"]
 mod common;
 
-#[macro_use]
-mod each_impostor;
+/// Makes of the function `$test` a test for each wrong method.
+macro_rules! each_impostor {
+    ($test:ident) => {
+        pendula_zoo::for_each_impostor! { impostors, => $test }
+    };
+}
+
+macro_rules! impostors {
+    ($($name:ident: $impostor:expr, $truth:expr, [$($caught_by:ident),+];)+ => $test:ident) => {
+        cases! { $test: $($name(stringify!($name)),)+ }
+    };
+}
 
 mod discrimination;
-mod end_error;
 mod judged;
-mod leading_error;
 mod looks;
 mod metrics;
 mod slope_estimator;

@@ -96,18 +96,22 @@ fn heun(g: f64, z: State, h: f64) -> State {
     runge_kutta([[0.0, 0.0], [1.0, 0.0]], [0.5, 0.5], g, z, h)
 }
 
+/// The state that `better` leaves as it is, from `next` on.
+fn settled(mut next: State, better: impl Fn(State) -> State) -> State {
+    for _ in 0..100 {
+        let before = next;
+        next = better(before);
+        if next == before {
+            break;
+        }
+    }
+    next
+}
+
 /// z' = z + h (f(z) + f(z'))/2, to the last digit.
 fn trapezoidal(g: f64, z: State, h: f64) -> State {
     let known = along(z, rate(g, z), 0.5 * h);
-    let mut next = forward(g, z, h);
-    for _ in 0..100 {
-        let better = along(known, rate(g, next), 0.5 * h);
-        if better == next {
-            break;
-        }
-        next = better;
-    }
-    next
+    settled(forward(g, z, h), |next| along(known, rate(g, next), 0.5 * h))
 }
 
 /// The midpoint rule with the force times sin δ/δ, where δ is half the way, to the last digit.
@@ -117,15 +121,7 @@ fn discrete_gradient(g: f64, z: State, h: f64) -> State {
         let ratio = if half == 0.0 { 1.0 } else { half.sin() / half };
         (omega, -g * (z.0 + half).sin() * ratio)
     };
-    let mut next = forward(g, z, h);
-    for _ in 0..100 {
-        let better = along(z, mean_rate(next), h);
-        if better == next {
-            break;
-        }
-        next = better;
-    }
-    next
+    settled(forward(g, z, h), |next| along(z, mean_rate(next), h))
 }
 
 /// The same in steps of (2/ω₀) tan(ω₀h/2).

@@ -8,8 +8,10 @@ use pendula::internals::{Ladder, Probe};
 use pendula::methods::StormerVerlet;
 use pendula::verify::Verdict::{self, Fails, Holds, Unclear};
 use pendula::verify::{Claims, Fault, Finding, FromFn, Reply, Report, Request, Stranger, judge};
-use pendula::{METHODS, Motion, Pendulum, Phase};
+use pendula::{Motion, Pendulum, Phase, method_named};
 use rstest::rstest;
+
+use crate::common::Random;
 
 /// A little less and a little more: nothing that a verdict compares is known better.
 const INSIDE: f64 = 1.0 - 1e-9;
@@ -298,21 +300,14 @@ fn moved(request: &Request, reply: Reply, steps: f64) -> Reply {
 /// Catches: rounding, or the terms that a series leaves out, taken for a wrong coefficient.
 #[test]
 fn a_right_step_has_no_wrong_term() {
-    let mut random = 0x9e37_79b9_7f4a_7c15_u64;
-    let mut between = |low: f64, high: f64| {
-        random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
-        low + (high - low) * (random >> 11) as f64 / (1_u64 << 53) as f64
-    };
-    let named = |name: &str| {
-        *METHODS.iter().find(|method| method.info().name == name).expect("it is on the list")
-    };
+    let mut random = Random::new(1);
     for name in ["stormer-verlet", "rk4", "forest-ruth", "gauss-4", "dormand-prince"] {
-        let method = named(name);
+        let method = method_named(name).expect("it is on the list");
         let stranger = pendula::verify::Listed(method);
         let probe = Probe::new(&stranger).unwrap();
         for _ in 0..40 {
-            let g_over_l = between(0.1, 50.0);
-            let starts = core::array::from_fn(|_| [between(-3.0, 3.0), between(-2.0, 2.0)]);
+            let g_over_l = random.between(0.1, 50.0);
+            let starts = [(); 6].map(|()| [random.between(-3.0, 3.0), random.between(-2.0, 2.0)]);
             let found = deviation_with(&probe, g_over_l, starts).unwrap();
             let order = method.info().order as usize;
             let power = found.map(|found| found.power);

@@ -1,16 +1,19 @@
-//! Ensembles on a device.
+//! Ensembles on a device: of pendulums, and of double pendulums until they turn over.
 
 use std::num::NonZeroU64;
 
 use pendula::arithmetic::sine::half_turn;
 use pendula::integrate::Every;
 use pendula::metrics::EnergyDrift;
+use pendula::systems::DoublePhase;
 use pendula::{
-    AnyMethod, Ensemble, Grid, METHODS, Observer, Pendulum, Phase, for_each_method, methods,
+    AnyMethod, DoublePendulum, Ensemble, Grid, Info, METHODS, Observer, Pendulum, Phase,
+    for_each_method, methods,
 };
 
 use crate::Error;
 use crate::kernel::Program;
+use crate::kernel::flips::{self, Recordable};
 use crate::kernel::steps::{self, Begun, CONSTANTS, buffer};
 use crate::opencl::{Device, Session};
 
@@ -53,7 +56,7 @@ pub fn method_named(name: &str) -> Option<OnDevice> {
 
 /// Pendulums that are on the device at once, at most: enough for every core of a large card. It
 /// bounds the memory here, whatever the number of starts.
-pub const MOST: usize = 1 << 18;
+const MOST: usize = 1 << 18;
 
 /// What a launch looks at; its number is that of the kernel.
 #[derive(Clone, Copy)]
@@ -66,10 +69,9 @@ enum Watch {
 
 /// The steps of a method, compiled for a device.
 pub struct Compiled<'d> {
-    device: &'d Device,
     method: OnDevice,
     program: Program,
-    session: Session,
+    session: Session<'d>,
 }
 
 impl Device {
@@ -79,7 +81,7 @@ impl Device {
         let program = (method.program)().ok_or(Error::Method { method: name })?;
         let rows = steps::rows(program.numbers);
         let session = Session::new(self, &program.source, &steps::KERNELS, &rows)?;
-        Ok(Compiled { device: self, method, program, session })
+        Ok(Compiled { method, program, session })
     }
 }
 
@@ -90,14 +92,14 @@ impl Compiled<'_> {
     /// # Panics
     /// If there are not as many slots as starts.
     pub fn ends(&mut self, ensemble: &Ensemble<'_>, ends: &mut [Phase]) -> Result<(), Error> {
-        let (device, host) = (self.device, self.method.host);
+        let host = self.method.host;
         let (steps, h) = (ensemble.grid().steps(), ensemble.grid().step());
         self.in_batches(
             ensemble,
             ends,
             |session, batch, ends| {
-                session.run(device, Watch::End as usize, batch.len(), steps, &[h])?;
-                let phases = session.read(device, buffer::PHASES, batch.len())?;
+                session.run(Watch::End as usize, batch.len(), steps, &[h])?;
+                let phases = session.read(buffer::PHASES, batch.len())?;
                 for (column, &i) in batch.iter().enumerate() {
                     ends[i] = phase(&phases, column);
                 }
@@ -119,7 +121,7 @@ impl Compiled<'_> {
         ensemble: &Ensemble<'_>,
         ends: &mut [(Phase, f64)],
     ) -> Result<(), Error> {
-        let (device, host) = (self.device, self.method.host);
+        let host = self.method.host;
         let (steps, h) = (ensemble.grid().steps(), ensemble.grid().step());
         let alone = |i: usize, slot: &mut (Phase, f64)| {
             let pendulum = ensemble.system(i);
@@ -131,9 +133,9 @@ impl Compiled<'_> {
             ensemble,
             ends,
             |session, batch, ends| {
-                session.run(device, Watch::Energy as usize, batch.len(), steps, &[h])?;
-                let phases = session.read(device, buffer::PHASES, batch.len())?;
-                let watched = session.read(device, buffer::WATCHED, batch.len())?;
+                session.run(Watch::Energy as usize, batch.len(), steps, &[h])?;
+                let phases = session.read(buffer::PHASES, batch.len())?;
+                let watched = session.read(buffer::WATCHED, batch.len())?;
                 let (errors, angles) = watched.split_at(batch.len());
                 for (column, &i) in batch.iter().enumerate() {
                     // Beyond, the library's sine is another one.
@@ -160,7 +162,7 @@ impl Compiled<'_> {
         every: NonZeroU64,
         observers: &mut [O],
     ) -> Result<(), Error> {
-        let (device, host) = (self.device, self.method.host);
+        let host = self.method.host;
         let (grid, h) = (ensemble.grid(), ensemble.grid().step());
         self.in_batches(
             ensemble,
@@ -173,9 +175,9 @@ impl Compiled<'_> {
                 while grid.steps() - n >= every.get()
                     && batch.iter().any(|&i| !observers[i].is_satisfied())
                 {
-                    session.run(device, Watch::End as usize, batch.len(), every.get(), &[h])?;
+                    session.run(Watch::End as usize, batch.len(), every.get(), &[h])?;
                     n += every.get();
-                    let phases = session.read(device, buffer::PHASES, batch.len())?;
+                    let phases = session.read(buffer::PHASES, batch.len())?;
                     for (column, &i) in batch.iter().enumerate() {
                         if !observers[i].is_satisfied() {
                             observers[i].observe(n, grid.time(n), phase(&phases, column));
@@ -194,9 +196,7 @@ impl Compiled<'_> {
             },
         )
     }
-}
 
-impl Compiled<'_> {
     /// Calls `on_device` for each batch of pendulums, with a session in which they stand at the
     /// start, their indices and all slots; and `alone` for each pendulum that the library does not
     /// run in steps either.
@@ -204,11 +204,11 @@ impl Compiled<'_> {
         &mut self,
         ensemble: &Ensemble<'_>,
         slots: &mut [T],
-        mut on_device: impl FnMut(&Session, &[usize], &mut [T]) -> Result<(), Error>,
+        mut on_device: impl FnMut(&Session<'_>, &[usize], &mut [T]) -> Result<(), Error>,
         mut alone: impl FnMut(usize, &mut T),
     ) -> Result<(), Error> {
         assert_eq!(slots.len(), ensemble.starts().len(), "one slot for each start");
-        let capacity = self.session.reserve(self.device, slots.len(), MOST)?;
+        let capacity = self.session.reserve(slots.len(), MOST)?;
         let mut batch = Vec::with_capacity(capacity);
         let mut begun = Vec::with_capacity(capacity);
         for (i, start) in ensemble.starts().iter().enumerate() {
@@ -230,7 +230,7 @@ impl Compiled<'_> {
                     (buffer::WATCHED, &watched),
                 ];
                 for (index, values) in buffers {
-                    self.session.write(self.device, index, batch.len(), values)?;
+                    self.session.write(index, batch.len(), values)?;
                 }
                 on_device(&self.session, &batch, slots)?;
                 batch.clear();
@@ -241,8 +241,51 @@ impl Compiled<'_> {
     }
 }
 
+impl Device {
+    /// Writes the first flips to `flips`, as [`pendula::fast::first_flips`] does, with the same
+    /// bits.
+    ///
+    /// # Panics
+    /// If there are not as many slots as starts.
+    pub fn first_flips<M: Info + Recordable>(
+        &self,
+        double: &DoublePendulum,
+        method: &M,
+        starts: &[DoublePhase],
+        grid: &Grid,
+        flips: &mut [Option<NonZeroU64>],
+    ) -> Result<(), Error> {
+        assert_eq!(flips.len(), starts.len(), "one slot for each start");
+        let (name, h) = (method.info().name, grid.step());
+        let program = flips::program(method, double, h).ok_or(Error::Method { method: name })?;
+        let (kernels, width) = (&flips::KERNELS, flips::rows(program.numbers));
+        let mut session = Session::new(self, &program.source, kernels, &width)?;
+        let capacity = session.reserve(starts.len(), MOST)?;
+        if capacity == 0 {
+            return Ok(());
+        }
+        for (starts, flips) in starts.chunks(capacity).zip(flips.chunks_mut(capacity)) {
+            let begin =
+                |z: &DoublePhase| flips::begin(method, double, [z.theta1, z.theta2, z.p1, z.p2], h);
+            let begun: Vec<_> = starts.iter().map(begin).collect();
+            let numbers = rows(&begun, program.numbers, |z| z);
+            session.write(flips::buffer::NUMBERS, starts.len(), &numbers)?;
+            // No step taken, and both rods below.
+            let zeros_and_ones = [vec![0.0; starts.len()], vec![1.0; starts.len()]].concat();
+            session.write(flips::buffer::FLIPS, starts.len(), &zeros_and_ones)?;
+            session.run(0, starts.len(), grid.steps(), &[])?;
+            let taken = session.read(flips::buffer::FLIPS, starts.len())?;
+            for (flip, taken) in flips.iter_mut().zip(taken) {
+                let taken = taken as u64;
+                *flip = if taken < grid.steps() { NonZeroU64::new(taken + 1) } else { None };
+            }
+        }
+        Ok(())
+    }
+}
+
 /// What all pendulums have, in rows: the first number of each, then the second of each.
-pub fn rows<T>(pendulums: &[T], width: usize, of: impl Fn(&T) -> &[f64]) -> Vec<f64> {
+fn rows<T>(pendulums: &[T], width: usize, of: impl Fn(&T) -> &[f64]) -> Vec<f64> {
     (0..width)
         .flat_map(|row| pendulums.iter().map(move |one| (row, one)))
         .map(|(row, one)| of(one)[row])

@@ -11,7 +11,6 @@
 
 mod ensemble;
 mod error;
-mod flips;
 pub mod kernel;
 mod opencl;
 pub mod trace;

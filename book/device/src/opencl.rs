@@ -79,7 +79,8 @@ pub fn devices() -> Result<Vec<Device>, Error> {
 }
 
 /// A program on a device, and memory for a number of pendulums.
-pub struct Session {
+pub struct Session<'d> {
+    device: &'d Device,
     context: Context,
     queue: CommandQueue,
     /// Each kernel, and how many of the buffers it is given.
@@ -98,11 +99,11 @@ const GROUP: usize = 64;
 /// hangs.
 const LAUNCH: cl_ulong = 1 << 12;
 
-impl Session {
+impl<'d> Session<'d> {
     /// Builds `source` for `device`, with its `kernels` and how many of the buffers each is given;
     /// `rows` says how many rows each buffer has.
     pub fn new(
-        device: &Device,
+        device: &'d Device,
         source: &str,
         kernels: &[(&str, usize)],
         rows: &[usize],
@@ -111,7 +112,7 @@ impl Session {
             return Err(Error::NoDouble { device: device.name.clone() });
         }
         let _alone = one_at_a_time();
-        let refused = |error| refusal(device, error);
+        let refused = |error| device.refusal(error);
         let context = Context::from_device(&device.handle).map_err(refused)?;
         // Deprecated since OpenCL 2.0, and the one call that every version has.
         #[allow(deprecated)]
@@ -126,12 +127,14 @@ impl Session {
             Ok((Kernel::create(&built, name).map_err(refused)?, buffers))
         };
         let kernels = kernels.iter().map(kernel).collect::<Result<_, _>>()?;
-        Ok(Self { context, queue, kernels, rows: rows.into(), capacity: 0, buffers: Vec::new() })
+        let (rows, capacity, buffers) = (rows.into(), 0, Vec::new());
+        Ok(Self { device, context, queue, kernels, rows, capacity, buffers })
     }
 
     /// The pendulums of `all` that are on the device at once: a quarter of its memory, in buffers
     /// that it allows, and no more than `most`. There is then room for them.
-    pub fn reserve(&mut self, device: &Device, all: usize, most: usize) -> Result<usize, Error> {
+    pub fn reserve(&mut self, all: usize, most: usize) -> Result<usize, Error> {
+        let device = self.device;
         let column = 8 * self.rows.iter().sum::<usize>() as u64;
         let room = u64::min(device.memory / 4, device.largest_buffer) / column;
         let capacity = usize::try_from(room).unwrap_or(usize::MAX).min(most).min(all);
@@ -145,7 +148,7 @@ impl Session {
                 let (flags, length) = (CL_MEM_READ_WRITE, rows * capacity);
                 // SAFETY: No memory of this side is handed over.
                 unsafe { Buffer::create(&self.context, flags, length, core::ptr::null_mut()) }
-                    .map_err(|error| refusal(device, error))
+                    .map_err(|error| device.refusal(error))
             };
             self.buffers = self.rows.iter().map(buffer).collect::<Result<_, _>>()?;
             self.capacity = capacity;
@@ -157,19 +160,13 @@ impl Session {
     ///
     /// # Panics
     /// If there is no room for them, or the rows do not have this length.
-    pub fn write(
-        &mut self,
-        device: &Device,
-        buffer: usize,
-        pendulums: usize,
-        values: &[f64],
-    ) -> Result<(), Error> {
+    pub fn write(&mut self, buffer: usize, pendulums: usize, values: &[f64]) -> Result<(), Error> {
         assert!(pendulums <= self.capacity, "there is room for them");
         assert_eq!(values.len(), self.rows[buffer] * pendulums, "a column for each pendulum");
         let buffer = &mut self.buffers[buffer];
         // SAFETY: The buffer is at least as long, and the call returns when all is copied.
         unsafe { self.queue.enqueue_write_buffer(buffer, CL_TRUE, 0, values, &[]) }
-            .map_err(|error| refusal(device, error))?;
+            .map_err(|error| self.device.refusal(error))?;
         Ok(())
     }
 
@@ -181,7 +178,6 @@ impl Session {
     /// If there is no room for them.
     pub fn run(
         &self,
-        device: &Device,
         kernel: usize,
         pendulums: usize,
         steps: u64,
@@ -218,7 +214,7 @@ impl Session {
         let mut left = steps;
         while left > 0 {
             let now = left.min(LAUNCH);
-            launch(now).map_err(|error| refusal(device, error))?;
+            launch(now).map_err(|error| self.device.refusal(error))?;
             left -= now;
         }
         Ok(())
@@ -228,30 +224,27 @@ impl Session {
     ///
     /// # Panics
     /// If there is no room for them.
-    pub fn read(
-        &self,
-        device: &Device,
-        buffer: usize,
-        pendulums: usize,
-    ) -> Result<Vec<f64>, Error> {
+    pub fn read(&self, buffer: usize, pendulums: usize) -> Result<Vec<f64>, Error> {
         assert!(pendulums <= self.capacity, "there is room for them");
         let mut values = vec![0.0; self.rows[buffer] * pendulums];
         // SAFETY: The buffer is at least as long, and the call returns when all is copied.
         unsafe {
             self.queue.enqueue_read_buffer(&self.buffers[buffer], CL_TRUE, 0, &mut values, &[])
         }
-        .map_err(|error| refusal(device, error))?;
+        .map_err(|error| self.device.refusal(error))?;
         Ok(values)
     }
 }
 
-/// What the driver's answer means.
-fn refusal(device: &Device, error: ClError) -> Error {
-    let name = device.name.clone();
-    match error.0 {
-        CL_INVALID_BUFFER_SIZE | CL_MEM_OBJECT_ALLOCATION_FAILURE | CL_OUT_OF_HOST_MEMORY => {
-            Error::Memory { device: name }
+impl Device {
+    /// What the driver's answer means.
+    fn refusal(&self, error: ClError) -> Error {
+        let device = self.name.clone();
+        match error.0 {
+            CL_INVALID_BUFFER_SIZE | CL_MEM_OBJECT_ALLOCATION_FAILURE | CL_OUT_OF_HOST_MEMORY => {
+                Error::Memory { device }
+            }
+            code => Error::Driver { device, code, answer: error.to_string() },
         }
-        code => Error::Driver { device: name, code, answer: error.to_string() },
     }
 }

@@ -28,16 +28,12 @@ pub struct CieslinskiRatkiewicz;
 impl Info for CieslinskiRatkiewicz {
     fn info(&self) -> MethodInfo {
         MethodInfo {
-            name: "cieslinski-ratkiewicz",
             title: "Cieśliński–Ratkiewicz",
             aliases: &["modified discrete gradient", "MOD-GR"],
-            order: 2,
-            symplectic: false,
             symmetric: true,
             implicit: true,
-            force_evaluations: 2,
-            start_evaluations: 0,
             reference: "J. L. Cieśliński, B. Ratkiewicz, J. Phys. A 42 (2009) 105204",
+            ..MethodInfo::new("cieslinski-ratkiewicz", 2)
         }
     }
 }

@@ -27,17 +27,13 @@ pub struct DiscreteGradient;
 impl Info for DiscreteGradient {
     fn info(&self) -> MethodInfo {
         MethodInfo {
-            name: "discrete-gradient",
             title: "Discrete gradient",
             aliases: &["average vector field", "energy-conserving"],
-            order: 2,
-            symplectic: false,
             symmetric: true,
             implicit: true,
-            force_evaluations: 2,
-            start_evaluations: 0,
             reference: "R. I. McLachlan, G. R. W. Quispel, N. Robidoux, Phil. Trans. R. Soc. A 357 \
                         (1999) 1021",
+            ..MethodInfo::new("discrete-gradient", 2)
         }
     }
 }

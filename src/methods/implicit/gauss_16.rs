@@ -15,16 +15,14 @@ pub struct Gauss16;
 impl Info for Gauss16 {
     fn info(&self) -> MethodInfo {
         MethodInfo {
-            name: "gauss-16",
             title: "Gauss 16",
             aliases: &["Kuntzmann–Butcher 16"],
-            order: 16,
             symplectic: true,
             symmetric: true,
             implicit: true,
             force_evaluations: 8,
-            start_evaluations: 0,
             reference: "Hairer, Lubich, Wanner (2006), Sect. II.1.3",
+            ..MethodInfo::new("gauss-16", 16)
         }
     }
 }

@@ -15,16 +15,14 @@ pub struct Gauss4;
 impl Info for Gauss4 {
     fn info(&self) -> MethodInfo {
         MethodInfo {
-            name: "gauss-4",
             title: "Gauss 4",
             aliases: &["Hammer–Hollingsworth", "Kuntzmann–Butcher 4"],
-            order: 4,
             symplectic: true,
             symmetric: true,
             implicit: true,
             force_evaluations: 2,
-            start_evaluations: 0,
             reference: "Hairer, Lubich, Wanner (2006), Sect. II.1.3",
+            ..MethodInfo::new("gauss-4", 4)
         }
     }
 }

@@ -15,16 +15,14 @@ pub struct Gauss6;
 impl Info for Gauss6 {
     fn info(&self) -> MethodInfo {
         MethodInfo {
-            name: "gauss-6",
             title: "Gauss 6",
             aliases: &["Kuntzmann–Butcher 6"],
-            order: 6,
             symplectic: true,
             symmetric: true,
             implicit: true,
             force_evaluations: 3,
-            start_evaluations: 0,
             reference: "Hairer, Lubich, Wanner (2006), Sect. II.1.3",
+            ..MethodInfo::new("gauss-6", 6)
         }
     }
 }

@@ -15,16 +15,14 @@ pub struct ImplicitMidpoint;
 impl Info for ImplicitMidpoint {
     fn info(&self) -> MethodInfo {
         MethodInfo {
-            name: "implicit-midpoint",
             title: "Implicit midpoint",
             aliases: &["Gauss 2"],
-            order: 2,
             symplectic: true,
             symmetric: true,
             implicit: true,
             force_evaluations: 1,
-            start_evaluations: 0,
             reference: "Hairer, Lubich, Wanner (2006), Sect. II.1.3",
+            ..MethodInfo::new("implicit-midpoint", 2)
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use core::num::NonZeroU32;
 
-use crate::error::Error;
+use crate::error::{Error, checked};
 use crate::integrate::{Method, Unsolved};
 use crate::methods::{Info, MethodInfo};
 use crate::systems::{Measurable, System};
@@ -36,13 +36,10 @@ impl Iteration {
     /// # Errors
     /// [`Error::Parameter`] for a tolerance that is not at least 0 and below 1.
     pub fn tolerance(self, tolerance: f64) -> Result<Self, Error> {
-        // A NaN is in no range, and is refused.
-        if (0.0..1.0).contains(&tolerance) {
-            Ok(Self { tolerance, ..self })
-        } else {
-            let name = "relative tolerance of the iteration";
-            Err(Error::Parameter { name, value: tolerance, allowed: "at least 0 and below 1" })
-        }
+        let fits = (0.0..1.0).contains(&tolerance);
+        let name = "relative tolerance of the iteration";
+        checked(name, tolerance, fits, "at least 0 and below 1")?;
+        Ok(Self { tolerance, ..self })
     }
 
     /// Gives up after this number of `sweeps`.

@@ -18,16 +18,13 @@ pub struct Trapezoidal;
 impl Info for Trapezoidal {
     fn info(&self) -> MethodInfo {
         MethodInfo {
-            name: "trapezoidal",
             title: "Trapezoidal rule",
             aliases: &["Lobatto IIIA 2", "Crank–Nicolson"],
-            order: 2,
-            symplectic: false,
             symmetric: true,
             implicit: true,
             force_evaluations: 1,
-            start_evaluations: 0,
             reference: "Hairer, Lubich, Wanner (2006), Sects. II.1.1 and VI.8",
+            ..MethodInfo::new("trapezoidal", 2)
         }
     }
 }

@@ -20,16 +20,14 @@ pub struct Processed4;
 impl Info for Processed4 {
     fn info(&self) -> MethodInfo {
         MethodInfo {
-            name: "processed-4",
             title: "Processed 4",
             aliases: &["Rowlands", "Takahashi–Imada", "position Verlet with the force gradient"],
-            order: 4,
             symplectic: true,
             symmetric: true,
-            implicit: false,
             force_evaluations: 2,
             start_evaluations: Processor::EVALUATIONS,
             reference: "G. Rowlands, J. Comput. Phys. 97 (1991) 235",
+            ..MethodInfo::new("processed-4", 4)
         }
     }
 }

@@ -22,16 +22,14 @@ pub struct Processed6;
 impl Info for Processed6 {
     fn info(&self) -> MethodInfo {
         MethodInfo {
-            name: "processed-6",
             title: "Processed 6",
             aliases: &["kick–drift kernel with the force gradient"],
-            order: 6,
             symplectic: true,
             symmetric: true,
-            implicit: false,
             force_evaluations: 4,
             start_evaluations: Processor::EVALUATIONS + 2,
             reference: "S. Blanes, F. Casas, J. Ros, SIAM J. Sci. Comput. 21 (1999) 711",
+            ..MethodInfo::new("processed-6", 6)
         }
     }
 }

@@ -24,16 +24,11 @@ pub struct Dop853;
 impl Info for Dop853 {
     fn info(&self) -> MethodInfo {
         MethodInfo {
-            name: "dop853",
             title: "DOP853",
             aliases: &["Dormand–Prince 8(5,3)", "Hairer's 8(5,3)"],
-            order: 8,
-            symplectic: false,
-            symmetric: false,
-            implicit: false,
             force_evaluations: 12,
-            start_evaluations: 0,
             reference: "Hairer, Nørsett, Wanner (1993), Sects. II.5 and II.10",
+            ..MethodInfo::new("dop853", 8)
         }
     }
 }

@@ -19,16 +19,12 @@ pub struct DormandPrince;
 impl Info for DormandPrince {
     fn info(&self) -> MethodInfo {
         MethodInfo {
-            name: "dormand-prince",
             title: "Dormand–Prince",
             aliases: &["DOPRI5", "RK45", "ode45"],
-            order: 5,
-            symplectic: false,
-            symmetric: false,
-            implicit: false,
             force_evaluations: 6,
             start_evaluations: 1,
             reference: "Hairer, Nørsett, Wanner (1993), Table II.5.2",
+            ..MethodInfo::new("dormand-prince", 5)
         }
     }
 }

@@ -15,17 +15,11 @@ pub struct ExplicitMidpoint;
 impl Info for ExplicitMidpoint {
     fn info(&self) -> MethodInfo {
         MethodInfo {
-            name: "explicit-midpoint",
             title: "Explicit midpoint",
             aliases: &["Runge's method", "modified Euler"],
-            order: 2,
-            symplectic: false,
-            symmetric: false,
-            implicit: false,
-            force_evaluations: 2,
-            start_evaluations: 0,
             reference: "C. Runge, Math. Ann. 46 (1895) 167; Hairer, Nørsett, Wanner (1993), Sect. \
                         II.1",
+            ..MethodInfo::new("explicit-midpoint", 2)
         }
     }
 }

@@ -14,16 +14,10 @@ pub struct ForwardEuler;
 impl Info for ForwardEuler {
     fn info(&self) -> MethodInfo {
         MethodInfo {
-            name: "forward-euler",
             title: "Forward Euler",
             aliases: &["explicit Euler", "Euler's method"],
-            order: 1,
-            symplectic: false,
-            symmetric: false,
-            implicit: false,
-            force_evaluations: 1,
-            start_evaluations: 0,
             reference: "Hairer, Lubich, Wanner (2006), Sect. I.1.2",
+            ..MethodInfo::new("forward-euler", 1)
         }
     }
 }

@@ -15,17 +15,11 @@ pub struct Heun;
 impl Info for Heun {
     fn info(&self) -> MethodInfo {
         MethodInfo {
-            name: "heun",
             title: "Heun",
             aliases: &["explicit trapezoidal rule", "improved Euler"],
-            order: 2,
-            symplectic: false,
-            symmetric: false,
-            implicit: false,
-            force_evaluations: 2,
-            start_evaluations: 0,
             reference: "K. Heun, Z. Math. Phys. 45 (1900) 23; Hairer, Nørsett, Wanner (1993), \
                         Sect. II.1",
+            ..MethodInfo::new("heun", 2)
         }
     }
 }

@@ -15,16 +15,10 @@ pub struct Rk4;
 impl Info for Rk4 {
     fn info(&self) -> MethodInfo {
         MethodInfo {
-            name: "rk4",
             title: "RK4",
             aliases: &["classical Runge–Kutta", "the Runge–Kutta method"],
-            order: 4,
-            symplectic: false,
-            symmetric: false,
-            implicit: false,
-            force_evaluations: 4,
-            start_evaluations: 0,
             reference: "Hairer, Lubich, Wanner (2006), Sect. II.1.1",
+            ..MethodInfo::new("rk4", 4)
         }
     }
 }

@@ -15,16 +15,14 @@ pub struct BlanesMoan4;
 impl Info for BlanesMoan4 {
     fn info(&self) -> MethodInfo {
         MethodInfo {
-            name: "blanes-moan-4",
             title: "Blanes–Moan 4",
             aliases: &["S₆"],
-            order: 4,
             symplectic: true,
             symmetric: true,
-            implicit: false,
             force_evaluations: 6,
             start_evaluations: 1,
             reference: "S. Blanes, P. C. Moan, J. Comput. Appl. Math. 142 (2002) 313, Table 2",
+            ..MethodInfo::new("blanes-moan-4", 4)
         }
     }
 }

@@ -17,16 +17,14 @@ pub struct BlanesMoan6;
 impl Info for BlanesMoan6 {
     fn info(&self) -> MethodInfo {
         MethodInfo {
-            name: "blanes-moan-6",
             title: "Blanes–Moan 6",
             aliases: &["SRKN 11b"],
-            order: 6,
             symplectic: true,
             symmetric: true,
-            implicit: false,
             force_evaluations: 11,
             start_evaluations: 1,
             reference: "S. Blanes, P. C. Moan, J. Comput. Appl. Math. 142 (2002) 313, Table 3",
+            ..MethodInfo::new("blanes-moan-6", 6)
         }
     }
 }

@@ -29,17 +29,15 @@ pub struct Deuflhard;
 impl Info for Deuflhard {
     fn info(&self) -> MethodInfo {
         MethodInfo {
-            name: "deuflhard",
             title: "Deuflhard",
             aliases: &["linear rotation and kicks", "impulse method"],
-            order: 2,
             symplectic: true,
             symmetric: true,
-            implicit: false,
             force_evaluations: 1,
             start_evaluations: 1,
             reference: "P. Deuflhard, Z. Angew. Math. Phys. 30 (1979) 177; Hairer, Lubich, Wanner \
                         (2006), Sect. XIII.1",
+            ..MethodInfo::new("deuflhard", 2)
         }
     }
 }

@@ -16,16 +16,14 @@ pub struct ForestRuth;
 impl Info for ForestRuth {
     fn info(&self) -> MethodInfo {
         MethodInfo {
-            name: "forest-ruth",
             title: "Forest–Ruth",
             aliases: &["Yoshida 4", "the triple jump"],
-            order: 4,
             symplectic: true,
             symmetric: true,
-            implicit: false,
             force_evaluations: 3,
             start_evaluations: 1,
             reference: "E. Forest, R. D. Ruth, Physica D 43 (1990) 105",
+            ..MethodInfo::new("forest-ruth", 4)
         }
     }
 }

@@ -16,17 +16,15 @@ pub struct KahanLi8;
 impl Info for KahanLi8 {
     fn info(&self) -> MethodInfo {
         MethodInfo {
-            name: "kahan-li-8",
             title: "Kahan–Li 8",
             aliases: &["s17odr8a"],
-            order: 8,
             symplectic: true,
             symmetric: true,
-            implicit: false,
             force_evaluations: 17,
             start_evaluations: 1,
             reference: "W. Kahan, R.-C. Li, Math. Comp. 66 (1997) 1089; Hairer, Lubich, Wanner \
                         (2006), Eq. V.3.14",
+            ..MethodInfo::new("kahan-li-8", 8)
         }
     }
 }

@@ -15,16 +15,13 @@ pub struct PositionVerlet;
 impl Info for PositionVerlet {
     fn info(&self) -> MethodInfo {
         MethodInfo {
-            name: "position-verlet",
             title: "Position Verlet",
             aliases: &["drift–kick–drift"],
-            order: 2,
             symplectic: true,
             symmetric: true,
-            implicit: false,
             force_evaluations: 1,
-            start_evaluations: 0,
             reference: "Hairer, Lubich, Wanner (2006), Sect. I.1.4",
+            ..MethodInfo::new("position-verlet", 2)
         }
     }
 }

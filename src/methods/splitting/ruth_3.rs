@@ -15,16 +15,12 @@ pub struct Ruth3;
 impl Info for Ruth3 {
     fn info(&self) -> MethodInfo {
         MethodInfo {
-            name: "ruth-3",
             title: "Ruth 3",
             aliases: &["Ruth’s third-order method"],
-            order: 3,
             symplectic: true,
-            symmetric: false,
-            implicit: false,
-            force_evaluations: 3,
             start_evaluations: 1,
             reference: "R. D. Ruth, IEEE Trans. Nucl. Sci. 30 (1983) 2669",
+            ..MethodInfo::new("ruth-3", 3)
         }
     }
 }

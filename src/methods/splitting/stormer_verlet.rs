@@ -16,16 +16,14 @@ pub struct StormerVerlet;
 impl Info for StormerVerlet {
     fn info(&self) -> MethodInfo {
         MethodInfo {
-            name: "stormer-verlet",
             title: "Störmer–Verlet",
             aliases: &["velocity Verlet", "leapfrog", "kick–drift–kick"],
-            order: 2,
             symplectic: true,
             symmetric: true,
-            implicit: false,
             force_evaluations: 1,
             start_evaluations: 1,
             reference: "Hairer, Lubich, Wanner (2006), Sect. I.1.4",
+            ..MethodInfo::new("stormer-verlet", 2)
         }
     }
 }

@@ -15,16 +15,14 @@ pub struct Suzuki4;
 impl Info for Suzuki4 {
     fn info(&self) -> MethodInfo {
         MethodInfo {
-            name: "suzuki-4",
             title: "Suzuki 4",
             aliases: &["Suzuki’s fractal"],
-            order: 4,
             symplectic: true,
             symmetric: true,
-            implicit: false,
             force_evaluations: 5,
             start_evaluations: 1,
             reference: "M. Suzuki, Phys. Lett. A 146 (1990) 319",
+            ..MethodInfo::new("suzuki-4", 4)
         }
     }
 }

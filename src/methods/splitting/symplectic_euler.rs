@@ -16,16 +16,11 @@ pub struct SymplecticEuler;
 impl Info for SymplecticEuler {
     fn info(&self) -> MethodInfo {
         MethodInfo {
-            name: "symplectic-euler",
             title: "Symplectic Euler",
             aliases: &["semi-implicit Euler", "Euler–Cromer"],
-            order: 1,
             symplectic: true,
-            symmetric: false,
-            implicit: false,
-            force_evaluations: 1,
-            start_evaluations: 0,
             reference: "Hairer, Lubich, Wanner (2006), Sect. I.1.2",
+            ..MethodInfo::new("symplectic-euler", 1)
         }
     }
 }

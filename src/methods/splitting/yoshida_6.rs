@@ -15,16 +15,14 @@ pub struct Yoshida6;
 impl Info for Yoshida6 {
     fn info(&self) -> MethodInfo {
         MethodInfo {
-            name: "yoshida-6",
             title: "Yoshida 6",
             aliases: &["Yoshida’s solution A of order 6"],
-            order: 6,
             symplectic: true,
             symmetric: true,
-            implicit: false,
             force_evaluations: 7,
             start_evaluations: 1,
             reference: "H. Yoshida, Phys. Lett. A 150 (1990) 262, Table 1, A",
+            ..MethodInfo::new("yoshida-6", 6)
         }
     }
 }

@@ -16,16 +16,14 @@ pub struct Yoshida8;
 impl Info for Yoshida8 {
     fn info(&self) -> MethodInfo {
         MethodInfo {
-            name: "yoshida-8",
             title: "Yoshida 8",
             aliases: &["Yoshida’s solution D of order 8"],
-            order: 8,
             symplectic: true,
             symmetric: true,
-            implicit: false,
             force_evaluations: 15,
             start_evaluations: 1,
             reference: "H. Yoshida, Phys. Lett. A 150 (1990) 262, Table 2, D",
+            ..MethodInfo::new("yoshida-8", 8)
         }
     }
 }

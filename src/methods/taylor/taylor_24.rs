@@ -21,16 +21,10 @@ pub struct Taylor24;
 impl Info for Taylor24 {
     fn info(&self) -> MethodInfo {
         MethodInfo {
-            name: "taylor-24",
             title: "Taylor 24",
             aliases: &["power series", "automatic differentiation"],
-            order: 24,
-            symplectic: false,
-            symmetric: false,
-            implicit: false,
-            force_evaluations: 24,
-            start_evaluations: 0,
             reference: "Hairer, Nørsett, Wanner (1993), Sect. I.8",
+            ..MethodInfo::new("taylor-24", 24)
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Area in phase space: the determinant of a step, by a ruler whose own error is measured.
 
-use super::number::{about, scientific};
 use super::probe::{Probe, Run, frequency, step};
+use super::report::{about, scientific};
 use super::verdict::{Measured, Told, Trouble, Verdict};
 use crate::systems::Phase;
 

@@ -1,7 +1,7 @@
 //! The energy: bounded, or drifting, and by which law.
 
-use super::number::scientific;
 use super::probe::{Probe, Run, energy, step};
+use super::report::scientific;
 use super::verdict::{Measured, Told, Trouble, Verdict};
 use crate::systems::Phase;
 

@@ -5,13 +5,15 @@ use core::fmt;
 
 use super::answers::Match;
 use super::claims::Claims;
-use super::number::{Scientific, about, raised};
-use super::probe::{G_OVER_L, Probe, Run, distance, exact, frequency, pendulum, step};
+use super::probe::{
+    G_OVER_L, Probe, Run, distance, exact, frequency, pendulum, states_after, step,
+};
+use super::report::{Scientific, about, raised};
 use super::verdict::{Measured, Told, Trouble, Verdict};
 use crate::systems::{Phase, Separable};
 use crate::verify::known_answers;
 use crate::verify::properties::error_constant::extrapolated;
-use crate::{AnyMethod, Grid, METHODS, MethodInfo};
+use crate::{AnyMethod, METHODS, MethodInfo};
 
 /// From where a method is seen: a stranger's states are those of the method, or lie a part of a
 /// kick or a drift before them.
@@ -138,16 +140,16 @@ const STEPS: [f64; 4] = [0.05, 0.3, 0.8, 1.1];
 const COUNT: u64 = 8;
 
 /// The states of a method of the library after 1, 2, … steps, as they are seen from there.
-fn own_states(method: &dyn AnyMethod, seen: Seen, start: Phase, h: f64, count: u64) -> Vec<Phase> {
-    let grid = Grid::new(h, count).expect("a positive step");
-    let mut states = Vec::new();
+pub fn own_states(
+    method: &dyn AnyMethod,
+    seen: Seen,
+    start: Phase,
+    h: f64,
+    count: u64,
+) -> Option<Vec<Phase>> {
     let own = seen.into_its_own(G_OVER_L, start, h);
-    method.run(&pendulum(G_OVER_L), own, &grid, &mut |n: u64, _: f64, z: Phase| {
-        if n > 0 {
-            states.push(seen.from_its_own(G_OVER_L, z, h));
-        }
-    });
-    states
+    let states = states_after(method, &pendulum(G_OVER_L), own, h, count)?;
+    Some(states.into_iter().map(|z| seen.from_its_own(G_OVER_L, z, h)).collect())
 }
 
 /// The stranger's states in a few runs of eight steps, with which known methods are compared.
@@ -237,7 +239,7 @@ pub fn identify(
                 continue;
             }
             for method in methods {
-                let own = |start, h, count| Some(own_states(*method, seen, start, h, count));
+                let own = |start, h, count| own_states(*method, seen, start, h, count);
                 if let Some(apart) = asked.apart(0.0, apart, own) {
                     let MethodInfo { name, title, .. } = method.info();
                     let identity = Identity { method: name, title, seen, angles_only, apart };

@@ -2,12 +2,10 @@
 
 use super::claims::Claims;
 use super::expansion::{self, Deviation};
-use super::number::{about, raised};
 use super::probe::Probe;
-use super::report::{Finding, Report};
-use super::resemblance;
-use super::scaled::Scaled;
-use super::verdict::{Measured, Trouble, Verdict};
+use super::report::{Finding, Report, about, raised};
+use super::resemblance::{self, Scaled};
+use super::verdict::{Measured, Verdict, told};
 use crate::verify::known_answers::{Known, Mistake};
 
 /// A cause, and the properties that fail by it.
@@ -67,15 +65,6 @@ pub fn at(probe: &Probe<'_>, claims: &Claims, report: &Report) -> Measured<Vec<S
         causes.extend(nearest.map(|text| Cause { text, explains: &[] }));
     }
     Ok(in_words(causes, &failed))
-}
-
-/// `None` for what could not be measured.
-fn told<T>(found: Measured<T>) -> Measured<Option<T>> {
-    match found {
-        Ok(found) => Ok(Some(found)),
-        Err(Trouble::Broken(why)) => Err(Trouble::Broken(why)),
-        Err(_) => Ok(None),
-    }
 }
 
 /// The sentences: each failure with the first cause that explains it.

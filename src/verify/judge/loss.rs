@@ -2,8 +2,8 @@
 
 use super::area;
 use super::identity::Identity;
-use super::number::{about, scientific};
 use super::probe::{G_OVER_L, Probe, Run, energy, pendulum, step};
+use super::report::{about, scientific};
 use super::verdict::{Measured, Told, Verdict};
 use crate::systems::Phase;
 use crate::verify::properties::flipped;

@@ -1,7 +1,7 @@
 //! Order: the slopes of the error on a ladder of steps, down to the stranger's rounding.
 
-use super::number::slopes;
 use super::probe::{G_OVER_L, Probe, Run, distance, exact, frequency};
+use super::report::slopes;
 use super::verdict::{Measured, Told, Trouble, Verdict};
 use crate::systems::Phase;
 
@@ -143,7 +143,7 @@ pub fn verdict(ladder: &Ladder, claimed: u32) -> (Verdict, String) {
     let whole = libm::round(last);
     let elsewhere = !moved && whole != order && (last - whole).abs() < 0.08;
     let settled = !moved || finest.iter().rev().take(2).all(|s| *s < order - 0.5 - bent);
-    let told = super::number::slopes(&[last]);
+    let told = super::report::slopes(&[last]);
     if elsewhere || (last < order && !towards && settled) {
         (Verdict::Fails, format!("the finest slope is {told}"))
     } else {

@@ -5,6 +5,7 @@ use super::verdict::{Measured, Trouble};
 use crate::exact::Motion;
 use crate::systems::{Hamiltonian, Pendulum, Phase};
 use crate::verify::stranger::{Fault, Reply, Request, Stranger};
+use crate::{AnyMethod, Grid};
 
 /// g/L of most requests (1/s²): not the paper's, and no power of two.
 pub const G_OVER_L: f64 = 12.2625;
@@ -193,6 +194,26 @@ impl<'s> Probe<'s> {
 /// The pendulum with this g/L (1/s²).
 pub fn pendulum(g_over_l: f64) -> Pendulum {
     Pendulum::new(g_over_l, 1.0, 1.0).expect("g/L of a request of ours")
+}
+
+/// The states of a method of the library after 1, 2, … `count` steps of `h` (s); none if there are
+/// no such steps. Negative ones are those of the mirrored motion.
+pub fn states_after(
+    method: &dyn AnyMethod,
+    pendulum: &Pendulum,
+    start: Phase,
+    h: f64,
+    count: u64,
+) -> Option<Vec<Phase>> {
+    let along = |z: Phase| Phase { omega: h.signum() * z.omega, ..z };
+    let grid = Grid::new(h.abs(), count).ok()?;
+    let mut states = Vec::new();
+    method.run(pendulum, along(start), &grid, &mut |n: u64, _: f64, z: Phase| {
+        if n > 0 {
+            states.push(along(z));
+        }
+    });
+    Some(states)
 }
 
 /// The energy above the bottom, in units of mgL.

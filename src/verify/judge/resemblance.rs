@@ -3,14 +3,13 @@
 use core::fmt;
 
 use super::claims::Claims;
-use super::identity::{Asked, Identity, Seen};
-use super::number::{Scientific, raised};
-use super::probe::{G_OVER_L, Probe, Run, distance, frequency, pendulum, step};
-use super::report::Report;
-use super::scaled::Scaled;
+use super::expansion::{self, Deviation};
+use super::identity::{Asked, Identity, Seen, own_states};
+use super::probe::{G_OVER_L, Probe, Run, distance, frequency, pendulum, states_after, step};
+use super::report::{Report, Scientific, raised};
 use super::verdict::Measured;
 use crate::systems::Phase;
-use crate::{AnyMethod, Grid, METHODS, Pendulum};
+use crate::{AnyMethod, METHODS, Pendulum};
 
 /// The one thing in which a run differs from that of a known method.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -87,39 +86,28 @@ fn states(
     count: u64,
 ) -> Option<Vec<Phase>> {
     let ordinary = pendulum(G_OVER_L);
-    let kick = |z: Phase, kicks: f64| Seen { kicks, drifts: 0.0 }.from_its_own(G_OVER_L, z, h);
     let run = |pendulum: &Pendulum, start: Phase, h: f64, count: u64| {
-        // A negative step is one of the mirrored motion.
-        let along = |z: Phase| Phase { omega: h.signum() * z.omega, ..z };
-        let grid = Grid::new(h.abs(), count).ok()?;
-        let mut seen = Vec::new();
-        method.run(pendulum, along(start), &grid, &mut |n: u64, _: f64, z: Phase| {
-            if n > 0 {
-                seen.push(along(z));
-            }
-        });
-        Some(seen)
+        states_after(method, pendulum, start, h, count)
     };
     let with = |g_over_l| Pendulum::new(g_over_l, 1.0, 1.0).ok();
-    let moved = |states: Vec<Phase>, seen: Seen| -> Vec<Phase> {
-        states.into_iter().map(|z| seen.from_its_own(G_OVER_L, z, h)).collect()
-    };
     match but {
         But::Nothing => run(&ordinary, start, h, count),
-        But::Seen(seen) => {
-            let own = seen.into_its_own(G_OVER_L, start, h);
-            Some(moved(run(&ordinary, own, h, count)?, seen))
+        But::Seen(seen) => own_states(method, seen, start, h, count),
+        But::Reported(seen) => {
+            let states = run(&ordinary, start, h, count)?.into_iter();
+            Some(states.map(|z| seen.from_its_own(G_OVER_L, z, h)).collect())
         }
-        But::Reported(seen) => Some(moved(run(&ordinary, start, h, count)?, seen)),
         But::Begun(seen) => run(&ordinary, seen.from_its_own(G_OVER_L, start, h), h, count),
         But::WithoutFirstHalfKick | But::WithoutLastHalfKick => {
             let first = but == But::WithoutFirstHalfKick;
+            let back = Seen { kicks: -0.5, drifts: 0.0 };
+            let kicked_back = |z: Phase| back.from_its_own(G_OVER_L, z, h);
             let mut z = start;
             (0..count)
                 .map(|_| {
-                    let before = if first { kick(z, -0.5) } else { z };
+                    let before = if first { kicked_back(z) } else { z };
                     let after = *run(&ordinary, before, h, 1)?.last()?;
-                    z = if first { after } else { kick(after, -0.5) };
+                    z = if first { after } else { kicked_back(after) };
                     Some(z)
                 })
                 .collect()
@@ -225,4 +213,78 @@ pub fn nearest(probe: &Probe<'_>) -> Measured<Option<String>> {
         raised(power as usize),
         frequency()
     )))
+}
+
+// -------------------------------------------------------------------------------------------------
+// Another step or another equation
+// -------------------------------------------------------------------------------------------------
+
+/// A step that goes another distance, or solves another equation, than is asked for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Scaled {
+    /// The step is this many times as long.
+    Step(f64),
+    /// g/L is this many times as large.
+    Gravity(f64),
+    /// g/L is this (1/s²), whatever is asked for.
+    Fixed(f64),
+}
+
+impl Scaled {
+    /// By the factors of h: those of ω in θ and of α in ω.
+    pub fn of(probe: &Probe<'_>, found: &Deviation) -> Measured<Option<Self>> {
+        let [drift, kick] = [found.excess[0], found.excess[1]];
+        let small = |x: f64, beside: f64| x.abs() <= 1e-3 * beside.abs() + found.known_to;
+        if small(drift - kick, drift) {
+            return Ok(Some(Self::Step(1.0 + drift)));
+        }
+        if !small(drift, kick) {
+            return Ok(None);
+        }
+        // Asked for twice as much, is it twice as much?
+        let solved = G_OVER_L * (1.0 + kick);
+        let twice = expansion::deviation_with(probe, 2.0 * G_OVER_L, expansion::STARTS)?;
+        let other = twice.filter(|twice| twice.power == 1).map_or(0.0, |twice| twice.excess[1]);
+        let other = 2.0 * G_OVER_L * (1.0 + other);
+        let fixed = (other - solved).abs() <= 1e-3 * solved.abs();
+        Ok(Some(if fixed { Self::Fixed(solved) } else { Self::Gravity(1.0 + kick) }))
+    }
+}
+
+impl fmt::Display for Scaled {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::Step(times) if (times + 1.0).abs() < 1e-6 => f.write_str("run backwards"),
+            Self::Step(times) => {
+                write!(f, "its step is {} h{}", times_in_words(times), right_to(times))
+            }
+            Self::Gravity(times) => {
+                let (times, right) = (times_in_words(times), right_to(times));
+                write!(f, "its kicks add up to {times} times the g/L that is asked for{right}")
+            }
+            Self::Fixed(g_over_l) => {
+                let text = format!("{g_over_l:.6}");
+                let text = text.trim_end_matches('0').trim_end_matches('.');
+                write!(f, "its g/L is {text} 1/s², whatever is asked for")
+            }
+        }
+    }
+}
+
+/// A factor near 1 with the digits that it needs: 1.00001.
+fn times_in_words(times: f64) -> String {
+    let digits = libm::ceil(2.0 - libm::log10((times - 1.0).abs()));
+    let digits = digits.clamp(2.0, 12.0) as usize;
+    let text = format!("{times:.digits$}").replace('-', "−");
+    text.trim_end_matches('0').trim_end_matches('.').to_string()
+}
+
+/// To how many digits a factor is 1, where that looks like a coefficient with too few of them.
+fn right_to(times: f64) -> String {
+    let off = (times - 1.0).abs();
+    if off >= 1e-2 {
+        return String::new();
+    }
+    let digits = libm::round(-libm::log10(off));
+    format!(", right to {digits} digits: a coefficient, or g or L, has too few")
 }

@@ -1,7 +1,7 @@
 //! The way back: as many steps of −h lead home, or do not.
 
-use super::number::{about, scientific};
 use super::probe::{Probe, Run, distance, step};
+use super::report::{about, scientific};
 use super::verdict::{Measured, Told, Trouble, Verdict};
 use crate::systems::Phase;
 use crate::verify::properties::flipped;

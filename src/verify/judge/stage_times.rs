@@ -1,7 +1,7 @@
 //! Stage times: on a driven pendulum a method has its order only if its stages know the time.
 
-use super::number::slopes;
 use super::probe::{Probe, distance, pendulum};
+use super::report::slopes;
 use super::verdict::{Measured, Told, Trouble, Verdict};
 use crate::methods::Gauss6;
 use crate::systems::Phase;

@@ -3,9 +3,9 @@
 
 use core::f64::consts::TAU;
 
-use super::number::{about, scientific};
 use super::probe::{G_OVER_L, Probe, Run, distance, step};
-use super::verdict::{Measured, Told, Trouble, Verdict};
+use super::report::{about, scientific};
+use super::verdict::{Measured, Told, Trouble, Verdict, told};
 use crate::systems::Phase;
 
 /// To and fro, and over the top.
@@ -120,11 +120,8 @@ pub fn units(probe: &Probe<'_>) -> Measured<Apart> {
 /// What a tolerance inside the stranger makes of its states (rad): by how much they differ in other
 /// units of time, where that is too little to be a mistake. The other measurements allow for it.
 pub fn tolerance(probe: &Probe<'_>) -> Measured<f64> {
-    match units(probe) {
-        Ok(units) if units.is_a_tolerance() => Ok(units.largest),
-        Err(Trouble::Broken(why)) => Err(Trouble::Broken(why)),
-        _ => Ok(0.0),
-    }
+    let units = told(units(probe))?.filter(Apart::is_a_tolerance);
+    Ok(units.map_or(0.0, |units| units.largest))
 }
 
 /// θ → θ + 2π: the same motion, some turns higher.

@@ -70,6 +70,15 @@ impl fmt::Display for Trouble {
 /// What came of a measurement.
 pub type Measured<T> = Result<T, Trouble>;
 
+/// `None` for what could not be measured: only a broken protocol ends the judging.
+pub fn told<T>(found: Measured<T>) -> Measured<Option<T>> {
+    match found {
+        Ok(found) => Ok(Some(found)),
+        Err(Trouble::Broken(why)) => Err(Trouble::Broken(why)),
+        Err(_) => Ok(None),
+    }
+}
+
 /// What a measurement says of the property that it is for, whether or not it is claimed.
 #[derive(Clone, Debug)]
 pub struct Told {

@@ -51,9 +51,6 @@ pub fn cases() -> impl Iterator<Item = (Pendulum, Phase)> {
 }
 
 /// Whether one step preserves area or not, as the entry says.
-///
-/// # Errors
-/// Says what is not, and by how much.
 pub fn check(method: &dyn AnyMethod) -> CheckResult {
     let largest = |h: f64| {
         let defects = cases().map(|(pendulum, z)| area_defect(method, &pendulum, z, h).abs());

@@ -9,9 +9,6 @@ const STEP: f64 = 0.1;
 const STEPS: u64 = 1000;
 
 /// Whether the observer receives N steps as N + 1 samples, at the times of the grid.
-///
-/// # Errors
-/// Says what is not, and by how much.
 pub fn check(method: &dyn AnyMethod) -> CheckResult {
     let start = Phase { theta: 0.3, omega: -0.1 };
     let (grid, mut seen) = (grid(STEP, STEPS), Vec::new());

@@ -19,42 +19,44 @@ const STEP: f64 = 0.05;
 /// top: √n · n · ε = 7e-12 at worst, if every rounding changes the energy.
 const ROUNDING: f64 = 7e-12;
 
-/// Whether `verlet` is `euler` between two half kicks.
-///
-/// # Errors
-/// Says where they differ, and by how much.
-pub fn check_pair(verlet: &dyn AnyMethod, euler: &dyn AnyMethod) -> CheckResult {
-    let pendulum = pendulum();
-    let half_kick = |z: Phase, h: f64| pendulum.kick(z, pendulum.force(0.0, z), 0.5 * h);
+/// The length (s) and the number of the steps that are compared.
+const SHORT: [(f64, u64); 3] = [(STEP, 1), (STEP, 2), (STEP, 1000)];
+
+/// In the long step the processor's fourth power of h is 1e-4, and not 1e-8.
+const SHORT_AND_LONG: [(f64, u64); 5] = [(STEP, 1), (STEP, 2), (STEP, 1000), (0.5, 1), (0.5, 7)];
+
+/// Whether the two `ways` lead to the same state from two starts.
+fn compare(scenes: &[(f64, u64)], ways: impl Fn(Phase, f64, u64) -> [Phase; 2]) -> CheckResult {
     for start in [Phase::at_rest(1.0), Phase { theta: -2.0, omega: 3.0 }] {
-        for steps in [1, 2, 1000] {
-            let z = run(verlet, &pendulum, start, STEP, steps);
-            let way = run(euler, &pendulum, half_kick(start, -STEP), STEP, steps);
-            let other = half_kick(way, STEP);
-            near(format_args!("θ after {steps} steps"), z.theta, other.theta, ROUNDING)?;
-            near(format_args!("ω after {steps} steps"), z.omega, other.omega, ROUNDING)?;
+        for &(h, steps) in scenes {
+            let [one, other] = ways(start, h, steps);
+            near(format_args!("θ after {steps} steps of {h}"), one.theta, other.theta, ROUNDING)?;
+            near(format_args!("ω after {steps} steps of {h}"), one.omega, other.omega, ROUNDING)?;
         }
     }
     Ok(())
 }
 
+/// Whether `verlet` is `euler` between two half kicks.
+pub fn check_pair(verlet: &dyn AnyMethod, euler: &dyn AnyMethod) -> CheckResult {
+    let pendulum = pendulum();
+    let half_kick = |z: Phase, h: f64| pendulum.kick(z, pendulum.force(0.0, z), 0.5 * h);
+    compare(&SHORT, |start, h, steps| {
+        let z = run(verlet, &pendulum, start, h, steps);
+        let way = run(euler, &pendulum, half_kick(start, -h), h, steps);
+        [z, half_kick(way, h)]
+    })
+}
+
 /// Whether n steps of `trapezoidal` and half a step of forward Euler are the half step and n steps
 /// of `midpoint`.
-///
-/// # Errors
-/// Says where they differ, and by how much.
 pub fn check_implicit_pair(trapezoidal: &dyn AnyMethod, midpoint: &dyn AnyMethod) -> CheckResult {
     let pendulum = pendulum();
-    let half_a_step = |z: Phase| z + pendulum.rate(0.0, z) * (0.5 * STEP);
-    for start in [Phase::at_rest(1.0), Phase { theta: -2.0, omega: 3.0 }] {
-        for steps in [1, 2, 1000] {
-            let z = half_a_step(run(trapezoidal, &pendulum, start, STEP, steps));
-            let other = run(midpoint, &pendulum, half_a_step(start), STEP, steps);
-            near(format_args!("θ after {steps} steps"), z.theta, other.theta, ROUNDING)?;
-            near(format_args!("ω after {steps} steps"), z.omega, other.omega, ROUNDING)?;
-        }
-    }
-    Ok(())
+    let half_a_step = |z: Phase, h: f64| z + pendulum.rate(0.0, z) * (0.5 * h);
+    compare(&SHORT, |start, h, steps| {
+        let way = run(trapezoidal, &pendulum, start, h, steps);
+        [half_a_step(way, h), run(midpoint, &pendulum, half_a_step(start, h), h, steps)]
+    })
 }
 
 /// A kernel and its processor, step by step as the formulas are written, in rad and s.
@@ -133,23 +135,13 @@ impl Kernel {
 }
 
 /// Whether `method` is `kernel` between its processor undone and done.
-///
-/// # Errors
-/// Says where they differ, and by how much.
 pub fn check_processed(method: &dyn AnyMethod, kernel: &Kernel) -> CheckResult {
     let pendulum = pendulum();
-    for start in [Phase::at_rest(1.0), Phase { theta: -2.0, omega: 3.0 }] {
-        // In the long step the processor's fourth power of h is 1e-4, and not 1e-8.
-        for (h, steps) in [(STEP, 1), (STEP, 2), (STEP, 1000), (0.5, 1), (0.5, 7)] {
-            let z = run(method, &pendulum, start, h, steps);
-            let inside = kernel.unprocessed(&pendulum, start, h);
-            let way = (0..steps).fold(inside, |z, _| kernel.step(&pendulum, z, h));
-            let other = kernel.processed(&pendulum, way, h);
-            near(format_args!("θ after {steps} steps of {h}"), z.theta, other.theta, ROUNDING)?;
-            near(format_args!("ω after {steps} steps of {h}"), z.omega, other.omega, ROUNDING)?;
-        }
-    }
-    Ok(())
+    compare(&SHORT_AND_LONG, |start, h, steps| {
+        let inside = kernel.unprocessed(&pendulum, start, h);
+        let way = (0..steps).fold(inside, |z, _| kernel.step(&pendulum, z, h));
+        [run(method, &pendulum, start, h, steps), kernel.processed(&pendulum, way, h)]
+    })
 }
 
 /// Checks either of two methods with the other one of the library, and a processed method with its

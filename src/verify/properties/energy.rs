@@ -18,9 +18,6 @@ pub fn is_conserved_by(method: &MethodInfo) -> bool {
 
 /// Whether a method that conserves the energy does so, to and fro and over the top, in steps of x =
 /// ω₀h from short ones to those that are hardly solved. It accepts all other methods.
-///
-/// # Errors
-/// Says by how much it does not.
 pub fn check(method: &dyn AnyMethod) -> CheckResult {
     if !is_conserved_by(&method.info()) {
         return Ok(());

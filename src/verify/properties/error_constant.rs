@@ -73,18 +73,27 @@ pub(in crate::verify) fn extrapolated(at: [f64; 3]) -> f64 {
     (4.0 * second - first) / 3.0
 }
 
-/// d as measured: the error of single steps at x, x/2 and x/4, extrapolated.
-pub fn measured_local_error(method: &dyn AnyMethod, pendulum: &Pendulum, z: Pair) -> Pair {
+/// The error of `method` at the dimensionless time `end`, in `steps` steps from `z`.
+fn error_at(
+    method: &dyn AnyMethod,
+    pendulum: &Pendulum,
+    z: Pair,
+    (end, steps): (f64, u64),
+) -> Pair {
     let frequency = pendulum.small_angle_frequency();
     let start = Phase { theta: z[0], omega: z[1] * frequency };
-    let motion = Motion::new(pendulum, start).expect("a start in range");
+    let truth = Motion::new(pendulum, start).expect("a start in range").at(end / frequency);
+    let end = run(method, pendulum, start, end / steps as f64 / frequency, steps);
+    [end.theta - truth.theta, (end.omega - truth.omega) / frequency]
+}
+
+/// d as measured: the error of single steps at x, x/2 and x/4, extrapolated.
+pub fn measured_local_error(method: &dyn AnyMethod, pendulum: &Pendulum, z: Pair) -> Pair {
     let order = method.info().order;
     let coarsest = if order > 4 { 0.4 } else { 0.2 };
     let errors = [coarsest, coarsest / 2.0, coarsest / 4.0].map(|x: f64| {
-        let h = x / frequency;
-        let (end, truth) = (run(method, pendulum, start, h, 1), motion.at(h));
         let scale = libm::pow(x, f64::from(order + 1));
-        [(end.theta - truth.theta) / scale, (end.omega - truth.omega) / frequency / scale]
+        error_at(method, pendulum, z, (x, 1)).map(|error| error / scale)
     });
     [0, 1].map(|i| extrapolated(errors.map(|error| error[i])))
 }
@@ -117,29 +126,19 @@ const END: f64 = 4.0;
 /// digits: see `tests/data/README.md`.
 const ON_FILE: &str = include_str!("data/error_constants.csv");
 
-/// The error over xᵖ at [`END`] from `z`, if it is on file for the method `name`.
-fn of_file(name: &str, z: Pair) -> Option<Pair> {
-    ON_FILE.lines().skip(1).find_map(|line| {
+/// The rows of `file` for the method `name` from `z`: what follows the name and the start.
+fn on_file(file: &'static str, name: &str, z: Pair) -> impl Iterator<Item = Vec<f64>> {
+    file.lines().skip(1).filter_map(move |line| {
         let (method, numbers) = line.split_once(',')?;
         let numbers: Vec<f64> = numbers.split(',').map(|x| x.parse().expect("a number")).collect();
-        (method == name && numbers[..2] == z).then(|| [numbers[2], numbers[3]])
+        (method == name && numbers[..2] == z).then(|| numbers[2..].to_vec())
     })
 }
 
-/// The error at [`END`] in steps of x = END/`steps`.
-fn error_at_end(method: &dyn AnyMethod, pendulum: &Pendulum, z: Pair, steps: u64) -> Pair {
-    let frequency = pendulum.small_angle_frequency();
-    let start = Phase { theta: z[0], omega: z[1] * frequency };
-    let truth = Motion::new(pendulum, start).expect("a start in range").at(END / frequency);
-    let x = END / steps as f64;
-    let end = run(method, pendulum, start, x / frequency, steps);
-    [end.theta - truth.theta, (end.omega - truth.omega) / frequency]
-}
-
-/// The same over xᵖ.
+/// The error at [`END`] in so many steps, over xᵖ.
 fn scaled_error(method: &dyn AnyMethod, pendulum: &Pendulum, z: Pair, steps: u64) -> Pair {
     let scale = libm::pow(END / steps as f64, f64::from(method.info().order));
-    error_at_end(method, pendulum, z, steps).map(|error| error / scale)
+    error_at(method, pendulum, z, (END, steps)).map(|error| error / scale)
 }
 
 /// The error over xᵖ, extrapolated from 100, 200 and 400 steps.
@@ -190,17 +189,11 @@ fn check_in_long_steps(
     pendulum: &Pendulum,
     z: Pair,
 ) -> Option<CheckResult> {
-    let name = method.info().name;
-    let on_file = |line: &str| {
-        let (method, numbers) = line.split_once(',')?;
-        let numbers: Vec<f64> = numbers.split(',').map(|x| x.parse().expect("a number")).collect();
-        let found = method == name && numbers[..2] == z;
-        found.then(|| (numbers[2] as u64, [numbers[3], numbers[4]]))
-    };
-    let laws: Vec<(u64, Pair)> = IN_LONG_STEPS.lines().skip(1).filter_map(on_file).collect();
+    let rows = on_file(IN_LONG_STEPS, method.info().name, z);
+    let laws: Vec<(u64, Pair)> = rows.map(|row| (row[0] as u64, [row[1], row[2]])).collect();
     let compare = |&(steps, law): &(u64, Pair)| {
-        let (error, tolerance) =
-            (error_at_end(method, pendulum, z, steps), ROUNDED_A_STEP * steps as f64);
+        let error = error_at(method, pendulum, z, (END, steps));
+        let tolerance = ROUNDED_A_STEP * steps as f64;
         near(format_args!("error of θ in {steps} steps from {z:?}"), error[0], law[0], tolerance)?;
         near(format_args!("error of q in {steps} steps from {z:?}"), error[1], law[1], tolerance)
     };
@@ -216,9 +209,6 @@ fn check_in_long_steps(
 
 /// Whether the error over hᵖ is the constant known for the method, or the one that follows from its
 /// single steps.
-///
-/// # Errors
-/// Says what is not, and by how much.
 pub fn check(method: &dyn AnyMethod) -> CheckResult {
     let info = method.info();
     let name = info.name;
@@ -228,7 +218,7 @@ pub fn check(method: &dyn AnyMethod) -> CheckResult {
             verdict?;
             continue;
         }
-        let of_file = of_file(name, z);
+        let of_file = on_file(ON_FILE, name, z).next().map(|row| [row[0], row[1]]);
         let (measured, relative) = if of_file.is_some() && info.symmetric {
             finest_constant(method, &pendulum, z)
         } else {

@@ -147,9 +147,6 @@ pub fn check_matrix(method: &dyn AnyMethod, x: f64, matrix: Matrix) -> CheckResu
 
 /// Whether the matrix of a step at the bottom is the known one, near the rotation, and as
 /// symplectic and symmetric as the entry says.
-///
-/// # Errors
-/// Says what is not, and by how much.
 pub fn check(method: &dyn AnyMethod) -> CheckResult {
     let pendulum = pendulum();
     let frequency = pendulum.small_angle_frequency();

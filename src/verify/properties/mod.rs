@@ -17,7 +17,6 @@ pub mod driven;
 pub mod energy;
 #[doc(hidden)]
 pub mod error_constant;
-mod ladder;
 #[doc(hidden)]
 pub mod linear;
 #[doc(hidden)]
@@ -32,7 +31,7 @@ pub mod work;
 #[doc(hidden)]
 pub use area::area_defect;
 #[doc(hidden)]
-pub use ladder::Ladder;
+pub use order::Ladder;
 
 use crate::{AnyMethod, Grid, Pendulum, Phase};
 

@@ -30,9 +30,6 @@ fn there_and_back_in(method: &dyn AnyMethod, pendulum: &Pendulum, step: f64, ste
 }
 
 /// Whether the way back leads to the start or not, as the entry says.
-///
-/// # Errors
-/// Says what is not, and by how much.
 pub fn check(method: &dyn AnyMethod) -> CheckResult {
     for pendulum in [Pendulum::PAPER, super::pendulum()] {
         let frequency = pendulum.small_angle_frequency();

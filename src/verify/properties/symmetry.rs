@@ -91,9 +91,6 @@ pub fn check_turns(method: &dyn AnyMethod) -> CheckResult {
 
 /// Whether the motion has the symmetries of the pendulum: mirror, mass and length, unit of time,
 /// whole turns.
-///
-/// # Errors
-/// Says what is not, and by how much.
 pub fn check(method: &dyn AnyMethod) -> CheckResult {
     check_mirror(method)?;
     check_mass_and_length(method)?;

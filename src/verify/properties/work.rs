@@ -4,9 +4,6 @@ use super::{CheckResult, grid, near, same};
 use crate::{AnyMethod, Pendulum, Phase};
 
 /// Whether the force is evaluated as often as the entry says.
-///
-/// # Errors
-/// Says what is not, and by how much.
 pub fn check(method: &dyn AnyMethod) -> CheckResult {
     const STEPS: u64 = 1234;
     let entry = method.info();

@@ -7,14 +7,13 @@ use pendula::integrate::{Every, Steps};
 use pendula::methods::{Gauss6, Implicit, Iteration};
 use pendula::systems::CompensatedPhase;
 use pendula::{
-    AnyMethod, Compensated, Counting, Driven, Ensemble, Error, Grid, METHODS, Method, Observer,
-    Pendulum, Phase, integrate, integrate_fast, method_named, try_integrate_fast,
+    AnyMethod, Compensated, Counting, Driven, Ensemble, Error, Grid, METHODS, Method, Pendulum,
+    Phase, integrate, integrate_fast, method_named, try_integrate_fast,
 };
 
 use super::*;
-use crate::common::{lanes, steps, steps_on, try_integrate};
+use crate::common::{Random, Samples, bits as bits_of, lanes, steps, steps_on, try_integrate};
 use crate::extremes::{is_as_promised, is_bounded};
-use crate::random::Random;
 
 // -------------------------------------------------------------------------------------------------
 // Every method
@@ -176,13 +175,3 @@ fn loops_agree_on_the_time<M: AnyMethod + Method<Driven>>(method: &M) {
     assert_eq!(seen.0, listed.0);
 }
 each_general_method_type!(loops_agree_on_the_time);
-
-/// n, t and state of every sample, as bits.
-#[derive(Clone, Default)]
-struct Samples(Vec<(u64, u64, [u64; 2])>);
-
-impl Observer<Phase> for Samples {
-    fn observe(&mut self, n: u64, t: f64, z: Phase) {
-        self.0.push((n, t.to_bits(), bits_of(z)));
-    }
-}

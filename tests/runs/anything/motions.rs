@@ -9,6 +9,7 @@ use pendula::metrics::{
 use pendula::{Grid, Hamiltonian, Motion, MotionKind, Observer, Pendulum, Phase, System};
 
 use super::*;
+use crate::common::bits as bits_of;
 
 // -------------------------------------------------------------------------------------------------
 // The pendulum and its grid
@@ -112,7 +113,9 @@ pub fn a_motion(any: &mut Any, tally: &mut Tally) {
 
 pub fn a_period(any: &mut Any, tally: &mut Tally) {
     let (pendulum, theta) = (any.pendulum(), any.number());
-    if let Some(swing) = tally.accepted(Swing::released_at(&pendulum, theta)) {
+    let swing = tally.accepted(Swing::released_at(&pendulum, theta));
+    assert_eq!(swing.is_some(), theta.is_finite(), "{theta:e}");
+    if let Some(swing) = swing {
         assert!(swing.ratio() >= 1.0 && swing.ratio() < 50.0, "{theta:e}: {swing:?}");
         assert!((0.0..=1.0).contains(&swing.modulus()), "{theta:e}: {swing:?}");
         assert!((0.0..=1.0).contains(&swing.complementary_modulus()), "{theta:e}: {swing:?}");

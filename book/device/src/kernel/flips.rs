@@ -4,8 +4,7 @@ use pendula::fast::{DoublePendulums, DoublePhases, is_below};
 use pendula::systems::Numbers;
 use pendula::{DoublePendulum, Method};
 
-use super::recording::Recording;
-use super::{HEAD, Program};
+use super::{HEAD, Program, Recording};
 use crate::trace::Traced;
 
 /// The kernel, and how many of the buffers it is given.

@@ -6,8 +6,7 @@ use pendula::fast::{ReducedPhase, ScaledPendulum};
 use pendula::systems::{Numbers, energy_in_lanes};
 use pendula::{Grid, Hamiltonian, Method, Pendulum, Phase};
 
-use super::recording::Recording;
-use super::{HEAD, Program};
+use super::{HEAD, Program, Recording};
 use crate::trace::{Place, Traced};
 
 /// The kernels, and how many of the buffers each is given.

@@ -1,12 +1,31 @@
-//! The linearised motion of each system against central differences of its rate.
+//! What is linear: the linear oscillator's motion against that of a tiny swing, and the linearised
+//! motion of each system against central differences of its rate.
 
+use approx::assert_relative_eq;
 use pendula::dynamics::Linearised;
 use pendula::systems::{Damped, Driven, Shaken};
-use pendula::{Pendulum, Phase};
+use pendula::verify::properties::pendulum;
+use pendula::{LinearOscillator, Motion, Phase};
+use rstest::rstest;
 
-/// g/L = 2.5, ω₀ = 1.58 rad/s.
-fn pendulum() -> Pendulum {
-    Pendulum::new(5.0, 2.0, 3.0).unwrap()
+/// A swing of 1e-30 rad differs from the linear one by a part in 1e60. What is left is rounding: of
+/// √(g/L) and of its product with t ≤ 10 s, ε each, times a phase of 16 rad, relative to the
+/// amplitude.
+const ROUNDING: f64 = 4.0 * 16.0 * f64::EPSILON;
+
+/// Catches: the initial velocity forgotten, multiplied by ω₀ or added with the wrong sign; L for
+/// g/L.
+#[rstest]
+fn a_tiny_swing_is_linear(#[values(0.0, 0.1, 1.0, 10.0, -3.0)] t: f64) {
+    let pendulum = pendulum();
+    let linear = LinearOscillator::new(pendulum);
+    for (theta, omega) in [(1e-30, 0.0), (0.0, 1e-30), (1e-30, -2e-30), (-3e-31, 1e-30)] {
+        let start = Phase { theta, omega };
+        let expected = Motion::new(&pendulum, start).unwrap().at(t);
+        let found = linear.exact(start, t);
+        assert_relative_eq!(found.theta, expected.theta, epsilon = 2e-30 * ROUNDING);
+        assert_relative_eq!(found.omega, expected.omega, epsilon = 4e-30 * ROUNDING);
+    }
 }
 
 /// Compares the tangent along `v` with the central difference of the rate, which is off by ε²/6
