@@ -1,7 +1,7 @@
 //! The library's sine and cosine against correctly rounded ones.
 //!
 //! `tests/data/sine.csv` has 51 binades, the f64s next to multiples of π/2, and among those the
-//! worst up to 2²⁰ quarter turns. A million points a range are measured by `benches/peers`, which
+//! worst up to 2²⁰ quarter turns. A million points a range are measured by `benches/sine.rs`, which
 //! `cargo test` does not run.
 
 use std::f64::consts::FRAC_PI_4;

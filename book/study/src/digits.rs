@@ -61,7 +61,7 @@ pub fn rounds_to(value: f64, printed: &str) -> Option<bool> {
 }
 
 /// Half a unit in the last printed place of `literal`; `None` if its exponent is no number.
-pub fn half_unit(literal: &str) -> Option<f64> {
+fn half_unit(literal: &str) -> Option<f64> {
     let (mantissa, exponent) = literal.split_once('e').unwrap_or((literal, "0"));
     let decimals = mantissa.split_once('.').map_or(0, |(_, after)| after.len());
     let place = exponent.parse::<i32>().ok()?.checked_sub(i32::try_from(decimals).ok()?)?;
