@@ -11,7 +11,7 @@ use clap::error::{ContextKind, ErrorKind};
 use clap::{ArgMatches, CommandFactory, FromArgMatches, Parser, Subcommand};
 use rayon::ThreadPoolBuilder;
 
-use crate::commands::arguments::number::{Part, Sweep};
+use crate::commands::number::{Part, Sweep};
 use crate::commands::state::{self, KeptArguments, Resumed};
 use crate::commands::{exact, examples, installed, methods, serve, simulate, sweep, verify};
 use pendula_output::failure::Failure;
@@ -205,7 +205,7 @@ fn without_a_command() -> Result<Command, Failure> {
     if pendula_book::locate::book(&here).is_err() {
         return help();
     }
-    Ok(Command::Study(study::Command::Book(study::book::Arguments::default())))
+    Ok(Command::Study(study::Command::Book(study::BookArguments::default())))
 }
 
 #[cfg(not(feature = "book"))]

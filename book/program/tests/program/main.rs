@@ -1,9 +1,7 @@
 //! The binary `pendula` as its users and other programs call it.
 
 mod commands;
-mod devices;
 mod files;
-mod flips;
 mod help;
 #[cfg(unix)]
 mod interrupts;
@@ -11,6 +9,7 @@ mod listed;
 mod long_runs;
 mod plots;
 mod review;
+mod sweep;
 mod transcripts;
 mod verify;
 

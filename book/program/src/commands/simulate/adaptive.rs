@@ -10,9 +10,9 @@ use pendula::{Error, Hamiltonian, Info, Observer, Pendulum, Phase};
 
 use super::trajectory::TrajectoryArguments;
 use super::{COLUMNS, PANELS, end_errors};
+use crate::commands::output::Summary;
 use crate::commands::plot::{Drawing, TIME};
 use crate::commands::state::Kept;
-use crate::commands::summary::Summary;
 use pendula_output::failure::Failure;
 use pendula_output::interrupt::Lookout;
 

@@ -14,9 +14,9 @@ use pendula::{
     Phase, Rk4, method_named,
 };
 
-use super::arguments::system::{Chosen, Forced, SystemArguments};
+use super::output::Summary;
 use super::plot::Panel;
-use super::summary::Summary;
+use super::system::{Chosen, Forced, SystemArguments};
 use adaptive::{SERIES, Walk};
 use pendula_output::failure::Failure;
 use pendula_output::interrupt::Lookout;

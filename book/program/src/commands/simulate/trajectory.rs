@@ -13,11 +13,10 @@ use pendula::systems::Numbers;
 use pendula::{Error, Grid, Hamiltonian, Observer, Phase, System};
 use serde::{Deserialize, Serialize};
 
-use crate::commands::arguments::number::{count, number, positive_count};
+use crate::commands::number::{count, number, positive_count};
+use crate::commands::output::{RowFormat, Rows, Summary};
 use crate::commands::plot::{Drawing, Panel, PlotArguments, TIME};
-use crate::commands::rows::{RowFormat, Rows};
 use crate::commands::state::{Kept, KeptArguments};
-use crate::commands::summary::Summary;
 use crate::commands::unsolved;
 use pendula_output::failure::Failure;
 use pendula_output::interrupt::Lookout;

@@ -14,10 +14,9 @@ use pendula::systems::DoublePhase;
 use pendula::{DoublePendulum, Grid, Hamiltonian, Rk4};
 use pendula_device::Device;
 
-use crate::commands::arguments::number::number;
-use crate::commands::arguments::system::{DoubleArguments, GravityArgument};
-use crate::commands::destination::Destination;
-use crate::commands::summary::Summary;
+use crate::commands::number::number;
+use crate::commands::output::{Destination, Summary};
+use crate::commands::system::{DoubleArguments, GravityArgument};
 use pendula_output::failure::Failure;
 use pendula_output::interrupt::{Lookout, unless_interrupted};
 

@@ -5,13 +5,13 @@ use std::io::Write;
 use clap::{Args, Subcommand};
 use pendula::{Grid, Pendulum};
 
-use super::arguments::angle::angles;
-use super::arguments::number::{Part, Sweep, number};
-use super::arguments::system::{PendulumArguments, methods};
 use super::examples;
+use super::number::angles;
+use super::number::{Part, Sweep, number};
+use super::output::RowFormat;
 use super::plot::PlotArguments;
-use super::rows::RowFormat;
 use super::state::{Kept, KeptArguments};
+use super::system::{PendulumArguments, methods};
 use pendula_output::failure::Failure;
 use pendula_output::interrupt::Lookout;
 use printer::{Finished, Printer};

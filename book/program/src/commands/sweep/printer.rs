@@ -11,11 +11,11 @@ use serde::{Deserialize, Serialize};
 
 use super::SweepArguments;
 use super::runner::{Run, Runner};
-use crate::commands::arguments::number::Sweep;
+use crate::commands::number::Sweep;
+use crate::commands::output::Rows;
+use crate::commands::output::Summary;
 use crate::commands::plot::{Across, Drawing, Panel};
-use crate::commands::rows::Rows;
 use crate::commands::state::Kept;
-use crate::commands::summary::Summary;
 
 /// What a plot shows.
 const PANELS: [Panel; 1] = [Panel::new("largest energy error (J)", &[(4, "")]).logarithmic()];

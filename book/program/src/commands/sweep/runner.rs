@@ -13,7 +13,7 @@ use pendula::{
 };
 use pendula_device::{Compiled, Device};
 
-use crate::commands::arguments::number::Range;
+use crate::commands::number::Range;
 use pendula_output::failure::Failure;
 
 /// What all runs of a sweep have in common.
