@@ -6,16 +6,15 @@ use clap::{Args, Subcommand};
 use pendula::{Grid, Pendulum};
 
 use super::examples;
-use super::number::angles;
-use super::number::{Part, Sweep, number};
+use super::number::{Part, Sweep, angles, number};
 use super::output::RowFormat;
 use super::plot::PlotArguments;
 use super::state::{Kept, KeptArguments};
 use super::system::{PendulumArguments, methods};
 use pendula_output::failure::Failure;
 use pendula_output::interrupt::Lookout;
-use printer::{Finished, Printer};
-use runner::{Runner, grids};
+use printer::Printer;
+use runner::{Planned, Runner, grids};
 
 pub mod flips;
 mod printer;
@@ -143,35 +142,29 @@ fn sweep_until(
         runner = runner.on_device(device)?;
     }
     let kept = Kept::new(&arguments.kept)?;
-    let printer = Printer { runner, arguments };
     let part = part.unwrap_or(Part::WHOLE);
-    match (theta0, dt) {
+    let planned: Box<dyn Iterator<Item = Planned>> = match (theta0, dt) {
         (Sweep::Range(theta0), Sweep::One(dt)) => {
             let grid = Grid::with_duration(dt, duration).map_err(Failure::refused)?;
             // An angle between two allowed angles is allowed.
             for end in [theta0.from, theta0.to] {
                 runner.start(end)?;
             }
-            let compute = move |angles: &[f64], finished: Finished<'_>| {
-                runner.run_from_each(angles, &grid, finished)
-            };
-            let angles = part.among(theta0.count).map(move |i| theta0.linear(i));
-            printer.print(kept, out, angles, compute, lookout)
+            Box::new(part.among(theta0.count).map(move |i| (theta0.linear(i), grid)))
         }
         (Sweep::One(theta0), Sweep::Range(dt)) => {
-            let start = runner.start(theta0)?;
-            let compute = move |grids: &[Grid], finished: Finished<'_>| {
-                runner.along_each(start, grids, finished);
-                Ok(())
-            };
+            runner.start(theta0)?;
             let grids = grids(duration, dt, part.among(dt.count))?;
-            printer.print(kept, out, grids, compute, lookout)
+            Box::new(grids.map(move |grid| (theta0, grid)))
         }
-        _ => Err(Failure::refused(
-            "exactly one of --theta0 and --dt must be a range FROM:TO:COUNT; one run is `pendula \
-             simulate`",
-        )),
-    }
+        _ => {
+            return Err(Failure::refused(
+                "exactly one of --theta0 and --dt must be a range FROM:TO:COUNT; one run is \
+                 `pendula simulate`",
+            ));
+        }
+    };
+    Printer { runner, arguments }.print(kept, out, planned, lookout)
 }
 
 /// Writes a line for each OpenCL device of this machine: its name, whether it calculates in double

@@ -10,10 +10,9 @@ use pendula_output::interrupt::{Lookout, unless_interrupted};
 use serde::{Deserialize, Serialize};
 
 use super::SweepArguments;
-use super::runner::{Run, Runner};
+use super::runner::{Planned, Run, Runner};
 use crate::commands::number::Sweep;
-use crate::commands::output::Rows;
-use crate::commands::output::Summary;
+use crate::commands::output::{Rows, Summary};
 use crate::commands::plot::{Across, Drawing, Panel};
 use crate::commands::state::Kept;
 
@@ -87,9 +86,6 @@ impl Largest {
     }
 }
 
-/// What is told of each run, with its place among the items, as soon as it is finished.
-pub type Finished<'a> = &'a (dyn Fn(usize, Run) + Sync);
-
 /// What is swept, as it was asked for.
 pub struct Printer<'a> {
     pub runner: Runner,
@@ -97,14 +93,13 @@ pub struct Printer<'a> {
 }
 
 impl Printer<'_> {
-    /// Computes and prints a row for each item of `sweep`, a batch at a time, so that memory does
+    /// Computes and prints a row for each run of `sweep`, a batch at a time, so that memory does
     /// not limit their number.
-    pub fn print<T: Clone + Send + 'static>(
+    pub fn print(
         &self,
         mut kept: Kept<'_>,
         [out, err]: [&mut dyn Write; 2],
-        sweep: impl Iterator<Item = T>,
-        compute: impl Fn(&[T], Finished<'_>) -> Result<(), Failure> + Clone + Send + 'static,
+        sweep: impl Iterator<Item = Planned>,
         lookout: impl FnOnce() -> Lookout,
     ) -> Result<(), Failure> {
         let begun = Instant::now();
@@ -128,18 +123,18 @@ impl Printer<'_> {
             let mut interrupted = lookout.interrupts(done);
             if !interrupted {
                 let most = usize::try_from(lookout.next(done) - done).unwrap_or(usize::MAX);
-                let items: Vec<T> = sweep.by_ref().take(self.runner.batch().min(most)).collect();
-                if items.is_empty() {
+                let (runner, batch) = (self.runner, self.runner.batch().min(most));
+                let planned: Vec<Planned> = sweep.by_ref().take(batch).collect();
+                if planned.is_empty() {
                     break;
                 }
-                let mut runs = vec![None; items.len()];
+                let mut runs = vec![None; planned.len()];
                 let (sender, finished) = mpsc::channel();
-                let compute = compute.clone();
                 let tell = move |i, run| {
                     // After an interruption nobody asks for it.
                     let _ = sender.send((i, run));
                 };
-                let work = move || compute(&items, &tell);
+                let work = move || runner.run_each(&planned, &tell);
                 let computed = unless_interrupted(|| lookout.interrupts(done), work);
                 interrupted = computed.is_none();
                 for (i, run) in finished.try_iter() {
