@@ -20,7 +20,7 @@ use super::system::{Chosen, Forced, SystemArguments};
 use adaptive::{SERIES, Walk};
 use pendula_output::failure::Failure;
 use pendula_output::interrupt::Lookout;
-use trajectory::{Run, Trajectory, TrajectoryArguments};
+use trajectory::{Run, Stands, Trajectory, TrajectoryArguments};
 
 mod adaptive;
 mod trajectory;
@@ -120,10 +120,14 @@ impl Scene<'_> {
     ) -> Result<(), Failure> {
         let &Self { ref pendulum, method, start, grid, .. } = self;
         let steps = method.steps().expect("a method of the library has steps");
-        let begin = |at: Option<Checkpoint>| -> Box<dyn Run<Phase>> {
-            Box::new(match at {
+        let begin = |at: Option<Checkpoint>| -> Run<Phase> {
+            let mut run = match at {
                 Some(at) => FastRun::resume(pendulum, steps, start, &grid, at),
                 None => FastRun::start(pendulum, steps, start, &grid),
+            };
+            Box::new(move |until, every, observer| {
+                let z = run.advance(until, every, observer);
+                Stands { z, at: *run.checkpoint(), evaluations: run.evaluations() }
             })
         };
         let end_errors = |summary: &mut Summary, end| {
@@ -157,7 +161,7 @@ impl Scene<'_> {
         &self,
         of: &str,
         drift: Option<EnergyDrift<'_, Pendulum>>,
-        begin: impl FnOnce(Option<Checkpoint>) -> Box<dyn Run<Phase>>,
+        begin: impl FnOnce(Option<Checkpoint>) -> Run<Phase>,
         end_errors: &dyn Fn(&mut Summary, Phase),
         out: [&mut dyn Write; 2],
         lookout: impl FnOnce() -> Lookout,
@@ -217,11 +221,15 @@ fn begins<S: Listed<State: Numbers> + Copy + 'static>(
     steps: &'static dyn Steps<S>,
     start: S::State,
     grid: Grid,
-) -> impl FnOnce(Option<Checkpoint>) -> Box<dyn Run<S::State>> {
+) -> impl FnOnce(Option<Checkpoint>) -> Run<S::State> {
     move |at| {
-        Box::new(match at {
+        let mut run = match at {
             Some(at) => integrate::Run::resume(&system, steps, &grid, at),
             None => integrate::Run::start(&system, steps, start, &grid),
+        };
+        Box::new(move |until, every, observer| {
+            let z = run.advance(until, every, observer);
+            Stands { z, at: *run.checkpoint(), evaluations: run.evaluations() }
         })
     }
 }
