@@ -102,16 +102,6 @@ impl Range {
     }
 }
 
-impl fmt::Display for Sweep {
-    /// The text that it is read from, with numbers that read back to the same f64.
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::One(number) => write!(f, "{number:?}"),
-            Self::Range(Range { from, to, count }) => write!(f, "{from:?}:{to:?}:{count}"),
-        }
-    }
-}
-
 impl FromStr for Sweep {
     type Err = String;
 

@@ -79,8 +79,8 @@ pub fn run(
     let picture = picture.map(|path| Destination::file("--picture", path)).transpose()?;
     let mut out = Destination::open(arguments.output.as_deref(), Destination::Caller(out))?;
     let begin = Instant::now();
-    let (releases, device) = (Releases { double, size }, device.map(Arc::new));
-    let work = move || releases.first_flips(device.as_deref(), &grid);
+    let device = device.map(Arc::new);
+    let work = move || flips_of(&double, size, device.as_deref(), &grid);
     let flips = unless_interrupted(|| lookout.interrupts(0), work).ok_or_else(interrupted)??;
     let elapsed = begin.elapsed();
     writeln!(out, "theta1,theta2,t")?;
@@ -111,50 +111,41 @@ pub fn run(
     Ok(())
 }
 
-/// Releases from rest of a double pendulum.
-#[derive(Clone)]
-struct Releases {
-    double: DoublePendulum,
-    /// In a row and in a column.
+/// The first flip of each of `size` × `size` releases from rest, row after row from below, those of
+/// a row from left to right.
+///
+/// Mirrored in the vertical, a motion takes the same steps, so that half of them are enough; and no
+/// step is taken where the energy does not suffice for a flip.
+fn flips_of(
+    double: &DoublePendulum,
     size: usize,
-}
-
-impl Releases {
-    /// The first flip of each, row after row from below, those of a row from left to right.
-    ///
-    /// Mirrored in the vertical, a motion takes the same steps, so that half of them are enough;
-    /// and no step is taken where the energy does not suffice for a flip.
-    fn first_flips(
-        &self,
-        device: Option<&Device>,
-        grid: &Grid,
-    ) -> Result<Vec<Option<NonZeroU64>>, Failure> {
-        let Self { double, size } = self;
-        let count = size * size;
-        let least = double.least_flip_energy();
-        let (mut places, mut starts) = (Vec::new(), Vec::<DoublePhase>::new());
-        for index in 0..count / 2 {
-            let theta = [angle(index % size, *size), angle(index / size, *size)];
-            let start = double.start(theta, [0.0; 2]).map_err(Failure::refused)?;
-            if double.energy(start) >= least {
-                places.push(index);
-                starts.push(start);
-            }
+    device: Option<&Device>,
+    grid: &Grid,
+) -> Result<Vec<Option<NonZeroU64>>, Failure> {
+    let count = size * size;
+    let least = double.least_flip_energy();
+    let (mut places, mut starts) = (Vec::new(), Vec::<DoublePhase>::new());
+    for index in 0..count / 2 {
+        let theta = [angle(index % size, size), angle(index / size, size)];
+        let start = double.start(theta, [0.0; 2]).map_err(Failure::refused)?;
+        if double.energy(start) >= least {
+            places.push(index);
+            starts.push(start);
         }
-        let mut found = vec![None; starts.len()];
-        match device {
-            Some(device) => device
-                .first_flips(double, &Rk4, &starts, grid, &mut found)
-                .map_err(|error| Failure::Failed(error.into()))?,
-            None => first_flips(double, RK4_IN_LANES, &starts, grid, &mut found),
-        }
-        let mut flips = vec![None; count];
-        for (place, flip) in places.into_iter().zip(found) {
-            flips[place] = flip;
-            flips[count - 1 - place] = flip;
-        }
-        Ok(flips)
     }
+    let mut found = vec![None; starts.len()];
+    match device {
+        Some(device) => device
+            .first_flips(double, &Rk4, &starts, grid, &mut found)
+            .map_err(|error| Failure::Failed(error.into()))?,
+        None => first_flips(double, RK4_IN_LANES, &starts, grid, &mut found),
+    }
+    let mut flips = vec![None; count];
+    for (place, flip) in places.into_iter().zip(found) {
+        flips[place] = flip;
+        flips[count - 1 - place] = flip;
+    }
+    Ok(flips)
 }
 
 /// The angle (rad) of the release `index` of `size`: the middles of as many parts of a turn.

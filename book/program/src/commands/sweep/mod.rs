@@ -8,7 +8,7 @@ use pendula::{Grid, Pendulum};
 use super::examples;
 use super::number::{Part, Sweep, angles, number};
 use super::output::RowFormat;
-use super::plot::PlotArguments;
+use super::plot::{Across, PlotArguments};
 use super::state::{Kept, KeptArguments};
 use super::system::{PendulumArguments, methods};
 use pendula_output::failure::Failure;
@@ -120,6 +120,12 @@ pub fn run(
     }
 }
 
+/// The angles at the start on the x axis of a plot.
+const ANGLES: Across = Across { column: 0, label: "θ_{0} (rad)", log: false };
+
+/// The steps.
+const STEPS: Across = Across { column: 1, label: "Δt (s)", log: true };
+
 fn sweep_until(
     arguments: &SweepArguments,
     out: [&mut dyn Write; 2],
@@ -143,19 +149,21 @@ fn sweep_until(
     }
     let kept = Kept::new(&arguments.kept)?;
     let part = part.unwrap_or(Part::WHOLE);
-    let planned: Box<dyn Iterator<Item = Planned>> = match (theta0, dt) {
+    let (across, fixed, planned): (_, _, Box<dyn Iterator<Item = Planned>>) = match (theta0, dt) {
         (Sweep::Range(theta0), Sweep::One(dt)) => {
             let grid = Grid::with_duration(dt, duration).map_err(Failure::refused)?;
             // An angle between two allowed angles is allowed.
             for end in [theta0.from, theta0.to] {
                 runner.start(end)?;
             }
-            Box::new(part.among(theta0.count).map(move |i| (theta0.linear(i), grid)))
+            let planned = part.among(theta0.count).map(move |i| (theta0.linear(i), grid));
+            (ANGLES, format!("Δt = {dt:?} s"), Box::new(planned))
         }
         (Sweep::One(theta0), Sweep::Range(dt)) => {
             runner.start(theta0)?;
-            let grids = grids(duration, dt, part.among(dt.count))?;
-            Box::new(grids.map(move |grid| (theta0, grid)))
+            let planned = grids(duration, dt, part.among(dt.count))?;
+            let planned = planned.map(move |grid| (theta0, grid));
+            (STEPS, format!("θ₀ = {theta0:?} rad"), Box::new(planned))
         }
         _ => {
             return Err(Failure::refused(
@@ -164,7 +172,7 @@ fn sweep_until(
             ));
         }
     };
-    Printer { runner, arguments }.print(kept, out, planned, lookout)
+    Printer { runner, arguments, across, fixed }.print(kept, out, planned, lookout)
 }
 
 /// Writes a line for each OpenCL device of this machine: its name, whether it calculates in double

@@ -11,7 +11,6 @@ use serde::{Deserialize, Serialize};
 
 use super::SweepArguments;
 use super::runner::{Planned, Run, Runner};
-use crate::commands::number::Sweep;
 use crate::commands::output::{Rows, Summary};
 use crate::commands::plot::{Across, Drawing, Panel};
 use crate::commands::state::Kept;
@@ -90,6 +89,10 @@ impl Largest {
 pub struct Printer<'a> {
     pub runner: Runner,
     pub arguments: &'a SweepArguments,
+    /// What is on the x axis of a plot.
+    pub across: Across,
+    /// What all runs have in common, for its title.
+    pub fixed: String,
 }
 
 impl Printer<'_> {
@@ -103,7 +106,7 @@ impl Printer<'_> {
         lookout: impl FnOnce() -> Lookout,
     ) -> Result<(), Failure> {
         let begun = Instant::now();
-        let &SweepArguments { format, part, summary, ref plot, .. } = self.arguments;
+        let &SweepArguments { duration, format, part, summary, ref plot, .. } = self.arguments;
         let (from, mut progress) = kept.resumed::<Progress>()?.unwrap_or_default();
         let before = progress.elapsed;
         if summary {
@@ -114,8 +117,8 @@ impl Printer<'_> {
         let columns = ["theta0", "dt", "theta", "omega", "energy_error"];
         // The header stands in the first part.
         let headless = part.is_some_and(|part| !part.is_first());
-        let (across, title) = self.drawn();
-        let plot = Drawing { asked: plot, title: &title, across, panels: &PANELS };
+        let title = format!("{}, {}, {duration:?} s", self.runner.info().title, self.fixed);
+        let plot = Drawing { asked: plot, title: &title, across: self.across, panels: &PANELS };
         let mut rows = kept.open(out, plot, format, columns, headless)?;
         let mut sweep = sweep.skip(usize::try_from(from).unwrap_or(usize::MAX));
         loop {
@@ -168,20 +171,6 @@ impl Printer<'_> {
             self.summary(steps, runs, &largest, before + begun.elapsed()).print(err)?;
         }
         Ok(())
-    }
-
-    /// What is on the x axis of a plot, and its title.
-    fn drawn(&self) -> (Across, String) {
-        let SweepArguments { theta0, dt, duration, .. } = self.arguments;
-        let (across, fixed) = match theta0 {
-            Sweep::Range(_) => {
-                (Across { column: 0, label: "θ_{0} (rad)", log: false }, format!("Δt = {dt} s"))
-            }
-            Sweep::One(theta0) => {
-                (Across { column: 1, label: "Δt (s)", log: true }, format!("θ₀ = {theta0:?} rad"))
-            }
-        };
-        (across, format!("{}, {fixed}, {duration:?} s", self.runner.info().title))
     }
 
     /// Adds these runs to the rows and to the summary.
