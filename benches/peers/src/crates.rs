@@ -70,7 +70,7 @@ pub const CONTROLLED: [(&str, Controlled); 5] = [
 const MOST: usize = 1 << 30;
 
 /// The result of a run that failed.
-const NOWHERE: Phase = Phase { theta: f64::NAN, omega: f64::NAN };
+pub const NOWHERE: Phase = Phase { theta: f64::NAN, omega: f64::NAN };
 
 fn ode_solvers_rk4(start: Phase, steps: u64, step: f64) -> Phase {
     let z = Vector2::new(start.theta, start.omega);

@@ -16,7 +16,7 @@
 
 use std::hint::black_box;
 
-use pendula::adaptive::{Adaptive, Controlled, TaylorSeries, Tolerance};
+use pendula::adaptive::{Adaptive, TaylorSeries, Tolerance};
 use pendula::methods::{BlanesMoan6, Taylor24};
 use pendula::metrics::EndError;
 use pendula::{
@@ -24,7 +24,7 @@ use pendula::{
     Taylor, integrate,
 };
 
-use crate::crates::{CONTROLLED, STEPPED};
+use crate::crates::{CONTROLLED, NOWHERE, STEPPED};
 use crate::machine::{instructions, seconds};
 use crate::naive::NAIVE;
 
@@ -113,6 +113,13 @@ impl Contender {
         Self { name: name.into(), kind, counts, settings, tried: Vec::new() }
     }
 
+    fn of_tolerances(name: &str, kind: Kind, run: impl Fn(f64) -> Phase + Copy + 'static) -> Self {
+        let setting =
+            |tolerance: f64| Box::new(move || run(black_box(tolerance))) as Box<dyn Fn() -> Phase>;
+        let settings = tolerances().map(setting).collect();
+        Self { name: name.into(), kind, counts: Vec::new(), settings, tried: Vec::new() }
+    }
+
     fn climb(&mut self, error: &EndError) {
         let patience = if self.kind == Kind::Naive { PATIENCE_WITH_NAIVE } else { PATIENCE };
         for run in &self.settings {
@@ -165,27 +172,6 @@ where
     })
 }
 
-/// A method of the library with a tolerance.
-fn of_adaptive<M>(name: &str, method: M, theta_0: f64, end: u32) -> Contender
-where
-    M: Controlled<Pendulum> + 'static,
-{
-    let settings = tolerances().filter_map(|tolerance| {
-        // The library refuses the finest.
-        let tolerance = Tolerance::uniform(tolerance).ok()?;
-        Some(Box::new(move || {
-            let adaptive = Adaptive::new(method, black_box(tolerance));
-            let start = black_box(Phase::at_rest(theta_0));
-            let run =
-                adaptive.integrate(&Pendulum::PAPER, start, 0.0, black_box(end.into()), &mut ());
-            run.map_or(Phase { theta: f64::NAN, omega: f64::NAN }, |(z, _)| z)
-        }) as Box<dyn Fn() -> Phase>)
-    });
-    let settings = settings.collect();
-    let (name, counts, tried) = (name.into(), Vec::new(), Vec::new());
-    Contender { name, kind: Kind::Library, counts, settings, tried }
-}
-
 /// Four to a decade.
 fn tolerances() -> impl Iterator<Item = f64> {
     (4..=60).map(|quarters| 10.0_f64.powf(-0.25 * f64::from(quarters)))
@@ -202,21 +188,23 @@ fn contenders(theta_0: f64, end: u32) -> Vec<Contender> {
     all.push(compensated("blanes-moan-6", BlanesMoan6, theta_0, &steps));
     all.push(compensated("taylor-24", Taylor24, theta_0, &steps));
     all.push(compensated("Taylor<30>", Taylor::<30>, theta_0, &steps));
-    all.push(of_adaptive("Taylor series", TaylorSeries, theta_0, end));
+    let end = f64::from(end);
+    all.push(Contender::of_tolerances("Taylor series", Kind::Library, move |tolerance| {
+        // The library refuses the finest.
+        let Ok(tolerance) = Tolerance::uniform(tolerance) else { return NOWHERE };
+        let adaptive = Adaptive::new(TaylorSeries, tolerance);
+        let start = black_box(start);
+        let run = adaptive.integrate(&Pendulum::PAPER, start, 0.0, black_box(end), &mut ());
+        run.map_or(NOWHERE, |(z, _)| z)
+    }));
     for (method, name, run) in STEPPED {
         let run = move |count, length| run(black_box(start), count, length);
         let name = format!("{name} {method}");
         all.push(Contender::of_steps(name, Kind::Crate, &steps, run));
     }
     for (name, run) in CONTROLLED {
-        let setting = |tolerance: f64| {
-            let end = f64::from(end);
-            Box::new(move || run(black_box(start), end, black_box(tolerance)))
-                as Box<dyn Fn() -> Phase>
-        };
-        let settings = tolerances().map(setting).collect();
-        let (name, counts, tried) = (name.into(), Vec::new(), Vec::new());
-        all.push(Contender { name, kind: Kind::Crate, counts, settings, tried });
+        let run = move |tolerance| run(black_box(start), end, tolerance);
+        all.push(Contender::of_tolerances(name, Kind::Crate, run));
     }
     all
 }
