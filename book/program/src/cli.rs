@@ -12,6 +12,7 @@ use clap::{ArgMatches, CommandFactory, FromArgMatches, Parser, Subcommand};
 use rayon::ThreadPoolBuilder;
 
 use crate::commands::number::{Part, Sweep};
+use crate::commands::output::Streams;
 use crate::commands::state::{self, KeptArguments, Resumed};
 use crate::commands::{exact, examples, installed, methods, serve, simulate, sweep, verify};
 use pendula_output::failure::Failure;
@@ -236,22 +237,20 @@ pub fn run(command: Command, out: &mut dyn Write) -> Result<(), Failure> {
     ThreadPoolBuilder::new()
         .build_global()
         .context("threads cannot be had: set RAYON_NUM_THREADS to a smaller number")?;
-    let mut error = io::stderr();
+    let streams = Streams { out, err: &mut io::stderr(), lookout: &Lookout::for_the_user };
     match command {
         #[cfg(feature = "book")]
-        Command::Study(command) => crate::commands::study::run(command, out),
-        Command::Verify(arguments) => verify::run(&arguments, out),
-        Command::Simulate(arguments) => {
-            simulate::run(&arguments, [out, &mut error], Lookout::for_the_user)
+        Command::Study(command) => crate::commands::study::run(command, streams.out),
+        Command::Verify(arguments) => verify::run(&arguments, streams.out),
+        Command::Simulate(arguments) => simulate::run(&arguments, streams),
+        Command::Exact(arguments) => exact::run(&arguments, streams.out),
+        Command::Sweep(arguments) => sweep::run(&arguments, streams),
+        Command::Methods(arguments) => methods::run(&arguments, streams.out),
+        Command::Serve(arguments) => serve::run(&arguments, streams.out),
+        Command::Completions(arguments) => {
+            installed::completions(&arguments, definition(), streams.out)
         }
-        Command::Exact(arguments) => exact::run(&arguments, out),
-        Command::Sweep(arguments) => {
-            sweep::run(&arguments, [out, &mut error], Lookout::for_the_user)
-        }
-        Command::Methods(arguments) => methods::run(&arguments, out),
-        Command::Serve(arguments) => serve::run(&arguments, out),
-        Command::Completions(arguments) => installed::completions(&arguments, definition(), out),
-        Command::Man(arguments) => installed::man(&arguments, definition(), out),
+        Command::Man(arguments) => installed::man(&arguments, definition(), streams.out),
     }
 }
 

@@ -10,7 +10,7 @@ pub mod exact;
 pub mod installed;
 pub mod methods;
 pub mod number;
-mod output;
+pub mod output;
 mod plot;
 pub mod serve;
 pub mod simulate;

@@ -13,10 +13,21 @@ use clap::ValueEnum;
 use pendula_output::failure::Failure;
 use pendula_output::files;
 use pendula_output::files::whole_file::WholeFile;
+use pendula_output::interrupt::Lookout;
 use pendula_rows::{Line, Look};
 use serde_json::Value;
 
 use super::plot::Plot;
+
+/// Where a command that may run long writes, and how it hears of an interruption.
+pub struct Streams<'a> {
+    /// Standard output.
+    pub out: &'a mut dyn Write,
+    /// Standard error, for a summary.
+    pub err: &'a mut dyn Write,
+    /// Called once the arguments have been checked, and before there is a file.
+    pub lookout: &'a dyn Fn() -> Lookout,
+}
 
 /// A writer, and what it takes to finish. Its errors name the file.
 pub enum Destination<'a> {

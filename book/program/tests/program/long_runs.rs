@@ -1,7 +1,6 @@
 //! Runs that are interrupted and resumed, and what a summary says of them.
 
 use std::fs;
-use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use pendula::metrics::EnergyDrift;
@@ -9,6 +8,7 @@ use pendula::{Grid, Hamiltonian, METHODS, Motion, Observer, Pendulum, Phase};
 use pendula_output::failure::Failure;
 use pendula_output::interrupt::Lookout;
 use pendula_program::cli::{self, Command};
+use pendula_program::commands::output::Streams;
 use pendula_program::commands::{simulate, sweep};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
@@ -26,14 +26,14 @@ pub struct Printed {
 
 /// Runs a command line in this process; it is interrupted after so many steps, or runs.
 pub fn interrupted(arguments: &[&str], after: u64) -> Printed {
-    let lookout = || Lookout::after(after);
     let (mut out, mut err) = (Vec::new(), Vec::new());
     let command = cli::parse([&["pendula"], arguments].concat());
     let outcome = command.and_then(|command| {
-        let out: [&mut dyn Write; 2] = [&mut out, &mut err];
+        let lookout = &|| Lookout::after(after);
+        let streams = Streams { out: &mut out, err: &mut err, lookout };
         match command {
-            Command::Simulate(arguments) => simulate::run(&arguments, out, lookout),
-            Command::Sweep(arguments) => sweep::run(&arguments, out, lookout),
+            Command::Simulate(arguments) => simulate::run(&arguments, streams),
+            Command::Sweep(arguments) => sweep::run(&arguments, streams),
             other => panic!("{other:?} does not run long"),
         }
     });

@@ -1,6 +1,5 @@
 //! A trajectory of the pendulum in steps whose size follows the motion.
 
-use std::io::Write;
 use std::time::Instant;
 
 use pendula::adaptive::{Adaptive, Controlled, TaylorSeries, Tolerance};
@@ -10,11 +9,10 @@ use pendula::{Error, Hamiltonian, Info, Observer, Pendulum, Phase};
 
 use super::trajectory::TrajectoryArguments;
 use super::{COLUMNS, PANELS, end_errors};
-use crate::commands::output::Summary;
+use crate::commands::output::{Streams, Summary};
 use crate::commands::plot::{Drawing, TIME};
 use crate::commands::state::Kept;
 use pendula_output::failure::Failure;
-use pendula_output::interrupt::Lookout;
 
 /// The method that is no method of equal steps.
 pub const SERIES: &str = "taylor-series";
@@ -32,16 +30,12 @@ pub struct Walk<'a> {
 
 impl Walk<'_> {
     /// Prints a row for the start and one for the end of each step.
-    pub fn print(
-        &self,
-        out: [&mut dyn Write; 2],
-        lookout: impl FnOnce() -> Lookout,
-    ) -> Result<(), Failure> {
+    pub fn print(&self, streams: Streams<'_>) -> Result<(), Failure> {
         let [five, eight] = [DormandPrince.info(), Dop853.info()];
         match self.method {
-            name if name == five.name => self.by(DormandPrince, five.title, out, lookout),
-            name if name == eight.name => self.by(Dop853, eight.title, out, lookout),
-            SERIES => self.by(TaylorSeries, "Taylor series", out, lookout),
+            name if name == five.name => self.by(DormandPrince, five.title, streams),
+            name if name == eight.name => self.by(Dop853, eight.title, streams),
+            SERIES => self.by(TaylorSeries, "Taylor series", streams),
             name => Err(Failure::refused(format!(
                 "--method {name} does not choose its steps: with --tolerance it must be {}, {} or \
                  {SERIES}",
@@ -54,8 +48,7 @@ impl Walk<'_> {
         &self,
         method: impl Controlled<Pendulum>,
         title: &str,
-        [out, err]: [&mut dyn Write; 2],
-        lookout: impl FnOnce() -> Lookout,
+        Streams { out, err, lookout }: Streams<'_>,
     ) -> Result<(), Failure> {
         let &Self { pendulum, start, within: (tolerance, duration), arguments, .. } = self;
         let begun = Instant::now();

@@ -1,7 +1,5 @@
 //! `pendula simulate`: a trajectory as rows.
 
-use std::io::Write;
-
 use clap::Args;
 use clap::builder::PossibleValuesParser;
 use pendula::fast::FastRun;
@@ -14,12 +12,11 @@ use pendula::{
     Phase, Rk4, method_named,
 };
 
-use super::output::Summary;
+use super::output::{Streams, Summary};
 use super::plot::Panel;
 use super::system::{Chosen, Forced, SystemArguments};
 use adaptive::{SERIES, Walk};
 use pendula_output::failure::Failure;
-use pendula_output::interrupt::Lookout;
 use trajectory::{Run, Stands, Trajectory, TrajectoryArguments};
 
 mod adaptive;
@@ -48,14 +45,9 @@ fn methods() -> PossibleValuesParser {
 /// Eq. 3; of a system that conserves none, that of the pendulum in it. The double pendulum has
 /// rows of its own.
 ///
-/// The second writer is for the summary. The lookout is asked for after the arguments have been
-/// checked. What the library refuses is refused, and a step too long for the method to solve its
-/// equations; it is a failure if the user interrupts, or the trajectory leaves the range of f64.
-pub fn run(
-    arguments: &Arguments,
-    out: [&mut dyn Write; 2],
-    lookout: impl FnOnce() -> Lookout,
-) -> Result<(), Failure> {
+/// What the library refuses is refused, and a step too long for the method to solve its equations;
+/// it is a failure if the user interrupts, or the trajectory leaves the range of f64.
+pub fn run(arguments: &Arguments, streams: Streams<'_>) -> Result<(), Failure> {
     let Arguments { method, system, trajectory } = arguments;
     let chosen = system.chosen()?;
     let method = match (method, &chosen) {
@@ -67,12 +59,12 @@ pub fn run(
         let Chosen::Pendulum(pendulum, start, Forced::No) = chosen else {
             return Err(Failure::refused("--tolerance is for --system pendulum alone"));
         };
-        return Walk { method, pendulum, start, within, arguments: trajectory }.print(out, lookout);
+        return Walk { method, pendulum, start, within, arguments: trajectory }.print(streams);
     }
     let (pendulum, start, forced) = match chosen {
         Chosen::Pendulum(pendulum, start, forced) => (pendulum, start, forced),
         Chosen::Double(double, start) => {
-            return print_double(method, &double, start, trajectory, out, lookout);
+            return print_double(method, &double, start, trajectory, streams);
         }
     };
     let method = method_named(method).ok_or_else(|| {
@@ -80,10 +72,10 @@ pub fn run(
     })?;
     let scene = Scene { pendulum, method, start, grid: trajectory.grid()?, arguments: trajectory };
     match forced {
-        Forced::No => scene.swing(out, lookout),
-        Forced::Damped(damped) => scene.other(&damped, "the damped pendulum", out, lookout),
-        Forced::Driven(driven) => scene.other(&driven, "the driven pendulum", out, lookout),
-        Forced::Shaken(shaken) => scene.other(&shaken, "the shaken pendulum", out, lookout),
+        Forced::No => scene.swing(streams),
+        Forced::Damped(damped) => scene.other(&damped, "the damped pendulum", streams),
+        Forced::Driven(driven) => scene.other(&driven, "the driven pendulum", streams),
+        Forced::Shaken(shaken) => scene.other(&shaken, "the shaken pendulum", streams),
     }
 }
 
@@ -113,11 +105,7 @@ const PANELS_OF_TWO: [Panel; 2] = [
 
 impl Scene<'_> {
     /// The pendulum itself.
-    fn swing(
-        &self,
-        out: [&mut dyn Write; 2],
-        lookout: impl FnOnce() -> Lookout,
-    ) -> Result<(), Failure> {
+    fn swing(&self, streams: Streams<'_>) -> Result<(), Failure> {
         let &Self { ref pendulum, method, start, grid, .. } = self;
         let steps = method.steps().expect("a method of the library has steps");
         let begin = |at: Option<Checkpoint>| -> Run<Phase> {
@@ -134,7 +122,7 @@ impl Scene<'_> {
             end_errors(summary, pendulum, start, grid.time(grid.steps()), end);
         };
         let drift = Some(EnergyDrift::new(pendulum));
-        self.print("", drift, begin, &end_errors, out, lookout)
+        self.print("", drift, begin, &end_errors, streams)
     }
 
     /// A system that is made of it, is called this, and conserves no energy.
@@ -142,8 +130,7 @@ impl Scene<'_> {
         &self,
         system: &S,
         called: &str,
-        out: [&mut dyn Write; 2],
-        lookout: impl FnOnce() -> Lookout,
+        streams: Streams<'_>,
     ) -> Result<(), Failure> {
         let &Self { ref pendulum, method, start, grid, .. } = self;
         let steps = steps::<S>(method.info().name, called)?;
@@ -153,7 +140,7 @@ impl Scene<'_> {
             summary.line("energy at the end", format!("{last:.6e} J, of {first:.6e} J"));
         };
         let begin = begins(*system, steps, start, grid);
-        self.print(&format!("{called}, "), None, begin, &end_errors, out, lookout)
+        self.print(&format!("{called}, "), None, begin, &end_errors, streams)
     }
 
     /// Prints the run that `begin` begins, of what a title calls this.
@@ -163,8 +150,7 @@ impl Scene<'_> {
         drift: Option<EnergyDrift<'_, Pendulum>>,
         begin: impl FnOnce(Option<Checkpoint>) -> Run<Phase>,
         end_errors: &dyn Fn(&mut Summary, Phase),
-        out: [&mut dyn Write; 2],
-        lookout: impl FnOnce() -> Lookout,
+        streams: Streams<'_>,
     ) -> Result<(), Failure> {
         let &Self { pendulum, method, start, grid, arguments } = self;
         let MethodInfo { name, title, .. } = method.info();
@@ -178,7 +164,7 @@ impl Scene<'_> {
             method: name,
             end_errors,
         };
-        arguments.print(&trajectory, drift, &grid, begin, out, lookout)
+        arguments.print(&trajectory, drift, &grid, begin, streams)
     }
 }
 
@@ -190,8 +176,7 @@ fn print_double(
     double: &DoublePendulum,
     start: DoublePhase,
     arguments: &TrajectoryArguments,
-    out: [&mut dyn Write; 2],
-    lookout: impl FnOnce() -> Lookout,
+    streams: Streams<'_>,
 ) -> Result<(), Failure> {
     let steps = steps::<DoublePendulum>(method, "the double pendulum")?;
     let grid = arguments.grid()?;
@@ -212,7 +197,7 @@ fn print_double(
         end_errors: &|_, _| {},
     };
     let begin = begins(*double, steps, start, grid);
-    arguments.print(&trajectory, Some(EnergyDrift::new(double)), &grid, begin, out, lookout)
+    arguments.print(&trajectory, Some(EnergyDrift::new(double)), &grid, begin, streams)
 }
 
 /// What begins a run on `system`, or goes on with it at a checkpoint.

@@ -1,6 +1,5 @@
 //! A trajectory of any length in equal steps, printed as rows in constant memory.
 
-use std::io::Write;
 use std::num::NonZeroU64;
 use std::time::{Duration, Instant};
 
@@ -12,7 +11,7 @@ use pendula::{Error, Grid, Hamiltonian, Observer};
 use serde::{Deserialize, Serialize};
 
 use crate::commands::number::{count, number, positive_count};
-use crate::commands::output::{RowFormat, Rows, Summary};
+use crate::commands::output::{RowFormat, Rows, Streams, Summary};
 use crate::commands::plot::{Drawing, Panel, PlotArguments, TIME};
 use crate::commands::state::{Kept, KeptArguments};
 use crate::commands::unsolved;
@@ -133,8 +132,7 @@ impl TrajectoryArguments {
         drift: Option<EnergyDrift<'_, H>>,
         grid: &Grid,
         run: impl FnOnce(Option<Checkpoint>) -> Run<H::State>,
-        [out, err]: [&mut dyn Write; 2],
-        lookout: impl FnOnce() -> Lookout,
+        Streams { out, err, lookout }: Streams<'_>,
     ) -> Result<(), Failure> {
         let &Self { summary, every, format, .. } = self;
         let begun = Instant::now();

@@ -15,10 +15,10 @@ use pendula::{DoublePendulum, Grid, Hamiltonian, Rk4};
 use pendula_device::Device;
 
 use crate::commands::number::number;
-use crate::commands::output::{Destination, Summary};
+use crate::commands::output::{Destination, Streams, Summary};
 use crate::commands::system::{DoubleArguments, GravityArgument};
 use pendula_output::failure::Failure;
-use pendula_output::interrupt::{Lookout, unless_interrupted};
+use pendula_output::interrupt::unless_interrupted;
 
 /// Arguments of `pendula sweep flips`.
 #[derive(Args, Debug)]
@@ -59,8 +59,7 @@ const LARGEST: usize = 4096;
 /// counts rows.
 pub fn run(
     arguments: &Arguments,
-    [out, err]: [&mut dyn Write; 2],
-    lookout: impl FnOnce() -> Lookout,
+    Streams { out, err, lookout }: Streams<'_>,
 ) -> Result<(), Failure> {
     let size = arguments.size;
     if size == 0 || size % 2 == 1 || size > LARGEST {

@@ -1,18 +1,15 @@
 //! `pendula sweep`: the ends of many runs, from many starts or with many steps.
 
-use std::io::Write;
-
 use clap::{Args, Subcommand};
 use pendula::{Grid, Pendulum};
 
 use super::examples;
 use super::number::{Part, Sweep, angles, number};
-use super::output::RowFormat;
+use super::output::{RowFormat, Streams};
 use super::plot::{Across, PlotArguments};
 use super::state::{Kept, KeptArguments};
 use super::system::{PendulumArguments, methods};
 use pendula_output::failure::Failure;
-use pendula_output::interrupt::Lookout;
 use printer::Printer;
 use runner::{Planned, Runner, grids};
 
@@ -102,19 +99,14 @@ impl Arguments {
 /// Writes the rows theta0, dt, theta, omega, energy_error: the start (rad), the step (s), the state
 /// at the end (rad, rad/s), and the largest energy error over the run (J).
 ///
-/// The second writer is for the summary. The lookout counts runs finished. What the library refuses
-/// is refused, a step too long for the method to solve its equations, a part as JSON, and anything
-/// but a range of either angles or steps; it is a failure if the user interrupts, or a trajectory
-/// leaves the range of f64.
-pub fn run(
-    arguments: &Arguments,
-    out: [&mut dyn Write; 2],
-    lookout: impl FnOnce() -> Lookout,
-) -> Result<(), Failure> {
+/// The lookout counts runs finished. What the library refuses is refused, a step too long for the
+/// method to solve its equations, a part as JSON, and anything but a range of either angles or
+/// steps; it is a failure if the user interrupts, or a trajectory leaves the range of f64.
+pub fn run(arguments: &Arguments, streams: Streams<'_>) -> Result<(), Failure> {
     match arguments {
-        Arguments { other: Some(Other::Flips(flips)), .. } => flips::run(flips, out, lookout),
-        Arguments { other: Some(Other::Devices), .. } => devices(out),
-        Arguments { sweep: Some(sweep), .. } => sweep_until(sweep, out, lookout),
+        Arguments { other: Some(Other::Flips(flips)), .. } => flips::run(flips, streams),
+        Arguments { other: Some(Other::Devices), .. } => devices(streams),
+        Arguments { sweep: Some(sweep), .. } => sweep_until(sweep, streams),
         // clap has asked for its arguments.
         Arguments { sweep: None, .. } => Err(Failure::refused("there is nothing to sweep")),
     }
@@ -126,11 +118,7 @@ const ANGLES: Across = Across { column: 0, label: "θ_{0} (rad)", log: false };
 /// The steps.
 const STEPS: Across = Across { column: 1, label: "Δt (s)", log: true };
 
-fn sweep_until(
-    arguments: &SweepArguments,
-    out: [&mut dyn Write; 2],
-    lookout: impl FnOnce() -> Lookout,
-) -> Result<(), Failure> {
+fn sweep_until(arguments: &SweepArguments, streams: Streams<'_>) -> Result<(), Failure> {
     let &SweepArguments { theta0, omega0, dt, duration, format, part, mass, .. } = arguments;
     let pendulum = arguments.pendulum.pendulum(mass).map_err(Failure::refused)?;
     if format == RowFormat::Json && part.is_some() {
@@ -172,13 +160,13 @@ fn sweep_until(
             ));
         }
     };
-    Printer { runner, arguments, across, fixed }.print(kept, out, planned, lookout)
+    Printer { runner, arguments, across, fixed }.print(kept, streams, planned)
 }
 
 /// Writes a line for each OpenCL device of this machine: its name, whether it calculates in double
 /// precision, and its memory, separated by two blanks or more. An empty list is no failure: why it
 /// is empty goes to standard error.
-fn devices([out, err]: [&mut dyn Write; 2]) -> Result<(), Failure> {
+fn devices(Streams { out, err, .. }: Streams<'_>) -> Result<(), Failure> {
     let devices = match pendula_device::devices() {
         Ok(devices) => devices,
         Err(error) => return Ok(writeln!(err, "pendula: {error}")?),

@@ -1,17 +1,16 @@
 //! The rows of a sweep, a batch of runs at a time.
 
-use std::io::Write;
 use std::sync::mpsc;
 use std::time::{Duration, Instant};
 
 use pendula::{Hamiltonian, MethodInfo, Motion, Phase};
 use pendula_output::failure::Failure;
-use pendula_output::interrupt::{Lookout, unless_interrupted};
+use pendula_output::interrupt::unless_interrupted;
 use serde::{Deserialize, Serialize};
 
 use super::SweepArguments;
 use super::runner::{Planned, Run, Runner};
-use crate::commands::output::{Rows, Summary};
+use crate::commands::output::{Rows, Streams, Summary};
 use crate::commands::plot::{Across, Drawing, Panel};
 use crate::commands::state::Kept;
 
@@ -101,9 +100,8 @@ impl Printer<'_> {
     pub fn print(
         &self,
         mut kept: Kept<'_>,
-        [out, err]: [&mut dyn Write; 2],
+        Streams { out, err, lookout }: Streams<'_>,
         sweep: impl Iterator<Item = Planned>,
-        lookout: impl FnOnce() -> Lookout,
     ) -> Result<(), Failure> {
         let begun = Instant::now();
         let &SweepArguments { duration, format, part, summary, ref plot, .. } = self.arguments;
