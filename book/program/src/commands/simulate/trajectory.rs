@@ -149,6 +149,7 @@ impl TrajectoryArguments {
         let plot = Drawing { asked: &self.plot, title, across: TIME, panels };
         let rows = kept.open(out, plot, format, trajectory.columns, false)?;
         let next = at.map_or(0, |at| (at.steps() / every + 1).saturating_mul(every.get()));
+        let drift = drift.filter(|_| summary);
         let mut watch = Watch { drift, row, rows, every, next, ended: None };
         // The state at which it stands: it takes no step.
         let mut stands = run(at.map_or(0, |at| at.steps()), every, &mut ());
@@ -159,8 +160,7 @@ impl TrajectoryArguments {
             drift.observe(0, grid.time(0), start);
         }
         let before = before.unwrap_or_default();
-        let measured = summary && watch.drift.is_some();
-        let interrupted = watch.follow(&mut run, &mut stands, grid.steps(), measured, &lookout);
+        let interrupted = watch.follow(&mut run, &mut stands, grid.steps(), &lookout);
         let Watch { drift, rows, ended, .. } = watch;
         let steps = stands.at.steps();
         let elapsed = before.elapsed + begun.elapsed();
@@ -177,13 +177,8 @@ impl TrajectoryArguments {
             }
         };
         if interrupted {
-            let progress = Progress {
-                steps,
-                numbers: *stands.at.numbers(),
-                evaluations,
-                elapsed,
-                energy_error: energy_error.filter(|_| summary),
-            };
+            let numbers = *stands.at.numbers();
+            let progress = Progress { steps, numbers, evaluations, elapsed, energy_error };
             let (all, t) = (grid.steps(), grid.time(steps));
             let without = if rows.are_drawn() { ", without its plot" } else { "" };
             let stands = format!("after {steps} of {all} steps, at {t:?} s{without}");
@@ -239,7 +234,7 @@ fn overflow(steps: u64) -> Failure {
 
 /// Measures the energy error of the samples it is shown, and prints every k-th, until it fails.
 struct Watch<'a, H: Hamiltonian, const N: usize> {
-    /// None where the system conserves no energy.
+    /// None where the system conserves no energy, or nobody asks for it.
     drift: Option<EnergyDrift<'a, H>>,
     row: &'a dyn Fn(f64, H::State) -> [f64; N],
     rows: Rows<'a, N>,
@@ -272,16 +267,15 @@ impl<H: Hamiltonian, const N: usize> Observer<H::State> for Watch<'_, H, N> {
 
 impl<H: Hamiltonian, const N: usize> Watch<'_, H, N> {
     /// Follows the run to the step `last`, from where it `stands`, and says whether it was
-    /// interrupted. Unless all samples are `measured`, only those to be printed are asked for.
+    /// interrupted. Unless the energy error is measured, only samples to be printed are asked for.
     fn follow(
         &mut self,
         run: &mut Run<H::State>,
         stands: &mut Stands<H::State>,
         last: u64,
-        measured: bool,
         lookout: &Lookout,
     ) -> bool {
-        let every = if measured { NonZeroU64::MIN } else { self.every };
+        let every = if self.drift.is_some() { NonZeroU64::MIN } else { self.every };
         loop {
             let steps = stands.at.steps();
             if self.ended.is_some() || stands.z.is_err() || steps == last {
