@@ -167,10 +167,12 @@ const COUNT: usize = 15;
 /// The first band ends with this part of the last time.
 const FIRST: f64 = 1.0 / 40.0;
 
-/// The colours of the first band, of the last, and of those at even distances between them: red,
-/// green and blue. The lightness falls, in CIELAB from 89 to 28.
-const COLOURS: [[f64; 3]; 4] =
-    [[253.0, 222.0, 150.0], [232.0, 138.0, 90.0], [172.0, 66.0, 122.0], [70.0, 50.0, 140.0]];
+/// The colours of the bands, red, green and blue, from yellow over red to violet, and black for
+/// none. The lightness falls, in CIELAB from 89 to 28.
+const COLOURS: [u32; COUNT + 1] = [
+    0xfd_de_96, 0xf9_cc_89, 0xf4_ba_7c, 0xf0_a8_6f, 0xeb_96_63, 0xe4_85_5c, 0xd7_75_63, 0xca_66_6a,
+    0xbd_57_71, 0xb0_47_78, 0x9d_40_7d, 0x88_3c_80, 0x72_39_84, 0x5c_35_88, 0x46_32_8c, 0,
+];
 
 impl Bands {
     /// For times up to `steps` steps.
@@ -198,7 +200,8 @@ impl Bands {
         let mut encoder = png::Encoder::new(out, width as u32, rows.len() as u32);
         encoder.set_color(png::ColorType::Indexed);
         encoder.set_depth(png::BitDepth::Four);
-        encoder.set_palette(colours().concat());
+        let palette = COLOURS.map(|colour| colour.to_be_bytes());
+        encoder.set_palette(palette.iter().flat_map(|[_, rgb @ ..]| *rgb).collect::<Vec<u8>>());
         encoder.set_trns([[255; COUNT].as_slice(), &[0]].concat());
         encoder.set_compression(png::Compression::High);
         let mut data = Vec::new();
@@ -213,19 +216,4 @@ impl Bands {
         writer.finish()?;
         Ok(())
     }
-}
-
-/// The colour of each band, and of none.
-fn colours() -> [[u8; 3]; COUNT + 1] {
-    std::array::from_fn(|band| {
-        if band == COUNT {
-            return [0; 3];
-        }
-        let place = band as f64 / (COUNT - 1) as f64 * (COLOURS.len() - 1) as f64;
-        let from = (place as usize).min(COLOURS.len() - 2);
-        let part = place - from as f64;
-        std::array::from_fn(|i| {
-            (COLOURS[from][i] * (1.0 - part) + COLOURS[from + 1][i] * part).round() as u8
-        })
-    })
 }
