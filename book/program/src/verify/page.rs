@@ -113,8 +113,9 @@ const OTHER: Style = Style::numbered(1);
 
 /// Error against step, with the slope that is claimed.
 fn ladder(ladder: &[(f64, f64)], order: Option<u32>) -> Option<String> {
-    let coarsest = ladder.iter().copied().max_by(|a, b| a.0.total_cmp(&b.0))?;
-    let finest = ladder.iter().copied().min_by(|a, b| a.0.total_cmp(&b.0))?;
+    let mut sorted = ladder.to_vec();
+    sorted.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let (coarsest, finest) = (*sorted.first()?, *sorted.last()?);
     let mut chart = Chart::new(Axis::log("h (s)"), Axis::log("largest error (rad)")).series(
         "measured",
         MEASURED,
@@ -131,17 +132,15 @@ fn ladder(ladder: &[(f64, f64)], order: Option<u32>) -> Option<String> {
     };
     let caption = format!(
         "Largest error against the step, both axes logarithmic. {}{claimed}.",
-        slopes(ladder).map_or("One step alone".to_string(), |slopes| format!(
+        slopes(&sorted).map_or("One step alone".to_string(), |slopes| format!(
             "The slopes between the points are {slopes}"
         ))
     );
     Some(drawn("ladder", "Error against step", &caption, chart))
 }
 
-/// The slopes between neighbours, from the coarsest step to the finest.
-fn slopes(ladder: &[(f64, f64)]) -> Option<String> {
-    let mut points = ladder.to_vec();
-    points.sort_by(|a, b| b.0.total_cmp(&a.0));
+/// The slopes between neighbours.
+fn slopes(points: &[(f64, f64)]) -> Option<String> {
     let slope = |pair: &[(f64, f64)]| {
         let [(h, error), (shorter, smaller)] = pair else { return String::new() };
         let slope = libm::log(smaller / error) / libm::log(shorter / h);
