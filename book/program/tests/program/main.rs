@@ -7,7 +7,6 @@ mod help;
 mod interrupts;
 mod listed;
 mod long_runs;
-mod plots;
 mod review;
 mod sweep;
 mod transcripts;
