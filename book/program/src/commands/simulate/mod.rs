@@ -1,25 +1,29 @@
-//! `pendula simulate`: a trajectory as rows.
+//! `pendula simulate`: a trajectory as rows, in equal steps or in steps whose size follows the
+//! motion.
+
+use std::time::Instant;
 
 use clap::Args;
 use clap::builder::PossibleValuesParser;
+use pendula::adaptive::{Adaptive, Controlled, TaylorSeries, Tolerance};
 use pendula::fast::FastRun;
 use pendula::integrate::{self, Checkpoint, Steps};
 use pendula::methods::table::Listed;
+use pendula::methods::{Dop853, DormandPrince};
 use pendula::metrics::EnergyDrift;
 use pendula::systems::{DoublePhase, Numbers};
 use pendula::{
-    AnyMethod, DoublePendulum, Grid, Hamiltonian, Info, METHODS, MethodInfo, Motion, Pendulum,
-    Phase, Rk4, method_named,
+    AnyMethod, DoublePendulum, Error, Grid, Hamiltonian, Info, METHODS, MethodInfo, Motion,
+    Observer, Pendulum, Phase, Rk4, method_named,
 };
 
 use super::output::{Streams, Summary};
-use super::plot::Panel;
+use super::plot::{Drawing, Panel, TIME};
+use super::state::Kept;
 use super::system::{Chosen, Forced, SystemArguments};
-use adaptive::{SERIES, Walk};
 use pendula_output::failure::Failure;
 use trajectory::{Run, Stands, Trajectory, TrajectoryArguments};
 
-mod adaptive;
 mod trajectory;
 
 /// Arguments of `pendula simulate`.
@@ -241,5 +245,107 @@ fn end_errors(summary: &mut Summary, pendulum: &Pendulum, start: Phase, t: f64, 
         let exact = motion.at(t);
         summary.line("error of θ at the end", format!("{:.6e} rad", end.theta - exact.theta));
         summary.line("error of ω at the end", format!("{:.6e} rad/s", end.omega - exact.omega));
+    }
+}
+
+/// The method that is no method of equal steps.
+const SERIES: &str = "taylor-series";
+
+/// A trajectory of the pendulum in steps whose size follows the motion.
+struct Walk<'a> {
+    /// The name of the method.
+    method: &'a str,
+    pendulum: Pendulum,
+    start: Phase,
+    /// The tolerance, and the duration (s).
+    within: (f64, f64),
+    arguments: &'a TrajectoryArguments,
+}
+
+impl Walk<'_> {
+    /// Prints a row for the start and one for the end of each step.
+    fn print(&self, streams: Streams<'_>) -> Result<(), Failure> {
+        let [five, eight] = [DormandPrince.info(), Dop853.info()];
+        match self.method {
+            name if name == five.name => self.by(DormandPrince, five.title, streams),
+            name if name == eight.name => self.by(Dop853, eight.title, streams),
+            SERIES => self.by(TaylorSeries, "Taylor series", streams),
+            name => Err(Failure::refused(format!(
+                "--method {name} does not choose its steps: with --tolerance it must be {}, {} or \
+                 {SERIES}",
+                five.name, eight.name
+            ))),
+        }
+    }
+
+    fn by(
+        &self,
+        method: impl Controlled<Pendulum>,
+        title: &str,
+        Streams { out, err, lookout }: Streams<'_>,
+    ) -> Result<(), Failure> {
+        let &Self { pendulum, start, within: (tolerance, duration), arguments, .. } = self;
+        let begun = Instant::now();
+        let mut kept = Kept::new(&arguments.kept)?;
+        let title = format!("{title}, tolerance {tolerance:?}");
+        let tolerance = Tolerance::uniform(tolerance).map_err(Failure::refused)?;
+        let adaptive = Adaptive::new(method, tolerance).max_attempts(arguments.max_steps);
+        let mut walk = adaptive.steps(&pendulum, start, 0.0, duration).map_err(Failure::refused)?;
+
+        // Set the interrupt handler before creating the file.
+        let lookout = lookout();
+        let asked = &arguments.plot;
+        let plot = Drawing { asked, title: &title, across: TIME, panels: &PANELS };
+        let mut rows = kept.open(out, plot, arguments.format, COLUMNS, false)?;
+        let mut drift = EnergyDrift::new(&pendulum);
+        drift.observe(0, 0.0, start);
+        let row = |t: f64, z: Phase| [t, z.theta, z.omega, pendulum.energy_from_pivot(z)];
+        rows.row(row(0.0, start))?;
+        loop {
+            let steps = walk.counts().accepted;
+            let step = if lookout.interrupts(steps) {
+                Err(anyhow::anyhow!(
+                    "interrupted after {steps} steps, at {:?} s of {duration:?} s; steps that vary \
+                 cannot be resumed",
+                    walk.time(),
+                ))
+            } else {
+                let Some(step) = walk.next() else { break };
+                step.map_err(explained)
+            };
+            let step = match step {
+                Ok(step) => step,
+                Err(error) => {
+                    // The rows so far are whole.
+                    rows.leave()?;
+                    return Err(Failure::Failed(error));
+                }
+            };
+            let (t, z) = (step.end_time(), step.end());
+            rows.row(row(t, z))?;
+            drift.observe(steps + 1, t, z);
+        }
+        kept.finish(rows)?;
+        if arguments.summary {
+            let counts = walk.counts();
+            let mut summary =
+                Summary::of_cost(counts.accepted, counts.evaluations, begun.elapsed());
+            summary.line("steps rejected", counts.rejected.to_string());
+            summary.energy_error(drift.largest(), pendulum.energy(start), "");
+            end_errors(&mut summary, &pendulum, start, duration, walk.state());
+            summary.print(err)?;
+        }
+        Ok(())
+    }
+}
+
+/// The error with the names of the options that would help.
+fn explained(error: Error) -> anyhow::Error {
+    match error {
+        Error::OutOfSteps { t, limit } => anyhow::anyhow!(
+            "{limit} steps have led no further than to {t:?} s: allow more of them with \
+             --max-steps, a larger --tolerance or a shorter --duration"
+        ),
+        error => error.into(),
     }
 }
