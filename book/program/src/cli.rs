@@ -199,22 +199,12 @@ fn matches(words: &[OsString]) -> Result<ArgMatches, Failure> {
 }
 
 /// The book, where there is one.
-#[cfg(feature = "book")]
 fn without_a_command() -> Result<Command, Failure> {
-    use crate::commands::study;
-    let here = std::env::current_dir()?;
-    if pendula_book::locate::book(&here).is_err() {
-        return help();
+    #[cfg(feature = "book")]
+    if pendula_book::locate::book(&std::env::current_dir()?).is_ok() {
+        use crate::commands::study;
+        return Ok(Command::Study(study::Command::Book(study::BookArguments::default())));
     }
-    Ok(Command::Study(study::Command::Book(study::BookArguments::default())))
-}
-
-#[cfg(not(feature = "book"))]
-fn without_a_command() -> Result<Command, Failure> {
-    help()
-}
-
-fn help() -> Result<Command, Failure> {
     Cli::command().print_help()?;
     Err(Failure::Answered)
 }
@@ -314,22 +304,13 @@ fn explain(error: &clap::Error) -> String {
 
 /// Folds clap's paragraphs into one line, for scripts that read standard error.
 fn fold(message: &str) -> String {
-    let lines = message
-        .trim_start_matches("error:")
-        .lines()
-        .map(str::trim)
-        .filter(|line| !line.is_empty() && !line.starts_with("For more information"));
-    let mut folded = String::new();
-    for line in lines {
-        let separator = match line {
-            _ if folded.is_empty() => "",
-            _ if line.starts_with("Usage:") || line.starts_with("tip:") => "; ",
-            _ => " ",
-        };
-        folded.push_str(separator);
-        folded.push_str(line);
-    }
-    folded
+    let lines = message.trim_start_matches("error:").lines().map(str::trim);
+    let told = lines.filter(|line| !line.is_empty() && !line.starts_with("For more information"));
+    let folded = told.map(str::to_owned).reduce(|folded, line| {
+        let is_apart = line.starts_with("Usage:") || line.starts_with("tip:");
+        folded + if is_apart { "; " } else { " " } + &line
+    });
+    folded.unwrap_or_default()
 }
 
 #[cfg(test)]
