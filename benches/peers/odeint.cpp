@@ -72,18 +72,16 @@ bool measure(const char *name, const Scene &scene, Run run) {
 
 // All steps that are exact and end exactly at the end, the longest first: d/2^k s, d odd.
 std::vector<long> counts(long end) {
-    std::vector<std::pair<double, long>> all;
+    std::vector<long> all;
     for (long d = 1; d <= end; d += 2) {
         if (end % d != 0) continue;
         for (int k = 1; k <= 16; ++k) {
             const long count = (end / d) << k;
-            if (2 * end <= count) all.emplace_back(count, count);
+            if (2 * end <= count) all.push_back(count);
         }
     }
     std::sort(all.begin(), all.end());
-    std::vector<long> result;
-    for (const auto &entry : all) result.push_back(entry.second);
-    return result;
+    return all;
 }
 
 template <class Stepper>

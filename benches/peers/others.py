@@ -7,7 +7,7 @@
 It needs cargo, for the exact ends of the motions, and g++ with Boost's headers (Debian:
 libboost-dev).
 
-The scenes, the errors and what counts as reaching one are those of `src/front.rs`, whose table has
+The scenes, the errors and what counts as reaching one are those of `src/main.rs`, whose table has
 the library: max(|dtheta|, |domega|/omega_0) at the end, and a setting counts if the next finer one
 is within the error too, and no more than three times worse, or the one after it is within the error
 as well. Times are the shortest CPU time of the process over seven runs or more, in microseconds.

@@ -11,7 +11,8 @@ use clap::error::{ContextKind, ErrorKind};
 use clap::{ArgMatches, CommandFactory, FromArgMatches, Parser, Subcommand};
 use rayon::ThreadPoolBuilder;
 
-use crate::commands::arguments::number::{Part, Sweep};
+use crate::commands::number::{Part, Sweep};
+use crate::commands::output::Streams;
 use crate::commands::state::{self, KeptArguments, Resumed};
 use crate::commands::{exact, examples, installed, methods, serve, simulate, sweep, verify};
 use pendula_output::failure::Failure;
@@ -198,22 +199,12 @@ fn matches(words: &[OsString]) -> Result<ArgMatches, Failure> {
 }
 
 /// The book, where there is one.
-#[cfg(feature = "book")]
 fn without_a_command() -> Result<Command, Failure> {
-    use crate::commands::study;
-    let here = std::env::current_dir()?;
-    if pendula_book::locate::book(&here).is_err() {
-        return help();
+    #[cfg(feature = "book")]
+    if pendula_book::locate::book(&std::env::current_dir()?).is_ok() {
+        use crate::commands::study;
+        return Ok(Command::Study(study::Command::Book(study::BookArguments::default())));
     }
-    Ok(Command::Study(study::Command::Book(study::book::Arguments::default())))
-}
-
-#[cfg(not(feature = "book"))]
-fn without_a_command() -> Result<Command, Failure> {
-    help()
-}
-
-fn help() -> Result<Command, Failure> {
     Cli::command().print_help()?;
     Err(Failure::Answered)
 }
@@ -236,22 +227,20 @@ pub fn run(command: Command, out: &mut dyn Write) -> Result<(), Failure> {
     ThreadPoolBuilder::new()
         .build_global()
         .context("threads cannot be had: set RAYON_NUM_THREADS to a smaller number")?;
-    let mut error = io::stderr();
+    let streams = Streams { out, err: &mut io::stderr(), lookout: &Lookout::for_the_user };
     match command {
         #[cfg(feature = "book")]
-        Command::Study(command) => crate::commands::study::run(command, out),
-        Command::Verify(arguments) => verify::run(&arguments, out),
-        Command::Simulate(arguments) => {
-            simulate::run(&arguments, [out, &mut error], Lookout::for_the_user)
+        Command::Study(command) => crate::commands::study::run(command, streams.out),
+        Command::Verify(arguments) => verify::run(&arguments, streams.out),
+        Command::Simulate(arguments) => simulate::run(&arguments, streams),
+        Command::Exact(arguments) => exact::run(&arguments, streams.out),
+        Command::Sweep(arguments) => sweep::run(&arguments, streams),
+        Command::Methods(arguments) => methods::run(&arguments, streams.out),
+        Command::Serve(arguments) => serve::run(&arguments, streams.out),
+        Command::Completions(arguments) => {
+            installed::completions(&arguments, definition(), streams.out)
         }
-        Command::Exact(arguments) => exact::run(&arguments, out),
-        Command::Sweep(arguments) => {
-            sweep::run(&arguments, [out, &mut error], Lookout::for_the_user)
-        }
-        Command::Methods(arguments) => methods::run(&arguments, out),
-        Command::Serve(arguments) => serve::run(&arguments, out),
-        Command::Completions(arguments) => installed::completions(&arguments, definition(), out),
-        Command::Man(arguments) => installed::man(&arguments, definition(), out),
+        Command::Man(arguments) => installed::man(&arguments, definition(), streams.out),
     }
 }
 
@@ -315,22 +304,13 @@ fn explain(error: &clap::Error) -> String {
 
 /// Folds clap's paragraphs into one line, for scripts that read standard error.
 fn fold(message: &str) -> String {
-    let lines = message
-        .trim_start_matches("error:")
-        .lines()
-        .map(str::trim)
-        .filter(|line| !line.is_empty() && !line.starts_with("For more information"));
-    let mut folded = String::new();
-    for line in lines {
-        let separator = match line {
-            _ if folded.is_empty() => "",
-            _ if line.starts_with("Usage:") || line.starts_with("tip:") => "; ",
-            _ => " ",
-        };
-        folded.push_str(separator);
-        folded.push_str(line);
-    }
-    folded
+    let lines = message.trim_start_matches("error:").lines().map(str::trim);
+    let told = lines.filter(|line| !line.is_empty() && !line.starts_with("For more information"));
+    let folded = told.map(str::to_owned).reduce(|folded, line| {
+        let is_apart = line.starts_with("Usage:") || line.starts_with("tip:");
+        folded + if is_apart { "; " } else { " " } + &line
+    });
+    folded.unwrap_or_default()
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 use std::any::TypeId;
 
 use super::*;
-use crate::commands::arguments::number::Sweep;
+use crate::commands::number::Sweep;
 
 fn refusal(arguments: &[&str]) -> String {
     match parse(arguments) {

@@ -8,11 +8,9 @@ use clap::Args;
 use pendula::exact::Swing;
 use pendula::{Motion, MotionKind, Pendulum, Phase};
 
-use super::arguments::angle::angle;
-use super::arguments::number::number;
-use super::arguments::system::PendulumArguments;
-use super::destination::Destination;
-use super::rows::{RowFormat, Rows};
+use super::number::{angle, number};
+use super::output::{Destination, RowFormat, Rows};
+use super::system::PendulumArguments;
 use pendula_output::failure::Failure;
 
 /// Arguments of `pendula exact`.

@@ -7,7 +7,7 @@ use pendula::verify::properties::energy::is_conserved_by;
 use pendula::{AnyMethod, METHODS, MethodInfo};
 use serde_json::{Value, json};
 
-use super::rows::{TableFormat, csv};
+use super::output::{TableFormat, csv};
 use crate::colour;
 use pendula_output::failure::Failure;
 

@@ -6,20 +6,19 @@
 use clap::builder::{StyledStr, Styles};
 use pendula_output::failure::Failure;
 
-pub mod arguments;
-pub(crate) mod destination;
 pub mod exact;
 pub mod installed;
 pub mod methods;
+pub mod number;
+pub mod output;
 mod plot;
-mod rows;
 pub mod serve;
 pub mod simulate;
 pub(crate) mod state;
 #[cfg(feature = "book")]
 pub mod study;
-mod summary;
 pub mod sweep;
+pub mod system;
 pub mod verify;
 
 /// Examples for the end of a help text. A test runs each of them, in an empty folder.

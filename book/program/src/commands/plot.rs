@@ -6,14 +6,9 @@ use std::path::PathBuf;
 use clap::Args;
 use pendula_charts::{Axis, Chart, Figure, Style};
 
-use super::destination::Destination;
+use super::output::Destination;
 use crate::colour;
 use pendula_output::failure::Failure;
-
-mod braille;
-mod thinned;
-
-use thinned::Thinned;
 
 /// Where the rows are drawn.
 #[derive(Args, Debug)]
@@ -181,7 +176,7 @@ impl Plot<'_> {
                 let (name, label) = (plain(name), plain(panel.label));
                 writeln!(out, "\n{name}{comma}{label}{}", logarithmic(panel.log))?;
                 let points: Vec<(f64, f64)> = line.points().collect();
-                braille::draw(&points, [log, panel.log], out)?;
+                draw_in_braille(&points, [log, panel.log], out)?;
             }
         }
         let (from, to) = ends(self.lines.iter().flat_map(Thinned::points).map(|point| point.0));
@@ -220,5 +215,177 @@ fn short(value: f64) -> String {
             text.trim_end_matches('0').trim_end_matches('.').to_owned()
         }
         _ => format!("{value:.3e}"),
+    }
+}
+
+/// Characters of a picture in the terminal, across and down.
+const SIZE: (usize, usize) = (64, 10);
+
+/// Draws the line through `points`, with the ends of its y axis on the left. `log` says which of
+/// the axes are logarithmic; what has no place there leaves a gap.
+fn draw_in_braille(points: &[(f64, f64)], log: [bool; 2], out: &mut dyn Write) -> io::Result<()> {
+    let place = |value: f64, log: bool| match log {
+        true if value > 0.0 => libm::log10(value),
+        true => f64::NAN,
+        false => value,
+    };
+    let placed: Vec<(f64, f64)> =
+        points.iter().map(|&(x, y)| (place(x, log[0]), place(y, log[1]))).collect();
+    let shown = || placed.iter().filter(|(x, y)| x.is_finite() && y.is_finite());
+    let (left, right) = ends(shown().map(|point| point.0));
+    let (bottom, top) = ends(shown().map(|point| point.1));
+    let (width, height) = (2 * SIZE.0, 4 * SIZE.1);
+    let dot = |value: f64, low: f64, high: f64, dots: usize| {
+        let share = if high > low { (value - low) / (high - low) } else { 0.5 };
+        (share * (dots - 1) as f64).round() as i64
+    };
+    let mut canvas = vec![vec![0_u8; SIZE.0]; SIZE.1];
+    let mut set = |x: i64, y: i64| {
+        let (x, y) = (x as usize, height - 1 - y as usize);
+        // The bits of a character's dots: the lowest row came later, and has the highest.
+        let bit = [[0, 3], [1, 4], [2, 5], [6, 7]][y % 4][x % 2];
+        canvas[y / 4][x / 2] |= 1 << bit;
+    };
+    let mut before: Option<(i64, i64)> = None;
+    for &(x, y) in &placed {
+        if !(x.is_finite() && y.is_finite()) {
+            before = None;
+            continue;
+        }
+        let here = (dot(x, left, right, width), dot(y, bottom, top, height));
+        let (from_x, from_y) = before.unwrap_or(here);
+        let (dx, dy) = (here.0 - from_x, here.1 - from_y);
+        let steps = dx.abs().max(dy.abs()).max(1);
+        for step in 0..=steps {
+            let along = |from: i64, by: i64| from + (2 * by * step + steps).div_euclid(2 * steps);
+            set(along(from_x, dx), along(from_y, dy));
+        }
+        before = Some(here);
+    }
+    let end =
+        |value: f64, log: bool| if log { short(libm::pow(10.0, value)) } else { short(value) };
+    let (low, high) = match shown().next() {
+        Some(_) => (end(bottom, log[1]), end(top, log[1])),
+        None => (String::new(), String::new()),
+    };
+    let margin = low.len().max(high.len());
+    for (row, cells) in canvas.iter().enumerate() {
+        let label = match row {
+            0 => high.as_str(),
+            _ if row == SIZE.1 - 1 => low.as_str(),
+            _ => "",
+        };
+        let cells: String = cells
+            .iter()
+            .map(|&dots| char::from_u32(0x2800 + u32::from(dots)).unwrap_or(' '))
+            .collect();
+        writeln!(out, "{label:>margin$} ┤{cells}")?;
+    }
+    Ok(())
+}
+
+/// A line of any number of points, thinned to a few that look the same: of groups of neighbours the
+/// lowest and the highest point are kept. A line through them covers what the line through all
+/// would cover, to the width of a group.
+#[derive(Debug, Default)]
+struct Thinned {
+    groups: Vec<Group>,
+    /// Points in a group, a power of two; 0 before the first.
+    size: u64,
+    /// Points so far.
+    count: u64,
+    last: Option<(f64, f64)>,
+}
+
+/// More than a plot has pixels across, when they are halved.
+const MOST: usize = 2048;
+
+#[derive(Clone, Copy, Debug)]
+struct Group {
+    low: Point,
+    high: Point,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Point {
+    /// Which point it is, in the order of the line.
+    n: u64,
+    x: f64,
+    y: f64,
+}
+
+impl Group {
+    fn with(self, other: Self) -> Self {
+        Self {
+            low: if other.low.y < self.low.y { other.low } else { self.low },
+            high: if other.high.y > self.high.y { other.high } else { self.high },
+        }
+    }
+}
+
+impl Thinned {
+    /// Adds the next point.
+    fn add(&mut self, x: f64, y: f64) {
+        let point = Point { n: self.count, x, y };
+        let group = Group { low: point, high: point };
+        self.size = self.size.max(1);
+        if self.count.is_multiple_of(self.size) {
+            if self.groups.len() == MOST {
+                let pairs = self.groups.chunks(2);
+                self.groups = pairs.map(|pair| pair[0].with(pair[pair.len() - 1])).collect();
+                self.size *= 2;
+            }
+            self.groups.push(group);
+        } else if let Some(last) = self.groups.last_mut() {
+            *last = last.with(group);
+        }
+        self.count += 1;
+        self.last = Some((x, y));
+    }
+
+    /// The points that are kept, in order; the last one of all among them.
+    fn points(&self) -> impl Iterator<Item = (f64, f64)> {
+        let kept = self.groups.iter().flat_map(|&Group { low, high }| {
+            let (one, other) = if low.n <= high.n { (low, high) } else { (high, low) };
+            let other = (other.n != one.n).then_some(other);
+            [Some(one), other].into_iter().flatten()
+        });
+        let last = self.groups.last().map(|group| group.low.n.max(group.high.n));
+        let end = self.last.filter(|_| last.is_some_and(|n| n + 1 < self.count));
+        kept.map(|Point { x, y, .. }| (x, y)).chain(end)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Catches: memory that grows with the run; an extreme that is lost, or moved; points out of
+    /// order; a line that ends before its last point.
+    #[test]
+    fn a_long_line_keeps_its_extremes_in_order() {
+        let wave = |i: u32| (f64::from(i), f64::from(i.wrapping_mul(2_654_435_761) >> 8));
+        for count in [1, 2, 2047, 2048, 2049, 5000, 1_000_000] {
+            let mut line = Thinned::default();
+            (0..count).for_each(|i| {
+                let (x, y) = wave(i);
+                line.add(x, y);
+            });
+            let points: Vec<(f64, f64)> = line.points().collect();
+            assert!(points.len() <= 2 * MOST + 1, "{}", points.len());
+            assert!(points.windows(2).all(|pair| pair[0].0 < pair[1].0));
+            assert!(points.iter().all(|&(x, y)| wave(x as u32) == (x, y)));
+            assert_eq!(points.last(), Some(&wave(count - 1)));
+            if count <= MOST as u32 {
+                assert_eq!(points.len(), count as usize);
+            }
+            // Of each thousandth of the line, the extremes are no further away than a group.
+            let all: Vec<f64> = (0..count).map(|i| wave(i).1).collect();
+            for highest in [true, false] {
+                let best = |a: f64, b: f64| if highest { a.max(b) } else { a.min(b) };
+                let all = all.iter().copied().reduce(best);
+                assert_eq!(points.iter().map(|point| point.1).reduce(best), all);
+            }
+        }
     }
 }

@@ -8,7 +8,7 @@ use pendula::methods::table;
 use pendula::verify::{ByPointer, Fault, Listed, Request, Stranger};
 use pendula::{AnyMethod, Driven, method_named};
 
-use super::arguments::system::methods;
+use super::system::methods;
 use crate::verify::protocol::{Question, question};
 use pendula_output::failure::Failure;
 

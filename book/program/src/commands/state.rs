@@ -15,9 +15,8 @@ use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
-use super::destination::Destination;
+use super::output::{Destination, RowFormat, Rows};
 use super::plot::Drawing;
-use super::rows::{RowFormat, Rows};
 use pendula_output::failure::Failure;
 use pendula_output::files;
 use pendula_output::files::whole_file::WholeFile;

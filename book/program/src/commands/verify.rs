@@ -10,8 +10,8 @@ use anyhow::Context;
 use clap::{Args, ValueEnum};
 use pendula::verify::{Claims, Verdict, try_judge};
 
-use super::arguments::number::number;
-use super::destination::Destination;
+use super::number::number;
+use super::output::Destination;
 use crate::colour;
 use crate::verify::{Judged, Program, formats, page};
 use pendula_output::failure::Failure;

@@ -76,10 +76,7 @@ fn row(finding: &Finding) -> String {
 }
 
 fn drawings(report: &Report, claims: &Claims) -> String {
-    let figure = |Drawn { svg, caption }: &Drawn| {
-        format!("<figure>\n{svg}<figcaption>{}</figcaption>\n</figure>\n", escaped(caption))
-    };
-    let drawn: String = figures(&report.evidence, claims).iter().map(figure).collect();
+    let drawn = figures(&report.evidence, claims).concat();
     if drawn.is_empty() {
         return drawn;
     }
@@ -92,16 +89,8 @@ fn drawings(report: &Report, claims: &Claims) -> String {
     )
 }
 
-/// What the judge has measured, drawn as the book draws.
-#[derive(Debug)]
-struct Drawn {
-    svg: String,
-    /// What stands below it.
-    caption: String,
-}
-
-/// The figures there is evidence for.
-fn figures(evidence: &Evidence, claims: &Claims) -> Vec<Drawn> {
+/// The figures there is evidence for: what the judge has measured, drawn as the book draws.
+fn figures(evidence: &Evidence, claims: &Claims) -> Vec<String> {
     let figures = [
         ladder(&evidence.ladder, claims.order),
         energy(&evidence.energy),
@@ -111,10 +100,10 @@ fn figures(evidence: &Evidence, claims: &Claims) -> Vec<Drawn> {
     figures.into_iter().flatten().collect()
 }
 
-/// The figure with its chart, for the page.
-fn drawn(id: &str, title: &str, caption: &str, chart: Chart) -> Drawn {
+/// The figure with its chart, and its caption below it.
+fn drawn(id: &str, title: &str, caption: &str, chart: Chart) -> String {
     let svg = Figure::new(title, caption).panel(chart).to_svg(id);
-    Drawn { svg, caption: caption.to_string() }
+    format!("<figure>\n{svg}<figcaption>{}</figcaption>\n</figure>\n", escaped(caption))
 }
 
 /// What was measured.
@@ -123,9 +112,10 @@ const MEASURED: Style = Style::numbered(0);
 const OTHER: Style = Style::numbered(1);
 
 /// Error against step, with the slope that is claimed.
-fn ladder(ladder: &[(f64, f64)], order: Option<u32>) -> Option<Drawn> {
-    let coarsest = ladder.iter().copied().max_by(|a, b| a.0.total_cmp(&b.0))?;
-    let finest = ladder.iter().copied().min_by(|a, b| a.0.total_cmp(&b.0))?;
+fn ladder(ladder: &[(f64, f64)], order: Option<u32>) -> Option<String> {
+    let mut sorted = ladder.to_vec();
+    sorted.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let (coarsest, finest) = (*sorted.first()?, *sorted.last()?);
     let mut chart = Chart::new(Axis::log("h (s)"), Axis::log("largest error (rad)")).series(
         "measured",
         MEASURED,
@@ -142,17 +132,15 @@ fn ladder(ladder: &[(f64, f64)], order: Option<u32>) -> Option<Drawn> {
     };
     let caption = format!(
         "Largest error against the step, both axes logarithmic. {}{claimed}.",
-        slopes(ladder).map_or("One step alone".to_string(), |slopes| format!(
+        slopes(&sorted).map_or("One step alone".to_string(), |slopes| format!(
             "The slopes between the points are {slopes}"
         ))
     );
     Some(drawn("ladder", "Error against step", &caption, chart))
 }
 
-/// The slopes between neighbours, from the coarsest step to the finest.
-fn slopes(ladder: &[(f64, f64)]) -> Option<String> {
-    let mut points = ladder.to_vec();
-    points.sort_by(|a, b| b.0.total_cmp(&a.0));
+/// The slopes between neighbours.
+fn slopes(points: &[(f64, f64)]) -> Option<String> {
     let slope = |pair: &[(f64, f64)]| {
         let [(h, error), (shorter, smaller)] = pair else { return String::new() };
         let slope = libm::log(smaller / error) / libm::log(shorter / h);
@@ -163,7 +151,7 @@ fn slopes(ladder: &[(f64, f64)]) -> Option<String> {
 }
 
 /// Energy error against time.
-fn energy(energy: &[(f64, f64)]) -> Option<Drawn> {
+fn energy(energy: &[(f64, f64)]) -> Option<String> {
     let caption = "Energy error over a long run, in units of m g L: bounded where it swings about \
                    a constant, a drift where it does not.";
     let chart = Chart::new(Axis::linear("t (s)"), Axis::linear("(H − H_{0})/(g/L)"))
@@ -173,7 +161,7 @@ fn energy(energy: &[(f64, f64)]) -> Option<Drawn> {
 }
 
 /// A square of states and its image after a step.
-fn square((before, after): &([Phase; 4], [Phase; 4])) -> Option<Drawn> {
+fn square((before, after): &([Phase; 4], [Phase; 4])) -> Option<String> {
     let ratio = area(after) / area(before);
     let closed = |corners: &[Phase; 4]| corners.map(|z| (z.theta, z.omega));
     let chart = plane()
@@ -195,7 +183,7 @@ fn area(&[a, b, c, d]: &[Phase; 4]) -> f64 {
 }
 
 /// The way out and the way back.
-fn way(out: &[Phase], back: &[Phase]) -> Option<Drawn> {
+fn way(out: &[Phase], back: &[Phase]) -> Option<String> {
     let points = |states: &[Phase]| -> Vec<(f64, f64)> {
         states.iter().map(|z| (z.theta, z.omega)).collect()
     };
@@ -242,12 +230,12 @@ mod tests {
         let has = |text: &str, part: &str| {
             assert!(text.contains(part), "{part} is not in {text}");
         };
-        has(&ladder.caption, "are 2.00, 2.00, –; the dotted line falls with the power 2 ");
-        has(&ladder.svg, "id=\"fig-ladder\"");
-        has(&ladder.svg, "slope 2, claimed");
-        has(&energy.svg, "id=\"fig-energy\"");
-        has(&square.caption, "becomes 1.500000000 times as large");
-        has(&way.caption, "ends 0 rad and 1.0 × 10⁻³ rad/s");
+        has(ladder, "are 2.00, 2.00, –; the dotted line falls with the power 2 ");
+        has(ladder, "id=\"fig-ladder\"");
+        has(ladder, "slope 2, claimed");
+        has(energy, "id=\"fig-energy\"");
+        has(square, "becomes 1.500000000 times as large");
+        has(way, "ends 0 rad and 1.0 × 10⁻³ rad/s");
     }
 
     /// Catches: a panic where the evidence is a single point or none that has a place.

@@ -35,7 +35,6 @@ pub struct Program {
     patience: Duration,
     /// When all answers have to be there.
     end: Instant,
-    interrupted: Arc<AtomicBool>,
     /// An error once the program was at fault, and has been ended.
     talk: Mutex<Result<Conversation, String>>,
 }
@@ -54,18 +53,17 @@ impl Program {
     ) -> Result<Self, String> {
         let words: Vec<_> = command.iter().map(|word| word.to_string_lossy()).collect();
         let shown = shortened(&words.join(" "), EXPLAINED);
-        let conversation = Conversation::start(command)
+        let conversation = Conversation::start(command, interrupted)
             .map_err(|error| format!("{shown} cannot be started: {error}"))?;
         let mut program = Self {
             command: shown,
             name: String::new(),
             patience,
             end: Instant::now() + ALL * patience,
-            interrupted: Arc::clone(interrupted),
             talk: Mutex::new(Ok(conversation)),
         };
-        program.name = program.ask(HELLO, |turn| {
-            let line = turn.line(|| "without an answer".to_string())?;
+        program.name = program.ask(HELLO, |talk| {
+            let line = talk.line(|| "without an answer".to_string())?;
             greeting(&line).map_err(|why| Trouble::came(&line, &why))
         })?;
         Ok(program)
@@ -80,28 +78,23 @@ impl Program {
     fn ask<T>(
         &self,
         question: &str,
-        read: impl FnOnce(&mut Turn<'_>) -> Result<T, Trouble>,
+        read: impl FnOnce(&Conversation) -> Result<T, Trouble>,
     ) -> Result<T, String> {
         let mut talk = self.talk.lock().unwrap_or_else(PoisonError::into_inner);
         let conversation = match &mut *talk {
             Ok(conversation) => conversation,
             Err(why) => return Err(why.clone()),
         };
-        let mut turn = Turn {
-            answers: &conversation.answers,
-            deadline: self.end.min(Instant::now() + self.patience),
-            interrupted: &self.interrupted,
-        };
+        conversation.deadline = self.end.min(Instant::now() + self.patience);
         // A program may greet before it is greeted.
-        let silent = if question == HELLO { Ok(()) } else { turn.nothing_waits() };
+        let silent = if question == HELLO { Ok(()) } else { conversation.nothing_waits() };
         let answer = silent.and_then(|()| {
             // That a program has ended is seen when it does not answer.
             let _ = conversation.questions.send(format!("{question}\n"));
-            read(&mut turn)
+            read(conversation)
         });
         let why = match answer {
             Ok(answer) => return Ok(answer),
-            Err(Trouble::Interrupted) => "interrupted".to_string(),
             Err(trouble) => {
                 let waited = match Instant::now() < self.end {
                     true => format!("{} s", self.patience.as_secs_f64()),
@@ -141,11 +134,11 @@ impl Stranger for Program {
 
     fn answer(&self, request: &Request) -> Result<Reply, Fault> {
         let states = request.states();
-        let answer = self.ask(&request.to_string(), |turn| {
+        let answer = self.ask(&request.to_string(), |talk| {
             let mut reply = Reply::default();
             loop {
                 let came = reply.states.len() as u64;
-                let line = turn.line(|| match came {
+                let line = talk.line(|| match came {
                     0 => "without an answer".to_string(),
                     _ => format!("with {came} of {states} states"),
                 })?;
@@ -204,16 +197,44 @@ impl Trouble {
     }
 }
 
-/// What is read between a question and the end of its answer.
-struct Turn<'a> {
-    answers: &'a Receiver<Line>,
+/// The pipes to a program, and the threads at them.
+#[derive(Debug)]
+struct Conversation {
+    group: Group,
+    /// Its standard input, which is closed when this is dropped.
+    questions: Sender<String>,
+    answers: Receiver<Line>,
+    errors: LastLines,
+    /// When the answer that is read has to be there.
     deadline: Instant,
-    interrupted: &'a AtomicBool,
+    interrupted: Arc<AtomicBool>,
 }
 
-impl Turn<'_> {
+impl Conversation {
+    fn start(command: &[OsString], interrupted: &Arc<AtomicBool>) -> io::Result<Self> {
+        let (program, arguments) =
+            command.split_first().ok_or_else(|| io::Error::from(io::ErrorKind::InvalidInput))?;
+        let mut command = Command::new(program);
+        command.args(arguments);
+        command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+        let mut group = Group::start(&mut command)?;
+        let pipe = || io::Error::from(io::ErrorKind::BrokenPipe);
+        let child = group.child();
+        let input = child.stdin.take().ok_or_else(pipe)?;
+        let output = child.stdout.take().ok_or_else(pipe)?;
+        let errors = child.stderr.take().ok_or_else(pipe)?;
+        Ok(Self {
+            group,
+            questions: process::writer(input),
+            answers: process::lines(output),
+            errors: LastLines::of(errors),
+            deadline: Instant::now(),
+            interrupted: Arc::clone(interrupted),
+        })
+    }
+
     /// An error if the program has said something that nobody has asked for.
-    fn nothing_waits(&mut self) -> Result<(), Trouble> {
+    fn nothing_waits(&self) -> Result<(), Trouble> {
         match self.answers.try_recv() {
             Err(_) => Ok(()),
             Ok(Line::Whole(line)) => {
@@ -224,7 +245,7 @@ impl Turn<'_> {
     }
 
     /// The next line. `so_far` says what has come of the answer.
-    fn line(&mut self, so_far: impl Fn() -> String) -> Result<String, Trouble> {
+    fn line(&self, so_far: impl Fn() -> String) -> Result<String, Trouble> {
         const LISTEN: Duration = Duration::from_millis(20);
         loop {
             if self.interrupted.load(Ordering::Relaxed) {
@@ -257,38 +278,6 @@ impl Turn<'_> {
                 shortened(&line, QUOTED)
             ))),
         }
-    }
-}
-
-/// The pipes to a program, and the threads at them.
-#[derive(Debug)]
-struct Conversation {
-    group: Group,
-    /// Its standard input, which is closed when this is dropped.
-    questions: Sender<String>,
-    answers: Receiver<Line>,
-    errors: LastLines,
-}
-
-impl Conversation {
-    fn start(command: &[OsString]) -> io::Result<Self> {
-        let (program, arguments) =
-            command.split_first().ok_or_else(|| io::Error::from(io::ErrorKind::InvalidInput))?;
-        let mut command = Command::new(program);
-        command.args(arguments);
-        command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
-        let mut group = Group::start(&mut command)?;
-        let pipe = || io::Error::from(io::ErrorKind::BrokenPipe);
-        let child = group.child();
-        let input = child.stdin.take().ok_or_else(pipe)?;
-        let output = child.stdout.take().ok_or_else(pipe)?;
-        let errors = child.stderr.take().ok_or_else(pipe)?;
-        Ok(Self {
-            group,
-            questions: process::writer(input),
-            answers: process::lines(output),
-            errors: LastLines::of(errors),
-        })
     }
 
     /// Ends the program, and says what happened and what it wrote on standard error.
@@ -387,7 +376,7 @@ mod tests {
             Program::start(&words.map(OsString::from), patience, &Arc::default()).unwrap();
         assert!(program.end > Instant::now() + 100 * patience);
         program.end = Instant::now();
-        let late = program.ask("pendulum", |turn| turn.line(String::new)).unwrap_err();
+        let late = program.ask("pendulum", |talk| talk.line(String::new)).unwrap_err();
         assert!(late.contains("given up after 120000 s of questions"), "{late}");
     }
 

@@ -1,16 +1,14 @@
 //! The binary `pendula` as its users and other programs call it.
 
 mod commands;
-mod devices;
 mod files;
-mod flips;
 mod help;
 #[cfg(unix)]
 mod interrupts;
 mod listed;
 mod long_runs;
-mod plots;
 mod review;
+mod sweep;
 mod transcripts;
 mod verify;
 

@@ -7,7 +7,8 @@ use std::process::Command;
 
 use clap::Parser;
 use pendula_book::review::working_tree::{WorkingTree, contents};
-use pendula_book::versions::{Version, on_disk};
+use pendula_book::versions::{Made, Version, on_disk};
+use pendula_output::failure::Failure;
 use pendula_program::commands::study::review::{Arguments, run_in};
 use tempfile::TempDir;
 
@@ -66,15 +67,24 @@ impl Project {
     /// The status and the output of a call where the code gives the snapshots as reviewed, but for
     /// a slope.
     fn gives(&self, words: &str, slope: &str) -> (i32, String) {
-        let call = Call::parse_from(["review"].into_iter().chain(words.split_whitespace()));
         let mut version = with_slope(slope);
         version.retain(|name, _| ["table_4", "slopes", "figure_2"].contains(&name.as_str()));
-        let mut out = Vec::new();
-        let compute = || Ok((version.clone(), BTreeMap::new()));
-        let result = run_in(self.0.path(), &call.arguments, &compute, &mut out);
+        let (result, out) = self.run(words, &|| Ok((version.clone(), BTreeMap::new())));
         let status = result.as_ref().map_or_else(|failure| failure.status().into(), |()| 0);
         assert!(status < 2, "{result:?}");
-        (status, String::from_utf8(out).unwrap())
+        (status, out)
+    }
+
+    /// What comes of a call, and its output, where `compute` says what the code gives.
+    fn run(
+        &self,
+        words: &str,
+        compute: &dyn Fn() -> anyhow::Result<Made>,
+    ) -> (Result<(), Failure>, String) {
+        let call = Call::parse_from(["review"].into_iter().chain(words.split_whitespace()));
+        let mut out = Vec::new();
+        let result = run_in(self.0.path(), &call.arguments, compute, &mut out);
+        (result, String::from_utf8(out).unwrap())
     }
 
     fn path(&self, path: &str) -> PathBuf {
@@ -132,14 +142,11 @@ fn a_change_is_seen_since_a_commit_whether_or_not_it_is_accepted() {
     let (status, out) = since("HEAD", "0.73");
     assert!(status == 1 && out.starts_with("1 result with other bits"), "{out}");
     // Nothing moved, but one cannot be computed.
-    let mut out = Vec::new();
     let mut version = with_slope("0.73");
     version.retain(|name, _| ["table_4", "figure_2"].contains(&name.as_str()));
     let failed = BTreeMap::from([("slopes".to_owned(), "a panic".to_owned())]);
-    let call = Call::parse_from(["review", "--format", "text"]);
-    let compute = || Ok((version.clone(), failed.clone()));
-    let unsure = run_in(project.0.path(), &call.arguments, &compute, &mut out).unwrap_err();
-    assert_eq!(unsure.status(), 1, "{unsure:?}");
+    let (unsure, _) = project.run("--format text", &|| Ok((version.clone(), failed.clone())));
+    assert_eq!(unsure.unwrap_err().status(), 1);
     let (status, page) = project.gives("--since HEAD~1", "0.73");
     assert!(status == 1 && page.ends_with("target/review/index.html\n"), "{page}");
     let page = fs::read_to_string(project.path("target/review/index.html")).unwrap();
@@ -179,9 +186,7 @@ fn a_group_shows_the_change_in_its_file() {
         assert!(status == 1 && same.starts_with(outdated), "{same}");
     }
     fs::write(project.path("src/methods/other.rs"), "fn other() {}\n").unwrap();
-    let accept = Call::parse_from(["review", "--accept", "slopes"]);
-    let compute = || panic!("nothing to compute");
-    let refused = run_in(project.0.path(), &accept.arguments, &compute, &mut Vec::new());
+    let (refused, _) = project.run("--accept slopes", &|| panic!("nothing to compute"));
     let refused = refused.unwrap_err();
     assert!(refused.line().unwrap().contains("was not compiled from"), "{refused:?}");
     let changed = body("");
@@ -265,11 +270,8 @@ fn what_the_code_does_not_give_is_told() {
     );
     assert_eq!(tree.moved(), ["bits", "slopes"]);
     assert!(tree.now["slopes"].text.contains("0.73") && tree.now["bits"].text.contains("c2c5"));
-    let call = Call::parse_from(["review", "--format", "text"]);
-    let mut out = Vec::new();
-    let result = run_in(project.0.path(), &call.arguments, &made, &mut out);
+    let (result, out) = project.run("--format text", &made);
     assert_eq!(result.unwrap_err().status(), 1);
-    let out = String::from_utf8(out).unwrap();
     let failed = "figure_2 cannot be computed any more, and is left out: no result\n";
     assert!(out.starts_with(failed), "{out}");
     let stale = "slopes: its pending file is not what the code gives now; run the tests again, or";

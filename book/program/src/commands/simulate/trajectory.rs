@@ -1,23 +1,19 @@
 //! A trajectory of any length in equal steps, printed as rows in constant memory.
 
-use std::io::Write;
 use std::num::NonZeroU64;
 use std::time::{Duration, Instant};
 
 use clap::Args;
 use pendula::adaptive::STEP_LIMIT;
-use pendula::fast::FastRun;
-use pendula::integrate::{self, CHECKPOINT_NUMBERS, Checkpoint};
+use pendula::integrate::{CHECKPOINT_NUMBERS, Checkpoint};
 use pendula::metrics::EnergyDrift;
-use pendula::systems::Numbers;
-use pendula::{Error, Grid, Hamiltonian, Observer, Phase, System};
+use pendula::{Error, Grid, Hamiltonian, Observer};
 use serde::{Deserialize, Serialize};
 
-use crate::commands::arguments::number::{count, number, positive_count};
+use crate::commands::number::{count, number, positive_count};
+use crate::commands::output::{RowFormat, Rows, Streams, Summary};
 use crate::commands::plot::{Drawing, Panel, PlotArguments, TIME};
-use crate::commands::rows::{RowFormat, Rows};
 use crate::commands::state::{Kept, KeptArguments};
-use crate::commands::summary::Summary;
 use crate::commands::unsolved;
 use pendula_output::failure::Failure;
 use pendula_output::interrupt::Lookout;
@@ -135,9 +131,8 @@ impl TrajectoryArguments {
         trajectory: &Trajectory<'_, H::State, N>,
         drift: Option<EnergyDrift<'_, H>>,
         grid: &Grid,
-        run: impl FnOnce(Option<Checkpoint>) -> Box<dyn Run<H::State>>,
-        [out, err]: [&mut dyn Write; 2],
-        lookout: impl FnOnce() -> Lookout,
+        run: impl FnOnce(Option<Checkpoint>) -> Run<H::State>,
+        Streams { out, err, lookout }: Streams<'_>,
     ) -> Result<(), Failure> {
         let &Self { summary, every, format, .. } = self;
         let begun = Instant::now();
@@ -150,49 +145,40 @@ impl TrajectoryArguments {
         let mut run = run(at);
         // Set the interrupt handler before creating the file.
         let lookout = lookout();
-        let Trajectory { row, method, ref title, panels, .. } = *trajectory;
+        let Trajectory { row, start, ref title, panels, .. } = *trajectory;
         let plot = Drawing { asked: &self.plot, title, across: TIME, panels };
         let rows = kept.open(out, plot, format, trajectory.columns, false)?;
-        let mut z = trajectory.start;
         let next = at.map_or(0, |at| (at.steps() / every + 1).saturating_mul(every.get()));
-        let mut watch = Watch { drift, row, method, rows, every, next, ended: None };
-        if let Some(at) = at {
-            if let Some(drift) = &mut watch.drift {
-                drift.observe(0, grid.time(0), z);
-            }
-            // The state at which it stands: it takes no step.
-            z = run.advance(at.steps(), every, &mut ()).map_err(Failure::refused)?;
-        } else {
-            watch.observe(0, grid.time(0), z);
+        let drift = drift.filter(|_| summary);
+        let mut watch = Watch { drift, row, rows, every, next, ended: None };
+        // The state at which it stands: it takes no step.
+        let mut stands = run(at.map_or(0, |at| at.steps()), every, &mut ());
+        if at.is_none() {
+            stands.z = Ok(start);
+            watch.observe(0, grid.time(0), start);
+        } else if let Some(drift) = &mut watch.drift {
+            drift.observe(0, grid.time(0), start);
         }
         let before = before.unwrap_or_default();
-        let measured = summary && watch.drift.is_some();
-        let interrupted = watch.follow(run.as_mut(), &mut z, grid.steps(), measured, &lookout);
+        let interrupted = watch.follow(&mut run, &mut stands, grid.steps(), &lookout);
         let Watch { drift, rows, ended, .. } = watch;
-        let steps = run.checkpoint().steps();
+        let steps = stands.at.steps();
         let elapsed = before.elapsed + begun.elapsed();
-        let evaluations = before.evaluations + run.evaluations();
+        let evaluations = before.evaluations + stands.evaluations;
         let energy_error =
             drift.map(|drift| libm::fmaximum(drift.largest(), before.energy_error.unwrap_or(0.0)));
-        let at_the_end = (trajectory.row)(grid.time(steps), z);
-        // It may have been lost after the last row.
-        let ended = match at_the_end.iter().all(|value| value.is_finite()) {
-            true => ended,
-            false => ended.or_else(|| Some(overflow(steps))),
+        let end = || trajectory.end(stands.z, steps, grid.time(steps));
+        let z = match ended.map_or_else(end, Err) {
+            Ok(z) => z,
+            Err(failure) => {
+                // The rows so far are whole; if the output is what failed, closing it fails again.
+                let _ = rows.leave();
+                return Err(failure);
+            }
         };
-        if let Some(failure) = ended {
-            // The rows so far are whole; if the output is what failed, closing it fails again.
-            let _ = rows.leave();
-            return Err(failure);
-        }
         if interrupted {
-            let progress = Progress {
-                steps,
-                numbers: *run.checkpoint().numbers(),
-                evaluations,
-                elapsed,
-                energy_error: energy_error.filter(|_| summary),
-            };
+            let numbers = *stands.at.numbers();
+            let progress = Progress { steps, numbers, evaluations, elapsed, energy_error };
             let (all, t) = (grid.steps(), grid.time(steps));
             let without = if rows.are_drawn() { ", without its plot" } else { "" };
             let stands = format!("after {steps} of {all} steps, at {t:?} s{without}");
@@ -211,60 +197,31 @@ impl TrajectoryArguments {
     }
 }
 
-/// A run in steps that can be left and resumed.
-pub trait Run<Z> {
-    /// Where it stands.
-    fn checkpoint(&self) -> &Checkpoint;
+impl<Z: Copy, const N: usize> Trajectory<'_, Z, N> {
+    /// The last state, after `steps` steps at the time `t` (s), or why there is none.
+    fn end(&self, z: Result<Z, Error>, steps: u64, t: f64) -> Result<Z, Failure> {
+        let z = z.map_err(|error| {
+            unsolved(self.method, &error).unwrap_or_else(|| Failure::refused(error))
+        })?;
+        // It may have been lost after the last row.
+        match (self.row)(t, z).iter().all(|value| value.is_finite()) {
+            true => Ok(z),
+            false => Err(overflow(steps)),
+        }
+    }
+}
 
+/// A run in equal steps: takes those up to the number that it is given, or to the last, and passes
+/// every k-th sample to the observer, where k is the second argument.
+pub type Run<Z> = Box<dyn FnMut(u64, NonZeroU64, &mut dyn Observer<Z>) -> Stands<Z>>;
+
+/// Where a run stands.
+pub struct Stands<Z> {
+    /// The last state; [`Error::NotSolved`] at a step whose equations were not solved.
+    pub z: Result<Z, Error>,
+    pub at: Checkpoint,
     /// The force evaluations so far, since it was started or resumed.
-    fn evaluations(&self) -> u64;
-
-    /// Takes the steps up to `until` and passes every k-th sample to `observer`, where k is
-    /// `every`. Returns the last state; [`Error::NotSolved`] as [`integrate::Run::advance`].
-    fn advance(
-        &mut self,
-        until: u64,
-        every: NonZeroU64,
-        observer: &mut dyn Observer<Z>,
-    ) -> Result<Z, Error>;
-}
-
-impl<S: System<State: Numbers> + Copy> Run<S::State> for integrate::Run<'_, S> {
-    fn checkpoint(&self) -> &Checkpoint {
-        Self::checkpoint(self)
-    }
-
-    fn evaluations(&self) -> u64 {
-        Self::evaluations(self)
-    }
-
-    fn advance(
-        &mut self,
-        until: u64,
-        every: NonZeroU64,
-        observer: &mut dyn Observer<S::State>,
-    ) -> Result<S::State, Error> {
-        Self::advance(self, until, every, observer)
-    }
-}
-
-impl Run<Phase> for FastRun<'_> {
-    fn checkpoint(&self) -> &Checkpoint {
-        Self::checkpoint(self)
-    }
-
-    fn evaluations(&self) -> u64 {
-        Self::evaluations(self)
-    }
-
-    fn advance(
-        &mut self,
-        until: u64,
-        every: NonZeroU64,
-        observer: &mut dyn Observer<Phase>,
-    ) -> Result<Phase, Error> {
-        Self::advance(self, until, every, observer)
-    }
+    pub evaluations: u64,
 }
 
 /// The failure of a trajectory that overflows.
@@ -277,11 +234,9 @@ fn overflow(steps: u64) -> Failure {
 
 /// Measures the energy error of the samples it is shown, and prints every k-th, until it fails.
 struct Watch<'a, H: Hamiltonian, const N: usize> {
-    /// None where the system conserves no energy.
+    /// None where the system conserves no energy, or nobody asks for it.
     drift: Option<EnergyDrift<'a, H>>,
     row: &'a dyn Fn(f64, H::State) -> [f64; N],
-    /// The name of the method.
-    method: &'a str,
     rows: Rows<'a, N>,
     every: NonZeroU64,
     /// The next sample to be printed: to divide each number would take as long as a step.
@@ -311,32 +266,25 @@ impl<H: Hamiltonian, const N: usize> Observer<H::State> for Watch<'_, H, N> {
 }
 
 impl<H: Hamiltonian, const N: usize> Watch<'_, H, N> {
-    /// Follows the run to the step `last`, with `z` as its last state, and says whether it was
-    /// interrupted. Unless all samples are `measured`, only those to be printed are asked for.
+    /// Follows the run to the step `last`, from where it `stands`, and says whether it was
+    /// interrupted. Unless the energy error is measured, only samples to be printed are asked for.
     fn follow(
         &mut self,
-        run: &mut dyn Run<H::State>,
-        z: &mut H::State,
+        run: &mut Run<H::State>,
+        stands: &mut Stands<H::State>,
         last: u64,
-        measured: bool,
         lookout: &Lookout,
     ) -> bool {
-        let every = if measured { NonZeroU64::MIN } else { self.every };
+        let every = if self.drift.is_some() { NonZeroU64::MIN } else { self.every };
         loop {
-            let steps = run.checkpoint().steps();
-            if self.ended.is_some() || steps == last {
+            let steps = stands.at.steps();
+            if self.ended.is_some() || stands.z.is_err() || steps == last {
                 return false;
             }
             if lookout.interrupts(steps) {
                 return true;
             }
-            match run.advance(lookout.next(steps), every, self) {
-                Ok(end) => *z = end,
-                Err(error) => {
-                    let refused = unsolved(self.method, &error);
-                    self.ended = Some(refused.unwrap_or_else(|| Failure::refused(error)));
-                }
-            }
+            *stands = run(lookout.next(steps), every, self);
         }
     }
 }

@@ -1,14 +1,23 @@
 //! The commands that need the study: the book, and what it is made of. Without the feature `book`
-//! there are none of them.
+//! there are none of them. Here are `pendula book`, which builds the book and prints where it is,
+//! and `pendula preprocess`: mdBook's preprocessor protocol, so that stock `mdbook build book`
+//! works.
 
-use std::io::Write;
+use std::env;
+use std::io::{self, Write};
+use std::path::Path;
 
-use clap::Subcommand;
+use anyhow::{Context, Result};
+use clap::{Args, Subcommand};
+use pendula_book::ledger::Paper as Measured;
+use pendula_book::preprocess::{protocol, supports};
+use pendula_book::progress::Progress;
+use pendula_book::{build, locate};
 
 use super::examples;
 use pendula_output::failure::Failure;
+use pendula_output::interrupt::interrupts;
 
-pub mod book;
 pub mod paper;
 pub mod review;
 pub mod work_precision;
@@ -18,7 +27,7 @@ pub mod work_precision;
 pub enum Command {
     /// Build the whole book, offline, and print where it is
     #[command(display_order = 1, after_help = examples(&["pendula book"]))]
-    Book(book::Arguments),
+    Book(BookArguments),
     /// Show what moved since the tables and figures were reviewed, or since a commit; exit status 1
     /// if something did
     #[command(display_order = 3, after_help = examples(&[
@@ -37,7 +46,7 @@ pub enum Command {
     #[command(hide = true, after_help = examples(&[
         "pendula preprocess supports html",
     ]))]
-    Preprocess(book::PreprocessArguments),
+    Preprocess(PreprocessArguments),
 }
 
 /// What is printed of the paper.
@@ -61,11 +70,70 @@ pub enum Paper {
 /// Runs a command; its output goes to `out`.
 pub fn run(command: Command, out: &mut dyn Write) -> Result<(), Failure> {
     match command {
-        Command::Book(arguments) => book::run(&arguments, out),
+        Command::Book(arguments) => book(&arguments, out),
         Command::Review(arguments) => review::run(&arguments, out),
         Command::Paper(Paper::Tables(arguments)) => paper::tables(&arguments, out),
         Command::Paper(Paper::Claims(arguments)) => paper::claims(&arguments, out),
         Command::Bench(arguments) => work_precision::run(&arguments, out),
-        Command::Preprocess(arguments) => book::preprocess(&arguments, out),
+        Command::Preprocess(arguments) => preprocess(&arguments, out),
     }
+}
+
+/// Arguments of `pendula book`.
+#[derive(Args, Debug, Default)]
+pub struct BookArguments {
+    /// Open the book in the browser
+    #[arg(long)]
+    pub open: bool,
+}
+
+/// Builds the book into `target/book`, prints the path of its first page, and opens it if asked.
+fn book(arguments: &BookArguments, out: &mut dyn Write) -> Result<(), Failure> {
+    let here = env::current_dir().context("the current directory cannot be read")?;
+    let root = locate::book(&here)?;
+    let progress = Progress::on_terminal();
+    let paper = Measured::measure(&progress);
+    // From here on there are files that an interrupt must not leave behind.
+    let interrupted = interrupts()?;
+    let index = build::book(&root, None, paper, progress, &interrupted)?;
+    writeln!(out, "{}", index.display())?;
+    out.flush()?;
+    if arguments.open {
+        open_in_browser(&index)?;
+    }
+    Ok(())
+}
+
+/// Opens the page in the reader's browser.
+fn open_in_browser(page: &Path) -> Result<()> {
+    open::that_detached(page)
+        .with_context(|| format!("no program could be started to open {}", page.display()))
+}
+
+/// Arguments of `pendula preprocess`.
+#[derive(Args, Debug)]
+pub struct PreprocessArguments {
+    #[command(subcommand)]
+    question: Option<Question>,
+}
+
+/// Questions that mdBook may ask before it sends a book.
+#[derive(Debug, Subcommand)]
+enum Question {
+    /// Exit with status 0 if pages are made for this renderer, 1 if not
+    Supports {
+        /// The renderer's name: only html is supported
+        renderer: String,
+    },
+}
+
+/// Answers `supports`, or reads a book from standard input and writes it preprocessed to `out`.
+///
+/// # Errors
+/// [`Failure::No`] for a renderer that is not supported; otherwise whatever is wrong with the book.
+fn preprocess(arguments: &PreprocessArguments, out: &mut dyn Write) -> Result<(), Failure> {
+    if let Some(Question::Supports { renderer }) = &arguments.question {
+        return if supports(renderer) { Ok(()) } else { Err(Failure::No) };
+    }
+    Ok(protocol(|| Measured::measure(&Progress::hidden()), io::stdin().lock(), out)?)
 }

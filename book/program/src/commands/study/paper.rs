@@ -11,7 +11,7 @@ use pendula_study::report::tables::{TABLES, table};
 use serde_json::{Value, json};
 
 use crate::colour;
-use crate::commands::rows::{TableFormat, csv};
+use crate::commands::output::{TableFormat, csv};
 use pendula_output::failure::Failure;
 
 /// Arguments of `pendula paper tables`.

@@ -7,7 +7,7 @@ use std::path::Path;
 use anyhow::{Context, Result};
 use clap::{Args, ValueEnum};
 
-use super::book::open_in_browser;
+use super::open_in_browser;
 use pendula_book::locate;
 use pendula_book::progress::Progress;
 use pendula_book::review::markdown::Document;

@@ -10,8 +10,8 @@ use pendula_book::preprocess::work_precision::{self, CSV, SVG};
 use pendula_study::report::table::Table;
 use serde_json::{Value, json};
 
-use crate::commands::arguments::number::number;
-use crate::commands::rows::TableFormat;
+use crate::commands::number::number;
+use crate::commands::output::TableFormat;
 use crate::work_precision::figure;
 use crate::work_precision::{Curve, Measured, Measurement, Problem, SCENES, measure};
 use pendula_book::locate;

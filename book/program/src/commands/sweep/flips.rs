@@ -14,12 +14,11 @@ use pendula::systems::DoublePhase;
 use pendula::{DoublePendulum, Grid, Hamiltonian, Rk4};
 use pendula_device::Device;
 
-use crate::commands::arguments::number::number;
-use crate::commands::arguments::system::{DoubleArguments, GravityArgument};
-use crate::commands::destination::Destination;
-use crate::commands::summary::Summary;
+use crate::commands::number::number;
+use crate::commands::output::{Destination, Streams, Summary};
+use crate::commands::system::{DoubleArguments, GravityArgument};
 use pendula_output::failure::Failure;
-use pendula_output::interrupt::{Lookout, unless_interrupted};
+use pendula_output::interrupt::unless_interrupted;
 
 /// Arguments of `pendula sweep flips`.
 #[derive(Args, Debug)]
@@ -60,8 +59,7 @@ const LARGEST: usize = 4096;
 /// counts rows.
 pub fn run(
     arguments: &Arguments,
-    [out, err]: [&mut dyn Write; 2],
-    lookout: impl FnOnce() -> Lookout,
+    Streams { out, err, lookout }: Streams<'_>,
 ) -> Result<(), Failure> {
     let size = arguments.size;
     if size == 0 || size % 2 == 1 || size > LARGEST {
@@ -80,8 +78,8 @@ pub fn run(
     let picture = picture.map(|path| Destination::file("--picture", path)).transpose()?;
     let mut out = Destination::open(arguments.output.as_deref(), Destination::Caller(out))?;
     let begin = Instant::now();
-    let (releases, device) = (Releases { double, size }, device.map(Arc::new));
-    let work = move || releases.first_flips(device.as_deref(), &grid);
+    let device = device.map(Arc::new);
+    let work = move || flips_of(&double, size, device.as_deref(), &grid);
     let flips = unless_interrupted(|| lookout.interrupts(0), work).ok_or_else(interrupted)??;
     let elapsed = begin.elapsed();
     writeln!(out, "theta1,theta2,t")?;
@@ -112,50 +110,41 @@ pub fn run(
     Ok(())
 }
 
-/// Releases from rest of a double pendulum.
-#[derive(Clone)]
-struct Releases {
-    double: DoublePendulum,
-    /// In a row and in a column.
+/// The first flip of each of `size` × `size` releases from rest, row after row from below, those of
+/// a row from left to right.
+///
+/// Mirrored in the vertical, a motion takes the same steps, so that half of them are enough; and no
+/// step is taken where the energy does not suffice for a flip.
+fn flips_of(
+    double: &DoublePendulum,
     size: usize,
-}
-
-impl Releases {
-    /// The first flip of each, row after row from below, those of a row from left to right.
-    ///
-    /// Mirrored in the vertical, a motion takes the same steps, so that half of them are enough;
-    /// and no step is taken where the energy does not suffice for a flip.
-    fn first_flips(
-        &self,
-        device: Option<&Device>,
-        grid: &Grid,
-    ) -> Result<Vec<Option<NonZeroU64>>, Failure> {
-        let Self { double, size } = self;
-        let count = size * size;
-        let least = double.least_flip_energy();
-        let (mut places, mut starts) = (Vec::new(), Vec::<DoublePhase>::new());
-        for index in 0..count / 2 {
-            let theta = [angle(index % size, *size), angle(index / size, *size)];
-            let start = double.start(theta, [0.0; 2]).map_err(Failure::refused)?;
-            if double.energy(start) >= least {
-                places.push(index);
-                starts.push(start);
-            }
+    device: Option<&Device>,
+    grid: &Grid,
+) -> Result<Vec<Option<NonZeroU64>>, Failure> {
+    let count = size * size;
+    let least = double.least_flip_energy();
+    let (mut places, mut starts) = (Vec::new(), Vec::<DoublePhase>::new());
+    for index in 0..count / 2 {
+        let theta = [angle(index % size, size), angle(index / size, size)];
+        let start = double.start(theta, [0.0; 2]).map_err(Failure::refused)?;
+        if double.energy(start) >= least {
+            places.push(index);
+            starts.push(start);
         }
-        let mut found = vec![None; starts.len()];
-        match device {
-            Some(device) => device
-                .first_flips(double, &Rk4, &starts, grid, &mut found)
-                .map_err(|error| Failure::Failed(error.into()))?,
-            None => first_flips(double, RK4_IN_LANES, &starts, grid, &mut found),
-        }
-        let mut flips = vec![None; count];
-        for (place, flip) in places.into_iter().zip(found) {
-            flips[place] = flip;
-            flips[count - 1 - place] = flip;
-        }
-        Ok(flips)
     }
+    let mut found = vec![None; starts.len()];
+    match device {
+        Some(device) => device
+            .first_flips(double, &Rk4, &starts, grid, &mut found)
+            .map_err(|error| Failure::Failed(error.into()))?,
+        None => first_flips(double, RK4_IN_LANES, &starts, grid, &mut found),
+    }
+    let mut flips = vec![None; count];
+    for (place, flip) in places.into_iter().zip(found) {
+        flips[place] = flip;
+        flips[count - 1 - place] = flip;
+    }
+    Ok(flips)
 }
 
 /// The angle (rad) of the release `index` of `size`: the middles of as many parts of a turn.
@@ -178,10 +167,12 @@ const COUNT: usize = 15;
 /// The first band ends with this part of the last time.
 const FIRST: f64 = 1.0 / 40.0;
 
-/// The colours of the first band, of the last, and of those at even distances between them: red,
-/// green and blue. The lightness falls, in CIELAB from 89 to 28.
-const COLOURS: [[f64; 3]; 4] =
-    [[253.0, 222.0, 150.0], [232.0, 138.0, 90.0], [172.0, 66.0, 122.0], [70.0, 50.0, 140.0]];
+/// The colours of the bands, red, green and blue, from yellow over red to violet, and black for
+/// none. The lightness falls, in CIELAB from 89 to 28.
+const COLOURS: [u32; COUNT + 1] = [
+    0xfd_de_96, 0xf9_cc_89, 0xf4_ba_7c, 0xf0_a8_6f, 0xeb_96_63, 0xe4_85_5c, 0xd7_75_63, 0xca_66_6a,
+    0xbd_57_71, 0xb0_47_78, 0x9d_40_7d, 0x88_3c_80, 0x72_39_84, 0x5c_35_88, 0x46_32_8c, 0,
+];
 
 impl Bands {
     /// For times up to `steps` steps.
@@ -209,7 +200,8 @@ impl Bands {
         let mut encoder = png::Encoder::new(out, width as u32, rows.len() as u32);
         encoder.set_color(png::ColorType::Indexed);
         encoder.set_depth(png::BitDepth::Four);
-        encoder.set_palette(colours().concat());
+        let palette = COLOURS.map(|colour| colour.to_be_bytes());
+        encoder.set_palette(palette.iter().flat_map(|[_, rgb @ ..]| *rgb).collect::<Vec<u8>>());
         encoder.set_trns([[255; COUNT].as_slice(), &[0]].concat());
         encoder.set_compression(png::Compression::High);
         let mut data = Vec::new();
@@ -224,19 +216,4 @@ impl Bands {
         writer.finish()?;
         Ok(())
     }
-}
-
-/// The colour of each band, and of none.
-fn colours() -> [[u8; 3]; COUNT + 1] {
-    std::array::from_fn(|band| {
-        if band == COUNT {
-            return [0; 3];
-        }
-        let place = band as f64 / (COUNT - 1) as f64 * (COLOURS.len() - 1) as f64;
-        let from = (place as usize).min(COLOURS.len() - 2);
-        let part = place - from as f64;
-        std::array::from_fn(|i| {
-            (COLOURS[from][i] * (1.0 - part) + COLOURS[from + 1][i] * part).round() as u8
-        })
-    })
 }

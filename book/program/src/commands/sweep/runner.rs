@@ -13,7 +13,7 @@ use pendula::{
 };
 use pendula_device::{Compiled, Device};
 
-use crate::commands::arguments::number::Range;
+use crate::commands::number::Range;
 use pendula_output::failure::Failure;
 
 /// What all runs of a sweep have in common.
@@ -26,6 +26,12 @@ pub struct Runner {
     pub omega0: f64,
     device: Option<&'static Mutex<Compiled<'static>>>,
 }
+
+/// A run to be made: the angle at its start (rad), and its grid of times.
+pub type Planned = (f64, Grid);
+
+/// What is told of each run, with its place among those planned, as soon as it is finished.
+pub type Finished<'a> = &'a (dyn Fn(usize, Run) + Sync);
 
 /// One run: its start, its step, its end and its largest energy error (J).
 #[derive(Clone, Copy, Debug)]
@@ -79,67 +85,72 @@ impl Runner {
     /// overflowed, its iteration has not converged. The run is repeated up to that step, to say how
     /// far the iteration was from its end.
     pub fn not_solved(&self, run: &Run) -> Option<Failure> {
-        let start = self.phase(run.theta0);
+        let start = Phase { theta: run.theta0, omega: self.omega0 };
         let error = self.method.try_run(&self.pendulum, start, &run.grid, &mut ()).err()?;
         crate::commands::unsolved(self.info().name, &error)
     }
 
-    /// The same steps from each of the angles, in lanes or on the device. Each run is passed to
-    /// `finished`, with its place among the angles, in the order in which they finish.
-    pub fn run_from_each(
-        &self,
-        angles: &[f64],
-        grid: &Grid,
-        finished: impl Fn(usize, Run) + Sync,
-    ) -> Result<(), Failure> {
+    /// Makes these runs: with the same steps from many angles in lanes or on the device, with
+    /// different numbers of steps one by one.
+    pub fn run_each(&self, planned: &[Planned], finished: Finished<'_>) -> Result<(), Failure> {
         if let Some(device) = self.device {
-            let starts: Vec<Phase> = angles.iter().map(|&theta| self.phase(theta)).collect();
-            let ensemble = Ensemble::new(&self.pendulum, &starts, *grid);
+            let starts = self.starts(planned);
+            let ensemble = Ensemble::new(&self.pendulum, &starts, planned[0].1);
             let mut ends = vec![(Phase::default(), 0.0); starts.len()];
             let mut compiled = device.lock().unwrap_or_else(PoisonError::into_inner);
             let computed = compiled.ends_and_energy_errors(&ensemble, &mut ends);
             computed.map_err(|error| Failure::Failed(error.into()))?;
-            for (i, (&theta0, (end, energy_error))) in angles.iter().zip(ends).enumerate() {
-                finished(i, Run { theta0, grid: *grid, end, energy_error });
+            for (i, (&(theta0, grid), (end, energy_error))) in planned.iter().zip(ends).enumerate()
+            {
+                finished(i, Run { theta0, grid, end, energy_error });
             }
             return Ok(());
         }
-        let blocks: Vec<&[f64]> = angles.chunks(LANES).collect();
+        let same_steps = planned.windows(2).all(|pair| pair[0].1 == pair[1].1);
+        let size = if same_steps { LANES } else { 1 };
+        let blocks: Vec<&[Planned]> = planned.chunks(size).collect();
         in_order(blocks.len(), |block| {
-            for (lane, run) in self.in_lanes(blocks[block], grid).into_iter().enumerate() {
-                finished(block * LANES + lane, run);
+            for (lane, run) in self.run_block(blocks[block]).into_iter().enumerate() {
+                finished(block * size + lane, run);
             }
         });
         Ok(())
     }
 
-    fn phase(&self, theta: f64) -> Phase {
-        Phase { theta, omega: self.omega0 }
+    fn starts(&self, planned: &[Planned]) -> Vec<Phase> {
+        planned.iter().map(|&(theta, _)| Phase { theta, omega: self.omega0 }).collect()
     }
 
-    fn in_lanes(&self, angles: &[f64], grid: &Grid) -> Vec<Run> {
-        let starts: Vec<Phase> = angles.iter().map(|&theta| self.phase(theta)).collect();
-        let watch = DriftAndEnd { drift: EnergyDrift::new(&self.pendulum), end: Phase::default() };
-        let mut watches = vec![watch; starts.len()];
-        let ensemble = Ensemble::new(&self.pendulum, &starts, *grid);
-        ensemble.watch(self.lanes, NonZeroU64::MIN, &mut watches);
-        let run = |(&theta0, DriftAndEnd { drift, end })| {
-            let energy_error = EnergyDrift::largest(&drift);
-            Run { theta0, grid: *grid, end, energy_error }
+    /// Makes runs with the same steps, in lanes if they are several.
+    fn run_block(&self, planned: &[Planned]) -> Vec<Run> {
+        let starts = self.starts(planned);
+        let mut watched = vec![(EnergyDrift::new(&self.pendulum), Phase::default()); starts.len()];
+        let mut watches: Vec<_> = watched
+            .iter_mut()
+            .map(|(drift, end)| {
+                move |n: u64, t: f64, z: Phase| {
+                    drift.observe(n, t, z);
+                    *end = z;
+                }
+            })
+            .collect();
+        let grid = planned[0].1;
+        match (&mut watches[..], &starts[..]) {
+            ([watch], [start]) => {
+                self.method.run(&self.pendulum, *start, &grid, watch);
+            }
+            _ => {
+                let ensemble = Ensemble::new(&self.pendulum, &starts, grid);
+                ensemble.watch(self.lanes, NonZeroU64::MIN, &mut watches);
+            }
+        }
+        let run = |(&(theta0, grid), (drift, end)): (&Planned, (EnergyDrift<'_, _>, Phase))| Run {
+            theta0,
+            grid,
+            end,
+            energy_error: drift.largest(),
         };
-        angles.iter().zip(watches).map(run).collect()
-    }
-
-    /// The same start along each of the grids. Not in lanes: the grids differ in their number of
-    /// steps. Each run is passed to `finished`, with its place among the grids.
-    pub fn along_each(&self, start: Phase, grids: &[Grid], finished: impl Fn(usize, Run) + Sync) {
-        in_order(grids.len(), |i| {
-            let grid = &grids[i];
-            let mut drift = EnergyDrift::new(&self.pendulum);
-            let end = self.method.run(&self.pendulum, start, grid, &mut drift);
-            let energy_error = drift.largest();
-            finished(i, Run { theta0: start.theta, grid: *grid, end, energy_error });
-        });
+        planned.iter().zip(watched).map(run).collect()
     }
 }
 
@@ -152,21 +163,6 @@ fn in_order(count: usize, work: impl Fn(usize) + Sync) {
             work(i);
         }
     });
-}
-
-/// Observes the energy error and keeps the last state.
-#[derive(Clone)]
-struct DriftAndEnd<'p> {
-    drift: EnergyDrift<'p, Pendulum>,
-    end: Phase,
-}
-
-impl Observer<Phase> for DriftAndEnd<'_> {
-    #[inline]
-    fn observe(&mut self, n: u64, t: f64, z: Phase) {
-        self.drift.observe(n, t, z);
-        self.end = z;
-    }
 }
 
 /// The grids over `duration` (s) with steps near those asked for, no two successive ones equal:

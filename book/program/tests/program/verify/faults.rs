@@ -9,6 +9,7 @@ use std::time::{Duration, Instant};
 
 use pendula::verify::{Drive, Fault, Request, Stranger};
 use pendula_program::verify::Program;
+use rstest::rstest;
 use tempfile::TempDir;
 
 use super::{PENDULA, pendula, refused, request, started};
@@ -191,37 +192,24 @@ fn a_program_may_refuse_and_go_on() {
     script.leaves_nothing();
 }
 
-/// Catches: a program that outlives the judge because it ends neither by itself nor when asked to;
-/// one that is killed though it would have ended.
-#[test]
-fn a_program_that_does_not_take_its_leave() {
-    let answers = "echo 0.5 0.5\necho done 2\n";
-    let stubborn = Script::greeting(&format!(
-        "trap '' TERM INT HUP\n{answers}read -r line\nwhile :; do sleep 1; done"
-    ));
-    let program = stubborn.started(10.0);
+/// Catches: a program that outlives the judge because it ends neither by itself nor when asked to,
+/// or what it has started; one that is killed though it would have ended.
+#[rstest]
+#[case::stubborn("trap '' TERM INT HUP", "while :; do sleep 1; done", false)]
+#[case::polite("", "echo $line >> \"$1\"", true)]
+#[case::leaves_others(
+    "sh -c 'trap \"\" TERM HUP; sleep 1000' &\necho $! >> \"$1\"",
+    "echo $line >> \"$1\"",
+    true
+)]
+fn a_program_takes_its_leave(#[case] before: &str, #[case] then: &str, #[case] hears: bool) {
+    let answers = "echo 0.5 0.5\necho done 2\nread -r line";
+    let script = Script::greeting(&format!("{before}\n{answers}\n{then}"));
+    let program = script.started(10.0);
     program.answer(&request(0.1, 1)).unwrap();
     drop(program);
-    stubborn.leaves_nothing();
-
-    let polite = Script::greeting(&format!("{answers}read -r line\necho $line >> \"$1\""));
-    let program = polite.started(10.0);
-    program.answer(&request(0.1, 1)).unwrap();
-    drop(program);
-    assert_eq!(polite.numbers().last().unwrap(), "bye");
-}
-
-/// Catches: what a program has started left running when it takes its leave.
-#[test]
-fn a_program_that_leaves_others_behind() {
-    let polite = Script::greeting(
-        "sh -c 'trap \"\" TERM HUP; sleep 1000' &\necho $! >> \"$1\"\n\
-         echo 0.5 0.5\necho done 2\nread -r line",
-    );
-    let program = polite.started(10.0);
-    program.answer(&request(0.1, 1)).unwrap();
-    drop(program);
-    polite.leaves_nothing();
+    assert_eq!(script.numbers().contains(&"bye".to_string()), hears);
+    script.leaves_nothing();
 }
 
 /// Catches: a program left running by a panic of the judge.

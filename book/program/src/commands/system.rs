@@ -7,8 +7,7 @@ use clap::{Args, ValueEnum};
 use pendula::systems::{Damped, DoublePhase, Driven, Joint, Shaken};
 use pendula::{DoublePendulum, Error, METHODS, Pendulum, Phase};
 
-use super::angle::angle;
-use super::number::number;
+use super::number::{angle, number};
 
 /// The names that `--method` accepts.
 pub fn methods() -> PossibleValuesParser {

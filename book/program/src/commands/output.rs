@@ -1,0 +1,308 @@
+//! What commands write: to standard output, or to a file that appears only when it is whole; rows
+//! of numbers as CSV or JSON, streamed, each number so that it parses to the same f64; tables of
+//! objects; and `--summary`, what a run has cost and how far off it is, on standard error.
+
+use std::fmt::Display;
+use std::fs::File;
+use std::io::{self, BufWriter, Write};
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+use anyhow::Context;
+use clap::ValueEnum;
+use pendula_output::failure::Failure;
+use pendula_output::files;
+use pendula_output::files::whole_file::WholeFile;
+use pendula_output::interrupt::Lookout;
+use pendula_rows::{Line, Look};
+use serde_json::Value;
+
+use super::plot::Plot;
+
+/// Where a command that may run long writes, and how it hears of an interruption.
+pub struct Streams<'a> {
+    /// Standard output.
+    pub out: &'a mut dyn Write,
+    /// Standard error, for a summary.
+    pub err: &'a mut dyn Write,
+    /// Called once the arguments have been checked, and before there is a file.
+    pub lookout: &'a dyn Fn() -> Lookout,
+}
+
+/// A writer, and what it takes to finish. Its errors name the file.
+pub enum Destination<'a> {
+    /// The caller's writer.
+    Caller(&'a mut dyn Write),
+    /// A device or a pipe, which cannot be replaced by another file.
+    Direct(BufWriter<File>, PathBuf),
+    /// A temporary file beside the target, renamed onto it at the end, or removed if dropped
+    /// before.
+    Beside(Box<BufWriter<WholeFile>>),
+    /// Nothing is kept: a plot stands in the place of the rows.
+    Nowhere,
+}
+
+impl<'a> Destination<'a> {
+    /// The file `path` that `--output` names if it is given, `out` if not.
+    pub fn open(path: Option<&Path>, out: Self) -> Result<Self, Failure> {
+        path.map_or(Ok(out), |path| Self::file("--output", path))
+    }
+
+    /// The file `path` that `option` names, or where the link `path` leads.
+    pub fn file(option: &str, path: &Path) -> Result<Self, Failure> {
+        let refused = |error: io::Error| {
+            Failure::refused(format!("{option} {}: cannot be written: {error}", path.display()))
+        };
+        match files::metadata(path).map_err(refused)? {
+            Some(found) if !found.is_file() && !found.is_dir() => {
+                let device = File::options().write(true).open(path).map_err(refused)?;
+                Ok(Self::Direct(BufWriter::new(device), path.to_path_buf()))
+            }
+            _ => {
+                let beside = WholeFile::beside(path).map_err(refused)?;
+                Ok(Self::Beside(Box::new(BufWriter::new(beside))))
+            }
+        }
+    }
+
+    /// Whether it is a file that appears when it is whole.
+    pub const fn appears_whole(&self) -> bool {
+        matches!(self, Self::Beside(_))
+    }
+
+    /// The temporary file, as far as it is written; none of other output, which is flushed.
+    pub fn into_file(mut self) -> Result<Option<WholeFile>, Failure> {
+        self.flush()?;
+        match self {
+            Self::Beside(out) => Ok(Some(out.into_inner().map_err(|error| error.into_error())?)),
+            _ => Ok(None),
+        }
+    }
+
+    /// Flushes the buffer and renames a temporary file to its target. If that fails, a file is as
+    /// it was before.
+    pub fn finish(self) -> Result<(), Failure> {
+        if let Some(file) = self.into_file()? {
+            let refused = format!("{} cannot be replaced", file.target().display());
+            file.replace().context(refused)?;
+        }
+        Ok(())
+    }
+
+    /// Does this to the writer; an error says which file it is about.
+    fn named<T>(&mut self, action: impl FnOnce(&mut dyn Write) -> io::Result<T>) -> io::Result<T> {
+        let cannot = |path: &Path, error: io::Error| {
+            io::Error::new(error.kind(), format!("{} cannot be written: {error}", path.display()))
+        };
+        match self {
+            Self::Caller(out) => action(out),
+            Self::Direct(out, path) => action(out).map_err(|error| cannot(path, error)),
+            Self::Beside(out) => action(out).map_err(|error| cannot(out.get_ref().target(), error)),
+            Self::Nowhere => action(&mut io::sink()),
+        }
+    }
+}
+
+impl Write for Destination<'_> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.named(|out| out.write(bytes))
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.named(|out| out.flush())
+    }
+}
+
+/// How rows are printed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum RowFormat {
+    /// A header line, then a line for each row
+    #[default]
+    Csv,
+    /// An array with an object for each row
+    Json,
+}
+
+/// How a table is printed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum TableFormat {
+    /// Tables to read
+    #[default]
+    Text,
+    /// An array with an object for each cell
+    Json,
+    /// A line for each cell
+    Csv,
+}
+
+/// Objects as CSV: their fields of these names. No text in them has a comma or a quotation mark.
+pub fn csv(header: &str, objects: &[Value]) -> String {
+    let line = |object: &Value| {
+        let fields = header.split(',').map(|name| match &object[name] {
+            Value::Null => String::new(),
+            Value::String(text) => text.clone(),
+            other => other.to_string(),
+        });
+        fields.collect::<Vec<_>>().join(",") + "\n"
+    };
+    format!("{header}\n") + &objects.iter().map(line).collect::<String>()
+}
+
+/// Writes rows under fixed column names, and draws them if a plot of them was asked for.
+pub struct Rows<'o, const N: usize> {
+    out: Destination<'o>,
+    plot: Option<Plot<'o>>,
+    format: RowFormat,
+    columns: [&'static str; N],
+    /// Rows so far, those before a resumption included.
+    rows: u64,
+    /// Whether a row was written before, in the same array.
+    separate: bool,
+    line: Line,
+}
+
+impl<'o, const N: usize> Rows<'o, N> {
+    /// An output that has been left after `rows` rows, or that is to [begin](Self::begin).
+    pub fn new(
+        out: Destination<'o>,
+        plot: Option<Plot<'o>>,
+        format: RowFormat,
+        columns: [&'static str; N],
+        rows: u64,
+    ) -> Self {
+        let look = match format {
+            RowFormat::Csv => Look::Csv,
+            RowFormat::Json => Look::Json,
+        };
+        let line = Line::new(look, &columns);
+        Self { out, plot, format, columns, rows, separate: rows > 0, line }
+    }
+
+    /// Begins the output, also where rows have been written elsewhere: an array, or lines, with
+    /// a header or without.
+    pub fn begin(&mut self, header: bool) -> io::Result<()> {
+        self.separate = false;
+        match self.format {
+            RowFormat::Csv if header => writeln!(self.out, "{}", self.columns.join(",")),
+            RowFormat::Csv => Ok(()),
+            RowFormat::Json => self.out.write_all(b"["),
+        }
+    }
+
+    /// Rows so far.
+    pub const fn rows(&self) -> u64 {
+        self.rows
+    }
+
+    /// Whether they are drawn.
+    pub const fn are_drawn(&self) -> bool {
+        self.plot.is_some()
+    }
+
+    /// Writes a row. The numbers must be finite.
+    pub fn row(&mut self, values: [f64; N]) -> io::Result<()> {
+        if let Some(plot) = &mut self.plot {
+            plot.add(&values);
+        }
+        if self.format == RowFormat::Json {
+            self.out.write_all(if self.separate { b",\n" } else { b"\n" })?;
+        }
+        self.rows += 1;
+        self.separate = true;
+        self.out.write_all(self.line.row(&values))
+    }
+
+    /// All rows are written: the plot appears, and then their file. If one of them cannot be
+    /// written, what was there before is as it was.
+    pub fn finish(mut self) -> Result<(), Failure> {
+        // Before the rows: whoever has them has all that was asked for.
+        if let Some(plot) = self.plot.take() {
+            plot.finish()?;
+        }
+        self.end()?;
+        self.out.finish()
+    }
+
+    /// Leaves an output that is not complete, and returns its file, if it has one that has not
+    /// appeared yet; elsewhere the rows so far are whole.
+    pub fn leave(mut self) -> Result<Option<WholeFile>, Failure> {
+        if !self.out.appears_whole() {
+            self.end()?;
+        }
+        self.out.into_file()
+    }
+
+    /// Ends an array.
+    fn end(&mut self) -> io::Result<()> {
+        match self.format {
+            RowFormat::Csv => Ok(()),
+            RowFormat::Json => self.out.write_all(b"\n]\n"),
+        }
+    }
+}
+
+/// Lines of names and values, aligned.
+#[derive(Debug, Default)]
+pub struct Summary {
+    lines: Vec<(&'static str, String)>,
+}
+
+impl Summary {
+    /// A summary of the cost: steps, evaluations of the force, and time.
+    pub fn of_cost(steps: u64, evaluations: impl Display, elapsed: Duration) -> Self {
+        let mut summary = Self::default();
+        summary.line("steps", steps.to_string());
+        summary.line("force evaluations", evaluations.to_string());
+        summary.line("wall time", format!("{:.3} s", elapsed.as_secs_f64()));
+        let rate = steps as f64 / elapsed.as_secs_f64();
+        if rate.is_finite() {
+            summary.line("steps per second", format!("{rate:.3e}"));
+        }
+        summary
+    }
+
+    /// Adds a line.
+    pub fn line(&mut self, name: &'static str, value: String) {
+        self.lines.push((name, value));
+    }
+
+    /// Adds the largest energy `error` (J) of a run that began with the energy `initial` (J), and
+    /// `of` which samples it is the largest.
+    pub fn energy_error(&mut self, error: f64, initial: f64, of: &str) {
+        let relative = error / initial;
+        let relative = if relative.is_finite() {
+            format!(", {relative:.6e} of the first")
+        } else {
+            String::new()
+        };
+        self.line("largest energy error", format!("{error:.6e} J{relative}{of}"));
+    }
+
+    /// Writes the lines.
+    pub fn print(&self, out: &mut dyn Write) -> io::Result<()> {
+        let width = self.lines.iter().map(|(name, _)| name.len()).max().unwrap_or(0);
+        for (name, value) in &self.lines {
+            writeln!(out, "{name:width$}  {value}")?;
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The energy errors are in the transcripts, which leave out the times.
+    ///
+    /// Catches: milliseconds called seconds, seconds a step called steps a second; a division by
+    /// zero that is printed.
+    #[test]
+    fn a_cost_has_its_units() {
+        let lines = |steps, milliseconds| {
+            let elapsed = Duration::from_millis(milliseconds);
+            Summary::of_cost(steps, 0, elapsed).lines.into_iter().map(|(_, value)| value).skip(2)
+        };
+        assert!(lines(3000, 1500).eq(["1.500 s", "2.000e3"]));
+        assert!(lines(0, 0).eq(["0.000 s"]));
+    }
+}
