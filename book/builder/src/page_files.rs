@@ -1,7 +1,8 @@
 //! What a page loads, and when: the scripts and styles of the lab where there is one, and nowhere
 //! else; and its fonts before its text is set, so that no line is set twice.
 //!
-//! The lab's scripts are joined to one, without comments, which another loads when it is near.
+//! The lab's scripts are joined to one, without comments, which another loads when it is near. They
+//! stand in a block, so that none of their names is a name of the page, as mdBook's own are.
 //!
 //! Its content security policy says what a browser may load and run on it: files of the book and
 //! nothing else, and of scripts those of these files and the few that mdBook writes into the frame
@@ -47,6 +48,7 @@ pub fn join<P: AsRef<Path>>(pages: &Path, scripts: &[P]) -> Result<()> {
         return Ok(());
     }
     let file = pages.join(BUNDLE);
+    let bundle = format!("'use strict';\n{{\n{bundle}}}\n");
     fs::write(&file, bundle).with_context(|| file.display().to_string())
 }
 
@@ -163,6 +165,19 @@ mod tests {
         <script src=\"../book.js\"></script>\n\
         <script src=\"../theme/lab/words.js\"></script>\n\
         <script src=\"../theme/lab/near.js\"></script>\n";
+
+    /// Catches: a name of the lab that the page has too, as mdBook's own scripts have theirs.
+    #[test]
+    fn the_scripts_of_the_lab_stand_in_a_block() {
+        let pages = tempfile::tempdir().unwrap();
+        fs::create_dir_all(pages.path().join(FOLDER)).unwrap();
+        let write = |script: &str, text| fs::write(pages.path().join(script), text).unwrap();
+        write("theme/lab/words.js", "// Why.\nconst html = 1;\n");
+        write("theme/lab/lab.js", "const lab = html;\n");
+        join(pages.path(), &["theme/lab/words.js", "theme/lab/lab.js"]).unwrap();
+        let bundle = fs::read_to_string(pages.path().join(BUNDLE)).unwrap();
+        assert_eq!(bundle, "'use strict';\n{\nconst html = 1;\nconst lab = html;\n}\n");
+    }
 
     /// Catches: a page without a lab that loads it; another file or the text lost with it.
     #[test]
