@@ -2,10 +2,10 @@
 //!
 //! mdBook's own `links` step has inserted the included text before. In order: every include is
 //! checked against the disk ([`includes`]), and each snapshot against what the code makes of it now
-//! ([`snapshots`]), the pages of the tests are added ([`sources`]), and in
-//! each chapter tables get their captions ([`captions`]) and directives and formulas are replaced
-//! ([`chapter`]): values by [`values`], formulas by [`maths`]. Then it is known which chapters
-//! quote which claim, and the ledger's tables link back to them ([`claims`]).
+//! ([`snapshots`]), the pages of the tests are added ([`sources`]), and in each chapter tables get
+//! their captions ([`captions`]) and directives and formulas are replaced ([`chapter`], by
+//! [`typeset`]). Then it is known which chapters quote which claim, and the ledger's tables link
+//! back to them ([`claims`]).
 //!
 //! Nothing is repaired silently: what cannot be resolved stops the build, and the error names its
 //! chapter.
@@ -26,13 +26,11 @@ pub mod captions;
 pub mod chapter;
 pub mod claims;
 pub mod includes;
-pub mod inert;
 pub mod listing;
 pub mod markdown;
-pub mod maths;
 pub mod snapshots;
 pub mod sources;
-pub mod values;
+pub mod typeset;
 pub mod work_precision;
 
 /// Formulas and values become HTML, so that no other renderer can use them.
