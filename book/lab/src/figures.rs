@@ -10,7 +10,6 @@ use pendula::{Pendulum, Phase};
 use pendula_curves::parts::MOST;
 use pendula_curves::shapes::{CAT, Place, SQUARE};
 
-use crate::kept::kept;
 use crate::points::{self, Point};
 use crate::trajectory::{Kind, Setup};
 

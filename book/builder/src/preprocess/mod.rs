@@ -26,7 +26,6 @@ pub mod captions;
 pub mod chapter;
 pub mod claims;
 pub mod includes;
-pub mod listing;
 pub mod markdown;
 pub mod snapshots;
 pub mod sources;
