@@ -1,4 +1,5 @@
-//! The book as a reader gets it: built into an empty folder, and its HTML parsed.
+//! The book as a reader gets it: built into an empty folder, and its HTML parsed. And its appendix
+//! of claims: the rows, and the links from them to the chapters.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -7,17 +8,25 @@ use std::sync::LazyLock;
 use std::sync::atomic::AtomicBool;
 
 use pendula_book::build;
-use pendula_book::ledger::{Entry, Ledger};
+use pendula_book::ledger::{Entry, Ledger, Paper};
 use pendula_book::progress::Progress;
 use pendula_book::versions::{Made, Version};
 use pendula_output::files;
+use pendula_study::experiments::Study;
+use regex::Regex;
 use tempfile::TempDir;
+use tl::ParserOptions;
 
 use crate::chapters::chapters;
-use crate::claims::PAPER;
 use crate::pages::{Page, Site, is_remote};
 use crate::review::REVIEWED;
 use crate::root;
+
+/// The paper's claims as measured now.
+pub static PAPER: LazyLock<Paper> = LazyLock::new(|| Paper::new(Study::of_the_paper()));
+
+/// The page of the appendix.
+const CLAIMS: &str = "appendix-claims.html";
 
 /// The paper's claims as measured now, and the snapshots as reviewed: the tests of the study hold
 /// each of them to the code.
@@ -47,7 +56,7 @@ static BOOK: LazyLock<Result<(TempDir, Site), String>> = LazyLock::new(|| {
 });
 
 /// The HTML of a page.
-pub fn html(page: &str) -> String {
+fn html(page: &str) -> String {
     fs::read_to_string(book().0.join(page)).unwrap()
 }
 
@@ -59,7 +68,7 @@ fn book() -> (&'static Path, &'static Site) {
     }
 }
 
-pub fn site() -> &'static Site {
+fn site() -> &'static Site {
     book().1
 }
 
@@ -229,6 +238,67 @@ fn every_file_of_tests_is_listed_in_its_program() {
     };
     let files = files::with_extension(&top.join("tests"), "rs").unwrap();
     assert_none(files.iter().filter_map(unlisted));
+}
+
+/// The claims that each chapter quotes, by the page.
+fn quoted() -> BTreeSet<(String, String)> {
+    let code = Regex::new(r"(?ms)^```.*?^```$|`[^`\n]*`").unwrap();
+    let quote = Regex::new(r"\{\{\s*(?:measured|stated|verdict)\s+([^\s}]+)\s*\}\}").unwrap();
+    let mut quoted = BTreeSet::new();
+    for (file, text) in chapters() {
+        let page = file.replace(".md", ".html");
+        for found in quote.captures_iter(&code.replace_all(&text, "")) {
+            quoted.insert((page.clone(), found[1].to_string()));
+        }
+    }
+    assert!(quoted.len() > 40, "only {} quotes", quoted.len());
+    quoted
+}
+
+/// Catches: a claim that does not link back to a chapter that quotes it, or links to one that does
+/// not; a link that leads to the top of a chapter, or to another quote.
+#[test]
+fn each_quoted_claim_links_back_to_its_quotes() {
+    let page = html(CLAIMS);
+    let page = tl::parse(&page, ParserOptions::default()).unwrap();
+    let mut links = BTreeSet::new();
+    for row in page.query_selector("tr[id]").unwrap() {
+        let row = row.get(page.parser()).unwrap().outer_html(page.parser());
+        let Page { ids, references, .. } = Page::parse(&row);
+        for (tag, link) in references {
+            let (chapter, quote) = link.split_once('#').expect("a link to the very place");
+            assert_eq!((tag.as_str(), quote), ("a", ids[0].as_str()));
+            assert!(site().pages[Path::new(chapter)].ids.contains(&ids[0]), "{link}");
+            links.insert((chapter.to_string(), ids[0].clone()));
+        }
+    }
+    assert_eq!(links, quoted());
+}
+
+/// Catches: a claim without a row; a row hidden before a script could show it, and a control that
+/// does nothing without one.
+#[test]
+fn nothing_waits_for_a_script() {
+    let page = html(CLAIMS);
+    let main = page.split_once("<main>").unwrap().1.split_once("</main>").unwrap().0;
+    for dead in ["hidden", "<form", "<select", "<button", "display: none"] {
+        assert!(!main.contains(dead), "{dead}");
+    }
+    assert_eq!(main.matches("<tr id=").count(), PAPER.claims().len());
+}
+
+/// Catches: an adapter that mixes up what is stated and what is measured; a dash for what the paper
+/// does not print.
+#[test]
+fn the_papers_claims_come_through() {
+    let entry = PAPER.entry("T4.fe.0.1").expect("a claim of Table 4");
+    assert_eq!(entry.stated.as_deref(), Some("2.01 × 10²"));
+    assert!(entry.measured.is_some_and(|text| text.starts_with("2.0118")));
+    assert_eq!(entry.verdict.as_deref(), Some("reproduced"));
+    assert_eq!(entry.kind, "cell");
+    assert_eq!(PAPER.entry("T4.no.such"), None);
+    let unstated = PAPER.claims().iter().find(|claim| claim.stated.is_none()).unwrap();
+    assert_eq!(PAPER.entry(&unstated.id).unwrap().stated, None);
 }
 
 /// Catches: checks that find nothing, because the parser of pages misses links, ids, code or text.
