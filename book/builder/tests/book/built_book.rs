@@ -55,21 +55,16 @@ static BOOK: LazyLock<Result<(TempDir, Site), String>> = LazyLock::new(|| {
     Ok((folder, site))
 });
 
-/// The HTML of a page.
-fn html(page: &str) -> String {
-    fs::read_to_string(book().0.join(page)).unwrap()
-}
-
-/// The folder of the book and its pages.
-fn book() -> (&'static Path, &'static Site) {
+fn site() -> &'static Site {
     match &*BOOK {
-        Ok((folder, site)) => (folder.path(), site),
+        Ok((_, site)) => site,
         Err(error) => panic!("the book cannot be built: {error}"),
     }
 }
 
-fn site() -> &'static Site {
-    book().1
+/// The HTML of a page.
+fn html(page: &str) -> String {
+    fs::read_to_string(site().folder.join(page)).unwrap()
 }
 
 /// Fails with all findings at once, so that they can be fixed in one go.
@@ -106,10 +101,10 @@ fn every_internal_link_resolves() {
 /// elsewhere.
 #[test]
 fn every_file_named_in_a_style_sheet_is_in_the_book() {
-    let (folder, site) = book();
-    let sheets = site.files.iter().filter(|file| file.extension().is_some_and(|e| e == "css"));
-    assert_none(sheets.flat_map(|sheet| {
-        let css = fs::read_to_string(folder.join(sheet)).unwrap();
+    let site = site();
+    let sheets = files::with_extension(&site.folder, "css").unwrap();
+    assert_none(sheets.iter().flat_map(|sheet| {
+        let css = fs::read_to_string(site.folder.join(sheet)).unwrap();
         let named: Vec<_> = css
             .split("url(")
             .skip(1)
@@ -315,14 +310,16 @@ fn the_checks_see_what_is_wrong() {
     assert_eq!(page.code_blocks, ["\n"]);
     assert!(is_remote(&page.references[0].1));
 
-    let mut site = Site { pages: Default::default(), files: Default::default() };
+    let folder = tempfile::tempdir().unwrap();
+    fs::create_dir(folder.path().join("tests")).unwrap();
     for name in ["one.html", "tests/two.html"] {
-        site.files.insert(name.into());
-        site.pages.insert(name.into(), Page { ids: vec!["störmer".into()], ..Page::default() });
+        fs::write(folder.path().join(name), "<p id=\"störmer\">").unwrap();
     }
+    let site = Site::read(folder.path());
     let from = Path::new("tests/two.html");
     assert_eq!(site.broken(from, "../one.html#störmer"), None);
     assert_eq!(site.broken(from, "#störmer"), None);
     assert_eq!(site.broken(from, "one.html"), Some("no such file"));
+    assert_eq!(site.broken(from, "../../"), Some("no such file"));
     assert_eq!(site.broken(from, "../one.html#verlet"), Some("no such id"));
 }
