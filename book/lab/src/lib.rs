@@ -4,8 +4,8 @@
 //! itself, and its quantities are read. The steps and the list of methods are the library's own:
 //! this crate adds no arithmetic but counts and extremes.
 //!
-//! For the figures that a reader moves in the chapters there are [`points`], many at once, and the
-//! [parts](points::parts) of a step. Shapes, their areas and the energy that symplectic Euler
+//! For the [`figures`] that a reader moves in the chapters there are points, many at once, and the
+//! [parts](figures::step_parts) of a step. Shapes, their areas and the energy that symplectic Euler
 //! conserves are those of [`pendula_curves`], as in the study.
 //!
 //! `book/lab/build` compiles it for the page, and `tests/lab` compares the source and the
@@ -29,7 +29,6 @@ macro_rules! kept {
 
 pub mod exports;
 pub mod figures;
-pub mod points;
 pub mod shared;
 pub mod simulation;
 pub mod trajectory;
