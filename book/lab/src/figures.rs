@@ -133,8 +133,8 @@ pub extern "C" fn orbit(count: u32) -> u32 {
     })
 }
 
-/// Writes the level curve of symplectic Euler's H̃ to the given order in the step, through a release
-/// from rest at the scene's angle: `count` points, evenly spaced in phase.
+/// Writes the level curve of symplectic Euler's H̃ to the given order in the step, through a
+/// release from rest at the scene's angle: `count` points, evenly spaced in phase.
 #[cfg_attr(target_arch = "wasm32", unsafe(no_mangle))]
 pub extern "C" fn level_curve(order: u32, count: u32) {
     with(count, (), |Setup { pendulum, start, step, .. }, points| {

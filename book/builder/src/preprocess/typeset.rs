@@ -147,8 +147,8 @@ pub(super) mod tests {
         shown
     }
 
-    /// Catches: a subscript read as emphasis, a norm as a cell's end, primes as curly quotes; `&lt;`
-    /// escaped twice, which shows as `&lt;` on the page.
+    /// Catches: a subscript read as emphasis, a norm as a cell's end, primes as curly quotes; a
+    /// `&lt;` escaped twice, which shows as `&lt;` on the page.
     #[test]
     fn no_active_character_is_left_in_text() {
         assert_eq!(inert("a_1*|b|'"), "a&#95;1&#42;&#124;b&#124;&#39;");

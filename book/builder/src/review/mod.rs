@@ -2,8 +2,9 @@
 //! each quantity once, figures as they are seen, and how to accept each.
 //!
 //! [`working_tree`] has the snapshots that one works on, and accepts them; [`cells`] compares
-//! tables cell by cell and [`groups`] groups what moved; [`claims`] reads verdicts and predictions, and what the book says of them,
-//! [`drawings`] compares figures, and [`source`] what changed in the code. A [`Review`] holds all of it, [`verdict`] sums it up, [`markdown`] writes
+//! tables cell by cell and [`groups`] groups what moved; [`mod@claims`] reads verdicts and
+//! predictions, and what the book says of them, [`drawings`] compares figures, and [`source`] what
+//! changed in the code. A [`Review`] holds all of it, [`verdict`] sums it up, [`markdown`] writes
 //! it in `words`, and [`render`] makes a page or plain text of that.
 
 use std::collections::{BTreeMap, BTreeSet};
