@@ -147,8 +147,8 @@ mod tests {
 
     use super::*;
 
-    /// Catches: a change in the wrong unit, without a sign, or taken from the new value; an infinite
-    /// one.
+    /// Catches: a change in the wrong unit, without a sign, or taken from the new value; one
+    /// that is infinite.
     #[rstest]
     #[case(1.0, 1.0132, Some("+1.32 %"))]
     #[case(-2.0, -1.0, Some("+50.0 %"))]
