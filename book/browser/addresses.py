@@ -41,7 +41,7 @@ def test_slow_machine(lab, scene):
     harness(lab, STEP)
     visit(lab, scene, 200)
     errors = lab.run("""lab.pendulums.filter(p => p.method.name === 'gauss-16' && !p.lost)
-        .map(p => [p.angle.largest, p.read(STEPS)])""")
+        .map(p => [p.angle.largest, p.read(theLab.STEPS)])""")
     for error, steps in errors:
         # Order 16: no error of its own at these steps. What is left is rounding, a few ulp of the
         # angle a step at the most, in phase too, which carries on.
@@ -54,7 +54,7 @@ def test_no_more_steps(lab):
     harness(lab, STEP)
     lab.run("harness.stingy = 40")
     visit(lab, "m=rk4,gauss-16&dt=0.01&speed=1000&theta0=1", 30)
-    taken = lab.run("lab.pendulums.map(p => p.read(STEPS))")
+    taken = lab.run("lab.pendulums.map(p => p.read(theLab.STEPS))")
     assert taken[1] == 40 and taken[0] <= 128
 
 

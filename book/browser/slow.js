@@ -3,6 +3,7 @@
 // addresses.py.
 cost => {
     const lab = document.querySelector('.lab.whole').lab;
+    const { THETA, TIME, STEPS, address } = theLab;
     let now = 1000,
         asked = null;
     const faults = new Set();

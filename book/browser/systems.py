@@ -18,6 +18,7 @@ MOVED = f"""(([kind, beta, p, q]) => {{
     const {{spare, pendulums: [{{library, method}}]}} = lab;
     spare.set(0, kind, method.number, {G}, {L}, beta, 2.1, 0.7, {STEP}, p, q);
     spare.advance(0, {STEPS});
+    const {{THETA, OMEGA, LOWER_THETA, LOWER_OMEGA}} = theLab;
     const quantities = [THETA, OMEGA, LOWER_THETA, LOWER_OMEGA];
     return [library, spare].map(lab => quantities.map(q => String(lab.read(0, q))));
 }})(given)"""

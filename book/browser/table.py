@@ -185,7 +185,7 @@ def test_clock(lab):
         assert lab.texts(".time") == [f"t = {seven} s, 7 steps"]
     for until, step, steps in ENDS:
         lab.run(f"harness.visit('m=rk4&until={until}&dt={step}&speed=10', 120)")
-        assert lab.run("lab.pendulums.map(p => p.read(STEPS))") == [steps]
+        assert lab.run("lab.pendulums.map(p => p.read(theLab.STEPS))") == [steps]
     lab.run("harness.visit('m=rk4,stormer-verlet&dt=0.01&speed=1', 200)")
     for cell in lab.texts("tbody td:last-child"):
         # Two digits are shown.

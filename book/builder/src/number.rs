@@ -18,13 +18,9 @@ pub struct Number {
 pub fn leading(cell: &str) -> Option<Number> {
     let plain = plain(cell);
     let literal = plain.split_whitespace().next()?;
-    literal.starts_with(|c: char| c.is_ascii_digit() || c == '-').then(|| parse(literal))?
-}
-
-/// A number in a program's notation.
-pub fn parse(literal: &str) -> Option<Number> {
-    // "nan" and 1e999 are numbers to Rust.
-    let value = literal.parse().ok().filter(|value: &f64| value.is_finite())?;
+    let is_number = literal.starts_with(|c: char| c.is_ascii_digit() || c == '-');
+    // "-nan" and 1e999 are numbers to Rust.
+    let value = literal.parse().ok().filter(|value: &f64| is_number && value.is_finite())?;
     let (mantissa, _) = literal.split_once('e').unwrap_or((literal, ""));
     let digits = mantissa.trim_start_matches(['-', '0', '.']);
     let digits = digits.chars().filter(char::is_ascii_digit).count();

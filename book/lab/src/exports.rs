@@ -6,7 +6,6 @@ use core::cell::RefCell;
 
 use pendula::{Pendulum, Phase};
 
-use crate::kept::kept;
 use crate::simulation::Simulation;
 use crate::trajectory::{Kind, METHODS, Setup, names};
 

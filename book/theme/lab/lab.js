@@ -248,6 +248,9 @@ async function come(spot) {
     if (spot.lab.arrived) spot.scrollIntoView({ block: 'start' });
 }
 
+// What the tests in book/browser read, as nothing else here is a name of the page.
+globalThis.theLab = { THETA, OMEGA, TIME, STEPS, LOWER_THETA, LOWER_OMEGA, address };
+
 // A page without WebAssembly is as in print.
 if (!/\/print\.html$/.test(location.pathname) && typeof WebAssembly === 'object')
     for (const spot of document.querySelectorAll('.lab'))

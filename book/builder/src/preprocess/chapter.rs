@@ -21,11 +21,9 @@ use std::ops::Range;
 
 use anyhow::{Context, Result, bail, ensure};
 
-use super::listing::{flush_left, with_output};
 use super::markdown::{Kind, passages, splice};
-use super::maths::Maths;
 use super::sources::Tests;
-use super::{inert, values};
+use super::typeset::{Maths, inert, value};
 use crate::ledger::Ledger;
 use crate::{Pattern, pattern};
 
@@ -50,17 +48,36 @@ impl<'a> Setter<'a> {
     /// The chapter's text with directives and formulas replaced; `to_root` is the relative path
     /// from its page to the root of the book. `quoted` gets the ids of the claims that it quotes.
     pub fn set(&self, text: &str, to_root: &str, quoted: &mut BTreeSet<String>) -> Result<String> {
-        let mut edits = Vec::new();
+        let mut page = Page { setter: self, text, to_root, quoted, edits: Vec::new() };
+        page.set()?;
+        Ok(splice(text, page.edits))
+    }
+}
+
+/// A chapter that is being set.
+struct Page<'a> {
+    setter: &'a Setter<'a>,
+    text: &'a str,
+    to_root: &'a str,
+    /// The ids of the claims that it has quoted so far.
+    quoted: &'a mut BTreeSet<String>,
+    /// What is replaced, in order.
+    edits: Vec<(Range<usize>, String)>,
+}
+
+impl Page<'_> {
+    fn set(&mut self) -> Result<()> {
+        let text = self.text;
         let mut done = 0;
         for (range, kind) in passages(text) {
-            self.set_prose(text, done..range.start, to_root, &mut edits, quoted)?;
+            self.set_prose(done..range.start)?;
             done = range.end;
             let source = &text[range.clone()];
             match kind {
                 Kind::Code => {
                     let html = flush_left(source).or_else(|| with_output(source));
                     let html = html.or_else(|| with_whole_options(source));
-                    edits.extend(html.map(|html| (range, html)));
+                    self.edits.extend(html.map(|html| (range, html)));
                 }
                 Kind::Formula { tex, display } => {
                     // In TeX `{{a}}` is a group in a group.
@@ -68,50 +85,42 @@ impl<'a> Setter<'a> {
                     let mut values = ["{{measured", "{{stated", "{{verdict"].iter();
                     let has_value = values.any(|value| dense.contains(value));
                     ensure!(!has_value, "{tex}: a formula takes no value; set it beside");
-                    let html = self.maths.set(&tex, display)?;
-                    edits.push(match text[done..].chars().next() {
+                    let html = self.setter.maths.set(&tex, display)?;
+                    self.edits.push(match text[done..].chars().next() {
                         // A browser may break a line after any formula, even before a comma. A long
                         // one must stay breakable.
                         Some(mark @ (',' | '.' | ';' | ':' | '!' | '?' | ')'))
                             if !display && tex.len() <= HELD =>
                         {
-                            let mark = inert::text(&mark.to_string());
+                            let mark = inert(&mark.to_string());
                             let held = format!("<span class=\"held\">{html}{mark}</span>");
                             (range.start..done + 1, held)
                         }
                         _ => (range, html),
                     });
                 }
-                Kind::Exponent => edits.push((range, values::html(source))),
-                Kind::Gap => edits.push((range, "&nbsp;".to_string())),
+                Kind::Exponent => self.edits.push((range, value(source))),
+                Kind::Gap => self.edits.push((range, "&nbsp;".to_string())),
                 Kind::StrayDollar => {
                     let line = text[..done].lines().last().unwrap_or_default();
                     bail!("{line}: this dollar sign begins no formula; the sign itself is \\$");
                 }
             }
         }
-        self.set_prose(text, done..text.len(), to_root, &mut edits, quoted)?;
-        Ok(splice(text, edits))
+        self.set_prose(done..text.len())
     }
 
     /// Replaces directives and DOIs, each of these without the punctuation after it.
-    fn set_prose(
-        &self,
-        text: &str,
-        range: Range<usize>,
-        to_root: &str,
-        edits: &mut Vec<(Range<usize>, String)>,
-        quoted: &mut BTreeSet<String>,
-    ) -> Result<()> {
+    fn set_prose(&mut self, range: Range<usize>) -> Result<()> {
         static NOTABLE: Pattern = Pattern::new(|| {
             pattern(r"\{\{(?s:(?<directive>.*?))\}\}|(?<doi>doi:10\.[^\s{]*)|\{\{.{0,38}")
         });
         // A nested footnote or the like may begin before the last passage ended.
-        let Some(prose) = text.get(range.clone()) else { return Ok(()) };
+        let Some(prose) = self.text.get(range.clone()) else { return Ok(()) };
         for found in NOTABLE.captures_iter(prose) {
             let (mut source, start) = (&found[0], found.get_match().start());
             let html = if let Some(inside) = found.name("directive") {
-                let html = self.directive(inside.as_str().trim(), to_root, quoted);
+                let html = self.directive(inside.as_str().trim());
                 html.with_context(|| source.to_string())?
             } else {
                 ensure!(
@@ -119,31 +128,26 @@ impl<'a> Setter<'a> {
                     "{source}: a directive without its closing braces"
                 );
                 source = source.trim_end_matches(['.', ',', ';', ':']);
-                let address = inert::text(&source.replacen("doi:", "https://doi.org/", 1));
-                format!("<a href=\"{address}\">{}</a>", inert::text(source))
+                let address = inert(&source.replacen("doi:", "https://doi.org/", 1));
+                format!("<a href=\"{address}\">{}</a>", inert(source))
             };
             let start = range.start + start;
-            edits.push((start..start + source.len(), html));
+            self.edits.push((start..start + source.len(), html));
         }
         Ok(())
     }
 
-    fn directive(
-        &self,
-        inside: &str,
-        to_root: &str,
-        quoted: &mut BTreeSet<String>,
-    ) -> Result<String> {
+    fn directive(&mut self, inside: &str) -> Result<String> {
         let (name, argument) = inside.split_once(char::is_whitespace).unwrap_or((inside, ""));
         let argument = argument.trim();
         Ok(match name {
-            "measured" | "stated" | "verdict" => self.value(name, argument, to_root, quoted)?,
-            "test" => self.link(argument, to_root)?,
+            "measured" | "stated" | "verdict" => self.value(name, argument)?,
+            "test" => self.link(argument)?,
             "catches" => {
-                let link = self.link(argument, to_root)?;
-                format!("{link} catches {}", self.tests.catches(argument)?)
+                let catches = self.setter.tests.catches(argument)?;
+                format!("{} catches {catches}", self.link(argument)?)
             }
-            "work-precision" => self.work_precision.clone(),
+            "work-precision" => self.setter.work_precision.clone(),
             // It waits until every chapter has been searched for quotes.
             "verdicts" => "{{verdicts}}".to_string(),
             _ => bail!(
@@ -154,40 +158,34 @@ impl<'a> Setter<'a> {
     }
 
     /// A value of the ledger. The first quote of a claim in its chapter has its id.
-    fn value(
-        &self,
-        name: &str,
-        claim: &str,
-        to_root: &str,
-        quoted: &mut BTreeSet<String>,
-    ) -> Result<String> {
-        let entry = self.ledger.entry(claim);
+    fn value(&mut self, name: &str, claim: &str) -> Result<String> {
+        let entry = self.setter.ledger.entry(claim);
         let entry = entry.with_context(|| format!("the ledger has no claim {claim}"))?;
-        let value = match name {
+        let said = match name {
             "measured" => entry.measured,
             "stated" => entry.stated,
             _ => entry.verdict,
         };
-        let value = value.with_context(|| format!("the ledger has no {name} value for {claim}"))?;
-        let value = values::html(&value);
-        let is_first = quoted.insert(claim.to_string());
+        let said = said.with_context(|| format!("the ledger has no {name} value for {claim}"))?;
+        let value = value(&said);
+        let is_first = self.quoted.insert(claim.to_string());
         let id = if is_first { format!(" id=\"{claim}\"") } else { String::new() };
         Ok(match name {
             "verdict" => {
-                let row = format!("{to_root}appendix-claims.html#{claim}");
+                let row = format!("{}appendix-claims.html#{claim}", self.to_root);
                 format!("<a class=\"verdict\"{id} href=\"{row}\">{value}</a>")
             }
             _ => format!("<span class=\"{name}\"{id}>{value}</span>"),
         })
     }
 
-    fn link(&self, cited: &str, to_root: &str) -> Result<String> {
-        let (file, test) = self.tests.find(cited)?;
-        let (file, test) = (&file.name, &test.name);
+    fn link(&self, cited: &str) -> Result<String> {
+        let (file, test) = self.setter.tests.find(cited)?;
+        let (file, test, to_root) = (&file.name, &test.name, self.to_root);
         // As `cargo test` prints it and accepts it as a filter: without the name of the test
         // program.
         let path = file.split_once('/').map_or(&file[..], |(_, path)| path);
-        let text = inert::text(&format!("{}::{test}", path.replace('/', "::")));
+        let text = inert(&format!("{}::{test}", path.replace('/', "::")));
         // Long names may break only after an underscore.
         let text = text.replace("&#95;", "&#95;<wbr>");
         // HTML, not Markdown, so that it also works in a figure's caption.
@@ -204,7 +202,7 @@ fn with_whole_options(code: &str) -> Option<String> {
     if inner.contains('`') {
         return None;
     }
-    let set = |word: &str| match inert::text(word) {
+    let set = |word: &str| match inert(word) {
         html if word.contains('-') && (2..=WHOLE).contains(&word.len()) => {
             format!("<span class=\"held\">{html}</span>")
         }
@@ -214,11 +212,41 @@ fn with_whole_options(code: &str) -> Option<String> {
     html.contains("<span").then(|| format!("<code>{html}</code>"))
 }
 
+/// A fenced block with the common indentation of its lines removed; `None` where there is nothing
+/// to remove.
+pub fn flush_left(block: &str) -> Option<String> {
+    let mut lines: Vec<&str> = block.lines().collect();
+    let fenced = lines.len() > 2 && lines[0].starts_with("```");
+    let body = if fenced { 1..lines.len() - 1 } else { return None };
+    let indent = |line: &&str| line.len() - line.trim_start().len();
+    let code = lines[body.clone()].iter().filter(|line| !line.trim().is_empty());
+    let common = code.map(indent).min().filter(|&common| common > 0)?;
+    for line in &mut lines[body] {
+        *line = line.get(common..).unwrap_or_default();
+    }
+    let end = if block.ends_with('\n') { "\n" } else { "" };
+    Some(lines.join("\n") + end)
+}
+
+/// What a listing prints: the text of its hidden `assert_eq!(printed(), "…")`, to which the listing
+/// is held when it runs as a test.
+fn output(block: &str) -> Option<String> {
+    let (_, text) = block.split_once("\n# assert_eq!(printed(), \"\\\n")?;
+    let (text, _) = text.split_once("\n# \");\n")?;
+    Some(text.lines().map(|line| line.strip_prefix("# ").unwrap_or("").to_owned() + "\n").collect())
+}
+
+/// The listing with its output below it; `None` where it prints nothing.
+pub fn with_output(block: &str) -> Option<String> {
+    let (output, end) = (output(block)?, if block.ends_with('\n') { "" } else { "\n" });
+    Some(format!("{block}{end}\n<div class=\"output\">\n\n```text\n{output}```\n\n</div>\n"))
+}
+
 #[cfg(test)]
 mod tests {
     use rstest::rstest;
 
-    use super::super::inert::tests::shown;
+    use super::super::typeset::tests::shown;
     use super::*;
     use crate::ledger::Entry;
 
@@ -286,18 +314,6 @@ mod tests {
         assert_eq!(shown(&set(typed).unwrap()).replace('\u{a0}', "~"), expected);
     }
 
-    /// Catches: a quote that cannot be linked to; an id that stands twice; a claim that is only
-    /// named in code taken for a quote.
-    #[test]
-    fn the_first_quote_of_a_claim_has_its_id() {
-        let (tests, mut quoted) = (Tests::default(), BTreeSet::new());
-        let setter = Setter::new(&ledger, &tests, String::new());
-        let text = "{{measured T4.rk4.0.01}} {{verdict T4.rk4.0.01}} `{{verdict T9.only}}`";
-        let set = setter.set(text, "", &mut quoted).unwrap();
-        assert_eq!(set.matches("id=\"T4.rk4.0.01\"").count(), 1, "{set}");
-        assert_eq!(quoted, BTreeSet::from(["T4.rk4.0.01".to_string()]));
-    }
-
     /// Catches: a bullet that says what its test does not, and a test that does not say what it
     /// catches.
     #[test]
@@ -343,5 +359,27 @@ mod tests {
             let error = format!("{:#}", set(text).unwrap_err());
             assert!(error.contains(quoted), "{text}: {error}");
         }
+    }
+
+    /// Catches: a method taken from its `impl` that keeps its common indentation, and relative
+    /// indentation that is lost; blocks rewritten that are flush left already, or are not fenced.
+    #[test]
+    fn the_common_margin_goes_and_no_more() {
+        let block = "```rust,ignore\n    fn f() {\n        1\n\n    }\n```\n";
+        let expected = "```rust,ignore\nfn f() {\n    1\n\n}\n```\n";
+        assert_eq!(flush_left(block).as_deref(), Some(expected));
+        for flush in ["```rust\nfn f() {}\n```\n", "`code`", "```\n```\n"] {
+            assert_eq!(flush_left(flush), None);
+        }
+    }
+
+    /// Catches: an output that is lost, or keeps the marks of what is hidden.
+    #[test]
+    fn what_is_printed_stands_below() {
+        let block = "```rust\nprint();\n# assert_eq!(printed(), \"\\\n# 1\n#\n#  2\n# \");\n```";
+        let expected =
+            format!("{block}\n\n<div class=\"output\">\n\n```text\n1\n\n 2\n```\n\n</div>\n");
+        assert_eq!(with_output(block), Some(expected));
+        assert_eq!(with_output("```rust\nlet x = 1;\n```"), None);
     }
 }

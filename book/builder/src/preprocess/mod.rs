@@ -1,11 +1,11 @@
 //! From a chapter's source to what mdBook renders.
 //!
 //! mdBook's own `links` step has inserted the included text before. In order: every include is
-//! checked against the disk ([`includes`]), and each snapshot against what the code makes of it now
-//! ([`snapshots`]), the pages of the tests are added ([`sources`]), and in
-//! each chapter tables get their captions ([`captions`]) and directives and formulas are replaced
-//! ([`chapter`]): values by [`values`], formulas by [`maths`]. Then it is known which chapters
-//! quote which claim, and the ledger's tables link back to them ([`claims`]).
+//! checked against the disk, and each snapshot against what the code makes of it now ([`checks`]),
+//! the pages of the tests are added ([`sources`]), and in each chapter tables get their captions
+//! ([`captions`]) and directives and formulas are replaced ([`chapter`], by [`typeset`]). Then it
+//! is known which chapters quote which claim, and the ledger's tables link back to them
+//! ([`claims`]).
 //!
 //! Nothing is repaired silently: what cannot be resolved stops the build, and the error names its
 //! chapter.
@@ -24,15 +24,11 @@ use crate::progress::Progress;
 
 pub mod captions;
 pub mod chapter;
+pub mod checks;
 pub mod claims;
-pub mod includes;
-pub mod inert;
-pub mod listing;
 pub mod markdown;
-pub mod maths;
-pub mod snapshots;
 pub mod sources;
-pub mod values;
+pub mod typeset;
 pub mod work_precision;
 
 /// Formulas and values become HTML, so that no other renderer can use them.
@@ -83,9 +79,9 @@ impl Preprocessor for Pendula {
     }
 
     fn run(&self, context: &PreprocessorContext, mut book: Book) -> Result<Book> {
-        let included = includes::check(&context.root.join(&context.config.book.src), &book)?;
+        let included = checks::includes(&context.root.join(&context.config.book.src), &book)?;
         self.progress.stage("comparing the snapshots", 1);
-        snapshots::check(&included, self.ledger.as_ref(), &self.interrupted)?;
+        checks::snapshots(&included, self.ledger.as_ref(), &self.interrupted)?;
 
         // tests/ is beside book/.
         let tests = sources::Tests::read(&context.root.join("..").join("tests"))?;

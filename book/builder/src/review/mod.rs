@@ -2,8 +2,8 @@
 //! each quantity once, figures as they are seen, and how to accept each.
 //!
 //! [`working_tree`] has the snapshots that one works on, and accepts them; [`cells`] compares
-//! tables cell by cell and [`groups`] groups what moved; [`claims`] reads verdicts and predictions,
-//! [`drawings`] compares figures, [`quotes`] finds what the book says of it, and [`source`] what
+//! tables cell by cell and [`groups`] groups what moved; [`mod@claims`] reads verdicts and
+//! predictions, and what the book says of them, [`drawings`] compares figures, and [`source`] what
 //! changed in the code. A [`Review`] holds all of it, [`verdict`] sums it up, [`markdown`] writes
 //! it in `words`, and [`render`] makes a page or plain text of that.
 
@@ -14,10 +14,9 @@ use anyhow::Result;
 use pendula_study::report::snapshots::Kind;
 
 use self::cells::{Cell, differences};
-use self::claims::{Claim, claims, find, table};
+use self::claims::{Claim, Quote, claims, find, quotes, table};
 use self::drawings::Difference;
 use self::groups::Group;
-use self::quotes::Quote;
 use self::source::Code;
 use crate::versions::Version;
 
@@ -26,7 +25,6 @@ pub mod claims;
 pub mod drawings;
 pub mod groups;
 pub mod markdown;
-pub mod quotes;
 pub mod render;
 pub mod source;
 pub mod verdict;
@@ -149,7 +147,7 @@ impl Review {
         let mut bits: Vec<String> =
             cells_of(Kind::Hashes)?.into_iter().map(|cell| cell.row).collect();
         bits.dedup();
-        let quotes = quotes::quotes(chapters, &before, &now)?;
+        let quotes = quotes(chapters, &before, &now)?;
         let groups = groups::groups(cells, new)?;
         let figures = of_kind(Kind::Figure).map(|change| figure(&change.name, old, new));
         let mut figures: Vec<Figure> = figures.collect();

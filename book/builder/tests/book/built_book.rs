@@ -1,4 +1,5 @@
-//! The book as a reader gets it: built into an empty folder, and its HTML parsed.
+//! The book as a reader gets it: built into an empty folder, and its HTML parsed. And its appendix
+//! of claims: the rows, and the links from them to the chapters.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -7,17 +8,25 @@ use std::sync::LazyLock;
 use std::sync::atomic::AtomicBool;
 
 use pendula_book::build;
-use pendula_book::ledger::{Entry, Ledger};
+use pendula_book::ledger::{Entry, Ledger, Paper};
 use pendula_book::progress::Progress;
 use pendula_book::versions::{Made, Version};
 use pendula_output::files;
+use pendula_study::experiments::Study;
+use regex::Regex;
 use tempfile::TempDir;
+use tl::ParserOptions;
 
 use crate::chapters::chapters;
-use crate::claims::PAPER;
 use crate::pages::{Page, Site, is_remote};
 use crate::review::REVIEWED;
 use crate::root;
+
+/// The paper's claims as measured now.
+pub static PAPER: LazyLock<Paper> = LazyLock::new(|| Paper::new(Study::of_the_paper()));
+
+/// The page of the appendix.
+const CLAIMS: &str = "appendix-claims.html";
 
 /// The paper's claims as measured now, and the snapshots as reviewed: the tests of the study hold
 /// each of them to the code.
@@ -46,21 +55,16 @@ static BOOK: LazyLock<Result<(TempDir, Site), String>> = LazyLock::new(|| {
     Ok((folder, site))
 });
 
-/// The HTML of a page.
-pub fn html(page: &str) -> String {
-    fs::read_to_string(book().0.join(page)).unwrap()
-}
-
-/// The folder of the book and its pages.
-fn book() -> (&'static Path, &'static Site) {
+fn site() -> &'static Site {
     match &*BOOK {
-        Ok((folder, site)) => (folder.path(), site),
+        Ok((_, site)) => site,
         Err(error) => panic!("the book cannot be built: {error}"),
     }
 }
 
-pub fn site() -> &'static Site {
-    book().1
+/// The HTML of a page.
+fn html(page: &str) -> String {
+    fs::read_to_string(site().folder.join(page)).unwrap()
 }
 
 /// Fails with all findings at once, so that they can be fixed in one go.
@@ -97,10 +101,10 @@ fn every_internal_link_resolves() {
 /// elsewhere.
 #[test]
 fn every_file_named_in_a_style_sheet_is_in_the_book() {
-    let (folder, site) = book();
-    let sheets = site.files.iter().filter(|file| file.extension().is_some_and(|e| e == "css"));
-    assert_none(sheets.flat_map(|sheet| {
-        let css = fs::read_to_string(folder.join(sheet)).unwrap();
+    let site = site();
+    let sheets = files::with_extension(&site.folder, "css").unwrap();
+    assert_none(sheets.iter().flat_map(|sheet| {
+        let css = fs::read_to_string(site.folder.join(sheet)).unwrap();
         let named: Vec<_> = css
             .split("url(")
             .skip(1)
@@ -231,6 +235,67 @@ fn every_file_of_tests_is_listed_in_its_program() {
     assert_none(files.iter().filter_map(unlisted));
 }
 
+/// The claims that each chapter quotes, by the page.
+fn quoted() -> BTreeSet<(String, String)> {
+    let code = Regex::new(r"(?ms)^```.*?^```$|`[^`\n]*`").unwrap();
+    let quote = Regex::new(r"\{\{\s*(?:measured|stated|verdict)\s+([^\s}]+)\s*\}\}").unwrap();
+    let mut quoted = BTreeSet::new();
+    for (file, text) in chapters() {
+        let page = file.replace(".md", ".html");
+        for found in quote.captures_iter(&code.replace_all(&text, "")) {
+            quoted.insert((page.clone(), found[1].to_string()));
+        }
+    }
+    assert!(quoted.len() > 40, "only {} quotes", quoted.len());
+    quoted
+}
+
+/// Catches: a claim that does not link back to a chapter that quotes it, or links to one that does
+/// not; a link that leads to the top of a chapter, or to another quote.
+#[test]
+fn each_quoted_claim_links_back_to_its_quotes() {
+    let page = html(CLAIMS);
+    let page = tl::parse(&page, ParserOptions::default()).unwrap();
+    let mut links = BTreeSet::new();
+    for row in page.query_selector("tr[id]").unwrap() {
+        let row = row.get(page.parser()).unwrap().outer_html(page.parser());
+        let Page { ids, references, .. } = Page::parse(&row);
+        for (tag, link) in references {
+            let (chapter, quote) = link.split_once('#').expect("a link to the very place");
+            assert_eq!((tag.as_str(), quote), ("a", ids[0].as_str()));
+            assert!(site().pages[Path::new(chapter)].ids.contains(&ids[0]), "{link}");
+            links.insert((chapter.to_string(), ids[0].clone()));
+        }
+    }
+    assert_eq!(links, quoted());
+}
+
+/// Catches: a claim without a row; a row hidden before a script could show it, and a control that
+/// does nothing without one.
+#[test]
+fn nothing_waits_for_a_script() {
+    let page = html(CLAIMS);
+    let main = page.split_once("<main>").unwrap().1.split_once("</main>").unwrap().0;
+    for dead in ["hidden", "<form", "<select", "<button", "display: none"] {
+        assert!(!main.contains(dead), "{dead}");
+    }
+    assert_eq!(main.matches("<tr id=").count(), PAPER.claims().len());
+}
+
+/// Catches: an adapter that mixes up what is stated and what is measured; a dash for what the paper
+/// does not print.
+#[test]
+fn the_papers_claims_come_through() {
+    let entry = PAPER.entry("T4.fe.0.1").expect("a claim of Table 4");
+    assert_eq!(entry.stated.as_deref(), Some("2.01 × 10²"));
+    assert!(entry.measured.is_some_and(|text| text.starts_with("2.0118")));
+    assert_eq!(entry.verdict.as_deref(), Some("reproduced"));
+    assert_eq!(entry.kind, "cell");
+    assert_eq!(PAPER.entry("T4.no.such"), None);
+    let unstated = PAPER.claims().iter().find(|claim| claim.stated.is_none()).unwrap();
+    assert_eq!(PAPER.entry(&unstated.id).unwrap().stated, None);
+}
+
 /// Catches: checks that find nothing, because the parser of pages misses links, ids, code or text.
 #[test]
 fn the_checks_see_what_is_wrong() {
@@ -245,14 +310,16 @@ fn the_checks_see_what_is_wrong() {
     assert_eq!(page.code_blocks, ["\n"]);
     assert!(is_remote(&page.references[0].1));
 
-    let mut site = Site { pages: Default::default(), files: Default::default() };
+    let folder = tempfile::tempdir().unwrap();
+    fs::create_dir(folder.path().join("tests")).unwrap();
     for name in ["one.html", "tests/two.html"] {
-        site.files.insert(name.into());
-        site.pages.insert(name.into(), Page { ids: vec!["störmer".into()], ..Page::default() });
+        fs::write(folder.path().join(name), "<p id=\"störmer\">").unwrap();
     }
+    let site = Site::read(folder.path());
     let from = Path::new("tests/two.html");
     assert_eq!(site.broken(from, "../one.html#störmer"), None);
     assert_eq!(site.broken(from, "#störmer"), None);
     assert_eq!(site.broken(from, "one.html"), Some("no such file"));
+    assert_eq!(site.broken(from, "../../"), Some("no such file"));
     assert_eq!(site.broken(from, "../one.html#verlet"), Some("no such id"));
 }

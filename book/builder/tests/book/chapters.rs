@@ -7,7 +7,7 @@ use pendula::methods::METHODS;
 use pendula_output::files;
 use regex::Regex;
 
-use crate::claims::PAPER;
+use crate::built_book::PAPER;
 use crate::root;
 
 /// The chapters, by file name, with their texts.

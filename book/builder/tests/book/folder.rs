@@ -14,7 +14,7 @@ use pendula_book::progress::Progress;
 use pendula_output::files;
 use tempfile::TempDir;
 
-use crate::claims::PAPER;
+use crate::built_book::PAPER;
 use crate::root;
 
 const BOOK: &str = "[book]\ntitle = \"a\"\n[build]\nbuild-dir = \"../target/book\"\n\

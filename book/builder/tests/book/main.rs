@@ -2,7 +2,6 @@
 
 mod built_book;
 mod chapters;
-mod claims;
 mod folder;
 mod hostile;
 mod pages;

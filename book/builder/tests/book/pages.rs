@@ -1,17 +1,17 @@
 //! Parsing built pages: their ids, their links, and what must not be on them.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::path::{Component, Path, PathBuf};
+use std::path::{Path, PathBuf};
 
 use pendula_output::files;
 use tl::{HTMLTag, Node, Parser, ParserOptions};
 
-/// The pages and other files of a built book.
+/// A built book.
 pub struct Site {
-    /// Pages by path, relative to the book's folder.
+    /// Its folder.
+    pub folder: PathBuf,
+    /// Its pages by path, relative to that folder.
     pub pages: BTreeMap<PathBuf, Page>,
-    /// Every file, relative to the book's folder.
-    pub files: BTreeSet<PathBuf>,
 }
 
 /// One HTML page.
@@ -30,15 +30,11 @@ pub struct Page {
 impl Site {
     /// Reads a built book.
     pub fn read(folder: &Path) -> Self {
-        let found = files::tree(folder).unwrap().into_iter();
-        let files: BTreeSet<PathBuf> =
-            found.filter(|(_, is_folder)| !is_folder).map(|(path, _)| path).collect();
-        let pages = files::with_extension(folder, "html").unwrap().into_iter().map(|file| {
-            let page = Page::parse(&files::text(&folder.join(&file)).unwrap());
-            (file, page)
-        });
-        let pages = pages.collect();
-        Self { pages, files }
+        let folder = files::canonicalize(folder).unwrap();
+        let files = files::with_extension(&folder, "html").unwrap().into_iter();
+        let read = |file: &PathBuf| Page::parse(&files::text(&folder.join(file)).unwrap());
+        let pages = files.map(|file| (file.clone(), read(&file))).collect();
+        Self { folder, pages }
     }
 
     /// Why a reference from `page` is broken, if it is.
@@ -46,26 +42,27 @@ impl Site {
         if is_remote(reference) || ["data:", "mailto:"].iter().any(|s| reference.starts_with(s)) {
             return None;
         }
-        let (path, id) = match reference.split_once('#') {
-            Some((path, id)) => (path, Some(id.to_string())),
-            None => (reference, None),
-        };
+        let (path, id) = reference.split_once('#').unwrap_or((reference, ""));
         let path = path.split('?').next().unwrap_or_default();
         let target = match path {
             "" => page.to_path_buf(),
-            path => joined(page, path),
+            path => page.with_file_name(path),
         };
         // A folder stands for its first page.
-        if !self.files.contains(&target) && !self.files.contains(&target.join("index.html")) {
+        let Some(target) = self.file(&target).or_else(|| self.file(&target.join("index.html")))
+        else {
             return Some("no such file");
-        }
-        match id {
-            // An empty fragment is the top of the page.
-            Some(id) if !id.is_empty() && !self.pages.get(&target)?.ids.contains(&id) => {
-                Some("no such id")
-            }
-            _ => None,
-        }
+        };
+        // An empty fragment is the top of the page.
+        let is_there = |page: &Page| id.is_empty() || page.ids.iter().any(|known| known == id);
+        let is_broken = self.pages.get(&target).is_some_and(|page| !is_there(page));
+        is_broken.then_some("no such id")
+    }
+
+    /// The file of the book that this path leads to, without `.` and `..`.
+    fn file(&self, path: &Path) -> Option<PathBuf> {
+        let file = files::canonicalize(self.folder.join(path)).ok()?;
+        file.is_file().then_some(file.strip_prefix(&self.folder).ok()?.to_path_buf())
     }
 }
 
@@ -119,17 +116,4 @@ impl Page {
 /// Whether following this would leave the reader's machine.
 pub fn is_remote(reference: &str) -> bool {
     !reference.starts_with("data:") && (reference.starts_with("//") || reference.contains("://"))
-}
-
-/// `path` resolved relative to `page`, without `.` and `..`.
-fn joined(page: &Path, path: &str) -> PathBuf {
-    let mut target = PathBuf::new();
-    for component in page.parent().unwrap_or(Path::new("")).join(path).components() {
-        match component {
-            Component::ParentDir => drop(target.pop()),
-            Component::CurDir => {}
-            other => target.push(other),
-        }
-    }
-    target
 }
