@@ -156,7 +156,7 @@ fn symplectic_euler_over_rk4() -> f64 {
 /// The turn (rad) of an ellipse of eccentricity 0.6 in a revolution of 100 steps.
 fn precession() -> f64 {
     let ellipse = Ellipse::new(&Kepler::new(1.0).unwrap(), 1.0, 0.6).unwrap();
-    theory::kepler::verlet_precession(&ellipse, ellipse.period() / 100.0).abs()
+    theory::other_systems::verlet_precession(&ellipse, ellipse.period() / 100.0).abs()
 }
 
 /// The numbers in a text: 240 000 is one, and so is 2.4\cdot10^{-4}.

@@ -9,7 +9,7 @@ use pendula::metrics::{AngleError, EnergyDrift};
 use pendula::systems::{Components, Damped, Ellipse, Hamiltonian, Kepler, PlanePhase, System};
 use pendula::{AnyMethod, Grid, Info, LinearOscillator, Method, Pendulum, Phase, integrate};
 
-use crate::experiments::{MethodRef, crossings, grid, largest_energy_error, released};
+use crate::experiments::{MethodRef, grid, largest_energy_error, released, work};
 
 const PENDULUM: Pendulum = Pendulum::PAPER;
 
@@ -53,7 +53,7 @@ pub fn normalised_formula_error(method: &dyn AnyMethod, theta_0: f64, step: f64)
 /// Root-mean-square angle error (rad) against the exact solution over 10 s from 1 rad, for
 /// `evaluations` evaluations of the force.
 pub fn error_for_work(method: MethodRef, evaluations: u64) -> f64 {
-    crossings::error(method, 1.0, evaluations)
+    work::error(method, 1.0, evaluations)
 }
 
 /// The error of a single step of `step` (s), from 1 rad and 1 rad/s: the larger of |Δθ| (rad) and

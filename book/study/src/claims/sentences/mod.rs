@@ -31,7 +31,7 @@ use crate::digits::rounds_to;
 use crate::experiments::PaperMethod;
 use crate::experiments::characteristics::EnergyBehaviour;
 use crate::experiments::{
-    STEPS, Study, convergence, energy_error, findings, grid, large_angle, long_run, phase_portrait,
+    STEPS, Study, convergence, energy_error, findings, grid, large_angle, level_curves, long_run,
     small_angle, work,
 };
 

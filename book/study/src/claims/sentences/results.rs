@@ -122,8 +122,8 @@ pub(super) const MEASURED: &[(&str, Measure)] = &[
         says(text, gap_of_the_orbits(&Rk4) < LINE && gaps.into_iter().any(|gap| gap > LINE))
     }),
     ("P6.4.elong", |_| {
-        let ratio = phase_portrait::THETA_0.map(|theta_0| {
-            let orbit = phase_portrait::orbit(&Rk4, theta_0);
+        let ratio = level_curves::PORTRAIT.map(|theta_0| {
+            let orbit = level_curves::portrait(&Rk4, theta_0);
             let fastest = orbit.iter().fold(0.0, |fastest: f64, z| fastest.max(z.omega.abs()));
             fastest / (Pendulum::PAPER.small_angle_frequency() * theta_0)
         });

@@ -175,7 +175,7 @@ pub(super) fn equations_10_to_12_from_half_kicks() -> f64 {
 /// How far the worst of Figure 5's three orbits misses its start after one exact period: the larger
 /// of |Δθ| (rad) and |Δω| (rad/s).
 pub(super) fn gap_of_the_orbits(method: &dyn AnyMethod) -> f64 {
-    let gaps = phase_portrait::THETA_0.map(|theta_0| findings::closure(method, theta_0));
+    let gaps = level_curves::PORTRAIT.map(|theta_0| findings::closure(method, theta_0));
     gaps.into_iter().fold(0.0, libm::fmaximum)
 }
 

@@ -5,7 +5,7 @@ use pendula::Pendulum;
 use super::{named, of_the_paper, style, title};
 use crate::charts::{Axis, Chart, Figure, Style};
 use crate::experiments::{
-    STEPS, Study, convergence, energy_error, large_angle, long_run, phase_portrait, small_angle,
+    STEPS, Study, convergence, energy_error, large_angle, level_curves, long_run, small_angle,
 };
 
 /// Energy error against step on doubly logarithmic axes.
@@ -100,8 +100,8 @@ pub(super) fn figure_5(_: &Study, figure: Figure) -> Figure {
         .series("separatrix", Style::REFERENCE, above.clone())
         .series("separatrix", Style::REFERENCE, below);
     // Each label stands where its own orbit has room beside it.
-    for (theta_0, label_at) in phase_portrait::THETA_0.into_iter().zip([0.5, 1.5, -2.5]) {
-        let points = phase_portrait::orbit(rk4, theta_0).into_iter().map(|z| (z.theta, z.omega));
+    for (theta_0, label_at) in level_curves::PORTRAIT.into_iter().zip([0.5, 1.5, -2.5]) {
+        let points = level_curves::portrait(rk4, theta_0).into_iter().map(|z| (z.theta, z.omega));
         chart = chart.series(title(rk4), style(rk4).line_only().solid(), points).note(
             label_at,
             0.0,
