@@ -83,7 +83,7 @@ const FINEST: u64 = 6000;
 
 /// The RMS angle error (rad) of `method` against the exact solution, from rest at `theta_0` (rad)
 /// over the time of Figure 7, for `evaluations` of the force, as many as its steps take.
-pub(super) fn error(method: MethodRef, theta_0: f64, evaluations: u64) -> f64 {
+pub fn error(method: MethodRef, theta_0: f64, evaluations: u64) -> f64 {
     let start = released(theta_0);
     let truth = Motion::new(&Pendulum::PAPER, start).expect("a finite start");
     let steps = evaluations / method.info().force_evaluations;

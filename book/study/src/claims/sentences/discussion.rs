@@ -18,14 +18,11 @@ pub(super) const MEASURED: &[(&str, Measure)] = &[
         says(format!("{euler} and {verlet}; {start}"), met)
     }),
     ("P7.1.modest", |_| {
-        static LOST: LazyLock<[f64; 2]> = LazyLock::new(|| {
-            let start = Pendulum::PAPER.energy(Phase::at_rest(1.0));
-            [(0.1, 1.0), (0.01, 1e3)].map(|(step, times)| {
-                let lost = start - findings::last_energy(&Rk4, 1.0, step, 1_000_000);
-                times * lost / findings::energy_drift(&SymplecticEuler, 1.0, step, 100_000)
-            })
+        let start = Pendulum::PAPER.energy(Phase::at_rest(1.0));
+        let [coarse, fine] = [(0.1, 1.0), (0.01, 1e3)].map(|(step, times)| {
+            let lost = start - findings::last_energy(&Rk4, 1.0, step, 1_000_000);
+            times * lost / findings::energy_drift(&SymplecticEuler, 1.0, step, 100_000)
         });
-        let [coarse, fine] = *LOST;
         says(format!("{coarse:.1} and {fine:.2}"), coarse > 1.0)
     }),
     ("P7.1.construction", |_| {
@@ -49,14 +46,12 @@ pub(super) const MEASURED: &[(&str, Measure)] = &[
             row!(study.small_angle, ForwardEuler).errors[4].formula,
             row!(study.small_angle, SymplecticEuler).errors[4].formula,
         ];
-        static FINE: LazyLock<[f64; 2]> = LazyLock::new(|| {
-            let methods: [&dyn AnyMethod; 2] = [&ForwardEuler, &SymplecticEuler];
-            methods.map(|method| {
-                let theta_0 = small_angle::THETA_0;
-                findings::normalised_formula_error(method, theta_0, 1e-5).1 * theta_0
-            })
+        let methods: [&dyn AnyMethod; 2] = [&ForwardEuler, &SymplecticEuler];
+        let fine = methods.map(|method| {
+            let theta_0 = small_angle::THETA_0;
+            findings::normalised_formula_error(method, theta_0, 1e-5).1 * theta_0
         });
-        let [[a, b], [c, d]] = [coarse, *FINE].map(|errors| errors.map(|error| error / *FLOOR));
+        let [[a, b], [c, d]] = [coarse, fine].map(|errors| errors.map(|error| error / *FLOOR));
         let there = is_near(a, 1.0, 0.1) && is_near(b, 1.0, 0.1);
         says(format!("{a:.1} and {b:.2}; {c:.3} and {d:.3}"), there)
     }),
@@ -69,8 +64,8 @@ pub(super) const MEASURED: &[(&str, Measure)] = &[
     }),
     ("P7.4.guaranteed", |_| never_escapes(&SymplecticEuler)),
     ("P7.4.rk4", |_| {
-        static LARGEST: LazyLock<f64> = LazyLock::new(rk4_over_the_next_in_a_step);
-        shows(*LARGEST, Significant(1), *LARGEST < 1.0)
+        let largest = rk4_over_the_next_in_a_step();
+        shows(largest, Significant(1), largest < 1.0)
     }),
     ("P7.4.caveat", |_| {
         let drift = |steps| findings::energy_drift(&Rk4, 1.0, 0.01, steps);
@@ -103,14 +98,11 @@ pub(super) const MEASURED: &[(&str, Measure)] = &[
     }),
     ("P8.order", orders_confirmed),
     ("P8.validates", |study| {
-        static OTHERS: LazyLock<[f64; 2]> = LazyLock::new(|| {
-            let methods: [&dyn AnyMethod; 2] = [&StormerVerlet, &SymplecticEuler];
-            methods.map(large_angle::period_by_peak)
-        });
+        let others: [&dyn AnyMethod; 2] = [&StormerVerlet, &SymplecticEuler];
         let away = |period: f64| (period - study.large_angle.exact).abs();
         let ms = |period| format!("{:.3}", 1e3 * away(period));
         let rk4 = study.large_angle.by_peak;
-        let [vv, se] = OTHERS.map(ms);
+        let [vv, se] = others.map(large_angle::period_by_peak).map(ms);
         let text = format!("{}; {vv} and {se}", ms(rk4));
         says(text, away(rk4) <= 0.5 * large_angle::STEP)
     }),
@@ -127,12 +119,9 @@ pub(super) const MEASURED: &[(&str, Measure)] = &[
         says(format!("{met} of {}", CELLS.len()), met == CELLS.len())
     }),
     ("P8.yoshida", |_| {
-        static FOUND: LazyLock<(f64, f64)> = LazyLock::new(|| {
-            let slope = Ladder::measure(&ForestRuth).slopes().last().unwrap_or(f64::NAN);
-            let z = Phase { theta: 1.0, omega: 0.5 };
-            (slope, area_defect(&ForestRuth, &Pendulum::PAPER, z, AREA_STEP).abs())
-        });
-        let (slope, defect) = *FOUND;
+        let slope = Ladder::measure(&ForestRuth).slopes().last().unwrap_or(f64::NAN);
+        let z = Phase { theta: 1.0, omega: 0.5 };
+        let defect = area_defect(&ForestRuth, &Pendulum::PAPER, z, AREA_STEP).abs();
         let text = format!("{slope:.2}; {}", below(AREA_TOLERANCE, defect));
         says(text, confirms((slope, slope), 4.0) && defect < AREA_TOLERANCE)
     }),

@@ -4,8 +4,7 @@
 use pendula::exact::Motion;
 use pendula::{Grid, Pendulum};
 
-use super::release::Release;
-use crate::experiments::MethodRef;
+use super::{MethodRef, Release};
 
 /// Steps a period from which the error follows the law; at coarser steps the map uses only what
 /// was measured.

@@ -6,8 +6,7 @@ use pendula::exact::Motion;
 use pendula::{METHODS, Pendulum, Phase};
 
 use super::curve::{COARSE, Curve};
-use super::release::Release;
-use crate::experiments::MethodRef;
+use super::{MethodRef, Release};
 
 /// The longest run that is measured (periods); it is shorter where the step is small or the error
 /// large.
