@@ -194,8 +194,8 @@ fn linear_ticks(low: f64, high: f64, count: usize) -> Vec<Tick> {
         let mantissa = if power < 0 { value * scale } else { value / scale };
         match power {
             _ if value == 0.0 => "0".into(),
-            0 => minus(&format!("{mantissa:.decimals$}")).into_owned(),
-            _ => minus(&format!("{mantissa:.decimals$}×10^{{{power}}}")).into_owned(),
+            0 => minus(&format!("{mantissa:.decimals$}")),
+            _ => minus(&format!("{mantissa:.decimals$}×10^{{{power}}}")),
         }
     };
     let tick = |i: i32| {

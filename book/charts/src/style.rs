@@ -64,9 +64,9 @@ pub struct Style {
     line: Option<usize>,
     marker: Option<usize>,
     guide: bool,
-    arrow: bool,
-    filled: bool,
-    dots: bool,
+    pub(super) arrow: bool,
+    pub(super) filled: bool,
+    pub(super) dots: bool,
     weight: Weight,
 }
 
@@ -161,24 +161,12 @@ impl Style {
         Self { filled: true, ..self.line_only() }
     }
 
-    pub(super) const fn is_arrow(self) -> bool {
-        self.arrow
-    }
-
-    pub(super) const fn is_filled(self) -> bool {
-        self.filled
-    }
-
     pub(super) const fn has_line(self) -> bool {
         self.line.is_some()
     }
 
     pub(super) const fn has_marker(self) -> bool {
         self.marker.is_some()
-    }
-
-    pub(super) const fn is_dots(self) -> bool {
-        self.dots
     }
 
     /// Whether it is that of an auxiliary line.
@@ -306,11 +294,11 @@ pub fn style_sheet(id: &str, used: &[Style], fills: &[Fill], alone: bool) -> Str
          .{id} path {{fill:none;stroke:currentColor;stroke-linejoin:round;stroke-linecap:round}}\n",
         super::text::FONT
     );
-    for (selector, rules) in shapes {
-        css += &format!(".{id}{selector} {{{rules}}}\n");
-    }
+    let rule = |(selector, rules): &(&str, &str)| format!(".{id}{selector} {{{rules}}}\n");
+    let all = |rules: &[(&str, &str)]| rules.iter().map(rule).collect::<String>();
+    css += &all(&shapes);
     if !fills.is_empty() {
-        for (selector, rules) in [
+        css += &all(&[
             (" .cell path", "fill:currentColor;stroke:none"),
             (" .cell .clear", "fill-opacity:0"),
             (" .cell:hover path", "fill-opacity:.5"),
@@ -320,18 +308,15 @@ pub fn style_sheet(id: &str, used: &[Style], fills: &[Fill], alone: bool) -> Str
             (" .edge", "stroke-width:1.8"),
             (" .across", "stroke-width:1;opacity:.4"),
             (" :is(.edge,.halo)", "pointer-events:none"),
-        ] {
-            css += &format!(".{id}{selector} {{{rules}}}\n");
-        }
-        css += &format!(".{id} .cell .hatch {{fill:url(#{id}-hatch)}}\n");
+            (" .cell .hatch", &format!("fill:url(#{id}-hatch)")),
+        ]);
         css += &format!("@media print {{ .{id} .prompt {{visibility:hidden}} }}\n");
     }
     if used.iter().any(|style| style.weight != Weight::Plain) {
-        css += &format!(".{id} .thin {{stroke-width:1.2;opacity:.35}}\n");
-        css += &format!(".{id} .bold {{stroke-width:4.4}}\n");
+        css += &all(&[(" .thin", "stroke-width:1.2;opacity:.35"), (" .bold", "stroke-width:4.4")]);
     }
     if used.iter().any(|style| style.filled) {
-        css += &format!(".{id} .fill {{fill:currentColor;fill-opacity:.2}}\n");
+        css += &all(&[(" .fill", "fill:currentColor;fill-opacity:.2")]);
     }
     format!("<style>\n{css}{light}@media (prefers-color-scheme:dark) {{\n{dark}}}\n</style>\n")
 }
