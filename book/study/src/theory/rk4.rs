@@ -60,7 +60,8 @@ pub fn largest_energy_error(pendulum: &Pendulum, theta_0: f64, h: f64, steps: u6
 }
 
 /// The rate of change of the energy, averaged over the exact swing from rest at `theta_0` (rad), in
-/// W: m g L ω₀ (x⁵⟨e₆⟩ + x⁷⟨e₈⟩). The odd terms average to zero. It is negative. For a small swing of the energy E above the bottom it is −E ω₀ x⁵/72.
+/// W: m g L ω₀ (x⁵⟨e₆⟩ + x⁷⟨e₈⟩). The odd terms average to zero. It is negative. For a small swing
+/// of the energy E above the bottom it is −E ω₀ x⁵/72.
 pub fn secular_rate(pendulum: &Pendulum, theta_0: f64, h: f64) -> f64 {
     let x = scaled(pendulum, h);
     let [e6, e8] = [1, 3].map(|k| average(pendulum, theta_0, |z| energy_change_terms(z)[k]));
@@ -73,8 +74,8 @@ pub fn secular_rate(pendulum: &Pendulum, theta_0: f64, h: f64) -> f64 {
 ///
 /// RK4 follows the equation (θ', q') = (q, −s) + x⁴ f₄ + …, where f₄ is the x⁵ term of its local
 /// error. To first order the perturbed orbit is z + x⁴δ with δ' = J(z)δ + f₄(z), J the Jacobian of
-/// the pendulum's equation. It reaches the bottom late by the time −δθ/q. RK4's even corrections are
-/// reversible in time, as the pendulum is, so that four such quarters make a period (Hairer,
+/// the pendulum's equation. It reaches the bottom late by the time −δθ/q. RK4's even corrections
+/// are reversible in time, as the pendulum is, so that four such quarters make a period (Hairer,
 /// Lubich, Wanner, Sect. V.1, IX.2).
 pub fn period_shift(pendulum: &Pendulum, theta_0: f64) -> f64 {
     /// Even near the top a step of the solver is then below 0.02 rad, and its error is rounding.

@@ -208,9 +208,9 @@ mod tests {
         points.iter().map(|(steps, _)| *steps as u64).collect()
     }
 
-    /// Catches: a law used where steps are too coarse for it, a rung dropped though its whole run was
-    /// measured, the run of an implicit method that found no solution, and one in short steps dropped
-    /// as if it were coarse.
+    /// Catches: a law used where steps are too coarse for it, a rung dropped though its whole run
+    /// was measured, the run of an implicit method that found no solution, and one in short steps
+    /// dropped as if it were coarse.
     #[test]
     fn of_coarse_steps_the_curve_knows_what_was_seen() {
         let coarse = |steps, last| Rung {
