@@ -79,6 +79,7 @@ impl Separable for Precise {
         Point { theta: z.theta + z.q * h, beside, ..z }
     }
 }
+
 /// The sine and cosine of a double-double number.
 pub fn sine_cosine(x: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
     let (s, c, quarters) = reduced_sine_cosine(x.rounded());
@@ -91,25 +92,4 @@ pub fn sine_cosine(x: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
     // Its square is 1e-31 at most, for a turn or so, as are the roundings.
     let rest = DoubleDouble::new(x.remainder());
     (sine + cosine * rest, cosine - sine * rest)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Twice the angle, by the formulas for it, in every quarter turn. 1e-30 is a few units of the
-    /// last of 31 digits, times the angle.
-    ///
-    /// Catches: a quarter turn with the wrong sign; the remainder of the angle left out.
-    #[test]
-    fn the_sine_has_all_digits_of_the_angle() {
-        for n in -40..40 {
-            let x = DoubleDouble::new(f64::from(n)) / DoubleDouble::new(7.0);
-            let (s, c) = sine_cosine(x);
-            let (sine, cosine) = sine_cosine(x.scaled(2.0));
-            let off = [sine - s.scaled(2.0) * c, cosine - (c * c - s * s), s * s + c * c]
-                .map(DoubleDouble::rounded);
-            assert!(off[0].abs() < 1e-30 && off[1].abs() < 1e-30 && off[2] == 1.0, "{n}: {off:?}");
-        }
-    }
 }
