@@ -14,7 +14,6 @@ pub mod findings;
 pub mod large_angle;
 pub mod level_curves;
 pub mod long_run;
-mod precise;
 pub mod resonance;
 pub mod rounding_walk;
 pub mod side_by_side;

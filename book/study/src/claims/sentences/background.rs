@@ -16,8 +16,8 @@ pub(super) const MEASURED: &[(&str, Measure)] = &[
         let energy = [0.0, 0.05].map(|omega| {
             Pendulum::PAPER.energy_from_pivot(Phase { theta: long_run::THETA_0, omega })
         });
-        let text = energy.map(|energy| Fixed(3).print(energy)).join(" and ");
-        says(text, energy.map(|energy| prints_as("T5.fe.H0", energy)) == [true, false])
+        let met = energy.map(|energy| prints_as("T5.fe.H0", energy));
+        show_all(energy, Fixed(3), met == [true, false])
     }),
     ("A.dts", |study| {
         let met = |step: &usize| study.small_angle.iter().all(|row| meets_table_6(row, *step));
@@ -79,8 +79,8 @@ pub(super) const MEASURED: &[(&str, Measure)] = &[
             euler / row!(study.long_run, SymplecticEuler).drift,
             euler / row!(study.long_run, StormerVerlet).drift,
         ];
-        let text = ratios.map(|ratio| Scientific(3).print(ratio)).join(" and ");
-        says(text, ratios.into_iter().all(|ratio| is_near(libm::log10(ratio), 3.0, 0.5)))
+        let met = ratios.into_iter().all(|ratio| is_near(libm::log10(ratio), 3.0, 0.5));
+        show_all(ratios, Scientific(3), met)
     }),
     ("P2.alltime", |_| {
         let [coarse, fine] = [1e-2, 1e-4].map(findings::energy_error_of_a_fall);
@@ -167,8 +167,8 @@ pub(super) const MEASURED: &[(&str, Measure)] = &[
             ("T5.se.pct", row!(study.long_run, SymplecticEuler).percent_of_initial()),
             ("T5.vv.pct", row!(study.long_run, StormerVerlet).percent_of_initial()),
         ];
-        let text = rows.map(|(_, percent)| Significant(5).print(percent)).join(", ");
-        says(text, rows.into_iter().all(|(cell, percent)| prints_as(cell, percent)))
+        let met = rows.into_iter().all(|(cell, percent)| prints_as(cell, percent));
+        show_all(rows.map(|(_, percent)| percent), Significant(5), met)
     }),
     ("P5.metric_rms", |study| {
         let cells =

@@ -87,8 +87,7 @@ pub(super) const MEASURED: &[(&str, Measure)] = &[
     }),
     ("P7.5.superior", |_| {
         let ratios = findings::adaptive_over_fixed();
-        let text = ratios.map(|ratio| Significant(1).print(ratio)).join(" and ");
-        says(text, ratios.into_iter().any(|ratio| ratio < 1.0))
+        show_all(ratios, Significant(1), ratios.into_iter().any(|ratio| ratio < 1.0))
     }),
     ("P7.5.primary", |study| {
         let euler = row!(study.characteristics, ForwardEuler);
@@ -111,8 +110,7 @@ pub(super) const MEASURED: &[(&str, Measure)] = &[
         let slow = exact::period(&slow, large_angle::THETA_0).unwrap_or(f64::NAN);
         let periods = &study.large_angle;
         let off = [periods.small_angle, slow].map(|period| periods.percent(period));
-        let text = off.map(|percent| Significant(2).print(percent)).join(" and ");
-        says(text, off.into_iter().all(|percent| percent > 0.001))
+        show_all(off, Significant(2), off.into_iter().all(|percent| percent > 0.001))
     }),
     ("P8.reproducible", |_| {
         let met = CELLS.iter().filter(|cell| cell.verdict.demands() == Some(true)).count();
@@ -135,8 +133,7 @@ pub(super) const MEASURED: &[(&str, Measure)] = &[
     ("F4b", |study| {
         let gained = [row!(study.long_run, ForwardEuler), row!(study.long_run, Rk4)]
             .map(|run| run.last - run.initial);
-        let text = gained.map(|gained| Significant(2).print(gained)).join(" and ");
-        says(text, gained.into_iter().all(|gained| gained > 0.0))
+        show_all(gained, Significant(2), gained.into_iter().all(|gained| gained > 0.0))
     }),
     ("F4c", |_| {
         let turns = turning_points_of_figure_4();
@@ -151,15 +148,13 @@ pub(super) const MEASURED: &[(&str, Measure)] = &[
             findings::normalised_formula_error(method, 0.05, 0.1).1 * small_angle::THETA_0
         });
         let met = errors.map(|error| prints_as("T6.se.0.1", error));
-        let text = errors.map(|error| Scientific(3).print(error)).join(" and ");
-        says(text, met == [true, false])
+        show_all(errors, Scientific(3), met == [true, false])
     }),
     ("X.verlet_variant", |_| {
         let methods: [&dyn AnyMethod; 2] = [&StormerVerlet, &PositionVerlet];
         let drifts = methods.map(|method| convergence::drift(method, 0.1));
         let met = drifts.map(|drift| prints_as("T4.vv.0.1", drift));
-        let text = drifts.map(|drift| Scientific(3).print(drift)).join(" and ");
-        says(text, met == [true, false])
+        show_all(drifts, Scientific(3), met == [true, false])
     }),
     ("X.bold", |study| {
         let best = |step: usize, error: &dyn Fn(&small_angle::Row) -> f64| {

@@ -51,6 +51,12 @@ const fn shows(value: f64, format: Digits, holds: bool) -> Finding {
     (Measured::Number(value, format), Tolerance::Decided(holds))
 }
 
+/// Numbers that decide by a comparison.
+fn show_all<const N: usize>(values: [f64; N], format: Digits, holds: bool) -> Finding {
+    let between = if N == 2 { " and " } else { ", " };
+    says(values.map(|value| format.print(value)).join(between), holds)
+}
+
 /// Words that decide by a comparison.
 const fn says(text: String, holds: bool) -> Finding {
     (Measured::Text(text), Tolerance::Decided(holds))

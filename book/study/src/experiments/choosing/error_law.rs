@@ -5,8 +5,7 @@ use std::sync::{LazyLock, OnceLock};
 use pendula::exact::Motion;
 use pendula::{METHODS, Pendulum, Phase};
 
-use super::curve::{COARSE, Curve};
-use super::{MethodRef, Release};
+use super::{COARSE, Curve, MethodRef, Release};
 
 /// The longest run that is measured (periods); it is shorter where the step is small or the error
 /// large.
