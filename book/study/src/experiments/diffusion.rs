@@ -8,7 +8,6 @@ use pendula::methods::table::in_lanes;
 use pendula::metrics::EnergyDrift;
 use pendula::{AnyMethod, Ensemble, Grid, Info, Observer, Pendulum, Phase};
 
-use super::released;
 use super::standard_map::step;
 
 /// The parameters K = (g/L) h² of the standard map: below its last curve at 0.971635, above it, and
@@ -51,7 +50,7 @@ fn largest_error(method: &dyn AnyMethod, k: f64, theta_0: f64) -> Option<f64> {
     let grid = Grid::new(step(k), STEPS).expect("a positive step");
     let drift = EnergyDrift::new(&Pendulum::PAPER);
     let mut watch = Staying { drift, step: grid.step(), stays: true };
-    method.run(&Pendulum::PAPER, released(theta_0), &grid, &mut watch);
+    method.run(&Pendulum::PAPER, Phase::at_rest(theta_0), &grid, &mut watch);
     watch.stays.then_some(watch.drift.largest())
 }
 

@@ -9,7 +9,7 @@ use pendula::metrics::{AngleError, EnergyDrift};
 use pendula::systems::{Components, Damped, Ellipse, Hamiltonian, Kepler, PlanePhase, System};
 use pendula::{AnyMethod, Grid, Info, LinearOscillator, Method, Pendulum, Phase, integrate};
 
-use crate::experiments::{grid, largest_energy_error, released};
+use crate::experiments::{grid, largest_energy_error};
 
 const PENDULUM: Pendulum = Pendulum::PAPER;
 
@@ -22,7 +22,7 @@ pub fn energy_drift(method: &dyn AnyMethod, theta_0: f64, step: f64, steps: u64)
 /// Energy above the bottom (J) after `steps` steps of `step` (s) from rest at `theta_0` (rad).
 pub fn last_energy(method: &dyn AnyMethod, theta_0: f64, step: f64, steps: u64) -> f64 {
     let grid = Grid::new(step, steps).expect("a positive step");
-    PENDULUM.energy(method.run(&PENDULUM, released(theta_0), &grid, &mut ()))
+    PENDULUM.energy(method.run(&PENDULUM, Phase::at_rest(theta_0), &grid, &mut ()))
 }
 
 /// Time (s) of the first step that lowers the energy, from rest at `theta_0` (rad); `None` if no
@@ -36,14 +36,14 @@ pub fn first_fall(method: &dyn AnyMethod, theta_0: f64, step: f64, duration: f64
         }
         before = energy;
     };
-    method.run(&PENDULUM, released(theta_0), &grid(duration, step), &mut watch);
+    method.run(&PENDULUM, Phase::at_rest(theta_0), &grid(duration, step), &mut watch);
     fall
 }
 
 /// Largest and root-mean-square angle error against the small-angle formula, divided by θ₀, from
 /// rest at `theta_0` (rad) over 10 s in steps of `step` (s).
 pub fn normalised_formula_error(method: &dyn AnyMethod, theta_0: f64, step: f64) -> (f64, f64) {
-    let start = released(theta_0);
+    let start = Phase::at_rest(theta_0);
     let formula = LinearOscillator::new(PENDULUM);
     let mut error = AngleError::new(|t| formula.exact(start, t).theta);
     method.run(&PENDULUM, start, &grid(10.0, step), &mut error);
@@ -70,7 +70,7 @@ pub fn one_step_slope(method: &dyn AnyMethod) -> f64 {
 /// How far an orbit misses its start after one exact period in steps of about 0.01 s, from rest at
 /// `theta_0` (rad): the larger of |Δθ| (rad) and |Δω| (rad/s).
 pub fn closure(method: &dyn AnyMethod, theta_0: f64) -> f64 {
-    let start = released(theta_0);
+    let start = Phase::at_rest(theta_0);
     let period = period(&PENDULUM, theta_0).expect("a finite angle");
     let steps = libm::round(period / 0.01);
     let grid = Grid::new(period / steps, steps as u64).expect("a positive step");
@@ -82,7 +82,7 @@ pub fn closure(method: &dyn AnyMethod, theta_0: f64) -> f64 {
 /// amplitude, and the third harmonic over the first, in size.
 pub fn waveform(theta_0: f64) -> (f64, f64) {
     const SAMPLES: u32 = 4096;
-    let motion = Motion::new(&PENDULUM, released(theta_0)).expect("a finite start");
+    let motion = Motion::new(&PENDULUM, Phase::at_rest(theta_0)).expect("a finite start");
     let period = motion.period().expect("it swings");
     let (mut beyond, mut first, mut third) = (0, 0.0, 0.0);
     for n in 0..SAMPLES {
@@ -134,7 +134,7 @@ pub fn energy_error_of_a_fall(step: f64) -> f64 {
 /// many fixed steps as give the same number of evaluations: of the pendulum from 1 rad after 10 s,
 /// and of a planet on an ellipse of eccentricity 0.9 after a revolution.
 pub fn adaptive_over_fixed() -> [f64; 2] {
-    let start = released(1.0);
+    let start = Phase::at_rest(1.0);
     let truth = Motion::new(&PENDULUM, start).expect("a finite start").at(10.0);
     let away = |z: Phase| (z.theta - truth.theta).abs();
     let pendulum = gain(&PENDULUM, start, 10.0, 1e-6, away);
@@ -153,7 +153,9 @@ pub fn verlet_over_rk4_damped() -> [f64; 2] {
         let damped = Damped::new(PENDULUM, rate).expect("a rate in range");
         let fine = Grid::new(10.0 / 40_000.0, 40_000).expect("a positive step");
         let mut truth = Vec::new();
-        integrate(&damped, &Rk4, released(1.0), &fine, &mut |_, _, z: Phase| truth.push(z.theta));
+        integrate(&damped, &Rk4, Phase::at_rest(1.0), &fine, &mut |_, _, z: Phase| {
+            truth.push(z.theta)
+        });
         let verlet = error_against(&truth, &damped, &StormerVerlet, 400);
         verlet / error_against(&truth, &damped, &Rk4, 100)
     })
@@ -165,7 +167,7 @@ fn error_against(truth: &[f64], damped: &Damped, method: &impl Method<Damped>, s
     let stride = (truth.len() as u64 - 1) / steps;
     let grid = Grid::new(10.0 / steps as f64, steps).expect("a positive step");
     let mut squares = 0.0;
-    integrate(damped, method, released(1.0), &grid, &mut |n: u64, _, z: Phase| {
+    integrate(damped, method, Phase::at_rest(1.0), &grid, &mut |n: u64, _, z: Phase| {
         let error = z.theta - truth[(n * stride) as usize];
         squares += error * error;
     });

@@ -10,7 +10,7 @@ use pendula::methods::Rk4;
 use pendula::metrics::{CrossingPeriod, Henon, Linear, PeakPeriod};
 use pendula::{AnyMethod, Grid, Motion, Observer, Pendulum, Phase, exact};
 
-use super::{grid, released, samples};
+use super::{grid, samples};
 
 /// Released at 3 rad …
 pub const THETA_0: f64 = 3.0;
@@ -45,7 +45,7 @@ impl Periods {
 pub fn run() -> Periods {
     let pendulum = Pendulum::PAPER;
     let mut watch = (PeakPeriod::default(), CrossingPeriod::default());
-    Rk4.run(&pendulum, released(THETA_0), &grid(DURATION, STEP), &mut watch);
+    Rk4.run(&pendulum, Phase::at_rest(THETA_0), &grid(DURATION, STEP), &mut watch);
     Periods {
         exact: exact::period(&pendulum, THETA_0).expect("a finite angle"),
         by_peak: watch.0.period().expect("30 s hold five periods"),
@@ -58,7 +58,7 @@ pub fn run() -> Periods {
 /// The period (s) of `method` in the same run, by the paper's reading.
 pub fn period_by_peak(method: &dyn AnyMethod) -> f64 {
     let mut peak = PeakPeriod::default();
-    method.run(&Pendulum::PAPER, released(THETA_0), &grid(DURATION, STEP), &mut peak);
+    method.run(&Pendulum::PAPER, Phase::at_rest(THETA_0), &grid(DURATION, STEP), &mut peak);
     peak.period().expect("30 s hold five periods")
 }
 
@@ -88,7 +88,7 @@ const RUNGS: [u64; 11] = [48, 96, 192, 384, 768, 1536, 3072, 6144, 12_288, 24_57
 /// The errors on a release of the paper's pendulum at 3 rad, integrated by RK4.
 pub fn of_rk4() -> Vec<Errors> {
     let pendulum = Pendulum::PAPER;
-    let start = released(THETA_0);
+    let start = Phase::at_rest(THETA_0);
     ladder(|_, grid, observer| {
         Rk4.run(&pendulum, start, grid, observer);
     })
@@ -106,7 +106,7 @@ pub fn of_the_exact_motion() -> Vec<Errors> {
 /// The errors on trajectories of a period and a half that `show` passes to the observer.
 fn ladder(show: impl Fn(&Motion, &Grid, &mut dyn Observer<Phase>)) -> Vec<Errors> {
     let pendulum = Pendulum::PAPER;
-    let motion = Motion::new(&pendulum, released(THETA_0)).expect("a finite start");
+    let motion = Motion::new(&pendulum, Phase::at_rest(THETA_0)).expect("a finite start");
     let period = motion.period().expect("it swings");
     let errors = |n: u64| {
         let step = period / (n as f64 + 0.25);

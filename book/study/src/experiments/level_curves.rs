@@ -4,7 +4,7 @@
 use pendula::exact::Motion;
 use pendula::{Grid, Pendulum, Phase, method_named};
 
-use super::{MethodRef, released, samples};
+use super::{MethodRef, samples};
 use crate::theory::{stormer_verlet, symplectic_euler};
 
 /// The three releases of Figure 5 (rad).
@@ -46,7 +46,7 @@ pub struct Run {
 
 /// The true orbit.
 fn orbit() -> Vec<Phase> {
-    let motion = Motion::new(&Pendulum::PAPER, released(THETA_0)).expect("a finite angle");
+    let motion = Motion::new(&Pendulum::PAPER, Phase::at_rest(THETA_0)).expect("a finite angle");
     let period = motion.period().expect("it swings");
     let share = |n: u32| f64::from(n % POINTS) / f64::from(POINTS);
     (0..=POINTS).map(|n| motion.at(period * share(n))).collect()

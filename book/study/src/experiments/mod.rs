@@ -156,7 +156,7 @@ pub(crate) fn grid(duration: f64, step: f64) -> Grid {
 fn samples(method: &dyn AnyMethod, theta_0: f64, grid: &Grid) -> Vec<(f64, Phase)> {
     let mut samples = Vec::with_capacity(grid.samples() as usize);
     let mut keep = |_: u64, t: f64, z: Phase| samples.push((t, z));
-    method.run(&Pendulum::PAPER, released(theta_0), grid, &mut keep);
+    method.run(&Pendulum::PAPER, Phase::at_rest(theta_0), grid, &mut keep);
     samples
 }
 
@@ -178,7 +178,7 @@ pub fn carried(
 /// The largest energy error (J) of a run of the paper's pendulum from rest at `theta_0` (rad).
 fn largest_energy_error(method: &dyn AnyMethod, theta_0: f64, grid: &Grid) -> f64 {
     let mut drift = EnergyDrift::new(&Pendulum::PAPER);
-    method.run(&Pendulum::PAPER, released(theta_0), grid, &mut drift);
+    method.run(&Pendulum::PAPER, Phase::at_rest(theta_0), grid, &mut drift);
     drift.largest()
 }
 
@@ -186,9 +186,4 @@ fn largest_energy_error(method: &dyn AnyMethod, theta_0: f64, grid: &Grid) -> f6
 pub fn energy_error(run: &[(f64, Phase)]) -> Vec<(f64, f64)> {
     let initial = Pendulum::PAPER.energy(run[0].1);
     run.iter().map(|&(t, z)| (t, Pendulum::PAPER.energy(z) - initial)).collect()
-}
-
-/// A release from rest.
-const fn released(theta: f64) -> Phase {
-    Phase::at_rest(theta)
 }

@@ -9,7 +9,6 @@ use std::sync::LazyLock;
 use pendula::methods::StormerVerlet;
 use pendula::{Grid, Pendulum, Phase, integrate_fast};
 
-use super::released;
 use crate::theory::Dimensionless;
 use crate::theory::stormer_verlet::correction;
 
@@ -41,7 +40,7 @@ fn walk(theta_0: f64) -> Walk {
         let z = Dimensionless::from_phase(&pendulum, z);
         z.energy() + correction(z, x)
     };
-    let start = released(theta_0);
+    let start = Phase::at_rest(theta_0);
     let initial = energy(start);
     let mut walk = Vec::with_capacity((STEPS / SAMPLED + 1) as usize);
     let grid = Grid::new(STEP, STEPS).expect("a positive step");

@@ -5,7 +5,7 @@ use pendula::exact::Motion;
 use pendula::methods::hermite;
 use pendula::{Grid, Pendulum, Phase, System};
 
-use super::{MethodRef, each_of_the_paper, released, samples};
+use super::{MethodRef, each_of_the_paper, samples};
 
 /// Released at rest from here (rad). It is the paper's angle to the other side, so that forward
 /// Euler goes over the top with a positive angular velocity.
@@ -48,7 +48,7 @@ pub fn run() -> Vec<Row> {
 
 /// The exact motion at the same times.
 pub fn truth() -> Vec<Phase> {
-    let motion = Motion::new(&Pendulum::PAPER, released(THETA_0)).expect("a finite angle");
+    let motion = Motion::new(&Pendulum::PAPER, Phase::at_rest(THETA_0)).expect("a finite angle");
     (0..=SAMPLES).map(|n| motion.at(DURATION * (n as f64 / SAMPLES as f64))).collect()
 }
 

@@ -5,10 +5,10 @@
 //! every machine.
 
 use pendula::metrics::AngleError;
-use pendula::{Grid, Motion, Pendulum};
+use pendula::{Grid, Motion, Pendulum, Phase};
 
 use super::small_angle::{self, Errors};
-use super::{MethodRef, PaperMethod, STEPS, grid, released};
+use super::{MethodRef, PaperMethod, STEPS, grid};
 
 /// A method's errors and what each cost.
 #[derive(Clone, Copy, Debug)]
@@ -24,7 +24,7 @@ pub const TABLE_8: usize = 2;
 
 /// Counts the evaluations behind the errors of Table 6.
 pub fn run(small_angle: &[small_angle::Row]) -> Vec<Row> {
-    let start = released(small_angle::THETA_0);
+    let start = Phase::at_rest(small_angle::THETA_0);
     let count = |method: MethodRef, step| {
         let grid = grid(small_angle::DURATION, step);
         method.count_evaluations(&Pendulum::PAPER, start, &grid)
@@ -84,7 +84,7 @@ const FINEST: u64 = 6000;
 /// The RMS angle error (rad) of `method` against the exact solution, from rest at `theta_0` (rad)
 /// over the time of Figure 7, for `evaluations` of the force, as many as its steps take.
 pub fn error(method: MethodRef, theta_0: f64, evaluations: u64) -> f64 {
-    let start = released(theta_0);
+    let start = Phase::at_rest(theta_0);
     let truth = Motion::new(&Pendulum::PAPER, start).expect("a finite start");
     let steps = evaluations / method.info().force_evaluations;
     let grid = Grid::new(small_angle::DURATION / steps as f64, steps).expect("a positive step");

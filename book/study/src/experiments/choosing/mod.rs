@@ -28,7 +28,7 @@ pub use error_law::{LONGEST, Profile, profile_of, profiles};
 use pendula::exact::{Motion, period};
 use pendula::{Grid, Pendulum, Phase};
 
-use super::{MethodRef, released};
+use super::MethodRef;
 
 /// Lengths of runs (periods), three to a decade.
 pub const PERIODS: [u64; 16] =
@@ -63,7 +63,7 @@ impl Release {
         /// For a central difference, whose error is of order δ².
         const DELTA: f64 = 1e-4;
         let pendulum = Pendulum::PAPER;
-        let motion = Motion::new(&pendulum, released(THETA_0)).expect("a finite start");
+        let motion = Motion::new(&pendulum, Phase::at_rest(THETA_0)).expect("a finite start");
         let at = |theta| period(&pendulum, theta).expect("a finite angle");
         let versine = |theta: f64| {
             let s = pendula::arithmetic::sine::sin(0.5 * theta);

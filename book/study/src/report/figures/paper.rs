@@ -1,6 +1,7 @@
 //! The paper's figures.
 
 use pendula::Pendulum;
+use pendula::arithmetic::sine::cos;
 
 use super::{named, of_the_paper, style, title};
 use crate::charts::{Axis, Chart, Figure, Style};
@@ -68,8 +69,8 @@ pub(super) fn figure_4(_: &Study, figure: Figure) -> Figure {
     let run = small_angle::trajectory(method, 0.01);
     let style = style(method).line_only().solid();
     let time = || Axis::linear("t (s)").range(0.0, small_angle::DURATION);
-    let formula =
-        |t: f64| small_angle::THETA_0 * pendula::arithmetic::sine::cos(small_angle_frequency() * t);
+    let frequency = Pendulum::PAPER.small_angle_frequency();
+    let formula = |t: f64| small_angle::THETA_0 * cos(frequency * t);
     let angle = Chart::new(time(), Axis::linear("θ (rad)"))
         .height(220.0)
         .series("θ_{0} cos ω_{0}t", Style::REFERENCE, run.iter().map(|&(t, _)| (t, formula(t))))
@@ -82,18 +83,12 @@ pub(super) fn figure_4(_: &Study, figure: Figure) -> Figure {
     figure.panel(angle).panel(energy)
 }
 
-fn small_angle_frequency() -> f64 {
-    Pendulum::PAPER.small_angle_frequency()
-}
-
 /// Three orbits of RK4 in phase space, inside the separatrix.
 pub(super) fn figure_5(_: &Study, figure: Figure) -> Figure {
     let rk4 = named("rk4");
-    let top = 2.0 * small_angle_frequency();
+    let top = 2.0 * Pendulum::PAPER.small_angle_frequency();
     let separatrix = (-160..=160).map(|k| f64::from(k) / 50.0).map(|theta| (theta, theta * 0.5));
-    let separatrix =
-        separatrix.map(|(theta, half)| (theta, top * pendula::arithmetic::sine::cos(half)));
-    let above: Vec<(f64, f64)> = separatrix.collect();
+    let above: Vec<_> = separatrix.map(|(theta, half)| (theta, top * cos(half))).collect();
     let below = above.iter().map(|&(theta, omega)| (theta, -omega));
     let mut chart = Chart::new(Axis::linear("θ (rad)"), Axis::linear("ω (rad/s)").range(-7.0, 7.0))
         .height(360.0)
