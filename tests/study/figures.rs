@@ -67,10 +67,6 @@ fn title(method: Method) -> &'static str {
     method.info().title
 }
 
-fn papers() -> impl Iterator<Item = Method> {
-    METHODS.iter().copied().filter(|method| in_paper(*method))
-}
-
 /// Every sample of a run from rest: time and state.
 fn run(method: Method, theta_0: f64, step: f64, duration: f64) -> Vec<(f64, Phase)> {
     let grid = Grid::with_duration(step, duration).unwrap();
@@ -88,7 +84,7 @@ fn energy_error(run: &[(f64, Phase)]) -> impl Iterator<Item = Point> {
 
 fn figure_3() -> Vec<Expected> {
     let mut expected = Vec::new();
-    for method in papers() {
+    for method in METHODS.iter().copied().filter(|method| in_paper(*method)) {
         let samples = run(method, 1.0, 0.01, 1000.0);
         let error: Vec<Point> = energy_error(&samples).collect();
         let heading = format!("{}, H − H_{{0}} (J)", title(method));

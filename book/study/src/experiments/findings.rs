@@ -9,7 +9,7 @@ use pendula::metrics::{AngleError, EnergyDrift};
 use pendula::systems::{Components, Damped, Ellipse, Hamiltonian, Kepler, PlanePhase, System};
 use pendula::{AnyMethod, Grid, Info, LinearOscillator, Method, Pendulum, Phase, integrate};
 
-use crate::experiments::{grid, largest_energy_error};
+use crate::experiments::{grid, largest_energy_error, standard_map};
 
 const PENDULUM: Pendulum = Pendulum::PAPER;
 
@@ -100,7 +100,7 @@ pub fn waveform(theta_0: f64) -> (f64, f64) {
 /// standard map has the parameter K = (g/L) h²: from a state beside the unstable equilibrium, in
 /// the chaotic layer.
 pub fn chaotic_speed(method: &dyn AnyMethod, k: f64, steps: u64) -> f64 {
-    let step = libm::sqrt(k / PENDULUM.frequency_squared());
+    let step = standard_map::step(k);
     let start = Phase { theta: core::f64::consts::PI - 1e-3, omega: 0.0 };
     let mut fastest = 0.0_f64;
     let grid = Grid::new(step, steps).expect("a positive step");
@@ -164,14 +164,11 @@ pub fn verlet_over_rk4_damped() -> [f64; 2] {
 /// The root-mean-square difference of the angles of a run of `steps` steps over 10 s from 1 rad
 /// from those of a finer one.
 fn error_against(truth: &[f64], damped: &Damped, method: &impl Method<Damped>, steps: u64) -> f64 {
-    let stride = (truth.len() as u64 - 1) / steps;
+    let a_second = 0.1 * (truth.len() - 1) as f64;
     let grid = Grid::new(10.0 / steps as f64, steps).expect("a positive step");
-    let mut squares = 0.0;
-    integrate(damped, method, Phase::at_rest(1.0), &grid, &mut |n: u64, _, z: Phase| {
-        let error = z.theta - truth[(n * stride) as usize];
-        squares += error * error;
-    });
-    libm::sqrt(squares / (steps + 1) as f64)
+    let mut error = AngleError::new(|t| truth[libm::round(t * a_second) as usize]);
+    integrate(damped, method, Phase::at_rest(1.0), &grid, &mut error);
+    error.root_mean_square()
 }
 
 /// The one error over the other, of steps chosen with a `tolerance` until `end` (s).
