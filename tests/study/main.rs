@@ -6,15 +6,13 @@ use pendula_study::claims::{Ledger, Measured};
 use pendula_study::experiments::Study;
 
 mod choosing;
-mod expected;
 mod figures;
+mod geometry;
 mod ledger;
 mod predictions;
 mod readme;
 mod rounding;
 mod snapshots;
-mod stencil;
-mod tilted_curve;
 mod transcription;
 mod typed;
 

@@ -4,30 +4,22 @@
 use std::fs;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::path::PathBuf;
-use std::sync::{LazyLock, OnceLock};
+use std::sync::LazyLock;
 
 use insta::internals::Content;
-use pendula_study::report::snapshots::{Kind, RECORDED, Recipe, Snapshot, recipes};
+use pendula_study::report::snapshots::{Kind, RECORDED, Snapshot, snapshots};
 use pendula_study::report::table::Table;
 use rstest::rstest;
 
 use crate::{LEDGER, STUDY, at_root};
 
-static RECIPES: LazyLock<Vec<Recipe<'static>>> = LazyLock::new(|| {
-    let mut all = recipes(&STUDY, &LEDGER);
+static SNAPSHOTS: LazyLock<Vec<Snapshot<'static>>> = LazyLock::new(|| {
+    let mut all = snapshots(&STUDY, &LEDGER);
     let about = "Hashes of all that the library computes, the same on every processor";
-    all.push(Recipe::new("bits", Kind::Hashes, about, bits));
-    all.sort_by_key(|recipe| recipe.kind);
+    all.push(Snapshot::new("bits", Kind::Hashes, about, bits));
+    all.sort_by_key(|snapshot| snapshot.kind);
     all
 });
-
-/// The snapshot `name` as the code makes it now, once for all tests.
-pub fn made(name: &str) -> &'static Snapshot {
-    static MADE: LazyLock<Vec<OnceLock<Snapshot>>> =
-        LazyLock::new(|| RECIPES.iter().map(|_| OnceLock::new()).collect());
-    let index = RECIPES.iter().position(|recipe| recipe.name == name).expect("a recipe");
-    MADE[index].get_or_init(|| RECIPES[index].make())
-}
 
 /// A row for each result: its name and the hash of its bits. `.ci/processors` compares these rows
 /// with what other processors compute.
@@ -63,7 +55,7 @@ fn files_in(folder: &str, extension: &str) -> Vec<PathBuf> {
 /// it stands is above the difference that insta prints, and below it how to see all that moved on
 /// one page.
 fn assert_reviewed(name: &str) {
-    let snapshot = made(name);
+    let snapshot = SNAPSHOTS.iter().find(|snapshot| snapshot.name == name).expect("a snapshot");
     let stem = snapshot.kind.file_stem(&snapshot.name);
     let chapters = chapters(&stem).into_iter().map(Content::from).collect();
     let info = vec![(Content::from("chapters"), Content::Seq(chapters))];
@@ -118,7 +110,7 @@ fn each_other_table(
 /// changes.
 #[test]
 fn figures_of_the_book() {
-    let figures = RECIPES.iter().filter(|recipe| recipe.kind == Kind::Figure);
+    let figures = SNAPSHOTS.iter().filter(|snapshot| snapshot.kind == Kind::Figure);
     let names = figures.map(|figure| figure.name.as_str());
     let moved: Vec<&str> =
         names.filter(|name| catch_unwind(|| assert_reviewed(name)).is_err()).collect();
@@ -169,9 +161,9 @@ fn every_processor_had_every_hash() {
 fn the_list_of_snapshots_is_the_folder() {
     let stem = |path: PathBuf| Some(path.file_stem()?.to_str()?.to_string());
     let files: Vec<String> = files_in("snapshots", "snap").into_iter().filter_map(stem).collect();
-    assert!(RECIPES.is_sorted_by_key(|recipe| recipe.kind), "not in the order of review");
+    assert!(SNAPSHOTS.is_sorted_by_key(|snapshot| snapshot.kind), "not in the order of review");
     let recorded = RECORDED.map(|(name, _)| Kind::Recorded.file_stem(name));
-    let stems = RECIPES.iter().map(|recipe| recipe.kind.file_stem(&recipe.name));
+    let stems = SNAPSHOTS.iter().map(|snapshot| snapshot.kind.file_stem(&snapshot.name));
     let mut listed: Vec<String> = stems.chain(recorded).collect();
     listed.sort();
     assert_eq!(files, listed);
@@ -202,7 +194,7 @@ fn no_snapshot_is_moved_by_nothing() {
     let columns: Vec<&String> = table.header().iter().skip(1).collect();
     assert_eq!(columns, patches().iter().map(|(name, _)| name).collect::<Vec<_>>());
     let mut rows: Vec<String> = table.rows().iter().map(|row| row[0].replace('`', "")).collect();
-    let mut names: Vec<String> = RECIPES.iter().map(|recipe| recipe.name.clone()).collect();
+    let mut names: Vec<String> = SNAPSHOTS.iter().map(|snapshot| snapshot.name.clone()).collect();
     rows.sort();
     names.sort();
     assert_eq!(rows, names);

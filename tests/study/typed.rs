@@ -6,13 +6,13 @@ use std::fs;
 
 use pendula::arithmetic::sine::sin;
 use pendula::dynamics::root;
-use pendula::methods::SymplecticEuler;
-use pendula::metrics::EnergyDrift;
 use pendula::systems::{Ellipse, Kepler};
 use pendula::{AnyMethod, Grid, Motion, Pendulum, Phase, Rk4, StormerVerlet, exact};
 use pendula_study::digits::rounds_to;
 use pendula_study::experiments::{long_run, small_angle, standard_map, truncation};
 use pendula_study::theory;
+
+use crate::measured;
 
 const PAPER: Pendulum = Pendulum::PAPER;
 
@@ -144,19 +144,13 @@ fn angle_overtakes() -> f64 {
 
 /// Symplectic Euler's energy error over RK4's in the long run.
 fn symplectic_euler_over_rk4() -> f64 {
-    let largest = |method: &dyn AnyMethod| {
-        let mut drift = EnergyDrift::new(&PAPER);
-        let grid = Grid::with_duration(long_run::STEP, long_run::DURATION).unwrap();
-        method.run(&PAPER, Phase::at_rest(long_run::THETA_0), &grid, &mut drift);
-        drift.largest()
-    };
-    largest(&SymplecticEuler) / largest(&Rk4)
+    measured("T5.se.dH") / measured("T5.rk4.dH")
 }
 
 /// The turn (rad) of an ellipse of eccentricity 0.6 in a revolution of 100 steps.
 fn precession() -> f64 {
     let ellipse = Ellipse::new(&Kepler::new(1.0).unwrap(), 1.0, 0.6).unwrap();
-    theory::kepler::verlet_precession(&ellipse, ellipse.period() / 100.0).abs()
+    theory::other_systems::verlet_precession(&ellipse, ellipse.period() / 100.0).abs()
 }
 
 /// The numbers in a text: 240 000 is one, and so is 2.4\cdot10^{-4}.

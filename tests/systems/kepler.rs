@@ -10,7 +10,7 @@ use pendula::metrics::order::slopes;
 use pendula::systems::{Ellipse, Kepler, PlanePhase};
 use pendula::{Counting, Error, Grid, Hamiltonian, Info, Method, Separable, System, integrate};
 use pendula_study::experiments::beyond::precession;
-use pendula_study::theory::kepler::verlet_precession;
+use pendula_study::theory::other_systems::verlet_precession;
 use rstest::rstest;
 
 /// μ ≠ 1, a ≠ 1, so that a missing factor shows. e is moderate, so that a ladder of even steps is

@@ -9,7 +9,7 @@ use pendula::methods::Rk4;
 use pendula::systems::{Mathieu, Shaken};
 use pendula::{Pendulum, Phase, Separable, System};
 use pendula_study::experiments::beyond::{Boundary, farthest, mathieu_boundary, trials, upright};
-use pendula_study::theory::mathieu::{a0, b1};
+use pendula_study::theory::other_systems::{a0, b1};
 use rstest::rstest;
 
 /// L ≠ 1, m ≠ 1, so that a missing factor shows.

@@ -2,7 +2,7 @@
 
 use pendula::verify::properties::area::{AREA_TOLERANCE as DETERMINANT, area_defect};
 use pendula::{AnyMethod, Grid, METHODS, Motion, Pendulum, Phase, method_named};
-use pendula_study::experiments::area::carried;
+use pendula_study::experiments::carried;
 use pendula_study::experiments::shapes::{self, CAT, Place};
 use quadrature::clenshaw_curtis::integrate;
 

@@ -4,7 +4,7 @@ use pendula::exact::period;
 use pendula::methods::Rk4;
 use pendula::metrics::{CrossingPeriod, Henon, Linear, PeakPeriod};
 use pendula::{Grid, Motion, Observer, Pendulum, Phase, integrate};
-use pendula_study::experiments::readings;
+use pendula_study::experiments::large_angle;
 use pendula_study::theory;
 use rstest::rstest;
 
@@ -189,7 +189,7 @@ fn how_the_period_is_read_matters_more_than_the_method() {
 /// step.
 #[test]
 fn the_readings_of_the_figure_have_their_slopes() {
-    let ladder = readings::of_the_exact_motion();
+    let ladder = large_angle::of_the_exact_motion();
     for (i, (order, least)) in
         [(1.0, 1e-12), (3.0, 1e-10), (3.0, 1e-11), (5.0, 1e-12), (5.0, 1e-12)]
             .into_iter()
@@ -197,10 +197,10 @@ fn the_readings_of_the_figure_have_their_slopes() {
     {
         let clear = ladder.iter().filter(|rung| rung.step < 0.03 && rung.by[i] > least);
         let clear: Vec<(f64, f64)> = clear.map(|rung| (rung.step, rung.by[i])).collect();
-        assert!(clear.len() >= 3, "{}: {clear:?}", readings::READINGS[i]);
+        assert!(clear.len() >= 3, "{}: {clear:?}", large_angle::READINGS[i]);
         for pair in clear.windows(2) {
             let slope = (pair[0].1 / pair[1].1).ln() / (pair[0].0 / pair[1].0).ln();
-            assert!((slope - order).abs() < 0.1, "{}: slope {slope}", readings::READINGS[i]);
+            assert!((slope - order).abs() < 0.1, "{}: slope {slope}", large_angle::READINGS[i]);
         }
     }
 }

@@ -66,7 +66,7 @@ fn of_chart<'a>(chart: &'a Chart, (x, y): &(Scale, Scale)) -> Option<Vec<End<'a>
     let mut lines = Vec::new();
     for series in chart.series.iter().filter(|series| series.has_label()) {
         let style = series.style;
-        if chart.sketch || style.is_arrow() || style.is_filled() || style.is_dots() {
+        if chart.sketch || style.arrow || style.filled || style.dots {
             return None;
         }
         let points = run_of(series, x, y, chart.height)?;

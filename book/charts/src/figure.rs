@@ -245,8 +245,8 @@ pub(super) const ENTRY: &str = r#"<g class="entry">"#;
 fn key(out: &mut String, styles: &[Style], (x, y): Point, length: f64) {
     for style in styles.iter().filter(|style| style.has_line()) {
         let mut ends = [(x, y), (x + length, y)];
-        let head = style.is_arrow().then(|| path::head(&mut ends, 0.0)).flatten();
-        let d = match style.is_filled() {
+        let head = style.arrow.then(|| path::head(&mut ends, 0.0)).flatten();
+        let d = match style.filled {
             true => format!("M{},{}h{length}v14h-{length}z", Num(x), Num(y - 7.0)),
             false => format!("M{},{}h{}", Num(x), Num(y), Num(ends[1].0 - x)),
         };
@@ -255,7 +255,7 @@ fn key(out: &mut String, styles: &[Style], (x, y): Point, length: f64) {
             line(out, style.head(head, ""));
         }
     }
-    for style in styles.iter().filter(|style| style.is_dots()) {
+    for style in styles.iter().filter(|style| style.dots) {
         let sprinkle = [(3.0, -2.0), (9.0, 4.0), (18.0, 0.0), (26.0, -4.0), (32.0, 3.0)];
         line(out, style.dotted(sprinkle.map(|(dx, dy)| (x + dx, y + dy)).to_vec()));
     }

@@ -112,12 +112,12 @@ impl<'a> Plot<'a> {
         let clipped = format!(r#" clip-path="url(#{clip})""#);
         for Series { points, style, hover, .. } in all.iter().filter(|s| s.style.has_line()) {
             let mut drawn = self.strokes(points);
-            let last = drawn.last_mut().filter(|_| style.is_arrow());
+            let last = drawn.last_mut().filter(|_| style.arrow);
             let head = last.and_then(|stroke| {
                 let short = if stroke.last().is_some_and(under_marker) { MARKER } else { 0.0 };
                 path::head(stroke, short)
             });
-            let d = match style.is_filled() {
+            let d = match style.filled {
                 true => {
                     let closed = drawn.iter().map(|stroke| path::polyline([stroke]) + "z");
                     closed.collect::<Vec<_>>().join("\n")
@@ -138,7 +138,7 @@ impl<'a> Plot<'a> {
             }
             strokes.extend(drawn);
         }
-        for series in all.iter().filter(|s| s.style.is_dots()) {
+        for series in all.iter().filter(|s| s.style.dots) {
             let dots = self.inside(series);
             line(out, series.style.dotted(dots.clone()));
             strokes.extend(dots.into_iter().map(|point| vec![point]));

@@ -5,16 +5,18 @@ use super::path::{Num, Point};
 /// A map on the axes of a chart.
 #[derive(Clone, Debug)]
 pub struct Map {
-    /// Where its columns begin, and where the last ends.
+    /// Where its columns begin, and where the last ends, in values of the axis.
     pub x: Vec<f64>,
     /// The same of its rows.
     pub y: Vec<f64>,
     /// What its cells may have in common.
     pub names: Vec<Name>,
-    /// Column by column, each from the first row on.
+    /// A cell for each place: column by column, in each from the first of `y` on.
     pub cells: Vec<Cell>,
-    pub(super) unit: String,
-    pub(super) prompt: [String; 2],
+    /// What the numbers of the cells count.
+    pub unit: String,
+    /// Two lines that stand below the map until a cell says something there.
+    pub prompt: [String; 2],
 }
 
 /// What the cells of a region have in common.
@@ -49,32 +51,6 @@ pub struct Cell {
 }
 
 impl Map {
-    /// A map of the columns between neighbours of `x` and the rows between neighbours of `y`, in
-    /// values of the axes. The `cells` stand column by column, in each from the first of `y` on.
-    ///
-    /// # Panics
-    /// If there are not as many cells as places, or if a cell has a name that is not in the list.
-    pub fn new(
-        x: impl IntoIterator<Item = f64>,
-        y: impl IntoIterator<Item = f64>,
-        names: impl IntoIterator<Item = Name>,
-        cells: impl IntoIterator<Item = Cell>,
-    ) -> Self {
-        let (x, y): (Vec<f64>, Vec<f64>) = (x.into_iter().collect(), y.into_iter().collect());
-        let (names, cells): (Vec<_>, Vec<Cell>) =
-            (names.into_iter().collect(), cells.into_iter().collect());
-        let places = x.len().saturating_sub(1) * y.len().saturating_sub(1);
-        assert_eq!(cells.len(), places, "a cell for each place");
-        assert!(cells.iter().all(|cell| cell.name < names.len()), "a name for each cell");
-        Self { x, y, names, cells, unit: String::new(), prompt: Default::default() }
-    }
-
-    /// With what the numbers of the cells count, and with two lines that stand below the map until
-    /// a cell says something there.
-    pub fn says(self, unit: impl Into<String>, prompt: [&str; 2]) -> Self {
-        Self { unit: unit.into(), prompt: prompt.map(String::from), ..self }
-    }
-
     pub(super) fn rows(&self) -> usize {
         self.y.len().saturating_sub(1)
     }
@@ -226,36 +202,4 @@ pub(super) fn closed(outlines: &[Vec<Corner>], x: &[f64], y: &[f64]) -> String {
         d.push(format!("M{}z", points.join("L")));
     }
     d.join("\n")
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Three columns of two rows: an L of the first name, and one of the second about it.
-    ///
-    /// Catches: rows taken for columns; cells that touch at a corner taken for neighbours; the
-    /// numbers of other cells; an outline with corners on its way, or the other way round; a place
-    /// where the region is not.
-    #[test]
-    fn cells_of_one_name_are_a_region() {
-        let names = ["a", "b"].map(|title| Name { title: title.into(), fill: Fill::Hatch });
-        let cells = [(0, 3), (0, 4), (0, 5), (1, 6), (1, 8), (1, 7)].map(|(name, number)| Cell {
-            name,
-            number: Some(number),
-            says: Default::default(),
-        });
-        let map =
-            Map::new([0.0, 10.0, 20.0, 50.0], [0.0, 1.0, 2.0], names, cells).says("m", [""; 2]);
-        let regions = map.regions();
-        let found: Vec<_> = regions.iter().map(|it| (it.name, map.numbers(it).unwrap())).collect();
-        assert_eq!(found, [(0, "3–5 m".to_string()), (1, "6–8 m".to_string())]);
-        let corners = [(0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)];
-        assert_eq!(regions[0].outlines(), [corners]);
-        let place = |region: &Region, wide| region.place(&map.x, &map.y, (wide, 1.0));
-        assert_eq!(place(&regions[0], 15.0), Some((10.0, 0.5)));
-        assert_eq!(place(&regions[1], 15.0), Some((35.0, 1.0)));
-        assert_eq!(place(&regions[1], 35.0), Some((30.0, 1.5)));
-        assert_eq!(place(&regions[1], 45.0), None);
-    }
 }

@@ -1,7 +1,5 @@
 //! Text inside a figure: XML escaping, `^{…}` and `_{…}`, and an estimate of its width.
 
-use std::borrow::Cow;
-
 use super::path::{Num, Point};
 
 /// Height of the letters, in units of the view box (which is 600 wide).
@@ -45,8 +43,8 @@ pub fn wrapped(text: &str) -> String {
 }
 
 /// `text` with the true minus sign instead of the hyphen.
-pub(super) fn minus(text: &str) -> Cow<'_, str> {
-    if text.contains('-') { text.replace('-', "−").into() } else { text.into() }
+pub(super) fn minus(text: &str) -> String {
+    text.replace('-', "−")
 }
 
 /// Markup cut into pieces, each with the distance by which it is lowered (negative: raised).

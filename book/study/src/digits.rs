@@ -73,17 +73,9 @@ fn minus(text: &str) -> String {
 }
 
 fn superscript(exponent: &str) -> String {
-    exponent
-        .chars()
-        .map(|c| match c {
-            '-' => '⁻',
-            '1' => '¹',
-            '2' => '²',
-            '3' => '³',
-            '0' | '4'..='9' => char::from_u32('⁰' as u32 + c as u32 - '0' as u32).unwrap_or(c),
-            other => other,
-        })
-        .collect()
+    const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+    let raised = |c: char| c.to_digit(10).map_or('⁻', |digit| RAISED[digit as usize]);
+    exponent.chars().map(raised).collect()
 }
 
 #[cfg(test)]

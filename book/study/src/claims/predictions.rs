@@ -114,6 +114,9 @@ impl Run {
 // Energy: Tables 4, 5 and 8
 // -------------------------------------------------------------------------------------------------
 
+const SOLVED: &str = "its modified equation to order h⁵, solved";
+const SLOWED: &str = "its linear recurrence, slowed as the pendulum is by θ₀²/16";
+
 /// How a method's largest energy error is predicted.
 struct EnergyLaw {
     method: PaperMethod,
@@ -128,7 +131,7 @@ struct EnergyLaw {
 const ENERGY_LAWS: [EnergyLaw; 4] = [
     EnergyLaw {
         method: PaperMethod::ForwardEuler,
-        law: "its modified equation to order h⁵, solved",
+        law: SOLVED,
         value: |theta_0, h, steps| {
             forward_euler::largest_energy_error(&Pendulum::PAPER, theta_0, h, steps)
         },
@@ -243,13 +246,7 @@ fn angle(law: &AngleLaw, run: Run, h: f64) -> Prediction {
     let Some(recurrence) = law.recurrence else {
         let angles = forward_euler::trajectory(pendulum, theta_0, h).map(|z| z.theta);
         let (value, _) = errors(pendulum, theta_0, h, steps, angles);
-        let tolerance = forward_euler_tolerance(run, h);
-        return Prediction {
-            id,
-            value,
-            tolerance,
-            law: "its modified equation to order h⁵, solved",
-        };
+        return Prediction { id, value, tolerance: forward_euler_tolerance(run, h), law: SOLVED };
     };
     let angles = recurrence(pendulum, h).angles(theta_0);
     let (value, _) = errors(pendulum, theta_0, h, steps, angles);
@@ -259,12 +256,7 @@ fn angle(law: &AngleLaw, run: Run, h: f64) -> Prediction {
     let frequency = (law.cross_term)(x) * square + square * square / 3072.0;
     let turned = pendulum.small_angle_frequency() * run.duration;
     let left_out = frequency * theta_0 * turned / libm::sqrt(6.0);
-    Prediction {
-        id,
-        value,
-        tolerance: 4.0 / 3.0 * left_out / value,
-        law: "its linear recurrence, slowed as the pendulum is by θ₀²/16",
-    }
+    Prediction { id, value, tolerance: 4.0 / 3.0 * left_out / value, law: SLOWED }
 }
 
 /// RK4's largest angle error over θ₀ where the formula is all but exact, so that the method's own
@@ -282,6 +274,6 @@ fn normalised_angle() -> Prediction {
         // The difference of two angles of θ₀, each rounded a thousand times in its phase: √1000
         // ε/2.6e-7, with a margin of 30 as one sum of phases is not random.
         tolerance: 1e-6,
-        law: "its linear recurrence, slowed as the pendulum is by θ₀²/16",
+        law: SLOWED,
     }
 }

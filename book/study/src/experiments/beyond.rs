@@ -19,8 +19,7 @@ use pendula::systems::{
 use pendula::{Grid, Observer, Pendulum, Phase, integrate};
 
 use crate::digits::Digits;
-use crate::theory::kepler::verlet_precession;
-use crate::theory::mathieu;
+use crate::theory::other_systems::{a0, b1, verlet_precession};
 
 // -------------------------------------------------------------------------------------------------
 // The driven pendulum
@@ -151,8 +150,8 @@ pub fn upright(pendulum: &Pendulum, frequency: f64, boundary: Boundary, steps: u
 pub fn mathieu_boundary(boundary: Boundary, q: f64) -> Option<(f64, f64)> {
     // −4g/(LΩ²).
     let a = match boundary {
-        Boundary::Falling => mathieu::a0(q),
-        Boundary::Rocking => mathieu::b1(q),
+        Boundary::Falling => a0(q),
+        Boundary::Rocking => b1(q),
     };
     (a < 0.0).then(|| (2.0 / libm::sqrt(-a), 0.5 * q))
 }
@@ -371,7 +370,7 @@ fn upright_falls() -> Row {
     };
     let mathieu = |amplitude| {
         let Mathieu { a, q } = Shaken::new(pendulum, amplitude, frequency).ok()?.mathieu();
-        Some(a - mathieu::a0(q))
+        Some(a - a0(q))
     };
     let boundary = root(mathieu, 0.5 * falling, 2.0 * falling).expect("Mathieu's boundary");
     row(

@@ -6,7 +6,7 @@ use pendula::verify::properties::Ladder;
 use pendula::verify::properties::area::{AREA_STEP, area_defect, area_tolerance};
 use pendula::{Grid, Pendulum, Phase};
 
-use super::{MethodRef, long_run, released};
+use super::{MethodRef, long_run};
 
 /// A row of Table 2.
 #[derive(Clone, Copy, Debug)]
@@ -94,7 +94,7 @@ fn area_step(method: MethodRef) -> f64 {
 fn evaluations(method: MethodRef) -> f64 {
     let count = |steps| {
         let grid = Grid::new(0.01, steps).expect("a positive step");
-        method.count_evaluations(&Pendulum::PAPER, released(1.0), &grid)
+        method.count_evaluations(&Pendulum::PAPER, Phase::at_rest(1.0), &grid)
     };
     (count(1001) - count(1)) as f64 / 1000.0
 }
@@ -140,7 +140,7 @@ mod tests {
         #[case] falls: u64,
         #[case] behaviour: EnergyBehaviour,
     ) {
-        let start = released(long_run::THETA_0);
+        let start = Phase::at_rest(long_run::THETA_0);
         let initial = Pendulum::PAPER.energy_from_pivot(start);
         assert_eq!(crate::digits::rounds_to(initial, "-5.300"), Some(true));
         let run = long_run::Row {

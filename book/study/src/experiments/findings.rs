@@ -9,7 +9,7 @@ use pendula::metrics::{AngleError, EnergyDrift};
 use pendula::systems::{Components, Damped, Ellipse, Hamiltonian, Kepler, PlanePhase, System};
 use pendula::{AnyMethod, Grid, Info, LinearOscillator, Method, Pendulum, Phase, integrate};
 
-use crate::experiments::{MethodRef, crossings, grid, largest_energy_error, released};
+use crate::experiments::{grid, largest_energy_error, standard_map};
 
 const PENDULUM: Pendulum = Pendulum::PAPER;
 
@@ -22,7 +22,7 @@ pub fn energy_drift(method: &dyn AnyMethod, theta_0: f64, step: f64, steps: u64)
 /// Energy above the bottom (J) after `steps` steps of `step` (s) from rest at `theta_0` (rad).
 pub fn last_energy(method: &dyn AnyMethod, theta_0: f64, step: f64, steps: u64) -> f64 {
     let grid = Grid::new(step, steps).expect("a positive step");
-    PENDULUM.energy(method.run(&PENDULUM, released(theta_0), &grid, &mut ()))
+    PENDULUM.energy(method.run(&PENDULUM, Phase::at_rest(theta_0), &grid, &mut ()))
 }
 
 /// Time (s) of the first step that lowers the energy, from rest at `theta_0` (rad); `None` if no
@@ -36,47 +36,41 @@ pub fn first_fall(method: &dyn AnyMethod, theta_0: f64, step: f64, duration: f64
         }
         before = energy;
     };
-    method.run(&PENDULUM, released(theta_0), &grid(duration, step), &mut watch);
+    method.run(&PENDULUM, Phase::at_rest(theta_0), &grid(duration, step), &mut watch);
     fall
 }
 
 /// Largest and root-mean-square angle error against the small-angle formula, divided by θ₀, from
 /// rest at `theta_0` (rad) over 10 s in steps of `step` (s).
 pub fn normalised_formula_error(method: &dyn AnyMethod, theta_0: f64, step: f64) -> (f64, f64) {
-    let start = released(theta_0);
+    let start = Phase::at_rest(theta_0);
     let formula = LinearOscillator::new(PENDULUM);
     let mut error = AngleError::new(|t| formula.exact(start, t).theta);
     method.run(&PENDULUM, start, &grid(10.0, step), &mut error);
     (error.largest() / theta_0, error.root_mean_square() / theta_0)
 }
 
-/// Root-mean-square angle error (rad) against the exact solution over 10 s from 1 rad, for
-/// `evaluations` evaluations of the force.
-pub fn error_for_work(method: MethodRef, evaluations: u64) -> f64 {
-    crossings::error(method, 1.0, evaluations)
-}
-
-/// The error of a single step of `step` (s), from 1 rad and 1 rad/s: the larger of |Δθ| (rad) and
-/// |Δω| (rad/s).
-pub fn one_step_error(method: &dyn AnyMethod, step: f64) -> f64 {
-    let start = Phase { theta: 1.0, omega: 1.0 };
+/// The error of a single step of `step` (s) from `start`: the larger of |Δθ| (rad) and |Δω|
+/// (rad/s).
+pub fn one_step_error(method: &dyn AnyMethod, start: Phase, step: f64) -> f64 {
     let truth = Motion::new(&PENDULUM, start).expect("a finite start").at(step);
     let z = method.run(&PENDULUM, start, &grid(step, step), &mut ());
-    (z.theta - truth.theta).abs().max((z.omega - truth.omega).abs())
+    libm::fmaximum((z.theta - truth.theta).abs(), (z.omega - truth.omega).abs())
 }
 
 /// Slope of the error of a single step against the step: one more than the order. From 1 rad and 1
 /// rad/s, between 0.02 s and 0.01 s.
 pub fn one_step_slope(method: &dyn AnyMethod) -> f64 {
     let steps = [0.02, 0.01];
-    let errors = steps.map(|step| one_step_error(method, step));
+    let start = Phase { theta: 1.0, omega: 1.0 };
+    let errors = steps.map(|step| one_step_error(method, start, step));
     slopes(&steps, &errors, 0.0).flatten().next().unwrap_or(f64::NAN)
 }
 
 /// How far an orbit misses its start after one exact period in steps of about 0.01 s, from rest at
 /// `theta_0` (rad): the larger of |Δθ| (rad) and |Δω| (rad/s).
 pub fn closure(method: &dyn AnyMethod, theta_0: f64) -> f64 {
-    let start = released(theta_0);
+    let start = Phase::at_rest(theta_0);
     let period = period(&PENDULUM, theta_0).expect("a finite angle");
     let steps = libm::round(period / 0.01);
     let grid = Grid::new(period / steps, steps as u64).expect("a positive step");
@@ -88,7 +82,7 @@ pub fn closure(method: &dyn AnyMethod, theta_0: f64) -> f64 {
 /// amplitude, and the third harmonic over the first, in size.
 pub fn waveform(theta_0: f64) -> (f64, f64) {
     const SAMPLES: u32 = 4096;
-    let motion = Motion::new(&PENDULUM, released(theta_0)).expect("a finite start");
+    let motion = Motion::new(&PENDULUM, Phase::at_rest(theta_0)).expect("a finite start");
     let period = motion.period().expect("it swings");
     let (mut beyond, mut first, mut third) = (0, 0.0, 0.0);
     for n in 0..SAMPLES {
@@ -106,7 +100,7 @@ pub fn waveform(theta_0: f64) -> (f64, f64) {
 /// standard map has the parameter K = (g/L) h²: from a state beside the unstable equilibrium, in
 /// the chaotic layer.
 pub fn chaotic_speed(method: &dyn AnyMethod, k: f64, steps: u64) -> f64 {
-    let step = libm::sqrt(k / PENDULUM.frequency_squared());
+    let step = standard_map::step(k);
     let start = Phase { theta: core::f64::consts::PI - 1e-3, omega: 0.0 };
     let mut fastest = 0.0_f64;
     let grid = Grid::new(step, steps).expect("a positive step");
@@ -140,7 +134,7 @@ pub fn energy_error_of_a_fall(step: f64) -> f64 {
 /// many fixed steps as give the same number of evaluations: of the pendulum from 1 rad after 10 s,
 /// and of a planet on an ellipse of eccentricity 0.9 after a revolution.
 pub fn adaptive_over_fixed() -> [f64; 2] {
-    let start = released(1.0);
+    let start = Phase::at_rest(1.0);
     let truth = Motion::new(&PENDULUM, start).expect("a finite start").at(10.0);
     let away = |z: Phase| (z.theta - truth.theta).abs();
     let pendulum = gain(&PENDULUM, start, 10.0, 1e-6, away);
@@ -159,7 +153,9 @@ pub fn verlet_over_rk4_damped() -> [f64; 2] {
         let damped = Damped::new(PENDULUM, rate).expect("a rate in range");
         let fine = Grid::new(10.0 / 40_000.0, 40_000).expect("a positive step");
         let mut truth = Vec::new();
-        integrate(&damped, &Rk4, released(1.0), &fine, &mut |_, _, z: Phase| truth.push(z.theta));
+        integrate(&damped, &Rk4, Phase::at_rest(1.0), &fine, &mut |_, _, z: Phase| {
+            truth.push(z.theta)
+        });
         let verlet = error_against(&truth, &damped, &StormerVerlet, 400);
         verlet / error_against(&truth, &damped, &Rk4, 100)
     })
@@ -168,14 +164,11 @@ pub fn verlet_over_rk4_damped() -> [f64; 2] {
 /// The root-mean-square difference of the angles of a run of `steps` steps over 10 s from 1 rad
 /// from those of a finer one.
 fn error_against(truth: &[f64], damped: &Damped, method: &impl Method<Damped>, steps: u64) -> f64 {
-    let stride = (truth.len() as u64 - 1) / steps;
+    let a_second = 0.1 * (truth.len() - 1) as f64;
     let grid = Grid::new(10.0 / steps as f64, steps).expect("a positive step");
-    let mut squares = 0.0;
-    integrate(damped, method, released(1.0), &grid, &mut |n: u64, _, z: Phase| {
-        let error = z.theta - truth[(n * stride) as usize];
-        squares += error * error;
-    });
-    libm::sqrt(squares / (steps + 1) as f64)
+    let mut error = AngleError::new(|t| truth[libm::round(t * a_second) as usize]);
+    integrate(damped, method, Phase::at_rest(1.0), &grid, &mut error);
+    error.root_mean_square()
 }
 
 /// The one error over the other, of steps chosen with a `tolerance` until `end` (s).

@@ -1,11 +1,16 @@
-//! The period at a large angle, read off in two ways: the paper's Table 7 and Figure 6.
+//! The period at a large angle, read off in two ways: the paper's Table 7 and Figure 6. And read
+//! off the same samples in five ways, at many steps.
+//!
+//! There a step of T/(n + ¼), with n a multiple of four, puts the samples at the same places at
+//! each of them: the one nearest to the peak a quarter of a step before it, those before the two
+//! crossings of zero 1/16 and 5/16 of a step before them. So the errors are pure powers of the
+//! step, without scatter from where the grid happens to fall.
 
 use pendula::methods::Rk4;
-use pendula::methods::registry::AnyMethod;
-use pendula::metrics::{CrossingPeriod, PeakPeriod};
-use pendula::{Pendulum, exact};
+use pendula::metrics::{CrossingPeriod, Henon, Linear, PeakPeriod};
+use pendula::{AnyMethod, Grid, Motion, Observer, Pendulum, Phase, exact};
 
-use super::{grid, released, samples};
+use super::{grid, samples};
 
 /// Released at 3 rad …
 pub const THETA_0: f64 = 3.0;
@@ -40,7 +45,7 @@ impl Periods {
 pub fn run() -> Periods {
     let pendulum = Pendulum::PAPER;
     let mut watch = (PeakPeriod::default(), CrossingPeriod::default());
-    Rk4.run(&pendulum, released(THETA_0), &grid(DURATION, STEP), &mut watch);
+    Rk4.run(&pendulum, Phase::at_rest(THETA_0), &grid(DURATION, STEP), &mut watch);
     Periods {
         exact: exact::period(&pendulum, THETA_0).expect("a finite angle"),
         by_peak: watch.0.period().expect("30 s hold five periods"),
@@ -53,7 +58,7 @@ pub fn run() -> Periods {
 /// The period (s) of `method` in the same run, by the paper's reading.
 pub fn period_by_peak(method: &dyn AnyMethod) -> f64 {
     let mut peak = PeakPeriod::default();
-    method.run(&Pendulum::PAPER, released(THETA_0), &grid(DURATION, STEP), &mut peak);
+    method.run(&Pendulum::PAPER, Phase::at_rest(THETA_0), &grid(DURATION, STEP), &mut peak);
     peak.period().expect("30 s hold five periods")
 }
 
@@ -61,4 +66,70 @@ pub fn period_by_peak(method: &dyn AnyMethod) -> f64 {
 pub fn waveform() -> Vec<(f64, f64)> {
     let run = samples(&Rk4, THETA_0, &grid(15.0, STEP));
     run.into_iter().step_by(10).map(|(t, z)| (t, z.theta)).collect()
+}
+
+/// The five readings, in the order of [`Errors::by`].
+pub const READINGS: [&str; 5] =
+    ["highest sample", "parabola", "straight line", "Hermite's cubic", "Hénon's step"];
+
+/// The errors of the readings at one step.
+#[derive(Clone, Copy, Debug)]
+pub struct Errors {
+    /// The step (s).
+    pub step: f64,
+    /// |T̃ − T| (s) by each of [`READINGS`].
+    pub by: [f64; 5],
+}
+
+/// The n of the ladder: eleven steps, an octave apart, from a ninth of a second to a
+/// ten-thousandth for the paper's pendulum.
+const RUNGS: [u64; 11] = [48, 96, 192, 384, 768, 1536, 3072, 6144, 12_288, 24_576, 49_152];
+
+/// The errors on a release of the paper's pendulum at 3 rad, integrated by RK4.
+pub fn of_rk4() -> Vec<Errors> {
+    let pendulum = Pendulum::PAPER;
+    let start = Phase::at_rest(THETA_0);
+    ladder(|_, grid, observer| {
+        Rk4.run(&pendulum, start, grid, observer);
+    })
+}
+
+/// The errors on the exact motion after the same release: those of the readings alone.
+pub fn of_the_exact_motion() -> Vec<Errors> {
+    ladder(|motion, grid, observer| {
+        for n in 0..grid.samples() {
+            observer.observe(n, grid.time(n), motion.at(grid.time(n)));
+        }
+    })
+}
+
+/// The errors on trajectories of a period and a half that `show` passes to the observer.
+fn ladder(show: impl Fn(&Motion, &Grid, &mut dyn Observer<Phase>)) -> Vec<Errors> {
+    let pendulum = Pendulum::PAPER;
+    let motion = Motion::new(&pendulum, Phase::at_rest(THETA_0)).expect("a finite start");
+    let period = motion.period().expect("it swings");
+    let errors = |n: u64| {
+        let step = period / (n as f64 + 0.25);
+        let grid = Grid::new(step, n + n / 2).expect("a positive step");
+        let mut peaks = (PeakPeriod::default(), PeakPeriod::parabola());
+        let mut crossings = (
+            CrossingPeriod::new(Linear),
+            CrossingPeriod::default(),
+            CrossingPeriod::new(Henon(&pendulum)),
+        );
+        show(&motion, &grid, &mut |n, t, z| {
+            peaks.observe(n, t, z);
+            crossings.observe(n, t, z);
+        });
+        let readings = [
+            peaks.0.period(),
+            peaks.1.period(),
+            crossings.0.period(),
+            crossings.1.period(),
+            crossings.2.period(),
+        ];
+        let by = readings.map(|read| (read.unwrap_or(f64::NAN) - period).abs());
+        Errors { step, by }
+    };
+    RUNGS.map(errors).to_vec()
 }

@@ -1,12 +1,25 @@
-//! The curves that symplectic methods follow, beside the exact orbit.
+//! Orbits in phase space: three of the paper's Figure 5, and the curves that symplectic methods
+//! follow, beside the exact orbit.
 
 use pendula::exact::Motion;
 use pendula::{Grid, Pendulum, Phase, method_named};
 
-use super::{MethodRef, released, samples};
+use super::{MethodRef, samples};
 use crate::theory::{stormer_verlet, symplectic_euler};
 
-/// Released at rest from here (rad).
+/// The three releases of Figure 5 (rad).
+pub const PORTRAIT: [f64; 3] = [0.5, 1.5, 2.5];
+/// Its step (s).
+const PORTRAIT_STEP: f64 = 0.01;
+
+/// The orbit in Figure 5 of a release from `theta_0` (rad), sampled at each step for one exact
+/// period and the step that closes it.
+pub fn portrait(method: MethodRef, theta_0: f64) -> Vec<Phase> {
+    let period = pendula::exact::period(&Pendulum::PAPER, theta_0).expect("a finite angle");
+    visited(method, theta_0, PORTRAIT_STEP, libm::ceil(period / PORTRAIT_STEP) as u64)
+}
+
+/// Released at rest from here (rad) to follow the curves.
 pub const THETA_0: f64 = 1.0;
 /// Points on a curve; the first is repeated at its end.
 const POINTS: u32 = 400;
@@ -33,7 +46,7 @@ pub struct Run {
 
 /// The true orbit.
 fn orbit() -> Vec<Phase> {
-    let motion = Motion::new(&Pendulum::PAPER, released(THETA_0)).expect("a finite angle");
+    let motion = Motion::new(&Pendulum::PAPER, Phase::at_rest(THETA_0)).expect("a finite angle");
     let period = motion.period().expect("it swings");
     let share = |n: u32| f64::from(n % POINTS) / f64::from(POINTS);
     (0..=POINTS).map(|n| motion.at(period * share(n))).collect()
@@ -68,6 +81,10 @@ fn run(name: &str, step: f64, curves: Vec<Vec<Phase>>) -> Run {
 
 /// The points that a method visits with steps of `step` (s).
 pub fn points(method: MethodRef, step: f64) -> Vec<Phase> {
-    let grid = Grid::new(step, STEPS).expect("a positive step");
-    samples(method, THETA_0, &grid).into_iter().map(|(_, z)| z).collect()
+    visited(method, THETA_0, step, STEPS)
+}
+
+fn visited(method: MethodRef, theta_0: f64, step: f64, steps: u64) -> Vec<Phase> {
+    let grid = Grid::new(step, steps).expect("a positive step");
+    samples(method, theta_0, &grid).into_iter().map(|(_, z)| z).collect()
 }

@@ -6,8 +6,7 @@ use pendula::systems::Hamiltonian;
 use pendula::{Pendulum, Phase};
 
 use super::{
-    MethodRef, each_method, each_of_the_paper, energy_error, grid, largest_energy_error, released,
-    samples,
+    MethodRef, each_method, each_of_the_paper, energy_error, grid, largest_energy_error, samples,
 };
 
 /// Released at 1 rad …
@@ -63,7 +62,7 @@ pub fn of_the_paper() -> Vec<Row> {
 /// Runs a method.
 fn row(method: MethodRef) -> Row {
     let pendulum = Pendulum::PAPER;
-    let start = released(THETA_0);
+    let start = Phase::at_rest(THETA_0);
     let (mut falls, mut before) = (0, f64::NAN);
     let mut watch = (EnergyDrift::new(&pendulum), |_, _, z| {
         let energy = pendulum.energy(z);
@@ -106,6 +105,6 @@ pub fn growth(method: MethodRef) -> Vec<(f64, f64)> {
             series.push((t, drift.largest()));
         }
     };
-    method.run(&pendulum, released(THETA_0), &grid(DURATION, STEP), &mut watch);
+    method.run(&pendulum, Phase::at_rest(THETA_0), &grid(DURATION, STEP), &mut watch);
     series
 }

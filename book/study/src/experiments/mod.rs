@@ -4,21 +4,16 @@
 //! rows become tables and figures in [`report`](crate::report), and are compared with what the
 //! paper states in [`claims`](crate::claims).
 
-pub mod area;
 pub mod beyond;
 pub mod characteristics;
 pub mod choosing;
 pub mod convergence;
-pub mod crossings;
 pub mod diffusion;
 pub mod enclosure;
 pub mod findings;
 pub mod large_angle;
 pub mod level_curves;
 pub mod long_run;
-pub mod phase_portrait;
-mod precise;
-pub mod readings;
 pub mod resonance;
 pub mod rounding_walk;
 pub mod side_by_side;
@@ -161,14 +156,29 @@ pub(crate) fn grid(duration: f64, step: f64) -> Grid {
 fn samples(method: &dyn AnyMethod, theta_0: f64, grid: &Grid) -> Vec<(f64, Phase)> {
     let mut samples = Vec::with_capacity(grid.samples() as usize);
     let mut keep = |_: u64, t: f64, z: Phase| samples.push((t, z));
-    method.run(&Pendulum::PAPER, released(theta_0), grid, &mut keep);
+    method.run(&Pendulum::PAPER, Phase::at_rest(theta_0), grid, &mut keep);
     samples
+}
+
+/// The images of the points of `outline` at each sample of `grid`, from the outline itself on.
+pub fn carried(
+    method: MethodRef,
+    pendulum: &Pendulum,
+    outline: &[Phase],
+    grid: &Grid,
+) -> Vec<Vec<Phase>> {
+    let mut images = vec![Vec::with_capacity(outline.len()); grid.samples() as usize];
+    for start in outline {
+        let mut note = |n: u64, _: f64, z: Phase| images[n as usize].push(z);
+        method.run(pendulum, *start, grid, &mut note);
+    }
+    images
 }
 
 /// The largest energy error (J) of a run of the paper's pendulum from rest at `theta_0` (rad).
 fn largest_energy_error(method: &dyn AnyMethod, theta_0: f64, grid: &Grid) -> f64 {
     let mut drift = EnergyDrift::new(&Pendulum::PAPER);
-    method.run(&Pendulum::PAPER, released(theta_0), grid, &mut drift);
+    method.run(&Pendulum::PAPER, Phase::at_rest(theta_0), grid, &mut drift);
     drift.largest()
 }
 
@@ -176,9 +186,4 @@ fn largest_energy_error(method: &dyn AnyMethod, theta_0: f64, grid: &Grid) -> f6
 pub fn energy_error(run: &[(f64, Phase)]) -> Vec<(f64, f64)> {
     let initial = Pendulum::PAPER.energy(run[0].1);
     run.iter().map(|&(t, z)| (t, Pendulum::PAPER.energy(z) - initial)).collect()
-}
-
-/// A release from rest.
-const fn released(theta: f64) -> Phase {
-    Phase::at_rest(theta)
 }

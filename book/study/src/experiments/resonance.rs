@@ -12,7 +12,7 @@
 use pendula::exact::period;
 use pendula::{Grid, Pendulum, Phase};
 
-use super::{MethodRef, largest_energy_error, released};
+use super::{MethodRef, largest_energy_error};
 use crate::theory;
 
 /// The angle of release (rad).
@@ -73,16 +73,21 @@ pub fn slip(method: MethodRef, steps: f64, count: u32) -> f64 {
     let rate = PENDULUM.small_angle_frequency();
     let turn = core::f64::consts::TAU;
     let (mut turned, mut last, mut largest) = (0.0, 0.0, 0.0_f64);
-    method.run(&PENDULUM, released(THETA_0), &grid(steps), &mut |n: u64, _: f64, z: Phase| {
-        let angle = -libm::atan2(z.omega / rate, z.theta) / turn;
-        // The turn since the last sample, between 0 and 1.
-        let step = angle - last;
-        turned += step - libm::floor(step);
-        last = angle;
-        if n.is_multiple_of(count.into()) {
-            largest = largest.max((turned - (n / u64::from(count)) as f64).abs());
-        }
-    });
+    method.run(
+        &PENDULUM,
+        Phase::at_rest(THETA_0),
+        &grid(steps),
+        &mut |n: u64, _: f64, z: Phase| {
+            let angle = -libm::atan2(z.omega / rate, z.theta) / turn;
+            // The turn since the last sample, between 0 and 1.
+            let step = angle - last;
+            turned += step - libm::floor(step);
+            last = angle;
+            if n.is_multiple_of(count.into()) {
+                largest = largest.max((turned - (n / u64::from(count)) as f64).abs());
+            }
+        },
+    );
     largest
 }
 

@@ -9,7 +9,6 @@ use std::sync::LazyLock;
 use pendula::methods::StormerVerlet;
 use pendula::{Grid, Pendulum, Phase, integrate_fast};
 
-use super::released;
 use crate::theory::Dimensionless;
 use crate::theory::stormer_verlet::correction;
 
@@ -41,7 +40,7 @@ fn walk(theta_0: f64) -> Walk {
         let z = Dimensionless::from_phase(&pendulum, z);
         z.energy() + correction(z, x)
     };
-    let start = released(theta_0);
+    let start = Phase::at_rest(theta_0);
     let initial = energy(start);
     let mut walk = Vec::with_capacity((STEPS / SAMPLED + 1) as usize);
     let grid = Grid::new(STEP, STEPS).expect("a positive step");
@@ -68,27 +67,4 @@ pub fn growth(walks: &[Walk]) -> Vec<(u64, f64)> {
         (lag as u64 * SAMPLED, libm::sqrt(sum / f64::from(count)))
     };
     lags.into_iter().map(movement).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Eight walks of seven samples, i n² for i = 1 … 8, of which the squares add up to 204. By one
-    /// sample n² moves by 1, 3 … 11, by two from 0 on by 4, 12, 20, by three by 9 and 27.
-    ///
-    /// Catches: stretches that overlap, whose movements are correlated; a mean for each walk; steps
-    /// for samples.
-    #[test]
-    fn the_growth_is_that_over_stretches_that_do_not_overlap() {
-        let walks = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0]
-            .map(|i| [0.0, 1.0, 4.0, 9.0, 16.0, 25.0, 36.0].map(|n| i * n).to_vec());
-        let growth = growth(&walks);
-        let by_hand = [
-            (1000, 204.0 * (1.0 + 9.0 + 25.0 + 49.0 + 81.0 + 121.0) / 48.0),
-            (2000, 204.0 * (16.0 + 144.0 + 400.0) / 24.0),
-            (3000, 204.0 * (81.0 + 729.0) / 16.0),
-        ];
-        assert_eq!(growth[..3], by_hand.map(|(n, square): (_, f64)| (n, libm::sqrt(square))));
-    }
 }

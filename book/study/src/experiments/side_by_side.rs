@@ -2,9 +2,10 @@
 //! moving picture at the top of the README.
 
 use pendula::exact::Motion;
+use pendula::methods::hermite;
 use pendula::{Grid, Pendulum, Phase, System};
 
-use super::{MethodRef, each_of_the_paper, released, samples};
+use super::{MethodRef, each_of_the_paper, samples};
 
 /// Released at rest from here (rad). It is the paper's angle to the other side, so that forward
 /// Euler goes over the top with a positive angular velocity.
@@ -47,20 +48,13 @@ pub fn run() -> Vec<Row> {
 
 /// The exact motion at the same times.
 pub fn truth() -> Vec<Phase> {
-    let motion = Motion::new(&Pendulum::PAPER, released(THETA_0)).expect("a finite angle");
+    let motion = Motion::new(&Pendulum::PAPER, Phase::at_rest(THETA_0)).expect("a finite angle");
     (0..=SAMPLES).map(|n| motion.at(DURATION * (n as f64 / SAMPLES as f64))).collect()
 }
 
 /// The cubic of Hermite between the ends of a step, after the fraction `s` of it.
 fn cubic(step: f64, from: Phase, to: Phase, s: f64) -> Phase {
-    let rate = |z: Phase| Pendulum::PAPER.rate(0.0, z) * step;
-    let (ahead, back) = (s * s * (3.0 - 2.0 * s), s * (1.0 - s));
-    let across = Phase { theta: to.theta - from.theta, omega: to.omega - from.omega };
-    let (begin, end) = (rate(from), rate(to));
-    let along =
-        |across: f64, begin: f64, end: f64| across * ahead + back * ((1.0 - s) * begin - s * end);
-    Phase {
-        theta: from.theta + along(across.theta, begin.theta, end.theta),
-        omega: from.omega + along(across.omega, begin.omega, end.omega),
-    }
+    let slope = |z: Phase| Pendulum::PAPER.rate(0.0, z) * step;
+    let [whole, bend, skew] = hermite(to + from * -1.0, slope(from), slope(to));
+    from + (whole + (bend + skew * s) * (1.0 - s)) * s
 }

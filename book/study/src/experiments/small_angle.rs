@@ -5,7 +5,7 @@ use pendula::exact::Motion;
 use pendula::metrics::{AngleError, EnergyDrift};
 use pendula::{Grid, LinearOscillator, Pendulum, Phase};
 
-use super::{MethodRef, STEPS, each_of_the_paper, grid, released, samples};
+use super::{MethodRef, STEPS, each_of_the_paper, grid, samples};
 
 /// Released at 0.05 rad …
 pub const THETA_0: f64 = 0.05;
@@ -43,7 +43,7 @@ pub fn run() -> Vec<Row> {
 /// Runs a method over `grid` and compares it with the formula and the exact solution.
 pub fn errors(method: MethodRef, grid: &Grid) -> Errors {
     let pendulum = Pendulum::PAPER;
-    let start = released(THETA_0);
+    let start = Phase::at_rest(THETA_0);
     let formula = LinearOscillator::new(pendulum);
     let truth = Motion::new(&pendulum, start).expect("a finite start");
     let mut watch = (

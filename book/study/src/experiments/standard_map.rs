@@ -10,8 +10,6 @@ use pendula::methods::SymplecticEuler;
 use pendula::methods::registry::AnyMethod;
 use pendula::{Grid, Pendulum, Phase};
 
-use super::released;
-
 /// The parameters K of the portraits: well below the last barrier at 0.971635, just below it, above
 /// it, and far above.
 pub const PARAMETERS: [f64; 4] = [0.5, 0.97, 1.2, 2.0];
@@ -80,7 +78,7 @@ fn starts() -> Vec<(f64, f64)> {
 
 fn orbit(k: f64, (theta, u): (f64, f64), kept: impl Fn(u64) -> bool) -> Orbit {
     let step = step(k);
-    let start = Phase { omega: u / step, ..released(theta) };
+    let start = Phase { omega: u / step, ..Phase::at_rest(theta) };
     let grid = Grid::new(step, STEPS).expect("a positive step");
     let mut orbit = Orbit { points: Vec::new(), escapes: false };
     SymplecticEuler.run(&Pendulum::PAPER, start, &grid, &mut |n: u64, _, z: Phase| {

@@ -12,8 +12,7 @@ use pendula::exact::complete_elliptic_k;
 use pendula::methods::StormerVerlet;
 use pendula::{Grid, integrate};
 
-use super::precise::{Point, Precise, sine_cosine};
-use super::splitting;
+use super::splitting::{self, Point, Precise, sine_cosine};
 use crate::theory::ModifiedSeries;
 
 /// The power of the step with which the series ends: N = 0, 2, …, 40.

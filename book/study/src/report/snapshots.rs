@@ -1,5 +1,6 @@
 //! Every snapshot of the book: what it is, and its content as the code makes it now.
 
+use std::sync::LazyLock;
 use std::thread;
 
 use pendula::methods::PositionVerlet;
@@ -57,20 +58,31 @@ pub const RECORDED: [(&str, &str); 8] = [
 ];
 
 /// A snapshot: the file `snapshots/DIGIT_NAME.snap`.
-#[derive(Clone, Debug)]
-pub struct Snapshot {
+pub struct Snapshot<'a> {
     /// Its name.
     pub name: String,
     /// What it consists of.
     pub kind: Kind,
     /// What it shows, in a line.
     pub about: String,
-    /// The content between its anchors.
-    content: String,
+    content: LazyLock<String, Box<dyn FnOnce() -> String + Send + 'a>>,
 }
 
-impl Snapshot {
-    /// The content: a table in Markdown, a figure as HTML, or a difference in a fence.
+impl<'a> Snapshot<'a> {
+    /// The snapshot `name`, which shows what `about` says, with the `content` that is made when it
+    /// is first asked for.
+    pub fn new(
+        name: &str,
+        kind: Kind,
+        about: &str,
+        content: impl FnOnce() -> String + Send + 'a,
+    ) -> Self {
+        let (name, about) = (name.to_string(), about.to_string());
+        Self { name, kind, about, content: LazyLock::new(Box::new(content)) }
+    }
+
+    /// The content between its anchors: a table in Markdown, a figure as HTML, or a difference in a
+    /// fence.
     pub fn content(&self) -> &str {
         &self.content
     }
@@ -78,58 +90,24 @@ impl Snapshot {
     /// The text of the file below insta's header: the content between anchors, so that a chapter
     /// can include it.
     pub fn text(&self) -> String {
-        let (anchor, content) = (self.kind.anchor(), &self.content);
+        let (anchor, content) = (self.kind.anchor(), self.content());
         format!("<!-- ANCHOR: {anchor} -->\n{content}<!-- ANCHOR_END: {anchor} -->\n")
     }
 }
 
-/// How a snapshot is made.
-pub struct Recipe<'a> {
-    /// Its name.
-    pub name: String,
-    /// What it consists of.
-    pub kind: Kind,
-    /// What it shows, in a line.
-    about: String,
-    content: Box<dyn Fn() -> String + Send + Sync + 'a>,
+fn table<'a>(name: &str, about: &str, table: impl FnOnce() -> Table + Send + 'a) -> Snapshot<'a> {
+    Snapshot::new(name, Kind::Table, about, move || table().to_markdown())
 }
 
-impl<'a> Recipe<'a> {
-    /// The snapshot `name`, which shows what `about` says, with the content that `make` gives.
-    pub fn new(
-        name: &str,
-        kind: Kind,
-        about: &str,
-        content: impl Fn() -> String + Send + Sync + 'a,
-    ) -> Self {
-        let (name, about) = (name.to_string(), about.to_string());
-        Self { name, kind, about, content: Box::new(content) }
-    }
-
-    /// Makes it.
-    pub fn make(&self) -> Snapshot {
-        Snapshot {
-            name: self.name.clone(),
-            kind: self.kind,
-            about: self.about.clone(),
-            content: (self.content)(),
-        }
-    }
-}
-
-fn table<'a>(name: &str, about: &str, table: impl Fn() -> Table + Send + Sync + 'a) -> Recipe<'a> {
-    Recipe::new(name, Kind::Table, about, move || table().to_markdown())
-}
-
-/// The recipes of all that are computed, in the order in which they are best reviewed.
-pub fn recipes<'a>(study: &'a Study, ledger: &'a Ledger) -> Vec<Recipe<'a>> {
+/// All that are computed, in the order in which they are best reviewed.
+pub fn snapshots<'a>(study: &'a Study, ledger: &'a Ledger) -> Vec<Snapshot<'a>> {
     let of_the_paper = tables::TABLES.map(|number| {
         let of = move || tables::table(ledger, number).expect("a table of the paper");
         let about = format!("The paper's Table {number}, stated and measured");
         table(&format!("table_{number}"), &about, of)
     });
-    let mut recipes = Vec::from(of_the_paper);
-    recipes.extend([
+    let mut snapshots = Vec::from(of_the_paper);
+    snapshots.extend([
         table("slopes", "Slopes of the energy error (Table 4)", || tables::energy_slopes(study)),
         table(
             "orders",
@@ -166,28 +144,35 @@ pub fn recipes<'a>(study: &'a Study, ledger: &'a Ledger) -> Vec<Recipe<'a>> {
         ),
     ]);
     let about = "Wrong methods, and the properties that catch them";
-    recipes.push(table("zoo", about, tables::zoo));
-    recipes.extend(figures().map(|drawing| {
-        Recipe::new(drawing.name, Kind::Figure, drawing.title(), || drawing.html(study))
+    snapshots.push(table("zoo", about, tables::zoo));
+    snapshots.extend(figures().map(|drawing| {
+        Snapshot::new(drawing.name, Kind::Figure, drawing.title(), || drawing.html(study))
     }));
     let about = "An example of a difference, for the appendix on changing a method";
-    recipes.push(Recipe::new("a_change", Kind::Example, about, || a_change(study)));
-    recipes
+    snapshots.push(Snapshot::new("a_change", Kind::Example, about, || a_change(study)));
+    snapshots
 }
 
-/// Makes those whose names are `wanted`, each in a thread of its own. A panic is that of one
+/// Those whose names are `wanted`, each made in a thread of its own. A panic is that of one
 /// snapshot: a method may have been changed into one with which an experiment has no result.
-pub fn some(
-    study: &Study,
-    ledger: &Ledger,
+pub fn some<'a>(
+    study: &'a Study,
+    ledger: &'a Ledger,
     wanted: impl Fn(&str) -> bool,
-) -> Vec<(String, thread::Result<Snapshot>)> {
-    let mut recipes = recipes(study, ledger);
-    recipes.retain(|recipe| wanted(&recipe.name));
+) -> Vec<(String, thread::Result<Snapshot<'a>>)> {
+    let mut all = snapshots(study, ledger);
+    all.retain(|snapshot| wanted(&snapshot.name));
     thread::scope(|scope| {
-        let threads: Vec<_> = recipes.iter().map(|recipe| scope.spawn(|| recipe.make())).collect();
-        let names = recipes.iter().map(|recipe| recipe.name.clone());
-        names.zip(threads.into_iter().map(thread::ScopedJoinHandle::join)).collect()
+        let make = |snapshot: Snapshot<'a>| {
+            let name = snapshot.name.clone();
+            let made = scope.spawn(move || {
+                snapshot.content();
+                snapshot
+            });
+            (name, made)
+        };
+        let threads: Vec<_> = all.into_iter().map(make).collect();
+        threads.into_iter().map(|(name, made)| (name, made.join())).collect()
     })
 }
 

@@ -9,7 +9,7 @@ use crate::claims::{Claim, ClaimKind, Ledger, Measured, cell_id};
 use crate::digits::Digits::{self, Fixed, Scientific, Significant};
 use crate::experiments::characteristics::ROUNDING;
 use crate::experiments::{
-    PaperMethod, STEPS, Study, beyond, crossings, diffusion, enclosure, standard_map,
+    PaperMethod, STEPS, Study, beyond, diffusion, enclosure, standard_map, work,
 };
 
 /// The numbers of the tables that the paper prints and the study measures.
@@ -204,7 +204,7 @@ pub fn beyond() -> Table {
 /// Where RK4 overtakes Störmer–Verlet, by amplitude.
 pub fn crossings() -> Table {
     let mut table = Table::new(["From rest at (rad)", "evaluations", "RMS angle error (rad)"]);
-    for (theta_0, crossing) in crossings::run() {
+    for (theta_0, crossing) in work::crossings() {
         let dash = || "—".to_string();
         table.push([
             theta_0.to_string(),

@@ -11,8 +11,8 @@
 //!   regimes;
 //! * [`period`]: the relative change of the period; [`small_angle`]: the angle in the small swing
 //!   of Table 6;
-//! * [`kepler`]: the precession of a Kepler ellipse under Störmer–Verlet; [`mathieu`]: the
-//!   stability boundaries of the upright pendulum with a shaken pivot.
+//! * [`other_systems`]: the precession of a Kepler ellipse under Störmer–Verlet, and the stability
+//!   boundaries of the upright pendulum with a shaken pivot.
 //!
 //! [`claims::predictions()`](crate::claims::predictions()) applies them to the cells of the tables.
 //! Nothing here takes a step of a [`Method`], so that a wrong method cannot predict its own wrong
@@ -33,8 +33,7 @@ mod modified_series;
 mod tools;
 
 pub mod forward_euler;
-pub mod kepler;
-pub mod mathieu;
+pub mod other_systems;
 pub mod period;
 pub mod rk4;
 pub mod small_angle;

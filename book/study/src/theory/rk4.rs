@@ -59,34 +59,23 @@ pub fn largest_energy_error(pendulum: &Pendulum, theta_0: f64, h: f64, steps: u6
     pendulum.depth() * largest
 }
 
-/// The terms ⟨e₆⟩ and ⟨e₈⟩ of the secular change of energy, averaged over the exact swing from rest
-/// at `theta_0` (rad), in units of m g L. The odd ones average to zero.
-pub fn secular_terms(pendulum: &Pendulum, theta_0: f64) -> [f64; 2] {
-    let mean = |k: usize| average(pendulum, theta_0, |z| energy_change_terms(z)[k]);
-    [mean(1), mean(3)]
-}
-
-/// The rate of change of the energy, averaged over a swing (W): m g L ω₀ (x⁵⟨e₆⟩ + x⁷⟨e₈⟩). It is
-/// negative. For a small swing of the energy E above the bottom it is −E ω₀ x⁵/72.
+/// The rate of change of the energy, averaged over the exact swing from rest at `theta_0` (rad), in
+/// W: m g L ω₀ (x⁵⟨e₆⟩ + x⁷⟨e₈⟩). The odd terms average to zero. It is negative. For a small swing
+/// of the energy E above the bottom it is −E ω₀ x⁵/72.
 pub fn secular_rate(pendulum: &Pendulum, theta_0: f64, h: f64) -> f64 {
     let x = scaled(pendulum, h);
-    let [e6, e8] = secular_terms(pendulum, theta_0);
+    let [e6, e8] = [1, 3].map(|k| average(pendulum, theta_0, |z| energy_change_terms(z)[k]));
     let x2 = x * x;
     pendulum.depth() * pendulum.small_angle_frequency() * x2 * x2 * x * (e6 + x2 * e8)
-}
-
-/// The leading correction f₄ to the equation that RK4 follows, (θ', q') = (q, −s) + x⁴ f₄ + …: the
-/// x⁵ term of its local error.
-pub fn leading_correction(z: Dimensionless) -> [f64; 2] {
-    error_constant::rk4(z.s, z.c, z.q)
 }
 
 /// The relative change of the period divided by h⁴ (1/s⁴), from rest at `theta_0` (rad): T̃/T = 1 +
 /// h⁴ τ₄ + O(h⁵).
 ///
-/// To first order the perturbed orbit is z + x⁴δ with δ' = J(z)δ + f₄(z), J the Jacobian of the
-/// pendulum's equation. It reaches the bottom late by the time −δθ/q. RK4's even corrections are
-/// reversible in time, as the pendulum is, so that four such quarters make a period (Hairer,
+/// RK4 follows the equation (θ', q') = (q, −s) + x⁴ f₄ + …, where f₄ is the x⁵ term of its local
+/// error. To first order the perturbed orbit is z + x⁴δ with δ' = J(z)δ + f₄(z), J the Jacobian of
+/// the pendulum's equation. It reaches the bottom late by the time −δθ/q. RK4's even corrections
+/// are reversible in time, as the pendulum is, so that four such quarters make a period (Hairer,
 /// Lubich, Wanner, Sect. V.1, IX.2).
 pub fn period_shift(pendulum: &Pendulum, theta_0: f64) -> f64 {
     /// Even near the top a step of the solver is then below 0.02 rad, and its error is rounding.
@@ -100,7 +89,7 @@ pub fn period_shift(pendulum: &Pendulum, theta_0: f64) -> f64 {
         state = flow(
             |[theta, q, delta_theta, delta_q]| {
                 let z = Dimensionless::new(theta, q);
-                let [f_theta, f_q] = leading_correction(z);
+                let [f_theta, f_q] = error_constant::rk4(z.s, z.c, z.q);
                 [q, -z.s, delta_q + f_theta, -z.c * delta_theta + f_q]
             },
             state,

@@ -18,14 +18,11 @@ pub(super) const MEASURED: &[(&str, Measure)] = &[
         says(format!("{euler} and {verlet}; {start}"), met)
     }),
     ("P7.1.modest", |_| {
-        static LOST: LazyLock<[f64; 2]> = LazyLock::new(|| {
-            let start = Pendulum::PAPER.energy(Phase::at_rest(1.0));
-            [(0.1, 1.0), (0.01, 1e3)].map(|(step, times)| {
-                let lost = start - findings::last_energy(&Rk4, 1.0, step, 1_000_000);
-                times * lost / findings::energy_drift(&SymplecticEuler, 1.0, step, 100_000)
-            })
+        let start = Pendulum::PAPER.energy(Phase::at_rest(1.0));
+        let [coarse, fine] = [(0.1, 1.0), (0.01, 1e3)].map(|(step, times)| {
+            let lost = start - findings::last_energy(&Rk4, 1.0, step, 1_000_000);
+            times * lost / findings::energy_drift(&SymplecticEuler, 1.0, step, 100_000)
         });
-        let [coarse, fine] = *LOST;
         says(format!("{coarse:.1} and {fine:.2}"), coarse > 1.0)
     }),
     ("P7.1.construction", |_| {
@@ -49,14 +46,12 @@ pub(super) const MEASURED: &[(&str, Measure)] = &[
             row!(study.small_angle, ForwardEuler).errors[4].formula,
             row!(study.small_angle, SymplecticEuler).errors[4].formula,
         ];
-        static FINE: LazyLock<[f64; 2]> = LazyLock::new(|| {
-            let methods: [&dyn AnyMethod; 2] = [&ForwardEuler, &SymplecticEuler];
-            methods.map(|method| {
-                let theta_0 = small_angle::THETA_0;
-                findings::normalised_formula_error(method, theta_0, 1e-5).1 * theta_0
-            })
+        let methods: [&dyn AnyMethod; 2] = [&ForwardEuler, &SymplecticEuler];
+        let fine = methods.map(|method| {
+            let theta_0 = small_angle::THETA_0;
+            findings::normalised_formula_error(method, theta_0, 1e-5).1 * theta_0
         });
-        let [[a, b], [c, d]] = [coarse, *FINE].map(|errors| errors.map(|error| error / *FLOOR));
+        let [[a, b], [c, d]] = [coarse, fine].map(|errors| errors.map(|error| error / *FLOOR));
         let there = is_near(a, 1.0, 0.1) && is_near(b, 1.0, 0.1);
         says(format!("{a:.1} and {b:.2}; {c:.3} and {d:.3}"), there)
     }),
@@ -69,8 +64,8 @@ pub(super) const MEASURED: &[(&str, Measure)] = &[
     }),
     ("P7.4.guaranteed", |_| never_escapes(&SymplecticEuler)),
     ("P7.4.rk4", |_| {
-        static LARGEST: LazyLock<f64> = LazyLock::new(rk4_over_the_next_in_a_step);
-        shows(*LARGEST, Significant(1), *LARGEST < 1.0)
+        let largest = rk4_over_the_next_in_a_step();
+        shows(largest, Significant(1), largest < 1.0)
     }),
     ("P7.4.caveat", |_| {
         let drift = |steps| findings::energy_drift(&Rk4, 1.0, 0.01, steps);
@@ -92,8 +87,7 @@ pub(super) const MEASURED: &[(&str, Measure)] = &[
     }),
     ("P7.5.superior", |_| {
         let ratios = findings::adaptive_over_fixed();
-        let text = ratios.map(|ratio| Significant(1).print(ratio)).join(" and ");
-        says(text, ratios.into_iter().any(|ratio| ratio < 1.0))
+        show_all(ratios, Significant(1), ratios.into_iter().any(|ratio| ratio < 1.0))
     }),
     ("P7.5.primary", |study| {
         let euler = row!(study.characteristics, ForwardEuler);
@@ -103,14 +97,11 @@ pub(super) const MEASURED: &[(&str, Measure)] = &[
     }),
     ("P8.order", orders_confirmed),
     ("P8.validates", |study| {
-        static OTHERS: LazyLock<[f64; 2]> = LazyLock::new(|| {
-            let methods: [&dyn AnyMethod; 2] = [&StormerVerlet, &SymplecticEuler];
-            methods.map(large_angle::period_by_peak)
-        });
+        let others: [&dyn AnyMethod; 2] = [&StormerVerlet, &SymplecticEuler];
         let away = |period: f64| (period - study.large_angle.exact).abs();
         let ms = |period| format!("{:.3}", 1e3 * away(period));
         let rk4 = study.large_angle.by_peak;
-        let [vv, se] = OTHERS.map(ms);
+        let [vv, se] = others.map(large_angle::period_by_peak).map(ms);
         let text = format!("{}; {vv} and {se}", ms(rk4));
         says(text, away(rk4) <= 0.5 * large_angle::STEP)
     }),
@@ -119,20 +110,16 @@ pub(super) const MEASURED: &[(&str, Measure)] = &[
         let slow = exact::period(&slow, large_angle::THETA_0).unwrap_or(f64::NAN);
         let periods = &study.large_angle;
         let off = [periods.small_angle, slow].map(|period| periods.percent(period));
-        let text = off.map(|percent| Significant(2).print(percent)).join(" and ");
-        says(text, off.into_iter().all(|percent| percent > 0.001))
+        show_all(off, Significant(2), off.into_iter().all(|percent| percent > 0.001))
     }),
     ("P8.reproducible", |_| {
         let met = CELLS.iter().filter(|cell| cell.verdict.demands() == Some(true)).count();
         says(format!("{met} of {}", CELLS.len()), met == CELLS.len())
     }),
     ("P8.yoshida", |_| {
-        static FOUND: LazyLock<(f64, f64)> = LazyLock::new(|| {
-            let slope = Ladder::measure(&ForestRuth).slopes().last().unwrap_or(f64::NAN);
-            let z = Phase { theta: 1.0, omega: 0.5 };
-            (slope, area_defect(&ForestRuth, &Pendulum::PAPER, z, AREA_STEP).abs())
-        });
-        let (slope, defect) = *FOUND;
+        let slope = Ladder::measure(&ForestRuth).slopes().last().unwrap_or(f64::NAN);
+        let z = Phase { theta: 1.0, omega: 0.5 };
+        let defect = area_defect(&ForestRuth, &Pendulum::PAPER, z, AREA_STEP).abs();
         let text = format!("{slope:.2}; {}", below(AREA_TOLERANCE, defect));
         says(text, confirms((slope, slope), 4.0) && defect < AREA_TOLERANCE)
     }),
@@ -146,8 +133,7 @@ pub(super) const MEASURED: &[(&str, Measure)] = &[
     ("F4b", |study| {
         let gained = [row!(study.long_run, ForwardEuler), row!(study.long_run, Rk4)]
             .map(|run| run.last - run.initial);
-        let text = gained.map(|gained| Significant(2).print(gained)).join(" and ");
-        says(text, gained.into_iter().all(|gained| gained > 0.0))
+        show_all(gained, Significant(2), gained.into_iter().all(|gained| gained > 0.0))
     }),
     ("F4c", |_| {
         let turns = turning_points_of_figure_4();
@@ -162,15 +148,13 @@ pub(super) const MEASURED: &[(&str, Measure)] = &[
             findings::normalised_formula_error(method, 0.05, 0.1).1 * small_angle::THETA_0
         });
         let met = errors.map(|error| prints_as("T6.se.0.1", error));
-        let text = errors.map(|error| Scientific(3).print(error)).join(" and ");
-        says(text, met == [true, false])
+        show_all(errors, Scientific(3), met == [true, false])
     }),
     ("X.verlet_variant", |_| {
         let methods: [&dyn AnyMethod; 2] = [&StormerVerlet, &PositionVerlet];
         let drifts = methods.map(|method| convergence::drift(method, 0.1));
         let met = drifts.map(|drift| prints_as("T4.vv.0.1", drift));
-        let text = drifts.map(|drift| Scientific(3).print(drift)).join(" and ");
-        says(text, met == [true, false])
+        show_all(drifts, Scientific(3), met == [true, false])
     }),
     ("X.bold", |study| {
         let best = |step: usize, error: &dyn Fn(&small_angle::Row) -> f64| {

@@ -31,7 +31,7 @@ use crate::digits::rounds_to;
 use crate::experiments::PaperMethod;
 use crate::experiments::characteristics::EnergyBehaviour;
 use crate::experiments::{
-    STEPS, Study, convergence, energy_error, findings, grid, large_angle, long_run, phase_portrait,
+    STEPS, Study, convergence, energy_error, findings, grid, large_angle, level_curves, long_run,
     small_angle, work,
 };
 
@@ -49,6 +49,12 @@ const fn number(value: f64, format: Digits) -> Finding {
 /// A number that decides by a comparison.
 const fn shows(value: f64, format: Digits, holds: bool) -> Finding {
     (Measured::Number(value, format), Tolerance::Decided(holds))
+}
+
+/// Numbers that decide by a comparison.
+fn show_all<const N: usize>(values: [f64; N], format: Digits, holds: bool) -> Finding {
+    let between = if N == 2 { " and " } else { ", " };
+    says(values.map(|value| format.print(value)).join(between), holds)
 }
 
 /// Words that decide by a comparison.
@@ -174,17 +180,13 @@ fn never_escapes(method: &dyn AnyMethod) -> Finding {
 }
 
 fn bounded(_: &Study) -> Finding {
-    /// Of symplectic Euler and of Störmer–Verlet: whether the error has not grown at 0.01 s, and
-    /// whether no orbit escapes at K = 0.9 and 1.5.
-    static FOUND: LazyLock<[[bool; 3]; 2]> = LazyLock::new(|| {
-        let methods: [&dyn AnyMethod; 2] = [&SymplecticEuler, &StormerVerlet];
-        methods.map(|method| {
-            let drift = |steps| findings::energy_drift(method, 1.0, 0.01, steps);
-            let small = has_not_grown(drift(1_000_000), drift(100_000));
-            [small, !escapes(method, 0.9), !escapes(method, 1.5)]
-        })
+    let methods: [&dyn AnyMethod; 2] = [&SymplecticEuler, &StormerVerlet];
+    // Whether the error has not grown at 0.01 s, and whether no orbit escapes at K = 0.9 and 1.5.
+    let [euler, verlet] = methods.map(|method| {
+        let drift = |steps| findings::energy_drift(method, 1.0, 0.01, steps);
+        let small = has_not_grown(drift(1_000_000), drift(100_000));
+        [small, !escapes(method, 0.9), !escapes(method, 1.5)]
     });
-    let [euler, verlet] = *FOUND;
     let words = |at: usize| match (euler[at], verlet[at]) {
         (true, true) => "both bounded",
         (false, false) => "both unbounded",
@@ -204,8 +206,7 @@ fn bounded(_: &Study) -> Finding {
 
 /// Störmer–Verlet's RMS angle error over RK4's for so many evaluations each, from 1 rad over 10 s.
 fn verlet_over_rk4(evaluations: u64) -> f64 {
-    findings::error_for_work(&StormerVerlet, evaluations)
-        / findings::error_for_work(&Rk4, evaluations)
+    work::error(&StormerVerlet, 1.0, evaluations) / work::error(&Rk4, 1.0, evaluations)
 }
 
 fn largest_formula_error(theta_0: f64, step: f64) -> f64 {

@@ -13,8 +13,7 @@ pub(super) const MEASURED: &[(&str, Measure)] = &[
         says(text, confirms((low, high), 1.0))
     }),
     ("P6.1.machine", |study| {
-        static HALVED: LazyLock<f64> = LazyLock::new(|| convergence::drift(&Rk4, 0.0005));
-        let ratio = row!(study.convergence, Rk4).drift[4] / *HALVED;
+        let ratio = row!(study.convergence, Rk4).drift[4] / convergence::drift(&Rk4, 0.0005);
         let text = if ratio > 4.0 { "more than fourfold" } else { "fourfold at most" };
         says(text.to_string(), ratio <= 4.0)
     }),
@@ -118,17 +117,16 @@ pub(super) const MEASURED: &[(&str, Measure)] = &[
     ("P6.4.confirms", |_| {
         let others: [&dyn AnyMethod; 3] = [&ForwardEuler, &SymplecticEuler, &StormerVerlet];
         let gaps = others.map(gap_of_the_orbits);
-        let text = gaps.map(|gap| Significant(1).print(gap)).join(", ");
-        says(text, gap_of_the_orbits(&Rk4) < LINE && gaps.into_iter().any(|gap| gap > LINE))
+        let met = gap_of_the_orbits(&Rk4) < LINE && gaps.into_iter().any(|gap| gap > LINE);
+        show_all(gaps, Significant(1), met)
     }),
     ("P6.4.elong", |_| {
-        let ratio = phase_portrait::THETA_0.map(|theta_0| {
-            let orbit = phase_portrait::orbit(&Rk4, theta_0);
+        let ratio = level_curves::PORTRAIT.map(|theta_0| {
+            let orbit = level_curves::portrait(&Rk4, theta_0);
             let fastest = orbit.iter().fold(0.0, |fastest: f64, z| fastest.max(z.omega.abs()));
             fastest / (Pendulum::PAPER.small_angle_frequency() * theta_0)
         });
-        let text = ratio.map(|ratio| format!("{ratio:.3}")).join(", ");
-        says(text, ratio[0] < 1.0 && ratio.is_sorted_by(|a, b| a > b))
+        show_all(ratio, Fixed(3), ratio[0] < 1.0 && ratio.is_sorted_by(|a, b| a > b))
     }),
     ("P6.5.T", |study| number(study.large_angle.by_peak, Fixed(4))),
     ("P6.5.within", |study| {
@@ -154,8 +152,7 @@ pub(super) const MEASURED: &[(&str, Measure)] = &[
     ("P6.6.34", |_| {
         let ratios =
             ["fe", "se", "vv"].map(|id| printed("T8.rk4.ms") / printed(&format!("T8.{id}.ms")));
-        let text = ratios.map(|ratio| Fixed(2).print(ratio)).join(", ");
-        says(text, ratios[..2].iter().all(|ratio| (3.0..=4.0).contains(ratio)))
+        show_all(ratios, Fixed(2), ratios[..2].iter().all(|ratio| (3.0..=4.0).contains(ratio)))
     }),
     ("P6.6.best", |_| {
         let ratio = verlet_over_rk4(400);

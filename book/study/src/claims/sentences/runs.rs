@@ -175,7 +175,7 @@ pub(super) fn equations_10_to_12_from_half_kicks() -> f64 {
 /// How far the worst of Figure 5's three orbits misses its start after one exact period: the larger
 /// of |Δθ| (rad) and |Δω| (rad/s).
 pub(super) fn gap_of_the_orbits(method: &dyn AnyMethod) -> f64 {
-    let gaps = phase_portrait::THETA_0.map(|theta_0| findings::closure(method, theta_0));
+    let gaps = level_curves::PORTRAIT.map(|theta_0| findings::closure(method, theta_0));
     gaps.into_iter().fold(0.0, libm::fmaximum)
 }
 
@@ -186,13 +186,7 @@ pub(super) fn rk4_over_the_next_in_a_step() -> f64 {
     let states = [(0.05, 0.1), (1.0, 1.0), (2.0, -1.0), (3.0, 2.0)];
     let cases = states.into_iter().flat_map(|z| [0.1, 0.01, 0.001].map(|h| (z, h)));
     let ratios = cases.map(|((theta, omega), h)| {
-        let start = Phase { theta, omega };
-        let truth = motion(start).at(h);
-        let one = Grid::new(h, 1).expect("a positive step");
-        let error = |method: &dyn AnyMethod| {
-            let z = method.run(&Pendulum::PAPER, start, &one, &mut ());
-            libm::fmaximum((z.theta - truth.theta).abs(), (z.omega - truth.omega).abs())
-        };
+        let error = |method| findings::one_step_error(method, Phase { theta, omega }, h);
         error(&Rk4) / others.into_iter().map(error).fold(f64::INFINITY, libm::fminimum)
     });
     ratios.fold(0.0, libm::fmaximum)

@@ -5,34 +5,32 @@ use std::sync::{LazyLock, OnceLock};
 use pendula::exact::Motion;
 use pendula::{METHODS, Pendulum, Phase};
 
-use super::curve::{COARSE, Curve};
-use super::release::Release;
-use crate::experiments::MethodRef;
+use super::{COARSE, Curve, MethodRef, Release};
 
 /// The longest run that is measured (periods); it is shorter where the step is small or the error
 /// large.
 pub const LONGEST: u64 = 256;
 
 /// The most steps in a run that is measured.
-pub(super) const STEPS: u64 = 1 << 17;
+const STEPS: u64 = 1 << 17;
 
 /// Steps a period on the ladder: two rungs to an octave, from 4 to 16 384.
-pub(super) const RUNGS: core::ops::RangeInclusive<u32> = 0..=24;
+const RUNGS: core::ops::RangeInclusive<u32> = 0..=24;
 
 /// Extrapolated rungs, finer than the last that was measured: thirty octaves.
-pub(super) const EXTRAPOLATED: u32 = 60;
+const EXTRAPOLATED: u32 = 60;
 
 /// At least this many phases of a period are kept, or all if there are fewer. On average the one
 /// nearest to the maximum misses it by a quarter of their spacing, π/256; an error of three humps,
 /// as these are, is then too small by ½(3π/256)², less than 0.001 of itself.
-pub(super) const PHASES: usize = 128;
+const PHASES: usize = 128;
 
 /// An error (rad) beyond which the coefficients are taken from a shorter run, since the law is one
 /// of small errors.
-pub(super) const LARGE: f64 = 0.03;
+const LARGE: f64 = 0.03;
 
 /// A measured error counts if it is more than this many times what rounding may add to it.
-pub(super) const CLEAR: f64 = 10.0;
+const CLEAR: f64 = 10.0;
 
 /// The law of a method's angle error on each rung of the ladder.
 #[derive(Clone, Debug)]

@@ -22,13 +22,11 @@
 //! rest, at a point of symmetry, a method that is not symmetric looks better than it is: symplectic
 //! Euler would be of order two there.
 
-mod curve;
 mod error_law;
-mod release;
 
-pub use curve::{Advice, COARSE, Curve};
 pub use error_law::{LONGEST, Profile, profile_of, profiles};
-pub use release::{Release, THETA_0};
+use pendula::exact::{Motion, period};
+use pendula::{Grid, Pendulum, Phase};
 
 use super::MethodRef;
 
@@ -40,6 +38,185 @@ pub const PERIODS: [u64; 16] =
 /// 1e-10.
 pub fn allowed() -> [f64; 19] {
     core::array::from_fn(|i| libm::exp10(-1.0 - 0.5 * i as f64))
+}
+
+/// Amplitude of the swing (rad).
+pub const THETA_0: f64 = 1.0;
+
+/// The swing that every method is measured on.
+#[derive(Clone, Copy, Debug)]
+pub struct Release {
+    /// Where each method starts: an eighth of a period after the release.
+    pub start: Phase,
+    /// The period T (s).
+    pub period: f64,
+    /// The largest angular velocity (rad/s).
+    fastest: f64,
+    /// d ln T / d ln E, with the energy E above the bottom: the relative error of the period per
+    /// relative error of the energy.
+    sensitivity: f64,
+}
+
+impl Release {
+    /// The paper's pendulum at the amplitude [`THETA_0`].
+    pub fn new() -> Self {
+        /// For a central difference, whose error is of order δ².
+        const DELTA: f64 = 1e-4;
+        let pendulum = Pendulum::PAPER;
+        let motion = Motion::new(&pendulum, Phase::at_rest(THETA_0)).expect("a finite start");
+        let at = |theta| period(&pendulum, theta).expect("a finite angle");
+        let versine = |theta: f64| {
+            let s = pendula::arithmetic::sine::sin(0.5 * theta);
+            s * s
+        };
+        let (low, high) = (THETA_0 - DELTA, THETA_0 + DELTA);
+        let period = at(THETA_0);
+        Self {
+            start: motion.at(0.125 * period),
+            period,
+            fastest: motion.at(0.25 * period).omega.abs(),
+            sensitivity: libm::log(at(high) / at(low)) / libm::log(versine(high) / versine(low)),
+        }
+    }
+
+    /// The grid of `periods` periods in `steps` steps each.
+    pub fn grid(&self, steps: u64, periods: u64) -> Grid {
+        Grid::new(self.period / steps as f64, steps * periods).expect("a positive step")
+    }
+
+    /// What rounding may add to the angle (rad) in `periods` periods of `steps` steps: twice the
+    /// standard deviation of two random walks.
+    ///
+    /// At each rounding of θ and ω, of which there are as many as force evaluations, the energy
+    /// changes by 0.6 ε of itself at most (tests/theory/long_time.rs), and so does the angle. After
+    /// n roundings the energy is off by 0.6 ε√n, the period by d ln T/d ln E times that, and the
+    /// time by the sum over all periods: 1/√3 of what the last period's error would add up to if it
+    /// held from the start (Brouwer, *Astronomical Journal* 46 (1937) 149).
+    ///
+    /// If a method's error in a period is below rounding and its step divides the period, every
+    /// period is rounded alike, and the rounding error grows in proportion to n, not as a random
+    /// walk. With a slightly different step it is a random walk; and on the map the methods' errors
+    /// are larger.
+    pub fn rounding(&self, method: MethodRef, steps: u64, periods: u64) -> f64 {
+        const ROUNDING: f64 = 0.6 * f64::EPSILON;
+        let evaluations = method.info().force_evaluations as f64;
+        let walk = ROUNDING * libm::sqrt(evaluations * steps as f64 * periods as f64);
+        let late = self.sensitivity * self.period * periods as f64 / libm::sqrt(3.0);
+        let angle = self.fastest * late;
+        2.0 * walk * libm::hypot(THETA_0, angle)
+    }
+}
+
+impl Default for Release {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+/// Steps a period from which the error follows the law; at coarser steps the map uses only what
+/// was measured.
+///
+/// The samples have the same phases in every period, so that the change of the action beyond all
+/// powers of h, e^{−c/h}, adds up instead of cancelling: with ten steps a period the error of
+/// Blanes and Moan's method of order 6 after 5000 periods is a hundred times what its first 256
+/// predict.
+pub const COARSE: u64 = 24;
+
+/// A method's error over a run of a certain length, as a function of the number of steps a period.
+#[derive(Clone, Debug)]
+pub struct Curve {
+    method: MethodRef,
+    release: Release,
+    periods: u64,
+    /// The steps a period, and the logarithm of the error (rad).
+    points: Vec<(f64, f64)>,
+}
+
+/// What a method needs to keep its error within what is allowed.
+#[derive(Clone, Copy, Debug)]
+pub struct Advice {
+    /// The method.
+    pub method: MethodRef,
+    /// Steps a period.
+    pub steps: u64,
+    /// Force evaluations over the whole run.
+    pub evaluations: u64,
+}
+
+impl Curve {
+    /// The fewest steps a period from which on the error stays below `allowed` (rad), rounding
+    /// included; `None` where rounding alone may exceed it, or the run would have too many steps.
+    pub fn advice(&self, allowed: f64) -> Option<Advice> {
+        /// More steps add rounding, which may require more steps: this converges in a few
+        /// iterations or never.
+        const ROUNDS: usize = 100;
+        let mut steps = 1;
+        for _ in 0..ROUNDS {
+            let left = allowed - self.release.rounding(self.method, steps, self.periods);
+            let needed = libm::ceil(self.steps_for(left)?);
+            if needed * self.periods as f64 > pendula::error::MAX_STEPS as f64 {
+                return None;
+            }
+            if needed as u64 <= steps {
+                let evaluations = self.evaluations(steps);
+                return Some(Advice { method: self.method, steps, evaluations });
+            }
+            steps = needed as u64;
+        }
+        None
+    }
+
+    /// Force evaluations over the whole run. An implicit method iterates, more often in longer
+    /// steps and where the motion is more curved: its evaluations are counted over a period, or
+    /// over some steps from each eighth of one, and scaled to the run.
+    fn evaluations(&self, steps: u64) -> u64 {
+        const COUNTED: u64 = 1024;
+        const EIGHTHS: u64 = 8;
+        let info = self.method.info();
+        if info.implicit {
+            let starts = if steps > COUNTED { EIGHTHS } else { 1 };
+            let step = self.release.period / steps as f64;
+            let some = Grid::new(step, steps.min(COUNTED) / starts).expect("a positive step");
+            let motion = Motion::new(&Pendulum::PAPER, self.release.start).expect("a finite start");
+            let count = |i| {
+                let start = motion.at(self.release.period * (i as f64 / EIGHTHS as f64));
+                self.method.count_evaluations(&Pendulum::PAPER, start, &some)
+            };
+            let counted: u64 = (0..starts).map(count).sum();
+            (counted as f64 / (starts * some.steps()) as f64 * (steps * self.periods) as f64) as u64
+        } else {
+            info.start_evaluations + info.force_evaluations * steps * self.periods
+        }
+    }
+
+    /// The error of the method, without rounding (rad), with `steps` steps a period; NaN beyond
+    /// the ends of the curve.
+    pub fn error(&self, steps: u64) -> f64 {
+        let steps = steps as f64;
+        let pair = self.points.windows(2).find(|pair| (pair[0].0..=pair[1].0).contains(&steps));
+        pair.map_or(f64::NAN, |pair| {
+            let ((m, e), (finer, less)) = (pair[0], pair[1]);
+            libm::exp(e + (less - e) * libm::log(steps / m) / libm::log(finer / m))
+        })
+    }
+
+    /// The number of steps a period, not always whole, at which the error is `wanted` (rad).
+    fn steps_for(&self, wanted: f64) -> Option<f64> {
+        // NaN or −∞, which no rung reaches, where `wanted` is not positive.
+        let wanted = libm::log(wanted);
+        self.points.last().filter(|(_, least)| *least <= wanted)?;
+        // From the finest rung to the coarser, so that a coarse step whose error is small by
+        // chance is skipped.
+        let above = self.points.windows(2).rfind(|pair| pair[0].1 > wanted);
+        Some(above.map_or(self.points[0].0, |pair| {
+            let ((m, e), (finer, less)) = (pair[0], pair[1]);
+            // Coarse rungs are not interpolated: between them an order of 24 may become one of 30.
+            if m < COARSE as f64 {
+                return finer;
+            }
+            m * libm::pow(finer / m, (e - wanted) / (e - less))
+        }))
+    }
 }
 
 /// A cell of the map.
@@ -81,5 +258,114 @@ pub fn costs(methods: &[MethodRef]) -> Vec<Option<Advice>> {
     methods.iter().map(|method| curve(method).advice(COMPARED_ALLOWED)).collect()
 }
 
+/// The law, the curve and the map, on constructed errors.
 #[cfg(test)]
-mod tests;
+mod tests {
+    use pendula::method_named;
+
+    use super::error_law::Rung;
+    use super::*;
+
+    fn named(name: &str) -> MethodRef {
+        method_named(name).expect("a method of the library")
+    }
+
+    fn rung(steps: u64, growth: [f64; 3]) -> Rung {
+        Rung { steps, periods: 8, growth: vec![[0.0; 3], growth], seen: Vec::new() }
+    }
+
+    /// e₀ + e₁n + e₂n² at both ends of the run, and at its vertex where that lies between.
+    ///
+    /// Catches: a wrong vertex, one outside the run that counts, a sign that hides an error.
+    #[test]
+    fn the_largest_error_is_at_an_end_or_at_the_vertex() {
+        let hump = rung(64, [0.0, 8.0, -2.0]);
+        assert_eq!(
+            [1, 2, 3, 4, 5, 7].map(|periods| hump.error(periods)),
+            [0.0, 6.0, 8.0, 8.0, 8.0, 24.0]
+        );
+        let apart = rung(64, [-3.0, 4.0, 2.0]);
+        assert_eq!([1, 2, 3].map(|periods| apart.error(periods)), [3.0, 3.0, 13.0]);
+        let seen = Rung { seen: vec![0.5, 0.75], ..hump };
+        assert_eq!([1, 2, 3].map(|periods| seen.error(periods)), [0.5, 0.75, 8.0]);
+    }
+
+    /// Catches: a method whose action does not drift, by either property, fitted with a drift; one
+    /// whose action does, fitted without.
+    #[test]
+    fn only_a_method_without_symmetry_drifts() {
+        let release = Release::new();
+        let motion = Motion::new(&Pendulum::PAPER, release.start).unwrap();
+        let grid = release.grid(32, 1);
+        let truth: Vec<Phase> = (1..=32).map(|n| motion.at(grid.time(n))).collect();
+        let drift = |name| Rung::measure(named(name), &release, &truth).drift();
+        assert!(drift("rk4") > 0.0);
+        // Symplectic and not symmetric, and both.
+        assert_eq!(["symplectic-euler", "stormer-verlet"].map(drift), [0.0, 0.0]);
+    }
+
+    /// The steps of those of the two rungs that RK4's curve over `periods` periods keeps.
+    fn kept(rungs: [Rung; 2], periods: u64) -> Vec<u64> {
+        let profile =
+            Profile { method: named("rk4"), release: Release::new(), rungs: rungs.to_vec() };
+        let points = profile.over(periods).points;
+        points.iter().map(|(steps, _)| *steps as u64).collect()
+    }
+
+    /// Catches: a law used where steps are too coarse for it, a rung dropped though its whole run
+    /// was measured, the run of an implicit method that found no solution, and one in short steps
+    /// dropped as if it were coarse.
+    #[test]
+    fn of_coarse_steps_the_curve_knows_what_was_seen() {
+        let coarse = |steps, last| Rung {
+            seen: vec![0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, last],
+            ..rung(steps, [0.5, 0.0, 0.0])
+        };
+        let fine = || rung(64, [0.25, 0.0, 0.0]);
+        assert_eq!(kept([coarse(COARSE - 1, 0.5), fine()], 8), [COARSE - 1, 64]);
+        assert_eq!(kept([coarse(COARSE - 1, 0.5), fine()], 9), [64]);
+        assert_eq!(kept([rung(COARSE, [0.5, 0.0, 0.0]), fine()], 9), [COARSE, 64]);
+        for lost in [f64::NAN, f64::INFINITY] {
+            assert_eq!(kept([coarse(COARSE - 1, lost), fine()], 7), [COARSE - 1, 64]);
+            assert_eq!(kept([coarse(COARSE - 1, lost), fine()], 8), [64]);
+        }
+        assert!(kept([rung(COARSE, [f64::NAN, 0.0, 0.0]), fine()], 8).is_empty());
+    }
+
+    /// RK4's curve through these steps a period and errors (rad).
+    fn curve(periods: u64, points: &[(f64, f64)]) -> Curve {
+        let points = points.iter().map(|(n, e)| (*n, libm::log(*e))).collect();
+        Curve { method: named("rk4"), release: Release::new(), periods, points }
+    }
+
+    /// Catches: an error off its chord, or beyond the curve; steps for an error that the curve does
+    /// not reach.
+    #[test]
+    fn between_two_rungs_the_curve_is_a_chord() {
+        let curve = curve(3, &[(32.0, 1e-2), (64.0, 1e-4), (128.0, 1e-5)]);
+        // Half-way between the rungs on logarithmic axes, but for rounding to whole steps.
+        for (steps, expected) in [(32, 1e-2), (64, 1e-4), (128, 1e-5)] {
+            assert!((curve.error(steps) / expected - 1.0).abs() < 1e-13);
+        }
+        let at = |n: f64, (m, e): (f64, f64), power: f64| e * libm::pow(n / m, -power);
+        assert!((curve.error(45) / at(45.0, (32.0, 1e-2), libm::log2(100.0)) - 1.0).abs() < 1e-13);
+        assert!((curve.error(90) / at(90.0, (64.0, 1e-4), libm::log2(10.0)) - 1.0).abs() < 1e-13);
+        assert!(curve.error(31).is_nan() && curve.error(129).is_nan());
+        for n in [45, 90] {
+            let steps = curve.steps_for(curve.error(n)).unwrap();
+            assert!((steps / n as f64 - 1.0).abs() < 1e-13, "{steps}");
+        }
+        for none in [f64::NAN, -1.0, 0.0, 9e-6] {
+            assert_eq!(curve.steps_for(none), None);
+        }
+    }
+
+    /// Catches: a run of more steps than can be counted, a limit that is off.
+    #[test]
+    fn a_run_too_long_to_be_counted_is_not_advised() {
+        let advice = |periods| curve(periods, &[(1024.0, 1e99), (2048.0, 1e98)]).advice(1e100);
+        let most = pendula::error::MAX_STEPS / 1024;
+        assert_eq!(advice(most).map(|advice| advice.steps), Some(1024));
+        assert!(advice(most + 1).is_none());
+    }
+}

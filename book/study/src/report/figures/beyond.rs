@@ -118,20 +118,3 @@ pub(super) fn turning_ellipse(_: &Study, figure: Figure) -> Figure {
         .note(-0.6 * cosine, -0.6 * sine, format!("{:.2} rad", angle.abs()));
     figure.panel(chart)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Catches: a circle that is drawn as an ellipse.
-    #[test]
-    fn a_metre_is_as_long_upwards_as_across() {
-        let chart = plane((-1.0, 2.0), (-1.5, 1.5));
-        let svg = Figure::new("t", "d").panel(chart).to_svg("x");
-        let rect = svg.split_once("<rect ").expect("a plot").1;
-        let mut values = rect.split('"').skip(1).step_by(2).map(str::parse::<f64>);
-        // Past x and y; coordinates have one decimal.
-        let (width, height) = (values.nth(2).unwrap().unwrap(), values.next().unwrap().unwrap());
-        assert!((width - height).abs() < 0.15, "{width} {height}");
-    }
-}

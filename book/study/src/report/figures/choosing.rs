@@ -78,8 +78,14 @@ pub(super) fn decision(_: &Study, figure: Figure) -> Figure {
         "A tap on a cell, or a mouse that rests there, shows here",
         "its steps, its evaluations, and what the second best needs.",
     ];
-    let regions = Map::new(x, y, names, map.iter().map(|place| cell(&winners, place)));
-    let regions = regions.says("steps", prompt);
+    let regions = Map {
+        x,
+        y,
+        names: names.collect(),
+        cells: map.iter().map(|place| cell(&winners, place)).collect(),
+        unit: "steps".into(),
+        prompt: prompt.map(String::from),
+    };
     let chart = Chart::new(
         Axis::log("length of the run (periods)").range(shortest, longest),
         Axis::log("largest angle error allowed (rad)").range(smallest, largest),

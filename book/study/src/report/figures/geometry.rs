@@ -2,23 +2,22 @@
 //! that it follows.
 
 use pendula::exact::Motion;
-use pendula::methods::Rk4;
+use pendula::methods::{ForestRuth, Rk4, Splitting, StormerVerlet, Suzuki4};
 use pendula::{AnyMethod, Grid, METHODS, Method, Pendulum, Phase};
 
-use super::{phase_plane, style, title};
-use crate::charts::{Chart, Figure, Style};
-use crate::experiments::area::carried;
+use super::{named, phase_plane, style, title};
+use crate::charts::{Axis, Chart, Figure, Style};
 use crate::experiments::parts::{Kind, Noting, Parts};
 use crate::experiments::shapes::{CAT, Place, Polygon, SQUARE, area};
-use crate::experiments::{MethodRef, Study, in_paper, level_curves};
+use crate::experiments::{MethodRef, Study, carried, in_paper, level_curves};
 
-pub(super) const PENDULUM: Pendulum = Pendulum::PAPER;
+const PENDULUM: Pendulum = Pendulum::PAPER;
 
-pub(super) fn point(z: Phase) -> (f64, f64) {
+fn point(z: Phase) -> (f64, f64) {
     (z.theta, z.omega)
 }
 
-pub(super) fn true_motion(start: Phase) -> Motion {
+fn true_motion(start: Phase) -> Motion {
     Motion::new(&PENDULUM, start).expect("a finite start")
 }
 
@@ -27,7 +26,7 @@ fn period_of(start: Phase) -> f64 {
 }
 
 /// The true motion from `start` for the time `duration` (s), in enough points for a smooth curve.
-pub(super) fn truth(start: Phase, duration: f64) -> impl Iterator<Item = (f64, f64)> {
+fn truth(start: Phase, duration: f64) -> impl Iterator<Item = (f64, f64)> {
     const POINTS: u32 = 400;
     let motion = true_motion(start);
     let time = move |n: u32| duration * (f64::from(n) / f64::from(POINTS));
@@ -39,7 +38,7 @@ pub(super) fn truth(start: Phase, duration: f64) -> impl Iterator<Item = (f64, f
 // -------------------------------------------------------------------------------------------------
 
 /// On the way down to the bottom: neither the velocity nor the force is zero or at its maximum.
-pub(super) const START: Phase = Phase { theta: -1.2, omega: 1.0 };
+const START: Phase = Phase { theta: -1.2, omega: 1.0 };
 /// A sixth of a period (s): long enough to show each part of the step.
 const STEP: f64 = 0.35;
 /// RK4's step (s): with the step of the others its end could hardly be told from the true
@@ -47,7 +46,7 @@ const STEP: f64 = 0.35;
 const RK4_STEP: f64 = 0.55;
 
 /// A step taken apart, each slope followed for the time `along` (s).
-pub(super) fn parts<M>(method: &M, start: Phase, h: f64, along: f64) -> Parts<Phase>
+fn parts<M>(method: &M, start: Phase, h: f64, along: f64) -> Parts<Phase>
 where
     M: for<'a> Method<Noting<'a, Pendulum>>,
 {
@@ -112,6 +111,92 @@ pub(super) fn stencil_rk4(_: &Study, figure: Figure) -> Figure {
         chart = chart.series("", Style::GUIDE, [START, slope.from].map(point));
     }
     figure.panel(with_arrows(chart, method, parts, |i| format!("k_{{{i}}}")))
+}
+
+// -------------------------------------------------------------------------------------------------
+// A step of order 4 put together from steps of order 2
+// -------------------------------------------------------------------------------------------------
+
+/// About a seventh of a period (s): the errors of the substeps can be seen, and that of the step is
+/// small beside them.
+const JUMP: f64 = 0.3;
+
+/// Where steps of Störmer–Verlet by these shares of [`JUMP`] lead from [`START`], one after the
+/// other, and at what time (s): the start and the end of each.
+fn ends(shares: &[f64]) -> Vec<(f64, Phase)> {
+    let mut ends = vec![(0.0, START)];
+    let (mut t, mut z) = ends[0];
+    for share in shares {
+        let h = share * JUMP;
+        (t, z) = (t + h, parts(&StormerVerlet, z, h, h).end);
+        ends.push((t, z));
+    }
+    ends
+}
+
+/// A length in steps, with the true minus sign.
+fn in_steps(share: f64) -> String {
+    format!("{share:.2}").replace('-', "−")
+}
+
+/// The substeps of Forest–Ruth in phase space.
+fn jump() -> Chart {
+    let method = named("forest-ruth");
+    let ends = ends(ForestRuth::DRIFTS);
+    let truth_at = |t: f64| true_motion(START).at(t);
+    let mut chart = phase_plane((-1.9, 0.4), (-0.5, 4.0))
+        .height(300.0)
+        .series("true orbit", Style::REFERENCE, truth(truth_at(-0.45 * JUMP), 2.15 * JUMP))
+        .series("true motion", Style::TRUE_POINT, ends.iter().map(|(t, _)| point(truth_at(*t))))
+        .series(title(method), style(method).markers_only(), ends.iter().map(|(_, z)| point(*z)));
+    for pair in ends.windows(2) {
+        let ends = [pair[0].1, pair[1].1].map(point);
+        chart = chart.series("", style(method).arrow(), ends);
+    }
+    for (t, z) in ends {
+        let time = match (t / JUMP * 100.0).round() / 100.0 {
+            0.0 => "start".into(),
+            1.0 => "h".into(),
+            share => format!("{} h", in_steps(share)),
+        };
+        chart = chart
+            .series("", Style::GUIDE, [truth_at(t), z].map(point))
+            .note(z.theta, z.omega, time);
+    }
+    chart
+}
+
+/// The substeps of two methods in time, one below the other.
+fn lengths() -> Chart {
+    let methods =
+        [(named("forest-ruth"), ForestRuth::DRIFTS), (named("suzuki-4"), Suzuki4::DRIFTS)];
+    let (mut y, mut ticks, mut arrows) = (0.0, Vec::new(), Vec::new());
+    for (method, shares) in methods {
+        let mut t = 0.0;
+        for share in shares {
+            y -= 1.0;
+            ticks.push((y, in_steps(*share)));
+            arrows.push((method, [(t, y), (t + share, y)]));
+            t += share;
+        }
+        // A gap between the methods.
+        y -= 0.5;
+    }
+    let chart = Chart::new(
+        Axis::linear("time (steps)").range(-0.5, 1.5),
+        Axis::linear("substep (steps)").range(y - 0.1, -0.4).ticks(ticks),
+    )
+    .height(210.0)
+    .vertical(0.0, "start")
+    .vertical(1.0, "end");
+    arrows.into_iter().fold(chart, |chart, (method, arrow)| {
+        chart.series(title(method), style(method).arrow(), arrow)
+    })
+}
+
+/// The triple jump in phase space, and in time beside Suzuki's five substeps.
+pub(super) fn triple_jump(_: &Study, figure: Figure) -> Figure {
+    figure.panel(jump()).panel(lengths())
 }
 
 // -------------------------------------------------------------------------------------------------

@@ -4,8 +4,6 @@ mod beyond;
 mod choosing;
 mod evidence;
 mod geometry;
-mod higher_order;
-mod limits;
 mod opening;
 mod paper;
 
@@ -110,11 +108,11 @@ const DRAWINGS: &[Drawing] = &[
     Drawing { name: "rounding_walk", draw: evidence::rounding_walk },
     Drawing { name: "decision", draw: choosing::decision },
     Drawing { name: "cost", draw: choosing::cost },
-    Drawing { name: "triple_jump", draw: higher_order::triple_jump },
-    Drawing { name: "resonances", draw: limits::resonances },
-    Drawing { name: "truncation", draw: limits::truncation },
-    Drawing { name: "least_change", draw: limits::least_change },
-    Drawing { name: "widths", draw: limits::widths },
+    Drawing { name: "triple_jump", draw: geometry::triple_jump },
+    Drawing { name: "resonances", draw: evidence::resonances },
+    Drawing { name: "truncation", draw: evidence::truncation },
+    Drawing { name: "least_change", draw: evidence::least_change },
+    Drawing { name: "widths", draw: evidence::widths },
     Drawing { name: "poincare", draw: beyond::poincare },
     Drawing { name: "separation", draw: beyond::separation },
     Drawing { name: "kapitza", draw: beyond::kapitza },

@@ -1,11 +1,12 @@
 //! The paper's figures.
 
 use pendula::Pendulum;
+use pendula::arithmetic::sine::cos;
 
 use super::{named, of_the_paper, style, title};
 use crate::charts::{Axis, Chart, Figure, Style};
 use crate::experiments::{
-    STEPS, Study, convergence, energy_error, large_angle, long_run, phase_portrait, small_angle,
+    STEPS, Study, convergence, energy_error, large_angle, level_curves, long_run, small_angle,
 };
 
 /// Energy error against step on doubly logarithmic axes.
@@ -68,8 +69,8 @@ pub(super) fn figure_4(_: &Study, figure: Figure) -> Figure {
     let run = small_angle::trajectory(method, 0.01);
     let style = style(method).line_only().solid();
     let time = || Axis::linear("t (s)").range(0.0, small_angle::DURATION);
-    let formula =
-        |t: f64| small_angle::THETA_0 * pendula::arithmetic::sine::cos(small_angle_frequency() * t);
+    let frequency = Pendulum::PAPER.small_angle_frequency();
+    let formula = |t: f64| small_angle::THETA_0 * cos(frequency * t);
     let angle = Chart::new(time(), Axis::linear("θ (rad)"))
         .height(220.0)
         .series("θ_{0} cos ω_{0}t", Style::REFERENCE, run.iter().map(|&(t, _)| (t, formula(t))))
@@ -82,26 +83,20 @@ pub(super) fn figure_4(_: &Study, figure: Figure) -> Figure {
     figure.panel(angle).panel(energy)
 }
 
-fn small_angle_frequency() -> f64 {
-    Pendulum::PAPER.small_angle_frequency()
-}
-
 /// Three orbits of RK4 in phase space, inside the separatrix.
 pub(super) fn figure_5(_: &Study, figure: Figure) -> Figure {
     let rk4 = named("rk4");
-    let top = 2.0 * small_angle_frequency();
+    let top = 2.0 * Pendulum::PAPER.small_angle_frequency();
     let separatrix = (-160..=160).map(|k| f64::from(k) / 50.0).map(|theta| (theta, theta * 0.5));
-    let separatrix =
-        separatrix.map(|(theta, half)| (theta, top * pendula::arithmetic::sine::cos(half)));
-    let above: Vec<(f64, f64)> = separatrix.collect();
+    let above: Vec<_> = separatrix.map(|(theta, half)| (theta, top * cos(half))).collect();
     let below = above.iter().map(|&(theta, omega)| (theta, -omega));
     let mut chart = Chart::new(Axis::linear("θ (rad)"), Axis::linear("ω (rad/s)").range(-7.0, 7.0))
         .height(360.0)
         .series("separatrix", Style::REFERENCE, above.clone())
         .series("separatrix", Style::REFERENCE, below);
     // Each label stands where its own orbit has room beside it.
-    for (theta_0, label_at) in phase_portrait::THETA_0.into_iter().zip([0.5, 1.5, -2.5]) {
-        let points = phase_portrait::orbit(rk4, theta_0).into_iter().map(|z| (z.theta, z.omega));
+    for (theta_0, label_at) in level_curves::PORTRAIT.into_iter().zip([0.5, 1.5, -2.5]) {
+        let points = level_curves::portrait(rk4, theta_0).into_iter().map(|z| (z.theta, z.omega));
         chart = chart.series(title(rk4), style(rk4).line_only().solid(), points).note(
             label_at,
             0.0,

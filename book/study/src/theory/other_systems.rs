@@ -1,8 +1,33 @@
-//! The stability boundaries of Mathieu's equation y″ + (a − 2q cos 2τ) y = 0.
+//! Other systems: the precession of a Kepler ellipse under Störmer–Verlet, and the stability
+//! boundaries of Mathieu's equation y″ + (a − 2q cos 2τ) y = 0, which is that of the upright
+//! pendulum with a shaken pivot.
 //!
-//! On the boundaries it has a periodic solution. The coefficients of that solution's Fourier series
-//! obey three-term recurrences (DLMF 28.4), so that a is an eigenvalue of a symmetric tridiagonal
-//! matrix; here always the smallest.
+//! Störmer–Verlet in velocity form conserves H + h² (v·V″v/12 − |V′|²/24) + O(h⁴) for a particle of
+//! unit mass (Hairer, Lubich, Wanner (2006), Ch. IX), here with V = −μ/r. On an ellipse of energy
+//! E = −μ/2a and angular momentum l that correction is
+//!
+//! h² \[−μE/(3r³) − 3μ²/(8r⁴) + μl²/(4r⁵)\],
+//!
+//! and its mean over a revolution, with η = √(1 − e²), is h² (μ²/a⁴) (3η⁻⁵ − η⁻³)/48. The
+//! pericentre turns at the rate of the derivative of this mean with respect to l = η √(μa) at
+//! constant a: first-order perturbation theory in Delaunay's variables.
+//!
+//! On the boundaries Mathieu's equation has a periodic solution. The coefficients of that
+//! solution's Fourier series obey three-term recurrences (DLMF 28.4), so that a is an eigenvalue of
+//! a symmetric tridiagonal matrix; here always the smallest.
+
+use core::f64::consts::PI;
+
+use pendula::systems::Ellipse;
+
+/// The angle (rad) by which Störmer–Verlet with the `step` h (s) turns the pericentre in a
+/// revolution: −(π/8)(nh)² (4 + e²)/(1 − e²)³ + O(h⁴), against the motion.
+pub fn verlet_precession(ellipse: &Ellipse, step: f64) -> f64 {
+    let x = ellipse.mean_motion() * step;
+    let square = ellipse.eccentricity() * ellipse.eccentricity();
+    let flat = 1.0 - square;
+    -(PI / 8.0) * (x * x) * (4.0 + square) / (flat * flat * flat)
+}
 
 /// Rows of the matrix. The k-th coefficient falls as qᵏ/(4ᵏ k!²): for q ≤ 1 the tenth is below
 /// 1e-18.

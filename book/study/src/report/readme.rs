@@ -1,18 +1,80 @@
-//! Four pendulums that swing side by side, in a file that moves by itself.
+//! The pictures of the README, which cannot include a snapshot: files of their own. One is of four
+//! pendulums that swing side by side, in a file that moves by itself.
 //!
 //! The movement is in the SVG's own language (SMIL), which a browser plays in an image too, without
 //! scripts. Who asks their system for little motion sees how it ends.
 
 use core::f64::consts::PI;
 
-use std::fmt::Write;
-
 use pendula::exact::Motion;
 use pendula::{Pendulum, Phase};
 
-use super::super::figures::{style, title};
-use crate::charts::{Num, Point, Style, draw_text, escape, line, style_sheet, wrapped};
+use super::figures::{figures, style, title};
+use crate::charts::{Num, Point, Style, draw_text, escape, line, style_sheet, width, wrapped};
+use crate::experiments::Study;
 use crate::experiments::side_by_side::{self, DURATION, EVALUATION, Row, THETA_0};
+
+/// A picture and the file that it is, from the root of the repository.
+pub struct Picture {
+    /// The path of the file.
+    pub path: String,
+    /// What the file has to be.
+    pub svg: String,
+}
+
+/// All of them.
+pub fn pictures(study: &Study) -> Vec<Picture> {
+    let picture = |path: &str, svg| Picture { path: path.to_string(), svg };
+    let figure_2 = figures().find(|figure| figure.name == "figure_2");
+    let [moving, at_rest] = moving_pictures();
+    let mut pictures = vec![
+        picture("book/src/assets/four-pendulums.svg", moving),
+        picture("book/src/assets/four-pendulums-at-rest.svg", at_rest),
+        // It stands in for the lab where there are no scripts.
+        picture(
+            "book/src/assets/energy-error.svg",
+            figure_2.expect("the paper's Figure 2").svg(study),
+        ),
+    ];
+    pictures.extend(badges().map(|(name, svg)| picture(&format!("book/readme/{name}.svg"), svg)));
+    pictures
+}
+
+/// The letters are so much smaller than those of the figures.
+const SCALE: f64 = 11.5 / 17.0;
+/// Left and right of a text.
+const PADDING: f64 = 7.0;
+
+/// The badges, by the names of their files. The values are those of the workspace, which every
+/// crate of it inherits.
+fn badges() -> [(&'static str, String); 3] {
+    [
+        ("version", badge("version", env!("CARGO_PKG_VERSION"))),
+        ("licence", badge("licence", env!("CARGO_PKG_LICENSE"))),
+        ("rust", badge("Rust", concat!(env!("CARGO_PKG_RUST_VERSION"), " or newer"))),
+    ]
+}
+
+/// White letters on grey and on blue, which can be read on a light page and on a dark one.
+fn badge(label: &str, value: &str) -> String {
+    let room = |text: &str| (SCALE * width(text) + 2.0 * PADDING).ceil();
+    let (left, right) = (room(label), room(value));
+    let (all, middle) = (left + right, left + right / 2.0);
+    let (label, value) = (escape(label), escape(value));
+    format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{all}\" height=\"20\" \
+         viewBox=\"0 0 {all} 20\" role=\"img\"\naria-label=\"{label}: {value}\">\n\
+         <title>{label}: {value}</title>\n\
+         <clipPath id=\"round\"><rect width=\"{all}\" height=\"20\" rx=\"4\"/></clipPath>\n\
+         <g clip-path=\"url(#round)\">\n<rect width=\"{left}\" height=\"20\" fill=\"#4b535d\"/>\n\
+         <rect x=\"{left}\" width=\"{right}\" height=\"20\" fill=\"#0068a8\"/>\n</g>\n\
+         <g fill=\"#ffffff\" font-family=\"system-ui,sans-serif\" font-size=\"11.5\" \
+         text-anchor=\"middle\">\n<text x=\"{}\" y=\"14\">{label}</text>\n\
+         <text x=\"{}\" y=\"14\">{value}</text>\n</g>\n</svg>\n",
+        Num(left / 2.0),
+        Num(middle),
+    )
+}
 
 const ID: &str = "four-pendulums";
 /// Width of a column, and of all of them.
@@ -38,7 +100,7 @@ const REST: f64 = 2.0;
 
 /// The picture that moves, and how it ends. Not every browser tells an image how much motion its
 /// reader wants, so the README asks and shows the one or the other.
-pub(super) fn svgs() -> [String; 2] {
+fn moving_pictures() -> [String; 2] {
     let rows = side_by_side::run();
     let truth = side_by_side::truth();
     let styles: Vec<Style> = rows.iter().map(|row| style(row.method)).collect();
@@ -59,12 +121,8 @@ pub(super) fn svgs() -> [String; 2] {
             line(out, "</g></g>".to_string());
         }
     }
-    for out in [&mut fixed, &mut moving, &mut still] {
-        line(out, "<g class=\"wide\">".to_string());
-    }
-    draw_clock(&mut fixed, &mut moving, &mut still);
-    for out in [&mut fixed, &mut moving, &mut still] {
-        line(out, "</g>".to_string());
+    for (out, clock) in [&mut fixed, &mut moving, &mut still].into_iter().zip(clock()) {
+        line(out, format!("<g class=\"wide\">\n{clock}</g>"));
     }
     let both = format!("<g class=\"moving\">\n{moving}</g>\n<g class=\"still\">\n{still}</g>\n");
     let file = |rules: String, body: &str| {
@@ -157,15 +215,14 @@ fn draw_fixed(out: &mut String, row: &Row, left: f64, portrait: Portrait) {
 fn draw_pendulum(out: &mut String, style: Style, samples: &[Phase], left: f64, moves: bool) {
     let (x, y) = (Num(left + COLUMN / 2.0), Num(PIVOT));
     // θ grows counter-clockwise, an SVG's angles clockwise.
-    let angles: Vec<String> =
-        samples.iter().map(|z| Num(-z.theta.to_degrees()).to_string()).collect();
-    let end = angles.last().expect("a sample");
-    let times: Vec<f64> = (0..samples.len()).map(|n| n as f64 * EVALUATION).collect();
+    let angle = |z: &Phase| Num(-z.theta.to_degrees());
+    let end = angle(samples.last().expect("a sample"));
     let turn = match moves {
-        true => format!(
-            "<animateTransform attributeName=\"transform\" type=\"rotate\" {}/>\n",
-            played(&times, &angles)
-        ),
+        true => {
+            let frames = samples.iter().enumerate();
+            let run = played(frames.map(|(n, z)| (n as f64 * EVALUATION, angle(z))));
+            format!("<animateTransform attributeName=\"transform\" type=\"rotate\" {run}/>\n")
+        }
         false => String::new(),
     };
     let (rod, radius) = (Num(LENGTH - BOB), Num(BOB));
@@ -207,22 +264,14 @@ fn draw_orbit(out: &mut String, row: &Row, portrait: Portrait, moves: bool) {
             so_far.push(length);
         }
         let whole = length.ceil() + 1.0;
-        let times: Vec<f64> = turn.iter().map(|dated| dated.0).collect();
-        let offsets: Vec<String> =
-            so_far.iter().map(|gone| Num(whole - gone).to_string()).collect();
-        line(
-            out,
-            format!(
-                "<path {class} stroke-dasharray=\"{whole}\" d=\"{d}\">\n<animate \
-                 attributeName=\"stroke-dashoffset\" {}/></path>",
-                played(&times, &offsets)
-            ),
-        );
+        let offsets = turn.iter().zip(so_far).map(|((t, _), gone)| (*t, Num(whole - gone)));
+        line(out, format!("<path {class} stroke-dasharray=\"{whole}\" d=\"{d}\">"));
+        let run = played(offsets);
+        line(out, format!("<animate attributeName=\"stroke-dashoffset\" {run}/></path>"));
     }
-    let all: Vec<Dated> = turns.into_iter().flatten().collect();
-    let times: Vec<f64> = all.iter().map(|dated| dated.0).collect();
-    let places: Vec<Point> = all.iter().map(|dated| portrait.place(dated.1)).collect();
-    let end = places.last().expect("a sample");
+    let all: Vec<Dated> =
+        turns.into_iter().flatten().map(|(t, point)| (t, portrait.place(point))).collect();
+    let (_, end) = all.last().expect("a sample");
     let (x, y) = (Num(end.0), Num(end.1));
     let dot = format!(r#"<circle {} cx="{x}" cy="{y}" r="5""#, style.class("dot"));
     if !moves {
@@ -230,35 +279,33 @@ fn draw_orbit(out: &mut String, row: &Row, portrait: Portrait, moves: bool) {
         return;
     }
     let along = |name: &str, pick: fn(&Point) -> f64| {
-        let values: Vec<String> = places.iter().map(|p| Num(pick(p)).to_string()).collect();
-        format!("<animate attributeName=\"{name}\" {}/>", played(&times, &values))
+        let run = played(all.iter().map(|(t, place)| (*t, Num(pick(place)))));
+        format!("<animate attributeName=\"{name}\" {run}/>")
     };
     line(out, format!("{dot}>\n{}\n{}</circle>", along("cx", |p| p.0), along("cy", |p| p.1)));
 }
 
-/// How much time has gone.
-fn draw_clock(fixed: &mut String, moving: &mut String, still: &mut String) {
+/// How much time has gone: what does not move, what does, and how it ends.
+fn clock() -> [String; 3] {
     let (left, right) = (40.0, WIDTH - 40.0);
     let at = |t: f64| Num(left + (right - left) * t / DURATION);
-    let mut ticks = format!("M{left},{CLOCK}H{right}");
-    for second in 0..=DURATION as u32 {
-        let _ = write!(ticks, "M{},{CLOCK}v-5", at(second.into()));
-    }
-    line(fixed, format!(r#"<path class="axis" d="{ticks}"/>"#));
-    draw_text(fixed, "small", (left - 8.0, CLOCK + 4.0), "end", "0 s");
-    draw_text(fixed, "small", (right + 6.0, CLOCK + 4.0), "start", &format!("{DURATION} s"));
+    let ticks = (0..=DURATION as u32).map(|t| format!("M{},{CLOCK}v-5", at(t.into())));
+    let ticks: String = [format!("M{left},{CLOCK}H{right}")].into_iter().chain(ticks).collect();
+    let mut fixed = format!("<path class=\"axis\" d=\"{ticks}\"/>\n");
+    draw_text(&mut fixed, "small", (left - 8.0, CLOCK + 4.0), "end", "0 s");
+    draw_text(&mut fixed, "small", (right + 6.0, CLOCK + 4.0), "start", &format!("{DURATION} s"));
     let dot = format!(r#"<circle class="dot" cx="{right}" cy="{CLOCK}" r="5""#);
-    line(still, format!("{dot}/>"));
-    let places = [at(0.0), at(DURATION)].map(|x| x.to_string());
-    let run = played(&[0.0, DURATION], &places);
-    line(moving, format!("{dot}>\n<animate attributeName=\"cx\" {run}/></circle>"));
+    let run = played([0.0, DURATION].map(|t| (t, at(t))));
+    let moving = format!("{dot}>\n<animate attributeName=\"cx\" {run}/></circle>\n");
+    [fixed, moving, format!("{dot}/>\n")]
 }
 
-/// The attributes of an animation that takes these values at these times (s), straight between
-/// them; before and after, the first and the last of them.
-fn played(times: &[f64], values: &[String]) -> String {
+/// The attributes of an animation that takes values at times (s), straight between them; before
+/// and after, the first and the last of them.
+fn played(frames: impl IntoIterator<Item = (f64, Num)>) -> String {
     let all = DURATION + REST;
-    let mut values = values.to_vec();
+    let (times, mut values): (Vec<f64>, Vec<String>) =
+        frames.into_iter().map(|(t, value)| (t, value.to_string())).unzip();
     let last = values.last().cloned().unwrap_or_default();
     let even = |(n, t): (usize, &f64)| (t - n as f64 * EVALUATION).abs() < 1e-9;
     let dates = if times.iter().enumerate().all(even) {
