@@ -360,6 +360,81 @@ mod tests {
         }
     }
 
+    /// From sRGB to linear light, as IEC 61966-2-1 has it.
+    fn linear(colour: &str) -> [f64; 3] {
+        core::array::from_fn(|i| {
+            let byte = u8::from_str_radix(&colour[2 * i + 1..2 * i + 3], 16).unwrap();
+            let c = f64::from(byte) / 255.0;
+            if c <= 0.04045 { c / 12.92 } else { libm::pow((c + 0.055) / 1.055, 2.4) }
+        })
+    }
+
+    fn times(matrix: [[f64; 3]; 3], v: [f64; 3]) -> [f64; 3] {
+        matrix.map(|row| row[0] * v[0] + row[1] * v[1] + row[2] * v[2])
+    }
+
+    /// CIELAB with the white of D65.
+    fn lab(light: [f64; 3]) -> [f64; 3] {
+        const XYZ: [[f64; 3]; 3] = [
+            [0.4124564, 0.3575761, 0.1804375],
+            [0.2126729, 0.7151522, 0.072175],
+            [0.0193339, 0.119192, 0.9503041],
+        ];
+        let (xyz, white) = (times(XYZ, light.map(|c| c.clamp(0.0, 1.0))), times(XYZ, [1.0; 3]));
+        let [x, y, z] = core::array::from_fn(|i| {
+            let t = xyz[i] / white[i];
+            if t > 216.0 / 24_389.0 { libm::cbrt(t) } else { (24_389.0 / 27.0 * t + 16.0) / 116.0 }
+        });
+        [116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)]
+    }
+
+    /// What a reader sees of linear light: with all cones, without those for long waves, for middle
+    /// ones, for short ones (Machado, Oliveira and Fernandes, *IEEE Transactions on Visualization
+    /// and Computer Graphics* 15 (2009) 1291, severity 1).
+    const VISIONS: [[[f64; 3]; 3]; 4] = [
+        [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+        [
+            [0.152286, 1.052583, -0.204868],
+            [0.114503, 0.786281, 0.099216],
+            [-0.003882, -0.048116, 1.051998],
+        ],
+        [
+            [0.367322, 0.860646, -0.227968],
+            [0.280085, 0.672501, 0.047413],
+            [-0.01182, 0.04294, 0.968881],
+        ],
+        [
+            [1.255528, -0.076749, -0.178779],
+            [-0.078411, 0.930809, 0.147602],
+            [0.004733, 0.691367, 0.3039],
+        ],
+    ];
+
+    /// Side by side a difference of about 2 can be seen; 20 is seen from one end of a map to the
+    /// other.
+    ///
+    /// Catches: two areas that a reader who lacks a kind of cones takes for one, such as the green
+    /// and the vermilion of the lines.
+    #[test]
+    fn areas_differ_for_every_reader() {
+        let nearest = |colours: &[&str]| {
+            let mut nearest = f64::INFINITY;
+            for vision in VISIONS {
+                let seen: Vec<_> = colours.iter().map(|c| lab(times(vision, linear(c)))).collect();
+                for (i, a) in seen.iter().enumerate() {
+                    for b in &seen[..i] {
+                        let square = |k: usize| (a[k] - b[k]) * (a[k] - b[k]);
+                        nearest = nearest.min(libm::sqrt(square(0) + square(1) + square(2)));
+                    }
+                }
+            }
+            nearest
+        };
+        let (light, dark) = (AREAS.map(|area| area.0), AREAS.map(|area| area.1));
+        assert!(nearest(&light) > 20.0 && nearest(&dark) > 20.0);
+        assert!(nearest(&PALETTE.map(|colour| colour.1)) < 10.0, "colours made for lines");
+    }
+
     /// Catches: series that share a colour or a marker, or the look of one of the paper's methods.
     #[test]
     fn series_differ_from_each_other_and_from_methods() {
