@@ -3,7 +3,6 @@
 mod answers;
 pub(crate) mod area;
 mod claims;
-pub(crate) mod clock;
 pub(crate) mod energy;
 pub(crate) mod expansion;
 pub(crate) mod identity;
@@ -159,8 +158,8 @@ impl Judge<'_> {
         self.note("units", self.implied(), apart, |apart| apart.judge(true))?;
         let apart = symmetry::turn(&self.probe);
         self.note("turn", self.implied(), apart, |apart| apart.judge(true))?;
-        let clock = clock::clock(&self.probe);
-        self.note("clock", self.implied(), clock, clock::Clock::judge)?;
+        let clock = replies::clock(&self.probe);
+        self.note("clock", self.implied(), clock, replies::Clock::judge)?;
         let claimed = self.claims.evaluations;
         let text = claimed.map(|a_step| format!("{a_step} a step"));
         let counted = replies::counted(&self.probe);
