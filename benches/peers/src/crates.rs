@@ -31,11 +31,21 @@ pub type Controlled = fn(Phase, f64, f64) -> Phase;
 
 /// The crates' methods that the library has too, by the library's name.
 pub const STEPPED: [(&str, &str, Loop); 5] = [
-    ("forward-euler", "differential-equations", euler),
+    ("forward-euler", "differential-equations", |start, steps, step| {
+        stepped_by_hand(ExplicitRungeKutta::euler(step).max_steps(MOST), start, steps, step)
+    }),
     ("rk4", "ode_solvers", ode_solvers_rk4),
-    ("rk4", "differential-equations", rk4),
-    ("stormer-verlet", "differential-equations", verlet),
-    ("forest-ruth", "differential-equations", ruth_forest),
+    ("rk4", "differential-equations", |start, steps, step| {
+        stepped_by_hand(ExplicitRungeKutta::rk4(step).max_steps(MOST), start, steps, step)
+    }),
+    ("stormer-verlet", "differential-equations", |start, steps, step| {
+        let method = SymplecticIntegrator::velocity_verlet(step);
+        stepped_by_hand(method.max_steps(MOST), start, steps, step)
+    }),
+    ("forest-ruth", "differential-equations", |start, steps, step| {
+        let method = SymplecticIntegrator::ruth_forest(step);
+        stepped_by_hand(method.max_steps(MOST), start, steps, step)
+    }),
 ];
 
 /// The crates' methods that may reach a small error.
@@ -68,22 +78,6 @@ fn ode_solvers_rk4(start: Phase, steps: u64, step: f64) -> Phase {
     stepper.integrate().expect("a fixed step");
     let end = stepper.y_out().last().expect("the start at least");
     Phase { theta: end[0], omega: end[1] }
-}
-
-fn euler(start: Phase, steps: u64, step: f64) -> Phase {
-    stepped_by_hand(ExplicitRungeKutta::euler(step).max_steps(MOST), start, steps, step)
-}
-
-fn rk4(start: Phase, steps: u64, step: f64) -> Phase {
-    stepped_by_hand(ExplicitRungeKutta::rk4(step).max_steps(MOST), start, steps, step)
-}
-
-fn verlet(start: Phase, steps: u64, step: f64) -> Phase {
-    stepped_by_hand(SymplecticIntegrator::velocity_verlet(step).max_steps(MOST), start, steps, step)
-}
-
-fn ruth_forest(start: Phase, steps: u64, step: f64) -> Phase {
-    stepped_by_hand(SymplecticIntegrator::ruth_forest(step).max_steps(MOST), start, steps, step)
 }
 
 fn stepped_by_hand(
