@@ -71,8 +71,8 @@ pub struct AdaptiveSteps<'a, S: System<State: Components>, M: Controlled<S>> {
     t: f64,
     until: f64,
     z: S::State,
-    accepted: u64,
-    rejected: u64,
+    /// Without the evaluations, which the system counts.
+    counts: Counts,
     failed: bool,
 }
 
@@ -95,8 +95,8 @@ where
         let system = Counting::new(system);
         let Adaptive { method, tolerance, .. } = &adaptive;
         let memory = method.begin(&system, tolerance, t, z, duration);
-        let (accepted, rejected, failed) = (0, 0, false);
-        Ok(Self { adaptive, system, memory, t, until, z, accepted, rejected, failed })
+        let counts = Counts::default();
+        Ok(Self { adaptive, system, memory, t, until, z, counts, failed: false })
     }
 
     /// The present time (s).
@@ -116,8 +116,7 @@ where
 
     /// The cost so far.
     pub fn counts(&self) -> Counts {
-        let Self { accepted, rejected, .. } = *self;
-        Counts { accepted, rejected, evaluations: self.system.evaluations() }
+        Counts { evaluations: self.system.evaluations(), ..self.counts }
     }
 
     /// The dense output of `step`, which may need more evaluations of the force.
@@ -135,7 +134,7 @@ where
         let Self { t, z, until, .. } = *self;
         let Adaptive { method, tolerance, limit } = self.adaptive;
         loop {
-            if self.accepted + self.rejected >= limit {
+            if self.counts.accepted + self.counts.rejected >= limit {
                 return Err(Error::OutOfSteps { t, limit });
             }
             let proposed = method.propose(&self.system, &tolerance, &mut self.memory, t, z);
@@ -150,11 +149,11 @@ where
             let times = Times { start: t, step: h, end: end_time };
             let Self { system, memory, .. } = self;
             if let Some((end, record)) = method.attempt_step(system, &tolerance, memory, times, z) {
-                self.accepted += 1;
+                self.counts.accepted += 1;
                 (self.t, self.z) = (end_time, end);
                 return Ok(Step { times, z, end, record });
             }
-            self.rejected += 1;
+            self.counts.rejected += 1;
         }
     }
     // ANCHOR_END: advance
