@@ -30,7 +30,6 @@ impl<D: Vector, const N: usize> Interpolant<D> for [D; N] {
     ///
     /// so that at s = 1 it ends on exactly the state of the step (Hairer, Nørsett, Wanner, *Solving
     /// Ordinary Differential Equations I*, Sect. II.6).
-    // ANCHOR: after
     fn displacement(&self, s: f64) -> Option<D> {
         let (last, others) = self.split_last()?;
         let mut sum = *last;
@@ -39,7 +38,6 @@ impl<D: Vector, const N: usize> Interpolant<D> for [D; N] {
         }
         Some(sum * s)
     }
-    // ANCHOR_END: after
 }
 
 impl<Z: State, C: Interpolant<Z::Displacement>> Dense<Z, C> {

@@ -100,7 +100,6 @@ where
         None
     }
 
-    // ANCHOR: bisect
     /// The crossing between the fractions `low` and `high` of a step, by bisection until no f64
     /// lies between; `before` is the function at `low`. Bisection is slow, but cannot fail, and
     /// evaluates no force.
@@ -126,7 +125,6 @@ where
         }
         Crossing { t: dense.time(high), z: dense.after(high) }
     }
-    // ANCHOR_END: bisect
 }
 
 impl<S, M, G> Iterator for Crossings<'_, '_, S, M, G>

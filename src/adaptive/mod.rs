@@ -88,7 +88,6 @@ impl<M: Copy> Adaptive<M> {
         AdaptiveSteps::new(*self, system, start, from, until)
     }
 
-    // ANCHOR: integrate
     /// Integrates `system` from `start` at time `from` (s) to time `until` (s) and passes the start
     /// and the end of each step to `observer`. Returns the last state, which is that at `until` or
     /// the one that satisfied the observer, and what it cost.
@@ -119,5 +118,4 @@ impl<M: Copy> Adaptive<M> {
         }
         Ok((walk.state(), walk.counts()))
     }
-    // ANCHOR_END: integrate
 }

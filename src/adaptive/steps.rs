@@ -129,7 +129,6 @@ where
         dense
     }
 
-    // ANCHOR: advance
     fn advance(&mut self) -> Result<StepOf<S, M>, Error> {
         let Self { t, z, until, .. } = *self;
         let Adaptive { method, tolerance, limit } = self.adaptive;
@@ -156,7 +155,6 @@ where
             self.counts.rejected += 1;
         }
     }
-    // ANCHOR_END: advance
 }
 
 impl<S, M> Iterator for AdaptiveSteps<'_, S, M>

@@ -8,7 +8,6 @@ use crate::systems::System;
             one for every system",
     note = "a method of your own is one by `impl<S: System> Method<S>`"
 )]
-// ANCHOR: method
 /// A one-step method for the system `S`: an immutable value that maps a state to the state one step
 /// later.
 ///
@@ -76,7 +75,6 @@ pub trait Method<S: System> {
         Ok(self.step(system, t, h, z, carry))
     }
 }
-// ANCHOR_END: method
 
 /// Why a step of an implicit method has no solution.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -13,7 +13,6 @@ pub use run::{CHECKPOINT_NUMBERS, Checkpoint, Run, Steps, Taken};
 use crate::error::Error;
 use crate::systems::System;
 
-// ANCHOR: integrate
 /// Integrates `system` from `start` along `grid` with `method`, passes each sample to `observer`,
 /// and returns the last state: the one at the end of the grid, or the one that satisfied the
 /// observer.
@@ -46,7 +45,6 @@ where
     }
     z
 }
-// ANCHOR_END: integrate
 
 /// [`integrate()`], ended by the first step that has no solution.
 ///

@@ -11,7 +11,6 @@ use crate::systems::Analytic;
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Taylor<const P: usize>;
 
-// ANCHOR: step
 impl<S: Analytic, const P: usize> Method<S> for Taylor<P> {
     type Carry = ();
 
@@ -22,7 +21,6 @@ impl<S: Analytic, const P: usize> Method<S> for Taylor<P> {
         z + system.mean_rate::<P>(h, z) * h
     }
 }
-// ANCHOR_END: step
 
 /// The Taylor series of the motion itself, to the 24th power of the step: for long steps and all
 /// digits.

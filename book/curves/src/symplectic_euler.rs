@@ -20,7 +20,6 @@ use pendula::{Pendulum, Phase};
 use crate::level_curve;
 use crate::point::{Dimensionless, polynomial, scaled};
 
-// ANCHOR: modified_hamiltonian
 /// The terms of the conserved energy H̃ = H + x H₁ + x² H₂ + … at `z`, from H₁ to H₇, in units of m
 /// g L.
 pub fn modified_hamiltonian_terms(z: Dimensionless) -> [f64; 7] {
@@ -39,7 +38,6 @@ pub fn modified_hamiltonian_terms(z: Dimensionless) -> [f64; 7] {
             / 10080.0,
     ]
 }
-// ANCHOR_END: modified_hamiltonian
 
 /// H̃ at `z`, above the bottom of H, to the given order in the step `h` (s), in J; to order 0 it is
 /// H.
