@@ -2,7 +2,7 @@
 
 use super::Tolerance;
 use super::control::Controller;
-use super::dense::Interpolant;
+use super::steps::Interpolant;
 use crate::methods::runge_kutta::Embedded;
 use crate::systems::{Components, Counting, RateOf, System};
 

@@ -26,7 +26,6 @@
 
 pub(crate) mod control;
 mod controlled;
-mod dense;
 mod events;
 pub(crate) mod series;
 mod steps;
@@ -34,11 +33,10 @@ mod symmetric;
 mod tolerance;
 
 pub use controlled::Controlled;
-pub use dense::Dense;
-pub(crate) use dense::Interpolant;
 pub use events::{Crossing, Crossings, Direction, StatesAt};
 pub use series::TaylorSeries;
-pub use steps::{AdaptiveSteps, Counts, Step};
+pub(crate) use steps::Interpolant;
+pub use steps::{AdaptiveSteps, Counts, Dense, Step};
 pub use symmetric::{Sample, SymmetricSteps};
 pub use tolerance::{SMALLEST_RELATIVE, Tolerance};
 

@@ -4,7 +4,7 @@
 use super::Tolerance;
 use super::control::{GROW, SHRINK};
 use super::controlled::{Controlled, Times, time_scale};
-use super::dense::Interpolant;
+use super::steps::Interpolant;
 use crate::arithmetic::sine::ROUNDER;
 use crate::systems::{Analytic, Components, Counting, RateOf, System, Vector};
 
