@@ -119,8 +119,8 @@ fn fits(method: &dyn AnyMethod, claims: &Claims) -> bool {
         && (claims.name.is_none() || claims.is_named(entry.name))
 }
 
-/// What the stranger is but for one thing, in words: first a method of the library that has what is claimed,
-/// then any other.
+/// What the stranger is but for one thing, in words: first a method of the library that has what is
+/// claimed, then any other.
 pub fn find(
     probe: &Probe<'_>,
     claims: &Claims,
