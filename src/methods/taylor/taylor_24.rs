@@ -1,26 +1,9 @@
-//! Taylor series of the motion, to any power of the step.
+//! Taylor series of order 24.
 
+use super::Taylor;
 use crate::integrate::Method;
 use crate::methods::{Info, MethodInfo};
 use crate::systems::Analytic;
-
-/// The Taylor series of the motion to the power `P` of the step.
-///
-/// Order P, not symplectic, not symmetric, one sine and one cosine a step; for systems that are
-/// [`Analytic`]. À. Jorba, M. Zou, *Experiment. Math.* 14 (2005) 99–117.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Taylor<const P: usize>;
-
-impl<S: Analytic, const P: usize> Method<S> for Taylor<P> {
-    type Carry = ();
-
-    fn start(&self, _system: &S, _t: f64, _h: f64, _z: S::State) {}
-
-    #[inline(always)]
-    fn step(&self, system: &S, _t: f64, h: f64, z: S::State, _carry: &mut ()) -> S::State {
-        z + system.mean_rate::<P>(h, z) * h
-    }
-}
 
 /// The Taylor series of the motion itself, to the 24th power of the step: for long steps and all
 /// digits.
