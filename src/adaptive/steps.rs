@@ -71,8 +71,8 @@ pub struct AdaptiveSteps<'a, S: System<State: Components>, M: Controlled<S>> {
     t: f64,
     until: f64,
     z: S::State,
-    /// Without the evaluations, which the system counts.
-    counts: Counts,
+    accepted: u64,
+    rejected: u64,
     failed: bool,
 }
 
@@ -95,8 +95,8 @@ where
         let system = Counting::new(system);
         let Adaptive { method, tolerance, .. } = &adaptive;
         let memory = method.begin(&system, tolerance, t, z, duration);
-        let counts = Counts::default();
-        Ok(Self { adaptive, system, memory, t, until, z, counts, failed: false })
+        let (accepted, rejected, failed) = (0, 0, false);
+        Ok(Self { adaptive, system, memory, t, until, z, accepted, rejected, failed })
     }
 
     /// The present time (s).
@@ -116,7 +116,8 @@ where
 
     /// The cost so far.
     pub fn counts(&self) -> Counts {
-        Counts { evaluations: self.system.evaluations(), ..self.counts }
+        let Self { accepted, rejected, .. } = *self;
+        Counts { accepted, rejected, evaluations: self.system.evaluations() }
     }
 
     /// The dense output of `step`, which may need more evaluations of the force.
@@ -133,7 +134,7 @@ where
         let Self { t, z, until, .. } = *self;
         let Adaptive { method, tolerance, limit } = self.adaptive;
         loop {
-            if self.counts.accepted + self.counts.rejected >= limit {
+            if self.accepted + self.rejected >= limit {
                 return Err(Error::OutOfSteps { t, limit });
             }
             let proposed = method.propose(&self.system, &tolerance, &mut self.memory, t, z);
@@ -148,11 +149,11 @@ where
             let times = Times { start: t, step: h, end: end_time };
             let Self { system, memory, .. } = self;
             if let Some((end, record)) = method.attempt_step(system, &tolerance, memory, times, z) {
-                self.counts.accepted += 1;
+                self.accepted += 1;
                 (self.t, self.z) = (end_time, end);
                 return Ok(Step { times, z, end, record });
             }
-            self.counts.rejected += 1;
+            self.rejected += 1;
         }
     }
 }
