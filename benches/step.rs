@@ -87,9 +87,7 @@ where
 fn watched_by_name(group: &mut BenchmarkGroup<WallTime>, method: &dyn AnyMethod, start: Phase) {
     let name = method.info().name;
     let (pendulum, grid) = (Pendulum::PAPER, grid());
-    group.bench_function(format!("{name}/end"), |bencher| {
-        bencher.iter(|| method.end(&pendulum, black_box(start), black_box(&grid)));
-    });
+    end(group, method, start);
     let mut states = vec![Phase::default(); grid.samples() as usize];
     group.bench_function(format!("{name}/run/every state"), |bencher| {
         bencher.iter(|| {

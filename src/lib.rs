@@ -133,12 +133,11 @@ pub mod internals {
     #[cfg(feature = "verify")]
     pub mod verdicts {
         pub use crate::verify::judge::area::{Defect, judge as area};
-        pub use crate::verify::judge::clock::Clock;
         pub use crate::verify::judge::energy::verdict as energy;
         pub use crate::verify::judge::expansion::{Deviation, deviation_with};
         pub use crate::verify::judge::loss::Loss;
         pub use crate::verify::judge::order::verdict as order;
-        pub use crate::verify::judge::replies::judge_precision as precision;
+        pub use crate::verify::judge::replies::{Clock, judge_precision as precision};
         pub use crate::verify::judge::reversal::{Way, judge as reversal};
         pub use crate::verify::judge::stage_times::verdict as stage_times;
         pub use crate::verify::judge::symmetry::Apart;

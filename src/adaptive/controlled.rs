@@ -2,7 +2,7 @@
 
 use super::Tolerance;
 use super::control::Controller;
-use super::dense::Interpolant;
+use super::steps::Interpolant;
 use crate::methods::runge_kutta::Embedded;
 use crate::systems::{Components, Counting, RateOf, System};
 
@@ -117,7 +117,6 @@ impl<S: System<State: Components>, M: Embedded> Controlled<S> for M {
         memory.h
     }
 
-    // ANCHOR: attempt
     #[inline]
     fn attempt_step(
         &self,
@@ -136,7 +135,6 @@ impl<S: System<State: Components>, M: Embedded> Controlled<S> for M {
             (end, (stages, memory.slope))
         })
     }
-    // ANCHOR_END: attempt
 
     fn interpolant(
         &self,

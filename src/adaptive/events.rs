@@ -66,29 +66,21 @@ where
     ///
     /// Within a step they are found on its dense output. Two zeros that lie closer than an eighth
     /// of a step can hide each other.
-    pub fn crossings<G>(&mut self, direction: Direction, g: G) -> Crossings<'_, 'a, S, M, G>
+    pub fn crossings<G>(&mut self, direction: Direction, mut g: G) -> Crossings<'_, 'a, S, M, G>
     where
         G: FnMut(f64, S::State) -> f64,
     {
-        Crossings::new(self, direction, g)
+        let value = g(self.time(), self.state());
+        Crossings { walk: self, direction, g, step: None, value }
     }
 }
 
-impl<'w, 'a, S, M, G> Crossings<'w, 'a, S, M, G>
+impl<S, M, G> Crossings<'_, '_, S, M, G>
 where
     S: System<State: Components>,
     M: Controlled<S>,
     G: FnMut(f64, S::State) -> f64,
 {
-    pub(super) fn new(
-        walk: &'w mut AdaptiveSteps<'a, S, M>,
-        direction: Direction,
-        mut g: G,
-    ) -> Self {
-        let value = g(walk.time(), walk.state());
-        Self { walk, direction, g, step: None, value }
-    }
-
     /// The next crossing within the present step.
     fn within_step(&mut self) -> Option<Crossing<S::State>> {
         while let Some((dense, looks)) = self.step {
@@ -108,7 +100,6 @@ where
         None
     }
 
-    // ANCHOR: bisect
     /// The crossing between the fractions `low` and `high` of a step, by bisection until no f64
     /// lies between; `before` is the function at `low`. Bisection is slow, but cannot fail, and
     /// evaluates no force.
@@ -134,7 +125,6 @@ where
         }
         Crossing { t: dense.time(high), z: dense.after(high) }
     }
-    // ANCHOR_END: bisect
 }
 
 impl<S, M, G> Iterator for Crossings<'_, '_, S, M, G>

@@ -26,7 +26,6 @@
 
 pub(crate) mod control;
 mod controlled;
-mod dense;
 mod events;
 pub(crate) mod series;
 mod steps;
@@ -34,11 +33,10 @@ mod symmetric;
 mod tolerance;
 
 pub use controlled::Controlled;
-pub use dense::Dense;
-pub(crate) use dense::Interpolant;
 pub use events::{Crossing, Crossings, Direction, StatesAt};
 pub use series::TaylorSeries;
-pub use steps::{AdaptiveSteps, Counts, Step};
+pub(crate) use steps::Interpolant;
+pub use steps::{AdaptiveSteps, Counts, Dense, Step};
 pub use symmetric::{Sample, SymmetricSteps};
 pub use tolerance::{SMALLEST_RELATIVE, Tolerance};
 
@@ -88,7 +86,6 @@ impl<M: Copy> Adaptive<M> {
         AdaptiveSteps::new(*self, system, start, from, until)
     }
 
-    // ANCHOR: integrate
     /// Integrates `system` from `start` at time `from` (s) to time `until` (s) and passes the start
     /// and the end of each step to `observer`. Returns the last state, which is that at `until` or
     /// the one that satisfied the observer, and what it cost.
@@ -119,5 +116,4 @@ impl<M: Copy> Adaptive<M> {
         }
         Ok((walk.state(), walk.counts()))
     }
-    // ANCHOR_END: integrate
 }

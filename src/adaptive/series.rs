@@ -4,7 +4,7 @@
 use super::Tolerance;
 use super::control::{GROW, SHRINK};
 use super::controlled::{Controlled, Times, time_scale};
-use super::dense::Interpolant;
+use super::steps::Interpolant;
 use crate::arithmetic::sine::ROUNDER;
 use crate::systems::{Analytic, Components, Counting, RateOf, System, Vector};
 
@@ -100,7 +100,6 @@ impl<D: Vector> Expansion<D> {
         to_order!(4 8 12 16 20 24 28 32 36);
     }
 
-    // ANCHOR: longest
     /// The longest step, in units, in which neither of the two powers that decide exceeds the
     /// tolerance; none where they, or the last power, are not finite.
     #[inline]
@@ -116,7 +115,6 @@ impl<D: Vector> Expansion<D> {
         let root = |square: f64, p: usize| log2(square) * (-0.5 / p as f64);
         is_finite.then(|| exp2(root(one, last).min(root(other, last - 1))))
     }
-    // ANCHOR_END: longest
 }
 
 impl<S: Analytic<State: Components>> Controlled<S> for TaylorSeries {
@@ -139,7 +137,6 @@ impl<S: Analytic<State: Components>> Controlled<S> for TaylorSeries {
         Expansion { terms: [slope; MOST], order: order(tolerance), unit, next_unit: unit, start: t }
     }
 
-    // ANCHOR: propose
     /// The terms are made in the unit of the step before, so that they neither overflow nor
     /// underflow as long as steps change by less than a factor of 10⁸.
     #[inline]
@@ -164,7 +161,6 @@ impl<S: Analytic<State: Components>> Controlled<S> for TaylorSeries {
             series.unit *= SHRINK;
         }
     }
-    // ANCHOR_END: propose
 
     #[inline]
     fn attempt_step(

@@ -71,7 +71,6 @@ impl<'a, S: Separable, G: Fn(S::State) -> f64> SymmetricSteps<'a, S, G> {
         Self { epsilon: -self.epsilon, failed: false, ..self }
     }
 
-    // ANCHOR: step
     fn step(&mut self) -> Result<Sample<S::State>, Error> {
         let Self { system, epsilon, force, sample: Sample { t, z, density }, .. } = *self;
         let between = density + 0.5 * epsilon * (self.density_rate)(z);
@@ -85,7 +84,6 @@ impl<'a, S: Separable, G: Fn(S::State) -> f64> SymmetricSteps<'a, S, G> {
         (self.sample, self.force) = (Sample { t: t + h, z, density }, force);
         Ok(self.sample)
     }
-    // ANCHOR_END: step
 }
 
 impl<S: Separable, G: Fn(S::State) -> f64> Iterator for SymmetricSteps<'_, S, G> {

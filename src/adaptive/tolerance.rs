@@ -48,7 +48,6 @@ impl Tolerance {
         self.relative
     }
 
-    // ANCHOR: error_norm
     /// The size of a `displacement`, in tolerances: the root of the mean square of its components,
     /// each divided by the error allowed in a step between the states `from` and `to` (Hairer,
     /// Nørsett, Wanner, *Solving Ordinary Differential Equations I*, Eqs. II.4.10–11).
@@ -56,7 +55,6 @@ impl Tolerance {
     pub fn error_norm<Z: Components>(&self, from: Z, to: Z, displacement: Z::Displacement) -> f64 {
         libm::sqrt(self.square_norm(from, to, displacement))
     }
-    // ANCHOR_END: error_norm
 
     /// Its square.
     #[inline]

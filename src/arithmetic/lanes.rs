@@ -10,9 +10,8 @@ use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Sub};
 use fearless_simd::prelude::*;
 use fearless_simd::{f64x2, f64x4, f64x8, mask64x2, mask64x4, mask64x8, u64x2, u64x4, u64x8};
 
-use super::number::{Many, Mask, Number};
+use super::number::{Apart, Many, Mask, Number};
 use super::sine::{self, half_turn};
-use super::two::Apart;
 
 /// A number for each lane.
 pub trait Lanes: Many {

@@ -17,8 +17,6 @@ pub mod lanes;
 #[doc(hidden)]
 pub mod number;
 pub mod sine;
-#[doc(hidden)]
-pub mod two;
 
 /// Calls `f`, which is `#[inline(always)]`, in code for AVX2 where the processor has it, so that
 /// the compiler can vectorise its loops for it. The bits are the same.

@@ -38,7 +38,6 @@ impl Monodromy {
         s * s - s * self.trace() + self.determinant()
     }
 
-    // ANCHOR: modulus
     /// The modulus of the larger multiplier: below 1 where the orbit attracts.
     pub fn largest_modulus(&self) -> f64 {
         let (half, determinant) = (0.5 * self.trace(), self.determinant());
@@ -50,7 +49,6 @@ impl Monodromy {
             half.abs() + libm::sqrt(square)
         }
     }
-    // ANCHOR_END: modulus
 }
 
 /// A periodic orbit of a driven system, seen by its stroboscope.
@@ -70,7 +68,6 @@ const PATIENCE: u32 = 30;
 /// The size (rad) of the last Newton step: the next would be rounding.
 const SETTLED: f64 = 1e-13;
 
-// ANCHOR: newton
 /// The orbit near `guess` that returns after `periods` periods of the drive, attracting or not, by
 /// Newton's method on the stroboscopic map. The angle is not reduced, so that an orbit that goes
 /// over the top does not return.
@@ -108,7 +105,6 @@ where
     }
     None
 }
-// ANCHOR_END: newton
 
 /// The state `periods` periods after `point`, and the linear map of its neighbours.
 pub fn monodromy<'a, S, M>(
@@ -127,7 +123,6 @@ where
     (base, Monodromy { of_theta, of_omega })
 }
 
-// ANCHOR: doubling
 /// The parameter between `low` and `high` at which an orbit doubles its period: one of its
 /// multipliers is −1.
 ///
@@ -156,4 +151,3 @@ pub fn period_doubling(
     }
     None
 }
-// ANCHOR_END: doubling

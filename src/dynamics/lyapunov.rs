@@ -38,7 +38,6 @@ impl Watch {
     }
 }
 
-// ANCHOR: exponent
 /// The largest Lyapunov exponent of the motion from `start`: a displacement follows the variational
 /// equation, is rescaled to unit size each period, and the logarithms of its growth are averaged
 /// (Benettin, Galgani, Giorgilli, Strelcyn, *Meccanica* 15 (1980) 21–30).
@@ -80,4 +79,3 @@ where
     let blocks = f64::from(watch.blocks);
     Exponent { value: mean, error: libm::sqrt(squares / (blocks * (blocks - 1.0))) }
 }
-// ANCHOR_END: exponent

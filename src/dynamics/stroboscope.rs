@@ -39,7 +39,6 @@ impl<'a, S, M> Stroboscope<'a, S, M> {
         self.grid.time(self.grid.steps())
     }
 
-    // ANCHOR: map
     /// The state one period after `z`.
     pub fn map(&self, z: S::State) -> S::State
     where
@@ -48,7 +47,6 @@ impl<'a, S, M> Stroboscope<'a, S, M> {
     {
         integrate(self.system, self.method, z, &self.grid, &mut ())
     }
-    // ANCHOR_END: map
 
     /// A state and its neighbours one period after `z`.
     pub fn map_bundle<const N: usize>(&self, z: Bundle<Phase, Phase, N>) -> Bundle<Phase, Phase, N>

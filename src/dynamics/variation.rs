@@ -59,7 +59,6 @@ impl<V: Vector, const N: usize> Mul<f64> for Bundle<V, V, N> {
 
 impl<V: Vector, const N: usize> Vector for Bundle<V, V, N> {}
 
-// ANCHOR: variational
 impl<S: Linearised, const N: usize> System for Variational<'_, S, N>
 where
     Bundle<S::State, RateOf<S>, N>: State<Displacement = Bundle<RateOf<S>, RateOf<S>, N>>,
@@ -74,4 +73,3 @@ where
         }
     }
 }
-// ANCHOR_END: variational

@@ -89,9 +89,9 @@ pub fn carlson_rf(x: DoubleDouble, y: DoubleDouble, z: DoubleDouble) -> DoubleDo
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Jacobi {
     /// k'.
-    complementary_modulus: f64,
-    /// K.
-    quarter_period: DoubleDouble,
+    pub(super) complementary_modulus: f64,
+    /// K, where sn has its maximum.
+    pub(super) quarter_period: DoubleDouble,
     /// M(1, k').
     mean: f64,
     /// The steps from a trigonometric function up to the elliptic one, the last to be taken first.
@@ -142,17 +142,6 @@ impl Jacobi {
             steps,
             count,
         }
-    }
-
-    /// k'.
-    #[inline]
-    pub(super) fn complementary_modulus(&self) -> f64 {
-        self.complementary_modulus
-    }
-
-    /// K, where sn has its maximum.
-    pub(super) fn quarter_period(&self) -> DoubleDouble {
-        self.quarter_period
     }
 
     /// x = π K'/K, from which the nome is e⁻ˣ: π M(1, k')/M(1, k), for the `modulus` k that belongs

@@ -65,13 +65,13 @@ impl FourierSeries {
         let q = root * root;
         let speed = FRAC_PI_2 * rate.rounded();
         let term = |n: usize| {
-            let (order, power, size) = if rotates {
-                (2 * n + 2, libm::pow(q, (n + 1) as f64), 8.0)
+            let (order, power) = if rotates {
+                (2 * n + 2, libm::pow(q, (n + 1) as f64))
             } else {
-                (2 * n + 1, libm::pow(q, n as f64) * root, 8.0)
+                (2 * n + 1, libm::pow(q, n as f64) * root)
             };
             // q²ⁿ for the rotation, q^(2n+1) for the libration.
-            let omega = size * power / (1.0 + libm::pow(q, order as f64));
+            let omega = 8.0 * power / (1.0 + libm::pow(q, order as f64));
             Phase { theta: omega / order as f64, omega: omega * speed }
         };
         let mut terms = [Phase::default(); Self::TERMS];

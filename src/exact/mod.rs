@@ -33,7 +33,6 @@ use crate::arithmetic::sine::{cos, sin};
 use crate::error::{Error, finite};
 use crate::systems::Pendulum;
 
-// ANCHOR: period
 /// The period T = 4 √(L/g) K (s) of the swing after a release from rest at `theta0` (rad): the
 /// paper's Eq. 5.
 ///
@@ -96,7 +95,6 @@ impl Swing {
         self.elliptic_k / core::f64::consts::FRAC_PI_2
     }
 }
-// ANCHOR_END: period
 
 /// `half_turns` π + `angle`, rounded as if once: π and its multiple are double-doubles.
 #[inline]

@@ -307,7 +307,7 @@ impl Course {
                 DoubleDouble::new(libm::copysign(1.0, sine.rounded()))
             } else {
                 s * carlson_rf(c.squared(), cosine.squared(), DoubleDouble::ONE)
-                    / jacobi.quarter_period()
+                    / jacobi.quarter_period
             };
             Self::Libration(Elliptic::new(jacobi, quarters, time.frequency, k, time))
         } else if gap.rounded() < 0.0 {
@@ -315,7 +315,7 @@ impl Course {
             let jacobi = Jacobi::new((-gap).sqrt() / k);
             // The same with the roles of S and s, of C and c exchanged: k u₀ = F(θ/2, 1/k).
             let quarters = sine * carlson_rf(cosine.squared(), c.squared(), DoubleDouble::ONE)
-                / jacobi.quarter_period();
+                / jacobi.quarter_period;
             Self::Rotation(Elliptic::new(jacobi, quarters, k * time.frequency, k, time))
         } else {
             Self::Separatrix(Hyperbolic::through(sine, cosine, time))
@@ -335,7 +335,7 @@ impl Elliptic {
         Self {
             jacobi,
             quarters,
-            rate: (rate / jacobi.quarter_period()).scaled(1.0 / time.unit),
+            rate: (rate / jacobi.quarter_period).scaled(1.0 / time.unit),
             modulus: k.rounded(),
             speed: 2.0 * (k * time.frequency).rounded() / time.unit,
         }
@@ -367,7 +367,7 @@ impl Elliptic {
         let (whole, rest) = self.phase(t);
         let half = libm::floor(0.5 * whole);
         let sign = if is_even(half) { 1.0 } else { -1.0 };
-        let complementary_modulus = self.jacobi.complementary_modulus();
+        let complementary_modulus = self.jacobi.complementary_modulus;
         let Values { sn, cn, dn, .. } = self.jacobi.at(rest);
         let (rise, run, velocity) = if is_even(whole) {
             (sn, dn, cn)
@@ -390,7 +390,7 @@ impl Elliptic {
     #[inline]
     fn rotation(&self, t: f64) -> (f64, Phase) {
         let (whole, rest) = self.phase(t);
-        let complementary_modulus = self.jacobi.complementary_modulus();
+        let complementary_modulus = self.jacobi.complementary_modulus;
         let Values { sc, dn, .. } = self.jacobi.at(rest);
         let (tangent, velocity) = if is_even(whole) {
             (sc, dn)

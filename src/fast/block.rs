@@ -1,6 +1,5 @@
 //! A block of pendulums in lanes, and the loop over its steps.
 
-use core::fmt::{self, Debug};
 use core::ops::ControlFlow;
 
 use super::instructions::Work;
@@ -35,13 +34,6 @@ struct Group<N, C> {
     system: ScaledPendulum<N>,
     state: ReducedPhase<N>,
     carry: C,
-}
-
-impl Debug for Block<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { starts, steps, every, .. } = self;
-        write!(f, "{} pendulums, {steps} steps, every {every}", starts.len())
-    }
 }
 
 /// A block and the method that takes its steps.

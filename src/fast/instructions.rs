@@ -3,29 +3,15 @@
 use fearless_simd::Simd;
 
 use crate::arithmetic::lanes::Lanes;
+#[cfg(target_arch = "x86_64")]
+use vectors::{OfAvx2, OfAvx512, OfAvx512InLongSteps};
+use vectors::{OfBaseline, TEAM};
 
 /// What can be done in lanes of the vectors `N`, `TEAM` of them side by side.
 pub trait Work<N: Lanes> {
     /// Does it, in code that is compiled for the processors of which `simd` is the proof: the
     /// implementation is `#[inline(always)]`.
     fn run<const TEAM: usize>(self, simd: N::Simd);
-}
-
-/// What can be done in the lanes of any of the library's vectors.
-pub trait InVectors:
-    Work<vectors::OfBaseline>
-    + Work<vectors::OfAvx2>
-    + Work<vectors::OfAvx512>
-    + Work<vectors::OfAvx512InLongSteps>
-{
-}
-
-impl<W> InVectors for W where
-    W: Work<vectors::OfBaseline>
-        + Work<vectors::OfAvx2>
-        + Work<vectors::OfAvx512>
-        + Work<vectors::OfAvx512InLongSteps>
-{
 }
 
 /// Which vector instructions steps in lanes are taken with. The bits are the same; the time is not.
@@ -61,8 +47,10 @@ impl Instructions {
 
     /// Does the `work`, of which the steps may be [long](crate::Method::IS_LONG).
     #[cfg(target_arch = "x86_64")]
-    pub(super) fn run<const IS_LONG: bool, W: InVectors>(self, work: W) {
-        use vectors::{OfAvx2, OfAvx512, OfAvx512InLongSteps, OfBaseline, TEAM};
+    pub(super) fn run<const IS_LONG: bool, W>(self, work: W)
+    where
+        W: Work<OfBaseline> + Work<OfAvx2> + Work<OfAvx512> + Work<OfAvx512InLongSteps>,
+    {
         let level = fearless_simd::Level::new();
         if matches!(self, Self::Best | Self::Avx512)
             && let Some(simd) = level.as_avx512()
@@ -92,9 +80,9 @@ impl Instructions {
 
     /// Does the `work`: there is one set of instructions.
     #[cfg(not(target_arch = "x86_64"))]
-    pub(super) fn run<const IS_LONG: bool, W: InVectors>(self, work: W) {
+    pub(super) fn run<const IS_LONG: bool, W: Work<OfBaseline>>(self, work: W) {
         let simd = vectors::baseline();
-        run!(work, simd, vectors::OfBaseline, { vectors::TEAM });
+        run!(work, simd, OfBaseline, { TEAM });
     }
 }
 

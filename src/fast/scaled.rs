@@ -280,7 +280,6 @@ impl<N: Number> System for ScaledPendulum<N> {
     }
 }
 
-// ANCHOR: separable
 impl<N: Number> Separable for ScaledPendulum<N> {
     type Force = Deferred<N>;
 
@@ -302,7 +301,6 @@ impl<N: Number> Separable for ScaledPendulum<N> {
         z.turn(z.velocity * h)
     }
 }
-// ANCHOR_END: separable
 
 impl<N: Number> Analytic for ScaledPendulum<N> {
     #[inline(always)]
@@ -355,7 +353,6 @@ impl<N: Number> NearlyLinear for ScaledPendulum<N> {
     }
 }
 
-// ANCHOR: gradient
 impl<N: Number> ScaledPendulum<N> {
     /// The derivatives of V = −K cos θ.
     #[inline(always)]
@@ -395,4 +392,3 @@ impl<N: Number> ForceGradient for ScaledPendulum<N> {
         ReducedRate { angle: angle.into(), velocity: velocity.into() }
     }
 }
-// ANCHOR_END: gradient

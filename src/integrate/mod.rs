@@ -1,19 +1,100 @@
 //! The time loop: a system, a method, a start, a grid of times, and an observer of what happens.
 
 mod grid;
-mod method;
 mod observe;
 mod run;
 
 pub use grid::Grid;
-pub use method::{Method, Unsolved};
 pub use observe::{Every, Observer, Record};
 pub use run::{CHECKPOINT_NUMBERS, Checkpoint, Run, Steps, Taken};
 
 use crate::error::Error;
 use crate::systems::System;
 
-// ANCHOR: integrate
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no method for `{S}`",
+    note = "a splitting method is one for systems that are `Separable`; a method such as `Rk4` is \
+            one for every system",
+    note = "a method of your own is one by `impl<S: System> Method<S>`"
+)]
+/// A one-step method for the system `S`: an immutable value that maps a state to the state one step
+/// later.
+///
+/// Runge–Kutta methods implement it for every [`System`], splitting methods for every
+/// [`Separable`](crate::Separable) one. A step can be taken by hand:
+///
+/// ```
+/// use pendula::{Method, Pendulum, Phase, SymplecticEuler};
+///
+/// let (pendulum, h, start) = (Pendulum::new(9.0, 1.0, 1.0)?, 0.1, Phase::at_rest(1.0));
+/// let mut carry = SymplecticEuler.start(&pendulum, 0.0, h, start);
+/// let end = SymplecticEuler.step(&pendulum, 0.0, h, start, &mut carry);
+/// // ω = −(g/L) h sin θ₀, and θ = θ₀ + hω.
+/// assert!((end.omega + 0.9 * 1.0_f64.sin()).abs() < 1e-15);
+/// assert_eq!(end.theta, 1.0 + 0.1 * end.omega);
+/// # Ok::<(), pendula::Error>(())
+/// ```
+///
+/// A method of your own: see [`methods`](crate::methods#a-method-of-your-own).
+pub trait Method<S: System> {
+    /// What a step carries to the next: `()`, or values that need not be computed again. The time
+    /// loop owns it, not the method.
+    type Carry: Copy;
+
+    /// A bound on how far a step or one of its stages kicks or drifts, in steps: the largest sum of
+    /// |coefficients|. It bounds the number of turns of a run. A series has no such bound; 1 holds
+    /// where it converges.
+    const REACH: f64 = 1.0;
+
+    /// What stands before h² times the gradient of the force in a kick, at most: a kick is longer
+    /// by h² g/L times that. Without a gradient, 0.
+    const GRADIENT: f64 = 0.0;
+
+    /// Whether in lanes fewer numbers at a time are as fast: those of a long step hide its latency
+    /// by themselves, and the code for many would not fit into the processor's cache.
+    const IS_LONG: bool = false;
+
+    /// Prepares the carry for a trajectory of steps `h` (s) that begins at `z` at time `t` (s).
+    ///
+    /// Implementations that compute much are `#[inline(always)]`, as those of `step`.
+    fn start(&self, system: &S, t: f64, h: f64, z: S::State) -> Self::Carry;
+
+    /// The state one step `h` (s) after `z` at time `t` (s). `carry` is the one that `start` or the
+    /// last step left for this `z`, and may contain all that the method needs.
+    ///
+    /// Implementations are `#[inline(always)]`: in the time loop `h` and the system are known, and
+    /// a call would hide it. In lanes a call would also lack their vector instructions, and take
+    /// ten times as long.
+    fn step(&self, system: &S, t: f64, h: f64, z: S::State, carry: &mut Self::Carry) -> S::State;
+
+    /// [`step`](Method::step), or why there is no such state.
+    ///
+    /// # Errors
+    /// [`Unsolved`] for a step of an implicit method whose iteration does not converge, where
+    /// [`step`](Method::step) returns NaN. An explicit step has no equations to solve.
+    #[inline(always)]
+    fn try_step(
+        &self,
+        system: &S,
+        t: f64,
+        h: f64,
+        z: S::State,
+        carry: &mut Self::Carry,
+    ) -> Result<S::State, Unsolved> {
+        Ok(self.step(system, t, h, z, carry))
+    }
+}
+
+/// Why a step of an implicit method has no solution.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Unsolved {
+    /// The sweeps of the iteration that were taken.
+    pub sweeps: u32,
+    /// What the last of them still changed in the slopes, relative to the slopes and to the state
+    /// over the step; NaN if they are not finite.
+    pub change: f64,
+}
+
 /// Integrates `system` from `start` along `grid` with `method`, passes each sample to `observer`,
 /// and returns the last state: the one at the end of the grid, or the one that satisfied the
 /// observer.
@@ -46,7 +127,6 @@ where
     }
     z
 }
-// ANCHOR_END: integrate
 
 /// [`integrate()`], ended by the first step that has no solution.
 ///

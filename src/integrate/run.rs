@@ -102,7 +102,6 @@ where
         (Checkpoint::of(n, z, carry), system.evaluations())
     }
 
-    // ANCHOR: take
     fn take(
         &self,
         system: &S,
@@ -132,7 +131,6 @@ where
         *at = Checkpoint::of(n, z, carry);
         Taken { states: written, evaluations: system.evaluations(), unsolved }
     }
-    // ANCHOR_END: take
 }
 
 /// A run that can be left at any step and continued later with the same bits. Its force evaluations

@@ -5,7 +5,6 @@ use crate::exact::Motion;
 use crate::integrate::Observer;
 use crate::systems::{Hamiltonian, Pendulum, Phase, System};
 
-// ANCHOR: angle_error
 /// Error of the angle against a reference θ(t): root mean square and largest, over all N + 1
 /// samples (rad).
 ///
@@ -46,12 +45,10 @@ impl<F: Fn(f64) -> f64> Observer<Phase> for AngleError<F> {
         self.largest = libm::fmaximum(self.largest, error);
     }
 }
-// ANCHOR_END: angle_error
 
 /// States in the buffer, 1 KB of them: evaluated together, their energies are vectorised.
 const BUFFER: usize = 64;
 
-// ANCHOR: energy_drift
 /// Largest energy error max |Hₙ − H₀| over all samples (J): the paper's "energy drift" (its Section
 /// 5.3).
 #[derive(Clone, Debug)]
@@ -102,7 +99,6 @@ impl<S: Hamiltonian> Observer<S::State> for EnergyDrift<'_, S> {
         }
     }
 }
-// ANCHOR_END: energy_drift
 
 /// The largest |energy − `initial`|, or `largest` if that is larger; NaN if any is NaN, now or
 /// before.

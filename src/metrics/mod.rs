@@ -29,7 +29,6 @@ pub use period::{CrossingPeriod, CrossingRule, Henon, Hermite, Linear, PeakPerio
 
 use crate::systems::Phase;
 
-// ANCHOR: area
 /// The signed area of a polygon in phase space (rad²/s), positive if its corners are
 /// counterclockwise with θ to the right and ω upwards.
 ///
@@ -46,4 +45,3 @@ pub fn polygon_area(corners: &[Phase]) -> f64 {
         .map(|(a, b)| 0.5 * (a.theta * b.omega - b.theta * a.omega))
         .sum()
 }
-// ANCHOR_END: area

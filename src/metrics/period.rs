@@ -191,7 +191,6 @@ impl<C: CrossingRule> Observer<Phase> for CrossingPeriod<C> {
     }
 }
 
-// ANCHOR: hermite_root
 /// The root in [0, 1] of the cubic with values `y0` > 0 ≥ `y1` and slopes `d0`, `d1` at 0 and 1.
 fn hermite_root(y0: f64, d0: f64, y1: f64, d1: f64) -> f64 {
     // y0 + s (d0 + s (c2 + s c3))
@@ -218,4 +217,3 @@ fn hermite_root(y0: f64, d0: f64, y1: f64, d1: f64) -> f64 {
     }
     s
 }
-// ANCHOR_END: hermite_root

@@ -48,13 +48,11 @@ impl Damped {
         self.pendulum.energy(z)
     }
 
-    // ANCHOR: power
     /// The rate of change of the energy, dE/dt = −2β m L² ω² (W): the power of the friction.
     pub fn power(&self, z: Phase) -> f64 {
         let inertia = self.pendulum.mass() * self.pendulum.length() * self.pendulum.length();
         -2.0 * self.damping * inertia * (z.omega * z.omega)
     }
-    // ANCHOR_END: power
 
     /// The state at time `t` ≥ 0 (s) after `start` in the limit of small swings, θ̈ + 2β θ̇ + ω₀²
     /// θ = 0: in closed form, whether the damping is weak (β < ω₀), critical or strong.
@@ -114,12 +112,10 @@ fn slowed(omega: f64, alpha: f64, friction: f64, h: f64) -> f64 {
 impl System for Damped {
     type State = Phase;
 
-    // ANCHOR: rate
     #[inline]
     fn rate(&self, t: f64, z: Phase) -> Phase {
         Phase { theta: z.omega, omega: self.force(t, z) - 2.0 * self.damping * z.omega }
     }
-    // ANCHOR_END: rate
 }
 
 impl Separable for Damped {

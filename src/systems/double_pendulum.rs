@@ -133,7 +133,6 @@ impl DoublePendulum {
         Ok(z)
     }
 
-    // ANCHOR: velocities
     /// The angular velocities (ω₁, ω₂) = (∂H/∂p₁, ∂H/∂p₂) (rad/s) in the state `z`.
     #[inline]
     pub fn velocities(&self, z: DoublePhase) -> [f64; 2] {
@@ -152,9 +151,7 @@ impl DoublePendulum {
             (p2 * ((m1 + m2) * l1) - c * (m2 * l2) * p1) / (effective * (m2 * l1 * l2 * l2));
         [omega1, omega2]
     }
-    // ANCHOR_END: velocities
 
-    // ANCHOR: rate
     /// The rates of change of θ₁, θ₂ (rad/s), p₁ and p₂ (kg m²/s²): of one double pendulum, or of
     /// one in each lane.
     #[inline(always)]
@@ -169,7 +166,6 @@ impl DoublePendulum {
         let (weight1, weight2) = ((m1 + m2) * self.gravity * l1, m2 * self.gravity * l2);
         [omega1, omega2, -exchange - sin1 * weight1, exchange - sin2 * weight2]
     }
-    // ANCHOR_END: rate
 
     /// The least energy (J) with which a rod can pass the upward vertical: that of the lower rod up
     /// and the upper one hanging, or of the upper one up and the lower one hanging from it.
@@ -186,7 +182,6 @@ impl DoublePendulum {
         [(x1, y1), (x1 + l2 * sin(z.theta2), y1 - l2 * cos(z.theta2))]
     }
 
-    // ANCHOR: modes
     /// The angular frequencies of the two normal modes of small swings (rad/s), the slow one first:
     /// the roots of m₁L₁L₂ ω⁴ − (m₁ + m₂)(L₁ + L₂)g ω² + (m₁ + m₂)g² = 0.
     pub fn normal_modes(&self) -> [f64; 2] {
@@ -198,7 +193,6 @@ impl DoublePendulum {
         let fast = self.gravity * (sum + root) / (2.0 * upper * l1 * l2);
         [libm::sqrt(slow), libm::sqrt(fast)]
     }
-    // ANCHOR_END: modes
 
     /// The ratio θ₂/θ₁ in each of the [`normal_modes`](Self::normal_modes): positive in the slow
     /// one, where the bobs swing together, negative in the fast one. For equal rods and bobs it is

@@ -89,24 +89,20 @@ impl Driven {
 impl System for Driven {
     type State = Phase;
 
-    // ANCHOR: rate
     #[inline]
     fn rate(&self, t: f64, z: Phase) -> Phase {
         Phase { theta: z.omega, omega: self.force(t, z) - 2.0 * self.damped.damping() * z.omega }
     }
-    // ANCHOR_END: rate
 }
 
 impl Separable for Driven {
     type Force = f64;
 
-    // ANCHOR: force
     /// −ω₀² sin θ + γ ω₀² cos Ωt (rad/s²), without the friction, which is part of the kick.
     #[inline]
     fn force(&self, t: f64, z: Phase) -> f64 {
         self.damped.force(t, z) + self.torque * cos(self.frequency * t)
     }
-    // ANCHOR_END: force
 
     #[inline]
     fn kick(&self, z: Phase, alpha: f64, h: f64) -> Phase {

@@ -140,7 +140,6 @@ impl Processor {
     // ANCHOR_END: processor
 }
 
-// ANCHOR: pendulum
 impl Pendulum {
     /// V = −(g/L) cos θ.
     #[inline(always)]
@@ -170,7 +169,6 @@ impl ForceGradient for Pendulum {
         Phase { theta, omega }
     }
 }
-// ANCHOR_END: pendulum
 
 impl LinearOscillator {
     /// V = ½ (g/L) θ².

@@ -129,7 +129,6 @@ impl Ellipse {
         2.0 * PI / self.mean_motion()
     }
 
-    // ANCHOR: ellipse
     /// Position and velocity at time `t` (s) after the pericentre, through the eccentric anomaly E:
     /// E − e sin E = nt.
     pub fn at(&self, t: f64) -> PlanePhase {
@@ -146,7 +145,6 @@ impl Ellipse {
             vy: a * flat * c * turning,
         }
     }
-    // ANCHOR_END: ellipse
 }
 
 /// The root E of Kepler's equation E − e sin E = `mean` (rad).
@@ -187,7 +185,6 @@ impl System for Kepler {
     }
 }
 
-// ANCHOR: force
 impl Separable for Kepler {
     type Force = Planar;
 
@@ -208,7 +205,6 @@ impl Separable for Kepler {
         PlanePhase { x: z.x + z.vx * h, y: z.y + z.vy * h, ..z }
     }
 }
-// ANCHOR_END: force
 
 impl Hamiltonian for Kepler {
     /// ½v² − μ/r (J/kg): per unit of mass, and zero for a planet at rest at infinity, since there

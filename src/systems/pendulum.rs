@@ -112,7 +112,6 @@ impl Pendulum {
         self.inertia
     }
 
-    // ANCHOR: energy
     #[inline]
     fn energy_with(&self, sine_of_half: f64, z: Phase) -> f64 {
         energy_of([self.inertia, self.depth], sine_of_half, z.omega)
@@ -122,7 +121,6 @@ impl Pendulum {
     pub(super) fn kinetic(&self, z: Phase) -> f64 {
         kinetic_of(self.inertia, z.omega)
     }
-    // ANCHOR_END: energy
 }
 
 impl System for Pendulum {

@@ -1,7 +1,6 @@
 //! The pendulum's motion in powers of time.
 
-use crate::arithmetic::number::Number;
-use crate::arithmetic::two::Two;
+use crate::arithmetic::number::{Number, Two};
 
 /// The terms of the increments of θ and ω in a step, divided by h, where θ' = ω and ω' =
 /// −`frequency_squared` sin θ, from ω, sin θ and cos θ at its start.

@@ -107,7 +107,6 @@ impl System for Shaken {
     }
 }
 
-// ANCHOR: force
 impl Separable for Shaken {
     type Force = f64;
 
@@ -126,7 +125,6 @@ impl Separable for Shaken {
         self.pendulum.drift(z, h)
     }
 }
-// ANCHOR_END: force
 
 impl Linearised for Shaken {
     #[inline]

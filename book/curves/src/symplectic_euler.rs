@@ -14,13 +14,11 @@
 //! (1984), Sect. 2.15). In the coordinates of Störmer–Verlet, which is symmetric, the odd powers
 //! vanish: so each odd term follows from the even ones before it.
 
-use pendula::arithmetic::sine::cos;
 use pendula::{Pendulum, Phase};
 
 use crate::level_curve;
 use crate::point::{Dimensionless, polynomial, scaled};
 
-// ANCHOR: modified_hamiltonian
 /// The terms of the conserved energy H̃ = H + x H₁ + x² H₂ + … at `z`, from H₁ to H₇, in units of m
 /// g L.
 pub fn modified_hamiltonian_terms(z: Dimensionless) -> [f64; 7] {
@@ -39,7 +37,6 @@ pub fn modified_hamiltonian_terms(z: Dimensionless) -> [f64; 7] {
             / 10080.0,
     ]
 }
-// ANCHOR_END: modified_hamiltonian
 
 /// H̃ at `z`, above the bottom of H, to the given order in the step `h` (s), in J; to order 0 it is
 /// H.
@@ -89,22 +86,4 @@ pub fn level_curve_to_order(
     let x = scaled(pendulum, h);
     let correction = move |z| correction_to_order(order, z, x);
     level_curve::points(theta_0, correction, count).map(|z| z.phase(pendulum))
-}
-
-/// The largest energy error in two terms, A₁h + A₂h² (J), as the pair [A₁ (J/s), A₂ (J/s²)].
-///
-/// To first order H − H₀ = x q s/2 on the exact orbit, where q² = 2(c − c₀). It is largest where (1
-/// − c²)(c − c₀) is: at c* = (c₀ + √(c₀² + 3))/3. The second order adds, at c*, the difference of
-/// H₂ from its value at the start, and the change of q² by 2(H − H₀); the effect of the maximum's
-/// shift is of third order.
-pub fn energy_error_coefficients(pendulum: &Pendulum, theta_0: f64) -> [f64; 2] {
-    let c0 = cos(theta_0);
-    let c = (c0 + libm::sqrt(c0 * c0 + 3.0)) / 3.0;
-    let s2 = (1.0 - c) * (1.0 + c);
-    let q2 = 2.0 * (c - c0);
-    let first = 0.5 * libm::sqrt(s2 * q2);
-    let second = s2 / 4.0 - (c * q2 + s2 - (1.0 - c0) * (1.0 + c0)) / 12.0;
-    let rate = pendulum.small_angle_frequency();
-    let unit = pendulum.depth();
-    [unit * rate * first, unit * rate * rate * second]
 }

@@ -157,9 +157,6 @@ impl<'d> Session<'d> {
     }
 
     /// Brings to a buffer the values of `pendulums` of them, in rows with one column for each.
-    ///
-    /// # Panics
-    /// If there is no room for them, or the rows do not have this length.
     pub fn write(&mut self, buffer: usize, pendulums: usize, values: &[f64]) -> Result<(), Error> {
         assert!(pendulums <= self.capacity, "there is room for them");
         assert_eq!(values.len(), self.rows[buffer] * pendulums, "a column for each pendulum");
@@ -173,9 +170,6 @@ impl<'d> Session<'d> {
     /// Runs a kernel over the `pendulums` that are there, for `steps` steps in launches of at most
     /// [`LAUNCH`], and waits for them. `scalars` are its arguments between the number of steps and
     /// the buffers.
-    ///
-    /// # Panics
-    /// If there is no room for them.
     pub fn run(
         &self,
         kernel: usize,
@@ -221,9 +215,6 @@ impl<'d> Session<'d> {
     }
 
     /// The values of a buffer for the first `pendulums` columns, row after row.
-    ///
-    /// # Panics
-    /// If there is no room for them.
     pub fn read(&self, buffer: usize, pendulums: usize) -> Result<Vec<f64>, Error> {
         assert!(pendulums <= self.capacity, "there is room for them");
         let mut values = vec![0.0; self.rows[buffer] * pendulums];

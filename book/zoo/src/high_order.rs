@@ -5,20 +5,16 @@ use pendula::arithmetic::sine::{cos, sin};
 use pendula::methods::runge_kutta::dop853;
 use pendula::methods::splitting::{Splitting, kicks};
 use pendula::methods::{Dop853, ForestRuth, Gauss4, Taylor24, Yoshida6};
-use pendula::{AnyMethod, Grid, Info, Method, MethodInfo, Observer, Pendulum, Phase};
+use pendula::{AnyMethod, Grid, Method, Observer, Pendulum, Phase};
 
-use super::{Plain, impostor, runs_in_seconds};
+use super::{Plain, impostor, poses_as, runs_in_seconds};
 
 macro_rules! composition {
     ($(#[$doc:meta])* $name:ident poses as $truth:ident, $n:literal substeps, $substeps:expr) => {
         $(#[$doc])*
         pub struct $name;
 
-        impl Info for $name {
-            fn info(&self) -> MethodInfo {
-                $truth.info()
-            }
-        }
+        poses_as!($name, $truth);
 
         impl $name {
             const SUBSTEPS: [f64; $n] = $substeps;
@@ -89,11 +85,7 @@ pub struct EntryOff {
     pub by: f64,
 }
 
-impl Info for EntryOff {
-    fn info(&self) -> MethodInfo {
-        Dop853.info()
-    }
-}
+poses_as!(EntryOff, Dop853);
 
 impl EntryOff {
     /// The stages of DOP853, the first of which is the rate at the start.
@@ -185,11 +177,7 @@ impl TermDropped {
     }
 }
 
-impl Info for TermDropped {
-    fn info(&self) -> MethodInfo {
-        Taylor24.info()
-    }
-}
+poses_as!(TermDropped, Taylor24);
 
 impl AnyMethod for TermDropped {
     fn run(

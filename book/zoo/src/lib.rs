@@ -8,7 +8,6 @@ pub mod completing;
 pub mod euler;
 pub mod high_order;
 mod list;
-pub mod problem;
 pub mod processed;
 pub mod runge_kutta;
 pub mod verlet;
@@ -27,6 +26,18 @@ impl Plain for Pendulum {}
 impl<S: Plain> Plain for Counting<S> {}
 
 impl Plain for Pushed {}
+
+/// Gives an impostor the entry of the method that it poses as.
+macro_rules! poses_as {
+    ($type:ty, $truth:expr) => {
+        impl pendula::Info for $type {
+            fn info(&self) -> pendula::MethodInfo {
+                pendula::Info::info(&$truth)
+            }
+        }
+    };
+}
+pub(crate) use poses_as;
 
 /// Implements `AnyMethod` for an impostor, with time in seconds.
 macro_rules! runs_in_seconds {
@@ -77,11 +88,7 @@ macro_rules! impostor {
         $(#[$doc])*
         pub struct $name;
 
-        impl pendula::Info for $name {
-            fn info(&self) -> pendula::MethodInfo {
-                pendula::Info::info(&$truth)
-            }
-        }
+        $crate::poses_as!($name, $truth);
 
         impl<S> pendula::Method<S> for $name
         where

@@ -13,7 +13,7 @@ use pendula::{AnyMethod, Info, MethodInfo};
 use super::high_order::{self, EntryOff, TermDropped};
 use super::runge_kutta::Tableau;
 use super::verlet::Kicks;
-use super::{completing, euler, problem, processed, verlet, wrapped};
+use super::{completing, euler, processed, verlet, wrapped};
 
 /// A wrong method.
 pub struct Impostor {
@@ -137,36 +137,36 @@ macro_rules! for_each_impostor {
                 wrapped::TimeAccumulated(StormerVerlet), StormerVerlet,
                 [ERROR_CONSTANT, CONJUGACY, SYMMETRY, CLOCK];
             g_times_l:
-                problem::Accelerated(|p, theta| -p.gravity() * p.length() * sin(theta)),
+                wrapped::Accelerated(|p, theta| -p.gravity() * p.length() * sin(theta)),
                 StormerVerlet,
                 [ORDER, ERROR_CONSTANT, LINEAR, CONJUGACY, SYMMETRY];
             l_forgotten:
-                problem::Accelerated(|p, theta| -p.gravity() * sin(theta)), StormerVerlet,
+                wrapped::Accelerated(|p, theta| -p.gravity() * sin(theta)), StormerVerlet,
                 [ORDER, ERROR_CONSTANT, LINEAR, CONJUGACY, SYMMETRY];
             mass_in_the_motion:
-                problem::Accelerated(|p, theta| -p.frequency_squared() * p.mass() * sin(theta)),
+                wrapped::Accelerated(|p, theta| -p.frequency_squared() * p.mass() * sin(theta)),
                 StormerVerlet,
                 [ORDER, ERROR_CONSTANT, LINEAR, CONJUGACY, SYMMETRY];
             degrees_for_radians:
-                problem::Accelerated(|p, theta| -p.frequency_squared() * sin(theta.to_radians())),
+                wrapped::Accelerated(|p, theta| -p.frequency_squared() * sin(theta.to_radians())),
                 StormerVerlet,
                 [ORDER, ERROR_CONSTANT, LINEAR, CONJUGACY, SYMMETRY];
             // (It swings about the top, as wide as 2.1 rad, where rounding alone exceeds what is
             // derived for 1 rad.)
             wrong_sign_of_the_force:
-                problem::Accelerated(|p, theta| p.frequency_squared() * sin(theta)), StormerVerlet,
+                wrapped::Accelerated(|p, theta| p.frequency_squared() * sin(theta)), StormerVerlet,
                 [ORDER, ERROR_CONSTANT, LINEAR, REVERSAL, CONJUGACY];
             linearised_sine:
-                problem::Accelerated(|p, theta| -p.frequency_squared() * theta), StormerVerlet,
+                wrapped::Accelerated(|p, theta| -p.frequency_squared() * theta), StormerVerlet,
                 [ORDER, ERROR_CONSTANT, CONJUGACY, SYMMETRY];
             sine_to_seven_digits:
-                problem::Accelerated(|p, theta| {
+                wrapped::Accelerated(|p, theta| {
                     -p.frequency_squared() * f64::from(sin(theta) as f32)
                 }),
                 StormerVerlet,
                 [ERROR_CONSTANT, LINEAR, AREA, REVERSAL, CONJUGACY];
             a_torque_of_1e_12:
-                problem::Accelerated(|p, theta| 1e-12 - p.frequency_squared() * sin(theta)),
+                wrapped::Accelerated(|p, theta| 1e-12 - p.frequency_squared() * sin(theta)),
                 StormerVerlet,
                 [LINEAR, CONJUGACY, SYMMETRY];
             // (It is no palindrome, but so nearly one that REVERSAL detects it by a factor of three

@@ -1,9 +1,9 @@
 //! Impostors of RK4: its tableau with an entry changed.
 
 use pendula::methods::Rk4;
-use pendula::{Info, Method, MethodInfo, Phase};
+use pendula::{Method, Phase};
 
-use super::{Plain, runs_in_seconds};
+use super::{Plain, poses_as, runs_in_seconds};
 
 /// Four stages, each built on the one before, the third on the first as well.
 #[derive(Clone, Copy)]
@@ -39,11 +39,7 @@ impl Tableau {
     }
 }
 
-impl Info for Tableau {
-    fn info(&self) -> MethodInfo {
-        Rk4.info()
-    }
-}
+poses_as!(Tableau, Rk4);
 
 impl<S: Plain> Method<S> for Tableau {
     type Carry = ();

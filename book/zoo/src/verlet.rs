@@ -1,9 +1,9 @@
 //! Impostors of Störmer–Verlet.
 
 use pendula::methods::StormerVerlet;
-use pendula::{Info, Method, MethodInfo, Phase, Separable};
+use pendula::{Method, Phase, Separable};
 
-use super::{Plain, impostor, runs_in_seconds};
+use super::{Plain, impostor, poses_as, runs_in_seconds};
 
 impostor! {
     /// Position for velocity Verlet: half a drift, a kick, half a drift. It evaluates once a step,
@@ -63,11 +63,7 @@ impl Kicks {
         Self { first: 0.5, second: 0.5, stale_kick: false, stale_memory: false };
 }
 
-impl Info for Kicks {
-    fn info(&self) -> MethodInfo {
-        StormerVerlet.info()
-    }
-}
+poses_as!(Kicks, StormerVerlet);
 
 impl<S: Plain + Separable<Force = f64>> Method<S> for Kicks {
     type Carry = f64;

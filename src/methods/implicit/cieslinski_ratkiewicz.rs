@@ -62,12 +62,10 @@ where
         })
     }
 
-    // ANCHOR: step
     #[inline(always)]
     fn step(&self, system: &S, t: f64, h: f64, z: S::State, pace: &mut S::Time) -> S::State {
         DiscreteGradient::attempt(system, t, h, z, system.rate(t, z), *pace).0
     }
-    // ANCHOR_END: step
 
     #[inline(always)]
     fn try_step(

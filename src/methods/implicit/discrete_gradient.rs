@@ -38,7 +38,6 @@ impl Info for DiscreteGradient {
     }
 }
 
-// ANCHOR: step
 /// A system with the mean of its force along a step of `h` (s) for its force, and its time `pace`
 /// times as fast.
 struct AlongTheStep<'s, S: MeanForce> {
@@ -96,7 +95,6 @@ impl<S: MeanForce> Method<S> for DiscreteGradient {
     fn step(&self, system: &S, t: f64, h: f64, z: S::State, _carry: &mut ()) -> S::State {
         Self::plain(system, t, h, z).0
     }
-    // ANCHOR_END: step
 
     #[inline(always)]
     fn try_step(

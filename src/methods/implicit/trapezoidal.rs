@@ -30,9 +30,7 @@ impl Info for Trapezoidal {
 }
 
 impl Trapezoidal {
-    // ANCHOR: tableau
     /// The coefficients.
     pub const TABLEAU: ImplicitTableau<2> =
         ImplicitTableau { a: [[0.0, 0.0], [0.5, 0.5]], b: [0.5, 0.5], c: [0.0, 1.0] };
-    // ANCHOR_END: tableau
 }

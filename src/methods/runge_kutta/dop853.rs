@@ -33,7 +33,6 @@ impl Info for Dop853 {
     }
 }
 
-// ANCHOR: step
 impl<S: System> Method<S> for Dop853 {
     type Carry = ();
 
@@ -48,7 +47,6 @@ impl<S: System> Method<S> for Dop853 {
         z + stages.step() * h
     }
 }
-// ANCHOR_END: step
 
 impl Embedded for Dop853 {
     /// The first estimate, O(h⁶), is divided by √(1 + 0.01 q²), where q is the ratio of the second,

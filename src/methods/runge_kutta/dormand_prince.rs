@@ -29,7 +29,6 @@ impl Info for DormandPrince {
     }
 }
 
-// ANCHOR: step
 impl<S: System> Method<S> for DormandPrince {
     /// The slope at the start of the step, evaluated at the end of the last one.
     type Carry = RateOf<S>;
@@ -48,7 +47,6 @@ impl<S: System> Method<S> for DormandPrince {
         z + stages.step() * h
     }
 }
-// ANCHOR_END: step
 
 impl Embedded for DormandPrince {
     /// The embedded method has order 4, and its step an error of O(h⁵).

@@ -3,7 +3,6 @@
 use crate::adaptive::Interpolant;
 use crate::systems::{RateOf, System, Vector};
 
-// ANCHOR: embedded
 /// A Runge–Kutta method that estimates its own error and has dense output.
 pub trait Embedded: Copy {
     /// The order k of the estimate, O(hᵏ): the step size control uses it to choose the next step.
@@ -51,7 +50,6 @@ pub trait Embedded: Copy {
         end_slope: RateOf<S>,
     ) -> Self::Dense<RateOf<S>>;
 }
-// ANCHOR_END: embedded
 
 /// The first three coefficients of dense output, which match the state and the slope at both ends
 /// of a step: Hermite's cubic of the whole displacement `step` with the slopes at both ends, times

@@ -24,7 +24,6 @@ impl Info for ExplicitMidpoint {
     }
 }
 
-// ANCHOR: step
 impl<S: System> Method<S> for ExplicitMidpoint {
     type Carry = ();
 
@@ -36,4 +35,3 @@ impl<S: System> Method<S> for ExplicitMidpoint {
         z + system.rate(t + h / 2.0, half) * h
     }
 }
-// ANCHOR_END: step

@@ -24,7 +24,6 @@ impl Info for Heun {
     }
 }
 
-// ANCHOR: step
 impl<S: System> Method<S> for Heun {
     type Carry = ();
 
@@ -37,4 +36,3 @@ impl<S: System> Method<S> for Heun {
         z + (k1 + k2) * (h / 2.0)
     }
 }
-// ANCHOR_END: step

@@ -59,7 +59,6 @@ impl Row {
     }
 }
 
-// ANCHOR: tableau
 /// Generates from a table the `struct $Stages`, with a function `evaluate` for the stages and a
 /// method for each sum, and the table as data, `$TABLEAU`.
 macro_rules! tableau {
@@ -126,7 +125,6 @@ macro_rules! tableau {
         };
     };
 }
-// ANCHOR_END: tableau
 
 macro_rules! row {
     ($name:ident, $node:expr, $($k:ident: $a:expr,)+) => {

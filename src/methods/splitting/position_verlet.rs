@@ -26,7 +26,6 @@ impl Info for PositionVerlet {
     }
 }
 
-// ANCHOR: step
 impl<S: Separable> Method<S> for PositionVerlet {
     /// The state half a drift ahead.
     type Carry = S::State;
@@ -43,4 +42,3 @@ impl<S: Separable> Method<S> for PositionVerlet {
         system.drift(z, 0.5 * h)
     }
 }
-// ANCHOR_END: step

@@ -14,7 +14,6 @@ use crate::systems::Analytic;
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Taylor<const P: usize>;
 
-// ANCHOR: step
 impl<S: Analytic, const P: usize> Method<S> for Taylor<P> {
     type Carry = ();
 
@@ -25,4 +24,3 @@ impl<S: Analytic, const P: usize> Method<S> for Taylor<P> {
         z + system.mean_rate::<P>(h, z) * h
     }
 }
-// ANCHOR_END: step

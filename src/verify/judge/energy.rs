@@ -1,9 +1,10 @@
 //! The energy: bounded, or drifting, and by which law.
 
-use super::probe::{Probe, Run, energy, step};
-use super::report::scientific;
-use super::verdict::{Measured, Told, Trouble, Verdict};
+use super::probe::{Probe, energy, step};
+use super::report::{Finding, scientific};
+use super::verdict::{Measured, Trouble, Verdict};
 use crate::systems::Phase;
+use crate::verify::stranger::Request;
 
 /// What became of the energy in a long run.
 #[derive(Clone, Debug)]
@@ -30,7 +31,7 @@ fn run(probe: &Probe<'_>, x: f64, steps: u64) -> Measured<Energy> {
     let every = 4;
     let steps = probe.in_time(steps)?;
     let h = step(x);
-    let states = probe.states(Run::new(START, h, steps).every(every))?;
+    let states = probe.states(Request::run(START, h, steps).every(every))?;
     let samples: Vec<(f64, f64)> = (1..)
         .zip(states)
         .map(|(k, z)| ((k * every) as f64 * h, energy(z) - energy(START)))
@@ -69,7 +70,7 @@ pub fn worst(probe: &Probe<'_>) -> Measured<Energy> {
 }
 
 /// What is to be said of a claim that the energy error does not grow.
-pub fn judge(energy: &Energy) -> Told {
+pub fn judge(energy: &Energy) -> Finding {
     let &Energy { ends: [first, last], bound, x, steps, .. } = energy;
     let why = format!(
         "in {steps} steps of x = ω₀h = {x} from 1 rad the largest |ΔH|/(mgL) is {} in the first \
@@ -78,13 +79,14 @@ pub fn judge(energy: &Energy) -> Told {
         scientific(last)
     );
     let (verdict, law) = verdict(first, last, bound);
-    Told {
+    Finding {
         measured: format!("{} at first, {} at last: {law}", scientific(first), scientific(last)),
         values: vec![first, last],
         unit: "m g L",
         bound: Some(1.3 * first + 10.0 * bound),
         why: if verdict == Verdict::Unclear { format!("{why}: {law}") } else { why },
         verdict,
+        ..Finding::default()
     }
 }
 

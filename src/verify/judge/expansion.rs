@@ -6,9 +6,10 @@
 //! Integration, III.1, for the terms as trees; III.2 where angle and velocity are treated apart).
 //! A method is of order p if the factors up to hᵖ are those of the exact motion.
 
-use super::probe::{G_OVER_L, Probe, Run, exact};
+use super::probe::{G_OVER_L, Probe, exact};
 use super::verdict::Measured;
 use crate::systems::Phase;
+use crate::verify::stranger::Request;
 
 /// The powers of the step that are looked at: 1 to 4.
 pub const POWERS: usize = 4;
@@ -179,7 +180,7 @@ fn coefficients(
         let mut sums = [[0.0; 2]; POWERS];
         for (i, x) in nodes.into_iter().enumerate() {
             let h = x / frequency;
-            let (end, there) = (probe.end(Run::new(start, h, 1).with(g_over_l))?, truth.at(h));
+            let (end, there) = (probe.end(Request::run(start, h, 1).with(g_over_l))?, truth.at(h));
             let error = [end.theta - there.theta, (end.omega - there.omega) / frequency];
             for (sum, row) in sums.iter_mut().zip(&weights) {
                 for part in 0..2 {

@@ -5,14 +5,13 @@ use core::fmt;
 
 use super::answers::Match;
 use super::claims::Claims;
-use super::probe::{
-    G_OVER_L, Probe, Run, distance, exact, frequency, pendulum, states_after, step,
-};
-use super::report::{Scientific, about, raised};
-use super::verdict::{Measured, Told, Trouble, Verdict};
+use super::probe::{G_OVER_L, Probe, distance, exact, frequency, pendulum, states_after, step};
+use super::report::{Finding, Scientific, about, raised};
+use super::verdict::{Measured, Trouble, Verdict};
 use crate::systems::{Phase, Separable};
 use crate::verify::known_answers;
 use crate::verify::properties::error_constant::extrapolated;
+use crate::verify::stranger::Request;
 use crate::{AnyMethod, METHODS, MethodInfo};
 
 /// From where a method is seen: a stranger's states are those of the method, or lie a part of a
@@ -45,7 +44,8 @@ impl Seen {
         Self::ALL.into_iter().filter(|seen| *seen != Self::DIRECTLY)
     }
 
-    fn moved(self, g_over_l: f64, z: Phase, h: f64) -> Phase {
+    /// The stranger's state for one of the method's own.
+    pub fn from_its_own(self, g_over_l: f64, z: Phase, h: f64) -> Phase {
         let pendulum = pendulum(g_over_l);
         let z = pendulum.kick(z, pendulum.force(0.0, z), self.kicks * h);
         pendulum.drift(z, self.drifts * h)
@@ -53,12 +53,7 @@ impl Seen {
 
     /// The method's own state for a state of the stranger.
     pub fn into_its_own(self, g_over_l: f64, z: Phase, h: f64) -> Phase {
-        Self { kicks: -self.kicks, drifts: -self.drifts }.moved(g_over_l, z, h)
-    }
-
-    /// The stranger's state for one of the method's own.
-    pub fn from_its_own(self, g_over_l: f64, z: Phase, h: f64) -> Phase {
-        self.moved(g_over_l, z, h)
+        Self { kicks: -self.kicks, drifts: -self.drifts }.from_its_own(g_over_l, z, h)
     }
 }
 
@@ -148,7 +143,7 @@ pub fn own_states(
     count: u64,
 ) -> Option<Vec<Phase>> {
     let own = seen.into_its_own(G_OVER_L, start, h);
-    let states = states_after(method, &pendulum(G_OVER_L), own, h, count)?;
+    let states = states_after(method, G_OVER_L, own, h, count)?;
     Some(states.into_iter().map(|z| seen.from_its_own(G_OVER_L, z, h)).collect())
 }
 
@@ -166,7 +161,7 @@ impl Asked {
         let mut runs = Vec::new();
         for start in STARTS {
             for x in STEPS {
-                match probe.states(Run::new(start, step(x), COUNT)) {
+                match probe.states(Request::run(start, step(x), COUNT)) {
                     Ok(states) => runs.push((start, step(x), states)),
                     Err(Trouble::NoAnswer(_) | Trouble::NotFinite) if x > STEPS[0] => {}
                     Err(trouble) => return Err(trouble),
@@ -184,7 +179,7 @@ impl Asked {
     /// By how much its states differ from those of `method`, as `apart` measures it (rad); `None`
     /// if by more than the bound, or `at_least` if that is more. Where a method has no solution,
     /// nothing is compared.
-    fn apart(
+    pub fn apart(
         &self,
         at_least: f64,
         apart: fn(Phase, Phase) -> f64,
@@ -204,16 +199,6 @@ impl Asked {
             }
         }
         compared.then_some(largest)
-    }
-
-    /// Whether its states are those of `method`.
-    pub fn are(
-        &self,
-        at_least: f64,
-        apart: fn(Phase, Phase) -> f64,
-        method: impl Fn(Phase, f64, u64) -> Option<Vec<Phase>>,
-    ) -> bool {
-        self.apart(at_least, apart, method).is_some()
     }
 }
 
@@ -252,7 +237,7 @@ pub fn identify(
 }
 
 /// What is to be said of a claim to be the method `name`.
-pub fn judge(identity: Option<&Identity>, claims: &Claims) -> Told {
+pub fn judge(identity: Option<&Identity>, claims: &Claims) -> Finding {
     let (verdict, why) = match identity {
         Some(identity) if identity.is_plain() && claims.is_named(identity.method) => {
             (Verdict::Holds, "its steps are those of the method".to_string())
@@ -262,7 +247,7 @@ pub fn judge(identity: Option<&Identity>, claims: &Claims) -> Told {
     };
     let measured = identity.map_or("none that is known", |identity| identity.method).to_string();
     let values = identity.map(|identity| identity.apart).into_iter().collect();
-    Told { measured, values, unit: "rad", bound: None, verdict, why }
+    Finding { measured, values, unit: "rad", verdict, why, ..Finding::default() }
 }
 
 /// The leading error of a step at (1 rad, 1 ω₀) over h^(order + 1), in θ and in ω/ω₀ with h in
@@ -278,7 +263,7 @@ pub fn leading_error(probe: &Probe<'_>, order: u32) -> Measured<[f64; 2]> {
     let x = (4.0 * quarter).clamp(0.02, 0.6);
     let error = |x: f64| -> Measured<[f64; 2]> {
         let h = step(x);
-        let (z, true_z) = (probe.end(Run::new(start, h, 1))?, truth.at(h));
+        let (z, true_z) = (probe.end(Request::run(start, h, 1))?, truth.at(h));
         let over = libm::pow(x, power);
         Ok([(z.theta - true_z.theta) / over, (z.omega - true_z.omega) / frequency() / over])
     };

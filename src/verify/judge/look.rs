@@ -37,9 +37,7 @@ pub fn at(probe: &Probe<'_>, claims: &Claims, report: &Report) -> Measured<Vec<S
     };
     let alike = match report.mistake {
         Some(mistake) => Some(in_a_sentence(mistake)),
-        None => told(resemblance::find(probe, claims, report, scaled.as_ref()))?
-            .flatten()
-            .map(|found| found.to_string()),
+        None => told(resemblance::find(probe, claims, report, scaled.as_ref()))?.flatten(),
     };
     let mut causes: Vec<Cause> = Vec::new();
     causes.extend(alike.clone().map(resembles));

@@ -2,11 +2,12 @@
 
 use super::area;
 use super::identity::Identity;
-use super::probe::{G_OVER_L, Probe, Run, energy, pendulum, step};
-use super::report::{about, scientific};
-use super::verdict::{Measured, Told, Verdict};
+use super::probe::{G_OVER_L, Probe, energy, pendulum, step};
+use super::report::{Finding, about, scientific};
+use super::verdict::{Measured, Verdict};
 use crate::systems::Phase;
 use crate::verify::properties::flipped;
+use crate::verify::stranger::Request;
 use crate::{Grid, method_named};
 
 /// A loss a step, with the limit of what can be seen.
@@ -36,15 +37,11 @@ fn bound(probe: &Probe<'_>, steps: u64) -> f64 {
 /// does to the energy on the way out it undoes on the way home; a loss is lost on both.
 fn by_reversal(probe: &Probe<'_>) -> Measured<Loss> {
     let steps = probe.in_time(STEPS)?;
-    let there = probe.end(Run::new(START, step(X), steps))?;
-    let back = probe.end(Run::new(flipped(there), step(X), steps))?;
+    let there = probe.end(Request::run(START, step(X), steps))?;
+    let back = probe.end(Request::run(flipped(there), step(X), steps))?;
     let a_step = (1.0 - energy(back) / energy(START)) / (2.0 * steps as f64);
-    Ok(Loss {
-        a_step,
-        bound: bound(probe, 2 * steps),
-        tolerance: probe.tolerance_a_step(),
-        by: "the energy after the way out and home",
-    })
+    let by = "the energy after the way out and home";
+    Ok(Loss::of(probe, a_step, bound(probe, 2 * steps), by))
 }
 
 /// Of a method that is on the list: its own energy after as many steps.
@@ -58,29 +55,19 @@ fn by_identity(probe: &Probe<'_>, identity: &Identity) -> Option<Measured<Loss>>
     let start = identity.seen.into_its_own(G_OVER_L, START, step(X));
     let end = method.end(&pendulum(G_OVER_L), start, &grid);
     let own = energy(identity.seen.from_its_own(G_OVER_L, end, step(X)));
-    Some(probe.end(Run::new(START, step(X), steps)).map(|end| {
+    Some(probe.end(Request::run(START, step(X), steps)).map(|end| {
         // Beside the amplitude the phase differs, and with it where in its oscillation the energy
         // is: by rounding, times the slope of that oscillation.
         let phase = probe.rounding_bound(steps, X) / steps as f64;
         let a_step = (1.0 - energy(end) / own) / steps as f64;
-        Loss {
-            a_step,
-            bound: bound(probe, steps) + phase,
-            tolerance: probe.tolerance_a_step(),
-            by: "the energy beside its own method's",
-        }
+        Loss::of(probe, a_step, bound(probe, steps) + phase, "the energy beside its own method's")
     }))
 }
 
 /// Of a symplectic method: the area after many steps.
 fn by_area(probe: &Probe<'_>) -> Measured<Loss> {
     let (gain, bound) = area::gain(probe, probe.in_time(STEPS)?)?;
-    Ok(Loss {
-        a_step: -gain,
-        bound: 10.0 * bound,
-        tolerance: probe.tolerance_a_step(),
-        by: "the area after many steps",
-    })
+    Ok(Loss::of(probe, -gain, 10.0 * bound, "the area after many steps"))
 }
 
 /// What is lost in a step, by what the method has that would not lose it: its identity, its
@@ -98,8 +85,12 @@ pub fn measure(
 }
 
 impl Loss {
+    fn of(probe: &Probe<'_>, a_step: f64, bound: f64, by: &'static str) -> Self {
+        Self { a_step, bound, tolerance: probe.tolerance_a_step(), by }
+    }
+
     /// What is to be said of a claim that nothing is lost.
-    pub fn judge(&self) -> Told {
+    pub fn judge(&self) -> Finding {
         let Self { a_step, bound, tolerance, by } = *self;
         let mut why = format!(
             "by {by}: {} a step, where rounding makes {} at most",
@@ -116,6 +107,6 @@ impl Loss {
         } else {
             format!("{} a step", scientific(a_step))
         };
-        Told { measured, why, ..Told::number(a_step, "a step", bound, verdict) }
+        Finding { measured, why, ..Finding::number(a_step, "a step", bound, verdict) }
     }
 }

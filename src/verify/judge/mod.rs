@@ -3,7 +3,6 @@
 mod answers;
 pub(crate) mod area;
 mod claims;
-pub(crate) mod clock;
 pub(crate) mod energy;
 pub(crate) mod expansion;
 pub(crate) mod identity;
@@ -27,7 +26,7 @@ pub use verdict::Verdict;
 
 use answers::Answers;
 use probe::Probe;
-use verdict::{Measured, Told, Trouble};
+use verdict::{Measured, Trouble};
 
 use super::stranger::Stranger;
 
@@ -84,14 +83,14 @@ struct Shown {
 }
 
 impl Judge<'_> {
-    /// Notes what was found of the property `name`, and returns what was measured. What nobody
-    /// claims is said and not judged. Only a broken protocol ends it all.
+    /// Notes what was found of the property `name`, as `judge` has it, and returns what was
+    /// measured. What nobody claims is said and not judged. Only a broken protocol ends it all.
     fn note<T>(
         &mut self,
         name: &'static str,
         claimed: Option<String>,
         found: Measured<T>,
-        judge: impl FnOnce(&T) -> Told,
+        judge: impl FnOnce(&T) -> Finding,
     ) -> Measured<(Option<T>, Verdict)> {
         let (found, told) = match found {
             Ok(found) => {
@@ -99,16 +98,15 @@ impl Judge<'_> {
                 (Some(found), told)
             }
             Err(Trouble::Broken(why)) => return Err(Trouble::Broken(why)),
-            Err(trouble) => (None, Told::from(trouble)),
+            Err(trouble) => (None, Finding::from(trouble)),
         };
-        let Told { measured, values, unit, bound, verdict: shown, why } = told;
+        let shown = told.verdict;
         let verdict = match shown {
             Verdict::NotMeasured => shown,
             _ if claimed.is_none() => Verdict::Unclaimed,
             _ => shown,
         };
-        let finding = Finding { name, claimed, measured, values, unit, bound, verdict, why };
-        self.report.findings.push(finding);
+        self.report.findings.push(Finding { name, claimed, verdict, ..told });
         Ok((found, shown))
     }
 
@@ -159,8 +157,8 @@ impl Judge<'_> {
         self.note("units", self.implied(), apart, |apart| apart.judge(true))?;
         let apart = symmetry::turn(&self.probe);
         self.note("turn", self.implied(), apart, |apart| apart.judge(true))?;
-        let clock = clock::clock(&self.probe);
-        self.note("clock", self.implied(), clock, clock::Clock::judge)?;
+        let clock = replies::clock(&self.probe);
+        self.note("clock", self.implied(), clock, replies::Clock::judge)?;
         let claimed = self.claims.evaluations;
         let text = claimed.map(|a_step| format!("{a_step} a step"));
         let counted = replies::counted(&self.probe);

@@ -1,9 +1,10 @@
 //! Order: the slopes of the error on a ladder of steps, down to the stranger's rounding.
 
-use super::probe::{G_OVER_L, Probe, Run, distance, exact, frequency};
-use super::report::slopes;
-use super::verdict::{Measured, Told, Trouble, Verdict};
+use super::probe::{G_OVER_L, Probe, distance, exact, frequency};
+use super::report::{Finding, slopes};
+use super::verdict::{Measured, Trouble, Verdict};
 use crate::systems::Phase;
+use crate::verify::stranger::Request;
 
 /// The duration of a run (s): about a swing and a half, and no whole number of half swings, at
 /// which symmetry would hide errors.
@@ -31,7 +32,7 @@ fn error(probe: &Probe<'_>, steps: u64) -> Measured<f64> {
         let every = 1.max(steps / 64);
         let steps = steps - steps % every;
         let truth = exact(G_OVER_L, start);
-        let states = probe.states(Run::new(start, h, steps).every(every))?;
+        let states = probe.states(Request::run(start, h, steps).every(every))?;
         for (k, z) in (1..).zip(states) {
             largest = libm::fmaximum(largest, distance(z, truth.at((k * every) as f64 * h)));
         }
@@ -100,14 +101,14 @@ pub fn shown(ladder: &Ladder) -> Option<u32> {
 }
 
 /// What is to be said of a claim of order `claimed`; without one, what was measured.
-pub fn judge(ladder: &Ladder, claimed: Option<u32>) -> Told {
+pub fn judge(ladder: &Ladder, claimed: Option<u32>) -> Finding {
     let (verdict, why) = match claimed {
         Some(order) => verdict(ladder, order),
         None => (Verdict::Unclaimed, String::new()),
     };
     let line = slopes(&ladder.slopes);
     let measured = if line.is_empty() { "no slope".into() } else { format!("slopes {line}") };
-    Told { measured, values: ladder.slopes.clone(), unit: "", bound: None, verdict, why }
+    Finding { measured, values: ladder.slopes.clone(), verdict, why, ..Finding::default() }
 }
 
 /// The verdict on a claim of order `claimed`, and why.

@@ -2,10 +2,10 @@
 //! stranger's own roundings.
 
 use super::verdict::{Measured, Trouble};
+use crate::AnyMethod;
 use crate::exact::Motion;
 use crate::systems::{Hamiltonian, Pendulum, Phase};
-use crate::verify::stranger::{Fault, Reply, Request, Stranger};
-use crate::{AnyMethod, Grid};
+use crate::verify::stranger::{Fault, Listed, Reply, Request, Stranger};
 
 /// g/L of most requests (1/s²): not the paper's, and no power of two.
 pub const G_OVER_L: f64 = 12.2625;
@@ -34,39 +34,20 @@ pub struct Probe<'s> {
     longest: u64,
 }
 
-/// A run of the undamped pendulum with the g/L of most requests.
-#[derive(Clone, Copy, Debug)]
-pub struct Run {
-    /// g/L (1/s²).
-    pub g_over_l: f64,
-    /// The start.
-    pub start: Phase,
-    /// The step (s).
-    pub step: f64,
-    /// The number of steps.
-    pub steps: u64,
-    /// Every so many of which a state is asked for.
-    pub every: u64,
-}
-
-impl Run {
-    /// `steps` steps of `step` (s) from `start`, each state asked for.
-    pub const fn new(start: Phase, step: f64, steps: u64) -> Self {
-        Self { g_over_l: G_OVER_L, start, step, steps, every: 1 }
-    }
-
-    /// Only the end is asked for.
-    pub const fn end(self) -> Self {
-        Self { every: self.steps, ..self }
+impl Request {
+    /// `steps` steps of `step` (s) from `start`, of the undamped pendulum with the g/L of most
+    /// requests, each state asked for.
+    pub(super) const fn run(start: Phase, step: f64, steps: u64) -> Self {
+        Self { g_over_l: G_OVER_L, drive: None, start, step, steps, every: 1 }
     }
 
     /// Every `every`-th state is asked for.
-    pub const fn every(self, every: u64) -> Self {
+    pub(super) const fn every(self, every: u64) -> Self {
         Self { every, ..self }
     }
 
     /// With another g/L (1/s²).
-    pub const fn with(self, g_over_l: f64) -> Self {
+    pub(super) const fn with(self, g_over_l: f64) -> Self {
         Self { g_over_l, ..self }
     }
 }
@@ -93,10 +74,8 @@ impl<'s> Probe<'s> {
         Self { tolerance, ..self }
     }
 
-    /// As many of `steps` as it can take in time, in whole twenties.
-    ///
-    /// # Errors
-    /// If these are less than a tenth.
+    /// As many of `steps` as it can take in time, in whole twenties; no answer if these are less
+    /// than a tenth.
     pub fn in_time(&self, steps: u64) -> Measured<u64> {
         let possible = steps.min(self.longest - self.longest % 20);
         if possible < steps / 10 {
@@ -124,20 +103,14 @@ impl<'s> Probe<'s> {
         Ok(reply)
     }
 
-    /// The answer to a run.
-    pub fn reply(&self, run: Run) -> Measured<Reply> {
-        let Run { g_over_l, start, step, steps, every } = run;
-        self.ask(&Request { g_over_l, drive: None, start, step, steps, every })
-    }
-
     /// The states of a run.
-    pub fn states(&self, run: Run) -> Measured<Vec<Phase>> {
-        Ok(self.reply(run)?.states)
+    pub fn states(&self, run: Request) -> Measured<Vec<Phase>> {
+        Ok(self.ask(&run)?.states)
     }
 
-    /// The last state of a run.
-    pub fn end(&self, run: Run) -> Measured<Phase> {
-        Ok(self.states(run.end())?[0])
+    /// The last state of a run, which alone is asked for.
+    pub fn end(&self, run: Request) -> Measured<Phase> {
+        Ok(self.states(run.every(run.steps))?[0])
     }
 
     /// The bound for the rounding (rad) of an angle of order 1 after `steps` steps of x = ω₀h:
@@ -172,7 +145,7 @@ impl<'s> Probe<'s> {
         let mut largest = 0.0_f64;
         for (theta, omega) in [(0.9, 0.3), (-0.7, 2.1)] {
             let end = |shift: f64| -> Measured<[f64; 2]> {
-                let z = self.end(Run::new(Phase { theta: theta + shift, omega }, h, 1))?;
+                let z = self.end(Request::run(Phase { theta: theta + shift, omega }, h, 1))?;
                 Ok([z.theta, z.omega / frequency()])
             };
             let ends = (0..16).map(|j| end(f64::from(j) * APART)).collect::<Measured<Vec<_>>>()?;
@@ -196,24 +169,18 @@ pub fn pendulum(g_over_l: f64) -> Pendulum {
     Pendulum::new(g_over_l, 1.0, 1.0).expect("g/L of a request of ours")
 }
 
-/// The states of a method of the library after 1, 2, … `count` steps of `h` (s); none if there are
-/// no such steps. Negative ones are those of the mirrored motion.
+/// The states of a method of the library on the pendulum with this g/L (1/s²), after 1, 2, …
+/// `count` steps of `h` (s); none if there are no such steps. Negative ones are those of the
+/// mirrored motion.
 pub fn states_after(
     method: &dyn AnyMethod,
-    pendulum: &Pendulum,
+    g_over_l: f64,
     start: Phase,
     h: f64,
     count: u64,
 ) -> Option<Vec<Phase>> {
-    let along = |z: Phase| Phase { omega: h.signum() * z.omega, ..z };
-    let grid = Grid::new(h.abs(), count).ok()?;
-    let mut states = Vec::new();
-    method.run(pendulum, along(start), &grid, &mut |n: u64, _: f64, z: Phase| {
-        if n > 0 {
-            states.push(along(z));
-        }
-    });
-    Some(states)
+    let request = Request::run(start, h, count).with(g_over_l);
+    Some(Listed(method).answer(&request).ok()?.states)
 }
 
 /// The energy above the bottom, in units of mgL.

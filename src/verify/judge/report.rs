@@ -3,7 +3,7 @@
 use core::fmt;
 
 use super::identity::Identity;
-use super::verdict::Verdict;
+use super::verdict::{Trouble, Verdict};
 use crate::systems::Phase;
 use crate::verify::known_answers::Known;
 
@@ -27,6 +27,32 @@ pub struct Finding {
     pub verdict: Verdict,
     /// The bound, where it comes from, and what follows; or why it was not measured.
     pub why: String,
+}
+
+impl Finding {
+    /// One number, which `bound` decides.
+    pub(super) fn number(value: f64, unit: &'static str, bound: f64, verdict: Verdict) -> Self {
+        Self { values: vec![value], unit, bound: Some(bound), verdict, ..Self::default() }
+    }
+
+    /// That nothing is known, and why.
+    pub(super) fn nothing(why: String) -> Self {
+        Self { measured: "–".to_string(), why, ..Self::default() }
+    }
+}
+
+/// What a measurement that was not had says: a stranger without an answer was not measured, one
+/// with a wrong answer fails.
+impl From<Trouble> for Finding {
+    fn from(trouble: Trouble) -> Self {
+        match trouble {
+            Trouble::NoAnswer(why) => Self::nothing(why),
+            other => {
+                let why = other.to_string();
+                Self { verdict: Verdict::Fails, measured: why.clone(), why, ..Self::default() }
+            }
+        }
+    }
 }
 
 /// Measurements that a report can draw.

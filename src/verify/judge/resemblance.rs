@@ -5,11 +5,12 @@ use core::fmt;
 use super::claims::Claims;
 use super::expansion::{self, Deviation};
 use super::identity::{Asked, Identity, Seen, own_states};
-use super::probe::{G_OVER_L, Probe, Run, distance, frequency, pendulum, states_after, step};
+use super::probe::{G_OVER_L, Probe, distance, frequency, states_after, step};
 use super::report::{Report, Scientific, raised};
 use super::verdict::Measured;
 use crate::systems::Phase;
-use crate::{AnyMethod, METHODS, Pendulum};
+use crate::verify::stranger::Request;
+use crate::{AnyMethod, METHODS};
 
 /// The one thing in which a run differs from that of a known method.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -30,39 +31,26 @@ enum But {
     Scaled(Scaled),
 }
 
-/// The known method that a stranger is but for one thing.
-#[derive(Clone, Debug)]
-pub struct Resemblance {
-    title: &'static str,
-    but: But,
-}
-
-impl fmt::Display for Resemblance {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { title, but } = self;
-        write!(f, "It is {title}")?;
-        match but {
-            But::Nothing => Ok(()),
-            But::Seen(seen) if seen.drifts == 0.0 => write!(
-                f,
-                " seen {seen}: the velocities that it starts from, and those that it reports, \
-                 lie beside the angles' times"
-            ),
-            But::Seen(seen) => {
-                write!(f, " seen {seen}: its angles lie beside the velocities' times")
-            }
-            But::Reported(seen) => {
-                write!(f, ", but the states that it reports are {seen} of its own")?;
-                if seen.kicks.abs() == 0.5 {
-                    write!(f, ": velocities at half steps")?;
-                }
-                Ok(())
-            }
-            But::Begun(seen) => write!(f, ", but begun {seen} of the state that it is given"),
-            But::WithoutFirstHalfKick => write!(f, ", but each step lacks its first half kick"),
-            But::WithoutLastHalfKick => write!(f, ", but each step lacks its last half kick"),
-            But::Scaled(scaled) => write!(f, ", but {scaled}"),
+/// That a stranger is the method of this title, but for one thing.
+fn in_words(title: &str, but: But) -> String {
+    let it = format!("It is {title}");
+    match but {
+        But::Nothing => it,
+        But::Seen(seen) if seen.drifts == 0.0 => format!(
+            "{it} seen {seen}: the velocities that it starts from, and those that it reports, lie \
+             beside the angles' times"
+        ),
+        But::Seen(seen) => {
+            format!("{it} seen {seen}: its angles lie beside the velocities' times")
         }
+        But::Reported(seen) => {
+            let half = if seen.kicks.abs() == 0.5 { ": velocities at half steps" } else { "" };
+            format!("{it}, but the states that it reports are {seen} of its own{half}")
+        }
+        But::Begun(seen) => format!("{it}, but begun {seen} of the state that it is given"),
+        But::WithoutFirstHalfKick => format!("{it}, but each step lacks its first half kick"),
+        But::WithoutLastHalfKick => format!("{it}, but each step lacks its last half kick"),
+        But::Scaled(scaled) => format!("{it}, but {scaled}"),
     }
 }
 
@@ -85,19 +73,15 @@ fn states(
     h: f64,
     count: u64,
 ) -> Option<Vec<Phase>> {
-    let ordinary = pendulum(G_OVER_L);
-    let run = |pendulum: &Pendulum, start: Phase, h: f64, count: u64| {
-        states_after(method, pendulum, start, h, count)
-    };
-    let with = |g_over_l| Pendulum::new(g_over_l, 1.0, 1.0).ok();
+    let run = |g_over_l, start, h, count| states_after(method, g_over_l, start, h, count);
     match but {
-        But::Nothing => run(&ordinary, start, h, count),
+        But::Nothing => run(G_OVER_L, start, h, count),
         But::Seen(seen) => own_states(method, seen, start, h, count),
         But::Reported(seen) => {
-            let states = run(&ordinary, start, h, count)?.into_iter();
+            let states = run(G_OVER_L, start, h, count)?.into_iter();
             Some(states.map(|z| seen.from_its_own(G_OVER_L, z, h)).collect())
         }
-        But::Begun(seen) => run(&ordinary, seen.from_its_own(G_OVER_L, start, h), h, count),
+        But::Begun(seen) => run(G_OVER_L, seen.from_its_own(G_OVER_L, start, h), h, count),
         But::WithoutFirstHalfKick | But::WithoutLastHalfKick => {
             let first = but == But::WithoutFirstHalfKick;
             let back = Seen { kicks: -0.5, drifts: 0.0 };
@@ -106,15 +90,15 @@ fn states(
             (0..count)
                 .map(|_| {
                     let before = if first { kicked_back(z) } else { z };
-                    let after = *run(&ordinary, before, h, 1)?.last()?;
+                    let after = *run(G_OVER_L, before, h, 1)?.last()?;
                     z = if first { after } else { kicked_back(after) };
                     Some(z)
                 })
                 .collect()
         }
-        But::Scaled(Scaled::Step(times)) => run(&ordinary, start, times * h, count),
-        But::Scaled(Scaled::Gravity(times)) => run(&with(times * G_OVER_L)?, start, h, count),
-        But::Scaled(Scaled::Fixed(g_over_l)) => run(&with(g_over_l)?, start, h, count),
+        But::Scaled(Scaled::Step(times)) => run(G_OVER_L, start, times * h, count),
+        But::Scaled(Scaled::Gravity(times)) => run(times * G_OVER_L, start, h, count),
+        But::Scaled(Scaled::Fixed(g_over_l)) => run(g_over_l, start, h, count),
     }
 }
 
@@ -122,7 +106,8 @@ fn states(
 fn is(asked: &Asked, method: &dyn AnyMethod, but: But) -> bool {
     // The scale is known from the first terms of a step, to less than a state is.
     let bound = if matches!(but, But::Scaled(_)) { 1e-9 } else { 0.0 };
-    asked.are(bound, distance, |start, h, count| states(method, but, start, h, count))
+    let own = |start, h, count| states(method, but, start, h, count);
+    asked.apart(bound, distance, own).is_some()
 }
 
 /// Whether the entry of a method has what is claimed.
@@ -134,14 +119,14 @@ fn fits(method: &dyn AnyMethod, claims: &Claims) -> bool {
         && (claims.name.is_none() || claims.is_named(entry.name))
 }
 
-/// What the stranger is but for one thing: first a method of the library that has what is claimed,
-/// then any other.
+/// What the stranger is but for one thing, in words: first a method of the library that has what is
+/// claimed, then any other.
 pub fn find(
     probe: &Probe<'_>,
     claims: &Claims,
     report: &Report,
     scaled: Option<&Scaled>,
-) -> Measured<Option<Resemblance>> {
+) -> Measured<Option<String>> {
     let plain = report.identity.as_ref().filter(|identity| identity.is_plain());
     let is_itself = |identity: &Identity| {
         METHODS.iter().any(|method| method.info().name == identity.method && fits(*method, claims))
@@ -156,10 +141,7 @@ pub fn find(
     let resembling = |methods: &[&dyn AnyMethod]| {
         let pairs = every.iter().flat_map(|but| methods.iter().map(move |method| (*but, *method)));
         let mut those = pairs.filter(|(but, method)| is(&asked, *method, *but));
-        those.next().map(|(but, method)| {
-            let title = method.info().title;
-            Resemblance { title, but }
-        })
+        those.next().map(|(but, method)| in_words(method.info().title, but))
     };
     // What is on the list has its name already; there only the method that is claimed helps.
     let anything_fits = claims.order.is_some() || claims.name.is_some();
@@ -184,7 +166,7 @@ pub fn nearest(probe: &Probe<'_>) -> Measured<Option<String>> {
     let mut ends = [[Phase::default(); 3]; 2];
     for (row, x) in ends.iter_mut().zip(X) {
         for (end, start) in row.iter_mut().zip(STARTS) {
-            *end = probe.end(Run::new(start, step(x), 1))?;
+            *end = probe.end(Request::run(start, step(x), 1))?;
         }
     }
     let apart = |method: &dyn AnyMethod, row: usize| -> Option<f64> {

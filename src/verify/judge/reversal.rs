@@ -1,10 +1,11 @@
 //! The way back: as many steps of −h lead home, or do not.
 
-use super::probe::{Probe, Run, distance, step};
-use super::report::{about, scientific};
-use super::verdict::{Measured, Told, Trouble, Verdict};
+use super::probe::{Probe, distance, step};
+use super::report::{Finding, about, scientific};
+use super::verdict::{Measured, Trouble, Verdict};
 use crate::systems::Phase;
 use crate::verify::properties::flipped;
+use crate::verify::stranger::Request;
 
 /// The way out and back.
 #[derive(Clone, Copy, Debug)]
@@ -36,11 +37,11 @@ const START: Phase = Phase { theta: 1.2, omega: 0.8 };
 
 /// Out and back in `steps` steps of x = `x`.
 pub fn way(probe: &Probe<'_>, x: f64, steps: u64, by_itself: bool) -> Measured<Way> {
-    let there = probe.end(Run::new(START, step(x), steps))?;
+    let there = probe.end(Request::run(START, step(x), steps))?;
     let back = if by_itself {
-        probe.end(Run::new(there, -step(x), steps))?
+        probe.end(Request::run(there, -step(x), steps))?
     } else {
-        flipped(probe.end(Run::new(flipped(there), step(x), steps))?)
+        flipped(probe.end(Request::run(flipped(there), step(x), steps))?)
     };
     // Both ways round, and an error on the way out is carried back.
     let bound = 4.0 * probe.bound(2 * steps, x);
@@ -69,9 +70,9 @@ pub fn worst(probe: &Probe<'_>) -> Measured<Way> {
 }
 
 /// What is to be said of a claim that a step with −h undoes a step with h.
-pub fn judge(&Way { miss, bound, x, steps, by_itself }: &Way) -> Told {
+pub fn judge(&Way { miss, bound, x, steps, by_itself }: &Way) -> Finding {
     let back = if by_itself { "back with −h" } else { "back with the velocity reversed" };
-    Told {
+    Finding {
         measured: format!("misses the start by {} rad", scientific(miss)),
         why: format!(
             "{steps} steps of x = ω₀h = {x} and {back} miss the start by {} rad; rounding makes {} \
@@ -79,15 +80,15 @@ pub fn judge(&Way { miss, bound, x, steps, by_itself }: &Way) -> Told {
             scientific(miss),
             about(bound)
         ),
-        ..Told::number(miss, "rad", bound, Verdict::of(miss, bound, 10.0 * bound))
+        ..Finding::number(miss, "rad", bound, Verdict::of(miss, bound, 10.0 * bound))
     }
 }
 
 /// States of a way out, the start first, and of the way back, for a report: forty steps of x = 0.4.
 pub fn drawn(probe: &Probe<'_>) -> Measured<(Vec<Phase>, Vec<Phase>)> {
-    let mut there = probe.states(Run::new(START, step(0.4), 40))?;
+    let mut there = probe.states(Request::run(START, step(0.4), 40))?;
     there.insert(0, START);
     let turn = there[there.len() - 1];
-    let back = probe.states(Run::new(flipped(turn), step(0.4), 40))?;
+    let back = probe.states(Request::run(flipped(turn), step(0.4), 40))?;
     Ok((there, back.into_iter().map(flipped).collect()))
 }

@@ -1,8 +1,8 @@
 //! Stage times: on a driven pendulum a method has its order only if its stages know the time.
 
 use super::probe::{Probe, distance, pendulum};
-use super::report::slopes;
-use super::verdict::{Measured, Told, Trouble, Verdict};
+use super::report::{Finding, slopes};
+use super::verdict::{Measured, Trouble, Verdict};
 use crate::methods::Gauss6;
 use crate::systems::Phase;
 use crate::verify::stranger::{Drive, Request, driven};
@@ -73,7 +73,7 @@ pub fn measure(probe: &Probe<'_>, order: u32) -> Measured<Drives> {
 
 /// What is to be said of a claim that stages know the time: that the slopes on the driven pendulum
 /// are those of `order`.
-pub fn judge(Drives { slopes: all, coarsest }: &Drives, order: u32) -> Told {
+pub fn judge(Drives { slopes: all, coarsest }: &Drives, order: u32) -> Finding {
     let line = slopes(all);
     let measured = if line.is_empty() { "rounding".into() } else { format!("slopes {line}") };
     let why = match all.last() {
@@ -83,7 +83,7 @@ pub fn judge(Drives { slopes: all, coarsest }: &Drives, order: u32) -> Told {
     };
     let verdict = verdict(all.last().copied(), *coarsest, order);
     let (values, measured) = (all.clone(), format!("with a drive: {measured}"));
-    Told { measured, values, unit: "", bound: None, verdict, why }
+    Finding { measured, values, verdict, why, ..Finding::default() }
 }
 
 /// The error (rad) of the coarsest steps below which stages at wrong times would have been seen.

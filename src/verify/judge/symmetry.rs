@@ -3,10 +3,11 @@
 
 use core::f64::consts::TAU;
 
-use super::probe::{G_OVER_L, Probe, Run, distance, step};
-use super::report::{about, scientific};
-use super::verdict::{Measured, Told, Trouble, Verdict, told};
+use super::probe::{G_OVER_L, Probe, distance, step};
+use super::report::{Finding, about, scientific};
+use super::verdict::{Measured, Trouble, Verdict, told};
 use crate::systems::Phase;
+use crate::verify::stranger::Request;
 
 /// To and fro, and over the top.
 const STARTS: [Phase; 2] = [Phase { theta: 1.2, omega: 0.7 }, Phase { theta: -0.4, omega: 8.0 }];
@@ -37,7 +38,7 @@ impl Apart {
 
     /// What is to be said of it, where a tolerance inside the stranger, which is no mistake, would
     /// spoil the property (`spoilt`) or not.
-    pub fn judge(&self, spoilt: bool) -> Told {
+    pub fn judge(&self, spoilt: bool) -> Finding {
         let Self { largest, bound } = *self;
         let mut verdict = Verdict::of(largest, bound, 10.0 * bound);
         let mut why = format!(
@@ -50,7 +51,7 @@ impl Apart {
             why.push_str("; a tolerance inside it may do so");
         }
         let measured = format!("apart by {} rad", scientific(largest));
-        Told { measured, why, ..Told::number(largest, "rad", bound, verdict) }
+        Finding { measured, why, ..Finding::number(largest, "rad", bound, verdict) }
     }
 }
 
@@ -65,9 +66,9 @@ fn compared(a: &[Phase], b: &[Phase], bound: f64) -> Apart {
 fn stable(probe: &Probe<'_>) -> Measured<()> {
     let apart = 1e3 * probe.rounding;
     for start in STARTS {
-        let here = probe.states(Run::new(start, step(X), STEPS))?;
+        let here = probe.states(Request::run(start, step(X), STEPS))?;
         let moved = Phase { theta: start.theta + apart, ..start };
-        let there = probe.states(Run::new(moved, step(X), STEPS))?;
+        let there = probe.states(Request::run(moved, step(X), STEPS))?;
         let grown = compared(&here, &there, 0.0).largest / apart;
         if grown.is_nan() || grown > 1e3 {
             let why = format!("at x = ω₀h = {X} a small difference grows {grown:.0e}-fold");
@@ -83,12 +84,12 @@ fn stable(probe: &Probe<'_>) -> Measured<()> {
 pub fn mirror(probe: &Probe<'_>) -> Measured<Apart> {
     let mut worst = Apart { largest: 0.0, bound: probe.bound(STEPS, X) };
     for start in STARTS {
-        let here = probe.states(Run::new(start, step(X), STEPS))?;
-        let there = probe.states(Run::new(start * -1.0, step(X), STEPS))?;
+        let here = probe.states(Request::run(start, step(X), STEPS))?;
+        let there = probe.states(Request::run(start * -1.0, step(X), STEPS))?;
         let back: Vec<Phase> = there.into_iter().map(|z| z * -1.0).collect();
         worst = worst.worse(compared(&here, &back, probe.bound(STEPS, X)));
     }
-    let rest = match probe.end(Run::new(Phase::default(), step(X), STEPS)) {
+    let rest = match probe.end(Request::run(Phase::default(), step(X), STEPS)) {
         // A library that measures errors against the state may refuse to stand still.
         Err(Trouble::NoAnswer(_) | Trouble::NotFinite) => return Ok(worst),
         rest => rest?,
@@ -103,10 +104,10 @@ pub fn units(probe: &Probe<'_>) -> Measured<Apart> {
     stable(probe)?;
     let mut worst = Apart { largest: 0.0, bound: 20.0 * probe.rounding_bound(STEPS, X) };
     for start in STARTS {
-        let slow = probe.states(Run::new(start, step(X), STEPS))?;
+        let slow = probe.states(Request::run(start, step(X), STEPS))?;
         for unit in [4.0, 0.25, 3.0] {
             let hurried = Phase { omega: start.omega * unit, ..start };
-            let run = Run::new(hurried, step(X) / unit, STEPS).with(G_OVER_L * unit * unit);
+            let run = Request::run(hurried, step(X) / unit, STEPS).with(G_OVER_L * unit * unit);
             let fast = probe.states(run)?;
             let fast: Vec<Phase> =
                 fast.into_iter().map(|z| Phase { omega: z.omega / unit, ..z }).collect();
@@ -129,11 +130,11 @@ pub fn turn(probe: &Probe<'_>) -> Measured<Apart> {
     stable(probe)?;
     let mut worst = Apart { largest: 0.0, bound: probe.rounding_bound(STEPS, X) };
     for start in STARTS {
-        let here = probe.states(Run::new(start, step(X), STEPS))?;
+        let here = probe.states(Request::run(start, step(X), STEPS))?;
         for turns in [1.0, -3.0, 100.0] {
             let shift = TAU * turns;
             let raised = Phase { theta: start.theta + shift, ..start };
-            let there = probe.states(Run::new(raised, step(X), STEPS))?;
+            let there = probe.states(Request::run(raised, step(X), STEPS))?;
             let there: Vec<Phase> =
                 there.into_iter().map(|z| Phase { theta: z.theta - shift, ..z }).collect();
             // Each step rounds the last digit of a larger angle.

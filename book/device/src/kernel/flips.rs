@@ -4,7 +4,7 @@ use pendula::fast::{DoublePendulums, DoublePhases, is_below};
 use pendula::systems::Numbers;
 use pendula::{DoublePendulum, Method};
 
-use super::{HEAD, Program, Recording};
+use super::{HEAD, Program, Recording, numbers};
 use crate::trace::Traced;
 
 /// The kernel, and how many of the buffers it is given.
@@ -45,11 +45,7 @@ pub fn begin<M: Recordable>(
     h: f64,
 ) -> Vec<f64> {
     let (system, state) = (DoublePendulums::new(*double), DoublePhases(state));
-    let carry = method.start(&system, 0.0, h, state);
-    let mut numbers = Vec::new();
-    state.write(&mut |x| numbers.push(x));
-    carry.write(&mut |x| numbers.push(x));
-    numbers
+    numbers(state, method.start(&system, 0.0, h, state))
 }
 
 /// The program for steps `h` (s) of `method` for `double`; `None` if they depend on values.

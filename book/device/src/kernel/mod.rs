@@ -56,11 +56,7 @@ impl<const LOOKS: usize> Recording<LOOKS> {
             Box::new(|parameters, mut variable| {
                 let (z, carry) = (Z::read(&mut variable), C::read(&mut variable));
                 let (z, carry, looks) = step(parameters, z, carry);
-                let mut next = Vec::new();
-                let mut write = |x: Traced| next.push(x.place());
-                z.write(&mut write);
-                carry.write(&mut write);
-                (next, looks)
+                (numbers(z, carry).into_iter().map(Traced::place).collect(), looks)
             }),
         )
     }
@@ -209,6 +205,15 @@ impl<const LOOKS: usize> Recording<LOOKS> {
             Value::Either(a, b) => format!("{} || {}", term(a), term(b)),
         }
     }
+}
+
+/// The numbers of a state and a carry, one after the other.
+fn numbers<N>(state: impl Numbers<N>, carry: impl Numbers<N>) -> Vec<N> {
+    let mut numbers = Vec::new();
+    let mut write = |x| numbers.push(x);
+    state.write(&mut write);
+    carry.write(&mut write);
+    numbers
 }
 
 /// The values that a value is made of.

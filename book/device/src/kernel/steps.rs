@@ -6,7 +6,7 @@ use pendula::fast::{ReducedPhase, ScaledPendulum};
 use pendula::systems::{Numbers, energy_in_lanes};
 use pendula::{Grid, Hamiltonian, Method, Pendulum, Phase};
 
-use super::{HEAD, Program, Recording};
+use super::{HEAD, Program, Recording, numbers};
 use crate::trace::{Place, Traced};
 
 /// The kernels, and how many of the buffers each is given.
@@ -71,12 +71,9 @@ pub fn begin<M: Recordable>(
     let scaled = ScaledPendulum::new::<M>(pendulum, grid, start)?;
     let state = scaled.from_phase(start);
     let carry = method.start(&scaled, 0.0, 1.0, state);
-    let mut numbers = Vec::new();
-    state.write(&mut |x| numbers.push(x));
-    carry.write(&mut |x| numbers.push(x));
     let constants =
         [scaled.minus_k(), pendulum.inertia(), pendulum.depth(), pendulum.energy(start)];
-    Some(Begun { constants, numbers })
+    Some(Begun { constants, numbers: numbers(state, carry) })
 }
 
 /// The program for `method`, with the kernels `steps` and `watched_steps`; the second looks at the
