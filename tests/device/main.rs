@@ -4,6 +4,5 @@
 mod common;
 
 mod bits;
-mod contracted;
 mod flips;
 mod recorded;

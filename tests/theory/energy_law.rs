@@ -82,31 +82,21 @@ fn symplectic_euler_conserves_its_energy_to_each_order(
     assert!((slope - expected).abs() < SLOPE_TOLERANCE, "slope {slope}, not {expected}");
 }
 
-/// Its H̃ to x⁷ is conserved to x⁸, as the odd powers vanish.
+/// H̃ to x⁷ is conserved to x⁸, as the odd powers vanish: that of either form, each its own.
 ///
-/// Catches: the position form in place of the velocity form, which an order test cannot tell apart;
-/// a shift by a whole kick.
+/// Catches: the position form in place of the velocity form, which an order test cannot tell apart,
+/// or its law; a shift by a whole kick.
 #[test]
 fn stormer_verlet_conserves_its_energy_to_the_eighth_order() {
     let of = |x| spread(&StormerVerlet, SWINGING, x, |z| stormer_verlet::correction(z, x));
-    let slope = slope(of(0.2), of(0.1));
-    assert!((slope - 8.0).abs() < SLOPE_TOLERANCE, "slope {slope}");
-    let other = |x| {
-        spread(&StormerVerlet, SWINGING, x, |z| stormer_verlet::correction_of_position_form(z, x))
-    };
-    assert!(other(0.1) > 1e4 * of(0.1), "the two forms cannot be told apart");
-}
-
-/// The same for the position form.
-///
-/// Catches: the velocity form's law used for the position form.
-#[test]
-fn the_position_form_conserves_its_own_energy() {
-    let of = |x| {
-        spread(&PositionVerlet, SWINGING, x, |z| stormer_verlet::correction_of_position_form(z, x))
-    };
-    let slope = slope(of(0.2), of(0.1));
-    assert!((slope - 8.0).abs() < SLOPE_TOLERANCE, "slope {slope}");
+    let law = |z, x| stormer_verlet::correction_of_position_form(z, x);
+    let of_position = |x| spread(&PositionVerlet, SWINGING, x, |z| law(z, x));
+    for (coarse, fine) in [(of(0.2), of(0.1)), (of_position(0.2), of_position(0.1))] {
+        let slope = slope(coarse, fine);
+        assert!((slope - 8.0).abs() < SLOPE_TOLERANCE, "slope {slope}");
+    }
+    let other = spread(&StormerVerlet, SWINGING, 0.1, |z| law(z, 0.1));
+    assert!(other > 1e4 * of(0.1), "the two forms cannot be told apart");
 }
 
 /// The highest sample lies below the maximum of the curve by at most x²/2 relatively, where the
@@ -127,6 +117,8 @@ fn symplectic_euler_strays_along_its_level_curve(#[values(0.3, 1.0, 2.0, 2.8, -1
     assert_relative_eq!(measured, law, max_relative = SAMPLING);
 }
 
+/// Of either form, each by its own closed form.
+///
 /// Catches: m, g or L in the wrong place in the law or the method, a half kick taken whole, the
 /// position form in place of the velocity form.
 #[rstest]
@@ -134,11 +126,6 @@ fn stormer_verlet_strays_as_its_closed_form_says(#[values(0.3, 1.0, 2.0, 2.8, -1
     let measured = largest_energy_error(&StormerVerlet, theta_0, &long_grid());
     let law = stormer_verlet::energy_error(&pendulum(), theta_0, step(0.02));
     assert_relative_eq!(measured, law, max_relative = SAMPLING);
-}
-
-/// Catches: a wrong closed form for the position form.
-#[rstest]
-fn the_position_form_strays_as_its_closed_form_says(#[values(0.3, 1.0, 2.0, 2.8)] theta_0: f64) {
     let measured = largest_energy_error(&PositionVerlet, theta_0, &long_grid());
     let law = stormer_verlet::energy_error_of_position_form(&pendulum(), theta_0, step(0.02));
     assert_relative_eq!(measured, law, max_relative = SAMPLING);
