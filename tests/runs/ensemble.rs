@@ -8,7 +8,7 @@ use pendula::integrate::Every;
 use pendula::methods::table::in_lanes;
 use pendula::{AnyMethod, Damped, Grid, Pendulum, Phase, Rk4, integrate};
 
-use crate::common::{First, Samples, lanes, steps, try_integrate};
+use crate::common::{First, Samples, lanes};
 
 /// A hundred pendulums, each with its own g and L, in blocks of lanes of which the last is not
 /// full.
@@ -43,71 +43,6 @@ each_method!(lanes_have_the_bits_of_a_trajectory_alone);
 fn bits(states: &[Phase]) -> Vec<[u64; 2]> {
     states.iter().map(|z| crate::common::bits(*z)).collect()
 }
-
-/// Asserts it of each pendulum of the ensemble.
-fn told_as_alone(method: &dyn AnyMethod, ensemble: &Ensemble<'_>, every: NonZeroU64) {
-    let (starts, grid) = (ensemble.starts(), ensemble.grid());
-    let mut told = vec![Samples::default(); starts.len()];
-    ensemble.watch(lanes(method), every, &mut told);
-    for (i, told) in told.iter().enumerate() {
-        let mut watch = Every::new(every, Samples::default());
-        method.run(ensemble.system(i), starts[i], grid, &mut watch);
-        assert_eq!(*told, watch.into_inner(), "every {every}");
-        // And that list is what it should be.
-        assert_eq!(told.0.len() as u64, 100 / every + 1);
-        for (i, (n, t, _)) in (0..).zip(&told.0) {
-            let count = i * every.get();
-            assert_eq!((*n, f64::from_bits(*t)), (count, count as f64 * 0.017));
-        }
-    }
-}
-
-/// Each observer of an ensemble is told the very list that [`Every`] passes on along the single
-/// trajectory: with strides that divide the number of steps and that do not, the last of them
-/// longer than the run; in lanes; and beside a start that needs care, with which no lane is left.
-///
-/// Catches: samples one step late, a sample too few at the end or too many beyond it, the start
-/// left out; a count in samples, a time in steps; another observer's trajectory.
-fn each_observer_of_an_ensemble_is_told_what_it_would_be_alone(method: &dyn AnyMethod) {
-    let (pendulums, starts) = family();
-    let mut with_care = starts.clone();
-    for start in with_care.iter_mut().step_by(20) {
-        start.theta = 1e9;
-    }
-    let grid = Grid::new(0.017, 100).unwrap();
-    for every in [1, 7, 10, 99, 100, 101, 1 << 32].map(|every| NonZeroU64::new(every).unwrap()) {
-        for starts in [&starts, &with_care] {
-            let ensemble = Ensemble::with_systems(&pendulums, starts, grid);
-            told_as_alone(method, &ensemble, every);
-        }
-    }
-}
-each_method!(each_observer_of_an_ensemble_is_told_what_it_would_be_alone);
-
-/// One start whose units cannot be changed, 1e-150 rad/s, and one with too many half turns, 1e9
-/// rad: each trajectory of their block is computed on its own.
-///
-/// Catches: a start that cannot be computed in lanes and spoils its neighbours, or is spoilt by
-/// them.
-fn a_start_that_needs_care_gets_it(method: &dyn AnyMethod) {
-    let pendulum = Pendulum::PAPER;
-    let starts = [
-        Phase::at_rest(1.0),
-        Phase { theta: 0.0, omega: 1e-150 },
-        Phase { theta: 1e9, omega: 1.0 },
-    ];
-    let grid = Grid::new(0.01, 100).unwrap();
-    let mut ends = [Phase::default(); 3];
-    Ensemble::new(&pendulum, &starts, grid).ends(lanes(method), &mut ends);
-    for (start, end) in starts.into_iter().zip(ends) {
-        let alone = try_integrate(&pendulum, steps(method), start, &grid, &mut ()).unwrap();
-        // 100 steps, each with a rounding of an ulp of the largest number.
-        assert!((end.theta - alone.theta).abs() <= 100.0 * f64::EPSILON * alone.theta.abs());
-        let scale = if start.omega == 1e-150 { 1e-150 } else { 10.0 };
-        assert!((end.omega - alone.omega).abs() <= 100.0 * f64::EPSILON * scale);
-    }
-}
-each_method!(a_start_that_needs_care_gets_it);
 
 /// In lanes, and beside a start that cannot be computed in lanes.
 ///

@@ -5,9 +5,7 @@ use std::f64::consts::SQRT_2;
 
 use approx::assert_relative_eq;
 use pendula::methods::{ForwardEuler, Rk4, StormerVerlet, SymplecticEuler};
-use pendula::{
-    Grid, Hamiltonian, LinearOscillator, Method, Pendulum, Phase, Separable, System, integrate,
-};
+use pendula::{Grid, Hamiltonian, LinearOscillator, Method, Pendulum, Phase, System, integrate};
 use rstest::rstest;
 
 use crate::common::pendulums;
@@ -228,20 +226,4 @@ fn forward_euler_is_never_stable(#[values(1e-3, 0.03, 1.0, 2.0, RK4_LIMIT, 10.0)
             assert!((swing - law).abs() < roundings(steps), "{swing} for {law}");
         }
     }
-}
-
-/// A start at rest at the bottom stays there, at any step and for each of these methods.
-///
-/// Catches: a sine that is not zero at zero, a force with an offset.
-#[rstest]
-fn the_bottom_is_a_fixed_point_beyond_every_limit(#[values(0.1, 10.0, 1e6)] x: f64) {
-    for pendulum in pendulums() {
-        let grid = grid(&pendulum, x, 1000);
-        assert_eq!(end(&pendulum, &ForwardEuler, 0.0, &grid), Phase::at_rest(0.0));
-        assert_eq!(end(&pendulum, &SymplecticEuler, 0.0, &grid), Phase::at_rest(0.0));
-        assert_eq!(end(&pendulum, &Rk4, 0.0, &grid), Phase::at_rest(0.0));
-        assert_eq!(end(&pendulum, &StormerVerlet, 0.0, &grid), Phase::at_rest(0.0));
-    }
-    // The force itself, too.
-    assert_eq!(Pendulum::PAPER.force(0.0, Phase::at_rest(0.0)), 0.0);
 }
