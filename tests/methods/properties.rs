@@ -1,5 +1,5 @@
-//! What every method is asked: each property of `src/verify/properties/`; and laws of single methods
-//! that hold the property's own measurement to theory.
+//! What every method is asked: each property of `src/verify/properties/`; and laws of single
+//! methods that hold the measurement of a property to theory.
 
 use pendula::methods::{ForwardEuler, Rk4};
 use pendula::metrics::order::{is_asymptotic, is_floor};

@@ -147,18 +147,6 @@ fn watching_changes_no_bit() {
     assert_eq!(unwatched, watched);
 }
 
-/// Catches: every k-th sample counted from the wrong one, or one too few at the end.
-#[test]
-fn every_kth_sample_includes_the_start() {
-    for (every, last) in [(1, 100), (7, 98), (10, 100), (100, 100), (101, 0)] {
-        let mut seen = Vec::new();
-        let mut watch =
-            Every::new(NonZeroU64::new(every).unwrap(), |n: u64, _, _: Phase| seen.push(n));
-        integrate(&Pendulum::PAPER, &StormerVerlet, START, &grid(), &mut watch);
-        assert_eq!(seen, (0..=last).step_by(every as usize).collect::<Vec<_>>());
-    }
-}
-
 /// Catches: a loop that goes on after the observer is satisfied, ends a step late, or ends at once
 /// for `()`.
 #[test]

@@ -1,7 +1,7 @@
 //! Implicit methods: where their iteration ends, in any units, and what is said where it does not.
 
 use std::f64::consts::{PI, TAU};
-use std::num::{NonZeroU32, NonZeroU64};
+use std::num::NonZeroU32;
 
 use pendula::fast::{PendulumSteps, ScaledPendulum};
 use pendula::methods::{
@@ -15,7 +15,7 @@ use pendula::{
 };
 use rstest::rstest;
 
-use crate::common::{Random, Samples, bits, lanes, steps, steps_on, try_integrate};
+use crate::common::{Random, bits, lanes, steps, steps_on, try_integrate};
 
 /// Makes of the function `$test` a test for each implicit method with a tableau, and its limit.
 macro_rules! each_implicit {
@@ -341,23 +341,6 @@ fn a_tolerance_is_at_least_zero_and_below_one() {
         assert!(matches!(refused, Err(Error::Parameter { .. })), "{refused:?}");
     }
     assert_eq!(Iteration::default().tolerance(0.0), Ok(Iteration::TO_ROUNDING));
-}
-
-/// An ensemble takes it too.
-///
-/// Catches: a method with another iteration that lanes refuse.
-#[test]
-fn lanes_take_another_iteration() {
-    let method = Gauss6.with(Iteration::default().tolerance(1e-8).unwrap());
-    let starts = [Phase::at_rest(1.0), Phase { theta: 0.3, omega: 2.0 }];
-    let grid = Grid::new(0.05, 30).unwrap();
-    let mut seen = [Samples::default(), Samples::default()];
-    Ensemble::new(&Pendulum::PAPER, &starts, grid).watch(&method, NonZeroU64::MIN, &mut seen);
-    for (start, seen) in starts.into_iter().zip(seen) {
-        let mut alone = Samples::default();
-        integrate_fast(&Pendulum::PAPER, &method, start, &grid, &mut alone);
-        assert_eq!(seen, alone);
-    }
 }
 
 /// The discrete gradient takes no iteration of the caller's, and is solved as well: in whatever

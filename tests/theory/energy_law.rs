@@ -146,21 +146,6 @@ fn two_terms_are_symplectic_eulers_level_curve(#[values(0.3, FRAC_PI_3, 2.0)] th
     assert!((order - 3.0).abs() < SLOPE_TOLERANCE, "slope {order}");
 }
 
-/// Two terms give the level curve to order h⁴; the remainder is x⁶(1 − c₀)³(100 + 33c₀)/30240.
-/// (Below 1.5 rad that is less than the terms in x⁸ which the level curve itself leaves out.)
-///
-/// Catches: a wrong second coefficient.
-#[rstest]
-fn the_closed_form_is_stormer_verlets_level_curve(#[values(2.0, 2.5)] theta_0: f64) {
-    let pendulum = pendulum();
-    let left = |h: f64| {
-        let curve = stormer_verlet::largest_energy_error(&pendulum, theta_0, h);
-        (curve - stormer_verlet::energy_error(&pendulum, theta_0, h)).abs()
-    };
-    let order = slope(left(step(0.2)), left(step(0.1)));
-    assert!((order - 6.0).abs() < SLOPE_TOLERANCE, "slope {order}");
-}
-
 // -------------------------------------------------------------------------------------------------
 // RK4
 // -------------------------------------------------------------------------------------------------
@@ -207,18 +192,6 @@ fn rk4_loses_energy_at_the_secular_rate(#[values(0.3, 1.0, 2.0, 2.8)] theta_0: f
     let law = theory::rk4::secular_rate(&pendulum, theta_0, grid.step());
     assert!(law < 0.0);
     assert_relative_eq!(rate, law, max_relative = 1e-3);
-}
-
-/// |R(ix)|² = 1 − x⁶/72 + x⁸/576: at small angles energy decays by that factor a step. The pendulum
-/// differs by θ₀².
-///
-/// Catches: averages of e₆ and e₈ that are wrong because their polynomials are.
-#[test]
-fn the_secular_rate_at_small_angles_is_that_of_the_linear_oscillator() {
-    let (pendulum, x) = (pendulum(), 0.1);
-    let energy = pendulum.energy(Phase::at_rest(1e-3));
-    let rate = theory::rk4::secular_rate(&pendulum, 1e-3, step(x)) * step(x) / energy;
-    assert_relative_eq!(rate, -x.powi(6) / 72.0 + x.powi(8) / 576.0, max_relative = 1e-5);
 }
 
 // -------------------------------------------------------------------------------------------------

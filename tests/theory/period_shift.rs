@@ -78,20 +78,6 @@ fn the_period_is_of_fourth_order_where_two_errors_cancel(#[values(0.2, 0.1)] x: 
     }
 }
 
-/// The same law in elliptic integrals, (ω₀²/24)(2 − k² − 3E/K), at ω₀² = 9.81 and 25 digits.
-///
-/// Catches: a mean over the orbit that has not converged, near the bottom or the top.
-#[rstest]
-#[case(1e-6, -0.408_749_999_999_948_9)]
-#[case(1.0, -0.357_178_040_911_498_1)]
-#[case(2.0, -0.198_498_737_962_696_23)]
-#[case(3.0, 0.104_494_795_461_015_71)]
-fn the_mean_over_the_orbit_is_the_elliptic_integral(#[case] theta_0: f64, #[case] tau: f64) {
-    let mean = of_stormer_verlet(&Pendulum::PAPER, theta_0);
-    // 256 terms of order 1, and three times their mean: a few 1e-15, times ω₀²/16.
-    assert!((mean - tau).abs() < 1e-14, "{mean} for {tau}");
-}
-
 /// RK4's period changes by h⁴τ₄. With steps that divide a quarter period there is nothing to
 /// interpolate; the energy loss adds a term in h⁵, which extrapolation from two steps removes. What
 /// is left is of relative order x² < 1e-3, with a coefficient below 1.
@@ -109,18 +95,6 @@ fn the_period_of_rk4_shifts_as_predicted(#[values(0.1, 1.0, 2.0, 3.0)] theta_0: 
     };
     let law = theory::rk4::period_shift(&pendulum, theta_0);
     assert_relative_eq!(2.0 * shift(200) - shift(100), law, max_relative = 1e-3);
-}
-
-/// τ₄ at small angles is ω₀⁴/120, and its relative decrease is less than θ₀²/2.
-///
-/// Catches: a law that is wrong in the same way as RK4 itself; ω₀² for ω₀⁴.
-#[test]
-fn the_shift_of_rk4_at_small_angles_is_that_of_the_linear_oscillator() {
-    let pendulum = pendulum();
-    let (theta_0, frequency_squared) = (0.02, pendulum.frequency_squared());
-    let law = theory::rk4::period_shift(&pendulum, theta_0);
-    let ratio = law / (frequency_squared * frequency_squared / 120.0);
-    assert!(ratio < 1.0 && ratio > 1.0 - 0.5 * theta_0 * theta_0, "{ratio}");
 }
 
 /// On the linear oscillator the period is that of the recurrence: x/φ times the exact one. Each
@@ -148,26 +122,6 @@ fn the_period_on_the_linear_oscillator_is_that_of_the_recurrence<M>(
     let measured = crossings.period().unwrap() / pendulum.small_angle_period();
     let law = x / recurrence(&pendulum, h).advance;
     assert!((measured - law).abs() < reading(x), "{measured} for {law}");
-}
-
-/// Relative errors of the frequencies: forward Euler −x²/3, symplectic Euler and Störmer–Verlet
-/// x²/24, RK4 −x⁴/120. The next terms, x⁴/5, 3x⁴/640 and x⁶/336, are less than x² of these.
-///
-/// Catches: a recurrence that is wrong in the same way as its method.
-#[rstest]
-#[case::forward_euler(LinearRecurrence::forward_euler, 2, -1.0 / 3.0)]
-#[case::symplectic_euler(LinearRecurrence::symplectic_euler, 2, 1.0 / 24.0)]
-#[case::rk4(LinearRecurrence::rk4, 4, -1.0 / 120.0)]
-#[case::stormer_verlet(LinearRecurrence::stormer_verlet, 2, 1.0 / 24.0)]
-fn the_recurrences_have_their_leading_terms(
-    #[case] recurrence: fn(&Pendulum, f64) -> LinearRecurrence,
-    #[case] power: i32,
-    #[case] coefficient: f64,
-) {
-    let (pendulum, x) = (pendulum(), 0.03);
-    let h = x / pendulum.small_angle_frequency();
-    let relative = recurrence(&pendulum, h).advance / x - 1.0;
-    assert_relative_eq!(relative, coefficient * x.powi(power), max_relative = x * x);
 }
 
 // -------------------------------------------------------------------------------------------------
