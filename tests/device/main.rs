@@ -4,5 +4,4 @@
 mod common;
 
 mod bits;
-mod flips;
 mod recorded;

@@ -352,8 +352,8 @@ fn run(method: &dyn AnyMethod, scene: &Scene) -> (Phase, f64) {
 proptest! {
     #![proptest_config(config())]
 
-    /// Every method is finite where it converges: in steps in which the pendulum swings or rotates by
-    /// a radian at the most.
+    /// Every method is finite where it converges: in steps in which the pendulum swings or rotates
+    /// by a radian at the most.
     ///
     /// Catches: an iteration that does not converge, or a series that overflows, where the method
     /// is of use.

@@ -9,7 +9,6 @@ mod anything;
 mod checkpoint;
 mod ensemble;
 mod extremes;
-mod flips;
 mod grid;
 mod implicit;
 mod integrate_fast;
