@@ -7,12 +7,7 @@ mod common;
 mod changes_of_variables;
 mod known_answers;
 mod linear;
-mod order_conditions {
-    mod implicit;
-    mod processed;
-    mod runge_kutta;
-    mod splitting;
-}
+mod order_conditions;
 mod properties;
 mod registry;
 mod step;
