@@ -9,18 +9,18 @@ use pendula::dynamics::{Stroboscope, largest_exponent, period_doubling, periodic
 use pendula::fast::{Instructions, first_flips_with};
 use pendula::methods::table::RK4_IN_LANES;
 use pendula::methods::{BlanesMoan6, Dop853, DormandPrince, Gauss4};
-use pendula::systems::{Ellipse, Joint, PlanePhase};
+use pendula::systems::{Ellipse, Joint, Numbers, PlanePhase};
 use pendula::{
     Damped, DoublePendulum, Driven, Error, Grid, Kepler, LinearOscillator, Method, Pendulum, Phase,
     Rk4, Separable, Shaken, StormerVerlet, System, integrate,
 };
 
-use crate::{Hash, Numbers, common};
+use crate::{Hash, common};
 
 /// Adds every state of `steps` steps to `hash`.
 fn run<S, M>(hash: &mut Hash, system: &S, method: &M, start: S::State, (step, steps): (f64, u64))
 where
-    S: System<State: Numbers + Copy>,
+    S: System<State: Numbers>,
     M: Method<S>,
 {
     let grid = Grid::new(step, steps).expect("a positive step");
@@ -30,7 +30,7 @@ where
 /// With an explicit Runge–Kutta method and an implicit one.
 fn of_system<S>(system: &S, start: S::State, along: (f64, u64)) -> Hash
 where
-    S: System<State: Numbers + Copy>,
+    S: System<State: Numbers>,
     Rk4: Method<S>,
     Gauss4: Method<S>,
 {
@@ -43,7 +43,7 @@ where
 /// And with splitting methods.
 fn of_separable<S>(system: &S, start: S::State, along: (f64, u64)) -> u64
 where
-    S: Separable<State: Numbers + Copy>,
+    S: Separable<State: Numbers>,
     Rk4: Method<S>,
     Gauss4: Method<S>,
     StormerVerlet: Method<S>,
@@ -74,8 +74,8 @@ fn double_pendulum() -> Result<u64, Error> {
     let double = DoublePendulum::new(9.81, upper, lower)?;
     let start = double.start([2.0, 2.5], [0.3, -0.2])?;
     let mut hash = of_system(&double, start, ALONG);
-    hash.add(double.normal_modes());
-    hash.add(double.mode_shapes());
+    hash.add_all(double.normal_modes());
+    hash.add_all(double.mode_shapes());
     Ok(hash.value())
 }
 
@@ -117,7 +117,7 @@ fn adaptive<M: Controlled<Pendulum>>(method: M) -> Result<u64, Error> {
         let mut walk = adaptive.steps(&pendulum, START, 0.0, 50.0)?;
         while let Some(step) = walk.next() {
             let step = step?;
-            hash.add([step.end_time(), step.size()]);
+            hash.add_all([step.end_time(), step.size()]);
             hash.add(step.end());
             let dense = walk.dense(&step);
             hash.add(dense.after(0.3));
@@ -145,7 +145,7 @@ fn symmetric_steps() -> Result<u64, Error> {
     let mut hash = Hash::new();
     for sample in SymmetricSteps::new(&centre, start, 0.01, density_rate)?.take(5_000) {
         let sample = sample?;
-        hash.add([sample.t, sample.density]);
+        hash.add_all([sample.t, sample.density]);
         hash.add(sample.z);
     }
     Ok(hash.value())
@@ -171,14 +171,14 @@ fn dynamics() -> Result<u64, Error> {
     hash.add(first.point);
     hash.add(first.monodromy.of_theta);
     hash.add(first.monodromy.of_omega);
-    hash.add([first.monodromy.determinant(), first.monodromy.largest_modulus()]);
+    hash.add_all([first.monodromy.determinant(), first.monodromy.largest_modulus()]);
     let doubling = period_doubling(orbit, first.point, (1.06, 1.07), 4);
     hash.add(doubling.expect("a doubling"));
     let driven = Driven::taylor(1.105)?;
     let strobe = Stroboscope::new(&driven, &Rk4, driven.period(), STEPS)?;
     let watch = Watch::new(20, 10, 10).expect("ten blocks of ten periods");
     let exponent = largest_exponent(&strobe, Phase::at_rest(-1.5), watch);
-    hash.add([exponent.value, exponent.error]);
+    hash.add_all([exponent.value, exponent.error]);
     Ok(hash.value())
 }
 

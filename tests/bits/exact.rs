@@ -10,7 +10,7 @@ use pendula::metrics::{
 };
 use pendula::{Grid, Motion, Pendulum, Phase, StormerVerlet, integrate};
 
-use crate::{Hash, Numbers};
+use crate::Hash;
 
 /// How often each function is evaluated.
 const SAMPLES: u64 = 30_000;
@@ -56,9 +56,9 @@ fn angle(n: u64) -> f64 {
 }
 
 /// The hash of the `samples` first values of `f`.
-fn of_each<N: Numbers>(samples: u64, f: impl Fn(u64) -> N) -> u64 {
+fn of_each<const N: usize>(samples: u64, f: impl Fn(u64) -> [f64; N]) -> u64 {
     let mut hash = Hash::new();
-    (1..=samples).for_each(|n| hash.add(f(n)));
+    (1..=samples).for_each(|n| hash.add_all(f(n)));
     hash.value()
 }
 
@@ -99,7 +99,7 @@ fn motions() -> u64 {
             Motion::new(&pendulum(), start(n))
         };
         let motion = motion.expect("a start in range");
-        hash.add([motion.modulus(), motion.period().unwrap_or(0.0), motion.horizon()]);
+        hash.add_all([motion.modulus(), motion.period().unwrap_or(0.0), motion.horizon()]);
         for t in [-3.7, 0.0, 0.1, 4.9, 1234.5, 1e5] {
             hash.add(motion.at(t));
         }
@@ -142,7 +142,7 @@ fn metrics() -> u64 {
     let end = integrate(&pendulum, &StormerVerlet, start, &grid, &mut observers);
     let ((energy, angle), (peak, linear, hermite, henon), _) = observers;
     let mut hash = Hash::new();
-    hash.add([energy.largest(), angle.root_mean_square(), angle.largest()]);
+    hash.add_all([energy.largest(), angle.root_mean_square(), angle.largest()]);
     let periods = [peak.period(), linear.period(), hermite.period(), henon.period()];
     periods.into_iter().for_each(|period| hash.add(period.expect("many periods")));
     hash.add(polygon_area(&corners));
@@ -154,13 +154,13 @@ fn metrics() -> u64 {
 /// A line for each.
 pub fn lines() -> [(&'static str, u64); 8] {
     [
-        ("sine", of_each(SAMPLES, |n| sin(angle(n)))),
-        ("cosine", of_each(SAMPLES, |n| cos(angle(n)))),
+        ("sine", of_each(SAMPLES, |n| [sin(angle(n))])),
+        ("cosine", of_each(SAMPLES, |n| [cos(angle(n))])),
         (
             "sine and cosine in twice the digits",
             of_each(SAMPLES / 10, |n| in_double_double(signed(n) * MANY_TURNS)),
         ),
-        ("elliptic integral K", of_each(SAMPLES, |n| complete_elliptic_k(share(n) * small(n)))),
+        ("elliptic integral K", of_each(SAMPLES, |n| [complete_elliptic_k(share(n) * small(n))])),
         ("periods", of_each(SAMPLES, |n| swing(4.0 * PI * signed(n) * small(n)))),
         ("exact motion", motions()),
         ("exact motion by its series", series()),

@@ -8,8 +8,7 @@ mod beyond;
 mod exact;
 mod methods;
 
-use pendula::systems::{DoublePhase, PlanePhase};
-use pendula::{CompensatedPhase, Phase};
+use pendula::systems::Numbers;
 
 /// What is computed, in a few words, and the hash of its bits.
 pub type Line = (String, u64);
@@ -38,16 +37,21 @@ impl Hash {
         self.0 = (self.0 ^ word).wrapping_mul(0x0100_0000_01b3);
     }
 
-    /// Adds the bits of the numbers.
+    /// Adds the bits of the numbers that a state consists of, or of one number.
     ///
     /// # Panics
     /// If one is NaN. Which of its many bit patterns a NaN has is the processor's choice, so that
     /// scenes with a NaN are of no use here.
     fn add(&mut self, numbers: impl Numbers) {
-        numbers.each(|x| {
+        numbers.write(&mut |x: f64| {
             assert!(!x.is_nan(), "a NaN");
             self.word(x.to_bits());
         });
+    }
+
+    /// Adds each of these.
+    fn add_all<const N: usize>(&mut self, numbers: [f64; N]) {
+        numbers.into_iter().for_each(|x| self.add(x));
     }
 
     /// The value.
@@ -62,47 +66,4 @@ fn common(hashes: &[u64]) -> u64 {
     let mut all = Hash::new();
     hashes.iter().for_each(|hash| all.word(*hash));
     if hashes.iter().all(|hash| *hash == hashes[0]) { hashes[0] } else { all.value() }
-}
-
-/// What consists of numbers.
-trait Numbers {
-    /// Passes each to `take`.
-    fn each(self, take: impl FnMut(f64));
-}
-
-impl<const N: usize> Numbers for [f64; N] {
-    fn each(self, take: impl FnMut(f64)) {
-        self.into_iter().for_each(take);
-    }
-}
-
-impl Numbers for f64 {
-    fn each(self, take: impl FnMut(f64)) {
-        [self].each(take);
-    }
-}
-
-impl Numbers for Phase {
-    fn each(self, take: impl FnMut(f64)) {
-        [self.theta, self.omega].each(take);
-    }
-}
-
-impl Numbers for CompensatedPhase {
-    fn each(self, take: impl FnMut(f64)) {
-        let Self { phase, lost } = self;
-        [phase.theta, phase.omega, lost.theta, lost.omega].each(take);
-    }
-}
-
-impl Numbers for DoublePhase {
-    fn each(self, take: impl FnMut(f64)) {
-        [self.theta1, self.theta2, self.p1, self.p2].each(take);
-    }
-}
-
-impl Numbers for PlanePhase {
-    fn each(self, take: impl FnMut(f64)) {
-        [self.x, self.y, self.vx, self.vy].each(take);
-    }
 }

@@ -5,12 +5,12 @@ use std::num::NonZeroU64;
 use pendula::fast::{InLanes, Instructions};
 use pendula::integrate::{Run, Steps};
 use pendula::methods::table::{Listed, in_lanes};
+use pendula::systems::Numbers;
 use pendula::{
     Compensated, CompensatedPhase, Ensemble, Grid, METHODS, Observer, Pendulum, Phase, System,
-    systems,
 };
 
-use crate::{Hash, Line, Numbers, common};
+use crate::{Hash, Line, common};
 
 /// The hash of every state of four runs of `steps` steps: swinging, nearly over the top, rotating,
 /// and starting many turns from zero; with L ≠ 1 and a step that is not a power of two.
@@ -87,7 +87,7 @@ fn run<S>(
     grid: &Grid,
     watch: &mut dyn Observer<S::State>,
 ) where
-    S: System<State: systems::Numbers> + Copy,
+    S: System<State: Numbers> + Copy,
 {
     watch.observe(0, 0.0, start);
     let end = Run::start(system, method, start, grid).advance(grid.steps(), NonZeroU64::MIN, watch);

@@ -4,6 +4,4 @@
 mod common;
 
 mod bits;
-mod contracted;
-mod flips;
 mod recorded;

@@ -4,17 +4,11 @@
 #[path = "../common/each_method.rs"]
 mod common;
 
-mod area;
 mod changes_of_variables;
-mod error_constant;
 mod known_answers;
 mod linear;
-mod order;
 mod order_conditions;
-mod pendulum_symmetries;
+mod properties;
 mod registry;
 mod step;
-mod step_matrix;
 mod taylor;
-mod time_reversal;
-mod work;

@@ -1,11 +1,6 @@
 //! Taylor series of the motion, at orders other than the one on the list.
 
-use pendula::methods::{ForwardEuler, Rk4};
-use pendula::systems::Analytic;
-use pendula::{
-    Counting, Grid, LinearOscillator, Method, Motion, Pendulum, Phase, System, Taylor, integrate,
-    integrate_fast,
-};
+use pendula::{Counting, Grid, Method, Motion, Pendulum, Phase, Taylor, integrate, integrate_fast};
 use rstest::rstest;
 
 /// L ≠ 1, m ≠ 1, ω₀ ≠ 1.
@@ -107,28 +102,6 @@ fn one_power_more_is_what_was_missing(#[values(0, 1, 2)] start: usize) {
     }
 }
 
-/// To the first power the series is forward Euler, with the same rounding; to the fourth it is RK4
-/// for a linear force, where only the powers of the matrix count.
-///
-/// Catches: a step that is not a power series, such as one that computes the angle's last power
-/// with the new velocity.
-#[test]
-fn the_low_orders_are_known_methods() {
-    let (pendulum, grid) = (pendulum(), Grid::new(0.02, 100).unwrap());
-    let linear = LinearOscillator::new(pendulum);
-    for start in STARTS {
-        // A hundred steps round 10 rad, or 35 rad/s, by a few ε; the growth of forward Euler is
-        // below e².
-        let near = |a: Phase, b: Phase| {
-            assert!((a.theta - b.theta).abs() < 1e-11 && (a.omega - b.omega).abs() < 1e-11);
-        };
-        let first = integrate(&pendulum, &Taylor::<1>, start, &grid, &mut ());
-        near(first, integrate(&pendulum, &ForwardEuler, start, &grid, &mut ()));
-        let fourth = integrate(&linear, &Taylor::<4>, start, &grid, &mut ());
-        near(fourth, integrate(&linear, &Rk4, start, &grid, &mut ()));
-    }
-}
-
 /// With the step as the unit of time the same series takes the same steps, up to rounding; and each
 /// power counts as one evaluation.
 ///
@@ -146,32 +119,4 @@ fn the_step_may_be_the_unit_of_time() {
     let counting = Counting::new(pendulum);
     integrate(&counting, &Taylor::<12>, STARTS[0], &grid, &mut ());
     assert_eq!(counting.evaluations(), 12 * 50);
-}
-
-/// Any system may have a series: for ż = z it is that of the exponential.
-///
-/// Catches: a method that only works for pendulums.
-#[test]
-fn a_series_is_what_its_system_says() {
-    struct Growth;
-    impl System for Growth {
-        type State = Phase;
-        fn rate(&self, _t: f64, z: Phase) -> Phase {
-            z
-        }
-    }
-    impl Analytic for Growth {
-        fn terms<const P: usize>(&self, h: f64, z: Phase) -> [Phase; P] {
-            let mut power = z;
-            std::array::from_fn(|k| {
-                let term = power * (1.0 / (k + 1) as f64);
-                power = term * h;
-                term
-            })
-        }
-    }
-    let start = Phase { theta: 1.0, omega: -2.0 };
-    let end = integrate(&Growth, &Taylor::<3>, start, &Grid::new(1.0, 1).unwrap(), &mut ());
-    // 1 + 1 + 1/2 + 1/6, to a few roundings.
-    assert!((end.theta - 8.0 / 3.0).abs() < 2e-15 && (end.omega + 16.0 / 3.0).abs() < 4e-15);
 }

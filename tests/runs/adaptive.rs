@@ -6,6 +6,7 @@ use pendula::adaptive::{
     Adaptive, AdaptiveSteps, Controlled, Counts, Dense, Direction, SMALLEST_RELATIVE, TaylorSeries,
     Tolerance,
 };
+use pendula::internals::Controller;
 use pendula::methods::runge_kutta::Embedded;
 use pendula::methods::{Dop853, DormandPrince};
 use pendula::state;
@@ -34,7 +35,7 @@ macro_rules! each_controlled {
 }
 
 mod between;
-mod refusals;
+mod ends;
 
 const START: Phase = Phase { theta: 2.0, omega: 0.3 };
 
@@ -203,50 +204,6 @@ fn the_counts_are_those_of_an_independent_program() {
     }
 }
 
-/// Short walks from anywhere to anywhere, either way, with tolerances of 1e-3 to 1e-12: the last
-/// time is the end to the bit, each step begins where the one before ended, and none is a scrap of
-/// the walk. What is left after a step is more than a hundredth of it, so that a last step that was
-/// not refused is no shorter than that.
-///
-/// Catches: a last step that stops short of the end by a rounding, or beyond it; a tiny step left
-/// over for the end, which costs as much as any and is mostly rounding.
-fn a_walk_ends_where_it_should<M: Controlled<Pendulum>>(method: M) {
-    let mut random = Random::new(7);
-    let mut last_steps = 0;
-    for n in 0..2000 {
-        let from = random.one_of(&[0.0, 1.0, -1e3, 1e6]) * random.between(0.5, 1.0);
-        let until = from + random.between(-3.0, 3.0);
-        let start = Phase { theta: random.between(-4.0, 4.0), omega: random.between(-4.0, 4.0) };
-        let tol = 10_f64.powf(random.between(-12.0, -3.0));
-        let adaptive = Adaptive::new(method, tolerance(tol));
-        let mut walk = adaptive.steps(&Pendulum::PAPER, start, from, until).unwrap();
-        let (mut t, mut z, mut before) = (from, start, None);
-        while let Some(step) = walk.next() {
-            let step = step.unwrap();
-            assert!(step.start_time() == t && step.start() == z, "walk {n}");
-            let rejected = walk.counts().rejected;
-            assert!(
-                step.size().abs() > 1e-12 * (until - from).abs(),
-                "walk {n}: {} s",
-                step.size()
-            );
-            if let Some((size, refused)) = before
-                && step.end_time() == until
-                && rejected == refused
-            {
-                let share: f64 = step.size() / size;
-                assert!(share > 0.0099, "walk {n}: a last step of {share} of the one before");
-                last_steps += 1;
-            }
-            before = Some((step.size(), rejected));
-            (t, z) = (step.end_time(), step.end());
-        }
-        assert!(t == until && walk.time() == until && walk.state() == z, "walk {n}: {t}");
-    }
-    assert!(last_steps > 500, "{last_steps}");
-}
-each_controlled!(a_walk_ends_where_it_should);
-
 /// The first step by hand, after Hairer, Nørsett and Wanner (Sect. II.4). In units of the allowed
 /// error, 2e-6 at y = 1:
 ///
@@ -289,77 +246,6 @@ fn the_first_step_follows_the_state<M: Embedded>(#[case] method: M, #[case] root
     }
 }
 
-// -------------------------------------------------------------------------------------------------
-// Ends and observers
-// -------------------------------------------------------------------------------------------------
-
-/// Catches: a last step past the end, short of it, or split in two; a step taken after the end, or
-/// when the end is the start.
-fn the_last_step_ends_at_the_end<M: Controlled<Pendulum>>(method: M) {
-    let pendulum = Pendulum::PAPER;
-    let adaptive = Adaptive::new(method, tolerance(1e-9));
-    for end in [1e-300, 1e-3, 0.7, 5.0, -5.0] {
-        let mut times = vec![];
-        let mut watch = |n, t, z: Phase| times.push((n, t, z));
-        let (last, counts) = adaptive.integrate(&pendulum, START, 0.0, end, &mut watch).unwrap();
-        assert_eq!(times[0], (0, 0.0, START));
-        assert_eq!(times.last(), Some(&(counts.accepted, end, last)));
-        assert!(times.iter().enumerate().all(|(n, time)| time.0 == n as u64));
-        assert!(times.windows(2).all(|pair| pair[0].1 != pair[1].1));
-        assert!(times.windows(2).all(|pair| (pair[1].1 - pair[0].1).signum() == end.signum()));
-    }
-
-    let mut walk = adaptive.steps(&pendulum, START, 3.0, 3.0).unwrap();
-    assert!(walk.next().is_none() && walk.next().is_none());
-    assert_eq!((walk.time(), walk.state()), (3.0, START));
-}
-each_controlled!(the_last_step_ends_at_the_end);
-
-/// Catches: a force evaluated beyond the end, where it may not be defined; a refusal of the
-/// shortest possible step.
-fn nothing_is_asked_beyond_the_end<M: Embedded>(method: M) {
-    let latest = std::cell::Cell::new(0.0_f64);
-    let law = Law(|t: f64, y: f64| {
-        latest.set(latest.get().max(t));
-        -4.0 * y
-    });
-    let adaptive = Adaptive::new(method, tolerance(1e-6));
-    adaptive.integrate(&law, Number { y: 1.0 }, 0.0, 1e-3, &mut ()).unwrap();
-    assert_eq!(latest.get(), 1e-3);
-    let (_, counts) =
-        adaptive.integrate(&law, Number { y: 1.0 }, 1e6, 1e6_f64.next_up(), &mut ()).unwrap();
-    assert_eq!((counts.accepted, latest.get()), (1, 1e6_f64.next_up()));
-}
-each_pair!(nothing_is_asked_beyond_the_end);
-
-/// Catches: a loop that goes on after the observer is satisfied.
-fn a_satisfied_observer_ends_the_loop<M: Controlled<Pendulum>>(method: M) {
-    let mut watch = First::<10>::default();
-    let adaptive = Adaptive::new(method, tolerance(1e-9));
-    let (end, counts) = adaptive.integrate(&Pendulum::PAPER, START, 0.0, 5.0, &mut watch).unwrap();
-    assert_eq!((watch.0.len(), counts.accepted), (10, 9));
-    let ninth = walk(&Pendulum::PAPER, method, 1e-9, 5.0).nth(8).unwrap().unwrap();
-    assert_eq!(end, ninth.end());
-}
-each_controlled!(a_satisfied_observer_ends_the_loop);
-
-/// Where nothing is refused, sixteen times the tolerance makes a step 16^(1/k) times longer, up to
-/// 2 % because of the first and last steps.
-///
-/// Catches: an estimate of another order than the method declares. (A wrong exponent of the
-/// controller moves where the steps settle by nothing: the counts below show it.)
-#[test]
-fn steps_lengthen_with_the_root_of_the_tolerance() {
-    let steps = |tol| {
-        let mut walk = walk(&Pendulum::PAPER, DormandPrince, tol, 20.0);
-        assert!(walk.by_ref().all(|step| step.is_ok()));
-        assert_eq!(walk.counts().rejected, 0);
-        walk.counts().accepted as f64
-    };
-    let ratio = steps(1e-12) / steps(16e-12);
-    assert!((ratio / 16_f64.powf(0.2) - 1.0).abs() < 0.02, "{ratio}");
-}
-
 /// The same rule for two components, each in units of its own tolerance: fast near the bottom,
 /// where the velocity changes most.
 ///
@@ -387,39 +273,82 @@ fn the_first_step_weighs_every_component<M: Embedded>(#[case] method: M, #[case]
     assert!((first / expected - 1.0).abs() < 1e-12, "{first}, not {expected}");
 }
 
-/// Where nothing changes there is no error, and each step is ten times as long as the last.
-///
-/// Catches: a step that grows without limit where nothing changes, and jumps over what follows.
-fn no_step_grows_more_than_tenfold<M: Embedded>(method: M) {
-    let calm = Law(|_, _| 0.0);
-    let walk =
-        Adaptive::new(method, tolerance(1e-6)).steps(&calm, Number { y: 0.0 }, 0.0, 10.0).unwrap();
-    let sizes: Vec<f64> = walk.map(|step| step.unwrap().size()).collect();
-    // All but the last, which is cut off at the end.
-    for pair in sizes[..sizes.len() - 1].windows(2) {
-        assert!((pair[1] / pair[0] - 10.0).abs() < 1e-12, "{sizes:?}");
-    }
-    assert_eq!(sizes.len(), 7);
-}
-each_pair!(no_step_grows_more_than_tenfold);
+// -------------------------------------------------------------------------------------------------
+// The size of the next step
+// -------------------------------------------------------------------------------------------------
 
-/// Backward in time, and from there forward to the start. Either run is off by less than 1000
-/// tolerances, as in the test of the tolerance.
-///
-/// Catches: the sign of the step lost in the first step, in the last or in the limit of growth; an
-/// end that is overshot.
-fn time_can_run_either_way<M: Controlled<Pendulum>>(method: M) {
-    for pendulum in pendulums() {
-        let motion = Motion::new(&pendulum, START).unwrap();
-        let adaptive = Adaptive::new(method, tolerance(1e-10));
-        let (before, counts) = adaptive.integrate(&pendulum, START, 2.0, -8.0, &mut ()).unwrap();
-        let right = motion.at(-10.0);
-        assert!((before.theta - right.theta).abs() < 1e-7, "{before:?}, not {right:?}");
-        let (back, again) = adaptive.integrate(&pendulum, before, -8.0, 2.0, &mut ()).unwrap();
-        assert!((back.theta - START.theta).abs() < 2e-7, "{back:?}");
-        // The same interval takes as many steps either way, except for the first few.
-        let (there, back) = (counts.accepted as f64, again.accepted as f64);
-        assert!((there / back - 1.0).abs() < 0.1, "{there} there, {back} back");
+/// A few roundings, and the powers of another library.
+const ROUNDING: f64 = 1e-14;
+
+/// What `controller` makes of these errors, one after the other, is that.
+#[track_caller]
+fn assert_judged(mut controller: Controller, judged: &[(f64, bool, f64)]) {
+    for &(error, accepted, factor) in judged {
+        let (found, by) = controller.judge(error);
+        assert!(found == accepted, "{error}: {found}");
+        assert!((by / factor - 1.0).abs() < ROUNDING, "{error}: {by}, not {factor}");
     }
 }
-each_controlled!(time_can_run_either_way);
+
+/// Factors computed with 40 digits: 0.9 error^(−0.85/k) last^(0.2/k) after a step that is
+/// accepted, where the `last` is 1e-4 before the first, and 0.9 error^(−1/k) after one that is
+/// not.
+///
+/// Catches: a wrong exponent of either error, or a swapped sign, which leaves the tolerance
+/// kept and only takes more steps; the order of the method in place of that of its estimate; a
+/// memory of the error that was refused.
+#[test]
+fn a_step_is_judged_by_its_error_and_the_one_before() {
+    for (order, factors) in [
+        (
+            5,
+            [
+                0.700_515_273_422_561_8,
+                1.915_143_450_563_941_6,
+                0.748_587_393_992_403_9,
+                0.722_467_405_584_207_6,
+            ],
+        ),
+        (
+            8,
+            [
+                0.769_532_464_874_439_2,
+                1.442_835_301_480_292_3,
+                0.802_125_844_320_371,
+                0.784_516_988_584_562_1,
+            ],
+        ),
+    ] {
+        let [first, second, third, refused] = factors;
+        assert_judged(
+            Controller::new(order),
+            &[(0.5, true, first), (0.01, true, second), (1.0, true, third)],
+        );
+        // The error of a step that was refused is not remembered; what was before it is, and
+        // the next step does not grow.
+        assert_judged(
+            Controller::new(order),
+            &[(0.5, true, first), (3.0, false, refused), (0.01, true, 1.0), (1.0, true, third)],
+        );
+    }
+}
+
+/// Catches: a step that grows or shrinks without limit; a NaN or an infinity that is accepted,
+/// or from which the next step is NaN.
+#[test]
+fn a_step_changes_within_limits() {
+    for order in [5, 8] {
+        let judged = [
+            (0.0, true, 10.0),
+            (1e-300, true, 10.0),
+            (1.0_f64.next_up(), false, 0.9),
+            (1e9, false, 0.2),
+            (f64::INFINITY, false, 0.2),
+            (f64::NAN, false, 0.2),
+            // After a refusal no growth, once.
+            (0.0, true, 1.0),
+            (0.0, true, 10.0),
+        ];
+        assert_judged(Controller::new(order), &judged);
+    }
+}

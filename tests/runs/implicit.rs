@@ -1,7 +1,7 @@
 //! Implicit methods: where their iteration ends, in any units, and what is said where it does not.
 
 use std::f64::consts::{PI, TAU};
-use std::num::{NonZeroU32, NonZeroU64};
+use std::num::NonZeroU32;
 
 use pendula::fast::{PendulumSteps, ScaledPendulum};
 use pendula::methods::{
@@ -15,24 +15,10 @@ use pendula::{
 };
 use rstest::rstest;
 
-use crate::common::{Random, Samples, bits, lanes, method, steps, steps_on, try_integrate};
+use crate::common::{Random, bits, lanes, steps, steps_on, try_integrate};
 
 /// Makes of the function `$test` a test for each implicit method with a tableau, and its limit.
 macro_rules! each_implicit {
-    ($test:ident) => {
-        cases! {
-            $test:
-            implicit_midpoint(method("implicit_midpoint"), limit(&ImplicitMidpoint::TABLEAU)),
-            trapezoidal(method("trapezoidal"), limit(&Trapezoidal::TABLEAU)),
-            gauss_4(method("gauss_4"), limit(&Gauss4::TABLEAU)),
-            gauss_6(method("gauss_6"), limit(&Gauss6::TABLEAU)),
-            gauss_16(method("gauss_16"), limit(&Gauss16::TABLEAU)),
-        }
-    };
-}
-
-/// The same with the type of each, for another iteration than its own.
-macro_rules! each_implicit_type {
     ($test:ident) => {
         cases! {
             $test:
@@ -94,19 +80,19 @@ fn scene(random: &mut Random, limit: f64) -> (Pendulum, Phase, Grid) {
 ///
 /// Catches: an iteration that stops only where its changes are small in the units of the state, and
 /// loses every tenth run of a fast pendulum.
-fn every_step_within_the_limit_is_solved(method: &dyn AnyMethod, limit: f64) {
+fn every_step_within_the_limit_is_solved(method: impl AnyMethod, limit: f64) {
     assert!((1.0..3.0).contains(&limit), "{limit}");
     let mut random = Random::new(17);
     for n in 0..400 {
         let (pendulum, start, grid) = scene(&mut random, limit);
         let case = || format!("scene {n}: {pendulum:?} {start:?} {grid:?}");
-        let end = try_integrate(&pendulum, steps(method), start, &grid, &mut ());
+        let end = try_integrate(&pendulum, steps(&method), start, &grid, &mut ());
         let finite = end.is_ok_and(|end| end.theta.is_finite() && end.omega.is_finite());
         assert!(finite, "{end:?}, {}", case());
         let fast = method.end(&pendulum, start, &grid);
         assert!(fast.theta.is_finite() && fast.omega.is_finite(), "fast, {}", case());
         let mut ends = [Phase::default()];
-        Ensemble::new(&pendulum, &[start], grid).ends(lanes(method), &mut ends);
+        Ensemble::new(&pendulum, &[start], grid).ends(lanes(&method), &mut ends);
         assert_eq!(bits(ends[0]), bits(fast), "in lanes, {}", case());
         assert_eq!(method.try_run(&pendulum, start, &grid, &mut ()), Ok(fast));
     }
@@ -118,7 +104,7 @@ each_implicit!(every_step_within_the_limit_is_solved);
 ///
 /// Catches: a test of the pendulum's alone, or one that asks each component to be right to its own
 /// last digit.
-fn so_is_every_step_of_a_double_pendulum(method: &dyn AnyMethod, limit: f64) {
+fn so_is_every_step_of_a_double_pendulum(method: impl AnyMethod, limit: f64) {
     assert!(limit > 0.05);
     let mut random = Random::new(18);
     for n in 0..200 {
@@ -131,7 +117,7 @@ fn so_is_every_step_of_a_double_pendulum(method: &dyn AnyMethod, limit: f64) {
         let start = double.start(theta, [0.0; 2]).unwrap();
         let x = 10_f64.powf(random.between(-5.0, 0.05_f64.log10()));
         let grid = Grid::new(x / (gravity / length).sqrt(), 50).unwrap();
-        let end = try_integrate(&double, steps_on(method), start, &grid, &mut ());
+        let end = try_integrate(&double, steps_on(&method), start, &grid, &mut ());
         assert!(
             end.is_ok_and(|end| end.p1.is_finite()),
             "{n}: {double:?} {start:?} {grid:?} {end:?}"
@@ -185,7 +171,7 @@ where
         assert!(end.p1.abs() < 1e6, "{end:?}");
     }
 }
-each_implicit_type!(what_is_solved_is_a_solution);
+each_implicit!(what_is_solved_is_a_solution);
 
 /// Steps a little longer than the limit: some runs fail at the first step, some on their way.
 ///
@@ -246,7 +232,7 @@ where
     }
     assert!(on_the_way > 0);
 }
-each_implicit_type!(a_step_that_is_not_solved_says_so);
+each_implicit!(a_step_that_is_not_solved_says_so);
 
 /// Catches: an explicit method that is said to have no solution.
 #[test]
@@ -285,7 +271,7 @@ where
         assert_eq!(bits(integrate_fast(&pendulum, &with, start, &grid, &mut ())), bits(end));
     }
 }
-each_implicit_type!(the_default_iteration_has_the_methods_bits);
+each_implicit!(the_default_iteration_has_the_methods_bits);
 
 /// A step of x = 0.2: each sweep leaves at most a fifth of what is missing, so that a tolerance τ
 /// leaves less than τ of the slopes and of the state over the step, and 1e-12 takes more sweeps
@@ -345,7 +331,7 @@ where
         .with(Iteration::default().tolerance(0.1).unwrap().sweeps(NonZeroU32::new(2).unwrap()));
     assert!(coarse.try_step(&pendulum, 0.0, h, start, &mut ()).is_ok());
 }
-each_implicit_type!(a_tolerance_is_kept_and_saves_sweeps);
+each_implicit!(a_tolerance_is_kept_and_saves_sweeps);
 
 /// Catches: a tolerance that is NaN, negative, or met by any slopes.
 #[test]
@@ -355,23 +341,6 @@ fn a_tolerance_is_at_least_zero_and_below_one() {
         assert!(matches!(refused, Err(Error::Parameter { .. })), "{refused:?}");
     }
     assert_eq!(Iteration::default().tolerance(0.0), Ok(Iteration::TO_ROUNDING));
-}
-
-/// An ensemble takes it too.
-///
-/// Catches: a method with another iteration that lanes refuse.
-#[test]
-fn lanes_take_another_iteration() {
-    let method = Gauss6.with(Iteration::default().tolerance(1e-8).unwrap());
-    let starts = [Phase::at_rest(1.0), Phase { theta: 0.3, omega: 2.0 }];
-    let grid = Grid::new(0.05, 30).unwrap();
-    let mut seen = [Samples::default(), Samples::default()];
-    Ensemble::new(&Pendulum::PAPER, &starts, grid).watch(&method, NonZeroU64::MIN, &mut seen);
-    for (start, seen) in starts.into_iter().zip(seen) {
-        let mut alone = Samples::default();
-        integrate_fast(&Pendulum::PAPER, &method, start, &grid, &mut alone);
-        assert_eq!(seen, alone);
-    }
 }
 
 /// The discrete gradient takes no iteration of the caller's, and is solved as well: in whatever

@@ -1,12 +1,9 @@
 //! Time in steps against time in seconds: the same method, the same steps, another rounding.
 
-use std::f64::consts::FRAC_PI_2;
-
 use pendula::fast::{Deferred, ScaledPendulum};
 use pendula::methods::{Rk4, StormerVerlet, SymplecticEuler, Yoshida8};
 use pendula::verify::properties::pendulum;
 use pendula::{AnyMethod, Ensemble, Grid, Observer, Pendulum, Phase, integrate, integrate_fast};
-use proptest::prelude::*;
 use rstest::rstest;
 
 use crate::common::{First, Random, bits, lanes, steps, try_integrate};
@@ -75,22 +72,6 @@ fn no_step_changes_no_bit(method: &dyn AnyMethod) {
 }
 each_method!(no_step_changes_no_bit);
 
-/// A step of 1e-20 s moves nothing by as much as a rounding, but the state goes there and back.
-///
-/// Catches: an angle changed by its reduction to half turns and back, up to a million rad.
-#[test]
-fn a_step_too_short_to_move_leaves_the_start_as_it_is() {
-    let short = Grid::new(1e-20, 1).unwrap();
-    for theta in [0.0, FRAC_PI_2, -3.15, 100.25, -654_321.9] {
-        let start = Phase { theta, omega: 0.3 };
-        assert!(ScaledPendulum::new::<Rk4>(&pendulum(), &short, start).is_some());
-        let end = integrate_fast(&pendulum(), &Rk4, start, &short, &mut ());
-        // The half turns are added up with two more roundings.
-        assert!((end.theta - theta).abs() <= f64::EPSILON * theta.abs() + 1e-20);
-        assert!((end.omega - 0.3).abs() <= f64::EPSILON * 0.3);
-    }
-}
-
 /// Catches: a change of units that overflows or underflows where seconds would do, and half turns
 /// too many to count.
 #[rstest]
@@ -134,30 +115,6 @@ fn a_satisfied_observer_ends_the_swing() {
         assert_eq!(start, integrate_fast(&pendulum(), &Rk4, start, &grid, &mut watch.clone()));
         let tried = pendula::try_integrate_fast(&pendulum(), &Rk4, start, &grid, &mut watch);
         assert_eq!(tried, Ok(start));
-    }
-}
-
-proptest! {
-    #![proptest_config(ProptestConfig {
-        rng_seed: proptest::test_runner::RngSeed::Fixed(20_061),
-        ..ProptestConfig::with_cases(256)
-    })]
-
-    /// Catches: a failure that the fixed scenes of the other tests do not show.
-    #[test]
-    fn one_step_in_steps_is_one_in_seconds(
-        theta in -50.0..50.0_f64,
-        omega in -30.0..30.0_f64,
-        h in 1e-4..0.5_f64,
-        frequency_squared in 0.1..50.0_f64,
-    ) {
-        let pendulum = Pendulum::new(frequency_squared, 1.0, 1.0).unwrap();
-        let (grid, start) = (Grid::new(h, 1).unwrap(), Phase { theta, omega });
-        let quick = integrate_fast(&pendulum, &Rk4, start, &grid, &mut ());
-        let plain = integrate(&pendulum, &Rk4, start, &grid, &mut ());
-        let size = theta.abs() + h * omega.abs() + h * h * frequency_squared + 1.0;
-        prop_assert!((quick.theta - plain.theta).abs() <= 24.0 * f64::EPSILON * size);
-        prop_assert!((quick.omega - plain.omega).abs() <= 24.0 * f64::EPSILON * size / h);
     }
 }
 

@@ -5,9 +5,7 @@ use std::f64::consts::SQRT_2;
 
 use approx::assert_relative_eq;
 use pendula::methods::{ForwardEuler, Rk4, StormerVerlet, SymplecticEuler};
-use pendula::{
-    Grid, Hamiltonian, LinearOscillator, Method, Pendulum, Phase, Separable, System, integrate,
-};
+use pendula::{Grid, Hamiltonian, LinearOscillator, Method, Pendulum, Phase, System, integrate};
 use rstest::rstest;
 
 use crate::common::pendulums;
@@ -113,31 +111,6 @@ fn just_outside_the_symplectic_limit_it_grows_at_the_predicted_rate<M: Method<Li
     }
 }
 
-/// On the pendulum the swing just outside grows at the same rate only until its frequency has
-/// fallen by 1e-4. It circles the two-cycle ±θ₂ with sin θ₂/θ₂ = 4/x², θ₂ = 0.0346 rad: an orbit
-/// from the bottom follows a figure of eight, as wide as √2 θ₂.
-///
-/// Catches: the linear oscillator posing as the pendulum; a limit on either side of the true one.
-#[rstest]
-#[case::symplectic_euler(SymplecticEuler)]
-#[case::stormer_verlet(StormerVerlet)]
-fn the_pendulum_beside_the_symplectic_limit<M: Method<Pendulum>>(#[case] method: M) {
-    /// θ₂² = 12 δ and the figure of eight are leading terms, right to the relative order θ₂² =
-    /// 1e-3.
-    const TOLERANCE: f64 = 1e-3;
-    for pendulum in pendulums() {
-        let inside = grid(&pendulum, SYMPLECTIC_LIMIT * (1.0 - BESIDE), 100_000);
-        let outside = grid(&pendulum, SYMPLECTIC_LIMIT * (1.0 + BESIDE), 100_000);
-        let start = Phase::at_rest(1e-6);
-        // Inside, q² − xqθ + θ² from rest: θ is at most 1/√(1 − x²/4) times as wide as at the
-        // start.
-        assert!(farthest(&pendulum, &method, start, &inside) < 71.0 * 1e-6);
-        let figure_of_eight = (24.0 * BESIDE).sqrt();
-        let largest = farthest(&pendulum, &method, start, &outside);
-        assert_relative_eq!(largest, figure_of_eight, max_relative = TOLERANCE);
-    }
-}
-
 // -------------------------------------------------------------------------------------------------
 // RK4 and forward Euler
 // -------------------------------------------------------------------------------------------------
@@ -228,20 +201,4 @@ fn forward_euler_is_never_stable(#[values(1e-3, 0.03, 1.0, 2.0, RK4_LIMIT, 10.0)
             assert!((swing - law).abs() < roundings(steps), "{swing} for {law}");
         }
     }
-}
-
-/// A start at rest at the bottom stays there, at any step and for each of these methods.
-///
-/// Catches: a sine that is not zero at zero, a force with an offset.
-#[rstest]
-fn the_bottom_is_a_fixed_point_beyond_every_limit(#[values(0.1, 10.0, 1e6)] x: f64) {
-    for pendulum in pendulums() {
-        let grid = grid(&pendulum, x, 1000);
-        assert_eq!(end(&pendulum, &ForwardEuler, 0.0, &grid), Phase::at_rest(0.0));
-        assert_eq!(end(&pendulum, &SymplecticEuler, 0.0, &grid), Phase::at_rest(0.0));
-        assert_eq!(end(&pendulum, &Rk4, 0.0, &grid), Phase::at_rest(0.0));
-        assert_eq!(end(&pendulum, &StormerVerlet, 0.0, &grid), Phase::at_rest(0.0));
-    }
-    // The force itself, too.
-    assert_eq!(Pendulum::PAPER.force(0.0, Phase::at_rest(0.0)), 0.0);
 }

@@ -3,15 +3,12 @@
 
 use pendula::adaptive::{Adaptive, SMALLEST_RELATIVE, TaylorSeries, Tolerance};
 use pendula::exact::complete_elliptic_k;
+use pendula::internals::{exp2, log2, order};
 use pendula::systems::Analytic;
 use pendula::{Compensated, CompensatedPhase, LinearOscillator, Motion, Pendulum, Phase, System};
 
 use crate::adaptive::Number;
-
-/// L ≠ 1, m ≠ 1, ω₀ ≠ 1.
-fn pendulum() -> Pendulum {
-    Pendulum::new(9.81, 0.8, 1.7).unwrap()
-}
+use crate::common::pendulum;
 
 fn series(tolerance: f64) -> Adaptive<TaylorSeries> {
     Adaptive::new(TaylorSeries, Tolerance::uniform(tolerance).unwrap())
@@ -148,28 +145,6 @@ fn no_step_is_off_at_any_scale() {
     }
 }
 
-/// Reversed in time, the pendulum is its mirror image: in every product one factor changes its
-/// sign, or none, and no bit changes.
-///
-/// Catches: a sign of the step lost in the unit of time or in the terms; a start that differs from
-/// one direction to the other.
-#[test]
-fn backward_is_the_mirror_image() {
-    let pendulum = pendulum();
-    for start in [Phase { theta: 2.0, omega: 0.3 }, Phase { theta: -1.0, omega: 9.0 }] {
-        let mirrored = Phase { omega: -start.omega, ..start };
-        let steps = |start, end| {
-            let mut steps = vec![];
-            let mut watch = |_, t, z: Phase| steps.push((t, z));
-            series(1e-9).integrate(&pendulum, start, 0.0, end, &mut watch).unwrap();
-            steps
-        };
-        let backward = steps(start, -10.0).into_iter();
-        let back: Vec<_> = backward.map(|(t, z)| (-t, Phase { omega: -z.omega, ..z })).collect();
-        assert_eq!(steps(mirrored, 10.0), back);
-    }
-}
-
 /// One expansion a step, of as many powers as the order, and one slope before the first. The dense
 /// output of the last step costs nothing; that of an earlier one expands again, with the same bits.
 ///
@@ -268,4 +243,43 @@ fn any_analytic_system_will_do() {
     assert_eq!(steps, same);
     // 100 steps of a few roundings, each carried on by 100 steps more.
     assert!((kept.phase.theta - plain.theta).abs() < 1e-11, "{kept:?}, {plain:?}");
+}
+
+/// From the exponents at both ends and the mantissas between: log₂(1 + f) − f is at most
+/// 0.0861, at f = 1/ln 2 − 1; and 2ᶠ, for |f| ≤ ½, is within 0.9 % of its parabola.
+///
+/// Catches: an exponent off by one, a mantissa that is not in it, a fraction rounded the wrong
+/// way: steps that are wrong by up to 9 %, which the tolerance would hide.
+#[test]
+fn roots_are_good_to_a_hundredth() {
+    for n in 0..40_000 {
+        let y = f64::from(n - 20_000) / 20.0 + 0.013;
+        let power = libm::exp2(y);
+        let short = y - log2(power);
+        assert!((-1e-9..0.0861).contains(&short), "{y}: {short}");
+        assert!((exp2(y) / power - 1.0).abs() < 0.0095, "{y}: {}", exp2(y));
+    }
+    assert_eq!((log2(0.0), log2(1.0), exp2(0.0), exp2(-3.0)), (-1023.0, 0.0, 1.0, 0.125));
+}
+
+/// ⌈(2 − ln ε)/4⌉ blocks of four, by hand: 2 − ln 1e-12 = 29.6.
+///
+/// Catches: Jorba and Zou's order, half of it; a decimal or binary logarithm; an order that
+/// there are no terms for.
+#[test]
+fn the_order_follows_from_the_tolerance() {
+    for (relative, expected) in [
+        (SMALLEST_RELATIVE, 36),
+        (1e-14, 36),
+        (1e-12, 32),
+        (1e-10, 28),
+        (1e-8, 24),
+        (1e-6, 16),
+        (1e-4, 12),
+        (1e-2, 8),
+        (0.5, 4),
+        (1.0_f64.next_down(), 4),
+    ] {
+        assert_eq!(order(&Tolerance::new(1.0, relative).unwrap()), expected, "{relative}");
+    }
 }

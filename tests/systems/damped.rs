@@ -47,22 +47,6 @@ fn small_swings_decay_as_the_linear_equation_says(#[case] beta: f64) {
     }
 }
 
-/// One damped period later a weakly damped swing is where it was, smaller by exp(−βT): the
-/// logarithmic decrement.
-///
-/// Catches: a closed form and a rate that are wrong in the same way.
-#[test]
-fn the_swing_shrinks_by_its_decrement() {
-    let beta = 0.3;
-    let period = 2.0 * std::f64::consts::PI / (2.5_f64 - beta * beta).sqrt();
-    let start = Phase { theta: 0.7, omega: -0.2 };
-    let end = damped(beta).small_swing(start, period);
-    let shrunk = (-beta * period).exp();
-    // A dozen roundings of numbers below 1.
-    assert_abs_diff_eq!(end.theta, start.theta * shrunk, epsilon = 4e-15);
-    assert_abs_diff_eq!(end.omega, start.omega * shrunk, epsilon = 4e-15);
-}
-
 /// The closed form solves its equation for all dampings, also far above critical and next to it,
 /// and for long times.
 ///

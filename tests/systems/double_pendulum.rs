@@ -4,13 +4,11 @@
 use std::f64::consts::{PI, SQRT_2};
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
-use pendula::adaptive::{Adaptive, Tolerance};
-use pendula::methods::{Dop853, ForwardEuler, Gauss4, Gauss6, ImplicitMidpoint, Rk4};
+use pendula::methods::{Gauss4, Gauss6, ImplicitMidpoint, Rk4};
 use pendula::metrics::EnergyDrift;
 use pendula::systems::{DoublePendulum, DoublePhase, Joint, LARGEST_MASS_RATIO};
-use pendula::{Components, Grid, Hamiltonian, Info, Method, RateOf, System, integrate};
+use pendula::{Grid, Hamiltonian, Method, RateOf, System, integrate};
 use pendula_study::experiments::beyond::{equals, separation, swing_frequency};
-use rstest::rstest;
 
 /// All parameters differ, so that exchanging two of them shows.
 fn unequal() -> DoublePendulum {
@@ -120,38 +118,6 @@ fn velocities_survive_as_momenta() {
     assert!(DoublePendulum::new(9.81, at_limit, equal).is_ok());
 }
 
-/// Hamilton's equations: the rate is the gradient of the energy, by central differences.
-///
-/// Catches: a wrong sign in the exchange of momentum, angles or momenta exchanged, g·L for g/L, a
-/// missing term.
-#[test]
-fn the_rate_is_the_gradient_of_the_energy() {
-    let delta = 1e-4;
-    for double in [equals(), unequal()] {
-        for (theta, omega) in STATES {
-            let z = double.start(theta, omega).unwrap();
-            let rate = double.rate(0.0, z);
-            let along = |nudge: DoublePhase| {
-                (double.energy(z + nudge * delta) - double.energy(z + nudge * -delta))
-                    / (2.0 * delta)
-            };
-            let zero = DoublePhase::default();
-            // δ²/6 = 2e-9 times third derivatives of up to 300; rounding of 100 J by ε, over δ:
-            // 2e-10.
-            let tolerance = 6e-7;
-            for (what, value, gradient) in [
-                ("θ₁", rate.theta1, along(DoublePhase { p1: 1.0, ..zero })),
-                ("θ₂", rate.theta2, along(DoublePhase { p2: 1.0, ..zero })),
-                ("p₁", rate.p1, -along(DoublePhase { theta1: 1.0, ..zero })),
-                ("p₂", rate.p2, -along(DoublePhase { theta2: 1.0, ..zero })),
-            ] {
-                let off = (value - gradient).abs();
-                assert!(off < tolerance, "{what}: {value} for {gradient} at {theta:?} {omega:?}");
-            }
-        }
-    }
-}
-
 /// Lagrange's equations for θ₁ and θ₂, without momenta: (m₁ + m₂)L₁ θ̈₁ + m₂L₂ (θ̈₂ cos Δ + ω₂²
 /// sin Δ) + (m₁ + m₂)g sin θ₁ = 0 and L₂ θ̈₂ + L₁ (θ̈₁ cos Δ − ω₁² sin Δ) + g sin θ₂ = 0. The state
 /// is (θ₁, θ₂, ω₁, ω₂) under other names.
@@ -257,78 +223,6 @@ fn mode_shapes_are_orthogonal() {
     }
 }
 
-/// The largest energy error over 10 s of a chaotic motion, with `rate` steps a second.
-fn drift<M: Method<DoublePendulum>>(method: &M, rate: u64) -> f64 {
-    let double = unequal();
-    let grid = Grid::new(1.0 / rate as f64, 10 * rate).unwrap();
-    let mut drift = EnergyDrift::new(&double);
-    let start = double.start([2.0, 2.5], [0.0; 2]).unwrap();
-    integrate(&double, method, start, &grid, &mut drift);
-    drift.largest()
-}
-
-/// The motion conserves the energy: RK4's energy error falls with its order, and that of a method
-/// of order 1 is far larger.
-///
-/// Catches: a rate that does not derive from a Hamiltonian, friction, a force that depends on time.
-#[test]
-fn the_energy_is_kept_to_the_order_of_the_method() {
-    let errors = [2000, 4000, 8000].map(|rate| drift(&Rk4, rate));
-    // Order 4, and not 5 as on the pendulum: the motion is chaotic, and the leading term of a step
-    // does not average out. The next term, relative to the first, is of the size of a step, 5e-4 s,
-    // times a rate of up to 20/s.
-    for pair in errors.windows(2) {
-        let slope = (pair[0] / pair[1]).log2();
-        assert!((3.9..4.1).contains(&slope), "{slope} of {errors:?}");
-    }
-    // Of 60 J.
-    assert!(errors[2] < 1e-7, "{errors:?}");
-    assert!(drift(&ForwardEuler, 4000) > 1e3 * errors[0]);
-}
-
-/// All samples of a run of 0.7 s in `steps` steps.
-fn path<M: Method<DoublePendulum>>(method: &M, steps: u64) -> Vec<DoublePhase> {
-    let start = unequal().start([1.0, -0.5], [0.3, 0.8]).unwrap();
-    let grid = Grid::new(0.7 / steps as f64, steps).unwrap();
-    let mut path = Vec::new();
-    integrate(&unequal(), method, start, &grid, &mut |_, _, z: DoublePhase| path.push(z));
-    path
-}
-
-/// Order on a system that is not separable: the largest error of an angle along the run, against
-/// RK4 in fine steps.
-///
-/// Catches: a stage that mixes up components of a state that has four of them.
-#[rstest]
-#[case(ForwardEuler)]
-#[case(Rk4)]
-fn methods_for_systems_have_their_order<M>(#[case] method: M)
-where
-    M: Method<DoublePendulum> + Info,
-{
-    let order = method.info().order;
-    // RK4's own errors are measured against RK4 in a sixteenth of its finest step: off by 16⁻⁴ of
-    // the smallest error.
-    let truth = path(&Rk4, 16_384);
-    let coarsest = 4096 >> order;
-    let errors = [0, 1, 2].map(|k| {
-        let steps = coarsest << k;
-        let path = path(&method, steps);
-        let off = path
-            .iter()
-            .zip(truth.iter().step_by(16_384 / steps as usize))
-            .map(|(z, exact)| (z.theta1 - exact.theta1).abs().max((z.theta2 - exact.theta2).abs()));
-        off.fold(0.0, f64::max)
-    });
-    for pair in errors.windows(2) {
-        // The next term of the error, relative to the first, is of the size of a step, 0.7/256,
-        // times a rate of up to 10/s; its change from one rung to the next bends the slope by 1.44
-        // times half of that.
-        let slope = (pair[0] / pair[1]).log2();
-        assert!((slope - f64::from(order)).abs() < 0.05, "{slope} of {errors:?}");
-    }
-}
-
 /// Over ten times the time a symplectic method's energy error does not grow, and RK4's grows
 /// tenfold. The release is low, so that the motion is a superposition of two swings, which within
 /// 100 s has come close enough to all its states to fix the largest error to a hundredth.
@@ -393,31 +287,6 @@ fn neighbours_part_exponentially_where_the_motion_is_chaotic() {
     // Low: quasi-periodic, where neighbours separate no faster than t.
     let low = separation(&double, [0.2, 0.25], 1e-9, (0.002, 10_000));
     assert!(low.iter().all(|&(_, d)| d < 1e-8), "regular");
-}
-
-/// DOP853 with adaptive steps, whose error control uses all four components, against RK4 in steps
-/// of a millisecond. In a regular swing of 2 s neither is off by more than 1e-9.
-///
-/// Catches: components left out of the error control: a single step would be accepted.
-#[test]
-fn steps_of_their_own_size_go_the_same_way() {
-    let double = unequal();
-    let start = DoublePhase { theta1: 0.4, theta2: -0.3, p1: 0.1, p2: 0.2 };
-    let adaptive = Adaptive::new(Dop853, Tolerance::uniform(1e-11).unwrap());
-    let (end, counts) = adaptive.integrate(&double, start, 0.0, 2.0, &mut ()).unwrap();
-    let grid = Grid::new(0.001, 2000).unwrap();
-    let off = end + integrate(&double, &Rk4, start, &grid, &mut ()) * -1.0;
-    let largest =
-        [off.theta1, off.theta2, off.p1, off.p2].map(f64::abs).into_iter().fold(0.0, f64::max);
-    assert!(largest < 1e-9, "{off:?}");
-    assert!((10..1000).contains(&counts.accepted), "{counts:?}");
-
-    let mut seen = Vec::new();
-    start.for_each_component(end, off, |x, y, error| seen.push([x, y, error]));
-    let columns = |z: DoublePhase| [z.theta1, z.theta2, z.p1, z.p2];
-    let expected: Vec<_> =
-        (0..4).map(|i| [columns(start)[i], columns(end)[i], columns(off)[i]]).collect();
-    assert_eq!(seen, expected);
 }
 
 /// The lowest energy at rest with one rod upright, over all angles of the other, is the least with

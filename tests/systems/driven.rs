@@ -3,15 +3,12 @@
 
 use std::cell::RefCell;
 
-use pendula::dynamics::floquet::monodromy;
-use pendula::dynamics::lyapunov::{Exponent, Watch};
-use pendula::dynamics::{Bundle, Linearised, Stroboscope, largest_exponent, periodic_orbit, root};
+use pendula::dynamics::lyapunov::Watch;
+use pendula::dynamics::{Bundle, Linearised, Stroboscope, largest_exponent, periodic_orbit};
 use pendula::methods::{ForwardEuler, Rk4, StormerVerlet, SymplecticEuler};
 use pendula::verify::properties::driven::{Pushed, check, check_euler};
 use pendula::verify::properties::near;
-use pendula::{
-    Damped, Driven, Error, Grid, Info, Method, Pendulum, Phase, Separable, System, integrate,
-};
+use pendula::{Damped, Driven, Grid, Info, Method, Pendulum, Phase, Separable, System, integrate};
 use pendula_study::experiments::beyond::{
     CHAOTIC, COARSE, Doubling, attractor, doubling, doublings, poincare, seen,
 };
@@ -42,36 +39,11 @@ fn driven(strength: f64) -> Driven {
     Driven::new(Damped::new(pendulum, 0.4).unwrap(), strength, 1.1).unwrap()
 }
 
-/// The steady-state response to a weak drive is the linear one: A cos Ωt + B sin Ωt with (A + iB) =
-/// γω₀²/((ω₀² − Ω²) − 2iβΩ).
-///
-/// Catches: sin for cos in the drive, its sign, γ without ω₀², g·L for g/L, the frequency in Hz,
-/// time not passed to the stages.
-#[test]
-fn a_weak_drive_is_answered_in_amplitude_and_phase() {
-    let gamma = 1e-5;
-    let driven = driven(gamma);
-    let (square, frequency, beta): (f64, f64, f64) = (2.5, 1.1, 0.4);
-    let (stiff, lossy) = (square - frequency * frequency, 2.0 * beta * frequency);
-    let scale = gamma * square / (stiff * stiff + lossy * lossy);
-    let (a, b) = (scale * stiff, scale * lossy);
-    let grid = Grid::new(0.005, 16_000).unwrap();
-    integrate(&driven, &Rk4, Phase::default(), &grid, &mut |n, t, z: Phase| {
-        // By 70 s the transient has decayed by exp(−28) = 7e-13.
-        if n >= 14_000 {
-            let (s, c) = f64::sin_cos(frequency * t);
-            // Errors relative to γ: RK4's (ω₀h)⁴/120 · ω₀/β = 1.3e-10; the sine's θ²/6 · ω₀²/2βΩ =
-            // 2e-10.
-            let tolerance = 1e-9 * gamma;
-            near("θ", z.theta, a * c + b * s, tolerance).unwrap();
-            near("ω", z.omega, frequency * (b * c - a * s), tolerance).unwrap();
-        }
-    });
-}
-
 /// Rate and force agree at any time, and both depend on it.
 ///
-/// Catches: a drive in only one of the two, a phase that differs between them.
+/// Catches: a drive in only one of the two, a phase that differs between them; sin for cos in the
+/// drive, its sign, γ without ω₀², g·L for g/L, the frequency in Hz; a getter that returns another
+/// number than the one used.
 #[rstest]
 fn rate_is_force_and_velocity(#[values(0.0, 0.3, 17.0)] t: f64) {
     let driven = driven(1.3);
@@ -83,55 +55,9 @@ fn rate_is_force_and_velocity(#[values(0.0, 0.3, 17.0)] t: f64) {
     near("force", driven.force(t, z), by_hand, 4e-15).unwrap();
     near("rate", rate.omega, by_hand + 2.0 * 0.4 * 1.3, 4e-15).unwrap();
     near("period", driven.period(), 5.711986642890533, 2e-15).unwrap();
+    assert_eq!((driven.strength(), driven.frequency()), (1.3, 1.1));
     let undriven = Driven::new(*driven.damped(), 0.0, 1.1).unwrap();
     assert_eq!(undriven.force(t, z), driven.damped().force(t, z));
-}
-
-/// The variational equation, integrated over a period, gives the derivative of the map.
-///
-/// Catches: sin for cos in the derivative, damping with the wrong sign or left out, rows and
-/// columns exchanged.
-#[test]
-fn neighbours_move_as_the_variational_equation_says() {
-    let driven = driven(1.3);
-    let strobe = Stroboscope::new(&driven, &Rk4, driven.period(), 200).unwrap();
-    let z = Phase { theta: 0.7, omega: -1.3 };
-    let (end, monodromy) = monodromy(&strobe, z, 2);
-    assert_eq!(end, strobe.map(strobe.map(z)));
-    // A central difference, δ = 1e-5: truncation δ²/6 times a third derivative of order 100, 2e-9;
-    // rounding 2000 ε/δ = 4e-8 at worst, √2000 ε/δ = 1e-9 as a random walk.
-    let delta = 1e-5;
-    for (column, nudge) in [
-        (monodromy.of_theta, Phase { theta: delta, omega: 0.0 }),
-        (monodromy.of_omega, Phase { theta: 0.0, omega: delta }),
-    ] {
-        let map = |z| strobe.map(strobe.map(z));
-        let (plus, minus) = (map(z + nudge), map(z + nudge * -1.0));
-        near("∂θ", column.theta, (plus.theta - minus.theta) / (2.0 * delta), 1e-8).unwrap();
-        near("∂ω", column.omega, (plus.omega - minus.omega) / (2.0 * delta), 1e-8).unwrap();
-    }
-}
-
-/// Liouville's formula: the determinant is exp(−2β · 2π/Ω) on every path, periodic or not. RK4's
-/// map satisfies it to O(h⁴).
-///
-/// Catches: damping missing from rate or tangent, a period that is not the drive's, a drive term in
-/// the tangent.
-#[test]
-fn area_shrinks_by_the_same_factor_on_every_path() {
-    let driven = Driven::taylor(1.2).unwrap();
-    near("exp(−3π/4 · 2)", driven.contraction(), 0.00898329102, 5e-12).unwrap();
-    for z in [Phase::default(), Phase { theta: 2.0, omega: -3.0 }] {
-        let errors = [100, 200].map(|steps| {
-            let (_, monodromy) = monodromy(&seen(&driven, steps), z, 1);
-            monodromy.determinant() / driven.contraction() - 1.0
-        });
-        // (λh)⁵/120 a step for each eigenvalue λ of the linearised equation. They are largest at
-        // the top, β ∓ √(β² + ω₀²) with β = ω₀/4: 3.7 (ω₀h)⁵/120, times 100 steps, 2.3e-5 at worst;
-        // and about 16 times smaller with half the step.
-        near("RK4's determinant", errors[0], 0.0, 2.3e-5).unwrap();
-        near("and its order", (errors[0] / errors[1]).abs().log2(), 4.0, 0.5).unwrap();
-    }
 }
 
 /// Taylor's pendulum doubles its period at the known values: γ₁ = 1.066372862 and γ₂ = 1.079313906,
@@ -326,87 +252,6 @@ fn the_poincare_section_is_a_motion_seen_once_a_period() {
     }
 }
 
-/// The secant method finds zeros to the last bits, and returns `None` where there is none.
-///
-/// Catches: a bracket that is lost, a loop that does not end, a sign change taken for a zero.
-#[test]
-fn roots_are_found_to_the_last_bits() {
-    near("√2", root(|x| Some(x * x - 2.0), 0.0, 2.0).unwrap(), 2.0_f64.sqrt(), 4e-16).unwrap();
-    near("backwards", root(|x| Some(x * x - 2.0), 2.0, 0.0).unwrap(), 2.0_f64.sqrt(), 4e-16)
-        .unwrap();
-    // So flat that every secant falls short.
-    near("flat", root(|x| Some((x - 0.3).powi(9)), -1.0, 5.0).unwrap(), 0.3, 1e-3).unwrap();
-    near("a step", root(|x| Some(if x < 0.7 { -1.0 } else { 1e9 }), 0.0, 1.0).unwrap(), 0.7, 4e-16)
-        .unwrap();
-    // So low on one side that the secant falls on the end itself, which is not a zero.
-    for way in [1.0, -1.0] {
-        let low = |x: f64| Some(if way * x < 0.3 { -1.0 } else { 1e-300 });
-        near("a low step", root(low, 0.0, way).unwrap(), 0.3 * way, 4e-16).unwrap();
-        near("and back", root(low, way, 0.0).unwrap(), 0.3 * way, 4e-16).unwrap();
-    }
-    assert_eq!(root(|x| Some(x - 1.0), 1.0, 2.0), Some(1.0));
-    assert_eq!(root(|x| Some(x - 2.0), 1.0, 2.0), Some(2.0));
-    assert_eq!(root(|x| Some(x * x + 1.0), -1.0, 2.0), None);
-    assert_eq!(root(|_| Some(f64::NAN), 0.0, 1.0), None);
-    assert_eq!(root(|x| (x < 0.5).then_some(-1.0), 0.0, 1.0), None);
-}
-
-/// Brackets of hundreds of decades, in which the secant falls short of its zero by less than a
-/// rounding of itself, and of the latest point.
-///
-/// Catches: a small step of the secant taken for convergence; bisection of a distance, which takes
-/// a thousand halvings from 1e296 to 1e-61; a middle that is infinite.
-#[test]
-fn a_root_is_found_across_all_decades() {
-    for zero in [5e-61, 1e-200, 3.0, 1e-262 * 1.5, 1e280] {
-        for (low, high) in [(1e-262, 6e295), (6e295, 1e-262), (-1e300, 6e295), (0.0, f64::MAX)] {
-            let mut asked = 0;
-            for scale in [1.0, 1e-12] {
-                let line = |x: f64| {
-                    asked += 1;
-                    Some((x - zero) * scale)
-                };
-                let found = root(line, low, high).unwrap();
-                near("a line", found / zero, 1.0, 4e-16).unwrap();
-            }
-            let cube = |x: f64| Some((x / zero).powi(3) - 1.0);
-            near("a cube", root(cube, low, high).unwrap() / zero, 1.0, 1e-15).unwrap();
-            assert!(asked <= 600, "{asked}");
-        }
-    }
-    // A zero at `low` is returned whatever the value at `high`, unless that is none.
-    assert_eq!(root(|x| Some(if x == 1.0 { 0.0 } else { f64::NAN }), 1.0, 2.0), Some(1.0));
-    assert_eq!(root(|x| Some(if x == 1.0 { -0.0 } else { -3.0 }), 1.0, 2.0), Some(1.0));
-    assert_eq!(root(|x| (x == 1.0).then_some(0.0), 1.0, 2.0), None);
-    // Subnormal, and between the zeros.
-    let step = |x: f64| Some(if x < 2e-323 { -1.0 } else { 1.0 });
-    assert!((1.5e-323..2.5e-323).contains(&root(step, -1.0, 1.0).unwrap()));
-    // Where the sum of both ends overflows.
-    let zero = -1.6e308;
-    let step = |x: f64| Some(if x < zero { -1.0 } else { 1.0 });
-    near("the end", root(step, 1e130, f64::MIN).unwrap() / zero, 1.0, 4e-16).unwrap();
-}
-
-/// The secant method's order is 1.6: eight or nine evaluations to sixteen digits, the two ends, one
-/// that confirms, and the extra steps of the Illinois rule. Where a function is as curved as eˣ
-/// from 1 to 3000, four of these lead into the secant's reach.
-///
-/// Catches: a search that continues after it has converged; nine tenths of a step, or of the value
-/// at the end that stays.
-#[test]
-fn a_root_takes_few_evaluations() {
-    let square = |x: f64| x * x - 2.0;
-    for (f, high, most) in [(square as fn(f64) -> f64, 2.0, 16), (|x| x.exp() - 100.0, 8.0, 20)] {
-        let mut asked = 0;
-        let counted = |x| {
-            asked += 1;
-            Some(f(x))
-        };
-        assert!(root(counted, 0.0, high).is_some());
-        assert!((8..most).contains(&asked), "{asked}");
-    }
-}
-
 /// Two blocks differ from their mean by half their difference, which is its standard error. The
 /// blocks are taken by hand.
 ///
@@ -437,20 +282,6 @@ fn the_error_bar_of_two_blocks_is_half_their_difference() {
     assert!(found.error > 1e-3);
 }
 
-/// Catches: an average over no block, or the scatter of one, that is NaN.
-#[test]
-fn a_watch_has_blocks_that_scatter() {
-    for (blocks, periods) in [(0, 1), (1, 1), (2, 0)] {
-        let refused = Watch::new(0, blocks, periods);
-        assert!(matches!(refused, Err(Error::Parameter { .. })), "{refused:?}");
-    }
-    let driven = Driven::taylor(CHAOTIC).unwrap();
-    let least = Watch::new(0, 2, 1).unwrap();
-    let Exponent { value, error, .. } =
-        largest_exponent(&seen(&driven, COARSE), attractor(&driven), least);
-    assert!(value.is_finite() && error.is_finite() && error > 0.0, "{value} ± {error}");
-}
-
 /// Störmer–Verlet against RK4, whose error is negligible here. Verlet's shifts the phase by
 /// (hω₀)²/24 of ω₀t: 3e-7, of a swing of 1 rad and 1.6 rad/s. With a margin of 10.
 ///
@@ -463,19 +294,6 @@ fn kicks_and_drifts_are_the_same_motion() {
     let rk4 = integrate(&driven, &Rk4, start, &grid, &mut ());
     let off = verlet + rk4 * -1.0;
     assert!(off.theta.abs() < 3e-6 && off.omega.abs() < 5e-6, "{off:?}");
-}
-
-/// Catches: a getter that returns another number than the one used; area that shrinks by another
-/// factor.
-#[test]
-fn a_drive_is_what_it_was_made_of() {
-    let driven = driven(0.7);
-    assert_eq!((driven.strength(), driven.frequency(), driven.damped().damping()), (0.7, 1.1, 0.4));
-    let period = 2.0 * std::f64::consts::PI / 1.1;
-    // The quotient is rounded; and so is e^−4.57 = 0.0104, with an exponent rounded by 4e-16:
-    // 5e-18.
-    near("period", driven.period(), period, 1e-15 * period).unwrap();
-    near("contraction", driven.contraction(), (-0.8 * period).exp(), 1e-16).unwrap();
 }
 
 /// Catches: a period that is not the grid's.

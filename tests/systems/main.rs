@@ -7,6 +7,6 @@ mod common;
 mod damped;
 mod double_pendulum;
 mod driven;
-mod floquet;
+mod dynamics;
 mod kepler;
 mod shaken;

@@ -160,19 +160,6 @@ fn the_period_shifts_as_predicted<M: Method<Pendulum>>(
     assert!((measured - law).abs() < f64::min(2e-5, 0.01 * law.abs()), "{measured:e}, not {law:e}");
 }
 
-/// Where the mean of the cosine over the swing vanishes, so does the discrete gradient's second
-/// order; x⁴ is left, with a coefficient below a tenth.
-///
-/// Catches: a law that is right by chance at the angles of the test before.
-#[test]
-fn the_discrete_gradient_keeps_time_at_one_amplitude() {
-    /// Where 2E/K = 1, to nine digits.
-    const ZERO: f64 = 2.281_318_306_841;
-    assert!(period::of_discrete_gradient(&pendulum(), ZERO).abs() < 1e-8);
-    let left = shift(&DiscreteGradient, ZERO, 0.1, 200.0);
-    assert!(left.abs() < 0.1 * 1e-4, "{left:e}");
-}
-
 /// Asserts that after 10⁵ steps on the linear oscillator angle and energy are exact but for
 /// rounding, which a step makes `a_step` ε of the state, at random; and the angle of a pendulum
 /// that swings by 2⁻⁴⁰ rad, which is one.

@@ -82,31 +82,21 @@ fn symplectic_euler_conserves_its_energy_to_each_order(
     assert!((slope - expected).abs() < SLOPE_TOLERANCE, "slope {slope}, not {expected}");
 }
 
-/// Its H̃ to x⁷ is conserved to x⁸, as the odd powers vanish.
+/// H̃ to x⁷ is conserved to x⁸, as the odd powers vanish: that of either form, each its own.
 ///
-/// Catches: the position form in place of the velocity form, which an order test cannot tell apart;
-/// a shift by a whole kick.
+/// Catches: the position form in place of the velocity form, which an order test cannot tell apart,
+/// or its law; a shift by a whole kick.
 #[test]
 fn stormer_verlet_conserves_its_energy_to_the_eighth_order() {
     let of = |x| spread(&StormerVerlet, SWINGING, x, |z| stormer_verlet::correction(z, x));
-    let slope = slope(of(0.2), of(0.1));
-    assert!((slope - 8.0).abs() < SLOPE_TOLERANCE, "slope {slope}");
-    let other = |x| {
-        spread(&StormerVerlet, SWINGING, x, |z| stormer_verlet::correction_of_position_form(z, x))
-    };
-    assert!(other(0.1) > 1e4 * of(0.1), "the two forms cannot be told apart");
-}
-
-/// The same for the position form.
-///
-/// Catches: the velocity form's law used for the position form.
-#[test]
-fn the_position_form_conserves_its_own_energy() {
-    let of = |x| {
-        spread(&PositionVerlet, SWINGING, x, |z| stormer_verlet::correction_of_position_form(z, x))
-    };
-    let slope = slope(of(0.2), of(0.1));
-    assert!((slope - 8.0).abs() < SLOPE_TOLERANCE, "slope {slope}");
+    let law = |z, x| stormer_verlet::correction_of_position_form(z, x);
+    let of_position = |x| spread(&PositionVerlet, SWINGING, x, |z| law(z, x));
+    for (coarse, fine) in [(of(0.2), of(0.1)), (of_position(0.2), of_position(0.1))] {
+        let slope = slope(coarse, fine);
+        assert!((slope - 8.0).abs() < SLOPE_TOLERANCE, "slope {slope}");
+    }
+    let other = spread(&StormerVerlet, SWINGING, 0.1, |z| law(z, 0.1));
+    assert!(other > 1e4 * of(0.1), "the two forms cannot be told apart");
 }
 
 /// The highest sample lies below the maximum of the curve by at most x²/2 relatively, where the
@@ -127,6 +117,8 @@ fn symplectic_euler_strays_along_its_level_curve(#[values(0.3, 1.0, 2.0, 2.8, -1
     assert_relative_eq!(measured, law, max_relative = SAMPLING);
 }
 
+/// Of either form, each by its own closed form.
+///
 /// Catches: m, g or L in the wrong place in the law or the method, a half kick taken whole, the
 /// position form in place of the velocity form.
 #[rstest]
@@ -134,29 +126,9 @@ fn stormer_verlet_strays_as_its_closed_form_says(#[values(0.3, 1.0, 2.0, 2.8, -1
     let measured = largest_energy_error(&StormerVerlet, theta_0, &long_grid());
     let law = stormer_verlet::energy_error(&pendulum(), theta_0, step(0.02));
     assert_relative_eq!(measured, law, max_relative = SAMPLING);
-}
-
-/// Catches: a wrong closed form for the position form.
-#[rstest]
-fn the_position_form_strays_as_its_closed_form_says(#[values(0.3, 1.0, 2.0, 2.8)] theta_0: f64) {
     let measured = largest_energy_error(&PositionVerlet, theta_0, &long_grid());
     let law = stormer_verlet::energy_error_of_position_form(&pendulum(), theta_0, step(0.02));
     assert_relative_eq!(measured, law, max_relative = SAMPLING);
-}
-
-/// Two terms give the level curve to order h⁴; the remainder is x⁶(1 − c₀)³(100 + 33c₀)/30240.
-/// (Below 1.5 rad that is less than the terms in x⁸ which the level curve itself leaves out.)
-///
-/// Catches: a wrong second coefficient.
-#[rstest]
-fn the_closed_form_is_stormer_verlets_level_curve(#[values(2.0, 2.5)] theta_0: f64) {
-    let pendulum = pendulum();
-    let left = |h: f64| {
-        let curve = stormer_verlet::largest_energy_error(&pendulum, theta_0, h);
-        (curve - stormer_verlet::energy_error(&pendulum, theta_0, h)).abs()
-    };
-    let order = slope(left(step(0.2)), left(step(0.1)));
-    assert!((order - 6.0).abs() < SLOPE_TOLERANCE, "slope {order}");
 }
 
 // -------------------------------------------------------------------------------------------------
@@ -205,18 +177,6 @@ fn rk4_loses_energy_at_the_secular_rate(#[values(0.3, 1.0, 2.0, 2.8)] theta_0: f
     let law = theory::rk4::secular_rate(&pendulum, theta_0, grid.step());
     assert!(law < 0.0);
     assert_relative_eq!(rate, law, max_relative = 1e-3);
-}
-
-/// |R(ix)|² = 1 − x⁶/72 + x⁸/576: at small angles energy decays by that factor a step. The pendulum
-/// differs by θ₀².
-///
-/// Catches: averages of e₆ and e₈ that are wrong because their polynomials are.
-#[test]
-fn the_secular_rate_at_small_angles_is_that_of_the_linear_oscillator() {
-    let (pendulum, x) = (pendulum(), 0.1);
-    let energy = pendulum.energy(Phase::at_rest(1e-3));
-    let rate = theory::rk4::secular_rate(&pendulum, 1e-3, step(x)) * step(x) / energy;
-    assert_relative_eq!(rate, -x.powi(6) / 72.0 + x.powi(8) / 576.0, max_relative = 1e-5);
 }
 
 // -------------------------------------------------------------------------------------------------

@@ -1,11 +1,15 @@
-//! The period of each method at every amplitude, against theory.
+//! The period of each method at every amplitude, against theory; and the resonances, where a
+//! numerical swing takes a whole number of steps.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use approx::assert_relative_eq;
 use pendula::methods::{ForwardEuler, Rk4, StormerVerlet, SymplecticEuler};
 use pendula::metrics::CrossingPeriod;
-use pendula::{Grid, LinearOscillator, Method, Pendulum, Phase, exact, integrate};
+use pendula::{
+    Grid, LinearOscillator, METHODS, Method, Pendulum, Phase, exact, integrate, method_named,
+};
+use pendula_study::experiments::resonance::{EVEN, largest_error, place, slip, tau};
 use pendula_study::theory;
 use pendula_study::theory::period::{of_stormer_verlet, of_symplectic_euler};
 use pendula_study::theory::small_angle::LinearRecurrence;
@@ -74,20 +78,6 @@ fn the_period_is_of_fourth_order_where_two_errors_cancel(#[values(0.2, 0.1)] x: 
     }
 }
 
-/// The same law in elliptic integrals, (ω₀²/24)(2 − k² − 3E/K), at ω₀² = 9.81 and 25 digits.
-///
-/// Catches: a mean over the orbit that has not converged, near the bottom or the top.
-#[rstest]
-#[case(1e-6, -0.408_749_999_999_948_9)]
-#[case(1.0, -0.357_178_040_911_498_1)]
-#[case(2.0, -0.198_498_737_962_696_23)]
-#[case(3.0, 0.104_494_795_461_015_71)]
-fn the_mean_over_the_orbit_is_the_elliptic_integral(#[case] theta_0: f64, #[case] tau: f64) {
-    let mean = of_stormer_verlet(&Pendulum::PAPER, theta_0);
-    // 256 terms of order 1, and three times their mean: a few 1e-15, times ω₀²/16.
-    assert!((mean - tau).abs() < 1e-14, "{mean} for {tau}");
-}
-
 /// RK4's period changes by h⁴τ₄. With steps that divide a quarter period there is nothing to
 /// interpolate; the energy loss adds a term in h⁵, which extrapolation from two steps removes. What
 /// is left is of relative order x² < 1e-3, with a coefficient below 1.
@@ -105,18 +95,6 @@ fn the_period_of_rk4_shifts_as_predicted(#[values(0.1, 1.0, 2.0, 3.0)] theta_0: 
     };
     let law = theory::rk4::period_shift(&pendulum, theta_0);
     assert_relative_eq!(2.0 * shift(200) - shift(100), law, max_relative = 1e-3);
-}
-
-/// τ₄ at small angles is ω₀⁴/120, and its relative decrease is less than θ₀²/2.
-///
-/// Catches: a law that is wrong in the same way as RK4 itself; ω₀² for ω₀⁴.
-#[test]
-fn the_shift_of_rk4_at_small_angles_is_that_of_the_linear_oscillator() {
-    let pendulum = pendulum();
-    let (theta_0, frequency_squared) = (0.02, pendulum.frequency_squared());
-    let law = theory::rk4::period_shift(&pendulum, theta_0);
-    let ratio = law / (frequency_squared * frequency_squared / 120.0);
-    assert!(ratio < 1.0 && ratio > 1.0 - 0.5 * theta_0 * theta_0, "{ratio}");
 }
 
 /// On the linear oscillator the period is that of the recurrence: x/φ times the exact one. Each
@@ -146,22 +124,76 @@ fn the_period_on_the_linear_oscillator_is_that_of_the_recurrence<M>(
     assert!((measured - law).abs() < reading(x), "{measured} for {law}");
 }
 
-/// Relative errors of the frequencies: forward Euler −x²/3, symplectic Euler and Störmer–Verlet
-/// x²/24, RK4 −x⁴/120. The next terms, x⁴/5, 3x⁴/640 and x⁶/336, are less than x² of these.
+// -------------------------------------------------------------------------------------------------
+// Step-size resonances
+// -------------------------------------------------------------------------------------------------
+
+/// At the place that theory gives, every swing takes `count` steps, so that the samples of all
+/// swings fall on each other, within half their distance; `beside` it (steps a period) they have
+/// gone round by a whole turn or more.
 ///
-/// Catches: a recurrence that is wrong in the same way as its method.
+/// An offset d slips by d/count turns a swing, and 400 swings by 400 d/count. Störmer–Verlet's
+/// orbit stays locked for a twentieth of a step and more on either side; its place is a quarter of
+/// a step from that of a method whose period is right.
+///
+/// Catches: the period's shift left out of the place, or with the other sign; a place in steps a
+/// small-angle period.
 #[rstest]
-#[case::forward_euler(LinearRecurrence::forward_euler, 2, -1.0 / 3.0)]
-#[case::symplectic_euler(LinearRecurrence::symplectic_euler, 2, 1.0 / 24.0)]
-#[case::rk4(LinearRecurrence::rk4, 4, -1.0 / 120.0)]
-#[case::stormer_verlet(LinearRecurrence::stormer_verlet, 2, 1.0 / 24.0)]
-fn the_recurrences_have_their_leading_terms(
-    #[case] recurrence: fn(&Pendulum, f64) -> LinearRecurrence,
-    #[case] power: i32,
-    #[case] coefficient: f64,
+#[case("blanes-moan-6", 6, 0.05)]
+#[case("blanes-moan-6", 8, 0.05)]
+#[case("blanes-moan-6", 10, 0.05)]
+#[case("stormer-verlet", 6, 0.15)]
+fn theory_has_the_place_of_a_resonance(
+    #[case] name: &str,
+    #[case] count: u32,
+    #[case] beside: f64,
 ) {
-    let (pendulum, x) = (pendulum(), 0.03);
-    let h = x / pendulum.small_angle_frequency();
-    let relative = recurrence(&pendulum, h).advance / x - 1.0;
-    assert_relative_eq!(relative, coefficient * x.powi(power), max_relative = x * x);
+    let method = method_named(name).unwrap();
+    let place = place(count, tau(method));
+    let locked = slip(method, place, count);
+    assert!(locked < 0.5 / f64::from(count), "{name} slips by {locked} at {place}");
+    for steps in [place - beside, place + beside] {
+        let slipped = slip(method, steps, count);
+        assert!(slipped > 1.0, "{name} slips by {slipped} at {steps}");
+    }
+}
+
+/// The largest error within 0.04 steps of the place, over the larger of those a quarter of a step
+/// to either side.
+fn height(name: &str, place: f64) -> f64 {
+    let method = method_named(name).unwrap();
+    let error = |offset: f64| largest_error(method, place + offset);
+    let peak = [0.01, 0.02, 0.03, 0.04].into_iter().flat_map(|d| [error(-d), error(d)]);
+    peak.fold(0.0, f64::max) / error(-0.25).max(error(0.25))
+}
+
+/// Beside a place that is met, errors are small divisors: they fall as one over the distance, and
+/// so by 6 to 25 from 0.01 to 0.25, where the method's own error is smaller than that and its
+/// period near enough to the exact one. At an odd count the half swings, mirror images, undo each
+/// other, whatever the symplectic method; the errors of order 16 are rounding.
+///
+/// Catches: peaks that are those of a single swing; odd counts taken for resonances; a parity that
+/// one method has by chance.
+#[test]
+fn peaks_stand_at_even_counts_and_not_at_odd_ones() {
+    for (name, counts) in [
+        ("blanes-moan-6", &EVEN[..3]),
+        ("gauss-6", &EVEN[..2]),
+        ("processed-6", &EVEN[..2]),
+        ("yoshida-6", &EVEN[..1]),
+        ("yoshida-8", &EVEN[..1]),
+        ("kahan-li-8", &EVEN[..1]),
+    ] {
+        for count in counts {
+            let height = height(name, f64::from(*count));
+            assert!(height > 6.0, "{name} at {count}: {height}");
+        }
+    }
+    let symplectic = METHODS.iter().map(|method| method.info());
+    for info in symplectic.filter(|info| info.symplectic && info.order <= 8) {
+        for count in [7, 9, 11] {
+            let height = height(info.name, f64::from(count));
+            assert!(height < 1.0, "{} at {count}: {height}", info.name);
+        }
+    }
 }

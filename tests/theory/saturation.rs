@@ -106,100 +106,30 @@ fn energy_saturates_in_a_band(
 // Not monotone
 // -------------------------------------------------------------------------------------------------
 
-/// A step of Table 5: the Taylor expansion of its energy change, in units of m L² h² (g/L)/2, and a
-/// bound on the remainder.
-struct Step {
-    time: f64,
-    /// Before the step.
-    from: Phase,
-    falls: bool,
-    /// (g/L) sin²θ + ω² cos θ.
-    law: f64,
-    /// A bound on the remainder of the Taylor series of cos θ − cos(θ + hω): h|ω³ sin θ|/3 +
-    /// h²ω⁴/12.
-    remainder: f64,
-}
-
-/// The steps of the paper's long run.
-fn table_5() -> Vec<Step> {
-    let (pendulum, h) = (Pendulum::PAPER, long_run::STEP);
-    let grid = Grid::with_duration(h, long_run::DURATION).unwrap();
-    let mut steps = Vec::with_capacity(grid.steps() as usize);
-    let mut before: Option<(f64, Phase)> = None;
-    let start = Phase::at_rest(long_run::THETA_0);
-    ForwardEuler.run(&pendulum, start, &grid, &mut |_, time, z: Phase| {
-        let energy = pendulum.energy(z);
-        if let Some((last, from)) = before {
-            let (s, c, w) = (from.theta.sin(), from.theta.cos(), from.omega);
-            steps.push(Step {
-                time,
-                from,
-                falls: energy < last,
-                law: pendulum.frequency_squared() * s * s + w * w * c,
-                remainder: h * (w.powi(3) * s).abs() / 3.0 + h * h * w.powi(4) / 12.0,
-            });
-        }
-        before = Some((energy, z));
-    });
-    steps
-}
-
 /// The measured number, as in the ledger (X.fe.falls).
 ///
 /// Catches: the claim that forward Euler's energy grows monotonically, and an energy rounded so
 /// much that the count is noise.
 #[test]
 fn nearly_half_the_steps_of_table_5_lower_the_energy() {
-    let steps = table_5();
-    let falls: Vec<&Step> = steps.iter().filter(|step| step.falls).collect();
-    assert_eq!((steps.len(), falls.len()), (100_000, 48_626));
+    let pendulum = Pendulum::PAPER;
+    let grid = Grid::with_duration(long_run::STEP, long_run::DURATION).unwrap();
+    let start = Phase::at_rest(long_run::THETA_0);
+    let (mut falls, mut first_turn, mut last) = (Vec::new(), None, pendulum.energy(start));
+    ForwardEuler.run(&pendulum, start, &grid, &mut |_, time: f64, z: Phase| {
+        let energy = pendulum.energy(z);
+        if energy < last {
+            falls.push(time);
+        }
+        if z.theta.abs() > PI {
+            first_turn.get_or_insert(time);
+        }
+        last = energy;
+    });
+    assert_eq!((grid.steps(), falls.len()), (100_000, 48_626));
     // On the first passage over the top, and not before: in a swing (g/L) sin²θ + ω² cos θ =
     // (g/L)(1 + c² − 2cc₀) > 0.
-    assert!((falls[0].time - 27.60).abs() < 0.005, "{}", falls[0].time);
-    let first_turn = steps.iter().find(|step| step.from.theta.abs() > PI).unwrap();
-    assert!(falls[0].time < first_turn.time && falls[0].time > first_turn.time - 1.0);
-}
-
-/// The sign of (g/L) sin²θ + ω² cos θ decides whether a step lowers the energy, wherever its size
-/// exceeds the remainder of the Taylor series.
-///
-/// Catches: an energy measured with another angle or velocity than the step's own; a kick or a
-/// drift that is off by h.
-#[test]
-fn the_sign_of_each_step_is_taylors() {
-    let steps = table_5();
-    let decided: Vec<&Step> = steps.iter().filter(|step| step.law.abs() > step.remainder).collect();
-    assert!(decided.len() > 80_000, "only {} steps are decided", decided.len());
-    for step in decided {
-        assert_eq!(step.falls, step.law < 0.0, "at {} s", step.time);
-    }
-}
-
-/// Energy grows only below a certain angle. With E = ½ω² − (g/L) cos θ = a g/L a step is neutral
-/// where 1 + c² + 2ac = 0, at c = −a + √(a² − 1): 135° at the first turn, 118° after 5 s of
-/// rotation, and 90° in the limit of fast rotation.
-///
-/// Catches: the claim that forward Euler adds energy everywhere; a law with the force at the new
-/// angle.
-#[test]
-fn it_grows_only_below_an_angle_that_shrinks() {
-    let g = Pendulum::PAPER.frequency_squared();
-    let (mut widest, mut narrowest) = (0.0_f64, 180.0_f64);
-    let mut last = false;
-    for step in table_5().iter().take_while(|step| step.time < 60.0) {
-        let Phase { theta, omega } = step.from;
-        let a = 0.5 * omega * omega / g - theta.cos();
-        if step.falls && !last {
-            let neutral = (-a + (a * a - 1.0).sqrt()).acos().to_degrees();
-            // The first step that lowers the energy is at most one drift hω beyond that angle, and
-            // the next Taylor term, hω sin θ/3, shifts it by about half a drift.
-            let angle = theta.cos().acos().to_degrees();
-            let drift = (long_run::STEP * omega).abs().to_degrees();
-            assert!((angle - neutral).abs() < 2.0 * drift, "{angle}° for {neutral}°");
-            widest = widest.max(neutral);
-            narrowest = narrowest.min(neutral);
-        }
-        last = step.falls;
-    }
-    assert!(widest > 130.0 && narrowest < 120.0, "{widest}°, {narrowest}°");
+    assert!((falls[0] - 27.60).abs() < 0.005, "{}", falls[0]);
+    let first_turn = first_turn.expect("it goes over the top");
+    assert!(falls[0] <= first_turn && falls[0] > first_turn - 0.99, "{first_turn}");
 }

@@ -87,13 +87,13 @@ pub fn rk4(force: Force<'_>, z: Phase, h: f64, n: u64) -> Vec<Phase> {
     runge_kutta(force, z, h, n, (RK4_A, RK4_B, 1.0))
 }
 
-fn three_eighths(force: Force<'_>, z: Phase, h: f64, n: u64) -> Vec<Phase> {
+pub fn three_eighths(force: Force<'_>, z: Phase, h: f64, n: u64) -> Vec<Phase> {
     let third = 1.0 / 3.0;
     let a = [[0.0; 4], [third, 0.0, 0.0, 0.0], [-third, 1.0, 0.0, 0.0], [1.0, -1.0, 1.0, 0.0]];
     runge_kutta(force, z, h, n, (a, [0.125, 0.375, 0.375, 0.125], 1.0))
 }
 
-fn ralston(force: Force<'_>, z: Phase, h: f64, n: u64) -> Vec<Phase> {
+pub fn ralston(force: Force<'_>, z: Phase, h: f64, n: u64) -> Vec<Phase> {
     let a = [[0.0; 4], [2.0 / 3.0, 0.0, 0.0, 0.0], [0.0; 4], [0.0; 4]];
     runge_kutta(force, z, h, n, (a, [0.25, 0.75, 0.0, 0.0], 1.0))
 }

@@ -21,7 +21,5 @@ mod discrimination;
 mod judged;
 mod looks;
 mod metrics;
-mod slope_estimator;
 mod strangers;
 mod thresholds;
-mod words;

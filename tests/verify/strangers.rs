@@ -7,6 +7,8 @@ use pendula::verify::{Claims, FromFn, Verdict, judge};
 use pendula::{Hamiltonian, Motion, Pendulum, Phase};
 use rstest::rstest;
 
+use crate::looks::{self, Run};
+
 /// (θ, ω).
 type State = (f64, f64);
 /// A step of h (s) with g/L (1/s²).
@@ -35,14 +37,10 @@ fn along(z: State, rate: State, h: f64) -> State {
     (z.0 + h * rate.0, z.1 + h * rate.1)
 }
 
-/// An explicit Runge–Kutta method from its tableau.
-fn runge_kutta<const S: usize>(a: [[f64; S]; S], b: [f64; S], g: f64, z: State, h: f64) -> State {
-    let mut slopes = [(0.0, 0.0); S];
-    for i in 0..S {
-        let at = (0..i).fold(z, |at, j| along(at, slopes[j], h * a[i][j]));
-        slopes[i] = rate(g, at);
-    }
-    (0..S).fold(z, |at, i| along(at, slopes[i], h * b[i]))
+/// One step of a program of `looks.rs`.
+fn one_of(run: Run, g: f64, (theta, omega): State, h: f64) -> State {
+    let end = run(&|_, theta| -g * theta.sin(), Phase { theta, omega }, h, 1)[0];
+    (end.theta, end.omega)
 }
 
 fn verlet(g: f64, (theta, omega): State, h: f64) -> State {
@@ -78,22 +76,12 @@ fn forward(g: f64, z: State, h: f64) -> State {
 }
 
 fn rk4(g: f64, z: State, h: f64) -> State {
-    let a = [[0.0; 4], [0.5, 0.0, 0.0, 0.0], [0.0, 0.5, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]];
-    runge_kutta(a, [1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0], g, z, h)
-}
-
-fn three_eighths(g: f64, z: State, h: f64) -> State {
-    let third = 1.0 / 3.0;
-    let a = [[0.0; 4], [third, 0.0, 0.0, 0.0], [-third, 1.0, 0.0, 0.0], [1.0, -1.0, 1.0, 0.0]];
-    runge_kutta(a, [0.125, 0.375, 0.375, 0.125], g, z, h)
-}
-
-fn ralston(g: f64, z: State, h: f64) -> State {
-    runge_kutta([[0.0, 0.0], [2.0 / 3.0, 0.0]], [0.25, 0.75], g, z, h)
+    one_of(looks::rk4, g, z, h)
 }
 
 fn heun(g: f64, z: State, h: f64) -> State {
-    runge_kutta([[0.0, 0.0], [1.0, 0.0]], [0.5, 0.5], g, z, h)
+    let ahead = forward(g, z, h);
+    along(along(z, rate(g, z), 0.5 * h), rate(g, ahead), 0.5 * h)
 }
 
 /// The state that `better` leaves as it is, from `next` on.
@@ -206,8 +194,10 @@ fn stormers_form(g: f64, theta: f64, omega: f64, h: f64, n: u64) -> Vec<State> {
 #[case::drift_kick(drift_kick, Claims::order(1).symplectic(), "symplectic-euler-drift-first")]
 #[case::forward(forward, Claims::order(1), "forward-euler")]
 #[case::rk4(rk4, Claims::order(4), "rk4")]
-#[case::three_eighths(three_eighths, Claims::order(4), "three-eighths")]
-#[case::ralston(ralston, Claims::order(2), "ralston-2")]
+#[case::three_eighths(
+    |g, z, h| one_of(looks::three_eighths, g, z, h), Claims::order(4), "three-eighths",
+)]
+#[case::ralston(|g, z, h| one_of(looks::ralston, g, z, h), Claims::order(2), "ralston-2")]
 #[case::heun(heun, Claims::order(2), "heun")]
 #[case::trapezoidal(
     trapezoidal, Claims::order(2).symmetric().bounded_energy(), "trapezoidal",

@@ -6,7 +6,7 @@ use pendula::internals::verdicts::{
 };
 use pendula::internals::{Ladder, Probe};
 use pendula::methods::StormerVerlet;
-use pendula::verify::Verdict::{self, Fails, Holds, Unclear};
+use pendula::verify::Verdict::{self, Fails, Holds, NotMeasured, Unclear};
 use pendula::verify::{Claims, Fault, Finding, FromFn, Reply, Report, Request, Stranger, judge};
 use pendula::{Motion, Pendulum, Phase, method_named};
 use rstest::rstest;
@@ -363,49 +363,44 @@ fn a_term_too_much_is_found(
     assert!((parts - 1e-2 / factor.abs()).abs() < 1e-6, "{parts}");
 }
 
-/// Of every combination of verdicts on three claims the worst is that on all, and each that is not
-/// *holds* is named once, the failures first.
+/// The verdict on three claims, of area, clock and order, is the worst of theirs, and each that is
+/// not *holds* is named once, the failures first.
 ///
 /// Catches: what was not measured hiding a failure, or something unclear hiding that it was not
 /// measured; a claim that is not named, or under another verdict; one failure in the plural.
-#[test]
-fn the_verdict_on_all_claims_is_the_worst() {
-    use Verdict::NotMeasured;
-    let finding = |name, verdict| {
+#[rstest]
+#[case([Holds, Holds, Holds], Holds, "Every claim holds.")]
+#[case([Holds, Fails, Holds], Fails, "A claim fails: clock.")]
+#[case([Fails, Holds, Fails], Fails, "Claims fail: area, order.")]
+#[case(
+    [Unclear, Fails, NotMeasured], Fails,
+    "A claim fails: clock; not measured: order; unclear: area.",
+)]
+#[case(
+    [Holds, Unclear, Holds], Unclear,
+    "No claim fails, but not every one is shown; unclear: clock.",
+)]
+#[case(
+    [NotMeasured, NotMeasured, Holds], NotMeasured,
+    "No claim fails, but not every one is shown; not measured: area, clock.",
+)]
+#[case(
+    [Unclear, NotMeasured, Unclear], NotMeasured,
+    "No claim fails, but not every one is shown; not measured: clock; unclear: area, order.",
+)]
+fn the_verdict_on_all_claims_is_the_worst(
+    #[case] verdicts: [Verdict; 3],
+    #[case] worst: Verdict,
+    #[case] summary: &str,
+) {
+    let finding = |(name, verdict)| {
         let mut finding = Finding::default();
         (finding.name, finding.verdict) = (name, verdict);
         (finding.claimed, finding.values) = (Some(String::new()), vec![1.0]);
         finding
     };
-    let all = [Holds, Unclear, NotMeasured, Fails];
-    for i in 0..64_usize {
-        let verdicts = [all[i % 4], all[i / 4 % 4], all[i / 16]];
-        let findings = ["area", "clock", "order"].into_iter().zip(verdicts);
-        let mut report = Report::default();
-        report.findings = findings.map(|(name, verdict)| finding(name, verdict)).collect();
-        report.conclude(false);
-        let rank = |verdict: &Verdict| all.iter().position(|known| known == verdict);
-        let worst = verdicts.into_iter().max_by_key(rank).unwrap();
-        assert_eq!(report.verdict, worst, "{verdicts:?}");
-        let summary = report.summary();
-        let of = |verdict| {
-            let names = ["area", "clock", "order"].into_iter().zip(verdicts);
-            names.filter(|(_, v)| *v == verdict).map(|(name, _)| name).collect::<Vec<_>>()
-        };
-        let (fails, lost, unclear) = (of(Fails), of(NotMeasured), of(Unclear));
-        let mut said = Vec::new();
-        if !fails.is_empty() {
-            let begin = if fails.len() > 1 { "Claims fail: " } else { "A claim fails: " };
-            said.push(format!("{begin}{}", fails.join(", ")));
-        }
-        said.extend((!lost.is_empty()).then(|| format!("not measured: {}", lost.join(", "))));
-        said.extend((!unclear.is_empty()).then(|| format!("unclear: {}", unclear.join(", "))));
-        let said = said.join("; ");
-        let expected = match worst {
-            Holds => "Every claim holds.".to_string(),
-            Fails => format!("{said}."),
-            _ => format!("No claim fails, but not every one is shown; {said}."),
-        };
-        assert_eq!(summary, expected, "{verdicts:?}");
-    }
+    let mut report = Report::default();
+    report.findings = ["area", "clock", "order"].into_iter().zip(verdicts).map(finding).collect();
+    report.conclude(false);
+    assert_eq!((report.verdict, &report.summary()[..]), (worst, summary));
 }

@@ -362,25 +362,25 @@ fn every_digit_counts(
     #[case] expected: usize,
 ) {
     let s = DoubleDouble::new(0.375);
-    let spoiled = DoubleDouble::ONE + DoubleDouble::new(1e-20);
+    let spoil = |number: Option<&mut Printed>| {
+        let number = number.expect("a number of the table");
+        number.value = number.value * (DoubleDouble::ONE + DoubleDouble::new(1e-20));
+    };
+    let is_seen = |table: &Table| {
+        order_and_failure(table, &table.dense(s, end, more), s, solution).0 < expected
+    };
     for stage in 1..table.stages.len() {
-        for &other in table.stages[stage].keys() {
+        for other in table.stages[stage].keys() {
             let mut table = table.clone();
-            let a = table.stages[stage].get_mut(&other).unwrap();
-            a.value = a.value * spoiled;
-            let dense = table.dense(s, end, more);
-            let (order, _) = order_and_failure(&table, &dense, s, solution);
-            assert!(order < expected, "{}, {}", table.names[stage], table.names[other]);
+            spoil(table.stages[stage].get_mut(other));
+            assert!(is_seen(&table), "{}, {}", table.names[stage], table.names[*other]);
         }
     }
     for name in more {
         for stage in table.sums[name].keys() {
             let mut table = table.clone();
-            let b = table.sums.get_mut(name).unwrap().get_mut(stage).unwrap();
-            b.value = b.value * spoiled;
-            let dense = table.dense(s, end, more);
-            let (order, _) = order_and_failure(&table, &dense, s, solution);
-            assert!(order < expected, "{name}, {}", table.names[*stage]);
+            spoil(table.sums.get_mut(name).expect("a sum").get_mut(stage));
+            assert!(is_seen(&table), "{name}, {}", table.names[*stage]);
         }
     }
 }
