@@ -126,6 +126,32 @@ fn periods_are_the_references() {
     }
 }
 
+/// Catches: k and k' exchanged, or a ratio upside down.
+///
+/// These columns take θ₀ and g as written, not as rounded: half an ulp of θ₀ is added to what K may
+/// be off by.
+#[test]
+fn the_numbers_of_a_swing_are_the_references() {
+    for row in Row::all(PERIODS) {
+        let theta0 = row.number("theta0");
+        let swing = Swing::released_at(&Pendulum::PAPER, theta0).expect("a legal angle");
+        let rounding = 0.5 * half_ulp(theta0);
+        let (k, complement) = (row.number("k"), row.number("kc"));
+        let of_k = f64::EPSILON * k + rounding * complement;
+        let of_complement = f64::EPSILON * complement + rounding * k;
+        assert!((swing.modulus() - k).abs() <= of_k, "{}", row.line);
+        assert!(
+            (swing.complementary_modulus() - complement).abs() <= of_complement,
+            "{}",
+            row.line
+        );
+        let relative = PERIOD_TOLERANCE + of_complement / complement;
+        assert_relative_eq!(swing.elliptic_k(), row.number("K"), max_relative = relative);
+        assert_relative_eq!(swing.ratio(), row.number("T_over_T0"), max_relative = relative);
+        assert_relative_eq!(swing.period(), row.number("T"), max_relative = relative);
+    }
+}
+
 /// k, k' and K of a release from rest, computed with 60 digits of the f64 θ₀: of either sign, tiny,
 /// beside the top, and beyond a turn. Relatively, so that no digit of a small one may be lost: half
 /// the angle is exact, and sine and cosine are within 0.8 ulp.

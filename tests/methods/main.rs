@@ -7,6 +7,7 @@ mod common;
 mod changes_of_variables;
 mod known_answers;
 mod linear;
+mod order;
 mod order_conditions;
 mod properties;
 mod registry;
