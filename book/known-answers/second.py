@@ -80,12 +80,8 @@ class Nystrom:
         if "times" in table:
             self.c = reader.row(table["times"])
         if table["kind"] == "rkn":
-            self.r, self.a, self.b_angle, self.whole = (
-                self.c,
-                a,
-                reader.row(table["b_theta"]),
-                arb(1),
-            )
+            self.r, self.a, self.whole = self.c, a, arb(1)
+            self.b_angle = reader.row(table["b_theta"])
             return
         angle = reader.rows(table["a_theta"])[1] if "a_theta" in table else a
         weights = reader.row(table["b_theta"]) if "b_theta" in table else self.b
