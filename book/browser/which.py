@@ -68,6 +68,8 @@ def test_typed(tab, book):
         tab.press("Tab")
     assert tab.run(SAID) == "It is stormer-verlet."
     assert "order\n2\n" in tab.run(RESULT)
+    chapter = tab.run("document.querySelector('.which .result strong a').href")
+    assert book.page(chapter) in book.chapters
     tab.run("document.querySelector('.which .result input').focus()")
     tab.page.keyboard.type("x")
     tab.press("Enter")

@@ -37,18 +37,14 @@ class Forces:
         return -self.g * q.cos()
 
 
-def middle(x):
-    return x.mid()
-
-
 def root(function, guess):
     """A zero by the secant method."""
     a, b = guess, guess + arb(2) ** -40
     for _ in range(12):
         fa, fb = function(a), function(b)
-        if middle(fa - fb) == 0:
+        if (fa - fb).mid() == 0:
             break
-        a, b = b, middle(b - fb * (b - a) / middle(fb - fa))
+        a, b = b, (b - fb * (b - a) / (fb - fa).mid()).mid()
     return b
 
 
@@ -80,12 +76,8 @@ class Nystrom:
         if "times" in table:
             self.c = reader.row(table["times"])
         if table["kind"] == "rkn":
-            self.r, self.a, self.b_angle, self.whole = (
-                self.c,
-                a,
-                reader.row(table["b_theta"]),
-                arb(1),
-            )
+            self.r, self.a, self.whole = self.c, a, arb(1)
+            self.b_angle = reader.row(table["b_theta"])
             return
         angle = reader.rows(table["a_theta"])[1] if "a_theta" in table else a
         weights = reader.row(table["b_theta"]) if "b_theta" in table else self.b
@@ -130,7 +122,7 @@ class Nystrom:
                 for i in range(size):
                     jacobian[i][i] += 1
                 change = arb_mat(jacobian).solve(arb_mat(size, 1, rest))
-                stages = [middle(x - change[i, 0]) for i, x in enumerate(stages)]
+                stages = [(x - change[i, 0]).mid() for i, x in enumerate(stages)]
             f = [self.force(forces, i, t, h, x) for i, x in enumerate(stages)]
         angle = q + h * self.whole * p + h**2 * dot(self.b_angle, f)
         return angle, p + h * dot(self.b, f)
@@ -167,29 +159,26 @@ def series(forces, t, q, p, h, order):
     return tuple(sum((z[k] * h**k for k in range(order + 1)), arb(0)) for z in (theta, omega))
 
 
+def moved(bases, weights, past, h):
+    """The bases and h times the weighted slopes of older states, (θ, ω, force)."""
+    return [base + h * dot(weights, [x[k] for x in past]) for k, base in enumerate(bases, 1)]
+
+
 def multistep(table, forces, t, q, p, h, steps):
     reader = Reader(table, FUNCTIONS)
-    values, explicit, implicit = (
-        reader.row(table.get(key, "")) for key in ("values", "explicit", "implicit")
-    )
+    values = reader.row(table.get("values", "1"))
+    explicit, implicit = (reader.row(table.get(key, "")) for key in ("explicit", "implicit"))
     past, states = [(q, p, forces.value(t, q))], []
     for i in range(table["before"]):
         a, b = series(forces, t - i * h, past[-1][0], past[-1][1], -h, 70)
         past.append((a, b, forces.value(t - (i + 1) * h, a)))
     for step in range(steps):
         now = t + (step + 1) * h
-        bases = [sum((v * x[k] for v, x in zip(values or [arb(1)], past)), arb(0)) for k in (0, 1)]
-
-        def moved(weights, bases=bases, past=tuple(past)):
-            return [
-                bases[k] + h * sum((w * x[k + 1] for w, x in zip(weights, past)), arb(0))
-                for k in (0, 1)
-            ]
-
+        bases = [dot(values, [x[k] for x in past]) for k in (0, 1)]
         if explicit:
-            q, p = moved(explicit)
+            q, p = moved(bases, explicit, past, h)
         if implicit:
-            a, b = moved(implicit[1:])
+            a, b = moved(bases, implicit[1:], past, h)
             beta = h * implicit[0]
             if explicit:
                 q, p = a + beta * p, b + beta * forces.value(now, q)

@@ -106,17 +106,12 @@ class Coefficients:
             self.a_theta = (
                 [row(xs) for xs in method.tableau("a_theta")[1]] if "a_theta" in table else self.a
             )
-            for name in ("b", "b_embedded", "b_theta"):
+            for name in ("b", "b_embedded", "b_theta", "interpolant"):
                 if name in table or (name == "b" and "collocation" in table):
                     setattr(self, name, row(method.row(name)))
             self.b_theta = getattr(self, "b_theta", getattr(self, "b", None))
-            if "interpolant" in table:
-                self.interpolant = row(method.row("interpolant"))
-        self.lists = {
-            k: row(method.row(k))
-            for k in ("explicit", "implicit", "values")
-            if k in table and table[k]
-        }
+        lists = ("explicit", "implicit", "values")
+        self.lists = {key: row(method.row(key)) for key in lists if table.get(key)}
         if "lengths" in table or "substeps" in table:
             self.ops, elapsed, at = [], 0, []
             for what, length, gradient in alternation(table, method.reader):
@@ -196,12 +191,11 @@ def nystrom(n, system, memory, t, q, p, h):
         for i in range(size):
             f.append(stage(i, f))
     else:
-        f = solve(
-            n,
-            [system.force(t, q)] * size,
-            lambda f: [stage(i, f) for i in range(size)],
-            c.table.get("sweeps"),
-        )
+
+        def improve(f):
+            return [stage(i, f) for i in range(size)]
+
+        f = solve(n, [system.force(t, q)] * size, improve, c.table.get("sweeps"))
     return q + h * p + dot(n, c.b_theta, f, h) * h, p + dot(n, c.b, f, h)
 
 
@@ -258,10 +252,8 @@ def discrete_gradient(n, system, memory, t, q, p, h):
     half = n.number(0.5)
     exact = memory["c"].table.get("exact_when_small")
     if exact:
-        w = system.linear_frequency
-        bend, w = (
-            (n.tan, w) if exact is True else (n.sin, w) if exact == "sine" else (n.tan, n.number(1))
-        )
+        w = system.linear_frequency if exact in (True, "sine") else n.number(1)
+        bend = n.sin if exact == "sine" else n.tan
         h = n.number(2) / w * bend(w * h * half)
     way = n.number(float(memory["c"].table.get("way", 1)))
 
@@ -323,19 +315,15 @@ def shifted(n, system, x, theta, omega, h):
 
 
 def processed(n, system, memory, t, q, p, h):
-    x = memory["c"].x
+    x, first_term = memory["c"].x, memory["c"].table.get("first_term")
     kernel = memory.get("kernel")
     if kernel is None:
 
         def improve(guess):
             return [q - shifted(n, system, x, guess[0], p, h)[0]]
 
-        theta = (
-            solve(n, [q], improve)[0]
-            if not memory["c"].table.get("first_term")
-            else improve([q])[0]
-        )
-        at = q if memory["c"].table.get("first_term") else theta
+        (theta,) = improve([q]) if first_term else solve(n, [q], improve)
+        at = q if first_term else theta
         kernel = theta, p * shifted(n, system, x, at, p, h)[1]
     theta, omega = memory["kernel"] = splitting(n, system, memory, t, *kernel, h)
 
@@ -343,7 +331,7 @@ def processed(n, system, memory, t, q, p, h):
         return [omega / shifted(n, system, x, theta, guess[0], h)[1]]
 
     (seen,) = solve(n, [omega], slower)
-    if memory["c"].table.get("first_term"):
+    if first_term:
         shift, stretch = shifted(n, system, x, theta, omega, h)
         return theta + shift, omega * (n.number(2) - stretch)
     return theta + shifted(n, system, x, theta, seen, h)[0], seen
@@ -351,29 +339,28 @@ def processed(n, system, memory, t, q, p, h):
 
 def multistep(n, system, memory, t, q, p, h):
     """Weighted sums of older states and slopes, newest first; the oldest are exact."""
-    past = memory.setdefault("past", None)
     c = memory["c"]
-    if past is None:
-        past = memory["past"] = [(q, p, p, system.force(t, q))]
+    if "past" not in memory:
+        # Angles, velocities and forces.
+        memory["past"] = [(q, p, system.force(t, q))]
         if c.table.get("euler_before"):
-            memory["before"] = [(q - h * p, p - h * past[0][3])]
+            memory["before"] = [(q - h * p, p - h * memory["past"][0][2])]
         for i, (a, b) in enumerate(memory["before"], 1):
-            past.append((a, b, b, system.force(t - h * n.number(i), a)))
+            memory["past"].append((a, b, system.force(t - h * n.number(i), a)))
+    past = memory["past"]
     explicit, implicit = c.lists.get("explicit"), c.lists.get("implicit")
     values = c.lists.get("values", [n.number(1)])
 
-    def sums(weights, offset):
-        known = past[: len(weights) - (1 - offset)]
-        start = weights[1 - offset :]
-        return dot(n, start, [x[2] for x in known], h), dot(n, start, [x[3] for x in known], h)
+    def sums(weights):
+        return [dot(n, weights, [x[i] for x in past], h) for i in (1, 2)]
 
-    old = [dot(n, values, [x[i] for x in past[: len(values)]]) for i in (0, 1)]
+    old = [dot(n, values, [x[i] for x in past]) for i in (0, 1)]
     ahead = t + h
     if explicit:
-        dq, dp = sums(explicit, 1)
+        dq, dp = sums(explicit)
         new_q, new_p = old[0] + dq, old[1] + dp
     if implicit:
-        dq, dp = sums(implicit, 0)
+        dq, dp = sums(implicit[1:])
 
         def improve(guess):
             a, b = guess
@@ -386,7 +373,7 @@ def multistep(n, system, memory, t, q, p, h):
             new_q, new_p = improve((new_q, new_p))
         else:
             new_q, new_p = solve(n, [q + h * p, p], improve)
-    past.insert(0, (new_q, new_p, new_p, system.force(ahead, new_q)))
+    past.insert(0, (new_q, new_p, system.force(ahead, new_q)))
     return new_q, new_p
 
 

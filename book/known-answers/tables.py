@@ -10,26 +10,30 @@ HERE = pathlib.Path(__file__).parent
 NUMBER = re.compile(r"(?<![\w.])(\d+\.?\d*(?:e[-+]?\d+)?|\.\d+(?:e[-+]?\d+)?)")
 MPMATH = {"number": mpmath.mpf, "sqrt": mpmath.sqrt, "cos": mpmath.cos, "pi": mpmath.pi}
 
+# What a mistake does not take over from its method's table.
+OF_METHOD = ("name", "also", "same_as", "b_embedded", "interpolant")
+
 
 def function(text, names):
     """The function of q that an expression says."""
+    return evaluate(f"lambda q: {text}", names)
+
+
+def evaluate(text, names):
     # The tables are part of this repository: nothing from outside is evaluated.
-    return eval(NUMBER.sub(r"number('\1')", f"lambda q: {text}"), {"__builtins__": {}} | names)
+    return eval(NUMBER.sub(r"number('\1')", text), {"__builtins__": {}} | names)
 
 
 class Reader:
     """Reads the expressions of one table with one library of numbers."""
 
     def __init__(self, table, functions=MPMATH):
-        self.names = dict(functions)
+        self.names, self.zero = dict(functions), functions["number"](0)
         for name, text in table.get("let", {}).items():
             self.names[name] = self.expression(text)
 
     def expression(self, text):
-        # The tables are part of this repository: nothing from outside is evaluated.
-        return eval(
-            NUMBER.sub(r"number('\1')", text), {"__builtins__": {}}, self.names
-        ) + self.names["number"](0)
+        return evaluate(text, self.names) + self.zero
 
     def row(self, text):
         return [self.expression(token) for token in text.split()]
@@ -40,11 +44,8 @@ class Reader:
         for line in text.strip().splitlines():
             node, colon, entries = line.rpartition(":")
             rows.append(self.row(entries))
-            nodes.append(
-                self.expression(node.strip()) if colon else sum(rows[-1], self.names["number"](0))
-            )
-        size = len(rows)
-        return nodes, [row + [self.names["number"](0)] * (size - len(row)) for row in rows]
+            nodes.append(self.expression(node.strip()) if colon else sum(rows[-1], self.zero))
+        return nodes, [row + [self.zero] * (len(rows) - len(row)) for row in rows]
 
 
 def read():
@@ -58,19 +59,13 @@ def read():
     mistakes = {}
     for table in found["mistake"]:
         base = methods[table["of"]]
-        merged = {
-            k: v
-            for k, v in base.items()
-            if k not in ("name", "also", "same_as", "b_embedded", "interpolant")
-        }
+        merged = {key: value for key, value in base.items() if key not in OF_METHOD}
         merged["let"] = {**base.get("let", {}), **table.get("let", {})}
         merged.update({k: v for k, v in table.items() if k not in ("let", "change")})
         for change in table.get("change", []):
             exchange(merged, change)
         mistakes[table["name"]] = merged
-    assert len(methods) == len(found["method"]) and len(mistakes) == len(
-        found["mistake"]
-    ), "a name twice"
+    assert len(methods) + len(mistakes) == sum(map(len, found.values())), "a name twice"
     return methods, mistakes
 
 
@@ -102,16 +97,13 @@ def exchange(table, change):
 def alternation(table, reader):
     """Kicks and drifts of a splitting: a list of ("kick" or "drift", length, gradient)."""
     first = table.get("first", "kick")
+    lengths = reader.row(table["substeps" if "substeps" in table else "lengths"])
+    if table.get("mirror"):
+        lengths += lengths[-2::-1]
     if "substeps" in table:
-        steps = reader.row(table["substeps"])
-        if table.get("mirror"):
-            steps = steps + steps[-2::-1]
+        steps = lengths
         lengths = [steps[0] / 2] + [x for a, b in zip(steps, steps[1:]) for x in (a, (a + b) / 2)]
         lengths += [steps[-1], steps[-1] / 2]
-    else:
-        lengths = reader.row(table["lengths"])
-        if table.get("mirror"):
-            lengths = lengths + lengths[-2::-1]
     gradients = reader.row(table["gradients"]) if "gradients" in table else []
     names = ("kick", "drift") if first == "kick" else ("drift", "kick")
     return [

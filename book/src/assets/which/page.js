@@ -33,7 +33,7 @@
         const each = values.map((value, i) => span(`${NAMES[i]} ${minus(value)}`));
         return markup`<span class="both">${each}</span>`;
     };
-    const titled = name => (CHAPTERS.includes(name) ? link(`${name}.markup`, name) : name);
+    const titled = name => (CHAPTERS.includes(name) ? link(`${name}.html`, name) : name);
 
     // The address of this input.
     const address = (precision, pairs) =>
