@@ -123,34 +123,35 @@ impl Runner {
 
     /// Makes runs with the same steps, in lanes if they are several.
     fn run_block(&self, planned: &[Planned]) -> Vec<Run> {
-        let starts = self.starts(planned);
-        let mut watched = vec![(EnergyDrift::new(&self.pendulum), Phase::default()); starts.len()];
-        let mut watches: Vec<_> = watched
-            .iter_mut()
-            .map(|(drift, end)| {
-                move |n: u64, t: f64, z: Phase| {
-                    drift.observe(n, t, z);
-                    *end = z;
-                }
-            })
-            .collect();
-        let grid = planned[0].1;
-        match (&mut watches[..], &starts[..]) {
-            ([watch], [start]) => {
-                self.method.run(&self.pendulum, *start, &grid, watch);
-            }
-            _ => {
-                let ensemble = Ensemble::new(&self.pendulum, &starts, grid);
-                ensemble.watch(self.lanes, NonZeroU64::MIN, &mut watches);
-            }
+        let (starts, grid) = (self.starts(planned), planned[0].1);
+        let drift = EnergyDrift::new(&self.pendulum);
+        let mut watches = vec![DriftAndEnd { drift, end: Phase::default() }; starts.len()];
+        if let ([DriftAndEnd { drift, end }], [start]) = (&mut watches[..], &starts[..]) {
+            *end = self.method.run(&self.pendulum, *start, &grid, drift);
+        } else {
+            let ensemble = Ensemble::new(&self.pendulum, &starts, grid);
+            ensemble.watch(self.lanes, NonZeroU64::MIN, &mut watches);
         }
-        let run = |(&(theta0, grid), (drift, end)): (&Planned, (EnergyDrift<'_, _>, Phase))| Run {
-            theta0,
-            grid,
-            end,
-            energy_error: drift.largest(),
+        let run = |(&(theta0, grid), DriftAndEnd { drift, end }): (&Planned, DriftAndEnd<'_>)| {
+            Run { theta0, grid, end, energy_error: drift.largest() }
         };
-        planned.iter().zip(watched).map(run).collect()
+        planned.iter().zip(watches).map(run).collect()
+    }
+}
+
+/// Observes the energy error and keeps the last state. By value: of lanes that are watched through
+/// references the states go to memory at each step.
+#[derive(Clone)]
+struct DriftAndEnd<'p> {
+    drift: EnergyDrift<'p, Pendulum>,
+    end: Phase,
+}
+
+impl Observer<Phase> for DriftAndEnd<'_> {
+    #[inline]
+    fn observe(&mut self, n: u64, t: f64, z: Phase) {
+        self.drift.observe(n, t, z);
+        self.end = z;
     }
 }
 
