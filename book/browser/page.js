@@ -5,6 +5,10 @@
 //   listings: the window is as wide as a desk, so no listing has to be cut off
 async ({letter, index, contrast, paper = false, listings = false}) => {
     await document.fonts.ready;
+    // What is far from the screen would be laid out anew for each question of whether it is shown.
+    const near = new CSSStyleSheet();
+    near.replaceSync('* { content-visibility: visible !important; }');
+    document.adoptedStyleSheets = [near];
     const findings = [];
     const find = (kind, what) => findings.push(`${kind}: ${what}`);
     const brief = text => text.trim().replace(/\s+/g, ' ').slice(0, 60);
