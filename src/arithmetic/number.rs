@@ -85,6 +85,10 @@ pub trait Number:
     /// [`sine::cos`].
     #[inline(always)]
     fn sine_and_cosine(self) -> (Self, Self) {
+        // Of an angle beyond 2⁵¹ half turns what is left is no remainder.
+        if !self.abs().at_most(self.splat(2.0)).all() {
+            return self.sin_and_cos();
+        }
         let (n, [sine, cosine]) = sine::of_remainder(self);
         // sin (r ± π/2) = ± cos r, and cos (r ± π/2) = ∓ sin r, for n = ±1.
         let is_even = n.abs().at_most(n.splat(0.5));

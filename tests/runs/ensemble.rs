@@ -7,6 +7,7 @@ use std::num::NonZeroU64;
 
 use pendula::fast::{DoubleInLanes, Ensemble, Instructions, first_flips, first_flips_with};
 use pendula::integrate::Every;
+use pendula::methods::Taylor24;
 use pendula::methods::table::{RK4_IN_LANES, in_lanes};
 use pendula::systems::{DoublePhase, Joint};
 use pendula::{
@@ -45,6 +46,24 @@ fn lanes_have_the_bits_of_a_trajectory_alone(method: &dyn AnyMethod) {
     }
 }
 each_method!(lanes_have_the_bits_of_a_trajectory_alone);
+
+/// The first of these steps leads to 5e16 rad, of which no f64 knows the remainder of a half turn.
+///
+/// Catches: a sine in lanes that takes for a remainder what is none.
+#[test]
+fn a_series_beyond_its_radius_fails_as_it_does_alone() {
+    let pendulum = Pendulum::new(8.859567507449006, 9.211858544355808, 1.0).unwrap();
+    let start = Phase { theta: 4.374730152768134, omega: -3.219533667151895 };
+    let grid = Grid::new(6.895306304942781, 2).unwrap();
+    let alone = Taylor24.end(&pendulum, start, &grid);
+    let starts = [start];
+    for instructions in Instructions::ALL {
+        let mut ends = [Phase::default()];
+        let ensemble = Ensemble::new(&pendulum, &starts, grid);
+        ensemble.with_instructions(instructions).ends(lanes(&Taylor24), &mut ends);
+        assert_eq!(bits(&ends), bits(&[alone]), "{instructions:?}: {ends:?}, alone {alone:?}");
+    }
+}
 
 fn bits(states: &[Phase]) -> Vec<[u64; 2]> {
     states.iter().map(|z| crate::common::bits(*z)).collect()
