@@ -10,7 +10,7 @@ use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Sub};
 use fearless_simd::prelude::*;
 use fearless_simd::{f64x2, f64x4, f64x8, mask64x2, mask64x4, mask64x8, u64x2, u64x4, u64x8};
 
-use super::number::{Apart, Many, Mask, Number};
+use super::number::{Apart, Many, Mask, Number, of_remainder};
 use super::sine::{self, half_turn};
 
 /// A number for each lane.
@@ -86,6 +86,16 @@ macro_rules! lanes {
                     sine::sin_and_cos_within(self)
                 } else {
                     (self.map(sine::sin), self.map(sine::cos))
+                }
+            }
+
+            /// Of an angle beyond 2⁵¹ half turns what is left is no remainder.
+            #[inline(always)]
+            fn sine_and_cosine(self) -> (Self, Self) {
+                if Number::abs(self).at_most(Number::splat(self, 2.0)).all() {
+                    of_remainder(self)
+                } else {
+                    self.sin_and_cos()
                 }
             }
         }

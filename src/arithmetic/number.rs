@@ -85,17 +85,19 @@ pub trait Number:
     /// [`sine::cos`].
     #[inline(always)]
     fn sine_and_cosine(self) -> (Self, Self) {
-        // Of an angle beyond 2⁵¹ half turns what is left is no remainder.
-        if !self.abs().at_most(self.splat(2.0)).all() {
-            return self.sin_and_cos();
-        }
-        let (n, [sine, cosine]) = sine::of_remainder(self);
-        // sin (r ± π/2) = ± cos r, and cos (r ± π/2) = ∓ sin r, for n = ±1.
-        let is_even = n.abs().at_most(n.splat(0.5));
-        let sin = Self::select(is_even, sine, cosine * n);
-        // The sine of −0 is −0.
-        (sin.copysign(self), Self::select(is_even, cosine, -(sine * n)))
+        of_remainder(self)
     }
+}
+
+/// [`Number::sine_and_cosine`] of what is a remainder.
+#[inline(always)]
+pub(super) fn of_remainder<N: Number>(rest: N) -> (N, N) {
+    let (n, [sine, cosine]) = sine::of_remainder(rest);
+    // sin (r ± π/2) = ± cos r, and cos (r ± π/2) = ∓ sin r, for n = ±1.
+    let is_even = n.abs().at_most(n.splat(0.5));
+    let sin = N::select(is_even, sine, cosine * n);
+    // The sine of −0 is −0.
+    (sin.copysign(rest), N::select(is_even, cosine, -(sine * n)))
 }
 
 /// A [`Number`] other than f64: it stands for as many as there are lanes.
