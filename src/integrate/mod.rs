@@ -1,4 +1,4 @@
-//! The time loop: a system, a method, a start, a grid of times, and an observer of what happens.
+//! What a method is, and the time loop: a system, a method, a start, a grid of times, an observer.
 
 mod grid;
 mod observe;
