@@ -7,16 +7,19 @@
 
 #[path = "common/machine.rs"]
 mod machine;
+#[path = "common/threads.rs"]
+mod threads;
 
 use std::hint::black_box;
 use std::num::NonZero;
-use std::thread::{available_parallelism, scope};
+use std::thread::available_parallelism;
 
 use machine::{instructions, seconds};
 use pendula::fast::InLanes;
 use pendula::methods::table;
 use pendula::{Ensemble, Grid, Pendulum, Phase};
 use pendula_device::{Device, devices, method_named};
+use threads::with_threads;
 
 /// The methods shown.
 const SHOWN: [&str; 7] = [
@@ -59,16 +62,11 @@ fn speed(mut run: impl FnMut(Grid) -> Phase) -> f64 {
 /// The same in lanes, with this number of threads.
 fn in_lanes(method: &dyn InLanes, starts: &[Phase], threads: usize) -> f64 {
     let mut ends = vec![Phase::default(); starts.len()];
-    let part = starts.len().div_ceil(threads);
-    speed(|grid| {
-        scope(|scope| {
-            for (starts, ends) in starts.chunks(part).zip(ends.chunks_mut(part)) {
-                scope.spawn(move || {
-                    Ensemble::new(&Pendulum::PAPER, black_box(starts), grid).ends(method, ends);
-                });
-            }
-        });
-        ends[0]
+    with_threads(threads, || {
+        speed(|grid| {
+            Ensemble::new(&Pendulum::PAPER, black_box(starts), grid).ends(method, &mut ends);
+            ends[0]
+        })
     })
 }
 

@@ -3,12 +3,14 @@
 //! The first table is the speed of a step, one trajectory after the other and in lanes, with each
 //! set of vector instructions; where the processor lacks them, the baseline runs, and its speed is
 //! shown. The second is the time in which a method brings every one of the pendulums to an error.
-//! Both are of one core, whatever the library's features.
+//! Both are of one thread.
 //!
 //! `cargo bench --bench ensemble -- NAME` shows the methods whose name contains NAME.
 
 #[path = "common/machine.rs"]
 mod machine;
+#[path = "common/threads.rs"]
+mod threads;
 
 use std::hint::black_box;
 
@@ -17,6 +19,7 @@ use pendula::fast::{Ensemble, InLanes, Instructions};
 use pendula::methods::table::in_lanes;
 use pendula::metrics::EndError;
 use pendula::{AnyMethod, Grid, METHODS, MethodInfo, Pendulum, Phase};
+use threads::with_threads;
 
 /// A multiple of the number of lanes.
 const PENDULUMS: u32 = 9984;
@@ -162,9 +165,9 @@ fn measure(only: &str) -> Tables {
 
 fn main() {
     let only = std::env::args().skip(1).find(|argument| !argument.starts_with('-'));
-    let Tables { speeds, times } = measure(only.as_deref().unwrap_or(""));
+    let Tables { speeds, times } = with_threads(1, || measure(only.as_deref().unwrap_or("")));
     println!("{}\n", instructions());
-    println!("Millions of steps a second on one core, and how many times as fast as alone.\n");
+    println!("Millions of steps a second of one thread, and how many times as fast as alone.\n");
     println!("| Method | alone | SSE2 | × | AVX2 | × | AVX-512 | × |");
     println!("|---|--:|--:|--:|--:|--:|--:|--:|");
     for (title, [alone, lanes @ ..]) in &speeds {

@@ -10,6 +10,8 @@
 //! callgrind knows. A part of a step that is not inlined there shows as several times the count.
 
 mod common;
+#[path = "common/threads.rs"]
+mod threads;
 
 use std::hint::black_box;
 
@@ -61,7 +63,7 @@ fn count(kernel: &str, steps: u64) -> Option<Phase> {
         }
         "integrate_fast" => fast_named(name, &grid),
         "end" => Some(method_named(name)?.end(&Pendulum::PAPER, start, &grid)),
-        "lanes" => lanes_named(name, grid),
+        "lanes" => threads::with_threads(1, || lanes_named(name, grid)),
         _ => None,
     }
 }

@@ -7,6 +7,8 @@
 mod common;
 #[path = "common/machine.rs"]
 mod machine;
+#[path = "common/threads.rs"]
+mod threads;
 
 use std::hint::black_box;
 use std::num::NonZeroU64;
@@ -42,7 +44,7 @@ impl Table {
     }
 
     fn print(&self) {
-        println!("| Problem | what is skipped | ns | times as fast |\n|---|---|--:|--:|");
+        println!("| Scene | what is skipped | ns a step | times as fast |\n|---|---|--:|--:|");
         for row in &self.0 {
             println!("| {} |", row.join(" | "));
         }
@@ -50,6 +52,10 @@ impl Table {
 }
 
 fn main() {
+    threads::with_threads(1, measure);
+}
+
+fn measure() {
     let pendulum = Pendulum::PAPER;
     let grid = Grid::new(STEP, STEPS).expect("a positive step");
     let [one, three] = [1.0, 3.0].map(Phase::at_rest);
