@@ -131,7 +131,7 @@ impl Motion {
         let time = TimeUnit::new(pendulum);
         let fits = libm::fabs(omega * time.unit) <= FASTEST;
         checked(VELOCITY, omega, fits, "at most 3e150 √(g/L) in size")?;
-        let backward = omega < 0.0 || (omega == 0.0 && theta < 0.0);
+        let backward = omega < 0.0;
         let direction = if backward { -1.0 } else { 1.0 };
         let (theta, omega) = (direction * theta, direction * omega);
 
